@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The contact: operating conditions, their scalings, the lubricant, and how
+ * load and speed change in time.
+ *
+ * Scaling (Hertzian line contact, Venner, ten Napel & Bosma 1990):
+ *     b = sqrt(8 w R / (pi E'))   half width        X = x/b
+ *     ph = 2 w / (pi b)           Hertzian pressure P = p/ph
+ *                                                   H = h R/b^2
+ *                                                   T = t um/b
+ * with w the load per unit width [N/m], R the reduced radius [m], E' the
+ * reduced modulus [Pa], um = (u1 + u2)/2 the entrainment velocity [m/s].
+ * With W = w/(E' R), 2U = eta0 us/(E' R), us = u1 + u2, G = alpha E':
+ *     M = W (2U)^(-1/2), L = G (2U)^(1/4)           Moes numbers
+ *     lambda = 6 eta0 us R^2/(b^3 ph) = 3 pi^2/(8 M^2)
+ *     alphabar = alpha ph = L sqrt(M/(2 pi))
+ */
+#ifndef OVERROLL_CONTACT_H
+#define OVERROLL_CONTACT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "overroll/error.h"
+#include "overroll/memory.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ------------------------------------------------- operating conditions */
+
+/* What is known of the contact; NAN where it is not given.  Exactly one of
+ * these must be complete:
+ *   Moes      M, L                             (L = 0: isoviscous)
+ *   Hertzian  lambda, alphabar
+ *   physical  load or hertz_pressure, radius, modulus, viscosity, alpha (not
+ *             needed when isoviscous) and the speeds
+ * With Moes or Hertzian numbers, alpha alone sets ph = alphabar/alpha; radius
+ * and modulus then set b = 4 R ph/E', and viscosity the speed. */
+typedef struct ovr_conditions {
+    double M, L;
+    double lambda, alphabar;
+    double load;             /* w, N/m */
+    double hertz_pressure;   /* ph, Pa */
+    double radius;           /* R, m */
+    double modulus;          /* E', Pa */
+    double viscosity;        /* eta0, Pa s */
+    double alpha;            /* 1/Pa */
+    double speed_1, speed_2; /* u1, u2, m/s; both or none */
+    double mean_speed;       /* um, m/s, instead of the two speeds */
+    double slide_to_roll;    /* (u1 - u2)/um; NAN means 0 (pure rolling) */
+} ovr_conditions;
+
+/* All fields NAN. */
+OVR_API ovr_conditions ovr_conditions_unknown(void);
+
+/* The resolved contact.  Dimensionless numbers are always set; a physical
+ * scale that does not follow from what was given is NAN. */
+typedef struct ovr_contact {
+    double M, L, lambda, alphabar;
+    double u1_ratio, u2_ratio; /* u1/um, u2/um */
+    double ph;                 /* Pa */
+    double b;                  /* m: length along x */
+    double height;             /* b^2/R, m: film thickness and roughness */
+    double time;               /* b/um, s */
+    double load;               /* w, N/m */
+    double radius, modulus, viscosity, alpha, um; /* m, Pa, Pa s, 1/Pa, m/s */
+} ovr_contact;
+
+/* Resolves the conditions; fails with OVR_BAD_INPUT naming the quantity that
+ * is missing, contradictory or out of range. */
+OVR_API ovr_status ovr_contact_resolve(const ovr_conditions *given,
+                                       ovr_contact *contact, ovr_error *err);
+
+/* Central film thickness of Moes' line-contact formula, as H = h R/b^2
+ * (incompressible film; Moes number times pi/(8 M)). */
+OVR_API double ovr_film_central_moes(double M, double L);
+
+/* The four asymptotes in the same scaling: rigid-isoviscous,
+ * elastic-isoviscous, rigid-piezoviscous, elastic-piezoviscous. */
+typedef struct ovr_film_asymptotes {
+    double rigid_iso, elastic_iso, rigid_piezo, elastic_piezo;
+} ovr_film_asymptotes;
+OVR_API ovr_film_asymptotes ovr_film_asymptotes_moes(double M, double L);
+
+/* ------------------------------------------------------------ lubricant */
+
+typedef enum ovr_viscosity_law {
+    OVR_ROELANDS,
+    OVR_BARUS,
+    OVR_ISOVISCOUS
+} ovr_viscosity_law;
+
+typedef enum ovr_density_law {
+    OVR_DOWSON_HIGGINSON,
+    OVR_INCOMPRESSIBLE
+} ovr_density_law;
+
+/* A lubricant in the contact's scaling:
+ *   Roelands  eta/eta0 = exp(alphabar P0/z [(1 + P/P0)^z - 1]), P0 = p0/ph
+ *   Barus     eta/eta0 = exp(alphabar P)
+ *   Dowson-Higginson rho/rho0 = (A + 1.34 P)/(A + P), A = 5.9e8 Pa/ph */
+typedef struct ovr_lubricant {
+    ovr_viscosity_law viscosity_law;
+    ovr_density_law density_law;
+    double alphabar;
+    double P0;
+    double z;
+    double A;
+} ovr_lubricant;
+
+/* p0 in Pa (paper: 1.98e8); z dimensionless, NAN: 0.68, or from alpha and a
+ * physical viscosity by Roelands' relation z = alpha p0/(ln eta0 + 9.67).
+ * With L = 0 both laws become isoviscous and incompressible.  Fails if a law
+ * needs ph and the contact has none. */
+OVR_API ovr_status ovr_lubricant_make(const ovr_contact *contact,
+                                      ovr_viscosity_law viscosity_law,
+                                      ovr_density_law density_law, double p0,
+                                      double z, ovr_lubricant *lubricant,
+                                      ovr_error *err);
+
+/* Relative viscosity and density at one dimensionless pressure. */
+OVR_API double ovr_viscosity(const ovr_lubricant *lubricant, double P);
+OVR_API double ovr_density(const ovr_lubricant *lubricant, double P);
+
+/* ---------------------------------------------- load and speed histories */
+
+typedef enum ovr_history_kind {
+    OVR_HISTORY_CONSTANT,
+    OVR_HISTORY_RAMP, /* 1 to `to` over `duration` from `start` */
+    OVR_HISTORY_SINE, /* 1 + amplitude sin(2 pi (T - start)/period), T>start */
+    OVR_HISTORY_STEP, /* like a ramp without smoothing: jumps at `start` */
+    OVR_HISTORY_TABLE /* GSL interpolation through given points */
+} ovr_history_kind;
+
+typedef struct ovr_history ovr_history;
+
+/* What a history is made of; times in b/um, values relative to nominal. */
+typedef struct ovr_history_form {
+    ovr_history_kind kind;
+    double from, to;          /* ramp, step: value before and after */
+    double start, duration;   /* ramp (quintic smoothstep), step: duration 0 */
+    double amplitude, period; /* sine */
+    size_t points;            /* table */
+    const double *T, *value;  /* table, T increasing; copied */
+} ovr_history_form;
+
+/* Value 1 at all times. */
+OVR_API ovr_history_form ovr_history_constant(void);
+
+OVR_API ovr_history *ovr_history_create(const ovr_history_form *form,
+                                        const ovr_allocator *allocator,
+                                        ovr_error *err);
+OVR_API void ovr_history_free(ovr_history *history);
+
+/* Value at T (a NULL history is 1). */
+OVR_API double ovr_history_value(const ovr_history *history, double T);
+
+/* Integral of the value from 0 to T, exact for the analytic kinds: how far
+ * the mean surface has moved when the history is the speed ratio Cu. */
+OVR_API double ovr_history_integral(const ovr_history *history, double T);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

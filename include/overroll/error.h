@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Errors: one habit for the whole library.
+ *
+ * A function that can fail returns an ovr_status (or NULL for a constructor)
+ * and takes an `ovr_error *` as its last argument.  The message is one line,
+ * without a trailing newline, that names where (file, line, key), what is
+ * wrong and what would be right.  The library never prints, exits or aborts.
+ * Every function accepts a NULL error when only the status is of interest.
+ */
+#ifndef OVERROLL_ERROR_H
+#define OVERROLL_ERROR_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(__GNUC__)
+#define OVR_PRINTF(form, first)                                                \
+    __attribute__((__format__(__printf__, form, first)))
+#define OVR_API __attribute__((visibility("default")))
+#else
+#define OVR_PRINTF(form, first)
+#define OVR_API
+#endif
+
+typedef enum ovr_status {
+    OVR_OK = 0,
+    OVR_BAD_INPUT,     /* the caller's data is wrong or missing: exit code 2 */
+    OVR_NOT_CONVERGED, /* a solve or step did not reach its tolerance: 1 */
+    OVR_IMPOSSIBLE,    /* the physics asked for has no solution here: 1 */
+    OVR_NO_MEMORY,     /* an allocation failed: 1 */
+    OVR_IO,            /* reading or writing failed on the way: 1 */
+    OVR_STOPPED        /* an observer asked to stop: 3 */
+} ovr_status;
+
+enum { OVR_MESSAGE_SIZE = 1024 };
+
+typedef struct ovr_error {
+    ovr_status status;
+    char message[OVR_MESSAGE_SIZE];
+} ovr_error;
+
+/* Name of a status ("bad input", ...), a static string. */
+OVR_API const char *ovr_status_name(ovr_status status);
+
+/* Fills *err (unless NULL) and returns `status`, so that a failing function
+ * ends in `return ovr_fail(err, OVR_..., "...", ...)`. */
+OVR_API ovr_status ovr_fail(ovr_error *err, ovr_status status,
+                            const char *format, ...) OVR_PRINTF(3, 4);
+
+/* The same for trouble in a text file: the message starts "file:line: "
+ * (line <= 0: "file: "). */
+OVR_API ovr_status ovr_fail_at(ovr_error *err, ovr_status status,
+                               const char *file, long line, const char *format,
+                               ...) OVR_PRINTF(5, 6);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Everything: include this one. */
+#ifndef OVERROLL_OVERROLL_H
+#define OVERROLL_OVERROLL_H
+
+#include "overroll/contact.h"
+#include "overroll/error.h"
+#include "overroll/memory.h"
+#include "overroll/simulation.h"
+#include "overroll/surface.h"
+#include "overroll/version.h"
+
+#endif

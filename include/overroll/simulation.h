@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The simulation: a contact on a grid hierarchy, solved steady or marched in
+ * time.  All quantities are dimensionless in the contact's scaling.
+ *
+ *     ovr_options options = ovr_options_default();
+ *     ovr_simulation *sim =
+ *         ovr_simulation_create(&contact, &lubricant, &options, NULL, &err);
+ *     ovr_simulation_surface(sim, my_heights, my_data);
+ *     ovr_simulation_steady(sim, &err);            start of every run
+ *     while (ovr_simulation_state(sim)->T < 6)
+ *         if (ovr_simulation_step(sim, dT, &err)) ...
+ *     ovr_simulation_free(sim);
+ */
+#ifndef OVERROLL_SIMULATION_H
+#define OVERROLL_SIMULATION_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "overroll/contact.h"
+#include "overroll/error.h"
+#include "overroll/memory.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum ovr_scheme {
+    OVR_UPSTREAM1,     /* first-order wedge, backward Euler */
+    OVR_UPSTREAM2,     /* second-order upstream wedge, BDF2 */
+    OVR_CHARACTERISTIC /* narrow second order along the characteristic */
+} ovr_scheme;
+
+typedef enum ovr_smoother {
+    OVR_LINE,         /* distributive line relaxation */
+    OVR_HYBRID,       /* the paper: Gauss-Seidel and Jacobi dipole */
+    OVR_GAUSS_SEIDEL, /* the paper's parts alone */
+    OVR_DIPOLE
+} ovr_smoother;
+
+typedef enum ovr_stop {
+    OVR_STOP_NEGLIGIBLE, /* algebraic error negligible beside 1e-6 of H */
+    OVR_STOP_TRUNCATION, /* a fraction of the discretization error */
+    OVR_STOP_FIXED       /* exactly `cycles` cycles per refinement: paper */
+} ovr_stop;
+
+/* Zero or NAN where noted means: the program chooses from M, L and level. */
+typedef struct ovr_options {
+    double inlet, outlet; /* X_a < 0 < X_b; NAN: automatic; -4 and 1.5 */
+    int level;            /* finest grid, n = 7 * 2^level + 1 nodes; 8 */
+    int coarsest_level;   /* 0: automatic (3: 57 nodes); the paper's is 1 */
+    ovr_scheme scheme;
+    ovr_smoother smoother;
+    int cycle_index;                 /* 1: V, 2: W */
+    int sweeps_before, sweeps_after; /* 0, 0: the smoother's own (1, 1) */
+    int max_cycles;                  /* steady: per refinement; 0: automatic */
+    int cycles;                      /* with OVR_STOP_FIXED; the paper's 2 */
+    ovr_stop stop;
+    double tolerance;    /* on the residual R and load defect; 0: automatic */
+    int mlmi_order;      /* even, 4..12; 0: from the accuracy needed */
+    int mlmi_range;      /* corrections within so many meshes; 0: same */
+    double switch_value; /* hybrid: eps/D^2 above which Gauss-Seidel; 0.3 */
+    double relax_seidel; /* under-relaxation, paper 0.5..1; 0.8 */
+    double relax_dipole; /* paper 0.3..0.6; 0.4 */
+    bool paper_balance;  /* H0 by the paper's relaxation on the coarsest
+                            grid instead of the dense Newton step */
+} ovr_options;
+
+OVR_API ovr_options ovr_options_default(void);
+
+typedef struct ovr_simulation ovr_simulation;
+
+/* Height of both surfaces' features at time T at the n nodes X, positive out
+ * of the surface, in units of b^2/R; writes S[0..n-1]. */
+typedef void ovr_heights(void *data, double T, size_t n, const double *X,
+                         double *S);
+
+/* Resolves the automatic options, allocates every level once.  Nothing is
+ * allocated afterwards. Copies its arguments. */
+OVR_API ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
+                                              const ovr_lubricant *lubricant,
+                                              const ovr_options *options,
+                                              const ovr_allocator *allocator,
+                                              ovr_error *err);
+OVR_API void ovr_simulation_free(ovr_simulation *sim);
+
+/* Memory that ovr_simulation_create would take, bytes. */
+OVR_API double ovr_simulation_memory(const ovr_options *options);
+
+/* The options after resolution (domain, coarsest level, tolerance, ...). */
+OVR_API const ovr_options *ovr_simulation_options(const ovr_simulation *sim);
+
+/* Roughness and histories; borrowed, must outlive the simulation.  Default:
+ * smooth, constant. */
+OVR_API void ovr_simulation_surface(ovr_simulation *sim, ovr_heights *heights,
+                                    void *data);
+OVR_API void ovr_simulation_histories(ovr_simulation *sim,
+                                      const ovr_history *load,
+                                      const ovr_history *speed);
+
+/* Solves the steady problem at T = 0 (surface and histories as they are
+ * there) by full multigrid; also the start of every run. */
+OVR_API ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err);
+
+/* One implicit step of length dT > 0.  On failure the state is that of
+ * before the step.  A step that had to be accepted above its tolerance is
+ * marked in the observation and returns OVR_OK. */
+OVR_API ovr_status ovr_simulation_step(ovr_simulation *sim, double dT,
+                                       ovr_error *err);
+
+/* The solution now.  Arrays of n values, owned by the simulation, valid until
+ * the next call that changes it. */
+typedef struct ovr_state {
+    long step;
+    double T;
+    size_t n;
+    double D; /* mesh size */
+    const double *X;
+    const double *P; /* pressure / ph */
+    const double *H; /* film thickness R/b^2 */
+    const double *S; /* feature height R/b^2 */
+    double H0;
+} ovr_state;
+OVR_API const ovr_state *ovr_simulation_state(const ovr_simulation *sim);
+
+/* Fills rho, eta (relative density and viscosity) and flow (mass flow
+ * rho H - eps dP/dX at the half nodes i+1/2, n-1 values) of the state now; any
+ * may be NULL. */
+OVR_API void ovr_simulation_fields(const ovr_simulation *sim, double *rho,
+                                   double *eta, double *flow);
+
+/* What is observed after a solve or step; definitions in the manual. */
+typedef struct ovr_observation {
+    double T, dT;
+    double H_min, X_min;                 /* nodal */
+    double H_min_located, X_min_located; /* parabola through three nodes */
+    double H_cen;                        /* cubic about X = 0 */
+    double P_cen;                        /* the same for pressure */
+    double P_max, X_P_max;               /* nodal */
+    double P_spike, X_spike;             /* nodal; NAN without a spike */
+    double P_spike_located, X_spike_located;
+    double H0;
+    double load;         /* integral of P */
+    double load_ratio;   /* Cw */
+    double speed_ratio;  /* Cu */
+    double mass_flow;    /* mean over wet half nodes of the scheme's flux */
+    double mass_balance; /* inflow - outflow - stored change, relative to
+                            the inflow: vanishes with the discretization */
+    double X_cavitation; /* first dry node behind the last wet one */
+    double residual;     /* relative mass-flow imbalance R */
+    int cycles;          /* multigrid cycles of this step */
+    int retries;         /* attempts after the first one */
+    int maxima;          /* local maxima of P */
+    bool converged;      /* R and load below tolerance */
+    bool marked;         /* accepted above tolerance */
+} ovr_observation;
+OVR_API const ovr_observation *
+ovr_simulation_observation(const ovr_simulation *sim);
+
+/* One row a quantity of the observation, so that tables, files and help are
+ * made from one list. */
+typedef struct ovr_observable {
+    const char *name;      /* "min_film_thickness" */
+    const char *long_name; /* one line for people */
+    char kind;             /* what scales it: 'H' b^2/R, 'X' b, 'P' ph, 'T'
+                              b/um, '1' none, 'i' integer, 'b' flag */
+    size_t offset;         /* in ovr_observation */
+} ovr_observable;
+/* Ends with name NULL. */
+OVR_API const ovr_observable *ovr_observables(void);
+OVR_API double ovr_observable_value(const ovr_observable *which,
+                                    const ovr_observation *from);
+
+/* Totals since the steady start. */
+typedef struct ovr_statistics {
+    long steps, cycles, retries, substeps, marked;
+    double H_min, T_H_min; /* smallest located film so far, and when */
+} ovr_statistics;
+OVR_API const ovr_statistics *
+ovr_simulation_statistics(const ovr_simulation *sim);
+
+/* Calls visit(context, name, address, size in bytes) for every piece of
+ * memory that makes up the state between two steps: writing them all and
+ * reading them back into a simulation created alike continues bit for bit.
+ * Stops at the first status that is not OVR_OK and returns it. */
+typedef ovr_status ovr_visit(void *context, const char *name, void *memory,
+                             size_t bytes, ovr_error *err);
+OVR_API ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
+                                        void *context, ovr_error *err);
+/* To be called after a visit that wrote into the simulation. */
+OVR_API void ovr_simulation_restored(ovr_simulation *sim);
+
+/* ---------------------------------------------------------- time loop */
+
+/* Called after the steady start and after each step; anything but OVR_OK
+ * ends the run with that status. */
+typedef ovr_status ovr_observer(void *data, const ovr_simulation *sim,
+                                ovr_error *err);
+
+typedef struct ovr_march {
+    double end;        /* last time */
+    double dT;         /* step; 0: the mesh size */
+    bool adaptive;     /* step from the scheme's own error estimate */
+    double error;      /* adaptive: relative error of H a step, 1e-4 */
+    bool until_steady; /* stop when nothing changes any more */
+    /* next time after T that must be hit exactly, or INFINITY; may be NULL */
+    double (*next_time)(void *data, double T);
+    ovr_observer *observe; /* may be NULL */
+    void *data;
+} ovr_march;
+
+/* From the state now (steady start or restored) to the end.  With a fixed dT
+ * the k-th time is exactly k dT. */
+OVR_API ovr_status ovr_simulation_march(ovr_simulation *sim,
+                                        const ovr_march *march, ovr_error *err);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

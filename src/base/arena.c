@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/arena.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ALIGNMENT = 64, BLOCK = 1 << 16 };
+
+struct ovr_arena_block {
+    struct ovr_arena_block *older;
+    size_t used, size; /* bytes, this header included */
+};
+
+static void *from_malloc(void *context, size_t bytes)
+{
+    (void)context;
+    return malloc(bytes);
+}
+
+static void to_free(void *context, void *memory)
+{
+    (void)context;
+    free(memory);
+}
+
+ovr_arena ovr_arena_make(const ovr_allocator *allocator)
+{
+    ovr_arena arena = {{from_malloc, to_free, NULL}, NULL, 0};
+    if (allocator)
+        arena.allocator = *allocator;
+    return arena;
+}
+
+/* Offset in the block of the next aligned address. */
+static size_t next_aligned(const struct ovr_arena_block *block)
+{
+    uintptr_t at = (uintptr_t)block + block->used;
+    return block->used + (size_t)(-at & (ALIGNMENT - 1));
+}
+
+static struct ovr_arena_block *add_block(ovr_arena *arena, size_t bytes)
+{
+    size_t size = sizeof(struct ovr_arena_block) + ALIGNMENT + bytes;
+    struct ovr_arena_block *block;
+    if (size < BLOCK)
+        size = BLOCK;
+    block = arena->allocator.allocate(arena->allocator.context, size);
+    if (!block)
+        return NULL;
+    block->older = arena->blocks;
+    block->used = sizeof *block;
+    block->size = size;
+    arena->blocks = block;
+    arena->bytes += size;
+    return block;
+}
+
+void *ovr_arena_take(ovr_arena *arena, size_t count, size_t size,
+                     ovr_error *err)
+{
+    struct ovr_arena_block *block = arena->blocks;
+    size_t bytes = count * size, at;
+    if (size && count > (SIZE_MAX / 2) / size) {
+        ovr_fail(err, OVR_NO_MEMORY, "out of memory: %zu x %zu bytes wanted",
+                 count, size);
+        return NULL;
+    }
+    if (!block || next_aligned(block) + bytes > block->size)
+        block = add_block(arena, bytes);
+    if (!block) {
+        ovr_fail(err, OVR_NO_MEMORY, "out of memory: %zu bytes wanted", bytes);
+        return NULL;
+    }
+    at = next_aligned(block);
+    block->used = at + bytes;
+    return memset((char *)block + at, 0, bytes);
+}
+
+char *ovr_arena_text(ovr_arena *arena, const char *text, ovr_error *err)
+{
+    size_t bytes = strlen(text) + 1;
+    char *copy = ovr_arena_take(arena, bytes, 1, err);
+    return copy ? memcpy(copy, text, bytes) : NULL;
+}
+
+void ovr_arena_release(ovr_arena *arena)
+{
+    struct ovr_arena_block *block = arena->blocks;
+    ovr_arena emptied = *arena;
+    arena->blocks = NULL;
+    arena->bytes = 0;
+    while (block) {
+        struct ovr_arena_block *older = block->older;
+        emptied.allocator.release(emptied.allocator.context, block);
+        block = older;
+    }
+}
