@@ -1,0 +1,275 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Operating conditions and their scalings.  From the definitions in
+ * overroll/contact.h follow, and are used here:
+ *     ph^2 = w E'/(2 pi R)        b = 4 R ph/E'       w = pi b ph/2
+ *     W = w/(E' R) = pi b^2/(8 R^2)
+ *     2U = (W/M)^2                us = 2U E' R/eta0
+ *     M^2 = 3 pi^2/(8 lambda)     L = alphabar sqrt(2 pi/M)
+ * Every error message starts with the name of the field it is about.
+ */
+#include "overroll/contact.h"
+
+#include <math.h>
+
+static const double PI = 3.14159265358979323846;
+
+/* Beyond these a number is a slip of the pen, not a contact. */
+static const double M_LEAST = 1e-3, M_MOST = 1e6, L_MOST = 1e3;
+/* Redundant values may differ by their own rounding, no more. */
+static const double AGREE = 1e-6;
+
+ovr_conditions ovr_conditions_unknown(void)
+{
+    ovr_conditions c = {NAN, NAN, NAN, NAN, NAN, NAN, NAN,
+                        NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+    return c;
+}
+
+static bool known(double value)
+{
+    return !isnan(value);
+}
+
+static ovr_status refuse(ovr_error *err, const char *name, const char *why)
+{
+    return ovr_fail(err, OVR_BAD_INPUT, "%s %s", name, why);
+}
+
+static ovr_status check_sign(const char *name, double value, bool zero_too,
+                             ovr_error *err)
+{
+    if (!known(value) || (isfinite(value) && value > 0))
+        return OVR_OK;
+    if (zero_too && value == 0)
+        return OVR_OK;
+    return ovr_fail(err, OVR_BAD_INPUT, "%s = %g: must be %s and finite", name,
+                    value, zero_too ? "zero or positive" : "positive");
+}
+
+static ovr_status check_values(const ovr_conditions *c, ovr_error *err)
+{
+    const struct {
+        const char *name;
+        double value;
+        bool zero_too;
+    } all[] = {
+        {"M", c->M, false},
+        {"L", c->L, true},
+        {"lambda", c->lambda, false},
+        {"alphabar", c->alphabar, true},
+        {"load", c->load, false},
+        {"hertz_pressure", c->hertz_pressure, false},
+        {"radius", c->radius, false},
+        {"modulus", c->modulus, false},
+        {"viscosity", c->viscosity, false},
+        {"alpha", c->alpha, true},
+        {"mean_speed", c->mean_speed, false},
+    };
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++)
+        if (check_sign(all[i].name, all[i].value, all[i].zero_too, err))
+            return OVR_BAD_INPUT;
+    if (isinf(c->speed_1) || isinf(c->speed_2) || isinf(c->slide_to_roll))
+        return refuse(err,
+                      isinf(c->slide_to_roll) ? "slide_to_roll"
+                      : isinf(c->speed_1)     ? "speed_1"
+                                              : "speed_2",
+                      "must be finite");
+    return OVR_OK;
+}
+
+/* um and the ratios u1/um, u2/um = 1 +- SRR/2. */
+static ovr_status resolve_speeds(const ovr_conditions *c, ovr_contact *to,
+                                 ovr_error *err)
+{
+    double half = known(c->slide_to_roll) ? c->slide_to_roll / 2 : 0;
+    to->um = c->mean_speed;
+    to->u1_ratio = 1 + half;
+    to->u2_ratio = 1 - half;
+    if (!known(c->speed_1) && !known(c->speed_2))
+        return OVR_OK;
+    if (!known(c->speed_1))
+        return refuse(err, "speed_1", "is missing beside speed_2");
+    if (!known(c->speed_2))
+        return refuse(err, "speed_2", "is missing beside speed_1");
+    if (known(c->mean_speed))
+        return refuse(err, "mean_speed",
+                      "follows from speed_1 and speed_2: leave one out");
+    if (known(c->slide_to_roll))
+        return refuse(err, "slide_to_roll",
+                      "follows from speed_1 and speed_2: leave one out");
+    to->um = (c->speed_1 + c->speed_2) / 2;
+    if (!(to->um > 0))
+        return refuse(err, "speed_1",
+                      "plus speed_2 must be positive: the fluid is carried "
+                      "along +x; for squeeze or a start from rest give the "
+                      "nominal speeds here and their history in [speed]");
+    to->u1_ratio = c->speed_1 / to->um;
+    to->u2_ratio = c->speed_2 / to->um;
+    return OVR_OK;
+}
+
+/* Two ways to the same number must agree. */
+static ovr_status agree(const char *name, double given, double follows,
+                        const char *from, ovr_error *err)
+{
+    if (!known(given) || !known(follows) ||
+        fabs(given - follows) <= AGREE * fabs(follows))
+        return OVR_OK;
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "%s = %g (SI) contradicts %s, which give %g: leave it out",
+                    name, given, from, follows);
+}
+
+/* Moes or Hertzian numbers: M, L, lambda, alphabar of *to. */
+static ovr_status resolve_numbers(const ovr_conditions *c, ovr_contact *to,
+                                  ovr_error *err)
+{
+    bool moes = known(c->M) || known(c->L);
+    if (moes && (known(c->lambda) || known(c->alphabar)))
+        return refuse(err, known(c->lambda) ? "lambda" : "alphabar",
+                      "cannot stand beside M or L: give M and L, or lambda and "
+                      "alphabar");
+    if (known(c->load))
+        return refuse(err, "load",
+                      "cannot stand beside M and L (or lambda and alphabar), "
+                      "which set it: leave one or the other out");
+    if (moes && !known(c->M))
+        return refuse(err, "M", "is missing beside L");
+    if (moes && !known(c->L))
+        return refuse(err, "L", "is missing beside M (0: isoviscous)");
+    if (!moes && !known(c->lambda))
+        return refuse(err, "lambda", "is missing beside alphabar");
+    if (!moes && !known(c->alphabar))
+        return refuse(err, "alphabar", "is missing beside lambda");
+    to->M = moes ? c->M : sqrt(3 / (8 * c->lambda)) * PI;
+    to->lambda = moes ? 3 * PI * PI / (8 * c->M * c->M) : c->lambda;
+    to->L = moes ? c->L : c->alphabar * sqrt(2 * PI / to->M);
+    to->alphabar = moes ? c->L * sqrt(c->M / (2 * PI)) : c->alphabar;
+    return OVR_OK;
+}
+
+/* Scales that follow from the numbers and whatever physical is known. */
+static ovr_status scales_from_numbers(const ovr_conditions *c, ovr_contact *to,
+                                      ovr_error *err)
+{
+    double W, us, um;
+    to->radius = c->radius;
+    to->modulus = c->modulus;
+    to->viscosity = c->viscosity;
+    to->alpha = to->L > 0 ? c->alpha : 0;
+    to->ph = c->hertz_pressure;
+    if (to->L > 0 && known(c->alpha)) {
+        if (c->alpha == 0)
+            return refuse(err, "alpha", "= 0 contradicts L > 0");
+        to->ph = to->alphabar / c->alpha;
+        if (agree("hertz_pressure", c->hertz_pressure, to->ph,
+                  "alpha and the numbers M, L", err))
+            return OVR_BAD_INPUT;
+    } else if (to->L > 0) {
+        to->alpha = to->alphabar / to->ph;
+    }
+    to->b = 4 * c->radius * to->ph / c->modulus;
+    to->load = PI * to->b * to->ph / 2;
+    W = to->load / (c->modulus * c->radius);
+    us = (W / to->M) * (W / to->M) * c->modulus * c->radius;
+    if (!known(c->viscosity)) {
+        to->viscosity = us / (2 * to->um);
+        return OVR_OK;
+    }
+    um = us / (2 * c->viscosity);
+    if (agree(known(c->mean_speed) ? "mean_speed" : "speed_1", to->um, um,
+              "M, L and the viscosity (as mean speed)", err))
+        return OVR_BAD_INPUT;
+    if (known(um))
+        to->um = um;
+    return OVR_OK;
+}
+
+static ovr_status missing_physical(const ovr_conditions *c,
+                                   const ovr_contact *to, ovr_error *err)
+{
+    if (known(c->load) && known(c->hertz_pressure))
+        return refuse(err, "load",
+                      "and hertz_pressure set each other: leave one out");
+    if (!known(c->load) && !known(c->hertz_pressure))
+        return refuse(err, "load",
+                      "is missing: give M and L; or load (or hertz_pressure), "
+                      "radius, modulus, viscosity, alpha and speeds");
+    if (!known(c->radius))
+        return refuse(err, "radius", "is missing (reduced radius R)");
+    if (!known(c->modulus))
+        return refuse(err, "modulus", "is missing (reduced modulus E')");
+    if (!known(c->viscosity))
+        return refuse(err, "viscosity", "is missing (at ambient pressure)");
+    if (!known(to->um))
+        return refuse(err, "mean_speed",
+                      "is missing: give it, or speed_1 and speed_2");
+    return OVR_OK;
+}
+
+static ovr_status resolve_physical(const ovr_conditions *c, ovr_contact *to,
+                                   ovr_error *err)
+{
+    double R = c->radius, E = c->modulus, W, U2;
+    if (missing_physical(c, to, err))
+        return OVR_BAD_INPUT;
+    to->ph = known(c->load) ? sqrt(c->load / R * E / (2 * PI))
+                            : c->hertz_pressure;
+    to->b = 4 * R * to->ph / E;
+    to->load = known(c->load) ? c->load : PI * to->b * to->ph / 2;
+    W = to->load / (E * R);
+    U2 = 2 * c->viscosity * to->um / (E * R);
+    to->M = W / sqrt(U2);
+    to->L = known(c->alpha) ? c->alpha * E * sqrt(sqrt(U2)) : 0;
+    to->lambda = 3 * PI * PI / (8 * to->M * to->M);
+    to->alphabar = known(c->alpha) ? c->alpha * to->ph : 0;
+    to->radius = R;
+    to->modulus = E;
+    to->viscosity = c->viscosity;
+    to->alpha = c->alpha;
+    return OVR_OK;
+}
+
+static ovr_status check_range(const ovr_contact *to, bool physical,
+                              ovr_error *err)
+{
+    const char *from = physical ? " (from the physical conditions)" : "";
+    if (!(to->M >= M_LEAST && to->M <= M_MOST))
+        return ovr_fail(err, OVR_BAD_INPUT, "M = %g%s: must be %g to %g", to->M,
+                        from, M_LEAST, M_MOST);
+    if (!(to->L >= 0 && to->L <= L_MOST))
+        return ovr_fail(err, OVR_BAD_INPUT, "L = %g%s: must be 0 to %g", to->L,
+                        from, L_MOST);
+    if (isinf(to->b) || isinf(to->ph) || isinf(to->um) || isinf(to->load) ||
+        to->b <= 0 || to->ph <= 0 || to->um <= 0 || to->load <= 0)
+        return refuse(err, "radius",
+                      "and the other physical conditions give scales beyond "
+                      "the range of numbers");
+    return OVR_OK;
+}
+
+ovr_status ovr_contact_resolve(const ovr_conditions *given,
+                               ovr_contact *contact, ovr_error *err)
+{
+    ovr_contact to = {0};
+    bool numbers = known(given->M) || known(given->L) || known(given->lambda) ||
+                   known(given->alphabar);
+    ovr_status status = check_values(given, err);
+    if (!status)
+        status = resolve_speeds(given, &to, err);
+    if (!status && numbers)
+        status = resolve_numbers(given, &to, err);
+    if (!status && numbers)
+        status = scales_from_numbers(given, &to, err);
+    if (!status && !numbers)
+        status = resolve_physical(given, &to, err);
+    if (!status)
+        status = check_range(&to, !numbers, err);
+    if (status)
+        return status;
+    to.height = to.b * to.b / to.radius;
+    to.time = to.b / to.um;
+    *contact = to;
+    return OVR_OK;
+}

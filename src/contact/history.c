@@ -1,0 +1,266 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * How load and speed change in time, relative to nominal.
+ *
+ * Ramps follow the quintic smoothstep s(y) = 6 y^5 - 15 y^4 + 10 y^3, whose
+ * first and second derivatives vanish at both ends, so that second-order time
+ * schemes keep their order; its integral is y^6 - 3 y^5 + 5/2 y^4.
+ *
+ * Tables go through GSL's Steffen spline: it has a continuous slope and never
+ * leaves the range of neighbouring points, so a speed table that is nowhere
+ * negative stays so in between; cubic and Akima splines overshoot.  Beyond
+ * its ends a table keeps its end values.
+ *
+ * GSL calls its error handler, which aborts, where a point lies outside the
+ * spline, where the points do not increase, and where malloc fails: the first
+ * two are checked before, the third is made unlikely by taking (and giving
+ * back) as much memory through our allocator first.
+ */
+#include "overroll/contact.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_interp.h>
+#include <math.h>
+
+#include "base/arena.h"
+
+struct ovr_history {
+    ovr_history_form form;
+    gsl_interp *interp; /* table only */
+    double *T, *value;
+    ovr_arena arena;
+};
+
+ovr_history_form ovr_history_constant(void)
+{
+    ovr_history_form form = {OVR_HISTORY_CONSTANT, 1, 1, 0, 0, 0, 1, 0, 0, 0};
+    return form;
+}
+
+/* --------------------------------------------------------------- checks */
+
+static ovr_status check_table(const ovr_history_form *form, ovr_error *err)
+{
+    if (form->points < 2)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "table: needs at least two points, has %zu",
+                        form->points);
+    for (size_t i = 0; i < form->points; i++) {
+        if (!isfinite(form->T[i]) || !isfinite(form->value[i]))
+            return ovr_fail(err, OVR_BAD_INPUT,
+                            "table: point %zu is not a number", i + 1);
+        if (i && !(form->T[i] > form->T[i - 1]))
+            return ovr_fail(err, OVR_BAD_INPUT,
+                            "table: times must increase: point %zu at %g "
+                            "follows %g",
+                            i + 1, form->T[i], form->T[i - 1]);
+    }
+    return OVR_OK;
+}
+
+static ovr_status check_form(const ovr_history_form *form, ovr_error *err)
+{
+    if (form->kind == OVR_HISTORY_TABLE)
+        return check_table(form, err);
+    if (form->kind == OVR_HISTORY_CONSTANT)
+        return OVR_OK;
+    if (!isfinite(form->start))
+        return ovr_fail(err, OVR_BAD_INPUT, "start must be finite");
+    if (form->kind == OVR_HISTORY_SINE) {
+        if (!(form->period > 0 && isfinite(form->period)))
+            return ovr_fail(err, OVR_BAD_INPUT, "period = %g: must be positive",
+                            form->period);
+        if (!isfinite(form->amplitude))
+            return ovr_fail(err, OVR_BAD_INPUT, "amplitude must be finite");
+        return OVR_OK;
+    }
+    if (!(form->duration >= 0 && isfinite(form->duration)))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "duration = %g: must be zero or positive",
+                        form->duration);
+    if (!isfinite(form->from))
+        return ovr_fail(err, OVR_BAD_INPUT, "from must be finite");
+    if (!isfinite(form->to))
+        return ovr_fail(err, OVR_BAD_INPUT, "to must be finite");
+    return OVR_OK;
+}
+
+/* ------------------------------------------------------------- creation */
+
+/* Bytes a point takes inside GSL's Steffen state, with room to spare. */
+enum { GSL_BYTES_A_POINT = 8 * sizeof(double) };
+
+static ovr_status probe_memory(const ovr_history *history, ovr_error *err)
+{
+    ovr_arena probe = ovr_arena_make(&history->arena.allocator);
+    void *got = ovr_arena_take(&probe, history->form.points + 64,
+                               GSL_BYTES_A_POINT, err);
+    ovr_arena_release(&probe);
+    return got ? OVR_OK : OVR_NO_MEMORY;
+}
+
+static ovr_status make_table(ovr_history *history, const ovr_history_form *form,
+                             ovr_error *err)
+{
+    size_t n = form->points;
+    history->T = ovr_arena_take(&history->arena, n, sizeof(double), err);
+    history->value = ovr_arena_take(&history->arena, n, sizeof(double), err);
+    if (!history->T || !history->value || probe_memory(history, err))
+        return OVR_NO_MEMORY;
+    for (size_t i = 0; i < n; i++) {
+        history->T[i] = form->T[i];
+        history->value[i] = form->value[i];
+    }
+    history->interp = gsl_interp_alloc(
+        n < 3 ? gsl_interp_linear : gsl_interp_steffen, n);
+    if (!history->interp)
+        return ovr_fail(err, OVR_NO_MEMORY, "out of memory: table");
+    gsl_interp_init(history->interp, history->T, history->value, n);
+    return OVR_OK;
+}
+
+ovr_history *ovr_history_create(const ovr_history_form *form,
+                                const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_history *history;
+    if (check_form(form, err))
+        return NULL;
+    history = ovr_arena_take(&arena, 1, sizeof *history, err);
+    if (!history)
+        return NULL;
+    history->form = *form;
+    history->form.T = history->form.value = NULL;
+    history->arena = arena;
+    if (form->kind == OVR_HISTORY_TABLE && make_table(history, form, err)) {
+        ovr_history_free(history);
+        return NULL;
+    }
+    return history;
+}
+
+void ovr_history_free(ovr_history *history)
+{
+    ovr_arena arena;
+    if (!history)
+        return;
+    if (history->interp)
+        gsl_interp_free(history->interp);
+    arena = history->arena;
+    ovr_arena_release(&arena);
+}
+
+/* --------------------------------------------------------------- values */
+
+static double smoothstep(double y)
+{
+    return y * y * y * (10 + y * (6 * y - 15));
+}
+
+/* At T = start the value is still `from`: a run that starts there begins
+ * before the jump. */
+static double ramp_value(const ovr_history_form *form, double T)
+{
+    double t = T - form->start;
+    if (t <= 0)
+        return form->from;
+    if (t >= form->duration)
+        return form->to;
+    return form->from +
+           (form->to - form->from) * smoothstep(t / form->duration);
+}
+
+static double table_value(const ovr_history *history, double T)
+{
+    size_t n = history->form.points;
+    double value = NAN;
+    if (T <= history->T[0])
+        return history->value[0];
+    if (T >= history->T[n - 1])
+        return history->value[n - 1];
+    gsl_interp_eval_e(history->interp, history->T, history->value, T, NULL,
+                      &value);
+    return value;
+}
+
+static double sine_phase(const ovr_history_form *form, double T)
+{
+    return 2 * 3.14159265358979323846 * (T - form->start) / form->period;
+}
+
+double ovr_history_value(const ovr_history *history, double T)
+{
+    const ovr_history_form *form;
+    if (!history || isnan(T))
+        return 1;
+    form = &history->form;
+    switch (form->kind) {
+    case OVR_HISTORY_CONSTANT: break;
+    case OVR_HISTORY_RAMP:
+    case OVR_HISTORY_STEP: return ramp_value(form, T);
+    case OVR_HISTORY_SINE:
+        if (T > form->start)
+            return 1 + form->amplitude * sin(sine_phase(form, T));
+        break;
+    case OVR_HISTORY_TABLE: return table_value(history, T);
+    }
+    return 1;
+}
+
+/* ------------------------------------------------------------ integrals */
+
+/* The three functions below are integrals from the start (or first point) of
+ * the history to T. */
+
+static double ramp_integral(const ovr_history_form *form, double T)
+{
+    double t = T - form->start, d = form->duration, y;
+    if (t <= 0)
+        return form->from * t;
+    if (t >= d)
+        return (form->from + form->to) * d / 2 + form->to * (t - d);
+    y = t / d;
+    return form->from * t +
+           (form->to - form->from) * d * y * y * y * y * (2.5 + y * (y - 3));
+}
+
+static double sine_integral(const ovr_history_form *form, double T)
+{
+    double half = sin(sine_phase(form, T) / 2);
+    if (T <= form->start)
+        return T - form->start;
+    /* 1 - cos(phase) = 2 sin^2(phase/2), without its cancellation */
+    return T - form->start +
+           form->amplitude * form->period / 3.14159265358979323846 * half *
+               half;
+}
+
+static double table_integral(const ovr_history *history, double T)
+{
+    size_t n = history->form.points;
+    double first = history->T[0], last = history->T[n - 1], inside = 0;
+    if (T <= first)
+        return (T - first) * history->value[0];
+    gsl_interp_eval_integ_e(history->interp, history->T, history->value, first,
+                            T < last ? T : last, NULL, &inside);
+    return T > last ? inside + (T - last) * history->value[n - 1] : inside;
+}
+
+double ovr_history_integral(const ovr_history *history, double T)
+{
+    const ovr_history_form *form;
+    if (!history)
+        return T;
+    form = &history->form;
+    switch (form->kind) {
+    case OVR_HISTORY_CONSTANT: break;
+    case OVR_HISTORY_RAMP:
+    case OVR_HISTORY_STEP:
+        return ramp_integral(form, T) - ramp_integral(form, 0);
+    case OVR_HISTORY_SINE:
+        return sine_integral(form, T) - sine_integral(form, 0);
+    case OVR_HISTORY_TABLE:
+        return table_integral(history, T) - table_integral(history, 0);
+    }
+    return T;
+}
