@@ -1,10 +1,101 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The program: picks the subcommand. How to add one: see cli.h. */
 #include <stdio.h>
+#include <string.h>
 
-#include "overroll/overroll.h"
+#include <expat.h>
+#include <gsl/gsl_version.h>
+#include <hdf5.h>
+#include <zip.h>
+#include <zlib.h>
 
-int main(void)
+#include "base/suggest.h"
+#include "cli/cli.h"
+
+const cli_verb *const cli_verbs[] = {
+    &cli_help,
+    NULL,
+};
+
+static void print_version(void)
 {
-    puts(OVERROLL_VERSION);
-    return 0;
+    unsigned major = 0, minor = 0, release = 0;
+    H5get_libversion(&major, &minor, &release);
+    printf("overroll %s\n", OVERROLL_VERSION);
+    printf("GSL %s, HDF5 %u.%u.%u, zlib %s, libzip %s, %s, inih\n", gsl_version,
+           major, minor, release, zlibVersion(), zip_libzip_version(),
+           XML_ExpatVersion());
+}
+
+static void print_short_help(void)
+{
+    puts(
+        "overroll simulates transient elastohydrodynamically lubricated line\n"
+        "contacts with rough surfaces.\n"
+        "\n"
+        "  overroll steady --M 20 --L 10 --level 9   solve one contact\n"
+        "  overroll run dent.ini -o dent.h5          roll a dent through it\n"
+        "\n"
+        "Also: check, info, profile, frames, view, plot, export, sweep, init.\n"
+        "overroll help          lists the commands\n"
+        "overroll help TOPIC    explains a command or a section of the case");
+}
+
+static int no_such_verb(const char *name)
+{
+    const char *names[64];
+    const char *meant;
+    size_t n = 0;
+    for (const cli_verb *const *verb = cli_verbs; *verb && n < 64; verb++)
+        names[n++] = (*verb)->name;
+    meant = ovr_suggest(name, names, n);
+    if (meant)
+        fprintf(stderr, "overroll: no command '%s'; did you mean '%s'?\n", name,
+                meant);
+    else
+        fprintf(stderr,
+                "overroll: no command '%s'; 'overroll help' lists them\n",
+                name);
+    return CLI_USAGE;
+}
+
+static int run_verb(const cli_verb *verb, int argc, char **argv)
+{
+    cli_call call;
+    int code = cli_parse(&call, verb, argc, argv);
+    if (code == CLI_DONE && cli_flag(&call, "help"))
+        cli_print_help(verb, stdout);
+    else if (code == CLI_DONE)
+        code = verb->run(&call);
+    cli_free(&call);
+    return code;
+}
+
+/* What did not reach stdout (a full disk) is a failure too. */
+static int close_stdout(int code)
+{
+    if (fflush(stdout) == 0 && !ferror(stdout))
+        return code;
+    fputs("overroll: cannot write to standard output\n", stderr);
+    return code == CLI_DONE ? CLI_FAILED : code;
+}
+
+int main(int argc, char **argv)
+{
+    const cli_verb *verb;
+    if (argc < 2) {
+        print_short_help();
+        return close_stdout(CLI_DONE);
+    }
+    if (!strcmp(argv[1], "--version")) {
+        print_version();
+        return close_stdout(CLI_DONE);
+    }
+    if (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-h"))
+        verb = &cli_help;
+    else
+        verb = cli_find_verb(argv[1]);
+    if (!verb)
+        return no_such_verb(argv[1]);
+    return close_stdout(run_verb(verb, argc - 2, argv + 2));
 }

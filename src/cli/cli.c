@@ -1,0 +1,218 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command line: options against the verb's table, messages, help. */
+#include "cli/cli.h"
+
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/suggest.h"
+
+static const cli_option common[] = {
+    {"q", NULL, "no messages but errors", false},
+    {"v", NULL, "say more", false},
+    {"json", NULL, "results as one JSON object", false},
+    {"help", NULL, "this help", false},
+    {NULL, NULL, NULL, false},
+};
+
+/* -------------------------------------------------------------- messages */
+
+int cli_fail(const ovr_error *err)
+{
+    fprintf(stderr, "%s\n", err->message);
+    switch (err->status) {
+    case OVR_OK: return CLI_DONE;
+    case OVR_BAD_INPUT: return CLI_USAGE;
+    case OVR_STOPPED: return CLI_EARLY;
+    default: return CLI_FAILED;
+    }
+}
+
+int cli_usage(const cli_call *call, const char *format, ...)
+{
+    va_list args;
+    fprintf(stderr, "overroll %s: ", call->verb->name);
+    va_start(args, format);
+    vfprintf(stderr, format, args);
+    va_end(args);
+    fputc('\n', stderr);
+    return CLI_USAGE;
+}
+
+/* ------------------------------------------------------------ what is given */
+
+const char *cli_value_at(const cli_call *call, const char *name, int k)
+{
+    for (int i = 0; i < call->givens; i++)
+        if (!strcmp(call->given[i].option->name, name) && k-- == 0)
+            return call->given[i].value;
+    return NULL;
+}
+
+const char *cli_value(const cli_call *call, const char *name)
+{
+    return cli_value_at(call, name, 0);
+}
+
+bool cli_flag(const cli_call *call, const char *name)
+{
+    return cli_value(call, name) != NULL;
+}
+
+/* ---------------------------------------------------------------- parsing */
+
+static const cli_option *find(const cli_option *options, const char *name,
+                              size_t length)
+{
+    for (; options && options->name; options++)
+        if (strlen(options->name) == length &&
+            !strncmp(options->name, name, length))
+            return options;
+    return NULL;
+}
+
+static const cli_option *find_option(const cli_verb *verb, const char *name,
+                                     size_t length)
+{
+    const cli_option *option = find(verb->options, name, length);
+    return option ? option : find(common, name, length);
+}
+
+static int unknown_option(const cli_call *call, const char *given,
+                          const char *name)
+{
+    const char *names[64], *meant;
+    size_t n = 0;
+    const cli_option *o;
+    for (o = call->verb->options; o && o->name && n < 60; o++)
+        names[n++] = o->name;
+    for (o = common; o->name; o++)
+        names[n++] = o->name;
+    meant = ovr_suggest(name, names, n);
+    if (meant && strlen(meant) > 1)
+        return cli_usage(call, "unknown option '%s'; did you mean '--%s'?",
+                         given, meant);
+    return cli_usage(call, "unknown option '%s'; see 'overroll help %s'", given,
+                     call->verb->name);
+}
+
+static bool is_option(const char *text)
+{
+    return text[0] == '-' && text[1] != '\0';
+}
+
+/* Handles argv[*i]; moves *i on when the value is the next word. */
+static int take_option(cli_call *call, int argc, char **argv, int *i)
+{
+    const char *given = argv[*i];
+    const char *name = given + (given[1] == '-' ? 2 : 1);
+    const char *equals = strchr(name, '=');
+    size_t length = equals ? (size_t)(equals - name) : strlen(name);
+    const cli_option *option = find_option(call->verb, name, length);
+    cli_given *slot = &call->given[call->givens];
+
+    if (!option)
+        return unknown_option(call, given, name);
+    if (!option->repeats && cli_flag(call, option->name))
+        return cli_usage(call, "option '%.*s' is given twice",
+                         (int)(name - given + (long)length), given);
+    slot->option = option;
+    slot->value = "";
+    if (!option->argument && equals)
+        return cli_usage(call, "option '%.*s' takes no value",
+                         (int)(name - given + (long)length), given);
+    if (option->argument && equals) {
+        slot->value = equals + 1;
+    } else if (option->argument) {
+        if (*i + 1 >= argc)
+            return cli_usage(call, "option '%s' needs a value: %s", given,
+                             option->argument);
+        slot->value = argv[++*i];
+    }
+    call->givens++;
+    return CLI_DONE;
+}
+
+static int check_count(const cli_call *call)
+{
+    const cli_verb *verb = call->verb;
+    if (cli_flag(call, "help"))
+        return CLI_DONE;
+    if (call->arguments < verb->least)
+        return cli_usage(call, "%s is missing; usage: overroll %s %s",
+                         call->arguments ? "an argument" : "what to work on",
+                         verb->name, verb->arguments);
+    if (call->arguments > verb->most)
+        return cli_usage(call, "unexpected '%s'; usage: overroll %s %s",
+                         call->argument[verb->most], verb->name,
+                         verb->arguments);
+    return CLI_DONE;
+}
+
+int cli_parse(cli_call *call, const cli_verb *verb, int argc, char **argv)
+{
+    bool options = true;
+    size_t room = (size_t)argc + 1;
+    memset(call, 0, sizeof *call);
+    call->verb = verb;
+    call->argument = calloc(room, sizeof *call->argument);
+    call->given = calloc(room, sizeof *call->given);
+    if (!call->argument || !call->given) {
+        fputs("overroll: out of memory\n", stderr);
+        return CLI_FAILED;
+    }
+    for (int i = 0; i < argc; i++) {
+        int code = CLI_DONE;
+        if (options && !strcmp(argv[i], "--"))
+            options = false;
+        else if (options && is_option(argv[i]))
+            code = take_option(call, argc, argv, &i);
+        else
+            call->argument[call->arguments++] = argv[i];
+        if (code)
+            return code;
+    }
+    call->verbosity = cli_flag(call, "v") - cli_flag(call, "q");
+    call->json = cli_flag(call, "json");
+    return check_count(call);
+}
+
+void cli_free(cli_call *call)
+{
+    free(call->argument);
+    free(call->given);
+}
+
+/* ------------------------------------------------------------------- help */
+
+const cli_verb *cli_find_verb(const char *name)
+{
+    for (const cli_verb *const *verb = cli_verbs; *verb; verb++)
+        if (!strcmp((*verb)->name, name))
+            return *verb;
+    return NULL;
+}
+
+static void print_options(const cli_option *option, FILE *to)
+{
+    for (; option && option->name; option++) {
+        char left[64];
+        bool letter = option->name[1] == '\0' && option->name[0] >= 'a';
+        snprintf(left, sizeof left, "%s%s%s%s", letter ? "-" : "--",
+                 option->name, option->argument ? " " : "",
+                 option->argument ? option->argument : "");
+        fprintf(to, "  %-22s %s\n", left, option->help);
+    }
+}
+
+void cli_print_help(const cli_verb *verb, FILE *to)
+{
+    fprintf(to, "usage: overroll %s %s\n\n%s\n", verb->name, verb->arguments,
+            verb->summary);
+    if (verb->help)
+        fprintf(to, "\n%s\n", verb->help);
+    fputs("\nOptions:\n", to);
+    print_options(verb->options, to);
+    print_options(common, to);
+}

@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What the subcommands share.
+ *
+ * To add a subcommand: write src/cli/NAME.c that defines
+ *     const cli_verb cli_NAME = {.name = "NAME", ..., .run = run};
+ * declare it in the list below and add one row to the table in main.c.
+ * Its `run` gets the parsed command line and returns the exit code.  The
+ * common options (-q, -v, --json, --help) are parsed for every verb; its own
+ * ones are in its table of options.
+ *
+ * stdout carries results, stderr messages.  A message is one line: what is
+ * wrong and what would be right.
+ */
+#ifndef OVR_CLI_CLI_H
+#define OVR_CLI_CLI_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include "overroll/overroll.h"
+
+enum {
+    CLI_DONE = 0,
+    CLI_FAILED = 1, /* did not converge; a write failed on the way */
+    CLI_USAGE = 2,  /* bad usage or input, output that cannot be made */
+    CLI_EARLY = 3,  /* stopped early or with marked steps; output valid */
+    CLI_SIGNAL = 128
+};
+
+/* An option: "force" is --force, a name of one lower-case letter (or "M",
+ * "L" with both dashes) is -o.  With an argument: --name VALUE, --name=VALUE
+ * or -o VALUE. */
+typedef struct cli_option {
+    const char *name;
+    const char *argument; /* what follows, for help; NULL: a flag */
+    const char *help;
+    bool repeats; /* may be given more than once */
+} cli_option;
+
+typedef struct cli_call cli_call;
+
+typedef struct cli_verb {
+    const char *name;
+    const char *arguments; /* "CASE [-o OUT.h5]" */
+    const char *summary;   /* one line */
+    const char *help;      /* paragraphs for `overroll help NAME`, or NULL */
+    const cli_option *options; /* ends with name NULL; may be NULL */
+    int least, most;           /* positional arguments */
+    int (*run)(cli_call *call);
+} cli_verb;
+
+extern const cli_verb cli_help;
+
+/* The table of main.c; ends with NULL. */
+extern const cli_verb *const cli_verbs[];
+
+typedef struct cli_given {
+    const cli_option *option;
+    const char *value;
+} cli_given;
+
+/* A parsed command line. */
+struct cli_call {
+    const cli_verb *verb;
+    int verbosity; /* -1 quiet, 0, 1 verbose */
+    bool json;
+    int arguments;
+    const char **argument; /* positional */
+    int givens;
+    cli_given *given; /* options in the order given */
+};
+
+/* Whether a flag was given; the value of an option or NULL; the k-th value of
+ * one that repeats, or NULL behind the last. */
+bool cli_flag(const cli_call *call, const char *name);
+const char *cli_value(const cli_call *call, const char *name);
+const char *cli_value_at(const cli_call *call, const char *name, int k);
+
+/* Prints the message as one line on stderr and returns the exit code that
+ * belongs to its status. */
+int cli_fail(const ovr_error *err);
+
+/* "overroll VERB: message", exit code 2. */
+int cli_usage(const cli_call *call, const char *format, ...) OVR_PRINTF(2, 3);
+
+/* Parses argv behind the verb; returns CLI_DONE, or the exit code after
+ * having printed why. `call` must be freed either way. */
+int cli_parse(cli_call *call, const cli_verb *verb, int argc, char **argv);
+void cli_free(cli_call *call);
+
+const cli_verb *cli_find_verb(const char *name);
+
+/* Help of one verb: usage, summary, options. */
+void cli_print_help(const cli_verb *verb, FILE *to);
+
+#endif
