@@ -1,89 +1,323 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # overroll: make, make check, make demo; `make help` lists the rest.
 
-BUILD   ?= build
-CFLAGS  ?= -O2 -g
-CC      ?= cc
-PKGS    := gsl zlib inih libzip expat
-HDF5    := $(firstword $(foreach p,hdf5 hdf5-serial,\
-             $(if $(shell pkg-config --exists $(p) && echo y),$(p))))
-V       ?= 0
-Q       := $(if $(filter 0,$(V)),@,)
+# ------------------------------------------------------------- yours to set
 
-ifeq ($(SAN),1)
-BUILD   := $(BUILD)-san
-SANFLAGS := -fsanitize=address,undefined -fno-sanitize-recover=all \
-            -fno-omit-frame-pointer
+CC      ?= cc
+CFLAGS  ?= -O2 -g
+PREFIX  ?= /usr/local
+LIBDIR  ?= $(PREFIX)/lib
+MANDIR  ?= $(PREFIX)/share/man
+DESTDIR ?=
+BUILD   ?= build
+JOBS    ?= $(or $(shell nproc 2>/dev/null),2)
+V       ?= 0
+
+all: # the default goal, completed below
+
+# ------------------------------------------------------------ what is there
+
+Q := $(if $(filter 0,$(V)),@,)
+say = @echo "  $(1)"
+
+# Goals that compile need the packages; the others run anywhere.
+ifneq ($(filter-out clean help format uninstall,$(or $(MAKECMDGOALS),all)),)
+COMPILES := 1
 endif
 
-WARN := -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+PKG_CONFIG ?= pkg-config
+PKGS := gsl zlib inih libzip expat
+HDF5 := $(firstword $(foreach p,hdf5 hdf5-serial,\
+          $(if $(shell $(PKG_CONFIG) --exists $(p) 2>/dev/null && echo y),$(p))))
+ifdef COMPILES
+MISSING := $(if $(shell command -v $(firstword $(CC)) 2>/dev/null),,$(CC)) \
+  $(if $(HDF5),,hdf5) \
+  $(foreach p,$(PKGS),\
+    $(if $(shell $(PKG_CONFIG) --exists $(p) 2>/dev/null && echo y),,$(p)))
+ifneq ($(strip $(MISSING)),)
+$(error missing: $(strip $(MISSING)); run tools/install-deps)
+endif
+endif
+
+VERSION := $(shell sed -n 's/.*OVERROLL_VERSION "\(.*\)"/\1/p' \
+             include/overroll/version.h)
+MAJOR   := $(word 1,$(subst ., ,$(VERSION)))
+MINOR   := $(word 2,$(subst ., ,$(VERSION)))
+# Before 1.0 every minor version may change the binary interface.
+SOVER   := $(if $(filter 0,$(MAJOR)),0.$(MINOR),$(MAJOR))
+
+# ------------------------------------------------------------ kinds of build
+
+# SAN=1: address and undefined-behaviour sanitizers; COV=1: line coverage;
+# WERROR=1: warnings are errors (CI).  Each has a build folder of its own.
+ifeq ($(SAN),1)
+override BUILD := $(BUILD)-san
+KIND := -fsanitize=address,undefined -fno-sanitize-recover=all \
+        -fno-omit-frame-pointer
+endif
+ifeq ($(COV),1)
+override BUILD := $(BUILD)-cov
+KIND := --coverage -O0
+endif
+
+WARN := -Wall -Wextra -Wpedantic -Wconversion -Wshadow $(if $(WERROR),-Werror)
 # -ffp-contract=off: fused operations only where they are written, so that
 # every compiler and instruction set computes the same thing.
+ifdef COMPILES
 OVR_CFLAGS := -std=c17 $(WARN) -ffp-contract=off -fno-math-errno -fPIC \
               -fvisibility=hidden -D_POSIX_C_SOURCE=200809L -Iinclude -Isrc \
-              $(shell pkg-config --cflags $(PKGS) $(HDF5)) $(SANFLAGS)
-OVR_LIBS   := $(shell pkg-config --libs $(PKGS)) \
-              $(shell pkg-config --libs-only-L $(HDF5)) \
+              $(shell $(PKG_CONFIG) --cflags $(PKGS) $(HDF5))
+OVR_LIBS   := $(shell $(PKG_CONFIG) --libs $(PKGS)) \
+              $(shell $(PKG_CONFIG) --libs-only-L $(HDF5)) \
               -lhdf5_hl -lhdf5 -lm -lpthread
+MACHINE    := $(shell $(CC) -dumpmachine)
+endif
 
 # Kernels (*.kernel.c) are compiled once for each instruction set; the program
 # picks one when it starts.
 KERNEL_CFLAGS := -O3 -fno-trapping-math
-MACHINE := $(shell $(CC) -dumpmachine)
 ISAS := base $(if $(filter x86_64%,$(MACHINE)),avx2 avx512)
 ISA_base   :=
 ISA_avx2   := -mavx2 -mfma
 ISA_avx512 := -mavx512f -mavx512dq -mavx512vl -mfma -mprefer-vector-width=512
 
+COMPILE = $(CC) $(OVR_CFLAGS) $(CFLAGS) $(CPPFLAGS) $(KIND)
+LINK    = $(CC) $(CFLAGS) $(KIND) $(LDFLAGS)
+
+# ---------------------------------------------------------- library, program
+
+FLOORS  := base contact surface multigrid simulation results pictures
 KERNELS := $(wildcard src/*/*.kernel.c)
-LIBSRC  := $(filter-out $(KERNELS),$(wildcard $(addprefix src/,\
-             $(addsuffix /*.c,base contact surface multigrid simulation \
-             results pictures))))
+LIBSRC  := $(filter-out $(KERNELS),\
+             $(wildcard $(FLOORS:%=src/%/*.c)))
 CLISRC  := $(wildcard src/cli/*.c)
+HEADERS := $(wildcard include/overroll/*.h)
 LIBOBJ  := $(LIBSRC:%.c=$(BUILD)/%.o) \
            $(foreach i,$(ISAS),$(KERNELS:%.kernel.c=$(BUILD)/%.$(i).o))
 CLIOBJ  := $(CLISRC:%.c=$(BUILD)/%.o)
 LIB     := $(BUILD)/liboverroll.a
+SHARED  := $(BUILD)/liboverroll.so.$(VERSION)
 PROGRAM := $(BUILD)/overroll
 
-all: $(PROGRAM) $(LIB)
+all: $(PROGRAM) $(LIB) $(SHARED) ## the program and both libraries
 
 $(PROGRAM): $(CLIOBJ) $(LIB)
-	@echo "  LINK  $@"
-	$(Q)$(CC) $(CFLAGS) $(SANFLAGS) $(LDFLAGS) -o $@ $^ $(OVR_LIBS)
+	$(call say,LINK  $@)
+	$(Q)$(LINK) -o $@ $(CLIOBJ) $(LIB) $(OVR_LIBS)
 
 $(LIB): $(LIBOBJ)
-	@echo "  AR    $@"
-	$(Q)rm -f $@ && $(AR) rcs $@ $^
+	$(call say,AR    $@)
+	$(Q)rm -f $@ && $(AR) rcs $@ $(LIBOBJ)
 
-$(BUILD)/%.o: %.c
+$(SHARED): $(LIBOBJ)
+	$(call say,LINK  $@)
+	$(Q)$(LINK) -shared -Wl,-soname,liboverroll.so.$(SOVER) -o $@ $(LIBOBJ) \
+	  $(OVR_LIBS)
+
+$(BUILD)/%.o: %.c $(BUILD)/flags
+	$(call say,CC    $<)
 	@mkdir -p $(@D)
-	@echo "  CC    $<"
-	$(Q)$(CC) $(OVR_CFLAGS) $(CFLAGS) $(CPPFLAGS) -MMD -MP -c -o $@ $<
+	$(Q)$(COMPILE) -MMD -MP -c -o $@ $<
 
 define isa_rule
-$(BUILD)/%.$(1).o: %.kernel.c
+$(BUILD)/%.$(1).o: %.kernel.c $(BUILD)/flags
+	$$(call say,CC    $$< ($(1)))
 	@mkdir -p $$(@D)
-	@echo "  CC    $$< ($(1))"
-	$$(Q)$$(CC) $$(OVR_CFLAGS) $$(CFLAGS) $$(CPPFLAGS) $$(KERNEL_CFLAGS) \
-	  $$(ISA_$(1)) -DOVR_ISA=$(1) -MMD -MP -c -o $$@ $$<
+	$$(Q)$$(COMPILE) $$(KERNEL_CFLAGS) $$(ISA_$(1)) -DOVR_ISA=$(1) \
+	  -MMD -MP -c -o $$@ $$<
 endef
 $(foreach i,$(ISAS),$(eval $(call isa_rule,$(i))))
 
-# Tests: each tests/<kind>/*_test.c is one program, written with cmocka.
-TESTSRC := $(wildcard tests/*/*_test.c)
-TESTBIN := $(TESTSRC:%.c=$(BUILD)/%)
-TESTLIB := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/support/*.c))
+# Touched only when a compiler or flag is another than last time: everything
+# that is compiled depends on it.
+FLAGS := $(COMPILE) $(KERNEL_CFLAGS) $(foreach i,$(ISAS),$(ISA_$(i))) \
+         $(LDFLAGS) $(OVR_LIBS) $(MACHINE)
+$(BUILD)/flags: FORCE
+	@mkdir -p $(@D)
+	@echo '$(subst ','\'',$(FLAGS))' | cmp -s - $@ || \
+	  echo '$(subst ','\'',$(FLAGS))' > $@
 
-$(BUILD)/tests/%_test: $(BUILD)/tests/%_test.o $(TESTLIB) $(LIB)
-	@echo "  LINK  $@"
-	$(Q)$(CC) $(CFLAGS) $(SANFLAGS) $(LDFLAGS) -o $@ $^ $(OVR_LIBS) -lcmocka
+# Libraries and programs whose list of parts changed (a file was removed).
+PARTS := $(LIBOBJ) $(CLIOBJ)
+$(BUILD)/parts: FORCE
+	@mkdir -p $(@D)
+	@echo '$(PARTS)' | cmp -s - $@ || echo '$(PARTS)' > $@
+$(PROGRAM) $(LIB) $(SHARED): $(BUILD)/parts
 
-tests: $(TESTBIN) $(PROGRAM)
+# -------------------------------------------------------------------- tests
 
-clean:
-	rm -rf $(BUILD)
+# tests/<kind>/*_test.c are programs written with cmocka, tests/<kind>/*.sh
+# scripts; tests/support helps both.  Names ending in _slow stay out of a FAST
+# run; tests/verify is for `make verify` alone.
+NOT_TESTS := tests/support/% tests/verify/% tests/bench/% tests/fuzz/%
+SLOW      := $(if $(FAST),%_slow_test.c %_slow.sh)
+TESTSRC   := $(wildcard tests/*/*_test.c)
+CHECKSRC  := $(filter-out $(NOT_TESTS) $(SLOW),$(TESTSRC))
+CHECKSH   := $(filter-out $(NOT_TESTS) $(SLOW),$(wildcard tests/*/*.sh))
+VERIFYSRC := $(wildcard tests/verify/*_test.c)
+VERIFYSH  := $(wildcard tests/verify/*.sh)
+SUPPORT   := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/support/*.c))
+TESTBIN   := $(TESTSRC:%.c=$(BUILD)/%)
 
-.PHONY: all tests clean
+# What scripts are told.
+TESTENV = OVERROLL='$(abspath $(PROGRAM))' BUILD='$(abspath $(BUILD))' \
+  LIB='$(abspath $(LIB))' SHARED='$(abspath $(SHARED))' TOP='$(CURDIR)' \
+  CC='$(CC)' TEST_CFLAGS='$(OVR_CFLAGS)' INSTRUMENTED='$(KIND)' \
+  MAKEFLAGS= MAKELEVEL=
+
+$(BUILD)/tests/%.o: OVR_CFLAGS += -Itests
+$(BUILD)/tests/%_test: $(BUILD)/tests/%_test.o $(SUPPORT) $(LIB)
+	$(call say,LINK  $@)
+	$(Q)$(LINK) -o $@ $^ $(OVR_LIBS) -lcmocka
+
+tests: $(TESTBIN) all ## compile the tests
+
+need-cmocka:
+	@$(PKG_CONFIG) --exists cmocka || \
+	  { echo "missing: cmocka; run tools/install-deps check"; exit 1; }
+
+check: need-cmocka all $(CHECKSRC:%.c=$(BUILD)/%) ## run the tests (FAST=1, SAN=1)
+	@$(TESTENV) tests/support/run -j $(JOBS) -o $(BUILD)/check \
+	  $(CHECKSRC:%.c=$(BUILD)/%) $(CHECKSH)
+
+verify: need-cmocka all $(VERIFYSRC:%.c=$(BUILD)/%) ## what takes longer
+	@$(TESTENV) TEST_SECONDS=36000 tests/support/run -j $(JOBS) \
+	  -o $(BUILD)/verify $(VERIFYSRC:%.c=$(BUILD)/%) $(VERIFYSH)
+
+# A single test: make tests/unit/arena_test.run
+%.run: need-cmocka all
+	@$(MAKE) --no-print-directory $(if $(wildcard $*.c),$(BUILD)/$*)
+	@$(TESTENV) tests/support/run -j 1 -o $(BUILD)/check \
+	  $(if $(wildcard $*.c),$(BUILD)/$*,$*.sh)
+
+coverage: ## lines and branches that the tests reach (gcovr)
+	@command -v gcovr >/dev/null || \
+	  { echo "missing: gcovr; run tools/install-deps lint"; exit 1; }
+	@$(MAKE) --no-print-directory COV=1 check
+	@mkdir -p $(BUILD)/coverage
+	@gcovr -r . -f src $(BUILD)-cov --exclude-throw-branches \
+	  --html-details $(BUILD)/coverage/index.html --print-summary
+	@echo "$(BUILD)/coverage/index.html"
+
+# -------------------------------------------------------- demo, bench, paper
+
+demo: $(PROGRAM) ## roll a dent through a contact: result file and picture
+	@OVERROLL='$(PROGRAM)' tools/run-demo $(BUILD)/demo
+
+paper: tests ## the paper's tables, computed and compared
+	@$(TESTENV) TEST_SECONDS=36000 tests/support/run -v -j $(JOBS) \
+	  -o $(BUILD)/paper $(patsubst %.c,$(BUILD)/%,\
+	    $(wildcard tests/paper/*_test.c)) $(wildcard tests/paper/*.sh)
+
+# tests/bench/*_bench.c: each a program; FFTW and LAPACK, when there, are for
+# comparison only.
+BENCHSRC := $(wildcard tests/bench/*_bench.c)
+BENCHBIN := $(BENCHSRC:%.c=$(BUILD)/%)
+BENCHPKG := $(if $(filter bench,$(MAKECMDGOALS)),$(foreach p,\
+  fftw3 openblas lapacke,\
+  $(if $(shell $(PKG_CONFIG) --exists $(p) 2>/dev/null && echo y),$(p))))
+$(BUILD)/tests/bench/%.o: CPPFLAGS += $(BENCHPKG:%=-DHAVE_%)
+$(BUILD)/tests/bench/%_bench: $(BUILD)/tests/bench/%_bench.o $(SUPPORT) $(LIB)
+	$(call say,LINK  $@)
+	$(Q)$(LINK) -o $@ $^ $(OVR_LIBS) -lcmocka \
+	  $(if $(BENCHPKG),$(shell $(PKG_CONFIG) --libs $(BENCHPKG)))
+
+bench: $(BENCHBIN) $(PROGRAM) ## how fast it is, on this machine
+	@for b in $(BENCHBIN); do OVERROLL='$(PROGRAM)' $$b || exit 1; done
+
+# ------------------------------------------------------------- static checks
+
+CSRC  := $(LIBSRC) $(KERNELS) $(CLISRC)
+CALL  := $(wildcard src/*/*.[ch] include/overroll/*.h tests/*/*.[ch])
+SHALL := $(shell grep -lE '^\#!/bin/(ba)?sh' tools/* tests/*/* .ci/* 2>/dev/null)
+
+format: ## lay out the sources with clang-format
+	@clang-format -i $(CALL)
+
+lint: lint-format lint-tidy lint-cppcheck lint-shell ## all static checks
+
+lint-format: need-lint
+	$(call say,FORMAT)
+	@clang-format --dry-run -Werror $(CALL)
+
+# Each file again when its object is newer: the object follows the headers.
+TIDY := $(LIBSRC:%.c=$(BUILD)/%.tidy) $(CLISRC:%.c=$(BUILD)/%.tidy) \
+        $(KERNELS:%.kernel.c=$(BUILD)/%.kernel.tidy)
+lint-tidy: need-lint $(TIDY)
+$(BUILD)/%.tidy: %.c $(BUILD)/%.o .clang-tidy
+	$(call say,TIDY  $<)
+	$(Q)clang-tidy --quiet $< -- $(OVR_CFLAGS) 2>$@.err || \
+	  { cat $@.err; exit 1; }
+	@touch $@
+$(BUILD)/%.kernel.tidy: %.kernel.c $(BUILD)/%.base.o .clang-tidy
+	$(call say,TIDY  $<)
+	$(Q)clang-tidy --quiet $< -- $(OVR_CFLAGS) -DOVR_ISA=base 2>$@.err || \
+	  { cat $@.err; exit 1; }
+	@touch $@
+
+lint-cppcheck: need-lint
+	$(call say,CPPCHECK)
+	@mkdir -p $(BUILD)/cppcheck
+	$(Q)cppcheck --quiet --std=c11 --error-exitcode=1 --inline-suppr \
+	  --enable=warning,performance,portability --suppress=missingInclude \
+	  --suppress=normalCheckLevelMaxBranches --suppress=unknownMacro \
+	  --cppcheck-build-dir=$(BUILD)/cppcheck -j $(JOBS) -DOVR_ISA=base \
+	  -Iinclude -Isrc $(CSRC)
+
+lint-shell: need-lint
+	$(call say,SHELLCHECK)
+	@shellcheck -x -P SCRIPTDIR $(SHALL)
+
+need-lint:
+	@for t in clang-format clang-tidy cppcheck shellcheck; do \
+	  command -v $$t >/dev/null || \
+	  { echo "missing: $$t; run tools/install-deps lint"; exit 1; }; done
+
+# ------------------------------------------------------------------ install
+
+MAN        := $(wildcard src/*/*.[157])
+COMPLETION := $(wildcard src/cli/overroll.bash)
+SHARE      := $(DESTDIR)$(PREFIX)/share
+COMPDIR    := $(SHARE)/bash-completion/completions
+
+install: all ## into DESTDIR/PREFIX (/usr/local)
+	install -d '$(DESTDIR)$(PREFIX)/bin' '$(DESTDIR)$(LIBDIR)/pkgconfig' \
+	  '$(DESTDIR)$(PREFIX)/include/overroll'
+	install $(PROGRAM) '$(DESTDIR)$(PREFIX)/bin/overroll'
+	install -m 644 $(LIB) $(SHARED) '$(DESTDIR)$(LIBDIR)'
+	ln -sf liboverroll.so.$(VERSION) \
+	  '$(DESTDIR)$(LIBDIR)/liboverroll.so.$(SOVER)'
+	ln -sf liboverroll.so.$(SOVER) '$(DESTDIR)$(LIBDIR)/liboverroll.so'
+	install -m 644 $(HEADERS) '$(DESTDIR)$(PREFIX)/include/overroll'
+	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR)|' \
+	  -e 's|@VERSION@|$(VERSION)|' -e 's|@PKGS@|$(PKGS) $(HDF5)|' \
+	  src/overroll.pc.in > '$(DESTDIR)$(LIBDIR)/pkgconfig/overroll.pc'
+	$(foreach m,$(MAN),install -D -m 644 $(m) \
+	  '$(DESTDIR)$(MANDIR)/man$(subst .,,$(suffix $(m)))/$(notdir $(m))' &&) :
+	$(if $(COMPLETION),install -D -m 644 $(COMPLETION) '$(COMPDIR)/overroll')
+
+uninstall: ## take it out again
+	rm -f '$(DESTDIR)$(PREFIX)/bin/overroll' '$(COMPDIR)/overroll' \
+	  '$(DESTDIR)$(LIBDIR)/pkgconfig/overroll.pc' \
+	  '$(DESTDIR)$(LIBDIR)'/liboverroll.a \
+	  '$(DESTDIR)$(LIBDIR)'/liboverroll.so*
+	rm -rf '$(DESTDIR)$(PREFIX)/include/overroll'
+	rm -f $(foreach m,$(MAN),\
+	  '$(DESTDIR)$(MANDIR)/man$(subst .,,$(suffix $(m)))/$(notdir $(m))')
+
+clean: ## remove every build folder
+	rm -rf build build-san build-cov '$(BUILD)'
+
+help: ## this list
+	@echo "make [TARGET] [CC=clang] [CFLAGS=...] [SAN=1] [V=1] [PREFIX=...]"
+	@sed -n 's/^\([a-z]*\):[^#]*## \(.*\)/  \1\t\2/p' Makefile | expand -t 14
+
+FORCE:
+.PHONY: all tests check verify coverage demo paper bench format lint \
+  lint-format lint-tidy lint-cppcheck lint-shell need-lint need-cmocka \
+  install uninstall clean help FORCE
 .SECONDARY:
+.DELETE_ON_ERROR:
+ifdef COMPILES
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
+endif

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# shellcheck shell=sh
+# For tests/cli/*.sh, which begin with:  . "$TOP/tests/support/cli.sh"
+# Each runs in an empty folder; $OVERROLL is the program, $TOP the sources.
+set -u
+
+fail() {
+    echo "$*"
+    exit 1
+}
+
+skip() {
+    echo "$*"
+    exit 77
+}
+
+# need COMMAND...: skips the test where one is missing.
+need() {
+    for tool; do
+        command -v "$tool" >/dev/null || skip "no $tool"
+    done
+}
+
+# need_python MODULE...: sets $PYTHON to one that has them; else skips.
+need_python() {
+    modules=$(echo "$*" | tr ' ' ,)
+    for PYTHON in python3 /usr/bin/python3; do
+        "$PYTHON" -c "import $modules" 2>/dev/null && return
+    done
+    skip "no Python with $modules"
+}
+
+# expect CODE COMMAND...: runs it, checks its exit code; its output is in the
+# files out and err.
+expect() {
+    wanted=$1
+    shift
+    code=0
+    "$@" >out 2>err </dev/null || code=$?
+    [ "$code" -eq "$wanted" ] && return
+    echo "$*"
+    sed 's/^/stdout: /' out
+    sed 's/^/stderr: /' err
+    fail "exit code $code, wanted $wanted"
+}
+
+# contains FILE PATTERN: a line of the file matches (extended expression).
+contains() {
+    grep -qE -e "$2" "$1" && return
+    cat "$1"
+    fail "$1 has no line that matches '$2'"
+}
+
+# refuses PATTERN ARGUMENTS...: the program ends with exit code 2, nothing on
+# stdout, and one line on stderr that matches.
+refuses() {
+    pattern=$1
+    shift
+    expect 2 "$OVERROLL" "$@"
+    [ ! -s out ] || fail "stdout of a refused '$*': $(cat out)"
+    [ "$(wc -l <err)" -eq 1 ] || fail "'$*' says not one line: $(cat err)"
+    contains err "$pattern"
+}

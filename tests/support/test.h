@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What every cmocka test includes first: cmocka with what it needs, numbers
+ * compared with a tolerance, files, and an allocator that counts and fails.
+ */
+#ifndef TESTS_SUPPORT_TEST_H
+#define TESTS_SUPPORT_TEST_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "overroll/error.h"
+#include "overroll/memory.h"
+
+/* --------------------------------------------------------------- numbers */
+
+/* |actual - expected| <= tolerance, absolute.  A NaN is never near; equal
+ * infinities are. */
+#define CHECK_NEAR(actual, expected, tolerance)                                \
+    test_near(actual, expected, tolerance, false, #actual, __FILE__, __LINE__)
+
+/* |actual - expected| <= tolerance |expected|. */
+#define CHECK_CLOSE(actual, expected, tolerance)                               \
+    test_near(actual, expected, tolerance, true, #actual, __FILE__, __LINE__)
+
+void test_near(double actual, double expected, double tolerance, bool relative,
+               const char *what, const char *file, int line);
+
+/* A status, with the error's message shown when it is another. */
+#define CHECK_STATUS(actual, expected, err)                                    \
+    test_status(actual, expected, err, #actual, __FILE__, __LINE__)
+#define CHECK_OK(actual, err) CHECK_STATUS(actual, OVR_OK, err)
+
+void test_status(ovr_status actual, ovr_status expected, const ovr_error *err,
+                 const char *what, const char *file, int line);
+
+/* The error is `status` and its message holds `part`, in one line. */
+#define CHECK_ERROR(err, status, part)                                         \
+    test_error(err, status, part, __FILE__, __LINE__)
+
+void test_error(const ovr_error *err, ovr_status status, const char *part,
+                const char *file, int line);
+
+/* Random numbers, the same on every machine: uniform in [from, to). */
+double test_random(uint64_t *state, double from, double to);
+
+/* ----------------------------------------------------------------- files */
+
+/* A new empty folder, removed with its contents by test_remove_folder; both
+ * in the form of cmocka's setup and teardown (the state is the path). */
+int test_make_folder(void **state);
+int test_remove_folder(void **state);
+
+/* "folder/name" in a static buffer, one of four taken in turn. */
+const char *test_path(const char *folder, const char *name);
+
+/* The whole file with a NUL behind it, for free(); fails the test if it
+ * cannot be read. `bytes` may be NULL. */
+char *test_read(const char *path, size_t *bytes);
+
+/* Writes the file, or fails the test; test_write_text takes a string. */
+void test_write(const char *path, const void *data, size_t bytes);
+void test_write_text(const char *path, const char *text);
+
+/* ------------------------------------------------------------ allocations */
+
+/* Counts what goes through `hook` and fails on demand: pass &faults.hook.
+ * Memory comes filled with 0xA5, so that nobody relies on zeros. */
+typedef struct test_faults {
+    ovr_allocator hook;
+    long calls;  /* allocations asked for */
+    long live;   /* pieces not yet released */
+    long fail;   /* the call that fails, from 1; 0: none */
+    bool onward; /* all calls after that one fail too */
+} test_faults;
+
+/* Faults cannot be copied: the hook points back at them. */
+void test_faults_init(test_faults *faults);
+
+/*
+ * Fails the k-th allocation of `attempt` for k = 1, 2, ... until it succeeds
+ * without a fault.  `attempt` uses the hook, frees what it made, and returns
+ * its status with *err filled; each fault must give OVR_NO_MEMORY with a
+ * message and leave nothing allocated.  Returns the number of allocations.
+ */
+typedef ovr_status test_attempt(void *data, const ovr_allocator *hook,
+                                ovr_error *err);
+long test_every_allocation(test_attempt *attempt, void *data);
+
+#endif

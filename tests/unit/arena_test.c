@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "support/test.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/arena.h"
+
+enum { PIECES = 400 };
+
+static bool all_bytes(const unsigned char *memory, size_t n, int value)
+{
+    for (size_t i = 0; i < n; i++)
+        if (memory[i] != value)
+            return false;
+    return true;
+}
+
+/* Random sizes across the block size; each piece is filled with a byte of its
+ * own as it comes, so that any overlap shows in the end. */
+static void pieces_are_zeroed_aligned_and_apart(void **state)
+{
+    test_faults faults;
+    ovr_arena arena;
+    unsigned char *piece[PIECES];
+    size_t bytes[PIECES];
+    uint64_t seed = 1;
+    (void)state;
+    test_faults_init(&faults);
+    arena = ovr_arena_make(&faults.hook);
+    for (int k = 0; k < PIECES; k++) {
+        double size = test_random(&seed, 0, k % 50 ? 3000 : 200000);
+        bytes[k] = (size_t)size;
+        piece[k] = ovr_arena_take(&arena, bytes[k], 1, NULL);
+        assert_non_null(piece[k]);
+        assert_int_equal((uintptr_t)piece[k] % 64, 0);
+        assert_true(all_bytes(piece[k], bytes[k], 0));
+        memset(piece[k], k % 251, bytes[k]);
+    }
+    for (int k = 0; k < PIECES; k++)
+        assert_true(all_bytes(piece[k], bytes[k], k % 251));
+    assert_true(faults.calls < PIECES / 4);
+    ovr_arena_release(&arena);
+    assert_int_equal(faults.live, 0);
+}
+
+static void counts_what_it_asked_for(void **state)
+{
+    ovr_arena arena = ovr_arena_make(NULL);
+    (void)state;
+    assert_int_equal(arena.bytes, 0);
+    assert_non_null(ovr_arena_take(&arena, 1000000, sizeof(double), NULL));
+    assert_true(arena.bytes >= 8000000);
+    assert_true(arena.bytes < 8100000);
+    ovr_arena_release(&arena);
+    assert_int_equal(arena.bytes, 0);
+}
+
+static void nothing_is_something(void **state)
+{
+    ovr_arena arena = ovr_arena_make(NULL);
+    (void)state;
+    assert_non_null(ovr_arena_take(&arena, 0, 8, NULL));
+    assert_non_null(ovr_arena_take(&arena, 8, 0, NULL));
+    ovr_arena_release(&arena);
+}
+
+static void is_usable_after_release(void **state)
+{
+    ovr_arena arena = ovr_arena_make(NULL);
+    (void)state;
+    for (int round = 0; round < 3; round++) {
+        char *text = ovr_arena_text(&arena, "overroll", NULL);
+        assert_string_equal(text, "overroll");
+        ovr_arena_release(&arena);
+        ovr_arena_release(&arena);
+    }
+}
+
+static void refuses_sizes_that_overflow(void **state)
+{
+    static const size_t wanted[][2] = {
+        {SIZE_MAX, SIZE_MAX}, {SIZE_MAX / 2, 3},  {SIZE_MAX / 8 + 2, 8},
+        {SIZE_MAX, 1},        {1, SIZE_MAX - 64},
+    };
+    test_faults faults;
+    ovr_arena arena;
+    (void)state;
+    test_faults_init(&faults);
+    arena = ovr_arena_make(&faults.hook);
+    for (size_t k = 0; k < sizeof wanted / sizeof *wanted; k++) {
+        ovr_error err = {OVR_OK, ""};
+        assert_null(ovr_arena_take(&arena, wanted[k][0], wanted[k][1], &err));
+        CHECK_ERROR(&err, OVR_NO_MEMORY, "out of memory");
+    }
+    assert_int_equal(faults.calls, 0);
+    ovr_arena_release(&arena);
+}
+
+/* A thing as the library builds them: many pieces of all sizes, one text. */
+static ovr_status build(void *data, const ovr_allocator *hook, ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(hook);
+    ovr_status status = OVR_OK;
+    (void)data;
+    for (size_t n = 1; n < 2000000 && !status; n *= 3)
+        if (!ovr_arena_take(&arena, n, sizeof(double), err))
+            status = OVR_NO_MEMORY;
+    if (!status && !ovr_arena_text(&arena, "text", err))
+        status = OVR_NO_MEMORY;
+    ovr_arena_release(&arena);
+    return status;
+}
+
+static void every_allocation_may_fail(void **state)
+{
+    (void)state;
+    assert_true(test_every_allocation(build, NULL) >= 4);
+}
+
+/* After a failure the pieces taken before are whole and more can be had. */
+static void survives_a_failure(void **state)
+{
+    test_faults faults;
+    ovr_arena arena;
+    char *text;
+    (void)state;
+    test_faults_init(&faults);
+    faults.fail = 2;
+    arena = ovr_arena_make(&faults.hook);
+    text = ovr_arena_text(&arena, "before", NULL);
+    assert_null(ovr_arena_take(&arena, 1, 1 << 20, NULL));
+    assert_non_null(ovr_arena_take(&arena, 1, 1 << 20, NULL));
+    assert_string_equal(text, "before");
+    assert_int_equal(faults.live, 2);
+    ovr_arena_release(&arena);
+    assert_int_equal(faults.live, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pieces_are_zeroed_aligned_and_apart),
+        cmocka_unit_test(counts_what_it_asked_for),
+        cmocka_unit_test(nothing_is_something),
+        cmocka_unit_test(is_usable_after_release),
+        cmocka_unit_test(refuses_sizes_that_overflow),
+        cmocka_unit_test(every_allocation_may_fail),
+        cmocka_unit_test(survives_a_failure),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

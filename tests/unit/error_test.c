@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "support/test.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void fills_status_and_message(void **state)
+{
+    ovr_error err = {OVR_OK, "old"};
+    (void)state;
+    assert_int_equal(ovr_fail(&err, OVR_IO, "%s: %d", "disk", 7), OVR_IO);
+    assert_int_equal(err.status, OVR_IO);
+    assert_string_equal(err.message, "disk: 7");
+}
+
+static void accepts_no_error_object(void **state)
+{
+    (void)state;
+    assert_int_equal(ovr_fail(NULL, OVR_BAD_INPUT, "%d", 1), OVR_BAD_INPUT);
+    assert_int_equal(ovr_fail_at(NULL, OVR_STOPPED, "a.ini", 3, "x"),
+                     OVR_STOPPED);
+}
+
+static void names_file_and_line(void **state)
+{
+    ovr_error err;
+    (void)state;
+    assert_int_equal(
+        ovr_fail_at(&err, OVR_BAD_INPUT, "dent.ini", 12, "key '%s'", "M"),
+        OVR_BAD_INPUT);
+    assert_string_equal(err.message, "dent.ini:12: key 'M'");
+    ovr_fail_at(&err, OVR_BAD_INPUT, "dent.ini", 0, "empty");
+    assert_string_equal(err.message, "dent.ini: empty");
+    ovr_fail_at(&err, OVR_BAD_INPUT, "dent.ini", -1, "empty");
+    assert_string_equal(err.message, "dent.ini: empty");
+}
+
+/* Too long a message is cut, whole or in the file name, never overrun: the
+ * guard behind it stays. */
+static void cuts_what_is_too_long(void **state)
+{
+    struct {
+        ovr_error err;
+        char guard[8];
+    } box;
+    char text[3 * OVR_MESSAGE_SIZE];
+    (void)state;
+    memset(text, 'x', sizeof text);
+    text[sizeof text - 1] = '\0';
+    memset(box.guard, 'g', sizeof box.guard);
+    ovr_fail(&box.err, OVR_IO, "%s", text);
+    assert_int_equal(strlen(box.err.message), OVR_MESSAGE_SIZE - 1);
+    ovr_fail_at(&box.err, OVR_IO, text, 5, "lost");
+    assert_int_equal(strlen(box.err.message), OVR_MESSAGE_SIZE - 1);
+    ovr_fail_at(&box.err, OVR_IO, "short", 5, "%s", text);
+    assert_int_equal(strlen(box.err.message), OVR_MESSAGE_SIZE - 1);
+    assert_memory_equal(box.guard, "gggggggg", sizeof box.guard);
+}
+
+static void every_status_has_its_name(void **state)
+{
+    (void)state;
+    for (int a = OVR_OK; a <= OVR_STOPPED; a++) {
+        const char *name = ovr_status_name((ovr_status)a);
+        assert_string_not_equal(name, "unknown status");
+        for (int b = OVR_OK; b < a; b++)
+            assert_string_not_equal(name, ovr_status_name((ovr_status)b));
+    }
+    assert_string_equal(ovr_status_name((ovr_status)99), "unknown status");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(fills_status_and_message),
+        cmocka_unit_test(accepts_no_error_object),
+        cmocka_unit_test(names_file_and_line),
+        cmocka_unit_test(cuts_what_is_too_long),
+        cmocka_unit_test(every_status_has_its_name),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
