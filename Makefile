@@ -18,7 +18,9 @@ all: # the default goal, completed below
 # ------------------------------------------------------------ what is there
 
 Q := $(if $(filter 0,$(V)),@,)
-say = @echo "  $(1)"
+# Nothing is said under make -s.
+SILENT = $(findstring s,$(filter-out -%,$(firstword $(MAKEFLAGS))))
+say = @$(if $(SILENT),:,echo "  $(1)")
 
 # Goals that compile need the packages; the others run anywhere.
 ifneq ($(filter-out clean help format uninstall,$(or $(MAKECMDGOALS),all)),)
