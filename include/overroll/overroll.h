@@ -6,6 +6,7 @@
 #include "overroll/contact.h"
 #include "overroll/error.h"
 #include "overroll/memory.h"
+#include "overroll/profile.h"
 #include "overroll/simulation.h"
 #include "overroll/surface.h"
 #include "overroll/version.h"

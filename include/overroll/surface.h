@@ -4,7 +4,16 @@
  *
  *     S(X, T) = S1(X - X1(T)) + S2(X - X2(T)),  dXk/dT = Cu(T) u_k/um
  *
- * in units of b^2/R, positive out of the surface (a dent is negative).
+ * in units of b^2/R, positive out of the surface (a dent is negative).  Each
+ * surface carries any number of features; they may overlap, repeat and
+ * outlast the run.
+ *
+ *     ovr_feature_form form = ovr_feature_form_default();
+ *     form.shape = OVR_DENT, form.depth = 0.1, form.width = 0.5;
+ *     form.start = -4.6;
+ *     ovr_surfaces *s = ovr_surfaces_create(&contact, NULL, D, NULL, &err);
+ *     ovr_surfaces_add(s, &form, &err);
+ *     ovr_simulation_surface(sim, ovr_surfaces_heights, s);
  */
 #ifndef OVERROLL_SURFACE_H
 #define OVERROLL_SURFACE_H
@@ -15,10 +24,98 @@
 #include "overroll/contact.h"
 #include "overroll/error.h"
 #include "overroll/memory.h"
+#include "overroll/profile.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/*
+ * The shapes, with s = X - Xd(T) the distance from the feature's centre,
+ * xi = s/width, g(v) = 10^(-10 v^2) and sigma the quintic smoothstep
+ * 6v^5 - 15v^4 + 10v^3 held at 0 and 1 outside 0 < v < 1:
+ *
+ *   dent     -depth  g(xi) cos(2 pi xi)        (has small shoulders)
+ *   bump     +height g(xi) cos(2 pi xi)
+ *   indent   -depth g(xi) + shoulder [g((s - a)/c) + g((s + a)/c)],
+ *            a = shoulder_at (width/2), c = shoulder_width (width/2)
+ *   ridge    +height g(xi)                     (or -depth g(xi))
+ *   step     +height sigma(1/2 - s/flank): what lies behind the edge (s < 0)
+ *            is higher; with a length it comes down again at s = -length
+ *   groove   -depth sigma((width/2 - |s|)/flank + 1/2): flat bottom, flanks
+ *            centred at s = +-width/2
+ *   wave     amplitude cos(2 pi (X - origin - u T)/wavelength), endless
+ *   chirp    amplitude cos(2 pi [s'/w0 + (1/w1 - 1/w0) s'^2/(2 length)]),
+ *            s' = s + length/2 in [0, length], w0 = wavelength at its rear,
+ *            w1 = wavelength_end at its leading end, faded in and out by
+ *            sigma over taper (default: the longer wavelength) at both ends
+ *   texture  -depth (1 + cos(2 pi s/width))/2 for |s| < width/2, repeated
+ *            every wavelength (>= width), endless
+ *   profile  measured, from a file
+ *   roughness random, from a seed and a spectrum
+ *
+ * A step's or groove's flank may be given by the radius r of its edges
+ * instead: flank = sqrt(10/sqrt(3) height r) in metres, since the largest
+ * curvature of sigma is 10/sqrt(3).
+ */
+typedef enum ovr_shape {
+    OVR_DENT,
+    OVR_BUMP,
+    OVR_INDENT,
+    OVR_RIDGE,
+    OVR_STEP,
+    OVR_GROOVE,
+    OVR_WAVE,
+    OVR_CHIRP,
+    OVR_TEXTURE,
+    OVR_PROFILE,
+    OVR_ROUGHNESS,
+    OVR_SHAPES /* how many there are */
+} ovr_shape;
+
+/* "dent", "bump", ...; NULL out of range, so that counting up from 0 lists
+ * them all. */
+OVR_API const char *ovr_shape_name(int shape);
+
+/*
+ * What a feature is made of.  Lengths in b, heights in b^2/R, times in b/um;
+ * NAN: not given.  A field that the shape does not use must stay NAN.
+ */
+typedef struct ovr_feature_form {
+    const char *name; /* for messages: the section's [feature NAME] */
+    int surface;      /* 1 rides at u1, 2 at u2 */
+    ovr_shape shape;
+
+    /* Where: at most one of these (wave and texture: origin or none). */
+    double start;   /* X at T = 0 of its centre (step: its edge); of profile
+                       and roughness: of their leading, largest-x end */
+    double centre;  /* X of its centre at T = 0, profiles included */
+    double edge;    /* X of its leading (largest-x) end at T = 0 */
+    double arrival; /* T at which its centre is at X = 0 */
+    double origin;  /* wave, texture: X of a crest (dimple) at T = 0 */
+
+    /* Sizes, as the shape's formula names them. */
+    double depth, height, amplitude;
+    double width, wavelength, wavelength_end, length;
+    double shoulder, shoulder_at, shoulder_width;
+    double flank;
+    double radius; /* of edges; in b, needs a physical contact */
+
+    /* In time and along the surface. */
+    double grow;      /* grows in place by sigma((T - grow_from)/grow) */
+    double grow_from; /* 0 */
+    double repeat;    /* copies at this distance behind it (both ways when it
+                         stands still) */
+    int copies;       /* how many in all; 0: endless */
+
+    /* Profiles and roughness. */
+    ovr_profile_source source;
+    ovr_conditioning conditioning; /* lengths in b, heights in b^2/R */
+    ovr_roughness roughness;       /* lengths in b, heights in b^2/R */
+} ovr_feature_form;
+
+/* Surface 1, everything else not given. */
+OVR_API ovr_feature_form ovr_feature_form_default(void);
 
 typedef struct ovr_surfaces ovr_surfaces;
 
@@ -30,10 +127,56 @@ OVR_API ovr_surfaces *ovr_surfaces_create(const ovr_contact *contact,
                                           ovr_error *err);
 OVR_API void ovr_surfaces_free(ovr_surfaces *surfaces);
 
-/* S at time T at the n positions X; an ovr_heights of simulation.h with the
- * ovr_surfaces as its data. */
+/* Puts one more feature on; reads its file when it has one.  On failure the
+ * surfaces are as before. */
+OVR_API ovr_status ovr_surfaces_add(ovr_surfaces *surfaces,
+                                    const ovr_feature_form *form,
+                                    ovr_error *err);
+
+/* S at time T at the n increasing positions X; an ovr_heights of
+ * simulation.h with the ovr_surfaces as its data.  Allocates nothing. */
 OVR_API void ovr_surfaces_heights(void *surfaces, double T, size_t n,
                                   const double *X, double *S);
+
+/* ------------------------------------------------- what is on the surfaces */
+
+typedef struct ovr_feature_info {
+    const char *name;
+    int surface;
+    ovr_shape shape;
+    double speed;         /* u_k/um */
+    double amplitude;     /* largest |S| */
+    double wavelength;    /* the shortest that matters, b: a grid needs several
+                             nodes in it; of local shapes the feature's width */
+    double behind, ahead; /* extent about its centre, b (may be infinite) */
+    bool grows;           /* starts from nothing */
+    const char *assumed;  /* profiles: what the reader assumed and what was
+                             done, lines ended by '\n'; else "" */
+} ovr_feature_info;
+
+OVR_API size_t ovr_surfaces_count(const ovr_surfaces *surfaces);
+OVR_API ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces,
+                                           size_t feature);
+
+/* Shortest wavelength of all features, b; INFINITY on smooth surfaces. */
+OVR_API double ovr_surfaces_wavelength(const ovr_surfaces *surfaces);
+
+/* Name of the first feature that is in inlet < X < outlet at T = 0 with more
+ * than a trace of its height, or NULL; those that grow, or that are endless,
+ * do not count. */
+OVR_API const char *ovr_surfaces_inside(const ovr_surfaces *surfaces,
+                                        double inlet, double outlet);
+
+/* X of a feature's centre (wave: of the crest first at `origin`) at T. */
+OVR_API double ovr_surfaces_centre(const ovr_surfaces *surfaces, size_t feature,
+                                   double T);
+
+/* First T >= 0 at which a feature's centre, or that of one of its copies
+ * when `copies` is set, comes to X after time `after`; INFINITY: never
+ * (searched up to `until`). */
+OVR_API double ovr_surfaces_arrival(const ovr_surfaces *surfaces,
+                                    size_t feature, double X, double after,
+                                    double until);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Profiles: measured surfaces read from files, conditioned, and synthetic
+ * roughness.
+ *
+ * A profile is n points (x, z), x increasing, heights positive out of the
+ * surface; missing heights are NAN until ovr_profile_condition fills them.
+ * Both are in metres, or each in the contact's units (b and b^2/R) when the
+ * file says so.  Formats are told apart by content: text (also gzipped), SDF
+ * text and binary, SMD, X3P.  Nothing about units is guessed in silence: what
+ * was assumed stands in `notes`, what cannot be known is an error that says
+ * what to add.
+ */
+#ifndef OVERROLL_PROFILE_H
+#define OVERROLL_PROFILE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "overroll/error.h"
+#include "overroll/memory.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What to read, and what the file may not say itself. */
+typedef struct ovr_profile_source {
+    const char *file;
+    const char *unit_x; /* "um", "mm", ..., "b"; NULL: the file says it */
+    const char *unit_z; /* "um", "nm", ..., "b^2/R"; NULL: the file says it */
+    double spacing;     /* of a single column z, in unit_x; NAN: none */
+    int column_x;       /* counted from 1; 0: by the header */
+    int column_z;
+    int line; /* of an areal file, from 1; 0: must have one only */
+} ovr_profile_source;
+
+OVR_API ovr_profile_source ovr_profile_source_default(void);
+
+typedef enum ovr_levelling {
+    OVR_LEVEL_NONE,
+    OVR_LEVEL_MEAN,
+    OVR_LEVEL_LINE,
+    OVR_LEVEL_POLYNOMIAL
+} ovr_levelling;
+
+/* What happens beyond the ends of a profile. */
+typedef enum ovr_extension {
+    OVR_EXTEND_NONE,     /* smooth surface; blended over `taper` */
+    OVR_EXTEND_PERIODIC, /* the profile again, blended over `taper` */
+    OVR_EXTEND_MIRROR    /* forwards and backwards by turns */
+} ovr_extension;
+
+/* In this order: window, scale and invert, gaps, outliers, level, lambda_c,
+ * lambda_s, offset, anti-alias, taper.  Lengths are in the profile's x unit,
+ * heights in its z unit; NAN: not wanted. */
+typedef struct ovr_conditioning {
+    double from, to;      /* window in x */
+    double scale;         /* of heights, 1 */
+    bool invert;          /* heights change sign */
+    double stretch;       /* of lengths, 1 */
+    bool reverse;         /* x runs the other way */
+    double max_gap;       /* longest gap to fill; NAN: 5 % of the length */
+    double max_missing;   /* largest missing fraction, 0.2 */
+    double outliers;      /* points further than this many robust standard
+                             deviations from the median of their
+                             neighbours are replaced */
+    ovr_levelling level;  /* line */
+    int degree;           /* of the polynomial, 2 */
+    double lambda_c;      /* high-pass Gaussian cut-off (waviness removed) */
+    double lambda_s;      /* low-pass Gaussian cut-off (noise removed) */
+    double offset;        /* added after levelling */
+    double taper;         /* blend into the smooth surface at each end over
+                             this; NAN: 5 % of the length */
+    ovr_extension extend; /* none */
+} ovr_conditioning;
+
+OVR_API ovr_conditioning ovr_conditioning_default(void);
+
+typedef enum ovr_spectrum { OVR_SELF_AFFINE, OVR_EXPONENTIAL } ovr_spectrum;
+
+/*
+ * Random roughness with power spectrum C(q), q = 2 pi/wavelength:
+ *   self-affine  C ~ 1 for q < 2 pi/rolloff, (q rolloff/2 pi)^(-1 - 2 hurst)
+ *                beyond, up to 2 pi/shortest
+ *   exponential  autocorrelation exp(-|s|/correlation)
+ * and heights of the given skewness and kurtosis.
+ */
+typedef struct ovr_roughness {
+    double Rq;     /* root mean square height */
+    double length; /* of one realization; it is periodic */
+    ovr_spectrum spectrum;
+    double hurst;       /* 0.8 */
+    double rolloff;     /* longest correlated wavelength; NAN: length/8 */
+    double shortest;    /* shortest wavelength; NAN: length/256 */
+    double correlation; /* exponential; NAN: length/32 */
+    double skewness;    /* NAN: Gaussian heights */
+    double kurtosis;    /* NAN: Gaussian heights (3) */
+    int seed;           /* 1 */
+} ovr_roughness;
+
+OVR_API ovr_roughness ovr_roughness_default(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * One feature, ready to be evaluated: a shape about a centre that moves.
+ * Lengths in b, heights in b^2/R.
+ */
+#ifndef OVR_SURFACE_FEATURE_H
+#define OVR_SURFACE_FEATURE_H
+
+#include "base/arena.h"
+#include "overroll/surface.h"
+#include "surface/table.h"
+
+typedef struct ovr_feature {
+    const char *name, *assumed;
+    int surface;
+    ovr_shape shape;
+    double ratio; /* u_k/um */
+    double start; /* X of its centre at T = 0 */
+    double A;     /* signed: negative into the surface */
+    double width, wavelength, wavelength_end, length;
+    double shoulder, shoulder_at, shoulder_width;
+    double flank;
+    double behind, ahead; /* extent about the centre, as users see it */
+    double reach_behind, reach_ahead; /* beyond them its height vanishes */
+    double finest;                    /* shortest wavelength that matters */
+    double grow, grow_from;
+    double repeat;          /* NAN: single */
+    long copies;            /* 0: endless */
+    const ovr_table *table; /* profile, roughness: heights from behind */
+} ovr_feature;
+
+/* sigma(v) = 6 v^5 - 15 v^4 + 10 v^3 between 0 and 1: twice continuously
+ * differentiable everywhere. */
+static inline double ovr_smoothstep(double v)
+{
+    if (!(v > 0))
+        return 0;
+    return v < 1 ? v * v * v * (10 + v * (6 * v - 15)) : 1;
+}
+
+/* Checks the form's sizes and fills everything of the feature that is about
+ * its shape; `per_radius` is b/R, NAN without a physical contact. */
+ovr_status ovr_shape_make(ovr_feature *feature, const ovr_feature_form *form,
+                          double per_radius, ovr_error *err);
+
+/* S[i] += factor * (height at X[i] with the centre at `centre`). */
+void ovr_shape_add(const ovr_feature *feature, double factor, double centre,
+                   size_t n, const double *X, double *S);
+
+#endif

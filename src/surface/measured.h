@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Features whose heights come from a table: measured profiles and synthetic
+ * roughness, conditioned and prepared for a grid.
+ */
+#ifndef OVR_SURFACE_MEASURED_H
+#define OVR_SURFACE_MEASURED_H
+
+#include "surface/feature.h"
+
+/* Fills the feature's table, extents and notes from the form's source (shape
+ * OVR_PROFILE) or roughness; `mesh` is the grid's D. */
+ovr_status ovr_measured_make(ovr_feature *feature, const ovr_feature_form *form,
+                             const ovr_contact *contact, double mesh,
+                             ovr_arena *arena, ovr_error *err);
+
+#endif

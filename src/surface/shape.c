@@ -1,0 +1,379 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The shapes of surface.h as functions of the distance s from their centre.
+ *
+ * Each is one row of a table: how to take its sizes from a form, and how to
+ * add itself to the heights at n positions.  Local shapes are cut off where
+ * they have fallen below 1e-18 of their height.
+ */
+#include "surface/feature.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+static const double TWO_PI = 6.283185307179586476925;
+static const double TEN_LN_10 = 23.02585092994045684018; /* 10^(-10 v^2) */
+static const double VANISHED = 1.35;                 /* 10^(-10 v^2) < 1e-18 */
+static const double STEEPEST = 5.773502691896257645; /* max |sigma''| */
+
+static double bell(double v)
+{
+    return exp(-TEN_LN_10 * v * v);
+}
+
+/* ------------------------------------------------------------- formulas */
+
+typedef double formula(const ovr_feature *f, double s);
+
+static double dent(const ovr_feature *f, double s)
+{
+    double xi = s / f->width;
+    return f->A * bell(xi) * cos(TWO_PI * xi);
+}
+
+static double indent(const ovr_feature *f, double s)
+{
+    double a = f->shoulder_at, c = f->shoulder_width;
+    return f->A * bell(s / f->width) +
+           f->shoulder * (bell((s - a) / c) + bell((s + a) / c));
+}
+
+static double ridge(const ovr_feature *f, double s)
+{
+    return f->A * bell(s / f->width);
+}
+
+static double step(const ovr_feature *f, double s)
+{
+    double down = isfinite(f->length)
+                      ? ovr_smoothstep(0.5 - (s + f->length) / f->flank)
+                      : 0;
+    return f->A * (ovr_smoothstep(0.5 - s / f->flank) - down);
+}
+
+static double groove(const ovr_feature *f, double s)
+{
+    return f->A * ovr_smoothstep((f->width / 2 - fabs(s)) / f->flank + 0.5);
+}
+
+static double wave(const ovr_feature *f, double s)
+{
+    return f->A * cos(TWO_PI * s / f->wavelength);
+}
+
+static double chirp(const ovr_feature *f, double s)
+{
+    double r = s + f->length / 2, d = f->length / 2 - s;
+    double k0 = 1 / f->wavelength, k1 = 1 / f->wavelength_end;
+    double phase = r * k0 + (k1 - k0) * r * r / (2 * f->length);
+    return f->A * cos(TWO_PI * phase) * ovr_smoothstep(r / f->flank) *
+           ovr_smoothstep(d / f->flank);
+}
+
+static double texture(const ovr_feature *f, double s)
+{
+    double r = s - f->wavelength * round(s / f->wavelength);
+    if (fabs(r) >= f->width / 2)
+        return 0;
+    return f->A * 0.5 * (1 + cos(TWO_PI * r / f->width));
+}
+
+static double tabulated(const ovr_feature *f, double s)
+{
+    return ovr_table_height(f->table, s + ovr_table_length(f->table) / 2);
+}
+
+/* ------------------------------------------------------------ the table */
+
+/* Sizes a shape may be given, as a set. */
+enum {
+    DEPTH = 1 << 0,
+    HEIGHT = 1 << 1,
+    AMPLITUDE = 1 << 2,
+    WIDTH = 1 << 3,
+    WAVELENGTH = 1 << 4,
+    WAVELENGTH_END = 1 << 5,
+    LENGTH = 1 << 6,
+    SHOULDER = 1 << 7,
+    SHOULDER_AT = 1 << 8,
+    SHOULDER_WIDTH = 1 << 9,
+    FLANK = 1 << 10,
+    RADIUS = 1 << 11
+};
+
+static const struct size {
+    const char *name;
+    unsigned bit;
+    size_t offset;
+    bool zero; /* may be zero */
+} sizes[] = {
+#define SIZE(field, bit, zero)                                                 \
+    {                                                                          \
+#field, bit, offsetof(ovr_feature_form, field), zero                   \
+    }
+    SIZE(depth, DEPTH, true),
+    SIZE(height, HEIGHT, true),
+    SIZE(amplitude, AMPLITUDE, true),
+    SIZE(width, WIDTH, false),
+    SIZE(wavelength, WAVELENGTH, false),
+    SIZE(wavelength_end, WAVELENGTH_END, false),
+    SIZE(length, LENGTH, false),
+    SIZE(shoulder, SHOULDER, true),
+    SIZE(shoulder_at, SHOULDER_AT, false),
+    SIZE(shoulder_width, SHOULDER_WIDTH, false),
+    SIZE(flank, FLANK, false),
+    SIZE(radius, RADIUS, false),
+#undef SIZE
+};
+enum { SIZES = sizeof sizes / sizeof sizes[0] };
+
+/* `tall` are the ways to give its height: exactly one of them. */
+static const struct rule {
+    const char *name;
+    formula *height;
+    unsigned tall, needed, allowed;
+} rules[OVR_SHAPES] = {
+    [OVR_DENT] = {"dent", dent, DEPTH, WIDTH, 0},
+    [OVR_BUMP] = {"bump", dent, HEIGHT, WIDTH, 0},
+    [OVR_INDENT] = {"indent", indent, DEPTH, WIDTH,
+                    SHOULDER | SHOULDER_AT | SHOULDER_WIDTH},
+    [OVR_RIDGE] = {"ridge", ridge, HEIGHT | DEPTH, WIDTH, 0},
+    [OVR_STEP] = {"step", step, HEIGHT | DEPTH, 0, LENGTH | FLANK | RADIUS},
+    [OVR_GROOVE] = {"groove", groove, DEPTH | HEIGHT, WIDTH, FLANK | RADIUS},
+    [OVR_WAVE] = {"wave", wave, AMPLITUDE, WAVELENGTH, 0},
+    [OVR_CHIRP] = {"chirp", chirp, AMPLITUDE,
+                   WAVELENGTH | WAVELENGTH_END | LENGTH, FLANK},
+    [OVR_TEXTURE] = {"texture", texture, DEPTH | HEIGHT, WIDTH | WAVELENGTH, 0},
+    [OVR_PROFILE] = {"profile", tabulated, 0, 0, 0},
+    [OVR_ROUGHNESS] = {"roughness", tabulated, 0, 0, 0},
+};
+
+const char *ovr_shape_name(int shape)
+{
+    return shape >= 0 && shape < OVR_SHAPES ? rules[shape].name : NULL;
+}
+
+/* ---------------------------------------------------- taking the sizes */
+
+static double size_of(const ovr_feature_form *form, const struct size *size)
+{
+    double value;
+    memcpy(&value, (const char *)form + size->offset, sizeof value);
+    return value;
+}
+
+static ovr_status check_size(const ovr_feature_form *form,
+                             const struct size *size, unsigned allowed,
+                             ovr_error *err)
+{
+    double value = size_of(form, size);
+    const char *shape = rules[form->shape].name;
+    if (!(size->bit & allowed))
+        return ovr_fail(err, OVR_BAD_INPUT, "feature '%s': a %s has no %s",
+                        form->name, shape, size->name);
+    if (isfinite(value) && (value > 0 || (size->zero && value == 0)))
+        return OVR_OK;
+    return ovr_fail(err, OVR_BAD_INPUT, "feature '%s': %s = %g must be %s",
+                    form->name, size->name, value,
+                    size->zero ? "zero or positive" : "positive");
+}
+
+/* "depth or height" */
+static const char *names_of(unsigned set, char *text, size_t room)
+{
+    size_t used = 0;
+    text[0] = 0;
+    for (int k = 0; k < SIZES; k++)
+        if (set & sizes[k].bit && used < room) {
+            size_t left = room - used, name = strlen(sizes[k].name);
+            if (used && left > 4)
+                memcpy(text + used, " or ", 5), used += 4, left -= 4;
+            if (name + 1 > left)
+                break;
+            memcpy(text + used, sizes[k].name, name + 1);
+            used += name;
+        }
+    return text;
+}
+
+static ovr_status check_complete(const ovr_feature_form *form, unsigned given,
+                                 ovr_error *err)
+{
+    const struct rule *rule = &rules[form->shape];
+    unsigned missing = rule->needed & ~given, tall = rule->tall & given;
+    char text[160];
+    if (rule->tall && !tall)
+        missing = rule->tall;
+    else if (missing)
+        missing &= ~(missing - 1); /* one at a time */
+    if (missing)
+        return ovr_fail(err, OVR_BAD_INPUT, "feature '%s': a %s needs its %s",
+                        form->name, rule->name,
+                        names_of(missing, text, sizeof text));
+    if (tall & (tall - 1) || (given & (FLANK | RADIUS)) == (FLANK | RADIUS))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': give either %s, not both", form->name,
+                        tall & (tall - 1) ? "depth or height"
+                                          : "flank or radius");
+    return OVR_OK;
+}
+
+static ovr_status check_form(const ovr_feature_form *form, ovr_error *err)
+{
+    const struct rule *rule = &rules[form->shape];
+    unsigned given = 0;
+    for (int k = 0; k < SIZES; k++)
+        if (!isnan(size_of(form, &sizes[k]))) {
+            ovr_status status = check_size(
+                form, &sizes[k], rule->tall | rule->needed | rule->allowed,
+                err);
+            if (status)
+                return status;
+            given |= sizes[k].bit;
+        }
+    return check_complete(form, given, err);
+}
+
+static double or_else(double value, double otherwise)
+{
+    return isnan(value) ? otherwise : value;
+}
+
+/* Curvature in units of 1/R is d2S/dX2, so edges of radius r (in b) have
+ * |A| max|sigma''|/flank^2 = R/r = 1/(r per_radius). */
+static ovr_status find_flank(ovr_feature *f, const ovr_feature_form *form,
+                             double per_radius, ovr_error *err)
+{
+    double otherwise = f->shape == OVR_GROOVE ? f->width / 4 : 0.25;
+    if (f->shape == OVR_CHIRP)
+        otherwise = fmax(f->wavelength, f->wavelength_end);
+    f->flank = or_else(form->flank, otherwise);
+    if (isnan(form->radius))
+        return OVR_OK;
+    if (!(per_radius > 0))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': a radius of its edges needs a physical "
+                        "contact (radius and modulus); give flank instead",
+                        f->name);
+    f->flank = sqrt(STEEPEST * fabs(f->A) * form->radius * per_radius);
+    if (!(f->flank > 0))
+        f->flank = otherwise; /* of no height: any will do */
+    return OVR_OK;
+}
+
+static void take_sizes(ovr_feature *f, const ovr_feature_form *form)
+{
+    f->A = or_else(form->amplitude, or_else(form->height, -form->depth));
+    f->width = form->width;
+    f->wavelength = form->wavelength;
+    f->wavelength_end = form->wavelength_end;
+    f->length = form->length;
+    f->shoulder = or_else(form->shoulder, 0);
+    f->shoulder_at = or_else(form->shoulder_at, f->width / 2);
+    f->shoulder_width = or_else(form->shoulder_width, f->width / 2);
+}
+
+/* -------------------------------------------------------------- extents */
+
+static void set_extent(ovr_feature *f, double behind, double ahead, double cut,
+                       double finest)
+{
+    f->behind = behind;
+    f->ahead = ahead;
+    f->reach_behind = cut * behind;
+    f->reach_ahead = cut * ahead;
+    f->finest = finest;
+}
+
+static void find_extent(ovr_feature *f)
+{
+    double half, w = f->width, l = f->flank;
+    switch (f->shape) {
+    case OVR_DENT:
+    case OVR_BUMP:
+    case OVR_RIDGE: set_extent(f, w, w, VANISHED, w); break;
+    case OVR_INDENT:
+        half = fmax(w,
+                    f->shoulder > 0 ? f->shoulder_at + f->shoulder_width : 0);
+        set_extent(f, half, half, VANISHED,
+                   f->shoulder > 0 ? fmin(w, f->shoulder_width) : w);
+        break;
+    case OVR_STEP:
+        set_extent(f, or_else(f->length, INFINITY) + l / 2, l / 2, 1, 2 * l);
+        break;
+    case OVR_GROOVE:
+        half = (w + l) / 2;
+        set_extent(f, half, half, 1, 2 * l);
+        break;
+    case OVR_WAVE: set_extent(f, INFINITY, INFINITY, 1, f->wavelength); break;
+    case OVR_CHIRP:
+        set_extent(f, f->length / 2, f->length / 2, 1,
+                   fmin(f->wavelength, f->wavelength_end));
+        break;
+    case OVR_TEXTURE: set_extent(f, INFINITY, INFINITY, 1, w); break;
+    default: break; /* tabulated: known when the table is */
+    }
+}
+
+static ovr_status check_proportions(const ovr_feature *f, ovr_error *err)
+{
+    if (f->shape == OVR_TEXTURE && f->width > f->wavelength)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': width = %g must not exceed the "
+                        "wavelength = %g, the distance of two dimples",
+                        f->name, f->width, f->wavelength);
+    if (f->shape == OVR_GROOVE && f->flank > f->width)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': flank = %g must not exceed the width "
+                        "= %g, or the bottom is never reached",
+                        f->name, f->flank, f->width);
+    if (f->shape == OVR_CHIRP && 2 * f->flank > f->length)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': length = %g leaves no room for its two "
+                        "flanks of %g",
+                        f->name, f->length, f->flank);
+    return OVR_OK;
+}
+
+ovr_status ovr_shape_make(ovr_feature *feature, const ovr_feature_form *form,
+                          double per_radius, ovr_error *err)
+{
+    ovr_status status = check_form(form, err);
+    if (status)
+        return status;
+    feature->shape = form->shape;
+    take_sizes(feature, form);
+    status = find_flank(feature, form, per_radius, err);
+    if (!status)
+        status = check_proportions(feature, err);
+    if (!status)
+        find_extent(feature);
+    return status;
+}
+
+/* ----------------------------------------------------------- evaluation */
+
+/* First index with X[i] >= limit, X increasing. */
+static size_t first_from(size_t n, const double *X, double limit)
+{
+    size_t low = 0, high = n;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (X[middle] < limit)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+void ovr_shape_add(const ovr_feature *feature, double factor, double centre,
+                   size_t n, const double *X, double *S)
+{
+    formula *height = rules[feature->shape].height;
+    double end = centre + feature->reach_ahead;
+    size_t i = first_from(n, X, centre - feature->reach_behind);
+    for (; i < n && X[i] <= end; i++)
+        S[i] += factor * height(feature, X[i] - centre);
+}

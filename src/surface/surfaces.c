@@ -1,0 +1,411 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The two moving surfaces: where each feature is, and the sum of them all.
+ *
+ *     X_k(T) = start + (u_k/um) I(T),   I(T) = integral of Cu from 0 to T
+ *
+ * Copies of a repeated feature follow it: they are on the side it comes from,
+ * and on both sides when it stands still.
+ */
+#include "surface/feature.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "surface/measured.h"
+
+typedef struct entry {
+    ovr_feature feature;
+    struct entry *next;
+} entry;
+
+struct ovr_surfaces {
+    ovr_arena arena;
+    ovr_contact contact;
+    const ovr_history *speed;
+    double mesh;
+    size_t count;
+    entry *first, **last;
+};
+
+ovr_feature_form ovr_feature_form_default(void)
+{
+    ovr_feature_form form = {.name = "",
+                             .surface = 1,
+                             .shape = OVR_DENT,
+                             .start = NAN,
+                             .centre = NAN,
+                             .edge = NAN,
+                             .arrival = NAN,
+                             .origin = NAN,
+                             .depth = NAN,
+                             .height = NAN,
+                             .amplitude = NAN,
+                             .width = NAN,
+                             .wavelength = NAN,
+                             .wavelength_end = NAN,
+                             .length = NAN,
+                             .shoulder = NAN,
+                             .shoulder_at = NAN,
+                             .shoulder_width = NAN,
+                             .flank = NAN,
+                             .radius = NAN,
+                             .grow = NAN,
+                             .grow_from = 0,
+                             .repeat = NAN,
+                             .copies = 0};
+    form.source = ovr_profile_source_default();
+    form.conditioning = ovr_conditioning_default();
+    form.roughness = ovr_roughness_default();
+    return form;
+}
+
+ovr_surfaces *ovr_surfaces_create(const ovr_contact *contact,
+                                  const ovr_history *speed, double mesh,
+                                  const ovr_allocator *allocator,
+                                  ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_surfaces *surfaces = ovr_arena_take(&arena, 1, sizeof *surfaces, err);
+    if (!surfaces)
+        return NULL;
+    surfaces->contact = *contact;
+    surfaces->speed = speed;
+    surfaces->mesh = mesh;
+    surfaces->last = &surfaces->first;
+    surfaces->arena = arena;
+    return surfaces;
+}
+
+void ovr_surfaces_free(ovr_surfaces *surfaces)
+{
+    if (surfaces) {
+        ovr_arena arena = surfaces->arena;
+        ovr_arena_release(&arena);
+    }
+}
+
+/* ---------------------------------------------------------------- adding */
+
+static ovr_status check_common(const ovr_feature_form *form, ovr_error *err)
+{
+    const char *name = form->name;
+    if (form->surface != 1 && form->surface != 2)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': surface = %d must be 1 or 2", name,
+                        form->surface);
+    if (!ovr_shape_name((int)form->shape))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': no shape has the number %d", name,
+                        (int)form->shape);
+    if (!isnan(form->grow) && !(form->grow >= 0 && isfinite(form->grow)))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': grow = %g must be a time >= 0", name,
+                        form->grow);
+    if (!isfinite(form->grow_from))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': grow_from must be a finite time", name);
+    if (form->copies < 0)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': copies = %d must not be negative", name,
+                        form->copies);
+    return OVR_OK;
+}
+
+/* Copies may overlap, but not so that thousands meet at one node. */
+static ovr_status check_repeat(const ovr_feature *f, ovr_error *err)
+{
+    double size = f->reach_behind + f->reach_ahead;
+    if (isnan(f->repeat))
+        return OVR_OK;
+    if (!isfinite(size))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': a %s is endless, it needs no repeat",
+                        f->name, ovr_shape_name((int)f->shape));
+    if (!isfinite(f->repeat) || !(f->repeat > size / 100))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': repeat = %g must be a distance above "
+                        "1/100 of its extent %g",
+                        f->name, f->repeat, size);
+    return OVR_OK;
+}
+
+static bool is_endless(const ovr_feature *f)
+{
+    return isinf(f->reach_ahead);
+}
+
+/* Where the centre is at T = 0 when the feature's reference point (start), its
+ * centre, its leading edge or its arrival at X = 0 was given. */
+static double centre_at_start(const ovr_surfaces *surfaces,
+                              const ovr_feature_form *form,
+                              const ovr_feature *f)
+{
+    bool tabulated = f->table != NULL;
+    if (!isnan(form->centre))
+        return form->centre;
+    if (!isnan(form->edge))
+        return form->edge - f->ahead;
+    if (!isnan(form->arrival))
+        return -f->ratio * ovr_history_integral(surfaces->speed, form->arrival);
+    return tabulated ? form->start - f->ahead : form->start;
+}
+
+static ovr_status find_start(const ovr_surfaces *surfaces,
+                             const ovr_feature_form *form, ovr_feature *f,
+                             ovr_error *err)
+{
+    int given = !isnan(form->start) + !isnan(form->centre) +
+                !isnan(form->edge) + !isnan(form->arrival);
+    const char *shape = ovr_shape_name((int)f->shape);
+    if (given > 1 || (given && !isnan(form->origin)))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': give one of start, centre, edge, "
+                        "arrival and origin, not several",
+                        f->name);
+    if (is_endless(f)) {
+        if (given)
+            return ovr_fail(err, OVR_BAD_INPUT,
+                            "feature '%s': a %s is endless; its place is "
+                            "given by origin",
+                            f->name, shape);
+        f->start = isnan(form->origin) ? 0 : form->origin;
+    } else if (!given) {
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': a %s needs its place at T = 0: start, "
+                        "centre or edge, or its arrival at X = 0",
+                        f->name, shape);
+    } else if (!isnan(form->arrival) && f->ratio == 0) {
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': surface %d stands still, it never "
+                        "arrives; give start instead of arrival",
+                        f->name, f->surface);
+    } else {
+        f->start = centre_at_start(surfaces, form, f);
+    }
+    if (!isfinite(f->start))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': its place must be a finite number",
+                        f->name);
+    return OVR_OK;
+}
+
+/* Everything that can fail happens here, before the feature is linked in. */
+static ovr_status make(ovr_surfaces *surfaces, const ovr_feature_form *form,
+                       ovr_feature *f, ovr_error *err)
+{
+    const ovr_contact *c = &surfaces->contact;
+    ovr_status status = check_common(form, err);
+    if (status)
+        return status;
+    f->name = ovr_arena_text(&surfaces->arena, form->name ? form->name : "",
+                             err);
+    if (!f->name)
+        return OVR_NO_MEMORY;
+    f->assumed = "";
+    f->surface = form->surface;
+    f->ratio = form->surface == 1 ? c->u1_ratio : c->u2_ratio;
+    f->grow = form->grow;
+    f->grow_from = form->grow_from;
+    f->repeat = form->repeat;
+    f->copies = form->copies;
+    status = ovr_shape_make(f, form, c->height / c->b, err);
+    if (!status && (f->shape == OVR_PROFILE || f->shape == OVR_ROUGHNESS))
+        status = ovr_measured_make(f, form, c, surfaces->mesh, &surfaces->arena,
+                                   err);
+    if (!status)
+        status = check_repeat(f, err);
+    if (!status)
+        status = find_start(surfaces, form, f, err);
+    return status;
+}
+
+ovr_status ovr_surfaces_add(ovr_surfaces *surfaces,
+                            const ovr_feature_form *form, ovr_error *err)
+{
+    entry *added = ovr_arena_take(&surfaces->arena, 1, sizeof *added, err);
+    ovr_status status;
+    if (!added)
+        return OVR_NO_MEMORY;
+    status = make(surfaces, form, &added->feature, err);
+    if (status)
+        return status;
+    *surfaces->last = added;
+    surfaces->last = &added->next;
+    surfaces->count++;
+    return OVR_OK;
+}
+
+/* ------------------------------------------------------------ evaluation */
+
+static double centre_at(const ovr_surfaces *surfaces, const ovr_feature *f,
+                        double T)
+{
+    return f->ratio == 0
+               ? f->start
+               : f->start + f->ratio * ovr_history_integral(surfaces->speed, T);
+}
+
+static double grown(const ovr_feature *f, double T)
+{
+    return isnan(f->grow) || T >= f->grow_from + f->grow
+               ? 1
+               : ovr_smoothstep((T - f->grow_from) / f->grow);
+}
+
+/* The copies k = low..high that touch [X_a, X_b]; copy k is at
+ * centre - k * repeat * direction. */
+static void copies_within(const ovr_feature *f, double centre, double X_a,
+                          double X_b, double *low, double *high)
+{
+    double direction = f->ratio < 0 ? -1 : 1;
+    double p = f->repeat * direction;
+    double one = (centre - f->reach_behind - X_b) / p;
+    double other = (centre + f->reach_ahead - X_a) / p;
+    *low = ceil(fmin(one, other));
+    *high = floor(fmax(one, other));
+    if (f->ratio != 0 || f->copies)
+        *low = fmax(*low, 0);
+    if (f->copies)
+        *high = fmin(*high, (double)(f->copies - 1));
+}
+
+static void add_feature(const ovr_feature *f, double factor, double centre,
+                        size_t n, const double *X, double *S)
+{
+    double low = 0, high = 0, direction = f->ratio < 0 ? -1 : 1;
+    if (isnan(f->repeat)) {
+        ovr_shape_add(f, factor, centre, n, X, S);
+        return;
+    }
+    copies_within(f, centre, X[0], X[n - 1], &low, &high);
+    for (double k = low; k <= high; k++)
+        ovr_shape_add(f, factor, centre - k * f->repeat * direction, n, X, S);
+}
+
+void ovr_surfaces_heights(void *data, double T, size_t n, const double *X,
+                          double *S)
+{
+    const ovr_surfaces *surfaces = data;
+    for (size_t i = 0; i < n; i++)
+        S[i] = 0;
+    for (const entry *l = surfaces->first; l && n; l = l->next) {
+        double factor = grown(&l->feature, T);
+        if (factor > 0)
+            add_feature(&l->feature, factor,
+                        centre_at(surfaces, &l->feature, T), n, X, S);
+    }
+}
+
+/* --------------------------------------------------- what is on them */
+
+size_t ovr_surfaces_count(const ovr_surfaces *surfaces)
+{
+    return surfaces->count;
+}
+
+static const ovr_feature *nth(const ovr_surfaces *surfaces, size_t k)
+{
+    const entry *l = surfaces->first;
+    while (l && k--)
+        l = l->next;
+    return l ? &l->feature : NULL;
+}
+
+static double amplitude(const ovr_feature *f)
+{
+    double most = fmax(fabs(f->A), f->shoulder);
+    for (size_t i = 0; f->table && i < f->table->n; i++)
+        most = fmax(most, fabs(f->table->z[i]));
+    return most;
+}
+
+ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces, size_t feature)
+{
+    const ovr_feature *f = nth(surfaces, feature);
+    ovr_feature_info none = {.name = NULL, .assumed = ""};
+    if (!f)
+        return none;
+    return (ovr_feature_info){.name = f->name,
+                              .surface = f->surface,
+                              .shape = f->shape,
+                              .speed = f->ratio,
+                              .amplitude = amplitude(f),
+                              .wavelength = f->finest,
+                              .behind = f->behind,
+                              .ahead = f->ahead,
+                              .grows = !isnan(f->grow) && f->grow > 0,
+                              .assumed = f->assumed};
+}
+
+double ovr_surfaces_wavelength(const ovr_surfaces *surfaces)
+{
+    double shortest = INFINITY;
+    for (const entry *l = surfaces->first; l; l = l->next)
+        shortest = fmin(shortest, l->feature.finest);
+    return shortest;
+}
+
+const char *ovr_surfaces_inside(const ovr_surfaces *surfaces, double inlet,
+                                double outlet)
+{
+    for (const entry *l = surfaces->first; l; l = l->next) {
+        const ovr_feature *f = &l->feature;
+        if (is_endless(f) || (f->grow > 0 && f->grow_from >= 0) ||
+            f->ratio == 0)
+            continue;
+        if (f->start + f->ahead > inlet && f->start - f->behind < outlet)
+            return f->name;
+    }
+    return NULL;
+}
+
+double ovr_surfaces_centre(const ovr_surfaces *surfaces, size_t feature,
+                           double T)
+{
+    const ovr_feature *f = nth(surfaces, feature);
+    return f ? centre_at(surfaces, f, T) : NAN;
+}
+
+/* T in [after, until] with I(T) = way: I does not decrease. */
+static double time_of(const ovr_history *speed, double way, double after,
+                      double until)
+{
+    double low = after, high = until;
+    if (!speed)
+        return way > after && way <= until ? way : INFINITY;
+    if (!(ovr_history_integral(speed, low) < way) ||
+        ovr_history_integral(speed, high) < way)
+        return INFINITY;
+    for (int k = 0; k < 200 && high - low > 1e-15 * high; k++) {
+        double middle = low + 0.5 * (high - low);
+        if (ovr_history_integral(speed, middle) < way)
+            low = middle;
+        else
+            high = middle;
+    }
+    return high;
+}
+
+double ovr_surfaces_arrival(const ovr_surfaces *surfaces, size_t feature,
+                            double X, double after, double until)
+{
+    const ovr_feature *f = nth(surfaces, feature);
+    double way, apart, k, gone;
+    bool both;
+    if (!f || f->ratio == 0)
+        return INFINITY;
+    way = (X - f->start) / f->ratio;
+    both = is_endless(f) && f->wavelength > 0;
+    apart = (both ? f->wavelength : f->repeat) / fabs(f->ratio);
+    gone = ovr_history_integral(surfaces->speed, after);
+    if (apart > 0) { /* the first copy that has not gone by */
+        k = floor((gone - way) / apart * (1 + 1e-14)) + 1;
+        if (!both && k < 0)
+            k = 0;
+        if (f->copies && k > (double)(f->copies - 1))
+            return INFINITY;
+        way += k * apart;
+    }
+    return time_of(surfaces->speed, way, after, until);
+}

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Heights tabulated at equal distances h, evaluated by the cubic spline
+ * through them (natural, or periodic when endless):
+ *
+ *     z(s) = (1-t) z_i + t z_{i+1} + [(1-t)^3 - (1-t)] c_i + [t^3 - t] c_{i+1}
+ *     t = s/h - i,  c = z'' h^2/6
+ *
+ * GSL finds z''; the evaluation is here so that it needs no search, no
+ * allocation and no error handler.
+ */
+#ifndef OVR_SURFACE_TABLE_H
+#define OVR_SURFACE_TABLE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/arena.h"
+
+typedef struct ovr_table {
+    size_t n;     /* entries; endless: the last equals the first */
+    double h;     /* distance of two entries */
+    double *z;    /* heights */
+    double *c;    /* z'' h^2/6 at the entries */
+    bool endless; /* again and again behind its leading end */
+    bool both;    /* endless ahead of it too */
+    double fade;  /* endless, not both: blended in over this distance */
+} ovr_table;
+
+/* Finds c from n, h, z and endless. */
+ovr_status ovr_table_prepare(ovr_table *table, ovr_arena *arena,
+                             ovr_error *err);
+
+/* Distance from the first entry to the last. */
+double ovr_table_length(const ovr_table *table);
+
+/* Height at a distance s from the first entry. */
+double ovr_table_height(const ovr_table *table, double s);
+
+#endif

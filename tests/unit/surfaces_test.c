@@ -1,0 +1,296 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Features against their formulas, motion, growth, repetition, errors. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "overroll/overroll.h"
+
+enum { N = 897 };
+static double X[N], S[N];
+static const double PI = 3.14159265358979323846;
+
+static ovr_contact moes(double u1, double u2)
+{
+    ovr_contact c = {.M = 20,
+                     .L = 10,
+                     .u1_ratio = u1,
+                     .u2_ratio = u2,
+                     .b = NAN,
+                     .height = NAN};
+    return c;
+}
+
+static int grid(void **state)
+{
+    (void)state;
+    for (int i = 0; i < N; i++)
+        X[i] = -4 + 5.5 * i / (N - 1);
+    return 0;
+}
+
+static ovr_surfaces *with(const ovr_contact *c, const ovr_history *speed,
+                          const ovr_feature_form *form)
+{
+    ovr_error err;
+    ovr_surfaces *s = ovr_surfaces_create(c, speed, X[1] - X[0], NULL, &err);
+    assert_non_null(s);
+    assert_int_equal(ovr_surfaces_add(s, form, &err), OVR_OK);
+    return s;
+}
+
+static ovr_feature_form local(ovr_shape shape, double height, double width)
+{
+    ovr_feature_form form = ovr_feature_form_default();
+    form.name = "it";
+    form.shape = shape;
+    *(shape == OVR_DENT ? &form.depth : &form.height) = height;
+    form.width = width;
+    form.start = -4.6;
+    return form;
+}
+
+static double reference(double A, double w, double Xd, double x)
+{
+    double xi = (x - Xd) / w;
+    return A * pow(10, -10 * xi * xi) * cos(2 * PI * xi);
+}
+
+static void dent_and_bump_follow_their_formula(void **state)
+{
+    ovr_contact c = moes(1.3, 0.7);
+    (void)state;
+    for (int bump = 0; bump < 2; bump++) {
+        ovr_feature_form form = local(bump ? OVR_BUMP : OVR_DENT, 0.1, 0.5);
+        ovr_surfaces *s = with(&c, NULL, &form);
+        for (double T = 0; T < 6; T += 0.37) {
+            ovr_surfaces_heights(s, T, N, X, S);
+            for (int i = 0; i < N; i++)
+                assert_true(fabs(S[i] - reference(bump ? 0.1 : -0.1, 0.5,
+                                                  -4.6 + 1.3 * T, X[i])) <
+                            1e-15);
+        }
+        ovr_surfaces_free(s);
+    }
+}
+
+static void wave_grows_and_rides(void **state)
+{
+    ovr_contact c = moes(1, 0.5);
+    ovr_feature_form form = ovr_feature_form_default();
+    ovr_surfaces *s;
+    (void)state;
+    form.shape = OVR_WAVE, form.amplitude = 0.05, form.wavelength = 0.4;
+    form.grow = 1, form.surface = 2, form.origin = 0.1;
+    s = with(&c, NULL, &form);
+    for (double T = 0; T < 3; T += 0.23) {
+        double v = fmin(T, 1);
+        double g = v * v * v * (10 - 15 * v + 6 * v * v);
+        ovr_surfaces_heights(s, T, N, X, S);
+        for (int i = 0; i < N; i += 7)
+            assert_true(fabs(S[i] - 0.05 * g *
+                                        cos(2 * PI * (X[i] - 0.1 - 0.5 * T) /
+                                            0.4)) < 1e-14);
+    }
+    assert_null(ovr_surfaces_inside(s, -4, 1.5));
+    ovr_surfaces_free(s);
+}
+
+/* Overlapping features add up, in any order, on both surfaces. */
+static void features_add_up(void **state)
+{
+    ovr_contact c = moes(1, -0.2);
+    ovr_feature_form a = local(OVR_DENT, 0.1, 0.5), b = a, w = a;
+    ovr_surfaces *both, *one, *other;
+    ovr_error err;
+    static double S1[N], S2[N];
+    (void)state;
+    w = ovr_feature_form_default();
+    w.shape = OVR_WAVE, w.amplitude = 0.01, w.wavelength = 0.3, w.surface = 2;
+    b.start = -4.2;
+    both = with(&c, NULL, &a), one = with(&c, NULL, &w);
+    other = with(&c, NULL, &a);
+    assert_int_equal(ovr_surfaces_add(both, &w, &err), OVR_OK);
+    assert_int_equal(ovr_surfaces_add(both, &b, &err), OVR_OK);
+    assert_int_equal(ovr_surfaces_add(other, &b, &err), OVR_OK);
+    ovr_surfaces_heights(both, 3, N, X, S);
+    ovr_surfaces_heights(one, 3, N, X, S1);
+    ovr_surfaces_heights(other, 3, N, X, S2);
+    for (int i = 0; i < N; i++)
+        assert_true(fabs(S[i] - S1[i] - S2[i]) < 1e-15);
+    assert_int_equal(ovr_surfaces_count(both), 3);
+    assert_true(fabs(ovr_surfaces_wavelength(both) - 0.3) < 1e-15);
+    ovr_surfaces_free(both), ovr_surfaces_free(one), ovr_surfaces_free(other);
+}
+
+static void copies_follow(void **state)
+{
+    ovr_contact c = moes(1, 1);
+    ovr_feature_form form = local(OVR_DENT, 0.1, 0.2);
+    ovr_surfaces *s;
+    (void)state;
+    form.repeat = 0.7;
+    for (int copies = 0; copies < 4; copies += 3) {
+        form.copies = copies;
+        s = with(&c, NULL, &form);
+        ovr_surfaces_heights(s, 5.5, N, X, S);
+        for (int i = 0; i < N; i++) {
+            double sum = 0;
+            for (int k = 0; k < (copies ? copies : 40); k++)
+                sum += reference(-0.1, 0.2, 0.9 - 0.7 * k, X[i]);
+            assert_true(fabs(S[i] - sum) < 1e-15);
+        }
+        assert_true(fabs(ovr_surfaces_arrival(s, 0, 0, 5, 99) - 5.3) < 1e-9);
+        ovr_surfaces_free(s);
+    }
+}
+
+/* Height at s from the centre, of a feature at X = -1. */
+static double at(const ovr_feature_form *form, double s)
+{
+    ovr_contact c = moes(0, 2);
+    double x = -1 + s, z;
+    ovr_surfaces *surfaces = with(&c, NULL, form);
+    ovr_surfaces_heights(surfaces, 0, 1, &x, &z);
+    ovr_surfaces_free(surfaces);
+    return z;
+}
+
+static void other_shapes_have_their_heights(void **state)
+{
+    ovr_feature_form f = ovr_feature_form_default();
+    (void)state;
+    f.name = "it", f.centre = -1;
+    f.shape = OVR_STEP, f.height = 0.2, f.flank = 0.4;
+    assert_true(fabs(at(&f, 0) - 0.1) < 1e-15);
+    assert_true(at(&f, 0.2) == 0 && fabs(at(&f, -0.2) - 0.2) < 1e-15);
+    assert_true(fabs(at(&f, -1e6) - 0.2) < 1e-15);
+    f.length = 2;
+    assert_true(at(&f, -2.2) == 0 && fabs(at(&f, -1) - 0.2) < 1e-15);
+    f.length = f.height = NAN;
+    f.shape = OVR_GROOVE, f.depth = 0.3, f.width = 1;
+    assert_true(fabs(at(&f, 0) + 0.3) < 1e-15 && at(&f, 0.7) == 0);
+    assert_true(fabs(at(&f, -0.5) + 0.15) < 1e-15);
+    f.flank = NAN, f.shape = OVR_RIDGE;
+    assert_true(fabs(at(&f, 0.3) + 0.3 * pow(10, -0.9)) < 1e-15);
+    f.shape = OVR_INDENT, f.shoulder = 0.1, f.shoulder_at = 1.5;
+    assert_true(fabs(at(&f, 1.5) - 0.1) < 1e-14);
+    f.shoulder = f.shoulder_at = NAN, f.centre = NAN, f.origin = -1;
+    f.shape = OVR_TEXTURE, f.wavelength = 2;
+    assert_true(fabs(at(&f, 2) + 0.3) < 1e-15 && at(&f, 0.6) == 0);
+    assert_true(fabs(at(&f, 0.25) + 0.15) < 1e-15);
+}
+
+static void chirp_runs_from_one_wavelength_to_the_other(void **state)
+{
+    ovr_feature_form f = ovr_feature_form_default();
+    double rear = -2, last = 0, periods = 0;
+    (void)state;
+    f.name = "it", f.centre = -1, f.shape = OVR_CHIRP, f.amplitude = 1;
+    f.length = 4, f.wavelength = 0.2, f.wavelength_end = 0.4, f.flank = 0.1;
+    assert_true(at(&f, -2) == 0 && at(&f, 2) == 0);
+    for (double s = rear + 0.11; s < 1.89; s += 0.001) {
+        double z = at(&f, s);
+        periods += (z > 0) != (last > 0);
+        last = z;
+    }
+    /* phase = int of 1/wavelength = 4 (5 + 2.5)/2 = 15 periods */
+    assert_true(fabs(periods / 2 - 15) < 1);
+}
+
+static void places_agree(void **state)
+{
+    ovr_contact c = moes(1.25, 0.75);
+    ovr_feature_form f = local(OVR_DENT, 0.1, 0.5);
+    ovr_surfaces *s;
+    (void)state;
+    f.start = NAN, f.arrival = 4;
+    s = with(&c, NULL, &f);
+    assert_true(fabs(ovr_surfaces_centre(s, 0, 4)) < 1e-14);
+    assert_true(fabs(ovr_surfaces_arrival(s, 0, 1, 0, 99) - 4.8) < 1e-14);
+    ovr_surfaces_free(s);
+    f.arrival = NAN, f.edge = -4.1;
+    s = with(&c, NULL, &f);
+    assert_true(fabs(ovr_surfaces_centre(s, 0, 0) + 4.6) < 1e-14);
+    assert_null(ovr_surfaces_inside(s, -4.1, 1.5));
+    assert_string_equal(ovr_surfaces_inside(s, -4.2, 1.5), "it");
+    ovr_surfaces_free(s);
+}
+
+/* Under a speed that changes, features keep to their surface's way. */
+static void speed_history_moves_features(void **state)
+{
+    ovr_contact c = moes(1.5, 0.5);
+    ovr_feature_form f = local(OVR_DENT, 0.1, 0.5);
+    ovr_history_form h = ovr_history_constant();
+    ovr_history *speed;
+    ovr_surfaces *s;
+    (void)state;
+    h.kind = OVR_HISTORY_RAMP, h.from = 0, h.to = 1, h.duration = 2;
+    speed = ovr_history_create(&h, NULL, NULL);
+    assert_non_null(speed);
+    s = with(&c, speed, &f);
+    assert_true(fabs(ovr_surfaces_centre(s, 0, 4) - (-4.6 + 1.5 * 3)) < 1e-12);
+    assert_true(fabs(ovr_surfaces_arrival(s, 0, -0.1, 0, 99) - 4) < 1e-9);
+    ovr_surfaces_free(s);
+    ovr_history_free(speed);
+}
+
+static void refuse(const ovr_feature_form *form, const char *word)
+{
+    ovr_contact c = moes(1, 0);
+    ovr_error err = {0};
+    ovr_surfaces *s = ovr_surfaces_create(&c, NULL, 0.01, NULL, &err);
+    assert_int_equal(ovr_surfaces_add(s, form, &err), OVR_BAD_INPUT);
+    if (!strstr(err.message, word))
+        fail_msg("'%s' does not name '%s'", err.message, word);
+    assert_null(strchr(err.message, '\n'));
+    assert_int_equal(ovr_surfaces_count(s), 0);
+    ovr_surfaces_free(s);
+}
+
+static void mistakes_are_named(void **state)
+{
+    const ovr_feature_form good = local(OVR_DENT, 0.1, 0.5);
+    ovr_feature_form f = good;
+    (void)state;
+    f.width = NAN, refuse(&f, "width"), f = good;
+    f.width = -1, refuse(&f, "width"), f = good;
+    f.width = INFINITY, refuse(&f, "width"), f = good;
+    f.depth = NAN, refuse(&f, "depth"), f = good;
+    f.height = 1, refuse(&f, "height"), f = good;
+    f.surface = 3, refuse(&f, "surface"), f = good;
+    f.start = NAN, refuse(&f, "start"), f = good;
+    f.edge = 1, refuse(&f, "several"), f = good;
+    f.start = INFINITY, refuse(&f, "finite"), f = good;
+    f.grow = -1, refuse(&f, "grow"), f = good;
+    f.repeat = 1e-9, refuse(&f, "repeat"), f = good;
+    f.copies = -1, refuse(&f, "copies"), f = good;
+    f.shape = (ovr_shape)77, refuse(&f, "77"), f = good;
+    f.start = NAN, f.arrival = 3, f.surface = 2, refuse(&f, "stands still");
+    f = good, f.shape = OVR_WAVE, refuse(&f, "wave has no depth");
+    f = good, f.shape = OVR_RIDGE, f.height = 1, refuse(&f, "not both");
+    f = good, f.shape = OVR_GROOVE, f.radius = 1, refuse(&f, "physical");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(dent_and_bump_follow_their_formula),
+        cmocka_unit_test(wave_grows_and_rides),
+        cmocka_unit_test(features_add_up),
+        cmocka_unit_test(copies_follow),
+        cmocka_unit_test(other_shapes_have_their_heights),
+        cmocka_unit_test(chirp_runs_from_one_wavelength_to_the_other),
+        cmocka_unit_test(places_agree),
+        cmocka_unit_test(speed_history_moves_features),
+        cmocka_unit_test(mistakes_are_named),
+    };
+    return cmocka_run_group_tests(tests, grid, NULL);
+}
