@@ -1,0 +1,24 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Every source file names its licence in its first two lines, is at most 80
+# columns wide, and has neither tabs nor blanks at line ends.
+set -u
+cd "$TOP" || exit 1
+status=0
+for file in src/*/*.[ch] include/overroll/*.h tests/*/*.[ch] tests/*/*.sh \
+    tests/support/run tools/* .ci/run Makefile; do
+    [ -f "$file" ] || continue
+    head -n 2 "$file" | grep -q 'SPDX-License-Identifier: GPL-3.0-or-later' || {
+        echo "$file: no SPDX line"
+        status=1
+    }
+    [ "$file" != Makefile ] || continue
+    # Bytes beyond ASCII make a line longer than it looks: awk counts bytes.
+    awk -v file="$file" '
+        { gsub(/[\200-\277]/, "") }
+        length > 80 { print file ":" NR ": wider than 80"; bad = 1 }
+        /\t/        { print file ":" NR ": a tab"; bad = 1 }
+        / $/        { print file ":" NR ": blanks at the end"; bad = 1 }
+        END { exit bad }' "$file" || status=1
+done
+exit $status

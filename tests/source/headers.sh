@@ -1,0 +1,32 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Every header compiles alone; the public ones in C++ too, and as C11.
+set -u
+cd "$TOP" || exit 1
+status=0
+
+# alone HEADER COMMAND...: compiles a file that includes only the header.
+alone() {
+    header=$1
+    shift
+    # C forbids a file without declarations, which version.h alone would be.
+    printf '#include "%s"\nint declared;\n' "$header" |
+        "$@" -Wall -Wextra -Wpedantic -Werror -fsyntax-only - || {
+        echo "$header does not compile alone with: $*"
+        status=1
+    }
+}
+
+for path in include/overroll/*.h; do
+    header=${path#include/}
+    # shellcheck disable=SC2086 # CC may be a command and its options
+    alone "$header" $CC -x c -std=c11 -Iinclude
+    if command -v c++ >/dev/null; then
+        alone "$header" c++ -x c++ -std=c++11 -Iinclude
+    fi
+done
+for path in src/*/*.h; do
+    # shellcheck disable=SC2086
+    alone "${path#src/}" $CC $TEST_CFLAGS -DOVR_ISA=base -x c
+done
+exit $status

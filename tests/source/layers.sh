@@ -1,0 +1,43 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A file includes headers of its own floor and of floors below, never in
+# circles.
+set -u
+cd "$TOP" || exit 1
+floors="base contact surface multigrid simulation results pictures cli"
+
+# "file included" for every #include "..." of the project.
+grep -E '^ *# *include *"' src/*/*.[ch] include/overroll/*.h |
+    sed 's/^\([^:]*\):[^"]*"\([^"]*\)".*/\1 \2/' >"$OLDPWD/pairs"
+cd "$OLDPWD" || exit 1
+
+awk -v floors="$floors" '
+    # The number of the floor that a file or an included name stands on.
+    function floor(name,    part, base) {
+        sub(/^src\//, "", name)
+        sub(/^include\//, "", name)
+        split(name, part, "/")
+        if (part[1] != "overroll")
+            return height[part[1]]
+        base = part[2]
+        sub(/\.h$/, "", base)
+        if (base == "error" || base == "memory" || base == "version")
+            return height["base"]
+        if (base == "case")
+            return height["simulation"]
+        return base == "overroll" ? height["cli"] : height[base]
+    }
+    BEGIN {
+        n = split(floors, name, " ")
+        for (i = 1; i <= n; i++)
+            height[name[i]] = i
+    }
+    !floor($1) { print $1 ": on no floor that this test knows"; bad = 1 }
+    !floor($2) { print $1 ": includes " $2 ", on no known floor"; bad = 1 }
+    floor($1) < floor($2) { print $1 " includes " $2 " from above"; bad = 1 }
+    END { exit bad }' pairs || exit 1
+
+sed 's/^src\///; s/^include\///' pairs | tsort >/dev/null 2>circles || {
+    cat circles
+    exit 1
+}

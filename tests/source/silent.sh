@@ -1,0 +1,15 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The library never prints, exits, aborts or reads the environment: it does
+# not even refer to what would do so.  (Writing to files of its own is fine.)
+set -u
+nm -A -u "$LIB" 2>/dev/null | awk '
+    $NF ~ /^(stdin|stdout|stderr|puts|putchar|perror)$/ ||
+    $NF ~ /^(__)?v?printf(_chk)?$/ ||
+    $NF ~ /^(_?exit|_Exit|quick_exit|abort|__assert_fail)$/ ||
+    $NF ~ /^(secure_)?getenv$|^(set|put)env$|^setlocale$|^signal$/ {
+        sub(/.*\.a:/, "")
+        print
+        bad = 1
+    }
+    END { exit bad }'
