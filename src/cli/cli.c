@@ -44,9 +44,11 @@ int cli_usage(const cli_call *call, const char *format, ...)
 
 const char *cli_value_at(const cli_call *call, const char *name, int k)
 {
-    for (int i = 0; i < call->givens; i++)
-        if (!strcmp(call->given[i].option->name, name) && k-- == 0)
+    for (int i = 0; i < call->givens; i++) {
+        const cli_option *option = call->given[i].option;
+        if (option && !strcmp(option->name, name) && k-- == 0)
             return call->given[i].value;
+    }
     return NULL;
 }
 
