@@ -292,7 +292,7 @@ install: all ## into DESTDIR/PREFIX (/usr/local)
 	ln -sf liboverroll.so.$(SOVER) '$(DESTDIR)$(LIBDIR)/liboverroll.so'
 	install -m 644 $(HEADERS) '$(DESTDIR)$(PREFIX)/include/overroll'
 	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR)|' \
-	  -e 's|@VERSION@|$(VERSION)|' -e 's|@PKGS@|$(PKGS) $(HDF5)|' \
+	  -e 's|@VERSION@|$(VERSION)|' -e 's|@LIBS@|$(OVR_LIBS)|' \
 	  src/overroll.pc.in > '$(DESTDIR)$(LIBDIR)/pkgconfig/overroll.pc'
 	$(foreach m,$(MAN),install -D -m 644 $(m) \
 	  '$(DESTDIR)$(MANDIR)/man$(subst .,,$(suffix $(m)))/$(notdir $(m))' &&) :
