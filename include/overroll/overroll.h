@@ -7,6 +7,7 @@
 #include "overroll/error.h"
 #include "overroll/memory.h"
 #include "overroll/profile.h"
+#include "overroll/results.h"
 #include "overroll/simulation.h"
 #include "overroll/surface.h"
 #include "overroll/version.h"

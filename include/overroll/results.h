@@ -12,22 +12,134 @@
 #include "overroll/contact.h"
 #include "overroll/error.h"
 #include "overroll/memory.h"
+#include "overroll/simulation.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/* ---------------------------------------------------------------- writer */
+
+/* Fields that a snapshot may hold. */
+enum {
+    OVR_FIELD_PRESSURE = 1 << 0,
+    OVR_FIELD_FILM = 1 << 1,
+    OVR_FIELD_ROUGHNESS = 1 << 2,
+    OVR_FIELD_DENSITY = 1 << 3,   /* relative to ambient */
+    OVR_FIELD_VISCOSITY = 1 << 4, /* relative; Pa s when eta0 is known */
+    OVR_FIELD_MASS_FLOW = 1 << 5, /* rho/rho0 times flow per unit width */
+    OVR_FIELD_CAVITATED = 1 << 6, /* 1 where P = 0, else 0 */
+    OVR_FIELDS_DEFAULT = 7
+};
+
+/* One parameter of the case, stored as an attribute of the group `case`. */
+typedef struct ovr_case_value {
+    const char *name; /* "contact.M" */
+    const char *text; /* as in a case file: "20", "22 1/GPa" */
+    double number;    /* value in SI, or bare; NAN: the text is stored */
+    const char *unit; /* SI unit of the number, or NULL */
+    bool physics;     /* another value is another solution: resume refuses */
+} ovr_case_value;
+
+/* What is written, and when.  A snapshot is stored at every moment that any
+ * of the three schedules names; `times` (and multiples of every_time) are hit
+ * exactly when the march asks ovr_writer_next_time. */
+typedef struct ovr_write_options {
+    const char *path;  /* OUT.h5 */
+    bool force;        /* replace an existing file */
+    long every_steps;  /* 0: not by steps */
+    double every_time; /* b/um; 0: not by time */
+    size_t time_count; /* given times, any order, b/um; copied */
+    const double *times;
+    unsigned fields;            /* OVR_FIELD_... ored */
+    bool single;                /* f32 instead of f64 */
+    double x_from, x_to;        /* window in X; NAN: the whole domain */
+    size_t stride;              /* every so many nodes; 1 */
+    int deflate;                /* 0 (no filters) to 9; 1 */
+    double flush_interval;      /* s between flushes at the least; 0.5 */
+    double checkpoint_interval; /* s; <= 0: none on the way; 30 */
+    bool no_thread;             /* compress and write in the caller's thread */
+    double end;                 /* when the run will end, b/um; NAN unknown */
+    const char *title;          /* NULL: a general one */
+    const char *case_text;      /* NULL: none */
+    const char *case_path;      /* where the case's relative paths start */
+    size_t value_count;
+    const ovr_case_value *values;
+} ovr_write_options;
+OVR_API ovr_write_options ovr_write_options_default(void);
+
+/* Steps between snapshots such that a run to `end` keeps about 250 of them,
+ * fewer when they would take more than 64 MB as they lie in memory. */
+OVR_API long ovr_write_every(const ovr_write_options *options, double end,
+                             double dT, size_t nodes);
+
+typedef struct ovr_writer ovr_writer;
+
+/* Creates the file (under a temporary name until its headers are on disk) for
+ * a run on the nodes X[0..n-1].  Everything is allocated here.  An existing
+ * file without `force`, an unwritable place or a file that another process
+ * writes give OVR_BAD_INPUT. */
+OVR_API ovr_writer *ovr_writer_create(const ovr_write_options *options,
+                                      const ovr_contact *contact, size_t n,
+                                      const double *X,
+                                      const ovr_allocator *allocator,
+                                      ovr_error *err);
+
+/* What a writer records: rho, eta and flow as ovr_simulation_fields gives
+ * them, needed at snapshots only and only for fields that are stored. */
+typedef struct ovr_frame {
+    const ovr_state *state;
+    const ovr_observation *seen;
+    const double *rho, *eta, *flow;
+} ovr_frame;
+OVR_API ovr_status ovr_writer_record(ovr_writer *writer, const ovr_frame *frame,
+                                     ovr_error *err);
+
+/* The writer as the observer of a march: `observe` and `next_time` of an
+ * ovr_march whose data is the writer. */
+OVR_API ovr_status ovr_writer_observe(void *writer, const ovr_simulation *sim,
+                                      ovr_error *err);
+OVR_API double ovr_writer_next_time(void *writer, double T);
+
+/* Writes out what is buffered and makes it visible to readers. */
+OVR_API ovr_status ovr_writer_flush(ovr_writer *writer, ovr_error *err);
+
+OVR_API size_t ovr_writer_snapshots(const ovr_writer *writer);
+
+/* How a run ended: the file's attribute `status`. */
+typedef enum ovr_run_status {
+    OVR_RUN_RUNNING,
+    OVR_RUN_COMPLETE,
+    OVR_RUN_STOPPED,
+    OVR_RUN_FAILED
+} ovr_run_status;
+
+/* Ends the file and frees the writer, also when it returns an error.  A
+ * complete run gets its last state as a snapshot, whatever the schedule. */
+OVR_API ovr_status ovr_writer_close(ovr_writer *writer, ovr_run_status status,
+                                    ovr_error *err);
+
 /* ---------------------------------------------------------------- reader */
 
+/*
+ * A file may be read while it is written: what is counted at the time of
+ * opening is complete and can be read; to see more, open again.  A read that
+ * meets the writer half-way is repeated by the library, a few times.
+ */
 typedef struct ovr_result ovr_result;
 
 /* What is in a file.  Texts are owned by the result. */
 typedef struct ovr_result_info {
-    const char *title, *status; /* running, complete, stopped, failed */
-    const char *case_text;      /* the case file the run was made from */
-    bool physical;              /* stored in SI; else dimensionless */
-    double b, ph, height, time; /* scales, SI; NAN where unknown */
+    const char *title, *status;     /* running, complete, stopped, failed */
+    const char *source;             /* program and version */
+    const char *created, *modified; /* dates, ISO 8601 */
+    const char *case_text;          /* the case file the run was made from */
+    bool physical;                  /* stored in SI; else dimensionless */
+    double b, ph, height, time;     /* scales, SI; NAN where unknown */
     double M, L, alphabar, lambda;
+    double u1_ratio, u2_ratio;
+    double end;       /* time the run is to reach, b/um; NAN unknown */
+    double seconds;   /* of wall time, as far as the run has ended */
     size_t nodes;     /* stored nodes */
     size_t snapshots; /* complete rows */
     size_t steps;     /* rows of history */
@@ -39,9 +151,23 @@ OVR_API ovr_result *ovr_result_open(const char *path,
 OVR_API void ovr_result_close(ovr_result *result);
 OVR_API const ovr_result_info *ovr_result_about(const ovr_result *result);
 
-/* Fields stored for each snapshot: names "pressure", "film_thickness", ...;
- * returns the count, and the k-th name, long name and unit (or NULL). */
+/* A variable of the file: a field of the snapshots or a column of history. */
+typedef struct ovr_variable {
+    const char *name, *long_name;
+    const char *unit; /* as stored; "1": dimensionless */
+    double scale;     /* SI value of the dimensionless 1; NAN unknown */
+} ovr_variable;
+
+/* The fields of each snapshot ("pressure", ...) and the columns of the
+ * history ("time", "min_film_thickness", ...): the count, and the k-th. */
 OVR_API size_t ovr_result_fields(const ovr_result *result);
+OVR_API const ovr_variable *ovr_result_field(const ovr_result *result,
+                                             size_t k);
+OVR_API size_t ovr_result_columns(const ovr_result *result);
+OVR_API const ovr_variable *ovr_result_column(const ovr_result *result,
+                                              size_t k);
+
+/* Names alone; NULL past the end. */
 OVR_API const char *ovr_result_field_name(const ovr_result *result, size_t k);
 OVR_API const char *ovr_result_field_unit(const ovr_result *result, size_t k);
 
@@ -50,7 +176,8 @@ OVR_API const char *ovr_result_field_unit(const ovr_result *result, size_t k);
 typedef enum ovr_units { OVR_AS_STORED, OVR_HERTZIAN, OVR_SI } ovr_units;
 
 /* x[0..nodes-1]; the snapshot times; one field of snapshot k; one column of
- * the history ("time", "min_film_thickness", ...), steps values. */
+ * the history, steps values.  OVR_BAD_INPUT: there is no such thing; OVR_IO:
+ * the file is damaged there. */
 OVR_API ovr_status ovr_result_x(ovr_result *result, ovr_units units, double *x,
                                 ovr_error *err);
 OVR_API ovr_status ovr_result_times(ovr_result *result, ovr_units units,

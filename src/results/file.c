@@ -1,0 +1,173 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Rows of a result file.
+ *
+ * A snapshot is one chunk of each field, compressed here and handed to HDF5
+ * whole, then its time.  Nothing is visible to a reader before the next
+ * flush; every flush is checked, since a full disk shows there.
+ */
+#include "results/file.h"
+
+#include <string.h>
+
+#include "results/h5.h"
+#include "results/header.h"
+
+static ovr_status write_failed(const ovr_file *f, ovr_error *err,
+                               const char *what)
+{
+    return ovr_fail(err, OVR_IO, "%s: cannot write %s", f->path, what);
+}
+
+static void forget_ids(ovr_file *f)
+{
+    f->file = f->time = f->step = -1;
+    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
+        f->field[k] = -1;
+    for (size_t c = 0; c < f->columns; c++)
+        f->column[c] = -1;
+}
+
+ovr_status ovr_file_prepare(ovr_file *f, const ovr_file_plan *plan,
+                            const char *path, ovr_arena *arena, ovr_error *err)
+{
+    const ovr_observable *o = ovr_observables();
+    size_t columns = 0;
+    f->path = path;
+    f->nodes = plan->nodes;
+    f->element = plan->options->single ? sizeof(float) : sizeof(double);
+    f->deflate = plan->options->deflate;
+    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
+        if (plan->options->fields & ovr_field_table[k].bit)
+            f->which[f->fields++] = &ovr_field_table[k];
+    while (o[columns].name)
+        columns++;
+    f->column = ovr_arena_take(arena, columns, sizeof *f->column, err);
+    if (!f->column)
+        return OVR_NO_MEMORY;
+    f->columns = columns;
+    forget_ids(f);
+    return ovr_packer_prepare(&f->packer, f->nodes * f->element, f->deflate,
+                              arena, err);
+}
+
+ovr_status ovr_file_create(ovr_file *f, const ovr_file_plan *plan,
+                           const char *at, ovr_error *err)
+{
+    hid_t access = ovr_h5_access(), creation = ovr_header_creation();
+    f->file = H5Fcreate(at, H5F_ACC_TRUNC, creation, access);
+    ovr_h5_drop(creation);
+    ovr_h5_drop(access);
+    if (f->file < 0)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be created", f->path);
+    if (!ovr_header_write(f, plan))
+        return write_failed(f, err, "its headers");
+    return ovr_file_flush(f, err);
+}
+
+/* Makes a dataset `rows` rows long; `nodes` 0 for a column. */
+static bool grow(hid_t set, hsize_t rows, hsize_t nodes)
+{
+    hsize_t size[2] = {rows, nodes};
+    return H5Dset_extent(set, size) >= 0;
+}
+
+/* Bytes of an element of the k-th field. */
+static size_t element_of(const ovr_file *f, size_t k)
+{
+    return f->which[k]->kind == 'b' ? 1 : f->element;
+}
+
+static bool add_chunk(ovr_file *f, size_t k, const void *values)
+{
+    hsize_t at[2] = {f->snapshots, 0};
+    size_t bytes = f->nodes * element_of(f, k);
+    size_t packed = ovr_pack(&f->packer, values, f->nodes, element_of(f, k));
+    if (!grow(f->field[k], f->snapshots + 1, f->nodes))
+        return false;
+    if (packed)
+        return H5Dwrite_chunk(f->field[k], H5P_DEFAULT, 0, at, packed,
+                              f->packer.packed) >= 0;
+    /* filter mask: shuffle and deflate both left out */
+    return H5Dwrite_chunk(f->field[k], H5P_DEFAULT, f->deflate ? 3 : 0, at,
+                          bytes, values) >= 0;
+}
+
+/* Appends `count` values to a column that has `rows`. */
+static bool add_values(hid_t set, hsize_t rows, hsize_t count, hid_t type,
+                       const void *values)
+{
+    hid_t memory, space;
+    bool ok;
+    if (!grow(set, rows + count, 0))
+        return false;
+    memory = H5Screate_simple(1, &count, NULL);
+    space = H5Dget_space(set);
+    H5Sselect_hyperslab(space, H5S_SELECT_SET, &rows, NULL, &count, NULL);
+    ok = H5Dwrite(set, type, memory, space, H5P_DEFAULT, values) >= 0;
+    ovr_h5_drop(space);
+    ovr_h5_drop(memory);
+    return ok;
+}
+
+ovr_status ovr_file_add_snapshot(ovr_file *f, double time, const void *rows,
+                                 ovr_error *err)
+{
+    const unsigned char *row = rows;
+    for (size_t k = 0; k < f->fields; k++) {
+        if (!add_chunk(f, k, row))
+            return write_failed(f, err, "a snapshot");
+        row += f->nodes * element_of(f, k);
+    }
+    if (!add_values(f->time, f->snapshots, 1, H5T_NATIVE_DOUBLE, &time))
+        return write_failed(f, err, "a snapshot");
+    f->snapshots++;
+    return OVR_OK;
+}
+
+ovr_status ovr_file_add_steps(ovr_file *f, size_t count, const int *steps,
+                              const double *columns, size_t stride,
+                              ovr_error *err)
+{
+    bool ok = count == 0 ||
+              add_values(f->step, f->steps, count, H5T_NATIVE_INT, steps);
+    for (size_t c = 0; ok && count && c < f->columns; c++)
+        ok = add_values(f->column[c], f->steps, count, H5T_NATIVE_DOUBLE,
+                        columns + c * stride);
+    if (!ok)
+        return write_failed(f, err, "the history");
+    f->steps += count;
+    return OVR_OK;
+}
+
+ovr_status ovr_file_flush(ovr_file *f, ovr_error *err)
+{
+    if (H5Fflush(f->file, H5F_SCOPE_GLOBAL) < 0)
+        return write_failed(f, err, "(is the disk full?)");
+    return OVR_OK;
+}
+
+ovr_status ovr_file_status(ovr_file *f, ovr_run_status status, ovr_error *err)
+{
+    char date[OVR_DATE_SIZE];
+    ovr_date_now(date);
+    if (!ovr_h5_change_string(f->file, "status", ovr_run_status_name(status)) ||
+        !ovr_h5_change_string(f->file, "date_modified", date))
+        return write_failed(f, err, "its status");
+    return OVR_OK;
+}
+
+ovr_status ovr_file_close(ovr_file *f, ovr_error *err)
+{
+    bool open = f->file >= 0, ok;
+    for (size_t c = 0; c < f->columns; c++)
+        ovr_h5_drop(f->column[c]);
+    for (size_t k = 0; k < f->fields; k++)
+        ovr_h5_drop(f->field[k]);
+    ovr_h5_drop(f->step);
+    ovr_h5_drop(f->time);
+    ok = !open || H5Fclose(f->file) >= 0;
+    forget_ids(f);
+    ovr_packer_release(&f->packer);
+    return ok ? OVR_OK : write_failed(f, err, "its end");
+}

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A result file that grows: its headers, one row at a time, its flushes.
+ * Knows HDF5 and the layout; knows nothing of when a row is due, of threads
+ * or of the simulation.
+ */
+#ifndef OVR_RESULTS_FILE_H
+#define OVR_RESULTS_FILE_H
+
+#include <hdf5.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/arena.h"
+#include "overroll/results.h"
+#include "results/layout.h"
+#include "results/pack.h"
+
+/* Rows in a chunk of a history column or of `time`.  These chunks have no
+ * filter: they are filled in place, row after row. */
+enum { OVR_ROW_CHUNK = 256 };
+
+typedef struct ovr_file {
+    const char *path; /* for messages */
+    hid_t file;
+    hid_t time, field[OVR_FIELD_COUNT];
+    hid_t step, *column;
+    size_t fields, columns;
+    const ovr_field *which[OVR_FIELD_COUNT];
+    size_t nodes, element; /* of one field of one snapshot */
+    int deflate;
+    hsize_t snapshots, steps; /* rows written */
+    ovr_packer packer;
+} ovr_file;
+
+typedef struct ovr_file_plan {
+    const ovr_write_options *options;
+    const ovr_scales *scales;
+    const double *x; /* stored positions, in the file's unit */
+    size_t nodes;
+} ovr_file_plan;
+
+/* Memory of the file and what follows from the plan; no disk is touched.
+ * `path` is borrowed. */
+ovr_status ovr_file_prepare(ovr_file *file, const ovr_file_plan *plan,
+                            const char *path, ovr_arena *arena, ovr_error *err);
+
+/* Makes the file at `at` with all its headers. */
+ovr_status ovr_file_create(ovr_file *file, const ovr_file_plan *plan,
+                           const char *at, ovr_error *err);
+
+/* One snapshot: its time and its fields one after the other, as they are to
+ * lie in the file. */
+ovr_status ovr_file_add_snapshot(ovr_file *file, double time, const void *rows,
+                                 ovr_error *err);
+
+/* `count` rows of history: step numbers, and columns of `stride` values. */
+ovr_status ovr_file_add_steps(ovr_file *file, size_t count, const int *steps,
+                              const double *columns, size_t stride,
+                              ovr_error *err);
+
+/* Everything so far becomes what a reader finds. */
+ovr_status ovr_file_flush(ovr_file *file, ovr_error *err);
+ovr_status ovr_file_status(ovr_file *file, ovr_run_status status,
+                           ovr_error *err);
+ovr_status ovr_file_close(ovr_file *file, ovr_error *err);
+
+#endif

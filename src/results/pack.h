@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Shuffle and deflate, as HDF5's filters of these names do them, so that a
+ * chunk can be made outside HDF5 and handed over whole.
+ */
+#ifndef OVR_RESULTS_PACK_H
+#define OVR_RESULTS_PACK_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <zlib.h>
+
+#include "base/arena.h"
+
+typedef struct ovr_packer {
+    z_stream stream;
+    bool ready;
+    unsigned char *shuffled, *packed;
+    size_t bytes; /* of one chunk */
+} ovr_packer;
+
+/* All memory that packing will need, zlib's included, comes from the arena. */
+ovr_status ovr_packer_prepare(ovr_packer *packer, size_t bytes, int level,
+                              ovr_arena *arena, ovr_error *err);
+
+/* Packs count elements of `size` bytes.  Returns the packed length with
+ * packer->packed filled, or 0 when packing would not make it smaller. */
+size_t ovr_pack(ovr_packer *packer, const void *values, size_t count,
+                size_t size);
+
+void ovr_packer_release(ovr_packer *packer);
+
+#endif

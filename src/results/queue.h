@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Parcels on their way from the solver to the file.
+ *
+ * The solver's thread fills a parcel and posts it; a thread of the writer's
+ * own drains them in order, so that compression and the disk cost the solver
+ * nothing but a copy.  Without that thread a posted parcel is drained at
+ * once.  A failure stays: later parcels are dropped, every later call
+ * returns it.
+ */
+#ifndef OVR_RESULTS_QUEUE_H
+#define OVR_RESULTS_QUEUE_H
+
+#include <pthread.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/arena.h"
+
+enum { OVR_PARCELS = 6, OVR_PARCEL_STEPS = 64 };
+
+typedef struct ovr_parcel {
+    bool snapshot; /* rows holds one */
+    double time;   /* of the snapshot, in the file's unit */
+    unsigned char *rows;
+    size_t steps;   /* rows of history */
+    int *step;      /* their numbers */
+    double *values; /* their values, row after row */
+    bool flush;
+} ovr_parcel;
+
+typedef ovr_status ovr_drain(void *context, const ovr_parcel *parcel,
+                             ovr_error *err);
+
+typedef struct ovr_queue {
+    ovr_parcel parcel[OVR_PARCELS];
+    size_t first, posted; /* parcels waiting */
+    size_t filling;       /* the one that the solver's thread fills */
+    ovr_drain *drain;
+    void *context;
+    bool threaded, closing;
+    ovr_error error; /* the first failure */
+    pthread_t thread;
+    pthread_mutex_t mutex;
+    pthread_cond_t changed;
+} ovr_queue;
+
+/* row_bytes: of one snapshot; columns: of the history. */
+ovr_status ovr_queue_prepare(ovr_queue *queue, size_t row_bytes, size_t columns,
+                             ovr_arena *arena, ovr_error *err);
+
+/* Starts the thread when `threaded` and one can be had. */
+void ovr_queue_start(ovr_queue *queue, bool threaded, ovr_drain *drain,
+                     void *context);
+
+/* The parcel being filled, empty after a post. */
+ovr_parcel *ovr_queue_open(ovr_queue *queue);
+ovr_status ovr_queue_post(ovr_queue *queue, ovr_error *err);
+
+/* Until everything posted is drained. */
+ovr_status ovr_queue_wait(ovr_queue *queue, ovr_error *err);
+
+/* Waits, then ends the thread. */
+void ovr_queue_stop(ovr_queue *queue);
+
+#endif
