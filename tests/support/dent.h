@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A run that never was: a dent travels through made-up pressure and film, each
+ * value a formula of position and time, so that what a file holds can be
+ * checked to the bit without solving anything.
+ */
+#ifndef TESTS_SUPPORT_DENT_H
+#define TESTS_SUPPORT_DENT_H
+
+#include <stddef.h>
+
+#include "overroll/results.h"
+
+typedef struct test_dent {
+    size_t n;
+    double D, dT;
+    double *X, *P, *H, *S, *rho, *eta, *flow;
+    ovr_state state;
+    ovr_observation seen;
+    ovr_frame frame;
+} test_dent;
+
+/* Nodes X_i = -4 + 5.5 i/(n - 1); stands at step 0. */
+void test_dent_init(test_dent *dent, size_t n, double dT);
+void test_dent_free(test_dent *dent);
+
+/* Moves to a step: everything follows from its number alone. */
+void test_dent_move(test_dent *dent, long step);
+
+/* A steel roller with mineral oil: M = 20, L = 10, all scales known; and the
+ * same contact without its scales. */
+ovr_contact test_contact_physical(void);
+ovr_contact test_contact_bare(void);
+
+#endif

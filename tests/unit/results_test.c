@@ -1,0 +1,353 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Result files: what goes in comes out, by the bit where it is stored so. */
+#include "support/test.h"
+
+#include <hdf5.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "overroll/results.h"
+#include "support/dent.h"
+
+enum { NODES = 225, STEPS = 40 };
+
+static ovr_write_options options_for(const char *path)
+{
+    ovr_write_options o = ovr_write_options_default();
+    o.path = path;
+    o.every_steps = 4;
+    o.end = 1;
+    o.case_text = "[contact]\nM = 20\n";
+    return o;
+}
+
+/* Writes steps 0 to `steps` of the dent; leaves it at the last one. */
+static void write_run(const ovr_write_options *o, const ovr_contact *contact,
+                      test_dent *dent, long steps)
+{
+    ovr_error err = {OVR_OK, ""};
+    ovr_writer *w = ovr_writer_create(o, contact, dent->n, dent->X, NULL, &err);
+    assert_true(w || (print_error("%s\n", err.message), 0));
+    for (long k = 0; k <= steps; k++) {
+        test_dent_move(dent, k);
+        CHECK_OK(ovr_writer_record(w, &dent->frame, &err), &err);
+    }
+    CHECK_OK(ovr_writer_close(w, OVR_RUN_COMPLETE, &err), &err);
+}
+
+static ovr_result *open_result(const char *path)
+{
+    ovr_error err = {OVR_OK, ""};
+    ovr_result *r = ovr_result_open(path, NULL, &err);
+    if (!r)
+        fail_msg("%s", err.message);
+    return r;
+}
+
+static void check_field(ovr_result *r, const char *name, size_t k,
+                        ovr_units units, const double *expected, double factor,
+                        double tolerance)
+{
+    double values[NODES];
+    ovr_error err = {OVR_OK, ""};
+    CHECK_OK(ovr_result_snapshot(r, name, k, units, values, &err), &err);
+    for (size_t i = 0; i < NODES; i++)
+        CHECK_NEAR(values[i], expected[i] * factor,
+                   tolerance * fabs(expected[i] * factor) +
+                       (tolerance > 1e-10 ? 1e-40 : 0));
+}
+
+static void every_snapshot(ovr_result *r, test_dent *d, double tolerance)
+{
+    for (size_t k = 0; k < ovr_result_about(r)->snapshots; k++) {
+        test_dent_move(d, 4 * (long)k);
+        check_field(r, "pressure", k, OVR_AS_STORED, d->P, 1, tolerance);
+        check_field(r, "film_thickness", k, OVR_AS_STORED, d->H, 1, tolerance);
+        check_field(r, "roughness", k, OVR_AS_STORED, d->S, 1, tolerance);
+    }
+}
+
+static void check_history(ovr_result *r, test_dent *d)
+{
+    double T[STEPS + 1], cycles[STEPS + 1], spike[STEPS + 1];
+    ovr_error err = {OVR_OK, ""};
+    CHECK_OK(ovr_result_history(r, "time", OVR_HERTZIAN, T, &err), &err);
+    CHECK_OK(ovr_result_history(r, "cycles", OVR_HERTZIAN, cycles, &err), &err);
+    CHECK_OK(ovr_result_history(r, "spike_pressure", OVR_HERTZIAN, spike, &err),
+             &err);
+    for (long k = 0; k <= STEPS; k++) {
+        test_dent_move(d, k);
+        CHECK_NEAR(T[k], d->seen.T, 0);
+        assert_int_equal((int)cycles[k], d->seen.cycles);
+        assert_int_equal(isnan(spike[k]) != 0, isnan(d->seen.P_spike) != 0);
+    }
+}
+
+static void returns_what_was_written(void **state)
+{
+    const char *path = test_path(*state, "a.h5");
+    ovr_write_options o = options_for(path);
+    ovr_contact contact = test_contact_bare();
+    const ovr_result_info *info;
+    test_dent d;
+    ovr_result *r;
+    test_dent_init(&d, NODES, 0);
+    for (int variant = 0; variant < 4; variant++) {
+        o.single = variant & 1;
+        o.no_thread = variant & 2;
+        o.force = variant > 0;
+        write_run(&o, &contact, &d, STEPS);
+        r = open_result(path);
+        info = ovr_result_about(r);
+        assert_string_equal(info->status, "complete");
+        assert_string_equal(info->case_text, o.case_text);
+        assert_int_equal(info->nodes, NODES);
+        assert_int_equal(info->snapshots, STEPS / 4 + 1);
+        assert_int_equal(info->steps, STEPS + 1);
+        assert_false(info->physical);
+        every_snapshot(r, &d, o.single ? 6e-8 : 0);
+        check_history(r, &d);
+        ovr_result_close(r);
+    }
+    test_dent_free(&d);
+}
+
+static void converts_units(void **state)
+{
+    const char *path = test_path(*state, "si.h5");
+    ovr_write_options o = options_for(path);
+    ovr_contact contact = test_contact_physical();
+    double x[NODES];
+    test_dent d;
+    ovr_result *r;
+    ovr_error err;
+    test_dent_init(&d, NODES, 0);
+    write_run(&o, &contact, &d, STEPS);
+    r = open_result(path);
+    assert_true(ovr_result_about(r)->physical);
+    assert_string_equal(ovr_result_field_unit(r, 0), "Pa");
+    assert_string_equal(ovr_result_field_unit(r, 1), "m");
+    check_field(r, "pressure", STEPS / 4, OVR_SI, d.P, contact.ph, 1e-15);
+    check_field(r, "pressure", STEPS / 4, OVR_AS_STORED, d.P, contact.ph, 0);
+    check_field(r, "film_thickness", STEPS / 4, OVR_HERTZIAN, d.H, 1, 1e-15);
+    CHECK_OK(ovr_result_x(r, OVR_SI, x, &err), &err);
+    CHECK_CLOSE(x[NODES - 1], 1.5 * contact.b, 1e-14);
+    CHECK_CLOSE(ovr_result_about(r)->end, 1, 1e-14);
+    ovr_result_close(r);
+    test_dent_free(&d);
+}
+
+static void refuses_si_without_scales(void **state)
+{
+    const char *path = test_path(*state, "bare.h5");
+    ovr_write_options o = options_for(path);
+    ovr_contact contact = test_contact_bare();
+    double values[NODES];
+    test_dent d;
+    ovr_result *r;
+    ovr_error err;
+    test_dent_init(&d, NODES, 0);
+    write_run(&o, &contact, &d, 4);
+    r = open_result(path);
+    assert_int_equal(
+        ovr_result_snapshot(r, "pressure", 0, OVR_SI, values, &err),
+        OVR_BAD_INPUT);
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "pressure");
+    assert_int_equal(
+        ovr_result_snapshot(r, "temperature", 0, OVR_SI, values, &err),
+        OVR_BAD_INPUT);
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "temperature");
+    assert_int_equal(
+        ovr_result_snapshot(r, "pressure", 2, OVR_AS_STORED, values, &err),
+        OVR_BAD_INPUT);
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "no snapshot 2");
+    ovr_result_close(r);
+    test_dent_free(&d);
+}
+
+/* All fields, a window, every third node. */
+static void stores_what_is_chosen(void **state)
+{
+    const char *path = test_path(*state, "chosen.h5");
+    ovr_write_options o = options_for(path);
+    ovr_contact contact = test_contact_bare();
+    double x[NODES], flow[NODES], dry[NODES];
+    size_t first = 82, nodes; /* X = -1.99 is node 82 of 225 */
+    test_dent d;
+    ovr_result *r;
+    ovr_error err;
+    test_dent_init(&d, NODES, 0);
+    o.fields = 0x7f;
+    o.x_from = -1.99;
+    o.x_to = 1.2;
+    o.stride = 3;
+    write_run(&o, &contact, &d, STEPS);
+    r = open_result(path);
+    nodes = ovr_result_about(r)->nodes;
+    assert_int_equal(ovr_result_fields(r), 7);
+    CHECK_OK(ovr_result_x(r, OVR_AS_STORED, x, &err), &err);
+    CHECK_OK(ovr_result_snapshot(r, "mass_flow", STEPS / 4, OVR_AS_STORED, flow,
+                                 &err),
+             &err);
+    CHECK_OK(
+        ovr_result_snapshot(r, "cavitated", STEPS / 4, OVR_HERTZIAN, dry, &err),
+        &err);
+    assert_true(d.X[first - 1] < -1.99 && d.X[first] >= -1.99);
+    assert_true(x[nodes - 1] <= 1.2 && x[nodes - 1] > 1.2 - 3 * d.D);
+    for (size_t k = 0; k < nodes; k++) {
+        size_t i = first + 3 * k;
+        CHECK_NEAR(x[k], d.X[i], 0);
+        CHECK_NEAR(flow[k], (d.flow[i - 1] + d.flow[i]) / 2, 0);
+        assert_int_equal((int)dry[k], d.P[i] <= 0);
+    }
+    ovr_result_close(r);
+    test_dent_free(&d);
+}
+
+static void lists_times(void **state)
+{
+    const char *path = test_path(*state, "times.h5");
+    ovr_write_options o = options_for(path);
+    ovr_contact contact = test_contact_bare();
+    const double wanted[] = {0.21, 0.05, 0.4}, at[] = {0, .05, .25, .4, .5, .5};
+    double T[8];
+    test_dent d;
+    ovr_result *r;
+    ovr_error err;
+    test_dent_init(&d, NODES, 0.05);
+    o.every_steps = 0;
+    o.every_time = 0.25;
+    o.times = wanted;
+    o.time_count = 3;
+    write_run(&o, &contact, &d, 10);
+    r = open_result(path);
+    assert_int_equal(ovr_result_about(r)->snapshots, 5);
+    CHECK_OK(ovr_result_times(r, OVR_AS_STORED, T, &err), &err);
+    for (int k = 0; k < 5; k++)
+        CHECK_NEAR(T[k], at[k], 1e-12);
+    ovr_result_close(r);
+    test_dent_free(&d);
+}
+
+static void names_the_next_time(void **state)
+{
+    ovr_write_options o = options_for(test_path(*state, "next.h5"));
+    ovr_contact contact = test_contact_bare();
+    const double wanted[] = {0.3, 0.1};
+    ovr_error err;
+    test_dent d;
+    ovr_writer *w;
+    test_dent_init(&d, NODES, 0);
+    o.every_time = 0.25;
+    o.times = wanted;
+    o.time_count = 2;
+    w = ovr_writer_create(&o, &contact, d.n, d.X, NULL, &err);
+    assert_non_null(w);
+    CHECK_NEAR(ovr_writer_next_time(w, 0), 0.1, 0);
+    CHECK_NEAR(ovr_writer_next_time(w, 0.1), 0.25, 0);
+    CHECK_NEAR(ovr_writer_next_time(w, 0.25), 0.3, 0);
+    CHECK_NEAR(ovr_writer_next_time(w, 0.3), 0.5, 0);
+    CHECK_OK(ovr_writer_close(w, OVR_RUN_STOPPED, &err), &err);
+    test_dent_free(&d);
+}
+
+static void check_refused(const char *path, const char *part)
+{
+    ovr_error err = {OVR_OK, ""};
+    ovr_result *r = ovr_result_open(path, NULL, &err);
+    assert_null(r);
+    CHECK_ERROR(&err, OVR_BAD_INPUT, part);
+}
+
+static void refuses_other_files(void **state)
+{
+    const char *path = test_path(*state, "other.h5");
+    hid_t file;
+    check_refused(path, "No such file");
+    test_write_text(path, "x,y\n1,2\n");
+    check_refused(path, "not an HDF5 file");
+    file = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    H5Fclose(file);
+    check_refused(path, "not a result of overroll");
+}
+
+/* Cut anywhere, a file gives a clean error (or, cut behind its last byte in
+ * use, its content). */
+static void survives_truncation(void **state)
+{
+    const char *path = test_path(*state, "whole.h5");
+    const char *cut = test_path(*state, "cut.h5");
+    ovr_write_options o = options_for(path);
+    ovr_contact contact = test_contact_bare();
+    size_t bytes;
+    char *data;
+    test_dent d;
+    test_dent_init(&d, NODES, 0);
+    write_run(&o, &contact, &d, STEPS);
+    data = test_read(path, &bytes);
+    for (size_t at = 0; at < bytes; at += 1 + bytes / 200) {
+        ovr_error err = {OVR_OK, ""};
+        ovr_result *r;
+        test_write(cut, data, at);
+        r = ovr_result_open(cut, NULL, &err);
+        assert_null(r);
+        CHECK_ERROR(&err, OVR_BAD_INPUT, "cut.h5");
+    }
+    free(data);
+    test_dent_free(&d);
+}
+
+static void leaves_the_callers_handler(void **state)
+{
+    H5E_auto2_t function, after;
+    void *data, *data_after;
+    ovr_error err;
+    (void)state;
+    H5Eget_auto2(H5E_DEFAULT, &function, &data);
+    assert_null(ovr_result_open("/nowhere/at/all.h5", NULL, &err));
+    H5Eget_auto2(H5E_DEFAULT, &after, &data_after);
+    assert_ptr_equal(function, after);
+    assert_ptr_equal(data, data_after);
+}
+
+static void keeps_existing_files(void **state)
+{
+    const char *path = test_path(*state, "kept.h5");
+    ovr_write_options o = options_for(path);
+    ovr_contact contact = test_contact_bare();
+    ovr_error err = {OVR_OK, ""};
+    test_dent d;
+    char *text;
+    test_dent_init(&d, NODES, 0);
+    test_write_text(path, "precious");
+    assert_null(ovr_writer_create(&o, &contact, d.n, d.X, NULL, &err));
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "exists");
+    text = test_read(path, NULL);
+    assert_string_equal(text, "precious");
+    free(text);
+    o.path = test_path(*state, "no/such/folder.h5");
+    assert_null(ovr_writer_create(&o, &contact, d.n, d.X, NULL, &err));
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "folder.h5");
+    test_dent_free(&d);
+}
+
+#define TEST(name)                                                             \
+    cmocka_unit_test_setup_teardown(name, test_make_folder, test_remove_folder)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {TEST(returns_what_was_written),
+                                       TEST(converts_units),
+                                       TEST(refuses_si_without_scales),
+                                       TEST(stores_what_is_chosen),
+                                       TEST(lists_times),
+                                       TEST(names_the_next_time),
+                                       TEST(refuses_other_files),
+                                       TEST(survives_truncation),
+                                       TEST(leaves_the_callers_handler),
+                                       TEST(keeps_existing_files)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
