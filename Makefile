@@ -308,7 +308,7 @@ uninstall: ## take it out again
 	  '$(DESTDIR)$(MANDIR)/man$(subst .,,$(suffix $(m)))/$(notdir $(m))')
 
 clean: ## remove every build folder
-	rm -rf build build-san build-cov '$(BUILD)'
+	rm -rf build build-san build-cov build-clang '$(BUILD)'
 
 help: ## this list
 	@echo "make [TARGET] [CC=clang] [CFLAGS=...] [SAN=1] [V=1] [PREFIX=...]"

@@ -1,0 +1,55 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The runner of the tests counts what failed, crashed, hung, or said nothing.
+. "$TOP/tests/support/cli.sh"
+
+# program NAME COMMANDS: one that is counted by its TAP output, like cmocka's.
+program() {
+    printf '#!/bin/sh\n%s\n' "$2" >"$1"
+    chmod +x "$1"
+}
+
+# counts CODE SUMMARY TEST...: what the runner makes of these tests.
+counts() {
+    code=$1 summary=$2
+    shift 2
+    expect "$code" "$TOP/tests/support/run" -j 2 -o log "$@"
+    [ "$(tail -n 1 out)" = "$summary" ] || {
+        cat out
+        fail "'$*' is not counted as '$summary'"
+    }
+}
+
+program good 'echo 1..2; echo ok 1 - a; echo ok 2 - b'
+program bad 'echo 1..2; echo ok 1 - a; echo not ok 2 - b; exit 1'
+program skipping 'echo 1..2; echo ok 1 - a; echo "not ok 2 # SKIP b"'
+program crashing 'echo 1..4; echo ok 1 - a; kill -SEGV $$'
+program leaking 'echo 1..1; echo ok 1 - a; exit 23'
+program early 'echo 1..3; echo ok 1 - a; exit 0'
+program mute 'exit 0'
+program good.sh 'exit 0'
+program bad.sh 'echo why; exit 1'
+program skipped.sh 'echo why; exit 77'
+# shellcheck disable=SC2016 # expanded there
+program scratch.sh '[ -z "$(ls -A)" ] && : >file'
+program hanging.sh 'sleep 60'
+
+counts 0 '2 passed, 0 failed' good
+counts 1 '1 passed, 1 failed' bad
+counts 0 '1 passed, 0 failed, 1 skipped' skipping
+counts 1 '1 passed, 3 failed' crashing
+counts 1 '1 passed, 1 failed' leaking
+counts 1 '1 passed, 2 failed' early
+counts 1 '0 passed, 1 failed' mute
+counts 1 '0 passed, 1 failed' absent
+counts 0 '1 passed, 0 failed' good.sh
+counts 1 '0 passed, 1 failed' bad.sh
+contains out '\| why'
+counts 0 '0 passed, 0 failed, 1 skipped' skipped.sh
+counts 0 '1 passed, 0 failed' scratch.sh
+if command -v timeout >/dev/null; then
+    export TEST_SECONDS=1
+    counts 1 '0 passed, 1 failed' hanging.sh
+fi
+counts 1 '5 passed, 5 failed, 1 skipped' good bad crashing good.sh bad.sh \
+    skipped.sh

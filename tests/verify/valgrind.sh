@@ -1,0 +1,28 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# valgrind finds nothing in a steady and in a transient run.
+. "$TOP/tests/support/cli.sh"
+[ -z "$INSTRUMENTED" ] || skip "sanitizers and valgrind do not mix"
+need valgrind
+
+watched() {
+    expect 0 valgrind --quiet --error-exitcode=99 --leak-check=full \
+        --errors-for-leak-kinds=definite "$OVERROLL" "$@"
+}
+
+watched steady --M 20 --L 10 --level 6
+cat >dent.ini <<END
+[contact]
+M = 20
+L = 10
+[domain]
+level = 6
+[time]
+end = 0.5
+[feature dent]
+shape = dent
+depth = 0.1
+width = 0.5
+start = -1.5
+END
+watched run dent.ini -o dent.h5
