@@ -26,18 +26,56 @@
 extern "C" {
 #endif
 
+typedef struct ovr_profile ovr_profile;
+
+/* What a profile is now; owned by it, valid until it is conditioned. */
+typedef struct ovr_profile_view {
+    size_t n;
+    const double *x, *z; /* x increasing; z NAN where missing */
+    bool scaled_x;       /* x in b, else in metres */
+    bool scaled_z;       /* z in b^2/R, else in metres */
+    const char *format;  /* "text", "SDF (binary)", ... */
+    const char *notes;   /* what was assumed and done: lines ending in '\n' */
+    size_t missing;      /* samples without a height, as read */
+    size_t filled;       /* samples interpolated since */
+    bool uniform;        /* equal distances (to 1 %) */
+} ovr_profile_view;
+
 /* What to read, and what the file may not say itself. */
 typedef struct ovr_profile_source {
     const char *file;
-    const char *unit_x; /* "um", "mm", ..., "b"; NULL: the file says it */
-    const char *unit_z; /* "um", "nm", ..., "b^2/R"; NULL: the file says it */
-    double spacing;     /* of a single column z, in unit_x; NAN: none */
-    int column_x;       /* counted from 1; 0: by the header */
+    const char *unit_x;  /* "um", "mm", ..., "b"; NULL: the file says it */
+    const char *unit_z;  /* "um", "nm", ..., "b^2/R"; NULL: the file says it */
+    double spacing;      /* of a single column z, metres; NAN: none */
+    bool spacing_scaled; /* spacing is in b, not metres */
+    int column_x;        /* counted from 1; 0: by the header */
     int column_z;
     int line; /* of an areal file, from 1; 0: must have one only */
 } ovr_profile_source;
 
 OVR_API ovr_profile_source ovr_profile_source_default(void);
+
+/* Reads source->file, or the same content from memory (source->file is then
+ * only its name in messages). */
+OVR_API ovr_profile *ovr_profile_read(const ovr_profile_source *source,
+                                      const ovr_allocator *allocator,
+                                      ovr_error *err);
+OVR_API ovr_profile *ovr_profile_parse(const ovr_profile_source *source,
+                                       const void *data, size_t size,
+                                       const ovr_allocator *allocator,
+                                       ovr_error *err);
+/* From n points in metres (scaled: in b and b^2/R); copied. */
+OVR_API ovr_profile *ovr_profile_create(size_t n, const double *x,
+                                        const double *z, bool scaled,
+                                        const ovr_allocator *allocator,
+                                        ovr_error *err);
+OVR_API void ovr_profile_free(ovr_profile *profile);
+OVR_API const ovr_profile_view *ovr_profile_look(const ovr_profile *profile);
+
+/* Writes two columns "x in m, z in m" (or in b, b^2/R) of 17 digits, which
+ * read back to the same numbers. */
+OVR_API ovr_status ovr_profile_save(const ovr_profile *profile,
+                                    const char *path, ovr_error *err);
 
 typedef enum ovr_levelling {
     OVR_LEVEL_NONE,
@@ -78,6 +116,12 @@ typedef struct ovr_conditioning {
 } ovr_conditioning;
 
 OVR_API ovr_conditioning ovr_conditioning_default(void);
+
+/* All of it but anti-aliasing, taper and extension, which belong to a grid.
+ * What was done is added to the notes. */
+OVR_API ovr_status ovr_profile_condition(ovr_profile *profile,
+                                         const ovr_conditioning *how,
+                                         ovr_error *err);
 
 typedef enum ovr_spectrum { OVR_SELF_AFFINE, OVR_EXPONENTIAL } ovr_spectrum;
 

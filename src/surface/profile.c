@@ -1,7 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "overroll/profile.h"
+/* The life of a profile: created, read, looked at, saved, freed. */
+#include "surface/profile.h"
 
+#include <errno.h>
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
 
 ovr_profile_source ovr_profile_source_default(void)
 {
@@ -38,4 +43,153 @@ ovr_roughness ovr_roughness_default(void)
                            .skewness = NAN,
                            .kurtosis = NAN,
                            .seed = 1};
+}
+
+/* -------------------------------------------------------------- building */
+
+ovr_profile *ovr_profile_new(const char *file, const ovr_allocator *allocator,
+                             ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_profile *profile = ovr_arena_take(&arena, 1, sizeof *profile, err);
+    if (!profile)
+        return NULL;
+    profile->arena = arena;
+    profile->file = ovr_arena_text(&profile->arena, file ? file : "", err);
+    profile->view.notes = profile->notes;
+    profile->view.format = "";
+    if (profile->file)
+        return profile;
+    ovr_profile_free(profile);
+    return NULL;
+}
+
+void ovr_profile_free(ovr_profile *profile)
+{
+    if (profile) {
+        ovr_arena arena = profile->arena;
+        ovr_arena_release(&arena);
+    }
+}
+
+const ovr_profile_view *ovr_profile_look(const ovr_profile *profile)
+{
+    return &profile->view;
+}
+
+ovr_status ovr_profile_room(ovr_profile *profile, size_t n, ovr_error *err)
+{
+    if (n > OVR_POINTS_MAX)
+        return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
+                           "%zu points are more than the %d that are read", n,
+                           OVR_POINTS_MAX);
+    profile->x = ovr_arena_take(&profile->arena, n, sizeof(double), err);
+    profile->z = ovr_arena_take(&profile->arena, n, sizeof(double), err);
+    return profile->x && profile->z ? OVR_OK : OVR_NO_MEMORY;
+}
+
+void ovr_profile_note(ovr_profile *profile, const char *format, ...)
+{
+    size_t used = strlen(profile->notes), room = OVR_NOTES_SIZE - used;
+    va_list args;
+    int wanted;
+    va_start(args, format);
+    wanted = vsnprintf(profile->notes + used, room, format, args);
+    va_end(args);
+    if (wanted >= 0 && (size_t)wanted + 2 <= room)
+        memcpy(profile->notes + used + wanted, "\n", 2);
+    else
+        profile->notes[used] = 0;
+}
+
+void ovr_profile_regular(ovr_profile *profile, size_t n, double first,
+                         double spacing)
+{
+    for (size_t i = 0; i < n; i++)
+        profile->x[i] = first + (double)i * spacing;
+}
+
+static bool is_uniform(size_t n, const double *x)
+{
+    double mean = (x[n - 1] - x[0]) / (double)(n - 1);
+    for (size_t i = 0; i < n; i++)
+        if (fabs(x[i] - x[0] - (double)i * mean) > 0.01 * mean)
+            return false;
+    return true;
+}
+
+ovr_status ovr_profile_finish(ovr_profile *profile, size_t n, ovr_error *err)
+{
+    ovr_profile_view *view = &profile->view;
+    if (n < 2)
+        return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
+                           "a profile needs two points, there %s %zu",
+                           n == 1 ? "is" : "are", n);
+    view->n = n;
+    view->x = profile->x;
+    view->z = profile->z;
+    view->uniform = is_uniform(n, profile->x);
+    view->missing = 0;
+    for (size_t i = 0; i < n; i++) {
+        if (!isfinite(profile->z[i])) {
+            profile->z[i] = NAN;
+            view->missing++;
+        }
+        if (!isfinite(profile->x[i]) ||
+            (i && !(profile->x[i] > profile->x[i - 1])))
+            return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
+                               "x must increase: point %zu at %g", i + 1,
+                               profile->x[i]);
+    }
+    if (view->missing == n)
+        return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
+                           "none of the %zu points has a height", n);
+    return OVR_OK;
+}
+
+ovr_profile *ovr_profile_create(size_t n, const double *x, const double *z,
+                                bool scaled, const ovr_allocator *allocator,
+                                ovr_error *err)
+{
+    ovr_profile *profile = ovr_profile_new("profile", allocator, err);
+    if (!profile)
+        return NULL;
+    profile->view.scaled_x = profile->view.scaled_z = scaled;
+    profile->view.format = "memory";
+    if (!ovr_profile_room(profile, n, err)) {
+        memcpy(profile->x, x, n * sizeof *x);
+        memcpy(profile->z, z, n * sizeof *z);
+        if (!ovr_profile_finish(profile, n, err))
+            return profile;
+    }
+    ovr_profile_free(profile);
+    return NULL;
+}
+
+/* ---------------------------------------------------------------- saving */
+
+static int write_points(const ovr_profile_view *view, FILE *out)
+{
+    int bad = fprintf(out, "# x in %s, z in %s\n", view->scaled_x ? "b" : "m",
+                      view->scaled_z ? "b^2/R" : "m") < 0;
+    for (size_t i = 0; i < view->n && !bad; i++)
+        bad = isnan(view->z[i])
+                  ? fprintf(out, "%.17g, NaN\n", view->x[i]) < 0
+                  : fprintf(out, "%.17g, %.17g\n", view->x[i], view->z[i]) < 0;
+    return bad;
+}
+
+ovr_status ovr_profile_save(const ovr_profile *profile, const char *path,
+                            ovr_error *err)
+{
+    FILE *out = fopen(path, "w");
+    int bad;
+    if (!out)
+        return ovr_fail_at(err, OVR_BAD_INPUT, path, 0, "cannot be written: %s",
+                           strerror(errno));
+    bad = write_points(&profile->view, out);
+    if (fclose(out) || bad)
+        return ovr_fail_at(err, OVR_IO, path, 0, "writing failed: %s",
+                           strerror(errno));
+    return OVR_OK;
 }

@@ -1,0 +1,235 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Conditioning in the order that profile.h tells; each step says what it did.
+ */
+#include "surface/condition.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "surface/profile.h"
+
+static ovr_status wrong(const ovr_profile *p, ovr_error *err, const char *key,
+                        double value, const char *right)
+{
+    return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0, "%s = %g must be %s",
+                       key, value, right);
+}
+
+static ovr_status check(const ovr_profile *p, const ovr_conditioning *how,
+                        ovr_error *err)
+{
+    const struct {
+        const char *key;
+        double value;
+    } lengths[] = {{"max_gap", how->max_gap},
+                   {"outliers", how->outliers},
+                   {"lambda_c", how->lambda_c},
+                   {"lambda_s", how->lambda_s}};
+    for (size_t k = 0; k < sizeof lengths / sizeof lengths[0]; k++)
+        if (lengths[k].value <= 0 || isinf(lengths[k].value))
+            return wrong(p, err, lengths[k].key, lengths[k].value, "positive");
+    if (!isfinite(how->scale))
+        return wrong(p, err, "scale", how->scale, "a finite number");
+    if (!isfinite(how->offset))
+        return wrong(p, err, "offset", how->offset, "a finite height");
+    if (!(how->stretch > 0) || isinf(how->stretch))
+        return wrong(p, err, "stretch", how->stretch, "positive");
+    if (!(how->max_missing >= 0 && how->max_missing <= 1))
+        return wrong(p, err, "max_missing", how->max_missing, "from 0 to 1");
+    if (how->degree < 0 || how->degree > 12)
+        return wrong(p, err, "degree", how->degree, "from 0 to 12");
+    if (how->lambda_c <= how->lambda_s)
+        return wrong(p, err, "lambda_c", how->lambda_c, "longer than lambda_s");
+    return OVR_OK;
+}
+
+/* ------------------------------------------------------------ the points */
+
+static void keep(ovr_profile *p, size_t from, size_t n)
+{
+    memmove(p->x, p->x + from, n * sizeof(double));
+    memmove(p->z, p->z + from, n * sizeof(double));
+}
+
+static ovr_status choose_window(ovr_profile *p, const ovr_conditioning *how,
+                                size_t *n, ovr_error *err)
+{
+    size_t first = 0, last = *n;
+    while (first < *n && p->x[first] < how->from)
+        first++;
+    while (last > first && p->x[last - 1] > how->to)
+        last--;
+    if (last - first < 2)
+        return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                           "the window from %g to %g holds %zu points; the "
+                           "profile runs from %g to %g",
+                           how->from, how->to, last - first, p->x[0],
+                           p->x[*n - 1]);
+    if (last - first < *n)
+        ovr_profile_note(p, "window: %zu of %zu points", last - first, *n);
+    keep(p, first, last - first);
+    *n = last - first;
+    return OVR_OK;
+}
+
+static void turn(ovr_profile *p, size_t n)
+{
+    for (size_t i = 0, j = n - 1; i < j; i++, j--) {
+        double x = p->x[i], z = p->z[i];
+        p->x[i] = p->x[j], p->z[i] = p->z[j];
+        p->x[j] = x, p->z[j] = z;
+    }
+    for (size_t i = 0; i < n; i++)
+        p->x[i] = -p->x[i];
+    ovr_profile_note(p, "reversed in x");
+}
+
+static void change_scales(ovr_profile *p, const ovr_conditioning *how, size_t n)
+{
+    double by = how->invert ? -how->scale : how->scale;
+    for (size_t i = 0; i < n; i++) {
+        p->x[i] *= how->stretch;
+        p->z[i] *= by;
+    }
+    if (how->reverse)
+        turn(p, n);
+    if (by != 1)
+        ovr_profile_note(p, "heights times %g", by);
+    if (how->stretch != 1)
+        ovr_profile_note(p, "lengths times %g", how->stretch);
+}
+
+/* ---------------------------------------------------------------- gaps */
+
+static size_t count_missing(size_t n, const double *z)
+{
+    size_t missing = 0;
+    for (size_t i = 0; i < n; i++)
+        missing += isnan(z[i]) ? 1 : 0;
+    return missing;
+}
+
+/* Missing heights at the ends are cut off, those between bridged. */
+static ovr_status close_gaps(ovr_profile *p, const ovr_conditioning *how,
+                             size_t *n, ovr_error *err)
+{
+    size_t first = 0, last = *n, missing = count_missing(*n, p->z), filled;
+    double length, where, most = how->max_gap;
+    if (!missing)
+        return OVR_OK;
+    if ((double)missing > how->max_missing * (double)*n)
+        return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                           "%zu of %zu heights are missing, more than "
+                           "max_missing = %g",
+                           missing, *n, how->max_missing);
+    while (first < last && isnan(p->z[first]))
+        first++;
+    while (last > first && isnan(p->z[last - 1]))
+        last--;
+    if (last - first < 2)
+        return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                           "fewer than two heights are left");
+    keep(p, first, last - first);
+    if (last - first < *n)
+        ovr_profile_note(p, "%zu points without height cut off at the ends",
+                         *n - (last - first));
+    *n = last - first;
+    if (isnan(most))
+        most = 0.05 * (p->x[*n - 1] - p->x[0]);
+    ovr_longest_gap(*n, p->x, p->z, &length, &where);
+    if (length > most)
+        return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                           "a gap of %g at x = %g is longer than max_gap = %g",
+                           length, where, most);
+    filled = ovr_fill_gaps(*n, p->x, p->z);
+    p->view.filled += filled;
+    if (filled)
+        ovr_profile_note(p,
+                         "%zu points filled by straight lines, the longest "
+                         "gap %g",
+                         filled, length);
+    return OVR_OK;
+}
+
+static ovr_status drop_outliers(ovr_profile *p, const ovr_conditioning *how,
+                                size_t *n, double *work, ovr_error *err)
+{
+    size_t marked;
+    if (isnan(how->outliers))
+        return OVR_OK;
+    marked = ovr_mark_outliers(*n, p->z, how->outliers, work);
+    ovr_profile_note(p, "%zu outliers beyond %g robust standard deviations",
+                     marked, how->outliers);
+    return close_gaps(p, how, n, err);
+}
+
+/* ------------------------------------------------------- level and filter */
+
+static void level(ovr_profile *p, const ovr_conditioning *how, size_t n,
+                  double *work)
+{
+    static const char *const names[] = {"", "mean", "line", "polynomial"};
+    int degree = how->level == OVR_LEVEL_MEAN   ? 0
+                 : how->level == OVR_LEVEL_LINE ? 1
+                                                : how->degree;
+    if (how->level == OVR_LEVEL_NONE)
+        return;
+    ovr_level(n, p->x, p->z, degree, work);
+    ovr_profile_note(p, "levelled: %s of degree %d subtracted",
+                     names[how->level], degree);
+}
+
+static ovr_status filter(ovr_profile *p, const ovr_conditioning *how, size_t n,
+                         double *work, ovr_error *err)
+{
+    double *mean = ovr_arena_take(&p->arena, n, sizeof *mean, err);
+    bool uniform = p->view.uniform;
+    if (!mean)
+        return OVR_NO_MEMORY;
+    if (!isnan(how->lambda_c)) {
+        ovr_gaussian(n, p->x, p->z, how->lambda_c, uniform, mean, work);
+        for (size_t i = 0; i < n; i++)
+            p->z[i] -= mean[i];
+        ovr_profile_note(p, "Gaussian filter lambda_c = %g (high-pass)",
+                         how->lambda_c);
+    }
+    if (!isnan(how->lambda_s)) {
+        ovr_gaussian(n, p->x, p->z, how->lambda_s, uniform, mean, work);
+        memcpy(p->z, mean, n * sizeof *mean);
+        ovr_profile_note(p, "Gaussian filter lambda_s = %g (low-pass)",
+                         how->lambda_s);
+    }
+    return OVR_OK;
+}
+
+static void shift(ovr_profile *p, double offset, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        p->z[i] += offset;
+    if (offset != 0)
+        ovr_profile_note(p, "offset by %g", offset);
+}
+
+ovr_status ovr_profile_condition(ovr_profile *profile,
+                                 const ovr_conditioning *how, ovr_error *err)
+{
+    size_t n = profile->view.n;
+    double *work = ovr_arena_take(&profile->arena, n, 3 * sizeof *work, err);
+    ovr_status status = work ? check(profile, how, err) : OVR_NO_MEMORY;
+    if (!status)
+        status = choose_window(profile, how, &n, err);
+    if (status)
+        return status;
+    change_scales(profile, how, n);
+    status = close_gaps(profile, how, &n, err);
+    if (!status)
+        status = drop_outliers(profile, how, &n, work, err);
+    if (!status)
+        status = ovr_profile_finish(profile, n, err);
+    if (status)
+        return status;
+    level(profile, how, n, work);
+    status = filter(profile, how, n, work, err);
+    shift(profile, how->offset, n);
+    return status ? status : ovr_profile_finish(profile, n, err);
+}

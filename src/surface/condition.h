@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The parts of conditioning.  All work on n points (x, z), x increasing; z
+ * without gaps unless said.
+ */
+#ifndef OVR_SURFACE_CONDITION_H
+#define OVR_SURFACE_CONDITION_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/arena.h"
+
+/* Subtracts the least-squares polynomial of the degree (0: mean, 1: line),
+ * each point weighted by the length it stands for.  `work` holds 3 n. */
+void ovr_level(size_t n, const double *x, double *z, int degree, double *work);
+
+/* Mean line of the Gaussian filter of cut-off lambda (ISO 16610-21), into
+ * `mean`; `uniform` x make it quicker.  `work` holds 2 n. */
+void ovr_gaussian(size_t n, const double *x, const double *z, double lambda,
+                  bool uniform, double *mean, double *work);
+
+/* Marks as NAN what lies further than `limit` robust standard deviations from
+ * the median of its 11 neighbours; returns how many.  `work` holds 2 n. */
+size_t ovr_mark_outliers(size_t n, double *z, double limit, double *work);
+
+/* Fills NANs between points by straight lines; the longest gap, and the x
+ * where it begins, go out. */
+size_t ovr_fill_gaps(size_t n, const double *x, double *z);
+void ovr_longest_gap(size_t n, const double *x, const double *z, double *length,
+                     double *where);
+
+/* Half the distance between a point's neighbours. */
+double ovr_share(size_t n, const double *x, size_t i);
+
+#endif

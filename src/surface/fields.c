@@ -1,0 +1,264 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "surface/fields.h"
+
+#include <string.h>
+
+/* ---------------------------------------------------------------- fields */
+
+static bool has(ovr_line line, char c)
+{
+    return line.size && memchr(line.text, c, line.size);
+}
+
+/* A comma is a decimal point where something else separates: always beside
+ * semicolons, beside tabs when no field uses a point. */
+ovr_layout ovr_layout_of(ovr_line line)
+{
+    line = ovr_trim(line);
+    if (has(line, ';'))
+        return (ovr_layout){';', true};
+    if (has(line, '\t'))
+        return (ovr_layout){'\t', !has(line, '.')};
+    return (ovr_layout){has(line, ',') ? ',' : ' ', false};
+}
+
+static bool is_separator(char c, char separator)
+{
+    return separator == ' ' ? c == ' ' || c == '\t' : c == separator;
+}
+
+bool ovr_split(ovr_line line, char separator, ovr_fields *fields)
+{
+    const char *p = line.text, *end = p + line.size, *from = p;
+    ovr_line whole = separator == ' ' ? ovr_trim(line) : line;
+    p = from = whole.text, end = p + whole.size;
+    fields->count = 0;
+    for (;; p++) {
+        if (p < end && !is_separator(*p, separator))
+            continue;
+        if (fields->count == OVR_FIELDS_MAX)
+            return false;
+        fields->field[fields->count++] = ovr_trim(
+            (ovr_line){from, (size_t)(p - from), line.number});
+        while (separator == ' ' && p + 1 < end && is_separator(p[1], ' '))
+            p++;
+        if (p >= end)
+            break;
+        from = p + 1;
+    }
+    fields->open = fields->count > 1 &&
+                   fields->field[fields->count - 1].size == 0;
+    fields->count -= fields->open;
+    return true;
+}
+
+bool ovr_all_numbers(const ovr_fields *fields, bool comma)
+{
+    size_t numbers = 0;
+    double value;
+    for (size_t k = 0; k < fields->count; k++)
+        if (ovr_number(fields->field[k], comma, &value))
+            numbers++;
+        else if (!ovr_is_missing(fields->field[k]))
+            return false;
+    return numbers > 0;
+}
+
+/* ----------------------------------------------------------------- words */
+
+typedef struct words {
+    ovr_line rest;
+    const char *begin; /* of the text they come from */
+} words;
+
+static bool in_word(char c)
+{
+    unsigned char u = (unsigned char)c;
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
+           (c >= 'A' && c <= 'Z') || u >= 0x80 || c == '^' || c == '.';
+}
+
+static bool next_word(words *w, ovr_line *word)
+{
+    const char *p = w->rest.text, *end = p + w->rest.size, *from;
+    while (p < end && !in_word(*p))
+        p++;
+    from = p;
+    while (p < end && in_word(*p))
+        p++;
+    if (from == p)
+        return false;
+    *word = (ovr_line){from, (size_t)(p - from), w->rest.number};
+    w->rest = (ovr_line){p, (size_t)(end - p), w->rest.number};
+    return true;
+}
+
+static bool bracketed(const words *w, ovr_line word)
+{
+    return word.text > w->begin && strchr("[(", word.text[-1]) && word.text[-1];
+}
+
+static char axis_of(ovr_line word)
+{
+    static const struct {
+        const char *name;
+        char axis;
+    } names[] = {{"x", 'x'},        {"lateral", 'x'},   {"distance", 'x'},
+                 {"position", 'x'}, {"pos", 'x'},       {"length", 'x'},
+                 {"z", 'z'},        {"height", 'z'},    {"raw", 'z'},
+                 {"profile", 'z'},  {"depth", 'z'},     {"amplitude", 'z'},
+                 {"heights", 'z'},  {"roughness", 'z'}, {"y", 'y'},
+                 {"y1", 'y'},       {"z1", 'z'},        {"x1", 'x'}};
+    for (size_t k = 0; k < sizeof names / sizeof names[0]; k++)
+        if (ovr_line_is(word, names[k].name))
+            return names[k].axis;
+    return 0;
+}
+
+/* ---------------------------------------------------------------- header */
+
+/* "in b" and "in b^2/R": the contact's own units, as ovr_profile_save writes
+ * them. */
+static bool scaled_unit(const words *w, ovr_line word)
+{
+    bool in = word.text - w->begin >= 3 && memcmp(word.text - 3, "in ", 3) == 0;
+    if (!in && !bracketed(w, word))
+        return false;
+    if (ovr_line_is(word, "b^2"))
+        return w->rest.size >= 2 && memcmp(w->rest.text, "/R", 2) == 0;
+    return word.size == 1 && word.text[0] == 'b';
+}
+
+/* "Lateral um", "x in nm", "X_(microns)", "[mm]": the first word that names
+ * an axis, the last that is a unit.  With a number in it ("step 5 um") it is
+ * about something else. */
+static ovr_column read_field(ovr_line field)
+{
+    ovr_column column = {0, false, 0, field};
+    words w = {field, field.text};
+    ovr_line word;
+    double number;
+    while (next_word(&w, &word)) {
+        double metres = ovr_length_unit(word, bracketed(&w, word));
+        bool scaled = scaled_unit(&w, word);
+        if (ovr_number(word, false, &number))
+            return (ovr_column){0, false, 0, field};
+        if (metres > 0 || scaled) {
+            column.metres = scaled ? 1 : metres;
+            column.scaled = scaled;
+        } else if (!column.axis) {
+            column.axis = axis_of(word);
+        }
+    }
+    return column;
+}
+
+static void learn(ovr_column *column, ovr_column now)
+{
+    if (now.axis)
+        column->axis = now.axis;
+    if (now.metres > 0) {
+        column->metres = now.metres;
+        column->scaled = now.scaled;
+        column->from = now.from;
+    }
+}
+
+/* "unit_x = um", "Z unit: nm", "units mm", "spacing = 0.5 um" */
+static bool read_statement(ovr_header *header, ovr_line line)
+{
+    words w = {line, line.text};
+    bool unit = false, spacing = false;
+    double metres = 0, value, number = 0;
+    char axis = 0;
+    ovr_line word;
+    while (next_word(&w, &word)) {
+        unit |= ovr_line_is(word, "unit") || ovr_line_is(word, "units");
+        spacing |= ovr_line_is(word, "spacing") || ovr_line_is(word, "dx") ||
+                   ovr_line_is(word, "increment");
+        if (axis_of(word))
+            axis = axis_of(word);
+        if (ovr_number(word, false, &value))
+            number = value;
+        else if (ovr_length_unit(word, bracketed(&w, word)) > 0)
+            metres = ovr_length_unit(word, bracketed(&w, word));
+    }
+    if (spacing && number > 0) {
+        header->spacing = number;
+        header->spacing_metres = metres;
+    }
+    for (size_t k = 0; unit && metres > 0 && k < header->columns; k++) {
+        char own = header->column[k].axis;
+        if (!own && header->columns <= 2)
+            own = k + 1 < header->columns ? 'x' : 'z';
+        if (!axis || axis == own || (axis == 'y' && own == 'z'))
+            learn(&header->column[k], (ovr_column){0, false, metres, line});
+    }
+    return unit || spacing;
+}
+
+/* "x [mm]   z [um]": as many units or axes among the words as columns. */
+static void read_words(ovr_header *header, ovr_line line)
+{
+    size_t units = 0, axes = 0;
+    ovr_column found[OVR_FIELDS_MAX];
+    words w = {line, line.text};
+    ovr_line word;
+    double number;
+    memset(found, 0, sizeof found);
+    while (next_word(&w, &word)) {
+        double metres = ovr_length_unit(word, bracketed(&w, word));
+        char axis = axis_of(word);
+        if (ovr_number(word, false, &number))
+            return;
+        if (metres > 0 && units++ < header->columns)
+            found[units - 1].metres = metres, found[units - 1].from = line;
+        else if (axis && axes++ < header->columns)
+            found[axes - 1].axis = axis;
+    }
+    for (size_t k = 0; k < header->columns; k++) {
+        if (axes != header->columns)
+            found[k].axis = 0;
+        if (units != header->columns)
+            found[k].metres = 0;
+        learn(&header->column[k], found[k]);
+    }
+}
+
+static bool split_as(const ovr_header *header, ovr_line line, char separator,
+                     ovr_fields *fields)
+{
+    const char tried[] = {separator, ',', ';', '\t'};
+    for (size_t k = 0; k < sizeof tried; k++)
+        if (tried[k] != ' ' && ovr_split(line, tried[k], fields) &&
+            fields->count == header->columns)
+            return true;
+    return false;
+}
+
+/* Of a single column the line just above the data names it. */
+static void read_single(ovr_header *header, ovr_line line)
+{
+    if (read_statement(header, line))
+        header->stated |= header->column[0].metres > 0;
+    else if (!header->stated)
+        header->column[0] = read_field(line);
+}
+
+void ovr_header_line(ovr_header *header, ovr_line line, char separator)
+{
+    ovr_fields fields;
+    line = ovr_trim(line);
+    while (line.size && line.text[0] && strchr("#%\"*", line.text[0]))
+        line = ovr_trim((ovr_line){line.text + 1, line.size - 1, line.number});
+    if (!line.size)
+        return;
+    if (header->columns == 1) {
+        read_single(header, line);
+    } else if (split_as(header, line, separator, &fields)) {
+        for (size_t k = 0; k < header->columns; k++)
+            learn(&header->column[k], read_field(fields.field[k]));
+    } else if (!read_statement(header, line)) {
+        read_words(header, line);
+    }
+}

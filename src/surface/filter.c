@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Levelling and the Gaussian filter.
+ *
+ * Gaussian filter, ISO 16610-21: weight s(d) = exp(-pi (d/(alpha lambda))^2),
+ * alpha = sqrt(ln 2/pi), whose transmission is 2^(-(lambda/wavelength)^2):
+ * one half at the cut-off.  The weight is cut at d = lambda, where it is
+ * 7e-7.  Near the ends the window is one-sided; a straight line is fitted
+ * under the weights and its value taken (regression of first order, ISO
+ * 16610-28): where the window is symmetric this is the plain filter, and a
+ * straight line passes unchanged everywhere.  Cost O(n lambda/spacing).
+ *
+ * Levelling: polynomials orthogonal on the points by the three-term
+ * recurrence (Forsythe 1957), p_(k+1) = (t - a_k) p_k - b_k p_(k-1), t in
+ * [-1, 1]; each degree is subtracted as it is found.
+ */
+#include "surface/condition.h"
+
+#include <math.h>
+
+static const double DECAY = 14.238829324987503738; /* pi/alpha^2 */
+
+double ovr_share(size_t n, const double *x, size_t i)
+{
+    double from = i ? x[i - 1] : x[0], to = i + 1 < n ? x[i + 1] : x[n - 1];
+    return (to - from) / 2;
+}
+
+/* ------------------------------------------------------------- levelling */
+
+typedef struct basis {
+    size_t n;
+    double *p, *older, *t;
+} basis;
+
+/* <f p, p> with f = 1 or t, or <z, p>. */
+static double product(const basis *b, const double *x, const double *f,
+                      const double *g)
+{
+    double sum = 0;
+    for (size_t i = 0; i < b->n; i++)
+        sum += ovr_share(b->n, x, i) * f[i] * g[i];
+    return sum;
+}
+
+static void subtract(const basis *b, const double *x, double *z, double norm)
+{
+    double c = product(b, x, z, b->p) / norm;
+    for (size_t i = 0; i < b->n; i++)
+        z[i] -= c * b->p[i];
+}
+
+/* From degree k to k + 1. */
+static void raise(basis *b, const double *x, double norm, double norm_older)
+{
+    double a = 0, c = norm_older > 0 ? norm / norm_older : 0;
+    double *next = b->older;
+    for (size_t i = 0; i < b->n; i++)
+        a += ovr_share(b->n, x, i) * b->t[i] * b->p[i] * b->p[i];
+    a /= norm;
+    for (size_t i = 0; i < b->n; i++)
+        next[i] = (b->t[i] - a) * b->p[i] - c * b->older[i];
+    b->older = b->p;
+    b->p = next;
+}
+
+void ovr_level(size_t n, const double *x, double *z, int degree, double *work)
+{
+    basis b = {n, work, work + n, work + 2 * n};
+    double norm_older = 0;
+    for (size_t i = 0; i < n; i++) {
+        b.p[i] = 1;
+        b.older[i] = 0;
+        b.t[i] = 2 * (x[i] - x[0]) / (x[n - 1] - x[0]) - 1;
+    }
+    for (int k = 0; k <= degree && (size_t)k < n; k++) {
+        double norm = product(&b, x, b.p, b.p);
+        if (!(norm > 0))
+            return;
+        subtract(&b, x, z, norm);
+        raise(&b, x, norm, norm_older);
+        norm_older = norm;
+    }
+}
+
+/* ------------------------------------------------------- Gaussian filter */
+
+/* Sums of the weighted line fit about one point. */
+typedef struct moments {
+    double s0, s1, s2, t0, t1;
+} moments;
+
+static void take(moments *m, double w, double d, double z)
+{
+    m->s0 += w;
+    m->s1 += w * d;
+    m->s2 += w * d * d;
+    m->t0 += w * z;
+    m->t1 += w * d * z;
+}
+
+static double fitted(const moments *m)
+{
+    double det = m->s0 * m->s2 - m->s1 * m->s1;
+    if (det > 1e-12 * m->s0 * m->s2)
+        return (m->s2 * m->t0 - m->s1 * m->t1) / det;
+    return m->t0 / m->s0;
+}
+
+static double weight(double d)
+{
+    return exp(-DECAY * d * d);
+}
+
+void ovr_gaussian(size_t n, const double *x, const double *z, double lambda,
+                  bool uniform, double *mean, double *work)
+{
+    size_t first = 0, last = 0;
+    double *share = work, *kernel = work + n;
+    for (size_t i = 0; i < n; i++) {
+        share[i] = ovr_share(n, x, i);
+        kernel[i] = uniform ? weight((x[i] - x[0]) / lambda) : 0;
+    }
+    for (size_t i = 0; i < n; i++) {
+        moments m = {0};
+        while (x[i] - x[first] > lambda)
+            first++;
+        while (last < n && x[last] - x[i] <= lambda)
+            last++;
+        for (size_t j = first; j < last; j++) {
+            double d = (x[j] - x[i]) / lambda;
+            double w = uniform ? kernel[j > i ? j - i : i - j] : weight(d);
+            take(&m, share[j] * w, d, z[j]);
+        }
+        mean[i] = fitted(&m);
+    }
+}

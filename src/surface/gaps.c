@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Missing heights and outliers.
+ *
+ * An outlier is told by Hampel's test: r_i = z_i - median of its 11
+ * neighbours; |r_i| > limit sigma with sigma = 1.4826 median |r|, which is the
+ * standard deviation of Gaussian heights and does not feel the outliers.
+ */
+#include "surface/condition.h"
+
+#include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics_double.h>
+#include <math.h>
+#include <string.h>
+
+enum { HALF = 5, WINDOW = 2 * HALF + 1 };
+
+static double median_about(size_t n, const double *z, size_t i)
+{
+    double near[WINDOW];
+    size_t count = 0, last = i + HALF < n ? i + HALF : n - 1;
+    for (size_t j = i > HALF ? i - HALF : 0; j <= last; j++)
+        if (!isnan(z[j]))
+            near[count++] = z[j];
+    if (!count)
+        return NAN;
+    gsl_sort(near, 1, count);
+    return gsl_stats_median_from_sorted_data(near, 1, count);
+}
+
+size_t ovr_mark_outliers(size_t n, double *z, double limit, double *work)
+{
+    double *r = work, *size = work + n, sigma;
+    size_t count = 0, marked = 0;
+    for (size_t i = 0; i < n; i++) {
+        r[i] = fabs(z[i] - median_about(n, z, i));
+        if (!isnan(r[i]))
+            size[count++] = r[i];
+    }
+    if (!count)
+        return 0;
+    gsl_sort(size, 1, count);
+    sigma = 1.4826 * gsl_stats_median_from_sorted_data(size, 1, count);
+    for (size_t i = 0; i < n && sigma > 0; i++)
+        if (r[i] > limit * sigma) {
+            z[i] = NAN;
+            marked++;
+        }
+    return marked;
+}
+
+/* The gap after point i (which has a height): index of the next height. */
+static size_t next_height(size_t n, const double *z, size_t i)
+{
+    do
+        i++;
+    while (i < n && isnan(z[i]));
+    return i;
+}
+
+void ovr_longest_gap(size_t n, const double *x, const double *z, double *length,
+                     double *where)
+{
+    *length = 0;
+    *where = x[0];
+    for (size_t i = 0, j; i < n; i = j) {
+        j = next_height(n, z, i);
+        if (j < n && j > i + 1 && x[j] - x[i] > *length) {
+            *length = x[j] - x[i];
+            *where = x[i];
+        }
+    }
+}
+
+size_t ovr_fill_gaps(size_t n, const double *x, double *z)
+{
+    size_t filled = 0;
+    for (size_t i = 0, j; i < n; i = j) {
+        j = next_height(n, z, i);
+        for (size_t k = i + 1; j < n && k < j; k++, filled++)
+            z[k] = z[i] + (z[j] - z[i]) * (x[k] - x[i]) / (x[j] - x[i]);
+    }
+    return filled;
+}

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A profile from the inside, and the doors of its readers: each takes the
+ * whole content of a file, which is bounded, and never trusts a count in it.
+ */
+#ifndef OVR_SURFACE_PROFILE_H
+#define OVR_SURFACE_PROFILE_H
+
+#include "base/arena.h"
+#include "overroll/profile.h"
+
+enum {
+    OVR_POINTS_MAX = 1 << 24,  /* of a profile */
+    OVR_CONTENT_MAX = 1 << 28, /* bytes of a file, unpacked */
+    OVR_NOTES_SIZE = 4096
+};
+
+struct ovr_profile {
+    ovr_arena arena;
+    ovr_profile_view view;
+    double *x, *z; /* what the view shows */
+    const char *file;
+    char notes[OVR_NOTES_SIZE];
+};
+
+typedef struct ovr_bytes {
+    const char *data;
+    size_t size;
+} ovr_bytes;
+
+typedef ovr_status ovr_reader(ovr_profile *profile,
+                              const ovr_profile_source *source,
+                              ovr_bytes content, ovr_error *err);
+ovr_reader ovr_read_text, ovr_read_sdf, ovr_read_smd, ovr_read_x3p;
+
+/* An empty profile, and room for n points. */
+ovr_profile *ovr_profile_new(const char *file, const ovr_allocator *allocator,
+                             ovr_error *err);
+ovr_status ovr_profile_room(ovr_profile *profile, size_t n, ovr_error *err);
+
+/* One more line of notes; what does not fit any more is left out. */
+void ovr_profile_note(ovr_profile *profile, const char *format, ...)
+    OVR_PRINTF(2, 3);
+
+/* Sets the number of points and what follows from them; the last step of
+ * every reader and of conditioning. */
+ovr_status ovr_profile_finish(ovr_profile *profile, size_t n, ovr_error *err);
+
+/* x_i = first + i spacing. */
+void ovr_profile_regular(ovr_profile *profile, size_t n, double first,
+                         double spacing);
+
+#endif

@@ -1,0 +1,449 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Profiles in text: two columns x z (or the two of more that the header or
+ * the caller names), or one column z with a spacing.
+ *
+ *   1. The encoding is undone; the first line whose fields are all numbers
+ *      starts the data (a lone count above it is taken as such).
+ *   2. The lines above say units and columns; the caller's word goes first.
+ *      What nobody says is an error that says what to add.
+ *   3. Rows become points; rows run backwards, x repeated by rounding and
+ *      missing heights are put right or marked, and said.
+ */
+#include "surface/fields.h"
+
+#include <math.h>
+#include <string.h>
+
+typedef struct table {
+    ovr_profile *profile;
+    const ovr_profile_source *source;
+    ovr_bytes content; /* decoded */
+    ovr_lines data;    /* at the first row */
+    ovr_layout layout;
+    ovr_header header;
+    int x, z;       /* columns from 0; x = -1: spacing */
+    double counted; /* a count line's number; NAN: none */
+    long *number;   /* line of each point */
+} table;
+
+static ovr_status fail(const table *t, long line, ovr_error *err,
+                       const char *words)
+{
+    return ovr_fail_at(err, OVR_BAD_INPUT, t->profile->file, line, "%s", words);
+}
+
+/* ----------------------------------------------------- 1. where data start */
+
+static bool is_row(ovr_line line, ovr_layout *layout, ovr_fields *fields)
+{
+    *layout = ovr_layout_of(line);
+    return ovr_split(line, layout->separator, fields) &&
+           ovr_all_numbers(fields, layout->comma);
+}
+
+/* A lone number above rows of more is how many follow. */
+static bool is_count(ovr_lines after, const ovr_fields *fields)
+{
+    ovr_fields next;
+    ovr_layout layout;
+    ovr_line line;
+    if (fields->count != 1)
+        return false;
+    while (ovr_next_line(&after, &line))
+        if (ovr_trim(line).size)
+            return is_row(line, &layout, &next) && next.count > 1;
+    return false;
+}
+
+/* The line that decides the layout: "0;1,5" tells more than "0 0". */
+static ovr_status find_data(table *t, ovr_error *err)
+{
+    ovr_lines lines = ovr_lines_of(t->content), before;
+    ovr_fields fields;
+    ovr_line line;
+    t->counted = NAN;
+    for (before = lines; ovr_next_line(&lines, &line); before = lines) {
+        if (memchr(line.text, 0, line.size))
+            return fail(t, line.number, err,
+                        "a NUL byte: this is not a text file, nor SDF, SMD or "
+                        "X3P");
+        if (!is_row(line, &t->layout, &fields))
+            continue;
+        if (isnan(t->counted) && is_count(lines, &fields)) {
+            if (!ovr_number(fields.field[0], false, &t->counted))
+                t->counted = NAN;
+            continue;
+        }
+        t->data = before;
+        t->header.columns = fields.count;
+        return OVR_OK;
+    }
+    return fail(t, 0, err,
+                "no line of numbers: a profile is two columns x z, or one "
+                "column z with a spacing (decimal commas need semicolons)");
+}
+
+static void read_header(table *t)
+{
+    ovr_lines lines = ovr_lines_of(t->content);
+    ovr_line line;
+    while (lines.at < t->data.at && ovr_next_line(&lines, &line))
+        ovr_header_line(&t->header, line, t->layout.separator);
+}
+
+/* ------------------------------------------------------- 2. columns, units */
+
+static int column_named(const table *t, char axis)
+{
+    for (size_t k = 0; k < t->header.columns; k++)
+        if (t->header.column[k].axis == axis)
+            return (int)k;
+    return -1;
+}
+
+static ovr_status asked_column(const table *t, int asked, const char *key,
+                               int *column, ovr_error *err)
+{
+    if (asked < 0 || (size_t)asked > t->header.columns)
+        return ovr_fail_at(err, OVR_BAD_INPUT, t->profile->file, 0,
+                           "%s = %d: the table has the columns 1 to %zu", key,
+                           asked, t->header.columns);
+    if (asked > 0)
+        *column = asked - 1;
+    return OVR_OK;
+}
+
+static ovr_status find_columns(table *t, ovr_error *err)
+{
+    const ovr_profile_source *s = t->source;
+    size_t columns = t->header.columns;
+    bool spaced = s->spacing > 0 || t->header.spacing > 0;
+    t->x = column_named(t, 'x');
+    t->z = column_named(t, 'z') >= 0 ? column_named(t, 'z')
+                                     : column_named(t, 'y');
+    if (columns == 1)
+        t->x = -1, t->z = 0;
+    if (columns == 2 && (t->x < 0 || t->z < 0 || t->x == t->z))
+        t->x = 0, t->z = 1;
+    if (asked_column(t, s->column_x, "column_x", &t->x, err) ||
+        asked_column(t, s->column_z, "column_z", &t->z, err))
+        return OVR_BAD_INPUT;
+    if (s->spacing > 0 && !s->column_x)
+        t->x = -1;
+    if (t->z < 0)
+        return fail(t, t->data.number + 1, err,
+                    "which column holds the heights? The header does not say; "
+                    "set column_x and column_z (from 1)");
+    if (t->x < 0 && !spaced)
+        return fail(t, t->data.number + 1, err,
+                    columns == 1
+                        ? "one column of heights needs a spacing: set spacing "
+                          "(with its unit), or add a column x"
+                        : "which column is x? The header does not say; set "
+                          "column_x (from 1), or a spacing");
+    if (t->x == t->z)
+        return fail(t, 0, err, "x and z are the same column");
+    return OVR_OK;
+}
+
+/* The caller's unit, else the header's; notes say which. */
+static ovr_status find_unit(table *t, char axis, const char *asked, int column,
+                            double *metres, bool *scaled, ovr_error *err)
+{
+    ovr_profile *p = t->profile;
+    const ovr_column *said = column < 0 ? NULL : &t->header.column[column];
+    const char *own = axis == 'x' ? "b" : "b^2/R";
+    if (asked && *asked) {
+        *scaled = strcmp(asked, own) == 0 ||
+                  (axis == 'z' && strcmp(asked, "b2/R") == 0);
+        *metres = *scaled ? 1
+                          : ovr_length_unit((ovr_line){asked, strlen(asked), 0},
+                                            true);
+        ovr_profile_note(p, "%c in %s (unit_%c)", axis, asked, axis);
+        if (*metres > 0)
+            return OVR_OK;
+        return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                           "unit_%c = %s is not a unit of length: m, mm, um, "
+                           "nm, inch, ..., or %s",
+                           axis, asked, own);
+    }
+    if (!said || !(said->metres > 0))
+        return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                           "the unit of %c is not in the header: set unit_%c "
+                           "(for example unit_%c = um)",
+                           axis, axis, axis);
+    *metres = said->metres;
+    *scaled = said->scaled;
+    ovr_profile_note(p, "%c in units of %g %s (header: \"%s\")", axis, *metres,
+                     *scaled ? own : "m", ovr_quote(said->from).text);
+    return OVR_OK;
+}
+
+/* ------------------------------------------------------------- 3. the rows */
+
+static bool is_comment(ovr_line line)
+{
+    return line.size && (line.text[0] == '#' || line.text[0] == '%');
+}
+
+static bool next_row(ovr_lines *lines, ovr_line *line)
+{
+    while (ovr_next_line(lines, line)) {
+        *line = (ovr_line){line->text, line->size, line->number};
+        if (ovr_trim(*line).size && !is_comment(ovr_trim(*line)))
+            return true;
+    }
+    return false;
+}
+
+static size_t count_rows(const table *t)
+{
+    ovr_lines lines = t->data;
+    ovr_line line;
+    size_t n = 0;
+    while (next_row(&lines, &line))
+        n++;
+    return n;
+}
+
+static ovr_status read_cell(const table *t, const ovr_fields *fields,
+                            int column, bool may_miss, long line, double *value,
+                            ovr_error *err)
+{
+    size_t k = (size_t)column;
+    if (k >= fields->count) {
+        if (k == fields->count && fields->open && may_miss) {
+            *value = NAN;
+            return OVR_OK;
+        }
+        return ovr_fail_at(err, OVR_BAD_INPUT, t->profile->file, line,
+                           "%zu columns where column %d is wanted",
+                           fields->count, column + 1);
+    }
+    if (ovr_number(fields->field[k], t->layout.comma, value))
+        return OVR_OK;
+    *value = NAN;
+    if (may_miss && ovr_is_missing(fields->field[k]))
+        return OVR_OK;
+    return ovr_fail_at(err, OVR_BAD_INPUT, t->profile->file, line,
+                       "'%s' where a number is wanted",
+                       ovr_quote(fields->field[k]).text);
+}
+
+static ovr_status read_row(table *t, ovr_line line, size_t i, ovr_error *err)
+{
+    ovr_profile *p = t->profile;
+    ovr_fields fields;
+    ovr_status status;
+    t->number[i] = line.number;
+    if (!ovr_split(line, t->layout.separator, &fields))
+        return fail(t, line.number, err, "more than 64 columns");
+    status = read_cell(t, &fields, t->z, true, line.number, &p->z[i], err);
+    if (!status && t->x >= 0)
+        status = read_cell(t, &fields, t->x, false, line.number, &p->x[i], err);
+    return status;
+}
+
+static ovr_status read_rows(table *t, size_t *n, ovr_error *err)
+{
+    ovr_lines lines = t->data;
+    ovr_line line;
+    ovr_status status;
+    *n = count_rows(t);
+    status = ovr_profile_room(t->profile, *n, err);
+    if (status)
+        return status;
+    t->number = ovr_arena_take(&t->profile->arena, *n, sizeof(long), err);
+    if (!t->number)
+        return OVR_NO_MEMORY;
+    for (size_t i = 0; i < *n && next_row(&lines, &line); i++)
+        if ((status = read_row(t, line, i, err)))
+            return status;
+    return OVR_OK;
+}
+
+/* A count above a single column looks like its first value. */
+static void drop_count(table *t, size_t *n)
+{
+    ovr_profile *p = t->profile;
+    if (t->x < 0 && *n > 2 && p->z[0] == (double)(*n - 1) &&
+        fabs(p->z[0]) > 4 * fmax(fabs(p->z[1]), fabs(p->z[2]))) {
+        memmove(p->z, p->z + 1, (*n - 1) * sizeof(double));
+        *n -= 1;
+        t->counted = (double)*n;
+    }
+    if (isnan(t->counted))
+        return;
+    if (t->counted == (double)*n)
+        ovr_profile_note(p, "a count line says %zu points", *n);
+    else
+        ovr_profile_note(p, "a count line says %g points, there are %zu",
+                         t->counted, *n);
+}
+
+static void reverse(double *a, size_t n)
+{
+    for (size_t i = 0; i < n / 2; i++) {
+        double kept = a[i];
+        a[i] = a[n - 1 - i];
+        a[n - 1 - i] = kept;
+    }
+}
+
+static void turn_round(table *t, size_t n)
+{
+    ovr_profile *p = t->profile;
+    if (!(p->x[n - 1] < p->x[0]))
+        return;
+    reverse(p->x, n);
+    reverse(p->z, n);
+    for (size_t i = 0; i < n; i++)
+        p->x[i] += 0; /* no -0 */
+    ovr_profile_note(p, "x runs backwards in the file: turned round");
+}
+
+/* Equal neighbours in x come from rounding.  When all x lie within half a
+ * rounding step of equal distances they are given those; else points of the
+ * same x are averaged. */
+static bool regular_but_rounded(const ovr_profile *p, size_t n, double *step)
+{
+    double quantum = INFINITY, d = (p->x[n - 1] - p->x[0]) / (double)(n - 1);
+    for (size_t i = 1; i < n; i++)
+        if (p->x[i] > p->x[i - 1])
+            quantum = fmin(quantum, p->x[i] - p->x[i - 1]);
+    for (size_t i = 0; i < n; i++)
+        if (fabs(p->x[i] - p->x[0] - (double)i * d) > 0.51 * quantum + 1e-9 * d)
+            return false;
+    *step = d;
+    return d > 0;
+}
+
+static size_t average_repeats(ovr_profile *p, size_t n)
+{
+    size_t m = 0;
+    for (size_t i = 0, j; i < n; i = j, m++) {
+        double sum = 0, count = 0;
+        for (j = i; j < n && p->x[j] == p->x[i]; j++)
+            if (!isnan(p->z[j]))
+                sum += p->z[j], count++;
+        p->x[m] = p->x[i];
+        p->z[m] = count > 0 ? sum / count : NAN;
+    }
+    return m;
+}
+
+static ovr_status put_in_order(table *t, size_t *n, ovr_error *err)
+{
+    ovr_profile *p = t->profile;
+    bool backwards = *n > 1 && p->x[*n - 1] < p->x[0];
+    size_t repeats = 0, m;
+    double step;
+    for (size_t i = 1; i < *n; i++) {
+        double d = backwards ? p->x[i - 1] - p->x[i] : p->x[i] - p->x[i - 1];
+        repeats += d == 0;
+        if (d < 0)
+            return ovr_fail_at(err, OVR_BAD_INPUT, p->file, t->number[i],
+                               "x turns back: %.9g comes after %.9g", p->x[i],
+                               p->x[i - 1]);
+    }
+    if (*n > 1)
+        turn_round(t, *n);
+    if (!repeats)
+        return OVR_OK;
+    if (regular_but_rounded(p, *n, &step)) {
+        ovr_profile_regular(p, *n, p->x[0], step);
+        ovr_profile_note(p,
+                         "x repeats %zu times from rounding: taken at equal "
+                         "distances",
+                         repeats);
+        return OVR_OK;
+    }
+    m = average_repeats(p, *n);
+    ovr_profile_note(p, "x repeats: %zu points averaged into %zu", *n, m);
+    *n = m;
+    return OVR_OK;
+}
+
+/* Without a column x: the caller's spacing, or the header's. */
+static ovr_status lay_out(table *t, size_t n, ovr_error *err)
+{
+    const ovr_profile_source *s = t->source;
+    ovr_profile *p = t->profile;
+    double spacing = s->spacing;
+    if (s->spacing > 0) {
+        p->view.scaled_x = s->spacing_scaled;
+    } else if (t->header.spacing_metres > 0) {
+        spacing = t->header.spacing * t->header.spacing_metres;
+    } else {
+        double metres;
+        ovr_status status = find_unit(t, 'x', s->unit_x, -1, &metres,
+                                      &p->view.scaled_x, err);
+        if (status)
+            return status;
+        spacing = t->header.spacing * metres;
+    }
+    if (!(spacing > 0) || !isfinite(spacing * (double)n))
+        return fail(t, 0, err, "the spacing must be a positive length");
+    ovr_profile_regular(p, n, 0, spacing);
+    ovr_profile_note(p, "one column z; spacing %g %s", spacing,
+                     p->view.scaled_x ? "b" : "m");
+    return OVR_OK;
+}
+
+static void scale(double *a, size_t n, double by)
+{
+    for (size_t i = 0; i < n; i++)
+        a[i] *= by;
+}
+
+static ovr_status make_points(table *t, ovr_error *err)
+{
+    ovr_profile *p = t->profile;
+    double unit_x = 1, unit_z;
+    size_t n = 0;
+    ovr_status status = OVR_OK;
+    if (t->x >= 0)
+        status = find_unit(t, 'x', t->source->unit_x, t->x, &unit_x,
+                           &p->view.scaled_x, err);
+    if (!status)
+        status = find_unit(t, 'z', t->source->unit_z, t->z, &unit_z,
+                           &p->view.scaled_z, err);
+    if (!status)
+        status = read_rows(t, &n, err);
+    if (status)
+        return status;
+    drop_count(t, &n);
+    status = t->x >= 0 ? put_in_order(t, &n, err) : lay_out(t, n, err);
+    if (status)
+        return status;
+    if (t->x >= 0)
+        scale(p->x, n, unit_x);
+    scale(p->z, n, unit_z);
+    return ovr_profile_finish(p, n, err);
+}
+
+ovr_status ovr_read_text(ovr_profile *profile, const ovr_profile_source *source,
+                         ovr_bytes content, ovr_error *err)
+{
+    table t = {.profile = profile, .source = source};
+    const char *encoding = "";
+    ovr_status status = ovr_decode(content, profile->file, &profile->arena,
+                                   &t.content, &encoding, err);
+    profile->view.format = "text";
+    if (!status)
+        status = find_data(&t, err);
+    if (status)
+        return status;
+    read_header(&t);
+    status = find_columns(&t, err);
+    if (status)
+        return status;
+    if (*encoding)
+        ovr_profile_note(profile, "encoding %s", encoding);
+    if (t.x >= 0)
+        ovr_profile_note(profile, "column %d is x, column %d is z, of %zu%s",
+                         t.x + 1, t.z + 1, t.header.columns,
+                         t.layout.comma ? "; a comma is a decimal point" : "");
+    return make_points(&t, err);
+}

@@ -1,0 +1,214 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Anti-aliasing and band-limited interpolation of a profile.
+ *
+ *   1. Points at unequal distances go through GSL's natural spline to equal
+ *      distances d (the mean distance, or the least if that is not below 1/8
+ *      of it).
+ *   2. A windowed sinc gives the profile at any place,
+ *          z(s) = sum_j z_j w_j / sum_j w_j,
+ *          w_j = sinc(2 fc u) B(u/W),  u = s - s_j,
+ *      B the four-term Blackman-Harris window (side lobes -92 dB; Harris,
+ *      Proc. IEEE 66, 1978).  When the profile is coarser than the grid, fc
+ *      is the profile's own Nyquist frequency 1/(2 d) and the samples are
+ *      kept; when finer, fc = 0.875/(2 D) and W = 24 D, so that wavelengths
+ *      above 2.7 D pass and those below 2 D vanish.  Beyond its ends the
+ *      profile goes on turned about its end points.
+ *   3. The table has 4 entries for each max(d, D), where a cubic spline is
+ *      good to 1e-4 of the shortest wave and far better for longer ones.
+ *
+ * Cost about 200 n.
+ */
+#include "surface/resample.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "surface/condition.h"
+#include "surface/feature.h"
+#include "surface/profile.h"
+#include "surface/spline.h"
+
+static const double PI = 3.14159265358979323846;
+
+typedef struct series {
+    size_t n;
+    double d;        /* distance of two samples */
+    const double *z; /* heights */
+    double fc, reach;
+} series;
+
+/* --------------------------------------------------------------- 1. equal */
+
+static double equal_distance(size_t n, const double *x)
+{
+    double mean = (x[n - 1] - x[0]) / (double)(n - 1), least = mean;
+    for (size_t i = 1; i < n; i++)
+        least = fmin(least, x[i] - x[i - 1]);
+    return least > 0.98 * mean ? mean : fmax(least, mean / 8);
+}
+
+static ovr_status make_equal(size_t n, const double *x, const double *z,
+                             series *s, ovr_arena *arena, ovr_error *err)
+{
+    double length = x[n - 1] - x[0], d = equal_distance(n, x);
+    size_t m = (size_t)ceil(length / d - 1e-6) + 1;
+    double *at = ovr_arena_take(arena, m, sizeof *at, err);
+    double *out = ovr_arena_take(arena, m, sizeof *out, err);
+    if (!at || !out)
+        return OVR_NO_MEMORY;
+    s->n = m;
+    s->d = length / (double)(m - 1);
+    s->z = out;
+    for (size_t k = 0; k < m; k++)
+        at[k] = x[0] + length * (double)k / (double)(m - 1);
+    return ovr_spline_resample(n, x, z, m, at, &arena->allocator, out, err);
+}
+
+/* ---------------------------------------------------------------- 2. sinc */
+
+/* z_j for any j: turned about the end points, again and again. */
+static double sample(const series *s, ptrdiff_t j)
+{
+    ptrdiff_t last = (ptrdiff_t)s->n - 1;
+    double add = 0, sign = 1;
+    while (j < 0 || j > last) {
+        double end = j < 0 ? s->z[0] : s->z[last];
+        add += sign * 2 * end;
+        sign = -sign;
+        j = j < 0 ? -j : 2 * last - j;
+    }
+    return add + sign * s->z[j];
+}
+
+/* sinc(2 fc u) B(u/W), |u| < W */
+static double kernel(const series *s, double u)
+{
+    double c = cos(PI * u / s->reach), phase = 2 * PI * s->fc * u;
+    double window = 0.35875 + 0.48829 * c + 0.14128 * (2 * c * c - 1) +
+                    0.01168 * (4 * c * c - 3) * c;
+    return window * (fabs(phase) < 1e-9 ? 1 : sin(phase) / phase);
+}
+
+static double band_limited(const series *s, double at)
+{
+    ptrdiff_t first = (ptrdiff_t)ceil((at - s->reach) / s->d);
+    ptrdiff_t last = (ptrdiff_t)floor((at + s->reach) / s->d);
+    double sum = 0, weights = 0;
+    for (ptrdiff_t j = first; j <= last; j++) {
+        double w = kernel(s, at - (double)j * s->d);
+        sum += w * sample(s, j);
+        weights += w;
+    }
+    return sum / weights;
+}
+
+static void choose_band(series *s, double mesh)
+{
+    s->fc = fmin(0.5 / s->d, 0.875 * 0.5 / mesh);
+    s->reach = s->d < mesh ? 24 * mesh : 24 * s->d;
+}
+
+static double variance(size_t n, const double *z)
+{
+    double sum = 0, square = 0;
+    for (size_t i = 0; i < n; i++)
+        sum += z[i];
+    for (size_t i = 0; i < n; i++)
+        square += (z[i] - sum / (double)n) * (z[i] - sum / (double)n);
+    return square / (double)n;
+}
+
+/* Part of the variance that does not pass, at some thousand samples. */
+static double part_lost(const series *s)
+{
+    size_t step = s->n > 4096 ? s->n / 2048 : 1;
+    double total = variance(s->n, s->z), lost = 0, count = 0;
+    for (size_t j = 0; j < s->n; j += step, count++) {
+        double r = s->z[j] - band_limited(s, (double)j * s->d);
+        lost += r * r;
+    }
+    return total > 0 ? lost / count / total : 0;
+}
+
+/* --------------------------------------------------------------- 3. table */
+
+/* Length of what the table holds before any mirror image. */
+static ovr_status check_ends(const ovr_ends *ends, double length, double *taper,
+                             ovr_error *err)
+{
+    double most = length / 2;
+    *taper = isnan(ends->taper) ? 0.05 * length : ends->taper;
+    if (*taper >= 0 && *taper <= most)
+        return OVR_OK;
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "taper = %g must be between 0 and half the profile's "
+                    "length, %g",
+                    *taper, most);
+}
+
+/* One period ends where its blended beginning starts. */
+static double height(const series *s, const ovr_ends *ends, double taper,
+                     double length, double at)
+{
+    double v = taper > 0 ? at / taper : 2, z = band_limited(s, at);
+    double w = taper > 0 ? (length - at) / taper : 2;
+    if (ends->extend == OVR_EXTEND_MIRROR)
+        return z;
+    if (ends->extend == OVR_EXTEND_NONE)
+        return z * ovr_smoothstep(v) * ovr_smoothstep(w);
+    if (v >= 1)
+        return z;
+    return ovr_smoothstep(v) * z +
+           (1 - ovr_smoothstep(v)) * band_limited(s, length - taper + at);
+}
+
+static ovr_status tabulate(const series *s, const ovr_ends *ends, double mesh,
+                           ovr_table *table, ovr_arena *arena, ovr_error *err)
+{
+    bool mirror = ends->extend == OVR_EXTEND_MIRROR;
+    double length = (double)(s->n - 1) * s->d, taper, span, entries;
+    ovr_status status = check_ends(ends, length, &taper, err);
+    size_t m;
+    if (status)
+        return status;
+    span = ends->extend == OVR_EXTEND_PERIODIC ? length - taper : length;
+    entries = ceil(4 * span / fmax(s->d, mesh));
+    if (!(entries < OVR_POINTS_MAX / 2))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "the profile is too long for the grid: it needs a "
+                        "table of %g points",
+                        entries);
+    m = entries < 8 ? 8 : (size_t)entries;
+    table->n = (mirror ? 2 * m : m) + 1;
+    table->h = span / (double)m;
+    table->endless = ends->extend != OVR_EXTEND_NONE;
+    table->both = ends->both && table->endless;
+    table->fade = taper;
+    table->z = ovr_arena_take(arena, table->n, sizeof *table->z, err);
+    if (!table->z)
+        return OVR_NO_MEMORY;
+    for (size_t k = 0; k <= m; k++)
+        table->z[k] = height(s, ends, taper, length, (double)k * table->h);
+    for (size_t k = 1; mirror && k <= m; k++)
+        table->z[m + k] = table->z[m - k];
+    if (table->endless)
+        table->z[table->n - 1] = table->z[0];
+    return ovr_table_prepare(table, arena, err);
+}
+
+ovr_status ovr_resample(size_t n, const double *x, const double *z, double mesh,
+                        const ovr_ends *ends, ovr_table *table,
+                        ovr_arena *arena, double *lost, ovr_error *err)
+{
+    ovr_arena scratch = ovr_arena_make(&arena->allocator);
+    series s = {0};
+    ovr_status status = make_equal(n, x, z, &s, &scratch, err);
+    if (!status) {
+        choose_band(&s, mesh);
+        *lost = part_lost(&s);
+        status = tabulate(&s, ends, mesh, table, arena, err);
+    }
+    ovr_arena_release(&scratch);
+    return status;
+}

@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Text from anywhere: lines of any ending, fields of any separator, numbers
+ * of any locale, length units as people write them.  Nothing is copied; a
+ * piece of text is a pointer and a size.
+ */
+#ifndef OVR_SURFACE_TEXT_H
+#define OVR_SURFACE_TEXT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "surface/profile.h"
+
+typedef struct ovr_line {
+    const char *text;
+    size_t size;
+    long number; /* from 1 */
+} ovr_line;
+
+typedef struct ovr_lines {
+    const char *at, *end;
+    long number; /* of the last line given */
+} ovr_lines;
+
+/* UTF-16 with a byte order mark becomes UTF-8 (in `arena`); a UTF-8 mark is
+ * skipped; anything else is as it is. */
+ovr_status ovr_decode(ovr_bytes content, const char *file, ovr_arena *arena,
+                      ovr_bytes *decoded, const char **encoding,
+                      ovr_error *err);
+
+/* Lines end with LF, CR LF, CR CR LF or CR. */
+ovr_lines ovr_lines_of(ovr_bytes content);
+bool ovr_next_line(ovr_lines *lines, ovr_line *line);
+/* Blanks at both ends taken off. */
+ovr_line ovr_trim(ovr_line line);
+bool ovr_line_starts(ovr_line line, const char *word);
+bool ovr_line_is(ovr_line line, const char *word); /* without case */
+
+/* The whole piece is one decimal number, with '.' or, if `comma`, ','. */
+bool ovr_number(ovr_line piece, bool comma, double *value);
+/* The whole piece is a sign for no value: NaN, BAD, ---, nothing... */
+bool ovr_is_missing(ovr_line piece);
+
+/* Metres in a unit of length ("um", "microns", "inch", ...); 0: not one.
+ * `bracketed` lets in what is otherwise a word ("in"). */
+double ovr_length_unit(ovr_line piece, bool bracketed);
+
+/* A piece fit for a message: printable ASCII, shortened, NUL-ended. */
+typedef struct ovr_quoted {
+    char text[48];
+} ovr_quoted;
+ovr_quoted ovr_quote(ovr_line piece);
+
+#endif
