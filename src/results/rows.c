@@ -32,7 +32,7 @@ static double value_at(const ovr_frame *frame, const double *array, size_t i)
 static void fill_flags(const ovr_writer *w, const double *P, signed char *to)
 {
     for (size_t k = 0; k < w->nodes; k++)
-        to[k] = P[w->first + k * w->options.stride] <= 0;
+        to[k] = (signed char)(P[w->first + k * w->options.stride] <= 0);
 }
 
 static void fill_single(const ovr_writer *w, const ovr_frame *frame,

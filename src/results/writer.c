@@ -43,8 +43,9 @@ static size_t count_fields(unsigned fields)
 long ovr_write_every(const ovr_write_options *o, double end, double dT,
                      size_t nodes)
 {
-    double row = (double)(nodes / (o->stride ? o->stride : 1) + 1) *
-                 (double)count_fields(o->fields) * (o->single ? 4 : 8);
+    size_t stored = nodes / (o->stride ? o->stride : 1) + 1;
+    double row = (double)stored * (double)count_fields(o->fields) *
+                 (o->single ? 4 : 8);
     double most = fmin(250, fmax(50, 64e6 / row));
     double every = ceil(end / dT / most);
     return every >= 1 && every < 1e9 ? (long)every : 1;
