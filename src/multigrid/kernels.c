@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "multigrid/kernels.h"
+
+#include <string.h>
+
+extern const ovr_kernels ovr_kernels_base;
+#ifdef __x86_64__
+extern const ovr_kernels ovr_kernels_avx2, ovr_kernels_avx512;
+#endif
+
+static bool machine_runs(const ovr_kernels *kernels)
+{
+#ifdef __x86_64__
+    __builtin_cpu_init();
+    if (kernels == &ovr_kernels_avx512)
+        return __builtin_cpu_supports("avx512f") &&
+               __builtin_cpu_supports("avx512dq") &&
+               __builtin_cpu_supports("avx512vl");
+    if (kernels == &ovr_kernels_avx2)
+        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+#endif
+    return kernels == &ovr_kernels_base;
+}
+
+const ovr_kernels *ovr_kernels_choose(const char *name)
+{
+    static const ovr_kernels *const best_first[] = {
+#ifdef __x86_64__
+        &ovr_kernels_avx512, &ovr_kernels_avx2,
+#endif
+        &ovr_kernels_base};
+    for (size_t k = 0; k < sizeof best_first / sizeof *best_first; k++)
+        if (machine_runs(best_first[k]) &&
+            (!name || !strcmp(name, best_first[k]->name)))
+            return best_first[k];
+    return NULL;
+}

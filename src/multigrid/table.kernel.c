@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* This instruction set's table of kernels. */
+#include "multigrid/kernels.h"
+
+#define TEXT(x) #x
+#define NAME(x) TEXT(x)
+
+void OVR_KERNEL(properties)(const ovr_fluid *, size_t, const ovr_fields *);
+void OVR_KERNEL(residual)(size_t, const ovr_weights *, const ovr_fields *);
+double OVR_KERNEL(imbalance)(size_t, const ovr_weights *, const ovr_fields *);
+void OVR_KERNEL(deformation)(const struct ovr_mlmi *, const double *, double *);
+void OVR_KERNEL(band_assemble)(size_t, const ovr_weights *, const double[6],
+                               double, double, bool, const ovr_fields *,
+                               const ovr_band *);
+void OVR_KERNEL(band_solve)(size_t, const ovr_band *);
+void OVR_KERNEL(distribute)(size_t, double, const ovr_band *, double *);
+
+extern const ovr_kernels OVR_KERNEL(kernels);
+const ovr_kernels OVR_KERNEL(kernels) = {
+    .name = NAME(OVR_ISA),
+    .properties = OVR_KERNEL(properties),
+    .residual = OVR_KERNEL(residual),
+    .imbalance = OVR_KERNEL(imbalance),
+    .deformation = OVR_KERNEL(deformation),
+    .band_assemble = OVR_KERNEL(band_assemble),
+    .band_solve = OVR_KERNEL(band_solve),
+    .distribute = OVR_KERNEL(distribute),
+};
