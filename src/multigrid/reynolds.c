@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "multigrid/reynolds.h"
+
+ovr_weights ovr_reynolds_weights(const ovr_operator *op, double D)
+{
+    ovr_weights w;
+    w.a0 = op->w[0] / D + op->cT;
+    w.a1 = op->w[1] / D;
+    w.a2 = op->w[2] / D;
+    w.a0_first = op->w_first[0] / D + op->cT;
+    w.a1_first = op->w_first[1] / D;
+    w.half = 0.5 / (D * D);
+    return w;
+}
+
+void ovr_reynolds_shares(const ovr_operator *op, double D, double *minus,
+                         double *plus)
+{
+    double theta = 1;
+    if (op->characteristic) {
+        theta = 0;
+    } else if (op->transient) {
+        /* Cu = 0: tau is infinite */
+        double tau = op->cT * D, scale = 0.2 * op->speed;
+        theta = scale * scale / (scale * scale + tau * tau);
+    }
+    *minus = -0.5 * (1 + theta);
+    *plus = -0.5 * (1 - theta);
+}
