@@ -1,0 +1,173 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "multigrid/coarsest.h"
+
+#include <math.h>
+
+static const double dry_tolerance = 1e-10;
+
+/* K/pi of a level at distances -(n + 1) .. n + 2, 0 at index n + 2 */
+static double *take_kernel(const ovr_level *level, ovr_arena *arena,
+                           ovr_error *err)
+{
+    size_t n = level->n, size = 2 * n + 5;
+    double *kernel = ovr_arena_take(arena, size, sizeof(double), err);
+    for (size_t k = 0; kernel && k < size; k++)
+        kernel[k] = ovr_deformation_kernel((double)k - (double)(n + 2),
+                                           level->D);
+    return kernel;
+}
+
+ovr_status ovr_newton_prepare(ovr_hierarchy *grids, ovr_arena *arena,
+                              ovr_error *err)
+{
+    bool single = grids->coarsest == grids->finest;
+    const ovr_level *level = &grids->level[grids->coarsest + !single];
+    ovr_newton *newton = &grids->newton;
+    size_t m = level->n + 1;
+    newton->matrix = ovr_arena_take(arena, m * m, sizeof(double), err);
+    newton->rhs = ovr_arena_take(arena, m, sizeof(double), err);
+    newton->kernel[0] = take_kernel(&grids->level[grids->coarsest], arena, err);
+    newton->kernel[1] = take_kernel(level, arena, err);
+    if (!newton->matrix || !newton->rhs || !newton->kernel[0] ||
+        !newton->kernel[1])
+        return OVR_NO_MEMORY;
+    return OVR_OK;
+}
+
+/* Gaussian elimination with partial pivoting, rows of m + pad values; the
+ * solution replaces rhs.  (GSL's LU takes four times as long at this size.) */
+static bool solve(size_t m, double *restrict A, double *restrict x)
+{
+    for (size_t c = 0; c < m; c++) {
+        size_t best = c;
+        for (size_t i = c + 1; i < m; i++)
+            if (fabs(A[i * m + c]) > fabs(A[best * m + c]))
+                best = i;
+        if (!(fabs(A[best * m + c]) > 0))
+            return false;
+        if (best != c) {
+            double t = x[c];
+            x[c] = x[best];
+            x[best] = t;
+            for (size_t j = c; j < m; j++) {
+                t = A[c * m + j];
+                A[c * m + j] = A[best * m + j];
+                A[best * m + j] = t;
+            }
+        }
+        double inverse = 1 / A[c * m + c];
+        const double *restrict top = A + c * m;
+        for (size_t i = c + 1; i < m; i++) {
+            double *restrict low = A + i * m;
+            double factor = low[c] * inverse;
+            if (factor == 0)
+                continue;
+            for (size_t j = c + 1; j < m; j++)
+                low[j] -= factor * top[j];
+            x[i] -= factor * x[c];
+        }
+    }
+    for (size_t i = m; i-- > 0;) {
+        double sum = x[i];
+        for (size_t j = i + 1; j < m; j++)
+            sum -= A[i * m + j] * x[j];
+        x[i] = sum / A[i * m + i];
+    }
+    return true;
+}
+
+typedef struct row_weights {
+    double a0, a1, a2;
+} row_weights;
+
+static row_weights weights_of(const ovr_weights *w, size_t i)
+{
+    if (i == 1)
+        return (row_weights){w->a0_first, w->a1_first, 0};
+    return (row_weights){w->a0, w->a1, w->a2};
+}
+
+/* Row i of the Jacobian: elastic terms through dH at i-2..i+1, then the local
+ * ones; the last column is dN_i/dH0. */
+static void jacobian_row(const ovr_hierarchy *grids, const ovr_level *level,
+                         size_t i, double *row)
+{
+    const ovr_fields *f = &level->f;
+    const double *P = f->P, *eps = f->eps, *H = f->H, *rho = f->rho;
+    double half = level->weights.half;
+    row_weights a = weights_of(&level->weights, i);
+    double up = P[i - 1] - P[i], down = P[i + 1] - P[i];
+    double g0 = half * 3 * eps[i] / H[i] * (up + down) - a.a0 * rho[i];
+    double gm = half * 3 * eps[i - 1] / H[i - 1] * up - a.a1 * rho[i - 1];
+    double gp = half * 3 * eps[i + 1] / H[i + 1] * down;
+    double g2 = -a.a2 * rho[i - 2];
+    size_t n = level->n;
+    const double *k = grids->newton.kernel[level->number - grids->coarsest] +
+                      n + 2 + i; /* k[-j] = k(i - j) */
+    for (size_t j = 0; j < n; j++) {
+        const double *at = k - j;
+        row[j] = -(g0 * at[0] + gm * at[-1] + gp * at[1] + g2 * at[-2]);
+    }
+    if (i >= 2)
+        row[i - 2] -= a.a2 * f->drho[i - 2] * H[i - 2];
+    row[i - 1] += half * (eps[i - 1] + eps[i] + f->deps[i - 1] * up) -
+                  a.a1 * f->drho[i - 1] * H[i - 1];
+    row[i] -= half * (eps[i - 1] + 2 * eps[i] + eps[i + 1] -
+                      f->deps[i] * (up + down)) +
+              a.a0 * f->drho[i] * H[i];
+    row[i + 1] += half * (eps[i] + eps[i + 1] + f->deps[i + 1] * down);
+    row[n] = g0 + gm + gp + g2;
+}
+
+static void hold(size_t n, size_t i, double *row)
+{
+    for (size_t j = 0; j <= n; j++)
+        row[j] = j == i;
+}
+
+/* Matrix and right-hand side; rows 0..n-1 pressures, row n the force. */
+static void assemble(const ovr_hierarchy *grids, const ovr_level *level)
+{
+    const ovr_newton *newton = &grids->newton;
+    size_t n = level->n, m = n + 1;
+    double *last = newton->matrix + n * m;
+    for (size_t i = 0; i < n; i++) {
+        double *row = newton->matrix + i * m;
+        bool held = i == 0 || i == n - 1;
+        newton->rhs[i] = level->f.r[i];
+        if (!held) {
+            jacobian_row(grids, level, i, row);
+            held = level->f.P[i] <= 0 &&
+                   level->f.r[i] >= dry_tolerance * row[i];
+        }
+        if (held) {
+            hold(n, i, row);
+            newton->rhs[i] = 0;
+        }
+    }
+    for (size_t j = 0; j < n; j++)
+        last[j] = level->D;
+    last[n] = 0;
+    newton->rhs[n] = level->force - ovr_level_load(level);
+}
+
+static double clipped(double x, double limit)
+{
+    return x > limit ? limit : x < -limit ? -limit : x;
+}
+
+bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit)
+{
+    const ovr_newton *newton = &grids->newton;
+    size_t n = level->n;
+    ovr_level_residual(grids, level);
+    assemble(grids, level);
+    if (!solve(n + 1, newton->matrix, newton->rhs))
+        return false;
+    for (size_t i = 1; i < n - 1; i++) {
+        double P = level->f.P[i] + clipped(newton->rhs[i], limit);
+        level->f.P[i] = P > 0 ? P : 0;
+    }
+    grids->H0 += clipped(newton->rhs[n], limit * 2 / 3);
+    return isfinite(grids->H0);
+}

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The coarsest grid: Reynolds equation, film and force balance solved
+ * together by Newton's method with the full Jacobian matrix,
+ *
+ *     sum_j J_ij dP_j + J_i0 dH0 = r_i    at nodes in play
+ *     dP_i = 0                            at held nodes: dry, not rising
+ *     D sum_j dP_j = force - D sum_j P_j
+ *
+ * J_ij = dN_i/dP_j has the local terms of line.c, d eps/dH = 3 eps/H included,
+ * and dH_i/dP_j = -k(i - j).  H0 changes nowhere else.
+ */
+#ifndef OVR_MULTIGRID_COARSEST_H
+#define OVR_MULTIGRID_COARSEST_H
+
+#include "multigrid/hierarchy.h"
+
+/* Memory for steps on the coarsest two levels. */
+ovr_status ovr_newton_prepare(ovr_hierarchy *grids, ovr_arena *arena,
+                              ovr_error *err);
+
+/* One step with |dP| <= limit and |dH0| <= 2/3 limit.  Film and properties of
+ * the level must be up to date before and are not after.  False when the
+ * matrix is singular. */
+bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit);
+
+#endif

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Grids: a hierarchy of levels, level l with n = 7 2^l + 1 nodes
+ * X_i = X_a + i D on the same domain (the paper's numbering).
+ *
+ * On every level the film is
+ *     H_i = H0 + gap_i - w_i(P),   w the deformation by that level's kernel.
+ * On the finest level gap = X^2/2 - S.  On coarser levels of a cycle gap and F
+ * are the right-hand sides of the full approximation scheme (fas.h), so that
+ * roughness is never sampled on a coarse grid.
+ */
+#ifndef OVR_MULTIGRID_HIERARCHY_H
+#define OVR_MULTIGRID_HIERARCHY_H
+
+#include "multigrid/deformation.h"
+#include "multigrid/kernels.h"
+#include "multigrid/reynolds.h"
+
+enum { OVR_LEVELS = 24 };
+
+typedef struct ovr_level {
+    int number;
+    size_t n;
+    double D;
+    ovr_fields f;       /* P, H, properties, F, residual */
+    double *gap;        /* undeformed gap, see above */
+    double *w;          /* deformation */
+    double *P_entry;    /* P as it came down from the finer level */
+    double force;       /* wanted value of D sum P on this level */
+    double k[6];        /* deformation kernel at 0..5 meshes, over pi */
+    double minus, plus; /* shares of a distributed change */
+    ovr_weights weights;
+    ovr_mlmi mlmi;
+} ovr_level;
+
+struct ovr_hierarchy;
+
+/* A smoother: relaxes the Reynolds equation once on a level whose film,
+ * properties and residual belong to its P.  Leaves a new P. */
+typedef void ovr_relax(struct ovr_hierarchy *grids, ovr_level *level);
+
+typedef struct ovr_newton {
+    double *matrix, *rhs; /* (n + 1)^2 and n + 1 values */
+    double *kernel[2];    /* K/pi of the coarsest two levels */
+} ovr_newton;
+
+typedef struct ovr_hierarchy {
+    int coarsest, finest; /* level numbers in use */
+    int bottom;           /* where cycles end: coarsest or the next finer */
+    ovr_level level[OVR_LEVELS];
+    const ovr_kernels *kernels;
+    ovr_fluid fluid;
+    ovr_operator op;
+    double X_a, X_b;
+    double H0;
+    double limit;      /* largest change of P in one relaxation */
+    double correction; /* factor on the correction into the finest level */
+
+    ovr_relax *relax;
+    int sweeps_before, sweeps_after, cycle_index;
+    int newton_steps; /* a visit of the coarsest grid */
+    double newton_limit;
+    bool paper_balance; /* coarsest grid: relaxation and H0 by the paper */
+    double switch_value, relax_seidel, relax_dipole; /* hybrid smoother */
+
+    ovr_band band; /* work arrays of the finest size */
+    ovr_newton newton;
+} ovr_hierarchy;
+
+/* Builds levels coarsest..finest on [X_a, X_b]; the caller has set
+ * kernels, fluid and the options.  MLMI order and range by level: arrays
+ * indexed by level number. */
+ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
+                               double X_a, double X_b,
+                               const int order[OVR_LEVELS],
+                               const int range[OVR_LEVELS], ovr_arena *arena,
+                               ovr_error *err);
+
+/* Sets the operator and with it the weights and shares on every level. */
+void ovr_hierarchy_operator(ovr_hierarchy *grids, const ovr_operator *op);
+
+/* Film and properties for the P a level has now; its residual; both. */
+void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level);
+void ovr_level_residual(const ovr_hierarchy *grids, ovr_level *level);
+void ovr_level_refresh(const ovr_hierarchy *grids, ovr_level *level);
+
+/* Relative mass-flow imbalance R of a level whose residual is up to date. */
+double ovr_level_imbalance(const ovr_hierarchy *grids, const ovr_level *level);
+
+/* D (sum of P): both ends are zero. */
+double ovr_level_load(const ovr_level *level);
+
+/* Value at X = 0 by the cubic through the four nodes about it. */
+double ovr_level_centre(const ovr_hierarchy *grids, const ovr_level *level,
+                        const double *values);
+
+static inline size_t ovr_level_nodes(int number)
+{
+    return ((size_t)7 << number) + 1;
+}
+
+#endif
