@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a simulation is made of; shared by the files of this floor only. */
+#ifndef OVR_SIMULATION_INTERNAL_H
+#define OVR_SIMULATION_INTERNAL_H
+
+#include "base/arena.h"
+#include "multigrid/cycle.h"
+#include "overroll/simulation.h"
+
+/* The past that the time derivative and the extrapolation need. */
+typedef struct ovr_past {
+    double *q[2]; /* rho H one and two steps ago */
+    double *P[3]; /* pressure one, two and three steps ago */
+    double H0[3];
+    double T[3];
+    double dT; /* length of the last step */
+    int steps; /* how many steps lie behind P[0], 2 at most */
+} ovr_past;
+
+/* What the characteristic scheme needs beyond the inlet (characteristic.c). */
+enum { OVR_GHOSTS = 256 };
+typedef struct ovr_inflow {
+    double *kernel;    /* K/pi at 0..n+OVR_GHOSTS meshes */
+    double *X, *S, *q; /* at X_a - D, X_a - 2 D, ... */
+    double *extended;  /* q with ghosts before it */
+} ovr_inflow;
+
+struct ovr_simulation {
+    ovr_arena arena;
+    ovr_contact contact;
+    ovr_lubricant lubricant;
+    ovr_options options;
+    ovr_hierarchy grids;
+    ovr_level *finest;
+
+    ovr_heights *heights;
+    void *heights_data;
+    const ovr_history *load, *speed;
+
+    double *X, *S;
+    ovr_past past;
+    ovr_inflow inflow;
+    bool started;
+
+    ovr_state state;
+    ovr_observation observation;
+    ovr_statistics statistics;
+};
+
+/* Fills the automatic options from the contact; OVR_BAD_INPUT names what is
+ * out of range. */
+ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *options,
+                               ovr_error *err);
+
+/* MLMI order and range of a level. */
+void ovr_options_mlmi(const ovr_options *options, int level, int *order,
+                      int *range);
+
+/* Tolerances on R for a mesh size: a fraction of the discretization error, and
+ * the least that the rounding of the residual allows. */
+double ovr_truncation_tolerance(double D);
+double ovr_negligible_tolerance(double D);
+
+/* Smoother, sweeps, limits of ordinary cycles. */
+void ovr_simulation_defaults(ovr_simulation *sim);
+
+/* Sets S and the finest gap X^2/2 - S at time T. */
+void ovr_simulation_gap(ovr_simulation *sim, double T);
+
+/* How a solve or step ended. */
+typedef struct ovr_outcome {
+    ovr_defect defect;
+    int cycles, retries;
+    bool converged, marked;
+} ovr_outcome;
+
+bool ovr_below(ovr_defect d, double tolerance);
+
+/* The history term F of the finest grid and the operator for a step of dT to
+ * T + dT (time_derivative.c). */
+void ovr_time_derivative(ovr_simulation *sim, double dT);
+
+/* Memory for the characteristic scheme, and its history term
+ *     F_i = c1 q^k(X_i - a1) + c2 q^{k-1}(X_i - a2). */
+ovr_status ovr_inflow_prepare(ovr_simulation *sim, ovr_error *err);
+void ovr_inflow_history(ovr_simulation *sim, const double c[2],
+                        const double a[2]);
+
+/* Whether a characteristic step of this length has enough ghosts. */
+bool ovr_inflow_reaches(const ovr_simulation *sim, double travel);
+
+/* Relative error of the mass balance over the step just made. */
+double ovr_mass_balance(const ovr_simulation *sim, double dT);
+
+/* Film, properties and residual of the finest level for its P. */
+void ovr_simulation_refresh(ovr_simulation *sim);
+
+/* Fills the state's fields and the observation from the finest level. */
+void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome);
+
+#endif

@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Options: defaults, and what the program chooses itself. */
+#include <math.h>
+
+#include "simulation/internal.h"
+
+ovr_options ovr_options_default(void)
+{
+    return (ovr_options){.inlet = -4,
+                         .outlet = 1.5,
+                         .level = 8,
+                         .scheme = OVR_UPSTREAM2,
+                         .smoother = OVR_LINE,
+                         .cycle_index = 1,
+                         .cycles = 2,
+                         .stop = OVR_STOP_NEGLIGIBLE,
+                         .switch_value = 0.3,
+                         .relax_seidel = 0.8,
+                         .relax_dipole = 0.4};
+}
+
+/* H0's error with the second-order wedge at M = 20, L = 10, measured: 2.6e-5
+ * at level 8, falling as 4^-level. */
+static double discretization_error(int level)
+{
+    return 2.6e-5 * ldexp(1, 2 * (8 - level));
+}
+
+/* R cannot fall below the rounding of the residual, which grows as D^-2:
+ * 5e-9 measured at D = 5.5/7168, here four times that. */
+double ovr_negligible_tolerance(double D)
+{
+    double meshes = 5.5 / 7168 / D, floor = 2e-8 * meshes * meshes;
+    return floor > 1e-9 ? floor : 1e-9;
+}
+
+/* Keeps the algebraic error under a tenth of the discretization error; ten
+ * times as much nearly does. */
+double ovr_truncation_tolerance(double D)
+{
+    double meshes = D / (5.5 / 1792), wanted = 1e-4 * meshes * meshes;
+    double least = ovr_negligible_tolerance(D);
+    return wanted > least ? wanted : least;
+}
+
+void ovr_options_mlmi(const ovr_options *options, int level, int *order,
+                      int *range)
+{
+    double wanted = 0.1 * discretization_error(level);
+    ovr_mlmi_choose(wanted < 1e-8 ? wanted : 1e-8, order, range);
+    if (options->mlmi_order)
+        *order = options->mlmi_order;
+    if (options->mlmi_range)
+        *range = options->mlmi_range;
+    else if (options->mlmi_order)
+        *range = *order > 6 ? 24 : 16;
+}
+
+static int automatic_coarsest(const ovr_contact *contact, int level)
+{
+    int coarsest = contact->M >= 400 ? 5 : contact->M >= 90 ? 4 : 3;
+    return coarsest < level ? coarsest : level;
+}
+
+static ovr_status check(const ovr_options *o, ovr_error *err)
+{
+    if (o->level < 1 || o->level >= OVR_LEVELS)
+        return ovr_fail(err, OVR_BAD_INPUT, "level %d: 1 to %d are possible",
+                        o->level, OVR_LEVELS - 1);
+    if (o->coarsest_level < 0 || o->coarsest_level > o->level)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "coarsest level %d: 1 to the level (%d) is possible",
+                        o->coarsest_level, o->level);
+    if (o->mlmi_order && (o->mlmi_order % 2 || o->mlmi_order < 2 ||
+                          o->mlmi_order > OVR_MLMI_MOST))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "MLMI order %d: even numbers from 2 to %d are possible",
+                        o->mlmi_order, OVR_MLMI_MOST);
+    if (o->mlmi_range && (o->mlmi_range % 2 || o->mlmi_range < 2 ||
+                          o->mlmi_range > 2 * OVR_MLMI_MOST))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "MLMI range %d: even numbers from 2 to %d are possible",
+                        o->mlmi_range, 2 * OVR_MLMI_MOST);
+    if (!(o->inlet < -1 && o->outlet > 1 && isfinite(o->inlet) &&
+          isfinite(o->outlet)))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "domain [%g, %g]: the contact [-1, 1] must lie inside",
+                        o->inlet, o->outlet);
+    return OVR_OK;
+}
+
+ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
+                               ovr_error *err)
+{
+    if (isnan(o->inlet))
+        o->inlet = -4;
+    if (isnan(o->outlet))
+        o->outlet = 1.5;
+    if (check(o, err))
+        return OVR_BAD_INPUT;
+    if (!o->coarsest_level)
+        o->coarsest_level = automatic_coarsest(contact, o->level);
+    if (!o->sweeps_before && !o->sweeps_after)
+        o->sweeps_before = o->sweeps_after = 1;
+    if (!o->cycle_index)
+        o->cycle_index = 1;
+    if (!o->max_cycles)
+        o->max_cycles = 60;
+    return OVR_OK;
+}
+
+double ovr_simulation_memory(const ovr_options *options)
+{
+    double nodes = 7 * ldexp(1, options->level) + 1;
+    double coarse =
+        7 * ldexp(1, options->coarsest_level ? options->coarsest_level : 5);
+    /* 12 fields and MLMI's 5 a level, all levels twice that; 18 more on the
+     * finest; the dense matrix */
+    return 8 * (nodes * (2 * 17 + 18) + coarse * coarse);
+}

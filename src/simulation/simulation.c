@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Creation, release and access; the work is in steady.c and step.c. */
+#include "overroll/simulation.h"
+
+#include <math.h>
+
+#include "multigrid/field.h"
+#include "multigrid/hybrid.h"
+#include "multigrid/line.h"
+#include "simulation/internal.h"
+
+static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
+{
+    double **all[] = {&sim->X,         &sim->S,         &sim->past.q[0],
+                      &sim->past.q[1], &sim->past.P[0], &sim->past.P[1],
+                      &sim->past.P[2]};
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+        if (!(*all[k] = ovr_field(&sim->arena, sim->finest->n, err)))
+            return OVR_NO_MEMORY;
+    for (size_t i = 0; i < sim->finest->n; i++)
+        sim->X[i] = sim->grids.X_a + (double)i * sim->finest->D;
+    return ovr_inflow_prepare(sim, err);
+}
+
+void ovr_simulation_defaults(ovr_simulation *sim)
+{
+    const ovr_options *o = &sim->options;
+    ovr_hierarchy *grids = &sim->grids;
+    grids->relax = o->smoother == OVR_LINE ? ovr_relax_line : ovr_relax_hybrid;
+    grids->switch_value = o->smoother == OVR_GAUSS_SEIDEL ? -1
+                          : o->smoother == OVR_DIPOLE     ? INFINITY
+                                                          : o->switch_value;
+    grids->relax_seidel = o->relax_seidel;
+    grids->relax_dipole = o->relax_dipole;
+    grids->sweeps_before = o->sweeps_before;
+    grids->sweeps_after = o->sweeps_after;
+    grids->cycle_index = o->cycle_index;
+    grids->paper_balance = o->paper_balance;
+    grids->correction = 1;
+    grids->bottom = grids->coarsest;
+    grids->newton_steps = 1;
+    grids->newton_limit = 0.3;
+    grids->limit = 0.1;
+}
+
+static ovr_status build(ovr_simulation *sim, ovr_error *err)
+{
+    const ovr_options *o = &sim->options;
+    ovr_hierarchy *grids = &sim->grids;
+    int order[OVR_LEVELS], range[OVR_LEVELS];
+    for (int l = 0; l < OVR_LEVELS; l++)
+        ovr_options_mlmi(o, l, &order[l], &range[l]);
+    grids->kernels = ovr_kernels_choose(NULL);
+    grids->fluid.lubricant = sim->lubricant;
+    grids->fluid.lambda = sim->contact.lambda;
+    ovr_simulation_defaults(sim);
+    if (ovr_hierarchy_build(grids, o->coarsest_level, o->level, o->inlet,
+                            o->outlet, order, range, &sim->arena, err))
+        return OVR_NO_MEMORY;
+    sim->finest = &grids->level[o->level];
+    return take_arrays(sim, err);
+}
+
+ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
+                                      const ovr_lubricant *lubricant,
+                                      const ovr_options *options,
+                                      const ovr_allocator *allocator,
+                                      ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_options resolved = *options;
+    ovr_simulation *sim;
+    if (ovr_options_resolve(contact, &resolved, err))
+        return NULL;
+    sim = ovr_arena_take(&arena, 1, sizeof *sim, err);
+    if (!sim)
+        return NULL;
+    sim->arena = arena;
+    sim->contact = *contact;
+    sim->lubricant = *lubricant;
+    sim->options = resolved;
+    if (build(sim, err)) {
+        ovr_simulation_free(sim);
+        return NULL;
+    }
+    return sim;
+}
+
+void ovr_simulation_free(ovr_simulation *sim)
+{
+    if (sim) {
+        ovr_arena arena = sim->arena;
+        ovr_arena_release(&arena);
+    }
+}
+
+const ovr_options *ovr_simulation_options(const ovr_simulation *sim)
+{
+    return &sim->options;
+}
+
+void ovr_simulation_surface(ovr_simulation *sim, ovr_heights *heights,
+                            void *data)
+{
+    sim->heights = heights;
+    sim->heights_data = data;
+}
+
+void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
+                              const ovr_history *speed)
+{
+    sim->load = load;
+    sim->speed = speed;
+}
+
+void ovr_simulation_gap(ovr_simulation *sim, double T)
+{
+    double *restrict gap = sim->finest->gap;
+    const double *restrict X = sim->X, *restrict S = sim->S;
+    size_t n = sim->finest->n;
+    if (sim->heights)
+        sim->heights(sim->heights_data, T, n, X, sim->S);
+    for (size_t i = 0; i < n; i++)
+        gap[i] = 0.5 * X[i] * X[i] - S[i];
+}
+
+const ovr_state *ovr_simulation_state(const ovr_simulation *sim)
+{
+    return &sim->state;
+}
+
+const ovr_observation *ovr_simulation_observation(const ovr_simulation *sim)
+{
+    return &sim->observation;
+}
+
+const ovr_statistics *ovr_simulation_statistics(const ovr_simulation *sim)
+{
+    return &sim->statistics;
+}
