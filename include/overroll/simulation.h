@@ -103,8 +103,9 @@ OVR_API void ovr_simulation_histories(ovr_simulation *sim,
  * there) by full multigrid; also the start of every run. */
 OVR_API ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err);
 
-/* One implicit step of length dT > 0.  On failure the state is that of
- * before the step.  A step that had to be accepted above its tolerance is
+/* One implicit step of length dT > 0.  A step that does not converge is tried
+ * again in several ways, then in halves; if all fail, the state is that of the
+ * last time reached.  A step that had to be accepted above its tolerance is
  * marked in the observation and returns OVR_OK. */
 OVR_API ovr_status ovr_simulation_step(ovr_simulation *sim, double dT,
                                        ovr_error *err);

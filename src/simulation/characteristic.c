@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * q = rho H of past times at the feet of the characteristic.
+ *
+ * Between nodes: Lagrange interpolation on six nodes (order 6, well above the
+ * scheme's 2), shifted at the outlet to stay on the grid.  Beyond the inlet:
+ * P = 0, so q = H = H0 + X^2/2 - S - w with w summed directly for the few
+ * ghost nodes needed.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "multigrid/field.h"
+#include "simulation/internal.h"
+
+enum { POINTS = 6, BEFORE = 2 };
+
+ovr_status ovr_inflow_prepare(ovr_simulation *sim, ovr_error *err)
+{
+    ovr_inflow *inflow = &sim->inflow;
+    size_t n = sim->finest->n;
+    if (sim->options.scheme != OVR_CHARACTERISTIC)
+        return OVR_OK;
+    inflow->kernel = ovr_field(&sim->arena, n + OVR_GHOSTS + 1, err);
+    inflow->X = ovr_field(&sim->arena, OVR_GHOSTS, err);
+    inflow->S = ovr_field(&sim->arena, OVR_GHOSTS, err);
+    inflow->extended = ovr_field(&sim->arena, n + OVR_GHOSTS, err);
+    if (!inflow->kernel || !inflow->X || !inflow->S || !inflow->extended)
+        return OVR_NO_MEMORY;
+    for (size_t d = 0; d <= n + OVR_GHOSTS; d++)
+        inflow->kernel[d] = ovr_deformation_kernel((double)d, sim->finest->D);
+    for (size_t g = 0; g < OVR_GHOSTS; g++)
+        inflow->X[g] = sim->grids.X_a - (double)(g + 1) * sim->finest->D;
+    return OVR_OK;
+}
+
+bool ovr_inflow_reaches(const ovr_simulation *sim, double travel)
+{
+    return travel / sim->finest->D < OVR_GHOSTS - POINTS;
+}
+
+/* q at the ghosts nearest the inlet, written before extended[OVR_GHOSTS]. */
+static void ghost_film(ovr_simulation *sim, int past, size_t ghosts)
+{
+    const ovr_inflow *inflow = &sim->inflow;
+    const double *P = sim->past.P[past];
+    size_t n = sim->finest->n;
+    if (sim->heights)
+        sim->heights(sim->heights_data, sim->past.T[past], ghosts, inflow->X,
+                     inflow->S);
+    for (size_t g = 0; g < ghosts; g++) {
+        const double *k = inflow->kernel + g + 1;
+        double w = 0, X = inflow->X[g];
+        for (size_t j = 0; j < n; j++)
+            w += k[j] * P[j];
+        inflow->extended[OVR_GHOSTS - 1 - g] = sim->past.H0[past] +
+                                               0.5 * X * X - inflow->S[g] - w;
+    }
+}
+
+/* Weights at s in [0, 1) between the points BEFORE and BEFORE + 1 of 0..5 */
+static void lagrange(double at, double weight[POINTS])
+{
+    for (int k = 0; k < POINTS; k++) {
+        weight[k] = 1;
+        for (int j = 0; j < POINTS; j++)
+            if (j != k)
+                weight[k] *= (at - j) / (k - j);
+    }
+}
+
+/* F_i += c q(X_i - a) */
+static void add_foot(ovr_simulation *sim, int past, double c, double a)
+{
+    ovr_inflow *inflow = &sim->inflow;
+    double *F = sim->finest->f.F, *q = inflow->extended, weight[POINTS];
+    size_t n = sim->finest->n;
+    double meshes = a / sim->finest->D, whole = nearbyint(meshes);
+    bool on_node = fabs(meshes - whole) < 1e-9;
+    if (!on_node)
+        whole = ceil(meshes);
+    size_t shift = (size_t)whole;
+    size_t ghosts = shift + (on_node ? 0 : BEFORE);
+    ghost_film(sim, past, ghosts);
+    memcpy(q + OVR_GHOSTS, sim->past.q[past], n * sizeof(double));
+    const double *foot = q + OVR_GHOSTS - shift;
+    if (on_node) {
+        for (size_t i = 0; i < n; i++)
+            F[i] += c * foot[i];
+        return;
+    }
+    for (size_t i = 0; i < n; i++) {
+        const double *first = foot + i - BEFORE;
+        const double *last = q + OVR_GHOSTS + n - POINTS;
+        size_t inward = first > last ? (size_t)(first - last) : 0;
+        double sum = 0;
+        if (i == 0 || inward)
+            lagrange(BEFORE + (double)inward + (whole - meshes), weight);
+        for (int k = 0; k < POINTS; k++)
+            sum += weight[k] * *(first - inward + k);
+        F[i] += c * sum;
+    }
+}
+
+void ovr_inflow_history(ovr_simulation *sim, const double c[2],
+                        const double a[2])
+{
+    memset(sim->finest->f.F, 0, sim->finest->n * sizeof(double));
+    add_foot(sim, 0, c[0], a[0]);
+    add_foot(sim, 1, c[1], a[1]);
+}

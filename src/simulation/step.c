@@ -1,0 +1,239 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * One implicit step:
+ *   1. operator, history term, gap and force at T + dT;
+ *   2. a guess by extrapolation in time;
+ *   3. cycles until residual and load are below tolerance;
+ *   4. failing that, further attempts that are slower and steadier;
+ *   5. failing that, two half steps; at the smallest step a result that is
+ *      merely poor is accepted and marked, anything else restores the state
+ *      of before the step and says so;
+ *   6. the past moves on, and the step is observed.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "simulation/internal.h"
+
+static const double half_pi = 1.57079632679489661923;
+
+/* Beyond this R the result of a step is no longer near a solution: runs
+ * recover from less. */
+static const double acceptable = 1e-2;
+
+enum { HALVINGS = 4 };
+
+/* How hard an attempt tries. */
+typedef struct attempt {
+    bool extrapolate;
+    int sweeps, newton_steps, finer_bottom, most_cycles;
+    double limit, newton_limit, correction;
+} attempt;
+
+static const attempt attempts[] = {
+    {true, 0, 1, 0, 20, 0.2, 0.3, 1},
+    {false, 0, 1, 0, 40, 0.2, 0.3, 1},
+    {false, 2, 2, 1, 80, 0.05, 0.3, 1},
+    /* half corrections into the finest level break a two-cycle at an isolated
+     * dry node that coarse grids cannot see */
+    {false, 0, 1, 0, 80, 0.2, 0.3, 0.5},
+};
+enum { ATTEMPTS = sizeof attempts / sizeof *attempts };
+
+void ovr_simulation_refresh(ovr_simulation *sim)
+{
+    ovr_level_refresh(&sim->grids, sim->finest);
+}
+
+/* A tenth of the steady one: errors of many steps meet in one film. */
+static double step_tolerance(const ovr_simulation *sim)
+{
+    double tolerance = 0.1 * ovr_truncation_tolerance(sim->finest->D);
+    double least = ovr_negligible_tolerance(sim->finest->D);
+    if (sim->options.tolerance > 0)
+        return sim->options.tolerance;
+    return tolerance > least ? tolerance : least;
+}
+
+/* Weights of P[0], P[1], P[2]: none, linear or, for equal steps, quadratic. */
+static int extrapolation(const ovr_simulation *sim, double dT, double e[3])
+{
+    const ovr_past *past = &sim->past;
+    double s = past->dT > 0 ? dT / past->dT : 0;
+    bool equal = fabs(s - 1) < 1e-9 &&
+                 fabs(past->T[1] - past->T[2] - dT) < 1e-9 * dT;
+    e[0] = 1;
+    e[1] = e[2] = 0;
+    if (past->steps < 1 || dT > 7.9 * sim->finest->D)
+        return 0;
+    if (past->steps >= 2 && equal) {
+        e[0] = 3, e[1] = -3, e[2] = 1;
+        return 2;
+    }
+    e[0] = 1 + s, e[1] = -s;
+    return 1;
+}
+
+/* Extrapolates where all of the past is wet; clipped at zero. */
+static void guess(ovr_simulation *sim, double dT, bool extrapolate)
+{
+    const ovr_past *past = &sim->past;
+    const double *restrict a = past->P[0], *restrict b = past->P[1],
+                           *restrict c = past->P[2];
+    double *restrict P = sim->finest->f.P, e[3] = {1, 0, 0};
+    int order = extrapolate ? extrapolation(sim, dT, e) : 0;
+    sim->grids.H0 = past->H0[0];
+    memcpy(P, a, sim->finest->n * sizeof(double));
+    if (!order)
+        return;
+    for (size_t i = 0; i < sim->finest->n; i++) {
+        double next = e[0] * a[i] + e[1] * b[i] + e[2] * c[i];
+        next = next > 0 ? next : 0;
+        P[i] = a[i] > 0 ? next : a[i];
+    }
+    sim->grids.H0 = e[0] * past->H0[0] + e[1] * past->H0[1] +
+                    e[2] * past->H0[2];
+}
+
+static void set_attempt(ovr_simulation *sim, const attempt *how)
+{
+    ovr_hierarchy *grids = &sim->grids;
+    int bottom = grids->coarsest + how->finer_bottom;
+    ovr_simulation_defaults(sim);
+    grids->limit = how->limit;
+    grids->newton_limit = how->newton_limit;
+    grids->newton_steps = how->newton_steps;
+    grids->correction = how->correction;
+    grids->bottom = bottom < grids->finest ? bottom : grids->coarsest;
+    if (how->sweeps)
+        grids->sweeps_before = grids->sweeps_after = how->sweeps;
+}
+
+/* One cycle at least: the extrapolated guess satisfies the equations to some
+ * tolerance at best, and a load that ramps would drift within it. */
+static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
+                     ovr_outcome *outcome)
+{
+    double tolerance = step_tolerance(sim);
+    set_attempt(sim, how);
+    guess(sim, dT, how->extrapolate);
+    ovr_simulation_refresh(sim);
+    for (int cycle = 0;; cycle++) {
+        outcome->defect = ovr_cycle_defect(&sim->grids, sim->finest);
+        if (cycle && ovr_below(outcome->defect, tolerance))
+            return true;
+        if (cycle == how->most_cycles || !(outcome->defect.imbalance < 1e6))
+            return false;
+        ovr_cycle(&sim->grids, sim->finest);
+        outcome->cycles++;
+    }
+}
+
+static void begin_step(ovr_simulation *sim, double dT)
+{
+    double T = sim->past.T[0] + dT;
+    ovr_time_derivative(sim, dT);
+    ovr_simulation_gap(sim, T);
+    sim->finest->force = half_pi * ovr_history_value(sim->load, T);
+}
+
+static void rotate(double *arrays[], int count)
+{
+    double *last = arrays[count - 1];
+    memmove(arrays + 1, arrays, (size_t)(count - 1) * sizeof *arrays);
+    arrays[0] = last;
+}
+
+/* The solution becomes the newest of the past. */
+static void end_step(ovr_simulation *sim, double dT)
+{
+    ovr_past *past = &sim->past;
+    size_t bytes = sim->finest->n * sizeof(double);
+    rotate(past->q, 2);
+    rotate(past->P, 3);
+    memcpy(past->q[0], sim->finest->f.q, bytes);
+    memcpy(past->P[0], sim->finest->f.P, bytes);
+    for (int k = 2; k > 0; k--) {
+        past->H0[k] = past->H0[k - 1];
+        past->T[k] = past->T[k - 1];
+    }
+    past->H0[0] = sim->grids.H0;
+    past->T[0] += dT;
+    past->dT = dT;
+    past->steps += past->steps < 2;
+}
+
+/* A step, in halves if it must be. */
+static bool advance(ovr_simulation *sim, double dT, int halvings,
+                    ovr_outcome *outcome)
+{
+    begin_step(sim, dT);
+    for (size_t k = 0; k < ATTEMPTS; k++) {
+        if (k)
+            outcome->retries++;
+        if (try_once(sim, dT, &attempts[k], outcome)) {
+            end_step(sim, dT);
+            return true;
+        }
+    }
+    if (halvings < HALVINGS) {
+        sim->statistics.substeps++;
+        return advance(sim, dT / 2, halvings + 1, outcome) &&
+               advance(sim, dT / 2, halvings + 1, outcome);
+    }
+    outcome->marked = true;
+    if (!(outcome->defect.imbalance < acceptable))
+        return false;
+    end_step(sim, dT);
+    return true;
+}
+
+/* Back to the last time that was reached. */
+static void restore(ovr_simulation *sim)
+{
+    sim->grids.H0 = sim->past.H0[0];
+    sim->state.T = sim->past.T[0];
+    memcpy(sim->finest->f.P, sim->past.P[0], sim->finest->n * sizeof(double));
+    ovr_simulation_gap(sim, sim->past.T[0]);
+    ovr_simulation_refresh(sim);
+}
+
+static void count(ovr_simulation *sim, const ovr_outcome *outcome)
+{
+    ovr_statistics *s = &sim->statistics;
+    s->steps++;
+    s->cycles += outcome->cycles;
+    s->retries += outcome->retries;
+    s->marked += outcome->marked;
+}
+
+ovr_status ovr_simulation_step(ovr_simulation *sim, double dT, ovr_error *err)
+{
+    ovr_outcome outcome = {0};
+    if (!sim->started)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "a step needs a converged steady start first");
+    if (!(dT > 0) || !isfinite(dT))
+        return ovr_fail(err, OVR_BAD_INPUT, "time step %g: must be positive",
+                        dT);
+    if (sim->options.scheme == OVR_CHARACTERISTIC &&
+        !ovr_inflow_reaches(sim, 2 * dT))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "time step %g: the characteristic scheme takes at "
+                        "most %d mesh sizes",
+                        dT, OVR_GHOSTS / 2 - 4);
+    if (!advance(sim, dT, 0, &outcome)) {
+        double R = outcome.defect.imbalance;
+        restore(sim);
+        return ovr_fail(err, OVR_NOT_CONVERGED,
+                        "step %ld to T = %g did not converge, nor did %d "
+                        "halvings of it: relative mass-flow imbalance %.1e",
+                        sim->state.step + 1, sim->state.T + dT, HALVINGS, R);
+    }
+    outcome.converged = !outcome.marked;
+    sim->state.step++;
+    sim->state.T = sim->past.T[0];
+    count(sim, &outcome);
+    ovr_observe(sim, dT, &outcome);
+    return OVR_OK;
+}

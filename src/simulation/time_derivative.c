@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Time in the discrete Reynolds equation (multigrid/reynolds.h): the operator
+ * and the history term of a step.
+ *
+ * Backward Euler:  cT = 1/dT,   F = -q^k/dT
+ * BDF2, s = dT/dT_old:
+ *     cT dT = (1 + 2s)/(1 + s),  F dT = -(1 + s) q^k + s^2/(1 + s) q^{k-1}
+ * At the first step the past is the steady solution, whatever its spacing.
+ *
+ * Along the characteristic dX/dT = Cu (after Venner & Lubrecht) wedge and
+ * squeeze together are the derivative of q seen by a particle: no wedge on
+ * the left, and q^k, q^{k-1} at the feet X - a1, X - a2 of the characteristic
+ * on the right.  With dT = D and Cu = 1 the feet are nodes.
+ */
+#include "simulation/internal.h"
+
+static void bdf2(double dT, double dT_old, double *cT, double c[2])
+{
+    double s = dT_old > 0 ? dT / dT_old : 1;
+    *cT = (1 + 2 * s) / (1 + s) / dT;
+    c[0] = -(1 + s) / dT;
+    c[1] = s * s / (1 + s) / dT;
+}
+
+static void set_history(ovr_simulation *sim, const double c[2])
+{
+    const double *restrict a = sim->past.q[0], *restrict b = sim->past.q[1];
+    double *restrict F = sim->finest->f.F;
+    for (size_t i = 0; i < sim->finest->n; i++)
+        F[i] = c[0] * a[i] + c[1] * b[i];
+}
+
+static void upstream_wedge(ovr_operator *op, ovr_scheme scheme, double Cu)
+{
+    bool second = scheme == OVR_UPSTREAM2;
+    op->w[0] = second ? 1.5 * Cu : Cu;
+    op->w[1] = second ? -2 * Cu : -Cu;
+    op->w[2] = second ? 0.5 * Cu : 0;
+    op->w_first[0] = Cu;
+    op->w_first[1] = -Cu;
+}
+
+static void characteristic_history(ovr_simulation *sim, const double c[2],
+                                   double T)
+{
+    const ovr_past *past = &sim->past;
+    double here = ovr_history_integral(sim->speed, T);
+    double before = past->dT > 0 ? past->T[1] : 2 * past->T[0] - T;
+    double a[2] = {here - ovr_history_integral(sim->speed, past->T[0]),
+                   here - ovr_history_integral(sim->speed, before)};
+    ovr_inflow_history(sim, c, a);
+}
+
+void ovr_time_derivative(ovr_simulation *sim, double dT)
+{
+    double T = sim->past.T[0] + dT, c[2] = {-1 / dT, 0};
+    ovr_scheme scheme = sim->options.scheme;
+    ovr_operator op = {.cT = 1 / dT,
+                       .speed = ovr_history_value(sim->speed, T),
+                       .transient = true,
+                       .characteristic = scheme == OVR_CHARACTERISTIC};
+    if (scheme != OVR_UPSTREAM1)
+        bdf2(dT, sim->past.dT, &op.cT, c);
+    if (scheme == OVR_CHARACTERISTIC) {
+        characteristic_history(sim, c, T);
+    } else {
+        upstream_wedge(&op, scheme, op.speed);
+        set_history(sim, c);
+    }
+    ovr_hierarchy_operator(&sim->grids, &op);
+}
