@@ -165,7 +165,7 @@ TESTBIN   := $(TESTSRC:%.c=$(BUILD)/%)
 TESTENV = OVERROLL='$(abspath $(PROGRAM))' BUILD='$(abspath $(BUILD))' \
   LIB='$(abspath $(LIB))' SHARED='$(abspath $(SHARED))' TOP='$(CURDIR)' \
   CC='$(CC)' TEST_CFLAGS='$(OVR_CFLAGS)' INSTRUMENTED='$(KIND)' \
-  MAKEFLAGS= MAKELEVEL=
+  UBSAN_OPTIONS=print_stacktrace=1 MAKEFLAGS= MAKELEVEL=
 
 $(BUILD)/tests/%.o: OVR_CFLAGS += -Itests
 $(BUILD)/tests/%_test: $(BUILD)/tests/%_test.o $(SUPPORT) $(LIB)
