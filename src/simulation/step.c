@@ -178,8 +178,9 @@ static bool advance(ovr_simulation *sim, double dT, int halvings,
     }
     if (halvings < HALVINGS) {
         sim->statistics.substeps++;
-        return advance(sim, dT / 2, halvings + 1, outcome) &&
-               advance(sim, dT / 2, halvings + 1, outcome);
+        if (!advance(sim, dT / 2, halvings + 1, outcome))
+            return false;
+        return advance(sim, dT / 2, halvings + 1, outcome);
     }
     outcome->marked = true;
     if (!(outcome->defect.imbalance < acceptable))

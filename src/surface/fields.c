@@ -29,9 +29,10 @@ static bool is_separator(char c, char separator)
 
 bool ovr_split(ovr_line line, char separator, ovr_fields *fields)
 {
-    const char *p = line.text, *end = p + line.size, *from = p;
+    const char *p, *end, *from;
     ovr_line whole = separator == ' ' ? ovr_trim(line) : line;
-    p = from = whole.text, end = p + whole.size;
+    p = from = whole.text;
+    end = p + whole.size;
     fields->count = 0;
     for (;; p++) {
         if (p < end && !is_separator(*p, separator))

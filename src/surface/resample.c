@@ -174,7 +174,7 @@ static ovr_status tabulate(const series *s, const ovr_ends *ends, double mesh,
         return status;
     span = ends->extend == OVR_EXTEND_PERIODIC ? length - taper : length;
     entries = ceil(4 * span / fmax(s->d, mesh));
-    if (!(entries < OVR_POINTS_MAX / 2))
+    if (!(entries < OVR_POINTS_MAX / 2.0))
         return ovr_fail(err, OVR_BAD_INPUT,
                         "the profile is too long for the grid: it needs a "
                         "table of %g points",
