@@ -10,13 +10,14 @@
 
 #include <string.h>
 
+#include "results/driver.h"
 #include "results/h5.h"
 #include "results/header.h"
 
-static ovr_status write_failed(const ovr_file *f, ovr_error *err,
-                               const char *what)
+static ovr_status write_failed(ovr_file *f, ovr_error *err)
 {
-    return ovr_fail(err, OVR_IO, "%s: cannot write %s", f->path, what);
+    ovr_store_fail(&f->store);
+    return ovr_store_failure(&f->store, err);
 }
 
 static void forget_ids(ovr_file *f)
@@ -29,11 +30,10 @@ static void forget_ids(ovr_file *f)
 }
 
 ovr_status ovr_file_prepare(ovr_file *f, const ovr_file_plan *plan,
-                            const char *path, ovr_arena *arena, ovr_error *err)
+                            ovr_arena *arena, ovr_error *err)
 {
     const ovr_observable *o = ovr_observables();
     size_t columns = 0;
-    f->path = path;
     f->nodes = plan->nodes;
     f->element = plan->options->single ? sizeof(float) : sizeof(double);
     f->deflate = plan->options->deflate;
@@ -47,22 +47,27 @@ ovr_status ovr_file_prepare(ovr_file *f, const ovr_file_plan *plan,
         return OVR_NO_MEMORY;
     f->columns = columns;
     forget_ids(f);
+    if (ovr_store_prepare(&f->store, plan->options->path, arena, err) != OVR_OK)
+        return OVR_NO_MEMORY;
     return ovr_packer_prepare(&f->packer, f->nodes * f->element, f->deflate,
                               arena, err);
 }
 
 ovr_status ovr_file_create(ovr_file *f, const ovr_file_plan *plan,
-                           const char *at, ovr_error *err)
+                           ovr_error *err)
 {
-    hid_t access = ovr_h5_access(), creation = ovr_header_creation();
-    f->file = H5Fcreate(at, H5F_ACC_TRUNC, creation, access);
+    bool force = plan->options->force;
+    hid_t creation;
+    ovr_status status = ovr_store_create(&f->store, force, err);
+    if (status != OVR_OK)
+        return status;
+    creation = ovr_header_creation();
+    f->file = ovr_driver_create(&f->store, creation);
     ovr_h5_drop(creation);
-    ovr_h5_drop(access);
-    if (f->file < 0)
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be created", f->path);
-    if (!ovr_header_write(f, plan))
-        return write_failed(f, err, "its headers");
-    return ovr_file_flush(f, err);
+    if (f->file < 0 || !ovr_header_write(f, plan))
+        return write_failed(f, err);
+    status = ovr_file_flush(f, err);
+    return status == OVR_OK ? ovr_store_publish(&f->store, force, err) : status;
 }
 
 /* Makes a dataset `rows` rows long; `nodes` 0 for a column. */
@@ -116,11 +121,11 @@ ovr_status ovr_file_add_snapshot(ovr_file *f, double time, const void *rows,
     const unsigned char *row = rows;
     for (size_t k = 0; k < f->fields; k++) {
         if (!add_chunk(f, k, row))
-            return write_failed(f, err, "a snapshot");
+            return write_failed(f, err);
         row += f->nodes * element_of(f, k);
     }
     if (!add_values(f->time, f->snapshots, 1, H5T_NATIVE_DOUBLE, &time))
-        return write_failed(f, err, "a snapshot");
+        return write_failed(f, err);
     f->snapshots++;
     return OVR_OK;
 }
@@ -135,7 +140,7 @@ ovr_status ovr_file_add_steps(ovr_file *f, size_t count, const int *steps,
         ok = add_values(f->column[c], f->steps, count, H5T_NATIVE_DOUBLE,
                         columns + c * stride);
     if (!ok)
-        return write_failed(f, err, "the history");
+        return write_failed(f, err);
     f->steps += count;
     return OVR_OK;
 }
@@ -143,8 +148,8 @@ ovr_status ovr_file_add_steps(ovr_file *f, size_t count, const int *steps,
 ovr_status ovr_file_flush(ovr_file *f, ovr_error *err)
 {
     if (H5Fflush(f->file, H5F_SCOPE_GLOBAL) < 0)
-        return write_failed(f, err, "(is the disk full?)");
-    return OVR_OK;
+        return write_failed(f, err);
+    return ovr_store_commit(&f->store, err);
 }
 
 ovr_status ovr_file_status(ovr_file *f, ovr_run_status status, ovr_error *err)
@@ -153,21 +158,27 @@ ovr_status ovr_file_status(ovr_file *f, ovr_run_status status, ovr_error *err)
     ovr_date_now(date);
     if (!ovr_h5_change_string(f->file, "status", ovr_run_status_name(status)) ||
         !ovr_h5_change_string(f->file, "date_modified", date))
-        return write_failed(f, err, "its status");
+        return write_failed(f, err);
     return OVR_OK;
 }
 
 ovr_status ovr_file_close(ovr_file *f, ovr_error *err)
 {
-    bool open = f->file >= 0, ok;
+    bool open = f->file >= 0, closed;
+    ovr_status status = OVR_OK;
     for (size_t c = 0; c < f->columns; c++)
         ovr_h5_drop(f->column[c]);
     for (size_t k = 0; k < f->fields; k++)
         ovr_h5_drop(f->field[k]);
     ovr_h5_drop(f->step);
     ovr_h5_drop(f->time);
-    ok = !open || H5Fclose(f->file) >= 0;
+    closed = !open || H5Fclose(f->file) >= 0;
+    if (!closed || f->store.failed)
+        status = write_failed(f, err);
+    else if (open) /* closing writes a little more */
+        status = ovr_store_commit(&f->store, err);
+    ovr_store_close(&f->store);
     forget_ids(f);
     ovr_packer_release(&f->packer);
-    return ok ? OVR_OK : write_failed(f, err, "its end");
+    return status;
 }

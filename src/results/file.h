@@ -15,13 +15,14 @@
 #include "overroll/results.h"
 #include "results/layout.h"
 #include "results/pack.h"
+#include "results/store.h"
 
 /* Rows in a chunk of a history column or of `time`.  These chunks have no
  * filter: they are filled in place, row after row. */
 enum { OVR_ROW_CHUNK = 256 };
 
 typedef struct ovr_file {
-    const char *path; /* for messages */
+    ovr_store store;
     hid_t file;
     hid_t time, field[OVR_FIELD_COUNT];
     hid_t step, *column;
@@ -40,14 +41,13 @@ typedef struct ovr_file_plan {
     size_t nodes;
 } ovr_file_plan;
 
-/* Memory of the file and what follows from the plan; no disk is touched.
- * `path` is borrowed. */
+/* Memory of the file and what follows from the plan; no disk is touched. */
 ovr_status ovr_file_prepare(ovr_file *file, const ovr_file_plan *plan,
-                            const char *path, ovr_arena *arena, ovr_error *err);
+                            ovr_arena *arena, ovr_error *err);
 
-/* Makes the file at `at` with all its headers. */
+/* Makes the file with all its headers. */
 ovr_status ovr_file_create(ovr_file *file, const ovr_file_plan *plan,
-                           const char *at, ovr_error *err);
+                           ovr_error *err);
 
 /* One snapshot: its time and its fields one after the other, as they are to
  * lie in the file. */

@@ -11,10 +11,8 @@
 #include "results/writer.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
 
 #include "results/h5.h"
 #include "results/header.h"
@@ -159,7 +157,7 @@ static ovr_status check_frame(const ovr_writer *w, const ovr_frame *frame,
     unsigned missing = w->options.fields;
     if (frame->state->n != w->n)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: made for %zu nodes, not %zu",
-                        w->path, w->n, frame->state->n);
+                        w->options.path, w->n, frame->state->n);
     missing &= (frame->rho ? 0u : OVR_FIELD_DENSITY) |
                (frame->eta ? 0u : OVR_FIELD_VISCOSITY) |
                (frame->flow ? 0u : OVR_FIELD_MASS_FLOW);
@@ -167,7 +165,7 @@ static ovr_status check_frame(const ovr_writer *w, const ovr_frame *frame,
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: a snapshot is due but density, viscosity or mass "
                         "flow is not given",
-                        w->path);
+                        w->options.path);
     return OVR_OK;
 }
 
@@ -239,7 +237,7 @@ static ovr_status choose_nodes(ovr_writer *w, const double *X, ovr_error *err)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: no node lies in the window "
                         "from %g to %g",
-                        w->path, o->x_from, o->x_to);
+                        w->options.path, o->x_from, o->x_to);
     return OVR_OK;
 }
 
@@ -250,18 +248,6 @@ static double *stored_positions(ovr_writer *w, const double *X, ovr_error *err)
     for (size_t k = 0; x && k < w->nodes; k++)
         x[k] = factor * X[w->first + k * w->options.stride];
     return x;
-}
-
-static ovr_status prepare_names(ovr_writer *w, ovr_error *err)
-{
-    size_t length = strlen(w->options.path);
-    w->path = ovr_arena_text(&w->arena, w->options.path, err);
-    w->part = ovr_arena_take(&w->arena, length + sizeof ".part", 1, err);
-    if (!w->path || !w->part)
-        return OVR_NO_MEMORY;
-    memcpy(w->part, w->options.path, length);
-    memcpy(w->part + length, ".part", sizeof ".part");
-    return OVR_OK;
 }
 
 static ovr_status take_scratch(ovr_writer *w, ovr_error *err)
@@ -283,7 +269,7 @@ static ovr_status prepare(ovr_writer *w, const double *X, ovr_file_plan *plan,
                           ovr_error *err)
 {
     ovr_arena *arena = &w->arena;
-    if (check_options(&w->options, err) || prepare_names(w, err) ||
+    if (check_options(&w->options, err) ||
         ovr_schedule_make(&w->schedule, &w->options, arena, err) ||
         choose_nodes(w, X, err))
         return OVR_BAD_INPUT;
@@ -291,25 +277,12 @@ static ovr_status prepare(ovr_writer *w, const double *X, ovr_file_plan *plan,
     plan->scales = &w->scales;
     plan->nodes = w->nodes;
     plan->x = stored_positions(w, X, err);
-    if (!plan->x || ovr_file_prepare(&w->file, plan, w->path, arena, err) ||
+    if (!plan->x || ovr_file_prepare(&w->file, plan, arena, err) ||
         take_scratch(w, err))
         return OVR_NO_MEMORY;
     return ovr_queue_prepare(&w->queue,
                              w->nodes * w->file.fields * w->file.element,
                              w->file.columns, arena, err);
-}
-
-static ovr_status create_file(ovr_writer *w, const ovr_file_plan *plan,
-                              ovr_error *err)
-{
-    if (!w->options.force && access(w->path, F_OK) == 0)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: exists already; --force replaces it", w->path);
-    if (ovr_file_create(&w->file, plan, w->part, err) != OVR_OK)
-        return err ? err->status : OVR_IO;
-    if (rename(w->part, w->path) != 0)
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be created", w->path);
-    return OVR_OK;
 }
 
 static void release(ovr_writer *w)
@@ -331,7 +304,7 @@ static ovr_writer *begin(const ovr_write_options *options,
     w->options = *options;
     w->scales = ovr_scales_of(contact);
     w->n = n;
-    w->file.file = -1;
+    w->file.file = w->file.store.fd = w->file.store.journal = -1;
     w->last_step = -1;
     w->last_T = -INFINITY;
     w->started = w->last_flush = w->last_checkpoint = now();
@@ -347,7 +320,7 @@ ovr_writer *ovr_writer_create(const ovr_write_options *options,
     ovr_h5_manners manners = ovr_h5_quiet();
     ovr_file_plan plan;
     if (w && (prepare(w, X, &plan, err) != OVR_OK ||
-              create_file(w, &plan, err) != OVR_OK)) {
+              ovr_file_create(&w->file, &plan, err) != OVR_OK)) {
         ovr_file_close(&w->file, NULL);
         release(w);
         w = NULL;

@@ -10,7 +10,7 @@
 struct ovr_writer {
     ovr_arena arena;
     ovr_write_options options; /* texts and lists not kept */
-    char *path, *part;         /* final and temporary name */
+
     ovr_scales scales;
     ovr_schedule schedule;
     size_t n;                 /* nodes of the run */

@@ -1,0 +1,338 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "results/store.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "results/journal.h"
+
+/* --------------------------------------------------------------- failures */
+
+static ovr_status say(const ovr_store *s, ovr_status status, int error,
+                      const char *what, ovr_error *err)
+{
+    char text[128] = "";
+    if (strerror_r(error, text, sizeof text) != 0)
+        text[0] = '\0';
+    return ovr_fail(err, status, "%s: %s: %s", s->path, what, text);
+}
+
+static ovr_status busy(const ovr_store *s, ovr_error *err)
+{
+    return ovr_fail(err, OVR_BAD_INPUT, "%s: another process is writing it",
+                    s->path);
+}
+
+/* ESTALE stands for a file that is no longer the one of its name. */
+ovr_status ovr_store_failure(const ovr_store *s, ovr_error *err)
+{
+    if (s->failed == ESTALE)
+        return ovr_fail(err, OVR_IO,
+                        "%s: was removed or replaced while the "
+                        "run was writing it",
+                        s->path);
+    return say(s, OVR_IO, s->failed ? s->failed : EIO, "cannot be written",
+               err);
+}
+
+void ovr_store_fail(ovr_store *s)
+{
+    if (!s->failed)
+        s->failed = EIO;
+}
+
+static bool note_failure(ovr_store *s, int error)
+{
+    if (error && !s->failed)
+        s->failed = error;
+    return error == 0;
+}
+
+/* ------------------------------------------------------- reading, writing */
+
+static uint64_t least(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
+/* Bytes below this length are changed in memory only. */
+static uint64_t guarded(const ovr_store *s)
+{
+    return s->failed ? UINT64_MAX : s->committed;
+}
+
+/* Calls for the part of [at, at + bytes) that lies in one page. */
+static size_t in_page(uint64_t at, uint64_t bytes)
+{
+    return (size_t)least(bytes, OVR_PAGE - at % OVR_PAGE);
+}
+
+bool ovr_store_read(ovr_store *s, uint64_t at, size_t bytes, void *to)
+{
+    unsigned char *next = to;
+    if (!note_failure(s, ovr_read_all(s->fd, to, bytes, at)))
+        return false;
+    while (bytes > 0) {
+        size_t n = in_page(at, bytes);
+        const ovr_page *page = ovr_pages_find(&s->changed, at / OVR_PAGE);
+        uint64_t guard = guarded(s);
+        if (page && at < guard)
+            memcpy(next, page->data + at % OVR_PAGE,
+                   (size_t)least(n, guard - at));
+        at += n;
+        next += n;
+        bytes -= n;
+    }
+    return true;
+}
+
+/* The page to change, read from the file at its first change. */
+static ovr_page *changed_page(ovr_store *s, uint64_t number)
+{
+    ovr_page *page = ovr_pages_find(&s->changed, number);
+    int error;
+    if (page)
+        return page;
+    page = ovr_pages_add(&s->changed, number);
+    if (!page) {
+        note_failure(s, ENOMEM);
+        return NULL;
+    }
+    error = ovr_read_all(s->fd, page->data, OVR_PAGE, number * OVR_PAGE);
+    return note_failure(s, error) ? page : NULL;
+}
+
+static bool change_pages(ovr_store *s, uint64_t at, uint64_t bytes,
+                         const unsigned char *from)
+{
+    while (bytes > 0) {
+        size_t n = in_page(at, bytes);
+        ovr_page *page = changed_page(s, at / OVR_PAGE);
+        if (!page)
+            return false;
+        memcpy(page->data + at % OVR_PAGE, from, n);
+        at += n;
+        from += n;
+        bytes -= n;
+    }
+    return true;
+}
+
+bool ovr_store_write(ovr_store *s, uint64_t at, size_t bytes, const void *from)
+{
+    const unsigned char *next = from;
+    uint64_t guard = guarded(s);
+    uint64_t below = at < guard ? least(bytes, guard - at) : 0;
+    if (!change_pages(s, at, below, next))
+        return false;
+    if (bytes > below &&
+        !note_failure(s, ovr_write_all(s->fd, next + below,
+                                       bytes - (size_t)below, at + below)))
+        return false;
+    if (at + bytes > s->length)
+        s->length = at + bytes;
+    if (bytes > below && at + bytes > s->on_disk)
+        s->on_disk = at + bytes;
+    return true;
+}
+
+/* Longer at once, so that no committed end lies behind the file's; shorter
+ * only down to what is committed, the rest at the commit. */
+bool ovr_store_resize(ovr_store *s, uint64_t length)
+{
+    uint64_t to = length > s->committed ? length : s->committed;
+    s->length = length;
+    if (s->failed || to == s->on_disk)
+        return true;
+    if (ftruncate(s->fd, (off_t)to) != 0)
+        return note_failure(s, errno);
+    s->on_disk = to;
+    return true;
+}
+
+/* ----------------------------------------------------------------- commit */
+
+static int apply_page(const ovr_store *s, const ovr_page *page)
+{
+    uint64_t at = page->number * OVR_PAGE;
+    if (at >= s->committed)
+        return 0;
+    return ovr_write_all(s->fd, page->data,
+                         (size_t)least(OVR_PAGE, s->committed - at), at);
+}
+
+/* Page 0 is the first in the list and written last. */
+static int apply_pages(const ovr_store *s)
+{
+    int error = 0;
+    for (size_t k = s->changed.count; error == 0 && k-- > 0;)
+        error = apply_page(s, &s->changed.page[k]);
+    return error;
+}
+
+static int commit_pages(ovr_store *s)
+{
+    int error = ovr_journal_write(s);
+    if (error) { /* the file is untouched: no journal must say otherwise */
+        (void)!ftruncate(s->journal, 0);
+        return error;
+    }
+    error = apply_pages(s);
+    if (error == 0 && s->length < s->on_disk) {
+        if (ftruncate(s->fd, (off_t)s->length) != 0)
+            error = errno;
+        s->on_disk = s->length;
+    }
+    if (error == 0 && ftruncate(s->journal, 0) != 0)
+        error = errno;
+    return error;
+}
+
+/* 0, or ESTALE when the name stands for another file or for none. */
+static int check_name(const ovr_store *s)
+{
+    struct stat open, named;
+    if (!s->published)
+        return 0;
+    if (stat(s->path, &named) != 0 || fstat(s->fd, &open) != 0 ||
+        open.st_ino != named.st_ino || open.st_dev != named.st_dev)
+        return ESTALE;
+    return 0;
+}
+
+ovr_status ovr_store_commit(ovr_store *s, ovr_error *err)
+{
+    int error = s->failed ? s->failed : check_name(s);
+    if (error == 0 && s->changed.count > 0)
+        error = commit_pages(s);
+    if (!note_failure(s, error))
+        return ovr_store_failure(s, err);
+    ovr_pages_clear(&s->changed);
+    s->committed = s->length;
+    return OVR_OK;
+}
+
+ovr_status ovr_store_sync(ovr_store *s, ovr_error *err)
+{
+    if (!note_failure(s, fsync(s->fd) != 0 ? errno : 0))
+        return ovr_store_failure(s, err);
+    return OVR_OK;
+}
+
+/* --------------------------------------------------------- start and end */
+
+static char *join(ovr_arena *arena, const char *path, const char *ending,
+                  ovr_error *err)
+{
+    size_t length = strlen(path), more = strlen(ending) + 1;
+    char *joined = ovr_arena_take(arena, length + more, 1, err);
+    if (!joined)
+        return NULL;
+    memcpy(joined, path, length);
+    memcpy(joined + length, ending, more);
+    return joined;
+}
+
+ovr_status ovr_store_prepare(ovr_store *s, const char *path, ovr_arena *arena,
+                             ovr_error *err)
+{
+    memset(s, 0, sizeof *s);
+    s->fd = s->journal = -1;
+    s->path = join(arena, path, "", err);
+    s->part = join(arena, path, ".part", err);
+    s->journal_path = join(arena, path, ".journal", err);
+    s->scratch = ovr_arena_take(arena, OVR_PAGE + sizeof(uint64_t), 1, err);
+    ovr_pages_init(&s->changed, arena);
+    return s->path && s->part && s->journal_path && s->scratch ? OVR_OK
+                                                               : OVR_NO_MEMORY;
+}
+
+static ovr_status take_lock(ovr_store *s, ovr_error *err)
+{
+    int error = ovr_journal_open(s);
+    if (error == EWOULDBLOCK)
+        return busy(s, err);
+    if (error)
+        return say(s, OVR_BAD_INPUT, error, "cannot be written", err);
+    return OVR_OK;
+}
+
+static ovr_status in_the_way(const ovr_store *s, ovr_error *err)
+{
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "%s: exists already; --force replaces it", s->path);
+}
+
+ovr_status ovr_store_create(ovr_store *s, bool force, ovr_error *err)
+{
+    struct stat about;
+    bool there = stat(s->path, &about) == 0;
+    ovr_status status;
+    if (there && !S_ISREG(about.st_mode))
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: is not a file", s->path);
+    if (there && !force)
+        return in_the_way(s, err);
+    status = take_lock(s, err);
+    if (status != OVR_OK)
+        return status;
+    s->fd = open(s->part, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (s->fd < 0 || ftruncate(s->journal, 0) != 0)
+        return say(s, OVR_BAD_INPUT, errno, "cannot be created", err);
+    return OVR_OK;
+}
+
+ovr_status ovr_store_publish(ovr_store *s, bool force, ovr_error *err)
+{
+    if (!force && access(s->path, F_OK) == 0)
+        return in_the_way(s, err);
+    if (rename(s->part, s->path) != 0)
+        return say(s, OVR_BAD_INPUT, errno, "cannot be created", err);
+    s->published = true;
+    return OVR_OK;
+}
+
+ovr_status ovr_store_open(ovr_store *s, ovr_error *err)
+{
+    struct stat about;
+    ovr_status status;
+    int error;
+    s->fd = open(s->path, O_RDWR | O_CLOEXEC);
+    if (s->fd < 0 || fstat(s->fd, &about) != 0)
+        return say(s, OVR_BAD_INPUT, errno, "cannot be opened", err);
+    s->published = true;
+    status = take_lock(s, err);
+    if (status != OVR_OK)
+        return status;
+    s->on_disk = (uint64_t)about.st_size;
+    error = ovr_journal_replay(s);
+    if (error)
+        return say(s, OVR_IO, error, "its last write cannot be finished", err);
+    if (fstat(s->fd, &about) != 0)
+        return say(s, OVR_IO, errno, "cannot be read", err);
+    s->on_disk = s->length = s->committed = (uint64_t)about.st_size;
+    return OVR_OK;
+}
+
+/* What was written behind the committed length is given back; the journal
+ * goes unless it holds a commit that failed half-way. */
+void ovr_store_close(ovr_store *s)
+{
+    struct stat about = {0};
+    if (s->fd >= 0 && s->on_disk > s->committed && s->published)
+        (void)!ftruncate(s->fd, (off_t)s->committed);
+    if (s->fd >= 0) {
+        if (!s->published)
+            unlink(s->part);
+        close(s->fd);
+    }
+    if (s->journal >= 0) {
+        if (fstat(s->journal, &about) == 0 && about.st_size == 0)
+            unlink(s->journal_path);
+        close(s->journal);
+    }
+    s->fd = s->journal = -1;
+}
