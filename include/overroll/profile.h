@@ -50,7 +50,7 @@ typedef struct ovr_profile_source {
     bool spacing_scaled; /* spacing is in b, not metres */
     int column_x;        /* counted from 1; 0: by the header */
     int column_z;
-    int line; /* of an areal file, from 1; 0: must have one only */
+    int line; /* of an areal file, from 1; 0: the first, said in the notes */
 } ovr_profile_source;
 
 OVR_API ovr_profile_source ovr_profile_source_default(void);
@@ -81,7 +81,8 @@ typedef enum ovr_levelling {
     OVR_LEVEL_NONE,
     OVR_LEVEL_MEAN,
     OVR_LEVEL_LINE,
-    OVR_LEVEL_POLYNOMIAL
+    OVR_LEVEL_POLYNOMIAL,
+    OVR_LEVEL_ENDS /* line through the mean heights of the outer tenths */
 } ovr_levelling;
 
 /* What happens beyond the ends of a profile. */
@@ -140,12 +141,17 @@ typedef struct ovr_roughness {
     double rolloff;     /* longest correlated wavelength; NAN: length/8 */
     double shortest;    /* shortest wavelength; NAN: length/256 */
     double correlation; /* exponential; NAN: length/32 */
-    double skewness;    /* NAN: Gaussian heights */
-    double kurtosis;    /* NAN: Gaussian heights (3) */
+    double skewness;    /* NAN: 0 */
+    double kurtosis;    /* NAN: 3 + 1.5 skewness^2; both NAN: Gaussian */
     int seed;           /* 1 */
 } ovr_roughness;
 
 OVR_API ovr_roughness ovr_roughness_default(void);
+
+/* One period of it, in b and b^2/R, the first point again at its end. */
+OVR_API ovr_profile *ovr_profile_random(const ovr_roughness *form,
+                                        const ovr_allocator *allocator,
+                                        ovr_error *err);
 
 #ifdef __cplusplus
 }

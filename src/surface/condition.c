@@ -36,6 +36,8 @@ static ovr_status check(const ovr_profile *p, const ovr_conditioning *how,
         return wrong(p, err, "stretch", how->stretch, "positive");
     if (!(how->max_missing >= 0 && how->max_missing <= 1))
         return wrong(p, err, "max_missing", how->max_missing, "from 0 to 1");
+    if ((int)how->level < 0 || how->level > OVR_LEVEL_ENDS)
+        return wrong(p, err, "level", how->level, "one of its names");
     if (how->degree < 0 || how->degree > 12)
         return wrong(p, err, "degree", how->degree, "from 0 to 12");
     if (how->lambda_c <= how->lambda_s)
@@ -174,6 +176,11 @@ static void level(ovr_profile *p, const ovr_conditioning *how, size_t n,
                                                 : how->degree;
     if (how->level == OVR_LEVEL_NONE)
         return;
+    if (how->level == OVR_LEVEL_ENDS) {
+        ovr_level_ends(n, p->x, p->z);
+        ovr_profile_note(p, "levelled: line through its ends subtracted");
+        return;
+    }
     ovr_level(n, p->x, p->z, degree, work);
     ovr_profile_note(p, "levelled: %s of degree %d subtracted",
                      names[how->level], degree);

@@ -15,6 +15,10 @@
  * each point weighted by the length it stands for.  `work` holds 3 n. */
 void ovr_level(size_t n, const double *x, double *z, int degree, double *work);
 
+/* Subtracts the line through the mean points of the first and last tenth: a
+ * dent or scratch in between does not tilt or lift it. */
+void ovr_level_ends(size_t n, const double *x, double *z);
+
 /* Mean line of the Gaussian filter of cut-off lambda (ISO 16610-21), into
  * `mean`; `uniform` x make it quicker.  `work` holds 2 n. */
 void ovr_gaussian(size_t n, const double *x, const double *z, double lambda,

@@ -83,6 +83,26 @@ void ovr_level(size_t n, const double *x, double *z, int degree, double *work)
     }
 }
 
+static void centroid(const double *x, const double *z, size_t m, double *at,
+                     double *height)
+{
+    *at = *height = 0;
+    for (size_t i = 0; i < m; i++) {
+        *at += x[i] / (double)m;
+        *height += z[i] / (double)m;
+    }
+}
+
+void ovr_level_ends(size_t n, const double *x, double *z)
+{
+    size_t m = n / 10 ? n / 10 : 1;
+    double x0, z0, x1, z1;
+    centroid(x, z, m, &x0, &z0);
+    centroid(x + n - m, z + n - m, m, &x1, &z1);
+    for (size_t i = 0; i < n; i++)
+        z[i] -= z0 + (z1 - z0) * (x[i] - x0) / (x1 - x0);
+}
+
 /* ------------------------------------------------------- Gaussian filter */
 
 /* Sums of the weighted line fit about one point. */

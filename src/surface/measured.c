@@ -7,7 +7,6 @@
 
 #include "surface/profile.h"
 #include "surface/resample.h"
-#include "surface/synthesis.h"
 
 /* --------------------------------------------------------- into b, b^2/R */
 
@@ -126,7 +125,7 @@ ovr_status ovr_measured_make(ovr_feature *feature, const ovr_feature_form *form,
         err = &local;
     p = form->shape == OVR_PROFILE
             ? read(form, contact, &arena->allocator, err)
-            : ovr_synthesize(&form->roughness, &arena->allocator, err);
+            : ovr_profile_random(&form->roughness, &arena->allocator, err);
     if (!p)
         return err->status;
     status = fit(feature, form, p, mesh, arena, err);

@@ -109,6 +109,22 @@ void ovr_profile_regular(ovr_profile *profile, size_t n, double first,
         profile->x[i] = first + (double)i * spacing;
 }
 
+ovr_status ovr_profile_choose_line(ovr_profile *profile,
+                                   const ovr_profile_source *source,
+                                   size_t lines, size_t *line, ovr_error *err)
+{
+    int asked = source->line;
+    if (asked < 0 || (asked > 0 && (size_t)asked > lines))
+        return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
+                           "line = %d: the file has the lines 1 to %zu", asked,
+                           lines);
+    *line = asked > 0 ? (size_t)asked - 1 : 0;
+    if (lines > 1)
+        ovr_profile_note(profile, "line %zu of %zu%s", *line + 1, lines,
+                         asked ? "" : " (set line to choose another)");
+    return OVR_OK;
+}
+
 static bool is_uniform(size_t n, const double *x)
 {
     double mean = (x[n - 1] - x[0]) / (double)(n - 1);

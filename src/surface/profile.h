@@ -46,6 +46,12 @@ void ovr_profile_note(ovr_profile *profile, const char *format, ...)
  * every reader and of conditioning. */
 ovr_status ovr_profile_finish(ovr_profile *profile, size_t n, ovr_error *err);
 
+/* Which of an areal file's lines, from 0; without a choice the first, which is
+ * said. */
+ovr_status ovr_profile_choose_line(ovr_profile *profile,
+                                   const ovr_profile_source *source,
+                                   size_t lines, size_t *line, ovr_error *err);
+
 /* x_i = first + i spacing. */
 void ovr_profile_regular(ovr_profile *profile, size_t n, double first,
                          double spacing);

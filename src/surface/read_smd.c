@@ -1,9 +1,177 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "surface/profile.h"
+/*
+ * SMD, the softgauge text of ISO 5436-2: records ended by ETX.
+ *
+ *     record 1  a revision line, PRF (or SUR) ..., then the axes
+ *               CX I N unit scale type increment
+ *               CZ A N unit scale type
+ *     record 2  free text     record 3  the numbers     record 4  a checksum,
+ *                                                       not to be trusted
+ *
+ * value = number x scale in the axis' unit; NUL is white space.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "surface/text.h"
+
+static const char ETX = 3;
+
+typedef struct axis {
+    bool given;
+    char kind; /* I or A */
+    double count, metres, scale, increment;
+} axis;
+
+static ovr_status read_axis(const char *file, ovr_line line, axis *a,
+                            ovr_error *err)
+{
+    ovr_line rest = line, word[7];
+    size_t words = 0;
+    while (words < 7 && ovr_next_piece(&rest, &word[words]))
+        words++;
+    a->given = true;
+    if (words < 6)
+        return ovr_fail_at(err, OVR_BAD_INPUT, file, line.number,
+                           "an axis is 'CX I count unit scale type "
+                           "[increment]'; this line has %zu words",
+                           words);
+    a->kind = word[1].text[0];
+    a->metres = ovr_length_unit(word[3], true);
+    if (!(a->metres > 0))
+        return ovr_fail_at(err, OVR_BAD_INPUT, file, line.number,
+                           "'%s' is not a unit of length",
+                           ovr_quote(word[3]).text);
+    if (!ovr_number(word[2], false, &a->count) ||
+        !ovr_number(word[4], false, &a->scale) || a->scale == 0)
+        return ovr_fail_at(err, OVR_BAD_INPUT, file, line.number,
+                           "count and scale of the axis must be numbers");
+    a->increment = 1;
+    if (words == 7 && !ovr_number(word[6], false, &a->increment))
+        return ovr_fail_at(err, OVR_BAD_INPUT, file, line.number,
+                           "the increment of the axis must be a number");
+    return OVR_OK;
+}
+
+static ovr_status read_header(const char *file, ovr_lines *lines, axis *x,
+                              axis *y, axis *z, ovr_error *err)
+{
+    ovr_line line;
+    ovr_status status = OVR_OK;
+    while (!status && ovr_next_line(lines, &line)) {
+        line = ovr_trim(line);
+        if (ovr_line_starts(line, "CX"))
+            status = read_axis(file, line, x, err);
+        else if (ovr_line_starts(line, "CY"))
+            status = read_axis(file, line, y, err);
+        else if (ovr_line_starts(line, "CZ"))
+            status = read_axis(file, line, z, err);
+    }
+    return status;
+}
+
+static ovr_status check(const char *file, const axis *x, const axis *y,
+                        const axis *z, ovr_error *err)
+{
+    double most = OVR_POINTS_MAX, lines = y->given ? y->count : 1;
+    if (!x->given || !z->given)
+        return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
+                           "SMD header: the axes CX and CZ are wanted");
+    if (x->kind != 'I' || z->kind != 'A')
+        return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
+                           "SMD header: CX must be incremental (I) and CZ "
+                           "absolute (A), nothing else is read");
+    if (!(x->count >= 2 && x->count <= most) || !(lines >= 1 && lines <= most))
+        return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
+                           "SMD header: %g x %g points must be from 2 to %g",
+                           x->count, lines, most);
+    if (!(x->increment * x->scale > 0))
+        return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
+                           "SMD header: the increment of CX must be positive");
+    return OVR_OK;
+}
+
+/* The k-th record from 0, without its ETX. */
+static bool record(ovr_bytes content, int k, ovr_bytes *found, long *line)
+{
+    const char *p = content.data, *end = p + content.size;
+    *line = 0;
+    for (;; k--) {
+        const char *etx = p < end ? memchr(p, ETX, (size_t)(end - p)) : NULL;
+        const char *stop = etx ? etx : end;
+        ovr_lines skipped;
+        ovr_line each;
+        *found = (ovr_bytes){p, (size_t)(stop - p)};
+        if (k == 0)
+            return p < end;
+        if (!etx)
+            return false;
+        skipped = ovr_lines_of(*found);
+        while (ovr_next_line(&skipped, &each))
+            ;
+        *line += skipped.number;
+        p = etx + 1;
+    }
+}
+
+static ovr_status read_numbers(ovr_profile *p, ovr_bytes numbers, long before,
+                               size_t first, size_t n, ovr_error *err)
+{
+    ovr_lines lines = ovr_lines_of(numbers);
+    ovr_line line, word;
+    size_t k = 0;
+    while (k < first + n && ovr_next_line(&lines, &line)) {
+        while (k < first + n && ovr_next_piece(&line, &word)) {
+            double value = NAN;
+            if (!ovr_number(word, false, &value) && !ovr_is_missing(word))
+                return ovr_fail_at(
+                    err, OVR_BAD_INPUT, p->file, before + line.number,
+                    "'%s' where a height is wanted", ovr_quote(word).text);
+            if (k >= first)
+                p->z[k - first] = value;
+            k++;
+        }
+    }
+    if (k == first + n)
+        return OVR_OK;
+    return ovr_fail_at(err, OVR_BAD_INPUT, p->file, before + lines.number,
+                       "the heights end after %zu, before %zu", k, first + n);
+}
 
 ovr_status ovr_read_smd(ovr_profile *profile, const ovr_profile_source *source,
                         ovr_bytes content, ovr_error *err)
 {
-    (void)source, (void)content;
-    return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0, "not read yet");
+    axis x = {0}, y = {0}, z = {0};
+    ovr_bytes part;
+    ovr_lines header;
+    size_t n, line = 0;
+    long before;
+    ovr_status status;
+    profile->view.format = "SMD";
+    record(content, 0, &part, &before);
+    header = ovr_lines_of(part);
+    status = read_header(profile->file, &header, &x, &y, &z, err);
+    if (!status)
+        status = check(profile->file, &x, &y, &z, err);
+    if (status)
+        return status;
+    if (!record(content, 2, &part, &before))
+        return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, before,
+                           "cut off: the third record, the heights, is "
+                           "missing");
+    n = (size_t)x.count;
+    status = ovr_profile_choose_line(profile, source,
+                                     y.given ? (size_t)y.count : 1, &line, err);
+    if (!status)
+        status = ovr_profile_room(profile, n, err);
+    if (!status)
+        status = read_numbers(profile, part, before, line * n, n, err);
+    if (status)
+        return status;
+    ovr_profile_regular(profile, n, 0, x.increment * x.scale * x.metres);
+    for (size_t i = 0; i < n; i++)
+        profile->z[i] *= z.scale * z.metres;
+    ovr_profile_note(profile, "spacing %g m, heights times %g m",
+                     x.increment * x.scale * x.metres, z.scale * z.metres);
+    return ovr_profile_finish(profile, n, err);
 }

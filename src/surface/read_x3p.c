@@ -1,9 +1,326 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "surface/profile.h"
+/*
+ * X3P, ISO 25178-72: a ZIP with main.xml (a folder may precede the names) and
+ * the points, in a binary file or inline; little-endian, x fastest, of each
+ * point only the absolute axes.  coordinate = offset + stored x increment, in
+ * metres.  Points may be missing: NaN, or a 0 in the mask of valid points.
+ */
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+#include <zip.h>
+
+#include "surface/binary.h"
+#include "surface/text.h"
+#include "surface/x3p.h"
+
+typedef struct package {
+    zip_t *zip;
+    ovr_profile *profile;
+    char folder[256]; /* in front of main.xml */
+    ovr_arena arena;  /* for what is unpacked */
+} package;
+
+/* --------------------------------------------------------------- the ZIP */
+
+static ovr_status open_zip(package *k, ovr_bytes content, ovr_error *err)
+{
+    zip_error_t why;
+    zip_source_t *source;
+    zip_error_init(&why);
+    source = zip_source_buffer_create(content.data, content.size, 0, &why);
+    if (source)
+        k->zip = zip_open_from_source(source, ZIP_RDONLY, &why);
+    if (source && !k->zip)
+        zip_source_free(source);
+    if (!k->zip)
+        ovr_fail_at(err, OVR_BAD_INPUT, k->profile->file, 0,
+                    "not a readable ZIP (X3P): %s", zip_error_strerror(&why));
+    zip_error_fini(&why);
+    return k->zip ? OVR_OK : OVR_BAD_INPUT;
+}
+
+/* main.xml, at the top or in a folder. */
+static bool find_main(package *k, zip_uint64_t *index)
+{
+    zip_int64_t entries = zip_get_num_entries(k->zip, 0);
+    for (zip_int64_t i = 0; i < entries; i++) {
+        const char *name = zip_get_name(k->zip, (zip_uint64_t)i, 0);
+        const char *slash = name ? strrchr(name, '/') : NULL;
+        const char *base = slash ? slash + 1 : name;
+        size_t folder = name ? (size_t)(base - name) : 0;
+        if (!name || strcmp(base, "main.xml") != 0 ||
+            folder >= sizeof k->folder)
+            continue;
+        memcpy(k->folder, name, folder);
+        k->folder[folder] = 0;
+        *index = (zip_uint64_t)i;
+        return true;
+    }
+    return false;
+}
+
+/* Sizes in a ZIP's directory are only promises: `most` bounds what is taken
+ * and the content must be as long as it says. */
+static ovr_status unpack(package *k, zip_uint64_t index, const char *name,
+                         size_t most, ovr_bytes *out, ovr_error *err)
+{
+    const char *file = k->profile->file;
+    zip_stat_t about;
+    zip_file_t *in;
+    zip_int64_t got;
+    char *data, behind;
+    if (zip_stat_index(k->zip, index, 0, &about) != 0 ||
+        !(about.valid & ZIP_STAT_SIZE) || about.size > most)
+        return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
+                           "'%s' in it is larger than the %zu bytes that are "
+                           "read",
+                           name, most);
+    data = ovr_arena_take(&k->arena, (size_t)about.size, 1, err);
+    if (!data)
+        return OVR_NO_MEMORY;
+    in = zip_fopen_index(k->zip, index, 0);
+    got = in ? zip_fread(in, data, about.size) : -1;
+    if (in && got >= 0 && zip_fread(in, &behind, 1) != 0)
+        got = -1; /* longer than promised, or the checksum is wrong */
+    if (in)
+        zip_fclose(in);
+    if (got < 0 || (zip_uint64_t)got != about.size)
+        return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
+                           "'%s' in it is damaged or cut off", name);
+    *out = (ovr_bytes){data, (size_t)about.size};
+    return OVR_OK;
+}
+
+static ovr_status unpack_named(package *k, const char *link, ovr_bytes *out,
+                               ovr_error *err)
+{
+    char name[sizeof k->folder + 256];
+    zip_int64_t index;
+    size_t folder = strlen(k->folder), size = strlen(link);
+    memcpy(name, k->folder, folder);
+    memcpy(name + folder, link, size + 1);
+    index = zip_name_locate(k->zip, name, 0);
+    if (index < 0)
+        index = zip_name_locate(k->zip, link, 0);
+    if (index < 0)
+        return ovr_fail_at(err, OVR_BAD_INPUT, k->profile->file, 0,
+                           "main.xml wants '%s', which is not in it",
+                           ovr_quote((ovr_line){link, size, 0}).text);
+    return unpack(k, (zip_uint64_t)index,
+                  ovr_quote((ovr_line){link, size, 0}).text, OVR_CONTENT_MAX,
+                  out, err);
+}
+
+/* ------------------------------------------------------- what is announced */
+
+static ovr_status check(const ovr_x3p *x, const char *file, size_t *n,
+                        size_t *lines, ovr_error *err)
+{
+    const ovr_x3p_axis *cx = &x->axis[0], *cz = &x->axis[2];
+    double points = x->list > 0 ? x->list : x->size[0], rows = 1;
+    if (x->list <= 0 && x->size[1] > 1)
+        rows = x->size[1];
+    if (strcmp(x->feature, "PRF") != 0 && strcmp(x->feature, "SUR") != 0)
+        return ovr_fail_at(
+            err, OVR_BAD_INPUT, file, 0,
+            "FeatureType '%s': only PRF and SUR are read",
+            ovr_quote((ovr_line){x->feature, strlen(x->feature), 0}).text);
+    if (!cx->given || !cz->given || cz->kind != 'A' ||
+        (cx->kind != 'I' && cx->kind != 'A'))
+        return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
+                           "main.xml needs the axes CX (I or A) and CZ (A)");
+    if (cx->kind == 'I' && !(cx->increment > 0))
+        return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
+                           "the increment of CX, %g, must be positive",
+                           cx->increment);
+    if (!(points >= 2 && rows >= 1 && points * rows <= OVR_POINTS_MAX) ||
+        points != floor(points) || rows != floor(rows) || x->size[2] > 1)
+        return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
+                           "%g x %g x %g points: one layer of 2 to %d points "
+                           "is read",
+                           points, rows, x->size[2], OVR_POINTS_MAX);
+    *n = (size_t)points;
+    *lines = (size_t)rows;
+    return OVR_OK;
+}
+
+static bool binary_type(char letter, ovr_binary *type)
+{
+    switch (letter) {
+    case 'I': *type = OVR_BINARY_I16; return true;
+    case 'L': *type = OVR_BINARY_I32; return true;
+    case 'F': *type = OVR_BINARY_F32; return true;
+    case 'D': *type = OVR_BINARY_F64; return true;
+    default: return false;
+    }
+}
+
+static bool is_stored(const ovr_x3p *x, int axis)
+{
+    return x->axis[axis].given && x->axis[axis].kind == 'A';
+}
+
+static double coordinate(const ovr_x3p_axis *a, double stored)
+{
+    return a->offset + stored * a->increment;
+}
+
+/* -------------------------------------------------------------- the points */
+
+static ovr_status read_binary(package *k, const ovr_x3p *x, size_t n,
+                              size_t lines, size_t line, ovr_error *err)
+{
+    ovr_profile *p = k->profile;
+    ovr_binary type[3] = {OVR_BINARY_U8, OVR_BINARY_U8, OVR_BINARY_U8};
+    size_t place[3] = {0}, stride = 0;
+    ovr_bytes data;
+    ovr_status status;
+    for (int a = 0; a < 3; a++) {
+        if (!is_stored(x, a))
+            continue;
+        if (!binary_type(x->axis[a].type, &type[a]))
+            return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                               "the DataType of an axis must be I, L, F or D");
+        place[a] = stride;
+        stride += ovr_binary_size(type[a]);
+    }
+    status = unpack_named(k, x->data, &data, err);
+    if (status)
+        return status;
+    if (data.size / stride < n * lines)
+        return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                           "the points are cut off at offset %zu: %zu of %zu "
+                           "bytes each are announced",
+                           data.size, n * lines, stride);
+    for (size_t i = 0; i < n; i++) {
+        const char *at = data.data + (line * n + i) * stride;
+        if (is_stored(x, 0))
+            p->x[i] = ovr_binary_value(at + place[0], type[0]);
+        p->z[i] = ovr_binary_value(at + place[2], type[2]);
+    }
+    return OVR_OK;
+}
+
+/* "x;y;z" of the absolute axes; without text the point is missing. */
+static ovr_status read_datum(const ovr_profile *p, const ovr_x3p *x,
+                             const char *text, size_t i, ovr_error *err)
+{
+    ovr_line piece = {text, 0, 0};
+    for (int a = 0; a < 3; a++) {
+        double *value = a == 0 ? &p->x[i] : &p->z[i], number = NAN;
+        if (!is_stored(x, a))
+            continue;
+        piece.text = text;
+        piece.size = strcspn(text, ";,");
+        text += piece.size + (text[piece.size] != 0);
+        piece = ovr_trim(piece);
+        if (!ovr_number(piece, false, &number) && !ovr_is_missing(piece))
+            return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                               "Datum %zu: '%s' where a number is wanted",
+                               i + 1, ovr_quote(piece).text);
+        if (a != 1)
+            *value = number;
+    }
+    return OVR_OK;
+}
+
+static ovr_status read_inline(package *k, const ovr_x3p *x, size_t n,
+                              size_t lines, size_t line, ovr_error *err)
+{
+    const char *text = x->datum;
+    ovr_status status = OVR_OK;
+    if (x->datums < n * lines)
+        return ovr_fail_at(err, OVR_BAD_INPUT, k->profile->file, 0,
+                           "the DataList ends after %zu points; %zu are "
+                           "announced",
+                           x->datums, n * lines);
+    for (size_t skip = line * n; skip; skip--)
+        text += strlen(text) + 1;
+    for (size_t i = 0; i < n && !status; i++) {
+        status = read_datum(k->profile, x, text, i, err);
+        text += strlen(text) + 1;
+    }
+    return status;
+}
+
+static ovr_status apply_mask(package *k, const ovr_x3p *x, size_t n,
+                             size_t lines, size_t line, ovr_error *err)
+{
+    ovr_bytes mask;
+    ovr_status status;
+    if (!*x->valid)
+        return OVR_OK;
+    status = unpack_named(k, x->valid, &mask, err);
+    if (status)
+        return status;
+    if (mask.size < (n * lines + 7) / 8)
+        return ovr_fail_at(err, OVR_BAD_INPUT, k->profile->file, 0,
+                           "the mask of valid points is cut off at offset %zu",
+                           mask.size);
+    for (size_t i = 0; i < n; i++) {
+        size_t bit = line * n + i;
+        if (!((unsigned char)mask.data[bit / 8] >> bit % 8 & 1))
+            k->profile->z[i] = NAN;
+    }
+    return OVR_OK;
+}
+
+static ovr_status place_points(ovr_profile *p, const ovr_x3p *x, size_t n,
+                               ovr_error *err)
+{
+    const ovr_x3p_axis *cx = &x->axis[0], *cz = &x->axis[2];
+    for (size_t i = 0; i < n; i++) {
+        double stored = cx->kind == 'I' ? (double)i : p->x[i];
+        p->x[i] = coordinate(cx, stored);
+        p->z[i] = coordinate(cz, p->z[i]);
+    }
+    ovr_profile_note(p, "X3P is in metres: %s",
+                     cx->kind == 'I' ? "equal distances" : "x as stored");
+    return ovr_profile_finish(p, n, err);
+}
+
+static ovr_status read_package(package *k, const ovr_profile_source *source,
+                               ovr_x3p *x, ovr_error *err)
+{
+    ovr_profile *p = k->profile;
+    zip_uint64_t index;
+    ovr_bytes xml;
+    size_t n = 0, lines = 0, line = 0;
+    ovr_status status;
+    if (!find_main(k, &index))
+        return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                           "a ZIP without main.xml: not X3P");
+    status = unpack(k, index, "main.xml", OVR_CONTENT_MAX / 4, &xml, err);
+    if (!status)
+        status = ovr_x3p_parse(xml, p->file, &k->arena, x, err);
+    if (!status)
+        status = check(x, p->file, &n, &lines, err);
+    if (!status)
+        status = ovr_profile_choose_line(p, source, lines, &line, err);
+    if (!status)
+        status = ovr_profile_room(p, n, err);
+    if (!status)
+        status = *x->data ? read_binary(k, x, n, lines, line, err)
+                          : read_inline(k, x, n, lines, line, err);
+    if (!status)
+        status = apply_mask(k, x, n, lines, line, err);
+    return status ? status : place_points(p, x, n, err);
+}
 
 ovr_status ovr_read_x3p(ovr_profile *profile, const ovr_profile_source *source,
                         ovr_bytes content, ovr_error *err)
 {
-    (void)source, (void)content;
-    return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0, "not read yet");
+    package k = {.profile = profile};
+    ovr_x3p x = {0};
+    ovr_status status;
+    profile->view.format = "X3P";
+    k.arena = ovr_arena_make(&profile->arena.allocator);
+    status = open_zip(&k, content, err);
+    if (!status) {
+        status = read_package(&k, source, &x, err);
+        zip_discard(k.zip);
+    }
+    ovr_arena_release(&k.arena);
+    return status;
 }

@@ -1,10 +1,276 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "surface/synthesis.h"
+/*
+ * Random roughness of a given spectrum, from a seed.
+ *
+ *   1. z_i = sum_k sqrt(C_k) (a_k cos(2 pi k i/N) + b_k sin(2 pi k i/N)),
+ *      k = 1 .. length/shortest; a_k, b_k Gaussian (GSL's MT19937, polar
+ *      method), C_k the spectrum of profile.h; by GSL's radix-2 transform.
+ *      N is the power of two with at least 8 points in the shortest wave.
+ *   2. Scaled to Rq exactly; the mean is zero exactly (k >= 1).
+ *   3. Skewness and kurtosis: the heights become, rank by rank, those of
+ *      g(q) = q + c (q^2 - 1) + d q^3 at the N normal quantiles q (Fleishman
+ *      1978), c and d found by Newton's method for the moments of just these
+ *      N numbers; ranks and spectrum are restored by turns (Schreiber &
+ *      Schmitz 1996), ranks last: the moments are exact, the spectrum nearly.
+ *
+ * Only +, *, sqrt, log, sin and cos enter: machines agree to rounding.
+ */
+#include "overroll/profile.h"
 
-ovr_profile *ovr_synthesize(const ovr_roughness *form,
-                            const ovr_allocator *allocator, ovr_error *err)
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_fft_halfcomplex.h>
+#include <gsl/gsl_fft_real.h>
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
+#include <gsl/gsl_sort.h>
+#include <math.h>
+
+#include "surface/profile.h"
+
+enum { MOST = 1 << 20, ROUNDS = 25 };
+
+typedef struct random_surface {
+    const ovr_roughness *form;
+    double longest, shortest, correlation;
+    size_t n, waves;
+    double *z, *size; /* heights, amplitude of each wave */
+    double *target;   /* sorted heights wanted */
+    size_t *rank;
+} random_surface;
+
+/* ------------------------------------------------------------ 1. spectrum */
+
+static double spectrum(const random_surface *s, double wavelength)
 {
-    (void)form, (void)allocator;
-    ovr_fail(err, OVR_BAD_INPUT, "roughness: not built yet");
+    double v;
+    if (s->form->spectrum == OVR_EXPONENTIAL) {
+        v = 6.283185307179586 * s->correlation / wavelength;
+        return 1 / (1 + v * v);
+    }
+    v = s->longest / wavelength;
+    return v <= 1 ? 1 : pow(v, -1 - 2 * s->form->hurst);
+}
+
+static ovr_status draw(random_surface *s, ovr_arena *arena, ovr_error *err)
+{
+    const gsl_rng_type *type = gsl_rng_mt19937;
+    gsl_rng rng = {type, ovr_arena_take(arena, type->size, 1, err)};
+    if (!rng.state)
+        return OVR_NO_MEMORY;
+    gsl_rng_set(&rng, (unsigned long)s->form->seed);
+    for (size_t k = 1; k <= s->waves; k++) {
+        s->size[k] = sqrt(spectrum(s, s->form->length / (double)k));
+        s->z[k] = s->size[k] * gsl_ran_gaussian(&rng, 1);
+        s->z[s->n - k] = s->size[k] * gsl_ran_gaussian(&rng, 1);
+    }
+    gsl_fft_halfcomplex_radix2_backward(s->z, 1, s->n);
+    return OVR_OK;
+}
+
+/* --------------------------------------------------------------- 2. scale */
+
+/* Zero mean and unit variance; returns the skewness and kurtosis. */
+static void standardize(size_t n, double *z, double *skewness, double *kurtosis)
+{
+    double mean = 0, square = 0, m3 = 0, m4 = 0, sigma;
+    for (size_t i = 0; i < n; i++)
+        mean += z[i] / (double)n;
+    for (size_t i = 0; i < n; i++)
+        square += (z[i] - mean) * (z[i] - mean) / (double)n;
+    sigma = sqrt(square);
+    for (size_t i = 0; i < n; i++) {
+        double v = z[i] = (z[i] - mean) / sigma;
+        m3 += v * v * v / (double)n;
+        m4 += v * v * v * v / (double)n;
+    }
+    *skewness = m3;
+    *kurtosis = m4;
+}
+
+/* ------------------------------------------------------------- 3. moments */
+
+static void moments_of(random_surface *s, double c, double d, double *skewness,
+                       double *kurtosis)
+{
+    for (size_t i = 0; i < s->n; i++) {
+        double q = gsl_cdf_ugaussian_Pinv(((double)i + 0.5) / (double)s->n);
+        s->target[i] = q + c * (q * q - 1) + d * q * q * q;
+    }
+    standardize(s->n, s->target, skewness, kurtosis);
+}
+
+/* Newton with differences on (skewness, kurtosis)(c, d), steps bounded. */
+static bool find_target(random_surface *s, double skewness, double kurtosis)
+{
+    const double e = 1e-6;
+    double c = 0, d = 0, s0, k0, s1, k1, s2, k2;
+    for (int turn = 0; turn < 100; turn++) {
+        double det, dc, dd, size;
+        moments_of(s, c + e, d, &s1, &k1);
+        moments_of(s, c, d + e, &s2, &k2);
+        moments_of(s, c, d, &s0, &k0);
+        if (fabs(s0 - skewness) < 1e-10 && fabs(k0 - kurtosis) < 1e-9) {
+            gsl_sort(s->target, 1, s->n);
+            return true;
+        }
+        det = ((s1 - s0) * (k2 - k0) - (s2 - s0) * (k1 - k0)) / e;
+        dc = ((skewness - s0) * (k2 - k0) - (kurtosis - k0) * (s2 - s0)) / det;
+        dd = ((kurtosis - k0) * (s1 - s0) - (skewness - s0) * (k1 - k0)) / det;
+        size = fmax(fabs(dc), fabs(dd));
+        if (!isfinite(size))
+            return false;
+        c += dc * fmin(1, 0.1 / size);
+        d += dd * fmin(1, 0.1 / size);
+    }
+    return false;
+}
+
+static void take_ranks(random_surface *s)
+{
+    gsl_sort_index(s->rank, s->z, 1, s->n);
+    for (size_t i = 0; i < s->n; i++)
+        s->z[s->rank[i]] = s->target[i];
+}
+
+/* Gives each wave the amplitude it was drawn with, keeping its phase. */
+static void restore_spectrum(random_surface *s)
+{
+    gsl_fft_real_radix2_transform(s->z, 1, s->n);
+    s->z[0] = s->z[s->n / 2] = 0;
+    for (size_t k = 1; k < s->n / 2; k++) {
+        double size = hypot(s->z[k], s->z[s->n - k]);
+        double by = k <= s->waves && size > 0 ? s->size[k] / size : 0;
+        s->z[k] *= by;
+        s->z[s->n - k] *= by;
+    }
+    gsl_fft_halfcomplex_radix2_backward(s->z, 1, s->n);
+}
+
+static ovr_status shape_heights(random_surface *s, ovr_error *err)
+{
+    const ovr_roughness *f = s->form;
+    double skewness = isnan(f->skewness) ? 0 : f->skewness;
+    double kurtosis = isnan(f->kurtosis) ? 3 + 1.5 * skewness * skewness
+                                         : f->kurtosis;
+    if (isnan(f->skewness) && isnan(f->kurtosis))
+        return OVR_OK;
+    if (!find_target(s, skewness, kurtosis))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "roughness: no heights with skewness = %g and "
+                        "kurtosis = %g; kurtosis must lie above about 1.9 + "
+                        "1.7 skewness^2",
+                        skewness, kurtosis);
+    /* the amplitudes as drawn, so that realizations stay random */
+    gsl_fft_real_radix2_transform(s->z, 1, s->n);
+    for (size_t k = 1; k <= s->waves; k++)
+        s->size[k] = hypot(s->z[k], s->z[s->n - k]);
+    gsl_fft_halfcomplex_radix2_backward(s->z, 1, s->n);
+    for (int turn = 0; turn < ROUNDS; turn++) {
+        take_ranks(s);
+        restore_spectrum(s);
+    }
+    take_ranks(s);
+    return OVR_OK;
+}
+
+/* ---------------------------------------------------------------- the form */
+
+static ovr_status bad(ovr_error *err, const char *key, double value,
+                      const char *right)
+{
+    return ovr_fail(err, OVR_BAD_INPUT, "roughness: %s = %g must be %s", key,
+                    value, right);
+}
+
+static double or_else(double value, double otherwise)
+{
+    return isnan(value) ? otherwise : value;
+}
+
+static ovr_status check(random_surface *s, ovr_error *err)
+{
+    const ovr_roughness *f = s->form;
+    s->longest = or_else(f->rolloff, f->length / 8);
+    s->shortest = or_else(f->shortest, f->length / 256);
+    s->correlation = or_else(f->correlation, f->length / 32);
+    if (!(f->Rq >= 0) || isinf(f->Rq))
+        return bad(err, "Rq", f->Rq, "given, zero or positive");
+    if (!(f->length > 0) || isinf(f->length))
+        return bad(err, "length", f->length, "given and positive");
+    if (!(f->hurst >= 0 && f->hurst <= 1))
+        return bad(err, "hurst", f->hurst, "from 0 to 1");
+    if (!(s->longest > 0))
+        return bad(err, "rolloff", s->longest, "positive");
+    if (!(s->correlation > 0))
+        return bad(err, "correlation", s->correlation, "positive");
+    if (!(s->shortest > f->length * 8 / MOST && s->shortest <= f->length))
+        return bad(err, "shortest", s->shortest,
+                   "at most the length and above 1/131072 of it");
+    if (f->seed < 0)
+        return bad(err, "seed", f->seed, "zero or positive");
+    if (f->spectrum != OVR_SELF_AFFINE && f->spectrum != OVR_EXPONENTIAL)
+        return bad(err, "spectrum", f->spectrum, "one of its names");
+    return OVR_OK;
+}
+
+static ovr_status make_room(random_surface *s, ovr_arena *arena, ovr_error *err)
+{
+    s->waves = (size_t)(s->form->length / s->shortest * (1 + 1e-12));
+    for (s->n = 16; s->n < 8 * s->waves;)
+        s->n *= 2;
+    s->z = ovr_arena_take(arena, s->n, sizeof(double), err);
+    s->size = ovr_arena_take(arena, s->n, sizeof(double), err);
+    s->target = ovr_arena_take(arena, s->n, sizeof(double), err);
+    s->rank = ovr_arena_take(arena, s->n, sizeof(size_t), err);
+    return s->z && s->size && s->target && s->rank ? OVR_OK : OVR_NO_MEMORY;
+}
+
+/* One period and its first point again. */
+static ovr_status hand_over(const random_surface *s, ovr_profile *p,
+                            ovr_error *err)
+{
+    size_t n = s->n + 1;
+    ovr_status status = ovr_profile_room(p, n, err);
+    if (status)
+        return status;
+    ovr_profile_regular(p, n, 0, s->form->length / (double)s->n);
+    for (size_t i = 0; i < n; i++)
+        p->z[i] = s->form->Rq * s->z[i % s->n];
+    p->view.scaled_x = p->view.scaled_z = true;
+    p->view.format = "roughness";
+    ovr_profile_note(p, "random, seed %d: %zu waves from %g down to %g, Rq %g",
+                     s->form->seed, s->waves, s->form->length, s->shortest,
+                     s->form->Rq);
+    return ovr_profile_finish(p, n, err);
+}
+
+static ovr_status synthesize(random_surface *s, ovr_profile *p, ovr_error *err)
+{
+    double skewness, kurtosis;
+    ovr_arena work = ovr_arena_make(&p->arena.allocator);
+    ovr_status status = make_room(s, &work, err);
+    if (!status)
+        status = draw(s, &work, err);
+    if (!status) {
+        standardize(s->n, s->z, &skewness, &kurtosis);
+        status = shape_heights(s, err);
+    }
+    if (!status)
+        status = hand_over(s, p, err);
+    ovr_arena_release(&work);
+    return status;
+}
+
+ovr_profile *ovr_profile_random(const ovr_roughness *form,
+                                const ovr_allocator *allocator, ovr_error *err)
+{
+    random_surface s = {.form = form};
+    ovr_profile *p;
+    if (check(&s, err))
+        return NULL;
+    p = ovr_profile_new("roughness", allocator, err);
+    if (p && !synthesize(&s, p, err))
+        return p;
+    ovr_profile_free(p);
     return NULL;
 }

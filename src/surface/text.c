@@ -119,6 +119,24 @@ bool ovr_line_starts(ovr_line line, const char *word)
     return line.size >= n && memcmp(line.text, word, n) == 0;
 }
 
+static bool is_space(char c)
+{
+    return is_blank(c) || c == 0;
+}
+
+bool ovr_next_piece(ovr_line *rest, ovr_line *piece)
+{
+    size_t from = 0, to;
+    while (from < rest->size && is_space(rest->text[from]))
+        from++;
+    for (to = from; to < rest->size && !is_space(rest->text[to]);)
+        to++;
+    *piece = (ovr_line){rest->text + from, to - from, rest->number};
+    rest->text += to;
+    rest->size -= to;
+    return piece->size > 0;
+}
+
 static char lower(char c)
 {
     return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
@@ -266,12 +284,15 @@ double ovr_length_unit(ovr_line piece, bool bracketed)
 ovr_quoted ovr_quote(ovr_line piece)
 {
     ovr_quoted quoted;
-    size_t room = sizeof quoted.text - 4, n = piece.size, used = 0;
-    for (; used < n && used < room; used++) {
-        char c = piece.text[used];
-        quoted.text[used] = c >= 32 && c < 127 ? c : '?';
+    size_t room = sizeof quoted.text - 4, used = 0;
+    while (piece.size && used < room) {
+        size_t sign = micro(piece), taken = sign ? sign : 1;
+        char c = sign ? 'u' : piece.text[0];
+        quoted.text[used++] = c >= 32 && c < 127 ? c : '?';
+        piece.text += taken;
+        piece.size -= taken;
     }
-    if (used < n)
+    if (piece.size)
         memcpy(quoted.text + used, "...", 3), used += 3;
     quoted.text[used] = 0;
     return quoted;

@@ -37,6 +37,9 @@ ovr_line ovr_trim(ovr_line line);
 bool ovr_line_starts(ovr_line line, const char *word);
 bool ovr_line_is(ovr_line line, const char *word); /* without case */
 
+/* The next word between blanks or NULs, taken off `rest`. */
+bool ovr_next_piece(ovr_line *rest, ovr_line *piece);
+
 /* The whole piece is one decimal number, with '.' or, if `comma`, ','. */
 bool ovr_number(ovr_line piece, bool comma, double *value);
 /* The whole piece is a sign for no value: NaN, BAD, ---, nothing... */
