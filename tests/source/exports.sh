@@ -22,6 +22,7 @@ nm -D --defined-only "$SHARED" | awk '$2 ~ /[A-Z]/ { print $3 }' |
 nm -g --defined-only "$LIB" | awk 'NF == 3 { print $3 }' | sort -u >global
 
 comm -13 declared exported | sed 's/$/ is exported but not declared/' >wrong
+comm -23 declared exported | sed 's/$/ is declared but not defined/' >>wrong
 grep -v '^ovr_' global | sed 's/$/ is global without ovr_ before it/' >>wrong
 cat wrong
 [ ! -s wrong ] && [ -s declared ]
