@@ -188,7 +188,7 @@ static ovr_status read_binary(package *k, const ovr_x3p *x, size_t n,
     status = unpack_named(k, x->data, &data, err);
     if (status)
         return status;
-    if (data.size / stride < n * lines)
+    if (!stride || data.size / stride < n * lines)
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
                            "the points are cut off at offset %zu: %zu of %zu "
                            "bytes each are announced",
