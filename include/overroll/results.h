@@ -119,6 +119,66 @@ typedef enum ovr_run_status {
 OVR_API ovr_status ovr_writer_close(ovr_writer *writer, ovr_run_status status,
                                     ovr_error *err);
 
+/* --------------------------------------------------------------- restart */
+
+/*
+ * OUT.h5.restart lies beside OUT.h5 from its first moment on and is replaced
+ * whole: a checkpoint of the run, with the case it belongs to.
+ *
+ *     ovr_restart *restart = ovr_restart_open("OUT.h5", NULL, &err);
+ *     ... case from ovr_restart_about(restart), simulation as for a new run
+ *     ovr_restart_check(restart, count, values, &err);
+ *     if (about->has_state) ovr_restart_load(restart, sim, &err);
+ *     else                  ovr_simulation_steady(sim, &err);
+ *     w = ovr_writer_resume(&options, &contact, n, X, restart, NULL, &err);
+ *     ovr_writer_checkpoints(w, sim);
+ *     ... march with the writer as its observer
+ */
+typedef struct ovr_restart ovr_restart;
+
+typedef struct ovr_restart_info {
+    bool has_state; /* false: the run ended before its first checkpoint */
+    long step;      /* of the checkpoint, and its time */
+    double T;
+    size_t snapshots, steps; /* rows of the file at that moment */
+    const char *case_text, *case_path;
+    size_t value_count; /* parameters of the run; name, text, physics */
+    const ovr_case_value *values;
+} ovr_restart_info;
+
+/* The checkpoint beside a result file; one that belongs to another run, is
+ * damaged or was written by another version is OVR_BAD_INPUT. */
+OVR_API ovr_restart *ovr_restart_open(const char *result_path,
+                                      const ovr_allocator *allocator,
+                                      ovr_error *err);
+OVR_API void ovr_restart_close(ovr_restart *restart);
+OVR_API const ovr_restart_info *ovr_restart_about(const ovr_restart *restart);
+
+/* OVR_BAD_INPUT naming the first parameter of physics that differs. */
+OVR_API ovr_status ovr_restart_check(const ovr_restart *restart, size_t count,
+                                     const ovr_case_value *values,
+                                     ovr_error *err);
+
+/* Puts the state into a simulation created alike. */
+OVR_API ovr_status ovr_restart_load(const ovr_restart *restart,
+                                    ovr_simulation *sim, ovr_error *err);
+
+/* The simulation whose state the writer's checkpoints hold: from now on
+ * every checkpoint_interval, and at the end.  Borrowed. */
+OVR_API void ovr_writer_checkpoints(ovr_writer *writer, ovr_simulation *sim);
+
+/* Goes on with options->path: a cut last write is finished, rows behind the
+ * checkpoint are dropped and will be written again.  `restart` NULL, or one
+ * without a state: all rows are dropped.  What is stored may be chosen anew,
+ * but for precision and nodes, which the file has already. */
+OVR_API ovr_writer *
+ovr_writer_resume(const ovr_write_options *options, const ovr_contact *contact,
+                  size_t n, const double *X, const ovr_restart *restart,
+                  const ovr_allocator *allocator, ovr_error *err);
+
+/* Whether resuming had to finish a cut write. */
+OVR_API bool ovr_writer_repaired(const ovr_writer *writer);
+
 /* ---------------------------------------------------------------- reader */
 
 /*

@@ -56,9 +56,8 @@ ovr_status ovr_file_prepare(ovr_file *f, const ovr_file_plan *plan,
 ovr_status ovr_file_create(ovr_file *f, const ovr_file_plan *plan,
                            ovr_error *err)
 {
-    bool force = plan->options->force;
     hid_t creation;
-    ovr_status status = ovr_store_create(&f->store, force, err);
+    ovr_status status = ovr_store_create(&f->store, plan->options->force, err);
     if (status != OVR_OK)
         return status;
     creation = ovr_header_creation();
@@ -66,8 +65,7 @@ ovr_status ovr_file_create(ovr_file *f, const ovr_file_plan *plan,
     ovr_h5_drop(creation);
     if (f->file < 0 || !ovr_header_write(f, plan))
         return write_failed(f, err);
-    status = ovr_file_flush(f, err);
-    return status == OVR_OK ? ovr_store_publish(&f->store, force, err) : status;
+    return ovr_file_flush(f, err);
 }
 
 /* Makes a dataset `rows` rows long; `nodes` 0 for a column. */
@@ -87,7 +85,9 @@ static bool add_chunk(ovr_file *f, size_t k, const void *values)
 {
     hsize_t at[2] = {f->snapshots, 0};
     size_t bytes = f->nodes * element_of(f, k);
-    size_t packed = ovr_pack(&f->packer, values, f->nodes, element_of(f, k));
+    size_t packed = 0;
+    if (f->deflate)
+        packed = ovr_pack(&f->packer, values, f->nodes, element_of(f, k));
     if (!grow(f->field[k], f->snapshots + 1, f->nodes))
         return false;
     if (packed)
@@ -145,6 +145,117 @@ ovr_status ovr_file_add_steps(ovr_file *f, size_t count, const int *steps,
     return OVR_OK;
 }
 
+/* --------------------------------------------------------------- going on */
+
+static ovr_status refuse(const ovr_file *f, const char *why, ovr_error *err)
+{
+    return ovr_fail(err, OVR_BAD_INPUT, "%s: %s", f->store.path, why);
+}
+
+/* The same positions to the bit: same domain, level, window and stride. */
+static bool same_positions(const ovr_file *f, const ovr_file_plan *plan,
+                           double *found)
+{
+    hid_t x = H5Dopen2(f->file, "x", H5P_DEFAULT);
+    hid_t space = x < 0 ? -1 : H5Dget_space(x);
+    bool ok = space >= 0 &&
+              H5Sget_simple_extent_npoints(space) == (hssize_t)plan->nodes &&
+              H5Dread(x, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                      found) >= 0 &&
+              memcmp(found, plan->x, plan->nodes * sizeof *found) == 0;
+    ovr_h5_drop(space);
+    ovr_h5_drop(x);
+    return ok;
+}
+
+/* Precision and filters are as they were when the file was made. */
+static bool same_precision(ovr_file *f)
+{
+    hid_t type = H5Dget_type(f->field[0]);
+    hid_t creation = H5Dget_create_plist(f->field[0]);
+    bool ok = H5Tget_size(type) == element_of(f, 0);
+    if (H5Pget_nfilters(creation) == 0)
+        f->deflate = 0;
+    ovr_h5_drop(creation);
+    ovr_h5_drop(type);
+    return ok;
+}
+
+static bool has_rows(hid_t set, hsize_t rows)
+{
+    hid_t space = H5Dget_space(set);
+    hsize_t shape[2] = {0, 0};
+    bool ok = H5Sget_simple_extent_dims(space, shape, NULL) > 0 &&
+              shape[0] >= rows;
+    ovr_h5_drop(space);
+    return ok;
+}
+
+/* A field that is new, or was not stored for a while, has fewer rows: they
+ * read as NaN. */
+static bool drop_rows(ovr_file *f)
+{
+    bool ok = grow(f->time, f->snapshots, 0) && grow(f->step, f->steps, 0);
+    for (size_t k = 0; ok && k < f->fields; k++)
+        ok = grow(f->field[k], f->snapshots, f->nodes);
+    for (size_t c = 0; ok && c < f->columns; c++)
+        ok = grow(f->column[c], f->steps, 0);
+    return ok;
+}
+
+static ovr_status check_identity(ovr_file *f, const ovr_file_plan *plan,
+                                 ovr_arena *arena, ovr_error *err)
+{
+    const char *created = ovr_h5_get_text(f->file, "date_created", arena, NULL);
+    double *found = ovr_arena_take(arena, plan->nodes, sizeof *found, err);
+    if (!found)
+        return OVR_NO_MEMORY;
+    if (plan->created && (!created || strcmp(created, plan->created) != 0))
+        return refuse(f, "its checkpoint belongs to another run", err);
+    if (!same_positions(f, plan, found))
+        return refuse(f,
+                      "holds other nodes than asked for now (domain, level, "
+                      "window and stride cannot change)",
+                      err);
+    if (!ovr_header_open(f, plan))
+        return refuse(f, "is not a result of overroll, or damaged", err);
+    if (!same_precision(f))
+        return refuse(f, "holds another precision than asked for now", err);
+    if (!has_rows(f->time, f->snapshots) || !has_rows(f->step, f->steps))
+        return refuse(f, "has fewer rows than its checkpoint says", err);
+    return OVR_OK;
+}
+
+static bool mark_running(ovr_file *f, const ovr_file_plan *plan)
+{
+    double end = plan->options->end * ovr_factor(plan->scales, 'T');
+    return ovr_h5_change_string(f->file, "status", "running") &&
+           ovr_h5_change_number(f->file, "time_end", end);
+}
+
+ovr_status ovr_file_open(ovr_file *f, const ovr_file_plan *plan,
+                         size_t snapshots, size_t steps, ovr_error *err)
+{
+    ovr_status status = ovr_store_open(&f->store, err);
+    if (status != OVR_OK)
+        return status;
+    f->snapshots = snapshots;
+    f->steps = steps;
+    f->file = ovr_driver_open(&f->store);
+    if (f->file < 0)
+        return refuse(f, "is not an HDF5 file, or damaged", err);
+    status = check_identity(f, plan, f->store.changed.arena, err);
+    if (status != OVR_OK) {
+        ovr_store_fail(&f->store); /* leave it as it is */
+        return status;
+    }
+    if (!drop_rows(f) || !mark_running(f, plan))
+        return write_failed(f, err);
+    return ovr_file_flush(f, err);
+}
+
+/* ------------------------------------------------------------ flush and end */
+
 ovr_status ovr_file_flush(ovr_file *f, ovr_error *err)
 {
     if (H5Fflush(f->file, H5F_SCOPE_GLOBAL) < 0)
@@ -152,12 +263,14 @@ ovr_status ovr_file_flush(ovr_file *f, ovr_error *err)
     return ovr_store_commit(&f->store, err);
 }
 
-ovr_status ovr_file_status(ovr_file *f, ovr_run_status status, ovr_error *err)
+ovr_status ovr_file_status(ovr_file *f, ovr_run_status status, double seconds,
+                           ovr_error *err)
 {
     char date[OVR_DATE_SIZE];
     ovr_date_now(date);
     if (!ovr_h5_change_string(f->file, "status", ovr_run_status_name(status)) ||
-        !ovr_h5_change_string(f->file, "date_modified", date))
+        !ovr_h5_change_string(f->file, "date_modified", date) ||
+        !ovr_h5_change_number(f->file, "date_seconds", seconds))
         return write_failed(f, err);
     return OVR_OK;
 }

@@ -39,15 +39,21 @@ typedef struct ovr_file_plan {
     const ovr_scales *scales;
     const double *x; /* stored positions, in the file's unit */
     size_t nodes;
+    const char *created; /* its date_created */
 } ovr_file_plan;
 
 /* Memory of the file and what follows from the plan; no disk is touched. */
 ovr_status ovr_file_prepare(ovr_file *file, const ovr_file_plan *plan,
                             ovr_arena *arena, ovr_error *err);
 
-/* Makes the file with all its headers. */
+/* Makes the file with all its headers, under its temporary name. */
 ovr_status ovr_file_create(ovr_file *file, const ovr_file_plan *plan,
                            ovr_error *err);
+
+/* Opens one that is to be gone on with; it must have plan->created, these
+ * positions and this precision.  Rows behind the counts are dropped. */
+ovr_status ovr_file_open(ovr_file *file, const ovr_file_plan *plan,
+                         size_t snapshots, size_t steps, ovr_error *err);
 
 /* One snapshot: its time and its fields one after the other, as they are to
  * lie in the file. */
@@ -61,8 +67,9 @@ ovr_status ovr_file_add_steps(ovr_file *file, size_t count, const int *steps,
 
 /* Everything so far becomes what a reader finds. */
 ovr_status ovr_file_flush(ovr_file *file, ovr_error *err);
+/* How the run ended, after how many seconds of wall time. */
 ovr_status ovr_file_status(ovr_file *file, ovr_run_status status,
-                           ovr_error *err);
+                           double seconds, ovr_error *err);
 ovr_status ovr_file_close(ovr_file *file, ovr_error *err);
 
 #endif

@@ -28,11 +28,13 @@ const char *ovr_run_status_name(ovr_run_status status)
 
 void ovr_date_now(char date[OVR_DATE_SIZE])
 {
-    time_t now = time(NULL);
+    struct timespec now = {0, 0};
     struct tm utc;
-    date[0] = '\0';
-    if (gmtime_r(&now, &utc))
-        strftime(date, OVR_DATE_SIZE, "%Y-%m-%dT%H:%M:%SZ", &utc);
+    size_t used = 0;
+    clock_gettime(CLOCK_REALTIME, &now);
+    if (gmtime_r(&now.tv_sec, &utc))
+        used = strftime(date, OVR_DATE_SIZE, "%Y-%m-%dT%H:%M:%S", &utc);
+    snprintf(date + used, OVR_DATE_SIZE - used, ".%06ldZ", now.tv_nsec / 1000);
 }
 
 hid_t ovr_header_creation(void)
@@ -157,24 +159,27 @@ static hid_t field_type(const ovr_file *f, char kind)
     return f->element == sizeof(float) ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
 }
 
+static bool make_field(ovr_file *f, const ovr_scales *scales, hid_t x, size_t k)
+{
+    const ovr_field *which = f->which[k];
+    dataset d = {which->name,
+                 which->long_name,
+                 ovr_unit(scales, which->kind),
+                 ovr_scale(scales, which->kind),
+                 field_type(f, which->kind),
+                 1,
+                 f->nodes,
+                 f->deflate};
+    f->field[k] = make_dataset(f->file, &d);
+    return f->field[k] >= 0 && H5DSattach_scale(f->field[k], f->time, 0) >= 0 &&
+           H5DSattach_scale(f->field[k], x, 1) >= 0;
+}
+
 static bool make_fields(ovr_file *f, const ovr_scales *scales, hid_t x)
 {
     bool ok = true;
-    for (size_t k = 0; ok && k < f->fields; k++) {
-        const ovr_field *which = f->which[k];
-        dataset d = {which->name,
-                     which->long_name,
-                     ovr_unit(scales, which->kind),
-                     ovr_scale(scales, which->kind),
-                     field_type(f, which->kind),
-                     1,
-                     f->nodes,
-                     f->deflate};
-        f->field[k] = make_dataset(f->file, &d);
-        ok = f->field[k] >= 0 &&
-             H5DSattach_scale(f->field[k], f->time, 0) >= 0 &&
-             H5DSattach_scale(f->field[k], x, 1) >= 0;
-    }
+    for (size_t k = 0; ok && k < f->fields; k++)
+        ok = make_field(f, scales, x, k);
     return ok;
 }
 
@@ -235,10 +240,11 @@ static bool make_case(const ovr_file *f, const ovr_write_options *o)
     return ok;
 }
 
-static bool set_conventions(hid_t root, const ovr_write_options *o)
+static bool set_conventions(hid_t root, const ovr_file_plan *plan)
 {
-    char date[OVR_DATE_SIZE], line[128];
-    ovr_date_now(date);
+    const ovr_write_options *o = plan->options;
+    const char *date = plan->created;
+    char line[128];
     snprintf(line, sizeof line, "%s overroll %s", date, OVERROLL_VERSION);
     return ovr_h5_set_chars(root, "Conventions", "CF-1.8") &&
            ovr_h5_set_chars(root, "title",
@@ -283,7 +289,7 @@ static bool set_scales(hid_t root, const ovr_scales *scales, double end)
 bool ovr_header_write(ovr_file *f, const ovr_file_plan *plan)
 {
     hid_t x = -1;
-    bool ok = set_conventions(f->file, plan->options) &&
+    bool ok = set_conventions(f->file, plan) &&
               set_scales(f->file, plan->scales, plan->options->end) &&
               make_time(f, plan->scales);
     if (ok)
@@ -294,22 +300,39 @@ bool ovr_header_write(ovr_file *f, const ovr_file_plan *plan)
     return ok;
 }
 
-bool ovr_header_open(ovr_file *f)
+static bool open_fields(ovr_file *f, const ovr_scales *scales)
+{
+    hid_t x = H5Dopen2(f->file, "x", H5P_DEFAULT);
+    bool ok = x >= 0;
+    for (size_t k = 0; ok && k < f->fields; k++) {
+        const char *name = f->which[k]->name;
+        if (H5Lexists(f->file, name, H5P_DEFAULT) > 0)
+            f->field[k] = H5Dopen2(f->file, name, H5P_DEFAULT);
+        else
+            make_field(f, scales, x, k);
+        ok = f->field[k] >= 0;
+    }
+    ovr_h5_drop(x);
+    return ok;
+}
+
+static bool open_columns(ovr_file *f)
 {
     const ovr_observable *o = ovr_observables();
     hid_t group = H5Gopen2(f->file, "history", H5P_DEFAULT);
     bool ok = group >= 0;
-    f->time = H5Dopen2(f->file, "time", H5P_DEFAULT);
     f->step = ok ? H5Dopen2(group, "step", H5P_DEFAULT) : -1;
-    ok = f->time >= 0 && f->step >= 0;
-    for (size_t k = 0; ok && k < f->fields; k++) {
-        f->field[k] = H5Dopen2(f->file, f->which[k]->name, H5P_DEFAULT);
-        ok = f->field[k] >= 0;
-    }
+    ok = f->step >= 0;
     for (size_t c = 0; ok && c < f->columns; c++) {
         f->column[c] = H5Dopen2(group, o[c].name, H5P_DEFAULT);
         ok = f->column[c] >= 0;
     }
     ovr_h5_drop(group);
     return ok;
+}
+
+bool ovr_header_open(ovr_file *f, const ovr_file_plan *plan)
+{
+    f->time = H5Dopen2(f->file, "time", H5P_DEFAULT);
+    return f->time >= 0 && open_fields(f, plan->scales) && open_columns(f);
 }

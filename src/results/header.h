@@ -8,8 +8,9 @@
 /* Writes all headers into the open, empty file and opens its datasets. */
 bool ovr_header_write(ovr_file *file, const ovr_file_plan *plan);
 
-/* Opens the datasets of a file that has its headers already. */
-bool ovr_header_open(ovr_file *file);
+/* Opens the datasets of a file that has its headers already; fields that it
+ * lacks are made. */
+bool ovr_header_open(ovr_file *file, const ovr_file_plan *plan);
 
 /* File creation properties: the order of links and attributes is kept. */
 hid_t ovr_header_creation(void);
@@ -17,7 +18,7 @@ hid_t ovr_header_creation(void);
 /* "running", "complete", "stopped", "failed" */
 const char *ovr_run_status_name(ovr_run_status status);
 
-/* Time now as 2026-01-31T12:00:00Z. */
+/* Time now as 2026-01-31T12:00:00.123456Z. */
 enum { OVR_DATE_SIZE = 32 };
 void ovr_date_now(char date[OVR_DATE_SIZE]);
 

@@ -3,7 +3,9 @@
 #ifndef OVR_RESULTS_WRITER_H
 #define OVR_RESULTS_WRITER_H
 
+#include "results/checkpoint.h"
 #include "results/file.h"
+#include "results/header.h"
 #include "results/queue.h"
 #include "results/schedule.h"
 
@@ -24,7 +26,15 @@ struct ovr_writer {
     bool last_stored; /* the last state has its snapshot */
     size_t snapshots; /* stored, on their way included */
     double started, last_flush, last_checkpoint, seconds_before;
-    const ovr_frame *frame;
+
+    /* checkpoints */
+    ovr_state_source source; /* visit_all NULL: there are none */
+    char *restart, *restart_part;
+    char created[OVR_DATE_SIZE];
+
+    /* the state now, as a frame; NULL: not known */
+    ovr_frame (*frame_of)(ovr_writer *writer);
+    const ovr_simulation *observed;
 
     /* the other side of the queue */
     ovr_file file;
@@ -36,6 +46,22 @@ struct ovr_writer {
 /* An ovr_drain: writes one parcel. */
 ovr_status ovr_writer_drain(void *writer, const ovr_parcel *parcel,
                             ovr_error *err);
+
+/* Checkpoints hold this source's state from now on. */
+void ovr_writer_source(ovr_writer *writer, ovr_state_source source);
+
+/* Seconds of a clock that only goes forward; and those the run took so far. */
+double ovr_now(void);
+double ovr_writer_seconds(const ovr_writer *writer);
+
+/* Puts a snapshot into the parcel being filled. */
+void ovr_writer_store(ovr_writer *writer, const ovr_frame *frame);
+
+/* A checkpoint of what is in the file; the queue must be empty. */
+ovr_status ovr_writer_checkpoint(ovr_writer *writer, bool sync, ovr_error *err);
+
+/* Flushes, syncs and writes a checkpoint. */
+ovr_status ovr_writer_save(ovr_writer *writer, ovr_error *err);
 
 /* Will the state of this step at T be stored? */
 bool ovr_writer_due(const ovr_writer *writer, long step, double T);

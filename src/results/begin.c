@@ -1,0 +1,318 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * How a result file begins, goes on after an interruption, and ends.
+ */
+#include "results/writer.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "results/h5.h"
+
+ovr_write_options ovr_write_options_default(void)
+{
+    ovr_write_options o;
+    memset(&o, 0, sizeof o);
+    o.fields = OVR_FIELDS_DEFAULT;
+    o.x_from = o.x_to = o.end = NAN;
+    o.stride = 1;
+    o.deflate = 1;
+    o.flush_interval = 0.5;
+    o.checkpoint_interval = 30;
+    return o;
+}
+
+static size_t count_fields(unsigned fields)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
+        count += fields & ovr_field_table[k].bit ? 1 : 0;
+    return count;
+}
+
+long ovr_write_every(const ovr_write_options *o, double end, double dT,
+                     size_t nodes)
+{
+    size_t stored = nodes / (o->stride ? o->stride : 1) + 1;
+    double row = (double)stored * (double)count_fields(o->fields) *
+                 (o->single ? 4 : 8);
+    double most = fmin(250, fmax(50, 64e6 / row));
+    double every = ceil(end / dT / most);
+    return every >= 1 && every < 1e9 ? (long)every : 1;
+}
+
+static ovr_status check_options(const ovr_write_options *o, ovr_error *err)
+{
+    if (!o->path || !o->path[0])
+        return ovr_fail(err, OVR_BAD_INPUT, "the result file has no name");
+    if (o->deflate < 0 || o->deflate > 9)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: deflate level %d; 0 to 9",
+                        o->path, o->deflate);
+    if (o->stride < 1)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: stride 0; 1 or more", o->path);
+    if (count_fields(o->fields) == 0)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: no field to store", o->path);
+    return OVR_OK;
+}
+
+/* The stored nodes: those in the window, from its first one on by strides. */
+static ovr_status choose_nodes(ovr_writer *w, const double *X, ovr_error *err)
+{
+    const ovr_write_options *o = &w->options;
+    size_t last = w->n;
+    while (w->first < w->n && X[w->first] < o->x_from)
+        w->first++;
+    while (last > w->first && X[last - 1] > o->x_to)
+        last--;
+    w->nodes = (last - w->first + o->stride - 1) / o->stride;
+    if (w->nodes == 0)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: no node lies in the window "
+                        "from %g to %g",
+                        w->options.path, o->x_from, o->x_to);
+    return OVR_OK;
+}
+
+static double *stored_positions(ovr_writer *w, const double *X, ovr_error *err)
+{
+    double factor = ovr_factor(&w->scales, 'X');
+    double *x = ovr_arena_take(&w->arena, w->nodes, sizeof *x, err);
+    for (size_t k = 0; x && k < w->nodes; k++)
+        x[k] = factor * X[w->first + k * w->options.stride];
+    return x;
+}
+
+static ovr_status take_scratch(ovr_writer *w, ovr_error *err)
+{
+    ovr_arena *a = &w->arena;
+    w->pending_step = ovr_arena_take(a, OVR_ROW_CHUNK, sizeof *w->pending_step,
+                                     err);
+    w->pending_value = ovr_arena_take(a, OVR_ROW_CHUNK * w->file.columns,
+                                      sizeof *w->pending_value, err);
+    w->rho = ovr_arena_take(a, w->n, sizeof *w->rho, err);
+    w->eta = ovr_arena_take(a, w->n, sizeof *w->eta, err);
+    w->flow = ovr_arena_take(a, w->n, sizeof *w->flow, err);
+    return w->pending_step && w->pending_value && w->rho && w->eta && w->flow
+               ? OVR_OK
+               : OVR_NO_MEMORY;
+}
+
+static ovr_status take_names(ovr_writer *w, ovr_error *err)
+{
+    size_t length = strlen(w->file.store.path), size = length + 32;
+    w->options.path = w->file.store.path;
+    w->restart = ovr_arena_take(&w->arena, size, 1, err);
+    w->restart_part = ovr_arena_take(&w->arena, size, 1, err);
+    if (!w->restart || !w->restart_part)
+        return OVR_NO_MEMORY;
+    snprintf(w->restart, size, "%s.restart", w->options.path);
+    snprintf(w->restart_part, size, "%s.restart.part", w->options.path);
+    return OVR_OK;
+}
+
+static const char *keep_text(ovr_writer *w, const char *text, bool *kept,
+                             ovr_error *err)
+{
+    char *copy = ovr_arena_text(&w->arena, text ? text : "", err);
+    *kept = *kept && copy;
+    return copy;
+}
+
+/* The case goes into every checkpoint: copies of it are kept. */
+static ovr_status keep_case(ovr_writer *w, ovr_error *err)
+{
+    ovr_write_options *o = &w->options;
+    ovr_case_value *values = ovr_arena_take(&w->arena, o->value_count,
+                                            sizeof *values, err);
+    bool kept = values != NULL;
+    for (size_t k = 0; kept && k < o->value_count; k++) {
+        values[k] = o->values[k];
+        values[k].name = keep_text(w, values[k].name, &kept, err);
+        values[k].text = keep_text(w, values[k].text, &kept, err);
+        values[k].unit = keep_text(w, values[k].unit, &kept, err);
+    }
+    o->values = values;
+    o->case_text = keep_text(w, o->case_text, &kept, err);
+    o->case_path = keep_text(w, o->case_path, &kept, err);
+    return kept ? OVR_OK : OVR_NO_MEMORY;
+}
+
+static ovr_status prepare(ovr_writer *w, const double *X, ovr_file_plan *plan,
+                          ovr_error *err)
+{
+    ovr_status status = check_options(&w->options, err);
+    if (!status)
+        status = ovr_schedule_make(&w->schedule, &w->options, &w->arena, err);
+    if (!status)
+        status = choose_nodes(w, X, err);
+    if (status)
+        return status;
+    ovr_date_now(w->created);
+    *plan = (ovr_file_plan){&w->options, &w->scales, NULL, w->nodes,
+                            w->created};
+    plan->x = stored_positions(w, X, err);
+    if (!plan->x)
+        return OVR_NO_MEMORY;
+    status = ovr_file_prepare(&w->file, plan, &w->arena, err);
+    if (status)
+        return status;
+    if (take_names(w, err) || keep_case(w, err) || take_scratch(w, err))
+        return OVR_NO_MEMORY;
+    return ovr_queue_prepare(&w->queue,
+                             w->nodes * w->file.fields * w->file.element,
+                             w->file.columns, &w->arena, err);
+}
+
+static void release(ovr_writer *w)
+{
+    ovr_arena arena = w->arena;
+    ovr_packer_release(&w->file.packer);
+    ovr_arena_release(&arena);
+}
+
+static ovr_writer *begin(const ovr_write_options *options,
+                         const ovr_contact *contact, size_t n,
+                         const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_writer *w = ovr_arena_take(&arena, 1, sizeof *w, err);
+    if (!w)
+        return NULL;
+    w->arena = arena;
+    w->options = *options;
+    w->scales = ovr_scales_of(contact);
+    w->n = n;
+    w->file.file = w->file.store.fd = w->file.store.journal = -1;
+    w->last_step = -1;
+    w->last_T = -INFINITY;
+    w->started = w->last_flush = w->last_checkpoint = ovr_now();
+    return w;
+}
+
+/* The checkpoint, still without a state, is there before the file has its
+ * name: a run killed at any later moment can be gone on with. */
+static ovr_status start_file(ovr_writer *w, const ovr_file_plan *plan,
+                             ovr_error *err)
+{
+    ovr_status status = ovr_file_create(&w->file, plan, err);
+    if (status == OVR_OK)
+        status = ovr_writer_checkpoint(w, false, err);
+    if (status == OVR_OK)
+        status = ovr_store_publish(&w->file.store, w->options.force, err);
+    return status == OVR_IO ? OVR_BAD_INPUT : status;
+}
+
+static ovr_writer *abandon(ovr_writer *w)
+{
+    ovr_file_close(&w->file, NULL);
+    release(w);
+    return NULL;
+}
+
+ovr_writer *ovr_writer_create(const ovr_write_options *options,
+                              const ovr_contact *contact, size_t n,
+                              const double *X, const ovr_allocator *allocator,
+                              ovr_error *err)
+{
+    ovr_writer *w = begin(options, contact, n, allocator, err);
+    ovr_h5_manners manners = ovr_h5_quiet();
+    ovr_file_plan plan;
+    if (w && (prepare(w, X, &plan, err) || start_file(w, &plan, err)))
+        w = abandon(w);
+    ovr_h5_restore(manners);
+    if (w)
+        ovr_queue_start(&w->queue, !w->options.no_thread, ovr_writer_drain, w);
+    return w;
+}
+
+/* Counts of a checkpoint with a state; else the run begins anew, on the rows
+ * of the same file. */
+static void go_on_from(ovr_writer *w, const ovr_restart *restart,
+                       ovr_file_plan *plan)
+{
+    const ovr_counts *counts = restart ? ovr_restart_counts(restart) : NULL;
+    plan->created = restart ? ovr_restart_created(restart) : NULL;
+    if (!restart || !ovr_restart_about(restart)->has_state)
+        return;
+    w->last_step = (long)counts->step;
+    w->last_T = counts->T;
+    w->last_stored = counts->stored != 0;
+    w->seconds_before = counts->seconds;
+    w->snapshots = (size_t)counts->snapshots;
+}
+
+static ovr_status reopen_file(ovr_writer *w, const ovr_restart *restart,
+                              ovr_file_plan *plan, ovr_error *err)
+{
+    size_t steps = w->last_step < 0 ? 0 : ovr_restart_about(restart)->steps;
+    ovr_status status = ovr_file_open(&w->file, plan, w->snapshots, steps, err);
+    char *created;
+    if (status != OVR_OK)
+        return status;
+    created = ovr_h5_get_text(w->file.file, "date_created", &w->arena, NULL);
+    snprintf(w->created, sizeof w->created, "%s", created ? created : "");
+    return OVR_OK;
+}
+
+ovr_writer *ovr_writer_resume(const ovr_write_options *options,
+                              const ovr_contact *contact, size_t n,
+                              const double *X, const ovr_restart *restart,
+                              const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_writer *w = begin(options, contact, n, allocator, err);
+    ovr_h5_manners manners = ovr_h5_quiet();
+    ovr_file_plan plan;
+    ovr_status status = w ? prepare(w, X, &plan, err) : OVR_NO_MEMORY;
+    if (status == OVR_OK) {
+        go_on_from(w, restart, &plan);
+        status = reopen_file(w, restart, &plan, err);
+    }
+    if (w && status != OVR_OK)
+        w = abandon(w);
+    ovr_h5_restore(manners);
+    if (w)
+        ovr_queue_start(&w->queue, !w->options.no_thread, ovr_writer_drain, w);
+    return w;
+}
+
+/* The state at the end of a complete run, unless it is stored already.  The
+ * checkpoint is written before: a run that is made longer later forgets this
+ * snapshot, as if it had never ended. */
+static ovr_status store_last(ovr_writer *w, ovr_error *err)
+{
+    ovr_frame frame;
+    if (w->last_stored || !w->frame_of ||
+        !(w->options.every_steps || w->options.every_time > 0))
+        return OVR_OK;
+    frame = w->frame_of(w);
+    ovr_writer_store(w, &frame);
+    return ovr_writer_flush(w, err);
+}
+
+static ovr_status end_file(ovr_writer *w, ovr_run_status run, ovr_error *err)
+{
+    ovr_status status = ovr_file_status(&w->file, run, ovr_writer_seconds(w),
+                                        err);
+    return status == OVR_OK ? ovr_file_flush(&w->file, err) : status;
+}
+
+ovr_status ovr_writer_close(ovr_writer *w, ovr_run_status run, ovr_error *err)
+{
+    ovr_status status = OVR_OK, closed;
+    ovr_h5_manners manners;
+    if (w->source.visit_all)
+        status = ovr_writer_save(w, err);
+    if (status == OVR_OK && run == OVR_RUN_COMPLETE)
+        status = store_last(w, err);
+    if (status == OVR_OK)
+        status = ovr_writer_flush(w, err);
+    manners = ovr_h5_quiet();
+    ovr_queue_stop(&w->queue);
+    if (status == OVR_OK)
+        status = end_file(w, run, err);
+    closed = ovr_file_close(&w->file, status == OVR_OK ? err : NULL);
+    release(w);
+    ovr_h5_restore(manners);
+    return status == OVR_OK ? closed : status;
+}

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The checkpoint file OUT.h5.restart.
+ *
+ *   magic   16 bytes "overroll restart"
+ *   order   64-bit 0x0102030405060708 as the machine lays it
+ *   pieces  each: length of its name and of its content (64 bit each), name,
+ *           content, neither with an end
+ *   end     a piece without name, holding the crc32 of all before it (64 bit)
+ *
+ * Pieces: "version", "created" (the result file's date_created, which ties
+ * the two together), "case path", "case text", "value +NAME" or "value -NAME"
+ * (physics or not) with the parameter's text, "counts" (checkpoint_counts),
+ * then "state NAME" for each piece that ovr_simulation_visit shows; none of
+ * these before the first checkpoint.
+ *
+ * It is written as OUT.h5.restart.part, synced, and renamed over the one
+ * before: there is always a whole one.  What it says of rows is true of the
+ * result file first: that is flushed and synced before.
+ */
+#ifndef OVR_RESULTS_CHECKPOINT_H
+#define OVR_RESULTS_CHECKPOINT_H
+
+#include <stdint.h>
+
+#include "base/arena.h"
+#include "overroll/results.h"
+
+#define OVR_RESTART_MAGIC "overroll restart"
+#define OVR_RESTART_ORDER UINT64_C(0x0102030405060708)
+enum { OVR_RESTART_MAGIC_SIZE = 16 };
+
+typedef struct ovr_counts {
+    int64_t step, snapshots, steps;
+    int64_t stored; /* the state has its snapshot */
+    double T, seconds;
+} ovr_counts;
+
+/* Whose state is saved: `visit_all` shows every piece of `object`. */
+typedef struct ovr_state_source {
+    ovr_status (*visit_all)(void *object, ovr_visit *visit, void *context,
+                            ovr_error *err);
+    void *object;
+} ovr_state_source;
+
+typedef struct ovr_checkpoint {
+    const char *path, *part; /* of the checkpoint file */
+    const char *created, *case_text, *case_path;
+    size_t value_count;
+    const ovr_case_value *values;
+    ovr_counts counts;
+    ovr_state_source source; /* visit_all NULL: no state yet */
+    bool sync;
+} ovr_checkpoint;
+
+ovr_status ovr_checkpoint_write(const ovr_checkpoint *checkpoint,
+                                ovr_error *err);
+
+/* Puts a checkpoint's state into any source. */
+ovr_status ovr_restart_load_into(const ovr_restart *restart,
+                                 const ovr_state_source *source,
+                                 ovr_error *err);
+
+/* What the result file must have as its date_created. */
+const char *ovr_restart_created(const ovr_restart *restart);
+const ovr_counts *ovr_restart_counts(const ovr_restart *restart);
+
+#endif

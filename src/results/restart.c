@@ -1,0 +1,332 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reading a checkpoint: its form is described in checkpoint.h. */
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include "overroll/version.h"
+#include "results/checkpoint.h"
+
+struct ovr_restart {
+    ovr_arena arena;
+    char *path;
+    unsigned char *data; /* the whole file */
+    size_t bytes;
+    size_t first_state; /* where the pieces of the state begin */
+    const char *version, *created;
+    ovr_counts counts;
+    ovr_restart_info info;
+    ovr_case_value *values;
+};
+
+/* A piece in the file's memory. */
+typedef struct piece {
+    const char *name;
+    const unsigned char *content;
+    size_t name_length, bytes;
+    size_t next; /* where the piece behind it begins */
+} piece;
+
+/* False when nothing whole stands there, or only the end. */
+static bool piece_at(const ovr_restart *r, size_t at, piece *p)
+{
+    uint64_t length[2];
+    size_t left;
+    if (at > r->bytes || r->bytes - at < sizeof length)
+        return false;
+    memcpy(length, r->data + at, sizeof length);
+    at += sizeof length;
+    left = r->bytes - at;
+    if (length[0] == 0 || length[0] > left || length[1] > left - length[0])
+        return false;
+    p->name = (const char *)r->data + at;
+    p->name_length = (size_t)length[0];
+    p->content = r->data + at + p->name_length;
+    p->bytes = (size_t)length[1];
+    p->next = at + p->name_length + p->bytes;
+    return true;
+}
+
+static bool is_named(const piece *p, const char *name)
+{
+    return p->name_length == strlen(name) &&
+           memcmp(p->name, name, p->name_length) == 0;
+}
+
+static bool begins(const piece *p, const char *prefix)
+{
+    return p->name_length > strlen(prefix) &&
+           memcmp(p->name, prefix, strlen(prefix)) == 0;
+}
+
+static const char *copy_text(ovr_restart *r, const void *text, size_t length,
+                             ovr_error *err)
+{
+    char *copy = ovr_arena_take(&r->arena, length + 1, 1, err);
+    return copy ? memcpy(copy, text, length) : NULL;
+}
+
+/* ---------------------------------------------------------------- opening */
+
+static ovr_status refuse(const ovr_restart *r, const char *why, ovr_error *err)
+{
+    return ovr_fail(err, OVR_BAD_INPUT, "%s: %s", r->path, why);
+}
+
+static ovr_status read_file(ovr_restart *r, int fd, ovr_error *err)
+{
+    struct stat about;
+    if (fstat(fd, &about) != 0 || about.st_size <= 0)
+        return refuse(r, "is empty", err);
+    r->bytes = (size_t)about.st_size;
+    r->data = ovr_arena_take(&r->arena, r->bytes, 1, err);
+    if (!r->data)
+        return OVR_NO_MEMORY;
+    for (size_t have = 0; have < r->bytes;) {
+        ssize_t n = read(fd, r->data + have, r->bytes - have);
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n <= 0)
+            return refuse(r, "cannot be read", err);
+        have += (size_t)n;
+    }
+    return OVR_OK;
+}
+
+static ovr_status load_file(ovr_restart *r, ovr_error *err)
+{
+    ovr_status status;
+    int fd = open(r->path, O_RDONLY | O_CLOEXEC);
+    if (fd < 0)
+        return refuse(r, strerror(errno), err);
+    status = read_file(r, fd, err);
+    close(fd);
+    return status;
+}
+
+/* The end: a piece without a name that holds the checksum of all before. */
+static ovr_status check_whole(const ovr_restart *r, ovr_error *err)
+{
+    enum { HEAD = OVR_RESTART_MAGIC_SIZE + 8, END = 24 };
+    const uint64_t order = OVR_RESTART_ORDER;
+    uint64_t sum = 0, found;
+    if (r->bytes < HEAD + END ||
+        memcmp(r->data, OVR_RESTART_MAGIC, OVR_RESTART_MAGIC_SIZE) != 0)
+        return refuse(r, "is not a checkpoint of overroll", err);
+    if (memcmp(r->data + OVR_RESTART_MAGIC_SIZE, &order, sizeof order) != 0)
+        return refuse(r, "was written on another kind of machine", err);
+    for (size_t at = 0; at < r->bytes - END;) {
+        size_t n = r->bytes - END - at;
+        if (n > 1 << 30)
+            n = 1 << 30;
+        sum = crc32((uLong)sum, r->data + at, (uInt)n);
+        at += n;
+    }
+    memcpy(&found, r->data + r->bytes - 8, sizeof found);
+    return sum == found ? OVR_OK
+                        : refuse(r, "is damaged (its checksum is wrong)", err);
+}
+
+static bool take_value(ovr_restart *r, const piece *p, ovr_error *err)
+{
+    size_t prefix = strlen("value +");
+    ovr_case_value *value = &r->values[r->info.value_count++];
+    value->physics = p->name[prefix - 1] == '+';
+    value->number = NAN;
+    value->name = copy_text(r, p->name + prefix, p->name_length - prefix, err);
+    value->text = copy_text(r, p->content, p->bytes, err);
+    return value->name && value->text;
+}
+
+static bool take_piece(ovr_restart *r, const piece *p, ovr_error *err)
+{
+    const struct {
+        const char *name;
+        const char **to;
+    } text[] = {{"version", &r->version},
+                {"created", &r->created},
+                {"case path", &r->info.case_path},
+                {"case text", &r->info.case_text}};
+    for (size_t k = 0; k < sizeof text / sizeof *text; k++)
+        if (is_named(p, text[k].name)) {
+            *text[k].to = copy_text(r, p->content, p->bytes, err);
+            return *text[k].to != NULL;
+        }
+    if (is_named(p, "counts") && p->bytes == sizeof r->counts)
+        memcpy(&r->counts, p->content, sizeof r->counts);
+    if (begins(p, "value "))
+        return take_value(r, p, err);
+    return true;
+}
+
+static size_t count_values(const ovr_restart *r, size_t at)
+{
+    piece p;
+    size_t count = 0;
+    for (; piece_at(r, at, &p); at = p.next)
+        count += begins(&p, "value ");
+    return count;
+}
+
+static ovr_status take_pieces(ovr_restart *r, ovr_error *err)
+{
+    size_t at = OVR_RESTART_MAGIC_SIZE + 8;
+    piece p;
+    r->version = r->created = r->info.case_path = r->info.case_text = "";
+    r->values = ovr_arena_take(&r->arena, count_values(r, at),
+                               sizeof *r->values, err);
+    if (!r->values)
+        return OVR_NO_MEMORY;
+    for (; piece_at(r, at, &p) && !begins(&p, "state "); at = p.next)
+        if (!take_piece(r, &p, err))
+            return OVR_NO_MEMORY;
+    r->first_state = at;
+    r->info.has_state = piece_at(r, at, &p);
+    r->info.values = r->values;
+    r->info.step = (long)r->counts.step;
+    r->info.T = r->counts.T;
+    r->info.snapshots = (size_t)r->counts.snapshots;
+    r->info.steps = (size_t)r->counts.steps;
+    return OVR_OK;
+}
+
+static ovr_status check_version(const ovr_restart *r, ovr_error *err)
+{
+    if (strcmp(r->version, OVERROLL_VERSION) != 0)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: was written by overroll %s; "
+                        "this is %s",
+                        r->path, r->version, OVERROLL_VERSION);
+    if (r->counts.snapshots < 0 || r->counts.steps < 0)
+        return refuse(r, "is damaged (negative counts)", err);
+    return OVR_OK;
+}
+
+static char *path_of(ovr_arena *arena, const char *result_path, ovr_error *err)
+{
+    size_t length = strlen(result_path);
+    char *path = ovr_arena_take(arena, length + sizeof ".restart", 1, err);
+    if (!path)
+        return NULL;
+    memcpy(path, result_path, length);
+    memcpy(path + length, ".restart", sizeof ".restart");
+    return path;
+}
+
+ovr_restart *ovr_restart_open(const char *result_path,
+                              const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_restart *r = ovr_arena_take(&arena, 1, sizeof *r, err);
+    if (!r)
+        return NULL;
+    r->arena = arena;
+    r->path = path_of(&r->arena, result_path, err);
+    if (!r->path || load_file(r, err) || check_whole(r, err) ||
+        take_pieces(r, err) || check_version(r, err)) {
+        ovr_restart_close(r);
+        return NULL;
+    }
+    return r;
+}
+
+void ovr_restart_close(ovr_restart *r)
+{
+    if (r) {
+        ovr_arena arena = r->arena;
+        ovr_arena_release(&arena);
+    }
+}
+
+/* ------------------------------------------------------------------ using */
+
+const ovr_restart_info *ovr_restart_about(const ovr_restart *r)
+{
+    return &r->info;
+}
+
+const char *ovr_restart_created(const ovr_restart *r)
+{
+    return r->created;
+}
+
+const ovr_counts *ovr_restart_counts(const ovr_restart *r)
+{
+    return &r->counts;
+}
+
+static const ovr_case_value *find(const ovr_case_value *list, size_t count,
+                                  const char *name)
+{
+    for (size_t k = 0; k < count; k++)
+        if (strcmp(list[k].name, name) == 0)
+            return &list[k];
+    return NULL;
+}
+
+static ovr_status differs(const ovr_case_value *was, const ovr_case_value *is,
+                          ovr_error *err)
+{
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "'%s' was '%s' and is now '%s': that is another run",
+                    was ? was->name : is->name, was ? was->text : "not there",
+                    is ? is->text : "not there");
+}
+
+ovr_status ovr_restart_check(const ovr_restart *r, size_t count,
+                             const ovr_case_value *values, ovr_error *err)
+{
+    for (size_t k = 0; k < r->info.value_count; k++) {
+        const ovr_case_value *was = &r->values[k];
+        const ovr_case_value *is = find(values, count, was->name);
+        if (was->physics && (!is || strcmp(was->text, is->text) != 0))
+            return differs(was, is, err);
+    }
+    for (size_t k = 0; k < count; k++)
+        if (values[k].physics &&
+            !find(r->values, r->info.value_count, values[k].name))
+            return differs(NULL, &values[k], err);
+    return OVR_OK;
+}
+
+/* A walk through the state's pieces, in the order they were written. */
+typedef struct walk {
+    const ovr_restart *restart;
+    size_t at;
+    bool write; /* else only compare names and sizes */
+} walk;
+
+static ovr_status get_state(void *context, const char *name, void *memory,
+                            size_t bytes, ovr_error *err)
+{
+    walk *w = context;
+    const size_t prefix = strlen("state ");
+    piece p;
+    if (!piece_at(w->restart, w->at, &p) || !begins(&p, "state ") ||
+        p.name_length - prefix != strlen(name) ||
+        memcmp(p.name + prefix, name, strlen(name)) != 0 || p.bytes != bytes)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: does not fit this simulation (its '%s')",
+                        w->restart->path, name);
+    if (w->write)
+        memcpy(memory, p.content, bytes);
+    w->at = p.next;
+    return OVR_OK;
+}
+
+/* First a walk that only looks, so that nothing is half loaded. */
+ovr_status ovr_restart_load_into(const ovr_restart *r,
+                                 const ovr_state_source *source, ovr_error *err)
+{
+    walk look = {r, r->first_state, false}, take = {r, r->first_state, true};
+    ovr_status status = source->visit_all(source->object, get_state, &look,
+                                          err);
+    if (status != OVR_OK)
+        return status;
+    return source->visit_all(source->object, get_state, &take, err);
+}

@@ -1,0 +1,331 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Interrupted runs: killed at any moment, a made-up run is gone on with and
+ * ends with the same file. */
+#include "support/test.h"
+
+#include <math.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "results/writer.h"
+#include "support/dent.h"
+
+enum { NODES = 113, STEPS = 300, KILLS = 12 };
+
+/* The state of the run that never was: a step and numbers that depend on all
+ * steps before. */
+typedef struct fake {
+    long step;
+    double chaos[50];
+    test_dent *dent;
+} fake;
+
+static ovr_status visit_fake(void *object, ovr_visit *visit, void *context,
+                             ovr_error *err)
+{
+    fake *f = object;
+    ovr_status status = visit(context, "step", &f->step, sizeof f->step, err);
+    if (status == OVR_OK)
+        status = visit(context, "chaos", f->chaos, sizeof f->chaos, err);
+    return status;
+}
+
+static void start(fake *f, test_dent *dent)
+{
+    f->step = 0;
+    f->dent = dent;
+    for (int k = 0; k < 50; k++)
+        f->chaos[k] = 0.1 + 0.01 * k;
+}
+
+static void advance(fake *f)
+{
+    f->step++;
+    for (int k = 0; k < 50; k++)
+        f->chaos[k] = 3.9 * f->chaos[k] * (1 - f->chaos[k]);
+}
+
+static ovr_status record(ovr_writer *w, fake *f, ovr_error *err)
+{
+    test_dent_move(f->dent, f->step);
+    for (int k = 0; k < 50; k++)
+        f->dent->P[k] = f->chaos[k];
+    f->dent->seen.H_cen = f->chaos[0];
+    return ovr_writer_record(w, &f->dent->frame, err);
+}
+
+static const ovr_case_value values[] = {
+    {"contact.M", "20", 20, NULL, true},
+    {"time.end", "6", 6, NULL, false},
+    {"lubricant.alpha", "22 1/GPa", 22e-9, "1/Pa", true},
+};
+
+static ovr_write_options options_for(const char *path)
+{
+    ovr_write_options o = ovr_write_options_default();
+    o.path = path;
+    o.every_steps = 7;
+    o.flush_interval = 0;
+    o.checkpoint_interval = 1e-9;
+    o.case_text = "[contact]\nM = 20\n";
+    o.case_path = "/some/where";
+    o.values = values;
+    o.value_count = 3;
+    return o;
+}
+
+/* Runs to the end, or until the parent kills it; pauses keep it in reach. */
+static void run(ovr_writer *w, fake *f, long last, bool slowly)
+{
+    ovr_error err = {OVR_OK, ""};
+    ovr_state_source source = {visit_fake, f};
+    ovr_writer_source(w, source);
+    if (f->step == 0)
+        CHECK_OK(record(w, f, &err), &err);
+    while (f->step < last) {
+        struct timespec wait = {0, 20000};
+        if (slowly)
+            nanosleep(&wait, NULL);
+        advance(f);
+        CHECK_OK(record(w, f, &err), &err);
+    }
+}
+
+static void run_whole(const char *path, long last)
+{
+    ovr_error err = {OVR_OK, ""};
+    ovr_write_options o = options_for(path);
+    ovr_contact contact = test_contact_physical();
+    test_dent dent;
+    fake f;
+    ovr_writer *w;
+    test_dent_init(&dent, NODES, 0);
+    start(&f, &dent);
+    w = ovr_writer_create(&o, &contact, NODES, dent.X, NULL, &err);
+    assert_non_null(w);
+    run(w, &f, last, false);
+    CHECK_OK(ovr_writer_close(w, OVR_RUN_COMPLETE, &err), &err);
+    test_dent_free(&dent);
+}
+
+/* A child that runs until it is killed. */
+static void run_and_kill(const char *path, double seconds)
+{
+    struct timespec wait = {0, (long)(1e9 * seconds)};
+    pid_t child = fork();
+    int status;
+    if (child == 0) {
+        ovr_error err = {OVR_OK, ""};
+        ovr_write_options o = options_for(path);
+        ovr_contact contact = test_contact_physical();
+        test_dent dent;
+        fake f;
+        ovr_writer *w;
+        test_dent_init(&dent, NODES, 0);
+        start(&f, &dent);
+        w = ovr_writer_create(&o, &contact, NODES, dent.X, NULL, &err);
+        if (w)
+            run(w, &f, STEPS, true);
+        pause();
+        _exit(0);
+    }
+    nanosleep(&wait, NULL);
+    kill(child, SIGKILL);
+    waitpid(child, &status, 0);
+}
+
+static ovr_result *open_result(const char *path)
+{
+    ovr_error err = {OVR_OK, ""};
+    ovr_result *r = ovr_result_open(path, NULL, &err);
+    if (!r)
+        fail_msg("%s", err.message);
+    return r;
+}
+
+/* Every value of `part` is the one of `whole`. */
+static void check_prefix(const char *part, const char *whole, bool all)
+{
+    ovr_result *a = open_result(part), *b = open_result(whole);
+    const ovr_result_info *ia = ovr_result_about(a), *ib = ovr_result_about(b);
+    double x[STEPS + 1], y[STEPS + 1];
+    ovr_error err = {OVR_OK, ""};
+    assert_true(ia->snapshots <= ib->snapshots && ia->steps <= ib->steps);
+    if (all)
+        assert_true(ia->snapshots == ib->snapshots && ia->steps == ib->steps);
+    for (size_t k = 0; k < ia->snapshots; k++)
+        for (size_t f = 0; f < ovr_result_fields(a); f++) {
+            const char *name = ovr_result_field_name(a, f);
+            CHECK_OK(ovr_result_snapshot(a, name, k, OVR_AS_STORED, x, &err),
+                     &err);
+            CHECK_OK(ovr_result_snapshot(b, name, k, OVR_AS_STORED, y, &err),
+                     &err);
+            assert_memory_equal(x, y, NODES * sizeof *x);
+        }
+    for (size_t c = 0; c < ovr_result_columns(a); c++) {
+        const char *name = ovr_result_column(a, c)->name;
+        CHECK_OK(ovr_result_history(a, name, OVR_AS_STORED, x, &err), &err);
+        CHECK_OK(ovr_result_history(b, name, OVR_AS_STORED, y, &err), &err);
+        assert_memory_equal(x, y, ia->steps * sizeof *x);
+    }
+    ovr_result_close(b);
+    ovr_result_close(a);
+}
+
+static void resume(const char *path, long last)
+{
+    ovr_error err = {OVR_OK, ""};
+    ovr_write_options o = options_for(path);
+    ovr_contact contact = test_contact_physical();
+    ovr_restart *restart = ovr_restart_open(path, NULL, &err);
+    test_dent dent;
+    fake f;
+    ovr_state_source source = {visit_fake, &f};
+    ovr_writer *w;
+    if (!restart)
+        fail_msg("%s", err.message);
+    test_dent_init(&dent, NODES, 0);
+    start(&f, &dent);
+    CHECK_OK(ovr_restart_check(restart, 3, values, &err), &err);
+    if (ovr_restart_about(restart)->has_state) {
+        CHECK_OK(ovr_restart_load_into(restart, &source, &err), &err);
+        assert_int_equal(f.step, ovr_restart_about(restart)->step);
+    }
+    w = ovr_writer_resume(&o, &contact, NODES, dent.X, restart, NULL, &err);
+    if (!w)
+        fail_msg("%s", err.message);
+    run(w, &f, last, false);
+    CHECK_OK(ovr_writer_close(w, OVR_RUN_COMPLETE, &err), &err);
+    ovr_restart_close(restart);
+    test_dent_free(&dent);
+}
+
+static void survives_kills(void **state)
+{
+    const char *whole = test_path(*state, "whole.h5");
+    const char *killed = test_path(*state, "killed.h5");
+    uint64_t seed = 11;
+    int died_early = 0;
+    run_whole(whole, STEPS);
+    for (int k = 0; k < KILLS; k++) {
+        run_and_kill(killed, test_random(&seed, 0.002, 0.25));
+        if (access(killed, F_OK) != 0) {
+            died_early++; /* before it had its name: nothing to go on with */
+            continue;
+        }
+        check_prefix(killed, whole, false);
+        resume(killed, STEPS);
+        check_prefix(killed, whole, true);
+        unlink(killed);
+    }
+    assert_true(died_early < KILLS);
+}
+
+static void goes_further(void **state)
+{
+    const char *whole = test_path(*state, "whole.h5");
+    const char *shorter = test_path(*state, "short.h5");
+    run_whole(whole, STEPS);
+    run_whole(shorter, STEPS / 2);
+    resume(shorter, STEPS);
+    check_prefix(shorter, whole, true);
+}
+
+static void names_the_changed_parameter(void **state)
+{
+    const char *path = test_path(*state, "a.h5");
+    ovr_case_value changed[3];
+    ovr_error err = {OVR_OK, ""};
+    ovr_restart *restart;
+    run_whole(path, 20);
+    restart = ovr_restart_open(path, NULL, &err);
+    assert_non_null(restart);
+    assert_string_equal(ovr_restart_about(restart)->case_path, "/some/where");
+    assert_string_equal(ovr_restart_about(restart)->case_text,
+                        "[contact]\nM = 20\n");
+    assert_int_equal(ovr_restart_about(restart)->step, 20);
+    memcpy(changed, values, sizeof changed);
+    changed[1].text = "7";
+    CHECK_OK(ovr_restart_check(restart, 3, changed, &err), &err);
+    changed[2].text = "21 1/GPa";
+    assert_int_equal(ovr_restart_check(restart, 3, changed, &err),
+                     OVR_BAD_INPUT);
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "'lubricant.alpha' was '22 1/GPa'");
+    assert_int_equal(ovr_restart_check(restart, 2, changed, &err),
+                     OVR_BAD_INPUT);
+    ovr_restart_close(restart);
+}
+
+static void refuses_damaged_checkpoints(void **state)
+{
+    const char *path = test_path(*state, "a.h5");
+    const char *file = test_path(*state, "a.h5.restart");
+    ovr_error err = {OVR_OK, ""};
+    size_t bytes;
+    char *data;
+    run_whole(path, 20);
+    data = test_read(file, &bytes);
+    for (size_t at = 0; at < bytes; at += 37) {
+        char kept = data[at];
+        data[at] = (char)~kept;
+        test_write(file, data, bytes);
+        data[at] = kept;
+        assert_null(ovr_restart_open(path, NULL, &err));
+        CHECK_ERROR(&err, OVR_BAD_INPUT, "a.h5.restart");
+        test_write(file, data, at);
+        assert_null(ovr_restart_open(path, NULL, &err));
+        CHECK_ERROR(&err, OVR_BAD_INPUT, "a.h5.restart");
+    }
+    free(data);
+    unlink(file);
+    assert_null(ovr_restart_open(path, NULL, &err));
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "No such file");
+}
+
+static void refuses_another_layout(void **state)
+{
+    const char *path = test_path(*state, "a.h5");
+    ovr_write_options o = options_for(path);
+    ovr_contact contact = test_contact_physical();
+    ovr_error err = {OVR_OK, ""};
+    ovr_restart *restart;
+    test_dent dent;
+    size_t before, after;
+    test_dent_init(&dent, NODES, 0);
+    run_whole(path, 20);
+    free(test_read(path, &before));
+    restart = ovr_restart_open(path, NULL, &err);
+    o.stride = 2;
+    assert_null(
+        ovr_writer_resume(&o, &contact, NODES, dent.X, restart, NULL, &err));
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "other nodes");
+    o.stride = 1;
+    o.single = true;
+    assert_null(
+        ovr_writer_resume(&o, &contact, NODES, dent.X, restart, NULL, &err));
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "another precision");
+    ovr_restart_close(restart);
+    free(test_read(path, &after));
+    assert_int_equal(before, after);
+    ovr_result_close(open_result(path));
+    test_dent_free(&dent);
+}
+
+#define TEST(name)                                                             \
+    cmocka_unit_test_setup_teardown(name, test_make_folder, test_remove_folder)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(survives_kills),
+        TEST(goes_further),
+        TEST(names_the_changed_parameter),
+        TEST(refuses_damaged_checkpoints),
+        TEST(refuses_another_layout),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
