@@ -52,14 +52,17 @@ struct ovr_simulation {
 ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *options,
                                ovr_error *err);
 
+/* Relative loss of film by starting the domain at X_a. */
+double ovr_starvation(const ovr_contact *contact, double X_a);
+
 /* MLMI order and range of a level. */
 void ovr_options_mlmi(const ovr_options *options, int level, int *order,
                       int *range);
 
-/* Tolerances on R for a mesh size: a fraction of the discretization error, and
- * the least that the rounding of the residual allows. */
-double ovr_truncation_tolerance(double D);
-double ovr_negligible_tolerance(double D);
+/* Tolerances on R for a mesh size D and a film H: a fraction of the
+ * discretization error, and the least that the residual's rounding allows. */
+double ovr_truncation_tolerance(const ovr_simulation *sim, double D, double H);
+double ovr_negligible_tolerance(const ovr_simulation *sim, double D, double H);
 
 /* Smoother, sweeps, limits of ordinary cycles. */
 void ovr_simulation_defaults(ovr_simulation *sim);
@@ -90,7 +93,13 @@ void ovr_inflow_history(ovr_simulation *sim, const double c[2],
 bool ovr_inflow_reaches(const ovr_simulation *sim, double travel);
 
 /* Relative error of the mass balance over the step just made. */
-double ovr_mass_balance(const ovr_simulation *sim, double dT);
+double ovr_mass_balance(const ovr_simulation *sim);
+
+/* Pressure, H0, gap and film of the last time reached. */
+void ovr_simulation_return(ovr_simulation *sim);
+
+/* Points the public state at the solution. */
+void ovr_publish_state(ovr_simulation *sim);
 
 /* Film, properties and residual of the finest level for its P. */
 void ovr_simulation_refresh(ovr_simulation *sim);

@@ -4,6 +4,8 @@
 
 #include "simulation/internal.h"
 
+static const double half_pi = 1.57079632679489661923;
+
 /* Vertex of the parabola through (i-1, i, i+1): position in meshes from i,
  * and value. */
 static double vertex(const double *v, size_t i, double *value)
@@ -66,10 +68,9 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
 
 /* The scheme's own flux at half node i + 1/2: upstream wedge and Poiseuille
  * flow. */
-static double flux(const ovr_simulation *sim, size_t i)
+static double flux(const ovr_simulation *sim, double Cu, size_t i)
 {
     const ovr_fields *f = &sim->finest->f;
-    double Cu = ovr_history_value(sim->speed, sim->state.T);
     double upstream = f->q[i];
     if (sim->options.scheme != OVR_UPSTREAM1)
         upstream = i ? 1.5 * f->q[i] - 0.5 * f->q[i - 1]
@@ -82,14 +83,29 @@ static double flux(const ovr_simulation *sim, size_t i)
 static double mean_flow(const ovr_simulation *sim)
 {
     const double *P = sim->finest->f.P;
-    double sum = 0;
+    double sum = 0, Cu = ovr_history_value(sim->speed, sim->state.T);
     size_t count = 0;
     for (size_t i = 1; i + 2 < sim->finest->n; i++)
         if (P[i] > 0 && P[i + 1] > 0) {
-            sum += flux(sim, i);
+            sum += flux(sim, Cu, i);
             count++;
         }
     return count ? sum / (double)count : 0;
+}
+
+void ovr_simulation_fields(const ovr_simulation *sim, double *rho, double *eta,
+                           double *flow)
+{
+    const ovr_fields *f = &sim->finest->f;
+    double Cu = ovr_history_value(sim->speed, sim->state.T);
+    for (size_t i = 0; i < sim->finest->n; i++) {
+        if (rho)
+            rho[i] = ovr_density(&sim->lubricant, f->P[i]);
+        if (eta)
+            eta[i] = ovr_viscosity(&sim->lubricant, f->P[i]);
+        if (flow && i + 1 < sim->finest->n)
+            flow[i] = flux(sim, Cu, i);
+    }
 }
 
 static void observe_extremes(ovr_simulation *sim)
@@ -102,9 +118,8 @@ static void observe_extremes(ovr_simulation *sim)
     }
 }
 
-void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
+void ovr_publish_state(ovr_simulation *sim)
 {
-    ovr_observation *o = &sim->observation;
     ovr_state *state = &sim->state;
     state->n = sim->finest->n;
     state->D = sim->finest->D;
@@ -113,12 +128,21 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
     state->H = sim->finest->f.H;
     state->S = sim->S;
     state->H0 = sim->grids.H0;
+}
+
+void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
+{
+    ovr_observation *o = &sim->observation;
+    const ovr_state *state = &sim->state;
+    ovr_publish_state(sim);
     *o = (ovr_observation){.T = state->T, .dT = dT};
     observe_film(sim, o);
     observe_pressure(sim, o);
     o->load_ratio = ovr_history_value(sim->load, state->T);
     o->speed_ratio = ovr_history_value(sim->speed, state->T);
     o->mass_flow = mean_flow(sim);
+    o->mass_balance = dT > 0 ? ovr_mass_balance(sim) : 0;
+    o->load_error = o->load / half_pi - o->load_ratio;
     o->residual = outcome->defect.imbalance;
     o->cycles = outcome->cycles;
     o->retries = outcome->retries;

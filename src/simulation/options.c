@@ -26,20 +26,25 @@ static double discretization_error(int level)
     return 2.6e-5 * ldexp(1, 2 * (8 - level));
 }
 
-/* R cannot fall below the rounding of the residual, which grows as D^-2:
- * 5e-9 measured at D = 5.5/7168, here four times that. */
-double ovr_negligible_tolerance(double D)
+/*
+ * R cannot fall below the rounding of the residual.  eps P is of the size of
+ * X_a^4/24 whatever the load, its second difference is divided by D^2, and R
+ * by H_cen: 4.3e-10/H_cen measured at D = 5.5/7168, X_a = -4 for M = 20 to
+ * 200; here four times that.
+ */
+double ovr_negligible_tolerance(const ovr_simulation *sim, double D, double H)
 {
-    double meshes = 5.5 / 7168 / D, floor = 2e-8 * meshes * meshes;
+    double meshes = 5.5 / 7168 / D, inlet = sim->grids.X_a / 4;
+    double floor = 1.7e-9 * meshes * meshes * pow(inlet, 4) / fabs(H);
     return floor > 1e-9 ? floor : 1e-9;
 }
 
 /* Keeps the algebraic error under a tenth of the discretization error; ten
  * times as much nearly does. */
-double ovr_truncation_tolerance(double D)
+double ovr_truncation_tolerance(const ovr_simulation *sim, double D, double H)
 {
     double meshes = D / (5.5 / 1792), wanted = 1e-4 * meshes * meshes;
-    double least = ovr_negligible_tolerance(D);
+    double least = ovr_negligible_tolerance(sim, D, H);
     return wanted > least ? wanted : least;
 }
 
@@ -54,6 +59,33 @@ void ovr_options_mlmi(const ovr_options *options, int level, int *order,
         *range = options->mlmi_range;
     else if (options->mlmi_order)
         *range = *order > 6 ? 24 : 16;
+}
+
+/*
+ * Relative loss of film by an inlet at X_a, as far as it was measured (M = 1
+ * to 1000, L = 0 to 10; within a factor of 3): the gap there is X_a^2/2 in a
+ * contact of film H, and
+ *     loss = (sqrt(2 H)/|X_a|)^2.5.
+ */
+double ovr_starvation(const ovr_contact *contact, double X_a)
+{
+    double H = ovr_film_central_moes(contact->M, contact->L);
+    return pow(sqrt(2 * H) / fabs(X_a), 2.5);
+}
+
+/* A loss of 1e-3, but no closer than half a contact width to the contact. */
+static double automatic_inlet(const ovr_contact *contact)
+{
+    double X_a = -pow(ovr_starvation(contact, 1) / 1e-3, 0.4);
+    return X_a < -2 ? X_a : -2;
+}
+
+/* A rigid film ruptures at 0.475 sqrt(2 H) (Martin), an elastic one near 1. */
+static double automatic_outlet(const ovr_contact *contact)
+{
+    double H = ovr_film_central_moes(contact->M, contact->L);
+    double X_b = 1 + sqrt(2 * H);
+    return X_b > 1.5 ? X_b : 1.5;
 }
 
 static int automatic_coarsest(const ovr_contact *contact, int level)
@@ -93,9 +125,9 @@ ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
                                ovr_error *err)
 {
     if (isnan(o->inlet))
-        o->inlet = -4;
+        o->inlet = automatic_inlet(contact);
     if (isnan(o->outlet))
-        o->outlet = 1.5;
+        o->outlet = automatic_outlet(contact);
     if (check(o, err))
         return OVR_BAD_INPUT;
     if (!o->coarsest_level)

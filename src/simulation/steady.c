@@ -54,9 +54,9 @@ static void prepare_levels(ovr_simulation *sim, double force)
 
 /* Hertzian pressure; H0 from the film of the elastic asymptotes above the
  * rigid approach of the dry contact. */
-static void hertzian_start(ovr_simulation *sim, ovr_level *level)
+static void hertzian_start(ovr_simulation *sim, ovr_level *level, double M)
 {
-    double M = sim->contact.M, L = sim->contact.L;
+    double L = sim->contact.L;
     double piezo = 1.311 * pow(M, -0.125) * pow(L, 0.75);
     double iso = 2.05 * pow(M, -0.2);
     double film = (piezo > iso ? piezo : iso) * half_pi / (4 * M);
@@ -87,32 +87,17 @@ static ovr_defect solve_coarsest(ovr_simulation *sim, ovr_level *level)
     return d;
 }
 
-/* Cycles on a level until below tolerance. */
-static ovr_defect cycle_until(ovr_simulation *sim, ovr_level *level,
-                              double tolerance, int most, int *cycles)
-{
-    ovr_hierarchy *grids = &sim->grids;
-    ovr_defect d = ovr_cycle_defect(grids, level);
-    bool fixed = sim->options.stop == OVR_STOP_FIXED;
-    for (int c = 0; c < most && (fixed || !ovr_below(d, tolerance)); c++) {
-        ovr_cycle(grids, level);
-        d = ovr_cycle_defect(grids, level);
-        ++*cycles;
-        if (!(d.imbalance < 1e6))
-            break;
-    }
-    return d;
-}
-
-static double tolerance_at(const ovr_simulation *sim, const ovr_level *level)
+/* Of a level with film H at X = 0 so far. */
+static double tolerance_at(const ovr_simulation *sim, const ovr_level *level,
+                           double H)
 {
     const ovr_options *o = &sim->options;
-    if (level != sim->finest)
-        return ovr_truncation_tolerance(level->D);
-    if (o->tolerance > 0)
+    bool finest = level == sim->finest;
+    if (finest && o->tolerance > 0)
         return o->tolerance;
-    return o->stop == OVR_STOP_TRUNCATION ? ovr_truncation_tolerance(level->D)
-                                          : ovr_negligible_tolerance(level->D);
+    if (finest && o->stop != OVR_STOP_TRUNCATION)
+        return ovr_negligible_tolerance(sim, level->D, H);
+    return ovr_truncation_tolerance(sim, level->D, H);
 }
 
 static int most_cycles(const ovr_options *o, int level)
@@ -123,21 +108,158 @@ static int most_cycles(const ovr_options *o, int level)
     return level == o->level ? o->max_cycles : ON_THE_WAY;
 }
 
-static ovr_defect full_multigrid(ovr_simulation *sim, int *cycles)
+/* Cycles on a level until below its tolerance. */
+static ovr_defect cycle_until(ovr_simulation *sim, ovr_level *level,
+                              int *cycles)
 {
-    const ovr_options *o = &sim->options;
     ovr_hierarchy *grids = &sim->grids;
-    ovr_level *level = &grids->level[grids->coarsest];
-    hertzian_start(sim, level);
-    ovr_defect d = solve_coarsest(sim, level);
-    while (level->number < grids->finest && d.imbalance < 1e6) {
+    int most = most_cycles(&sim->options, level->number);
+    bool fixed = sim->options.stop == OVR_STOP_FIXED;
+    ovr_defect d = ovr_cycle_defect(grids, level);
+    for (int c = 0; c < most && d.imbalance < 1e6; c++) {
+        if (!fixed && ovr_below(d, tolerance_at(sim, level, d.centre)))
+            break;
+        ovr_cycle(grids, level);
+        d = ovr_cycle_defect(grids, level);
+        ++*cycles;
+    }
+    return d;
+}
+
+/* From a solved level to the given one. */
+static ovr_defect climb(ovr_simulation *sim, ovr_level *level, int top,
+                        int *cycles)
+{
+    ovr_hierarchy *grids = &sim->grids;
+    ovr_defect d = ovr_cycle_defect(grids, level);
+    while (level->number < top && d.imbalance < 1e6) {
         ovr_fas_refine(level, level + 1);
         level++;
         ovr_level_refresh(grids, level);
-        d = cycle_until(sim, level, tolerance_at(sim, level),
-                        most_cycles(o, level->number), cycles);
+        d = cycle_until(sim, level, cycles);
     }
     return d;
+}
+
+/* The fluid as a contact with the load number M sees it: ph goes with the
+ * root of the load. */
+static ovr_fluid fluid_at(const ovr_simulation *sim, double M)
+{
+    double ratio = sim->contact.M / M, root = sqrt(ratio);
+    ovr_fluid fluid = {sim->lubricant, sim->contact.lambda * ratio * ratio};
+    fluid.lubricant.alphabar /= root;
+    fluid.lubricant.P0 *= root;
+    fluid.lubricant.A *= root;
+    return fluid;
+}
+
+/* The ladder a solve climbs when it fails: smaller steps in load on a finer
+ * level, then a finer coarsest grid, more sweeps and stronger damping. */
+typedef struct rung {
+    double load_factor; /* largest step of the continuation in load */
+    double mesh;        /* its D over H^(2/3), the length of the inlet's rise */
+    int sweeps, newton_steps, finer_bottom;
+    double limit, newton_limit; /* of changes in P */
+} rung;
+
+static const rung ladder[] = {{1.6, 0.3, 0, 1, 0, 0.1, 0.3},
+                              {1.25, 0.15, 0, 1, 0, 0.1, 0.3},
+                              {1.25, 0.15, 2, 2, 1, 0.03, 0.1}};
+enum { RUNGS = sizeof ladder / sizeof *ladder };
+
+/*
+ * Continuation in load on one level, from a solution at load number `from` to
+ * the contact's M.  The pressure hardly changes, being nearly Hertzian; the
+ * film gets thinner as a whole, so H0 follows the film formula.
+ */
+static ovr_defect raise_load(ovr_simulation *sim, ovr_level *level, double from,
+                             double factor, int *cycles)
+{
+    ovr_hierarchy *grids = &sim->grids;
+    double M = sim->contact.M, L = sim->contact.L;
+    double *saved = sim->past.P[0];
+    size_t bytes = level->n * sizeof(double);
+    ovr_defect d = ovr_cycle_defect(grids, level);
+    while (from < M && factor > 1.01) {
+        double to = from * factor < M ? from * factor : M, H0 = grids->H0;
+        memcpy(saved, level->f.P, bytes);
+        grids->fluid = fluid_at(sim, to);
+        grids->H0 += ovr_film_central_moes(to, L) -
+                     ovr_film_central_moes(from, L);
+        ovr_level_refresh(grids, level);
+        d = cycle_until(sim, level, cycles);
+        if (d.imbalance < 1e-2 && d.load < 1e-2) {
+            from = to;
+            continue;
+        }
+        factor = sqrt(factor);
+        memcpy(level->f.P, saved, bytes);
+        grids->H0 = H0;
+    }
+    return d;
+}
+
+/* Solves the coarsest grid at the largest load number up to M that it can: its
+ * film must be thicker than D^1.5 or so (measured), and Newton converge. */
+static double solve_easy_load(ovr_simulation *sim, ovr_level *level)
+{
+    double M = sim->contact.M, least = M < 1 ? M : 1;
+    while (M > least &&
+           ovr_film_central_moes(M, sim->contact.L) < pow(level->D, 1.5))
+        M *= 0.9;
+    for (;; M *= 0.7) {
+        sim->grids.fluid = fluid_at(sim, M);
+        hertzian_start(sim, level, M);
+        ovr_defect d = solve_coarsest(sim, level);
+        if (ovr_below(d, 1e-4) || M * 0.7 < least)
+            return M;
+    }
+}
+
+/* The level on which the load is raised. */
+static int load_level(const ovr_simulation *sim, double mesh)
+{
+    const ovr_hierarchy *grids = &sim->grids;
+    double H = ovr_film_central_moes(sim->contact.M, sim->contact.L);
+    int level = grids->coarsest;
+    while (level < grids->finest &&
+           grids->level[level].D > mesh * pow(H, 2. / 3))
+        level++;
+    return level;
+}
+
+static void set_rung(ovr_simulation *sim, const rung *how)
+{
+    ovr_hierarchy *grids = &sim->grids;
+    ovr_simulation_defaults(sim);
+    grids->limit = how->limit;
+    grids->newton_limit = how->newton_limit;
+    grids->newton_steps = how->newton_steps;
+    if (grids->coarsest + how->finer_bottom < grids->finest)
+        grids->bottom = grids->coarsest + how->finer_bottom;
+    if (how->sweeps)
+        grids->sweeps_before = grids->sweeps_after = how->sweeps;
+}
+
+static ovr_defect full_multigrid(ovr_simulation *sim, const rung *how,
+                                 int *cycles)
+{
+    ovr_hierarchy *grids = &sim->grids;
+    ovr_level *level = &grids->level[grids->bottom];
+    double M = solve_easy_load(sim, level);
+    ovr_defect d = ovr_cycle_defect(grids, level);
+    if (M < sim->contact.M) {
+        int top = load_level(sim, how->mesh);
+        if (top > level->number) {
+            climb(sim, level, top, cycles);
+            level = &grids->level[top];
+        }
+        d = raise_load(sim, level, M, how->load_factor, cycles);
+        grids->fluid = fluid_at(sim, sim->contact.M);
+    }
+    return level->number < grids->finest
+               ? climb(sim, level, grids->finest, cycles)
+               : d;
 }
 
 /* The past of a run that was steady before T = 0. */
@@ -160,15 +282,21 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
 {
     double Cu = ovr_history_value(sim->speed, 0);
     double Cw = ovr_history_value(sim->load, 0);
-    double tolerance = tolerance_at(sim, sim->finest);
+    double tolerance = 0;
     ovr_operator op = steady_operator(sim->options.scheme, Cu);
     ovr_outcome outcome = {0};
-    ovr_simulation_defaults(sim);
-    ovr_simulation_gap(sim, 0);
     ovr_hierarchy_operator(&sim->grids, &op);
-    prepare_levels(sim, half_pi * Cw);
-    outcome.defect = full_multigrid(sim, &outcome.cycles);
-    outcome.converged = ovr_below(outcome.defect, tolerance);
+    for (int k = 0; k < RUNGS && !outcome.converged; k++) {
+        set_rung(sim, &ladder[k]);
+        ovr_simulation_gap(sim, 0);
+        prepare_levels(sim, half_pi * Cw);
+        outcome.retries = k;
+        outcome.defect = full_multigrid(sim, &ladder[k], &outcome.cycles);
+        tolerance = tolerance_at(sim, sim->finest, outcome.defect.centre);
+        outcome.converged = ovr_below(outcome.defect, tolerance);
+        if (sim->options.stop == OVR_STOP_FIXED)
+            break;
+    }
     sim->statistics = (ovr_statistics){.cycles = outcome.cycles};
     sim->state = (ovr_state){0};
     ovr_observe(sim, 0, &outcome);

@@ -48,8 +48,9 @@ void ovr_simulation_refresh(ovr_simulation *sim)
 /* A tenth of the steady one: errors of many steps meet in one film. */
 static double step_tolerance(const ovr_simulation *sim)
 {
-    double tolerance = 0.1 * ovr_truncation_tolerance(sim->finest->D);
-    double least = ovr_negligible_tolerance(sim->finest->D);
+    double D = sim->finest->D, H = sim->observation.H_cen;
+    double tolerance = 0.1 * ovr_truncation_tolerance(sim, D, H);
+    double least = ovr_negligible_tolerance(sim, D, H);
     if (sim->options.tolerance > 0)
         return sim->options.tolerance;
     return tolerance > least ? tolerance : least;
@@ -189,8 +190,7 @@ static bool advance(ovr_simulation *sim, double dT, int halvings,
     return true;
 }
 
-/* Back to the last time that was reached. */
-static void restore(ovr_simulation *sim)
+void ovr_simulation_return(ovr_simulation *sim)
 {
     sim->grids.H0 = sim->past.H0[0];
     sim->state.T = sim->past.T[0];
@@ -225,7 +225,7 @@ ovr_status ovr_simulation_step(ovr_simulation *sim, double dT, ovr_error *err)
                         dT, OVR_GHOSTS / 2 - 4);
     if (!advance(sim, dT, 0, &outcome)) {
         double R = outcome.defect.imbalance;
-        restore(sim);
+        ovr_simulation_return(sim);
         return ovr_fail(err, OVR_NOT_CONVERGED,
                         "step %ld to T = %g did not converge, nor did %d "
                         "halvings of it: relative mass-flow imbalance %.1e",
