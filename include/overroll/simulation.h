@@ -143,6 +143,7 @@ typedef struct ovr_observation {
     double P_spike_located, X_spike_located;
     double H0;
     double load;         /* integral of P */
+    double load_error;   /* relative to the nominal load */
     double load_ratio;   /* Cw */
     double speed_ratio;  /* Cu */
     double mass_flow;    /* mean over wet half nodes of the scheme's flux */
