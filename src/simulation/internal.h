@@ -13,8 +13,10 @@ typedef struct ovr_past {
     double *P[3]; /* pressure one, two and three steps ago */
     double H0[3];
     double T[3];
-    double dT; /* length of the last step */
-    int steps; /* how many steps lie behind P[0], 2 at most */
+    double dT;      /* length of the last step */
+    int steps;      /* how many steps lie behind P[0], 2 at most */
+    int still;      /* steps in a row that changed nothing */
+    double dT_next; /* adaptive: the step wanted next */
 } ovr_past;
 
 /* What the characteristic scheme needs beyond the inlet (characteristic.c). */
