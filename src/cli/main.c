@@ -13,6 +13,8 @@
 #include "cli/cli.h"
 
 const cli_verb *const cli_verbs[] = {
+    &cli_info,
+    &cli_export,
     &cli_help,
     NULL,
 };

@@ -1,0 +1,409 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* overroll export OUT.h5: tables of numbers for other programs. */
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "cli/cli.h"
+#include "cli/table.h"
+
+typedef struct job {
+    const cli_call *call;
+    ovr_result *result;
+    const ovr_result_info *about;
+    ovr_units units;
+    cli_table_form form;
+    FILE *to;
+    cli_table *table;
+    ovr_error *err;
+} job;
+
+/* ---------------------------------------------------------------- columns */
+
+/* Unit of a variable in the units asked for. */
+static const char *unit_in(const job *j, const ovr_variable *v, char kind)
+{
+    static const char *const si[] = {"m", "m", "Pa", "s"};
+    static const char *const hertzian[] = {"b", "b^2/R", "ph", "b/um"};
+    const char *kinds = "XHPT", *at = kind ? strchr(kinds, kind) : NULL;
+    bool stored_si = strcmp(v->unit, "1") != 0;
+    bool wanted_si = j->units == OVR_SI ||
+                     (j->units == OVR_AS_STORED && stored_si);
+    if (stored_si && wanted_si)
+        return v->unit;
+    if (!at)
+        return "1";
+    return wanted_si ? si[at - kinds] : hertzian[at - kinds];
+}
+
+static bool near(double a, double b)
+{
+    return fabs(a - b) <= 1e-12 * fabs(b);
+}
+
+/* What scales a variable: seen from its scale, as the file has no kinds. */
+static char kind_of(const job *j, const ovr_variable *v)
+{
+    if (strcmp(v->name, "time") == 0)
+        return 'T';
+    if (near(v->scale, j->about->ph))
+        return 'P';
+    if (near(v->scale, j->about->b))
+        return 'X';
+    return near(v->scale, j->about->height) ? 'H' : '\0';
+}
+
+static double *add_column(job *j, const char *name, const char *unit)
+{
+    return cli_table_add(j->table, name, unit, j->err);
+}
+
+/* --------------------------------------------------------- what is wanted */
+
+/* The fields given by --field, or all; NULL behind the last. */
+static const ovr_variable *wanted_field(const job *j, size_t k)
+{
+    const char *name = cli_value_at(j->call, "field", (int)k);
+    if (!cli_value(j->call, "field"))
+        return ovr_result_field(j->result, k);
+    for (size_t f = 0; name && f < ovr_result_fields(j->result); f++)
+        if (strcmp(ovr_result_field_name(j->result, f), name) == 0)
+            return ovr_result_field(j->result, f);
+    return NULL;
+}
+
+static ovr_status check_fields(const job *j)
+{
+    const char *name;
+    for (int k = 0; (name = cli_value_at(j->call, "field", k)); k++)
+        if (!wanted_field(j, (size_t)k))
+            return ovr_fail(j->err, OVR_BAD_INPUT, "%s: has no field '%s'",
+                            j->call->argument[0], name);
+    return OVR_OK;
+}
+
+static ovr_status add_snapshot(job *j, size_t k)
+{
+    const ovr_variable *field;
+    double *x;
+    ovr_variable position = {"x", "", j->about->physical ? "m" : "1",
+                             j->about->b};
+    j->table->rows = j->about->nodes;
+    x = add_column(j, "x", unit_in(j, &position, 'X'));
+    if (!x || ovr_result_x(j->result, j->units, x, j->err))
+        return j->err->status;
+    for (size_t f = 0; (field = wanted_field(j, f)); f++) {
+        double *values = add_column(j, field->name,
+                                    unit_in(j, field, kind_of(j, field)));
+        if (!values || ovr_result_snapshot(j->result, field->name, k, j->units,
+                                           values, j->err))
+            return j->err->status;
+    }
+    return OVR_OK;
+}
+
+static ovr_status add_history(job *j)
+{
+    j->table->rows = j->about->steps;
+    for (size_t k = 0; k < ovr_result_columns(j->result); k++) {
+        const ovr_variable *v = ovr_result_column(j->result, k);
+        double *values = add_column(j, v->name, unit_in(j, v, kind_of(j, v)));
+        if (!values ||
+            ovr_result_history(j->result, v->name, j->units, values, j->err))
+            return j->err->status;
+    }
+    return OVR_OK;
+}
+
+/* Linear between the nodes; x increases. */
+static double interpolate(size_t n, const double *x, const double *v, double at)
+{
+    size_t low = 0, high = n - 1;
+    double weight;
+    while (high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        if (x[middle] <= at)
+            low = middle;
+        else
+            high = middle;
+    }
+    if (low == high)
+        return v[low];
+    weight = (at - x[low]) / (x[high] - x[low]);
+    return weight == 0 ? v[low] : (1 - weight) * v[low] + weight * v[high];
+}
+
+/* A field at one X (in b) in every snapshot. */
+static ovr_status add_series(job *j, const ovr_variable *field, double X,
+                             const double *x, double *row)
+{
+    char name[160];
+    double *values;
+    snprintf(name, sizeof name, "%s(X=%g)", field->name, X);
+    values = add_column(j, name, unit_in(j, field, kind_of(j, field)));
+    if (!values)
+        return j->err->status;
+    for (size_t k = 0; k < j->about->snapshots; k++) {
+        if (ovr_result_snapshot(j->result, field->name, k, j->units, row,
+                                j->err))
+            return j->err->status;
+        values[k] = interpolate(j->about->nodes, x, row, X);
+    }
+    return OVR_OK;
+}
+
+static ovr_status check_position(const job *j, const char *text,
+                                 const double *x, double *X)
+{
+    char *end;
+    *X = strtod(text, &end);
+    if (end == text || *end || !(*X >= x[0] && *X <= x[j->about->nodes - 1]))
+        return ovr_fail(j->err, OVR_BAD_INPUT,
+                        "--at %s: a position in b from %g to %g", text, x[0],
+                        x[j->about->nodes - 1]);
+    return OVR_OK;
+}
+
+static ovr_status add_all_series(job *j, double *x, double *row)
+{
+    const ovr_variable *field;
+    ovr_variable time = {"time", "", j->about->physical ? "s" : "1",
+                         j->about->time};
+    double *T, X;
+    const char *text;
+    j->table->rows = j->about->snapshots;
+    T = add_column(j, "time", unit_in(j, &time, 'T'));
+    if (!T || ovr_result_times(j->result, j->units, T, j->err) ||
+        ovr_result_x(j->result, OVR_HERTZIAN, x, j->err))
+        return j->err->status;
+    for (int k = 0; (text = cli_value_at(j->call, "at", k)); k++) {
+        if (check_position(j, text, x, &X))
+            return j->err->status;
+        for (size_t f = 0; (field = wanted_field(j, f)); f++)
+            if (add_series(j, field, X, x, row))
+                return j->err->status;
+    }
+    return OVR_OK;
+}
+
+static ovr_status series(job *j)
+{
+    double *work = calloc(2 * j->about->nodes, sizeof *work);
+    ovr_status status;
+    if (!work)
+        return ovr_fail(j->err, OVR_NO_MEMORY, "out of memory: %zu nodes",
+                        j->about->nodes);
+    status = add_all_series(j, work, work + j->about->nodes);
+    free(work);
+    if (status == OVR_OK) {
+        cli_table_heads(j->table, j->form, j->to);
+        cli_table_rows(j->table, j->form, j->to);
+    }
+    return status;
+}
+
+/* Row of the snapshot that is nearest to T. */
+static ovr_status nearest(const job *j, double T, size_t *row)
+{
+    size_t count = j->about->snapshots;
+    double *times = calloc(count + 1, sizeof *times);
+    ovr_status status = OVR_NO_MEMORY;
+    if (times)
+        status = ovr_result_times(j->result, OVR_HERTZIAN, times, j->err);
+    *row = 0;
+    for (size_t k = 1; status == OVR_OK && k < count; k++)
+        if (fabs(times[k] - T) < fabs(times[*row] - T))
+            *row = k;
+    free(times);
+    return status;
+}
+
+static ovr_status chosen_row(const job *j, size_t *row)
+{
+    const char *index = cli_value(j->call, "snapshot");
+    const char *text = index ? index : cli_value(j->call, "time");
+    char *end;
+    double value = strtod(text, &end);
+    if (index && strcmp(index, "last") == 0) {
+        *row = j->about->snapshots - 1;
+        return OVR_OK;
+    }
+    if (end == text || *end || !isfinite(value))
+        return ovr_fail(j->err, OVR_BAD_INPUT, "'%s' is not a number", text);
+    if (!index)
+        return nearest(j, value, row);
+    if (value < 0 || value >= (double)j->about->snapshots ||
+        value != floor(value))
+        return ovr_fail(j->err, OVR_BAD_INPUT,
+                        "no snapshot %s: there are 0 to %zu, and 'last'", text,
+                        j->about->snapshots - 1);
+    *row = (size_t)value;
+    return OVR_OK;
+}
+
+static ovr_status snapshot(job *j)
+{
+    size_t row = 0;
+    if (j->about->snapshots == 0)
+        return ovr_fail(j->err, OVR_BAD_INPUT, "%s: has no snapshot yet",
+                        j->call->argument[0]);
+    if (chosen_row(j, &row) || add_snapshot(j, row))
+        return j->err->status;
+    cli_table_heads(j->table, j->form, j->to);
+    cli_table_rows(j->table, j->form, j->to);
+    return OVR_OK;
+}
+
+/* Blocks with two empty lines between: gnuplot's `index`. */
+static ovr_status all_snapshots(job *j)
+{
+    for (size_t k = 0; k < j->about->snapshots; k++) {
+        cli_table_clear(j->table);
+        if (add_snapshot(j, k))
+            return j->err->status;
+        if (k == 0)
+            cli_table_heads(j->table, j->form, j->to);
+        else if (j->form == CLI_GNUPLOT)
+            fputs("\n\n", j->to);
+        cli_table_rows(j->table, j->form, j->to);
+    }
+    return OVR_OK;
+}
+
+static ovr_status history(job *j)
+{
+    if (add_history(j))
+        return j->err->status;
+    cli_table_heads(j->table, j->form, j->to);
+    cli_table_rows(j->table, j->form, j->to);
+    return OVR_OK;
+}
+
+static ovr_status write_table(job *j)
+{
+    if (check_fields(j))
+        return j->err->status;
+    if (cli_value(j->call, "at"))
+        return series(j);
+    if (cli_value(j->call, "snapshot") || cli_value(j->call, "time"))
+        return snapshot(j);
+    return cli_flag(j->call, "all") ? all_snapshots(j) : history(j);
+}
+
+/* ---------------------------------------------------------------- command */
+
+/* Place of a word in a list that ends with NULL, or -1. */
+static int choice(const char *word, const char *const *words)
+{
+    for (int k = 0; words[k]; k++)
+        if (strcmp(word, words[k]) == 0)
+            return k;
+    return -1;
+}
+
+static int read_choices(job *j)
+{
+    static const char *const units[] = {"stored", "hertzian", "si", NULL};
+    static const char *const forms[] = {"csv", "gnuplot", "matlab", NULL};
+    const char *unit = cli_value(j->call, "units");
+    const char *form_name = cli_value(j->call, "format");
+    int k = unit ? choice(unit, units) : 0;
+    int f = form_name ? choice(form_name, forms) : 0;
+    if (k < 0)
+        return cli_usage(j->call, "--units %s: stored, hertzian or si", unit);
+    if (f < 0)
+        return cli_usage(j->call, "--format %s: csv, gnuplot or matlab",
+                         form_name);
+    j->units = (ovr_units)k;
+    j->form = (cli_table_form)f;
+    return CLI_DONE;
+}
+
+static int open_output(job *j)
+{
+    const char *path = cli_value(j->call, "o");
+    j->to = stdout;
+    if (!path)
+        return CLI_DONE;
+    if (access(path, F_OK) == 0 && !cli_flag(j->call, "force"))
+        return cli_usage(j->call, "%s: exists already; --force replaces it",
+                         path);
+    j->to = fopen(path, "w");
+    if (!j->to)
+        return cli_usage(j->call, "%s: %s", path, strerror(errno));
+    return CLI_DONE;
+}
+
+static int close_output(const job *j)
+{
+    bool failed;
+    if (j->to == stdout)
+        return CLI_DONE;
+    failed = ferror(j->to) != 0;
+    if (fclose(j->to) == 0 && !failed)
+        return CLI_DONE;
+    fprintf(stderr, "%s: cannot be written\n", cli_value(j->call, "o"));
+    return CLI_FAILED;
+}
+
+static int write_all(job *j)
+{
+    int code = open_output(j), closed;
+    if (code != CLI_DONE)
+        return code;
+    if (write_table(j) != OVR_OK)
+        code = cli_fail(j->err);
+    closed = close_output(j);
+    return code == CLI_DONE ? closed : code;
+}
+
+static int run(cli_call *call)
+{
+    ovr_error err = {OVR_OK, ""};
+    job j = {.call = call, .err = &err};
+    int code = read_choices(&j);
+    if (code != CLI_DONE)
+        return code;
+    j.result = ovr_result_open(call->argument[0], NULL, &err);
+    if (!j.result)
+        return cli_fail(&err);
+    j.about = ovr_result_about(j.result);
+    j.table = calloc(1, sizeof *j.table);
+    if (j.table) {
+        code = write_all(&j);
+        cli_table_clear(j.table);
+    } else {
+        ovr_fail(&err, OVR_NO_MEMORY, "out of memory");
+        code = cli_fail(&err);
+    }
+    free(j.table);
+    ovr_result_close(j.result);
+    return code;
+}
+
+static const cli_option options[] = {
+    {"snapshot", "K", "fields along x: snapshot number K from 0, or 'last'",
+     false},
+    {"time", "T", "the same: the snapshot nearest to T (in b/um)", false},
+    {"all", NULL, "the same: all snapshots, one after the other", false},
+    {"at", "X", "fields at X (in b) in time", true},
+    {"field", "NAME", "this field only (pressure, film_thickness, ...)", true},
+    {"units", "NAME", "stored, hertzian or si", false},
+    {"format", "NAME", "csv, gnuplot (# before names) or matlab (%)", false},
+    {"o", "FILE", "write to a file", false},
+    {"force", NULL, "replace an existing file", false},
+    {NULL, NULL, NULL, false},
+};
+
+const cli_verb cli_export = {
+    .name = "export",
+    .arguments = "OUT.h5 [-o FILE]",
+    .summary = "tables of numbers for other programs",
+    .help = "Without a choice of snapshots: the history, one row a time step.",
+    .options = options,
+    .least = 1,
+    .most = 1,
+    .run = run,
+};

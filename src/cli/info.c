@@ -1,0 +1,257 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* overroll info OUT.h5: what is in a result file. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "cli/cli.h"
+#include "cli/json.h"
+
+/* Smallest and largest value of a column of the history, and when. */
+typedef struct extremes {
+    double least, T_least, most, T_most;
+} extremes;
+
+typedef struct report {
+    ovr_result *result;
+    const ovr_result_info *about;
+    const char *path;
+    double *T, *column; /* of the history; T in b/um */
+    double bytes;       /* of the file */
+} report;
+
+static extremes find_extremes(const report *r)
+{
+    extremes e = {NAN, NAN, NAN, NAN};
+    for (size_t k = 0; k < r->about->steps; k++) {
+        double value = r->column[k];
+        if (isnan(value))
+            continue;
+        if (!(value >= e.least)) {
+            e.least = value;
+            e.T_least = r->T[k];
+        }
+        if (!(value <= e.most)) {
+            e.most = value;
+            e.T_most = r->T[k];
+        }
+    }
+    return e;
+}
+
+static double last_time(const report *r)
+{
+    return r->about->steps ? r->T[r->about->steps - 1] : NAN;
+}
+
+/* Of the time to be run, between 0 and 1; NAN unknown. */
+static double progress(const report *r)
+{
+    if (strcmp(r->about->status, "complete") == 0)
+        return 1;
+    return fmin(1, last_time(r) / r->about->end);
+}
+
+/* Reads a column into r->column; false where there is none. */
+static bool take(report *r, const char *name, ovr_units units)
+{
+    return ovr_result_history(r->result, name, units, r->column, NULL) ==
+           OVR_OK;
+}
+
+static double sum(const report *r)
+{
+    double total = 0;
+    for (size_t k = 0; k < r->about->steps; k++)
+        total += r->column[k];
+    return total;
+}
+
+/* ------------------------------------------------------------------- text */
+
+static void print_contact(const ovr_result_info *a)
+{
+    printf("contact    M = %g, L = %g, alphabar = %.5g, lambda = %.5g\n", a->M,
+           a->L, a->alphabar, a->lambda);
+    printf("speeds     u1/um = %g, u2/um = %g\n", a->u1_ratio, a->u2_ratio);
+    if (a->physical)
+        printf("scales     b = %.5g m, ph = %.5g Pa, b^2/R = %.5g m, "
+               "b/um = %.5g s\n",
+               a->b, a->ph, a->height, a->time);
+    else
+        puts("scales     dimensionless");
+}
+
+static void print_sizes(report *r)
+{
+    const ovr_result_info *a = r->about;
+    printf("nodes      %zu\nfields    ", a->nodes);
+    for (size_t k = 0; k < ovr_result_fields(r->result); k++)
+        printf(" %s [%s]", ovr_result_field_name(r->result, k),
+               ovr_result_field_unit(r->result, k));
+    printf("\nsnapshots  %zu\nhistory    %zu steps", a->snapshots, a->steps);
+    if (a->steps)
+        printf(", T = %g to %g", r->T[0], last_time(r));
+    if (!isnan(a->end))
+        printf(" of %g (%.0f %%)", a->end, 100 * progress(r));
+    printf("\nsize       %.3g MB\n", r->bytes / 1e6);
+    if (take(r, "cycles", OVR_AS_STORED))
+        printf("cycles     %.0f\n", sum(r));
+    if (take(r, "marked", OVR_AS_STORED))
+        printf("marked     %.0f steps\n", sum(r));
+}
+
+static void print_extremes(report *r)
+{
+    printf("\n%-26s %13s %9s %13s %9s  %s\n", "", "least", "at T", "most",
+           "at T", "unit");
+    for (size_t k = 0; k < ovr_result_columns(r->result); k++) {
+        const ovr_variable *v = ovr_result_column(r->result, k);
+        extremes e;
+        if (!strcmp(v->name, "step") || !strcmp(v->name, "time") ||
+            !take(r, v->name, OVR_AS_STORED))
+            continue;
+        e = find_extremes(r);
+        printf("%-26s %13.6g %9.4g %13.6g %9.4g  %s\n", v->name, e.least,
+               e.T_least, e.most, e.T_most, v->unit);
+    }
+}
+
+static void print_text(report *r, bool verbose)
+{
+    const ovr_result_info *a = r->about;
+    printf("%s: %s\n", r->path, a->title);
+    printf("status     %s\n", a->status);
+    printf("written    %s to %s by %s\n", a->created, a->modified, a->source);
+    if (a->seconds > 0)
+        printf("took       %.3g s\n", a->seconds);
+    print_contact(a);
+    print_sizes(r);
+    if (a->steps)
+        print_extremes(r);
+    if (verbose)
+        printf("\n%s", a->case_text);
+}
+
+/* ------------------------------------------------------------------- JSON */
+
+static void json_contact(json_writer *j, const ovr_result_info *a)
+{
+    json_number(j, "M", a->M);
+    json_number(j, "L", a->L);
+    json_number(j, "alphabar", a->alphabar);
+    json_number(j, "lambda", a->lambda);
+    json_number(j, "u1_over_um", a->u1_ratio);
+    json_number(j, "u2_over_um", a->u2_ratio);
+    json_flag(j, "physical", a->physical);
+    json_number(j, "half_width_m", a->b);
+    json_number(j, "hertz_pressure_Pa", a->ph);
+    json_number(j, "film_scale_m", a->height);
+    json_number(j, "time_scale_s", a->time);
+}
+
+static void json_sizes(json_writer *j, const report *r)
+{
+    json_integer(j, "nodes", (long long)r->about->nodes);
+    json_integer(j, "snapshots", (long long)r->about->snapshots);
+    json_integer(j, "steps", (long long)r->about->steps);
+    json_number(j, "T", last_time(r));
+    json_number(j, "T_end", r->about->end);
+    json_number(j, "progress", progress(r));
+    json_number(j, "bytes", r->bytes);
+    json_open_array(j, "fields");
+    for (size_t k = 0; k < ovr_result_fields(r->result); k++)
+        json_text(j, NULL, ovr_result_field_name(r->result, k));
+    json_close_array(j);
+}
+
+/* Dimensionless, as all JSON of this program. */
+static void json_extremes(json_writer *j, report *r)
+{
+    json_open(j, "extremes");
+    for (size_t k = 0; k < ovr_result_columns(r->result); k++) {
+        const ovr_variable *v = ovr_result_column(r->result, k);
+        extremes e;
+        if (!strcmp(v->name, "step") || !take(r, v->name, OVR_HERTZIAN))
+            continue;
+        e = find_extremes(r);
+        json_open(j, v->name);
+        json_number(j, "min", e.least);
+        json_number(j, "T_min", e.T_least);
+        json_number(j, "max", e.most);
+        json_number(j, "T_max", e.T_most);
+        json_close(j);
+    }
+    json_close(j);
+}
+
+static void print_json(report *r)
+{
+    const ovr_result_info *a = r->about;
+    json_writer j = json_begin(stdout);
+    json_text(&j, "file", r->path);
+    json_text(&j, "title", a->title);
+    json_text(&j, "status", a->status);
+    json_text(&j, "source", a->source);
+    json_text(&j, "created", a->created);
+    json_text(&j, "modified", a->modified);
+    json_number(&j, "seconds", a->seconds);
+    json_contact(&j, a);
+    json_sizes(&j, r);
+    if (take(r, "cycles", OVR_AS_STORED))
+        json_integer(&j, "cycles_total", (long long)sum(r));
+    if (take(r, "marked", OVR_AS_STORED))
+        json_integer(&j, "steps_marked", (long long)sum(r));
+    json_extremes(&j, r);
+    json_text(&j, "case", a->case_text);
+    json_end(&j);
+}
+
+/* ---------------------------------------------------------------- command */
+
+static ovr_status read_times(report *r, ovr_error *err)
+{
+    struct stat about;
+    size_t steps = r->about->steps;
+    r->bytes = stat(r->path, &about) == 0 ? (double)about.st_size : NAN;
+    r->T = calloc(steps + 1, sizeof *r->T);
+    r->column = calloc(steps + 1, sizeof *r->column);
+    if (!r->T || !r->column)
+        return ovr_fail(err, OVR_NO_MEMORY,
+                        "out of memory: a history of %zu steps", steps);
+    return ovr_result_history(r->result, "time", OVR_HERTZIAN, r->T, err);
+}
+
+static int run(cli_call *call)
+{
+    ovr_error err = {OVR_OK, ""};
+    report r = {NULL, NULL, call->argument[0], NULL, NULL, 0};
+    int code = CLI_DONE;
+    r.result = ovr_result_open(r.path, NULL, &err);
+    if (!r.result)
+        return cli_fail(&err);
+    r.about = ovr_result_about(r.result);
+    if (read_times(&r, &err) != OVR_OK)
+        code = cli_fail(&err);
+    else if (call->json)
+        print_json(&r);
+    else
+        print_text(&r, call->verbosity > 0);
+    free(r.column);
+    free(r.T);
+    ovr_result_close(r.result);
+    return code;
+}
+
+const cli_verb cli_info = {
+    .name = "info",
+    .arguments = "OUT.h5",
+    .summary = "what is in a result file",
+    .help = "Works while the file is being written. With -v the case is "
+            "printed too.\nThe table is in the file's units, --json is "
+            "dimensionless.",
+    .least = 1,
+    .most = 1,
+    .run = run,
+};

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A table of numbers for other programs: columns with name and unit.
+ *
+ * Three forms: CSV with one line of names; columns with blanks between and a
+ * # line before (gnuplot); the same with % (MATLAB's load).  Numbers have 17
+ * digits: reading them gives the same double.
+ */
+#ifndef OVR_CLI_TABLE_H
+#define OVR_CLI_TABLE_H
+
+#include <stddef.h>
+#include <stdio.h>
+
+#include "overroll/error.h"
+
+enum { CLI_MOST_COLUMNS = 256 };
+
+typedef enum cli_table_form { CLI_CSV, CLI_GNUPLOT, CLI_MATLAB } cli_table_form;
+
+typedef struct cli_column {
+    char name[160];
+    const char *unit; /* borrowed */
+    double *values;
+} cli_column;
+
+/* All zero: empty. */
+typedef struct cli_table {
+    cli_column column[CLI_MOST_COLUMNS];
+    size_t columns, rows;
+} cli_table;
+
+/* The values of a new column of table->rows zeros, or NULL. */
+double *cli_table_add(cli_table *table, const char *name, const char *unit,
+                      ovr_error *err);
+void cli_table_heads(const cli_table *table, cli_table_form form, FILE *to);
+void cli_table_rows(const cli_table *table, cli_table_form form, FILE *to);
+void cli_table_clear(cli_table *table);
+
+#endif
