@@ -109,7 +109,7 @@ $(PROGRAM): $(CLIOBJ) $(LIB)
 
 $(LIB): $(LIBOBJ)
 	$(call say,AR    $@)
-	$(Q)rm -f $@ && $(AR) rcs $@ $(LIBOBJ)
+	$(Q)rm -f $@ && $(AR) qcs $@ $(LIBOBJ)
 
 $(SHARED): $(LIBOBJ)
 	$(call say,LINK  $@)
