@@ -50,11 +50,10 @@ static const ovr_word shapes[] = {
     {"texture", OVR_TEXTURE},     {"profile", OVR_PROFILE},
     {"roughness", OVR_ROUGHNESS}, {NULL, 0}};
 static const ovr_word endless[] = {{"endless", 0}, {NULL, 0}};
-static const ovr_word levellings[] = {{"none", OVR_LEVEL_NONE},
-                                      {"mean", OVR_LEVEL_MEAN},
-                                      {"line", OVR_LEVEL_LINE},
-                                      {"polynomial", OVR_LEVEL_POLYNOMIAL},
-                                      {NULL, 0}};
+static const ovr_word levellings[] = {
+    {"none", OVR_LEVEL_NONE}, {"mean", OVR_LEVEL_MEAN},
+    {"line", OVR_LEVEL_LINE}, {"polynomial", OVR_LEVEL_POLYNOMIAL},
+    {"ends", OVR_LEVEL_ENDS}, {NULL, 0}};
 static const ovr_word extensions[] = {{"none", OVR_EXTEND_NONE},
                                       {"periodic", OVR_EXTEND_PERIODIC},
                                       {"mirror", OVR_EXTEND_MIRROR},
@@ -318,8 +317,7 @@ static const ovr_parameter table[] = {
     {"feature", "unit_z", TEXT, NULL, IN_FORM(source.unit_z), true,
      "profile: unit of its heights where the file does not say it"},
     {"feature", "spacing", SIZE, NULL, IN_FORM(source.spacing), true,
-     "profile: distance of samples where the file has heights only (a bare "
-     "number is in unit_x)"},
+     "profile: distance of samples where the file has heights only"},
     {"feature", "column_x", WHOLE(1, 1000), NULL, IN_FORM(source.column_x),
      true, "profile: column of the lengths"},
     {"feature", "column_z", WHOLE(1, 1000), NULL, IN_FORM(source.column_z),

@@ -331,36 +331,10 @@ static ovr_status resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
 
 /* --------------------------------------------------------------- features */
 
-/* A spacing is in the file's unit of x, so that its own unit names that. */
-static ovr_status fill_spacing(const ovr_block *block, ovr_feature_form *form,
-                               ovr_error *err)
-{
-    const ovr_slot *spacing = ovr_block_get(block, "spacing");
-    if (!spacing->given || !spacing->unit)
-        return OVR_OK;
-    if (!form->source.unit_x) {
-        form->source.unit_x = spacing->unit;
-        form->source.spacing = spacing->number /
-                               ovr_unit_value(spacing->unit, OVR_LENGTH);
-        return OVR_OK;
-    }
-    form->source.spacing = spacing->number /
-                           ovr_unit_value(form->source.unit_x, OVR_LENGTH);
-    if (form->source.spacing > 0)
-        return OVR_OK;
-    return ovr_fail_slot(err, OVR_BAD_INPUT, spacing,
-                         "spacing: %s needs a unit_x of m, mm, um or nm; "
-                         "leave unit_x out",
-                         spacing->text);
-}
-
 static ovr_status fill_feature(ovr_resolved *r, const ovr_block *block,
                                ovr_feature_form *form, ovr_error *err)
 {
-    const ovr_slot *spacing = ovr_block_get(block, "spacing");
-    ovr_block plain = *block;
     ovr_status status;
-    (void)spacing;
     *form = ovr_feature_form_default();
     form->name = block->name;
     if (!ovr_block_get(block, "shape")->given) {
@@ -369,9 +343,8 @@ static ovr_status fill_feature(ovr_resolved *r, const ovr_block *block,
                  block->name);
         return ovr_fail_in(err, r->c, block, &why);
     }
-    status = ovr_block_fill(r, &plain, form, err);
-    if (!status)
-        status = fill_spacing(block, form, err);
+    status = ovr_block_fill(r, block, form, err);
+    form->source.spacing_scaled = true; /* like all lengths here: in b */
     if (form->shape == OVR_ROUGHNESS) {
         form->roughness.length = form->length;
         form->length = NAN;
