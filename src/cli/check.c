@@ -8,7 +8,7 @@
 
 /* Measured at level 8 on one core: time of a node in a cycle, and cycles of a
  * step. */
-static const double SECONDS_A_NODE = 1e-7, CYCLES_A_STEP = 2.5;
+static const double SECONDS_A_NODE = 2e-7, CYCLES_A_STEP = 3;
 static const double CYCLES_STEADY = 12;
 
 typedef struct estimate {

@@ -15,6 +15,7 @@
 /* clang-format off: a row each */
 const cli_verb *const cli_verbs[] = {
     &cli_steady,
+    &cli_run,
     &cli_check,
     &cli_info,
     &cli_export,

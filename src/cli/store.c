@@ -1,0 +1,191 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/store.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { NAME_ROOM = 128, TIMES_MOST = 100000 };
+
+/* ------------------------------------------------------------- can it be */
+
+static void folder_of(const char *path, char *folder, size_t room)
+{
+    const char *slash = strrchr(path, '/');
+    size_t length = slash ? (size_t)(slash - path) : 0;
+    snprintf(folder, room, "%.*s", (int)length, path);
+    if (!slash)
+        snprintf(folder, room, ".");
+    else if (slash == path)
+        snprintf(folder, room, "/");
+}
+
+bool cli_check_output(const char *path, bool force, ovr_error *err)
+{
+    char folder[4096];
+    if (!path)
+        return true;
+    folder_of(path, folder, sizeof folder);
+    if (!*path || path[strlen(path) - 1] == '/') {
+        ovr_fail(err, OVR_BAD_INPUT, "'%s' is not the name of a file", path);
+        return false;
+    }
+    if (access(path, F_OK) == 0 && !force) {
+        ovr_fail(err, OVR_BAD_INPUT, "%s: exists already; --force replaces it",
+                 path);
+        return false;
+    }
+    if (access(folder, W_OK | X_OK) != 0) {
+        ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be written: %s: %s", path,
+                 folder, strerror(errno));
+        return false;
+    }
+    return true;
+}
+
+/* ------------------------------------------------------------- attributes */
+
+static char *full_name(const ovr_case_entry *entry)
+{
+    char *name = malloc(NAME_ROOM);
+    if (name && entry->name)
+        snprintf(name, NAME_ROOM, "feature %s.%s", entry->name, entry->key);
+    else if (name)
+        snprintf(name, NAME_ROOM, "%s.%s", entry->section, entry->key);
+    return name;
+}
+
+ovr_case_value *cli_case_values(const ovr_case *c, size_t *count)
+{
+    size_t all = ovr_case_entries(c), n = 0;
+    ovr_case_value *values = calloc(all + 1, sizeof *values);
+    *count = 0;
+    for (size_t k = 0; values && k < all; k++) {
+        ovr_case_entry entry = ovr_case_entry_at(c, k);
+        ovr_parameter_info info = ovr_parameter_at(entry.parameter);
+        bool number = isfinite(info.least) && isfinite(entry.number);
+        if (!entry.text)
+            continue;
+        values[n].name = full_name(&entry);
+        values[n].text = entry.text;
+        values[n].number = number ? entry.number : NAN;
+        values[n].unit = entry.unit;
+        values[n].physics = info.physics;
+        if (!values[n++].name) {
+            cli_free_values(values, n);
+            return NULL;
+        }
+    }
+    *count = n;
+    return values;
+}
+
+void cli_free_values(ovr_case_value *values, size_t count)
+{
+    for (size_t k = 0; values && k < count; k++)
+        free((void *)values[k].name);
+    free(values);
+}
+
+/* ------------------------------------------------------------------ times */
+
+typedef struct moments {
+    size_t count;
+    double *T;
+} moments;
+
+static void add_moment(moments *m, double T)
+{
+    if (m->count < TIMES_MOST && isfinite(T))
+        m->T[m->count++] = T;
+}
+
+/* When features (and their copies) are at the X asked for. */
+static void add_arrivals(moments *m, const ovr_setup *setup, double X)
+{
+    double end = setup->march.end;
+    size_t n = setup->surfaces ? ovr_surfaces_count(setup->surfaces) : 0;
+    for (size_t k = 0; k < n; k++) {
+        double T = -1;
+        for (int copy = 0; copy < 1000; copy++) {
+            T = ovr_surfaces_arrival(setup->surfaces, k, X, T, end);
+            if (!(T <= end))
+                break;
+            add_moment(m, T);
+        }
+    }
+}
+
+static double *make_times(const ovr_setup *setup, size_t *count)
+{
+    const ovr_output *out = &setup->output;
+    moments m = {0, calloc(TIMES_MOST, sizeof *m.T)};
+    for (size_t i = 0; m.T && i < out->at.count; i++)
+        add_moment(&m, out->at.values[i]);
+    for (size_t i = 0; m.T && i < out->feature_at.count; i++)
+        add_arrivals(&m, setup, out->feature_at.values[i]);
+    *count = m.count;
+    return m.T;
+}
+
+/* ----------------------------------------------------------------- writer */
+
+static void choose(ovr_write_options *w, const ovr_setup *setup,
+                   const ovr_state *state)
+{
+    const ovr_output *out = &setup->output;
+    double dT = setup->march.dT > 0 ? setup->march.dT : state->D;
+    w->every_steps = out->every;
+    w->every_time = out->interval;
+    w->fields = out->fields;
+    w->single = out->single;
+    w->x_from = out->from;
+    w->x_to = out->to;
+    w->stride = (size_t)out->stride;
+    w->deflate = out->compression;
+    w->checkpoint_interval = out->checkpoint;
+    w->end = setup->transient ? setup->march.end : NAN;
+    if (out->title)
+        w->title = out->title;
+    if (!out->every && !(out->interval > 0) && !w->time_count)
+        w->every_steps = setup->transient
+                             ? ovr_write_every(w, w->end, dT, state->n)
+                             : 1;
+}
+
+ovr_writer *cli_open_output(ovr_case *c, const ovr_setup *setup,
+                            const ovr_simulation *sim, const char *path,
+                            bool force, ovr_error *err)
+{
+    const ovr_state *state = ovr_simulation_state(sim);
+    ovr_write_options w = ovr_write_options_default();
+    ovr_case_value *values = cli_case_values(c, &w.value_count);
+    double *times = make_times(setup, &w.time_count);
+    ovr_writer *writer = NULL;
+    w.path = path;
+    w.force = force;
+    w.times = times;
+    w.values = values;
+    w.case_text = ovr_case_text(c, err);
+    w.case_path = ovr_case_directory(c);
+    choose(&w, setup, state);
+    if (!values || !times)
+        ovr_fail(err, OVR_NO_MEMORY, "out of memory");
+    else if (w.case_text)
+        writer = ovr_writer_create(&w, &setup->contact, state->n, state->X,
+                                   NULL, err);
+    cli_free_values(values, w.value_count);
+    free(times);
+    return writer;
+}
+
+size_t cli_count_snapshots(const char *path)
+{
+    ovr_result *result = ovr_result_open(path, NULL, NULL);
+    size_t n = result ? ovr_result_about(result)->snapshots : 0;
+    if (result)
+        ovr_result_close(result);
+    return n;
+}
