@@ -30,10 +30,22 @@ ovr_status ovr_writer_observe(void *writer, const ovr_simulation *sim,
     return ovr_writer_record(w, &frame, err);
 }
 
+static ovr_status visit_state(void *sim, ovr_visit *visit, void *context,
+                              ovr_error *err)
+{
+    return ovr_simulation_visit(sim, visit, context, err);
+}
+
+/* What is saved ends with the heights of the surface, to be compared later. */
 static ovr_status visit_all(void *sim, ovr_visit *visit, void *context,
                             ovr_error *err)
 {
-    return ovr_simulation_visit(sim, visit, context, err);
+    const ovr_state *state = ovr_simulation_state(sim);
+    ovr_status status = ovr_simulation_visit(sim, visit, context, err);
+    if (status != OVR_OK)
+        return status;
+    return visit(context, "S", (void *)(uintptr_t)state->S,
+                 state->n * sizeof *state->S, err);
 }
 
 void ovr_writer_checkpoints(ovr_writer *w, ovr_simulation *sim)
@@ -47,9 +59,16 @@ void ovr_writer_checkpoints(ovr_writer *w, ovr_simulation *sim)
 ovr_status ovr_restart_load(const ovr_restart *restart, ovr_simulation *sim,
                             ovr_error *err)
 {
-    ovr_state_source source = {visit_all, sim};
+    ovr_state_source source = {visit_state, sim};
+    const ovr_state *state = ovr_simulation_state(sim);
     ovr_status status = ovr_restart_load_into(restart, &source, err);
-    if (status == OVR_OK)
-        ovr_simulation_restored(sim);
-    return status;
+    if (status != OVR_OK)
+        return status;
+    ovr_simulation_restored(sim);
+    if (ovr_restart_holds(restart, "S", state->S, state->n * sizeof *state->S))
+        return OVR_OK;
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "the surface at T = %g is not the one "
+                    "of the run: has a profile's file changed?",
+                    state->T);
 }

@@ -288,7 +288,7 @@ static void survives_truncation(void **state)
     test_dent_init(&d, NODES, 0);
     write_run(&o, &contact, &d, STEPS);
     data = test_read(path, &bytes);
-    for (size_t at = 0; at < bytes; at += 1 + bytes / 200) {
+    for (size_t at = 0; at < bytes; at += 1 + bytes / 80) {
         ovr_error err = {OVR_OK, ""};
         ovr_result *r;
         test_write(cut, data, at);
