@@ -19,6 +19,7 @@ const cli_verb *const cli_verbs[] = {
     &cli_check,
     &cli_info,
     &cli_export,
+    &cli_init,
     &cli_help,
     NULL,
 };
