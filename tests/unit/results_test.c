@@ -82,7 +82,8 @@ static void check_history(ovr_result *r, test_dent *d)
         test_dent_move(d, k);
         CHECK_NEAR(T[k], d->seen.T, 0);
         assert_int_equal((int)cycles[k], d->seen.cycles);
-        assert_int_equal(isnan(spike[k]) != 0, isnan(d->seen.P_spike) != 0);
+        assert_int_equal(isnan(spike[k]) != 0,
+                         isnan(d->seen.P_spike_located) != 0);
     }
 }
 
