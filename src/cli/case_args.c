@@ -20,7 +20,7 @@ static void make_way(ovr_case *c, const char *option)
         ovr_case_unset(c, "domain.nodes");
 }
 
-static ovr_status apply(const cli_call *call, ovr_case *c, ovr_error *err)
+ovr_status cli_apply_options(const cli_call *call, ovr_case *c, ovr_error *err)
 {
     const char *value;
     for (size_t i = 0; i < sizeof shorts / sizeof shorts[0]; i++) {
@@ -45,7 +45,7 @@ ovr_case *cli_open_case(const cli_call *call, int *code)
     ovr_case *c = call->arguments ? ovr_case_read(call->argument[0], NULL, &err)
                                   : ovr_case_create(NULL, &err);
     *code = CLI_DONE;
-    if (c && apply(call, c, &err) == OVR_OK)
+    if (c && cli_apply_options(call, c, &err) == OVR_OK)
         return c;
     *code = cli_fail(&err);
     ovr_case_free(c);

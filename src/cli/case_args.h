@@ -20,4 +20,7 @@
  * set; NULL after having printed why not. */
 ovr_case *cli_open_case(const cli_call *call, int *code);
 
+/* What the options of the call set, into a case. */
+ovr_status cli_apply_options(const cli_call *call, ovr_case *c, ovr_error *err);
+
 #endif

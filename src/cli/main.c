@@ -16,6 +16,7 @@
 const cli_verb *const cli_verbs[] = {
     &cli_steady,
     &cli_run,
+    &cli_resume,
     &cli_check,
     &cli_info,
     &cli_export,

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#define _XOPEN_SOURCE 700 /* realpath */
 #include "cli/store.h"
 
 #include <errno.h>
@@ -155,29 +156,81 @@ static void choose(ovr_write_options *w, const ovr_setup *setup,
                              : 1;
 }
 
+/* What the writer is told: texts and lists that end with the case. */
+typedef struct wanted {
+    ovr_write_options options;
+    ovr_case_value *values;
+    double *times;
+    char *folder; /* of the case, absolute: resume may start elsewhere */
+} wanted;
+
+static char *absolute(const char *folder)
+{
+    return realpath(folder && *folder ? folder : ".", NULL);
+}
+
+static ovr_status want(wanted *w, ovr_case *c, const ovr_setup *setup,
+                       const ovr_state *state, const char *path, ovr_error *err)
+{
+    w->options = ovr_write_options_default();
+    w->values = cli_case_values(c, &w->options.value_count);
+    w->times = make_times(setup, &w->options.time_count);
+    w->options.path = path;
+    w->options.times = w->times;
+    w->options.values = w->values;
+    w->options.case_text = ovr_case_text(c, err);
+    w->folder = absolute(ovr_case_directory(c));
+    w->options.case_path = w->folder;
+    choose(&w->options, setup, state);
+    if (!w->values || !w->times)
+        return ovr_fail(err, OVR_NO_MEMORY, "out of memory");
+    return w->options.case_text ? OVR_OK : OVR_NO_MEMORY;
+}
+
+static void unwant(wanted *w)
+{
+    cli_free_values(w->values, w->options.value_count);
+    free(w->times);
+    free(w->folder);
+}
+
 ovr_writer *cli_open_output(ovr_case *c, const ovr_setup *setup,
-                            const ovr_simulation *sim, const char *path,
-                            bool force, ovr_error *err)
+                            ovr_simulation *sim, const char *path, bool force,
+                            ovr_error *err)
 {
     const ovr_state *state = ovr_simulation_state(sim);
-    ovr_write_options w = ovr_write_options_default();
-    ovr_case_value *values = cli_case_values(c, &w.value_count);
-    double *times = make_times(setup, &w.time_count);
+    wanted w;
     ovr_writer *writer = NULL;
-    w.path = path;
-    w.force = force;
-    w.times = times;
-    w.values = values;
-    w.case_text = ovr_case_text(c, err);
-    w.case_path = ovr_case_directory(c);
-    choose(&w, setup, state);
-    if (!values || !times)
-        ovr_fail(err, OVR_NO_MEMORY, "out of memory");
-    else if (w.case_text)
-        writer = ovr_writer_create(&w, &setup->contact, state->n, state->X,
-                                   NULL, err);
-    cli_free_values(values, w.value_count);
-    free(times);
+    if (want(&w, c, setup, state, path, err) == OVR_OK) {
+        w.options.force = force;
+        writer = ovr_writer_create(&w.options, &setup->contact, state->n,
+                                   state->X, NULL, err);
+    }
+    unwant(&w);
+    if (writer)
+        ovr_writer_checkpoints(writer, sim);
+    return writer;
+}
+
+ovr_writer *cli_reopen_output(ovr_case *c, const ovr_setup *setup,
+                              ovr_simulation *sim, const char *path,
+                              const ovr_restart *restart, ovr_error *err)
+{
+    const ovr_state *state = ovr_simulation_state(sim);
+    wanted w;
+    ovr_writer *writer = NULL;
+    ovr_status status = want(&w, c, setup, state, path, err);
+    if (status == OVR_OK && restart)
+        status = ovr_restart_check(restart, w.options.value_count, w.values,
+                                   err);
+    if (status == OVR_OK && restart && ovr_restart_about(restart)->has_state)
+        status = ovr_restart_load(restart, sim, err);
+    if (status == OVR_OK)
+        writer = ovr_writer_resume(&w.options, &setup->contact, state->n,
+                                   state->X, restart, NULL, err);
+    unwant(&w);
+    if (writer)
+        ovr_writer_checkpoints(writer, sim);
     return writer;
 }
 
