@@ -130,6 +130,68 @@ static bool help_key(const char *key)
     return found;
 }
 
+/* ------------------------------------------------------------ manual page */
+
+/* In roff, with what it takes for signs of its own. */
+static void put_roff(const char *text)
+{
+    for (; *text; text++)
+        if (*text == '-')
+            fputs("\\-", stdout);
+        else if (*text == '\'')
+            fputs("\\(aq", stdout);
+        else
+            putchar(*text);
+}
+
+static void roff_parameter(const ovr_parameter_info *p)
+{
+    char text[200];
+    printf(".TP\n.B ");
+    put_roff(p->key);
+    putchar('\n');
+    put_roff(p->help);
+    puts(".");
+    if (!isnan(p->least)) {
+        describe_range(p, text, sizeof text);
+        printf("A ");
+        put_roff(text);
+        puts(".");
+    } else if (!p->choices[0]) {
+        printf("A value: %s.\n", p->type);
+    }
+    if (p->choices[0])
+        puts(isnan(p->least) ? "One of" : "Or");
+    for (int i = 0; p->choices[i]; i++) {
+        printf(".BR ");
+        put_roff(p->choices[i]);
+        puts(p->choices[i + 1] ? " ," : " .");
+    }
+    if (*p->units)
+        printf("%s: %s.\n", *p->bare ? "Or with a unit" : "Unit", p->units);
+    if (p->initial) {
+        printf("Default: ");
+        put_roff(p->initial);
+        puts(".");
+    }
+}
+
+/* The part of overroll-case(5) that is made from the table. */
+static int roff(void)
+{
+    for (size_t k = 0; ovr_section_name(k); k++) {
+        printf(".SS [%s]\n", ovr_section_name(k));
+        put_roff(ovr_section_help(k));
+        puts(".");
+        for (size_t i = 0; i < ovr_parameter_count(); i++) {
+            ovr_parameter_info p = ovr_parameter_at(i);
+            if (!strcmp(p.section, ovr_section_name(k)))
+                roff_parameter(&p);
+        }
+    }
+    return CLI_DONE;
+}
+
 /* ------------------------------------------------------------------ topics */
 
 static int help_units(void)
@@ -174,6 +236,8 @@ static int run(cli_call *call)
 {
     const cli_verb *verb;
     const char *topic = call->argument[0];
+    if (cli_flag(call, "roff"))
+        return roff();
     if (call->arguments == 0)
         return list_topics();
     verb = cli_find_verb(topic);
@@ -186,10 +250,14 @@ static int run(cli_call *call)
     return CLI_DONE;
 }
 
+static const cli_option options[] = {
+    {"roff", NULL, "the parameters as overroll-case(5) has them", false}, {0}};
+
 const cli_verb cli_help = {
     .name = "help",
     .arguments = "[TOPIC]",
     .summary = "explain a command, a section or a key of the case",
+    .options = options,
     .least = 0,
     .most = 1,
     .run = run,
