@@ -135,7 +135,8 @@ typedef struct ovr_profile_numbers {
     double mean;
     double Ra, Rq;   /* mean of |z|, root mean square of z */
     double Rp, Rv;   /* highest peak, deepest valley (positive) */
-    double Rz;       /* mean of Rp + Rv over five equal parts */
+    double Rz;       /* mean of Rp + Rv over five equal parts (Rt below 50
+                        points) */
     double Rt;       /* Rp + Rv of the whole */
     double Rsk, Rku; /* skewness, kurtosis (3: Gaussian); NAN when Rq = 0 */
     double Rdq;      /* root mean square slope */
@@ -152,7 +153,8 @@ typedef struct ovr_profile_wave {
     double part;       /* of the variance */
 } ovr_profile_wave;
 
-/* Finds up to `most` waves, strongest first; *found says how many. */
+/* Finds up to `most` waves above 0.1 % of the variance, strongest first;
+ * *found says how many. */
 OVR_API ovr_status ovr_profile_waves(const ovr_profile *profile, size_t most,
                                      ovr_profile_wave *waves, size_t *found,
                                      ovr_error *err);

@@ -53,6 +53,8 @@ typedef struct cli_verb {
 
 extern const cli_verb cli_steady, cli_run, cli_check, cli_init;
 extern const cli_verb cli_resume, cli_info, cli_export;
+extern const cli_verb cli_info, cli_export;
+extern const cli_verb cli_profile;
 extern const cli_verb cli_help;
 
 /* The table of main.c; ends with NULL. */

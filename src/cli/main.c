@@ -20,6 +20,7 @@ const cli_verb *const cli_verbs[] = {
     &cli_check,
     &cli_info,
     &cli_export,
+    &cli_profile,
     &cli_init,
     &cli_help,
     NULL,

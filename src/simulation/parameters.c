@@ -346,7 +346,8 @@ static const ovr_parameter table[] = {
      "profile: replace points so many robust deviations from their "
      "neighbours"},
     {"feature", "level", CHOICE(levellings), "line",
-     IN_FORM(conditioning.level), true, "profile: what is taken off it"},
+     IN_FORM(conditioning.level), true,
+     "profile: what is taken off it; ends: the line through its outer tenths"},
     {"feature", "degree", WHOLE(0, 12), "2", IN_FORM(conditioning.degree), true,
      "profile: degree of the polynomial"},
     {"feature", "lambda_c", SIZE, NULL, IN_FORM(conditioning.lambda_c), true,

@@ -175,8 +175,9 @@ static ovr_status find_unit(table *t, char axis, const char *asked, int column,
                            axis, axis, axis);
     *metres = said->metres;
     *scaled = said->scaled;
-    ovr_profile_note(p, "%c in units of %g %s (header: \"%s\")", axis, *metres,
-                     *scaled ? own : "m", ovr_quote(said->from).text);
+    ovr_profile_note(p, "%c in %s (header: \"%s\")", axis,
+                     *scaled ? own : ovr_length_unit_name(*metres),
+                     ovr_quote(said->from).text);
     return OVR_OK;
 }
 
@@ -452,6 +453,6 @@ ovr_status ovr_read_text(ovr_profile *profile, const ovr_profile_source *source,
     if (t.x >= 0)
         ovr_profile_note(profile, "column %d is x, column %d is z, of %zu%s",
                          t.x + 1, t.z + 1, t.header.columns,
-                         t.layout.comma ? "; a comma is a decimal point" : "");
+                         t.layout.comma ? "; commas are decimal points" : "");
     return make_points(&t, err);
 }

@@ -7,6 +7,8 @@
 #include "surface/profile.h"
 #include "surface/spline.h"
 
+enum { FEW = 50 }; /* too few points for five parts */
+
 static ovr_status whole(const ovr_profile *p, ovr_error *err)
 {
     size_t missing = 0;
@@ -93,7 +95,8 @@ ovr_status ovr_profile_measure(const ovr_profile *profile,
         return status;
     measure_lengths(profile, numbers);
     measure_heights(profile, numbers);
-    numbers->Rz = mean_of_five(profile, numbers->length);
+    numbers->Rz = numbers->n < FEW ? numbers->Rt
+                                   : mean_of_five(profile, numbers->length);
     numbers->Rdq = rms_slope(profile, numbers->length);
     return OVR_OK;
 }
@@ -109,6 +112,7 @@ ovr_status ovr_profile_measure(const ovr_profile *profile,
  */
 typedef struct spectrum {
     size_t n;
+    size_t finest; /* beyond it the spline made it up */
     double step;
     double *power; /* n/2 */
 } spectrum;
@@ -128,6 +132,7 @@ static ovr_status transform(const ovr_profile *p, spectrum *s, ovr_arena *arena,
     s->power = ovr_arena_take(arena, s->n / 2, sizeof(double), err);
     if (!z || !at || !work || !s->power)
         return OVR_NO_MEMORY;
+    s->finest = points / 2 < s->n / 2 - 1 ? points / 2 : s->n / 2 - 1;
     s->step = length / (double)s->n;
     for (size_t i = 0; i < s->n; i++)
         at[i] = p->x[0] + ((double)i + 0.5) * s->step;
@@ -148,7 +153,7 @@ static ovr_status transform(const ovr_profile *p, spectrum *s, ovr_arena *arena,
 static size_t strongest(const spectrum *s)
 {
     size_t best = 0;
-    for (size_t k = 2; k + 1 < s->n / 2; k++)
+    for (size_t k = 2; k < s->finest; k++)
         if (s->power[k] > s->power[best] && s->power[k] >= s->power[k - 1] &&
             s->power[k] >= s->power[k + 1])
             best = k;
@@ -183,8 +188,8 @@ ovr_status ovr_profile_waves(const ovr_profile *profile, size_t most,
         total += s.power[k];
     while (!status && *found < most && total > 0) {
         size_t k = strongest(&s);
-        if (!k)
-            break;
+        if (!k || s.power[k] < 1e-3 * total)
+            break; /* none, or less than a tenth of a percent */
         waves[(*found)++] = wave_at(&s, k, total);
         for (size_t j = k > 2 ? k - 2 : 1; j <= k + 2 && j < s.n / 2; j++)
             s.power[j] = 0;
