@@ -3,10 +3,10 @@
 #ifndef OVERROLL_OVERROLL_H
 #define OVERROLL_OVERROLL_H
 
-#include "overroll/case.h"
 #include "overroll/contact.h"
 #include "overroll/error.h"
 #include "overroll/memory.h"
+#include "overroll/pictures.h"
 #include "overroll/profile.h"
 #include "overroll/results.h"
 #include "overroll/simulation.h"

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Pictures of result files, drawn by gnuplot, which runs as a child process
+ * for as long as a picture, or all frames of a run, take.
+ *
+ *     ovr_picture_options o = ovr_picture_options_default();
+ *     o.path = "dent.png";
+ *     ovr_picture(&result, 1, &o, NULL, &err);
+ */
+#ifndef OVERROLL_PICTURES_H
+#define OVERROLL_PICTURES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "overroll/error.h"
+#include "overroll/memory.h"
+#include "overroll/results.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum ovr_picture_kind {
+    OVR_PICTURE_SNAPSHOT, /* pressure, film and roughness at instants */
+    OVR_PICTURE_HISTORY,  /* film and pressure against time */
+    OVR_PICTURE_MAP,      /* colour over x and time */
+    OVR_PICTURE_TRACE     /* film in the middle of the contact, with the
+                             roughness that passes there, against time */
+} ovr_picture_kind;
+
+/* Lengths in b, pressures in ph, heights in b^2/R, times in b/um, whatever
+ * the units drawn; NAN or 0: chosen from the data. */
+typedef struct ovr_picture_options {
+    ovr_picture_kind kind;
+    const char *path; /* its suffix is the form: .png, .svg or .pdf */
+    bool force;       /* replace an existing file */
+    ovr_units units;  /* of the axes; as stored */
+    double x_from, x_to;
+    double P_to, H_to; /* upper ends of the axes */
+    double T_from, T_to;
+    size_t time_count; /* snapshot: instants; 0: a few are chosen */
+    const double *times;
+    bool overlay;  /* snapshot: all instants in one panel */
+    bool no_hertz; /* without the Hertzian pressure */
+    bool no_roughness;
+    const char *field; /* map: "pressure", "film_thickness" (NULL), ... */
+    int width, height; /* pixels; 0: 1280 by what the kind needs */
+    const char *title; /* NULL: the file's own; "": none */
+    const char *const *names; /* of each result, for the legend; NULL: their
+                                 titles */
+    const char *script; /* also write PATH (suffix .gp) and its data beside it
+                           (.dat); NULL: no */
+} ovr_picture_options;
+OVR_API ovr_picture_options ovr_picture_options_default(void);
+
+/* Draws one picture of `count` results (more than one: laid over each other;
+ * a map takes one).  The file appears whole or not at all. */
+OVR_API ovr_status ovr_picture(ovr_result *const *results, size_t count,
+                               const ovr_picture_options *options,
+                               const ovr_allocator *allocator, ovr_error *err);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Options that plot, frames and view share. */
+#ifndef OVR_CLI_PICTURE_OPTIONS_H
+#define OVR_CLI_PICTURE_OPTIONS_H
+
+#include "cli/cli.h"
+
+/* Rows for a verb's table of options. */
+#define CLI_RANGE_OPTIONS                                                      \
+    {"hertzian", NULL, "axes in Hertzian units", false},                       \
+        {"si", NULL, "axes in SI units (fails when the scales are unknown)",   \
+         false},                                                               \
+        {"x", "FROM:TO", "positions shown, in b (-2:1.5)", false},             \
+        {"time", "FROM:TO", "times shown, in b/um", false},                    \
+        {"p-max", "P", "upper end of the pressure axis, in ph", false},        \
+        {"h-max", "H", "upper end of the film axis, in b^2/R", false},         \
+        {"size", "WxH", "of the picture in pixels", false},                    \
+        {"title", "TEXT", "instead of the file's own; '' for none", false},    \
+        {"no-hertz", NULL, "leave out the Hertzian pressure", false},          \
+        {"no-roughness", NULL, "leave out the roughness", false},              \
+    {                                                                          \
+        "force", NULL, "replace what exists", false                            \
+    }
+
+/* Takes those options; CLI_DONE, or the exit code after having said why. */
+int cli_picture_options(const cli_call *call, ovr_picture_options *options);
+
+/* Text as a finite number; false when it is none. */
+bool cli_number(const char *text, double *value);
+
+enum { CLI_RESULTS = 8 };
+
+/* Opens the files named on the command line. */
+int cli_open_results(const cli_call *call, ovr_result **results);
+void cli_close_results(const cli_call *call, ovr_result **results);
+
+#endif

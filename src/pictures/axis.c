@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "pictures/axis.h"
+
+#include <math.h>
+
+typedef struct quantity {
+    char kind;
+    ovr_axis hertzian;
+    struct {
+        double size;
+        const char *unit, *label, *plain;
+    } unit[3]; /* the largest first */
+} quantity;
+
+#define LENGTH(size, unit, symbol)                                             \
+    {                                                                          \
+        size, unit, "{/:Italic " symbol "}  [" unit "]", symbol " in " unit    \
+    }
+static const quantity quantities[] = {
+    {'x',
+     {1, "{/:Italic x} / {/:Italic b}", "x/b", ""},
+     {LENGTH(1e-3, "mm", "x"), LENGTH(1e-6, "µm", "x"),
+      LENGTH(1e-9, "nm", "x")}},
+    {'h',
+     {1, "{/:Italic h R} / {/:Italic b}^2", "h R/b²", ""},
+     {LENGTH(1e-6, "µm", "h"), LENGTH(1e-9, "nm", "h"),
+      LENGTH(1e-9, "nm", "h")}},
+    {'p',
+     {1, "{/:Italic p} / {/:Italic p}_h", "p/p_h", ""},
+     {LENGTH(1e9, "GPa", "p"), LENGTH(1e6, "MPa", "p"),
+      LENGTH(1e3, "kPa", "p")}},
+    {'t',
+     {1, "{/:Italic t u_m} / {/:Italic b}", "t u_m/b", ""},
+     {LENGTH(1, "s", "t"), LENGTH(1e-3, "ms", "t"), LENGTH(1e-6, "µs", "t")}},
+};
+
+static double scale_of(const ovr_result_info *info, char kind)
+{
+    return kind == 'x'   ? info->b
+           : kind == 'h' ? info->height
+           : kind == 'p' ? info->ph
+                         : info->time;
+}
+
+ovr_status ovr_axis_make(char kind, ovr_result *result, ovr_units units,
+                         double largest, ovr_axis *axis, ovr_error *err)
+{
+    const ovr_result_info *info = ovr_result_about(result);
+    double scale = scale_of(info, kind);
+    const quantity *q = quantities;
+    int k = 0;
+    while (q->kind != kind)
+        q++;
+    *axis = q->hertzian;
+    if (units == OVR_HERTZIAN || (units == OVR_AS_STORED && !info->physical))
+        return OVR_OK;
+    if (!(scale > 0 && isfinite(scale)))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "SI units: the contact was given without physical "
+                        "scales");
+    /* From a tenth of the unit on: 0.3 mm rather than 300 um. */
+    while (k < 2 && !(largest * scale >= 0.1 * q->unit[k].size))
+        k++;
+    *axis = (ovr_axis){scale / q->unit[k].size, q->unit[k].label,
+                       q->unit[k].plain, q->unit[k].unit};
+    return OVR_OK;
+}

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What an axis is drawn in: a Hertzian scale, or a unit whose prefix suits
+ * the numbers.
+ */
+#ifndef OVR_PICTURES_AXIS_H
+#define OVR_PICTURES_AXIS_H
+
+#include "overroll/results.h"
+
+typedef struct ovr_axis {
+    double factor;     /* from the Hertzian number to the one drawn */
+    const char *label; /* enhanced text of gnuplot: "{/:Italic x} (mm)" */
+    const char *plain; /* the same without markup: "x in mm" */
+    const char *unit;  /* "mm"; "" when Hertzian */
+} ovr_axis;
+
+/* Kinds: 'x' position, 'p' pressure, 'h' film thickness, 't' time.  `largest`
+ * is the largest Hertzian number that the axis will show. */
+ovr_status ovr_axis_make(char kind, ovr_result *result, ovr_units units,
+                         double largest, ovr_axis *axis, ovr_error *err);
+
+#endif

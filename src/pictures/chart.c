@@ -1,0 +1,443 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Panels are placed by hand, in units of the letter height, so that legends,
+ * labels and numbers have the room they need at any size of the picture.
+ * A legend stands above its panel, where no curve is.
+ */
+#include "pictures/chart.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+static const struct {
+    const char *line, *area;
+} colours[OVR_COLOURS] = {
+    [OVR_BLUE] = {"#1d5fa8", "#dce8f5"},  [OVR_AMBER] = {"#c96a00", "#fbe3bd"},
+    [OVR_STEEL] = {"#4a5560", "#b9c2ca"}, [OVR_RED] = {"#b3202a", "#f6dcdd"},
+    [OVR_GREEN] = {"#2a7f4f", "#d8eee1"}, [OVR_VIOLET] = {"#6b4ba1", "#e7e0f2"},
+    [OVR_GREY] = {"#8a929a", "#e6e9ec"},
+};
+
+/* What the script is written with. */
+typedef struct pen {
+    const ovr_chart *chart;
+    ovr_text *to, *data;
+    const char *file;   /* data apart; NULL: in the script */
+    const char *digits; /* of the data */
+    double em;          /* letter height, fraction of the width 1280 */
+    size_t tables;
+} pen;
+
+ovr_status ovr_form_of(const char *path, ovr_form *form, ovr_error *err)
+{
+    static const char *const suffix[] = {".png", ".svg", ".pdf"};
+    size_t length = strlen(path);
+    for (int k = 0; k < 3; k++)
+        if (length > 4 && strcasecmp(path + length - 4, suffix[k]) == 0) {
+            *form = (ovr_form)k;
+            return OVR_OK;
+        }
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "%s: a picture's name ends in .png, .svg or .pdf", path);
+}
+
+/* ------------------------------------------------------------------- data */
+
+static double factor_of(double factor)
+{
+    return factor != 0 ? factor : 1;
+}
+
+/* Numbers that gnuplot reads as missing break a line. */
+static void put_value(pen *p, double value)
+{
+    if (isfinite(value))
+        ovr_text_print(p->data, p->digits, value);
+    else
+        ovr_text_put(p->data, "NaN");
+}
+
+static void put_series(pen *p, const ovr_series *s)
+{
+    for (size_t i = 0; i < s->n; i++) {
+        put_value(p, s->x[i] * factor_of(s->x_factor));
+        ovr_text_put(p->data, " ");
+        put_value(p, s->y[i] * factor_of(s->factor) + s->shift);
+        ovr_text_put(p->data, "\n");
+    }
+}
+
+static void put_image(pen *p, const ovr_image *image)
+{
+    for (size_t j = 0; j < image->ny; j++) {
+        for (size_t i = 0; i < image->nx; i++) {
+            put_value(p, image->values[j * image->nx + i]);
+            ovr_text_put(p->data, " ");
+        }
+        ovr_text_put(p->data, "\n");
+    }
+}
+
+static void put_panel_data(pen *p, const ovr_panel *panel)
+{
+    size_t tables = panel->count + (panel->image.values != NULL);
+    for (size_t k = 0; k < tables; k++) {
+        const char *label = k < panel->count ? panel->series[k].label : NULL;
+        if (p->file)
+            ovr_text_print(p->data, "%s# %s: %s, %s\n", p->tables ? "\n\n" : "",
+                           label ? label : "-", panel->x_label, panel->y_label);
+        else
+            ovr_text_print(p->data, "$d%zu << EOD\n", p->tables);
+        if (k < panel->count)
+            put_series(p, &panel->series[k]);
+        else
+            put_image(p, &panel->image);
+        if (!p->file)
+            ovr_text_put(p->data, "EOD\n");
+        p->tables++;
+    }
+}
+
+static void put_source(pen *p, size_t table)
+{
+    if (p->file)
+        ovr_text_print(p->to, "data index %zu", table);
+    else
+        ovr_text_print(p->to, "$d%zu", table);
+}
+
+/* ------------------------------------------------------------------ style */
+
+static void put_terminal(pen *p, ovr_form form)
+{
+    const ovr_chart *c = p->chart;
+    double scale = c->width / 1280.0;
+    if (form == OVR_FORM_PNG)
+        ovr_text_print(p->to,
+                       "set terminal pngcairo size %d,%d enhanced font "
+                       "'Sans,%.4g' linewidth %.3g background '#ffffff'\n",
+                       c->width, c->height, 13 * scale, scale);
+    else if (form == OVR_FORM_SVG)
+        ovr_text_print(p->to,
+                       "set terminal svg size %d,%d dynamic enhanced font "
+                       "'Helvetica,Arial,sans-serif,%.4g' linewidth %.3g "
+                       "background '#ffffff'\n",
+                       c->width, c->height, 17 * scale, scale);
+    else
+        ovr_text_print(p->to,
+                       "set terminal pdfcairo size %.4gin,%.4gin enhanced font "
+                       "'Sans,%.4g' linewidth %.3g background '#ffffff'\n",
+                       c->width / 160.0, c->height / 160.0, 8 * scale,
+                       0.6 * scale);
+}
+
+static void put_style(pen *p)
+{
+    ovr_text_put(p->to,
+                 "set encoding utf8\n"
+                 "set border 3 lw 1 lc rgb '#606870'\n"
+                 "set tics out nomirror scale 0.6 textcolor rgb '#303840'\n"
+                 "set grid xtics ytics lt 1 lw 0.6 lc rgb '#e4e8ec'\n"
+                 "unset key\n"
+                 "set minussign\n"
+                 "unset colorbox\n"
+                 "unset title\n");
+}
+
+/* ----------------------------------------------------------------- panels */
+
+/* Margins of the picture, in letter heights. */
+static const double left_em = 4.6, right_em = 1.2, bottom_em = 3.4;
+
+static double top_em(const ovr_chart *c)
+{
+    bool head = (c->title && *c->title) || (c->subtitle && *c->subtitle);
+    return head ? 1.9 : 0.3;
+}
+
+typedef struct box {
+    double left, right, bottom, top;
+} box;
+
+static double row_height(const ovr_chart *c, size_t row)
+{
+    double height = c->panel[row * c->columns].height;
+    return height > 0 ? height : 1;
+}
+
+static bool has_legend(const ovr_chart *c)
+{
+    for (size_t k = 0; k < c->rows * c->columns; k++)
+        for (size_t j = 0; j < c->panel[k].count; j++)
+            if (c->panel[k].series[j].label)
+                return true;
+    return false;
+}
+
+static box place(const pen *p, size_t row, size_t column)
+{
+    const ovr_chart *c = p->chart;
+    double em = p->em / c->width, em_y = p->em / c->height;
+    double gap_x = (c->share_y ? 1.0 : left_em + 0.4) * em;
+    double gap_y = (c->share_x ? 0.5 : bottom_em) * em_y;
+    double legend = (has_legend(c) ? 1.7 : 0.3) * em_y, sum = 0, above = 0;
+    double rows = (double)c->rows, columns = (double)c->columns;
+    double width = (1 - (left_em + right_em) * em - (columns - 1) * gap_x) /
+                   columns;
+    double height = 1 - (top_em(c) + bottom_em) * em_y - rows * legend -
+                    (rows - 1) * gap_y;
+    box b;
+    for (size_t k = 0; k < c->rows; k++) {
+        sum += row_height(c, k);
+        above += k < row ? row_height(c, k) : 0;
+    }
+    b.left = left_em * em + (double)column * (width + gap_x);
+    b.right = b.left + width;
+    b.top = 1 - top_em(c) * em_y - (double)row * (legend + gap_y) - legend -
+            height * above / sum;
+    b.bottom = b.top - height * row_height(c, row) / sum;
+    return b;
+}
+
+static void put_range(pen *p, char axis, double from, double to, bool log)
+{
+    ovr_text_print(p->to, "set %crange [", axis);
+    if (!isnan(from))
+        ovr_text_print(p->to, "%.9g", from);
+    else
+        ovr_text_put(p->to, "*");
+    ovr_text_put(p->to, ":");
+    if (!isnan(to))
+        ovr_text_print(p->to, "%.9g", to);
+    else
+        ovr_text_put(p->to, "*");
+    ovr_text_print(p->to, "]\n%s logscale %c\n", log ? "set" : "unset", axis);
+}
+
+static void put_axes(pen *p, const ovr_panel *panel, size_t row, size_t column)
+{
+    const ovr_chart *c = p->chart;
+    bool low = !c->share_x || row + 1 == c->rows;
+    bool first = !c->share_y || column == 0;
+    put_range(p, 'x', panel->x_from, panel->x_to, panel->log_x);
+    put_range(p, 'y', panel->y_from, panel->y_to, panel->log_y);
+    ovr_text_print(p->to, "set xlabel \"%s\" offset 0,0.3\n",
+                   low ? panel->x_label : "");
+    ovr_text_print(p->to, "set ylabel \"%s\" offset 0.6,0\n",
+                   first ? panel->y_label : "");
+    ovr_text_print(p->to, "set format x \"%s\"\nset format y \"%s\"\n",
+                   low ? "%g" : "", first ? "%g" : "");
+}
+
+static void put_label(pen *p, const char *text, const char *where)
+{
+    if (!text || !*text)
+        return;
+    ovr_text_put(p->to, "set label ");
+    ovr_text_gnuplot(p->to, text);
+    ovr_text_print(p->to, " noenhanced at %s textcolor rgb '#202830'\n", where);
+}
+
+static const char *dash_of(const ovr_series *s)
+{
+    return s->mark == OVR_MARK_DASHED   ? "'-'"
+           : s->mark == OVR_MARK_DOTTED ? "'.'"
+                                        : "solid";
+}
+
+static double width_of(const ovr_series *s)
+{
+    return s->width > 0 ? s->width : 2;
+}
+
+static void put_curve(pen *p, const ovr_series *s, size_t table)
+{
+    if (s->mark == OVR_MARK_AREA) {
+        put_source(p, table);
+        ovr_text_print(p->to,
+                       " using 1:2 with filledcurves y=%.9g fillstyle solid "
+                       "fillcolor rgb '%s', \\\n  ",
+                       s->base, colours[s->colour].area);
+    }
+    put_source(p, table);
+    if (s->mark == OVR_MARK_POINTS)
+        ovr_text_print(p->to, " using 1:2 with points pt 7 ps %.3g",
+                       width_of(s) / 3);
+    else
+        ovr_text_print(p->to, " using 1:2 with lines dt %s lw %.3g", dash_of(s),
+                       width_of(s));
+    ovr_text_print(p->to, " lc rgb '%s'", colours[s->colour].line);
+}
+
+static void put_colour_map(pen *p, const ovr_panel *panel, size_t table,
+                           box where)
+{
+    const ovr_image *m = &panel->image;
+    double dx = (panel->x_to - panel->x_from) / (double)m->nx;
+    double dy = (panel->y_to - panel->y_from) / (double)m->ny;
+    ovr_text_print(p->to,
+                   "set palette defined (0 '#1b1044', 0.2 '#3b3a8c', 0.4 "
+                   "'#2a7a98', 0.6 '#45a882', 0.8 '#c9cf52', 1 '#fff3b0')\n"
+                   "set cbrange [%.9g:%.9g]\nset cblabel \"%s\"\n"
+                   "set colorbox user origin screen %.5g,%.5g size screen "
+                   "%.5g,%.5g\nunset grid\nplot ",
+                   m->from, m->to, m->label,
+                   where.right + 1.0 * p->em / p->chart->width, where.bottom,
+                   1.2 * p->em / p->chart->width, where.top - where.bottom);
+    put_source(p, table);
+    ovr_text_print(p->to,
+                   " matrix using (%.9g+%.9g*$1):(%.9g+%.9g*$2):3 with image",
+                   panel->x_from + dx / 2, dx, panel->y_from + dy / 2, dy);
+}
+
+static void put_curves(pen *p, const ovr_panel *panel, size_t table, bool image)
+{
+    if (!image && panel->count)
+        ovr_text_put(p->to, "plot ");
+    for (size_t k = 0; k < panel->count; k++) {
+        if (k > 0 || image)
+            ovr_text_put(p->to, ", \\\n  ");
+        put_curve(p, &panel->series[k], table + k);
+    }
+    ovr_text_put(p->to, "\n");
+}
+
+/* 1, 2 or 5 times a power of ten, at most `most` of them in a span. */
+static double nice_step(double span, double most)
+{
+    double least = span / most, power = pow(10, floor(log10(least)));
+    double digit = least / power;
+    return power * (digit <= 1 ? 1 : digit <= 2 ? 2 : digit <= 5 ? 5 : 10);
+}
+
+static void put_tics(pen *p, const ovr_panel *panel, box b)
+{
+    double span = panel->x_to - panel->x_from;
+    double wide = (b.right - b.left) * p->chart->width / p->em;
+    double high = (b.top - b.bottom) * p->chart->height / p->em;
+    ovr_text_put(p->to, "set xtics autofreq\nset ytics autofreq\n");
+    if (span > 0 && !panel->log_x)
+        ovr_text_print(p->to, "set xtics %.9g\n",
+                       nice_step(span, fmin(wide / 3.6, 9)));
+    if (!panel->ground)
+        return;
+    high *= panel->y_to / (panel->y_to - panel->y_from);
+    ovr_text_print(p->to,
+                   "set ytics 0,%.9g\n"
+                   "set arrow from graph 0, first 0 to graph 1, first 0 "
+                   "nohead lw 1 lc rgb '#606870' front\n",
+                   nice_step(panel->y_to, high / 1.6));
+}
+
+/* Characters of UTF-8 text, as many as are drawn. */
+static double letters(const char *text)
+{
+    double count = 0;
+    for (; *text && count < 60; text++)
+        count += (*text & 0xc0) != 0x80;
+    return count;
+}
+
+/* gnuplot's own legend is no wider than its panel; this one is as wide as the
+ * picture. */
+static void put_legend(pen *p, const ovr_panel *panel, box b)
+{
+    double em = p->em / p->chart->width, x = b.left + 0.3 * em;
+    double y = b.top + 0.75 * p->em / p->chart->height;
+    for (size_t k = 0; k < panel->count; k++) {
+        const ovr_series *s = &panel->series[k];
+        char at[80];
+        if (!s->label)
+            continue;
+        ovr_text_print(p->to,
+                       "set arrow from screen %.5f,%.5f to screen %.5f,%.5f "
+                       "nohead dt %s lw %.3g lc rgb '%s'\n",
+                       x, y, x + 1.5 * em, y, dash_of(s), width_of(s) + 0.5,
+                       colours[s->colour].line);
+        snprintf(at, sizeof at, "screen %.5f,%.5f left", x + 1.9 * em, y);
+        put_label(p, s->label, at);
+        x += (3.2 + 0.53 * letters(s->label)) * em;
+    }
+}
+
+static void put_head(pen *p, box b)
+{
+    const ovr_chart *c = p->chart;
+    double y = 1 - 1.0 * p->em / c->height;
+    char at[80];
+    snprintf(at, sizeof at, "screen %.5f,%.5f left", b.left, y);
+    put_label(p, c->title, at);
+    snprintf(at, sizeof at, "screen %.5f,%.5f right",
+             1 - right_em * p->em / c->width, y);
+    put_label(p, c->subtitle, at);
+}
+
+static void put_panel(pen *p, size_t row, size_t column, size_t table)
+{
+    const ovr_panel *panel = &p->chart->panel[row * p->chart->columns + column];
+    box b = place(p, row, column);
+    if (panel->image.values)
+        b.right -= 5.5 * p->em / p->chart->width;
+    ovr_text_print(p->to,
+                   "\nset lmargin at screen %.5f\nset rmargin at screen %.5f\n"
+                   "set bmargin at screen %.5f\nset tmargin at screen %.5f\n"
+                   "unset label\nunset arrow\n",
+                   b.left, b.right, b.bottom, b.top);
+    put_axes(p, panel, row, column);
+    put_tics(p, panel, b);
+    if (row == 0 && column == 0)
+        put_head(p, b);
+    if (column == 0)
+        put_legend(p, panel, b);
+    put_label(p, panel->note, "first 0, graph 0.1 center front");
+    if (panel->image.values)
+        put_colour_map(p, panel, table + panel->count, b);
+    put_curves(p, panel, table, panel->image.values != NULL);
+}
+
+/* ----------------------------------------------------------------- charts */
+
+static void put_chart(pen *p)
+{
+    const ovr_chart *c = p->chart;
+    size_t table = 0;
+    ovr_text_put(p->to, "set multiplot\n");
+    for (size_t row = 0; row < c->rows; row++)
+        for (size_t column = 0; column < c->columns; column++) {
+            const ovr_panel *panel = &c->panel[row * c->columns + column];
+            put_panel(p, row, column, table);
+            table += panel->count + (panel->image.values != NULL);
+        }
+    ovr_text_put(p->to, "unset multiplot\n");
+}
+
+static void put_all_data(pen *p)
+{
+    for (size_t k = 0; k < p->chart->rows * p->chart->columns; k++)
+        put_panel_data(p, &p->chart->panel[k]);
+}
+
+void ovr_chart_script(const ovr_chart *chart, ovr_form form, ovr_text *script)
+{
+    pen p = {chart, script, script, NULL, "%.6g", 20.0 * chart->width / 1280,
+             0};
+    put_terminal(&p, form);
+    put_style(&p);
+    put_all_data(&p);
+    put_chart(&p);
+}
+
+void ovr_chart_apart(const ovr_chart *chart, ovr_form form, ovr_text *script,
+                     ovr_text *data, const char *file)
+{
+    pen p = {chart, script, data, file, "%.17g", 20.0 * chart->width / 1280, 0};
+    ovr_text_put(script, "data = ");
+    ovr_text_gnuplot(script, file);
+    ovr_text_put(script, "\n");
+    put_terminal(&p, form);
+    put_style(&p);
+    put_all_data(&p);
+    put_chart(&p);
+}

@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A chart: panels in rows and columns, curves in panels.  From it comes the
+ * gnuplot script that draws it, in one style for everything: snapshots,
+ * histories, and the figures of the paper.
+ *
+ * Labels of axes are written by us, in gnuplot's enhanced text ("p_h");
+ * titles, notes and legends may be anybody's, and are drawn as they are.
+ */
+#ifndef OVR_PICTURES_CHART_H
+#define OVR_PICTURES_CHART_H
+
+#include "pictures/text.h"
+
+typedef enum ovr_mark {
+    OVR_MARK_LINE,
+    OVR_MARK_DASHED,
+    OVR_MARK_DOTTED,
+    OVR_MARK_POINTS,
+    OVR_MARK_AREA /* a line with the colour, faint, down to `base` */
+} ovr_mark;
+
+enum {
+    OVR_BLUE,
+    OVR_AMBER,
+    OVR_STEEL,
+    OVR_RED,
+    OVR_GREEN,
+    OVR_VIOLET,
+    OVR_GREY,
+    OVR_COLOURS
+};
+
+typedef struct ovr_series {
+    const char *label; /* in the legend, foreign; NULL: not there */
+    size_t n;
+    const double *x, *y;     /* NAN breaks the line */
+    double x_factor, factor; /* multiply x and y; 0 means 1 */
+    double shift;            /* added to y after the factor */
+    ovr_mark mark;
+    int colour;
+    double base;  /* of an area, as drawn */
+    double width; /* of the line; 0: 2 */
+} ovr_series;
+
+/* Colours over an even grid of nx by ny cells, row by row. */
+typedef struct ovr_image {
+    size_t nx, ny;
+    const double *values; /* NULL: no image */
+    double from, to;      /* of the colours */
+    const char *label;
+} ovr_image;
+
+typedef struct ovr_panel {
+    const char *note; /* inside, at the top right; may be foreign */
+    const char *x_label, *y_label;
+    double x_from, x_to, y_from, y_to; /* NAN: from the data */
+    bool log_x, log_y;
+    double height; /* relative to the other rows (first column); 0: 1 */
+    size_t count;
+    const ovr_series *series;
+    ovr_image image;
+    bool ground; /* a thin line at y = 0, and numbers only above it */
+} ovr_panel;
+
+typedef struct ovr_chart {
+    const char *title;    /* at the top left; foreign */
+    const char *subtitle; /* at the top right; foreign */
+    int width, height;    /* pixels */
+    size_t rows, columns;
+    bool share_x, share_y;  /* numbers at the outer panels only */
+    const ovr_panel *panel; /* row by row */
+} ovr_chart;
+
+typedef enum ovr_form { OVR_FORM_PNG, OVR_FORM_SVG, OVR_FORM_PDF } ovr_form;
+
+/* The form that a path's suffix names. */
+ovr_status ovr_form_of(const char *path, ovr_form *form, ovr_error *err);
+
+/* Appends the script, the data within it. */
+void ovr_chart_script(const ovr_chart *chart, ovr_form form, ovr_text *script);
+
+/* The same with its data in another text, to be saved under the name `file`
+ * and read by the script from the folder it is run in. */
+void ovr_chart_apart(const ovr_chart *chart, ovr_form form, ovr_text *script,
+                     ovr_text *data, const char *file);
+
+#endif

@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Pictures against time: the history, and the film in the middle. */
+#include <math.h>
+#include <string.h>
+
+#include "pictures/axis.h"
+#include "pictures/picture.h"
+
+enum { RUNS = 4 };
+
+/* A column of the history to be drawn. */
+typedef struct column {
+    const char *name, *label;
+    int colour;
+} column;
+
+static double largest(const double *values, size_t n)
+{
+    double high = 0;
+    for (size_t i = 0; i < n; i++)
+        high = fmax(high, fabs(values[i])); /* passes over NAN */
+    return high;
+}
+
+static ovr_status time_axis(const ovr_sitting *s, ovr_panel *panel,
+                            ovr_axis *axis, ovr_error *err)
+{
+    const ovr_run *run = s->runs;
+    const ovr_picture_options *o = s->options;
+    double end = run->times[run->info->snapshots - 1];
+    double from = isnan(o->T_from) ? run->times[0] : o->T_from;
+    double to = isnan(o->T_to) ? end : o->T_to;
+    ovr_status status = ovr_axis_make('t', run->result, o->units,
+                                      fmax(to, from), axis, err);
+    if (status != OVR_OK)
+        return status;
+    if (to <= from)
+        to = from + 1;
+    panel->x_label = axis->label;
+    panel->x_from = from * axis->factor;
+    panel->x_to = to * axis->factor;
+    return OVR_OK;
+}
+
+/* Adds columns of every run to a panel whose time axis is set. */
+static ovr_status add_columns(const ovr_sitting *s, const column *columns,
+                              size_t count, char kind, double T_factor,
+                              ovr_panel *panel, ovr_error *err)
+{
+    ovr_series *series = ovr_arena_take(s->arena, count * s->count,
+                                        sizeof *series, err);
+    double high = 0;
+    ovr_axis y;
+    ovr_status status;
+    if (!series)
+        return OVR_NO_MEMORY;
+    for (size_t k = 0; k < count * s->count; k++) {
+        const ovr_run *run = &s->runs[k % s->count];
+        const column *c = &columns[k / s->count];
+        double *T = ovr_run_history(run, "time", s->arena, err);
+        double *v = T ? ovr_run_history(run, c->name, s->arena, err) : NULL;
+        if (!v)
+            return err ? err->status : OVR_IO;
+        high = fmax(high, largest(v, run->info->steps));
+        series[k] = (ovr_series){.n = run->info->steps,
+                                 .x = T,
+                                 .y = v,
+                                 .x_factor = T_factor,
+                                 .colour = c->colour,
+                                 .label = k % s->count ? run->name : c->label,
+                                 .mark = k % s->count ? OVR_MARK_DASHED
+                                                      : OVR_MARK_LINE};
+    }
+    status = ovr_axis_make(kind, s->runs->result, s->options->units, high, &y,
+                           err);
+    for (size_t k = 0; k < count * s->count; k++)
+        series[k].factor = y.factor;
+    panel->y_label = y.label;
+    panel->y_from = 0;
+    panel->y_to = 1.08 * high * y.factor;
+    panel->ground = true;
+    panel->series = series;
+    panel->count = count * s->count;
+    return status;
+}
+
+static ovr_chart chart_of(const ovr_sitting *s, const ovr_panel *panels,
+                          size_t rows)
+{
+    const ovr_picture_options *o = s->options;
+    return (ovr_chart){.title = o->title ? o->title : s->runs->info->title,
+                       .width = o->width > 0 ? o->width : 1280,
+                       .height = o->height > 0 ? o->height : 720,
+                       .rows = rows,
+                       .columns = 1,
+                       .share_x = true,
+                       .panel = panels};
+}
+
+ovr_status ovr_draw_history(const ovr_sitting *s, ovr_chart *chart,
+                            ovr_error *err)
+{
+    static const column film[] = {
+        {"central_film_thickness", "central film thickness", OVR_AMBER},
+        {"min_film_thickness", "minimum film thickness", OVR_RED}};
+    static const column pressure[] = {
+        {"max_pressure", "maximum pressure", OVR_BLUE}};
+    ovr_panel *panel = ovr_arena_take(s->arena, 2, sizeof *panel, err);
+    ovr_axis T;
+    ovr_status status = panel ? OVR_OK : OVR_NO_MEMORY;
+    if (status == OVR_OK)
+        status = time_axis(s, panel, &T, err);
+    if (status == OVR_OK) {
+        panel[1] = panel[0];
+        status = add_columns(s, film, 2, 'h', T.factor, &panel[0], err);
+    }
+    if (status == OVR_OK)
+        status = add_columns(s, pressure, 1, 'p', T.factor, &panel[1], err);
+    if (s->options->H_to > 0)
+        panel[0].y_to = s->options->H_to * panel[0].series[0].factor;
+    if (status == OVR_OK)
+        *chart = chart_of(s, panel, 2);
+    return status;
+}
+
+/* ------------------------------------------------------------------ trace */
+
+/* Linear between the two nodes about X = 0. */
+static double at_centre(const ovr_run *run, const double *values)
+{
+    size_t i = 0, n = run->info->nodes;
+    double part;
+    while (i + 2 < n && run->x[i + 1] <= 0)
+        i++;
+    if (n < 2)
+        return values[0];
+    part = -run->x[i] / (run->x[i + 1] - run->x[i]);
+    return values[i] + part * (values[i + 1] - values[i]);
+}
+
+static ovr_status roughness_there(const ovr_sitting *s, double *S,
+                                  ovr_error *err)
+{
+    const ovr_run *run = s->runs;
+    ovr_shot shot;
+    ovr_status status = ovr_shot_make(&shot, run, s->arena, err);
+    shot.P = shot.H = NULL; /* not needed: not read */
+    for (size_t k = 0; status == OVR_OK && k < run->info->snapshots; k++) {
+        status = ovr_shot_read(&shot, k, err);
+        if (status == OVR_OK)
+            S[k] = at_centre(run, shot.S);
+    }
+    return status;
+}
+
+static ovr_status add_roughness(const ovr_sitting *s, const ovr_panel *film,
+                                ovr_panel *panel, ovr_error *err)
+{
+    const ovr_run *run = s->runs;
+    double *S = ovr_arena_take(s->arena, run->info->snapshots, sizeof *S, err);
+    ovr_series *series = ovr_arena_take(s->arena, 1, sizeof *series, err);
+    ovr_status status = S && series ? roughness_there(s, S, err)
+                                    : OVR_NO_MEMORY;
+    double factor = film->series->factor, low = 0, high = 0, room;
+    for (size_t k = 0; status == OVR_OK && k < run->info->snapshots; k++) {
+        low = fmin(low, S[k]);
+        high = fmax(high, S[k]);
+    }
+    if (status != OVR_OK)
+        return status;
+    room = fmax(0.12 * (high - low), 1e-3 * film->y_to / factor);
+    *series = (ovr_series){.label = "roughness at x = 0 (undeformed)",
+                           .n = run->info->snapshots,
+                           .x = run->times,
+                           .y = S,
+                           .x_factor = film->series->x_factor,
+                           .factor = factor,
+                           .mark = OVR_MARK_AREA,
+                           .colour = OVR_STEEL,
+                           .base = (low - room) * factor,
+                           .width = 1.5};
+    *panel = *film;
+    panel->series = series;
+    panel->count = 1;
+    panel->ground = false;
+    panel->y_from = (low - room) * factor;
+    panel->y_to = (high + room) * factor;
+    panel->height = 0.6;
+    return OVR_OK;
+}
+
+ovr_status ovr_draw_trace(const ovr_sitting *s, ovr_chart *chart,
+                          ovr_error *err)
+{
+    static const column film[] = {
+        {"central_film_thickness", "film thickness at x = 0", OVR_AMBER}};
+    ovr_panel *panel = ovr_arena_take(s->arena, 2, sizeof *panel, err);
+    bool rough = s->runs->roughness && !s->options->no_roughness;
+    ovr_axis T;
+    ovr_status status = panel ? OVR_OK : OVR_NO_MEMORY;
+    if (status == OVR_OK)
+        status = time_axis(s, panel, &T, err);
+    if (status == OVR_OK)
+        status = add_columns(s, film, 1, 'h', T.factor, &panel[0], err);
+    if (status == OVR_OK && rough)
+        status = add_roughness(s, &panel[0], &panel[1], err);
+    if (status == OVR_OK)
+        *chart = chart_of(s, panel, rough ? 2 : 1);
+    return status;
+}

@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Pictures of snapshots: which instants, their data, the chart. */
+#include <math.h>
+#include <string.h>
+
+#include "pictures/picture.h"
+#include "pictures/snapshot.h"
+
+enum { CHOSEN = 4 };
+
+/* Where the roughness is: the mean position weighted with S^4, so that a dent
+ * outweighs the texture around it; NAN on a smooth surface. */
+static double centre_of(const ovr_shot *shot)
+{
+    double sum = 0, moment = 0;
+    for (size_t i = 0; shot->S && i < shot->run->info->nodes; i++) {
+        double weight = pow(shot->S[i], 4);
+        sum += weight;
+        moment += weight * shot->run->x[i];
+    }
+    return sum > 0 ? moment / sum : NAN;
+}
+
+/* Spread over the run, when nothing better is known. */
+static void choose_evenly(const ovr_run *run, size_t *chosen)
+{
+    size_t last = run->info->snapshots - 1;
+    for (size_t k = 0; k < CHOSEN; k++)
+        chosen[k] = last * (k + 1) / CHOSEN;
+}
+
+/* The snapshots in which what is on the surface stands ahead of the contact,
+ * in it twice, and at its exit; evenly when there is no such passage. */
+static ovr_status choose_passage(const ovr_run *run, ovr_shot *shot,
+                                 size_t *chosen, ovr_error *err)
+{
+    static const double wanted[CHOSEN] = {-1.1, -0.5, 0.15, 0.8};
+    double best[CHOSEN] = {INFINITY, INFINITY, INFINITY, INFINITY};
+    size_t found[CHOSEN] = {0};
+    choose_evenly(run, chosen);
+    for (size_t k = 0; k < run->info->snapshots; k++) {
+        ovr_status status = ovr_shot_read(shot, k, err);
+        double centre = status == OVR_OK ? centre_of(shot) : NAN;
+        if (status != OVR_OK)
+            return status;
+        for (int j = 0; j < CHOSEN; j++)
+            if (fabs(centre - wanted[j]) < best[j]) {
+                best[j] = fabs(centre - wanted[j]);
+                found[j] = k;
+            }
+    }
+    for (int j = 0; j < CHOSEN; j++)
+        if (best[j] > 0.2 || (j > 0 && found[j] <= found[j - 1]))
+            return OVR_OK;
+    memcpy(chosen, found, sizeof found);
+    return OVR_OK;
+}
+
+static ovr_status choose(const ovr_sitting *s, double *times, size_t *count,
+                         ovr_error *err)
+{
+    const ovr_run *run = s->runs;
+    size_t chosen[CHOSEN];
+    ovr_shot shot;
+    ovr_status status = ovr_shot_make(&shot, run, s->arena, err);
+    *count = run->info->snapshots < CHOSEN ? run->info->snapshots : CHOSEN;
+    if (status == OVR_OK)
+        status = choose_passage(run, &shot, chosen, err);
+    for (size_t k = 0; status == OVR_OK && k < *count; k++)
+        times[k] = run->times[*count == CHOSEN ? chosen[k] : k];
+    return status;
+}
+
+static ovr_status read_shots(const ovr_sitting *s, const double *times,
+                             size_t count, ovr_shot *shots, ovr_extent *extent,
+                             ovr_error *err)
+{
+    ovr_status status = OVR_OK;
+    for (size_t k = 0; status == OVR_OK && k < count * s->count; k++) {
+        const ovr_run *run = &s->runs[k % s->count];
+        status = ovr_shot_make(&shots[k], run, s->arena, err);
+        if (status == OVR_OK)
+            status = ovr_shot_read(
+                &shots[k], ovr_run_nearest(run, times[k / s->count]), err);
+        if (status == OVR_OK)
+            ovr_extent_add(extent, &shots[k]);
+    }
+    return status;
+}
+
+ovr_status ovr_draw_snapshots(const ovr_sitting *s, ovr_chart *chart,
+                              ovr_error *err)
+{
+    const ovr_picture_options *o = s->options;
+    ovr_extent extent = ovr_extent_make(o->x_from, o->x_to, s->runs, s->count);
+    double chosen[CHOSEN];
+    const double *times = o->time_count ? o->times : chosen;
+    size_t count = o->time_count;
+    ovr_shot shots[OVR_SHOTS];
+    ovr_snapshot_chart *to = ovr_arena_take(s->arena, 1, sizeof *to, err);
+    ovr_look *look = ovr_arena_take(s->arena, 1, sizeof *look, err);
+    ovr_status status = to && look ? OVR_OK : OVR_NO_MEMORY;
+    if (status == OVR_OK && count == 0)
+        status = choose(s, chosen, &count, err);
+    if (status == OVR_OK && count * s->count > OVR_SHOTS)
+        status = ovr_fail(err, OVR_BAD_INPUT,
+                          "at most %d snapshots fit into a picture; %zu "
+                          "instants of %zu results were asked for",
+                          OVR_SHOTS, count, s->count);
+    if (status == OVR_OK)
+        status = read_shots(s, times, count, shots, &extent, err);
+    if (status == OVR_OK)
+        status = ovr_look_make(look, o, &extent, s->runs, err);
+    if (status == OVR_OK) {
+        ovr_snapshot_draw(to, look, shots, count, s->count);
+        *chart = to->chart;
+    }
+    return status;
+}

@@ -1,0 +1,185 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Position against time, the colour a field: moving features become slanted
+ * lines, whose slope is their speed.  The field is brought onto an even grid
+ * of about one cell a pixel, linear between nodes and between snapshots.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "pictures/axis.h"
+#include "pictures/picture.h"
+
+enum { CELLS_X = 700, CELLS_T = 450 };
+
+typedef struct map {
+    const ovr_run *run;
+    const char *field;
+    double x_from, x_to, T_from, T_to;
+    double *values; /* CELLS_T rows of CELLS_X */
+    double *row[2]; /* the snapshots around a time, on the even grid */
+    size_t held[2]; /* which they are */
+    double *nodes;
+} map;
+
+static const size_t none = (size_t)-1;
+
+static void onto_cells(const map *m, double *row)
+{
+    const double *x = m->run->x;
+    size_t n = m->run->info->nodes, i = 0;
+    for (size_t c = 0; c < CELLS_X; c++) {
+        double at = m->x_from +
+                    (m->x_to - m->x_from) * ((double)c + 0.5) / CELLS_X;
+        while (i + 2 < n && x[i + 1] <= at)
+            i++;
+        row[c] = at < x[0] || at > x[n - 1]
+                     ? NAN
+                     : m->nodes[i] + (m->nodes[i + 1] - m->nodes[i]) *
+                                         (at - x[i]) / (x[i + 1] - x[i]);
+    }
+}
+
+/* Snapshot k on the even grid, in one of the two rows. */
+static ovr_status hold(map *m, size_t k, const double **row, ovr_error *err)
+{
+    size_t slot = k % 2;
+    *row = m->row[slot];
+    if (m->held[slot] == k)
+        return OVR_OK;
+    if (ovr_result_snapshot(m->run->result, m->field, k, OVR_HERTZIAN, m->nodes,
+                            err) != OVR_OK)
+        return err ? err->status : OVR_IO;
+    onto_cells(m, m->row[slot]);
+    m->held[slot] = k;
+    return OVR_OK;
+}
+
+static ovr_status fill_row(map *m, size_t c, size_t *k, ovr_error *err)
+{
+    const double *t = m->run->times, *low, *high;
+    size_t last = m->run->info->snapshots - 1;
+    double T = m->T_from + (m->T_to - m->T_from) * ((double)c + 0.5) / CELLS_T;
+    double part;
+    ovr_status status;
+    while (*k + 2 <= last && t[*k + 1] <= T)
+        ++*k;
+    part = fmin(fmax((T - t[*k]) / (t[*k + 1] - t[*k]), 0), 1);
+    status = hold(m, *k, &low, err);
+    if (status == OVR_OK)
+        status = hold(m, *k + 1, &high, err);
+    for (size_t i = 0; status == OVR_OK && i < CELLS_X; i++)
+        m->values[c * CELLS_X + i] = low[i] + part * (high[i] - low[i]);
+    return status;
+}
+
+static ovr_status fill(map *m, ovr_arena *arena, ovr_error *err)
+{
+    size_t k = 0;
+    ovr_status status = OVR_OK;
+    m->values = ovr_arena_take(arena, (size_t)CELLS_T * CELLS_X, 8, err);
+    m->row[0] = ovr_arena_take(arena, CELLS_X, sizeof(double), err);
+    m->row[1] = ovr_arena_take(arena, CELLS_X, sizeof(double), err);
+    m->nodes = ovr_arena_take(arena, m->run->info->nodes, 8, err);
+    m->held[0] = m->held[1] = none;
+    if (!m->values || !m->row[0] || !m->row[1] || !m->nodes)
+        return OVR_NO_MEMORY;
+    for (size_t c = 0; status == OVR_OK && c < CELLS_T; c++)
+        status = fill_row(m, c, &k, err);
+    return status;
+}
+
+/* Film far from the contact would use up all colours: only |X| < 0.9 sets
+ * their range, unless nothing of that is shown. */
+static void find_range(const map *m, double *low, double *high)
+{
+    bool film = strcmp(m->field, "film_thickness") == 0;
+    *low = INFINITY, *high = -INFINITY;
+    for (size_t c = 0; c < (size_t)CELLS_T * CELLS_X; c++) {
+        double at = m->x_from + (m->x_to - m->x_from) *
+                                    ((double)(c % CELLS_X) + 0.5) / CELLS_X;
+        if (film && fabs(at) > 0.9 && m->x_from < 0.9 && m->x_to > -0.9)
+            continue;
+        *low = fmin(*low, m->values[c]);
+        *high = fmax(*high, m->values[c]);
+    }
+    if (!(*high > *low))
+        *high = *low + 1;
+}
+
+static ovr_status make_panel(const ovr_sitting *s, map *m, ovr_panel *panel,
+                             ovr_error *err)
+{
+    const ovr_picture_options *o = s->options;
+    char kind = strcmp(m->field, "pressure") == 0 ? 'p' : 'h';
+    double low, high, reach = fmax(fabs(m->x_from), fabs(m->x_to));
+    ovr_axis x, T, v;
+    ovr_status status;
+    find_range(m, &low, &high);
+    if (kind == 'p' && o->P_to > 0)
+        high = o->P_to;
+    if (kind == 'h' && o->H_to > 0)
+        high = o->H_to;
+    status = ovr_axis_make('x', m->run->result, o->units, reach, &x, err);
+    if (status == OVR_OK)
+        status = ovr_axis_make('t', m->run->result, o->units, m->T_to, &T, err);
+    if (status == OVR_OK)
+        status = ovr_axis_make(kind, m->run->result, o->units,
+                               fmax(fabs(low), fabs(high)), &v, err);
+    if (status != OVR_OK)
+        return status;
+    for (size_t c = 0; c < (size_t)CELLS_T * CELLS_X; c++)
+        m->values[c] *= v.factor;
+    *panel = (ovr_panel){.x_label = x.label,
+                         .y_label = T.label,
+                         .x_from = m->x_from * x.factor,
+                         .x_to = m->x_to * x.factor,
+                         .y_from = m->T_from * T.factor,
+                         .y_to = m->T_to * T.factor,
+                         .image = {CELLS_X, CELLS_T, m->values, low * v.factor,
+                                   high * v.factor, v.label}};
+    return OVR_OK;
+}
+
+static bool known_field(const char *field)
+{
+    return strcmp(field, "pressure") == 0 ||
+           strcmp(field, "film_thickness") == 0 ||
+           strcmp(field, "roughness") == 0;
+}
+
+ovr_status ovr_draw_map(const ovr_sitting *s, ovr_chart *chart, ovr_error *err)
+{
+    const ovr_picture_options *o = s->options;
+    const ovr_run *run = s->runs;
+    ovr_extent e = ovr_extent_make(o->x_from, o->x_to, run, 1);
+    map m = {.run = run, .field = o->field ? o->field : "film_thickness"};
+    ovr_panel *panel = ovr_arena_take(s->arena, 1, sizeof *panel, err);
+    ovr_status status = panel ? OVR_OK : OVR_NO_MEMORY;
+    if (status == OVR_OK && s->count > 1)
+        status = ovr_fail(err, OVR_BAD_INPUT, "a map shows one result");
+    if (status == OVR_OK && run->info->snapshots < 2)
+        status = ovr_fail(err, OVR_BAD_INPUT,
+                          "a map needs two snapshots at least");
+    if (status == OVR_OK && !known_field(m.field))
+        status = ovr_fail(err, OVR_BAD_INPUT,
+                          "no map of '%s': there are pressure, film_thickness "
+                          "and roughness",
+                          m.field);
+    m.x_from = e.x_from;
+    m.x_to = e.x_to;
+    m.T_from = isnan(o->T_from) ? run->times[0] : o->T_from;
+    m.T_to = isnan(o->T_to) ? run->times[run->info->snapshots - 1] : o->T_to;
+    if (status == OVR_OK)
+        status = fill(&m, s->arena, err);
+    if (status == OVR_OK)
+        status = make_panel(s, &m, panel, err);
+    if (status == OVR_OK)
+        *chart = (ovr_chart){.title = o->title ? o->title : run->info->title,
+                             .width = o->width > 0 ? o->width : 1280,
+                             .height = o->height > 0 ? o->height : 800,
+                             .rows = 1,
+                             .columns = 1,
+                             .panel = panel};
+    return status;
+}

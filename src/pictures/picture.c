@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One picture: read, chart, gnuplot. */
+#include "pictures/picture.h"
+
+#include <errno.h>
+#include <math.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "pictures/gnuplot.h"
+
+ovr_picture_options ovr_picture_options_default(void)
+{
+    return (ovr_picture_options){.x_from = NAN,
+                                 .x_to = NAN,
+                                 .P_to = NAN,
+                                 .H_to = NAN,
+                                 .T_from = NAN,
+                                 .T_to = NAN};
+}
+
+ovr_status ovr_may_create(const char *path, bool force, ovr_error *err)
+{
+    if (!force && access(path, F_OK) == 0)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s exists; --force replaces it",
+                        path);
+    return OVR_OK;
+}
+
+/* ------------------------------------------------------- script and data */
+
+/* SCRIPT without its suffix, and another one. */
+static char *beside(const char *script, const char *suffix, ovr_arena *arena,
+                    ovr_error *err)
+{
+    const char *slash = strrchr(script, '/');
+    const char *dot = strrchr(slash ? slash : script, '.');
+    size_t stem = dot ? (size_t)(dot - script) : strlen(script);
+    char *path = ovr_arena_take(arena, stem + strlen(suffix) + 1, 1, err);
+    if (path) {
+        memcpy(path, script, stem);
+        memcpy(path + stem, suffix, strlen(suffix) + 1);
+    }
+    return path;
+}
+
+static const char *base_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+/* The script draws, in its own folder, a picture of the same name. */
+static ovr_status write_script(const ovr_chart *chart, const char *path,
+                               const char *script, ovr_arena *arena,
+                               ovr_error *err)
+{
+    ovr_text text = ovr_text_make(arena), data = ovr_text_make(arena);
+    ovr_text output = ovr_text_make(arena), all = ovr_text_make(arena);
+    char *data_path = beside(script, ".dat", arena, err);
+    ovr_form form;
+    ovr_status status = data_path ? ovr_form_of(path, &form, err)
+                                  : OVR_NO_MEMORY;
+    if (status == OVR_OK)
+        status = ovr_gnuplot_output(&output, base_name(path), err);
+    if (status != OVR_OK)
+        return status;
+    ovr_chart_apart(chart, form, &text, &data, base_name(data_path));
+    ovr_text_put(&all, "# Drawn by overroll; to draw it again: gnuplot THIS\n");
+    ovr_text_add(&all, output.data, output.length);
+    ovr_text_add(&all, text.data, text.length);
+    status = ovr_text_status(&text, err);
+    if (status == OVR_OK)
+        status = ovr_text_save(&data, data_path, err);
+    if (status == OVR_OK)
+        status = ovr_text_save(&all, script, err);
+    return status;
+}
+
+ovr_status ovr_chart_draw(const ovr_chart *chart, const char *path,
+                          const char *script, ovr_arena *arena, ovr_error *err)
+{
+    ovr_text text = ovr_text_make(arena);
+    ovr_gnuplot *gnuplot = ovr_arena_take(arena, 1, sizeof *gnuplot, err);
+    ovr_form form;
+    ovr_status status = gnuplot ? ovr_form_of(path, &form, err) : OVR_NO_MEMORY;
+    if (status == OVR_OK && script)
+        status = write_script(chart, path, script, arena, err);
+    if (status == OVR_OK) {
+        ovr_chart_script(chart, form, &text);
+        status = ovr_text_status(&text, err);
+    }
+    if (status == OVR_OK)
+        status = ovr_gnuplot_start(gnuplot, err);
+    if (status != OVR_OK)
+        return status;
+    status = ovr_gnuplot_ask(gnuplot, &text, path, err);
+    if (status == OVR_OK)
+        status = ovr_gnuplot_wait(gnuplot, err);
+    ovr_gnuplot_stop(gnuplot);
+    return status;
+}
+
+/* ---------------------------------------------------------------- picture */
+
+typedef ovr_status draw_kind(const ovr_sitting *sitting, ovr_chart *chart,
+                             ovr_error *err);
+
+static ovr_status draw(const ovr_sitting *s, ovr_error *err)
+{
+    static draw_kind *const kinds[] = {
+        [OVR_PICTURE_SNAPSHOT] = ovr_draw_snapshots,
+        [OVR_PICTURE_HISTORY] = ovr_draw_history,
+        [OVR_PICTURE_MAP] = ovr_draw_map,
+        [OVR_PICTURE_TRACE] = ovr_draw_trace};
+    const ovr_picture_options *o = s->options;
+    ovr_chart chart;
+    ovr_status status = kinds[o->kind](s, &chart, err);
+    if (status == OVR_OK)
+        status = ovr_chart_draw(&chart, o->path, o->script, s->arena, err);
+    return status;
+}
+
+static ovr_status open_runs(ovr_result *const *results, size_t count,
+                            const ovr_picture_options *o, ovr_run *runs,
+                            ovr_arena *arena, ovr_error *err)
+{
+    ovr_status status = OVR_OK;
+    for (size_t k = 0; status == OVR_OK && k < count; k++)
+        status = ovr_run_make(&runs[k], results[k],
+                              o->names ? o->names[k] : NULL, arena, err);
+    return status;
+}
+
+ovr_status ovr_picture(ovr_result *const *results, size_t count,
+                       const ovr_picture_options *o,
+                       const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_run *runs = ovr_arena_take(&arena, count, sizeof *runs, err);
+    ovr_sitting sitting = {o, runs, count, &arena};
+    ovr_status status = runs ? ovr_may_create(o->path, o->force, err)
+                             : OVR_NO_MEMORY;
+    ovr_form form;
+    if (status == OVR_OK)
+        status = ovr_form_of(o->path, &form, err);
+    if (status == OVR_OK)
+        status = open_runs(results, count, o, runs, &arena, err);
+    if (status == OVR_OK)
+        status = draw(&sitting, err);
+    ovr_arena_release(&arena);
+    return status;
+}

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The kinds of single pictures: each makes a chart from runs, in an arena,
+ * and hands it on. */
+#ifndef OVR_PICTURES_PICTURE_H
+#define OVR_PICTURES_PICTURE_H
+
+#include "overroll/pictures.h"
+#include "pictures/chart.h"
+#include "pictures/run.h"
+
+typedef struct ovr_sitting {
+    const ovr_picture_options *options;
+    const ovr_run *runs;
+    size_t count;
+    ovr_arena *arena;
+} ovr_sitting;
+
+ovr_status ovr_draw_snapshots(const ovr_sitting *sitting, ovr_chart *chart,
+                              ovr_error *err);
+ovr_status ovr_draw_history(const ovr_sitting *sitting, ovr_chart *chart,
+                            ovr_error *err);
+ovr_status ovr_draw_trace(const ovr_sitting *sitting, ovr_chart *chart,
+                          ovr_error *err);
+ovr_status ovr_draw_map(const ovr_sitting *sitting, ovr_chart *chart,
+                        ovr_error *err);
+
+/* Draws a chart to a path; when `script` is not NULL, writes it there too,
+ * with the data beside it. */
+ovr_status ovr_chart_draw(const ovr_chart *chart, const char *path,
+                          const char *script, ovr_arena *arena, ovr_error *err);
+
+/* Refuses to replace a file unless forced. */
+ovr_status ovr_may_create(const char *path, bool force, ovr_error *err);
+
+#endif

@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "pictures/run.h"
+
+#include <math.h>
+#include <string.h>
+
+static bool has_field(ovr_result *result, const char *name)
+{
+    const char *field;
+    for (size_t k = 0; (field = ovr_result_field_name(result, k)); k++)
+        if (strcmp(field, name) == 0)
+            return true;
+    return false;
+}
+
+ovr_status ovr_run_make(ovr_run *run, ovr_result *result, const char *name,
+                        ovr_arena *arena, ovr_error *err)
+{
+    const ovr_result_info *info = ovr_result_about(result);
+    ovr_status status;
+    *run = (ovr_run){.result = result, .info = info};
+    run->name = name ? name : info->title;
+    if (info->snapshots == 0)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: holds no snapshot yet",
+                        run->name);
+    run->x = ovr_arena_take(arena, info->nodes, sizeof *run->x, err);
+    run->times = ovr_arena_take(arena, info->snapshots, sizeof *run->times,
+                                err);
+    if (!run->x || !run->times)
+        return OVR_NO_MEMORY;
+    run->pressure = has_field(result, "pressure");
+    run->film = has_field(result, "film_thickness");
+    run->roughness = has_field(result, "roughness");
+    status = ovr_result_x(result, OVR_HERTZIAN, run->x, err);
+    if (status == OVR_OK)
+        status = ovr_result_times(result, OVR_HERTZIAN, run->times, err);
+    return status;
+}
+
+ovr_status ovr_shot_make(ovr_shot *shot, const ovr_run *run, ovr_arena *arena,
+                         ovr_error *err)
+{
+    size_t n = run->info->nodes;
+    double *block = ovr_arena_take(arena, 3 * n, sizeof *block, err);
+    if (!block)
+        return OVR_NO_MEMORY;
+    *shot = (ovr_shot){.run = run};
+    shot->P = run->pressure ? block : NULL;
+    shot->H = run->film ? block + n : NULL;
+    shot->S = run->roughness ? block + 2 * n : NULL;
+    return OVR_OK;
+}
+
+static ovr_status read_field(const ovr_shot *shot, const char *name,
+                             double *values, ovr_error *err)
+{
+    if (!values)
+        return OVR_OK;
+    return ovr_result_snapshot(shot->run->result, name, shot->k, OVR_HERTZIAN,
+                               values, err);
+}
+
+ovr_status ovr_shot_read(ovr_shot *shot, size_t k, ovr_error *err)
+{
+    ovr_status status;
+    shot->k = k;
+    shot->T = shot->run->times[k];
+    status = read_field(shot, "pressure", shot->P, err);
+    if (status == OVR_OK)
+        status = read_field(shot, "film_thickness", shot->H, err);
+    if (status == OVR_OK)
+        status = read_field(shot, "roughness", shot->S, err);
+    return status;
+}
+
+size_t ovr_run_nearest(const ovr_run *run, double T)
+{
+    size_t best = 0;
+    for (size_t k = 1; k < run->info->snapshots; k++)
+        if (fabs(run->times[k] - T) < fabs(run->times[best] - T))
+            best = k;
+    return best;
+}
+
+double *ovr_run_history(const ovr_run *run, const char *name, ovr_arena *arena,
+                        ovr_error *err)
+{
+    double *values = ovr_arena_take(arena, run->info->steps, sizeof *values,
+                                    err);
+    if (values && ovr_result_history(run->result, name, OVR_HERTZIAN, values,
+                                     err) != OVR_OK)
+        return NULL;
+    return values;
+}
+
+/* ----------------------------------------------------------------- extent */
+
+ovr_extent ovr_extent_make(double x_from, double x_to, const ovr_run *runs,
+                           size_t count)
+{
+    ovr_extent e = {.x_from = INFINITY, .x_to = -INFINITY};
+    for (size_t k = 0; k < count; k++) {
+        e.x_from = fmin(e.x_from, fmax(runs[k].x[0], -2));
+        e.x_to = fmax(e.x_to, fmin(runs[k].x[runs[k].info->nodes - 1], 1.5));
+    }
+    if (!isnan(x_from))
+        e.x_from = x_from;
+    if (!isnan(x_to))
+        e.x_to = x_to;
+    return e;
+}
+
+void ovr_extent_nodes(const ovr_extent *e, const ovr_run *run, size_t *a,
+                      size_t *b)
+{
+    size_t n = run->info->nodes;
+    for (*a = 0; *a + 2 < n && run->x[*a + 1] <= e->x_from;)
+        ++*a;
+    for (*b = n; *b > *a + 2 && run->x[*b - 2] >= e->x_to;)
+        --*b;
+}
+
+void ovr_extent_add(ovr_extent *e, const ovr_shot *shot)
+{
+    const double *x = shot->run->x;
+    size_t a, b;
+    ovr_extent_nodes(e, shot->run, &a, &b);
+    for (size_t i = a; i < b; i++) {
+        if (shot->P)
+            e->P_high = fmax(e->P_high, shot->P[i]);
+        if (shot->H && fabs(x[i]) < 0.9)
+            e->H_high = fmax(e->H_high, shot->H[i]);
+        if (shot->S) {
+            e->S_low = fmin(e->S_low, shot->S[i]);
+            e->S_high = fmax(e->S_high, shot->S[i]);
+        }
+    }
+}

@@ -1,0 +1,241 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "pictures/snapshot.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* ------------------------------------------------------------------- look */
+
+static void make_hertz(ovr_look *look)
+{
+    for (int k = 0; k < OVR_HERTZ_POINTS; k++) {
+        double angle = acos(-1) * k / (OVR_HERTZ_POINTS - 1);
+        look->hertz_x[k] = -cos(angle);
+        look->hertz_P[k] = sin(angle);
+    }
+}
+
+static void make_heading(ovr_look *look, const ovr_run *run)
+{
+    const ovr_result_info *i = run->info;
+    int used = snprintf(look->heading, sizeof look->heading,
+                        "M = %.4g,  L = %.4g", i->M, i->L);
+    if (i->ph > 0 && used > 0)
+        snprintf(look->heading + used, sizeof look->heading - (size_t)used,
+                 ",  p_h = %.3g GPa", i->ph * 1e-9);
+}
+
+ovr_status ovr_look_make(ovr_look *look, const ovr_picture_options *o,
+                         const ovr_extent *e, const ovr_run *run,
+                         ovr_error *err)
+{
+    double reach = fmax(fabs(e->x_from), fabs(e->x_to));
+    double T_end = run->times[run->info->snapshots - 1];
+    ovr_status status;
+    memset(look, 0, sizeof *look);
+    look->options = o;
+    look->extent = *e;
+    look->P_to = o->P_to > 0 ? o->P_to : 1.06 * fmax(e->P_high, 1);
+    look->H_to = o->H_to > 0 ? o->H_to : 1.6 * e->H_high;
+    if (!(look->H_to > 0))
+        look->H_to = 1;
+    make_hertz(look);
+    make_heading(look, run);
+    status = ovr_axis_make('x', run->result, o->units, reach, &look->x, err);
+    if (status == OVR_OK)
+        status = ovr_axis_make('p', run->result, o->units, look->P_to, &look->P,
+                               err);
+    if (status == OVR_OK)
+        status = ovr_axis_make('h', run->result, o->units, look->H_to, &look->H,
+                               err);
+    if (status == OVR_OK)
+        status = ovr_axis_make('t', run->result, o->units, T_end, &look->T,
+                               err);
+    return status;
+}
+
+/* ----------------------------------------------------------------- curves */
+
+static const int run_colour[] = {OVR_BLUE, OVR_RED, OVR_GREEN, OVR_VIOLET};
+static const int instant_colour[] = {OVR_BLUE, OVR_GREEN, OVR_AMBER,
+                                     OVR_RED,  OVR_STEEL, OVR_VIOLET,
+                                     OVR_GREY, OVR_BLUE};
+
+/* Values of one field against x, where the picture shows them. */
+static ovr_series curve(const ovr_look *look, const ovr_shot *shot,
+                        const double *values, double factor)
+{
+    ovr_series s = {.x_factor = look->x.factor, .factor = factor, .width = 2.2};
+    size_t a, b;
+    ovr_extent_nodes(&look->extent, shot->run, &a, &b);
+    s.n = b - a;
+    s.x = shot->run->x + a;
+    s.y = values + a;
+    return s;
+}
+
+static ovr_series hertz(const ovr_look *look)
+{
+    return (ovr_series){.label = "Hertzian pressure",
+                        .n = OVR_HERTZ_POINTS,
+                        .x = look->hertz_x,
+                        .y = look->hertz_P,
+                        .x_factor = look->x.factor,
+                        .factor = look->P.factor,
+                        .mark = OVR_MARK_DASHED,
+                        .colour = OVR_STEEL,
+                        .width = 1.4};
+}
+
+/* Room between the film's zero and the roughness, and below it. */
+static double gap(const ovr_look *look)
+{
+    return 0.1 * look->H_to;
+}
+
+static double bottom(const ovr_look *look)
+{
+    const ovr_extent *e = &look->extent;
+    double span = fmin(e->S_high - e->S_low, 1.2 * look->H_to);
+    if (look->options->no_roughness || e->S_high <= e->S_low)
+        return 0;
+    return -2.2 * gap(look) - span;
+}
+
+static ovr_series ground(const ovr_look *look, const ovr_shot *shot)
+{
+    ovr_series s = curve(look, shot, shot->S, look->H.factor);
+    s.mark = OVR_MARK_AREA;
+    s.shift = -(look->extent.S_high + gap(look)) * look->H.factor;
+    s.base = bottom(look) * look->H.factor;
+    s.width = 1.2;
+    s.colour = OVR_STEEL;
+    return s;
+}
+
+/* ----------------------------------------------------------------- panels */
+
+static ovr_panel panel_of(const ovr_look *look, ovr_series *series,
+                          const ovr_axis *y, double from, double to)
+{
+    return (ovr_panel){.x_label = look->x.label,
+                       .y_label = y->label,
+                       .x_from = look->extent.x_from * look->x.factor,
+                       .x_to = look->extent.x_to * look->x.factor,
+                       .y_from = from * y->factor,
+                       .y_to = to * y->factor,
+                       .ground = true,
+                       .series = series};
+}
+
+/* How a shot is told from the others of its panel. */
+typedef struct guise {
+    const char *label, *second; /* in the legend of pressure, of film */
+    int colour;
+    bool area; /* alone: filled */
+} guise;
+
+static void add_pressure(const ovr_look *look, const ovr_shot *shot,
+                         const guise *as, ovr_series *series, ovr_panel *panel)
+{
+    ovr_series s;
+    if (!shot->P)
+        return;
+    s = curve(look, shot, shot->P, look->P.factor);
+    s.label = as->label;
+    s.colour = as->colour;
+    s.mark = as->area ? OVR_MARK_AREA : OVR_MARK_LINE;
+    series[panel->count++] = s;
+}
+
+static void add_film(const ovr_look *look, const ovr_shot *shot,
+                     const guise *as, ovr_series *series, ovr_panel *panel)
+{
+    ovr_series s;
+    if (shot->H) {
+        s = curve(look, shot, shot->H, look->H.factor);
+        s.label = as->area ? "film thickness" : as->second;
+        s.colour = as->area ? OVR_AMBER : as->colour;
+        s.mark = as->area ? OVR_MARK_AREA : OVR_MARK_LINE;
+        series[panel->count++] = s;
+    }
+    if (shot->S && bottom(look) < 0) {
+        s = ground(look, shot);
+        s.label = as->area ? "roughness (undeformed)" : NULL;
+        if (!as->area) {
+            s.mark = OVR_MARK_LINE;
+            s.colour = as->colour;
+        }
+        series[panel->count++] = s;
+    }
+}
+
+static guise guise_of(const ovr_shot *shot, size_t k, size_t count,
+                      const char *label)
+{
+    if (count == 1)
+        return (guise){"pressure", NULL, OVR_BLUE, true};
+    if (label)
+        return (guise){label, NULL, instant_colour[k % 8], false};
+    return (guise){shot->run->name, shot->run->name, run_colour[k % 4], false};
+}
+
+/* Shots that share a column; labels NULL: they are told apart by run. */
+static void draw_column(ovr_snapshot_chart *to, const ovr_look *look,
+                        const ovr_shot *shot, size_t count, size_t column,
+                        const char *const *labels)
+{
+    size_t columns = to->chart.columns;
+    ovr_series *above = to->series[column],
+               *below = to->series[columns + column];
+    ovr_panel *P = &to->panel[column], *H = &to->panel[columns + column];
+    *P = panel_of(look, above, &look->P, 0, look->P_to);
+    *H = panel_of(look, below, &look->H, bottom(look), look->H_to);
+    H->height = 1 - 0.5 * bottom(look) / look->H_to;
+    P->height = 1;
+    for (size_t k = 0; k < count; k++) {
+        guise as = guise_of(&shot[k], k, count, labels ? labels[k] : NULL);
+        add_pressure(look, &shot[k], &as, above, P);
+        add_film(look, &shot[k], &as, below, H);
+    }
+    if (!look->options->no_hertz)
+        above[P->count++] = hertz(look);
+}
+
+static void write_time(char *note, size_t size, const ovr_look *look, double T)
+{
+    if (look->T.unit[0])
+        snprintf(note, size, "t = %.3f %s", T * look->T.factor, look->T.unit);
+    else
+        snprintf(note, size, "T = %.3f", T);
+}
+
+void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_look *look,
+                       const ovr_shot *shot, size_t instants, size_t runs)
+{
+    const ovr_picture_options *o = look->options;
+    size_t columns = o->overlay ? 1 : instants;
+    const char *label[OVR_SHOTS];
+    memset(to, 0, sizeof *to);
+    to->chart = (ovr_chart){.title = o->title ? o->title
+                                              : shot->run->info->title,
+                            .subtitle = look->heading,
+                            .width = o->width > 0 ? o->width : 1280,
+                            .height = o->height > 0 ? o->height : 720,
+                            .rows = 2,
+                            .columns = columns,
+                            .share_x = true,
+                            .share_y = true,
+                            .panel = to->panel};
+    for (size_t k = 0; k < instants; k++)
+        write_time(to->note[k], sizeof to->note[k], look, shot[k * runs].T);
+    for (size_t k = 0; k < instants * runs; k++)
+        label[k] = to->note[k / runs];
+    if (o->overlay)
+        draw_column(to, look, shot, instants * runs, 0, label);
+    for (size_t k = 0; !o->overlay && k < instants; k++) {
+        draw_column(to, look, shot + k * runs, runs, k, NULL);
+        to->panel[k].note = to->note[k];
+    }
+}

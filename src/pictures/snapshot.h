@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The chart of snapshots: pressure above, film below and, under the film,
+ * the roughness as it would be undeformed.  One column for each instant, or
+ * all in one; the frames of a movie are charts of one instant.
+ */
+#ifndef OVR_PICTURES_SNAPSHOT_H
+#define OVR_PICTURES_SNAPSHOT_H
+
+#include "overroll/pictures.h"
+#include "pictures/axis.h"
+#include "pictures/chart.h"
+#include "pictures/run.h"
+
+enum { OVR_SHOTS = 8, OVR_HERTZ_POINTS = 121 };
+
+/* How: axes and ranges, the same for all pictures of a run. */
+typedef struct ovr_look {
+    const ovr_picture_options *options;
+    ovr_axis x, P, H, T;
+    ovr_extent extent;
+    double P_to, H_to; /* Hertzian upper ends */
+    double hertz_x[OVR_HERTZ_POINTS], hertz_P[OVR_HERTZ_POINTS];
+    char heading[240];
+} ovr_look;
+
+/* From an extent that has seen all shots to be drawn. */
+ovr_status ovr_look_make(ovr_look *look, const ovr_picture_options *options,
+                         const ovr_extent *extent, const ovr_run *run,
+                         ovr_error *err);
+
+/* Memory of a chart of up to OVR_SHOTS shots. */
+typedef struct ovr_snapshot_chart {
+    ovr_chart chart;
+    ovr_panel panel[2 * OVR_SHOTS];
+    ovr_series series[2 * OVR_SHOTS][2 * OVR_SHOTS + 1];
+    char note[OVR_SHOTS][80];
+} ovr_snapshot_chart;
+
+/* `instants` times of `runs` runs each: shot[instant * runs + run]. */
+void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_look *look,
+                       const ovr_shot *shot, size_t instants, size_t runs);
+
+#endif

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The run that never was (dent.h), as a result file. */
+#ifndef TESTS_SUPPORT_MADE_H
+#define TESTS_SUPPORT_MADE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { TEST_MADE_NODES = 225, TEST_MADE_SHOTS = 11 };
+
+/* Eleven snapshots from T = 0 to 6; a NULL title is the general one. */
+void test_make_result(const char *path, const char *title, bool physical);
+
+#endif
