@@ -51,7 +51,7 @@ SOVER   := $(if $(filter 0,$(MAJOR)),0.$(MINOR),$(MAJOR))
 # ------------------------------------------------------------ kinds of build
 
 # SAN=1: address and undefined-behaviour sanitizers; COV=1: line coverage;
-# WERROR=1: warnings are errors (CI).  Each has a build folder of its own.
+# FUZZ=1: for libFuzzer (clang); WERROR=1: warnings are errors (CI).  Each has a build folder of its own.
 ifeq ($(SAN),1)
 override BUILD := $(BUILD)-san
 KIND := -fsanitize=address,undefined -fno-sanitize-recover=all \
@@ -60,6 +60,13 @@ endif
 ifeq ($(COV),1)
 override BUILD := $(BUILD)-cov
 KIND := --coverage -O0
+endif
+
+ifeq ($(FUZZ),1)
+override BUILD := $(BUILD)-fuzz
+override CC := clang
+KIND := -fsanitize=fuzzer-no-link,address,undefined \
+        -fno-sanitize-recover=all -fno-omit-frame-pointer
 endif
 
 WARN := -Wall -Wextra -Wpedantic -Wconversion -Wshadow $(if $(WERROR),-Werror)
@@ -109,7 +116,7 @@ $(PROGRAM): $(CLIOBJ) $(LIB)
 
 $(LIB): $(LIBOBJ)
 	$(call say,AR    $@)
-	$(Q)rm -f $@ && $(AR) rcs $@ $(LIBOBJ)
+	$(Q)rm -f $@ && $(AR) qcs $@ $(LIBOBJ)
 
 $(SHARED): $(LIBOBJ)
 	$(call say,LINK  $@)
@@ -172,13 +179,34 @@ $(BUILD)/tests/%_test: $(BUILD)/tests/%_test.o $(SUPPORT) $(LIB)
 	$(call say,LINK  $@)
 	$(Q)$(LINK) -o $@ $^ $(OVR_LIBS) -lcmocka
 
-tests: $(TESTBIN) all ## compile the tests
+# tests/fuzz/NAME_fuzz.c: a target of libFuzzer, whose corpus is in
+# tests/fuzz/corpus/NAME.  NAME_replay takes files instead of making inputs up.
+FUZZERS := $(patsubst tests/fuzz/%_fuzz.c,%,$(wildcard tests/fuzz/*_fuzz.c))
+REPLAYS := $(FUZZERS:%=$(BUILD)/tests/fuzz/%_replay)
+FUZZBIN := $(FUZZERS:%=$(BUILD)/tests/fuzz/%_fuzz)
+$(REPLAYS): %_replay: %_fuzz.o $(BUILD)/tests/fuzz/replay.o $(LIB)
+	$(call say,LINK  $@)
+	$(Q)$(LINK) -o $@ $^ $(OVR_LIBS)
+$(FUZZBIN): %: %.o $(LIB)
+	$(call say,LINK  $@)
+	$(Q)$(LINK) -fsanitize=fuzzer -o $@ $^ $(OVR_LIBS)
+
+# What libFuzzer finds stays in $(BUILD)-fuzz; the corpora in the tree are
+# only read.
+FUZZ_SECONDS ?= 600
+fuzz: ## fuzz every target (FUZZ_SECONDS=600 each, FUZZERS="a b")
+	@$(MAKE) --no-print-directory FUZZ=1 \
+	  $(FUZZERS:%=$(BUILD)-fuzz/tests/fuzz/%_fuzz)
+	@for t in $(FUZZERS); do \
+	  tests/fuzz/run $(BUILD)-fuzz $$t $(FUZZ_SECONDS) || exit 1; done
+
+tests: $(TESTBIN) $(REPLAYS) all ## compile the tests
 
 need-cmocka:
 	@$(PKG_CONFIG) --exists cmocka || \
 	  { echo "missing: cmocka; run tools/install-deps check"; exit 1; }
 
-check: need-cmocka all $(CHECKSRC:%.c=$(BUILD)/%) ## run the tests (FAST=1, SAN=1)
+check: need-cmocka all $(CHECKSRC:%.c=$(BUILD)/%) $(REPLAYS) ## run the tests (FAST=1, SAN=1)
 	@$(TESTENV) tests/support/run -j $(JOBS) -o $(BUILD)/check \
 	  $(CHECKSRC:%.c=$(BUILD)/%) $(CHECKSH)
 
@@ -318,7 +346,7 @@ help: ## this list
 	@sed -n 's/^\([a-z]*\):[^#]*## \(.*\)/  \1\t\2/p' Makefile | expand -t 14
 
 FORCE:
-.PHONY: all tests check verify coverage demo paper bench format lint \
+.PHONY: all tests check fuzz verify coverage demo paper bench format lint \
   lint-format lint-tidy lint-cppcheck lint-shell need-lint need-cmocka \
   install uninstall clean help FORCE
 .SECONDARY:

@@ -3,6 +3,7 @@
 #ifndef OVERROLL_OVERROLL_H
 #define OVERROLL_OVERROLL_H
 
+#include "overroll/case.h"
 #include "overroll/contact.h"
 #include "overroll/error.h"
 #include "overroll/memory.h"

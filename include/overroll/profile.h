@@ -124,6 +124,49 @@ OVR_API ovr_status ovr_profile_condition(ovr_profile *profile,
                                          const ovr_conditioning *how,
                                          ovr_error *err);
 
+/* ------------------------------------------------------------ statistics */
+
+/* Of the heights about their mean, each point weighted by the length it
+ * stands for, of the whole length as it is (ISO 21920-2); heights in the
+ * profile's z unit, lengths in its x unit.  A profile with gaps has none. */
+typedef struct ovr_profile_numbers {
+    size_t n;
+    double length, spacing, spacing_least, spacing_most;
+    double mean;
+    double Ra, Rq;   /* mean of |z|, root mean square of z */
+    double Rp, Rv;   /* highest peak, deepest valley (positive) */
+    double Rz;       /* mean of Rp + Rv over five equal parts (Rt below 50
+                        points) */
+    double Rt;       /* Rp + Rv of the whole */
+    double Rsk, Rku; /* skewness, kurtosis (3: Gaussian); NAN when Rq = 0 */
+    double Rdq;      /* root mean square slope */
+} ovr_profile_numbers;
+
+OVR_API ovr_status ovr_profile_measure(const ovr_profile *profile,
+                                       ovr_profile_numbers *numbers,
+                                       ovr_error *err);
+
+/* The strongest waves, by the spectrum of the Hann-windowed profile. */
+typedef struct ovr_profile_wave {
+    double wavelength; /* in the x unit */
+    double amplitude;  /* of a cosine that would look like it */
+    double part;       /* of the variance */
+} ovr_profile_wave;
+
+/* Finds up to `most` waves above 0.1 % of the variance, strongest first;
+ * *found says how many. */
+OVR_API ovr_status ovr_profile_waves(const ovr_profile *profile, size_t most,
+                                     ovr_profile_wave *waves, size_t *found,
+                                     ovr_error *err);
+
+/* Amplitude of a small wave under the contact over its undeformed one, in
+ * pure rolling: 1/(1 + 0.17 r + 0.03 r^2), r = wavelength M^(3/4) L^(-1/2),
+ * wavelength in b (a fit to Venner, Couhier, Lubrecht & Greenwood 1997; a
+ * guide).  0 for L = 0. */
+OVR_API double ovr_wave_reduction(double M, double L, double wavelength);
+
+/* ------------------------------------------------------ random roughness */
+
 typedef enum ovr_spectrum { OVR_SELF_AFFINE, OVR_EXPONENTIAL } ovr_spectrum;
 
 /*

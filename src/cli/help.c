@@ -1,36 +1,263 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll help [TOPIC]: commands, and what may stand in a case file. */
+#include <math.h>
 #include <stdio.h>
+#include <string.h>
 
+#include "base/suggest.h"
 #include "cli/cli.h"
 
-static int list_verbs(void)
+enum { WIDTH = 78, INDENT = 17, TOPICS = 300 };
+
+/* ------------------------------------------------------------------ lists */
+
+static void put_wrapped(const char *text)
+{
+    int column = INDENT;
+    printf("%*s", INDENT, "");
+    while (*text) {
+        int length = (int)strcspn(text, " ");
+        if (column > INDENT && column + 1 + length > WIDTH) {
+            printf("\n%*s", INDENT, "");
+            column = INDENT;
+        } else if (column > INDENT) {
+            putchar(' ');
+            column++;
+        }
+        printf("%.*s", length, text);
+        column += length;
+        text += length + (text[length] == ' ');
+    }
+    putchar('\n');
+}
+
+static int list_topics(void)
 {
     puts("overroll COMMAND ...: transient rough EHL line contacts\n");
     for (const cli_verb *const *verb = cli_verbs; *verb; verb++)
-        printf("  %-9s %-24s %s\n", (*verb)->name, (*verb)->arguments,
+        printf("  %-9s %-26s %s\n", (*verb)->name, (*verb)->arguments,
                (*verb)->summary);
-    puts("\nCommon options: -q quiet, -v say more, --json, --help, --version");
+    puts("\nCommon options: -q quiet, -v say more, --json, --help, --version\n"
+         "\nSections of a case file (overroll help SECTION lists its keys):\n");
+    for (size_t k = 0; ovr_section_name(k); k++) {
+        printf("  %s\n", ovr_section_name(k));
+        put_wrapped(ovr_section_help(k));
+    }
+    puts("\noverroll help units    how numbers and units are written\n"
+         "overroll help KEY      one key of the case file");
     return CLI_DONE;
+}
+
+/* ------------------------------------------------------------- parameters */
+
+static void describe_range(const ovr_parameter_info *p, char *text, size_t room)
+{
+    const char *unit = *p->bare ? p->bare : "";
+    char si[16] = "";
+    if (!*p->bare && *p->units)
+        snprintf(si, sizeof si, " %.*s", (int)strcspn(p->units, ","), p->units);
+    snprintf(text, room, "%s%s%g to %g%s%s%s", p->type,
+             p->above ? " above " : " ", p->least, p->most, si,
+             *unit ? " " : "", unit);
+}
+
+static void put_choices(const ovr_parameter_info *p)
+{
+    char text[400];
+    size_t used = 0;
+    for (int i = 0; p->choices[i] && used < sizeof text; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used, "%s%s",
+                                 i ? ", " : "", p->choices[i]);
+    put_wrapped(text);
+}
+
+static void put_parameter(const ovr_parameter_info *p)
+{
+    char text[200];
+    printf("  %-14s ", p->key);
+    if (p->initial)
+        printf("(%s)", p->initial);
+    putchar('\n');
+    put_wrapped(p->help);
+    if (!isnan(p->least)) {
+        describe_range(p, text, sizeof text);
+        put_wrapped(text);
+    } else if (!p->choices[0]) {
+        put_wrapped(p->type);
+    }
+    if (p->choices[0])
+        put_choices(p);
+    if (*p->units) {
+        snprintf(text, sizeof text, "%s: %s",
+                 *p->bare ? "or with a unit" : "unit", p->units);
+        put_wrapped(text);
+    }
+}
+
+static bool help_section(const char *name)
+{
+    bool found = false;
+    for (size_t k = 0; ovr_section_name(k); k++)
+        if (!strcmp(ovr_section_name(k), name)) {
+            printf("[%s]  %s\n\nKeys (defaults in brackets):\n\n", name,
+                   ovr_section_help(k));
+            found = true;
+        }
+    for (size_t k = 0; found && k < ovr_parameter_count(); k++) {
+        ovr_parameter_info p = ovr_parameter_at(k);
+        if (!strcmp(p.section, name))
+            put_parameter(&p);
+    }
+    return found;
+}
+
+static bool help_key(const char *key)
+{
+    bool found = false;
+    const char *point = strchr(key, '.');
+    for (size_t k = 0; k < ovr_parameter_count(); k++) {
+        ovr_parameter_info p = ovr_parameter_at(k);
+        size_t section = strlen(p.section);
+        bool same = point ? !strncmp(p.section, key, section) &&
+                                key[section] == '.' && !strcmp(p.key, point + 1)
+                          : !strcmp(p.key, key);
+        if (!same)
+            continue;
+        printf("[%s]\n", p.section);
+        put_parameter(&p);
+        found = true;
+    }
+    return found;
+}
+
+/* ------------------------------------------------------------ manual page */
+
+/* In roff, with what it takes for signs of its own. */
+static void put_roff(const char *text)
+{
+    for (; *text; text++)
+        if (*text == '-')
+            fputs("\\-", stdout);
+        else if (*text == '\'')
+            fputs("\\(aq", stdout);
+        else
+            putchar(*text);
+}
+
+static void roff_parameter(const ovr_parameter_info *p)
+{
+    char text[200];
+    printf(".TP\n.B ");
+    put_roff(p->key);
+    putchar('\n');
+    put_roff(p->help);
+    puts(".");
+    if (!isnan(p->least)) {
+        describe_range(p, text, sizeof text);
+        printf("A ");
+        put_roff(text);
+        puts(".");
+    } else if (!p->choices[0]) {
+        printf("A value: %s.\n", p->type);
+    }
+    if (p->choices[0])
+        puts(isnan(p->least) ? "One of" : "Or");
+    for (int i = 0; p->choices[i]; i++) {
+        printf(".BR ");
+        put_roff(p->choices[i]);
+        puts(p->choices[i + 1] ? " ," : " .");
+    }
+    if (*p->units)
+        printf("%s: %s.\n", *p->bare ? "Or with a unit" : "Unit", p->units);
+    if (p->initial) {
+        printf("Default: ");
+        put_roff(p->initial);
+        puts(".");
+    }
+}
+
+/* The part of overroll-case(5) that is made from the table. */
+static int roff(void)
+{
+    for (size_t k = 0; ovr_section_name(k); k++) {
+        printf(".SS [%s]\n", ovr_section_name(k));
+        put_roff(ovr_section_help(k));
+        puts(".");
+        for (size_t i = 0; i < ovr_parameter_count(); i++) {
+            ovr_parameter_info p = ovr_parameter_at(i);
+            if (!strcmp(p.section, ovr_section_name(k)))
+                roff_parameter(&p);
+        }
+    }
+    return CLI_DONE;
+}
+
+/* ------------------------------------------------------------------ topics */
+
+static int help_units(void)
+{
+    puts(
+        "Numbers are written with a point; a unit follows its number:\n"
+        "    viscosity = 40 mPa.s    alpha = 22 1/GPa    depth = 1.2 um\n\n"
+        "A length, height or time without a unit is in the contact's own "
+        "units:\n"
+        "    lengths along x in b, heights and films in b^2/R, times in b/um,\n"
+        "    b = sqrt(8 w R/(pi E')) the half width of the dry contact, um the "
+        "mean speed.\n"
+        "With a unit it is physical and needs a physical contact, or, beside "
+        "M and L,\n"
+        "radius and modulus (and viscosity or speeds for times).  Load, "
+        "radius, modulus,\n"
+        "viscosity, alpha, speeds and pressures always carry their unit.\n\n"
+        "Lengths m, mm, um, nm; pressures Pa, kPa, MPa, GPa; 1/Pa, 1/MPa, "
+        "1/GPa;\n"
+        "Pa.s, mPa.s, cP; N/m, kN/m, N/mm; m/s, mm/s; s, ms, us.");
+    return CLI_DONE;
+}
+
+static int no_topic(const cli_call *call, const char *topic)
+{
+    const char *names[TOPICS], *meant;
+    size_t n = 0;
+    for (const cli_verb *const *verb = cli_verbs; *verb; verb++)
+        names[n++] = (*verb)->name;
+    for (size_t k = 0; ovr_section_name(k); k++)
+        names[n++] = ovr_section_name(k);
+    for (size_t k = 0; k < ovr_parameter_count() && n < TOPICS; k++)
+        names[n++] = ovr_parameter_at(k).key;
+    meant = ovr_suggest(topic, names, n);
+    if (meant)
+        return cli_usage(call, "no topic '%s'; did you mean '%s'?", topic,
+                         meant);
+    return cli_usage(call, "no topic '%s'; 'overroll help' lists them", topic);
 }
 
 static int run(cli_call *call)
 {
     const cli_verb *verb;
+    const char *topic = call->argument[0];
+    if (cli_flag(call, "roff"))
+        return roff();
     if (call->arguments == 0)
-        return list_verbs();
-    verb = cli_find_verb(call->argument[0]);
-    if (!verb)
-        return cli_usage(call, "no topic '%s'; 'overroll help' lists them",
-                         call->argument[0]);
-    cli_print_help(verb, stdout);
+        return list_topics();
+    verb = cli_find_verb(topic);
+    if (verb)
+        cli_print_help(verb, stdout);
+    else if (!strcmp(topic, "units"))
+        return help_units();
+    else if (!help_section(topic) && !help_key(topic))
+        return no_topic(call, topic);
     return CLI_DONE;
 }
+
+static const cli_option options[] = {
+    {"roff", NULL, "the parameters as overroll-case(5) has them", false}, {0}};
 
 const cli_verb cli_help = {
     .name = "help",
     .arguments = "[TOPIC]",
-    .summary = "explain a command or a section of the case file",
+    .summary = "explain a command, a section or a key of the case",
+    .options = options,
     .least = 0,
     .most = 1,
     .run = run,

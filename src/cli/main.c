@@ -12,9 +12,21 @@
 #include "base/suggest.h"
 #include "cli/cli.h"
 
+/* clang-format off: a row each */
 const cli_verb *const cli_verbs[] = {
-    &cli_info, &cli_export, &cli_help, &cli_plot, NULL,
+    &cli_steady,
+    &cli_run,
+    &cli_resume,
+    &cli_check,
+    &cli_info,
+    &cli_export,
+    &cli_plot,
+    &cli_profile,
+    &cli_init,
+    &cli_help,
+    NULL,
 };
+/* clang-format on */
 
 static void print_version(void)
 {
@@ -26,6 +38,7 @@ static void print_version(void)
            XML_ExpatVersion());
 }
 
+/* Ten lines. */
 static void print_short_help(void)
 {
     puts(
@@ -33,11 +46,14 @@ static void print_short_help(void)
         "contacts with rough surfaces.\n"
         "\n"
         "  overroll steady --M 20 --L 10 --level 9   solve one contact\n"
-        "  overroll run dent.ini -o dent.h5          roll a dent through it\n"
-        "\n"
-        "Also: check, info, profile, frames, view, plot, export, sweep, init.\n"
-        "overroll help          lists the commands\n"
-        "overroll help TOPIC    explains a command or a section of the case");
+        "  overroll run dent.ini -o dent.h5          roll a dent through it\n");
+    fputs("Commands:", stdout);
+    for (const cli_verb *const *verb = cli_verbs; *verb; verb++)
+        printf(" %s", (*verb)->name);
+    puts("\n"
+         "overroll help          says in a line what each does\n"
+         "overroll help TOPIC    explains a command or a section of the case\n"
+         "overroll --version     with the versions of its libraries");
 }
 
 static int no_such_verb(const char *name)

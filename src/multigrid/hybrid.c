@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "multigrid/hybrid.h"
 
-#include <string.h>
+static const double dry_tolerance = 1e-10;
 
 /* dN_i/dP_i and dN_i/dP_{i-1} of one row. */
 typedef struct slopes {
@@ -27,37 +27,101 @@ static slopes slopes_at(const ovr_level *level, size_t i, double a0, double a1,
     return s;
 }
 
-void ovr_relax_hybrid(ovr_hierarchy *grids, ovr_level *level)
+/* Residual of row i with film and properties as they are, P as it is now. */
+static double row_residual(const ovr_level *level, size_t i, slopes *s)
 {
     const ovr_weights *w = &level->weights;
     const ovr_fields *f = &level->f;
+    const double *P = f->P, *eps = f->eps, *q = f->q;
+    double a0 = i == 1 ? w->a0_first : w->a0, a1 = i == 1 ? w->a1_first : w->a1,
+           a2 = i == 1 ? 0 : w->a2;
+    *s = slopes_at(level, i, a0, a1, a2);
+    return f->F[i] + a0 * q[i] + a1 * q[i - 1] + a2 * q[i - 2] -
+           w->half * ((eps[i - 1] + eps[i]) * (P[i - 1] - P[i]) +
+                      (eps[i] + eps[i + 1]) * (P[i + 1] - P[i]));
+}
+
+static double clipped(double x, double limit)
+{
+    return x > limit ? limit : x < -limit ? -limit : x;
+}
+
+static void seidel(const ovr_hierarchy *grids, ovr_level *level, size_t i,
+                   double r, slopes s)
+{
+    double next = level->f.P[i] + grids->relax_seidel * r / s.own;
+    level->f.P[i] = next > 0 ? next : 0;
+}
+
+/* One line solve of rows first..last for fixed film, dry nodes that do not
+ * want to rise held: Thomas algorithm, then projection. */
+static void exit_line(const ovr_hierarchy *grids, ovr_level *level,
+                      size_t first, size_t last)
+{
+    const ovr_fields *f = &level->f;
+    double half = level->weights.half, above = 0, change = 0;
+    double *upper = grids->band.b[0], *delta = grids->band.delta;
+    for (size_t i = first; i <= last; i++) {
+        slopes s;
+        double r = row_residual(level, i, &s);
+        double lower = half * (f->eps[i - 1] + f->eps[i]);
+        double right = half * (f->eps[i] + f->eps[i + 1]);
+        if (f->P[i] <= 0 && r >= dry_tolerance * s.own) {
+            r = lower = right = 0;
+            s.own = 1;
+        }
+        double scale = 1 / (s.own - lower * above);
+        upper[i] = above = right * scale;
+        delta[i] = change = (r - lower * change) * scale;
+    }
+    change = 0;
+    for (size_t i = last; i >= first; i--) {
+        change = delta[i] - upper[i] * change;
+        double next = f->P[i] + change;
+        f->P[i] = next > 0 ? next : 0;
+    }
+}
+
+/* The end of the film by itself, until its place has settled. */
+static void relax_exit(const ovr_hierarchy *grids, ovr_level *level,
+                       double bound)
+{
+    enum { LINES = 6, BEHIND = 8 };
+    const double *P = level->f.P, *eps = level->f.eps;
+    size_t last = level->n - 2, first;
+    while (last > 1 && !(P[last] > 0))
+        last--;
+    first = last;
+    while (first > 1 && eps[first - 1] > 10 * bound)
+        first--;
+    last = last + BEHIND < level->n - 1 ? last + BEHIND : level->n - 2;
+    if (first > level->n / 2)
+        for (int k = 0; k < LINES; k++)
+            exit_line(grids, level, first, last);
+}
+
+void ovr_relax_hybrid(ovr_hierarchy *grids, ovr_level *level)
+{
+    const ovr_fields *f = &level->f;
     double *restrict P = f->P, *restrict delta = grids->band.delta;
-    const double *eps = f->eps, *q = f->q;
     double bound = grids->switch_value * level->D * level->D;
     size_t n = level->n;
-    memset(delta, 0, (n + 1) * sizeof *delta);
     for (size_t i = 1; i + 1 < n; i++) {
-        bool first = i == 1;
-        double a0 = first ? w->a0_first : w->a0,
-               a1 = first ? w->a1_first : w->a1, a2 = first ? 0 : w->a2;
-        double r = f->F[i] + a0 * q[i] + a1 * q[i - 1] + a2 * q[i - 2] -
-                   w->half * ((eps[i - 1] + eps[i]) * (P[i - 1] - P[i]) +
-                              (eps[i] + eps[i + 1]) * (P[i + 1] - P[i]));
-        slopes s = slopes_at(level, i, a0, a1, a2);
-        if (eps[i] > bound) {
-            double next = P[i] + grids->relax_seidel * r / s.own;
-            P[i] = next > 0 ? next : 0;
-        } else {
-            double d = grids->relax_dipole * r / (s.own - s.before);
-            delta[i] = d > grids->limit    ? grids->limit
-                       : d < -grids->limit ? -grids->limit
-                                           : d;
-        }
+        slopes s;
+        double r = row_residual(level, i, &s);
+        delta[i] = 0;
+        if (f->eps[i] > bound)
+            seidel(grids, level, i, r, s);
+        else
+            delta[i] = clipped(grids->relax_dipole * r / (s.own - s.before),
+                               grids->limit);
     }
+    delta[n - 1] = 0;
     for (size_t i = 1; i + 1 < n; i++) {
         double next = P[i] + delta[i] - delta[i + 1];
         P[i] = next > 0 ? next : 0;
     }
+    relax_exit(grids, level, bound);
 }
 
 void ovr_coarsest_paper(ovr_hierarchy *grids, ovr_level *level)

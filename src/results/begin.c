@@ -200,7 +200,11 @@ static ovr_status start_file(ovr_writer *w, const ovr_file_plan *plan,
         status = ovr_writer_checkpoint(w, false, err);
     if (status == OVR_OK)
         status = ovr_store_publish(&w->file.store, w->options.force, err);
-    return status == OVR_IO ? OVR_BAD_INPUT : status;
+    if (status != OVR_IO)
+        return status;
+    if (err) /* an output that cannot be made is known before the run */
+        err->status = OVR_BAD_INPUT;
+    return OVR_BAD_INPUT;
 }
 
 static ovr_writer *abandon(ovr_writer *w)

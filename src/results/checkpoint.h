@@ -11,8 +11,8 @@
  * Pieces: "version", "created" (the result file's date_created, which ties
  * the two together), "case path", "case text", "value +NAME" or "value -NAME"
  * (physics or not) with the parameter's text, "counts" (checkpoint_counts),
- * then "state NAME" for each piece that ovr_simulation_visit shows; none of
- * these before the first checkpoint.
+ * then "state NAME" for each piece that ovr_simulation_visit shows, and "state
+ * S", the surface at that moment; none of these before the first checkpoint.
  *
  * It is written as OUT.h5.restart.part, synced, and renamed over the one
  * before: there is always a whole one.  What it says of rows is true of the
@@ -60,6 +60,10 @@ ovr_status ovr_checkpoint_write(const ovr_checkpoint *checkpoint,
 ovr_status ovr_restart_load_into(const ovr_restart *restart,
                                  const ovr_state_source *source,
                                  ovr_error *err);
+
+/* Whether the state has a piece of this name with these bytes. */
+bool ovr_restart_holds(const ovr_restart *restart, const char *name,
+                       const void *memory, size_t bytes);
 
 /* What the result file must have as its date_created. */
 const char *ovr_restart_created(const ovr_restart *restart);

@@ -129,18 +129,25 @@ static const H5FD_class_t driver_class = {
 };
 
 /* Access properties that lead to the store; registering the driver anew for
- * each file keeps the library free of globals. */
+ * each file keeps the library free of globals.  HDF5 uses the driver after
+ * dropping its own reference to it, so that ours is held until the end. */
 static hid_t driver_access(ovr_store *store)
 {
     driver_info info = {store};
     hid_t access = ovr_h5_access(), driver = H5FDregister(&driver_class);
+    store->driver = driver;
     if (driver < 0 || H5Pset_driver(access, driver, &info) < 0) {
         ovr_h5_drop(access);
         access = -1;
     }
-    if (driver >= 0)
-        H5FDunregister(driver);
     return access;
+}
+
+void ovr_driver_release(ovr_store *store)
+{
+    if (store->driver > 0)
+        H5FDunregister((hid_t)store->driver);
+    store->driver = -1;
 }
 
 hid_t ovr_driver_create(ovr_store *store, hid_t creation)

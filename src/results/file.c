@@ -124,7 +124,8 @@ ovr_status ovr_file_add_snapshot(ovr_file *f, double time, const void *rows,
             return write_failed(f, err);
         row += f->nodes * element_of(f, k);
     }
-    if (!add_values(f->time, f->snapshots, 1, H5T_NATIVE_DOUBLE, &time))
+    if (!add_values(f->time, f->snapshots, 1, H5T_NATIVE_DOUBLE, &time) ||
+        f->store.failed)
         return write_failed(f, err);
     f->snapshots++;
     return OVR_OK;
@@ -139,7 +140,7 @@ ovr_status ovr_file_add_steps(ovr_file *f, size_t count, const int *steps,
     for (size_t c = 0; ok && count && c < f->columns; c++)
         ok = add_values(f->column[c], f->steps, count, H5T_NATIVE_DOUBLE,
                         columns + c * stride);
-    if (!ok)
+    if (!ok || f->store.failed)
         return write_failed(f, err);
     f->steps += count;
     return OVR_OK;
@@ -249,7 +250,8 @@ ovr_status ovr_file_open(ovr_file *f, const ovr_file_plan *plan,
         ovr_store_fail(&f->store); /* leave it as it is */
         return status;
     }
-    if (!drop_rows(f) || !mark_running(f, plan))
+    if (!drop_rows(f) || !mark_running(f, plan) ||
+        !ovr_header_new_case(f, plan))
         return write_failed(f, err);
     return ovr_file_flush(f, err);
 }
@@ -290,6 +292,7 @@ ovr_status ovr_file_close(ovr_file *f, ovr_error *err)
         status = write_failed(f, err);
     else if (open) /* closing writes a little more */
         status = ovr_store_commit(&f->store, err);
+    ovr_driver_release(&f->store);
     ovr_store_close(&f->store);
     forget_ids(f);
     ovr_packer_release(&f->packer);

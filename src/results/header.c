@@ -331,6 +331,12 @@ static bool open_columns(ovr_file *f)
     return ok;
 }
 
+bool ovr_header_new_case(ovr_file *f, const ovr_file_plan *plan)
+{
+    return H5Ldelete(f->file, "case", H5P_DEFAULT) >= 0 &&
+           make_case(f, plan->options);
+}
+
 bool ovr_header_open(ovr_file *f, const ovr_file_plan *plan)
 {
     f->time = H5Dopen2(f->file, "time", H5P_DEFAULT);

@@ -12,6 +12,9 @@ bool ovr_header_write(ovr_file *file, const ovr_file_plan *plan);
  * lacks are made. */
 bool ovr_header_open(ovr_file *file, const ovr_file_plan *plan);
 
+/* Writes the group `case` anew: what is stored, or the end, may be another. */
+bool ovr_header_new_case(ovr_file *file, const ovr_file_plan *plan);
+
 /* File creation properties: the order of links and attributes is kept. */
 hid_t ovr_header_creation(void);
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The writer as the observer of a run. */
+/* The writer as the observer of a run, and a simulation's state in
+ * checkpoints. */
 #include "results/writer.h"
 
 static ovr_frame frame_of(ovr_writer *w)
@@ -27,4 +28,47 @@ ovr_status ovr_writer_observe(void *writer, const ovr_simulation *sim,
     if (ovr_writer_due(w, state->step, state->T))
         frame = frame_of(w);
     return ovr_writer_record(w, &frame, err);
+}
+
+static ovr_status visit_state(void *sim, ovr_visit *visit, void *context,
+                              ovr_error *err)
+{
+    return ovr_simulation_visit(sim, visit, context, err);
+}
+
+/* What is saved ends with the heights of the surface, to be compared later. */
+static ovr_status visit_all(void *sim, ovr_visit *visit, void *context,
+                            ovr_error *err)
+{
+    const ovr_state *state = ovr_simulation_state(sim);
+    ovr_status status = ovr_simulation_visit(sim, visit, context, err);
+    if (status != OVR_OK)
+        return status;
+    return visit(context, "S", (void *)(uintptr_t)state->S,
+                 state->n * sizeof *state->S, err);
+}
+
+void ovr_writer_checkpoints(ovr_writer *w, ovr_simulation *sim)
+{
+    ovr_state_source source = {visit_all, sim};
+    ovr_writer_source(w, source);
+    w->observed = sim;
+    w->frame_of = frame_of;
+}
+
+ovr_status ovr_restart_load(const ovr_restart *restart, ovr_simulation *sim,
+                            ovr_error *err)
+{
+    ovr_state_source source = {visit_state, sim};
+    const ovr_state *state = ovr_simulation_state(sim);
+    ovr_status status = ovr_restart_load_into(restart, &source, err);
+    if (status != OVR_OK)
+        return status;
+    ovr_simulation_restored(sim);
+    if (ovr_restart_holds(restart, "S", state->S, state->n * sizeof *state->S))
+        return OVR_OK;
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "the surface at T = %g is not the one "
+                    "of the run: has a profile's file changed?",
+                    state->T);
 }

@@ -4,7 +4,9 @@
 
 #include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -238,6 +240,17 @@ static ovr_status check_format(const ovr_result *r, ovr_error *err)
     return OVR_OK;
 }
 
+/* A journal with something in it lies beside the file. */
+static bool was_cut(const char *path)
+{
+    char journal[4096];
+    struct stat about;
+    int length = snprintf(journal, sizeof journal, "%s.journal", path);
+    return length > 0 && length < (int)sizeof journal &&
+           stat(journal, &about) == 0 && about.st_size > 0;
+}
+
+/* OVR_IO: trying again may help, when the file is being written. */
 ovr_status ovr_reader_file(ovr_result *r, ovr_error *err)
 {
     hid_t access_list;
@@ -248,12 +261,15 @@ ovr_status ovr_reader_file(ovr_result *r, ovr_error *err)
     ovr_h5_drop(access_list);
     if (r->file >= 0)
         return OVR_OK;
-    if (H5Fis_hdf5(r->path) > 0)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: cannot be opened: a truncated "
-                        "or damaged HDF5 file",
+    if (H5Fis_hdf5(r->path) <= 0)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: not an HDF5 file", r->path);
+    if (was_cut(r->path))
+        return ovr_fail(err, OVR_IO,
+                        "%s: its last write was cut; 'overroll "
+                        "resume' repairs it",
                         r->path);
-    return ovr_fail(err, OVR_BAD_INPUT, "%s: not an HDF5 file", r->path);
+    return ovr_fail(err, OVR_IO, "%s: a truncated or damaged HDF5 file",
+                    r->path);
 }
 
 void ovr_reader_close_file(ovr_result *r)
@@ -282,7 +298,7 @@ static ovr_status open_once(ovr_result *r, ovr_error *err)
 
 void ovr_reader_pause(int attempt)
 {
-    struct timespec wait = {0, 5000000L << attempt};
+    struct timespec wait = {0, 500000L << attempt};
     nanosleep(&wait, NULL);
 }
 
@@ -296,7 +312,9 @@ static ovr_status open_result(ovr_result *r, ovr_error *err)
         ovr_reader_close_file(r);
         status = open_once(r, err);
     }
-    return status;
+    if (status == OVR_IO && err)
+        err->status = OVR_BAD_INPUT;
+    return status == OVR_IO ? OVR_BAD_INPUT : status;
 }
 
 ovr_result *ovr_result_open(const char *path, const ovr_allocator *allocator,

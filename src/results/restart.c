@@ -330,3 +330,15 @@ ovr_status ovr_restart_load_into(const ovr_restart *r,
         return status;
     return source->visit_all(source->object, get_state, &take, err);
 }
+
+bool ovr_restart_holds(const ovr_restart *r, const char *name,
+                       const void *memory, size_t bytes)
+{
+    const size_t prefix = strlen("state ");
+    piece p;
+    for (size_t at = r->first_state; piece_at(r, at, &p); at = p.next)
+        if (p.name_length == prefix + strlen(name) &&
+            memcmp(p.name + prefix, name, strlen(name)) == 0)
+            return p.bytes == bytes && memcmp(p.content, memory, bytes) == 0;
+    return false;
+}

@@ -122,22 +122,28 @@ static bool change_pages(ovr_store *s, uint64_t at, uint64_t bytes,
     return true;
 }
 
+/* What may go to the disk at once; after a failure it is kept in memory like
+ * the rest, so that HDF5 sees a file in which every write succeeded. */
+static bool write_through(ovr_store *s, uint64_t at, size_t bytes,
+                          const unsigned char *from)
+{
+    int error = bytes ? ovr_write_all(s->fd, from, bytes, at) : 0;
+    if (!note_failure(s, error))
+        return change_pages(s, at, bytes, from);
+    if (bytes && at + bytes > s->on_disk)
+        s->on_disk = at + bytes;
+    return true;
+}
+
 bool ovr_store_write(ovr_store *s, uint64_t at, size_t bytes, const void *from)
 {
     const unsigned char *next = from;
     uint64_t guard = guarded(s);
-    uint64_t below = at < guard ? least(bytes, guard - at) : 0;
-    if (!change_pages(s, at, below, next))
-        return false;
-    if (bytes > below &&
-        !note_failure(s, ovr_write_all(s->fd, next + below,
-                                       bytes - (size_t)below, at + below)))
-        return false;
+    size_t below = at < guard ? (size_t)least(bytes, guard - at) : 0;
     if (at + bytes > s->length)
         s->length = at + bytes;
-    if (bytes > below && at + bytes > s->on_disk)
-        s->on_disk = at + bytes;
-    return true;
+    return change_pages(s, at, below, next) &&
+           write_through(s, at + below, bytes - below, next + below);
 }
 
 /* Longer at once, so that no committed end lies behind the file's; shorter
@@ -148,9 +154,8 @@ bool ovr_store_resize(ovr_store *s, uint64_t length)
     s->length = length;
     if (s->failed || to == s->on_disk)
         return true;
-    if (ftruncate(s->fd, (off_t)to) != 0)
-        return note_failure(s, errno);
-    s->on_disk = to;
+    if (note_failure(s, ftruncate(s->fd, (off_t)to) != 0 ? errno : 0))
+        s->on_disk = to;
     return true;
 }
 

@@ -18,9 +18,10 @@
  *    millisecond between is the file itself in neither state.
  * 3. A journal is used only if page 0 of the file is the one that the commit
  *    found or the one that it left; else it belongs to another file.
- * 4. After a failed write (a full disk) nothing more reaches the file; it
- *    stays as the last commit left it, and HDF5 is let believe that all is
- *    well so that it can close.
+ * 4. A failed write (a full disk) is noted and its bytes are kept in memory,
+ *    and so are all after it: HDF5, which does not survive failing writes, is
+ *    let believe that all is well until it is closed.  Nothing is committed
+ *    any more; the file stays as the last commit left it.
  * 5. The journal carries the lock (flock) that keeps a second writer out; it
  *    is removed at the end.  Readers lock nothing and are kept from nothing.
  * 6. A new file grows as OUT.h5.part and gets its name when its first commit
@@ -45,6 +46,7 @@ typedef struct ovr_store {
     bool published;  /* has its final name */
     bool repaired;   /* a cut commit was finished when it was opened */
     int failed;      /* errno of the first failure; 0: none */
+    int64_t driver;  /* HDF5's identifier for what leads here, or negative */
     uint64_t committed, length; /* bytes: promised; now (HDF5's end of file) */
     uint64_t on_disk;           /* length of the file itself */
     ovr_pages changed;
@@ -61,7 +63,8 @@ ovr_status ovr_store_create(ovr_store *store, bool force, ovr_error *err);
 /* An existing one, locked, its last commit finished if it was cut. */
 ovr_status ovr_store_open(ovr_store *store, ovr_error *err);
 
-/* Reading and writing as HDF5 sees the file; false: see store->failed. */
+/* Reading and writing as HDF5 sees the file.  A write that fails is noted in
+ * store->failed and still true; false: no memory, or a read failed. */
 bool ovr_store_read(ovr_store *store, uint64_t at, size_t bytes, void *to);
 bool ovr_store_write(ovr_store *store, uint64_t at, size_t bytes,
                      const void *from);

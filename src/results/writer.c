@@ -206,8 +206,9 @@ ovr_status ovr_writer_checkpoint(ovr_writer *w, bool sync, ovr_error *err)
                         .case_path = o->case_path,
                         .value_count = o->value_count,
                         .values = o->values,
-                        .source = w->source,
                         .sync = sync};
+    if (w->last_step >= 0) /* else the run has not begun */
+        c.source = w->source;
     c.counts = (ovr_counts){.step = w->last_step,
                             .snapshots = (int64_t)w->file.snapshots,
                             .steps = (int64_t)w->file.steps,

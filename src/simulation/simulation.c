@@ -83,6 +83,10 @@ ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
         ovr_simulation_free(sim);
         return NULL;
     }
+    /* the grid is known before anything is solved */
+    sim->state.n = sim->finest->n;
+    sim->state.D = sim->finest->D;
+    sim->state.X = sim->X;
     return sim;
 }
 

@@ -167,8 +167,16 @@ static ovr_status drop_outliers(ovr_profile *p, const ovr_conditioning *how,
 
 /* ------------------------------------------------------- level and filter */
 
-static void level(ovr_profile *p, const ovr_conditioning *how, size_t n,
-                  double *work)
+static double largest(size_t n, const double *z)
+{
+    double most = 0;
+    for (size_t i = 0; i < n; i++)
+        most = fmax(most, fabs(z[i]));
+    return most;
+}
+
+static void take_form(ovr_profile *p, const ovr_conditioning *how, size_t n,
+                      double *work)
 {
     static const char *const names[] = {"", "mean", "line", "polynomial"};
     int degree = how->level == OVR_LEVEL_MEAN   ? 0
@@ -184,6 +192,16 @@ static void level(ovr_profile *p, const ovr_conditioning *how, size_t n,
     ovr_level(n, p->x, p->z, degree, work);
     ovr_profile_note(p, "levelled: %s of degree %d subtracted",
                      names[how->level], degree);
+}
+
+/* What rounding leaves of a straight line is no roughness. */
+static void level(ovr_profile *p, const ovr_conditioning *how, size_t n,
+                  double *work)
+{
+    double before = largest(n, p->z);
+    take_form(p, how, n, work);
+    if (largest(n, p->z) < 1e-14 * before)
+        memset(p->z, 0, n * sizeof *p->z);
 }
 
 static ovr_status filter(ovr_profile *p, const ovr_conditioning *how, size_t n,

@@ -95,10 +95,12 @@ static ovr_status fit(ovr_feature *f, const ovr_feature_form *form,
 {
     ovr_table *table = ovr_arena_take(arena, 1, sizeof *table, err);
     const ovr_conditioning *how = &form->conditioning;
-    ovr_ends ends = {how->taper, how->extend, !isnan(form->origin)};
+    bool random = form->shape == OVR_ROUGHNESS;
+    ovr_ends ends = {how->taper, how->extend, !isnan(form->origin), random};
     double lost = 0;
-    ovr_status status = table ? ovr_profile_condition(p, how, err)
-                              : OVR_NO_MEMORY;
+    ovr_status status = table ? OVR_OK : OVR_NO_MEMORY;
+    if (!status && !random) /* roughness is as it was asked for */
+        status = ovr_profile_condition(p, how, err);
     if (!status)
         status = ovr_resample(p->view.n, p->x, p->z, mesh, &ends, table, arena,
                               &lost, err);

@@ -175,8 +175,9 @@ static ovr_status find_unit(table *t, char axis, const char *asked, int column,
                            axis, axis, axis);
     *metres = said->metres;
     *scaled = said->scaled;
-    ovr_profile_note(p, "%c in units of %g %s (header: \"%s\")", axis, *metres,
-                     *scaled ? own : "m", ovr_quote(said->from).text);
+    ovr_profile_note(p, "%c in %s (header: \"%s\")", axis,
+                     *scaled ? own : ovr_length_unit_name(*metres),
+                     ovr_quote(said->from).text);
     return OVR_OK;
 }
 
@@ -303,20 +304,28 @@ static void turn_round(table *t, size_t n)
     ovr_profile_note(p, "x runs backwards in the file: turned round");
 }
 
-/* Equal neighbours in x come from rounding.  When all x lie within half a
- * rounding step of equal distances they are given those; else points of the
- * same x are averaged. */
-static bool regular_but_rounded(const ovr_profile *p, size_t n, double *step)
+/* Equal neighbours in x come from rounding.  When all x lie within a rounding
+ * step's half (and a little) of a straight line they are put on it; else
+ * points of the same x are averaged. */
+static bool regular_but_rounded(const ovr_profile *p, size_t n, double *first,
+                                double *step)
 {
-    double quantum = INFINITY, d = (p->x[n - 1] - p->x[0]) / (double)(n - 1);
-    for (size_t i = 1; i < n; i++)
-        if (p->x[i] > p->x[i - 1])
+    double quantum = INFINITY, middle = (double)(n - 1) / 2;
+    double mean = 0, sum = 0, squares = 0;
+    for (size_t i = 0; i < n; i++) {
+        double t = (double)i - middle;
+        mean += (p->x[i] - p->x[0]) / (double)n;
+        sum += t * (p->x[i] - p->x[0]);
+        squares += t * t;
+        if (i && p->x[i] > p->x[i - 1])
             quantum = fmin(quantum, p->x[i] - p->x[i - 1]);
+    }
+    *step = sum / squares;
+    *first = p->x[0] + mean - *step * middle;
     for (size_t i = 0; i < n; i++)
-        if (fabs(p->x[i] - p->x[0] - (double)i * d) > 0.51 * quantum + 1e-9 * d)
+        if (!(fabs(p->x[i] - *first - (double)i * *step) <= 0.6 * quantum))
             return false;
-    *step = d;
-    return d > 0;
+    return *step > 0;
 }
 
 static size_t average_repeats(ovr_profile *p, size_t n)
@@ -338,7 +347,7 @@ static ovr_status put_in_order(table *t, size_t *n, ovr_error *err)
     ovr_profile *p = t->profile;
     bool backwards = *n > 1 && p->x[*n - 1] < p->x[0];
     size_t repeats = 0, m;
-    double step;
+    double first, step;
     for (size_t i = 1; i < *n; i++) {
         double d = backwards ? p->x[i - 1] - p->x[i] : p->x[i] - p->x[i - 1];
         repeats += d == 0;
@@ -351,8 +360,8 @@ static ovr_status put_in_order(table *t, size_t *n, ovr_error *err)
         turn_round(t, *n);
     if (!repeats)
         return OVR_OK;
-    if (regular_but_rounded(p, *n, &step)) {
-        ovr_profile_regular(p, *n, p->x[0], step);
+    if (regular_but_rounded(p, *n, &first, &step)) {
+        ovr_profile_regular(p, *n, first, step);
         ovr_profile_note(p,
                          "x repeats %zu times from rounding: taken at equal "
                          "distances",
@@ -444,6 +453,6 @@ ovr_status ovr_read_text(ovr_profile *profile, const ovr_profile_source *source,
     if (t.x >= 0)
         ovr_profile_note(profile, "column %d is x, column %d is z, of %zu%s",
                          t.x + 1, t.z + 1, t.header.columns,
-                         t.layout.comma ? "; a comma is a decimal point" : "");
+                         t.layout.comma ? "; commas are decimal points" : "");
     return make_points(&t, err);
 }

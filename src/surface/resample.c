@@ -36,6 +36,7 @@ typedef struct series {
     double d;        /* distance of two samples */
     const double *z; /* heights */
     double fc, reach;
+    bool closed;
 } series;
 
 /* --------------------------------------------------------------- 1. equal */
@@ -67,11 +68,13 @@ static ovr_status make_equal(size_t n, const double *x, const double *z,
 
 /* ---------------------------------------------------------------- 2. sinc */
 
-/* z_j for any j: turned about the end points, again and again. */
+/* z_j for any j: turned about the end points, again and again, or periodic. */
 static double sample(const series *s, ptrdiff_t j)
 {
     ptrdiff_t last = (ptrdiff_t)s->n - 1;
     double add = 0, sign = 1;
+    if (s->closed)
+        return s->z[(j % last + last) % last];
     while (j < 0 || j > last) {
         double end = j < 0 ? s->z[0] : s->z[last];
         add += sign * 2 * end;
@@ -172,6 +175,9 @@ static ovr_status tabulate(const series *s, const ovr_ends *ends, double mesh,
     size_t m;
     if (status)
         return status;
+    table->fade = taper;
+    if (ends->extend == OVR_EXTEND_PERIODIC && ends->closed)
+        taper = 0;
     span = ends->extend == OVR_EXTEND_PERIODIC ? length - taper : length;
     entries = ceil(4 * span / fmax(s->d, mesh));
     if (!(entries < OVR_POINTS_MAX / 2.0))
@@ -184,7 +190,6 @@ static ovr_status tabulate(const series *s, const ovr_ends *ends, double mesh,
     table->h = span / (double)m;
     table->endless = ends->extend != OVR_EXTEND_NONE;
     table->both = ends->both && table->endless;
-    table->fade = taper;
     table->z = ovr_arena_take(arena, table->n, sizeof *table->z, err);
     if (!table->z)
         return OVR_NO_MEMORY;
@@ -205,6 +210,7 @@ ovr_status ovr_resample(size_t n, const double *x, const double *z, double mesh,
     series s = {0};
     ovr_status status = make_equal(n, x, z, &s, &scratch, err);
     if (!status) {
+        s.closed = ends->closed;
         choose_band(&s, mesh);
         *lost = part_lost(&s);
         status = tabulate(&s, ends, mesh, table, arena, err);

@@ -10,7 +10,8 @@
 typedef struct ovr_ends {
     double taper; /* blended over this at each end; NAN: 5 % of the length */
     ovr_extension extend;
-    bool both; /* endless ahead of the leading end too */
+    bool both;   /* endless ahead of the leading end too */
+    bool closed; /* its last point is its first: periodic without blending */
 } ovr_ends;
 
 /* Fills the table from n points, without what a grid of mesh D cannot carry

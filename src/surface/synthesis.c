@@ -35,6 +35,7 @@ typedef struct random_surface {
     size_t n, waves;
     double *z, *size; /* heights, amplitude of each wave */
     double *target;   /* sorted heights wanted */
+    double *normal;   /* quantiles */
     size_t *rank;
 } random_surface;
 
@@ -93,7 +94,7 @@ static void moments_of(random_surface *s, double c, double d, double *skewness,
                        double *kurtosis)
 {
     for (size_t i = 0; i < s->n; i++) {
-        double q = gsl_cdf_ugaussian_Pinv(((double)i + 0.5) / (double)s->n);
+        double q = s->normal[i];
         s->target[i] = q + c * (q * q - 1) + d * q * q * q;
     }
     standardize(s->n, s->target, skewness, kurtosis);
@@ -104,6 +105,8 @@ static bool find_target(random_surface *s, double skewness, double kurtosis)
 {
     const double e = 1e-6;
     double c = 0, d = 0, s0, k0, s1, k1, s2, k2;
+    for (size_t i = 0; i < s->n; i++)
+        s->normal[i] = gsl_cdf_ugaussian_Pinv(((double)i + 0.5) / (double)s->n);
     for (int turn = 0; turn < 100; turn++) {
         double det, dc, dd, size;
         moments_of(s, c + e, d, &s1, &k1);
@@ -221,8 +224,10 @@ static ovr_status make_room(random_surface *s, ovr_arena *arena, ovr_error *err)
     s->z = ovr_arena_take(arena, s->n, sizeof(double), err);
     s->size = ovr_arena_take(arena, s->n, sizeof(double), err);
     s->target = ovr_arena_take(arena, s->n, sizeof(double), err);
+    s->normal = ovr_arena_take(arena, s->n, sizeof(double), err);
     s->rank = ovr_arena_take(arena, s->n, sizeof(size_t), err);
-    return s->z && s->size && s->target && s->rank ? OVR_OK : OVR_NO_MEMORY;
+    return s->z && s->size && s->target && s->normal && s->rank ? OVR_OK
+                                                                : OVR_NO_MEMORY;
 }
 
 /* One period and its first point again. */

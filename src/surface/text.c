@@ -281,6 +281,14 @@ double ovr_length_unit(ovr_line piece, bool bracketed)
     return 0;
 }
 
+const char *ovr_length_unit_name(double metres)
+{
+    for (size_t k = 0; k < sizeof units / sizeof units[0]; k++)
+        if (units[k].metres == metres)
+            return units[k].name;
+    return "?";
+}
+
 ovr_quoted ovr_quote(ovr_line piece)
 {
     ovr_quoted quoted;

@@ -49,6 +49,9 @@ bool ovr_is_missing(ovr_line piece);
  * `bracketed` lets in what is otherwise a word ("in"). */
 double ovr_length_unit(ovr_line piece, bool bracketed);
 
+/* The first unit of that size, "?" for none. */
+const char *ovr_length_unit_name(double metres);
+
 /* A piece fit for a message: printable ASCII, shortened, NUL-ended. */
 typedef struct ovr_quoted {
     char text[48];

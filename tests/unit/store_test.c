@@ -194,6 +194,7 @@ static void keeps_a_second_writer_out(void **state)
     assert_int_equal(ovr_store_open(&other, &err), OVR_BAD_INPUT);
     CHECK_ERROR(&err, OVR_BAD_INPUT, "another process is writing it");
     ovr_store_close(&other);
+    ovr_arena_release(&other_arena);
     prepare(&other, &other_arena, path);
     assert_int_equal(ovr_store_create(&other, true, &err), OVR_BAD_INPUT);
     CHECK_ERROR(&err, OVR_BAD_INPUT, "another process is writing it");

@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A case: the text that describes a run, read from a file and single
+ * settings, and what it resolves to.
+ *
+ *     ovr_case *c = ovr_case_read("dent.ini", NULL, &err);
+ *     ovr_case_set(c, "domain.level", "9", "--level", &err);
+ *     ovr_setup *setup = ovr_case_resolve(c, NULL, &err);
+ *     ovr_simulation *sim = ovr_setup_simulation(setup, NULL, &err);
+ *     ovr_simulation_steady(sim, &err);
+ *     ovr_march march = setup->march;  march.observe = ...;
+ *     ovr_simulation_march(sim, &march, &err);
+ *     ovr_simulation_free(sim), ovr_setup_free(setup), ovr_case_free(c);
+ *
+ * What may stand in a case is one table; it is listed by ovr_parameter_at and
+ * described in overroll-case(5).
+ */
+#ifndef OVERROLL_CASE_H
+#define OVERROLL_CASE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "overroll/contact.h"
+#include "overroll/error.h"
+#include "overroll/memory.h"
+#include "overroll/simulation.h"
+#include "overroll/surface.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ------------------------------------------------------------- the table */
+
+/* One parameter as people see it. */
+typedef struct ovr_parameter_info {
+    const char *section, *key;
+    const char *type;    /* "number", "whole number", "choice", ... */
+    const char *units;   /* allowed units, "" for none */
+    const char *bare;    /* what a number without a unit is in: "b", "b^2/R",
+                            "b/um"; "" when there is no such thing */
+    const char *initial; /* default as in a case file, or NULL */
+    double least, most;  /* allowed, in SI or bare; NAN: not a number */
+    bool above;          /* `least` itself is not allowed */
+    const char *choices[16]; /* words allowed, ends with NULL */
+    bool physics;            /* another value is another solution */
+    const char *help;
+} ovr_parameter_info;
+
+OVR_API size_t ovr_parameter_count(void);
+OVR_API ovr_parameter_info ovr_parameter_at(size_t k);
+
+/* Sections in order: name and a line of help; NULL behind the last. */
+OVR_API const char *ovr_section_name(size_t k);
+OVR_API const char *ovr_section_help(size_t k);
+
+/* --------------------------------------------------------------- the case */
+
+typedef struct ovr_case ovr_case;
+
+/* A case in which nothing is given yet. */
+OVR_API ovr_case *ovr_case_create(const ovr_allocator *allocator,
+                                  ovr_error *err);
+
+/* From a file; relative paths inside it start at its directory. */
+OVR_API ovr_case *ovr_case_read(const char *path,
+                                const ovr_allocator *allocator, ovr_error *err);
+
+/* From text; `name` stands in messages, relative paths start at `directory`
+ * (NULL: the working directory). */
+OVR_API ovr_case *ovr_case_read_text(const char *text, const char *name,
+                                     const char *directory,
+                                     const ovr_allocator *allocator,
+                                     ovr_error *err);
+OVR_API void ovr_case_free(ovr_case *c);
+
+/* One setting, `where` = "section.key" ("feature dent.depth" or
+ * "feature.dent.depth"), through the same code as the file; the last one
+ * counts.  `origin` stands in messages in place of file and line. */
+OVR_API ovr_status ovr_case_set(ovr_case *c, const char *where,
+                                const char *value, const char *origin,
+                                ovr_error *err);
+
+/* The same from "section.key=value". */
+OVR_API ovr_status ovr_case_assign(ovr_case *c, const char *assignment,
+                                   const char *origin, ovr_error *err);
+
+/* Takes a setting back, to its default; unknown ones are left in peace. */
+OVR_API void ovr_case_unset(ovr_case *c, const char *where);
+
+/* The text of the case with later settings worked in; reading it in the same
+ * directory gives this case again.  Owned by the case. */
+OVR_API const char *ovr_case_text(ovr_case *c, ovr_error *err);
+OVR_API const char *ovr_case_name(const ovr_case *c);
+OVR_API const char *ovr_case_directory(const ovr_case *c);
+
+/* Every parameter of every section present, in the order of the table. */
+typedef struct ovr_case_entry {
+    const char *section; /* "contact", "feature" */
+    const char *name;    /* of a feature, else NULL */
+    const char *key;
+    const char *text; /* as given, else the default, else NULL */
+    bool given;       /* by the file or a setting */
+    const char *file; /* or origin; NULL when not given */
+    long line;        /* 0: no line */
+    double number;    /* SI, or bare; NAN: no number */
+    const char *unit; /* SI unit of the number when it is physical */
+    size_t parameter; /* its row in the table */
+} ovr_case_entry;
+OVR_API size_t ovr_case_entries(const ovr_case *c);
+OVR_API ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k);
+
+/* ---------------------------------------------------- what it resolves to */
+
+typedef struct ovr_list {
+    size_t count;
+    const double *values;
+} ovr_list;
+
+/* What is to be stored; all times in b/um, lengths in b. */
+typedef struct ovr_output {
+    const char *file;    /* relative to the working directory; or NULL */
+    const char *title;   /* or NULL */
+    long every;          /* steps; 0: not by steps */
+    double interval;     /* 0: not by time */
+    ovr_list at;         /* given times */
+    ovr_list feature_at; /* X at which features' centres are stored */
+    unsigned fields;     /* bits in the order of the parameter's choices */
+    bool single;         /* f32 */
+    double from, to;     /* window in X; NAN: the whole domain */
+    int stride;
+    int compression;
+    double checkpoint; /* s of wall-clock time */
+} ovr_output;
+
+/* All that a case describes, ready to be run. */
+typedef struct ovr_setup {
+    ovr_contact contact;
+    ovr_lubricant lubricant;
+    ovr_options options;
+    ovr_history *load, *speed; /* NULL: constant */
+    bool transient;            /* has an end of time */
+    ovr_march march;           /* without observer */
+    ovr_output output;
+    size_t features;
+    const ovr_feature_form *feature;
+    size_t nodes;           /* the three below by ovr_setup_prepare */
+    double mesh;            /* D */
+    ovr_surfaces *surfaces; /* NULL: smooth */
+} ovr_setup;
+
+/* Fails with OVR_BAD_INPUT naming file, line and key; nothing of the size of
+ * the grid is allocated. */
+OVR_API ovr_setup *ovr_case_resolve(const ovr_case *c,
+                                    const ovr_allocator *allocator,
+                                    ovr_error *err);
+OVR_API void ovr_setup_free(ovr_setup *setup);
+
+/* Resolves automatic options, compares the memory needed with what the
+ * machine has, reads the features' files; fails with OVR_BAD_INPUT.  Still
+ * nothing of the size of the grid is allocated. */
+OVR_API ovr_status ovr_setup_prepare(ovr_setup *setup,
+                                     const ovr_allocator *allocator,
+                                     ovr_error *err);
+
+/* The simulation with surfaces and histories in place, which the setup keeps:
+ * setup and case must live as long.  Prepares what is not prepared. */
+OVR_API ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
+                                             const ovr_allocator *allocator,
+                                             ovr_error *err);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

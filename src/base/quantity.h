@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Numbers with units, as people write them: "22 1/GPa", "40 mPa.s", "1.2 um".
+ *
+ * The whole text must be understood: a number in decimal notation with a
+ * point (whatever the locale), then a unit of the dimension wanted or none.
+ * NaN, infinities, hexadecimal, and numbers beyond the range of double are
+ * refused.
+ */
+#ifndef OVR_BASE_QUANTITY_H
+#define OVR_BASE_QUANTITY_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "overroll/error.h"
+
+typedef enum ovr_dimension {
+    OVR_PURE, /* no unit */
+    OVR_LENGTH,
+    OVR_PRESSURE,
+    OVR_PER_PRESSURE,
+    OVR_DYNAMIC_VISCOSITY,
+    OVR_LINE_LOAD,
+    OVR_SPEED,
+    OVR_DURATION
+} ovr_dimension;
+
+typedef struct ovr_quantity {
+    double value;     /* SI, or as written when there is no unit */
+    const char *unit; /* as in the table of units; NULL: none */
+} ovr_quantity;
+
+/* Reads a number at *text and moves *text behind it; false when there is
+ * none or it is out of range. */
+bool ovr_read_number(const char **text, double *value);
+
+/* Reads a whole text; `bare`: the unit may be missing.  The message says what
+ * is wrong with the text and what would be right. */
+ovr_status ovr_quantity_read(const char *text, ovr_dimension dimension,
+                             bool bare, ovr_quantity *quantity, ovr_error *err);
+
+/* SI value of 1 `unit`, if it is one of the dimension; else NAN. */
+double ovr_unit_value(const char *unit, ovr_dimension dimension);
+
+/* "Pa.s, mPa.s, cP", and the SI unit alone; "" for a pure number. */
+const char *ovr_units_allowed(ovr_dimension dimension);
+const char *ovr_unit_si(ovr_dimension dimension);
+
+#endif

@@ -1,0 +1,263 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* overroll check CASE: what a case means, nothing solved. */
+#include <math.h>
+#include <string.h>
+
+#include "cli/case_args.h"
+#include "cli/report.h"
+
+/* Measured at level 8 on one core: time of a node in a cycle, and cycles of a
+ * step. */
+static const double SECONDS_A_NODE = 2e-7, CYCLES_A_STEP = 3;
+static const double CYCLES_STEADY = 12;
+
+typedef struct estimate {
+    double nodes, mesh, steps, seconds, bytes;
+} estimate;
+
+static estimate estimate_cost(const ovr_setup *setup)
+{
+    const ovr_march *march = &setup->march;
+    double dT = march->dT > 0 ? march->dT : setup->mesh;
+    estimate cost = {0};
+    cost.nodes = (double)setup->nodes;
+    cost.mesh = setup->mesh;
+    cost.bytes = ovr_simulation_memory(&setup->options);
+    if (setup->transient)
+        cost.steps = ceil(march->end / dT);
+    cost.seconds = cost.nodes * SECONDS_A_NODE *
+                   (2 * CYCLES_STEADY + cost.steps * CYCLES_A_STEP);
+    return cost;
+}
+
+/* ------------------------------------------------------------------ table */
+
+static void put_header(const ovr_case_entry *entry)
+{
+    if (entry->name)
+        printf("\n[%s %s]\n", entry->section, entry->name);
+    else
+        printf("\n[%s]\n", entry->section);
+}
+
+static bool has_nodes(const ovr_case *c)
+{
+    for (size_t k = 0; k < ovr_case_entries(c); k++) {
+        ovr_case_entry entry = ovr_case_entry_at(c, k);
+        if (!strcmp(entry.key, "nodes"))
+            return entry.given;
+    }
+    return false;
+}
+
+/* The default level does not count beside nodes. */
+static bool is_shown(const ovr_case *c, const ovr_case_entry *entry)
+{
+    if (!entry->text)
+        return false;
+    return entry->given || strcmp(entry->section, "domain") != 0 ||
+           strcmp(entry->key, "level") != 0 || !has_nodes(c);
+}
+
+/* The whole case: reading what is printed gives the same case. */
+static void put_parameters(const ovr_case *c)
+{
+    const char *section = "", *name = NULL;
+    for (size_t k = 0; k < ovr_case_entries(c); k++) {
+        ovr_case_entry entry = ovr_case_entry_at(c, k);
+        if (!is_shown(c, &entry))
+            continue;
+        if (strcmp(section, entry.section) != 0 || name != entry.name)
+            put_header(&entry);
+        section = entry.section;
+        name = entry.name;
+        printf("%s = %s%s\n", entry.key, entry.text,
+               entry.given ? "" : "    # default");
+    }
+}
+
+static void put_scale(const char *name, double value, double unit,
+                      const char *symbol)
+{
+    if (isfinite(value))
+        printf("# %-28s %.6g %s\n", name, value / unit, symbol);
+}
+
+static void put_contact(const ovr_contact *contact)
+{
+    put_scale("M", contact->M, 1, "");
+    put_scale("L", contact->L, 1, "");
+    put_scale("lambda", contact->lambda, 1, "");
+    put_scale("alphabar", contact->alphabar, 1, "");
+    put_scale("u1/um", contact->u1_ratio, 1, "");
+    put_scale("u2/um", contact->u2_ratio, 1, "");
+    put_scale("Hertzian pressure ph", contact->ph, 1e9, "GPa");
+    put_scale("half width b", contact->b, 1e-6, "um");
+    put_scale("film scale b^2/R", contact->height, 1e-6, "um");
+    put_scale("time scale b/um", contact->time, 1e-6, "us");
+    put_scale("load", contact->load, 1e3, "kN/m");
+    put_scale("mean speed um", contact->um, 1, "m/s");
+}
+
+static void put_film(const char *name, double H, const ovr_contact *contact)
+{
+    printf("# %-28s H = %.5g", name, H);
+    if (isfinite(contact->height))
+        printf(" (%.4g um)", H * contact->height * 1e6);
+    putchar('\n');
+}
+
+static void put_films(const ovr_contact *contact)
+{
+    ovr_film_asymptotes film = ovr_film_asymptotes_moes(contact->M, contact->L);
+    put_film("central film (Moes)",
+             ovr_film_central_moes(contact->M, contact->L), contact);
+    put_film("  rigid, isoviscous", film.rigid_iso, contact);
+    put_film("  elastic, isoviscous", film.elastic_iso, contact);
+    put_film("  rigid, piezoviscous", film.rigid_piezo, contact);
+    put_film("  elastic, piezoviscous", film.elastic_piezo, contact);
+}
+
+static void put_lubricant(const ovr_lubricant *lubricant)
+{
+    if (lubricant->viscosity_law == OVR_ROELANDS)
+        printf("# %-28s z = %.6g, p0/ph = %.6g\n", "Roelands", lubricant->z,
+               lubricant->P0);
+}
+
+static void put_features(const ovr_setup *setup)
+{
+    size_t n = setup->surfaces ? ovr_surfaces_count(setup->surfaces) : 0;
+    for (size_t k = 0; k < n; k++) {
+        ovr_feature_info info = ovr_surfaces_info(setup->surfaces, k);
+        printf("# feature %s: %s on surface %d, moves at %.4g um, height "
+               "%.4g, shortest wavelength %.4g\n",
+               info.name, ovr_shape_name((int)info.shape), info.surface,
+               info.speed, info.amplitude, info.wavelength);
+        for (const char *s = info.assumed; s && *s;) {
+            size_t length = strcspn(s, "\n");
+            printf("#   %.*s\n", (int)length, s);
+            s += length + (s[length] == '\n');
+        }
+    }
+}
+
+static void put_cost(const estimate *cost)
+{
+    printf("# %-28s %.0f nodes, mesh D = %.6g\n", "grid", cost->nodes,
+           cost->mesh);
+    if (cost->steps > 0)
+        printf("# %-28s %.0f\n", "steps", cost->steps);
+    printf("# %-28s about %.2g s and %.3g MB of memory\n", "cost",
+           cost->seconds, cost->bytes / 1e6);
+}
+
+/* ------------------------------------------------------------------- JSON */
+
+static void json_parameters(json_writer *json, const ovr_case *c)
+{
+    json_open_array(json, "parameters");
+    for (size_t k = 0; k < ovr_case_entries(c); k++) {
+        ovr_case_entry entry = ovr_case_entry_at(c, k);
+        if (!entry.text)
+            continue;
+        json_open(json, NULL);
+        json_text(json, "section", entry.section);
+        if (entry.name)
+            json_text(json, "name", entry.name);
+        json_text(json, "key", entry.key);
+        json_text(json, "text", entry.text);
+        json_number(json, "value", entry.number);
+        json_text(json, "unit", entry.unit);
+        json_flag(json, "given", entry.given);
+        json_close(json);
+    }
+    json_close_array(json);
+}
+
+static void report_json(const ovr_case *c, const ovr_setup *setup,
+                        const cli_summary *summary, const estimate *cost)
+{
+    const ovr_contact *contact = &setup->contact;
+    const ovr_options *options = &setup->options;
+    ovr_film_asymptotes film = ovr_film_asymptotes_moes(contact->M, contact->L);
+    json_writer json = json_begin(stdout);
+    cli_json_contact(&json, contact);
+    json_number(&json, "u1_ratio", contact->u1_ratio);
+    json_number(&json, "u2_ratio", contact->u2_ratio);
+    json_number(&json, "H_cen_moes",
+                ovr_film_central_moes(contact->M, contact->L));
+    json_number(&json, "H_rigid_isoviscous", film.rigid_iso);
+    json_number(&json, "H_elastic_isoviscous", film.elastic_iso);
+    json_number(&json, "H_rigid_piezoviscous", film.rigid_piezo);
+    json_number(&json, "H_elastic_piezoviscous", film.elastic_piezo);
+    json_integer(&json, "level", options->level);
+    json_number(&json, "nodes", cost->nodes);
+    json_number(&json, "mesh", cost->mesh);
+    json_number(&json, "inlet", options->inlet);
+    json_number(&json, "outlet", options->outlet);
+    json_text(&json, "scheme", cli_scheme_name(options->scheme));
+    json_text(&json, "smoother", cli_smoother_name(options->smoother));
+    json_flag(&json, "transient", setup->transient);
+    json_number(&json, "steps", cost->steps);
+    json_number(&json, "memory_bytes", cost->bytes);
+    json_number(&json, "estimated_seconds", cost->seconds);
+    json_open_array(&json, "warnings");
+    for (int i = 0; i < summary->warnings; i++)
+        json_text(&json, NULL, summary->warning[i]);
+    json_close_array(&json);
+    json_parameters(&json, c);
+    json_end(&json);
+}
+
+static void report(const cli_call *call, const ovr_case *c,
+                   const ovr_setup *setup, const cli_summary *summary)
+{
+    estimate cost = estimate_cost(setup);
+    if (call->json) {
+        report_json(c, setup, summary, &cost);
+        return;
+    }
+    put_contact(&setup->contact);
+    put_films(&setup->contact);
+    put_lubricant(&setup->lubricant);
+    put_features(setup);
+    put_cost(&cost);
+    put_parameters(c);
+}
+
+static int run(cli_call *call)
+{
+    int code;
+    ovr_case *c = cli_open_case(call, &code);
+    ovr_setup *setup;
+    ovr_error err = {0};
+    if (!c)
+        return code;
+    setup = ovr_case_resolve(c, NULL, &err);
+    if (setup && !ovr_setup_prepare(setup, NULL, &err)) {
+        cli_summary summary = {.setup = setup, .run = setup->transient};
+        cli_warn_before(call, &summary);
+        report(call, c, setup, &summary);
+    } else {
+        code = cli_fail(&err);
+    }
+    ovr_setup_free(setup);
+    ovr_case_free(c);
+    return code;
+}
+
+static const cli_option options[] = {CLI_CASE_OPTIONS, {0}};
+
+const cli_verb cli_check = {
+    .name = "check",
+    .arguments = "[CASE]",
+    .summary = "print what a case means; solve nothing",
+    .help = "Prints the contact's numbers, film formulas and cost as comments "
+            "and every\nparameter with its value; what is printed is itself a "
+            "case.",
+    .options = options,
+    .least = 0,
+    .most = 1,
+    .run = run,
+};

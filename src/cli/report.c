@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/report.h"
+
+#include <math.h>
+#include <stdarg.h>
+
+const char *cli_scheme_name(ovr_scheme scheme)
+{
+    switch (scheme) {
+    case OVR_UPSTREAM1: return "upstream1";
+    case OVR_UPSTREAM2: return "upstream2";
+    case OVR_CHARACTERISTIC: return "characteristic";
+    }
+    return "";
+}
+
+const char *cli_smoother_name(ovr_smoother smoother)
+{
+    switch (smoother) {
+    case OVR_LINE: return "line";
+    case OVR_HYBRID: return "hybrid";
+    case OVR_GAUSS_SEIDEL: return "gauss-seidel";
+    case OVR_DIPOLE: return "dipole";
+    }
+    return "";
+}
+
+void cli_warn(const cli_call *call, cli_summary *summary, const char *format,
+              ...)
+{
+    char *text = summary->warning[summary->warnings];
+    va_list args;
+    if (summary->warnings == 4)
+        return;
+    va_start(args, format);
+    vsnprintf(text, sizeof summary->warning[0], format, args);
+    va_end(args);
+    summary->warnings++;
+    if (call->verbosity >= 0)
+        fprintf(stderr, "overroll: warning: %s\n", text);
+}
+
+/* Second-order schemes carry a wave of eight meshes with a few per cent lost
+ * (solver-notes, section 5: 0.25 b at level 6 is 20 meshes, 3.6 %). */
+static const double MESHES_A_WAVE = 10;
+
+/* Films at the inlet above so many central films leave it fully flooded
+ * (Wolveridge, Baglin & Archard 1971, rounded up). */
+static const double FLOODED = 9;
+
+void cli_warn_before(const cli_call *call, cli_summary *summary)
+{
+    const ovr_surfaces *surfaces = summary->setup->surfaces;
+    const ovr_options *options = &summary->setup->options;
+    double D = summary->setup->mesh, wave;
+    const char *inside;
+    if (!surfaces)
+        return;
+    wave = ovr_surfaces_wavelength(surfaces);
+    if (wave < MESHES_A_WAVE * D)
+        cli_warn(call, summary,
+                 "the grid is too coarse: the shortest wavelength %.3g has "
+                 "only %.1f meshes; level %d would resolve it",
+                 wave, wave / D,
+                 options->level + (int)ceil(log2(MESHES_A_WAVE * D / wave)));
+    inside = ovr_surfaces_inside(surfaces, options->inlet, options->outlet);
+    if (inside && summary->run)
+        cli_warn(call, summary,
+                 "feature '%s' starts inside the domain, in the steady "
+                 "solution; start it left of the inlet X = %.3g, or let it "
+                 "grow",
+                 inside, options->inlet);
+}
+
+void cli_warn_after(const cli_call *call, cli_summary *summary)
+{
+    const ovr_observation *o = ovr_simulation_observation(summary->sim);
+    const ovr_state *state = ovr_simulation_state(summary->sim);
+    if (state->n && o->H_cen > 0 && state->H[0] < FLOODED * o->H_cen)
+        cli_warn(call, summary,
+                 "the inlet is numerically starved: the film at X = %.3g is "
+                 "only %.1f central films; move the inlet out",
+                 state->X[0], state->H[0] / o->H_cen);
+}
+
+/* ------------------------------------------------------------------- JSON */
+
+void cli_json_contact(json_writer *json, const ovr_contact *contact)
+{
+    json_number(json, "M", contact->M);
+    json_number(json, "L", contact->L);
+    json_number(json, "alphabar", contact->alphabar);
+    json_number(json, "lambda", contact->lambda);
+    json_number(json, "hertz_pressure_Pa", contact->ph);
+    json_number(json, "half_width_m", contact->b);
+    json_number(json, "film_scale_m", contact->height);
+    json_number(json, "time_scale_s", contact->time);
+    json_number(json, "load_N_per_m", contact->load);
+    json_number(json, "mean_speed_m_per_s", contact->um);
+}
+
+static void json_observed(json_writer *json, const ovr_observation *o,
+                          const ovr_contact *contact)
+{
+    json_number(json, "H_min", o->H_min);
+    json_number(json, "X_min", o->X_min);
+    json_number(json, "H_cen", o->H_cen);
+    json_number(json, "H0", o->H0);
+    json_number(json, "P_max", o->P_max);
+    json_number(json, "X_P_max", o->X_P_max);
+    json_number(json, "P_spike", o->P_spike);
+    json_number(json, "X_spike", o->X_spike);
+    json_number(json, "load", o->load);
+    json_number(json, "mass_flow", o->mass_flow);
+    json_number(json, "residual", o->residual);
+    json_integer(json, "cycles", o->cycles);
+    json_number(json, "H_min_located", o->H_min_located);
+    json_number(json, "X_min_located", o->X_min_located);
+    json_number(json, "P_spike_located", o->P_spike_located);
+    json_number(json, "X_spike_located", o->X_spike_located);
+    json_number(json, "P_cen", o->P_cen);
+    json_number(json, "X_cavitation", o->X_cavitation);
+    json_number(json, "mass_balance", o->mass_balance);
+    json_integer(json, "maxima", o->maxima);
+    json_number(json, "min_film_m", o->H_min * contact->height);
+    json_number(json, "central_film_m", o->H_cen * contact->height);
+    json_number(json, "max_pressure_Pa", o->P_max * contact->ph);
+}
+
+static void json_run(json_writer *json, const cli_summary *s)
+{
+    const ovr_statistics *total = ovr_simulation_statistics(s->sim);
+    json_integer(json, "steps", total->steps);
+    json_integer(json, "steps_marked", total->marked);
+    json_number(json, "T_end", ovr_simulation_state(s->sim)->T);
+    json_number(json, "H_min_overall", total->H_min);
+    json_number(json, "T_H_min", total->T_H_min);
+    json_integer(json, "cycles_total", total->cycles);
+    json_integer(json, "retries", total->retries);
+    json_integer(json, "substeps", total->substeps);
+    json_integer(json, "snapshots", (long long)s->snapshots);
+    json_text(json, "output", s->output);
+}
+
+static void report_json(const cli_summary *s)
+{
+    const ovr_options *options = ovr_simulation_options(s->sim);
+    json_writer json = json_begin(stdout);
+    json_flag(&json, "converged", s->converged);
+    cli_json_contact(&json, &s->setup->contact);
+    json_integer(&json, "nodes", (long long)ovr_simulation_state(s->sim)->n);
+    json_integer(&json, "level", options->level);
+    json_text(&json, "scheme", cli_scheme_name(options->scheme));
+    json_text(&json, "smoother", cli_smoother_name(options->smoother));
+    json_number(&json, "inlet", options->inlet);
+    json_number(&json, "outlet", options->outlet);
+    json_observed(&json, ovr_simulation_observation(s->sim),
+                  &s->setup->contact);
+    if (s->run)
+        json_run(&json, s);
+    json_number(&json, "seconds", s->seconds);
+    json_open_array(&json, "warnings");
+    for (int i = 0; i < s->warnings; i++)
+        json_text(&json, NULL, s->warning[i]);
+    json_close_array(&json);
+    json_end(&json);
+}
+
+/* ------------------------------------------------------------------ table */
+
+/* A film with its physical thickness where that is known. */
+static void put_film(const char *name, double H, const ovr_contact *contact)
+{
+    printf("%-17s %-12.6g", name, H);
+    if (isfinite(contact->height))
+        printf(" %.4g um", H * contact->height * 1e6);
+}
+
+static void put_pressure(const char *name, double P, double X,
+                         const ovr_contact *contact)
+{
+    printf("%-17s %-12.6g", name, P);
+    if (isfinite(contact->ph))
+        printf(" %.4g GPa", P * contact->ph * 1e-9);
+    printf("  at X = %.4g\n", X);
+}
+
+static void table_observed(const cli_summary *s)
+{
+    const ovr_observation *o = ovr_simulation_observation(s->sim);
+    const ovr_contact *contact = &s->setup->contact;
+    put_film("minimum film", o->H_min, contact);
+    printf("  at X = %.4g\n", o->X_min);
+    put_film("central film", o->H_cen, contact);
+    putchar('\n');
+    put_pressure("maximum pressure", o->P_max, o->X_P_max, contact);
+    if (isfinite(o->P_spike))
+        put_pressure("pressure spike", o->P_spike, o->X_spike, contact);
+    printf("%-17s %-12.6g pi/2 = 1.5708 at nominal load\n", "load", o->load);
+    printf("%-17s %-12.6g\n", "mass flow", o->mass_flow);
+    printf("%-17s %-12.3g %s in %d cycles\n", "residual", o->residual,
+           s->converged ? "converged" : "NOT CONVERGED", o->cycles);
+}
+
+static void table_run(const cli_summary *s)
+{
+    const ovr_statistics *total = ovr_simulation_statistics(s->sim);
+    printf("%-17s %-12ld %ld cycles, %ld retries, %ld marked\n", "steps",
+           total->steps, total->cycles, total->retries, total->marked);
+    put_film("smallest film", total->H_min, &s->setup->contact);
+    printf("  at T = %.4g\n", total->T_H_min);
+    if (s->output)
+        printf("%-17s %s, %zu snapshots\n", "stored in", s->output,
+               s->snapshots);
+}
+
+static void report_table(const cli_summary *s)
+{
+    const ovr_contact *contact = &s->setup->contact;
+    const ovr_options *options = ovr_simulation_options(s->sim);
+    const ovr_state *state = ovr_simulation_state(s->sim);
+    printf("M = %.6g, L = %.6g", contact->M, contact->L);
+    if (isfinite(contact->ph))
+        printf(", ph = %.4g GPa", contact->ph * 1e-9);
+    printf("; level %d (%zu nodes), %s, %s\n", options->level, state->n,
+           cli_scheme_name(options->scheme),
+           cli_smoother_name(options->smoother));
+    if (s->run)
+        printf("at T = %.6g:\n", state->T);
+    table_observed(s);
+    if (s->run)
+        table_run(s);
+    printf("%-17s %.3g s\n", "time", s->seconds);
+}
+
+void cli_report(const cli_call *call, const cli_summary *summary)
+{
+    if (call->json)
+        report_json(summary);
+    else if (call->verbosity >= 0)
+        report_table(summary);
+}

@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SIGINT and SIGTERM ask the run to stop behind its step; a second one ends
+ * the program at once. */
+#ifndef OVR_CLI_SIGNALS_H
+#define OVR_CLI_SIGNALS_H
+
+/* From now on they only ask. */
+void cli_catch_signals(void);
+
+/* The signal that asked, or 0. */
+int cli_signal(void);
+
+#endif

@@ -1,0 +1,244 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#define _XOPEN_SOURCE 700 /* realpath */
+#include "cli/store.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { NAME_ROOM = 128, TIMES_MOST = 100000 };
+
+/* ------------------------------------------------------------- can it be */
+
+static void folder_of(const char *path, char *folder, size_t room)
+{
+    const char *slash = strrchr(path, '/');
+    size_t length = slash ? (size_t)(slash - path) : 0;
+    snprintf(folder, room, "%.*s", (int)length, path);
+    if (!slash)
+        snprintf(folder, room, ".");
+    else if (slash == path)
+        snprintf(folder, room, "/");
+}
+
+bool cli_check_output(const char *path, bool force, ovr_error *err)
+{
+    char folder[4096];
+    if (!path)
+        return true;
+    folder_of(path, folder, sizeof folder);
+    if (!*path || path[strlen(path) - 1] == '/') {
+        ovr_fail(err, OVR_BAD_INPUT, "'%s' is not the name of a file", path);
+        return false;
+    }
+    if (access(path, F_OK) == 0 && !force) {
+        ovr_fail(err, OVR_BAD_INPUT, "%s: exists already; --force replaces it",
+                 path);
+        return false;
+    }
+    if (access(folder, W_OK | X_OK) != 0) {
+        ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be written: %s: %s", path,
+                 folder, strerror(errno));
+        return false;
+    }
+    return true;
+}
+
+/* ------------------------------------------------------------- attributes */
+
+static char *full_name(const ovr_case_entry *entry)
+{
+    char *name = malloc(NAME_ROOM);
+    if (name && entry->name)
+        snprintf(name, NAME_ROOM, "feature %s.%s", entry->name, entry->key);
+    else if (name)
+        snprintf(name, NAME_ROOM, "%s.%s", entry->section, entry->key);
+    return name;
+}
+
+ovr_case_value *cli_case_values(const ovr_case *c, size_t *count)
+{
+    size_t all = ovr_case_entries(c), n = 0;
+    ovr_case_value *values = calloc(all + 1, sizeof *values);
+    *count = 0;
+    for (size_t k = 0; values && k < all; k++) {
+        ovr_case_entry entry = ovr_case_entry_at(c, k);
+        ovr_parameter_info info = ovr_parameter_at(entry.parameter);
+        bool number = isfinite(info.least) && isfinite(entry.number);
+        if (!entry.text)
+            continue;
+        values[n].name = full_name(&entry);
+        values[n].text = entry.text;
+        values[n].number = number ? entry.number : NAN;
+        values[n].unit = entry.unit;
+        values[n].physics = info.physics;
+        if (!values[n++].name) {
+            cli_free_values(values, n);
+            return NULL;
+        }
+    }
+    *count = n;
+    return values;
+}
+
+void cli_free_values(ovr_case_value *values, size_t count)
+{
+    for (size_t k = 0; values && k < count; k++)
+        free((void *)values[k].name);
+    free(values);
+}
+
+/* ------------------------------------------------------------------ times */
+
+typedef struct moments {
+    size_t count;
+    double *T;
+} moments;
+
+static void add_moment(moments *m, double T)
+{
+    if (m->count < TIMES_MOST && isfinite(T))
+        m->T[m->count++] = T;
+}
+
+/* When features (and their copies) are at the X asked for. */
+static void add_arrivals(moments *m, const ovr_setup *setup, double X)
+{
+    double end = setup->march.end;
+    size_t n = setup->surfaces ? ovr_surfaces_count(setup->surfaces) : 0;
+    for (size_t k = 0; k < n; k++) {
+        double T = -1;
+        for (int copy = 0; copy < 1000; copy++) {
+            T = ovr_surfaces_arrival(setup->surfaces, k, X, T, end);
+            if (!(T <= end))
+                break;
+            add_moment(m, T);
+        }
+    }
+}
+
+static double *make_times(const ovr_setup *setup, size_t *count)
+{
+    const ovr_output *out = &setup->output;
+    moments m = {0, calloc(TIMES_MOST, sizeof *m.T)};
+    for (size_t i = 0; m.T && i < out->at.count; i++)
+        add_moment(&m, out->at.values[i]);
+    for (size_t i = 0; m.T && i < out->feature_at.count; i++)
+        add_arrivals(&m, setup, out->feature_at.values[i]);
+    *count = m.count;
+    return m.T;
+}
+
+/* ----------------------------------------------------------------- writer */
+
+static void choose(ovr_write_options *w, const ovr_setup *setup,
+                   const ovr_state *state)
+{
+    const ovr_output *out = &setup->output;
+    double dT = setup->march.dT > 0 ? setup->march.dT : state->D;
+    w->every_steps = out->every;
+    w->every_time = out->interval;
+    w->fields = out->fields;
+    w->single = out->single;
+    w->x_from = out->from;
+    w->x_to = out->to;
+    w->stride = (size_t)out->stride;
+    w->deflate = out->compression;
+    w->checkpoint_interval = out->checkpoint;
+    w->end = setup->transient ? setup->march.end : NAN;
+    if (out->title)
+        w->title = out->title;
+    if (!out->every && !(out->interval > 0) && !w->time_count)
+        w->every_steps = setup->transient
+                             ? ovr_write_every(w, w->end, dT, state->n)
+                             : 1;
+}
+
+/* What the writer is told: texts and lists that end with the case. */
+typedef struct wanted {
+    ovr_write_options options;
+    ovr_case_value *values;
+    double *times;
+    char *folder; /* of the case, absolute: resume may start elsewhere */
+} wanted;
+
+static char *absolute(const char *folder)
+{
+    return realpath(folder && *folder ? folder : ".", NULL);
+}
+
+static ovr_status want(wanted *w, ovr_case *c, const ovr_setup *setup,
+                       const ovr_state *state, const char *path, ovr_error *err)
+{
+    w->options = ovr_write_options_default();
+    w->values = cli_case_values(c, &w->options.value_count);
+    w->times = make_times(setup, &w->options.time_count);
+    w->options.path = path;
+    w->options.times = w->times;
+    w->options.values = w->values;
+    w->options.case_text = ovr_case_text(c, err);
+    w->folder = absolute(ovr_case_directory(c));
+    w->options.case_path = w->folder;
+    choose(&w->options, setup, state);
+    if (!w->values || !w->times)
+        return ovr_fail(err, OVR_NO_MEMORY, "out of memory");
+    return w->options.case_text ? OVR_OK : OVR_NO_MEMORY;
+}
+
+static void unwant(wanted *w)
+{
+    cli_free_values(w->values, w->options.value_count);
+    free(w->times);
+    free(w->folder);
+}
+
+ovr_writer *cli_open_output(ovr_case *c, const ovr_setup *setup,
+                            ovr_simulation *sim, const char *path, bool force,
+                            ovr_error *err)
+{
+    const ovr_state *state = ovr_simulation_state(sim);
+    wanted w;
+    ovr_writer *writer = NULL;
+    if (want(&w, c, setup, state, path, err) == OVR_OK) {
+        w.options.force = force;
+        writer = ovr_writer_create(&w.options, &setup->contact, state->n,
+                                   state->X, NULL, err);
+    }
+    unwant(&w);
+    if (writer)
+        ovr_writer_checkpoints(writer, sim);
+    return writer;
+}
+
+ovr_writer *cli_reopen_output(ovr_case *c, const ovr_setup *setup,
+                              ovr_simulation *sim, const char *path,
+                              const ovr_restart *restart, ovr_error *err)
+{
+    const ovr_state *state = ovr_simulation_state(sim);
+    wanted w;
+    ovr_writer *writer = NULL;
+    ovr_status status = want(&w, c, setup, state, path, err);
+    if (status == OVR_OK && restart)
+        status = ovr_restart_check(restart, w.options.value_count, w.values,
+                                   err);
+    if (status == OVR_OK && restart && ovr_restart_about(restart)->has_state)
+        status = ovr_restart_load(restart, sim, err);
+    if (status == OVR_OK)
+        writer = ovr_writer_resume(&w.options, &setup->contact, state->n,
+                                   state->X, restart, NULL, err);
+    unwant(&w);
+    if (writer)
+        ovr_writer_checkpoints(writer, sim);
+    return writer;
+}
+
+size_t cli_count_snapshots(const char *path)
+{
+    ovr_result *result = ovr_result_open(path, NULL, NULL);
+    size_t n = result ? ovr_result_about(result)->snapshots : 0;
+    if (result)
+        ovr_result_close(result);
+    return n;
+}

@@ -1,0 +1,410 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A case as a store of values; reading its file is in case_file.c, what it
+ * resolves to in resolve.c. */
+#include "simulation/case.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/suggest.h"
+
+/* ----------------------------------------------------------------- blocks */
+
+static ovr_block *add_block(ovr_case *c, const ovr_section *section,
+                            const char *name, ovr_error *err)
+{
+    ovr_block **end = &c->blocks, *block;
+    size_t n = ovr_section_size(section);
+    while (*end)
+        end = &(*end)->next;
+    block = ovr_arena_take(&c->arena, 1, sizeof *block, err);
+    if (!block)
+        return NULL;
+    block->section = section;
+    block->first = ovr_section_first(section);
+    block->count = n;
+    block->slots = ovr_arena_take(&c->arena, n, sizeof *block->slots, err);
+    block->name = name ? ovr_arena_text(&c->arena, name, err) : NULL;
+    if (!block->slots || (name && !block->name))
+        return NULL;
+    for (size_t k = 0; k < n; k++) {
+        const ovr_parameter *row = ovr_parameter_row(block->first + k);
+        block->slots[k].number = NAN;
+        if (row->initial &&
+            ovr_slot_read(row, row->initial, &c->arena, &block->slots[k], err))
+            return NULL;
+    }
+    *end = block;
+    return block;
+}
+
+const ovr_block *ovr_case_find_block(const ovr_case *c, const char *section,
+                                     const char *name)
+{
+    const ovr_block *b;
+    for (b = c->blocks; b; b = b->next)
+        if (!strcmp(b->section->name, section) &&
+            (!name || !strcmp(b->name, name)))
+            return b;
+    return NULL;
+}
+
+ovr_block *ovr_case_block(ovr_case *c, const ovr_section *section,
+                          const char *name, ovr_error *err)
+{
+    for (ovr_block *b = c->blocks; b; b = b->next)
+        if (b->section == section && (!name || !strcmp(b->name, name)))
+            return b;
+    return add_block(c, section, name, err);
+}
+
+static ovr_status no_section(const char *header, ovr_error *err)
+{
+    const char *names[16], *meant;
+    size_t n = 0, length = strcspn(header, " \t.");
+    char word[OVR_NAME_MOST + 1];
+    while (n < 16 && ovr_section_row(n)) {
+        names[n] = ovr_section_row(n)->name;
+        n++;
+    }
+    snprintf(word, sizeof word, "%.*s", (int)length, header);
+    meant = ovr_suggest(word, names, n);
+    if (meant)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "unknown section [%.*s]; did you mean [%s]?",
+                        OVR_NAME_MOST, header, meant);
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "unknown section [%.*s]; there are contact, lubricant, "
+                    "domain, solver, time, load, speed, feature NAME, output",
+                    OVR_NAME_MOST, header);
+}
+
+const ovr_section *ovr_section_parse(const char *header, const char **name,
+                                     ovr_error *err)
+{
+    const ovr_section *section;
+    size_t length = strcspn(header, " \t.");
+    char word[OVR_NAME_MOST + 1];
+    if (strlen(header) > OVR_NAME_MOST) {
+        ovr_fail(err, OVR_BAD_INPUT,
+                 "section name [%.20s...] is longer than %d characters", header,
+                 OVR_NAME_MOST);
+        return NULL;
+    }
+    memcpy(word, header, length);
+    word[length] = '\0';
+    *name = header + length + strspn(header + length, " \t.");
+    section = ovr_section_find(word);
+    if (!section || (!section->named && header[length])) {
+        no_section(header, err);
+        return NULL;
+    }
+    if (!section->named)
+        *name = NULL;
+    else if (!**name) {
+        ovr_fail(err, OVR_BAD_INPUT, "[%s] needs a name: [%s dent]", word,
+                 word);
+        return NULL;
+    }
+    return section;
+}
+
+/* ------------------------------------------------------------------ slots */
+
+static void no_key(const ovr_block *block, const char *key, ovr_error *err)
+{
+    const char *names[128], *meant;
+    const ovr_parameter *row;
+    size_t n;
+    for (n = 0; n < block->count && n < 128; n++)
+        names[n] = ovr_parameter_row(block->first + n)->key;
+    meant = ovr_suggest(key, names, n);
+    for (n = 0; (row = ovr_parameter_row(n)); n++)
+        if (!strcmp(row->key, key) && (!meant || strlen(key) > 1))
+            break;
+    if (row)
+        ovr_fail(err, OVR_BAD_INPUT,
+                 "unknown key '%.48s' in [%s]; it belongs in [%s]", key,
+                 block->section->name, row->section);
+    else if (meant)
+        ovr_fail(err, OVR_BAD_INPUT,
+                 "unknown key '%.48s' in [%s]; did you mean '%s'?", key,
+                 block->section->name, meant);
+    else
+        ovr_fail(err, OVR_BAD_INPUT,
+                 "unknown key '%.48s' in [%s]; 'overroll help %s' lists them",
+                 key, block->section->name, block->section->name);
+}
+
+ovr_slot *ovr_block_slot(const ovr_block *block, const char *key,
+                         const ovr_parameter **row, ovr_error *err)
+{
+    *row = ovr_parameter_find(block->section, key);
+    if (*row)
+        return &block->slots[*row - ovr_parameter_row(block->first)];
+    no_key(block, key, err);
+    return NULL;
+}
+
+const ovr_slot *ovr_block_get(const ovr_block *block, const char *key)
+{
+    const ovr_parameter *row = ovr_parameter_find(block->section, key);
+    return &block->slots[row - ovr_parameter_row(block->first)];
+}
+
+ovr_status ovr_fail_slot(ovr_error *err, ovr_status status,
+                         const ovr_slot *slot, const char *format, ...)
+{
+    char message[OVR_MESSAGE_SIZE - 200];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(message, sizeof message, format, args);
+    va_end(args);
+    if (!slot->file)
+        return ovr_fail(err, status, "%s", message);
+    return ovr_fail_at(err, status, slot->file, slot->line, "%s", message);
+}
+
+/* ------------------------------------------------------ making and freeing */
+
+ovr_case *ovr_case_create(const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_case *c = ovr_arena_take(&arena, 1, sizeof *c, err);
+    if (!c)
+        return NULL;
+    c->arena = arena;
+    for (size_t k = 0; ovr_section_row(k); k++) {
+        const ovr_section *section = ovr_section_row(k);
+        if (!section->named && !add_block(c, section, NULL, err)) {
+            ovr_case_free(c);
+            return NULL;
+        }
+    }
+    return c;
+}
+
+void ovr_case_free(ovr_case *c)
+{
+    if (c) {
+        ovr_arena arena = c->arena;
+        ovr_arena_release(&arena);
+    }
+}
+
+static ovr_case *read_source(ovr_case *c, const char *text, const char *name,
+                             const char *directory, ovr_error *err)
+{
+    c->name = ovr_arena_text(&c->arena, name, err);
+    c->source = ovr_arena_text(&c->arena, text, err);
+    if (directory)
+        c->directory = ovr_arena_text(&c->arena, directory, err);
+    if (c->name && c->source && (c->directory || !directory) &&
+        ovr_case_parse(c, err) == OVR_OK)
+        return c;
+    ovr_case_free(c);
+    return NULL;
+}
+
+ovr_case *ovr_case_read_text(const char *text, const char *name,
+                             const char *directory,
+                             const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_case *c = ovr_case_create(allocator, err);
+    return c ? read_source(c, text, name, directory, err) : NULL;
+}
+
+/* Reads at most `most` bytes; more, or a NUL, is an error. */
+static ovr_status read_file(const char *path, char *text, size_t most,
+                            ovr_error *err)
+{
+    FILE *file = fopen(path, "rb");
+    size_t got;
+    bool broken;
+    if (!file)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot read the case: %s",
+                        path, strerror(errno));
+    errno = 0;
+    got = fread(text, 1, most + 1, file);
+    broken = ferror(file);
+    fclose(file);
+    if (broken)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot read the case: %s",
+                        path, strerror(errno));
+    if (got > most)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: is longer than a case may be (%zu bytes)", path,
+                        most);
+    text[got] = '\0';
+    if (strlen(text) != got)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: is not a case file: it is not text", path);
+    return OVR_OK;
+}
+
+ovr_case *ovr_case_read(const char *path, const ovr_allocator *allocator,
+                        ovr_error *err)
+{
+    ovr_arena scratch = ovr_arena_make(allocator);
+    char *text = ovr_arena_take(&scratch, OVR_CASE_MOST + 2, 1, err);
+    char *folder = ovr_arena_text(&scratch, path, err);
+    ovr_case *c = NULL;
+    if (text && folder && !read_file(path, text, OVR_CASE_MOST, err)) {
+        char *slash = strrchr(folder, '/');
+        if (slash)
+            slash[slash == folder] = '\0';
+        c = ovr_case_read_text(text, path, slash ? folder : NULL, allocator,
+                               err);
+    }
+    ovr_arena_release(&scratch);
+    return c;
+}
+
+/* --------------------------------------------------------------- settings */
+
+static ovr_status where_fails(ovr_error *err, const char *origin,
+                              const ovr_error *why)
+{
+    return ovr_fail(err, why->status, "%.100s: %.800s", origin, why->message);
+}
+
+/* "section.key" taken apart at its last point. */
+static ovr_slot *find_place(ovr_case *c, const char *where,
+                            const ovr_parameter **row, ovr_error *err)
+{
+    const char *point = strrchr(where, '.'), *name;
+    const ovr_section *section;
+    ovr_block *block;
+    char header[OVR_NAME_MOST + 2];
+    if (!point || point == where || !point[1]) {
+        ovr_fail(err, OVR_BAD_INPUT,
+                 "'%.60s' must be section.key, such as contact.M", where);
+        return NULL;
+    }
+    snprintf(header, sizeof header, "%.*s", (int)(point - where), where);
+    section = ovr_section_parse(header, &name, err);
+    if (!section || !ovr_parameter_find(section, point + 1)) {
+        ovr_block unknown = {.section = section};
+        if (section) {
+            unknown.first = ovr_section_first(section);
+            unknown.count = ovr_section_size(section);
+            no_key(&unknown, point + 1, err);
+        }
+        return NULL;
+    }
+    block = ovr_case_block(c, section, name, err);
+    return block ? ovr_block_slot(block, point + 1, row, err) : NULL;
+}
+
+ovr_status ovr_case_set(ovr_case *c, const char *where, const char *value,
+                        const char *origin, ovr_error *err)
+{
+    const ovr_parameter *row;
+    ovr_error why = {0};
+    ovr_slot *slot = find_place(c, where, &row, &why), fresh;
+    long line;
+    if (!slot)
+        return where_fails(err, origin, &why);
+    if (strlen(value) > OVR_LINE_MOST - OVR_NAME_MOST)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: %s: the value is too long",
+                        origin, row->key);
+    if (value[strcspn(value, "\n\r#")])
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: %s: the value must not hold # or line ends",
+                        origin, row->key);
+    if (ovr_slot_read(row, value, &c->arena, &fresh, &why))
+        return where_fails(err, origin, &why);
+    line = slot->line;
+    fresh.given = true;
+    fresh.line = 0;
+    fresh.file = ovr_arena_text(&c->arena, origin, err);
+    if (!fresh.file)
+        return OVR_NO_MEMORY;
+    fresh.replaces = slot->replaces ? slot->replaces : line;
+    *slot = fresh;
+    return OVR_OK;
+}
+
+ovr_status ovr_case_assign(ovr_case *c, const char *assignment,
+                           const char *origin, ovr_error *err)
+{
+    const char *equals = strchr(assignment, '=');
+    char where[2 * OVR_NAME_MOST + 2], value[OVR_LINE_MOST + 1];
+    size_t length = equals ? (size_t)(equals - assignment) : 0;
+    const char *from = equals ? equals + 1 : "";
+    size_t rest = strlen(from);
+    if (!equals || length >= sizeof where || rest >= sizeof value)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: '%.60s' must be section.key=value", origin,
+                        assignment);
+    snprintf(where, sizeof where, "%.*s", (int)length, assignment);
+    while (length && (where[length - 1] == ' ' || where[length - 1] == '\t'))
+        where[--length] = '\0';
+    from += strspn(from, " \t");
+    snprintf(value, sizeof value, "%s", from);
+    rest = strlen(value);
+    while (rest && (value[rest - 1] == ' ' || value[rest - 1] == '\t'))
+        value[--rest] = '\0';
+    return ovr_case_set(c, where, value, origin, err);
+}
+
+void ovr_case_unset(ovr_case *c, const char *where)
+{
+    const ovr_parameter *row;
+    ovr_slot *slot = find_place(c, where, &row, NULL), fresh = {.number = NAN};
+    if (!slot)
+        return;
+    if (row->initial &&
+        ovr_slot_read(row, row->initial, &c->arena, &fresh, NULL))
+        return;
+    fresh.replaces = slot->replaces ? slot->replaces : slot->line;
+    *slot = fresh;
+}
+
+/* ---------------------------------------------------------------- looking */
+
+const char *ovr_case_name(const ovr_case *c)
+{
+    return c->name;
+}
+
+const char *ovr_case_directory(const ovr_case *c)
+{
+    return c->directory;
+}
+
+size_t ovr_case_entries(const ovr_case *c)
+{
+    size_t n = 0;
+    for (const ovr_block *b = c->blocks; b; b = b->next)
+        n += b->count;
+    return n;
+}
+
+ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k)
+{
+    const ovr_block *b = c->blocks;
+    ovr_case_entry entry = {0};
+    while (b && k >= b->count) {
+        k -= b->count;
+        b = b->next;
+    }
+    if (b) {
+        const ovr_slot *slot = &b->slots[k];
+        const ovr_parameter *row = ovr_parameter_row(b->first + k);
+        entry.section = b->section->name;
+        entry.name = b->name;
+        entry.key = row->key;
+        entry.text = slot->text;
+        entry.given = slot->given;
+        entry.file = slot->file;
+        entry.line = slot->line;
+        entry.number = slot->number;
+        entry.unit = slot->unit ? ovr_unit_si(row->dimension) : NULL;
+        entry.parameter = b->first + k;
+    }
+    return entry;
+}

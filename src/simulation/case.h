@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Inside a case: blocks (the sections present) of slots (one a parameter),
+ * each of which remembers its text and where it came from, so that an error
+ * found late still names file, line and key.
+ */
+#ifndef OVR_SIMULATION_CASE_H
+#define OVR_SIMULATION_CASE_H
+
+#include "base/arena.h"
+#include "overroll/case.h"
+#include "simulation/parameters.h"
+
+enum { OVR_NAME_MOST = 48, OVR_LINE_MOST = 190, OVR_CASE_MOST = 1 << 20 };
+
+typedef struct ovr_slot {
+    bool given;
+    const char *text; /* as given or the default; NULL: neither */
+    const char *file; /* or origin */
+    long line;        /* 0: not from a file */
+    long replaces;    /* line of the file that a later setting replaced */
+    double number;    /* SI or bare; of a word: what it stands for */
+    const char *unit; /* as written; NULL: bare or a word */
+    bool word;
+    ovr_list list;
+    unsigned bits;
+} ovr_slot;
+
+typedef struct ovr_block {
+    const ovr_section *section;
+    const char *name; /* of a feature; else NULL */
+    long line;        /* of its header; 0: none */
+    size_t first, count;
+    ovr_slot *slots;
+    struct ovr_block *next;
+} ovr_block;
+
+struct ovr_case {
+    ovr_arena arena;
+    const char *name;      /* in messages; NULL: no file */
+    const char *directory; /* NULL: the working directory */
+    const char *source;    /* text read, or NULL */
+    ovr_block *blocks;     /* in the order of the sections, then features */
+};
+
+/* Understands `text`; the message begins with the key. */
+ovr_status ovr_slot_read(const ovr_parameter *row, const char *text,
+                         ovr_arena *arena, ovr_slot *slot, ovr_error *err);
+
+/* Whether the number is in the row's range; the message begins with the key.
+ * `number` is SI where `unit`, else bare. */
+ovr_status ovr_range_check(const ovr_parameter *row, double number,
+                           const char *text, ovr_error *err);
+
+/* The block of a section; feature blocks by name, made when absent. */
+ovr_block *ovr_case_block(ovr_case *c, const ovr_section *section,
+                          const char *name, ovr_error *err);
+const ovr_block *ovr_case_find_block(const ovr_case *c, const char *section,
+                                     const char *name);
+
+/* The slot of a key, NULL with a message that suggests when there is none. */
+ovr_slot *ovr_block_slot(const ovr_block *block, const char *key,
+                         const ovr_parameter **row, ovr_error *err);
+
+/* Given and default value of a key that exists. */
+const ovr_slot *ovr_block_get(const ovr_block *block, const char *key);
+
+/* "[feature NAME]" taken apart: section and name (NULL for plain ones). */
+const ovr_section *ovr_section_parse(const char *header, const char **name,
+                                     ovr_error *err);
+
+/* Reads c->source. */
+ovr_status ovr_case_parse(ovr_case *c, ovr_error *err);
+
+/* Puts "file:line: " or "origin: " before a message about a slot. */
+ovr_status ovr_fail_slot(ovr_error *err, ovr_status status,
+                         const ovr_slot *slot, const char *format, ...)
+    OVR_PRINTF(4, 5);
+
+#endif

@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The text of a case with later settings worked in: a replaced line keeps its
+ * place, a new key comes right behind the header of its section, new sections
+ * come last.  So what a result file stores can be read again.
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "simulation/case.h"
+
+typedef struct growing {
+    char *text;
+    size_t length, room;
+} growing;
+
+static void put(growing *g, const char *text, size_t length)
+{
+    if (g->length + length + 1 > g->room)
+        return; /* cannot be: the room is counted before */
+    memcpy(g->text + g->length, text, length);
+    g->length += length;
+    g->text[g->length] = '\0';
+}
+
+static void put_text(growing *g, const char *text)
+{
+    put(g, text, strlen(text));
+}
+
+static bool is_later(const ovr_slot *slot)
+{
+    return slot->given && slot->line == 0;
+}
+
+static void put_setting(growing *g, const ovr_block *b, size_t k)
+{
+    put_text(g, ovr_parameter_row(b->first + k)->key);
+    put_text(g, " = ");
+    put_text(g, b->slots[k].text);
+    put_text(g, "\n");
+}
+
+/* Settings of the block that have no line of the file to replace. */
+static void put_new(growing *g, const ovr_block *b)
+{
+    for (size_t k = 0; k < b->count; k++)
+        if (is_later(&b->slots[k]) && !b->slots[k].replaces)
+            put_setting(g, b, k);
+}
+
+/* Puts what stands in place of a line that was replaced (perhaps nothing);
+ * false when the line stays. */
+static bool put_replaced(growing *g, const ovr_case *c, long line)
+{
+    for (const ovr_block *b = c->blocks; b; b = b->next)
+        for (size_t k = 0; k < b->count; k++)
+            if (b->slots[k].replaces == line) {
+                if (is_later(&b->slots[k]))
+                    put_setting(g, b, k);
+                return true;
+            }
+    return false;
+}
+
+static void put_source(growing *g, const ovr_case *c)
+{
+    const char *at = c->source;
+    for (long line = 1; *at; line++) {
+        size_t length = strcspn(at, "\n");
+        length += at[length] == '\n';
+        if (!put_replaced(g, c, line)) {
+            put(g, at, length);
+            if (at[length - 1] != '\n')
+                put_text(g, "\n");
+        }
+        for (const ovr_block *b = c->blocks; b; b = b->next)
+            if (b->line == line)
+                put_new(g, b);
+        at += length;
+    }
+}
+
+static bool has_new(const ovr_block *b)
+{
+    for (size_t k = 0; k < b->count; k++)
+        if (is_later(&b->slots[k]) && !b->slots[k].replaces)
+            return true;
+    return false;
+}
+
+static void put_new_sections(growing *g, const ovr_case *c)
+{
+    for (const ovr_block *b = c->blocks; b; b = b->next)
+        if (!b->line && has_new(b)) {
+            put_text(g, "[");
+            put_text(g, b->section->name);
+            if (b->name) {
+                put_text(g, " ");
+                put_text(g, b->name);
+            }
+            put_text(g, "]\n");
+            put_new(g, b);
+        }
+}
+
+static size_t room_needed(const ovr_case *c)
+{
+    size_t room = (c->source ? strlen(c->source) : 0) + 2;
+    for (const ovr_block *b = c->blocks; b; b = b->next) {
+        room += 2 * OVR_NAME_MOST;
+        for (size_t k = 0; k < b->count; k++)
+            if (is_later(&b->slots[k]))
+                room += OVR_NAME_MOST + strlen(b->slots[k].text) + 8;
+    }
+    return room;
+}
+
+const char *ovr_case_text(ovr_case *c, ovr_error *err)
+{
+    growing g = {NULL, 0, room_needed(c)};
+    g.text = ovr_arena_take(&c->arena, g.room, 1, err);
+    if (!g.text)
+        return NULL;
+    if (c->source)
+        put_source(&g, c);
+    put_new_sections(&g, c);
+    return g.text;
+}

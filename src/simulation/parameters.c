@@ -1,0 +1,538 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "simulation/parameters.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ------------------------------------------------------------------ words */
+
+static const ovr_word viscosity_laws[] = {{"roelands", OVR_ROELANDS},
+                                          {"barus", OVR_BARUS},
+                                          {"isoviscous", OVR_ISOVISCOUS},
+                                          {NULL, 0}};
+static const ovr_word density_laws[] = {
+    {"dowson-higginson", OVR_DOWSON_HIGGINSON},
+    {"incompressible", OVR_INCOMPRESSIBLE},
+    {NULL, 0}};
+static const ovr_word schemes[] = {{"upstream1", OVR_UPSTREAM1},
+                                   {"upstream2", OVR_UPSTREAM2},
+                                   {"characteristic", OVR_CHARACTERISTIC},
+                                   {NULL, 0}};
+static const ovr_word smoothers[] = {{"line", OVR_LINE},
+                                     {"hybrid", OVR_HYBRID},
+                                     {"gauss-seidel", OVR_GAUSS_SEIDEL},
+                                     {"dipole", OVR_DIPOLE},
+                                     {NULL, 0}};
+static const ovr_word cycles[] = {{"V", 1}, {"W", 2}, {NULL, 0}};
+static const ovr_word stops[] = {{"negligible", OVR_STOP_NEGLIGIBLE},
+                                 {"truncation", OVR_STOP_TRUNCATION},
+                                 {"fixed", OVR_STOP_FIXED},
+                                 {NULL, 0}};
+static const ovr_word auto_nan[] = {{"auto", NAN}, {NULL, 0}};
+static const ovr_word auto_zero[] = {{"auto", 0}, {NULL, 0}};
+static const ovr_word steps[] = {
+    {"grid", 0}, {"adaptive", OVR_STEP_ADAPTIVE}, {NULL, 0}};
+static const ovr_word histories[] = {
+    {"constant", OVR_HISTORY_CONSTANT}, {"ramp", OVR_HISTORY_RAMP},
+    {"sine", OVR_HISTORY_SINE},         {"step", OVR_HISTORY_STEP},
+    {"table", OVR_HISTORY_TABLE},       {NULL, 0}};
+static const ovr_word time_units[] = {
+    {"b/um", 0}, {"s", 1}, {"ms", 2}, {"us", 3}, {NULL, 0}};
+static const ovr_word precisions[] = {{"f64", 0}, {"f32", 1}, {NULL, 0}};
+static const ovr_word fields[] = {
+    {"pressure", 0},  {"film_thickness", 0}, {"roughness", 0}, {"density", 0},
+    {"viscosity", 0}, {"mass_flow", 0},      {"cavitated", 0}, {NULL, 0}};
+static const ovr_word shapes[] = {
+    {"dent", OVR_DENT},           {"bump", OVR_BUMP},
+    {"indent", OVR_INDENT},       {"ridge", OVR_RIDGE},
+    {"step", OVR_STEP},           {"groove", OVR_GROOVE},
+    {"wave", OVR_WAVE},           {"chirp", OVR_CHIRP},
+    {"texture", OVR_TEXTURE},     {"profile", OVR_PROFILE},
+    {"roughness", OVR_ROUGHNESS}, {NULL, 0}};
+static const ovr_word endless[] = {{"endless", 0}, {NULL, 0}};
+static const ovr_word levellings[] = {
+    {"none", OVR_LEVEL_NONE}, {"mean", OVR_LEVEL_MEAN},
+    {"line", OVR_LEVEL_LINE}, {"polynomial", OVR_LEVEL_POLYNOMIAL},
+    {"ends", OVR_LEVEL_ENDS}, {NULL, 0}};
+static const ovr_word extensions[] = {{"none", OVR_EXTEND_NONE},
+                                      {"periodic", OVR_EXTEND_PERIODIC},
+                                      {"mirror", OVR_EXTEND_MIRROR},
+                                      {NULL, 0}};
+static const ovr_word spectra[] = {{"self-affine", OVR_SELF_AFFINE},
+                                   {"exponential", OVR_EXPONENTIAL},
+                                   {NULL, 0}};
+
+/* ------------------------------------------------------------------ table */
+
+#define AT(field) offsetof(ovr_settings, field)
+#define IN_FORM(field) offsetof(ovr_feature_form, field)
+
+/* kind, dimension, bare unit, least, most, above, words */
+#define PLAIN(least, most)                                                     \
+    OVR_NUMBER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, NULL
+#define PLAIN_OR(words, least, most)                                           \
+    OVR_NUMBER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, words
+#define POSITIVE(most)                                                         \
+    OVR_NUMBER, OVR_PURE, OVR_NOT_HERTZIAN, 0, most, true, NULL
+#define WITH_UNIT(dimension, least, most)                                      \
+    OVR_NUMBER, dimension, OVR_NOT_HERTZIAN, least, most, false, NULL
+#define LENGTH(least, most)                                                    \
+    OVR_NUMBER, OVR_LENGTH, OVR_IN_B, least, most, false, NULL
+#define LENGTH_OR(words, least, most)                                          \
+    OVR_NUMBER, OVR_LENGTH, OVR_IN_B, least, most, false, words
+#define SIZE OVR_NUMBER, OVR_LENGTH, OVR_IN_B, 1e-6, 1e4, false, NULL
+#define HEIGHT OVR_NUMBER, OVR_LENGTH, OVR_IN_HEIGHT, 0, 1e3, false, NULL
+#define SHIFT OVR_NUMBER, OVR_LENGTH, OVR_IN_HEIGHT, -1e3, 1e3, false, NULL
+#define TIME(least, most)                                                      \
+    OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, least, most, false, NULL
+#define SPAN(words, most)                                                      \
+    OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, 1e-6, most, false, words
+#define WHOLE(least, most)                                                     \
+    OVR_INTEGER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, NULL
+#define WHOLE_OR(words, least, most)                                           \
+    OVR_INTEGER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, words
+#define CHOICE(words)                                                          \
+    OVR_CHOICE, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, words
+#define WORDS(words)                                                           \
+    OVR_WORDS, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, words
+#define FLAG OVR_FLAG, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, NULL
+#define TEXT OVR_TEXT, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, NULL
+#define PATH OVR_PATH, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, NULL
+
+#define HISTORY(section, what)                                                 \
+    {section,                                                                  \
+     "history",                                                                \
+     CHOICE(histories),                                                        \
+     "constant",                                                               \
+     AT(what.history),                                                         \
+     true,                                                                     \
+     "how it changes in time, relative to nominal"},                           \
+        {section,                                                              \
+         "from",                                                               \
+         PLAIN(0, 100),                                                        \
+         "1",                                                                  \
+         AT(what.from),                                                        \
+         true,                                                                 \
+         "ramp, step: value up to the start"},                                 \
+        {section,                                                              \
+         "to",                                                                 \
+         PLAIN(0, 100),                                                        \
+         "1",                                                                  \
+         AT(what.to),                                                          \
+         true,                                                                 \
+         "ramp, step: value at the end"},                                      \
+        {section,                                                              \
+         "start",                                                              \
+         TIME(-1e6, 1e6),                                                      \
+         "0",                                                                  \
+         AT(what.start),                                                       \
+         true,                                                                 \
+         "time at which the change begins"},                                   \
+        {section,                                                              \
+         "duration",                                                           \
+         TIME(0, 1e6),                                                         \
+         "0",                                                                  \
+         AT(what.duration),                                                    \
+         true,                                                                 \
+         "ramp: how long it takes (quintic smoothstep)"},                      \
+        {section,                                                              \
+         "amplitude",                                                          \
+         PLAIN(-1, 1),                                                         \
+         "0",                                                                  \
+         AT(what.amplitude),                                                   \
+         true,                                                                 \
+         "sine: amplitude about 1"},                                           \
+        {section,         "period", SPAN(NULL, 1e6), NULL,                     \
+         AT(what.period), true,     "sine: period"},                           \
+        {section,                                                              \
+         "file",                                                               \
+         PATH,                                                                 \
+         NULL,                                                                 \
+         AT(what.file),                                                        \
+         true,                                                                 \
+         "table: text file of two columns, time and value"},                   \
+    {                                                                          \
+        section, "time_unit", CHOICE(time_units), "b/um", AT(what.time_unit),  \
+            true, "table: unit of its times"                                   \
+    }
+
+static const ovr_parameter table[] = {
+    {"contact", "M", PLAIN(1e-3, 1e6), NULL, AT(contact.M), true,
+     "Moes load parameter W/sqrt(2U)"},
+    {"contact", "L", PLAIN(0, 1e3), NULL, AT(contact.L), true,
+     "Moes material parameter G (2U)^(1/4); 0: isoviscous, incompressible"},
+    {"contact", "lambda", PLAIN(1e-12, 1e7), NULL, AT(contact.lambda), true,
+     "3 pi^2/(8 M^2), with alphabar instead of M and L"},
+    {"contact", "alphabar", PLAIN(0, 1e5), NULL, AT(contact.alphabar), true,
+     "alpha times the Hertzian pressure, with lambda"},
+    {"contact", "load", WITH_UNIT(OVR_LINE_LOAD, 1e-6, 1e10), NULL,
+     AT(contact.load), true, "load per unit width, w"},
+    {"contact", "hertz_pressure", WITH_UNIT(OVR_PRESSURE, 1e2, 1e12), NULL,
+     AT(contact.hertz_pressure), true,
+     "maximum Hertzian pressure ph, instead of load (or of alpha)"},
+    {"contact", "radius", WITH_UNIT(OVR_LENGTH, 1e-7, 1e4), NULL,
+     AT(contact.radius), true, "reduced radius R, 1/R = 1/R1 + 1/R2"},
+    {"contact", "modulus", WITH_UNIT(OVR_PRESSURE, 1e3, 1e13), NULL,
+     AT(contact.modulus), true,
+     "reduced modulus E', 2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2"},
+    {"contact", "viscosity", WITH_UNIT(OVR_DYNAMIC_VISCOSITY, 1e-7, 1e7), NULL,
+     AT(contact.viscosity), true, "the same as viscosity in [lubricant]"},
+    {"contact", "alpha", WITH_UNIT(OVR_PER_PRESSURE, 0, 1e-5), NULL,
+     AT(contact.alpha), true, "the same as alpha in [lubricant]"},
+    {"contact", "speed_1", WITH_UNIT(OVR_SPEED, -1e4, 1e4), NULL,
+     AT(contact.speed_1), true, "speed of surface 1 along +x, u1"},
+    {"contact", "speed_2", WITH_UNIT(OVR_SPEED, -1e4, 1e4), NULL,
+     AT(contact.speed_2), true, "speed of surface 2 along +x, u2"},
+    {"contact", "mean_speed", WITH_UNIT(OVR_SPEED, 1e-12, 1e4), NULL,
+     AT(contact.mean_speed), true,
+     "um = (u1 + u2)/2, instead of the two speeds"},
+    {"contact", "slide_to_roll", PLAIN(-1e3, 1e3), NULL,
+     AT(contact.slide_to_roll), true, "(u1 - u2)/um; 0 unless given"},
+
+    {"lubricant", "viscosity_law", CHOICE(viscosity_laws), "roelands",
+     AT(viscosity_law), true, "viscosity against pressure"},
+    {"lubricant", "density_law", CHOICE(density_laws), "dowson-higginson",
+     AT(density_law), true, "density against pressure"},
+    {"lubricant", "viscosity", WITH_UNIT(OVR_DYNAMIC_VISCOSITY, 1e-7, 1e7),
+     NULL, AT(contact.viscosity), true, "at ambient pressure, eta0"},
+    {"lubricant", "alpha", WITH_UNIT(OVR_PER_PRESSURE, 0, 1e-5), NULL,
+     AT(contact.alpha), true,
+     "pressure-viscosity index; with M and L 17 1/GPa unless given"},
+    {"lubricant", "p0", WITH_UNIT(OVR_PRESSURE, 1e5, 1e11), "198 MPa", AT(p0),
+     true, "Roelands' p0"},
+    {"lubricant", "z", PLAIN_OR(auto_nan, 1e-3, 2), "auto", AT(z), true,
+     "Roelands' index; auto: alpha p0/(ln eta0 + 9.67) where alpha and "
+     "viscosity are known, else 0.68"},
+
+    {"domain", "inlet", LENGTH_OR(auto_nan, -1e3, -1.05), "-4",
+     AT(options.inlet), true, "X of the first node"},
+    {"domain", "outlet", LENGTH_OR(auto_nan, 1.05, 1e3), "1.5",
+     AT(options.outlet), true, "X of the last node"},
+    {"domain", "level", WHOLE(1, 23), "8", AT(options.level), true,
+     "finest grid: 7 2^level + 1 nodes"},
+    {"domain", "nodes", WHOLE(15, 58720257), NULL, AT(nodes), true,
+     "instead of level: 7 2^k + 1"},
+
+    {"solver", "smoother", CHOICE(smoothers), "line", AT(options.smoother),
+     true, "line: distributive line relaxation; hybrid: the paper's"},
+    {"solver", "cycle", CHOICE(cycles), "V", AT(options.cycle_index), true,
+     "multigrid cycle"},
+    {"solver", "sweeps_before", WHOLE_OR(auto_zero, 0, 100), "auto",
+     AT(options.sweeps_before), true, "relaxations before the coarse grid"},
+    {"solver", "sweeps_after", WHOLE_OR(auto_zero, 0, 100), "auto",
+     AT(options.sweeps_after), true, "relaxations after the coarse grid"},
+    {"solver", "coarsest_level", WHOLE_OR(auto_zero, 1, 7), "auto",
+     AT(options.coarsest_level), true, "coarsest grid; the paper's is 1"},
+    {"solver", "stop", CHOICE(stops), "negligible", AT(options.stop), true,
+     "when a steady solve is done: algebraic error negligible, a fraction of "
+     "the discretization error, or a fixed number of cycles"},
+    {"solver", "cycles", WHOLE(1, 1000), "2", AT(options.cycles), true,
+     "with stop = fixed: cycles on each level"},
+    {"solver", "max_cycles", WHOLE_OR(auto_zero, 1, 100000), "auto",
+     AT(options.max_cycles), true, "steady: most cycles on each level"},
+    {"solver", "tolerance", PLAIN_OR(auto_zero, 1e-16, 0.1), "auto",
+     AT(options.tolerance), true, "on the relative mass-flow imbalance"},
+    {"solver", "mlmi_order", WHOLE_OR(auto_zero, 4, 12), "auto",
+     AT(options.mlmi_order), true,
+     "order of the transfers in the deformation integrals, even"},
+    {"solver", "mlmi_range", WHOLE_OR(auto_zero, 2, 24), "auto",
+     AT(options.mlmi_range), true,
+     "corrections within so many meshes of the singularity"},
+    {"solver", "switch", PLAIN(1e-9, 1e9), "0.3", AT(options.switch_value),
+     true, "hybrid: eps/D^2 above which Gauss-Seidel is used"},
+    {"solver", "relax_seidel", PLAIN(0.01, 1.9), "0.8",
+     AT(options.relax_seidel), true, "hybrid: under-relaxation, Gauss-Seidel"},
+    {"solver", "relax_dipole", PLAIN(0.01, 1.9), "0.4",
+     AT(options.relax_dipole), true, "hybrid: under-relaxation, dipole"},
+    {"solver", "paper_balance", FLAG, "no", AT(options.paper_balance), true,
+     "force balance by the paper's relaxation of H0 on the coarsest grid "
+     "instead of dense Newton steps"},
+
+    {"time", "end", SPAN(NULL, 1e5), NULL, AT(end), false,
+     "end of the run, which starts at 0; without it the case is steady"},
+    {"time", "step", SPAN(steps, 1e3), "grid", AT(step), true,
+     "time step; grid: the mesh size; adaptive: by the scheme's own error"},
+    {"time", "scheme", CHOICE(schemes), "upstream2", AT(options.scheme), true,
+     "discretization in X and T: upstream1 with backward Euler, upstream2 "
+     "with BDF2, or narrow second order along the characteristic"},
+    {"time", "error", PLAIN(1e-9, 0.1), "1e-4", AT(error), true,
+     "adaptive: relative error of the film in a step"},
+    {"time", "until_steady", FLAG, "no", AT(until_steady), false,
+     "stop when nothing changes any more"},
+
+    HISTORY("load", load),
+    HISTORY("speed", speed),
+
+    {"feature", "surface", WHOLE(1, 2), "1", IN_FORM(surface), true,
+     "surface it is on: 1 moves at u1, 2 at u2"},
+    {"feature", "shape", CHOICE(shapes), NULL, IN_FORM(shape), true,
+     "what it is"},
+    {"feature", "start", LENGTH(-1e6, 1e6), NULL, IN_FORM(start), true,
+     "X of its centre at T = 0 (of a step its edge, of a profile or "
+     "roughness its leading end)"},
+    {"feature", "centre", LENGTH(-1e6, 1e6), NULL, IN_FORM(centre), true,
+     "X of its centre at T = 0, profiles included"},
+    {"feature", "edge", LENGTH(-1e6, 1e6), NULL, IN_FORM(edge), true,
+     "X of its leading end at T = 0"},
+    {"feature", "arrival", TIME(-1e6, 1e6), NULL, IN_FORM(arrival), true,
+     "T at which its centre is at X = 0"},
+    {"feature", "origin", LENGTH(-1e6, 1e6), NULL, IN_FORM(origin), true,
+     "wave, texture: X of a crest (dimple) at T = 0"},
+    {"feature", "depth", HEIGHT, NULL, IN_FORM(depth), true,
+     "dent, indent, ridge, step, groove, texture: depth, a positive number"},
+    {"feature", "height", HEIGHT, NULL, IN_FORM(height), true,
+     "bump, ridge, step, groove, texture: height"},
+    {"feature", "amplitude", HEIGHT, NULL, IN_FORM(amplitude), true,
+     "wave, chirp: amplitude"},
+    {"feature", "width", SIZE, NULL, IN_FORM(width), true,
+     "dent, bump, indent, ridge, groove, texture: width"},
+    {"feature", "wavelength", SIZE, NULL, IN_FORM(wavelength), true,
+     "wave; chirp: at its rear; texture: distance of two dimples"},
+    {"feature", "wavelength_end", SIZE, NULL, IN_FORM(wavelength_end), true,
+     "chirp: at its leading end"},
+    {"feature", "length", SIZE, NULL, IN_FORM(length), true,
+     "chirp, step, roughness: length along x"},
+    {"feature", "shoulder", HEIGHT, NULL, IN_FORM(shoulder), true,
+     "indent: height of its shoulders"},
+    {"feature", "shoulder_at", SIZE, NULL, IN_FORM(shoulder_at), true,
+     "indent: distance of the shoulders from its centre"},
+    {"feature", "shoulder_width", SIZE, NULL, IN_FORM(shoulder_width), true,
+     "indent: width of the shoulders"},
+    {"feature", "flank", SIZE, NULL, IN_FORM(flank), true,
+     "step, groove: width of the flank; chirp: of the fades at its ends"},
+    {"feature", "radius", SIZE, NULL, IN_FORM(radius), true,
+     "step, groove: radius of the edges, instead of flank"},
+    {"feature", "grow", TIME(0, 1e6), NULL, IN_FORM(grow), true,
+     "grows in place over this time (quintic smoothstep)"},
+    {"feature", "grow_from", TIME(-1e6, 1e6), "0", IN_FORM(grow_from), true,
+     "when it begins to grow"},
+    {"feature", "repeat", SIZE, NULL, IN_FORM(repeat), true,
+     "copies follow at this distance"},
+    {"feature", "copies", WHOLE_OR(endless, 1, 1000000), "endless",
+     IN_FORM(copies), true, "how many there are with repeat"},
+    {"feature", "file", PATH, NULL, IN_FORM(source.file), true,
+     "profile: file of heights"},
+    {"feature", "unit_x", TEXT, NULL, IN_FORM(source.unit_x), true,
+     "profile: unit of its lengths where the file does not say it"},
+    {"feature", "unit_z", TEXT, NULL, IN_FORM(source.unit_z), true,
+     "profile: unit of its heights where the file does not say it"},
+    {"feature", "spacing", SIZE, NULL, IN_FORM(source.spacing), true,
+     "profile: distance of samples where the file has heights only"},
+    {"feature", "column_x", WHOLE(1, 1000), NULL, IN_FORM(source.column_x),
+     true, "profile: column of the lengths"},
+    {"feature", "column_z", WHOLE(1, 1000), NULL, IN_FORM(source.column_z),
+     true, "profile: column of the heights"},
+    {"feature", "line", WHOLE(1, 10000000), NULL, IN_FORM(source.line), true,
+     "profile: line of an areal file"},
+    {"feature", "from", LENGTH(-1e6, 1e6), NULL, IN_FORM(conditioning.from),
+     true, "profile: start of the part used, in its own x"},
+    {"feature", "to", LENGTH(-1e6, 1e6), NULL, IN_FORM(conditioning.to), true,
+     "profile: end of the part used"},
+    {"feature", "scale", PLAIN(0, 1e6), "1", IN_FORM(conditioning.scale), true,
+     "profile: heights times this"},
+    {"feature", "invert", FLAG, "no", IN_FORM(conditioning.invert), true,
+     "profile: peaks become valleys"},
+    {"feature", "stretch", POSITIVE(1e6), "1", IN_FORM(conditioning.stretch),
+     true, "profile: lengths times this"},
+    {"feature", "reverse", FLAG, "no", IN_FORM(conditioning.reverse), true,
+     "profile: its x runs the other way"},
+    {"feature", "max_gap", SIZE, NULL, IN_FORM(conditioning.max_gap), true,
+     "profile: longest gap to fill; else 5 % of its length"},
+    {"feature", "max_missing", PLAIN(0, 0.95), "0.2",
+     IN_FORM(conditioning.max_missing), true,
+     "profile: largest missing fraction"},
+    {"feature", "outliers", PLAIN(1, 1e3), NULL, IN_FORM(conditioning.outliers),
+     true,
+     "profile: replace points so many robust deviations from their "
+     "neighbours"},
+    {"feature", "level", CHOICE(levellings), "line",
+     IN_FORM(conditioning.level), true,
+     "profile: what is taken off it; ends: the line through its outer tenths"},
+    {"feature", "degree", WHOLE(0, 12), "2", IN_FORM(conditioning.degree), true,
+     "profile: degree of the polynomial"},
+    {"feature", "lambda_c", SIZE, NULL, IN_FORM(conditioning.lambda_c), true,
+     "profile: Gaussian cut-off above which waves are taken out"},
+    {"feature", "lambda_s", SIZE, NULL, IN_FORM(conditioning.lambda_s), true,
+     "profile: Gaussian cut-off below which waves are taken out"},
+    {"feature", "offset", SHIFT, "0", IN_FORM(conditioning.offset), true,
+     "profile: added to its heights"},
+    {"feature", "taper", LENGTH(0, 1e4), NULL, IN_FORM(conditioning.taper),
+     true,
+     "profile: blended into the smooth surface over this; else 5 % of "
+     "its length"},
+    {"feature", "extend", CHOICE(extensions), "none",
+     IN_FORM(conditioning.extend), true, "profile: beyond its ends"},
+    {"feature", "Rq", HEIGHT, NULL, IN_FORM(roughness.Rq), true,
+     "roughness: root mean square height"},
+    {"feature", "spectrum", CHOICE(spectra), "self-affine",
+     IN_FORM(roughness.spectrum), true, "roughness: its spectrum"},
+    {"feature", "hurst", PLAIN(0, 1), "0.8", IN_FORM(roughness.hurst), true,
+     "roughness: Hurst exponent"},
+    {"feature", "rolloff", SIZE, NULL, IN_FORM(roughness.rolloff), true,
+     "roughness: wavelength above which the spectrum is flat"},
+    {"feature", "shortest", SIZE, NULL, IN_FORM(roughness.shortest), true,
+     "roughness: shortest wavelength"},
+    {"feature", "correlation", SIZE, NULL, IN_FORM(roughness.correlation), true,
+     "roughness: correlation length"},
+    {"feature", "skewness", PLAIN(-10, 10), NULL, IN_FORM(roughness.skewness),
+     true, "roughness: skewness of the heights"},
+    {"feature", "kurtosis", PLAIN(1, 100), NULL, IN_FORM(roughness.kurtosis),
+     true, "roughness: kurtosis of the heights (3: Gaussian)"},
+    {"feature", "seed", WHOLE(0, 2147483647), "1", IN_FORM(roughness.seed),
+     true, "roughness: another seed is another surface"},
+
+    {"output", "file", PATH, NULL, AT(output.file), false, "result file"},
+    {"output", "title", TEXT, NULL, AT(output.title), false,
+     "title in the result file and pictures"},
+    {"output", "every", WHOLE(1, 1000000000), NULL, AT(every), false,
+     "store every so many steps"},
+    {"output", "interval", SPAN(NULL, 1e6), NULL, AT(output.interval), false,
+     "store in steps of this time"},
+    {"output", "at", OVR_NUMBERS, OVR_DURATION, OVR_IN_TIME, 0, 1e6, false,
+     NULL, NULL, AT(output.at), false, "store at these times"},
+    {"output", "feature_at", OVR_NUMBERS, OVR_LENGTH, OVR_IN_B, -1e6, 1e6,
+     false, NULL, NULL, AT(output.feature_at), false,
+     "store when a feature's centre is at these X"},
+    {"output", "fields", WORDS(fields), "pressure, film_thickness, roughness",
+     AT(output.fields), false, "what a snapshot holds"},
+    {"output", "precision", CHOICE(precisions), "f64", AT(precision), false,
+     "of the stored numbers"},
+    {"output", "from", LENGTH(-1e6, 1e6), NULL, AT(output.from), false,
+     "X of the first stored node"},
+    {"output", "to", LENGTH(-1e6, 1e6), NULL, AT(output.to), false,
+     "X of the last stored node"},
+    {"output", "stride", WHOLE(1, 1000000), "1", AT(output.stride), false,
+     "store every so many nodes"},
+    {"output", "compression", WHOLE(0, 9), "1", AT(output.compression), false,
+     "0: none, 9: most"},
+    {"output", "checkpoint", WITH_UNIT(OVR_DURATION, 0, 1e7), "30 s",
+     AT(output.checkpoint), false,
+     "wall-clock time between restart files; 0 s: at the end only"},
+};
+enum { ROWS = sizeof table / sizeof table[0] };
+
+/* --------------------------------------------------------------- sections */
+
+static const ovr_section sections[] = {
+    {"contact", false,
+     "the operating conditions: M and L; or lambda and alphabar; or load (or "
+     "hertz_pressure), radius, modulus, viscosity, alpha and speeds"},
+    {"lubricant", false, "how viscosity and density depend on pressure"},
+    {"domain", false, "the part of the film that is computed, and its grid"},
+    {"solver", false, "multigrid; the defaults do for nearly every case"},
+    {"time", false, "the run in time, and the scheme (of steady cases too)"},
+    {"load", false, "load against time, relative to that of [contact]"},
+    {"speed", false, "mean speed against time, relative to that of [contact]"},
+    {"feature", true,
+     "[feature NAME], any number: what is on the smooth surfaces"},
+    {"output", false, "what is stored, where and when"},
+};
+enum { SECTIONS = sizeof sections / sizeof sections[0] };
+
+const ovr_parameter *ovr_parameter_row(size_t k)
+{
+    return k < ROWS ? &table[k] : NULL;
+}
+
+const ovr_section *ovr_section_row(size_t k)
+{
+    return k < SECTIONS ? &sections[k] : NULL;
+}
+
+const ovr_section *ovr_section_find(const char *name)
+{
+    for (size_t k = 0; k < SECTIONS; k++)
+        if (!strcmp(sections[k].name, name))
+            return &sections[k];
+    return NULL;
+}
+
+size_t ovr_section_first(const ovr_section *section)
+{
+    size_t k = 0;
+    while (k < ROWS && strcmp(table[k].section, section->name) != 0)
+        k++;
+    return k;
+}
+
+size_t ovr_section_size(const ovr_section *section)
+{
+    size_t n = 0;
+    for (size_t k = 0; k < ROWS; k++)
+        n += !strcmp(table[k].section, section->name);
+    return n;
+}
+
+const ovr_parameter *ovr_parameter_find(const ovr_section *section,
+                                        const char *key)
+{
+    for (size_t k = 0; k < ROWS; k++)
+        if (!strcmp(table[k].section, section->name) &&
+            !strcmp(table[k].key, key))
+            return &table[k];
+    return NULL;
+}
+
+/* ------------------------------------------------------------- for people */
+
+size_t ovr_parameter_count(void)
+{
+    return ROWS;
+}
+
+const char *ovr_section_name(size_t k)
+{
+    return k < SECTIONS ? sections[k].name : NULL;
+}
+
+const char *ovr_section_help(size_t k)
+{
+    return k < SECTIONS ? sections[k].help : NULL;
+}
+
+static const char *type_name(ovr_kind kind)
+{
+    switch (kind) {
+    case OVR_NUMBER: return "number";
+    case OVR_INTEGER: return "whole number";
+    case OVR_CHOICE: return "choice";
+    case OVR_FLAG: return "yes or no";
+    case OVR_TEXT: return "text";
+    case OVR_PATH: return "path";
+    case OVR_NUMBERS: return "numbers";
+    case OVR_WORDS: return "words";
+    }
+    return "";
+}
+
+const char *ovr_hertzian_name(ovr_hertzian hertzian)
+{
+    switch (hertzian) {
+    case OVR_NOT_HERTZIAN: break;
+    case OVR_IN_B: return "b";
+    case OVR_IN_HEIGHT: return "b^2/R";
+    case OVR_IN_TIME: return "b/um";
+    }
+    return "";
+}
+
+ovr_parameter_info ovr_parameter_at(size_t k)
+{
+    const ovr_parameter *row = &table[k < ROWS ? k : 0];
+    ovr_parameter_info info = {
+        .section = row->section,
+        .key = row->key,
+        .type = type_name(row->kind),
+        .units = ovr_units_allowed(row->dimension),
+        .bare = ovr_hertzian_name(row->hertzian),
+        .initial = row->initial,
+        .least = row->least,
+        .most = row->most,
+        .above = row->above,
+        .physics = row->physics,
+        .help = row->help,
+    };
+    for (size_t i = 0; row->words && row->words[i].name && i < 15; i++)
+        info.choices[i] = row->words[i].name;
+    return info;
+}

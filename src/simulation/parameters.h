@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The one table of parameters.  It drives parsing, defaults, ranges, help,
+ * the manual page, JSON and the attributes in result files; a parameter is
+ * added by adding a row here and its field to the struct the row points into.
+ */
+#ifndef OVR_SIMULATION_PARAMETERS_H
+#define OVR_SIMULATION_PARAMETERS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/quantity.h"
+#include "overroll/case.h"
+
+typedef enum ovr_kind {
+    OVR_NUMBER,  /* double; words stand for numbers */
+    OVR_INTEGER, /* int; words stand for numbers */
+    OVR_CHOICE,  /* int; one of the words */
+    OVR_FLAG,    /* bool */
+    OVR_TEXT,    /* const char * */
+    OVR_PATH,    /* const char *, relative to the case */
+    OVR_NUMBERS, /* ovr_list, separated by commas */
+    OVR_WORDS    /* unsigned, bit k for the k-th word */
+} ovr_kind;
+
+/* What a bare number is measured in. */
+typedef enum ovr_hertzian {
+    OVR_NOT_HERTZIAN,
+    OVR_IN_B,      /* length along x */
+    OVR_IN_HEIGHT, /* b^2/R */
+    OVR_IN_TIME    /* b/um */
+} ovr_hertzian;
+
+typedef struct ovr_word {
+    const char *name; /* NULL ends a list */
+    double value;
+} ovr_word;
+
+typedef struct ovr_parameter {
+    const char *section, *key;
+    ovr_kind kind;
+    ovr_dimension dimension; /* of numbers */
+    ovr_hertzian hertzian;
+    double least, most; /* SI or bare */
+    bool above;         /* `least` itself is refused */
+    const ovr_word *words;
+    const char *initial; /* NULL: not given */
+    size_t place;        /* in ovr_settings; of a feature in its form */
+    bool physics;        /* another value is another solution */
+    const char *help;
+} ovr_parameter;
+
+typedef struct ovr_section {
+    const char *name;
+    bool named; /* [feature NAME], any number */
+    const char *help;
+} ovr_section;
+
+/* How load or speed change. */
+typedef struct ovr_change {
+    int history; /* ovr_history_kind */
+    double from, to, start, duration, amplitude, period;
+    const char *file;
+    int time_unit;
+} ovr_change;
+
+/* Every value of a case but the features'. */
+typedef struct ovr_settings {
+    ovr_conditions contact;
+    int viscosity_law, density_law;
+    double p0, z;
+    ovr_options options;
+    int nodes;
+    double end, step, error;
+    bool until_steady;
+    ovr_change load, speed;
+    ovr_output output;
+    int every, precision;
+} ovr_settings;
+
+/* Value of `step = adaptive`. */
+#define OVR_STEP_ADAPTIVE (-1.0)
+
+const ovr_parameter *ovr_parameter_row(size_t k);
+
+/* Sections in order; NULL behind the last. */
+const ovr_section *ovr_section_row(size_t k);
+const ovr_section *ovr_section_find(const char *name);
+
+/* Its rows in the table lie together. */
+size_t ovr_section_first(const ovr_section *section);
+size_t ovr_section_size(const ovr_section *section);
+
+/* "b", "b^2/R", "b/um" or "". */
+const char *ovr_hertzian_name(ovr_hertzian hertzian);
+
+/* The row of a key in a section, or NULL. */
+const ovr_parameter *ovr_parameter_find(const ovr_section *section,
+                                        const char *key);
+
+#endif

@@ -1,0 +1,430 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * From a case to what runs: first the contact, which gives the scales, then
+ * everything else in its units.
+ */
+#include "simulation/resolve.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const double ALPHA_PAPER = 1.7e-8; /* 1/Pa */
+
+/* ----------------------------------------------------- where errors belong */
+
+static const ovr_slot *given_slot(const ovr_block *block, const char *word,
+                                  size_t length)
+{
+    for (size_t k = 0; k < block->count; k++) {
+        const char *key = ovr_parameter_row(block->first + k)->key;
+        if (block->slots[k].given && strlen(key) == length &&
+            !strncmp(key, word, length))
+            return &block->slots[k];
+    }
+    return NULL;
+}
+
+static size_t word_length(const char *s)
+{
+    size_t n = 0;
+    while (isalnum((unsigned char)s[n]) || s[n] == '_')
+        n++;
+    return n;
+}
+
+/* The first given key that the message speaks of. */
+static const ovr_slot *spoken_of(const ovr_block *block, const char *message)
+{
+    while (*message) {
+        size_t n = word_length(message);
+        const ovr_slot *slot = n ? given_slot(block, message, n) : NULL;
+        if (slot)
+            return slot;
+        message += n ? n : 1;
+    }
+    return NULL;
+}
+
+ovr_status ovr_fail_in(ovr_error *err, const ovr_case *c,
+                       const ovr_block *block, const ovr_error *why)
+{
+    const ovr_slot *slot = spoken_of(block, why->message);
+    if (slot)
+        return ovr_fail_slot(err, why->status, slot, "%.900s", why->message);
+    if (!c->name)
+        return ovr_fail(err, why->status, "%.900s", why->message);
+    return ovr_fail_at(err, why->status, c->name, block->line, "%.900s",
+                       why->message);
+}
+
+/* --------------------------------------------------------------- scaling */
+
+static double scale_of(const ovr_contact *contact, ovr_hertzian hertzian)
+{
+    switch (hertzian) {
+    case OVR_NOT_HERTZIAN: break;
+    case OVR_IN_B: return contact->b;
+    case OVR_IN_HEIGHT: return contact->height;
+    case OVR_IN_TIME: return contact->time;
+    }
+    return 1;
+}
+
+static ovr_status no_scale(const ovr_parameter *row, const ovr_slot *slot,
+                           ovr_error *err)
+{
+    const char *add = row->hertzian == OVR_IN_TIME
+                          ? "radius, modulus and viscosity (or speeds)"
+                          : "radius and modulus";
+    return ovr_fail_slot(err, OVR_BAD_INPUT, slot,
+                         "%s: %s needs a physical contact: add %s (and "
+                         "alpha), or give it in %s without a unit",
+                         row->key, slot->text, add,
+                         ovr_hertzian_name(row->hertzian));
+}
+
+/* Hertzian value of a number of the slot, checked against the range. */
+static ovr_status scale(const ovr_resolved *r, const ovr_parameter *row,
+                        const ovr_slot *slot, double *number, ovr_error *err)
+{
+    double unit = scale_of(&r->setup.contact, row->hertzian);
+    ovr_error why = {0};
+    if (!slot->unit || !row->hertzian)
+        return OVR_OK;
+    if (isnan(unit))
+        return no_scale(row, slot, err);
+    *number /= unit;
+    if (ovr_range_check(row, *number, slot->text, &why))
+        return ovr_fail_slot(err, OVR_BAD_INPUT, slot, "%.400s; it is %g %s",
+                             why.message, *number,
+                             ovr_hertzian_name(row->hertzian));
+    return OVR_OK;
+}
+
+static ovr_status fill_list(ovr_resolved *r, const ovr_parameter *row,
+                            const ovr_slot *slot, ovr_list *list,
+                            ovr_error *err)
+{
+    size_t n = slot->list.count;
+    double *values = ovr_arena_take(&r->arena, n, sizeof *values, err);
+    if (!values)
+        return OVR_NO_MEMORY;
+    for (size_t i = 0; i < n; i++) {
+        values[i] = slot->list.values[i];
+        if (scale(r, row, slot, &values[i], err))
+            return OVR_BAD_INPUT;
+    }
+    *list = (ovr_list){n, values};
+    return OVR_OK;
+}
+
+/* A path in a file starts where the file is. */
+static const char *full_path(ovr_resolved *r, const ovr_slot *slot,
+                             ovr_error *err)
+{
+    const char *folder = r->c->directory;
+    size_t room;
+    char *path;
+    if (!folder || slot->text[0] == '/' || slot->line == 0)
+        return ovr_arena_text(&r->arena, slot->text, err);
+    room = strlen(folder) + strlen(slot->text) + 2;
+    path = ovr_arena_take(&r->arena, room, 1, err);
+    if (path)
+        snprintf(path, room, "%s/%s", folder, slot->text);
+    return path;
+}
+
+/* ---------------------------------------------------------------- filling */
+
+static ovr_status fill(ovr_resolved *r, const ovr_parameter *row,
+                       const ovr_slot *slot, void *place, ovr_error *err)
+{
+    double number = slot->number;
+    switch (row->kind) {
+    case OVR_NUMBER:
+        if (!slot->word && scale(r, row, slot, &number, err))
+            return OVR_BAD_INPUT;
+        *(double *)place = number;
+        break;
+    case OVR_INTEGER:
+    case OVR_CHOICE: *(int *)place = (int)number; break;
+    case OVR_FLAG: *(bool *)place = number != 0; break;
+    case OVR_TEXT:
+        *(const char **)place = ovr_arena_text(&r->arena, slot->text, err);
+        return *(const char **)place ? OVR_OK : OVR_NO_MEMORY;
+    case OVR_PATH:
+        *(const char **)place = full_path(r, slot, err);
+        return *(const char **)place ? OVR_OK : OVR_NO_MEMORY;
+    case OVR_NUMBERS: return fill_list(r, row, slot, place, err);
+    case OVR_WORDS: *(unsigned *)place = slot->bits; break;
+    }
+    return OVR_OK;
+}
+
+ovr_status ovr_block_fill(ovr_resolved *r, const ovr_block *block, void *into,
+                          ovr_error *err)
+{
+    for (size_t k = 0; k < block->count; k++) {
+        const ovr_parameter *row = ovr_parameter_row(block->first + k);
+        const ovr_slot *slot = &block->slots[k];
+        ovr_status status;
+        if (!slot->text)
+            continue;
+        status = fill(r, row, slot, (char *)into + row->place, err);
+        if (status)
+            return status;
+    }
+    return OVR_OK;
+}
+
+static const ovr_block *block_of(const ovr_resolved *r, const char *section)
+{
+    return ovr_case_find_block(r->c, section, NULL);
+}
+
+static const ovr_slot *slot_of(const ovr_resolved *r, const char *section,
+                               const char *key)
+{
+    return ovr_block_get(block_of(r, section), key);
+}
+
+static ovr_status fill_section(ovr_resolved *r, const char *section,
+                               ovr_error *err)
+{
+    return ovr_block_fill(r, block_of(r, section), &r->values, err);
+}
+
+/* ---------------------------------------------------------------- contact */
+
+/* viscosity and alpha may stand in [contact] or in [lubricant]. */
+static ovr_status check_twice(const ovr_resolved *r, const char *key,
+                              ovr_error *err)
+{
+    const ovr_slot *one = slot_of(r, "contact", key);
+    const ovr_slot *other = slot_of(r, "lubricant", key);
+    if (!one->given || !other->given)
+        return OVR_OK;
+    return ovr_fail_slot(err, OVR_BAD_INPUT, other,
+                         "%s: is given in [contact] too: leave one out", key);
+}
+
+/* The contact's messages begin with a key of [contact] or [lubricant]. */
+static ovr_status fail_contact(const ovr_resolved *r, const ovr_error *why,
+                               ovr_error *err)
+{
+    const ovr_block *lubricant = block_of(r, "lubricant");
+    size_t n = word_length(why->message);
+    if (given_slot(lubricant, why->message, n))
+        return ovr_fail_in(err, r->c, lubricant, why);
+    return ovr_fail_in(err, r->c, block_of(r, "contact"), why);
+}
+
+static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
+{
+    ovr_conditions *given = &r->values.contact;
+    ovr_error why = {0};
+    bool numbers;
+    *given = ovr_conditions_unknown();
+    r->values.p0 = r->values.z = NAN;
+    if (check_twice(r, "viscosity", err) || check_twice(r, "alpha", err))
+        return OVR_BAD_INPUT;
+    if (fill_section(r, "contact", err) || fill_section(r, "lubricant", err))
+        return OVR_BAD_INPUT;
+    numbers = !isnan(given->M) || !isnan(given->L) || !isnan(given->lambda) ||
+              !isnan(given->alphabar);
+    if (numbers && isnan(given->alpha) && isnan(given->hertz_pressure))
+        given->alpha = ALPHA_PAPER;
+    if (ovr_contact_resolve(given, &r->setup.contact, &why))
+        return fail_contact(r, &why, err);
+    if (ovr_lubricant_make(&r->setup.contact,
+                           (ovr_viscosity_law)r->values.viscosity_law,
+                           (ovr_density_law)r->values.density_law, r->values.p0,
+                           r->values.z, &r->setup.lubricant, &why))
+        return fail_contact(r, &why, err);
+    return OVR_OK;
+}
+
+/* ------------------------------------------------------------------- grid */
+
+static ovr_status resolve_level(ovr_resolved *r, ovr_error *err)
+{
+    const ovr_slot *nodes = slot_of(r, "domain", "nodes");
+    const ovr_slot *level = slot_of(r, "domain", "level");
+    int k = 1, wanted = r->values.nodes;
+    if (!nodes->given)
+        return OVR_OK;
+    if (level->given)
+        return ovr_fail_slot(err, OVR_BAD_INPUT, nodes,
+                             "nodes: level is given too: leave one out");
+    while (k < 23 && 7 * (1 << k) + 1 < wanted)
+        k++;
+    if (k > 1 && 7 * (1 << k) + 1 - wanted > wanted - 7 * (1 << (k - 1)) - 1)
+        k--;
+    if (7 * (1 << k) + 1 != wanted)
+        return ovr_fail_slot(err, OVR_BAD_INPUT, nodes,
+                             "nodes: %d must be 7 2^k + 1; the nearest is %d "
+                             "(level %d)",
+                             wanted, 7 * (1 << k) + 1, k);
+    r->values.options.level = k;
+    return OVR_OK;
+}
+
+static ovr_status check_solver(const ovr_resolved *r, ovr_error *err)
+{
+    const ovr_options *o = &r->values.options;
+    if (o->mlmi_order % 2 || o->mlmi_range % 2) {
+        const char *key = o->mlmi_order % 2 ? "mlmi_order" : "mlmi_range";
+        const ovr_slot *slot = slot_of(r, "solver", key);
+        return ovr_fail_slot(err, OVR_BAD_INPUT, slot, "%s: %s must be even",
+                             key, slot->text);
+    }
+    if (o->coarsest_level > o->level)
+        return ovr_fail_slot(err, OVR_BAD_INPUT,
+                             slot_of(r, "solver", "coarsest_level"),
+                             "coarsest_level: %d must not be above the level "
+                             "%d",
+                             o->coarsest_level, o->level);
+    return OVR_OK;
+}
+
+static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
+{
+    ovr_status status;
+    r->values.options = ovr_options_default();
+    if (fill_section(r, "domain", err) || fill_section(r, "solver", err) ||
+        fill_section(r, "time", err))
+        return OVR_BAD_INPUT;
+    status = resolve_level(r, err);
+    if (!status)
+        status = check_solver(r, err);
+    r->setup.options = r->values.options;
+    return status;
+}
+
+/* ------------------------------------------------------------------- time */
+
+static ovr_status resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
+                               ovr_error *err)
+{
+    ovr_settings *v = &r->values;
+    ovr_setup *s = &r->setup;
+    s->transient = slot_of(r, "time", "end")->given;
+    if (v->until_steady && !s->transient)
+        return ovr_fail_slot(err, OVR_BAD_INPUT,
+                             slot_of(r, "time", "until_steady"),
+                             "until_steady: needs an end, for when it never "
+                             "gets steady");
+    s->march.end = s->transient ? v->end : 0;
+    s->march.adaptive = v->step == OVR_STEP_ADAPTIVE;
+    s->march.dT = s->march.adaptive ? 0 : v->step;
+    s->march.error = v->error;
+    s->march.until_steady = v->until_steady;
+    if (fill_section(r, "load", err) || fill_section(r, "speed", err))
+        return OVR_BAD_INPUT;
+    if (ovr_resolve_history(r, "load", &v->load, allocator, &s->load, err))
+        return err ? err->status : OVR_BAD_INPUT;
+    return ovr_resolve_history(r, "speed", &v->speed, allocator, &s->speed,
+                               err);
+}
+
+/* --------------------------------------------------------------- features */
+
+static ovr_status fill_feature(ovr_resolved *r, const ovr_block *block,
+                               ovr_feature_form *form, ovr_error *err)
+{
+    ovr_status status;
+    *form = ovr_feature_form_default();
+    form->name = block->name;
+    if (!ovr_block_get(block, "shape")->given) {
+        ovr_error why = {0};
+        ovr_fail(&why, OVR_BAD_INPUT, "[feature %s] needs a shape",
+                 block->name);
+        return ovr_fail_in(err, r->c, block, &why);
+    }
+    status = ovr_block_fill(r, block, form, err);
+    form->source.spacing_scaled = true; /* like all lengths here: in b */
+    if (form->shape == OVR_ROUGHNESS) {
+        form->roughness.length = form->length;
+        form->length = NAN;
+    }
+    return status;
+}
+
+static ovr_status resolve_features(ovr_resolved *r, ovr_error *err)
+{
+    ovr_feature_form *form;
+    size_t n = 0;
+    for (const ovr_block *b = r->c->blocks; b; b = b->next)
+        n += b->section->named;
+    form = ovr_arena_take(&r->arena, n, sizeof *form, err);
+    if (!form)
+        return OVR_NO_MEMORY;
+    r->setup.feature = form;
+    r->setup.features = n;
+    for (const ovr_block *b = r->c->blocks; b; b = b->next)
+        if (b->section->named) {
+            ovr_status status = fill_feature(r, b, form++, err);
+            if (status)
+                return status;
+        }
+    return OVR_OK;
+}
+
+/* ----------------------------------------------------------------- output */
+
+static ovr_status resolve_output(ovr_resolved *r, ovr_error *err)
+{
+    ovr_output *out = &r->values.output;
+    out->from = out->to = NAN;
+    if (fill_section(r, "output", err))
+        return OVR_BAD_INPUT;
+    out->every = r->values.every;
+    out->single = r->values.precision == 1;
+    if (out->from >= out->to)
+        return ovr_fail_slot(err, OVR_BAD_INPUT, slot_of(r, "output", "from"),
+                             "from: %g must be below to = %g", out->from,
+                             out->to);
+    r->setup.output = *out;
+    return OVR_OK;
+}
+
+/* -------------------------------------------------------------- all of it */
+
+ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
+                            ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_resolved *r = ovr_arena_take(&arena, 1, sizeof *r, err);
+    ovr_status status;
+    if (!r)
+        return NULL;
+    r->arena = arena;
+    r->c = c;
+    status = resolve_contact(r, err);
+    if (!status)
+        status = resolve_options(r, err);
+    if (!status)
+        status = resolve_time(r, allocator, err);
+    if (!status)
+        status = resolve_features(r, err);
+    if (!status)
+        status = resolve_output(r, err);
+    if (!status)
+        return &r->setup;
+    ovr_setup_free(&r->setup);
+    return NULL;
+}
+
+void ovr_setup_free(ovr_setup *setup)
+{
+    ovr_arena arena;
+    if (!setup)
+        return;
+    ovr_surfaces_free(setup->surfaces);
+    ovr_history_free(setup->load);
+    ovr_history_free(setup->speed);
+    arena = ((ovr_resolved *)setup)->arena;
+    ovr_arena_release(&arena);
+}

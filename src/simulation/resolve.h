@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the parts of resolving a case share. */
+#ifndef OVR_SIMULATION_RESOLVE_H
+#define OVR_SIMULATION_RESOLVE_H
+
+#include "simulation/case.h"
+
+/* A setup with the memory behind it; the setup comes first. */
+typedef struct ovr_resolved {
+    ovr_setup setup;
+    const ovr_case *c;
+    ovr_settings values;
+    ovr_arena arena;
+} ovr_resolved;
+
+/* Puts the values of a block into the struct its rows point into, physical
+ * numbers scaled by the contact. */
+ovr_status ovr_block_fill(ovr_resolved *r, const ovr_block *block, void *into,
+                          ovr_error *err);
+
+/* Copies `why`, which begins with or holds the name of a key, with the place
+ * of that key (or of the block, or of the case) before it. */
+ovr_status ovr_fail_in(ovr_error *err, const ovr_case *c,
+                       const ovr_block *block, const ovr_error *why);
+
+/* A history from [load] or [speed]; *history NULL when it is constant. */
+ovr_status ovr_resolve_history(ovr_resolved *r, const char *section,
+                               const ovr_change *change,
+                               const ovr_allocator *allocator,
+                               ovr_history **history, ovr_error *err);
+
+#endif

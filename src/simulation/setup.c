@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* From a resolved case to a simulation with its surfaces in place. */
+#include <math.h>
+#include <unistd.h>
+
+#include "simulation/internal.h"
+#include "simulation/resolve.h"
+
+static double memory_here(void)
+{
+    long pages = sysconf(_SC_PHYS_PAGES), bytes = sysconf(_SC_PAGE_SIZE);
+    return pages > 0 && bytes > 0 ? (double)pages * (double)bytes : INFINITY;
+}
+
+/* The rest is for the system and its cache of files. */
+static const double SHARE = 0.8;
+
+/* Said before anything of that size is allocated. */
+static ovr_status check_memory(const ovr_resolved *r, ovr_error *err)
+{
+    const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
+    const ovr_slot *level = ovr_block_get(domain, "level");
+    const ovr_slot *nodes = ovr_block_get(domain, "nodes");
+    double wanted = ovr_simulation_memory(&r->setup.options);
+    double here = SHARE * memory_here();
+    ovr_options fits = r->setup.options;
+    if (wanted <= here)
+        return OVR_OK;
+    while (fits.level > 1 && ovr_simulation_memory(&fits) > here)
+        fits.level--;
+    return ovr_fail_slot(err, OVR_BAD_INPUT, nodes->given ? nodes : level,
+                         "level: %d takes about %.1f GB of memory, of which "
+                         "this machine can spare %.1f GB; level %d fits",
+                         r->setup.options.level, wanted / 1e9, here / 1e9,
+                         fits.level);
+}
+
+static ovr_status add_features(ovr_resolved *r, ovr_error *err)
+{
+    const ovr_block *block = r->c->blocks;
+    for (size_t k = 0; k < r->setup.features; k++, block = block->next) {
+        ovr_error why = {0};
+        while (!block->section->named)
+            block = block->next;
+        if (ovr_surfaces_add(r->setup.surfaces, &r->setup.feature[k], &why))
+            return ovr_fail_in(err, r->c, block, &why);
+    }
+    return OVR_OK;
+}
+
+static ovr_status make_surfaces(ovr_resolved *r, const ovr_allocator *allocator,
+                                ovr_error *err)
+{
+    ovr_setup *s = &r->setup;
+    ovr_status status;
+    if (s->features == 0)
+        return OVR_OK;
+    s->surfaces = ovr_surfaces_create(&s->contact, s->speed, s->mesh, allocator,
+                                      err);
+    if (!s->surfaces)
+        return OVR_NO_MEMORY;
+    status = add_features(r, err);
+    if (status) {
+        ovr_surfaces_free(s->surfaces);
+        s->surfaces = NULL;
+    }
+    return status;
+}
+
+ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
+                             ovr_error *err)
+{
+    ovr_resolved *r = (ovr_resolved *)setup;
+    ovr_options *o = &setup->options;
+    const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
+    ovr_error why = {0};
+    if (setup->nodes)
+        return OVR_OK;
+    if (ovr_options_resolve(&setup->contact, o, &why))
+        return ovr_fail_in(err, r->c, domain, &why);
+    if (check_memory(r, err))
+        return OVR_BAD_INPUT;
+    setup->mesh = (o->outlet - o->inlet) / (7 * ldexp(1, o->level));
+    if (make_surfaces(r, allocator, err))
+        return err ? err->status : OVR_BAD_INPUT;
+    setup->nodes = 7 * ((size_t)1 << o->level) + 1;
+    return OVR_OK;
+}
+
+ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
+                                     const ovr_allocator *allocator,
+                                     ovr_error *err)
+{
+    ovr_simulation *sim;
+    if (ovr_setup_prepare(setup, allocator, err))
+        return NULL;
+    sim = ovr_simulation_create(&setup->contact, &setup->lubricant,
+                                &setup->options, allocator, err);
+    if (!sim)
+        return NULL;
+    ovr_simulation_histories(sim, setup->load, setup->speed);
+    if (setup->surfaces)
+        ovr_simulation_surface(sim, ovr_surfaces_heights, setup->surfaces);
+    return sim;
+}

@@ -1,0 +1,250 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One value of a case: its text against its row of the table. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/suggest.h"
+#include "simulation/case.h"
+
+/* ------------------------------------------------------------------ words */
+
+static const ovr_word *find_word(const ovr_word *words, const char *text)
+{
+    for (; words && words->name; words++)
+        if (!strcmp(words->name, text))
+            return words;
+    return NULL;
+}
+
+static const char *nearest_word(const ovr_word *words, const char *text)
+{
+    const char *names[32];
+    size_t n = 0;
+    for (; words && words->name && n < 32; words++)
+        names[n++] = words->name;
+    return ovr_suggest(text, names, n);
+}
+
+static void list_words(const ovr_word *words, char *list, size_t room)
+{
+    size_t used = 0;
+    list[0] = '\0';
+    for (; words && words->name && used < room; words++)
+        used += (size_t)snprintf(list + used, room - used, "%s%s",
+                                 used ? ", " : "", words->name);
+}
+
+static ovr_status unknown_word(const ovr_parameter *row, const char *text,
+                               ovr_error *err)
+{
+    const char *meant = nearest_word(row->words, text);
+    char list[300];
+    list_words(row->words, list, sizeof list);
+    if (meant)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: unknown '%.40s'; did you mean '%s'? (allowed: %s)",
+                        row->key, text, meant, list);
+    return ovr_fail(err, OVR_BAD_INPUT, "%s: unknown '%.40s'; allowed: %s",
+                    row->key, text, list);
+}
+
+/* ---------------------------------------------------------------- numbers */
+
+/* 1000000 as such, not as 1e+06. */
+static void put_limit(char *text, size_t room, double limit)
+{
+    bool whole = limit == floor(limit) && fabs(limit) < 1e10;
+    snprintf(text, room, whole ? "%.0f" : "%g", limit);
+}
+
+ovr_status ovr_range_check(const ovr_parameter *row, double number,
+                           const char *text, ovr_error *err)
+{
+    bool low = row->above ? !(number > row->least) : !(number >= row->least);
+    char least[32], most[32], words[200];
+    const char *unit = row->hertzian ? ovr_hertzian_name(row->hertzian)
+                                     : ovr_unit_si(row->dimension);
+    if (!low && number <= row->most)
+        return OVR_OK;
+    put_limit(least, sizeof least, row->least);
+    put_limit(most, sizeof most, row->most);
+    list_words(row->words, words, sizeof words);
+    return ovr_fail(err, OVR_BAD_INPUT, "%s: %s must be %s%s %s %s%s%s%s%s",
+                    row->key, text, row->above ? "above " : "", least,
+                    row->above ? "and at most" : "to", most, *unit ? " " : "",
+                    unit, *words ? ", or " : "", words);
+}
+
+/* Of a length, height or time with a unit only the sign is known before the
+ * scales are. */
+static ovr_status check_sign(const ovr_parameter *row, double number,
+                             const char *text, ovr_error *err)
+{
+    bool wrong = (row->least > 0 && number <= 0) ||
+                 (row->least == 0 && number < 0) ||
+                 (row->above && row->least == 0 && number == 0) ||
+                 (row->most < 0 && number >= 0);
+    if (wrong)
+        return ovr_range_check(row, number, text, err);
+    return OVR_OK;
+}
+
+static ovr_status read_quantity(const ovr_parameter *row, const char *text,
+                                ovr_quantity *quantity, ovr_error *err)
+{
+    ovr_error why = {0};
+    const char *meant;
+    if (!ovr_quantity_read(text, row->dimension, row->hertzian, quantity, &why))
+        return quantity->unit && row->hertzian
+                   ? check_sign(row, quantity->value, text, err)
+                   : ovr_range_check(row, quantity->value, text, err);
+    meant = nearest_word(row->words, text);
+    if (row->words && meant)
+        return unknown_word(row, text, err);
+    return ovr_fail(err, why.status, "%s: %.500s", row->key, why.message);
+}
+
+static ovr_status read_number(const ovr_parameter *row, const char *text,
+                              ovr_slot *slot, ovr_error *err)
+{
+    const ovr_word *word = find_word(row->words, text);
+    ovr_quantity quantity;
+    slot->word = word != NULL;
+    if (word) {
+        slot->number = word->value;
+        return OVR_OK;
+    }
+    if (read_quantity(row, text, &quantity, err))
+        return OVR_BAD_INPUT;
+    if (row->kind == OVR_INTEGER && quantity.value != floor(quantity.value))
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: %s must be a whole number",
+                        row->key, text);
+    slot->number = quantity.value;
+    slot->unit = quantity.unit;
+    return OVR_OK;
+}
+
+static size_t count_items(const char *text)
+{
+    size_t n = 1;
+    for (; *text; text++)
+        n += *text == ',';
+    return n;
+}
+
+/* Copies the next item, blanks around it cut off, and moves on. */
+static void next_item(const char **text, const char *stops, char *item,
+                      size_t room)
+{
+    size_t length = strcspn(*text, stops);
+    const char *from = *text, *end = from + length;
+    *text = *end ? end + 1 : end;
+    while (from < end && (*from == ' ' || *from == '\t'))
+        from++;
+    while (end > from && (end[-1] == ' ' || end[-1] == '\t'))
+        end--;
+    length = (size_t)(end - from);
+    if (length >= room)
+        length = room - 1;
+    memcpy(item, from, length);
+    item[length] = '\0';
+}
+
+static ovr_status read_list(const ovr_parameter *row, const char *text,
+                            ovr_arena *arena, ovr_slot *slot, ovr_error *err)
+{
+    size_t n = count_items(text);
+    double *values = ovr_arena_take(arena, n, sizeof *values, err);
+    if (!values)
+        return OVR_NO_MEMORY;
+    for (size_t i = 0; i < n; i++) {
+        ovr_quantity quantity;
+        char item[64];
+        next_item(&text, ",", item, sizeof item);
+        if (read_quantity(row, item, &quantity, err))
+            return OVR_BAD_INPUT;
+        if (i && !quantity.unit != !slot->unit)
+            return ovr_fail(err, OVR_BAD_INPUT,
+                            "%s: '%s': give all numbers of a list a unit, or "
+                            "none",
+                            row->key, item);
+        slot->unit = quantity.unit;
+        values[i] = quantity.value;
+    }
+    slot->list = (ovr_list){n, values};
+    return OVR_OK;
+}
+
+/* ----------------------------------------------------------- other kinds */
+
+static ovr_status read_words(const ovr_parameter *row, const char *text,
+                             ovr_slot *slot, ovr_error *err)
+{
+    while (*text) {
+        char item[64];
+        const ovr_word *word;
+        next_item(&text, ", \t", item, sizeof item);
+        if (!item[0])
+            continue;
+        word = find_word(row->words, item);
+        if (!word)
+            return unknown_word(row, item, err);
+        slot->bits |= 1u << (word - row->words);
+    }
+    if (slot->bits)
+        return OVR_OK;
+    return unknown_word(row, text, err);
+}
+
+static ovr_status read_flag(const ovr_parameter *row, const char *text,
+                            ovr_slot *slot, ovr_error *err)
+{
+    static const char *const words[] = {"no",   "yes", "false",
+                                        "true", "off", "on"};
+    for (int i = 0; i < 6; i++)
+        if (!strcmp(words[i], text)) {
+            slot->number = i % 2;
+            return OVR_OK;
+        }
+    return ovr_fail(err, OVR_BAD_INPUT, "%s: '%.40s' must be yes or no",
+                    row->key, text);
+}
+
+static ovr_status read_choice(const ovr_parameter *row, const char *text,
+                              ovr_slot *slot, ovr_error *err)
+{
+    const ovr_word *word = find_word(row->words, text);
+    if (!word)
+        return unknown_word(row, text, err);
+    slot->number = word->value;
+    slot->word = true;
+    return OVR_OK;
+}
+
+ovr_status ovr_slot_read(const ovr_parameter *row, const char *text,
+                         ovr_arena *arena, ovr_slot *slot, ovr_error *err)
+{
+    ovr_slot fresh = {.number = NAN};
+    ovr_status status = OVR_OK;
+    if (!*text)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: the value is missing",
+                        row->key);
+    switch (row->kind) {
+    case OVR_NUMBER:
+    case OVR_INTEGER: status = read_number(row, text, &fresh, err); break;
+    case OVR_CHOICE: status = read_choice(row, text, &fresh, err); break;
+    case OVR_FLAG: status = read_flag(row, text, &fresh, err); break;
+    case OVR_NUMBERS: status = read_list(row, text, arena, &fresh, err); break;
+    case OVR_WORDS: status = read_words(row, text, &fresh, err); break;
+    case OVR_TEXT:
+    case OVR_PATH: break;
+    }
+    if (status)
+        return status;
+    fresh.text = ovr_arena_text(arena, text, err);
+    if (!fresh.text)
+        return OVR_NO_MEMORY;
+    *slot = fresh;
+    return OVR_OK;
+}

@@ -1,0 +1,19 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# init: every kind with every oil is a case that can be checked; each kind runs.
+. "$TOP/tests/support/cli.sh"
+
+for kind in roller gear cam numbers; do
+    for oil in paper vg32 vg68 vg100 vg220; do
+        expect 0 "$OVERROLL" init $kind --oil $oil
+        mv out $kind.ini
+        expect 0 "$OVERROLL" check $kind.ini
+        [ ! -s err ] || fail "$kind, $oil: $(cat err)"
+    done
+    expect 0 "$OVERROLL" run $kind.ini --level 5 --set time.end=0.3
+    [ -f $kind.h5 ] || fail "no $kind.h5"
+done
+expect 0 "$OVERROLL" init gear -o gear2.ini
+refuses 'gear2.ini exists already' init gear -o gear2.ini
+refuses "no case 'gaer'; did you mean gear" init gaer
+refuses "no oil 'vg46'" init --oil vg46

@@ -1,0 +1,36 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The parameters in overroll-case(5) are those of the table; to update them:
+# overroll help --roff between PARAMETERS and SEE ALSO.
+. "$TOP/tests/support/cli.sh"
+
+expect 0 "$OVERROLL" help --roff
+sed -n '/^\.SH PARAMETERS/,/^\.SH SEE ALSO/p' \
+    "$TOP/src/simulation/overroll-case.5" | sed '1d;$d' >written
+diff written out || fail 'overroll-case.5 is not what the table says'
+
+# Every command and option is in overroll(1)
+for option in set M L level scheme smoother force json help version; do
+    grep -q -e "\\\\-\\\\-$option" "$TOP/src/cli/overroll.1" ||
+        fail "overroll.1 lacks --$option"
+done
+
+# help explains every section and command
+for topic in contact lubricant domain solver time load speed feature output \
+    steady run check init help units alpha feature.depth; do
+    expect 0 "$OVERROLL" help $topic
+    [ -s out ] || fail "nothing on $topic"
+done
+refuses "no topic 'levl'; did you mean 'level'" help levl
+
+version=$(sed -n 's/.*OVERROLL_VERSION "\(.*\)"/\1/p' \
+    "$TOP/include/overroll/version.h")
+for page in "$TOP"/src/*/overroll*.[157]; do
+    grep -q "^\.TH.*$version" "$page" || fail "$page: not version $version"
+done
+if command -v groff >/dev/null; then
+    for page in "$TOP"/src/*/overroll*.[157]; do
+        groff -man -ww -Tutf8 "$page" 2>warnings >/dev/null
+        [ ! -s warnings ] || fail "$page: $(cat warnings)"
+    done
+fi

@@ -1,0 +1,99 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# resume: the same end as without interruption; what it refuses, and that
+# nothing is changed then; a lost checkpoint; a longer run.
+. "$TOP/tests/support/cli.sh"
+
+cat >dent.ini <<'END'
+[contact]
+M = 20
+L = 10
+[domain]
+level = 5
+[time]
+end = 3
+[feature dent]
+shape = dent
+depth = 0.1
+width = 1
+start = -3.9
+[output]
+every = 2
+END
+
+# The file as text, without dates.
+content() {
+    "$OVERROLL" export "$1" >history.txt &&
+        "$OVERROLL" export "$1" --all >snapshots.txt &&
+        cat history.txt snapshots.txt
+}
+same() {
+    content "$1" >1.txt
+    content "$2" >2.txt
+    cmp 1.txt 2.txt || fail "$1 and $2 differ"
+}
+
+expect 0 "$OVERROLL" run dent.ini -o whole.h5 -q
+expect 0 "$OVERROLL" run dent.ini -o short.h5 -q --set time.end=1
+cp short.h5 kept.h5 && cp short.h5.restart kept.h5.restart
+
+# What it refuses
+refuses '^nowhere.h5: No such file' resume nowhere.h5
+refuses '^dent.ini: not an HDF5 file' resume dent.ini
+refuses "'contact.M' was '20' and is now '21'" \
+    resume short.h5 --set contact.M=21
+refuses "'feature dent.depth' was '0.1' and is now '0.2'" \
+    resume short.h5 --set 'feature dent.depth=0.2'
+refuses 'other nodes' resume short.h5 --set output.stride=2
+cmp short.h5 kept.h5 || fail 'a refusal changed the file'
+cmp short.h5.restart kept.h5.restart || fail 'a refusal changed the checkpoint'
+
+# Longer, in two pieces
+expect 0 "$OVERROLL" resume short.h5 --set time.end=2
+contains err 'goes on from T = 1'
+expect 0 "$OVERROLL" resume short.h5 --set time.end=3 -q --json
+contains out '"converged": true'
+same whole.h5 short.h5
+
+# Nothing left to do
+expect 0 "$OVERROLL" resume short.h5 -q
+same whole.h5 short.h5
+
+# A damaged checkpoint is refused; a lost one means to begin again
+dd if=/dev/zero of=kept.h5.restart bs=1 count=4 seek=300 conv=notrunc 2>/dev/null
+refuses '^kept.h5.restart: is damaged' resume kept.h5 --set time.end=3
+rm kept.h5.restart
+expect 0 "$OVERROLL" resume kept.h5 --set time.end=3
+contains err 'no checkpoint: the run begins again'
+same whole.h5 kept.h5
+
+# The checkpoint of another run
+expect 0 "$OVERROLL" run dent.ini -o other.h5 -q --set time.end=1
+cp other.h5.restart whole.h5.restart
+refuses 'belongs to another run' resume whole.h5
+
+# A profile that has changed
+printf 'x_um,z_um\n0,0\n100,0\n200,-0.2\n300,0\n400,0\n' >p.csv
+cat >profile.ini <<'END'
+[contact]
+load = 50 kN/m
+radius = 10 mm
+modulus = 220 GPa
+viscosity = 40 mPa.s
+speed_1 = 1 m/s
+speed_2 = 1 m/s
+[lubricant]
+alpha = 20 1/GPa
+[domain]
+level = 4
+[time]
+end = 3
+[feature p]
+shape = profile
+file = p.csv
+start = -2
+END
+expect 0 "$OVERROLL" run profile.ini -o p.h5 -q
+printf 'x_um,z_um\n0,0\n100,0\n200,-0.3\n300,0\n400,0\n' >p.csv
+refuses "has a profile's file changed" resume p.h5 --set time.end=4
+exit 0

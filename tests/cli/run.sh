@@ -1,0 +1,87 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# run: the promised keys, the result file, what is refused before solving,
+# stopping by signal.
+. "$TOP/tests/support/cli.sh"
+
+cat >dent.ini <<'END'
+[contact]
+M = 20
+L = 10
+[domain]
+level = 5
+[time]
+end = 0.5
+[feature dent]
+shape = dent
+depth = 0.1
+width = 1
+start = -4.9
+[output]
+every = 2
+END
+
+# A summary alone
+expect 0 "$OVERROLL" run dent.ini --json
+for key in converged M L alphabar hertz_pressure_Pa nodes level scheme \
+    smoother H_min X_min H_cen H0 P_max X_P_max P_spike X_spike load \
+    mass_flow residual cycles seconds steps steps_marked T_end \
+    H_min_overall T_H_min cycles_total snapshots output; do
+    contains out "^ *\"$key\": "
+done
+contains out '"output": null'
+contains out '"steps_marked": 0'
+contains err '^ 5[0-9] %'
+[ "$(grep -c '%' err)" -eq 10 ] || fail "not ten lines of progress: $(cat err)"
+
+# A result file; not over another one
+expect 0 "$OVERROLL" run dent.ini -o a.h5 -q
+[ ! -s err ] || fail "-q says: $(cat err)"
+refuses '^a.h5: exists already; --force' run dent.ini -o a.h5
+expect 0 "$OVERROLL" run dent.ini -o a.h5 --force --json
+contains out '"output": "a.h5"'
+contains out '"snapshots": [1-9][0-9]'
+expect 0 "$OVERROLL" info a.h5
+contains out 'complete'
+
+# [output] file is beside the case
+mkdir sub
+{ cat dent.ini; echo 'file = b.h5'; } >sub/b.ini
+expect 0 "$OVERROLL" run sub/b.ini
+[ -f sub/b.h5 ] || fail 'no sub/b.h5'
+
+# A case without [time] end is steady
+expect 0 "$OVERROLL" run dent.ini --set time.end=0.1 --json
+sed '/^end/d' dent.ini >steady.ini
+expect 0 "$OVERROLL" run steady.ini --json
+contains out '"converged": true'
+grep -q '"steps"' out && fail 'a steady case has steps'
+
+# Outputs that cannot be made
+refuses '^nodir/a.h5: cannot be written: nodir: No such' \
+    run dent.ini -o nodir/a.h5
+refuses 'is not the name of a file' run dent.ini -o sub/
+refuses 'what to work on is missing' run
+
+# SIGINT and SIGTERM: step finished, file closed, 130 and 143
+for signal in INT TERM; do
+    rm -f c.h5*
+    "$OVERROLL" run dent.ini --level 7 --set time.end=1000 -o c.h5 \
+        >out 2>err &
+    pid=$!
+    for _ in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
+        [ -f c.h5 ] && break
+        sleep 0.2
+    done
+    sleep 0.3
+    kill -s $signal $pid
+    code=0
+    wait $pid || code=$?
+    case $signal in
+    INT) wanted=130 ;;
+    TERM) wanted=143 ;;
+    esac
+    [ $code -eq $wanted ] || fail "SIG$signal: exit code $code: $(cat err)"
+    expect 0 "$OVERROLL" info c.h5
+    contains out 'stopped'
+done

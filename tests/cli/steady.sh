@@ -1,0 +1,54 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# steady: table, JSON with the promised keys, the exact discrete solution.
+. "$TOP/tests/support/cli.sh"
+
+expect 0 "$OVERROLL" steady --M 20 --L 10 --level 7
+contains out '^minimum film +0\.0[0-9]+ +at X = 0\.9'
+[ ! -s err ] || fail "says on stderr: $(cat err)"
+
+expect 0 "$OVERROLL" steady --M 20 --L 10 --level 6 -q
+[ ! -s out ] || fail "-q prints: $(cat out)"
+
+expect 0 "$OVERROLL" steady --M 20 --L 10 --level 9 --scheme upstream1 --json
+for key in converged M L alphabar hertz_pressure_Pa nodes level scheme \
+    smoother H_min X_min H_cen H0 P_max X_P_max P_spike X_spike load \
+    mass_flow residual cycles seconds; do
+    contains out "^ *\"$key\": "
+done
+contains out '"converged": true'
+contains out '"scheme": "upstream1"'
+
+# No spike, no Hertzian pressure: null
+expect 0 "$OVERROLL" steady --M 5 --L 0 --level 6 --json
+contains out '"hertz_pressure_Pa": null'
+contains out '"P_spike": null'
+
+# The same contact in physical units and in numbers
+cat >roller.ini <<'END'
+[contact]
+load = 307 kN/m
+radius = 10 mm
+modulus = 226 GPa
+viscosity = 40 mPa.s
+mean_speed = 1.3 m/s
+[lubricant]
+alpha = 17 1/GPa
+z = 0.68
+[domain]
+level = 7
+END
+expect 0 "$OVERROLL" steady roller.ini --json
+contains out '"min_film_m": [0-9.]+e-07'
+mv out physical
+value() {
+    sed -n "s/^ *\"$2\": \([^,]*\),*$/\1/p" "$1"
+}
+expect 0 "$OVERROLL" steady --json --level 7 --M "$(value physical M)" \
+    --L "$(value physical L)" --set lubricant.z=0.68
+for key in H_min H_cen H0 P_max P_spike mass_flow; do
+    a=$(value physical $key) b=$(value out $key)
+    awk -v a="$a" -v b="$b" \
+        'BEGIN { d = (a - b)/a; exit !(a != 0 && d < 1e-10 && d > -1e-10) }' ||
+        fail "$key: $a in physical units, $b in numbers"
+done

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Whatever it is: the door that tells formats apart. */
+#include "fuzz/profile.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    ovr_profile_source source = fuzz_source(data, size);
+    ovr_error err;
+    ovr_profile *p = ovr_profile_parse(&source, data, size, NULL, &err);
+    if (p)
+        fuzz_use(p);
+    ovr_profile_free(p);
+    return 0;
+}

@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The multigrid solver against the dense Newton solution of the same discrete
+ * equations: steady, with a feature, and some time steps. */
+#include "support/newton.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "support/test.h"
+
+enum { LEVEL = 4 };
+
+static ovr_simulation *solver(double M, double L, ovr_scheme scheme)
+{
+    ovr_options o = ovr_options_default();
+    o.level = LEVEL;
+    o.coarsest_level = 3;
+    o.scheme = scheme;
+    o.tolerance = 1e-10;
+    o.mlmi_order = 12;
+    o.mlmi_range = 24;
+    return test_simulation(M, L, &o);
+}
+
+static void compare(const ovr_simulation *sim, const dense *d)
+{
+    const ovr_state *now = ovr_simulation_state(sim);
+    assert_int_equal(now->n, d->n);
+    CHECK_NEAR(now->H0, d->H0, 1e-8);
+    for (size_t i = 0; i < d->n; i++) {
+        CHECK_NEAR(now->P[i], d->P[i], 1e-7);
+        CHECK_NEAR(now->H[i], d->H[i], 1e-8);
+    }
+}
+
+/* Full Newton steps have a small basin: start from the solution with every
+ * pressure disturbed by up to 1 %. */
+static void start_near(dense *d, const ovr_simulation *sim)
+{
+    const ovr_state *now = ovr_simulation_state(sim);
+    uint64_t seed = 5;
+    for (size_t i = 0; i < d->n; i++)
+        d->P[i] = now->P[i] * test_random(&seed, 0.99, 1.01);
+    d->H0 = now->H0;
+}
+
+static void steady_smooth(void **state)
+{
+    const double loads[][2] = {{5, 10}, {10, 2.5}, {20, 10}, {5, 0}};
+    (void)state;
+    for (int c = 0; c < 4; c++)
+        for (int s = 0; s < 2; s++) {
+            ovr_error err;
+            ovr_scheme scheme = s ? OVR_UPSTREAM2 : OVR_UPSTREAM1;
+            dense *d = dense_make(loads[c][0], loads[c][1], LEVEL, scheme);
+            ovr_simulation *sim = solver(loads[c][0], loads[c][1], scheme);
+            CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+            start_near(d, sim);
+            dense_solve(d);
+            compare(sim, d);
+            ovr_simulation_free(sim);
+            dense_free(d);
+        }
+}
+
+static void steady_with_a_dent(void **state)
+{
+    ovr_error err;
+    test_feature dent = {'l', -0.05, 0.8, -0.2, 0, 0};
+    double S[128];
+    dense *d = dense_make(10, 10, LEVEL, OVR_UPSTREAM2);
+    ovr_simulation *sim = solver(10, 10, OVR_UPSTREAM2);
+    (void)state;
+    ovr_simulation_surface(sim, test_feature_heights, &dent);
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    test_feature_heights(&dent, 0, d->n, d->X, S);
+    dense_surface(d, S);
+    dense_solve(d);
+    compare(sim, d);
+    ovr_simulation_free(sim);
+    dense_free(d);
+}
+
+/* Coefficients of q^k and q^{k-1} in F, times dT, and cT dT. */
+static void history(dense *d, ovr_scheme scheme, double dT, const double *q1,
+                    const double *q2)
+{
+    bool first = scheme == OVR_UPSTREAM1;
+    d->cT = (first ? 1 : 1.5) / dT;
+    for (size_t i = 0; i < d->n; i++) {
+        size_t a = i ? i - 1 : 0, b = i > 1 ? i - 2 : 0;
+        if (scheme == OVR_CHARACTERISTIC)
+            d->F[i] = (-2 * q1[a] + 0.5 * q2[b]) / dT;
+        else
+            d->F[i] = (first ? -q1[i] : -2 * q1[i] + 0.5 * q2[i]) / dT;
+    }
+    if (scheme == OVR_CHARACTERISTIC)
+        memset(d->w, 0, sizeof d->w), memset(d->first, 0, sizeof d->first);
+}
+
+/* q beyond the inlet: film with P = 0 there, at X_a - g D */
+static double ghost(const dense *d, int g)
+{
+    double X = d->X_a - g * d->D, w = 0;
+    for (size_t j = 0; j < d->n; j++) {
+        double a = ((double)j + g + 0.5) * d->D, b = a - d->D;
+        w += (a * (log(a) - 1) - b * (log(b) - 1)) / acos(-1) * d->P[j];
+    }
+    return d->H0 + 0.5 * X * X - w;
+}
+
+static void time_steps(ovr_scheme scheme)
+{
+    enum { STEPS = 4 };
+    ovr_error err;
+    double S[128], q1[128], q2[128], in1, in2[2];
+    test_feature dent = {'l', -0.08, 0.8, -1.3, 1, 0};
+    ovr_scheme steady = scheme == OVR_UPSTREAM1 ? scheme : OVR_UPSTREAM2;
+    dense *d = dense_make(10, 10, LEVEL, steady);
+    ovr_simulation *sim = solver(10, 10, scheme);
+    ovr_simulation_surface(sim, test_feature_heights, &dent);
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    test_feature_heights(&dent, 0, d->n, d->X, S);
+    dense_surface(d, S);
+    dense_solve(d);
+    memcpy(q1, d->q, d->n * sizeof *q1);
+    memcpy(q2, d->q, d->n * sizeof *q2);
+    in1 = in2[0] = ghost(d, 1);
+    in2[1] = ghost(d, 2);
+    for (int k = 1; k <= STEPS; k++) {
+        CHECK_OK(ovr_simulation_step(sim, d->D, &err), &err);
+        test_feature_heights(&dent, k * d->D, d->n, d->X, S);
+        dense_surface(d, S);
+        history(d, scheme, d->D, q1, q2);
+        if (scheme == OVR_CHARACTERISTIC)
+            d->F[1] = (-2 * q1[0] + 0.5 * in2[0]) / d->D;
+        dense_solve(d);
+        compare(sim, d);
+        assert_false(ovr_simulation_observation(sim)->marked);
+        memcpy(q2, q1, d->n * sizeof *q1);
+        memcpy(q1, d->q, d->n * sizeof *q1);
+        in2[0] = in1;
+        in1 = ghost(d, 1);
+    }
+    ovr_simulation_free(sim);
+    dense_free(d);
+}
+
+static void backward_euler(void **state)
+{
+    (void)state;
+    time_steps(OVR_UPSTREAM1);
+}
+
+static void bdf2(void **state)
+{
+    (void)state;
+    time_steps(OVR_UPSTREAM2);
+}
+
+static void along_the_characteristic(void **state)
+{
+    (void)state;
+    time_steps(OVR_CHARACTERISTIC);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(steady_smooth),
+        cmocka_unit_test(steady_with_a_dent),
+        cmocka_unit_test(backward_euler),
+        cmocka_unit_test(bdf2),
+        cmocka_unit_test(along_the_characteristic),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "newton.h"
+
+#include <gsl/gsl_linalg.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "test.h"
+
+static double *take(size_t n)
+{
+    double *x = calloc(n, sizeof *x);
+    assert_non_null(x);
+    return x;
+}
+
+/* Integral of ln|x - y| over the mesh at d, over pi. */
+static double influence(double d, double D)
+{
+    double a = (d + 0.5) * D, b = (d - 0.5) * D;
+    return (a * (log(fabs(a)) - 1) - b * (log(fabs(b)) - 1)) / acos(-1);
+}
+
+dense *dense_make(double M, double L, int level, ovr_scheme scheme)
+{
+    dense *d = calloc(1, sizeof *d);
+    assert_non_null(d);
+    size_t n = d->n = ((size_t)7 << level) + 1;
+    bool second = scheme == OVR_UPSTREAM2;
+    d->contact = test_contact_make(M, L);
+    d->X_a = -4;
+    d->D = 5.5 / (double)(n - 1);
+    d->w[0] = second ? 1.5 : 1;
+    d->w[1] = second ? -2 : -1;
+    d->w[2] = second ? 0.5 : 0;
+    d->first[0] = 1;
+    d->first[1] = -1;
+    d->force = acos(0);
+    double **all[] = {&d->X, &d->gap, &d->F, &d->P, &d->H, &d->q, &d->kernel};
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+        *all[k] = take(n);
+    for (size_t i = 0; i < n; i++) {
+        double X = d->X[i] = d->X_a + (double)i * d->D;
+        d->gap[i] = 0.5 * X * X;
+        d->P[i] = X * X < 1 ? sqrt(1 - X * X) : 0;
+        d->kernel[i] = influence((double)i, d->D);
+    }
+    d->H0 = ovr_film_central_moes(M, L) - 0.6;
+    return d;
+}
+
+void dense_free(dense *d)
+{
+    double *all[] = {d->X, d->gap, d->F,      d->P,
+                     d->H, d->q,   d->kernel, (double *)d};
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+        free(all[k]);
+}
+
+void dense_surface(dense *d, const double *S)
+{
+    for (size_t i = 0; i < d->n; i++)
+        d->gap[i] = 0.5 * d->X[i] * d->X[i] - S[i];
+}
+
+static void film(dense *d)
+{
+    for (size_t i = 0; i < d->n; i++) {
+        double w = 0;
+        for (size_t j = 0; j < d->n; j++)
+            w += d->kernel[i > j ? i - j : j - i] * d->P[j];
+        d->H[i] = d->H0 + d->gap[i] - w;
+        d->q[i] = ovr_density(&d->contact.lubricant, d->P[i]) * d->H[i];
+    }
+}
+
+static double eps(const dense *d, size_t i)
+{
+    const test_contact *c = &d->contact;
+    return d->q[i] * d->H[i] * d->H[i] /
+           (ovr_viscosity(&c->lubricant, d->P[i]) * c->contact.lambda);
+}
+
+/* Flow in less flow out of cell i, less the stored change: N_i - F_i. */
+static double equation(const dense *d, size_t i)
+{
+    double e = eps(d, i), D = d->D;
+    double in = 0.5 * (eps(d, i - 1) + e) * (d->P[i - 1] - d->P[i]) / D;
+    double out = 0.5 * (e + eps(d, i + 1)) * (d->P[i] - d->P[i + 1]) / D;
+    double wedge = i == 1 ? d->first[0] * d->q[1] + d->first[1] * d->q[0]
+                          : d->w[0] * d->q[i] + d->w[1] * d->q[i - 1] +
+                                d->w[2] * d->q[i - 2];
+    return (in - out - wedge) / D - d->cT * d->q[i] - d->F[i];
+}
+
+static double load_defect(const dense *d)
+{
+    double sum = 0;
+    for (size_t i = 0; i < d->n; i++)
+        sum += d->P[i];
+    return d->force - d->D * sum;
+}
+
+static void residuals(dense *d, double *r)
+{
+    film(d);
+    for (size_t i = 1; i + 1 < d->n; i++)
+        r[i - 1] = -equation(d, i);
+    r[d->n - 2] = load_defect(d);
+}
+
+/* One Newton step of the complementarity problem; rows of dry nodes that do
+ * not want to rise say dP = 0.  Returns the largest change. */
+static double newton_step(dense *d, gsl_matrix *J, gsl_vector *x,
+                          gsl_permutation *p, double *r, double *moved)
+{
+    size_t m = d->n - 1;
+    int sign;
+    double biggest = 0, step = 1;
+    residuals(d, r);
+    for (size_t c = 0; c < m; c++) {
+        double *unknown = c + 1 < m ? &d->P[c + 1] : &d->H0;
+        double kept = *unknown, h = 1e-7;
+        *unknown = kept + h;
+        residuals(d, moved);
+        *unknown = kept;
+        for (size_t i = 0; i < m; i++)
+            gsl_matrix_set(J, i, c, (moved[i] - r[i]) / h);
+    }
+    for (size_t i = 0; i < m; i++) {
+        /* r = -N rises with P: a dry node with r > 0 stays */
+        bool dry = i + 1 < m && d->P[i + 1] <= 0 && r[i] >= 0;
+        for (size_t c = 0; dry && c < m; c++)
+            gsl_matrix_set(J, i, c, i == c);
+        gsl_vector_set(x, i, dry ? 0 : -r[i]);
+    }
+    gsl_linalg_LU_decomp(J, p, &sign);
+    gsl_linalg_LU_svx(J, p, x);
+    for (size_t c = 0; c < m; c++)
+        biggest = fmax(biggest, fabs(gsl_vector_get(x, c)));
+    if (biggest > 0.1)
+        step = 0.1 / biggest;
+    for (size_t c = 0; c + 1 < m; c++)
+        d->P[c + 1] = fmax(0, d->P[c + 1] + step * gsl_vector_get(x, c));
+    d->H0 += step * gsl_vector_get(x, m - 1);
+    return biggest;
+}
+
+void dense_solve(dense *d)
+{
+    size_t m = d->n - 1;
+    gsl_matrix *J = gsl_matrix_alloc(m, m);
+    gsl_vector *x = gsl_vector_alloc(m);
+    gsl_permutation *p = gsl_permutation_alloc(m);
+    double *r = take(m), *moved = take(m), change = 1;
+    int step = 0;
+    while (change > 1e-9 && step++ < 100)
+        change = newton_step(d, J, x, p, r, moved);
+    CHECK_NEAR(change, 0, 1e-9);
+    film(d);
+    free(r);
+    free(moved);
+    gsl_permutation_free(p);
+    gsl_vector_free(x);
+    gsl_matrix_free(J);
+}

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The dense reference: Newton's method with a full Jacobian matrix by
+ * differences and GSL's LU, on the discrete equations written down once more
+ * here, from the physics and not from the library's solver.  O(n^3): small n.
+ */
+#ifndef TESTS_SUPPORT_NEWTON_H
+#define TESTS_SUPPORT_NEWTON_H
+
+#include "contact.h"
+#include "overroll/simulation.h"
+
+typedef struct dense {
+    test_contact contact;
+    size_t n;
+    double D, X_a;
+    double w[3], first[2]; /* wedge weights, and in row 1 */
+    double cT;             /* of q in the time derivative */
+    double force;          /* wanted D sum P */
+    double *X, *gap, *F;   /* gap X^2/2 - S, history term */
+    double *P, *H, *q;     /* solution */
+    double H0;
+    double *kernel; /* K/pi at 0..n-1 meshes */
+} dense;
+
+dense *dense_make(double M, double L, int level, ovr_scheme scheme);
+void dense_free(dense *d);
+
+/* Sets gap = X^2/2 - S. */
+void dense_surface(dense *d, const double *S);
+
+/* Newton from the P and H0 it has; fails the test if it does not converge. */
+void dense_solve(dense *d);
+
+#endif

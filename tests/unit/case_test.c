@@ -1,0 +1,514 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Case files: what is read, what is refused, what it resolves to. */
+#include "support/test.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "overroll/overroll.h"
+#include "simulation/parameters.h"
+
+static const char *const moes = "[contact]\nM = 20\nL = 10\n";
+static const char *const roller = "[contact]\n"
+                                  "load = 307 kN/m\n"
+                                  "radius = 10 mm\n"
+                                  "modulus = 226 GPa\n"
+                                  "speed_1 = 1.4 m/s\n"
+                                  "speed_2 = 1.2 m/s\n"
+                                  "[lubricant]\n"
+                                  "viscosity = 40 mPa.s\n"
+                                  "alpha = 17 1/GPa\n"
+                                  "z = 0.68\n";
+
+static char text[65536];
+
+/* The two together in a static buffer. */
+static const char *join(const char *a, const char *b)
+{
+    snprintf(text, sizeof text, "%s%s", a, b);
+    return text;
+}
+
+/* Reads and resolves; OVR_OK with *setup, or the error. */
+static ovr_status try_case(const char *source, ovr_case **c, ovr_setup **setup,
+                           ovr_error *err)
+{
+    *setup = NULL;
+    *c = ovr_case_read_text(source, "t.ini", NULL, NULL, err);
+    if (*c)
+        *setup = ovr_case_resolve(*c, NULL, err);
+    if (*setup && ovr_setup_prepare(*setup, NULL, err) == OVR_OK)
+        return OVR_OK;
+    ovr_setup_free(*setup);
+    ovr_case_free(*c);
+    return err->status;
+}
+
+static void refused(const char *source, const char *message)
+{
+    ovr_case *c;
+    ovr_setup *setup;
+    ovr_error err = {0};
+    if (try_case(source, &c, &setup, &err) == OVR_OK)
+        fail_msg("not refused: %s", source);
+    CHECK_ERROR(&err, OVR_BAD_INPUT, message);
+}
+
+static ovr_setup *resolved(const char *source, ovr_case **c)
+{
+    ovr_setup *setup;
+    ovr_error err = {0};
+    if (try_case(source, c, &setup, &err))
+        fail_msg("%s", err.message);
+    return setup;
+}
+
+static void done(ovr_case *c, ovr_setup *setup)
+{
+    ovr_setup_free(setup);
+    ovr_case_free(c);
+}
+
+/* ---------------------------------------------------------------- reading */
+
+static void values_and_defaults(void **state)
+{
+    ovr_case *c;
+    ovr_setup *s = resolved(join(moes, "[domain]\nlevel = 9\n"
+                                       "[time]\nend = 2.5\nstep = adaptive\n"
+                                       "[output]\nat = 0.5, 1,2\n"),
+                            &c);
+    (void)state;
+    assert_true(s->contact.M == 20 && s->contact.L == 10);
+    assert_int_equal(s->options.level, 9);
+    assert_int_equal(s->options.scheme, OVR_UPSTREAM2);
+    assert_true(s->transient && s->march.end == 2.5 && s->march.adaptive);
+    assert_true(s->options.inlet == -4 && s->options.outlet == 1.5);
+    assert_int_equal(s->output.at.count, 3);
+    assert_true(s->output.at.values[2] == 2);
+    assert_int_equal(s->output.fields, 7);
+    CHECK_CLOSE(s->contact.ph, s->contact.alphabar / 1.7e-8, 1e-15);
+    assert_int_equal(s->lubricant.viscosity_law, OVR_ROELANDS);
+    done(c, s);
+}
+
+static void oddities_of_text(void **state)
+{
+    ovr_case *c;
+    ovr_setup *s = resolved("\357\273\277# with a byte order mark\r\n"
+                            "  [ contact ] # the contact\r\n"
+                            "\tM=20#comment\r\r\n"
+                            "    L : 10\r\n"
+                            "; also a comment\r\n"
+                            "\r\n"
+                            "[feature a b.c]\n"
+                            "shape = dent\ndepth=0.1\nwidth = 1\n"
+                            "start = -5",
+                            &c);
+    (void)state;
+    assert_true(s->contact.M == 20 && s->contact.L == 10);
+    assert_int_equal(s->features, 1);
+    assert_string_equal(s->feature[0].name, "a b.c");
+    done(c, s);
+}
+
+static void bad_text_is_refused(void **state)
+{
+    char line[400];
+    (void)state;
+    refused("[lubricant]\n\nviscocity = 1 Pa.s\n",
+            "t.ini:3: unknown key 'viscocity' in [lubricant]; did you mean "
+            "'viscosity'?");
+    refused("[contact]\nM = 1\n\nM = 2", "t.ini:4: 'M' is given twice in "
+                                         "[contact] (first in line 2)");
+    refused("[contcat]\n", "t.ini:1: unknown section [contcat]; did you mean "
+                           "[contact]?");
+    refused("[warp]\n", "unknown section [warp]; there are");
+    refused("M = 3\n", "t.ini:1: a [section] must come before");
+    refused("[contact]\nM\n", "t.ini:2: must be 'key = value'");
+    refused("[contact]\n= 3\n", "t.ini:2: a key is missing");
+    refused("[contact]\nM =\n", "t.ini:2: M: the value is missing");
+    refused("[contact\n", "t.ini:1: a section is [name]");
+    refused("[contact] M = 3\n", "t.ini:1: a section is [name]");
+    refused("[feature]\n", "needs a name");
+    refused("[contact two]\n", "unknown section");
+    refused("[feature a]\nshape = dent\n[feature a]\n",
+            "t.ini:3: [feature a] is there twice (first in line 1)");
+    refused("\032HDF\n", "t.ini:1: is not text");
+    refused("[contact]\nalpha = 1\n", "needs a unit; allowed: 1/Pa");
+    refused("[domain]\nM = 3\n", "t.ini:2: unknown key 'M' in [domain]; it "
+                                 "belongs in [contact]");
+    memset(line, 'x', sizeof line - 1);
+    line[sizeof line - 1] = '\0';
+    refused(line, "t.ini:1: the line is too long");
+    line[60] = '=';
+    line[100] = '\0';
+    refused(line, "t.ini:1: the key is too long");
+    line[0] = '[';
+    line[99] = ']';
+    refused(line, "is longer than 48");
+}
+
+/* ------------------------------------------------------------ consistency */
+
+static void contradictions_name_their_line(void **state)
+{
+    (void)state;
+    refused("", "load is missing");
+    refused("[contact]\nM = 20\nL = 10\nload = 3 N/m\n", "t.ini:4: load");
+    refused("[contact]\nM = -20\nL = 1\n", "t.ini:2: M: -20 must be");
+    refused(join(moes, "alpha = 1 1/GPa\n[lubricant]\nalpha = 2 1/GPa\n"),
+            "t.ini:6: alpha: is given in [contact] too");
+    refused(join(moes, "[lubricant]\nviscosity_law = oil\n"),
+            "t.ini:5: viscosity_law: unknown 'oil'");
+    refused(join(roller, "[contact]\nslide_to_roll = 1\n"),
+            "t.ini:12: slide_to_roll follows");
+    refused(join(moes, "[domain]\nlevel = 99\n"), "t.ini:5: level: 99 must");
+    refused(join(moes, "[domain]\nnodes = 1800\n"),
+            "t.ini:5: nodes: 1800 must be 7 2^k + 1; the nearest is 1793");
+    refused(join(moes, "[domain]\nnodes = 1793\nlevel = 8\n"),
+            "t.ini:5: nodes: level is given too");
+    refused(join(moes, "[domain]\noutlet = 0.5\n"), "t.ini:5: outlet");
+    refused(join(moes, "[load]\nto = 2\n"),
+            "t.ini:5: to: has no meaning with history = constant");
+    refused(join(moes, "[load]\nhistory = sine\n"), "t.ini:5: history: sine");
+    refused(join(moes, "[load]\nhistory = table\nfile = nowhere\n"),
+            "t.ini:6: file: cannot read");
+    refused(join(moes, "[solver]\nmlmi_order = 5\n"), "t.ini:5: mlmi_order");
+    refused(join(moes, "[feature a]\nshape = dent\nwidth = 1\nstart=-5\n"),
+            "t.ini:4: feature 'a': a dent needs its depth");
+    refused(join(moes, "[feature a]\nwidth = 1\n"),
+            "[feature a] needs a shape");
+    refused(join(moes, "[feature a]\nshape = dent\ndepth = 1\nwidth = 1\n"
+                       "start = -5\nwavelength = 3\n"),
+            "t.ini:9: feature 'a': a dent has no wavelength");
+}
+
+static void physical_numbers_need_a_physical_contact(void **state)
+{
+    const char *dent = "[feature a]\nshape = dent\ndepth = 0.2 um\n"
+                       "width = 0.5\nstart = -5\n";
+    ovr_case *c;
+    ovr_setup *s;
+    (void)state;
+    refused(join(moes, dent), "t.ini:6: depth: 0.2 um needs a physical "
+                              "contact: add radius and modulus");
+    refused(join(moes, "[time]\nend = 1 ms\n"), "t.ini:5: end: 1 ms needs a");
+    s = resolved(join(roller, dent), &c);
+    CHECK_CLOSE(s->feature[0].depth, 0.2e-6 / s->contact.height, 1e-15);
+    assert_true(s->feature[0].width == 0.5);
+    done(c, s);
+    /* radius and modulus are enough for lengths */
+    s = resolved("[contact]\nM = 20\nL = 10\nradius = 10 mm\n"
+                 "modulus = 226 GPa\n"
+                 "[output]\nfrom = -100 um\n",
+                 &c);
+    CHECK_CLOSE(s->output.from, -1e-4 / s->contact.b, 1e-15);
+    done(c, s);
+}
+
+static void same_contact_either_way(void **state)
+{
+    ovr_case *c, *d;
+    ovr_setup *s = resolved(roller, &c), *t;
+    const ovr_contact *a = &s->contact, *b;
+    (void)state;
+    snprintf(text, sizeof text,
+             "[contact]\nM = %.17g\nL = %.17g\nradius = 10 mm\n"
+             "modulus = 226 GPa\nviscosity = 40 mPa.s\n"
+             "slide_to_roll = %.17g\n[lubricant]\nz = 0.68\n",
+             a->M, a->L, a->u1_ratio - a->u2_ratio);
+    t = resolved(text, &d);
+    b = &t->contact;
+    for (size_t i = 0; i < sizeof *a / sizeof(double); i++)
+        CHECK_CLOSE(((const double *)b)[i], ((const double *)a)[i], 1e-12);
+    CHECK_CLOSE(t->lubricant.P0, s->lubricant.P0, 1e-12);
+    CHECK_CLOSE(t->lubricant.A, s->lubricant.A, 1e-12);
+    CHECK_CLOSE(t->lubricant.z, s->lubricant.z, 1e-12);
+    done(c, s);
+    done(d, t);
+}
+
+/* --------------------------------------------------------------- settings */
+
+static void settings_override_the_file(void **state)
+{
+    ovr_error err = {0};
+    ovr_case *c = ovr_case_read_text(moes, "t.ini", NULL, NULL, &err), *d;
+    ovr_setup *s, *t;
+    (void)state;
+    CHECK_OK(ovr_case_set(c, "contact.M", "50", "--M", &err), &err);
+    CHECK_OK(ovr_case_assign(c, "feature.a.shape = bump", "--set", &err), &err);
+    CHECK_OK(ovr_case_assign(c, "feature a.height=0.1", "--set", &err), &err);
+    CHECK_OK(ovr_case_assign(c, "feature a.width=1", "--set", &err), &err);
+    CHECK_OK(ovr_case_assign(c, "feature a.start=-5", "--set", &err), &err);
+    CHECK_OK(ovr_case_assign(c, "contact.slide_to_roll=0.5", "-", &err), &err);
+    s = ovr_case_resolve(c, NULL, &err);
+    assert_non_null(s);
+    assert_true(s->contact.M == 50);
+    /* the text with the settings in it is the same case */
+    d = ovr_case_read_text(ovr_case_text(c, &err), "u.ini", NULL, NULL, &err);
+    if (!d)
+        fail_msg("%s in\n%s", err.message, ovr_case_text(c, &err));
+    t = ovr_case_resolve(d, NULL, &err);
+    assert_non_null(t);
+    assert_memory_equal(&t->contact, &s->contact, sizeof s->contact);
+    assert_int_equal(t->features, 1);
+    assert_true(t->feature[0].height == 0.1);
+    done(c, s);
+    done(d, t);
+}
+
+static void bad_settings_name_their_origin(void **state)
+{
+    ovr_error err = {0};
+    ovr_case *c = ovr_case_create(NULL, &err);
+    (void)state;
+    ovr_case_set(c, "contact.M", "x", "--M", &err);
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "--M: M: 'x' is not a number");
+    ovr_case_assign(c, "contact.N=3", "--set", &err);
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "--set: unknown key 'N' in [contact]");
+    ovr_case_assign(c, "contact", "--set", &err);
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "must be section.key=value");
+    ovr_case_assign(c, "contact.M=1#2", "--set", &err);
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "must not hold #");
+    ovr_case_free(c);
+}
+
+static void paths_start_at_the_case(void **state)
+{
+    const char *source = join(moes, "[output]\nfile = out.h5\n");
+    ovr_error err = {0};
+    ovr_case *c = ovr_case_read_text(source, "d/t.ini", "d", NULL, &err);
+    ovr_setup *s = ovr_case_resolve(c, NULL, &err);
+    (void)state;
+    assert_string_equal(s->output.file, "d/out.h5");
+    ovr_setup_free(s);
+    CHECK_OK(ovr_case_set(c, "output.file", "o.h5", "--set", &err), &err);
+    s = ovr_case_resolve(c, NULL, &err);
+    assert_string_equal(s->output.file, "o.h5");
+    done(c, s);
+}
+
+static void load_from_a_table(void **state)
+{
+    const char *table = test_path(*state, "load.csv");
+    const char *path = test_path(*state, "t.ini");
+    ovr_error err = {0};
+    ovr_case *c;
+    ovr_setup *s;
+    test_write_text(table, "# T; load\r\n0; 1\r\n\r\n1.5; 2 # end\r\n4;0.5");
+    test_write_text(path, join(moes, "[load]\nhistory = table\n"
+                                     "file = load.csv\n"));
+    c = ovr_case_read(path, NULL, &err);
+    assert_non_null(c);
+    s = ovr_case_resolve(c, NULL, &err);
+    assert_non_null(s);
+    CHECK_NEAR(ovr_history_value(s->load, 1.5), 2, 1e-14);
+    CHECK_NEAR(ovr_history_value(s->load, 9), 0.5, 1e-14);
+    ovr_setup_free(s);
+    test_write_text(table, "0 1\n1 -2\n");
+    assert_null(ovr_case_resolve(c, NULL, &err));
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "load.csv:2: value -2 must be");
+    test_write_text(table, "0 1\n1\n");
+    assert_null(ovr_case_resolve(c, NULL, &err));
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "load.csv:2: must be two numbers");
+    test_write_text(table, "0 1\n0 2\n");
+    assert_null(ovr_case_resolve(c, NULL, &err));
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "times must increase");
+    ovr_case_free(c);
+}
+
+/* -------------------------------------------------- the table of parameters */
+
+static void defaults_are_the_librarys(void **state)
+{
+    ovr_case *c;
+    ovr_setup *s = resolved(moes, &c);
+    ovr_options o = ovr_options_default(), *t;
+    (void)state;
+    done(c, s);
+    c = ovr_case_read_text(moes, "t.ini", NULL, NULL, NULL);
+    s = ovr_case_resolve(c, NULL, NULL); /* automatic ones still automatic */
+    t = &s->options;
+    assert_int_equal(t->level, o.level);
+    assert_int_equal(t->coarsest_level, o.coarsest_level);
+    assert_int_equal(t->scheme, o.scheme);
+    assert_int_equal(t->smoother, o.smoother);
+    assert_int_equal(t->cycle_index, o.cycle_index);
+    assert_int_equal(t->sweeps_before, o.sweeps_before);
+    assert_int_equal(t->max_cycles, o.max_cycles);
+    assert_int_equal(t->cycles, o.cycles);
+    assert_int_equal(t->stop, o.stop);
+    assert_true(t->inlet == o.inlet && t->outlet == o.outlet);
+    assert_true(t->tolerance == o.tolerance);
+    assert_true(t->switch_value == o.switch_value);
+    assert_true(t->relax_seidel == o.relax_seidel);
+    assert_true(t->relax_dipole == o.relax_dipole);
+    assert_int_equal(t->paper_balance, o.paper_balance);
+    done(c, s);
+}
+
+/* A case in which `key = value` stands in its section, in line *line. */
+static const char *case_with(const ovr_parameter_info *p, const char *value,
+                             long *line)
+{
+    const char *name = strcmp(p->section, "feature") ? "" : " f";
+    *line = 2;
+    snprintf(text, sizeof text, "[%s%s]\n%s = %s\n", p->section, name, p->key,
+             value);
+    return text;
+}
+
+/* One line that names file, line and key, whatever was put in. */
+static void check_message(const ovr_parameter_info *p, const char *value,
+                          long line, const ovr_error *err)
+{
+    char place[40];
+    snprintf(place, sizeof place, "t.ini:%ld: ", line);
+    if (strncmp(err->message, place, strlen(place)) != 0 ||
+        !strstr(err->message, p->key) || strchr(err->message, '\n'))
+        fail_msg("[%s] %s = '%s' says: %s", p->section, p->key, value,
+                 err->message);
+}
+
+static void bad_value(const ovr_parameter_info *p, const char *value)
+{
+    long line;
+    ovr_error err = {0};
+    ovr_case *c = ovr_case_read_text(case_with(p, value, &line), "t.ini", NULL,
+                                     NULL, &err);
+    if (c)
+        fail_msg("[%s] %s = '%s' was taken", p->section, p->key, value);
+    assert_int_equal(err.status, OVR_BAD_INPUT);
+    check_message(p, value, line, &err);
+}
+
+/* Taken or refused as the range says; and if taken, resolving ends well or
+ * names the case. */
+static void number(const ovr_parameter_info *p, double value)
+{
+    char with_unit[80];
+    long line;
+    ovr_error err = {0};
+    bool inside = (p->above ? value > p->least : value >= p->least) &&
+                  value <= p->most;
+    bool whole = !strcmp(p->type, "whole number") && value != floor(value);
+    ovr_case *c;
+    ovr_setup *s = NULL;
+    snprintf(with_unit, sizeof with_unit, "%.17g%s", value,
+             !*p->units || *p->bare ? "" : " ");
+    if (*p->units && !*p->bare) { /* the SI unit comes first */
+        size_t length = strlen(with_unit), unit = strcspn(p->units, ",");
+        snprintf(with_unit + length, sizeof with_unit - length, "%.*s",
+                 (int)unit, p->units);
+    }
+    c = ovr_case_read_text(case_with(p, with_unit, &line), "t.ini", NULL, NULL,
+                           &err);
+    if ((c != NULL) != (inside && !whole))
+        fail_msg("[%s] %s = %s: %s", p->section, p->key, with_unit,
+                 c ? "was taken" : err.message);
+    if (!c) {
+        check_message(p, with_unit, line, &err);
+        return;
+    }
+    s = ovr_case_resolve(c, NULL, &err);
+    if (!s && !strstr(err.message, "t.ini"))
+        fail_msg("[%s] %s = %s says: %s", p->section, p->key, with_unit,
+                 err.message);
+    done(c, s);
+}
+
+static void every_parameter_refuses_nonsense(void **state)
+{
+    static const double values[] = {0,     -1,  1e300, -1e300, 1e-300,
+                                    1e-20, 0.5, 1e9,   1,      -1e-9};
+    (void)state;
+    for (size_t k = 0; k < ovr_parameter_count(); k++) {
+        ovr_parameter_info p = ovr_parameter_at(k);
+        bool text_kind = !strcmp(p.type, "text") || !strcmp(p.type, "path");
+        assert_true(p.help && *p.help);
+        bad_value(&p, "");
+        bad_value(&p, " # only a comment");
+        if (text_kind)
+            continue;
+        bad_value(&p, "nan");
+        bad_value(&p, "inf");
+        bad_value(&p, "-inf");
+        bad_value(&p, "1e999");
+        bad_value(&p, "quux");
+        bad_value(&p, "3 furlong");
+        bad_value(&p, "1,5;2");
+        bad_value(&p, "\303\244");
+        if (isnan(p.least))
+            continue;
+        assert_true(p.least <= p.most);
+        if (*p.units && !*p.bare)
+            bad_value(&p, "1"); /* a unit is needed */
+        bad_value(&p, *p.units && strstr(p.units, "m/s") ? "1 Pa" : "1 m/s");
+        for (size_t i = 0; i < sizeof values / sizeof *values; i++)
+            number(&p, values[i]);
+    }
+}
+
+static void every_default_is_allowed(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < ovr_parameter_count(); k++) {
+        ovr_parameter_info p = ovr_parameter_at(k);
+        long line;
+        ovr_case *c;
+        if (!p.initial)
+            continue;
+        c = ovr_case_read_text(case_with(&p, p.initial, &line), "t.ini", NULL,
+                               NULL, NULL);
+        if (!c)
+            fail_msg("[%s] %s = %s", p.section, p.key, p.initial);
+        ovr_case_free(c);
+    }
+}
+
+static ovr_status attempt(void *source, const ovr_allocator *hook,
+                          ovr_error *err)
+{
+    ovr_case *c = ovr_case_read_text(source, "t.ini", ".", hook, err);
+    ovr_setup *s = c ? ovr_case_resolve(c, hook, err) : NULL;
+    ovr_status status = s ? ovr_setup_prepare(s, hook, err) : err->status;
+    done(c, s);
+    return status;
+}
+
+static void every_allocation_may_fail(void **state)
+{
+    char source[2000];
+    (void)state;
+    snprintf(source, sizeof source, "%s%s", roller,
+             "[load]\nhistory = ramp\nto = 2\nduration = 1\n"
+             "[feature a]\nshape = dent\ndepth = 1 um\nwidth = 1\nstart = -5\n"
+             "[output]\nat = 1, 2\nfile = x.h5\n");
+    assert_true(test_every_allocation(attempt, source) > 2);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(values_and_defaults),
+        cmocka_unit_test(oddities_of_text),
+        cmocka_unit_test(bad_text_is_refused),
+        cmocka_unit_test(contradictions_name_their_line),
+        cmocka_unit_test(physical_numbers_need_a_physical_contact),
+        cmocka_unit_test(same_contact_either_way),
+        cmocka_unit_test(settings_override_the_file),
+        cmocka_unit_test(bad_settings_name_their_origin),
+        cmocka_unit_test(paths_start_at_the_case),
+        cmocka_unit_test_setup_teardown(load_from_a_table, test_make_folder,
+                                        test_remove_folder),
+        cmocka_unit_test(defaults_are_the_librarys),
+        cmocka_unit_test(every_parameter_refuses_nonsense),
+        cmocka_unit_test(every_default_is_allowed),
+        cmocka_unit_test(every_allocation_may_fail),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

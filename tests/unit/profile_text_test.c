@@ -1,0 +1,268 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The oddities of text files, one by one; samples of real ones. */
+#include "support/test.h"
+
+#include <locale.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "overroll/overroll.h"
+
+static ovr_profile_source source;
+static ovr_profile *profile;
+static const ovr_profile_view *view;
+
+static int begin(void **state)
+{
+    (void)state;
+    source = ovr_profile_source_default();
+    source.file = "it";
+    profile = NULL;
+    return 0;
+}
+
+static int end(void **state)
+{
+    (void)state;
+    ovr_profile_free(profile);
+    return 0;
+}
+
+static void read_bytes(const char *data, size_t size)
+{
+    ovr_error err;
+    ovr_profile_free(profile);
+    profile = ovr_profile_parse(&source, data, size, NULL, &err);
+    if (!profile)
+        fail_msg("%s", err.message);
+    view = ovr_profile_look(profile);
+}
+
+static void read_text(const char *text)
+{
+    read_bytes(text, strlen(text));
+}
+
+static void check_point(size_t i, double x, double z)
+{
+    CHECK_NEAR(view->x[i], x, 1e-15);
+    CHECK_NEAR(view->z[i], z, 1e-15);
+}
+
+static void check_note(const char *part)
+{
+    if (!strstr(view->notes, part))
+        fail_msg("notes lack '%s':\n%s", part, view->notes);
+}
+
+static void headers_say_units(void **state)
+{
+    static const char *const headers[] = {"X_(microns),Z_(nm)\n",
+                                          "[um];[nm]\n",
+                                          "x in um, y in nm\n",
+                                          "Lateral um,Raw Nanometer\n",
+                                          "x [um]  z [nm]\n",
+                                          "# x_unit: um\n# z_unit: nm\nx,z\n",
+                                          "unit_x = um\nunit_z = nm\n",
+                                          "x (\xC2\xB5m),z (nm)\n",
+                                          "x (\xCE\xBCm),z (nm)\n",
+                                          "x (\xB5m);z (nm)\n",
+                                          "made 2024\nx, z\num, nm\n",
+                                          "\"x / um\",\"z / nm\"\n",
+                                          "Scan 5 mm, tip 2 mm\nx um\tz nm\n"};
+    (void)state;
+    for (size_t k = 0; k < sizeof headers / sizeof headers[0]; k++) {
+        char text[200];
+        snprintf(text, sizeof text, "%s0;0\n1,5;-3\n2;4\n", headers[k]);
+        read_text(text);
+        check_point(1, 1.5e-6, -3e-9);
+    }
+}
+
+static void one_unit_may_stand_for_both(void **state)
+{
+    (void)state;
+    read_text("units: um\n0 1\n1 2\n");
+    check_point(1, 1e-6, 2e-6);
+}
+
+static void units_of_the_caller_come_first(void **state)
+{
+    (void)state;
+    source.unit_x = "mm", source.unit_z = "inch";
+    read_text("x um,z um\n0,1\n1,2\n");
+    check_point(1, 1e-3, 2 * 0.0254);
+    source.unit_x = "b", source.unit_z = "b^2/R";
+    read_text("0,1\n1,2\n");
+    assert_true(view->scaled_x && view->scaled_z);
+    check_point(1, 1, 2);
+}
+
+static void columns_are_found_and_chosen(void **state)
+{
+    (void)state;
+    read_text("index,x in um,y in um\n0,5,6\n1,7,8\n");
+    check_point(1, 7e-6, 8e-6);
+    read_text("z um;time;x um\n6;0;5\n8;0;7\n");
+    check_point(1, 7e-6, 8e-6);
+    source.column_x = 3, source.column_z = 2;
+    read_text("a mm,b mm,c mm\n0,5,6\n1,7,8\n");
+    check_point(1, 8e-3, 7e-3);
+}
+
+static void one_column_takes_a_spacing(void **state)
+{
+    (void)state;
+    source.spacing = 2e-6;
+    read_text("height (nm)\n1\n2\n4\n");
+    check_point(2, 4e-6, 4e-9);
+    source.spacing = NAN;
+    read_text("dx = 0.5 um\nheight (nm)\n1\n2\n4\n");
+    check_point(2, 1e-6, 4e-9);
+    source.unit_z = "um", source.spacing = 1e-6;
+    read_text("3\n0.1\n0.2\n0.4\n");
+    assert_int_equal(view->n, 3);
+    check_note("count line");
+}
+
+static void separators_may_trail(void **state)
+{
+    (void)state;
+    read_text("x um,z um,\n0,1,\n1,2,\n");
+    check_point(1, 1e-6, 2e-6);
+    read_text("x um;z um;\n0;1;\n1;;\n2;3;\n");
+    assert_true(isnan(view->z[1]));
+}
+
+static void counts_are_not_points(void **state)
+{
+    (void)state;
+    read_text("x um,z um\n3\n0,1\n1,2\n2,3\n");
+    assert_int_equal(view->n, 3);
+    check_note("count line says 3");
+    read_text("x um,z um\n5\n0,1\n1,2\n2,3\n");
+    check_note("there are 3");
+}
+
+static void missing_heights_are_marked(void **state)
+{
+    (void)state;
+    read_text("x um,z um\n0,1\n1,NaN\n2,BAD\n3,---\n4,\n5,nan\n6,2\n");
+    assert_int_equal(view->n, 7);
+    assert_int_equal(view->missing, 5);
+}
+
+static void rounded_x_is_put_right(void **state)
+{
+    char text[4000];
+    size_t used = 0;
+    (void)state;
+    used += (size_t)snprintf(text, sizeof text, "x mm,z um\n");
+    for (int i = 0; i < 50; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used, "%.3f,%d\n",
+                                 i * 0.0004, i);
+    read_text(text);
+    assert_int_equal(view->n, 50);
+    assert_true(view->uniform);
+    CHECK_NEAR(view->x[49] - view->x[0], 49 * 0.0004e-3, 2e-7);
+    check_note("rounding");
+    read_text("x um,z um\n0,1\n1,2\n1,4\n7,3\n");
+    assert_int_equal(view->n, 3);
+    check_point(1, 1e-6, 3e-6);
+    check_note("averaged");
+}
+
+static void backwards_is_turned_round(void **state)
+{
+    (void)state;
+    read_text("x um,z um\n3,1\n1,2\n0,4\n");
+    check_point(0, 0, 4e-6);
+    check_point(2, 3e-6, 1e-6);
+    check_note("backwards");
+}
+
+static void locale_does_not_matter(void **state)
+{
+    (void)state;
+    if (!setlocale(LC_NUMERIC, "de_DE.UTF-8") &&
+        !setlocale(LC_NUMERIC, "fr_FR.UTF-8"))
+        skip();
+    read_text("x um,z um\n0.5,1.25\n1.5,2e0\n");
+    setlocale(LC_NUMERIC, "C");
+    check_point(0, 0.5e-6, 1.25e-6);
+}
+
+static void exponents_of_fortran_too(void **state)
+{
+    (void)state;
+    read_text("x m z m\n 0.5D-6 +1.25E-06\n 1.5d-6 -2.e-6\n");
+    check_point(0, 0.5e-6, 1.25e-6);
+    check_point(1, 1.5e-6, -2e-6);
+}
+
+/* As found in the wild (an indentation in a disc; an interferometer's csv). */
+static void samples_of_real_files(void **state)
+{
+    static const char wide[] = "\xFF\xFE"
+                               "i\0n\0d\0e\0x\0,\0x\0 \0i\0n\0 \0"
+                               "\xB5\0m\0,\0y\0 \0i\0n\0 \0\xB5\0m\0\r\0\n\0"
+                               "0\0,\0-\0"
+                               "9\0"
+                               "9\0.\0"
+                               "5\0,\0-\0"
+                               "1\0.\0"
+                               "4\0\r\0\n\0"
+                               "1\0,\0-\0"
+                               "9\0"
+                               "8\0.\0"
+                               "5\0,\0-\0"
+                               "1\0.\0"
+                               "3\0\r\0\n\0";
+    (void)state;
+    read_bytes(wide, sizeof wide - 1);
+    check_point(1, -98.5e-6, -1.3e-6);
+    check_note("UTF-16");
+    check_note("x in um");
+    source.unit_z = "um";
+    read_text("X_(microns),y1\n0.0386,2.10425\n0.0772,2.08494\n"
+              "0.1158,2.06564\n0.1544,2.04633\n0.1931,2.04633\n");
+    check_point(4, 0.1931e-6, 2.04633e-6);
+    assert_true(view->uniform);
+    source.unit_z = NULL;
+    read_text("aISO-1.0\nManufacID = ISOTC213\nCreateDate = 040120100853\n"
+              "ModDate = 050320101353\nNumPoints = 3\nNumProfiles = 2\n"
+              "Xscale = 1.0E-6\nYscale = 1.0E-6\nZscale = 1.0E-6\n"
+              "Zresolution = 1.0E-9\nCompression = 0\nDataType = 7\n"
+              "CheckType = 0\n*\n1.00000 0.99874 0.99495\n"
+              "0.98865 BAD 0.96858\n*\n< OperatorName > T < / OperatorName >\n"
+              "*");
+    check_point(2, 2e-6, 0.99495e-6);
+    check_note("line 1 of 2");
+    source.line = 2;
+    read_text("aISO-1.0\nNumPoints=3\nNumProfiles=2\nXscale=1e-6\n"
+              "Zscale=1e-6\n*\n1 2 3\n4 5 6\n*\n");
+    check_point(0, 0, 4e-6);
+}
+
+#define TEST(name) cmocka_unit_test_setup_teardown(name, begin, end)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(headers_say_units),
+        TEST(one_unit_may_stand_for_both),
+        TEST(units_of_the_caller_come_first),
+        TEST(columns_are_found_and_chosen),
+        TEST(one_column_takes_a_spacing),
+        TEST(separators_may_trail),
+        TEST(counts_are_not_points),
+        TEST(missing_heights_are_marked),
+        TEST(rounded_x_is_put_right),
+        TEST(backwards_is_turned_round),
+        TEST(locale_does_not_matter),
+        TEST(exponents_of_fortran_too),
+        TEST(samples_of_real_files),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,231 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A real run, stopped and gone on with, ends with the same file: every
+ * dataset and every attribute but the dates, to the bit. */
+#include "support/test.h"
+
+#include <hdf5.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "overroll/overroll.h"
+
+enum { LEVEL = 4 };
+static const double END = 3;
+
+static void dent(void *data, double T, size_t n, const double *X, double *S)
+{
+    (void)data;
+    for (size_t i = 0; i < n; i++) {
+        double xi = (X[i] + 2 - T) / 0.5;
+        S[i] = -0.1 * pow(10, -10 * xi * xi) * cos(2 * acos(-1) * xi);
+    }
+}
+
+typedef struct bench {
+    ovr_contact contact;
+    ovr_simulation *sim;
+    ovr_writer *writer;
+    long stop; /* after this step; 0: never */
+} bench;
+
+static ovr_status watch(void *data, const ovr_simulation *sim, ovr_error *err)
+{
+    bench *b = data;
+    ovr_status status = ovr_writer_observe(b->writer, sim, err);
+    if (status == OVR_OK && b->stop &&
+        ovr_simulation_state(sim)->step == b->stop)
+        return ovr_fail(err, OVR_STOPPED, "stopped");
+    return status;
+}
+
+static void make_simulation(bench *b)
+{
+    ovr_error err = {OVR_OK, ""};
+    ovr_conditions given = ovr_conditions_unknown();
+    ovr_options options = ovr_options_default();
+    ovr_lubricant lubricant;
+    given.M = 20;
+    given.L = 10;
+    given.alpha = 1.7e-8;
+    options.level = LEVEL;
+    CHECK_OK(ovr_contact_resolve(&given, &b->contact, &err), &err);
+    CHECK_OK(ovr_lubricant_make(&b->contact, OVR_ROELANDS, OVR_DOWSON_HIGGINSON,
+                                1.98e8, NAN, &lubricant, &err),
+             &err);
+    b->sim = ovr_simulation_create(&b->contact, &lubricant, &options, NULL,
+                                   &err);
+    assert_non_null(b->sim);
+    ovr_simulation_surface(b->sim, dent, NULL);
+}
+
+static ovr_write_options options_for(const char *path)
+{
+    ovr_write_options o = ovr_write_options_default();
+    o.path = path;
+    o.every_steps = 3;
+    o.fields = 0x7f;
+    o.end = END;
+    return o;
+}
+
+/* Marches until the end or b->stop and closes. */
+static void finish(bench *b)
+{
+    ovr_error err = {OVR_OK, ""};
+    ovr_march march = {.end = END, .observe = watch, .data = b};
+    ovr_status status;
+    ovr_writer_checkpoints(b->writer, b->sim);
+    status = ovr_simulation_march(b->sim, &march, &err);
+    CHECK_STATUS(status, b->stop ? OVR_STOPPED : OVR_OK, &err);
+    CHECK_OK(ovr_writer_close(
+                 b->writer, b->stop ? OVR_RUN_STOPPED : OVR_RUN_COMPLETE, &err),
+             &err);
+    ovr_simulation_free(b->sim);
+}
+
+static void run(const char *path, long stop)
+{
+    ovr_error err = {OVR_OK, ""};
+    ovr_write_options o = options_for(path);
+    const ovr_state *state;
+    bench b = {.stop = stop};
+    make_simulation(&b);
+    CHECK_OK(ovr_simulation_steady(b.sim, &err), &err);
+    state = ovr_simulation_state(b.sim);
+    b.writer = ovr_writer_create(&o, &b.contact, state->n, state->X, NULL,
+                                 &err);
+    assert_non_null(b.writer);
+    finish(&b);
+}
+
+static void resume(const char *path, long stop)
+{
+    ovr_error err = {OVR_OK, ""};
+    ovr_write_options o = options_for(path);
+    ovr_restart *restart = ovr_restart_open(path, NULL, &err);
+    const ovr_state *state;
+    bench b = {.stop = stop};
+    make_simulation(&b);
+    assert_non_null(restart);
+    CHECK_OK(ovr_restart_load(restart, b.sim, &err), &err);
+    state = ovr_simulation_state(b.sim);
+    b.writer = ovr_writer_resume(&o, &b.contact, state->n, state->X, restart,
+                                 NULL, &err);
+    if (!b.writer)
+        fail_msg("%s", err.message);
+    ovr_restart_close(restart);
+    finish(&b);
+}
+
+/* ------------------------------------------------------ comparing two files */
+
+/* Attributes as "object/name" lines with their bytes, in memory. */
+typedef struct digest {
+    size_t used;
+    char text[400000];
+} digest;
+
+static void add_bytes(digest *d, const void *bytes, size_t count)
+{
+    assert_true(d->used + count < sizeof d->text);
+    memcpy(d->text + d->used, bytes, count);
+    d->used += count;
+}
+
+static herr_t add_attribute(hid_t object, const char *name,
+                            const H5A_info_t *info, void *data)
+{
+    digest *d = data;
+    hid_t attribute = H5Aopen(object, name, H5P_DEFAULT);
+    hid_t type = H5Aget_type(attribute);
+    (void)info;
+    if (strncmp(name, "date_", 5) && strcmp(name, "history") &&
+        strcmp(name, "DIMENSION_LIST") && strcmp(name, "REFERENCE_LIST")) {
+        size_t size = H5Tget_size(type);
+        char value[4096] = "", *text = NULL;
+        assert_true(size <= sizeof value);
+        add_bytes(d, name, strlen(name));
+        if (H5Tis_variable_str(type) > 0) {
+            H5Aread(attribute, type, &text);
+            add_bytes(d, text, strlen(text));
+            H5free_memory(text);
+        } else {
+            H5Aread(attribute, type, value);
+            add_bytes(d, value, size);
+        }
+    }
+    H5Tclose(type);
+    H5Aclose(attribute);
+    return 0;
+}
+
+static void add_dataset(digest *d, hid_t set)
+{
+    hid_t space = H5Dget_space(set), type = H5Dget_type(set);
+    size_t bytes = (size_t)H5Sget_simple_extent_npoints(space) *
+                   H5Tget_size(type);
+    char *values = malloc(bytes + 1);
+    assert_non_null(values);
+    H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values);
+    add_bytes(d, values, bytes);
+    free(values);
+    H5Tclose(type);
+    H5Sclose(space);
+}
+
+static herr_t add_object(hid_t file, const char *name, const H5O_info_t *info,
+                         void *data)
+{
+    digest *d = data;
+    hid_t object = H5Oopen(file, name, H5P_DEFAULT);
+    add_bytes(d, name, strlen(name));
+    H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, NULL, add_attribute, d);
+    if (info->type == H5O_TYPE_DATASET)
+        add_dataset(d, object);
+    H5Oclose(object);
+    return 0;
+}
+
+static digest *digest_of(const char *path)
+{
+    digest *d = calloc(1, sizeof *d);
+    hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    assert_true(d && file >= 0);
+    H5Ovisit(file, H5_INDEX_NAME, H5_ITER_INC, add_object, d);
+    H5Fclose(file);
+    return d;
+}
+
+static void check_identical(const char *a, const char *b)
+{
+    digest *da = digest_of(a), *db = digest_of(b);
+    assert_int_equal(da->used, db->used);
+    assert_memory_equal(da->text, db->text, da->used);
+    assert_true(da->used > 100000);
+    free(da);
+    free(db);
+}
+
+static void ends_the_same(void **state)
+{
+    const char *whole = test_path(*state, "whole.h5");
+    const char *parts = test_path(*state, "parts.h5");
+    run(whole, 0);
+    run(parts, 17);
+    resume(parts, 18);
+    resume(parts, 40);
+    resume(parts, 0);
+    check_identical(whole, parts);
+    resume(parts, 0); /* nothing left to do */
+    check_identical(whole, parts);
+}
+
+#define TEST(name)                                                             \
+    cmocka_unit_test_setup_teardown(name, test_make_folder, test_remove_folder)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {TEST(ends_the_same)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Random roughness: its numbers are those asked for. */
+#include "support/test.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "overroll/overroll.h"
+
+static ovr_roughness good(void)
+{
+    ovr_roughness form = ovr_roughness_default();
+    form.Rq = 0.3, form.length = 50, form.rolloff = 5, form.shortest = 0.1;
+    return form;
+}
+
+static ovr_profile *make(const ovr_roughness *form)
+{
+    ovr_error err;
+    ovr_profile *p = ovr_profile_random(form, NULL, &err);
+    if (!p)
+        fail_msg("%s", err.message);
+    return p;
+}
+
+static void numbers_are_as_asked(void **state)
+{
+    static const double skew[] = {NAN, 0, -1, 0.7, NAN};
+    static const double kurt[] = {NAN, 3, 5, NAN, 2.5};
+    (void)state;
+    for (int k = 0; k < 10; k++) {
+        ovr_roughness form = good();
+        ovr_profile_numbers r;
+        ovr_profile *p;
+        ovr_error err;
+        form.seed = k;
+        form.skewness = skew[k % 5], form.kurtosis = kurt[k % 5];
+        form.spectrum = k / 5 ? OVR_EXPONENTIAL : OVR_SELF_AFFINE;
+        form.correlation = 1;
+        p = make(&form);
+        CHECK_OK(ovr_profile_measure(p, &r, &err), &err);
+        CHECK_CLOSE(r.Rq, 0.3, 1e-9);
+        CHECK_NEAR(r.mean, 0, 1e-12);
+        CHECK_CLOSE(r.length, 50, 1e-12);
+        if (!isnan(form.skewness))
+            CHECK_NEAR(r.Rsk, form.skewness, 1e-8);
+        if (!isnan(form.kurtosis))
+            CHECK_NEAR(r.Rku, form.kurtosis, 1e-7);
+        if (isnan(form.skewness) && isnan(form.kurtosis))
+            CHECK_NEAR(r.Rku, 3, 1.5);
+        ovr_profile_free(p);
+    }
+}
+
+/* Spectrum by direct sums, averaged over seeds and bands. */
+static double band_power(int first, int last, ovr_roughness form)
+{
+    double sum = 0;
+    for (int seed = 0; seed < 12; seed++) {
+        const ovr_profile_view *v;
+        ovr_profile *p;
+        form.seed = seed;
+        p = make(&form);
+        v = ovr_profile_look(p);
+        for (int k = first; k <= last; k++) {
+            double a = 0, b = 0;
+            for (size_t i = 0; i + 1 < v->n; i++) {
+                double phase = 6.283185307179586 * k * v->x[i] / 50;
+                a += v->z[i] * cos(phase);
+                b += v->z[i] * sin(phase);
+            }
+            sum += a * a + b * b;
+        }
+        ovr_profile_free(p);
+    }
+    return sum / (last - first + 1);
+}
+
+static void spectra_fall_as_asked(void **state)
+{
+    ovr_roughness form = good();
+    double low, high, slope;
+    (void)state;
+    low = band_power(38, 42, form), high = band_power(152, 168, form);
+    slope = log(high / low) / log(160.0 / 40);
+    CHECK_NEAR(slope, -1 - 2 * 0.8, 0.35);
+    low = band_power(1, 5, form);
+    slope = log(low / band_power(6, 10, form));
+    CHECK_NEAR(slope, 0, 0.5);
+    form.spectrum = OVR_EXPONENTIAL, form.correlation = 1;
+    low = band_power(38, 42, form), high = band_power(152, 168, form);
+    CHECK_NEAR(log(high / low) / log(160.0 / 40), -2, 0.35);
+}
+
+static void seeds_make_surfaces(void **state)
+{
+    ovr_roughness form = good();
+    ovr_profile *p = make(&form), *q = make(&form), *other;
+    const ovr_profile_view *a = ovr_profile_look(p), *b = ovr_profile_look(q);
+    (void)state;
+    assert_memory_equal(a->z, b->z, a->n * sizeof(double));
+    form.seed = 2;
+    other = make(&form);
+    assert_memory_not_equal(a->z, ovr_profile_look(other)->z,
+                            a->n * sizeof(double));
+    /* the first heights of seed 1, so that a change is noticed */
+    CHECK_NEAR(a->z[0], 0.17077300627817546, 1e-12);
+    CHECK_NEAR(a->z[1000], -0.053019473017887307, 1e-12);
+    assert_true(a->z[0] == a->z[a->n - 1]);
+    ovr_profile_free(p), ovr_profile_free(q), ovr_profile_free(other);
+}
+
+static void mistakes_are_named(void **state)
+{
+    static const char *const names[] = {"Rq",       "length", "hurst",
+                                        "shortest", "seed",   "kurtosis"};
+    (void)state;
+    for (int k = 0; k < 6; k++) {
+        ovr_roughness form = good();
+        ovr_error err = {0};
+        if (k == 0)
+            form.Rq = NAN;
+        if (k == 1)
+            form.length = -1;
+        if (k == 2)
+            form.hurst = 3;
+        if (k == 3)
+            form.shortest = 1e-9;
+        if (k == 4)
+            form.seed = -1;
+        if (k == 5)
+            form.skewness = 2, form.kurtosis = 2;
+        assert_null(ovr_profile_random(&form, NULL, &err));
+        CHECK_ERROR(&err, OVR_BAD_INPUT, names[k]);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(numbers_are_as_asked),
+        cmocka_unit_test(spectra_fall_as_asked),
+        cmocka_unit_test(seeds_make_surfaces),
+        cmocka_unit_test(mistakes_are_named),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
