@@ -227,8 +227,8 @@ static int run(cli_call *call)
     const char *oil_name = cli_value(call, "oil"), *path = cli_value(call, "o");
     const struct kind *kind = find_kind(
         call, call->arguments ? call->argument[0] : "roller");
-    const struct oil *oil =
-        kind ? find_oil(call, oil_name ? oil_name : "paper") : NULL;
+    const struct oil *oil = kind ? find_oil(call, oil_name ? oil_name : "paper")
+                                 : NULL;
     if (!oil)
         return CLI_USAGE;
     if (path)

@@ -12,7 +12,8 @@
 #include "base/suggest.h"
 #include "cli/cli.h"
 
-/* clang-format off: a row each */
+/* a row each */
+/* clang-format off */
 const cli_verb *const cli_verbs[] = {
     &cli_steady,
     &cli_run,
