@@ -51,12 +51,8 @@ typedef struct cli_verb {
     int (*run)(cli_call *call);
 } cli_verb;
 
-extern const cli_verb cli_steady, cli_run, cli_check, cli_init;
-extern const cli_verb cli_resume, cli_info, cli_export;
-extern const cli_verb cli_info, cli_export;
-extern const cli_verb cli_profile;
-extern const cli_verb cli_help;
-extern const cli_verb cli_plot;
+extern const cli_verb cli_steady, cli_run, cli_resume, cli_check, cli_init;
+extern const cli_verb cli_info, cli_export, cli_profile, cli_help, cli_plot;
 
 /* The table of main.c; ends with NULL. */
 extern const cli_verb *const cli_verbs[];

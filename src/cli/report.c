@@ -28,10 +28,11 @@ const char *cli_smoother_name(ovr_smoother smoother)
 void cli_warn(const cli_call *call, cli_summary *summary, const char *format,
               ...)
 {
-    char *text = summary->warning[summary->warnings];
     va_list args;
+    char *text;
     if (summary->warnings == 4)
         return;
+    text = summary->warning[summary->warnings];
     va_start(args, format);
     vsnprintf(text, sizeof summary->warning[0], format, args);
     va_end(args);

@@ -128,6 +128,7 @@ static void check_assignment(reading *r, const char *line)
 static char *next_line(char *line, int room, void *stream)
 {
     reading *r = stream;
+    size_t length;
     if (!*r->at || r->status || room < OVR_LINE_MOST + 2)
         return NULL;
     prepare(r, line);
@@ -137,7 +138,9 @@ static char *next_line(char *line, int room, void *stream)
         check_assignment(r, line);
     if (r->status)
         return NULL;
-    strcat(line, "\n");
+    length = strlen(line);
+    line[length] = '\n';
+    line[length + 1] = '\0';
     return line;
 }
 

@@ -81,7 +81,7 @@ for signal in INT TERM; do
     INT) wanted=130 ;;
     TERM) wanted=143 ;;
     esac
-    [ $code -eq $wanted ] || fail "SIG$signal: exit code $code: $(cat err)"
+    [ "$code" -eq "$wanted" ] || fail "SIG$signal: exit code $code: $(cat err)"
     expect 0 "$OVERROLL" info c.h5
     contains out 'stopped'
 done
