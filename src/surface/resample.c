@@ -71,7 +71,7 @@ static ovr_status make_equal(size_t n, const double *x, const double *z,
 /* z_j for any j: turned about the end points, again and again, or periodic. */
 static double sample(const series *s, ptrdiff_t j)
 {
-    ptrdiff_t last = (ptrdiff_t)s->n - 1;
+    ptrdiff_t last = s->n > 2 ? (ptrdiff_t)s->n - 1 : 1;
     double add = 0, sign = 1;
     if (s->closed)
         return s->z[(j % last + last) % last];
