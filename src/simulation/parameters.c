@@ -99,63 +99,28 @@ static const ovr_word spectra[] = {{"self-affine", OVR_SELF_AFFINE},
 #define TEXT OVR_TEXT, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, NULL
 #define PATH OVR_PATH, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, NULL
 
+/* clang-format off */
 #define IN_CHANGE(base, field) ((base) + offsetof(ovr_change, field))
-#define HISTORY(section, base)                                                   \
-    {section,                                                                    \
-     "history",                                                                  \
-     CHOICE(histories),                                                          \
-     "constant",                                                                 \
-     IN_CHANGE(base, history),                                                   \
-     true,                                                                       \
-     "how it changes in time, relative to nominal"},                             \
-        {section,                                                                \
-         "from",                                                                 \
-         PLAIN(0, 100),                                                          \
-         "1",                                                                    \
-         IN_CHANGE(base, from),                                                  \
-         true,                                                                   \
-         "ramp, step: value up to the start"},                                   \
-        {section,                                                                \
-         "to",                                                                   \
-         PLAIN(0, 100),                                                          \
-         "1",                                                                    \
-         IN_CHANGE(base, to),                                                    \
-         true,                                                                   \
-         "ramp, step: value at the end"},                                        \
-        {section,                                                                \
-         "start",                                                                \
-         TIME(-1e6, 1e6),                                                        \
-         "0",                                                                    \
-         IN_CHANGE(base, start),                                                 \
-         true,                                                                   \
-         "time at which the change begins"},                                     \
-        {section,                                                                \
-         "duration",                                                             \
-         TIME(0, 1e6),                                                           \
-         "0",                                                                    \
-         IN_CHANGE(base, duration),                                              \
-         true,                                                                   \
-         "ramp: how long it takes (quintic smoothstep)"},                        \
-        {section,                                                                \
-         "amplitude",                                                            \
-         PLAIN(-1, 1),                                                           \
-         "0",                                                                    \
-         IN_CHANGE(base, amplitude),                                             \
-         true,                                                                   \
-         "sine: amplitude about 1"},                                             \
-        {section, "period",      SPAN(NULL, 1e6), NULL, IN_CHANGE(base, period), \
-         true,    "sine: period"},                                               \
-        {section,                                                                \
-         "file",                                                                 \
-         PATH,                                                                   \
-         NULL,                                                                   \
-         IN_CHANGE(base, file),                                                  \
-         true,                                                                   \
-         "table: text file of two columns, time and value"},                     \
-    {                                                                            \
-        section, "time_unit", CHOICE(time_units), "b/um",                        \
-            IN_CHANGE(base, time_unit), true, "table: unit of its times"         \
-    }
+#define HISTORY(section, base)                                                \
+    {section, "history", CHOICE(histories), "constant", IN_CHANGE(base, history), true, \
+     "how it changes in time, relative to nominal"},                          \
+    {section, "from", PLAIN(0, 100), "1", IN_CHANGE(base, from), true,        \
+     "ramp, step: value up to the start"},                                    \
+    {section, "to", PLAIN(0, 100), "1", IN_CHANGE(base, to), true,            \
+     "ramp, step: value at the end"},                                         \
+    {section, "start", TIME(-1e6, 1e6), "0", IN_CHANGE(base, start), true,    \
+     "time at which the change begins"},                                      \
+    {section, "duration", TIME(0, 1e6), "0", IN_CHANGE(base, duration), true, \
+     "ramp: how long it takes (quintic smoothstep)"},                         \
+    {section, "amplitude", PLAIN(-1, 1), "0", IN_CHANGE(base, amplitude), true, \
+     "sine: amplitude about 1"},                                              \
+    {section, "period", SPAN(NULL, 1e6), NULL, IN_CHANGE(base, period), true, \
+     "sine: period"},                                                         \
+    {section, "file", PATH, NULL, IN_CHANGE(base, file), true,                \
+     "table: text file of two columns, time and value"},                      \
+    {section, "time_unit", CHOICE(time_units), "b/um", IN_CHANGE(base, time_unit), true, \
+     "table: unit of its times"}
+/* clang-format on */
 
 static const ovr_parameter table[] = {
     {"contact", "M", PLAIN(1e-3, 1e6), NULL, AT(contact.M), true,

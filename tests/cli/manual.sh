@@ -1,13 +1,14 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The parameters in overroll-case(5) are those of the table; to update them:
-# overroll help --roff between PARAMETERS and SEE ALSO.
+# The parameters in overroll-case(5) are those of the table; after a change:
+# tools/update-manual.
 . "$TOP/tests/support/cli.sh"
 
 expect 0 "$OVERROLL" help --roff
 sed -n '/^\.SH PARAMETERS/,/^\.SH SEE ALSO/p' \
     "$TOP/src/simulation/overroll-case.5" | sed '1d;$d' >written
-diff written out || fail 'overroll-case.5 is not what the table says'
+diff written out ||
+    fail 'overroll-case.5 is not the table: run tools/update-manual'
 
 # Every command and option is in overroll(1)
 for option in set M L level scheme smoother force json help version; do
@@ -26,7 +27,9 @@ refuses "no topic 'levl'; did you mean 'level'" help levl
 version=$(sed -n 's/.*OVERROLL_VERSION "\(.*\)"/\1/p' \
     "$TOP/include/overroll/version.h")
 for page in "$TOP"/src/*/overroll*.[157]; do
-    grep -q "^\.TH.*$version" "$page" || fail "$page: not version $version"
+    ! grep -q '^\.TH.*"overroll [0-9]' "$page" ||
+        grep -q "^\.TH.*overroll $version" "$page" ||
+        fail "$page: not version $version"
 done
 if command -v groff >/dev/null; then
     for page in "$TOP"/src/*/overroll*.[157]; do
