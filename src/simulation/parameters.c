@@ -102,7 +102,8 @@ static const ovr_word spectra[] = {{"self-affine", OVR_SELF_AFFINE},
 /* clang-format off */
 #define IN_CHANGE(base, field) ((base) + offsetof(ovr_change, field))
 #define HISTORY(section, base)                                                \
-    {section, "history", CHOICE(histories), "constant", IN_CHANGE(base, history), true, \
+    {section, "history", CHOICE(histories), "constant",                       \
+     IN_CHANGE(base, history), true,                                          \
      "how it changes in time, relative to nominal"},                          \
     {section, "from", PLAIN(0, 100), "1", IN_CHANGE(base, from), true,        \
      "ramp, step: value up to the start"},                                    \
@@ -112,13 +113,15 @@ static const ovr_word spectra[] = {{"self-affine", OVR_SELF_AFFINE},
      "time at which the change begins"},                                      \
     {section, "duration", TIME(0, 1e6), "0", IN_CHANGE(base, duration), true, \
      "ramp: how long it takes (quintic smoothstep)"},                         \
-    {section, "amplitude", PLAIN(-1, 1), "0", IN_CHANGE(base, amplitude), true, \
+    {section, "amplitude", PLAIN(-1, 1), "0",                                 \
+     IN_CHANGE(base, amplitude), true,                                        \
      "sine: amplitude about 1"},                                              \
     {section, "period", SPAN(NULL, 1e6), NULL, IN_CHANGE(base, period), true, \
      "sine: period"},                                                         \
     {section, "file", PATH, NULL, IN_CHANGE(base, file), true,                \
      "table: text file of two columns, time and value"},                      \
-    {section, "time_unit", CHOICE(time_units), "b/um", IN_CHANGE(base, time_unit), true, \
+    {section, "time_unit", CHOICE(time_units), "b/um",                        \
+     IN_CHANGE(base, time_unit), true,                                        \
      "table: unit of its times"}
 /* clang-format on */
 
