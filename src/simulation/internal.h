@@ -9,7 +9,7 @@
 
 /* The past that the time derivative and the extrapolation need. */
 typedef struct ovr_past {
-    double *q[2]; /* rho H one and two steps ago */
+    double *q[3]; /* rho H one, two and three steps ago */
     double *P[3]; /* pressure one, two and three steps ago */
     double H0[3];
     double T[3];
@@ -17,6 +17,7 @@ typedef struct ovr_past {
     int steps;      /* how many steps lie behind P[0], 2 at most */
     int still;      /* steps in a row that changed nothing */
     double dT_next; /* adaptive: the step wanted next */
+    double change;  /* largest change of P, or of S, in the last step */
 } ovr_past;
 
 /* What the characteristic scheme needs beyond the inlet (characteristic.c). */
@@ -43,6 +44,9 @@ struct ovr_simulation {
     ovr_past past;
     ovr_inflow inflow;
     bool started;
+    double start_load, start_speed; /* Cw, Cu of the steady start */
+    double largest_error; /* adaptive: a step with more is not accepted */
+    double *S_past;       /* surface one step ago */
 
     ovr_state state;
     ovr_observation observation;
@@ -76,6 +80,7 @@ void ovr_simulation_gap(ovr_simulation *sim, double T);
 typedef struct ovr_outcome {
     ovr_defect defect;
     int cycles, retries;
+    double error; /* local, of a step */
     bool converged, marked;
 } ovr_outcome;
 
@@ -93,6 +98,16 @@ void ovr_inflow_history(ovr_simulation *sim, const double c[2],
 
 /* Whether a characteristic step of this length has enough ghosts. */
 bool ovr_inflow_reaches(const ovr_simulation *sim, double travel);
+
+/* Local error of a step of h to the finest level's solution, rms over the wet
+ * nodes, relative to H_cen; 0 when there is no past to judge by. */
+double ovr_step_error(const ovr_simulation *sim, double h);
+
+/* One step to the time `next`, observed; *error is its local error.  A step
+ * whose error is above sim->largest_error is taken back, with OVR_OK and *taken
+ * false. */
+ovr_status ovr_simulation_attempt(ovr_simulation *sim, double next, bool *taken,
+                                  double *error, ovr_error *err);
 
 /* Relative error of the mass balance over the step just made. */
 double ovr_mass_balance(const ovr_simulation *sim);

@@ -1,34 +1,116 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The time loop: knows steps and an observer, nothing of files. */
+/*
+ * The time loop: knows steps and an observer, nothing of files.
+ *
+ * Fixed steps end at k dT exactly, without the rounding of a sum; the times
+ * an observer asks for are hit on the way by dividing a step.
+ * Adaptive steps follow the local error e ~ dT^(p+1) of order p:
+ *     dT <- dT min(2, max(1/2, 0.9 (wanted/e)^(1/(p+1)))),
+ * a step with twice the wanted error is taken again with a shorter dT.
+ */
 #include <math.h>
 
 #include "simulation/internal.h"
 
-/* Nothing changes any more: a step moved film and pressure by less than the
- * algebraic tolerance, some steps in a row. */
+/* Nothing changes any more: neither P nor S by more than this times dT, so
+ * many steps in a row.  The contact forgets within a few b/um, so P is that
+ * close to its end value. */
+static const double still_rate = 1e-8;
 enum { STILL = 20 };
 
-static ovr_status observe(ovr_simulation *sim, const ovr_march *march,
+/* Adaptive steps in mesh sizes. */
+static const double least_step = 1. / 64, largest_step = 64;
+
+static ovr_status observe(const ovr_simulation *sim, const ovr_march *march,
                           ovr_error *err)
 {
     return march->observe ? march->observe(march->data, sim, err) : OVR_OK;
+}
+
+/* The next time of the fixed grid, or of the adaptive step; a time that is
+ * asked for before it comes first. */
+static double next_time(const ovr_simulation *sim, const ovr_march *march,
+                        double dT)
+{
+    double T = sim->state.T, least = 1e-6 * dT, next = T + dT;
+    if (!march->adaptive)
+        next = (floor(T / dT + 1e-6) + 1) * dT;
+    else if (next > march->end - least)
+        next = march->end;
+    if (march->next_time) {
+        double asked = march->next_time(march->data, T + least);
+        if (asked > T + least && asked < next - least)
+            next = asked;
+    }
+    return next;
+}
+
+static double regulated(const ovr_simulation *sim, const ovr_march *march,
+                        double dT, double error)
+{
+    bool first = sim->options.scheme == OVR_UPSTREAM1;
+    double wanted = march->error > 0 ? march->error : 1e-4;
+    double factor = 2, D = sim->finest->D;
+    if (error > 0)
+        factor = 0.9 * pow(wanted / error, first ? 1. / 2 : 1. / 3);
+    dT *= fmin(2, fmax(0.5, factor));
+    return fmin(largest_step * D, fmax(least_step * D, dT));
+}
+
+/* Shorter steps until one is taken; at the shortest any error will do. */
+static ovr_status adaptive_step(ovr_simulation *sim, const ovr_march *march,
+                                ovr_error *err)
+{
+    double wanted = march->error > 0 ? march->error : 1e-4, error;
+    double dT = sim->past.dT_next > 0 ? sim->past.dT_next : sim->finest->D;
+    for (bool taken = false; !taken;) {
+        double next = next_time(sim, march, dT), step = next - sim->state.T;
+        bool shortest = step <= 1.01 * least_step * sim->finest->D;
+        sim->largest_error = shortest ? INFINITY : 2 * wanted;
+        ovr_status status = ovr_simulation_attempt(sim, next, &taken, &error,
+                                                   err);
+        if (status)
+            return status;
+        /* a step that was cut to hit a time says nothing against dT */
+        if (!taken || step > 0.99 * dT || error > wanted)
+            dT = regulated(sim, march, step, error);
+        sim->past.dT_next = dT;
+    }
+    return OVR_OK;
+}
+
+static ovr_status fixed_step(ovr_simulation *sim, const ovr_march *march,
+                             double dT, ovr_error *err)
+{
+    bool taken;
+    double error;
+    sim->largest_error = INFINITY;
+    return ovr_simulation_attempt(sim, next_time(sim, march, dT), &taken,
+                                  &error, err);
+}
+
+static bool stands_still(ovr_simulation *sim)
+{
+    ovr_past *past = &sim->past;
+    past->still = past->change <= still_rate * past->dT ? past->still + 1 : 0;
+    return past->still >= STILL;
 }
 
 ovr_status ovr_simulation_march(ovr_simulation *sim, const ovr_march *march,
                                 ovr_error *err)
 {
     double dT = march->dT > 0 ? march->dT : sim->finest->D;
+    double last = march->end - 1e-6 * dT;
+    bool still = false;
     ovr_status status = OVR_OK;
     if (sim->state.step == 0)
         status = observe(sim, march, err);
-    while (!status && sim->state.T < march->end - 1e-9 * dT) {
-        /* the k-th time is k dT, without the rounding of a sum */
-        double next = (double)(sim->state.step + 1) * dT;
-        status = ovr_simulation_step(sim, next - sim->state.T, err);
-        if (!status) {
-            sim->state.T = sim->past.T[0] = next;
+    while (!status && sim->state.T < last && !still) {
+        status = march->adaptive ? adaptive_step(sim, march, err)
+                                 : fixed_step(sim, march, dT, err);
+        if (!status)
             status = observe(sim, march, err);
-        }
+        still = march->until_steady && stands_still(sim);
     }
     return status;
 }

@@ -3,6 +3,7 @@
 #include "overroll/simulation.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "multigrid/field.h"
 #include "multigrid/hybrid.h"
@@ -12,8 +13,8 @@
 static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
 {
     double **all[] = {&sim->X,         &sim->S,         &sim->past.q[0],
-                      &sim->past.q[1], &sim->past.P[0], &sim->past.P[1],
-                      &sim->past.P[2]};
+                      &sim->past.q[1], &sim->past.q[2], &sim->past.P[0],
+                      &sim->past.P[1], &sim->past.P[2], &sim->S_past};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (!(*all[k] = ovr_field(&sim->arena, sim->finest->n, err)))
             return OVR_NO_MEMORY;
@@ -122,8 +123,10 @@ void ovr_simulation_gap(ovr_simulation *sim, double T)
     double *restrict gap = sim->finest->gap;
     const double *restrict X = sim->X, *restrict S = sim->S;
     size_t n = sim->finest->n;
-    if (sim->heights)
+    if (sim->heights) {
+        memcpy(sim->S_past, S, n * sizeof *S);
         sim->heights(sim->heights_data, T, n, X, sim->S);
+    }
     for (size_t i = 0; i < n; i++)
         gap[i] = 0.5 * X[i] * X[i] - S[i];
 }

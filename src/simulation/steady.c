@@ -52,19 +52,32 @@ static void prepare_levels(ovr_simulation *sim, double force)
     }
 }
 
-/* Hertzian pressure; H0 from the film of the elastic asymptotes above the
- * rigid approach of the dry contact. */
-static void hertzian_start(ovr_simulation *sim, ovr_level *level, double M)
+/*
+ * The film formula at a fraction of the load: with Cw of the nominal load and
+ * Cu of the nominal speed M goes with Cw/sqrt(Cu), L with Cu^(1/4), and the
+ * unit of film b^2/R with Cw.
+ */
+static double film_formula(const ovr_simulation *sim, double fraction)
 {
-    double L = sim->contact.L;
-    double piezo = 1.311 * pow(M, -0.125) * pow(L, 0.75);
-    double iso = 2.05 * pow(M, -0.2);
-    double film = (piezo > iso ? piezo : iso) * half_pi / (4 * M);
+    double Cw = sim->start_load, Cu = sim->start_speed;
+    double M = fraction * sim->contact.M * Cw / sqrt(Cu);
+    return Cw * ovr_film_central_moes(M, sim->contact.L * pow(Cu, 0.25));
+}
+
+/*
+ * Hertzian pressure; H0 from the film of the elastic asymptotes above the
+ * rigid approach of the dry contact, Cw (-0.5966 + ln(Cw)/4).
+ */
+static void hertzian_start(ovr_simulation *sim, ovr_level *level,
+                           double fraction)
+{
+    double Cw = sim->start_load;
     for (size_t i = 0; i < level->n; i++) {
         double X = sim->grids.X_a + (double)i * level->D;
-        level->f.P[i] = X * X < 1 ? sqrt(1 - X * X) : 0;
+        level->f.P[i] = X * X < Cw ? sqrt(Cw - X * X) : 0;
     }
-    sim->grids.H0 = film - 0.5966;
+    sim->grids.H0 = film_formula(sim, fraction) +
+                    Cw * (-0.5966 + 0.25 * log(Cw));
 }
 
 bool ovr_below(ovr_defect d, double tolerance)
@@ -141,11 +154,11 @@ static ovr_defect climb(ovr_simulation *sim, ovr_level *level, int top,
     return d;
 }
 
-/* The fluid as a contact with the load number M sees it: ph goes with the
- * root of the load. */
-static ovr_fluid fluid_at(const ovr_simulation *sim, double M)
+/* The fluid as a contact of a fraction of the nominal M sees it: ph goes with
+ * the root of the load. */
+static ovr_fluid fluid_at(const ovr_simulation *sim, double fraction)
 {
-    double ratio = sim->contact.M / M, root = sqrt(ratio);
+    double ratio = 1 / fraction, root = sqrt(ratio);
     ovr_fluid fluid = {sim->lubricant, sim->contact.lambda * ratio * ratio};
     fluid.lubricant.alphabar /= root;
     fluid.lubricant.P0 *= root;
@@ -168,24 +181,22 @@ static const rung ladder[] = {{1.6, 0.3, 0, 1, 0, 0.1, 0.3},
 enum { RUNGS = sizeof ladder / sizeof *ladder };
 
 /*
- * Continuation in load on one level, from a solution at load number `from` to
- * the contact's M.  The pressure hardly changes, being nearly Hertzian; the
+ * Continuation in load on one level, from a solution at the fraction `from` to
+ * the whole.  The pressure hardly changes, being nearly Hertzian; the
  * film gets thinner as a whole, so H0 follows the film formula.
  */
 static ovr_defect raise_load(ovr_simulation *sim, ovr_level *level, double from,
                              double factor, int *cycles)
 {
     ovr_hierarchy *grids = &sim->grids;
-    double M = sim->contact.M, L = sim->contact.L;
     double *saved = sim->past.P[0];
     size_t bytes = level->n * sizeof(double);
     ovr_defect d = ovr_cycle_defect(grids, level);
-    while (from < M && factor > 1.01) {
-        double to = from * factor < M ? from * factor : M, H0 = grids->H0;
+    while (from < 1 && factor > 1.01) {
+        double to = fmin(from * factor, 1), H0 = grids->H0;
         memcpy(saved, level->f.P, bytes);
         grids->fluid = fluid_at(sim, to);
-        grids->H0 += ovr_film_central_moes(to, L) -
-                     ovr_film_central_moes(from, L);
+        grids->H0 += film_formula(sim, to) - film_formula(sim, from);
         ovr_level_refresh(grids, level);
         d = cycle_until(sim, level, cycles);
         if (d.imbalance < 1e-2 && d.load < 1e-2) {
@@ -199,20 +210,20 @@ static ovr_defect raise_load(ovr_simulation *sim, ovr_level *level, double from,
     return d;
 }
 
-/* Solves the coarsest grid at the largest load number up to M that it can: its
- * film must be thicker than D^1.5 or so (measured), and Newton converge. */
+/* Solves the coarsest grid at the largest fraction of the load that it can:
+ * its film must be thicker than D^1.5 or so (measured), and Newton converge. */
 static double solve_easy_load(ovr_simulation *sim, ovr_level *level)
 {
-    double M = sim->contact.M, least = M < 1 ? M : 1;
-    while (M > least &&
-           ovr_film_central_moes(M, sim->contact.L) < pow(level->D, 1.5))
-        M *= 0.9;
-    for (;; M *= 0.7) {
-        sim->grids.fluid = fluid_at(sim, M);
-        hertzian_start(sim, level, M);
+    const double least = 1e-3;
+    double fraction = 1;
+    while (fraction > least && film_formula(sim, fraction) < pow(level->D, 1.5))
+        fraction *= 0.9;
+    for (;; fraction *= 0.7) {
+        sim->grids.fluid = fluid_at(sim, fraction);
+        hertzian_start(sim, level, fraction);
         ovr_defect d = solve_coarsest(sim, level);
-        if (ovr_below(d, 1e-4) || M * 0.7 < least)
-            return M;
+        if (ovr_below(d, 1e-4) || fraction < least)
+            return fraction;
     }
 }
 
@@ -220,7 +231,7 @@ static double solve_easy_load(ovr_simulation *sim, ovr_level *level)
 static int load_level(const ovr_simulation *sim, double mesh)
 {
     const ovr_hierarchy *grids = &sim->grids;
-    double H = ovr_film_central_moes(sim->contact.M, sim->contact.L);
+    double H = film_formula(sim, 1);
     int level = grids->coarsest;
     while (level < grids->finest &&
            grids->level[level].D > mesh * pow(H, 2. / 3))
@@ -246,16 +257,16 @@ static ovr_defect full_multigrid(ovr_simulation *sim, const rung *how,
 {
     ovr_hierarchy *grids = &sim->grids;
     ovr_level *level = &grids->level[grids->bottom];
-    double M = solve_easy_load(sim, level);
+    double fraction = solve_easy_load(sim, level);
     ovr_defect d = ovr_cycle_defect(grids, level);
-    if (M < sim->contact.M) {
+    if (fraction < 1) {
         int top = load_level(sim, how->mesh);
         if (top > level->number) {
             climb(sim, level, top, cycles);
             level = &grids->level[top];
         }
-        d = raise_load(sim, level, M, how->load_factor, cycles);
-        grids->fluid = fluid_at(sim, sim->contact.M);
+        d = raise_load(sim, level, fraction, how->load_factor, cycles);
+        grids->fluid = fluid_at(sim, 1);
     }
     return level->number < grids->finest
                ? climb(sim, level, grids->finest, cycles)
@@ -267,29 +278,45 @@ static void begin_history(ovr_simulation *sim)
 {
     ovr_past *past = &sim->past;
     size_t bytes = sim->finest->n * sizeof(double);
-    for (int k = 0; k < 2; k++)
-        memcpy(past->q[k], sim->finest->f.q, bytes);
     for (int k = 0; k < 3; k++) {
+        memcpy(past->q[k], sim->finest->f.q, bytes);
         memcpy(past->P[k], sim->finest->f.P, bytes);
         past->H0[k] = sim->grids.H0;
         past->T[k] = 0;
     }
-    past->dT = 0;
+    past->dT = past->dT_next = past->change = 0;
+    past->still = 0;
     past->steps = 0;
+}
+
+/* Load and speed of the start, at least the least share of each. */
+static ovr_status begin_load_and_speed(ovr_simulation *sim, ovr_error *err)
+{
+    const double least = OVR_LEAST_START;
+    double Cw = ovr_history_value(sim->load, 0);
+    double Cu = ovr_history_value(sim->speed, 0);
+    if (!(Cw >= 0) || !(Cu >= 0))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s ratio %g at T = 0: must not be negative",
+                        Cw >= 0 ? "speed" : "load", Cw >= 0 ? Cu : Cw);
+    sim->start_load = Cw > least ? Cw : least;
+    sim->start_speed = Cu > least ? Cu : least;
+    return OVR_OK;
 }
 
 ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
 {
-    double Cu = ovr_history_value(sim->speed, 0);
-    double Cw = ovr_history_value(sim->load, 0);
     double tolerance = 0;
-    ovr_operator op = steady_operator(sim->options.scheme, Cu);
     ovr_outcome outcome = {0};
+    sim->started = false;
+    if (begin_load_and_speed(sim, err))
+        return OVR_BAD_INPUT;
+    ovr_operator op = steady_operator(sim->options.scheme, sim->start_speed);
     ovr_hierarchy_operator(&sim->grids, &op);
     for (int k = 0; k < RUNGS && !outcome.converged; k++) {
         set_rung(sim, &ladder[k]);
         ovr_simulation_gap(sim, 0);
-        prepare_levels(sim, half_pi * Cw);
+        prepare_levels(sim, half_pi * sim->start_load);
         outcome.retries = k;
         outcome.defect = full_multigrid(sim, &ladder[k], &outcome.cycles);
         tolerance = tolerance_at(sim, sim->finest, outcome.defect.centre);

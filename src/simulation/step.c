@@ -150,7 +150,7 @@ static void end_step(ovr_simulation *sim, double dT)
 {
     ovr_past *past = &sim->past;
     size_t bytes = sim->finest->n * sizeof(double);
-    rotate(past->q, 2);
+    rotate(past->q, 3);
     rotate(past->P, 3);
     memcpy(past->q[0], sim->finest->f.q, bytes);
     memcpy(past->P[0], sim->finest->f.P, bytes);
@@ -164,6 +164,24 @@ static void end_step(ovr_simulation *sim, double dT)
     past->steps += past->steps < 2;
 }
 
+static double largest_change(size_t n, const double *a, const double *b)
+{
+    double most = 0;
+    for (size_t i = 0; i < n; i++) {
+        double change = fabs(a[i] - b[i]);
+        most = change > most ? change : most;
+    }
+    return most;
+}
+
+static void note_change(ovr_simulation *sim)
+{
+    size_t n = sim->finest->n;
+    double P = largest_change(n, sim->past.P[0], sim->past.P[1]);
+    double S = largest_change(n, sim->S, sim->S_past);
+    sim->past.change = sim->heights && S > P ? S : P;
+}
+
 /* A step, in halves if it must be. */
 static bool advance(ovr_simulation *sim, double dT, int halvings,
                     ovr_outcome *outcome)
@@ -173,6 +191,9 @@ static bool advance(ovr_simulation *sim, double dT, int halvings,
         if (k)
             outcome->retries++;
         if (try_once(sim, dT, &attempts[k], outcome)) {
+            outcome->error = ovr_step_error(sim, dT);
+            if (outcome->error > sim->largest_error)
+                return false;
             end_step(sim, dT);
             return true;
         }
@@ -208,9 +229,9 @@ static void count(ovr_simulation *sim, const ovr_outcome *outcome)
     s->marked += outcome->marked;
 }
 
-ovr_status ovr_simulation_step(ovr_simulation *sim, double dT, ovr_error *err)
+static ovr_status check(const ovr_simulation *sim, double dT, ovr_error *err)
 {
-    ovr_outcome outcome = {0};
+    double Cu = ovr_history_value(sim->speed, sim->past.T[0] + dT);
     if (!sim->started)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "a step needs a converged steady start first");
@@ -223,7 +244,31 @@ ovr_status ovr_simulation_step(ovr_simulation *sim, double dT, ovr_error *err)
                         "time step %g: the characteristic scheme takes at "
                         "most %d mesh sizes",
                         dT, OVR_GHOSTS / 2 - 4);
-    if (!advance(sim, dT, 0, &outcome)) {
+    if (Cu < 0)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "speed ratio %g at T = %g: the entrainment may stop "
+                        "but not reverse, inlet and outlet would trade places",
+                        Cu, sim->past.T[0] + dT);
+    return OVR_OK;
+}
+
+ovr_status ovr_simulation_attempt(ovr_simulation *sim, double next, bool *taken,
+                                  double *error, ovr_error *err)
+{
+    ovr_outcome outcome = {0};
+    double dT = next - sim->past.T[0];
+    ovr_status status = check(sim, dT, err);
+    if (status)
+        return status;
+    *taken = advance(sim, dT, 0, &outcome);
+    *error = outcome.error;
+    if (!*taken && outcome.error > sim->largest_error) {
+        ovr_simulation_return(sim);
+        sim->statistics.retries++;
+        sim->statistics.cycles += outcome.cycles;
+        return OVR_OK;
+    }
+    if (!*taken) {
         double R = outcome.defect.imbalance;
         ovr_simulation_return(sim);
         return ovr_fail(err, OVR_NOT_CONVERGED,
@@ -232,9 +277,19 @@ ovr_status ovr_simulation_step(ovr_simulation *sim, double dT, ovr_error *err)
                         sim->state.step + 1, sim->state.T + dT, HALVINGS, R);
     }
     outcome.converged = !outcome.marked;
+    note_change(sim);
     sim->state.step++;
-    sim->state.T = sim->past.T[0];
+    sim->state.T = sim->past.T[0] = next;
     count(sim, &outcome);
     ovr_observe(sim, dT, &outcome);
     return OVR_OK;
+}
+
+ovr_status ovr_simulation_step(ovr_simulation *sim, double dT, ovr_error *err)
+{
+    bool taken;
+    double error;
+    sim->largest_error = INFINITY;
+    return ovr_simulation_attempt(sim, sim->past.T[0] + dT, &taken, &error,
+                                  err);
 }

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Local error of a step, from the difference between the solution q and the
+ * polynomial through its past, q_p (Milne's device).  With steps h, h1, h2
+ * (newest first):
+ *
+ *   backward Euler  error h^2/2 q'',  q - q_p = h (h + h1)/2 q'' (linear)
+ *                   error = (q - q_p) h/(h + h1)
+ *   BDF2            error h^2 (h + h1)^2/(6 (2h + h1)) q''',
+ *                   q - q_p = h (h + h1)(h + h1 + h2)/6 q''' (quadratic)
+ *                   error = (q - q_p) h (h + h1)/((2h + h1)(h + h1 + h2))
+ *
+ * The characteristic scheme is judged as BDF2: pessimistic, as its error is
+ * that of the change seen by a particle.
+ */
+#include <math.h>
+
+#include "simulation/internal.h"
+
+/* Weights of the past values in q_p, and the factor on q - q_p. */
+static double predictor(const ovr_past *past, double h, bool quadratic,
+                        double e[3])
+{
+    double h1 = past->T[0] - past->T[1], h2 = past->T[1] - past->T[2];
+    e[0] = 1 + h / h1;
+    e[1] = -h / h1;
+    e[2] = 0;
+    if (!quadratic)
+        return h / (h + h1);
+    e[0] = (h + h1) * (h + h1 + h2) / (h1 * (h1 + h2));
+    e[1] = -h * (h + h1 + h2) / (h1 * h2);
+    e[2] = h * (h + h1) / ((h1 + h2) * h2);
+    return h * (h + h1) / ((2 * h + h1) * (h + h1 + h2));
+}
+
+double ovr_step_error(const ovr_simulation *sim, double h)
+{
+    const ovr_past *past = &sim->past;
+    const ovr_fields *f = &sim->finest->f;
+    bool second = sim->options.scheme != OVR_UPSTREAM1;
+    double e[3], sum = 0;
+    size_t wet = 0;
+    if (past->steps < (second ? 2 : 1))
+        return 0;
+    double factor = predictor(past, h, second, e);
+    for (size_t i = 0; i < sim->finest->n; i++) {
+        double off = f->q[i] - e[0] * past->q[0][i] - e[1] * past->q[1][i] -
+                     e[2] * past->q[2][i];
+        if (f->P[i] > 0) {
+            sum += off * off;
+            wet++;
+        }
+    }
+    double H = ovr_level_centre(&sim->grids, sim->finest, f->H);
+    return wet ? factor * sqrt(sum / (double)wet) / fabs(H) : 0;
+}
