@@ -125,6 +125,9 @@ ovr_status ovr_profile_choose_line(ovr_profile *profile,
     return OVR_OK;
 }
 
+/* Fourth powers of heights must not overflow. */
+static const double HUGE_SIZE = 1e30;
+
 static bool is_uniform(size_t n, const double *x)
 {
     double mean = (x[n - 1] - x[0]) / (double)(n - 1);
@@ -151,8 +154,12 @@ ovr_status ovr_profile_finish(ovr_profile *profile, size_t n, ovr_error *err)
             profile->z[i] = NAN;
             view->missing++;
         }
-        if (!isfinite(profile->x[i]) ||
-            (i && !(profile->x[i] > profile->x[i - 1])))
+        if (!(fabs(profile->x[i]) < HUGE_SIZE) ||
+            fabs(profile->z[i]) > HUGE_SIZE)
+            return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
+                               "point %zu is (%g, %g): too large to be true",
+                               i + 1, profile->x[i], profile->z[i]);
+        if (i && !(profile->x[i] > profile->x[i - 1]))
             return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
                                "x must increase: point %zu at %g", i + 1,
                                profile->x[i]);
