@@ -60,6 +60,41 @@ OVR_API ovr_status ovr_picture(ovr_result *const *results, size_t count,
                                const ovr_picture_options *options,
                                const ovr_allocator *allocator, ovr_error *err);
 
+/* ------------------------------------------------------ frames and movies */
+
+typedef struct ovr_frames_options {
+    ovr_picture_options look; /* of each; kind, path and times are not used */
+    const char *folder;       /* where the frames go; NULL: only the movie */
+    const char *form;         /* "png" (NULL), "svg", "pdf" */
+    size_t every;             /* every so many snapshots; 0: all */
+    int workers;              /* gnuplots at once; 0: one a core */
+    bool scripts;             /* write each one's script and data too */
+    const char *movie;        /* NAME.mp4, .webm, .gif or .webp; NULL: none */
+    double rate;              /* of the movie, frames a second; 0: 25 */
+    /* Told after each frame; false stops with OVR_STOPPED.  May be NULL. */
+    bool (*progress)(void *data, size_t done, size_t count);
+    void *data;
+} ovr_frames_options;
+OVR_API ovr_frames_options ovr_frames_options_default(void);
+
+typedef struct ovr_frames_made {
+    size_t drawn, kept; /* kept: were there from a run before */
+} ovr_frames_made;
+
+/*
+ * A picture for each snapshot, FOLDER/frame_0000.png and so on, the number
+ * being the snapshot's; the axes are the same in all of them.  Several
+ * results are laid over each other, at the times of the first.
+ *
+ * Stopped and called again with the same options, it draws what is missing:
+ * FOLDER/frames.txt says what the frames were made with.  Frames made with
+ * something else are an error, or with look.force replaced.
+ */
+OVR_API ovr_status ovr_frames(ovr_result *const *results, size_t count,
+                              const ovr_frames_options *options,
+                              const ovr_allocator *allocator,
+                              ovr_frames_made *made, ovr_error *err);
+
 #ifdef __cplusplus
 }
 #endif

@@ -22,6 +22,7 @@ const cli_verb *const cli_verbs[] = {
     &cli_info,
     &cli_export,
     &cli_plot,
+    &cli_frames,
     &cli_profile,
     &cli_init,
     &cli_help,

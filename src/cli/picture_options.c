@@ -103,3 +103,12 @@ void cli_close_results(const cli_call *call, ovr_result **results)
     for (int k = 0; k < call->arguments; k++)
         ovr_result_close(results[k]);
 }
+
+const char *const *cli_result_names(const cli_call *call, const char **names)
+{
+    for (int k = 0; k < call->arguments; k++) {
+        const char *slash = strrchr(call->argument[k], '/');
+        names[k] = slash ? slash + 1 : call->argument[k];
+    }
+    return call->arguments > 1 ? names : NULL;
+}

@@ -34,4 +34,8 @@ enum { CLI_RESULTS = 8 };
 int cli_open_results(const cli_call *call, ovr_result **results);
 void cli_close_results(const cli_call *call, ovr_result **results);
 
+/* For legends: what several files are called without their folders; NULL for
+ * one file. */
+const char *const *cli_result_names(const cli_call *call, const char **names);
+
 #endif

@@ -49,16 +49,6 @@ static int take_instants(const cli_call *call, ovr_picture_options *o,
     return CLI_DONE;
 }
 
-/* For the legend: what the files are called without their folders. */
-static const char *const *names_of(const cli_call *call, const char **names)
-{
-    for (int k = 0; k < call->arguments; k++) {
-        const char *slash = strrchr(call->argument[k], '/');
-        names[k] = slash ? slash + 1 : call->argument[k];
-    }
-    return call->arguments > 1 ? names : NULL;
-}
-
 static int draw(const cli_call *call, const ovr_picture_options *o)
 {
     ovr_result *results[CLI_RESULTS];
@@ -86,7 +76,7 @@ static int run(cli_call *call)
     o.overlay = cli_flag(call, "overlay");
     o.field = cli_value(call, "field");
     o.script = cli_value(call, "script");
-    o.names = names_of(call, names);
+    o.names = cli_result_names(call, names);
     code = cli_picture_options(call, &o);
     if (!code)
         code = take_kind(call, &o);

@@ -24,7 +24,7 @@ static const struct {
 typedef struct pen {
     const ovr_chart *chart;
     ovr_text *to, *data;
-    const char *file;   /* data apart; NULL: in the script */
+    bool apart;         /* the data; else in the script */
     const char *digits; /* of the data */
     double em;          /* letter height, fraction of the width 1280 */
     size_t tables;
@@ -85,7 +85,7 @@ static void put_panel_data(pen *p, const ovr_panel *panel)
     size_t tables = panel->count + (panel->image.values != NULL);
     for (size_t k = 0; k < tables; k++) {
         const char *label = k < panel->count ? panel->series[k].label : NULL;
-        if (p->file)
+        if (p->apart)
             ovr_text_print(p->data, "%s# %s: %s, %s\n", p->tables ? "\n\n" : "",
                            label ? label : "-", panel->x_label, panel->y_label);
         else
@@ -94,7 +94,7 @@ static void put_panel_data(pen *p, const ovr_panel *panel)
             put_series(p, &panel->series[k]);
         else
             put_image(p, &panel->image);
-        if (!p->file)
+        if (!p->apart)
             ovr_text_put(p->data, "EOD\n");
         p->tables++;
     }
@@ -102,7 +102,7 @@ static void put_panel_data(pen *p, const ovr_panel *panel)
 
 static void put_source(pen *p, size_t table)
 {
-    if (p->file)
+    if (p->apart)
         ovr_text_print(p->to, "data index %zu", table);
     else
         ovr_text_print(p->to, "$d%zu", table);
@@ -391,7 +391,7 @@ static void put_panel(pen *p, size_t row, size_t column, size_t table)
         put_head(p, b);
     if (column == 0)
         put_legend(p, panel, b);
-    put_label(p, panel->note, "first 0, graph 0.1 center front");
+    put_label(p, panel->note, "graph 0.03,0.92 left front");
     if (panel->image.values)
         put_colour_map(p, panel, table + panel->count, b);
     put_curves(p, panel, table, panel->image.values != NULL);
@@ -421,7 +421,7 @@ static void put_all_data(pen *p)
 
 void ovr_chart_script(const ovr_chart *chart, ovr_form form, ovr_text *script)
 {
-    pen p = {chart, script, script, NULL, "%.6g", 20.0 * chart->width / 1280,
+    pen p = {chart, script, script, false, "%.6g", 20.0 * chart->width / 1280,
              0};
     put_terminal(&p, form);
     put_style(&p);
@@ -430,12 +430,9 @@ void ovr_chart_script(const ovr_chart *chart, ovr_form form, ovr_text *script)
 }
 
 void ovr_chart_apart(const ovr_chart *chart, ovr_form form, ovr_text *script,
-                     ovr_text *data, const char *file)
+                     ovr_text *data)
 {
-    pen p = {chart, script, data, file, "%.17g", 20.0 * chart->width / 1280, 0};
-    ovr_text_put(script, "data = ");
-    ovr_text_gnuplot(script, file);
-    ovr_text_put(script, "\n");
+    pen p = {chart, script, data, true, "%.17g", 20.0 * chart->width / 1280, 0};
     put_terminal(&p, form);
     put_style(&p);
     put_all_data(&p);

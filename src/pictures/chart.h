@@ -52,7 +52,7 @@ typedef struct ovr_image {
 } ovr_image;
 
 typedef struct ovr_panel {
-    const char *note; /* inside, at the top right; may be foreign */
+    const char *note; /* inside, at the top left; may be foreign */
     const char *x_label, *y_label;
     double x_from, x_to, y_from, y_to; /* NAN: from the data */
     bool log_x, log_y;
@@ -80,9 +80,9 @@ ovr_status ovr_form_of(const char *path, ovr_form *form, ovr_error *err);
 /* Appends the script, the data within it. */
 void ovr_chart_script(const ovr_chart *chart, ovr_form form, ovr_text *script);
 
-/* The same with its data in another text, to be saved under the name `file`
- * and read by the script from the folder it is run in. */
+/* The same with its data in another text; the script expects the name of its
+ * file in the variable `data`. */
 void ovr_chart_apart(const ovr_chart *chart, ovr_form form, ovr_text *script,
-                     ovr_text *data, const char *file);
+                     ovr_text *data);
 
 #endif

@@ -18,73 +18,104 @@ ovr_status ovr_gnuplot_start(ovr_gnuplot *g, ovr_error *err)
     return ovr_process_start(&g->process, argv, "gnuplot-nox", err);
 }
 
-/* In gnuplot a name that begins with '|' is a command and one with '~' a home
- * folder; a line cannot hold its own end. */
-ovr_status ovr_gnuplot_output(ovr_text *script, const char *path,
-                              ovr_error *err)
+/* In gnuplot a name that begins with '|' or '<' is a command and one with '~'
+ * a home folder; a line cannot hold its own end. */
+ovr_status ovr_gnuplot_path(ovr_text *script, const char *path, ovr_error *err)
 {
     for (const char *c = path; *c; c++)
         if ((unsigned char)*c < ' ' || *c == 0x7f)
             return ovr_fail(err, OVR_BAD_INPUT,
                             "a picture's name cannot hold control characters");
-    ovr_text_put(script, "set output '");
-    if (*path == '|' || *path == '~' || *path == '-')
-        ovr_text_put(script, "./");
+    ovr_text_put(script, *path == '/' ? "'" : "'./");
     for (; *path; path++)
         ovr_text_add(script, *path == '\'' ? "''" : path,
                      *path == '\'' ? 2 : 1);
-    ovr_text_put(script, "'\n");
+    ovr_text_put(script, "'");
     return OVR_OK;
 }
 
-/* FOLDER/.NAME.part: the same file system, and no picture by its suffix. */
-static bool name_part(char *part, size_t size, const char *path)
+/* FOLDER/.NAMEsuffix, OVR_PATH_SIZE bytes. */
+static ovr_status name_beside(char *name, const char *path, const char *suffix,
+                              ovr_error *err)
 {
     const char *slash = strrchr(path, '/');
     int folder = slash ? (int)(slash - path) + 1 : 0;
-    int length = snprintf(part, size, "%.*s.%s.part", folder, path,
-                          path + folder);
-    return length > 0 && (size_t)length < size;
+    int length = snprintf(name, OVR_PATH_SIZE, "%.*s.%s%s", folder, path,
+                          path + folder, suffix);
+    if (length > 0 && length < OVR_PATH_SIZE)
+        return OVR_OK;
+    name[0] = '\0';
+    return ovr_fail(err, OVR_BAD_INPUT, "%.60s...: too long a name", path);
 }
 
-/* Better known now: gnuplot would go on, and draw to its standard output. */
-static ovr_status can_create(const char *part, const char *path, ovr_error *err)
+/* On the same file system as the path, and no picture by its suffix.  That
+ * it cannot be created is better known now: gnuplot would go on, and draw to
+ * its standard output. */
+ovr_status ovr_part_make(char *part, const char *path, ovr_error *err)
 {
-    int file = open(part, O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    if (file < 0)
-        return ovr_fail(err, OVR_BAD_INPUT, "%.500s: cannot be created: %s",
-                        path, strerror(errno));
-    close(file);
-    return OVR_OK;
+    int file = -1;
+    if (name_beside(part, path, ".part", err) != OVR_OK)
+        return OVR_BAD_INPUT;
+    file = open(part, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    if (file >= 0) {
+        close(file);
+        return OVR_OK;
+    }
+    part[0] = '\0';
+    return ovr_fail(err, OVR_BAD_INPUT, "%.500s: cannot be created: %s", path,
+                    strerror(errno));
+}
+
+/* gnuplot reads its standard input a byte at a time, 100,000 system calls for
+ * a picture; a file it reads in blocks. */
+static ovr_status send_script(ovr_gnuplot *g, const ovr_text *script,
+                              ovr_arena *arena, ovr_error *err)
+{
+    ovr_text file = ovr_text_make(arena), line = ovr_text_make(arena);
+    ovr_status status;
+    ovr_text_put(&file, "set output ");
+    ovr_text_put(&line, "load ");
+    status = ovr_gnuplot_path(&file, g->made, err);
+    if (status == OVR_OK)
+        status = ovr_gnuplot_path(&line, g->script, err);
+    if (status != OVR_OK)
+        return status;
+    ovr_text_put(&file, "\n");
+    ovr_text_add(&file, script->data, script->length);
+    ovr_text_put(&file, "unset output\n");
+    /* An empty line first: should a picture have gone here, it is over. */
+    ovr_text_print(&line, "\nprint ''\nprint '%s'\n", done);
+    status = ovr_text_save(&file, g->script, err);
+    if (status == OVR_OK)
+        status = ovr_text_status(&line, err);
+    /* When it does not listen, waiting for it tells why. */
+    if (status == OVR_OK)
+        ovr_process_send(&g->process, line.data, line.length);
+    return status;
+}
+
+static void clear_away(ovr_gnuplot *g)
+{
+    unlink(g->made);
+    unlink(g->script);
+    g->path[0] = '\0';
 }
 
 ovr_status ovr_gnuplot_ask(ovr_gnuplot *g, const ovr_text *script,
                            const char *path, ovr_error *err)
 {
-    char room[80];
     ovr_arena arena = ovr_arena_make(&script->arena->allocator);
-    ovr_text output = ovr_text_make(&arena);
     ovr_status status = ovr_text_status(script, err);
-    if (status == OVR_OK && (strlen(path) >= sizeof g->path ||
-                             !name_part(g->made, sizeof g->made, path)))
-        status = ovr_fail(err, OVR_BAD_INPUT, "%.60s...: too long a name",
-                          path);
     if (status == OVR_OK)
-        status = ovr_gnuplot_output(&output, g->made, err);
+        status = name_beside(g->script, path, ".gp", err);
     if (status == OVR_OK)
-        status = can_create(g->made, path, err);
-    if (status == OVR_OK)
-        status = ovr_text_status(&output, err);
-    if (status == OVR_OK) {
-        snprintf(g->path, sizeof g->path, "%s", path);
-        /* An empty line first: should a picture have gone here, it is over. */
-        snprintf(room, sizeof room, "\nunset output\nprint ''\nprint '%s'\n",
-                 done);
-        /* When it does not listen, waiting for it tells why. */
-        if (ovr_process_send(&g->process, output.data, output.length) &&
-            ovr_process_send(&g->process, script->data, script->length))
-            ovr_process_send(&g->process, room, strlen(room));
-    }
+        status = ovr_part_make(g->made, path, err);
+    if (status != OVR_OK)
+        return status;
+    snprintf(g->path, sizeof g->path, "%s", path);
+    status = send_script(g, script, &arena, err);
+    if (status != OVR_OK)
+        clear_away(g);
     ovr_arena_release(&arena);
     return status;
 }
@@ -100,19 +131,14 @@ static void keep_reason(char *why, size_t size, const char *line)
 static ovr_status appear(ovr_gnuplot *g, const char *why, ovr_error *err)
 {
     struct stat about;
-    int code = stat(g->made, &about);
-    if (code == 0 && about.st_size == 0) {
-        unlink(g->made);
-        ovr_fail(err, OVR_IO, "%.500s: gnuplot: %s", g->path, why);
-        g->path[0] = '\0';
-        return OVR_IO;
-    }
-    code = rename(g->made, g->path);
-    if (code != 0)
-        ovr_fail(err, OVR_IO, "%s: cannot be written: %s", g->path,
-                 strerror(errno));
-    g->path[0] = '\0';
-    return code == 0 ? OVR_OK : OVR_IO;
+    ovr_status status = OVR_OK;
+    if (stat(g->made, &about) == 0 && about.st_size == 0)
+        status = ovr_fail(err, OVR_IO, "%.500s: gnuplot: %s", g->path, why);
+    else if (rename(g->made, g->path) != 0)
+        status = ovr_fail(err, OVR_IO, "%.500s: cannot be written: %s", g->path,
+                          strerror(errno));
+    clear_away(g);
+    return status;
 }
 
 ovr_status ovr_gnuplot_wait(ovr_gnuplot *g, ovr_error *err)
@@ -125,9 +151,8 @@ ovr_status ovr_gnuplot_wait(ovr_gnuplot *g, ovr_error *err)
             return appear(g, why, err);
         keep_reason(why, sizeof why, line);
     }
-    unlink(g->made);
     ovr_fail(err, OVR_IO, "%.300s: gnuplot: %s", g->path, why);
-    g->path[0] = '\0';
+    clear_away(g);
     return OVR_IO;
 }
 
@@ -135,8 +160,7 @@ void ovr_gnuplot_stop(ovr_gnuplot *g)
 {
     if (g->path[0]) {
         ovr_process_kill(&g->process);
-        unlink(g->made);
-        g->path[0] = '\0';
+        clear_away(g);
     }
     ovr_process_end(&g->process, NULL, 0);
 }

@@ -13,7 +13,8 @@ enum { OVR_PATH_SIZE = 4096 };
 
 typedef struct ovr_gnuplot {
     ovr_process process;
-    char path[OVR_PATH_SIZE], made[OVR_PATH_SIZE]; /* of the picture asked */
+    /* Of the picture asked for: its name, the file being made, the script. */
+    char path[OVR_PATH_SIZE], made[OVR_PATH_SIZE], script[OVR_PATH_SIZE];
 } ovr_gnuplot;
 
 ovr_status ovr_gnuplot_start(ovr_gnuplot *gnuplot, ovr_error *err);
@@ -29,9 +30,11 @@ ovr_status ovr_gnuplot_wait(ovr_gnuplot *gnuplot, ovr_error *err);
 /* Ends it; a picture that is not yet there is given up. */
 void ovr_gnuplot_stop(ovr_gnuplot *gnuplot);
 
-/* The line that makes gnuplot write to a path; fails on a path that cannot
- * be written in a script. */
-ovr_status ovr_gnuplot_output(ovr_text *script, const char *path,
-                              ovr_error *err);
+/* FOLDER/.NAME.part, created empty: what becomes `path` once it is whole.
+ * `part` has OVR_PATH_SIZE bytes. */
+ovr_status ovr_part_make(char *part, const char *path, ovr_error *err);
+
+/* A path as a string of gnuplot; fails on one that cannot be in a script. */
+ovr_status ovr_gnuplot_path(ovr_text *script, const char *path, ovr_error *err);
 
 #endif

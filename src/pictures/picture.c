@@ -56,24 +56,38 @@ static ovr_status write_script(const ovr_chart *chart, const char *path,
                                ovr_error *err)
 {
     ovr_text text = ovr_text_make(arena), data = ovr_text_make(arena);
-    ovr_text output = ovr_text_make(arena), all = ovr_text_make(arena);
+    ovr_text output = ovr_text_make(arena), input = ovr_text_make(arena);
+    ovr_text all = ovr_text_make(arena);
     char *data_path = beside(script, ".dat", arena, err);
     ovr_form form;
     ovr_status status = data_path ? ovr_form_of(path, &form, err)
                                   : OVR_NO_MEMORY;
     if (status == OVR_OK)
-        status = ovr_gnuplot_output(&output, base_name(path), err);
+        status = ovr_gnuplot_path(&output, base_name(path), err);
+    if (status == OVR_OK)
+        status = ovr_gnuplot_path(&input, base_name(data_path), err);
     if (status != OVR_OK)
         return status;
-    ovr_chart_apart(chart, form, &text, &data, base_name(data_path));
+    ovr_chart_apart(chart, form, &text, &data);
     ovr_text_put(&all, "# Drawn by overroll; to draw it again: gnuplot THIS\n");
-    ovr_text_add(&all, output.data, output.length);
+    ovr_text_print(&all, "data = %.*s\nset output %.*s\n", (int)input.length,
+                   input.data, (int)output.length, output.data);
     ovr_text_add(&all, text.data, text.length);
     status = ovr_text_status(&text, err);
     if (status == OVR_OK)
         status = ovr_text_save(&data, data_path, err);
     if (status == OVR_OK)
         status = ovr_text_save(&all, script, err);
+    return status;
+}
+
+ovr_status ovr_chart_write(const ovr_chart *chart, const char *path,
+                           const char *script, const ovr_allocator *allocator,
+                           ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_status status = write_script(chart, path, script, &arena, err);
+    ovr_arena_release(&arena);
     return status;
 }
 

@@ -29,6 +29,11 @@ ovr_status ovr_draw_map(const ovr_sitting *sitting, ovr_chart *chart,
 ovr_status ovr_chart_draw(const ovr_chart *chart, const char *path,
                           const char *script, ovr_arena *arena, ovr_error *err);
 
+/* Only the script and its data; what drawing to `path` would take. */
+ovr_status ovr_chart_write(const ovr_chart *chart, const char *path,
+                           const char *script, const ovr_allocator *allocator,
+                           ovr_error *err);
+
 /* Refuses to replace a file unless forced. */
 ovr_status ovr_may_create(const char *path, bool force, ovr_error *err);
 

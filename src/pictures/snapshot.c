@@ -36,7 +36,7 @@ ovr_status ovr_look_make(ovr_look *look, const ovr_picture_options *o,
     memset(look, 0, sizeof *look);
     look->options = o;
     look->extent = *e;
-    look->P_to = o->P_to > 0 ? o->P_to : 1.06 * fmax(e->P_high, 1);
+    look->P_to = o->P_to > 0 ? o->P_to : 1.15 * fmax(e->P_high, 1);
     look->H_to = o->H_to > 0 ? o->H_to : 1.6 * e->H_high;
     if (!(look->H_to > 0))
         look->H_to = 1;

@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* overroll frames OUT.h5 -o DIR: a picture of each snapshot, a movie. */
+#include <math.h>
+#include <string.h>
+
+#include "cli/picture_options.h"
+#include "cli/progress.h"
+#include "cli/signals.h"
+
+static const cli_option options[] = {
+    {"o", "DIR", "folder for the frames", false},
+    {"movie", "MOVIE", "NAME.mp4, NAME.webm, NAME.gif or NAME.webp (ffmpeg)",
+     false},
+    {"rate", "N", "of the movie, frames a second (25)", false},
+    {"every", "N", "every so many snapshots", false},
+    {"form", "FORM", "png (default), svg or pdf", false},
+    {"jobs", "N", "gnuplots at once (one a core)", false},
+    {"script", NULL, "write each frame's gnuplot script and data too", false},
+    CLI_RANGE_OPTIONS,
+    {NULL, NULL, NULL, false},
+};
+
+typedef struct watcher {
+    cli_progress progress;
+} watcher;
+
+static bool watch(void *data, size_t done, size_t count)
+{
+    watcher *w = data;
+    char what[64];
+    snprintf(what, sizeof what, "frame %zu of %zu", done, count);
+    cli_progress_show(&w->progress, (double)done / (double)count, what);
+    return cli_signal() == 0;
+}
+
+static int take_count(const cli_call *call, const char *name, double most,
+                      double *value)
+{
+    const char *text = cli_value(call, name);
+    if (text && (!cli_number(text, value) || *value < 1 || *value > most ||
+                 *value != floor(*value)))
+        return cli_usage(call,
+                         "--%s '%s': a whole number from 1 to %g is "
+                         "needed",
+                         name, text, most);
+    return CLI_DONE;
+}
+
+static int take_options(const cli_call *call, ovr_frames_options *o)
+{
+    double every = 0, jobs = 0, rate = 0;
+    int code = cli_picture_options(call, &o->look);
+    o->folder = cli_value(call, "o");
+    o->movie = cli_value(call, "movie");
+    o->form = cli_value(call, "form");
+    o->scripts = cli_flag(call, "script");
+    if (!code && !o->folder && !o->movie)
+        code = cli_usage(call, "where to? -o DIR or --movie NAME.mp4");
+    if (!code && o->scripts && !o->folder)
+        code = cli_usage(call, "--script needs a folder: -o DIR");
+    if (!code)
+        code = take_count(call, "every", 1e9, &every);
+    if (!code)
+        code = take_count(call, "jobs", 32, &jobs);
+    if (!code)
+        code = take_count(call, "rate", 240, &rate);
+    o->every = (size_t)every;
+    o->workers = (int)jobs;
+    o->rate = rate;
+    return code;
+}
+
+static void report(const cli_call *call, const ovr_frames_options *o,
+                   const ovr_frames_made *made)
+{
+    if (call->verbosity < 0)
+        return;
+    if (o->folder)
+        printf("%s: %zu frames drawn, %zu kept\n", o->folder, made->drawn,
+               made->kept);
+    if (o->movie)
+        printf("%s\n", o->movie);
+}
+
+static int draw(const cli_call *call, ovr_frames_options *o)
+{
+    ovr_result *results[CLI_RESULTS];
+    ovr_error err = {OVR_OK, ""};
+    ovr_frames_made made;
+    watcher w;
+    int code = cli_open_results(call, results);
+    if (code)
+        return code;
+    cli_catch_signals();
+    w.progress = cli_progress_begin(call->verbosity, 0);
+    o->progress = watch;
+    o->data = &w;
+    ovr_frames(results, (size_t)call->arguments, o, NULL, &made, &err);
+    cli_progress_end(&w.progress);
+    if (err.status != OVR_OK)
+        code = cli_fail(&err);
+    else
+        report(call, o, &made);
+    if (cli_signal())
+        code = CLI_SIGNAL + cli_signal();
+    cli_close_results(call, results);
+    return code;
+}
+
+static int run(cli_call *call)
+{
+    ovr_frames_options o = ovr_frames_options_default();
+    const char *names[CLI_RESULTS];
+    int code = take_options(call, &o);
+    o.look.names = cli_result_names(call, names);
+    return code ? code : draw(call, &o);
+}
+
+const cli_verb cli_frames = {
+    .name = "frames",
+    .arguments = "OUT.h5... -o DIR",
+    .summary = "a picture of each snapshot, and a movie",
+    .help =
+        "Pressure, film and roughness against x, with the same axes in all\n"
+        "frames: DIR/frame_0000.png and so on, numbered as the snapshots are.\n"
+        "A second call draws what is missing. --movie needs no DIR and then\n"
+        "leaves no frames behind. Several results are laid over each other.",
+    .options = options,
+    .least = 1,
+    .most = CLI_RESULTS,
+    .run = run,
+};

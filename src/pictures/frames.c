@@ -1,0 +1,374 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Frames: a first pass over the snapshots finds the ranges of the axes, a
+ * second one draws.  This thread reads and writes scripts; as many gnuplots
+ * as there are cores draw, each given its next frame when its last one is
+ * there.  Frames are therefore finished in order, and a movie can take each
+ * as it comes.
+ */
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "pictures/gnuplot.h"
+#include "pictures/movie.h"
+#include "pictures/picture.h"
+#include "pictures/snapshot.h"
+
+enum { WORKERS = 32 };
+
+ovr_frames_options ovr_frames_options_default(void)
+{
+    return (ovr_frames_options){.look = ovr_picture_options_default()};
+}
+
+typedef struct studio {
+    const ovr_frames_options *o;
+    ovr_arena *arena;
+    ovr_run *runs;
+    ovr_shot *shots;
+    size_t count;       /* results */
+    size_t *which, n;   /* snapshots of the first result to be drawn */
+    const char *folder; /* theirs or a temporary one */
+    char temporary[OVR_PATH_SIZE];
+    ovr_form form;
+    ovr_look look;
+    ovr_snapshot_chart *chart;
+    ovr_text script;
+    ovr_gnuplot *gnuplot;
+    size_t workers;
+    ovr_movie movie;
+    ovr_frames_made *made;
+} studio;
+
+/* ----------------------------------------------------------------- choice */
+
+static ovr_status choose_frames(studio *s, ovr_error *err)
+{
+    const ovr_run *run = s->runs;
+    const ovr_picture_options *look = &s->o->look;
+    size_t every = s->o->every ? s->o->every : 1;
+    s->which = ovr_arena_take(s->arena, run->info->snapshots, sizeof *s->which,
+                              err);
+    if (!s->which)
+        return OVR_NO_MEMORY;
+    for (size_t k = 0; k < run->info->snapshots; k += every)
+        if (!(run->times[k] < look->T_from) && !(run->times[k] > look->T_to))
+            s->which[s->n++] = k;
+    if (s->n == 0)
+        return ovr_fail(err, OVR_BAD_INPUT, "no snapshot between T = %g and %g",
+                        look->T_from, look->T_to);
+    return OVR_OK;
+}
+
+/* Reads what frame i shows. */
+static ovr_status read_frame(studio *s, size_t i, ovr_error *err)
+{
+    double T = s->runs->times[s->which[i]];
+    ovr_status status = ovr_shot_read(&s->shots[0], s->which[i], err);
+    for (size_t j = 1; status == OVR_OK && j < s->count; j++)
+        status = ovr_shot_read(&s->shots[j], ovr_run_nearest(&s->runs[j], T),
+                               err);
+    return status;
+}
+
+static ovr_status find_ranges(studio *s, ovr_error *err)
+{
+    const ovr_picture_options *look = &s->o->look;
+    ovr_extent extent = ovr_extent_make(look->x_from, look->x_to, s->runs,
+                                        s->count);
+    ovr_status status = OVR_OK;
+    for (size_t i = 0; status == OVR_OK && i < s->n; i++) {
+        status = read_frame(s, i, err);
+        for (size_t j = 0; status == OVR_OK && j < s->count; j++)
+            ovr_extent_add(&extent, &s->shots[j]);
+    }
+    if (status == OVR_OK)
+        status = ovr_look_make(&s->look, look, &extent, s->runs, err);
+    return status;
+}
+
+/* ----------------------------------------------------------------- folder */
+
+static const char *const suffixes[] = {"png", "svg", "pdf"};
+
+static void name_frame(const studio *s, size_t i, const char *suffix,
+                       char *path)
+{
+    snprintf(path, OVR_PATH_SIZE, "%s/frame_%04zu.%s", s->folder, s->which[i],
+             suffix);
+}
+
+/* What a frame looks like depends on this and on the snapshot alone. */
+static void describe(const studio *s, ovr_text *to)
+{
+    const ovr_look *l = &s->look;
+    const ovr_picture_options *o = l->options;
+    ovr_text_put(to, "Frames drawn by overroll; with these settings unchanged "
+                     "the ones that exist are kept.\n");
+    ovr_text_print(to, "size %dx%d %s\n", o->width, o->height,
+                   suffixes[s->form]);
+    ovr_text_print(to, "axes %.9g %s, %.9g %s, %.9g %s, %.9g %s\n", l->x.factor,
+                   l->x.plain, l->P.factor, l->P.plain, l->H.factor, l->H.plain,
+                   l->T.factor, l->T.plain);
+    ovr_text_print(to, "x %.9g to %.9g\npressure to %.9g\nfilm to %.9g\n",
+                   l->extent.x_from, l->extent.x_to, l->P_to, l->H_to);
+    ovr_text_print(to, "roughness %.9g to %.9g\nwithout%s%s\ntitle ",
+                   l->extent.S_low, l->extent.S_high,
+                   o->no_hertz ? " hertz" : "",
+                   o->no_roughness ? " roughness" : "");
+    ovr_text_gnuplot(to, o->title ? o->title : s->runs->info->title);
+    for (size_t j = 0; j < s->count; j++) {
+        ovr_text_put(to, "\nresult ");
+        ovr_text_gnuplot(to, s->runs[j].name);
+        ovr_text_put(to, " of ");
+        ovr_text_gnuplot(to, s->runs[j].info->created);
+    }
+    ovr_text_put(to, "\n");
+}
+
+static bool same_file(const char *path, const ovr_text *text)
+{
+    FILE *file = fopen(path, "rb");
+    size_t i = 0;
+    int c = 0;
+    if (!file)
+        return false;
+    while ((c = getc(file)) != EOF && i < text->length)
+        if ((char)c != text->data[i++])
+            break;
+    fclose(file);
+    return c == EOF && i == text->length;
+}
+
+/* Whether frames of these settings are kept in the folder; an error when
+ * those there are made with others. */
+static ovr_status open_folder(studio *s, bool *keep, ovr_error *err)
+{
+    char path[OVR_PATH_SIZE], first[OVR_PATH_SIZE];
+    ovr_text text = ovr_text_make(s->arena);
+    ovr_status status;
+    *keep = false;
+    if (strlen(s->folder) > OVR_PATH_SIZE - 64)
+        return ovr_fail(err, OVR_BAD_INPUT, "%.60s...: too long a name",
+                        s->folder);
+    if (mkdir(s->folder, 0777) != 0 && errno != EEXIST)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be created: %s",
+                        s->folder, strerror(errno));
+    snprintf(path, sizeof path, "%s/frames.txt", s->folder);
+    name_frame(s, 0, suffixes[s->form], first);
+    describe(s, &text);
+    status = ovr_text_status(&text, err);
+    if (status == OVR_OK && same_file(path, &text))
+        *keep = !s->o->look.force;
+    else if (status == OVR_OK && !s->o->look.force &&
+             (access(path, F_OK) == 0 || access(first, F_OK) == 0))
+        status = ovr_fail(err, OVR_BAD_INPUT,
+                          "%s holds frames made with other settings; --force "
+                          "replaces them",
+                          s->folder);
+    if (status == OVR_OK && !*keep)
+        status = ovr_text_save(&text, path, err);
+    return status;
+}
+
+/* For a movie without frames: a folder beside it, emptied as it goes. */
+static ovr_status make_temporary(studio *s, ovr_error *err)
+{
+    const char *slash = strrchr(s->o->movie, '/');
+    int folder = slash ? (int)(slash - s->o->movie) + 1 : 0;
+    snprintf(s->temporary, sizeof s->temporary, "%.*s.frames.XXXXXX", folder,
+             s->o->movie);
+    if (!mkdtemp(s->temporary)) {
+        s->temporary[0] = '\0';
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be created: %s",
+                        s->o->movie, strerror(errno));
+    }
+    s->folder = s->temporary;
+    return OVR_OK;
+}
+
+/* ---------------------------------------------------------------- drawing */
+
+static ovr_status ask_frame(studio *s, size_t i, ovr_error *err)
+{
+    char path[OVR_PATH_SIZE], script[OVR_PATH_SIZE];
+    ovr_status status = read_frame(s, i, err);
+    if (status != OVR_OK)
+        return status;
+    name_frame(s, i, suffixes[s->form], path);
+    name_frame(s, i, "gp", script);
+    ovr_snapshot_draw(s->chart, &s->look, s->shots, 1, s->count);
+    s->script.length = 0;
+    ovr_chart_script(&s->chart->chart, s->form, &s->script);
+    if (s->o->scripts)
+        status = ovr_chart_write(&s->chart->chart, path, script,
+                                 &s->arena->allocator, err);
+    if (status == OVR_OK)
+        status = ovr_gnuplot_ask(&s->gnuplot[i % s->workers], &s->script, path,
+                                 err);
+    if (status == OVR_OK)
+        s->made->drawn++;
+    return status;
+}
+
+/* Frame i is in its file. */
+static ovr_status finish_frame(studio *s, size_t i, ovr_error *err)
+{
+    char path[OVR_PATH_SIZE];
+    ovr_status status = ovr_gnuplot_wait(&s->gnuplot[i % s->workers], err);
+    name_frame(s, i, suffixes[s->form], path);
+    if (status == OVR_OK && s->movie.path)
+        status = ovr_movie_add(&s->movie, path, err);
+    if (s->temporary[0])
+        unlink(path);
+    if (status == OVR_OK && s->o->progress &&
+        !s->o->progress(s->o->data, i + 1, s->n))
+        status = ovr_fail(err, OVR_STOPPED, "stopped after %zu of %zu frames",
+                          i + 1, s->n);
+    return status;
+}
+
+static ovr_status draw_all(studio *s, bool keep, ovr_error *err)
+{
+    char path[OVR_PATH_SIZE];
+    ovr_status status = OVR_OK;
+    for (size_t i = 0; status == OVR_OK && i < s->n + s->workers; i++) {
+        if (i >= s->workers)
+            status = finish_frame(s, i - s->workers, err);
+        if (status != OVR_OK || i >= s->n)
+            continue;
+        name_frame(s, i, suffixes[s->form], path);
+        if (keep && access(path, F_OK) == 0)
+            s->made->kept++;
+        else
+            status = ask_frame(s, i, err);
+    }
+    return status;
+}
+
+static ovr_status start_workers(studio *s, ovr_error *err)
+{
+    long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    size_t wanted = s->o->workers > 0 ? (size_t)s->o->workers
+                    : cores > 0       ? (size_t)cores
+                                      : 1;
+    ovr_status status = OVR_OK;
+    if (wanted > WORKERS)
+        wanted = WORKERS;
+    if (wanted > s->n)
+        wanted = s->n;
+    s->gnuplot = ovr_arena_take(s->arena, wanted, sizeof *s->gnuplot, err);
+    if (!s->gnuplot)
+        return OVR_NO_MEMORY;
+    while (status == OVR_OK && s->workers < wanted)
+        status = ovr_gnuplot_start(&s->gnuplot[s->workers++], err);
+    return status;
+}
+
+static void clear_up(studio *s)
+{
+    char path[OVR_PATH_SIZE];
+    for (size_t w = 0; s->gnuplot && w < s->workers; w++)
+        ovr_gnuplot_stop(&s->gnuplot[w]);
+    ovr_movie_stop(&s->movie);
+    if (!s->temporary[0])
+        return;
+    for (size_t i = 0; i < s->n; i++) {
+        name_frame(s, i, suffixes[s->form], path);
+        unlink(path);
+    }
+    rmdir(s->temporary);
+}
+
+/* ------------------------------------------------------------------ frames */
+
+static ovr_status check_form(studio *s, ovr_error *err)
+{
+    const char *form = s->o->form ? s->o->form : "png";
+    for (s->form = OVR_FORM_PNG; s->form <= OVR_FORM_PDF; s->form++)
+        if (strcmp(form, suffixes[s->form]) == 0)
+            break;
+    if (s->form > OVR_FORM_PDF)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "frames are png, svg or pdf, not '%s'", form);
+    if (s->o->movie && s->form != OVR_FORM_PNG)
+        return ovr_fail(err, OVR_BAD_INPUT, "a movie is made of png frames");
+    if (s->count > OVR_SHOTS)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "at most %d results fit into a picture", OVR_SHOTS);
+    return OVR_OK;
+}
+
+static ovr_status prepare(studio *s, ovr_result *const *results, ovr_error *err)
+{
+    const char *const *names = s->o->look.names;
+    ovr_status status = check_form(s, err);
+    s->runs = ovr_arena_take(s->arena, s->count, sizeof *s->runs, err);
+    s->shots = ovr_arena_take(s->arena, s->count, sizeof *s->shots, err);
+    s->chart = ovr_arena_take(s->arena, 1, sizeof *s->chart, err);
+    if (status == OVR_OK && (!s->runs || !s->shots || !s->chart))
+        status = OVR_NO_MEMORY;
+    for (size_t j = 0; status == OVR_OK && j < s->count; j++) {
+        status = ovr_run_make(&s->runs[j], results[j], names ? names[j] : NULL,
+                              s->arena, err);
+        if (status == OVR_OK)
+            status = ovr_shot_make(&s->shots[j], &s->runs[j], s->arena, err);
+    }
+    if (status == OVR_OK)
+        status = choose_frames(s, err);
+    if (status == OVR_OK)
+        status = find_ranges(s, err);
+    return status;
+}
+
+static ovr_status make(studio *s, ovr_error *err)
+{
+    bool keep = false;
+    double rate = s->o->rate > 0 ? s->o->rate : 25;
+    ovr_status status = OVR_OK;
+    if (s->o->movie)
+        status = ovr_may_create(s->o->movie, s->o->look.force, err);
+    if (status == OVR_OK)
+        status = s->folder ? open_folder(s, &keep, err)
+                           : make_temporary(s, err);
+    if (status == OVR_OK)
+        status = start_workers(s, err);
+    if (status == OVR_OK && s->o->movie)
+        status = ovr_movie_start(&s->movie, s->o->movie, rate, err);
+    if (status == OVR_OK)
+        status = draw_all(s, keep, err);
+    if (status == OVR_OK && s->o->movie)
+        status = ovr_movie_finish(&s->movie, err);
+    return status;
+}
+
+ovr_status ovr_frames(ovr_result *const *results, size_t count,
+                      const ovr_frames_options *options,
+                      const ovr_allocator *allocator, ovr_frames_made *made,
+                      ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    studio *s = ovr_arena_take(&arena, 1, sizeof *s, err);
+    ovr_frames_made unasked;
+    ovr_status status;
+    if (!s)
+        return OVR_NO_MEMORY;
+    s->o = options;
+    s->arena = &arena;
+    s->count = count;
+    s->folder = options->folder;
+    s->made = made ? made : &unasked;
+    *s->made = (ovr_frames_made){0, 0};
+    s->script = ovr_text_make(&arena);
+    status = prepare(s, results, err);
+    if (status == OVR_OK)
+        status = make(s, err);
+    clear_up(s);
+    ovr_arena_release(&arena);
+    return status;
+}
