@@ -400,7 +400,7 @@ double ovr_surfaces_arrival(const ovr_surfaces *surfaces, size_t feature,
     apart = (both ? f->wavelength : f->repeat) / fabs(f->ratio);
     gone = ovr_history_integral(surfaces->speed, after);
     if (apart > 0) { /* the first copy that has not gone by */
-        k = floor((gone - way) / apart * (1 + 1e-14)) + 1;
+        k = floor((gone - way) / apart + 1e-9) + 1;
         if (!both && k < 0)
             k = 0;
         if (f->copies && k > (double)(f->copies - 1))
