@@ -254,8 +254,10 @@ static ovr_status reopen_file(ovr_writer *w, const ovr_restart *restart,
     char *created;
     if (status != OVR_OK)
         return status;
-    created = ovr_h5_get_text(w->file.file, "date_created", &w->arena, NULL);
-    snprintf(w->created, sizeof w->created, "%s", created ? created : "");
+    created = ovr_h5_get_text(w->file.file, "date_created", &w->arena, err);
+    if (!created)
+        return OVR_NO_MEMORY;
+    snprintf(w->created, sizeof w->created, "%s", created);
     return OVR_OK;
 }
 

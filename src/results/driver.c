@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results/driver.h"
 
+#include <errno.h>
+
 #if defined(__has_include)
 #if __has_include(<H5FDdevelop.h>)
 #include <H5FDdevelop.h> /* HDF5 1.14 moved the drivers' interface there */
@@ -31,6 +33,8 @@ static H5FD_t *driver_open(const char *name, unsigned flags, hid_t access,
     (void)name;
     (void)flags;
     (void)largest;
+    if (info && !file)
+        info->store->failed = ENOMEM;
     if (!file)
         return NULL;
     file->store = info->store;
@@ -94,7 +98,8 @@ static herr_t driver_write(H5FD_t *file, H5FD_mem_t type, hid_t transfer,
 {
     (void)type;
     (void)transfer;
-    return ovr_store_write(driven(file)->store, at, bytes, from) ? 0 : -1;
+    ovr_store_write(driven(file)->store, at, bytes, from);
+    return 0;
 }
 
 static herr_t driver_truncate(H5FD_t *file, hid_t transfer, hbool_t closing)
@@ -102,9 +107,9 @@ static herr_t driver_truncate(H5FD_t *file, hid_t transfer, hbool_t closing)
     ovr_driven *f = driven(file);
     (void)transfer;
     (void)closing;
-    if (f->allocated == f->store->length)
-        return 0;
-    return ovr_store_resize(f->store, f->allocated) ? 0 : -1;
+    if (f->allocated != f->store->length)
+        ovr_store_resize(f->store, f->allocated);
+    return 0;
 }
 
 static const H5FD_class_t driver_class = {

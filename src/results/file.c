@@ -207,11 +207,13 @@ static bool drop_rows(ovr_file *f)
 static ovr_status check_identity(ovr_file *f, const ovr_file_plan *plan,
                                  ovr_arena *arena, ovr_error *err)
 {
-    const char *created = ovr_h5_get_text(f->file, "date_created", arena, NULL);
+    ovr_error memory = {OVR_OK, ""};
+    const char *created = ovr_h5_get_text(f->file, "date_created", arena,
+                                          &memory);
     double *found = ovr_arena_take(arena, plan->nodes, sizeof *found, err);
-    if (!found)
-        return OVR_NO_MEMORY;
-    if (plan->created && (!created || strcmp(created, plan->created) != 0))
+    if (!found || memory.status != OVR_OK)
+        return ovr_fail(err, OVR_NO_MEMORY, "%s: out of memory", f->store.path);
+    if (!created || (plan->created && strcmp(created, plan->created) != 0))
         return refuse(f, "its checkpoint belongs to another run", err);
     if (!same_positions(f, plan, found))
         return refuse(f,
@@ -243,6 +245,8 @@ ovr_status ovr_file_open(ovr_file *f, const ovr_file_plan *plan,
     f->snapshots = snapshots;
     f->steps = steps;
     f->file = ovr_driver_open(&f->store);
+    if (f->file < 0 && f->store.failed)
+        return ovr_store_failure(&f->store, err);
     if (f->file < 0)
         return refuse(f, "is not an HDF5 file, or damaged", err);
     status = check_identity(f, plan, f->store.changed.arena, err);

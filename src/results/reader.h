@@ -20,6 +20,7 @@ struct ovr_result {
     ovr_variable field[OVR_FIELD_COUNT];
     ovr_variable *column;
     size_t fields, columns;
+    bool starved; /* a text did not fit into memory */
 };
 
 /* Opens the file (again); the counts and lists of `r` stay. */

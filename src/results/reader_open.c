@@ -79,14 +79,27 @@ static hsize_t complete_rows(hid_t set, hsize_t rows)
 
 /* -------------------------------------------------------------- opening */
 
+/* A text attribute, NULL when there is none; notes when memory is out. */
+static const char *text_of(ovr_result *r, hid_t object, const char *name)
+{
+    ovr_error err = {OVR_OK, ""};
+    const char *text = ovr_h5_get_text(object, name, &r->arena, &err);
+    r->starved = r->starved || err.status == OVR_NO_MEMORY;
+    return text;
+}
+
+static const char *or_else(const char *text, const char *other)
+{
+    return text ? text : other;
+}
+
 static bool describe(ovr_result *r, hid_t set, const char *name,
                      ovr_variable *variable, ovr_error *err)
 {
-    const char *unit = ovr_h5_get_text(set, "units", &r->arena, err);
-    const char *text = ovr_h5_get_text(set, "long_name", &r->arena, err);
     variable->name = ovr_arena_text(&r->arena, name, err);
-    variable->long_name = text ? text : variable->name;
-    variable->unit = unit ? unit : "1";
+    r->starved = r->starved || !variable->name;
+    variable->long_name = or_else(text_of(r, set, "long_name"), variable->name);
+    variable->unit = or_else(text_of(r, set, "units"), "1");
     variable->scale = ovr_h5_get_number(set, "scale");
     return variable->name != NULL;
 }
@@ -193,23 +206,17 @@ static ovr_status open_history(ovr_result *r, ovr_error *err)
     return status;
 }
 
-static const char *text_of(ovr_result *r, hid_t object, const char *name)
-{
-    const char *text = ovr_h5_get_text(object, name, &r->arena, NULL);
-    return text ? text : "";
-}
-
 static void read_attributes(ovr_result *r)
 {
     ovr_result_info *i = &r->info;
     hid_t f = r->file, group = H5Gopen2(f, "case", H5P_DEFAULT);
-    i->title = text_of(r, f, "title");
-    i->status = text_of(r, f, "status");
-    i->source = text_of(r, f, "source");
-    i->created = text_of(r, f, "date_created");
-    i->modified = text_of(r, f, "date_modified");
-    i->case_text = group < 0 ? "" : text_of(r, group, "text");
-    i->physical = strcmp(text_of(r, f, "scaling"), "SI") == 0;
+    i->title = or_else(text_of(r, f, "title"), "");
+    i->status = or_else(text_of(r, f, "status"), "");
+    i->source = or_else(text_of(r, f, "source"), "");
+    i->created = or_else(text_of(r, f, "date_created"), "");
+    i->modified = or_else(text_of(r, f, "date_modified"), "");
+    i->case_text = group < 0 ? "" : or_else(text_of(r, group, "text"), "");
+    i->physical = strcmp(or_else(text_of(r, f, "scaling"), ""), "SI") == 0;
     i->b = ovr_h5_get_number(f, "scale_length");
     i->ph = ovr_h5_get_number(f, "scale_pressure");
     i->height = ovr_h5_get_number(f, "scale_height");
@@ -293,6 +300,8 @@ static ovr_status open_once(ovr_result *r, ovr_error *err)
         status = open_history(r, err);
     if (status == OVR_OK)
         read_attributes(r);
+    if (r->starved)
+        status = ovr_fail(err, OVR_NO_MEMORY, "%s: out of memory", r->path);
     return status;
 }
 

@@ -30,6 +30,8 @@ static ovr_status busy(const ovr_store *s, ovr_error *err)
 /* ESTALE stands for a file that is no longer the one of its name. */
 ovr_status ovr_store_failure(const ovr_store *s, ovr_error *err)
 {
+    if (s->failed == ENOMEM)
+        return ovr_fail(err, OVR_NO_MEMORY, "%s: out of memory", s->path);
     if (s->failed == ESTALE)
         return ovr_fail(err, OVR_IO,
                         "%s: was removed or replaced while the "
@@ -106,57 +108,53 @@ static ovr_page *changed_page(ovr_store *s, uint64_t number)
     return note_failure(s, error) ? page : NULL;
 }
 
-static bool change_pages(ovr_store *s, uint64_t at, uint64_t bytes,
+static void change_pages(ovr_store *s, uint64_t at, uint64_t bytes,
                          const unsigned char *from)
 {
     while (bytes > 0) {
         size_t n = in_page(at, bytes);
         ovr_page *page = changed_page(s, at / OVR_PAGE);
-        if (!page)
-            return false;
-        memcpy(page->data + at % OVR_PAGE, from, n);
+        if (page)
+            memcpy(page->data + at % OVR_PAGE, from, n);
         at += n;
         from += n;
         bytes -= n;
     }
-    return true;
 }
 
 /* What may go to the disk at once; after a failure it is kept in memory like
  * the rest, so that HDF5 sees a file in which every write succeeded. */
-static bool write_through(ovr_store *s, uint64_t at, size_t bytes,
+static void write_through(ovr_store *s, uint64_t at, size_t bytes,
                           const unsigned char *from)
 {
     int error = bytes ? ovr_write_all(s->fd, from, bytes, at) : 0;
     if (!note_failure(s, error))
-        return change_pages(s, at, bytes, from);
-    if (bytes && at + bytes > s->on_disk)
+        change_pages(s, at, bytes, from);
+    else if (bytes && at + bytes > s->on_disk)
         s->on_disk = at + bytes;
-    return true;
 }
 
-bool ovr_store_write(ovr_store *s, uint64_t at, size_t bytes, const void *from)
+void ovr_store_write(ovr_store *s, uint64_t at, size_t bytes, const void *from)
 {
     const unsigned char *next = from;
     uint64_t guard = guarded(s);
     size_t below = at < guard ? (size_t)least(bytes, guard - at) : 0;
     if (at + bytes > s->length)
         s->length = at + bytes;
-    return change_pages(s, at, below, next) &&
-           write_through(s, at + below, bytes - below, next + below);
+    change_pages(s, at, below, next);
+    write_through(s, at + below, bytes - below, next + below);
 }
 
 /* Longer at once, so that no committed end lies behind the file's; shorter
  * only down to what is committed, the rest at the commit. */
-bool ovr_store_resize(ovr_store *s, uint64_t length)
+void ovr_store_resize(ovr_store *s, uint64_t length)
 {
     uint64_t to = length > s->committed ? length : s->committed;
     s->length = length;
     if (s->failed || to == s->on_disk)
-        return true;
+        return;
     if (note_failure(s, ftruncate(s->fd, (off_t)to) != 0 ? errno : 0))
         s->on_disk = to;
-    return true;
 }
 
 /* ----------------------------------------------------------------- commit */

@@ -63,12 +63,11 @@ ovr_status ovr_store_create(ovr_store *store, bool force, ovr_error *err);
 /* An existing one, locked, its last commit finished if it was cut. */
 ovr_status ovr_store_open(ovr_store *store, ovr_error *err);
 
-/* Reading and writing as HDF5 sees the file.  A write that fails is noted in
- * store->failed and still true; false: no memory, or a read failed. */
+/* Reading and writing as HDF5 sees the file; failures are noted. */
 bool ovr_store_read(ovr_store *store, uint64_t at, size_t bytes, void *to);
-bool ovr_store_write(ovr_store *store, uint64_t at, size_t bytes,
+void ovr_store_write(ovr_store *store, uint64_t at, size_t bytes,
                      const void *from);
-bool ovr_store_resize(ovr_store *store, uint64_t length);
+void ovr_store_resize(ovr_store *store, uint64_t length);
 
 /* Makes the state now the one that readers find. */
 ovr_status ovr_store_commit(ovr_store *store, ovr_error *err);

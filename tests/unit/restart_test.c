@@ -315,6 +315,75 @@ static void refuses_another_layout(void **state)
     test_dent_free(&dent);
 }
 
+/* ------------------------------------------------------- allocation faults */
+
+static ovr_status write_with(void *folder, const ovr_allocator *hook,
+                             ovr_error *err)
+{
+    ovr_write_options o = options_for(test_path(folder, "faults.h5"));
+    ovr_contact contact = test_contact_physical();
+    ovr_state_source source;
+    ovr_status status = OVR_OK, closed;
+    ovr_writer *w;
+    test_dent dent;
+    fake f;
+    o.force = true;
+    o.fields = 0x7f;
+    test_dent_init(&dent, NODES, 0);
+    start(&f, &dent);
+    w = ovr_writer_create(&o, &contact, NODES, dent.X, hook, err);
+    if (w) {
+        source = (ovr_state_source){visit_fake, &f};
+        ovr_writer_source(w, source);
+        for (; f.step < 30 && status == OVR_OK; advance(&f))
+            status = record(w, &f, err);
+        closed = ovr_writer_close(w, OVR_RUN_COMPLETE,
+                                  status == OVR_OK ? err : NULL);
+        status = status == OVR_OK ? closed : status;
+    } else {
+        status = err->status;
+    }
+    test_dent_free(&dent);
+    return status;
+}
+
+static ovr_status resume_with(void *folder, const ovr_allocator *hook,
+                              ovr_error *err)
+{
+    ovr_write_options o = options_for(test_path(folder, "faults.h5"));
+    ovr_contact contact = test_contact_physical();
+    ovr_restart *restart = ovr_restart_open(o.path, hook, err);
+    ovr_writer *w = NULL;
+    test_dent dent;
+    o.fields = 0x7f;
+    test_dent_init(&dent, NODES, 0);
+    if (restart)
+        w = ovr_writer_resume(&o, &contact, NODES, dent.X, restart, hook, err);
+    ovr_restart_close(restart);
+    test_dent_free(&dent);
+    return w ? ovr_writer_close(w, OVR_RUN_STOPPED, err) : err->status;
+}
+
+static ovr_status read_with(void *folder, const ovr_allocator *hook,
+                            ovr_error *err)
+{
+    ovr_result *r = ovr_result_open(test_path(folder, "faults.h5"), hook, err);
+    double P[NODES];
+    ovr_status status;
+    if (!r)
+        return err->status;
+    status = ovr_result_snapshot(r, "pressure", 1, OVR_AS_STORED, P, err);
+    ovr_result_close(r);
+    return status;
+}
+
+static void survives_failing_allocations(void **state)
+{
+    assert_true(test_every_allocation(write_with, *state) > 3);
+    assert_true(test_every_allocation(resume_with, *state) > 3);
+    assert_true(test_every_allocation(read_with, *state) > 0);
+}
+
 #define TEST(name)                                                             \
     cmocka_unit_test_setup_teardown(name, test_make_folder, test_remove_folder)
 
@@ -326,6 +395,7 @@ int main(void)
         TEST(names_the_changed_parameter),
         TEST(refuses_damaged_checkpoints),
         TEST(refuses_another_layout),
+        TEST(survives_failing_allocations),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
