@@ -2,11 +2,12 @@
 /*
  * Reading a result file, also while it is written.
  *
- * The writer changes the file's metadata only in short bursts, its flushes; a
- * reader that opens or reads across one may find the halves of two states.
- * So every read is checked (HDF5's own error, or NaN where a complete row has
- * none) and repeated with the file opened anew.  Rows are counted by their
- * time: one that is still NaN does not exist yet.
+ * The writer changes the file's metadata only in short bursts, its flushes,
+ * and the reader takes turns with them.  Should that fail, a read across one
+ * may find the halves of two states: so every read is checked too (HDF5's own
+ * error, or NaN where a complete row has none) and repeated with the file
+ * opened anew.  Rows are counted by their time: one that is still NaN does not
+ * exist yet.
  *
  * Nothing in the file is trusted: every dataset's rank and length is checked
  * before it is read into memory of the length that the caller was told.
@@ -109,22 +110,36 @@ static bool read_once(ovr_result *r, const part *what, double *values)
     return ok;
 }
 
+/* While a writer is there, what HDF5 keeps of the file is old at the next
+ * read: it is opened anew for each. */
+static bool read_in_turn(ovr_result *r, const part *what, double *values)
+{
+    int turn = ovr_reader_enter(r);
+    bool ok;
+    if (turn >= 0)
+        ovr_reader_close_file(r);
+    ok = (r->file >= 0 || ovr_reader_file(r, NULL) == OVR_OK) &&
+         read_once(r, what, values);
+    ovr_reader_leave(turn);
+    return ok;
+}
+
 static ovr_status read_values(ovr_result *r, const part *what,
                               const ovr_variable *variable, ovr_units units,
                               double *values, ovr_error *err)
 {
     ovr_h5_manners manners = ovr_h5_quiet();
-    bool ok = what->count == 0 || read_once(r, what, values);
+    bool ok = what->count == 0 || read_in_turn(r, what, values);
     for (int attempt = 1; !ok && attempt < OVR_READ_ATTEMPTS; attempt++) {
         ovr_reader_pause(attempt);
         ovr_reader_close_file(r);
-        ok = ovr_reader_file(r, NULL) == OVR_OK && read_once(r, what, values);
+        ok = read_in_turn(r, what, values);
     }
     ovr_h5_restore(manners);
     if (!ok)
         return ovr_fail(err, OVR_IO,
-                        "%s: '%s' cannot be read (row %llu): the "
-                        "file is damaged",
+                        "%s: '%s' cannot be read (row %llu): the file is "
+                        "damaged",
                         r->path, what->path, (unsigned long long)what->row);
     return convert(r, variable, units, values, (size_t)what->count, err);
 }

@@ -27,6 +27,10 @@ struct ovr_result {
 ovr_status ovr_reader_file(ovr_result *result, ovr_error *err);
 void ovr_reader_close_file(ovr_result *result);
 
+/* A turn between the writer's commits; a negative number: nobody writes. */
+int ovr_reader_enter(const ovr_result *result);
+void ovr_reader_leave(int turn);
+
 /* Before the next attempt: the writer's bursts take milliseconds. */
 void ovr_reader_pause(int attempt);
 

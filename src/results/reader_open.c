@@ -3,6 +3,7 @@
 #include "results/reader.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,6 +12,7 @@
 #include <unistd.h>
 
 #include "results/h5.h"
+#include "results/turns.h"
 
 enum { MAX_COLUMNS = 256 };
 
@@ -247,14 +249,38 @@ static ovr_status check_format(const ovr_result *r, ovr_error *err)
     return OVR_OK;
 }
 
+static bool journal_name(const char *path, char *name, size_t size)
+{
+    int length = snprintf(name, size, "%s.journal", path);
+    return length > 0 && (size_t)length < size;
+}
+
 /* A journal with something in it lies beside the file. */
 static bool was_cut(const char *path)
 {
     char journal[4096];
     struct stat about;
-    int length = snprintf(journal, sizeof journal, "%s.journal", path);
-    return length > 0 && length < (int)sizeof journal &&
+    return journal_name(path, journal, sizeof journal) &&
            stat(journal, &about) == 0 && about.st_size > 0;
+}
+
+int ovr_reader_enter(const ovr_result *r)
+{
+    char name[4096];
+    int journal = -1;
+    if (journal_name(r->path, name, sizeof name))
+        journal = open(name, O_RDONLY | O_CLOEXEC);
+    if (journal >= 0)
+        ovr_turn_take(journal, false);
+    return journal;
+}
+
+void ovr_reader_leave(int journal)
+{
+    if (journal < 0)
+        return;
+    ovr_turn_give(journal);
+    close(journal);
 }
 
 /* OVR_IO: trying again may help, when the file is being written. */
@@ -314,12 +340,15 @@ void ovr_reader_pause(int attempt)
 static ovr_status open_result(ovr_result *r, ovr_error *err)
 {
     ovr_status status = OVR_IO;
+    int journal;
     for (int attempt = 0; status == OVR_IO && attempt < OVR_READ_ATTEMPTS;
          attempt++) {
         if (attempt > 0)
             ovr_reader_pause(attempt);
         ovr_reader_close_file(r);
+        journal = ovr_reader_enter(r);
         status = open_once(r, err);
+        ovr_reader_leave(journal);
     }
     if (status == OVR_IO && err)
         err->status = OVR_BAD_INPUT;

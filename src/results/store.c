@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "results/journal.h"
+#include "results/turns.h"
 
 /* --------------------------------------------------------------- failures */
 
@@ -210,8 +211,11 @@ static int check_name(const ovr_store *s)
 ovr_status ovr_store_commit(ovr_store *s, ovr_error *err)
 {
     int error = s->failed ? s->failed : check_name(s);
-    if (error == 0 && s->changed.count > 0)
+    if (error == 0 && s->changed.count > 0) {
+        ovr_turn_take(s->journal, true);
         error = commit_pages(s);
+        ovr_turn_give(s->journal);
+    }
     if (!note_failure(s, error))
         return ovr_store_failure(s, err);
     ovr_pages_clear(&s->changed);
