@@ -214,6 +214,8 @@ verify: need-cmocka all $(VERIFYSRC:%.c=$(BUILD)/%) ## what takes longer
 	@$(TESTENV) TEST_SECONDS=36000 tests/support/run -j $(JOBS) \
 	  -o $(BUILD)/verify $(VERIFYSRC:%.c=$(BUILD)/%) $(VERIFYSH)
 
+tests/unit/corpus.run: $(REPLAYS)
+
 # A single test: make tests/unit/arena_test.run
 %.run: need-cmocka all
 	@$(MAKE) --no-print-directory $(if $(wildcard $*.c),$(BUILD)/$*)

@@ -121,6 +121,7 @@ int cli_march(const cli_call *call, const cli_job *job)
     double begun = cli_seconds();
     ovr_status status;
     summary.run = transient;
+    cli_say_assumed(call, &summary);
     cli_warn_before(call, &summary);
     cli_catch_signals();
     r.end = transient ? job->setup->march.end : 1;

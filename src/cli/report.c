@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdarg.h>
+#include <string.h>
 
 const char *cli_scheme_name(ovr_scheme scheme)
 {
@@ -71,6 +72,21 @@ void cli_warn_before(const cli_call *call, cli_summary *summary)
                  "solution; start it left of the inlet X = %.3g, or let it "
                  "grow",
                  inside, options->inlet);
+}
+
+void cli_say_assumed(const cli_call *call, const cli_summary *summary)
+{
+    const ovr_surfaces *surfaces = summary->setup->surfaces;
+    size_t n = surfaces ? ovr_surfaces_count(surfaces) : 0;
+    for (size_t k = 0; k < n && call->verbosity >= 0; k++) {
+        ovr_feature_info info = ovr_surfaces_info(surfaces, k);
+        for (const char *s = info.assumed; *s;) {
+            int size = (int)strcspn(s, "\n");
+            fprintf(stderr, "overroll: feature '%s': %.*s\n", info.name, size,
+                    s);
+            s += size + (s[size] == '\n');
+        }
+    }
 }
 
 void cli_warn_after(const cli_call *call, cli_summary *summary)

@@ -26,6 +26,10 @@ void cli_warn(const cli_call *call, cli_summary *summary, const char *format,
 /* What can be said before the solve: a grid too coarse for its features, a
  * feature that starts inside; and after it: a starved inlet. */
 void cli_warn_before(const cli_call *call, cli_summary *summary);
+
+/* On stderr, what was understood of profiles and done to them. */
+void cli_say_assumed(const cli_call *call, const cli_summary *summary);
+
 void cli_warn_after(const cli_call *call, cli_summary *summary);
 
 void cli_report(const cli_call *call, const cli_summary *summary);

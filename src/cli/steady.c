@@ -25,6 +25,7 @@ static int solve(const cli_call *call, ovr_setup *setup, ovr_simulation *sim)
     ovr_error err = {0};
     double begun = cli_seconds();
     ovr_status status;
+    cli_say_assumed(call, &summary);
     cli_warn_before(call, &summary);
     status = ovr_simulation_steady(sim, &err);
     summary.seconds = cli_seconds() - begun;

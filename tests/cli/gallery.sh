@@ -12,5 +12,6 @@ for case in "$TOP"/profiles/*.ini; do
     expect 0 "$OVERROLL" run "$case" -o "$name.h5" --json \
         --set domain.level=6
     contains out '"steps_marked": 0'
+    contains err 'overroll: feature .*: column 1 is x'
     ! grep -q warning err || fail "$name: $(grep warning err)"
 done
