@@ -241,21 +241,27 @@ paper: tests ## the paper's tables, computed and compared
 	  -o $(BUILD)/paper $(patsubst %.c,$(BUILD)/%,\
 	    $(wildcard tests/paper/*_test.c)) $(wildcard tests/paper/*.sh)
 
-# tests/bench/*_bench.c: each a program; FFTW and LAPACK, when there, are for
-# comparison only.
+# tests/bench/*_bench.c: each a program that writes $(BUILD)/bench/NAME.json;
+# FFTW and LAPACK, when there, are for comparison only.
 BENCHSRC := $(wildcard tests/bench/*_bench.c)
 BENCHBIN := $(BENCHSRC:%.c=$(BUILD)/%)
+BENCHSUP := $(patsubst %.c,$(BUILD)/%.o,\
+              $(filter-out $(BENCHSRC),$(wildcard tests/bench/*.c)))
 BENCHPKG := $(if $(filter bench,$(MAKECMDGOALS)),$(foreach p,\
   fftw3 openblas lapacke,\
   $(if $(shell $(PKG_CONFIG) --exists $(p) 2>/dev/null && echo y),$(p))))
 $(BUILD)/tests/bench/%.o: CPPFLAGS += $(BENCHPKG:%=-DHAVE_%)
-$(BUILD)/tests/bench/%_bench: $(BUILD)/tests/bench/%_bench.o $(SUPPORT) $(LIB)
+$(BUILD)/tests/bench/%_bench: $(BUILD)/tests/bench/%_bench.o $(BENCHSUP) \
+  $(SUPPORT) $(LIB)
 	$(call say,LINK  $@)
 	$(Q)$(LINK) -o $@ $^ $(OVR_LIBS) -lcmocka \
 	  $(if $(BENCHPKG),$(shell $(PKG_CONFIG) --libs $(BENCHPKG)))
 
 bench: $(BENCHBIN) $(PROGRAM) ## how fast it is, on this machine
-	@for b in $(BENCHBIN); do OVERROLL='$(PROGRAM)' $$b || exit 1; done
+	@mkdir -p $(BUILD)/bench
+	@for b in $(BENCHBIN); do \
+	  OVERROLL='$(PROGRAM)' $$b $(BUILD)/bench/$$(basename $$b _bench).json \
+	    || exit 1; done
 
 # ------------------------------------------------------------- static checks
 
