@@ -211,7 +211,9 @@ check: need-cmocka all $(CHECKSRC:%.c=$(BUILD)/%) $(REPLAYS) ## run the tests (F
 	  $(CHECKSRC:%.c=$(BUILD)/%) $(CHECKSH)
 
 verify: need-cmocka all $(VERIFYSRC:%.c=$(BUILD)/%) ## what takes longer
-	@$(TESTENV) TEST_SECONDS=36000 tests/support/run -j $(JOBS) \
+	@mkdir -p $(BUILD)/verify
+	@$(TESTENV) OVERROLL_VERIFY='$(abspath $(BUILD)/verify)' \
+	  TEST_SECONDS=36000 tests/support/run -j $(JOBS) \
 	  -o $(BUILD)/verify $(VERIFYSRC:%.c=$(BUILD)/%) $(VERIFYSH)
 
 tests/unit/corpus.run: $(REPLAYS)
@@ -237,7 +239,9 @@ demo: $(PROGRAM) ## roll a dent through a contact: result file and picture
 	@OVERROLL='$(PROGRAM)' tools/run-demo $(BUILD)/demo
 
 paper: tests ## the paper's tables, computed and compared
-	@$(TESTENV) TEST_SECONDS=36000 tests/support/run -v -j $(JOBS) \
+	@mkdir -p $(BUILD)/verify
+	@$(TESTENV) OVERROLL_VERIFY='$(abspath $(BUILD)/verify)' \
+	  TEST_SECONDS=36000 tests/support/run -v -j $(JOBS) \
 	  -o $(BUILD)/paper $(patsubst %.c,$(BUILD)/%,\
 	    $(wildcard tests/paper/*_test.c)) $(wildcard tests/paper/*.sh)
 
