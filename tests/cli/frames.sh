@@ -31,7 +31,8 @@ n=$(find all -name 'frame_*.png' | wc -l)
 rm all/frame_0001.png
 expect 0 "$OVERROLL" frames dent.h5 -o all --size 320x240 --jobs 1
 contains out "^all: 1 frames drawn, $((n - 1)) kept"
-[ "$(find all -name '.*.*' | wc -l)" -eq 0 ] || fail "parts are left: $(ls -A all)"
+[ "$(find all -name '.*.*' | wc -l)" -eq 0 ] ||
+    fail "parts are left: $(ls -A all)"
 
 # Other settings are refused, or forced.
 refuses 'other settings; --force' frames dent.h5 -o all --size 400x300

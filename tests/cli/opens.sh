@@ -26,8 +26,9 @@ width = 0.5
 start = -2
 [output]
 every = 2
-fields = pressure, film_thickness, roughness, density, viscosity, mass_flow, cavitated
 END
+echo 'fields = pressure, film_thickness, roughness, density, viscosity,' \
+    'mass_flow, cavitated' >>dent.ini
 expect 0 "$OVERROLL" run dent.ini -o si.h5 -q
 sed '/_thickness/d; /end = 1/s/1/0.5/' dent.ini >short.ini
 expect 0 "$OVERROLL" run short.ini -o short.h5 -q --set output.precision=f32

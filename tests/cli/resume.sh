@@ -60,7 +60,8 @@ expect 0 "$OVERROLL" resume short.h5 -q
 same whole.h5 short.h5
 
 # A damaged checkpoint is refused; a lost one means to begin again
-dd if=/dev/zero of=kept.h5.restart bs=1 count=4 seek=300 conv=notrunc 2>/dev/null
+dd if=/dev/zero of=kept.h5.restart bs=1 count=4 seek=300 conv=notrunc \
+    2>/dev/null
 refuses '^kept.h5.restart: is damaged' resume kept.h5 --set time.end=3
 rm kept.h5.restart
 expect 0 "$OVERROLL" resume kept.h5 --set time.end=3
