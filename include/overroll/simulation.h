@@ -53,16 +53,16 @@ typedef struct ovr_options {
     ovr_scheme scheme;
     ovr_smoother smoother;
     int cycle_index;                 /* 1: V, 2: W */
-    int sweeps_before, sweeps_after; /* 0, 0: the smoother's own (1, 1) */
+    int sweeps_before, sweeps_after; /* 0, 0: line 1, 1; hybrid 2, 1 */
     int max_cycles;                  /* steady: per refinement; 0: automatic */
     int cycles;                      /* with OVR_STOP_FIXED; the paper's 2 */
     ovr_stop stop;
     double tolerance;    /* on the residual R and load defect; 0: automatic */
     int mlmi_order;      /* even, 4..12; 0: from the accuracy needed */
     int mlmi_range;      /* corrections within so many meshes; 0: same */
-    double switch_value; /* hybrid: eps/D^2 above which Gauss-Seidel; 0.3 */
+    double switch_value; /* hybrid: eps/D^2 above which Gauss-Seidel; 3 */
     double relax_seidel; /* under-relaxation, paper 0.5..1; 0.8 */
-    double relax_dipole; /* paper 0.3..0.6; 0.4 */
+    double relax_dipole; /* paper 0.3..0.6; 0.5 */
     bool paper_balance;  /* H0 by the paper's relaxation on the coarsest
                             grid instead of the dense Newton step */
 } ovr_options;

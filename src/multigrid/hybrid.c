@@ -46,11 +46,18 @@ static double clipped(double x, double limit)
     return x > limit ? limit : x < -limit ? -limit : x;
 }
 
+/* Dry and not wanting to rise, with room for rounding (see line.h). */
+static bool held(const ovr_level *level, size_t i, double r, slopes s)
+{
+    return level->f.P[i] <= 0 && r >= dry_tolerance * s.own;
+}
+
 static void seidel(const ovr_hierarchy *grids, ovr_level *level, size_t i,
                    double r, slopes s)
 {
     double next = level->f.P[i] + grids->relax_seidel * r / s.own;
-    level->f.P[i] = next > 0 ? next : 0;
+    if (!held(level, i, r, s))
+        level->f.P[i] = next > 0 ? next : 0;
 }
 
 /* One line solve of rows first..last for fixed film, dry nodes that do not
@@ -66,7 +73,7 @@ static void exit_line(const ovr_hierarchy *grids, ovr_level *level,
         double r = row_residual(level, i, &s);
         double lower = half * (f->eps[i - 1] + f->eps[i]);
         double right = half * (f->eps[i] + f->eps[i + 1]);
-        if (f->P[i] <= 0 && r >= dry_tolerance * s.own) {
+        if (held(level, i, r, s)) {
             r = lower = right = 0;
             s.own = 1;
         }
@@ -82,20 +89,31 @@ static void exit_line(const ovr_hierarchy *grids, ovr_level *level,
     }
 }
 
-/* The end of the film by itself, until its place has settled. */
-static void relax_exit(const ovr_hierarchy *grids, ovr_level *level,
-                       double bound)
+/* The rows near the end of the film that a line with fixed film may solve,
+ * see hybrid.h. */
+static bool exit_window(const ovr_level *level, size_t *first, size_t *last)
 {
-    enum { LINES = 6, BEHIND = 8 };
+    enum { BEHIND = 8 };
     const double *P = level->f.P, *eps = level->f.eps;
-    size_t last = level->n - 2, first;
-    while (last > 1 && !(P[last] > 0))
-        last--;
-    first = last;
-    while (first > 1 && eps[first - 1] > 10 * bound)
-        first--;
-    last = last + BEHIND < level->n - 1 ? last + BEHIND : level->n - 2;
-    if (first > level->n / 2)
+    double D = level->D;
+    size_t end = level->n - 2, i;
+    while (end > 1 && !(P[end] > 0))
+        end--;
+    for (i = end; i > 1; i--) {
+        double length = D * (double)(end - i + 2);
+        if (length * length > 3 * eps[i - 1])
+            break;
+    }
+    *first = i;
+    *last = end + BEHIND < level->n - 1 ? end + BEHIND : level->n - 2;
+    return end > 1;
+}
+
+static void relax_exit(const ovr_hierarchy *grids, ovr_level *level)
+{
+    enum { LINES = 4 };
+    size_t first, last;
+    if (exit_window(level, &first, &last))
         for (int k = 0; k < LINES; k++)
             exit_line(grids, level, first, last);
 }
@@ -121,7 +139,7 @@ void ovr_relax_hybrid(ovr_hierarchy *grids, ovr_level *level)
         double next = P[i] + delta[i] - delta[i + 1];
         P[i] = next > 0 ? next : 0;
     }
-    relax_exit(grids, level, bound);
+    relax_exit(grids, level);
 }
 
 void ovr_coarsest_paper(ovr_hierarchy *grids, ovr_level *level)

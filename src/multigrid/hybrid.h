@@ -10,6 +10,24 @@
  * A_ij is the derivative given in line.h.  The kernel scales with D, so
  * eps/D^2 is the switch that does not depend on the grid; the paper's 0.01 on
  * eps/D belongs to its model problem (9) on its grids.
+ *
+ * The paper's recipe alone stalls or diverges here; what it took, and why:
+ *  1. Dry nodes that do not want to rise are held, with room for rounding
+ *     (line.h).  A coarse dry node has no residual but rounding, whose sign
+ *     made it wet at random: a limit cycle of the last wet nodes.
+ *  2. A pointwise sweep moves the end of the film by a node, a coarse grid by
+ *     several.  So each sweep ends with a few line solves (tridiagonal, film
+ *     fixed, projected) of the last rows before the end.
+ *  3. How many rows: a solve with fixed film over a length l is stable only
+ *     while diffusion, eps (pi/l)^2, outweighs the elastic response of the
+ *     wedge, of order 1.  The rows taken have l^2 < 3 eps at the first of
+ *     them.  Fewer do, more diverge: at M = 20, L = 2.5 a window 56 nodes
+ *     long failed, and the more surely the more often it was solved.
+ *  4. The switch.  Gauss-Seidel on the second-order wedge amplifies what
+ *     travels downstream where eps/D^2 is 0.4 to 2; it is slow (1.25 a cycle
+ *     at M = 50, L = 10, level 12, X = 0.75), but fine grids have wide zones
+ *     of such eps.  3 instead of 0.3 ended that; V(2,1) pays for the slower
+ *     dipole.
  */
 #ifndef OVR_MULTIGRID_HYBRID_H
 #define OVR_MULTIGRID_HYBRID_H

@@ -14,9 +14,9 @@ ovr_options ovr_options_default(void)
                          .cycle_index = 1,
                          .cycles = 2,
                          .stop = OVR_STOP_NEGLIGIBLE,
-                         .switch_value = 0.3,
+                         .switch_value = 3,
                          .relax_seidel = 0.8,
-                         .relax_dipole = 0.4};
+                         .relax_dipole = 0.5};
 }
 
 /* H0's error with the second-order wedge at M = 20, L = 10, measured: 2.6e-5
@@ -114,6 +114,12 @@ static ovr_status check(const ovr_options *o, ovr_error *err)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "MLMI range %d: even numbers from 2 to %d are possible",
                         o->mlmi_range, 2 * OVR_MLMI_MOST);
+    if (!(o->relax_seidel >= 0.5 && o->relax_seidel <= 1 &&
+          o->relax_dipole >= 0.3 && o->relax_dipole <= 0.6))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "under-relaxation %g and %g: 0.5 to 1 (Gauss-Seidel) "
+                        "and 0.3 to 0.6 (dipole) are possible",
+                        o->relax_seidel, o->relax_dipole);
     if (!(o->inlet < -1 && o->outlet > 1 && isfinite(o->inlet) &&
           isfinite(o->outlet)))
         return ovr_fail(err, OVR_BAD_INPUT,
@@ -133,8 +139,10 @@ ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
         return OVR_BAD_INPUT;
     if (!o->coarsest_level)
         o->coarsest_level = automatic_coarsest(contact, o->level);
-    if (!o->sweeps_before && !o->sweeps_after)
-        o->sweeps_before = o->sweeps_after = 1;
+    if (!o->sweeps_before && !o->sweeps_after) {
+        o->sweeps_before = o->smoother == OVR_LINE ? 1 : 2;
+        o->sweeps_after = 1;
+    }
     if (!o->cycle_index)
         o->cycle_index = 1;
     if (!o->max_cycles)
