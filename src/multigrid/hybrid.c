@@ -144,13 +144,11 @@ void ovr_relax_hybrid(ovr_hierarchy *grids, ovr_level *level)
 
 void ovr_coarsest_paper(ovr_hierarchy *grids, ovr_level *level)
 {
-    enum { SWEEPS = 10 };
-    for (int s = 0; s < SWEEPS; s++) {
-        if (s) {
-            ovr_level_film(grids, level);
-            ovr_level_residual(grids, level);
-        }
+    int sweeps = grids->cycle_index > 1 ? 20 : 100;
+    for (int s = 0; s < sweeps; s++) {
+        if (s)
+            ovr_level_refresh(grids, level);
         ovr_relax_hybrid(grids, level);
-        grids->H0 -= 0.05 * (level->force - ovr_level_load(level));
+        grids->H0 -= 0.02 * (level->force - ovr_level_load(level));
     }
 }
