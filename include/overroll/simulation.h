@@ -42,7 +42,9 @@ typedef enum ovr_smoother {
 typedef enum ovr_stop {
     OVR_STOP_NEGLIGIBLE, /* algebraic error negligible beside 1e-6 of H */
     OVR_STOP_TRUNCATION, /* a fraction of the discretization error */
-    OVR_STOP_FIXED       /* exactly `cycles` cycles per refinement: paper */
+    OVR_STOP_FIXED       /* exactly `cycles` cycles per refinement: paper;
+                            converged when the algebraic error is below the
+                            difference from the next coarser level */
 } ovr_stop;
 
 /* Zero or NAN where noted means: the program chooses from M, L and level. */
@@ -163,6 +165,22 @@ typedef struct ovr_observation {
 } ovr_observation;
 OVR_API const ovr_observation *
 ovr_simulation_observation(const ovr_simulation *sim);
+
+/* One level of the last steady solution's full multigrid: how far its cycles
+ * brought it, and the discretization error that the next coarser level shows.
+ * Differences of pressure as D sum |dP| / (pi/2). */
+typedef struct ovr_refinement {
+    int level;
+    size_t nodes;
+    int cycles;
+    double residual; /* R after the last cycle */
+    double H_min, H_cen;
+    double change;     /* of P by the last cycle */
+    double algebraic;  /* estimate of what further cycles would change */
+    double difference; /* of P from the solution of the level below */
+} ovr_refinement;
+OVR_API const ovr_refinement *
+ovr_simulation_refinements(const ovr_simulation *sim, int *count);
 
 /* One row a quantity of the observation, so that tables, files and help are
  * made from one list. */

@@ -159,6 +159,28 @@ static void json_run(json_writer *json, const cli_summary *s)
     json_text(json, "output", s->output);
 }
 
+/* Full multigrid level by level. */
+static void json_refinements(json_writer *json, const cli_summary *s)
+{
+    int count;
+    const ovr_refinement *r = ovr_simulation_refinements(s->sim, &count);
+    json_open_array(json, "refinements");
+    for (int k = 0; k < count; k++) {
+        json_open(json, NULL);
+        json_integer(json, "level", r[k].level);
+        json_integer(json, "nodes", (long long)r[k].nodes);
+        json_integer(json, "cycles", r[k].cycles);
+        json_number(json, "residual", r[k].residual);
+        json_number(json, "H_min", r[k].H_min);
+        json_number(json, "H_cen", r[k].H_cen);
+        json_number(json, "change", r[k].change);
+        json_number(json, "algebraic", r[k].algebraic);
+        json_number(json, "difference", r[k].difference);
+        json_close(json);
+    }
+    json_close_array(json);
+}
+
 static void report_json(const cli_summary *s)
 {
     const ovr_options *options = ovr_simulation_options(s->sim);
@@ -175,6 +197,8 @@ static void report_json(const cli_summary *s)
                   &s->setup->contact);
     if (s->run)
         json_run(&json, s);
+    else
+        json_refinements(&json, s);
     json_number(&json, "seconds", s->seconds);
     json_open_array(&json, "warnings");
     for (int i = 0; i < s->warnings; i++)
@@ -231,7 +255,19 @@ static void table_run(const cli_summary *s)
                s->snapshots);
 }
 
-static void report_table(const cli_summary *s)
+static void table_refinements(const cli_summary *s)
+{
+    int count;
+    const ovr_refinement *r = ovr_simulation_refinements(s->sim, &count);
+    puts("\nlevel   nodes cycles residual  H_min        H_cen        "
+         "algebraic to level below");
+    for (int k = 0; k < count; k++)
+        printf("%5d %7zu %6d %-9.2e %-12.7g %-12.7g %-9.2e %.2e\n", r[k].level,
+               r[k].nodes, r[k].cycles, r[k].residual, r[k].H_min, r[k].H_cen,
+               r[k].algebraic, r[k].difference);
+}
+
+static void report_table(const cli_call *call, const cli_summary *s)
 {
     const ovr_contact *contact = &s->setup->contact;
     const ovr_options *options = ovr_simulation_options(s->sim);
@@ -248,6 +284,8 @@ static void report_table(const cli_summary *s)
     if (s->run)
         table_run(s);
     printf("%-17s %.3g s\n", "time", s->seconds);
+    if (call->verbosity > 0 && !s->run)
+        table_refinements(s);
 }
 
 void cli_report(const cli_call *call, const cli_summary *summary)
@@ -255,5 +293,5 @@ void cli_report(const cli_call *call, const cli_summary *summary)
     if (call->json)
         report_json(summary);
     else if (call->verbosity >= 0)
-        report_table(summary);
+        report_table(call, summary);
 }

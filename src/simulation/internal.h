@@ -48,6 +48,8 @@ struct ovr_simulation {
     double largest_error; /* adaptive: a step with more is not accepted */
     double *S_past;       /* surface one step ago */
 
+    ovr_refinement refinement[OVR_LEVELS];
+    int refinements;
     ovr_state state;
     ovr_observation observation;
     ovr_statistics statistics;
@@ -75,6 +77,14 @@ void ovr_simulation_defaults(ovr_simulation *sim);
 
 /* Sets S and the finest gap X^2/2 - S at time T. */
 void ovr_simulation_gap(ovr_simulation *sim, double T);
+
+/* Records of full multigrid (refinement.c): before a level is left for the
+ * next finer one, before each cycle, and when a level is done; `factor` is the
+ * last cycle's on the residual. */
+void ovr_refinement_coarse(ovr_simulation *sim, const ovr_level *level);
+void ovr_refinement_cycle(ovr_simulation *sim, const ovr_level *level);
+void ovr_refinement_note(ovr_simulation *sim, const ovr_level *level,
+                         int cycles, double factor, const ovr_defect *d);
 
 /* How a solve or step ended. */
 typedef struct ovr_outcome {

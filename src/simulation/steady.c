@@ -121,9 +121,10 @@ static int most_cycles(const ovr_options *o, int level)
     return level == o->level ? o->max_cycles : ON_THE_WAY;
 }
 
-/* Cycles on a level until below its tolerance. */
+/* Cycles on a level until below its tolerance; `factor` is the last one's on
+ * the residual. */
 static ovr_defect cycle_until(ovr_simulation *sim, ovr_level *level,
-                              int *cycles)
+                              int *cycles, double *factor)
 {
     ovr_hierarchy *grids = &sim->grids;
     int most = most_cycles(&sim->options, level->number);
@@ -132,8 +133,11 @@ static ovr_defect cycle_until(ovr_simulation *sim, ovr_level *level,
     for (int c = 0; c < most && d.imbalance < 1e6; c++) {
         if (!fixed && ovr_below(d, tolerance_at(sim, level, d.centre)))
             break;
+        double before = d.imbalance;
+        ovr_refinement_cycle(sim, level);
         ovr_cycle(grids, level);
         d = ovr_cycle_defect(grids, level);
+        *factor = d.imbalance / before;
         ++*cycles;
     }
     return d;
@@ -146,10 +150,14 @@ static ovr_defect climb(ovr_simulation *sim, ovr_level *level, int top,
     ovr_hierarchy *grids = &sim->grids;
     ovr_defect d = ovr_cycle_defect(grids, level);
     while (level->number < top && d.imbalance < 1e6) {
+        int before = *cycles;
+        double factor = 0;
+        ovr_refinement_coarse(sim, level);
         ovr_fas_refine(level, level + 1);
         level++;
         ovr_level_refresh(grids, level);
-        d = cycle_until(sim, level, cycles);
+        d = cycle_until(sim, level, cycles, &factor);
+        ovr_refinement_note(sim, level, *cycles - before, factor, &d);
     }
     return d;
 }
@@ -189,7 +197,7 @@ static ovr_defect raise_load(ovr_simulation *sim, ovr_level *level, double from,
                              double factor, int *cycles)
 {
     ovr_hierarchy *grids = &sim->grids;
-    double *saved = sim->past.P[0];
+    double *saved = sim->past.P[0], ratio;
     size_t bytes = level->n * sizeof(double);
     ovr_defect d = ovr_cycle_defect(grids, level);
     while (from < 1 && factor > 1.01) {
@@ -198,7 +206,7 @@ static ovr_defect raise_load(ovr_simulation *sim, ovr_level *level, double from,
         grids->fluid = fluid_at(sim, to);
         grids->H0 += film_formula(sim, to) - film_formula(sim, from);
         ovr_level_refresh(grids, level);
-        d = cycle_until(sim, level, cycles);
+        d = cycle_until(sim, level, cycles, &ratio);
         if (d.imbalance < 1e-2 && d.load < 1e-2) {
             from = to;
             continue;
@@ -258,6 +266,7 @@ static ovr_defect full_multigrid(ovr_simulation *sim, const rung *how,
     ovr_hierarchy *grids = &sim->grids;
     ovr_level *level = &grids->level[grids->bottom];
     double fraction = solve_easy_load(sim, level);
+    sim->refinements = 0;
     ovr_defect d = ovr_cycle_defect(grids, level);
     if (fraction < 1) {
         int top = load_level(sim, how->mesh);
@@ -304,6 +313,38 @@ static ovr_status begin_load_and_speed(ovr_simulation *sim, ovr_error *err)
     return OVR_OK;
 }
 
+/* A fixed number of cycles has to reach the discretization error. */
+static bool finished(const ovr_simulation *sim, const ovr_outcome *outcome,
+                     double tolerance)
+{
+    int done = sim->refinements;
+    if (sim->options.stop == OVR_STOP_FIXED && done)
+        return sim->refinement[done - 1].algebraic <=
+               sim->refinement[done - 1].difference;
+    return ovr_below(outcome->defect, tolerance);
+}
+
+static ovr_status complain(const ovr_simulation *sim,
+                           const ovr_outcome *outcome, double tolerance,
+                           ovr_error *err)
+{
+    const ovr_refinement *last = sim->refinement;
+    for (int k = 1; k < sim->refinements; k++)
+        last++;
+    if (sim->options.stop == OVR_STOP_FIXED && sim->refinements)
+        return ovr_fail(err, OVR_NOT_CONVERGED,
+                        "%d cycles per refinement did not reach the "
+                        "discretization error: algebraic error %.1e, "
+                        "difference from the next coarser level %.1e",
+                        sim->options.cycles, last->algebraic, last->difference);
+    return ovr_fail(err, OVR_NOT_CONVERGED,
+                    "the steady solution did not converge: relative mass-flow "
+                    "imbalance %.1e (wanted %.1e), load off by %.1e after %d "
+                    "cycles",
+                    outcome->defect.imbalance, tolerance, outcome->defect.load,
+                    outcome->cycles);
+}
+
 ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
 {
     double tolerance = 0;
@@ -320,7 +361,7 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
         outcome.retries = k;
         outcome.defect = full_multigrid(sim, &ladder[k], &outcome.cycles);
         tolerance = tolerance_at(sim, sim->finest, outcome.defect.centre);
-        outcome.converged = ovr_below(outcome.defect, tolerance);
+        outcome.converged = finished(sim, &outcome, tolerance);
         if (sim->options.stop == OVR_STOP_FIXED)
             break;
     }
@@ -329,12 +370,5 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
     ovr_observe(sim, 0, &outcome);
     begin_history(sim);
     sim->started = outcome.converged;
-    if (!outcome.converged)
-        return ovr_fail(err, OVR_NOT_CONVERGED,
-                        "the steady solution did not converge: relative "
-                        "mass-flow imbalance %.1e (wanted %.1e), load off by "
-                        "%.1e after %d cycles",
-                        outcome.defect.imbalance, tolerance,
-                        outcome.defect.load, outcome.cycles);
-    return OVR_OK;
+    return outcome.converged ? OVR_OK : complain(sim, &outcome, tolerance, err);
 }
