@@ -65,12 +65,15 @@ static double mean_wavelength(const ovr_table *t)
 static void describe(ovr_profile *p, const ovr_table *t, double mesh,
                      double lost)
 {
-    ovr_profile_note(p,
-                     "on the grid: wavelengths above %.3g b, %.2g %% of the "
-                     "variance filtered out; %s",
-                     2 * mesh, 100 * lost,
-                     !t->endless ? "blended into the smooth surface"
-                                 : "goes on without end");
+    const char *ends = !t->endless ? "blended into the smooth surface"
+                                   : "goes on without end";
+    if (lost < 1e-6)
+        ovr_profile_note(p, "on the grid: nothing filtered out; %s", ends);
+    else
+        ovr_profile_note(p,
+                         "on the grid: wavelengths above %.3g b, %.2g %% of "
+                         "the variance filtered out; %s",
+                         2 * mesh, 100 * lost, ends);
 }
 
 static void set_extents(ovr_feature *f, const ovr_table *t)
