@@ -6,6 +6,8 @@
 #ifndef OVR_SURFACE_FEATURE_H
 #define OVR_SURFACE_FEATURE_H
 
+#include <math.h>
+
 #include "base/arena.h"
 #include "overroll/surface.h"
 #include "surface/table.h"
@@ -42,6 +44,17 @@ static inline double ovr_smoothstep(double v)
  * its shape; `per_radius` is b/R, NAN without a physical contact. */
 ovr_status ovr_shape_make(ovr_feature *feature, const ovr_feature_form *form,
                           double per_radius, ovr_error *err);
+
+/* Sets its start from what the form gives: start, centre, edge, arrival or
+ * origin.  The shape must be made. */
+ovr_status ovr_feature_place(ovr_feature *feature, const ovr_feature_form *form,
+                             const ovr_history *speed, ovr_error *err);
+
+/* Without end to both sides: it is placed by an origin. */
+static inline bool ovr_is_endless(const ovr_feature *feature)
+{
+    return isinf(feature->reach_ahead);
+}
 
 /* S[i] += factor * (height at X[i] with the centre at `centre`). */
 void ovr_shape_add(const ovr_feature *feature, double factor, double centre,

@@ -130,66 +130,6 @@ static ovr_status check_repeat(const ovr_feature *f, ovr_error *err)
     return OVR_OK;
 }
 
-static bool is_endless(const ovr_feature *f)
-{
-    return isinf(f->reach_ahead);
-}
-
-/* Where the centre is at T = 0 when the feature's reference point (start), its
- * centre, its leading edge or its arrival at X = 0 was given. */
-static double centre_at_start(const ovr_surfaces *surfaces,
-                              const ovr_feature_form *form,
-                              const ovr_feature *f)
-{
-    bool tabulated = f->table != NULL;
-    if (!isnan(form->centre))
-        return form->centre;
-    if (!isnan(form->edge))
-        return form->edge - f->ahead;
-    if (!isnan(form->arrival))
-        return -f->ratio * ovr_history_integral(surfaces->speed, form->arrival);
-    return tabulated ? form->start - f->ahead : form->start;
-}
-
-static ovr_status find_start(const ovr_surfaces *surfaces,
-                             const ovr_feature_form *form, ovr_feature *f,
-                             ovr_error *err)
-{
-    int given = !isnan(form->start) + !isnan(form->centre) +
-                !isnan(form->edge) + !isnan(form->arrival);
-    const char *shape = ovr_shape_name((int)f->shape);
-    if (given > 1 || (given && !isnan(form->origin)))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': give one of start, centre, edge, "
-                        "arrival and origin, not several",
-                        f->name);
-    if (is_endless(f)) {
-        if (given)
-            return ovr_fail(err, OVR_BAD_INPUT,
-                            "feature '%s': a %s is endless; its place is "
-                            "given by origin",
-                            f->name, shape);
-        f->start = isnan(form->origin) ? 0 : form->origin;
-    } else if (!given) {
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': a %s needs its place at T = 0: start, "
-                        "centre or edge, or its arrival at X = 0",
-                        f->name, shape);
-    } else if (!isnan(form->arrival) && f->ratio == 0) {
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': surface %d stands still, it never "
-                        "arrives; give start instead of arrival",
-                        f->name, f->surface);
-    } else {
-        f->start = centre_at_start(surfaces, form, f);
-    }
-    if (!isfinite(f->start))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': its place must be a finite number",
-                        f->name);
-    return OVR_OK;
-}
-
 /* Everything that can fail happens here, before the feature is linked in. */
 static ovr_status make(ovr_surfaces *surfaces, const ovr_feature_form *form,
                        ovr_feature *f, ovr_error *err)
@@ -216,7 +156,7 @@ static ovr_status make(ovr_surfaces *surfaces, const ovr_feature_form *form,
     if (!status)
         status = check_repeat(f, err);
     if (!status)
-        status = find_start(surfaces, form, f, err);
+        status = ovr_feature_place(f, form, surfaces->speed, err);
     return status;
 }
 
@@ -351,7 +291,7 @@ const char *ovr_surfaces_inside(const ovr_surfaces *surfaces, double inlet,
 {
     for (const entry *l = surfaces->first; l; l = l->next) {
         const ovr_feature *f = &l->feature;
-        if (is_endless(f) || (f->grow > 0 && f->grow_from >= 0) ||
+        if (ovr_is_endless(f) || (f->grow > 0 && f->grow_from >= 0) ||
             f->ratio == 0)
             continue;
         if (f->start + f->ahead > inlet && f->start - f->behind < outlet)
@@ -396,7 +336,7 @@ double ovr_surfaces_arrival(const ovr_surfaces *surfaces, size_t feature,
     if (!f || f->ratio == 0)
         return INFINITY;
     way = (X - f->start) / f->ratio;
-    both = is_endless(f) && f->wavelength > 0;
+    both = ovr_is_endless(f) && f->wavelength > 0;
     apart = (both ? f->wavelength : f->repeat) / fabs(f->ratio);
     gone = ovr_history_integral(surfaces->speed, after);
     if (apart > 0) { /* the first copy that has not gone by */

@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Where a feature is at T = 0. */
+#include <math.h>
+
+#include "surface/feature.h"
+
+/* Where the centre is at T = 0 when the feature's reference point (start), its
+ * centre, its leading edge or its arrival at X = 0 was given. */
+static double centre_at_start(const ovr_history *speed,
+                              const ovr_feature_form *form,
+                              const ovr_feature *f)
+{
+    bool tabulated = f->table != NULL;
+    if (!isnan(form->centre))
+        return form->centre;
+    if (!isnan(form->edge))
+        return form->edge - f->ahead;
+    if (!isnan(form->arrival))
+        return -f->ratio * ovr_history_integral(speed, form->arrival);
+    return tabulated ? form->start - f->ahead : form->start;
+}
+
+ovr_status ovr_feature_place(ovr_feature *f, const ovr_feature_form *form,
+                             const ovr_history *speed, ovr_error *err)
+{
+    int given = !isnan(form->start) + !isnan(form->centre) +
+                !isnan(form->edge) + !isnan(form->arrival);
+    const char *shape = ovr_shape_name((int)f->shape);
+    if (given > 1 || (given && !isnan(form->origin)))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': give one of start, centre, edge, "
+                        "arrival and origin, not several",
+                        f->name);
+    if (ovr_is_endless(f)) {
+        if (given)
+            return ovr_fail(err, OVR_BAD_INPUT,
+                            "feature '%s': a %s is endless; its place is "
+                            "given by origin",
+                            f->name, shape);
+        f->start = isnan(form->origin) ? 0 : form->origin;
+    } else if (!given) {
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': a %s needs its place at T = 0: start, "
+                        "centre or edge, or its arrival at X = 0",
+                        f->name, shape);
+    } else if (!isnan(form->arrival) && f->ratio == 0) {
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': surface %d stands still, it never "
+                        "arrives; give start instead of arrival",
+                        f->name, f->surface);
+    } else {
+        f->start = centre_at_start(speed, form, f);
+    }
+    if (!isfinite(f->start))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "feature '%s': its place must be a finite number",
+                        f->name);
+    return OVR_OK;
+}
