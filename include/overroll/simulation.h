@@ -200,6 +200,7 @@ OVR_API double ovr_observable_value(const ovr_observable *which,
 typedef struct ovr_statistics {
     long steps, cycles, retries, substeps, marked;
     double H_min, T_H_min; /* smallest located film so far, and when */
+    bool settled;          /* a march until steady ended because it was */
 } ovr_statistics;
 OVR_API const ovr_statistics *
 ovr_simulation_statistics(const ovr_simulation *sim);

@@ -134,6 +134,9 @@ int cli_march(const cli_call *call, const cli_job *job)
     summary.converged = status == OVR_OK &&
                         ovr_simulation_observation(job->sim)->converged &&
                         ovr_simulation_statistics(job->sim)->marked == 0;
+    if (!status && job->c && cli_flag(call, "estimate-error"))
+        status = cli_estimate_error(job->c, job->sim, !transient,
+                                    &summary.error, &err);
     if (!status || status == OVR_STOPPED || status == OVR_NOT_CONVERGED) {
         cli_warn_after(call, &summary);
         cli_report(call, &summary);

@@ -6,6 +6,7 @@
 #include "cli/cli.h"
 
 typedef struct cli_job {
+    const ovr_case *c; /* NULL: no error estimate */
     ovr_setup *setup;
     ovr_simulation *sim;
     ovr_writer *writer; /* NULL: nothing is stored */

@@ -155,6 +155,7 @@ static void json_run(json_writer *json, const cli_summary *s)
     json_integer(json, "cycles_total", total->cycles);
     json_integer(json, "retries", total->retries);
     json_integer(json, "substeps", total->substeps);
+    json_flag(json, "settled", total->settled);
     json_integer(json, "snapshots", (long long)s->snapshots);
     json_text(json, "output", s->output);
 }
@@ -181,6 +182,17 @@ static void json_refinements(json_writer *json, const cli_summary *s)
     json_close_array(json);
 }
 
+/* Estimated discretization errors, dimensionless. */
+static void json_error(json_writer *json, const cli_estimate *e, bool run)
+{
+    json_integer(json, "error_level", e->level);
+    json_number(json, "H_min_error", e->H_min);
+    json_number(json, "H_cen_error", e->H_cen);
+    json_number(json, "P_max_error", e->P_max);
+    if (run)
+        json_number(json, "H_min_overall_error", e->H_min_overall);
+}
+
 static void report_json(const cli_summary *s)
 {
     const ovr_options *options = ovr_simulation_options(s->sim);
@@ -199,6 +211,8 @@ static void report_json(const cli_summary *s)
         json_run(&json, s);
     else
         json_refinements(&json, s);
+    if (s->error.level)
+        json_error(&json, &s->error, s->run);
     json_number(&json, "seconds", s->seconds);
     json_open_array(&json, "warnings");
     for (int i = 0; i < s->warnings; i++)
@@ -267,11 +281,21 @@ static void table_refinements(const cli_summary *s)
                r[k].algebraic, r[k].difference);
 }
 
+static void table_error(const cli_estimate *e, bool run)
+{
+    printf("%-17s H_min %.1e, H_cen %.1e, P_max %.1e", "estimated errors",
+           e->H_min, e->H_cen, e->P_max);
+    if (run)
+        printf(", smallest film %.1e", e->H_min_overall);
+    printf("\n%-17s from level %d\n", "", e->level);
+}
+
 static void report_table(const cli_call *call, const cli_summary *s)
 {
     const ovr_contact *contact = &s->setup->contact;
     const ovr_options *options = ovr_simulation_options(s->sim);
     const ovr_state *state = ovr_simulation_state(s->sim);
+    const ovr_statistics *total = ovr_simulation_statistics(s->sim);
     printf("M = %.6g, L = %.6g", contact->M, contact->L);
     if (isfinite(contact->ph))
         printf(", ph = %.4g GPa", contact->ph * 1e-9);
@@ -279,10 +303,12 @@ static void report_table(const cli_call *call, const cli_summary *s)
            cli_scheme_name(options->scheme),
            cli_smoother_name(options->smoother));
     if (s->run)
-        printf("at T = %.6g:\n", state->T);
+        printf("at T = %.6g%s:\n", state->T, total->settled ? ", settled" : "");
     table_observed(s);
     if (s->run)
         table_run(s);
+    if (s->error.level)
+        table_error(&s->error, s->run);
     printf("%-17s %.3g s\n", "time", s->seconds);
     if (call->verbosity > 0 && !s->run)
         table_refinements(s);

@@ -4,6 +4,7 @@
 #define OVR_CLI_REPORT_H
 
 #include "cli/cli.h"
+#include "cli/estimate.h"
 #include "cli/json.h"
 
 /* What is known when a command ends. */
@@ -15,6 +16,7 @@ typedef struct cli_summary {
     bool run;           /* marched in time: the keys below */
     const char *output; /* result file or NULL */
     size_t snapshots;
+    cli_estimate error; /* on request */
     int warnings;
     char warning[4][240];
 } cli_summary;

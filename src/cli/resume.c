@@ -103,7 +103,7 @@ static int go_on(resuming *r)
     if (find_case(r, &err) || make_simulation(r, &err) || go_back(r, &err))
         return cli_fail(&err);
     say_where(r);
-    job = (cli_job){r->setup, r->sim, r->writer, r->path, r->restored};
+    job = (cli_job){NULL, r->setup, r->sim, r->writer, r->path, r->restored};
     return cli_march(r->call, &job);
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll run CASE: from the steady start through time, stored on the way. */
 #include "cli/case_args.h"
+#include "cli/estimate.h"
 #include "cli/march.h"
 #include "cli/store.h"
 
@@ -27,7 +28,7 @@ static int run(cli_call *call)
         writer = cli_open_output(c, setup, sim, output, cli_flag(call, "force"),
                                  &err);
     if (sim && (writer || !output)) {
-        cli_job job = {setup, sim, writer, output, false};
+        cli_job job = {c, setup, sim, writer, output, false};
         code = cli_march(call, &job);
     } else {
         code = cli_fail(&err);
@@ -41,6 +42,7 @@ static int run(cli_call *call)
 static const cli_option options[] = {
     {"o", "OUT.h5", "result file, instead of [output] file", false},
     {"force", NULL, "replace an existing result file", false},
+    CLI_ESTIMATE_OPTION,
     CLI_CASE_OPTIONS,
     {0}};
 

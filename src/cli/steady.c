@@ -19,7 +19,8 @@ static void stop_growing(ovr_case *c)
     }
 }
 
-static int solve(const cli_call *call, ovr_setup *setup, ovr_simulation *sim)
+static int solve(const cli_call *call, const ovr_case *c, ovr_setup *setup,
+                 ovr_simulation *sim)
 {
     cli_summary summary = {.setup = setup, .sim = sim};
     ovr_error err = {0};
@@ -32,6 +33,9 @@ static int solve(const cli_call *call, ovr_setup *setup, ovr_simulation *sim)
     summary.converged = status == OVR_OK &&
                         ovr_simulation_observation(sim)->converged;
     if (status && status != OVR_NOT_CONVERGED)
+        return cli_fail(&err);
+    if (!status && cli_flag(call, "estimate-error") &&
+        cli_estimate_error(c, sim, true, &summary.error, &err))
         return cli_fail(&err);
     cli_warn_after(call, &summary);
     cli_report(call, &summary);
@@ -53,14 +57,15 @@ static int run(cli_call *call)
     setup = ovr_case_resolve(c, NULL, &err);
     if (setup)
         sim = ovr_setup_simulation(setup, NULL, &err);
-    code = sim ? solve(call, setup, sim) : cli_fail(&err);
+    code = sim ? solve(call, c, setup, sim) : cli_fail(&err);
     ovr_simulation_free(sim);
     ovr_setup_free(setup);
     ovr_case_free(c);
     return code;
 }
 
-static const cli_option options[] = {CLI_CASE_OPTIONS, {0}};
+static const cli_option options[] = {
+    CLI_ESTIMATE_OPTION, CLI_CASE_OPTIONS, {0}};
 
 const cli_verb cli_steady = {
     .name = "steady",

@@ -111,6 +111,7 @@ ovr_status ovr_simulation_march(ovr_simulation *sim, const ovr_march *march,
         if (!status)
             status = observe(sim, march, err);
         still = march->until_steady && stands_still(sim);
+        sim->statistics.settled = still;
     }
     return status;
 }

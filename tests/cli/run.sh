@@ -85,3 +85,23 @@ for signal in INT TERM; do
     expect 0 "$OVERROLL" info c.h5
     contains out 'stopped'
 done
+
+# The same run a level coarser tells the error
+cat >estimate.ini <<'E'
+[contact]
+M = 20
+L = 10
+[domain]
+level = 6
+[time]
+end = 1
+[feature dent]
+shape = dent
+depth = 0.05
+width = 0.5
+start = -4.6
+E
+expect 0 "$OVERROLL" run estimate.ini --estimate-error --json
+for key in H_min_error H_cen_error P_max_error H_min_overall_error; do
+    contains out "\"$key\": [0-9.e-]+"
+done

@@ -52,3 +52,9 @@ for key in H_min H_cen H0 P_max P_spike mass_flow; do
         'BEGIN { d = (a - b)/a; exit !(a != 0 && d < 1e-10 && d > -1e-10) }' ||
         fail "$key: $a in physical units, $b in numbers"
 done
+
+# The estimated discretization error is near the true one (H_cen at level 7:
+# 0.0841122, limit 0.0841967).
+expect 0 "$OVERROLL" steady --M 20 --L 10 --level 7 --estimate-error --json
+contains out '"error_level": 6'
+contains out '"H_cen_error": (8|9)\.[0-9]*e-05'
