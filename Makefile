@@ -102,7 +102,8 @@ LIBSRC  := $(filter-out $(KERNELS),\
 CLISRC  := $(wildcard src/cli/*.c)
 HEADERS := $(wildcard include/overroll/*.h)
 LIBOBJ  := $(LIBSRC:%.c=$(BUILD)/%.o) \
-           $(foreach i,$(ISAS),$(KERNELS:%.kernel.c=$(BUILD)/%.$(i).o))
+           $(foreach i,$(ISAS),$(KERNELS:%.kernel.c=$(BUILD)/%.$(i).o)) \
+           $(BUILD)/src/pictures/page.o
 CLIOBJ  := $(CLISRC:%.c=$(BUILD)/%.o)
 LIB     := $(BUILD)/liboverroll.a
 SHARED  := $(BUILD)/liboverroll.so.$(VERSION)
@@ -127,6 +128,22 @@ $(BUILD)/%.o: %.c $(BUILD)/flags
 	$(call say,CC    $<)
 	@mkdir -p $(@D)
 	$(Q)$(COMPILE) -MMD -MP -c -o $@ $<
+
+# The page of `overroll view` as an array: its style and its script go into
+# its text where they are named.
+PAGE := src/pictures/page
+$(BUILD)/$(PAGE).c: $(PAGE).html $(PAGE).css $(PAGE).js
+	$(call say,PAGE  $@)
+	@mkdir -p $(@D)
+	@{ echo '#include "pictures/page.h"' && \
+	  echo 'const char ovr_page_text[] = {' && \
+	  sed -e '/^@CSS@$$/{r $(PAGE).css' -e 'd' -e '}' \
+	    -e '/^@JS@$$/{r $(PAGE).js' -e 'd' -e '}' $(PAGE).html | \
+	  od -An -v -b | sed 's/ \([0-7][0-7]*\)/'"'\\\\\1',"'/g' && \
+	  echo '};' && \
+	  echo 'const size_t ovr_page_bytes = sizeof ovr_page_text;'; } > $@
+$(BUILD)/$(PAGE).o: $(BUILD)/$(PAGE).c src/pictures/page.h $(BUILD)/flags
+	$(Q)$(COMPILE) -c -o $@ $<
 
 define isa_rule
 $(BUILD)/%.$(1).o: %.kernel.c $(BUILD)/flags

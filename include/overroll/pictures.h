@@ -95,6 +95,22 @@ OVR_API ovr_status ovr_frames(ovr_result *const *results, size_t count,
                               const ovr_allocator *allocator,
                               ovr_frames_made *made, ovr_error *err);
 
+/* -------------------------------------------------------------------- page */
+
+typedef struct ovr_view_options {
+    const char *path;         /* PAGE.html */
+    bool force;               /* replace an existing file */
+    const char *title;        /* NULL: the first file's own */
+    const char *const *names; /* of each result; NULL: their titles */
+} ovr_view_options;
+OVR_API ovr_view_options ovr_view_options_default(void);
+
+/* One HTML page, with all it needs in it, that plays one run, or two side by
+ * side. */
+OVR_API ovr_status ovr_view(ovr_result *const *results, size_t count,
+                            const ovr_view_options *options,
+                            const ovr_allocator *allocator, ovr_error *err);
+
 #ifdef __cplusplus
 }
 #endif

@@ -23,6 +23,7 @@ const cli_verb *const cli_verbs[] = {
     &cli_export,
     &cli_plot,
     &cli_frames,
+    &cli_view,
     &cli_profile,
     &cli_init,
     &cli_help,

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* overroll view OUT.h5 [OTHER.h5] -o PAGE.html: a page that plays the run. */
+#include "cli/picture_options.h"
+
+static const cli_option options[] = {
+    {"o", "PAGE.html", "where to", false},
+    {"title", "TEXT", "instead of the file's own", false},
+    {"force", NULL, "replace what exists", false},
+    {NULL, NULL, NULL, false},
+};
+
+static int run(cli_call *call)
+{
+    ovr_view_options o = ovr_view_options_default();
+    ovr_result *results[CLI_RESULTS];
+    const char *names[CLI_RESULTS];
+    ovr_error err = {OVR_OK, ""};
+    int code;
+    o.path = cli_value(call, "o");
+    o.force = cli_flag(call, "force");
+    o.title = cli_value(call, "title");
+    o.names = cli_result_names(call, names);
+    if (!o.path)
+        return cli_usage(call, "where to? -o PAGE.html");
+    code = cli_open_results(call, results);
+    if (code)
+        return code;
+    if (ovr_view(results, (size_t)call->arguments, &o, NULL, &err) != OVR_OK)
+        code = cli_fail(&err);
+    else if (call->verbosity >= 0)
+        printf("%s\n", o.path);
+    cli_close_results(call, results);
+    return code;
+}
+
+const cli_verb cli_view = {
+    .name = "view",
+    .arguments = "OUT.h5 [OTHER.h5] -o PAGE.html",
+    .summary = "one web page that plays the run",
+    .help = "The page holds everything it needs: no network, nothing to\n"
+            "install. Two files are played side by side.",
+    .options = options,
+    .least = 1,
+    .most = 2,
+    .run = run,
+};

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "pictures/pack.h"
+
+#include <math.h>
+#include <zlib.h>
+
+ovr_levels ovr_levels_even(double low, double high)
+{
+    double span = high > low ? high - low : 1;
+    return (ovr_levels){low, span / (OVR_LEVELS - 1), 0};
+}
+
+ovr_levels ovr_levels_bent(double small, double high)
+{
+    double bend = small > 0 ? small : 1;
+    return (ovr_levels){0, asinh(fmax(high / bend, 1)) / (OVR_LEVELS - 1),
+                        bend};
+}
+
+uint16_t ovr_level_of(const ovr_levels *l, double value)
+{
+    double at = l->bend != 0 ? asinh(value / l->bend) / l->step
+                             : (value - l->from) / l->step;
+    return (uint16_t)(at > 0 ? fmin(at + 0.5, OVR_LEVELS - 1) : 0);
+}
+
+/* From the end, so that the neighbours are still themselves. */
+static void take_differences(uint16_t *level, size_t n, size_t rows)
+{
+    for (size_t i = n * rows; i-- > 0;) {
+        unsigned left = i % n ? level[i - 1] : 0;
+        unsigned before = i >= n ? level[i - n] : 0;
+        unsigned both = i % n && i >= n ? level[i - n - 1] : 0;
+        int d = (int)level[i] - (int)(left + before) + (int)both;
+        level[i] = (uint16_t)((unsigned)(d < 0 ? -2 * d - 1 : 2 * d));
+    }
+}
+
+ovr_status ovr_pack_levels(ovr_text *to, uint16_t *level, size_t n, size_t rows,
+                           ovr_arena *arena, ovr_error *err)
+{
+    size_t count = n * rows;
+    uLongf packed = compressBound((uLong)(2 * count));
+    unsigned char *planes = ovr_arena_take(arena, 2 * count, 1, err);
+    unsigned char *small = ovr_arena_take(arena, packed, 1, err);
+    if (!planes || !small)
+        return OVR_NO_MEMORY;
+    take_differences(level, n, rows);
+    for (size_t i = 0; i < count; i++) {
+        planes[i] = (unsigned char)(level[i] & 0xff);
+        planes[count + i] = (unsigned char)(level[i] >> 8);
+    }
+    if (compress2(small, &packed, planes, (uLong)(2 * count), 9) != Z_OK)
+        return ovr_fail(err, OVR_NO_MEMORY, "out of memory (compression)");
+    ovr_text_base64(to, small, packed);
+    return ovr_text_status(to, err);
+}
+
+void ovr_text_base64(ovr_text *to, const void *data, size_t bytes)
+{
+    static const char digit[] =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const unsigned char *b = data;
+    for (size_t i = 0; i < bytes; i += 3) {
+        unsigned three = (unsigned)b[i] << 16 |
+                         (i + 1 < bytes ? (unsigned)b[i + 1] << 8 : 0) |
+                         (i + 2 < bytes ? (unsigned)b[i + 2] : 0);
+        char four[4] = {digit[three >> 18], digit[three >> 12 & 63],
+                        i + 1 < bytes ? digit[three >> 6 & 63] : '=',
+                        i + 2 < bytes ? digit[three & 63] : '='};
+        ovr_text_add(to, four, 4);
+    }
+}

@@ -1,0 +1,395 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The page: page.html with the runs' data in it as JSON.  Everything from a
+ * file is escaped where it is written: nothing in it can end an element.
+ */
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "pictures/axis.h"
+#include "pictures/gnuplot.h"
+#include "pictures/pack.h"
+#include "pictures/page.h"
+#include "pictures/picture.h"
+
+/* What a page is to hold at most: beyond it nodes and snapshots are left out,
+ * evenly. */
+enum { MOST_NODES = 4000, MOST_STEPS = 4000, MOST_VALUES = 4000000 };
+
+ovr_view_options ovr_view_options_default(void)
+{
+    return (ovr_view_options){NULL};
+}
+
+typedef struct writer {
+    ovr_text *to;
+    ovr_arena *arena;
+    const ovr_run *run;
+    size_t stride, every, nodes, shots; /* what is left of the run */
+} writer;
+
+/* --------------------------------------------------------------- escaping */
+
+static void put_html(ovr_text *to, const char *character, int bytes)
+{
+    switch (*character) {
+    case '<': ovr_text_put(to, "&lt;"); break;
+    case '>': ovr_text_put(to, "&gt;"); break;
+    case '&': ovr_text_put(to, "&amp;"); break;
+    case '"': ovr_text_put(to, "&quot;"); break;
+    default: ovr_text_add(to, character, (size_t)bytes);
+    }
+}
+
+static void put_json(ovr_text *to, const char *character, int bytes)
+{
+    if (bytes == 1 && strchr("<>&\"'\\", *character))
+        ovr_text_print(to, "\\u%04x", (unsigned)*character);
+    else
+        ovr_text_add(to, character, (size_t)bytes);
+}
+
+static void put_string(ovr_text *to, const char *key, const char *foreign)
+{
+    ovr_text_print(to, "\"%s\":\"", key);
+    ovr_text_foreign(to, foreign, put_json);
+    ovr_text_put(to, "\",");
+}
+
+static void put_doubles(writer *w, const char *key, const double *values,
+                        size_t n)
+{
+    ovr_text_print(w->to, "\"%s\":\"", key);
+    ovr_text_base64(w->to, values, n * sizeof *values);
+    ovr_text_put(w->to, "\",");
+}
+
+/* ----------------------------------------------------------------- fields */
+
+/* Smallest positive, smallest and largest value, of what is kept. */
+typedef struct span {
+    double positive, low, high;
+} span;
+
+typedef struct field {
+    const char *key, *name;
+    bool bent;
+} field;
+
+static ovr_status read_row(const writer *w, const char *name, size_t row,
+                           double *values, ovr_error *err)
+{
+    ovr_status status = ovr_result_snapshot(
+        w->run->result, name, row * w->every, OVR_HERTZIAN, values, err);
+    for (size_t i = 0; status == OVR_OK && i < w->nodes; i++)
+        values[i] = values[i * w->stride];
+    return status;
+}
+
+static ovr_status find_span(const writer *w, const char *name, double *values,
+                            span *s, ovr_error *err)
+{
+    *s = (span){INFINITY, INFINITY, -INFINITY};
+    for (size_t k = 0; k < w->shots; k++) {
+        ovr_status status = read_row(w, name, k, values, err);
+        if (status != OVR_OK)
+            return status;
+        for (size_t i = 0; i < w->nodes; i++) {
+            s->low = fmin(s->low, values[i]);
+            s->high = fmax(s->high, values[i]);
+            if (values[i] > 0)
+                s->positive = fmin(s->positive, values[i]);
+        }
+    }
+    return OVR_OK;
+}
+
+static ovr_status put_levels(writer *w, const field *f, const ovr_levels *l,
+                             double *values, ovr_error *err)
+{
+    uint16_t *level = ovr_arena_take(w->arena, w->nodes * w->shots,
+                                     sizeof *level, err);
+    ovr_status status = level ? OVR_OK : OVR_NO_MEMORY;
+    for (size_t k = 0; status == OVR_OK && k < w->shots; k++) {
+        status = read_row(w, f->name, k, values, err);
+        for (size_t i = 0; status == OVR_OK && i < w->nodes; i++)
+            level[k * w->nodes + i] = ovr_level_of(l, values[i]);
+    }
+    if (status != OVR_OK)
+        return status;
+    ovr_text_print(w->to,
+                   "\"%s\":{\"levels\":%d,\"from\":%.17g,\"step\":%.17g,"
+                   "\"bend\":%.17g,\"data\":\"",
+                   f->key, OVR_LEVELS, l->from, l->step, l->bend);
+    status = ovr_pack_levels(w->to, level, w->nodes, w->shots, w->arena, err);
+    ovr_text_put(w->to, "\"},");
+    return status;
+}
+
+static ovr_status put_field(writer *w, const field *f, ovr_error *err)
+{
+    double *values = ovr_arena_take(w->arena, w->run->info->nodes,
+                                    sizeof *values, err);
+    ovr_levels levels;
+    ovr_status status;
+    span s;
+    if (!values)
+        return OVR_NO_MEMORY;
+    status = find_span(w, f->name, values, &s, err);
+    if (status != OVR_OK)
+        return status;
+    levels = f->bent ? ovr_levels_bent(0.5 * s.positive, s.high)
+                     : ovr_levels_even(fmin(s.low, 0), s.high);
+    return put_levels(w, f, &levels, values, err);
+}
+
+static ovr_status put_fields(writer *w, ovr_error *err)
+{
+    static const field fields[] = {{"P", "pressure", false},
+                                   {"H", "film_thickness", true},
+                                   {"S", "roughness", false}};
+    const bool there[] = {w->run->pressure, w->run->film, w->run->roughness};
+    ovr_status status = OVR_OK;
+    for (int k = 0; status == OVR_OK && k < 3; k++)
+        if (there[k])
+            status = put_field(w, &fields[k], err);
+    return status;
+}
+
+/* ---------------------------------------------------------------- history */
+
+/* One value for each bucket of steps: the first, the smallest, the largest. */
+static size_t thin(double *values, size_t n, size_t bucket, char keep)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < n; i += bucket) {
+        double value = values[i];
+        for (size_t j = i; j < n && j < i + bucket; j++)
+            if ((keep == '<' && values[j] < value) ||
+                (keep == '>' && values[j] > value))
+                value = values[j];
+        values[count++] = value;
+    }
+    return count;
+}
+
+static ovr_status put_history(writer *w, ovr_error *err)
+{
+    static const struct {
+        const char *key, *name;
+        char keep;
+    } columns[] = {{"time", "time", '.'},
+                   {"H_min", "min_film_thickness", '<'},
+                   {"H_cen", "central_film_thickness", '.'},
+                   {"P_max", "max_pressure", '>'}};
+    size_t n = w->run->info->steps, bucket = n / MOST_STEPS + 1;
+    ovr_text_put(w->to, "\"history\":{");
+    for (int k = 0; n > 0 && k < 4; k++) {
+        double *v = ovr_run_history(w->run, columns[k].name, w->arena, err);
+        if (!v)
+            return err->status;
+        put_doubles(w, columns[k].key, v, thin(v, n, bucket, columns[k].keep));
+    }
+    ovr_text_put(w->to, "\"steps\":0},");
+    return OVR_OK;
+}
+
+/* ------------------------------------------------------------------ units */
+
+static ovr_status put_axes(writer *w, ovr_units units, ovr_error *err)
+{
+    const ovr_run *run = w->run;
+    const struct {
+        char kind;
+        double largest;
+    } axes[] = {{'x', 1.5},
+                {'p', 1},
+                {'h', 0.1},
+                {'t', run->times[run->info->snapshots - 1]}};
+    ovr_text_put(w->to, "{");
+    for (int k = 0; k < 4; k++) {
+        ovr_axis a;
+        ovr_status status = ovr_axis_make(axes[k].kind, run->result, units,
+                                          axes[k].largest, &a, err);
+        if (status != OVR_OK)
+            return status;
+        ovr_text_print(w->to, "\"%c\":{\"f\":%.17g,", axes[k].kind, a.factor);
+        put_string(w->to, "unit", a.unit);
+        put_string(w->to, "name", a.plain);
+        ovr_text_put(w->to, "\"kind\":0},");
+    }
+    ovr_text_put(w->to, "\"end\":0}");
+    return OVR_OK;
+}
+
+static ovr_status put_units(writer *w, ovr_error *err)
+{
+    const ovr_result_info *i = w->run->info;
+    bool scales = i->b > 0 && i->ph > 0 && i->height > 0 && i->time > 0;
+    ovr_status status;
+    ovr_text_put(w->to, "\"units\":[");
+    status = put_axes(w, OVR_HERTZIAN, err);
+    if (status == OVR_OK && scales) {
+        ovr_text_put(w->to, ",");
+        status = put_axes(w, OVR_SI, err);
+    }
+    ovr_text_put(w->to, "]}");
+    return status;
+}
+
+/* ------------------------------------------------------------------- runs */
+
+static void put_about(writer *w)
+{
+    const ovr_result_info *i = w->run->info;
+    ovr_text_print(w->to, "\"about\":\"M = %.4g, L = %.4g", i->M, i->L);
+    if (i->ph > 0)
+        ovr_text_print(w->to, ", p_h = %.3g GPa", i->ph * 1e-9);
+    ovr_text_put(w->to, "\",");
+}
+
+static void choose(writer *w)
+{
+    const ovr_result_info *i = w->run->info;
+    w->stride = (i->nodes - 1) / MOST_NODES + 1;
+    w->nodes = (i->nodes - 1) / w->stride + 1;
+    w->every = w->nodes * i->snapshots / MOST_VALUES + 1;
+    w->shots = (i->snapshots - 1) / w->every + 1;
+}
+
+static ovr_status put_run(writer *w, ovr_error *err)
+{
+    double *x, *times;
+    ovr_status status;
+    choose(w);
+    x = ovr_arena_take(w->arena, w->nodes, sizeof *x, err);
+    times = ovr_arena_take(w->arena, w->shots, sizeof *times, err);
+    if (!x || !times)
+        return OVR_NO_MEMORY;
+    for (size_t i = 0; i < w->nodes; i++)
+        x[i] = w->run->x[i * w->stride];
+    for (size_t k = 0; k < w->shots; k++)
+        times[k] = w->run->times[k * w->every];
+    ovr_text_put(w->to, "{");
+    put_string(w->to, "name", w->run->name);
+    put_about(w);
+    ovr_text_print(w->to, "\"nodes\":%zu,\"snapshots\":%zu,", w->nodes,
+                   w->shots);
+    put_doubles(w, "x", x, w->nodes);
+    put_doubles(w, "time", times, w->shots);
+    status = put_fields(w, err);
+    if (status == OVR_OK)
+        status = put_history(w, err);
+    if (status == OVR_OK)
+        status = put_units(w, err);
+    return status;
+}
+
+static ovr_status put_data(ovr_text *to, const ovr_run *runs, size_t count,
+                           ovr_arena *arena, ovr_error *err)
+{
+    writer w = {to, arena, NULL, 1, 1, 0, 0};
+    ovr_status status = OVR_OK;
+    ovr_text_put(to, "{\"runs\":[");
+    for (size_t k = 0; status == OVR_OK && k < count; k++) {
+        if (k > 0)
+            ovr_text_put(to, ",");
+        w.run = &runs[k];
+        status = put_run(&w, err);
+    }
+    ovr_text_print(to,
+                   "],\"precision\":\"Values in this page are rounded: "
+                   "pressure and roughness to 1/%d of their range, film "
+                   "thickness to 0.02 %%. The result file has them all",
+                   2 * OVR_LEVELS);
+    if (w.stride > 1 || w.every > 1)
+        ovr_text_print(to,
+                       "; here is every node of %zu and every snapshot of %zu",
+                       w.stride, w.every);
+    ovr_text_put(to, ".\"}");
+    return status;
+}
+
+/* ------------------------------------------------------------------- page */
+
+static const char *find(const char *text, const char *end, const char *what)
+{
+    size_t length = strlen(what);
+    for (; text + length <= end; text++)
+        if (memcmp(text, what, length) == 0)
+            return text;
+    return end;
+}
+
+static ovr_status write_page(ovr_text *page, const char *title,
+                             const ovr_text *data, ovr_error *err)
+{
+    const char *at = ovr_page_text, *end = at + ovr_page_bytes;
+    while (at < end) {
+        const char *name = find(at, end, "@TITLE@");
+        const char *here = find(at, name, "@DATA@");
+        ovr_text_add(page, at, (size_t)(here - at));
+        at = here;
+        if (here < name) {
+            ovr_text_add(page, data->data, data->length);
+            at += strlen("@DATA@");
+        } else if (name < end) {
+            ovr_text_foreign(page, title, put_html);
+            at += strlen("@TITLE@");
+        }
+    }
+    return ovr_text_status(page, err);
+}
+
+static ovr_status save(const ovr_text *page, const char *path, ovr_error *err)
+{
+    char part[OVR_PATH_SIZE];
+    ovr_status status = ovr_part_make(part, path, err);
+    if (status != OVR_OK)
+        return status;
+    status = ovr_text_save(page, part, err);
+    if (status == OVR_OK && rename(part, path) != 0)
+        status = ovr_fail(err, OVR_IO, "%s: cannot be written: %s", path,
+                          strerror(errno));
+    if (status != OVR_OK)
+        unlink(part);
+    return status;
+}
+
+static ovr_status view(ovr_result *const *results, size_t count,
+                       const ovr_view_options *o, ovr_arena *arena,
+                       ovr_error *err)
+{
+    ovr_run *runs = ovr_arena_take(arena, count, sizeof *runs, err);
+    ovr_text data = ovr_text_make(arena), page = ovr_text_make(arena);
+    ovr_status status = runs ? ovr_may_create(o->path, o->force, err)
+                             : OVR_NO_MEMORY;
+    for (size_t k = 0; status == OVR_OK && k < count; k++)
+        status = ovr_run_make(&runs[k], results[k],
+                              o->names ? o->names[k] : NULL, arena, err);
+    if (status == OVR_OK)
+        status = put_data(&data, runs, count, arena, err);
+    if (status == OVR_OK)
+        status = ovr_text_status(&data, err);
+    if (status == OVR_OK)
+        status = write_page(&page, o->title ? o->title : runs->info->title,
+                            &data, err);
+    if (status == OVR_OK)
+        status = save(&page, o->path, err);
+    return status;
+}
+
+ovr_status ovr_view(ovr_result *const *results, size_t count,
+                    const ovr_view_options *options,
+                    const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_error unasked;
+    ovr_status status = view(results, count, options, &arena,
+                             err ? err : &unasked);
+    ovr_arena_release(&arena);
+    return status;
+}

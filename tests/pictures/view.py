@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Drives the pages made by view.sh in the folder given."""
+import re
+import sys
+import time
+
+import h5py
+import numpy as np
+
+from browser import Browser
+
+folder = sys.argv[1]
+LEFT, RIGHT = "\ue012", "\ue014"
+HOME, END = "\ue011", "\ue010"
+
+
+def shown(browser):
+    return int(browser.run("return document.body.dataset.drawn"))
+
+
+def numbers(text):
+    """'x = 1.2 mm  p = 3 GPa' as {'x': 1.2, 'p': 3.0} in SI units."""
+    scale = {"mm": 1e-3, "µm": 1e-6, "nm": 1e-9, "GPa": 1e9, "MPa": 1e6,
+             "kPa": 1e3, "": 1}
+    text = text.replace("\u2212", "-").replace("roughness", "s =")
+    found = re.findall(r"([xphs]) = (\S+) ?(\S*?)(?= {2}|$)", text)
+    return {name: float(v) * scale[unit] for name, v, unit in found}
+
+
+def painted(browser, canvas):
+    """How many different colours a canvas shows."""
+    return browser.run("""
+        const c = document.querySelectorAll("canvas")[arguments[0]];
+        const d = c.getContext("2d").getImageData(0, 0, c.width, c.height).data;
+        const seen = new Set();
+        for (let i = 0; i < d.length; i += 4)
+            if (d[i + 3]) seen.add(d[i] << 16 | d[i + 1] << 8 | d[i + 2]);
+        return seen.size;""", canvas)
+
+
+def box(browser, selector):
+    return browser.run("""
+        const r = document.querySelector(arguments[0]).getBoundingClientRect();
+        return [r.left, r.top, r.width, r.height];""", selector)
+
+
+def load(browser, page):
+    browser.open(f"file://{folder}/{page}")
+    browser.wait("return document.body.dataset.drawn !== undefined")
+    trouble = browser.run("return document.getElementById('trouble').textContent")
+    assert not trouble, trouble
+
+
+def hover(browser, file, shot, number=0):
+    """Values at three places against the file, in SI units."""
+    x = file["x"][:]
+    for part in (0.35, 0.6, 0.8):
+        left, top, width, height = box(browser, "canvas.plot")
+        browser.pointer(left + part * width, top + height / 3)
+        browser.wait(f"return document.getElementById('values{number}')"
+                     ".textContent.startsWith('x')")
+        time.sleep(0.1)
+        text = browser.run(
+            f"return document.getElementById('values{number}').textContent")
+        read = numbers(text)
+        i = int(np.argmin(abs(x - read["x"])))
+        for name, field, share in (("p", "pressure", 5e-5),
+                                   ("h", "film_thickness", 0),
+                                   ("s", "roughness", 1e-4)):
+            truth = file[field][shot, i]
+            whole = np.ptp(file[field][:])
+            allowed = 6e-4 * abs(truth) + share * whole
+            assert abs(read[name] - truth) <= allowed, (text, field, truth)
+
+
+def seeks(browser, shots):
+    browser.run("""const s = document.getElementById("scrub");
+        s.value = arguments[0]; s.dispatchEvent(new Event("input"));""",
+                shots // 2)
+    browser.wait(f"return document.body.dataset.drawn == {shots // 2}")
+    browser.keys(RIGHT)
+    browser.wait(f"return document.body.dataset.drawn == {shots // 2 + 1}")
+    browser.keys(LEFT, LEFT)
+    browser.wait(f"return document.body.dataset.drawn == {shots // 2 - 1}")
+    browser.keys(END)
+    browser.wait(f"return document.body.dataset.drawn == {shots - 1}")
+    browser.keys(HOME)
+    browser.wait("return document.body.dataset.drawn == 0")
+    left, top, width, height = box(browser, "canvas.history")
+    browser.pointer(left + 0.5 * width, top + height / 2, click=True)
+    browser.wait("return document.body.dataset.drawn > 0")
+    assert abs(shown(browser) / (shots - 1) - 0.5) < 0.1, shown(browser)
+
+
+def plays(browser):
+    browser.keys(HOME)
+    browser.wait("return document.body.dataset.drawn == 0")
+    browser.keys(" ")
+    browser.wait("return document.body.dataset.drawn >= 2")
+    browser.keys(" ")
+    time.sleep(0.3)
+    at = shown(browser)
+    time.sleep(0.5)
+    assert shown(browser) == at, "it plays on"
+    browser.keys("u")
+    time.sleep(0.2)
+    text = browser.run("return document.getElementById('time').textContent")
+    assert text.startswith("T = "), text
+    browser.keys("u", "z", "l")
+
+
+def narrow():
+    browser = Browser(500, 900, dark=True)
+    try:
+        load(browser, "two.html")
+        assert browser.run("return document.documentElement.scrollWidth <= "
+                           "window.innerWidth"), "wider than a phone"
+        for canvas in range(4):
+            assert painted(browser, canvas) > 8
+        assert not browser.log()
+    finally:
+        browser.close()
+
+
+def main():
+    file = h5py.File(f"{folder}/dent.h5")
+    shots = len(file["time"])
+    browser = Browser()
+    try:
+        load(browser, "page.html")
+        for canvas in range(2):
+            assert painted(browser, canvas) > 8
+        seeks(browser, shots)
+        hover(browser, file, shown(browser))
+        browser.keys(END)
+        browser.wait(f"return document.body.dataset.drawn == {shots - 1}")
+        hover(browser, file, shots - 1)
+        plays(browser)
+        assert not browser.log(), browser.log()
+
+        load(browser, "two.html")
+        browser.keys(*[RIGHT] * 9)
+        browser.wait("return document.body.dataset.drawn == 9")
+        hover(browser, h5py.File(f"{folder}/other.h5"), 9, 1)
+        assert not browser.log()
+
+        load(browser, "title.html")
+        assert not browser.run("return document.body.dataset.stolen")
+        assert browser.run("return document.images.length") == 0
+        title = browser.run("return document.querySelector('h1').textContent")
+        assert "</script><script>" in title, title
+        assert not browser.log()
+    finally:
+        browser.close()
+    narrow()
+
+
+main()

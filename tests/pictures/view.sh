@@ -1,0 +1,53 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The page of `overroll view` in a headless Chromium: it loads, draws, plays,
+# seeks and shows at hover what h5py reads from the file.
+. "$TOP/tests/support/cli.sh"
+
+cat >dent.ini <<'END'
+[contact]
+load = 3.07e5 N/m
+radius = 10 mm
+modulus = 226 GPa
+viscosity = 40 mPa.s
+speed_1 = 1.4 m/s
+speed_2 = 1.2 m/s
+[lubricant]
+alpha = 17 1/GPa
+[domain]
+level = 5
+[time]
+end = 3
+[feature dent]
+surface = 1
+shape = dent
+depth = 0.1
+width = 0.5
+start = -1.8
+[output]
+every = 3
+END
+expect 0 "$OVERROLL" run dent.ini -o dent.h5 -q
+expect 0 "$OVERROLL" run dent.ini -o other.h5 -q --set feature.dent.depth=0.05
+
+expect 0 "$OVERROLL" view dent.h5 -o page.html
+refuses 'exists; --force' view dent.h5 -o page.html
+refuses 'where to' view dent.h5
+refuses 'No such file' view none.h5 -o none.html
+expect 0 "$OVERROLL" view dent.h5 other.h5 -o two.html
+
+# Nothing of the page comes from elsewhere, and no text ends its element.
+title="</title></script><script>document.body.dataset.stolen=1</script>
+<img src=x onerror=\"document.body.dataset.stolen=1\">&amp;'\`id\`\\u003c"
+expect 0 "$OVERROLL" view dent.h5 -o title.html --title "$title"
+for page in page.html two.html title.html; do
+    # (An escaped title may say what it likes.)
+    if grep -v '&lt;' $page | grep -nE '(src|href)=|https?:|@import|url\('; then
+        fail "$page refers to something else"
+    fi
+    [ "$(grep -c '<script' $page)" -eq 2 ] || fail "$page: more scripts"
+done
+
+need chromium chromedriver
+need_python h5py
+"$PYTHON" "$TOP/tests/pictures/view.py" "$PWD"
