@@ -8,6 +8,7 @@
  */
 #include "results/file.h"
 
+#include <errno.h>
 #include <string.h>
 
 #include "results/driver.h"
@@ -251,7 +252,7 @@ ovr_status ovr_file_open(ovr_file *f, const ovr_file_plan *plan,
         return refuse(f, "is not an HDF5 file, or damaged", err);
     status = check_identity(f, plan, f->store.changed.arena, err);
     if (status != OVR_OK) {
-        ovr_store_fail(&f->store); /* leave it as it is */
+        f->store.failed = ECANCELED; /* leave it as it is */
         return status;
     }
     if (!drop_rows(f) || !mark_running(f, plan) ||
@@ -281,6 +282,31 @@ ovr_status ovr_file_status(ovr_file *f, ovr_run_status status, double seconds,
     return OVR_OK;
 }
 
+/* After a failed write the file is as its last flush left it; what was written
+ * behind that has been given back, so that there may be room for the word
+ * that tells it from a run that goes on.  If not, "running" stays. */
+static void mark_failed(ovr_file *f)
+{
+    ovr_store *s = &f->store;
+    hid_t file;
+    bool ok;
+    if (!s->published || s->failed == ESTALE || s->failed == ECANCELED)
+        return;
+    s->failed = 0;
+    ovr_pages_clear(&s->changed);
+    if (ovr_store_open(s, NULL) == OVR_OK) {
+        file = ovr_driver_open(s);
+        ok = file >= 0 && ovr_h5_change_string(file, "status", "failed") &&
+             H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0;
+        if (file >= 0)
+            ok = H5Fclose(file) >= 0 && ok;
+        if (ok)
+            ovr_store_commit(s, NULL);
+    }
+    ovr_driver_release(s);
+    ovr_store_close(s);
+}
+
 ovr_status ovr_file_close(ovr_file *f, ovr_error *err)
 {
     bool open = f->file >= 0, closed;
@@ -298,6 +324,8 @@ ovr_status ovr_file_close(ovr_file *f, ovr_error *err)
         status = ovr_store_commit(&f->store, err);
     ovr_driver_release(&f->store);
     ovr_store_close(&f->store);
+    if (status != OVR_OK && open)
+        mark_failed(f);
     forget_ids(f);
     ovr_packer_release(&f->packer);
     return status;

@@ -44,8 +44,8 @@ static ovr_status visit_all(void *sim, ovr_visit *visit, void *context,
     ovr_status status = ovr_simulation_visit(sim, visit, context, err);
     if (status != OVR_OK)
         return status;
-    return visit(context, "S", (void *)(uintptr_t)state->S,
-                 state->n * sizeof *state->S, err);
+    return visit(context, "S", (void *)state->S, state->n * sizeof *state->S,
+                 err);
 }
 
 void ovr_writer_checkpoints(ovr_writer *w, ovr_simulation *sim)

@@ -275,12 +275,12 @@ int ovr_reader_enter(const ovr_result *r)
     return journal;
 }
 
-void ovr_reader_leave(int journal)
+void ovr_reader_leave(int turn)
 {
-    if (journal < 0)
+    if (turn < 0)
         return;
-    ovr_turn_give(journal);
-    close(journal);
+    ovr_turn_give(turn);
+    close(turn);
 }
 
 /* OVR_IO: trying again may help, when the file is being written. */
