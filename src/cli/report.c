@@ -50,12 +50,29 @@ static const double MESHES_A_WAVE = 10;
  * (Wolveridge, Baglin & Archard 1971, rounded up). */
 static const double FLOODED = 9;
 
+/* A run from rest or from no load starts a little above either. */
+static void warn_of_start(const cli_call *call, cli_summary *summary)
+{
+    const ovr_setup *setup = summary->setup;
+    if (ovr_history_value(setup->speed, 0) < OVR_LEAST_START)
+        cli_warn(call, summary,
+                 "the run starts from rest, where there is no film: the film "
+                 "at T = 0 is that of %g of the nominal speed",
+                 OVR_LEAST_START);
+    if (ovr_history_value(setup->load, 0) < OVR_LEAST_START)
+        cli_warn(call, summary,
+                 "the run starts without load, where the film has no bound: "
+                 "the film at T = 0 is that of %g of the nominal load",
+                 OVR_LEAST_START);
+}
+
 void cli_warn_before(const cli_call *call, cli_summary *summary)
 {
     const ovr_surfaces *surfaces = summary->setup->surfaces;
     const ovr_options *options = &summary->setup->options;
     double D = summary->setup->mesh, wave;
     const char *inside;
+    warn_of_start(call, summary);
     if (!surfaces)
         return;
     wave = ovr_surfaces_wavelength(surfaces);

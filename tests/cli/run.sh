@@ -105,3 +105,25 @@ expect 0 "$OVERROLL" run estimate.ini --estimate-error --json
 for key in H_min_error H_cen_error P_max_error H_min_overall_error; do
     contains out "\"$key\": [0-9.e-]+"
 done
+
+# From rest, and from no load: said, and done
+cat >rest.ini <<'E'
+[contact]
+M = 20
+L = 10
+[domain]
+level = 6
+[time]
+end = 0.5
+step = adaptive
+[speed]
+history = ramp
+from = 0
+to = 1
+duration = 2
+E
+expect 0 "$OVERROLL" run rest.ini
+contains err 'starts from rest'
+sed 's/speed/load/' rest.ini >unloaded.ini
+expect 0 "$OVERROLL" run unloaded.ini
+contains err 'starts without load'
