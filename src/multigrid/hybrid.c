@@ -122,13 +122,14 @@ void ovr_relax_hybrid(ovr_hierarchy *grids, ovr_level *level)
 {
     const ovr_fields *f = &level->f;
     double *restrict P = f->P, *restrict delta = grids->band.delta;
+    const double *eps = f->eps;
     double bound = grids->switch_value * level->D * level->D;
     size_t n = level->n;
     for (size_t i = 1; i + 1 < n; i++) {
         slopes s;
         double r = row_residual(level, i, &s);
         delta[i] = 0;
-        if (f->eps[i] > bound)
+        if (0.25 * (eps[i - 1] + 2 * eps[i] + eps[i + 1]) > bound)
             seidel(grids, level, i, r, s);
         else
             delta[i] = clipped(grids->relax_dipole * r / (s.own - s.before),

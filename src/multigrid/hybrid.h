@@ -7,6 +7,9 @@
  *     P_i <- max(0, P_i + relax_seidel r_i / A_ii)     at once;
  *   elsewhere, Jacobi dipole: P_i changes by delta_i and P_{i-1} by -delta_i,
  *     delta_i = relax_dipole r_i / (A_ii - A_{i,i-1})  when the sweep is done.
+ * eps of the switch is the mean that stands in the row, (eps_{i-1} + 2 eps_i +
+ * eps_{i+1})/4: at a jump of eps the node's own would send a row with strong
+ * diffusion to the dipole, which smooths it by 0.8 a sweep only.
  * A_ij is the derivative given in line.h.  The kernel scales with D, so
  * eps/D^2 is the switch that does not depend on the grid; the paper's 0.01 on
  * eps/D belongs to its model problem (9) on its grids.

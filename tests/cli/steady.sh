@@ -42,7 +42,7 @@ expect 0 "$OVERROLL" steady roller.ini --json
 contains out '"min_film_m": [0-9.]+e-07'
 mv out physical
 value() {
-    sed -n "s/^ *\"$2\": \([^,]*\),*$/\1/p" "$1"
+    sed -n "s/^  \"$2\": \([^,]*\),*$/\1/p" "$1"
 }
 expect 0 "$OVERROLL" steady --json --level 7 --M "$(value physical M)" \
     --L "$(value physical L)" --set lubricant.z=0.68
