@@ -82,8 +82,9 @@ static void report(const cli_call *call, const ovr_frames_options *o,
         printf("%s\n", o->movie);
 }
 
-static int draw(const cli_call *call, ovr_frames_options *o)
+static int draw(const cli_call *call, const ovr_frames_options *given)
 {
+    ovr_frames_options o = *given;
     ovr_result *results[CLI_RESULTS];
     ovr_error err = {OVR_OK, ""};
     ovr_frames_made made;
@@ -93,14 +94,14 @@ static int draw(const cli_call *call, ovr_frames_options *o)
         return code;
     cli_catch_signals();
     w.progress = cli_progress_begin(call->verbosity, 0);
-    o->progress = watch;
-    o->data = &w;
-    ovr_frames(results, (size_t)call->arguments, o, NULL, &made, &err);
+    o.progress = watch;
+    o.data = &w;
+    ovr_frames(results, (size_t)call->arguments, &o, NULL, &made, &err);
     cli_progress_end(&w.progress);
     if (err.status != OVR_OK)
         code = cli_fail(&err);
     else
-        report(call, o, &made);
+        report(call, &o, &made);
     if (cli_signal())
         code = CLI_SIGNAL + cli_signal();
     cli_close_results(call, results);

@@ -42,20 +42,24 @@ static int take_range(const cli_call *call, const char *name, double *from,
                      text);
 }
 
+/* WIDTHxHEIGHT */
 static int take_size(const cli_call *call, int *width, int *height)
 {
     const char *text = cli_value(call, "size");
-    int used = 0;
+    char *end;
+    long w, h;
     if (!text)
         return CLI_DONE;
-    if (sscanf(text, "%5dx%5d%n", width, height, &used) == 2 &&
-        text[used] == '\0' && *width >= 200 && *height >= 150 &&
-        *width <= 8000 && *height <= 8000)
-        return CLI_DONE;
-    return cli_usage(call,
-                     "--size '%s': WIDTHxHEIGHT from 200x150 to 8000x8000 is "
-                     "needed",
-                     text);
+    w = strtol(text, &end, 10);
+    h = *end == 'x' ? strtol(end + 1, &end, 10) : 0;
+    if (*end || w < 200 || w > 8000 || h < 150 || h > 8000)
+        return cli_usage(call,
+                         "--size '%s': WIDTHxHEIGHT from 200x150 to 8000x8000 "
+                         "is needed",
+                         text);
+    *width = (int)w;
+    *height = (int)h;
+    return CLI_DONE;
 }
 
 int cli_picture_options(const cli_call *call, ovr_picture_options *o)

@@ -149,7 +149,7 @@ static void put_style(pen *p)
 /* ----------------------------------------------------------------- panels */
 
 /* Margins of the picture, in letter heights. */
-static const double left_em = 4.6, right_em = 1.2, bottom_em = 3.4;
+static const double left_em = 5.2, right_em = 1.2, bottom_em = 3.4;
 
 static double top_em(const ovr_chart *c)
 {
@@ -321,6 +321,10 @@ static void put_tics(pen *p, const ovr_panel *panel, box b)
     if (span > 0 && !panel->log_x)
         ovr_text_print(p->to, "set xtics %.9g\n",
                        nice_step(span, fmin(wide / 3.6, 9)));
+    if (!panel->ground && !panel->log_y && panel->y_to > panel->y_from)
+        ovr_text_print(
+            p->to, "set ytics %.9g\n",
+            nice_step(panel->y_to - panel->y_from, fmin(high / 1.6, 10)));
     if (!panel->ground)
         return;
     high *= panel->y_to / (panel->y_to - panel->y_from);
@@ -328,7 +332,7 @@ static void put_tics(pen *p, const ovr_panel *panel, box b)
                    "set ytics 0,%.9g\n"
                    "set arrow from graph 0, first 0 to graph 1, first 0 "
                    "nohead lw 1 lc rgb '#606870' front\n",
-                   nice_step(panel->y_to, high / 1.6));
+                   nice_step(panel->y_to, fmin(high / 1.6, 10)));
 }
 
 /* Characters of UTF-8 text, as many as are drawn. */

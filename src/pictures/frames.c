@@ -177,22 +177,27 @@ static ovr_status open_folder(studio *s, bool *keep, ovr_error *err)
 }
 
 /* For a movie without frames: a folder beside it, emptied as it goes. */
-static ovr_status make_temporary(studio *s, ovr_error *err)
+static ovr_status make_temporary(studio *s, const char *movie, ovr_error *err)
 {
-    const char *slash = strrchr(s->o->movie, '/');
-    int folder = slash ? (int)(slash - s->o->movie) + 1 : 0;
+    const char *slash = strrchr(movie, '/');
+    int folder = slash ? (int)(slash - movie) + 1 : 0;
     snprintf(s->temporary, sizeof s->temporary, "%.*s.frames.XXXXXX", folder,
-             s->o->movie);
+             movie);
     if (!mkdtemp(s->temporary)) {
         s->temporary[0] = '\0';
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be created: %s",
-                        s->o->movie, strerror(errno));
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be created: %s", movie,
+                        strerror(errno));
     }
     s->folder = s->temporary;
     return OVR_OK;
 }
 
 /* ---------------------------------------------------------------- drawing */
+
+static ovr_gnuplot *worker_of(studio *s, size_t i)
+{
+    return &s->gnuplot[s->workers > 1 ? i % s->workers : 0];
+}
 
 static ovr_status ask_frame(studio *s, size_t i, ovr_error *err)
 {
@@ -209,8 +214,7 @@ static ovr_status ask_frame(studio *s, size_t i, ovr_error *err)
         status = ovr_chart_write(&s->chart->chart, path, script,
                                  &s->arena->allocator, err);
     if (status == OVR_OK)
-        status = ovr_gnuplot_ask(&s->gnuplot[i % s->workers], &s->script, path,
-                                 err);
+        status = ovr_gnuplot_ask(worker_of(s, i), &s->script, path, err);
     if (status == OVR_OK)
         s->made->drawn++;
     return status;
@@ -220,7 +224,7 @@ static ovr_status ask_frame(studio *s, size_t i, ovr_error *err)
 static ovr_status finish_frame(studio *s, size_t i, ovr_error *err)
 {
     char path[OVR_PATH_SIZE];
-    ovr_status status = ovr_gnuplot_wait(&s->gnuplot[i % s->workers], err);
+    ovr_status status = ovr_gnuplot_wait(worker_of(s, i), err);
     name_frame(s, i, suffixes[s->form], path);
     if (status == OVR_OK && s->movie.path)
         status = ovr_movie_add(&s->movie, path, err);
@@ -265,8 +269,9 @@ static ovr_status start_workers(studio *s, ovr_error *err)
     s->gnuplot = ovr_arena_take(s->arena, wanted, sizeof *s->gnuplot, err);
     if (!s->gnuplot)
         return OVR_NO_MEMORY;
-    while (status == OVR_OK && s->workers < wanted)
+    do {
         status = ovr_gnuplot_start(&s->gnuplot[s->workers++], err);
+    } while (status == OVR_OK && s->workers < wanted);
     return status;
 }
 
@@ -296,6 +301,9 @@ static ovr_status check_form(studio *s, ovr_error *err)
     if (s->form > OVR_FORM_PDF)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "frames are png, svg or pdf, not '%s'", form);
+    if (!s->o->folder && !s->o->movie)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "frames need a folder or a movie to go to");
     if (s->o->movie && s->form != OVR_FORM_PNG)
         return ovr_fail(err, OVR_BAD_INPUT, "a movie is made of png frames");
     if (s->count > OVR_SHOTS)
@@ -333,9 +341,10 @@ static ovr_status make(studio *s, ovr_error *err)
     ovr_status status = OVR_OK;
     if (s->o->movie)
         status = ovr_may_create(s->o->movie, s->o->look.force, err);
-    if (status == OVR_OK)
-        status = s->folder ? open_folder(s, &keep, err)
-                           : make_temporary(s, err);
+    if (status == OVR_OK && s->folder)
+        status = open_folder(s, &keep, err);
+    else if (status == OVR_OK && s->o->movie)
+        status = make_temporary(s, s->o->movie, err);
     if (status == OVR_OK)
         status = start_workers(s, err);
     if (status == OVR_OK && s->o->movie)
@@ -354,7 +363,7 @@ ovr_status ovr_frames(ovr_result *const *results, size_t count,
 {
     ovr_arena arena = ovr_arena_make(allocator);
     studio *s = ovr_arena_take(&arena, 1, sizeof *s, err);
-    ovr_frames_made unasked;
+    ovr_frames_made unasked = {0, 0};
     ovr_status status;
     if (!s)
         return OVR_NO_MEMORY;

@@ -116,7 +116,7 @@ ovr_status ovr_draw_history(const ovr_sitting *s, ovr_chart *chart,
     }
     if (status == OVR_OK)
         status = add_columns(s, pressure, 1, 'p', T.factor, &panel[1], err);
-    if (s->options->H_to > 0)
+    if (status == OVR_OK && s->options->H_to > 0)
         panel[0].y_to = s->options->H_to * panel[0].series[0].factor;
     if (status == OVR_OK)
         *chart = chart_of(s, panel, 2);

@@ -107,6 +107,22 @@ static void find_range(const map *m, double *low, double *high)
         *high = *low + 1;
 }
 
+/* A spike one cell wide would take all colours but the darkest: where only
+ * one cell in 500 is above, the colours end. */
+static double common_high(const map *m, double low, double high)
+{
+    enum { BINS = 500 };
+    size_t count[BINS] = {0}, left = (size_t)CELLS_T * CELLS_X / 500, bin;
+    for (size_t c = 0; c < (size_t)CELLS_T * CELLS_X; c++)
+        if (m->values[c] >= low) {
+            bin = (size_t)((m->values[c] - low) / (high - low) * (BINS - 1));
+            count[bin < BINS ? bin : BINS - 1]++;
+        }
+    for (bin = BINS - 1; bin > 0 && count[bin] <= left; bin--)
+        left -= count[bin];
+    return low + (high - low) * (double)(bin + 1) / BINS;
+}
+
 static ovr_status make_panel(const ovr_sitting *s, map *m, ovr_panel *panel,
                              ovr_error *err)
 {
@@ -116,8 +132,8 @@ static ovr_status make_panel(const ovr_sitting *s, map *m, ovr_panel *panel,
     ovr_axis x, T, v;
     ovr_status status;
     find_range(m, &low, &high);
-    if (kind == 'p' && o->P_to > 0)
-        high = o->P_to;
+    if (kind == 'p')
+        high = o->P_to > 0 ? o->P_to : common_high(m, low, high);
     if (kind == 'h' && o->H_to > 0)
         high = o->H_to;
     status = ovr_axis_make('x', m->run->result, o->units, reach, &x, err);

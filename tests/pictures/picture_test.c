@@ -5,6 +5,7 @@
 
 #include <expat.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -250,15 +251,121 @@ static void survives_failing_allocations(void **state)
     ovr_result_close(r);
 }
 
+/* The page is made without any other program. */
+static ovr_status view_with(void *data, const ovr_allocator *allocator,
+                            ovr_error *err)
+{
+    ovr_result *r = data;
+    ovr_view_options o = ovr_view_options_default();
+    o.path = "view.html";
+    o.force = true;
+    return ovr_view(&r, 1, &o, allocator, err);
+}
+
+static void page_survives_failing_allocations(void **state)
+{
+    char *here = getcwd(NULL, 0);
+    ovr_result *r;
+    assert_int_equal(chdir(*state), 0);
+    test_make_result("made.h5", hostile, true);
+    r = open_made("made.h5");
+    test_every_allocation(view_with, r);
+    assert_int_equal(access(".view.html.part", F_OK), -1);
+    ovr_result_close(r);
+    assert_int_equal(chdir(here), 0);
+    free(here);
+}
+
+/* Frames without gnuplot end early, but not before most is allocated. */
+static ovr_status frames_with(void *data, const ovr_allocator *allocator,
+                              ovr_error *err)
+{
+    ovr_result *r = data;
+    ovr_frames_options o = ovr_frames_options_default();
+    ovr_error missing;
+    o.folder = "frames";
+    o.look.force = true;
+    if (ovr_frames(&r, 1, &o, allocator, NULL, &missing) == OVR_NO_MEMORY) {
+        *err = missing;
+        return OVR_NO_MEMORY;
+    }
+    CHECK_ERROR(&missing, OVR_BAD_INPUT, "apt install gnuplot-nox");
+    return OVR_OK;
+}
+
+static void frames_survive_failing_allocations(void **state)
+{
+    char *here = getcwd(NULL, 0), *found = strdup(getenv("PATH"));
+    ovr_result *r;
+    assert_int_equal(chdir(*state), 0);
+    test_make_result("made.h5", hostile, true);
+    r = open_made("made.h5");
+    setenv("PATH", "/nowhere", 1);
+    test_every_allocation(frames_with, r);
+    setenv("PATH", found, 1);
+    ovr_result_close(r);
+    assert_int_equal(chdir(here), 0);
+    free(found);
+    free(here);
+}
+
+static bool stop_at_five(void *data, size_t done, size_t count)
+{
+    *(size_t *)data = count;
+    return done < 5;
+}
+
+/* Stopped, then gone on with: each frame is drawn once. */
+static void frames_go_on(void **state)
+{
+    const char *path = test_path(*state, "made.h5");
+    ovr_frames_options o = ovr_frames_options_default();
+    ovr_frames_made made;
+    size_t count = 0;
+    char *folder = strdup(test_path(*state, "frames"));
+    ovr_result *r;
+    ovr_error err;
+    test_make_result(path, hostile, true);
+    r = open_made(path);
+    o.folder = folder; /* test_path's own would be reused */
+    o.form = "svg";
+    o.progress = stop_at_five;
+    o.data = &count;
+    assert_int_equal(ovr_frames(&r, 1, &o, NULL, &made, &err), OVR_STOPPED);
+    assert_int_equal(count, TEST_MADE_SHOTS);
+    assert_true(made.drawn >= 5);
+    o.progress = NULL;
+    CHECK_OK(ovr_frames(&r, 1, &o, NULL, &made, &err), &err);
+    assert_true(made.kept >= 5); /* later ones may have been given up */
+    assert_int_equal(made.kept + made.drawn, TEST_MADE_SHOTS);
+    CHECK_OK(ovr_frames(&r, 1, &o, NULL, &made, &err), &err);
+    assert_int_equal(made.kept, TEST_MADE_SHOTS);
+    for (int k = 0; k < TEST_MADE_SHOTS; k++) {
+        char name[40];
+        snprintf(name, sizeof name, "frames/frame_%04d.svg", k);
+        check_svg(test_path(*state, name));
+    }
+    o.look.H_to = 0.5;
+    assert_int_equal(ovr_frames(&r, 1, &o, NULL, &made, &err), OVR_BAD_INPUT);
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "other settings");
+    free(folder);
+    ovr_result_close(r);
+}
+
 #define TEST(name)                                                             \
     cmocka_unit_test_setup_teardown(name, test_make_folder, test_remove_folder)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        TEST(draws_every_kind),         TEST(draws_every_form),
-        TEST(keeps_foreign_text_inert), TEST(writes_the_data_beside),
-        TEST(refuses_clearly),          TEST(survives_failing_allocations)};
+    const struct CMUnitTest tests[] = {TEST(draws_every_kind),
+                                       TEST(draws_every_form),
+                                       TEST(keeps_foreign_text_inert),
+                                       TEST(writes_the_data_beside),
+                                       TEST(refuses_clearly),
+                                       TEST(survives_failing_allocations),
+                                       TEST(page_survives_failing_allocations),
+                                       TEST(frames_survive_failing_allocations),
+                                       TEST(frames_go_on)};
     if (system("gnuplot --version >/dev/null 2>&1") != 0) {
         print_message("no gnuplot\n");
         return 77;
