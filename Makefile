@@ -337,7 +337,7 @@ need-lint:
 
 # ------------------------------------------------------------------ install
 
-MAN        := $(wildcard src/*/*.[157])
+MAN        := $(wildcard src/*/*.[1357])
 COMPLETION := $(wildcard src/cli/overroll.bash)
 SHARE      := $(DESTDIR)$(PREFIX)/share
 COMPDIR    := $(SHARE)/bash-completion/completions

@@ -53,7 +53,7 @@ typedef struct cli_verb {
 
 extern const cli_verb cli_steady, cli_run, cli_resume, cli_check, cli_init;
 extern const cli_verb cli_info, cli_export, cli_profile, cli_help, cli_plot;
-extern const cli_verb cli_frames, cli_view;
+extern const cli_verb cli_frames, cli_view, cli_sweep;
 
 /* The table of main.c; ends with NULL. */
 extern const cli_verb *const cli_verbs[];
@@ -71,7 +71,8 @@ struct cli_call {
     int arguments;
     const char **argument; /* positional */
     int givens;
-    cli_given *given; /* options in the order given */
+    cli_given *given;      /* options in the order given */
+    volatile double *done; /* a march tells here how far it is, or NULL */
 };
 
 /* Whether a flag was given; the value of an option or NULL; the k-th value of

@@ -20,6 +20,7 @@ const cli_verb *const cli_verbs[] = {
     &cli_resume,
     &cli_check,
     &cli_info,
+    &cli_sweep,
     &cli_export,
     &cli_plot,
     &cli_frames,

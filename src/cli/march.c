@@ -13,6 +13,7 @@ typedef struct running {
     ovr_writer *writer; /* NULL: nothing is stored */
     cli_progress progress;
     double end;
+    volatile double *done; /* told the fraction done, or NULL */
 } running;
 
 static void show(running *r, const ovr_simulation *sim)
@@ -20,6 +21,8 @@ static void show(running *r, const ovr_simulation *sim)
     const ovr_observation *o = ovr_simulation_observation(sim);
     const ovr_state *state = ovr_simulation_state(sim);
     char what[120];
+    if (r->done)
+        *r->done = state->T / r->end;
     snprintf(what, sizeof what, "T = %.3f of %g  step %ld  residual %.1e",
              state->T, r->end, state->step, o->residual);
     cli_progress_show(&r->progress, state->T / r->end, what);
@@ -116,7 +119,7 @@ int cli_march(const cli_call *call, const cli_job *job)
     cli_summary summary = {
         .setup = job->setup, .sim = job->sim, .output = job->output};
     bool transient = job->setup->transient;
-    running r = {.writer = job->writer};
+    running r = {.writer = job->writer, .done = call->done};
     ovr_error err = {0};
     double begun = cli_seconds();
     ovr_status status;

@@ -9,6 +9,7 @@
 
 #include "cli/case_args.h"
 #include "cli/march.h"
+#include "cli/run.h"
 #include "cli/store.h"
 
 typedef struct resuming {
@@ -107,15 +108,20 @@ static int go_on(resuming *r)
     return cli_march(r->call, &job);
 }
 
-static int run(cli_call *call)
+int cli_resume_file(const cli_call *call, const char *path)
 {
-    resuming r = {.call = call, .path = call->argument[0]};
+    resuming r = {.call = call, .path = path};
     int code = go_on(&r);
     ovr_simulation_free(r.sim);
     ovr_setup_free(r.setup);
     ovr_case_free(r.c);
     ovr_restart_close(r.restart);
     return code;
+}
+
+static int run(cli_call *call)
+{
+    return cli_resume_file(call, call->argument[0]);
 }
 
 static const cli_option options[] = {CLI_CASE_OPTIONS, {0}};

@@ -1,32 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll run CASE: from the steady start through time, stored on the way. */
+#include "cli/run.h"
 #include "cli/case_args.h"
 #include "cli/estimate.h"
 #include "cli/march.h"
 #include "cli/store.h"
 
-static int run(cli_call *call)
+static int march_case(const cli_call *call, ovr_case *c, ovr_setup *setup,
+                      const char *output, bool force)
 {
-    int code;
-    ovr_case *c = cli_open_case(call, &code);
-    ovr_setup *setup = NULL;
-    ovr_simulation *sim = NULL;
-    ovr_writer *writer = NULL;
     ovr_error err = {0};
-    const char *output;
-    bool ready;
-    if (!c)
-        return code;
-    setup = ovr_case_resolve(c, NULL, &err);
-    output = cli_value(call, "o");
-    if (setup && !output)
-        output = setup->output.file;
-    ready = setup && cli_check_output(output, cli_flag(call, "force"), &err);
-    if (ready)
+    ovr_writer *writer = NULL;
+    ovr_simulation *sim = NULL;
+    int code;
+    if (cli_check_output(output, force, &err))
         sim = ovr_setup_simulation(setup, NULL, &err);
     if (sim && output)
-        writer = cli_open_output(c, setup, sim, output, cli_flag(call, "force"),
-                                 &err);
+        writer = cli_open_output(c, setup, sim, output, force, &err);
     if (sim && (writer || !output)) {
         cli_job job = {c, setup, sim, writer, output, false};
         code = cli_march(call, &job);
@@ -34,7 +24,29 @@ static int run(cli_call *call)
         code = cli_fail(&err);
     }
     ovr_simulation_free(sim);
+    return code;
+}
+
+int cli_run_case(const cli_call *call, ovr_case *c, const char *output,
+                 bool force)
+{
+    ovr_error err = {0};
+    ovr_setup *setup = ovr_case_resolve(c, NULL, &err);
+    int code;
+    if (setup && !output)
+        output = setup->output.file;
+    code = setup ? march_case(call, c, setup, output, force) : cli_fail(&err);
     ovr_setup_free(setup);
+    return code;
+}
+
+static int run(cli_call *call)
+{
+    int code;
+    ovr_case *c = cli_open_case(call, &code);
+    if (!c)
+        return code;
+    code = cli_run_case(call, c, cli_value(call, "o"), cli_flag(call, "force"));
     ovr_case_free(c);
     return code;
 }

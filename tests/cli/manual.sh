@@ -16,6 +16,13 @@ for option in set M L level scheme smoother force json help version; do
         fail "overroll.1 lacks --$option"
 done
 
+expect 0 "$OVERROLL" help
+commands=$(sed -n 's/^  \([a-z]*\)  .*/\1/p' out)
+for command in $commands; do
+    grep -qE "^\.(BI \"|B overroll )$command" "$TOP/src/cli/overroll.1" ||
+        fail "overroll.1 lacks $command"
+done
+
 # help explains every section and command
 for topic in contact lubricant domain solver time load speed feature output \
     steady run check init help units alpha feature.depth; do
@@ -26,13 +33,23 @@ refuses "no topic 'levl'; did you mean 'level'" help levl
 
 version=$(sed -n 's/.*OVERROLL_VERSION "\(.*\)"/\1/p' \
     "$TOP/include/overroll/version.h")
-for page in "$TOP"/src/*/overroll*.[157]; do
+for page in "$TOP"/src/*/overroll*.[1357]; do
     ! grep -q '^\.TH.*"overroll [0-9]' "$page" ||
         grep -q "^\.TH.*overroll $version" "$page" ||
         fail "$page: not version $version"
 done
+# References lead somewhere.
+for name in $(sed -n 's/^\.BR \(overroll[a-z\\-]*\) (\([1357]\)).*/\1.\2/p' \
+    "$TOP"/src/*/overroll*.[1357] | sed 's/.-/-/g' | sort -u); do
+    ls "$TOP"/src/*/"$name" >/dev/null 2>&1 || fail "no page $name"
+done
+if command -v mandoc >/dev/null; then
+    mandoc -Tlint -Wwarning "$TOP"/src/*/overroll*.[1357] |
+        grep -v 'date' >warnings
+    [ ! -s warnings ] || fail "$(cat warnings)"
+fi
 if command -v groff >/dev/null; then
-    for page in "$TOP"/src/*/overroll*.[157]; do
+    for page in "$TOP"/src/*/overroll*.[1357]; do
         groff -man -ww -Tutf8 "$page" 2>warnings >/dev/null
         [ ! -s warnings ] || fail "$page: $(cat warnings)"
     done

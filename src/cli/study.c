@@ -1,0 +1,266 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Reading a study.  Its lists may be longer than the lines inih takes, and
+ * its keys are not those of the table; so it is read here.
+ */
+#include "cli/study.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/suggest.h"
+
+enum { LINE_ROOM = 65536 };
+
+enum section { NO_SECTION, STUDY, SET, PRODUCT, ZIP };
+
+typedef struct reading {
+    study *s;
+    long line;
+    enum section section;
+    int zips;
+    ovr_error *err;
+} reading;
+
+static ovr_status fail(reading *r, const char *what, const char *about)
+{
+    return ovr_fail_at(r->err, OVR_BAD_INPUT, r->s->path, r->line, what, about);
+}
+
+/* ------------------------------------------------------------------ lines */
+
+/* Without comment and outer blanks. */
+static char *prepare(char *line)
+{
+    char *end;
+    line[strcspn(line, "#\r\n")] = '\0';
+    line += strspn(line, " \t");
+    end = line + strlen(line);
+    while (end > line && (end[-1] == ' ' || end[-1] == '\t'))
+        *--end = '\0';
+    return line;
+}
+
+static ovr_status open_section(reading *r, const char *line)
+{
+    static const char *const names[] = {"study", "set", "product", "zip"};
+    char name[64];
+    const char *meant;
+    size_t length = strcspn(line + 1, " \t]");
+    if (line[strlen(line) - 1] != ']')
+        return fail(r, "'%.60s' must end with ']'", line);
+    snprintf(name, sizeof name, "%.*s", (int)length, line + 1);
+    for (int i = 0; i < 4; i++)
+        if (!strcmp(name, names[i])) {
+            r->section = (enum section)(i + 1);
+            r->zips += r->section == ZIP;
+            return OVR_OK;
+        }
+    meant = ovr_suggest(name, names, 4);
+    if (meant)
+        return ovr_fail_at(r->err, OVR_BAD_INPUT, r->s->path, r->line,
+                           "unknown section '%s'; did you mean '%s'?", name,
+                           meant);
+    return fail(r, "unknown section '%s'; there are study, set, product, zip",
+                name);
+}
+
+/* A path of the study, which starts at its folder. */
+static const char *path_of(reading *r, const char *value)
+{
+    char path[4096];
+    if (value[0] == '/' || !strcmp(r->s->folder, "."))
+        return ovr_arena_text(&r->s->arena, value, r->err);
+    snprintf(path, sizeof path, "%s/%s", r->s->folder, value);
+    return ovr_arena_text(&r->s->arena, path, r->err);
+}
+
+static ovr_status take_setting(reading *r, const char *key, const char *value)
+{
+    static const char *const names[] = {"case", "output", "results"};
+    const char *meant;
+    if (!strcmp(key, "case"))
+        return (r->s->case_path = path_of(r, value)) ? OVR_OK : OVR_NO_MEMORY;
+    if (!strcmp(key, "output"))
+        return (r->s->output = path_of(r, value)) ? OVR_OK : OVR_NO_MEMORY;
+    if (!strcmp(key, "results")) {
+        r->s->results = !strcmp(value, "yes");
+        return r->s->results || !strcmp(value, "no")
+                   ? OVR_OK
+                   : fail(r, "results: '%.40s' must be yes or no", value);
+    }
+    meant = ovr_suggest(key, names, 3);
+    if (meant)
+        return ovr_fail_at(r->err, OVR_BAD_INPUT, r->s->path, r->line,
+                           "unknown key '%.60s' in [study]; did you mean "
+                           "'%s'?",
+                           key, meant);
+    return fail(r,
+                "unknown key '%.60s' in [study]; there are case, output, "
+                "results",
+                key);
+}
+
+static ovr_status take_values(reading *r, const char *key, const char *value)
+{
+    study *s = r->s;
+    study_key *k = &s->key[s->keys];
+    ovr_error why = {0};
+    if (s->keys == STUDY_MOST_KEYS)
+        return fail(r, "'%.60s' is one key too many: at most 64", key);
+    for (size_t i = 0; i < s->keys; i++)
+        if (!strcmp(s->key[i].where, key))
+            return fail(r, "'%.60s' is given twice", key);
+    *k = (study_key){.line = r->line, .fixed = r->section == SET};
+    k->zip = r->section == ZIP ? r->zips : 0;
+    k->where = ovr_arena_text(&s->arena, key, r->err);
+    if (!k->where)
+        return OVR_NO_MEMORY;
+    if (k->fixed) { /* one value, commas and all */
+        k->value = ovr_arena_take(&s->arena, 1, sizeof *k->value, r->err);
+        if (!k->value)
+            return OVR_NO_MEMORY;
+        k->value[0] = ovr_arena_text(&s->arena, value, r->err);
+        k->count = 1;
+    } else if (study_values(value, &s->arena, &k->value, &k->count, &why)) {
+        return ovr_fail_at(r->err, why.status, s->path, r->line, "%s: %.800s",
+                           key, why.message);
+    }
+    s->keys++;
+    return OVR_OK;
+}
+
+static ovr_status take_line(reading *r, char *line)
+{
+    char *value, *end;
+    line = prepare(line);
+    if (!*line || *line == ';')
+        return OVR_OK;
+    if (*line == '[')
+        return open_section(r, line);
+    value = strchr(line, '=');
+    if (!value || value == line)
+        return fail(r, "'%.60s' must be 'key = value' or '[section]'", line);
+    for (end = value; end > line && (end[-1] == ' ' || end[-1] == '\t');)
+        end--;
+    value += 1 + strspn(value + 1, " \t");
+    *end = '\0';
+    if (!*value)
+        return fail(r, "%.60s: the value is missing", line);
+    if (r->section == NO_SECTION)
+        return fail(r, "%.60s: a [section] must come before", line);
+    return r->section == STUDY ? take_setting(r, line, value)
+                               : take_values(r, line, value);
+}
+
+static ovr_status read_lines(reading *r)
+{
+    char *line = ovr_arena_take(&r->s->arena, LINE_ROOM, 1, r->err);
+    FILE *from = line ? fopen(r->s->path, "r") : NULL;
+    ovr_status status = OVR_OK;
+    if (line && !from)
+        return ovr_fail(r->err, OVR_BAD_INPUT, "%s: cannot be read: %s",
+                        r->s->path, strerror(errno));
+    if (!line)
+        return OVR_NO_MEMORY;
+    while (!status && fgets(line, LINE_ROOM, from)) {
+        r->line++;
+        if (strlen(line) == LINE_ROOM - 1)
+            status = fail(r, "%s", "the line is too long");
+        else
+            status = take_line(r, line);
+    }
+    if (!status && ferror(from))
+        status = ovr_fail(r->err, OVR_BAD_INPUT, "%s: cannot be read: %s",
+                          r->s->path, strerror(errno));
+    fclose(from);
+    return status;
+}
+
+/* ----------------------------------------------------------- combinations */
+
+/* Keys of one zip must have as many values. */
+static ovr_status check_zips(study *s, ovr_error *err)
+{
+    for (size_t i = 1; i < s->keys; i++) {
+        const study_key *a = &s->key[i - 1], *b = &s->key[i];
+        if (b->zip && a->zip == b->zip && a->count != b->count)
+            return ovr_fail_at(err, OVR_BAD_INPUT, s->path, b->line,
+                               "%s has %zu values, %s before it %zu: those of "
+                               "a [zip] go together",
+                               b->where, b->count, a->where, a->count);
+    }
+    return OVR_OK;
+}
+
+static ovr_status set_strides(study *s, ovr_error *err)
+{
+    size_t tasks = 1;
+    for (size_t i = s->keys; i-- > 0;) {
+        study_key *k = &s->key[i];
+        bool with_next = k->zip && i + 1 < s->keys && k[1].zip == k->zip;
+        k->stride = with_next ? k[1].stride : tasks;
+        if (with_next)
+            continue;
+        tasks *= k->count;
+        if (tasks > STUDY_MOST_TASKS)
+            return ovr_fail(err, OVR_BAD_INPUT, "%s: more than a million cases",
+                            s->path);
+    }
+    s->tasks = tasks;
+    return OVR_OK;
+}
+
+const char *study_value(const study *s, const study_key *key, size_t task)
+{
+    (void)s;
+    return key->value[(task / key->stride) % key->count];
+}
+
+/* ------------------------------------------------------------------ study */
+
+/* Folder of the study, and results in a folder of its name. */
+static ovr_status set_places(study *s, ovr_error *err)
+{
+    char text[4096];
+    const char *slash = strrchr(s->path, '/');
+    size_t length = strlen(s->path);
+    if (length > 4000)
+        return ovr_fail(err, OVR_BAD_INPUT, "the path is too long");
+    snprintf(text, sizeof text, "%.*s",
+             slash ? (int)(slash - s->path) + (slash == s->path) : 1,
+             slash ? s->path : ".");
+    s->folder = ovr_arena_text(&s->arena, text, err);
+    if (length > 4 && !strcmp(s->path + length - 4, ".ini"))
+        snprintf(text, sizeof text, "%.*s", (int)length - 4, s->path);
+    else
+        snprintf(text, sizeof text, "%s.results", s->path);
+    s->output = ovr_arena_text(&s->arena, text, err);
+    return s->folder && s->output ? OVR_OK : OVR_NO_MEMORY;
+}
+
+ovr_status study_read(const char *path, study *s, ovr_error *err)
+{
+    reading r = {.s = s, .err = err};
+    memset(s, 0, sizeof *s);
+    s->arena = ovr_arena_make(NULL);
+    s->path = path;
+    s->results = true;
+    if (set_places(s, err) || read_lines(&r) || check_zips(s, err) ||
+        set_strides(s, err) || study_name_tasks(s, err))
+        return OVR_BAD_INPUT;
+    return study_try_values(s, err);
+}
+
+void study_free(study *s)
+{
+    ovr_arena_release(&s->arena);
+}
+
+void study_file(const study *s, size_t task, const char *ending, char *path,
+                size_t room)
+{
+    snprintf(path, room, "%s/%s%s", s->output, s->name[task], ending);
+}

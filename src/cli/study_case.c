@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The cases of a study: what they are called, and the case of each. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/study.h"
+
+enum { NAME_MOST = 120 };
+
+/* ------------------------------------------------------------------ names */
+
+static bool same_end(const char *where, const char *end)
+{
+    size_t n = strlen(where), m = strlen(end);
+    return n > m && !strcmp(where + n - m, end) && where[n - m - 1] == '.';
+}
+
+/* The last parts of section.key that no other key ends with. */
+static const char *short_name(const study *s, const char *where)
+{
+    const char *end = where + strlen(where);
+    while (end > where) {
+        int others = 0;
+        while (end > where && *--end != '.')
+            ;
+        end += *end == '.';
+        for (size_t i = 0; i < s->keys; i++)
+            others += same_end(s->key[i].where, end);
+        if (others < 2)
+            return end;
+        end--;
+    }
+    return where;
+}
+
+/* What is safe in a file name; blanks go, the rest becomes '~'. */
+static size_t put_safe(char *to, size_t room, const char *text)
+{
+    size_t n = 0;
+    for (; *text && n + 1 < room; text++) {
+        bool plain = strchr("+-.=_", *text) || (*text >= '0' && *text <= '9') ||
+                     (*text >= 'A' && *text <= 'Z') ||
+                     (*text >= 'a' && *text <= 'z');
+        if (*text != ' ' && *text != '\t')
+            to[n++] = plain ? *text : '~';
+    }
+    to[n] = '\0';
+    return n;
+}
+
+/* FNV-1a, 32 bits (Fowler, Noll & Vo). */
+static unsigned hash(const char *text)
+{
+    unsigned h = 2166136261u;
+    for (; *text; text++)
+        h = (h ^ (unsigned char)*text) * 16777619u;
+    return h;
+}
+
+static char *task_name(study *s, size_t task, ovr_error *err)
+{
+    char name[8192];
+    size_t n = 0;
+    name[0] = '\0';
+    for (size_t i = 0; i < s->keys && n < sizeof name - 300; i++) {
+        char part[300];
+        if (s->key[i].fixed)
+            continue;
+        snprintf(part, sizeof part, "%s%s=%s", n ? "_" : "", s->key[i].shown,
+                 study_value(s, &s->key[i], task));
+        n += put_safe(name + n, sizeof name - n, part);
+    }
+    if (n > NAME_MOST)
+        snprintf(name + NAME_MOST - 9, 10, "-%08x", hash(name));
+    return ovr_arena_text(&s->arena, n ? name : "case", err);
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+static ovr_status check_names(study *s, ovr_error *err)
+{
+    char **sorted = malloc(s->tasks * sizeof *sorted);
+    ovr_status status = OVR_OK;
+    if (!sorted)
+        return ovr_fail(err, OVR_NO_MEMORY, "out of memory");
+    memcpy(sorted, s->name, s->tasks * sizeof *sorted);
+    qsort(sorted, s->tasks, sizeof *sorted, by_name);
+    for (size_t i = 1; !status && i < s->tasks; i++)
+        if (!strcmp(sorted[i - 1], sorted[i]))
+            status = ovr_fail(err, OVR_BAD_INPUT,
+                              "%s: the case %.200s is there twice", s->path,
+                              sorted[i]);
+    free(sorted);
+    return status;
+}
+
+ovr_status study_name_tasks(study *s, ovr_error *err)
+{
+    for (size_t i = 0; i < s->keys; i++)
+        s->key[i].shown = short_name(s, s->key[i].where);
+    s->name = ovr_arena_take(&s->arena, s->tasks, sizeof *s->name, err);
+    if (!s->name)
+        return OVR_NO_MEMORY;
+    for (size_t i = 0; i < s->tasks; i++) {
+        s->name[i] = task_name(s, i, err);
+        if (!s->name[i])
+            return OVR_NO_MEMORY;
+    }
+    return check_names(s, err);
+}
+
+/* ------------------------------------------------------------------ cases */
+
+static ovr_case *base_case(const study *s, ovr_error *err)
+{
+    if (s->case_path)
+        return ovr_case_read(s->case_path, NULL, err);
+    return ovr_case_read_text("", s->path, s->folder, NULL, err);
+}
+
+static ovr_status put(const study *s, const study_key *k, const char *value,
+                      ovr_case *c, ovr_error *err)
+{
+    char origin[300];
+    snprintf(origin, sizeof origin, "%.280s:%ld", s->path, k->line);
+    return ovr_case_set(c, k->where, value, origin, err);
+}
+
+ovr_case *study_case(const study *s, size_t task, ovr_error *err)
+{
+    ovr_case *c = base_case(s, err);
+    ovr_status status = OVR_OK;
+    for (size_t i = 0; c && !status && i < s->keys; i++)
+        status = put(s, &s->key[i], study_value(s, &s->key[i], task), c, err);
+    if (status) {
+        ovr_case_free(c);
+        return NULL;
+    }
+    if (c)
+        ovr_case_unset(c, "output.file");
+    return c;
+}
+
+/* Every value once, so that what is wrong is known before anything runs. */
+ovr_status study_try_values(const study *s, ovr_error *err)
+{
+    ovr_case *c = base_case(s, err);
+    ovr_status status = c ? OVR_OK : OVR_BAD_INPUT;
+    for (size_t i = 0; !status && i < s->keys; i++)
+        for (size_t v = 0; !status && v < s->key[i].count; v++)
+            status = put(s, &s->key[i], s->key[i].value[v], c, err);
+    ovr_case_free(c);
+    return status;
+}

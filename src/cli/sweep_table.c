@@ -1,0 +1,297 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/sweep_table.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { PATH_ROOM = 4400 };
+
+/* -------------------------------------------------------------- summaries */
+
+static double *new_numbers(sweep_table *t, ovr_error *err)
+{
+    double *values = ovr_arena_take(&t->arena, t->s->tasks, sizeof *values,
+                                    err);
+    for (size_t i = 0; values && i < t->s->tasks; i++)
+        values[i] = NAN;
+    return values;
+}
+
+/* The column of this name, made when it is new; NULL: no room. */
+static sweep_column *column_of(sweep_table *t, const char *name, ovr_error *err)
+{
+    sweep_column *c;
+    for (size_t i = 0; i < t->columns; i++)
+        if (!strcmp(t->column[i].name, name))
+            return &t->column[i];
+    if (t->columns == SWEEP_MOST_NUMBERS)
+        return NULL;
+    c = &t->column[t->columns];
+    snprintf(c->name, sizeof c->name, "%.47s", name);
+    c->value = new_numbers(t, err);
+    t->columns += c->value != NULL;
+    return c->value ? c : NULL;
+}
+
+/* `  "key": value,` of our own JSON: the number, NAN for null; false for what
+ * is no number. */
+static bool read_pair(const char *line, char *key, size_t room, double *value)
+{
+    const char *from = strchr(line, '"'), *end, *text;
+    char *rest;
+    if (!from || !(end = strchr(from + 1, '"')) || strncmp(end, "\": ", 3) != 0)
+        return false;
+    snprintf(key, room, "%.*s", (int)(end - from - 1), from + 1);
+    text = end + 3;
+    *value = NAN;
+    if (!strncmp(text, "null", 4))
+        return true;
+    *value = strncmp(text, "true", 4) == 0;
+    if (!strncmp(text, "true", 4) || !strncmp(text, "false", 5))
+        return true;
+    *value = strtod(text, &rest);
+    return rest != text;
+}
+
+static void read_summary(sweep_table *t, size_t task, ovr_error *err)
+{
+    char path[PATH_ROOM], line[512], key[64];
+    double value;
+    FILE *from;
+    study_file(t->s, task, ".json", path, sizeof path);
+    from = fopen(path, "r");
+    while (from && fgets(line, sizeof line, from)) {
+        sweep_column *c = read_pair(line, key, sizeof key, &value)
+                              ? column_of(t, key, err)
+                              : NULL;
+        if (c)
+            c->value[task] = value;
+    }
+    if (from)
+        fclose(from);
+}
+
+/* A key that no case has a number for (a text) makes no column. */
+static void drop_empty(sweep_table *t)
+{
+    size_t kept = 0;
+    for (size_t k = 0; k < t->columns; k++) {
+        bool any = false;
+        for (size_t i = 0; i < t->s->tasks && !any; i++)
+            any = !isnan(t->column[k].value[i]);
+        if (any)
+            t->column[kept++] = t->column[k];
+    }
+    t->columns = kept;
+}
+
+/* ----------------------------------------------------------------- values */
+
+/* The entry of a case that `where` names ("feature.dent.depth" or "feature
+ * dent.depth"). */
+static bool is_entry(const ovr_case_entry *e, const char *where)
+{
+    char name[256];
+    if (!e->name) {
+        snprintf(name, sizeof name, "%s.%s", e->section, e->key);
+        return !strcmp(name, where);
+    }
+    snprintf(name, sizeof name, "%s.%s.%s", e->section, e->name, e->key);
+    return strlen(name) == strlen(where) &&
+           !strncmp(name, where, strlen(e->section)) &&
+           !strcmp(name + strlen(e->section) + 1,
+                   where + strlen(e->section) + 1);
+}
+
+static void take_value(sweep_values *v, const ovr_case *c, size_t task)
+{
+    for (size_t k = 0; k < ovr_case_entries(c); k++) {
+        ovr_case_entry e = ovr_case_entry_at(c, k);
+        ovr_parameter_info info;
+        if (!is_entry(&e, v->key->where))
+            continue;
+        info = ovr_parameter_at(e.parameter);
+        v->number[task] = e.number;
+        v->numeric = v->numeric && isfinite(info.least) && isfinite(e.number);
+        if (e.unit)
+            v->unit = e.unit;
+        return;
+    }
+    v->numeric = false;
+}
+
+static ovr_status take_values(sweep_table *t, ovr_error *err)
+{
+    const study *s = t->s;
+    for (size_t k = 0; k < s->keys; k++) {
+        sweep_values *v = &t->values[t->keys];
+        if (s->key[k].fixed)
+            continue;
+        *v = (sweep_values){&s->key[k], true, "1", new_numbers(t, err)};
+        if (!v->number)
+            return OVR_NO_MEMORY;
+        t->keys++;
+    }
+    for (size_t i = 0; i < s->tasks; i++) {
+        ovr_case *c = study_case(s, i, err);
+        for (size_t k = 0; c && k < t->keys; k++)
+            take_value(&t->values[k], c, i);
+        ovr_case_free(c);
+    }
+    return OVR_OK;
+}
+
+/* ------------------------------------------------------------------ table */
+
+ovr_status sweep_gather(const study *s, sweep_table *t, ovr_error *err)
+{
+    memset(t, 0, sizeof *t);
+    t->s = s;
+    t->arena = ovr_arena_make(NULL);
+    t->state = ovr_arena_take(&t->arena, s->tasks, sizeof *t->state, err);
+    if (!t->state || take_values(t, err))
+        return OVR_NO_MEMORY;
+    for (size_t i = 0; i < s->tasks; i++) {
+        t->state[i] = sweep_state_of(s, i);
+        t->count[t->state[i]]++;
+        if (t->state[i] == SWEEP_FINISHED)
+            read_summary(t, i, err);
+    }
+    drop_empty(t);
+    return OVR_OK;
+}
+
+void sweep_table_free(sweep_table *table)
+{
+    ovr_arena_release(&table->arena);
+}
+
+/* -------------------------------------------------------------------- CSV */
+
+/* RFC 4180: in quotes what holds a comma or a quote. */
+static void put_text(FILE *to, const char *text)
+{
+    if (!text[strcspn(text, ",\"\n")]) {
+        fputs(text, to);
+        return;
+    }
+    fputc('"', to);
+    for (; *text; text++) {
+        if (*text == '"')
+            fputc('"', to);
+        fputc(*text, to);
+    }
+    fputc('"', to);
+}
+
+static void put_number(FILE *to, double value, int digits)
+{
+    if (!isnan(value))
+        fprintf(to, "%.*g", digits, value);
+}
+
+static bool is_main(const char *name)
+{
+    static const char *const names[] = {
+        "H_min",   "H_cen",        "P_max",  "H_min_overall",
+        "T_H_min", "steps_marked", "seconds"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
+        if (!strcmp(names[i], name))
+            return true;
+    return false;
+}
+
+static void put_heads(const sweep_table *t, FILE *to, bool manifest)
+{
+    fputs("task,name", to);
+    for (size_t k = 0; k < t->keys; k++) {
+        fputc(',', to);
+        put_text(to, t->values[k].key->shown);
+    }
+    fputs(manifest ? ",status,output,summary" : ",status", to);
+    for (size_t k = 0; k < t->columns; k++)
+        if (!manifest || is_main(t->column[k].name))
+            fprintf(to, ",%s", t->column[k].name);
+    fputs(manifest ? ",message\n" : "\n", to);
+}
+
+/* A file of the task, when it is there. */
+static void put_file(const sweep_table *t, size_t task, const char *ending,
+                     FILE *to)
+{
+    char path[PATH_ROOM];
+    fputc(',', to);
+    study_file(t->s, task, ending, path, sizeof path);
+    if (access(path, F_OK) == 0)
+        put_text(to, strrchr(path, '/') + 1);
+}
+
+static void put_row(const sweep_table *t, size_t i, FILE *to, bool manifest)
+{
+    char message[1100];
+    fprintf(to, "%zu,", i + 1);
+    put_text(to, t->s->name[i]);
+    for (size_t k = 0; k < t->keys; k++) {
+        fputc(',', to);
+        if (manifest || !t->values[k].numeric)
+            put_text(to, study_value(t->s, t->values[k].key, i));
+        else
+            put_number(to, t->values[k].number[i], 17);
+    }
+    fprintf(to, ",%s", sweep_state_name(t->state[i]));
+    if (manifest) {
+        put_file(t, i, ".h5", to);
+        put_file(t, i, ".json", to);
+    }
+    for (size_t k = 0; k < t->columns; k++)
+        if (!manifest || is_main(t->column[k].name)) {
+            fputc(',', to);
+            put_number(to, t->column[k].value[i], manifest ? 6 : 17);
+        }
+    if (manifest) {
+        sweep_message(t->s, i, message, sizeof message);
+        fputc(',', to);
+        put_text(to, message);
+    }
+    fputc('\n', to);
+}
+
+/* Written beside and renamed: whoever reads it finds a whole one. */
+static ovr_status write_table(const sweep_table *t, const char *path,
+                              bool manifest, ovr_error *err)
+{
+    char part[PATH_ROOM + 32];
+    FILE *to;
+    bool good;
+    snprintf(part, sizeof part, "%s.%ld.part", path, (long)getpid());
+    to = fopen(part, "w");
+    if (!to)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be written: %s", path,
+                        strerror(errno));
+    put_heads(t, to, manifest);
+    for (size_t i = 0; i < t->s->tasks; i++)
+        put_row(t, i, to, manifest);
+    good = !ferror(to);
+    good = fclose(to) == 0 && good;
+    if (good && rename(part, path) == 0)
+        return OVR_OK;
+    unlink(part);
+    return ovr_fail(err, OVR_IO, "%s: cannot be written: %s", path,
+                    strerror(errno));
+}
+
+ovr_status sweep_write_manifest(const sweep_table *t, ovr_error *err)
+{
+    char path[PATH_ROOM];
+    snprintf(path, sizeof path, "%s/manifest.csv", t->s->output);
+    return write_table(t, path, true, err);
+}
+
+ovr_status sweep_write_csv(const sweep_table *t, const char *path,
+                           ovr_error *err)
+{
+    return write_table(t, path, false, err);
+}
