@@ -255,6 +255,12 @@ coverage: ## lines and branches that the tests reach (gcovr)
 demo: $(PROGRAM) ## roll a dent through a contact: result file and picture
 	@OVERROLL='$(PROGRAM)' tools/run-demo $(BUILD)/demo
 
+pictures: demo ## the pictures of README.md, into tools/pictures
+	@cp $(BUILD)/demo/dent.png tools/pictures/dent.png
+	@$(PROGRAM) frames $(BUILD)/demo/dent.h5 --movie tools/pictures/dent.gif \
+	  --every 4 --time 3:6.4 --p-max 5 --rate 20 --size 800x450 --force \
+	  --title 'A dent passes through the contact of two steel rollers'
+
 paper: tests ## the paper's tables, computed and compared
 	@mkdir -p $(BUILD)/verify
 	@$(TESTENV) OVERROLL_VERIFY='$(abspath $(BUILD)/verify)' \
@@ -375,8 +381,8 @@ help: ## this list
 	@sed -n 's/^\([a-z]*\):[^#]*## \(.*\)/  \1\t\2/p' Makefile | expand -t 14
 
 FORCE:
-.PHONY: all tests check fuzz verify coverage demo paper bench format lint \
-  lint-format lint-tidy lint-cppcheck lint-shell need-lint need-cmocka \
+.PHONY: all tests check fuzz verify coverage demo pictures paper bench \
+  format lint lint-format lint-tidy lint-cppcheck lint-shell need-lint need-cmocka \
   install uninstall clean help FORCE
 .SECONDARY:
 .DELETE_ON_ERROR:
