@@ -23,6 +23,7 @@ static const struct {
 /* What the script is written with. */
 typedef struct pen {
     const ovr_chart *chart;
+    ovr_form form;
     ovr_text *to, *data;
     bool apart;         /* the data; else in the script */
     const char *digits; /* of the data */
@@ -110,16 +111,16 @@ static void put_source(pen *p, size_t table)
 
 /* ------------------------------------------------------------------ style */
 
-static void put_terminal(pen *p, ovr_form form)
+static void put_terminal(pen *p)
 {
     const ovr_chart *c = p->chart;
     double scale = c->width / 1280.0;
-    if (form == OVR_FORM_PNG)
+    if (p->form == OVR_FORM_PNG)
         ovr_text_print(p->to,
                        "set terminal pngcairo size %d,%d enhanced font "
                        "'Sans,%.4g' linewidth %.3g background '#ffffff'\n",
                        c->width, c->height, 13 * scale, scale);
-    else if (form == OVR_FORM_SVG)
+    else if (p->form == OVR_FORM_SVG)
         ovr_text_print(p->to,
                        "set terminal svg size %d,%d dynamic enhanced font "
                        "'Helvetica,Arial,sans-serif,%.4g' linewidth %.3g "
@@ -129,7 +130,7 @@ static void put_terminal(pen *p, ovr_form form)
         ovr_text_print(p->to,
                        "set terminal pdfcairo size %.4gin,%.4gin enhanced font "
                        "'Sans,%.4g' linewidth %.3g background '#ffffff'\n",
-                       c->width / 160.0, c->height / 160.0, 8 * scale,
+                       c->width / 160.0, c->height / 160.0, 9 * scale,
                        0.6 * scale);
 }
 
@@ -223,8 +224,9 @@ static void put_axes(pen *p, const ovr_panel *panel, size_t row, size_t column)
     bool first = !c->share_y || column == 0;
     put_range(p, 'x', panel->x_from, panel->x_to, panel->log_x);
     put_range(p, 'y', panel->y_from, panel->y_to, panel->log_y);
-    ovr_text_print(p->to, "set xlabel \"%s\" offset 0,0.3\n",
-                   low ? panel->x_label : "");
+    ovr_text_print(p->to, "set xlabel \"%s\" offset 0,%g\n",
+                   low ? panel->x_label : "",
+                   p->form == OVR_FORM_SVG ? 0.8 : 0.3);
     ovr_text_print(p->to, "set ylabel \"%s\" offset 0.6,0\n",
                    first ? panel->y_label : "");
     ovr_text_print(p->to, "set format x \"%s\"\nset format y \"%s\"\n",
@@ -317,7 +319,9 @@ static void put_tics(pen *p, const ovr_panel *panel, box b)
     double span = panel->x_to - panel->x_from;
     double wide = (b.right - b.left) * p->chart->width / p->em;
     double high = (b.top - b.bottom) * p->chart->height / p->em;
-    ovr_text_put(p->to, "set xtics autofreq\nset ytics autofreq\n");
+    ovr_text_print(p->to, "set xtics autofreq offset 0,%g\n",
+                   p->form == OVR_FORM_SVG ? 0.4 : 0.0);
+    ovr_text_put(p->to, "set ytics autofreq\n");
     if (span > 0 && !panel->log_x)
         ovr_text_print(p->to, "set xtics %.9g\n",
                        nice_step(span, fmin(wide / 3.6, 9)));
@@ -425,9 +429,10 @@ static void put_all_data(pen *p)
 
 void ovr_chart_script(const ovr_chart *chart, ovr_form form, ovr_text *script)
 {
-    pen p = {chart, script, script, false, "%.6g", 20.0 * chart->width / 1280,
-             0};
-    put_terminal(&p, form);
+    pen p = {
+        chart, form, script, script, false, "%.6g", 20.0 * chart->width / 1280,
+        0};
+    put_terminal(&p);
     put_style(&p);
     put_all_data(&p);
     put_chart(&p);
@@ -436,8 +441,10 @@ void ovr_chart_script(const ovr_chart *chart, ovr_form form, ovr_text *script)
 void ovr_chart_apart(const ovr_chart *chart, ovr_form form, ovr_text *script,
                      ovr_text *data)
 {
-    pen p = {chart, script, data, true, "%.17g", 20.0 * chart->width / 1280, 0};
-    put_terminal(&p, form);
+    pen p = {
+        chart, form, script, data, true, "%.17g", 20.0 * chart->width / 1280,
+        0};
+    put_terminal(&p);
     put_style(&p);
     put_all_data(&p);
     put_chart(&p);
