@@ -192,6 +192,21 @@ static int roff(void)
     return CLI_DONE;
 }
 
+/* The part of overroll.bash that is made from the tables. */
+static int bash(void)
+{
+    for (const cli_verb *const *verb = cli_verbs; *verb; verb++) {
+        const cli_option *option = (*verb)->options;
+        printf("    %s) echo '", (*verb)->name);
+        for (; option && option->name; option++) {
+            bool letter = option->name[1] == '\0' && option->name[0] >= 'a';
+            printf("%s%s ", letter ? "-" : "--", option->name);
+        }
+        puts("-q -v --json --help' ;;");
+    }
+    return CLI_DONE;
+}
+
 /* ------------------------------------------------------------------ topics */
 
 static int help_units(void)
@@ -238,6 +253,8 @@ static int run(cli_call *call)
     const char *topic = call->argument[0];
     if (cli_flag(call, "roff"))
         return roff();
+    if (cli_flag(call, "bash"))
+        return bash();
     if (call->arguments == 0)
         return list_topics();
     verb = cli_find_verb(topic);
@@ -251,7 +268,9 @@ static int run(cli_call *call)
 }
 
 static const cli_option options[] = {
-    {"roff", NULL, "the parameters as overroll-case(5) has them", false}, {0}};
+    {"roff", NULL, "the parameters as overroll-case(5) has them", false},
+    {"bash", NULL, "the options as bash's completion has them", false},
+    {0}};
 
 const cli_verb cli_help = {
     .name = "help",

@@ -10,6 +10,12 @@ sed -n '/^\.SH PARAMETERS/,/^\.SH SEE ALSO/p' \
 diff written out ||
     fail 'overroll-case.5 is not the table: run tools/update-manual'
 
+expect 0 "$OVERROLL" help --bash
+sed -n '/case $1 in/,/esac # options/p' "$TOP/src/cli/overroll.bash" |
+    sed '1d;$d' >written
+diff written out ||
+    fail 'overroll.bash is not the tables: run tools/update-manual'
+
 # Every command and option is in overroll(1)
 for option in set M L level scheme smoother force json help version; do
     grep -q -e "\\\\-\\\\-$option" "$TOP/src/cli/overroll.1" ||

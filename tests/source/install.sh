@@ -12,31 +12,19 @@ for_make() {
 }
 for_make install
 
-cat >user.c <<END
-#include <overroll/overroll.h>
-#include <stdio.h>
-
-int main(void)
-{
-    ovr_conditions given = ovr_conditions_unknown();
-    ovr_contact contact;
-    ovr_error err;
-    given.M = 20;
-    given.L = 10;
-    if (ovr_contact_resolve(&given, &contact, &err) != OVR_OK) {
-        fprintf(stderr, "%s\n", err.message);
-        return 1;
-    }
-    printf("%.4f\n", contact.alphabar);
-    return 0;
-}
-END
+# The example of overroll-library(3): 40 lines.
+man=$prefix/share/man
+sed -n '/^\.EX/,/^\.EE/p' "$man/man3/overroll-library.3" |
+    sed '1d; $d; s/\\-/-/g; s/\\e/\\/g' >user.c
+[ "$(wc -l <user.c)" -eq 40 ] || fail 'the example is not of 40 lines'
 export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
 flags=$(pkg-config --cflags --libs overroll) || fail "no overroll.pc"
 # shellcheck disable=SC2086 # lists of words
-expect 0 $CC user.c $flags -Wl,-rpath,"$prefix/lib" -o user
+expect 0 $CC -Wall -Wextra -Wpedantic -Werror user.c $flags -lm \
+    -Wl,-rpath,"$prefix/lib" -o user
 expect 0 ./user
-contains out '^17.841'
+contains out '^T = 0.00  H_min = 0.0732 at 0.96'
+contains out '^T = 3.44  H_min = 0.06.. at -0.51'
 readelf -d user >dynamic
 contains dynamic "NEEDED.*liboverroll.so.0"
 
@@ -45,8 +33,22 @@ flags=$(pkg-config --static --cflags --libs overroll)
 # shellcheck disable=SC2086
 expect 0 $CC user.c $flags -o user
 expect 0 ./user
-contains out '^17.841'
+contains out '^T = 3.44  H_min = 0.06.. at -0.51'
 expect 0 "$prefix/bin/overroll" --version
+
+# Manual pages are where man looks, and bash completes.
+for page in man1/overroll.1 man3/overroll-library.3 man5/overroll-case.5 \
+    man5/overroll-study.5 man5/overroll-result.5 man7/overroll-theory.7 \
+    man7/overroll-reading.7; do
+    [ -s "$man/$page" ] || fail "$page is not installed"
+done
+complete() {
+    bash -c '. "$0"; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1))
+        _overroll; echo "${COMPREPLY[@]}"' \
+        "$prefix/share/bash-completion/completions/overroll" "$@"
+}
+[ "$(complete overroll sw)" = sweep ] || fail 'sw is not completed to sweep'
+[ "$(complete overroll sweep --col)" = --collect ] || fail '--col'
 
 for_make uninstall
 find "$prefix" ! -type d >left
