@@ -131,14 +131,15 @@ $(BUILD)/%.o: %.c $(BUILD)/flags
 
 # The page of `overroll view` as an array: its style and its script go into
 # its text where they are named.
-PAGE := src/pictures/page
-$(BUILD)/$(PAGE).c: $(PAGE).html $(PAGE).css $(PAGE).js
+PAGE    := src/pictures/page
+PAGE_JS := $(PAGE)_data.js $(PAGE)_draw.js $(PAGE)_play.js
+$(BUILD)/$(PAGE).c: $(PAGE).html $(PAGE).css $(PAGE_JS)
 	$(call say,PAGE  $@)
 	@mkdir -p $(@D)
 	@{ echo '#include "pictures/page.h"' && \
 	  echo 'const char ovr_page_text[] = {' && \
 	  sed -e '/^@CSS@$$/{r $(PAGE).css' -e 'd' -e '}' \
-	    -e '/^@JS@$$/{r $(PAGE).js' -e 'd' -e '}' $(PAGE).html | \
+	    -e '/^@JS@$$/{' $(PAGE_JS:%=-e 'r %') -e 'd' -e '}' $(PAGE).html | \
 	  od -An -v -b | sed 's/ \([0-7][0-7]*\)/'"'\\\\\1',"'/g' && \
 	  echo '};' && \
 	  echo 'const size_t ovr_page_bytes = sizeof ovr_page_text;'; } > $@

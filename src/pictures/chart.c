@@ -9,7 +9,8 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
+
+#include "pictures/pen.h"
 
 static const struct {
     const char *line, *area;
@@ -19,133 +20,6 @@ static const struct {
     [OVR_GREEN] = {"#2a7f4f", "#d8eee1"}, [OVR_VIOLET] = {"#6b4ba1", "#e7e0f2"},
     [OVR_GREY] = {"#8a929a", "#e6e9ec"},
 };
-
-/* What the script is written with. */
-typedef struct pen {
-    const ovr_chart *chart;
-    ovr_form form;
-    ovr_text *to, *data;
-    bool apart;         /* the data; else in the script */
-    const char *digits; /* of the data */
-    double em;          /* letter height, fraction of the width 1280 */
-    size_t tables;
-} pen;
-
-ovr_status ovr_form_of(const char *path, ovr_form *form, ovr_error *err)
-{
-    static const char *const suffix[] = {".png", ".svg", ".pdf"};
-    size_t length = strlen(path);
-    for (int k = 0; k < 3; k++)
-        if (length > 4 && strcasecmp(path + length - 4, suffix[k]) == 0) {
-            *form = (ovr_form)k;
-            return OVR_OK;
-        }
-    return ovr_fail(err, OVR_BAD_INPUT,
-                    "%s: a picture's name ends in .png, .svg or .pdf", path);
-}
-
-/* ------------------------------------------------------------------- data */
-
-static double factor_of(double factor)
-{
-    return factor != 0 ? factor : 1;
-}
-
-/* Numbers that gnuplot reads as missing break a line. */
-static void put_value(pen *p, double value)
-{
-    if (isfinite(value))
-        ovr_text_print(p->data, p->digits, value);
-    else
-        ovr_text_put(p->data, "NaN");
-}
-
-static void put_series(pen *p, const ovr_series *s)
-{
-    for (size_t i = 0; i < s->n; i++) {
-        put_value(p, s->x[i] * factor_of(s->x_factor));
-        ovr_text_put(p->data, " ");
-        put_value(p, s->y[i] * factor_of(s->factor) + s->shift);
-        ovr_text_put(p->data, "\n");
-    }
-}
-
-static void put_image(pen *p, const ovr_image *image)
-{
-    for (size_t j = 0; j < image->ny; j++) {
-        for (size_t i = 0; i < image->nx; i++) {
-            put_value(p, image->values[j * image->nx + i]);
-            ovr_text_put(p->data, " ");
-        }
-        ovr_text_put(p->data, "\n");
-    }
-}
-
-static void put_panel_data(pen *p, const ovr_panel *panel)
-{
-    size_t tables = panel->count + (panel->image.values != NULL);
-    for (size_t k = 0; k < tables; k++) {
-        const char *label = k < panel->count ? panel->series[k].label : NULL;
-        if (p->apart)
-            ovr_text_print(p->data, "%s# %s: %s, %s\n", p->tables ? "\n\n" : "",
-                           label ? label : "-", panel->x_label, panel->y_label);
-        else
-            ovr_text_print(p->data, "$d%zu << EOD\n", p->tables);
-        if (k < panel->count)
-            put_series(p, &panel->series[k]);
-        else
-            put_image(p, &panel->image);
-        if (!p->apart)
-            ovr_text_put(p->data, "EOD\n");
-        p->tables++;
-    }
-}
-
-static void put_source(pen *p, size_t table)
-{
-    if (p->apart)
-        ovr_text_print(p->to, "data index %zu", table);
-    else
-        ovr_text_print(p->to, "$d%zu", table);
-}
-
-/* ------------------------------------------------------------------ style */
-
-static void put_terminal(pen *p)
-{
-    const ovr_chart *c = p->chart;
-    double scale = c->width / 1280.0;
-    if (p->form == OVR_FORM_PNG)
-        ovr_text_print(p->to,
-                       "set terminal pngcairo size %d,%d enhanced font "
-                       "'Sans,%.4g' linewidth %.3g background '#ffffff'\n",
-                       c->width, c->height, 13 * scale, scale);
-    else if (p->form == OVR_FORM_SVG)
-        ovr_text_print(p->to,
-                       "set terminal svg size %d,%d dynamic enhanced font "
-                       "'Helvetica,Arial,sans-serif,%.4g' linewidth %.3g "
-                       "background '#ffffff'\n",
-                       c->width, c->height, 17 * scale, scale);
-    else
-        ovr_text_print(p->to,
-                       "set terminal pdfcairo size %.4gin,%.4gin enhanced font "
-                       "'Sans,%.4g' linewidth %.3g background '#ffffff'\n",
-                       c->width / 160.0, c->height / 160.0, 9 * scale,
-                       0.6 * scale);
-}
-
-static void put_style(pen *p)
-{
-    ovr_text_put(p->to,
-                 "set encoding utf8\n"
-                 "set border 3 lw 1 lc rgb '#606870'\n"
-                 "set tics out nomirror scale 0.6 textcolor rgb '#303840'\n"
-                 "set grid xtics ytics lt 1 lw 0.6 lc rgb '#e4e8ec'\n"
-                 "unset key\n"
-                 "set minussign\n"
-                 "unset colorbox\n"
-                 "unset title\n");
-}
 
 /* ----------------------------------------------------------------- panels */
 
@@ -177,7 +51,7 @@ static bool has_legend(const ovr_chart *c)
     return false;
 }
 
-static box place(const pen *p, size_t row, size_t column)
+static box place(const ovr_pen *p, size_t row, size_t column)
 {
     const ovr_chart *c = p->chart;
     double em = p->em / c->width, em_y = p->em / c->height;
@@ -202,7 +76,7 @@ static box place(const pen *p, size_t row, size_t column)
     return b;
 }
 
-static void put_range(pen *p, char axis, double from, double to, bool log)
+static void put_range(ovr_pen *p, char axis, double from, double to, bool log)
 {
     ovr_text_print(p->to, "set %crange [", axis);
     if (!isnan(from))
@@ -217,7 +91,8 @@ static void put_range(pen *p, char axis, double from, double to, bool log)
     ovr_text_print(p->to, "]\n%s logscale %c\n", log ? "set" : "unset", axis);
 }
 
-static void put_axes(pen *p, const ovr_panel *panel, size_t row, size_t column)
+static void put_axes(ovr_pen *p, const ovr_panel *panel, size_t row,
+                     size_t column)
 {
     const ovr_chart *c = p->chart;
     bool low = !c->share_x || row + 1 == c->rows;
@@ -233,7 +108,7 @@ static void put_axes(pen *p, const ovr_panel *panel, size_t row, size_t column)
                    low ? "%g" : "", first ? "%g" : "");
 }
 
-static void put_label(pen *p, const char *text, const char *where)
+static void put_label(ovr_pen *p, const char *text, const char *where)
 {
     if (!text || !*text)
         return;
@@ -254,16 +129,16 @@ static double width_of(const ovr_series *s)
     return s->width > 0 ? s->width : 2;
 }
 
-static void put_curve(pen *p, const ovr_series *s, size_t table)
+static void put_curve(ovr_pen *p, const ovr_series *s, size_t table)
 {
     if (s->mark == OVR_MARK_AREA) {
-        put_source(p, table);
+        ovr_pen_source(p, table);
         ovr_text_print(p->to,
                        " using 1:2 with filledcurves y=%.9g fillstyle solid "
                        "fillcolor rgb '%s', \\\n  ",
                        s->base, colours[s->colour].area);
     }
-    put_source(p, table);
+    ovr_pen_source(p, table);
     if (s->mark == OVR_MARK_POINTS)
         ovr_text_print(p->to, " using 1:2 with points pt 7 ps %.3g",
                        width_of(s) / 3);
@@ -273,7 +148,7 @@ static void put_curve(pen *p, const ovr_series *s, size_t table)
     ovr_text_print(p->to, " lc rgb '%s'", colours[s->colour].line);
 }
 
-static void put_colour_map(pen *p, const ovr_panel *panel, size_t table,
+static void put_colour_map(ovr_pen *p, const ovr_panel *panel, size_t table,
                            box where)
 {
     const ovr_image *m = &panel->image;
@@ -288,13 +163,14 @@ static void put_colour_map(pen *p, const ovr_panel *panel, size_t table,
                    m->from, m->to, m->label,
                    where.right + 1.0 * p->em / p->chart->width, where.bottom,
                    1.2 * p->em / p->chart->width, where.top - where.bottom);
-    put_source(p, table);
+    ovr_pen_source(p, table);
     ovr_text_print(p->to,
                    " matrix using (%.9g+%.9g*$1):(%.9g+%.9g*$2):3 with image",
                    panel->x_from + dx / 2, dx, panel->y_from + dy / 2, dy);
 }
 
-static void put_curves(pen *p, const ovr_panel *panel, size_t table, bool image)
+static void put_curves(ovr_pen *p, const ovr_panel *panel, size_t table,
+                       bool image)
 {
     if (!image && panel->count)
         ovr_text_put(p->to, "plot ");
@@ -314,7 +190,7 @@ static double nice_step(double span, double most)
     return power * (digit <= 1 ? 1 : digit <= 2 ? 2 : digit <= 5 ? 5 : 10);
 }
 
-static void put_tics(pen *p, const ovr_panel *panel, box b)
+static void put_tics(ovr_pen *p, const ovr_panel *panel, box b)
 {
     double span = panel->x_to - panel->x_from;
     double wide = (b.right - b.left) * p->chart->width / p->em;
@@ -350,7 +226,7 @@ static double letters(const char *text)
 
 /* gnuplot's own legend is no wider than its panel; this one is as wide as the
  * picture. */
-static void put_legend(pen *p, const ovr_panel *panel, box b)
+static void put_legend(ovr_pen *p, const ovr_panel *panel, box b)
 {
     double em = p->em / p->chart->width, x = b.left + 0.3 * em;
     double y = b.top + 0.75 * p->em / p->chart->height;
@@ -370,7 +246,7 @@ static void put_legend(pen *p, const ovr_panel *panel, box b)
     }
 }
 
-static void put_head(pen *p, box b)
+static void put_head(ovr_pen *p, box b)
 {
     const ovr_chart *c = p->chart;
     double y = 1 - 1.0 * p->em / c->height;
@@ -382,7 +258,7 @@ static void put_head(pen *p, box b)
     put_label(p, c->subtitle, at);
 }
 
-static void put_panel(pen *p, size_t row, size_t column, size_t table)
+static void put_panel(ovr_pen *p, size_t row, size_t column, size_t table)
 {
     const ovr_panel *panel = &p->chart->panel[row * p->chart->columns + column];
     box b = place(p, row, column);
@@ -407,7 +283,7 @@ static void put_panel(pen *p, size_t row, size_t column, size_t table)
 
 /* ----------------------------------------------------------------- charts */
 
-static void put_chart(pen *p)
+static void put_chart(ovr_pen *p)
 {
     const ovr_chart *c = p->chart;
     size_t table = 0;
@@ -421,19 +297,18 @@ static void put_chart(pen *p)
     ovr_text_put(p->to, "unset multiplot\n");
 }
 
-static void put_all_data(pen *p)
+static void put_all_data(ovr_pen *p)
 {
     for (size_t k = 0; k < p->chart->rows * p->chart->columns; k++)
-        put_panel_data(p, &p->chart->panel[k]);
+        ovr_pen_data(p, &p->chart->panel[k]);
 }
 
 void ovr_chart_script(const ovr_chart *chart, ovr_form form, ovr_text *script)
 {
-    pen p = {
+    ovr_pen p = {
         chart, form, script, script, false, "%.6g", 20.0 * chart->width / 1280,
         0};
-    put_terminal(&p);
-    put_style(&p);
+    ovr_pen_begin(&p);
     put_all_data(&p);
     put_chart(&p);
 }
@@ -441,11 +316,10 @@ void ovr_chart_script(const ovr_chart *chart, ovr_form form, ovr_text *script)
 void ovr_chart_apart(const ovr_chart *chart, ovr_form form, ovr_text *script,
                      ovr_text *data)
 {
-    pen p = {
+    ovr_pen p = {
         chart, form, script, data, true, "%.17g", 20.0 * chart->width / 1280,
         0};
-    put_terminal(&p);
-    put_style(&p);
+    ovr_pen_begin(&p);
     put_all_data(&p);
     put_chart(&p);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Fields made small for a page, to be undone by page.js:
+ * Fields made small for a page, to be undone by page_data.js:
  *
  * 1. Values become levels 0..OVR_LEVELS-1: evenly spaced, or, with a bend,
  *    value = bend sinh(level step), which is even relative to the value where

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The page that plays a run, made when building from page.html, page.css and
- * page.js; @TITLE@ and @DATA@ in it are to be replaced. */
+ * page_*.js; @TITLE@ and @DATA@ in it are to be replaced. */
 #ifndef OVR_PICTURES_PAGE_H
 #define OVR_PICTURES_PAGE_H
 
