@@ -303,11 +303,16 @@ static void put_all_data(ovr_pen *p)
         ovr_pen_data(p, &p->chart->panel[k]);
 }
 
+/* Letters grow with the picture, and stay readable in a small one. */
+static double letter_height(const ovr_chart *chart)
+{
+    return 20 * fmax(chart->width / 1280.0, 0.62);
+}
+
 void ovr_chart_script(const ovr_chart *chart, ovr_form form, ovr_text *script)
 {
     ovr_pen p = {
-        chart, form, script, script, false, "%.6g", 20.0 * chart->width / 1280,
-        0};
+        chart, form, script, script, false, "%.6g", letter_height(chart), 0};
     ovr_pen_begin(&p);
     put_all_data(&p);
     put_chart(&p);
@@ -316,9 +321,8 @@ void ovr_chart_script(const ovr_chart *chart, ovr_form form, ovr_text *script)
 void ovr_chart_apart(const ovr_chart *chart, ovr_form form, ovr_text *script,
                      ovr_text *data)
 {
-    ovr_pen p = {
-        chart, form, script, data, true, "%.17g", 20.0 * chart->width / 1280,
-        0};
+    ovr_pen p = {chart, form, script, data, true, "%.17g", letter_height(chart),
+                 0};
     ovr_pen_begin(&p);
     put_all_data(&p);
     put_chart(&p);

@@ -88,7 +88,7 @@ void ovr_pen_source(ovr_pen *p, size_t table)
 static void put_terminal(ovr_pen *p)
 {
     const ovr_chart *c = p->chart;
-    double scale = c->width / 1280.0;
+    double scale = p->em / 20;
     if (p->form == OVR_FORM_PNG)
         ovr_text_print(p->to,
                        "set terminal pngcairo size %d,%d enhanced font "
