@@ -140,7 +140,8 @@ int cli_march(const cli_call *call, const cli_job *job)
     if (!status && job->c && cli_flag(call, "estimate-error"))
         status = cli_estimate_error(job->c, job->sim, !transient,
                                     &summary.error, &err);
-    if (!status || status == OVR_STOPPED || status == OVR_NOT_CONVERGED) {
+    if (!status || status == OVR_STOPPED || status == OVR_NOT_CONVERGED ||
+        status == OVR_IMPOSSIBLE) {
         cli_warn_after(call, &summary);
         cli_report(call, &summary);
     }

@@ -32,7 +32,7 @@ static int solve(const cli_call *call, const ovr_case *c, ovr_setup *setup,
     summary.seconds = cli_seconds() - begun;
     summary.converged = status == OVR_OK &&
                         ovr_simulation_observation(sim)->converged;
-    if (status && status != OVR_NOT_CONVERGED)
+    if (status && status != OVR_NOT_CONVERGED && status != OVR_IMPOSSIBLE)
         return cli_fail(&err);
     if (!status && cli_flag(call, "estimate-error") &&
         cli_estimate_error(c, sim, true, &summary.error, &err))

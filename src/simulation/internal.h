@@ -96,6 +96,29 @@ typedef struct ovr_outcome {
 
 bool ovr_below(ovr_defect d, double tolerance);
 
+/* The film formula at a fraction of the load of the start; the length over
+ * which the pressure builds up before the contact. */
+double ovr_film_expected(const ovr_simulation *sim, double fraction);
+double ovr_inlet_rise(const ovr_simulation *sim);
+
+/* The mesh is too coarse for the film for any way of solving. */
+bool ovr_hopeless(const ovr_simulation *sim);
+
+/* H > 0 at every node. */
+bool ovr_surfaces_apart(const ovr_level *level);
+
+/* How often a step is halved. */
+enum { OVR_HALVINGS = 4 };
+
+/* Says why a solve, or the step to T, gave up, and returns the status; the
+ * finest level still has what the last attempt left. */
+ovr_status ovr_complain_steady(const ovr_simulation *sim,
+                               const ovr_outcome *outcome, double tolerance,
+                               ovr_error *err);
+ovr_status ovr_complain_step(const ovr_simulation *sim,
+                             const ovr_outcome *outcome, double T,
+                             ovr_error *err);
+
 /* The history term F of the finest grid and the operator for a step of dT to
  * T + dT (time_derivative.c). */
 void ovr_time_derivative(ovr_simulation *sim, double dT);

@@ -21,8 +21,6 @@ static const double half_pi = 1.57079632679489661923;
  * recover from less. */
 static const double acceptable = 1e-2;
 
-enum { HALVINGS = 4 };
-
 /* How hard an attempt tries. */
 typedef struct attempt {
     bool extrapolate;
@@ -123,7 +121,7 @@ static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
     for (int cycle = 0;; cycle++) {
         outcome->defect = ovr_cycle_defect(&sim->grids, sim->finest);
         if (cycle && ovr_below(outcome->defect, tolerance))
-            return true;
+            return ovr_surfaces_apart(sim->finest);
         if (cycle == how->most_cycles || !(outcome->defect.imbalance < 1e6))
             return false;
         ovr_cycle(&sim->grids, sim->finest);
@@ -199,14 +197,15 @@ static bool advance(ovr_simulation *sim, double dT, int halvings,
             return true;
         }
     }
-    if (halvings < HALVINGS) {
+    if (halvings < OVR_HALVINGS) {
         sim->statistics.substeps++;
         if (!advance(sim, dT / 2, halvings + 1, outcome))
             return false;
         return advance(sim, dT / 2, halvings + 1, outcome);
     }
     outcome->marked = true;
-    if (!(outcome->defect.imbalance < acceptable))
+    if (!ovr_below(outcome->defect, acceptable) ||
+        !ovr_surfaces_apart(sim->finest))
         return false;
     end_step(sim, dT);
     return true;
@@ -270,12 +269,9 @@ ovr_status ovr_simulation_attempt(ovr_simulation *sim, double next, bool *taken,
         return OVR_OK;
     }
     if (!*taken) {
-        double R = outcome.defect.imbalance;
+        status = ovr_complain_step(sim, &outcome, next, err);
         ovr_simulation_return(sim);
-        return ovr_fail(err, OVR_NOT_CONVERGED,
-                        "step %ld to T = %g did not converge, nor did %d "
-                        "halvings of it: relative mass-flow imbalance %.1e",
-                        sim->state.step + 1, sim->state.T + dT, HALVINGS, R);
+        return status;
     }
     outcome.converged = !outcome.marked;
     note_change(sim);

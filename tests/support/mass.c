@@ -201,6 +201,7 @@ static void add(test_statistics *s, const test_ending *end)
     s->converged += !end->err.status;
     s->retried += !end->err.status && end->retries > 0;
     s->gave_up += end->err.status != OVR_OK;
+    s->impossible += end->err.status == OVR_IMPOSSIBLE;
     s->unnamed += end->err.status && !named(&end->err);
     s->not_numbers += !end->number;
     s->steps += end->steps;
@@ -226,10 +227,11 @@ test_statistics test_mass(const char *name, test_ending (*run)(uint64_t seed),
                    end.err.status ? end.err.message : "");
     }
     printf("%s: %ld cases, %ld converged (%ld after retries), %ld gave up "
-           "(%ld unnamed), %ld with NaN; %ld steps, %ld marked (%ld in one), "
+           "(%ld impossible, %ld unnamed), %ld with NaN; %ld steps, %ld marked "
+           "(%ld in one), "
            "%ld cycles; %.1f s, slowest %.2f s\n",
-           name, s.cases, s.converged, s.retried, s.gave_up, s.unnamed,
-           s.not_numbers, s.steps, s.marked, s.worst_marked, s.cycles,
-           s.seconds, s.slowest);
+           name, s.cases, s.converged, s.retried, s.gave_up, s.impossible,
+           s.unnamed, s.not_numbers, s.steps, s.marked, s.worst_marked,
+           s.cycles, s.seconds, s.slowest);
     return s;
 }

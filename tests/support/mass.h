@@ -31,7 +31,7 @@ test_ending test_transient_case(uint64_t seed);
 
 /* How many of `count` cases ended in which way. */
 typedef struct test_statistics {
-    long cases, converged, retried, gave_up, unnamed, not_numbers;
+    long cases, converged, retried, gave_up, impossible, unnamed, not_numbers;
     long steps, marked, worst_marked; /* marked in all; most in one case */
     long cycles;
     double seconds, slowest;

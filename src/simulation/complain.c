@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Why a solve gave up, in words: what of the physics or the mesh stands in
+ * the way when that can be told, else how far from solved it ended.
+ *
+ * The pressure builds up within about H^(2/3) before the contact.  A mesh
+ * wider than 0.3 of that length follows the build-up badly; one wider than
+ * 0.7 of it has no solution with a film at all, or one that is far off
+ * (measured on 2,000 random contacts).
+ */
+#include <math.h>
+
+#include "simulation/internal.h"
+
+static const double resolved = 0.3, hopeless = 0.7;
+
+double ovr_inlet_rise(const ovr_simulation *sim)
+{
+    return pow(ovr_film_expected(sim, 1), 2. / 3);
+}
+
+bool ovr_hopeless(const ovr_simulation *sim)
+{
+    return sim->finest->D > hopeless * ovr_inlet_rise(sim);
+}
+
+static size_t thinnest(const ovr_level *level)
+{
+    const double *H = level->f.H;
+    size_t low = 0;
+    for (size_t i = 1; i < level->n; i++)
+        if (!(H[i] >= H[low]))
+            low = i;
+    return low;
+}
+
+bool ovr_surfaces_apart(const ovr_level *level)
+{
+    return level->f.H[thinnest(level)] > 0;
+}
+
+static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
+{
+    double rise = ovr_inlet_rise(sim), D = sim->finest->D;
+    int more = (int)ceil(log2(D / (resolved * rise)));
+    return ovr_fail(err, OVR_IMPOSSIBLE,
+                    "the film is too thin for the mesh: H = %.1e by the film "
+                    "formula, so that the pressure builds up within %.1e of b, "
+                    "on a mesh of %.1e; level %d resolves it",
+                    ovr_film_expected(sim, 1), rise, D,
+                    sim->finest->number + more);
+}
+
+static ovr_status touching(const ovr_simulation *sim, double T, ovr_error *err)
+{
+    size_t low = thinnest(sim->finest);
+    return ovr_fail(err, OVR_IMPOSSIBLE,
+                    "the surfaces touch at T = %g: film H = %.1e at X = %.3f "
+                    "(surface there %.1e high); contact of the surfaces is "
+                    "not modelled%s",
+                    T, sim->finest->f.H[low], sim->X[low], sim->S[low],
+                    sim->heights ? "; lower features or a finer level may help"
+                                 : "; a finer level may help");
+}
+
+static ovr_status too_few_cycles(const ovr_simulation *sim, ovr_error *err)
+{
+    const ovr_refinement *last = &sim->refinement[sim->refinements - 1];
+    return ovr_fail(err, OVR_NOT_CONVERGED,
+                    "%d cycles per refinement did not reach the "
+                    "discretization error: algebraic error %.1e, "
+                    "difference from the next coarser level %.1e",
+                    sim->options.cycles, last->algebraic, last->difference);
+}
+
+ovr_status ovr_complain_steady(const ovr_simulation *sim,
+                               const ovr_outcome *outcome, double tolerance,
+                               ovr_error *err)
+{
+    bool fixed = sim->options.stop == OVR_STOP_FIXED;
+    if (fixed && sim->refinements > 0 && ovr_surfaces_apart(sim->finest))
+        return too_few_cycles(sim, err);
+    if (sim->finest->D > resolved * ovr_inlet_rise(sim))
+        return too_thin(sim, err);
+    if (!ovr_surfaces_apart(sim->finest))
+        return touching(sim, 0, err);
+    return ovr_fail(err, OVR_NOT_CONVERGED,
+                    "the steady solution did not converge in any of %d ways: "
+                    "relative mass-flow imbalance %.1e (wanted %.1e), load off "
+                    "by %.1e after %d cycles",
+                    outcome->retries + 1, outcome->defect.imbalance, tolerance,
+                    outcome->defect.load, outcome->cycles);
+}
+
+ovr_status ovr_complain_step(const ovr_simulation *sim,
+                             const ovr_outcome *outcome, double T,
+                             ovr_error *err)
+{
+    if (!ovr_surfaces_apart(sim->finest))
+        return touching(sim, T, err);
+    return ovr_fail(err, OVR_NOT_CONVERGED,
+                    "step %ld to T = %g did not converge, nor did parts of it "
+                    "down to the mesh/%d: relative mass-flow imbalance %.1e",
+                    sim->state.step + 1, T, 1 << OVR_HALVINGS,
+                    outcome->defect.imbalance);
+}

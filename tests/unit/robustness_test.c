@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Solves that cannot succeed: never taken for solved, and named. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "support/contact.h"
+#include "support/mass.h"
+#include "support/test.h"
+
+static ovr_status steady(double M, double L, int level, int coarsest,
+                         ovr_error *err)
+{
+    ovr_options o = ovr_options_default();
+    o.level = level;
+    o.coarsest_level = coarsest;
+    ovr_simulation *sim = test_simulation(M, L, &o);
+    ovr_status status = ovr_simulation_steady(sim, err);
+    const ovr_observation *seen = ovr_simulation_observation(sim);
+    assert_int_equal(seen->converged, status == OVR_OK);
+    if (!status)
+        assert_true(seen->H_min > 0 && seen->residual >= 0);
+    ovr_simulation_free(sim);
+    return status;
+}
+
+/* The level that the message names is enough. */
+static void thin_films_name_a_level(void **state)
+{
+    static const double contacts[][2] = {{900, 5}, {650, 0.3}};
+    (void)state;
+    for (size_t k = 0; k < 2; k++) {
+        ovr_error err = {OVR_OK, ""};
+        double M = contacts[k][0], L = contacts[k][1];
+        CHECK_STATUS(steady(M, L, 6, 0, &err), OVR_IMPOSSIBLE, &err);
+        CHECK_ERROR(&err, OVR_IMPOSSIBLE, "too thin for the mesh");
+        const char *level = strstr(err.message, "; level ");
+        assert_non_null(level);
+        CHECK_OK(steady(M, L, atoi(level + 8), 0, &err), &err);
+    }
+}
+
+/* The discrete equations have solutions with a negative film; a residual that
+ * adds up to less than nothing once passed for converged. */
+static void negative_film_is_no_solution(void **state)
+{
+    ovr_error err = {OVR_OK, ""};
+    (void)state;
+    CHECK_STATUS(steady(937, 1.76, 6, 6, &err), OVR_IMPOSSIBLE, &err);
+}
+
+static void wall(void *data, double T, size_t n, const double *X, double *S)
+{
+    (void)data;
+    for (size_t i = 0; i < n; i++)
+        S[i] = T * 40 * exp(-100 * X[i] * X[i]);
+}
+
+/* A wall grows through the film: whatever happens, no NaN, and the state of
+ * before the step. */
+static void what_cannot_be_is_taken_back(void **state)
+{
+    ovr_error err = {OVR_OK, ""};
+    ovr_options o = ovr_options_default();
+    ovr_march march = {.end = 4};
+    (void)state;
+    o.level = 5;
+    ovr_simulation *sim = test_simulation(20, 10, &o);
+    ovr_simulation_surface(sim, wall, NULL);
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    ovr_status status = ovr_simulation_march(sim, &march, &err);
+    const ovr_state *s = ovr_simulation_state(sim);
+    assert_true(status == OVR_IMPOSSIBLE || status == OVR_NOT_CONVERGED);
+    assert_true(strstr(err.message, " T = ") != NULL);
+    for (size_t i = 0; i < s->n; i++)
+        assert_true(isfinite(s->P[i]) && s->H[i] > 0);
+    assert_true(s->T < 4);
+    ovr_simulation_free(sim);
+}
+
+/* A small sample of make verify's mass test. */
+static void random_cases(void **state)
+{
+    (void)state;
+    test_statistics s = test_mass("steady", test_steady_case, 1, 40);
+    assert_int_equal(s.unnamed + s.not_numbers, 0);
+    s = test_mass("transient", test_transient_case, 1, 2);
+    assert_int_equal(s.gave_up + s.not_numbers, 0);
+    assert_true(s.worst_marked <= 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(thin_films_name_a_level),
+        cmocka_unit_test(negative_film_is_no_solution),
+        cmocka_unit_test(what_cannot_be_is_taken_back),
+        cmocka_unit_test(random_cases)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

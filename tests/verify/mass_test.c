@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * 2,000 random steady contacts and 200 random runs.  What gives up does so
+ * with a reason: in steady cases only films too thin for the level (levels 6
+ * to 8), in runs never; at most one step of a run is marked.
+ *
+ *     MASS_FIRST=1001 MASS_COUNT=50 make tests/verify/mass_test.run
+ */
+#include <stdlib.h>
+
+#include "support/mass.h"
+#include "support/test.h"
+
+static long setting(const char *name, long otherwise)
+{
+    const char *text = getenv(name);
+    return text ? strtol(text, NULL, 10) : otherwise;
+}
+
+static void steady(void **state)
+{
+    long count = setting("MASS_COUNT", 2000);
+    test_statistics s = test_mass("steady", test_steady_case,
+                                  (uint64_t)setting("MASS_FIRST", 1), count);
+    (void)state;
+    assert_int_equal(s.cases, count);
+    assert_int_equal(s.unnamed + s.not_numbers, 0);
+    assert_int_equal(s.gave_up, s.impossible);
+    assert_true(s.gave_up <= 0.04 * (double)count + 1);
+}
+
+static void transient(void **state)
+{
+    long count = setting("MASS_COUNT", 200);
+    test_statistics s = test_mass("transient", test_transient_case,
+                                  (uint64_t)setting("MASS_FIRST", 1), count);
+    (void)state;
+    assert_int_equal(s.cases, count);
+    assert_int_equal(s.gave_up + s.not_numbers, 0);
+    assert_true(s.worst_marked <= 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(steady),
+                                       cmocka_unit_test(transient)};
+    setvbuf(stdout, NULL, _IOLBF, 0);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
