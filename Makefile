@@ -294,7 +294,7 @@ bench: $(BENCHBIN) $(PROGRAM) ## how fast it is, on this machine
 # ------------------------------------------------------------- static checks
 
 CALL  := $(wildcard src/*/*.[ch] include/overroll/*.h tests/*/*.[ch])
-SHALL := $(shell grep -lE '^\#!/bin/(ba)?sh' tools/* tests/*/* .ci/* 2>/dev/null)
+SHALL := $(shell grep -lE '^\#!/bin/(ba)?sh' tools/* tools/examples/* tests/*/* .ci/* 2>/dev/null)
 
 format: ## lay out the sources with clang-format
 	@clang-format -i $(CALL)

@@ -85,16 +85,6 @@ static const char *unit_of(const char *name)
     return "1";
 }
 
-/* The summaries repeat some keys of the study (M, L): those give way. */
-static bool is_taken(const sweep_table *t, const char *name)
-{
-    for (size_t k = 0; k < t->keys; k++)
-        if (!strcmp(t->values[k].key->shown, name))
-            return true;
-    return !strcmp(name, "case") || !strcmp(name, "name") ||
-           !strcmp(name, "status");
-}
-
 static bool put_values(const netcdf *n, const char **texts)
 {
     const sweep_table *t = n->t;
@@ -122,9 +112,8 @@ static bool put_all(netcdf *n)
     good = good && put_texts(n, "status", "how the case stands", texts) &&
            put_values(n, texts);
     for (size_t k = 0; good && k < t->columns; k++)
-        if (!is_taken(t, t->column[k].name))
-            good = put_numbers(n, t->column[k].name, unit_of(t->column[k].name),
-                               t->column[k].name, t->column[k].value);
+        good = put_numbers(n, t->column[k].name, unit_of(t->column[k].name),
+                           t->column[k].name, t->column[k].value);
     free(texts);
     return good && ovr_h5_set_chars(n->file, "Conventions", "CF-1.8") &&
            ovr_h5_set_chars(n->file, "title", t->s->path) &&

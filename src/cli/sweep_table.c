@@ -74,12 +74,24 @@ static void read_summary(sweep_table *t, size_t task, ovr_error *err)
         fclose(from);
 }
 
+/* The summaries repeat some keys of the study (M, L): those give way. */
+static bool is_taken(const sweep_table *t, const char *name)
+{
+    for (size_t k = 0; k < t->keys; k++)
+        if (!strcmp(t->values[k].key->shown, name))
+            return true;
+    return !strcmp(name, "case") || !strcmp(name, "name") ||
+           !strcmp(name, "status");
+}
+
 /* A key that no case has a number for (a text) makes no column. */
-static void drop_empty(sweep_table *t)
+static void drop_columns(sweep_table *t)
 {
     size_t kept = 0;
     for (size_t k = 0; k < t->columns; k++) {
         bool any = false;
+        if (is_taken(t, t->column[k].name))
+            continue;
         for (size_t i = 0; i < t->s->tasks && !any; i++)
             any = !isnan(t->column[k].value[i]);
         if (any)
@@ -160,7 +172,7 @@ ovr_status sweep_gather(const study *s, sweep_table *t, ovr_error *err)
         if (t->state[i] == SWEEP_FINISHED)
             read_summary(t, i, err);
     }
-    drop_empty(t);
+    drop_columns(t);
     return OVR_OK;
 }
 

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# shellcheck shell=sh
+# For the examples: builds the program if need be; sets $overroll, $name, and
+# the folder $out; pictures have one look.
+set -eu
+cd "$(dirname "$0")/../.."
+name=$(basename "$0")
+out=${EXAMPLES:-build/examples}
+overroll=${OVERROLL:-build/overroll}
+[ -x "$overroll" ] || make -s -j"$(nproc 2>/dev/null || echo 2)" "$overroll"
+mkdir -p "$out"
+
+# Runs the study of this name and gathers its table.
+run_study() {
+    "$overroll" sweep "tools/examples/$name.ini" -o "$out/$name"
+    "$overroll" sweep "tools/examples/$name.ini" -o "$out/$name" \
+        --collect "$out/$name.csv" -q
+}
+
+# column NAME: its number in the table of the study.
+column() {
+    head -n 1 "$out/$name.csv" | tr ',' '\n' | grep -nx "$1" | cut -d: -f1
+}
+
+# picture WxH: gnuplot commands on standard input, the look before them.
+picture() {
+    {
+        cat <<END
+set terminal pngcairo size ${1%x*},${1#*x} font 'sans,13' linewidth 1.6
+set output '$out/$name.png'
+set datafile separator ','
+set linetype 1 linecolor rgb '#0b5fa5'
+set linetype 2 linecolor rgb '#c8501e'
+set linetype 3 linecolor rgb '#2f8f4e'
+set linetype 4 linecolor rgb '#7a4fa3'
+set linetype 5 linecolor rgb '#a8860b'
+set linetype 6 linecolor rgb '#444444'
+set grid linecolor rgb '#dddddd' linetype 1 linewidth 0.6
+set border linecolor rgb '#666666' linewidth 0.8
+set tics nomirror
+set key noautotitle samplen 2
+END
+        cat
+    } | gnuplot
+    echo "$out/$name.png"
+}
