@@ -35,10 +35,10 @@ void ovr_fas_restrict(ovr_hierarchy *grids, const ovr_level *fine,
     memcpy(coarse->P_entry, coarse->f.P, nc * sizeof(double));
     run->deformation(&coarse->mlmi, coarse->f.P, coarse->w);
     for (size_t I = 0; I < nc; I++) {
-        coarse->f.H[I] = fine->f.H[2 * I];
-        coarse->gap[I] = coarse->f.H[I] - H0 + coarse->w[I];
+        double H = fine->f.H[2 * I];
+        coarse->gap[I] = H - H0 + coarse->w[I];
     }
-    run->properties(&grids->fluid, nc, &coarse->f);
+    run->film(&grids->fluid, H0, nc, coarse->gap, coarse->w, &coarse->f);
     memset(coarse->f.F, 0, nc * sizeof(double));
     ovr_level_residual(grids, coarse); /* r = -N_c */
     for (size_t I = 0; I < nc; I++)

@@ -86,12 +86,10 @@ void ovr_hierarchy_operator(ovr_hierarchy *grids, const ovr_operator *op)
 
 void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level)
 {
-    double *restrict H = level->f.H;
-    const double *restrict gap = level->gap, *restrict w = level->w;
-    grids->kernels->deformation(&level->mlmi, level->f.P, level->w);
-    for (size_t i = 0; i < level->n; i++)
-        H[i] = grids->H0 + gap[i] - w[i];
-    grids->kernels->properties(&grids->fluid, level->n, &level->f);
+    const ovr_kernels *run = grids->kernels;
+    run->deformation(&level->mlmi, level->f.P, level->w);
+    run->film(&grids->fluid, grids->H0, level->n, level->gap, level->w,
+              &level->f);
 }
 
 void ovr_level_residual(const ovr_hierarchy *grids, ovr_level *level)

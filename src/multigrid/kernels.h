@@ -54,7 +54,8 @@ typedef struct ovr_band {
 typedef struct ovr_kernels {
     const char *name;
 
-    void (*properties)(const ovr_fluid *fluid, size_t n, const ovr_fields *f);
+    void (*film)(const ovr_fluid *fluid, double H0, size_t n, const double *gap,
+                 const double *w, const ovr_fields *f);
     void (*residual)(size_t n, const ovr_weights *w, const ovr_fields *f);
     double (*imbalance)(size_t n, const ovr_weights *w, const ovr_fields *f);
     void (*deformation)(const struct ovr_mlmi *plan, const double *P,

@@ -5,7 +5,8 @@
 #define TEXT(x) #x
 #define NAME(x) TEXT(x)
 
-void OVR_KERNEL(properties)(const ovr_fluid *, size_t, const ovr_fields *);
+void OVR_KERNEL(film)(const ovr_fluid *, double, size_t, const double *,
+                      const double *, const ovr_fields *);
 void OVR_KERNEL(residual)(size_t, const ovr_weights *, const ovr_fields *);
 double OVR_KERNEL(imbalance)(size_t, const ovr_weights *, const ovr_fields *);
 void OVR_KERNEL(deformation)(const struct ovr_mlmi *, const double *, double *);
@@ -18,7 +19,7 @@ void OVR_KERNEL(distribute)(size_t, double, const ovr_band *, double *);
 extern const ovr_kernels OVR_KERNEL(kernels);
 const ovr_kernels OVR_KERNEL(kernels) = {
     .name = NAME(OVR_ISA),
-    .properties = OVR_KERNEL(properties),
+    .film = OVR_KERNEL(film),
     .residual = OVR_KERNEL(residual),
     .imbalance = OVR_KERNEL(imbalance),
     .deformation = OVR_KERNEL(deformation),

@@ -2,9 +2,10 @@
 /*
  * Vectors as wide as the instruction set a kernel file is compiled for.
  *
- * GCC's vector extension (gcc and clang, any machine).  Every operation is
- * elementwise and none is fused, so all instruction sets give the same bits.
- * Arrays come from ovr_field (level.h): aligned, with room for one vector
+ * GCC's vector extension (gcc and clang, any machine).  Operations are
+ * elementwise and fused only where fused() says so, on the machines that can:
+ * one machine always gives the same bits, instruction sets agree to rounding.
+ * Arrays come from ovr_field (field.h): aligned, with room for some vectors
  * before the first and after the last element.
  */
 #ifndef OVR_MULTIGRID_VECTOR_H
@@ -12,6 +13,9 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#ifdef __x86_64__
+#include <immintrin.h>
+#endif
 
 #if defined(__AVX512F__)
 #define VEC 8
@@ -23,6 +27,7 @@
 
 typedef double vec __attribute__((vector_size(VEC * 8)));
 typedef int64_t ivec __attribute__((vector_size(VEC * 8)));
+typedef uint64_t uvec __attribute__((vector_size(VEC * 8)));
 typedef double loose_vec
     __attribute__((vector_size(VEC * 8), aligned(8), may_alias));
 
@@ -47,59 +52,97 @@ static inline vec choose(ivec mask, vec a, vec b)
     return (vec)((mask & (ivec)a) | (~mask & (ivec)b));
 }
 
+/* a b + c, in one rounding where the machine has an instruction for it */
+static inline vec fused(vec a, vec b, vec c)
+{
+#if defined(__AVX512F__)
+    return (vec)_mm512_fmadd_pd((__m512d)a, (__m512d)b, (__m512d)c);
+#elif defined(__FMA__)
+    return (vec)_mm256_fmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
+#else
+    return a * b + c;
+#endif
+}
+
+/* b where either is not a number */
 static inline vec larger(vec a, vec b)
 {
+#if defined(__AVX512F__)
+    return (vec)_mm512_max_pd((__m512d)a, (__m512d)b);
+#elif defined(__AVX__)
+    return (vec)_mm256_max_pd((__m256d)a, (__m256d)b);
+#else
     return choose(a > b, a, b);
+#endif
 }
 
 static inline vec smaller(vec a, vec b)
 {
+#if defined(__AVX512F__)
+    return (vec)_mm512_min_pd((__m512d)a, (__m512d)b);
+#elif defined(__AVX__)
+    return (vec)_mm256_min_pd((__m256d)a, (__m256d)b);
+#else
     return choose(a < b, a, b);
+#endif
+}
+
+/* c[0] + c[1] x + ... + c[degree] x^degree by Horner's rule */
+static inline vec polynomial(int degree, const double c[], vec x)
+{
+    vec sum = all(c[degree]);
+    for (int k = degree - 1; k >= 0; k--)
+        sum = fused(sum, x, all(c[k]));
+    return sum;
 }
 
 /*
- * exp(x).  1. n = round(x/ln 2) by adding 1.5 2^52; 2. r = x - n ln 2 with
- * ln 2 in two parts, |r| < 0.347; 3. Taylor polynomial of degree 13 in Horner
- * form, truncation below 5e-18; 4. n is added to the exponent.
- * Error below 2 ulp for |x| <= 700; x is clamped to that range.
+ * exp(x), |x| <= 700 (not checked).  1. n = round(x/ln 2) by adding 1.5 2^52;
+ * 2. r = x - n ln 2 with ln 2 in two parts, |r| < 0.347; 3. exp r = 1 + r +
+ * r^2 p(r), p of degree 9 by interpolation at Chebyshev's nodes, error of
+ * exp r below 2e-17; 4. n is added to the exponent.  Error below 2 ulp.
  */
 static inline vec exponential(vec x)
 {
-    static const double c[] = {1. / 6227020800, 1. / 479001600, 1. / 39916800,
-                               1. / 3628800,    1. / 362880,    1. / 40320,
-                               1. / 5040,       1. / 720,       1. / 120,
-                               1. / 24,         1. / 6,         1. / 2};
+    static const double p[] = {0x1.0000000000001p-1,  0x1.5555555555556p-3,
+                               0x1.5555555553d68p-5,  0x1.11111111109b5p-7,
+                               0x1.6c16c17889ef1p-10, 0x1.a01a01a7c2efep-13,
+                               0x1.a019b9149a41cp-16, 0x1.71de0db2f6b19p-19,
+                               0x1.28917c89a43a7p-22, 0x1.af389ecfc4b9cp-26};
     const vec shift = all(0x1.8p52);
-    vec t, n, r, p = all(c[0]);
-    x = smaller(larger(x, all(-700)), all(700));
-    t = x * 0x1.71547652b82fep0 + shift;
-    n = t - shift;
-    r = x - n * 0x1.62e42fefa38p-1;
-    r = r - n * 0x1.ef35793c7673p-45;
-    for (int k = 1; k < 12; k++)
-        p = p * r + c[k];
-    p = p * r * r + r + 1.0;
-    return (vec)((ivec)p + ((ivec)t << 52));
+    vec t = fused(x, all(0x1.71547652b82fep0), shift), n = t - shift;
+    vec r = fused(n, all(-0x1.62e42fefa38p-1), x);
+    r = fused(n, all(-0x1.ef35793c7673p-45), r);
+    vec e = fused(r * r, polynomial(9, p, r), r) + 1.0;
+    return (vec)((ivec)e + ((ivec)t << 52));
+}
+
+/* x = 2^k m with m in [0.7071, 1.4142), for x >= 0.7072 */
+static inline vec mantissa(vec x, vec *k)
+{
+    const uint64_t half_root = 0x3fe6a09e667f3bcd; /* bits of sqrt(1/2) */
+    const uvec whole = (uvec)all(0x1p52);
+    uvec bits = (uvec)x, exponent = (bits - half_root) >> 52;
+    *k = (vec)(exponent + whole) - 0x1p52;
+    return (vec)(bits - (exponent << 52));
 }
 
 /*
- * log(x) for x >= 1.  1. x = 2^k m with m in [0.7071, 1.4142); 2. s =
- * (m - 1)/(m + 1), log m = 2 (s + s^3/3 + ... + s^21/21), truncation below
- * 1e-17; 3. + k ln 2 in two parts.  Error below 2 ulp.
+ * log(2^k m) from s = (m - 1)/(m + 1), |s| < 0.1716, the division left to the
+ * caller: 2 s (1 + s^2 p(s^2)) with p of degree 6 by interpolation at
+ * Chebyshev's nodes, error below 5e-18, + k ln 2 in two parts.  Error below
+ * 2 ulp.
  */
-static inline vec logarithm(vec x)
+static inline vec logarithm(vec k, vec s)
 {
-    const int64_t half_root = 0x3fe6a09e667f3bcd; /* bits of sqrt(1/2) */
-    const ivec whole = (ivec)all(0x1p52);
-    ivec bits = (ivec)x;
-    ivec k = (bits - half_root) >> 52;
-    vec m = (vec)(bits - (k << 52));
-    vec kd = (vec)(k | whole) - 0x1p52;
-    vec s = (m - 1.0) / (m + 1.0), s2 = s * s, p = all(1. / 21);
-    for (int j = 19; j >= 3; j -= 2)
-        p = p * s2 + 1. / j;
-    return kd * 0x1.62e42fefa38p-1 +
-           (2 * s + (2 * s * s2 * p + kd * 0x1.ef35793c7673p-45));
+    static const double p[] = {0x1.5555555555558p-2, 0x1.99999999952e2p-3,
+                               0x1.2492492df148dp-3, 0x1.c71c62e5800a1p-4,
+                               0x1.7462b4ab2ef6bp-4, 0x1.39fe606542ddep-4,
+                               0x1.2b584aae78a57p-4};
+    vec s2 = s * s, twice = s + s;
+    vec small = fused(twice * s2, polynomial(6, p, s2),
+                      k * 0x1.ef35793c7673p-45);
+    return fused(k, all(0x1.62e42fefa38p-1), twice + small);
 }
 
 #endif
