@@ -35,7 +35,7 @@ static ovr_status take_band(ovr_band *band, size_t n, ovr_arena *arena,
                       &band->b[3],  &band->b[4], &band->delta,
                       &band->minus, &band->plus, &band->moves};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (!(*all[k] = ovr_field(arena, n, err)))
+        if (!(*all[k] = ovr_field(arena, n + OVR_BAND_PAD, err)))
             return OVR_NO_MEMORY;
     return OVR_OK;
 }

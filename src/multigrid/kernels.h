@@ -42,7 +42,9 @@ typedef struct ovr_fields {
     double *restrict r;    /* residual F - N */
 } ovr_fields;
 
-/* Work arrays of the line relaxation, n values each. */
+/* Work arrays of the line relaxation, n + OVR_BAND_PAD values each: the
+ * solver cuts them into equal parts. */
+enum { OVR_BAND_PAD = 128 };
 typedef struct ovr_band {
     double *b[5];  /* rows of the pentadiagonal system, b[d + 2] */
     double *delta; /* right-hand side, then solution */

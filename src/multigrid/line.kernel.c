@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Distributive line relaxation: assembly, solution and use of the
- * pentadiagonal system (equations in line.c).
+ * Distributive line relaxation: assembly and use of the pentadiagonal
+ * system (equations in line.h; solution in band.kernel.c).
  */
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
@@ -108,32 +108,6 @@ void OVR_KERNEL(band_assemble)(size_t n, const ovr_weights *w,
     }
     hold_row(band, 0);
     hold_row(band, n - 1);
-}
-
-/* LU without pivoting; rows are scaled to a unit diagonal, so that one
- * reciprocal a row is the only division. */
-void OVR_KERNEL(band_solve)(size_t n, const ovr_band *band)
-{
-    double *restrict l2 = band->b[0], *restrict l1 = band->b[1],
-                     *restrict c = band->b[2], *restrict u1 = band->b[3],
-                     *restrict u2 = band->b[4], *restrict x = band->delta;
-    double u1a = 0, u2a = 0, xa = 0; /* row i - 1 */
-    double u1b = 0, u2b = 0, xb = 0; /* row i - 2 */
-    for (size_t i = 0; i < n; i++) {
-        double left = l1[i] - l2[i] * u1b;
-        double scale = 1 / (c[i] - l2[i] * u2b - left * u1a);
-        double right = (u1[i] - left * u2a) * scale;
-        double far = u2[i] * scale;
-        double value = (x[i] - l2[i] * xb - left * xa) * scale;
-        u1b = u1a, u2b = u2a, xb = xa;
-        u1a = u1[i] = right, u2a = u2[i] = far, xa = x[i] = value;
-    }
-    xa = xb = 0; /* now rows i + 1 and i + 2 */
-    for (size_t i = n; i-- > 0;) {
-        double value = x[i] - u2[i] * xb - u1[i] * xa;
-        xb = xa;
-        xa = x[i] = value;
-    }
 }
 
 /* P_j <- max(0, P_j + change), |change| <= limit; a node held dry stays dry

@@ -64,6 +64,76 @@ static inline vec fused(vec a, vec b, vec c)
 #endif
 }
 
+/* c - a b */
+static inline vec less(vec c, vec a, vec b)
+{
+    return fused(-a, b, c);
+}
+
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+#define SHUFFLE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
+#endif
+#endif
+#ifndef SHUFFLE
+#define SHUFFLE(a, b, ...) __builtin_shuffle(a, b, (ivec){__VA_ARGS__})
+#endif
+
+/* Steps of a transposition: a pair of vectors exchange halves of their
+ * fours, pairs and single values. */
+#if VEC == 8
+#define FOURS(a, b)                                                            \
+    EXCHANGE(a, b, (0, 1, 2, 3, 8, 9, 10, 11), (4, 5, 6, 7, 12, 13, 14, 15))
+#define PAIRS(a, b)                                                            \
+    EXCHANGE(a, b, (0, 1, 8, 9, 4, 5, 12, 13), (2, 3, 10, 11, 6, 7, 14, 15))
+#define SINGLES(a, b)                                                          \
+    EXCHANGE(a, b, (0, 8, 2, 10, 4, 12, 6, 14), (1, 9, 3, 11, 5, 13, 7, 15))
+#elif VEC == 4
+#define PAIRS(a, b) EXCHANGE(a, b, (0, 1, 4, 5), (2, 3, 6, 7))
+#define SINGLES(a, b) EXCHANGE(a, b, (0, 4, 2, 6), (1, 5, 3, 7))
+#else
+#define SINGLES(a, b) EXCHANGE(a, b, (0, 2), (1, 3))
+#endif
+#define LIST(...) __VA_ARGS__
+#define EXCHANGE(a, b, low, high)                                              \
+    do {                                                                       \
+        vec both = SHUFFLE(a, b, LIST low);                                    \
+        b = SHUFFLE(a, b, LIST high);                                          \
+        a = both;                                                              \
+    } while (0)
+
+/* v[i][l] <-> v[l][i]; written out, for registers. */
+static inline void transpose(vec v[VEC])
+{
+#if VEC == 8
+    vec a = v[0], b = v[1], c = v[2], d = v[3];
+    vec e = v[4], f = v[5], g = v[6], h = v[7];
+    FOURS(a, e);
+    FOURS(b, f);
+    FOURS(c, g);
+    FOURS(d, h);
+    PAIRS(a, c);
+    PAIRS(b, d);
+    PAIRS(e, g);
+    PAIRS(f, h);
+    SINGLES(a, b);
+    SINGLES(c, d);
+    SINGLES(e, f);
+    SINGLES(g, h);
+    v[0] = a, v[1] = b, v[2] = c, v[3] = d;
+    v[4] = e, v[5] = f, v[6] = g, v[7] = h;
+#elif VEC == 4
+    vec a = v[0], b = v[1], c = v[2], d = v[3];
+    PAIRS(a, c);
+    PAIRS(b, d);
+    SINGLES(a, b);
+    SINGLES(c, d);
+    v[0] = a, v[1] = b, v[2] = c, v[3] = d;
+#else
+    SINGLES(v[0], v[1]);
+#endif
+}
+
 /* b where either is not a number */
 static inline vec larger(vec a, vec b)
 {

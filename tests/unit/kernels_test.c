@@ -34,7 +34,7 @@ static bench make(double M, double L)
     for (int k = 0; k < FIELDS; k++)
         a[k] = ovr_field(&b.arena, N, &err);
     for (int k = 0; k < 9; k++)
-        c[k] = ovr_field(&b.arena, N, &err);
+        c[k] = ovr_field(&b.arena, N + OVR_BAND_PAD, &err);
     b.deformation = ovr_field(&b.arena, N, &err);
     b.none = ovr_field(&b.arena, N, &err);
     b.gap = ovr_field(&b.arena, N, &err);

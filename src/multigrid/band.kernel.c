@@ -1,0 +1,267 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Solution of the pentadiagonal system of the line relaxation.
+ *
+ *     l2_i x_{i-2} + l1_i x_{i-1} + c_i x_i + u1_i x_{i+1} + u2_i x_{i+2} = d_i
+ *
+ * LU without pivoting is one chain of divisions.  Here the rows are cut into
+ * partitions of S rows, one a vector lane:
+ *  1. Elimination from the left within each partition.  L = the last two
+ *     unknowns of the partition before stay as two columns, A and B:
+ *         x_J = D - U1 x_{J+1} - U2 x_{J+2} - A L_0 - B L_1.
+ *     On the way the first two unknowns are expressed by the two next ones,
+ *         x_m = p - e x_J - f x_{J+1} - a L_0 - b L_1,   m = 0, 1.
+ *  2. That leaves each partition's first two unknowns h and last two t in
+ *     terms of t of the partition before and h of the next: block elimination
+ *     over the partitions, 2x2 blocks, scalar.
+ *  3. Back substitution within each partition.
+ * One division a row and vector.  Agrees with the scalar LU to rounding; like
+ * it, relies on a dominant enough diagonal.
+ *
+ * Memory: rows lie in natural order; a tile of VEC rows of each of VEC
+ * partitions is transposed in registers, and U1, U2, D, A, B are left in the
+ * tile's own places (tile vector k in the places of partition k).
+ */
+#include "multigrid/kernels.h"
+#include "multigrid/vector.h"
+
+/* One eliminated row: coefficients as above. */
+typedef struct row {
+    vec U1, U2, D, A, B;
+} row;
+
+/* x_m by the two unknowns that come next */
+typedef struct head {
+    vec p, e, f, a, b;
+} head;
+
+typedef struct chain {
+    row last, before; /* rows J - 1 and J - 2 */
+    head h[2];
+} chain;
+
+/* Rows -2 and -1 are L itself. */
+static inline chain begin_chain(void)
+{
+    const row none = {all(0), all(0), all(0), all(0), all(0)};
+    const head zero = {all(0), all(0), all(0), all(0), all(0)};
+    chain c = {.last = none, .before = none, .h = {zero, zero}};
+    c.before.A = c.last.B = c.h[0].e = c.h[1].f = all(-1);
+    return c;
+}
+
+/* U1 of the last row is the one that is waited for: it meets the division
+ * as late as possible. */
+static inline row eliminate(const chain *c, vec l2, vec l1, vec diagonal,
+                            vec u1, vec u2, vec d)
+{
+    const row *a = &c->last, *b = &c->before;
+    vec left = less(l1, l2, b->U1);
+    vec scale = 1 / less(less(diagonal, l2, b->U2), left, a->U1);
+    return (row){.U1 = less(u1, left, a->U2) * scale,
+                 .U2 = u2 * scale,
+                 .D = less(less(d, l2, b->D), left, a->D) * scale,
+                 .A = -fused(l2, b->A, left * a->A) * scale,
+                 .B = -fused(l2, b->B, left * a->B) * scale};
+}
+
+static inline head follow(head h, const row *r)
+{
+    return (head){.p = less(h.p, h.e, r->D),
+                  .e = less(h.f, h.e, r->U1),
+                  .f = -h.e * r->U2,
+                  .a = less(h.a, h.e, r->A),
+                  .b = less(h.b, h.e, r->B)};
+}
+
+static inline void advance(chain *c, row r)
+{
+    c->before = c->last;
+    c->last = r;
+    c->h[0] = follow(c->h[0], &r);
+    c->h[1] = follow(c->h[1], &r);
+}
+
+/* Rows of a tile: vector k is row J + k of VEC partitions. */
+static inline void load_tile(const double *x, size_t S, vec tile[VEC])
+{
+    for (size_t k = 0; k < VEC; k++)
+        tile[k] = load(x + k * S);
+    transpose(tile);
+}
+
+/* What the partitions have to do with each other, by partition: first two
+ * unknowns (m = 0, 1), then last two (m = 2, 3). */
+typedef struct reduced {
+    double D[4][VEC], left[4][2][VEC], right[4][2][VEC];
+    double first[2][VEC + 1]; /* solution, 0 beyond the end */
+    double last[2][VEC + 1];  /* of partition s at s + 1, 0 at 0 */
+} reduced;
+
+static inline void end_chain(const chain *c, reduced *out)
+{
+    const row *l = &c->last, *b = &c->before;
+    const row ends[4] = {
+        {c->h[0].e, c->h[0].f, c->h[0].p, c->h[0].a, c->h[0].b},
+        {c->h[1].e, c->h[1].f, c->h[1].p, c->h[1].a, c->h[1].b},
+        {.U1 = less(b->U2, b->U1, l->U1),
+         .U2 = -b->U1 * l->U2,
+         .D = less(b->D, b->U1, l->D),
+         .A = less(b->A, b->U1, l->A),
+         .B = less(b->B, b->U1, l->B)},
+        *l};
+    for (size_t m = 0; m < 4; m++) {
+        store(out->D[m], ends[m].D);
+        store(out->left[m][0], ends[m].A);
+        store(out->left[m][1], ends[m].B);
+        store(out->right[m][0], ends[m].U1);
+        store(out->right[m][1], ends[m].U2);
+    }
+}
+
+typedef struct pair {
+    double x, y;
+} pair;
+
+typedef struct block {
+    double xx, xy, yx, yy;
+} block;
+
+/* Of the unknowns k and k + 1 of partition s. */
+static block block_of(double m[4][2][VEC], size_t k, size_t s)
+{
+    return (block){m[k][0][s], m[k][1][s], m[k + 1][0][s], m[k + 1][1][s]};
+}
+
+static pair apply(block m, pair v)
+{
+    return (pair){m.xx * v.x + m.xy * v.y, m.yx * v.x + m.yy * v.y};
+}
+
+static block product(block m, block k)
+{
+    return (block){m.xx * k.xx + m.xy * k.yx, m.xx * k.xy + m.xy * k.yy,
+                   m.yx * k.xx + m.yy * k.yx, m.yx * k.xy + m.yy * k.yy};
+}
+
+/* (I - m)^-1 */
+static block resolvent(block m)
+{
+    double a = 1 - m.xx, d = 1 - m.yy, scale = 1 / (a * d - m.xy * m.yx);
+    return (block){d * scale, m.xy * scale, m.yx * scale, a * scale};
+}
+
+/*
+ * h_s = D - left t_{s-1} - right h_{s+1} and the same for t_s.  With
+ * t_{s-1} = alpha - beta h_s from the left,
+ *     (I - left beta) h_s = D - left alpha - right h_{s+1}.
+ */
+static void solve_reduced(reduced *r)
+{
+    pair gamma[VEC], alpha[VEC], a = {0, 0};
+    block delta[VEC], beta[VEC], b = {0, 0, 0, 0};
+    for (size_t s = 0; s < VEC; s++) {
+        block hl = block_of(r->left, 0, s), tl = block_of(r->left, 2, s);
+        block tr = block_of(r->right, 2, s), inverse;
+        inverse = resolvent(product(hl, b));
+        pair g = apply(hl, a), u;
+        gamma[s] = apply(inverse, (pair){r->D[0][s] - g.x, r->D[1][s] - g.y});
+        delta[s] = product(inverse, block_of(r->right, 0, s));
+        u = apply(b, gamma[s]);
+        u = apply(tl, (pair){a.x - u.x, a.y - u.y});
+        b = product(tl, product(b, delta[s]));
+        alpha[s] = a = (pair){r->D[2][s] - u.x, r->D[3][s] - u.y};
+        beta[s] = b = (block){tr.xx + b.xx, tr.xy + b.xy, tr.yx + b.yx,
+                              tr.yy + b.yy};
+    }
+    pair h = {0, 0}, u;
+    r->first[0][VEC] = r->first[1][VEC] = 0;
+    r->last[0][0] = r->last[1][0] = 0;
+    for (size_t s = VEC; s-- > 0;) {
+        u = apply(beta[s], h);
+        r->last[0][s + 1] = alpha[s].x - u.x;
+        r->last[1][s + 1] = alpha[s].y - u.y;
+        u = apply(delta[s], h);
+        r->first[0][s] = h.x = gamma[s].x - u.x;
+        r->first[1][s] = h.y = gamma[s].y - u.y;
+    }
+}
+
+static inline void keep(const ovr_band *band, size_t at, const row *r)
+{
+    store(band->b[0] + at, r->A);
+    store(band->b[1] + at, r->B);
+    store(band->b[3] + at, r->U1);
+    store(band->b[4] + at, r->U2);
+    store(band->delta + at, r->D);
+}
+
+static void forward(const ovr_band *band, size_t S, reduced *out)
+{
+    chain c = begin_chain();
+    vec t[6][VEC];
+    for (size_t J = 0; J < S; J += VEC) {
+        for (size_t d = 0; d < 5; d++)
+            load_tile(band->b[d] + J, S, t[d]);
+        load_tile(band->delta + J, S, t[5]);
+        for (size_t k = 0; k < VEC; k++) {
+            row r = eliminate(&c, t[0][k], t[1][k], t[2][k], t[3][k], t[4][k],
+                              t[5][k]);
+            advance(&c, r);
+            keep(band, k * S + J, &r);
+        }
+    }
+    end_chain(&c, out);
+}
+
+static void backward(const ovr_band *band, size_t S, const reduced *in)
+{
+    vec next = load(in->first[0] + 1), after = load(in->first[1] + 1);
+    vec L0 = load(in->last[0]), L1 = load(in->last[1]);
+    for (size_t J = S; J > 0;) {
+        vec x[VEC];
+        J -= VEC;
+        for (size_t k = VEC; k-- > 0;) {
+            size_t at = k * S + J;
+            vec D = load(band->delta + at);
+            D = less(D, load(band->b[0] + at), L0);
+            D = less(D, load(band->b[1] + at), L1);
+            D = less(D, load(band->b[4] + at), after);
+            after = next;
+            x[k] = next = less(D, load(band->b[3] + at), next);
+        }
+        transpose(x);
+        for (size_t k = 0; k < VEC; k++)
+            store(band->delta + k * S + J, x[k]);
+    }
+}
+
+/* Rows n..count-1 say x = 0. */
+static void pad_rows(const ovr_band *band, size_t n, size_t count)
+{
+    for (size_t i = n; i < count; i++) {
+        for (size_t d = 0; d < 5; d++)
+            band->b[d][i] = d == 2;
+        band->delta[i] = 0;
+    }
+}
+
+/* A whole number of tiles; odd, so that the partitions of large grids do not
+ * all meet in the same cache set. */
+static size_t partition_rows(size_t rows)
+{
+    size_t tiles = (rows + VEC * VEC - 1) / (VEC * VEC);
+    return (tiles + (tiles > 63 && tiles % 2 == 0)) * VEC;
+}
+
+/* The last row says delta = 0 and is left out: n - 1 divides well. */
+void OVR_KERNEL(band_solve)(size_t n, const ovr_band *band)
+{
+    reduced system;
+    size_t rows = n - 1, S = partition_rows(rows);
+    pad_rows(band, rows, VEC * S);
+    forward(band, S, &system);
+    solve_reduced(&system);
+    backward(band, S, &system);
+    band->delta[n - 1] = 0;
+}
