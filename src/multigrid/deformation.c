@@ -3,12 +3,14 @@
 #include "multigrid/deformation.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 
+#include "multigrid/deformation_weights.h"
 #include "multigrid/field.h"
 
 /* Dense below this: a coarsening no longer pays. */
-enum { DENSE_NODES = 150 };
+enum { DENSE_NODES = 150, MOST_LANES = 8 };
 
 /*
  * f(d).  The closed form cancels at large d (terms of size d ln d for a
@@ -48,8 +50,9 @@ void ovr_mlmi_choose(double wanted, int *order, int *range)
     static const struct {
         double error;
         int order, range;
-    } table[] = {{4.4e-6, 6, 10},  {2.9e-7, 6, 16},   {2.7e-8, 6, 24},
-                 {8.5e-9, 10, 16}, {1.3e-10, 10, 24}, {0, 12, 24}};
+    } table[] = {{4e-7, 6, 10},     {3e-8, 6, 16},     {6e-9, 10, 10},
+                 {8.5e-10, 10, 12}, {1.7e-10, 10, 14}, {5e-11, 10, 16},
+                 {0, 12, 16}};
     size_t k = 0;
     while (table[k].error > wanted)
         k++;
@@ -57,25 +60,11 @@ void ovr_mlmi_choose(double wanted, int *order, int *range)
     *range = table[k].range;
 }
 
-/* Lagrange weights at 0 of the nodes +-1, +-3, ..., +-(2h - 1). */
-static void interpolation_weights(size_t h, double weight[])
-{
-    for (size_t k = 0; k < h; k++) {
-        long double x = 2 * (long double)k + 1, value = 0.5L;
-        for (size_t j = 0; j < h; j++)
-            if (j != k) {
-                long double y = 2 * (long double)j + 1;
-                value *= y * y / (y * y - x * x);
-            }
-        weight[k] = (double)value;
-    }
-}
-
 /* Kernel at distance d of this grid, interpolated from even distances. */
 static double interpolated(const ovr_mlmi *plan, double spacing, double d)
 {
     double sum = 0;
-    for (size_t k = 0; k < plan->half_order; k++) {
+    for (ptrdiff_t k = 0; k < plan->half_order; k++) {
         double x = 2 * (double)k + 1;
         sum += plan->weight[k] * (unit_kernel(spacing * (d - x)) +
                                   unit_kernel(spacing * (d + x)));
@@ -84,81 +73,124 @@ static double interpolated(const ovr_mlmi *plan, double spacing, double d)
 }
 
 /* What the even outputs see at distance d after their corrections. */
-static double effective(const ovr_mlmi *plan, double spacing, long d)
+static double effective(const ovr_mlmi *plan, double spacing, ptrdiff_t d)
 {
-    long range = (long)(2 * plan->half_range);
-    if (d % 2 == 0 || labs(d) <= range)
+    if (d % 2 == 0 || labs(d) <= plan->range)
         return unit_kernel(spacing * (double)d);
     return interpolated(plan, spacing, (double)d);
 }
 
-static void plan_corrections(const ovr_mlmi *plan, ovr_mlmi_step *step,
-                             double spacing)
+static void plan_corrections(const ovr_mlmi *plan, ovr_mlmi_grid *grid,
+                             double spacing, double scale)
 {
-    for (size_t k = 0; k < plan->half_range; k++) {
+    for (ptrdiff_t k = 0; k < plan->range / 2; k++) {
         double d = 2 * (double)k + 1;
-        step->near_even[k] = unit_kernel(spacing * d) -
-                             interpolated(plan, spacing, d);
+        grid->near_even[k] = scale * (unit_kernel(spacing * d) -
+                                      interpolated(plan, spacing, d));
     }
-    for (size_t k = 0; k <= 2 * plan->half_range; k++) {
+    for (ptrdiff_t k = 0; k <= plan->range; k++) {
         double sum = 0;
-        for (size_t j = 0; j < plan->half_order; j++) {
-            long x = 2 * (long)j + 1;
-            sum += plan->weight[j] * (effective(plan, spacing, (long)k - x) +
-                                      effective(plan, spacing, (long)k + x));
+        for (ptrdiff_t j = 0; j < plan->half_order; j++) {
+            ptrdiff_t x = 2 * j + 1;
+            sum += plan->weight[j] * (effective(plan, spacing, k - x) +
+                                      effective(plan, spacing, k + x));
         }
-        step->near_odd[k] = unit_kernel(spacing * (double)k) - sum;
+        grid->near_odd[k] = scale * (unit_kernel(spacing * (double)k) - sum);
     }
 }
 
-static ovr_status plan_step(ovr_mlmi *plan, size_t n, ovr_arena *arena,
-                            ovr_error *err)
+/* Coarsenings until the grid is small, or the lanes shorter than the range. */
+static int depth_of(size_t n, ptrdiff_t range)
 {
-    ovr_mlmi_step *step = &plan->step[plan->depth];
-    step->n = n;
-    step->coarse = (n + 1) / 2 + 2 * plan->half_order;
-    step->even = ovr_field(arena, step->coarse, err);
-    step->odd = ovr_field(arena, step->coarse, err);
-    step->sum = ovr_field(arena, step->coarse, err);
-    if (!step->even || !step->odd || !step->sum)
-        return OVR_NO_MEMORY;
-    plan_corrections(plan, step, ldexp(1, plan->depth));
-    plan->depth++;
+    int depth = 0;
+    while ((n >> depth) > DENSE_NODES &&
+           (ptrdiff_t)((n - 1) / MOST_LANES >> depth) >= range &&
+           depth < OVR_MLMI_DEPTH)
+        depth++;
+    return depth;
+}
+
+/* Ghosts of a coarse grid: where the stencils of the finer one reach. */
+static void count_ghosts(const ovr_mlmi *plan, const ovr_mlmi_grid *fine,
+                         ovr_mlmi_grid *coarse)
+{
+    ptrdiff_t left = plan->half_order + fine->left / 2;
+    ptrdiff_t right = plan->half_order + fine->right / 2;
+    coarse->left = left + left % 2;
+    coarse->right = right + right % 2;
+}
+
+/* Nodes that the lanes hold, for whatever number of lanes. */
+static size_t most_nodes(const ovr_mlmi *plan)
+{
+    size_t most = 0;
+    for (size_t lanes = 1; lanes <= MOST_LANES; lanes *= 2) {
+        size_t nodes = lanes * ovr_mlmi_lane(plan, lanes);
+        most = nodes > most ? nodes : most;
+    }
+    return most;
+}
+
+static ovr_status plan_grids(ovr_mlmi *plan, double scale, ovr_arena *arena,
+                             ovr_error *err)
+{
+    size_t nodes = most_nodes(plan);
+    size_t pads = 2 * (size_t)plan->pad * MOST_LANES;
+    plan->grid[0].left = 0;
+    plan->grid[0].right = 2;
+    for (int s = 0; s <= plan->depth; s++) {
+        ovr_mlmi_grid *grid = &plan->grid[s];
+        if (s)
+            count_ghosts(plan, &plan->grid[s - 1], grid);
+        grid->u = ovr_field(arena, (nodes >> s) + pads, err);
+        grid->out = ovr_field(arena, (nodes >> s) + pads, err);
+        if (!grid->u || !grid->out)
+            return OVR_NO_MEMORY;
+        plan_corrections(plan, grid, ldexp(1, s), scale);
+    }
     return OVR_OK;
 }
 
-static ovr_status plan_dense(ovr_mlmi *plan, size_t n, double D,
+/* The dense sum; kernel[0] is the one at distance zero. */
+static ovr_status plan_dense(ovr_mlmi *plan, size_t count, double D,
                              ovr_arena *arena, ovr_error *err)
 {
-    plan->dense = n;
-    plan->kernel = ovr_field(arena, 2 * n + 2 * OVR_FIELD_PAD, err);
-    if (!plan->kernel)
+    double *kernel = ovr_field(arena, 2 * count + OVR_FIELD_PAD, err);
+    plan->natural = ovr_field(arena, count, err);
+    plan->result = ovr_field(arena, count, err);
+    if (!kernel || !plan->natural || !plan->result)
         return OVR_NO_MEMORY;
-    for (size_t k = 0; k < 2 * n - 1; k++)
-        plan->kernel[k] = unit_kernel(
-                              ldexp((double)k - (double)(n - 1), plan->depth)) +
-                          log(D);
+    plan->kernel = kernel + count;
+    for (size_t d = 0; d < count; d++) {
+        double value = D / acos(-1.0) *
+                       (unit_kernel(ldexp((double)d, plan->depth)) + log(D));
+        plan->kernel[d] = kernel[count - d] = value;
+    }
     return OVR_OK;
 }
 
 ovr_status ovr_mlmi_plan(ovr_mlmi *plan, size_t n, double D, int order,
                          int range, ovr_arena *arena, ovr_error *err)
 {
-    size_t nodes = n;
+    const ovr_mlmi_grid *last;
+    size_t count = n;
     plan->n = n;
-    plan->half_order = (size_t)order / 2;
-    plan->half_range = (size_t)range / 2;
-    plan->depth = 0;
-    plan->scale = D / acos(-1.0);
-    interpolation_weights(plan->half_order, plan->weight);
-    while (nodes > DENSE_NODES && plan->depth < OVR_MLMI_DEPTH) {
-        if (plan_step(plan, nodes, arena, err))
+    plan->half_order = order / 2;
+    plan->range = range;
+    plan->depth = depth_of(n, range);
+    plan->pad = 2 * (order + 4) + range + 2 * OVR_MLMI_BLOCK;
+    ovr_mlmi_weights((size_t)plan->half_order, (size_t)range, plan->weight);
+    if (plan->depth) {
+        size_t nodes = most_nodes(plan);
+        bool divides = nodes + 1 == n;
+        if (plan_grids(plan, D / acos(-1.0), arena, err))
             return OVR_NO_MEMORY;
-        nodes = plan->step[plan->depth - 1].coarse;
+        last = &plan->grid[plan->depth];
+        count = (nodes >> plan->depth) + (size_t)(last->left + last->right);
+        plan->padded = divides ? NULL : ovr_field(arena, nodes + 1, err);
+        plan->padded_result = divides ? NULL : ovr_field(arena, nodes + 1, err);
+        if (!divides && (!plan->padded || !plan->padded_result))
+            return OVR_NO_MEMORY;
     }
-    plan->values = ovr_field(arena, n, err);
-    plan->output = ovr_field(arena, n, err);
-    if (!plan->values || !plan->output)
-        return OVR_NO_MEMORY;
-    return plan_dense(plan, nodes, D, arena, err);
+    return plan_dense(plan, count, D, arena, err);
 }

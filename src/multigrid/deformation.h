@@ -6,8 +6,7 @@
  *     K(d D) = D [f(d) + ln D],
  *     f(d) = (d + 1/2) ln|d + 1/2| - (d - 1/2) ln|d - 1/2| - 1
  *
- * Method (Brandt & Lubrecht 1990), with every grid split into its even and
- * odd nodes so that each stencil has unit stride:
+ * Method (Brandt & Lubrecht 1990):
  *  1. The kernel is smooth away from d = 0.  K from an odd node j is replaced
  *     by its interpolation of order p between even nodes, so the sum over odd
  *     j moves to the even nodes: U = (even P) + (transposed interpolation of
@@ -18,9 +17,11 @@
  *  3. Odd outputs are interpolated between even outputs, also of order p, and
  *     corrected within the range for the effective kernel of step 2.
  *  4. Repeated until few nodes are left: a dense Toeplitz sum.
- * Coarse grids carry p/2 ghost nodes at both ends (P = 0 there), so that all
- * stencils are centred.  Cost O(n), error that of the kernel's interpolation,
- * independent of P.
+ * The weights of the interpolation are those whose largest error beyond the
+ * range is least for this kernel, not Lagrange's, which are best infinitely
+ * far away: the same error from a shorter range.  Coarse grids carry ghost
+ * nodes at both ends (P = 0 there), so that all stencils are centred.  Cost
+ * O(n), error that of the kernel's interpolation, independent of P.
  */
 #ifndef OVR_MULTIGRID_DEFORMATION_H
 #define OVR_MULTIGRID_DEFORMATION_H
@@ -29,32 +30,42 @@
 
 #include "base/arena.h"
 
-enum { OVR_MLMI_DEPTH = 24, OVR_MLMI_MOST = 16 };
+/* BLOCK: outputs that the kernel makes in one go */
+enum { OVR_MLMI_DEPTH = 24, OVR_MLMI_MOST = 16, OVR_MLMI_BLOCK = 4 };
 
-/* One coarsening: from n nodes to `coarse`. */
-typedef struct ovr_mlmi_step {
-    size_t n, coarse;
-    double *even, *odd; /* P at the nodes 2j and 2j+1, zero outside */
-    double *sum;        /* even outputs, ghosts included */
-    double near_even[OVR_MLMI_MOST];    /* odd distances 1, 3, ... */
-    double near_odd[2 * OVR_MLMI_MOST]; /* distances 0, 1, ..., m */
-} ovr_mlmi_step;
+/* One grid of the transfers; how nodes lie in u and out is the kernel's
+ * affair (deformation.kernel.c). */
+typedef struct ovr_mlmi_grid {
+    double *u;             /* P and its transfers */
+    double *out;           /* results */
+    ptrdiff_t left, right; /* ghost nodes before the first and from the last */
+    double near_even[OVR_MLMI_MOST];        /* odd distances 1, 3, ... */
+    double near_odd[2 * OVR_MLMI_MOST + 1]; /* distances 0, 1, ..., m */
+} ovr_mlmi_grid;
 
 typedef struct ovr_mlmi {
     size_t n;
-    size_t half_order;            /* p/2: also the ghosts at each end */
-    size_t half_range;            /* m/2 */
+    ptrdiff_t half_order;         /* p/2 */
+    ptrdiff_t range;              /* m */
     int depth;                    /* coarsenings */
-    double scale;                 /* D/pi */
+    ptrdiff_t pad;                /* vectors before and after a grid's own */
     double weight[OVR_MLMI_MOST]; /* interpolation from +-1, +-3, ... */
-    ovr_mlmi_step step[OVR_MLMI_DEPTH];
-    size_t dense;   /* nodes of the last grid */
-    double *kernel; /* f + ln D at d = -(dense-1) .. dense-1, and padding */
-    double *values; /* P and its transfers, contiguous */
-    double *output; /* results of one grid, contiguous */
+    ovr_mlmi_grid grid[OVR_MLMI_DEPTH + 1];
+    double *kernel;                 /* of the dense sum, D/pi (f + ln D) */
+    double *natural, *result;       /* the coarsest grid in order */
+    double *padded, *padded_result; /* for an n that lanes do not divide */
 } ovr_mlmi;
 
-/* Plan for n nodes of mesh size D, order p (even, 4..12) and range m (even,
+/* Nodes a lane when the grid is cut into this many; the lanes hold at least
+ * n - 1 nodes and can be halved `depth` times. */
+static inline size_t ovr_mlmi_lane(const ovr_mlmi *plan, size_t lanes)
+{
+    size_t share = (plan->n - 2 + lanes) / lanes,
+           unit = (size_t)1 << plan->depth;
+    return (share + unit - 1) / unit * unit;
+}
+
+/* Plan for n nodes of mesh size D, order p (even, 2..16) and range m (even,
  * up to 2 OVR_MLMI_MOST). */
 ovr_status ovr_mlmi_plan(ovr_mlmi *plan, size_t n, double D, int order,
                          int range, ovr_arena *arena, ovr_error *err);

@@ -1,164 +1,222 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Execution of an MLMI plan (method in deformation.h).  Down: split and
- * transfer; dense sum; up: correct the even outputs, interpolate and correct
- * the odd ones, merge.  Every loop makes BLOCK outputs at once in registers;
- * symmetric stencils add the pair of values first.
+ * Execution of an MLMI plan (method in deformation.h).
+ *
+ * Layout, known to this file only: lane s of vector J holds node s S + J, S
+ * nodes a lane.  A neighbour in space is the next vector, so every stencil is
+ * made of whole aligned vectors, and coarsening stays within a lane.  Vectors
+ * -halo..-1 and S..S+halo-1 repeat what the neighbouring lanes hold; there the
+ * first and the last lane hold the ghost nodes outside the grid.
+ *
+ * Down: transfer.  Dense sum in natural order.  Up: correct the even outputs,
+ * interpolate and correct the odd ones.  Symmetric stencils add the pair of
+ * values first.
  */
+#include <string.h>
+
 #include "multigrid/deformation.h"
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
 
-/* Outputs of one pass, four registers of the widest vectors; loops overshoot
- * by at most that into the padding. */
-enum { REGISTERS = 4, BLOCK = REGISTERS * VEC };
+/* Vectors made in one go; loops overshoot by less than that. */
+enum { BLOCK = OVR_MLMI_BLOCK };
 
-typedef struct block {
-    vec v[REGISTERS];
-} block;
-
-static inline void add(block *sum, const double *x)
+static inline vec at(const double *x, ptrdiff_t J)
 {
-    for (size_t l = 0; l < REGISTERS; l++)
-        sum->v[l] += load(x + l * VEC);
+    return load(x + J * VEC);
 }
 
-static inline void add_pair(block *sum, double c, const double *x,
-                            const double *y)
+static inline void put(double *x, ptrdiff_t J, vec v)
 {
-    for (size_t l = 0; l < REGISTERS; l++)
-        sum->v[l] += c * (load(x + l * VEC) + load(y + l * VEC));
+    store(x + J * VEC, v);
 }
 
-static inline void keep(double *x, const block *sum)
+/* sum_b += c (x_{step b + right} + x_{step b + left}) */
+static inline void add_pair(vec sum[BLOCK], double c, const double *x,
+                            ptrdiff_t step, ptrdiff_t right, ptrdiff_t left)
 {
-    for (size_t l = 0; l < REGISTERS; l++)
-        store(x + l * VEC, sum->v[l]);
+    for (ptrdiff_t b = 0; b < BLOCK; b++)
+        sum[b] = fused(at(x, step * b + right) + at(x, step * b + left), all(c),
+                       sum[b]);
 }
 
-static void split(size_t n, const double *restrict u, double *restrict even,
-                  double *restrict odd)
+/* Repeats the ends of each lane beyond the ends of its neighbours. */
+static inline void repeat_ends(double *x, ptrdiff_t S, ptrdiff_t halo)
 {
-    size_t pairs = n / 2;
-    for (size_t j = 0; j < pairs; j++) {
-        even[j] = u[2 * j];
-        odd[j] = u[2 * j + 1];
-    }
-    if (n % 2)
-        even[pairs] = u[n - 1];
+    for (ptrdiff_t J = -halo; J < 0; J++)
+        put(x, J, lanes_up(at(x, J), at(x, S + J)));
+    for (ptrdiff_t J = S; J < S + halo; J++)
+        put(x, J, lanes_down(at(x, J - S), at(x, J)));
 }
 
-static void merge(size_t n, const double *restrict even,
-                  const double *restrict odd, double *restrict u)
+/* U_J = u_{2J} + sum_k weight_k (u_{2J+1+2k} + u_{2J-1-2k}) */
+static inline void transfer(ptrdiff_t h, const double *weight, const double *u,
+                            double *U, ptrdiff_t from, ptrdiff_t to)
 {
-    size_t pairs = n / 2;
-    for (size_t j = 0; j < pairs; j++) {
-        u[2 * j] = even[j];
-        u[2 * j + 1] = odd[j];
-    }
-    if (n % 2)
-        u[n - 1] = even[pairs];
-}
-
-/* U_J = even_J' + sum_k weight_k (odd_{J'+k} + odd_{J'-1-k}), J' = J - ghosts
- */
-static inline void transfer(size_t h, const ovr_mlmi *plan,
-                            const ovr_mlmi_step *step, double *U)
-{
-    for (size_t J = 0; J < step->coarse; J += BLOCK) {
-        const double *even = step->even + J - h, *odd = step->odd + J - h;
-        block sum = {{{0}}};
-        add(&sum, even);
-        for (size_t k = 0; k < h; k++)
-            add_pair(&sum, plan->weight[k], odd + k, odd - 1 - k);
-        keep(U + J, &sum);
+    for (ptrdiff_t J = from; J < to; J += BLOCK) {
+        vec sum[BLOCK];
+        for (ptrdiff_t b = 0; b < BLOCK; b++)
+            sum[b] = at(u, 2 * (J + b));
+        UNROLL
+        for (ptrdiff_t k = 0; k < h; k++)
+            add_pair(sum, weight[k], u, 2, 2 * J + 1 + 2 * k,
+                     2 * J - 1 - 2 * k);
+        for (ptrdiff_t b = 0; b < BLOCK; b++)
+            put(U, J + b, sum[b]);
     }
 }
 
-/* sum_J += near_even_k (odd_{J'+k} + odd_{J'-1-k}), distances 2k + 1 */
-static inline void correct_even(size_t h, size_t range,
-                                const ovr_mlmi_step *step)
+/* even_J += sum_k near_k (u_{2J+1+2k} + u_{2J-1-2k}), distances 2k + 1 */
+static inline void correct_even(ptrdiff_t range, const double *near,
+                                const double *u, double *even, ptrdiff_t from,
+                                ptrdiff_t to)
 {
-    for (size_t J = 0; J < step->coarse; J += BLOCK) {
-        const double *odd = step->odd + J - h;
-        block sum = {{{0}}};
-        add(&sum, step->sum + J);
-        for (size_t k = 0; k < range; k++)
-            add_pair(&sum, step->near_even[k], odd + k, odd - 1 - k);
-        keep(step->sum + J, &sum);
+    for (ptrdiff_t J = from; J < to; J += BLOCK) {
+        vec sum[BLOCK];
+        for (ptrdiff_t b = 0; b < BLOCK; b++)
+            sum[b] = at(even, J + b);
+        UNROLL
+        for (ptrdiff_t k = 0; k < range / 2; k++)
+            add_pair(sum, near[k], u, 2, 2 * J + 1 + 2 * k, 2 * J - 1 - 2 * k);
+        for (ptrdiff_t b = 0; b < BLOCK; b++)
+            put(even, J + b, sum[b]);
     }
 }
 
-/* Odd output j: interpolation between the even ones, plus corrections from
- * the odd values (even distances) and the even values (odd distances). */
-static inline void interpolate_odd(size_t h, size_t range, const ovr_mlmi *plan,
-                                   const ovr_mlmi_step *step, double *result)
+/* result_{2J+1} = sum_k weight_k (even_{J+1+k} + even_{J-k})
+ *               + near_0 u_{2J+1} + sum_k near_k (u_{2J+1+k} + u_{2J+1-k}) */
+static inline void interpolate_odd(ptrdiff_t h, ptrdiff_t range,
+                                   const double *weight, const double *near,
+                                   const double *u, const double *even,
+                                   double *result, ptrdiff_t from, ptrdiff_t to)
 {
-    const double *near = step->near_odd;
-    for (size_t j = 0; j < step->n / 2; j += BLOCK) {
-        const double *even = step->even + j, *odd = step->odd + j;
-        const double *out = step->sum + h + j;
-        block sum = {{{0}}};
-        for (size_t k = 0; k < h; k++)
-            add_pair(&sum, plan->weight[k], out + 1 + k, out - k);
-        add_pair(&sum, 0.5 * near[0], odd, odd);
-        for (size_t k = 1; k <= range; k++)
-            add_pair(&sum, near[2 * k], odd + k, odd - k);
-        for (size_t k = 0; k < range; k++)
-            add_pair(&sum, near[2 * k + 1], even + 1 + k, even - k);
-        keep(result + j, &sum);
+    for (ptrdiff_t J = from; J < to; J += BLOCK) {
+        vec sum[BLOCK];
+        for (ptrdiff_t b = 0; b < BLOCK; b++)
+            sum[b] = all(near[0]) * at(u, 2 * (J + b) + 1);
+        UNROLL
+        for (ptrdiff_t k = 0; k < h; k++)
+            add_pair(sum, weight[k], even, 1, J + 1 + k, J - k);
+        UNROLL
+        for (ptrdiff_t k = 1; k <= range; k++)
+            add_pair(sum, near[k], u, 2, 2 * J + 1 + k, 2 * J + 1 - k);
+        for (ptrdiff_t b = 0; b < BLOCK; b++) {
+            put(result, 2 * (J + b), at(even, J + b));
+            put(result, 2 * (J + b) + 1, sum[b]);
+        }
     }
 }
 
-/* w_i = scale sum_j kernel(i - j) U_j */
-static void dense_sum(const ovr_mlmi *plan, const double *U, double scale,
+/* Natural order to lanes and back, S >= VEC: the last tile overlaps. */
+static inline void to_lanes(const double *P, ptrdiff_t S, double *u)
+{
+    for (ptrdiff_t J = 0; J < S; J += VEC) {
+        ptrdiff_t start = J + VEC <= S ? J : S - VEC;
+        vec tile[VEC];
+        for (ptrdiff_t l = 0; l < VEC; l++)
+            tile[l] = load(P + l * S + start);
+        transpose(tile);
+        for (ptrdiff_t k = 0; k < VEC; k++)
+            put(u, start + k, tile[k]);
+    }
+    u[S * VEC + VEC - 1] = P[VEC * S];
+}
+
+static inline void from_lanes(const double *out, ptrdiff_t S, double *w)
+{
+    for (ptrdiff_t J = 0; J < S; J += VEC) {
+        ptrdiff_t start = J + VEC <= S ? J : S - VEC;
+        vec tile[VEC];
+        for (ptrdiff_t k = 0; k < VEC; k++)
+            tile[k] = at(out, start + k);
+        transpose(tile);
+        for (ptrdiff_t l = 0; l < VEC; l++)
+            store(w + l * S + start, tile[l]);
+    }
+    w[VEC * S] = out[S * VEC + VEC - 1];
+}
+
+/* w_i = sum_j kernel(i - j) U_j, `count` nodes */
+static void dense_sum(const double *kernel, size_t count, const double *U,
                       double *w)
 {
-    size_t n = plan->dense;
-    for (size_t i = 0; i < n; i += BLOCK) {
-        const double *kernel = plan->kernel + i + n - 1;
-        block sum = {{{0}}};
-        for (size_t j = 0; j < n; j++)
-            for (size_t l = 0; l < REGISTERS; l++)
-                sum.v[l] += U[j] * load(kernel - j + l * VEC);
-        for (size_t l = 0; l < REGISTERS; l++)
-            store(w + i + l * VEC, scale * sum.v[l]);
+    enum { REGISTERS = 4 };
+    for (size_t i = 0; i < count; i += REGISTERS * VEC) {
+        vec sum[REGISTERS] = {{0}};
+        for (size_t j = 0; j < count; j++)
+            for (size_t b = 0; b < REGISTERS; b++)
+                sum[b] = fused(all(U[j]), load(kernel + i - j + b * VEC),
+                               sum[b]);
+        for (size_t b = 0; b < REGISTERS; b++)
+            store(w + i + b * VEC, sum[b]);
     }
+}
+
+/* The coarsest grid: left ghosts, the lanes one after another, right ghosts.
+ */
+static void dense_lanes(const ovr_mlmi *plan, ptrdiff_t S, ptrdiff_t left,
+                        ptrdiff_t right, const double *u, double *out)
+{
+    double *U = plan->natural, *w = plan->result;
+    for (ptrdiff_t l = 0; l < VEC; l++)
+        for (ptrdiff_t J = l ? 0 : -left; J < (l < VEC - 1 ? S : S + right);
+             J++)
+            U[left + l * S + J] = u[J * VEC + l];
+    dense_sum(plan->kernel, (size_t)(left + VEC * S + right), U, w);
+    for (ptrdiff_t l = 0; l < VEC; l++)
+        for (ptrdiff_t J = l ? 0 : -left; J < (l < VEC - 1 ? S : S + right);
+             J++)
+            out[J * VEC + l] = w[left + l * S + J];
 }
 
 /* h and range as constants unroll the stencils. */
-static inline void apply(size_t h, size_t range, const ovr_mlmi *plan,
-                         const double *P, double *w)
+static inline void apply(ptrdiff_t h, ptrdiff_t range, const ovr_mlmi *plan,
+                         ptrdiff_t S, const double *P, double *w)
 {
-    const double *u = P;
-    for (int s = 0; s < plan->depth; s++) {
-        const ovr_mlmi_step *step = &plan->step[s];
-        split(step->n, u, step->even, step->odd);
-        transfer(h, plan, step, plan->values);
-        u = plan->values;
+    const ovr_mlmi_grid *grid = plan->grid;
+    ptrdiff_t pad = plan->pad * VEC;
+    int last = plan->depth;
+    to_lanes(P, S, grid[0].u + pad);
+    for (int s = 0; s < last; s++) {
+        const ovr_mlmi_grid *coarse = &grid[s + 1];
+        repeat_ends(grid[s].u + pad, S >> s, range);
+        transfer(h, plan->weight, grid[s].u + pad, coarse->u + pad,
+                 -coarse->left, (S >> (s + 1)) + coarse->right);
     }
-    if (plan->depth == 0) {
-        dense_sum(plan, u, plan->scale, w);
-        return;
+    dense_lanes(plan, S >> last, grid[last].left, grid[last].right,
+                grid[last].u + pad, grid[last].out + pad);
+    for (int s = last - 1; s >= 0; s--) {
+        const ovr_mlmi_grid *fine = &grid[s], *coarse = &grid[s + 1];
+        ptrdiff_t half = S >> (s + 1);
+        correct_even(range, fine->near_even, fine->u + pad, coarse->out + pad,
+                     -coarse->left, half + coarse->right);
+        repeat_ends(coarse->out + pad, half, h);
+        interpolate_odd(h, range, plan->weight, fine->near_odd, fine->u + pad,
+                        coarse->out + pad, fine->out + pad, -fine->left / 2,
+                        half + fine->right / 2);
     }
-    dense_sum(plan, u, 1, plan->step[plan->depth - 1].sum);
-    for (int s = plan->depth - 1; s >= 0; s--) {
-        const ovr_mlmi_step *step = &plan->step[s];
-        double *result = s ? plan->step[s - 1].sum : w;
-        correct_even(h, range, step);
-        interpolate_odd(h, range, plan, step, plan->output);
-        merge(step->n, step->sum + h, plan->output, result);
-    }
-    for (size_t i = 0; i < plan->n; i++)
-        w[i] *= plan->scale;
+    from_lanes(grid[0].out + pad, S, w);
+}
+
+static inline void choose_stencil(const ovr_mlmi *plan, ptrdiff_t S,
+                                  const double *P, double *w)
+{
+    if (plan->half_order == 5 && plan->range == 10)
+        apply(5, 10, plan, S, P, w);
+    else
+        apply(plan->half_order, plan->range, plan, S, P, w);
 }
 
 void OVR_KERNEL(deformation)(const ovr_mlmi *plan, const double *P, double *w)
 {
-    if (plan->half_order == 5 && plan->half_range == 8)
-        apply(5, 8, plan, P, w);
-    else if (plan->half_order == 3 && plan->half_range == 8)
-        apply(3, 8, plan, P, w);
-    else
-        apply(plan->half_order, plan->half_range, plan, P, w);
+    size_t n = plan->n, S = ovr_mlmi_lane(plan, VEC);
+    if (plan->depth == 0) {
+        dense_sum(plan->kernel, n, P, w);
+    } else if (VEC * S + 1 == n) {
+        choose_stencil(plan, (ptrdiff_t)S, P, w);
+    } else { /* not a grid that the lanes divide: with zeros behind it */
+        memcpy(plan->padded, P, n * sizeof *P);
+        choose_stencil(plan, (ptrdiff_t)S, plan->padded, plan->padded_result);
+        memcpy(w, plan->padded_result, n * sizeof *w);
+    }
 }

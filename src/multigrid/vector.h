@@ -134,6 +134,36 @@ static inline void transpose(vec v[VEC])
 #endif
 }
 
+/* {a_0, b_0, b_1, ...} and {a_1, a_2, ..., b_last} */
+static inline vec lanes_up(vec a, vec b)
+{
+#if VEC == 8
+    return SHUFFLE(a, b, 0, 8, 9, 10, 11, 12, 13, 14);
+#elif VEC == 4
+    return SHUFFLE(a, b, 0, 4, 5, 6);
+#else
+    return SHUFFLE(a, b, 0, 2);
+#endif
+}
+
+static inline vec lanes_down(vec a, vec b)
+{
+#if VEC == 8
+    return SHUFFLE(a, b, 1, 2, 3, 4, 5, 6, 7, 15);
+#elif VEC == 4
+    return SHUFFLE(a, b, 1, 2, 3, 7);
+#else
+    return SHUFFLE(a, b, 1, 3);
+#endif
+}
+
+/* Loops of few constant turns, in full. */
+#ifdef __clang__
+#define UNROLL _Pragma("unroll")
+#else
+#define UNROLL _Pragma("GCC unroll 32")
+#endif
+
 /* b where either is not a number */
 static inline vec larger(vec a, vec b)
 {

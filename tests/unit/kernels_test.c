@@ -49,7 +49,7 @@ static bench make(double M, double L)
                         1 / D + 2,   -1 / D, 0.5 / (D * D)};
     for (int d = 0; d < 6; d++)
         b.k[d] = ovr_deformation_kernel(d, D);
-    CHECK_OK(ovr_mlmi_plan(&b.mlmi, N, D, 10, 16, &b.arena, &err), &err);
+    CHECK_OK(ovr_mlmi_plan(&b.mlmi, N, D, 10, 10, &b.arena, &err), &err);
     return b;
 }
 
