@@ -10,7 +10,7 @@
 #include "multigrid/field.h"
 
 /* Dense below this: a coarsening no longer pays. */
-enum { DENSE_NODES = 150, MOST_LANES = 8 };
+enum { DENSE_NODES = 70, MOST_LANES = 8 };
 
 /*
  * f(d).  The closed form cancels at large d (terms of size d ln d for a

@@ -30,8 +30,8 @@
 
 #include "base/arena.h"
 
-/* BLOCK: outputs that the kernel makes in one go */
-enum { OVR_MLMI_DEPTH = 24, OVR_MLMI_MOST = 16, OVR_MLMI_BLOCK = 4 };
+/* BLOCK: vectors that the kernel makes in one go, at most */
+enum { OVR_MLMI_DEPTH = 24, OVR_MLMI_MOST = 16, OVR_MLMI_BLOCK = 8 };
 
 /* One grid of the transfers; how nodes lie in u and out is the kernel's
  * affair (deformation.kernel.c). */

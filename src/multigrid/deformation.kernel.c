@@ -18,8 +18,9 @@
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
 
-/* Vectors made in one go; loops overshoot by less than that. */
-enum { BLOCK = OVR_MLMI_BLOCK };
+/* Vectors made in one go, so that what one loads the next finds in a register;
+ * loops overshoot by less than that. */
+enum { BLOCK = VEC == 8 ? 8 : 4 };
 
 static inline vec at(const double *x, ptrdiff_t J)
 {
@@ -97,8 +98,12 @@ static inline void interpolate_odd(ptrdiff_t h, ptrdiff_t range,
         UNROLL
         for (ptrdiff_t k = 0; k < h; k++)
             add_pair(sum, weight[k], even, 1, J + 1 + k, J - k);
+        /* in this order the next pairs but one are the last, shifted */
         UNROLL
-        for (ptrdiff_t k = 1; k <= range; k++)
+        for (ptrdiff_t k = 1; k <= range; k += 2)
+            add_pair(sum, near[k], u, 2, 2 * J + 1 + k, 2 * J + 1 - k);
+        UNROLL
+        for (ptrdiff_t k = 2; k <= range; k += 2)
             add_pair(sum, near[k], u, 2, 2 * J + 1 + k, 2 * J + 1 - k);
         for (ptrdiff_t b = 0; b < BLOCK; b++) {
             put(result, 2 * (J + b), at(even, J + b));
