@@ -13,16 +13,15 @@
  *
  * GSL calls its error handler, which aborts, where a point lies outside the
  * spline, where the points do not increase, and where malloc fails: the first
- * two are checked before, the third is made unlikely by taking (and giving
- * back) as much memory through our allocator first.
+ * is checked before, for the others it is switched off.
  */
 #include "overroll/contact.h"
 
 #include <gsl/gsl_errno.h>
-#include <gsl/gsl_interp.h>
 #include <math.h>
 
 #include "base/arena.h"
+#include "base/interpolation.h"
 
 struct ovr_history {
     ovr_history_form form;
@@ -111,12 +110,10 @@ static ovr_status make_table(ovr_history *history, const ovr_history_form *form,
         history->T[i] = form->T[i];
         history->value[i] = form->value[i];
     }
-    history->interp = gsl_interp_alloc(
-        n < 3 ? gsl_interp_linear : gsl_interp_steffen, n);
-    if (!history->interp)
-        return ovr_fail(err, OVR_NO_MEMORY, "out of memory: table");
-    gsl_interp_init(history->interp, history->T, history->value, n);
-    return OVR_OK;
+    history->interp = ovr_interpolation(n < 3 ? gsl_interp_linear
+                                              : gsl_interp_steffen,
+                                        n, history->T, history->value, err);
+    return history->interp ? OVR_OK : OVR_NO_MEMORY;
 }
 
 ovr_history *ovr_history_create(const ovr_history_form *form,

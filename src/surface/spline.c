@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/spline.h"
 
-#include <gsl/gsl_interp.h>
 #include <math.h>
+
+#include "base/interpolation.h"
 
 static ovr_status check(size_t n, const double *x, const double *y,
                         ovr_error *err)
@@ -19,8 +20,8 @@ static ovr_status check(size_t n, const double *x, const double *y,
     return OVR_OK;
 }
 
-/* GSL takes its own memory from malloc (about 5 n doubles) and aborts without
- * it; asking the hook for as much first makes that a clean failure. */
+/* GSL takes its own memory from malloc (about 5 n doubles): the hook is asked
+ * for as much first, so that its limits count. */
 static ovr_status enough_memory(size_t n, const ovr_allocator *allocator,
                                 ovr_error *err)
 {
@@ -47,11 +48,8 @@ static ovr_status make(size_t n, const double *x, const double *y,
         status = enough_memory(n, allocator, err);
     if (status)
         return status;
-    *spline = gsl_interp_alloc(kind(n, periodic), n);
-    if (!*spline)
-        return ovr_fail(err, OVR_NO_MEMORY, "out of memory for a spline");
-    gsl_interp_init(*spline, x, y, n);
-    return OVR_OK;
+    *spline = ovr_interpolation(kind(n, periodic), n, x, y, err);
+    return *spline ? OVR_OK : OVR_NO_MEMORY;
 }
 
 ovr_status ovr_spline_second(size_t n, const double *x, const double *y,

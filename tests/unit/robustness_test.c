@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "overroll/case.h"
 #include "support/contact.h"
 #include "support/mass.h"
 #include "support/test.h"
@@ -89,12 +90,47 @@ static void random_cases(void **state)
     assert_true(s.worst_marked <= 1);
 }
 
+static const char dent[] = "[contact]\nM = 20\nL = 10\n[domain]\nlevel = 4\n"
+                           "[time]\nend = 0.5\nscheme = characteristic\n"
+                           "[load]\nhistory = ramp\nto = 1.1\n"
+                           "[speed]\nhistory = table\nfile = speed.txt\n"
+                           "[feature dent]\nshape = dent\ndepth = 0.05\n"
+                           "width = 0.5\nstart = -1\n";
+
+/* From the case to the end of the run. */
+static ovr_status run_with(void *folder, const ovr_allocator *hook,
+                           ovr_error *err)
+{
+    ovr_simulation *sim = NULL;
+    ovr_setup *setup = NULL;
+    ovr_case *c = ovr_case_read_text(dent, "dent.ini", folder, hook, err);
+    if (c)
+        setup = ovr_case_resolve(c, hook, err);
+    if (setup)
+        sim = ovr_setup_simulation(setup, hook, err);
+    ovr_status status = sim ? ovr_simulation_steady(sim, err) : err->status;
+    if (!status)
+        status = ovr_simulation_march(sim, &setup->march, err);
+    ovr_simulation_free(sim);
+    ovr_setup_free(setup);
+    ovr_case_free(c);
+    return status;
+}
+
+static void runs_survive_failing_allocations(void **state)
+{
+    test_write_text(test_path(*state, "speed.txt"), "0 1\n1 1.2\n2 1\n");
+    assert_true(test_every_allocation(run_with, *state) > 10);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(thin_films_name_a_level),
         cmocka_unit_test(negative_film_is_no_solution),
         cmocka_unit_test(what_cannot_be_is_taken_back),
-        cmocka_unit_test(random_cases)};
+        cmocka_unit_test(random_cases),
+        cmocka_unit_test_setup_teardown(runs_survive_failing_allocations,
+                                        test_make_folder, test_remove_folder)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
