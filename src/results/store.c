@@ -185,6 +185,7 @@ static int commit_pages(ovr_store *s)
         (void)!ftruncate(s->journal, 0);
         return error;
     }
+    s->halfway = true;
     error = apply_pages(s);
     if (error == 0 && s->length < s->on_disk) {
         if (ftruncate(s->fd, (off_t)s->length) != 0)
@@ -193,6 +194,7 @@ static int commit_pages(ovr_store *s)
     }
     if (error == 0 && ftruncate(s->journal, 0) != 0)
         error = errno;
+    s->halfway = error != 0;
     return error;
 }
 
@@ -316,6 +318,7 @@ ovr_status ovr_store_open(ovr_store *s, ovr_error *err)
         return status;
     s->on_disk = (uint64_t)about.st_size;
     error = ovr_journal_replay(s);
+    s->halfway = error != 0;
     if (error)
         return say(s, OVR_IO, error, "its last write cannot be finished", err);
     if (fstat(s->fd, &about) != 0)
@@ -324,12 +327,13 @@ ovr_status ovr_store_open(ovr_store *s, ovr_error *err)
     return OVR_OK;
 }
 
-/* What was written behind the committed length is given back; the journal
- * goes unless it holds a commit that failed half-way. */
+/* What was written behind the committed length is given back, and the journal
+ * goes, unless that holds a commit that failed half-way: its pages refer to
+ * what lies behind. */
 void ovr_store_close(ovr_store *s)
 {
     struct stat about = {0};
-    if (s->fd >= 0 && s->on_disk > s->committed && s->published)
+    if (s->fd >= 0 && s->on_disk > s->committed && s->published && !s->halfway)
         (void)!ftruncate(s->fd, (off_t)s->committed);
     if (s->fd >= 0) {
         if (!s->published)

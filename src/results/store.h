@@ -45,6 +45,7 @@ typedef struct ovr_store {
     char *path, *part, *journal_path;
     int fd, journal; /* -1: not open */
     bool published;  /* has its final name */
+    bool halfway;    /* the journal holds a commit that is not finished */
     bool repaired;   /* a cut commit was finished when it was opened */
     int failed;      /* errno of the first failure; 0: none */
     int64_t driver;  /* HDF5's identifier for what leads here, or negative */
