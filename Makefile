@@ -262,11 +262,12 @@ pictures: demo ## the pictures of README.md, into tools/pictures
 	  --every 4 --time 3:6.4 --p-max 5 --rate 20 --size 800x450 --force \
 	  --title 'A dent passes through the contact of two steel rollers'
 
+PAPER_LEVEL ?= 17
 paper: tests ## the paper's tables, computed and compared
 	@mkdir -p $(BUILD)/verify
 	@$(TESTENV) OVERROLL_VERIFY='$(abspath $(BUILD)/verify)' \
-	  TEST_SECONDS=36000 tests/support/run -v -j $(JOBS) \
-	  -o $(BUILD)/paper $(patsubst %.c,$(BUILD)/%,\
+	  TEST_SECONDS=36000 OVERROLL_LEVELS=$(PAPER_LEVEL) \
+	  tests/support/run -v -j 1 -o $(BUILD)/paper $(patsubst %.c,$(BUILD)/%,\
 	    $(wildcard tests/paper/*_test.c)) $(wildcard tests/paper/*.sh)
 
 # tests/bench/*_bench.c: each a program that writes $(BUILD)/bench/NAME.json;

@@ -174,6 +174,7 @@ typedef struct ovr_refinement {
     size_t nodes;
     int cycles;
     double residual; /* R after the last cycle */
+    double factor;   /* of the last cycle on R */
     double H_min, H_cen;
     double change;     /* of P by the last cycle */
     double algebraic;  /* estimate of what further cycles would change */

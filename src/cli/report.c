@@ -189,6 +189,7 @@ static void json_refinements(json_writer *json, const cli_summary *s)
         json_integer(json, "nodes", (long long)r[k].nodes);
         json_integer(json, "cycles", r[k].cycles);
         json_number(json, "residual", r[k].residual);
+        json_number(json, "factor", r[k].factor);
         json_number(json, "H_min", r[k].H_min);
         json_number(json, "H_cen", r[k].H_cen);
         json_number(json, "change", r[k].change);

@@ -55,6 +55,7 @@ void ovr_refinement_note(ovr_simulation *sim, const ovr_level *level,
                            .nodes = level->n,
                            .cycles = cycles,
                            .residual = d->imbalance,
+                           .factor = factor,
                            .H_cen = d->centre};
     to->H_min = smallest(level->f.H, level->n);
     to->change = cycles ? distance(level->f.P, 1, sim->past.P[1], level->n,

@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The smoothers side by side: cycles on all levels together, the last cycle's
+ * factor on the residual of the finest one, and time; upstream2, to a
+ * negligible algebraic error.
+ */
+#include "support/test.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "support/steady.h"
+
+static test_solution solve(double M, double L, int level, ovr_smoother smoother)
+{
+    ovr_options o = ovr_options_default();
+    o.level = level;
+    o.smoother = smoother;
+    o.inlet = o.outlet = NAN;
+    return test_steady(M, L, &o);
+}
+
+static void print_solution(const test_solution *s)
+{
+    if (s->status)
+        print_message("| - | - | - ");
+    else
+        print_message("| %d | %.2f | %.1f ", s->o.cycles, s->finest.factor,
+                      1e3 * s->seconds);
+}
+
+static void test_table(void **state)
+{
+    const double ML[][2] = {{5, 2.5},  {5, 10},   {10, 10},  {20, 2.5},
+                            {20, 10},  {50, 10},  {100, 5},  {200, 8},
+                            {500, 10}, {1000, 5}, {1000, 15}};
+    const size_t cases = sizeof ML / sizeof *ML;
+    int last = test_levels(8) < 12 ? test_levels(8) : 12;
+    (void)state;
+    print_message("\n|| line V(1,1) and hybrid V(2,1)\n"
+                  "| M | L | level | line: cycles | factor | ms | hybrid: "
+                  "cycles | factor | ms |\n"
+                  "|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+    for (size_t k = 0; k < cases; k++)
+        for (int level = 8; level <= last; level += 2) {
+            double M = ML[k][0], L = ML[k][1];
+            test_solution line = solve(M, L, level, OVR_LINE);
+            test_solution hybrid = solve(M, L, level, OVR_HYBRID);
+            print_message("| %g | %g | %d ", M, L, level);
+            print_solution(&line);
+            print_solution(&hybrid);
+            print_message("|\n");
+            assert_int_equal(line.status, OVR_OK);
+            assert_int_equal(hybrid.status, OVR_OK);
+            CHECK_CLOSE(hybrid.o.H_min, line.o.H_min, 1e-6);
+            CHECK_CLOSE(hybrid.o.H_cen, line.o.H_cen, 1e-6);
+        }
+}
+
+/* The paper's parts alone: Gauss-Seidel where eps/D^2 is large everywhere (low
+ * load, fine grid), the dipole with its under-relaxation converges anywhere,
+ * slowly; neither ends without saying so. */
+static void test_parts_alone(void **state)
+{
+    test_solution seidel = solve(5, 0, 8, OVR_GAUSS_SEIDEL);
+    test_solution dipole = solve(20, 10, 7, OVR_DIPOLE);
+    (void)state;
+    print_message("# Gauss-Seidel alone, M = 5, L = 0, level 8: %s, R %.1e, "
+                  "%d cycles\n",
+                  ovr_status_name(seidel.status), seidel.o.residual,
+                  seidel.o.cycles);
+    print_message("# dipole alone, M = 20, L = 10, level 7: %s, R %.1e, "
+                  "%d cycles\n",
+                  ovr_status_name(dipole.status), dipole.o.residual,
+                  dipole.o.cycles);
+    assert_int_equal(seidel.status, OVR_OK);
+    assert_true(dipole.status == OVR_OK || dipole.status == OVR_NOT_CONVERGED);
+}
+
+static void test_ranges(void **state)
+{
+    const double wrong[][2] = {{0.4, 0.5}, {1.1, 0.5}, {0.8, 0.2}, {0.8, 0.7}};
+    ovr_contact contact;
+    ovr_lubricant lubricant;
+    (void)state;
+    test_contact(20, 10, &contact, &lubricant);
+    for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
+        ovr_options o = ovr_options_default();
+        ovr_error err = {0};
+        o.relax_seidel = wrong[k][0];
+        o.relax_dipole = wrong[k][1];
+        assert_null(
+            ovr_simulation_create(&contact, &lubricant, &o, NULL, &err));
+        CHECK_ERROR(&err, OVR_BAD_INPUT, "under-relaxation");
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_table),
+                                       cmocka_unit_test(test_parts_alone),
+                                       cmocka_unit_test(test_ranges)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

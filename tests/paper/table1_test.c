@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Table 1 of the paper: computing time against n with 2 V or 2 W cycles per
+ * refinement; the ratio of successive rows (about 2 for O(n ln n)) and the
+ * speed-up over the paper's machine.  Times are reported, never judged.
+ */
+#include "support/test.h"
+
+#include <stdio.h>
+
+#include "support/reference.h"
+#include "support/steady.h"
+
+enum { FIRST = 5, PRINTED_LAST = 14 };
+
+static ovr_options fixed(int level, int index, bool paper)
+{
+    ovr_options o = ovr_options_default();
+    o.level = level;
+    o.scheme = OVR_UPSTREAM1;
+    o.cycle_index = index;
+    o.stop = OVR_STOP_FIXED;
+    o.cycles = 2;
+    if (paper) {
+        o.smoother = OVR_HYBRID;
+        o.coarsest_level = 1;
+        o.paper_balance = true;
+    }
+    return o;
+}
+
+/* The shortest of three. */
+static double best_time(int level, int index, bool paper, test_solution *s)
+{
+    ovr_options o = fixed(level, index, paper);
+    double best = 1e9;
+    for (int k = 0; k < 3; k++) {
+        *s = test_steady(20, 10, &o);
+        if (s->seconds < best)
+            best = s->seconds;
+    }
+    return best;
+}
+
+static void print_times(int level, int index, double seconds, double before)
+{
+    print_message(" %.2f | ", 1e3 * seconds);
+    if (before > 0)
+        print_message("%.2f ", seconds / before);
+    if (level <= PRINTED_LAST) {
+        const double *then = index == 1 ? printed_2V : printed_2W;
+        print_message("| %.0f | %.0f |", then[level - FIRST],
+                      then[level - FIRST] / seconds);
+    } else {
+        print_message("| | |");
+    }
+}
+
+static void table(bool paper)
+{
+    double before[3] = {0};
+    int last = test_levels(9);
+    print_message("\n|| %s, ms, ratio to the row above, paper s, times as "
+                  "fast\n"
+                  "| level | n | 2V | ratio | paper | speed-up | 2W | ratio "
+                  "| paper | speed-up |\n"
+                  "|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
+                  paper ? "the paper's algorithm: hybrid, 15 nodes, H0 relaxed"
+                        : "line smoother, dense coarsest grid");
+    for (int level = FIRST; level <= last; level++) {
+        print_message("| %d | %d |", level, (7 << level) + 1);
+        for (int index = 1; index <= 2; index++) {
+            test_solution s;
+            double seconds = best_time(level, index, paper, &s);
+            print_times(level, index, seconds, before[index]);
+            before[index] = seconds;
+            if (!paper || (index == 2 && level >= 6))
+                assert_int_equal(s.status, OVR_OK);
+        }
+        print_message("\n");
+    }
+}
+
+static void test_paper(void **state)
+{
+    (void)state;
+    table(true);
+}
+
+static void test_line(void **state)
+{
+    (void)state;
+    table(false);
+}
+
+/* What 2 W cycles leave is far below the discretization error, and so the
+ * film is that of the exact discrete solution. */
+static void test_two_w_suffice(void **state)
+{
+    (void)state;
+    for (int level = 7; level <= 9; level++) {
+        ovr_options o = fixed(level, 2, true);
+        test_solution s = test_steady(20, 10, &o);
+        CHECK_OK(s.status, NULL);
+        assert_true(s.finest.cycles == 2);
+        assert_true(s.finest.algebraic < 0.1 * s.finest.difference);
+        CHECK_NEAR(s.o.H_min, exact_row(1, level)->H_m, 1e-4);
+        CHECK_NEAR(s.o.H_cen, exact_row(1, level)->H_cen, 1e-5);
+    }
+}
+
+/* Low loads: 2 V cycles are enough, as the paper says. */
+static void test_two_v_at_low_load(void **state)
+{
+    const double ML[][2] = {{5, 2.5}, {5, 10}, {10, 2.5}, {10, 10}};
+    (void)state;
+    for (size_t k = 0; k < sizeof ML / sizeof *ML; k++) {
+        ovr_options o = fixed(9, 1, true);
+        test_solution s = test_steady(ML[k][0], ML[k][1], &o);
+        CHECK_OK(s.status, NULL);
+        assert_true(s.finest.algebraic < 0.5 * s.finest.difference);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_paper),
+        cmocka_unit_test(test_line),
+        cmocka_unit_test(test_two_w_suffice),
+        cmocka_unit_test(test_two_v_at_low_load),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Steady contacts of given M and L in a call each. */
+#ifndef TESTS_SUPPORT_STEADY_H
+#define TESTS_SUPPORT_STEADY_H
+
+#include "overroll/simulation.h"
+
+typedef struct test_solution {
+    ovr_status status;
+    ovr_observation o;
+    ovr_options options;   /* as resolved */
+    ovr_refinement finest; /* the last level's record */
+    double seconds;        /* of the solve */
+    char message[OVR_MESSAGE_SIZE];
+} test_solution;
+
+/* The paper's lubricant with alpha = 1.7e-8; L = 0 isoviscous and
+ * incompressible. */
+void test_contact(double M, double L, ovr_contact *contact,
+                  ovr_lubricant *lubricant);
+
+test_solution test_steady(double M, double L, const ovr_options *options);
+
+/* Finest level of a table: short in `make check`; `make paper` says more in
+ * the environment, OVERROLL_LEVELS. */
+int test_levels(int unless_told);
+
+#endif
