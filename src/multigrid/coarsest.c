@@ -160,6 +160,7 @@ bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit)
 {
     const ovr_newton *newton = &grids->newton;
     size_t n = level->n;
+    double H;
     ovr_level_residual(grids, level);
     assemble(grids, level);
     if (!solve(n + 1, newton->matrix, newton->rhs))
@@ -168,6 +169,8 @@ bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit)
         double P = level->f.P[i] + clipped(newton->rhs[i], limit);
         level->f.P[i] = P > 0 ? P : 0;
     }
-    grids->H0 += clipped(newton->rhs[n], limit * 2 / 3);
+    /* in proportion where the film is thick: rigid contacts */
+    H = fabs(ovr_level_centre(grids, level, level->f.H));
+    grids->H0 += clipped(newton->rhs[n], limit * 2 / 3 * (H > 1 ? H : 1));
     return isfinite(grids->H0);
 }

@@ -19,9 +19,9 @@
 ovr_status ovr_newton_prepare(ovr_hierarchy *grids, ovr_arena *arena,
                               ovr_error *err);
 
-/* One step with |dP| <= limit and |dH0| <= 2/3 limit.  Film and properties of
- * the level must be up to date before and are not after.  False when the
- * matrix is singular. */
+/* One step with |dP| <= limit and |dH0| <= 2/3 limit max(1, H_cen).  Film and
+ * properties of the level must be up to date before and are not after.  False
+ * when the matrix is singular. */
 bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit);
 
 #endif

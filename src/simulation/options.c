@@ -63,22 +63,26 @@ void ovr_options_mlmi(const ovr_options *options, int level, int *order,
 }
 
 /*
- * Relative loss of film by an inlet at X_a, as far as it was measured (M = 1
- * to 1000, L = 0 to 10; within a factor of 3): the gap there is X_a^2/2 in a
- * contact of film H, and
- *     loss = (sqrt(2 H)/|X_a|)^2.5.
+ * Relative loss of film by an inlet at X_a, measured by moving it out (M =
+ * 0.03 to 1000, L = 0 to 10; within a factor of 3): with s = sqrt(2 H)/|X_a|,
+ * the width of the film over the length of the inlet, s^2.5 in an elastic
+ * contact, 2 s^2 in a rigid one, whose gap opens as X^2/2 from the start.
  */
 double ovr_starvation(const ovr_contact *contact, double X_a)
 {
     double H = ovr_film_central_moes(contact->M, contact->L);
-    return pow(sqrt(2 * H) / fabs(X_a), 2.5);
+    double s = sqrt(2 * H) / fabs(X_a), rigid = H * H / (1 + H * H);
+    double elastic_loss = pow(s, 2.5), rigid_loss = 2 * s * s * rigid;
+    return elastic_loss > rigid_loss ? elastic_loss : rigid_loss;
 }
 
 /* A loss of 1e-3, but no closer than half a contact width to the contact. */
 static double automatic_inlet(const ovr_contact *contact)
 {
-    double X_a = -pow(ovr_starvation(contact, 1) / 1e-3, 0.4);
-    return X_a < -2 ? X_a : -2;
+    double X_a = -2;
+    while (ovr_starvation(contact, X_a) > 1e-3)
+        X_a *= 1.02;
+    return X_a;
 }
 
 /* A rigid film ruptures at 0.475 sqrt(2 H) (Martin), an elastic one near 1. */
@@ -89,10 +93,16 @@ static double automatic_outlet(const ovr_contact *contact)
     return X_b > 1.5 ? X_b : 1.5;
 }
 
-static int automatic_coarsest(const ovr_contact *contact, int level)
+/* 57 nodes, more where the contact is loaded so highly, or the inlet so long,
+ * that they would not see it: two meshes over the width of the film. */
+static int automatic_coarsest(const ovr_contact *contact, const ovr_options *o)
 {
+    double H = ovr_film_central_moes(contact->M, contact->L);
+    double width = 2 * H > 1 ? sqrt(2 * H) : 1;
     int coarsest = contact->M >= 400 ? 5 : contact->M >= 90 ? 4 : 3;
-    return coarsest < level ? coarsest : level;
+    while (coarsest < 6 && o->outlet - o->inlet > 0.5 * width * (7 << coarsest))
+        coarsest++;
+    return coarsest < o->level ? coarsest : o->level;
 }
 
 static ovr_status check(const ovr_options *o, ovr_error *err)
@@ -138,7 +148,7 @@ ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
     if (check(o, err))
         return OVR_BAD_INPUT;
     if (!o->coarsest_level)
-        o->coarsest_level = automatic_coarsest(contact, o->level);
+        o->coarsest_level = automatic_coarsest(contact, o);
     if (!o->sweeps_before && !o->sweeps_after) {
         o->sweeps_before = o->smoother == OVR_LINE ? 1 : 2;
         o->sweeps_after = 1;

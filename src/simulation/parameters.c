@@ -173,9 +173,9 @@ static const ovr_parameter table[] = {
      "Roelands' index; auto: alpha p0/(ln eta0 + 9.67) where alpha and "
      "viscosity are known, else 0.68"},
 
-    {"domain", "inlet", LENGTH_OR(auto_nan, -1e3, -1.05), "-4",
+    {"domain", "inlet", LENGTH_OR(auto_nan, -1e6, -1.05), "-4",
      AT(options.inlet), true, "X of the first node"},
-    {"domain", "outlet", LENGTH_OR(auto_nan, 1.05, 1e3), "1.5",
+    {"domain", "outlet", LENGTH_OR(auto_nan, 1.05, 1e6), "1.5",
      AT(options.outlet), true, "X of the last node"},
     {"domain", "level", WHOLE(1, 23), "8", AT(options.level), true,
      "finest grid: 7 2^level + 1 nodes"},

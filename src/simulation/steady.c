@@ -65,19 +65,20 @@ double ovr_film_expected(const ovr_simulation *sim, double fraction)
 }
 
 /*
- * Hertzian pressure; H0 from the film of the elastic asymptotes above the
- * rigid approach of the dry contact, Cw (-0.5966 + ln(Cw)/4).
+ * Hertz's semi-ellipse, but no narrower than the film's own width sqrt(H)
+ * where the film outgrows the deformation; H0 from the film formula above the
+ * rigid approach of the dry contact, Cw (-0.5966 + ln(a)/2) at half-width a.
  */
 static void hertzian_start(ovr_simulation *sim, ovr_level *level,
                            double fraction)
 {
-    double Cw = sim->start_load;
+    double Cw = sim->start_load, H = ovr_film_expected(sim, fraction);
+    double a = sqrt(H > Cw ? H : Cw);
     for (size_t i = 0; i < level->n; i++) {
-        double X = sim->grids.X_a + (double)i * level->D;
-        level->f.P[i] = X * X < Cw ? sqrt(Cw - X * X) : 0;
+        double x = (sim->grids.X_a + (double)i * level->D) / a;
+        level->f.P[i] = x * x < 1 ? Cw / a * sqrt(1 - x * x) : 0;
     }
-    sim->grids.H0 = ovr_film_expected(sim, fraction) +
-                    Cw * (-0.5966 + 0.25 * log(Cw));
+    sim->grids.H0 = H + Cw * (-0.5966 + 0.5 * log(a));
 }
 
 /* With a negative film the flow runs uphill, and the residual adds up to
