@@ -55,7 +55,7 @@ typedef struct ovr_options {
     ovr_scheme scheme;
     ovr_smoother smoother;
     int cycle_index;                 /* 1: V, 2: W */
-    int sweeps_before, sweeps_after; /* 0, 0: line 1, 1; hybrid 2, 1 */
+    int sweeps_before, sweeps_after; /* 0, 0: line 1, 1; hybrid 2, 2 */
     int max_cycles;                  /* steady: per refinement; 0: automatic */
     int cycles;                      /* with OVR_STOP_FIXED; the paper's 2 */
     ovr_stop stop;

@@ -29,8 +29,9 @@
  *  4. The switch.  Gauss-Seidel on the second-order wedge amplifies what
  *     travels downstream where eps/D^2 is 0.4 to 2; it is slow (1.25 a cycle
  *     at M = 50, L = 10, level 12, X = 0.75), but fine grids have wide zones
- *     of such eps.  3 instead of 0.3 ended that; V(2,1) pays for the slower
- *     dipole.
+ *     of such eps.  3 instead of 0.3 ended that.
+ *  5. V(2,2): with one sweep after the coarse grid what the correction leaves
+ *     at the spike came back in the next one (M = 50, L = 15, level 10).
  */
 #ifndef OVR_MULTIGRID_HYBRID_H
 #define OVR_MULTIGRID_HYBRID_H

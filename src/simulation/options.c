@@ -151,7 +151,7 @@ ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
         o->coarsest_level = automatic_coarsest(contact, o);
     if (!o->sweeps_before && !o->sweeps_after) {
         o->sweeps_before = o->smoother == OVR_LINE ? 1 : 2;
-        o->sweeps_after = 1;
+        o->sweeps_after = o->sweeps_before;
     }
     if (!o->cycle_index)
         o->cycle_index = 1;

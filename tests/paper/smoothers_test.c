@@ -37,7 +37,7 @@ static void test_table(void **state)
     const size_t cases = sizeof ML / sizeof *ML;
     int last = test_levels(8) < 12 ? test_levels(8) : 12;
     (void)state;
-    print_message("\n|| line V(1,1) and hybrid V(2,1)\n"
+    print_message("\n|| line V(1,1) and hybrid V(2,2)\n"
                   "| M | L | level | line: cycles | factor | ms | hybrid: "
                   "cycles | factor | ms |\n"
                   "|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
