@@ -93,6 +93,11 @@ OVR_API double ovr_simulation_memory(const ovr_options *options);
 /* The options after resolution (domain, coarsest level, tolerance, ...). */
 OVR_API const ovr_options *ovr_simulation_options(const ovr_simulation *sim);
 
+/* Numerical starvation: the share of the film that the inlet's place costs,
+ * estimated from M and L (within a factor of 3).  An automatic inlet costs
+ * 1e-3 or less. */
+OVR_API double ovr_simulation_starvation(const ovr_simulation *sim);
+
 /* Roughness and histories; borrowed, must outlive the simulation.  Default:
  * smooth, constant. */
 OVR_API void ovr_simulation_surface(ovr_simulation *sim, ovr_heights *heights,

@@ -113,8 +113,10 @@ void cli_warn_after(const cli_call *call, cli_summary *summary)
     if (state->n && o->H_cen > 0 && state->H[0] < FLOODED * o->H_cen)
         cli_warn(call, summary,
                  "the inlet is numerically starved: the film at X = %.3g is "
-                 "only %.1f central films; move the inlet out",
-                 state->X[0], state->H[0] / o->H_cen);
+                 "only %.1f central films, which costs some %.1g %% of the "
+                 "film; move the inlet out or let inlet = auto choose it",
+                 state->X[0], state->H[0] / o->H_cen,
+                 100 * ovr_simulation_starvation(summary->sim));
 }
 
 /* ------------------------------------------------------------------- JSON */

@@ -76,6 +76,11 @@ double ovr_starvation(const ovr_contact *contact, double X_a)
     return elastic_loss > rigid_loss ? elastic_loss : rigid_loss;
 }
 
+double ovr_simulation_starvation(const ovr_simulation *sim)
+{
+    return ovr_starvation(&sim->contact, sim->options.inlet);
+}
+
 /* A loss of 1e-3, but no closer than half a contact width to the contact. */
 static double automatic_inlet(const ovr_contact *contact)
 {
