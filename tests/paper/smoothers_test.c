@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "support/contact.h"
 #include "support/steady.h"
 
 static test_solution solve(double M, double L, int level, ovr_smoother smoother)
@@ -80,17 +81,15 @@ static void test_parts_alone(void **state)
 static void test_ranges(void **state)
 {
     const double wrong[][2] = {{0.4, 0.5}, {1.1, 0.5}, {0.8, 0.2}, {0.8, 0.7}};
-    ovr_contact contact;
-    ovr_lubricant lubricant;
+    test_contact c = test_contact_make(20, 10);
     (void)state;
-    test_contact(20, 10, &contact, &lubricant);
     for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
         ovr_options o = ovr_options_default();
         ovr_error err = {0};
         o.relax_seidel = wrong[k][0];
         o.relax_dipole = wrong[k][1];
         assert_null(
-            ovr_simulation_create(&contact, &lubricant, &o, NULL, &err));
+            ovr_simulation_create(&c.contact, &c.lubricant, &o, NULL, &err));
         CHECK_ERROR(&err, OVR_BAD_INPUT, "under-relaxation");
     }
 }

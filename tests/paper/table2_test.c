@@ -35,7 +35,7 @@ static void header(int order, ovr_smoother smoother)
 
 static void print_row(int level, const test_solution *s, int order)
 {
-    const exact_table2 *exact = exact_row(order, level);
+    const truth_row *exact = exact_row(order, level);
     print_message("| %d | %d | %.6f ", level, (7 << level) + 1, s->o.H_min);
     if (exact)
         print_message("| %.6f | %.4f | %.4f | %.4f | %.3f ", exact->H_m,
@@ -48,7 +48,7 @@ static void print_row(int level, const test_solution *s, int order)
 
 static void check_row(int level, const test_solution *s, int order)
 {
-    const exact_table2 *exact = exact_row(order, level);
+    const truth_row *exact = exact_row(order, level);
     assert_int_equal(s->status, OVR_OK);
     if (!exact)
         return;

@@ -14,11 +14,7 @@ typedef struct test_solution {
     char message[OVR_MESSAGE_SIZE];
 } test_solution;
 
-/* The paper's lubricant with alpha = 1.7e-8; L = 0 isoviscous and
- * incompressible. */
-void test_contact(double M, double L, ovr_contact *contact,
-                  ovr_lubricant *lubricant);
-
+/* The contact of support/contact.h, solved. */
 test_solution test_steady(double M, double L, const ovr_options *options);
 
 /* Finest level of a table: short in `make check`; `make paper` says more in
