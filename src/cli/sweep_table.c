@@ -36,13 +36,14 @@ static sweep_column *column_of(sweep_table *t, const char *name, ovr_error *err)
     return c->value ? c : NULL;
 }
 
-/* `  "key": value,` of our own JSON: the number, NAN for null; false for what
- * is no number. */
+/* `  "key": value,` of our own JSON, not of objects inside: the number, NAN for
+ * null; false for what is no number. */
 static bool read_pair(const char *line, char *key, size_t room, double *value)
 {
-    const char *from = strchr(line, '"'), *end, *text;
+    const char *from = line + 2, *end, *text;
     char *rest;
-    if (!from || !(end = strchr(from + 1, '"')) || strncmp(end, "\": ", 3) != 0)
+    if (strncmp(line, "  \"", 3) != 0 || !(end = strchr(from + 1, '"')) ||
+        strncmp(end, "\": ", 3) != 0)
         return false;
     snprintf(key, room, "%.*s", (int)(end - from - 1), from + 1);
     text = end + 3;

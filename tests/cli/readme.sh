@@ -1,0 +1,28 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The tour of README.md works as it stands there, and its links lead
+# somewhere.
+. "$TOP/tests/support/cli.sh"
+need gnuplot
+
+sed -n '/^```sh$/,/^```$/p' "$TOP/README.md" | grep -v '^```' >tour
+[ "$(grep -c '^overroll' tour)" -ge 10 ] || fail "$(cat tour)"
+mkdir bin
+ln -s "$OVERROLL" bin/overroll
+PATH=$PWD/bin:$PATH
+export TOP
+expect 0 sh -eu tour
+for file in roller.ini roller.h5 roller.png mine.h5 mine.html mine.gif \
+    study/manifest.csv study.nc; do
+    [ -s $file ] || fail "the tour makes no $file"
+done
+[ "$(grep -c ,finished, study/manifest.csv)" -eq 8 ] ||
+    fail "$(cat study/manifest.csv)"
+
+for link in $(sed -n 's/.*](\([^):#]*\)).*/\1/p' "$TOP/README.md" \
+    "$TOP/CHANGELOG.md" | sort -u); do
+    [ -e "$TOP/$link" ] || fail "README.md leads to $link, which is not there"
+done
+for script in $(sed -n 's/^| `\([a-z-]*\)` |.*/\1/p' "$TOP/README.md"); do
+    [ -x "$TOP/tools/examples/$script" ] || fail "no example $script"
+done
