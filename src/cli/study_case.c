@@ -83,7 +83,7 @@ static int by_name(const void *a, const void *b)
 
 static ovr_status check_names(study *s, ovr_error *err)
 {
-    char **sorted = malloc(s->tasks * sizeof *sorted);
+    char **sorted = malloc((s->tasks + 1) * sizeof *sorted);
     ovr_status status = OVR_OK;
     if (!sorted)
         return ovr_fail(err, OVR_NO_MEMORY, "out of memory");

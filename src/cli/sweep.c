@@ -216,7 +216,10 @@ static int run_task(sweeping *w, size_t task)
     sweep_state state;
     char text[1100];
     int stopped = 0;
-    w->task = &task;
+    w->task = ovr_arena_take(&w->s.arena, 1, sizeof *w->task, NULL);
+    if (!w->task)
+        return CLI_FAILED;
+    w->task[0] = task;
     w->tasks = sweep_wanted(&w->how, sweep_state_of(&w->s, task));
     if (w->tasks)
         stopped = start(w, 1);

@@ -35,7 +35,7 @@ static bool close_set(hid_t set, bool good)
 static bool put_scale(netcdf *n)
 {
     size_t count = n->t->s->tasks;
-    int *number = malloc(count * sizeof *number);
+    int *number = malloc((count + 1) * sizeof *number);
     for (size_t i = 0; number && i < count; i++)
         number[i] = (int)i + 1;
     n->scale = number ? create(n, "case", H5T_STD_I32LE) : -1;
@@ -103,7 +103,7 @@ static bool put_values(const netcdf *n, const char **texts)
 static bool put_all(netcdf *n)
 {
     const sweep_table *t = n->t;
-    const char **texts = malloc(t->s->tasks * sizeof *texts);
+    const char **texts = malloc((t->s->tasks + 1) * sizeof *texts);
     bool good = texts && put_scale(n) &&
                 put_texts(n, "name", "name of the case's files",
                           (const char *const *)t->s->name);

@@ -47,6 +47,6 @@ int sweep_work(const study *s, size_t task, const sweep_how *how,
                volatile double *done);
 
 /* For the parent of a worker that died of a signal without a word. */
-void sweep_died(const study *s, size_t task, int signal);
+void sweep_died(const study *s, size_t task, int number);
 
 #endif

@@ -11,6 +11,7 @@ diff written out ||
     fail 'overroll-case.5 is not the table: run tools/update-manual'
 
 expect 0 "$OVERROLL" help --bash
+# shellcheck disable=SC2016 # no expansion wanted
 sed -n '/case $1 in/,/esac # options/p' "$TOP/src/cli/overroll.bash" |
     sed '1d;$d' >written
 diff written out ||
@@ -45,6 +46,7 @@ for page in "$TOP"/src/*/overroll*.[1357]; do
         fail "$page: not version $version"
 done
 # References lead somewhere.
+# shellcheck disable=SC2013 # names without blanks
 for name in $(sed -n 's/^\.BR \(overroll[a-z\\-]*\) (\([1357]\)).*/\1.\2/p' \
     "$TOP"/src/*/overroll*.[1357] | sed 's/.-/-/g' | sort -u); do
     ls "$TOP"/src/*/"$name" >/dev/null 2>&1 || fail "no page $name"

@@ -1,5 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
+# shellcheck disable=SC2013,SC2016 # names without blanks; no expansion wanted
+#
 # The tour of README.md works as it stands there, and its links lead
 # somewhere.
 . "$TOP/tests/support/cli.sh"

@@ -42,13 +42,13 @@ for page in man1/overroll.1 man3/overroll-library.3 man5/overroll-case.5 \
     man7/overroll-reading.7; do
     [ -s "$man/$page" ] || fail "$page is not installed"
 done
-complete() {
+completed() {
     bash -c '. "$0"; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1))
         _overroll; echo "${COMPREPLY[@]}"' \
         "$prefix/share/bash-completion/completions/overroll" "$@"
 }
-[ "$(complete overroll sw)" = sweep ] || fail 'sw is not completed to sweep'
-[ "$(complete overroll sweep --col)" = --collect ] || fail '--col'
+[ "$(completed overroll sw)" = sweep ] || fail 'sw is not completed to sweep'
+[ "$(completed overroll sweep --col)" = --collect ] || fail '--col'
 
 for_make uninstall
 find "$prefix" ! -type d >left
