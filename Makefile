@@ -209,6 +209,15 @@ $(FUZZBIN): %: %.o $(LIB)
 	$(call say,LINK  $@)
 	$(Q)$(LINK) -fsanitize=fuzzer -o $@ $^ $(OVR_LIBS)
 
+# The command line has the program's parts, its main under another name.
+COMMAND := $(filter-out %/main.o,$(CLIOBJ)) $(BUILD)/tests/fuzz/main.o
+$(BUILD)/tests/fuzz/main.o: $(BUILD)/src/cli/main.o
+	@mkdir -p $(@D)
+	$(Q)objcopy --redefine-sym main=overroll_main $< $@
+$(BUILD)/tests/fuzz/command_replay $(BUILD)/tests/fuzz/command_fuzz: $(COMMAND)
+$(BUILD)/tests/fuzz/command_replay $(BUILD)/tests/fuzz/command_fuzz: \
+  OVR_LIBS := $(LIB) $(OVR_LIBS)
+
 # What libFuzzer finds stays in $(BUILD)-fuzz; the corpora in the tree are
 # only read.
 FUZZ_SECONDS ?= 600

@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The command line, one word a line: whatever the words, the program ends
+ * with a code of its own.  Commands that solve are checked only, paths with a
+ * slash are left out, and all happens in an empty folder.
+ */
+#include <dirent.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* main of the program under another name (Makefile). */
+int overroll_main(int argc, char **argv);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+enum { WORDS = 40 };
+
+static char folder[] = "/tmp/overroll-fuzz-XXXXXX";
+
+/* What commands wrote goes with the folder. */
+static void leave(void)
+{
+    DIR *here = opendir(".");
+    for (struct dirent *e = here ? readdir(here) : NULL; e; e = readdir(here))
+        if (strcmp(e->d_name, ".") != 0 && strcmp(e->d_name, "..") != 0)
+            remove(e->d_name);
+    if (here)
+        closedir(here);
+    (void)!chdir("/");
+    rmdir(folder);
+}
+
+static void enter(void)
+{
+    static bool inside;
+    if (inside)
+        return;
+    if (!mkdtemp(folder) || chdir(folder) != 0)
+        abort();
+    atexit(leave);
+    inside = true;
+}
+
+static int cut(char *text, char **words)
+{
+    static char name[] = "overroll";
+    int count = 1;
+    words[0] = name;
+    for (char *next = text; next && count < WORDS - 1; count++) {
+        words[count] = next;
+        next = strchr(next, '\n');
+        if (next)
+            *next++ = '\0';
+    }
+    words[count] = NULL;
+    return count;
+}
+
+static void tame(char **words)
+{
+    static const char *const solves[] = {"steady", "run", "sweep", "resume"};
+    static char check[] = "check";
+    for (size_t k = 0; k < sizeof solves / sizeof *solves; k++)
+        if (words[1] && !strcmp(words[1], solves[k]))
+            words[1] = check;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    char *words[WORDS];
+    char *text = malloc(size + 1);
+    if (!text || size > 2000 || memchr(data, '/', size)) {
+        free(text);
+        return 0;
+    }
+    enter();
+    memcpy(text, data, size);
+    text[size] = '\0';
+    int count = cut(text, words), code;
+    tame(words);
+    code = overroll_main(count, words);
+    if (code < 0 || code > 3)
+        abort();
+    free(text);
+    return 0;
+}
