@@ -100,7 +100,7 @@ static void report_json(const sweeping *w, const sweep_table *t)
     json_text(&json, "study", w->s.path);
     json_integer(&json, "cases", (long long)w->s.tasks);
     for (int state = 0; state < SWEEP_STATES; state++)
-        json_integer(&json, sweep_state_name(state),
+        json_integer(&json, sweep_state_name((sweep_state)state),
                      (long long)t->count[state]);
     snprintf(text, sizeof text, "%.1000s/manifest.csv", w->s.output);
     json_text(&json, "manifest", text);
@@ -127,7 +127,8 @@ static void report_table(const sweeping *w, const sweep_table *t)
     printf("%zu cases:", w->s.tasks);
     for (int state = 0; state < SWEEP_STATES; state++)
         if (t->count[state])
-            printf(" %zu %s", t->count[state], sweep_state_name(state));
+            printf(" %zu %s", t->count[state],
+                   sweep_state_name((sweep_state)state));
     printf("; %s/manifest.csv\n", w->s.output);
     list_state(w, t, SWEEP_FAILED);
     list_state(w, t, SWEEP_CHANGED);
@@ -223,6 +224,7 @@ static int run_task(sweeping *w, size_t task)
     w->tasks = sweep_wanted(&w->how, sweep_state_of(&w->s, task));
     if (w->tasks)
         stopped = start(w, 1);
+    w->task = NULL;
     state = sweep_state_of(&w->s, task);
     sweep_message(&w->s, task, text, sizeof text);
     if (w->call->verbosity >= 0)

@@ -180,7 +180,7 @@ static inline void apply(ptrdiff_t h, ptrdiff_t range, const ovr_mlmi *plan,
 {
     const ovr_mlmi_grid *grid = plan->grid;
     ptrdiff_t pad = plan->pad * VEC;
-    int last = plan->depth;
+    int last = plan->depth > 0 ? plan->depth : 0;
     to_lanes(P, S, grid[0].u + pad);
     for (int s = 0; s < last; s++) {
         const ovr_mlmi_grid *coarse = &grid[s + 1];

@@ -95,12 +95,14 @@ static inline vec less(vec c, vec a, vec b)
 #define SINGLES(a, b) EXCHANGE(a, b, (0, 2), (1, 3))
 #endif
 #define LIST(...) __VA_ARGS__
+/* NOLINTBEGIN(bugprone-macro-parentheses): a and b are assigned to */
 #define EXCHANGE(a, b, low, high)                                              \
     do {                                                                       \
         vec both = SHUFFLE(a, b, LIST low);                                    \
         b = SHUFFLE(a, b, LIST high);                                          \
         a = both;                                                              \
     } while (0)
+/* NOLINTEND(bugprone-macro-parentheses) */
 
 /* v[i][l] <-> v[l][i]; written out, for registers. */
 static inline void transpose(vec v[VEC])

@@ -21,7 +21,7 @@ enum { MOST_NODES = 4000, MOST_STEPS = 4000, MOST_VALUES = 4000000 };
 
 ovr_view_options ovr_view_options_default(void)
 {
-    return (ovr_view_options){NULL};
+    return (ovr_view_options){.force = false};
 }
 
 typedef struct writer {
