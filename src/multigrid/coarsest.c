@@ -2,6 +2,9 @@
 #include "multigrid/coarsest.h"
 
 #include <math.h>
+#include <string.h>
+
+#include "multigrid/field.h"
 
 static const double dry_tolerance = 1e-10;
 
@@ -10,11 +13,17 @@ static double *take_kernel(const ovr_level *level, ovr_arena *arena,
                            ovr_error *err)
 {
     size_t n = level->n, size = 2 * n + 5;
-    double *kernel = ovr_arena_take(arena, size, sizeof(double), err);
+    double *kernel = ovr_field(arena, size, err);
     for (size_t k = 0; kernel && k < size; k++)
         kernel[k] = ovr_deformation_kernel((double)k - (double)(n + 2),
                                            level->D);
     return kernel;
+}
+
+/* Values of a row: n + 1 unknowns, the right-hand side, whole vectors. */
+static size_t stride_of(size_t n)
+{
+    return (n + 2 + 14) / 8 * 8;
 }
 
 ovr_status ovr_newton_prepare(ovr_hierarchy *grids, ovr_arena *arena,
@@ -24,56 +33,14 @@ ovr_status ovr_newton_prepare(ovr_hierarchy *grids, ovr_arena *arena,
     const ovr_level *level = &grids->level[grids->coarsest + !single];
     ovr_newton *newton = &grids->newton;
     size_t m = level->n + 1;
-    newton->matrix = ovr_arena_take(arena, m * m, sizeof(double), err);
-    newton->rhs = ovr_arena_take(arena, m, sizeof(double), err);
+    newton->matrix = ovr_field(arena, m * stride_of(level->n), err);
+    newton->change = ovr_field(arena, m, err);
     newton->kernel[0] = take_kernel(&grids->level[grids->coarsest], arena, err);
     newton->kernel[1] = take_kernel(level, arena, err);
-    if (!newton->matrix || !newton->rhs || !newton->kernel[0] ||
+    if (!newton->matrix || !newton->change || !newton->kernel[0] ||
         !newton->kernel[1])
         return OVR_NO_MEMORY;
     return OVR_OK;
-}
-
-/* Gaussian elimination with partial pivoting, rows of m + pad values; the
- * solution replaces rhs.  (GSL's LU takes four times as long at this size.) */
-static bool solve(size_t m, double *restrict A, double *restrict x)
-{
-    for (size_t c = 0; c < m; c++) {
-        size_t best = c;
-        for (size_t i = c + 1; i < m; i++)
-            if (fabs(A[i * m + c]) > fabs(A[best * m + c]))
-                best = i;
-        if (!(fabs(A[best * m + c]) > 0))
-            return false;
-        if (best != c) {
-            double t = x[c];
-            x[c] = x[best];
-            x[best] = t;
-            for (size_t j = c; j < m; j++) {
-                t = A[c * m + j];
-                A[c * m + j] = A[best * m + j];
-                A[best * m + j] = t;
-            }
-        }
-        double inverse = 1 / A[c * m + c];
-        const double *restrict top = A + c * m;
-        for (size_t i = c + 1; i < m; i++) {
-            double *restrict low = A + i * m;
-            double factor = low[c] * inverse;
-            if (factor == 0)
-                continue;
-            for (size_t j = c + 1; j < m; j++)
-                low[j] -= factor * top[j];
-            x[i] -= factor * x[c];
-        }
-    }
-    for (size_t i = m; i-- > 0;) {
-        double sum = x[i];
-        for (size_t j = i + 1; j < m; j++)
-            sum -= A[i * m + j] * x[j];
-        x[i] = sum / A[i * m + i];
-    }
-    return true;
 }
 
 typedef struct row_weights {
@@ -102,12 +69,10 @@ static void jacobian_row(const ovr_hierarchy *grids, const ovr_level *level,
     double gp = half * 3 * eps[i + 1] / H[i + 1] * down;
     double g2 = -a.a2 * rho[i - 2];
     size_t n = level->n;
+    /* dH_{i+d}/dP_j = -k(j - i - d) for d = -2, -1, 0, 1 */
     const double *k = grids->newton.kernel[level->number - grids->coarsest] +
-                      n + 2 + i; /* k[-j] = k(i - j) */
-    for (size_t j = 0; j < n; j++) {
-        const double *at = k - j;
-        row[j] = -(g0 * at[0] + gm * at[-1] + gp * at[1] + g2 * at[-2]);
-    }
+                      n + 2 - i; /* k[j] = k(j - i) */
+    grids->kernels->dense_row(n, (double[]){-g2, -gm, -g0, -gp}, k, row);
     if (i >= 2)
         row[i - 2] -= a.a2 * f->drho[i - 2] * H[i - 2];
     row[i - 1] += half * (eps[i - 1] + eps[i] + f->deps[i - 1] * up) -
@@ -121,34 +86,30 @@ static void jacobian_row(const ovr_hierarchy *grids, const ovr_level *level,
 
 static void hold(size_t n, size_t i, double *row)
 {
-    for (size_t j = 0; j <= n; j++)
-        row[j] = j == i;
+    memset(row, 0, (n + 2) * sizeof *row);
+    row[i] = 1;
 }
 
-/* Matrix and right-hand side; rows 0..n-1 pressures, row n the force. */
+/* Rows 0..n-1 pressures, row n the force; right-hand side in column n + 1. */
 static void assemble(const ovr_hierarchy *grids, const ovr_level *level)
 {
-    const ovr_newton *newton = &grids->newton;
-    size_t n = level->n, m = n + 1;
-    double *last = newton->matrix + n * m;
-    for (size_t i = 0; i < n; i++) {
-        double *row = newton->matrix + i * m;
+    size_t n = level->n, stride = stride_of(n);
+    double *row = grids->newton.matrix;
+    for (size_t i = 0; i < n; i++, row += stride) {
         bool held = i == 0 || i == n - 1;
-        newton->rhs[i] = level->f.r[i];
         if (!held) {
             jacobian_row(grids, level, i, row);
+            row[n + 1] = level->f.r[i];
             held = level->f.P[i] <= 0 &&
                    level->f.r[i] >= dry_tolerance * row[i];
         }
-        if (held) {
+        if (held)
             hold(n, i, row);
-            newton->rhs[i] = 0;
-        }
     }
     for (size_t j = 0; j < n; j++)
-        last[j] = level->D;
-    last[n] = 0;
-    newton->rhs[n] = level->force - ovr_level_load(level);
+        row[j] = level->D;
+    row[n] = 0;
+    row[n + 1] = level->force - ovr_level_load(level);
 }
 
 static double clipped(double x, double limit)
@@ -163,14 +124,15 @@ bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit)
     double H;
     ovr_level_residual(grids, level);
     assemble(grids, level);
-    if (!solve(n + 1, newton->matrix, newton->rhs))
+    if (!grids->kernels->dense_solve(n + 1, stride_of(n), newton->matrix,
+                                     newton->change))
         return false;
     for (size_t i = 1; i < n - 1; i++) {
-        double P = level->f.P[i] + clipped(newton->rhs[i], limit);
+        double P = level->f.P[i] + clipped(newton->change[i], limit);
         level->f.P[i] = P > 0 ? P : 0;
     }
     /* in proportion where the film is thick: rigid contacts */
     H = fabs(ovr_level_centre(grids, level, level->f.H));
-    grids->H0 += clipped(newton->rhs[n], limit * 2 / 3 * (H > 1 ? H : 1));
+    grids->H0 += clipped(newton->change[n], limit * 2 / 3 * (H > 1 ? H : 1));
     return isfinite(grids->H0);
 }

@@ -40,8 +40,8 @@ struct ovr_hierarchy;
 typedef void ovr_relax(struct ovr_hierarchy *grids, ovr_level *level);
 
 typedef struct ovr_newton {
-    double *matrix, *rhs; /* (n + 1)^2 and n + 1 values */
-    double *kernel[2];    /* K/pi of the coarsest two levels */
+    double *matrix, *change; /* with the right-hand side; the solution */
+    double *kernel[2];       /* K/pi of the coarsest two levels */
 } ovr_newton;
 
 typedef struct ovr_hierarchy {

@@ -67,6 +67,9 @@ typedef struct ovr_kernels {
                           const ovr_fields *f, const ovr_band *band);
     void (*band_solve)(size_t n, const ovr_band *band);
     void (*distribute)(size_t n, double limit, const ovr_band *band, double *P);
+    void (*dense_row)(size_t n, const double c[4], const double *k,
+                      double *row);
+    bool (*dense_solve)(size_t m, size_t stride, double *A, double *x);
 } ovr_kernels;
 
 /* The best table for this machine, or the named one ("base", "avx2",

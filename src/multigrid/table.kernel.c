@@ -15,6 +15,8 @@ void OVR_KERNEL(band_assemble)(size_t, const ovr_weights *, const double[6],
                                const ovr_band *);
 void OVR_KERNEL(band_solve)(size_t, const ovr_band *);
 void OVR_KERNEL(distribute)(size_t, double, const ovr_band *, double *);
+void OVR_KERNEL(dense_row)(size_t, const double[4], const double *, double *);
+bool OVR_KERNEL(dense_solve)(size_t, size_t, double *, double *);
 
 extern const ovr_kernels OVR_KERNEL(kernels);
 const ovr_kernels OVR_KERNEL(kernels) = {
@@ -26,4 +28,6 @@ const ovr_kernels OVR_KERNEL(kernels) = {
     .band_assemble = OVR_KERNEL(band_assemble),
     .band_solve = OVR_KERNEL(band_solve),
     .distribute = OVR_KERNEL(distribute),
+    .dense_row = OVR_KERNEL(dense_row),
+    .dense_solve = OVR_KERNEL(dense_solve),
 };
