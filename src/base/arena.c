@@ -26,7 +26,7 @@ static void to_free(void *context, void *memory)
 
 ovr_arena ovr_arena_make(const ovr_allocator *allocator)
 {
-    ovr_arena arena = {{from_malloc, to_free, NULL}, NULL, 0};
+    ovr_arena arena = {{from_malloc, to_free, NULL}, NULL, 0, 0};
     if (allocator)
         arena.allocator = *allocator;
     return arena;
@@ -74,6 +74,7 @@ void *ovr_arena_take(ovr_arena *arena, size_t count, size_t size,
     }
     at = next_aligned(block);
     block->used = at + bytes;
+    arena->pieces++;
     return memset((char *)block + at, 0, bytes);
 }
 
@@ -89,7 +90,7 @@ void ovr_arena_release(ovr_arena *arena)
     struct ovr_arena_block *block = arena->blocks;
     ovr_arena emptied = *arena;
     arena->blocks = NULL;
-    arena->bytes = 0;
+    arena->bytes = arena->pieces = 0;
     while (block) {
         struct ovr_arena_block *older = block->older;
         emptied.allocator.release(emptied.allocator.context, block);

@@ -19,6 +19,7 @@ typedef struct ovr_arena {
     ovr_allocator allocator;
     struct ovr_arena_block *blocks; /* newest first */
     size_t bytes;                   /* asked of the allocator in all */
+    size_t pieces;                  /* handed out */
 } ovr_arena;
 
 /* An empty arena; `allocator` NULL means malloc and free. */

@@ -74,12 +74,12 @@ static void jacobian_row(const ovr_hierarchy *grids, const ovr_level *level,
                       n + 2 - i; /* k[j] = k(j - i) */
     grids->kernels->dense_row(n, (double[]){-g2, -gm, -g0, -gp}, k, row);
     if (i >= 2)
-        row[i - 2] -= a.a2 * f->drho[i - 2] * H[i - 2];
+        row[i - 2] -= a.a2 * f->dq[i - 2];
     row[i - 1] += half * (eps[i - 1] + eps[i] + f->deps[i - 1] * up) -
-                  a.a1 * f->drho[i - 1] * H[i - 1];
+                  a.a1 * f->dq[i - 1];
     row[i] -= half * (eps[i - 1] + 2 * eps[i] + eps[i + 1] -
                       f->deps[i] * (up + down)) +
-              a.a0 * f->drho[i] * H[i];
+              a.a0 * f->dq[i];
     row[i + 1] += half * (eps[i] + eps[i + 1] + f->deps[i + 1] * down);
     row[n] = g0 + gm + gp + g2;
 }

@@ -5,15 +5,31 @@
 #ifndef OVR_MULTIGRID_FIELD_H
 #define OVR_MULTIGRID_FIELD_H
 
+#include <stdbool.h>
+#include <stdint.h>
+
 #include "base/arena.h"
 
-enum { OVR_FIELD_PAD = 64 };
+enum { OVR_FIELD_PAD = 64, OVR_FIELD_PAGE = 512 };
 
+/*
+ * A kernel walks through some twenty arrays at once.  Where element i of them
+ * all lies at nearly the same place of a 4 kB page they evict each other from
+ * the cache and loads wait for stores they have nothing to do with (three
+ * times slower on large grids).  So each array starts 11 cache lines further
+ * into its page than the one before.
+ */
 static inline double *ovr_field(ovr_arena *arena, size_t n, ovr_error *err)
 {
-    double *all = ovr_arena_take(arena, n + 2 * OVR_FIELD_PAD, sizeof(double),
-                                 err);
-    return all ? all + OVR_FIELD_PAD : NULL;
+    bool large = n > OVR_FIELD_PAGE;
+    size_t room = n + 2 * OVR_FIELD_PAD + (large ? OVR_FIELD_PAGE : 0);
+    size_t wanted = arena->pieces * 11 * 8, page = OVR_FIELD_PAGE;
+    double *all = ovr_arena_take(arena, room, sizeof(double), err);
+    if (!all)
+        return NULL;
+    if (large)
+        all += (wanted - (uintptr_t)all / sizeof(double)) % page;
+    return all + OVR_FIELD_PAD;
 }
 
 #endif

@@ -41,14 +41,14 @@ static density density_of(const ovr_lubricant *law)
     return (density){law->A, 1, 1.34, 0.34 * law->A};
 }
 
-/* H, rho, rho', q; eps as if eta were 1/scale */
+/* H, rho, q, q'; eps as if eta were 1/scale */
 static inline void store_film(const ovr_fields *f, size_t i, vec H, vec rho,
                               vec inv_a, double slope, double scale)
 {
     vec q = rho * H;
     store(f->H + i, H);
     store(f->rho + i, rho);
-    store(f->drho + i, slope * inv_a * inv_a);
+    store(f->dq + i, slope * inv_a * inv_a * H);
     store(f->q + i, q);
     store(f->eps + i, scale * q * (H * H));
 }

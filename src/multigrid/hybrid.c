@@ -17,11 +17,10 @@ static slopes slopes_at(const ovr_level *level, size_t i, double a0, double a1,
     double e0 = a0 * f->rho[i], e1 = a1 * f->rho[i - 1],
            e2 = a2 * f->rho[i - 2];
     slopes s;
-    s.own = e0 * k[0] + e1 * k[1] + e2 * k[2] - a0 * f->drho[i] * f->H[i] -
+    s.own = e0 * k[0] + e1 * k[1] + e2 * k[2] - a0 * f->dq[i] -
             half * (eps[i - 1] + 2 * eps[i] + eps[i + 1] -
                     f->deps[i] * (P[i - 1] - 2 * P[i] + P[i + 1]));
-    s.before = e0 * k[1] + e1 * k[0] + e2 * k[1] -
-               a1 * f->drho[i - 1] * f->H[i - 1] +
+    s.before = e0 * k[1] + e1 * k[0] + e2 * k[1] - a1 * f->dq[i - 1] +
                half *
                    (eps[i - 1] + eps[i] + f->deps[i - 1] * (P[i - 1] - P[i]));
     return s;

@@ -34,7 +34,7 @@ typedef struct ovr_fields {
     double *restrict P;    /* pressure */
     double *restrict H;    /* film thickness */
     double *restrict rho;  /* density */
-    double *restrict drho; /* d rho/dP */
+    double *restrict dq;   /* d q/dP at fixed H */
     double *restrict eps;  /* rho H^3/(eta lambda) */
     double *restrict deps; /* d eps/dP at fixed H */
     double *restrict q;    /* rho H */

@@ -3,6 +3,8 @@
  * Distributive line relaxation: assembly and use of the pentadiagonal
  * system (equations in line.h; solution in band.kernel.c).
  */
+#include <stdlib.h>
+
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
 
@@ -39,52 +41,90 @@ static inline wedge block_wedge(const ovr_weights *w, size_t i)
     return c;
 }
 
+/* e_0 k_|d| + e_1 k_|d+1| + e_2 k_|d+2| */
+static inline vec elastic(const vec e[3], const double k[6], int d)
+{
+    return fused(e[0], all(k[abs(d)]),
+                 fused(e[1], all(k[abs(d + 1)]), e[2] * k[abs(d + 2)]));
+}
+
 /* A[d + 3] = dN_i/dP_{i+d}, d = -3..3: elastic band and local part, without
  * d eps/dH */
 static inline void derivatives(const ovr_fields *f, double half, const wedge *c,
                                const double k[6], size_t i, vec A[7])
 {
-    vec P0 = load(f->P + i), Pm = load(f->P + i - 1), Pp = load(f->P + i + 1);
-    vec e0 = load(f->eps + i), em = load(f->eps + i - 1),
-        ep = load(f->eps + i + 1);
-    vec r0 = c->a0 * load(f->rho + i), r1 = c->a1 * load(f->rho + i - 1),
-        r2 = c->a2 * load(f->rho + i - 2);
-    A[0] = r0 * k[3] + r1 * k[2] + r2 * k[1];
-    A[1] = r0 * k[2] + r1 * k[1] + r2 * k[0];
-    A[2] = r0 * k[1] + r1 * k[0] + r2 * k[1];
-    A[3] = r0 * k[0] + r1 * k[1] + r2 * k[2];
-    A[4] = r0 * k[1] + r1 * k[2] + r2 * k[3];
-    A[5] = r0 * k[2] + r1 * k[3] + r2 * k[4];
-    A[6] = r0 * k[3] + r1 * k[4] + r2 * k[5];
-    A[1] -= c->a2 * load(f->drho + i - 2) * load(f->H + i - 2);
-    A[2] += half * (em + e0 + load(f->deps + i - 1) * (Pm - P0)) -
-            c->a1 * load(f->drho + i - 1) * load(f->H + i - 1);
-    A[3] -= half * (em + 2 * e0 + ep - load(f->deps + i) * (Pm - 2 * P0 + Pp)) +
-            c->a0 * load(f->drho + i) * load(f->H + i);
-    A[4] += half * (e0 + ep + load(f->deps + i + 1) * (Pp - P0));
+    vec P0 = load(f->P + i), up = load(f->P + i - 1) - P0,
+        down = load(f->P + i + 1) - P0;
+    vec e0 = load(f->eps + i), em = load(f->eps + i - 1) + e0,
+        ep = load(f->eps + i + 1) + e0, h = all(half);
+    vec e[3] = {c->a0 * load(f->rho + i), c->a1 * load(f->rho + i - 1),
+                c->a2 * load(f->rho + i - 2)};
+    for (int d = -3; d <= 3; d++)
+        A[d + 3] = elastic(e, k, d);
+    A[1] = less(A[1], c->a2, load(f->dq + i - 2));
+    A[2] = less(fused(h, fused(load(f->deps + i - 1), up, em), A[2]), c->a1,
+                load(f->dq + i - 1));
+    A[3] = less(less(A[3], h, less(em + ep, load(f->deps + i), up + down)),
+                c->a0, load(f->dq + i));
+    A[4] = fused(h, fused(load(f->deps + i + 1), down, ep), A[4]);
+}
+
+/* The shares of the columns about a block of rows; inside the grid all the
+ * same when in time. */
+static inline void load_shares(const ovr_band *band, size_t i, bool uniform,
+                               vec minus[5], vec plus[5])
+{
+    for (size_t d = 0; d < 5; d++) {
+        minus[d] = load(band->minus + i + (uniform ? 0 : d - 2));
+        plus[d] = load(band->plus + i + (uniform ? 0 : d - 2));
+    }
+}
+
+/* Dry rows hold P_i: exactly in time, delta_i = 0 when steady. */
+static inline void hold_dry(vec b[5], ivec dry, bool transient, vec minus,
+                            vec plus)
+{
+    vec held[5] = {all(0), transient ? plus : all(0), all(1),
+                   transient ? minus : all(0), all(0)};
+    for (size_t d = 0; d < 5; d++)
+        b[d] = choose(dry, held[d], b[d]);
 }
 
 /* b_d = A_d + minus_{i+d} A_{d-1} + plus_{i+d} A_{d+1} and the right-hand
- * side; dry rows hold P_i: exactly in time, delta_i = 0 when steady. */
+ * side */
 static inline void assemble_block(const ovr_fields *f, const vec A[7],
-                                  bool transient, size_t i,
+                                  bool transient, bool uniform, size_t i,
                                   const ovr_band *band)
 {
-    vec r = load(f->r + i), P = load(f->P + i);
+    vec r = load(f->r + i), P = load(f->P + i), moves = all(1);
+    vec minus[5], plus[5], b[5];
     ivec dry = (P <= 0) & (r >= dry_tolerance * A[3]);
-    for (size_t d = 0; d < 5; d++) {
-        vec m = load(band->minus + i + d - 2), p = load(band->plus + i + d - 2);
-        vec b = A[d + 1] + m * A[d] + p * A[d + 2], held = all(0);
-        if (d == 1 && transient)
-            held = p;
-        if (d == 2)
-            held = all(1);
-        if (d == 3 && transient)
-            held = m;
-        store(band->b[d] + i, choose(dry, held, b));
+    load_shares(band, i, uniform, minus, plus);
+    for (size_t d = 0; d < 5; d++)
+        b[d] = fused(minus[d], A[d], fused(plus[d], A[d + 2], A[d + 1]));
+    if (any(dry)) {
+        hold_dry(b, dry, transient, minus[3], plus[1]);
+        r = choose(dry, -P, r);
+        if (transient)
+            moves = choose(dry, all(0), moves);
     }
-    store(band->delta + i, choose(dry, -P, r));
-    store(band->moves + i, choose(transient ? dry : (ivec){0}, all(0), all(1)));
+    for (size_t d = 0; d < 5; d++)
+        store(band->b[d] + i, b[d]);
+    store(band->delta + i, r);
+    store(band->moves + i, moves);
+}
+
+static inline void assemble_rows(const ovr_fields *f, const ovr_weights *w,
+                                 const double k[6], bool transient,
+                                 bool uniform, size_t from, size_t to,
+                                 const ovr_band *band)
+{
+    for (size_t i = from; i < to; i += VEC) {
+        vec A[7];
+        wedge c = block_wedge(w, i);
+        derivatives(f, w->half, &c, k, i, A);
+        assemble_block(f, A, transient, uniform, i, band);
+    }
 }
 
 static void hold_row(const ovr_band *band, size_t i)
@@ -99,12 +139,15 @@ void OVR_KERNEL(band_assemble)(size_t n, const ovr_weights *w,
                                bool transient, const ovr_fields *f,
                                const ovr_band *band)
 {
+    enum { EDGE = 8 };
+    size_t end = (n - 1) / EDGE * EDGE - EDGE;
     set_shares(n, minus, plus, transient, f->P, band);
-    for (size_t i = 0; i < n; i += VEC) {
-        vec A[7];
-        wedge c = block_wedge(w, i);
-        derivatives(f, w->half, &c, k, i, A);
-        assemble_block(f, A, transient, i, band);
+    if (transient) {
+        assemble_rows(f, w, k, true, false, 0, EDGE, band);
+        assemble_rows(f, w, k, true, true, EDGE, end, band);
+        assemble_rows(f, w, k, true, false, end, n, band);
+    } else {
+        assemble_rows(f, w, k, false, false, 0, n, band);
     }
     hold_row(band, 0);
     hold_row(band, n - 1);

@@ -11,6 +11,7 @@
 #ifndef OVR_MULTIGRID_VECTOR_H
 #define OVR_MULTIGRID_VECTOR_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #ifdef __x86_64__
@@ -50,6 +51,18 @@ static inline vec all(double x)
 static inline vec choose(ivec mask, vec a, vec b)
 {
     return (vec)((mask & (ivec)a) | (~mask & (ivec)b));
+}
+
+/* Whether a comparison held anywhere. */
+static inline bool any(ivec mask)
+{
+#if defined(__AVX512F__)
+    return _mm512_test_epi64_mask((__m512i)mask, (__m512i)mask) != 0;
+#elif defined(__AVX__)
+    return _mm256_movemask_pd((__m256d)mask) != 0;
+#else
+    return (mask[0] | mask[1]) != 0;
+#endif
 }
 
 /* a b + c, in one rounding where the machine has an instruction for it */
