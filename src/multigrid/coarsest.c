@@ -109,7 +109,7 @@ static void assemble(const ovr_hierarchy *grids, const ovr_level *level)
     for (size_t j = 0; j < n; j++)
         row[j] = level->D;
     row[n] = 0;
-    row[n + 1] = level->force - ovr_level_load(level);
+    row[n + 1] = level->force - ovr_level_load(grids, level);
 }
 
 static double clipped(double x, double limit)

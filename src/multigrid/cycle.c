@@ -40,7 +40,7 @@ static void descend(ovr_hierarchy *grids, ovr_level *level)
             ovr_level_refresh(grids, coarse);
         descend(grids, coarse);
     }
-    ovr_fas_correct(coarse, level, finest ? grids->correction : 1);
+    ovr_fas_correct(grids, coarse, level, finest ? grids->correction : 1);
     for (int s = 0; s < grids->sweeps_after; s++) {
         ovr_level_refresh(grids, level);
         grids->relax(grids, level);
@@ -57,7 +57,7 @@ ovr_defect ovr_cycle_defect(const ovr_hierarchy *grids, const ovr_level *level)
 {
     ovr_defect d;
     d.imbalance = ovr_level_imbalance(grids, level);
-    d.load = fabs(level->force - ovr_level_load(level)) /
+    d.load = fabs(level->force - ovr_level_load(grids, level)) /
              (level->force > 0 ? level->force : 1);
     d.centre = ovr_level_centre(grids, level, level->f.H);
     return d;

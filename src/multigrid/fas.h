@@ -23,7 +23,8 @@ void ovr_fas_restrict(ovr_hierarchy *grids, const ovr_level *fine,
                       ovr_level *coarse);
 
 /* Adds `factor` times the coarse correction to the fine P. */
-void ovr_fas_correct(const ovr_level *coarse, ovr_level *fine, double factor);
+void ovr_fas_correct(const ovr_hierarchy *grids, const ovr_level *coarse,
+                     ovr_level *fine, double factor);
 
 /* P of the next finer level by cubic interpolation: the start of full
  * multigrid on a new level. */

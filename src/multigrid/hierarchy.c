@@ -110,13 +110,9 @@ double ovr_level_imbalance(const ovr_hierarchy *grids, const ovr_level *level)
     return sum * level->D / fabs(ovr_level_centre(grids, level, level->f.H));
 }
 
-double ovr_level_load(const ovr_level *level)
+double ovr_level_load(const ovr_hierarchy *grids, const ovr_level *level)
 {
-    const double *P = level->f.P;
-    double sum = 0;
-    for (size_t i = 0; i < level->n; i++)
-        sum += P[i];
-    return level->D * sum;
+    return level->D * grids->kernels->sum(level->n, level->f.P);
 }
 
 double ovr_level_centre(const ovr_hierarchy *grids, const ovr_level *level,

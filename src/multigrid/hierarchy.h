@@ -88,7 +88,7 @@ void ovr_level_refresh(const ovr_hierarchy *grids, ovr_level *level);
 double ovr_level_imbalance(const ovr_hierarchy *grids, const ovr_level *level);
 
 /* D (sum of P): both ends are zero. */
-double ovr_level_load(const ovr_level *level);
+double ovr_level_load(const ovr_hierarchy *grids, const ovr_level *level);
 
 /* Value at X = 0 by the cubic through the four nodes about it. */
 double ovr_level_centre(const ovr_hierarchy *grids, const ovr_level *level,

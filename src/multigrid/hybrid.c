@@ -149,6 +149,6 @@ void ovr_coarsest_paper(ovr_hierarchy *grids, ovr_level *level)
         if (s)
             ovr_level_refresh(grids, level);
         ovr_relax_hybrid(grids, level);
-        grids->H0 -= 0.02 * (level->force - ovr_level_load(level));
+        grids->H0 -= 0.02 * (level->force - ovr_level_load(grids, level));
     }
 }

@@ -67,6 +67,18 @@ typedef struct ovr_kernels {
                           const ovr_fields *f, const ovr_band *band);
     void (*band_solve)(size_t n, const ovr_band *band);
     void (*distribute)(size_t n, double limit, const ovr_band *band, double *P);
+    double (*sum)(size_t n, const double *x);
+    void (*combine)(size_t n, double a, const double *x, double b,
+                    const double *y, double *result);
+    void (*coarse_gap)(size_t n, double H0, const double *w, double *gap);
+    void (*restrict_fields)(size_t nc, const double *P, const double *H,
+                            const double *r, double *Pc, double *entry,
+                            double *Hc, double *rc);
+    void (*coarse_side)(size_t n, const double *residual, double *F, double *r);
+    void (*correct)(size_t nc, double factor, const double *Pc,
+                    const double *entry, double *P);
+    void (*extrapolate)(size_t n, const double e[3], const double *a,
+                        const double *b, const double *c, double *P);
     void (*dense_row)(size_t n, const double c[4], const double *k,
                       double *row);
     bool (*dense_solve)(size_t m, size_t stride, double *A, double *x);

@@ -63,7 +63,7 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
         o->X_spike_located =
             o->X_spike + sim->finest->D * vertex(P, spike, &o->P_spike_located);
     }
-    o->load = ovr_level_load(sim->finest);
+    o->load = ovr_level_load(&sim->grids, sim->finest);
 }
 
 /* The scheme's own flux at half node i + 1/2: upstream wedge and Poiseuille

@@ -78,19 +78,14 @@ static int extrapolation(const ovr_simulation *sim, double dT, double e[3])
 static void guess(ovr_simulation *sim, double dT, bool extrapolate)
 {
     const ovr_past *past = &sim->past;
-    const double *restrict a = past->P[0], *restrict b = past->P[1],
-                           *restrict c = past->P[2];
-    double *restrict P = sim->finest->f.P, e[3] = {1, 0, 0};
+    double *P = sim->finest->f.P, e[3] = {1, 0, 0};
+    size_t n = sim->finest->n;
     int order = extrapolate ? extrapolation(sim, dT, e) : 0;
-    sim->grids.H0 = past->H0[0];
-    memcpy(P, a, sim->finest->n * sizeof(double));
-    if (!order)
-        return;
-    for (size_t i = 0; i < sim->finest->n; i++) {
-        double next = e[0] * a[i] + e[1] * b[i] + e[2] * c[i];
-        next = next > 0 ? next : 0;
-        P[i] = a[i] > 0 ? next : a[i];
-    }
+    if (order)
+        sim->grids.kernels->extrapolate(n, e, past->P[0], past->P[1],
+                                        past->P[2], P);
+    else
+        memcpy(P, past->P[0], n * sizeof(double));
     sim->grids.H0 = e[0] * past->H0[0] + e[1] * past->H0[1] +
                     e[2] * past->H0[2];
 }

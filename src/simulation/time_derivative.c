@@ -25,10 +25,8 @@ static void bdf2(double dT, double dT_old, double *cT, double c[2])
 
 static void set_history(ovr_simulation *sim, const double c[2])
 {
-    const double *restrict a = sim->past.q[0], *restrict b = sim->past.q[1];
-    double *restrict F = sim->finest->f.F;
-    for (size_t i = 0; i < sim->finest->n; i++)
-        F[i] = c[0] * a[i] + c[1] * b[i];
+    sim->grids.kernels->combine(sim->finest->n, c[0], sim->past.q[0], c[1],
+                                sim->past.q[1], sim->finest->f.F);
 }
 
 static void upstream_wedge(ovr_operator *op, ovr_scheme scheme, double Cu)
