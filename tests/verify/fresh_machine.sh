@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What README.md promises a newcomer, on a fresh Debian 12 with git and nothing
 # else, made in a folder: tools/check, then again as a plain user once all is
-# there, and tools/demo.  Takes root, debootstrap, a network and 1 GB.
+# there, tools/demo, the install, the program of overroll-library(3), the tour.
+# Takes root, debootstrap, a network and 1 GB.
 . "$TOP/tests/support/cli.sh"
 [ -z "$INSTRUMENTED" ] || skip "once is enough"
 [ "$(id -u)" -eq 0 ] || skip "needs root"
@@ -33,3 +34,20 @@ tail -n 1 out | grep -q '^demo: ' ||
     fail "tools/demo ends in: $(tail -n 1 out)"
 [ -s "$machine/overroll/build/demo/dent.h5" ] || fail "no result file"
 [ -s "$machine/overroll/build/demo/dent.png" ] || fail "no picture"
+
+# Installed: a program of one's own, and the tour of README.md.
+expect 0 there 'make install && ldconfig'
+sed -n '/^\.EX/,/^\.EE/p' "$TOP/src/simulation/overroll-library.3" |
+    sed '1d; $d; s/\\-/-/g; s/\\e/\\/g' >"$machine/tmp/user.c"
+# shellcheck disable=SC2016 # expanded there
+expect 0 there 'cd /tmp && cc user.c $(pkg-config --cflags --libs overroll) \
+    -lm -o user && ./user'
+contains out '^T = 5.89  H_min = '
+mkdir "$machine/tmp/tour"
+# shellcheck disable=SC2016 # no expansion wanted
+sed -n '/^```sh$/,/^```$/p' "$TOP/README.md" | grep -v '^```' \
+    >"$machine/tmp/tour/tour"
+# shellcheck disable=SC2016 # expanded there
+expect 0 there 'cd /tmp/tour && PATH=$PATH:/usr/local/bin TOP=/overroll \
+    sh -eu tour'
+[ -s "$machine/tmp/tour/study.nc" ] || fail "the tour ends without study.nc"
