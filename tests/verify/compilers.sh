@@ -1,0 +1,48 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# gcc and clang compute the same run to 1e-9.
+. "$TOP/tests/support/cli.sh"
+[ -z "$INSTRUMENTED" ] || skip "once is enough"
+need gcc clang
+
+cat >dent.ini <<'END'
+[contact]
+M = 20
+L = 10
+[domain]
+level = 7
+[time]
+end = 3
+[feature dent]
+shape = dent
+depth = 0.1
+width = 0.5
+start = -3
+[output]
+every = 20
+END
+
+for compiler in gcc clang; do
+    make -s -C "$TOP" CC=$compiler BUILD="$PWD/$compiler" \
+        "$PWD/$compiler/overroll" >log 2>&1 || fail "$compiler: $(cat log)"
+    expect 0 "$compiler/overroll" run dent.ini -o $compiler.h5 -q
+    expect 0 "$compiler/overroll" export $compiler.h5 --all
+    mv out $compiler.csv
+done
+
+# Every number beside its counterpart.
+paste -d ';' gcc.csv clang.csv | awk -F ';' '
+    {
+        n = split($1, a, ","); m = split($2, b, ",")
+        if (n != m) { print "line " NR " differs"; bad = 1; exit }
+        for (i = 1; i <= n; i++) {
+            d = a[i] - b[i]
+            if (d < 0) d = -d
+            if (d > worst) worst = d
+            count++
+        }
+    }
+    END {
+        print count " numbers, largest difference " worst
+        exit bad || count < 1000 || worst > 1e-9
+    }' || fail "gcc and clang differ"
