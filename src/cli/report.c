@@ -110,6 +110,10 @@ void cli_warn_after(const cli_call *call, cli_summary *summary)
 {
     const ovr_observation *o = ovr_simulation_observation(summary->sim);
     const ovr_state *state = ovr_simulation_state(summary->sim);
+    const char *way = ovr_simulation_way(summary->sim);
+    if (call->verbosity > 0 && *way)
+        fprintf(stderr, "overroll: the steady solution took another way: %s\n",
+                way);
     if (state->n && o->H_cen > 0 && state->H[0] < FLOODED * o->H_cen)
         cli_warn(call, summary,
                  "the inlet is numerically starved: the film at X = %.3g is "

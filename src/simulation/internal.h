@@ -44,6 +44,7 @@ struct ovr_simulation {
     ovr_past past;
     ovr_inflow inflow;
     bool started;
+    int way; /* rung of the ladder that the steady solution was found on */
     double start_load, start_speed; /* Cw, Cu of the steady start */
     double largest_error; /* adaptive: a step with more is not accepted */
     double *S_past;       /* surface one step ago */

@@ -185,11 +185,16 @@ typedef struct rung {
     double mesh;        /* its D over H^(2/3), the length of the inlet's rise */
     int sweeps, newton_steps, finer_bottom;
     double limit, newton_limit; /* of changes in P */
+    const char *what;
 } rung;
 
-static const rung ladder[] = {{1.6, 0.3, 0, 1, 0, 0.1, 0.3},
-                              {1.25, 0.15, 0, 1, 0, 0.1, 0.3},
-                              {1.25, 0.15, 2, 2, 1, 0.03, 0.1}};
+static const rung ladder[] = {
+    {1.6, 0.3, 0, 1, 0, 0.1, 0.3, ""},
+    {1.25, 0.15, 0, 1, 0, 0.1, 0.3,
+     "the load was raised in smaller steps on a finer level"},
+    {1.25, 0.15, 2, 2, 1, 0.03, 0.1,
+     "the load was raised in smaller steps on a finer level, with a finer "
+     "coarsest grid, more sweeps and stronger damping"}};
 enum { RUNGS = sizeof ladder / sizeof *ladder };
 
 /*
@@ -250,6 +255,11 @@ static int load_level(const ovr_simulation *sim, double mesh)
            grids->level[level].D > mesh * pow(H, 2. / 3))
         level++;
     return level;
+}
+
+const char *ovr_simulation_way(const ovr_simulation *sim)
+{
+    return sim->way < RUNGS ? ladder[sim->way].what : "";
 }
 
 static void set_rung(ovr_simulation *sim, const rung *how)
@@ -344,7 +354,7 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
         set_rung(sim, &ladder[k]);
         ovr_simulation_gap(sim, 0);
         prepare_levels(sim, half_pi * sim->start_load);
-        outcome.retries = k;
+        outcome.retries = sim->way = k;
         outcome.defect = full_multigrid(sim, &ladder[k], &outcome.cycles);
         tolerance = tolerance_at(sim, sim->finest, outcome.defect.centre);
         outcome.converged = finished(sim, &outcome, tolerance);

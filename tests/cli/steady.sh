@@ -58,3 +58,14 @@ done
 expect 0 "$OVERROLL" steady --M 20 --L 10 --level 7 --estimate-error --json
 contains out '"error_level": 6'
 contains out '"H_cen_error": (8|9)\.[0-9]*e-05'
+
+# What had to be done beyond the ordinary is said when asked for; what cannot
+# be solved is named, and what was reached is shown.
+expect 0 "$OVERROLL" steady --M 255.5 --L 5.822 --level 6 -v
+contains err 'took another way: the load was raised in smaller steps'
+expect 1 "$OVERROLL" steady --M 900 --L 5 --level 6
+contains err 'too thin for the mesh: .* level [0-9]+ resolves it'
+contains out 'NOT CONVERGED'
+expect 1 "$OVERROLL" steady --M 900 --L 5 --level 6 --json
+contains out '"converged": false'
+! grep -i 'nan\|inf"' out || fail 'NaN in a result'
