@@ -18,6 +18,15 @@ const char *ovr_status_name(ovr_status status)
     return "unknown status";
 }
 
+/* Messages quote what stands in files: one line, and no word for the
+ * terminal that shows it. */
+static void one_line(char *text)
+{
+    for (; *text; text++)
+        if ((unsigned char)*text < 0x20 || *text == 0x7f)
+            *text = ' ';
+}
+
 ovr_status ovr_fail(ovr_error *err, ovr_status status, const char *format, ...)
 {
     if (err) {
@@ -26,6 +35,7 @@ ovr_status ovr_fail(ovr_error *err, ovr_status status, const char *format, ...)
         err->status = status;
         vsnprintf(err->message, sizeof err->message, format, args);
         va_end(args);
+        one_line(err->message);
     }
     return status;
 }
@@ -47,6 +57,7 @@ ovr_status ovr_fail_at(ovr_error *err, ovr_status status, const char *file,
         vsnprintf(err->message + used, sizeof err->message - used, format,
                   args);
         va_end(args);
+        one_line(err->message);
     }
     return status;
 }

@@ -118,12 +118,24 @@ static void print_extremes(report *r)
     }
 }
 
+/* Texts come from the file: no control reaches the terminal. */
+static void put_foreign(const char *before, const char *text)
+{
+    fputs(before, stdout);
+    for (; text && *text; text++)
+        putchar((unsigned char)*text < 0x20 || *text == 0x7f ? ' ' : *text);
+}
+
 static void print_text(report *r, bool verbose)
 {
     const ovr_result_info *a = r->about;
-    printf("%s: %s\n", r->path, a->title);
-    printf("status     %s\n", a->status);
-    printf("written    %s to %s by %s\n", a->created, a->modified, a->source);
+    printf("%s", r->path);
+    put_foreign(": ", a->title);
+    put_foreign("\nstatus     ", a->status);
+    put_foreign("\nwritten    ", a->created);
+    put_foreign(" to ", a->modified);
+    put_foreign(" by ", a->source);
+    putchar('\n');
     if (a->seconds > 0)
         printf("took       %.3g s\n", a->seconds);
     print_contact(a);

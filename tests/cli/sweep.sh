@@ -59,7 +59,8 @@ contains one.csv '^1,[^,]*,1,upstream1,10,5,finished,1,'
 
 # Two workers
 expect 0 "$OVERROLL" sweep study.ini -j 2 -o two
-contains err '^100 %  1[12] of 12 cases'
+# (two are under way when the last progress is shown, on a busy machine)
+contains err '^100 %  1[0-2] of 12 cases'
 expect 0 "$OVERROLL" sweep study.ini -o two --collect two.csv
 numbers one.csv >one.txt
 numbers two.csv >two.txt

@@ -57,6 +57,17 @@ static void cuts_what_is_too_long(void **state)
     assert_memory_equal(box.guard, "gggggggg", sizeof box.guard);
 }
 
+/* What a file says may hold anything: lines, escape sequences. */
+static void is_one_line_without_controls(void **state)
+{
+    ovr_error err;
+    (void)state;
+    ovr_fail(&err, OVR_IO, "unknown key '%s'", "a\nb\033[2Jc\177");
+    assert_string_equal(err.message, "unknown key 'a b [2Jc '");
+    ovr_fail_at(&err, OVR_IO, "f\tile", 3, "no\r");
+    assert_string_equal(err.message, "f ile:3: no ");
+}
+
 static void every_status_has_its_name(void **state)
 {
     (void)state;
@@ -76,6 +87,7 @@ int main(void)
         cmocka_unit_test(accepts_no_error_object),
         cmocka_unit_test(names_file_and_line),
         cmocka_unit_test(cuts_what_is_too_long),
+        cmocka_unit_test(is_one_line_without_controls),
         cmocka_unit_test(every_status_has_its_name),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
