@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/arena.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -39,19 +40,31 @@ static size_t next_aligned(const struct ovr_arena_block *block)
     return block->used + (size_t)(-at & (ALIGNMENT - 1));
 }
 
+/* Large pieces have a block of their own, behind the newest, in which small
+ * ones still find room. */
+static void add_to_list(ovr_arena *arena, struct ovr_arena_block *block)
+{
+    struct ovr_arena_block *newest = arena->blocks;
+    bool own = newest && block->size != BLOCK;
+    block->older = own ? newest->older : newest;
+    if (own)
+        newest->older = block;
+    else
+        arena->blocks = block;
+}
+
 static struct ovr_arena_block *add_block(ovr_arena *arena, size_t bytes)
 {
     size_t size = sizeof(struct ovr_arena_block) + ALIGNMENT + bytes;
     struct ovr_arena_block *block;
-    if (size < BLOCK)
+    if (size < BLOCK / 8)
         size = BLOCK;
     block = arena->allocator.allocate(arena->allocator.context, size);
     if (!block)
         return NULL;
-    block->older = arena->blocks;
     block->used = sizeof *block;
     block->size = size;
-    arena->blocks = block;
+    add_to_list(arena, block);
     arena->bytes += size;
     return block;
 }

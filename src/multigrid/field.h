@@ -21,7 +21,7 @@ enum { OVR_FIELD_PAD = 64, OVR_FIELD_PAGE = 512 };
  */
 static inline double *ovr_field(ovr_arena *arena, size_t n, ovr_error *err)
 {
-    bool large = n > OVR_FIELD_PAGE;
+    bool large = n > 2 * OVR_FIELD_PAGE;
     size_t room = n + 2 * OVR_FIELD_PAD + (large ? OVR_FIELD_PAGE : 0);
     size_t wanted = arena->pieces * 11 * 8, page = OVR_FIELD_PAGE;
     double *all = ovr_arena_take(arena, room, sizeof(double), err);

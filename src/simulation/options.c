@@ -165,12 +165,32 @@ ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
     return OVR_OK;
 }
 
+/* An array over n nodes, with its ends (multigrid/field.h). */
+static double field_bytes(double n)
+{
+    return 8 * (n + 2 * 64 + (n > 1024 ? 512 : 0));
+}
+
+/* Two arrays on each grid of the deformation's own, with wide ends. */
+static double deformation_bytes(double n)
+{
+    double bytes = 0;
+    for (; n > 50; n /= 2)
+        bytes += 2 * field_bytes(n + 864);
+    return bytes;
+}
+
 double ovr_simulation_memory(const ovr_options *options)
 {
-    double nodes = 7 * ldexp(1, options->level) + 1;
-    double coarse =
-        7 * ldexp(1, options->coarsest_level ? options->coarsest_level : 5);
-    /* 12 fields and MLMI's 5 a level, all levels twice that; 18 more on the
-     * finest; the dense matrix */
-    return 8 * (nodes * (2 * 17 + 18) + coarse * coarse);
+    int coarsest = options->coarsest_level ? options->coarsest_level : 5;
+    double bytes = 0, n = 0, m = 14 * ldexp(1, coarsest);
+    for (int l = coarsest < options->level ? coarsest : options->level;
+         l <= options->level; l++) {
+        n = 7 * ldexp(1, l) + 1;
+        bytes += 12 * field_bytes(n) + deformation_bytes(n);
+    }
+    /* the smoother's system, the past, the coarsest grid's matrix, many small
+     * things */
+    return bytes + 9 * field_bytes(n + 128) + 9 * field_bytes(n) +
+           8 * (m + 2) * (m + 16) + 200e3;
 }
