@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kernels of every instruction set against plain formulas and against
- * each other: no operation is fused, so the bits are the same. */
+ * each other: they agree to rounding. */
 #include <math.h>
 #include <string.h>
 
@@ -187,6 +187,72 @@ static void band_solver_solves_the_band(void **state)
     }
 }
 
+/* Elimination in panels against the matrix it was given, at every size about
+ * that of a panel, with rows that need exchanging. */
+static void dense_solver_solves(void **state)
+{
+    enum { MOST = 67, STRIDE = 80 };
+    static double A[MOST * STRIDE], kept[MOST * STRIDE], x[MOST + 8];
+    uint64_t seed = 12;
+    (void)state;
+    for (int k = 0; k < NAMES; k++)
+        for (size_t m = 1; ovr_kernels_choose(names[k]) && m <= MOST; m++) {
+            for (size_t i = 0; i < MOST * STRIDE; i++)
+                A[i] = test_random(&seed, -1, 1);
+            memcpy(kept, A, sizeof A);
+            assert_true(
+                ovr_kernels_choose(names[k])->dense_solve(m, STRIDE, A, x));
+            for (size_t i = 0; i < m; i++) {
+                const double *row = kept + i * STRIDE;
+                double sum = -row[m], size = 1;
+                for (size_t j = 0; j < m; j++) {
+                    sum += row[j] * x[j];
+                    size = fmax(size, fabs(x[j]));
+                }
+                CHECK_NEAR(sum, 0, 1e-12 * size);
+            }
+        }
+    memset(A, 0, sizeof A);
+    assert_false(ovr_kernels_choose(NULL)->dense_solve(5, STRIDE, A, x));
+}
+
+/* The definitions of fas.h, node by node. */
+static void transfers_are_as_defined(void **state)
+{
+    enum { NC = N / 2 + 1 };
+    static double Pc[NC], entry[NC], Hc[NC], rc[NC], P[N];
+    (void)state;
+    for (int k = 0; k < NAMES; k++) {
+        const ovr_kernels *run = ovr_kernels_choose(names[k]);
+        if (!run)
+            continue;
+        bench b = make(20, 10);
+        fill(&b, 13);
+        memcpy(b.f.r, b.f.F, N * sizeof(double));
+        run->restrict_fields(NC, b.f.P, b.f.H, b.f.r, Pc, entry, Hc, rc);
+        for (size_t I = 1; I + 1 < NC; I++) {
+            const double *p = b.f.P + 2 * I, *r = b.f.r + 2 * I;
+            bool wet = p[-1] > 0 && p[0] > 0 && p[1] > 0;
+            double sum = 2 * r[0] + (p[-1] > 0 ? r[-1] : 0) +
+                         (p[1] > 0 ? r[1] : 0);
+            CHECK_NEAR(Pc[I], wet ? (p[-1] + 2 * p[0] + p[1]) / 4 : p[0],
+                       1e-15);
+            CHECK_NEAR(rc[I], p[0] > 0 ? sum / 4 : 0, 1e-15);
+            assert_true(entry[I] == Pc[I] && Hc[I] == b.f.H[2 * I]);
+            Pc[I] += 0.01 * sin((double)I);
+        }
+        memcpy(P, b.f.P, sizeof P);
+        run->correct(NC, 0.5, Pc, entry, P);
+        for (size_t i = 1; i + 1 < N; i++) {
+            size_t I = i / 2, J = (i + 1) / 2;
+            double change = 0.25 * (Pc[I] - entry[I] + Pc[J] - entry[J]);
+            double p = b.f.P[i] > 0 ? fmax(b.f.P[i] + change, 0) : 0;
+            CHECK_NEAR(P[i], p, 1e-15);
+        }
+        ovr_arena_release(&b.arena);
+    }
+}
+
 static void run_all(const ovr_kernels *run, bench *b)
 {
     fill(b, 11);
@@ -238,6 +304,8 @@ int main(void)
         cmocka_unit_test(slopes_match_differences),
         cmocka_unit_test(residual_is_the_equation),
         cmocka_unit_test(band_solver_solves_the_band),
+        cmocka_unit_test(dense_solver_solves),
+        cmocka_unit_test(transfers_are_as_defined),
         cmocka_unit_test(instruction_sets_agree),
         cmocka_unit_test(unknown_set_is_refused),
     };
