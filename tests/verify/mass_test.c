@@ -2,7 +2,10 @@
 /*
  * 2,000 random steady contacts and 200 random runs.  What gives up does so
  * with a reason: in steady cases only films too thin for the level (levels 6
- * to 8), in runs never; at most one step of a run is marked.
+ * to 8), in runs only surfaces that touch: bumps of 1.1 to 1.3 H_cen, 0.11 to
+ * 0.16 b wide, in contacts of M = 6 to 11.  There the discrete film falls
+ * below zero by an amount that vanishes with the mesh, 3 of 200 runs at level
+ * 7.  At most one step of a run is marked.
  *
  *     MASS_FIRST=1001 MASS_COUNT=50 make tests/verify/mass_test.run
  */
@@ -36,7 +39,9 @@ static void transient(void **state)
                                   (uint64_t)setting("MASS_FIRST", 1), count);
     (void)state;
     assert_int_equal(s.cases, count);
-    assert_int_equal(s.gave_up + s.not_numbers, 0);
+    assert_int_equal(s.unnamed + s.not_numbers, 0);
+    assert_int_equal(s.gave_up, s.impossible);
+    assert_true(s.gave_up <= 0.02 * (double)count);
     assert_true(s.worst_marked <= 1);
 }
 
