@@ -19,48 +19,26 @@ void OVR_KERNEL(dense_row)(size_t n, const double c[4], const double *k,
     }
 }
 
-/* Columns eliminated in one pass over the rows below them. */
+/* Rows that are taken off the rows below in one pass. */
 enum { PANEL = 4 };
 
-static void exchange_rows(double *a, double *b, size_t count)
+/* Where the largest of x_from .. x_{to-1} is. */
+static size_t largest(const double *x, size_t from, size_t to)
 {
-    for (size_t j = 0; j < count; j += VEC) {
-        vec t = load(a + j);
-        store(a + j, load(b + j));
-        store(b + j, t);
-    }
+    size_t best = from;
+    for (size_t j = from + 1; j < to; j++)
+        best = fabs(x[j]) > fabs(x[best]) ? j : best;
+    return best;
 }
 
-/* The largest value of a column below and at row c comes to row c. */
-static bool pivot(double *A, size_t stride, size_t m, size_t c)
+static void exchange_columns(double *A, size_t stride, size_t m, size_t c,
+                             size_t d)
 {
-    size_t best = c;
-    for (size_t i = c + 1; i < m; i++)
-        if (fabs(A[i * stride + c]) > fabs(A[best * stride + c]))
-            best = i;
-    if (best != c)
-        exchange_rows(A + c * stride, A + best * stride, m + 1);
-    return fabs(A[c * stride + c]) > 0;
-}
-
-/* Columns c..c+width-1 of all rows below: factors replace them. */
-static bool factor_panel(double *A, size_t stride, size_t m, size_t c,
-                         size_t width)
-{
-    for (size_t p = 0; p < width; p++) {
-        const double *top = A + c * stride + c;
-        for (size_t i = c + 1; i < m; i++) {
-            double *low = A + i * stride + c;
-            for (size_t q = 0; q < p && c + q < i; q++)
-                low[p] -= low[q] * top[q * stride + p];
-        }
-        if (!pivot(A, stride, m, c + p))
-            return false;
-        double inverse = 1 / top[p * stride + p];
-        for (size_t i = c + p + 1; i < m; i++)
-            A[i * stride + c + p] *= inverse;
+    for (size_t i = 0; i < m; i++) {
+        double t = A[i * stride + c];
+        A[i * stride + c] = A[i * stride + d];
+        A[i * stride + d] = t;
     }
-    return true;
 }
 
 /* row_j -= sum_q factor_q top_qj, j = from..m */
@@ -76,19 +54,20 @@ static inline void subtract_rows(double *row, const double *top, size_t stride,
     }
 }
 
-/* The columns after the panel: rows of the panel first, one by one. */
-static void update(double *A, size_t stride, size_t m, size_t c, size_t width)
+/* Takes `count` rows of the panel that begins at row and column c off a row;
+ * the factors come one from the other. */
+static inline void take_off(double *row, const double *top, size_t stride,
+                            const double *inverse, size_t count, size_t c,
+                            size_t m)
 {
-    const double *top = A + c * stride;
-    size_t end = c + width;
-    for (size_t i = c + 1; i < m; i++) {
-        double *row = A + i * stride;
-        if (i >= end && width == PANEL)
-            subtract_rows(row, top, stride, row + c, PANEL, end, m);
-        else
-            subtract_rows(row, top, stride, row + c, i < end ? i - c : width,
-                          end, m);
+    double factor[PANEL];
+    for (size_t q = 0; q < count; q++) {
+        double sum = row[c + q];
+        for (size_t p = 0; p < q; p++)
+            sum -= factor[p] * top[p * stride + c + q];
+        factor[q] = sum * inverse[q];
     }
+    subtract_rows(row, top, stride, factor, count, c + count, m);
 }
 
 static void back_substitute(const double *A, size_t stride, size_t m, double *x)
@@ -110,18 +89,37 @@ static void back_substitute(const double *A, size_t stride, size_t m, double *x)
 }
 
 /*
- * x of A x = b by Gaussian elimination with partial pivoting.  A has m rows of
- * `stride` values, at least m + 8: b in column m, then room for whole vectors.
- * False when A is singular.
+ * x of A x = b by Gaussian elimination.  The pivot of a row is its largest
+ * value, so that it is found, and columns are exchanged, without walking down
+ * columns.  A has m rows of `stride` values, at least m + 8: b in column m,
+ * then room for whole vectors and, behind b, for the exchanges.  x has room for
+ * m values.  False when A is singular.
  */
 bool OVR_KERNEL(dense_solve)(size_t m, size_t stride, double *A, double *x)
 {
     for (size_t c = 0; c < m; c += PANEL) {
         size_t width = m - c < PANEL ? m - c : PANEL;
-        if (!factor_panel(A, stride, m, c, width))
-            return false;
-        update(A, stride, m, c, width);
+        double *top = A + c * stride, inverse[PANEL];
+        for (size_t q = 0; q < width; q++) {
+            double *row = top + q * stride;
+            take_off(row, top, stride, inverse, q, c, m);
+            size_t best = largest(row, c + q, m);
+            row[m + 1] = (double)best;
+            if (best != c + q)
+                exchange_columns(A, stride, m, c + q, best);
+            if (!(fabs(row[c + q]) > 0))
+                return false;
+            inverse[q] = 1 / row[c + q];
+        }
+        for (size_t i = c + PANEL; i < m; i++)
+            take_off(A + i * stride, top, stride, inverse, PANEL, c, m);
     }
     back_substitute(A, stride, m, x);
+    for (size_t c = m; c-- > 0;) {
+        size_t best = (size_t)A[c * stride + m + 1];
+        double t = x[c];
+        x[c] = x[best];
+        x[best] = t;
+    }
     return true;
 }
