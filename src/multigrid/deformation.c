@@ -51,8 +51,7 @@ void ovr_mlmi_choose(double wanted, int *order, int *range)
         double error;
         int order, range;
     } table[] = {{4e-7, 6, 10},     {3e-8, 6, 16},     {6e-9, 10, 10},
-                 {8.5e-10, 10, 12}, {1.7e-10, 10, 14}, {5e-11, 10, 16},
-                 {0, 12, 16}};
+                 {8.5e-10, 10, 12}, {1.7e-10, 10, 14}, {0, 12, 16}};
     size_t k = 0;
     while (table[k].error > wanted)
         k++;

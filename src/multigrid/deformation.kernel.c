@@ -203,11 +203,18 @@ static inline void apply(ptrdiff_t h, ptrdiff_t range, const ovr_mlmi *plan,
     from_lanes(grid[0].out + pad, S, w);
 }
 
+/* Those that ovr_mlmi_choose gives for the finer grids. */
 static inline void choose_stencil(const ovr_mlmi *plan, ptrdiff_t S,
                                   const double *P, double *w)
 {
     if (plan->half_order == 5 && plan->range == 10)
         apply(5, 10, plan, S, P, w);
+    else if (plan->half_order == 5 && plan->range == 12)
+        apply(5, 12, plan, S, P, w);
+    else if (plan->half_order == 5 && plan->range == 14)
+        apply(5, 14, plan, S, P, w);
+    else if (plan->half_order == 6 && plan->range == 16)
+        apply(6, 16, plan, S, P, w);
     else
         apply(plan->half_order, plan->range, plan, S, P, w);
 }
