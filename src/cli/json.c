@@ -3,24 +3,9 @@
 
 #include <math.h>
 
-/* ------------------------------------------------------------------- text */
+#include "base/utf8.h"
 
-/* Length of the UTF-8 sequence at s (RFC 3629), 0 when it is none. */
-static int sequence(const unsigned char *s)
-{
-    int n = s[0] < 0x80 ? 1 : s[0] < 0xe0 ? 2 : s[0] < 0xf0 ? 3 : 4;
-    if (n == 1)
-        return 1;
-    if (s[0] < 0xc2 || s[0] > 0xf4)
-        return 0;
-    for (int i = 1; i < n; i++)
-        if ((s[i] & 0xc0) != 0x80)
-            return 0;
-    if ((s[0] == 0xe0 && s[1] < 0xa0) || (s[0] == 0xed && s[1] > 0x9f) ||
-        (s[0] == 0xf0 && s[1] < 0x90) || (s[0] == 0xf4 && s[1] > 0x8f))
-        return 0; /* overlong, surrogates, beyond U+10FFFF */
-    return n;
-}
+/* ------------------------------------------------------------------- text */
 
 static void put_plain(FILE *to, unsigned char c)
 {
@@ -43,7 +28,7 @@ static void put_text(FILE *to, const char *text)
     const unsigned char *s = (const unsigned char *)text;
     fputc('"', to);
     while (*s) {
-        int n = sequence(s);
+        int n = ovr_utf8_sequence(s);
         if (n == 0) {
             fputs("\\ufffd", to);
             s++;

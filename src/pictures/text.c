@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/utf8.h"
+
 enum { FIRST_ROOM = 4096, LONGEST = 400 };
 
 ovr_text ovr_text_make(ovr_arena *arena)
@@ -74,21 +76,6 @@ ovr_status ovr_text_status(const ovr_text *t, ovr_error *err)
 
 /* ---------------------------------------------------------- from outside */
 
-/* Length of the UTF-8 sequence at s (RFC 3629), 0 when it is none. */
-static int sequence(const unsigned char *s)
-{
-    int n = s[0] < 0x80 ? 1 : s[0] < 0xe0 ? 2 : s[0] < 0xf0 ? 3 : 4;
-    if (n > 1 && (s[0] < 0xc2 || s[0] > 0xf4))
-        return 0;
-    for (int i = 1; i < n; i++)
-        if ((s[i] & 0xc0) != 0x80)
-            return 0;
-    if ((s[0] == 0xe0 && s[1] < 0xa0) || (s[0] == 0xed && s[1] > 0x9f) ||
-        (s[0] == 0xf0 && s[1] < 0x90) || (s[0] == 0xf4 && s[1] > 0x8f))
-        return 0; /* overlong, surrogates, beyond U+10FFFF */
-    return n;
-}
-
 /* Controls, the C1 ones (U+0080 to U+009F) and line separators included. */
 static bool is_control(const unsigned char *s)
 {
@@ -100,7 +87,7 @@ void ovr_text_foreign(ovr_text *t, const char *foreign, ovr_text_rule *put)
 {
     const unsigned char *s = (const unsigned char *)foreign;
     for (int count = 0; *s && count < LONGEST; count++) {
-        int bytes = sequence(s);
+        int bytes = ovr_utf8_sequence(s);
         if (bytes == 0)
             put(t, "?", 1);
         else if (is_control(s))
