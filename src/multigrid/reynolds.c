@@ -1,6 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "multigrid/reynolds.h"
 
+void ovr_reynolds_wedge(ovr_operator *op, bool second_order, double Cu)
+{
+    op->w[0] = second_order ? 1.5 * Cu : Cu;
+    op->w[1] = second_order ? -2 * Cu : -Cu;
+    op->w[2] = second_order ? 0.5 * Cu : 0;
+    op->w_first[0] = Cu;
+    op->w_first[1] = -Cu;
+}
+
 ovr_weights ovr_reynolds_weights(const ovr_operator *op, double D)
 {
     ovr_weights w;

@@ -46,6 +46,10 @@ typedef struct ovr_operator {
     bool characteristic;
 } ovr_operator;
 
+/* Sets w and w_first: the upstream wedge of first or second order at the speed
+ * Cu; row 1 has no q_{-1} and is of first order. */
+void ovr_reynolds_wedge(ovr_operator *op, bool second_order, double Cu);
+
 /* Weights on a grid of mesh size D. */
 ovr_weights ovr_reynolds_weights(const ovr_operator *op, double D);
 

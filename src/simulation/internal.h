@@ -7,6 +7,9 @@
 #include "multigrid/cycle.h"
 #include "overroll/simulation.h"
 
+/* Integral of P at nominal load: pi/2 in Hertz's scaling. */
+#define OVR_NOMINAL_LOAD 1.57079632679489661923
+
 /* The past that the time derivative and the extrapolation need. */
 typedef struct ovr_past {
     double *q[3]; /* rho H one, two and three steps ago */
@@ -23,9 +26,9 @@ typedef struct ovr_past {
 /* What the characteristic scheme needs beyond the inlet (characteristic.c). */
 enum { OVR_GHOSTS = 256 };
 typedef struct ovr_inflow {
-    double *kernel;    /* K/pi at 0..n+OVR_GHOSTS meshes */
-    double *X, *S, *q; /* at X_a - D, X_a - 2 D, ... */
-    double *extended;  /* q with ghosts before it */
+    double *kernel;   /* K/pi at 0..n+OVR_GHOSTS meshes */
+    double *X, *S;    /* at X_a - D, X_a - 2 D, ... */
+    double *extended; /* q with ghosts before it */
 } ovr_inflow;
 
 struct ovr_simulation {

@@ -45,11 +45,16 @@ static double next_time(const ovr_simulation *sim, const ovr_march *march,
     return next;
 }
 
+static double wanted_error(const ovr_march *march)
+{
+    return march->error > 0 ? march->error : 1e-4;
+}
+
 static double regulated(const ovr_simulation *sim, const ovr_march *march,
                         double dT, double error)
 {
     bool first = sim->options.scheme == OVR_UPSTREAM1;
-    double wanted = march->error > 0 ? march->error : 1e-4;
+    double wanted = wanted_error(march);
     double factor = 2, D = sim->finest->D;
     if (error > 0)
         factor = 0.9 * pow(wanted / error, first ? 1. / 2 : 1. / 3);
@@ -61,7 +66,7 @@ static double regulated(const ovr_simulation *sim, const ovr_march *march,
 static ovr_status adaptive_step(ovr_simulation *sim, const ovr_march *march,
                                 ovr_error *err)
 {
-    double wanted = march->error > 0 ? march->error : 1e-4, error;
+    double wanted = wanted_error(march), error;
     double dT = sim->past.dT_next > 0 ? sim->past.dT_next : sim->finest->D;
     for (bool taken = false; !taken;) {
         double next = next_time(sim, march, dT), step = next - sim->state.T;

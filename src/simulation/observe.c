@@ -4,8 +4,6 @@
 
 #include "simulation/internal.h"
 
-static const double half_pi = 1.57079632679489661923;
-
 /* Vertex of the parabola through (i-1, i, i+1): position in meshes from i,
  * and value. */
 static double vertex(const double *v, size_t i, double *value)
@@ -142,7 +140,7 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
     o->speed_ratio = ovr_history_value(sim->speed, state->T);
     o->mass_flow = mean_flow(sim);
     o->mass_balance = dT > 0 ? ovr_mass_balance(sim) : 0;
-    o->load_error = o->load / half_pi - o->load_ratio;
+    o->load_error = o->load / OVR_NOMINAL_LOAD - o->load_ratio;
     o->residual = outcome->defect.imbalance;
     o->cycles = outcome->cycles;
     o->retries = outcome->retries;

@@ -16,15 +16,13 @@
 
 #include "simulation/internal.h"
 
-static const double half_pi = 1.57079632679489661923;
-
 static double distance(const double *a, size_t stride, const double *b,
                        size_t n, double D)
 {
     double sum = 0;
     for (size_t i = 0; i < n; i++)
         sum += fabs(a[stride * i] - b[i]);
-    return D * sum / half_pi;
+    return D * sum / OVR_NOMINAL_LOAD;
 }
 
 void ovr_refinement_coarse(ovr_simulation *sim, const ovr_level *level)

@@ -10,20 +10,6 @@
 #include "multigrid/fas.h"
 #include "simulation/internal.h"
 
-static const double half_pi = 1.57079632679489661923;
-
-static ovr_operator steady_operator(ovr_scheme scheme, double Cu)
-{
-    ovr_operator op = {
-        .w = {1.5 * Cu, -2 * Cu, 0.5 * Cu}, .w_first = {Cu, -Cu}, .speed = Cu};
-    if (scheme == OVR_UPSTREAM1) {
-        op.w[0] = Cu;
-        op.w[1] = -Cu;
-        op.w[2] = 0;
-    }
-    return op;
-}
-
 /* Full weighting of the gap; the weights' own effect on X^2/2, D^2/4 with the
  * fine D, is taken out again. */
 static void coarsen_gap(const ovr_level *fine, ovr_level *coarse)
@@ -348,12 +334,13 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
     sim->started = false;
     if (begin_load_and_speed(sim, err))
         return OVR_BAD_INPUT;
-    ovr_operator op = steady_operator(sim->options.scheme, sim->start_speed);
+    ovr_operator op = {.speed = sim->start_speed};
+    ovr_reynolds_wedge(&op, sim->options.scheme != OVR_UPSTREAM1, op.speed);
     ovr_hierarchy_operator(&sim->grids, &op);
     for (int k = 0; k < RUNGS && !outcome.converged; k++) {
         set_rung(sim, &ladder[k]);
         ovr_simulation_gap(sim, 0);
-        prepare_levels(sim, half_pi * sim->start_load);
+        prepare_levels(sim, OVR_NOMINAL_LOAD * sim->start_load);
         outcome.retries = sim->way = k;
         outcome.defect = full_multigrid(sim, &ladder[k], &outcome.cycles);
         tolerance = tolerance_at(sim, sim->finest, outcome.defect.centre);

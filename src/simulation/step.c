@@ -6,16 +6,14 @@
  *   3. cycles until residual and load are below tolerance;
  *   4. failing that, further attempts that are slower and steadier;
  *   5. failing that, two half steps; at the smallest step a result that is
- *      merely poor is accepted and marked, anything else restores the state
- *      of before the step and says so;
+ *      merely poor is accepted and marked, anything else goes back to the
+ *      last time reached and says so;
  *   6. the past moves on, and the step is observed.
  */
 #include <math.h>
 #include <string.h>
 
 #include "simulation/internal.h"
-
-static const double half_pi = 1.57079632679489661923;
 
 /* Beyond this R the result of a step is no longer near a solution: runs
  * recover from less. */
@@ -129,7 +127,7 @@ static void begin_step(ovr_simulation *sim, double dT)
     double T = sim->past.T[0] + dT;
     ovr_time_derivative(sim, dT);
     ovr_simulation_gap(sim, T);
-    sim->finest->force = half_pi * ovr_history_value(sim->load, T);
+    sim->finest->force = OVR_NOMINAL_LOAD * ovr_history_value(sim->load, T);
 }
 
 static void rotate(double *arrays[], int count)

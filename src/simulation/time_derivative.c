@@ -29,16 +29,6 @@ static void set_history(ovr_simulation *sim, const double c[2])
                                 sim->past.q[1], sim->finest->f.F);
 }
 
-static void upstream_wedge(ovr_operator *op, ovr_scheme scheme, double Cu)
-{
-    bool second = scheme == OVR_UPSTREAM2;
-    op->w[0] = second ? 1.5 * Cu : Cu;
-    op->w[1] = second ? -2 * Cu : -Cu;
-    op->w[2] = second ? 0.5 * Cu : 0;
-    op->w_first[0] = Cu;
-    op->w_first[1] = -Cu;
-}
-
 static void characteristic_history(ovr_simulation *sim, const double c[2],
                                    double T)
 {
@@ -63,7 +53,7 @@ void ovr_time_derivative(ovr_simulation *sim, double dT)
     if (scheme == OVR_CHARACTERISTIC) {
         characteristic_history(sim, c, T);
     } else {
-        upstream_wedge(&op, scheme, op.speed);
+        ovr_reynolds_wedge(&op, scheme == OVR_UPSTREAM2, op.speed);
         set_history(sim, c);
     }
     ovr_hierarchy_operator(&sim->grids, &op);
