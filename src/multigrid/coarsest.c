@@ -6,8 +6,6 @@
 
 #include "multigrid/field.h"
 
-static const double dry_tolerance = 1e-10;
-
 /* K/pi of a level at distances -(n + 1) .. n + 2, 0 at index n + 2 */
 static double *take_kernel(const ovr_level *level, ovr_arena *arena,
                            ovr_error *err)
@@ -101,7 +99,7 @@ static void assemble(const ovr_hierarchy *grids, const ovr_level *level)
             jacobian_row(grids, level, i, row);
             row[n + 1] = level->f.r[i];
             held = level->f.P[i] <= 0 &&
-                   level->f.r[i] >= dry_tolerance * row[i];
+                   level->f.r[i] >= OVR_DRY_TOLERANCE * row[i];
         }
         if (held)
             hold(n, i, row);

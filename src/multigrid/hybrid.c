@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "multigrid/hybrid.h"
 
-static const double dry_tolerance = 1e-10;
-
 /* dN_i/dP_i and dN_i/dP_{i-1} of one row. */
 typedef struct slopes {
     double own, before;
@@ -48,7 +46,7 @@ static double clipped(double x, double limit)
 /* Dry and not wanting to rise, with room for rounding (see line.h). */
 static bool held(const ovr_level *level, size_t i, double r, slopes s)
 {
-    return level->f.P[i] <= 0 && r >= dry_tolerance * s.own;
+    return level->f.P[i] <= 0 && r >= OVR_DRY_TOLERANCE * s.own;
 }
 
 static void seidel(const ovr_hierarchy *grids, ovr_level *level, size_t i,

@@ -42,6 +42,11 @@ typedef struct ovr_fields {
     double *restrict r;    /* residual F - N */
 } ovr_fields;
 
+/* A dry node is held while r_i/A_ii is below this.  Not below zero: on coarse
+ * grids its residual is rounding, whose sign would pick wet or dry at random
+ * (1e-12 to 1e-8 all work). */
+#define OVR_DRY_TOLERANCE 1e-10
+
 /* Work arrays of the line relaxation, n + OVR_BAND_PAD values each: the
  * solver cuts them into equal parts. */
 enum { OVR_BAND_PAD = 128 };

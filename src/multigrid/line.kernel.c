@@ -8,8 +8,6 @@
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
 
-static const double dry_tolerance = 1e-10;
-
 /* Each column j of the system changes P_{j-1}, P_j, P_{j+1} by (minus, 1,
  * plus) delta_j.  Node 1 is a monopole, and when steady so is a dry node that
  * wants to rise (a dry one that does not has delta = 0 anyway). */
@@ -98,7 +96,7 @@ static inline void assemble_block(const ovr_fields *f, const vec A[7],
 {
     vec r = load(f->r + i), P = load(f->P + i), moves = all(1);
     vec minus[5], plus[5], b[5];
-    ivec dry = (P <= 0) & (r >= dry_tolerance * A[3]);
+    ivec dry = (P <= 0) & (r >= OVR_DRY_TOLERANCE * A[3]);
     load_shares(band, i, uniform, minus, plus);
     for (size_t d = 0; d < 5; d++)
         b[d] = fused(minus[d], A[d], fused(plus[d], A[d + 2], A[d + 1]));
