@@ -7,7 +7,7 @@
 cat >study.ini <<'END'
 [set]
 contact.M = 20
-domain.level = 6
+domain.level = 7
 time.end = 6
 output.every = 50
 output.checkpoint = 0.05 s
@@ -30,17 +30,28 @@ numbers alone >alone.txt
 begin() {
     "$OVERROLL" sweep study.ini -o "$1" -j 2 >out 2>err &
     pid=$!
-    for _ in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
+    for _ in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 \
+        21 22 23 24 25 26 27 28 29 30 31 32 33 34 35 36 37 38 39 40; do
         ls "$1"/*.h5 >/dev/null 2>&1 && break
-        sleep 0.1
+        sleep 0.02
+    done
+}
+
+# interrupt SIGNAL: a sweep stopped in the middle of a case.  The signal may
+# fall between two cases, with nothing under way to stop: then once more.
+interrupt() {
+    for _ in 1 2 3 4 5 6 7 8; do
+        rm -rf "$1"
+        begin "$1"
+        kill -s "$1" "$pid"
+        code=0
+        wait "$pid" || code=$?
+        grep -q ' stopped' out && return
     done
 }
 
 for signal in INT TERM; do
-    begin $signal
-    kill -s $signal "$pid"
-    code=0
-    wait "$pid" || code=$?
+    interrupt $signal
     case $signal in
     INT) wanted=130 ;;
     TERM) wanted=143 ;;
