@@ -188,10 +188,18 @@ VERIFYSH  := $(wildcard tests/verify/*.sh)
 SUPPORT   := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/support/*.c))
 TESTBIN   := $(TESTSRC:%.c=$(BUILD)/%)
 
+# A locale with a decimal comma, for the tests alone; empty where it cannot be
+# made, which skips them.
+LOCALE := $(BUILD)/locale/de_DE.UTF-8
+$(LOCALE):
+	@mkdir -p $(@D)
+	@localedef -i de_DE -f UTF-8 $@ >/dev/null 2>&1 || mkdir -p $@
+
 # What scripts are told.
 TESTENV = OVERROLL='$(abspath $(PROGRAM))' BUILD='$(abspath $(BUILD))' \
   LIB='$(abspath $(LIB))' SHARED='$(abspath $(SHARED))' TOP='$(CURDIR)' \
   CC='$(CC)' TEST_CFLAGS='$(OVR_CFLAGS)' INSTRUMENTED='$(KIND)' \
+  TEST_LOCALES='$(abspath $(BUILD)/locale)' \
   UBSAN_OPTIONS=print_stacktrace=1 MAKEFLAGS= MAKELEVEL=
 
 $(BUILD)/tests/%.o: OVR_CFLAGS += -Itests
@@ -235,11 +243,11 @@ need-cmocka:
 	@$(PKG_CONFIG) --exists cmocka || \
 	  { echo "missing: cmocka; run tools/install-deps check"; exit 1; }
 
-check: need-cmocka all $(CHECKSRC:%.c=$(BUILD)/%) $(REPLAYS) ## run the tests (FAST=1, SAN=1)
+check: need-cmocka all $(LOCALE) $(CHECKSRC:%.c=$(BUILD)/%) $(REPLAYS) ## run the tests (FAST=1, SAN=1)
 	@$(TESTENV) tests/support/run -j $(JOBS) -o $(BUILD)/check \
 	  $(CHECKSRC:%.c=$(BUILD)/%) $(CHECKSH)
 
-verify: need-cmocka all $(VERIFYSRC:%.c=$(BUILD)/%) ## what takes longer
+verify: need-cmocka all $(LOCALE) $(VERIFYSRC:%.c=$(BUILD)/%) ## what takes longer
 	@mkdir -p $(BUILD)/verify
 	@$(TESTENV) OVERROLL_VERIFY='$(abspath $(BUILD)/verify)' \
 	  TEST_SECONDS=36000 tests/support/run -j $(JOBS) \
@@ -248,7 +256,7 @@ verify: need-cmocka all $(VERIFYSRC:%.c=$(BUILD)/%) ## what takes longer
 tests/unit/corpus.run: $(REPLAYS)
 
 # A single test: make tests/unit/arena_test.run
-%.run: need-cmocka all
+%.run: need-cmocka all $(LOCALE)
 	@$(MAKE) --no-print-directory $(if $(wildcard $*.c),$(BUILD)/$*)
 	@$(TESTENV) tests/support/run -j 1 -o $(BUILD)/check \
 	  $(if $(wildcard $*.c),$(BUILD)/$*,$*.sh)
@@ -312,7 +320,7 @@ SHALL := $(shell grep -lE '^\#!/bin/(ba)?sh' tools/* tools/examples/* tests/*/* 
 format: ## lay out the sources with clang-format
 	@clang-format -i $(CALL)
 
-lint: lint-format lint-tidy lint-cppcheck lint-shell ## all static checks
+lint: lint-format lint-tidy lint-cppcheck lint-analyzer lint-shell ## all static checks
 
 lint-format: need-lint
 	$(call say,FORMAT)
@@ -344,7 +352,15 @@ lint-cppcheck: need-lint
 	  --enable=warning,performance,portability --suppress=missingInclude \
 	  --suppress=normalCheckLevelMaxBranches --suppress=unknownMacro \
 	  --cppcheck-build-dir=$(BUILD)/cppcheck -j $(JOBS) -DOVR_ISA=base \
-	  -Iinclude -Isrc $(LIBSRC) $(CLISRC)
+	  -Iinclude -Isrc -Itests $(LIBSRC) $(CLISRC) $(wildcard tests/*/*.c)
+
+# gcc's own analysis, of paths through a file.
+ANALYZED := $(LIBSRC:%.c=$(BUILD)/%.analyzed) $(CLISRC:%.c=$(BUILD)/%.analyzed)
+lint-analyzer: $(ANALYZED)
+$(BUILD)/%.analyzed: %.c $(BUILD)/%.o
+	$(call say,ANALYZE $<)
+	$(Q)gcc $(OVR_CFLAGS) -O2 -fanalyzer -Werror -c -o /dev/null $<
+	@touch $@
 
 lint-shell: need-lint
 	$(call say,SHELLCHECK)
@@ -396,7 +412,7 @@ help: ## this list
 
 FORCE:
 .PHONY: all tests check fuzz verify coverage demo pictures paper bench \
-  format lint lint-format lint-tidy lint-cppcheck lint-shell need-lint need-cmocka \
+  format lint lint-format lint-tidy lint-cppcheck lint-analyzer lint-shell need-lint need-cmocka \
   install uninstall clean help FORCE
 .SECONDARY:
 .DELETE_ON_ERROR:

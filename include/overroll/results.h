@@ -114,8 +114,13 @@ typedef enum ovr_run_status {
     OVR_RUN_FAILED
 } ovr_run_status;
 
+/* Why the run failed, for the file's attribute `reason`; copied. */
+OVR_API void ovr_writer_reason(ovr_writer *writer, const char *reason);
+
 /* Ends the file and frees the writer, also when it returns an error.  A
- * complete run gets its last state as a snapshot, whatever the schedule. */
+ * complete run gets its last state as a snapshot, whatever the schedule.  So
+ * does a failed one, for inspection: the state of the last time reached, or
+ * what a steady start ended with (its row of the history has converged 0). */
 OVR_API ovr_status ovr_writer_close(ovr_writer *writer, ovr_run_status status,
                                     ovr_error *err);
 
@@ -191,6 +196,7 @@ typedef struct ovr_result ovr_result;
 /* What is in a file.  Texts are owned by the result. */
 typedef struct ovr_result_info {
     const char *title, *status;     /* running, complete, stopped, failed */
+    const char *reason;             /* why it failed, or "" */
     const char *source;             /* program and version */
     const char *created, *modified; /* dates, ISO 8601 */
     const char *case_text;          /* the case file the run was made from */

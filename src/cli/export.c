@@ -209,9 +209,11 @@ static ovr_status nearest(const job *j, double T, size_t *row)
 {
     size_t count = j->about->snapshots;
     double *times = calloc(count + 1, sizeof *times);
-    ovr_status status = OVR_NO_MEMORY;
-    if (times)
-        status = ovr_result_times(j->result, OVR_HERTZIAN, times, j->err);
+    ovr_status status;
+    if (!times)
+        return ovr_fail(j->err, OVR_NO_MEMORY, "out of memory: %zu times",
+                        count);
+    status = ovr_result_times(j->result, OVR_HERTZIAN, times, j->err);
     *row = 0;
     for (size_t k = 1; status == OVR_OK && k < count; k++)
         if (fabs(times[k] - T) < fabs(times[*row] - T))
@@ -356,6 +358,8 @@ static int write_all(job *j)
     if (write_table(j) != OVR_OK)
         code = cli_fail(j->err);
     closed = close_output(j);
+    if (code != CLI_DONE && j->to != stdout) /* nothing but heads in it */
+        unlink(cli_value(j->call, "o"));
     return code == CLI_DONE ? closed : code;
 }
 

@@ -132,6 +132,8 @@ static void print_text(report *r, bool verbose)
     printf("%s", r->path);
     put_foreign(": ", a->title);
     put_foreign("\nstatus     ", a->status);
+    if (*a->reason)
+        put_foreign(": ", a->reason);
     put_foreign("\nwritten    ", a->created);
     put_foreign(" to ", a->modified);
     put_foreign(" by ", a->source);
@@ -205,6 +207,7 @@ static void print_json(report *r)
     json_text(&j, "file", r->path);
     json_text(&j, "title", a->title);
     json_text(&j, "status", a->status);
+    json_text(&j, "reason", a->reason);
     json_text(&j, "source", a->source);
     json_text(&j, "created", a->created);
     json_text(&j, "modified", a->modified);

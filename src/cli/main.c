@@ -102,9 +102,6 @@ static int close_stdout(int code)
 int main(int argc, char **argv)
 {
     const cli_verb *verb;
-    /* Files are closed where they are used; after a write that failed HDF5
-     * would complain on stderr when the program ends. */
-    H5dont_atexit();
     if (argc < 2) {
         print_short_help();
         return close_stdout(CLI_DONE);

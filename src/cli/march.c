@@ -81,6 +81,8 @@ static ovr_status close_file(running *r, cli_summary *summary,
     ovr_status closed;
     if (!r->writer)
         return status;
+    if (ending(status) == OVR_RUN_FAILED)
+        ovr_writer_reason(r->writer, err->message);
     closed = ovr_writer_close(r->writer, ending(status), &late);
     summary->snapshots = cli_count_snapshots(summary->output);
     if (status || !closed)

@@ -106,6 +106,21 @@ void cli_say_assumed(const cli_call *call, const cli_summary *summary)
     }
 }
 
+/* The loss is a fit to small ones; a film cannot lose more than all of it. */
+static void warn_of_inlet(const cli_call *call, cli_summary *summary, double X,
+                          double films)
+{
+    double loss = ovr_simulation_starvation(summary->sim);
+    char share[40] = "most";
+    if (loss < 0.5)
+        snprintf(share, sizeof share, "some %.2g %%", 100 * loss);
+    cli_warn(call, summary,
+             "the inlet is numerically starved: the film at X = %.3g is only "
+             "%.1f central films, which costs %s of the film; move the inlet "
+             "out or let inlet = auto choose it",
+             X, films, share);
+}
+
 void cli_warn_after(const cli_call *call, cli_summary *summary)
 {
     const ovr_observation *o = ovr_simulation_observation(summary->sim);
@@ -115,12 +130,7 @@ void cli_warn_after(const cli_call *call, cli_summary *summary)
         fprintf(stderr, "overroll: the steady solution took another way: %s\n",
                 way);
     if (state->n && o->H_cen > 0 && state->H[0] < FLOODED * o->H_cen)
-        cli_warn(call, summary,
-                 "the inlet is numerically starved: the film at X = %.3g is "
-                 "only %.1f central films, which costs some %.1g %% of the "
-                 "film; move the inlet out or let inlet = auto choose it",
-                 state->X[0], state->H[0] / o->H_cen,
-                 100 * ovr_simulation_starvation(summary->sim));
+        warn_of_inlet(call, summary, state->X[0], state->H[0] / o->H_cen);
 }
 
 /* ------------------------------------------------------------------- JSON */

@@ -3,6 +3,7 @@
 #include "cli/store.h"
 
 #include <errno.h>
+#include <hdf5.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -133,6 +134,14 @@ static double *make_times(const ovr_setup *setup, size_t *count)
 
 /* ----------------------------------------------------------------- writer */
 
+/* Files are closed where they are used; after a write that failed HDF5 would
+ * complain on stderr when the program ends.  Not in main: a command that writes
+ * no result does not wake HDF5, which dies where its memory runs out. */
+static void silence_the_end(void)
+{
+    H5dont_atexit();
+}
+
 static void choose(ovr_write_options *w, const ovr_setup *setup,
                    const ovr_state *state)
 {
@@ -201,6 +210,7 @@ ovr_writer *cli_open_output(ovr_case *c, const ovr_setup *setup,
     const ovr_state *state = ovr_simulation_state(sim);
     wanted w;
     ovr_writer *writer = NULL;
+    silence_the_end();
     if (want(&w, c, setup, state, path, err) == OVR_OK) {
         w.options.force = force;
         writer = ovr_writer_create(&w.options, &setup->contact, state->n,
@@ -220,6 +230,7 @@ ovr_writer *cli_reopen_output(ovr_case *c, const ovr_setup *setup,
     wanted w;
     ovr_writer *writer = NULL;
     ovr_status status = want(&w, c, setup, state, path, err);
+    silence_the_end();
     if (status == OVR_OK && restart)
         status = ovr_restart_check(restart, w.options.value_count, w.values,
                                    err);

@@ -36,9 +36,11 @@ static bool put_scale(netcdf *n)
 {
     size_t count = n->t->s->tasks;
     int *number = malloc((count + 1) * sizeof *number);
-    for (size_t i = 0; number && i < count; i++)
+    if (!number)
+        return false;
+    for (size_t i = 0; i < count; i++)
         number[i] = (int)i + 1;
-    n->scale = number ? create(n, "case", H5T_STD_I32LE) : -1;
+    n->scale = create(n, "case", H5T_STD_I32LE);
     if (n->scale < 0 || H5DSset_scale(n->scale, "case") < 0 ||
         H5Dwrite(n->scale, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT,
                  number) < 0) {

@@ -280,7 +280,8 @@ static ovr_status write_table(const sweep_table *t, const char *path,
     FILE *to;
     bool good;
     snprintf(part, sizeof part, "%s.%ld.part", path, (long)getpid());
-    to = fopen(part, "w");
+    unlink(part);
+    to = fopen(part, "wx"); /* follows no link that somebody has put there */
     if (!to)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be written: %s", path,
                         strerror(errno));

@@ -46,11 +46,13 @@ static void discard(const study *s, size_t task, const char *ending)
     unlink(path);
 }
 
+/* The names are ours, not the user's: no link that somebody has put there is
+ * followed. */
 static int open_file(const study *s, size_t task, const char *ending, int how)
 {
     char path[PATH_ROOM];
     study_file(s, task, ending, path, sizeof path);
-    return open(path, how, 0666);
+    return open(path, how | O_NOFOLLOW, 0666);
 }
 
 /* Standard output or error to a file of the task. */
@@ -145,7 +147,8 @@ static void mark_failed(const study *s, size_t task, const char *message,
     char path[PATH_ROOM];
     FILE *to;
     study_file(s, task, ".failed", path, sizeof path);
-    to = fopen(path, "w");
+    unlink(path);
+    to = fopen(path, "wx");
     if (!to)
         return;
     fprintf(to, "%s\nexit code %d\n", message, code);

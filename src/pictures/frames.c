@@ -14,6 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/plain.h"
 #include "pictures/gnuplot.h"
 #include "pictures/movie.h"
 #include "pictures/picture.h"
@@ -365,8 +366,10 @@ ovr_status ovr_frames(ovr_result *const *results, size_t count,
     studio *s = ovr_arena_take(&arena, 1, sizeof *s, err);
     ovr_frames_made unasked = {0, 0};
     ovr_status status;
+    locale_t before;
     if (!s)
         return OVR_NO_MEMORY;
+    before = ovr_plain_begin();
     s->o = options;
     s->arena = &arena;
     s->count = count;
@@ -379,5 +382,6 @@ ovr_status ovr_frames(ovr_result *const *results, size_t count,
         status = make(s, err);
     clear_up(s);
     ovr_arena_release(&arena);
+    ovr_plain_end(before);
     return status;
 }

@@ -48,19 +48,25 @@ static ovr_status name_beside(char *name, const char *path, const char *suffix,
     return ovr_fail(err, OVR_BAD_INPUT, "%.60s...: too long a name", path);
 }
 
+/* A new, empty file of this name and of our own: a link that somebody has put
+ * there is not followed. */
+static bool make_anew(const char *path)
+{
+    int file;
+    unlink(path);
+    file = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    return file >= 0 && close(file) == 0;
+}
+
 /* On the same file system as the path, and no picture by its suffix.  That
  * it cannot be created is better known now: gnuplot would go on, and draw to
  * its standard output. */
 ovr_status ovr_part_make(char *part, const char *path, ovr_error *err)
 {
-    int file = -1;
     if (name_beside(part, path, ".part", err) != OVR_OK)
         return OVR_BAD_INPUT;
-    file = open(part, O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    if (file >= 0) {
-        close(file);
+    if (make_anew(part))
         return OVR_OK;
-    }
     part[0] = '\0';
     return ovr_fail(err, OVR_BAD_INPUT, "%.500s: cannot be created: %s", path,
                     strerror(errno));
@@ -85,7 +91,7 @@ static ovr_status send_script(ovr_gnuplot *g, const ovr_text *script,
     ovr_text_put(&file, "unset output\n");
     /* An empty line first: should a picture have gone here, it is over. */
     ovr_text_print(&line, "\nprint ''\nprint '%s'\n", done);
-    status = ovr_text_save(&file, g->script, err);
+    status = ovr_text_save_anew(&file, g->script, err);
     if (status == OVR_OK)
         status = ovr_text_status(&line, err);
     /* When it does not listen, waiting for it tells why. */

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/plain.h"
 #include "pictures/gnuplot.h"
 
 ovr_picture_options ovr_picture_options_default(void)
@@ -150,6 +151,7 @@ ovr_status ovr_picture(ovr_result *const *results, size_t count,
                        const ovr_picture_options *o,
                        const ovr_allocator *allocator, ovr_error *err)
 {
+    locale_t before = ovr_plain_begin();
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_run *runs = ovr_arena_take(&arena, count, sizeof *runs, err);
     ovr_sitting sitting = {o, runs, count, &arena};
@@ -163,5 +165,6 @@ ovr_status ovr_picture(ovr_result *const *results, size_t count,
     if (status == OVR_OK)
         status = draw(&sitting, err);
     ovr_arena_release(&arena);
+    ovr_plain_end(before);
     return status;
 }

@@ -5,6 +5,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/utf8.h"
 
@@ -121,17 +122,32 @@ void ovr_text_gnuplot(ovr_text *t, const char *foreign)
     ovr_text_put(t, "'");
 }
 
-ovr_status ovr_text_save(const ovr_text *t, const char *path, ovr_error *err)
+static ovr_status save(const ovr_text *t, const char *path, const char *mode,
+                       ovr_error *err)
 {
-    FILE *file = ovr_text_status(t, err) == OVR_OK ? fopen(path, "wb") : NULL;
-    bool ok = file && fwrite(t->data, 1, t->length, file) == t->length;
-    if (t->failed)
+    FILE *file;
+    bool ok;
+    if (ovr_text_status(t, err) != OVR_OK)
         return t->why.status;
+    file = fopen(path, mode);
     if (!file)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be created: %s", path,
                         strerror(errno));
+    ok = fwrite(t->data, 1, t->length, file) == t->length;
     if (fclose(file) != 0 || !ok)
         return ovr_fail(err, OVR_IO, "%s: cannot be written: %s", path,
                         strerror(errno));
     return OVR_OK;
+}
+
+ovr_status ovr_text_save(const ovr_text *t, const char *path, ovr_error *err)
+{
+    return save(t, path, "wb", err);
+}
+
+ovr_status ovr_text_save_anew(const ovr_text *t, const char *path,
+                              ovr_error *err)
+{
+    unlink(path);
+    return save(t, path, "wbx", err);
 }

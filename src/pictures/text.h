@@ -38,4 +38,9 @@ void ovr_text_gnuplot(ovr_text *text, const char *foreign);
 ovr_status ovr_text_save(const ovr_text *text, const char *path,
                          ovr_error *err);
 
+/* The same for names that nobody chose: a file of our own, never one that
+ * somebody has put there, nor what a link leads to. */
+ovr_status ovr_text_save_anew(const ovr_text *text, const char *path,
+                              ovr_error *err);
+
 #endif

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/plain.h"
 #include "pictures/axis.h"
 #include "pictures/gnuplot.h"
 #include "pictures/pack.h"
@@ -350,7 +351,7 @@ static ovr_status save(const ovr_text *page, const char *path, ovr_error *err)
     ovr_status status = ovr_part_make(part, path, err);
     if (status != OVR_OK)
         return status;
-    status = ovr_text_save(page, part, err);
+    status = ovr_text_save_anew(page, part, err);
     if (status == OVR_OK && rename(part, path) != 0)
         status = ovr_fail(err, OVR_IO, "%s: cannot be written: %s", path,
                           strerror(errno));
@@ -386,10 +387,12 @@ ovr_status ovr_view(ovr_result *const *results, size_t count,
                     const ovr_view_options *options,
                     const ovr_allocator *allocator, ovr_error *err)
 {
+    locale_t before = ovr_plain_begin();
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_error unasked;
     ovr_status status = view(results, count, options, &arena,
                              err ? err : &unasked);
     ovr_arena_release(&arena);
+    ovr_plain_end(before);
     return status;
 }

@@ -171,12 +171,25 @@ static void release(ovr_writer *w)
     ovr_arena_release(&arena);
 }
 
+/* HDF5 does not survive that its memory runs out: it aborts, or crashes.  So
+ * much as it needs for a file is asked for, and given back, before it is. */
+static ovr_status room_for_hdf5(const ovr_allocator *allocator, ovr_error *err)
+{
+    enum { ENOUGH = 4 << 20 };
+    ovr_arena probe = ovr_arena_make(allocator);
+    bool enough = ovr_arena_take(&probe, ENOUGH, 1, err) != NULL;
+    ovr_arena_release(&probe);
+    return enough ? OVR_OK : OVR_NO_MEMORY;
+}
+
 static ovr_writer *begin(const ovr_write_options *options,
                          const ovr_contact *contact, size_t n,
                          const ovr_allocator *allocator, ovr_error *err)
 {
     ovr_arena arena = ovr_arena_make(allocator);
-    ovr_writer *w = ovr_arena_take(&arena, 1, sizeof *w, err);
+    ovr_writer *w = NULL;
+    if (room_for_hdf5(allocator, err) == OVR_OK)
+        w = ovr_arena_take(&arena, 1, sizeof *w, err);
     if (!w)
         return NULL;
     w->arena = arena;
@@ -220,9 +233,12 @@ ovr_writer *ovr_writer_create(const ovr_write_options *options,
                               ovr_error *err)
 {
     ovr_writer *w = begin(options, contact, n, allocator, err);
-    ovr_h5_manners manners = ovr_h5_quiet();
+    ovr_h5_manners manners;
     ovr_file_plan plan;
-    if (w && (prepare(w, X, &plan, err) || start_file(w, &plan, err)))
+    if (!w)
+        return NULL;
+    manners = ovr_h5_quiet();
+    if (prepare(w, X, &plan, err) || start_file(w, &plan, err))
         w = abandon(w);
     ovr_h5_restore(manners);
     if (w)
@@ -251,14 +267,9 @@ static ovr_status reopen_file(ovr_writer *w, const ovr_restart *restart,
 {
     size_t steps = w->last_step < 0 ? 0 : ovr_restart_about(restart)->steps;
     ovr_status status = ovr_file_open(&w->file, plan, w->snapshots, steps, err);
-    char *created;
-    if (status != OVR_OK)
-        return status;
-    created = ovr_h5_get_text(w->file.file, "date_created", &w->arena, err);
-    if (!created)
-        return OVR_NO_MEMORY;
-    snprintf(w->created, sizeof w->created, "%s", created);
-    return OVR_OK;
+    if (status == OVR_OK)
+        snprintf(w->created, sizeof w->created, "%s", w->file.created);
+    return status;
 }
 
 ovr_writer *ovr_writer_resume(const ovr_write_options *options,
@@ -267,14 +278,18 @@ ovr_writer *ovr_writer_resume(const ovr_write_options *options,
                               const ovr_allocator *allocator, ovr_error *err)
 {
     ovr_writer *w = begin(options, contact, n, allocator, err);
-    ovr_h5_manners manners = ovr_h5_quiet();
+    ovr_h5_manners manners;
     ovr_file_plan plan;
-    ovr_status status = w ? prepare(w, X, &plan, err) : OVR_NO_MEMORY;
+    ovr_status status;
+    if (!w)
+        return NULL;
+    manners = ovr_h5_quiet();
+    status = prepare(w, X, &plan, err);
     if (status == OVR_OK) {
         go_on_from(w, restart, &plan);
         status = reopen_file(w, restart, &plan, err);
     }
-    if (w && status != OVR_OK)
+    if (status != OVR_OK)
         w = abandon(w);
     ovr_h5_restore(manners);
     if (w)
@@ -282,24 +297,43 @@ ovr_writer *ovr_writer_resume(const ovr_write_options *options,
     return w;
 }
 
-/* The state at the end of a complete run, unless it is stored already.  The
- * checkpoint is written before: a run that is made longer later forgets this
- * snapshot, as if it had never ended. */
-static ovr_status store_last(ovr_writer *w, ovr_error *err)
+/* Whether there is a state to look at: it was solved for, and holds numbers. */
+static bool worth_a_look(const ovr_frame *frame)
 {
+    const ovr_state *state = frame->state;
+    bool finite = frame->seen->H_min != 0;
+    for (size_t i = 0; finite && i < state->n; i++)
+        finite = isfinite(state->P[i]) && isfinite(state->H[i]);
+    return finite;
+}
+
+/* The state at the end of a complete or failed run, unless it is stored
+ * already.  The checkpoint is written before: a run that is made longer later
+ * forgets this snapshot, as if it had never ended. */
+static ovr_status store_last(ovr_writer *w, ovr_run_status run, ovr_error *err)
+{
+    bool asked = w->options.every_steps || w->options.every_time > 0;
     ovr_frame frame;
-    if (w->last_stored || !w->frame_of ||
-        !(w->options.every_steps || w->options.every_time > 0))
+    if (w->last_stored || !w->frame_of || (run == OVR_RUN_COMPLETE && !asked))
         return OVR_OK;
     frame = w->frame_of(w);
+    if (run == OVR_RUN_FAILED && !worth_a_look(&frame))
+        return OVR_OK;
+    if (w->last_step < 0)
+        ovr_writer_note(w, &frame);
     ovr_writer_store(w, &frame);
     return ovr_writer_flush(w, err);
 }
 
+void ovr_writer_reason(ovr_writer *w, const char *reason)
+{
+    snprintf(w->reason, sizeof w->reason, "%s", reason);
+}
+
 static ovr_status end_file(ovr_writer *w, ovr_run_status run, ovr_error *err)
 {
-    ovr_status status = ovr_file_status(&w->file, run, ovr_writer_seconds(w),
-                                        err);
+    ovr_status status = ovr_file_status(&w->file, run, w->reason,
+                                        ovr_writer_seconds(w), err);
     return status == OVR_OK ? ovr_file_flush(&w->file, err) : status;
 }
 
@@ -309,8 +343,8 @@ ovr_status ovr_writer_close(ovr_writer *w, ovr_run_status run, ovr_error *err)
     ovr_h5_manners manners;
     if (w->source.visit_all)
         status = ovr_writer_save(w, err);
-    if (status == OVR_OK && run == OVR_RUN_COMPLETE)
-        status = store_last(w, err);
+    if (status == OVR_OK && run != OVR_RUN_STOPPED)
+        status = store_last(w, run, err);
     if (status == OVR_OK)
         status = ovr_writer_flush(w, err);
     manners = ovr_h5_quiet();

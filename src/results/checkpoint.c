@@ -111,7 +111,8 @@ ovr_status ovr_checkpoint_write(const ovr_checkpoint *c, ovr_error *err)
 {
     sink s;
     ovr_status status;
-    s.fd = open(c->part, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    s.fd = open(c->part, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC,
+                0666);
     if (s.fd < 0)
         return failed(c, errno, err);
     s.error = 0;

@@ -9,8 +9,10 @@
 #include "results/file.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <string.h>
 
+#include "results/container.h"
 #include "results/driver.h"
 #include "results/h5.h"
 #include "results/header.h"
@@ -155,42 +157,43 @@ static ovr_status refuse(const ovr_file *f, const char *why, ovr_error *err)
 }
 
 /* The same positions to the bit: same domain, level, window and stride. */
-static bool same_positions(const ovr_file *f, const ovr_file_plan *plan,
-                           double *found)
+static bool same_positions(ovr_container *c, const ovr_file_plan *plan)
 {
-    hid_t x = H5Dopen2(f->file, "x", H5P_DEFAULT);
-    hid_t space = x < 0 ? -1 : H5Dget_space(x);
-    bool ok = space >= 0 &&
-              H5Sget_simple_extent_npoints(space) == (hssize_t)plan->nodes &&
-              H5Dread(x, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                      found) >= 0 &&
-              memcmp(found, plan->x, plan->nodes * sizeof *found) == 0;
-    ovr_h5_drop(space);
-    ovr_h5_drop(x);
-    return ok;
+    double *found = ovr_arena_take(c->source.arena, plan->nodes, sizeof *found,
+                                   NULL);
+    ovr_dataset x;
+    uint64_t object;
+    c->source.starved = c->source.starved || !found;
+    return found && ovr_container_find(c, c->root, "x", &object) &&
+           ovr_container_dataset(c, object, &x) && x.rank == 1 &&
+           x.shape[0] == plan->nodes &&
+           ovr_container_values(c, &x, 0, plan->nodes, found) &&
+           memcmp(found, plan->x, plan->nodes * sizeof *found) == 0;
 }
 
-/* Precision and filters are as they were when the file was made. */
-static bool same_precision(ovr_file *f)
+/* Precision and filters are as they were when the file was made; the first
+ * field may be one that it did not store. */
+static bool same_precision(ovr_file *f, ovr_container *c)
 {
-    hid_t type = H5Dget_type(f->field[0]);
-    hid_t creation = H5Dget_create_plist(f->field[0]);
-    bool ok = H5Tget_size(type) == element_of(f, 0);
-    if (H5Pget_nfilters(creation) == 0)
+    ovr_dataset set;
+    uint64_t object;
+    if (!ovr_container_find(c, c->root, f->which[0]->name, &object))
+        return true;
+    if (!ovr_container_dataset(c, object, &set))
+        return false;
+    if (!set.packed)
         f->deflate = 0;
-    ovr_h5_drop(creation);
-    ovr_h5_drop(type);
-    return ok;
+    return set.element.size == element_of(f, 0);
 }
 
-static bool has_rows(hid_t set, hsize_t rows)
+static bool has_rows(ovr_container *c, uint64_t group, const char *name,
+                     hsize_t rows)
 {
-    hid_t space = H5Dget_space(set);
-    hsize_t shape[2] = {0, 0};
-    bool ok = H5Sget_simple_extent_dims(space, shape, NULL) > 0 &&
-              shape[0] >= rows;
-    ovr_h5_drop(space);
-    return ok;
+    ovr_dataset set;
+    uint64_t object;
+    return ovr_container_find(c, group, name, &object) &&
+           ovr_container_dataset(c, object, &set) && set.rank == 1 &&
+           set.shape[0] >= rows;
 }
 
 /* A field that is new, or was not stored for a while, has fewer rows: they
@@ -205,35 +208,56 @@ static bool drop_rows(ovr_file *f)
     return ok;
 }
 
+/* Before HDF5 opens it: a file that is none of ours, or damaged, must not get
+ * that far. */
 static ovr_status check_identity(ovr_file *f, const ovr_file_plan *plan,
-                                 ovr_arena *arena, ovr_error *err)
+                                 ovr_container *c, ovr_error *err)
 {
-    ovr_error memory = {OVR_OK, ""};
-    const char *created = ovr_h5_get_text(f->file, "date_created", arena,
-                                          &memory);
-    double *found = ovr_arena_take(arena, plan->nodes, sizeof *found, err);
-    if (!found || memory.status != OVR_OK)
-        return ovr_fail(err, OVR_NO_MEMORY, "%s: out of memory", f->store.path);
+    const char *created;
+    uint64_t history;
+    ovr_found found = ovr_container_open(c, f->store.fd, c->source.arena);
+    if (found != OVR_FOUND_CONTAINER)
+        return refuse(f,
+                      found == OVR_FOUND_NO_HDF5
+                          ? "is not an HDF5 file"
+                          : "is not a result of overroll, or damaged",
+                      err);
+    created = ovr_container_text(c, c->root, "date_created");
     if (!created || (plan->created && strcmp(created, plan->created) != 0))
         return refuse(f, "its checkpoint belongs to another run", err);
-    if (!same_positions(f, plan, found))
+    snprintf(f->created, sizeof f->created, "%s", created);
+    if (!same_positions(c, plan))
         return refuse(f,
                       "holds other nodes than asked for now (domain, level, "
                       "window and stride cannot change)",
                       err);
-    if (!ovr_header_open(f, plan))
-        return refuse(f, "is not a result of overroll, or damaged", err);
-    if (!same_precision(f))
+    if (!same_precision(f, c))
         return refuse(f, "holds another precision than asked for now", err);
-    if (!has_rows(f->time, f->snapshots) || !has_rows(f->step, f->steps))
+    if (!ovr_container_find(c, c->root, "history", &history) ||
+        !has_rows(c, c->root, "time", f->snapshots) ||
+        !has_rows(c, history, "step", f->steps))
         return refuse(f, "has fewer rows than its checkpoint says", err);
     return OVR_OK;
+}
+
+static ovr_status check_file(ovr_file *f, const ovr_file_plan *plan,
+                             ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(&f->store.changed.arena->allocator);
+    ovr_container c = {.source = {.arena = &arena}};
+    ovr_status status = check_identity(f, plan, &c, err);
+    if (c.source.starved)
+        status = ovr_fail(err, OVR_NO_MEMORY, "%s: out of memory",
+                          f->store.path);
+    ovr_arena_release(&arena);
+    return status;
 }
 
 static bool mark_running(ovr_file *f, const ovr_file_plan *plan)
 {
     double end = plan->options->end * ovr_factor(plan->scales, 'T');
     return ovr_h5_change_string(f->file, "status", "running") &&
+           ovr_h5_change_string(f->file, "reason", "") &&
            ovr_h5_change_number(f->file, "time_end", end);
 }
 
@@ -245,12 +269,14 @@ ovr_status ovr_file_open(ovr_file *f, const ovr_file_plan *plan,
         return status;
     f->snapshots = snapshots;
     f->steps = steps;
-    f->file = ovr_driver_open(&f->store);
-    if (f->file < 0 && f->store.failed)
-        return ovr_store_failure(&f->store, err);
-    if (f->file < 0)
-        return refuse(f, "is not an HDF5 file, or damaged", err);
-    status = check_identity(f, plan, f->store.changed.arena, err);
+    status = check_file(f, plan, err);
+    if (status == OVR_OK) {
+        f->file = ovr_driver_open(&f->store);
+        if (f->file < 0 && f->store.failed)
+            return ovr_store_failure(&f->store, err);
+        if (f->file < 0 || !ovr_header_open(f, plan))
+            status = refuse(f, "is not a result of overroll, or damaged", err);
+    }
     if (status != OVR_OK) {
         f->store.failed = ECANCELED; /* leave it as it is */
         return status;
@@ -270,12 +296,13 @@ ovr_status ovr_file_flush(ovr_file *f, ovr_error *err)
     return ovr_store_commit(&f->store, err);
 }
 
-ovr_status ovr_file_status(ovr_file *f, ovr_run_status status, double seconds,
-                           ovr_error *err)
+ovr_status ovr_file_status(ovr_file *f, ovr_run_status status,
+                           const char *reason, double seconds, ovr_error *err)
 {
     char date[OVR_DATE_SIZE];
     ovr_date_now(date);
     if (!ovr_h5_change_string(f->file, "status", ovr_run_status_name(status)) ||
+        !ovr_h5_change_string(f->file, "reason", reason) ||
         !ovr_h5_change_string(f->file, "date_modified", date) ||
         !ovr_h5_change_number(f->file, "date_seconds", seconds))
         return write_failed(f, err);

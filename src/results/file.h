@@ -21,6 +21,9 @@
  * filter: they are filled in place, row after row. */
 enum { OVR_ROW_CHUNK = 256 };
 
+/* Of a date as 2026-01-31T12:00:00.123456Z. */
+enum { OVR_DATE_SIZE = 32 };
+
 typedef struct ovr_file {
     ovr_store store;
     hid_t file;
@@ -30,7 +33,8 @@ typedef struct ovr_file {
     const ovr_field *which[OVR_FIELD_COUNT];
     size_t nodes, element; /* of one field of one snapshot */
     int deflate;
-    hsize_t snapshots, steps; /* rows written */
+    char created[OVR_DATE_SIZE]; /* its date_created, when it was there */
+    hsize_t snapshots, steps;    /* rows written */
     ovr_packer packer;
 } ovr_file;
 
@@ -69,7 +73,7 @@ ovr_status ovr_file_add_steps(ovr_file *file, size_t count, const int *steps,
 ovr_status ovr_file_flush(ovr_file *file, ovr_error *err);
 /* How the run ended, after how many seconds of wall time. */
 ovr_status ovr_file_status(ovr_file *file, ovr_run_status status,
-                           double seconds, ovr_error *err);
+                           const char *reason, double seconds, ovr_error *err);
 ovr_status ovr_file_close(ovr_file *file, ovr_error *err);
 
 #endif

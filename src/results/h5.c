@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results/h5.h"
 
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 ovr_h5_manners ovr_h5_quiet(void)
@@ -93,11 +91,16 @@ static hid_t open_attribute(hid_t object, const char *name)
     return H5Aopen(object, name, H5P_DEFAULT);
 }
 
+/* Texts of any length lie in heaps.  HDF5 makes a new heap, and the file 4 kB
+ * longer, unless it has one with room in mind: that of the old text, once
+ * read. */
 bool ovr_h5_change_string(hid_t object, const char *name, const char *text)
 {
     hid_t attribute = open_attribute(object, name);
     hid_t type = text_type(0);
-    bool ok = attribute >= 0 && H5Awrite(attribute, type, &text) >= 0;
+    char *old = NULL;
+    bool ok = attribute >= 0 && H5Aread(attribute, type, &old) >= 0 &&
+              H5free_memory(old) >= 0 && H5Awrite(attribute, type, &text) >= 0;
     ovr_h5_drop(type);
     ovr_h5_drop(attribute);
     return ok;
@@ -110,53 +113,4 @@ bool ovr_h5_change_number(hid_t object, const char *name, double value)
               H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value) >= 0;
     ovr_h5_drop(attribute);
     return ok;
-}
-
-static char *copy_string(hid_t attribute, hid_t type, ovr_arena *arena,
-                         ovr_error *err)
-{
-    char *text = NULL, *copy = NULL;
-    if (H5Aread(attribute, type, &text) < 0)
-        return NULL;
-    copy = ovr_arena_text(arena, text ? text : "", err);
-    H5free_memory(text);
-    return copy;
-}
-
-static char *copy_chars(hid_t attribute, hid_t type, ovr_arena *arena,
-                        ovr_error *err)
-{
-    char *copy = ovr_arena_take(arena, H5Tget_size(type) + 1, 1, err);
-    return copy && H5Aread(attribute, type, copy) >= 0 ? copy : NULL;
-}
-
-char *ovr_h5_get_text(hid_t object, const char *name, ovr_arena *arena,
-                      ovr_error *err)
-{
-    hid_t attribute = open_attribute(object, name);
-    hid_t type = attribute < 0 ? -1 : H5Aget_type(attribute);
-    hid_t space = attribute < 0 ? -1 : H5Aget_space(attribute);
-    char *text = NULL;
-    if (type >= 0 && H5Tget_class(type) == H5T_STRING &&
-        H5Sget_simple_extent_npoints(space) == 1)
-        text = H5Tis_variable_str(type) > 0
-                   ? copy_string(attribute, type, arena, err)
-                   : copy_chars(attribute, type, arena, err);
-    ovr_h5_drop(space);
-    ovr_h5_drop(type);
-    ovr_h5_drop(attribute);
-    return text;
-}
-
-double ovr_h5_get_number(hid_t object, const char *name)
-{
-    hid_t attribute = open_attribute(object, name);
-    hid_t space = attribute < 0 ? -1 : H5Aget_space(attribute);
-    double value = NAN;
-    if (space < 0 || H5Sget_simple_extent_npoints(space) != 1 ||
-        H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0)
-        value = NAN;
-    ovr_h5_drop(space);
-    ovr_h5_drop(attribute);
-    return value;
 }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * HDF5 kept quiet, and the few of its phrases that the writer and the reader
- * share.  Functions that can fail return false; nothing prints: every public
- * function of this floor brackets its work with ovr_h5_quiet and
- * ovr_h5_restore, so that the caller's own error handler is as it was.
+ * HDF5 kept quiet, and a few of its phrases that the writer uses.  Functions
+ * that can fail return false; nothing prints: every public function of this
+ * floor brackets its work with ovr_h5_quiet and ovr_h5_restore, so that the
+ * caller's own error handler is as it was.
  */
 #ifndef OVR_RESULTS_H5_H
 #define OVR_RESULTS_H5_H
@@ -11,8 +11,6 @@
 #include <hdf5.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-#include "base/arena.h"
 
 typedef struct ovr_h5_manners {
     H5E_auto2_t function;
@@ -40,12 +38,5 @@ bool ovr_h5_set_integer(hid_t object, const char *name, int value);
 /* New values of attributes that are there. */
 bool ovr_h5_change_string(hid_t object, const char *name, const char *text);
 bool ovr_h5_change_number(hid_t object, const char *name, double value);
-
-/* A text attribute of either form, copied; NULL when there is none (or no
- * memory: *err then says so). */
-char *ovr_h5_get_text(hid_t object, const char *name, ovr_arena *arena,
-                      ovr_error *err);
-/* A number of any type; NAN when there is none. */
-double ovr_h5_get_number(hid_t object, const char *name);
 
 #endif

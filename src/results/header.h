@@ -21,8 +21,7 @@ hid_t ovr_header_creation(void);
 /* "running", "complete", "stopped", "failed" */
 const char *ovr_run_status_name(ovr_run_status status);
 
-/* Time now as 2026-01-31T12:00:00.123456Z. */
-enum { OVR_DATE_SIZE = 32 };
+/* The time now. */
 void ovr_date_now(char date[OVR_DATE_SIZE]);
 
 #endif

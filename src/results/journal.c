@@ -76,7 +76,8 @@ int ovr_journal_open(ovr_store *s)
 {
     for (int attempt = 0; attempt < 100; attempt++) {
         int error = 0;
-        int fd = open(s->journal_path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        int fd = open(s->journal_path,
+                      O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (fd < 0)
             return errno;
         if (flock(fd, LOCK_EX | LOCK_NB) != 0)

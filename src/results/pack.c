@@ -2,6 +2,7 @@
 #include "results/pack.h"
 
 #include <limits.h>
+#include <string.h>
 
 static voidpf take(voidpf arena, uInt items, uInt size)
 {
@@ -70,4 +71,55 @@ void ovr_packer_release(ovr_packer *packer)
     if (packer->ready)
         deflateEnd(&packer->stream);
     packer->ready = false;
+}
+
+static bool inflate_all(const unsigned char *chunk, size_t bytes,
+                        unsigned char *to, size_t wanted, ovr_arena *arena,
+                        bool *starved)
+{
+    z_stream stream = {.zalloc = take, .zfree = keep, .opaque = arena};
+    bool whole = false;
+    if (bytes > UINT_MAX || wanted > UINT_MAX)
+        return false;
+    if (inflateInit(&stream) != Z_OK) {
+        *starved = true;
+        return false;
+    }
+    stream.next_in = chunk;
+    stream.avail_in = (uInt)bytes;
+    stream.next_out = to;
+    stream.avail_out = (uInt)wanted;
+    whole = inflate(&stream, Z_FINISH) == Z_STREAM_END && !stream.avail_out;
+    inflateEnd(&stream);
+    return whole;
+}
+
+static void unshuffle(unsigned char *to, const unsigned char *from,
+                      size_t count, size_t size)
+{
+    for (size_t b = 0; b < size; b++)
+        for (size_t i = 0; i < count; i++)
+            to[i * size + b] = from[b * count + i];
+}
+
+unsigned char *ovr_unpack(const unsigned char *chunk, size_t bytes,
+                          unsigned left_out, size_t count, size_t size,
+                          ovr_arena *arena, bool *starved)
+{
+    size_t wanted = count * size;
+    unsigned char *packed = ovr_arena_take(arena, wanted, 1, NULL);
+    unsigned char *values = ovr_arena_take(arena, wanted, 1, NULL);
+    bool room = packed && values;
+    *starved = *starved || !room;
+    if (!room)
+        return NULL;
+    if (left_out & 2 && bytes == wanted)
+        memcpy(packed, chunk, wanted);
+    else if (left_out & 2 ||
+             !inflate_all(chunk, bytes, packed, wanted, arena, starved))
+        return NULL;
+    if (left_out & 1)
+        return packed;
+    unshuffle(values, packed, count, size);
+    return values;
 }

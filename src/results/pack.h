@@ -8,6 +8,8 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+
+#define ZLIB_CONST /* what is unpacked is not changed */
 #include <zlib.h>
 
 #include "base/arena.h"
@@ -29,5 +31,12 @@ size_t ovr_pack(ovr_packer *packer, const void *values, size_t count,
                 size_t size);
 
 void ovr_packer_release(ovr_packer *packer);
+
+/* The other way: `count` elements of `size` bytes, from the arena, or NULL when
+ * the chunk holds anything else (or no memory: `starved`).  `left_out` has the
+ * bits of filters that were not applied: 1 shuffle, 2 deflate. */
+unsigned char *ovr_unpack(const unsigned char *chunk, size_t bytes,
+                          unsigned left_out, size_t count, size_t size,
+                          ovr_arena *arena, bool *starved);
 
 #endif

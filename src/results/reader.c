@@ -4,21 +4,19 @@
  *
  * The writer changes the file's metadata only in short bursts, its flushes,
  * and the reader takes turns with them.  Should that fail, a read across one
- * may find the halves of two states: so every read is checked too (HDF5's own
- * error, or NaN where a complete row has none) and repeated with the file
- * opened anew.  Rows are counted by their time: one that is still NaN does not
- * exist yet.
+ * may find the halves of two states: so every read is checked too (checksums,
+ * or NaN where a complete row has none) and repeated with the file opened
+ * anew.  Rows are counted by their time: one that is still NaN does not exist
+ * yet.
  *
- * Nothing in the file is trusted: every dataset's rank and length is checked
- * before it is read into memory of the length that the caller was told.
+ * Nothing in the file is trusted: container.h holds all that is read against
+ * the length of the file.
  */
 #include "results/reader.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-#include "results/h5.h"
 
 /* ---------------------------------------------------------------- lists */
 
@@ -88,13 +86,13 @@ static ovr_status convert(const ovr_result *r, const ovr_variable *v,
 /* What to read: part of a dataset, NaN allowed in it or not. */
 typedef struct part {
     const char *path;
-    hsize_t row, count;
+    size_t row, count;
     bool may_be_nan;
 } part;
 
-static bool any_nan(const double *values, hsize_t count)
+static bool any_nan(const double *values, size_t count)
 {
-    for (hsize_t i = 0; i < count; i++)
+    for (size_t i = 0; i < count; i++)
         if (isnan(values[i]))
             return true;
     return false;
@@ -102,25 +100,31 @@ static bool any_nan(const double *values, hsize_t count)
 
 static bool read_once(ovr_result *r, const part *what, double *values)
 {
-    hid_t set = r->file < 0 ? -1 : ovr_reader_dataset(r->file, what->path);
-    bool ok = set >= 0 &&
-              ovr_reader_part(set, what->row, what->count, values) &&
-              (what->may_be_nan || !any_nan(values, what->count));
-    ovr_h5_drop(set);
+    ovr_dataset set;
+    bool ok = ovr_reader_dataset(r, what->path, &set) &&
+              ovr_container_values(&r->container, &set, what->row, what->count,
+                                   values) &&
+              (what->may_be_nan || !any_nan(values, what->count)) &&
+              !r->container.source.starved;
+    ovr_arena_release(&r->work);
     return ok;
 }
 
-/* While a writer is there, what HDF5 keeps of the file is old at the next
- * read: it is opened anew for each. */
-static bool read_in_turn(ovr_result *r, const part *what, double *values)
+/* While a writer is there, the file is longer at the next read, and may have
+ * been replaced: it is opened anew for each. */
+static bool read_in_turn(ovr_result *r, const part *what, double *values,
+                         bool *in_turn)
 {
     int turn = ovr_reader_enter(r);
     bool ok;
-    if (turn >= 0)
+    *in_turn = turn >= 0;
+    if (*in_turn)
         ovr_reader_close_file(r);
-    ok = (r->file >= 0 || ovr_reader_file(r, NULL) == OVR_OK) &&
+    ok = (r->fd >= 0 || ovr_reader_file(r, NULL) == OVR_OK) &&
          read_once(r, what, values);
     ovr_reader_leave(turn);
+    if (!ok)
+        ovr_reader_close_file(r);
     return ok;
 }
 
@@ -128,20 +132,19 @@ static ovr_status read_values(ovr_result *r, const part *what,
                               const ovr_variable *variable, ovr_units units,
                               double *values, ovr_error *err)
 {
-    ovr_h5_manners manners = ovr_h5_quiet();
-    bool ok = what->count == 0 || read_in_turn(r, what, values);
-    for (int attempt = 1; !ok && attempt < OVR_READ_ATTEMPTS; attempt++) {
-        ovr_reader_pause(attempt);
-        ovr_reader_close_file(r);
-        ok = read_in_turn(r, what, values);
-    }
-    ovr_h5_restore(manners);
+    const bool *starved = &r->container.source.starved;
+    bool turn = false;
+    bool ok = what->count == 0 || read_in_turn(r, what, values, &turn);
+    for (int k = 0; !ok && !*starved && ovr_reader_again(r, k, turn); k++)
+        ok = read_in_turn(r, what, values, &turn);
+    if (!ok && *starved)
+        return ovr_fail(err, OVR_NO_MEMORY, "%s: out of memory", r->path);
     if (!ok)
         return ovr_fail(err, OVR_IO,
-                        "%s: '%s' cannot be read (row %llu): the file is "
+                        "%s: '%s' cannot be read (row %zu): the file is "
                         "damaged",
-                        r->path, what->path, (unsigned long long)what->row);
-    return convert(r, variable, units, values, (size_t)what->count, err);
+                        r->path, what->path, what->row);
+    return convert(r, variable, units, values, what->count, err);
 }
 
 ovr_status ovr_result_x(ovr_result *r, ovr_units units, double *x,

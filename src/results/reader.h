@@ -3,18 +3,17 @@
 #ifndef OVR_RESULTS_READER_H
 #define OVR_RESULTS_READER_H
 
-#include <hdf5.h>
-
 #include "base/arena.h"
 #include "overroll/results.h"
+#include "results/container.h"
 #include "results/layout.h"
-
-enum { OVR_READ_ATTEMPTS = 5 };
 
 struct ovr_result {
     ovr_arena arena;
+    ovr_arena work; /* of one look into the file */
     char *path;
-    hid_t file;
+    int fd; /* -1: not open */
+    ovr_container container;
     ovr_result_info info;
     ovr_variable x, time;
     ovr_variable field[OVR_FIELD_COUNT];
@@ -23,7 +22,8 @@ struct ovr_result {
     bool starved; /* a text did not fit into memory */
 };
 
-/* Opens the file (again); the counts and lists of `r` stay. */
+/* Opens the file (again); the counts and lists of `r` stay.  OVR_IO: trying
+ * again may help, when the file is being written. */
 ovr_status ovr_reader_file(ovr_result *result, ovr_error *err);
 void ovr_reader_close_file(ovr_result *result);
 
@@ -31,14 +31,12 @@ void ovr_reader_close_file(ovr_result *result);
 int ovr_reader_enter(const ovr_result *result);
 void ovr_reader_leave(int turn);
 
-/* Before the next attempt: the writer's bursts take milliseconds. */
-void ovr_reader_pause(int attempt);
+/* After the attempt of this number that failed, with or without a turn: whether
+ * to try again, after a pause, as the writer's bursts take milliseconds.  Where
+ * nobody writes the file stays as it is. */
+bool ovr_reader_again(const ovr_result *result, int attempt, bool turn);
 
-/* A dataset by its path, or -1: no links out of the file are followed. */
-hid_t ovr_reader_dataset(hid_t file, const char *path);
-
-/* Reads `count` elements from row `row` on of a one-dimensional dataset, or
- * row `row` of a two-dimensional one that is `count` wide. */
-bool ovr_reader_part(hid_t set, hsize_t row, hsize_t count, double *values);
+/* A dataset by its path, "x" or "history/time". */
+bool ovr_reader_dataset(ovr_result *result, const char *path, ovr_dataset *set);
 
 #endif

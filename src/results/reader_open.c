@@ -11,67 +11,42 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "results/h5.h"
 #include "results/turns.h"
 
 enum { MAX_COLUMNS = 256 };
 
 /* ------------------------------------------------------------- datasets */
 
-hid_t ovr_reader_dataset(hid_t file, const char *path)
+bool ovr_reader_dataset(ovr_result *r, const char *path, ovr_dataset *set)
 {
-    H5L_info_t link;
-    if (H5Lget_info(file, path, &link, H5P_DEFAULT) < 0 ||
-        link.type != H5L_TYPE_HARD)
-        return -1;
-    return H5Dopen2(file, path, H5P_DEFAULT);
-}
-
-/* Rank (0 when it is none) and lengths, 0 in those that are not there. */
-static int shape_of(hid_t set, hsize_t shape[2])
-{
-    hid_t space = set < 0 ? -1 : H5Dget_space(set);
-    int rank = space < 0 ? 0 : H5Sget_simple_extent_ndims(space);
-    shape[0] = shape[1] = 0;
-    if (rank < 1 || rank > 2 ||
-        H5Sget_simple_extent_dims(space, shape, NULL) < 0)
-        rank = 0;
-    ovr_h5_drop(space);
-    return rank;
-}
-
-bool ovr_reader_part(hid_t set, hsize_t row, hsize_t count, double *values)
-{
-    hsize_t shape[2], from[2] = {row, 0}, size[2] = {1, count};
-    int rank = shape_of(set, shape);
-    hid_t space, memory;
-    bool ok;
-    if (rank == 1)
-        size[0] = count;
-    if (rank == 0 || from[0] + size[0] > shape[0] ||
-        (rank == 2 && count != shape[1]))
-        return false;
-    space = H5Dget_space(set);
-    memory = H5Screate_simple(1, &count, NULL);
-    H5Sselect_hyperslab(space, H5S_SELECT_SET, from, NULL, size, NULL);
-    ok = H5Dread(set, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values) >=
-         0;
-    ovr_h5_drop(memory);
-    ovr_h5_drop(space);
-    return ok;
+    ovr_container *c = &r->container;
+    uint64_t object = c->root;
+    char name[64];
+    while (*path) {
+        size_t length = strcspn(path, "/");
+        if (length >= sizeof name)
+            return false;
+        snprintf(name, sizeof name, "%.*s", (int)length, path);
+        if (!ovr_container_find(c, object, name, &object))
+            return false;
+        path += length + (path[length] == '/');
+    }
+    return ovr_container_dataset(c, object, set);
 }
 
 /* How many values stand before the first NaN, which begins the rows that are
  * not complete yet. */
-static hsize_t complete_rows(hid_t set, hsize_t rows)
+static size_t complete_rows(ovr_result *r, const ovr_dataset *set, size_t rows)
 {
-    hsize_t low = 0, high = rows;
+    ovr_container *c = &r->container;
+    size_t low = 0, high = rows;
     double value;
-    if (rows && ovr_reader_part(set, rows - 1, 1, &value) && !isnan(value))
+    if (rows && ovr_container_values(c, set, rows - 1, 1, &value) &&
+        !isnan(value))
         return rows;
     while (low < high) {
-        hsize_t middle = low + (high - low) / 2;
-        if (ovr_reader_part(set, middle, 1, &value) && !isnan(value))
+        size_t middle = low + (high - low) / 2;
+        if (ovr_container_values(c, set, middle, 1, &value) && !isnan(value))
             low = middle + 1;
         else
             high = middle;
@@ -81,12 +56,31 @@ static hsize_t complete_rows(hid_t set, hsize_t rows)
 
 /* -------------------------------------------------------------- opening */
 
-/* A text attribute, NULL when there is none; notes when memory is out. */
-static const char *text_of(ovr_result *r, hid_t object, const char *name)
+/* Texts of strangers reach terminals: what would command one becomes a space,
+ * the C1 controls of UTF-8 (0xc2 0x80 to 0xc2 0x9f) with it.  Only a case has
+ * lines. */
+static void make_plain(char *text, bool has_lines)
 {
-    ovr_error err = {OVR_OK, ""};
-    const char *text = ovr_h5_get_text(object, name, &r->arena, &err);
-    r->starved = r->starved || err.status == OVR_NO_MEMORY;
+    unsigned char before = 0;
+    for (; *text; text++) {
+        unsigned char c = (unsigned char)*text;
+        bool line = has_lines && (c == '\n' || c == '\t' || c == '\r');
+        if ((c < 0x20 && !line) || c == 0x7f)
+            *text = ' ';
+        else if (before == 0xc2 && c >= 0x80 && c < 0xa0)
+            text[-1] = text[0] = ' ';
+        before = c;
+    }
+}
+
+/* A text attribute, NULL when there is none; notes when memory is out. */
+static const char *text_of(ovr_result *r, uint64_t object, const char *name)
+{
+    const char *found = ovr_container_text(&r->container, object, name);
+    char *text = found ? ovr_arena_text(&r->arena, found, NULL) : NULL;
+    r->starved = r->starved || (found && !text);
+    if (text)
+        make_plain(text, strcmp(name, "text") == 0);
     return text;
 }
 
@@ -95,14 +89,15 @@ static const char *or_else(const char *text, const char *other)
     return text ? text : other;
 }
 
-static bool describe(ovr_result *r, hid_t set, const char *name,
-                     ovr_variable *variable, ovr_error *err)
+static bool describe(ovr_result *r, uint64_t object, const char *name,
+                     ovr_variable *variable)
 {
-    variable->name = ovr_arena_text(&r->arena, name, err);
+    variable->name = ovr_arena_text(&r->arena, name, NULL);
     r->starved = r->starved || !variable->name;
-    variable->long_name = or_else(text_of(r, set, "long_name"), variable->name);
-    variable->unit = or_else(text_of(r, set, "units"), "1");
-    variable->scale = ovr_h5_get_number(set, "scale");
+    variable->long_name = or_else(text_of(r, object, "long_name"),
+                                  variable->name);
+    variable->unit = or_else(text_of(r, object, "units"), "1");
+    variable->scale = ovr_container_number(&r->container, object, "scale");
     return variable->name != NULL;
 }
 
@@ -111,136 +106,133 @@ static ovr_status damaged(const ovr_result *r, const char *what, ovr_error *err)
     return ovr_fail(err, OVR_IO, "%s: damaged result file: %s", r->path, what);
 }
 
-/* x and time, and the number of rows that both have. */
+/* A dataset of this rank, described. */
+static bool take_variable(ovr_result *r, uint64_t group, const char *name,
+                          int rank, ovr_dataset *set, ovr_variable *variable)
+{
+    uint64_t object;
+    return ovr_container_find(&r->container, group, name, &object) &&
+           ovr_container_dataset(&r->container, object, set) &&
+           set->rank == rank && describe(r, object, name, variable);
+}
+
+/* x and time, and the number of rows that both have.  There are no more nodes
+ * than positions, and those are in the file. */
 static ovr_status open_axes(ovr_result *r, ovr_error *err)
 {
-    hid_t x = ovr_reader_dataset(r->file, "x"),
-          time = ovr_reader_dataset(r->file, "time");
-    hsize_t nodes[2], rows[2];
-    bool ok = shape_of(x, nodes) == 1 && shape_of(time, rows) == 1 &&
-              nodes[0] > 0 && nodes[0] < SIZE_MAX / 16 &&
-              describe(r, x, "x", &r->x, err) &&
-              describe(r, time, "time", &r->time, err);
-    if (ok) {
-        r->info.nodes = (size_t)nodes[0];
-        r->info.snapshots = (size_t)complete_rows(time, rows[0]);
-    }
-    ovr_h5_drop(time);
-    ovr_h5_drop(x);
-    return ok ? OVR_OK : damaged(r, "no x or no time", err);
+    uint64_t root = r->container.root;
+    ovr_dataset x, time;
+    if (!take_variable(r, root, "x", 1, &x, &r->x) || x.chunked ||
+        x.shape[0] == 0 || !take_variable(r, root, "time", 1, &time, &r->time))
+        return damaged(r, "no x or no time", err);
+    r->info.nodes = (size_t)x.shape[0];
+    r->info.snapshots = complete_rows(r, &time, (size_t)time.shape[0]);
+    return OVR_OK;
 }
 
 static ovr_status open_fields(ovr_result *r, ovr_error *err)
 {
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++) {
-        const char *name = ovr_field_table[k].name;
-        hid_t set = ovr_reader_dataset(r->file, name);
-        hsize_t shape[2];
-        int rank = shape_of(set, shape);
-        if (rank == 2 && shape[1] == r->info.nodes &&
-            describe(r, set, name, &r->field[r->fields], err)) {
-            r->fields++;
-            if (shape[0] < r->info.snapshots)
-                r->info.snapshots = (size_t)shape[0];
-        }
-        ovr_h5_drop(set);
+        ovr_dataset set;
+        if (!take_variable(r, r->container.root, ovr_field_table[k].name, 2,
+                           &set, &r->field[r->fields]) ||
+            set.shape[1] != r->info.nodes)
+            continue;
+        r->fields++;
+        if (set.shape[0] < r->info.snapshots)
+            r->info.snapshots = (size_t)set.shape[0];
     }
     return r->fields ? OVR_OK : damaged(r, "no field", err);
 }
 
-/* In the order of their making where the file kept that. */
-static bool name_of(hid_t group, hsize_t k, char *name, size_t size)
+static void open_column(ovr_result *r, const ovr_link *link)
 {
-    const H5_index_t order[] = {H5_INDEX_CRT_ORDER, H5_INDEX_NAME};
-    for (int o = 0; o < 2; o++)
-        if (H5Lget_name_by_idx(group, ".", order[o], H5_ITER_INC, k, name, size,
-                               H5P_DEFAULT) >= 0)
-            return true;
-    return false;
+    ovr_dataset set;
+    if (!ovr_container_dataset(&r->container, link->object, &set) ||
+        set.rank != 1)
+        return;
+    if (r->columns == 0 || set.shape[0] < r->info.steps)
+        r->info.steps = (size_t)set.shape[0];
+    if (describe(r, link->object, link->name, &r->column[r->columns]))
+        r->columns++;
 }
 
-static ovr_status open_column(ovr_result *r, hid_t group, hsize_t k,
-                              ovr_error *err)
+/* Columns that this version does not know are read like the others: a newer
+ * one may have written them. */
+static ovr_status open_columns(ovr_result *r, uint64_t group, ovr_error *err)
 {
-    char name[128] = "";
-    hsize_t shape[2];
-    hid_t set;
-    if (!name_of(group, k, name, sizeof name))
+    size_t count;
+    ovr_link *links = ovr_container_links(&r->container, group, &count);
+    if (!links || count > MAX_COLUMNS)
         return damaged(r, "its history", err);
-    set = ovr_reader_dataset(group, name);
-    if (shape_of(set, shape) == 1) {
-        if (r->columns == 0 || shape[0] < r->info.steps)
-            r->info.steps = (size_t)shape[0];
-        if (describe(r, set, name, &r->column[r->columns], err))
-            r->columns++;
-    }
-    ovr_h5_drop(set);
-    return OVR_OK;
-}
-
-static ovr_status count_steps(ovr_result *r, hid_t group, ovr_error *err)
-{
-    hid_t time = ovr_reader_dataset(group, "time");
-    hsize_t shape[2];
-    if (shape_of(time, shape) != 1)
-        return damaged(r, "no time in its history", err);
-    r->info.steps = (size_t)complete_rows(time, r->info.steps);
-    ovr_h5_drop(time);
+    r->column = ovr_arena_take(&r->arena, count + 1, sizeof *r->column, err);
+    if (!r->column)
+        return OVR_NO_MEMORY;
+    for (size_t k = 0; k < count; k++)
+        open_column(r, &links[k]);
     return OVR_OK;
 }
 
 static ovr_status open_history(ovr_result *r, ovr_error *err)
 {
-    hid_t group = H5Gopen2(r->file, "history", H5P_DEFAULT);
-    H5G_info_t info = {H5G_STORAGE_TYPE_UNKNOWN, 0, 0, 0};
-    ovr_status status = OVR_OK;
-    if (group < 0 || H5Gget_info(group, &info) < 0 || info.nlinks > MAX_COLUMNS)
-        status = damaged(r, "no history", err);
-    r->column = ovr_arena_take(&r->arena, (size_t)info.nlinks + 1,
-                               sizeof *r->column, err);
-    if (status == OVR_OK && !r->column)
-        status = OVR_NO_MEMORY;
-    for (hsize_t k = 0; status == OVR_OK && k < info.nlinks; k++)
-        status = open_column(r, group, k, err);
-    if (status == OVR_OK)
-        status = count_steps(r, group, err);
-    ovr_h5_drop(group);
-    return status;
+    uint64_t group;
+    ovr_dataset time;
+    ovr_status status;
+    if (!ovr_container_find(&r->container, r->container.root, "history",
+                            &group))
+        return damaged(r, "no history", err);
+    status = open_columns(r, group, err);
+    if (status != OVR_OK)
+        return status;
+    if (!ovr_reader_dataset(r, "history/time", &time) || time.rank != 1)
+        return damaged(r, "no time in its history", err);
+    r->info.steps = complete_rows(r, &time, r->info.steps);
+    return OVR_OK;
+}
+
+static double number_of(ovr_result *r, const char *name)
+{
+    return ovr_container_number(&r->container, r->container.root, name);
 }
 
 static void read_attributes(ovr_result *r)
 {
     ovr_result_info *i = &r->info;
-    hid_t f = r->file, group = H5Gopen2(f, "case", H5P_DEFAULT);
-    i->title = or_else(text_of(r, f, "title"), "");
-    i->status = or_else(text_of(r, f, "status"), "");
-    i->source = or_else(text_of(r, f, "source"), "");
-    i->created = or_else(text_of(r, f, "date_created"), "");
-    i->modified = or_else(text_of(r, f, "date_modified"), "");
-    i->case_text = group < 0 ? "" : or_else(text_of(r, group, "text"), "");
-    i->physical = strcmp(or_else(text_of(r, f, "scaling"), ""), "SI") == 0;
-    i->b = ovr_h5_get_number(f, "scale_length");
-    i->ph = ovr_h5_get_number(f, "scale_pressure");
-    i->height = ovr_h5_get_number(f, "scale_height");
-    i->time = ovr_h5_get_number(f, "scale_time");
-    i->M = ovr_h5_get_number(f, "M");
-    i->L = ovr_h5_get_number(f, "L");
-    i->alphabar = ovr_h5_get_number(f, "alphabar");
-    i->lambda = ovr_h5_get_number(f, "lambda");
-    i->u1_ratio = ovr_h5_get_number(f, "u1_over_um");
-    i->u2_ratio = ovr_h5_get_number(f, "u2_over_um");
-    i->end = ovr_h5_get_number(f, "time_end") / (i->physical ? i->time : 1);
-    i->seconds = ovr_h5_get_number(f, "date_seconds");
-    ovr_h5_drop(group);
+    uint64_t root = r->container.root, group;
+    bool has_case = ovr_container_find(&r->container, root, "case", &group);
+    i->title = or_else(text_of(r, root, "title"), "");
+    i->status = or_else(text_of(r, root, "status"), "");
+    i->reason = or_else(text_of(r, root, "reason"), "");
+    i->source = or_else(text_of(r, root, "source"), "");
+    i->created = or_else(text_of(r, root, "date_created"), "");
+    i->modified = or_else(text_of(r, root, "date_modified"), "");
+    i->case_text = has_case ? or_else(text_of(r, group, "text"), "") : "";
+    i->physical = strcmp(or_else(text_of(r, root, "scaling"), ""), "SI") == 0;
+    i->b = number_of(r, "scale_length");
+    i->ph = number_of(r, "scale_pressure");
+    i->height = number_of(r, "scale_height");
+    i->time = number_of(r, "scale_time");
+    i->M = number_of(r, "M");
+    i->L = number_of(r, "L");
+    i->alphabar = number_of(r, "alphabar");
+    i->lambda = number_of(r, "lambda");
+    i->u1_ratio = number_of(r, "u1_over_um");
+    i->u2_ratio = number_of(r, "u2_over_um");
+    i->end = number_of(r, "time_end") / (i->physical ? i->time : 1);
+    i->seconds = number_of(r, "date_seconds");
 }
 
-static ovr_status check_format(const ovr_result *r, ovr_error *err)
+static ovr_status not_ours(const ovr_result *r, ovr_error *err)
 {
-    double version = ovr_h5_get_number(r->file, "format_version");
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "%s: an HDF5 file, but not a result of overroll", r->path);
+}
+
+static ovr_status check_format(ovr_result *r, ovr_error *err)
+{
+    double version = number_of(r, "format_version");
     if (isnan(version))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: an HDF5 file, but not a result of overroll",
-                        r->path);
+        return not_ours(r, err);
     if (version != OVR_FORMAT_VERSION)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: written in format version %g; this program reads "
@@ -283,33 +275,38 @@ void ovr_reader_leave(int turn)
     close(turn);
 }
 
-/* OVR_IO: trying again may help, when the file is being written. */
+static ovr_status truncated(const ovr_result *r, ovr_error *err)
+{
+    return ovr_fail(err, OVR_IO,
+                    was_cut(r->path)
+                        ? "%s: its last write was cut; 'overroll resume' "
+                          "repairs it"
+                        : "%s: a truncated or damaged HDF5 file",
+                    r->path);
+}
+
 ovr_status ovr_reader_file(ovr_result *r, ovr_error *err)
 {
-    hid_t access_list;
-    if (access(r->path, R_OK) != 0)
+    r->fd = open(r->path, O_RDONLY | O_CLOEXEC);
+    if (r->fd < 0)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: %s", r->path, strerror(errno));
-    access_list = ovr_h5_access();
-    r->file = H5Fopen(r->path, H5F_ACC_RDONLY, access_list);
-    ovr_h5_drop(access_list);
-    if (r->file >= 0)
-        return OVR_OK;
-    if (H5Fis_hdf5(r->path) <= 0)
+    switch (ovr_container_open(&r->container, r->fd, &r->work)) {
+    case OVR_FOUND_CONTAINER: return OVR_OK;
+    case OVR_FOUND_OTHER_HDF5: return not_ours(r, err);
+    case OVR_FOUND_TRUNCATED: return truncated(r, err);
+    case OVR_FOUND_NO_MEMORY:
+        return ovr_fail(err, OVR_NO_MEMORY, "%s: out of memory", r->path);
+    default:
         return ovr_fail(err, OVR_BAD_INPUT, "%s: not an HDF5 file", r->path);
-    if (was_cut(r->path))
-        return ovr_fail(err, OVR_IO,
-                        "%s: its last write was cut; 'overroll "
-                        "resume' repairs it",
-                        r->path);
-    return ovr_fail(err, OVR_IO, "%s: a truncated or damaged HDF5 file",
-                    r->path);
+    }
 }
 
 void ovr_reader_close_file(ovr_result *r)
 {
-    if (r->file >= 0)
-        H5Fclose(r->file);
-    r->file = -1;
+    if (r->fd >= 0)
+        close(r->fd);
+    r->fd = -1;
+    ovr_arena_release(&r->work);
 }
 
 static ovr_status open_once(ovr_result *r, ovr_error *err)
@@ -326,30 +323,35 @@ static ovr_status open_once(ovr_result *r, ovr_error *err)
         status = open_history(r, err);
     if (status == OVR_OK)
         read_attributes(r);
-    if (r->starved)
+    if (r->starved || r->container.source.starved)
         status = ovr_fail(err, OVR_NO_MEMORY, "%s: out of memory", r->path);
+    ovr_arena_release(&r->work);
     return status;
 }
 
-void ovr_reader_pause(int attempt)
+bool ovr_reader_again(const ovr_result *r, int attempt, bool turn)
 {
-    struct timespec wait = {0, 500000L << attempt};
+    enum { MOST = 4 };
+    struct timespec wait = {0, 1000000L << attempt};
+    char journal[4096];
+    bool written = turn || (journal_name(r->path, journal, sizeof journal) &&
+                            access(journal, F_OK) == 0);
+    if (!written || attempt >= MOST)
+        return false;
     nanosleep(&wait, NULL);
+    return true;
 }
 
 static ovr_status open_result(ovr_result *r, ovr_error *err)
 {
-    ovr_status status = OVR_IO;
-    int journal;
-    for (int attempt = 0; status == OVR_IO && attempt < OVR_READ_ATTEMPTS;
-         attempt++) {
-        if (attempt > 0)
-            ovr_reader_pause(attempt);
+    ovr_status status;
+    int attempt = 0, turn;
+    do {
         ovr_reader_close_file(r);
-        journal = ovr_reader_enter(r);
+        turn = ovr_reader_enter(r);
         status = open_once(r, err);
-        ovr_reader_leave(journal);
-    }
+        ovr_reader_leave(turn);
+    } while (status == OVR_IO && ovr_reader_again(r, attempt++, turn >= 0));
     if (status == OVR_IO && err)
         err->status = OVR_BAD_INPUT;
     return status == OVR_IO ? OVR_BAD_INPUT : status;
@@ -360,30 +362,25 @@ ovr_result *ovr_result_open(const char *path, const ovr_allocator *allocator,
 {
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_result *r = ovr_arena_take(&arena, 1, sizeof *r, err);
-    ovr_h5_manners manners;
     if (!r)
         return NULL;
     r->arena = arena;
-    r->file = -1;
-    manners = ovr_h5_quiet();
+    r->work = ovr_arena_make(allocator);
+    r->fd = -1;
     r->path = ovr_arena_text(&r->arena, path, err);
     if (!r->path || open_result(r, err) != OVR_OK) {
         ovr_result_close(r);
         r = NULL;
     }
-    ovr_h5_restore(manners);
     return r;
 }
 
 void ovr_result_close(ovr_result *r)
 {
-    ovr_h5_manners manners;
     ovr_arena arena;
     if (!r)
         return;
-    manners = ovr_h5_quiet();
     ovr_reader_close_file(r);
-    ovr_h5_restore(manners);
     arena = r->arena;
     ovr_arena_release(&arena);
 }

@@ -131,7 +131,7 @@ static void write_through(ovr_store *s, uint64_t at, size_t bytes,
     int error = bytes ? ovr_write_all(s->fd, from, bytes, at) : 0;
     if (!note_failure(s, error))
         change_pages(s, at, bytes, from);
-    else if (bytes && at + bytes > s->on_disk)
+    if (bytes && at + bytes > s->on_disk) /* or part of it */
         s->on_disk = at + bytes;
 }
 
@@ -288,7 +288,8 @@ ovr_status ovr_store_create(ovr_store *s, bool force, ovr_error *err)
     status = take_lock(s, err);
     if (status != OVR_OK)
         return status;
-    s->fd = open(s->part, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    s->fd = open(s->part, O_RDWR | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC,
+                 0666);
     if (s->fd < 0 || ftruncate(s->journal, 0) != 0)
         return say(s, OVR_BAD_INPUT, errno, "cannot be created", err);
     return OVR_OK;

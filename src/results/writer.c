@@ -83,7 +83,7 @@ bool ovr_writer_due(const ovr_writer *w, long step, double T)
     return ovr_schedule_due(&w->schedule, step, w->last_T, T);
 }
 
-static void note(ovr_writer *w, const ovr_frame *frame)
+void ovr_writer_note(ovr_writer *w, const ovr_frame *frame)
 {
     const ovr_observable *o = ovr_observables();
     ovr_parcel *parcel = ovr_queue_open(&w->queue);
@@ -153,7 +153,7 @@ ovr_status ovr_writer_record(ovr_writer *w, const ovr_frame *frame,
         return OVR_OK;
     if (due && check_frame(w, frame, err) != OVR_OK)
         return OVR_BAD_INPUT;
-    note(w, frame);
+    ovr_writer_note(w, frame);
     if (due)
         ovr_writer_store(w, frame);
     w->last_step = state->step;

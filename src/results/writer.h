@@ -25,6 +25,7 @@ struct ovr_writer {
     double last_T;
     bool last_stored; /* the last state has its snapshot */
     size_t snapshots; /* stored, on their way included */
+    char reason[OVR_MESSAGE_SIZE];
     double started, last_flush, last_checkpoint, seconds_before;
 
     /* checkpoints */
@@ -53,6 +54,9 @@ void ovr_writer_source(ovr_writer *writer, ovr_state_source source);
 /* Seconds of a clock that only goes forward; and those the run took so far. */
 double ovr_now(void);
 double ovr_writer_seconds(const ovr_writer *writer);
+
+/* Puts a row of the history into the parcel being filled. */
+void ovr_writer_note(ovr_writer *writer, const ovr_frame *frame);
 
 /* Puts a snapshot into the parcel being filled. */
 void ovr_writer_store(ovr_writer *writer, const ovr_frame *frame);

@@ -183,7 +183,9 @@ static const ovr_parameter table[] = {
      "instead of level: 7 2^k + 1"},
 
     {"solver", "smoother", CHOICE(smoothers), "line", AT(options.smoother),
-     true, "line: distributive line relaxation; hybrid: the paper's"},
+     true,
+     "line: distributive line relaxation; hybrid: the paper's, for steady "
+     "solutions"},
     {"solver", "cycle", CHOICE(cycles), "V", AT(options.cycle_index), true,
      "multigrid cycle"},
     {"solver", "sweeps_before", WHOLE_OR(auto_zero, 0, 100), "auto",

@@ -58,22 +58,44 @@ static void put_limit(char *text, size_t room, double limit)
     snprintf(text, room, whole ? "%.0f" : "%g", limit);
 }
 
+static void put_range(const ovr_parameter *row, char *text, size_t room)
+{
+    char least[32], most[32], words[200];
+    const char *unit = row->hertzian ? ovr_hertzian_name(row->hertzian)
+                                     : ovr_unit_si(row->dimension);
+    put_limit(least, sizeof least, row->least);
+    put_limit(most, sizeof most, row->most);
+    list_words(row->words, words, sizeof words);
+    snprintf(text, room, "%s%s %s %s%s%s%s%s", row->above ? "above " : "",
+             least, row->above ? "and at most" : "to", most, *unit ? " " : "",
+             unit, *words ? ", or " : "", words);
+}
+
+/* What a value may be, for messages. */
+static void put_allowed(const ovr_parameter *row, char *text, size_t room)
+{
+    switch (row->kind) {
+    case OVR_NUMBER:
+    case OVR_INTEGER:
+    case OVR_NUMBERS: put_range(row, text, room); break;
+    case OVR_CHOICE:
+    case OVR_WORDS: list_words(row->words, text, room); break;
+    case OVR_FLAG: snprintf(text, room, "yes, no"); break;
+    case OVR_TEXT: snprintf(text, room, "any text"); break;
+    case OVR_PATH: snprintf(text, room, "the path of a file"); break;
+    }
+}
+
 ovr_status ovr_range_check(const ovr_parameter *row, double number,
                            const char *text, ovr_error *err)
 {
     bool low = row->above ? !(number > row->least) : !(number >= row->least);
-    char least[32], most[32], words[200];
-    const char *unit = row->hertzian ? ovr_hertzian_name(row->hertzian)
-                                     : ovr_unit_si(row->dimension);
+    char range[300];
     if (!low && number <= row->most)
         return OVR_OK;
-    put_limit(least, sizeof least, row->least);
-    put_limit(most, sizeof most, row->most);
-    list_words(row->words, words, sizeof words);
-    return ovr_fail(err, OVR_BAD_INPUT, "%s: %s must be %s%s %s %s%s%s%s%s",
-                    row->key, text, row->above ? "above " : "", least,
-                    row->above ? "and at most" : "to", most, *unit ? " " : "",
-                    unit, *words ? ", or " : "", words);
+    put_range(row, range, sizeof range);
+    return ovr_fail(err, OVR_BAD_INPUT, "%s: %s must be %s", row->key, text,
+                    range);
 }
 
 /* Of a length, height or time with a unit only the sign is known before the
@@ -95,6 +117,7 @@ static ovr_status read_quantity(const ovr_parameter *row, const char *text,
 {
     ovr_error why = {0};
     const char *meant;
+    char range[300];
     if (!ovr_quantity_read(text, row->dimension, row->hertzian, quantity, &why))
         return quantity->unit && row->hertzian
                    ? check_sign(row, quantity->value, text, err)
@@ -102,7 +125,20 @@ static ovr_status read_quantity(const ovr_parameter *row, const char *text,
     meant = nearest_word(row->words, text);
     if (row->words && meant)
         return unknown_word(row, text, err);
-    return ovr_fail(err, why.status, "%s: %.500s", row->key, why.message);
+    if (strstr(why.message, "allowed: ")) /* units, which say the rest */
+        return ovr_fail(err, why.status, "%s: %.500s", row->key, why.message);
+    put_range(row, range, sizeof range);
+    return ovr_fail(err, why.status, "%s: %.500s; allowed: %s", row->key,
+                    why.message, range);
+}
+
+static ovr_status no_whole_number(const ovr_parameter *row, const char *text,
+                                  ovr_error *err)
+{
+    char range[300];
+    put_range(row, range, sizeof range);
+    return ovr_fail(err, OVR_BAD_INPUT, "%s: %s must be a whole number, %s",
+                    row->key, text, range);
 }
 
 static ovr_status read_number(const ovr_parameter *row, const char *text,
@@ -118,8 +154,7 @@ static ovr_status read_number(const ovr_parameter *row, const char *text,
     if (read_quantity(row, text, &quantity, err))
         return OVR_BAD_INPUT;
     if (row->kind == OVR_INTEGER && quantity.value != floor(quantity.value))
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: %s must be a whole number",
-                        row->key, text);
+        return no_whole_number(row, text, err);
     slot->number = quantity.value;
     slot->unit = quantity.unit;
     return OVR_OK;
@@ -222,14 +257,21 @@ static ovr_status read_choice(const ovr_parameter *row, const char *text,
     return OVR_OK;
 }
 
+static ovr_status no_value(const ovr_parameter *row, ovr_error *err)
+{
+    char allowed[300];
+    put_allowed(row, allowed, sizeof allowed);
+    return ovr_fail(err, OVR_BAD_INPUT, "%s: the value is missing; allowed: %s",
+                    row->key, allowed);
+}
+
 ovr_status ovr_slot_read(const ovr_parameter *row, const char *text,
                          ovr_arena *arena, ovr_slot *slot, ovr_error *err)
 {
     ovr_slot fresh = {.number = NAN};
     ovr_status status = OVR_OK;
     if (!*text)
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: the value is missing",
-                        row->key);
+        return no_value(row, err);
     switch (row->kind) {
     case OVR_NUMBER:
     case OVR_INTEGER: status = read_number(row, text, &fresh, err); break;

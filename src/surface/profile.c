@@ -8,6 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/plain.h"
+
 ovr_profile_source ovr_profile_source_default(void)
 {
     return (ovr_profile_source){.spacing = NAN};
@@ -206,11 +208,14 @@ ovr_status ovr_profile_save(const ovr_profile *profile, const char *path,
                             ovr_error *err)
 {
     FILE *out = fopen(path, "w");
+    locale_t before;
     int bad;
     if (!out)
         return ovr_fail_at(err, OVR_BAD_INPUT, path, 0, "cannot be written: %s",
                            strerror(errno));
+    before = ovr_plain_begin();
     bad = write_points(&profile->view, out);
+    ovr_plain_end(before);
     if (fclose(out) || bad)
         return ovr_fail_at(err, OVR_IO, path, 0, "writing failed: %s",
                            strerror(errno));

@@ -14,10 +14,12 @@
 
 /* ----------------------------------------------------------- the content */
 
+/* Up to one byte more than may be: that it is there is enough to know. */
 static ovr_status grow(ovr_arena *arena, char **data, size_t *room,
                        ovr_error *err)
 {
-    size_t wider = 4 * *room;
+    const size_t most = (size_t)OVR_CONTENT_MAX + 1;
+    size_t wider = 4 * *room < OVR_CONTENT_MAX ? 4 * *room : most;
     char *moved = ovr_arena_take(arena, wider, 1, err);
     if (!moved)
         return OVR_NO_MEMORY;

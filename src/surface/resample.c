@@ -17,7 +17,8 @@
  *   3. The table has 4 entries for each max(d, D), where a cubic spline is
  *      good to 1e-4 of the shortest wave and far better for longer ones.
  *
- * Cost about 200 n.
+ * Cost about 200 n; a profile shorter than the mesh, none of which would
+ * pass, is refused.
  */
 #include "surface/resample.h"
 
@@ -122,10 +123,20 @@ static double variance(size_t n, const double *z)
     return square / (double)n;
 }
 
-/* Part of the variance that does not pass, at some thousand samples. */
+/* Every so many samples of the profile: some thousand of them, fewer where
+ * each costs much, so that all cost about 1000 n. */
+static size_t sampling(const series *s)
+{
+    double window = 2 * s->reach / s->d;
+    size_t step = s->n > 4096 ? s->n / 2048 : 1;
+    size_t cheap = (size_t)fmin(window / 1000, (double)s->n / 16);
+    return cheap > step ? cheap : step;
+}
+
+/* Part of the variance that does not pass. */
 static double part_lost(const series *s)
 {
-    size_t step = s->n > 4096 ? s->n / 2048 : 1;
+    size_t step = sampling(s);
     double total = variance(s->n, s->z), lost = 0, count = 0;
     for (size_t j = 0; j < s->n; j += step, count++) {
         double r = s->z[j] - band_limited(s, (double)j * s->d);
@@ -202,13 +213,25 @@ static ovr_status tabulate(const series *s, const ovr_ends *ends, double mesh,
     return ovr_table_prepare(table, arena, err);
 }
 
+static ovr_status check_length(double length, double mesh, ovr_error *err)
+{
+    if (length >= mesh)
+        return OVR_OK;
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "the profile is %g long, less than the mesh of %g: the "
+                    "grid carries none of it",
+                    length, mesh);
+}
+
 ovr_status ovr_resample(size_t n, const double *x, const double *z, double mesh,
                         const ovr_ends *ends, ovr_table *table,
                         ovr_arena *arena, double *lost, ovr_error *err)
 {
     ovr_arena scratch = ovr_arena_make(&arena->allocator);
     series s = {0};
-    ovr_status status = make_equal(n, x, z, &s, &scratch, err);
+    ovr_status status = check_length(x[n - 1] - x[0], mesh, err);
+    if (!status)
+        status = make_equal(n, x, z, &s, &scratch, err);
     if (!status) {
         s.closed = ends->closed;
         choose_band(&s, mesh);

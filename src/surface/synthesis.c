@@ -196,10 +196,13 @@ static ovr_status check(random_surface *s, ovr_error *err)
     s->longest = or_else(f->rolloff, f->length / 8);
     s->shortest = or_else(f->shortest, f->length / 256);
     s->correlation = or_else(f->correlation, f->length / 32);
+    if (isnan(f->Rq) || isnan(f->length))
+        return ovr_fail(err, OVR_BAD_INPUT, "a roughness needs its %s",
+                        isnan(f->Rq) ? "Rq" : "length");
     if (!(f->Rq >= 0) || isinf(f->Rq))
-        return bad(err, "Rq", f->Rq, "given, zero or positive");
+        return bad(err, "Rq", f->Rq, "zero or positive");
     if (!(f->length > 0) || isinf(f->length))
-        return bad(err, "length", f->length, "given and positive");
+        return bad(err, "length", f->length, "positive");
     if (!(f->hurst >= 0 && f->hurst <= 1))
         return bad(err, "hurst", f->hurst, "from 0 to 1");
     if (!(s->longest > 0))

@@ -62,6 +62,15 @@ for part in 3 5 8; do
     failed '^a.h5: cannot be written: File too large'
 done
 
+# However near to the limit the last flush was: with one at each step the next
+# snapshot is the one that does not fit
+for part in 20 25 35 51 57; do
+    blocks=$((size * part / 100 / 512))
+    expect 1 sh -c "trap '' XFSZ; ulimit -f $blocks;
+        exec '$OVERROLL' run dent.ini -o a.h5 -q --set 'output.checkpoint=1 us'"
+    failed '^a.h5: cannot be written: File too large'
+done
+
 # None for the headers: known before anything is solved
 expect 2 sh -c "trap '' XFSZ; ulimit -f 8;
     exec '$OVERROLL' run dent.ini -o a.h5 -q"
@@ -71,28 +80,26 @@ for file in a.h5 a.h5.part a.h5.journal; do
 done
 rm -f a.h5*
 
-# A disk that is really full
+# A disk that is really full (unmounted by its whole path: in a chroot without
+# /proc another is not found)
+trap 'umount "$PWD/full" 2>/dev/null' EXIT
 if mkdir full && mount -t tmpfs -o size=$((size / 2)) none full 2>/dev/null
 then
     expect 1 "$OVERROLL" run dent.ini -o full/a.h5 -q
     one_line '^full/a.h5(.restart)?: cannot be written: No space left'
     expect 0 "$OVERROLL" info full/a.h5
     cp full/a.h5 full/a.h5.restart .
-    umount full
+    umount "$PWD/full" || fail 'full stays mounted'
     expect 0 "$OVERROLL" resume a.h5 -q
     same a.h5 whole.h5
     rm -f a.h5*
 fi
 
-# start: a long run in the background, its process id in $pid
+# start: a long run in the background, under way, its process id in $pid
 start() {
     "$OVERROLL" run dent.ini --set time.end=10000 -o a.h5 -q >out 2>err &
     pid=$!
-    for _ in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
-        [ -f a.h5 ] && break
-        sleep 0.1
-    done
-    sleep 0.3
+    begins a.h5
 }
 
 finish() {

@@ -1,9 +1,40 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A ridge that grows until the surfaces touch: named, with what was reached
-# kept for inspection, and no NaN in it.
+# What cannot be solved: named in one line, exit code 1, with the state that
+# was reached kept for inspection and no NaN in it.
 . "$TOP/tests/support/cli.sh"
 
+# gives_up REASON ARGUMENTS...
+gives_up() {
+    reason=$1
+    shift
+    expect 1 "$OVERROLL" "$@" -q
+    contains err "^$reason"
+    [ "$(wc -l <err)" -eq 1 ] || fail "not one line: $(cat err)"
+}
+
+# kept FILE REASON: the file says why, all in it are numbers, and it ends with
+# a snapshot; $steps: rows of its history, $converged: of the last one.
+kept() {
+    expect 0 "$OVERROLL" info "$1"
+    contains out "^status +failed: $2"
+    expect 0 "$OVERROLL" export "$1"
+    steps=$(($(wc -l <out) - 1))
+    converged=$(awk -F , 'NR == 1 { for (i = 1; i <= NF; i++)
+        if ($i ~ /^converged/) c = i } END { print $c }' out)
+    end=$(tail -n 1 out | cut -d , -f 2)
+    cut -d , -f 1-8 out >all # the spike may be none, which is NaN
+    expect 0 "$OVERROLL" export "$1" --at 0
+    tail -n 1 out | awk -F , -v end="$end" '{ exit !($1 >= end) }' ||
+        fail "$1: the last snapshot is before T = $end: $(tail -n 1 out)"
+    expect 0 "$OVERROLL" export "$1" --all
+    [ "$(wc -l <out)" -gt 200 ] || fail "$1: no snapshot"
+    cat out >>all
+    ! grep -qiE 'inf|nan' all || fail "$1: not all are numbers"
+}
+
+# A ridge that grows until the surfaces touch, amid a run that is to store
+# hardly anything
 cat >wall.ini <<'END'
 [contact]
 M = 20
@@ -19,22 +50,88 @@ width = 0.3
 start = 0
 grow = 4
 [output]
-every = 1
+every = 100000
 END
+touch='the surfaces touch at T = 0\.[0-9]+: film H = .* at X = '
+gives_up "$touch" run wall.ini -o wall.h5
+kept wall.h5 "$touch"
+[ "$steps" -gt 3 ] && [ "$converged" = 1 ] || fail "$steps steps, $converged"
+gives_up "$touch" run wall.ini # no file, the same words
+sed 's/^every = .*/at = 3.5/' wall.ini >at.ini # a moment never reached
+gives_up "$touch" run at.ini -o at.h5
+kept at.h5 "$touch"
 
-expect 1 "$OVERROLL" run wall.ini -o wall.h5 -q
-contains err '^the surfaces touch at T = 0\.[0-9]+: film H = .* at X = '
-[ "$(wc -l <err)" -eq 1 ] || fail "not one line: $(cat err)"
-expect 0 "$OVERROLL" info wall.h5
-contains out 'status +failed'
-[ -s wall.h5.restart ] || fail 'no state to inspect'
+# Resuming tries that step again, and says the same
+before=$steps
+gives_up "$touch" resume wall.h5
+kept wall.h5 "$touch"
+[ "$steps" -eq "$before" ] || fail "$steps steps, $before before"
+if command -v gnuplot >/dev/null; then
+    expect 0 "$OVERROLL" plot wall.h5 -o wall.png
+    [ -s wall.png ] || fail 'no picture'
+fi
 
-# What led there is in the file up to the last step, and resuming says the
-# same again.
-expect 0 "$OVERROLL" export wall.h5 --all
-[ "$(wc -l <out)" -gt 1000 ] || fail 'no snapshots'
-expect 0 "$OVERROLL" export wall.h5
-cut -d , -f 1-8 out >history
-! grep -qi inf history || fail 'an infinite value'
-expect 1 "$OVERROLL" resume wall.h5 -q
-contains err '^the surfaces touch at T = 0\.'
+# Surfaces that touch from the start: the state is no solution and says so
+touch='the surfaces touch at T = 0: film H = -'
+sed '/^grow/d' wall.ini >start.ini
+gives_up "$touch" run start.ini -o start.h5
+kept start.h5 "$touch"
+[ "$steps" -eq 1 ] && [ "$converged" = 0 ] || fail "$steps steps, $converged"
+expect 1 "$OVERROLL" resume start.h5 # begins again, not from that state
+contains err 'the run begins again'
+kept start.h5 "$touch"
+[ "$steps" -eq 1 ] || fail "$steps steps"
+
+# A solve that went astray has a negative film too, but no surfaces that touch:
+# the hybrid smoother diverges on a wave in time
+sed -e '/^\[feature/,$d' wall.ini >astray.ini
+cat >>astray.ini <<'END'
+[solver]
+smoother = hybrid
+[feature wave]
+shape = wave
+amplitude = 0.02
+wavelength = 0.25
+origin = 0
+grow = 1
+END
+astray='step [0-9]+ to T = .* did not converge, nor did parts of it'
+gives_up "$astray" run astray.ini --set domain.level=7
+
+# A film too thin for the mesh, with the level that resolves it
+thin='the film is too thin for the mesh: .*; level [0-9]+ resolves it$'
+printf '[contact]\nM = 900\nL = 5\n[domain]\nlevel = 6\n' >thin.ini
+gives_up "$thin" steady thin.ini
+expect 1 "$OVERROLL" steady thin.ini --json
+contains out '"converged": false'
+! grep -qiE 'inf|nan' out || fail "$(cat out)"
+gives_up "$thin" run thin.ini -o thin.h5
+kept thin.h5 "$thin"
+[ "$steps" -eq 1 ] && [ "$converged" = 0 ] || fail "$steps steps, $converged"
+level=$(sed -n "s/.*; level \([0-9]*\) resolves it\$/\1/p" err)
+expect 0 "$OVERROLL" steady thin.ini --level "${level:-9}"
+
+# None of these: how far it came, after all rungs of the ladder
+far='the steady solution did not converge in any of 3 ways: relative '
+printf '[contact]\nM = 20\nL = 10\n' >far.ini
+gives_up "$far" run far.ini -o far.h5 --set solver.tolerance=1e-16
+kept far.h5 "$far"
+
+# A rung that was needed is told under -v, and there alone
+told=
+for M in 200 300 400 500; do
+    "$OVERROLL" steady --M $M --L 3 --level 6 >out 2>err
+    ! grep 'another way' err || fail 'told without -v'
+    "$OVERROLL" steady --M $M --L 3 --level 6 -v >out 2>err
+    ! grep -q 'another way: the load was raised in smaller steps' err ||
+        told=$told$M
+done
+[ -n "$told" ] || fail 'no contact needed another way, or none was told'
+
+# A domain too short for the film carries a pressure of its own: warned of
+expect 0 "$OVERROLL" steady --M 0.1 --L 0 --level 5
+contains err 'the inlet is numerically starved: .* costs most of the film; '
+expect 0 "$OVERROLL" steady --M 1 --L 0 --level 5
+contains err 'the inlet is numerically starved: .* costs some [0-9]+ % of '
+expect 0 "$OVERROLL" steady --M 0.1 --L 0 --level 5 --set domain.inlet=auto
+! grep starved err || fail 'an automatic inlet is starved'

@@ -8,6 +8,8 @@
  *     FAULT_READ=k     the k-th read from a file fails
  *     FAULT_SYNC=1     every fsync fails
  *     FAULT_SHORT=1    writes and reads move half of what was asked for
+ *     FAULT_KEEP=s     what is named ...s cannot be unlinked, as if it were
+ *                      another user's in a shared folder
  *     FAULT_REPORT=f   appends to f how often it was asked, at the end
  *
  * Standard input, output and error are spared.
@@ -154,4 +156,15 @@ int fsync(int fd)
         return -1;
     }
     return real(fd);
+}
+
+int unlink(const char *path)
+{
+    const char *kept = getenv("FAULT_KEEP");
+    size_t length = strlen(path), end = kept ? strlen(kept) : 0;
+    REAL(int, "unlink", const char *);
+    if (!end || length < end || strcmp(path + length - end, kept) != 0)
+        return real(path);
+    errno = EPERM;
+    return -1;
 }

@@ -69,11 +69,7 @@ for signal in INT TERM; do
     "$OVERROLL" run dent.ini --level 7 --set time.end=1000 -o c.h5 \
         >out 2>err &
     pid=$!
-    for _ in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
-        [ -f c.h5 ] && break
-        sleep 0.2
-    done
-    sleep 0.3
+    begins c.h5
     kill -s $signal $pid
     code=0
     wait $pid || code=$?

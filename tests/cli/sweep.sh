@@ -65,6 +65,14 @@ expect 0 "$OVERROLL" sweep study.ini -o two --collect two.csv
 numbers one.csv >one.txt
 numbers two.csv >two.txt
 cmp one.txt two.txt || fail 'two workers compute another thing'
+for file in study/*.h5; do
+    for all in '' --all; do
+        expect 0 "$OVERROLL" export "$file" $all
+        mv out one.rows
+        expect 0 "$OVERROLL" export "two/${file#*/}" $all
+        cmp one.rows out || fail "$file: other rows with two workers"
+    done
+done
 
 # Finished ones are skipped; a lost one is run again
 touch -d '2020-01-01' study/*.json

@@ -44,6 +44,17 @@ expect() {
     fail "exit code $code, wanted $wanted"
 }
 
+# begins FILE: waits until the run in the background has stored steps in it, and
+# so listens to signals.
+begins() {
+    tries=0
+    until "$OVERROLL" info "$1" 2>&1 | grep -q '^history .*T = 0 to'; do
+        tries=$((tries + 1))
+        [ $tries -lt 600 ] || fail "the run does not begin: $(cat err)"
+        sleep 0.1
+    done
+}
+
 # contains FILE PATTERN: a line of the file matches (extended expression).
 contains() {
     grep -qE -e "$2" "$1" && return

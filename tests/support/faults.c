@@ -16,6 +16,7 @@ static void *allocate(void *context, size_t bytes)
     if (!memory)
         return NULL;
     faults->live++;
+    faults->bytes += (double)bytes;
     return memset(memory, 0xA5, bytes);
 }
 

@@ -67,8 +67,11 @@ char *test_read(const char *path, size_t *bytes)
     while (data && got) {
         got = fread(data + used, 1, size - used, file);
         used += got;
-        if (used == size)
-            data = realloc(data, (size *= 2) + 1);
+        if (used == size) {
+            char *more = realloc(data, (size *= 2) + 1);
+            assert_non_null(more);
+            data = more;
+        }
     }
     assert_non_null(data);
     assert_false(ferror(file));

@@ -67,16 +67,21 @@ char *test_read(const char *path, size_t *bytes);
 void test_write(const char *path, const void *data, size_t bytes);
 void test_write_text(const char *path, const char *text);
 
+/* A locale that writes 1,5; false: there is none here.  setlocale(LC_ALL, "C")
+ * ends it. */
+bool test_decimal_comma(void);
+
 /* ------------------------------------------------------------ allocations */
 
 /* Counts what goes through `hook` and fails on demand: pass &faults.hook.
  * Memory comes filled with 0xA5, so that nobody relies on zeros. */
 typedef struct test_faults {
     ovr_allocator hook;
-    long calls;  /* allocations asked for */
-    long live;   /* pieces not yet released */
-    long fail;   /* the call that fails, from 1; 0: none */
-    bool onward; /* all calls after that one fail too */
+    long calls;   /* allocations asked for */
+    double bytes; /* of all that were given */
+    long live;    /* pieces not yet released */
+    long fail;    /* the call that fails, from 1; 0: none */
+    bool onward;  /* all calls after that one fail too */
 } test_faults;
 
 /* Faults cannot be copied: the hook points back at them. */

@@ -181,6 +181,10 @@ static void contradictions_name_their_line(void **state)
             "t.ini:4: feature 'a': a dent needs its depth");
     refused(join(moes, "[feature a]\nwidth = 1\n"),
             "[feature a] needs a shape");
+    refused(join(moes, "[domain]\nlevel = 1\n[feature a]\nstart = -5\n"
+                       "shape = roughness\nRq = 0.01\nlength = 1e-6\n"),
+            "t.ini:6: the profile is 1e-06 long, less than the "
+            "mesh of 0.39");
     refused(join(moes, "[feature a]\nshape = dent\ndepth = 1\nwidth = 1\n"
                        "start = -5\nwavelength = 3\n"),
             "t.ini:9: feature 'a': a dent has no wavelength");
@@ -351,125 +355,6 @@ static void defaults_are_the_librarys(void **state)
     done(c, s);
 }
 
-/* A case in which `key = value` stands in its section, in line *line. */
-static const char *case_with(const ovr_parameter_info *p, const char *value,
-                             long *line)
-{
-    const char *name = strcmp(p->section, "feature") ? "" : " f";
-    *line = 2;
-    snprintf(text, sizeof text, "[%s%s]\n%s = %s\n", p->section, name, p->key,
-             value);
-    return text;
-}
-
-/* One line that names file, line and key, whatever was put in. */
-static void check_message(const ovr_parameter_info *p, const char *value,
-                          long line, const ovr_error *err)
-{
-    char place[40];
-    snprintf(place, sizeof place, "t.ini:%ld: ", line);
-    if (strncmp(err->message, place, strlen(place)) != 0 ||
-        !strstr(err->message, p->key) || strchr(err->message, '\n'))
-        fail_msg("[%s] %s = '%s' says: %s", p->section, p->key, value,
-                 err->message);
-}
-
-static void bad_value(const ovr_parameter_info *p, const char *value)
-{
-    long line;
-    ovr_error err = {0};
-    ovr_case *c = ovr_case_read_text(case_with(p, value, &line), "t.ini", NULL,
-                                     NULL, &err);
-    if (c)
-        fail_msg("[%s] %s = '%s' was taken", p->section, p->key, value);
-    assert_int_equal(err.status, OVR_BAD_INPUT);
-    check_message(p, value, line, &err);
-}
-
-/* Taken or refused as the range says; and if taken, resolving ends well or
- * names the case. */
-static void number(const ovr_parameter_info *p, double value)
-{
-    char with_unit[80];
-    long line;
-    ovr_error err = {0};
-    bool inside = (p->above ? value > p->least : value >= p->least) &&
-                  value <= p->most;
-    bool whole = !strcmp(p->type, "whole number") && value != floor(value);
-    ovr_case *c;
-    ovr_setup *s = NULL;
-    snprintf(with_unit, sizeof with_unit, "%.17g%s", value,
-             !*p->units || *p->bare ? "" : " ");
-    if (*p->units && !*p->bare) { /* the SI unit comes first */
-        size_t length = strlen(with_unit), unit = strcspn(p->units, ",");
-        snprintf(with_unit + length, sizeof with_unit - length, "%.*s",
-                 (int)unit, p->units);
-    }
-    c = ovr_case_read_text(case_with(p, with_unit, &line), "t.ini", NULL, NULL,
-                           &err);
-    if ((c != NULL) != (inside && !whole))
-        fail_msg("[%s] %s = %s: %s", p->section, p->key, with_unit,
-                 c ? "was taken" : err.message);
-    if (!c) {
-        check_message(p, with_unit, line, &err);
-        return;
-    }
-    s = ovr_case_resolve(c, NULL, &err);
-    if (!s && !strstr(err.message, "t.ini"))
-        fail_msg("[%s] %s = %s says: %s", p->section, p->key, with_unit,
-                 err.message);
-    done(c, s);
-}
-
-static void every_parameter_refuses_nonsense(void **state)
-{
-    static const double values[] = {0,     -1,  1e300, -1e300, 1e-300,
-                                    1e-20, 0.5, 1e9,   1,      -1e-9};
-    (void)state;
-    for (size_t k = 0; k < ovr_parameter_count(); k++) {
-        ovr_parameter_info p = ovr_parameter_at(k);
-        bool text_kind = !strcmp(p.type, "text") || !strcmp(p.type, "path");
-        assert_true(p.help && *p.help);
-        bad_value(&p, "");
-        bad_value(&p, " # only a comment");
-        if (text_kind)
-            continue;
-        bad_value(&p, "nan");
-        bad_value(&p, "inf");
-        bad_value(&p, "-inf");
-        bad_value(&p, "1e999");
-        bad_value(&p, "quux");
-        bad_value(&p, "3 furlong");
-        bad_value(&p, "1,5;2");
-        bad_value(&p, "\303\244");
-        if (isnan(p.least))
-            continue;
-        assert_true(p.least <= p.most);
-        if (*p.units && !*p.bare)
-            bad_value(&p, "1"); /* a unit is needed */
-        bad_value(&p, *p.units && strstr(p.units, "m/s") ? "1 Pa" : "1 m/s");
-        for (size_t i = 0; i < sizeof values / sizeof *values; i++)
-            number(&p, values[i]);
-    }
-}
-
-static void every_default_is_allowed(void **state)
-{
-    (void)state;
-    for (size_t k = 0; k < ovr_parameter_count(); k++) {
-        ovr_parameter_info p = ovr_parameter_at(k);
-        long line;
-        ovr_case *c;
-        if (!p.initial)
-            continue;
-        c = ovr_case_read_text(case_with(&p, p.initial, &line), "t.ini", NULL,
-                               NULL, NULL);
-        if (!c)
-            fail_msg("[%s] %s = %s", p.section, p.key, p.initial);
-        ovr_case_free(c);
-    }
-}
-
 static ovr_status attempt(void *source, const ovr_allocator *hook,
                           ovr_error *err)
 {
@@ -506,8 +391,6 @@ int main(void)
         cmocka_unit_test_setup_teardown(load_from_a_table, test_make_folder,
                                         test_remove_folder),
         cmocka_unit_test(defaults_are_the_librarys),
-        cmocka_unit_test(every_parameter_refuses_nonsense),
-        cmocka_unit_test(every_default_is_allowed),
         cmocka_unit_test(every_allocation_may_fail),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -284,6 +284,72 @@ static void mistakes_in_smd_are_named(void **state)
                 "f.txt:9: 'z'");
 }
 
+/* Sizes of which nothing is there: refused before memory is asked for. */
+static void huge_announcements_are_refused(void **state)
+{
+    static const char *const sdf[] = {
+        "4294967297", "18446744073709551618", "1e300", "inf", "nan", "-3"};
+    double step;
+    uint64_t seed = 4;
+    size_t size;
+    (void)state;
+    for (size_t k = 0; k < sizeof sdf / sizeof *sdf; k++) {
+        char text[300];
+        snprintf(text, sizeof text,
+                 "aISO-1.0\nNumPoints=%s\nXscale=1e-6\nZscale=1\n*\n1 2 3\n",
+                 sdf[k]);
+        refuse_text(text, "NumPoints");
+        snprintf(text, sizeof text,
+                 "aISO-1.0\nNumPoints=3\nNumProfiles=%s\nXscale=1e-6\n"
+                 "Zscale=1\n*\n1 2 3\n",
+                 sdf[k]);
+        refuse_text(text, "NumProfiles");
+        snprintf(text, sizeof text,
+                 "r\nPRF 0 n\nCX I %s mm 1 D 0.1\nCZ A 3 um 1 D\n\x03\nt\n"
+                 "\x03\n1\n2\n\x03\n",
+                 sdf[k]);
+        refuse_text(text, "");
+        snprintf(text, sizeof text,
+                 "r\nSUR 0 n\nCX I 2 mm 1 D 0.1\nCY I %s mm 1 D 0.1\n"
+                 "CZ A 3 um 1 D\n\x03\nt\n\x03\n1\n2\n\x03\n",
+                 sdf[k]);
+        refuse_text(text, "");
+    }
+    gauge_make(&g, &seed, true, 2, false);
+    size = gauge_as_sdf_binary(&g, 7, bytes, &step);
+    memset(bytes + 42, 0xff, 4); /* 65535 x 65535 values of 8 bytes */
+    refuse(bytes, size, "65535 x 65535 values");
+}
+
+/* Members of a gzip file follow each other: a million zeros, 300 times. */
+static void bombs_are_refused(void **state)
+{
+    enum { PIECE = 1 << 20, PIECES = 300 };
+    const char *path = test_path(*state, "bomb.gz");
+    ovr_profile_source source = ovr_profile_source_default();
+    ovr_error err = {0};
+    test_faults count;
+    gzFile out = gzopen(path, "wb");
+    char *zeros = calloc(1, PIECE), *member;
+    size_t size;
+    FILE *all;
+    assert_int_equal(gzwrite(out, zeros, PIECE), PIECE);
+    assert_int_equal(gzclose(out), Z_OK);
+    member = test_read(path, &size);
+    all = fopen(path, "wb");
+    for (int k = 0; k < PIECES; k++)
+        assert_int_equal(fwrite(member, 1, size, all), size);
+    assert_int_equal(fclose(all), 0);
+    test_faults_init(&count);
+    source.file = path;
+    assert_null(ovr_profile_read(&source, &count.hook, &err));
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "more than 256 MiB");
+    assert_true(count.bytes < 1.5 * (1 << 28));
+    assert_int_equal(count.live, 0);
+    free(member);
+    free(zeros);
+}
+
 /* Cut anywhere, a file is refused or read, never more. */
 static void cut_files_do_no_harm(void **state)
 {
@@ -371,6 +437,8 @@ int main(void)
         cmocka_unit_test(mistakes_in_text_are_named),
         cmocka_unit_test(mistakes_in_sdf_are_named),
         cmocka_unit_test(mistakes_in_smd_are_named),
+        cmocka_unit_test(huge_announcements_are_refused),
+        cmocka_unit_test(bombs_are_refused),
         cmocka_unit_test(cut_files_do_no_harm),
         cmocka_unit_test(missing_files_are_named),
         cmocka_unit_test(every_allocation_may_fail),

@@ -2,9 +2,11 @@
 /* What is wrong with an X3P file is said; strangers' files do no harm. */
 #include "support/test.h"
 
+#include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include <zip.h>
 
 #include "overroll/overroll.h"
@@ -14,8 +16,8 @@ static const char good_axes[] =
     "<CZ><AxisType>A</AxisType><DataType>D</DataType></CZ>";
 static const char good_size[] = "<MatrixDimension><SizeX>3</SizeX><SizeY>1"
                                 "</SizeY><SizeZ>1</SizeZ></MatrixDimension>";
-static const char link[] = "<DataLink><PointDataLink>bindata/data.bin"
-                           "</PointDataLink></DataLink>";
+static const char data_link[] = "<DataLink><PointDataLink>bindata/data.bin"
+                                "</PointDataLink></DataLink>";
 static const double three[3] = {1e-6, 2e-6, 4e-6};
 
 static void add(zip_t *zip, const char *name, const void *data, size_t size)
@@ -77,7 +79,7 @@ static const char *joined(const char *a, const char *b)
 static void announcements_are_checked(void **state)
 {
     const char *path = test_path(*state, "a.x3p");
-    const char *both = joined(good_size, link);
+    const char *both = joined(good_size, data_link);
     refuse(path, "PCL", good_axes, both, "FeatureType 'PCL'");
     refuse(path, "A long text", good_axes, both, "too long");
     refuse(path, "PRF", "", both, "needs the axes");
@@ -92,13 +94,13 @@ static void announcements_are_checked(void **state)
            "<CX><AxisType>I</AxisType></CX>"
            "<CZ><AxisType>A</AxisType><DataType>Q</DataType></CZ>",
            both, "I, L, F or D");
-    refuse(path, "PRF", good_axes, link, "points");
+    refuse(path, "PRF", good_axes, data_link, "points");
     refuse(path, "PRF", good_axes, "<ListDimension>1e99</ListDimension>",
            "points");
     refuse(path, "PRF", good_axes, "<ListDimension>2.5</ListDimension>",
            "points");
     refuse(path, "PRF", good_axes,
-           joined("<ListDimension>4</ListDimension>", link), "offset 24");
+           joined("<ListDimension>4</ListDimension>", data_link), "offset 24");
 }
 
 static void data_are_checked(void **state)
@@ -140,6 +142,103 @@ static void xml_is_checked(void **state)
     refuse_file(path, "nested");
 }
 
+/* A document type is refused before an entity of it is looked at, whether it
+ * grows (each of ten entities is ten of the last) or leads to another file. */
+static void entities_are_refused(void **state)
+{
+    const char *path = test_path(*state, "e.x3p");
+    char xml[2000] = "<!DOCTYPE a [<!ENTITY e0 \"ha\">";
+    size_t used = strlen(xml);
+    for (int k = 1; k <= 10; k++) {
+        used += (size_t)snprintf(xml + used, sizeof xml - used,
+                                 "<!ENTITY e%d \"", k);
+        for (int j = 0; j < 10; j++)
+            used += (size_t)snprintf(xml + used, sizeof xml - used, "&e%d;",
+                                     k - 1);
+        used += (size_t)snprintf(xml + used, sizeof xml - used, "\">");
+    }
+    snprintf(xml + used, sizeof xml - used, "]><a>&e10;</a>");
+    pack(path, xml, 3);
+    refuse_file(path, "document type");
+    pack(path, "<!DOCTYPE a [<!ENTITY e SYSTEM \"/etc/passwd\">]><a>&e;</a>",
+         3);
+    refuse_file(path, "document type");
+    pack(path, "<!DOCTYPE a SYSTEM \"/etc/passwd\"><a/>", 3);
+    refuse_file(path, "document type");
+    pack(path, "<a>&e;</a>", 3);
+    refuse_file(path, "entity");
+}
+
+static size_t files_in(const char *folder)
+{
+    DIR *d = opendir(folder);
+    size_t count = 0;
+    assert_non_null(d);
+    while (readdir(d))
+        count++;
+    closedir(d);
+    return count;
+}
+
+/* Members are read in memory: a name that leads out of the folder is a name
+ * like any other, and no file appears by it. */
+static void member_names_are_no_paths(void **state)
+{
+    char *outside = strdup(test_path(*state, "outside.bin"));
+    const char *path = test_path(*state, "m.x3p");
+    const char *const names[] = {"../outside.bin", outside,
+                                 "a/../../outside.bin"};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+        char xml[2000];
+        ovr_error err = {0};
+        ovr_profile *p;
+        size_t before;
+        zip_t *zip = zip_open(path, ZIP_CREATE | ZIP_TRUNCATE, NULL);
+        snprintf(xml, sizeof xml,
+                 "<a><Record1><FeatureType>PRF</FeatureType><Axes>%s</Axes>"
+                 "</Record1><Record3>%s<DataLink><PointDataLink>%s"
+                 "</PointDataLink></DataLink></Record3></a>",
+                 good_axes, good_size, names[k]);
+        add(zip, "main.xml", xml, strlen(xml));
+        add(zip, names[k], three, sizeof three);
+        assert_int_equal(zip_close(zip), 0);
+        before = files_in(*state);
+        p = read_back(path, &err);
+        assert_non_null(p);
+        CHECK_NEAR(ovr_profile_look(p)->z[1], 2e-6, 1e-20);
+        ovr_profile_free(p);
+        assert_int_equal(files_in(*state), before);
+        assert_int_not_equal(access(outside, F_OK), 0);
+    }
+    free(outside);
+}
+
+/* Deflate makes 64 kB of 64 MB of spaces. */
+static void bombs_are_refused(void **state)
+{
+    enum { MOST = 1 << 26 };
+    const char *path = test_path(*state, "b.x3p");
+    zip_t *zip = zip_open(path, ZIP_CREATE | ZIP_TRUNCATE, NULL);
+    ovr_profile_source source = ovr_profile_source_default();
+    ovr_error err = {0};
+    test_faults count;
+    char *spaces = malloc(MOST + 1);
+    zip_int64_t index;
+    memset(spaces, ' ', MOST + 1);
+    index = zip_file_add(zip, "main.xml",
+                         zip_source_buffer(zip, spaces, MOST + 1, 0), 0);
+    assert_true(index >= 0);
+    zip_set_file_compression(zip, (zip_uint64_t)index, ZIP_CM_DEFLATE, 1);
+    assert_int_equal(zip_close(zip), 0);
+    test_faults_init(&count);
+    source.file = path;
+    assert_null(ovr_profile_read(&source, &count.hook, &err));
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "larger than the 67108864 bytes");
+    assert_true(count.bytes < MOST / 8);
+    assert_int_equal(count.live, 0);
+    free(spaces);
+}
+
 /* A letter may be three bytes in UTF-8 and two in the file. */
 static void inline_letters_do_not_overflow(void **state)
 {
@@ -179,7 +278,7 @@ static void damaged_content_is_refused(void **state)
     snprintf(xml, sizeof xml,
              "<a><Record1><FeatureType>PRF</FeatureType><Axes>%s</Axes>"
              "</Record1><Record3>%s%s</Record3></a>",
-             good_axes, good_size, link);
+             good_axes, good_size, data_link);
     pack(path, xml, 3);
     p = read_back(path, &err);
     assert_non_null(p);
@@ -202,6 +301,9 @@ int main(void)
         cmocka_unit_test(announcements_are_checked),
         cmocka_unit_test(data_are_checked),
         cmocka_unit_test(xml_is_checked),
+        cmocka_unit_test(entities_are_refused),
+        cmocka_unit_test(member_names_are_no_paths),
+        cmocka_unit_test(bombs_are_refused),
         cmocka_unit_test(inline_letters_do_not_overflow),
         cmocka_unit_test(damaged_content_is_refused),
     };

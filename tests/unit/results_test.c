@@ -301,6 +301,56 @@ static void survives_truncation(void **state)
     test_dent_free(&d);
 }
 
+/* A title from a stranger: nothing in it commands a terminal; the lines of the
+ * case stay. */
+static void shows_no_controls(void **state)
+{
+    const char *path = test_path(*state, "rude.h5");
+    ovr_write_options o = options_for(path);
+    ovr_contact contact = test_contact_bare();
+    test_dent d;
+    ovr_result *r;
+    o.title = "a\033]0;b\a\xc2\x9b"
+              "c\nd\x7f\xc3\xbc";
+    o.case_text = "[contact]\n\tM = 20 # \033[2J\n";
+    test_dent_init(&d, NODES, 0);
+    write_run(&o, &contact, &d, 0);
+    r = open_result(path);
+    assert_string_equal(ovr_result_about(r)->title, "a ]0;b   c d \xc3\xbc");
+    assert_string_equal(ovr_result_about(r)->case_text,
+                        "[contact]\n\tM = 20 #  [2J\n");
+    ovr_result_close(r);
+    test_dent_free(&d);
+}
+
+/* A link that somebody laid where the file grows leads nowhere. */
+static void follows_no_link_at_its_part(void **state)
+{
+    const char *path = test_path(*state, "new.h5");
+    const char *victim = test_path(*state, "victim");
+    const char *const part[] = {"new.h5.part", "new.h5.journal",
+                                "new.h5.restart.part"};
+    ovr_write_options o = options_for(path);
+    ovr_contact contact = test_contact_bare();
+    test_dent d;
+    test_dent_init(&d, NODES, 0);
+    for (size_t k = 0; k < 3; k++) {
+        char link[400];
+        char *text;
+        ovr_error err = {OVR_OK, ""};
+        snprintf(link, sizeof link, "%s/%s", (char *)*state, part[k]);
+        test_write_text(victim, "precious");
+        assert_int_equal(symlink(victim, link), 0);
+        assert_null(ovr_writer_create(&o, &contact, d.n, d.X, NULL, &err));
+        CHECK_ERROR(&err, OVR_BAD_INPUT, "new.h5");
+        text = test_read(victim, NULL);
+        assert_string_equal(text, "precious");
+        free(text);
+        unlink(link);
+    }
+    test_dent_free(&d);
+}
+
 static void leaves_the_callers_handler(void **state)
 {
     H5E_auto2_t function, after;
@@ -348,6 +398,8 @@ int main(void)
                                        TEST(names_the_next_time),
                                        TEST(refuses_other_files),
                                        TEST(survives_truncation),
+                                       TEST(shows_no_controls),
+                                       TEST(follows_no_link_at_its_part),
                                        TEST(leaves_the_callers_handler),
                                        TEST(keeps_existing_files)};
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -43,6 +43,6 @@ paste -d ';' gcc.csv clang.csv | awk -F ';' '
         }
     }
     END {
-        print count " numbers, largest difference " worst
+        print count " numbers, largest difference " worst + 0
         exit bad || count < 1000 || worst > 1e-9
     }' || fail "gcc and clang differ"

@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Numbers in files have a point, whatever locale the program has chosen. */
+#ifndef OVR_BASE_PLAIN_H
+#define OVR_BASE_PLAIN_H
+
+#include <locale.h>
+
+/* printf writes as in C in this thread, from begin to end; end takes what
+ * begin returned. */
+locale_t ovr_plain_begin(void);
+void ovr_plain_end(locale_t before);
+
+#endif

@@ -1,0 +1,357 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Superblock, headers of objects, links and attributes. */
+#include "results/container.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "results/elements.h"
+
+/* Kinds of messages in an object's header. */
+enum {
+    LINK_INFO = 0x02,
+    LINK = 0x06,
+    ATTRIBUTE = 0x0c,
+    CONTINUATION = 0x10,
+    ATTRIBUTE_INFO = 0x15
+};
+
+/* -------------------------------------------------------------- superblock */
+
+static const char signature[8] = "\211HDF\r\n\032\n";
+
+/* Version 2 or 3 with addresses and lengths of 8 bytes, no user block. */
+static ovr_found read_superblock(ovr_container *c)
+{
+    enum { SIZE = 48 };
+    ovr_piece b;
+    uint64_t version, address, length, end;
+    if (!ovr_load(&c->source, 0, sizeof signature, &b) ||
+        memcmp(b.at, signature, sizeof signature) != 0)
+        return OVR_FOUND_NO_HDF5;
+    if (!ovr_load(&c->source, 0, SIZE, &b))
+        return OVR_FOUND_TRUNCATED;
+    ovr_cut(&b, sizeof signature);
+    version = ovr_take(&b, 1);
+    address = ovr_take(&b, 1);
+    length = ovr_take(&b, 1);
+    if ((version != 2 && version != 3) || address != 8 || length != 8)
+        return OVR_FOUND_OTHER_HDF5;
+    ovr_take(&b, 1);
+    if (ovr_take(&b, 8) != 0)
+        return OVR_FOUND_OTHER_HDF5;
+    ovr_take(&b, 8);
+    end = ovr_take(&b, 8);
+    c->root = ovr_take(&b, 8);
+    b.at -= SIZE - 4;
+    if (end > c->source.bytes ||
+        !ovr_load_block(&c->source, 0, SIZE, "\211HDF", &b))
+        return OVR_FOUND_TRUNCATED;
+    c->source.bytes = end;
+    return OVR_FOUND_CONTAINER;
+}
+
+ovr_found ovr_container_open(ovr_container *c, int fd, ovr_arena *arena)
+{
+    struct stat about;
+    ovr_found found;
+    memset(c, 0, sizeof *c);
+    if (fstat(fd, &about) != 0 || about.st_size < 0)
+        return OVR_FOUND_NO_HDF5;
+    c->source = (ovr_source){fd, (uint64_t)about.st_size, arena, false};
+    found = read_superblock(c);
+    return c->source.starved ? OVR_FOUND_NO_MEMORY : found;
+}
+
+/* ------------------------------------------------------- headers of objects */
+
+enum { MOST_BLOCKS = 32 };
+
+/* A walk through the messages of a header and the blocks it goes on in. */
+typedef struct header {
+    ovr_source *source;
+    ovr_piece block;
+    bool ordered; /* messages are numbered */
+    bool damaged;
+    uint64_t at[MOST_BLOCKS], size[MOST_BLOCKS];
+    size_t blocks, read;
+} header;
+
+/* Letters, version, flags, what the flags announce, the length of what
+ * follows. */
+static void open_header(header *h, ovr_source *source, uint64_t at)
+{
+    enum { LEAST = 6, MOST = LEAST + 16 + 4 + 8 };
+    ovr_piece b;
+    uint64_t left = at < source->bytes ? source->bytes - at : 0, flags, size;
+    size_t prefix;
+    *h = (header){.source = source, .damaged = true};
+    if (!ovr_load(source, at, left < MOST ? left : MOST, &b) ||
+        b.left < LEAST || memcmp(b.at, "OHDR\2", 5) != 0)
+        return;
+    ovr_cut(&b, 5);
+    flags = ovr_take(&b, 1);
+    prefix = LEAST + (flags & 0x20 ? 16u : 0u) + (flags & 0x10 ? 4u : 0u);
+    ovr_cut(&b, prefix - LEAST);
+    size = ovr_take(&b, (size_t)1 << (flags & 3));
+    prefix += (size_t)1 << (flags & 3);
+    if (!b.good || size > source->bytes ||
+        !ovr_load_block(source, at, prefix + size + 4, "OHDR", &h->block))
+        return;
+    ovr_cut(&h->block, prefix - 4);
+    h->ordered = flags & 0x04;
+    h->damaged = false;
+}
+
+static bool next_block(header *h)
+{
+    if (h->read == h->blocks)
+        return false;
+    h->damaged = !ovr_load_block(h->source, h->at[h->read], h->size[h->read],
+                                 "OCHK", &h->block);
+    h->read++;
+    return !h->damaged;
+}
+
+static void note_block(header *h, ovr_piece message)
+{
+    uint64_t at = ovr_take(&message, 8), size = ovr_take(&message, 8);
+    h->damaged = !message.good || h->blocks == MOST_BLOCKS;
+    if (h->damaged)
+        return;
+    h->at[h->blocks] = at;
+    h->size[h->blocks++] = size;
+}
+
+/* The next message of any kind; false: the end, or damage.  Shared ones, which
+ * stand elsewhere, are damage too: the writer makes none. */
+static bool next_message(header *h, unsigned *kind, ovr_piece *body)
+{
+    size_t least = h->ordered ? 6 : 4;
+    while (!h->damaged && (h->block.left >= least || next_block(h))) {
+        uint64_t size, flags;
+        if (h->block.left < least)
+            continue;
+        *kind = (unsigned)ovr_take(&h->block, 1);
+        size = ovr_take(&h->block, 2);
+        flags = ovr_take(&h->block, 1);
+        ovr_take(&h->block, h->ordered ? 2 : 0);
+        *body = ovr_cut(&h->block, size);
+        h->damaged = !body->good || flags & 0x02;
+        if (!h->damaged && *kind == CONTINUATION)
+            note_block(h, *body);
+        else
+            return !h->damaged;
+    }
+    return false;
+}
+
+bool ovr_object_message(ovr_source *source, uint64_t object, unsigned wanted,
+                        ovr_piece *body)
+{
+    header h;
+    unsigned kind;
+    open_header(&h, source, object);
+    while (next_message(&h, &kind, body))
+        if (kind == wanted)
+            return true;
+    return false;
+}
+
+/* ------------------------------------------------------ links and attributes
+ */
+
+/* Those that a heap holds: its address and its index by name. */
+static bool stored_apart(ovr_source *source, unsigned kind, ovr_piece info,
+                         ovr_items *items)
+{
+    uint64_t flags, heap, tree;
+    ovr_take(&info, 1);
+    flags = ovr_take(&info, 1);
+    if (flags & 1)
+        ovr_take(&info, kind == LINK_INFO ? 8 : 2);
+    heap = ovr_take(&info, 8);
+    tree = ovr_take(&info, 8);
+    items->count = 0;
+    if (!info.good)
+        return false;
+    return heap == OVR_NOWHERE || ovr_heap_items(source, heap, tree, items);
+}
+
+static size_t count_messages(ovr_source *source, uint64_t object,
+                             unsigned wanted)
+{
+    header h;
+    unsigned kind;
+    ovr_piece body;
+    size_t count = 0;
+    open_header(&h, source, object);
+    while (next_message(&h, &kind, &body))
+        count += kind == wanted;
+    return count;
+}
+
+/* All links or all attributes of an object, wherever they are. */
+static bool all_items(ovr_source *source, uint64_t object, unsigned wanted,
+                      ovr_items *items)
+{
+    unsigned info = wanted == LINK ? LINK_INFO : ATTRIBUTE_INFO, kind;
+    size_t room = count_messages(source, object, wanted), count = 0;
+    ovr_items apart = {NULL, 0};
+    ovr_piece body;
+    header h;
+    items->item = ovr_arena_take(source->arena, room, sizeof body, NULL);
+    source->starved = source->starved || !items->item;
+    if (!items->item)
+        return false;
+    open_header(&h, source, object);
+    while (next_message(&h, &kind, &body))
+        if (kind == wanted && count < room)
+            items->item[count++] = body;
+        else if (kind == info && !stored_apart(source, info, body, &apart))
+            return false;
+    items->count = count;
+    if (count == 0)
+        *items = apart;
+    return !h.damaged;
+}
+
+/* True for a hard link with a plain name. */
+static bool read_link(ovr_piece b, ovr_link *link)
+{
+    uint64_t version = ovr_take(&b, 1), flags = ovr_take(&b, 1), length;
+    uint64_t kind = flags & 0x08 ? ovr_take(&b, 1) : 0;
+    ovr_piece name;
+    link->order = flags & 0x04 ? ovr_take(&b, 8) : 0;
+    ovr_take(&b, flags & 0x10 ? 1 : 0);
+    length = ovr_take(&b, (size_t)1 << (flags & 3));
+    name = ovr_cut(&b, length);
+    link->object = ovr_take(&b, 8);
+    if (version != 1 || kind != 0 || !b.good || length == 0 ||
+        length >= sizeof link->name)
+        return false;
+    for (size_t k = 0; k < length; k++)
+        if (!(name.at[k] == '_' || (name.at[k] >= '0' && name.at[k] <= '9') ||
+              (name.at[k] >= 'A' && name.at[k] <= 'Z') ||
+              (name.at[k] >= 'a' && name.at[k] <= 'z')))
+            return false;
+    memcpy(link->name, name.at, length);
+    link->name[length] = '\0';
+    return true;
+}
+
+bool ovr_container_find(ovr_container *c, uint64_t group, const char *name,
+                        uint64_t *object)
+{
+    ovr_items items;
+    ovr_link link;
+    if (!all_items(&c->source, group, LINK, &items))
+        return false;
+    for (size_t k = 0; k < items.count; k++)
+        if (read_link(items.item[k], &link) && strcmp(link.name, name) == 0) {
+            *object = link.object;
+            return true;
+        }
+    return false;
+}
+
+static int by_order(const void *a, const void *b)
+{
+    const ovr_link *first = a, *second = b;
+    return (first->order > second->order) - (first->order < second->order);
+}
+
+ovr_link *ovr_container_links(ovr_container *c, uint64_t group, size_t *count)
+{
+    ovr_items items;
+    ovr_link *links;
+    *count = 0;
+    if (!all_items(&c->source, group, LINK, &items))
+        return NULL;
+    links = ovr_arena_take(c->source.arena, items.count, sizeof *links, NULL);
+    c->source.starved = c->source.starved || !links;
+    for (size_t k = 0; links && k < items.count; k++)
+        *count += read_link(items.item[k], &links[*count]);
+    if (links)
+        qsort(links, *count, sizeof *links, by_order);
+    return links;
+}
+
+/* Version 3: name, type, dimensions and value follow each other closely. */
+static bool read_attribute(ovr_piece b, const char *wanted, ovr_piece *type,
+                           ovr_piece *space, ovr_piece *value)
+{
+    uint64_t version = ovr_take(&b, 1), shared = ovr_take(&b, 1);
+    uint64_t length = ovr_take(&b, 2);
+    uint64_t type_size = ovr_take(&b, 2), space_size = ovr_take(&b, 2);
+    ovr_piece name;
+    ovr_take(&b, 1);
+    name = ovr_cut(&b, length);
+    *type = ovr_cut(&b, type_size);
+    *space = ovr_cut(&b, space_size);
+    *value = b;
+    return version == 3 && !shared && b.good && length == strlen(wanted) + 1 &&
+           memcmp(name.at, wanted, length) == 0;
+}
+
+/* The value of an attribute that is one element. */
+static bool find_attribute(ovr_container *c, uint64_t object, const char *name,
+                           ovr_element *element, ovr_piece *value)
+{
+    ovr_items items;
+    ovr_piece type, space;
+    uint64_t shape[2];
+    if (!all_items(&c->source, object, ATTRIBUTE, &items))
+        return false;
+    for (size_t k = 0; k < items.count; k++)
+        if (read_attribute(items.item[k], name, &type, &space, value))
+            return ovr_element_read(type, element) &&
+                   ovr_shape_read(space, shape) >= 0 &&
+                   shape[0] * shape[1] == 1 && value->left >= element->size;
+    return false;
+}
+
+static char *copy(ovr_container *c, ovr_piece text)
+{
+    char *made = ovr_arena_take(c->source.arena, text.left + 1, 1, NULL);
+    c->source.starved = c->source.starved || !made;
+    if (made && text.left)
+        memcpy(made, text.at, text.left);
+    return made;
+}
+
+char *ovr_container_text(ovr_container *c, uint64_t object, const char *name)
+{
+    ovr_element element;
+    ovr_piece value, text;
+    uint64_t length, heap, index;
+    if (!find_attribute(c, object, name, &element, &value))
+        return NULL;
+    if (element.kind == 's')
+        return copy(c, ovr_cut(&value, element.size));
+    if (element.kind != 'v')
+        return NULL;
+    length = ovr_take(&value, 4);
+    heap = ovr_take(&value, 8);
+    index = ovr_take(&value, 4);
+    if (length == 0)
+        return copy(c, (ovr_piece){NULL, 0, true});
+    if (!ovr_heap_text(&c->source, heap, index, &text))
+        return NULL;
+    text = ovr_cut(&text, length);
+    return text.good ? copy(c, text) : NULL;
+}
+
+double ovr_container_number(ovr_container *c, uint64_t object, const char *name)
+{
+    ovr_element element;
+    ovr_piece bytes;
+    double value;
+    if (!find_attribute(c, object, name, &element, &bytes) ||
+        (element.kind != 'f' && element.kind != 'i'))
+        return NAN;
+    ovr_element_values(&element, bytes.at, 1, &value);
+    return value;
+}

@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A result file as HDF5 lays it out, read without the library HDF5.
+ *
+ * That library trusts what it reads: a damaged or a made-up file can make it
+ * crash, follow a link into another file, or ask for any amount of memory.
+ * Result files come from strangers, so the reader understands by itself the
+ * part of the format that the writer uses (the one of HDF5 1.8, which the
+ * writer pins), and refuses everything else: other groups, filters, types,
+ * links that are not hard, data in other files.  Every address and every
+ * length is held against the length of the file, and no table is longer than
+ * the bytes that it was read from.
+ *
+ * Source: The HDF Group, HDF5 File Format Specification, Version 3.0.
+ */
+#ifndef OVR_RESULTS_CONTAINER_H
+#define OVR_RESULTS_CONTAINER_H
+
+#include "results/heap.h"
+
+typedef struct ovr_container {
+    ovr_source source;
+    uint64_t root; /* the root group: an object, as all addresses below */
+} ovr_container;
+
+/* What ovr_container_open found. */
+typedef enum ovr_found {
+    OVR_FOUND_CONTAINER,
+    OVR_FOUND_OTHER_HDF5, /* none of those that the writer makes */
+    OVR_FOUND_TRUNCATED,  /* or damaged */
+    OVR_FOUND_NO_HDF5,
+    OVR_FOUND_NO_MEMORY
+} ovr_found;
+
+/* The file stays open with the caller; all memory is the arena's. */
+ovr_found ovr_container_open(ovr_container *container, int fd,
+                             ovr_arena *arena);
+
+typedef struct ovr_link {
+    char name[64];
+    uint64_t order, object;
+} ovr_link;
+
+/* An object by name in a group; false: none, or none that can be read. */
+bool ovr_container_find(ovr_container *container, uint64_t group,
+                        const char *name, uint64_t *object);
+
+/* All objects in a group, in the order of their making; NULL: damaged.  Names
+ * that no variable of this program has (other than letters, digits and _) are
+ * left out. */
+ovr_link *ovr_container_links(ovr_container *container, uint64_t group,
+                              size_t *count);
+
+/* Attributes: a text of either form, NULL when there is none; a number, NAN
+ * when there is none. */
+char *ovr_container_text(ovr_container *container, uint64_t object,
+                         const char *name);
+double ovr_container_number(ovr_container *container, uint64_t object,
+                            const char *name);
+
+/* What numbers look like in the file. */
+typedef struct ovr_element {
+    char kind; /* 'f' number, 'i' integer, 's' characters, 'v' text */
+    size_t size;
+} ovr_element;
+
+/* A dataset of numbers, of one or two dimensions (rows first). */
+typedef struct ovr_dataset {
+    ovr_element element;
+    int rank;
+    uint64_t shape[2];
+    bool chunked, packed;
+    uint64_t at, chunk[2]; /* the values, or the tree of the chunks */
+} ovr_dataset;
+bool ovr_container_dataset(ovr_container *container, uint64_t object,
+                           ovr_dataset *set);
+
+/* `count` values from row `row` of one dimension, or row `row` of two, that is
+ * `count` wide.  Rows that were never written are NaN (integers: -1). */
+bool ovr_container_values(ovr_container *container, const ovr_dataset *set,
+                          uint64_t row, uint64_t count, double *values);
+
+#endif

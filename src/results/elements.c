@@ -1,0 +1,318 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Datasets: their types, dimensions and layouts, and the values in them. */
+#include "results/elements.h"
+
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+#include "results/pack.h"
+
+/* Kinds of messages. */
+enum {
+    SPACE = 0x01,
+    TYPE = 0x03,
+    OTHER_FILES = 0x07,
+    LAYOUT = 0x08,
+    FILTERS = 0x0b
+};
+
+/* -------------------------------------------------------------------- types */
+
+/* Whole numbers: little-endian, with a sign, all bits used. */
+static bool is_integer(const ovr_element *e, uint64_t bits, ovr_piece rest)
+{
+    uint64_t offset = ovr_take(&rest, 2), precision = ovr_take(&rest, 2);
+    return (e->size == 1 || e->size == 4) && (bits & 0x09) == 0x08 &&
+           offset == 0 && precision == 8 * e->size;
+}
+
+/* IEEE 754, little-endian. */
+static bool is_real(const ovr_element *e, uint64_t bits, ovr_piece rest)
+{
+    static const unsigned char form[2][12] = {
+        {0, 0, 32, 0, 23, 8, 0, 23, 127, 0, 0, 0},
+        {0, 0, 64, 0, 52, 11, 0, 52, 255, 3, 0, 0}};
+    bool wide = e->size == sizeof(double);
+    ovr_piece found = ovr_cut(&rest, sizeof form[0]);
+    return (wide || e->size == sizeof(float)) && found.good &&
+           bits == (wide ? 0x3f20u : 0x1f20u) &&
+           memcmp(found.at, form[wide], sizeof form[0]) == 0;
+}
+
+bool ovr_element_read(ovr_piece type, ovr_element *e)
+{
+    enum { INTEGER = 0, REAL = 1, CHARACTERS = 3, VARIABLE = 9 };
+    uint64_t kind = ovr_take(&type, 1) & 0x0f, bits = ovr_take(&type, 3);
+    e->size = (size_t)ovr_take(&type, 4);
+    if (!type.good || e->size == 0)
+        return false;
+    switch (kind) {
+    case INTEGER: e->kind = 'i'; return is_integer(e, bits, type);
+    case REAL: e->kind = 'f'; return is_real(e, bits, type);
+    case CHARACTERS: e->kind = 's'; return true;
+    case VARIABLE: e->kind = 'v'; return (bits & 0x0f) == 1 && e->size == 16;
+    default: return false;
+    }
+}
+
+int ovr_shape_read(ovr_piece space, uint64_t shape[2])
+{
+    uint64_t version = ovr_take(&space, 1), rank = ovr_take(&space, 1);
+    ovr_take(&space, 1);
+    ovr_cut(&space, version == 1 ? 5 : 1);
+    shape[0] = shape[1] = 1;
+    if ((version != 1 && version != 2) || rank > 2)
+        return -1;
+    for (uint64_t k = 0; k < rank; k++)
+        shape[k] = ovr_take(&space, 8);
+    return space.good ? (int)rank : -1;
+}
+
+static double one_value(const ovr_element *e, const unsigned char *from)
+{
+    ovr_piece b = {from, e->size, true};
+    uint64_t bits = ovr_take(&b, e->size);
+    uint32_t low = (uint32_t)bits;
+    double wide;
+    float narrow;
+    if (e->kind == 'i' && e->size == 1)
+        return (double)(int8_t)(uint8_t)low;
+    if (e->kind == 'i')
+        return (double)(int32_t)low;
+    if (e->size == sizeof narrow) {
+        memcpy(&narrow, &low, sizeof narrow);
+        return (double)narrow;
+    }
+    memcpy(&wide, &bits, sizeof wide);
+    return wide;
+}
+
+void ovr_element_values(const ovr_element *e, const unsigned char *from,
+                        size_t count, double *values)
+{
+    for (size_t k = 0; k < count; k++)
+        values[k] = one_value(e, from + k * e->size);
+}
+
+/* ----------------------------------------------------------------- datasets */
+
+/* Shuffle, then deflate; or no filters at all. */
+static bool read_filters(ovr_source *source, uint64_t object, bool *packed)
+{
+    enum { DEFLATE = 1, SHUFFLE = 2 };
+    ovr_piece b;
+    uint64_t version, count, first, second, values;
+    *packed = ovr_object_message(source, object, FILTERS, &b);
+    if (!*packed)
+        return true;
+    version = ovr_take(&b, 1);
+    count = ovr_take(&b, 1);
+    first = ovr_take(&b, 2);
+    ovr_take(&b, 2);
+    values = ovr_take(&b, 2);
+    ovr_cut(&b, 4 * values);
+    second = ovr_take(&b, 2);
+    return b.good && version == 2 && count == 2 && first == SHUFFLE &&
+           second == DEFLATE;
+}
+
+static bool read_layout(ovr_piece b, ovr_dataset *set)
+{
+    enum { CONTIGUOUS = 1, CHUNKED = 2 };
+    uint64_t version = ovr_take(&b, 1), kind = ovr_take(&b, 1), size;
+    set->chunked = kind == CHUNKED;
+    if (version != 3 || (kind != CONTIGUOUS && kind != CHUNKED))
+        return false;
+    if (!set->chunked) {
+        set->at = ovr_take(&b, 8);
+        return b.good;
+    }
+    if (ovr_take(&b, 1) != (uint64_t)set->rank + 1)
+        return false;
+    set->at = ovr_take(&b, 8);
+    set->chunk[0] = ovr_take(&b, 4);
+    set->chunk[1] = set->rank == 2 ? ovr_take(&b, 4) : 1;
+    size = ovr_take(&b, 4);
+    return b.good && size == set->element.size && set->chunk[0] > 0 &&
+           (set->rank == 1 ||
+            (set->chunk[0] == 1 && set->chunk[1] == set->shape[1]));
+}
+
+/* Rows of one dimension are stored as they are, one by one, so that there
+ * cannot be more than the file has bytes; of two, a row is a chunk.  The width
+ * is held against the positions, which are of one dimension. */
+static bool sizes_are_possible(const ovr_source *source, const ovr_dataset *set)
+{
+    uint64_t row = set->shape[1] * set->element.size;
+    if (set->rank == 1)
+        return !set->packed && set->shape[0] <= source->bytes &&
+               set->chunk[0] <= source->bytes;
+    return set->rank == 2 && set->chunked && set->shape[1] > 0 &&
+           set->shape[1] <= source->bytes && row <= UINT_MAX &&
+           set->shape[0] <= SIZE_MAX / 16;
+}
+
+bool ovr_container_dataset(ovr_container *c, uint64_t object, ovr_dataset *set)
+{
+    ovr_piece type, space, layout, other;
+    memset(set, 0, sizeof *set);
+    if (ovr_object_message(&c->source, object, OTHER_FILES, &other) ||
+        !ovr_object_message(&c->source, object, TYPE, &type) ||
+        !ovr_object_message(&c->source, object, SPACE, &space) ||
+        !ovr_object_message(&c->source, object, LAYOUT, &layout) ||
+        !ovr_element_read(type, &set->element) ||
+        (set->element.kind != 'f' && set->element.kind != 'i'))
+        return false;
+    set->rank = ovr_shape_read(space, set->shape);
+    return set->rank > 0 && read_layout(layout, set) &&
+           read_filters(&c->source, object, &set->packed) &&
+           sizes_are_possible(&c->source, set);
+}
+
+/* ------------------------------------------------------------------- chunks */
+
+typedef struct chunk {
+    uint64_t from;                /* its first row */
+    uint64_t at, bytes, left_out; /* the latter: filters, by bit */
+} chunk;
+
+typedef enum search { FOUND, NOT_THERE, DAMAGED } search;
+
+/* A node of a tree of version 1: pairs of a key and a child. */
+static bool load_node(ovr_source *source, uint64_t at, uint64_t pair,
+                      uint64_t *level, ovr_piece *pairs)
+{
+    enum { HEAD = 24 };
+    ovr_piece b;
+    uint64_t count;
+    if (!ovr_load(source, at, HEAD, &b) || memcmp(b.at, "TREE\1", 5) != 0)
+        return false;
+    ovr_cut(&b, 5);
+    *level = ovr_take(&b, 1);
+    count = ovr_take(&b, 2);
+    return ovr_load(source, at + HEAD, count * pair, pairs);
+}
+
+/* The last pair that does not begin behind `row`. */
+static bool pick(ovr_piece pairs, uint64_t pair, uint64_t row, chunk *picked)
+{
+    bool any = false;
+    while (pairs.left >= pair) {
+        chunk c = {0, 0, 0, 0};
+        c.bytes = ovr_take(&pairs, 4);
+        c.left_out = ovr_take(&pairs, 4);
+        c.from = ovr_take(&pairs, 8);
+        ovr_cut(&pairs, pair - 24);
+        c.at = ovr_take(&pairs, 8);
+        if (c.from > row)
+            break;
+        *picked = c;
+        any = true;
+    }
+    return any;
+}
+
+/* Every level is one below the last, so that the search ends. */
+static search find_chunk(ovr_source *source, const ovr_dataset *set,
+                         uint64_t row, chunk *c)
+{
+    const uint64_t pair = 16 + 8 * ((uint64_t)set->rank + 1);
+    uint64_t level, above = 0;
+    ovr_piece pairs;
+    c->at = set->at;
+    for (bool first = true; c->at != OVR_NOWHERE; first = false) {
+        if (!load_node(source, c->at, pair, &level, &pairs) ||
+            (!first && level + 1 != above))
+            return DAMAGED;
+        if (!pick(pairs, pair, row, c))
+            return NOT_THERE;
+        if (level == 0)
+            return c->from == row ? FOUND : NOT_THERE;
+        above = level;
+    }
+    return NOT_THERE;
+}
+
+static void fill(const ovr_element *e, uint64_t count, double *values)
+{
+    for (uint64_t k = 0; k < count; k++)
+        values[k] = e->kind == 'f' ? NAN : -1;
+}
+
+/* Values that lie in the file as they are. */
+static bool plain(ovr_source *source, const ovr_element *e, uint64_t at,
+                  uint64_t count, double *values)
+{
+    ovr_piece b;
+    if (!ovr_load(source, at, count * e->size, &b))
+        return false;
+    ovr_element_values(e, b.at, (size_t)count, values);
+    return true;
+}
+
+/* Of one dimension: the part of chunk after chunk that is wanted. */
+static bool column(ovr_source *source, const ovr_dataset *set, uint64_t row,
+                   uint64_t count, double *values)
+{
+    const ovr_element *e = &set->element;
+    while (count > 0) {
+        uint64_t from = row - row % set->chunk[0];
+        uint64_t part = from + set->chunk[0] - row;
+        chunk c;
+        search found = find_chunk(source, set, from, &c);
+        if (part > count)
+            part = count;
+        if (found == NOT_THERE)
+            fill(e, part, values);
+        else if (found == DAMAGED || c.bytes != set->chunk[0] * e->size ||
+                 !plain(source, e, c.at + (row - from) * e->size, part, values))
+            return false;
+        row += part;
+        count -= part;
+        values += part;
+    }
+    return true;
+}
+
+/* Of two dimensions: a row is a chunk. */
+static bool whole_row(ovr_source *source, const ovr_dataset *set, uint64_t row,
+                      double *values)
+{
+    const ovr_element *e = &set->element;
+    size_t count = (size_t)set->shape[1];
+    const unsigned char *data;
+    ovr_piece b;
+    chunk c;
+    search found = find_chunk(source, set, row, &c);
+    if (found == NOT_THERE)
+        fill(e, count, values);
+    if (found != FOUND)
+        return found == NOT_THERE;
+    if (!set->packed)
+        return c.bytes == count * e->size &&
+               plain(source, e, c.at, count, values);
+    if (!ovr_load(source, c.at, c.bytes, &b))
+        return false;
+    data = ovr_unpack(b.at, b.left, (unsigned)c.left_out, count, e->size,
+                      source->arena, &source->starved);
+    if (data)
+        ovr_element_values(e, data, count, values);
+    return data != NULL;
+}
+
+bool ovr_container_values(ovr_container *c, const ovr_dataset *set,
+                          uint64_t row, uint64_t count, double *values)
+{
+    const ovr_element *e = &set->element;
+    if (row > set->shape[0])
+        return false;
+    if (set->rank == 2)
+        return row < set->shape[0] && count == set->shape[1] &&
+               whole_row(&c->source, set, row, values);
+    if (count > set->shape[0] - row)
+        return false;
+    if (set->chunked)
+        return column(&c->source, set, row, count, values);
+    return plain(&c->source, e, set->at + row * e->size, count, values);
+}

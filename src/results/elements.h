@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Types, dimensions and values; part of container.h. */
+#ifndef OVR_RESULTS_ELEMENTS_H
+#define OVR_RESULTS_ELEMENTS_H
+
+#include "results/container.h"
+
+/* A message of an object's header by its kind. */
+bool ovr_object_message(ovr_source *source, uint64_t object, unsigned wanted,
+                        ovr_piece *body);
+
+/* From such messages: the type, and the dimensions (missing ones are 1), whose
+ * number is returned; false and -1 for what the writer never makes. */
+bool ovr_element_read(ovr_piece type, ovr_element *element);
+int ovr_shape_read(ovr_piece space, uint64_t shape[2]);
+
+/* Numbers of the file as numbers here. */
+void ovr_element_values(const ovr_element *element, const unsigned char *from,
+                        size_t count, double *values);
+
+#endif

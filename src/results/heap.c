@@ -1,0 +1,340 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Fractal heaps (FRHP, FHIB, FHDB), B-trees of version 2 (BTHD, BTIN, BTLF)
+ * and global heaps (GCOL).
+ *
+ * Source: The HDF Group, HDF5 File Format Specification, Version 3.0,
+ * sections III.A.2, III.E and III.G.
+ */
+#include "results/heap.h"
+
+#include <string.h>
+
+enum { ADDRESS = 8 };
+
+/* ------------------------------------------------------------------ B-tree */
+
+enum { ID_ROOM = 8, DEEPEST = 6, MOST_NODES = 1024 };
+
+/* Lists names of objects in a heap. */
+typedef struct tree {
+    ovr_source *source;
+    size_t node, record;        /* bytes */
+    size_t id_at, id_size;      /* in a record */
+    size_t count_size;          /* of the number of records of a node ... */
+    size_t total_size[DEEPEST]; /* ... and of those at and below that depth */
+    unsigned char *id;          /* ID_ROOM bytes each */
+    size_t count, most, nodes;
+} tree;
+
+/* How many bytes hold numbers up to `most`. */
+static size_t bytes_for(uint64_t most)
+{
+    size_t bytes = 1;
+    while (most >>= 8)
+        bytes++;
+    return bytes;
+}
+
+static size_t pointer_size(const tree *t, size_t depth)
+{
+    return ADDRESS + t->count_size + t->total_size[depth - 1];
+}
+
+static void find_sizes(tree *t)
+{
+    const size_t frame = 4 + 2 + 4; /* letters, version and kind, checksum */
+    uint64_t all = (t->node - frame) / t->record;
+    t->count_size = bytes_for(all);
+    t->total_size[0] = 0;
+    for (size_t d = 1; d < DEEPEST; d++) {
+        uint64_t pointer = pointer_size(t, d), most = 0;
+        if (t->node > frame + pointer)
+            most = (t->node - frame - pointer) / (t->record + pointer);
+        all = (most + 1) * all + most;
+        t->total_size[d] = bytes_for(all);
+    }
+}
+
+/* The records of a node, without those of its children. */
+static bool add_records(tree *t, ovr_piece *node, uint64_t count)
+{
+    for (uint64_t k = 0; k < count && node->good; k++) {
+        ovr_piece record = ovr_cut(node, t->record);
+        if (t->count == t->most || !record.good)
+            return false;
+        memcpy(t->id + ID_ROOM * t->count++, record.at + t->id_at, t->id_size);
+    }
+    return node->good;
+}
+
+static bool add_node(tree *t, uint64_t at, uint64_t count, size_t depth)
+{
+    size_t pointer = depth ? pointer_size(t, depth) : 0;
+    uint64_t used = 10 + count * t->record + (depth ? count + 1 : 0) * pointer;
+    ovr_piece node;
+    bool good;
+    if (++t->nodes > MOST_NODES || used > t->node ||
+        !ovr_load_block(t->source, at, used, depth ? "BTIN" : "BTLF", &node))
+        return false;
+    ovr_take(&node, 2); /* version, kind */
+    good = add_records(t, &node, count);
+    for (uint64_t k = 0; good && depth && k <= count; k++) {
+        uint64_t child = ovr_take(&node, ADDRESS);
+        uint64_t records = ovr_take(&node, t->count_size);
+        ovr_take(&node, t->total_size[depth - 1]);
+        good = node.good && add_node(t, child, records, depth - 1);
+    }
+    return good;
+}
+
+/* Kind 5 lists links, kind 8 attributes, both by a hash of the name. */
+static bool find_form(tree *t, uint64_t kind)
+{
+    t->id_at = kind == 5 ? 4 : 0;
+    t->id_size = kind == 5 ? 7 : 8;
+    return t->node >= 64 && t->node <= 1 << 16 &&
+           ((kind == 5 && t->record == 11) || (kind == 8 && t->record == 17));
+}
+
+static bool list(tree *t, uint64_t at)
+{
+    enum { HEADER = 38 };
+    ovr_piece b;
+    uint64_t kind, depth, root, count, all;
+    if (!ovr_load_block(t->source, at, HEADER, "BTHD", &b))
+        return false;
+    ovr_take(&b, 1);
+    kind = ovr_take(&b, 1);
+    t->node = (size_t)ovr_take(&b, 4);
+    t->record = (size_t)ovr_take(&b, 2);
+    depth = ovr_take(&b, 2);
+    ovr_take(&b, 2);
+    root = ovr_take(&b, ADDRESS);
+    count = ovr_take(&b, 2);
+    all = ovr_take(&b, 8);
+    if (!find_form(t, kind) || depth >= DEEPEST || all > OVR_MOST_ITEMS)
+        return false;
+    t->most = (size_t)all;
+    t->id = ovr_arena_take(t->source->arena, t->most, ID_ROOM, NULL);
+    t->source->starved = t->source->starved || !t->id;
+    find_sizes(t);
+    return t->id &&
+           (root == OVR_NOWHERE || add_node(t, root, count, (size_t)depth));
+}
+
+/* ------------------------------------------------------------ fractal heap */
+
+/* Blocks of one width stand in rows; those of row 0 and 1 have `start` bytes,
+ * those of each row after it twice as many as the last; above `largest` they
+ * are tables of smaller ones. */
+typedef struct heap {
+    ovr_source *source;
+    uint64_t at, width, start, largest, root, rows;
+    size_t id_size, offset_size, length_size;
+    bool summed;
+    ovr_piece block; /* the last one that was read */
+    uint64_t from;
+} heap;
+
+static bool power_of_two(uint64_t n)
+{
+    return n && !(n & (n - 1));
+}
+
+static uint64_t log_two(uint64_t n)
+{
+    uint64_t log = 0;
+    while (n >>= 1)
+        log++;
+    return log;
+}
+
+static bool open_heap(heap *h)
+{
+    enum { HEADER = 146 };
+    ovr_piece b;
+    uint64_t filters, flags, managed, bits;
+    if (!ovr_load_block(h->source, h->at, HEADER, "FRHP", &b))
+        return false;
+    ovr_take(&b, 1);
+    h->id_size = (size_t)ovr_take(&b, 2);
+    filters = ovr_take(&b, 2);
+    flags = ovr_take(&b, 1);
+    managed = ovr_take(&b, 4);
+    ovr_cut(&b, 96); /* huge and tiny objects, free space */
+    h->width = ovr_take(&b, 2);
+    h->start = ovr_take(&b, 8);
+    h->largest = ovr_take(&b, 8);
+    bits = ovr_take(&b, 2);
+    ovr_take(&b, 2);
+    h->root = ovr_take(&b, ADDRESS);
+    h->rows = ovr_take(&b, 2);
+    h->summed = flags & 2;
+    h->offset_size = (size_t)(bits + 7) / 8;
+    h->length_size = (size_t)(log_two(h->largest) + 7) / 8;
+    if (bytes_for(managed) < h->length_size)
+        h->length_size = bytes_for(managed);
+    h->from = OVR_NOWHERE;
+    return b.good && !filters && power_of_two(h->width) && h->width <= 64 &&
+           power_of_two(h->start) && power_of_two(h->largest) &&
+           h->start <= h->largest && h->largest <= 1u << 20 && bits <= 40 &&
+           h->rows <= 40 && h->id_size <= ID_ROOM &&
+           1 + h->offset_size + h->length_size <= h->id_size;
+}
+
+/* The checksum of a direct block stands in its header, and counts as zero. */
+static bool direct_holds(heap *h, size_t at)
+{
+    ovr_piece sum = h->block;
+    unsigned char *copy = ovr_arena_take(h->source->arena, h->block.left, 1,
+                                         NULL);
+    h->source->starved = h->source->starved || !copy;
+    if (!copy)
+        return false;
+    memcpy(copy, h->block.at, h->block.left);
+    memset(copy + at, 0, 4);
+    ovr_cut(&sum, at);
+    return ovr_checksum_holds(copy, h->block.left, ovr_take(&sum, 4));
+}
+
+static bool load_direct(heap *h, uint64_t at, uint64_t from, uint64_t size)
+{
+    ovr_piece b;
+    uint64_t owner, offset;
+    if (h->from == from)
+        return true;
+    h->from = OVR_NOWHERE;
+    if (!ovr_load(h->source, at, size, &h->block) || size < 32 ||
+        memcmp(h->block.at, "FHDB", 4) != 0)
+        return false;
+    b = h->block;
+    ovr_take(&b, 5);
+    owner = ovr_take(&b, ADDRESS);
+    offset = ovr_take(&b, h->offset_size);
+    if (owner != h->at || offset != from ||
+        (h->summed && !direct_holds(h, 5 + ADDRESS + h->offset_size)))
+        return false;
+    h->from = from;
+    return true;
+}
+
+/* Where in the heap's table an offset lies. */
+typedef struct place {
+    uint64_t row, column, from, size;
+} place;
+
+static place place_of(const heap *h, uint64_t offset)
+{
+    place p = {0, 0, 0, h->start};
+    uint64_t row_size = h->start * h->width;
+    while (offset >= p.from + row_size) {
+        p.from += row_size;
+        if (p.row++ > 0) {
+            p.size *= 2;
+            row_size *= 2;
+        }
+    }
+    p.column = (offset - p.from) / p.size;
+    p.from += p.column * p.size;
+    return p;
+}
+
+/* The address of entry `number` in a table of blocks. */
+static bool find_child(const heap *h, uint64_t at, uint64_t rows,
+                       uint64_t number, uint64_t *child)
+{
+    uint64_t entries = rows * h->width;
+    ovr_piece b;
+    if (rows > 40 || number >= entries ||
+        !ovr_load_block(h->source, at,
+                        4 + 1 + ADDRESS + h->offset_size + ADDRESS * entries +
+                            4,
+                        "FHIB", &b))
+        return false;
+    ovr_cut(&b, 1 + ADDRESS + h->offset_size + ADDRESS * number);
+    *child = ovr_take(&b, ADDRESS);
+    return b.good && *child != OVR_NOWHERE;
+}
+
+/* Reads the direct block that `offset` lies in. */
+static bool find_block(heap *h, uint64_t offset)
+{
+    uint64_t at = h->root, rows = h->rows, base = 0;
+    if (rows == 0)
+        return offset < h->start && load_direct(h, at, 0, h->start);
+    for (;;) {
+        place p = place_of(h, offset - base);
+        if (p.row >= rows ||
+            !find_child(h, at, rows, p.row * h->width + p.column, &at))
+            return false;
+        base += p.from;
+        if (p.size <= h->largest)
+            return load_direct(h, at, base, p.size);
+        rows = log_two(p.size) - log_two(h->start * h->width) + 1;
+    }
+}
+
+static bool find_object(heap *h, const unsigned char *id, ovr_piece *out)
+{
+    ovr_piece b = {id, h->id_size, true};
+    uint64_t kind = ovr_take(&b, 1);
+    uint64_t offset = ovr_take(&b, h->offset_size);
+    uint64_t length = ovr_take(&b, h->length_size);
+    if (kind != 0 || !find_block(h, offset)) /* managed objects only */
+        return false;
+    *out = h->block;
+    ovr_cut(out, offset - h->from);
+    *out = ovr_cut(out, length);
+    return out->good;
+}
+
+bool ovr_heap_items(ovr_source *source, uint64_t at, uint64_t tree_at,
+                    ovr_items *items)
+{
+    heap h = {.source = source, .at = at};
+    tree t = {.source = source};
+    items->count = 0;
+    if (!list(&t, tree_at) || !open_heap(&h))
+        return false;
+    items->item = ovr_arena_take(source->arena, t.count, sizeof *items->item,
+                                 NULL);
+    source->starved = source->starved || !items->item;
+    if (!items->item)
+        return false;
+    for (; items->count < t.count; items->count++)
+        if (!find_object(&h, t.id + ID_ROOM * items->count,
+                         &items->item[items->count]))
+            return false;
+    return true;
+}
+
+/* ------------------------------------------------------------- global heap */
+
+bool ovr_heap_text(ovr_source *source, uint64_t at, uint64_t index,
+                   ovr_piece *out)
+{
+    enum { HEADER = 16 };
+    ovr_piece b;
+    uint64_t size;
+    if (!ovr_load(source, at, HEADER, &b) || memcmp(b.at, "GCOL", 4) != 0)
+        return false;
+    ovr_take(&b, 8);
+    size = ovr_take(&b, 8);
+    if (!ovr_load(source, at, size, &b))
+        return false;
+    ovr_cut(&b, HEADER);
+    while (b.left >= HEADER && b.good) {
+        uint64_t number = ovr_take(&b, 2);
+        uint64_t length;
+        ovr_take(&b, 6);
+        length = ovr_take(&b, 8);
+        if (number == 0) /* what is free */
+            return false;
+        *out = ovr_cut(&b, length);
+        if (number == index)
+            return out->good;
+        ovr_cut(&b, -length % 8);
+    }
+    return false;
+}

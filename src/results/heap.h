@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Where HDF5 keeps what does not fit into an object's header: links and
+ * attributes in fractal heaps that a B-tree (version 2) lists, texts in
+ * global heaps.  Part of container.h.
+ */
+#ifndef OVR_RESULTS_HEAP_H
+#define OVR_RESULTS_HEAP_H
+
+#include "results/blocks.h"
+
+/* No group or object has more links or attributes than this. */
+enum { OVR_MOST_ITEMS = 4096 };
+
+typedef struct ovr_items {
+    ovr_piece *item;
+    size_t count;
+} ovr_items;
+
+/* All that a tree lists and a heap holds; false: damaged. */
+bool ovr_heap_items(ovr_source *source, uint64_t heap, uint64_t tree,
+                    ovr_items *items);
+
+/* One object of a global heap. */
+bool ovr_heap_text(ovr_source *source, uint64_t heap, uint64_t index,
+                   ovr_piece *out);
+
+/* Nothing lies there: the address that HDF5 calls undefined. */
+#define OVR_NOWHERE UINT64_MAX
+
+#endif

@@ -1,0 +1,373 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Every parameter with everything wrong that a value can be, made from the
+ * table of parameters: one line with file, line, key, value and what is
+ * allowed.  A new parameter is covered by itself.
+ */
+#include "support/test.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "overroll/overroll.h"
+
+static char text[65536];
+
+/* A case in which `key = value` stands in its section, in line 2. */
+static const char *case_with(const ovr_parameter_info *p, const char *value)
+{
+    const char *name = strcmp(p->section, "feature") ? "" : " f";
+    snprintf(text, sizeof text, "[%s%s]\n%s = %s\n", p->section, name, p->key,
+             value);
+    return text;
+}
+
+static bool of_type(const ovr_parameter_info *p, const char *type)
+{
+    return strcmp(p->type, type) == 0;
+}
+
+static bool is_text(const ovr_parameter_info *p)
+{
+    return of_type(p, "text") || of_type(p, "path");
+}
+
+static bool shows(const char *message, const char *format, double number)
+{
+    char wanted[40];
+    snprintf(wanted, sizeof wanted, format, number);
+    return strstr(message, wanted) != NULL;
+}
+
+/* All words; a number's largest value, or its units. */
+static bool says_what_is_allowed(const ovr_parameter_info *p,
+                                 const char *message)
+{
+    bool range = shows(message, "%.0f", p->most) ||
+                 shows(message, "%g", p->most);
+    if (is_text(p))
+        return strstr(message, "; allowed: ") != NULL;
+    if (of_type(p, "yes or no"))
+        return strstr(message, "yes") && strstr(message, "no");
+    for (size_t k = 0; isnan(p->least) && p->choices[k]; k++)
+        if (!strstr(message, p->choices[k]))
+            return false;
+    return isnan(p->least) || range ||
+           (*p->units && strstr(message, p->units)) ||
+           strstr(message, "without a unit");
+}
+
+/* File, line, key, value, what is allowed; one line. */
+static void check_message(const ovr_parameter_info *p, const char *value,
+                          const char *place, const ovr_error *err)
+{
+    size_t length = strlen(place);
+    bool listed = strpbrk(value,
+                          of_type(p, "words") ? ", " : ","); /* part by part */
+    if (strncmp(err->message, place, length) != 0 ||
+        strncmp(err->message + length, p->key, strlen(p->key)) != 0 ||
+        (!listed && *value != ' ' && !strstr(err->message, value)) ||
+        strchr(err->message, '\n') || !says_what_is_allowed(p, err->message))
+        fail_msg("[%s] %s = '%s' says: %s", p->section, p->key, value,
+                 err->message);
+}
+
+static void bad_value(const ovr_parameter_info *p, const char *value)
+{
+    ovr_error err = {0};
+    char where[100];
+    ovr_case *c = ovr_case_read_text(case_with(p, value), "t.ini", NULL, NULL,
+                                     &err);
+    if (c)
+        fail_msg("[%s] %s = '%s' was taken", p->section, p->key, value);
+    assert_int_equal(err.status, OVR_BAD_INPUT);
+    check_message(p, value, "t.ini:2: ", &err);
+
+    /* the same from the command line */
+    snprintf(where, sizeof where, "%s%s.%s", p->section,
+             strcmp(p->section, "feature") ? "" : " f", p->key);
+    c = ovr_case_create(NULL, &err);
+    assert_non_null(c);
+    assert_int_equal(
+        ovr_case_set(c, where, *value == ' ' ? "" : value, "--set", &err),
+        OVR_BAD_INPUT);
+    check_message(p, value, "--set: ", &err);
+    ovr_case_free(c);
+}
+
+/* The value in the SI unit, where a unit must be. */
+static void put_number(const ovr_parameter_info *p, double value, char *number,
+                       size_t room)
+{
+    bool unit = *p->units && !*p->bare;
+    snprintf(number, room, "%.17g%s%.*s", value, unit ? " " : "",
+             unit ? (int)strcspn(p->units, ",") : 0, p->units);
+}
+
+/* Taken or refused as the range says; and if taken, resolving ends well or
+ * names the case. */
+static void number(const ovr_parameter_info *p, double value)
+{
+    char with_unit[80];
+    ovr_error err = {0};
+    bool inside = (p->above ? value > p->least : value >= p->least) &&
+                  value <= p->most;
+    bool whole = of_type(p, "whole number") && value != floor(value);
+    ovr_case *c;
+    put_number(p, value, with_unit, sizeof with_unit);
+    c = ovr_case_read_text(case_with(p, with_unit), "t.ini", NULL, NULL, &err);
+    if ((c != NULL) != (inside && !whole))
+        fail_msg("[%s] %s = %s: %s", p->section, p->key, with_unit,
+                 c ? "was taken" : err.message);
+    if (!c) {
+        check_message(p, with_unit, "t.ini:2: ", &err);
+        return;
+    }
+    ovr_setup *s = ovr_case_resolve(c, NULL, &err);
+    if (!s && !strstr(err.message, "t.ini"))
+        fail_msg("[%s] %s = %s says: %s", p->section, p->key, with_unit,
+                 err.message);
+    ovr_setup_free(s);
+    ovr_case_free(c);
+}
+
+/* Missing, no number, infinite, of another unit, huge, tiny, negative, zero. */
+static void every_parameter_refuses_nonsense(void **state)
+{
+    static const char *const words[] = {"nan",   "inf",     "-inf",
+                                        "1e999", "quux",    "3 furlong",
+                                        "1,5;2", "\303\244"};
+    static const double values[] = {0,     -1,  1e300, -1e300, 1e-300,
+                                    1e-20, 0.5, 1e9,   1,      -1e-9};
+    (void)state;
+    for (size_t k = 0; k < ovr_parameter_count(); k++) {
+        ovr_parameter_info p = ovr_parameter_at(k);
+        assert_true(p.help && *p.help);
+        bad_value(&p, "");
+        bad_value(&p, " # only a comment");
+        for (size_t i = 0; !is_text(&p) && i < sizeof words / sizeof *words;
+             i++)
+            bad_value(&p, words[i]);
+        if (isnan(p.least))
+            continue;
+        assert_true(p.least <= p.most);
+        if (*p.units && !*p.bare)
+            bad_value(&p, "1"); /* a unit is needed */
+        bad_value(&p, *p.units && strstr(p.units, "m/s") ? "1 Pa" : "1 m/s");
+        for (size_t i = 0; i < sizeof values / sizeof *values; i++)
+            number(&p, values[i]);
+    }
+}
+
+static const char *some_value(const ovr_parameter_info *p)
+{
+    static char value[80];
+    if (p->initial)
+        return p->initial;
+    if (isnan(p->least))
+        return p->choices[0] ? p->choices[0] : "yes";
+    put_number(p, p->least > 1 || p->most < 1 ? p->most : 1, value,
+               sizeof value);
+    return value;
+}
+
+static void refused(const char *format, const ovr_parameter_info *p)
+{
+    char wanted[200];
+    ovr_error err = {0};
+    ovr_case *c = ovr_case_read_text(text, "t.ini", NULL, NULL, &err);
+    if (c)
+        fail_msg("was taken:\n%s", text);
+    snprintf(wanted, sizeof wanted, format, p->key);
+    CHECK_ERROR(&err, OVR_BAD_INPUT, wanted);
+}
+
+/* Given twice; with a letter too many; in a section that is not its own. */
+static void every_key_has_one_place(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < ovr_parameter_count(); k++) {
+        ovr_parameter_info p = ovr_parameter_at(k);
+        const char *value = some_value(&p);
+        size_t length = strlen(case_with(&p, value));
+        snprintf(text + length, sizeof text - length, "%s = %s\n", p.key,
+                 value);
+        refused("t.ini:3: '%s' is given twice in [", &p);
+        ovr_parameter_info wrong = p;
+        char key[80];
+        snprintf(key, sizeof key, "%sx", p.key);
+        wrong.key = key;
+        case_with(&wrong, value);
+        refused("t.ini:2: unknown key '%s' in [", &wrong);
+        if (strlen(p.key) > 3)
+            refused("did you mean '", &wrong);
+        snprintf(text, sizeof text, "%s = %s\n", p.key, value);
+        refused("t.ini:1: a [section] must come before", &p);
+    }
+}
+
+static void every_default_is_allowed(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < ovr_parameter_count(); k++) {
+        ovr_parameter_info p = ovr_parameter_at(k);
+        if (!p.initial)
+            continue;
+        ovr_case *c = ovr_case_read_text(case_with(&p, p.initial), "t.ini",
+                                         NULL, NULL, NULL);
+        if (!c)
+            fail_msg("[%s] %s = %s", p.section, p.key, p.initial);
+        ovr_case_free(c);
+    }
+}
+
+/* ---------------------------------------------------------------- missing */
+
+static ovr_status resolve(const char *source, ovr_error *err)
+{
+    ovr_case *c = ovr_case_read_text(source, "t.ini", NULL, NULL, err);
+    ovr_setup *s = c ? ovr_case_resolve(c, NULL, err) : NULL;
+    ovr_status status = s ? ovr_setup_prepare(s, NULL, err) : err->status;
+    ovr_setup_free(s);
+    ovr_case_free(c);
+    return status;
+}
+
+static const ovr_parameter_info *find(const char *section, const char *key)
+{
+    static ovr_parameter_info p;
+    for (size_t k = 0; k < ovr_parameter_count(); k++) {
+        p = ovr_parameter_at(k);
+        if (!strcmp(p.section, section) && !strcmp(p.key, key))
+            return &p;
+    }
+    fail_msg("no [%s] %s", section, key);
+    return NULL;
+}
+
+/* The contact of numbers with units, each line in turn left out: what is
+ * missing is named by its key, unless a default takes its place. */
+static void what_is_missing_is_named(void **state)
+{
+    static const char *const lines[][2] = {
+        {"load", "307 kN/m"},      {"radius", "10 mm"},
+        {"modulus", "226 GPa"},    {"mean_speed", "1.3 m/s"},
+        {"viscosity", "40 mPa.s"}, {"alpha", "17 1/GPa"}};
+    enum { LINES = sizeof lines / sizeof *lines };
+    (void)state;
+    for (int without = -1; without < LINES; without++) {
+        size_t used = (size_t)snprintf(text, sizeof text, "[contact]\n");
+        ovr_error err = {0};
+        for (int i = 0; i < LINES; i++)
+            if (i != without)
+                used += (size_t)snprintf(text + used, sizeof text - used,
+                                         "%s = %s\n", lines[i][0], lines[i][1]);
+        if (without < 0) {
+            CHECK_OK(resolve(text, &err), &err);
+            continue;
+        }
+        if (resolve(text, &err) == OVR_OK)
+            fail_msg("not missed: %s", lines[without][0]);
+        CHECK_ERROR(&err, OVR_BAD_INPUT, lines[without][0]);
+        CHECK_ERROR(&err, OVR_BAD_INPUT, " is missing");
+    }
+}
+
+/* From a bare shape on: what is asked for is given, until it is enough. */
+static void every_shape_asks_for_its_sizes(void **state)
+{
+    const ovr_parameter_info shape = *find("feature", "shape");
+    int asked = 0;
+    (void)state;
+    for (size_t k = 0; shape.choices[k]; k++) {
+        size_t used = (size_t)snprintf(text, sizeof text,
+                                       "[contact]\nM = 20\nL = 10\n"
+                                       "[domain]\nlevel = 9\n"
+                                       "[feature f]\nshape = %s\n",
+                                       shape.choices[k]);
+        ovr_error err = {0};
+        while (resolve(text, &err)) {
+            char key[40];
+            const char *needs = strstr(err.message, "needs its ");
+            if (!needs)
+                fail_msg("%s: %s", shape.choices[k], err.message);
+            assert_memory_equal(err.message, "t.ini:", 6);
+            if (strstr(needs, "file")) /* a profile's */
+                break;
+            snprintf(key, sizeof key, "%.*s", (int)strcspn(needs + 10, " ,;"),
+                     needs + 10);
+            if (!strcmp(key, "place"))
+                snprintf(key, sizeof key, "start");
+            used += (size_t)snprintf(text + used, sizeof text - used,
+                                     "%s = %s\n", key,
+                                     !strcmp(key, "start")    ? "-6"
+                                     : !strcmp(key, "length") ? "4"
+                                                              : "0.5");
+            assert_true(++asked < 100);
+        }
+    }
+    assert_true(asked > 15);
+}
+
+/* --------------------------------------------------------- beyond memory */
+
+static size_t largest; /* piece asked for */
+
+static void *take(void *context, size_t bytes)
+{
+    (void)context;
+    largest = bytes > largest ? bytes : largest;
+    return calloc(1, bytes);
+}
+
+static void give(void *context, void *memory)
+{
+    (void)context;
+    free(memory);
+}
+
+/* The largest level, if this machine is too small for it: what it would take
+ * is said, and nothing of that size was allocated. */
+static void memory_is_estimated_first(void **state)
+{
+    const ovr_parameter_info level = *find("domain", "level");
+    const ovr_allocator hook = {take, give, NULL};
+    ovr_options o = ovr_options_default();
+    double here = (double)sysconf(_SC_PHYS_PAGES) *
+                  (double)sysconf(_SC_PAGE_SIZE);
+    ovr_error err = {0};
+    (void)state;
+    o.level = (int)level.most;
+    if (ovr_simulation_memory(&o) < 0.8 * here)
+        skip();
+    snprintf(text, sizeof text,
+             "[contact]\nM = 20\nL = 10\n[domain]\n"
+             "level = %d\n",
+             o.level);
+    ovr_case *c = ovr_case_read_text(text, "t.ini", NULL, &hook, &err);
+    assert_non_null(c);
+    ovr_setup *s = ovr_case_resolve(c, &hook, &err);
+    if (s)
+        assert_int_equal(ovr_setup_prepare(s, &hook, &err), OVR_BAD_INPUT);
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "t.ini:5: level: ");
+    CHECK_ERROR(&err, OVR_BAD_INPUT, " GB of memory, of which this machine ");
+    assert_true(largest < 1000000);
+    ovr_setup_free(s);
+    ovr_case_free(c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_parameter_refuses_nonsense),
+        cmocka_unit_test(every_key_has_one_place),
+        cmocka_unit_test(every_default_is_allowed),
+        cmocka_unit_test(what_is_missing_is_named),
+        cmocka_unit_test(every_shape_asks_for_its_sizes),
+        cmocka_unit_test(memory_is_estimated_first),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,75 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Any one allocation of the whole process fails, those inside the libraries
+# too.  Commands that read end with a code of their own and one line, whichever
+# it is.  Those that write end so unless it was HDF5's: it aborts or crashes
+# then, which is counted, and what the run leaves is a whole file or none.
+. "$TOP/tests/support/cli.sh"
+[ -z "$INSTRUMENTED" ] || skip "sanitizers and preloading do not mix"
+"$CC" -shared -fPIC -O1 -o faults.so "$TOP/tests/cli/preload.c" -ldl \
+    2>log || skip "no preloading here"
+
+cat >dent.ini <<'END'
+[contact]
+M = 20
+L = 10
+[domain]
+level = 4
+[time]
+end = 0.5
+[load]
+history = table
+file = load.txt
+[feature dent]
+shape = dent
+depth = 0.1
+width = 0.5
+start = -1.5
+[output]
+every = 1
+END
+printf '0 1\n1 1.1\n2 1\n' >load.txt
+expect 0 "$OVERROLL" run dent.ini -o whole.h5 -q
+
+# faulty K COMMAND...: that allocation fails; the exit code in $code.
+faulty() {
+    k=$1
+    shift
+    code=0
+    env FAULT_MALLOC="$k" FAULT_REPORT=counts LD_PRELOAD=./faults.so \
+        "$OVERROLL" "$@" >out 2>err || code=$?
+}
+
+# each COMMAND...: every allocation in turn.
+each() {
+    faulty 0 "$@"
+    all=$(awk '{ print $1 }' counts)
+    [ "$all" -ge 5 ] || fail "$*: $all allocations"
+    for k in $(seq 1 "$all"); do
+        faulty "$k" "$@"
+        [ $code -le 2 ] || fail "$*: allocation $k: exit code $code"
+        [ $code -eq 0 ] || [ "$(wc -l <err)" -eq 1 ] ||
+            fail "$*: allocation $k: not one line: $(cat err)"
+    done
+    echo "$all allocations: $*"
+}
+
+each info whole.h5
+each export whole.h5 --all
+each view whole.h5 -o page.html --force
+each check dent.ini
+each steady --M 20 --L 10 --level 6
+each profile load.txt
+
+faulty 0 run dent.ini -o a.h5 -q
+all=$(awk '{ print $1 }' counts)
+tried=0 died=0
+for k in $(seq 1 "${STRIDE:-37}" "$all"); do
+    rm -f a.h5*
+    faulty "$k" run dent.ini -o a.h5 -q
+    tried=$((tried + 1))
+    [ $code -le 2 ] || died=$((died + 1))
+    [ ! -e a.h5 ] || "$OVERROLL" info a.h5 >log 2>&1 ||
+        fail "run: allocation $k: a file that cannot be read: $(cat log)"
+done
+echo "$all allocations: run; of $tried that failed $died ended it inside HDF5"
