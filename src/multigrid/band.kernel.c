@@ -4,8 +4,8 @@
  *
  *     l2_i x_{i-2} + l1_i x_{i-1} + c_i x_i + u1_i x_{i+1} + u2_i x_{i+2} = d_i
  *
- * LU without pivoting is one chain of divisions.  Here the rows are cut into
- * partitions of S rows, one a vector lane:
+ * LU without pivoting is one chain of divisions.  Here each lane (lanes.h) is a
+ * partition of its own:
  *  1. Elimination from the left within each partition.  L = the last two
  *     unknowns of the partition before stay as two columns, A and B:
  *         x_J = D - U1 x_{J+1} - U2 x_{J+2} - A L_0 - B L_1.
@@ -18,9 +18,13 @@
  * One division a row and vector.  Agrees with the scalar LU to rounding; like
  * it, relies on a dominant enough diagonal.
  *
- * Memory: rows lie in natural order; a tile of VEC rows of each of VEC
- * partitions is transposed in registers, and U1, U2, D, A, B are left in the
- * tile's own places (tile vector k in the places of partition k).
+ * Where diffusion rules, as in the inlet on fine grids, the rows are third
+ * differences, whose solutions grow as the square of the distance: step 2 then
+ * knows the unknowns to some S^2 roundings, and residuals have a peak where two
+ * partitions meet.  So
+ *  4. on fine grids the rows about each meeting are solved again, between what
+ *     stands on both sides: its error is spread over a window w rows wide, and
+ *     its third difference is w^3 times smaller.
  */
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
@@ -80,14 +84,6 @@ static inline void advance(chain *c, row r)
     c->last = r;
     c->h[0] = follow(c->h[0], &r);
     c->h[1] = follow(c->h[1], &r);
-}
-
-/* Rows of a tile: vector k is row J + k of VEC partitions. */
-static inline void load_tile(const double *x, size_t S, vec tile[VEC])
-{
-    for (size_t k = 0; k < VEC; k++)
-        tile[k] = load(x + k * S);
-    transpose(tile);
 }
 
 /* What the partitions have to do with each other, by partition: first two
@@ -187,81 +183,99 @@ static void solve_reduced(reduced *r)
     }
 }
 
-static inline void keep(const ovr_band *band, size_t at, const row *r)
+static inline void keep(const ovr_band *band, ptrdiff_t J, const row *r)
 {
-    store(band->b[0] + at, r->A);
-    store(band->b[1] + at, r->B);
-    store(band->b[3] + at, r->U1);
-    store(band->b[4] + at, r->U2);
-    store(band->delta + at, r->D);
+    put(band->b[0], J, r->A);
+    put(band->b[1], J, r->B);
+    put(band->b[3], J, r->U1);
+    put(band->b[4], J, r->U2);
+    put(band->delta, J, r->D);
 }
 
-static void forward(const ovr_band *band, size_t S, reduced *out)
+static void forward(const ovr_band *band, ptrdiff_t S, reduced *out)
 {
     chain c = begin_chain();
-    vec t[6][VEC];
-    for (size_t J = 0; J < S; J += VEC) {
-        for (size_t d = 0; d < 5; d++)
-            load_tile(band->b[d] + J, S, t[d]);
-        load_tile(band->delta + J, S, t[5]);
-        for (size_t k = 0; k < VEC; k++) {
-            row r = eliminate(&c, t[0][k], t[1][k], t[2][k], t[3][k], t[4][k],
-                              t[5][k]);
-            advance(&c, r);
-            keep(band, k * S + J, &r);
-        }
+    for (ptrdiff_t J = 0; J < S; J++) {
+        row r = eliminate(&c, at(band->b[0], J), at(band->b[1], J),
+                          at(band->b[2], J), at(band->b[3], J),
+                          at(band->b[4], J), at(band->delta, J));
+        advance(&c, r);
+        keep(band, J, &r);
     }
     end_chain(&c, out);
 }
 
-static void backward(const ovr_band *band, size_t S, const reduced *in)
+static void backward(const ovr_band *band, ptrdiff_t S, const reduced *in)
 {
     vec next = load(in->first[0] + 1), after = load(in->first[1] + 1);
     vec L0 = load(in->last[0]), L1 = load(in->last[1]);
-    for (size_t J = S; J > 0;) {
-        vec x[VEC];
-        J -= VEC;
-        for (size_t k = VEC; k-- > 0;) {
-            size_t at = k * S + J;
-            vec D = load(band->delta + at);
-            D = less(D, load(band->b[0] + at), L0);
-            D = less(D, load(band->b[1] + at), L1);
-            D = less(D, load(band->b[4] + at), after);
-            after = next;
-            x[k] = next = less(D, load(band->b[3] + at), next);
+    for (ptrdiff_t J = S - 1; J >= 0; J--) {
+        vec x = less(at(band->delta, J), at(band->b[0], J), L0);
+        x = less(x, at(band->b[1], J), L1);
+        x = less(x, at(band->b[4], J), after);
+        after = next;
+        next = less(x, at(band->b[3], J), next);
+        put(band->delta, J, next);
+    }
+}
+
+/* Rows on both sides of the meetings: the last HALF of each partition and the
+ * first HALF of the next, in the element of the former. */
+enum { HALF = 24, FINE = 4096 };
+typedef struct window {
+    vec b[5][2 * HALF], d[2 * HALF];
+} window;
+
+/* Behind the last partition delta = 0. */
+static void copy_window(const ovr_band *band, ptrdiff_t S, window *w)
+{
+    for (ptrdiff_t k = 0; k < HALF; k++) {
+        for (int d = 0; d < 5; d++) {
+            w->b[d][k] = at(band->b[d], S - HALF + k);
+            w->b[d][HALF + k] = lanes_down(at(band->b[d], k), all(d == 2));
         }
-        transpose(x);
-        for (size_t k = 0; k < VEC; k++)
-            store(band->delta + k * S + J, x[k]);
+        w->d[k] = at(band->delta, S - HALF + k);
+        w->d[HALF + k] = lanes_down(at(band->delta, k), all(0));
     }
 }
 
-/* Rows n..count-1 say x = 0. */
-static void pad_rows(const ovr_band *band, size_t n, size_t count)
+/* The two unknowns before a window and the two behind it are known: no columns
+ * of L, its values stand on the right-hand side. */
+static void solve_window(const ovr_band *band, ptrdiff_t S, const window *w)
 {
-    for (size_t i = n; i < count; i++) {
-        for (size_t d = 0; d < 5; d++)
-            band->b[d][i] = d == 2;
-        band->delta[i] = 0;
+    chain c = begin_chain();
+    vec U1[2 * HALF], U2[2 * HALF], x[2 * HALF + 2];
+    double *delta = band->delta;
+    c.before.A = c.last.B = all(0);
+    c.before.D = at(delta, S - HALF - 2);
+    c.last.D = at(delta, S - HALF - 1);
+    for (int k = 0; k < 2 * HALF; k++) {
+        row r = eliminate(&c, w->b[0][k], w->b[1][k], w->b[2][k], w->b[3][k],
+                          w->b[4][k], w->d[k]);
+        c.before = c.last;
+        c.last = r;
+        U1[k] = r.U1, U2[k] = r.U2, x[k] = r.D;
+    }
+    x[2 * HALF] = lanes_down(at(delta, HALF), all(0));
+    x[2 * HALF + 1] = lanes_down(at(delta, HALF + 1), all(0));
+    for (int k = 2 * HALF - 1; k >= 0; k--)
+        x[k] = less(less(x[k], U2[k], x[k + 2]), U1[k], x[k + 1]);
+    for (ptrdiff_t k = 0; k < HALF; k++) {
+        put(delta, S - HALF + k, x[k]);
+        put(delta, k, lanes_up(at(delta, k), x[HALF + k]));
     }
 }
 
-/* A whole number of tiles; odd, so that the partitions of large grids do not
- * all meet in the same cache set. */
-static size_t partition_rows(size_t rows)
+void OVR_KERNEL(band_solve)(const ovr_lanes *g, const ovr_band *band)
 {
-    size_t tiles = (rows + VEC * VEC - 1) / (VEC * VEC);
-    return (tiles + (tiles > 63 && tiles % 2 == 0)) * VEC;
-}
-
-/* The last row says delta = 0 and is left out: n - 1 divides well. */
-void OVR_KERNEL(band_solve)(size_t n, const ovr_band *band)
-{
+    ptrdiff_t S = (ptrdiff_t)g->S;
     reduced system;
-    size_t rows = n - 1, S = partition_rows(rows);
-    pad_rows(band, rows, VEC * S);
+    window meetings;
+    if (S >= FINE)
+        copy_window(band, S, &meetings);
     forward(band, S, &system);
     solve_reduced(&system);
     backward(band, S, &system);
-    band->delta[n - 1] = 0;
+    if (S >= FINE)
+        solve_window(band, S, &meetings);
 }

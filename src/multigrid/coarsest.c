@@ -55,9 +55,8 @@ static row_weights weights_of(const ovr_weights *w, size_t i)
 /* Row i of the Jacobian: elastic terms through dH at i-2..i+1, then the local
  * ones; the last column is dN_i/dH0. */
 static void jacobian_row(const ovr_hierarchy *grids, const ovr_level *level,
-                         size_t i, double *row)
+                         const ovr_fields *f, size_t i, double *row)
 {
-    const ovr_fields *f = &level->f;
     const double *P = f->P, *eps = f->eps, *H = f->H, *rho = f->rho;
     double half = level->weights.half;
     row_weights a = weights_of(&level->weights, i);
@@ -89,17 +88,17 @@ static void hold(size_t n, size_t i, double *row)
 }
 
 /* Rows 0..n-1 pressures, row n the force; right-hand side in column n + 1. */
-static void assemble(const ovr_hierarchy *grids, const ovr_level *level)
+static void assemble(const ovr_hierarchy *grids, const ovr_level *level,
+                     const ovr_fields *f)
 {
     size_t n = level->n, stride = stride_of(n);
     double *row = grids->newton.matrix;
     for (size_t i = 0; i < n; i++, row += stride) {
         bool held = i == 0 || i == n - 1;
         if (!held) {
-            jacobian_row(grids, level, i, row);
-            row[n + 1] = level->f.r[i];
-            held = level->f.P[i] <= 0 &&
-                   level->f.r[i] >= OVR_DRY_TOLERANCE * row[i];
+            jacobian_row(grids, level, f, i, row);
+            row[n + 1] = f->r[i];
+            held = f->P[i] <= 0 && f->r[i] >= OVR_DRY_TOLERANCE * row[i];
         }
         if (held)
             hold(n, i, row);
@@ -118,17 +117,20 @@ static double clipped(double x, double limit)
 bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit)
 {
     const ovr_newton *newton = &grids->newton;
+    const ovr_fields *f;
     size_t n = level->n;
     double H;
     ovr_level_residual(grids, level);
-    assemble(grids, level);
+    f = ovr_level_ordered(grids, level);
+    assemble(grids, level, f);
     if (!grids->kernels->dense_solve(n + 1, stride_of(n), newton->matrix,
                                      newton->change))
         return false;
     for (size_t i = 1; i < n - 1; i++) {
-        double P = level->f.P[i] + clipped(newton->change[i], limit);
-        level->f.P[i] = P > 0 ? P : 0;
+        double P = f->P[i] + clipped(newton->change[i], limit);
+        f->P[i] = P > 0 ? P : 0;
     }
+    ovr_level_write(grids, level, f->P, level->f.P);
     /* in proportion where the film is thick: rigid contacts */
     H = fabs(ovr_level_centre(grids, level, level->f.H));
     grids->H0 += clipped(newton->change[n], limit * 2 / 3 * (H > 1 ? H : 1));

@@ -3,14 +3,15 @@
 #include "multigrid/deformation.h"
 
 #include <math.h>
-#include <stdbool.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "multigrid/deformation_weights.h"
 #include "multigrid/field.h"
+#include "multigrid/lanes.h"
 
 /* Dense below this: a coarsening no longer pays. */
-enum { DENSE_NODES = 70, MOST_LANES = 8 };
+enum { DENSE_NODES = 70 };
 
 /*
  * f(d).  The closed form cancels at large d (terms of size d ln d for a
@@ -103,7 +104,7 @@ static int depth_of(size_t n, ptrdiff_t range)
 {
     int depth = 0;
     while ((n >> depth) > DENSE_NODES &&
-           (ptrdiff_t)((n - 1) / MOST_LANES >> depth) >= range &&
+           (ptrdiff_t)((n - 1) / OVR_MOST_LANES >> depth) >= range &&
            depth < OVR_MLMI_DEPTH)
         depth++;
     return depth;
@@ -123,28 +124,42 @@ static void count_ghosts(const ovr_mlmi *plan, const ovr_mlmi_grid *fine,
 static size_t most_nodes(const ovr_mlmi *plan)
 {
     size_t most = 0;
-    for (size_t lanes = 1; lanes <= MOST_LANES; lanes *= 2) {
+    for (size_t lanes = 1; lanes <= OVR_MOST_LANES; lanes *= 2) {
         size_t nodes = lanes * ovr_mlmi_lane(plan, lanes);
         most = nodes > most ? nodes : most;
     }
     return most;
 }
 
+/* An array of a grid after `coarsenings`. */
+static double *take(const ovr_mlmi *plan, int coarsenings, ovr_arena *arena,
+                    ovr_error *err)
+{
+    size_t nodes = most_nodes(plan) >> coarsenings;
+    size_t pad = (size_t)plan->pad * OVR_MOST_LANES - OVR_FIELD_PAD;
+    double *all = ovr_field(arena, nodes + 2 * pad, err);
+    return all ? all + pad : NULL;
+}
+
+double *ovr_mlmi_field(const ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
+{
+    return take(plan, 0, arena, err);
+}
+
 static ovr_status plan_grids(ovr_mlmi *plan, double scale, ovr_arena *arena,
                              ovr_error *err)
 {
-    size_t nodes = most_nodes(plan);
-    size_t pads = 2 * (size_t)plan->pad * MOST_LANES;
     plan->grid[0].left = 0;
     plan->grid[0].right = 2;
     for (int s = 0; s <= plan->depth; s++) {
         ovr_mlmi_grid *grid = &plan->grid[s];
-        if (s)
+        if (s) {
             count_ghosts(plan, &plan->grid[s - 1], grid);
-        grid->u = ovr_field(arena, (nodes >> s) + pads, err);
-        grid->out = ovr_field(arena, (nodes >> s) + pads, err);
-        if (!grid->u || !grid->out)
-            return OVR_NO_MEMORY;
+            grid->u = take(plan, s, arena, err);
+            grid->out = take(plan, s, arena, err);
+            if (!grid->u || !grid->out)
+                return OVR_NO_MEMORY;
+        }
         plan_corrections(plan, grid, ldexp(1, s), scale);
     }
     return OVR_OK;
@@ -169,27 +184,24 @@ static ovr_status plan_dense(ovr_mlmi *plan, size_t count, double D,
 }
 
 ovr_status ovr_mlmi_plan(ovr_mlmi *plan, size_t n, double D, int order,
-                         int range, ovr_arena *arena, ovr_error *err)
+                         int range, const ovr_mlmi *like, ovr_arena *arena,
+                         ovr_error *err)
 {
     const ovr_mlmi_grid *last;
-    size_t count = n;
+    size_t ghosts;
     plan->n = n;
     plan->half_order = order / 2;
     plan->range = range;
     plan->depth = depth_of(n, range);
     plan->pad = 2 * (order + 4) + range + 2 * OVR_MLMI_BLOCK;
-    ovr_mlmi_weights((size_t)plan->half_order, (size_t)range, plan->weight);
-    if (plan->depth) {
-        size_t nodes = most_nodes(plan);
-        bool divides = nodes + 1 == n;
-        if (plan_grids(plan, D / acos(-1.0), arena, err))
-            return OVR_NO_MEMORY;
-        last = &plan->grid[plan->depth];
-        count = (nodes >> plan->depth) + (size_t)(last->left + last->right);
-        plan->padded = divides ? NULL : ovr_field(arena, nodes + 1, err);
-        plan->padded_result = divides ? NULL : ovr_field(arena, nodes + 1, err);
-        if (!divides && (!plan->padded || !plan->padded_result))
-            return OVR_NO_MEMORY;
-    }
-    return plan_dense(plan, count, D, arena, err);
+    if (like && like->half_order == plan->half_order && like->range == range)
+        memcpy(plan->weight, like->weight, sizeof plan->weight);
+    else
+        ovr_mlmi_weights((size_t)plan->half_order, (size_t)range, plan->weight);
+    if (plan_grids(plan, D / acos(-1.0), arena, err))
+        return OVR_NO_MEMORY;
+    last = &plan->grid[plan->depth];
+    ghosts = (size_t)(last->left + last->right);
+    return plan_dense(plan, (most_nodes(plan) >> plan->depth) + ghosts, D,
+                      arena, err);
 }

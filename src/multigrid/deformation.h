@@ -33,10 +33,9 @@
 /* BLOCK: vectors that the kernel makes in one go, at most */
 enum { OVR_MLMI_DEPTH = 24, OVR_MLMI_MOST = 16, OVR_MLMI_BLOCK = 8 };
 
-/* One grid of the transfers; how nodes lie in u and out is the kernel's
- * affair (deformation.kernel.c). */
+/* One grid of the transfers; grid 0 is the caller's, u = P and out = w. */
 typedef struct ovr_mlmi_grid {
-    double *u;             /* P and its transfers */
+    double *u;             /* transfers of P */
     double *out;           /* results */
     ptrdiff_t left, right; /* ghost nodes before the first and from the last */
     double near_even[OVR_MLMI_MOST];        /* odd distances 1, 3, ... */
@@ -48,12 +47,11 @@ typedef struct ovr_mlmi {
     ptrdiff_t half_order;         /* p/2 */
     ptrdiff_t range;              /* m */
     int depth;                    /* coarsenings */
-    ptrdiff_t pad;                /* vectors before and after a grid's own */
+    ptrdiff_t pad;                /* vectors before and after P and w */
     double weight[OVR_MLMI_MOST]; /* interpolation from +-1, +-3, ... */
     ovr_mlmi_grid grid[OVR_MLMI_DEPTH + 1];
-    double *kernel;                 /* of the dense sum, D/pi (f + ln D) */
-    double *natural, *result;       /* the coarsest grid in order */
-    double *padded, *padded_result; /* for an n that lanes do not divide */
+    double *kernel;           /* of the dense sum, D/pi (f + ln D) */
+    double *natural, *result; /* the coarsest grid in order */
 } ovr_mlmi;
 
 /* Nodes a lane when the grid is cut into this many; the lanes hold at least
@@ -66,9 +64,16 @@ static inline size_t ovr_mlmi_lane(const ovr_mlmi *plan, size_t lanes)
 }
 
 /* Plan for n nodes of mesh size D, order p (even, 2..16) and range m (even,
- * up to 2 OVR_MLMI_MOST). */
+ * up to 2 OVR_MLMI_MOST).  Its weights take a millisecond to find: those of
+ * `like`, a plan or NULL, are taken over if they are of the same order and
+ * range. */
 ovr_status ovr_mlmi_plan(ovr_mlmi *plan, size_t n, double D, int order,
-                         int range, ovr_arena *arena, ovr_error *err);
+                         int range, const ovr_mlmi *like, ovr_arena *arena,
+                         ovr_error *err);
+
+/* An array for P or w of a plan: in lanes for any machine, with room for its
+ * halos. */
+double *ovr_mlmi_field(const ovr_mlmi *plan, ovr_arena *arena, ovr_error *err);
 
 /* Order and range whose error stays below `wanted` of |w|. */
 void ovr_mlmi_choose(double wanted, int *order, int *range);

@@ -2,34 +2,32 @@
 /*
  * Execution of an MLMI plan (method in deformation.h).
  *
- * Layout, known to this file only: lane s of vector J holds node s S + J, S
- * nodes a lane.  A neighbour in space is the next vector, so every stencil is
- * made of whole aligned vectors, and coarsening stays within a lane.  Vectors
- * -halo..-1 and S..S+halo-1 repeat what the neighbouring lanes hold; there the
- * first and the last lane hold the ghost nodes outside the grid.
+ * P, w and what stands on coarser grids lie in lanes (lanes.h).  Halos are as
+ * wide as the stencils reach; there the first and the last lane hold the
+ * ghost nodes outside the grid.
  *
  * Down: transfer.  Dense sum in natural order.  Up: correct the even outputs,
- * interpolate and correct the odd ones.  Symmetric stencils add the pair of
+ * interpolate and correct the odd ones, chunk by chunk, so that what one has
+ * loaded the other finds in the cache.  Symmetric stencils add the pair of
  * values first.
  */
-#include <string.h>
-
 #include "multigrid/deformation.h"
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
 
 /* Vectors made in one go, so that what one loads the next finds in a register;
  * loops overshoot by less than that. */
-enum { BLOCK = VEC == 8 ? 8 : 4 };
+enum { BLOCK = VEC == 8 ? 8 : 4, CHUNK = 8 * BLOCK };
 
-static inline vec at(const double *x, ptrdiff_t J)
+static inline ptrdiff_t downto(ptrdiff_t count)
 {
-    return load(x + J * VEC);
+    return count / BLOCK * BLOCK;
 }
 
-static inline void put(double *x, ptrdiff_t J, vec v)
+/* count >= 0 rounded up to whole blocks */
+static inline ptrdiff_t upto(ptrdiff_t count)
 {
-    store(x + J * VEC, v);
+    return downto(count + BLOCK - 1);
 }
 
 /* sum_b += c (x_{step b + right} + x_{step b + left}) */
@@ -39,15 +37,6 @@ static inline void add_pair(vec sum[BLOCK], double c, const double *x,
     for (ptrdiff_t b = 0; b < BLOCK; b++)
         sum[b] = fused(at(x, step * b + right) + at(x, step * b + left), all(c),
                        sum[b]);
-}
-
-/* Repeats the ends of each lane beyond the ends of its neighbours. */
-static inline void repeat_ends(double *x, ptrdiff_t S, ptrdiff_t halo)
-{
-    for (ptrdiff_t J = -halo; J < 0; J++)
-        put(x, J, lanes_up(at(x, J), at(x, S + J)));
-    for (ptrdiff_t J = S; J < S + halo; J++)
-        put(x, J, lanes_down(at(x, J - S), at(x, J)));
 }
 
 /* U_J = u_{2J} + sum_k weight_k (u_{2J+1+2k} + u_{2J-1-2k}) */
@@ -112,47 +101,33 @@ static inline void interpolate_odd(ptrdiff_t h, ptrdiff_t range,
     }
 }
 
-/* Natural order to lanes and back, S >= VEC: the last tile overlaps. */
-static inline void to_lanes(const double *P, ptrdiff_t S, double *u)
+/* Output vectors of the dense sum that are kept in registers. */
+enum { TILE = 5 };
+
+/* sum_b += kernel vectors b - t times U of input vector t, one element of each:
+ * 2 TILE - 1 vectors of the kernel do for TILE^2 products. */
+static INLINE void add_tile(const double *kernel, const double *U,
+                            vec sum[TILE])
 {
-    for (ptrdiff_t J = 0; J < S; J += VEC) {
-        ptrdiff_t start = J + VEC <= S ? J : S - VEC;
-        vec tile[VEC];
-        for (ptrdiff_t l = 0; l < VEC; l++)
-            tile[l] = load(P + l * S + start);
-        transpose(tile);
-        for (ptrdiff_t k = 0; k < VEC; k++)
-            put(u, start + k, tile[k]);
+    UNROLL
+    for (int d = 1 - TILE; d < TILE; d++) {
+        vec k = load(kernel + d * VEC);
+        UNROLL
+        for (int b = d > 0 ? d : 0; b < (d < 0 ? TILE + d : TILE); b++)
+            sum[b] = fused(all(U[(b - d) * VEC]), k, sum[b]);
     }
-    u[S * VEC + VEC - 1] = P[VEC * S];
 }
 
-static inline void from_lanes(const double *out, ptrdiff_t S, double *w)
-{
-    for (ptrdiff_t J = 0; J < S; J += VEC) {
-        ptrdiff_t start = J + VEC <= S ? J : S - VEC;
-        vec tile[VEC];
-        for (ptrdiff_t k = 0; k < VEC; k++)
-            tile[k] = at(out, start + k);
-        transpose(tile);
-        for (ptrdiff_t l = 0; l < VEC; l++)
-            store(w + l * S + start, tile[l]);
-    }
-    w[VEC * S] = out[S * VEC + VEC - 1];
-}
-
-/* w_i = sum_j kernel(i - j) U_j, `count` nodes */
-static void dense_sum(const double *kernel, size_t count, const double *U,
+/* w_i = sum_j kernel(i - j) U_j, `count` nodes; U is zero behind them. */
+static void dense_sum(const double *kernel, ptrdiff_t count, const double *U,
                       double *w)
 {
-    enum { REGISTERS = 4 };
-    for (size_t i = 0; i < count; i += REGISTERS * VEC) {
-        vec sum[REGISTERS] = {{0}};
-        for (size_t j = 0; j < count; j++)
-            for (size_t b = 0; b < REGISTERS; b++)
-                sum[b] = fused(all(U[j]), load(kernel + i - j + b * VEC),
-                               sum[b]);
-        for (size_t b = 0; b < REGISTERS; b++)
+    for (ptrdiff_t i = 0; i < count; i += TILE * VEC) {
+        vec sum[TILE] = {{0}};
+        for (ptrdiff_t j = 0; j < count; j += TILE * VEC)
+            for (ptrdiff_t r = 0; r < VEC; r++)
+                add_tile(kernel + i - j - r, U + j + r, sum);
+        for (ptrdiff_t b = 0; b < TILE; b++)
             store(w + i + b * VEC, sum[b]);
     }
 }
@@ -167,47 +142,66 @@ static void dense_lanes(const ovr_mlmi *plan, ptrdiff_t S, ptrdiff_t left,
         for (ptrdiff_t J = l ? 0 : -left; J < (l < VEC - 1 ? S : S + right);
              J++)
             U[left + l * S + J] = u[J * VEC + l];
-    dense_sum(plan->kernel, (size_t)(left + VEC * S + right), U, w);
+    dense_sum(plan->kernel, left + VEC * S + right, U, w);
     for (ptrdiff_t l = 0; l < VEC; l++)
         for (ptrdiff_t J = l ? 0 : -left; J < (l < VEC - 1 ? S : S + right);
              J++)
             out[J * VEC + l] = w[left + l * S + J];
 }
 
-/* h and range as constants unroll the stencils. */
-static inline void apply(ptrdiff_t h, ptrdiff_t range, const ovr_mlmi *plan,
-                         ptrdiff_t S, const double *P, double *w)
+/* The even outputs are complete first where the lanes meet. */
+static inline void go_up(ptrdiff_t h, ptrdiff_t range, const ovr_mlmi *plan,
+                         const ovr_mlmi_grid *fine, const ovr_mlmi_grid *coarse,
+                         ptrdiff_t half, const double *u, double *out)
 {
-    const ovr_mlmi_grid *grid = plan->grid;
-    ptrdiff_t pad = plan->pad * VEC;
-    int last = plan->depth > 0 ? plan->depth : 0;
-    to_lanes(P, S, grid[0].u + pad);
-    for (int s = 0; s < last; s++) {
-        const ovr_mlmi_grid *coarse = &grid[s + 1];
-        repeat_ends(grid[s].u + pad, S >> s, range);
-        transfer(h, plan->weight, grid[s].u + pad, coarse->u + pad,
-                 -coarse->left, (S >> (s + 1)) + coarse->right);
+    double *even = coarse->out;
+    ptrdiff_t first = upto(h + coarse->left) - coarse->left;
+    ptrdiff_t last = half - h > first ? first + downto(half - h - first)
+                                      : first;
+    ptrdiff_t end = half + fine->right / 2, done = first;
+    correct_even(range, fine->near_even, u, even, -coarse->left, first);
+    correct_even(range, fine->near_even, u, even, last, half + coarse->right);
+    repeat_ends(even, half, h);
+    for (ptrdiff_t J = -fine->left / 2; J < end; J += CHUNK) {
+        ptrdiff_t to = J + CHUNK < end ? J + CHUNK : end;
+        ptrdiff_t reach = first + upto(to + h - first);
+        ptrdiff_t next = reach < last ? reach : last;
+        if (next > done) {
+            correct_even(range, fine->near_even, u, even, done, next);
+            done = next;
+        }
+        interpolate_odd(h, range, plan->weight, fine->near_odd, u, even, out, J,
+                        to);
     }
-    dense_lanes(plan, S >> last, grid[last].left, grid[last].right,
-                grid[last].u + pad, grid[last].out + pad);
-    for (int s = last - 1; s >= 0; s--) {
-        const ovr_mlmi_grid *fine = &grid[s], *coarse = &grid[s + 1];
-        ptrdiff_t half = S >> (s + 1);
-        correct_even(range, fine->near_even, fine->u + pad, coarse->out + pad,
-                     -coarse->left, half + coarse->right);
-        repeat_ends(coarse->out + pad, half, h);
-        interpolate_odd(h, range, plan->weight, fine->near_odd, fine->u + pad,
-                        coarse->out + pad, fine->out + pad, -fine->left / 2,
-                        half + fine->right / 2);
-    }
-    from_lanes(grid[0].out + pad, S, w);
 }
 
-/* Those that ovr_mlmi_choose gives for the finer grids. */
-static inline void choose_stencil(const ovr_mlmi *plan, ptrdiff_t S,
-                                  const double *P, double *w)
+/* h and range as constants unroll the stencils. */
+static inline void apply(ptrdiff_t h, ptrdiff_t range, const ovr_mlmi *plan,
+                         ptrdiff_t S, double *P, double *w)
 {
-    if (plan->half_order == 5 && plan->range == 10)
+    const ovr_mlmi_grid *grid = plan->grid;
+    int last = plan->depth;
+    for (int s = 0; s < last; s++) {
+        const ovr_mlmi_grid *coarse = &grid[s + 1];
+        double *u = s ? grid[s].u : P;
+        repeat_ends(u, S >> s, range);
+        transfer(h, plan->weight, u, coarse->u, -coarse->left,
+                 (S >> (s + 1)) + coarse->right);
+    }
+    dense_lanes(plan, S >> last, grid[last].left, grid[last].right,
+                last ? grid[last].u : P, last ? grid[last].out : w);
+    for (int s = last - 1; s >= 0; s--)
+        go_up(h, range, plan, &grid[s], &grid[s + 1], S >> (s + 1),
+              s ? grid[s].u : P, s ? grid[s].out : w);
+}
+
+void OVR_KERNEL(deformation)(const ovr_mlmi *plan, double *P, double *w)
+{
+    ptrdiff_t S = (ptrdiff_t)ovr_mlmi_lane(plan, VEC);
+    /* those of coarser grids, then of the finest (simulation/options.c) */
+    if (plan->half_order == 3 && plan->range == 10)
+        apply(3, 10, plan, S, P, w);
+    else if (plan->half_order == 5 && plan->range == 10)
         apply(5, 10, plan, S, P, w);
     else if (plan->half_order == 5 && plan->range == 12)
         apply(5, 12, plan, S, P, w);
@@ -217,18 +211,7 @@ static inline void choose_stencil(const ovr_mlmi *plan, ptrdiff_t S,
         apply(6, 16, plan, S, P, w);
     else
         apply(plan->half_order, plan->range, plan, S, P, w);
-}
-
-void OVR_KERNEL(deformation)(const ovr_mlmi *plan, const double *P, double *w)
-{
-    size_t n = plan->n, S = ovr_mlmi_lane(plan, VEC);
-    if (plan->depth == 0) {
-        dense_sum(plan->kernel, n, P, w);
-    } else if (VEC * S + 1 == n) {
-        choose_stencil(plan, (ptrdiff_t)S, P, w);
-    } else { /* not a grid that the lanes divide: with zeros behind it */
-        memcpy(plan->padded, P, n * sizeof *P);
-        choose_stencil(plan, (ptrdiff_t)S, plan->padded, plan->padded_result);
-        memcpy(w, plan->padded_result, n * sizeof *w);
-    }
+    if (plan->depth == 0)
+        repeat_ends(P, S, OVR_HALO);
+    repeat_ends(w, S, OVR_HALO);
 }

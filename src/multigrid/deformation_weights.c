@@ -63,7 +63,7 @@ static long double dot(const fit *f, const long double *a, const long double *b)
 static void least_squares(fit *f, size_t unknowns, long double solution[])
 {
     long double(*q)[POINTS] = f->q;
-    long double R[OVR_MLMI_MOST][OVR_MLMI_MOST];
+    long double R[OVR_MLMI_MOST][OVR_MLMI_MOST] = {{0}};
     for (size_t c = 0; c <= unknowns; c++) {
         for (size_t j = 0; j < POINTS; j++)
             q[c][j] = f->column[c][j];

@@ -3,6 +3,7 @@
  * Dense algebra of the coarsest grid.
  */
 #include <math.h>
+#include <string.h>
 
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
@@ -19,13 +20,33 @@ void OVR_KERNEL(dense_row)(size_t n, const double c[4], const double *k,
     }
 }
 
-/* Rows that are taken off the rows below in one pass. */
-enum { PANEL = 4 };
+/* Rows that are taken off the rows below in one pass, and rows below that it
+ * takes together: chains of operations enough to keep the machine busy. */
+enum { PANEL = 4, TOGETHER = 4 };
 
-/* Where the largest of x_from .. x_{to-1} is. */
-static size_t largest(const double *x, size_t from, size_t to)
+/* Whether one of x_from .. x_{to-1} is more than ten times x_from. */
+static bool has_larger(const double *x, size_t from, size_t to)
+{
+    vec bound = all(10 * fabs(x[from]));
+    ivec found = {0};
+    size_t j = from;
+    for (; j + VEC <= to; j += VEC) {
+        vec here = load(x + j);
+        found |= (here > bound) | (here < -bound);
+    }
+    for (; j < to; j++)
+        if (fabs(x[j]) > bound[0])
+            return true;
+    return any(found);
+}
+
+/* The pivot among x_from .. x_{to-1}: the first unless another is much
+ * larger, then the largest. */
+static size_t pivot(const double *x, size_t from, size_t to)
 {
     size_t best = from;
+    if (!has_larger(x, from, to))
+        return from;
     for (size_t j = from + 1; j < to; j++)
         best = fabs(x[j]) > fabs(x[best]) ? j : best;
     return best;
@@ -41,78 +62,126 @@ static void exchange_columns(double *A, size_t stride, size_t m, size_t c,
     }
 }
 
-/* row_j -= sum_q factor_q top_qj, j = from..m */
-static inline void subtract_rows(double *row, const double *top, size_t stride,
-                                 const double *factor, size_t count,
-                                 size_t from, size_t m)
+/* The factors on `count` rows of the panel that begins at row and column c, to
+ * be taken off a row; they come one from the other. */
+static INLINE void find_factors(const double *row, const double *top,
+                                size_t stride, const double *inverse,
+                                size_t count, size_t c, double factor[PANEL])
 {
-    for (size_t j = from; j <= m; j += VEC) {
-        vec sum = load(row + j);
-        for (size_t q = 0; q < count; q++)
-            sum = less(sum, all(factor[q]), load(top + q * stride + j));
-        store(row + j, sum);
-    }
-}
-
-/* Takes `count` rows of the panel that begins at row and column c off a row;
- * the factors come one from the other. */
-static inline void take_off(double *row, const double *top, size_t stride,
-                            const double *inverse, size_t count, size_t c,
-                            size_t m)
-{
-    double factor[PANEL];
+    UNROLL
     for (size_t q = 0; q < count; q++) {
         double sum = row[c + q];
+        UNROLL
         for (size_t p = 0; p < q; p++)
             sum -= factor[p] * top[p * stride + c + q];
         factor[q] = sum * inverse[q];
     }
-    subtract_rows(row, top, stride, factor, count, c + count, m);
 }
 
-static void back_substitute(const double *A, size_t stride, size_t m, double *x)
+/* row_rj -= sum_q factor_rq top_qj for `rows` rows, j from the whole vector
+ * with column c + count on to m: what stands left of it is not used again. */
+static INLINE void take_off(double *row, size_t rows, const double *top,
+                            size_t stride, const double *inverse, size_t count,
+                            size_t c, size_t m)
 {
-    for (size_t i = m; i-- > 0;) {
-        const double *row = A + i * stride;
-        double sum = row[m], part[VEC];
-        vec dot = all(0);
-        size_t j = i + 1;
-        for (; j + VEC <= m; j += VEC)
-            dot = fused(load(row + j), load(x + j), dot);
-        store(part, dot);
-        for (; j < m; j++)
-            sum -= row[j] * x[j];
-        for (size_t l = 0; l < VEC; l++)
-            sum -= part[l];
-        x[i] = sum / row[i];
+    double factor[TOGETHER][PANEL];
+    UNROLL
+    for (size_t r = 0; r < rows; r++)
+        find_factors(row + r * stride, top, stride, inverse, count, c,
+                     factor[r]);
+    for (size_t j = (c + count) / VEC * VEC; j <= m; j += VEC) {
+        vec above[PANEL];
+        UNROLL
+        for (size_t q = 0; q < count; q++)
+            above[q] = load(top + q * stride + j);
+        UNROLL
+        for (size_t r = 0; r < rows; r++) {
+            vec sum = load(row + r * stride + j);
+            UNROLL
+            for (size_t q = 0; q < count; q++)
+                sum = less(sum, all(factor[r][q]), above[q]);
+            store(row + r * stride + j, sum);
+        }
     }
 }
 
+/* b_i - sum_j A_ij x_j over what is solved so far; the rest of x is zero. */
+static inline double remainder_of(const double *row, size_t from, size_t m,
+                                  const double *x)
+{
+    vec dot = all(0);
+    for (size_t j = from / VEC * VEC; j < m; j += VEC)
+        dot = fused(load(row + j), load(x + j), dot);
+    return row[m] - sum_of_lanes(dot);
+}
+
+/* Rows in panels, the last one first; the diagonal holds its inverse. */
+static void back_substitute(const double *A, size_t stride, size_t m, double *x)
+{
+    memset(x, 0, (m + VEC) * sizeof *x);
+    for (size_t end = m; end > 0;) {
+        size_t width = (end - 1) % PANEL + 1, begin = end - width;
+        double rest[PANEL];
+        for (size_t r = 0; r < width; r++)
+            rest[r] = remainder_of(A + (begin + r) * stride, end, m, x);
+        for (size_t i = end; i-- > begin;) {
+            const double *row = A + i * stride;
+            double sum = rest[i - begin];
+            for (size_t j = i + 1; j < end; j++)
+                sum -= row[j] * x[j];
+            x[i] = sum * row[i];
+        }
+        end = begin;
+    }
+}
+
+/* Factors of the panel of rows that begins at row c; false: singular. */
+static bool factor_panel(double *A, size_t stride, size_t m, size_t c,
+                         size_t width, double *inverse)
+{
+    double *top = A + c * stride;
+    for (size_t q = 0; q < width; q++) {
+        double *row = top + q * stride;
+        if (q)
+            take_off(row, 1, top, stride, inverse, q, c, m);
+        size_t best = pivot(row, c + q, m);
+        row[m + 1] = (double)best;
+        if (best != c + q)
+            exchange_columns(A, stride, m, c + q, best);
+        if (!(fabs(row[c + q]) > 0))
+            return false;
+        row[c + q] = inverse[q] = 1 / row[c + q];
+    }
+    return true;
+}
+
+/* The panel off all rows below it; the counts are constants, for registers. */
+static void take_off_below(double *A, size_t stride, size_t m, size_t c,
+                           const double *inverse)
+{
+    const double *top = A + c * stride;
+    size_t i = c + PANEL;
+    for (; i + TOGETHER <= m; i += TOGETHER)
+        take_off(A + i * stride, TOGETHER, top, stride, inverse, PANEL, c, m);
+    for (; i < m; i++)
+        take_off(A + i * stride, 1, top, stride, inverse, PANEL, c, m);
+}
+
 /*
- * x of A x = b by Gaussian elimination.  The pivot of a row is its largest
- * value, so that it is found, and columns are exchanged, without walking down
- * columns.  A has m rows of `stride` values, at least m + 8: b in column m,
- * then room for whole vectors and, behind b, for the exchanges.  x has room for
- * m values.  False when A is singular.
+ * x of A x = b by Gaussian elimination.  The pivot of a row is its diagonal or
+ * a much larger value, so that it is found, and columns are exchanged, without
+ * walking down columns.  A has m rows of `stride` values, at least m + 8: b in
+ * column m, then room for whole vectors and, behind b, for the exchanges.  x
+ * has room for m + 8 values.  False when A is singular.
  */
 bool OVR_KERNEL(dense_solve)(size_t m, size_t stride, double *A, double *x)
 {
     for (size_t c = 0; c < m; c += PANEL) {
         size_t width = m - c < PANEL ? m - c : PANEL;
-        double *top = A + c * stride, inverse[PANEL];
-        for (size_t q = 0; q < width; q++) {
-            double *row = top + q * stride;
-            take_off(row, top, stride, inverse, q, c, m);
-            size_t best = largest(row, c + q, m);
-            row[m + 1] = (double)best;
-            if (best != c + q)
-                exchange_columns(A, stride, m, c + q, best);
-            if (!(fabs(row[c + q]) > 0))
-                return false;
-            inverse[q] = 1 / row[c + q];
-        }
-        for (size_t i = c + PANEL; i < m; i++)
-            take_off(A + i * stride, top, stride, inverse, PANEL, c, m);
+        double inverse[PANEL];
+        if (!factor_panel(A, stride, m, c, width, inverse))
+            return false;
+        take_off_below(A, stride, m, c, inverse);
     }
     back_substitute(A, stride, m, x);
     for (size_t c = m; c-- > 0;) {

@@ -28,6 +28,7 @@ void ovr_fas_correct(const ovr_hierarchy *grids, const ovr_level *coarse,
 
 /* P of the next finer level by cubic interpolation: the start of full
  * multigrid on a new level. */
-void ovr_fas_refine(const ovr_level *coarse, ovr_level *fine);
+void ovr_fas_refine(ovr_hierarchy *grids, const ovr_level *coarse,
+                    ovr_level *fine);
 
 #endif

@@ -2,41 +2,74 @@
 #include "multigrid/hierarchy.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "multigrid/coarsest.h"
 #include "multigrid/field.h"
 
-static ovr_status take_fields(ovr_level *level, ovr_arena *arena,
-                              ovr_error *err)
+enum { FIELDS = 9 };
+
+static void name_fields(ovr_fields *f, double *const a[FIELDS])
 {
-    double *a[12];
-    for (size_t k = 0; k < 12; k++)
-        if (!(a[k] = ovr_field(arena, level->n, err)))
+    *f = (ovr_fields){.P = a[0],
+                      .H = a[1],
+                      .rho = a[2],
+                      .dq = a[3],
+                      .eps = a[4],
+                      .deps = a[5],
+                      .q = a[6],
+                      .F = a[7],
+                      .r = a[8]};
+}
+
+/* Nodes of the lanes and beyond, for any machine's kernels. */
+static size_t room_of(const ovr_level *level)
+{
+    return level->n + OVR_MOST_LANES;
+}
+
+/* Arrays of `room` values, to where the pointers point. */
+static ovr_status take(double **const to[], size_t count, size_t room,
+                       ovr_arena *arena, ovr_error *err)
+{
+    for (size_t k = 0; k < count; k++)
+        if (!(*to[k] = ovr_field(arena, room, err)))
             return OVR_NO_MEMORY;
-    level->f = (ovr_fields){.P = a[0],
-                            .H = a[1],
-                            .rho = a[2],
-                            .dq = a[3],
-                            .eps = a[4],
-                            .deps = a[5],
-                            .q = a[6],
-                            .F = a[7],
-                            .r = a[8]};
-    level->gap = a[9];
-    level->w = a[10];
-    level->P_entry = a[11];
     return OVR_OK;
 }
 
-static ovr_status take_band(ovr_band *band, size_t n, ovr_arena *arena,
+static ovr_status take_fields(ovr_level *level, ovr_arena *arena,
+                              ovr_error *err)
+{
+    double *a[FIELDS];
+    double **const all[] = {&a[1], &a[2], &a[3], &a[4],       &a[5],
+                            &a[6], &a[7], &a[8], &level->gap, &level->P_entry};
+    a[0] = ovr_mlmi_field(&level->mlmi, arena, err);
+    level->w = ovr_mlmi_field(&level->mlmi, arena, err);
+    if (!a[0] || !level->w ||
+        take(all, sizeof all / sizeof *all, room_of(level), arena, err))
+        return OVR_NO_MEMORY;
+    name_fields(&level->f, a);
+    return OVR_OK;
+}
+
+static ovr_status take_band(ovr_band *band, size_t room, ovr_arena *arena,
                             ovr_error *err)
 {
-    double **all[] = {&band->b[0],  &band->b[1], &band->b[2],
-                      &band->b[3],  &band->b[4], &band->delta,
-                      &band->minus, &band->plus, &band->moves};
-    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (!(*all[k] = ovr_field(arena, n + OVR_BAND_PAD, err)))
-            return OVR_NO_MEMORY;
+    double **const all[] = {&band->b[0], &band->b[1],  &band->b[2], &band->b[3],
+                            &band->b[4], &band->delta, &band->moves};
+    return take(all, sizeof all / sizeof *all, room, arena, err);
+}
+
+static ovr_status take_natural(ovr_fields *f, size_t n, ovr_arena *arena,
+                               ovr_error *err)
+{
+    double *a[FIELDS];
+    double **const all[FIELDS] = {&a[0], &a[1], &a[2], &a[3], &a[4],
+                                  &a[5], &a[6], &a[7], &a[8]};
+    if (take(all, FIELDS, n, arena, err))
+        return OVR_NO_MEMORY;
+    name_fields(f, a);
     return OVR_OK;
 }
 
@@ -49,10 +82,23 @@ static ovr_status build_level(ovr_hierarchy *grids, int number, int order,
     level->D = (grids->X_b - grids->X_a) / (double)(level->n - 1);
     for (int d = 0; d < 6; d++)
         level->k[d] = ovr_deformation_kernel(d, level->D);
-    if (take_fields(level, arena, err))
+    const ovr_mlmi *like = number > grids->coarsest ? &(level - 1)->mlmi : NULL;
+    if (ovr_mlmi_plan(&level->mlmi, level->n, level->D, order, range, like,
+                      arena, err))
         return OVR_NO_MEMORY;
-    return ovr_mlmi_plan(&level->mlmi, level->n, level->D, order, range, arena,
-                         err);
+    return take_fields(level, arena, err);
+}
+
+void ovr_hierarchy_kernels(ovr_hierarchy *grids, const ovr_kernels *kernels)
+{
+    grids->kernels = kernels;
+    for (int l = grids->coarsest; l <= grids->finest; l++) {
+        ovr_level *level = &grids->level[l];
+        level->lanes = (ovr_lanes){
+            .n = level->n,
+            .S = ovr_mlmi_lane(&level->mlmi, kernels->lanes),
+            .V = kernels->lanes};
+    }
 }
 
 ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
@@ -68,8 +114,11 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
     for (int l = coarsest; l <= finest; l++)
         if (build_level(grids, l, order[l], range[l], arena, err))
             return OVR_NO_MEMORY;
-    if (take_band(&grids->band, ovr_level_nodes(finest), arena, err))
+    if (take_band(&grids->band, room_of(&grids->level[finest]), arena, err) ||
+        take_natural(&grids->natural, ovr_level_nodes(grids->ordered), arena,
+                     err))
         return OVR_NO_MEMORY;
+    ovr_hierarchy_kernels(grids, grids->kernels);
     grids->bottom = coarsest;
     return ovr_newton_prepare(grids, arena, err);
 }
@@ -80,7 +129,7 @@ void ovr_hierarchy_operator(ovr_hierarchy *grids, const ovr_operator *op)
     for (int l = grids->coarsest; l <= grids->finest; l++) {
         ovr_level *level = &grids->level[l];
         level->weights = ovr_reynolds_weights(op, level->D);
-        ovr_reynolds_shares(op, level->D, &level->minus, &level->plus);
+        level->shares = ovr_reynolds_shares(op, level->D);
     }
 }
 
@@ -88,13 +137,13 @@ void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level)
 {
     const ovr_kernels *run = grids->kernels;
     run->deformation(&level->mlmi, level->f.P, level->w);
-    run->film(&grids->fluid, grids->H0, level->n, level->gap, level->w,
+    run->film(&grids->fluid, grids->H0, &level->lanes, level->gap, level->w,
               &level->f);
 }
 
 void ovr_level_residual(const ovr_hierarchy *grids, ovr_level *level)
 {
-    grids->kernels->residual(level->n, &level->weights, &level->f);
+    grids->kernels->residual(&level->lanes, &level->weights, &level->f);
 }
 
 void ovr_level_refresh(const ovr_hierarchy *grids, ovr_level *level)
@@ -105,24 +154,56 @@ void ovr_level_refresh(const ovr_hierarchy *grids, ovr_level *level)
 
 double ovr_level_imbalance(const ovr_hierarchy *grids, const ovr_level *level)
 {
-    double sum = grids->kernels->imbalance(level->n, &level->weights,
+    double sum = grids->kernels->imbalance(&level->lanes, &level->weights,
                                            &level->f);
     return sum * level->D / fabs(ovr_level_centre(grids, level, level->f.H));
 }
 
 double ovr_level_load(const ovr_hierarchy *grids, const ovr_level *level)
 {
-    return level->D * grids->kernels->sum(level->n, level->f.P);
+    return level->D * grids->kernels->sum(&level->lanes, level->f.P);
+}
+
+void ovr_level_read(const ovr_hierarchy *grids, const ovr_level *level,
+                    const double *values, double *ordered)
+{
+    grids->kernels->unpack(&level->lanes, values, ordered);
+}
+
+void ovr_level_write(const ovr_hierarchy *grids, const ovr_level *level,
+                     const double *ordered, double *values)
+{
+    grids->kernels->pack(&level->lanes, ordered, values);
+}
+
+void ovr_level_clear(const ovr_level *level, double *values)
+{
+    memset(values, 0, level->lanes.S * level->lanes.V * sizeof *values);
+}
+
+const ovr_fields *ovr_level_ordered(const ovr_hierarchy *grids,
+                                    const ovr_level *level)
+{
+    const ovr_fields *from = &level->f, *to = &grids->natural;
+    const double *const fields[FIELDS] = {from->P,  from->H,   from->rho,
+                                          from->dq, from->eps, from->deps,
+                                          from->q,  from->F,   from->r};
+    double *const ordered[FIELDS] = {to->P,    to->H, to->rho, to->dq, to->eps,
+                                     to->deps, to->q, to->F,   to->r};
+    for (size_t k = 0; k < FIELDS; k++)
+        ovr_level_read(grids, level, fields[k], ordered[k]);
+    return to;
 }
 
 double ovr_level_centre(const ovr_hierarchy *grids, const ovr_level *level,
                         const double *values)
 {
-    double at = -grids->X_a / level->D, s;
+    double at = -grids->X_a / level->D, s, v[4];
     size_t i = (size_t)at;
-    const double *v = values + i;
+    for (size_t k = 0; k < 4; k++)
+        v[k] = values[ovr_lanes_place(&level->lanes, i + k - 1)];
     s = at - (double)i;
-    return -s * (s - 1) * (s - 2) / 6 * v[-1] +
-           (s + 1) * (s - 1) * (s - 2) / 2 * v[0] -
-           (s + 1) * s * (s - 2) / 2 * v[1] + (s + 1) * s * (s - 1) / 6 * v[2];
+    return -s * (s - 1) * (s - 2) / 6 * v[0] +
+           (s + 1) * (s - 1) * (s - 2) / 2 * v[1] -
+           (s + 1) * s * (s - 2) / 2 * v[2] + (s + 1) * s * (s - 1) / 6 * v[3];
 }

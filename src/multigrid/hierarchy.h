@@ -8,6 +8,10 @@
  * On the finest level gap = X^2/2 - S.  On coarser levels of a cycle gap and F
  * are the right-hand sides of the full approximation scheme (fas.h), so that
  * roughness is never sampled on a coarse grid.
+ *
+ * The arrays of a level are in lanes (lanes.h), of whatever number the
+ * kernels have; ovr_level_read and ovr_level_write go from and to the order of
+ * the nodes.
  */
 #ifndef OVR_MULTIGRID_HIERARCHY_H
 #define OVR_MULTIGRID_HIERARCHY_H
@@ -22,13 +26,14 @@ typedef struct ovr_level {
     int number;
     size_t n;
     double D;
-    ovr_fields f;       /* P, H, properties, F, residual */
-    double *gap;        /* undeformed gap, see above */
-    double *w;          /* deformation */
-    double *P_entry;    /* P as it came down from the finer level */
-    double force;       /* wanted value of D sum P on this level */
-    double k[6];        /* deformation kernel at 0..5 meshes, over pi */
-    double minus, plus; /* shares of a distributed change */
+    ovr_lanes lanes;
+    ovr_fields f;      /* P, H, properties, F, residual */
+    double *gap;       /* undeformed gap, see above */
+    double *w;         /* deformation */
+    double *P_entry;   /* P as it came down from the finer level */
+    double force;      /* wanted value of D sum P on this level */
+    double k[6];       /* deformation kernel at 0..5 meshes, over pi */
+    ovr_shares shares; /* of a distributed change */
     ovr_weights weights;
     ovr_mlmi mlmi;
 } ovr_level;
@@ -62,8 +67,10 @@ typedef struct ovr_hierarchy {
     double newton_limit;
     bool paper_balance; /* coarsest grid: relaxation and H0 by the paper */
     double switch_value, relax_seidel, relax_dipole; /* hybrid smoother */
+    int ordered; /* the finest level that is not relaxed in lanes */
 
-    ovr_band band; /* work arrays of the finest size */
+    ovr_band band;      /* work arrays of the finest size */
+    ovr_fields natural; /* fields in the order of the nodes, of `ordered` */
     ovr_newton newton;
 } ovr_hierarchy;
 
@@ -75,6 +82,9 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
                                const int order[OVR_LEVELS],
                                const int range[OVR_LEVELS], ovr_arena *arena,
                                ovr_error *err);
+
+/* Other kernels than those it was built with, before anything is solved. */
+void ovr_hierarchy_kernels(ovr_hierarchy *grids, const ovr_kernels *kernels);
 
 /* Sets the operator and with it the weights and shares on every level. */
 void ovr_hierarchy_operator(ovr_hierarchy *grids, const ovr_operator *op);
@@ -89,6 +99,20 @@ double ovr_level_imbalance(const ovr_hierarchy *grids, const ovr_level *level);
 
 /* D (sum of P): both ends are zero. */
 double ovr_level_load(const ovr_hierarchy *grids, const ovr_level *level);
+
+/* n values of one of the level's arrays, to or from the order of the nodes. */
+void ovr_level_read(const ovr_hierarchy *grids, const ovr_level *level,
+                    const double *values, double *ordered);
+void ovr_level_write(const ovr_hierarchy *grids, const ovr_level *level,
+                     const double *ordered, double *values);
+
+/* Zero in all of one of its arrays. */
+void ovr_level_clear(const ovr_level *level, double *values);
+
+/* All that a smoother may want, to grids->natural: P, H, rho, dq, eps, deps,
+ * q, F and r. */
+const ovr_fields *ovr_level_ordered(const ovr_hierarchy *grids,
+                                    const ovr_level *level);
 
 /* Value at X = 0 by the cubic through the four nodes about it. */
 double ovr_level_centre(const ovr_hierarchy *grids, const ovr_level *level,

@@ -6,10 +6,9 @@ typedef struct slopes {
     double own, before;
 } slopes;
 
-static slopes slopes_at(const ovr_level *level, size_t i, double a0, double a1,
-                        double a2)
+static slopes slopes_at(const ovr_level *level, const ovr_fields *f, size_t i,
+                        double a0, double a1, double a2)
 {
-    const ovr_fields *f = &level->f;
     const double *P = f->P, *eps = f->eps, *k = level->k;
     double half = level->weights.half;
     double e0 = a0 * f->rho[i], e1 = a1 * f->rho[i - 1],
@@ -25,14 +24,14 @@ static slopes slopes_at(const ovr_level *level, size_t i, double a0, double a1,
 }
 
 /* Residual of row i with film and properties as they are, P as it is now. */
-static double row_residual(const ovr_level *level, size_t i, slopes *s)
+static double row_residual(const ovr_level *level, const ovr_fields *f,
+                           size_t i, slopes *s)
 {
     const ovr_weights *w = &level->weights;
-    const ovr_fields *f = &level->f;
     const double *P = f->P, *eps = f->eps, *q = f->q;
     double a0 = i == 1 ? w->a0_first : w->a0, a1 = i == 1 ? w->a1_first : w->a1,
            a2 = i == 1 ? 0 : w->a2;
-    *s = slopes_at(level, i, a0, a1, a2);
+    *s = slopes_at(level, f, i, a0, a1, a2);
     return f->F[i] + a0 * q[i] + a1 * q[i - 1] + a2 * q[i - 2] -
            w->half * ((eps[i - 1] + eps[i]) * (P[i - 1] - P[i]) +
                       (eps[i] + eps[i + 1]) * (P[i + 1] - P[i]));
@@ -44,33 +43,32 @@ static double clipped(double x, double limit)
 }
 
 /* Dry and not wanting to rise, with room for rounding (see line.h). */
-static bool held(const ovr_level *level, size_t i, double r, slopes s)
+static bool held(const ovr_fields *f, size_t i, double r, slopes s)
 {
-    return level->f.P[i] <= 0 && r >= OVR_DRY_TOLERANCE * s.own;
+    return f->P[i] <= 0 && r >= OVR_DRY_TOLERANCE * s.own;
 }
 
-static void seidel(const ovr_hierarchy *grids, ovr_level *level, size_t i,
+static void seidel(const ovr_hierarchy *grids, const ovr_fields *f, size_t i,
                    double r, slopes s)
 {
-    double next = level->f.P[i] + grids->relax_seidel * r / s.own;
-    if (!held(level, i, r, s))
-        level->f.P[i] = next > 0 ? next : 0;
+    double next = f->P[i] + grids->relax_seidel * r / s.own;
+    if (!held(f, i, r, s))
+        f->P[i] = next > 0 ? next : 0;
 }
 
 /* One line solve of rows first..last for fixed film, dry nodes that do not
  * want to rise held: Thomas algorithm, then projection. */
-static void exit_line(const ovr_hierarchy *grids, ovr_level *level,
-                      size_t first, size_t last)
+static void exit_line(const ovr_hierarchy *grids, const ovr_level *level,
+                      const ovr_fields *f, size_t first, size_t last)
 {
-    const ovr_fields *f = &level->f;
     double half = level->weights.half, above = 0, change = 0;
     double *upper = grids->band.b[0], *delta = grids->band.delta;
     for (size_t i = first; i <= last; i++) {
         slopes s;
-        double r = row_residual(level, i, &s);
+        double r = row_residual(level, f, i, &s);
         double lower = half * (f->eps[i - 1] + f->eps[i]);
         double right = half * (f->eps[i] + f->eps[i + 1]);
-        if (held(level, i, r, s)) {
+        if (held(f, i, r, s)) {
             r = lower = right = 0;
             s.own = 1;
         }
@@ -88,10 +86,11 @@ static void exit_line(const ovr_hierarchy *grids, ovr_level *level,
 
 /* The rows near the end of the film that a line with fixed film may solve,
  * see hybrid.h. */
-static bool exit_window(const ovr_level *level, size_t *first, size_t *last)
+static bool exit_window(const ovr_level *level, const ovr_fields *f,
+                        size_t *first, size_t *last)
 {
     enum { BEHIND = 8 };
-    const double *P = level->f.P, *eps = level->f.eps;
+    const double *P = f->P, *eps = f->eps;
     double D = level->D;
     size_t end = level->n - 2, i;
     while (end > 1 && !(P[end] > 0))
@@ -106,28 +105,29 @@ static bool exit_window(const ovr_level *level, size_t *first, size_t *last)
     return end > 1;
 }
 
-static void relax_exit(const ovr_hierarchy *grids, ovr_level *level)
+static void relax_exit(const ovr_hierarchy *grids, const ovr_level *level,
+                       const ovr_fields *f)
 {
     enum { LINES = 4 };
     size_t first, last;
-    if (exit_window(level, &first, &last))
+    if (exit_window(level, f, &first, &last))
         for (int k = 0; k < LINES; k++)
-            exit_line(grids, level, first, last);
+            exit_line(grids, level, f, first, last);
 }
 
 void ovr_relax_hybrid(ovr_hierarchy *grids, ovr_level *level)
 {
-    const ovr_fields *f = &level->f;
+    const ovr_fields *f = ovr_level_ordered(grids, level);
     double *restrict P = f->P, *restrict delta = grids->band.delta;
     const double *eps = f->eps;
     double bound = grids->switch_value * level->D * level->D;
     size_t n = level->n;
     for (size_t i = 1; i + 1 < n; i++) {
         slopes s;
-        double r = row_residual(level, i, &s);
+        double r = row_residual(level, f, i, &s);
         delta[i] = 0;
         if (0.25 * (eps[i - 1] + 2 * eps[i] + eps[i + 1]) > bound)
-            seidel(grids, level, i, r, s);
+            seidel(grids, f, i, r, s);
         else
             delta[i] = clipped(grids->relax_dipole * r / (s.own - s.before),
                                grids->limit);
@@ -137,7 +137,8 @@ void ovr_relax_hybrid(ovr_hierarchy *grids, ovr_level *level)
         double next = P[i] + delta[i] - delta[i + 1];
         P[i] = next > 0 ? next : 0;
     }
-    relax_exit(grids, level);
+    relax_exit(grids, level, f);
+    ovr_level_write(grids, level, P, level->f.P);
 }
 
 void ovr_coarsest_paper(ovr_hierarchy *grids, ovr_level *level)

@@ -4,7 +4,8 @@
  * (*.kernel.c) and reached through one table that is chosen when a hierarchy
  * is created.  Each kernel is described above its code.
  *
- * Notation: n nodes i = 0..n-1, P = 0 at i = 0 and n-1; q = rho H.
+ * Notation: n nodes i = 0..n-1, P = 0 at i = 0 and n-1; q = rho H.  Arrays are
+ * in lanes (lanes.h) unless a kernel takes n instead of an ovr_lanes.
  */
 #ifndef OVR_MULTIGRID_KERNELS_H
 #define OVR_MULTIGRID_KERNELS_H
@@ -12,6 +13,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "multigrid/lanes.h"
 #include "overroll/contact.h"
 
 struct ovr_mlmi;
@@ -29,7 +31,7 @@ typedef struct ovr_weights {
     double half;               /* 1/(2 D^2) */
 } ovr_weights;
 
-/* The arrays of one grid that the kernels share; n values each. */
+/* The arrays of one grid that the kernels share. */
 typedef struct ovr_fields {
     double *restrict P;    /* pressure */
     double *restrict H;    /* film thickness */
@@ -47,43 +49,70 @@ typedef struct ovr_fields {
  * (1e-12 to 1e-8 all work). */
 #define OVR_DRY_TOLERANCE 1e-10
 
-/* Work arrays of the line relaxation, n + OVR_BAND_PAD values each: the
- * solver cuts them into equal parts. */
-enum { OVR_BAND_PAD = 128 };
+/* Work arrays of the line relaxation. */
 typedef struct ovr_band {
     double *b[5];  /* rows of the pentadiagonal system, b[d + 2] */
     double *delta; /* right-hand side, then solution */
-    double *minus; /* share of delta_j that goes to P_{j-1}, and ... */
-    double *plus;  /* ... to P_{j+1} */
     double *moves; /* 0 where P is held at zero, else 1 */
 } ovr_band;
 
+/* How a change delta_j of the line relaxation is shared with P_{j-1} and
+ * P_{j+1}; in time by dry nodes too. */
+typedef struct ovr_shares {
+    double minus, plus;
+    bool transient;
+} ovr_shares;
+
 typedef struct ovr_kernels {
     const char *name;
+    size_t lanes;
 
-    void (*film)(const ovr_fluid *fluid, double H0, size_t n, const double *gap,
-                 const double *w, const ovr_fields *f);
-    void (*residual)(size_t n, const ovr_weights *w, const ovr_fields *f);
-    double (*imbalance)(size_t n, const ovr_weights *w, const ovr_fields *f);
-    void (*deformation)(const struct ovr_mlmi *plan, const double *P,
-                        double *w);
-    void (*band_assemble)(size_t n, const ovr_weights *w, const double k[6],
-                          double minus, double plus, bool transient,
+    /* to lanes, halos included, and back to the order of the nodes */
+    void (*pack)(const ovr_lanes *g, const double *from, double *to);
+    void (*unpack)(const ovr_lanes *g, const double *from, double *to);
+
+    /* leaves P's halo up to date for all that follows */
+    void (*deformation)(const struct ovr_mlmi *plan, double *P, double *w);
+    void (*film)(const ovr_fluid *fluid, double H0, const ovr_lanes *g,
+                 const double *gap, const double *w, const ovr_fields *f);
+    void (*residual)(const ovr_lanes *g, const ovr_weights *w,
+                     const ovr_fields *f);
+    double (*imbalance)(const ovr_lanes *g, const ovr_weights *w,
+                        const ovr_fields *f);
+    void (*band_assemble)(const ovr_lanes *g, const ovr_weights *w,
+                          const double k[6], const ovr_shares *shares,
                           const ovr_fields *f, const ovr_band *band);
-    void (*band_solve)(size_t n, const ovr_band *band);
-    void (*distribute)(size_t n, double limit, const ovr_band *band, double *P);
-    double (*sum)(size_t n, const double *x);
+    void (*band_solve)(const ovr_lanes *g, const ovr_band *band);
+    void (*distribute)(const ovr_lanes *g, double limit,
+                       const ovr_shares *shares, const ovr_band *band,
+                       double *P);
+    double (*sum)(const ovr_lanes *g, const double *x);
+    void (*coarse_gap)(const ovr_lanes *g, double H0, const double *w,
+                       double *gap);
+    void (*restrict_fields)(const ovr_lanes *coarse, const ovr_lanes *fine,
+                            const double *P, const double *H, const double *r,
+                            double *Pc, double *entry, double *Hc, double *rc);
+    void (*coarse_side)(const ovr_lanes *g, const double *residual, double *F,
+                        double *r);
+    void (*correct)(const ovr_lanes *coarse, const ovr_lanes *fine,
+                    double factor, const double *Pc, const double *entry,
+                    double *P);
+
     void (*combine)(size_t n, double a, const double *x, double b,
                     const double *y, double *result);
-    void (*coarse_gap)(size_t n, double H0, const double *w, double *gap);
-    void (*restrict_fields)(size_t nc, const double *P, const double *H,
-                            const double *r, double *Pc, double *entry,
-                            double *Hc, double *rc);
-    void (*coarse_side)(size_t n, const double *residual, double *F, double *r);
-    void (*correct)(size_t nc, double factor, const double *Pc,
-                    const double *entry, double *P);
-    void (*extrapolate)(size_t n, const double e[3], const double *a,
-                        const double *b, const double *c, double *P);
+    void (*extrapolate)(size_t n, size_t count, const double weight[],
+                        const double *const from[], double *P);
+    /* in the order of the nodes, see scan.kernel.c */
+    size_t (*extreme)(size_t n, double sign, const double *x);
+    bool (*positive)(size_t n, const double *x);
+    double (*difference)(size_t n, const double *a, const double *b);
+    double (*gain)(size_t n, const double *a, const double *b);
+    int (*peaks)(size_t n, const double *x, size_t *last);
+    double (*mean_flow)(size_t n, const double u[2], double D, const double *P,
+                        const double *q, const double *eps);
+    double (*deviation)(size_t n, const double e[3], const double *P,
+                        const double *q, double *const past[3]);
+
     void (*dense_row)(size_t n, const double c[4], const double *k,
                       double *row);
     bool (*dense_solve)(size_t m, size_t stride, double *A, double *x);

@@ -4,9 +4,9 @@
 void ovr_relax_line(ovr_hierarchy *grids, ovr_level *level)
 {
     const ovr_kernels *run = grids->kernels;
-    run->band_assemble(level->n, &level->weights, level->k, level->minus,
-                       level->plus, grids->op.transient, &level->f,
-                       &grids->band);
-    run->band_solve(level->n, &grids->band);
-    run->distribute(level->n, grids->limit, &grids->band, level->f.P);
+    run->band_assemble(&level->lanes, &level->weights, level->k, &level->shares,
+                       &level->f, &grids->band);
+    run->band_solve(&level->lanes, &grids->band);
+    run->distribute(&level->lanes, grids->limit, &level->shares, &grids->band,
+                    level->f.P);
 }

@@ -6,41 +6,40 @@
 #include <stdlib.h>
 
 #include "multigrid/kernels.h"
+#include "multigrid/reynolds_row.h"
 #include "multigrid/vector.h"
 
-/* Each column j of the system changes P_{j-1}, P_j, P_{j+1} by (minus, 1,
- * plus) delta_j.  Node 1 is a monopole, and when steady so is a dry node that
- * wants to rise (a dry one that does not has delta = 0 anyway). */
-static void set_shares(size_t n, double minus, double plus, bool transient,
-                       const double *P, const ovr_band *band)
-{
-    for (size_t i = 0; i < n; i += VEC) {
-        ivec wet = transient ? ~(ivec){0} : load(P + i) > 0;
-        store(band->minus + i, choose(wet, all(minus), all(0)));
-        store(band->plus + i, choose(wet, all(plus), all(0)));
-    }
-    band->minus[0] = band->minus[1] = band->minus[n - 1] = 0;
-    band->plus[0] = band->plus[1] = band->plus[n - 1] = 0;
-}
+/* What the rows of a grid are made of: copies, that no store can change. */
+typedef struct line {
+    ovr_fields f;
+    double half, k[6];
+    ovr_shares shares;
+    ovr_band band;
+} line;
 
-/* Coefficients of the wedge in a block of rows. */
-typedef struct wedge {
-    vec a0, a1, a2;
-} wedge;
+/* Where vector J is: the first ones have columns that reach node 1. */
+typedef enum stretch { LEFT_END, INSIDE } stretch;
+enum { EDGE = 4 };
 
-static inline wedge block_wedge(const ovr_weights *w, size_t i)
+/* Node 1 is a monopole, and when steady so is a dry node that wants to rise (a
+ * dry one that does not has delta = 0 anyway, as the ends have). */
+static inline void column_shares(const ovr_shares *shares, bool transient,
+                                 stretch where, const double *P, ptrdiff_t J,
+                                 vec *minus, vec *plus)
 {
-    wedge c = {all(w->a0), all(w->a1), all(w->a2)};
-    if (i == 0) { /* row 1 is of first order */
-        c.a0[1] = w->a0_first;
-        c.a1[1] = w->a1_first;
-        c.a2[1] = 0;
+    *minus = all(shares->minus);
+    *plus = all(shares->plus);
+    if (!transient) {
+        ivec wet = at(P, J) > 0;
+        *minus = choose(wet, *minus, all(0));
+        *plus = choose(wet, *plus, all(0));
     }
-    return c;
+    if (where == LEFT_END && J == 1)
+        (*minus)[0] = (*plus)[0] = 0;
 }
 
 /* e_0 k_|d| + e_1 k_|d+1| + e_2 k_|d+2| */
-static inline vec elastic(const vec e[3], const double k[6], int d)
+static inline vec elastic(const vec e[3], const double *k, int d)
 {
     return fused(e[0], all(k[abs(d)]),
                  fused(e[1], all(k[abs(d + 1)]), e[2] * k[abs(d + 2)]));
@@ -48,126 +47,158 @@ static inline vec elastic(const vec e[3], const double k[6], int d)
 
 /* A[d + 3] = dN_i/dP_{i+d}, d = -3..3: elastic band and local part, without
  * d eps/dH */
-static inline void derivatives(const ovr_fields *f, double half, const wedge *c,
-                               const double k[6], size_t i, vec A[7])
+static inline void derivatives(const line *l, const wedge *c, ptrdiff_t J,
+                               vec A[7])
 {
-    vec P0 = load(f->P + i), up = load(f->P + i - 1) - P0,
-        down = load(f->P + i + 1) - P0;
-    vec e0 = load(f->eps + i), em = load(f->eps + i - 1) + e0,
-        ep = load(f->eps + i + 1) + e0, h = all(half);
-    vec e[3] = {c->a0 * load(f->rho + i), c->a1 * load(f->rho + i - 1),
-                c->a2 * load(f->rho + i - 2)};
+    const ovr_fields *f = &l->f;
+    vec P = at(f->P, J), up = at(f->P, J - 1) - P, down = at(f->P, J + 1) - P;
+    vec e0 = at(f->eps, J), em = at(f->eps, J - 1) + e0,
+        ep = at(f->eps, J + 1) + e0, h = all(l->half);
+    vec e[3] = {c->a0 * at(f->rho, J), c->a1 * at(f->rho, J - 1),
+                c->a2 * at(f->rho, J - 2)};
     for (int d = -3; d <= 3; d++)
-        A[d + 3] = elastic(e, k, d);
-    A[1] = less(A[1], c->a2, load(f->dq + i - 2));
-    A[2] = less(fused(h, fused(load(f->deps + i - 1), up, em), A[2]), c->a1,
-                load(f->dq + i - 1));
-    A[3] = less(less(A[3], h, less(em + ep, load(f->deps + i), up + down)),
-                c->a0, load(f->dq + i));
-    A[4] = fused(h, fused(load(f->deps + i + 1), down, ep), A[4]);
+        A[d + 3] = elastic(e, l->k, d);
+    A[1] = less(A[1], c->a2, at(f->dq, J - 2));
+    A[2] = less(fused(h, fused(at(f->deps, J - 1), up, em), A[2]), c->a1,
+                at(f->dq, J - 1));
+    A[3] = less(less(A[3], h, less(em + ep, at(f->deps, J), up + down)), c->a0,
+                at(f->dq, J));
+    A[4] = fused(h, fused(at(f->deps, J + 1), down, ep), A[4]);
 }
 
-/* The shares of the columns about a block of rows; inside the grid all the
- * same when in time. */
-static inline void load_shares(const ovr_band *band, size_t i, bool uniform,
-                               vec minus[5], vec plus[5])
+/* b_d = A_d + minus_{i+d} A_{d-1} + plus_{i+d} A_{d+1} */
+static inline void distributed(const line *l, bool transient, stretch where,
+                               ptrdiff_t J, const vec A[7], vec b[5])
 {
-    for (size_t d = 0; d < 5; d++) {
-        minus[d] = load(band->minus + i + (uniform ? 0 : d - 2));
-        plus[d] = load(band->plus + i + (uniform ? 0 : d - 2));
+    for (ptrdiff_t d = 0; d < 5; d++) {
+        vec minus, plus;
+        column_shares(&l->shares, transient, where, l->f.P, J + d - 2, &minus,
+                      &plus);
+        b[d] = fused(minus, A[d], fused(plus, A[d + 2], A[d + 1]));
     }
 }
 
-/* Dry rows hold P_i: exactly in time, delta_i = 0 when steady. */
-static inline void hold_dry(vec b[5], ivec dry, bool transient, vec minus,
-                            vec plus)
+/* The same where the shares are -1, 0: additions are cheaper. */
+static inline void dipoles(const double *P, ptrdiff_t J, const vec A[7],
+                           vec b[5])
 {
-    vec held[5] = {all(0), transient ? plus : all(0), all(1),
-                   transient ? minus : all(0), all(0)};
+    for (ptrdiff_t d = 0; d < 5; d++)
+        b[d] = choose(at(P, J + d - 2) > 0, A[d + 1] - A[d], A[d + 1]);
+}
+
+/* Dry rows hold P_i: exactly in time, delta_i = 0 when steady. */
+static inline void hold_dry(const line *l, bool transient, stretch where,
+                            ptrdiff_t J, ivec dry, vec b[5])
+{
+    vec held[5] = {all(0), all(0), all(1), all(0), all(0)}, unused;
+    if (transient) {
+        column_shares(&l->shares, true, where, l->f.P, J - 1, &unused,
+                      &held[1]);
+        column_shares(&l->shares, true, where, l->f.P, J + 1, &held[3],
+                      &unused);
+    }
     for (size_t d = 0; d < 5; d++)
         b[d] = choose(dry, held[d], b[d]);
 }
 
-/* b_d = A_d + minus_{i+d} A_{d-1} + plus_{i+d} A_{d+1} and the right-hand
- * side */
-static inline void assemble_block(const ovr_fields *f, const vec A[7],
-                                  bool transient, bool uniform, size_t i,
-                                  const ovr_band *band)
+static INLINE void assemble_vector(const line *l, const wedge *c,
+                                   bool transient, stretch where, ptrdiff_t J)
 {
-    vec r = load(f->r + i), P = load(f->P + i), moves = all(1);
-    vec minus[5], plus[5], b[5];
+    const ovr_band *band = &l->band;
+    vec r = at(l->f.r, J), P = at(l->f.P, J), A[7], b[5];
+    derivatives(l, c, J, A);
     ivec dry = (P <= 0) & (r >= OVR_DRY_TOLERANCE * A[3]);
-    load_shares(band, i, uniform, minus, plus);
+    if (transient || where == LEFT_END)
+        distributed(l, transient, where, J, A, b);
+    else
+        dipoles(l->f.P, J, A, b);
+    hold_dry(l, transient, where, J, dry, b);
     for (size_t d = 0; d < 5; d++)
-        b[d] = fused(minus[d], A[d], fused(plus[d], A[d + 2], A[d + 1]));
-    if (any(dry)) {
-        hold_dry(b, dry, transient, minus[3], plus[1]);
-        r = choose(dry, -P, r);
-        if (transient)
-            moves = choose(dry, all(0), moves);
-    }
-    for (size_t d = 0; d < 5; d++)
-        store(band->b[d] + i, b[d]);
-    store(band->delta + i, r);
-    store(band->moves + i, moves);
+        put(band->b[d], J, b[d]);
+    put(band->delta, J, choose(dry, -P, r));
+    put(band->moves, J, transient ? choose(dry, all(0), all(1)) : all(1));
 }
 
-static inline void assemble_rows(const ovr_fields *f, const ovr_weights *w,
-                                 const double k[6], bool transient,
-                                 bool uniform, size_t from, size_t to,
-                                 const ovr_band *band)
-{
-    for (size_t i = from; i < to; i += VEC) {
-        vec A[7];
-        wedge c = block_wedge(w, i);
-        derivatives(f, w->half, &c, k, i, A);
-        assemble_block(f, A, transient, uniform, i, band);
-    }
-}
-
-static void hold_row(const ovr_band *band, size_t i)
+/* Rows that say delta = 0: the ends of the grid. */
+static void hold_row(const ovr_band *band, size_t place)
 {
     for (size_t d = 0; d < 5; d++)
-        band->b[d][i] = d == 2;
-    band->delta[i] = 0;
+        band->b[d][place] = d == 2;
+    band->delta[place] = 0;
 }
 
-void OVR_KERNEL(band_assemble)(size_t n, const ovr_weights *w,
-                               const double k[6], double minus, double plus,
-                               bool transient, const ovr_fields *f,
-                               const ovr_band *band)
+static INLINE void assemble(const line *l, const ovr_lanes *g,
+                            const ovr_weights *w, bool transient)
 {
-    enum { EDGE = 8 };
-    size_t end = (n - 1) / EDGE * EDGE - EDGE;
-    set_shares(n, minus, plus, transient, f->P, band);
-    if (transient) {
-        assemble_rows(f, w, k, true, false, 0, EDGE, band);
-        assemble_rows(f, w, k, true, true, EDGE, end, band);
-        assemble_rows(f, w, k, true, false, end, n, band);
-    } else {
-        assemble_rows(f, w, k, false, false, 0, n, band);
-    }
+    ptrdiff_t S = (ptrdiff_t)g->S, edge = S < EDGE ? S : EDGE;
+    wedge first = first_wedge(w), rest = inner_wedge(w);
+    assemble_vector(l, &rest, transient, LEFT_END, 0);
+    assemble_vector(l, &first, transient, LEFT_END, 1);
+    for (ptrdiff_t J = 2; J < edge; J++)
+        assemble_vector(l, &rest, transient, LEFT_END, J);
+    for (ptrdiff_t J = edge; J < S; J++)
+        assemble_vector(l, &rest, transient, INSIDE, J);
+}
+
+void OVR_KERNEL(band_assemble)(const ovr_lanes *g, const ovr_weights *w,
+                               const double k[6], const ovr_shares *shares,
+                               const ovr_fields *f, const ovr_band *band)
+{
+    const line l = {.f = *f,
+                    .half = w->half,
+                    .k = {k[0], k[1], k[2], k[3], k[4], k[5]},
+                    .shares = *shares,
+                    .band = *band};
+    if (shares->transient)
+        assemble(&l, g, w, true);
+    else
+        assemble(&l, g, w, false);
     hold_row(band, 0);
-    hold_row(band, n - 1);
+    for (size_t i = g->n - 1; i <= g->S * VEC; i++)
+        hold_row(band, ovr_lanes_place(g, i));
 }
 
-/* P_j <- max(0, P_j + change), |change| <= limit; a node held dry stays dry
- * whatever the rounding of its row. */
-void OVR_KERNEL(distribute)(size_t n, double limit, const ovr_band *band,
+/* P_J <- max(0, P_J + change), |change| <= limit; a node held dry stays dry
+ * whatever the rounding of its row.  Before and after: what the neighbours'
+ * deltas do here. */
+static inline void move(double *P, const ovr_band *band, ptrdiff_t J,
+                        vec change, double limit)
+{
+    change = smaller(larger(change, all(-limit)), all(limit));
+    put(P, J, larger(at(P, J) + change, all(0)) * at(band->moves, J));
+}
+
+static inline void distribute_lanes(ptrdiff_t S, double limit,
+                                    const ovr_shares *shares, bool transient,
+                                    const ovr_band *band, double *P)
+{
+    const double *delta = band->delta;
+    vec before, minus, plus, next_minus, next_plus;
+    column_shares(shares, transient, LEFT_END, P, -1, &minus, &plus);
+    before = plus * at(delta, -1);
+    column_shares(shares, transient, LEFT_END, P, 0, &minus, &plus);
+    for (ptrdiff_t J = 0; J < S; J++) {
+        vec here = at(delta, J), after = at(delta, J + 1);
+        column_shares(shares, transient, LEFT_END, P, J + 1, &next_minus,
+                      &next_plus);
+        vec change = here + next_minus * after + before;
+        before = plus * here;
+        plus = next_plus;
+        move(P, band, J, change, limit);
+    }
+}
+
+void OVR_KERNEL(distribute)(const ovr_lanes *g, double limit,
+                            const ovr_shares *shares, const ovr_band *band,
                             double *P)
 {
-    const double *delta = band->delta, *minus = band->minus, *plus = band->plus;
-    double last = P[n - 1];
-    for (size_t i = 0; i < n; i += VEC) {
-        vec change = load(delta + i) +
-                     load(minus + i + 1) * load(delta + i + 1) +
-                     load(plus + i - 1) * load(delta + i - 1);
-        change = smaller(larger(change, all(-limit)), all(limit));
-        store(P + i,
-              larger(load(P + i) + change, all(0)) * load(band->moves + i));
-    }
+    ptrdiff_t S = (ptrdiff_t)g->S;
+    repeat_ends(band->delta, S, 1);
+    if (shares->transient)
+        distribute_lanes(S, limit, shares, true, band, P);
+    else
+        distribute_lanes(S, limit, shares, false, band, P);
     P[0] = 0;
-    P[n - 1] = last;
-    for (size_t i = n; i < n + VEC; i++)
-        P[i] = 0;
+    for (size_t i = g->n - 1; i <= g->S * VEC; i++)
+        P[ovr_lanes_place(g, i)] = 0;
 }

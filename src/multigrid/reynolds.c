@@ -22,8 +22,7 @@ ovr_weights ovr_reynolds_weights(const ovr_operator *op, double D)
     return w;
 }
 
-void ovr_reynolds_shares(const ovr_operator *op, double D, double *minus,
-                         double *plus)
+ovr_shares ovr_reynolds_shares(const ovr_operator *op, double D)
 {
     double theta = 1;
     if (op->characteristic) {
@@ -33,6 +32,5 @@ void ovr_reynolds_shares(const ovr_operator *op, double D, double *minus,
         double tau = op->cT * D, scale = 0.2 * op->speed;
         theta = scale * scale / (scale * scale + tau * tau);
     }
-    *minus = -0.5 * (1 + theta);
-    *plus = -0.5 * (1 - theta);
+    return (ovr_shares){-0.5 * (1 + theta), -0.5 * (1 - theta), op->transient};
 }

@@ -57,7 +57,6 @@ ovr_weights ovr_reynolds_weights(const ovr_operator *op, double D);
  * P_{j-1} and P_{j+1}: (minus, 1, plus).  theta = 1/(1 + (tau/0.2)^2), tau =
  * cT D/Cu: a dipole (-1, 1, 0) when steady, a tripole (-1/2, 1, -1/2) when
  * the time term rules, and along the characteristic. */
-void ovr_reynolds_shares(const ovr_operator *op, double D, double *minus,
-                         double *plus);
+ovr_shares ovr_reynolds_shares(const ovr_operator *op, double D);
 
 #endif

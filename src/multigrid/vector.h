@@ -65,6 +65,15 @@ static inline bool any(ivec mask)
 #endif
 }
 
+/* x_0 + x_1 + ..., in this order */
+static inline double sum_of_lanes(vec x)
+{
+    double sum = x[0];
+    for (int l = 1; l < VEC; l++)
+        sum += x[l];
+    return sum;
+}
+
 /* a b + c, in one rounding where the machine has an instruction for it */
 static inline vec fused(vec a, vec b, vec c)
 {
@@ -172,6 +181,30 @@ static inline vec lanes_down(vec a, vec b)
 #endif
 }
 
+/* Vector J of an array in lanes (lanes.h). */
+static inline vec at(const double *x, ptrdiff_t J)
+{
+    return load(x + J * VEC);
+}
+
+static inline void put(double *x, ptrdiff_t J, vec v)
+{
+    store(x + J * VEC, v);
+}
+
+/* Repeats the ends of lanes of S nodes in `halo` vectors on both sides; what
+ * lies beyond the ends of the grid stays. */
+static inline void repeat_ends(double *x, ptrdiff_t S, ptrdiff_t halo)
+{
+    for (ptrdiff_t J = -halo; J < 0; J++)
+        put(x, J, lanes_up(at(x, J), at(x, S + J)));
+    for (ptrdiff_t J = S; J < S + halo; J++)
+        put(x, J, lanes_down(at(x, J - S), at(x, J)));
+}
+
+/* What is unrolled for constant arguments at its callers. */
+#define INLINE inline __attribute__((always_inline))
+
 /* Loops of few constant turns, in full. */
 #ifdef __clang__
 #define UNROLL _Pragma("unroll")
@@ -200,64 +233,6 @@ static inline vec smaller(vec a, vec b)
 #else
     return choose(a < b, a, b);
 #endif
-}
-
-/* c[0] + c[1] x + ... + c[degree] x^degree by Horner's rule */
-static inline vec polynomial(int degree, const double c[], vec x)
-{
-    vec sum = all(c[degree]);
-    for (int k = degree - 1; k >= 0; k--)
-        sum = fused(sum, x, all(c[k]));
-    return sum;
-}
-
-/*
- * exp(x), |x| <= 700 (not checked).  1. n = round(x/ln 2) by adding 1.5 2^52;
- * 2. r = x - n ln 2 with ln 2 in two parts, |r| < 0.347; 3. exp r = 1 + r +
- * r^2 p(r), p of degree 9 by interpolation at Chebyshev's nodes, error of
- * exp r below 2e-17; 4. n is added to the exponent.  Error below 2 ulp.
- */
-static inline vec exponential(vec x)
-{
-    static const double p[] = {0x1.0000000000001p-1,  0x1.5555555555556p-3,
-                               0x1.5555555553d68p-5,  0x1.11111111109b5p-7,
-                               0x1.6c16c17889ef1p-10, 0x1.a01a01a7c2efep-13,
-                               0x1.a019b9149a41cp-16, 0x1.71de0db2f6b19p-19,
-                               0x1.28917c89a43a7p-22, 0x1.af389ecfc4b9cp-26};
-    const vec shift = all(0x1.8p52);
-    vec t = fused(x, all(0x1.71547652b82fep0), shift), n = t - shift;
-    vec r = fused(n, all(-0x1.62e42fefa38p-1), x);
-    r = fused(n, all(-0x1.ef35793c7673p-45), r);
-    vec e = fused(r * r, polynomial(9, p, r), r) + 1.0;
-    return (vec)((ivec)e + ((ivec)t << 52));
-}
-
-/* x = 2^k m with m in [0.7071, 1.4142), for x >= 0.7072 */
-static inline vec mantissa(vec x, vec *k)
-{
-    const uint64_t half_root = 0x3fe6a09e667f3bcd; /* bits of sqrt(1/2) */
-    const uvec whole = (uvec)all(0x1p52);
-    uvec bits = (uvec)x, exponent = (bits - half_root) >> 52;
-    *k = (vec)(exponent + whole) - 0x1p52;
-    return (vec)(bits - (exponent << 52));
-}
-
-/*
- * log(2^k m) from s = (m - 1)/(m + 1), |s| < 0.1716, the division left to the
- * caller: 2 s (1 + s^2 p(s^2)) with p of degree 6 by interpolation at
- * Chebyshev's nodes, error below 5e-18, + k ln 2 in two parts.  Error below
- * 2 ulp.
- */
-static inline vec logarithm(vec k, vec s)
-{
-    static const double p[] = {0x1.5555555555558p-2, 0x1.99999999952e2p-3,
-                               0x1.2492492df148dp-3, 0x1.c71c62e5800a1p-4,
-                               0x1.7462b4ab2ef6bp-4, 0x1.39fe606542ddep-4,
-                               0x1.2b584aae78a57p-4};
-    vec s2 = s * s, twice = s + s;
-    vec small = fused(twice * s2, polynomial(6, p, s2),
-                      k * 0x1.ef35793c7673p-45);
-    return fused(k, all(0x1.62e42fefa38p-1), twice + small);
 }
 
 #endif

@@ -73,7 +73,7 @@ static void lagrange(double at, double weight[POINTS])
 static void add_foot(ovr_simulation *sim, int past, double c, double a)
 {
     ovr_inflow *inflow = &sim->inflow;
-    double *F = sim->finest->f.F, *q = inflow->extended, weight[POINTS];
+    double *F = sim->work, *q = inflow->extended, weight[POINTS];
     size_t n = sim->finest->n;
     double meshes = a / sim->finest->D, whole = nearbyint(meshes);
     bool on_node = fabs(meshes - whole) < 1e-9;
@@ -105,7 +105,8 @@ static void add_foot(ovr_simulation *sim, int past, double c, double a)
 void ovr_inflow_history(ovr_simulation *sim, const double c[2],
                         const double a[2])
 {
-    memset(sim->finest->f.F, 0, sim->finest->n * sizeof(double));
+    memset(sim->work, 0, sim->finest->n * sizeof(double));
     add_foot(sim, 0, c[0], a[0]);
     add_foot(sim, 1, c[1], a[1]);
+    ovr_level_write(&sim->grids, sim->finest, sim->work, sim->finest->f.F);
 }

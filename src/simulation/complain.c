@@ -24,19 +24,9 @@ bool ovr_hopeless(const ovr_simulation *sim)
     return sim->finest->D > hopeless * ovr_inlet_rise(sim);
 }
 
-static size_t thinnest(const ovr_level *level)
+bool ovr_surfaces_apart(const ovr_simulation *sim)
 {
-    const double *H = level->f.H;
-    size_t low = 0;
-    for (size_t i = 1; i < level->n; i++)
-        if (!(H[i] >= H[low]))
-            low = i;
-    return low;
-}
-
-bool ovr_surfaces_apart(const ovr_level *level)
-{
-    return level->f.H[thinnest(level)] > 0;
+    return sim->grids.kernels->positive(sim->finest->n, sim->H);
 }
 
 static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
@@ -51,14 +41,21 @@ static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
                     sim->finest->number + more);
 }
 
+/* Not far from a solution, whose film is negative somewhere: R was 1e-5 to 20
+ * where surfaces touch, 1e6 where a solve had gone astray. */
+static bool surfaces_overlap(const ovr_simulation *sim, const ovr_defect *d)
+{
+    return !ovr_surfaces_apart(sim) && fabs(d->imbalance) < 1e3;
+}
+
 static ovr_status touching(const ovr_simulation *sim, double T, ovr_error *err)
 {
-    size_t low = thinnest(sim->finest);
+    size_t low = sim->grids.kernels->extreme(sim->finest->n, 1, sim->H);
     return ovr_fail(err, OVR_IMPOSSIBLE,
                     "the surfaces touch at T = %g: film H = %.1e at X = %.3f "
                     "(surface there %.1e high); contact of the surfaces is "
                     "not modelled%s",
-                    T, sim->finest->f.H[low], sim->X[low], sim->S[low],
+                    T, sim->H[low], sim->X[low], sim->S[low],
                     sim->heights ? "; lower features or a finer level may help"
                                  : "; a finer level may help");
 }
@@ -78,11 +75,11 @@ ovr_status ovr_complain_steady(const ovr_simulation *sim,
                                ovr_error *err)
 {
     bool fixed = sim->options.stop == OVR_STOP_FIXED;
-    if (fixed && sim->refinements > 0 && ovr_surfaces_apart(sim->finest))
+    if (fixed && sim->refinements > 0 && ovr_surfaces_apart(sim))
         return too_few_cycles(sim, err);
     if (sim->finest->D > resolved * ovr_inlet_rise(sim))
         return too_thin(sim, err);
-    if (!ovr_surfaces_apart(sim->finest))
+    if (surfaces_overlap(sim, &outcome->defect))
         return touching(sim, 0, err);
     return ovr_fail(err, OVR_NOT_CONVERGED,
                     "the steady solution did not converge in any of %d ways: "
@@ -96,7 +93,7 @@ ovr_status ovr_complain_step(const ovr_simulation *sim,
                              const ovr_outcome *outcome, double T,
                              ovr_error *err)
 {
-    if (!ovr_surfaces_apart(sim->finest))
+    if (surfaces_overlap(sim, &outcome->defect))
         return touching(sim, T, err);
     return ovr_fail(err, OVR_NOT_CONVERGED,
                     "step %ld to T = %g did not converge, nor did parts of it "

@@ -36,21 +36,13 @@ static double predictor(const ovr_past *past, double h, bool quadratic,
 double ovr_step_error(const ovr_simulation *sim, double h)
 {
     const ovr_past *past = &sim->past;
-    const ovr_fields *f = &sim->finest->f;
     bool second = sim->options.scheme != OVR_UPSTREAM1;
-    double e[3], sum = 0;
-    size_t wet = 0;
+    double e[3], rms;
     if (past->steps < (second ? 2 : 1))
         return 0;
     double factor = predictor(past, h, second, e);
-    for (size_t i = 0; i < sim->finest->n; i++) {
-        double off = f->q[i] - e[0] * past->q[0][i] - e[1] * past->q[1][i] -
-                     e[2] * past->q[2][i];
-        if (f->P[i] > 0) {
-            sum += off * off;
-            wet++;
-        }
-    }
-    double H = ovr_level_centre(&sim->grids, sim->finest, f->H);
-    return wet ? factor * sqrt(sum / (double)wet) / fabs(H) : 0;
+    rms = sim->grids.kernels->deviation(sim->finest->n, e, sim->P, sim->q,
+                                        past->q);
+    double H = ovr_level_centre(&sim->grids, sim->finest, sim->finest->f.H);
+    return factor * rms / fabs(H);
 }

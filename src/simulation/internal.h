@@ -13,11 +13,11 @@
 /* The past that the time derivative and the extrapolation need. */
 typedef struct ovr_past {
     double *q[3]; /* rho H one, two and three steps ago */
-    double *P[3]; /* pressure one, two and three steps ago */
-    double H0[3];
-    double T[3];
+    double *P[4]; /* pressure one to four steps ago */
+    double H0[4];
+    double T[4];
     double dT;      /* length of the last step */
-    int steps;      /* how many steps lie behind P[0], 2 at most */
+    int steps;      /* how many steps lie behind P[0], 3 at most */
     int still;      /* steps in a row that changed nothing */
     double dT_next; /* adaptive: the step wanted next */
     double change;  /* largest change of P, or of S, in the last step */
@@ -44,6 +44,8 @@ struct ovr_simulation {
     const ovr_history *load, *speed;
 
     double *X, *S;
+    double *P, *H, *q, *eps; /* of the finest level, in the order of nodes */
+    double *work;            /* a field on its way from or to a level */
     ovr_past past;
     ovr_inflow inflow;
     bool started;
@@ -108,8 +110,8 @@ double ovr_inlet_rise(const ovr_simulation *sim);
 /* The mesh is too coarse for the film for any way of solving. */
 bool ovr_hopeless(const ovr_simulation *sim);
 
-/* H > 0 at every node. */
-bool ovr_surfaces_apart(const ovr_level *level);
+/* H > 0 at every node of what was read last. */
+bool ovr_surfaces_apart(const ovr_simulation *sim);
 
 /* How often a step is halved. */
 enum { OVR_HALVINGS = 4 };
@@ -136,6 +138,11 @@ void ovr_inflow_history(ovr_simulation *sim, const double c[2],
 /* Whether a characteristic step of this length has enough ghosts. */
 bool ovr_inflow_reaches(const ovr_simulation *sim, double travel);
 
+/* P and H0 at T + dT before the step is solved: extrapolated, or those of the
+ * last time.  Whether it is close: not just the trend, but what moves has
+ * been moved on. */
+bool ovr_guess(ovr_simulation *sim, double dT, bool extrapolated);
+
 /* Local error of a step of h to the finest level's solution, rms over the wet
  * nodes, relative to H_cen; 0 when there is no past to judge by. */
 double ovr_step_error(const ovr_simulation *sim, double h);
@@ -152,11 +159,11 @@ double ovr_mass_balance(const ovr_simulation *sim);
 /* Pressure, H0, gap and film of the last time reached. */
 void ovr_simulation_return(ovr_simulation *sim);
 
+/* P, H, q and eps of the finest level, in the order of the nodes. */
+void ovr_simulation_read(ovr_simulation *sim);
+
 /* Points the public state at the solution. */
 void ovr_publish_state(ovr_simulation *sim);
-
-/* Film, properties and residual of the finest level for its P. */
-void ovr_simulation_refresh(ovr_simulation *sim);
 
 /* Fills the state's fields and the observation from the finest level. */
 void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome);

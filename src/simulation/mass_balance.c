@@ -46,7 +46,7 @@ double ovr_mass_balance(const ovr_simulation *sim)
     const ovr_past *past = &sim->past;
     size_t n = sim->finest->n, end = last_wet(past->P[0], n),
            before = last_wet(past->P[1], n);
-    double dT = past->dT, in[2], out[2], stored = 0;
+    double dT = past->dT, in[2], out[2], stored;
     if (before < end)
         end = before;
     if (!(dT > 0) || end < 3)
@@ -57,8 +57,7 @@ double ovr_mass_balance(const ovr_simulation *sim)
         in[k] = central_flux(sim, past->P[k], past->q[k], Cu, 0);
         out[k] = central_flux(sim, past->P[k], past->q[k], Cu, end);
     }
-    for (size_t i = 1; i <= end; i++)
-        stored += past->q[0][i] - past->q[1][i];
+    stored = sim->grids.kernels->gain(end, past->q[0] + 1, past->q[1] + 1);
     double net = 0.5 * (in[0] - out[0] + in[1] - out[1]);
     double scale = 0.5 * fabs(in[0] + in[1]);
     double error = net - sim->finest->D * stored / dT;

@@ -19,43 +19,33 @@ static double vertex(const double *v, size_t i, double *value)
 
 static void observe_film(const ovr_simulation *sim, ovr_observation *o)
 {
-    const double *H = sim->finest->f.H;
-    size_t n = sim->finest->n, low = 1;
-    for (size_t i = 2; i + 1 < n; i++)
-        if (H[i] < H[low])
-            low = i;
+    const double *H = sim->H;
+    size_t low = 1 + sim->grids.kernels->extreme(sim->finest->n - 2, 1, H + 1);
     o->H_min = H[low];
     o->X_min = sim->X[low];
     o->X_min_located = o->X_min +
                        sim->finest->D * vertex(H, low, &o->H_min_located);
-    o->H_cen = ovr_level_centre(&sim->grids, sim->finest, H);
+    o->H_cen = ovr_level_centre(&sim->grids, sim->finest, sim->finest->f.H);
     o->H0 = sim->grids.H0;
 }
 
 static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
 {
-    const double *P = sim->finest->f.P;
-    size_t n = sim->finest->n, high = 1, spike = 0, wet = 0;
-    int maxima = 0;
-    for (size_t i = 1; i + 1 < n; i++) {
-        if (P[i] > P[high])
-            high = i;
-        if (P[i] > 0)
-            wet = i;
-        if (P[i] > P[i - 1] && P[i] >= P[i + 1]) {
-            maxima++;
-            if (sim->X[i] > 0)
-                spike = i;
-        }
-    }
+    const ovr_kernels *run = sim->grids.kernels;
+    const double *P = sim->P;
+    size_t n = sim->finest->n, spike = 0, wet = n - 2;
+    size_t high = 1 + run->extreme(n - 2, -1, P + 1);
+    int maxima = run->peaks(n, P, &spike);
+    while (wet > 0 && !(P[wet] > 0))
+        wet--;
     o->P_max = P[high];
     o->X_P_max = sim->X[high];
-    o->P_cen = ovr_level_centre(&sim->grids, sim->finest, P);
+    o->P_cen = ovr_level_centre(&sim->grids, sim->finest, sim->finest->f.P);
     o->maxima = maxima;
     o->X_cavitation = sim->X[wet + 1];
     o->P_spike = o->X_spike = NAN;
     o->P_spike_located = o->X_spike_located = NAN;
-    if (maxima >= 2 && spike) {
+    if (maxima >= 2 && sim->X[spike] > 0) {
         o->P_spike = P[spike];
         o->X_spike = sim->X[spike];
         o->X_spike_located =
@@ -68,39 +58,34 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
  * flow. */
 static double flux(const ovr_simulation *sim, double Cu, size_t i)
 {
-    const ovr_fields *f = &sim->finest->f;
-    double upstream = f->q[i];
+    const double *P = sim->P, *q = sim->q, *eps = sim->eps;
+    double upstream = q[i];
     if (sim->options.scheme != OVR_UPSTREAM1)
-        upstream = i ? 1.5 * f->q[i] - 0.5 * f->q[i - 1]
-                     : 0.5 * (f->q[0] + f->q[1]);
-    return Cu * upstream - 0.5 * (f->eps[i] + f->eps[i + 1]) *
-                               (f->P[i + 1] - f->P[i]) / sim->finest->D;
+        upstream = i ? 1.5 * q[i] - 0.5 * q[i - 1] : 0.5 * (q[0] + q[1]);
+    return Cu * upstream -
+           0.5 * (eps[i] + eps[i + 1]) * (P[i + 1] - P[i]) / sim->finest->D;
 }
 
-/* Mean over the wet half nodes: both neighbours under pressure. */
+/* The same inside, where it has two nodes upstream, over all that is wet. */
 static double mean_flow(const ovr_simulation *sim)
 {
-    const double *P = sim->finest->f.P;
-    double sum = 0, Cu = ovr_history_value(sim->speed, sim->state.T);
-    size_t count = 0;
-    for (size_t i = 1; i + 2 < sim->finest->n; i++)
-        if (P[i] > 0 && P[i + 1] > 0) {
-            sum += flux(sim, Cu, i);
-            count++;
-        }
-    return count ? sum / (double)count : 0;
+    double Cu = ovr_history_value(sim->speed, sim->state.T);
+    bool second = sim->options.scheme != OVR_UPSTREAM1;
+    const double u[2] = {second ? 1.5 * Cu : Cu, second ? -0.5 * Cu : 0};
+    return sim->grids.kernels->mean_flow(sim->finest->n, u, sim->finest->D,
+                                         sim->P, sim->q, sim->eps);
 }
 
 void ovr_simulation_fields(const ovr_simulation *sim, double *rho, double *eta,
                            double *flow)
 {
-    const ovr_fields *f = &sim->finest->f;
+    const double *P = sim->P;
     double Cu = ovr_history_value(sim->speed, sim->state.T);
     for (size_t i = 0; i < sim->finest->n; i++) {
         if (rho)
-            rho[i] = ovr_density(&sim->lubricant, f->P[i]);
+            rho[i] = ovr_density(&sim->lubricant, P[i]);
         if (eta)
-            eta[i] = ovr_viscosity(&sim->lubricant, f->P[i]);
+            eta[i] = ovr_viscosity(&sim->lubricant, P[i]);
         if (flow && i + 1 < sim->finest->n)
             flow[i] = flux(sim, Cu, i);
     }
@@ -116,14 +101,23 @@ static void observe_extremes(ovr_simulation *sim)
     }
 }
 
+void ovr_simulation_read(ovr_simulation *sim)
+{
+    const ovr_fields *f = &sim->finest->f;
+    const double *const fields[] = {f->P, f->H, f->q, f->eps};
+    double *const ordered[] = {sim->P, sim->H, sim->q, sim->eps};
+    for (size_t k = 0; k < 4; k++)
+        ovr_level_read(&sim->grids, sim->finest, fields[k], ordered[k]);
+}
+
 void ovr_publish_state(ovr_simulation *sim)
 {
     ovr_state *state = &sim->state;
     state->n = sim->finest->n;
     state->D = sim->finest->D;
     state->X = sim->X;
-    state->P = sim->finest->f.P;
-    state->H = sim->finest->f.H;
+    state->P = sim->P;
+    state->H = sim->H;
     state->S = sim->S;
     state->H0 = sim->grids.H0;
 }

@@ -53,7 +53,11 @@ void ovr_options_mlmi(const ovr_options *options, int level, int *order,
                       int *range)
 {
     double wanted = 0.1 * discretization_error(level);
-    ovr_mlmi_choose(wanted < 1e-8 ? wanted : 1e-8, order, range);
+    if (level < options->level) /* corrects finer ones, which stay as exact */
+        wanted = 1e-6;
+    else if (wanted > 1e-8)
+        wanted = 1e-8;
+    ovr_mlmi_choose(wanted, order, range);
     if (options->mlmi_order)
         *order = options->mlmi_order;
     if (options->mlmi_range)
@@ -168,15 +172,17 @@ ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
 /* An array over n nodes, with its ends (multigrid/field.h). */
 static double field_bytes(double n)
 {
-    return 8 * (n + 2 * 64 + (n > 1024 ? 512 : 0));
+    double least = n + 2 * 64;
+    return 8 * (n > 1024 ? least + 512 : 128 * ceil(least / 128) + 24);
 }
 
-/* Two arrays on each grid of the deformation's own, with wide ends. */
+/* A level's pressure and deformation, and two arrays on each of the
+ * deformation's own grids, with wide ends. */
 static double deformation_bytes(double n)
 {
-    double bytes = 0;
-    for (; n > 50; n /= 2)
-        bytes += 2 * field_bytes(n + 864);
+    double bytes = 2 * field_bytes(n + 736);
+    for (n /= 2; n > 50; n /= 2)
+        bytes += 2 * field_bytes(n + 736);
     return bytes;
 }
 
@@ -184,13 +190,14 @@ double ovr_simulation_memory(const ovr_options *options)
 {
     int coarsest = options->coarsest_level ? options->coarsest_level : 5;
     double bytes = 0, n = 0, m = 14 * ldexp(1, coarsest);
+    bool ordered = options->smoother != OVR_LINE || options->paper_balance;
     for (int l = coarsest < options->level ? coarsest : options->level;
          l <= options->level; l++) {
         n = 7 * ldexp(1, l) + 1;
-        bytes += 12 * field_bytes(n) + deformation_bytes(n);
+        bytes += 10 * field_bytes(n) + deformation_bytes(n);
     }
-    /* the smoother's system, the past, the coarsest grid's matrix, many small
-     * things */
-    return bytes + 9 * field_bytes(n + 128) + 9 * field_bytes(n) +
-           8 * (m + 2) * (m + 16) + 200e3;
+    /* the smoother's system, the past and what is read, the coarsest grid's
+     * matrix and fields, many small things */
+    return bytes + 7 * field_bytes(n) + 15 * 8 * n +
+           9 * field_bytes(ordered ? n : m) + 8 * (m + 2) * (m + 16) + 200e3;
 }

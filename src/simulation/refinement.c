@@ -12,7 +12,6 @@
  * The arrays of the past are free while a steady solution is made.
  */
 #include <math.h>
-#include <string.h>
 
 #include "simulation/internal.h"
 
@@ -27,12 +26,12 @@ static double distance(const double *a, size_t stride, const double *b,
 
 void ovr_refinement_coarse(ovr_simulation *sim, const ovr_level *level)
 {
-    memcpy(sim->past.P[2], level->f.P, level->n * sizeof(double));
+    ovr_level_read(&sim->grids, level, level->f.P, sim->past.P[2]);
 }
 
 void ovr_refinement_cycle(ovr_simulation *sim, const ovr_level *level)
 {
-    memcpy(sim->past.P[1], level->f.P, level->n * sizeof(double));
+    ovr_level_read(&sim->grids, level, level->f.P, sim->past.P[1]);
 }
 
 static double smallest(const double *H, size_t n)
@@ -55,12 +54,13 @@ void ovr_refinement_note(ovr_simulation *sim, const ovr_level *level,
                            .residual = d->imbalance,
                            .factor = factor,
                            .H_cen = d->centre};
-    to->H_min = smallest(level->f.H, level->n);
-    to->change = cycles ? distance(level->f.P, 1, sim->past.P[1], level->n,
-                                   level->D)
-                        : 0;
+    ovr_level_read(&sim->grids, level, level->f.H, sim->work);
+    to->H_min = smallest(sim->work, level->n);
+    ovr_level_read(&sim->grids, level, level->f.P, sim->work);
+    to->change =
+        cycles ? distance(sim->work, 1, sim->past.P[1], level->n, level->D) : 0;
     to->algebraic = to->change * q / (1 - q);
-    to->difference = distance(level->f.P, 2, sim->past.P[2], (level - 1)->n,
+    to->difference = distance(sim->work, 2, sim->past.P[2], (level - 1)->n,
                               (level - 1)->D);
 }
 

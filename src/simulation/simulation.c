@@ -12,11 +12,14 @@
 
 static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
 {
-    double **all[] = {&sim->X,         &sim->S,         &sim->past.q[0],
+    double **all[] = {&sim->X,         &sim->S,         &sim->S_past,
+                      &sim->P,         &sim->H,         &sim->q,
+                      &sim->eps,       &sim->work,      &sim->past.q[0],
                       &sim->past.q[1], &sim->past.q[2], &sim->past.P[0],
-                      &sim->past.P[1], &sim->past.P[2], &sim->S_past};
+                      &sim->past.P[1], &sim->past.P[2], &sim->past.P[3]};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (!(*all[k] = ovr_field(&sim->arena, sim->finest->n, err)))
+        if (!(*all[k] = ovr_arena_take(&sim->arena, sim->finest->n,
+                                       sizeof(double), err)))
             return OVR_NO_MEMORY;
     for (size_t i = 0; i < sim->finest->n; i++)
         sim->X[i] = sim->grids.X_a + (double)i * sim->finest->D;
@@ -44,6 +47,14 @@ void ovr_simulation_defaults(ovr_simulation *sim)
     grids->limit = 0.1;
 }
 
+/* The finest level that is not relaxed in lanes: Newton's, or all. */
+static int ordered_level(const ovr_options *o)
+{
+    if (o->smoother != OVR_LINE || o->paper_balance)
+        return o->level;
+    return o->coarsest_level + (o->coarsest_level < o->level);
+}
+
 static ovr_status build(ovr_simulation *sim, ovr_error *err)
 {
     const ovr_options *o = &sim->options;
@@ -54,6 +65,7 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
     grids->kernels = ovr_kernels_choose(NULL);
     grids->fluid.lubricant = sim->lubricant;
     grids->fluid.lambda = sim->contact.lambda;
+    grids->ordered = ordered_level(o);
     ovr_simulation_defaults(sim);
     if (ovr_hierarchy_build(grids, o->coarsest_level, o->level, o->inlet,
                             o->outlet, order, range, &sim->arena, err))
@@ -120,7 +132,7 @@ void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
 
 void ovr_simulation_gap(ovr_simulation *sim, double T)
 {
-    double *restrict gap = sim->finest->gap;
+    double *restrict gap = sim->work;
     const double *restrict X = sim->X, *restrict S = sim->S;
     size_t n = sim->finest->n;
     if (sim->heights) {
@@ -129,6 +141,7 @@ void ovr_simulation_gap(ovr_simulation *sim, double T)
     }
     for (size_t i = 0; i < n; i++)
         gap[i] = 0.5 * X[i] * X[i] - S[i];
+    ovr_level_write(&sim->grids, sim->finest, gap, sim->finest->gap);
 }
 
 const ovr_state *ovr_simulation_state(const ovr_simulation *sim)

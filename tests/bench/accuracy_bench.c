@@ -22,18 +22,6 @@ typedef struct run {
     int count;
 } run;
 
-/* depth 0.1, width 0.5, from X = -4.6, rolling */
-static void heights(void *data, double T, size_t n, const double *X, double *S)
-{
-    (void)data;
-    for (size_t i = 0; i < n; i++) {
-        double xi = (X[i] + 4.6 - T) / 0.5;
-        S[i] = xi * xi > 3 ? 0
-                           : -0.1 * exp(-10 * log(10) * xi * xi) *
-                                 cos(2 * acos(-1) * xi);
-    }
-}
-
 static ovr_status sample(void *data, const ovr_simulation *sim, ovr_error *err)
 {
     run *r = data;
@@ -47,9 +35,10 @@ static void roll(void *data)
 {
     run *r = data;
     ovr_error err;
+    static bench_dent dent = {-4.6};
     ovr_march march = {.end = 6, .observe = sample, .data = r};
     r->count = 0;
-    ovr_simulation_surface(r->sim, heights, NULL);
+    ovr_simulation_surface(r->sim, bench_dent_heights, &dent);
     CHECK_OK(ovr_simulation_steady(r->sim, &err), &err);
     CHECK_OK(ovr_simulation_march(r->sim, &march, &err), &err);
 }
@@ -73,31 +62,81 @@ static double rms(const run *r, const run *truth)
     return sqrt(sum / count);
 }
 
-int main(int argc, char *argv[])
+enum { LEVELS = LAST - FIRST + 1, SCHEMES = 3 };
+static const char *const names[SCHEMES] = {"upstream1", "upstream2",
+                                           "characteristic"};
+
+typedef struct cost {
+    double error, seconds;
+} cost;
+
+static void print_all(cost all[SCHEMES][LEVELS])
 {
-    static const char *const names[] = {"upstream1", "upstream2",
-                                        "characteristic"};
-    static run truth, r;
-    bench_open(argc, argv);
-    seconds_of(&truth, TRUTH, OVR_CHARACTERISTIC, 1);
-    printf("\nreference dent to T = 6, dT = D: error of H_cen and time\n"
-           "%-15s %5s %10s %10s\n",
-           "scheme", "level", "rms error", "seconds");
+    printf("\nreference dent to T = 6, dT = D: rms error of H_cen / H_c, and "
+           "seconds\n%-15s",
+           "scheme");
+    for (int l = 0; l < LEVELS; l++)
+        printf(" |     level %d     ", FIRST + l);
+    printf("\n");
     bench_list("accuracy");
-    for (int s = 0; s < 3; s++)
-        for (int level = FIRST; level <= LAST; level++) {
-            double seconds = seconds_of(&r, level, (ovr_scheme)s, 3);
-            double error = rms(&r, &truth);
-            printf("%-15s %5d %10.1e %10.3f\n", names[s], level, error,
-                   seconds);
+    for (int s = 0; s < SCHEMES; s++) {
+        printf("%-15s", names[s]);
+        for (int l = 0; l < LEVELS; l++) {
+            printf(" | %8.1e %7.3f", all[s][l].error, all[s][l].seconds);
             bench_row();
             bench_text("scheme", names[s]);
-            bench_number("level", level);
-            bench_number("rms_error", error);
-            bench_number("seconds", seconds);
+            bench_number("level", FIRST + l);
+            bench_number("rms_error", all[s][l].error);
+            bench_number("seconds", all[s][l].seconds);
             bench_end();
         }
+        printf("\n");
+    }
     bench_end();
+}
+
+/* Which settings to use: the quickest that is good enough. */
+static void recommend(cost all[SCHEMES][LEVELS])
+{
+    static const double wanted[] = {3e-2, 1e-2, 3e-3, 1e-3, 3e-4};
+    printf("\nquickest for a wanted error\n");
+    bench_list("quickest");
+    for (size_t k = 0; k < sizeof wanted / sizeof *wanted; k++) {
+        int best = -1, at = 0;
+        for (int s = 0; s < SCHEMES; s++)
+            for (int l = 0; l < LEVELS; l++)
+                if (all[s][l].error <= wanted[k] &&
+                    (best < 0 || all[s][l].seconds < all[best][at].seconds)) {
+                    best = s;
+                    at = l;
+                }
+        if (best < 0)
+            continue;
+        printf("%8.0e  %-15s level %d  %.3f s\n", wanted[k], names[best],
+               FIRST + at, all[best][at].seconds);
+        bench_row();
+        bench_number("wanted", wanted[k]);
+        bench_text("scheme", names[best]);
+        bench_number("level", FIRST + at);
+        bench_number("seconds", all[best][at].seconds);
+        bench_end();
+    }
+    bench_end();
+}
+
+int main(int argc, char *argv[])
+{
+    static run truth, r;
+    cost all[SCHEMES][LEVELS];
+    bench_open(argc, argv);
+    seconds_of(&truth, TRUTH, OVR_CHARACTERISTIC, 1);
+    for (int s = 0; s < SCHEMES; s++)
+        for (int l = 0; l < LEVELS; l++) {
+            double seconds = seconds_of(&r, FIRST + l, (ovr_scheme)s, 3);
+            all[s][l] = (cost){rms(&r, &truth), seconds};
+        }
+    print_all(all);
+    recommend(all);
     bench_close();
     return 0;
 }

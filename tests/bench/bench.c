@@ -38,6 +38,12 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+double bench_median(size_t count, double values[])
+{
+    qsort(values, count, sizeof *values, compare);
+    return values[count / 2];
+}
+
 void bench_measure(size_t count, bench_work work[], double least, int rounds)
 {
     enum { MOST = 101 };
@@ -51,11 +57,8 @@ void bench_measure(size_t count, bench_work work[], double least, int rounds)
     for (int r = 0; r < rounds; r++)
         for (size_t k = 0; k < count; k++)
             seconds[k * MOST + (size_t)r] = timed(&work[k], calls[k]);
-    for (size_t k = 0; k < count; k++) {
-        double *all = seconds + k * MOST;
-        qsort(all, (size_t)rounds, sizeof *all, compare);
-        work[k].seconds = all[rounds / 2];
-    }
+    for (size_t k = 0; k < count; k++)
+        work[k].seconds = bench_median((size_t)rounds, seconds + k * MOST);
     free(seconds);
     free(calls);
 }
@@ -147,6 +150,21 @@ ovr_simulation *bench_contact(int level, ovr_scheme scheme, ovr_stop stop)
     options.scheme = scheme;
     options.stop = stop;
     return test_simulation(20, 10, &options);
+}
+
+const char *const bench_sets[] = {"avx512", "avx2", "base", NULL};
+
+/* depth 10^(-10 xi^2) cos(2 pi xi) */
+void bench_dent_heights(void *data, double T, size_t n, const double *X,
+                        double *S)
+{
+    const bench_dent *dent = data;
+    for (size_t i = 0; i < n; i++) {
+        double xi = (X[i] - dent->start - T) / 0.5;
+        S[i] = xi * xi > 1.7 ? 0
+                             : -0.1 * exp(-10 * log(10) * xi * xi) *
+                                   cos(2 * acos(-1) * xi);
+    }
 }
 
 /* -------------------------------------------------------------------- FFT */

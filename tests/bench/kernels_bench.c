@@ -1,21 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Where the time goes: ns a point of each kernel by instruction set, then
- * the share of each in the run of a dent, by a table of kernels that keep
- * their own time.
+ * Each kernel by itself: ns a node, and what that is of the machine's peaks,
+ * which are measured in the same run: of multiply-adds from registers, and of
+ * a triad over as many bytes.  The larger share says what limits a kernel;
+ * where both are small it waits for results of its own (chains of dependent
+ * operations, divisions).  Reading costs less than writing, of which a triad
+ * has much: a kernel that mostly reads can do better than it.
  */
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "bench.h"
+#include "multigrid/coarsest.h"
 #include "simulation/internal.h"
 #include "support/test.h"
 
-static const char *const sets[] = {"avx512", "avx2", "base"};
-enum { SETS = sizeof sets / sizeof *sets };
-
-/* ----------------------------------------------------- one kernel by itself */
+/* ----------------------------------------------------------- the kernels */
 
 static void run_deformation(void *sim)
 {
@@ -28,8 +30,8 @@ static void run_film(void *sim)
 {
     ovr_simulation *s = sim;
     ovr_level *l = s->finest;
-    s->grids.kernels->film(&s->grids.fluid, s->grids.H0, l->n, l->gap, l->w,
-                           &l->f);
+    s->grids.kernels->film(&s->grids.fluid, s->grids.H0, &l->lanes, l->gap,
+                           l->w, &l->f);
 }
 
 static void run_residual(void *sim)
@@ -48,191 +50,245 @@ static void run_assemble(void *sim)
 {
     ovr_simulation *s = sim;
     ovr_level *l = s->finest;
-    s->grids.kernels->band_assemble(l->n, &l->weights, l->k, l->minus, l->plus,
-                                    false, &l->f, &s->grids.band);
+    s->grids.kernels->band_assemble(&l->lanes, &l->weights, l->k, &l->shares,
+                                    &l->f, &s->grids.band);
 }
 
-/* The solver works in place: its rows have to be made again each time. */
+/* The solver works in place: its rows have to be made again each time, and
+ * their time is taken off. */
 static void run_assemble_solve(void *sim)
 {
     ovr_simulation *s = sim;
     run_assemble(sim);
-    s->grids.kernels->band_solve(s->finest->n, &s->grids.band);
+    s->grids.kernels->band_solve(&s->finest->lanes, &s->grids.band);
 }
 
 static void run_distribute(void *sim)
 {
     ovr_simulation *s = sim;
-    s->grids.kernels->distribute(s->finest->n, 0, &s->grids.band,
-                                 s->finest->f.P);
+    s->grids.kernels->distribute(&s->finest->lanes, 0, &s->finest->shares,
+                                 &s->grids.band, s->finest->f.P);
 }
 
-static const struct {
+static void run_restrict(void *sim)
+{
+    ovr_simulation *s = sim;
+    ovr_level *fine = s->finest, *coarse = fine - 1;
+    s->grids.kernels->restrict_fields(
+        &coarse->lanes, &fine->lanes, fine->f.P, fine->f.H, fine->f.r,
+        coarse->f.P, coarse->P_entry, coarse->gap, s->grids.band.delta);
+}
+
+static void run_correct(void *sim)
+{
+    ovr_simulation *s = sim;
+    ovr_level *fine = s->finest, *coarse = fine - 1;
+    s->grids.kernels->correct(&coarse->lanes, &fine->lanes, 0, coarse->f.P,
+                              coarse->P_entry, fine->f.P);
+}
+
+/*
+ * Operations and bytes a node, counted by hand in the kernels' text for the
+ * line smoother, Roelands, second order.  A multiply-add is two operations; a
+ * division, comparison or choice one or none (division one); integer work is
+ * not counted.  Bytes: each array that a pass over the grid reads or writes
+ * counts 8 a node, once a pass; what a vector shares with its neighbours comes
+ * from registers or the nearest cache.
+ *
+ * film: logarithm 20, the rest of the first pass 14, t^z 16 + 3, viscosity 16
+ * + 6.  Reads P, gap, w; writes H, rho, dq, q, eps, deps (the blocks of a pass
+ * stay in the nearest cache).
+ * residual: three sums, two products a side less what they share 7, wedge 6,
+ * 2 to finish.  Reads P, eps, q, F; writes r.
+ * imbalance: d 5, fall 1, sum 1.  Reads P, eps, r.
+ * band_assemble: differences 4, elastic coefficients 3, seven elastic sums 35,
+ * local parts 2 + 6 + 8 + 4, five columns 5 when steady (20 in time).  Reads P,
+ * eps, rho, dq, deps, r; writes five bands, delta, moves.
+ * band_solve: elimination 24, two heads 18, back substitution 8.  Reads six
+ * and writes five arrays, then reads five and writes one.
+ * distribute: 6.  Reads delta, P, moves; writes P.
+ * restrict_fields, a fine node: 8/2.  Reads P, H, r; writes four coarse ones.
+ * correct, a fine node: (2 + 5)/2.  Reads P and two coarse ones; writes P.
+ */
+static const struct kernel {
     const char *name;
     void (*run)(void *);
-} kernels[] = {
-    {"deformation", run_deformation}, {"film", run_film},
-    {"residual", run_residual},       {"imbalance", run_imbalance},
-    {"band_assemble", run_assemble},  {"band_solve", run_assemble_solve},
-    {"distribute", run_distribute}};
-enum { KERNELS = sizeof kernels / sizeof *kernels };
+    double flops, bytes; /* 0: counted from the plan */
+} kernels[] = {{"deformation", run_deformation, 0, 0},
+               {"film", run_film, 75, 72},
+               {"residual", run_residual, 15, 40},
+               {"imbalance", run_imbalance, 7, 24},
+               {"band_assemble", run_assemble, 67, 104},
+               {"band_solve", run_assemble_solve, 50, 136},
+               {"distribute", run_distribute, 6, 32},
+               {"restrict_fields", run_restrict, 4, 40},
+               {"correct", run_correct, 3.5, 24}};
+enum { KERNELS = sizeof kernels / sizeof *kernels, ASSEMBLE = 4, SOLVE = 5 };
 
-static void one_level(int set, int level)
+/*
+ * Deformation on a grid of m nodes, half order h, range r: transfer, m/2 sums
+ * of h pairs at 3 operations; even outputs, m/2 of r/2 pairs; odd ones, m/2 of
+ * h + r pairs and a product.  Read and written: u and half of U; half of u,
+ * twice half of the even results; these and u, the results.  The dense sum
+ * takes 2 operations a pair of nodes.
+ */
+static void count_deformation(const ovr_mlmi *plan, double *flops,
+                              double *bytes)
+{
+    double h = (double)plan->half_order, r = (double)plan->range;
+    double m = (double)plan->n, count;
+    *flops = *bytes = 0;
+    for (int s = 0; s < plan->depth; s++, m /= 2) {
+        *flops += m / 2 * (3 * h + 1.5 * r + 3 * (h + r) + 1);
+        *bytes += 8 * m * (1.5 + 1.5 + 2.5);
+    }
+    count = m + (double)(plan->grid[plan->depth].left +
+                         plan->grid[plan->depth].right);
+    *flops = (*flops + 2 * count * count) / (double)plan->n;
+    *bytes = (*bytes + 16 * count) / (double)plan->n;
+}
+
+/* ------------------------------------------------------------- measuring */
+
+enum { LEVELS = 5, FIRST = 6 };
+
+typedef struct figures {
+    double ns, flops, bytes, of_flops, of_bytes;
+} figures;
+
+static void one_level(const ovr_kernels *set, double peak, int level,
+                      figures found[KERNELS])
 {
     ovr_error err;
     bench_work work[KERNELS];
     ovr_simulation *sim = bench_contact(level, OVR_UPSTREAM2,
                                         OVR_STOP_TRUNCATION);
+    double n = (double)sim->finest->n;
+    ovr_hierarchy_kernels(&sim->grids, set);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
-    sim->grids.kernels = ovr_kernels_choose(sets[set]);
     for (size_t k = 0; k < KERNELS; k++)
         work[k] = (bench_work){kernels[k].run, sim, 0};
     bench_measure(KERNELS, work, 2e-3, 15);
-    work[5].seconds -= work[4].seconds;
-    bench_row();
-    bench_text("kernels", sets[set]);
-    bench_number("level", level);
-    printf("%-7s %5d", sets[set], level);
+    work[SOLVE].seconds -= work[ASSEMBLE].seconds;
     for (size_t k = 0; k < KERNELS; k++) {
-        double ns = 1e9 * work[k].seconds / (double)sim->finest->n;
-        bench_number(kernels[k].name, ns);
-        printf(" %13.2f", ns);
+        double flops = kernels[k].flops, bytes = kernels[k].bytes;
+        double seconds = work[k].seconds / n;
+        if (flops == 0)
+            count_deformation(&sim->finest->mlmi, &flops, &bytes);
+        found[k] = (figures){.ns = 1e9 * seconds,
+                             .flops = flops,
+                             .bytes = bytes,
+                             .of_flops = flops / seconds / peak,
+                             .of_bytes = bytes / seconds /
+                                         bench_bandwidth((size_t)(bytes * n))};
+    }
+    ovr_simulation_free(sim);
+}
+
+static void print_set(const char *set, double peak,
+                      figures found[LEVELS][KERNELS])
+{
+    printf("\n%s: ns a node, %% of %.1f Gflop/s, %% of the triad's bytes\n"
+           "%-16s %5s %5s",
+           set, 1e-9 * peak, "", "flops", "bytes");
+    for (int l = 0; l < LEVELS; l++)
+        printf(" |   level %2d   ", FIRST + 2 * l);
+    printf("\n");
+    for (size_t k = 0; k < KERNELS; k++) {
+        const figures *some = &found[LEVELS / 2][k];
+        printf("%-16s %5.0f %5.0f", kernels[k].name, some->flops, some->bytes);
+        for (int l = 0; l < LEVELS; l++) {
+            const figures *f = &found[l][k];
+            printf(" | %5.2f %3.0f %3.0f", f->ns, 100 * f->of_flops,
+                   100 * f->of_bytes);
+            bench_row();
+            bench_text("kernels", set);
+            bench_text("kernel", kernels[k].name);
+            bench_number("level", FIRST + 2 * l);
+            bench_number("ns_a_node", f->ns);
+            bench_number("flops_a_node", f->flops);
+            bench_number("bytes_a_node", f->bytes);
+            bench_number("share_of_peak_flops", f->of_flops);
+            bench_number("share_of_bandwidth", f->of_bytes);
+            bench_end();
+        }
+        printf("\n");
+    }
+}
+
+static void one_set(const char *set)
+{
+    figures found[LEVELS][KERNELS];
+    double peak = bench_peak_flops(set);
+    for (int l = 0; l < LEVELS; l++)
+        one_level(ovr_kernels_choose(set), peak, FIRST + 2 * l, found[l]);
+    print_set(set, peak, found);
+}
+
+/* ---------------------------------------------------------------- peaks */
+
+static void bandwidths(void)
+{
+    printf("triad, GB/s over so many kB:");
+    bench_list("triad");
+    for (size_t kB = 12; kB <= (size_t)12 << 14; kB *= 4) {
+        double rate = bench_bandwidth(1024 * kB);
+        printf("  %zu: %.0f", kB, 1e-9 * rate);
+        bench_row();
+        bench_number("kB", (double)kB);
+        bench_number("bytes_a_second", rate);
+        bench_end();
     }
     printf("\n");
     bench_end();
-    ovr_simulation_free(sim);
 }
 
-/* ------------------------------------------------- all of them in one run */
-
-/* Kernels that keep their own time: the table of the instruction set with
- * wrappers around the hot ones. */
-static const ovr_kernels *inner;
-static double spent[8];
-enum { DEFORM, FILM, RESIDUAL, ASSEMBLE, SOLVE, DENSE, RESTRICT, PARTS };
-static const char *const part_names[] = {
-    "deformation", "film",        "residual", "band_assemble",
-    "band_solve",  "dense_solve", "restrict"};
-
-static double now(void)
+/* Newton on the coarsest grid: 2/3 m^3 operations. */
+static void solve_dense(void *sim)
 {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+    ovr_simulation *s = sim;
+    ovr_newton_step(&s->grids, &s->grids.level[s->grids.coarsest], 0);
 }
 
-#define KEEP_TIME(part, call)                                                  \
-    do {                                                                       \
-        double start = now();                                                  \
-        inner->call;                                                           \
-        spent[part] += now() - start;                                          \
-    } while (0)
-
-static void timed_deformation(const ovr_mlmi *plan, const double *P, double *w)
+static void coarsest_grid(void)
 {
-    KEEP_TIME(DEFORM, deformation(plan, P, w));
-}
-
-static void timed_film(const ovr_fluid *fluid, double H0, size_t n,
-                       const double *gap, const double *w, const ovr_fields *f)
-{
-    KEEP_TIME(FILM, film(fluid, H0, n, gap, w, f));
-}
-
-static void timed_residual(size_t n, const ovr_weights *w, const ovr_fields *f)
-{
-    KEEP_TIME(RESIDUAL, residual(n, w, f));
-}
-
-static void timed_assemble(size_t n, const ovr_weights *w, const double k[6],
-                           double minus, double plus, bool transient,
-                           const ovr_fields *f, const ovr_band *band)
-{
-    KEEP_TIME(ASSEMBLE,
-              band_assemble(n, w, k, minus, plus, transient, f, band));
-}
-
-static void timed_solve(size_t n, const ovr_band *band)
-{
-    KEEP_TIME(SOLVE, band_solve(n, band));
-}
-
-static bool timed_dense(size_t m, size_t stride, double *A, double *x)
-{
-    bool solved = false;
-    double start = now();
-    solved = inner->dense_solve(m, stride, A, x);
-    spent[DENSE] += now() - start;
-    return solved;
-}
-
-static void timed_restrict(size_t nc, const double *P, const double *H,
-                           const double *r, double *Pc, double *entry,
-                           double *Hc, double *rc)
-{
-    KEEP_TIME(RESTRICT, restrict_fields(nc, P, H, r, Pc, entry, Hc, rc));
-}
-
-/* Time of a cycle by kernel, all levels together. */
-static void profile(int level)
-{
-    enum { CYCLES = 400 };
-    ovr_error err;
-    ovr_simulation *sim = bench_contact(level, OVR_UPSTREAM2,
-                                        OVR_STOP_TRUNCATION);
-    ovr_kernels timed = *sim->grids.kernels;
-    double rest = 1;
-    inner = sim->grids.kernels;
-    timed.deformation = timed_deformation;
-    timed.film = timed_film;
-    timed.residual = timed_residual;
-    timed.band_assemble = timed_assemble;
-    timed.band_solve = timed_solve;
-    timed.dense_solve = timed_dense;
-    timed.restrict_fields = timed_restrict;
-    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
-    sim->grids.kernels = &timed;
-    memset(spent, 0, sizeof spent);
-    double start = now();
-    for (int k = 0; k < CYCLES; k++)
-        ovr_cycle(&sim->grids, sim->finest);
-    double total = now() - start;
-    bench_row();
-    bench_number("level", level);
-    bench_number("cycle_us", 1e6 * total / CYCLES);
-    printf("%13d", level);
-    for (int k = 0; k < PARTS; k++) {
-        bench_number(part_names[k], spent[k] / total);
-        rest -= spent[k] / total;
-        printf(" %13.1f", 100 * spent[k] / total);
+    printf("\nNewton step of the coarsest grid, 57 nodes, us (%% of peak "
+           "flops):");
+    bench_list("newton_step");
+    for (int k = 0; bench_sets[k]; k++) {
+        ovr_error err;
+        if (!ovr_kernels_choose(bench_sets[k]))
+            continue;
+        ovr_simulation *sim = bench_contact(6, OVR_UPSTREAM2,
+                                            OVR_STOP_TRUNCATION);
+        ovr_hierarchy_kernels(&sim->grids, ovr_kernels_choose(bench_sets[k]));
+        CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+        bench_work work = {solve_dense, sim, 0};
+        double m = (double)sim->grids.level[sim->grids.coarsest].n + 1;
+        bench_measure(1, &work, 1e-3, 15);
+        printf("  %s %.1f (%.0f)", bench_sets[k], 1e6 * work.seconds,
+               100 * 2 / 3. * pow(m, 3) / work.seconds /
+                   bench_peak_flops(bench_sets[k]));
+        bench_row();
+        bench_text("kernels", bench_sets[k]);
+        bench_number("us", 1e6 * work.seconds);
+        bench_end();
+        ovr_simulation_free(sim);
     }
-    printf(" %13.1f\n", 100 * rest);
+    printf("\n");
     bench_end();
-    ovr_simulation_free(sim);
 }
 
 int main(int argc, char *argv[])
 {
-    static const int levels[] = {6, 8, 10, 12, 14};
     bench_open(argc, argv);
-    printf("ns a point\n%-7s %5s", "kernels", "level");
-    for (size_t k = 0; k < KERNELS; k++)
-        printf(" %13s", kernels[k].name);
-    printf("\n");
-    bench_list("ns_a_point");
-    for (int set = 0; set < SETS; set++)
-        for (size_t k = 0; k < sizeof levels / sizeof *levels; k++)
-            if (ovr_kernels_choose(sets[set]))
-                one_level(set, levels[k]);
+    bandwidths();
+    bench_list("kernels");
+    for (int k = 0; bench_sets[k]; k++)
+        if (ovr_kernels_choose(bench_sets[k]))
+            one_set(bench_sets[k]);
     bench_end();
-    printf("\nshare of a V(1,1) cycle, %%\n%13s", "level");
-    for (int k = 0; k < PARTS; k++)
-        printf(" %13s", part_names[k]);
-    printf(" %13s\n", "rest");
-    bench_list("share_of_cycle");
-    for (int level = 6; level <= 14; level += 2)
-        profile(level);
-    bench_end();
+    coarsest_grid();
     bench_close();
     return 0;
 }

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The solver in convolutions: MLMI, a V(1,1) cycle and full multigrid, each
- * in units of one FFTW convolution of the same n measured in the same rounds;
- * growth per doubling of n; the largest steady solution; the reference dent.
+ * How fast the solver is, beside its goals: MLMI, a V(1,1) cycle and full
+ * multigrid in units of one FFTW convolution of the same n that took turns
+ * with them; the largest steady solution; the reference dent; growth per
+ * doubling of n.  All instruction sets from this one binary.
  */
 #include <math.h>
 #include <stdio.h>
@@ -12,8 +13,52 @@
 #include "simulation/internal.h"
 #include "support/test.h"
 
-static const char *const sets[] = {"avx512", "avx2", "base"};
-enum { SETS = sizeof sets / sizeof *sets };
+enum { SETS = 3, FIRST = 8, LAST = 18, LEVELS = (LAST - FIRST) / 2 + 1 };
+
+/* Goals are those of AVX-512; NAN where there is none. */
+static void row(const char *what, int level, double goal,
+                const double measured[SETS])
+{
+    bench_row();
+    bench_text("what", what);
+    bench_number("level", level);
+    bench_number("goal", goal);
+    printf("%-34s %5d", what, level);
+    if (isnan(goal))
+        printf(" %7s", "");
+    else
+        printf(" %7.3g", goal);
+    for (int k = 0; k < SETS; k++) {
+        bench_number(bench_sets[k], measured[k]);
+        if (isnan(measured[k]))
+            printf(" %8s", "");
+        else
+            printf(" %8.3g", measured[k]);
+    }
+    printf("\n");
+    bench_end();
+}
+
+static ovr_simulation *contact(int set, int level, ovr_scheme scheme,
+                               ovr_stop stop)
+{
+    const ovr_kernels *kernels = ovr_kernels_choose(bench_sets[set]);
+    ovr_simulation *sim = kernels ? bench_contact(level, scheme, stop) : NULL;
+    if (sim)
+        ovr_hierarchy_kernels(&sim->grids, kernels);
+    return sim;
+}
+
+/* The best that this machine has. */
+static int best_set(void)
+{
+    int set = 0;
+    while (!ovr_kernels_choose(bench_sets[set]))
+        set++;
+    return set;
+}
+
+/* ------------------------------------------------- parts, in convolutions */
 
 static void deform(void *sim)
 {
@@ -31,145 +76,228 @@ static void cycle(void *sim)
 static void solve(void *sim)
 {
     ovr_error err;
-    ovr_simulation_steady(sim, &err);
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
 }
 
-static double last[SETS][3], last_n[SETS];
+enum { MLMI, CYCLE, FMG, PARTS };
+static void (*const parts[PARTS])(void *) = {deform, cycle, solve};
+static const char *const names[PARTS] = {"MLMI, FFTs", "V(1,1), FFTs",
+                                         "FMG, FFTs"};
 
-static double growth(double *before, double now, double ratio)
-{
-    double factor = *before > 0 ? pow(now / *before, 1 / log2(ratio)) : NAN;
-    *before = now;
-    return factor;
-}
+/* Seconds of each part by level and set; algebraic error of FMG over the
+ * discretization error; seconds of the convolution. */
+typedef struct timed {
+    double part[PARTS][LEVELS][SETS], algebraic[LEVELS], fft[LEVELS], n[LEVELS];
+} timed;
 
-static void solver_row(int set, int level)
+/* Growth alone needs no convolution, and one instruction set, beyond 16. */
+static void measure_level(timed *t, int k)
 {
-    const ovr_kernels *kernels = ovr_kernels_choose(sets[set]);
-    if (!kernels)
-        return;
-    ovr_simulation *sim = bench_contact(level, OVR_UPSTREAM2,
-                                        OVR_STOP_TRUNCATION);
-    sim->grids.kernels = kernels;
-    solve(sim);
-    double n = (double)sim->finest->n;
-    bench_fft *fft = bench_fft_plan(sim->finest->n, sim->finest->D);
-    bench_work work[] = {{bench_fft_run, fft, 0},
-                         {deform, sim, 0},
-                         {cycle, sim, 0},
-                         {solve, sim, 0}};
-    bench_measure(4, work, level < 14 ? 2e-3 : 0, level < 14 ? 15 : 5);
-    double unit = fft ? work[0].seconds : NAN, ratio = n / last_n[set];
-    last_n[set] = n;
-    bench_row();
-    bench_text("kernels", sets[set]);
-    bench_number("level", level);
-    bench_number("n", n);
-    bench_number("fft_us", 1e6 * unit);
-    printf("%-7s %5d %9.0f %9.1f |", sets[set], level, n, 1e6 * unit);
-    const char *const names[] = {"mlmi", "cycle", "fmg"};
-    for (int k = 0; k < 3; k++) {
-        double t = work[k + 1].seconds, grows = growth(&last[set][k], t, ratio);
-        char name[32];
-        snprintf(name, sizeof name, "%s_us", names[k]);
-        bench_number(name, 1e6 * t);
-        snprintf(name, sizeof name, "%s_in_ffts", names[k]);
-        bench_number(name, t / unit);
-        snprintf(name, sizeof name, "%s_growth_per_doubling", names[k]);
-        bench_number(name, grows);
-        printf(" %9.1f %6.3f %5.2f |", 1e6 * t, t / unit, grows);
+    int level = FIRST + 2 * k;
+    size_t works = 1, n = ovr_level_nodes(level);
+    ovr_simulation *sim[SETS] = {NULL};
+    bench_work work[1 + SETS * PARTS];
+    bench_fft *fft = level > 16 ? NULL : bench_fft_plan(n, 5.5 / (double)n);
+    work[0] = (bench_work){fft ? bench_fft_run : deform, fft, 0};
+    for (int s = 0; s < SETS; s++) {
+        if (level <= 16 || s == best_set())
+            sim[s] = contact(s, level, OVR_UPSTREAM2, OVR_STOP_TRUNCATION);
+        for (int p = 0; sim[s] && p < PARTS; p++)
+            work[works++] = (bench_work){parts[p], sim[s], 0};
+        if (sim[s])
+            solve(sim[s]);
     }
-    bench_number("fmg_cycles", sim->observation.cycles);
-    bench_end();
-    printf(" %d\n", sim->observation.cycles);
+    /* long enough that each finds its arrays in the cache again */
+    double least = level < 14 ? 2e-3 : level < 16 ? 5e-3 : 20e-3;
+    if (fft)
+        bench_measure(works, work, least, level < 14 ? 15 : 5);
+    else
+        bench_measure(works - 1, work + 1, least, 3);
+    t->n[k] = (double)n;
+    t->fft[k] = fft ? work[0].seconds : NAN;
+    works = 1;
+    for (int s = 0; s < SETS; s++)
+        for (int p = 0; p < PARTS; p++)
+            t->part[p][k][s] = sim[s] ? work[works++].seconds : NAN;
+    for (int s = SETS - 1; s >= 0; s--)
+        if (sim[s]) {
+            const ovr_refinement *r = &sim[s]->refinement[0];
+            r += sim[s]->refinements - 1;
+            t->algebraic[k] = r->algebraic / r->difference;
+            ovr_simulation_free(sim[s]);
+        }
     bench_fft_free(fft);
-    ovr_simulation_free(sim);
 }
 
+static void in_convolutions(timed *t)
+{
+    static const double goals[PARTS][LEVELS] = {{.25, .17, .13, .07, .05, NAN},
+                                                {8, 5.5, 4.5, NAN, NAN, NAN},
+                                                {50, 30, 20, 15, NAN, NAN}};
+    for (int k = 0; k < LEVELS; k++)
+        measure_level(t, k);
+    for (int p = 0; p < PARTS; p++)
+        for (int k = 0; k < LEVELS && !isnan(t->fft[k]); k++) {
+            double ratio[SETS];
+            for (int s = 0; s < SETS; s++)
+                ratio[s] = t->part[p][k][s] / t->fft[k];
+            row(names[p], FIRST + 2 * k, goals[p][k], ratio);
+        }
+}
+
+/* -------------------------------------------------------------- whole runs */
+
+/* Of second order, to below the discretization error. */
 static void largest_steady(void)
 {
-    double n = 0;
-    ovr_simulation *sim = bench_contact(17, OVR_UPSTREAM1, OVR_STOP_FIXED);
-    bench_work work = {solve, sim, 0};
-    bench_measure(1, &work, 0, 5);
-    n = (double)sim->finest->n;
-    printf("\nsteady, first order, 2 V(1,1) a level, n = %.0f: %.3f s\n", n,
-           work.seconds);
-    bench_number("steady_917505_seconds", work.seconds);
-    ovr_simulation_free(sim);
+    double seconds[SETS];
+    for (int s = 0; s < SETS; s++) {
+        ovr_simulation *sim = contact(s, 17, OVR_UPSTREAM2,
+                                      OVR_STOP_TRUNCATION);
+        bench_work work = {solve, sim, NAN};
+        if (sim)
+            bench_measure(1, &work, 0, 3);
+        ovr_simulation_free(sim);
+        seconds[s] = work.seconds;
+    }
+    row("steady, 917,505 nodes, s", 17, 0.18, seconds);
 }
 
-typedef struct rolling {
-    ovr_simulation *sim;
-    double depth, width, start;
-} rolling;
-
-/* depth 10^(-10 xi^2) cos(2 pi xi), no more than 1e-30 beyond |xi| = sqrt 3 */
-static void dent_heights(void *data, double T, size_t n, const double *X,
-                         double *S)
+static void roll(void *sim)
 {
-    const rolling *r = data;
-    for (size_t i = 0; i < n; i++) {
-        double xi = (X[i] - r->start - T) / r->width;
-        S[i] = xi * xi > 3 ? 0
-                           : -r->depth * exp(-10 * log(10) * xi * xi) *
-                                 cos(2 * acos(-1) * xi);
+    static bench_dent dent = {-4.6};
+    ovr_error err;
+    ovr_march march = {.end = 6};
+    ovr_simulation_surface(sim, bench_dent_heights, &dent);
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    CHECK_OK(ovr_simulation_march(sim, &march, &err), &err);
+}
+
+static void reference_dent(void)
+{
+    double seconds[SETS], cycles[SETS];
+    for (int s = 0; s < SETS; s++) {
+        ovr_simulation *sim = contact(s, 8, OVR_UPSTREAM2, OVR_STOP_NEGLIGIBLE);
+        bench_work work = {roll, sim, NAN};
+        if (sim)
+            bench_measure(1, &work, 0, s ? 3 : 5);
+        seconds[s] = work.seconds;
+        cycles[s] = sim ? (double)sim->statistics.cycles /
+                              (double)sim->statistics.steps
+                        : NAN;
+        ovr_simulation_free(sim);
+    }
+    row("reference dent, 1955 steps, s", 8, 0.22, seconds);
+    row("  cycles a step", 8, NAN, cycles);
+}
+
+/* ----------------------------------------------------------------- growth */
+
+/* Quiet steps, of one cycle each whatever is left: how often a step needs
+ * more depends on what happens, not on n alone. */
+enum { SOME_STEPS = 8 };
+
+static void some_steps(void *sim)
+{
+    ovr_error err;
+    ovr_simulation *s = sim;
+    for (int k = 0; k < SOME_STEPS; k++)
+        CHECK_OK(ovr_simulation_step(s, s->finest->D, &err), &err);
+}
+
+static double step_seconds(int level)
+{
+    bench_dent dent = {-0.8};
+    ovr_simulation *sim = contact(best_set(), level, OVR_UPSTREAM2,
+                                  OVR_STOP_TRUNCATION);
+    bench_work work = {some_steps, sim, 0};
+    ovr_simulation_surface(sim, bench_dent_heights, &dent);
+    solve(sim);
+    sim->options.tolerance = 1;
+    some_steps(sim);
+    bench_measure(1, &work, 0, level < 14 ? 15 : 3);
+    ovr_simulation_free(sim);
+    return work.seconds / SOME_STEPS;
+}
+
+/* Factor a doubling between two levels. */
+static double factor(const timed *t, const double *seconds, int from, int to)
+{
+    return pow(seconds[to] / seconds[from], 1 / log2(t->n[to] / t->n[from]));
+}
+
+static void growth_row(const timed *t, const char *what, const double *seconds)
+{
+    static const double goals[] = {2.05, 2.3};
+    static const int ends[] = {0, 2, LEVELS - 1}; /* levels 8, 12, 18 */
+    for (int part = 0; part < 2; part++) {
+        char text[64];
+        double measured[SETS] = {factor(t, seconds, ends[part], ends[part + 1]),
+                                 NAN, NAN};
+        snprintf(text, sizeof text, "%s, a doubling, %d-%d", what,
+                 FIRST + 2 * ends[part], FIRST + 2 * ends[part + 1]);
+        row(text, FIRST + 2 * ends[part + 1], goals[part], measured);
     }
 }
 
-static void roll(void *data)
+/* By level: microseconds of everything, with the best instruction set. */
+static void by_level(const timed *t, const double *fmg, const double *step)
 {
-    rolling *r = data;
-    ovr_error err;
-    ovr_march march = {.end = 6};
-    ovr_simulation_surface(r->sim, dent_heights, r);
-    ovr_simulation_steady(r->sim, &err);
-    ovr_simulation_march(r->sim, &march, &err);
-}
-
-static void reference_dent(int level, int rounds)
-{
-    rolling r = {bench_contact(level, OVR_UPSTREAM2, OVR_STOP_NEGLIGIBLE), 0.1,
-                 0.5, -4.6};
-    bench_work work = {roll, &r, 0};
-    bench_measure(1, &work, 0, rounds);
-    const ovr_statistics *s = ovr_simulation_statistics(r.sim);
-    printf("dent, level %d, second order, to T = 6: %.3f s, %ld steps, %.2f "
-           "cycles a step, %.1f us a step\n",
-           level, work.seconds, s->steps, (double)s->cycles / (double)s->steps,
-           1e6 * work.seconds / (double)s->steps);
-    bench_row();
-    bench_number("level", level);
-    bench_number("seconds", work.seconds);
-    bench_number("steps", (double)s->steps);
-    bench_number("cycles", (double)s->cycles);
+    int set = best_set();
+    printf("\n%s by level; times in us; growth a doubling of n since the level "
+           "above; FMG's\nalgebraic error, as it estimates it itself, over the "
+           "discretization error\n"
+           "%5s %9s %9s %9s %9s %10s %6s %8s %10s %6s\n",
+           ovr_kernels_choose(NULL)->name, "level", "n", "FFT", "MLMI",
+           "V(1,1)", "FMG", "grows", "error", "quiet step", "grows");
+    bench_list("by_level");
+    for (int k = 0; k < LEVELS; k++) {
+        double grows[2] = {NAN, NAN};
+        if (k) {
+            grows[0] = factor(t, fmg, k - 1, k);
+            grows[1] = factor(t, step, k - 1, k);
+        }
+        printf("%5d %9.0f %9.1f %9.1f %9.1f %10.1f %6.2f %8.3f %10.1f %6.2f\n",
+               FIRST + 2 * k, t->n[k], 1e6 * t->fft[k],
+               1e6 * t->part[MLMI][k][set], 1e6 * t->part[CYCLE][k][set],
+               1e6 * fmg[k], grows[0], t->algebraic[k], 1e6 * step[k],
+               grows[1]);
+        bench_row();
+        bench_number("level", FIRST + 2 * k);
+        bench_number("n", t->n[k]);
+        bench_number("fft_us", 1e6 * t->fft[k]);
+        bench_number("mlmi_us", 1e6 * t->part[MLMI][k][set]);
+        bench_number("cycle_us", 1e6 * t->part[CYCLE][k][set]);
+        bench_number("fmg_us", 1e6 * fmg[k]);
+        bench_number("fmg_growth", grows[0]);
+        bench_number("fmg_algebraic_error", t->algebraic[k]);
+        bench_number("step_us", 1e6 * step[k]);
+        bench_number("step_growth", grows[1]);
+        bench_end();
+    }
     bench_end();
-    ovr_simulation_free(r.sim);
 }
 
 int main(int argc, char *argv[])
 {
-    static const int levels[] = {6, 8, 10, 12, 14, 16};
+    static timed t;
+    double fmg[LEVELS], step[LEVELS];
     bench_open(argc, argv);
-    printf("M = 20, L = 10, second order; CPU time, medians\n"
-           "%-7s %5s %9s %9s | %23s | %23s | %23s | cycles\n"
-           "%-7s %5s %9s %9s |",
-           "kernels", "level", "n", "FFT us", "MLMI", "V(1,1)",
-           "FMG to truncation", "", "", "", "");
-    for (int k = 0; k < 3; k++)
-        printf(" %9s %6s %5s |", "us", "FFTs", "grows");
-    printf("\n");
-    bench_list("solver");
-    for (int set = 0; set < SETS; set++)
-        for (size_t k = 0; k < sizeof levels / sizeof *levels; k++)
-            if (set == 0 || levels[k] <= 12)
-                solver_row(set, levels[k]);
-    bench_end();
+    printf("M = 20, L = 10; CPU time, medians; goals with AVX-512\n"
+           "%-34s %5s %7s %8s %8s %8s\n",
+           "", "level", "goal", bench_sets[0], bench_sets[1], bench_sets[2]);
+    bench_list("goals");
+    in_convolutions(&t);
     largest_steady();
-    bench_list("dent");
-    for (int level = 6; level <= 9; level++)
-        reference_dent(level, level < 9 ? 5 : 1);
+    reference_dent();
+    for (int k = 0; k < LEVELS; k++) {
+        fmg[k] = t.part[FMG][k][best_set()];
+        step[k] = step_seconds(FIRST + 2 * k);
+    }
+    growth_row(&t, "FMG", fmg);
+    growth_row(&t, "quiet step", step);
     bench_end();
+    by_level(&t, fmg, step);
     bench_close();
     return 0;
 }

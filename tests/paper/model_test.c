@@ -9,6 +9,7 @@
  * Linear, so a relaxation can be measured on random errors of a problem whose
  * solution is zero, and multigrid is the plain correction scheme.
  */
+#include "support/deformation.h"
 #include "support/test.h"
 
 #include <math.h>
@@ -18,7 +19,6 @@
 #include "base/arena.h"
 #include "multigrid/deformation.h"
 #include "multigrid/field.h"
-#include "multigrid/kernels.h"
 
 enum { LEVELS = 12 };
 
@@ -27,12 +27,11 @@ typedef struct grid {
     double D, bound; /* switch: Gauss-Seidel where eps > bound */
     double *P, *w, *eps, *f, *r, *delta;
     double k[3];
-    ovr_mlmi mlmi;
+    test_deformation deformation;
 } grid;
 
 typedef struct model {
     ovr_arena arena;
-    const ovr_kernels *kernels;
     grid grid[LEVELS];
     int coarsest;
     double seidel, dipole; /* under-relaxation */
@@ -51,8 +50,8 @@ static void make_grid(model *m, int level, double eps_of(double))
         g->k[d] = ovr_deformation_kernel(d, g->D);
     for (size_t i = 0; i < g->n; i++)
         g->eps[i] = eps_of(-4 + (double)i * g->D);
-    CHECK_OK(ovr_mlmi_plan(&g->mlmi, g->n, g->D, 10, 16, &m->arena, &err),
-             &err);
+    g->deformation = test_deformation_plan("base", g->n, g->D, 10, 16,
+                                           &m->arena);
 }
 
 static model *make_model(int coarsest, int finest, double eps_of(double))
@@ -62,7 +61,6 @@ static model *make_model(int coarsest, int finest, double eps_of(double))
     model *m = ovr_arena_take(&arena, 1, sizeof *m, &err);
     assert_non_null(m);
     m->arena = arena;
-    m->kernels = ovr_kernels_choose("base");
     m->coarsest = coarsest;
     m->seidel = 1;
     m->dipole = 0.6;
@@ -86,15 +84,15 @@ static double row(const grid *g, size_t i)
            (w[i] - w[i - 1]) / g->D;
 }
 
-static void film(const model *m, grid *g)
+static void film(grid *g)
 {
-    m->kernels->deformation(&g->mlmi, g->P, g->w);
+    test_deform(&g->deformation, g->P, g->w);
 }
 
-static double residual(const model *m, grid *g)
+static double residual(grid *g)
 {
     double sum = 0;
-    film(m, g);
+    film(g);
     for (size_t i = 1; i + 1 < g->n; i++) {
         g->r[i] = g->f[i] - row(g, i);
         sum += g->r[i] * g->r[i];
@@ -108,7 +106,7 @@ static void relax(const model *m, grid *g)
     const double *e = g->eps;
     double h = 0.5 / (g->D * g->D), elastic = (g->k[0] - g->k[1]) / g->D;
     double next = (g->k[1] - g->k[0]) / g->D;
-    film(m, g);
+    film(g);
     memset(g->delta, 0, g->n * sizeof(double));
     for (size_t i = 1; i + 1 < g->n; i++) {
         double r = g->f[i] - row(g, i);
@@ -212,7 +210,7 @@ static void cycle(model *m, int level, int index)
         relax(m, g);
     if (level == m->coarsest)
         return;
-    residual(m, g);
+    residual(g);
     restrict_residual(g, &m->grid[level - 1]);
     for (int c = 0; c < index; c++)
         cycle(m, level - 1, index);
@@ -234,10 +232,10 @@ static double cycle_factor(model *m, int finest, int index)
         g->f[i] = test_random(&state, -1, 1);
     for (int c = 0; c < FIRST; c++)
         cycle(m, finest, index);
-    begun = residual(m, g);
+    begun = residual(g);
     for (int c = 0; c < CYCLES; c++)
         cycle(m, finest, index);
-    return pow(residual(m, g) / begun, 1. / CYCLES);
+    return pow(residual(g) / begun, 1. / CYCLES);
 }
 
 /* ------------------------------------------------------------------ tests */

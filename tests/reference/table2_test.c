@@ -85,6 +85,28 @@ static void converges_at_the_schemes_order(void **state)
     }
 }
 
+/* stop = truncation leaves a tenth of the distance between the exact solution
+ * of the level and the limit, with one cycle on each level on the way. */
+static void truncation_is_below_the_discretization_error(void **state)
+{
+    const double limit = 0.08419667638;
+    (void)state;
+    for (size_t k = 0; truth_wedge_2[k].level <= 8; k++) {
+        ovr_error err;
+        ovr_options o = ovr_options_default();
+        const truth_row *row = &truth_wedge_2[k];
+        o.level = row->level;
+        o.stop = OVR_STOP_TRUNCATION;
+        ovr_simulation *sim = test_simulation(20, 10, &o);
+        CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+        const ovr_observation *seen = ovr_simulation_observation(sim);
+        int on_the_way = o.level - ovr_simulation_options(sim)->coarsest_level;
+        CHECK_NEAR(seen->H_cen, row->H_cen, 0.1 * fabs(row->H_cen - limit));
+        assert_true(seen->cycles <= on_the_way + 1);
+        ovr_simulation_free(sim);
+    }
+}
+
 /* rho H - eps dP/dX is the same at every half node of a steady film. */
 static void mass_flow_is_constant(void **state)
 {
@@ -138,6 +160,7 @@ int main(void)
         cmocka_unit_test(upstream2_levels_6_to_14),
         cmocka_unit_test(other_loads_at_level_12),
         cmocka_unit_test(converges_at_the_schemes_order),
+        cmocka_unit_test(truncation_is_below_the_discretization_error),
         cmocka_unit_test(mass_flow_is_constant),
         cmocka_unit_test(high_load_is_hertzian),
         cmocka_unit_test(film_follows_moes),

@@ -137,7 +137,7 @@ static void discrete_series_as_it_comes(void **state)
 {
     (void)state;
     for (size_t k = 0; k < sizeof discrete / sizeof *discrete; k++)
-        CHECK_NEAR(march(&discrete[k], 7, 0, every_16_steps).worst, 0, 1e-4);
+        CHECK_NEAR(march(&discrete[k], 7, 0, every_16_steps).worst, 0, 2e-6);
 }
 
 static void discrete_series_to_the_digits(void **state)

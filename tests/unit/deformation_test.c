@@ -4,14 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "multigrid/deformation.h"
 #include "multigrid/field.h"
-#include "multigrid/kernels.h"
+#include "support/deformation.h"
 #include "support/test.h"
 
 typedef struct bench {
     ovr_arena arena;
-    ovr_mlmi plan;
+    test_deformation plan;
     size_t n;
     double D, *P, *w, *direct;
 } bench;
@@ -20,7 +19,7 @@ static bench make(size_t n, double D, int order, int range)
 {
     ovr_error err;
     bench b = {.n = n, .D = D, .arena = ovr_arena_make(NULL)};
-    CHECK_OK(ovr_mlmi_plan(&b.plan, n, D, order, range, &b.arena, &err), &err);
+    b.plan = test_deformation_plan(NULL, n, D, order, range, &b.arena);
     b.P = ovr_field(&b.arena, n, &err);
     b.w = ovr_field(&b.arena, n, &err);
     b.direct = ovr_field(&b.arena, n, &err);
@@ -29,7 +28,7 @@ static bench make(size_t n, double D, int order, int range)
 
 static void apply(bench *b)
 {
-    ovr_kernels_choose(NULL)->deformation(&b->plan, b->P, b->w);
+    test_deform(&b->plan, b->P, b->w);
 }
 
 /* max |w - direct| / max |direct| */

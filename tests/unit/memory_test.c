@@ -1,64 +1,113 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Memory of a simulation: taken once, little of it, and as announced. */
+#include "overroll/surface.h"
 #include "simulation/internal.h"
 #include "support/contact.h"
 #include "support/test.h"
 
-static ovr_simulation *create(int level, ovr_scheme scheme,
-                              const ovr_allocator *allocator)
+typedef struct kind {
+    int level;
+    ovr_scheme scheme;
+    ovr_smoother smoother;
+    bool adaptive;
+} kind;
+
+static ovr_simulation *create(const kind *k, const ovr_allocator *allocator)
 {
     ovr_error err;
     ovr_options options = ovr_options_default();
     test_contact t = test_contact_make(20, 10);
-    options.level = level;
-    options.scheme = scheme;
+    options.level = k->level;
+    options.scheme = k->scheme;
+    options.smoother = k->smoother;
     ovr_simulation *sim = ovr_simulation_create(&t.contact, &t.lubricant,
                                                 &options, allocator, &err);
     assert_non_null(sim);
     return sim;
 }
 
+/* A dent on one surface and roughness on the other. */
+static ovr_surfaces *rough(const ovr_simulation *sim,
+                           const ovr_allocator *allocator)
+{
+    ovr_error err;
+    ovr_feature_form dent = ovr_feature_form_default();
+    ovr_feature_form roughness = ovr_feature_form_default();
+    ovr_surfaces *s = ovr_surfaces_create(&sim->contact, NULL, sim->finest->D,
+                                          allocator, &err);
+    assert_non_null(s);
+    dent.shape = OVR_DENT;
+    dent.depth = 0.05, dent.width = 0.5, dent.start = -1.5;
+    roughness.shape = OVR_ROUGHNESS;
+    roughness.surface = 2, roughness.start = 2;
+    roughness.roughness = ovr_roughness_default();
+    roughness.roughness.Rq = 0.004, roughness.roughness.length = 8;
+    roughness.roughness.rolloff = 1, roughness.roughness.shortest = 0.2;
+    CHECK_OK(ovr_surfaces_add(s, &dent, &err), &err);
+    CHECK_OK(ovr_surfaces_add(s, &roughness, &err), &err);
+    return s;
+}
+
 /* A rough steady solution and a run allocate nothing. */
 static void nothing_is_allocated_after_set_up(void **state)
 {
-    const ovr_scheme schemes[] = {OVR_UPSTREAM1, OVR_UPSTREAM2,
-                                  OVR_CHARACTERISTIC};
+    static const kind kinds[] = {{6, OVR_UPSTREAM1, OVR_LINE, false},
+                                 {6, OVR_CHARACTERISTIC, OVR_LINE, false},
+                                 {6, OVR_UPSTREAM2, OVR_HYBRID, false},
+                                 {8, OVR_UPSTREAM2, OVR_LINE, false},
+                                 {8, OVR_UPSTREAM2, OVR_LINE, true},
+                                 {10, OVR_UPSTREAM2, OVR_LINE, false},
+                                 {10, OVR_CHARACTERISTIC, OVR_LINE, true}};
     (void)state;
-    for (int k = 0; k < 3; k++) {
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
         ovr_error err;
         test_faults faults;
-        test_feature dent = {'l', -0.1, 0.5, -1.5, 1, 0};
         test_faults_init(&faults);
-        ovr_simulation *sim = create(6, schemes[k], &faults.hook);
+        ovr_simulation *sim = create(&kinds[k], &faults.hook);
+        ovr_surfaces *surfaces = rough(sim, &faults.hook);
+        ovr_march march = {.end = 30 * sim->finest->D,
+                           .adaptive = kinds[k].adaptive};
         long calls = faults.calls;
-        ovr_simulation_surface(sim, test_feature_heights, &dent);
+        ovr_simulation_surface(sim, ovr_surfaces_heights, surfaces);
         CHECK_OK(ovr_simulation_steady(sim, &err), &err);
-        for (int step = 0; step < 30; step++)
-            CHECK_OK(
-                ovr_simulation_step(sim, ovr_simulation_state(sim)->D, &err),
-                &err);
+        CHECK_OK(ovr_simulation_march(sim, &march, &err), &err);
         assert_int_equal(faults.calls, calls);
+        assert_true(ovr_simulation_statistics(sim)->steps > 1);
         ovr_simulation_free(sim);
+        ovr_surfaces_free(surfaces);
         assert_int_equal(faults.live, 0);
     }
 }
 
-/* All levels and the past of a run together; what small grids take besides is
- * the dense matrix and some pages. */
+/* All levels and the past of a run together, as the allocator sees it; what
+ * small grids take besides is the dense matrix and some pages. */
 static void a_node_takes_less_than_a_kilobyte(void **state)
 {
+    static const struct {
+        ovr_scheme scheme;
+        ovr_smoother smoother;
+        double limit; /* bytes a node at level 8, and from level 10 on */
+        double finer;
+    } kinds[] = {{OVR_UPSTREAM2, OVR_LINE, 1000, 650},
+                 {OVR_CHARACTERISTIC, OVR_LINE, 1050, 650},
+                 {OVR_UPSTREAM2, OVR_HYBRID, 1100, 700}};
     (void)state;
-    for (int level = 8; level <= 13; level++) {
-        ovr_simulation *sim = create(level, OVR_UPSTREAM2, NULL);
-        double n = (double)ovr_simulation_state(sim)->n;
-        double bytes = (double)sim->arena.bytes;
-        double announced = ovr_simulation_memory(&sim->options);
-        print_message("level %d: %.0f bytes a node, %.0f announced\n", level,
-                      bytes / n, announced / n);
-        assert_true(bytes < 1000 * n);
-        CHECK_CLOSE(announced, bytes, 0.15);
-        ovr_simulation_free(sim);
-    }
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
+        for (int level = 8; level <= 14; level++) {
+            test_faults faults;
+            test_faults_init(&faults);
+            ovr_simulation *sim = create(
+                &(kind){level, kinds[k].scheme, kinds[k].smoother, false},
+                &faults.hook);
+            double n = (double)ovr_simulation_state(sim)->n;
+            double announced = ovr_simulation_memory(&sim->options);
+            print_message("level %d: %.0f bytes a node, %.0f announced\n",
+                          level, faults.bytes / n, announced / n);
+            assert_true(faults.bytes / n <
+                        (level < 10 ? kinds[k].limit : kinds[k].finer));
+            CHECK_CLOSE(announced, faults.bytes, 0.15);
+            ovr_simulation_free(sim);
+        }
 }
 
 int main(void)

@@ -41,6 +41,17 @@ static void thin_films_name_a_level(void **state)
     }
 }
 
+/* Newton alone once stopped at 1e-8, above what such a grid is to reach. */
+static void one_grid_is_enough(void **state)
+{
+    (void)state;
+    for (int level = 1; level <= 3; level++)
+        for (double M = 0.5; M < 6; M *= 1.01) {
+            ovr_error err = {OVR_OK, ""};
+            CHECK_OK(steady(M, 10, level, 0, &err), &err);
+        }
+}
+
 /* The discrete equations have solutions with a negative film; a residual that
  * adds up to less than nothing once passed for converged. */
 static void negative_film_is_no_solution(void **state)
@@ -127,6 +138,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(thin_films_name_a_level),
+        cmocka_unit_test(one_grid_is_enough),
         cmocka_unit_test(negative_film_is_no_solution),
         cmocka_unit_test(what_cannot_be_is_taken_back),
         cmocka_unit_test(random_cases),

@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What is looked for along the nodes after every step.  Arrays in the order
+ * of the nodes, n >= VEC: the last vector overlaps the one before.
+ */
+#include "multigrid/kernels.h"
+#include "multigrid/vector.h"
+
+/* Where the vector at i begins, and the elements of it that are new. */
+static inline size_t start_of(size_t i, size_t n)
+{
+    return i + VEC <= n ? i : n - VEC;
+}
+
+static inline ivec new_elements(size_t i, size_t n)
+{
+    ivec lane;
+    for (int l = 0; l < VEC; l++)
+        lane[l] = l;
+    return lane >= (int64_t)(i - start_of(i, n)) - (ivec){0};
+}
+
+static inline double least_lane(vec x)
+{
+    double least = x[0];
+    for (int l = 1; l < VEC; l++)
+        least = x[l] < least ? x[l] : least;
+    return least;
+}
+
+/* Index of the first smallest of sign x. */
+size_t OVR_KERNEL(extreme)(size_t n, double sign, const double *x)
+{
+    vec best = sign * load(x);
+    size_t i = 0;
+    for (size_t k = VEC; k < n; k += VEC)
+        best = smaller(best, sign * load(x + start_of(k, n)));
+    double least = least_lane(best);
+    while (i + 1 < n && !(sign * x[i] <= least))
+        i++;
+    return i;
+}
+
+/* Whether all are positive; what is not a number is not. */
+bool OVR_KERNEL(positive)(size_t n, const double *x)
+{
+    ivec failed = {0};
+    for (size_t k = 0; k < n; k += VEC)
+        failed |= ~(load(x + start_of(k, n)) > 0);
+    return !any(failed);
+}
+
+/* max |a - b| */
+double OVR_KERNEL(difference)(size_t n, const double *a, const double *b)
+{
+    vec most = all(0);
+    for (size_t k = 0; k < n; k += VEC) {
+        size_t i = start_of(k, n);
+        vec d = load(a + i) - load(b + i);
+        most = larger(larger(d, -d), most);
+    }
+    return -least_lane(-most);
+}
+
+/* How many of x_1..x_{n-2} are above the one before and not below the next;
+ * *last is the index of the last of them. */
+int OVR_KERNEL(peaks)(size_t n, const double *x, size_t *last)
+{
+    int count = 0;
+    for (size_t k = 1; k < n - 1; k += VEC) {
+        size_t i = 1 + start_of(k - 1, n - 2);
+        vec here = load(x + i);
+        ivec peak = (here > load(x + i - 1)) & (here >= load(x + i + 1)) &
+                    new_elements(k - 1, n - 2);
+        for (size_t l = 0; any(peak) && l < VEC; l++)
+            if (peak[l]) {
+                count++;
+                *last = i + l;
+            }
+    }
+    return count;
+}
+
+/* Mean over the half nodes i + 1/2, i = 1..n-3, between wet nodes of
+ *     Cu (u_0 q_i + u_1 q_{i-1}) - (eps_i + eps_{i+1})/2 (P_{i+1} - P_i)/D */
+double OVR_KERNEL(mean_flow)(size_t n, const double u[2], double D,
+                             const double *P, const double *q,
+                             const double *eps)
+{
+    vec sum = all(0), count = all(0);
+    double half = 0.5 / D;
+    for (size_t k = 1; k < n - 2; k += VEC) {
+        size_t i = 1 + start_of(k - 1, n - 3);
+        vec p = load(P + i), next = load(P + i + 1);
+        vec flow = u[0] * load(q + i) + u[1] * load(q + i - 1) -
+                   half * (load(eps + i) + load(eps + i + 1)) * (next - p);
+        ivec wet = (p > 0) & (next > 0) & new_elements(k - 1, n - 3);
+        sum += choose(wet, flow, all(0));
+        count += choose(wet, all(1), all(0));
+    }
+    double nodes = sum_of_lanes(count);
+    return nodes > 0 ? sum_of_lanes(sum) / nodes : 0;
+}
+
+/* Root of the mean square of q - sum_k e_k past_k over wet nodes. */
+double OVR_KERNEL(deviation)(size_t n, const double e[3], const double *P,
+                             const double *q, double *const past[3])
+{
+    vec sum = all(0), count = all(0);
+    for (size_t k = 0; k < n; k += VEC) {
+        size_t i = start_of(k, n);
+        vec off = load(q + i);
+        for (size_t m = 0; m < 3; m++)
+            off = less(off, all(e[m]), load(past[m] + i));
+        ivec wet = (load(P + i) > 0) & new_elements(k, n);
+        sum += choose(wet, off * off, all(0));
+        count += choose(wet, all(1), all(0));
+    }
+    double nodes = sum_of_lanes(count);
+    return nodes > 0 ? __builtin_sqrt(sum_of_lanes(sum) / nodes) : 0;
+}
+
+/* sum (a - b), any n */
+double OVR_KERNEL(gain)(size_t n, const double *a, const double *b)
+{
+    vec part = all(0);
+    size_t i = 0;
+    for (; i + VEC <= n; i += VEC)
+        part += load(a + i) - load(b + i);
+    double sum = sum_of_lanes(part);
+    for (; i < n; i++)
+        sum += a[i] - b[i];
+    return sum;
+}

@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What a step begins from: P and H0 at T + dT, extrapolated from the past.
+ *
+ * With E one step back and S one mesh downstream, 1 - E takes away what
+ * stands still, 1 - S E what moves by a mesh a step: films and rolling
+ * features, at the mean speed of the surfaces, when Cu dT = D.  The guess is
+ *     (1 - E)^2 (1 - S E)^2 P = 0
+ * solved for the newest P: linear in time for both.  When Cu dT is something
+ * else it is (1 - E)^3 P = 0, the parabola through the past, or for unequal
+ * steps the line.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "simulation/internal.h"
+
+/* Steps beyond this many meshes begin better from the last state. */
+static const double longest = 7.9;
+
+typedef struct term {
+    double weight;
+    int ago, meshes; /* of a past P: its age in steps; how far upstream */
+} term;
+
+/* UPSTREAM: most meshes of a term. */
+enum { MOST_TERMS = 8, UPSTREAM = 2 };
+
+typedef struct formula {
+    size_t count;
+    term term[MOST_TERMS]; /* the first is P[0] as it is */
+    double H0[4];
+} formula;
+
+static const formula parabola = {
+    3, {{3, 0, 0}, {-3, 1, 0}, {1, 2, 0}}, {3, -3, 1, 0}};
+
+static const formula standing_and_moving = {8,
+                                            {{2, 0, 0},
+                                             {2, 0, 1},
+                                             {-1, 1, 0},
+                                             {-4, 1, 1},
+                                             {-1, 1, 2},
+                                             {2, 2, 1},
+                                             {2, 2, 2},
+                                             {-1, 3, 2}},
+                                            {4, -6, 4, -1}};
+
+static formula line(double s)
+{
+    return (formula){2, {{1 + s, 0, 0}, {-s, 1, 0}}, {1 + s, -s, 0, 0}};
+}
+
+/* The last so many steps, and the one to come, are equally long. */
+static bool equal_steps(const ovr_past *past, double dT, int steps)
+{
+    bool equal = past->steps >= steps;
+    for (int k = 0; k < steps; k++)
+        equal &= fabs(past->T[k] - past->T[k + 1] - dT) < 1e-9 * dT;
+    return equal;
+}
+
+/* S need only be right to a part of the guess's own error. */
+static bool moves_a_mesh(const ovr_simulation *sim, double dT)
+{
+    return fabs(sim->grids.op.speed * dT / sim->finest->D - 1) < 0.01;
+}
+
+/* The first nodes, of which nothing lies upstream, stay what they are. */
+static void extrapolate(ovr_simulation *sim, const formula *how)
+{
+    const ovr_past *past = &sim->past;
+    const double *from[MOST_TERMS];
+    double weight[MOST_TERMS];
+    size_t moved = sim->finest->n - UPSTREAM;
+    for (size_t k = 0; k < how->count; k++) {
+        const term *t = &how->term[k];
+        from[k] = past->P[t->ago] + UPSTREAM - t->meshes;
+        weight[k] = t->weight;
+    }
+    memcpy(sim->work, past->P[0], UPSTREAM * sizeof(double));
+    sim->grids.kernels->extrapolate(moved, how->count, weight, from,
+                                    sim->work + UPSTREAM);
+    sim->grids.H0 = 0;
+    for (int k = 0; k < 4; k++)
+        sim->grids.H0 += how->H0[k] * past->H0[k];
+}
+
+bool ovr_guess(ovr_simulation *sim, double dT, bool extrapolated)
+{
+    const ovr_past *past = &sim->past;
+    bool close = false;
+    if (!extrapolated || past->steps < 1 || dT > longest * sim->finest->D) {
+        memcpy(sim->work, past->P[0], sim->finest->n * sizeof(double));
+        sim->grids.H0 = past->H0[0];
+    } else if (equal_steps(past, dT, 3) && moves_a_mesh(sim, dT)) {
+        extrapolate(sim, &standing_and_moving);
+        close = true;
+    } else if (equal_steps(past, dT, 2)) {
+        extrapolate(sim, &parabola);
+    } else {
+        formula straight = line(past->dT > 0 ? dT / past->dT : 0);
+        extrapolate(sim, &straight);
+    }
+    ovr_level_write(&sim->grids, sim->finest, sim->work, sim->finest->f.P);
+    return close;
+}

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The deformation in the order of the nodes, for what does not work in lanes.
+ */
+#ifndef TESTS_SUPPORT_DEFORMATION_H
+#define TESTS_SUPPORT_DEFORMATION_H
+
+#include "multigrid/deformation.h"
+#include "multigrid/kernels.h"
+
+typedef struct test_deformation {
+    ovr_mlmi plan;
+    ovr_lanes lanes;
+    const ovr_kernels *kernels;
+    double *P, *w; /* in lanes */
+} test_deformation;
+
+/* By the named kernels (NULL: the best), or the test fails. */
+test_deformation test_deformation_plan(const char *kernels, size_t n, double D,
+                                       int order, int range, ovr_arena *arena);
+
+/* w of P, n values each. */
+void test_deform(const test_deformation *plan, const double *P, double *w);
+
+#endif

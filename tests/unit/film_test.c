@@ -1,0 +1,193 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The film kernel of every instruction set against its formulas in extended
+ * precision, node by node; where a node lies does not matter to it. */
+#include <float.h>
+#include <math.h>
+
+#include "multigrid/field.h"
+#include "multigrid/kernels.h"
+#include "support/test.h"
+
+enum { N = 1600, ARRAYS = 11, PAD = 4 * OVR_MOST_LANES };
+
+static const char *const names[] = {"base", "avx2", "avx512"};
+enum { NAMES = sizeof names / sizeof *names };
+
+typedef struct oil {
+    ovr_arena arena;
+    ovr_fluid fluid;
+    ovr_fields f;
+    double H0, *gap, *w;
+} oil;
+
+static oil make(void)
+{
+    ovr_error err = {0};
+    oil o = {.arena = ovr_arena_make(NULL), .H0 = -0.1};
+    double *a[ARRAYS];
+    for (int k = 0; k < ARRAYS; k++) {
+        a[k] = ovr_field(&o.arena, N + 2 * PAD, &err);
+        assert_non_null(a[k]);
+        a[k] += PAD;
+    }
+    o.f = (ovr_fields){a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8]};
+    o.gap = a[9], o.w = a[10];
+    return o;
+}
+
+/* An oil at 0.2 to 3 GPa, z up to `most_z`, and a film. */
+static void fill(oil *o, uint64_t *seed, double most_z)
+{
+    double ph = test_random(seed, 0.2, 3);
+    o->fluid = (ovr_fluid){{OVR_ROELANDS, OVR_DOWSON_HIGGINSON,
+                            .alphabar = test_random(seed, 8, 30) * ph,
+                            .z = test_random(seed, 0.2, most_z),
+                            .P0 = 0.198 / ph, .A = 0.59 / ph},
+                           .lambda = test_random(seed, 1e-3, 1)};
+    for (int i = 0; i < N; i++) {
+        double small = pow(10, test_random(seed, -9, 0));
+        o->f.P[i] = test_random(seed, 0, 2.5) * (i % 2 ? small : 1);
+        o->gap[i] = test_random(seed, 0.2, 2);
+        o->w[i] = test_random(seed, -1, 0.05);
+    }
+}
+
+/* false where the machine has no such instructions */
+static bool run(const oil *o, const char *name)
+{
+    const ovr_kernels *kernels = ovr_kernels_choose(name);
+    if (kernels) {
+        ovr_lanes g = {N, N / kernels->lanes, kernels->lanes};
+        kernels->film(&o->fluid, o->H0, &g, o->gap, o->w, &o->f);
+    }
+    return kernels != NULL;
+}
+
+/* The laws at one pressure; `rounding` is what an error of an ulp in the
+ * variable part of ln eta grows to. */
+typedef struct laws {
+    long double rho, rho_slope, log_eta, eta_slope, rounding;
+} laws;
+
+static laws laws_at(const ovr_lubricant *law, long double P)
+{
+    long double A = law->A, P0 = law->P0, z = law->z, alphabar = law->alphabar;
+    long double t = 1 + P / P0, stiffness = alphabar * P0 / z;
+    laws at = {.rho = 1};
+    if (law->density_law == OVR_DOWSON_HIGGINSON) {
+        at.rho = 1 + 0.34L * P / (A + P);
+        at.rho_slope = 0.34L * A / ((A + P) * (A + P));
+    }
+    if (law->viscosity_law == OVR_ROELANDS) {
+        at.log_eta = stiffness * expm1l(z * log1pl(P / P0));
+        at.eta_slope = alphabar * powl(t, z) / t;
+        at.rounding = stiffness * powl(t, z);
+    } else if (law->viscosity_law == OVR_BARUS) {
+        at.log_eta = at.rounding = alphabar * P;
+        at.eta_slope = alphabar;
+    }
+    return at;
+}
+
+static void check_node(const oil *o, int i)
+{
+    const ovr_fields *f = &o->f;
+    double P = f->P[i], H = o->H0 + o->gap[i] - o->w[i];
+    laws at = laws_at(&o->fluid.lubricant, P);
+    long double h = H, lambda = o->fluid.lambda;
+    long double flow = h * h * h / (expl(at.log_eta) * lambda);
+    long double eps = at.rho * flow;
+    double bound = 1e-15 * (5 + 1.2 * (double)at.rounding);
+    double deps = (double)(flow * at.rho_slope - eps * at.eta_slope);
+    double slopes = (double)(flow * at.rho_slope + eps * at.eta_slope);
+    if (at.log_eta > 600) /* held there, see the last test */
+        return;
+    CHECK_CLOSE(f->H[i], H, 0);
+    CHECK_CLOSE(f->rho[i], (double)at.rho, 4 * DBL_EPSILON);
+    CHECK_CLOSE(f->q[i], (double)(at.rho * h), 5 * DBL_EPSILON);
+    CHECK_CLOSE(f->dq[i], (double)(at.rho_slope * h), 8 * DBL_EPSILON);
+    CHECK_CLOSE(f->eps[i], (double)eps, bound);
+    CHECK_NEAR(f->deps[i], deps, bound * slopes);
+    /* the library's own laws, one value at a time */
+    CHECK_CLOSE(f->rho[i], ovr_density(&o->fluid.lubricant, P), 1e-15);
+    CHECK_CLOSE(f->eps[i] * ovr_viscosity(&o->fluid.lubricant, P),
+                (double)(at.rho * h * h * h / lambda), 3 * bound);
+}
+
+static void film_follows_the_laws(void **state)
+{
+    static const ovr_viscosity_law viscosity[] = {OVR_ROELANDS, OVR_BARUS,
+                                                  OVR_ISOVISCOUS};
+    static const ovr_density_law density[] = {OVR_DOWSON_HIGGINSON,
+                                              OVR_INCOMPRESSIBLE};
+    oil o = make();
+    uint64_t seed = 21;
+    (void)state;
+    for (int turn = 0; turn < 60; turn++) {
+        fill(&o, &seed, 1);
+        o.fluid.lubricant.viscosity_law = viscosity[turn % 3];
+        o.fluid.lubricant.density_law = density[turn / 3 % 2];
+        for (int k = 0; k < NAMES; k++)
+            for (int i = 0, here = run(&o, names[k]); here && i < N; i++)
+                check_node(&o, i);
+    }
+    ovr_arena_release(&o.arena);
+}
+
+/* No pressure, or no effect of it: eta = 1 to the last bit. */
+static void viscosity_starts_at_one(void **state)
+{
+    oil o = make();
+    uint64_t seed = 22;
+    (void)state;
+    for (int turn = 0; turn < 60; turn++) {
+        fill(&o, &seed, 2);
+        o.fluid.lambda = 1;
+        for (int i = 0; i < N; i++)
+            o.f.P[i] = turn % 2 ? o.f.P[i] : 0;
+        if (turn % 2)
+            o.fluid.lubricant.alphabar = turn % 4 == 1 ? 0 : 1e-300;
+        for (int k = 0; k < NAMES; k++)
+            for (int i = 0, here = run(&o, names[k]); here && i < N; i++) {
+                double H2 = o.f.H[i] * o.f.H[i];
+                assert_true(o.f.eps[i] == o.f.q[i] * H2);
+                if (turn % 2)
+                    CHECK_CLOSE(o.f.deps[i], o.f.dq[i] * H2, 1e-15);
+            }
+    }
+    ovr_arena_release(&o.arena);
+}
+
+/* Pressures that no oil stands, as a solver may try them: finite numbers, and
+ * never an oil that flows
+ * more easily, down to where it is solid (the exponent is held). */
+static void any_pressure_gives_numbers(void **state)
+{
+    oil o = make();
+    uint64_t seed = 23;
+    (void)state;
+    for (int turn = 0; turn < 20; turn++) {
+        fill(&o, &seed, 2);
+        o.fluid.lubricant.viscosity_law = turn % 2 ? OVR_BARUS : OVR_ROELANDS;
+        for (int i = 0; i < N; i++)
+            o.f.P[i] = pow(10, 150.0 * i / N), o.gap[i] = 1, o.w[i] = 0;
+        for (int k = 0; k < NAMES; k++)
+            for (int i = 0, here = run(&o, names[k]); here && i < N; i++) {
+                assert_true(o.f.eps[i] >= 0 && o.f.rho[i] < 1.3400001);
+                assert_true(isfinite(o.f.deps[i]) && o.f.deps[i] <= 0);
+                if (i > 0 && o.f.eps[i] > 1e-200)
+                    assert_true(o.f.eps[i] <= o.f.eps[i - 1]);
+            }
+    }
+    ovr_arena_release(&o.arena);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(film_follows_the_laws),
+        cmocka_unit_test(viscosity_starts_at_one),
+        cmocka_unit_test(any_pressure_gives_numbers),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
