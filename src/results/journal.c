@@ -136,37 +136,44 @@ int ovr_journal_write(ovr_store *s)
 
 /* -------------------------------------------------------------- replaying */
 
-static bool whole(ovr_store *s, header *h)
+static bool whole(int journal, header *h)
 {
     struct stat about;
-    record *r = (record *)(void *)s->scratch;
+    record r;
     uint64_t at = sizeof *h, sum, found;
-    if (fstat(s->journal, &about) != 0 || about.st_size < (off_t)sizeof *h ||
-        ovr_read_all(s->journal, h, sizeof *h, 0) != 0 ||
+    if (fstat(journal, &about) != 0 || about.st_size < (off_t)sizeof *h ||
+        ovr_read_all(journal, h, sizeof *h, 0) != 0 ||
         memcmp(h->magic, magic, sizeof magic) != 0 || h->one != 1 ||
-        h->pages > (uint64_t)about.st_size / sizeof *r ||
+        h->pages > (uint64_t)about.st_size / sizeof r ||
         (uint64_t)about.st_size <
-            sizeof *h + h->pages * sizeof *r + sizeof found)
+            sizeof *h + h->pages * sizeof r + sizeof found)
         return false;
     sum = checksum(0, h, sizeof *h);
-    for (uint64_t k = 0; k < h->pages; k++, at += sizeof *r) {
-        if (ovr_read_all(s->journal, r, sizeof *r, at) != 0)
+    for (uint64_t k = 0; k < h->pages; k++, at += sizeof r) {
+        if (ovr_read_all(journal, &r, sizeof r, at) != 0)
             return false;
-        sum = checksum(sum, r, sizeof *r);
+        sum = checksum(sum, &r, sizeof r);
     }
-    return ovr_read_all(s->journal, &found, sizeof found, at) == 0 &&
-           found == sum;
+    return ovr_read_all(journal, &found, sizeof found, at) == 0 && found == sum;
 }
 
-static bool belongs(ovr_store *s, const header *h)
+static bool belongs(int file, const header *h)
 {
+    struct stat about;
     unsigned char page[OVR_PAGE];
     size_t bytes = h->committed < OVR_PAGE ? (size_t)h->committed : OVR_PAGE;
     uint64_t sum;
-    if (ovr_read_all(s->fd, page, bytes, 0) != 0)
+    if (fstat(file, &about) != 0 || (uint64_t)about.st_size < h->committed ||
+        ovr_read_all(file, page, bytes, 0) != 0)
         return false;
     sum = checksum(0, page, bytes);
-    return s->on_disk >= h->committed && (sum == h->before || sum == h->after);
+    return sum == h->before || sum == h->after;
+}
+
+bool ovr_journal_pending(int journal, int file)
+{
+    header h;
+    return whole(journal, &h) && belongs(file, &h);
 }
 
 static int apply(ovr_store *s, const header *h)
@@ -190,7 +197,7 @@ int ovr_journal_replay(ovr_store *s)
 {
     header h;
     int error = 0;
-    if (whole(s, &h) && belongs(s, &h)) {
+    if (whole(s->journal, &h) && belongs(s->fd, &h)) {
         error = apply(s, &h);
         s->repaired = error == 0;
     }

@@ -19,6 +19,10 @@
 /* Both return 0 or an errno. */
 int ovr_journal_write(ovr_store *store);
 
+/* Whether the commit of this journal was cut: it is whole, belongs to the
+ * file, and may have been carried out in part. */
+bool ovr_journal_pending(int journal, int file);
+
 /* Finishes the commit of a whole journal that belongs to the file; sets
  * store->repaired.  Anything else is emptied. */
 int ovr_journal_replay(ovr_store *store);

@@ -11,6 +11,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "results/journal.h"
 #include "results/turns.h"
 
 enum { MAX_COLUMNS = 256 };
@@ -247,21 +248,28 @@ static bool journal_name(const char *path, char *name, size_t size)
     return length > 0 && (size_t)length < size;
 }
 
-/* A journal with something in it lies beside the file. */
-static bool was_cut(const char *path)
+static int open_journal(const ovr_result *r)
 {
-    char journal[4096];
-    struct stat about;
-    return journal_name(path, journal, sizeof journal) &&
-           stat(journal, &about) == 0 && about.st_size > 0;
+    char name[4096];
+    if (!journal_name(r->path, name, sizeof name))
+        return -1;
+    return open(name, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+}
+
+/* A file cut in the middle of a commit is a mixture of two states, of which
+ * the checksums find only some. */
+static bool was_cut(const ovr_result *r)
+{
+    int journal = open_journal(r);
+    bool pending = journal >= 0 && ovr_journal_pending(journal, r->fd);
+    if (journal >= 0)
+        close(journal);
+    return pending;
 }
 
 int ovr_reader_enter(const ovr_result *r)
 {
-    char name[4096];
-    int journal = -1;
-    if (journal_name(r->path, name, sizeof name))
-        journal = open(name, O_RDONLY | O_CLOEXEC);
+    int journal = open_journal(r);
     if (journal >= 0)
         ovr_turn_take(journal, false);
     return journal;
@@ -275,13 +283,10 @@ void ovr_reader_leave(int turn)
     close(turn);
 }
 
-static ovr_status truncated(const ovr_result *r, ovr_error *err)
+static ovr_status cut(const ovr_result *r, ovr_error *err)
 {
     return ovr_fail(err, OVR_IO,
-                    was_cut(r->path)
-                        ? "%s: its last write was cut; 'overroll resume' "
-                          "repairs it"
-                        : "%s: a truncated or damaged HDF5 file",
+                    "%s: its last write was cut; 'overroll resume' repairs it",
                     r->path);
 }
 
@@ -290,10 +295,14 @@ ovr_status ovr_reader_file(ovr_result *r, ovr_error *err)
     r->fd = open(r->path, O_RDONLY | O_CLOEXEC);
     if (r->fd < 0)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: %s", r->path, strerror(errno));
+    if (was_cut(r))
+        return cut(r, err);
     switch (ovr_container_open(&r->container, r->fd, &r->work)) {
     case OVR_FOUND_CONTAINER: return OVR_OK;
     case OVR_FOUND_OTHER_HDF5: return not_ours(r, err);
-    case OVR_FOUND_TRUNCATED: return truncated(r, err);
+    case OVR_FOUND_TRUNCATED:
+        return ovr_fail(err, OVR_IO, "%s: a truncated or damaged HDF5 file",
+                        r->path);
     case OVR_FOUND_NO_MEMORY:
         return ovr_fail(err, OVR_NO_MEMORY, "%s: out of memory", r->path);
     default:

@@ -5,6 +5,7 @@
  *     FAULT_MALLOC=k   the k-th malloc, calloc or realloc gives NULL
  *     FAULT_WRITE=k    the k-th write to a file and all later ones fail ...
  *     FAULT_ERRNO=e    ... with this errno (28: no space; 5: I/O error)
+ *     FAULT_KILL=k     at the k-th write to a file the process is killed
  *     FAULT_READ=k     the k-th read from a file fails
  *     FAULT_SYNC=1     every fsync fails
  *     FAULT_SHORT=1    writes and reads move half of what was asked for
@@ -18,6 +19,7 @@
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,12 +35,14 @@ static long setting(const char *name)
 
 /* malloc is called before the constructor runs: settings are read there. */
 static long fail_malloc, fail_write, fail_read, fail_sync, halves, code;
+static long kill_write;
 
 __attribute__((constructor)) static void begin(void)
 {
     fail_malloc = setting("FAULT_MALLOC");
     fail_write = setting("FAULT_WRITE");
     fail_read = setting("FAULT_READ");
+    kill_write = setting("FAULT_KILL");
     fail_sync = setting("FAULT_SYNC");
     halves = setting("FAULT_SHORT");
     code = setting("FAULT_ERRNO");
@@ -87,7 +91,9 @@ static ssize_t allowed(int fd, size_t bytes)
 {
     if (fd <= 2)
         return (ssize_t)bytes;
-    if (++writes >= fail_write && fail_write) {
+    if (++writes == kill_write)
+        raise(SIGKILL);
+    if (writes >= fail_write && fail_write) {
         errno = code ? (int)code : ENOSPC;
         return -1;
     }

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=sh
-# For the kill tests: KILLS runs of a small case are killed with SIGKILL at
-# random instants.  Each file must open, hold a prefix of the true result, and
-# be resumed to the identical end.
+# For the kill tests: runs of a small case are killed with SIGKILL, KILLS of
+# them at random instants, and where a library can be put before the program
+# one at every STRIDE-th write to a file.  Each file must open, here and in HDF5,
+# and hold a prefix of the true result, or be known as cut; each must be resumed
+# to the identical end.
 . "$TOP/tests/support/cli.sh"
 
 cat >dent.ini <<'END'
@@ -23,14 +25,15 @@ every = 2
 checkpoint = 10 ms
 END
 
-# compare.py PART WHOLE [all]: values to the bit; with `all` also the shapes
-# and every attribute that holds no date.
+# compare.py WHOLE PART...: values to the bit; after --all also the shapes and
+# every attribute that holds no date.
 cat >compare.py <<'END'
 import sys
 import h5py
 import numpy
-part, whole = h5py.File(sys.argv[1], "r"), h5py.File(sys.argv[2], "r")
-everything = len(sys.argv) > 3
+everything = sys.argv[1] == "--all"
+names = sys.argv[1 + everything:]
+whole = h5py.File(names[0], "r")
 def attributes(name, a, b):
     assert list(a.attrs) == list(b.attrs), name + ": other attributes"
     for key in a.attrs:
@@ -49,9 +52,12 @@ def visit(name, a):
         assert rows <= b.shape[0], name + ": too long"
         assert not everything or a.shape == b.shape, name + ": too short"
         assert a[...].tobytes() == b[:rows].tobytes(), name + ": differs"
-if everything:
-    attributes("/", part, whole)
-part.visititems(visit)
+for name in names[1:]:
+    with h5py.File(name, "r") as part:
+        print(name)
+        if everything:
+            attributes("/", part, whole)
+        part.visititems(visit)
 END
 
 kill_test() {
@@ -70,7 +76,7 @@ kill_test() {
             continue
         }
         if "$OVERROLL" info a.h5 >out 2>err; then
-            "$PYTHON" compare.py a.h5 whole.h5 >out 2>&1 ||
+            "$PYTHON" compare.py whole.h5 a.h5 >out 2>&1 ||
                 fail "kill $k after $after s: $(tail -n 1 out)"
         else
             grep -q 'resume. repairs it' err ||
@@ -79,10 +85,48 @@ kill_test() {
         expect 0 "$OVERROLL" resume a.h5
         grep -q 'repaired' err && repaired=$((repaired + 1))
         grep -q 'begins again' err && unbegun=$((unbegun + 1))
-        "$PYTHON" compare.py a.h5 whole.h5 all >out 2>&1 ||
+        "$PYTHON" compare.py --all whole.h5 a.h5 >out 2>&1 ||
             fail "kill $k after $after s, resumed: $(tail -n 1 out)"
     done
     [ $unborn -lt "$KILLS" ] || fail 'all killed before their files were made'
     echo "$KILLS kills: $unborn before the file had its name, $unbegun before" \
         "the first checkpoint, $repaired repaired; all resumed to the same end"
+}
+
+# The instants that matter lie within a commit, and are short.
+# shellcheck disable=SC2086 # words on purpose, names without blanks
+kill_writes_test() {
+    need_python h5py numpy
+    "$CC" -shared -fPIC -O1 -o faults.so "$TOP/tests/cli/preload.c" -ldl \
+        2>log || skip 'no preloading here'
+    short='--set domain.level=4 --set time.end=0.5'
+    expect 0 env FAULT_REPORT=counts LD_PRELOAD=./faults.so "$OVERROLL" \
+        run dent.ini -o short.h5 -q $short --set 'output.checkpoint=1 us'
+    writes=$(awk '{ print $2 }' counts)
+    cuts=0 readable='' k=${STRIDE:-1}
+    while [ $k -le "$writes" ]; do
+        expect 137 env FAULT_KILL=$k LD_PRELOAD=./faults.so "$OVERROLL" \
+            run dent.ini -o $k.h5 -q $short --set 'output.checkpoint=1 us'
+        [ ! -f $k.h5 ] || look_at_killed $k.h5
+        k=$((k + STRIDE))
+    done
+    "$PYTHON" compare.py short.h5 $readable >out 2>&1 ||
+        fail "killed at a write: $(tail -n 2 out)"
+    for file in [0-9]*.h5; do
+        expect 0 "$OVERROLL" resume "$file" -q
+    done
+    "$PYTHON" compare.py --all short.h5 [0-9]*.h5 >out 2>&1 ||
+        fail "killed at a write, resumed: $(tail -n 2 out)"
+    [ $cuts -gt 0 ] || fail "none of $writes writes was within a commit"
+    echo "killed at every ${STRIDE}th of $writes writes, $cuts within a commit"
+}
+
+# $cuts or $readable grows.
+look_at_killed() {
+    if "$OVERROLL" info "$1" >out 2>err; then
+        readable="$readable $1"
+    else
+        contains err 'its last write was cut; .overroll resume. repairs it'
+        cuts=$((cuts + 1))
+    fi
 }
