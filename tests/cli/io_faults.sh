@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every write, and every read, of a run fails in turn: a code of the program's
-# own and one line each time; what is left is whole or known as cut (a disk that
-# fails for good within a commit), and resume ends it as if nothing had happened.  Short transfers and a failing fsync likewise.
+# own and one line each time; what is left is whole, or known as cut (a disk
+# that fails for good within a commit), and resume ends it as if nothing had
+# happened.  Short transfers and a failing fsync likewise.
 . "$TOP/tests/support/cli.sh"
 [ -z "$INSTRUMENTED" ] || skip "sanitizers and preloading do not mix"
 "$CC" -shared -fPIC -O1 -o faults.so "$TOP/tests/cli/preload.c" -ldl \

@@ -2,9 +2,9 @@
 # shellcheck shell=sh
 # For the kill tests: runs of a small case are killed with SIGKILL, KILLS of
 # them at random instants, and where a library can be put before the program
-# one at every STRIDE-th write to a file.  Each file must open, here and in HDF5,
-# and hold a prefix of the true result, or be known as cut; each must be resumed
-# to the identical end.
+# one at every STRIDE-th write to a file.  Each file must open, here and in
+# HDF5, and hold a prefix of the true result, or be known as cut; each must be
+# resumed to the identical end.
 . "$TOP/tests/support/cli.sh"
 
 cat >dent.ini <<'END'
