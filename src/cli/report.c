@@ -126,7 +126,7 @@ void cli_warn_after(const cli_call *call, cli_summary *summary)
     const ovr_observation *o = ovr_simulation_observation(summary->sim);
     const ovr_state *state = ovr_simulation_state(summary->sim);
     const char *way = ovr_simulation_way(summary->sim);
-    if (call->verbosity > 0 && *way)
+    if (call->verbosity >= 0 && *way)
         fprintf(stderr, "overroll: the steady solution took another way: %s\n",
                 way);
     if (state->n && o->H_cen > 0 && state->H[0] < FLOODED * o->H_cen)
@@ -232,6 +232,7 @@ static void report_json(const cli_summary *s)
     const ovr_options *options = ovr_simulation_options(s->sim);
     json_writer json = json_begin(stdout);
     json_flag(&json, "converged", s->converged);
+    json_text(&json, "way", ovr_simulation_way(s->sim));
     cli_json_contact(&json, &s->setup->contact);
     json_integer(&json, "nodes", (long long)ovr_simulation_state(s->sim)->n);
     json_integer(&json, "level", options->level);
