@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-extern const ovr_kernels ovr_kernels_base;
+extern const ovr_kernels ovr_kernels_base, ovr_kernels_plain;
 #ifdef __x86_64__
 extern const ovr_kernels ovr_kernels_avx2, ovr_kernels_avx512;
 #endif
@@ -19,7 +19,7 @@ static bool machine_runs(const ovr_kernels *kernels)
     if (kernels == &ovr_kernels_avx2)
         return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 #endif
-    return kernels == &ovr_kernels_base;
+    return kernels == &ovr_kernels_base || kernels == &ovr_kernels_plain;
 }
 
 const ovr_kernels *ovr_kernels_choose(const char *name)
@@ -28,7 +28,7 @@ const ovr_kernels *ovr_kernels_choose(const char *name)
 #ifdef __x86_64__
         &ovr_kernels_avx512, &ovr_kernels_avx2,
 #endif
-        &ovr_kernels_base};
+        &ovr_kernels_base, &ovr_kernels_plain};
     for (size_t k = 0; k < sizeof best_first / sizeof *best_first; k++)
         if (machine_runs(best_first[k]) &&
             (!name || !strcmp(name, best_first[k]->name)))

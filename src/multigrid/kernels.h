@@ -2,7 +2,8 @@
 /*
  * The machine room: the hot loops, compiled once for each instruction set
  * (*.kernel.c) and reached through one table that is chosen when a hierarchy
- * is created.  Each kernel is described above its code.
+ * is created.  Each kernel is described above its code; beside it, in
+ * *.plain.c, stands what it computes in plain C (plain.h).
  *
  * Notation: n nodes i = 0..n-1, P = 0 at i = 0 and n-1; q = rho H.  Arrays are
  * in lanes (lanes.h) unless a kernel takes n instead of an ovr_lanes.
@@ -118,7 +119,7 @@ typedef struct ovr_kernels {
     bool (*dense_solve)(size_t m, size_t stride, double *A, double *x);
 } ovr_kernels;
 
-/* The best table for this machine, or the named one ("base", "avx2",
+/* The best table for this machine, or the named one ("plain", "base", "avx2",
  * "avx512"); NULL if there is no such table here. */
 const ovr_kernels *ovr_kernels_choose(const char *name);
 

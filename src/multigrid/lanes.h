@@ -16,7 +16,8 @@
  * have there what lies beyond the ends of the grid, and node n - 1.
  *
  * A grid that V does not divide has lanes that are longer in sum, and nodes
- * beyond its last one, where P = 0 and nothing is relaxed.
+ * beyond its last one, where P = 0 and nothing is relaxed.  In one lane (V = 1,
+ * plain.h) node i is at i.
  */
 #ifndef OVR_MULTIGRID_LANES_H
 #define OVR_MULTIGRID_LANES_H

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What is looked for along the nodes, as scan.kernel.c says it. */
+#include <math.h>
+
+#include "multigrid/plain.h"
+
+size_t ovr_extreme_plain(size_t n, double sign, const double *x)
+{
+    size_t best = 0;
+    for (size_t i = 1; i < n; i++)
+        if (sign * x[i] < sign * x[best])
+            best = i;
+    return best;
+}
+
+bool ovr_positive_plain(size_t n, const double *x)
+{
+    for (size_t i = 0; i < n; i++)
+        if (!(x[i] > 0))
+            return false;
+    return true;
+}
+
+double ovr_difference_plain(size_t n, const double *a, const double *b)
+{
+    double most = 0;
+    for (size_t i = 0; i < n; i++)
+        most = fmax(most, fabs(a[i] - b[i]));
+    return most;
+}
+
+double ovr_gain_plain(size_t n, const double *a, const double *b)
+{
+    double sum = 0;
+    for (size_t i = 0; i < n; i++)
+        sum += a[i] - b[i];
+    return sum;
+}
+
+int ovr_peaks_plain(size_t n, const double *x, size_t *last)
+{
+    int count = 0;
+    for (size_t i = 1; i + 1 < n; i++)
+        if (x[i] > x[i - 1] && x[i] >= x[i + 1]) {
+            count++;
+            *last = i;
+        }
+    return count;
+}
+
+double ovr_mean_flow_plain(size_t n, const double u[2], double D,
+                           const double *P, const double *q, const double *eps)
+{
+    double sum = 0, count = 0;
+    for (size_t i = 1; i + 2 < n; i++)
+        if (P[i] > 0 && P[i + 1] > 0) {
+            sum += u[0] * q[i] + u[1] * q[i - 1] -
+                   (eps[i] + eps[i + 1]) / 2 * (P[i + 1] - P[i]) / D;
+            count++;
+        }
+    return count > 0 ? sum / count : 0;
+}
+
+double ovr_deviation_plain(size_t n, const double e[3], const double *P,
+                           const double *q, double *const past[3])
+{
+    double sum = 0, count = 0;
+    for (size_t i = 0; i < n; i++)
+        if (P[i] > 0) {
+            double off = q[i];
+            for (int k = 0; k < 3; k++)
+                off -= e[k] * past[k][i];
+            sum += off * off;
+            count++;
+        }
+    return count > 0 ? sqrt(sum / count) : 0;
+}

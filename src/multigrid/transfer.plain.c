@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Transfers between grids (equations in fas.h), and sums of arrays. */
+#include <math.h>
+
+#include "multigrid/plain.h"
+
+double ovr_sum_plain(const ovr_lanes *g, const double *x)
+{
+    double sum = 0;
+    for (size_t i = 0; i < g->n; i++)
+        sum += x[i];
+    return sum;
+}
+
+void ovr_combine_plain(size_t n, double a, const double *x, double b,
+                       const double *y, double *result)
+{
+    for (size_t i = 0; i < n; i++)
+        result[i] = a * x[i] + b * y[i];
+}
+
+void ovr_coarse_gap_plain(const ovr_lanes *g, double H0, const double *w,
+                          double *gap)
+{
+    for (size_t i = 0; i < g->n; i++)
+        gap[i] = gap[i] - H0 + w[i];
+}
+
+void ovr_restrict_fields_plain(const ovr_lanes *coarse, const ovr_lanes *fine,
+                               const double *P, const double *H,
+                               const double *r, double *Pc, double *entry,
+                               double *Hc, double *rc)
+{
+    size_t last = coarse->n - 1;
+    (void)fine;
+    for (size_t I = 1; I < last; I++) {
+        const double *p = P + 2 * I, *d = r + 2 * I;
+        bool left = p[-1] > 0, here = p[0] > 0, right = p[1] > 0;
+        bool wet = left && here && right;
+        double sum = 2 * d[0] + (left ? d[-1] : 0) + (right ? d[1] : 0);
+        entry[I] = Pc[I] = wet ? (p[-1] + 2 * p[0] + p[1]) / 4 : p[0];
+        rc[I] = here ? sum / 4 : 0;
+    }
+    Pc[0] = entry[0] = rc[0] = Pc[last] = entry[last] = rc[last] = 0;
+    for (size_t I = 0; I <= last; I++)
+        Hc[I] = H[2 * I];
+}
+
+void ovr_coarse_side_plain(const ovr_lanes *g, const double *residual,
+                           double *F, double *r)
+{
+    for (size_t i = 0; i < g->n; i++) {
+        F[i] = residual[i] - r[i];
+        r[i] = residual[i];
+    }
+}
+
+void ovr_correct_plain(const ovr_lanes *coarse, const ovr_lanes *fine,
+                       double factor, const double *Pc, const double *entry,
+                       double *P)
+{
+    (void)coarse;
+    for (size_t i = 1; i + 1 < fine->n; i++) {
+        size_t I = i / 2, J = (i + 1) / 2; /* the same at even i */
+        double change = 0.5 * factor * (Pc[I] - entry[I] + Pc[J] - entry[J]);
+        P[i] = P[i] > 0 ? fmax(P[i] + change, 0) : P[i];
+    }
+}
+
+void ovr_extrapolate_plain(size_t n, size_t count, const double weight[],
+                           const double *const from[], double *P)
+{
+    for (size_t i = 0; i < n; i++) {
+        double sum = 0;
+        for (size_t k = 0; k < count; k++)
+            sum += weight[k] * from[k][i];
+        P[i] = from[0][i] > 0 ? fmax(sum, 0) : from[0][i];
+    }
+}
