@@ -1,45 +1,98 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The dense solver of the coarsest grid. */
+/* The dense algebra of the coarsest grid. */
 #include <math.h>
 #include <string.h>
 
-#include "multigrid/kernels.h"
+#include "support/kernels.h"
 #include "support/test.h"
 
-static const char *const names[] = {"base", "avx2", "avx512"};
-enum { NAMES = sizeof names / sizeof *names };
+enum { MOST = 67, STRIDE = 80 };
 
-/* Elimination in panels against the matrix it was given, at every size about
- * that of a panel, with rows that need exchanging. */
+static double *solution(const ovr_kernels *run, size_t m, const double *A)
+{
+    static double copy[MOST * STRIDE], x[MOST + 8];
+    memcpy(copy, A, sizeof copy);
+    assert_true(run->dense_solve(m, STRIDE, copy, x));
+    return x;
+}
+
+/* Largest of 1 and |x|. */
+static double size_of(size_t m, const double *x)
+{
+    double size = 1;
+    for (size_t j = 0; j < m; j++)
+        size = fmax(size, fabs(x[j]));
+    return size;
+}
+
+/* What an elimination leaves of the matrix it was given, at every size about
+ * that of a panel, with rows that need exchanging; and beside the plain one, as
+ * well as the matrix knows x. */
 static void dense_solver_solves(void **state)
 {
-    enum { MOST = 67, STRIDE = 80 };
-    static double A[MOST * STRIDE], kept[MOST * STRIDE], x[MOST + 8];
+    static double A[MOST * STRIDE], plain[MOST];
+    const ovr_kernels *run;
     uint64_t seed = 12;
     (void)state;
-    for (int k = 0; k < NAMES; k++)
-        for (size_t m = 1; ovr_kernels_choose(names[k]) && m <= MOST; m++) {
+    for (int k = 0; (run = test_kernels(k)); k++)
+        for (size_t m = 1; m <= MOST; m++) {
             for (size_t i = 0; i < MOST * STRIDE; i++)
                 A[i] = test_random(&seed, -1, 1);
-            memcpy(kept, A, sizeof A);
-            assert_true(
-                ovr_kernels_choose(names[k])->dense_solve(m, STRIDE, A, x));
+            memcpy(plain, solution(test_kernels(0), m, A), sizeof plain);
+            const double *x = solution(run, m, A);
+            double size = size_of(m, x);
             for (size_t i = 0; i < m; i++) {
-                const double *row = kept + i * STRIDE;
-                double sum = -row[m], size = 1;
-                for (size_t j = 0; j < m; j++) {
+                const double *row = A + i * STRIDE;
+                double sum = -row[m];
+                for (size_t j = 0; j < m; j++)
                     sum += row[j] * x[j];
-                    size = fmax(size, fabs(x[j]));
-                }
                 CHECK_NEAR(sum, 0, 1e-12 * size);
+                CHECK_NEAR(x[i], plain[i], 1e-10 * size);
             }
         }
-    memset(A, 0, sizeof A);
-    assert_false(ovr_kernels_choose(NULL)->dense_solve(5, STRIDE, A, x));
+}
+
+static void singular_is_refused(void **state)
+{
+    static double A[5 * STRIDE], x[5 + 8];
+    const ovr_kernels *run;
+    (void)state;
+    for (int k = 0; (run = test_kernels(k)); k++) {
+        memset(A, 0, sizeof A);
+        assert_false(run->dense_solve(5, STRIDE, A, x));
+    }
+}
+
+/* Rows of any length; the plain one by what it makes of an impulse. */
+static void rows_agree(void **state)
+{
+    const double c[4] = {0.3, -2, 5, 0.7};
+    const ovr_kernels *run, *plain = test_kernels(0);
+    double k[MOST + 16], row[MOST + 8], expected[MOST + 8];
+    uint64_t seed = 13;
+    (void)state;
+    memset(k, 0, sizeof k);
+    k[4] = 1;
+    plain->dense_row(6, c, k + 1, row);
+    assert_memory_equal(row, ((double[]){0, c[0], c[1], c[2], c[3], 0}),
+                        6 * sizeof *row);
+    for (size_t j = 0; j < MOST + 16; j++)
+        k[j] = test_random(&seed, -1, 1);
+    for (int set = 1; (run = test_kernels(set)); set++)
+        for (size_t n = 1; n <= MOST; n++) {
+            plain->dense_row(n, c, k + 1, expected);
+            run->dense_row(n, c, k + 1, row);
+            for (size_t j = 0; j < n; j++)
+                CHECK_NEAR(row[j], expected[j], 1e-14);
+        }
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(dense_solver_solves)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(dense_solver_solves),
+        cmocka_unit_test(singular_is_refused),
+        cmocka_unit_test(rows_agree),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -57,11 +57,11 @@ static void same_bits_again(void **state)
 
 static void same_numbers_on_every_instruction_set(void **state)
 {
-    static const char *const names[] = {"avx2", "avx512"};
+    static const char *const names[] = {"plain", "avx2", "avx512"};
     static ending base, other;
     (void)state;
     assert_true(run_on("base", 20, &base));
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < 3; k++) {
         double worst = 0;
         if (!run_on(names[k], 20, &other))
             continue;
@@ -77,11 +77,11 @@ static void same_numbers_on_every_instruction_set(void **state)
  * ends as near: what is lost where lanes meet would cost one more. */
 static void same_cycles_on_a_fine_grid(void **state)
 {
-    static const char *const names[] = {"base", "avx2", "avx512"};
-    double R[3] = {0};
-    int cycles[3] = {0};
+    static const char *const names[] = {"plain", "base", "avx2", "avx512"};
+    double R[4] = {0};
+    int cycles[4] = {0};
     (void)state;
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 4; k++) {
         ovr_error err = {OVR_OK, ""};
         ovr_options o = ovr_options_default();
         const ovr_kernels *set = ovr_kernels_choose(names[k]);

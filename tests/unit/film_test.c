@@ -1,17 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The film kernel of every instruction set against its formulas in extended
- * precision, node by node; where a node lies does not matter to it. */
+/* The film kernel, plain and of every instruction set, against its formulas in
+ * extended precision, node by node; where a node lies does not matter to it. */
 #include <float.h>
 #include <math.h>
 
 #include "multigrid/field.h"
-#include "multigrid/kernels.h"
+#include "support/kernels.h"
 #include "support/test.h"
 
 enum { N = 1600, ARRAYS = 11, PAD = 4 * OVR_MOST_LANES };
-
-static const char *const names[] = {"base", "avx2", "avx512"};
-enum { NAMES = sizeof names / sizeof *names };
 
 typedef struct oil {
     ovr_arena arena;
@@ -52,10 +49,10 @@ static void fill(oil *o, uint64_t *seed, double most_z)
     }
 }
 
-/* false where the machine has no such instructions */
-static bool run(const oil *o, const char *name)
+/* false behind the last set of this machine */
+static bool run(const oil *o, int set)
 {
-    const ovr_kernels *kernels = ovr_kernels_choose(name);
+    const ovr_kernels *kernels = test_kernels(set);
     if (kernels) {
         ovr_lanes g = {N, N / kernels->lanes, kernels->lanes};
         kernels->film(&o->fluid, o->H0, &g, o->gap, o->w, &o->f);
@@ -127,8 +124,8 @@ static void film_follows_the_laws(void **state)
         fill(&o, &seed, 1);
         o.fluid.lubricant.viscosity_law = viscosity[turn % 3];
         o.fluid.lubricant.density_law = density[turn / 3 % 2];
-        for (int k = 0; k < NAMES; k++)
-            for (int i = 0, here = run(&o, names[k]); here && i < N; i++)
+        for (int k = 0; run(&o, k); k++)
+            for (int i = 0; i < N; i++)
                 check_node(&o, i);
     }
     ovr_arena_release(&o.arena);
@@ -147,8 +144,8 @@ static void viscosity_starts_at_one(void **state)
             o.f.P[i] = turn % 2 ? o.f.P[i] : 0;
         if (turn % 2)
             o.fluid.lubricant.alphabar = turn % 4 == 1 ? 0 : 1e-300;
-        for (int k = 0; k < NAMES; k++)
-            for (int i = 0, here = run(&o, names[k]); here && i < N; i++) {
+        for (int k = 0; run(&o, k); k++)
+            for (int i = 0; i < N; i++) {
                 double H2 = o.f.H[i] * o.f.H[i];
                 assert_true(o.f.eps[i] == o.f.q[i] * H2);
                 if (turn % 2)
@@ -171,8 +168,8 @@ static void any_pressure_gives_numbers(void **state)
         o.fluid.lubricant.viscosity_law = turn % 2 ? OVR_BARUS : OVR_ROELANDS;
         for (int i = 0; i < N; i++)
             o.f.P[i] = pow(10, 150.0 * i / N), o.gap[i] = 1, o.w[i] = 0;
-        for (int k = 0; k < NAMES; k++)
-            for (int i = 0, here = run(&o, names[k]); here && i < N; i++) {
+        for (int k = 0; run(&o, k); k++)
+            for (int i = 0; i < N; i++) {
                 assert_true(o.f.eps[i] >= 0 && o.f.rho[i] < 1.3400001);
                 assert_true(isfinite(o.f.deps[i]) && o.f.deps[i] <= 0);
                 if (i > 0 && o.f.eps[i] > 1e-200)

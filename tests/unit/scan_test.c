@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is looked for along the nodes, against plain loops. */
+/* What is looked for along the nodes, against plain loops, and those by hand.
+ */
 #include <math.h>
 
-#include "multigrid/kernels.h"
+#include "support/kernels.h"
 #include "support/test.h"
 
 enum { MOST = 120 };
-
-static const char *const names[] = {"base", "avx2", "avx512"};
-enum { NAMES = sizeof names / sizeof *names };
 
 /* Arrays with a few equal values, some of them zero. */
 typedef struct arrays {
@@ -31,89 +29,87 @@ static arrays make(size_t n, uint64_t *seed)
 
 static void check_extremes(const ovr_kernels *run, const arrays *a)
 {
-    size_t low = 0, high = 0;
-    double change = 0, sum = 0;
-    for (size_t i = 1; i < a->n; i++) {
-        low = a->P[i] < a->P[low] ? i : low;
-        high = a->P[i] > a->P[high] ? i : high;
-    }
-    for (size_t i = 0; i < a->n; i++) {
-        change = fmax(change, fabs(a->q[i] - a->P[i]));
-        sum += a->q[i] - a->P[i];
-    }
-    assert_int_equal(run->extreme(a->n, 1, a->P), low);
-    assert_int_equal(run->extreme(a->n, -1, a->P), high);
-    assert_true(run->difference(a->n, a->q, a->P) == change);
-    CHECK_NEAR(run->gain(a->n, a->q, a->P), sum, 1e-12 * (double)a->n);
-    CHECK_NEAR(run->gain(5, a->q, a->P),
-               a->q[0] + a->q[1] + a->q[2] + a->q[3] + a->q[4] - a->P[0] -
-                   a->P[1] - a->P[2] - a->P[3] - a->P[4],
-               1e-13);
+    const ovr_kernels *plain = test_kernels(0);
+    const double *P = a->P, *q = a->q;
+    size_t n = a->n;
+    for (int sign = -1; sign <= 1; sign += 2)
+        assert_int_equal(run->extreme(n, sign, P), plain->extreme(n, sign, P));
+    assert_true(run->difference(n, q, P) == plain->difference(n, q, P));
+    CHECK_NEAR(run->gain(n, q, P), plain->gain(n, q, P), 1e-12 * (double)n);
+    CHECK_NEAR(run->gain(5, q, P), plain->gain(5, q, P), 1e-13);
 }
 
 static void check_peaks(const ovr_kernels *run, const arrays *a)
 {
-    int count = 0;
     size_t last = 0, found = 0;
-    for (size_t i = 1; i + 1 < a->n; i++)
-        if (a->P[i] > a->P[i - 1] && a->P[i] >= a->P[i + 1])
-            count++, last = i;
-    assert_int_equal(run->peaks(a->n, a->P, &found), count);
+    assert_int_equal(run->peaks(a->n, a->P, &found),
+                     test_kernels(0)->peaks(a->n, a->P, &last));
     assert_int_equal(found, last);
 }
 
-static void check_means(const ovr_kernels *run, const arrays *a)
+static void check_means(const ovr_kernels *run, arrays *a)
 {
     const double u[2] = {1.2, -0.4}, D = 0.1, e[3] = {0.5, 0.3, -0.1};
-    const double *P = a->P;
-    double flow = 0, square = 0, pairs = 0, wet = 0;
-    double past[3][MOST];
-    for (int k = 0; k < 3; k++)
-        for (size_t i = 0; i < MOST; i++)
-            past[k][i] = a->past[k][i];
-    for (size_t i = 1; i + 2 < a->n; i++)
-        if (P[i] > 0 && P[i + 1] > 0) {
-            flow += u[0] * a->q[i] + u[1] * a->q[i - 1] -
-                    (a->eps[i] + a->eps[i + 1]) * (P[i + 1] - P[i]) / (2 * D);
-            pairs++;
-        }
-    for (size_t i = 0; i < a->n; i++)
-        if (P[i] > 0) {
-            double off = a->q[i] - e[0] * past[0][i] - e[1] * past[1][i] -
-                         e[2] * past[2][i];
-            square += off * off;
-            wet++;
-        }
-    CHECK_NEAR(run->mean_flow(a->n, u, D, P, a->q, a->eps),
-               pairs > 0 ? flow / pairs : 0, 1e-12 * (double)a->n);
-    CHECK_NEAR(run->deviation(a->n, e, P, a->q,
-                              (double *const[]){past[0], past[1], past[2]}),
-               wet > 0 ? sqrt(square / wet) : 0, 1e-13);
+    const ovr_kernels *plain = test_kernels(0);
+    double *const past[] = {a->past[0], a->past[1], a->past[2]};
+    size_t n = a->n;
+    CHECK_NEAR(run->mean_flow(n, u, D, a->P, a->q, a->eps),
+               plain->mean_flow(n, u, D, a->P, a->q, a->eps),
+               1e-12 * (double)n);
+    CHECK_NEAR(run->deviation(n, e, a->P, a->q, past),
+               plain->deviation(n, e, a->P, a->q, past), 1e-13);
 }
 
-static void scans_are_as_defined(void **state)
+static void scans_agree(void **state)
 {
+    const ovr_kernels *run;
     uint64_t seed = 5;
     (void)state;
-    for (int k = 0; k < NAMES; k++) {
-        const ovr_kernels *run = ovr_kernels_choose(names[k]);
-        for (size_t n = 13; run && n < MOST; n++) {
+    for (int k = 1; (run = test_kernels(k)); k++)
+        for (size_t n = 13; n < MOST; n++) {
             arrays a = make(n, &seed);
             check_extremes(run, &a);
             check_peaks(run, &a);
             check_means(run, &a);
         }
-    }
+}
+
+/* The plain ones by hand: equal values, a peak with a shoulder, pairs of wet
+ * nodes at 1 and 2 alone (a pair at an end does not count). */
+static void plain_scans_by_hand(void **state)
+{
+    const double x[] = {3, 1, 4, 4, 1, 5, 0, 5}, y[] = {3, 2, 4, 1, 1, 5, 7, 5};
+    const double P[] = {1, 2, 4, 3, 0, 1, 2}, q[] = {1, 2, 4, 8, 0, 8, 9};
+    const double eps[] = {0, 1, 3, 5, 0, 0, 0}, zero[7] = {0};
+    const double u[2] = {2, 1}, e[3] = {1, 0.5, 0.25};
+    double *const past[3] = {(double[]){1, 1, 1, 1, 9, 6, 6},
+                             (double[]){0, 2, 2, 4, 9, 2, 2},
+                             (double[]){0, 0, 8, 12, 9, 4, 4}};
+    const ovr_kernels *run = test_kernels(0);
+    size_t last = 0;
+    (void)state;
+    assert_int_equal(run->extreme(8, 1, x), 6);
+    assert_int_equal(run->extreme(5, 1, x), 1);
+    assert_int_equal(run->extreme(8, -1, x), 5);
+    assert_int_equal(run->peaks(8, x, &last), 2);
+    assert_int_equal(last, 5);
+    assert_true(run->difference(8, x, y) == 7);
+    assert_true(run->gain(8, x, y) == -5);
+    /* 2*2 + 1 - 2*2/0.5 = -3 and 2*4 + 2 + 4*1/0.5 = 18 */
+    assert_true(run->mean_flow(7, u, 0.5, P, q, eps) == 7.5);
+    /* off by 0, 0, 0, 2, (dry), 0, 1 */
+    assert_true(run->deviation(7, e, P, q, past) == sqrt(5. / 6));
+    assert_true(run->mean_flow(7, u, 0.5, zero, q, eps) == 0);
 }
 
 /* One node among many, wherever it is. */
 static void one_bad_node_is_found(void **state)
 {
     const double bad[] = {0, -1, NAN, -INFINITY};
+    const ovr_kernels *run;
     (void)state;
-    for (int k = 0; k < NAMES; k++) {
-        const ovr_kernels *run = ovr_kernels_choose(names[k]);
-        for (size_t n = 13; run && n < 40; n++) {
+    for (int k = 0; (run = test_kernels(k)); k++)
+        for (size_t n = 13; n < 40; n++) {
             double x[40];
             for (size_t i = 0; i < n; i++)
                 x[i] = 1;
@@ -124,7 +120,6 @@ static void one_bad_node_is_found(void **state)
                 x[i] = 1;
             }
         }
-    }
 }
 
 /* Nothing wet: no mean, no division by zero. */
@@ -133,16 +128,19 @@ static void dry_has_no_means(void **state)
     arrays a = {.n = 57};
     const double none[3] = {0};
     double *const past[3] = {a.past[0], a.past[1], a.past[2]};
-    const ovr_kernels *run = ovr_kernels_choose(NULL);
+    const ovr_kernels *run;
     (void)state;
-    assert_true(run->mean_flow(a.n, none, 1, a.P, a.q, a.eps) == 0);
-    assert_true(run->deviation(a.n, none, a.P, a.q, past) == 0);
+    for (int k = 0; (run = test_kernels(k)); k++) {
+        assert_true(run->mean_flow(a.n, none, 1, a.P, a.q, a.eps) == 0);
+        assert_true(run->deviation(a.n, none, a.P, a.q, past) == 0);
+    }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(scans_are_as_defined),
+        cmocka_unit_test(scans_agree),
+        cmocka_unit_test(plain_scans_by_hand),
         cmocka_unit_test(one_bad_node_is_found),
         cmocka_unit_test(dry_has_no_means),
     };

@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "support/kernels.h"
+
+#include <math.h>
+
+#include "support/contact.h"
+#include "support/test.h"
+
+enum { FIELDS = 9, BAND = 7, ARRAYS = FIELDS + BAND + 2 };
+
+const ovr_kernels *test_kernels(int k)
+{
+    static const char *const names[] = {"plain", "base", "avx2", "avx512"};
+    for (int i = 0; i < 4; i++) {
+        const ovr_kernels *here = ovr_kernels_choose(names[i]);
+        if (here && k-- == 0)
+            return here;
+    }
+    return NULL;
+}
+
+static double *take(test_grid *grid)
+{
+    ovr_error err = {0};
+    double *field = ovr_mlmi_field(&grid->mlmi, &grid->arena, &err);
+    assert_non_null(field);
+    return field;
+}
+
+static void take_fields(test_grid *grid)
+{
+    double *a[ARRAYS];
+    for (int k = 0; k < ARRAYS; k++)
+        a[k] = take(grid);
+    grid->f = (ovr_fields){a[0], a[1], a[2], a[3], a[4],
+                           a[5], a[6], a[7], a[8]};
+    grid->band = (ovr_band){.b = {a[9], a[10], a[11], a[12], a[13]},
+                            .delta = a[14],
+                            .moves = a[15]};
+    grid->gap = a[16], grid->w = a[17];
+    grid->ordered = take(grid);
+}
+
+test_grid test_grid_make(const ovr_kernels *run, size_t n)
+{
+    ovr_error err;
+    test_contact contact = test_contact_make(20, 10);
+    double D = 5.5 / (double)(n - 1);
+    test_grid grid = {.arena = ovr_arena_make(NULL),
+                      .run = run,
+                      .n = n,
+                      .D = D,
+                      .fluid = {contact.lubricant, contact.contact.lambda},
+                      .weights = {1.5 / D + 2, -2 / D, 0.5 / D, 1 / D + 2,
+                                  -1 / D, 0.5 / (D * D)}};
+    CHECK_OK(ovr_mlmi_plan(&grid.mlmi, n, D, 10, 10, NULL, &grid.arena, &err),
+             &err);
+    grid.lanes = (ovr_lanes){n, ovr_mlmi_lane(&grid.mlmi, run->lanes),
+                             run->lanes};
+    take_fields(&grid);
+    for (int d = 0; d < 6; d++)
+        grid.k[d] = ovr_deformation_kernel(d, D);
+    return grid;
+}
+
+void test_grid_fill(const test_grid *grid, uint64_t seed)
+{
+    const ovr_fields *f = &grid->f;
+    size_t n = grid->n;
+    assert_true(grid->lanes.V == 1);
+    for (size_t i = 0; i < n; i++) {
+        double X = -4 + 5.5 * (double)i / (double)(n - 1);
+        double P = X * X < 1 ? sqrt(1 - X * X) : X < 0 ? 0.01 / (X * X) : 0;
+        f->P[i] = P > 0 ? P * test_random(&seed, 0.99, 1.01) : 0;
+        grid->gap[i] = 0.08 + (X * X > 1 ? 0.4 * (fabs(X) - 1) : 0) +
+                       test_random(&seed, 0, 0.001);
+        grid->w[i] = 0;
+        f->F[i] = test_random(&seed, -1, 1);
+    }
+    f->P[0] = f->P[n - 1] = 0;
+    grid->run->film(&grid->fluid, 0, &grid->lanes, grid->gap, grid->w, f);
+    grid->run->residual(&grid->lanes, &grid->weights, f);
+}
+
+static void list(const test_grid *g, double *all[ARRAYS])
+{
+    double *const a[ARRAYS] = {
+        g->f.P,       g->f.H,        g->f.rho,     g->f.dq,      g->f.eps,
+        g->f.deps,    g->f.q,        g->f.F,       g->f.r,       g->gap,
+        g->w,         g->band.b[0],  g->band.b[1], g->band.b[2], g->band.b[3],
+        g->band.b[4], g->band.delta, g->band.moves};
+    for (int k = 0; k < ARRAYS; k++)
+        all[k] = a[k];
+}
+
+void test_grid_copy(const test_grid *plain, const test_grid *to)
+{
+    double *from[ARRAYS], *here[ARRAYS];
+    assert_true(plain->lanes.V == 1 && plain->n == to->n);
+    list(plain, from);
+    list(to, here);
+    for (int k = 0; k < ARRAYS; k++)
+        to->run->pack(&to->lanes, from[k], here[k]);
+}
+
+const double *test_grid_read(const test_grid *grid, const double *x)
+{
+    grid->run->unpack(&grid->lanes, x, grid->ordered);
+    return grid->ordered;
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The tables of kernels beside each other, on the same grid and fields. */
+#ifndef TESTS_SUPPORT_KERNELS_H
+#define TESTS_SUPPORT_KERNELS_H
+
+#include <stdint.h>
+
+#include "multigrid/deformation.h"
+#include "multigrid/kernels.h"
+
+/* Tables that this machine can use: 0 is the plain one, then the vectors';
+ * NULL behind the last. */
+const ovr_kernels *test_kernels(int k);
+
+/* Arrays of a grid as a table of kernels wants them. */
+typedef struct test_grid {
+    ovr_arena arena;
+    const ovr_kernels *run;
+    size_t n;
+    ovr_lanes lanes;
+    double D;
+    ovr_fluid fluid;
+    ovr_weights weights;
+    ovr_mlmi mlmi;
+    ovr_fields f;
+    ovr_band band;
+    double *gap, *w, *ordered, k[6];
+} test_grid;
+
+test_grid test_grid_make(const ovr_kernels *run, size_t n);
+
+/* A pressure with a wet part, a dry end and a small disturbance, a film without
+ * deformation, a right-hand side; the properties and the residual that belong
+ * to them.  For the plain kernels. */
+void test_grid_fill(const test_grid *grid, uint64_t seed);
+
+/* All arrays of a plain one. */
+void test_grid_copy(const test_grid *plain, const test_grid *to);
+
+/* One of its arrays in the order of the nodes, until the next call. */
+const double *test_grid_read(const test_grid *grid, const double *x);
+
+#endif
