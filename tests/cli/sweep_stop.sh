@@ -30,9 +30,8 @@ numbers alone >alone.txt
 begin() {
     "$OVERROLL" sweep study.ini -o "$1" -j 2 >out 2>err &
     pid=$!
-    for _ in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 \
-        21 22 23 24 25 26 27 28 29 30 31 32 33 34 35 36 37 38 39 40; do
-        ls "$1"/*.h5 >/dev/null 2>&1 && break
+    until ls "$1"/*.h5 >/dev/null 2>&1; do
+        kill -0 "$pid" || fail "no sweep: $(cat out err)"
         sleep 0.02
     done
 }
@@ -69,8 +68,7 @@ done
 begin kill
 kill -s KILL "$pid"
 wait "$pid"
-for _ in 1 2 3 4 5 6 7 8 9 10; do
-    "$OVERROLL" sweep study.ini -o kill -j 2 -q >/dev/null 2>&1 && break
+until "$OVERROLL" sweep study.ini -o kill -j 2 -q >/dev/null 2>&1; do
     sleep 1
 done
 numbers kill | cmp - alone.txt || fail 'a killed sweep changes results'

@@ -62,13 +62,15 @@ END
 
 kill_test() {
     need_python h5py numpy
+    began=$(date +%s.%N)
     expect 0 "$OVERROLL" run dent.ini -o whole.h5 -q
+    most=$(awk -v a="$began" -v b="$(date +%s.%N)" 'BEGIN { print b - a }')
     unborn=0 unbegun=0 repaired=0 k=0
     while [ $k -lt "$KILLS" ]; do
         k=$((k + 1))
         rm -f a.h5*
-        after=$(awk -v seed="$SEED$k" -v most="$MOST" \
-            'BEGIN { srand(seed); print 0.01 + most * rand() }')
+        after=$(awk -v seed="$SEED$k" -v most="$most" \
+            'BEGIN { srand(seed); print most * rand() }')
         timeout -s KILL "$after" "$OVERROLL" run dent.ini -o a.h5 -q \
             >/dev/null 2>&1 </dev/null
         [ -f a.h5 ] || { # killed before the file had its name
