@@ -177,7 +177,8 @@ ovr_simulation_observation(const ovr_simulation *sim);
 
 /* One level of the last steady solution's full multigrid: how far its cycles
  * brought it, and the discretization error that the next coarser level shows.
- * Differences of pressure as D sum |dP| / (pi/2). */
+ * Levels where the load was still being raised are left out.  Differences of
+ * pressure as D sum |dP| / (pi/2). */
 typedef struct ovr_refinement {
     int level;
     size_t nodes;

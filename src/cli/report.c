@@ -308,6 +308,8 @@ static void table_refinements(const cli_summary *s)
 {
     int count;
     const ovr_refinement *r = ovr_simulation_refinements(s->sim, &count);
+    if (count == 0)
+        return;
     puts("\nlevel   nodes cycles residual  H_min        H_cen        "
          "algebraic to level below");
     for (int k = 0; k < count; k++)

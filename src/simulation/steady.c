@@ -296,6 +296,7 @@ static ovr_defect full_multigrid(ovr_simulation *sim, const rung *how,
         }
         d = raise_load(sim, level, fraction, how->load_factor, cycles);
         grids->fluid = fluid_at(sim, 1);
+        sim->refinements = 0; /* those were of a lower load */
     }
     return level->number < grids->finest
                ? climb(sim, level, grids->finest, cycles)

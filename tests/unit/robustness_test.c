@@ -61,6 +61,24 @@ static void negative_film_is_no_solution(void **state)
     CHECK_STATUS(steady(937, 1.76, 6, 6, &err), OVR_IMPOSSIBLE, &err);
 }
 
+/* Where the load was raised on the way, the levels that are told of are those
+ * with all of it: each film is near the last. */
+static void levels_are_of_the_whole_load(void **state)
+{
+    ovr_error err = {OVR_OK, ""};
+    ovr_options o = ovr_options_default();
+    int count;
+    (void)state;
+    o.level = 10;
+    ovr_simulation *sim = test_simulation(300, 3, &o);
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    const ovr_refinement *r = ovr_simulation_refinements(sim, &count);
+    assert_true(count > 0 && r[count - 1].level == 10);
+    for (int k = 0; k < count; k++)
+        CHECK_CLOSE(r[k].H_cen, ovr_simulation_observation(sim)->H_cen, 0.15);
+    ovr_simulation_free(sim);
+}
+
 static void wall(void *data, double T, size_t n, const double *X, double *S)
 {
     (void)data;
@@ -140,6 +158,7 @@ int main(void)
         cmocka_unit_test(thin_films_name_a_level),
         cmocka_unit_test(one_grid_is_enough),
         cmocka_unit_test(negative_film_is_no_solution),
+        cmocka_unit_test(levels_are_of_the_whole_load),
         cmocka_unit_test(what_cannot_be_is_taken_back),
         cmocka_unit_test(random_cases),
         cmocka_unit_test_setup_teardown(runs_survive_failing_allocations,
