@@ -4,32 +4,10 @@
 # own and one line each time; what is left is whole, or known as cut (a disk
 # that fails for good within a commit), and resume ends it as if nothing had
 # happened.  Short transfers and a failing fsync likewise.
-. "$TOP/tests/support/cli.sh"
-[ -z "$INSTRUMENTED" ] || skip "sanitizers and preloading do not mix"
-"$CC" -shared -fPIC -O1 -o faults.so "$TOP/tests/cli/preload.c" -ldl \
-    2>log || skip "no preloading here"
-
-cat >dent.ini <<'END'
-[contact]
-M = 20
-L = 10
-[domain]
-level = 4
-[time]
-end = 0.5
-[load]
-history = table
-file = load.txt
-[feature dent]
-shape = dent
-depth = 0.1
-width = 0.5
-start = -1.5
-[output]
-every = 1
-checkpoint = 1 ms
-END
-printf '0 1\n1 1.1\n2 1\n' >load.txt
+. "$TOP/tests/support/faults.sh"
+make_faults
+make_dent
+echo 'checkpoint = 1 ms' >>dent.ini
 expect 0 "$OVERROLL" run dent.ini -o a.h5 -q
 "$OVERROLL" export a.h5 --all >whole || fail export
 

@@ -5,7 +5,7 @@
 # one at every STRIDE-th write to a file.  Each file must open, here and in
 # HDF5, and hold a prefix of the true result, or be known as cut; each must be
 # resumed to the identical end.
-. "$TOP/tests/support/cli.sh"
+. "$TOP/tests/support/faults.sh"
 
 cat >dent.ini <<'END'
 [contact]
@@ -99,8 +99,7 @@ kill_test() {
 # shellcheck disable=SC2086 # words on purpose, names without blanks
 kill_writes_test() {
     need_python h5py numpy
-    "$CC" -shared -fPIC -O1 -o faults.so "$TOP/tests/cli/preload.c" -ldl \
-        2>log || skip 'no preloading here'
+    make_faults
     short='--set domain.level=4 --set time.end=0.5'
     expect 0 env FAULT_REPORT=counts LD_PRELOAD=./faults.so "$OVERROLL" \
         run dent.ini -o short.h5 -q $short --set 'output.checkpoint=1 us'
