@@ -9,31 +9,44 @@
 
 enum { TRIES = 1000, PAUSE = 200000 }; /* ns; a fifth of a second at most */
 
-static int set_lock(int journal, short kind)
+/* Bytes that are locked: the room, and the gate before it. */
+enum { ROOM, GATE };
+
+static int set_lock(int journal, int byte, short kind)
 {
 #ifdef F_OFD_SETLK
     struct flock lock;
     memset(&lock, 0, sizeof lock);
     lock.l_type = kind;
     lock.l_whence = SEEK_SET;
+    lock.l_start = byte;
     lock.l_len = 1;
     return fcntl(journal, F_OFD_SETLK, &lock);
 #else
     (void)journal;
+    (void)byte;
     (void)kind;
     return 0;
 #endif
 }
 
-void ovr_turn_take(int journal, bool write)
+static void wait_for(int journal, int byte, short kind)
 {
     const struct timespec pause = {0, PAUSE};
     int tries = 0;
-    while (set_lock(journal, write ? F_WRLCK : F_RDLCK) != 0 && ++tries < TRIES)
+    while (set_lock(journal, byte, kind) != 0 && ++tries < TRIES)
         nanosleep(&pause, NULL);
+}
+
+void ovr_turn_take(int journal, bool write)
+{
+    short kind = write ? F_WRLCK : F_RDLCK;
+    wait_for(journal, GATE, kind);
+    wait_for(journal, ROOM, kind);
+    set_lock(journal, GATE, F_UNLCK);
 }
 
 void ovr_turn_give(int journal)
 {
-    set_lock(journal, F_UNLCK);
+    set_lock(journal, ROOM, F_UNLCK);
 }

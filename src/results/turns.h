@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Commits and reads take turns: a byte of the journal is locked by the writer
- * while it changes the file, and by our own readers while they read.
+ * while it changes the file, and by our own readers while they read.  Another
+ * is a gate that all pass before: once the writer waits behind it no further
+ * reader comes in, however many there are.
  *
  * Neither waits for ever: the other one may have been stopped in the middle.
  * Whoever has waited too long goes ahead; a reader that then meets half a
