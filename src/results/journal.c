@@ -117,7 +117,7 @@ static int page_zero_sums(const ovr_store *s, header *h)
 int ovr_journal_write(ovr_store *s)
 {
     header h = {"", 1, s->committed, s->length, s->changed.count, 0, 0};
-    record *r = (record *)(void *)s->scratch;
+    record r;
     uint64_t at = sizeof h, sum;
     int error = page_zero_sums(s, &h);
     memcpy(h.magic, magic, sizeof magic);
@@ -125,11 +125,11 @@ int ovr_journal_write(ovr_store *s)
     if (error == 0)
         error = ovr_write_all(s->journal, &h, sizeof h, 0);
     for (size_t k = 0; error == 0 && k < s->changed.count; k++) {
-        r->number = s->changed.page[k].number;
-        memcpy(r->data, s->changed.page[k].data, OVR_PAGE);
-        sum = checksum(sum, r, sizeof *r);
-        error = ovr_write_all(s->journal, r, sizeof *r, at);
-        at += sizeof *r;
+        r.number = s->changed.page[k].number;
+        memcpy(r.data, s->changed.page[k].data, OVR_PAGE);
+        sum = checksum(sum, &r, sizeof r);
+        error = ovr_write_all(s->journal, &r, sizeof r, at);
+        at += sizeof r;
     }
     return error ? error : ovr_write_all(s->journal, &sum, sizeof sum, at);
 }
@@ -178,15 +178,15 @@ bool ovr_journal_pending(int journal, int file)
 
 static int apply(ovr_store *s, const header *h)
 {
-    record *r = (record *)(void *)s->scratch;
+    record r;
     uint64_t at = sizeof *h;
     int error = 0;
     s->committed = h->committed;
-    for (uint64_t k = 0; error == 0 && k < h->pages; k++, at += sizeof *r) {
-        error = ovr_read_all(s->journal, r, sizeof *r, at);
-        if (error == 0 && r->number < (h->committed + OVR_PAGE - 1) / OVR_PAGE)
-            error = ovr_write_all(s->fd, r->data, page_bytes(s, r->number),
-                                  r->number * OVR_PAGE);
+    for (uint64_t k = 0; error == 0 && k < h->pages; k++, at += sizeof r) {
+        error = ovr_read_all(s->journal, &r, sizeof r, at);
+        if (error == 0 && r.number < (h->committed + OVR_PAGE - 1) / OVR_PAGE)
+            error = ovr_write_all(s->fd, r.data, page_bytes(s, r.number),
+                                  r.number * OVR_PAGE);
     }
     if (error == 0 && ftruncate(s->fd, (off_t)h->length) != 0)
         error = errno;

@@ -120,7 +120,7 @@ static bool read_in_turn(ovr_result *r, const part *what, double *values,
     *in_turn = turn >= 0;
     if (*in_turn)
         ovr_reader_close_file(r);
-    ok = (r->fd >= 0 || ovr_reader_file(r, NULL) == OVR_OK) &&
+    ok = (r->fd >= 0 || ovr_reader_file(r, turn, NULL) == OVR_OK) &&
          read_once(r, what, values);
     ovr_reader_leave(turn);
     if (!ok)

@@ -22,9 +22,10 @@ struct ovr_result {
     bool starved; /* a text did not fit into memory */
 };
 
-/* Opens the file (again); the counts and lists of `r` stay.  OVR_IO: trying
- * again may help, when the file is being written. */
-ovr_status ovr_reader_file(ovr_result *result, ovr_error *err);
+/* Opens the file (again), within a turn or a negative number; the counts and
+ * lists of `r` stay.  OVR_IO: trying again may help, when the file is being
+ * written. */
+ovr_status ovr_reader_file(ovr_result *result, int turn, ovr_error *err);
 void ovr_reader_close_file(ovr_result *result);
 
 /* A turn between the writer's commits; a negative number: nobody writes. */

@@ -248,28 +248,12 @@ static bool journal_name(const char *path, char *name, size_t size)
     return length > 0 && (size_t)length < size;
 }
 
-static int open_journal(const ovr_result *r)
-{
-    char name[4096];
-    if (!journal_name(r->path, name, sizeof name))
-        return -1;
-    return open(name, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-}
-
-/* A file cut in the middle of a commit is a mixture of two states, of which
- * the checksums find only some. */
-static bool was_cut(const ovr_result *r)
-{
-    int journal = open_journal(r);
-    bool pending = journal >= 0 && ovr_journal_pending(journal, r->fd);
-    if (journal >= 0)
-        close(journal);
-    return pending;
-}
-
 int ovr_reader_enter(const ovr_result *r)
 {
-    int journal = open_journal(r);
+    char name[4096];
+    int journal = -1;
+    if (journal_name(r->path, name, sizeof name))
+        journal = open(name, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (journal >= 0)
         ovr_turn_take(journal, false);
     return journal;
@@ -290,12 +274,14 @@ static ovr_status cut(const ovr_result *r, ovr_error *err)
                     r->path);
 }
 
-ovr_status ovr_reader_file(ovr_result *r, ovr_error *err)
+/* A file cut in the middle of a commit is a mixture of two states, of which
+ * the checksums find only some. */
+ovr_status ovr_reader_file(ovr_result *r, int turn, ovr_error *err)
 {
     r->fd = open(r->path, O_RDONLY | O_CLOEXEC);
     if (r->fd < 0)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: %s", r->path, strerror(errno));
-    if (was_cut(r))
+    if (turn >= 0 && ovr_journal_pending(turn, r->fd))
         return cut(r, err);
     switch (ovr_container_open(&r->container, r->fd, &r->work)) {
     case OVR_FOUND_CONTAINER: return OVR_OK;
@@ -318,9 +304,9 @@ void ovr_reader_close_file(ovr_result *r)
     ovr_arena_release(&r->work);
 }
 
-static ovr_status open_once(ovr_result *r, ovr_error *err)
+static ovr_status open_once(ovr_result *r, int turn, ovr_error *err)
 {
-    ovr_status status = ovr_reader_file(r, err);
+    ovr_status status = ovr_reader_file(r, turn, err);
     r->fields = r->columns = 0;
     if (status == OVR_OK)
         status = check_format(r, err);
@@ -358,7 +344,7 @@ static ovr_status open_result(ovr_result *r, ovr_error *err)
     do {
         ovr_reader_close_file(r);
         turn = ovr_reader_enter(r);
-        status = open_once(r, err);
+        status = open_once(r, turn, err);
         ovr_reader_leave(turn);
     } while (status == OVR_IO && ovr_reader_again(r, attempt++, turn >= 0));
     if (status == OVR_IO && err)

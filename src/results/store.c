@@ -254,10 +254,8 @@ ovr_status ovr_store_prepare(ovr_store *s, const char *path, ovr_arena *arena,
     s->path = join(arena, path, "", err);
     s->part = join(arena, path, ".part", err);
     s->journal_path = join(arena, path, ".journal", err);
-    s->scratch = ovr_arena_take(arena, OVR_PAGE + sizeof(uint64_t), 1, err);
     ovr_pages_init(&s->changed, arena);
-    return s->path && s->part && s->journal_path && s->scratch ? OVR_OK
-                                                               : OVR_NO_MEMORY;
+    return s->path && s->part && s->journal_path ? OVR_OK : OVR_NO_MEMORY;
 }
 
 static ovr_status take_lock(ovr_store *s, ovr_error *err)

@@ -52,7 +52,6 @@ typedef struct ovr_store {
     uint64_t committed, length; /* bytes: promised; now (HDF5's end of file) */
     uint64_t on_disk;           /* length of the file itself */
     ovr_pages changed;
-    unsigned char *scratch; /* of one journal record */
 } ovr_store;
 
 /* Names, no disk touched. */

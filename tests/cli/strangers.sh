@@ -3,7 +3,7 @@
 # A result from a stranger: its title and its name run no command in gnuplot,
 # ffmpeg or a shell; names beside the output, which nobody chose, follow no
 # link.
-. "$TOP/tests/support/cli.sh"
+. "$TOP/tests/support/faults.sh"
 need gnuplot
 
 mkdir caught
@@ -70,8 +70,7 @@ refuses 'cannot be created' plot "./$name" -o b.png
 rm -r .b.png.gp
 
 # Another user's link in a shared folder, which cannot be taken away either.
-if [ -z "$INSTRUMENTED" ] && "$CC" -shared -fPIC -O1 -o faults.so \
-    "$TOP/tests/cli/preload.c" -ldl 2>log; then
+if can_fault; then
     for hidden in .c.png.gp .c.png.part; do
         ln -s victim $hidden
         expect 2 env FAULT_KEEP=${hidden#.c} LD_PRELOAD=./faults.so \

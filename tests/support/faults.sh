@@ -3,11 +3,16 @@
 # For tests in which the system fails the program (tests/cli/preload.c).
 . "$TOP/tests/support/cli.sh"
 
-# Makes faults.so, to be preloaded, or skips the test.
+# Makes faults.so, to be preloaded; false where that cannot be (sanitizers and
+# preloading do not mix).
+can_fault() {
+    [ -z "$INSTRUMENTED" ] && "$CC" -shared -fPIC -O1 -o faults.so \
+        "$TOP/tests/cli/preload.c" -ldl 2>log
+}
+
+# The same, or skips the test.
 make_faults() {
-    [ -z "$INSTRUMENTED" ] || skip "sanitizers and preloading do not mix"
-    "$CC" -shared -fPIC -O1 -o faults.so "$TOP/tests/cli/preload.c" -ldl \
-        2>log || skip "no preloading here"
+    can_fault || skip "no preloading here"
 }
 
 # Makes dent.ini, a short run that reads a second file.
