@@ -29,7 +29,7 @@ static void steady(void **state)
     assert_int_equal(s.cases, count);
     assert_int_equal(s.unnamed + s.not_numbers, 0);
     assert_int_equal(s.gave_up, s.impossible);
-    assert_true(s.gave_up <= 0.04 * (double)count + 1);
+    assert_true((double)s.gave_up <= 0.04 * (double)count + 1);
 }
 
 static void transient(void **state)
@@ -41,7 +41,7 @@ static void transient(void **state)
     assert_int_equal(s.cases, count);
     assert_int_equal(s.unnamed + s.not_numbers, 0);
     assert_int_equal(s.gave_up, s.impossible);
-    assert_true(s.gave_up <= 0.02 * (double)count);
+    assert_true((double)s.gave_up <= 0.02 * (double)count);
     assert_true(s.worst_marked <= 1);
 }
 
