@@ -97,10 +97,12 @@ LINK    = $(CC) $(CFLAGS) $(KIND) $(LDFLAGS)
 
 # ---------------------------------------------------------- library, program
 
-FLOORS  := base contact surface multigrid simulation results pictures
-KERNELS := $(wildcard src/*/*.kernel.c)
+# A floor may have folders of its own, one deep.
+FLOORS  := base contact surface multigrid stress simulation results case run \
+           pictures
+KERNELS := $(wildcard src/*/*.kernel.c src/*/*/*.kernel.c)
 LIBSRC  := $(filter-out $(KERNELS),\
-             $(wildcard $(FLOORS:%=src/%/*.c)))
+             $(wildcard $(FLOORS:%=src/%/*.c) $(FLOORS:%=src/%/*/*.c)))
 CLISRC  := $(wildcard src/cli/*.c)
 HEADERS := $(wildcard include/overroll/*.h)
 LIBOBJ  := $(LIBSRC:%.c=$(BUILD)/%.o) \
@@ -314,7 +316,8 @@ bench: $(BENCHBIN) $(PROGRAM) ## how fast it is, on this machine
 
 # ------------------------------------------------------------- static checks
 
-CALL  := $(wildcard src/*/*.[ch] include/overroll/*.h tests/*/*.[ch])
+CALL  := $(wildcard src/*/*.[ch] src/*/*/*.[ch] include/overroll/*.h \
+           tests/*/*.[ch])
 SHALL := $(shell grep -lE '^\#!/bin/(ba)?sh' tools/* tools/examples/* tests/*/* .ci/* 2>/dev/null)
 
 format: ## lay out the sources with clang-format

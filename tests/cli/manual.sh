@@ -6,7 +6,7 @@
 
 expect 0 "$OVERROLL" help --roff
 sed -n '/^\.SH PARAMETERS/,/^\.SH SEE ALSO/p' \
-    "$TOP/src/simulation/overroll-case.5" | sed '1d;$d' >written
+    "$TOP/src/case/overroll-case.5" | sed '1d;$d' >written
 diff written out ||
     fail 'overroll-case.5 is not the table: run tools/update-manual'
 

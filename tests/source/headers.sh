@@ -25,7 +25,8 @@ for path in include/overroll/*.h; do
         alone "$header" c++ -x c++ -std=c++11 -Iinclude
     fi
 done
-for path in src/*/*.h; do
+for path in src/*/*.h src/*/*/*.h; do
+    [ -f "$path" ] || continue
     # shellcheck disable=SC2086
     alone "${path#src/}" $CC $TEST_CFLAGS -DOVR_ISA=base -x c
 done

@@ -4,10 +4,11 @@
 # circles.
 set -u
 cd "$TOP" || exit 1
-floors="base contact surface multigrid simulation results pictures cli"
+floors="base contact surface multigrid stress simulation results case run
+    pictures cli"
 
 # "file included" for every #include "..." of the project.
-grep -E '^ *# *include *"' src/*/*.[ch] include/overroll/*.h |
+find src include -name '*.[ch]' -exec grep -HE '^ *# *include *"' {} + |
     sed 's/^\([^:]*\):[^"]*"\([^"]*\)".*/\1 \2/' >"$OLDPWD/pairs"
 cd "$OLDPWD" || exit 1
 
@@ -24,13 +25,12 @@ awk -v floors="$floors" '
         return height[base in home ? home[base] : base]
     }
     BEGIN {
-        n = split(floors, name, " ")
+        n = split(floors, name)
         for (i = 1; i <= n; i++)
             height[name[i]] = i
         # Public headers that are not named after their floor.
         home["error"] = home["memory"] = home["version"] = "base"
         home["profile"] = "surface"
-        home["case"] = "simulation"
         home["overroll"] = "cli"
     }
     !floor($1) { print $1 ": on no floor that this test knows"; bad = 1 }

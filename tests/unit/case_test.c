@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "case/parameters.h"
 #include "overroll/overroll.h"
-#include "simulation/parameters.h"
 
 static const char *const moes = "[contact]\nM = 20\nL = 10\n";
 static const char *const roller = "[contact]\n"

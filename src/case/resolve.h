@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the parts of resolving a case share. */
-#ifndef OVR_SIMULATION_RESOLVE_H
-#define OVR_SIMULATION_RESOLVE_H
+#ifndef OVR_CASE_RESOLVE_H
+#define OVR_CASE_RESOLVE_H
 
-#include "simulation/case.h"
+#include "case/case.h"
 
 /* A setup with the memory behind it; the setup comes first. */
 typedef struct ovr_resolved {

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/suggest.h"
-#include "simulation/case.h"
+#include "case/case.h"
 
 /* ------------------------------------------------------------------ words */
 

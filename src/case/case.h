@@ -4,12 +4,12 @@
  * each of which remembers its text and where it came from, so that an error
  * found late still names file, line and key.
  */
-#ifndef OVR_SIMULATION_CASE_H
-#define OVR_SIMULATION_CASE_H
+#ifndef OVR_CASE_CASE_H
+#define OVR_CASE_CASE_H
 
 #include "base/arena.h"
+#include "case/parameters.h"
 #include "overroll/case.h"
-#include "simulation/parameters.h"
 
 enum { OVR_NAME_MOST = 48, OVR_LINE_MOST = 190, OVR_CASE_MOST = 1 << 20 };
 

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <unistd.h>
 
+#include "case/resolve.h"
 #include "simulation/internal.h"
-#include "simulation/resolve.h"
 
 static double memory_here(void)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "simulation/parameters.h"
+#include "case/parameters.h"
 
 #include <math.h>
 #include <string.h>

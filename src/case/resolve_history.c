@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "simulation/resolve.h"
+#include "case/resolve.h"
 
 enum { TABLE_MOST = 1000000 }; /* points */
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A case as a store of values; reading its file is in case_file.c, what it
  * resolves to in resolve.c. */
-#include "simulation/case.h"
+#include "case/case.h"
 
 #include <errno.h>
 #include <math.h>

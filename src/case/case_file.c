@@ -12,7 +12,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "simulation/case.h"
+#include "case/case.h"
 
 typedef struct reading {
     ovr_case *c;

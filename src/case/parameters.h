@@ -4,8 +4,8 @@
  * the manual page, JSON and the attributes in result files; a parameter is
  * added by adding a row here and its field to the struct the row points into.
  */
-#ifndef OVR_SIMULATION_PARAMETERS_H
-#define OVR_SIMULATION_PARAMETERS_H
+#ifndef OVR_CASE_PARAMETERS_H
+#define OVR_CASE_PARAMETERS_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "simulation/case.h"
+#include "case/case.h"
 
 typedef struct growing {
     char *text;

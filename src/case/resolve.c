@@ -3,7 +3,7 @@
  * From a case to what runs: first the contact, which gives the scales, then
  * everything else in its units.
  */
-#include "simulation/resolve.h"
+#include "case/resolve.h"
 
 #include <ctype.h>
 #include <math.h>
