@@ -64,59 +64,65 @@ typedef struct ovr_shares {
     bool transient;
 } ovr_shares;
 
+/* Every kernel: what it returns, its name, what it takes.  The table, each
+ * instruction set's declarations and its entries follow from this list. */
+/* clang-format off */
+#define OVR_EACH_KERNEL(K) \
+    /* to lanes, halos included, and back to the order of the nodes */ \
+    K(void, pack, (const ovr_lanes *g, const double *from, double *to)) \
+    K(void, unpack, (const ovr_lanes *g, const double *from, double *to)) \
+    /* leaves P's halo up to date for all that follows */ \
+    K(void, deformation, (const struct ovr_mlmi *plan, double *P, double *w)) \
+    K(void, film, (const ovr_fluid *fluid, double H0, const ovr_lanes *g, \
+                   const double *gap, const double *w, const ovr_fields *f)) \
+    K(void, residual, (const ovr_lanes *g, const ovr_weights *w, \
+                       const ovr_fields *f)) \
+    K(double, imbalance, (const ovr_lanes *g, const ovr_weights *w, \
+                          const ovr_fields *f)) \
+    K(void, band_assemble, (const ovr_lanes *g, const ovr_weights *w, \
+                            const double k[6], const ovr_shares *shares, \
+                            const ovr_fields *f, const ovr_band *band)) \
+    K(void, band_solve, (const ovr_lanes *g, const ovr_band *band)) \
+    K(void, distribute, (const ovr_lanes *g, double limit, \
+                         const ovr_shares *shares, const ovr_band *band, \
+                         double *P)) \
+    K(double, sum, (const ovr_lanes *g, const double *x)) \
+    K(void, coarse_gap, (const ovr_lanes *g, double H0, const double *w, \
+                         double *gap)) \
+    K(void, restrict_fields, (const ovr_lanes *coarse, const ovr_lanes *fine, \
+                              const double *P, const double *H, \
+                              const double *r, double *Pc, double *entry, \
+                              double *Hc, double *rc)) \
+    K(void, coarse_side, (const ovr_lanes *g, const double *residual, \
+                          double *F, double *r)) \
+    K(void, correct, (const ovr_lanes *coarse, const ovr_lanes *fine, \
+                      double factor, const double *Pc, const double *entry, \
+                      double *P)) \
+    /* in the order of the nodes, see scan.kernel.c */ \
+    K(void, combine, (size_t n, double a, const double *x, double b, \
+                      const double *y, double *result)) \
+    K(void, extrapolate, (size_t n, size_t count, const double weight[], \
+                          const double *const from[], double *P)) \
+    K(size_t, extreme, (size_t n, double sign, const double *x)) \
+    K(bool, positive, (size_t n, const double *x)) \
+    K(double, difference, (size_t n, const double *a, const double *b)) \
+    K(double, gain, (size_t n, const double *a, const double *b)) \
+    K(int, peaks, (size_t n, const double *x, size_t *last)) \
+    K(double, mean_flow, (size_t n, const double u[2], double D, \
+                          const double *P, const double *q, \
+                          const double *eps)) \
+    K(double, deviation, (size_t n, const double e[3], const double *P, \
+                          const double *q, double *const past[3])) \
+    K(void, dense_row, (size_t n, const double c[4], const double *k, \
+                        double *row)) \
+    K(bool, dense_solve, (size_t m, size_t stride, double *A, double *x))
+#define OVR_KERNEL_POINTER(type, name, arguments) type(*name) arguments;
+/* clang-format on */
+
 typedef struct ovr_kernels {
     const char *name;
     size_t lanes;
-
-    /* to lanes, halos included, and back to the order of the nodes */
-    void (*pack)(const ovr_lanes *g, const double *from, double *to);
-    void (*unpack)(const ovr_lanes *g, const double *from, double *to);
-
-    /* leaves P's halo up to date for all that follows */
-    void (*deformation)(const struct ovr_mlmi *plan, double *P, double *w);
-    void (*film)(const ovr_fluid *fluid, double H0, const ovr_lanes *g,
-                 const double *gap, const double *w, const ovr_fields *f);
-    void (*residual)(const ovr_lanes *g, const ovr_weights *w,
-                     const ovr_fields *f);
-    double (*imbalance)(const ovr_lanes *g, const ovr_weights *w,
-                        const ovr_fields *f);
-    void (*band_assemble)(const ovr_lanes *g, const ovr_weights *w,
-                          const double k[6], const ovr_shares *shares,
-                          const ovr_fields *f, const ovr_band *band);
-    void (*band_solve)(const ovr_lanes *g, const ovr_band *band);
-    void (*distribute)(const ovr_lanes *g, double limit,
-                       const ovr_shares *shares, const ovr_band *band,
-                       double *P);
-    double (*sum)(const ovr_lanes *g, const double *x);
-    void (*coarse_gap)(const ovr_lanes *g, double H0, const double *w,
-                       double *gap);
-    void (*restrict_fields)(const ovr_lanes *coarse, const ovr_lanes *fine,
-                            const double *P, const double *H, const double *r,
-                            double *Pc, double *entry, double *Hc, double *rc);
-    void (*coarse_side)(const ovr_lanes *g, const double *residual, double *F,
-                        double *r);
-    void (*correct)(const ovr_lanes *coarse, const ovr_lanes *fine,
-                    double factor, const double *Pc, const double *entry,
-                    double *P);
-
-    void (*combine)(size_t n, double a, const double *x, double b,
-                    const double *y, double *result);
-    void (*extrapolate)(size_t n, size_t count, const double weight[],
-                        const double *const from[], double *P);
-    /* in the order of the nodes, see scan.kernel.c */
-    size_t (*extreme)(size_t n, double sign, const double *x);
-    bool (*positive)(size_t n, const double *x);
-    double (*difference)(size_t n, const double *a, const double *b);
-    double (*gain)(size_t n, const double *a, const double *b);
-    int (*peaks)(size_t n, const double *x, size_t *last);
-    double (*mean_flow)(size_t n, const double u[2], double D, const double *P,
-                        const double *q, const double *eps);
-    double (*deviation)(size_t n, const double e[3], const double *P,
-                        const double *q, double *const past[3]);
-
-    void (*dense_row)(size_t n, const double c[4], const double *k,
-                      double *row);
-    bool (*dense_solve)(size_t m, size_t stride, double *A, double *x);
+    OVR_EACH_KERNEL(OVR_KERNEL_POINTER)
 } ovr_kernels;
 
 /* The best table for this machine, or the named one ("plain", "base", "avx2",
