@@ -7,50 +7,64 @@
 #include "multigrid/fas.h"
 #include "multigrid/hybrid.h"
 
-static void solve_coarsest(ovr_hierarchy *grids, ovr_level *level)
+static void solve_bottom(ovr_hierarchy *grids, ovr_level *level,
+                         const ovr_cycling *how)
 {
-    if (grids->paper_balance) {
-        ovr_coarsest_paper(grids, level);
+    if (how->paper_balance) {
+        ovr_coarsest_paper(grids, level, &how->smoothing, how->index);
         return;
     }
-    for (int step = 0; step < grids->newton_steps; step++) {
+    for (int step = 0; step < how->newton_steps; step++) {
         if (step)
             ovr_level_film(grids, level);
-        if (!ovr_newton_step(grids, level, grids->newton_limit))
+        if (!ovr_newton_step(grids, level, how->newton_limit))
             return;
     }
 }
 
-/* A cycle that leaves film and residual behind P. */
-static void descend(ovr_hierarchy *grids, ovr_level *level)
+static void offer(ovr_hierarchy *grids, ovr_level *level,
+                  const ovr_cycling *how, ovr_cycle_end end)
 {
-    if (level->number == grids->bottom) {
-        solve_coarsest(grids, level);
+    const ovr_attached *to = how->attached;
+    if (to && to->at(to->data, grids, level, end) &&
+        end != OVR_AFTER_CORRECTION)
+        ovr_level_refresh(grids, level);
+}
+
+/* A cycle that leaves film and residual behind P. */
+static void descend(ovr_hierarchy *grids, ovr_level *level,
+                    const ovr_cycling *how)
+{
+    if (level->number == how->bottom) {
+        solve_bottom(grids, level, how);
         return;
     }
     ovr_level *coarse = level - 1;
     bool finest = level->number == grids->finest;
-    for (int s = 0; s < grids->sweeps_before; s++) {
-        grids->relax(grids, level);
+    for (int s = 0; s < how->sweeps_before; s++) {
+        how->smoothing.relax(grids, level, &how->smoothing);
         ovr_level_refresh(grids, level);
     }
+    offer(grids, level, how, OVR_BEFORE_RESTRICTION);
     ovr_fas_restrict(grids, level, coarse);
-    for (int c = 0; c < grids->cycle_index; c++) {
+    for (int c = 0; c < how->index; c++) {
         if (c)
             ovr_level_refresh(grids, coarse);
-        descend(grids, coarse);
+        descend(grids, coarse, how);
     }
-    ovr_fas_correct(grids, coarse, level, finest ? grids->correction : 1);
-    for (int s = 0; s < grids->sweeps_after; s++) {
+    ovr_fas_correct(grids, coarse, level, finest ? how->correction : 1);
+    offer(grids, level, how, OVR_AFTER_CORRECTION);
+    for (int s = 0; s < how->sweeps_after; s++) {
         ovr_level_refresh(grids, level);
-        grids->relax(grids, level);
+        how->smoothing.relax(grids, level, &how->smoothing);
     }
 }
 
-void ovr_cycle(ovr_hierarchy *grids, ovr_level *level)
+void ovr_cycle(ovr_hierarchy *grids, ovr_level *level, ovr_cycling how)
 {
-    descend(grids, level);
+    descend(grids, level, &how);
     ovr_level_refresh(grids, level);
+    offer(grids, level, &how, OVR_AFTER_CYCLE);
 }
 
 ovr_defect ovr_cycle_defect(const ovr_hierarchy *grids, const ovr_level *level)
@@ -61,4 +75,12 @@ ovr_defect ovr_cycle_defect(const ovr_hierarchy *grids, const ovr_level *level)
              (level->force > 0 ? level->force : 1);
     d.centre = ovr_level_centre(grids, level, level->f.H);
     return d;
+}
+
+/* With a negative film the flow runs uphill, and the residual adds up to
+ * anything, less than nothing included. */
+bool ovr_below(ovr_defect d, double tolerance)
+{
+    return d.imbalance >= 0 && d.imbalance <= tolerance &&
+           d.load <= 10 * tolerance && d.centre > 0;
 }

@@ -8,15 +8,48 @@
  *     level; correct; relax `after` times.
  * H0 changes on the coarsest level only, where the force balance is solved
  * with the pressures (coarsest.h) or, as the paper does, relaxed.
+ *
+ * What is frozen within a cycle - a correction of higher order, a temperature,
+ * a patch - attaches where the cycle offers its ends.
  */
 #ifndef OVR_MULTIGRID_CYCLE_H
 #define OVR_MULTIGRID_CYCLE_H
 
-#include "multigrid/hierarchy.h"
+#include "multigrid/smoother.h"
+
+/* On each level that restricts: before it does, film and residual up to date;
+ * when it has been corrected, before they are made anew.  On the level of the
+ * cycle alone: when it is done, film and residual up to date. */
+typedef enum ovr_cycle_end {
+    OVR_BEFORE_RESTRICTION,
+    OVR_AFTER_CORRECTION,
+    OVR_AFTER_CYCLE
+} ovr_cycle_end;
+
+/* Called at the ends of a cycle; true when it has changed the level's P, gap
+ * or F: film and residual are then made anew. */
+typedef struct ovr_attached {
+    bool (*at)(void *data, ovr_hierarchy *grids, ovr_level *level,
+               ovr_cycle_end end);
+    void *data;
+} ovr_attached;
+
+/* How a cycle is done. */
+typedef struct ovr_cycling {
+    ovr_smoothing smoothing;
+    int sweeps_before, sweeps_after;
+    int index;  /* 1: V, 2: W */
+    int bottom; /* level where cycles end: the coarsest or the next finer */
+    int newton_steps; /* a visit of the bottom */
+    double newton_limit;
+    bool paper_balance; /* bottom: relaxation and H0 by the paper */
+    double correction;  /* factor on the correction into the finest level */
+    const ovr_attached *attached; /* may be NULL */
+} ovr_cycling;
 
 /* One cycle on the given level.  Before and after it the level's film,
  * properties and residual are up to date. */
-void ovr_cycle(ovr_hierarchy *grids, ovr_level *level);
+void ovr_cycle(ovr_hierarchy *grids, ovr_level *level, ovr_cycling how);
 
 /* How far a level is from solved. */
 typedef struct ovr_defect {
@@ -26,5 +59,8 @@ typedef struct ovr_defect {
 } ovr_defect;
 
 ovr_defect ovr_cycle_defect(const ovr_hierarchy *grids, const ovr_level *level);
+
+/* Solved to a tolerance on R, and ten times as much of load. */
+bool ovr_below(ovr_defect d, double tolerance);
 
 #endif

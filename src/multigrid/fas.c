@@ -42,7 +42,7 @@ static void interpolate(size_t nc, const double *v, double *P)
 void ovr_fas_refine(ovr_hierarchy *grids, const ovr_level *coarse,
                     ovr_level *fine)
 {
-    double *from = grids->band.b[0], *to = grids->band.b[1];
+    double *from = grids->scratch[0], *to = grids->scratch[1];
     ovr_level_read(grids, coarse, coarse->f.P, from);
     interpolate(coarse->n, from, to);
     ovr_level_write(grids, fine, to, fine->f.P);

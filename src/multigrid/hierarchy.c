@@ -114,12 +114,14 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
     for (int l = coarsest; l <= finest; l++)
         if (build_level(grids, l, order[l], range[l], arena, err))
             return OVR_NO_MEMORY;
-    if (take_band(&grids->band, room_of(&grids->level[finest]), arena, err) ||
+    size_t room = room_of(&grids->level[finest]);
+    double **const scratch[] = {&grids->scratch[0], &grids->scratch[1]};
+    if (take(scratch, 2, room, arena, err) ||
+        take_band(&grids->band, room, arena, err) ||
         take_natural(&grids->natural, ovr_level_nodes(grids->ordered), arena,
                      err))
         return OVR_NO_MEMORY;
     ovr_hierarchy_kernels(grids, grids->kernels);
-    grids->bottom = coarsest;
     return ovr_newton_prepare(grids, arena, err);
 }
 

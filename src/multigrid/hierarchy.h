@@ -38,12 +38,6 @@ typedef struct ovr_level {
     ovr_mlmi mlmi;
 } ovr_level;
 
-struct ovr_hierarchy;
-
-/* A smoother: relaxes the Reynolds equation once on a level whose film,
- * properties and residual belong to its P.  Leaves a new P. */
-typedef void ovr_relax(struct ovr_hierarchy *grids, ovr_level *level);
-
 typedef struct ovr_newton {
     double *matrix, *change; /* with the right-hand side; the solution */
     double *kernel[2];       /* K/pi of the coarsest two levels */
@@ -51,24 +45,15 @@ typedef struct ovr_newton {
 
 typedef struct ovr_hierarchy {
     int coarsest, finest; /* level numbers in use */
-    int bottom;           /* where cycles end: coarsest or the next finer */
     ovr_level level[OVR_LEVELS];
     const ovr_kernels *kernels;
     ovr_fluid fluid;
     ovr_operator op;
     double X_a, X_b;
     double H0;
-    double limit;      /* largest change of P in one relaxation */
-    double correction; /* factor on the correction into the finest level */
-
-    ovr_relax *relax;
-    int sweeps_before, sweeps_after, cycle_index;
-    int newton_steps; /* a visit of the coarsest grid */
-    double newton_limit;
-    bool paper_balance; /* coarsest grid: relaxation and H0 by the paper */
-    double switch_value, relax_seidel, relax_dipole; /* hybrid smoother */
     int ordered; /* the finest level that is not relaxed in lanes */
 
+    double *scratch[2]; /* of the finest size, for as long as a function */
     ovr_band band;      /* work arrays of the finest size */
     ovr_fields natural; /* fields in the order of the nodes, of `ordered` */
     ovr_newton newton;

@@ -48,10 +48,10 @@ static bool held(const ovr_fields *f, size_t i, double r, slopes s)
     return f->P[i] <= 0 && r >= OVR_DRY_TOLERANCE * s.own;
 }
 
-static void seidel(const ovr_hierarchy *grids, const ovr_fields *f, size_t i,
+static void seidel(const ovr_smoothing *how, const ovr_fields *f, size_t i,
                    double r, slopes s)
 {
-    double next = f->P[i] + grids->relax_seidel * r / s.own;
+    double next = f->P[i] + how->relax_seidel * r / s.own;
     if (!held(f, i, r, s))
         f->P[i] = next > 0 ? next : 0;
 }
@@ -115,22 +115,23 @@ static void relax_exit(const ovr_hierarchy *grids, const ovr_level *level,
             exit_line(grids, level, f, first, last);
 }
 
-void ovr_relax_hybrid(ovr_hierarchy *grids, ovr_level *level)
+void ovr_relax_hybrid(ovr_hierarchy *grids, ovr_level *level,
+                      const ovr_smoothing *how)
 {
     const ovr_fields *f = ovr_level_ordered(grids, level);
     double *restrict P = f->P, *restrict delta = grids->band.delta;
     const double *eps = f->eps;
-    double bound = grids->switch_value * level->D * level->D;
+    double bound = how->switch_value * level->D * level->D;
     size_t n = level->n;
     for (size_t i = 1; i + 1 < n; i++) {
         slopes s;
         double r = row_residual(level, f, i, &s);
         delta[i] = 0;
         if (0.25 * (eps[i - 1] + 2 * eps[i] + eps[i + 1]) > bound)
-            seidel(grids, f, i, r, s);
+            seidel(how, f, i, r, s);
         else
-            delta[i] = clipped(grids->relax_dipole * r / (s.own - s.before),
-                               grids->limit);
+            delta[i] = clipped(how->relax_dipole * r / (s.own - s.before),
+                               how->limit);
     }
     delta[n - 1] = 0;
     for (size_t i = 1; i + 1 < n; i++) {
@@ -141,13 +142,14 @@ void ovr_relax_hybrid(ovr_hierarchy *grids, ovr_level *level)
     ovr_level_write(grids, level, P, level->f.P);
 }
 
-void ovr_coarsest_paper(ovr_hierarchy *grids, ovr_level *level)
+void ovr_coarsest_paper(ovr_hierarchy *grids, ovr_level *level,
+                        const ovr_smoothing *how, int cycle_index)
 {
-    int sweeps = grids->cycle_index > 1 ? 20 : 100;
+    int sweeps = cycle_index > 1 ? 20 : 100;
     for (int s = 0; s < sweeps; s++) {
         if (s)
             ovr_level_refresh(grids, level);
-        ovr_relax_hybrid(grids, level);
+        ovr_relax_hybrid(grids, level, how);
         grids->H0 -= 0.02 * (level->force - ovr_level_load(grids, level));
     }
 }

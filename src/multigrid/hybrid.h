@@ -36,7 +36,7 @@
 #ifndef OVR_MULTIGRID_HYBRID_H
 #define OVR_MULTIGRID_HYBRID_H
 
-#include "multigrid/hierarchy.h"
+#include "multigrid/smoother.h"
 
 ovr_relax ovr_relax_hybrid;
 
@@ -48,6 +48,7 @@ ovr_relax ovr_relax_hybrid;
  * M = 20, L = 10, level 8).  100 sweeps a visit in V-cycles; in W-cycles,
  * which come by 2^(levels) times as often, 20.
  */
-void ovr_coarsest_paper(ovr_hierarchy *grids, ovr_level *level);
+void ovr_coarsest_paper(ovr_hierarchy *grids, ovr_level *level,
+                        const ovr_smoothing *how, int cycle_index);
 
 #endif

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "multigrid/line.h"
 
-void ovr_relax_line(ovr_hierarchy *grids, ovr_level *level)
+void ovr_relax_line(ovr_hierarchy *grids, ovr_level *level,
+                    const ovr_smoothing *how)
 {
     const ovr_kernels *run = grids->kernels;
     run->band_assemble(&level->lanes, &level->weights, level->k, &level->shares,
                        &level->f, &grids->band);
     run->band_solve(&level->lanes, &grids->band);
-    run->distribute(&level->lanes, grids->limit, &level->shares, &grids->band,
+    run->distribute(&level->lanes, how->limit, &level->shares, &grids->band,
                     level->f.P);
 }

@@ -31,7 +31,7 @@
 #ifndef OVR_MULTIGRID_LINE_H
 #define OVR_MULTIGRID_LINE_H
 
-#include "multigrid/hierarchy.h"
+#include "multigrid/smoother.h"
 
 ovr_relax ovr_relax_line;
 

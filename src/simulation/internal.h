@@ -4,7 +4,7 @@
 #define OVR_SIMULATION_INTERNAL_H
 
 #include "base/arena.h"
-#include "multigrid/cycle.h"
+#include "multigrid/full.h"
 #include "overroll/simulation.h"
 
 /* Integral of P at nominal load: pi/2 in Hertz's scaling. */
@@ -31,6 +31,12 @@ typedef struct ovr_inflow {
     double *extended; /* q with ghosts before it */
 } ovr_inflow;
 
+/* P in the order of the nodes: of the level below, before the last cycle; P
+ * and then H when a level is done. */
+typedef struct ovr_refining {
+    double *coarse, *before, *now;
+} ovr_refining;
+
 struct ovr_simulation {
     ovr_arena arena;
     ovr_contact contact;
@@ -50,10 +56,11 @@ struct ovr_simulation {
     ovr_inflow inflow;
     bool started;
     int way; /* rung of the ladder that the steady solution was found on */
-    double start_load, start_speed; /* Cw, Cu of the steady start */
+    ovr_wanted wanted;    /* the steady start */
     double largest_error; /* adaptive: a step with more is not accepted */
     double *S_past;       /* surface one step ago */
 
+    ovr_refining refining;
     ovr_refinement refinement[OVR_LEVELS];
     int refinements;
     ovr_state state;
@@ -78,19 +85,15 @@ void ovr_options_mlmi(const ovr_options *options, int level, int *order,
 double ovr_truncation_tolerance(const ovr_simulation *sim, double D, double H);
 double ovr_negligible_tolerance(const ovr_simulation *sim, double D, double H);
 
-/* Smoother, sweeps, limits of ordinary cycles. */
-void ovr_simulation_defaults(ovr_simulation *sim);
+/* Ordinary cycles, that end so many levels above the coarsest. */
+ovr_cycling ovr_simulation_cycling(const ovr_simulation *sim, int finer_bottom);
 
 /* Sets S and the finest gap X^2/2 - S at time T. */
 void ovr_simulation_gap(ovr_simulation *sim, double T);
 
-/* Records of full multigrid (refinement.c): before a level is left for the
- * next finer one, before each cycle, and when a level is done; `factor` is the
- * last cycle's on the residual. */
-void ovr_refinement_coarse(ovr_simulation *sim, const ovr_level *level);
-void ovr_refinement_cycle(ovr_simulation *sim, const ovr_level *level);
-void ovr_refinement_note(ovr_simulation *sim, const ovr_level *level,
-                         int cycles, double factor, const ovr_defect *d);
+/* Keeps records of full multigrid (refinement.c). */
+void ovr_refinement_watch(void *sim, const ovr_level *level,
+                          ovr_full_event event, const ovr_climb *climb);
 
 /* How a solve or step ended. */
 typedef struct ovr_outcome {
@@ -99,8 +102,6 @@ typedef struct ovr_outcome {
     double error; /* local, of a step */
     bool converged, marked;
 } ovr_outcome;
-
-bool ovr_below(ovr_defect d, double tolerance);
 
 /* The film formula at a fraction of the load of the start; the length over
  * which the pressure builds up before the contact. */

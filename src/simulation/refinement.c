@@ -9,7 +9,6 @@
  *   change      |dP| of the last cycle on level l;
  *   algebraic   change q/(1 - q), q the last cycle's factor on the residual:
  *               what all further cycles would change.
- * The arrays of the past are free while a steady solution is made.
  */
 #include <math.h>
 
@@ -24,16 +23,6 @@ static double distance(const double *a, size_t stride, const double *b,
     return D * sum / OVR_NOMINAL_LOAD;
 }
 
-void ovr_refinement_coarse(ovr_simulation *sim, const ovr_level *level)
-{
-    ovr_level_read(&sim->grids, level, level->f.P, sim->past.P[2]);
-}
-
-void ovr_refinement_cycle(ovr_simulation *sim, const ovr_level *level)
-{
-    ovr_level_read(&sim->grids, level, level->f.P, sim->past.P[1]);
-}
-
 static double smallest(const double *H, size_t n)
 {
     double least = H[1];
@@ -43,25 +32,38 @@ static double smallest(const double *H, size_t n)
     return least;
 }
 
-void ovr_refinement_note(ovr_simulation *sim, const ovr_level *level,
-                         int cycles, double factor, const ovr_defect *d)
+static void note(ovr_simulation *sim, const ovr_level *level,
+                 const ovr_climb *climb)
 {
     ovr_refinement *to = &sim->refinement[sim->refinements++];
-    double q = factor < 0.95 ? factor : 0.95;
+    const ovr_refining *P = &sim->refining;
+    double q = climb->factor < 0.95 ? climb->factor : 0.95;
     *to = (ovr_refinement){.level = level->number,
                            .nodes = level->n,
-                           .cycles = cycles,
-                           .residual = d->imbalance,
-                           .factor = factor,
-                           .H_cen = d->centre};
-    ovr_level_read(&sim->grids, level, level->f.H, sim->work);
-    to->H_min = smallest(sim->work, level->n);
-    ovr_level_read(&sim->grids, level, level->f.P, sim->work);
-    to->change =
-        cycles ? distance(sim->work, 1, sim->past.P[1], level->n, level->D) : 0;
+                           .cycles = climb->cycles,
+                           .residual = climb->defect.imbalance,
+                           .factor = climb->factor,
+                           .H_cen = climb->defect.centre};
+    ovr_level_read(&sim->grids, level, level->f.H, P->now);
+    to->H_min = smallest(P->now, level->n);
+    ovr_level_read(&sim->grids, level, level->f.P, P->now);
+    if (climb->cycles)
+        to->change = distance(P->now, 1, P->before, level->n, level->D);
     to->algebraic = to->change * q / (1 - q);
-    to->difference = distance(sim->work, 2, sim->past.P[2], (level - 1)->n,
+    to->difference = distance(P->now, 2, P->coarse, (level - 1)->n,
                               (level - 1)->D);
+}
+
+void ovr_refinement_watch(void *data, const ovr_level *level,
+                          ovr_full_event event, const ovr_climb *climb)
+{
+    ovr_simulation *sim = data;
+    const ovr_refining *P = &sim->refining;
+    if (event == OVR_FULL_ENDS)
+        note(sim, level, climb);
+    else
+        ovr_level_read(&sim->grids, level, level->f.P,
+                       event == OVR_FULL_BEGINS ? P->coarse : P->before);
 }
 
 const ovr_refinement *ovr_simulation_refinements(const ovr_simulation *sim,

@@ -41,8 +41,7 @@ ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
 /* Film and properties follow from the pressure. */
 void ovr_simulation_restored(ovr_simulation *sim)
 {
-    sim->grids.fluid.lubricant = sim->lubricant;
-    sim->grids.fluid.lambda = sim->contact.lambda;
+    sim->grids.fluid = sim->wanted.fluid;
     ovr_simulation_return(sim);
     ovr_publish_state(sim);
     sim->started = true;

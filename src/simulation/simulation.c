@@ -12,11 +12,24 @@
 
 static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
 {
-    double **all[] = {&sim->X,         &sim->S,         &sim->S_past,
-                      &sim->P,         &sim->H,         &sim->q,
-                      &sim->eps,       &sim->work,      &sim->past.q[0],
-                      &sim->past.q[1], &sim->past.q[2], &sim->past.P[0],
-                      &sim->past.P[1], &sim->past.P[2], &sim->past.P[3]};
+    double **all[] = {&sim->X,
+                      &sim->S,
+                      &sim->S_past,
+                      &sim->P,
+                      &sim->H,
+                      &sim->q,
+                      &sim->eps,
+                      &sim->work,
+                      &sim->past.q[0],
+                      &sim->past.q[1],
+                      &sim->past.q[2],
+                      &sim->past.P[0],
+                      &sim->past.P[1],
+                      &sim->past.P[2],
+                      &sim->past.P[3],
+                      &sim->refining.coarse,
+                      &sim->refining.before,
+                      &sim->refining.now};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (!(*all[k] = ovr_arena_take(&sim->arena, sim->finest->n,
                                        sizeof(double), err)))
@@ -26,25 +39,29 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
     return ovr_inflow_prepare(sim, err);
 }
 
-void ovr_simulation_defaults(ovr_simulation *sim)
+ovr_cycling ovr_simulation_cycling(const ovr_simulation *sim, int finer_bottom)
 {
     const ovr_options *o = &sim->options;
-    ovr_hierarchy *grids = &sim->grids;
-    grids->relax = o->smoother == OVR_LINE ? ovr_relax_line : ovr_relax_hybrid;
-    grids->switch_value = o->smoother == OVR_GAUSS_SEIDEL ? -1
-                          : o->smoother == OVR_DIPOLE     ? INFINITY
-                                                          : o->switch_value;
-    grids->relax_seidel = o->relax_seidel;
-    grids->relax_dipole = o->relax_dipole;
-    grids->sweeps_before = o->sweeps_before;
-    grids->sweeps_after = o->sweeps_after;
-    grids->cycle_index = o->cycle_index;
-    grids->paper_balance = o->paper_balance;
-    grids->correction = 1;
-    grids->bottom = grids->coarsest;
-    grids->newton_steps = 1;
-    grids->newton_limit = 0.3;
-    grids->limit = 0.1;
+    const ovr_hierarchy *grids = &sim->grids;
+    bool finer = grids->coarsest + finer_bottom < grids->finest;
+    return (ovr_cycling){
+        .smoothing = {.relax = o->smoother == OVR_LINE ? ovr_relax_line
+                                                       : ovr_relax_hybrid,
+                      .limit = 0.1,
+                      .switch_value = o->smoother == OVR_GAUSS_SEIDEL ? -1
+                                      : o->smoother == OVR_DIPOLE
+                                          ? INFINITY
+                                          : o->switch_value,
+                      .relax_seidel = o->relax_seidel,
+                      .relax_dipole = o->relax_dipole},
+        .sweeps_before = o->sweeps_before,
+        .sweeps_after = o->sweeps_after,
+        .index = o->cycle_index,
+        .bottom = grids->coarsest + (finer ? finer_bottom : 0),
+        .newton_steps = 1,
+        .newton_limit = 0.3,
+        .paper_balance = o->paper_balance,
+        .correction = 1};
 }
 
 /* The finest level that is not relaxed in lanes: Newton's, or all. */
@@ -63,10 +80,10 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
     for (int l = 0; l < OVR_LEVELS; l++)
         ovr_options_mlmi(o, l, &order[l], &range[l]);
     grids->kernels = ovr_kernels_choose(NULL);
-    grids->fluid.lubricant = sim->lubricant;
-    grids->fluid.lambda = sim->contact.lambda;
+    grids->fluid = (ovr_fluid){sim->lubricant, sim->contact.lambda};
+    sim->wanted = (ovr_wanted){
+        .M = sim->contact.M, .L = sim->contact.L, .fluid = grids->fluid};
     grids->ordered = ordered_level(o);
-    ovr_simulation_defaults(sim);
     if (ovr_hierarchy_build(grids, o->coarsest_level, o->level, o->inlet,
                             o->outlet, order, range, &sim->arena, err))
         return OVR_NO_MEMORY;

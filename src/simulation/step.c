@@ -54,23 +54,16 @@ static double step_tolerance(const ovr_simulation *sim, bool relaxed)
     return tolerance > least ? tolerance : least;
 }
 
-static void set_attempt(ovr_simulation *sim, const attempt *how)
+static ovr_cycling cycling_of(const ovr_simulation *sim, const attempt *how)
 {
-    ovr_hierarchy *grids = &sim->grids;
-    int bottom = grids->coarsest + how->finer_bottom;
-    ovr_simulation_defaults(sim);
-    grids->limit = how->limit;
-    grids->newton_limit = how->newton_limit;
-    grids->newton_steps = how->newton_steps;
-    grids->correction = how->correction;
-    grids->bottom = bottom < grids->finest ? bottom : grids->coarsest;
+    ovr_cycling c = ovr_simulation_cycling(sim, how->finer_bottom);
+    c.smoothing.limit = how->limit;
+    c.newton_limit = how->newton_limit;
+    c.newton_steps = how->newton_steps;
+    c.correction = how->correction;
     if (how->sweeps)
-        grids->sweeps_before = grids->sweeps_after = how->sweeps;
-}
-
-static bool below(const ovr_simulation *sim, const ovr_defect *d)
-{
-    return ovr_below(*d, step_tolerance(sim, sim->grids.sweeps_after > 0));
+        c.sweeps_before = c.sweeps_after = how->sweeps;
+    return c;
 }
 
 /* One cycle at least: the extrapolated guess satisfies the equations to some
@@ -81,19 +74,20 @@ static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
 {
     enum { SHORT_CYCLES = 3 };
     ovr_hierarchy *grids = &sim->grids;
-    bool solved, close;
-    set_attempt(sim, how);
-    close = ovr_guess(sim, dT, how->extrapolate) &&
-            sim->options.smoother == OVR_LINE && grids->sweeps_before > 0;
+    ovr_cycling c = cycling_of(sim, how);
+    bool solved, close = ovr_guess(sim, dT, how->extrapolate) &&
+                         sim->options.smoother == OVR_LINE &&
+                         c.sweeps_before > 0;
     ovr_level_refresh(grids, sim->finest);
-    for (int cycle = 0, after = grids->sweeps_after;; cycle++) {
+    for (int cycle = 0, after = c.sweeps_after;; cycle++) {
+        double tolerance = step_tolerance(sim, c.sweeps_after > 0);
         outcome->defect = ovr_cycle_defect(grids, sim->finest);
-        solved = cycle && below(sim, &outcome->defect);
+        solved = cycle && ovr_below(outcome->defect, tolerance);
         if (solved || cycle == how->most_cycles ||
             !(outcome->defect.imbalance < 1e6))
             break;
-        grids->sweeps_after = close && cycle < SHORT_CYCLES ? 0 : after;
-        ovr_cycle(grids, sim->finest);
+        c.sweeps_after = close && cycle < SHORT_CYCLES ? 0 : after;
+        ovr_cycle(grids, sim->finest, c);
         outcome->cycles++;
     }
     ovr_simulation_read(sim);

@@ -152,10 +152,11 @@ enum { CYCLES = 51 };
 static void measure(ovr_simulation *sim, double medians[PARTS + 1])
 {
     static double taken[PARTS + 1][CYCLES];
+    ovr_cycling how = ovr_simulation_cycling(sim, 0);
     for (int c = 0; c < CYCLES; c++) {
         memset(spent, 0, sizeof spent);
         spent[PARTS] = -now();
-        ovr_cycle(&sim->grids, sim->finest);
+        ovr_cycle(&sim->grids, sim->finest, how);
         spent[PARTS] += now();
         for (int k = 0; k <= PARTS; k++)
             taken[k][c] = spent[k];

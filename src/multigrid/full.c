@@ -1,0 +1,231 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "multigrid/full.h"
+
+#include <math.h>
+
+#include "multigrid/coarsest.h"
+#include "multigrid/fas.h"
+
+/* One solution on its way. */
+typedef struct ascent {
+    ovr_hierarchy *grids;
+    const ovr_wanted *wanted;
+    const ovr_full *how;
+    int *cycles;
+    bool told; /* the load is whole */
+} ascent;
+
+/* Full weighting of the gap; the weights' own effect on X^2/2, D^2/4 with the
+ * fine D, is taken out again. */
+static void coarsen_gap(const ovr_level *fine, double *g)
+{
+    size_t last = (fine->n - 1) / 2;
+    double shift = 0.25 * fine->D * fine->D;
+    for (size_t I = 1; I < last; I++)
+        g[I] = 0.25 * (g[2 * I - 1] + 2 * g[2 * I] + g[2 * I + 1]) - shift;
+    g[last] = g[2 * last];
+}
+
+/* gap, F and force of every level as if it were the finest; roughness comes
+ * down by full weighting, so that no level aliases it. */
+static void prepare_levels(ovr_hierarchy *grids, double force)
+{
+    double *gap = grids->scratch[0];
+    ovr_level_read(grids, &grids->level[grids->finest],
+                   grids->level[grids->finest].gap, gap);
+    for (int l = grids->finest; l >= grids->coarsest; l--) {
+        ovr_level *level = &grids->level[l];
+        ovr_level_clear(level, level->f.F);
+        level->force = force;
+        if (l < grids->finest) {
+            coarsen_gap(level + 1, gap);
+            ovr_level_write(grids, level, gap, level->gap);
+        }
+    }
+}
+
+/* With Cw of the nominal load and Cu of the nominal speed M goes with
+ * Cw/sqrt(Cu), L with Cu^(1/4), and the unit of film b^2/R with Cw. */
+double ovr_wanted_film(const ovr_wanted *wanted, double fraction)
+{
+    double Cw = wanted->Cw, Cu = wanted->Cu;
+    double M = fraction * wanted->M * Cw / sqrt(Cu);
+    return Cw * ovr_film_central_moes(M, wanted->L * pow(Cu, 0.25));
+}
+
+/* ph goes with the root of the load. */
+ovr_fluid ovr_wanted_fluid(const ovr_wanted *wanted, double fraction)
+{
+    double ratio = 1 / fraction, root = sqrt(ratio);
+    ovr_fluid fluid = wanted->fluid;
+    fluid.lambda = fluid.lambda * ratio * ratio;
+    fluid.lubricant.alphabar /= root;
+    fluid.lubricant.P0 *= root;
+    fluid.lubricant.A *= root;
+    return fluid;
+}
+
+/*
+ * Hertz's semi-ellipse, but no narrower than the film's own width sqrt(H)
+ * where the film outgrows the deformation; H0 from the film formula above the
+ * rigid approach of the dry contact, Cw (-0.5966 + ln(a)/2) at half-width a.
+ */
+static void hertzian_start(const ascent *a, ovr_level *level, double fraction)
+{
+    ovr_hierarchy *grids = a->grids;
+    double Cw = a->wanted->Cw, H = ovr_wanted_film(a->wanted, fraction);
+    double width = sqrt(H > Cw ? H : Cw), *P = grids->scratch[0];
+    for (size_t i = 0; i < level->n; i++) {
+        double x = (grids->X_a + (double)i * level->D) / width;
+        P[i] = x * x < 1 ? Cw / width * sqrt(1 - x * x) : 0;
+    }
+    P[0] = P[level->n - 1] = 0;
+    ovr_level_write(grids, level, P, level->f.P);
+    grids->H0 = H + Cw * (-0.5966 + 0.5 * log(width));
+}
+
+static void tell(const ascent *a, const ovr_level *level, ovr_full_event event,
+                 const ovr_climb *climb)
+{
+    if (a->told && a->how->watch)
+        a->how->watch(a->how->data, level, event, climb);
+}
+
+static bool is_done(const ascent *a, const ovr_level *level, ovr_defect d)
+{
+    return ovr_below(d, a->how->tolerance(a->how->data, level, d.centre));
+}
+
+/* Newton's method; where there is no finer grid, to what that is to reach. */
+static ovr_defect solve_coarsest(const ascent *a, ovr_level *level)
+{
+    enum { STEPS = 100 };
+    const double enough = 1e-8;
+    bool finest = level->number == a->grids->finest;
+    ovr_defect d = {INFINITY, INFINITY, 0};
+    for (int step = 0; step < STEPS; step++) {
+        ovr_level_refresh(a->grids, level);
+        d = ovr_cycle_defect(a->grids, level);
+        if ((step && ovr_below(d, enough) &&
+             (!finest || is_done(a, level, d))) ||
+            !ovr_newton_step(a->grids, level, a->how->cycling.newton_limit))
+            break;
+    }
+    return d;
+}
+
+/* Cycles on a level until below its tolerance. */
+static ovr_climb cycle_until_done(const ascent *a, ovr_level *level)
+{
+    enum { ON_THE_WAY = 20 };
+    const ovr_full *how = a->how;
+    bool finest = level->number == a->grids->finest;
+    int most = finest || how->fixed ? how->most_cycles : ON_THE_WAY;
+    ovr_climb c = {.defect = ovr_cycle_defect(a->grids, level)};
+    while (c.cycles < most && c.defect.imbalance < 1e6) {
+        double before = c.defect.imbalance;
+        if (!how->fixed && is_done(a, level, c.defect))
+            break;
+        tell(a, level, OVR_FULL_CYCLES, &c);
+        ovr_cycle(a->grids, level, how->cycling);
+        c.defect = ovr_cycle_defect(a->grids, level);
+        c.factor = c.defect.imbalance / before;
+        c.cycles++;
+    }
+    *a->cycles += c.cycles;
+    return c;
+}
+
+/* From a solved level to the given one. */
+static ovr_defect climb(const ascent *a, ovr_level *level, int top)
+{
+    ovr_climb c = {.defect = ovr_cycle_defect(a->grids, level)};
+    while (level->number < top && c.defect.imbalance < 1e6) {
+        tell(a, level, OVR_FULL_BEGINS, &c);
+        ovr_fas_refine(a->grids, level, level + 1);
+        level++;
+        ovr_level_refresh(a->grids, level);
+        c = cycle_until_done(a, level);
+        tell(a, level, OVR_FULL_ENDS, &c);
+    }
+    return c.defect;
+}
+
+/*
+ * Continuation in load on one level, from a solution at the fraction `from` to
+ * the whole.  The pressure hardly changes, being nearly Hertzian; the
+ * film gets thinner as a whole, so H0 follows the film formula.
+ */
+static ovr_defect raise_load(const ascent *a, ovr_level *level, double from)
+{
+    ovr_hierarchy *grids = a->grids;
+    double factor = a->how->load_factor, *saved = a->how->saved;
+    ovr_defect d = ovr_cycle_defect(grids, level);
+    while (from < 1 && factor > 1.01) {
+        double to = fmin(from * factor, 1), H0 = grids->H0;
+        ovr_level_read(grids, level, level->f.P, saved);
+        grids->fluid = ovr_wanted_fluid(a->wanted, to);
+        grids->H0 += ovr_wanted_film(a->wanted, to) -
+                     ovr_wanted_film(a->wanted, from);
+        ovr_level_refresh(grids, level);
+        d = cycle_until_done(a, level).defect;
+        if (ovr_below(d, 1e-2) && d.load < 1e-2) {
+            from = to;
+            continue;
+        }
+        factor = sqrt(factor);
+        ovr_level_write(grids, level, saved, level->f.P);
+        grids->H0 = H0;
+    }
+    return d;
+}
+
+/* Solves the coarsest grid at the largest fraction of the load that it can:
+ * its film must be thicker than D^1.5 or so (measured), and Newton converge. */
+static double solve_easy_load(const ascent *a, ovr_level *level)
+{
+    const double least = 1e-3;
+    double fraction = 1;
+    while (fraction > least &&
+           ovr_wanted_film(a->wanted, fraction) < pow(level->D, 1.5))
+        fraction *= 0.9;
+    for (;; fraction *= 0.7) {
+        a->grids->fluid = ovr_wanted_fluid(a->wanted, fraction);
+        hertzian_start(a, level, fraction);
+        ovr_defect d = solve_coarsest(a, level);
+        if (ovr_below(d, 1e-4) || fraction < least)
+            return fraction;
+    }
+}
+
+/* The level on which the load is raised. */
+static int load_level(const ascent *a)
+{
+    const ovr_hierarchy *grids = a->grids;
+    double rise = pow(ovr_wanted_film(a->wanted, 1), 2. / 3);
+    int level = grids->coarsest;
+    while (level < grids->finest && grids->level[level].D > a->how->mesh * rise)
+        level++;
+    return level;
+}
+
+ovr_defect ovr_full_multigrid(ovr_hierarchy *grids, const ovr_wanted *wanted,
+                              ovr_full how, int *cycles)
+{
+    ascent a = {grids, wanted, &how, cycles, false};
+    ovr_level *level = &grids->level[how.cycling.bottom];
+    prepare_levels(grids, wanted->force);
+    double fraction = solve_easy_load(&a, level);
+    ovr_defect d = ovr_cycle_defect(grids, level);
+    if (fraction < 1) {
+        int top = load_level(&a);
+        if (top > level->number) {
+            climb(&a, level, top);
+            level = &grids->level[top];
+        }
+        d = raise_load(&a, level, fraction);
+        grids->fluid = ovr_wanted_fluid(wanted, 1);
+    }
+    a.told = true;
+    return level->number < grids->finest ? climb(&a, level, grids->finest) : d;
+}

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Full multigrid (FMG): Newton on the coarsest grid from the Hertzian
+ * pressure, then on each finer grid cubic interpolation and cycles.
+ *
+ * A load that the coarsest grid cannot carry, its film being too thin for the
+ * mesh, is raised on the way: Newton at the largest fraction of the load that
+ * converges, the climb to a grid that can, and there continuation in load.
+ */
+#ifndef OVR_MULTIGRID_FULL_H
+#define OVR_MULTIGRID_FULL_H
+
+#include "multigrid/cycle.h"
+
+/* The contact whose solution is wanted, at loads and speeds relative to the
+ * nominal ones of M and L. */
+typedef struct ovr_wanted {
+    double M, L;
+    double Cw, Cu; /* load, speed */
+    double force;  /* D sum P */
+    ovr_fluid fluid;
+} ovr_wanted;
+
+/* Film thickness by formula, and the fluid, at a fraction of the load. */
+double ovr_wanted_film(const ovr_wanted *wanted, double fraction);
+ovr_fluid ovr_wanted_fluid(const ovr_wanted *wanted, double fraction);
+
+/* What is told of a level that carries the whole load. */
+typedef enum ovr_full_event {
+    OVR_FULL_BEGINS, /* the level below is solved */
+    OVR_FULL_CYCLES, /* another cycle follows */
+    OVR_FULL_ENDS
+} ovr_full_event;
+
+typedef struct ovr_climb {
+    int cycles;    /* on this level */
+    double factor; /* of the last one on the residual */
+    ovr_defect defect;
+} ovr_climb;
+
+/* How full multigrid goes, and the one who watches and judges. */
+typedef struct ovr_full {
+    ovr_cycling cycling;
+    double load_factor; /* largest step of the continuation in load */
+    double mesh;        /* of its level: D over H^(2/3), the inlet's rise */
+    bool fixed;         /* `most_cycles` on every level, no fewer */
+    int most_cycles;    /* on the finest level */
+    /* where a level of this film at X = 0 is done */
+    double (*tolerance)(const void *data, const ovr_level *level, double H);
+    void (*watch)(void *data, const ovr_level *level, ovr_full_event event,
+                  const ovr_climb *climb);
+    void *data;
+    double *saved; /* room for a field of the finest size */
+} ovr_full;
+
+/* Leaves the solution on the finest level, whose gap X^2/2 - S is set; adds
+ * to the number of cycles. */
+ovr_defect ovr_full_multigrid(ovr_hierarchy *grids, const ovr_wanted *wanted,
+                              ovr_full how, int *cycles);
+
+#endif

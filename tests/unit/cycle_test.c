@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Who attaches to a cycle sees its ends in order, and what he freezes into the
+ * equations of the finest level is solved for. */
+#include "support/test.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "simulation/internal.h"
+#include "support/contact.h"
+
+enum { LEVEL = 6, MOST = 64 };
+
+typedef struct watcher {
+    int count, level[MOST];
+    ovr_cycle_end end[MOST];
+    bool changes;
+    double *shift; /* of the finest gap, in lanes */
+} watcher;
+
+static bool watch(void *data, ovr_hierarchy *grids, ovr_level *level,
+                  ovr_cycle_end end)
+{
+    watcher *w = data;
+    w->level[w->count] = level->number;
+    w->end[w->count++] = end;
+    if (end != OVR_AFTER_CYCLE || !w->changes)
+        return false;
+    w->changes = false;
+    double *gap = grids->scratch[0];
+    ovr_level_read(grids, level, level->gap, gap);
+    for (size_t i = 0; i < level->n; i++)
+        gap[i] += 1e-3 * cos(0.1 * (double)i);
+    ovr_level_write(grids, level, gap, level->gap);
+    return true;
+}
+
+static ovr_simulation *solved(void)
+{
+    ovr_error err = {OVR_OK, ""};
+    ovr_options o = ovr_options_default();
+    o.level = LEVEL;
+    ovr_simulation *sim = test_simulation(20, 10, &o);
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    return sim;
+}
+
+/* V-cycle: down to the bottom, up again, once at the end. */
+static void ends_come_in_order(void **state)
+{
+    watcher w = {0};
+    ovr_attached attached = {watch, &w};
+    ovr_simulation *sim = solved();
+    ovr_cycling how = ovr_simulation_cycling(sim, 0);
+    int depth = LEVEL - how.bottom;
+    (void)state;
+    how.attached = &attached;
+    ovr_cycle(&sim->grids, sim->finest, how);
+    assert_int_equal(w.count, 2 * depth + 1);
+    for (int k = 0; k < depth; k++) {
+        assert_int_equal(w.level[k], LEVEL - k);
+        assert_int_equal(w.end[k], OVR_BEFORE_RESTRICTION);
+        assert_int_equal(w.level[depth + k], how.bottom + 1 + k);
+        assert_int_equal(w.end[depth + k], OVR_AFTER_CORRECTION);
+    }
+    assert_int_equal(w.level[2 * depth], LEVEL);
+    assert_int_equal(w.end[2 * depth], OVR_AFTER_CYCLE);
+    ovr_simulation_free(sim);
+}
+
+/* A cycle whose end nobody changes leaves the same bits as one alone. */
+static void watching_changes_nothing(void **state)
+{
+    watcher w = {0};
+    ovr_attached attached = {watch, &w};
+    ovr_simulation *a = solved(), *b = solved();
+    ovr_cycling how = ovr_simulation_cycling(a, 0);
+    (void)state;
+    ovr_cycle(&a->grids, a->finest, how);
+    how.attached = &attached;
+    ovr_cycle(&b->grids, b->finest, how);
+    ovr_simulation_read(a);
+    ovr_simulation_read(b);
+    assert_memory_equal(a->P, b->P, a->finest->n * sizeof(double));
+    assert_memory_equal(a->H, b->H, a->finest->n * sizeof(double));
+    ovr_simulation_free(b);
+    ovr_simulation_free(a);
+}
+
+static void heights(void *data, double T, size_t n, const double *X, double *S)
+{
+    (void)data, (void)T, (void)X;
+    for (size_t i = 0; i < n; i++)
+        S[i] = -1e-3 * cos(0.1 * (double)i);
+}
+
+/* A gap that is changed at the end of a cycle: film and residual are those of
+ * the new gap, and the cycles that follow end in the solution of a surface
+ * that is formed so from the start. */
+static void what_is_attached_is_solved_for(void **state)
+{
+    watcher w = {.changes = true};
+    ovr_attached attached = {watch, &w};
+    ovr_error err = {OVR_OK, ""};
+    ovr_simulation *sim = solved();
+    ovr_cycling how = ovr_simulation_cycling(sim, 0);
+    ovr_options o = *ovr_simulation_options(sim);
+    ovr_simulation *formed = test_simulation(20, 10, &o);
+    (void)state;
+    how.attached = &attached;
+    ovr_cycle(&sim->grids, sim->finest, how);
+    assert_true(ovr_cycle_defect(&sim->grids, sim->finest).imbalance > 1e-4);
+    for (int k = 0; k < 12; k++) {
+        w.count = 0;
+        ovr_cycle(&sim->grids, sim->finest, how);
+    }
+    assert_true(ovr_cycle_defect(&sim->grids, sim->finest).imbalance < 1e-9);
+    ovr_simulation_surface(formed, heights, NULL);
+    CHECK_OK(ovr_simulation_steady(formed, &err), &err);
+    ovr_simulation_read(sim);
+    for (size_t i = 0; i < sim->finest->n; i++) {
+        CHECK_NEAR(sim->P[i], formed->P[i], 1e-6);
+        CHECK_NEAR(sim->H[i], formed->H[i], 1e-8);
+    }
+    ovr_simulation_free(formed);
+    ovr_simulation_free(sim);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(ends_come_in_order),
+        cmocka_unit_test(watching_changes_nothing),
+        cmocka_unit_test(what_is_attached_is_solved_for),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
