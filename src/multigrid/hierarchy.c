@@ -115,12 +115,12 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
         if (build_level(grids, l, order[l], range[l], arena, err))
             return OVR_NO_MEMORY;
     size_t room = room_of(&grids->level[finest]);
-    double **const scratch[] = {&grids->scratch[0], &grids->scratch[1]};
-    if (take(scratch, 2, room, arena, err) ||
-        take_band(&grids->band, room, arena, err) ||
+    if (take_band(&grids->band, room, arena, err) ||
         take_natural(&grids->natural, ovr_level_nodes(grids->ordered), arena,
                      err))
         return OVR_NO_MEMORY;
+    grids->scratch[0] = grids->band.b[0];
+    grids->scratch[1] = grids->band.b[1];
     ovr_hierarchy_kernels(grids, grids->kernels);
     return ovr_newton_prepare(grids, arena, err);
 }

@@ -53,8 +53,8 @@ typedef struct ovr_hierarchy {
     double H0;
     int ordered; /* the finest level that is not relaxed in lanes */
 
-    double *scratch[2]; /* of the finest size, for as long as a function */
     ovr_band band;      /* work arrays of the finest size */
+    double *scratch[2]; /* two of them, for as long as a function */
     ovr_fields natural; /* fields in the order of the nodes, of `ordered` */
     ovr_newton newton;
 } ovr_hierarchy;

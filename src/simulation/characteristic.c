@@ -70,10 +70,11 @@ static void lagrange(double at, double weight[POINTS])
 }
 
 /* F_i += c q(X_i - a) */
-static void add_foot(ovr_simulation *sim, int past, double c, double a)
+static void add_foot(ovr_simulation *sim, int past, double c, double a,
+                     double *F)
 {
     ovr_inflow *inflow = &sim->inflow;
-    double *F = sim->work, *q = inflow->extended, weight[POINTS];
+    double *q = inflow->extended, weight[POINTS];
     size_t n = sim->finest->n;
     double meshes = a / sim->finest->D, whole = nearbyint(meshes);
     bool on_node = fabs(meshes - whole) < 1e-9;
@@ -105,8 +106,9 @@ static void add_foot(ovr_simulation *sim, int past, double c, double a)
 void ovr_inflow_history(ovr_simulation *sim, const double c[2],
                         const double a[2])
 {
-    memset(sim->work, 0, sim->finest->n * sizeof(double));
-    add_foot(sim, 0, c[0], a[0]);
-    add_foot(sim, 1, c[1], a[1]);
-    ovr_level_write(&sim->grids, sim->finest, sim->work, sim->finest->f.F);
+    double *F = sim->grids.scratch[0];
+    memset(F, 0, sim->finest->n * sizeof *F);
+    add_foot(sim, 0, c[0], a[0], F);
+    add_foot(sim, 1, c[1], a[1], F);
+    ovr_level_write(&sim->grids, sim->finest, F, sim->finest->f.F);
 }

@@ -67,7 +67,7 @@ static bool moves_a_mesh(const ovr_simulation *sim, double dT)
 }
 
 /* The first nodes, of which nothing lies upstream, stay what they are. */
-static void extrapolate(ovr_simulation *sim, const formula *how)
+static void extrapolate(ovr_simulation *sim, const formula *how, double *P)
 {
     const ovr_past *past = &sim->past;
     const double *from[MOST_TERMS];
@@ -78,9 +78,9 @@ static void extrapolate(ovr_simulation *sim, const formula *how)
         from[k] = past->P[t->ago] + UPSTREAM - t->meshes;
         weight[k] = t->weight;
     }
-    memcpy(sim->work, past->P[0], UPSTREAM * sizeof(double));
+    memcpy(P, past->P[0], UPSTREAM * sizeof(double));
     sim->grids.kernels->extrapolate(moved, how->count, weight, from,
-                                    sim->work + UPSTREAM);
+                                    P + UPSTREAM);
     sim->grids.H0 = 0;
     for (int k = 0; k < 4; k++)
         sim->grids.H0 += how->H0[k] * past->H0[k];
@@ -89,19 +89,20 @@ static void extrapolate(ovr_simulation *sim, const formula *how)
 bool ovr_guess(ovr_simulation *sim, double dT, bool extrapolated)
 {
     const ovr_past *past = &sim->past;
+    double *P = sim->grids.scratch[0];
     bool close = false;
     if (!extrapolated || past->steps < 1 || dT > longest * sim->finest->D) {
-        memcpy(sim->work, past->P[0], sim->finest->n * sizeof(double));
+        memcpy(P, past->P[0], sim->finest->n * sizeof(double));
         sim->grids.H0 = past->H0[0];
     } else if (equal_steps(past, dT, 3) && moves_a_mesh(sim, dT)) {
-        extrapolate(sim, &standing_and_moving);
+        extrapolate(sim, &standing_and_moving, P);
         close = true;
     } else if (equal_steps(past, dT, 2)) {
-        extrapolate(sim, &parabola);
+        extrapolate(sim, &parabola, P);
     } else {
         formula straight = line(past->dT > 0 ? dT / past->dT : 0);
-        extrapolate(sim, &straight);
+        extrapolate(sim, &straight, P);
     }
-    ovr_level_write(&sim->grids, sim->finest, sim->work, sim->finest->f.P);
+    ovr_level_write(&sim->grids, sim->finest, P, sim->finest->f.P);
     return close;
 }

@@ -31,10 +31,9 @@ typedef struct ovr_inflow {
     double *extended; /* q with ghosts before it */
 } ovr_inflow;
 
-/* P in the order of the nodes: of the level below, before the last cycle; P
- * and then H when a level is done. */
+/* P in the order of the nodes: of the level below, before the last cycle. */
 typedef struct ovr_refining {
-    double *coarse, *before, *now;
+    double *coarse, *before;
 } ovr_refining;
 
 struct ovr_simulation {
@@ -51,7 +50,6 @@ struct ovr_simulation {
 
     double *X, *S;
     double *P, *H, *q, *eps; /* of the finest level, in the order of nodes */
-    double *work;            /* a field on its way from or to a level */
     ovr_past past;
     ovr_inflow inflow;
     bool started;

@@ -198,6 +198,6 @@ double ovr_simulation_memory(const ovr_options *options)
     }
     /* the smoother's system, the past and what is read, the coarsest grid's
      * matrix and fields, many small things */
-    return bytes + 7 * field_bytes(n) + 20 * 8 * n +
+    return bytes + 7 * field_bytes(n) + 16 * 8 * n +
            9 * field_bytes(ordered ? n : m) + 8 * (m + 2) * (m + 16) + 200e3;
 }

@@ -37,6 +37,7 @@ static void note(ovr_simulation *sim, const ovr_level *level,
 {
     ovr_refinement *to = &sim->refinement[sim->refinements++];
     const ovr_refining *P = &sim->refining;
+    double *now = sim->grids.scratch[0];
     double q = climb->factor < 0.95 ? climb->factor : 0.95;
     *to = (ovr_refinement){.level = level->number,
                            .nodes = level->n,
@@ -44,13 +45,13 @@ static void note(ovr_simulation *sim, const ovr_level *level,
                            .residual = climb->defect.imbalance,
                            .factor = climb->factor,
                            .H_cen = climb->defect.centre};
-    ovr_level_read(&sim->grids, level, level->f.H, P->now);
-    to->H_min = smallest(P->now, level->n);
-    ovr_level_read(&sim->grids, level, level->f.P, P->now);
+    ovr_level_read(&sim->grids, level, level->f.H, now);
+    to->H_min = smallest(now, level->n);
+    ovr_level_read(&sim->grids, level, level->f.P, now);
     if (climb->cycles)
-        to->change = distance(P->now, 1, P->before, level->n, level->D);
+        to->change = distance(now, 1, P->before, level->n, level->D);
     to->algebraic = to->change * q / (1 - q);
-    to->difference = distance(P->now, 2, P->coarse, (level - 1)->n,
+    to->difference = distance(now, 2, P->coarse, (level - 1)->n,
                               (level - 1)->D);
 }
 

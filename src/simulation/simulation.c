@@ -19,7 +19,6 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
                       &sim->H,
                       &sim->q,
                       &sim->eps,
-                      &sim->work,
                       &sim->past.q[0],
                       &sim->past.q[1],
                       &sim->past.q[2],
@@ -28,8 +27,7 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
                       &sim->past.P[2],
                       &sim->past.P[3],
                       &sim->refining.coarse,
-                      &sim->refining.before,
-                      &sim->refining.now};
+                      &sim->refining.before};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (!(*all[k] = ovr_arena_take(&sim->arena, sim->finest->n,
                                        sizeof(double), err)))
@@ -149,7 +147,7 @@ void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
 
 void ovr_simulation_gap(ovr_simulation *sim, double T)
 {
-    double *restrict gap = sim->work;
+    double *restrict gap = sim->grids.scratch[0];
     const double *restrict X = sim->X, *restrict S = sim->S;
     size_t n = sim->finest->n;
     if (sim->heights) {

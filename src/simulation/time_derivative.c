@@ -25,9 +25,10 @@ static void bdf2(double dT, double dT_old, double *cT, double c[2])
 
 static void set_history(ovr_simulation *sim, const double c[2])
 {
+    double *F = sim->grids.scratch[0];
     sim->grids.kernels->combine(sim->finest->n, c[0], sim->past.q[0], c[1],
-                                sim->past.q[1], sim->work);
-    ovr_level_write(&sim->grids, sim->finest, sim->work, sim->finest->f.F);
+                                sim->past.q[1], F);
+    ovr_level_write(&sim->grids, sim->finest, F, sim->finest->f.F);
 }
 
 static void characteristic_history(ovr_simulation *sim, const double c[2],
