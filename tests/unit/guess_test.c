@@ -81,7 +81,7 @@ static double error_of(double (*P)(double, double), double meshes, bool *close)
     }
     *close = ovr_guess(sim, dT, true);
     for (size_t i = 2; i < n; i++)
-        worst = fmax(worst, fabs(sim->work[i] - P(sim->X[i], dT)));
+        worst = fmax(worst, fabs(sim->grids.scratch[0][i] - P(sim->X[i], dT)));
     CHECK_NEAR(sim->grids.H0, 1, 1e-12);
     ovr_simulation_free(sim);
     return worst;
