@@ -64,6 +64,20 @@ typedef struct ovr_shares {
     bool transient;
 } ovr_shares;
 
+/* The correction to fourth order of one grid (fourth_order.h). */
+typedef struct ovr_fourth {
+    double D, Cu;
+    size_t centre;          /* the first node with X >= 0 */
+    double *log_eps, *flux; /* work arrays */
+    double *mask;           /* 1 where the equation is corrected, else 0 */
+    double *F, *gap;        /* what is added to the right-hand sides */
+} ovr_fourth;
+
+/* Nodes at both ends that are not corrected; eta(3)/(2 pi^3), the share of D
+ * times the second difference of P that the film's correction takes. */
+enum { OVR_FOURTH_MARGIN = 8 };
+#define OVR_FOURTH_LOCAL 0.014538067351
+
 /* Every kernel: what it returns, its name, what it takes.  The table, each
  * instruction set's declarations and its entries follow from this list. */
 /* clang-format off */
@@ -79,6 +93,9 @@ typedef struct ovr_shares {
                        const ovr_fields *f)) \
     K(double, imbalance, (const ovr_lanes *g, const ovr_weights *w, \
                           const ovr_fields *f)) \
+    K(void, fourth_mask, (const ovr_lanes *g, double *P, double *mask)) \
+    K(void, fourth_order, (const ovr_lanes *g, const ovr_fourth *c, \
+                           const ovr_fields *f, const double *w)) \
     K(void, band_assemble, (const ovr_lanes *g, const ovr_weights *w, \
                             const double k[6], const ovr_shares *shares, \
                             const ovr_fields *f, const ovr_band *band)) \

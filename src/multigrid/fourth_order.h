@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Fourth order by deferred correction: what the discrete equations of second
+ * order lack, evaluated with the solution so far and added to the right-hand
+ * sides of the finest grid, until nothing changes any more.
+ *
+ *     F = F0 - m dN(P, q, eps),   gap = gap0 + g(w)
+ *
+ * F0, gap0 without correction; smoothers, coarse grids and the force balance
+ * stay as they are, and the residual of the corrected equations is the measure
+ * of convergence as before.
+ *
+ * Film.  A pressure that is constant from half node to half node has the
+ * deformation, of a wave e^(ikX) by Poisson's summation,
+ *     w - (D^2/24) w'' + C D^3 P'' + O(D^4),
+ *     C = eta(3)/(2 pi^3),  eta(3) = 1 - 1/8 + 1/27 - ... = 0.90154...
+ * (the term of third order comes from the kernel's singularity), hence
+ *     g_i = delta2 w_i/24 + C D delta2 P_i,  delta2 f_i = f_{i-1} - 2 f_i +
+ * f_{i+1}, at dry nodes too.
+ *
+ * Poiseuille flow, conservative, at half nodes:
+ *     p_i = [27 (P_{i+1} - P_i) - (P_{i+2} - P_{i-1})]/(24 D)
+ *     f_i = eps_{i+1/2} p_i
+ *     dN  = [27 (f_i - f_{i-1}) - (f_{i+1} - f_{i-2})]/(24 D) - second order
+ * eps grows exponentially in the inlet, so for X < 0 the logarithm of eps_{i +
+ * 1/2} is the cubic through four nodes; behind it eps itself is, or the mean of
+ * the two nodes where the two differ by more than 40 % (at the spike the cubic
+ * would leave a limit cycle).
+ *
+ * Wedge, biased upstream, less the second-order one:
+ *     dN -= Cu (3 q_{i+1} + 10 q_i - 18 q_{i-1} + 6 q_{i-2} - q_{i-3})/(12 D)
+ *           - Cu (1.5 q_i - 2 q_{i-1} + 0.5 q_{i-2})/D
+ *
+ * m is 1 where P_{i-3..i+3} > 0 and no end is near, else 0.  All three together
+ * are of fourth order, each alone leaves the second.  The steady equation of
+ * the characteristic scheme is that of upstream2, so it serves both.
+ */
+#ifndef OVR_MULTIGRID_FOURTH_ORDER_H
+#define OVR_MULTIGRID_FOURTH_ORDER_H
+
+#include "multigrid/hierarchy.h"
+
+#endif

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The corrections of fourth_order.h: logarithms of eps, fluxes at half nodes,
+ * their differences, each one pass. */
+#include "multigrid/power.h"
+#include "multigrid/table.h"
+
+enum { REACH = 3 }; /* nodes that a stencil takes on each side */
+
+/* Numbers of the nodes in vector J; beyond the grid's ends they go on. */
+static inline ivec nodes(const ovr_lanes *g, ptrdiff_t J)
+{
+    ivec number;
+    for (int l = 0; l < VEC; l++)
+        number[l] = J + l * (ptrdiff_t)g->S;
+    return number;
+}
+
+static inline ivec inside(const ovr_lanes *g, ptrdiff_t J)
+{
+    ivec i = nodes(g, J);
+    return (i >= OVR_FOURTH_MARGIN) & (i < (ptrdiff_t)g->n - OVR_FOURTH_MARGIN);
+}
+
+void OVR_KERNEL(fourth_mask)(const ovr_lanes *g, double *P, double *mask)
+{
+    repeat_ends(P, (ptrdiff_t)g->S, REACH);
+    for (ptrdiff_t J = 0; J < (ptrdiff_t)g->S; J++) {
+        vec least = at(P, J - REACH);
+        for (ptrdiff_t d = 1 - REACH; d <= REACH; d++)
+            least = smaller(least, at(P, J + d));
+        put(mask, J, choose(inside(g, J) & (least > 0), all(1), all(0)));
+    }
+}
+
+static void logarithms(const ovr_lanes *g, const double *eps, double *log_eps)
+{
+    log_table table;
+    make_log_table(1. / 16, &table);
+    for (ptrdiff_t J = -REACH; J < (ptrdiff_t)g->S + REACH; J++)
+        put(log_eps, J, scaled_log2(&table, at(eps, J)));
+}
+
+/* eps at i + 1/2: by logarithms upstream, of nodes, elsewhere */
+static inline vec middle(const table16 *table, const double *log_eps,
+                         const double *eps, ivec upstream, ptrdiff_t J)
+{
+    vec sum = at(eps, J) + at(eps, J + 1), mean = 0.5 * sum;
+    vec cubic = (9 * sum - at(eps, J - 1) - at(eps, J + 2)) / 16;
+    vec power = 9 * (at(log_eps, J) + at(log_eps, J + 1)) - at(log_eps, J - 1) -
+                at(log_eps, J + 2);
+    ivec near = (cubic >= 0.6 * mean) & (cubic <= 1.4 * mean);
+    return choose(upstream, scaled_exp2(table, power),
+                  choose(near, cubic, mean));
+}
+
+static void fluxes(const ovr_lanes *g, const ovr_fourth *c, const ovr_fields *f)
+{
+    ptrdiff_t centre = (ptrdiff_t)c->centre;
+    double scale = 1 / (24 * c->D);
+    table16 table;
+    make_exp_table(1, &table);
+    for (ptrdiff_t J = 1 - REACH; J < (ptrdiff_t)g->S + REACH - 2; J++) {
+        vec slope = 27 * (at(f->P, J + 1) - at(f->P, J)) -
+                    (at(f->P, J + 2) - at(f->P, J - 1));
+        vec eps = middle(&table, c->log_eps, f->eps, nodes(g, J) < centre, J);
+        put(c->flux, J, eps * (scale * slope));
+    }
+}
+
+/* The equation's left-hand side of fourth order less that of second. */
+static inline vec excess(const ovr_fourth *c, const ovr_fields *f, ptrdiff_t J)
+{
+    vec P = at(f->P, J), e = at(f->eps, J), q = at(f->q, J);
+    vec fourth = 27 * (at(c->flux, J) - at(c->flux, J - 1)) -
+                 (at(c->flux, J + 1) - at(c->flux, J - 2));
+    vec second = (at(f->eps, J - 1) + e) * (at(f->P, J - 1) - P) +
+                 (e + at(f->eps, J + 1)) * (at(f->P, J + 1) - P);
+    vec wedge = 3 * at(f->q, J + 1) - 8 * q + 6 * at(f->q, J - 1) -
+                at(f->q, J - 3);
+    return (1 / (24 * c->D)) * fourth - (0.5 / (c->D * c->D)) * second -
+           (c->Cu / (12 * c->D)) * wedge;
+}
+
+static inline vec second_difference(const double *x, ptrdiff_t J)
+{
+    return at(x, J - 1) - 2 * at(x, J) + at(x, J + 1);
+}
+
+void OVR_KERNEL(fourth_order)(const ovr_lanes *g, const ovr_fourth *c,
+                              const ovr_fields *f, const double *w)
+{
+    ptrdiff_t S = (ptrdiff_t)g->S;
+    repeat_ends(f->P, S, REACH);
+    repeat_ends(f->eps, S, REACH);
+    repeat_ends(f->q, S, REACH);
+    logarithms(g, f->eps, c->log_eps);
+    fluxes(g, c, f);
+    for (ptrdiff_t J = 0; J < S; J++) {
+        vec gap = (1. / 24) * second_difference(w, J) +
+                  (OVR_FOURTH_LOCAL * c->D) * second_difference(f->P, J);
+        put(c->F, J, choose(at(c->mask, J) > 0, -excess(c, f, J), all(0)));
+        put(c->gap, J, choose(inside(g, J), gap, all(0)));
+    }
+    repeat_ends(c->gap, S, OVR_HALO);
+}

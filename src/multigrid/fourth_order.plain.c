@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The corrections of fourth_order.h. */
+#include <math.h>
+
+#include "multigrid/plain.h"
+
+/* Far enough from both ends for every stencil. */
+static bool inside(ptrdiff_t i, size_t n)
+{
+    return i >= OVR_FOURTH_MARGIN && i < (ptrdiff_t)n - OVR_FOURTH_MARGIN;
+}
+
+void ovr_fourth_mask_plain(const ovr_lanes *g, double *P, double *mask)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)g->n; i++) {
+        bool wet = inside(i, g->n);
+        for (ptrdiff_t d = -3; wet && d <= 3; d++)
+            wet = P[i + d] > 0;
+        mask[i] = wet;
+    }
+}
+
+/* eps at i + 1/2 */
+static double middle(const double *eps, bool upstream)
+{
+    double mean = 0.5 * (eps[0] + eps[1]);
+    double cubic = (9 * (eps[0] + eps[1]) - eps[-1] - eps[2]) / 16;
+    if (upstream)
+        return exp(
+            (9 * (log(eps[0]) + log(eps[1])) - log(eps[-1]) - log(eps[2])) /
+            16);
+    return cubic >= 0.6 * mean && cubic <= 1.4 * mean ? cubic : mean;
+}
+
+static double flux(const ovr_fourth *c, const ovr_fields *f, ptrdiff_t i)
+{
+    const double *P = f->P + i;
+    double slope = (27 * (P[1] - P[0]) - (P[2] - P[-1])) / (24 * c->D);
+    return middle(f->eps + i, i < (ptrdiff_t)c->centre) * slope;
+}
+
+/* The equation's left-hand side of fourth order less that of second. */
+static double excess(const ovr_fourth *c, const ovr_fields *f, ptrdiff_t i)
+{
+    const double *P = f->P + i, *e = f->eps + i, *q = f->q + i;
+    double fourth = (27 * (flux(c, f, i) - flux(c, f, i - 1)) -
+                     (flux(c, f, i + 1) - flux(c, f, i - 2))) /
+                    (24 * c->D);
+    double second = ((e[-1] + e[0]) * (P[-1] - P[0]) +
+                     (e[0] + e[1]) * (P[1] - P[0])) /
+                    (2 * c->D * c->D);
+    double wedge = (3 * q[1] - 8 * q[0] + 6 * q[-1] - q[-3]) / 12;
+    return fourth - second - c->Cu * wedge / c->D;
+}
+
+static double second_difference(const double *x)
+{
+    return x[-1] - 2 * x[0] + x[1];
+}
+
+void ovr_fourth_order_plain(const ovr_lanes *g, const ovr_fourth *c,
+                            const ovr_fields *f, const double *w)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)g->n; i++) {
+        double gap = second_difference(w + i) / 24 +
+                     OVR_FOURTH_LOCAL * c->D * second_difference(f->P + i);
+        c->F[i] = c->mask[i] > 0 ? -excess(c, f, i) : 0;
+        c->gap[i] = inside(i, g->n) ? gap : 0;
+    }
+}

@@ -1,0 +1,306 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The correction to fourth order (multigrid/fourth_order.h): each of its parts
+ * alone against manufactured pressures, films and coefficients, and the
+ * vectors' kernels against the plain ones. */
+#include <gsl/gsl_integration.h>
+#include <math.h>
+
+#include "support/kernels.h"
+#include "support/test.h"
+
+enum { N = 449 };
+
+/* A grid on [-1, 1] of a table, with the correction's arrays. */
+typedef struct corrected {
+    test_grid grid;
+    ovr_fourth c;
+} corrected;
+
+static corrected make(const ovr_kernels *run, size_t n, double from, double to)
+{
+    corrected made = {.grid = test_grid_make(run, n)};
+    const ovr_band *band = &made.grid.band;
+    made.c = (ovr_fourth){.D = (to - from) / (double)(n - 1),
+                          .Cu = 1,
+                          .log_eps = band->b[0],
+                          .flux = band->b[1],
+                          .mask = band->b[2],
+                          .F = band->b[3],
+                          .gap = band->b[4]};
+    return made;
+}
+
+static void fill(const test_grid *grid, double *to, double (*f)(double),
+                 double from, double D)
+{
+    double values[2 * N];
+    for (size_t i = 0; i < grid->n; i++)
+        values[i] = f ? f(from + D * (double)i) : 0;
+    grid->run->pack(&grid->lanes, values, to);
+}
+
+static void correct(const corrected *of)
+{
+    const test_grid *grid = &of->grid;
+    grid->run->fourth_mask(&grid->lanes, grid->f.P, of->c.mask);
+    grid->run->fourth_order(&grid->lanes, &of->c, &grid->f, grid->w);
+}
+
+static double one(double X)
+{
+    (void)X;
+    return 1;
+}
+
+static double tiny(double X)
+{
+    (void)X;
+    return 1e-200;
+}
+
+/* P = (2 + X) e^X, eps = e^(-X^2 - 2 P), q = P */
+static double pressure(double X)
+{
+    return (2 + X) * exp(X);
+}
+
+static double slope(double X)
+{
+    return (3 + X) * exp(X);
+}
+
+static double coefficient(double X)
+{
+    return exp(-X * X - 2 * pressure(X));
+}
+
+/* d/dX(eps dP/dX) */
+static double diffusion(double X)
+{
+    double p = slope(X);
+    return coefficient(X) * ((4 + X) * exp(X) - (2 * X + 2 * p) * p);
+}
+
+/* Largest error of second and fourth order of a part on a grid. */
+typedef struct errors {
+    double second, fourth;
+} errors;
+
+static void worst(errors *e, double second, double fourth)
+{
+    e->second = fmax(e->second, fabs(second));
+    e->fourth = fmax(e->fourth, fabs(fourth));
+}
+
+/* The equation's own second-order terms beside what corrects them, where the
+ * coefficient is interpolated by logarithms (all upstream) or not. */
+static errors poiseuille(const ovr_kernels *run, size_t n, bool upstream)
+{
+    corrected of = make(run, n, -1, 1);
+    const test_grid *g = &of.grid;
+    double D = of.c.D, F[2 * N];
+    errors e = {0};
+    of.c.centre = upstream ? n : 0;
+    fill(g, g->f.P, pressure, -1, D);
+    fill(g, g->f.eps, coefficient, -1, D);
+    fill(g, g->f.q, NULL, -1, D);
+    fill(g, g->w, NULL, -1, D);
+    correct(&of);
+    g->run->unpack(&g->lanes, of.c.F, F);
+    for (size_t i = OVR_FOURTH_MARGIN; i + OVR_FOURTH_MARGIN < n; i++) {
+        double X = -1 + D * (double)i, l = X - D, r = X + D;
+        double here = coefficient(X);
+        double N2 = ((coefficient(l) + here) * (pressure(l) - pressure(X)) +
+                     (here + coefficient(r)) * (pressure(r) - pressure(X))) /
+                    (2 * D * D);
+        worst(&e, N2 - diffusion(X), N2 - F[i] - diffusion(X));
+    }
+    ovr_arena_release(&of.grid.arena);
+    return e;
+}
+
+static errors by_logarithms(const ovr_kernels *run, size_t n)
+{
+    return poiseuille(run, n, true);
+}
+
+static errors by_values(const ovr_kernels *run, size_t n)
+{
+    return poiseuille(run, n, false);
+}
+
+static errors wedge(const ovr_kernels *run, size_t n)
+{
+    corrected of = make(run, n, -1, 1);
+    const test_grid *g = &of.grid;
+    double D = of.c.D, F[2 * N];
+    errors e = {0};
+    fill(g, g->f.P, one, -1, D);
+    fill(g, g->f.eps, tiny, -1, D);
+    fill(g, g->f.q, pressure, -1, D);
+    fill(g, g->w, NULL, -1, D);
+    correct(&of);
+    g->run->unpack(&g->lanes, of.c.F, F);
+    for (size_t i = OVR_FOURTH_MARGIN; i + OVR_FOURTH_MARGIN < n; i++) {
+        double X = -1 + D * (double)i;
+        double N2 = -(1.5 * pressure(X) - 2 * pressure(X - D) +
+                      0.5 * pressure(X - 2 * D)) /
+                    D;
+        worst(&e, N2 + slope(X), N2 - F[i] + slope(X));
+    }
+    ovr_arena_release(&of.grid.arena);
+    return e;
+}
+
+/* (1 - X^2)^6 on the contact, as smooth as order four wants it. */
+static double dome(double X)
+{
+    return X * X < 1 ? pow(1 - X * X, 6) : 0;
+}
+
+static double weighted(double X, void *at)
+{
+    double distance = fabs(X - *(double *)at);
+    return distance > 0 ? dome(X) * log(distance) : 0;
+}
+
+/* (1/pi) int P ln|X - X'| dX' by adaptive quadrature */
+static double deformation(double X)
+{
+    enum { SIZE = 200 };
+    double points[3] = {-1, X, 1}, value, error;
+    gsl_integration_workspace *room = gsl_integration_workspace_alloc(SIZE);
+    gsl_function f = {weighted, &X};
+    gsl_integration_qagp(&f, points, 3, 1e-13, 1e-13, SIZE, room, &value,
+                         &error);
+    gsl_integration_workspace_free(room);
+    return value / 3.14159265358979323846;
+}
+
+static errors film(const ovr_kernels *run, size_t n)
+{
+    corrected of = make(run, n, -1.5, 1.5);
+    const test_grid *g = &of.grid;
+    double D = of.c.D, w[2 * N], gap[2 * N];
+    errors e = {0};
+    for (size_t i = 0; i < n; i++) {
+        w[i] = 0;
+        for (size_t j = 0; j < n; j++)
+            w[i] += dome(-1.5 + D * (double)j) *
+                    ovr_deformation_kernel(fabs((double)i - (double)j), D);
+    }
+    fill(g, g->f.P, dome, -1.5, D);
+    fill(g, g->f.eps, one, -1.5, D);
+    fill(g, g->f.q, one, -1.5, D);
+    g->run->pack(&g->lanes, w, g->w);
+    correct(&of);
+    g->run->unpack(&g->lanes, of.c.gap, gap);
+    for (size_t i = n / 4; i < n - n / 4; i += n / 16) {
+        double exact = deformation(-1.5 + D * (double)i);
+        worst(&e, w[i] - exact, w[i] - gap[i] - exact);
+    }
+    ovr_arena_release(&of.grid.arena);
+    return e;
+}
+
+/* Twice the nodes: a quarter of the error, and a sixteenth. */
+static void falls(errors (*part)(const ovr_kernels *, size_t))
+{
+    const ovr_kernels *run;
+    for (int k = 0; (run = test_kernels(k)); k++) {
+        errors coarse = part(run, 113), fine = part(run, 225);
+        double second = log2(coarse.second / fine.second);
+        double fourth = log2(coarse.fourth / fine.fourth);
+        assert_true(second > 1.7 && second < 2.3);
+        assert_true(fourth > 3.7 && fourth < 4.5);
+    }
+}
+
+static void poiseuille_upstream_is_of_fourth_order(void **state)
+{
+    (void)state;
+    falls(by_logarithms);
+}
+
+static void poiseuille_downstream_is_of_fourth_order(void **state)
+{
+    (void)state;
+    falls(by_values);
+}
+
+static void wedge_is_of_fourth_order(void **state)
+{
+    (void)state;
+    falls(wedge);
+}
+
+static void film_is_of_fourth_order(void **state)
+{
+    (void)state;
+    falls(film);
+}
+
+static void arrays_of(const test_grid *grid, ovr_fourth *c)
+{
+    *c = (ovr_fourth){.D = grid->D,
+                      .Cu = 0.7,
+                      .centre = (size_t)ceil(4 / grid->D),
+                      .log_eps = grid->band.b[0],
+                      .flux = grid->band.b[1],
+                      .mask = grid->band.b[2],
+                      .F = grid->band.b[3],
+                      .gap = grid->band.b[4]};
+}
+
+/* |a - b| against the largest terms that a row is the difference of. */
+static void compare(const test_grid *plain, const test_grid *other)
+{
+    const ovr_fields *f = &plain->f;
+    const double *here = test_grid_read(other, other->band.b[2]);
+    double half = 0.5 / (plain->D * plain->D);
+    assert_memory_equal(here, plain->band.b[2], N * sizeof(double));
+    here = test_grid_read(other, other->band.b[4]);
+    for (size_t i = 0; i < N; i++)
+        CHECK_NEAR(here[i], plain->band.b[4][i], 1e-15);
+    here = test_grid_read(other, other->band.b[3]);
+    for (size_t i = OVR_FOURTH_MARGIN; i + OVR_FOURTH_MARGIN < N; i++) {
+        double eps = 0, size;
+        for (int d = -3; d <= 3; d++)
+            eps = fmax(eps, f->eps[(ptrdiff_t)i + d]);
+        size = 4 * half * eps * f->P[i] + 8 * f->q[i] / plain->D;
+        CHECK_NEAR(here[i], plain->band.b[3][i], 1e-13 * (size + 1));
+    }
+}
+
+static void vectors_agree_with_the_plain_one(void **state)
+{
+    const ovr_kernels *run;
+    (void)state;
+    for (int k = 1; (run = test_kernels(k)); k++) {
+        corrected plain = {.grid = test_grid_make(test_kernels(0), N)};
+        corrected other = {.grid = test_grid_make(run, N)};
+        test_grid_fill(&plain.grid, 11);
+        for (size_t i = 0; i < N; i++)
+            plain.grid.w[i] = sin(0.1 * (double)i);
+        test_grid_copy(&plain.grid, &other.grid);
+        arrays_of(&plain.grid, &plain.c);
+        arrays_of(&other.grid, &other.c);
+        correct(&plain);
+        correct(&other);
+        compare(&plain.grid, &other.grid);
+        ovr_arena_release(&plain.grid.arena);
+        ovr_arena_release(&other.grid.arena);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(poiseuille_upstream_is_of_fourth_order),
+        cmocka_unit_test(poiseuille_downstream_is_of_fourth_order),
+        cmocka_unit_test(wedge_is_of_fourth_order),
+        cmocka_unit_test(film_is_of_fourth_order),
+        cmocka_unit_test(vectors_agree_with_the_plain_one),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
