@@ -39,6 +39,7 @@ typedef struct ovr_profile_view {
     size_t missing;      /* samples without a height, as read */
     size_t filled;       /* samples interpolated since */
     bool uniform;        /* equal distances (to 1 %) */
+    double lambda_c;     /* the high-pass filter it went through; NAN: none */
 } ovr_profile_view;
 
 /* What to read, and what the file may not say itself. */
@@ -51,6 +52,8 @@ typedef struct ovr_profile_source {
     int column_x;        /* counted from 1; 0: by the header */
     int column_z;
     int line; /* of an areal file, from 1; 0: the first, said in the notes */
+    bool options; /* messages name options of the program (--unit-x) in place
+                     of keys of a case (unit_x) */
 } ovr_profile_source;
 
 OVR_API ovr_profile_source ovr_profile_source_default(void);
@@ -82,7 +85,11 @@ typedef enum ovr_levelling {
     OVR_LEVEL_MEAN,
     OVR_LEVEL_LINE,
     OVR_LEVEL_POLYNOMIAL,
-    OVR_LEVEL_ENDS /* line through the mean heights of the outer tenths */
+    OVR_LEVEL_ENDS,   /* line through the mean heights of the outer tenths */
+    OVR_LEVEL_CIRCLE, /* arc of a roller, of least squares in height */
+    OVR_LEVEL_AUTO    /* line, circle, or polynomial of degree 4 or 6: the
+                         next one where it leaves less than half the Rq;
+                         which one stands in the notes */
 } ovr_levelling;
 
 /* What happens beyond the ends of a profile. */
@@ -126,25 +133,38 @@ OVR_API ovr_status ovr_profile_condition(ovr_profile *profile,
 
 /* ------------------------------------------------------------ statistics */
 
-/* Of the heights about their mean, each point weighted by the length it
- * stands for, of the whole length as it is (ISO 21920-2); heights in the
- * profile's z unit, lengths in its x unit.  A profile with gaps has none. */
+/*
+ * ISO 21920-2 (and ISO 4287, which defines the same numbers): P-parameters of
+ * a profile as it is levelled, over its whole length; R-parameters of one
+ * that went through the high-pass filter lambda_c, over the middle five
+ * section lengths of lambda_c each (fewer where five do not fit).  Heights
+ * are about their mean, each point weighted by the length it stands for, in
+ * the profile's z unit, lengths in its x unit.  A profile with gaps has none.
+ */
 typedef struct ovr_profile_numbers {
     size_t n;
     double length, spacing, spacing_least, spacing_most;
+    char kind;      /* 'P' or 'R': a is Pa or Ra, and so on */
+    int sections;   /* section lengths: P one, R up to five */
+    double section; /* the length of one */
     double mean;
-    double Ra, Rq;   /* mean of |z|, root mean square of z */
-    double Rp, Rv;   /* highest peak, deepest valley (positive) */
-    double Rz;       /* mean of Rp + Rv over five equal parts (Rt below 50
-                        points) */
-    double Rt;       /* Rp + Rv of the whole */
-    double Rsk, Rku; /* skewness, kurtosis (3: Gaussian); NAN when Rq = 0 */
-    double Rdq;      /* root mean square slope */
+    double a, q;   /* mean of |z|, root mean square of z */
+    double p, v;   /* highest peak, deepest valley (positive) of each section,
+                      their means */
+    double z;      /* peak to valley of each section, their mean: p + v */
+    double t;      /* peak to valley over all sections */
+    double sk, ku; /* skewness, kurtosis (3: Gaussian); NAN when q = 0 */
+    double dq;     /* root mean square slope */
 } ovr_profile_numbers;
 
 OVR_API ovr_status ovr_profile_measure(const ovr_profile *profile,
                                        ovr_profile_numbers *numbers,
                                        ovr_error *err);
+
+/* The cut-off lambda_c of ISO 21920-3 (0.08, 0.25, 0.8, 2.5, 8 mm) that a
+ * trace of so many metres allows: the longest of which five fit.  NAN: the
+ * trace is too short for any. */
+OVR_API double ovr_profile_cutoff(double length);
 
 /* The strongest waves, by the spectrum of the Hann-windowed profile. */
 typedef struct ovr_profile_wave {

@@ -53,7 +53,8 @@ static const ovr_word endless[] = {{"endless", 0}, {NULL, 0}};
 static const ovr_word levellings[] = {
     {"none", OVR_LEVEL_NONE}, {"mean", OVR_LEVEL_MEAN},
     {"line", OVR_LEVEL_LINE}, {"polynomial", OVR_LEVEL_POLYNOMIAL},
-    {"ends", OVR_LEVEL_ENDS}, {NULL, 0}};
+    {"ends", OVR_LEVEL_ENDS}, {"circle", OVR_LEVEL_CIRCLE},
+    {"auto", OVR_LEVEL_AUTO}, {NULL, 0}};
 static const ovr_word extensions[] = {{"none", OVR_EXTEND_NONE},
                                       {"periodic", OVR_EXTEND_PERIODIC},
                                       {"mirror", OVR_EXTEND_MIRROR},

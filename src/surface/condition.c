@@ -4,15 +4,46 @@
 #include "surface/condition.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
+#include "surface/form.h"
 #include "surface/profile.h"
 
 static ovr_status wrong(const ovr_profile *p, ovr_error *err, const char *key,
-                        double value, const char *right)
+                        const char *value, const char *right)
 {
-    return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0, "%s = %g must be %s",
-                       key, value, right);
+    return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0, "%s = %s must be %s",
+                       ovr_named(p, key).text, value, right);
+}
+
+static ovr_piece plain(double value)
+{
+    ovr_piece piece;
+    snprintf(piece.text, sizeof piece.text, "%g", value);
+    return piece;
+}
+
+static ovr_status check_lengths(const ovr_profile *p,
+                                const ovr_conditioning *how, ovr_error *err)
+{
+    const struct {
+        const char *key;
+        double value;
+    } lengths[] = {{"max_gap", how->max_gap},
+                   {"lambda_c", how->lambda_c},
+                   {"lambda_s", how->lambda_s}};
+    for (size_t k = 0; k < sizeof lengths / sizeof lengths[0]; k++)
+        if (lengths[k].value <= 0 || isinf(lengths[k].value))
+            return wrong(p, err, lengths[k].key,
+                         ovr_along(p, lengths[k].value).text, "positive");
+    if (how->lambda_c <= how->lambda_s)
+        return ovr_fail_at(
+            err, OVR_BAD_INPUT, p->file, 0,
+            "%s = %s must be longer than %s = %s",
+            ovr_named(p, "lambda_c").text, ovr_along(p, how->lambda_c).text,
+            ovr_named(p, "lambda_s").text, ovr_along(p, how->lambda_s).text);
+    return OVR_OK;
 }
 
 static ovr_status check(const ovr_profile *p, const ovr_conditioning *how,
@@ -20,29 +51,27 @@ static ovr_status check(const ovr_profile *p, const ovr_conditioning *how,
 {
     const struct {
         const char *key;
+        bool right;
         double value;
-    } lengths[] = {{"max_gap", how->max_gap},
-                   {"outliers", how->outliers},
-                   {"lambda_c", how->lambda_c},
-                   {"lambda_s", how->lambda_s}};
-    for (size_t k = 0; k < sizeof lengths / sizeof lengths[0]; k++)
-        if (lengths[k].value <= 0 || isinf(lengths[k].value))
-            return wrong(p, err, lengths[k].key, lengths[k].value, "positive");
-    if (!isfinite(how->scale))
-        return wrong(p, err, "scale", how->scale, "a finite number");
-    if (!isfinite(how->offset))
-        return wrong(p, err, "offset", how->offset, "a finite height");
-    if (!(how->stretch > 0) || isinf(how->stretch))
-        return wrong(p, err, "stretch", how->stretch, "positive");
-    if (!(how->max_missing >= 0 && how->max_missing <= 1))
-        return wrong(p, err, "max_missing", how->max_missing, "from 0 to 1");
-    if ((int)how->level < 0 || how->level > OVR_LEVEL_ENDS)
-        return wrong(p, err, "level", how->level, "one of its names");
-    if (how->degree < 0 || how->degree > 12)
-        return wrong(p, err, "degree", how->degree, "from 0 to 12");
-    if (how->lambda_c <= how->lambda_s)
-        return wrong(p, err, "lambda_c", how->lambda_c, "longer than lambda_s");
-    return OVR_OK;
+        const char *wanted;
+    } rules[] = {
+        {"outliers", !(how->outliers <= 0 || isinf(how->outliers)),
+         how->outliers, "positive"},
+        {"scale", isfinite(how->scale), how->scale, "a finite number"},
+        {"offset", isfinite(how->offset), how->offset, "a finite height"},
+        {"stretch", how->stretch > 0 && !isinf(how->stretch), how->stretch,
+         "positive"},
+        {"max_missing", how->max_missing >= 0 && how->max_missing <= 1,
+         how->max_missing, "from 0 to 1"},
+        {"level", (int)how->level >= 0 && how->level <= OVR_LEVEL_AUTO,
+         how->level, "one of its names"},
+        {"degree", how->degree >= 0 && how->degree <= 12, how->degree,
+         "from 0 to 12"}};
+    for (size_t k = 0; k < sizeof rules / sizeof rules[0]; k++)
+        if (!rules[k].right)
+            return wrong(p, err, rules[k].key, plain(rules[k].value).text,
+                         rules[k].wanted);
+    return check_lengths(p, how, err);
 }
 
 /* ------------------------------------------------------------ the points */
@@ -62,11 +91,14 @@ static ovr_status choose_window(ovr_profile *p, const ovr_conditioning *how,
     while (last > first && p->x[last - 1] > how->to)
         last--;
     if (last - first < 2)
-        return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "the window from %g to %g holds %zu points; the "
-                           "profile runs from %g to %g",
-                           how->from, how->to, last - first, p->x[0],
-                           p->x[*n - 1]);
+        return ovr_fail_at(
+            err, OVR_BAD_INPUT, p->file, 0,
+            "the window from %s to %s holds %zu point%s; the profile runs from "
+            "%s to %s",
+            isnan(how->from) ? "its begin" : ovr_along(p, how->from).text,
+            isnan(how->to) ? "its end" : ovr_along(p, how->to).text,
+            last - first, last - first == 1 ? "" : "s",
+            ovr_along(p, p->x[0]).text, ovr_along(p, p->x[*n - 1]).text);
     if (last - first < *n)
         ovr_profile_note(p, "window: %zu of %zu points", last - first, *n);
     keep(p, first, last - first);
@@ -121,9 +153,9 @@ static ovr_status close_gaps(ovr_profile *p, const ovr_conditioning *how,
         return OVR_OK;
     if ((double)missing > how->max_missing * (double)*n)
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "%zu of %zu heights are missing, more than "
-                           "max_missing = %g",
-                           missing, *n, how->max_missing);
+                           "%zu of %zu heights are missing, more than %s = %g",
+                           missing, *n, ovr_named(p, "max_missing").text,
+                           how->max_missing);
     while (first < last && isnan(p->z[first]))
         first++;
     while (last > first && isnan(p->z[last - 1]))
@@ -141,15 +173,18 @@ static ovr_status close_gaps(ovr_profile *p, const ovr_conditioning *how,
     ovr_longest_gap(*n, p->x, p->z, &length, &where);
     if (length > most)
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "a gap of %g at x = %g is longer than max_gap = %g",
-                           length, where, most);
+                           "a gap of %s at x = %s is longer than %s = %s%s",
+                           ovr_along(p, length).text, ovr_along(p, where).text,
+                           ovr_named(p, "max_gap").text,
+                           ovr_along(p, most).text,
+                           isnan(how->max_gap) ? ", 5 % of the length" : "");
     filled = ovr_fill_gaps(*n, p->x, p->z);
     p->view.filled += filled;
     if (filled)
         ovr_profile_note(p,
                          "%zu points filled by straight lines, the longest "
-                         "gap %g",
-                         filled, length);
+                         "gap %s",
+                         filled, ovr_along(p, length).text);
     return OVR_OK;
 }
 
@@ -165,44 +200,7 @@ static ovr_status drop_outliers(ovr_profile *p, const ovr_conditioning *how,
     return close_gaps(p, how, n, err);
 }
 
-/* ------------------------------------------------------- level and filter */
-
-static double largest(size_t n, const double *z)
-{
-    double most = 0;
-    for (size_t i = 0; i < n; i++)
-        most = fmax(most, fabs(z[i]));
-    return most;
-}
-
-static void take_form(ovr_profile *p, const ovr_conditioning *how, size_t n,
-                      double *work)
-{
-    static const char *const names[] = {"", "mean", "line", "polynomial"};
-    int degree = how->level == OVR_LEVEL_MEAN   ? 0
-                 : how->level == OVR_LEVEL_LINE ? 1
-                                                : how->degree;
-    if (how->level == OVR_LEVEL_NONE)
-        return;
-    if (how->level == OVR_LEVEL_ENDS) {
-        ovr_level_ends(n, p->x, p->z);
-        ovr_profile_note(p, "levelled: line through its ends subtracted");
-        return;
-    }
-    ovr_level(n, p->x, p->z, degree, work);
-    ovr_profile_note(p, "levelled: %s of degree %d subtracted",
-                     names[how->level], degree);
-}
-
-/* What rounding leaves of a straight line is no roughness. */
-static void level(ovr_profile *p, const ovr_conditioning *how, size_t n,
-                  double *work)
-{
-    double before = largest(n, p->z);
-    take_form(p, how, n, work);
-    if (largest(n, p->z) < 1e-14 * before)
-        memset(p->z, 0, n * sizeof *p->z);
-}
+/* ----------------------------------------------------------------- filter */
 
 static ovr_status filter(ovr_profile *p, const ovr_conditioning *how, size_t n,
                          double *work, ovr_error *err)
@@ -215,14 +213,15 @@ static ovr_status filter(ovr_profile *p, const ovr_conditioning *how, size_t n,
         ovr_gaussian(n, p->x, p->z, how->lambda_c, uniform, mean, work);
         for (size_t i = 0; i < n; i++)
             p->z[i] -= mean[i];
-        ovr_profile_note(p, "Gaussian filter lambda_c = %g (high-pass)",
-                         how->lambda_c);
+        ovr_profile_note(p, "Gaussian filter lambda_c = %s (high-pass)",
+                         ovr_along(p, how->lambda_c).text);
+        p->view.lambda_c = how->lambda_c;
     }
     if (!isnan(how->lambda_s)) {
         ovr_gaussian(n, p->x, p->z, how->lambda_s, uniform, mean, work);
         memcpy(p->z, mean, n * sizeof *mean);
-        ovr_profile_note(p, "Gaussian filter lambda_s = %g (low-pass)",
-                         how->lambda_s);
+        ovr_profile_note(p, "Gaussian filter lambda_s = %s (low-pass)",
+                         ovr_along(p, how->lambda_s).text);
     }
     return OVR_OK;
 }
@@ -232,7 +231,7 @@ static void shift(ovr_profile *p, double offset, size_t n)
     for (size_t i = 0; i < n; i++)
         p->z[i] += offset;
     if (offset != 0)
-        ovr_profile_note(p, "offset by %g", offset);
+        ovr_profile_note(p, "offset by %s", ovr_across(p, offset).text);
 }
 
 ovr_status ovr_profile_condition(ovr_profile *profile,
@@ -253,8 +252,9 @@ ovr_status ovr_profile_condition(ovr_profile *profile,
         status = ovr_profile_finish(profile, n, err);
     if (status)
         return status;
-    level(profile, how, n, work);
-    status = filter(profile, how, n, work, err);
+    status = ovr_take_form(profile, how, n, work, err);
+    if (!status)
+        status = filter(profile, how, n, work, err);
     shift(profile, how->offset, n);
     return status ? status : ovr_profile_finish(profile, n, err);
 }

@@ -130,12 +130,36 @@ static bool scaled_unit(const words *w, ovr_line word)
     return word.size == 1 && word.text[0] == 'b';
 }
 
+/* Words beside an axis that are no attempt at a unit. */
+static bool is_plain_word(ovr_line word)
+{
+    static const char *const plain[] = {"axis",      "coordinate", "data",
+                                        "direction", "value",      "values"};
+    for (size_t k = 0; k < sizeof plain / sizeof plain[0]; k++)
+        if (ovr_line_is(word, plain[k]))
+            return true;
+    return false;
+}
+
+/* "[furlong]", "in furlong", or the one word behind an axis. */
+static bool looks_like_unit(const words *w, ovr_line word, char axis)
+{
+    const char *p = word.text;
+    if (axis_of(word) || is_plain_word(word))
+        return false;
+    if (bracketed(w, word))
+        return true;
+    if (p - w->begin >= 3 && memcmp(p - 3, "in ", 3) == 0)
+        return true;
+    return axis && !ovr_trim(w->rest).size;
+}
+
 /* "Lateral um", "x in nm", "X_(microns)", "[mm]": the first word that names
  * an axis, the last that is a unit.  With a number in it ("step 5 um") it is
  * about something else. */
 static ovr_column read_field(ovr_line field)
 {
-    ovr_column column = {0, false, 0, field};
+    ovr_column column = {.from = field};
     words w = {field, field.text};
     ovr_line word;
     double number;
@@ -143,10 +167,12 @@ static ovr_column read_field(ovr_line field)
         double metres = ovr_length_unit(word, bracketed(&w, word));
         bool scaled = scaled_unit(&w, word);
         if (ovr_number(word, false, &number))
-            return (ovr_column){0, false, 0, field};
+            return (ovr_column){.from = field};
         if (metres > 0 || scaled) {
             column.metres = scaled ? 1 : metres;
             column.scaled = scaled;
+        } else if (looks_like_unit(&w, word, column.axis)) {
+            column.unknown = word;
         } else if (!column.axis) {
             column.axis = axis_of(word);
         }
@@ -162,40 +188,67 @@ static void learn(ovr_column *column, ovr_column now)
         column->metres = now.metres;
         column->scaled = now.scaled;
         column->from = now.from;
+    } else if (!(column->metres > 0) &&
+               (now.axis || now.unknown.size || !column->from.size)) {
+        column->unknown = now.unknown;
+        column->from = now.from;
     }
 }
 
-/* "unit_x = um", "Z unit: nm", "units mm", "spacing = 0.5 um" */
-static bool read_statement(ovr_header *header, ovr_line line)
+/* What "unit_x = um", "Z unit: nm", "units mm", "spacing = 0.5 um" say. */
+typedef struct statement {
+    bool unit, spacing;
+    char axis;
+    double metres, number;
+    ovr_line unknown; /* the last word behind = or : that is nothing else */
+} statement;
+
+static bool behind_sign(ovr_line line, ovr_line word)
 {
+    const char *p = word.text;
+    while (p > line.text && (p[-1] == ' ' || p[-1] == '\t'))
+        p--;
+    return p > line.text && (p[-1] == '=' || p[-1] == ':');
+}
+
+static statement understand(ovr_line line)
+{
+    statement s = {0};
     words w = {line, line.text};
-    bool unit = false, spacing = false;
-    double metres = 0, value, number = 0;
-    char axis = 0;
     ovr_line word;
     while (next_word(&w, &word)) {
-        unit |= ovr_line_is(word, "unit") || ovr_line_is(word, "units");
-        spacing |= ovr_line_is(word, "spacing") || ovr_line_is(word, "dx") ||
-                   ovr_line_is(word, "increment");
+        double metres = ovr_length_unit(word, bracketed(&w, word)), value;
+        s.unit |= ovr_line_is(word, "unit") || ovr_line_is(word, "units");
+        s.spacing |= ovr_line_is(word, "spacing") || ovr_line_is(word, "dx") ||
+                     ovr_line_is(word, "increment");
         if (axis_of(word))
-            axis = axis_of(word);
-        if (ovr_number(word, false, &value))
-            number = value;
-        else if (ovr_length_unit(word, bracketed(&w, word)) > 0)
-            metres = ovr_length_unit(word, bracketed(&w, word));
+            s.axis = axis_of(word);
+        else if (ovr_number(word, false, &value))
+            s.number = value;
+        else if (metres > 0)
+            s.metres = metres;
+        else if (behind_sign(line, word))
+            s.unknown = word;
     }
-    if (spacing && number > 0) {
-        header->spacing = number;
-        header->spacing_metres = metres;
+    return s;
+}
+
+static bool read_statement(ovr_header *header, ovr_line line)
+{
+    statement s = understand(line);
+    ovr_column said = {.metres = s.metres, .from = line, .unknown = s.unknown};
+    if (s.spacing && s.number > 0) {
+        header->spacing = s.number;
+        header->spacing_metres = s.metres;
     }
-    for (size_t k = 0; unit && metres > 0 && k < header->columns; k++) {
+    for (size_t k = 0; s.unit && k < header->columns; k++) {
         char own = header->column[k].axis;
         if (!own && header->columns <= 2)
             own = k + 1 < header->columns ? 'x' : 'z';
-        if (!axis || axis == own || (axis == 'y' && own == 'z'))
-            learn(&header->column[k], (ovr_column){0, false, metres, line});
+        if (!s.axis || s.axis == own || (s.axis == 'y' && own == 'z'))
+            learn(&header->column[k], said);
     }
-    return unit || spacing;
+    return s.unit || s.spacing;
 }
 
 /* "x [mm]   z [um]": as many units or axes among the words as columns. */
@@ -226,13 +279,26 @@ static void read_words(ovr_header *header, ovr_line line)
     }
 }
 
+/* As many fields as columns; or fewer, when the line ends with a separator
+ * (the columns behind have no name); or more, when those are empty. */
+static bool fits(const ovr_fields *fields, size_t columns)
+{
+    size_t named = fields->count;
+    while (named && !fields->field[named - 1].size)
+        named--;
+    if (fields->count == columns)
+        return true;
+    return named > 1 && named <= columns &&
+           (fields->open || named < fields->count);
+}
+
 static bool split_as(const ovr_header *header, ovr_line line, char separator,
                      ovr_fields *fields)
 {
     const char tried[] = {separator, ',', ';', '\t'};
     for (size_t k = 0; k < sizeof tried; k++)
         if (tried[k] != ' ' && ovr_split(line, tried[k], fields) &&
-            fields->count == header->columns)
+            fits(fields, header->columns))
             return true;
     return false;
 }
@@ -257,7 +323,7 @@ void ovr_header_line(ovr_header *header, ovr_line line, char separator)
     if (header->columns == 1) {
         read_single(header, line);
     } else if (split_as(header, line, separator, &fields)) {
-        for (size_t k = 0; k < header->columns; k++)
+        for (size_t k = 0; k < header->columns && k < fields.count; k++)
             learn(&header->column[k], read_field(fields.field[k]));
     } else if (!read_statement(header, line)) {
         read_words(header, line);

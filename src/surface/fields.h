@@ -26,10 +26,11 @@ bool ovr_all_numbers(const ovr_fields *fields, bool comma);
 
 /* What the header says of one column. */
 typedef struct ovr_column {
-    char axis;     /* 'x', 'y', 'z', or 0 */
-    bool scaled;   /* unit b (x) or b^2/R (z) */
-    double metres; /* its unit; 0: not said */
-    ovr_line from; /* where it is said */
+    char axis;        /* 'x', 'y', 'z', or 0 */
+    bool scaled;      /* unit b (x) or b^2/R (z) */
+    double metres;    /* its unit; 0: not said */
+    ovr_line from;    /* where it is said, or what else is */
+    ovr_line unknown; /* a word in the place of the unit that is none */
 } ovr_column;
 
 typedef struct ovr_header {

@@ -30,6 +30,8 @@ static ovr_status to_contact(ovr_profile *p, const ovr_contact *c,
     if (!p->view.scaled_z)
         divide(p->z, p->view.n, c->height);
     p->view.scaled_x = p->view.scaled_z = true;
+    p->b = c->b > 0 ? c->b : 0;
+    p->height = c->height > 0 ? c->height : 0;
     return ovr_profile_finish(p, p->view.n, err);
 }
 

@@ -60,6 +60,7 @@ ovr_profile *ovr_profile_new(const char *file, const ovr_allocator *allocator,
     profile->file = ovr_arena_text(&profile->arena, file ? file : "", err);
     profile->view.notes = profile->notes;
     profile->view.format = "";
+    profile->view.lambda_c = NAN;
     if (profile->file)
         return profile;
     ovr_profile_free(profile);
@@ -104,6 +105,52 @@ void ovr_profile_note(ovr_profile *profile, const char *format, ...)
         profile->notes[used] = 0;
 }
 
+/* ------------------------------------------------- pieces of its messages */
+
+/* Steps of a thousand below the metre: 0.32 mm, 88.4 nm. */
+ovr_piece ovr_metres(double metres)
+{
+    static const char *const units[] = {"m", "mm", "um", "nm"};
+    double size = fabs(metres);
+    int k = 0;
+    ovr_piece piece;
+    for (; size < 0.1 && size > 0 && k < 3; size *= 1e3, k++)
+        metres *= 1e3;
+    snprintf(piece.text, sizeof piece.text, "%.4g %s", metres, units[k]);
+    return piece;
+}
+
+static ovr_piece sized(double value, bool scaled, double metres,
+                       const char *own)
+{
+    ovr_piece piece;
+    if (!scaled || metres > 0)
+        return ovr_metres(scaled ? value * metres : value);
+    snprintf(piece.text, sizeof piece.text, "%.4g %s", value, own);
+    return piece;
+}
+
+ovr_piece ovr_along(const ovr_profile *profile, double x)
+{
+    return sized(x, profile->view.scaled_x, profile->b, "b");
+}
+
+ovr_piece ovr_across(const ovr_profile *profile, double z)
+{
+    return sized(z, profile->view.scaled_z, profile->height, "b^2/R");
+}
+
+ovr_piece ovr_named(const ovr_profile *profile, const char *key)
+{
+    ovr_piece piece;
+    snprintf(piece.text, sizeof piece.text, "%s%s",
+             profile->options ? "--" : "", key);
+    for (char *c = piece.text; profile->options && *c; c++)
+        if (*c == '_')
+            *c = '-';
+    return piece;
+}
+
 void ovr_profile_regular(ovr_profile *profile, size_t n, double first,
                          double spacing)
 {
@@ -118,12 +165,14 @@ ovr_status ovr_profile_choose_line(ovr_profile *profile,
     int asked = source->line;
     if (asked < 0 || (asked > 0 && (size_t)asked > lines))
         return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
-                           "line = %d: the file has the lines 1 to %zu", asked,
-                           lines);
+                           "%s = %d: the file has the lines 1 to %zu",
+                           ovr_named(profile, "line").text, asked, lines);
     *line = asked > 0 ? (size_t)asked - 1 : 0;
-    if (lines > 1)
-        ovr_profile_note(profile, "line %zu of %zu%s", *line + 1, lines,
-                         asked ? "" : " (set line to choose another)");
+    if (lines > 1 && asked)
+        ovr_profile_note(profile, "line %zu of %zu", *line + 1, lines);
+    else if (lines > 1)
+        ovr_profile_note(profile, "line %zu of %zu (%s chooses another)",
+                         *line + 1, lines, ovr_named(profile, "line").text);
     return OVR_OK;
 }
 
@@ -159,12 +208,13 @@ ovr_status ovr_profile_finish(ovr_profile *profile, size_t n, ovr_error *err)
         if (!(fabs(profile->x[i]) < HUGE_SIZE) ||
             fabs(profile->z[i]) > HUGE_SIZE)
             return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
-                               "point %zu is (%g, %g): too large to be true",
-                               i + 1, profile->x[i], profile->z[i]);
+                               "point %zu is (%s, %s): too large to be true",
+                               i + 1, ovr_along(profile, profile->x[i]).text,
+                               ovr_across(profile, profile->z[i]).text);
         if (i && !(profile->x[i] > profile->x[i - 1]))
             return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
-                               "x must increase: point %zu at %g", i + 1,
-                               profile->x[i]);
+                               "x must increase: point %zu at %s", i + 1,
+                               ovr_along(profile, profile->x[i]).text);
     }
     if (view->missing == n)
         return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,

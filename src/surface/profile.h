@@ -20,6 +20,9 @@ struct ovr_profile {
     ovr_profile_view view;
     double *x, *z; /* what the view shows */
     const char *file;
+    bool options;     /* messages name options, not keys */
+    double b, height; /* metres in a b and a b^2/R of a profile in these;
+                         0: not known */
     char notes[OVR_NOTES_SIZE];
 };
 
@@ -41,6 +44,17 @@ ovr_status ovr_profile_room(ovr_profile *profile, size_t n, ovr_error *err);
 /* One more line of notes; what does not fit any more is left out. */
 void ovr_profile_note(ovr_profile *profile, const char *format, ...)
     OVR_PRINTF(2, 3);
+
+/* Pieces of a message: a length or a height of the profile with its unit, as
+ * "80 um" or "0.3 b"; the name of what can be given, as "unit_x", or
+ * "--unit-x" on the command line. */
+typedef struct ovr_piece {
+    char text[40];
+} ovr_piece;
+ovr_piece ovr_metres(double metres);
+ovr_piece ovr_along(const ovr_profile *profile, double x);
+ovr_piece ovr_across(const ovr_profile *profile, double z);
+ovr_piece ovr_named(const ovr_profile *profile, const char *key);
 
 /* Sets the number of points and what follows from them; the last step of
  * every reader and of conditioning. */

@@ -115,6 +115,7 @@ static ovr_profile *understand(ovr_profile *profile,
                                ovr_bytes content, ovr_error *err)
 {
     ovr_status status;
+    profile->options = source->options;
     if (content.size == 0)
         status = ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
                              "the file is empty");

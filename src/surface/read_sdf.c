@@ -64,8 +64,8 @@ static ovr_status finish(ovr_profile *p, const sdf *h, ovr_error *err)
     size_t n = (size_t)h->points;
     for (size_t i = 0; i < n; i++)
         p->z[i] *= h->z_scale;
-    ovr_profile_note(p, "SDF is in metres: spacing %g m, heights times %g m",
-                     h->x_scale, h->z_scale);
+    ovr_profile_note(p, "SDF is in metres: spacing %s, heights times %s",
+                     ovr_metres(h->x_scale).text, ovr_metres(h->z_scale).text);
     return ovr_profile_finish(p, n, err);
 }
 

@@ -171,7 +171,8 @@ ovr_status ovr_read_smd(ovr_profile *profile, const ovr_profile_source *source,
     ovr_profile_regular(profile, n, 0, x.increment * x.scale * x.metres);
     for (size_t i = 0; i < n; i++)
         profile->z[i] *= z.scale * z.metres;
-    ovr_profile_note(profile, "spacing %g m, heights times %g m",
-                     x.increment * x.scale * x.metres, z.scale * z.metres);
+    ovr_profile_note(profile, "spacing %s, heights times %s",
+                     ovr_metres(x.increment * x.scale * x.metres).text,
+                     ovr_metres(z.scale * z.metres).text);
     return ovr_profile_finish(profile, n, err);
 }

@@ -6,29 +6,17 @@
  *   1. The encoding is undone; the first line whose fields are all numbers
  *      starts the data (a lone count above it is taken as such).
  *   2. The lines above say units and columns; the caller's word goes first.
- *      What nobody says is an error that says what to add.
+ *      What nobody says is one error that says all there is to add.
  *   3. Rows become points; rows run backwards, x repeated by rounding and
  *      missing heights are put right or marked, and said.
  */
-#include "surface/fields.h"
+#include "surface/columns.h"
 #include "surface/order.h"
 
 #include <math.h>
 #include <string.h>
 
-typedef struct table {
-    ovr_profile *profile;
-    const ovr_profile_source *source;
-    ovr_bytes content; /* decoded */
-    ovr_lines data;    /* at the first row */
-    ovr_layout layout;
-    ovr_header header;
-    int x, z;       /* columns from 0; x = -1: spacing */
-    double counted; /* a count line's number; NAN: none */
-    long *number;   /* line of each point */
-} table;
-
-static ovr_status fail(const table *t, long line, ovr_error *err,
+static ovr_status fail(const ovr_text_table *t, long line, ovr_error *err,
                        const char *words)
 {
     return ovr_fail_at(err, OVR_BAD_INPUT, t->profile->file, line, "%s", words);
@@ -58,7 +46,7 @@ static bool is_count(ovr_lines after, const ovr_fields *fields)
 }
 
 /* The line that decides the layout: "0;1,5" tells more than "0 0". */
-static ovr_status find_data(table *t, ovr_error *err)
+static ovr_status find_data(ovr_text_table *t, ovr_error *err)
 {
     ovr_lines lines = ovr_lines_of(t->content), before;
     ovr_fields fields;
@@ -85,101 +73,12 @@ static ovr_status find_data(table *t, ovr_error *err)
                 "column z with a spacing (decimal commas need semicolons)");
 }
 
-static void read_header(table *t)
+static void read_header(ovr_text_table *t)
 {
     ovr_lines lines = ovr_lines_of(t->content);
     ovr_line line;
     while (lines.at < t->data.at && ovr_next_line(&lines, &line))
         ovr_header_line(&t->header, line, t->layout.separator);
-}
-
-/* ------------------------------------------------------- 2. columns, units */
-
-static int column_named(const table *t, char axis)
-{
-    for (size_t k = 0; k < t->header.columns; k++)
-        if (t->header.column[k].axis == axis)
-            return (int)k;
-    return -1;
-}
-
-static ovr_status asked_column(const table *t, int asked, const char *key,
-                               int *column, ovr_error *err)
-{
-    if (asked < 0 || (size_t)asked > t->header.columns)
-        return ovr_fail_at(err, OVR_BAD_INPUT, t->profile->file, 0,
-                           "%s = %d: the table has the columns 1 to %zu", key,
-                           asked, t->header.columns);
-    if (asked > 0)
-        *column = asked - 1;
-    return OVR_OK;
-}
-
-static ovr_status find_columns(table *t, ovr_error *err)
-{
-    const ovr_profile_source *s = t->source;
-    size_t columns = t->header.columns;
-    bool spaced = s->spacing > 0 || t->header.spacing > 0;
-    t->x = column_named(t, 'x');
-    t->z = column_named(t, 'z') >= 0 ? column_named(t, 'z')
-                                     : column_named(t, 'y');
-    if (columns == 1)
-        t->x = -1, t->z = 0;
-    if (columns == 2 && (t->x < 0 || t->z < 0 || t->x == t->z))
-        t->x = 0, t->z = 1;
-    if (asked_column(t, s->column_x, "column_x", &t->x, err) ||
-        asked_column(t, s->column_z, "column_z", &t->z, err))
-        return OVR_BAD_INPUT;
-    if (s->spacing > 0 && !s->column_x)
-        t->x = -1;
-    if (t->z < 0)
-        return fail(t, t->data.number + 1, err,
-                    "which column holds the heights? The header does not say; "
-                    "set column_x and column_z (from 1)");
-    if (t->x < 0 && !spaced)
-        return fail(t, t->data.number + 1, err,
-                    columns == 1
-                        ? "one column of heights needs a spacing: set spacing "
-                          "(with its unit), or add a column x"
-                        : "which column is x? The header does not say; set "
-                          "column_x (from 1), or a spacing");
-    if (t->x == t->z)
-        return fail(t, 0, err, "x and z are the same column");
-    return OVR_OK;
-}
-
-/* The caller's unit, else the header's; notes say which. */
-static ovr_status find_unit(table *t, char axis, const char *asked, int column,
-                            double *metres, bool *scaled, ovr_error *err)
-{
-    ovr_profile *p = t->profile;
-    const ovr_column *said = column < 0 ? NULL : &t->header.column[column];
-    const char *own = axis == 'x' ? "b" : "b^2/R";
-    if (asked && *asked) {
-        *scaled = strcmp(asked, own) == 0 ||
-                  (axis == 'z' && strcmp(asked, "b2/R") == 0);
-        *metres = *scaled ? 1
-                          : ovr_length_unit((ovr_line){asked, strlen(asked), 0},
-                                            true);
-        ovr_profile_note(p, "%c in %s (unit_%c)", axis, asked, axis);
-        if (*metres > 0)
-            return OVR_OK;
-        return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "unit_%c = %s is not a unit of length: m, mm, um, "
-                           "nm, inch, ..., or %s",
-                           axis, asked, own);
-    }
-    if (!said || !(said->metres > 0))
-        return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "the unit of %c is not in the header: set unit_%c "
-                           "(for example unit_%c = um)",
-                           axis, axis, axis);
-    *metres = said->metres;
-    *scaled = said->scaled;
-    ovr_profile_note(p, "%c in %s (header: \"%s\")", axis,
-                     *scaled ? own : ovr_length_unit_name(*metres),
-                     ovr_quote(said->from).text);
-    return OVR_OK;
 }
 
 /* ------------------------------------------------------------- 3. the rows */
@@ -199,7 +98,7 @@ static bool next_row(ovr_lines *lines, ovr_line *line)
     return false;
 }
 
-static size_t count_rows(const table *t)
+static size_t count_rows(const ovr_text_table *t)
 {
     ovr_lines lines = t->data;
     ovr_line line;
@@ -209,7 +108,7 @@ static size_t count_rows(const table *t)
     return n;
 }
 
-static ovr_status read_cell(const table *t, const ovr_fields *fields,
+static ovr_status read_cell(const ovr_text_table *t, const ovr_fields *fields,
                             int column, bool may_miss, long line, double *value,
                             ovr_error *err)
 {
@@ -233,7 +132,8 @@ static ovr_status read_cell(const table *t, const ovr_fields *fields,
                        ovr_quote(fields->field[k]).text);
 }
 
-static ovr_status read_row(table *t, ovr_line line, size_t i, ovr_error *err)
+static ovr_status read_row(ovr_text_table *t, ovr_line line, size_t i,
+                           ovr_error *err)
 {
     ovr_profile *p = t->profile;
     ovr_fields fields;
@@ -247,7 +147,7 @@ static ovr_status read_row(table *t, ovr_line line, size_t i, ovr_error *err)
     return status;
 }
 
-static ovr_status read_rows(table *t, size_t *n, ovr_error *err)
+static ovr_status read_rows(ovr_text_table *t, size_t *n, ovr_error *err)
 {
     ovr_lines lines = t->data;
     ovr_line line;
@@ -266,7 +166,7 @@ static ovr_status read_rows(table *t, size_t *n, ovr_error *err)
 }
 
 /* A count above a single column looks like its first value. */
-static void drop_count(table *t, size_t *n)
+static void drop_count(ovr_text_table *t, size_t *n)
 {
     ovr_profile *p = t->profile;
     if (t->x < 0 && *n > 2 && p->z[0] == (double)(*n - 1) &&
@@ -285,28 +185,22 @@ static void drop_count(table *t, size_t *n)
 }
 
 /* Without a column x: the caller's spacing, or the header's. */
-static ovr_status lay_out(table *t, size_t n, ovr_error *err)
+static ovr_status lay_out(ovr_text_table *t, size_t n, ovr_error *err)
 {
     const ovr_profile_source *s = t->source;
     ovr_profile *p = t->profile;
-    double spacing = s->spacing;
+    double spacing = s->spacing, metres = t->header.spacing_metres;
     if (s->spacing > 0) {
         p->view.scaled_x = s->spacing_scaled;
-    } else if (t->header.spacing_metres > 0) {
-        spacing = t->header.spacing * t->header.spacing_metres;
     } else {
-        double metres;
-        ovr_status status = find_unit(t, 'x', s->unit_x, -1, &metres,
-                                      &p->view.scaled_x, err);
-        if (status)
-            return status;
+        if (!(metres > 0))
+            ovr_find_unit(t, 'x', s->unit_x, &metres, &p->view.scaled_x);
         spacing = t->header.spacing * metres;
     }
     if (!(spacing > 0) || !isfinite(spacing * (double)n))
         return fail(t, 0, err, "the spacing must be a positive length");
     ovr_profile_regular(p, n, 0, spacing);
-    ovr_profile_note(p, "one column z; spacing %g %s", spacing,
-                     p->view.scaled_x ? "b" : "m");
+    ovr_profile_note(p, "one column z; spacing %s", ovr_along(p, spacing).text);
     return OVR_OK;
 }
 
@@ -316,20 +210,16 @@ static void scale(double *a, size_t n, double by)
         a[i] *= by;
 }
 
-static ovr_status make_points(table *t, ovr_error *err)
+static ovr_status make_points(ovr_text_table *t, ovr_error *err)
 {
     ovr_profile *p = t->profile;
     double unit_x = 1, unit_z;
     size_t n = 0;
-    ovr_status status = OVR_OK;
+    ovr_status status;
     if (t->x >= 0)
-        status = find_unit(t, 'x', t->source->unit_x, t->x, &unit_x,
-                           &p->view.scaled_x, err);
-    if (!status)
-        status = find_unit(t, 'z', t->source->unit_z, t->z, &unit_z,
-                           &p->view.scaled_z, err);
-    if (!status)
-        status = read_rows(t, &n, err);
+        ovr_find_unit(t, 'x', t->source->unit_x, &unit_x, &p->view.scaled_x);
+    ovr_find_unit(t, 'z', t->source->unit_z, &unit_z, &p->view.scaled_z);
+    status = read_rows(t, &n, err);
     if (status)
         return status;
     drop_count(t, &n);
@@ -346,7 +236,7 @@ static ovr_status make_points(table *t, ovr_error *err)
 ovr_status ovr_read_text(ovr_profile *profile, const ovr_profile_source *source,
                          ovr_bytes content, ovr_error *err)
 {
-    table t = {.profile = profile, .source = source};
+    ovr_text_table t = {.profile = profile, .source = source};
     const char *encoding = "";
     ovr_status status = ovr_decode(content, profile->file, &profile->arena,
                                    &t.content, &encoding, err);
@@ -356,7 +246,9 @@ ovr_status ovr_read_text(ovr_profile *profile, const ovr_profile_source *source,
     if (status)
         return status;
     read_header(&t);
-    status = find_columns(&t, err);
+    status = ovr_find_columns(&t, err);
+    if (!status)
+        status = ovr_check_all_said(&t, err);
     if (status)
         return status;
     if (*encoding)

@@ -132,7 +132,7 @@ static ovr_status check(const ovr_x3p *x, const char *file, size_t *n,
                            "main.xml needs the axes CX (I or A) and CZ (A)");
     if (cx->kind == 'I' && !(cx->increment > 0))
         return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
-                           "the increment of CX, %g, must be positive",
+                           "the increment of CX, %g m, must be positive",
                            cx->increment);
     if (!(points >= 2 && rows >= 1 && points * rows <= OVR_POINTS_MAX) ||
         points != floor(points) || rows != floor(rows) || x->size[2] > 1)

@@ -156,8 +156,8 @@ static ovr_status check_ends(const ovr_ends *ends, double length, double *taper,
     if (*taper >= 0 && *taper <= most)
         return OVR_OK;
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "taper = %g must be between 0 and half the profile's "
-                    "length, %g",
+                    "taper = %g b must be between 0 and half the profile's "
+                    "length, %g b",
                     *taper, most);
 }
 
@@ -218,7 +218,7 @@ static ovr_status check_length(double length, double mesh, ovr_error *err)
     if (length >= mesh)
         return OVR_OK;
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "the profile is %g long, less than the mesh of %g: the "
+                    "the profile is %g b long, less than the mesh of %g b: the "
                     "grid carries none of it",
                     length, mesh);
 }

@@ -7,7 +7,8 @@
 #include "surface/profile.h"
 #include "surface/spline.h"
 
-enum { FEW = 50 }; /* too few points for five parts */
+enum { SECTIONS = 5 };          /* of the standard */
+static const double EPS = 1e-9; /* rounding of lengths */
 
 static ovr_status whole(const ovr_profile *p, ovr_error *err)
 {
@@ -35,70 +36,117 @@ static void measure_lengths(const ovr_profile *p, ovr_profile_numbers *r)
     }
 }
 
-static void measure_heights(const ovr_profile *p, ovr_profile_numbers *r)
+/* The points that count: all of them, or those within the middle five section
+ * lengths.  Each point stands for a spacing, the outer ones too: 4000 points
+ * at 1 um are five times 0.8 mm. */
+typedef struct part {
+    const double *x, *z; /* of the first point in it */
+    size_t n;
+    double from; /* where the first section begins */
+} part;
+
+static part find_part(const ovr_profile *p, ovr_profile_numbers *r)
 {
-    double m1 = 0, m2 = 0, m3 = 0, m4 = 0;
-    r->mean = 0;
-    for (size_t i = 0; i < r->n; i++)
-        r->mean += p->z[i] * ovr_share(r->n, p->x, i) / r->length;
-    for (size_t i = 0; i < r->n; i++) {
-        double w = ovr_share(r->n, p->x, i) / r->length;
-        double z = p->z[i] - r->mean;
-        m1 += w * fabs(z);
-        m2 += w * z * z;
-        m3 += w * z * z * z;
-        m4 += w * z * z * z * z;
-        r->Rp = fmax(r->Rp, z);
-        r->Rv = fmax(r->Rv, -z);
-    }
-    r->Ra = m1;
-    r->Rq = sqrt(m2);
-    r->Rt = r->Rp + r->Rv;
-    r->Rsk = m2 > 0 ? m3 / m2 / r->Rq : NAN;
-    r->Rku = m2 > 0 ? m4 / m2 / m2 : NAN;
+    part w = {p->x, p->z, r->n, p->x[0]};
+    double lc = p->view.lambda_c, end;
+    r->kind = isnan(lc) ? 'P' : 'R';
+    r->sections = 1;
+    r->section = r->length;
+    if (isnan(lc) || lc > r->length + r->spacing)
+        return w;
+    r->sections = (int)fmin(SECTIONS,
+                            (r->length + r->spacing) / lc * (1 + EPS));
+    r->section = lc;
+    w.from = p->x[0] + (r->length - r->sections * lc) / 2;
+    end = w.from + r->sections * lc;
+    while (w.n > 2 && *w.x < w.from)
+        w.x++, w.z++, w.n--;
+    while (w.n > 2 && w.x[w.n - 1] >= end)
+        w.n--;
+    return w;
 }
 
-/* Highest minus lowest height in each of five equal parts, their mean. */
-static double mean_of_five(const ovr_profile *p, double length)
+static void measure_heights(const part *w, ovr_profile_numbers *r)
 {
-    double top[5], bottom[5], sum = 0;
-    size_t parts = 0;
-    for (int k = 0; k < 5; k++)
+    double m1 = 0, m2 = 0, m3 = 0, m4 = 0, length = w->x[w->n - 1] - w->x[0];
+    for (size_t i = 0; i < w->n; i++)
+        r->mean += w->z[i] * ovr_share(w->n, w->x, i) / length;
+    for (size_t i = 0; i < w->n; i++) {
+        double share = ovr_share(w->n, w->x, i) / length;
+        double z = w->z[i] - r->mean;
+        m1 += share * fabs(z);
+        m2 += share * z * z;
+        m3 += share * z * z * z;
+        m4 += share * z * z * z * z;
+    }
+    r->a = m1;
+    r->q = sqrt(m2);
+    r->sk = m2 > 0 ? m3 / m2 / r->q : NAN;
+    r->ku = m2 > 0 ? m4 / m2 / m2 : NAN;
+}
+
+/* Highest peak and deepest valley of each section; their means, and both of
+ * all sections. */
+static void measure_peaks(const part *w, ovr_profile_numbers *r)
+{
+    double top[SECTIONS], bottom[SECTIONS], high = -INFINITY, low = INFINITY;
+    int parts = 0;
+    for (int k = 0; k < r->sections; k++)
         top[k] = -INFINITY, bottom[k] = INFINITY;
-    for (size_t i = 0; i < p->view.n; i++) {
-        int k = (int)fmin(4, 5 * (p->x[i] - p->x[0]) / length);
-        top[k] = fmax(top[k], p->z[i]);
-        bottom[k] = fmin(bottom[k], p->z[i]);
+    for (size_t i = 0; i < w->n; i++) {
+        double at = (w->x[i] - w->from) / r->section;
+        int k = (int)fmax(0, fmin(r->sections - 1, floor(at + EPS)));
+        top[k] = fmax(top[k], w->z[i] - r->mean);
+        bottom[k] = fmin(bottom[k], w->z[i] - r->mean);
     }
-    for (int k = 0; k < 5; k++)
-        if (top[k] >= bottom[k])
-            sum += top[k] - bottom[k], parts++;
-    return parts ? sum / (double)parts : 0;
+    for (int k = 0; k < r->sections; k++) {
+        if (top[k] < bottom[k])
+            continue; /* no point in it */
+        r->p += top[k];
+        r->v -= bottom[k];
+        high = fmax(high, top[k]);
+        low = fmin(low, bottom[k]);
+        parts++;
+    }
+    r->p /= parts;
+    r->v /= parts;
+    r->z = r->p + r->v;
+    r->t = high - low;
 }
 
-static double rms_slope(const ovr_profile *p, double length)
+static double rms_slope(const part *w)
 {
     double sum = 0;
-    for (size_t i = 1; i < p->view.n; i++) {
-        double d = p->x[i] - p->x[i - 1], rise = p->z[i] - p->z[i - 1];
+    for (size_t i = 1; i < w->n; i++) {
+        double d = w->x[i] - w->x[i - 1], rise = w->z[i] - w->z[i - 1];
         sum += rise * rise / d;
     }
-    return sqrt(sum / length);
+    return sqrt(sum / (w->x[w->n - 1] - w->x[0]));
 }
 
 ovr_status ovr_profile_measure(const ovr_profile *profile,
                                ovr_profile_numbers *numbers, ovr_error *err)
 {
     ovr_status status = whole(profile, err);
+    part w;
     *numbers = (ovr_profile_numbers){0};
     if (status)
         return status;
     measure_lengths(profile, numbers);
-    measure_heights(profile, numbers);
-    numbers->Rz = numbers->n < FEW ? numbers->Rt
-                                   : mean_of_five(profile, numbers->length);
-    numbers->Rdq = rms_slope(profile, numbers->length);
+    w = find_part(profile, numbers);
+    measure_heights(&w, numbers);
+    measure_peaks(&w, numbers);
+    numbers->dq = rms_slope(&w);
     return OVR_OK;
+}
+
+double ovr_profile_cutoff(double length)
+{
+    static const double series[] = {8e-3, 2.5e-3, 0.8e-3, 0.25e-3, 0.08e-3};
+    for (size_t k = 0; k < sizeof series / sizeof series[0]; k++)
+        if (SECTIONS * series[k] <= length * (1 + EPS))
+            return series[k];
+    return NAN;
 }
 
 /* ------------------------------------------------------------------ waves */

@@ -246,7 +246,9 @@ static ovr_status hand_over(const random_surface *s, ovr_profile *p,
         p->z[i] = s->form->Rq * s->z[i % s->n];
     p->view.scaled_x = p->view.scaled_z = true;
     p->view.format = "roughness";
-    ovr_profile_note(p, "random, seed %d: %zu waves from %g down to %g, Rq %g",
+    ovr_profile_note(p,
+                     "random, seed %d: %zu waves from %g b down to %g b, Rq "
+                     "%g b^2/R",
                      s->form->seed, s->waves, s->form->length, s->shortest,
                      s->form->Rq);
     return ovr_profile_finish(p, n, err);

@@ -113,6 +113,100 @@ static void ends_make_the_datum(void **state)
     CHECK_NEAR(z[0], 0, 1e-6);
 }
 
+/* An arc of the radius, its highest point at `top`, tilted by `tilt` rad, as
+ * points on the circle are: no series in 1/radius. */
+static void lay_arc(size_t n, double length, double radius, double top,
+                    double tilt)
+{
+    for (size_t i = 0; i < n; i++) {
+        x[i] = length * (double)i / (double)(n - 1);
+        z[i] = sqrt(radius * radius - pow(x[i] - top + radius * sin(tilt), 2));
+    }
+}
+
+static void circles_are_taken_off(void **state)
+{
+    /* length, radius, top, tilt: shallow, deep, tilted */
+    static const double arcs[][4] = {
+        {1, 40, 0.5, 0}, {10, 5.5, 5, 0}, {4, 7, 2, 0.4}, {2, 2000, -1, 0.02}};
+    (void)state;
+    for (int k = 0; k < 8; k++) {
+        const double *a = arcs[k % 4];
+        double sign = k < 4 ? 1 : -1;
+        ovr_conditioning how = nothing();
+        ovr_profile *p;
+        ovr_error err;
+        char named[60];
+        how.level = OVR_LEVEL_CIRCLE;
+        lay_arc(801, a[0], a[1], a[2], a[3]);
+        for (size_t i = 0; i < 801; i++)
+            x[i] *= 1e-3, z[i] *= sign * 1e-3;
+        p = ovr_profile_create(801, x, z, false, NULL, &err);
+        assert_non_null(p);
+        CHECK_OK(ovr_profile_condition(p, &how, &err), &err);
+        for (size_t i = 0; i < 801; i++)
+            CHECK_NEAR(ovr_profile_look(p)->z[i], 0, 1e-13);
+        snprintf(named, sizeof named, "radius %g %sm, a %s",
+                 a[1] / (a[1] > 99 ? 1e3 : 1), a[1] > 99 ? "" : "m",
+                 sign > 0 ? "crown" : "hollow");
+        if (!strstr(ovr_profile_look(p)->notes, named))
+            fail_msg("no '%s' in: %s", named, ovr_profile_look(p)->notes);
+        ovr_profile_free(p);
+    }
+}
+
+/* What is left is orthogonal to what the three numbers of a circle change:
+ * to constant, line and, for a shallow arc, parabola. */
+static void circle_is_least_squares(void **state)
+{
+    uint64_t seed = 12;
+    ovr_conditioning how = nothing();
+    double by[3] = {0};
+    (void)state;
+    how.level = OVR_LEVEL_CIRCLE;
+    lay_arc(501, 1, 1e4, 0.4, 0);
+    for (size_t i = 0; i < 501; i++)
+        z[i] += test_random(&seed, -1, 1) * 1e-3 - 1e4;
+    condition(501, &how); /* in b and b^2/R: the parabola */
+    for (size_t i = 0; i < 501; i++) {
+        double share = i == 0 || i == 500 ? 0.5 : 1;
+        by[0] += share * z[i];
+        by[1] += share * z[i] * x[i];
+        by[2] += share * z[i] * x[i] * x[i];
+    }
+    for (int k = 0; k < 3; k++)
+        CHECK_NEAR(by[k], 0, 1e-10);
+}
+
+/* Line, arc and a crown of the fourth power, each under roughness, and a dent
+ * of a third of the trace, which is no form. */
+static void the_form_is_chosen(void **state)
+{
+    static const char *const names[] = {"(auto): line", "(auto): circle",
+                                        "(auto): polynomial of degree 4",
+                                        "(auto): line"};
+    uint64_t seed = 13;
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        ovr_conditioning how = nothing();
+        ovr_profile *p;
+        ovr_error err;
+        how.level = OVR_LEVEL_AUTO;
+        lay_out(1001, 2, &seed);
+        for (size_t i = 0; i < 1001; i++) {
+            double s = x[i] - 1;
+            double forms[] = {0.3 * s, -0.5 * s * s, -s * s * s * s,
+                              -exp(-40 * s * s)};
+            z[i] = forms[k] + test_random(&seed, -1e-3, 1e-3);
+        }
+        p = make(1001);
+        CHECK_OK(ovr_profile_condition(p, &how, &err), &err);
+        if (!strstr(ovr_profile_look(p)->notes, names[k]))
+            fail_msg("no '%s' in: %s", names[k], ovr_profile_look(p)->notes);
+        ovr_profile_free(p);
+    }
+}
+
 /* ------------------------------------------------------------------ filters */
 
 /* ISO 16610-21: transmission of the mean line 2^(-(cut-off/wavelength)^2). */
@@ -294,16 +388,84 @@ static void statistics_of_a_cosine(void **state)
         z[i] = 3 + 2 * cos(2 * PI * x[i]);
     p = make(4001);
     CHECK_OK(ovr_profile_measure(p, &r, &err), &err);
+    assert_int_equal(r.kind, 'P');
+    assert_int_equal(r.sections, 1);
     CHECK_CLOSE(r.mean, 3, 1e-12);
-    CHECK_CLOSE(r.Ra, 4 / PI, 1e-4);
-    CHECK_CLOSE(r.Rq, sqrt(2), 1e-12);
-    CHECK_CLOSE(r.Rz, 4, 1e-12);
-    CHECK_CLOSE(r.Rt, 4, 1e-12);
-    CHECK_NEAR(r.Rsk, 0, 1e-12);
-    CHECK_CLOSE(r.Rku, 1.5, 1e-12);
-    CHECK_CLOSE(r.Rdq, 2 * PI * sqrt(2), 1e-4);
+    CHECK_CLOSE(r.a, 4 / PI, 1e-4);
+    CHECK_CLOSE(r.q, sqrt(2), 1e-12);
+    CHECK_CLOSE(r.z, 4, 1e-12);
+    CHECK_CLOSE(r.t, 4, 1e-12);
+    CHECK_NEAR(r.sk, 0, 1e-12);
+    CHECK_CLOSE(r.ku, 1.5, 1e-12);
+    CHECK_CLOSE(r.dq, 2 * PI * sqrt(2), 1e-4);
     CHECK_CLOSE(r.spacing, 0.0025, 1e-12);
     ovr_profile_free(p);
+}
+
+/* The numbers of a trace of n points, spacing 1, after lambda_c. */
+static ovr_profile_numbers filtered(size_t n, double lambda_c)
+{
+    ovr_conditioning how = nothing();
+    ovr_profile_numbers r;
+    ovr_error err;
+    ovr_profile *p = make(n);
+    how.lambda_c = lambda_c;
+    CHECK_OK(ovr_profile_condition(p, &how, &err), &err);
+    CHECK_OK(ovr_profile_measure(p, &r, &err), &err);
+    memcpy(z, ovr_profile_look(p)->z, n * sizeof *z);
+    ovr_profile_free(p);
+    return r;
+}
+
+/* ISO 4287, 4.1.3: Rz is the mean of five sampling lengths' peak to valley.
+ * Spikes narrow against lambda_c, one a section, of other heights each: the
+ * sections are read off the filtered heights here by index. */
+static void Rz_is_the_mean_of_five_sampling_lengths(void **state)
+{
+    static const double tall[] = {1, 7, 3, 2, 5};
+    (void)state;
+    for (size_t extra = 0; extra <= 300; extra += 300) { /* beside the five */
+        size_t n = 5 * 400 + extra;
+        double sum = 0, high = 0, low = 0;
+        ovr_profile_numbers r;
+        for (size_t i = 0; i < n; i++)
+            x[i] = (double)i, z[i] = 0;
+        for (size_t k = 0; k < 5; k++)
+            z[extra / 2 + 400 * k + 150] = tall[k];
+        z[0] += extra ? 50 : 0; /* outside: counts for nothing */
+        r = filtered(n, 400);
+        for (size_t k = 0; k < 5; k++) {
+            double top = -INFINITY, bottom = INFINITY;
+            for (size_t i = 0; i < 400; i++) {
+                top = fmax(top, z[extra / 2 + 400 * k + i]);
+                bottom = fmin(bottom, z[extra / 2 + 400 * k + i]);
+            }
+            sum += top - bottom;
+            high = fmax(high, top);
+            low = fmin(low, bottom);
+        }
+        assert_int_equal(r.kind, 'R');
+        assert_int_equal(r.sections, 5);
+        CHECK_CLOSE(r.z, sum / 5, 1e-12);
+        CHECK_CLOSE(r.p + r.v, r.z, 1e-12);
+        CHECK_CLOSE(r.t, high - low, 1e-12);
+    }
+    x[1200] = 1200;
+    assert_int_equal(filtered(1201, 400).sections, 3);
+    assert_int_equal(filtered(1201, 5000).sections, 1);
+}
+
+/* ISO 21920-3: five of the cut-off in the length. */
+static void cutoffs_follow_from_the_length(void **state)
+{
+    static const double mm[][2] = {{40, 8},     {39, 2.5},   {4.8, 0.8},
+                                   {4, 0.8},    {3.9, 0.25}, {1.25, 0.25},
+                                   {0.4, 0.08}, {1000, 8}};
+    (void)state;
+    for (size_t k = 0; k < sizeof mm / sizeof mm[0]; k++)
+        CHECK_CLOSE(ovr_profile_cutoff(1e-3 * mm[k][0]), 1e-3 * mm[k][1],
+                    1e-12);
+    assert_true(isnan(ovr_profile_cutoff(0.39e-3)));
 }
 
 static void waves_are_found(void **state)
@@ -342,6 +504,9 @@ int main(void)
         cmocka_unit_test(polynomials_are_taken_off),
         cmocka_unit_test(levelling_is_least_squares),
         cmocka_unit_test(ends_make_the_datum),
+        cmocka_unit_test(circles_are_taken_off),
+        cmocka_unit_test(circle_is_least_squares),
+        cmocka_unit_test(the_form_is_chosen),
         cmocka_unit_test(gaussian_transmits_as_the_standard_says),
         cmocka_unit_test(gaussian_keeps_lines_to_the_ends),
         cmocka_unit_test(gaps_are_bridged_and_limited),
@@ -350,6 +515,8 @@ int main(void)
         cmocka_unit_test(window_scale_and_direction),
         cmocka_unit_test(wrong_settings_are_named),
         cmocka_unit_test(statistics_of_a_cosine),
+        cmocka_unit_test(Rz_is_the_mean_of_five_sampling_lengths),
+        cmocka_unit_test(cutoffs_follow_from_the_length),
         cmocka_unit_test(waves_are_found),
         cmocka_unit_test(master_curve),
     };

@@ -80,6 +80,50 @@ static void headers_say_units(void **state)
     }
 }
 
+/* Names end where columns or separators go on. */
+static void headers_may_be_narrower_or_wider(void **state)
+{
+    static const char *const texts[] = {
+        "Lateral um,Raw Micrometer,\n0,1\n2,3\n",
+        "Lateral um,Raw Micrometer,\n0,1,\n2,3,\n",
+        "Lateral um,Raw Micrometer,\n0,1,,\n2,3,,\n",
+        "Lateral um,Raw Micrometer,\n0,1,9\n2,3,9\n",
+        "Lateral um,Raw Micrometer,,,\r\n0,1,9\r\n2,3,9\r\n",
+        "Lateral um,Raw Micrometer,,\n0;1\n2;3\n",
+        "Title,,\nLateral um,Raw Micrometer,\n,,\n0,1,,9\n2,3,,9\n"};
+    (void)state;
+    for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++) {
+        read_text(texts[k]);
+        check_point(1, 2e-6, 3e-6);
+        check_note("header: \"Raw Micrometer\"");
+    }
+}
+
+/* Each text, and all that must be said of it in one message. */
+static void all_that_is_missing_is_told_at_once(void **state)
+{
+    static const char *const cases[][6] = {
+        {"0,1\n2,3\n", "unit of x", "unit of z", "unit_x = um", "unit_z = um",
+         NULL},
+        {"1\n2\n3\n", "spacing = 0.5 um", "unit_z = um", NULL},
+        {"0,1,2\n3,4,5\n", "column_x = 1", "column_z = 2", "unit_x = um",
+         "unit_z = um", NULL},
+        {"x furlong,z [parsec]\n0,1\n2,3\n", "unknown unit 'furlong'",
+         "unknown unit 'parsec'", NULL},
+        {"unit_x = cubit\nunit_z = um\n0,1\n2,3\n", "unknown unit 'cubit' of x",
+         NULL}};
+    (void)state;
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        ovr_error err;
+        const char *text = cases[k][0];
+        ovr_profile *p = ovr_profile_parse(&source, text, strlen(text), NULL,
+                                           &err);
+        assert_null(p);
+        for (int i = 1; cases[k][i]; i++)
+            CHECK_ERROR(&err, OVR_BAD_INPUT, cases[k][i]);
+    }
+}
+
 static void one_unit_may_stand_for_both(void **state)
 {
     (void)state;
@@ -250,6 +294,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(headers_say_units),
+        TEST(headers_may_be_narrower_or_wider),
+        TEST(all_that_is_missing_is_told_at_once),
         TEST(one_unit_may_stand_for_both),
         TEST(units_of_the_caller_come_first),
         TEST(columns_are_found_and_chosen),

@@ -40,15 +40,15 @@ static void numbers_are_as_asked(void **state)
         form.correlation = 1;
         p = make(&form);
         CHECK_OK(ovr_profile_measure(p, &r, &err), &err);
-        CHECK_CLOSE(r.Rq, 0.3, 1e-9);
+        CHECK_CLOSE(r.q, 0.3, 1e-9);
         CHECK_NEAR(r.mean, 0, 1e-12);
         CHECK_CLOSE(r.length, 50, 1e-12);
         if (!isnan(form.skewness))
-            CHECK_NEAR(r.Rsk, form.skewness, 1e-8);
+            CHECK_NEAR(r.sk, form.skewness, 1e-8);
         if (!isnan(form.kurtosis))
-            CHECK_NEAR(r.Rku, form.kurtosis, 1e-7);
+            CHECK_NEAR(r.ku, form.kurtosis, 1e-7);
         if (isnan(form.skewness) && isnan(form.kurtosis))
-            CHECK_NEAR(r.Rku, 3, 1.5);
+            CHECK_NEAR(r.ku, 3, 1.5);
         ovr_profile_free(p);
     }
 }

@@ -1,0 +1,207 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/profile_args.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "surface/text.h"
+
+/* "12 um", "0.3 b", or a bare number, which only a profile in b may have. */
+typedef struct size {
+    double value;
+    enum { NOT_GIVEN, BARE, METRES, SCALED } unit;
+} size;
+
+static bool is_scaled_unit(const char *unit, bool is_height)
+{
+    if (!is_height)
+        return !strcmp(unit, "b");
+    return !strcmp(unit, "b^2/R") || !strcmp(unit, "b2/R");
+}
+
+static int take_size(const cli_call *call, const char *name, bool is_height,
+                     size *given)
+{
+    const char *text = cli_value(call, name);
+    size_t digits;
+    ovr_line unit;
+    double metres;
+    *given = (size){NAN, NOT_GIVEN};
+    if (!text)
+        return CLI_DONE;
+    digits = strspn(text, " +-0123456789.");
+    digits += strspn(text + digits, "eE")
+                  ? strspn(text + digits, "eE+-0123456789")
+                  : 0;
+    unit = ovr_trim((ovr_line){text + digits, strlen(text + digits), 0});
+    metres = ovr_length_unit(unit, true);
+    if (!ovr_number(ovr_trim((ovr_line){text, digits, 0}), false,
+                    &given->value))
+        return cli_usage(call,
+                         "--%s %s: a length with its unit is wanted, like "
+                         "'12 um'",
+                         name, text);
+    given->unit = !unit.size                             ? BARE
+                  : is_scaled_unit(unit.text, is_height) ? SCALED
+                                                         : METRES;
+    if (given->unit == METRES && !(metres > 0))
+        return cli_usage(call,
+                         "--%s %s: unknown unit '%s'; m, mm, um, nm, inch, "
+                         "..., or %s is wanted",
+                         name, text, ovr_quote(unit).text,
+                         is_height ? "b^2/R" : "b");
+    if (given->unit == METRES)
+        given->value *= metres;
+    return CLI_DONE;
+}
+
+static int no_unit(const cli_call *call, const char *name)
+{
+    const char *text = cli_value(call, name);
+    return cli_usage(call,
+                     "--%s %s: a unit is wanted, like '%s mm' or '%s um'; bare "
+                     "it would be of a profile in b",
+                     name, text, text, text);
+}
+
+/* In the unit of the profile; `unit` is how many metres its b (or b^2/R) has,
+ * 0: nobody knows. */
+static int resolve_size(const cli_call *call, const char *name, size given,
+                        bool scaled, double unit, double *value)
+{
+    if (given.unit == NOT_GIVEN)
+        return CLI_DONE;
+    if (given.unit == BARE && !scaled)
+        return no_unit(call, name);
+    *value = given.value;
+    if (given.unit == BARE || (given.unit == SCALED) == scaled)
+        return CLI_DONE;
+    if (!(unit > 0))
+        return cli_usage(call,
+                         "--%s %s: the profile is in %s; give it in that unit, "
+                         "or a physical --case",
+                         name, cli_value(call, name), scaled ? "b" : "metres");
+    *value = scaled ? given.value / unit : given.value * unit;
+    return CLI_DONE;
+}
+
+static int take_number(const cli_call *call, const char *name, double *value)
+{
+    const char *text = cli_value(call, name);
+    if (!text)
+        return CLI_DONE;
+    if (ovr_number((ovr_line){text, strlen(text), 0}, false, value))
+        return CLI_DONE;
+    return cli_usage(call, "--%s %s: a number is wanted", name, text);
+}
+
+static int take_whole(const cli_call *call, const char *name, int *value)
+{
+    double number = *value;
+    int code = take_number(call, name, &number);
+    if (code)
+        return code;
+    if (!(number >= 0 && number <= 1e9) || number != floor(number))
+        return cli_usage(call, "--%s %s: a whole number is wanted", name,
+                         cli_value(call, name));
+    *value = (int)number;
+    return CLI_DONE;
+}
+
+static int take_level(const cli_call *call, ovr_levelling *level)
+{
+    static const char *const words[] = {"none", "mean",   "line", "polynomial",
+                                        "ends", "circle", "auto"};
+    const char *text = cli_value(call, "level");
+    for (int k = 0; text && k < 7; k++)
+        if (strcmp(text, words[k]) == 0) {
+            *level = (ovr_levelling)k;
+            return CLI_DONE;
+        }
+    return text ? cli_usage(call,
+                            "--level %s: none, mean, line, polynomial, ends, "
+                            "circle or auto is wanted",
+                            text)
+                : CLI_DONE;
+}
+
+/* Its unit is that of x when bare: only b may be meant so. */
+static int take_spacing(const cli_call *call, ovr_profile_source *source)
+{
+    size given;
+    int code = take_size(call, "spacing", false, &given);
+    bool in_b = source->unit_x && !strcmp(source->unit_x, "b");
+    if (code || given.unit == NOT_GIVEN)
+        return code;
+    if (given.unit == BARE && !in_b)
+        return no_unit(call, "spacing");
+    source->spacing = given.value;
+    source->spacing_scaled = given.unit != METRES;
+    return CLI_DONE;
+}
+
+int profile_take_source(const cli_call *call, ovr_profile_source *source)
+{
+    int code;
+    *source = ovr_profile_source_default();
+    source->options = true;
+    source->file = call->argument[0];
+    source->unit_x = cli_value(call, "unit-x");
+    source->unit_z = cli_value(call, "unit-z");
+    code = take_spacing(call, source);
+    if (!code)
+        code = take_whole(call, "column-x", &source->column_x);
+    if (!code)
+        code = take_whole(call, "column-z", &source->column_z);
+    return code ? code : take_whole(call, "line", &source->line);
+}
+
+static int take_sizes(const cli_call *call, const ovr_profile_view *view,
+                      const ovr_contact *contact, ovr_conditioning *how)
+{
+    const double b = contact ? contact->b : 0;
+    const double height = contact ? contact->height : 0;
+    const struct {
+        const char *name;
+        bool is_height;
+        double *value;
+    } sizes[] = {{"from", false, &how->from},
+                 {"to", false, &how->to},
+                 {"lambda-c", false, &how->lambda_c},
+                 {"lambda-s", false, &how->lambda_s},
+                 {"max-gap", false, &how->max_gap},
+                 {"offset", true, &how->offset}};
+    int code = CLI_DONE;
+    for (size_t k = 0; !code && k < sizeof sizes / sizeof sizes[0]; k++) {
+        bool tall = sizes[k].is_height;
+        size given;
+        code = take_size(call, sizes[k].name, tall, &given);
+        if (!code)
+            code = resolve_size(call, sizes[k].name, given,
+                                tall ? view->scaled_z : view->scaled_x,
+                                tall ? height : b, sizes[k].value);
+    }
+    return code;
+}
+
+int profile_take_conditioning(const cli_call *call,
+                              const ovr_profile_view *view,
+                              const ovr_contact *contact, ovr_conditioning *how)
+{
+    int code;
+    *how = ovr_conditioning_default();
+    code = take_level(call, &how->level);
+    if (!code)
+        code = take_sizes(call, view, contact, how);
+    if (!code)
+        code = take_whole(call, "degree", &how->degree);
+    if (!code)
+        code = take_number(call, "outliers", &how->outliers);
+    if (!code)
+        code = take_number(call, "scale", &how->scale);
+    if (!code)
+        code = take_number(call, "max-missing", &how->max_missing);
+    how->invert = cli_flag(call, "invert");
+    how->reverse = cli_flag(call, "reverse");
+    return code;
+}

@@ -1,0 +1,256 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/profile_report.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "cli/json.h"
+#include "surface/profile.h"
+
+/* ------------------------------------------------------------------- text */
+
+/* The rows of both kinds: 'P' and 'R' go before the name. */
+typedef struct row {
+    const char *name, *meaning;
+    double value;
+} row;
+
+enum { HEIGHTS = 6 };
+
+static void heights(const ovr_profile_numbers *n, row rows[HEIGHTS])
+{
+    const row all[HEIGHTS] = {
+        {"a", "arithmetic mean height", n->a},
+        {"q", "root mean square height", n->q},
+        {"z", "highest peak to deepest valley", n->z},
+        {"p", "highest peak", n->p},
+        {"v", "deepest valley", n->v},
+        {"t", "highest peak to deepest valley of all sections", n->t}};
+    memcpy(rows, all, sizeof all);
+}
+
+static const char *along(const profile_report *r, double value)
+{
+    static ovr_piece turns[4];
+    static unsigned turn;
+    ovr_piece *piece = &turns[turn++ % 4];
+    *piece = ovr_along(r->profile, value);
+    return piece->text;
+}
+
+static const char *across(const profile_report *r, double value)
+{
+    static ovr_piece turns[4];
+    static unsigned turn;
+    ovr_piece *piece = &turns[turn++ % 4];
+    *piece = ovr_across(r->profile, value);
+    return piece->text;
+}
+
+static void print_points(const profile_report *r)
+{
+    const ovr_profile_view *v = r->view;
+    const ovr_profile_numbers *n = &r->numbers;
+    printf("points     %zu, from x = %s to %s\n", v->n, along(r, v->x[0]),
+           along(r, v->x[v->n - 1]));
+    printf("length     %s\n", along(r, n->length));
+    if (v->uniform)
+        printf("spacing    %s, equal\n", along(r, n->spacing));
+    else
+        printf("spacing    %s in the mean, from %s to %s\n",
+               along(r, n->spacing), along(r, n->spacing_least),
+               along(r, n->spacing_most));
+    printf("gaps       %zu heights missing, %zu filled\n", r->missing,
+           v->filled);
+}
+
+static void print_kind(const profile_report *r, const ovr_profile_numbers *n)
+{
+    const char kind = n->kind;
+    const char *mean = n->sections > 1 ? " of a section, mean" : "";
+    row rows[HEIGHTS];
+    heights(n, rows);
+    for (int k = 0; k < HEIGHTS; k++)
+        if (k < HEIGHTS - 1 || n->sections > 1)
+            printf("%c%-9s %-14s %s%s\n", kind, rows[k].name,
+                   across(r, rows[k].value), rows[k].meaning,
+                   k > 1 && k < HEIGHTS - 1 ? mean : "");
+    if (n->q > 0) {
+        printf("%csk        %-14.4g skewness\n", kind, n->sk);
+        printf("%cku        %-14.4g kurtosis (3: Gaussian)\n", kind, n->ku);
+    }
+    printf("%cdq        %-14.4g root mean square slope%s\n", kind, n->dq,
+           r->view->scaled_x ? ", (b^2/R)/b" : "");
+}
+
+static void print_sections(const profile_report *r)
+{
+    const ovr_profile_numbers *n = &r->filtered;
+    double lc = r->view->lambda_c;
+    printf("\nR-         after lambda_c = %s, ", along(r, lc));
+    if (lc > n->length + n->spacing)
+        printf("which is longer than the profile\n");
+    else
+        printf("%d section%s of %s%s\n", n->sections,
+               n->sections > 1 ? "s" : "", along(r, n->section),
+               n->sections < 5 ? "; five are usual" : "");
+}
+
+/* The cut-off to suggest, in metres; NAN: none, or no metres. */
+static double profile_cutoff(const profile_report *r)
+{
+    const ovr_profile_numbers *n = &r->numbers;
+    return r->view->scaled_x ? NAN : ovr_profile_cutoff(n->length + n->spacing);
+}
+
+static void print_suggestion(double metres)
+{
+    if (isnan(metres))
+        puts("\nR-         need a filter, --lambda-c; too short for one of "
+             "ISO 21920-3\n           (five times 80 um is the least)");
+    else
+        printf(
+            "\nR-         need a filter; ISO 21920-3 has --lambda-c '%s' for "
+            "this\n           length\n",
+            ovr_metres(metres).text);
+}
+
+/* P- parameters, and R- parameters or the cut-off that would give them. */
+static void print_heights(const profile_report *r)
+{
+    puts("\nP-         levelled, not filtered (ISO 21920-2)");
+    print_kind(r, &r->numbers);
+    if (r->filtered.kind) {
+        print_sections(r);
+        print_kind(r, &r->filtered);
+    } else {
+        print_suggestion(profile_cutoff(r));
+    }
+}
+
+static double in_b(const profile_report *r, double wavelength)
+{
+    return r->view->scaled_x ? wavelength : wavelength / r->contact->b;
+}
+
+static double reduction(const profile_report *r, double wavelength)
+{
+    return ovr_wave_reduction(r->contact->M, r->contact->L,
+                              in_b(r, wavelength));
+}
+
+static void print_waves(const profile_report *r)
+{
+    if (!r->waves) {
+        puts("\nwaves      none");
+        return;
+    }
+    printf("\nwaves      %-14s %-14s %-10s", "wavelength", "amplitude",
+           "variance");
+    if (r->contact)
+        printf(" %-12s %s", "wavelength/b", "amplitude in the contact");
+    putchar('\n');
+    for (size_t k = 0; k < r->waves; k++) {
+        const ovr_profile_wave *w = &r->wave[k];
+        printf("           %-14s %-14s %-4.1f %%    ", along(r, w->wavelength),
+               across(r, w->amplitude), 100 * w->part);
+        if (r->contact)
+            printf(" %-12.4g %s (x %.3g)", in_b(r, w->wavelength),
+                   across(r, w->amplitude * reduction(r, w->wavelength)),
+                   reduction(r, w->wavelength));
+        putchar('\n');
+    }
+}
+
+void profile_print_text(const profile_report *r)
+{
+    const char *note = r->view->notes;
+    printf("file       %s\nformat     %s\n", r->file, r->view->format);
+    while (*note) {
+        int size = (int)strcspn(note, "\n");
+        printf("%-10s %.*s\n", note == r->view->notes ? "understood" : "", size,
+               note);
+        note += size + (note[size] != 0);
+    }
+    print_points(r);
+    print_heights(r);
+    print_waves(r);
+}
+
+/* ------------------------------------------------------------------- JSON */
+
+static void put(json_writer *json, const profile_report *r, const char *name,
+                double value, bool is_height)
+{
+    char key[64];
+    bool scaled = is_height ? r->view->scaled_z : r->view->scaled_x;
+    snprintf(key, sizeof key, "%s%s", name, scaled ? "" : "_m");
+    json_number(json, key, value);
+}
+
+static void put_kind(json_writer *json, const profile_report *r, char kind,
+                     const ovr_profile_numbers *n)
+{
+    static const ovr_profile_numbers none = {.a = NAN,
+                                             .q = NAN,
+                                             .z = NAN,
+                                             .p = NAN,
+                                             .v = NAN,
+                                             .t = NAN,
+                                             .sk = NAN,
+                                             .ku = NAN,
+                                             .dq = NAN};
+    row rows[HEIGHTS];
+    char name[8];
+    n = n->kind ? n : &none;
+    heights(n, rows);
+    for (size_t k = 0; k < HEIGHTS; k++) {
+        snprintf(name, sizeof name, "%c%s", kind, rows[k].name);
+        put(json, r, name, rows[k].value, true);
+    }
+    json_number(json, kind == 'P' ? "Psk" : "Rsk", n->sk);
+    json_number(json, kind == 'P' ? "Pku" : "Rku", n->ku);
+    json_number(json, kind == 'P' ? "Pdq" : "Rdq", n->dq);
+}
+
+static void put_waves(json_writer *json, const profile_report *r)
+{
+    json_open_array(json, "waves");
+    for (size_t k = 0; k < r->waves; k++) {
+        const ovr_profile_wave *w = &r->wave[k];
+        json_open(json, NULL);
+        put(json, r, "wavelength", w->wavelength, false);
+        put(json, r, "amplitude", w->amplitude, true);
+        json_number(json, "part_of_variance", w->part);
+        if (r->contact) {
+            json_number(json, "wavelength_over_b", in_b(r, w->wavelength));
+            json_number(json, "amplitude_ratio", reduction(r, w->wavelength));
+        }
+        json_close(json);
+    }
+    json_close_array(json);
+}
+
+void profile_print_json(const profile_report *r)
+{
+    const ovr_profile_numbers *n = &r->numbers;
+    json_writer json = json_begin(stdout);
+    json_text(&json, "file", r->file);
+    json_text(&json, "format", r->view->format);
+    json_text(&json, "understood", r->view->notes);
+    json_integer(&json, "points", (long long)n->n);
+    json_integer(&json, "missing", (long long)r->missing);
+    json_integer(&json, "filled", (long long)r->view->filled);
+    json_flag(&json, "uniform", r->view->uniform);
+    put(&json, r, "length", n->length, false);
+    put(&json, r, "spacing", n->spacing, false);
+    put(&json, r, "spacing_least", n->spacing_least, false);
+    put(&json, r, "spacing_most", n->spacing_most, false);
+    put(&json, r, "lambda_c", r->view->lambda_c, false);
+    json_number(&json, "lambda_c_suggested_m", profile_cutoff(r));
+    json_integer(&json, "sections", r->filtered.sections);
+    put_kind(&json, r, 'P', &r->numbers);
+    put_kind(&json, r, 'R', &r->filtered);
+    put_waves(&json, r);
+    json_end(&json);
+}

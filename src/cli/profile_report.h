@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What `overroll profile` prints. */
+#ifndef OVR_CLI_PROFILE_REPORT_H
+#define OVR_CLI_PROFILE_REPORT_H
+
+#include "overroll/overroll.h"
+
+enum { PROFILE_WAVES = 5 };
+
+typedef struct profile_report {
+    const char *file;
+    ovr_profile *profile;
+    const ovr_profile_view *view;
+    ovr_profile_numbers numbers;  /* before lambda_c */
+    ovr_profile_numbers filtered; /* after it; kind 0: there is none */
+    ovr_profile_wave wave[PROFILE_WAVES];
+    size_t waves;
+    size_t missing;             /* heights, as read */
+    const ovr_contact *contact; /* of --case, or NULL */
+} profile_report;
+
+void profile_print_text(const profile_report *report);
+void profile_print_json(const profile_report *report);
+
+#endif

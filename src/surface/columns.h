@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Which columns of a text hold x and z, and in which units. */
+#ifndef OVR_SURFACE_COLUMNS_H
+#define OVR_SURFACE_COLUMNS_H
+
+#include "surface/fields.h"
+
+typedef struct ovr_text_table {
+    ovr_profile *profile;
+    const ovr_profile_source *source;
+    ovr_bytes content; /* decoded */
+    ovr_lines data;    /* at the first row */
+    ovr_layout layout;
+    ovr_header header;
+    int x, z;       /* columns from 0; x = -1: spacing, or not known */
+    double counted; /* a count line's number; NAN: none */
+    long *number;   /* line of each point */
+} ovr_text_table;
+
+/* By name, by place, by the caller: sets x and z. */
+ovr_status ovr_find_columns(ovr_text_table *table, ovr_error *err);
+
+/* All that nobody says, in one error that says what to give: columns,
+ * spacing, units. */
+ovr_status ovr_check_all_said(const ovr_text_table *table, ovr_error *err);
+
+/* The unit of axis 'x' or 'z', which is known: the caller's, else the
+ * header's; the notes say which. */
+void ovr_find_unit(ovr_text_table *table, char axis, const char *asked,
+                   double *metres, bool *scaled);
+
+#endif

@@ -1,0 +1,279 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The form taken off a profile: mean, line, polynomial, circle, or the one
+ * that the profile asks for.
+ *
+ * Circle.  Its sine of slope is linear, sin = S + K x, x from the middle of
+ * the trace, so that its height is, without a division by the curvature K,
+ *
+ *     z(x) = h + x (2S + K x)/(c_0 + c),  c = sqrt(1 - (S + K x)^2),
+ *
+ * c_0 = c(0): a line at K = 0, hollow for K > 0, radius 1/|K|.  Of least
+ * squares in height by Gauss and Newton, from h = S = K = 0, where the first
+ * step is the parabola of least squares, with (q = S (2S + K x)/(c_0 + c)
+ * + c_0)
+ *
+ *     dz/dS = x q/(c c_0),  dz/dK = x^2 q^2/((1 + S (S + K x) + c c_0) c).
+ *
+ * Where heights and lengths have units of their own (eta and ell metres), the
+ * same holds with the sine e (S + K x), e = eta/ell; e = 0, the parabola, is
+ * what is left where only b and b^2/R are known.
+ *
+ * Auto goes from the simple to the less simple and takes the next form where
+ * it leaves less than a quarter of the variance.
+ */
+#include "surface/form.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "surface/condition.h"
+
+/* ----------------------------------------------------------------- circle */
+
+typedef struct circle {
+    double h, S, K;
+    double middle; /* x = 0 is there */
+    double e;
+} circle;
+
+/* Height at x, and its slopes by h, S and K; false: beyond the circle. */
+static bool on_circle(const circle *o, double x, double *z, double by[3])
+{
+    double s = o->e * (o->S + o->K * x), s0 = o->e * o->S;
+    double c = sqrt(1 - s * s), c0 = sqrt(1 - s0 * s0), q;
+    if (!(c > 0.05 && c0 > 0.05)) /* steeper than 87 degrees */
+        return false;
+    q = s0 * (s + s0) / (c0 + c) + c0;
+    *z = o->h + x * (2 * o->S + o->K * x) / (c0 + c);
+    by[0] = 1;
+    by[1] = x * q / (c * c0);
+    by[2] = x * x * q * q / ((1 + s0 * s + c * c0) * c);
+    return true;
+}
+
+/* Sum of squares left by the circle, and the normal equations of the next
+ * step; INFINITY: it does not reach over the trace. */
+static double normal(const circle *o, size_t n, const double *x,
+                     const double *z, double A[3][3], double g[3])
+{
+    double sum = 0;
+    memset(A, 0, 9 * sizeof(double));
+    memset(g, 0, 3 * sizeof(double));
+    for (size_t i = 0; i < n; i++) {
+        double w = ovr_share(n, x, i), at, by[3], r;
+        if (!on_circle(o, x[i] - o->middle, &at, by))
+            return INFINITY;
+        r = z[i] - at;
+        sum += w * r * r;
+        for (int j = 0; j < 3; j++) {
+            g[j] += w * by[j] * r;
+            for (int k = 0; k < 3; k++)
+                A[j][k] += w * by[j] * by[k];
+        }
+    }
+    return sum;
+}
+
+/* Solves A d = g, A symmetric and positive definite, by elimination. */
+static bool solve(double A[3][3], const double g[3], double d[3])
+{
+    for (int k = 0; k < 3; k++)
+        d[k] = g[k];
+    for (int k = 0; k < 3; k++) {
+        if (!(A[k][k] > 0))
+            return false;
+        for (int i = k + 1; i < 3; i++) {
+            double f = A[i][k] / A[k][k];
+            for (int j = k; j < 3; j++)
+                A[i][j] -= f * A[k][j];
+            d[i] -= f * d[k];
+        }
+    }
+    for (int k = 2; k >= 0; k--) {
+        for (int j = k + 1; j < 3; j++)
+            d[k] -= A[k][j] * d[j];
+        d[k] /= A[k][k];
+    }
+    return isfinite(d[0]) && isfinite(d[1]) && isfinite(d[2]);
+}
+
+static circle moved(const circle *o, const double d[3], double by)
+{
+    circle next = *o;
+    next.h += by * d[0];
+    next.S += by * d[1];
+    next.K += by * d[2];
+    return next;
+}
+
+/* One step, halved until it leaves less; false: no step does. */
+static bool improve(circle *o, size_t n, const double *x, const double *z,
+                    double *left)
+{
+    double A[3][3], g[3], d[3], unused[3][3], aside[3];
+    normal(o, n, x, z, A, g);
+    if (!solve(A, g, d))
+        return false;
+    for (double by = 1; by > 1e-3; by /= 2) {
+        circle next = moved(o, d, by);
+        double sum = normal(&next, n, x, z, unused, aside);
+        if (sum < *left) {
+            bool gained = *left - sum > 1e-14 * *left;
+            *o = next;
+            *left = sum;
+            return gained;
+        }
+    }
+    return false;
+}
+
+static circle fit_circle(size_t n, const double *x, const double *z, double e)
+{
+    circle o = {0, 0, 0, (x[0] + x[n - 1]) / 2, e};
+    double A[3][3], g[3], left = normal(&o, n, x, z, A, g);
+    for (int step = 0; step < 100 && improve(&o, n, x, z, &left);)
+        step++;
+    return o;
+}
+
+static void subtract_circle(const circle *o, size_t n, const double *x,
+                            double *z)
+{
+    double at, by[3];
+    for (size_t i = 0; i < n; i++)
+        if (on_circle(o, x[i] - o->middle, &at, by))
+            z[i] -= at;
+}
+
+/* -------------------------------------------------------------- the forms */
+
+/* Metres of height over metres of length of the profile's units. */
+static double ratio(const ovr_profile *p)
+{
+    double along = p->view.scaled_x ? p->b : 1;
+    double across = p->view.scaled_z ? p->height : 1;
+    return along > 0 && across > 0 ? across / along : 0;
+}
+
+/* "circle of radius 12.7 mm, a crown": R = ell/(e K), in R where only b and
+ * b^2/R are known. */
+static void name_circle(const ovr_profile *p, const circle *o, char *text,
+                        size_t room)
+{
+    const char *shape = o->K > 0 ? "a hollow" : "a crown";
+    double along = p->view.scaled_x ? p->b : 1;
+    if (o->e > 0)
+        snprintf(text, room, "circle of radius %s, %s,",
+                 ovr_metres(along / fabs(o->e * o->K)).text, shape);
+    else
+        snprintf(text, room, "circle of radius %.4g R, %s,", 1 / fabs(o->K),
+                 shape);
+}
+
+enum { CIRCLE = -1 };
+
+/* Subtracts a polynomial of the degree, or the circle; `text` names it. */
+static void take(const ovr_profile *p, int degree, size_t n, double *z,
+                 double *work, char *text, size_t room)
+{
+    if (degree == CIRCLE) {
+        circle o = fit_circle(n, p->x, z, ratio(p));
+        subtract_circle(&o, n, p->x, z);
+        name_circle(p, &o, text, room);
+        return;
+    }
+    ovr_level(n, p->x, z, degree, work);
+    if (degree < 2)
+        snprintf(text, room, "%s", degree ? "line" : "mean");
+    else
+        snprintf(text, room, "polynomial of degree %d", degree);
+}
+
+static double root_mean_square(size_t n, const double *x, const double *z)
+{
+    double sum = 0, mean = 0, length = x[n - 1] - x[0];
+    for (size_t i = 0; i < n; i++)
+        mean += z[i] * ovr_share(n, x, i) / length;
+    for (size_t i = 0; i < n; i++)
+        sum += (z[i] - mean) * (z[i] - mean) * ovr_share(n, x, i) / length;
+    return sqrt(sum);
+}
+
+/* `work` holds 3 n, `kept` and `tried` n each. */
+static void take_auto(ovr_profile *p, size_t n, double *work, double *kept,
+                      double *tried, double dust)
+{
+    static const int degrees[] = {CIRCLE, 4, 6};
+    char best[80], other[80];
+    double line, left;
+    memcpy(kept, p->z, n * sizeof *kept);
+    take(p, 1, n, p->z, work, best, sizeof best);
+    line = left = root_mean_square(n, p->x, p->z);
+    for (size_t k = 0; k < 3 && left > dust; k++) {
+        double now;
+        memcpy(tried, kept, n * sizeof *tried);
+        take(p, degrees[k], n, tried, work, other, sizeof other);
+        now = root_mean_square(n, p->x, tried);
+        if (!(now < left / 2))
+            continue;
+        left = now;
+        memcpy(p->z, tried, n * sizeof *tried);
+        memcpy(best, other, sizeof best);
+    }
+    ovr_profile_note(p,
+                     "levelled (auto): %s subtracted; it leaves Pq %s, a "
+                     "line %s",
+                     best, ovr_across(p, left).text, ovr_across(p, line).text);
+}
+
+static double largest(size_t n, const double *z)
+{
+    double most = 0;
+    for (size_t i = 0; i < n; i++)
+        most = fmax(most, fabs(z[i]));
+    return most;
+}
+
+static ovr_status choose(ovr_profile *p, size_t n, double *work, double dust,
+                         ovr_error *err)
+{
+    double *kept = ovr_arena_take(&p->arena, n, 2 * sizeof *kept, err);
+    if (!kept)
+        return OVR_NO_MEMORY;
+    take_auto(p, n, work, kept, kept + n, dust);
+    return OVR_OK;
+}
+
+static void take_one(ovr_profile *p, const ovr_conditioning *how, size_t n,
+                     double *work)
+{
+    int degree = how->level == OVR_LEVEL_MEAN     ? 0
+                 : how->level == OVR_LEVEL_LINE   ? 1
+                 : how->level == OVR_LEVEL_CIRCLE ? CIRCLE
+                                                  : how->degree;
+    char text[80];
+    take(p, degree, n, p->z, work, text, sizeof text);
+    ovr_profile_note(p, "levelled: %s subtracted", text);
+}
+
+ovr_status ovr_take_form(ovr_profile *p, const ovr_conditioning *how, size_t n,
+                         double *work, ovr_error *err)
+{
+    double dust = 1e-14 * largest(n, p->z); /* rounding, no roughness */
+    ovr_status status = OVR_OK;
+    if (how->level == OVR_LEVEL_NONE)
+        return OVR_OK;
+    if (how->level == OVR_LEVEL_ENDS) {
+        ovr_level_ends(n, p->x, p->z);
+        ovr_profile_note(p, "levelled: line through its ends subtracted");
+    } else if (how->level == OVR_LEVEL_AUTO) {
+        status = choose(p, n, work, dust, err);
+    } else {
+        take_one(p, how, n, work);
+    }
+    if (!status && largest(n, p->z) < dust)
+        memset(p->z, 0, n * sizeof *p->z);
+    return status;
+}
