@@ -30,7 +30,7 @@ ovr_frames_options ovr_frames_options_default(void)
 typedef struct studio {
     const ovr_frames_options *o;
     ovr_arena *arena;
-    ovr_run *runs;
+    ovr_stored *runs;
     ovr_shot *shots;
     size_t count;       /* results */
     size_t *which, n;   /* snapshots of the first result to be drawn */
@@ -50,7 +50,7 @@ typedef struct studio {
 
 static ovr_status choose_frames(studio *s, ovr_error *err)
 {
-    const ovr_run *run = s->runs;
+    const ovr_stored *run = s->runs;
     const ovr_picture_options *look = &s->o->look;
     size_t every = s->o->every ? s->o->every : 1;
     s->which = ovr_arena_take(s->arena, run->info->snapshots, sizeof *s->which,
@@ -72,7 +72,7 @@ static ovr_status read_frame(studio *s, size_t i, ovr_error *err)
     double T = s->runs->times[s->which[i]];
     ovr_status status = ovr_shot_read(&s->shots[0], s->which[i], err);
     for (size_t j = 1; status == OVR_OK && j < s->count; j++)
-        status = ovr_shot_read(&s->shots[j], ovr_run_nearest(&s->runs[j], T),
+        status = ovr_shot_read(&s->shots[j], ovr_stored_nearest(&s->runs[j], T),
                                err);
     return status;
 }
@@ -323,8 +323,8 @@ static ovr_status prepare(studio *s, ovr_result *const *results, ovr_error *err)
     if (status == OVR_OK && (!s->runs || !s->shots || !s->chart))
         status = OVR_NO_MEMORY;
     for (size_t j = 0; status == OVR_OK && j < s->count; j++) {
-        status = ovr_run_make(&s->runs[j], results[j], names ? names[j] : NULL,
-                              s->arena, err);
+        status = ovr_stored_make(&s->runs[j], results[j],
+                                 names ? names[j] : NULL, s->arena, err);
         if (status == OVR_OK)
             status = ovr_shot_make(&s->shots[j], &s->runs[j], s->arena, err);
     }

@@ -25,7 +25,7 @@ static double largest(const double *values, size_t n)
 static ovr_status time_axis(const ovr_sitting *s, ovr_panel *panel,
                             ovr_axis *axis, ovr_error *err)
 {
-    const ovr_run *run = s->runs;
+    const ovr_stored *run = s->runs;
     const ovr_picture_options *o = s->options;
     double end = run->times[run->info->snapshots - 1];
     double from = isnan(o->T_from) ? run->times[0] : o->T_from;
@@ -55,10 +55,10 @@ static ovr_status add_columns(const ovr_sitting *s, const column *columns,
     if (!series)
         return OVR_NO_MEMORY;
     for (size_t k = 0; k < count * s->count; k++) {
-        const ovr_run *run = &s->runs[k % s->count];
+        const ovr_stored *run = &s->runs[k % s->count];
         const column *c = &columns[k / s->count];
-        double *T = ovr_run_history(run, "time", s->arena, err);
-        double *v = T ? ovr_run_history(run, c->name, s->arena, err) : NULL;
+        double *T = ovr_stored_history(run, "time", s->arena, err);
+        double *v = T ? ovr_stored_history(run, c->name, s->arena, err) : NULL;
         if (!v)
             return err ? err->status : OVR_IO;
         high = fmax(high, largest(v, run->info->steps));
@@ -126,7 +126,7 @@ ovr_status ovr_draw_history(const ovr_sitting *s, ovr_chart *chart,
 /* ------------------------------------------------------------------ trace */
 
 /* Linear between the two nodes about X = 0. */
-static double at_centre(const ovr_run *run, const double *values)
+static double at_centre(const ovr_stored *run, const double *values)
 {
     size_t i = 0, n = run->info->nodes;
     double part;
@@ -141,7 +141,7 @@ static double at_centre(const ovr_run *run, const double *values)
 static ovr_status roughness_there(const ovr_sitting *s, double *S,
                                   ovr_error *err)
 {
-    const ovr_run *run = s->runs;
+    const ovr_stored *run = s->runs;
     ovr_shot shot;
     ovr_status status = ovr_shot_make(&shot, run, s->arena, err);
     shot.P = shot.H = NULL; /* not needed: not read */
@@ -156,7 +156,7 @@ static ovr_status roughness_there(const ovr_sitting *s, double *S,
 static ovr_status add_roughness(const ovr_sitting *s, const ovr_panel *film,
                                 ovr_panel *panel, ovr_error *err)
 {
-    const ovr_run *run = s->runs;
+    const ovr_stored *run = s->runs;
     double *S = ovr_arena_take(s->arena, run->info->snapshots, sizeof *S, err);
     ovr_series *series = ovr_arena_take(s->arena, 1, sizeof *series, err);
     ovr_status status = S && series ? roughness_there(s, S, err)

@@ -22,7 +22,7 @@ static double centre_of(const ovr_shot *shot)
 }
 
 /* Spread over the run, when nothing better is known. */
-static void choose_evenly(const ovr_run *run, size_t *chosen)
+static void choose_evenly(const ovr_stored *run, size_t *chosen)
 {
     size_t last = run->info->snapshots - 1;
     for (size_t k = 0; k < CHOSEN; k++)
@@ -31,7 +31,7 @@ static void choose_evenly(const ovr_run *run, size_t *chosen)
 
 /* The snapshots in which what is on the surface stands ahead of the contact,
  * in it twice, and at its exit; evenly when there is no such passage. */
-static ovr_status choose_passage(const ovr_run *run, ovr_shot *shot,
+static ovr_status choose_passage(const ovr_stored *run, ovr_shot *shot,
                                  size_t *chosen, ovr_error *err)
 {
     static const double wanted[CHOSEN] = {-1.1, -0.5, 0.15, 0.8};
@@ -59,7 +59,7 @@ static ovr_status choose_passage(const ovr_run *run, ovr_shot *shot,
 static ovr_status choose(const ovr_sitting *s, double *times, size_t *count,
                          ovr_error *err)
 {
-    const ovr_run *run = s->runs;
+    const ovr_stored *run = s->runs;
     size_t chosen[CHOSEN];
     ovr_shot shot;
     ovr_status status = ovr_shot_make(&shot, run, s->arena, err);
@@ -77,11 +77,11 @@ static ovr_status read_shots(const ovr_sitting *s, const double *times,
 {
     ovr_status status = OVR_OK;
     for (size_t k = 0; status == OVR_OK && k < count * s->count; k++) {
-        const ovr_run *run = &s->runs[k % s->count];
+        const ovr_stored *run = &s->runs[k % s->count];
         status = ovr_shot_make(&shots[k], run, s->arena, err);
         if (status == OVR_OK)
             status = ovr_shot_read(
-                &shots[k], ovr_run_nearest(run, times[k / s->count]), err);
+                &shots[k], ovr_stored_nearest(run, times[k / s->count]), err);
         if (status == OVR_OK)
             ovr_extent_add(extent, &shots[k]);
     }

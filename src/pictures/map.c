@@ -13,7 +13,7 @@
 enum { CELLS_X = 700, CELLS_T = 450 };
 
 typedef struct map {
-    const ovr_run *run;
+    const ovr_stored *run;
     const char *field;
     double x_from, x_to, T_from, T_to;
     double *values; /* CELLS_T rows of CELLS_X */
@@ -167,7 +167,7 @@ static bool known_field(const char *field)
 ovr_status ovr_draw_map(const ovr_sitting *s, ovr_chart *chart, ovr_error *err)
 {
     const ovr_picture_options *o = s->options;
-    const ovr_run *run = s->runs;
+    const ovr_stored *run = s->runs;
     ovr_extent e = ovr_extent_make(o->x_from, o->x_to, run, 1);
     map m = {.run = run, .field = o->field ? o->field : "film_thickness"};
     ovr_panel *panel = ovr_arena_take(s->arena, 1, sizeof *panel, err);

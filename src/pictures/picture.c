@@ -137,13 +137,13 @@ static ovr_status draw(const ovr_sitting *s, ovr_error *err)
 }
 
 static ovr_status open_runs(ovr_result *const *results, size_t count,
-                            const ovr_picture_options *o, ovr_run *runs,
+                            const ovr_picture_options *o, ovr_stored *runs,
                             ovr_arena *arena, ovr_error *err)
 {
     ovr_status status = OVR_OK;
     for (size_t k = 0; status == OVR_OK && k < count; k++)
-        status = ovr_run_make(&runs[k], results[k],
-                              o->names ? o->names[k] : NULL, arena, err);
+        status = ovr_stored_make(&runs[k], results[k],
+                                 o->names ? o->names[k] : NULL, arena, err);
     return status;
 }
 
@@ -153,7 +153,7 @@ ovr_status ovr_picture(ovr_result *const *results, size_t count,
 {
     locale_t before = ovr_plain_begin();
     ovr_arena arena = ovr_arena_make(allocator);
-    ovr_run *runs = ovr_arena_take(&arena, count, sizeof *runs, err);
+    ovr_stored *runs = ovr_arena_take(&arena, count, sizeof *runs, err);
     ovr_sitting sitting = {o, runs, count, &arena};
     ovr_status status = runs ? ovr_may_create(o->path, o->force, err)
                              : OVR_NO_MEMORY;

@@ -10,7 +10,7 @@
 
 typedef struct ovr_sitting {
     const ovr_picture_options *options;
-    const ovr_run *runs;
+    const ovr_stored *runs;
     size_t count;
     ovr_arena *arena;
 } ovr_sitting;

@@ -13,12 +13,12 @@ static bool has_field(ovr_result *result, const char *name)
     return false;
 }
 
-ovr_status ovr_run_make(ovr_run *run, ovr_result *result, const char *name,
-                        ovr_arena *arena, ovr_error *err)
+ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
+                           const char *name, ovr_arena *arena, ovr_error *err)
 {
     const ovr_result_info *info = ovr_result_about(result);
     ovr_status status;
-    *run = (ovr_run){.result = result, .info = info};
+    *run = (ovr_stored){.result = result, .info = info};
     run->name = name ? name : info->title;
     if (info->snapshots == 0)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: holds no snapshot yet",
@@ -37,8 +37,8 @@ ovr_status ovr_run_make(ovr_run *run, ovr_result *result, const char *name,
     return status;
 }
 
-ovr_status ovr_shot_make(ovr_shot *shot, const ovr_run *run, ovr_arena *arena,
-                         ovr_error *err)
+ovr_status ovr_shot_make(ovr_shot *shot, const ovr_stored *run,
+                         ovr_arena *arena, ovr_error *err)
 {
     size_t n = run->info->nodes;
     double *block = ovr_arena_take(arena, 3 * n, sizeof *block, err);
@@ -73,7 +73,7 @@ ovr_status ovr_shot_read(ovr_shot *shot, size_t k, ovr_error *err)
     return status;
 }
 
-size_t ovr_run_nearest(const ovr_run *run, double T)
+size_t ovr_stored_nearest(const ovr_stored *run, double T)
 {
     size_t best = 0;
     for (size_t k = 1; k < run->info->snapshots; k++)
@@ -82,8 +82,8 @@ size_t ovr_run_nearest(const ovr_run *run, double T)
     return best;
 }
 
-double *ovr_run_history(const ovr_run *run, const char *name, ovr_arena *arena,
-                        ovr_error *err)
+double *ovr_stored_history(const ovr_stored *run, const char *name,
+                           ovr_arena *arena, ovr_error *err)
 {
     double *values = ovr_arena_take(arena, run->info->steps, sizeof *values,
                                     err);
@@ -95,7 +95,7 @@ double *ovr_run_history(const ovr_run *run, const char *name, ovr_arena *arena,
 
 /* ----------------------------------------------------------------- extent */
 
-ovr_extent ovr_extent_make(double x_from, double x_to, const ovr_run *runs,
+ovr_extent ovr_extent_make(double x_from, double x_to, const ovr_stored *runs,
                            size_t count)
 {
     ovr_extent e = {.x_from = INFINITY, .x_to = -INFINITY};
@@ -110,7 +110,7 @@ ovr_extent ovr_extent_make(double x_from, double x_to, const ovr_run *runs,
     return e;
 }
 
-void ovr_extent_nodes(const ovr_extent *e, const ovr_run *run, size_t *a,
+void ovr_extent_nodes(const ovr_extent *e, const ovr_stored *run, size_t *a,
                       size_t *b)
 {
     size_t n = run->info->nodes;

@@ -16,7 +16,7 @@ static void make_hertz(ovr_look *look)
     }
 }
 
-static void make_heading(ovr_look *look, const ovr_run *run)
+static void make_heading(ovr_look *look, const ovr_stored *run)
 {
     const ovr_result_info *i = run->info;
     int used = snprintf(look->heading, sizeof look->heading,
@@ -27,7 +27,7 @@ static void make_heading(ovr_look *look, const ovr_run *run)
 }
 
 ovr_status ovr_look_make(ovr_look *look, const ovr_picture_options *o,
-                         const ovr_extent *e, const ovr_run *run,
+                         const ovr_extent *e, const ovr_stored *run,
                          ovr_error *err)
 {
     double reach = fmax(fabs(e->x_from), fabs(e->x_to));

@@ -26,7 +26,7 @@ typedef struct ovr_look {
 
 /* From an extent that has seen all shots to be drawn. */
 ovr_status ovr_look_make(ovr_look *look, const ovr_picture_options *options,
-                         const ovr_extent *extent, const ovr_run *run,
+                         const ovr_extent *extent, const ovr_stored *run,
                          ovr_error *err);
 
 /* Memory of a chart of up to OVR_SHOTS shots. */

@@ -28,7 +28,7 @@ ovr_view_options ovr_view_options_default(void)
 typedef struct writer {
     ovr_text *to;
     ovr_arena *arena;
-    const ovr_run *run;
+    const ovr_stored *run;
     size_t stride, every, nodes, shots; /* what is left of the run */
 } writer;
 
@@ -189,7 +189,7 @@ static ovr_status put_history(writer *w, ovr_error *err)
     size_t n = w->run->info->steps, bucket = n / MOST_STEPS + 1;
     ovr_text_put(w->to, "\"history\":{");
     for (int k = 0; n > 0 && k < 4; k++) {
-        double *v = ovr_run_history(w->run, columns[k].name, w->arena, err);
+        double *v = ovr_stored_history(w->run, columns[k].name, w->arena, err);
         if (!v)
             return err->status;
         put_doubles(w, columns[k].key, v, thin(v, n, bucket, columns[k].keep));
@@ -202,7 +202,7 @@ static ovr_status put_history(writer *w, ovr_error *err)
 
 static ovr_status put_axes(writer *w, ovr_units units, ovr_error *err)
 {
-    const ovr_run *run = w->run;
+    const ovr_stored *run = w->run;
     const struct {
         char kind;
         double largest;
@@ -289,7 +289,7 @@ static ovr_status put_run(writer *w, ovr_error *err)
     return status;
 }
 
-static ovr_status put_data(ovr_text *to, const ovr_run *runs, size_t count,
+static ovr_status put_data(ovr_text *to, const ovr_stored *runs, size_t count,
                            ovr_arena *arena, ovr_error *err)
 {
     writer w = {to, arena, NULL, 1, 1, 0, 0};
@@ -364,13 +364,13 @@ static ovr_status view(ovr_result *const *results, size_t count,
                        const ovr_view_options *o, ovr_arena *arena,
                        ovr_error *err)
 {
-    ovr_run *runs = ovr_arena_take(arena, count, sizeof *runs, err);
+    ovr_stored *runs = ovr_arena_take(arena, count, sizeof *runs, err);
     ovr_text data = ovr_text_make(arena), page = ovr_text_make(arena);
     ovr_status status = runs ? ovr_may_create(o->path, o->force, err)
                              : OVR_NO_MEMORY;
     for (size_t k = 0; status == OVR_OK && k < count; k++)
-        status = ovr_run_make(&runs[k], results[k],
-                              o->names ? o->names[k] : NULL, arena, err);
+        status = ovr_stored_make(&runs[k], results[k],
+                                 o->names ? o->names[k] : NULL, arena, err);
     if (status == OVR_OK)
         status = put_data(&data, runs, count, arena, err);
     if (status == OVR_OK)
