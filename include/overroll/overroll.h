@@ -10,6 +10,7 @@
 #include "overroll/pictures.h"
 #include "overroll/profile.h"
 #include "overroll/results.h"
+#include "overroll/run.h"
 #include "overroll/simulation.h"
 #include "overroll/surface.h"
 #include "overroll/version.h"

@@ -15,6 +15,24 @@ typedef struct estimate {
     double nodes, mesh, steps, seconds, bytes;
 } estimate;
 
+/* What there is to warn of. */
+typedef struct heard {
+    const cli_call *call;
+    int warnings;
+    char warning[OVR_RUN_WARNINGS][OVR_RUN_WARNING_SIZE];
+} heard;
+
+static void hear(void *data, ovr_say kind, const char *text)
+{
+    heard *said = data;
+    (void)kind;
+    if (said->warnings == OVR_RUN_WARNINGS)
+        return;
+    snprintf(said->warning[said->warnings++], OVR_RUN_WARNING_SIZE, "%s", text);
+    if (said->call->verbosity >= 0)
+        fprintf(stderr, "overroll: warning: %s\n", text);
+}
+
 static estimate estimate_cost(const ovr_setup *setup)
 {
     const ovr_march *march = &setup->march;
@@ -176,7 +194,7 @@ static void json_parameters(json_writer *json, const ovr_case *c)
 }
 
 static void report_json(const ovr_case *c, const ovr_setup *setup,
-                        const cli_summary *summary, const estimate *cost)
+                        const heard *said, const estimate *cost)
 {
     const ovr_contact *contact = &setup->contact;
     const ovr_options *options = &setup->options;
@@ -203,19 +221,19 @@ static void report_json(const ovr_case *c, const ovr_setup *setup,
     json_number(&json, "memory_bytes", cost->bytes);
     json_number(&json, "estimated_seconds", cost->seconds);
     json_open_array(&json, "warnings");
-    for (int i = 0; i < summary->warnings; i++)
-        json_text(&json, NULL, summary->warning[i]);
+    for (int i = 0; i < said->warnings; i++)
+        json_text(&json, NULL, said->warning[i]);
     json_close_array(&json);
     json_parameters(&json, c);
     json_end(&json);
 }
 
 static void report(const cli_call *call, const ovr_case *c,
-                   const ovr_setup *setup, const cli_summary *summary)
+                   const ovr_setup *setup, const heard *said)
 {
     estimate cost = estimate_cost(setup);
     if (call->json) {
-        report_json(c, setup, summary, &cost);
+        report_json(c, setup, said, &cost);
         return;
     }
     put_contact(&setup->contact);
@@ -236,9 +254,9 @@ static int run(cli_call *call)
         return code;
     setup = ovr_case_resolve(c, NULL, &err);
     if (setup && !ovr_setup_prepare(setup, NULL, &err)) {
-        cli_summary summary = {.setup = setup, .run = setup->transient};
-        cli_warn_before(call, &summary);
-        report(call, c, setup, &summary);
+        heard said = {.call = call};
+        ovr_setup_review(setup, hear, &said);
+        report(call, c, setup, &said);
     } else {
         code = cli_fail(&err);
     }

@@ -2,7 +2,6 @@
 #include "cli/report.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <string.h>
 
 const char *cli_scheme_name(ovr_scheme scheme)
@@ -24,113 +23,6 @@ const char *cli_smoother_name(ovr_smoother smoother)
     case OVR_DIPOLE: return "dipole";
     }
     return "";
-}
-
-void cli_warn(const cli_call *call, cli_summary *summary, const char *format,
-              ...)
-{
-    va_list args;
-    char *text;
-    if (summary->warnings == 4)
-        return;
-    text = summary->warning[summary->warnings];
-    va_start(args, format);
-    vsnprintf(text, sizeof summary->warning[0], format, args);
-    va_end(args);
-    summary->warnings++;
-    if (call->verbosity >= 0)
-        fprintf(stderr, "overroll: warning: %s\n", text);
-}
-
-/* Second-order schemes carry a wave of eight meshes with a few per cent lost
- * (solver-notes, section 5: 0.25 b at level 6 is 20 meshes, 3.6 %). */
-static const double MESHES_A_WAVE = 10;
-
-/* Films at the inlet above so many central films leave it fully flooded
- * (Wolveridge, Baglin & Archard 1971, rounded up). */
-static const double FLOODED = 9;
-
-/* A run from rest or from no load starts a little above either. */
-static void warn_of_start(const cli_call *call, cli_summary *summary)
-{
-    const ovr_setup *setup = summary->setup;
-    if (ovr_history_value(setup->speed, 0) < OVR_LEAST_START)
-        cli_warn(call, summary,
-                 "the run starts from rest, where there is no film: the film "
-                 "at T = 0 is that of %g of the nominal speed",
-                 OVR_LEAST_START);
-    if (ovr_history_value(setup->load, 0) < OVR_LEAST_START)
-        cli_warn(call, summary,
-                 "the run starts without load, where the film has no bound: "
-                 "the film at T = 0 is that of %g of the nominal load",
-                 OVR_LEAST_START);
-}
-
-void cli_warn_before(const cli_call *call, cli_summary *summary)
-{
-    const ovr_surfaces *surfaces = summary->setup->surfaces;
-    const ovr_options *options = &summary->setup->options;
-    double D = summary->setup->mesh, wave;
-    const char *inside;
-    warn_of_start(call, summary);
-    if (!surfaces)
-        return;
-    wave = ovr_surfaces_wavelength(surfaces);
-    if (wave < MESHES_A_WAVE * D)
-        cli_warn(call, summary,
-                 "the grid is too coarse: the shortest wavelength %.3g has "
-                 "only %.1f meshes; level %d would resolve it",
-                 wave, wave / D,
-                 options->level + (int)ceil(log2(MESHES_A_WAVE * D / wave)));
-    inside = ovr_surfaces_inside(surfaces, options->inlet, options->outlet);
-    if (inside && summary->run)
-        cli_warn(call, summary,
-                 "feature '%s' starts inside the domain, in the steady "
-                 "solution; start it left of the inlet X = %.3g, or let it "
-                 "grow",
-                 inside, options->inlet);
-}
-
-void cli_say_assumed(const cli_call *call, const cli_summary *summary)
-{
-    const ovr_surfaces *surfaces = summary->setup->surfaces;
-    size_t n = surfaces ? ovr_surfaces_count(surfaces) : 0;
-    for (size_t k = 0; k < n && call->verbosity >= 0; k++) {
-        ovr_feature_info info = ovr_surfaces_info(surfaces, k);
-        for (const char *s = info.assumed; *s;) {
-            int size = (int)strcspn(s, "\n");
-            fprintf(stderr, "overroll: feature '%s': %.*s\n", info.name, size,
-                    s);
-            s += size + (s[size] == '\n');
-        }
-    }
-}
-
-/* The loss is a fit to small ones; a film cannot lose more than all of it. */
-static void warn_of_inlet(const cli_call *call, cli_summary *summary, double X,
-                          double films)
-{
-    double loss = ovr_simulation_starvation(summary->sim);
-    char share[40] = "most";
-    if (loss < 0.5)
-        snprintf(share, sizeof share, "some %.2g %%", 100 * loss);
-    cli_warn(call, summary,
-             "the inlet is numerically starved: the film at X = %.3g is only "
-             "%.1f central films, which costs %s of the film; move the inlet "
-             "out or let inlet = auto choose it",
-             X, films, share);
-}
-
-void cli_warn_after(const cli_call *call, cli_summary *summary)
-{
-    const ovr_observation *o = ovr_simulation_observation(summary->sim);
-    const ovr_state *state = ovr_simulation_state(summary->sim);
-    const char *way = ovr_simulation_way(summary->sim);
-    if (call->verbosity >= 0 && *way)
-        fprintf(stderr, "overroll: the steady solution took another way: %s\n",
-                way);
-    if (state->n && o->H_cen > 0 && state->H[0] < FLOODED * o->H_cen)
-        warn_of_inlet(call, summary, state->X[0], state->H[0] / o->H_cen);
 }
 
 /* ------------------------------------------------------------------- JSON */
@@ -177,7 +69,7 @@ static void json_observed(json_writer *json, const ovr_observation *o,
     json_number(json, "max_pressure_Pa", o->P_max * contact->ph);
 }
 
-static void json_run(json_writer *json, const cli_summary *s)
+static void json_run(json_writer *json, const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
     json_integer(json, "steps", total->steps);
@@ -194,7 +86,7 @@ static void json_run(json_writer *json, const cli_summary *s)
 }
 
 /* Full multigrid level by level. */
-static void json_refinements(json_writer *json, const cli_summary *s)
+static void json_refinements(json_writer *json, const ovr_run_info *s)
 {
     int count;
     const ovr_refinement *r = ovr_simulation_refinements(s->sim, &count);
@@ -217,7 +109,7 @@ static void json_refinements(json_writer *json, const cli_summary *s)
 }
 
 /* Estimated discretization errors, dimensionless. */
-static void json_error(json_writer *json, const cli_estimate *e, bool run)
+static void json_error(json_writer *json, const ovr_run_errors *e, bool run)
 {
     json_integer(json, "error_level", e->level);
     json_number(json, "H_min_error", e->H_min);
@@ -227,10 +119,10 @@ static void json_error(json_writer *json, const cli_estimate *e, bool run)
         json_number(json, "H_min_overall_error", e->H_min_overall);
 }
 
-static void report_json(const cli_summary *s)
+void cli_report_json(const ovr_run_info *s, FILE *to)
 {
     const ovr_options *options = ovr_simulation_options(s->sim);
-    json_writer json = json_begin(stdout);
+    json_writer json = json_begin(to);
     json_flag(&json, "converged", s->converged);
     json_text(&json, "way", ovr_simulation_way(s->sim));
     cli_json_contact(&json, &s->setup->contact);
@@ -242,12 +134,12 @@ static void report_json(const cli_summary *s)
     json_number(&json, "outlet", options->outlet);
     json_observed(&json, ovr_simulation_observation(s->sim),
                   &s->setup->contact);
-    if (s->run)
+    if (s->transient)
         json_run(&json, s);
     else
         json_refinements(&json, s);
     if (s->error.level)
-        json_error(&json, &s->error, s->run);
+        json_error(&json, &s->error, s->transient);
     json_number(&json, "seconds", s->seconds);
     json_open_array(&json, "warnings");
     for (int i = 0; i < s->warnings; i++)
@@ -275,7 +167,7 @@ static void put_pressure(const char *name, double P, double X,
     printf("  at X = %.4g\n", X);
 }
 
-static void table_observed(const cli_summary *s)
+static void table_observed(const ovr_run_info *s)
 {
     const ovr_observation *o = ovr_simulation_observation(s->sim);
     const ovr_contact *contact = &s->setup->contact;
@@ -292,7 +184,7 @@ static void table_observed(const cli_summary *s)
            s->converged ? "converged" : "NOT CONVERGED", o->cycles);
 }
 
-static void table_run(const cli_summary *s)
+static void table_run(const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
     printf("%-17s %-12ld %ld cycles, %ld retries, %ld marked\n", "steps",
@@ -304,7 +196,7 @@ static void table_run(const cli_summary *s)
                s->snapshots);
 }
 
-static void table_refinements(const cli_summary *s)
+static void table_refinements(const ovr_run_info *s)
 {
     int count;
     const ovr_refinement *r = ovr_simulation_refinements(s->sim, &count);
@@ -318,7 +210,7 @@ static void table_refinements(const cli_summary *s)
                r[k].algebraic, r[k].difference);
 }
 
-static void table_error(const cli_estimate *e, bool run)
+static void table_error(const ovr_run_errors *e, bool run)
 {
     printf("%-17s H_min %.1e, H_cen %.1e, P_max %.1e", "estimated errors",
            e->H_min, e->H_cen, e->P_max);
@@ -327,7 +219,7 @@ static void table_error(const cli_estimate *e, bool run)
     printf("\n%-17s from level %d\n", "", e->level);
 }
 
-static void report_table(const cli_call *call, const cli_summary *s)
+static void report_table(const cli_call *call, const ovr_run_info *s)
 {
     const ovr_contact *contact = &s->setup->contact;
     const ovr_options *options = ovr_simulation_options(s->sim);
@@ -339,22 +231,22 @@ static void report_table(const cli_call *call, const cli_summary *s)
     printf("; level %d (%zu nodes), %s, %s\n", options->level, state->n,
            cli_scheme_name(options->scheme),
            cli_smoother_name(options->smoother));
-    if (s->run)
+    if (s->transient)
         printf("at T = %.6g%s:\n", state->T, total->settled ? ", settled" : "");
     table_observed(s);
-    if (s->run)
+    if (s->transient)
         table_run(s);
     if (s->error.level)
-        table_error(&s->error, s->run);
+        table_error(&s->error, s->transient);
     printf("%-17s %.3g s\n", "time", s->seconds);
-    if (call->verbosity > 0 && !s->run)
+    if (call->verbosity > 0 && !s->transient)
         table_refinements(s);
 }
 
-void cli_report(const cli_call *call, const cli_summary *summary)
+void cli_report(const cli_call *call, const ovr_run_info *run)
 {
     if (call->json)
-        report_json(summary);
+        cli_report_json(run, stdout);
     else if (call->verbosity >= 0)
-        report_table(call, summary);
+        report_table(call, run);
 }

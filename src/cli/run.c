@@ -1,42 +1,108 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll run CASE: from the steady start through time, stored on the way. */
 #include "cli/run.h"
-#include "cli/case_args.h"
-#include "cli/estimate.h"
-#include "cli/march.h"
-#include "cli/store.h"
 
-static int march_case(const cli_call *call, ovr_case *c, ovr_setup *setup,
-                      const char *output, bool force)
+#include <hdf5.h>
+
+#include "cli/case_args.h"
+#include "cli/report.h"
+#include "cli/signals.h"
+
+void cli_silence_the_end(void)
 {
-    ovr_error err = {0};
-    ovr_writer *writer = NULL;
-    ovr_simulation *sim = NULL;
-    int code;
-    if (cli_check_output(output, force, &err))
-        sim = ovr_setup_simulation(setup, NULL, &err);
-    if (sim && output)
-        writer = cli_open_output(c, setup, sim, output, force, &err);
-    if (sim && (writer || !output)) {
-        cli_job job = {c, setup, sim, writer, output, false};
-        code = cli_march(call, &job);
-    } else {
-        code = cli_fail(&err);
-    }
-    ovr_simulation_free(sim);
-    return code;
+    H5dont_atexit();
 }
 
-int cli_run_case(const cli_call *call, ovr_case *c, const char *output,
-                 bool force)
+static void say(void *data, ovr_say kind, const char *text)
 {
-    ovr_error err = {0};
-    ovr_setup *setup = ovr_case_resolve(c, NULL, &err);
+    static const char *const before[] = {
+        "overroll: warning: ", "overroll: ", ""};
+    cli_watch *watch = data;
+    if (watch->call->verbosity < 0)
+        return;
+    cli_progress_end(&watch->progress);
+    fprintf(stderr, "%s%s\n", before[kind], text);
+}
+
+static bool stop(void *data)
+{
+    (void)data;
+    return cli_signal() != 0;
+}
+
+static void progress(void *data, const ovr_run *run, double fraction)
+{
+    cli_watch *watch = data;
+    const ovr_simulation *sim = ovr_run_about(run)->sim;
+    const ovr_state *state = ovr_simulation_state(sim);
+    char what[120];
+    if (watch->progress.begun == 0) /* in a sweep, on the case's log */
+        watch->progress = cli_progress_begin(watch->call->verbosity, fraction);
+    snprintf(what, sizeof what, "T = %.3f of %g  step %ld  residual %.1e",
+             state->T, ovr_run_about(run)->setup->march.end, state->step,
+             ovr_simulation_observation(sim)->residual);
+    cli_progress_show(&watch->progress, fraction, what);
+}
+
+ovr_run_options cli_run_options(cli_watch *watch)
+{
+    ovr_run_options how = ovr_run_options_default();
+    how.data = watch;
+    how.say = say;
+    how.stop = stop;
+    how.progress = progress;
+    how.estimate_error = cli_flag(watch->call, "estimate-error");
+    return how;
+}
+
+bool cli_has_result(ovr_status status)
+{
+    return !status || status == OVR_STOPPED || status == OVR_NOT_CONVERGED ||
+           status == OVR_IMPOSSIBLE;
+}
+
+int cli_run_code(const cli_call *call, const ovr_run *run, ovr_status status,
+                 const ovr_error *err)
+{
+    const ovr_simulation *sim = ovr_run_about(run)->sim;
+    const ovr_statistics *total = ovr_simulation_statistics(sim);
+    if (status == OVR_STOPPED && cli_signal()) {
+        if (call->verbosity >= 0)
+            fprintf(stderr, "overroll: stopped by signal %d at T = %g\n",
+                    cli_signal(), ovr_simulation_state(sim)->T);
+        return CLI_SIGNAL + cli_signal();
+    }
+    if (status)
+        return cli_fail(err);
+    if (total->marked && call->verbosity >= 0)
+        fprintf(stderr,
+                "overroll: %ld of %ld steps were accepted above the "
+                "tolerance; they are marked in the history\n",
+                total->marked, total->steps);
+    if (total->marked)
+        return CLI_EARLY;
+    return call->verb != &cli_steady || ovr_run_about(run)->converged
+               ? CLI_DONE
+               : CLI_FAILED;
+}
+
+int cli_finish_run(cli_watch *watch, ovr_run *run, ovr_error *err)
+{
+    const cli_call *call = watch->call;
+    ovr_status status;
     int code;
-    if (setup && !output)
-        output = setup->output.file;
-    code = setup ? march_case(call, c, setup, output, force) : cli_fail(&err);
-    ovr_setup_free(setup);
+    if (!run)
+        return cli_fail(err);
+    if (call->verb != &cli_steady)
+        cli_catch_signals();
+    watch->progress = cli_progress_begin(call->verbosity,
+                                         ovr_run_about(run)->fraction);
+    status = ovr_run_go(run, err);
+    cli_progress_end(&watch->progress);
+    if (cli_has_result(status))
+        cli_report(call, ovr_run_about(run));
+    code = cli_run_code(call, run, status, err);
+    ovr_run_free(run);
     return code;
 }
 
@@ -44,9 +110,15 @@ static int run(cli_call *call)
 {
     int code;
     ovr_case *c = cli_open_case(call, &code);
+    ovr_error err = {0};
+    cli_watch watch = {.call = call};
+    ovr_run_options how = cli_run_options(&watch);
     if (!c)
         return code;
-    code = cli_run_case(call, c, cli_value(call, "o"), cli_flag(call, "force"));
+    how.output = cli_value(call, "o");
+    how.force = cli_flag(call, "force");
+    cli_silence_the_end();
+    code = cli_finish_run(&watch, ovr_run_create(c, &how, NULL, &err), &err);
     ovr_case_free(c);
     return code;
 }

@@ -1,16 +1,43 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What `run` and `resume` do, for the sweep too. */
+/* What the commands that solve share: how a run is listened to, and how it
+ * ends. */
 #ifndef OVR_CLI_RUN_H
 #define OVR_CLI_RUN_H
 
 #include "cli/cli.h"
+#include "cli/progress.h"
 
-/* Runs a case from its beginning; `output` NULL: where the case
- * says, if it does.  Prints the summary, returns the exit code. */
-int cli_run_case(const cli_call *call, ovr_case *c, const char *output,
-                 bool force);
+#define CLI_ESTIMATE_OPTION                                                    \
+    {                                                                          \
+        "estimate-error", NULL,                                                \
+            "solve again one level coarser and say what that tells of the "    \
+            "error",                                                           \
+            false                                                              \
+    }
 
-/* Goes on with a result file. */
-int cli_resume_file(const cli_call *call, const char *path);
+/* The data of a run's callbacks. */
+typedef struct cli_watch {
+    const cli_call *call;
+    cli_progress progress;
+} cli_watch;
+
+/* Messages and progress on stderr; signals stop. */
+ovr_run_options cli_run_options(cli_watch *watch);
+
+/* Solves, until a signal but in `steady`, prints the summary, frees the run;
+ * returns the exit code.  `run` NULL: says why it could not begin. */
+int cli_finish_run(cli_watch *watch, ovr_run *run, ovr_error *err);
+
+/* How a run ended, in words on stderr; the exit code. */
+int cli_run_code(const cli_call *call, const ovr_run *run, ovr_status status,
+                 const ovr_error *err);
+
+/* Whether a run that ended so leaves something to report. */
+bool cli_has_result(ovr_status status);
+
+/* HDF5 would complain on stderr when the program ends after a write that
+ * failed.  Not in main: a command that writes no result does not wake HDF5,
+ * which dies where its memory runs out. */
+void cli_silence_the_end(void);
 
 #endif

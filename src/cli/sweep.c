@@ -1,64 +1,56 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll sweep STUDY.ini: all cases of a study, here or on other hosts. */
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "cli/json.h"
-#include "cli/progress.h"
-#include "cli/sweep_pool.h"
-#include "cli/sweep_table.h"
+#include "cli/report.h"
+#include "cli/run.h"
+#include "cli/signals.h"
 
 typedef struct sweeping {
     const cli_call *call;
-    study s;
-    sweep_how how;
-    size_t *task; /* those to work on */
-    size_t tasks;
-    size_t failed;
+    ovr_study *s;
+    ovr_sweep_options how;
     cli_progress progress;
+    cli_call logged; /* what a case's process says goes to its log */
+    cli_watch watch;
+    ovr_run_options run;
     double begun;
 } sweeping;
 
-/* ---------------------------------------------------------------- workers */
+/* -------------------------------------------------------------- callbacks */
 
-static int work(void *data, size_t task, volatile double *done)
+/* In the case's process: its summary, and on its log how it ended. */
+static void report_case(void *data, const ovr_run *run, const ovr_error *err,
+                        FILE *summary)
 {
-    sweeping *w = data;
-    return sweep_work(&w->s, task, &w->how, done);
+    const sweeping *w = data;
+    if (run && cli_has_result(err->status))
+        cli_report_json(ovr_run_about(run), summary);
+    if (run)
+        cli_run_code(&w->logged, run, err->status, err);
+    else
+        cli_fail(err);
 }
 
-static void ended(void *data, size_t task, int code, int number)
-{
-    sweeping *w = data;
-    if (number)
-        sweep_died(&w->s, task, number);
-    w->failed += number || code == CLI_FAILED || code == CLI_USAGE;
-}
-
-static void tick(void *data, size_t count, int running, double done)
+static void progress(void *data, size_t ended, size_t cases, int running,
+                     size_t failed, double fraction)
 {
     sweeping *w = data;
     char what[120];
     snprintf(what, sizeof what, "%zu of %zu cases, %d running, %zu failed",
-             count, w->tasks, running, w->failed);
-    cli_progress_show(&w->progress, done / (double)w->tasks, what);
+             ended, cases, running, failed);
+    cli_progress_show(&w->progress, fraction, what);
+}
+
+static bool stop(void *data)
+{
+    (void)data;
+    return cli_signal() != 0;
 }
 
 /* --------------------------------------------------------------- the list */
-
-static ovr_status make_list(sweeping *w, ovr_error *err)
-{
-    w->task = ovr_arena_take(&w->s.arena, w->s.tasks, sizeof *w->task, err);
-    if (!w->task)
-        return OVR_NO_MEMORY;
-    for (size_t i = 0; i < w->s.tasks; i++)
-        if (sweep_wanted(&w->how, sweep_state_of(&w->s, i)))
-            w->task[w->tasks++] = i;
-    return OVR_OK;
-}
 
 /* A path for the shell: in quotes, quotes inside broken out of. */
 static void put_quoted(const char *text)
@@ -79,162 +71,134 @@ static void put_quoted(const char *text)
 
 static void print_list(const sweeping *w)
 {
-    for (size_t i = 0; i < w->tasks; i++) {
+    for (size_t i = 0; i < ovr_study_cases(w->s); i++) {
+        if (!ovr_sweep_wanted(&w->how, ovr_sweep_state_of(w->s, i)))
+            continue;
         fputs("overroll sweep ", stdout);
-        put_quoted(w->s.path);
+        put_quoted(w->call->argument[0]);
         if (cli_value(w->call, "o")) {
             fputs(" -o ", stdout);
-            put_quoted(w->s.output);
+            put_quoted(ovr_study_output(w->s));
         }
-        printf(" --task %zu%s%s\n", w->task[i] + 1,
-               w->how.retry ? " --retry" : "", w->how.redo ? " --redo" : "");
+        printf(" --task %zu%s%s\n", i + 1, w->how.retry ? " --retry" : "",
+               w->how.redo ? " --redo" : "");
     }
 }
 
 /* ---------------------------------------------------------------- reports */
 
-static void report_json(const sweeping *w, const sweep_table *t)
+static void report_json(const sweeping *w, const ovr_sweep_totals *t)
 {
     json_writer json = json_begin(stdout);
     char text[1100];
-    json_text(&json, "study", w->s.path);
-    json_integer(&json, "cases", (long long)w->s.tasks);
-    for (int state = 0; state < SWEEP_STATES; state++)
-        json_integer(&json, sweep_state_name((sweep_state)state),
+    json_text(&json, "study", w->call->argument[0]);
+    json_integer(&json, "cases", (long long)ovr_study_cases(w->s));
+    for (int state = 0; state < OVR_SWEEP_STATES; state++)
+        json_integer(&json, ovr_sweep_state_name((ovr_sweep_state)state),
                      (long long)t->count[state]);
-    snprintf(text, sizeof text, "%.1000s/manifest.csv", w->s.output);
+    snprintf(text, sizeof text, "%.1000s/manifest.csv", ovr_study_output(w->s));
     json_text(&json, "manifest", text);
     json_number(&json, "seconds", cli_seconds() - w->begun);
     json_end(&json);
 }
 
-static void list_state(const sweeping *w, const sweep_table *t,
-                       sweep_state state)
+static void list_state(const sweeping *w, ovr_sweep_state state)
 {
     char text[1100];
-    for (size_t i = 0; i < w->s.tasks; i++) {
-        if (t->state[i] != state)
+    for (size_t i = 0; i < ovr_study_cases(w->s); i++) {
+        if (ovr_sweep_state_of(w->s, i) != state)
             continue;
-        sweep_message(&w->s, i, text, sizeof text);
-        printf("  %zu %s %s: %s\n", i + 1, sweep_state_name(state),
-               w->s.name[i],
-               state == SWEEP_FAILED ? text : "was made from another case");
+        ovr_sweep_message(w->s, i, text, sizeof text);
+        printf("  %zu %s %s: %s\n", i + 1, ovr_sweep_state_name(state),
+               ovr_study_name(w->s, i),
+               state == OVR_SWEEP_FAILED ? text : "was made from another case");
     }
 }
 
-static void report_table(const sweeping *w, const sweep_table *t)
+static void report_table(const sweeping *w, const ovr_sweep_totals *t)
 {
-    printf("%zu cases:", w->s.tasks);
-    for (int state = 0; state < SWEEP_STATES; state++)
+    printf("%zu cases:", ovr_study_cases(w->s));
+    for (int state = 0; state < OVR_SWEEP_STATES; state++)
         if (t->count[state])
             printf(" %zu %s", t->count[state],
-                   sweep_state_name((sweep_state)state));
-    printf("; %s/manifest.csv\n", w->s.output);
-    list_state(w, t, SWEEP_FAILED);
-    list_state(w, t, SWEEP_CHANGED);
-    if (t->count[SWEEP_FAILED])
+                   ovr_sweep_state_name((ovr_sweep_state)state));
+    printf("; %s/manifest.csv\n", ovr_study_output(w->s));
+    if (t->count[OVR_SWEEP_FAILED])
+        list_state(w, OVR_SWEEP_FAILED);
+    if (t->count[OVR_SWEEP_CHANGED])
+        list_state(w, OVR_SWEEP_CHANGED);
+    if (t->count[OVR_SWEEP_FAILED])
         puts("--retry runs failed ones again");
-    if (t->count[SWEEP_CHANGED])
+    if (t->count[OVR_SWEEP_CHANGED])
         puts("--redo runs all again from their beginning");
-}
-
-static int code_of(const sweep_table *t)
-{
-    if (t->count[SWEEP_FAILED])
-        return CLI_FAILED;
-    if (t->count[SWEEP_FINISHED] < t->s->tasks)
-        return CLI_EARLY;
-    for (size_t k = 0; k < t->columns; k++)
-        for (size_t i = 0; i < t->s->tasks; i++)
-            if (!strcmp(t->column[k].name, "steps_marked") &&
-                t->column[k].value[i] > 0)
-                return CLI_EARLY;
-    return CLI_DONE;
-}
-
-static ovr_status collect(const sweep_table *t, const char *path,
-                          ovr_error *err)
-{
-    const char *end = strrchr(path, '.');
-    if (end && !strcmp(end, ".csv"))
-        return sweep_write_csv(t, path, err);
-    if (end && (!strcmp(end, ".nc") || !strcmp(end, ".h5")))
-        return sweep_write_netcdf(t, path, err);
-    return ovr_fail(err, OVR_BAD_INPUT,
-                    "%s: its name must end with .csv, .nc "
-                    "or .h5",
-                    path);
 }
 
 /* Manifest, table, report; the exit code. */
 static int finish(sweeping *w)
 {
-    sweep_table table;
+    ovr_sweep_totals totals;
     ovr_error err = {0};
-    const char *path = cli_value(w->call, "collect");
-    ovr_status status = sweep_gather(&w->s, &table, &err);
-    int code;
-    if (!status)
-        status = sweep_write_manifest(&table, &err);
-    if (!status && path)
-        status = collect(&table, path, &err);
-    code = status ? cli_fail(&err) : code_of(&table);
-    if (!status && w->call->json)
-        report_json(w, &table);
-    else if (!status && w->call->verbosity >= 0)
-        report_table(w, &table);
-    sweep_table_free(&table);
-    return code;
+    if (ovr_sweep_collect(w->s, cli_value(w->call, "collect"), &totals, &err))
+        return cli_fail(&err);
+    if (w->call->json)
+        report_json(w, &totals);
+    else if (w->call->verbosity >= 0)
+        report_table(w, &totals);
+    if (totals.count[OVR_SWEEP_FAILED])
+        return CLI_FAILED;
+    return totals.count[OVR_SWEEP_FINISHED] < ovr_study_cases(w->s) ||
+                   totals.marked
+               ? CLI_EARLY
+               : CLI_DONE;
 }
 
 /* -------------------------------------------------------------------- run */
 
-static int start(sweeping *w, int workers)
+/* Whether the sweep could be; *code then says how it ended. */
+static bool start(sweeping *w, int *code)
 {
-    pool_job job = {w->tasks, w->task, workers, work, ended, tick, w};
-    int stopped;
+    ovr_error err = {0};
+    ovr_status status;
+    cli_silence_the_end();
+    cli_catch_signals();
     w->progress = cli_progress_begin(w->call->verbosity, 0);
-    stopped = pool_run(&job);
+    status = ovr_sweep(w->s, &w->how, &err);
     cli_progress_end(&w->progress);
-    if (stopped < 0)
-        fprintf(stderr, "overroll sweep: no worker could be started: %s\n",
-                strerror(errno));
-    return stopped;
+    *code = status ? CLI_SIGNAL + cli_signal() : CLI_DONE;
+    if (status && status != OVR_STOPPED)
+        *code = cli_fail(&err);
+    return !status || status == OVR_STOPPED;
 }
 
-static int run_all(sweeping *w, int workers)
+static int run_all(sweeping *w)
 {
-    int stopped = w->tasks ? start(w, workers) : 0;
-    int code = finish(w);
-    if (stopped < 0)
-        return CLI_FAILED;
-    return stopped ? CLI_SIGNAL + stopped : code;
+    int code, left;
+    if (!start(w, &code))
+        return code;
+    left = finish(w);
+    return code ? code : left;
 }
 
 /* One task, for job arrays: other tasks may be under way, so no manifest. */
 static int run_task(sweeping *w, size_t task)
 {
-    sweep_state state;
+    ovr_sweep_state state;
     char text[1100];
-    int stopped = 0;
-    w->task = ovr_arena_take(&w->s.arena, 1, sizeof *w->task, NULL);
-    if (!w->task)
-        return CLI_FAILED;
-    w->task[0] = task;
-    w->tasks = sweep_wanted(&w->how, sweep_state_of(&w->s, task));
-    if (w->tasks)
-        stopped = start(w, 1);
-    w->task = NULL;
-    state = sweep_state_of(&w->s, task);
-    sweep_message(&w->s, task, text, sizeof text);
+    int code;
+    w->how.one = true;
+    w->how.only = task;
+    if (!start(w, &code))
+        return code;
+    state = ovr_sweep_state_of(w->s, task);
+    ovr_sweep_message(w->s, task, text, sizeof text);
     if (w->call->verbosity >= 0)
-        printf("%zu %s %s%s%s\n", task + 1, sweep_state_name(state),
-               w->s.name[task], *text ? ": " : "", text);
-    if (stopped)
-        return stopped < 0 ? CLI_FAILED : CLI_SIGNAL + stopped;
-    if (state == SWEEP_FAILED)
+        printf("%zu %s %s%s%s\n", task + 1, ovr_sweep_state_name(state),
+               ovr_study_name(w->s, task), *text ? ": " : "", text);
+    if (code)
+        return code;
+    if (state == OVR_SWEEP_FAILED)
         return CLI_FAILED;
-    return state == SWEEP_FINISHED ? CLI_DONE : CLI_EARLY;
+    return state == OVR_SWEEP_FINISHED ? CLI_DONE : CLI_EARLY;
 }
 
 /* ---------------------------------------------------------------- options */
@@ -256,58 +220,48 @@ static size_t count_option(const cli_call *call, const char *name, size_t most,
     return 0;
 }
 
-static size_t processors(void)
-{
-    long n = sysconf(_SC_NPROCESSORS_ONLN);
-    return n < 1 ? 1 : n > POOL_MOST ? POOL_MOST : (size_t)n;
-}
-
-static bool make_folder(const char *path, ovr_error *err)
-{
-    if ((mkdir(path, 0777) == 0 || errno == EEXIST) &&
-        access(path, W_OK | X_OK) == 0)
-        return true;
-    ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be written: %s", path,
-             strerror(errno));
-    return false;
-}
-
 static int do_what_is_asked(sweeping *w)
 {
-    ovr_error err = {0};
-    size_t workers = count_option(w->call, "j", POOL_MOST, processors());
-    size_t task = count_option(w->call, "task", w->s.tasks, w->s.tasks);
-    if (!workers || !task)
+    const cli_call *call = w->call;
+    size_t cases = ovr_study_cases(w->s), task;
+    w->how.workers = (int)count_option(call, "j", OVR_SWEEP_MOST_WORKERS, 0);
+    task = count_option(call, "task", cases, cases);
+    if ((cli_flag(call, "j") && !w->how.workers) || !task)
         return CLI_USAGE;
-    if (!cli_flag(w->call, "list") && !make_folder(w->s.output, &err))
-        return cli_fail(&err);
-    if (cli_flag(w->call, "task"))
-        return run_task(w, task - 1);
-    if (cli_flag(w->call, "collect"))
-        return finish(w);
-    if (make_list(w, &err))
-        return cli_fail(&err);
-    if (cli_flag(w->call, "list")) {
+    if (cli_flag(call, "list"))
         print_list(w);
-        return CLI_DONE;
-    }
-    return run_all(w, (int)workers);
+    else if (cli_flag(call, "task"))
+        return run_task(w, task - 1);
+    else
+        return cli_flag(call, "collect") ? finish(w) : run_all(w);
+    return CLI_DONE;
 }
 
 static int run(cli_call *call)
 {
-    sweeping w = {.call = call, .begun = cli_seconds()};
+    sweeping w = {.call = call,
+                  .how = ovr_sweep_options_default(),
+                  .logged = *call,
+                  .begun = cli_seconds()};
     ovr_error err = {0};
+    const char *folder = cli_value(call, "o");
     int code;
-    w.how = (sweep_how){call, cli_flag(call, "retry"), cli_flag(call, "redo")};
-    if (study_read(call->argument[0], &w.s, &err)) {
+    w.logged.verbosity = 0;
+    w.watch.call = &w.logged;
+    w.run = cli_run_options(&w.watch);
+    w.how.run = &w.run;
+    w.how.retry = cli_flag(call, "retry");
+    w.how.redo = cli_flag(call, "redo");
+    w.how.data = &w;
+    w.how.report = report_case;
+    w.how.progress = progress;
+    w.how.stop = stop;
+    w.s = ovr_study_read(call->argument[0], NULL, &err);
+    if (!w.s || (folder && ovr_study_output_set(w.s, folder, &err)))
         code = cli_fail(&err);
-    } else {
-        if (cli_value(call, "o"))
-            w.s.output = cli_value(call, "o");
+    else
         code = do_what_is_asked(&w);
-    }
-    study_free(&w.s);
+    ovr_study_free(w.s);
     return code;
 }
 

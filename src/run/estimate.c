@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/estimate.h"
-
+/*
+ * The discretization error on request: the same case one level coarser.  For a
+ * scheme of order p the error of the finer one is (fine - coarse)/(2^p - 1).
+ */
 #include <math.h>
+
+#include "run/internal.h"
 
 /* The coarser run at the time the finer one ended: its steps are twice as
  * long, so two of its steps are kept. */
@@ -45,7 +49,7 @@ static ovr_status solve(ovr_setup *setup, ovr_simulation *coarse, bool steady,
 }
 
 static void compare(const ovr_simulation *fine, const ovr_simulation *coarse,
-                    const two_steps *k, cli_estimate *e)
+                    const two_steps *k, ovr_run_errors *e)
 {
     const ovr_observation *o = ovr_simulation_observation(fine);
     const ovr_options *options = ovr_simulation_options(coarse);
@@ -58,22 +62,22 @@ static void compare(const ovr_simulation *fine, const ovr_simulation *coarse,
                                    ovr_simulation_statistics(coarse)->H_min);
 }
 
-ovr_status cli_estimate_error(const ovr_case *c, const ovr_simulation *sim,
-                              bool steady, cli_estimate *estimate,
-                              ovr_error *err)
+ovr_status ovr_run_estimate(const ovr_run *run, ovr_run_errors *errors,
+                            ovr_error *err)
 {
-    ovr_setup *setup = ovr_case_resolve(c, NULL, err);
+    const ovr_allocator *allocator = &run->arena.allocator;
+    ovr_setup *setup = ovr_case_resolve(run->c, allocator, err);
     ovr_simulation *coarse = NULL;
     ovr_status status = OVR_BAD_INPUT;
     two_steps kept = {{0}, {0}, {0}, {0}};
     if (setup) {
-        setup->options.level = ovr_simulation_options(sim)->level - 1;
-        coarse = ovr_setup_simulation(setup, NULL, err);
+        setup->options.level = ovr_simulation_options(run->sim)->level - 1;
+        coarse = ovr_setup_simulation(setup, allocator, err);
     }
     if (coarse)
-        status = solve(setup, coarse, steady, &kept, err);
+        status = solve(setup, coarse, !run->info.transient, &kept, err);
     if (!status)
-        compare(sim, coarse, &kept, estimate);
+        compare(run->sim, coarse, &kept, errors);
     ovr_simulation_free(coarse);
     ovr_setup_free(setup);
     return status;

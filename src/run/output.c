@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* From the [output] of a case to a writer of its result file. */
 #define _XOPEN_SOURCE 700 /* realpath */
-#include "cli/store.h"
-
 #include <errno.h>
-#include <hdf5.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+
+#include "run/internal.h"
 
 enum { NAME_ROOM = 128, TIMES_MOST = 100000 };
 
@@ -24,27 +25,20 @@ static void folder_of(const char *path, char *folder, size_t room)
         snprintf(folder, room, "/");
 }
 
-bool cli_check_output(const char *path, bool force, ovr_error *err)
+ovr_status ovr_output_check(const char *path, bool force, ovr_error *err)
 {
     char folder[4096];
-    if (!path)
-        return true;
     folder_of(path, folder, sizeof folder);
-    if (!*path || path[strlen(path) - 1] == '/') {
-        ovr_fail(err, OVR_BAD_INPUT, "'%s' is not the name of a file", path);
-        return false;
-    }
-    if (access(path, F_OK) == 0 && !force) {
-        ovr_fail(err, OVR_BAD_INPUT, "%s: exists already; --force replaces it",
-                 path);
-        return false;
-    }
-    if (access(folder, W_OK | X_OK) != 0) {
-        ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be written: %s: %s", path,
-                 folder, strerror(errno));
-        return false;
-    }
-    return true;
+    if (!*path || path[strlen(path) - 1] == '/')
+        return ovr_fail(err, OVR_BAD_INPUT, "'%s' is not the name of a file",
+                        path);
+    if (access(path, F_OK) == 0 && !force)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: exists already; --force replaces it", path);
+    if (access(folder, W_OK | X_OK) != 0)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be written: %s: %s",
+                        path, folder, strerror(errno));
+    return OVR_OK;
 }
 
 /* ------------------------------------------------------------- attributes */
@@ -59,7 +53,15 @@ static char *full_name(const ovr_case_entry *entry)
     return name;
 }
 
-ovr_case_value *cli_case_values(const ovr_case *c, size_t *count)
+static void free_values(ovr_case_value *values, size_t count)
+{
+    for (size_t k = 0; values && k < count; k++)
+        free((void *)values[k].name);
+    free(values);
+}
+
+/* The attributes of the group `case`: every parameter with a value. */
+static ovr_case_value *case_values(const ovr_case *c, size_t *count)
 {
     size_t all = ovr_case_entries(c), n = 0;
     ovr_case_value *values = calloc(all + 1, sizeof *values);
@@ -76,19 +78,12 @@ ovr_case_value *cli_case_values(const ovr_case *c, size_t *count)
         values[n].unit = entry.unit;
         values[n].physics = info.physics;
         if (!values[n++].name) {
-            cli_free_values(values, n);
+            free_values(values, n);
             return NULL;
         }
     }
     *count = n;
     return values;
-}
-
-void cli_free_values(ovr_case_value *values, size_t count)
-{
-    for (size_t k = 0; values && k < count; k++)
-        free((void *)values[k].name);
-    free(values);
 }
 
 /* ------------------------------------------------------------------ times */
@@ -134,14 +129,6 @@ static double *make_times(const ovr_setup *setup, size_t *count)
 
 /* ----------------------------------------------------------------- writer */
 
-/* Files are closed where they are used; after a write that failed HDF5 would
- * complain on stderr when the program ends.  Not in main: a command that writes
- * no result does not wake HDF5, which dies where its memory runs out. */
-static void silence_the_end(void)
-{
-    H5dont_atexit();
-}
-
 static void choose(ovr_write_options *w, const ovr_setup *setup,
                    const ovr_state *state)
 {
@@ -178,19 +165,18 @@ static char *absolute(const char *folder)
     return realpath(folder && *folder ? folder : ".", NULL);
 }
 
-static ovr_status want(wanted *w, ovr_case *c, const ovr_setup *setup,
-                       const ovr_state *state, const char *path, ovr_error *err)
+static ovr_status want(wanted *w, ovr_run *run, ovr_error *err)
 {
     w->options = ovr_write_options_default();
-    w->values = cli_case_values(c, &w->options.value_count);
-    w->times = make_times(setup, &w->options.time_count);
-    w->options.path = path;
+    w->values = case_values(run->c, &w->options.value_count);
+    w->times = make_times(run->setup, &w->options.time_count);
+    w->options.path = run->info.output;
     w->options.times = w->times;
     w->options.values = w->values;
-    w->options.case_text = ovr_case_text(c, err);
-    w->folder = absolute(ovr_case_directory(c));
+    w->options.case_text = ovr_case_text(run->c, err);
+    w->folder = absolute(ovr_case_directory(run->c));
     w->options.case_path = w->folder;
-    choose(&w->options, setup, state);
+    choose(&w->options, run->setup, ovr_simulation_state(run->sim));
     if (!w->values || !w->times)
         return ovr_fail(err, OVR_NO_MEMORY, "out of memory");
     return w->options.case_text ? OVR_OK : OVR_NO_MEMORY;
@@ -198,58 +184,49 @@ static ovr_status want(wanted *w, ovr_case *c, const ovr_setup *setup,
 
 static void unwant(wanted *w)
 {
-    cli_free_values(w->values, w->options.value_count);
+    free_values(w->values, w->options.value_count);
     free(w->times);
     free(w->folder);
 }
 
-ovr_writer *cli_open_output(ovr_case *c, const ovr_setup *setup,
-                            ovr_simulation *sim, const char *path, bool force,
-                            ovr_error *err)
+static ovr_status have(ovr_run *run, ovr_writer *writer)
 {
-    const ovr_state *state = ovr_simulation_state(sim);
-    wanted w;
-    ovr_writer *writer = NULL;
-    silence_the_end();
-    if (want(&w, c, setup, state, path, err) == OVR_OK) {
-        w.options.force = force;
-        writer = ovr_writer_create(&w.options, &setup->contact, state->n,
-                                   state->X, NULL, err);
-    }
-    unwant(&w);
+    run->writer = writer;
     if (writer)
-        ovr_writer_checkpoints(writer, sim);
-    return writer;
+        ovr_writer_checkpoints(writer, run->sim);
+    return writer ? OVR_OK : OVR_BAD_INPUT;
 }
 
-ovr_writer *cli_reopen_output(ovr_case *c, const ovr_setup *setup,
-                              ovr_simulation *sim, const char *path,
-                              const ovr_restart *restart, ovr_error *err)
+ovr_status ovr_output_open(ovr_run *run, ovr_error *err)
 {
-    const ovr_state *state = ovr_simulation_state(sim);
+    const ovr_state *state = ovr_simulation_state(run->sim);
     wanted w;
     ovr_writer *writer = NULL;
-    ovr_status status = want(&w, c, setup, state, path, err);
-    silence_the_end();
+    if (want(&w, run, err) == OVR_OK) {
+        w.options.force = run->how.force;
+        writer = ovr_writer_create(&w.options, &run->setup->contact, state->n,
+                                   state->X, &run->arena.allocator, err);
+    }
+    unwant(&w);
+    return have(run, writer);
+}
+
+ovr_status ovr_output_reopen(ovr_run *run, ovr_error *err)
+{
+    const ovr_state *state = ovr_simulation_state(run->sim);
+    const ovr_restart *restart = run->restart;
+    wanted w;
+    ovr_writer *writer = NULL;
+    ovr_status status = want(&w, run, err);
     if (status == OVR_OK && restart)
         status = ovr_restart_check(restart, w.options.value_count, w.values,
                                    err);
     if (status == OVR_OK && restart && ovr_restart_about(restart)->has_state)
-        status = ovr_restart_load(restart, sim, err);
+        status = ovr_restart_load(restart, run->sim, err);
     if (status == OVR_OK)
-        writer = ovr_writer_resume(&w.options, &setup->contact, state->n,
-                                   state->X, restart, NULL, err);
+        writer = ovr_writer_resume(&w.options, &run->setup->contact, state->n,
+                                   state->X, restart, &run->arena.allocator,
+                                   err);
     unwant(&w);
-    if (writer)
-        ovr_writer_checkpoints(writer, sim);
-    return writer;
-}
-
-size_t cli_count_snapshots(const char *path)
-{
-    ovr_result *result = ovr_result_open(path, NULL, NULL);
-    size_t n = result ? ovr_result_about(result)->snapshots : 0;
-    if (result)
-        ovr_result_close(result);
-    return n;
+    return have(run, writer);
 }

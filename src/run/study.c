@@ -3,7 +3,7 @@
  * Reading a study.  Its lists may be longer than the lines inih takes, and
  * its keys are not those of the table; so it is read here.
  */
-#include "cli/study.h"
+#include "run/study.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -17,7 +17,7 @@ enum { LINE_ROOM = 65536 };
 enum section { NO_SECTION, STUDY, SET, PRODUCT, ZIP };
 
 typedef struct reading {
-    study *s;
+    ovr_study *s;
     long line;
     enum section section;
     int zips;
@@ -105,15 +105,15 @@ static ovr_status take_setting(reading *r, const char *key, const char *value)
 
 static ovr_status take_values(reading *r, const char *key, const char *value)
 {
-    study *s = r->s;
-    study_key *k = &s->key[s->keys];
+    ovr_study *s = r->s;
+    ovr_study_key *k = &s->key[s->keys];
     ovr_error why = {0};
-    if (s->keys == STUDY_MOST_KEYS)
+    if (s->keys == OVR_STUDY_MOST_KEYS)
         return fail(r, "'%.60s' is one key too many: at most 64", key);
     for (size_t i = 0; i < s->keys; i++)
         if (!strcmp(s->key[i].where, key))
             return fail(r, "'%.60s' is given twice", key);
-    *k = (study_key){.line = r->line, .fixed = r->section == SET};
+    *k = (ovr_study_key){.line = r->line, .fixed = r->section == SET};
     k->zip = r->section == ZIP ? r->zips : 0;
     k->where = ovr_arena_text(&s->arena, key, r->err);
     if (!k->where)
@@ -124,7 +124,7 @@ static ovr_status take_values(reading *r, const char *key, const char *value)
             return OVR_NO_MEMORY;
         k->value[0] = ovr_arena_text(&s->arena, value, r->err);
         k->count = 1;
-    } else if (study_values(value, &s->arena, &k->value, &k->count, &why)) {
+    } else if (ovr_study_values(value, &s->arena, &k->value, &k->count, &why)) {
         return ovr_fail_at(r->err, why.status, s->path, r->line, "%s: %.800s",
                            key, why.message);
     }
@@ -182,10 +182,10 @@ static ovr_status read_lines(reading *r)
 /* ----------------------------------------------------------- combinations */
 
 /* Keys of one zip must have as many values. */
-static ovr_status check_zips(study *s, ovr_error *err)
+static ovr_status check_zips(ovr_study *s, ovr_error *err)
 {
     for (size_t i = 1; i < s->keys; i++) {
-        const study_key *a = &s->key[i - 1], *b = &s->key[i];
+        const ovr_study_key *a = &s->key[i - 1], *b = &s->key[i];
         if (b->zip && a->zip == b->zip && a->count != b->count)
             return ovr_fail_at(err, OVR_BAD_INPUT, s->path, b->line,
                                "%s has %zu values, %s before it %zu: those of "
@@ -195,17 +195,17 @@ static ovr_status check_zips(study *s, ovr_error *err)
     return OVR_OK;
 }
 
-static ovr_status set_strides(study *s, ovr_error *err)
+static ovr_status set_strides(ovr_study *s, ovr_error *err)
 {
     size_t tasks = 1;
     for (size_t i = s->keys; i-- > 0;) {
-        study_key *k = &s->key[i];
+        ovr_study_key *k = &s->key[i];
         bool with_next = k->zip && i + 1 < s->keys && k[1].zip == k->zip;
         k->stride = with_next ? k[1].stride : tasks;
         if (with_next)
             continue;
         tasks *= k->count;
-        if (tasks > STUDY_MOST_TASKS)
+        if (tasks > OVR_STUDY_MOST_TASKS)
             return ovr_fail(err, OVR_BAD_INPUT, "%s: more than a million cases",
                             s->path);
     }
@@ -213,7 +213,8 @@ static ovr_status set_strides(study *s, ovr_error *err)
     return OVR_OK;
 }
 
-const char *study_value(const study *s, const study_key *key, size_t task)
+const char *ovr_study_value(const ovr_study *s, const ovr_study_key *key,
+                            size_t task)
 {
     (void)s;
     return key->value[(task / key->stride) % key->count];
@@ -222,7 +223,7 @@ const char *study_value(const study *s, const study_key *key, size_t task)
 /* ------------------------------------------------------------------ study */
 
 /* Folder of the study, and results in a folder of its name. */
-static ovr_status set_places(study *s, ovr_error *err)
+static ovr_status set_places(ovr_study *s, ovr_error *err)
 {
     char text[4096];
     const char *slash = strrchr(s->path, '/');
@@ -241,26 +242,66 @@ static ovr_status set_places(study *s, ovr_error *err)
     return s->folder && s->output ? OVR_OK : OVR_NO_MEMORY;
 }
 
-ovr_status study_read(const char *path, study *s, ovr_error *err)
+static ovr_status read_study(ovr_study *s, const char *path, ovr_error *err)
 {
     reading r = {.s = s, .err = err};
-    memset(s, 0, sizeof *s);
-    s->arena = ovr_arena_make(NULL);
-    s->path = path;
     s->results = true;
-    if (set_places(s, err) || read_lines(&r) || check_zips(s, err) ||
-        set_strides(s, err) || study_name_tasks(s, err))
+    s->path = ovr_arena_text(&s->arena, path, err);
+    if (!s->path || set_places(s, err) || read_lines(&r) ||
+        check_zips(s, err) || set_strides(s, err) ||
+        ovr_study_name_tasks(s, err))
         return OVR_BAD_INPUT;
-    return study_try_values(s, err);
+    return ovr_study_try_values(s, err);
 }
 
-void study_free(study *s)
+ovr_study *ovr_study_read(const char *path, const ovr_allocator *allocator,
+                          ovr_error *err)
 {
-    ovr_arena_release(&s->arena);
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_study *s = ovr_arena_take(&arena, 1, sizeof *s, err);
+    if (!s)
+        return NULL;
+    s->arena = arena;
+    if (read_study(s, path, err)) {
+        ovr_study_free(s);
+        return NULL;
+    }
+    return s;
 }
 
-void study_file(const study *s, size_t task, const char *ending, char *path,
-                size_t room)
+void ovr_study_free(ovr_study *s)
+{
+    if (s) {
+        ovr_arena arena = s->arena;
+        ovr_arena_release(&arena);
+    }
+}
+
+size_t ovr_study_cases(const ovr_study *s)
+{
+    return s->tasks;
+}
+
+const char *ovr_study_name(const ovr_study *s, size_t k)
+{
+    return s->name[k];
+}
+
+const char *ovr_study_output(const ovr_study *s)
+{
+    return s->output;
+}
+
+ovr_status ovr_study_output_set(ovr_study *s, const char *folder,
+                                ovr_error *err)
+{
+    const char *copy = ovr_arena_text(&s->arena, folder, err);
+    s->output = copy ? copy : s->output;
+    return copy ? OVR_OK : OVR_NO_MEMORY;
+}
+
+void ovr_study_file(const ovr_study *s, size_t task, const char *ending,
+                    char *path, size_t room)
 {
     snprintf(path, room, "%s/%s%s", s->output, s->name[task], ending);
 }

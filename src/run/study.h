@@ -17,19 +17,19 @@
  * Cases ("tasks") are counted from 1 in messages and on the command line,
  * from 0 in the code.  The last key of the file changes fastest.
  */
-#ifndef OVR_CLI_STUDY_H
-#define OVR_CLI_STUDY_H
+#ifndef OVR_RUN_STUDY_H
+#define OVR_RUN_STUDY_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
 #include "base/arena.h"
-#include "overroll/case.h"
+#include "overroll/run.h"
 
-enum { STUDY_MOST_KEYS = 64, STUDY_MOST_TASKS = 1000000 };
+enum { OVR_STUDY_MOST_KEYS = 64, OVR_STUDY_MOST_TASKS = 1000000 };
 
 /* One parameter: the value in task i is value[(i / stride) % count]. */
-typedef struct study_key {
+typedef struct ovr_study_key {
     const char *where; /* "feature.dent.depth" */
     const char *shown; /* what it is called in names and tables */
     char **value;
@@ -37,42 +37,35 @@ typedef struct study_key {
     long line;  /* in the study */
     int zip;    /* keys of one number change together; 0: alone */
     bool fixed; /* of [set]: in no name and no table */
-} study_key;
+} ovr_study_key;
 
-typedef struct study {
+struct ovr_study {
     ovr_arena arena;
     const char *path;
     const char *folder;    /* of the study; "." for the working directory */
     const char *case_path; /* NULL: an empty case */
     const char *output;    /* folder of the results */
     bool results;          /* a result file for each case */
-    study_key key[STUDY_MOST_KEYS];
+    ovr_study_key key[OVR_STUDY_MOST_KEYS];
     size_t keys, tasks;
     char **name; /* of each task: "depth=0.1_slide_to_roll=0.5" */
-} study;
+};
 
-/* Reads and checks it all: every key and value is tried on the base case.
- * The memory is the study's own, also after a failure. */
-ovr_status study_read(const char *path, study *s, ovr_error *err);
-void study_free(study *s);
-
-const char *study_value(const study *s, const study_key *key, size_t task);
-
-/* The case of a task; its [output] file is taken out.  NULL: why in *err. */
-ovr_case *study_case(const study *s, size_t task, ovr_error *err);
+const char *ovr_study_value(const ovr_study *s, const ovr_study_key *key,
+                            size_t task);
 
 /* A path in the folder of the results: NAME of the task, then `ending`. */
-void study_file(const study *s, size_t task, const char *ending, char *path,
-                size_t room);
+void ovr_study_file(const ovr_study *s, size_t task, const char *ending,
+                    char *path, size_t room);
 
-/* Steps of study_read: names of all tasks; every value once into the base
+/* Steps of reading: names of all tasks; every value once into the base
  * case, so that what is wrong is known before anything runs. */
-ovr_status study_name_tasks(study *s, ovr_error *err);
-ovr_status study_try_values(const study *s, ovr_error *err);
+ovr_status ovr_study_name_tasks(ovr_study *s, ovr_error *err);
+ovr_status ovr_study_try_values(const ovr_study *s, ovr_error *err);
 
 /* "1, 2, 5", "a, b | c, d", "1..8", "linear 1 to 5 in 3", "log 0.1 um to
  * 10 um in 5": the values one by one. */
-ovr_status study_values(const char *text, ovr_arena *arena, char ***values,
-                        size_t *count, ovr_error *err);
+ovr_status ovr_study_values(const char *text, ovr_arena *arena, char ***values,
+                            size_t *count, ovr_error *err);
 
 #endif

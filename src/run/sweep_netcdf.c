@@ -8,11 +8,12 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "cli/sweep_table.h"
+#include "overroll/version.h"
 #include "results/h5.h"
+#include "run/sweep_table.h"
 
 typedef struct netcdf {
-    const sweep_table *t;
+    const ovr_sweep_table *t;
     hid_t file, space, properties, text, scale;
 } netcdf;
 
@@ -89,11 +90,11 @@ static const char *unit_of(const char *name)
 
 static bool put_values(const netcdf *n, const char **texts)
 {
-    const sweep_table *t = n->t;
+    const ovr_sweep_table *t = n->t;
     for (size_t k = 0; k < t->keys; k++) {
-        const sweep_values *v = &t->values[k];
+        const ovr_sweep_values *v = &t->values[k];
         for (size_t i = 0; i < t->s->tasks; i++)
-            texts[i] = study_value(t->s, v->key, i);
+            texts[i] = ovr_study_value(t->s, v->key, i);
         if (v->numeric ? !put_numbers(n, v->key->shown, v->unit, v->key->where,
                                       v->number)
                        : !put_texts(n, v->key->shown, v->key->where, texts))
@@ -104,13 +105,13 @@ static bool put_values(const netcdf *n, const char **texts)
 
 static bool put_all(netcdf *n)
 {
-    const sweep_table *t = n->t;
+    const ovr_sweep_table *t = n->t;
     const char **texts = malloc((t->s->tasks + 1) * sizeof *texts);
     bool good = texts && put_scale(n) &&
                 put_texts(n, "name", "name of the case's files",
                           (const char *const *)t->s->name);
     for (size_t i = 0; good && i < t->s->tasks; i++)
-        texts[i] = sweep_state_name(t->state[i]);
+        texts[i] = ovr_sweep_state_name(t->state[i]);
     good = good && put_texts(n, "status", "how the case stands", texts) &&
            put_values(n, texts);
     for (size_t k = 0; good && k < t->columns; k++)
@@ -141,8 +142,8 @@ static void prepare(netcdf *n, const char *path)
     ovr_h5_drop(access);
 }
 
-ovr_status sweep_write_netcdf(const sweep_table *t, const char *path,
-                              ovr_error *err)
+ovr_status ovr_sweep_write_netcdf(const ovr_sweep_table *t, const char *path,
+                                  ovr_error *err)
 {
     netcdf n = {.t = t, .scale = -1};
     ovr_h5_manners before = ovr_h5_quiet();

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/study.h"
+#include "run/study.h"
 
 enum { NAME_MOST = 120 };
 
@@ -17,7 +17,7 @@ static bool same_end(const char *where, const char *end)
 }
 
 /* The last parts of section.key that no other key ends with. */
-static const char *short_name(const study *s, const char *where)
+static const char *short_name(const ovr_study *s, const char *where)
 {
     const char *end = where + strlen(where);
     while (end > where) {
@@ -58,7 +58,7 @@ static unsigned hash(const char *text)
     return h;
 }
 
-static char *task_name(study *s, size_t task, ovr_error *err)
+static char *task_name(ovr_study *s, size_t task, ovr_error *err)
 {
     char name[8192];
     size_t n = 0;
@@ -68,7 +68,7 @@ static char *task_name(study *s, size_t task, ovr_error *err)
         if (s->key[i].fixed)
             continue;
         snprintf(part, sizeof part, "%s%s=%s", n ? "_" : "", s->key[i].shown,
-                 study_value(s, &s->key[i], task));
+                 ovr_study_value(s, &s->key[i], task));
         n += put_safe(name + n, sizeof name - n, part);
     }
     if (n > NAME_MOST)
@@ -81,7 +81,7 @@ static int by_name(const void *a, const void *b)
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-static ovr_status check_names(study *s, ovr_error *err)
+static ovr_status check_names(ovr_study *s, ovr_error *err)
 {
     char **sorted = malloc((s->tasks + 1) * sizeof *sorted);
     ovr_status status = OVR_OK;
@@ -98,7 +98,7 @@ static ovr_status check_names(study *s, ovr_error *err)
     return status;
 }
 
-ovr_status study_name_tasks(study *s, ovr_error *err)
+ovr_status ovr_study_name_tasks(ovr_study *s, ovr_error *err)
 {
     for (size_t i = 0; i < s->keys; i++)
         s->key[i].shown = short_name(s, s->key[i].where);
@@ -115,38 +115,39 @@ ovr_status study_name_tasks(study *s, ovr_error *err)
 
 /* ------------------------------------------------------------------ cases */
 
-static ovr_case *base_case(const study *s, ovr_error *err)
+static ovr_case *base_case(const ovr_study *s, ovr_error *err)
 {
     if (s->case_path)
         return ovr_case_read(s->case_path, NULL, err);
     return ovr_case_read_text("", s->path, s->folder, NULL, err);
 }
 
-static ovr_status put(const study *s, const study_key *k, const char *value,
-                      ovr_case *c, ovr_error *err)
+static ovr_status put(const ovr_study *s, const ovr_study_key *k,
+                      const char *value, ovr_case *c, ovr_error *err)
 {
     char origin[300];
     snprintf(origin, sizeof origin, "%.280s:%ld", s->path, k->line);
     return ovr_case_set(c, k->where, value, origin, err);
 }
 
-ovr_case *study_case(const study *s, size_t task, ovr_error *err)
+ovr_case *ovr_study_case(const ovr_study *s, size_t task, ovr_error *err)
 {
     ovr_case *c = base_case(s, err);
     ovr_status status = OVR_OK;
     for (size_t i = 0; c && !status && i < s->keys; i++)
-        status = put(s, &s->key[i], study_value(s, &s->key[i], task), c, err);
+        status = put(s, &s->key[i], ovr_study_value(s, &s->key[i], task), c,
+                     err);
     if (status) {
         ovr_case_free(c);
         return NULL;
     }
     if (c)
-        ovr_case_unset(c, "output.file");
+        ovr_case_unset(c, "output.file"); /* its place is the study's */
     return c;
 }
 
 /* Every value once, so that what is wrong is known before anything runs. */
-ovr_status study_try_values(const study *s, ovr_error *err)
+ovr_status ovr_study_try_values(const ovr_study *s, ovr_error *err)
 {
     ovr_case *c = base_case(s, err);
     ovr_status status = c ? OVR_OK : OVR_BAD_INPUT;

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/sweep_table.h"
+#include "run/sweep_table.h"
 
 #include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -11,7 +12,7 @@ enum { PATH_ROOM = 4400 };
 
 /* -------------------------------------------------------------- summaries */
 
-static double *new_numbers(sweep_table *t, ovr_error *err)
+static double *new_numbers(ovr_sweep_table *t, ovr_error *err)
 {
     double *values = ovr_arena_take(&t->arena, t->s->tasks, sizeof *values,
                                     err);
@@ -21,13 +22,14 @@ static double *new_numbers(sweep_table *t, ovr_error *err)
 }
 
 /* The column of this name, made when it is new; NULL: no room. */
-static sweep_column *column_of(sweep_table *t, const char *name, ovr_error *err)
+static ovr_sweep_column *column_of(ovr_sweep_table *t, const char *name,
+                                   ovr_error *err)
 {
-    sweep_column *c;
+    ovr_sweep_column *c;
     for (size_t i = 0; i < t->columns; i++)
         if (!strcmp(t->column[i].name, name))
             return &t->column[i];
-    if (t->columns == SWEEP_MOST_NUMBERS)
+    if (t->columns == OVR_SWEEP_MOST_NUMBERS)
         return NULL;
     c = &t->column[t->columns];
     snprintf(c->name, sizeof c->name, "%.47s", name);
@@ -57,17 +59,17 @@ static bool read_pair(const char *line, char *key, size_t room, double *value)
     return rest != text;
 }
 
-static void read_summary(sweep_table *t, size_t task, ovr_error *err)
+static void read_summary(ovr_sweep_table *t, size_t task, ovr_error *err)
 {
     char path[PATH_ROOM], line[512], key[64];
     double value;
     FILE *from;
-    study_file(t->s, task, ".json", path, sizeof path);
+    ovr_study_file(t->s, task, ".json", path, sizeof path);
     from = fopen(path, "r");
     while (from && fgets(line, sizeof line, from)) {
-        sweep_column *c = read_pair(line, key, sizeof key, &value)
-                              ? column_of(t, key, err)
-                              : NULL;
+        ovr_sweep_column *c = read_pair(line, key, sizeof key, &value)
+                                  ? column_of(t, key, err)
+                                  : NULL;
         if (c)
             c->value[task] = value;
     }
@@ -76,7 +78,7 @@ static void read_summary(sweep_table *t, size_t task, ovr_error *err)
 }
 
 /* The summaries repeat some keys of the study (M, L): those give way. */
-static bool is_taken(const sweep_table *t, const char *name)
+static bool is_taken(const ovr_sweep_table *t, const char *name)
 {
     for (size_t k = 0; k < t->keys; k++)
         if (!strcmp(t->values[k].key->shown, name))
@@ -86,7 +88,7 @@ static bool is_taken(const sweep_table *t, const char *name)
 }
 
 /* A key that no case has a number for (a text) makes no column. */
-static void drop_columns(sweep_table *t)
+static void drop_columns(ovr_sweep_table *t)
 {
     size_t kept = 0;
     for (size_t k = 0; k < t->columns; k++) {
@@ -119,7 +121,7 @@ static bool is_entry(const ovr_case_entry *e, const char *where)
                    where + strlen(e->section) + 1);
 }
 
-static void take_value(sweep_values *v, const ovr_case *c, size_t task)
+static void take_value(ovr_sweep_values *v, const ovr_case *c, size_t task)
 {
     for (size_t k = 0; k < ovr_case_entries(c); k++) {
         ovr_case_entry e = ovr_case_entry_at(c, k);
@@ -136,20 +138,20 @@ static void take_value(sweep_values *v, const ovr_case *c, size_t task)
     v->numeric = false;
 }
 
-static ovr_status take_values(sweep_table *t, ovr_error *err)
+static ovr_status take_values(ovr_sweep_table *t, ovr_error *err)
 {
-    const study *s = t->s;
+    const ovr_study *s = t->s;
     for (size_t k = 0; k < s->keys; k++) {
-        sweep_values *v = &t->values[t->keys];
+        ovr_sweep_values *v = &t->values[t->keys];
         if (s->key[k].fixed)
             continue;
-        *v = (sweep_values){&s->key[k], true, "1", new_numbers(t, err)};
+        *v = (ovr_sweep_values){&s->key[k], true, "1", new_numbers(t, err)};
         if (!v->number)
             return OVR_NO_MEMORY;
         t->keys++;
     }
     for (size_t i = 0; i < s->tasks; i++) {
-        ovr_case *c = study_case(s, i, err);
+        ovr_case *c = ovr_study_case(s, i, err);
         for (size_t k = 0; c && k < t->keys; k++)
             take_value(&t->values[k], c, i);
         ovr_case_free(c);
@@ -159,7 +161,8 @@ static ovr_status take_values(sweep_table *t, ovr_error *err)
 
 /* ------------------------------------------------------------------ table */
 
-ovr_status sweep_gather(const study *s, sweep_table *t, ovr_error *err)
+ovr_status ovr_sweep_gather(const ovr_study *s, ovr_sweep_table *t,
+                            ovr_error *err)
 {
     memset(t, 0, sizeof *t);
     t->s = s;
@@ -168,16 +171,16 @@ ovr_status sweep_gather(const study *s, sweep_table *t, ovr_error *err)
     if (!t->state || take_values(t, err))
         return OVR_NO_MEMORY;
     for (size_t i = 0; i < s->tasks; i++) {
-        t->state[i] = sweep_state_of(s, i);
+        t->state[i] = ovr_sweep_state_of(s, i);
         t->count[t->state[i]]++;
-        if (t->state[i] == SWEEP_FINISHED)
+        if (t->state[i] == OVR_SWEEP_FINISHED)
             read_summary(t, i, err);
     }
     drop_columns(t);
     return OVR_OK;
 }
 
-void sweep_table_free(sweep_table *table)
+void ovr_sweep_table_free(ovr_sweep_table *table)
 {
     ovr_arena_release(&table->arena);
 }
@@ -217,7 +220,7 @@ static bool is_main(const char *name)
     return false;
 }
 
-static void put_heads(const sweep_table *t, FILE *to, bool manifest)
+static void put_heads(const ovr_sweep_table *t, FILE *to, bool manifest)
 {
     fputs("task,name", to);
     for (size_t k = 0; k < t->keys; k++) {
@@ -232,17 +235,17 @@ static void put_heads(const sweep_table *t, FILE *to, bool manifest)
 }
 
 /* A file of the task, when it is there. */
-static void put_file(const sweep_table *t, size_t task, const char *ending,
+static void put_file(const ovr_sweep_table *t, size_t task, const char *ending,
                      FILE *to)
 {
     char path[PATH_ROOM];
     fputc(',', to);
-    study_file(t->s, task, ending, path, sizeof path);
+    ovr_study_file(t->s, task, ending, path, sizeof path);
     if (access(path, F_OK) == 0)
         put_text(to, strrchr(path, '/') + 1);
 }
 
-static void put_row(const sweep_table *t, size_t i, FILE *to, bool manifest)
+static void put_row(const ovr_sweep_table *t, size_t i, FILE *to, bool manifest)
 {
     char message[1100];
     fprintf(to, "%zu,", i + 1);
@@ -250,11 +253,11 @@ static void put_row(const sweep_table *t, size_t i, FILE *to, bool manifest)
     for (size_t k = 0; k < t->keys; k++) {
         fputc(',', to);
         if (manifest || !t->values[k].numeric)
-            put_text(to, study_value(t->s, t->values[k].key, i));
+            put_text(to, ovr_study_value(t->s, t->values[k].key, i));
         else
             put_number(to, t->values[k].number[i], 17);
     }
-    fprintf(to, ",%s", sweep_state_name(t->state[i]));
+    fprintf(to, ",%s", ovr_sweep_state_name(t->state[i]));
     if (manifest) {
         put_file(t, i, ".h5", to);
         put_file(t, i, ".json", to);
@@ -265,7 +268,7 @@ static void put_row(const sweep_table *t, size_t i, FILE *to, bool manifest)
             put_number(to, t->column[k].value[i], manifest ? 6 : 17);
         }
     if (manifest) {
-        sweep_message(t->s, i, message, sizeof message);
+        ovr_sweep_message(t->s, i, message, sizeof message);
         fputc(',', to);
         put_text(to, message);
     }
@@ -273,8 +276,8 @@ static void put_row(const sweep_table *t, size_t i, FILE *to, bool manifest)
 }
 
 /* Written beside and renamed: whoever reads it finds a whole one. */
-static ovr_status write_table(const sweep_table *t, const char *path,
-                              bool manifest, ovr_error *err)
+ovr_status ovr_sweep_write_csv(const ovr_sweep_table *t, const char *path,
+                               bool manifest, ovr_error *err)
 {
     char part[PATH_ROOM + 32];
     FILE *to;
@@ -295,17 +298,4 @@ static ovr_status write_table(const sweep_table *t, const char *path,
     unlink(part);
     return ovr_fail(err, OVR_IO, "%s: cannot be written: %s", path,
                     strerror(errno));
-}
-
-ovr_status sweep_write_manifest(const sweep_table *t, ovr_error *err)
-{
-    char path[PATH_ROOM];
-    snprintf(path, sizeof path, "%s/manifest.csv", t->s->output);
-    return write_table(t, path, true, err);
-}
-
-ovr_status sweep_write_csv(const sweep_table *t, const char *path,
-                           ovr_error *err)
-{
-    return write_table(t, path, false, err);
 }

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/study.h"
+#include "run/study.h"
 
 enum { VALUE_ROOM = 200 };
 
@@ -92,7 +92,7 @@ static bool split_range(const char *text, char *from, char *to, size_t room,
     n = strtoul(last, &end, 10);
     *count = n;
     return *last >= '0' && *last <= '9' && !*end && n > 1 &&
-           n <= STUDY_MOST_TASKS;
+           n <= OVR_STUDY_MOST_TASKS;
 }
 
 static void cut_blanks(char *text)
@@ -159,14 +159,15 @@ static bool is_count(const char *text, range *r)
     if (end == text || strncmp(end, "..", 2) != 0)
         return false;
     to = strtol(second, &end, 10);
-    if (end == second || *end || to <= from || to - from >= STUDY_MOST_TASKS)
+    if (end == second || *end || to <= from ||
+        to - from >= OVR_STUDY_MOST_TASKS)
         return false;
     *r = (range){(double)from, (double)to, "", (size_t)(to - from) + 1, false};
     return true;
 }
 
-ovr_status study_values(const char *text, ovr_arena *arena, char ***values,
-                        size_t *count, ovr_error *err)
+ovr_status ovr_study_values(const char *text, ovr_arena *arena, char ***values,
+                            size_t *count, ovr_error *err)
 {
     range r;
     if (is_count(text, &r))

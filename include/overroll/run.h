@@ -1,0 +1,226 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A run, from a case to a finished result file; and studies: many runs.
+ *
+ *     ovr_run_options how = ovr_run_options_default();
+ *     how.output = "dent.h5";
+ *     ovr_case *c = ovr_case_read("dent.ini", NULL, &err);
+ *     ovr_run *run = c ? ovr_run_create(c, &how, NULL, &err) : NULL;
+ *     if (run && !ovr_run_go(run, &err))
+ *         ... ovr_run_about(run)->sim ...
+ *     ovr_run_free(run), ovr_case_free(c);
+ *
+ * All that a run has to say goes through callbacks; each may be NULL, and all
+ * get `data`.
+ */
+#ifndef OVERROLL_RUN_H
+#define OVERROLL_RUN_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include "overroll/case.h"
+#include "overroll/error.h"
+#include "overroll/memory.h"
+#include "overroll/simulation.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ------------------------------------------------------------------ a run */
+
+typedef struct ovr_run ovr_run;
+
+typedef enum ovr_say {
+    OVR_SAY_WARNING, /* the result may not be what was meant */
+    OVR_SAY_NOTE,    /* what was assumed or done beyond the ordinary */
+    OVR_SAY_FILE     /* of the file gone on with; begins with its name */
+} ovr_say;
+
+/* One line of text, without end of line. */
+typedef void ovr_listener(void *data, ovr_say kind, const char *text);
+
+typedef struct ovr_run_options {
+    size_t size;        /* of this struct, as its user knows it */
+    const char *output; /* result file; NULL: where the case says, if it does */
+    bool force;         /* replace an existing file */
+    bool steady;        /* the steady contact alone, its features grown: time
+                           and output of the case do not count */
+    bool estimate_error; /* solve again one level coarser; not when resumed */
+    void *data;
+    ovr_listener *say;
+    /* After each step; true: stop, with OVR_STOPPED and a file that can be
+     * gone on with. */
+    bool (*stop)(void *data);
+    /* After each step of a run in time. */
+    void (*progress)(void *data, const ovr_run *run, double fraction);
+    /* After the steady start and each step, the file written. */
+    ovr_observer *observe;
+    /* Resuming: settings for the case (its end, what is stored). */
+    ovr_status (*change)(void *data, ovr_case *c, ovr_error *err);
+} ovr_run_options;
+
+/* Nothing but the case: the defaults of all above. */
+OVR_API void ovr_run_options_fill(ovr_run_options *options);
+static inline ovr_run_options ovr_run_options_default(void)
+{
+    ovr_run_options options;
+    options.size = sizeof options;
+    ovr_run_options_fill(&options);
+    return options;
+}
+
+/* All that can be refused is refused here, before anything is solved.  The case
+ * must outlive the run; a steady run takes the growth out of it. */
+OVR_API ovr_run *ovr_run_create(ovr_case *c, const ovr_run_options *options,
+                                const ovr_allocator *allocator, ovr_error *err);
+
+/* Goes on where the run of a result file ended, from the checkpoint beside it,
+ * or from the beginning for want of one. */
+OVR_API ovr_run *ovr_run_resume(const char *path,
+                                const ovr_run_options *options,
+                                const ovr_allocator *allocator, ovr_error *err);
+
+/* Solves to the end and closes the file, whatever happens. */
+OVR_API ovr_status ovr_run_go(ovr_run *run, ovr_error *err);
+OVR_API void ovr_run_free(ovr_run *run);
+
+/* Discretization errors, estimated from the solution one level coarser. */
+typedef struct ovr_run_errors {
+    int level;                  /* of that one; 0: none was made */
+    double H_min, H_cen, P_max; /* at the end */
+    double H_min_overall;       /* of the smallest film in time */
+} ovr_run_errors;
+
+enum { OVR_RUN_WARNINGS = 4, OVR_RUN_WARNING_SIZE = 240 };
+
+/* Of a run at any moment. */
+typedef struct ovr_run_info {
+    const ovr_setup *setup;
+    const ovr_simulation *sim;
+    const char *output; /* result file or NULL */
+    bool transient;     /* marches in time */
+    double fraction;    /* of its time that is done */
+    bool converged;     /* all steps, to the end */
+    double seconds;     /* of wall time, of ovr_run_go */
+    size_t snapshots;   /* in the file, when it is closed */
+    ovr_run_errors error;
+    int warnings; /* the first ones, for reports */
+    char warning[OVR_RUN_WARNINGS][OVR_RUN_WARNING_SIZE];
+} ovr_run_info;
+OVR_API const ovr_run_info *ovr_run_about(const ovr_run *run);
+
+/* What can be said of a prepared setup before it is solved: a grid too coarse
+ * for its features, one of them inside from the start, a start from rest. */
+OVR_API void ovr_setup_review(const ovr_setup *setup, ovr_listener *say,
+                              void *data);
+
+/* ---------------------------------------------------------------- studies */
+
+/*
+ * A base case and lists of values: a run for each combination, see
+ * overroll-study(5).  Cases are counted from 0.
+ *
+ *     ovr_study *study = ovr_study_read("loads.ini", NULL, &err);
+ *     ovr_sweep_options how = ovr_sweep_options_default();
+ *     ovr_sweep_totals totals;
+ *     if (study && !ovr_sweep(study, &how, &err))
+ *         ovr_sweep_collect(study, "loads.csv", &totals, &err);
+ *     ovr_study_free(study);
+ */
+typedef struct ovr_study ovr_study;
+
+/* Every key and value is tried on the base case. */
+OVR_API ovr_study *ovr_study_read(const char *path,
+                                  const ovr_allocator *allocator,
+                                  ovr_error *err);
+OVR_API void ovr_study_free(ovr_study *study);
+
+/* The number of cases; the name of one; its case, to be freed. */
+OVR_API size_t ovr_study_cases(const ovr_study *study);
+OVR_API const char *ovr_study_name(const ovr_study *study, size_t k);
+OVR_API ovr_case *ovr_study_case(const ovr_study *study, size_t k,
+                                 ovr_error *err);
+
+/* The folder of the results; another one, copied. */
+OVR_API const char *ovr_study_output(const ovr_study *study);
+OVR_API ovr_status ovr_study_output_set(ovr_study *study, const char *folder,
+                                        ovr_error *err);
+
+/* How a case stands, told by the files in the folder alone. */
+typedef enum ovr_sweep_state {
+    OVR_SWEEP_WAITING,  /* nothing there */
+    OVR_SWEEP_STOPPED,  /* began; its result file can be gone on with */
+    OVR_SWEEP_RUNNING,  /* another process has it */
+    OVR_SWEEP_FINISHED, /* with its summary */
+    OVR_SWEEP_FAILED,
+    OVR_SWEEP_CHANGED, /* finished, stopped or failed as another case */
+    OVR_SWEEP_STATES
+} ovr_sweep_state;
+OVR_API const char *ovr_sweep_state_name(ovr_sweep_state state);
+OVR_API ovr_sweep_state ovr_sweep_state_of(const ovr_study *study, size_t k);
+
+/* First line of the message of a failure, or "". */
+OVR_API void ovr_sweep_message(const ovr_study *study, size_t k, char *text,
+                               size_t room);
+
+enum { OVR_SWEEP_MOST_WORKERS = 1024 };
+
+/* Every case is run by a process of its own, forked here, whose standard
+ * output and error are its NAME.log: the callbacks of `run` and `report` are
+ * called there. */
+typedef struct ovr_sweep_options {
+    size_t size; /* of this struct, as its user knows it */
+    int workers; /* at once; 0: one a processor */
+    bool retry;  /* failed cases again */
+    bool redo;   /* all again, from their beginning */
+    bool one;    /* only the case `only` */
+    size_t only;
+    const ovr_run_options
+        *run; /* output, force, steady do not count; or NULL */
+    void *data;
+    /* A run ended, as `err` says; it is NULL when it could not begin.  What is
+     * written to `summary` becomes its NAME.json, unless it failed. */
+    void (*report)(void *data, const ovr_run *run, const ovr_error *err,
+                   FILE *summary);
+    /* A few times a second, here: how many of how many ended, how many run,
+     * how many failed, and the part of all that is done. */
+    void (*progress)(void *data, size_t ended, size_t cases, int running,
+                     size_t failed, double fraction);
+    bool (*stop)(void *data); /* asked as often */
+} ovr_sweep_options;
+OVR_API void ovr_sweep_options_fill(ovr_sweep_options *options);
+static inline ovr_sweep_options ovr_sweep_options_default(void)
+{
+    ovr_sweep_options options;
+    options.size = sizeof options;
+    ovr_sweep_options_fill(&options);
+    return options;
+}
+
+/* Whether a case that stands so is one to work on. */
+OVR_API bool ovr_sweep_wanted(const ovr_sweep_options *options,
+                              ovr_sweep_state state);
+
+/* Runs the cases that are wanted and free.  A failed case is no failure of the
+ * sweep.  OVR_STOPPED: what runs was asked to stop at its next step. */
+OVR_API ovr_status ovr_sweep(const ovr_study *study,
+                             const ovr_sweep_options *options, ovr_error *err);
+
+typedef struct ovr_sweep_totals {
+    size_t count[8]; /* by state */
+    size_t marked;   /* cases with steps accepted above the tolerance */
+} ovr_sweep_totals;
+
+/* Writes manifest.csv in the folder and, unless NULL, the table of all cases
+ * to `path`, which ends with .csv, .nc or .h5. */
+OVR_API ovr_status ovr_sweep_collect(const ovr_study *study, const char *path,
+                                     ovr_sweep_totals *totals, ovr_error *err);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/sized.h"
+
+#include <string.h>
+
+static size_t size_of(const void *any)
+{
+    size_t size;
+    memcpy(&size, any, sizeof size);
+    return size;
+}
+
+void ovr_sized_fill(void *to, const void *defaults, size_t size)
+{
+    size_t known = size_of(to);
+    memset(to, 0, known);
+    memcpy(to, defaults, known < size ? known : size);
+    memcpy(to, &known, sizeof known);
+}
+
+ovr_status ovr_sized_take(void *to, size_t size, const void *from,
+                          const char *name, ovr_error *err)
+{
+    size_t known = size_of(from);
+    if (known < sizeof known || known > size)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s has size %zu where this library knows %zu: it "
+                        "must begin as %s_default() gives it",
+                        name, known, size, name);
+    memcpy(to, from, known);
+    memcpy(to, &size, sizeof size);
+    return OVR_OK;
+}

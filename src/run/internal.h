@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a run is made of; shared by the files of this floor only. */
+#ifndef OVR_RUN_INTERNAL_H
+#define OVR_RUN_INTERNAL_H
+
+#include "base/arena.h"
+#include "overroll/results.h"
+#include "overroll/run.h"
+
+struct ovr_run {
+    ovr_arena arena;
+    ovr_run_options how;
+    ovr_case *c;
+    ovr_setup *setup;
+    ovr_simulation *sim;
+    ovr_writer *writer;   /* NULL: nothing is stored */
+    ovr_restart *restart; /* of a run gone on with */
+    bool resumed;         /* the case is its own */
+    bool restored;        /* the state is a checkpoint's: no steady start */
+    ovr_run_info info;
+};
+
+/* An empty run with the options; NULL: they are not ones. */
+ovr_run *ovr_run_make(const ovr_run_options *options,
+                      const ovr_allocator *allocator, ovr_error *err);
+
+/* The simulation of its case, which is resolved if it was not. */
+ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err);
+
+/* The discretization errors, from the same case one level coarser. */
+ovr_status ovr_run_estimate(const ovr_run *run, ovr_run_errors *errors,
+                            ovr_error *err);
+
+/* Passes on what is said of a run, and keeps the first warnings. */
+ovr_listener ovr_run_say;
+
+/* What is said before the solve, and after it. */
+void ovr_run_review_before(ovr_run *run);
+void ovr_run_review_after(ovr_run *run);
+
+/* Whether the file can be made; said before anything is solved. */
+ovr_status ovr_output_check(const char *path, bool force, ovr_error *err);
+
+/* The writer of a new file; its checkpoints will hold the simulation's state.
+ */
+ovr_status ovr_output_open(ovr_run *run, ovr_error *err);
+
+/* The file of an earlier run, gone on with: first what may be refused (another
+ * physics), then the checkpoint's state into the simulation, then the file. */
+ovr_status ovr_output_reopen(ovr_run *run, ovr_error *err);
+
+#endif

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Worker processes, one for each task, so many at once. */
+#ifndef OVR_RUN_POOL_H
+#define OVR_RUN_POOL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Memory that a worker shares with its parent. */
+typedef struct ovr_shared {
+    volatile double *done; /* part of the task, told by the worker */
+    const volatile int *stop;
+} ovr_shared;
+
+typedef struct ovr_pool_job {
+    size_t count;
+    const size_t *task;
+    int workers;
+    /* In the worker: does the task, returns the code it exits with. */
+    int (*work)(void *data, size_t task, ovr_shared shared);
+    /* In the parent: a task ended, with a code or by a signal. */
+    void (*ended)(void *data, size_t task, int code, int signal);
+    /* In the parent, a few times a second: how many ended, how many run, and
+     * the tasks done, parts of running ones included. */
+    void (*tick)(void *data, size_t ended, int running, double done);
+    bool (*stop)(void *data); /* asked as often; then nothing new is begun */
+    void *data;
+} ovr_pool_job;
+
+/* Until all that began have ended.  1: stopped; 0: all done; -1: no memory or
+ * no process, errno says which. */
+int ovr_pool_run(const ovr_pool_job *job);
+
+#endif

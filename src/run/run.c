@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* From a case to a finished file. */
+#include <math.h>
+#include <string.h>
+#include <time.h>
+
+#include "base/sized.h"
+#include "run/internal.h"
+
+void ovr_run_options_fill(ovr_run_options *options)
+{
+    const ovr_run_options defaults = {.size = sizeof defaults};
+    ovr_sized_fill(options, &defaults, sizeof defaults);
+}
+
+static double seconds_now(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* ------------------------------------------------------------------ making */
+
+ovr_run *ovr_run_make(const ovr_run_options *options,
+                      const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_run *run = ovr_arena_take(&arena, 1, sizeof *run, err);
+    if (!run)
+        return NULL;
+    run->arena = arena;
+    run->how = ovr_run_options_default();
+    if (options && ovr_sized_take(&run->how, sizeof run->how, options,
+                                  "ovr_run_options", err)) {
+        ovr_run_free(run);
+        return NULL;
+    }
+    return run;
+}
+
+/* A steady solve has features fully grown: what the run in time ends in. */
+static void stop_growing(ovr_case *c)
+{
+    for (size_t k = 0; k < ovr_case_entries(c); k++) {
+        ovr_case_entry entry = ovr_case_entry_at(c, k);
+        char where[128];
+        if (!entry.name || !entry.given || strncmp(entry.key, "grow", 4) != 0)
+            continue;
+        snprintf(where, sizeof where, "feature %s.%s", entry.name, entry.key);
+        ovr_case_unset(c, where);
+    }
+}
+
+ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
+{
+    const ovr_allocator *allocator = &run->arena.allocator;
+    if (!run->setup)
+        run->setup = ovr_case_resolve(run->c, allocator, err);
+    if (run->setup)
+        run->sim = ovr_setup_simulation(run->setup, allocator, err);
+    if (!run->sim)
+        return OVR_BAD_INPUT;
+    run->info.transient = run->setup->transient && !run->how.steady;
+    run->info.setup = run->setup;
+    run->info.sim = run->sim;
+    return OVR_OK;
+}
+
+/* Where the result goes: said to be possible before anything large is made. */
+static ovr_status choose_output(ovr_run *run, ovr_error *err)
+{
+    const char *path = run->how.output;
+    if (!path)
+        path = run->setup->output.file;
+    if (!path || run->how.steady)
+        return OVR_OK;
+    run->info.output = ovr_arena_text(&run->arena, path, err);
+    return run->info.output ? ovr_output_check(path, run->how.force, err)
+                            : OVR_NO_MEMORY;
+}
+
+static ovr_status prepare(ovr_run *run, ovr_error *err)
+{
+    if (run->how.steady)
+        stop_growing(run->c);
+    run->setup = ovr_case_resolve(run->c, &run->arena.allocator, err);
+    if (!run->setup || choose_output(run, err) || ovr_run_set_up(run, err))
+        return OVR_BAD_INPUT;
+    return run->info.output ? ovr_output_open(run, err) : OVR_OK;
+}
+
+ovr_run *ovr_run_create(ovr_case *c, const ovr_run_options *options,
+                        const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_run *run = ovr_run_make(options, allocator, err);
+    if (!run)
+        return NULL;
+    run->c = c;
+    if (prepare(run, err)) {
+        ovr_run_free(run);
+        return NULL;
+    }
+    return run;
+}
+
+void ovr_run_free(ovr_run *run)
+{
+    ovr_arena arena;
+    if (!run)
+        return;
+    if (run->writer)
+        ovr_writer_close(run->writer, OVR_RUN_STOPPED, NULL);
+    ovr_simulation_free(run->sim);
+    ovr_setup_free(run->setup);
+    if (run->resumed)
+        ovr_case_free(run->c);
+    ovr_restart_close(run->restart);
+    arena = run->arena;
+    ovr_arena_release(&arena);
+}
+
+const ovr_run_info *ovr_run_about(const ovr_run *run)
+{
+    return &run->info;
+}
+
+/* ----------------------------------------------------------------- solving */
+
+static ovr_status observe(void *data, const ovr_simulation *sim, ovr_error *err)
+{
+    ovr_run *run = data;
+    const ovr_run_options *how = &run->how;
+    double T = ovr_simulation_state(sim)->T;
+    ovr_status status = OVR_OK;
+    if (run->writer)
+        status = ovr_writer_observe(run->writer, sim, err);
+    if (!status && how->observe)
+        status = how->observe(how->data, sim, err);
+    if (status)
+        return status;
+    run->info.fraction = run->info.transient ? T / run->setup->march.end : 1;
+    if (how->progress && run->info.transient)
+        how->progress(how->data, run, run->info.fraction);
+    if (how->stop && how->stop(how->data))
+        return ovr_fail(err, OVR_STOPPED, "stopped at T = %g", T);
+    return OVR_OK;
+}
+
+static double next_time(void *data, double T)
+{
+    const ovr_run *run = data;
+    return run->writer ? ovr_writer_next_time(run->writer, T) : INFINITY;
+}
+
+static ovr_status solve(ovr_run *run, ovr_error *err)
+{
+    ovr_march how = run->setup->march;
+    ovr_status status = run->restored ? OVR_OK
+                                      : ovr_simulation_steady(run->sim, err);
+    if (status)
+        return status;
+    if (!run->info.transient)
+        return observe(run, run->sim, err);
+    how.observe = observe;
+    how.next_time = next_time;
+    how.data = run;
+    return ovr_simulation_march(run->sim, &how, err);
+}
+
+static ovr_run_status ending(ovr_status status)
+{
+    if (status == OVR_OK)
+        return OVR_RUN_COMPLETE;
+    return status == OVR_STOPPED ? OVR_RUN_STOPPED : OVR_RUN_FAILED;
+}
+
+static size_t count_snapshots(const char *path)
+{
+    ovr_result *result = ovr_result_open(path, NULL, NULL);
+    size_t n = result ? ovr_result_about(result)->snapshots : 0;
+    ovr_result_close(result);
+    return n;
+}
+
+/* Closes the file whatever happened; the first error is the one told. */
+static ovr_status close_file(ovr_run *run, ovr_status status, ovr_error *err)
+{
+    ovr_error late = {0};
+    ovr_status closed;
+    if (!run->writer)
+        return status;
+    if (ending(status) == OVR_RUN_FAILED)
+        ovr_writer_reason(run->writer, err->message);
+    closed = ovr_writer_close(run->writer, ending(status), &late);
+    run->writer = NULL;
+    run->info.snapshots = count_snapshots(run->info.output);
+    if (status || !closed)
+        return status;
+    *err = late;
+    return closed;
+}
+
+ovr_status ovr_run_go(ovr_run *run, ovr_error *err)
+{
+    double begun = seconds_now();
+    ovr_error own;
+    ovr_status status;
+    err = err ? err : &own;
+    ovr_run_review_before(run);
+    status = close_file(run, solve(run, err), err);
+    run->info.seconds = seconds_now() - begun;
+    run->info.converged = status == OVR_OK &&
+                          ovr_simulation_observation(run->sim)->converged &&
+                          ovr_simulation_statistics(run->sim)->marked == 0;
+    if (!status && run->how.estimate_error && !run->resumed)
+        status = ovr_run_estimate(run, &run->info.error, err);
+    if (!status || status == OVR_STOPPED || status == OVR_NOT_CONVERGED ||
+        status == OVR_IMPOSSIBLE)
+        ovr_run_review_after(run);
+    return status;
+}

@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* All cases of a study, here or shared with other hosts. */
+#include <errno.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/sized.h"
+#include "run/sweep_table.h"
+#include "run/task.h"
+
+typedef struct sweeping {
+    const ovr_study *s;
+    ovr_sweep_options how;
+    ovr_run_options run;
+    ovr_arena arena;
+    size_t *task; /* those to work on */
+    size_t tasks, failed;
+} sweeping;
+
+void ovr_sweep_options_fill(ovr_sweep_options *options)
+{
+    const ovr_sweep_options defaults = {.size = sizeof defaults};
+    ovr_sized_fill(options, &defaults, sizeof defaults);
+}
+
+/* ------------------------------------------------------------------- tasks */
+
+static int work(void *data, size_t task, ovr_shared shared)
+{
+    const sweeping *w = data;
+    return (int)ovr_task_work(w->s, task, &w->how, shared);
+}
+
+static void ended(void *data, size_t task, int code, int number)
+{
+    sweeping *w = data;
+    if (number)
+        ovr_task_died(w->s, task, number);
+    w->failed += number || (code != OVR_OK && code != OVR_STOPPED);
+}
+
+static void tick(void *data, size_t count, int running, double done)
+{
+    const sweeping *w = data;
+    if (w->how.progress)
+        w->how.progress(w->how.data, count, w->tasks, running, w->failed,
+                        done / (double)w->tasks);
+}
+
+static bool stop(void *data)
+{
+    const sweeping *w = data;
+    return w->how.stop && w->how.stop(w->how.data);
+}
+
+static ovr_status list_tasks(sweeping *w, ovr_error *err)
+{
+    w->task = ovr_arena_take(&w->arena, w->s->tasks, sizeof *w->task, err);
+    if (!w->task)
+        return OVR_NO_MEMORY;
+    for (size_t i = 0; i < w->s->tasks; i++)
+        if ((!w->how.one || w->how.only == i) &&
+            ovr_sweep_wanted(&w->how, ovr_sweep_state_of(w->s, i)))
+            w->task[w->tasks++] = i;
+    return OVR_OK;
+}
+
+/* --------------------------------------------------------------- the sweep */
+
+static ovr_status make_folder(const char *path, ovr_error *err)
+{
+    if ((mkdir(path, 0777) == 0 || errno == EEXIST) &&
+        access(path, W_OK | X_OK) == 0)
+        return OVR_OK;
+    return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be written: %s", path,
+                    strerror(errno));
+}
+
+static ovr_status take_options(sweeping *w, const ovr_sweep_options *options,
+                               ovr_error *err)
+{
+    w->how = ovr_sweep_options_default();
+    w->run = ovr_run_options_default();
+    if (options && ovr_sized_take(&w->how, sizeof w->how, options,
+                                  "ovr_sweep_options", err))
+        return OVR_BAD_INPUT;
+    if (w->how.run && ovr_sized_take(&w->run, sizeof w->run, w->how.run,
+                                     "ovr_run_options", err))
+        return OVR_BAD_INPUT;
+    w->how.run = &w->run;
+    return OVR_OK;
+}
+
+static int workers_of(const sweeping *w)
+{
+    long n = w->how.workers > 0 ? w->how.workers
+                                : sysconf(_SC_NPROCESSORS_ONLN);
+    n = n < 1 ? 1 : n > OVR_SWEEP_MOST_WORKERS ? OVR_SWEEP_MOST_WORKERS : n;
+    return (int)((size_t)n < w->tasks ? (size_t)n : w->tasks);
+}
+
+static ovr_status run(sweeping *w, ovr_error *err)
+{
+    ovr_pool_job job = {w->tasks, w->task, workers_of(w), work,
+                        ended,    tick,    stop,          w};
+    int stopped = w->tasks ? ovr_pool_run(&job) : 0;
+    if (stopped < 0)
+        return ovr_fail(err, OVR_IO,
+                        "overroll sweep: no worker could be started: %s",
+                        strerror(errno));
+    return stopped ? ovr_fail(err, OVR_STOPPED, "stopped with cases left")
+                   : OVR_OK;
+}
+
+ovr_status ovr_sweep(const ovr_study *study, const ovr_sweep_options *options,
+                     ovr_error *err)
+{
+    sweeping w = {.s = study};
+    ovr_status status = take_options(&w, options, err);
+    if (!status)
+        status = make_folder(study->output, err);
+    if (status)
+        return status;
+    w.arena = ovr_arena_make(&study->arena.allocator);
+    status = list_tasks(&w, err);
+    if (!status)
+        status = run(&w, err);
+    ovr_arena_release(&w.arena);
+    return status;
+}
+
+/* --------------------------------------------------------------- the table */
+
+static ovr_status write_table(const ovr_sweep_table *t, const char *path,
+                              ovr_error *err)
+{
+    const char *end = strrchr(path, '.');
+    if (end && !strcmp(end, ".csv"))
+        return ovr_sweep_write_csv(t, path, false, err);
+    if (end && (!strcmp(end, ".nc") || !strcmp(end, ".h5")))
+        return ovr_sweep_write_netcdf(t, path, err);
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "%s: its name must end with .csv, .nc or .h5", path);
+}
+
+static void count(const ovr_sweep_table *t, ovr_sweep_totals *totals)
+{
+    memset(totals, 0, sizeof *totals);
+    memcpy(totals->count, t->count, sizeof t->count);
+    for (size_t k = 0; k < t->columns; k++)
+        for (size_t i = 0; i < t->s->tasks; i++)
+            totals->marked += !strcmp(t->column[k].name, "steps_marked") &&
+                              t->column[k].value[i] > 0;
+}
+
+ovr_status ovr_sweep_collect(const ovr_study *study, const char *path,
+                             ovr_sweep_totals *totals, ovr_error *err)
+{
+    ovr_sweep_table t;
+    char manifest[4400];
+    ovr_status status = make_folder(study->output, err);
+    if (status)
+        return status;
+    snprintf(manifest, sizeof manifest, "%s/manifest.csv", study->output);
+    status = ovr_sweep_gather(study, &t, err);
+    if (!status)
+        status = ovr_sweep_write_csv(&t, manifest, true, err);
+    if (!status && path)
+        status = write_table(&t, path, err);
+    if (!status && totals)
+        count(&t, totals);
+    ovr_sweep_table_free(&t);
+    return status;
+}

@@ -1,0 +1,334 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "run/task.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "run/internal.h"
+
+enum { PATH_ROOM = 4400 };
+
+const char *ovr_sweep_state_name(ovr_sweep_state state)
+{
+    static const char *const names[] = {"waiting",  "stopped", "running",
+                                        "finished", "failed",  "changed"};
+    return names[state];
+}
+
+bool ovr_sweep_wanted(const ovr_sweep_options *how, ovr_sweep_state state)
+{
+    if (state == OVR_SWEEP_RUNNING)
+        return false;
+    if (how->redo || state == OVR_SWEEP_WAITING || state == OVR_SWEEP_STOPPED)
+        return true;
+    return how->retry && state == OVR_SWEEP_FAILED;
+}
+
+/* ------------------------------------------------------------------ files */
+
+static bool exists(const ovr_study *s, size_t task, const char *ending)
+{
+    char path[PATH_ROOM];
+    ovr_study_file(s, task, ending, path, sizeof path);
+    return access(path, F_OK) == 0;
+}
+
+static void discard(const ovr_study *s, size_t task, const char *ending)
+{
+    char path[PATH_ROOM];
+    ovr_study_file(s, task, ending, path, sizeof path);
+    unlink(path);
+}
+
+/* The names are ours, not the user's: no link that somebody has put there is
+ * followed. */
+static int open_file(const ovr_study *s, size_t task, const char *ending,
+                     int how)
+{
+    char path[PATH_ROOM];
+    ovr_study_file(s, task, ending, path, sizeof path);
+    return open(path, how | O_NOFOLLOW, 0666);
+}
+
+/* ------------------------------------------------------------------ state */
+
+/* Whether what was run is what the study now asks for. */
+static bool same_case(const ovr_study *s, size_t task, int fd)
+{
+    ovr_error err = {0};
+    ovr_case *c = ovr_study_case(s, task, &err);
+    const char *text = c ? ovr_case_text(c, &err) : NULL;
+    size_t length = text ? strlen(text) : 0;
+    char *found = text ? malloc(length + 2) : NULL;
+    bool same = false;
+    if (found) {
+        ssize_t n = pread(fd, found, length + 1, 0);
+        same = n >= 0 && (size_t)n == length && !memcmp(found, text, length);
+    }
+    free(found);
+    ovr_case_free(c);
+    return same;
+}
+
+/* By the files alone, the case being ours. */
+static ovr_sweep_state state_by_files(const ovr_study *s, size_t task)
+{
+    if (exists(s, task, ".json"))
+        return OVR_SWEEP_FINISHED;
+    if (exists(s, task, ".failed"))
+        return OVR_SWEEP_FAILED;
+    return exists(s, task, ".h5") ? OVR_SWEEP_STOPPED : OVR_SWEEP_WAITING;
+}
+
+ovr_sweep_state ovr_sweep_state_of(const ovr_study *s, size_t task)
+{
+    ovr_sweep_state state = state_by_files(s, task);
+    int fd = open_file(s, task, ".ini", O_RDWR);
+    if (fd < 0) /* none: what lies there is not ours */
+        return state == OVR_SWEEP_WAITING ? OVR_SWEEP_WAITING
+                                          : OVR_SWEEP_CHANGED;
+    if (flock(fd, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        state = OVR_SWEEP_RUNNING;
+    else if (state != OVR_SWEEP_WAITING && !same_case(s, task, fd))
+        state = OVR_SWEEP_CHANGED;
+    close(fd);
+    return state;
+}
+
+void ovr_sweep_message(const ovr_study *s, size_t task, char *text, size_t room)
+{
+    char path[PATH_ROOM];
+    FILE *from;
+    text[0] = '\0';
+    ovr_study_file(s, task, ".failed", path, sizeof path);
+    from = fopen(path, "r");
+    if (!from)
+        return;
+    if (!fgets(text, (int)room, from))
+        text[0] = '\0';
+    text[strcspn(text, "\n")] = '\0';
+    fclose(from);
+}
+
+/* --------------------------------------------------------------- endings */
+
+static void mark_failed(const ovr_study *s, size_t task, const char *message,
+                        int code)
+{
+    char path[PATH_ROOM];
+    FILE *to;
+    ovr_study_file(s, task, ".failed", path, sizeof path);
+    unlink(path);
+    to = fopen(path, "wx");
+    if (!to)
+        return;
+    fprintf(to, "%s\nexit code %d\n", message, code);
+    fclose(to);
+}
+
+/* One that was killed may be gone on with; one that crashed may not. */
+void ovr_task_died(const ovr_study *s, size_t task, int number)
+{
+    char message[80];
+    if (number == SIGKILL || number == SIGTERM || number == SIGINT ||
+        number == SIGHUP)
+        return;
+    snprintf(message, sizeof message, "killed by signal %d", number);
+    mark_failed(s, task, message, 128 + number);
+}
+
+/* The summary gets its name when it is whole. */
+static ovr_status keep_summary(const ovr_study *s, size_t task, FILE *summary,
+                               ovr_error *err)
+{
+    char part[PATH_ROOM], path[PATH_ROOM];
+    bool whole = fflush(summary) == 0 && !ferror(summary) &&
+                 fsync(fileno(summary)) == 0;
+    ovr_study_file(s, task, ".json.part", part, sizeof part);
+    ovr_study_file(s, task, ".json", path, sizeof path);
+    if (whole && rename(part, path) == 0)
+        return OVR_OK;
+    return ovr_fail(err, OVR_IO, "%s: cannot be written: %s", path,
+                    strerror(errno));
+}
+
+/* ------------------------------------------------------------------- work */
+
+/* A task under way, in its own process. */
+typedef struct working {
+    const ovr_study *s;
+    size_t task;
+    const ovr_sweep_options *how;
+    ovr_run_options run; /* the caller's */
+    ovr_shared shared;
+    FILE *summary;
+} working;
+
+static void say(void *data, ovr_say kind, const char *text)
+{
+    const working *w = data;
+    if (w->run.say)
+        w->run.say(w->run.data, kind, text);
+}
+
+static bool stop(void *data)
+{
+    const working *w = data;
+    return *w->shared.stop || (w->run.stop && w->run.stop(w->run.data));
+}
+
+static void progress(void *data, const ovr_run *run, double fraction)
+{
+    const working *w = data;
+    *w->shared.done = fraction;
+    if (w->run.progress)
+        w->run.progress(w->run.data, run, fraction);
+}
+
+static ovr_status observe(void *data, const ovr_simulation *sim, ovr_error *err)
+{
+    const working *w = data;
+    return w->run.observe ? w->run.observe(w->run.data, sim, err) : OVR_OK;
+}
+
+static ovr_status change(void *data, ovr_case *c, ovr_error *err)
+{
+    const working *w = data;
+    return w->run.change ? w->run.change(w->run.data, c, err) : OVR_OK;
+}
+
+/* The case into the locked file, for those who come later. */
+static bool write_case(int fd, ovr_case *c)
+{
+    const char *text = ovr_case_text(c, NULL);
+    size_t length = text ? strlen(text) : 0;
+    return text && ftruncate(fd, 0) == 0 &&
+           pwrite(fd, text, length, 0) == (ssize_t)length && fsync(fd) == 0;
+}
+
+static void start_afresh(const ovr_study *s, size_t task)
+{
+    static const char *const endings[] = {".json", ".json.part",  ".failed",
+                                          ".h5",   ".h5.restart", ".log"};
+    for (size_t i = 0; i < sizeof endings / sizeof endings[0]; i++)
+        discard(s, task, endings[i]);
+}
+
+static ovr_run *begin(working *w, ovr_case *c, bool resume, ovr_error *err)
+{
+    char path[PATH_ROOM];
+    ovr_run_options how = w->run;
+    how.output = w->s->results ? path : NULL;
+    how.force = how.steady = false;
+    how.data = w;
+    how.say = say;
+    how.stop = stop;
+    how.progress = progress;
+    how.observe = observe;
+    how.change = change;
+    ovr_study_file(w->s, w->task, ".h5", path, sizeof path);
+    return resume ? ovr_run_resume(path, &how, NULL, err)
+                  : ovr_run_create(c, &how, NULL, err);
+}
+
+static void report(const working *w, const ovr_run *run, const ovr_error *err)
+{
+    if (w->how->report)
+        w->how->report(w->how->data, run, err, w->summary);
+}
+
+/* The run and its summary. */
+static void run_case(working *w, bool resume, int fd, ovr_error *err)
+{
+    ovr_case *c = ovr_study_case(w->s, w->task, err);
+    ovr_run *run = NULL;
+    if (c && !write_case(fd, c))
+        ovr_fail(err, OVR_IO, "%s/%s.h5: its case cannot be written: %s",
+                 w->s->output, w->s->name[w->task], strerror(errno));
+    else if (c)
+        run = begin(w, c, resume, err);
+    if (run && ovr_run_go(run, err) == OVR_OK)
+        err->status = OVR_OK;
+    report(w, run, err);
+    if (err->status == OVR_OK)
+        keep_summary(w->s, w->task, w->summary, err);
+    ovr_run_free(run);
+    ovr_case_free(c);
+}
+
+/* Standard output and error to the log, the summary to its file. */
+static bool open_files(working *w)
+{
+    int log = open_file(w->s, w->task, ".log", O_APPEND | O_CREAT | O_WRONLY);
+    int fd = open_file(w->s, w->task, ".json.part",
+                       O_TRUNC | O_CREAT | O_WRONLY);
+    bool done = log >= 0 && fd >= 0 && dup2(log, STDOUT_FILENO) >= 0 &&
+                dup2(log, STDERR_FILENO) >= 0;
+    if (log >= 0)
+        close(log);
+    w->summary = done ? fdopen(fd, "w") : NULL;
+    return w->summary != NULL;
+}
+
+static void work_locked(working *w, int fd, ovr_error *err)
+{
+    const ovr_study *s = w->s;
+    ovr_sweep_state state = state_by_files(s, w->task);
+    if (state != OVR_SWEEP_WAITING && !same_case(s, w->task, fd))
+        state = OVR_SWEEP_CHANGED;
+    if (!ovr_sweep_wanted(w->how, state)) /* another was faster */
+        return;
+    if (state != OVR_SWEEP_STOPPED || w->how->redo) {
+        start_afresh(s, w->task);
+        state = OVR_SWEEP_WAITING;
+    }
+    if (!open_files(w)) {
+        err->status = OVR_IO;
+        return;
+    }
+    run_case(w, state == OVR_SWEEP_STOPPED && s->results, fd, err);
+    fclose(w->summary);
+    if (err->status)
+        discard(s, w->task, ".json.part");
+    if (err->status && err->status != OVR_STOPPED)
+        mark_failed(s, w->task, err->message,
+                    err->status == OVR_BAD_INPUT ? 2 : 1);
+}
+
+/* Somebody who only looks at the state may have the lock for a moment. */
+static bool lock(int fd)
+{
+    const struct timespec moment = {0, 20000000};
+    for (int attempt = 0; attempt < 5; attempt++) {
+        if (flock(fd, LOCK_EX | LOCK_NB) == 0)
+            return true;
+        nanosleep(&moment, NULL);
+    }
+    return false;
+}
+
+ovr_status ovr_task_work(const ovr_study *s, size_t task,
+                         const ovr_sweep_options *how, ovr_shared shared)
+{
+    working w = {s, task, how, {0}, shared, NULL};
+    int fd = open_file(s, task, ".ini", O_RDWR | O_CREAT);
+    ovr_error err = {0};
+    if (fd < 0) {
+        ovr_fail(&err, OVR_IO, "%s/%s.ini: cannot be written: %s", s->output,
+                 s->name[task], strerror(errno));
+        report(&w, NULL, &err);
+        return OVR_IO;
+    }
+    if (how->run)
+        w.run = *how->run;
+    if (lock(fd))
+        work_locked(&w, fd, &err);
+    close(fd);
+    return err.status;
+}
