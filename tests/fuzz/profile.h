@@ -52,7 +52,7 @@ static inline void fuzz_use(ovr_profile *p)
     if (v->n > 2000 || ovr_profile_condition(p, &how, &err) ||
         ovr_profile_measure(p, &numbers, &err))
         return;
-    fuzz_fail_unless(!isnan(numbers.Ra));
+    fuzz_fail_unless(!isnan(numbers.a));
     (void)ovr_profile_waves(p, 3, wave, &found, &err);
 }
 
