@@ -5,6 +5,9 @@
 #include <string.h>
 
 #include "multigrid/field.h"
+#include "multigrid/scalar.h"
+
+#include "multigrid/reynolds_row.h"
 
 /* K/pi of a level at distances -(n + 1) .. n + 2, 0 at index n + 2 */
 static double *take_kernel(const ovr_level *level, ovr_arena *arena,
@@ -41,44 +44,26 @@ ovr_status ovr_newton_prepare(ovr_hierarchy *grids, ovr_arena *arena,
     return OVR_OK;
 }
 
-typedef struct row_weights {
-    double a0, a1, a2;
-} row_weights;
-
-static row_weights weights_of(const ovr_weights *w, size_t i)
-{
-    if (i == 1)
-        return (row_weights){w->a0_first, w->a1_first, 0};
-    return (row_weights){w->a0, w->a1, w->a2};
-}
-
 /* Row i of the Jacobian: elastic terms through dH at i-2..i+1, then the local
  * ones; the last column is dN_i/dH0. */
 static void jacobian_row(const ovr_hierarchy *grids, const ovr_level *level,
                          const ovr_fields *f, size_t i, double *row)
 {
-    const double *P = f->P, *eps = f->eps, *H = f->H, *rho = f->rho;
-    double half = level->weights.half;
-    row_weights a = weights_of(&level->weights, i);
-    double up = P[i - 1] - P[i], down = P[i + 1] - P[i];
-    double g0 = half * 3 * eps[i] / H[i] * (up + down) - a.a0 * rho[i];
-    double gm = half * 3 * eps[i - 1] / H[i - 1] * up - a.a1 * rho[i - 1];
-    double gp = half * 3 * eps[i + 1] / H[i + 1] * down;
-    double g2 = -a.a2 * rho[i - 2];
+    const ovr_weights *w = &level->weights;
+    row_weights c = i == 1 ? row_first(w) : row_inner(w);
     size_t n = level->n;
+    ptrdiff_t J = (ptrdiff_t)i;
     /* dH_{i+d}/dP_j = -k(j - i - d) for d = -2, -1, 0, 1 */
     const double *k = grids->newton.kernel[level->number - grids->coarsest] +
                       n + 2 - i; /* k[j] = k(j - i) */
-    grids->kernels->dense_row(n, (double[]){-g2, -gm, -g0, -gp}, k, row);
-    if (i >= 2)
-        row[i - 2] -= a.a2 * f->dq[i - 2];
-    row[i - 1] += half * (eps[i - 1] + eps[i] + f->deps[i - 1] * up) -
-                  a.a1 * f->dq[i - 1];
-    row[i] -= half * (eps[i - 1] + 2 * eps[i] + eps[i + 1] -
-                      f->deps[i] * (up + down)) +
-              a.a0 * f->dq[i];
-    row[i + 1] += half * (eps[i] + eps[i + 1] + f->deps[i + 1] * down);
-    row[n] = g0 + gm + gp + g2;
+    double e[4] = {0}, local[4] = {0};
+    row_by_film(f, &c, J, e);
+    row_flow_by_film(f, &c, J, e);
+    row_by_pressure(f, &c, J, local);
+    grids->kernels->dense_row(n, e, k, row);
+    for (size_t d = i == 1; d < 4; d++)
+        row[i + d - 2] += local[d];
+    row[n] = -(e[0] + e[1] + e[2] + e[3]);
 }
 
 static void hold(size_t n, size_t i, double *row)
@@ -94,14 +79,13 @@ static void assemble(const ovr_hierarchy *grids, const ovr_level *level,
     size_t n = level->n, stride = stride_of(n);
     double *row = grids->newton.matrix;
     for (size_t i = 0; i < n; i++, row += stride) {
-        bool held = i == 0 || i == n - 1;
-        if (!held) {
-            jacobian_row(grids, level, f, i, row);
-            row[n + 1] = f->r[i];
-            held = f->P[i] <= 0 && f->r[i] >= OVR_DRY_TOLERANCE * row[i];
-        }
-        if (held)
+        bool end = i == 0 || i == n - 1;
+        if (end || ovr_lanes_has(&level->lanes, level->f.held, i)) {
             hold(n, i, row);
+            continue;
+        }
+        jacobian_row(grids, level, f, i, row);
+        row[n + 1] = f->r[i];
     }
     for (size_t j = 0; j < n; j++)
         row[j] = level->D;

@@ -7,8 +7,8 @@
  *     dP_i = 0                            at held nodes: dry, not rising
  *     D sum_j dP_j = force - D sum_j P_j
  *
- * J_ij = dN_i/dP_j has the local terms of line.c, d eps/dH = 3 eps/H included,
- * and dH_i/dP_j = -k(i - j).  H0 changes nowhere else.
+ * J_ij = dN_i/dP_j is that of reynolds_row.h, d eps/dH included.  H0 changes
+ * nowhere else.
  */
 #ifndef OVR_MULTIGRID_COARSEST_H
 #define OVR_MULTIGRID_COARSEST_H

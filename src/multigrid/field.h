@@ -35,4 +35,11 @@ static inline double *ovr_field(ovr_arena *arena, size_t n, ovr_error *err)
     return all + OVR_FIELD_PAD;
 }
 
+/* A set of nodes (lanes.h) for any number of lanes, halos included. */
+static inline unsigned char *ovr_set(ovr_arena *arena, size_t n, ovr_error *err)
+{
+    unsigned char *all = ovr_arena_take(arena, n + 2 * OVR_FIELD_PAD, 1, err);
+    return all ? all + OVR_FIELD_PAD : NULL;
+}
+
 #endif

@@ -9,6 +9,7 @@
  *     eps = rho H^3/(eta lambda)
  *     d rho/dP = d A/a^2,  eta'/eta = alphabar t^z/t
  *     d eps/dP (H fixed) = (rho' H - q eta'/eta) H^2/(eta lambda),  q = rho H
+ *     d eps/dH (P fixed) = 3 rho H^2/(eta lambda), where it has a place
  *
  * Powers are taken to the base 2 (power.h): 1/eta = 2^(S - S t^z) with S =
  * alphabar P0/(z ln 2), the tables of the two powers holding S and 1/lambda as
@@ -115,8 +116,8 @@ static inline void grow(const laws *c, ptrdiff_t count, block *work)
 }
 
 /* Last pass: the viscosity. */
-static inline void finish(const laws *c, ptrdiff_t start, ptrdiff_t end,
-                          const ovr_fields *f, const block *work)
+static INLINE void finish(const laws *c, bool by_film, ptrdiff_t start,
+                          ptrdiff_t end, const ovr_fields *f, const block *work)
 {
     for (ptrdiff_t i = start; i < end; i += VEC) {
         vec conductance = scaled_exp2(&c->conductance,
@@ -126,6 +127,8 @@ static inline void finish(const laws *c, ptrdiff_t start, ptrdiff_t end,
         vec dq = less(load(f->dq + i), q, load(work->slope + i - start));
         store(f->eps + i, q * flow);
         store(f->deps + i, dq * flow);
+        if (by_film)
+            store(f->deps_dH + i, 3 * load(f->rho + i) * flow);
     }
 }
 
@@ -145,6 +148,9 @@ void OVR_KERNEL(film)(const ovr_fluid *fluid, double H0, const ovr_lanes *g,
         } else {
             begin_barus(&c, H0, start, stop, gap, w, f, &work);
         }
-        finish(&c, start, stop, f, &work);
+        if (f->deps_dH)
+            finish(&c, true, start, stop, f, &work);
+        else
+            finish(&c, false, start, stop, f, &work);
     }
 }

@@ -44,5 +44,7 @@ void ovr_film_plain(const ovr_fluid *fluid, double H0, const ovr_lanes *g,
         f->dq[i] = dq;
         f->eps[i] = q * flow;
         f->deps[i] = (dq - q * slope) * flow;
+        if (f->deps_dH)
+            f->deps_dH[i] = 3 * rho * flow;
     }
 }

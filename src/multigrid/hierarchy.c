@@ -7,7 +7,7 @@
 #include "multigrid/coarsest.h"
 #include "multigrid/field.h"
 
-enum { FIELDS = 9 };
+enum { FIELDS = 10 };
 
 static void name_fields(ovr_fields *f, double *const a[FIELDS])
 {
@@ -19,7 +19,8 @@ static void name_fields(ovr_fields *f, double *const a[FIELDS])
                       .deps = a[5],
                       .q = a[6],
                       .F = a[7],
-                      .r = a[8]};
+                      .r = a[8],
+                      .deps_dH = a[9]};
 }
 
 /* Nodes of the lanes and beyond, for any machine's kernels. */
@@ -38,26 +39,30 @@ static ovr_status take(double **const to[], size_t count, size_t room,
     return OVR_OK;
 }
 
-static ovr_status take_fields(ovr_level *level, ovr_arena *arena,
+/* d eps/dH is for Newton's method on the coarsest grids alone. */
+static ovr_status take_fields(ovr_level *level, bool newton, ovr_arena *arena,
                               ovr_error *err)
 {
-    double *a[FIELDS];
-    double **const all[] = {&a[1], &a[2], &a[3], &a[4],       &a[5],
-                            &a[6], &a[7], &a[8], &level->gap, &level->P_entry};
+    double *a[FIELDS] = {NULL};
+    double **const all[] = {&level->gap, &level->P_entry, &a[1], &a[2],
+                            &a[3],       &a[4],           &a[5], &a[6],
+                            &a[7],       &a[8],           &a[9]};
+    size_t count = sizeof all / sizeof *all - !newton;
     a[0] = ovr_mlmi_field(&level->mlmi, arena, err);
     level->w = ovr_mlmi_field(&level->mlmi, arena, err);
-    if (!a[0] || !level->w ||
-        take(all, sizeof all / sizeof *all, room_of(level), arena, err))
+    if (!a[0] || !level->w || take(all, count, room_of(level), arena, err))
         return OVR_NO_MEMORY;
     name_fields(&level->f, a);
-    return OVR_OK;
+    level->f.wet = ovr_set(arena, level->n, err);
+    level->f.held = ovr_set(arena, level->n, err);
+    return level->f.wet && level->f.held ? OVR_OK : OVR_NO_MEMORY;
 }
 
 static ovr_status take_band(ovr_band *band, size_t room, ovr_arena *arena,
                             ovr_error *err)
 {
-    double **const all[] = {&band->b[0], &band->b[1],  &band->b[2], &band->b[3],
-                            &band->b[4], &band->delta, &band->moves};
+    double **const all[] = {&band->b[0], &band->b[1], &band->b[2],
+                            &band->b[3], &band->b[4], &band->delta};
     return take(all, sizeof all / sizeof *all, room, arena, err);
 }
 
@@ -66,7 +71,7 @@ static ovr_status take_natural(ovr_fields *f, size_t n, ovr_arena *arena,
 {
     double *a[FIELDS];
     double **const all[FIELDS] = {&a[0], &a[1], &a[2], &a[3], &a[4],
-                                  &a[5], &a[6], &a[7], &a[8]};
+                                  &a[5], &a[6], &a[7], &a[8], &a[9]};
     if (take(all, FIELDS, n, arena, err))
         return OVR_NO_MEMORY;
     name_fields(f, a);
@@ -86,7 +91,7 @@ static ovr_status build_level(ovr_hierarchy *grids, int number, int order,
     if (ovr_mlmi_plan(&level->mlmi, level->n, level->D, order, range, like,
                       arena, err))
         return OVR_NO_MEMORY;
-    return take_fields(level, arena, err);
+    return take_fields(level, number <= grids->coarsest + 1, arena, err);
 }
 
 void ovr_hierarchy_kernels(ovr_hierarchy *grids, const ovr_kernels *kernels)
@@ -146,6 +151,7 @@ void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level)
 void ovr_level_residual(const ovr_hierarchy *grids, ovr_level *level)
 {
     grids->kernels->residual(&level->lanes, &level->weights, &level->f);
+    grids->kernels->phase(&level->lanes, &level->weights, &level->f);
 }
 
 void ovr_level_refresh(const ovr_hierarchy *grids, ovr_level *level)
@@ -187,12 +193,13 @@ const ovr_fields *ovr_level_ordered(const ovr_hierarchy *grids,
                                     const ovr_level *level)
 {
     const ovr_fields *from = &level->f, *to = &grids->natural;
-    const double *const fields[FIELDS] = {from->P,  from->H,   from->rho,
-                                          from->dq, from->eps, from->deps,
-                                          from->q,  from->F,   from->r};
-    double *const ordered[FIELDS] = {to->P,    to->H, to->rho, to->dq, to->eps,
-                                     to->deps, to->q, to->F,   to->r};
-    for (size_t k = 0; k < FIELDS; k++)
+    const double *const fields[FIELDS] = {
+        from->P,    from->H, from->rho, from->dq, from->eps,
+        from->deps, from->q, from->F,   from->r,  from->deps_dH};
+    double *const ordered[FIELDS] = {to->P,   to->H,      to->rho, to->dq,
+                                     to->eps, to->deps,   to->q,   to->F,
+                                     to->r,   to->deps_dH};
+    for (size_t k = 0; k < FIELDS && fields[k]; k++)
         ovr_level_read(grids, level, fields[k], ordered[k]);
     return to;
 }

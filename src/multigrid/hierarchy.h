@@ -74,7 +74,8 @@ void ovr_hierarchy_kernels(ovr_hierarchy *grids, const ovr_kernels *kernels);
 /* Sets the operator and with it the weights and shares on every level. */
 void ovr_hierarchy_operator(ovr_hierarchy *grids, const ovr_operator *op);
 
-/* Film and properties for the P a level has now; its residual; both. */
+/* Film and properties for the P a level has now; its residual and the phase
+ * of its nodes; all of these. */
 void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level);
 void ovr_level_residual(const ovr_hierarchy *grids, ovr_level *level);
 void ovr_level_refresh(const ovr_hierarchy *grids, ovr_level *level);

@@ -1,40 +1,33 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "multigrid/hybrid.h"
 
-/* dN_i/dP_i and dN_i/dP_{i-1} of one row. */
-typedef struct slopes {
-    double own, before;
-} slopes;
+#include "multigrid/scalar.h"
 
-static slopes slopes_at(const ovr_level *level, const ovr_fields *f, size_t i,
-                        double a0, double a1, double a2)
-{
-    const double *P = f->P, *eps = f->eps, *k = level->k;
-    double half = level->weights.half;
-    double e0 = a0 * f->rho[i], e1 = a1 * f->rho[i - 1],
-           e2 = a2 * f->rho[i - 2];
-    slopes s;
-    s.own = e0 * k[0] + e1 * k[1] + e2 * k[2] - a0 * f->dq[i] -
-            half * (eps[i - 1] + 2 * eps[i] + eps[i + 1] -
-                    f->deps[i] * (P[i - 1] - 2 * P[i] + P[i + 1]));
-    s.before = e0 * k[1] + e1 * k[0] + e2 * k[1] - a1 * f->dq[i - 1] +
-               half *
-                   (eps[i - 1] + eps[i] + f->deps[i - 1] * (P[i - 1] - P[i]));
-    return s;
-}
+#include "multigrid/reynolds_row.h"
 
-/* Residual of row i with film and properties as they are, P as it is now. */
-static double row_residual(const ovr_level *level, const ovr_fields *f,
-                           size_t i, slopes *s)
+/* Row i with film and properties as they are, P as it is now: the residual,
+ * dN_i/dP_i, dN_i/dP_{i-1}; whether the node is held, which this sweep changes
+ * as it goes. */
+typedef struct row {
+    double r, own, before;
+    bool held;
+} row;
+
+static row row_at(const ovr_level *level, const ovr_fields *f, size_t i)
 {
     const ovr_weights *w = &level->weights;
-    const double *P = f->P, *eps = f->eps, *q = f->q;
-    double a0 = i == 1 ? w->a0_first : w->a0, a1 = i == 1 ? w->a1_first : w->a1,
-           a2 = i == 1 ? 0 : w->a2;
-    *s = slopes_at(level, f, i, a0, a1, a2);
-    return f->F[i] + a0 * q[i] + a1 * q[i - 1] + a2 * q[i - 2] -
-           w->half * ((eps[i - 1] + eps[i]) * (P[i - 1] - P[i]) +
-                      (eps[i] + eps[i + 1]) * (P[i + 1] - P[i]));
+    row_weights c = i == 1 ? row_first(w) : row_inner(w);
+    ptrdiff_t J = (ptrdiff_t)i;
+    double e[3], A[4] = {0};
+    row_by_film(f, &c, J, e);
+    A[1] = row_elastic(e, level->k, -1);
+    A[2] = row_elastic(e, level->k, 0);
+    row_by_pressure(f, &c, J, A);
+    double r = row_residual(f, &c, J);
+    return (row){.r = r,
+                 .own = A[2],
+                 .before = A[1],
+                 .held = row_holds(f->P[i], r, row_outflow(f, c.half, J))};
 }
 
 static double clipped(double x, double limit)
@@ -42,17 +35,11 @@ static double clipped(double x, double limit)
     return x > limit ? limit : x < -limit ? -limit : x;
 }
 
-/* Dry and not wanting to rise, with room for rounding (see line.h). */
-static bool held(const ovr_fields *f, size_t i, double r, slopes s)
-{
-    return f->P[i] <= 0 && r >= OVR_DRY_TOLERANCE * s.own;
-}
-
 static void seidel(const ovr_smoothing *how, const ovr_fields *f, size_t i,
-                   double r, slopes s)
+                   row s)
 {
-    double next = f->P[i] + how->relax_seidel * r / s.own;
-    if (!held(f, i, r, s))
+    double next = f->P[i] + how->relax_seidel * s.r / s.own;
+    if (!s.held)
         f->P[i] = next > 0 ? next : 0;
 }
 
@@ -64,17 +51,16 @@ static void exit_line(const ovr_hierarchy *grids, const ovr_level *level,
     double half = level->weights.half, above = 0, change = 0;
     double *upper = grids->band.b[0], *delta = grids->band.delta;
     for (size_t i = first; i <= last; i++) {
-        slopes s;
-        double r = row_residual(level, f, i, &s);
+        row s = row_at(level, f, i);
         double lower = half * (f->eps[i - 1] + f->eps[i]);
         double right = half * (f->eps[i] + f->eps[i + 1]);
-        if (held(f, i, r, s)) {
-            r = lower = right = 0;
+        if (s.held) {
+            s.r = lower = right = 0;
             s.own = 1;
         }
         double scale = 1 / (s.own - lower * above);
         upper[i] = above = right * scale;
-        delta[i] = change = (r - lower * change) * scale;
+        delta[i] = change = (s.r - lower * change) * scale;
     }
     change = 0;
     for (size_t i = last; i >= first; i--) {
@@ -124,13 +110,12 @@ void ovr_relax_hybrid(ovr_hierarchy *grids, ovr_level *level,
     double bound = how->switch_value * level->D * level->D;
     size_t n = level->n;
     for (size_t i = 1; i + 1 < n; i++) {
-        slopes s;
-        double r = row_residual(level, f, i, &s);
+        row s = row_at(level, f, i);
         delta[i] = 0;
         if (0.25 * (eps[i - 1] + 2 * eps[i] + eps[i + 1]) > bound)
-            seidel(how, f, i, r, s);
+            seidel(how, f, i, s);
         else
-            delta[i] = clipped(how->relax_dipole * r / (s.own - s.before),
+            delta[i] = clipped(how->relax_dipole * s.r / (s.own - s.before),
                                how->limit);
     }
     delta[n - 1] = 0;

@@ -27,9 +27,9 @@ typedef struct ovr_fluid {
 
 /* Coefficients of one grid's discrete Reynolds equation, see reynolds.h. */
 typedef struct ovr_weights {
-    double a0, a1, a2;         /* of q_i, q_{i-1}, q_{i-2} */
-    double a0_first, a1_first; /* in row 1 */
-    double half;               /* 1/(2 D^2) */
+    double a[3];     /* of q_i, q_{i-1}, q_{i-2} */
+    double first[3]; /* in row 1 */
+    double half;     /* 1/(2 D^2) */
 } ovr_weights;
 
 /* The arrays of one grid that the kernels share. */
@@ -43,18 +43,18 @@ typedef struct ovr_fields {
     double *restrict q;    /* rho H */
     double *restrict F;    /* right-hand side of the Reynolds equation */
     double *restrict r;    /* residual F - N */
+    /* d eps/dH at fixed P; NULL on levels where nothing asks for it */
+    double *restrict deps_dH;
+    /* The phase of each node, as sets of nodes (lanes.h): wet, P > 0, in halos
+     * too; held dry, not wanting to rise (reynolds_row.h).  What is in neither
+     * is free: dry, and about to rise. */
+    unsigned char *wet, *held;
 } ovr_fields;
-
-/* A dry node is held while r_i/A_ii is below this.  Not below zero: on coarse
- * grids its residual is rounding, whose sign would pick wet or dry at random
- * (1e-12 to 1e-8 all work). */
-#define OVR_DRY_TOLERANCE 1e-10
 
 /* Work arrays of the line relaxation. */
 typedef struct ovr_band {
     double *b[5];  /* rows of the pentadiagonal system, b[d + 2] */
     double *delta; /* right-hand side, then solution */
-    double *moves; /* 0 where P is held at zero, else 1 */
 } ovr_band;
 
 /* How a change delta_j of the line relaxation is shared with P_{j-1} and
@@ -91,6 +91,9 @@ enum { OVR_FOURTH_MARGIN = 8 };
                    const double *gap, const double *w, const ovr_fields *f)) \
     K(void, residual, (const ovr_lanes *g, const ovr_weights *w, \
                        const ovr_fields *f)) \
+    /* wet and held, from P and the residual */ \
+    K(void, phase, (const ovr_lanes *g, const ovr_weights *w, \
+                    const ovr_fields *f)) \
     K(double, imbalance, (const ovr_lanes *g, const ovr_weights *w, \
                           const ovr_fields *f)) \
     K(void, fourth_mask, (const ovr_lanes *g, double *P, double *mask)) \
@@ -102,19 +105,18 @@ enum { OVR_FOURTH_MARGIN = 8 };
     K(void, band_solve, (const ovr_lanes *g, const ovr_band *band)) \
     K(void, distribute, (const ovr_lanes *g, double limit, \
                          const ovr_shares *shares, const ovr_band *band, \
-                         double *P)) \
+                         const ovr_fields *f)) \
     K(double, sum, (const ovr_lanes *g, const double *x)) \
     K(void, coarse_gap, (const ovr_lanes *g, double H0, const double *w, \
                          double *gap)) \
     K(void, restrict_fields, (const ovr_lanes *coarse, const ovr_lanes *fine, \
-                              const double *P, const double *H, \
-                              const double *r, double *Pc, double *entry, \
-                              double *Hc, double *rc)) \
+                              const ovr_fields *f, double *Pc, \
+                              double *entry, double *Hc, double *rc)) \
     K(void, coarse_side, (const ovr_lanes *g, const double *residual, \
                           double *F, double *r)) \
     K(void, correct, (const ovr_lanes *coarse, const ovr_lanes *fine, \
                       double factor, const double *Pc, const double *entry, \
-                      double *P)) \
+                      const ovr_fields *f)) \
     /* in the order of the nodes, see scan.kernel.c */ \
     K(void, combine, (size_t n, double a, const double *x, double b, \
                       const double *y, double *result)) \

@@ -22,6 +22,7 @@
 #ifndef OVR_MULTIGRID_LANES_H
 #define OVR_MULTIGRID_LANES_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 typedef struct ovr_lanes {
@@ -42,6 +43,15 @@ static inline size_t ovr_lanes_place(const ovr_lanes *lanes, size_t i)
     if (lane == lanes->V) /* node n - 1, in the halo */
         lane--;
     return (i - lane * lanes->S) * lanes->V + lane;
+}
+
+/* Whether node i is in a set of nodes: bit s of byte J is element s of vector
+ * J. */
+static inline bool ovr_lanes_has(const ovr_lanes *lanes,
+                                 const unsigned char *set, size_t i)
+{
+    size_t place = ovr_lanes_place(lanes, i);
+    return set[place / lanes->V] >> place % lanes->V & 1;
 }
 
 #endif

@@ -9,5 +9,5 @@ void ovr_relax_line(ovr_hierarchy *grids, ovr_level *level,
                        &level->f, &grids->band);
     run->band_solve(&level->lanes, &grids->band);
     run->distribute(&level->lanes, how->limit, &level->shares, &grids->band,
-                    level->f.P);
+                    &level->f);
 }

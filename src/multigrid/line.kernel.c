@@ -3,16 +3,15 @@
  * Distributive line relaxation: assembly and use of the pentadiagonal
  * system (equations in line.h; solution in band.kernel.c).
  */
-#include <stdlib.h>
-
 #include "multigrid/kernels.h"
-#include "multigrid/reynolds_row.h"
 #include "multigrid/vector.h"
+
+#include "multigrid/reynolds_row.h"
 
 /* What the rows of a grid are made of: copies, that no store can change. */
 typedef struct line {
     ovr_fields f;
-    double half, k[6];
+    double k[6];
     ovr_shares shares;
     ovr_band band;
 } line;
@@ -24,46 +23,30 @@ enum { EDGE = 4 };
 /* Node 1 is a monopole, and when steady so is a dry node that wants to rise (a
  * dry one that does not has delta = 0 anyway, as the ends have). */
 static inline void column_shares(const ovr_shares *shares, bool transient,
-                                 stretch where, const double *P, ptrdiff_t J,
-                                 vec *minus, vec *plus)
+                                 stretch where, const unsigned char *wet,
+                                 ptrdiff_t J, vec *minus, vec *plus)
 {
     *minus = all(shares->minus);
     *plus = all(shares->plus);
     if (!transient) {
-        ivec wet = at(P, J) > 0;
-        *minus = choose(wet, *minus, all(0));
-        *plus = choose(wet, *plus, all(0));
+        ivec gives = in_set(wet, J);
+        *minus = choose(gives, *minus, all(0));
+        *plus = choose(gives, *plus, all(0));
     }
     if (where == LEFT_END && J == 1)
         (*minus)[0] = (*plus)[0] = 0;
 }
 
-/* e_0 k_|d| + e_1 k_|d+1| + e_2 k_|d+2| */
-static inline vec elastic(const vec e[3], const double *k, int d)
-{
-    return fused(e[0], all(k[abs(d)]),
-                 fused(e[1], all(k[abs(d + 1)]), e[2] * k[abs(d + 2)]));
-}
-
 /* A[d + 3] = dN_i/dP_{i+d}, d = -3..3: elastic band and local part, without
  * d eps/dH */
-static inline void derivatives(const line *l, const wedge *c, ptrdiff_t J,
+static inline void derivatives(const line *l, const row_weights *c, ptrdiff_t J,
                                vec A[7])
 {
-    const ovr_fields *f = &l->f;
-    vec P = at(f->P, J), up = at(f->P, J - 1) - P, down = at(f->P, J + 1) - P;
-    vec e0 = at(f->eps, J), em = at(f->eps, J - 1) + e0,
-        ep = at(f->eps, J + 1) + e0, h = all(l->half);
-    vec e[3] = {c->a0 * at(f->rho, J), c->a1 * at(f->rho, J - 1),
-                c->a2 * at(f->rho, J - 2)};
+    vec e[3];
+    row_by_film(&l->f, c, J, e);
     for (int d = -3; d <= 3; d++)
-        A[d + 3] = elastic(e, l->k, d);
-    A[1] = less(A[1], c->a2, at(f->dq, J - 2));
-    A[2] = less(fused(h, fused(at(f->deps, J - 1), up, em), A[2]), c->a1,
-                at(f->dq, J - 1));
-    A[3] = less(less(A[3], h, less(em + ep, at(f->deps, J), up + down)), c->a0,
-                at(f->dq, J));
-    A[4] = fused(h, fused(at(f->deps, J + 1), down, ep), A[4]);
+        A[d + 3] = row_elastic(e, l->k, d);
+    row_by_pressure(&l->f, c, J, A + 1);
 }
 
 /* b_d = A_d + minus_{i+d} A_{d-1} + plus_{i+d} A_{d+1} */
@@ -72,18 +55,18 @@ static inline void distributed(const line *l, bool transient, stretch where,
 {
     for (ptrdiff_t d = 0; d < 5; d++) {
         vec minus, plus;
-        column_shares(&l->shares, transient, where, l->f.P, J + d - 2, &minus,
+        column_shares(&l->shares, transient, where, l->f.wet, J + d - 2, &minus,
                       &plus);
         b[d] = fused(minus, A[d], fused(plus, A[d + 2], A[d + 1]));
     }
 }
 
 /* The same where the shares are -1, 0: additions are cheaper. */
-static inline void dipoles(const double *P, ptrdiff_t J, const vec A[7],
-                           vec b[5])
+static inline void dipoles(const unsigned char *wet, ptrdiff_t J,
+                           const vec A[7], vec b[5])
 {
     for (ptrdiff_t d = 0; d < 5; d++)
-        b[d] = choose(at(P, J + d - 2) > 0, A[d + 1] - A[d], A[d + 1]);
+        b[d] = choose(in_set(wet, J + d - 2), A[d + 1] - A[d], A[d + 1]);
 }
 
 /* Dry rows hold P_i: exactly in time, delta_i = 0 when steady. */
@@ -92,31 +75,30 @@ static inline void hold_dry(const line *l, bool transient, stretch where,
 {
     vec held[5] = {all(0), all(0), all(1), all(0), all(0)}, unused;
     if (transient) {
-        column_shares(&l->shares, true, where, l->f.P, J - 1, &unused,
+        column_shares(&l->shares, true, where, l->f.wet, J - 1, &unused,
                       &held[1]);
-        column_shares(&l->shares, true, where, l->f.P, J + 1, &held[3],
+        column_shares(&l->shares, true, where, l->f.wet, J + 1, &held[3],
                       &unused);
     }
     for (size_t d = 0; d < 5; d++)
         b[d] = choose(dry, held[d], b[d]);
 }
 
-static INLINE void assemble_vector(const line *l, const wedge *c,
+static INLINE void assemble_vector(const line *l, const row_weights *c,
                                    bool transient, stretch where, ptrdiff_t J)
 {
     const ovr_band *band = &l->band;
-    vec r = at(l->f.r, J), P = at(l->f.P, J), A[7], b[5];
+    ivec held = in_set(l->f.held, J);
+    vec A[7], b[5];
     derivatives(l, c, J, A);
-    ivec dry = (P <= 0) & (r >= OVR_DRY_TOLERANCE * A[3]);
     if (transient || where == LEFT_END)
         distributed(l, transient, where, J, A, b);
     else
-        dipoles(l->f.P, J, A, b);
-    hold_dry(l, transient, where, J, dry, b);
+        dipoles(l->f.wet, J, A, b);
+    hold_dry(l, transient, where, J, held, b);
     for (size_t d = 0; d < 5; d++)
         put(band->b[d], J, b[d]);
-    put(band->delta, J, choose(dry, -P, r));
-    put(band->moves, J, transient ? choose(dry, all(0), all(1)) : all(1));
+    put(band->delta, J, choose(held, all(0), at(l->f.r, J)));
 }
 
 /* Rows that say delta = 0: the ends of the grid. */
@@ -131,7 +113,7 @@ static INLINE void assemble(const line *l, const ovr_lanes *g,
                             const ovr_weights *w, bool transient)
 {
     ptrdiff_t S = (ptrdiff_t)g->S, edge = S < EDGE ? S : EDGE;
-    wedge first = first_wedge(w), rest = inner_wedge(w);
+    row_weights first = row_first(w), rest = row_inner(w);
     assemble_vector(l, &rest, transient, LEFT_END, 0);
     assemble_vector(l, &first, transient, LEFT_END, 1);
     for (ptrdiff_t J = 2; J < edge; J++)
@@ -145,7 +127,6 @@ void OVR_KERNEL(band_assemble)(const ovr_lanes *g, const ovr_weights *w,
                                const ovr_fields *f, const ovr_band *band)
 {
     const line l = {.f = *f,
-                    .half = w->half,
                     .k = {k[0], k[1], k[2], k[3], k[4], k[5]},
                     .shares = *shares,
                     .band = *band};
@@ -158,46 +139,48 @@ void OVR_KERNEL(band_assemble)(const ovr_lanes *g, const ovr_weights *w,
         hold_row(band, ovr_lanes_place(g, i));
 }
 
-/* P_J <- max(0, P_J + change), |change| <= limit; a node held dry stays dry
- * whatever the rounding of its row.  Before and after: what the neighbours'
- * deltas do here. */
-static inline void move(double *P, const ovr_band *band, ptrdiff_t J,
+/* P_J <- max(0, P_J + change), |change| <= limit; in time a node held dry stays
+ * dry whatever the rounding of its row. */
+static inline void move(const ovr_fields *f, bool transient, ptrdiff_t J,
                         vec change, double limit)
 {
     change = smaller(larger(change, all(-limit)), all(limit));
-    put(P, J, larger(at(P, J) + change, all(0)) * at(band->moves, J));
+    vec P = larger(at(f->P, J) + change, all(0));
+    put(f->P, J, transient ? choose(in_set(f->held, J), all(0), P) : P);
 }
 
-static inline void distribute_lanes(ptrdiff_t S, double limit,
+/* The change of a node: its own delta and what the neighbours' do here. */
+static INLINE void distribute_lanes(ptrdiff_t S, double limit,
                                     const ovr_shares *shares, bool transient,
-                                    const ovr_band *band, double *P)
+                                    const double *delta, const ovr_fields *f)
 {
-    const double *delta = band->delta;
     vec before, minus, plus, next_minus, next_plus;
-    column_shares(shares, transient, LEFT_END, P, -1, &minus, &plus);
+    column_shares(shares, transient, LEFT_END, f->wet, -1, &minus, &plus);
     before = plus * at(delta, -1);
-    column_shares(shares, transient, LEFT_END, P, 0, &minus, &plus);
+    column_shares(shares, transient, LEFT_END, f->wet, 0, &minus, &plus);
     for (ptrdiff_t J = 0; J < S; J++) {
         vec here = at(delta, J), after = at(delta, J + 1);
-        column_shares(shares, transient, LEFT_END, P, J + 1, &next_minus,
+        column_shares(shares, transient, LEFT_END, f->wet, J + 1, &next_minus,
                       &next_plus);
         vec change = here + next_minus * after + before;
         before = plus * here;
         plus = next_plus;
-        move(P, band, J, change, limit);
+        move(f, transient, J, change, limit);
     }
 }
 
 void OVR_KERNEL(distribute)(const ovr_lanes *g, double limit,
                             const ovr_shares *shares, const ovr_band *band,
-                            double *P)
+                            const ovr_fields *f)
 {
+    const ovr_fields own = *f;
+    double *P = f->P;
     ptrdiff_t S = (ptrdiff_t)g->S;
     repeat_ends(band->delta, S, 1);
     if (shares->transient)
-        distribute_lanes(S, limit, shares, true, band, P);
+        distribute_lanes(S, limit, shares, true, band->delta, &own);
     else
-        distribute_lanes(S, limit, shares, false, band, P);
+        distribute_lanes(S, limit, shares, false, band->delta, &own);
     P[0] = 0;
     for (size_t i = g->n - 1; i <= g->S * VEC; i++)
         P[ovr_lanes_place(g, i)] = 0;

@@ -12,13 +12,4 @@
 #define OVR_ISA plain
 #include "multigrid/table.h"
 
-/* a0, a1, a2 of row i: row 1 has no q_{-1}. */
-static inline void ovr_row_weights(const ovr_weights *w, ptrdiff_t i,
-                                   double a[3])
-{
-    a[0] = i > 1 ? w->a0 : w->a0_first;
-    a[1] = i > 1 ? w->a1 : w->a1_first;
-    a[2] = i > 1 ? w->a2 : 0;
-}
-
 #endif

@@ -13,11 +13,11 @@ void ovr_reynolds_wedge(ovr_operator *op, bool second_order, double Cu)
 ovr_weights ovr_reynolds_weights(const ovr_operator *op, double D)
 {
     ovr_weights w;
-    w.a0 = op->w[0] / D + op->cT;
-    w.a1 = op->w[1] / D;
-    w.a2 = op->w[2] / D;
-    w.a0_first = op->w_first[0] / D + op->cT;
-    w.a1_first = op->w_first[1] / D;
+    for (int m = 0; m < 3; m++) {
+        double cT = m == 0 ? op->cT : 0;
+        w.a[m] = op->w[m] / D + cT;
+        w.first[m] = m < 2 ? op->w_first[m] / D + cT : 0;
+    }
     w.half = 0.5 / (D * D);
     return w;
 }

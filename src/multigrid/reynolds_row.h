@@ -1,28 +1,131 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The wedge's weights by vectors of rows: for kernels. */
+/*
+ * Row i of the discrete Reynolds equation (reynolds.h), stated once: residual,
+ * derivatives, and when a dry node is held.  Over numbers of any type `num`
+ * with all(), at(), fused(), less(): vectors of nodes (vector.h), one node
+ * (scalar.h).  `J` is the vector, or the node.
+ *
+ *     N = [before up + after down]/(2 D^2) - a0 q_i - a1 q_{i-1} - a2 q_{i-2}
+ *     up = P_{i-1} - P_i       before = eps_{i-1} + eps_i
+ *     down = P_{i+1} - P_i     after = eps_i + eps_{i+1}
+ *
+ * dN_i/dP_{i+d} at fixed film, eps' = d eps/dP:
+ *     d = -2:  -a2 rho'_{i-2} H_{i-2}
+ *     d = -1:  [before + eps'_{i-1} up]/(2 D^2) - a1 rho'_{i-1} H_{i-1}
+ *     d =  0:  -[before + after - eps'_i (up + down)]/(2 D^2) - a0 rho'_i H_i
+ *     d = +1:  [after + eps'_{i+1} down]/(2 D^2)
+ * and through the film, dH_k/dP_j = -k(j - k):
+ *     dN_i/dP_{i+d} = sum_m e_m k(d - m),  e_m = -dN_i/dH_{i+m},  m = -2..1
+ *     e_m = a_{-m} rho_{i+m} - (d eps_{i+m}/dH) (up, up + down, down)/(2 D^2)
+ */
 #ifndef OVR_MULTIGRID_REYNOLDS_ROW_H
 #define OVR_MULTIGRID_REYNOLDS_ROW_H
 
+#include <stdlib.h>
+
 #include "multigrid/kernels.h"
-#include "multigrid/vector.h"
 
-typedef struct wedge {
-    vec a0, a1, a2;
-} wedge;
+/* The weights of a row: of q_i, q_{i-1}, q_{i-2}, and 1/(2 D^2). */
+typedef struct row_weights {
+    num a[3], half;
+} row_weights;
 
-static inline wedge inner_wedge(const ovr_weights *w)
+static inline row_weights row_inner(const ovr_weights *w)
 {
-    return (wedge){all(w->a0), all(w->a1), all(w->a2)};
+    return (row_weights){{all(w->a[0]), all(w->a[1]), all(w->a[2])},
+                         all(w->half)};
 }
 
-/* Of vector 1: row 1, its first element, is of first order. */
-static inline wedge first_wedge(const ovr_weights *w)
+/* Row 1, the first of its vector, has no q_{-1}: its wedge is of first
+ * order. */
+static inline row_weights row_first(const ovr_weights *w)
 {
-    wedge c = inner_wedge(w);
-    c.a0[0] = w->a0_first;
-    c.a1[0] = w->a1_first;
-    c.a2[0] = 0;
+    row_weights c = row_inner(w);
+    for (int m = 0; m < 3; m++)
+        c.a[m] = with_first(c.a[m], w->first[m]);
     return c;
+}
+
+/* What flows into the cell, through its faces at i - 1/2 and i + 1/2. */
+typedef struct row_faces {
+    num up, down, before, after;
+} row_faces;
+
+static inline row_faces row_faces_at(const ovr_fields *f, ptrdiff_t J)
+{
+    num P = at(f->P, J), eps = at(f->eps, J);
+    return (row_faces){.up = at(f->P, J - 1) - P,
+                       .down = at(f->P, J + 1) - P,
+                       .before = at(f->eps, J - 1) + eps,
+                       .after = eps + at(f->eps, J + 1)};
+}
+
+/* r = F - N */
+static inline num row_residual(const ovr_fields *f, const row_weights *c,
+                               ptrdiff_t J)
+{
+    row_faces s = row_faces_at(f, J);
+    num N = c->half * (s.before * s.up + s.after * s.down) -
+            c->a[0] * at(f->q, J) - c->a[1] * at(f->q, J - 1) -
+            c->a[2] * at(f->q, J - 2);
+    return at(f->F, J) - N;
+}
+
+/* What flows out of a node by its own pressure: d of reynolds.h. */
+static inline num row_outflow(const ovr_fields *f, num half, ptrdiff_t J)
+{
+    row_faces s = row_faces_at(f, J);
+    return half * (s.before + s.after);
+}
+
+/*
+ * Whether a node is held dry: P = 0, and the row does not want it to rise.
+ * With room for rounding: on coarse grids the residual of a dry node is
+ * rounding, whose sign would pick wet or dry at random (1e-12 to 1e-8 all
+ * work).
+ */
+static inline truth row_holds(num P, num r, num outflow)
+{
+    return (P <= 0) & (r >= -1e-10 * outflow);
+}
+
+/* e[m + 2] without d eps/dH, m = -2..0. */
+static inline void row_by_film(const ovr_fields *f, const row_weights *c,
+                               ptrdiff_t J, num e[3])
+{
+    for (int m = 0; m < 3; m++)
+        e[2 - m] = c->a[m] * at(f->rho, J - m);
+}
+
+/* e[m + 2], m = -2..1, takes d eps/dH in. */
+static inline void row_flow_by_film(const ovr_fields *f, const row_weights *c,
+                                    ptrdiff_t J, num e[4])
+{
+    row_faces s = row_faces_at(f, J);
+    e[1] = less(e[1], c->half * at(f->deps_dH, J - 1), s.up);
+    e[2] = less(e[2], c->half * at(f->deps_dH, J), s.up + s.down);
+    e[3] = less(e[3], c->half * at(f->deps_dH, J + 1), s.down);
+}
+
+/* The elastic part of dN_i/dP_{i+d}, e without d eps/dH. */
+static inline num row_elastic(const num e[3], const double *k, int d)
+{
+    return fused(e[2], all(k[abs(d)]),
+                 fused(e[1], all(k[abs(d + 1)]), e[0] * k[abs(d + 2)]));
+}
+
+/* A[d + 2] takes in dN_i/dP_{i+d} at fixed film, d = -2..1. */
+static inline void row_by_pressure(const ovr_fields *f, const row_weights *c,
+                                   ptrdiff_t J, num A[4])
+{
+    row_faces s = row_faces_at(f, J);
+    A[0] = less(A[0], c->a[2], at(f->dq, J - 2));
+    A[1] = less(fused(c->half, fused(at(f->deps, J - 1), s.up, s.before), A[1]),
+                c->a[1], at(f->dq, J - 1));
+    A[2] = less(less(A[2], c->half,
+                     less(s.before + s.after, at(f->deps, J), s.up + s.down)),
+                c->a[0], at(f->dq, J));
+    A[3] = fused(c->half, fused(at(f->deps, J + 1), s.down, s.after), A[3]);
 }
 
 #endif

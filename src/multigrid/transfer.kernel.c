@@ -39,69 +39,62 @@ void OVR_KERNEL(coarse_gap)(const ovr_lanes *g, double H0, const double *w,
 }
 
 /* Full weighting of P where all three are wet, else injection. */
-static inline vec weighted_pressure(vec left, vec here, vec right)
+static inline vec weighted_pressure(const vec P[3], const ivec wet[3])
 {
-    ivec wet = (left > 0) & (here > 0) & (right > 0);
-    return choose(wet, 0.25 * (left + (here + here) + right), here);
+    return choose(wet[0] & wet[1] & wet[2],
+                  0.25 * (P[0] + (P[1] + P[1]) + P[2]), P[1]);
 }
 
 /* Full weighting of the residual of wet nodes, at wet nodes. */
-static inline vec weighted_residual(const vec P[3], const vec r[3])
+static inline vec weighted_residual(const vec r[3], const ivec wet[3])
 {
-    vec left = choose(P[0] > 0, r[0], all(0));
-    vec right = choose(P[2] > 0, r[2], all(0));
-    return choose(P[1] > 0, 0.25 * (left + (r[1] + r[1]) + right), all(0));
+    vec left = choose(wet[0], r[0], all(0));
+    vec right = choose(wet[2], r[2], all(0));
+    return choose(wet[1], 0.25 * (left + (r[1] + r[1]) + right), all(0));
 }
 
-static inline void restrict_vector(const vec P[3], const vec r[3], vec *Pc,
-                                   vec *rc)
-{
-    *Pc = weighted_pressure(P[0], P[1], P[2]);
-    *rc = weighted_residual(P, r);
-}
-
-static void restrict_lanes(ptrdiff_t S, const double *P, const double *H,
-                           const double *r, double *Pc, double *entry,
-                           double *Hc, double *rc)
+static void restrict_lanes(ptrdiff_t S, const ovr_fields *f, double *Pc,
+                           double *entry, double *Hc, double *rc)
 {
     for (ptrdiff_t J = 0; J < S; J++) {
-        vec p[3] = {at(P, 2 * J - 1), at(P, 2 * J), at(P, 2 * J + 1)};
-        vec d[3] = {at(r, 2 * J - 1), at(r, 2 * J), at(r, 2 * J + 1)}, here,
-            rest;
-        restrict_vector(p, d, &here, &rest);
+        vec P[3], r[3];
+        ivec wet[3];
+        for (ptrdiff_t k = 0; k < 3; k++) {
+            P[k] = at(f->P, 2 * J - 1 + k);
+            r[k] = at(f->r, 2 * J - 1 + k);
+            wet[k] = in_set(f->wet, 2 * J - 1 + k);
+        }
+        vec here = weighted_pressure(P, wet);
         put(Pc, J, here);
         put(entry, J, here);
-        put(rc, J, rest);
-        put(Hc, J, at(H, 2 * J));
+        put(rc, J, weighted_residual(r, wet));
+        put(Hc, J, at(f->H, 2 * J));
     }
-    put(Hc, S, at(H, 2 * S));
+    put(Hc, S, at(f->H, 2 * S));
     for (ptrdiff_t J = -OVR_HALO; J < 0; J++)
         put(Hc, J, lanes_up(at(Hc, J), at(Hc, S + J)));
 }
 
-/* A node in every lane. */
-static vec value_at(const ovr_lanes *g, const double *x, size_t i)
-{
-    return all(x[ovr_lanes_place(g, i)]);
-}
-
+/* Nodes in every lane. */
 static void restrict_nodes(const ovr_lanes *coarse, const ovr_lanes *fine,
-                           const double *P, const double *H, const double *r,
-                           double *Pc, double *entry, double *Hc, double *rc)
+                           const ovr_fields *f, double *Pc, double *entry,
+                           double *Hc, double *rc)
 {
     for (size_t I = 0; I < coarse->n; I++) {
         size_t i = 2 * I, to = ovr_lanes_place(coarse, I);
-        Hc[to] = H[ovr_lanes_place(fine, i)];
+        Hc[to] = f->H[ovr_lanes_place(fine, i)];
         if (I == 0 || I == coarse->n - 1)
             continue;
-        vec p[3], d[3], here, rest;
+        vec P[3], r[3];
+        ivec wet[3];
         for (size_t k = 0; k < 3; k++) {
-            p[k] = value_at(fine, P, i - 1 + k);
-            d[k] = value_at(fine, r, i - 1 + k);
+            size_t from = ovr_lanes_place(fine, i - 1 + k);
+            P[k] = all(f->P[from]);
+            r[k] = all(f->r[from]);
+            wet[k] = all(ovr_lanes_has(fine, f->wet, i - 1 + k)) > 0;
         }
-        restrict_vector(p, d, &here, &rest);
-        Pc[to] = entry[to] = here[0];
-        rc[to] = rest[0];
+        Pc[to] = entry[to] = weighted_pressure(P, wet)[0];
+        rc[to] = weighted_residual(r, wet)[0];
     }
     repeat_ends(Hc, (ptrdiff_t)coarse->S, OVR_HALO);
 }
@@ -109,14 +102,13 @@ static void restrict_nodes(const ovr_lanes *coarse, const ovr_lanes *fine,
 /* P_c, H where the coarse nodes are, and the residual of wet nodes; zero at
  * both ends. */
 void OVR_KERNEL(restrict_fields)(const ovr_lanes *coarse, const ovr_lanes *fine,
-                                 const double *P, const double *H,
-                                 const double *r, double *Pc, double *entry,
+                                 const ovr_fields *f, double *Pc, double *entry,
                                  double *Hc, double *rc)
 {
     if (fine->S == 2 * coarse->S)
-        restrict_lanes((ptrdiff_t)coarse->S, P, H, r, Pc, entry, Hc, rc);
+        restrict_lanes((ptrdiff_t)coarse->S, f, Pc, entry, Hc, rc);
     else
-        restrict_nodes(coarse, fine, P, H, r, Pc, entry, Hc, rc);
+        restrict_nodes(coarse, fine, f, Pc, entry, Hc, rc);
     Pc[0] = entry[0] = rc[0] = 0;
 }
 
@@ -131,51 +123,49 @@ void OVR_KERNEL(coarse_side)(const ovr_lanes *g, const double *residual,
     }
 }
 
-static inline vec lifted(vec P, vec change)
+static inline void correct_vector(const ovr_fields *f, ptrdiff_t J, vec change)
 {
-    return choose(P > 0, larger(P + change, all(0)), P);
-}
-
-static inline void correct_vector(double *P, ptrdiff_t J, vec left, vec right)
-{
-    put(P, 2 * J, lifted(at(P, 2 * J), left));
-    put(P, 2 * J + 1, lifted(at(P, 2 * J + 1), 0.5 * (left + right)));
+    vec P = at(f->P, J);
+    put(f->P, J, choose(in_set(f->wet, J), larger(P + change, all(0)), P));
 }
 
 static void correct_lanes(ptrdiff_t S, double factor, const double *Pc,
-                          const double *entry, double *P)
+                          const double *entry, const ovr_fields *f)
 {
     vec first = factor * (at(Pc, 0) - at(entry, 0)), left = first, right;
-    for (ptrdiff_t J = 0; J < S - 1; J++) {
-        right = factor * (at(Pc, J + 1) - at(entry, J + 1));
-        correct_vector(P, J, left, right);
+    for (ptrdiff_t J = 0; J < S; J++) {
+        right = J == S - 1 ? lanes_down(first, all(0))
+                           : factor * (at(Pc, J + 1) - at(entry, J + 1));
+        correct_vector(f, 2 * J, left);
+        correct_vector(f, 2 * J + 1, 0.5 * (left + right));
         left = right;
     }
-    correct_vector(P, S - 1, left, lanes_down(first, all(0)));
 }
 
 static void correct_nodes(const ovr_lanes *coarse, const ovr_lanes *fine,
                           double factor, const double *Pc, const double *entry,
-                          double *P)
+                          const ovr_fields *f)
 {
     for (size_t i = 1; i + 1 < fine->n; i++) {
         size_t left = ovr_lanes_place(coarse, i / 2);
         size_t right = ovr_lanes_place(coarse, (i + 1) / 2);
-        double *here = P + ovr_lanes_place(fine, i);
+        double *here = f->P + ovr_lanes_place(fine, i);
         double change = 0.5 * factor *
                         (Pc[left] - entry[left] + Pc[right] - entry[right]);
-        *here = lifted(all(*here), all(change))[0];
+        if (ovr_lanes_has(fine, f->wet, i))
+            *here = larger(all(*here + change), all(0))[0];
     }
 }
 
+/* The wet nodes of the fine fields. */
 void OVR_KERNEL(correct)(const ovr_lanes *coarse, const ovr_lanes *fine,
                          double factor, const double *Pc, const double *entry,
-                         double *P)
+                         const ovr_fields *f)
 {
     if (fine->S == 2 * coarse->S)
-        correct_lanes((ptrdiff_t)coarse->S, factor, Pc, entry, P);
+        correct_lanes((ptrdiff_t)coarse->S, factor, Pc, entry, f);
     else
-        correct_nodes(coarse, fine, factor, Pc, entry, P);
+        correct_nodes(coarse, fine, factor, Pc, entry, f);
 }
 
 /* Extrapolation in time: the weighted sum where the first, which is the

@@ -27,23 +27,22 @@ void ovr_coarse_gap_plain(const ovr_lanes *g, double H0, const double *w,
 }
 
 void ovr_restrict_fields_plain(const ovr_lanes *coarse, const ovr_lanes *fine,
-                               const double *P, const double *H,
-                               const double *r, double *Pc, double *entry,
+                               const ovr_fields *f, double *Pc, double *entry,
                                double *Hc, double *rc)
 {
     size_t last = coarse->n - 1;
     (void)fine;
     for (size_t I = 1; I < last; I++) {
-        const double *p = P + 2 * I, *d = r + 2 * I;
-        bool left = p[-1] > 0, here = p[0] > 0, right = p[1] > 0;
-        bool wet = left && here && right;
-        double sum = 2 * d[0] + (left ? d[-1] : 0) + (right ? d[1] : 0);
-        entry[I] = Pc[I] = wet ? (p[-1] + 2 * p[0] + p[1]) / 4 : p[0];
-        rc[I] = here ? sum / 4 : 0;
+        const double *p = f->P + 2 * I, *d = f->r + 2 * I;
+        const unsigned char *wet = f->wet + 2 * I;
+        bool all = wet[-1] && wet[0] && wet[1];
+        double sum = 2 * d[0] + (wet[-1] ? d[-1] : 0) + (wet[1] ? d[1] : 0);
+        entry[I] = Pc[I] = all ? (p[-1] + 2 * p[0] + p[1]) / 4 : p[0];
+        rc[I] = wet[0] ? sum / 4 : 0;
     }
     Pc[0] = entry[0] = rc[0] = Pc[last] = entry[last] = rc[last] = 0;
     for (size_t I = 0; I <= last; I++)
-        Hc[I] = H[2 * I];
+        Hc[I] = f->H[2 * I];
 }
 
 void ovr_coarse_side_plain(const ovr_lanes *g, const double *residual,
@@ -57,13 +56,14 @@ void ovr_coarse_side_plain(const ovr_lanes *g, const double *residual,
 
 void ovr_correct_plain(const ovr_lanes *coarse, const ovr_lanes *fine,
                        double factor, const double *Pc, const double *entry,
-                       double *P)
+                       const ovr_fields *f)
 {
     (void)coarse;
     for (size_t i = 1; i + 1 < fine->n; i++) {
         size_t I = i / 2, J = (i + 1) / 2; /* the same at even i */
         double change = 0.5 * factor * (Pc[I] - entry[I] + Pc[J] - entry[J]);
-        P[i] = P[i] > 0 ? fmax(P[i] + change, 0) : P[i];
+        if (f->wet[i])
+            f->P[i] = fmax(f->P[i] + change, 0);
     }
 }
 

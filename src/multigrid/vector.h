@@ -29,6 +29,8 @@
 typedef double vec __attribute__((vector_size(VEC * 8)));
 typedef int64_t ivec __attribute__((vector_size(VEC * 8)));
 typedef uint64_t uvec __attribute__((vector_size(VEC * 8)));
+typedef vec num; /* see scalar.h */
+typedef ivec truth;
 typedef double loose_vec
     __attribute__((vector_size(VEC * 8), aligned(8), may_alias));
 
@@ -45,6 +47,13 @@ static inline void store(double *x, vec v)
 static inline vec all(double x)
 {
     return x - (vec){0};
+}
+
+/* x with another first element */
+static inline vec with_first(vec x, double first)
+{
+    x[0] = first;
+    return x;
 }
 
 /* mask ? a : b, for a mask made by a comparison */
@@ -190,6 +199,30 @@ static inline vec at(const double *x, ptrdiff_t J)
 static inline void put(double *x, ptrdiff_t J, vec v)
 {
     store(x + J * VEC, v);
+}
+
+/* Vector J of a set of nodes (kernels.h) as a mask, and back. */
+static inline ivec in_set(const unsigned char *set, ptrdiff_t J)
+{
+#if VEC == 8
+    return (ivec)_mm512_movm_epi64(set[J]);
+#elif VEC == 4
+    const ivec bit = {1, 2, 4, 8};
+    return ((int64_t)set[J] & bit) != 0;
+#else
+    return (ivec){-(set[J] & 1), -(set[J] >> 1)};
+#endif
+}
+
+static inline void put_set(unsigned char *set, ptrdiff_t J, ivec mask)
+{
+#if VEC == 8
+    set[J] = _mm512_movepi64_mask((__m512i)mask);
+#elif VEC == 4
+    set[J] = (unsigned char)_mm256_movemask_pd((__m256d)mask);
+#else
+    set[J] = (unsigned char)((mask[0] & 1) | (mask[1] & 2));
+#endif
 }
 
 /* Repeats the ends of lanes of S nodes in `halo` vectors on both sides; what

@@ -194,10 +194,10 @@ double ovr_simulation_memory(const ovr_options *options)
     for (int l = coarsest < options->level ? coarsest : options->level;
          l <= options->level; l++) {
         n = 7 * ldexp(1, l) + 1;
-        bytes += 10 * field_bytes(n) + deformation_bytes(n);
+        bytes += 10 * field_bytes(n) + 2 * n + deformation_bytes(n);
     }
     /* the smoother's system, the past and what is read, the coarsest grid's
      * matrix and fields, many small things */
-    return bytes + 7 * field_bytes(n) + 16 * 8 * n +
-           9 * field_bytes(ordered ? n : m) + 8 * (m + 2) * (m + 16) + 200e3;
+    return bytes + 6 * field_bytes(n) + 16 * 8 * n +
+           10 * field_bytes(ordered ? n : m) + 8 * (m + 2) * (m + 16) + 200e3;
 }

@@ -3,10 +3,11 @@
 
 #include <math.h>
 
+#include "multigrid/field.h"
 #include "support/contact.h"
 #include "support/test.h"
 
-enum { FIELDS = 9, BAND = 7, ARRAYS = FIELDS + BAND + 2 };
+enum { FIELDS = 10, BAND = 6, ARRAYS = FIELDS + BAND + 2 };
 
 const ovr_kernels *test_kernels(int k)
 {
@@ -32,11 +33,22 @@ static void take_fields(test_grid *grid)
     double *a[ARRAYS];
     for (int k = 0; k < ARRAYS; k++)
         a[k] = take(grid);
-    grid->f = (ovr_fields){a[0], a[1], a[2], a[3], a[4],
-                           a[5], a[6], a[7], a[8]};
-    grid->band = (ovr_band){.b = {a[9], a[10], a[11], a[12], a[13]},
-                            .delta = a[14],
-                            .moves = a[15]};
+    ovr_error err = {0};
+    grid->f = (ovr_fields){.P = a[0],
+                           .H = a[1],
+                           .rho = a[2],
+                           .dq = a[3],
+                           .eps = a[4],
+                           .deps = a[5],
+                           .q = a[6],
+                           .F = a[7],
+                           .r = a[8],
+                           .deps_dH = a[9],
+                           .wet = ovr_set(&grid->arena, grid->n, &err),
+                           .held = ovr_set(&grid->arena, grid->n, &err)};
+    assert_true(grid->f.wet && grid->f.held);
+    grid->band = (ovr_band){.b = {a[10], a[11], a[12], a[13], a[14]},
+                            .delta = a[15]};
     grid->gap = a[16], grid->w = a[17];
     grid->ordered = take(grid);
 }
@@ -51,8 +63,9 @@ test_grid test_grid_make(const ovr_kernels *run, size_t n)
                       .n = n,
                       .D = D,
                       .fluid = {contact.lubricant, contact.contact.lambda},
-                      .weights = {1.5 / D + 2, -2 / D, 0.5 / D, 1 / D + 2,
-                                  -1 / D, 0.5 / (D * D)}};
+                      .weights = {{1.5 / D + 2, -2 / D, 0.5 / D},
+                                  {1 / D + 2, -1 / D, 0},
+                                  0.5 / (D * D)}};
     CHECK_OK(ovr_mlmi_plan(&grid.mlmi, n, D, 10, 10, NULL, &grid.arena, &err),
              &err);
     grid.lanes = (ovr_lanes){n, ovr_mlmi_lane(&grid.mlmi, run->lanes),
@@ -80,15 +93,16 @@ void test_grid_fill(const test_grid *grid, uint64_t seed)
     f->P[0] = f->P[n - 1] = 0;
     grid->run->film(&grid->fluid, 0, &grid->lanes, grid->gap, grid->w, f);
     grid->run->residual(&grid->lanes, &grid->weights, f);
+    grid->run->phase(&grid->lanes, &grid->weights, f);
 }
 
 static void list(const test_grid *g, double *all[ARRAYS])
 {
     double *const a[ARRAYS] = {
-        g->f.P,       g->f.H,        g->f.rho,     g->f.dq,      g->f.eps,
-        g->f.deps,    g->f.q,        g->f.F,       g->f.r,       g->gap,
-        g->w,         g->band.b[0],  g->band.b[1], g->band.b[2], g->band.b[3],
-        g->band.b[4], g->band.delta, g->band.moves};
+        g->f.P,       g->f.H,       g->f.rho,     g->f.dq,      g->f.eps,
+        g->f.deps,    g->f.q,       g->f.F,       g->f.r,       g->f.deps_dH,
+        g->gap,       g->w,         g->band.b[0], g->band.b[1], g->band.b[2],
+        g->band.b[3], g->band.b[4], g->band.delta};
     for (int k = 0; k < ARRAYS; k++)
         all[k] = a[k];
 }
@@ -101,6 +115,7 @@ void test_grid_copy(const test_grid *plain, const test_grid *to)
     list(to, here);
     for (int k = 0; k < ARRAYS; k++)
         to->run->pack(&to->lanes, from[k], here[k]);
+    to->run->phase(&to->lanes, &to->weights, &to->f);
 }
 
 const double *test_grid_read(const test_grid *grid, const double *x)

@@ -8,7 +8,7 @@
 #include "support/kernels.h"
 #include "support/test.h"
 
-enum { N = 1600, ARRAYS = 11, PAD = 4 * OVR_MOST_LANES };
+enum { N = 1600, ARRAYS = 10, PAD = 4 * OVR_MOST_LANES };
 
 typedef struct oil {
     ovr_arena arena;
@@ -27,8 +27,15 @@ static oil make(void)
         assert_non_null(a[k]);
         a[k] += PAD;
     }
-    o.f = (ovr_fields){a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8]};
-    o.gap = a[9], o.w = a[10];
+    o.f = (ovr_fields){.P = a[0],
+                       .H = a[1],
+                       .rho = a[2],
+                       .dq = a[3],
+                       .eps = a[4],
+                       .deps = a[5],
+                       .q = a[6],
+                       .deps_dH = a[7]};
+    o.gap = a[8], o.w = a[9];
     return o;
 }
 
@@ -105,6 +112,7 @@ static void check_node(const oil *o, int i)
     CHECK_CLOSE(f->dq[i], (double)(at.rho_slope * h), 8 * DBL_EPSILON);
     CHECK_CLOSE(f->eps[i], (double)eps, bound);
     CHECK_NEAR(f->deps[i], deps, bound * slopes);
+    CHECK_CLOSE(f->deps_dH[i], (double)(3 * at.rho * flow / h), bound);
     /* the library's own laws, one value at a time */
     CHECK_CLOSE(f->rho[i], ovr_density(&o->fluid.lubricant, P), 1e-15);
     CHECK_CLOSE(f->eps[i] * ovr_viscosity(&o->fluid.lubricant, P),

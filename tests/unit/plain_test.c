@@ -129,7 +129,7 @@ static void check_held(const test_grid *b, const ovr_shares *s, size_t i)
                            s->transient ? after : 0, 0};
     bool dry = held(b, i);
     assert_true(b->band.delta[i] == (dry ? 0 : b->f.r[i]));
-    assert_true(b->band.moves[i] == !(dry && s->transient));
+    assert_true(b->f.held[i] == dry && b->f.wet[i] == (b->f.P[i] > 0));
     for (int d = 0; dry && d < 5; d++)
         assert_true(b->band.b[d][i] == row[d]);
 }
@@ -143,7 +143,8 @@ static void check_change(const test_grid *b, const ovr_shares *s, double limit,
                     share(b, s->minus, s->transient, i + 1) * delta[i + 1] +
                     share(b, s->plus, s->transient, i - 1) * delta[i - 1];
     change = fmax(-limit, fmin(limit, change));
-    CHECK_NEAR(P[i], b->band.moves[i] * fmax(0, b->f.P[i] + change), 1e-15);
+    bool stays = s->transient && held(b, i);
+    CHECK_NEAR(P[i], stays ? 0 : fmax(0, b->f.P[i] + change), 1e-15);
 }
 
 /* The rows of the system and the use of its solution. */
@@ -165,8 +166,9 @@ static void line_is_as_defined(void **state)
         }
         assert_true(dry > 5);
         b.run->band_solve(&b.lanes, &b.band);
-        memcpy(P, b.f.P, sizeof P);
-        b.run->distribute(&b.lanes, 0.05, s, &b.band, P);
+        ovr_fields moved = b.f;
+        moved.P = memcpy(P, b.f.P, sizeof P);
+        b.run->distribute(&b.lanes, 0.05, s, &b.band, &moved);
         for (size_t i = 1; i < N - 1; i++)
             check_change(&b, s, 0.05, P, i);
         assert_true(P[0] == 0 && P[N - 1] == 0);
@@ -180,14 +182,15 @@ static void restriction_by_hand(void **state)
 {
     double P[] = {0, 1, 2, 5, 4, 0, 6, 7, 0}, H[] = {9, 8, 7, 6, 5, 4, 3, 2, 1};
     double r[] = {0, 8, 8, 8, 8, 100, 8, 8, 0};
+    unsigned char wet[] = {0, 1, 1, 1, 1, 0, 1, 1, 0};
+    const ovr_fields f = {.P = P, .H = H, .r = r, .wet = wet};
     double Pc[5], entry[5], Hc[5], rc[5];
     const ovr_lanes fine = {9, 8, 1}, coarse = {5, 4, 1};
     const double expected_P[] = {0, 2.5, 4, 6, 0},
                  expected_H[] = {9, 7, 5, 3, 1};
     const double expected_r[] = {0, 8, 6, 6, 0};
     (void)state;
-    test_kernels(0)->restrict_fields(&coarse, &fine, P, H, r, Pc, entry, Hc,
-                                     rc);
+    test_kernels(0)->restrict_fields(&coarse, &fine, &f, Pc, entry, Hc, rc);
     assert_memory_equal(Pc, expected_P, sizeof Pc);
     assert_memory_equal(entry, expected_P, sizeof Pc);
     assert_memory_equal(Hc, expected_H, sizeof Hc);
@@ -199,11 +202,13 @@ static void restriction_by_hand(void **state)
 static void correction_by_hand(void **state)
 {
     double P[] = {0, 1, 2, 0, 4, 5, 6, 7, 0};
+    unsigned char wet[] = {0, 1, 1, 0, 1, 1, 1, 1, 0};
+    const ovr_fields f = {.P = P, .wet = wet};
     const double Pc[] = {0, 3, 7, -11, 0}, entry[] = {0, 1, 3, 9, 0};
     const double expected[] = {0, 1.5, 3, 0, 6, 1, 0, 2, 0};
     const ovr_lanes fine = {9, 8, 1}, coarse = {5, 4, 1};
     (void)state;
-    test_kernels(0)->correct(&coarse, &fine, 0.5, Pc, entry, P);
+    test_kernels(0)->correct(&coarse, &fine, 0.5, Pc, entry, &f);
     assert_memory_equal(P, expected, sizeof P);
 }
 
