@@ -66,6 +66,12 @@ static void timed_residual(const ovr_lanes *g, const ovr_weights *w,
     KEEP_TIME(RESIDUAL, residual(g, w, f));
 }
 
+static void timed_phase(const ovr_lanes *g, const ovr_weights *w,
+                        const ovr_fields *f)
+{
+    KEEP_TIME(RESIDUAL, phase(g, w, f));
+}
+
 static void timed_assemble(const ovr_lanes *g, const ovr_weights *w,
                            const double k[6], const ovr_shares *shares,
                            const ovr_fields *f, const ovr_band *band)
@@ -80,17 +86,16 @@ static void timed_solve(const ovr_lanes *g, const ovr_band *band)
 
 static void timed_distribute(const ovr_lanes *g, double limit,
                              const ovr_shares *shares, const ovr_band *band,
-                             double *P)
+                             const ovr_fields *f)
 {
-    KEEP_TIME(DISTRIBUTE, distribute(g, limit, shares, band, P));
+    KEEP_TIME(DISTRIBUTE, distribute(g, limit, shares, band, f));
 }
 
 static void timed_restrict(const ovr_lanes *coarse, const ovr_lanes *fine,
-                           const double *P, const double *H, const double *r,
-                           double *Pc, double *entry, double *Hc, double *rc)
+                           const ovr_fields *f, double *Pc, double *entry,
+                           double *Hc, double *rc)
 {
-    KEEP_TIME(RESTRICT,
-              restrict_fields(coarse, fine, P, H, r, Pc, entry, Hc, rc));
+    KEEP_TIME(RESTRICT, restrict_fields(coarse, fine, f, Pc, entry, Hc, rc));
 }
 
 static void timed_gap(const ovr_lanes *g, double H0, const double *w,
@@ -107,9 +112,9 @@ static void timed_side(const ovr_lanes *g, const double *residual, double *F,
 
 static void timed_correct(const ovr_lanes *coarse, const ovr_lanes *fine,
                           double factor, const double *Pc, const double *entry,
-                          double *P)
+                          const ovr_fields *f)
 {
-    KEEP_TIME(CORRECT, correct(coarse, fine, factor, Pc, entry, P));
+    KEEP_TIME(CORRECT, correct(coarse, fine, factor, Pc, entry, f));
 }
 
 static void timed_row(size_t n, const double c[4], const double *k, double *row)
@@ -133,6 +138,7 @@ static ovr_kernels timed_kernels(const ovr_kernels *kernels)
     timed.deformation = timed_deformation;
     timed.film = timed_film;
     timed.residual = timed_residual;
+    timed.phase = timed_phase;
     timed.band_assemble = timed_assemble;
     timed.band_solve = timed_solve;
     timed.distribute = timed_distribute;
