@@ -12,9 +12,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "results/container.h"
 #include "results/driver.h"
 #include "results/h5.h"
+#include "results/hdf5read/hdf5read.h"
 #include "results/header.h"
 
 static ovr_status write_failed(ovr_file *f, ovr_error *err)

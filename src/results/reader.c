@@ -9,7 +9,7 @@
  * anew.  Rows are counted by their time: one that is still NaN does not exist
  * yet.
  *
- * Nothing in the file is trusted: container.h holds all that is read against
+ * Nothing in the file is trusted: hdf5read.h holds all that is read against
  * the length of the file.
  */
 #include "results/reader.h"

@@ -5,7 +5,7 @@
 
 #include "base/arena.h"
 #include "overroll/results.h"
-#include "results/container.h"
+#include "results/hdf5read/hdf5read.h"
 #include "results/layout.h"
 
 struct ovr_result {

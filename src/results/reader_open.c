@@ -123,8 +123,8 @@ static ovr_status open_axes(ovr_result *r, ovr_error *err)
 {
     uint64_t root = r->container.root;
     ovr_dataset x, time;
-    if (!take_variable(r, root, "x", 1, &x, &r->x) || x.chunked ||
-        x.shape[0] == 0 || !take_variable(r, root, "time", 1, &time, &r->time))
+    if (!take_variable(r, root, "x", 1, &x, &r->x) || x.shape[0] == 0 ||
+        !take_variable(r, root, "time", 1, &time, &r->time))
         return damaged(r, "no x or no time", err);
     r->info.nodes = (size_t)x.shape[0];
     r->info.snapshots = complete_rows(r, &time, (size_t)time.shape[0]);

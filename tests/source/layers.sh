@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A file includes headers of its own floor and of floors below, never in
-# circles.
+# circles; of a folder inside a floor only the header of the folder's name, if
+# there is one.
 set -u
 cd "$TOP" || exit 1
 floors="base contact surface multigrid stress simulation results case run
@@ -12,7 +13,8 @@ find src include -name '*.[ch]' -exec grep -HE '^ *# *include *"' {} + |
     sed 's/^\([^:]*\):[^"]*"\([^"]*\)".*/\1 \2/' >"$OLDPWD/pairs"
 cd "$OLDPWD" || exit 1
 
-awk -v floors="$floors" '
+faces=$(cd "$TOP/src" && ls ./*/*/*.h | sed 's/^..//' | tr '\n' ' ')
+awk -v floors="$floors" -v faces=" $faces" '
     # The number of the floor that a file or an included name stands on.
     function floor(name,    part, base) {
         sub(/^src\//, "", name)
@@ -23,6 +25,13 @@ awk -v floors="$floors" '
         base = part[2]
         sub(/\.h$/, "", base)
         return height[base in home ? home[base] : base]
+    }
+    # FLOOR/FOLDER/ of a header that is not the face its folder has.
+    function inside(name,    part, home) {
+        if (split(name, part, "/") != 3 || part[3] == part[2] ".h")
+            return ""
+        home = part[1] "/" part[2] "/"
+        return index(faces, " " home part[2] ".h ") ? home : ""
     }
     BEGIN {
         n = split(floors, name)
@@ -35,6 +44,8 @@ awk -v floors="$floors" '
     }
     !floor($1) { print $1 ": on no floor that this test knows"; bad = 1 }
     !floor($2) { print $1 ": includes " $2 ", on no known floor"; bad = 1 }
+    inside($2) && !($1 ~ "^src/" inside($2)) {
+        print $1 ": includes " $2 ", an inside"; bad = 1 }
     floor($1) < floor($2) { print $1 " includes " $2 " from above"; bad = 1 }
     END { exit bad }' pairs || exit 1
 

@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "overroll/results.h"
-#include "results/container.h"
+#include "results/hdf5read/hdf5read.h"
 #include "support/dent.h"
 
 enum { NODES = 37 };

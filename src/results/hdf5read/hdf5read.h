@@ -6,17 +6,32 @@
  * crash, follow a link into another file, or ask for any amount of memory.
  * Result files come from strangers, so the reader understands by itself the
  * part of the format that the writer uses (the one of HDF5 1.8, which the
- * writer pins), and refuses everything else: other groups, filters, types,
- * links that are not hard, data in other files.  Every address and every
- * length is held against the length of the file, and no table is longer than
- * the bytes that it was read from.
+ * writer pins) and what h5repack and ncks make of it, and refuses everything
+ * else: other groups, filters, types, links that are not hard, data in other
+ * files.  Every address and every length is held against the length of the
+ * file, and no table is longer than the bytes that it was read from.
+ *
+ * This header is all that others see of the folder.
  *
  * Source: The HDF Group, HDF5 File Format Specification, Version 3.0.
  */
-#ifndef OVR_RESULTS_CONTAINER_H
-#define OVR_RESULTS_CONTAINER_H
+#ifndef OVR_RESULTS_HDF5READ_H
+#define OVR_RESULTS_HDF5READ_H
 
-#include "results/heap.h"
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/arena.h"
+
+/* A file to read pieces of.  Their memory is the arena's; `starved` notes that
+ * it had none, which is no fault of the file. */
+typedef struct ovr_source {
+    int fd;
+    uint64_t bytes; /* pieces end there */
+    ovr_arena *arena;
+    bool starved;
+} ovr_source;
 
 typedef struct ovr_container {
     ovr_source source;

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Superblock, headers of objects, links and attributes. */
-#include "results/container.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#include "results/elements.h"
+#include "results/hdf5read/elements.h"
 
 /* Kinds of messages in an object's header. */
 enum {
@@ -22,32 +21,44 @@ enum {
 
 static const char signature[8] = "\211HDF\r\n\032\n";
 
-/* Version 2 or 3 with addresses and lengths of 8 bytes, no user block. */
+/* Version 0 has more tables and no checksum, and names the root group last. */
+static bool read_form(ovr_source *source, ovr_piece *b, size_t size)
+{
+    bool first = b->at[sizeof signature] == 0;
+    uint64_t version, address, length;
+    if (first && !ovr_load(source, 0, size, b))
+        return false;
+    ovr_cut(b, sizeof signature);
+    version = ovr_take(b, 1);
+    ovr_cut(b, first ? 4 : 0);
+    address = ovr_take(b, 1);
+    length = ovr_take(b, 1);
+    ovr_cut(b, first ? 9 : 1);
+    return (first || version == 2 || version == 3) && address == 8 &&
+           length == 8;
+}
+
+/* Addresses and lengths of 8 bytes, no user block. */
 static ovr_found read_superblock(ovr_container *c)
 {
-    enum { SIZE = 48 };
-    ovr_piece b;
-    uint64_t version, address, length, end;
+    enum { SIZE = 48, SIZE_0 = 72 };
+    ovr_piece b, whole;
+    uint64_t end;
+    bool checked;
     if (!ovr_load(&c->source, 0, sizeof signature, &b) ||
         memcmp(b.at, signature, sizeof signature) != 0)
         return OVR_FOUND_NO_HDF5;
     if (!ovr_load(&c->source, 0, SIZE, &b))
         return OVR_FOUND_TRUNCATED;
-    ovr_cut(&b, sizeof signature);
-    version = ovr_take(&b, 1);
-    address = ovr_take(&b, 1);
-    length = ovr_take(&b, 1);
-    if ((version != 2 && version != 3) || address != 8 || length != 8)
-        return OVR_FOUND_OTHER_HDF5;
-    ovr_take(&b, 1);
-    if (ovr_take(&b, 8) != 0)
+    checked = b.at[sizeof signature] != 0;
+    if (!read_form(&c->source, &b, SIZE_0) || ovr_take(&b, 8) != 0)
         return OVR_FOUND_OTHER_HDF5;
     ovr_take(&b, 8);
     end = ovr_take(&b, 8);
+    ovr_cut(&b, checked ? 0 : 16);
     c->root = ovr_take(&b, 8);
-    b.at -= SIZE - 4;
-    if (end > c->source.bytes ||
-        !ovr_load_block(&c->source, 0, SIZE, "\211HDF", &b))
+    if (end > c->source.bytes || !b.good ||
+        (checked && !ovr_load_block(&c->source, 0, SIZE, "\211HDF", &whole)))
         return OVR_FOUND_TRUNCATED;
     c->source.bytes = end;
     return OVR_FOUND_CONTAINER;
@@ -73,11 +84,23 @@ enum { MOST_BLOCKS = 32 };
 typedef struct header {
     ovr_source *source;
     ovr_piece block;
+    bool first;   /* of version 1: no letters, no checksums */
     bool ordered; /* messages are numbered */
     bool damaged;
     uint64_t at[MOST_BLOCKS], size[MOST_BLOCKS];
     size_t blocks, read;
 } header;
+
+/* Version 1: that and a zero, how many messages, links here, bytes. */
+static void open_first(header *h, uint64_t at)
+{
+    enum { PREFIX = 16 };
+    ovr_piece b;
+    h->first = ovr_load(h->source, at, PREFIX, &b) && b.at[0] == 1;
+    ovr_cut(&b, 8);
+    h->damaged = !h->first ||
+                 !ovr_load(h->source, at + PREFIX, ovr_take(&b, 4), &h->block);
+}
 
 /* Letters, version, flags, what the flags announce, the length of what
  * follows. */
@@ -89,8 +112,10 @@ static void open_header(header *h, ovr_source *source, uint64_t at)
     size_t prefix;
     *h = (header){.source = source, .damaged = true};
     if (!ovr_load(source, at, left < MOST ? left : MOST, &b) ||
-        b.left < LEAST || memcmp(b.at, "OHDR\2", 5) != 0)
+        b.left < LEAST || memcmp(b.at, "OHDR\2", 5) != 0) {
+        open_first(h, at);
         return;
+    }
     ovr_cut(&b, 5);
     flags = ovr_take(&b, 1);
     prefix = LEAST + (flags & 0x20 ? 16u : 0u) + (flags & 0x10 ? 4u : 0u);
@@ -109,8 +134,11 @@ static bool next_block(header *h)
 {
     if (h->read == h->blocks)
         return false;
-    h->damaged = !ovr_load_block(h->source, h->at[h->read], h->size[h->read],
-                                 "OCHK", &h->block);
+    h->damaged = h->first
+                     ? !ovr_load(h->source, h->at[h->read], h->size[h->read],
+                                 &h->block)
+                     : !ovr_load_block(h->source, h->at[h->read],
+                                       h->size[h->read], "OCHK", &h->block);
     h->read++;
     return !h->damaged;
 }
@@ -129,15 +157,15 @@ static void note_block(header *h, ovr_piece message)
  * stand elsewhere, are damage too: the writer makes none. */
 static bool next_message(header *h, unsigned *kind, ovr_piece *body)
 {
-    size_t least = h->ordered ? 6 : 4;
+    size_t least = h->first ? 8 : h->ordered ? 6 : 4;
     while (!h->damaged && (h->block.left >= least || next_block(h))) {
         uint64_t size, flags;
         if (h->block.left < least)
             continue;
-        *kind = (unsigned)ovr_take(&h->block, 1);
+        *kind = (unsigned)ovr_take(&h->block, h->first ? 2 : 1);
         size = ovr_take(&h->block, 2);
         flags = ovr_take(&h->block, 1);
-        ovr_take(&h->block, h->ordered ? 2 : 0);
+        ovr_take(&h->block, least - (h->first ? 5 : 4));
         *body = ovr_cut(&h->block, size);
         h->damaged = !body->good || flags & 0x02;
         if (!h->damaged && *kind == CONTINUATION)
@@ -279,21 +307,27 @@ ovr_link *ovr_container_links(ovr_container *c, uint64_t group, size_t *count)
     return links;
 }
 
-/* Version 3: name, type, dimensions and value follow each other closely. */
+/* Name, type, dimensions and value follow each other: closely but in version
+ * 1, where each begins at a multiple of 8 bytes. */
 static bool read_attribute(ovr_piece b, const char *wanted, ovr_piece *type,
                            ovr_piece *space, ovr_piece *value)
 {
     uint64_t version = ovr_take(&b, 1), shared = ovr_take(&b, 1);
-    uint64_t length = ovr_take(&b, 2);
-    uint64_t type_size = ovr_take(&b, 2), space_size = ovr_take(&b, 2);
-    ovr_piece name;
-    ovr_take(&b, 1);
-    name = ovr_cut(&b, length);
-    *type = ovr_cut(&b, type_size);
-    *space = ovr_cut(&b, space_size);
+    uint64_t size[3], unit = version == 1 ? 8 : 1;
+    ovr_piece part[3];
+    for (size_t k = 0; k < 3; k++)
+        size[k] = ovr_take(&b, 2);
+    ovr_take(&b, version == 3 ? 1 : 0);
+    for (size_t k = 0; k < 3; k++) {
+        part[k] = ovr_cut(&b, size[k]);
+        ovr_cut(&b, -size[k] % unit);
+    }
+    *type = part[1];
+    *space = part[2];
     *value = b;
-    return version == 3 && !shared && b.good && length == strlen(wanted) + 1 &&
-           memcmp(name.at, wanted, length) == 0;
+    return version >= 1 && version <= 3 && !shared && b.good &&
+           size[0] == strlen(wanted) + 1 &&
+           memcmp(part[0].at, wanted, size[0]) == 0;
 }
 
 /* The value of an attribute that is one element. */

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Types, dimensions and values; part of container.h. */
-#ifndef OVR_RESULTS_ELEMENTS_H
-#define OVR_RESULTS_ELEMENTS_H
+/* Types, dimensions and values. */
+#ifndef OVR_HDF5READ_ELEMENTS_H
+#define OVR_HDF5READ_ELEMENTS_H
 
-#include "results/container.h"
+#include "results/hdf5read/heap.h"
 
 /* A message of an object's header by its kind. */
 bool ovr_object_message(ovr_source *source, uint64_t object, unsigned wanted,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Datasets: their types, dimensions and layouts, and the values in them. */
-#include "results/elements.h"
+#include "results/hdf5read/elements.h"
 
 #include <limits.h>
 #include <math.h>
@@ -97,24 +97,33 @@ void ovr_element_values(const ovr_element *e, const unsigned char *from,
 
 /* ----------------------------------------------------------------- datasets */
 
+/* The next filter's number; version 1 has names, and rounds up to 8 bytes. */
+static uint64_t take_filter(ovr_piece *b, bool first)
+{
+    uint64_t filter = ovr_take(b, 2), name = ovr_take(b, first ? 2 : 0);
+    uint64_t values;
+    ovr_take(b, 2);
+    values = ovr_take(b, 2);
+    ovr_cut(b, name + 4 * (values + (first && values % 2)));
+    return filter;
+}
+
 /* Shuffle, then deflate; or no filters at all. */
 static bool read_filters(ovr_source *source, uint64_t object, bool *packed)
 {
     enum { DEFLATE = 1, SHUFFLE = 2 };
     ovr_piece b;
-    uint64_t version, count, first, second, values;
+    uint64_t version, count;
+    bool known;
     *packed = ovr_object_message(source, object, FILTERS, &b);
     if (!*packed)
         return true;
     version = ovr_take(&b, 1);
     count = ovr_take(&b, 1);
-    first = ovr_take(&b, 2);
-    ovr_take(&b, 2);
-    values = ovr_take(&b, 2);
-    ovr_cut(&b, 4 * values);
-    second = ovr_take(&b, 2);
-    return b.good && version == 2 && count == 2 && first == SHUFFLE &&
-           second == DEFLATE;
+    ovr_cut(&b, version == 1 ? 6 : 0);
+    known = take_filter(&b, version == 1) == SHUFFLE &&
+            take_filter(&b, version == 1) == DEFLATE;
+    return known && b.good && (version == 1 || version == 2) && count == 2;
 }
 
 static bool read_layout(ovr_piece b, ovr_dataset *set)
@@ -139,15 +148,14 @@ static bool read_layout(ovr_piece b, ovr_dataset *set)
             (set->chunk[0] == 1 && set->chunk[1] == set->shape[1]));
 }
 
-/* Rows of one dimension are stored as they are, one by one, so that there
- * cannot be more than the file has bytes; of two, a row is a chunk.  The width
- * is held against the positions, which are of one dimension. */
+/* Of one dimension there are no more rows than the file has bytes, packed or
+ * not: other columns are as long.  Of two, a row is a chunk; the width is held
+ * against the positions, which are of one dimension. */
 static bool sizes_are_possible(const ovr_source *source, const ovr_dataset *set)
 {
     uint64_t row = set->shape[1] * set->element.size;
     if (set->rank == 1)
-        return !set->packed && set->shape[0] <= source->bytes &&
-               set->chunk[0] <= source->bytes;
+        return set->shape[0] <= source->bytes && set->chunk[0] <= source->bytes;
     return set->rank == 2 && set->chunked && set->shape[1] > 0 &&
            set->shape[1] <= source->bytes && row <= UINT_MAX &&
            set->shape[0] <= SIZE_MAX / 16;
@@ -240,7 +248,7 @@ static void fill(const ovr_element *e, uint64_t count, double *values)
         values[k] = e->kind == 'f' ? NAN : -1;
 }
 
-/* Values that lie in the file as they are. */
+/* `count` values that lie in the file as they are. */
 static bool plain(ovr_source *source, const ovr_element *e, uint64_t at,
                   uint64_t count, double *values)
 {
@@ -251,68 +259,66 @@ static bool plain(ovr_source *source, const ovr_element *e, uint64_t at,
     return true;
 }
 
-/* Of one dimension: the part of chunk after chunk that is wanted. */
-static bool column(ovr_source *source, const ovr_dataset *set, uint64_t row,
-                   uint64_t count, double *values)
+/* `count` values of a chunk, from its value `first` on. */
+static bool part_of(ovr_source *source, const ovr_dataset *set, const chunk *c,
+                    uint64_t first, uint64_t count, double *values)
 {
     const ovr_element *e = &set->element;
-    while (count > 0) {
+    const uint64_t all = set->chunk[0] * set->chunk[1];
+    unsigned char *data = NULL;
+    ovr_piece b;
+    if (!set->packed)
+        return c->bytes == all * e->size &&
+               plain(source, e, c->at + first * e->size, count, values);
+    if (ovr_load(source, c->at, c->bytes, &b))
+        data = ovr_unpack(b.at, b.left, (unsigned)c->left_out, (size_t)all,
+                          e->size, source->arena, &source->starved);
+    if (data)
+        ovr_element_values(e, data + first * e->size, (size_t)count, values);
+    return data != NULL;
+}
+
+/* Chunk after chunk, whose memory is given back before the next is read: the
+ * part of it that is wanted.  Of two dimensions a row is a chunk. */
+static bool chunks(ovr_source *source, const ovr_dataset *set, uint64_t row,
+                   uint64_t count, double *values)
+{
+    ovr_arena arena = ovr_arena_make(&source->arena->allocator);
+    ovr_source scratch = *source;
+    search found = FOUND;
+    scratch.arena = &arena;
+    while (count > 0 && found != DAMAGED) {
         uint64_t from = row - row % set->chunk[0];
-        uint64_t part = from + set->chunk[0] - row;
+        uint64_t first = (row - from) * set->chunk[1];
+        uint64_t part = set->chunk[0] * set->chunk[1] - first;
         chunk c;
-        search found = find_chunk(source, set, from, &c);
         if (part > count)
             part = count;
+        found = find_chunk(&scratch, set, from, &c);
         if (found == NOT_THERE)
-            fill(e, part, values);
-        else if (found == DAMAGED || c.bytes != set->chunk[0] * e->size ||
-                 !plain(source, e, c.at + (row - from) * e->size, part, values))
-            return false;
-        row += part;
+            fill(&set->element, part, values);
+        else if (found == FOUND &&
+                 !part_of(&scratch, set, &c, first, part, values))
+            found = DAMAGED;
+        ovr_arena_release(&arena);
+        row = from + set->chunk[0];
         count -= part;
         values += part;
     }
-    return true;
-}
-
-/* Of two dimensions: a row is a chunk. */
-static bool whole_row(ovr_source *source, const ovr_dataset *set, uint64_t row,
-                      double *values)
-{
-    const ovr_element *e = &set->element;
-    size_t count = (size_t)set->shape[1];
-    const unsigned char *data;
-    ovr_piece b;
-    chunk c;
-    search found = find_chunk(source, set, row, &c);
-    if (found == NOT_THERE)
-        fill(e, count, values);
-    if (found != FOUND)
-        return found == NOT_THERE;
-    if (!set->packed)
-        return c.bytes == count * e->size &&
-               plain(source, e, c.at, count, values);
-    if (!ovr_load(source, c.at, c.bytes, &b))
-        return false;
-    data = ovr_unpack(b.at, b.left, (unsigned)c.left_out, count, e->size,
-                      source->arena, &source->starved);
-    if (data)
-        ovr_element_values(e, data, count, values);
-    return data != NULL;
+    source->starved = source->starved || scratch.starved;
+    return found != DAMAGED;
 }
 
 bool ovr_container_values(ovr_container *c, const ovr_dataset *set,
                           uint64_t row, uint64_t count, double *values)
 {
     const ovr_element *e = &set->element;
-    if (row > set->shape[0])
-        return false;
-    if (set->rank == 2)
-        return row < set->shape[0] && count == set->shape[1] &&
-               whole_row(&c->source, set, row, values);
-    if (count > set->shape[0] - row)
+    bool inside = set->rank == 2
+                      ? row < set->shape[0] && count == set->shape[1]
+                      : row <= set->shape[0] && count <= set->shape[0] - row;
+    if (!inside)
         return false;
     if (set->chunked)
-        return column(&c->source, set, row, count, values);
+        return chunks(&c->source, set, row, count, values);
     return plain(&c->source, e, set->at + row * e->size, count, values);
 }

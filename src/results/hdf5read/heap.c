@@ -6,7 +6,7 @@
  * Source: The HDF Group, HDF5 File Format Specification, Version 3.0,
  * sections III.A.2, III.E and III.G.
  */
-#include "results/heap.h"
+#include "results/hdf5read/heap.h"
 
 #include <string.h>
 

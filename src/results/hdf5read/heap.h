@@ -2,12 +2,12 @@
 /*
  * Where HDF5 keeps what does not fit into an object's header: links and
  * attributes in fractal heaps that a B-tree (version 2) lists, texts in
- * global heaps.  Part of container.h.
+ * global heaps.
  */
-#ifndef OVR_RESULTS_HEAP_H
-#define OVR_RESULTS_HEAP_H
+#ifndef OVR_HDF5READ_HEAP_H
+#define OVR_HDF5READ_HEAP_H
 
-#include "results/blocks.h"
+#include "results/hdf5read/blocks.h"
 
 /* No group or object has more links or attributes than this. */
 enum { OVR_MOST_ITEMS = 4096 };

@@ -3,14 +3,10 @@
  * Pieces of a file that nobody vouches for: what is read lies inside the file,
  * what is taken from it lies inside the piece.
  */
-#ifndef OVR_RESULTS_BLOCKS_H
-#define OVR_RESULTS_BLOCKS_H
+#ifndef OVR_HDF5READ_BLOCKS_H
+#define OVR_HDF5READ_BLOCKS_H
 
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include "base/arena.h"
+#include "results/hdf5read/hdf5read.h"
 
 /* Bytes that are left to be taken; once more was asked for than is there,
  * `good` is false and everything taken is zero. */
@@ -24,15 +20,6 @@ typedef struct ovr_piece {
 uint64_t ovr_take(ovr_piece *bytes, size_t size);
 /* The next `size` bytes as a piece of their own. */
 ovr_piece ovr_cut(ovr_piece *bytes, uint64_t size);
-
-/* A file to read pieces of.  Their memory is the arena's; `starved` notes that
- * it had none, which is no fault of the file. */
-typedef struct ovr_source {
-    int fd;
-    uint64_t bytes; /* pieces end there */
-    ovr_arena *arena;
-    bool starved;
-} ovr_source;
 
 bool ovr_load(ovr_source *source, uint64_t at, uint64_t size, ovr_piece *out);
 

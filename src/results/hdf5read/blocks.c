@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "results/blocks.h"
+#include "results/hdf5read/blocks.h"
 
 #include <string.h>
 
