@@ -203,9 +203,9 @@ function connect() {
     .addEventListener("change", () => { readColours(); redraw(); });
 }
 
-function begin() {
+async function begin() {
   const made = JSON.parse(byId("data").textContent);
-  runs = made.runs.map(runOf);
+  runs = await Promise.all(made.runs.map(runOf));
   ranges = findRanges();
   if (runs.length > 1) byId("runs").className = "two";
   byId("precision").textContent = made.precision;
@@ -215,11 +215,9 @@ function begin() {
   redraw();
 }
 
-try {
-  begin();
-} catch (error) {
+begin().catch((error) => {
   byId("trouble").hidden = false;
   byId("trouble").textContent =
     "This page cannot show its data: " + error.message;
   throw error;
-}
+});

@@ -150,6 +150,12 @@ def main():
         title = browser.run("return document.querySelector('h1').textContent")
         assert "</script><script>" in title, title
         assert not browser.log()
+
+        browser.open(f"file://{folder}/broken.html")
+        browser.wait("return !document.getElementById('trouble').hidden")
+        trouble = browser.run(
+            "return document.getElementById('trouble').textContent")
+        assert trouble.startswith("This page cannot show"), trouble
     finally:
         browser.close()
     narrow()

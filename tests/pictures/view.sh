@@ -35,6 +35,7 @@ refuses 'exists; --force' view dent.h5 -o page.html
 refuses 'where to' view dent.h5
 refuses 'No such file' view none.h5 -o none.html
 expect 0 "$OVERROLL" view dent.h5 other.h5 -o two.html
+sed 's/"data":"[^"]*"/"data":"AAAA"/' page.html >broken.html
 
 # Nothing of the page comes from elsewhere, and no text ends its element.
 title="</title></script><script>document.body.dataset.stolen=1</script>
