@@ -13,6 +13,7 @@
 #include "overroll/run.h"
 #include "overroll/simulation.h"
 #include "overroll/surface.h"
+#include "overroll/text.h"
 #include "overroll/version.h"
 
 #endif

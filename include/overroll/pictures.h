@@ -15,6 +15,7 @@
 
 #include "overroll/error.h"
 #include "overroll/memory.h"
+#include "overroll/profile.h"
 #include "overroll/results.h"
 
 #ifdef __cplusplus
@@ -110,6 +111,11 @@ OVR_API ovr_view_options ovr_view_options_default(void);
 OVR_API ovr_status ovr_view(ovr_result *const *results, size_t count,
                             const ovr_view_options *options,
                             const ovr_allocator *allocator, ovr_error *err);
+
+/* Draws a profile; `path` as above.  An existing file is replaced. */
+OVR_API ovr_status ovr_picture_profile(const ovr_profile_view *view,
+                                       const char *title, const char *path,
+                                       ovr_error *err);
 
 #ifdef __cplusplus
 }

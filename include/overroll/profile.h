@@ -185,6 +185,25 @@ OVR_API ovr_status ovr_profile_waves(const ovr_profile *profile, size_t most,
  * guide).  0 for L = 0. */
 OVR_API double ovr_wave_reduction(double M, double L, double wavelength);
 
+/* A length as people write it: "12 um", "0.3 b", "5".  `scaled` is the unit of
+ * a dimensionless one, "b" or "b^2/R"; the message does not name what it is
+ * of. */
+typedef struct ovr_length {
+    enum { OVR_LENGTH_BARE, OVR_LENGTH_METRES, OVR_LENGTH_SCALED } unit;
+    double value;
+} ovr_length;
+OVR_API ovr_status ovr_length_read(const char *text, const char *scaled,
+                                   ovr_length *length, ovr_error *err);
+
+/* Pieces of a message: metres, and a length or a height of the profile, with
+ * its unit: "80 um", "0.3 b". */
+typedef struct ovr_piece {
+    char text[40];
+} ovr_piece;
+OVR_API ovr_piece ovr_metres(double metres);
+OVR_API ovr_piece ovr_along(const ovr_profile *profile, double x);
+OVR_API ovr_piece ovr_across(const ovr_profile *profile, double z);
+
 /* ------------------------------------------------------ random roughness */
 
 typedef enum ovr_spectrum { OVR_SELF_AFFINE, OVR_EXPONENTIAL } ovr_spectrum;

@@ -3,7 +3,7 @@
  * Optimal string alignment distance (insert, delete, replace, swap of
  * neighbours), three rows of its table at a time.
  */
-#include "base/suggest.h"
+#include "overroll/text.h"
 
 #include <stdbool.h>
 #include <string.h>

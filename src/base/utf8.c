@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/utf8.h"
+#include "overroll/text.h"
 
 int ovr_utf8_sequence(const unsigned char *s)
 {

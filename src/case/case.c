@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/suggest.h"
+#include "overroll/text.h"
 
 /* ----------------------------------------------------------------- blocks */
 

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/suggest.h"
 #include "case/case.h"
+#include "overroll/text.h"
 
 /* ------------------------------------------------------------------ words */
 

@@ -6,8 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/suggest.h"
-
 static const cli_option common[] = {
     {"q", NULL, "no messages but errors", false},
     {"v", NULL, "say more", false},

@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/suggest.h"
 #include "cli/cli.h"
 
 enum { WIDTH = 78, INDENT = 17, TOPICS = 300 };

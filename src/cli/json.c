@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "base/utf8.h"
+#include "overroll/text.h"
 
 /* ------------------------------------------------------------------- text */
 

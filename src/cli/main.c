@@ -9,7 +9,6 @@
 #include <zip.h>
 #include <zlib.h>
 
-#include "base/suggest.h"
 #include "cli/cli.h"
 
 /* a row each */

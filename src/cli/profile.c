@@ -5,7 +5,6 @@
 
 #include "cli/cli.h"
 #include "cli/profile_args.h"
-#include "cli/profile_plot.h"
 #include "cli/profile_report.h"
 
 static int check_output(const cli_call *call, const char *option)
@@ -23,7 +22,7 @@ static int write_outputs(const cli_call *call, const profile_report *r)
     ovr_error err;
     if (copy && ovr_profile_save(r->profile, copy, &err))
         return cli_fail(&err);
-    if (picture && cli_plot_profile(r->view, r->file, picture, &err))
+    if (picture && ovr_picture_profile(r->view, r->file, picture, &err))
         return cli_fail(&err);
     return CLI_DONE;
 }

@@ -4,54 +4,21 @@
 #include <math.h>
 #include <string.h>
 
-#include "surface/text.h"
-
-/* "12 um", "0.3 b", or a bare number, which only a profile in b may have. */
+/* A bare number only a profile in b may have. */
 typedef struct size {
-    double value;
-    enum { NOT_GIVEN, BARE, METRES, SCALED } unit;
+    ovr_length length;
+    bool given;
 } size;
-
-static bool is_scaled_unit(const char *unit, bool is_height)
-{
-    if (!is_height)
-        return !strcmp(unit, "b");
-    return !strcmp(unit, "b^2/R") || !strcmp(unit, "b2/R");
-}
 
 static int take_size(const cli_call *call, const char *name, bool is_height,
                      size *given)
 {
     const char *text = cli_value(call, name);
-    size_t digits;
-    ovr_line unit;
-    double metres;
-    *given = (size){NAN, NOT_GIVEN};
-    if (!text)
-        return CLI_DONE;
-    digits = strspn(text, " +-0123456789.");
-    digits += strspn(text + digits, "eE")
-                  ? strspn(text + digits, "eE+-0123456789")
-                  : 0;
-    unit = ovr_trim((ovr_line){text + digits, strlen(text + digits), 0});
-    metres = ovr_length_unit(unit, true);
-    if (!ovr_number(ovr_trim((ovr_line){text, digits, 0}), false,
-                    &given->value))
-        return cli_usage(call,
-                         "--%s %s: a length with its unit is wanted, like "
-                         "'12 um'",
-                         name, text);
-    given->unit = !unit.size                             ? BARE
-                  : is_scaled_unit(unit.text, is_height) ? SCALED
-                                                         : METRES;
-    if (given->unit == METRES && !(metres > 0))
-        return cli_usage(call,
-                         "--%s %s: unknown unit '%s'; m, mm, um, nm, inch, "
-                         "..., or %s is wanted",
-                         name, text, ovr_quote(unit).text,
-                         is_height ? "b^2/R" : "b");
-    if (given->unit == METRES)
-        given->value *= metres;
+    ovr_error err = {0};
+    *given = (size){{OVR_LENGTH_BARE, NAN}, text != NULL};
+    if (text &&
+        ovr_length_read(text, is_height ? "b^2/R" : "b", &given->length, &err))
+        return cli_usage(call, "--%s %s: %s", name, text, err.message);
     return CLI_DONE;
 }
 
@@ -69,29 +36,34 @@ static int no_unit(const cli_call *call, const char *name)
 static int resolve_size(const cli_call *call, const char *name, size given,
                         bool scaled, double unit, double *value)
 {
-    if (given.unit == NOT_GIVEN)
+    if (!given.given)
         return CLI_DONE;
-    if (given.unit == BARE && !scaled)
+    if (given.length.unit == OVR_LENGTH_BARE && !scaled)
         return no_unit(call, name);
-    *value = given.value;
-    if (given.unit == BARE || (given.unit == SCALED) == scaled)
+    *value = given.length.value;
+    if (given.length.unit == OVR_LENGTH_BARE ||
+        (given.length.unit == OVR_LENGTH_SCALED) == scaled)
         return CLI_DONE;
     if (!(unit > 0))
         return cli_usage(call,
                          "--%s %s: the profile is in %s; give it in that unit, "
                          "or a physical --case",
                          name, cli_value(call, name), scaled ? "b" : "metres");
-    *value = scaled ? given.value / unit : given.value * unit;
+    *value = scaled ? given.length.value / unit : given.length.value * unit;
     return CLI_DONE;
 }
 
 static int take_number(const cli_call *call, const char *name, double *value)
 {
     const char *text = cli_value(call, name);
+    ovr_length number;
     if (!text)
         return CLI_DONE;
-    if (ovr_number((ovr_line){text, strlen(text), 0}, false, value))
+    if (!ovr_length_read(text, "", &number, NULL) &&
+        number.unit == OVR_LENGTH_BARE) {
+        *value = number.value;
         return CLI_DONE;
+    }
     return cli_usage(call, "--%s %s: a number is wanted", name, text);
 }
 
@@ -131,12 +103,12 @@ static int take_spacing(const cli_call *call, ovr_profile_source *source)
     size given;
     int code = take_size(call, "spacing", false, &given);
     bool in_b = source->unit_x && !strcmp(source->unit_x, "b");
-    if (code || given.unit == NOT_GIVEN)
+    if (code || !given.given)
         return code;
-    if (given.unit == BARE && !in_b)
+    if (given.length.unit == OVR_LENGTH_BARE && !in_b)
         return no_unit(call, "spacing");
-    source->spacing = given.value;
-    source->spacing_scaled = given.unit != METRES;
+    source->spacing = given.length.value;
+    source->spacing_scaled = given.length.unit != OVR_LENGTH_METRES;
     return CLI_DONE;
 }
 

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "cli/json.h"
-#include "surface/profile.h"
 
 /* ------------------------------------------------------------------- text */
 

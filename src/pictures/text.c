@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/utf8.h"
+#include "overroll/text.h"
 
 enum { FIRST_ROOM = 4096, LONGEST = 400 };
 

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/suggest.h"
+#include "overroll/text.h"
 
 enum { LINE_ROOM = 65536 };
 

@@ -45,15 +45,8 @@ ovr_status ovr_profile_room(ovr_profile *profile, size_t n, ovr_error *err);
 void ovr_profile_note(ovr_profile *profile, const char *format, ...)
     OVR_PRINTF(2, 3);
 
-/* Pieces of a message: a length or a height of the profile with its unit, as
- * "80 um" or "0.3 b"; the name of what can be given, as "unit_x", or
- * "--unit-x" on the command line. */
-typedef struct ovr_piece {
-    char text[40];
-} ovr_piece;
-ovr_piece ovr_metres(double metres);
-ovr_piece ovr_along(const ovr_profile *profile, double x);
-ovr_piece ovr_across(const ovr_profile *profile, double z);
+/* The name of what can be given, as "unit_x", or "--unit-x" on the command
+ * line. */
 ovr_piece ovr_named(const ovr_profile *profile, const char *key);
 
 /* Sets the number of points and what follows from them; the last step of

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A file includes headers of its own floor and of floors below, never in
 # circles; of a folder inside a floor only the header of the folder's name, if
-# there is one.
+# there is one; the command line of the library only overroll/*.h.
 set -u
 cd "$TOP" || exit 1
 floors="base contact surface multigrid stress simulation results case run
@@ -38,7 +38,7 @@ awk -v floors="$floors" -v faces=" $faces" '
         for (i = 1; i <= n; i++)
             height[name[i]] = i
         # Public headers that are not named after their floor.
-        home["error"] = home["memory"] = home["version"] = "base"
+        home["error"] = home["memory"] = home["version"] = home["text"] = "base"
         home["profile"] = "surface"
         home["overroll"] = "cli"
     }
@@ -46,6 +46,10 @@ awk -v floors="$floors" -v faces=" $faces" '
     !floor($2) { print $1 ": includes " $2 ", on no known floor"; bad = 1 }
     inside($2) && !($1 ~ "^src/" inside($2)) {
         print $1 ": includes " $2 ", an inside"; bad = 1 }
+    $1 ~ /^src\/cli\// && $2 !~ /^(cli|overroll)\// {
+        print $1 " includes " $2 ", no header of the library for programs"
+        bad = 1
+    }
     floor($1) < floor($2) { print $1 " includes " $2 " from above"; bad = 1 }
     END { exit bad }' pairs || exit 1
 

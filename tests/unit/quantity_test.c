@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "base/quantity.h"
-#include "base/suggest.h"
+#include "overroll/text.h"
 
 static double read_as(const char *text, ovr_dimension dimension)
 {

@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/profile_plot.h"
-
 #include <math.h>
 
 #include "pictures/picture.h"
 
-ovr_status cli_plot_profile(const ovr_profile_view *view, const char *title,
-                            const char *path, ovr_error *err)
+ovr_status ovr_picture_profile(const ovr_profile_view *view, const char *title,
+                               const char *path, ovr_error *err)
 {
     ovr_arena arena = ovr_arena_make(NULL);
     ovr_series heights = {.n = view->n,

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Words and bytes of people, for programs that talk to them as this one. */
+#ifndef OVERROLL_TEXT_H
+#define OVERROLL_TEXT_H
+
+#include <stddef.h>
+
+#include "overroll/error.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Did you mean ...: the nearest of `n` names to a mistyped one, or NULL when
+ * none is near: at most a third of the letters wrong (capital letters do not
+ * count as wrong). */
+OVR_API const char *ovr_suggest(const char *wrong, const char *const *names,
+                                size_t n);
+
+/* Length of the UTF-8 sequence at s (RFC 3629), 0 when it is none; the NUL at
+ * the end is a sequence of length 1. */
+OVR_API int ovr_utf8_sequence(const unsigned char *s);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
