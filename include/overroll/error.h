@@ -5,7 +5,8 @@
  * A function that can fail returns an ovr_status (or NULL for a constructor)
  * and takes an `ovr_error *` as its last argument.  The message is one line,
  * without a trailing newline, that names where (file, line, key), what is
- * wrong and what would be right.  The library never prints, exits or aborts.
+ * wrong and what would be right; `about` is the key alone, for programs.  The
+ * library never prints, exits or aborts.
  * Every function accepts a NULL error when only the status is of interest.
  */
 #ifndef OVERROLL_ERROR_H
@@ -39,6 +40,8 @@ enum { OVR_MESSAGE_SIZE = 1024 };
 typedef struct ovr_error {
     ovr_status status;
     char message[OVR_MESSAGE_SIZE];
+    const char *about; /* the key of a case, or field of a struct, that is
+                          wrong, or missing altogether: static, or NULL */
 } ovr_error;
 
 /* Name of a status ("bad input", ...), a static string. */
@@ -54,6 +57,14 @@ OVR_API ovr_status ovr_fail(ovr_error *err, ovr_status status,
 OVR_API ovr_status ovr_fail_at(ovr_error *err, ovr_status status,
                                const char *file, long line, const char *format,
                                ...) OVR_PRINTF(5, 6);
+
+/* OVR_BAD_INPUT about a key, which the message names too. */
+OVR_API ovr_status ovr_fail_about(ovr_error *err, const char *about,
+                                  const char *format, ...) OVR_PRINTF(3, 4);
+
+/* The error `why` with its place before it (file NULL: none). */
+OVR_API ovr_status ovr_fail_from(ovr_error *err, const ovr_error *why,
+                                 const char *file, long line);
 
 #ifdef __cplusplus
 }

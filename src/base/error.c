@@ -3,6 +3,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 const char *ovr_status_name(ovr_status status)
 {
@@ -27,37 +28,63 @@ static void one_line(char *text)
             *text = ' ';
 }
 
+static void put(ovr_error *err, ovr_status status, const char *about,
+                const char *file, long line, const char *format, va_list args)
+{
+    char *end = err->message, *stop = end + sizeof err->message;
+    err->status = status;
+    err->about = about;
+    *end = '\0';
+    if (file && line > 0)
+        snprintf(end, sizeof err->message, "%s:%ld: ", file, line);
+    else if (file)
+        snprintf(end, sizeof err->message, "%s: ", file);
+    end += strlen(end);
+    vsnprintf(end, (size_t)(stop - end), format, args);
+    one_line(err->message);
+}
+
 ovr_status ovr_fail(ovr_error *err, ovr_status status, const char *format, ...)
 {
-    if (err) {
-        va_list args;
-        va_start(args, format);
-        err->status = status;
-        vsnprintf(err->message, sizeof err->message, format, args);
-        va_end(args);
-        one_line(err->message);
-    }
+    va_list args;
+    va_start(args, format);
+    if (err)
+        put(err, status, NULL, NULL, 0, format, args);
+    va_end(args);
     return status;
 }
 
 ovr_status ovr_fail_at(ovr_error *err, ovr_status status, const char *file,
                        long line, const char *format, ...)
 {
-    if (err) {
-        va_list args;
-        size_t used;
-        err->status = status;
-        if (line > 0)
-            snprintf(err->message, sizeof err->message, "%s:%ld: ", file, line);
-        else
-            snprintf(err->message, sizeof err->message, "%s: ", file);
-        for (used = 0; err->message[used];)
-            used++;
-        va_start(args, format);
-        vsnprintf(err->message + used, sizeof err->message - used, format,
-                  args);
-        va_end(args);
-        one_line(err->message);
-    }
+    va_list args;
+    va_start(args, format);
+    if (err)
+        put(err, status, NULL, file, line, format, args);
+    va_end(args);
     return status;
+}
+
+ovr_status ovr_fail_about(ovr_error *err, const char *about, const char *format,
+                          ...)
+{
+    va_list args;
+    va_start(args, format);
+    if (err)
+        put(err, OVR_BAD_INPUT, about, NULL, 0, format, args);
+    va_end(args);
+    return OVR_BAD_INPUT;
+}
+
+ovr_status ovr_fail_from(ovr_error *err, const ovr_error *why, const char *file,
+                         long line)
+{
+    ovr_error copy = *why;
+    if (file)
+        ovr_fail_at(err, copy.status, file, line, "%s", copy.message);
+    else
+        ovr_fail(err, copy.status, "%s", copy.message);
+    if (err)
+        err->about = copy.about;
+    return copy.status;
 }

@@ -175,9 +175,9 @@ static ovr_status wrong_unit(const char *text, const char *unit,
     if (dimension == OVR_PURE)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "'%.60s' must be a number without a unit", text);
-    return ovr_fail(err, OVR_BAD_INPUT, "'%.60s': %s unit '%.30s'; allowed: %s",
-                    text, find_unit(unit) ? "wrong" : "unknown", unit,
-                    ovr_units_allowed(dimension));
+    return ovr_fail_about(err, "unit", "'%.60s': %s unit '%.30s'; allowed: %s",
+                          text, find_unit(unit) ? "wrong" : "unknown", unit,
+                          ovr_units_allowed(dimension));
 }
 
 ovr_status ovr_quantity_read(const char *text, ovr_dimension dimension,
@@ -197,8 +197,8 @@ ovr_status ovr_quantity_read(const char *text, ovr_dimension dimension,
     if (!*at && (bare || dimension == OVR_PURE))
         return OVR_OK;
     if (!*at)
-        return ovr_fail(err, OVR_BAD_INPUT, "'%.60s' needs a unit; allowed: %s",
-                        text, ovr_units_allowed(dimension));
+        return ovr_fail_about(err, "unit", "'%.60s' needs a unit; allowed: %s",
+                              text, ovr_units_allowed(dimension));
     unit = find_unit(at);
     if (!unit || unit->dimension != dimension || dimension == OVR_PURE)
         return wrong_unit(text, at, dimension, err);

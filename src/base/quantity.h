@@ -36,7 +36,8 @@ typedef struct ovr_quantity {
 bool ovr_read_number(const char **text, double *value);
 
 /* Reads a whole text; `bare`: the unit may be missing.  The message says what
- * is wrong with the text and what would be right. */
+ * is wrong with the text and what would be right, and is about "unit" when the
+ * unit is wrong or missing. */
 ovr_status ovr_quantity_read(const char *text, ovr_dimension dimension,
                              bool bare, ovr_quantity *quantity, ovr_error *err);
 

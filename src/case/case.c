@@ -32,7 +32,7 @@ static ovr_block *add_block(ovr_case *c, const ovr_section *section,
         return NULL;
     for (size_t k = 0; k < n; k++) {
         const ovr_parameter *row = ovr_parameter_row(block->first + k);
-        block->slots[k].number = NAN;
+        block->slots[k] = (ovr_slot){.key = row->key, .number = NAN};
         if (row->initial &&
             ovr_slot_read(row, row->initial, &c->arena, &block->slots[k], err))
             return NULL;
@@ -155,17 +155,17 @@ const ovr_slot *ovr_block_get(const ovr_block *block, const char *key)
     return &block->slots[row - ovr_parameter_row(block->first)];
 }
 
-ovr_status ovr_fail_slot(ovr_error *err, ovr_status status,
-                         const ovr_slot *slot, const char *format, ...)
+ovr_status ovr_fail_slot(ovr_error *err, const ovr_slot *slot,
+                         const char *format, ...)
 {
     char message[OVR_MESSAGE_SIZE - 200];
+    ovr_error why;
     va_list args;
     va_start(args, format);
     vsnprintf(message, sizeof message, format, args);
     va_end(args);
-    if (!slot->file)
-        return ovr_fail(err, status, "%s", message);
-    return ovr_fail_at(err, status, slot->file, slot->line, "%s", message);
+    ovr_fail_about(&why, slot->key, "%s: %s", slot->key, message);
+    return ovr_fail_from(err, &why, slot->file, slot->line);
 }
 
 /* ------------------------------------------------------ making and freeing */
@@ -265,12 +265,6 @@ ovr_case *ovr_case_read(const char *path, const ovr_allocator *allocator,
 
 /* --------------------------------------------------------------- settings */
 
-static ovr_status where_fails(ovr_error *err, const char *origin,
-                              const ovr_error *why)
-{
-    return ovr_fail(err, why->status, "%.100s: %.800s", origin, why->message);
-}
-
 /* "section.key" taken apart at its last point. */
 static ovr_slot *find_place(ovr_case *c, const char *where,
                             const ovr_parameter **row, ovr_error *err)
@@ -307,16 +301,16 @@ ovr_status ovr_case_set(ovr_case *c, const char *where, const char *value,
     ovr_slot *slot = find_place(c, where, &row, &why), fresh;
     long line;
     if (!slot)
-        return where_fails(err, origin, &why);
+        return ovr_fail_from(err, &why, origin, 0);
     if (strlen(value) > OVR_LINE_MOST - OVR_NAME_MOST)
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: %s: the value is too long",
-                        origin, row->key);
+        return ovr_fail_about(err, row->key, "%s: %s: the value is too long",
+                              origin, row->key);
     if (value[strcspn(value, "\n\r#")])
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: %s: the value must not hold # or line ends",
-                        origin, row->key);
+        return ovr_fail_about(err, row->key,
+                              "%s: %s: the value must not hold # or line ends",
+                              origin, row->key);
     if (ovr_slot_read(row, value, &c->arena, &fresh, &why))
-        return where_fails(err, origin, &why);
+        return ovr_fail_from(err, &why, origin, 0);
     line = slot->line;
     fresh.given = true;
     fresh.line = 0;
@@ -354,9 +348,10 @@ ovr_status ovr_case_assign(ovr_case *c, const char *assignment,
 void ovr_case_unset(ovr_case *c, const char *where)
 {
     const ovr_parameter *row;
-    ovr_slot *slot = find_place(c, where, &row, NULL), fresh = {.number = NAN};
+    ovr_slot *slot = find_place(c, where, &row, NULL), fresh;
     if (!slot)
         return;
+    fresh = (ovr_slot){.key = row->key, .number = NAN};
     if (row->initial &&
         ovr_slot_read(row, row->initial, &c->arena, &fresh, NULL))
         return;

@@ -14,6 +14,7 @@
 enum { OVR_NAME_MOST = 48, OVR_LINE_MOST = 190, OVR_CASE_MOST = 1 << 20 };
 
 typedef struct ovr_slot {
+    const char *key;
     bool given;
     const char *text; /* as given or the default; NULL: neither */
     const char *file; /* or origin */
@@ -43,12 +44,12 @@ struct ovr_case {
     ovr_block *blocks;     /* in the order of the sections, then features */
 };
 
-/* Understands `text`; the message begins with the key. */
+/* Understands `text`; the error is about the key, which begins it. */
 ovr_status ovr_slot_read(const ovr_parameter *row, const char *text,
                          ovr_arena *arena, ovr_slot *slot, ovr_error *err);
 
-/* Whether the number is in the row's range; the message begins with the key.
- * `number` is SI where `unit`, else bare. */
+/* Whether the number, as written in `text`, is in the row's range; `number` is
+ * SI where `unit`, else bare. */
 ovr_status ovr_range_check(const ovr_parameter *row, double number,
                            const char *text, ovr_error *err);
 
@@ -72,9 +73,9 @@ const ovr_section *ovr_section_parse(const char *header, const char **name,
 /* Reads c->source. */
 ovr_status ovr_case_parse(ovr_case *c, ovr_error *err);
 
-/* Puts "file:line: " or "origin: " before a message about a slot. */
-ovr_status ovr_fail_slot(ovr_error *err, ovr_status status,
-                         const ovr_slot *slot, const char *format, ...)
-    OVR_PRINTF(4, 5);
+/* OVR_BAD_INPUT about the slot's key: "file:line: key: " (or "origin: key: ")
+ * and the message. */
+ovr_status ovr_fail_slot(ovr_error *err, const ovr_slot *slot,
+                         const char *format, ...) OVR_PRINTF(3, 4);
 
 #endif

@@ -31,8 +31,7 @@ static void fail_line(reading *r, const char *message)
 
 static void fail_why(reading *r, const ovr_error *why)
 {
-    r->status = ovr_fail_at(r->err, why->status, r->c->name, r->line, "%.800s",
-                            why->message);
+    r->status = ovr_fail_from(r->err, why, r->c->name, r->line);
 }
 
 /* ------------------------------------------------------------------ lines */
@@ -158,9 +157,9 @@ static int take_value(void *user, const char *section, const char *key,
         return 0;
     slot = ovr_block_slot(r->block, key, &row, &why);
     if (slot && slot->given) {
-        ovr_fail(&why, OVR_BAD_INPUT,
-                 "'%s' is given twice in [%s] (first in line %ld)", key,
-                 r->block->section->name, slot->line);
+        ovr_fail_about(&why, slot->key,
+                       "'%s' is given twice in [%s] (first in line %ld)", key,
+                       r->block->section->name, slot->line);
         slot = NULL;
     }
     if (!slot || ovr_slot_read(row, value, &r->c->arena, slot, &why)) {

@@ -5,7 +5,6 @@
  */
 #include "case/resolve.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -14,49 +13,23 @@ static const double ALPHA_PAPER = 1.7e-8; /* 1/Pa */
 
 /* ----------------------------------------------------- where errors belong */
 
-static const ovr_slot *given_slot(const ovr_block *block, const char *word,
-                                  size_t length)
+static const ovr_slot *given_slot(const ovr_block *block, const char *key)
 {
-    for (size_t k = 0; k < block->count; k++) {
-        const char *key = ovr_parameter_row(block->first + k)->key;
-        if (block->slots[k].given && strlen(key) == length &&
-            !strncmp(key, word, length))
+    for (size_t k = 0; block && key && k < block->count; k++)
+        if (block->slots[k].given && !strcmp(block->slots[k].key, key))
             return &block->slots[k];
-    }
-    return NULL;
-}
-
-static size_t word_length(const char *s)
-{
-    size_t n = 0;
-    while (isalnum((unsigned char)s[n]) || s[n] == '_')
-        n++;
-    return n;
-}
-
-/* The first given key that the message speaks of. */
-static const ovr_slot *spoken_of(const ovr_block *block, const char *message)
-{
-    while (*message) {
-        size_t n = word_length(message);
-        const ovr_slot *slot = n ? given_slot(block, message, n) : NULL;
-        if (slot)
-            return slot;
-        message += n ? n : 1;
-    }
     return NULL;
 }
 
 ovr_status ovr_fail_in(ovr_error *err, const ovr_case *c,
-                       const ovr_block *block, const ovr_error *why)
+                       const ovr_block *block, const ovr_block *other,
+                       const ovr_error *why)
 {
-    const ovr_slot *slot = spoken_of(block, why->message);
-    if (slot)
-        return ovr_fail_slot(err, why->status, slot, "%.900s", why->message);
-    if (!c->name)
-        return ovr_fail(err, why->status, "%.900s", why->message);
-    return ovr_fail_at(err, why->status, c->name, block->line, "%.900s",
-                       why->message);
+    const ovr_slot *slot = given_slot(block, why->about);
+    if (!slot)
+        slot = given_slot(other, why->about);
+    return slot ? ovr_fail_from(err, why, slot->file, slot->line)
+                : ovr_fail_from(err, why, c->name, block->line);
 }
 
 /* --------------------------------------------------------------- scaling */
@@ -78,11 +51,10 @@ static ovr_status no_scale(const ovr_parameter *row, const ovr_slot *slot,
     const char *add = row->hertzian == OVR_IN_TIME
                           ? "radius, modulus and viscosity (or speeds)"
                           : "radius and modulus";
-    return ovr_fail_slot(err, OVR_BAD_INPUT, slot,
-                         "%s: %s needs a physical contact: add %s (and "
+    return ovr_fail_slot(err, slot,
+                         "%s needs a physical contact: add %s (and "
                          "alpha), or give it in %s without a unit",
-                         row->key, slot->text, add,
-                         ovr_hertzian_name(row->hertzian));
+                         slot->text, add, ovr_hertzian_name(row->hertzian));
 }
 
 /* Hertzian value of a number of the slot, checked against the range. */
@@ -97,9 +69,8 @@ static ovr_status scale(const ovr_resolved *r, const ovr_parameter *row,
         return no_scale(row, slot, err);
     *number /= unit;
     if (ovr_range_check(row, *number, slot->text, &why))
-        return ovr_fail_slot(err, OVR_BAD_INPUT, slot, "%.400s; it is %g %s",
-                             why.message, *number,
-                             ovr_hertzian_name(row->hertzian));
+        return ovr_fail_slot(err, slot, "%.400s; it is %g %s", why.message,
+                             *number, ovr_hertzian_name(row->hertzian));
     return OVR_OK;
 }
 
@@ -206,24 +177,15 @@ static ovr_status check_twice(const ovr_resolved *r, const char *key,
     const ovr_slot *other = slot_of(r, "lubricant", key);
     if (!one->given || !other->given)
         return OVR_OK;
-    return ovr_fail_slot(err, OVR_BAD_INPUT, other,
-                         "%s: is given in [contact] too: leave one out", key);
-}
-
-/* The contact's messages begin with a key of [contact] or [lubricant]. */
-static ovr_status fail_contact(const ovr_resolved *r, const ovr_error *why,
-                               ovr_error *err)
-{
-    const ovr_block *lubricant = block_of(r, "lubricant");
-    size_t n = word_length(why->message);
-    if (given_slot(lubricant, why->message, n))
-        return ovr_fail_in(err, r->c, lubricant, why);
-    return ovr_fail_in(err, r->c, block_of(r, "contact"), why);
+    return ovr_fail_slot(err, other,
+                         "is given in [contact] too: leave one out");
 }
 
 static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
 {
     ovr_conditions *given = &r->values.contact;
+    const ovr_block *contact = block_of(r, "contact");
+    const ovr_block *lubricant = block_of(r, "lubricant");
     ovr_error why = {0};
     bool numbers;
     *given = ovr_conditions_unknown();
@@ -237,12 +199,12 @@ static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
     if (numbers && isnan(given->alpha) && isnan(given->hertz_pressure))
         given->alpha = ALPHA_PAPER;
     if (ovr_contact_resolve(given, &r->setup.contact, &why))
-        return fail_contact(r, &why, err);
+        return ovr_fail_in(err, r->c, contact, lubricant, &why);
     if (ovr_lubricant_make(&r->setup.contact,
                            (ovr_viscosity_law)r->values.viscosity_law,
                            (ovr_density_law)r->values.density_law, r->values.p0,
                            r->values.z, &r->setup.lubricant, &why))
-        return fail_contact(r, &why, err);
+        return ovr_fail_in(err, r->c, contact, lubricant, &why);
     return OVR_OK;
 }
 
@@ -256,15 +218,14 @@ static ovr_status resolve_level(ovr_resolved *r, ovr_error *err)
     if (!nodes->given)
         return OVR_OK;
     if (level->given)
-        return ovr_fail_slot(err, OVR_BAD_INPUT, nodes,
-                             "nodes: level is given too: leave one out");
+        return ovr_fail_slot(err, nodes, "level is given too: leave one out");
     while (k < 23 && 7 * (1 << k) + 1 < wanted)
         k++;
     if (k > 1 && 7 * (1 << k) + 1 - wanted > wanted - 7 * (1 << (k - 1)) - 1)
         k--;
     if (7 * (1 << k) + 1 != wanted)
-        return ovr_fail_slot(err, OVR_BAD_INPUT, nodes,
-                             "nodes: %d must be 7 2^k + 1; the nearest is %d "
+        return ovr_fail_slot(err, nodes,
+                             "%d must be 7 2^k + 1; the nearest is %d "
                              "(level %d)",
                              wanted, 7 * (1 << k) + 1, k);
     r->values.options.level = k;
@@ -277,13 +238,11 @@ static ovr_status check_solver(const ovr_resolved *r, ovr_error *err)
     if (o->mlmi_order % 2 || o->mlmi_range % 2) {
         const char *key = o->mlmi_order % 2 ? "mlmi_order" : "mlmi_range";
         const ovr_slot *slot = slot_of(r, "solver", key);
-        return ovr_fail_slot(err, OVR_BAD_INPUT, slot, "%s: %s must be even",
-                             key, slot->text);
+        return ovr_fail_slot(err, slot, "%s must be even", slot->text);
     }
     if (o->coarsest_level > o->level)
-        return ovr_fail_slot(err, OVR_BAD_INPUT,
-                             slot_of(r, "solver", "coarsest_level"),
-                             "coarsest_level: %d must not be above the level "
+        return ovr_fail_slot(err, slot_of(r, "solver", "coarsest_level"),
+                             "%d must not be above the level "
                              "%d",
                              o->coarsest_level, o->level);
     return OVR_OK;
@@ -312,9 +271,8 @@ static ovr_status resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
     ovr_setup *s = &r->setup;
     s->transient = slot_of(r, "time", "end")->given;
     if (v->until_steady && !s->transient)
-        return ovr_fail_slot(err, OVR_BAD_INPUT,
-                             slot_of(r, "time", "until_steady"),
-                             "until_steady: needs an end, for when it never "
+        return ovr_fail_slot(err, slot_of(r, "time", "until_steady"),
+                             "needs an end, for when it never "
                              "gets steady");
     s->march.end = s->transient ? v->end : 0;
     s->march.adaptive = v->step == OVR_STEP_ADAPTIVE;
@@ -339,9 +297,9 @@ static ovr_status fill_feature(ovr_resolved *r, const ovr_block *block,
     form->name = block->name;
     if (!ovr_block_get(block, "shape")->given) {
         ovr_error why = {0};
-        ovr_fail(&why, OVR_BAD_INPUT, "[feature %s] needs a shape",
-                 block->name);
-        return ovr_fail_in(err, r->c, block, &why);
+        ovr_fail_about(&why, "shape", "[feature %s] needs a shape",
+                       block->name);
+        return ovr_fail_in(err, r->c, block, NULL, &why);
     }
     status = ovr_block_fill(r, block, form, err);
     form->source.spacing_scaled = true; /* like all lengths here: in b */
@@ -383,9 +341,8 @@ static ovr_status resolve_output(ovr_resolved *r, ovr_error *err)
     out->every = r->values.every;
     out->single = r->values.precision == 1;
     if (out->from >= out->to)
-        return ovr_fail_slot(err, OVR_BAD_INPUT, slot_of(r, "output", "from"),
-                             "from: %g must be below to = %g", out->from,
-                             out->to);
+        return ovr_fail_slot(err, slot_of(r, "output", "from"),
+                             "%g must be below to = %g", out->from, out->to);
     r->setup.output = *out;
     return OVR_OK;
 }

@@ -18,10 +18,11 @@ typedef struct ovr_resolved {
 ovr_status ovr_block_fill(ovr_resolved *r, const ovr_block *block, void *into,
                           ovr_error *err);
 
-/* Copies `why`, which begins with or holds the name of a key, with the place
- * of that key (or of the block, or of the case) before it. */
+/* The error `why` with the place of the key it is about before it, given in
+ * `block` or the other (or NULL); else that of the block, or of the case. */
 ovr_status ovr_fail_in(ovr_error *err, const ovr_case *c,
-                       const ovr_block *block, const ovr_error *why);
+                       const ovr_block *block, const ovr_block *other,
+                       const ovr_error *why);
 
 /* A history from [load] or [speed]; *history NULL when it is constant. */
 ovr_status ovr_resolve_history(ovr_resolved *r, const char *section,

@@ -34,9 +34,8 @@ static ovr_status check_keys(const ovr_block *block, const ovr_change *change,
         bool changed = slot->given &&
                        (!initial || strcmp(slot->text, initial) != 0);
         if (changed && !strchr(used[i].kinds, "crist"[change->history]))
-            return ovr_fail_slot(err, OVR_BAD_INPUT, slot,
-                                 "%s: has no meaning with history = %s",
-                                 used[i].key, kind_name(change->history));
+            return ovr_fail_slot(err, slot, "has no meaning with history = %s",
+                                 kind_name(change->history));
     }
     return OVR_OK;
 }
@@ -46,9 +45,8 @@ static ovr_status missing(ovr_resolved *r, const ovr_block *block,
 {
     const ovr_slot *history = ovr_block_get(block, "history");
     (void)r;
-    return ovr_fail_slot(err, OVR_BAD_INPUT, history,
-                         "history: %s needs '%s' in [%s]", history->text, key,
-                         block->section->name);
+    return ovr_fail_slot(err, history, "%s needs '%s' in [%s]", history->text,
+                         key, block->section->name);
 }
 
 /* ----------------------------------------------------------------- tables */
@@ -115,8 +113,7 @@ static ovr_status read_table(const char *file, const ovr_slot *slot, points *p,
     ovr_status status = OVR_OK;
     char text[256];
     if (!in)
-        return ovr_fail_slot(err, OVR_BAD_INPUT, slot,
-                             "file: cannot read '%s': %s", file,
+        return ovr_fail_slot(err, slot, "cannot read '%s': %s", file,
                              strerror(errno));
     for (long line = 1; !status && fgets(text, sizeof text, in); line++) {
         if (strlen(text) == sizeof text - 1)
@@ -126,8 +123,7 @@ static ovr_status read_table(const char *file, const ovr_slot *slot, points *p,
             status = read_line(file, line, text, p, unit, arena, err);
     }
     if (!status && ferror(in))
-        status = ovr_fail_slot(err, OVR_BAD_INPUT, slot,
-                               "file: cannot read '%s'", file);
+        status = ovr_fail_slot(err, slot, "cannot read '%s'", file);
     fclose(in);
     return status;
 }
@@ -140,8 +136,8 @@ static ovr_status time_unit(const ovr_resolved *r, const ovr_block *block,
     *value = unit ? seconds[unit] / r->setup.contact.time : 1;
     if (!isnan(*value))
         return OVR_OK;
-    return ovr_fail_slot(err, OVR_BAD_INPUT, ovr_block_get(block, "time_unit"),
-                         "time_unit: needs a physical contact: add radius, "
+    return ovr_fail_slot(err, ovr_block_get(block, "time_unit"),
+                         "needs a physical contact: add radius, "
                          "modulus and viscosity (or speeds)");
 }
 
@@ -193,5 +189,5 @@ ovr_status ovr_resolve_history(ovr_resolved *r, const char *section,
             return status;
     }
     *history = ovr_history_create(&form, allocator, &why);
-    return *history ? OVR_OK : ovr_fail_in(err, r->c, block, &why);
+    return *history ? OVR_OK : ovr_fail_in(err, r->c, block, NULL, &why);
 }

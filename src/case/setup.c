@@ -19,8 +19,9 @@ static const double SHARE = 0.8;
 static ovr_status check_memory(const ovr_resolved *r, ovr_error *err)
 {
     const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
-    const ovr_slot *level = ovr_block_get(domain, "level");
     const ovr_slot *nodes = ovr_block_get(domain, "nodes");
+    const ovr_slot *slot = nodes->given ? nodes
+                                        : ovr_block_get(domain, "level");
     double wanted = ovr_simulation_memory(&r->setup.options);
     double here = SHARE * memory_here();
     ovr_options fits = r->setup.options;
@@ -28,11 +29,10 @@ static ovr_status check_memory(const ovr_resolved *r, ovr_error *err)
         return OVR_OK;
     while (fits.level > 1 && ovr_simulation_memory(&fits) > here)
         fits.level--;
-    return ovr_fail_slot(err, OVR_BAD_INPUT, nodes->given ? nodes : level,
-                         "level: %d takes about %.1f GB of memory, of which "
-                         "this machine can spare %.1f GB; level %d fits",
-                         r->setup.options.level, wanted / 1e9, here / 1e9,
-                         fits.level);
+    return ovr_fail_slot(err, slot,
+                         "%s takes about %.1f GB of memory, of which this "
+                         "machine can spare %.1f GB; level %d fits",
+                         slot->text, wanted / 1e9, here / 1e9, fits.level);
 }
 
 static ovr_status add_features(ovr_resolved *r, ovr_error *err)
@@ -43,7 +43,7 @@ static ovr_status add_features(ovr_resolved *r, ovr_error *err)
         while (!block->section->named)
             block = block->next;
         if (ovr_surfaces_add(r->setup.surfaces, &r->setup.feature[k], &why))
-            return ovr_fail_in(err, r->c, block, &why);
+            return ovr_fail_in(err, r->c, block, NULL, &why);
     }
     return OVR_OK;
 }
@@ -73,11 +73,12 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
     ovr_resolved *r = (ovr_resolved *)setup;
     ovr_options *o = &setup->options;
     const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
+    const ovr_block *solver = ovr_case_find_block(r->c, "solver", NULL);
     ovr_error why = {0};
     if (setup->nodes)
         return OVR_OK;
     if (ovr_options_resolve(&setup->contact, o, &why))
-        return ovr_fail_in(err, r->c, domain, &why);
+        return ovr_fail_in(err, r->c, domain, solver, &why);
     if (check_memory(r, err))
         return OVR_BAD_INPUT;
     setup->mesh = (o->outlet - o->inlet) / (7 * ldexp(1, o->level));

@@ -43,10 +43,10 @@ static ovr_status unknown_word(const ovr_parameter *row, const char *text,
     list_words(row->words, list, sizeof list);
     if (meant)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: unknown '%.40s'; did you mean '%s'? (allowed: %s)",
-                        row->key, text, meant, list);
-    return ovr_fail(err, OVR_BAD_INPUT, "%s: unknown '%.40s'; allowed: %s",
-                    row->key, text, list);
+                        "unknown '%.40s'; did you mean '%s'? (allowed: %s)",
+                        text, meant, list);
+    return ovr_fail(err, OVR_BAD_INPUT, "unknown '%.40s'; allowed: %s", text,
+                    list);
 }
 
 /* ---------------------------------------------------------------- numbers */
@@ -94,8 +94,7 @@ ovr_status ovr_range_check(const ovr_parameter *row, double number,
     if (!low && number <= row->most)
         return OVR_OK;
     put_range(row, range, sizeof range);
-    return ovr_fail(err, OVR_BAD_INPUT, "%s: %s must be %s", row->key, text,
-                    range);
+    return ovr_fail(err, OVR_BAD_INPUT, "%s must be %s", text, range);
 }
 
 /* Of a length, height or time with a unit only the sign is known before the
@@ -125,11 +124,10 @@ static ovr_status read_quantity(const ovr_parameter *row, const char *text,
     meant = nearest_word(row->words, text);
     if (row->words && meant)
         return unknown_word(row, text, err);
-    if (strstr(why.message, "allowed: ")) /* units, which say the rest */
-        return ovr_fail(err, why.status, "%s: %.500s", row->key, why.message);
+    if (why.about) /* the unit: those allowed are listed */
+        return ovr_fail_from(err, &why, NULL, 0);
     put_range(row, range, sizeof range);
-    return ovr_fail(err, why.status, "%s: %.500s; allowed: %s", row->key,
-                    why.message, range);
+    return ovr_fail(err, why.status, "%.500s; allowed: %s", why.message, range);
 }
 
 static ovr_status no_whole_number(const ovr_parameter *row, const char *text,
@@ -137,8 +135,8 @@ static ovr_status no_whole_number(const ovr_parameter *row, const char *text,
 {
     char range[300];
     put_range(row, range, sizeof range);
-    return ovr_fail(err, OVR_BAD_INPUT, "%s: %s must be a whole number, %s",
-                    row->key, text, range);
+    return ovr_fail(err, OVR_BAD_INPUT, "%s must be a whole number, %s", text,
+                    range);
 }
 
 static ovr_status read_number(const ovr_parameter *row, const char *text,
@@ -201,9 +199,8 @@ static ovr_status read_list(const ovr_parameter *row, const char *text,
             return OVR_BAD_INPUT;
         if (i && !quantity.unit != !slot->unit)
             return ovr_fail(err, OVR_BAD_INPUT,
-                            "%s: '%s': give all numbers of a list a unit, or "
-                            "none",
-                            row->key, item);
+                            "'%s': give all numbers of a list a unit, or none",
+                            item);
         slot->unit = quantity.unit;
         values[i] = quantity.value;
     }
@@ -232,8 +229,7 @@ static ovr_status read_words(const ovr_parameter *row, const char *text,
     return unknown_word(row, text, err);
 }
 
-static ovr_status read_flag(const ovr_parameter *row, const char *text,
-                            ovr_slot *slot, ovr_error *err)
+static ovr_status read_flag(const char *text, ovr_slot *slot, ovr_error *err)
 {
     static const char *const words[] = {"no",   "yes", "false",
                                         "true", "off", "on"};
@@ -242,8 +238,7 @@ static ovr_status read_flag(const ovr_parameter *row, const char *text,
             slot->number = i % 2;
             return OVR_OK;
         }
-    return ovr_fail(err, OVR_BAD_INPUT, "%s: '%.40s' must be yes or no",
-                    row->key, text);
+    return ovr_fail(err, OVR_BAD_INPUT, "'%.40s' must be yes or no", text);
 }
 
 static ovr_status read_choice(const ovr_parameter *row, const char *text,
@@ -261,29 +256,39 @@ static ovr_status no_value(const ovr_parameter *row, ovr_error *err)
 {
     char allowed[300];
     put_allowed(row, allowed, sizeof allowed);
-    return ovr_fail(err, OVR_BAD_INPUT, "%s: the value is missing; allowed: %s",
-                    row->key, allowed);
+    return ovr_fail(err, OVR_BAD_INPUT, "the value is missing; allowed: %s",
+                    allowed);
+}
+
+static ovr_status read_value(const ovr_parameter *row, const char *text,
+                             ovr_arena *arena, ovr_slot *slot, ovr_error *err)
+{
+    if (!*text)
+        return no_value(row, err);
+    switch (row->kind) {
+    case OVR_NUMBER:
+    case OVR_INTEGER: return read_number(row, text, slot, err);
+    case OVR_CHOICE: return read_choice(row, text, slot, err);
+    case OVR_FLAG: return read_flag(text, slot, err);
+    case OVR_NUMBERS: return read_list(row, text, arena, slot, err);
+    case OVR_WORDS: return read_words(row, text, slot, err);
+    case OVR_TEXT:
+    case OVR_PATH: break;
+    }
+    return OVR_OK;
 }
 
 ovr_status ovr_slot_read(const ovr_parameter *row, const char *text,
                          ovr_arena *arena, ovr_slot *slot, ovr_error *err)
 {
-    ovr_slot fresh = {.number = NAN};
-    ovr_status status = OVR_OK;
-    if (!*text)
-        return no_value(row, err);
-    switch (row->kind) {
-    case OVR_NUMBER:
-    case OVR_INTEGER: status = read_number(row, text, &fresh, err); break;
-    case OVR_CHOICE: status = read_choice(row, text, &fresh, err); break;
-    case OVR_FLAG: status = read_flag(row, text, &fresh, err); break;
-    case OVR_NUMBERS: status = read_list(row, text, arena, &fresh, err); break;
-    case OVR_WORDS: status = read_words(row, text, &fresh, err); break;
-    case OVR_TEXT:
-    case OVR_PATH: break;
-    }
+    ovr_slot fresh = {.key = row->key, .number = NAN};
+    ovr_error why = {0};
+    ovr_status status = read_value(row, text, arena, &fresh, &why);
+    if (status == OVR_NO_MEMORY)
+        return ovr_fail_from(err, &why, NULL, 0);
     if (status)
-        return status;
+        return ovr_fail_about(err, row->key, "%s: %.900s", row->key,
+                              why.message);
     fresh.text = ovr_arena_text(arena, text, err);
     if (!fresh.text)
         return OVR_NO_MEMORY;

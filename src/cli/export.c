@@ -365,7 +365,7 @@ static int write_all(job *j)
 
 static int run(cli_call *call)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     job j = {.call = call, .err = &err};
     int code = read_choices(&j);
     if (code != CLI_DONE)

@@ -86,7 +86,7 @@ static int draw(const cli_call *call, const ovr_frames_options *given)
 {
     ovr_frames_options o = *given;
     ovr_result *results[CLI_RESULTS];
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_frames_made made;
     watcher w;
     int code = cli_open_results(call, results);

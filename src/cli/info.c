@@ -240,7 +240,7 @@ static ovr_status read_times(report *r, ovr_error *err)
 
 static int run(cli_call *call)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     report r = {NULL, NULL, call->argument[0], NULL, NULL, 0};
     int code = CLI_DONE;
     r.result = ovr_result_open(r.path, NULL, &err);

@@ -89,7 +89,7 @@ int cli_picture_options(const cli_call *call, ovr_picture_options *o)
 
 int cli_open_results(const cli_call *call, ovr_result **results)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     for (int k = 0; k < call->arguments; k++) {
         results[k] = ovr_result_open(call->argument[k], NULL, &err);
         if (!results[k]) {

@@ -52,7 +52,7 @@ static int take_instants(const cli_call *call, ovr_picture_options *o,
 static int draw(const cli_call *call, const ovr_picture_options *o)
 {
     ovr_result *results[CLI_RESULTS];
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     int code = cli_open_results(call, results);
     if (code)
         return code;

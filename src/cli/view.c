@@ -14,7 +14,7 @@ static int run(cli_call *call)
     ovr_view_options o = ovr_view_options_default();
     ovr_result *results[CLI_RESULTS];
     const char *names[CLI_RESULTS];
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     int code;
     o.path = cli_value(call, "o");
     o.force = cli_flag(call, "force");

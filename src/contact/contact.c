@@ -6,7 +6,7 @@
  *     W = w/(E' R) = pi b^2/(8 R^2)
  *     2U = (W/M)^2                us = 2U E' R/eta0
  *     M^2 = 3 pi^2/(8 lambda)     L = alphabar sqrt(2 pi/M)
- * Every error message starts with the name of the field it is about.
+ * Every error is about a field, a given one where it can be.
  */
 #include "overroll/contact.h"
 
@@ -33,7 +33,7 @@ static bool known(double value)
 
 static ovr_status refuse(ovr_error *err, const char *name, const char *why)
 {
-    return ovr_fail(err, OVR_BAD_INPUT, "%s %s", name, why);
+    return ovr_fail_about(err, name, "%s %s", name, why);
 }
 
 static ovr_status check_sign(const char *name, double value, bool zero_too,
@@ -43,8 +43,8 @@ static ovr_status check_sign(const char *name, double value, bool zero_too,
         return OVR_OK;
     if (zero_too && value == 0)
         return OVR_OK;
-    return ovr_fail(err, OVR_BAD_INPUT, "%s = %g: must be %s and finite", name,
-                    value, zero_too ? "zero or positive" : "positive");
+    return ovr_fail_about(err, name, "%s = %g: must be %s and finite", name,
+                          value, zero_too ? "zero or positive" : "positive");
 }
 
 static ovr_status check_values(const ovr_conditions *c, ovr_error *err)
@@ -89,9 +89,11 @@ static ovr_status resolve_speeds(const ovr_conditions *c, ovr_contact *to,
     if (!known(c->speed_1) && !known(c->speed_2))
         return OVR_OK;
     if (!known(c->speed_1))
-        return refuse(err, "speed_1", "is missing beside speed_2");
+        return ovr_fail_about(err, "speed_2",
+                              "speed_1 is missing beside speed_2");
     if (!known(c->speed_2))
-        return refuse(err, "speed_2", "is missing beside speed_1");
+        return ovr_fail_about(err, "speed_1",
+                              "speed_2 is missing beside speed_1");
     if (known(c->mean_speed))
         return refuse(err, "mean_speed",
                       "follows from speed_1 and speed_2: leave one out");
@@ -116,9 +118,9 @@ static ovr_status agree(const char *name, double given, double follows,
     if (!known(given) || !known(follows) ||
         fabs(given - follows) <= AGREE * fabs(follows))
         return OVR_OK;
-    return ovr_fail(err, OVR_BAD_INPUT,
-                    "%s = %g (SI) contradicts %s, which give %g: leave it out",
-                    name, given, from, follows);
+    return ovr_fail_about(
+        err, name, "%s = %g (SI) contradicts %s, which give %g: leave it out",
+        name, given, from, follows);
 }
 
 /* Moes or Hertzian numbers: M, L, lambda, alphabar of *to. */
@@ -135,13 +137,16 @@ static ovr_status resolve_numbers(const ovr_conditions *c, ovr_contact *to,
                       "cannot stand beside M and L (or lambda and alphabar), "
                       "which set it: leave one or the other out");
     if (moes && !known(c->M))
-        return refuse(err, "M", "is missing beside L");
+        return ovr_fail_about(err, "L", "M is missing beside L");
     if (moes && !known(c->L))
-        return refuse(err, "L", "is missing beside M (0: isoviscous)");
+        return ovr_fail_about(err, "M",
+                              "L is missing beside M (0: isoviscous)");
     if (!moes && !known(c->lambda))
-        return refuse(err, "lambda", "is missing beside alphabar");
+        return ovr_fail_about(err, "alphabar",
+                              "lambda is missing beside alphabar");
     if (!moes && !known(c->alphabar))
-        return refuse(err, "alphabar", "is missing beside lambda");
+        return ovr_fail_about(err, "lambda",
+                              "alphabar is missing beside lambda");
     to->M = moes ? c->M : sqrt(3 / (8 * c->lambda)) * PI;
     to->lambda = moes ? 3 * PI * PI / (8 * c->M * c->M) : c->lambda;
     to->L = moes ? c->L : c->alphabar * sqrt(2 * PI / to->M);
@@ -236,11 +241,11 @@ static ovr_status check_range(const ovr_contact *to, bool physical,
 {
     const char *from = physical ? " (from the physical conditions)" : "";
     if (!(to->M >= M_LEAST && to->M <= M_MOST))
-        return ovr_fail(err, OVR_BAD_INPUT, "M = %g%s: must be %g to %g", to->M,
-                        from, M_LEAST, M_MOST);
+        return ovr_fail_about(err, "M", "M = %g%s: must be %g to %g", to->M,
+                              from, M_LEAST, M_MOST);
     if (!(to->L >= 0 && to->L <= L_MOST))
-        return ovr_fail(err, OVR_BAD_INPUT, "L = %g%s: must be 0 to %g", to->L,
-                        from, L_MOST);
+        return ovr_fail_about(err, "L", "L = %g%s: must be 0 to %g", to->L,
+                              from, L_MOST);
     if (isinf(to->b) || isinf(to->ph) || isinf(to->um) || isinf(to->load) ||
         to->b <= 0 || to->ph <= 0 || to->um <= 0 || to->load <= 0)
         return refuse(err, "radius",

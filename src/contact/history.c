@@ -41,18 +41,18 @@ ovr_history_form ovr_history_constant(void)
 static ovr_status check_table(const ovr_history_form *form, ovr_error *err)
 {
     if (form->points < 2)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "table: needs at least two points, has %zu",
-                        form->points);
+        return ovr_fail_about(err, "file",
+                              "table: needs at least two points, has %zu",
+                              form->points);
     for (size_t i = 0; i < form->points; i++) {
         if (!isfinite(form->T[i]) || !isfinite(form->value[i]))
-            return ovr_fail(err, OVR_BAD_INPUT,
-                            "table: point %zu is not a number", i + 1);
+            return ovr_fail_about(err, "file",
+                                  "table: point %zu is not a number", i + 1);
         if (i && !(form->T[i] > form->T[i - 1]))
-            return ovr_fail(err, OVR_BAD_INPUT,
-                            "table: times must increase: point %zu at %g "
-                            "follows %g",
-                            i + 1, form->T[i], form->T[i - 1]);
+            return ovr_fail_about(err, "file",
+                                  "table: times must increase: point %zu at %g "
+                                  "follows %g",
+                                  i + 1, form->T[i], form->T[i - 1]);
     }
     return OVR_OK;
 }
@@ -64,23 +64,23 @@ static ovr_status check_form(const ovr_history_form *form, ovr_error *err)
     if (form->kind == OVR_HISTORY_CONSTANT)
         return OVR_OK;
     if (!isfinite(form->start))
-        return ovr_fail(err, OVR_BAD_INPUT, "start must be finite");
+        return ovr_fail_about(err, "start", "start must be finite");
     if (form->kind == OVR_HISTORY_SINE) {
         if (!(form->period > 0 && isfinite(form->period)))
-            return ovr_fail(err, OVR_BAD_INPUT, "period = %g: must be positive",
-                            form->period);
+            return ovr_fail_about(
+                err, "period", "period = %g: must be positive", form->period);
         if (!isfinite(form->amplitude))
-            return ovr_fail(err, OVR_BAD_INPUT, "amplitude must be finite");
+            return ovr_fail_about(err, "amplitude", "amplitude must be finite");
         return OVR_OK;
     }
     if (!(form->duration >= 0 && isfinite(form->duration)))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "duration = %g: must be zero or positive",
-                        form->duration);
+        return ovr_fail_about(err, "duration",
+                              "duration = %g: must be zero or positive",
+                              form->duration);
     if (!isfinite(form->from))
-        return ovr_fail(err, OVR_BAD_INPUT, "from must be finite");
+        return ovr_fail_about(err, "from", "from must be finite");
     if (!isfinite(form->to))
-        return ovr_fail(err, OVR_BAD_INPUT, "to must be finite");
+        return ovr_fail_about(err, "to", "to must be finite");
     return OVR_OK;
 }
 

@@ -20,8 +20,8 @@ static ovr_status index_z(const ovr_contact *contact, double p0, double given,
     if (!isnan(given)) {
         if (given > 0 && given <= 2)
             return OVR_OK;
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "z = %g: must be above 0 and at most 2", given);
+        return ovr_fail_about(err, "z", "z = %g: must be above 0 and at most 2",
+                              given);
     }
     *z = Z_PAPER;
     if (isnan(contact->viscosity) || isnan(contact->alpha))
@@ -29,10 +29,11 @@ static ovr_status index_z(const ovr_contact *contact, double p0, double given,
     *z = contact->alpha * p0 / (log(contact->viscosity) + 9.67);
     if (*z > 0 && *z <= 2)
         return OVR_OK;
-    return ovr_fail(err, OVR_BAD_INPUT,
-                    "z = %g by Roelands' relation from alpha and viscosity: "
-                    "no oil has that; check them, or give z",
-                    *z);
+    return ovr_fail_about(
+        err, "alpha",
+        "z = %g by Roelands' relation from alpha and viscosity: "
+        "no oil has that; check them, or give z",
+        *z);
 }
 
 ovr_status ovr_lubricant_make(const ovr_contact *contact,
@@ -48,16 +49,16 @@ ovr_status ovr_lubricant_make(const ovr_contact *contact,
 
     p0 = isnan(p0) ? P0_PAPER : p0;
     if (!(p0 > 0 && isfinite(p0)))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "p0 = %g Pa: must be positive and finite", p0);
+        return ovr_fail_about(err, "p0",
+                              "p0 = %g Pa: must be positive and finite", p0);
     if (plain_film && piezo && isnan(contact->alpha))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "alpha is missing (pressure-viscosity index; not "
-                        "needed with viscosity_law = isoviscous)");
+        return ovr_fail_about(err, "alpha",
+                              "alpha is missing (pressure-viscosity index; not "
+                              "needed with viscosity_law = isoviscous)");
     if (!plain_film && needs_ph && !(contact->ph > 0))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "alpha is missing: the lubricant's laws need the "
-                        "Hertzian pressure, alphabar/alpha");
+        return ovr_fail_about(err, "alpha",
+                              "alpha is missing: the lubricant's laws need the "
+                              "Hertzian pressure, alphabar/alpha");
     if (!plain_film) {
         made.viscosity_law = viscosity_law;
         made.density_law = density_law;

@@ -117,33 +117,39 @@ static int automatic_coarsest(const ovr_contact *contact, const ovr_options *o)
 static ovr_status check(const ovr_options *o, ovr_error *err)
 {
     if (o->level < 1 || o->level >= OVR_LEVELS)
-        return ovr_fail(err, OVR_BAD_INPUT, "level %d: 1 to %d are possible",
-                        o->level, OVR_LEVELS - 1);
+        return ovr_fail_about(err, "level", "level %d: 1 to %d are possible",
+                              o->level, OVR_LEVELS - 1);
     if (o->coarsest_level < 0 || o->coarsest_level > o->level)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "coarsest level %d: 1 to the level (%d) is possible",
-                        o->coarsest_level, o->level);
+        return ovr_fail_about(
+            err, "coarsest_level",
+            "coarsest level %d: 1 to the level (%d) is possible",
+            o->coarsest_level, o->level);
     if (o->mlmi_order && (o->mlmi_order % 2 || o->mlmi_order < 2 ||
                           o->mlmi_order > OVR_MLMI_MOST))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "MLMI order %d: even numbers from 2 to %d are possible",
-                        o->mlmi_order, OVR_MLMI_MOST);
+        return ovr_fail_about(
+            err, "mlmi_order",
+            "MLMI order %d: even numbers from 2 to %d are possible",
+            o->mlmi_order, OVR_MLMI_MOST);
     if (o->mlmi_range && (o->mlmi_range % 2 || o->mlmi_range < 2 ||
                           o->mlmi_range > 2 * OVR_MLMI_MOST))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "MLMI range %d: even numbers from 2 to %d are possible",
-                        o->mlmi_range, 2 * OVR_MLMI_MOST);
+        return ovr_fail_about(
+            err, "mlmi_range",
+            "MLMI range %d: even numbers from 2 to %d are possible",
+            o->mlmi_range, 2 * OVR_MLMI_MOST);
+    bool seidel = o->relax_seidel >= 0.5 && o->relax_seidel <= 1;
     if (!(o->relax_seidel >= 0.5 && o->relax_seidel <= 1 &&
           o->relax_dipole >= 0.3 && o->relax_dipole <= 0.6))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "under-relaxation %g and %g: 0.5 to 1 (Gauss-Seidel) "
-                        "and 0.3 to 0.6 (dipole) are possible",
-                        o->relax_seidel, o->relax_dipole);
+        return ovr_fail_about(
+            err, seidel ? "relax_dipole" : "relax_seidel",
+            "under-relaxation %g and %g: 0.5 to 1 (Gauss-Seidel) "
+            "and 0.3 to 0.6 (dipole) are possible",
+            o->relax_seidel, o->relax_dipole);
     if (!(o->inlet < -1 && o->outlet > 1 && isfinite(o->inlet) &&
           isfinite(o->outlet)))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "domain [%g, %g]: the contact [-1, 1] must lie inside",
-                        o->inlet, o->outlet);
+        return ovr_fail_about(
+            err, o->inlet < -1 && isfinite(o->inlet) ? "outlet" : "inlet",
+            "domain [%g, %g]: the contact [-1, 1] must lie inside", o->inlet,
+            o->outlet);
     return OVR_OK;
 }
 

@@ -18,10 +18,12 @@ static ovr_status asked_column(const ovr_text_table *t, int asked,
                                const char *key, int *column, ovr_error *err)
 {
     if (asked < 0 || (size_t)asked > t->header.columns)
-        return ovr_fail_at(err, OVR_BAD_INPUT, t->profile->file, 0,
-                           "%s = %d: the table has the columns 1 to %zu",
-                           ovr_named(t->profile, key).text, asked,
-                           t->header.columns);
+        return ovr_about(
+            err, key,
+            ovr_fail_at(err, OVR_BAD_INPUT, t->profile->file, 0,
+                        "%s = %d: the table has the columns 1 to %zu",
+                        ovr_named(t->profile, key).text, asked,
+                        t->header.columns));
     if (asked > 0)
         *column = asked - 1;
     return OVR_OK;
@@ -61,6 +63,7 @@ ovr_status ovr_find_columns(ovr_text_table *t, ovr_error *err)
 typedef struct wanting {
     const ovr_text_table *t;
     char what[300], give[200]; /* "no unit of x", "--unit-x um" */
+    const char *about;         /* the first key */
     int count;
 } wanting;
 
@@ -79,7 +82,8 @@ static void want(wanting *w, const char *what, const char *key,
              options ? " " : " = ", example);
     join(w->what, sizeof w->what, "; ", what);
     join(w->give, sizeof w->give, ", ", give);
-    w->count++;
+    if (!w->count++)
+        w->about = key;
 }
 
 static void want_columns(wanting *w)
@@ -134,7 +138,6 @@ static void want_unit(wanting *w, char axis, const char *asked)
 {
     const ovr_column *said = unit_column(w->t, axis);
     char what[160];
-    char key[] = {'u', 'n', 'i', 't', '_', axis, 0};
     bool scaled;
     if (is_said(asked)) {
         if (caller_unit(axis, asked, &scaled) > 0)
@@ -149,7 +152,7 @@ static void want_unit(wanting *w, char axis, const char *asked)
         snprintf(what, sizeof what, "the unit of %c is not in the header",
                  axis);
     }
-    want(w, what, key, "um");
+    want(w, what, axis == 'x' ? "unit_x" : "unit_z", "um");
 }
 
 /* Units of x are wanted of a column x, and of a spacing that the header gives
@@ -171,9 +174,12 @@ ovr_status ovr_check_all_said(const ovr_text_table *t, ovr_error *err)
     want_unit(&w, 'z', t->source->unit_z);
     if (!w.count)
         return OVR_OK;
-    return ovr_fail_at(
-        err, OVR_BAD_INPUT, t->profile->file, 0, "%s: give %s%s", w.what,
-        w.give, strstr(w.give, "unit") ? " (or m, mm, nm, inch, b, ...)" : "");
+    return ovr_about(err, w.about,
+                     ovr_fail_at(err, OVR_BAD_INPUT, t->profile->file, 0,
+                                 "%s: give %s%s", w.what, w.give,
+                                 strstr(w.give, "unit")
+                                     ? " (or m, mm, nm, inch, b, ...)"
+                                     : ""));
 }
 
 void ovr_find_unit(ovr_text_table *t, char axis, const char *asked,

@@ -13,8 +13,10 @@
 static ovr_status wrong(const ovr_profile *p, ovr_error *err, const char *key,
                         const char *value, const char *right)
 {
-    return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0, "%s = %s must be %s",
-                       ovr_named(p, key).text, value, right);
+    return ovr_about(err, key,
+                     ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                                 "%s = %s must be %s", ovr_named(p, key).text,
+                                 value, right));
 }
 
 static ovr_piece plain(double value)
@@ -38,11 +40,13 @@ static ovr_status check_lengths(const ovr_profile *p,
             return wrong(p, err, lengths[k].key,
                          ovr_along(p, lengths[k].value).text, "positive");
     if (how->lambda_c <= how->lambda_s)
-        return ovr_fail_at(
-            err, OVR_BAD_INPUT, p->file, 0,
-            "%s = %s must be longer than %s = %s",
-            ovr_named(p, "lambda_c").text, ovr_along(p, how->lambda_c).text,
-            ovr_named(p, "lambda_s").text, ovr_along(p, how->lambda_s).text);
+        return ovr_about(err, "lambda_c",
+                         ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                                     "%s = %s must be longer than %s = %s",
+                                     ovr_named(p, "lambda_c").text,
+                                     ovr_along(p, how->lambda_c).text,
+                                     ovr_named(p, "lambda_s").text,
+                                     ovr_along(p, how->lambda_s).text));
     return OVR_OK;
 }
 
@@ -91,14 +95,17 @@ static ovr_status choose_window(ovr_profile *p, const ovr_conditioning *how,
     while (last > first && p->x[last - 1] > how->to)
         last--;
     if (last - first < 2)
-        return ovr_fail_at(
-            err, OVR_BAD_INPUT, p->file, 0,
-            "the window from %s to %s holds %zu point%s; the profile runs from "
-            "%s to %s",
-            isnan(how->from) ? "its begin" : ovr_along(p, how->from).text,
-            isnan(how->to) ? "its end" : ovr_along(p, how->to).text,
-            last - first, last - first == 1 ? "" : "s",
-            ovr_along(p, p->x[0]).text, ovr_along(p, p->x[*n - 1]).text);
+        return ovr_about(
+            err, isnan(how->from) ? "to" : "from",
+            ovr_fail_at(
+                err, OVR_BAD_INPUT, p->file, 0,
+                "the window from %s to %s holds %zu point%s; the profile runs "
+                "from "
+                "%s to %s",
+                isnan(how->from) ? "its begin" : ovr_along(p, how->from).text,
+                isnan(how->to) ? "its end" : ovr_along(p, how->to).text,
+                last - first, last - first == 1 ? "" : "s",
+                ovr_along(p, p->x[0]).text, ovr_along(p, p->x[*n - 1]).text));
     if (last - first < *n)
         ovr_profile_note(p, "window: %zu of %zu points", last - first, *n);
     keep(p, first, last - first);
@@ -152,10 +159,12 @@ static ovr_status close_gaps(ovr_profile *p, const ovr_conditioning *how,
     if (!missing)
         return OVR_OK;
     if ((double)missing > how->max_missing * (double)*n)
-        return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "%zu of %zu heights are missing, more than %s = %g",
-                           missing, *n, ovr_named(p, "max_missing").text,
-                           how->max_missing);
+        return ovr_about(
+            err, "max_missing",
+            ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                        "%zu of %zu heights are missing, more than %s = %g",
+                        missing, *n, ovr_named(p, "max_missing").text,
+                        how->max_missing));
     while (first < last && isnan(p->z[first]))
         first++;
     while (last > first && isnan(p->z[last - 1]))
@@ -172,12 +181,13 @@ static ovr_status close_gaps(ovr_profile *p, const ovr_conditioning *how,
         most = 0.05 * (p->x[*n - 1] - p->x[0]);
     ovr_longest_gap(*n, p->x, p->z, &length, &where);
     if (length > most)
-        return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "a gap of %s at x = %s is longer than %s = %s%s",
-                           ovr_along(p, length).text, ovr_along(p, where).text,
-                           ovr_named(p, "max_gap").text,
-                           ovr_along(p, most).text,
-                           isnan(how->max_gap) ? ", 5 % of the length" : "");
+        return ovr_about(
+            err, "max_gap",
+            ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                        "a gap of %s at x = %s is longer than %s = %s%s",
+                        ovr_along(p, length).text, ovr_along(p, where).text,
+                        ovr_named(p, "max_gap").text, ovr_along(p, most).text,
+                        isnan(how->max_gap) ? ", 5 % of the length" : ""));
     filled = ovr_fill_gaps(*n, p->x, p->z);
     p->view.filled += filled;
     if (filled)

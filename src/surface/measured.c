@@ -133,9 +133,9 @@ ovr_status ovr_measured_make(ovr_feature *feature, const ovr_feature_form *form,
     p = form->shape == OVR_PROFILE
             ? read(form, contact, &arena->allocator, err)
             : ovr_profile_random(&form->roughness, &arena->allocator, err);
-    if (!p)
-        return err->status;
-    status = fit(feature, form, p, mesh, arena, err);
+    status = p ? fit(feature, form, p, mesh, arena, err) : err->status;
+    if (status && !err->about && form->shape == OVR_PROFILE)
+        err->about = "file"; /* what is wrong stands in it */
     ovr_profile_free(p);
     return status;
 }

@@ -20,6 +20,16 @@ static double centre_at_start(const ovr_history *speed,
     return tabulated ? form->start - f->ahead : form->start;
 }
 
+/* The key that says where it is, one of them when there are several. */
+static const char *place_of(const ovr_feature_form *form)
+{
+    return !isnan(form->arrival)  ? "arrival"
+           : !isnan(form->edge)   ? "edge"
+           : !isnan(form->centre) ? "centre"
+           : !isnan(form->start)  ? "start"
+                                  : "origin";
+}
+
 ovr_status ovr_feature_place(ovr_feature *f, const ovr_feature_form *form,
                              const ovr_history *speed, ovr_error *err)
 {
@@ -27,16 +37,16 @@ ovr_status ovr_feature_place(ovr_feature *f, const ovr_feature_form *form,
                 !isnan(form->edge) + !isnan(form->arrival);
     const char *shape = ovr_shape_name((int)f->shape);
     if (given > 1 || (given && !isnan(form->origin)))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': give one of start, centre, edge, "
-                        "arrival and origin, not several",
-                        f->name);
+        return ovr_fail_about(err, place_of(form),
+                              "feature '%s': give one of start, centre, edge, "
+                              "arrival and origin, not several",
+                              f->name);
     if (ovr_is_endless(f)) {
         if (given)
-            return ovr_fail(err, OVR_BAD_INPUT,
-                            "feature '%s': a %s is endless; its place is "
-                            "given by origin",
-                            f->name, shape);
+            return ovr_fail_about(err, place_of(form),
+                                  "feature '%s': a %s is endless; its place is "
+                                  "given by origin",
+                                  f->name, shape);
         f->start = isnan(form->origin) ? 0 : form->origin;
     } else if (!given) {
         return ovr_fail(err, OVR_BAD_INPUT,
@@ -44,16 +54,16 @@ ovr_status ovr_feature_place(ovr_feature *f, const ovr_feature_form *form,
                         "centre or edge, or its arrival at X = 0",
                         f->name, shape);
     } else if (!isnan(form->arrival) && f->ratio == 0) {
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': surface %d stands still, it never "
-                        "arrives; give start instead of arrival",
-                        f->name, f->surface);
+        return ovr_fail_about(err, "arrival",
+                              "feature '%s': surface %d stands still, it never "
+                              "arrives; give start instead of arrival",
+                              f->name, f->surface);
     } else {
         f->start = centre_at_start(speed, form, f);
     }
     if (!isfinite(f->start))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': its place must be a finite number",
-                        f->name);
+        return ovr_fail_about(err, place_of(form),
+                              "feature '%s': its place must be a finite number",
+                              f->name);
     return OVR_OK;
 }

@@ -49,6 +49,15 @@ void ovr_profile_note(ovr_profile *profile, const char *format, ...)
  * line. */
 ovr_piece ovr_named(const ovr_profile *profile, const char *key);
 
+/* The failure `status` is about this key. */
+static inline ovr_status ovr_about(ovr_error *err, const char *key,
+                                   ovr_status status)
+{
+    if (err)
+        err->about = key;
+    return status;
+}
+
 /* Sets the number of points and what follows from them; the last step of
  * every reader and of conditioning. */
 ovr_status ovr_profile_finish(ovr_profile *profile, size_t n, ovr_error *err);

@@ -155,10 +155,12 @@ static ovr_status check_ends(const ovr_ends *ends, double length, double *taper,
     *taper = isnan(ends->taper) ? 0.05 * length : ends->taper;
     if (*taper >= 0 && *taper <= most)
         return OVR_OK;
-    return ovr_fail(err, OVR_BAD_INPUT,
-                    "taper = %g b must be between 0 and half the profile's "
-                    "length, %g b",
-                    *taper, most);
+    return ovr_about(
+        err, "taper",
+        ovr_fail(err, OVR_BAD_INPUT,
+                 "taper = %g b must be between 0 and half the profile's "
+                 "length, %g b",
+                 *taper, most));
 }
 
 /* One period ends where its blended beginning starts. */

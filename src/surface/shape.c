@@ -170,13 +170,13 @@ static ovr_status check_size(const ovr_feature_form *form,
     double value = size_of(form, size);
     const char *shape = rules[form->shape].name;
     if (!(size->bit & allowed))
-        return ovr_fail(err, OVR_BAD_INPUT, "feature '%s': a %s has no %s",
-                        form->name, shape, size->name);
+        return ovr_fail_about(err, size->name, "feature '%s': a %s has no %s",
+                              form->name, shape, size->name);
     if (isfinite(value) && (value > 0 || (size->zero && value == 0)))
         return OVR_OK;
-    return ovr_fail(err, OVR_BAD_INPUT, "feature '%s': %s = %g must be %s",
-                    form->name, size->name, value,
-                    size->zero ? "zero or positive" : "positive");
+    return ovr_fail_about(err, size->name, "feature '%s': %s = %g must be %s",
+                          form->name, size->name, value,
+                          size->zero ? "zero or positive" : "positive");
 }
 
 /* "depth or height" */
@@ -197,6 +197,14 @@ static const char *names_of(unsigned set, char *text, size_t room)
     return text;
 }
 
+static const char *first_of(unsigned set)
+{
+    size_t k = 0;
+    while (!(set & sizes[k].bit))
+        k++;
+    return sizes[k].name;
+}
+
 static ovr_status check_complete(const ovr_feature_form *form, unsigned given,
                                  ovr_error *err)
 {
@@ -208,14 +216,14 @@ static ovr_status check_complete(const ovr_feature_form *form, unsigned given,
     else if (missing)
         missing &= ~(missing - 1); /* one at a time */
     if (missing)
-        return ovr_fail(err, OVR_BAD_INPUT, "feature '%s': a %s needs its %s",
-                        form->name, rule->name,
-                        names_of(missing, text, sizeof text));
+        return ovr_fail_about(err, first_of(missing),
+                              "feature '%s': a %s needs its %s", form->name,
+                              rule->name, names_of(missing, text, sizeof text));
     if (tall & (tall - 1) || (given & (FLANK | RADIUS)) == (FLANK | RADIUS))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': give either %s, not both", form->name,
-                        tall & (tall - 1) ? "depth or height"
-                                          : "flank or radius");
+        return ovr_fail_about(
+            err, tall & (tall - 1) ? "height" : "radius",
+            "feature '%s': give either %s, not both", form->name,
+            tall & (tall - 1) ? "depth or height" : "flank or radius");
     return OVR_OK;
 }
 
@@ -252,10 +260,11 @@ static ovr_status find_flank(ovr_feature *f, const ovr_feature_form *form,
     if (isnan(form->radius))
         return OVR_OK;
     if (!(per_radius > 0))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': a radius of its edges needs a physical "
-                        "contact (radius and modulus); give flank instead",
-                        f->name);
+        return ovr_fail_about(
+            err, "radius",
+            "feature '%s': a radius of its edges needs a physical "
+            "contact (radius and modulus); give flank instead",
+            f->name);
     f->flank = sqrt(STEEPEST * fabs(f->A) * form->radius * per_radius);
     if (!(f->flank > 0))
         f->flank = otherwise; /* of no height: any will do */
@@ -319,20 +328,22 @@ static void find_extent(ovr_feature *f)
 static ovr_status check_proportions(const ovr_feature *f, ovr_error *err)
 {
     if (f->shape == OVR_TEXTURE && f->width > f->wavelength)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': width = %g must not exceed the "
-                        "wavelength = %g, the distance of two dimples",
-                        f->name, f->width, f->wavelength);
+        return ovr_fail_about(err, "width",
+                              "feature '%s': width = %g must not exceed the "
+                              "wavelength = %g, the distance of two dimples",
+                              f->name, f->width, f->wavelength);
     if (f->shape == OVR_GROOVE && f->flank > f->width)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': flank = %g must not exceed the width "
-                        "= %g, or the bottom is never reached",
-                        f->name, f->flank, f->width);
+        return ovr_fail_about(
+            err, "flank",
+            "feature '%s': flank = %g must not exceed the width "
+            "= %g, or the bottom is never reached",
+            f->name, f->flank, f->width);
     if (f->shape == OVR_CHIRP && 2 * f->flank > f->length)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': length = %g leaves no room for its two "
-                        "flanks of %g",
-                        f->name, f->length, f->flank);
+        return ovr_fail_about(
+            err, "length",
+            "feature '%s': length = %g leaves no room for its two "
+            "flanks of %g",
+            f->name, f->length, f->flank);
     return OVR_OK;
 }
 

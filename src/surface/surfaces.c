@@ -91,24 +91,25 @@ static ovr_status check_common(const ovr_feature_form *form, ovr_error *err)
 {
     const char *name = form->name;
     if (form->surface != 1 && form->surface != 2)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': surface = %d must be 1 or 2", name,
-                        form->surface);
+        return ovr_fail_about(err, "surface",
+                              "feature '%s': surface = %d must be 1 or 2", name,
+                              form->surface);
     if (!ovr_shape_name((int)form->shape))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': no shape has the number %d", name,
-                        (int)form->shape);
+        return ovr_fail_about(err, "shape",
+                              "feature '%s': no shape has the number %d", name,
+                              (int)form->shape);
     if (!isnan(form->grow) && !(form->grow >= 0 && isfinite(form->grow)))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': grow = %g must be a time >= 0", name,
-                        form->grow);
+        return ovr_fail_about(err, "grow",
+                              "feature '%s': grow = %g must be a time >= 0",
+                              name, form->grow);
     if (!isfinite(form->grow_from))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': grow_from must be a finite time", name);
+        return ovr_fail_about(err, "grow_from",
+                              "feature '%s': grow_from must be a finite time",
+                              name);
     if (form->copies < 0)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': copies = %d must not be negative", name,
-                        form->copies);
+        return ovr_fail_about(err, "copies",
+                              "feature '%s': copies = %d must not be negative",
+                              name, form->copies);
     return OVR_OK;
 }
 
@@ -119,14 +120,15 @@ static ovr_status check_repeat(const ovr_feature *f, ovr_error *err)
     if (isnan(f->repeat))
         return OVR_OK;
     if (!isfinite(size))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': a %s is endless, it needs no repeat",
-                        f->name, ovr_shape_name((int)f->shape));
+        return ovr_fail_about(
+            err, "repeat", "feature '%s': a %s is endless, it needs no repeat",
+            f->name, ovr_shape_name((int)f->shape));
     if (!isfinite(f->repeat) || !(f->repeat > size / 100))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': repeat = %g must be a distance above "
-                        "1/100 of its extent %g",
-                        f->name, f->repeat, size);
+        return ovr_fail_about(
+            err, "repeat",
+            "feature '%s': repeat = %g must be a distance above "
+            "1/100 of its extent %g",
+            f->name, f->repeat, size);
     return OVR_OK;
 }
 

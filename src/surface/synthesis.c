@@ -158,11 +158,12 @@ static ovr_status shape_heights(random_surface *s, ovr_error *err)
     if (isnan(f->skewness) && isnan(f->kurtosis))
         return OVR_OK;
     if (!find_target(s, skewness, kurtosis))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "roughness: no heights with skewness = %g and "
-                        "kurtosis = %g; kurtosis must lie above about 1.9 + "
-                        "1.7 skewness^2",
-                        skewness, kurtosis);
+        return ovr_fail_about(
+            err, isnan(f->kurtosis) ? "skewness" : "kurtosis",
+            "roughness: no heights with skewness = %g and "
+            "kurtosis = %g; kurtosis must lie above about 1.9 + "
+            "1.7 skewness^2",
+            skewness, kurtosis);
     /* the amplitudes as drawn, so that realizations stay random */
     gsl_fft_real_radix2_transform(s->z, 1, s->n);
     for (size_t k = 1; k <= s->waves; k++)
@@ -181,8 +182,8 @@ static ovr_status shape_heights(random_surface *s, ovr_error *err)
 static ovr_status bad(ovr_error *err, const char *key, double value,
                       const char *right)
 {
-    return ovr_fail(err, OVR_BAD_INPUT, "roughness: %s = %g must be %s", key,
-                    value, right);
+    return ovr_fail_about(err, key, "roughness: %s = %g must be %s", key, value,
+                          right);
 }
 
 static double or_else(double value, double otherwise)
@@ -197,8 +198,9 @@ static ovr_status check(random_surface *s, ovr_error *err)
     s->shortest = or_else(f->shortest, f->length / 256);
     s->correlation = or_else(f->correlation, f->length / 32);
     if (isnan(f->Rq) || isnan(f->length))
-        return ovr_fail(err, OVR_BAD_INPUT, "a roughness needs its %s",
-                        isnan(f->Rq) ? "Rq" : "length");
+        return ovr_fail_about(err, isnan(f->Rq) ? "Rq" : "length",
+                              "a roughness needs its %s",
+                              isnan(f->Rq) ? "Rq" : "length");
     if (!(f->Rq >= 0) || isinf(f->Rq))
         return bad(err, "Rq", f->Rq, "zero or positive");
     if (!(f->length > 0) || isinf(f->length))

@@ -59,7 +59,7 @@ static void die(const ovr_error *err)
 
 static ovr_simulation *make_simulation(ovr_contact *contact)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_conditions given = ovr_conditions_unknown();
     ovr_options options = ovr_options_default();
     ovr_lubricant lubricant;
@@ -85,7 +85,7 @@ static ovr_writer *make_writer(const variant *v, const ovr_contact *contact,
 {
     const ovr_state *state = ovr_simulation_state(sim);
     ovr_write_options o = ovr_write_options_default();
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_writer *writer;
     o.path = path;
     o.force = true;
@@ -105,7 +105,7 @@ static void march(const variant *v, const ovr_contact *contact,
 {
     ovr_march how = {.end = 6};
     ovr_writer *writer = NULL;
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     if (v->write) {
         writer = make_writer(v, contact, sim, path);
         how.observe = ovr_writer_observe;

@@ -24,7 +24,7 @@ test_contact test_contact_make(double M, double L)
 
 ovr_simulation *test_simulation(double M, double L, const ovr_options *options)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     test_contact t = test_contact_make(M, L);
     ovr_simulation *sim = ovr_simulation_create(&t.contact, &t.lubricant,
                                                 options, NULL, &err);

@@ -38,7 +38,7 @@ long test_every_allocation(test_attempt *attempt, void *data)
     test_faults faults;
     long k = 0;
     do {
-        ovr_error err = {OVR_OK, ""};
+        ovr_error err = {0};
         ovr_status status;
         test_faults_init(&faults);
         faults.fail = ++k;

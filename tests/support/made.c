@@ -9,7 +9,7 @@ void test_make_result(const char *path, const char *title, bool physical)
     ovr_contact contact = physical ? test_contact_physical()
                                    : test_contact_bare();
     ovr_write_options o = ovr_write_options_default();
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     test_dent d;
     ovr_writer *w;
     test_dent_init(&d, TEST_MADE_NODES, 0.15);

@@ -89,7 +89,7 @@ static void refuses_sizes_that_overflow(void **state)
     test_faults_init(&faults);
     arena = ovr_arena_make(&faults.hook);
     for (size_t k = 0; k < sizeof wanted / sizeof *wanted; k++) {
-        ovr_error err = {OVR_OK, ""};
+        ovr_error err = {0};
         assert_null(ovr_arena_take(&arena, wanted[k][0], wanted[k][1], &err));
         CHECK_ERROR(&err, OVR_NO_MEMORY, "out of memory");
     }

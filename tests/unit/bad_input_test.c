@@ -70,7 +70,9 @@ static void check_message(const ovr_parameter_info *p, const char *value,
     if (strncmp(err->message, place, length) != 0 ||
         strncmp(err->message + length, p->key, strlen(p->key)) != 0 ||
         (!listed && *value != ' ' && !strstr(err->message, value)) ||
-        strchr(err->message, '\n') || !says_what_is_allowed(p, err->message))
+        strchr(err->message, '\n') || !err->about ||
+        strcmp(err->about, p->key) != 0 ||
+        !says_what_is_allowed(p, err->message))
         fail_msg("[%s] %s = '%s' says: %s", p->section, p->key, value,
                  err->message);
 }
@@ -127,7 +129,9 @@ static void number(const ovr_parameter_info *p, double value)
         return;
     }
     ovr_setup *s = ovr_case_resolve(c, NULL, &err);
-    if (!s && !strstr(err.message, "t.ini"))
+    bool about = !s && err.about && !strcmp(err.about, p->key);
+    if (!s &&
+        strncmp(err.message, about ? "t.ini:2: " : "t.ini:", about ? 9 : 6))
         fail_msg("[%s] %s = %s says: %s", p->section, p->key, with_unit,
                  err.message);
     ovr_setup_free(s);
@@ -312,6 +316,92 @@ static void every_shape_asks_for_its_sizes(void **state)
     assert_true(asked > 15);
 }
 
+/* ------------------------------------------------------- found out late */
+
+/* A case with nothing wrong; a setting below takes the place of one of these
+ * lines, or comes behind its section's. */
+static const char *const good[][3] = {{"contact", "load", "307 kN/m"},
+                                      {"contact", "radius", "10 mm"},
+                                      {"contact", "modulus", "226 GPa"},
+                                      {"contact", "mean_speed", "1.3 m/s"},
+                                      {"contact", "viscosity", "40 mPa.s"},
+                                      {"contact", "alpha", "17 1/GPa"},
+                                      {"time", "end", "1"},
+                                      {"load", "history", "ramp"},
+                                      {"feature", "shape", "dent"},
+                                      {"feature", "start", "-2"},
+                                      {"feature", "depth", "0.1"},
+                                      {"feature", "width", "0.5"}};
+enum { GOOD = sizeof good / sizeof *good };
+
+/* Writes it with the setting; returns its line. */
+static int with(const char *section, const char *key, const char *value)
+{
+    static const char *const sections[] = {
+        "contact", "domain", "solver", "time", "load", "feature", "output"};
+    size_t used = 0;
+    int line = 0, found = 0;
+    for (size_t s = 0; s < sizeof sections / sizeof *sections; s++) {
+        bool here = !strcmp(sections[s], section);
+        used += (size_t)snprintf(text + used, sizeof text - used, "[%s%s]\n",
+                                 sections[s],
+                                 strcmp(sections[s], "feature") ? "" : " f");
+        line++;
+        for (size_t i = 0; i < GOOD; i++) {
+            bool same = here && !strcmp(good[i][1], key);
+            if (strcmp(good[i][0], sections[s]) != 0 || same)
+                continue;
+            used += (size_t)snprintf(text + used, sizeof text - used,
+                                     "%s = %s\n", good[i][1], good[i][2]);
+            line++;
+        }
+        if (!here)
+            continue;
+        used += (size_t)snprintf(text + used, sizeof text - used, "%s = %s\n",
+                                 key, value);
+        found = ++line;
+    }
+    return found;
+}
+
+/* What only shows beside other keys, or in the contact's units, or on the
+ * grid, still names the line of its key. */
+static void what_is_found_late_has_its_line(void **state)
+{
+    static const char *const late[][3] = {{"contact", "slide_to_roll", "1e999"},
+                                          {"contact", "speed_2", "1 m/s"},
+                                          {"domain", "inlet", "-1 um"},
+                                          {"domain", "outlet", "1 um"},
+                                          {"domain", "nodes", "100"},
+                                          {"solver", "mlmi_order", "5"},
+                                          {"solver", "mlmi_range", "5"},
+                                          {"time", "end", "1e6 s"},
+                                          {"load", "period", "2"},
+                                          {"load", "file", "nowhere.csv"},
+                                          {"load", "amplitude", "0.5"},
+                                          {"feature", "wavelength", "1"},
+                                          {"feature", "arrival", "2"},
+                                          {"feature", "repeat", "1e-5"},
+                                          {"feature", "depth", "10 mm"},
+                                          {"feature", "width", "1e6 mm"},
+                                          {"feature", "height", "0.1"},
+                                          {"feature", "radius", "1"},
+                                          {"output", "interval", "1e9 s"}};
+    (void)state;
+    for (size_t k = 0; k < sizeof late / sizeof *late; k++) {
+        int line = with(late[k][0], late[k][1], late[k][2]);
+        char place[40];
+        ovr_error err = {0};
+        if (resolve(text, &err) == OVR_OK)
+            fail_msg("[%s] %s = %s was taken", late[k][0], late[k][1],
+                     late[k][2]);
+        snprintf(place, sizeof place, "t.ini:%d: ", line);
+        if (strncmp(err.message, place, strlen(place)) != 0 || !err.about)
+            fail_msg("%s wanted: %s (about %s)", place, err.message,
+                     err.about ? err.about : "nothing");
+    }
+}
+
 /* --------------------------------------------------------- beyond memory */
 
 static size_t largest; /* piece asked for */
@@ -367,6 +457,7 @@ int main(void)
         cmocka_unit_test(every_default_is_allowed),
         cmocka_unit_test(what_is_missing_is_named),
         cmocka_unit_test(every_shape_asks_for_its_sizes),
+        cmocka_unit_test(what_is_found_late_has_its_line),
         cmocka_unit_test(memory_is_estimated_first),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -358,7 +358,7 @@ static void bounds_a_look(void **state)
 
 static void write_result(const char *path)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_write_options o = ovr_write_options_default();
     ovr_contact contact = test_contact_bare();
     test_dent d;
@@ -383,7 +383,7 @@ static void write_result(const char *path)
 /* Reads all there is; whether all of it could be read. */
 static bool read_all(const char *path)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_result *r = ovr_result_open(path, NULL, &err);
     const ovr_result_info *about = r ? ovr_result_about(r) : NULL;
     size_t most;

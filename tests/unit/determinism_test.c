@@ -20,7 +20,7 @@ typedef struct ending {
 /* A dent at a load that needs the continuation; false: not on this machine. */
 static bool run_on(const char *kernels, double M, ending *end)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_options o = ovr_options_default();
     test_feature dent = {'l', -0.02, 0.5, -1.2, 1, 0};
     ovr_march march = {.end = STEPS * 5.5 / (NODES - 1)};
@@ -82,7 +82,7 @@ static void same_cycles_on_a_fine_grid(void **state)
     int cycles[4] = {0};
     (void)state;
     for (int k = 0; k < 4; k++) {
-        ovr_error err = {OVR_OK, ""};
+        ovr_error err = {0};
         ovr_options o = ovr_options_default();
         const ovr_kernels *set = ovr_kernels_choose(names[k]);
         int count;

@@ -6,11 +6,29 @@
 
 static void fills_status_and_message(void **state)
 {
-    ovr_error err = {OVR_OK, "old"};
+    ovr_error err = {OVR_OK, "old", "key"};
     (void)state;
     assert_int_equal(ovr_fail(&err, OVR_IO, "%s: %d", "disk", 7), OVR_IO);
     assert_int_equal(err.status, OVR_IO);
     assert_string_equal(err.message, "disk: 7");
+    assert_null(err.about);
+}
+
+static void says_what_it_is_about(void **state)
+{
+    ovr_error err = {0}, placed = {0};
+    (void)state;
+    assert_int_equal(ovr_fail_about(&err, "depth", "depth = %d", -1),
+                     OVR_BAD_INPUT);
+    assert_string_equal(err.about, "depth");
+    assert_int_equal(ovr_fail_from(&placed, &err, "dent.ini", 12),
+                     OVR_BAD_INPUT);
+    assert_string_equal(placed.message, "dent.ini:12: depth = -1");
+    assert_string_equal(placed.about, "depth");
+    ovr_fail_from(&err, &err, "--depth", 0); /* in place */
+    assert_string_equal(err.message, "--depth: depth = -1");
+    assert_int_equal(ovr_fail_from(NULL, &err, NULL, 0), OVR_BAD_INPUT);
+    assert_int_equal(ovr_fail_about(NULL, "depth", "x"), OVR_BAD_INPUT);
 }
 
 static void accepts_no_error_object(void **state)
@@ -84,6 +102,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(fills_status_and_message),
+        cmocka_unit_test(says_what_it_is_about),
         cmocka_unit_test(accepts_no_error_object),
         cmocka_unit_test(names_file_and_line),
         cmocka_unit_test(cuts_what_is_too_long),

@@ -57,7 +57,7 @@ static void lacks_a_column(caller *c, const test_dent *dent)
 {
     ovr_write_options o = ovr_write_options_default();
     ovr_contact contact = test_contact_bare();
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_writer *w;
     hid_t file;
     o.path = c->good;
@@ -76,7 +76,7 @@ static void bad_results(caller *c)
 {
     ovr_write_options o = ovr_write_options_default();
     ovr_contact contact = test_contact_bare();
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     test_dent dent;
     expect(c, !ovr_result_open(c->bad, NULL, &err) && err.message[0]);
     expect(c, !ovr_result_open(c->none, NULL, &err));
@@ -99,7 +99,7 @@ static void bad_histories(caller *c)
     const double still[] = {0, 1, 1}, back[] = {0, 2, 1}, none[] = {0, NAN, 2};
     const double one[] = {1, 1, 1};
     const double *const times[] = {still, back, none};
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     for (size_t k = 0; k < 3; k++) {
         ovr_history_form form = {.kind = OVR_HISTORY_TABLE,
                                  .points = 3,
@@ -112,7 +112,7 @@ static void bad_histories(caller *c)
 static void bad_profile(caller *c)
 {
     ovr_profile_source source = ovr_profile_source_default();
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_profile *p;
     source.file = c->profile;
     p = ovr_profile_read(&source, NULL, &err);
@@ -122,7 +122,7 @@ static void bad_profile(caller *c)
 
 static void impossible_case(caller *c)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_case *given = ovr_case_read_text(
         "[contact]\nM = 1e9\nL = 0\n[domain]\nlevel = 4\n", "text", NULL, NULL,
         &err);

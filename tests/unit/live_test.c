@@ -17,7 +17,7 @@ enum { NODES = 225, STEPS = 1500, EVERY = 2 };
 /* Every snapshot is a flush: the worst that can be asked of a reader. */
 static void write_slowly(const char *path)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_write_options o = ovr_write_options_default();
     ovr_contact contact = test_contact_bare();
     struct timespec wait = {0, 300000};
@@ -42,7 +42,7 @@ static void write_slowly(const char *path)
 static void check_row(ovr_result *r, test_dent *d, size_t row)
 {
     double P[NODES], H[NODES];
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     test_dent_move(d, EVERY * (long)row);
     CHECK_OK(ovr_result_snapshot(r, "pressure", row, OVR_AS_STORED, P, &err),
              &err);
@@ -56,7 +56,7 @@ static void check_row(ovr_result *r, test_dent *d, size_t row)
 static void check_history(ovr_result *r, test_dent *d, size_t steps)
 {
     double T[STEPS + 1];
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     CHECK_OK(ovr_result_history(r, "time", OVR_AS_STORED, T, &err), &err);
     for (size_t k = 0; k < steps; k++)
         CHECK_NEAR(T[k], d->dT * (double)k, 0);
@@ -65,7 +65,7 @@ static void check_history(ovr_result *r, test_dent *d, size_t steps)
 /* One look: the newest rows and some of the old ones; how many there are. */
 static size_t look(const char *path, test_dent *d, uint64_t *seed, bool *ended)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_result *r = ovr_result_open(path, NULL, &err);
     const ovr_result_info *about;
     size_t rows;

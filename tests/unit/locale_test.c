@@ -18,7 +18,7 @@ enum { FILES = sizeof names / sizeof *names };
 static void save_profile(const char *path)
 {
     static const double x[] = {0, 0.5e-6, 1e-6}, z[] = {1e-7, -2.5e-7, 0};
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_profile *p = ovr_profile_create(3, x, z, false, NULL, &err);
     assert_non_null(p);
     CHECK_OK(ovr_profile_save(p, path, &err), &err);
@@ -28,7 +28,7 @@ static void save_profile(const char *path)
 static void save_pictures(const char *made, const char *page,
                           const char *picture, const char *script)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_result *r = ovr_result_open(made, NULL, &err);
     ovr_view_options view = ovr_view_options_default();
     ovr_picture_options look = ovr_picture_options_default();

@@ -81,7 +81,7 @@ static ovr_write_options options_for(const char *path)
 /* Runs to the end, or until the parent kills it; pauses keep it in reach. */
 static void run(ovr_writer *w, fake *f, long last, bool slowly)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_state_source source = {visit_fake, f};
     ovr_writer_source(w, source);
     if (f->step == 0)
@@ -97,7 +97,7 @@ static void run(ovr_writer *w, fake *f, long last, bool slowly)
 
 static void run_whole(const char *path, long last)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_write_options o = options_for(path);
     ovr_contact contact = test_contact_physical();
     test_dent dent;
@@ -119,7 +119,7 @@ static void run_and_kill(const char *path, double seconds)
     pid_t child = fork();
     int status;
     if (child == 0) {
-        ovr_error err = {OVR_OK, ""};
+        ovr_error err = {0};
         ovr_write_options o = options_for(path);
         ovr_contact contact = test_contact_physical();
         test_dent dent;
@@ -140,7 +140,7 @@ static void run_and_kill(const char *path, double seconds)
 
 static ovr_result *open_result(const char *path)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_result *r = ovr_result_open(path, NULL, &err);
     if (!r)
         fail_msg("%s", err.message);
@@ -153,7 +153,7 @@ static void check_prefix(const char *part, const char *whole, bool all)
     ovr_result *a = open_result(part), *b = open_result(whole);
     const ovr_result_info *ia = ovr_result_about(a), *ib = ovr_result_about(b);
     double x[STEPS + 1], y[STEPS + 1];
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     assert_true(ia->snapshots <= ib->snapshots && ia->steps <= ib->steps);
     if (all)
         assert_true(ia->snapshots == ib->snapshots && ia->steps == ib->steps);
@@ -178,7 +178,7 @@ static void check_prefix(const char *part, const char *whole, bool all)
 
 static void resume(const char *path, long last)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_write_options o = options_for(path);
     ovr_contact contact = test_contact_physical();
     ovr_restart *restart = ovr_restart_open(path, NULL, &err);
@@ -239,7 +239,7 @@ static void names_the_changed_parameter(void **state)
 {
     const char *path = test_path(*state, "a.h5");
     ovr_case_value changed[3];
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_restart *restart;
     run_whole(path, 20);
     restart = ovr_restart_open(path, NULL, &err);
@@ -264,7 +264,7 @@ static void refuses_damaged_checkpoints(void **state)
 {
     const char *path = test_path(*state, "a.h5");
     const char *file = test_path(*state, "a.h5.restart");
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     size_t bytes;
     char *data;
     run_whole(path, 20);
@@ -291,7 +291,7 @@ static void refuses_another_layout(void **state)
     const char *path = test_path(*state, "a.h5");
     ovr_write_options o = options_for(path);
     ovr_contact contact = test_contact_physical();
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_restart *restart;
     test_dent dent;
     size_t before, after;

@@ -28,7 +28,7 @@ static ovr_write_options options_for(const char *path)
 static void write_run(const ovr_write_options *o, const ovr_contact *contact,
                       test_dent *dent, long steps)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_writer *w = ovr_writer_create(o, contact, dent->n, dent->X, NULL, &err);
     assert_true(w || (print_error("%s\n", err.message), 0));
     for (long k = 0; k <= steps; k++) {
@@ -40,7 +40,7 @@ static void write_run(const ovr_write_options *o, const ovr_contact *contact,
 
 static ovr_result *open_result(const char *path)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_result *r = ovr_result_open(path, NULL, &err);
     if (!r)
         fail_msg("%s", err.message);
@@ -52,7 +52,7 @@ static void check_field(ovr_result *r, const char *name, size_t k,
                         double tolerance)
 {
     double values[NODES];
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     CHECK_OK(ovr_result_snapshot(r, name, k, units, values, &err), &err);
     for (size_t i = 0; i < NODES; i++)
         CHECK_NEAR(values[i], expected[i] * factor,
@@ -73,7 +73,7 @@ static void every_snapshot(ovr_result *r, test_dent *d, double tolerance)
 static void check_history(ovr_result *r, test_dent *d)
 {
     double T[STEPS + 1], cycles[STEPS + 1], spike[STEPS + 1];
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     CHECK_OK(ovr_result_history(r, "time", OVR_HERTZIAN, T, &err), &err);
     CHECK_OK(ovr_result_history(r, "cycles", OVR_HERTZIAN, cycles, &err), &err);
     CHECK_OK(ovr_result_history(r, "spike_pressure", OVR_HERTZIAN, spike, &err),
@@ -257,7 +257,7 @@ static void names_the_next_time(void **state)
 
 static void check_refused(const char *path, const char *part)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_result *r = ovr_result_open(path, NULL, &err);
     assert_null(r);
     CHECK_ERROR(&err, OVR_BAD_INPUT, part);
@@ -290,7 +290,7 @@ static void survives_truncation(void **state)
     write_run(&o, &contact, &d, STEPS);
     data = test_read(path, &bytes);
     for (size_t at = 0; at < bytes; at += 1 + bytes / 80) {
-        ovr_error err = {OVR_OK, ""};
+        ovr_error err = {0};
         ovr_result *r;
         test_write(cut, data, at);
         r = ovr_result_open(cut, NULL, &err);
@@ -337,7 +337,7 @@ static void follows_no_link_at_its_part(void **state)
     for (size_t k = 0; k < 3; k++) {
         char link[400];
         char *text;
-        ovr_error err = {OVR_OK, ""};
+        ovr_error err = {0};
         snprintf(link, sizeof link, "%s/%s", (char *)*state, part[k]);
         test_write_text(victim, "precious");
         assert_int_equal(symlink(victim, link), 0);
@@ -369,7 +369,7 @@ static void keeps_existing_files(void **state)
     const char *path = test_path(*state, "kept.h5");
     ovr_write_options o = options_for(path);
     ovr_contact contact = test_contact_bare();
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     test_dent d;
     char *text;
     test_dent_init(&d, NODES, 0);

@@ -41,7 +41,7 @@ static ovr_status watch(void *data, const ovr_simulation *sim, ovr_error *err)
 
 static void make_simulation(bench *b)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_conditions given = ovr_conditions_unknown();
     ovr_options options = ovr_options_default();
     ovr_lubricant lubricant;
@@ -72,7 +72,7 @@ static ovr_write_options options_for(const char *path)
 /* Marches until the end or b->stop and closes. */
 static void finish(bench *b)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_march march = {.end = END, .observe = watch, .data = b};
     ovr_status status;
     ovr_writer_checkpoints(b->writer, b->sim);
@@ -86,7 +86,7 @@ static void finish(bench *b)
 
 static void run(const char *path, long stop)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_write_options o = options_for(path);
     const ovr_state *state;
     bench b = {.stop = stop};
@@ -101,7 +101,7 @@ static void run(const char *path, long stop)
 
 static void resume(const char *path, long stop)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_write_options o = options_for(path);
     ovr_restart *restart = ovr_restart_open(path, NULL, &err);
     const ovr_state *state;

@@ -31,7 +31,7 @@ static void thin_films_name_a_level(void **state)
     static const double contacts[][2] = {{900, 5}, {650, 0.3}};
     (void)state;
     for (size_t k = 0; k < 2; k++) {
-        ovr_error err = {OVR_OK, ""};
+        ovr_error err = {0};
         double M = contacts[k][0], L = contacts[k][1];
         CHECK_STATUS(steady(M, L, 6, 0, &err), OVR_IMPOSSIBLE, &err);
         CHECK_ERROR(&err, OVR_IMPOSSIBLE, "too thin for the mesh");
@@ -47,7 +47,7 @@ static void one_grid_is_enough(void **state)
     (void)state;
     for (int level = 1; level <= 3; level++)
         for (double M = 0.5; M < 6; M *= 1.01) {
-            ovr_error err = {OVR_OK, ""};
+            ovr_error err = {0};
             CHECK_OK(steady(M, 10, level, 0, &err), &err);
         }
 }
@@ -56,7 +56,7 @@ static void one_grid_is_enough(void **state)
  * adds up to less than nothing once passed for converged. */
 static void negative_film_is_no_solution(void **state)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     (void)state;
     CHECK_STATUS(steady(937, 1.76, 6, 6, &err), OVR_IMPOSSIBLE, &err);
 }
@@ -65,7 +65,7 @@ static void negative_film_is_no_solution(void **state)
  * with all of it: each film is near the last. */
 static void levels_are_of_the_whole_load(void **state)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_options o = ovr_options_default();
     int count;
     (void)state;
@@ -90,7 +90,7 @@ static void wall(void *data, double T, size_t n, const double *X, double *S)
  * before the step. */
 static void what_cannot_be_is_taken_back(void **state)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_options o = ovr_options_default();
     ovr_march march = {.end = 4};
     (void)state;
