@@ -31,7 +31,7 @@ static ovr_result *open_made(const char *path)
 
 static ovr_status draw(ovr_result *r, ovr_picture_options *o, ovr_error *err)
 {
-    *err = (ovr_error){OVR_OK, ""};
+    *err = (ovr_error){0};
     return ovr_picture(&r, 1, o, NULL, err);
 }
 
