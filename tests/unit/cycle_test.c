@@ -37,7 +37,7 @@ static bool watch(void *data, ovr_hierarchy *grids, ovr_level *level,
 
 static ovr_simulation *solved(void)
 {
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_options o = ovr_options_default();
     o.level = LEVEL;
     ovr_simulation *sim = test_simulation(20, 10, &o);
@@ -101,7 +101,7 @@ static void what_is_attached_is_solved_for(void **state)
 {
     watcher w = {.changes = true};
     ovr_attached attached = {watch, &w};
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_simulation *sim = solved();
     ovr_cycling how = ovr_simulation_cycling(sim, 0);
     ovr_options o = *ovr_simulation_options(sim);
