@@ -28,7 +28,7 @@ COMPILES := 1
 endif
 
 PKG_CONFIG ?= pkg-config
-PKGS := gsl zlib inih libzip expat fftw3 fftw3f
+PKGS := gsl zlib libzip expat
 HDF5 := $(firstword $(foreach p,hdf5 hdf5-serial,\
           $(if $(shell $(PKG_CONFIG) --exists $(p) 2>/dev/null && echo y),$(p))))
 ifdef COMPILES

@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/quantity.h"
 
-#include <ctype.h>
-#include <locale.h>
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Factors are kept as times/over, one of them 1, so that 17 1/GPa is the
@@ -16,12 +12,39 @@ static const struct unit {
     double times, over;
 } units[] = {
     {"m", OVR_LENGTH, 1, 1},
+    {"metre", OVR_LENGTH, 1, 1},
+    {"metres", OVR_LENGTH, 1, 1},
+    {"meter", OVR_LENGTH, 1, 1},
+    {"meters", OVR_LENGTH, 1, 1},
+    {"cm", OVR_LENGTH, 1, 1e2},
     {"mm", OVR_LENGTH, 1, 1e3},
+    {"millimetre", OVR_LENGTH, 1, 1e3},
+    {"millimetres", OVR_LENGTH, 1, 1e3},
+    {"millimeter", OVR_LENGTH, 1, 1e3},
+    {"millimeters", OVR_LENGTH, 1, 1e3},
     {"um", OVR_LENGTH, 1, 1e6},
-    {"\302\265m", OVR_LENGTH, 1, 1e6}, /* micro sign, Greek mu, Latin-1 */
-    {"\316\274m", OVR_LENGTH, 1, 1e6},
-    {"\265m", OVR_LENGTH, 1, 1e6},
+    {"mum", OVR_LENGTH, 1, 1e6},
+    {"micron", OVR_LENGTH, 1, 1e6},
+    {"microns", OVR_LENGTH, 1, 1e6},
+    {"micrometre", OVR_LENGTH, 1, 1e6},
+    {"micrometres", OVR_LENGTH, 1, 1e6},
+    {"micrometer", OVR_LENGTH, 1, 1e6},
+    {"micrometers", OVR_LENGTH, 1, 1e6},
     {"nm", OVR_LENGTH, 1, 1e9},
+    {"nanometre", OVR_LENGTH, 1, 1e9},
+    {"nanometres", OVR_LENGTH, 1, 1e9},
+    {"nanometer", OVR_LENGTH, 1, 1e9},
+    {"nanometers", OVR_LENGTH, 1, 1e9},
+    {"pm", OVR_LENGTH, 1, 1e12},
+    {"angstrom", OVR_LENGTH, 1, 1e10},
+    {"angstroms", OVR_LENGTH, 1, 1e10},
+    {"inch", OVR_LENGTH, 0.0254, 1},
+    {"inches", OVR_LENGTH, 0.0254, 1},
+    {"mil", OVR_LENGTH, 2.54e-5, 1},
+    {"mils", OVR_LENGTH, 2.54e-5, 1},
+    {"uin", OVR_LENGTH, 2.54e-8, 1},
+    {"microinch", OVR_LENGTH, 2.54e-8, 1},
+    {"microinches", OVR_LENGTH, 2.54e-8, 1},
     {"Pa", OVR_PRESSURE, 1, 1},
     {"kPa", OVR_PRESSURE, 1e3, 1},
     {"MPa", OVR_PRESSURE, 1e6, 1},
@@ -47,8 +70,6 @@ static const struct unit {
     {"s", OVR_DURATION, 1, 1},
     {"ms", OVR_DURATION, 1, 1e3},
     {"us", OVR_DURATION, 1, 1e6},
-    {"\302\265s", OVR_DURATION, 1, 1e6},
-    {"\316\274s", OVR_DURATION, 1, 1e6},
 };
 enum { UNITS = sizeof units / sizeof units[0] };
 
@@ -77,8 +98,11 @@ const char *ovr_unit_si(ovr_dimension dimension)
 
 static const struct unit *find_unit(const char *name)
 {
+    char room[16];
+    ovr_line u = ovr_spelled((ovr_line){name, strlen(name), 0}, room);
     for (int i = 0; i < UNITS; i++)
-        if (!strcmp(units[i].name, name))
+        if (strlen(units[i].name) == u.size &&
+            ovr_line_starts(u, units[i].name))
             return &units[i];
     return NULL;
 }
@@ -89,77 +113,37 @@ double ovr_unit_value(const char *unit, ovr_dimension dimension)
     return u && u->dimension == dimension ? u->times / u->over : NAN;
 }
 
-/* ---------------------------------------------------------------- numbers */
-
-static const char *skip_digits(const char *s)
+double ovr_length_unit(ovr_line piece, bool bracketed)
 {
-    while (*s >= '0' && *s <= '9')
-        s++;
-    return s;
+    char room[16];
+    piece = ovr_spelled(piece, room);
+    if (piece.size == 1 && piece.text[0] != 'm')
+        return 0; /* M is mega */
+    if (bracketed && ovr_line_is(piece, "in"))
+        return 0.0254;
+    for (int k = 0; k < UNITS; k++)
+        if (units[k].dimension == OVR_LENGTH &&
+            ovr_line_is(piece, units[k].name))
+            return units[k].times / units[k].over;
+    return 0;
 }
 
-/* End of [+-] digits [. digits] [e [+-] digits], or NULL. */
-static const char *number_end(const char *s)
+const char *ovr_length_unit_name(double metres)
 {
-    const char *from, *point, *exponent;
-    if (*s == '+' || *s == '-')
-        s++;
-    from = s;
-    s = point = skip_digits(s);
-    if (*s == '.')
-        s = skip_digits(s + 1);
-    if (s - from == (*point == '.')) /* no digit on either side */
-        return NULL;
-    if (*s != 'e' && *s != 'E')
-        return s;
-    exponent = s + 1 + (s[1] == '+' || s[1] == '-');
-    return skip_digits(exponent) > exponent ? skip_digits(exponent) : s;
-}
-
-/* strtod, with a point for a point in every locale. */
-static double convert(const char *s)
-{
-    locale_t plain = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
-    locale_t users;
-    double value;
-    if (plain == (locale_t)0)
-        return NAN;
-    users = uselocale(plain);
-    value = strtod(s, NULL);
-    uselocale(users);
-    freelocale(plain);
-    return value;
-}
-
-static bool has_digits(const char *s, const char *end)
-{
-    for (; s < end && *s != 'e' && *s != 'E'; s++)
-        if (*s >= '1' && *s <= '9')
-            return true;
-    return false;
-}
-
-bool ovr_read_number(const char **text, double *value)
-{
-    char copy[64];
-    const char *end = number_end(*text);
-    size_t length = end ? (size_t)(end - *text) : 0;
-    if (!end || length >= sizeof copy)
-        return false;
-    memcpy(copy, *text, length);
-    copy[length] = '\0';
-    *value = convert(copy);
-    if (!isfinite(*value) || (*value == 0 && has_digits(copy, copy + length)))
-        return false;
-    *text = end;
-    return true;
+    for (int k = 0; k < UNITS; k++)
+        if (units[k].dimension == OVR_LENGTH &&
+            units[k].times / units[k].over == metres)
+            return units[k].name;
+    return "?";
 }
 
 /* ------------------------------------------------------------- quantities */
 
 static ovr_status no_number(const char *text, ovr_error *err)
 {
-    if (number_end(text))
+    const char *digit = text + (*text == '+' || *text == '-');
+    digit += *digit == '.';
+    if (*digit >= '0' && *digit <= '9')
         return ovr_fail(err, OVR_BAD_INPUT,
                         "'%.60s' is beyond the range of numbers", text);
     return ovr_fail(err, OVR_BAD_INPUT, "'%.60s' is not a number", text);

@@ -13,7 +13,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "overroll/error.h"
+#include "base/text.h"
 
 typedef enum ovr_dimension {
     OVR_PURE, /* no unit */
@@ -31,10 +31,6 @@ typedef struct ovr_quantity {
     const char *unit; /* as in the table of units; NULL: none */
 } ovr_quantity;
 
-/* Reads a number at *text and moves *text behind it; false when there is
- * none or it is out of range. */
-bool ovr_read_number(const char **text, double *value);
-
 /* Reads a whole text; `bare`: the unit may be missing.  The message says what
  * is wrong with the text and what would be right, and is about "unit" when the
  * unit is wrong or missing. */
@@ -43,6 +39,14 @@ ovr_status ovr_quantity_read(const char *text, ovr_dimension dimension,
 
 /* SI value of 1 `unit`, if it is one of the dimension; else NAN. */
 double ovr_unit_value(const char *unit, ovr_dimension dimension);
+
+/* Metres in a unit of length as instruments write it, in small letters or
+ * capitals ("um", "Microns", "inch", ...); 0: not one.  `bracketed` lets in
+ * what is otherwise a word ("in"). */
+double ovr_length_unit(ovr_line piece, bool bracketed);
+
+/* The first unit of length of that size, "?" for none. */
+const char *ovr_length_unit_name(double metres);
 
 /* "Pa.s, mPa.s, cP", and the SI unit alone; "" for a pure number. */
 const char *ovr_units_allowed(ovr_dimension dimension);

@@ -3,12 +3,13 @@
  * resolves to in resolve.c. */
 #include "case/case.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "base/entries.h"
+#include "base/text.h"
 #include "overroll/text.h"
 
 /* ----------------------------------------------------------------- blocks */
@@ -217,42 +218,15 @@ ovr_case *ovr_case_read_text(const char *text, const char *name,
     return c ? read_source(c, text, name, directory, err) : NULL;
 }
 
-/* Reads at most `most` bytes; more, or a NUL, is an error. */
-static ovr_status read_file(const char *path, char *text, size_t most,
-                            ovr_error *err)
-{
-    FILE *file = fopen(path, "rb");
-    size_t got;
-    bool broken;
-    if (!file)
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot read the case: %s",
-                        path, strerror(errno));
-    errno = 0;
-    got = fread(text, 1, most + 1, file);
-    broken = ferror(file);
-    fclose(file);
-    if (broken)
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot read the case: %s",
-                        path, strerror(errno));
-    if (got > most)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: is longer than a case may be (%zu bytes)", path,
-                        most);
-    text[got] = '\0';
-    if (strlen(text) != got)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: is not a case file: it is not text", path);
-    return OVR_OK;
-}
-
 ovr_case *ovr_case_read(const char *path, const ovr_allocator *allocator,
                         ovr_error *err)
 {
     ovr_arena scratch = ovr_arena_make(allocator);
-    char *text = ovr_arena_take(&scratch, OVR_CASE_MOST + 2, 1, err);
     char *folder = ovr_arena_text(&scratch, path, err);
+    const char *text;
     ovr_case *c = NULL;
-    if (text && folder && !read_file(path, text, OVR_CASE_MOST, err)) {
+    if (folder &&
+        !ovr_text_file(path, "case", OVR_CASE_MOST, &scratch, &text, err)) {
         char *slash = strrchr(folder, '/');
         if (slash)
             slash[slash == folder] = '\0';
@@ -327,21 +301,18 @@ ovr_status ovr_case_assign(ovr_case *c, const char *assignment,
 {
     const char *equals = strchr(assignment, '=');
     char where[2 * OVR_NAME_MOST + 2], value[OVR_LINE_MOST + 1];
-    size_t length = equals ? (size_t)(equals - assignment) : 0;
-    const char *from = equals ? equals + 1 : "";
-    size_t rest = strlen(from);
-    if (!equals || length >= sizeof where || rest >= sizeof value)
+    ovr_line left, right;
+    if (!equals)
+        equals = assignment;
+    left = ovr_trim((ovr_line){assignment, (size_t)(equals - assignment), 0});
+    right = (ovr_line){equals + 1, *equals ? strlen(equals + 1) : 0, 0};
+    right = ovr_trim(right);
+    if (!left.size || left.size >= sizeof where || right.size >= sizeof value)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: '%.60s' must be section.key=value", origin,
                         assignment);
-    snprintf(where, sizeof where, "%.*s", (int)length, assignment);
-    while (length && (where[length - 1] == ' ' || where[length - 1] == '\t'))
-        where[--length] = '\0';
-    from += strspn(from, " \t");
-    snprintf(value, sizeof value, "%s", from);
-    rest = strlen(value);
-    while (rest && (value[rest - 1] == ' ' || value[rest - 1] == '\t'))
-        value[--rest] = '\0';
+    snprintf(where, sizeof where, "%.*s", (int)left.size, left.text);
+    snprintf(value, sizeof value, "%.*s", (int)right.size, right.text);
     return ovr_case_set(c, where, value, origin, err);
 }
 

@@ -171,17 +171,9 @@ static void next_item(const char **text, const char *stops, char *item,
                       size_t room)
 {
     size_t length = strcspn(*text, stops);
-    const char *from = *text, *end = from + length;
-    *text = *end ? end + 1 : end;
-    while (from < end && (*from == ' ' || *from == '\t'))
-        from++;
-    while (end > from && (end[-1] == ' ' || end[-1] == '\t'))
-        end--;
-    length = (size_t)(end - from);
-    if (length >= room)
-        length = room - 1;
-    memcpy(item, from, length);
-    item[length] = '\0';
+    ovr_line line = ovr_trim((ovr_line){*text, length, 0});
+    *text += length + ((*text)[length] != '\0');
+    snprintf(item, room, "%.*s", (int)line.size, line.text);
 }
 
 static ovr_status read_list(const ovr_parameter *row, const char *text,

@@ -36,7 +36,7 @@ static void print_version(void)
     unsigned major = 0, minor = 0, release = 0;
     H5get_libversion(&major, &minor, &release);
     printf("overroll %s\n", OVERROLL_VERSION);
-    printf("GSL %s, HDF5 %u.%u.%u, zlib %s, libzip %s, %s, inih\n", gsl_version,
+    printf("GSL %s, HDF5 %u.%u.%u, zlib %s, libzip %s, %s\n", gsl_version,
            major, minor, release, zlibVersion(), zip_libzip_version(),
            XML_ExpatVersion());
 }

@@ -1,18 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Reading a study.  Its lists may be longer than the lines inih takes, and
- * its keys are not those of the table; so it is read here.
- */
+/* Reading a study: its keys name those of the case. */
 #include "run/study.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/entries.h"
 #include "overroll/text.h"
 
-enum { LINE_ROOM = 65536 };
+enum { LINE_MOST = 65534, STUDY_MOST = 1 << 22 };
 
 enum section { NO_SECTION, STUDY, SET, PRODUCT, ZIP };
 
@@ -31,27 +28,12 @@ static ovr_status fail(reading *r, const char *what, const char *about)
 
 /* ------------------------------------------------------------------ lines */
 
-/* Without comment and outer blanks. */
-static char *prepare(char *line)
-{
-    char *end;
-    line[strcspn(line, "#\r\n")] = '\0';
-    line += strspn(line, " \t");
-    end = line + strlen(line);
-    while (end > line && (end[-1] == ' ' || end[-1] == '\t'))
-        *--end = '\0';
-    return line;
-}
-
-static ovr_status open_section(reading *r, const char *line)
+static ovr_status open_section(reading *r, const char *header)
 {
     static const char *const names[] = {"study", "set", "product", "zip"};
     char name[64];
     const char *meant;
-    size_t length = strcspn(line + 1, " \t]");
-    if (line[strlen(line) - 1] != ']')
-        return fail(r, "'%.60s' must end with ']'", line);
-    snprintf(name, sizeof name, "%.*s", (int)length, line + 1);
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(header, " \t"), header);
     for (int i = 0; i < 4; i++)
         if (!strcmp(name, names[i])) {
             r->section = (enum section)(i + 1);
@@ -132,50 +114,31 @@ static ovr_status take_values(reading *r, const char *key, const char *value)
     return OVR_OK;
 }
 
-static ovr_status take_line(reading *r, char *line)
+static ovr_status take_entry(reading *r, const ovr_entry *entry)
 {
-    char *value, *end;
-    line = prepare(line);
-    if (!*line || *line == ';')
-        return OVR_OK;
-    if (*line == '[')
-        return open_section(r, line);
-    value = strchr(line, '=');
-    if (!value || value == line)
-        return fail(r, "'%.60s' must be 'key = value' or '[section]'", line);
-    for (end = value; end > line && (end[-1] == ' ' || end[-1] == '\t');)
-        end--;
-    value += 1 + strspn(value + 1, " \t");
-    *end = '\0';
-    if (!*value)
-        return fail(r, "%.60s: the value is missing", line);
-    if (r->section == NO_SECTION)
-        return fail(r, "%.60s: a [section] must come before", line);
-    return r->section == STUDY ? take_setting(r, line, value)
-                               : take_values(r, line, value);
+    r->line = entry->line;
+    if (entry->section)
+        return open_section(r, entry->section);
+    if (!*entry->value)
+        return fail(r, "%.60s: the value is missing", entry->key);
+    return r->section == STUDY ? take_setting(r, entry->key, entry->value)
+                               : take_values(r, entry->key, entry->value);
 }
 
 static ovr_status read_lines(reading *r)
 {
-    char *line = ovr_arena_take(&r->s->arena, LINE_ROOM, 1, r->err);
-    FILE *from = line ? fopen(r->s->path, "r") : NULL;
-    ovr_status status = OVR_OK;
-    if (line && !from)
-        return ovr_fail(r->err, OVR_BAD_INPUT, "%s: cannot be read: %s",
-                        r->s->path, strerror(errno));
-    if (!line)
-        return OVR_NO_MEMORY;
-    while (!status && fgets(line, LINE_ROOM, from)) {
-        r->line++;
-        if (strlen(line) == LINE_ROOM - 1)
-            status = fail(r, "%s", "the line is too long");
-        else
-            status = take_line(r, line);
-    }
-    if (!status && ferror(from))
-        status = ovr_fail(r->err, OVR_BAD_INPUT, "%s: cannot be read: %s",
-                          r->s->path, strerror(errno));
-    fclose(from);
+    ovr_study *s = r->s;
+    ovr_entries all;
+    ovr_entry entry;
+    const char *text;
+    ovr_status status = ovr_text_file(s->path, "study", STUDY_MOST, &s->arena,
+                                      &text, r->err);
+    if (!status)
+        status = ovr_entries_open(&all, text, s->path, LINE_MOST, &s->arena,
+                                  r->err);
+    while (!status && !(status = ovr_entries_next(&all, &entry, r->err)) &&
+           entry.line)
+        status = take_entry(r, &entry);
     return status;
 }
 

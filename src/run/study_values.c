@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "run/study.h"
 
 enum { VALUE_ROOM = 200 };
@@ -14,19 +15,14 @@ static char *trimmed(const char *from, const char *end, ovr_arena *arena,
                      ovr_error *err)
 {
     char text[VALUE_ROOM];
-    while (from < end && (*from == ' ' || *from == '\t'))
-        from++;
-    while (end > from && (end[-1] == ' ' || end[-1] == '\t'))
-        end--;
-    if (from == end) {
-        ovr_fail(err, OVR_BAD_INPUT, "a value of the list is missing");
+    ovr_line line = ovr_trim((ovr_line){from, (size_t)(end - from), 0});
+    if (!line.size || line.size >= VALUE_ROOM) {
+        ovr_fail(err, OVR_BAD_INPUT,
+                 line.size ? "a value is too long"
+                           : "a value of the list is missing");
         return NULL;
     }
-    if (end - from >= VALUE_ROOM) {
-        ovr_fail(err, OVR_BAD_INPUT, "a value is too long");
-        return NULL;
-    }
-    snprintf(text, sizeof text, "%.*s", (int)(end - from), from);
+    snprintf(text, sizeof text, "%.*s", (int)line.size, line.text);
     return ovr_arena_text(arena, text, err);
 }
 
@@ -67,12 +63,18 @@ typedef struct range {
 /* "0.1 um": the number, and the unit as it stands. */
 static bool read_end(const char *text, double *number, char *unit, size_t room)
 {
-    char *end;
-    *number = strtod(text, &end);
-    if (end == text || !isfinite(*number))
+    text += strspn(text, " \t");
+    if (!ovr_read_number(&text, number))
         return false;
-    end += strspn(end, " \t");
-    return snprintf(unit, room, "%s%s", *end ? " " : "", end) < (int)room;
+    text += strspn(text, " \t");
+    return snprintf(unit, room, "%s%s", *text ? " " : "", text) < (int)room;
+}
+
+static void copy_trimmed(char *to, const char *from, const char *end)
+{
+    ovr_line line = ovr_trim((ovr_line){from, (size_t)(end - from), 0});
+    memcpy(to, line.text, line.size);
+    to[line.size] = '\0';
 }
 
 /* "A to B in N" taken apart. */
@@ -86,20 +88,13 @@ static bool split_range(const char *text, char *from, char *to, size_t room,
     if (!last || (size_t)(middle - text) >= room ||
         (size_t)(last - middle - 4) >= room)
         return false;
-    snprintf(from, room, "%.*s", (int)(middle - text), text);
-    snprintf(to, room, "%.*s", (int)(last - middle - 4), middle + 4);
+    copy_trimmed(from, text, middle);
+    copy_trimmed(to, middle + 4, last);
     last += 4 + strspn(last + 4, " ");
     n = strtoul(last, &end, 10);
     *count = n;
     return *last >= '0' && *last <= '9' && !*end && n > 1 &&
            n <= OVR_STUDY_MOST_TASKS;
-}
-
-static void cut_blanks(char *text)
-{
-    size_t n = strlen(text);
-    while (n && (text[n - 1] == ' ' || text[n - 1] == '\t'))
-        text[--n] = '\0';
 }
 
 static ovr_status parse_range(const char *text, range *r, ovr_error *err)
@@ -111,7 +106,6 @@ static ovr_status parse_range(const char *text, range *r, ovr_error *err)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "'%.80s' must be '%s A to B in N', N at least 2", text,
                         r->log ? "log" : "linear");
-    cut_blanks(from), cut_blanks(to);
     if (!read_end(from, &r->from, unit, sizeof unit) ||
         !read_end(to, &r->to, r->unit, sizeof r->unit))
         return ovr_fail(err, OVR_BAD_INPUT, "'%.80s': A and B must be numbers",

@@ -3,7 +3,9 @@
 #ifndef OVR_SURFACE_COLUMNS_H
 #define OVR_SURFACE_COLUMNS_H
 
+#include "base/quantity.h"
 #include "surface/fields.h"
+#include "surface/profile.h"
 
 typedef struct ovr_text_table {
     ovr_profile *profile;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/fields.h"
+#include "base/quantity.h"
 
 #include <string.h>
 

@@ -3,7 +3,7 @@
 #ifndef OVR_SURFACE_FIELDS_H
 #define OVR_SURFACE_FIELDS_H
 
-#include "surface/text.h"
+#include "base/text.h"
 
 enum { OVR_FIELDS_MAX = 64 };
 

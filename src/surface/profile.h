@@ -6,7 +6,7 @@
 #ifndef OVR_SURFACE_PROFILE_H
 #define OVR_SURFACE_PROFILE_H
 
-#include "base/arena.h"
+#include "base/text.h"
 #include "overroll/profile.h"
 
 enum {
@@ -25,11 +25,6 @@ struct ovr_profile {
                          0: not known */
     char notes[OVR_NOTES_SIZE];
 };
-
-typedef struct ovr_bytes {
-    const char *data;
-    size_t size;
-} ovr_bytes;
 
 typedef ovr_status ovr_reader(ovr_profile *profile,
                               const ovr_profile_source *source,

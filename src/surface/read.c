@@ -10,7 +10,7 @@
 #include <string.h>
 #include <zlib.h>
 
-#include "surface/text.h"
+#include "base/text.h"
 
 /* ----------------------------------------------------------- the content */
 

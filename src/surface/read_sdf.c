@@ -10,8 +10,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "surface/binary.h"
-#include "surface/text.h"
+#include "surface/profile.h"
 
 enum { HEADER = 81 };
 

@@ -13,7 +13,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "surface/text.h"
+#include "base/quantity.h"
+#include "surface/profile.h"
 
 static const char ETX = 3;
 

@@ -10,8 +10,8 @@
 #include <string.h>
 #include <zip.h>
 
+#include "base/text.h"
 #include "surface/binary.h"
-#include "surface/text.h"
 #include "surface/x3p.h"
 
 typedef struct package {

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "surface/text.h"
+#include "base/text.h"
 #include "surface/x3p.h"
 
 enum { DEPTH = 16, NAME = 32, TEXT = 256 };

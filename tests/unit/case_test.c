@@ -145,7 +145,7 @@ static void bad_text_is_refused(void **state)
     refused(line, "t.ini:1: the line is too long");
     line[60] = '=';
     line[100] = '\0';
-    refused(line, "t.ini:1: the key is too long");
+    refused(join("[contact]\n", line), "t.ini:2: the key is too long");
     line[0] = '[';
     line[99] = ']';
     refused(line, "is longer than 48");
@@ -183,7 +183,7 @@ static void contradictions_name_their_line(void **state)
             "[feature a] needs a shape");
     refused(join(moes, "[domain]\nlevel = 1\n[feature a]\nstart = -5\n"
                        "shape = roughness\nRq = 0.01\nlength = 1e-6\n"),
-            "t.ini:6: the profile is 1e-06 long, less than the "
+            "t.ini:6: the profile is 1e-06 b long, less than the "
             "mesh of 0.39");
     refused(join(moes, "[feature a]\nshape = dent\ndepth = 1\nwidth = 1\n"
                        "start = -5\nwavelength = 3\n"),

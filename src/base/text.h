@@ -1,16 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Text from anywhere: lines of any ending, fields of any separator, numbers
- * of any locale, length units as people write them.  Nothing is copied; a
- * piece of text is a pointer and a size.
+ * Text from anywhere: lines of any ending, fields of any separator, numbers.
+ * Nothing is copied; a piece of text is a pointer and a size.
  */
-#ifndef OVR_SURFACE_TEXT_H
-#define OVR_SURFACE_TEXT_H
+#ifndef OVR_BASE_TEXT_H
+#define OVR_BASE_TEXT_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "surface/profile.h"
+#include "base/arena.h"
+
+typedef struct ovr_bytes {
+    const char *data;
+    size_t size;
+} ovr_bytes;
 
 typedef struct ovr_line {
     const char *text;
@@ -40,17 +44,18 @@ bool ovr_line_is(ovr_line line, const char *word); /* without case */
 /* The next word between blanks or NULs, taken off `rest`. */
 bool ovr_next_piece(ovr_line *rest, ovr_line *piece);
 
-/* The whole piece is one decimal number, with '.' or, if `comma`, ','. */
+/* A decimal number with a point, whatever the locale, at *text, which moves
+ * behind it; false when there is none or it is out of range. */
+bool ovr_read_number(const char **text, double *value);
+
+/* The same as a whole piece, as instruments write it: with an exponent of 'd'
+ * too and, if `comma`, a comma for the point. */
 bool ovr_number(ovr_line piece, bool comma, double *value);
 /* The whole piece is a sign for no value: NaN, BAD, ---, nothing... */
 bool ovr_is_missing(ovr_line piece);
 
-/* Metres in a unit of length ("um", "microns", "inch", ...); 0: not one.
- * `bracketed` lets in what is otherwise a word ("in"). */
-double ovr_length_unit(ovr_line piece, bool bracketed);
-
-/* The first unit of that size, "?" for none. */
-const char *ovr_length_unit_name(double metres);
+/* "\302\265m" (of any encoding) becomes "um", in `room`. */
+ovr_line ovr_spelled(ovr_line unit, char room[16]);
 
 /* A piece fit for a message: printable ASCII, shortened, NUL-ended. */
 typedef struct ovr_quoted {

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "surface/text.h"
+#include "base/text.h"
 
-#include <locale.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "base/plain.h"
 
 /* -------------------------------------------------------------- encoding */
 
@@ -154,50 +155,73 @@ bool ovr_line_is(ovr_line line, const char *word)
 
 /* --------------------------------------------------------------- numbers */
 
-static bool is_digit(char c)
+static const char *skip_digits(const char *s, const char *end)
 {
-    return c >= '0' && c <= '9';
+    while (s < end && *s >= '0' && *s <= '9')
+        s++;
+    return s;
 }
 
-/* Copies [sign] digits [point digits] [exponent] into `out` with the
- * locale's point; false if the piece is anything else. */
-static bool canonical(ovr_line piece, bool comma, char *out, size_t room)
+/* End of [+-] digits [. digits] [e [+-] digits], or NULL. */
+static const char *number_end(const char *s, const char *end, char point,
+                              const char *exponents)
 {
-    const char *p = piece.text, *end = p + piece.size;
-    char point = localeconv()->decimal_point[0];
-    size_t digits = 0, used = 0;
-    if (piece.size + 1 > room)
+    const char *from, *after, *digits;
+    s += s < end && (*s == '+' || *s == '-');
+    from = s;
+    s = after = skip_digits(s, end);
+    if (s < end && (*s == '.' || *s == point))
+        s = skip_digits(s + 1, end);
+    if (s - from == (s > after)) /* no digit on either side */
+        return NULL;
+    if (s == end || !*s || !strchr(exponents, *s))
+        return s;
+    digits = s + 1;
+    digits += digits < end && (*digits == '+' || *digits == '-');
+    return skip_digits(digits, end) > digits ? skip_digits(digits, end) : s;
+}
+
+/* strtod, with a point for a point in every locale. */
+static bool convert(const char *from, const char *end, double *value)
+{
+    char copy[128];
+    size_t length = (size_t)(end - from);
+    locale_t before;
+    if (length >= sizeof copy)
         return false;
-    if (p < end && (*p == '+' || *p == '-'))
-        out[used++] = *p++;
-    for (; p < end && is_digit(*p); digits++)
-        out[used++] = *p++;
-    if (p < end && (*p == '.' || (comma && *p == ',')))
-        for (out[used++] = point, p++; p < end && is_digit(*p); digits++)
-            out[used++] = *p++;
-    if (!digits)
-        return false;
-    if (p < end && (lower(*p) == 'e' || lower(*p) == 'd')) {
-        out[used++] = 'e', p++;
-        if (p < end && (*p == '+' || *p == '-'))
-            out[used++] = *p++;
-        if (p == end)
+    for (size_t k = 0; k < length; k++)
+        copy[k] = from[k] == ',' ? '.' : lower(from[k]) == 'd' ? 'e' : from[k];
+    copy[length] = '\0';
+    before = ovr_plain_begin();
+    *value = strtod(copy, NULL);
+    ovr_plain_end(before);
+    return isfinite(*value);
+}
+
+static bool is_zero(const char *s, const char *end)
+{
+    for (; s < end && *s != 'e' && *s != 'E'; s++)
+        if (*s >= '1' && *s <= '9')
             return false;
-        while (p < end && is_digit(*p))
-            out[used++] = *p++;
-    }
-    out[used] = 0;
-    return p == end;
+    return true;
 }
 
-/* strtod follows the program's locale, files do not. */
+bool ovr_read_number(const char **text, double *value)
+{
+    const char *from = *text, *stop = from + strlen(from);
+    const char *end = number_end(from, stop, '.', "eE");
+    if (!end || !convert(from, end, value) ||
+        (*value == 0 && !is_zero(from, end)))
+        return false;
+    *text = end;
+    return true;
+}
+
 bool ovr_number(ovr_line piece, bool comma, double *value)
 {
-    char text[128];
-    if (!canonical(piece, comma, text, sizeof text))
-        return false;
-    *value = strtod(text, NULL);
-    return isfinite(*value);
+    const char *end = piece.text + piece.size;
+    return number_end(piece.text, end, comma ? ',' : '.', "eEdD") == end &&
+           convert(piece.text, end, value);
 }
 
 bool ovr_is_missing(ovr_line piece)
@@ -213,46 +237,6 @@ bool ovr_is_missing(ovr_line piece)
 
 /* ----------------------------------------------------------------- units */
 
-static const struct unit {
-    const char *name;
-    double metres;
-} units[] = {
-    {"m", 1},
-    {"metre", 1},
-    {"metres", 1},
-    {"meter", 1},
-    {"meters", 1},
-    {"cm", 1e-2},
-    {"mm", 1e-3},
-    {"millimetre", 1e-3},
-    {"millimetres", 1e-3},
-    {"millimeter", 1e-3},
-    {"millimeters", 1e-3},
-    {"um", 1e-6},
-    {"mum", 1e-6},
-    {"micron", 1e-6},
-    {"microns", 1e-6},
-    {"micrometre", 1e-6},
-    {"micrometres", 1e-6},
-    {"micrometer", 1e-6},
-    {"micrometers", 1e-6},
-    {"nm", 1e-9},
-    {"nanometre", 1e-9},
-    {"nanometres", 1e-9},
-    {"nanometer", 1e-9},
-    {"nanometers", 1e-9},
-    {"pm", 1e-12},
-    {"angstrom", 1e-10},
-    {"angstroms", 1e-10},
-    {"inch", 0.0254},
-    {"inches", 0.0254},
-    {"mil", 2.54e-5},
-    {"mils", 2.54e-5},
-    {"uin", 2.54e-8},
-    {"microinch", 2.54e-8},
-    {"microinches", 2.54e-8},
-};
-
 /* Bytes of a micro sign at the start: UTF-8 (micro or Greek mu), Latin-1. */
 static size_t micro(ovr_line piece)
 {
@@ -262,31 +246,14 @@ static size_t micro(ovr_line piece)
     return ovr_line_starts(piece, "\xB5") ? 1 : 0;
 }
 
-double ovr_length_unit(ovr_line piece, bool bracketed)
+ovr_line ovr_spelled(ovr_line unit, char room[16])
 {
-    char spelled[16];
-    size_t sign = micro(piece);
-    if (sign && piece.size - sign + 2 < sizeof spelled) {
-        spelled[0] = 'u';
-        memcpy(spelled + 1, piece.text + sign, piece.size - sign);
-        piece = (ovr_line){spelled, piece.size - sign + 1, 0};
-    }
-    if (piece.size == 1 && piece.text[0] != 'm')
-        return 0; /* M is mega */
-    if (bracketed && ovr_line_is(piece, "in"))
-        return 0.0254;
-    for (size_t k = 0; k < sizeof units / sizeof units[0]; k++)
-        if (ovr_line_is(piece, units[k].name))
-            return units[k].metres;
-    return 0;
-}
-
-const char *ovr_length_unit_name(double metres)
-{
-    for (size_t k = 0; k < sizeof units / sizeof units[0]; k++)
-        if (units[k].metres == metres)
-            return units[k].name;
-    return "?";
+    size_t sign = micro(unit), rest = unit.size - sign;
+    if (!sign || rest >= 15)
+        return unit;
+    room[0] = 'u';
+    memcpy(room + 1, unit.text + sign, rest);
+    return (ovr_line){room, rest + 1, unit.number};
 }
 
 ovr_quoted ovr_quote(ovr_line piece)
@@ -304,37 +271,4 @@ ovr_quoted ovr_quote(ovr_line piece)
         memcpy(quoted.text + used, "...", 3), used += 3;
     quoted.text[used] = 0;
     return quoted;
-}
-
-static bool is_scaled(const char *unit, const char *scaled)
-{
-    return !strcmp(unit, scaled) ||
-           (!strcmp(scaled, "b^2/R") && !strcmp(unit, "b2/R"));
-}
-
-ovr_status ovr_length_read(const char *text, const char *scaled,
-                           ovr_length *length, ovr_error *err)
-{
-    size_t digits = strspn(text, " +-0123456789.");
-    ovr_line unit;
-    double metres;
-    if (text[digits] == 'e' || text[digits] == 'E')
-        digits += strspn(text + digits, "eE+-0123456789");
-    unit = ovr_trim((ovr_line){text + digits, strlen(text + digits), 0});
-    metres = ovr_length_unit(unit, true);
-    if (!ovr_number(ovr_trim((ovr_line){text, digits, 0}), false,
-                    &length->value))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "a length with its unit is wanted, like '12 um'");
-    length->unit = !unit.size                     ? OVR_LENGTH_BARE
-                   : is_scaled(unit.text, scaled) ? OVR_LENGTH_SCALED
-                                                  : OVR_LENGTH_METRES;
-    if (length->unit == OVR_LENGTH_METRES && !(metres > 0))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "unknown unit '%s'; m, mm, um, nm, inch, ..., or %s is "
-                        "wanted",
-                        ovr_quote(unit).text, scaled);
-    if (length->unit == OVR_LENGTH_METRES)
-        length->value *= metres;
-    return OVR_OK;
 }
