@@ -73,6 +73,34 @@ typedef struct ovr_contact {
 OVR_API ovr_status ovr_contact_resolve(const ovr_conditions *given,
                                        ovr_contact *contact, ovr_error *err);
 
+/* ---------------------------------------------------------------- kinds */
+
+/* What a number measures: its scale and its units follow from that. */
+typedef enum ovr_unit_kind {
+    OVR_KIND_NUMBER,    /* a pure number */
+    OVR_KIND_COUNT,     /* a whole one */
+    OVR_KIND_FLAG,      /* 0 or 1 */
+    OVR_KIND_LENGTH,    /* along x: b */
+    OVR_KIND_HEIGHT,    /* film thickness, roughness: b^2/R */
+    OVR_KIND_PRESSURE,  /* ph */
+    OVR_KIND_TIME,      /* b/um */
+    OVR_KIND_VISCOSITY, /* eta0 */
+    OVR_KIND_FLOW,      /* per unit width: um b^2/R */
+    OVR_KINDS           /* how many; also: one that this version lacks */
+} ovr_unit_kind;
+
+typedef struct ovr_kind_info {
+    const char *name;     /* "pressure"; in result files */
+    const char *si;       /* "Pa" */
+    const char *hertzian; /* "ph" */
+} ovr_kind_info;
+OVR_API const ovr_kind_info *ovr_kind_about(ovr_unit_kind kind);
+OVR_API ovr_unit_kind ovr_kind_named(const char *name);
+
+/* SI value of the dimensionless 1; NAN where it is not known, 1 for what the
+ * contact does not scale. */
+OVR_API double ovr_kind_scale(ovr_unit_kind kind, const ovr_contact *contact);
+
 /* Central film thickness of Moes' line-contact formula, as H = h R/b^2
  * (incompressible film; Moes number times pi/(8 M)). */
 OVR_API double ovr_film_central_moes(double M, double L);

@@ -20,17 +20,10 @@ extern "C" {
 
 /* ---------------------------------------------------------------- writer */
 
-/* Fields that a snapshot may hold. */
-enum {
-    OVR_FIELD_PRESSURE = 1 << 0,
-    OVR_FIELD_FILM = 1 << 1,
-    OVR_FIELD_ROUGHNESS = 1 << 2,
-    OVR_FIELD_DENSITY = 1 << 3,   /* relative to ambient */
-    OVR_FIELD_VISCOSITY = 1 << 4, /* relative; Pa s when eta0 is known */
-    OVR_FIELD_MASS_FLOW = 1 << 5, /* rho/rho0 times flow per unit width */
-    OVR_FIELD_CAVITATED = 1 << 6, /* 1 where P = 0, else 0 */
-    OVR_FIELDS_DEFAULT = 7
-};
+/* What a snapshot holds: a bit for each field of the observables, ored; 0 for
+ * a name that is none.  Pressure, film thickness and roughness. */
+OVR_API unsigned ovr_field_bit(const char *name);
+enum { OVR_FIELDS_DEFAULT = 7 };
 
 /* One parameter of the case, stored as an attribute of the group `case`. */
 typedef struct ovr_case_value {
@@ -51,7 +44,7 @@ typedef struct ovr_write_options {
     double every_time; /* b/um; 0: not by time */
     size_t time_count; /* given times, any order, b/um; copied */
     const double *times;
-    unsigned fields;            /* OVR_FIELD_... ored */
+    unsigned fields;            /* of ovr_field_bit */
     bool single;                /* f32 instead of f64 */
     double x_from, x_to;        /* window in X; NAN: the whole domain */
     size_t stride;              /* every so many nodes; 1 */
@@ -85,12 +78,14 @@ OVR_API ovr_writer *ovr_writer_create(const ovr_write_options *options,
                                       const ovr_allocator *allocator,
                                       ovr_error *err);
 
-/* What a writer records: rho, eta and flow as ovr_simulation_fields gives
- * them, needed at snapshots only and only for fields that are stored. */
+/* What a writer records.  `field` is asked at snapshots only, for the fields
+ * that are stored: values as in ovr_observable, where they lie or in `room`. */
 typedef struct ovr_frame {
     const ovr_state *state;
     const ovr_observation *seen;
-    const double *rho, *eta, *flow;
+    const double *(*field)(const void *source, const ovr_observable *which,
+                           double *room);
+    const void *source;
 } ovr_frame;
 OVR_API ovr_status ovr_writer_record(ovr_writer *writer, const ovr_frame *frame,
                                      ovr_error *err);
@@ -217,12 +212,24 @@ OVR_API ovr_result *ovr_result_open(const char *path,
 OVR_API void ovr_result_close(ovr_result *result);
 OVR_API const ovr_result_info *ovr_result_about(const ovr_result *result);
 
-/* A variable of the file: a field of the snapshots or a column of history. */
+/* A variable of the file: x, time, a field of the snapshots, a column of the
+ * history, or what another program version stores in groups of its own. */
+enum { OVR_MOST_RANK = 4 };
 typedef struct ovr_variable {
     const char *name, *long_name;
-    const char *unit; /* as stored; "1": dimensionless */
-    double scale;     /* SI value of the dimensionless 1; NAN unknown */
+    const char *unit;   /* as stored; "1": dimensionless */
+    double scale;       /* SI value of the dimensionless 1; NAN unknown */
+    ovr_unit_kind kind; /* OVR_KINDS: one that this version does not know */
+    const char *path;   /* "pressure", "history/load" */
+    int rank;           /* numbers of dimensions, and their lengths; */
+    size_t shape[OVR_MOST_RANK]; /* first those rows that are complete */
 } ovr_variable;
+
+/* All variables: the k-th, or by path; NULL: there is none. */
+OVR_API const ovr_variable *ovr_result_variable(const ovr_result *result,
+                                                size_t k);
+OVR_API const ovr_variable *ovr_result_find(const ovr_result *result,
+                                            const char *path);
 
 /* The fields of each snapshot ("pressure", ...) and the columns of the
  * history ("time", "min_film_thickness", ...): the count, and the k-th. */
@@ -251,6 +258,11 @@ OVR_API ovr_status ovr_result_times(ovr_result *result, ovr_units units,
 OVR_API ovr_status ovr_result_snapshot(ovr_result *result, const char *field,
                                        size_t k, ovr_units units,
                                        double *values, ovr_error *err);
+/* Any variable by its path: all of it when it has one dimension, else row
+ * `row`, the product of the other lengths. */
+OVR_API ovr_status ovr_result_read(ovr_result *result, const char *path,
+                                   size_t row, ovr_units units, double *values,
+                                   ovr_error *err);
 OVR_API ovr_status ovr_result_history(ovr_result *result, const char *name,
                                       ovr_units units, double *values,
                                       ovr_error *err);

@@ -140,12 +140,6 @@ typedef struct ovr_state {
 } ovr_state;
 OVR_API const ovr_state *ovr_simulation_state(const ovr_simulation *sim);
 
-/* Fills rho, eta (relative density and viscosity) and flow (mass flow
- * rho H - eps dP/dX at the half nodes i+1/2, n-1 values) of the state now; any
- * may be NULL. */
-OVR_API void ovr_simulation_fields(const ovr_simulation *sim, double *rho,
-                                   double *eta, double *flow);
-
 /* What is observed after a solve or step; definitions in the manual. */
 typedef struct ovr_observation {
     double T, dT;
@@ -193,17 +187,38 @@ typedef struct ovr_refinement {
 OVR_API const ovr_refinement *
 ovr_simulation_refinements(const ovr_simulation *sim, int *count);
 
-/* One row a quantity of the observation, so that tables, files and help are
- * made from one list. */
+/* ----------------------------------------------------------- quantities */
+
+/* Over what a quantity is spread. */
+typedef enum ovr_axes {
+    OVR_AT_STEPS,   /* one number a step: a column of the history */
+    OVR_AT_NODES,   /* along x */
+    OVR_AT_HALVES,  /* at the half nodes; files hold the means at the nodes */
+    OVR_AT_DEPTHS,  /* along x, depth by depth */
+    OVR_AT_MATERIAL /* along a surface that moves, depth by depth */
+} ovr_axes;
+
+/* One row a quantity: result files, JSON, tables and help are made from this
+ * list.  A number a step is a member of ovr_observation; the values of a field
+ * are made when they are asked for. */
 typedef struct ovr_observable {
-    const char *name;      /* "min_film_thickness" */
+    const char *name;      /* "min_film_thickness"; NULL: not in files */
+    const char *key;       /* "H_min_located", of JSON; NULL: not there */
+    const char *key_si;    /* the same in SI; NULL: not there */
     const char *long_name; /* one line for people */
-    char kind;             /* what scales it: 'H' b^2/R, 'X' b, 'P' ph, 'T'
-                              b/um, '1' none, 'i' integer, 'b' flag */
-    size_t offset;         /* in ovr_observation */
+    ovr_unit_kind kind;
+    ovr_axes axes;
+    size_t offset; /* of a number: in ovr_observation */
+    /* Of a field: its values now, at all nodes (half nodes: one less); where
+     * they lie already, or in `room` for as many values. */
+    const double *(*field)(const ovr_simulation *sim, double *room);
 } ovr_observable;
-/* Ends with name NULL. */
-OVR_API const ovr_observable *ovr_observables(void);
+
+/* NULL past the end.  By name: a field, or a column of the history. */
+OVR_API const ovr_observable *ovr_observable_at(size_t k);
+OVR_API const ovr_observable *ovr_observable_field(const char *name);
+OVR_API const ovr_observable *ovr_observable_column(const char *name);
+
 OVR_API double ovr_observable_value(const ovr_observable *which,
                                     const ovr_observation *from);
 

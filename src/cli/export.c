@@ -22,41 +22,14 @@ typedef struct job {
 
 /* ---------------------------------------------------------------- columns */
 
-/* Unit of a variable in the units asked for. */
-static const char *unit_in(const job *j, const ovr_variable *v, char kind)
+/* The values of a new column, with the variable's unit in those asked for. */
+static double *add_column(job *j, const char *name, const ovr_variable *v)
 {
-    static const char *const si[] = {"m", "m", "Pa", "s"};
-    static const char *const hertzian[] = {"b", "b^2/R", "ph", "b/um"};
-    const char *kinds = "XHPT", *at = kind ? strchr(kinds, kind) : NULL;
+    const ovr_kind_info *kind = ovr_kind_about(v->kind);
     bool stored_si = strcmp(v->unit, "1") != 0;
-    bool wanted_si = j->units == OVR_SI ||
-                     (j->units == OVR_AS_STORED && stored_si);
-    if (stored_si && wanted_si)
-        return v->unit;
-    if (!at)
-        return "1";
-    return wanted_si ? si[at - kinds] : hertzian[at - kinds];
-}
-
-static bool near(double a, double b)
-{
-    return fabs(a - b) <= 1e-12 * fabs(b);
-}
-
-/* What scales a variable: seen from its scale, as the file has no kinds. */
-static char kind_of(const job *j, const ovr_variable *v)
-{
-    if (strcmp(v->name, "time") == 0)
-        return 'T';
-    if (near(v->scale, j->about->ph))
-        return 'P';
-    if (near(v->scale, j->about->b))
-        return 'X';
-    return near(v->scale, j->about->height) ? 'H' : '\0';
-}
-
-static double *add_column(job *j, const char *name, const char *unit)
-{
+    const char *unit = j->units == OVR_SI ? kind->si : kind->hertzian;
+    if (stored_si && j->units != OVR_HERTZIAN)
+        unit = v->unit;
     return cli_table_add(j->table, name, unit, j->err);
 }
 
@@ -88,15 +61,12 @@ static ovr_status add_snapshot(job *j, size_t k)
 {
     const ovr_variable *field;
     double *x;
-    ovr_variable position = {"x", "", j->about->physical ? "m" : "1",
-                             j->about->b};
     j->table->rows = j->about->nodes;
-    x = add_column(j, "x", unit_in(j, &position, 'X'));
+    x = add_column(j, "x", ovr_result_find(j->result, "x"));
     if (!x || ovr_result_x(j->result, j->units, x, j->err))
         return j->err->status;
     for (size_t f = 0; (field = wanted_field(j, f)); f++) {
-        double *values = add_column(j, field->name,
-                                    unit_in(j, field, kind_of(j, field)));
+        double *values = add_column(j, field->name, field);
         if (!values || ovr_result_snapshot(j->result, field->name, k, j->units,
                                            values, j->err))
             return j->err->status;
@@ -109,7 +79,7 @@ static ovr_status add_history(job *j)
     j->table->rows = j->about->steps;
     for (size_t k = 0; k < ovr_result_columns(j->result); k++) {
         const ovr_variable *v = ovr_result_column(j->result, k);
-        double *values = add_column(j, v->name, unit_in(j, v, kind_of(j, v)));
+        double *values = add_column(j, v->name, v);
         if (!values ||
             ovr_result_history(j->result, v->name, j->units, values, j->err))
             return j->err->status;
@@ -142,7 +112,7 @@ static ovr_status add_series(job *j, const ovr_variable *field, double X,
     char name[160];
     double *values;
     snprintf(name, sizeof name, "%s(X=%g)", field->name, X);
-    values = add_column(j, name, unit_in(j, field, kind_of(j, field)));
+    values = add_column(j, name, field);
     if (!values)
         return j->err->status;
     for (size_t k = 0; k < j->about->snapshots; k++) {
@@ -169,12 +139,10 @@ static ovr_status check_position(const job *j, const char *text,
 static ovr_status add_all_series(job *j, double *x, double *row)
 {
     const ovr_variable *field;
-    ovr_variable time = {"time", "", j->about->physical ? "s" : "1",
-                         j->about->time};
     double *T, X;
     const char *text;
     j->table->rows = j->about->snapshots;
-    T = add_column(j, "time", unit_in(j, &time, 'T'));
+    T = add_column(j, "time", ovr_result_find(j->result, "time"));
     if (!T || ovr_result_times(j->result, j->units, T, j->err) ||
         ovr_result_x(j->result, OVR_HERTZIAN, x, j->err))
         return j->err->status;

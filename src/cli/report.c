@@ -41,32 +41,21 @@ void cli_json_contact(json_writer *json, const ovr_contact *contact)
     json_number(json, "mean_speed_m_per_s", contact->um);
 }
 
-static void json_observed(json_writer *json, const ovr_observation *o,
+/* All quantities that have a key, as they are at the end. */
+static void json_observed(json_writer *json, const ovr_observation *seen,
                           const ovr_contact *contact)
 {
-    json_number(json, "H_min", o->H_min);
-    json_number(json, "X_min", o->X_min);
-    json_number(json, "H_cen", o->H_cen);
-    json_number(json, "H0", o->H0);
-    json_number(json, "P_max", o->P_max);
-    json_number(json, "X_P_max", o->X_P_max);
-    json_number(json, "P_spike", o->P_spike);
-    json_number(json, "X_spike", o->X_spike);
-    json_number(json, "load", o->load);
-    json_number(json, "mass_flow", o->mass_flow);
-    json_number(json, "residual", o->residual);
-    json_integer(json, "cycles", o->cycles);
-    json_number(json, "H_min_located", o->H_min_located);
-    json_number(json, "X_min_located", o->X_min_located);
-    json_number(json, "P_spike_located", o->P_spike_located);
-    json_number(json, "X_spike_located", o->X_spike_located);
-    json_number(json, "P_cen", o->P_cen);
-    json_number(json, "X_cavitation", o->X_cavitation);
-    json_number(json, "mass_balance", o->mass_balance);
-    json_integer(json, "maxima", o->maxima);
-    json_number(json, "min_film_m", o->H_min * contact->height);
-    json_number(json, "central_film_m", o->H_cen * contact->height);
-    json_number(json, "max_pressure_Pa", o->P_max * contact->ph);
+    const ovr_observable *o;
+    for (size_t k = 0; (o = ovr_observable_at(k)); k++) {
+        double value = o->key ? ovr_observable_value(o, seen) : NAN;
+        if (o->key && o->kind == OVR_KIND_COUNT)
+            json_integer(json, o->key, (long long)value);
+        else if (o->key)
+            json_number(json, o->key, value);
+        if (o->key_si)
+            json_number(json, o->key_si,
+                        value * ovr_kind_scale(o->kind, contact));
+    }
 }
 
 static void json_run(json_writer *json, const ovr_run_info *s)

@@ -4,7 +4,7 @@
 #include <math.h>
 
 typedef struct quantity {
-    char kind;
+    ovr_unit_kind kind;
     ovr_axis hertzian;
     struct {
         double size;
@@ -17,33 +17,35 @@ typedef struct quantity {
         size, unit, "{/:Italic " symbol "}  [" unit "]", symbol " in " unit    \
     }
 static const quantity quantities[] = {
-    {'x',
+    {OVR_KIND_LENGTH,
      {1, "{/:Italic x} / {/:Italic b}", "x/b", ""},
      {LENGTH(1e-3, "mm", "x"), LENGTH(1e-6, "µm", "x"),
       LENGTH(1e-9, "nm", "x")}},
-    {'h',
+    {OVR_KIND_HEIGHT,
      {1, "{/:Italic h R} / {/:Italic b}^2", "h R/b²", ""},
      {LENGTH(1e-6, "µm", "h"), LENGTH(1e-9, "nm", "h"),
       LENGTH(1e-9, "nm", "h")}},
-    {'p',
+    {OVR_KIND_PRESSURE,
      {1, "{/:Italic p} / {/:Italic p}_h", "p/p_h", ""},
      {LENGTH(1e9, "GPa", "p"), LENGTH(1e6, "MPa", "p"),
       LENGTH(1e3, "kPa", "p")}},
-    {'t',
+    {OVR_KIND_TIME,
      {1, "{/:Italic t u_m} / {/:Italic b}", "t u_m/b", ""},
      {LENGTH(1, "s", "t"), LENGTH(1e-3, "ms", "t"), LENGTH(1e-6, "µs", "t")}},
 };
 
-static double scale_of(const ovr_result_info *info, char kind)
+static double scale_of(const ovr_result_info *info, ovr_unit_kind kind)
 {
-    return kind == 'x'   ? info->b
-           : kind == 'h' ? info->height
-           : kind == 'p' ? info->ph
-                         : info->time;
+    const ovr_contact contact = {.b = info->b,
+                                 .ph = info->ph,
+                                 .height = info->height,
+                                 .time = info->time};
+    return ovr_kind_scale(kind, &contact);
 }
 
-ovr_status ovr_axis_make(char kind, ovr_result *result, ovr_units units,
-                         double largest, ovr_axis *axis, ovr_error *err)
+ovr_status ovr_axis_make(ovr_unit_kind kind, ovr_result *result,
+                         ovr_units units, double largest, ovr_axis *axis,
+                         ovr_error *err)
 {
     const ovr_result_info *info = ovr_result_about(result);
     double scale = scale_of(info, kind);

@@ -15,9 +15,10 @@ typedef struct ovr_axis {
     const char *unit;  /* "mm"; "" when Hertzian */
 } ovr_axis;
 
-/* Kinds: 'x' position, 'p' pressure, 'h' film thickness, 't' time.  `largest`
- * is the largest Hertzian number that the axis will show. */
-ovr_status ovr_axis_make(char kind, ovr_result *result, ovr_units units,
-                         double largest, ovr_axis *axis, ovr_error *err);
+/* Of a length, pressure, height or time.  `largest` is the largest Hertzian
+ * number that the axis will show. */
+ovr_status ovr_axis_make(ovr_unit_kind kind, ovr_result *result,
+                         ovr_units units, double largest, ovr_axis *axis,
+                         ovr_error *err);
 
 #endif

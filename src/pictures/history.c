@@ -30,7 +30,7 @@ static ovr_status time_axis(const ovr_sitting *s, ovr_panel *panel,
     double end = run->times[run->info->snapshots - 1];
     double from = isnan(o->T_from) ? run->times[0] : o->T_from;
     double to = isnan(o->T_to) ? end : o->T_to;
-    ovr_status status = ovr_axis_make('t', run->result, o->units,
+    ovr_status status = ovr_axis_make(OVR_KIND_TIME, run->result, o->units,
                                       fmax(to, from), axis, err);
     if (status != OVR_OK)
         return status;
@@ -44,7 +44,7 @@ static ovr_status time_axis(const ovr_sitting *s, ovr_panel *panel,
 
 /* Adds columns of every run to a panel whose time axis is set. */
 static ovr_status add_columns(const ovr_sitting *s, const column *columns,
-                              size_t count, char kind, double T_factor,
+                              size_t count, ovr_unit_kind kind, double T_factor,
                               ovr_panel *panel, ovr_error *err)
 {
     ovr_series *series = ovr_arena_take(s->arena, count * s->count,
@@ -112,10 +112,12 @@ ovr_status ovr_draw_history(const ovr_sitting *s, ovr_chart *chart,
         status = time_axis(s, panel, &T, err);
     if (status == OVR_OK) {
         panel[1] = panel[0];
-        status = add_columns(s, film, 2, 'h', T.factor, &panel[0], err);
+        status = add_columns(s, film, 2, OVR_KIND_HEIGHT, T.factor, &panel[0],
+                             err);
     }
     if (status == OVR_OK)
-        status = add_columns(s, pressure, 1, 'p', T.factor, &panel[1], err);
+        status = add_columns(s, pressure, 1, OVR_KIND_PRESSURE, T.factor,
+                             &panel[1], err);
     if (status == OVR_OK && s->options->H_to > 0)
         panel[0].y_to = s->options->H_to * panel[0].series[0].factor;
     if (status == OVR_OK)
@@ -201,7 +203,8 @@ ovr_status ovr_draw_trace(const ovr_sitting *s, ovr_chart *chart,
     if (status == OVR_OK)
         status = time_axis(s, panel, &T, err);
     if (status == OVR_OK)
-        status = add_columns(s, film, 1, 'h', T.factor, &panel[0], err);
+        status = add_columns(s, film, 1, OVR_KIND_HEIGHT, T.factor, &panel[0],
+                             err);
     if (status == OVR_OK && rough)
         status = add_roughness(s, &panel[0], &panel[1], err);
     if (status == OVR_OK)

@@ -127,18 +127,20 @@ static ovr_status make_panel(const ovr_sitting *s, map *m, ovr_panel *panel,
                              ovr_error *err)
 {
     const ovr_picture_options *o = s->options;
-    char kind = strcmp(m->field, "pressure") == 0 ? 'p' : 'h';
+    ovr_unit_kind kind = ovr_result_find(m->run->result, m->field)->kind;
     double low, high, reach = fmax(fabs(m->x_from), fabs(m->x_to));
     ovr_axis x, T, v;
     ovr_status status;
     find_range(m, &low, &high);
-    if (kind == 'p')
+    if (kind == OVR_KIND_PRESSURE)
         high = o->P_to > 0 ? o->P_to : common_high(m, low, high);
-    if (kind == 'h' && o->H_to > 0)
+    if (kind == OVR_KIND_HEIGHT && o->H_to > 0)
         high = o->H_to;
-    status = ovr_axis_make('x', m->run->result, o->units, reach, &x, err);
+    status = ovr_axis_make(OVR_KIND_LENGTH, m->run->result, o->units, reach, &x,
+                           err);
     if (status == OVR_OK)
-        status = ovr_axis_make('t', m->run->result, o->units, m->T_to, &T, err);
+        status = ovr_axis_make(OVR_KIND_TIME, m->run->result, o->units, m->T_to,
+                               &T, err);
     if (status == OVR_OK)
         status = ovr_axis_make(kind, m->run->result, o->units,
                                fmax(fabs(low), fabs(high)), &v, err);

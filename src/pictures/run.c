@@ -2,16 +2,6 @@
 #include "pictures/run.h"
 
 #include <math.h>
-#include <string.h>
-
-static bool has_field(ovr_result *result, const char *name)
-{
-    const char *field;
-    for (size_t k = 0; (field = ovr_result_field_name(result, k)); k++)
-        if (strcmp(field, name) == 0)
-            return true;
-    return false;
-}
 
 ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
                            const char *name, ovr_arena *arena, ovr_error *err)
@@ -28,9 +18,9 @@ ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
                                 err);
     if (!run->x || !run->times)
         return OVR_NO_MEMORY;
-    run->pressure = has_field(result, "pressure");
-    run->film = has_field(result, "film_thickness");
-    run->roughness = has_field(result, "roughness");
+    run->pressure = ovr_result_find(result, "pressure") != NULL;
+    run->film = ovr_result_find(result, "film_thickness") != NULL;
+    run->roughness = ovr_result_find(result, "roughness") != NULL;
     status = ovr_result_x(result, OVR_HERTZIAN, run->x, err);
     if (status == OVR_OK)
         status = ovr_result_times(result, OVR_HERTZIAN, run->times, err);

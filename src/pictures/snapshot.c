@@ -42,16 +42,17 @@ ovr_status ovr_look_make(ovr_look *look, const ovr_picture_options *o,
         look->H_to = 1;
     make_hertz(look);
     make_heading(look, run);
-    status = ovr_axis_make('x', run->result, o->units, reach, &look->x, err);
+    status = ovr_axis_make(OVR_KIND_LENGTH, run->result, o->units, reach,
+                           &look->x, err);
     if (status == OVR_OK)
-        status = ovr_axis_make('p', run->result, o->units, look->P_to, &look->P,
-                               err);
+        status = ovr_axis_make(OVR_KIND_PRESSURE, run->result, o->units,
+                               look->P_to, &look->P, err);
     if (status == OVR_OK)
-        status = ovr_axis_make('h', run->result, o->units, look->H_to, &look->H,
-                               err);
+        status = ovr_axis_make(OVR_KIND_HEIGHT, run->result, o->units,
+                               look->H_to, &look->H, err);
     if (status == OVR_OK)
-        status = ovr_axis_make('t', run->result, o->units, T_end, &look->T,
-                               err);
+        status = ovr_axis_make(OVR_KIND_TIME, run->result, o->units, T_end,
+                               &look->T, err);
     return status;
 }
 

@@ -204,12 +204,13 @@ static ovr_status put_axes(writer *w, ovr_units units, ovr_error *err)
 {
     const ovr_stored *run = w->run;
     const struct {
-        char kind;
+        char key;
+        ovr_unit_kind kind;
         double largest;
-    } axes[] = {{'x', 1.5},
-                {'p', 1},
-                {'h', 0.1},
-                {'t', run->times[run->info->snapshots - 1]}};
+    } axes[] = {{'x', OVR_KIND_LENGTH, 1.5},
+                {'p', OVR_KIND_PRESSURE, 1},
+                {'h', OVR_KIND_HEIGHT, 0.1},
+                {'t', OVR_KIND_TIME, run->times[run->info->snapshots - 1]}};
     ovr_text_put(w->to, "{");
     for (int k = 0; k < 4; k++) {
         ovr_axis a;
@@ -217,7 +218,7 @@ static ovr_status put_axes(writer *w, ovr_units units, ovr_error *err)
                                           axes[k].largest, &a, err);
         if (status != OVR_OK)
             return status;
-        ovr_text_print(w->to, "\"%c\":{\"f\":%.17g,", axes[k].kind, a.factor);
+        ovr_text_print(w->to, "\"%c\":{\"f\":%.17g,", axes[k].key, a.factor);
         put_string(w->to, "unit", a.unit);
         put_string(w->to, "name", a.plain);
         ovr_text_put(w->to, "\"kind\":0},");

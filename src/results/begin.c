@@ -23,19 +23,11 @@ ovr_write_options ovr_write_options_default(void)
     return o;
 }
 
-static size_t count_fields(unsigned fields)
-{
-    size_t count = 0;
-    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
-        count += fields & ovr_field_table[k].bit ? 1 : 0;
-    return count;
-}
-
 long ovr_write_every(const ovr_write_options *o, double end, double dT,
                      size_t nodes)
 {
     size_t stored = nodes / (o->stride ? o->stride : 1) + 1;
-    double row = (double)stored * (double)count_fields(o->fields) *
+    double row = (double)stored * (double)ovr_layout_fields(o->fields, NULL) *
                  (o->single ? 4 : 8);
     double most = fmin(250, fmax(50, 64e6 / row));
     double every = ceil(end / dT / most);
@@ -51,7 +43,7 @@ static ovr_status check_options(const ovr_write_options *o, ovr_error *err)
                         o->path, o->deflate);
     if (o->stride < 1)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: stride 0; 1 or more", o->path);
-    if (count_fields(o->fields) == 0)
+    if (ovr_layout_fields(o->fields, NULL) == 0)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: no field to store", o->path);
     return OVR_OK;
 }
@@ -76,7 +68,7 @@ static ovr_status choose_nodes(ovr_writer *w, const double *X, ovr_error *err)
 
 static double *stored_positions(ovr_writer *w, const double *X, ovr_error *err)
 {
-    double factor = ovr_factor(&w->scales, 'X');
+    double factor = ovr_factor(&w->scales, OVR_KIND_LENGTH);
     double *x = ovr_arena_take(&w->arena, w->nodes, sizeof *x, err);
     for (size_t k = 0; x && k < w->nodes; k++)
         x[k] = factor * X[w->first + k * w->options.stride];
@@ -90,12 +82,9 @@ static ovr_status take_scratch(ovr_writer *w, ovr_error *err)
                                      err);
     w->pending_value = ovr_arena_take(a, OVR_ROW_CHUNK * w->file.columns,
                                       sizeof *w->pending_value, err);
-    w->rho = ovr_arena_take(a, w->n, sizeof *w->rho, err);
-    w->eta = ovr_arena_take(a, w->n, sizeof *w->eta, err);
-    w->flow = ovr_arena_take(a, w->n, sizeof *w->flow, err);
-    return w->pending_step && w->pending_value && w->rho && w->eta && w->flow
-               ? OVR_OK
-               : OVR_NO_MEMORY;
+    w->room = ovr_arena_take(a, w->n, sizeof *w->room, err);
+    return w->pending_step && w->pending_value && w->room ? OVR_OK
+                                                          : OVR_NO_MEMORY;
 }
 
 static ovr_status take_names(ovr_writer *w, ovr_error *err)

@@ -26,7 +26,7 @@ static ovr_status write_failed(ovr_file *f, ovr_error *err)
 static void forget_ids(ovr_file *f)
 {
     f->file = f->time = f->step = -1;
-    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
+    for (size_t k = 0; k < OVR_FIELDS_MOST; k++)
         f->field[k] = -1;
     for (size_t c = 0; c < f->columns; c++)
         f->column[c] = -1;
@@ -35,20 +35,16 @@ static void forget_ids(ovr_file *f)
 ovr_status ovr_file_prepare(ovr_file *f, const ovr_file_plan *plan,
                             ovr_arena *arena, ovr_error *err)
 {
-    const ovr_observable *o = ovr_observables();
-    size_t columns = 0;
     f->nodes = plan->nodes;
     f->element = plan->options->single ? sizeof(float) : sizeof(double);
     f->deflate = plan->options->deflate;
-    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
-        if (plan->options->fields & ovr_field_table[k].bit)
-            f->which[f->fields++] = &ovr_field_table[k];
-    while (o[columns].name)
-        columns++;
-    f->column = ovr_arena_take(arena, columns, sizeof *f->column, err);
-    if (!f->column)
+    f->fields = ovr_layout_fields(plan->options->fields, f->which);
+    f->columns = ovr_layout_columns(NULL);
+    f->column = ovr_arena_take(arena, f->columns, sizeof *f->column, err);
+    f->row = ovr_arena_take(arena, f->columns, sizeof *f->row, err);
+    if (!f->column || !f->row)
         return OVR_NO_MEMORY;
-    f->columns = columns;
+    ovr_layout_columns(f->row);
     forget_ids(f);
     if (ovr_store_prepare(&f->store, plan->options->path, arena, err) != OVR_OK)
         return OVR_NO_MEMORY;
@@ -78,19 +74,17 @@ static bool grow(hid_t set, hsize_t rows, hsize_t nodes)
     return H5Dset_extent(set, size) >= 0;
 }
 
-/* Bytes of an element of the k-th field. */
-static size_t element_of(const ovr_file *f, size_t k)
+size_t ovr_file_element(const ovr_file *f, const ovr_observable *which)
 {
-    return f->which[k]->kind == 'b' ? 1 : f->element;
+    return which->kind == OVR_KIND_FLAG ? 1 : f->element;
 }
 
 static bool add_chunk(ovr_file *f, size_t k, const void *values)
 {
     hsize_t at[2] = {f->snapshots, 0};
-    size_t bytes = f->nodes * element_of(f, k);
-    size_t packed = 0;
+    size_t element = ovr_file_element(f, f->which[k]), packed = 0;
     if (f->deflate)
-        packed = ovr_pack(&f->packer, values, f->nodes, element_of(f, k));
+        packed = ovr_pack(&f->packer, values, f->nodes, element);
     if (!grow(f->field[k], f->snapshots + 1, f->nodes))
         return false;
     if (packed)
@@ -98,7 +92,7 @@ static bool add_chunk(ovr_file *f, size_t k, const void *values)
                               f->packer.packed) >= 0;
     /* filter mask: shuffle and deflate both left out */
     return H5Dwrite_chunk(f->field[k], H5P_DEFAULT, f->deflate ? 3 : 0, at,
-                          bytes, values) >= 0;
+                          f->nodes * element, values) >= 0;
 }
 
 /* Appends `count` values to a column that has `rows`. */
@@ -125,7 +119,7 @@ ovr_status ovr_file_add_snapshot(ovr_file *f, double time, const void *rows,
     for (size_t k = 0; k < f->fields; k++) {
         if (!add_chunk(f, k, row))
             return write_failed(f, err);
-        row += f->nodes * element_of(f, k);
+        row += f->nodes * ovr_file_element(f, f->which[k]);
     }
     if (!add_values(f->time, f->snapshots, 1, H5T_NATIVE_DOUBLE, &time) ||
         f->store.failed)
@@ -183,7 +177,7 @@ static bool same_precision(ovr_file *f, ovr_container *c)
         return false;
     if (!set.packed)
         f->deflate = 0;
-    return set.element.size == element_of(f, 0);
+    return set.element.size == ovr_file_element(f, f->which[0]);
 }
 
 static bool has_rows(ovr_container *c, uint64_t group, const char *name,
@@ -255,7 +249,7 @@ static ovr_status check_file(ovr_file *f, const ovr_file_plan *plan,
 
 static bool mark_running(ovr_file *f, const ovr_file_plan *plan)
 {
-    double end = plan->options->end * ovr_factor(plan->scales, 'T');
+    double end = plan->options->end * ovr_factor(plan->scales, OVR_KIND_TIME);
     return ovr_h5_change_string(f->file, "status", "running") &&
            ovr_h5_change_string(f->file, "reason", "") &&
            ovr_h5_change_number(f->file, "time_end", end);

@@ -27,10 +27,10 @@ enum { OVR_DATE_SIZE = 32 };
 typedef struct ovr_file {
     ovr_store store;
     hid_t file;
-    hid_t time, field[OVR_FIELD_COUNT];
+    hid_t time, field[OVR_FIELDS_MOST];
     hid_t step, *column;
     size_t fields, columns;
-    const ovr_field *which[OVR_FIELD_COUNT];
+    const ovr_observable *which[OVR_FIELDS_MOST], **row; /* the same order */
     size_t nodes, element; /* of one field of one snapshot */
     int deflate;
     char created[OVR_DATE_SIZE]; /* its date_created, when it was there */
@@ -45,6 +45,9 @@ typedef struct ovr_file_plan {
     size_t nodes;
     const char *created; /* its date_created */
 } ovr_file_plan;
+
+/* Bytes of a value of a field. */
+size_t ovr_file_element(const ovr_file *file, const ovr_observable *which);
 
 /* Memory of the file and what follows from the plan; no disk is touched. */
 ovr_status ovr_file_prepare(ovr_file *file, const ovr_file_plan *plan,

@@ -10,12 +10,16 @@
 #include "overroll/version.h"
 #include "results/h5.h"
 
-/* A dataset to be made: the unlimited dimension comes first. */
+/* A dataset to be made: any number of dimensions, the unlimited one first.
+ * One that is along nothing is a dimension itself. */
 typedef struct dataset {
-    const char *name, *long_name, *unit;
-    double scale;
+    const char *name, *long_name;
+    ovr_unit_kind kind;
     hid_t type;
-    hsize_t chunk, nodes; /* nodes 0: one-dimensional */
+    hsize_t rows; /* in a chunk; 0: nothing is unlimited */
+    int rank;
+    hsize_t shape[OVR_MOST_RANK]; /* 0: unlimited */
+    hid_t along[OVR_MOST_RANK];
     int deflate;
 } dataset;
 
@@ -71,12 +75,14 @@ static void set_fill(hid_t creation, hid_t type)
 static hid_t dataset_creation(const dataset *d)
 {
     hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
-    hsize_t chunk[2] = {d->chunk, d->nodes};
+    hsize_t chunk[OVR_MOST_RANK];
+    memcpy(chunk, d->shape, sizeof chunk);
+    chunk[0] = d->rows;
     H5Pset_attr_creation_order(creation,
                                H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
-    if (d->chunk)
-        H5Pset_chunk(creation, d->nodes ? 2 : 1, chunk);
-    if (d->chunk && d->deflate) {
+    if (d->rows)
+        H5Pset_chunk(creation, d->rank, chunk);
+    if (d->rows && d->deflate) {
         H5Pset_shuffle(creation);
         H5Pset_deflate(creation, (unsigned)d->deflate);
     }
@@ -86,27 +92,41 @@ static hid_t dataset_creation(const dataset *d)
 
 static hid_t dataset_space(const dataset *d)
 {
-    hsize_t now[2] = {0, d->nodes}, most[2] = {H5S_UNLIMITED, d->nodes};
-    if (!d->chunk) /* the positions: fixed */
-        return H5Screate_simple(1, &d->nodes, NULL);
-    return H5Screate_simple(d->nodes ? 2 : 1, now, most);
+    hsize_t most[OVR_MOST_RANK];
+    memcpy(most, d->shape, sizeof most);
+    if (d->rows)
+        most[0] = H5S_UNLIMITED;
+    return H5Screate_simple(d->rank, d->shape, most);
 }
 
-static bool describe(hid_t set, const dataset *d)
+static bool describe(hid_t set, const dataset *d, const ovr_scales *scales)
 {
     return ovr_h5_set_chars(set, "long_name", d->long_name) &&
-           ovr_h5_set_chars(set, "units", d->unit) &&
-           ovr_h5_set_number(set, "scale", d->scale);
+           ovr_h5_set_chars(set, "units", ovr_unit(scales, d->kind)) &&
+           ovr_h5_set_number(set, "scale",
+                             ovr_kind_scale(d->kind, &scales->contact)) &&
+           ovr_h5_set_chars(set, "kind", ovr_kind_about(d->kind)->name);
 }
 
-static hid_t make_dataset(hid_t where, const dataset *d)
+static bool place(hid_t set, const dataset *d)
+{
+    bool ok = true;
+    if (d->along[0] == 0)
+        return H5DSset_scale(set, d->name) >= 0;
+    for (unsigned k = 0; ok && k < (unsigned)d->rank; k++)
+        ok = H5DSattach_scale(set, d->along[k], k) >= 0;
+    return ok;
+}
+
+static hid_t make_dataset(hid_t where, const dataset *d,
+                          const ovr_scales *scales)
 {
     hid_t creation = dataset_creation(d), space = dataset_space(d);
     hid_t set = H5Dcreate2(where, d->name, d->type, space, H5P_DEFAULT,
                            creation, H5P_DEFAULT);
     ovr_h5_drop(space);
     ovr_h5_drop(creation);
-    if (set >= 0 && !describe(set, d)) {
+    if (set >= 0 && !(describe(set, d, scales) && place(set, d))) {
         ovr_h5_drop(set);
         set = -1;
     }
@@ -115,23 +135,20 @@ static hid_t make_dataset(hid_t where, const dataset *d)
 
 static bool set_axis(hid_t set, const char *axis)
 {
-    return ovr_h5_set_chars(set, "axis", axis);
+    return set >= 0 && ovr_h5_set_chars(set, "axis", axis);
 }
 
 static hid_t make_positions(const ovr_file *f, const ovr_file_plan *plan)
 {
-    dataset d = {"x",
-                 "position along the contact",
-                 ovr_unit(plan->scales, 'X'),
-                 ovr_scale(plan->scales, 'X'),
-                 H5T_IEEE_F64LE,
-                 0,
-                 f->nodes,
-                 0};
-    hid_t x = make_dataset(f->file, &d);
-    bool ok = x >= 0 && set_axis(x, "X") && H5DSset_scale(x, "x") >= 0 &&
-              H5Dwrite(x, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                       plan->x) >= 0;
+    dataset d = {.name = "x",
+                 .long_name = "position along the contact",
+                 .kind = OVR_KIND_LENGTH,
+                 .type = H5T_IEEE_F64LE,
+                 .rank = 1,
+                 .shape = {f->nodes}};
+    hid_t x = make_dataset(f->file, &d, plan->scales);
+    bool ok = set_axis(x, "X") && H5Dwrite(x, H5T_NATIVE_DOUBLE, H5S_ALL,
+                                           H5S_ALL, H5P_DEFAULT, plan->x) >= 0;
     if (!ok)
         ovr_h5_drop(x);
     return ok ? x : -1;
@@ -139,40 +156,33 @@ static hid_t make_positions(const ovr_file *f, const ovr_file_plan *plan)
 
 static bool make_time(ovr_file *f, const ovr_scales *scales)
 {
-    dataset d = {"time",
-                 "time",
-                 ovr_unit(scales, 'T'),
-                 ovr_scale(scales, 'T'),
-                 H5T_IEEE_F64LE,
-                 OVR_ROW_CHUNK,
-                 0,
-                 0};
-    f->time = make_dataset(f->file, &d);
-    return f->time >= 0 && set_axis(f->time, "T") &&
-           H5DSset_scale(f->time, "time") >= 0;
-}
-
-static hid_t field_type(const ovr_file *f, char kind)
-{
-    if (kind == 'b')
-        return H5T_STD_I8LE;
-    return f->element == sizeof(float) ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
+    dataset d = {.name = "time",
+                 .long_name = "time",
+                 .kind = OVR_KIND_TIME,
+                 .type = H5T_IEEE_F64LE,
+                 .rows = OVR_ROW_CHUNK,
+                 .rank = 1};
+    f->time = make_dataset(f->file, &d, scales);
+    return set_axis(f->time, "T");
 }
 
 static bool make_field(ovr_file *f, const ovr_scales *scales, hid_t x, size_t k)
 {
-    const ovr_field *which = f->which[k];
-    dataset d = {which->name,
-                 which->long_name,
-                 ovr_unit(scales, which->kind),
-                 ovr_scale(scales, which->kind),
-                 field_type(f, which->kind),
-                 1,
-                 f->nodes,
-                 f->deflate};
-    f->field[k] = make_dataset(f->file, &d);
-    return f->field[k] >= 0 && H5DSattach_scale(f->field[k], f->time, 0) >= 0 &&
-           H5DSattach_scale(f->field[k], x, 1) >= 0;
+    const ovr_observable *which = f->which[k];
+    size_t element = ovr_file_element(f, which);
+    dataset d = {.name = which->name,
+                 .long_name = which->long_name,
+                 .kind = which->kind,
+                 .type = element == 1               ? H5T_STD_I8LE
+                         : element == sizeof(float) ? H5T_IEEE_F32LE
+                                                    : H5T_IEEE_F64LE,
+                 .rows = 1,
+                 .rank = 2,
+                 .shape = {0, f->nodes},
+                 .along = {f->time, x},
+                 .deflate = f->deflate};
+    f->field[k] = make_dataset(f->file, &d, scales);
+    return f->field[k] >= 0;
 }
 
 static bool make_fields(ovr_file *f, const ovr_scales *scales, hid_t x)
@@ -186,30 +196,32 @@ static bool make_fields(ovr_file *f, const ovr_scales *scales, hid_t x)
 static bool make_column(ovr_file *f, hid_t group, const ovr_scales *scales,
                         size_t c)
 {
-    const ovr_observable *o = &ovr_observables()[c];
-    hid_t type = o->kind == 'i'   ? H5T_STD_I32LE
-                 : o->kind == 'b' ? H5T_STD_I8LE
-                                  : H5T_IEEE_F64LE;
-    dataset d = {o->name,
-                 o->long_name,
-                 ovr_unit(scales, o->kind),
-                 ovr_scale(scales, o->kind),
-                 type,
-                 OVR_ROW_CHUNK,
-                 0,
-                 0};
-    f->column[c] = make_dataset(group, &d);
-    return f->column[c] >= 0 && H5DSattach_scale(f->column[c], f->step, 0) >= 0;
+    const ovr_observable *o = f->row[c];
+    dataset d = {.name = o->name,
+                 .long_name = o->long_name,
+                 .kind = o->kind,
+                 .type = o->kind == OVR_KIND_COUNT  ? H5T_STD_I32LE
+                         : o->kind == OVR_KIND_FLAG ? H5T_STD_I8LE
+                                                    : H5T_IEEE_F64LE,
+                 .rows = OVR_ROW_CHUNK,
+                 .rank = 1,
+                 .along = {f->step}};
+    f->column[c] = make_dataset(group, &d, scales);
+    return f->column[c] >= 0;
 }
 
 static bool make_history(ovr_file *f, const ovr_scales *scales)
 {
-    dataset d = {"step",        "time step",   "1", 1,
-                 H5T_STD_I32LE, OVR_ROW_CHUNK, 0,   0};
+    dataset d = {.name = "step",
+                 .long_name = "time step",
+                 .kind = OVR_KIND_COUNT,
+                 .type = H5T_STD_I32LE,
+                 .rows = OVR_ROW_CHUNK,
+                 .rank = 1};
     hid_t group = make_group(f->file, "history");
     bool ok = group >= 0;
-    f->step = ok ? make_dataset(group, &d) : -1;
-    ok = f->step >= 0 && H5DSset_scale(f->step, "step") >= 0;
+    f->step = ok ? make_dataset(group, &d, scales) : -1;
+    ok = f->step >= 0;
     for (size_t c = 0; ok && c < f->columns; c++)
         ok = make_column(f, group, scales, c);
     ovr_h5_drop(group);
@@ -278,7 +290,7 @@ static bool set_scales(hid_t root, const ovr_scales *scales, double end)
         {"scale_pressure", c->ph},
         {"scale_height", c->height},
         {"scale_time", c->time},
-        {"time_end", end * ovr_factor(scales, 'T')},
+        {"time_end", end * ovr_factor(scales, OVR_KIND_TIME)},
     };
     bool ok = ovr_h5_set_string(root, "scaling",
                                 scales->physical ? "SI" : "dimensionless");
@@ -317,15 +329,17 @@ static bool open_fields(ovr_file *f, const ovr_scales *scales)
     return ok;
 }
 
-static bool open_columns(ovr_file *f)
+static bool open_columns(ovr_file *f, const ovr_scales *scales)
 {
-    const ovr_observable *o = ovr_observables();
     hid_t group = H5Gopen2(f->file, "history", H5P_DEFAULT);
     bool ok = group >= 0;
     f->step = ok ? H5Dopen2(group, "step", H5P_DEFAULT) : -1;
     ok = f->step >= 0;
     for (size_t c = 0; ok && c < f->columns; c++) {
-        f->column[c] = H5Dopen2(group, o[c].name, H5P_DEFAULT);
+        if (H5Lexists(group, f->row[c]->name, H5P_DEFAULT) > 0)
+            f->column[c] = H5Dopen2(group, f->row[c]->name, H5P_DEFAULT);
+        else
+            make_column(f, group, scales, c);
         ok = f->column[c] >= 0;
     }
     ovr_h5_drop(group);
@@ -341,5 +355,6 @@ bool ovr_header_new_case(ovr_file *f, const ovr_file_plan *plan)
 bool ovr_header_open(ovr_file *f, const ovr_file_plan *plan)
 {
     f->time = H5Dopen2(f->file, "time", H5P_DEFAULT);
-    return f->time >= 0 && open_fields(f, plan->scales) && open_columns(f);
+    return f->time >= 0 && open_fields(f, plan->scales) &&
+           open_columns(f, plan->scales);
 }

@@ -2,20 +2,51 @@
 #include "results/layout.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
-#include "overroll/results.h"
+/* ------------------------------------------------------------------- rows */
 
-const ovr_field ovr_field_table[OVR_FIELD_COUNT] = {
-    {"pressure", "pressure", 'P', OVR_FIELD_PRESSURE},
-    {"film_thickness", "film thickness", 'H', OVR_FIELD_FILM},
-    {"roughness", "height of the features of both surfaces, outward positive",
-     'H', OVR_FIELD_ROUGHNESS},
-    {"density", "density relative to ambient", '1', OVR_FIELD_DENSITY},
-    {"viscosity", "viscosity", 'E', OVR_FIELD_VISCOSITY},
-    {"mass_flow", "mass flow per unit width over ambient density", 'Q',
-     OVR_FIELD_MASS_FLOW},
-    {"cavitated", "1 where the pressure is zero", 'b', OVR_FIELD_CAVITATED},
-};
+size_t ovr_layout_columns(const ovr_observable **rows)
+{
+    const ovr_observable *o;
+    size_t count = 0;
+    for (size_t k = 0; (o = ovr_observable_at(k)); k++) {
+        if (!o->name || o->axes != OVR_AT_STEPS)
+            continue;
+        if (rows)
+            rows[count] = o;
+        count++;
+    }
+    return count;
+}
+
+size_t ovr_layout_fields(unsigned set, const ovr_observable **rows)
+{
+    const ovr_observable *o;
+    size_t count = 0;
+    for (size_t k = 0; (o = ovr_observable_at(k)); k++) {
+        if (o->axes == OVR_AT_STEPS)
+            continue;
+        if (set & 1 && rows)
+            rows[count] = o;
+        count += set & 1;
+        set >>= 1;
+    }
+    return count;
+}
+
+unsigned ovr_field_bit(const char *name)
+{
+    const ovr_observable *row[OVR_FIELDS_MOST];
+    size_t count = ovr_layout_fields(~0u, row);
+    for (size_t k = 0; k < count; k++)
+        if (strcmp(row[k]->name, name) == 0)
+            return 1u << k;
+    return 0;
+}
+
+/* ------------------------------------------------------------------ units */
 
 ovr_scales ovr_scales_of(const ovr_contact *contact)
 {
@@ -26,42 +57,44 @@ ovr_scales ovr_scales_of(const ovr_contact *contact)
     return scales;
 }
 
-double ovr_scale(const ovr_scales *scales, char kind)
-{
-    const ovr_contact *c = &scales->contact;
-    switch (kind) {
-    case 'X': return c->b;
-    case 'H': return c->height;
-    case 'P': return c->ph;
-    case 'T': return c->time;
-    case 'E': return c->viscosity;
-    case 'Q': return c->um * c->height;
-    default: return 1;
-    }
-}
-
 /* Known by itself: viscosity and speed may lack where the rest is known. */
-static bool stored_in_si(const ovr_scales *scales, char kind)
+double ovr_factor(const ovr_scales *scales, ovr_unit_kind kind)
 {
-    return scales->physical && isfinite(ovr_scale(scales, kind));
+    double scale = ovr_kind_scale(kind, &scales->contact);
+    return scales->physical && isfinite(scale) ? scale : 1;
 }
 
-double ovr_factor(const ovr_scales *scales, char kind)
+/* What nothing scales is in its unit in any file. */
+const char *ovr_unit(const ovr_scales *scales, ovr_unit_kind kind)
 {
-    return stored_in_si(scales, kind) ? ovr_scale(scales, kind) : 1;
+    double scale = ovr_kind_scale(kind, &scales->contact);
+    bool si = scale == 1 || (scales->physical && isfinite(scale));
+    return si ? ovr_kind_about(kind)->si : "1";
 }
 
-const char *ovr_unit(const ovr_scales *scales, char kind)
+/* -------------------------------------------------------------- version 1 */
+
+ovr_unit_kind ovr_layout_kind_1(const char *path)
 {
-    if (!stored_in_si(scales, kind))
-        return "1";
-    switch (kind) {
-    case 'X': return "m";
-    case 'H': return "m";
-    case 'P': return "Pa";
-    case 'T': return "s";
-    case 'E': return "Pa s";
-    case 'Q': return "m2 s-1";
-    default: return "1";
-    }
+    static const char *const names[OVR_KINDS] = {
+        [OVR_KIND_COUNT] = " history/step history/pressure_maxima "
+                           "history/cycles history/retries ",
+        [OVR_KIND_FLAG] = " cavitated history/converged history/marked ",
+        [OVR_KIND_LENGTH] =
+            " x history/x_min_film_thickness history/x_max_pressure "
+            "history/x_spike history/x_cavitation ",
+        [OVR_KIND_HEIGHT] =
+            " film_thickness roughness history/min_film_thickness "
+            "history/central_film_thickness history/rigid_approach ",
+        [OVR_KIND_PRESSURE] = " pressure history/central_pressure "
+                              "history/max_pressure history/spike_pressure ",
+        [OVR_KIND_TIME] = " time history/time history/time_step ",
+        [OVR_KIND_VISCOSITY] = " viscosity ",
+        [OVR_KIND_FLOW] = " mass_flow "};
+    char word[160];
+    snprintf(word, sizeof word, " %s ", path);
+    for (ovr_unit_kind kind = OVR_KIND_COUNT; kind < OVR_KINDS; kind++)
+        if (strstr(names[kind], word))
+            return kind;
+    return OVR_KIND_NUMBER;
 }

@@ -3,30 +3,27 @@
  * checkpoints. */
 #include "results/writer.h"
 
+static const double *field_of(const void *sim, const ovr_observable *which,
+                              double *room)
+{
+    return which->field(sim, room);
+}
+
 static ovr_frame frame_of(ovr_writer *w)
 {
     const ovr_simulation *sim = w->observed;
-    ovr_frame frame = {ovr_simulation_state(sim),
-                       ovr_simulation_observation(sim), w->rho, w->eta,
-                       w->flow};
-    unsigned derived = OVR_FIELD_DENSITY | OVR_FIELD_VISCOSITY |
-                       OVR_FIELD_MASS_FLOW;
-    if (w->options.fields & derived)
-        ovr_simulation_fields(sim, w->rho, w->eta, w->flow);
-    return frame;
+    return (ovr_frame){ovr_simulation_state(sim),
+                       ovr_simulation_observation(sim), field_of, sim};
 }
 
 ovr_status ovr_writer_observe(void *writer, const ovr_simulation *sim,
                               ovr_error *err)
 {
     ovr_writer *w = writer;
-    const ovr_state *state = ovr_simulation_state(sim);
-    ovr_frame frame = {state, ovr_simulation_observation(sim), NULL, NULL,
-                       NULL};
+    ovr_frame frame;
     w->observed = sim;
     w->frame_of = frame_of;
-    if (ovr_writer_due(w, state->step, state->T))
-        frame = frame_of(w);
+    frame = frame_of(w);
     return ovr_writer_record(w, &frame, err);
 }
 

@@ -15,7 +15,6 @@
 #include "results/reader.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 /* ---------------------------------------------------------------- lists */
@@ -32,7 +31,7 @@ size_t ovr_result_fields(const ovr_result *r)
 
 const ovr_variable *ovr_result_field(const ovr_result *r, size_t k)
 {
-    return k < r->fields ? &r->field[k] : NULL;
+    return k < r->fields ? r->field[k] : NULL;
 }
 
 size_t ovr_result_columns(const ovr_result *r)
@@ -40,29 +39,42 @@ size_t ovr_result_columns(const ovr_result *r)
     return r->columns;
 }
 
+const ovr_variable *ovr_result_variable(const ovr_result *r, size_t k)
+{
+    return k < r->variables ? &r->variable[k] : NULL;
+}
+
+const ovr_variable *ovr_result_find(const ovr_result *r, const char *path)
+{
+    for (size_t k = 0; k < r->variables; k++)
+        if (strcmp(r->variable[k].path, path) == 0)
+            return &r->variable[k];
+    return NULL;
+}
+
 const ovr_variable *ovr_result_column(const ovr_result *r, size_t k)
 {
-    return k < r->columns ? &r->column[k] : NULL;
+    return k < r->columns ? r->column[k] : NULL;
 }
 
 const char *ovr_result_field_name(const ovr_result *r, size_t k)
 {
-    return k < r->fields ? r->field[k].name : NULL;
+    return k < r->fields ? r->field[k]->name : NULL;
 }
 
 const char *ovr_result_field_unit(const ovr_result *r, size_t k)
 {
-    return k < r->fields ? r->field[k].unit : NULL;
+    return k < r->fields ? r->field[k]->unit : NULL;
 }
 
 /* -------------------------------------------------------------- reading */
 
-static const ovr_variable *find(const ovr_variable *list, size_t count,
+static const ovr_variable *find(const ovr_variable *const *list, size_t count,
                                 const char *name)
 {
     for (size_t k = 0; k < count; k++)
-        if (strcmp(list[k].name, name) == 0)
-            return &list[k];
+        if (strcmp(list[k]->name, name) == 0)
+            return list[k];
     return NULL;
 }
 
@@ -85,7 +97,7 @@ static ovr_status convert(const ovr_result *r, const ovr_variable *v,
 
 /* What to read: part of a dataset, NaN allowed in it or not. */
 typedef struct part {
-    const char *path;
+    const ovr_variable *variable;
     size_t row, count;
     bool may_be_nan;
 } part;
@@ -101,7 +113,7 @@ static bool any_nan(const double *values, size_t count)
 static bool read_once(ovr_result *r, const part *what, double *values)
 {
     ovr_dataset set;
-    bool ok = ovr_reader_dataset(r, what->path, &set) &&
+    bool ok = ovr_reader_dataset(r, what->variable->path, &set) &&
               ovr_container_values(&r->container, &set, what->row, what->count,
                                    values) &&
               (what->may_be_nan || !any_nan(values, what->count)) &&
@@ -128,8 +140,7 @@ static bool read_in_turn(ovr_result *r, const part *what, double *values,
     return ok;
 }
 
-static ovr_status read_values(ovr_result *r, const part *what,
-                              const ovr_variable *variable, ovr_units units,
+static ovr_status read_values(ovr_result *r, const part *what, ovr_units units,
                               double *values, ovr_error *err)
 {
     const bool *starved = &r->container.source.starved;
@@ -143,50 +154,73 @@ static ovr_status read_values(ovr_result *r, const part *what,
         return ovr_fail(err, OVR_IO,
                         "%s: '%s' cannot be read (row %zu): the file is "
                         "damaged",
-                        r->path, what->path, what->row);
-    return convert(r, variable, units, values, what->count, err);
+                        r->path, what->variable->path, what->row);
+    return convert(r, what->variable, units, values, what->count, err);
 }
 
 ovr_status ovr_result_x(ovr_result *r, ovr_units units, double *x,
                         ovr_error *err)
 {
-    part what = {"x", 0, r->info.nodes, false};
-    return read_values(r, &what, &r->x, units, x, err);
+    part what = {r->x, 0, r->info.nodes, false};
+    return read_values(r, &what, units, x, err);
 }
 
 ovr_status ovr_result_times(ovr_result *r, ovr_units units, double *times,
                             ovr_error *err)
 {
-    part what = {"time", 0, r->info.snapshots, false};
-    return read_values(r, &what, &r->time, units, times, err);
+    part what = {r->time, 0, r->info.snapshots, false};
+    return read_values(r, &what, units, times, err);
+}
+
+/* `what` with the size of that row, if there is one. */
+static ovr_status choose_row(const ovr_result *r, part *what, ovr_error *err)
+{
+    const ovr_variable *v = what->variable;
+    if (v->rank == 1) {
+        what->row = 0;
+        what->count = v->shape[0];
+        return OVR_OK;
+    }
+    if (what->row >= v->shape[0])
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: has no snapshot %zu; there are %zu", r->path,
+                        what->row, v->shape[0]);
+    what->count = 1;
+    for (int k = 1; k < v->rank; k++)
+        what->count *= v->shape[k];
+    return OVR_OK;
+}
+
+ovr_status ovr_result_read(ovr_result *r, const char *path, size_t row,
+                           ovr_units units, double *values, ovr_error *err)
+{
+    part what = {ovr_result_find(r, path), row, 0, true};
+    ovr_status status;
+    if (!what.variable)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: has no '%s'", r->path, path);
+    status = choose_row(r, &what, err);
+    return status ? status : read_values(r, &what, units, values, err);
 }
 
 ovr_status ovr_result_snapshot(ovr_result *r, const char *field, size_t k,
                                ovr_units units, double *values, ovr_error *err)
 {
-    const ovr_variable *variable = find(r->field, r->fields, field);
-    part what = {field, k, r->info.nodes, false};
-    if (!variable)
+    part what = {find(r->field, r->fields, field), k, 0, false};
+    ovr_status status;
+    if (!what.variable)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: has no field '%s'", r->path,
                         field);
-    if (k >= r->info.snapshots)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: has no snapshot %zu; there are %zu", r->path, k,
-                        r->info.snapshots);
-    return read_values(r, &what, variable, units, values, err);
+    status = choose_row(r, &what, err);
+    return status ? status : read_values(r, &what, units, values, err);
 }
 
 ovr_status ovr_result_history(ovr_result *r, const char *name, ovr_units units,
                               double *values, ovr_error *err)
 {
-    const ovr_variable *variable = find(r->column, r->columns, name);
-    char path[160];
-    part what = {path, 0, r->info.steps, true};
-    if (!variable)
+    part what = {find(r->column, r->columns, name), 0, r->info.steps, true};
+    if (!what.variable)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: has no history '%s'", r->path,
                         name);
-    snprintf(path, sizeof path, "history/%s", name);
-    if (strcmp(name, "time") == 0)
-        what.may_be_nan = false;
-    return read_values(r, &what, variable, units, values, err);
+    what.may_be_nan = strcmp(name, "time") != 0;
+    return read_values(r, &what, units, values, err);
 }

@@ -15,11 +15,11 @@ struct ovr_result {
     int fd; /* -1: not open */
     ovr_container container;
     ovr_result_info info;
-    ovr_variable x, time;
-    ovr_variable field[OVR_FIELD_COUNT];
-    ovr_variable *column;
-    size_t fields, columns;
-    bool starved; /* a text did not fit into memory */
+    ovr_variable *variable; /* all */
+    const ovr_variable *x, *time, **field, **column;
+    size_t variables, fields, columns, groups;
+    double version; /* of the file's format */
+    bool starved;   /* a text did not fit into memory */
 };
 
 /* Opens the file (again), within a turn or a negative number; the counts and

@@ -14,7 +14,8 @@
 #include "results/journal.h"
 #include "results/turns.h"
 
-enum { MAX_COLUMNS = 256 };
+/* Far more than a file has; groups in groups: stress/surface_1. */
+enum { MOST_VARIABLES = 512, MOST_GROUPS = 32, DEEPEST = 2 };
 
 /* ------------------------------------------------------------- datasets */
 
@@ -90,16 +91,33 @@ static const char *or_else(const char *text, const char *other)
     return text ? text : other;
 }
 
-static bool describe(ovr_result *r, uint64_t object, const char *name,
-                     ovr_variable *variable)
+static ovr_unit_kind kind_of(ovr_result *r, uint64_t object, const char *path)
 {
-    variable->name = ovr_arena_text(&r->arena, name, NULL);
-    r->starved = r->starved || !variable->name;
-    variable->long_name = or_else(text_of(r, object, "long_name"),
-                                  variable->name);
-    variable->unit = or_else(text_of(r, object, "units"), "1");
-    variable->scale = ovr_container_number(&r->container, object, "scale");
-    return variable->name != NULL;
+    const char *kind;
+    if (r->version == 1)
+        return ovr_layout_kind_1(path);
+    kind = text_of(r, object, "kind");
+    return kind ? ovr_kind_named(kind) : OVR_KIND_NUMBER;
+}
+
+static void describe(ovr_result *r, uint64_t object, const char *path,
+                     const ovr_dataset *set)
+{
+    ovr_variable *v = &r->variable[r->variables];
+    const char *slash = strrchr(path, '/');
+    v->path = ovr_arena_text(&r->arena, path, NULL);
+    r->starved = r->starved || !v->path;
+    if (!v->path)
+        return;
+    v->name = slash ? v->path + (slash - path) + 1 : v->path;
+    v->long_name = or_else(text_of(r, object, "long_name"), v->name);
+    v->unit = or_else(text_of(r, object, "units"), "1");
+    v->scale = ovr_container_number(&r->container, object, "scale");
+    v->kind = kind_of(r, object, path);
+    v->rank = set->rank;
+    for (int k = 0; k < set->rank; k++)
+        v->shape[k] = (size_t)set->shape[k];
+    r->variables++;
 }
 
 static ovr_status damaged(const ovr_result *r, const char *what, ovr_error *err)
@@ -107,87 +125,106 @@ static ovr_status damaged(const ovr_result *r, const char *what, ovr_error *err)
     return ovr_fail(err, OVR_IO, "%s: damaged result file: %s", r->path, what);
 }
 
-/* A dataset of this rank, described. */
-static bool take_variable(ovr_result *r, uint64_t group, const char *name,
-                          int rank, ovr_dataset *set, ovr_variable *variable)
+/* All datasets of numbers in a group and the groups in it, in the order of
+ * their making, those that this version does not know too: a newer one may
+ * have written them. */
+static bool take_group(ovr_result *r, uint64_t group, const char *name,
+                       int depth)
 {
-    uint64_t object;
-    return ovr_container_find(&r->container, group, name, &object) &&
-           ovr_container_dataset(&r->container, object, set) &&
-           set->rank == rank && describe(r, object, name, variable);
+    size_t count;
+    ovr_link *links = ovr_container_links(&r->container, group, &count);
+    bool ok = links != NULL;
+    for (size_t k = 0; ok && k < count; k++) {
+        char path[256];
+        ovr_dataset set;
+        snprintf(path, sizeof path, "%s%s%s", name, *name ? "/" : "",
+                 links[k].name);
+        if (ovr_container_dataset(&r->container, links[k].object, &set)) {
+            ok = r->variables < MOST_VARIABLES;
+            if (ok)
+                describe(r, links[k].object, path, &set);
+        } else if (depth < DEEPEST && r->groups++ < MOST_GROUPS) {
+            ok = take_group(r, links[k].object, path, depth + 1);
+        }
+    }
+    return ok;
+}
+
+static ovr_status take_variables(ovr_result *r, ovr_error *err)
+{
+    ovr_arena *a = &r->arena;
+    if (!r->variable) {
+        r->variable = ovr_arena_take(a, MOST_VARIABLES, sizeof *r->variable,
+                                     err);
+        r->field = ovr_arena_take(a, MOST_VARIABLES, sizeof *r->field, err);
+        r->column = ovr_arena_take(a, MOST_VARIABLES, sizeof *r->column, err);
+    }
+    if (!r->variable || !r->field || !r->column)
+        return OVR_NO_MEMORY;
+    r->variables = r->fields = r->columns = r->groups = 0;
+    if (!take_group(r, r->container.root, "", 0))
+        return damaged(r, "its groups", err);
+    return OVR_OK;
 }
 
 /* x and time, and the number of rows that both have.  There are no more nodes
  * than positions, and those are in the file. */
 static ovr_status open_axes(ovr_result *r, ovr_error *err)
 {
-    uint64_t root = r->container.root;
     ovr_dataset x, time;
-    if (!take_variable(r, root, "x", 1, &x, &r->x) || x.shape[0] == 0 ||
-        !take_variable(r, root, "time", 1, &time, &r->time))
+    r->x = ovr_result_find(r, "x");
+    r->time = ovr_result_find(r, "time");
+    if (!r->x || !r->time || !ovr_reader_dataset(r, "x", &x) ||
+        !ovr_reader_dataset(r, "time", &time) || x.rank != 1 ||
+        x.shape[0] == 0 || time.rank != 1)
         return damaged(r, "no x or no time", err);
     r->info.nodes = (size_t)x.shape[0];
     r->info.snapshots = complete_rows(r, &time, (size_t)time.shape[0]);
     return OVR_OK;
 }
 
-static ovr_status open_fields(ovr_result *r, ovr_error *err)
+static void least(size_t *count, size_t rows)
 {
-    for (size_t k = 0; k < OVR_FIELD_COUNT; k++) {
-        ovr_dataset set;
-        if (!take_variable(r, r->container.root, ovr_field_table[k].name, 2,
-                           &set, &r->field[r->fields]) ||
-            set.shape[1] != r->info.nodes)
-            continue;
-        r->fields++;
-        if (set.shape[0] < r->info.snapshots)
-            r->info.snapshots = (size_t)set.shape[0];
+    if (rows < *count)
+        *count = rows;
+}
+
+/* The variables that are fields along x, and those that are a history; how
+ * many rows all of them have. */
+static void sort_variables(ovr_result *r)
+{
+    static const char history[] = "history/";
+    r->info.steps = SIZE_MAX;
+    for (size_t k = 0; k < r->variables; k++) {
+        const ovr_variable *v = &r->variable[k];
+        if (v->name == v->path && v->rank == 2 &&
+            v->shape[1] == r->info.nodes) {
+            least(&r->info.snapshots, v->shape[0]);
+            r->field[r->fields++] = v;
+        } else if (v->rank == 1 && v->name == v->path + strlen(history) &&
+                   strncmp(v->path, history, strlen(history)) == 0) {
+            least(&r->info.steps, v->shape[0]);
+            r->column[r->columns++] = v;
+        }
     }
-    return r->fields ? OVR_OK : damaged(r, "no field", err);
 }
 
-static void open_column(ovr_result *r, const ovr_link *link)
+static ovr_status open_lists(ovr_result *r, ovr_error *err)
 {
-    ovr_dataset set;
-    if (!ovr_container_dataset(&r->container, link->object, &set) ||
-        set.rank != 1)
-        return;
-    if (r->columns == 0 || set.shape[0] < r->info.steps)
-        r->info.steps = (size_t)set.shape[0];
-    if (describe(r, link->object, link->name, &r->column[r->columns]))
-        r->columns++;
-}
-
-/* Columns that this version does not know are read like the others: a newer
- * one may have written them. */
-static ovr_status open_columns(ovr_result *r, uint64_t group, ovr_error *err)
-{
-    size_t count;
-    ovr_link *links = ovr_container_links(&r->container, group, &count);
-    if (!links || count > MAX_COLUMNS)
-        return damaged(r, "its history", err);
-    r->column = ovr_arena_take(&r->arena, count + 1, sizeof *r->column, err);
-    if (!r->column)
-        return OVR_NO_MEMORY;
-    for (size_t k = 0; k < count; k++)
-        open_column(r, &links[k]);
-    return OVR_OK;
-}
-
-static ovr_status open_history(ovr_result *r, ovr_error *err)
-{
-    uint64_t group;
     ovr_dataset time;
-    ovr_status status;
-    if (!ovr_container_find(&r->container, r->container.root, "history",
-                            &group))
-        return damaged(r, "no history", err);
-    status = open_columns(r, group, err);
-    if (status != OVR_OK)
-        return status;
+    sort_variables(r);
+    if (!r->fields)
+        return damaged(r, "no field", err);
     if (!ovr_reader_dataset(r, "history/time", &time) || time.rank != 1)
         return damaged(r, "no time in its history", err);
     r->info.steps = complete_rows(r, &time, r->info.steps);
+    for (size_t k = 0; k < r->variables; k++)
+        if (r->variable[k].path == r->time->path ||
+            (r->variable[k].name == r->variable[k].path &&
+             r->variable[k].rank > 1))
+            least(&r->variable[k].shape[0], r->info.snapshots);
+        else if (strncmp(r->variable[k].path, "history/", 8) == 0)
+            least(&r->variable[k].shape[0], r->info.steps);
     return OVR_OK;
 }
 
@@ -231,14 +268,14 @@ static ovr_status not_ours(const ovr_result *r, ovr_error *err)
 
 static ovr_status check_format(ovr_result *r, ovr_error *err)
 {
-    double version = number_of(r, "format_version");
-    if (isnan(version))
+    r->version = number_of(r, "format_version");
+    if (isnan(r->version))
         return not_ours(r, err);
-    if (version != OVR_FORMAT_VERSION)
+    if (r->version != 1 && r->version != OVR_FORMAT_VERSION)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: written in format version %g; this program reads "
-                        "version %d",
-                        r->path, version, OVR_FORMAT_VERSION);
+                        "versions 1 to %d",
+                        r->path, r->version, OVR_FORMAT_VERSION);
     return OVR_OK;
 }
 
@@ -307,15 +344,14 @@ void ovr_reader_close_file(ovr_result *r)
 static ovr_status open_once(ovr_result *r, int turn, ovr_error *err)
 {
     ovr_status status = ovr_reader_file(r, turn, err);
-    r->fields = r->columns = 0;
     if (status == OVR_OK)
         status = check_format(r, err);
     if (status == OVR_OK)
+        status = take_variables(r, err);
+    if (status == OVR_OK)
         status = open_axes(r, err);
     if (status == OVR_OK)
-        status = open_fields(r, err);
-    if (status == OVR_OK)
-        status = open_history(r, err);
+        status = open_lists(r, err);
     if (status == OVR_OK)
         read_attributes(r);
     if (r->starved || r->container.source.starved)

@@ -85,12 +85,11 @@ bool ovr_writer_due(const ovr_writer *w, long step, double T)
 
 void ovr_writer_note(ovr_writer *w, const ovr_frame *frame)
 {
-    const ovr_observable *o = ovr_observables();
     ovr_parcel *parcel = ovr_queue_open(&w->queue);
     double *row = parcel->values + parcel->steps * w->file.columns;
     for (size_t c = 0; c < w->file.columns; c++)
-        row[c] = ovr_observable_value(&o[c], frame->seen) *
-                 ovr_factor(&w->scales, o[c].kind);
+        row[c] = ovr_observable_value(w->file.row[c], frame->seen) *
+                 ovr_factor(&w->scales, w->file.row[c]->kind);
     parcel->step[parcel->steps++] = (int)frame->state->step;
 }
 
@@ -98,7 +97,7 @@ void ovr_writer_store(ovr_writer *w, const ovr_frame *frame)
 {
     ovr_parcel *parcel = ovr_queue_open(&w->queue);
     parcel->snapshot = true;
-    parcel->time = frame->state->T * ovr_factor(&w->scales, 'T');
+    parcel->time = frame->state->T * ovr_factor(&w->scales, OVR_KIND_TIME);
     ovr_writer_fill(w, frame, parcel->rows);
     w->snapshots++;
 }
@@ -129,18 +128,9 @@ static bool checkpoint_due(const ovr_writer *w)
 static ovr_status check_frame(const ovr_writer *w, const ovr_frame *frame,
                               ovr_error *err)
 {
-    unsigned missing = w->options.fields;
     if (frame->state->n != w->n)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: made for %zu nodes, not %zu",
                         w->options.path, w->n, frame->state->n);
-    missing &= (frame->rho ? 0u : OVR_FIELD_DENSITY) |
-               (frame->eta ? 0u : OVR_FIELD_VISCOSITY) |
-               (frame->flow ? 0u : OVR_FIELD_MASS_FLOW);
-    if (missing)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: a snapshot is due but density, viscosity or mass "
-                        "flow is not given",
-                        w->options.path);
     return OVR_OK;
 }
 

@@ -15,9 +15,9 @@ struct ovr_writer {
 
     ovr_scales scales;
     ovr_schedule schedule;
-    size_t n;                 /* nodes of the run */
-    size_t first, nodes;      /* the stored ones: first + k * stride */
-    double *rho, *eta, *flow; /* scratch of ovr_writer_observe */
+    size_t n;            /* nodes of the run */
+    size_t first, nodes; /* the stored ones: first + k * stride */
+    double *room;        /* for a field on its way */
 
     /* the solver's side */
     ovr_queue queue;

@@ -1,53 +1,147 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The list of observed quantities. */
-#include <stddef.h>
+/* The list of quantities, and how the fields among them are computed. */
+#include <string.h>
 
-#include "overroll/simulation.h"
+#include "simulation/internal.h"
 
-#define ROW(name, kind, field, text)                                           \
+/* ----------------------------------------------------------------- fields */
+
+static const double *pressure(const ovr_simulation *sim, double *room)
+{
+    (void)room;
+    return sim->P;
+}
+
+static const double *film_thickness(const ovr_simulation *sim, double *room)
+{
+    (void)room;
+    return sim->H;
+}
+
+static const double *roughness(const ovr_simulation *sim, double *room)
+{
+    (void)room;
+    return sim->S;
+}
+
+static const double *density(const ovr_simulation *sim, double *room)
+{
+    for (size_t i = 0; i < sim->state.n; i++)
+        room[i] = ovr_density(&sim->lubricant, sim->P[i]);
+    return room;
+}
+
+static const double *viscosity(const ovr_simulation *sim, double *room)
+{
+    for (size_t i = 0; i < sim->state.n; i++)
+        room[i] = ovr_viscosity(&sim->lubricant, sim->P[i]);
+    return room;
+}
+
+static const double *cavitated(const ovr_simulation *sim, double *room)
+{
+    for (size_t i = 0; i < sim->state.n; i++)
+        room[i] = sim->P[i] <= 0;
+    return room;
+}
+
+/* ------------------------------------------------------------------- list */
+
+#define NUMBER(name, key, si, kind, member, text)                              \
     {                                                                          \
-        name, text, kind, offsetof(ovr_observation, field)                     \
+        name, key, si, text, OVR_KIND_##kind, OVR_AT_STEPS,                    \
+            offsetof(ovr_observation, member), NULL                            \
+    }
+#define FIELD(name, kind, axes, text)                                          \
+    {                                                                          \
+#name, NULL, NULL, text, OVR_KIND_##kind, OVR_AT_##axes, 0, name       \
     }
 
-const ovr_observable *ovr_observables(void)
+/* Columns and fields stand in a file in this order; bit k of a set of fields
+ * is the k-th of them. */
+static const ovr_observable table[] = {
+    NUMBER("time", NULL, NULL, TIME, T, "time"),
+    NUMBER("time_step", NULL, NULL, TIME, dT, "length of the step"),
+    NUMBER(NULL, "H_min", "min_film_m", HEIGHT, H_min,
+           "minimum film thickness at a node"),
+    NUMBER(NULL, "X_min", NULL, LENGTH, X_min, "where that node is"),
+    NUMBER("min_film_thickness", "H_min_located", NULL, HEIGHT, H_min_located,
+           "minimum film thickness, located between nodes"),
+    NUMBER("x_min_film_thickness", "X_min_located", NULL, LENGTH, X_min_located,
+           "where the film is thinnest"),
+    NUMBER("central_film_thickness", "H_cen", "central_film_m", HEIGHT, H_cen,
+           "film thickness at the centre of the contact"),
+    NUMBER("central_pressure", "P_cen", NULL, PRESSURE, P_cen,
+           "pressure at the centre of the contact"),
+    NUMBER("max_pressure", "P_max", "max_pressure_Pa", PRESSURE, P_max,
+           "maximum pressure"),
+    NUMBER("x_max_pressure", "X_P_max", NULL, LENGTH, X_P_max,
+           "where the pressure is largest"),
+    NUMBER(NULL, "P_spike", NULL, PRESSURE, P_spike,
+           "pressure of the spike at a node"),
+    NUMBER(NULL, "X_spike", NULL, LENGTH, X_spike, "where that node is"),
+    NUMBER("spike_pressure", "P_spike_located", NULL, PRESSURE, P_spike_located,
+           "pressure of the spike, located between nodes"),
+    NUMBER("x_spike", "X_spike_located", NULL, LENGTH, X_spike_located,
+           "where the spike is"),
+    NUMBER("pressure_maxima", "maxima", NULL, COUNT, maxima,
+           "local maxima of the pressure"),
+    NUMBER("rigid_approach", "H0", NULL, HEIGHT, H0, "H0 of the film equation"),
+    NUMBER("load", "load", NULL, NUMBER, load,
+           "integral of P, pi/2 at nominal load"),
+    NUMBER("load_ratio", NULL, NULL, NUMBER, load_ratio,
+           "wanted load over nominal load"),
+    NUMBER("load_error", NULL, NULL, NUMBER, load_error,
+           "integral of P less the wanted one, relative to the nominal"),
+    NUMBER("speed_ratio", NULL, NULL, NUMBER, speed_ratio,
+           "entrainment speed over nominal speed"),
+    NUMBER("mass_flow", "mass_flow", NULL, NUMBER, mass_flow,
+           "mean mass flow rho H - eps dP/dX through the film"),
+    NUMBER("mass_balance", "mass_balance", NULL, NUMBER, mass_balance,
+           "inflow - outflow - stored change, relative to the inflow"),
+    NUMBER("x_cavitation", "X_cavitation", NULL, LENGTH, X_cavitation,
+           "first node without pressure behind the last with"),
+    NUMBER("residual", "residual", NULL, NUMBER, residual,
+           "relative mass-flow imbalance"),
+    NUMBER("cycles", "cycles", NULL, COUNT, cycles,
+           "multigrid cycles of the step"),
+    NUMBER("retries", NULL, NULL, COUNT, retries, "attempts after the first"),
+    NUMBER("converged", NULL, NULL, FLAG, converged, "below tolerance"),
+    NUMBER("marked", NULL, NULL, FLAG, marked, "accepted above tolerance"),
+
+    FIELD(pressure, PRESSURE, NODES, "pressure"),
+    FIELD(film_thickness, HEIGHT, NODES, "film thickness"),
+    FIELD(roughness, HEIGHT, NODES,
+          "height of the features of both surfaces, outward positive"),
+    FIELD(density, NUMBER, NODES, "density relative to ambient"),
+    FIELD(viscosity, VISCOSITY, NODES, "viscosity"),
+    {"mass_flow", NULL, NULL, "mass flow per unit width over ambient density",
+     OVR_KIND_FLOW, OVR_AT_HALVES, 0, ovr_half_flow},
+    FIELD(cavitated, FLAG, NODES, "1 where the pressure is zero"),
+};
+
+const ovr_observable *ovr_observable_at(size_t k)
 {
-    static const ovr_observable table[] = {
-        ROW("time", 'T', T, "time"),
-        ROW("time_step", 'T', dT, "length of the step"),
-        ROW("min_film_thickness", 'H', H_min_located,
-            "minimum film thickness, located between nodes"),
-        ROW("x_min_film_thickness", 'X', X_min_located,
-            "where the film is thinnest"),
-        ROW("central_film_thickness", 'H', H_cen,
-            "film thickness at the centre of the contact"),
-        ROW("central_pressure", 'P', P_cen,
-            "pressure at the centre of the contact"),
-        ROW("max_pressure", 'P', P_max, "maximum pressure"),
-        ROW("x_max_pressure", 'X', X_P_max, "where the pressure is largest"),
-        ROW("spike_pressure", 'P', P_spike_located,
-            "pressure of the spike, located between nodes"),
-        ROW("x_spike", 'X', X_spike_located, "where the spike is"),
-        ROW("pressure_maxima", 'i', maxima, "local maxima of the pressure"),
-        ROW("rigid_approach", 'H', H0, "H0 of the film equation"),
-        ROW("load", '1', load, "integral of P, pi/2 at nominal load"),
-        ROW("load_ratio", '1', load_ratio, "wanted load over nominal load"),
-        ROW("load_error", '1', load_error,
-            "integral of P less the wanted one, relative to the nominal"),
-        ROW("speed_ratio", '1', speed_ratio,
-            "entrainment speed over nominal speed"),
-        ROW("mass_flow", '1', mass_flow,
-            "mean mass flow rho H - eps dP/dX through the film"),
-        ROW("mass_balance", '1', mass_balance,
-            "inflow - outflow - stored change, relative to the inflow"),
-        ROW("x_cavitation", 'X', X_cavitation,
-            "first node without pressure behind the last with"),
-        ROW("residual", '1', residual, "relative mass-flow imbalance"),
-        ROW("cycles", 'i', cycles, "multigrid cycles of the step"),
-        ROW("retries", 'i', retries, "attempts after the first"),
-        ROW("converged", 'b', converged, "below tolerance"),
-        ROW("marked", 'b', marked, "accepted above tolerance"),
-        {NULL, NULL, 0, 0}};
-    return table;
+    return k < sizeof table / sizeof *table ? &table[k] : NULL;
+}
+
+static const ovr_observable *find(const char *name, bool field)
+{
+    const ovr_observable *o = table;
+    for (size_t k = 0; (o = ovr_observable_at(k)); k++)
+        if (o->name && field == !!o->field && strcmp(o->name, name) == 0)
+            break;
+    return o;
+}
+
+const ovr_observable *ovr_observable_field(const char *name)
+{
+    return find(name, true);
+}
+
+const ovr_observable *ovr_observable_column(const char *name)
+{
+    return find(name, false);
 }
 
 double ovr_observable_value(const ovr_observable *which,
@@ -55,8 +149,8 @@ double ovr_observable_value(const ovr_observable *which,
 {
     const char *at = (const char *)from + which->offset;
     switch (which->kind) {
-    case 'i': return *(const int *)(const void *)at;
-    case 'b': return *(const bool *)(const void *)at;
+    case OVR_KIND_COUNT: return *(const int *)(const void *)at;
+    case OVR_KIND_FLAG: return *(const bool *)(const void *)at;
     default: return *(const double *)(const void *)at;
     }
 }

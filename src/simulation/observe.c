@@ -76,19 +76,12 @@ static double mean_flow(const ovr_simulation *sim)
                                          sim->P, sim->q, sim->eps);
 }
 
-void ovr_simulation_fields(const ovr_simulation *sim, double *rho, double *eta,
-                           double *flow)
+const double *ovr_half_flow(const ovr_simulation *sim, double *room)
 {
-    const double *P = sim->P;
     double Cu = ovr_history_value(sim->speed, sim->state.T);
-    for (size_t i = 0; i < sim->finest->n; i++) {
-        if (rho)
-            rho[i] = ovr_density(&sim->lubricant, P[i]);
-        if (eta)
-            eta[i] = ovr_viscosity(&sim->lubricant, P[i]);
-        if (flow && i + 1 < sim->finest->n)
-            flow[i] = flux(sim, Cu, i);
-    }
+    for (size_t i = 0; i + 1 < sim->finest->n; i++)
+        room[i] = flux(sim, Cu, i);
+    return room;
 }
 
 static void observe_extremes(ovr_simulation *sim)

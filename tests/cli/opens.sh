@@ -47,8 +47,9 @@ for file in si short bare; do
     contains out 'time = UNLIMITED'
     contains out 'step = UNLIMITED'
     contains out ':Conventions = "CF-1.8"'
-    contains out ':format_version = 1'
+    contains out ':format_version = 2'
     contains out 'status = "complete"'
+    contains out 'film_thickness:kind = "height"'
     expect 0 ncdump $file.h5
 done
 expect 0 ncdump -h si.h5

@@ -117,7 +117,7 @@ static void mass_flow_is_constant(void **state)
     ovr_simulation *sim = test_simulation(20, 10, &o);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     const ovr_state *now = ovr_simulation_state(sim);
-    ovr_simulation_fields(sim, NULL, NULL, flow);
+    ovr_observable_field("mass_flow")->field(sim, flow);
     for (size_t i = 1; now->P[i] > 0 && now->P[i + 1] > 0; i++)
         CHECK_CLOSE(flow[i], ovr_simulation_observation(sim)->mass_flow, 1e-7);
     ovr_simulation_free(sim);

@@ -5,6 +5,24 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const double *field_of(const void *source, const ovr_observable *which,
+                              double *room)
+{
+    const test_dent *d = source;
+    const struct {
+        const char *name;
+        const double *values;
+    } field[] = {{"pressure", d->P},    {"film_thickness", d->H},
+                 {"roughness", d->S},   {"density", d->rho},
+                 {"viscosity", d->eta}, {"mass_flow", d->flow}};
+    for (size_t k = 0; k < sizeof field / sizeof *field; k++)
+        if (strcmp(which->name, field[k].name) == 0)
+            return field[k].values;
+    for (size_t i = 0; i < d->n; i++)
+        room[i] = d->P[i] <= 0;
+    return room;
+}
+
 void test_dent_init(test_dent *d, size_t n, double dT)
 {
     double *block = calloc(7 * n, sizeof *block);
@@ -21,7 +39,7 @@ void test_dent_init(test_dent *d, size_t n, double dT)
     d->flow = block + 6 * n;
     for (size_t i = 0; i < n; i++)
         d->X[i] = -4 + d->D * (double)i;
-    d->frame = (ovr_frame){&d->state, &d->seen, d->rho, d->eta, d->flow};
+    d->frame = (ovr_frame){&d->state, &d->seen, field_of, d};
     test_dent_move(d, 0);
 }
 

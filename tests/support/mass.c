@@ -36,8 +36,10 @@ static bool all_finite(size_t n, const double *values)
 /* NAN stands for "none" in what concerns the spike, and nowhere else. */
 static bool observed_numbers(const ovr_observation *o)
 {
-    for (const ovr_observable *k = ovr_observables(); k->name; k++)
-        if (!isfinite(ovr_observable_value(k, o)) &&
+    const ovr_observable *row;
+    for (size_t k = 0; (row = ovr_observable_at(k)); k++)
+        if (row->axes == OVR_AT_STEPS &&
+            !isfinite(ovr_observable_value(row, o)) &&
             isfinite(o->P_spike + o->P_spike_located))
             return false;
     return isfinite(o->H_min + o->H_min_located + o->H_cen + o->P_max +

@@ -336,14 +336,14 @@ static bool find_attribute(ovr_container *c, uint64_t object, const char *name,
 {
     ovr_items items;
     ovr_piece type, space;
-    uint64_t shape[2];
+    ovr_dataset set;
     if (!all_items(&c->source, object, ATTRIBUTE, &items))
         return false;
     for (size_t k = 0; k < items.count; k++)
         if (read_attribute(items.item[k], name, &type, &space, value))
             return ovr_element_read(type, element) &&
-                   ovr_shape_read(space, shape) >= 0 &&
-                   shape[0] * shape[1] == 1 && value->left >= element->size;
+                   ovr_shape_read(space, &set) && set.shape[0] == 1 &&
+                   set.width == 1 && value->left >= element->size;
     return false;
 }
 

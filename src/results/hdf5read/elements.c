@@ -56,17 +56,24 @@ bool ovr_element_read(ovr_piece type, ovr_element *e)
     }
 }
 
-int ovr_shape_read(ovr_piece space, uint64_t shape[2])
+/* No row is so wide that its bytes, four or eight a value, are no int. */
+bool ovr_shape_read(ovr_piece space, ovr_dataset *set)
 {
+    enum { WIDEST = INT_MAX / 8 };
     uint64_t version = ovr_take(&space, 1), rank = ovr_take(&space, 1);
     ovr_take(&space, 1);
     ovr_cut(&space, version == 1 ? 5 : 1);
-    shape[0] = shape[1] = 1;
-    if ((version != 1 && version != 2) || rank > 2)
-        return -1;
-    for (uint64_t k = 0; k < rank; k++)
-        shape[k] = ovr_take(&space, 8);
-    return space.good ? (int)rank : -1;
+    if ((version != 1 && version != 2) || rank > OVR_DIMENSIONS)
+        return false;
+    set->rank = (int)rank;
+    set->shape[0] = set->width = 1;
+    for (uint64_t k = 0; k < rank; k++) {
+        set->shape[k] = ovr_take(&space, 8);
+        if (k > 0 &&
+            (set->shape[k] > WIDEST || (set->width *= set->shape[k]) > WIDEST))
+            return false;
+    }
+    return space.good;
 }
 
 static double one_value(const ovr_element *e, const unsigned char *from)
@@ -129,7 +136,8 @@ static bool read_filters(ovr_source *source, uint64_t object, bool *packed)
 static bool read_layout(ovr_piece b, ovr_dataset *set)
 {
     enum { CONTIGUOUS = 1, CHUNKED = 2 };
-    uint64_t version = ovr_take(&b, 1), kind = ovr_take(&b, 1), size;
+    uint64_t version = ovr_take(&b, 1), kind = ovr_take(&b, 1);
+    bool rows = true;
     set->chunked = kind == CHUNKED;
     if (version != 3 || (kind != CONTIGUOUS && kind != CHUNKED))
         return false;
@@ -140,24 +148,26 @@ static bool read_layout(ovr_piece b, ovr_dataset *set)
     if (ovr_take(&b, 1) != (uint64_t)set->rank + 1)
         return false;
     set->at = ovr_take(&b, 8);
-    set->chunk[0] = ovr_take(&b, 4);
-    set->chunk[1] = set->rank == 2 ? ovr_take(&b, 4) : 1;
-    size = ovr_take(&b, 4);
-    return b.good && size == set->element.size && set->chunk[0] > 0 &&
-           (set->rank == 1 ||
-            (set->chunk[0] == 1 && set->chunk[1] == set->shape[1]));
+    set->chunk = ovr_take(&b, 4);
+    for (int k = 1; k < set->rank; k++)
+        rows = ovr_take(&b, 4) == set->shape[k] && set->chunk == 1 && rows;
+    return ovr_take(&b, 4) == set->element.size && b.good && rows &&
+           set->chunk > 0;
 }
 
-/* Of one dimension there are no more rows than the file has bytes, packed or
- * not: other columns are as long.  Of two, a row is a chunk; the width is held
- * against the positions, which are of one dimension. */
+/* What has no chunks lies in the file as it is.  Of one dimension there are no
+ * more rows than the file has bytes, packed or not: other columns are as long.
+ * Of more, a row is a chunk, which deflate makes a thousand times smaller at
+ * most. */
 static bool sizes_are_possible(const ovr_source *source, const ovr_dataset *set)
 {
-    uint64_t row = set->shape[1] * set->element.size;
+    enum { SMALLEST = 1032 };
+    uint64_t bytes = source->bytes, row = set->width * set->element.size;
+    if (!set->chunked)
+        return !set->packed && row > 0 && set->shape[0] <= bytes / row;
     if (set->rank == 1)
-        return set->shape[0] <= source->bytes && set->chunk[0] <= source->bytes;
-    return set->rank == 2 && set->chunked && set->shape[1] > 0 &&
-           set->shape[1] <= source->bytes && row <= UINT_MAX &&
+        return set->shape[0] <= bytes && set->chunk <= bytes;
+    return set->width > 0 && set->width / SMALLEST <= bytes &&
            set->shape[0] <= SIZE_MAX / 16;
 }
 
@@ -172,8 +182,8 @@ bool ovr_container_dataset(ovr_container *c, uint64_t object, ovr_dataset *set)
         !ovr_element_read(type, &set->element) ||
         (set->element.kind != 'f' && set->element.kind != 'i'))
         return false;
-    set->rank = ovr_shape_read(space, set->shape);
-    return set->rank > 0 && read_layout(layout, set) &&
+    return ovr_shape_read(space, set) && set->rank > 0 &&
+           read_layout(layout, set) &&
            read_filters(&c->source, object, &set->packed) &&
            sizes_are_possible(&c->source, set);
 }
@@ -264,7 +274,7 @@ static bool part_of(ovr_source *source, const ovr_dataset *set, const chunk *c,
                     uint64_t first, uint64_t count, double *values)
 {
     const ovr_element *e = &set->element;
-    const uint64_t all = set->chunk[0] * set->chunk[1];
+    const uint64_t all = set->chunk * set->width;
     unsigned char *data = NULL;
     ovr_piece b;
     if (!set->packed)
@@ -279,7 +289,7 @@ static bool part_of(ovr_source *source, const ovr_dataset *set, const chunk *c,
 }
 
 /* Chunk after chunk, whose memory is given back before the next is read: the
- * part of it that is wanted.  Of two dimensions a row is a chunk. */
+ * part of it that is wanted.  Of more dimensions a row is a chunk. */
 static bool chunks(ovr_source *source, const ovr_dataset *set, uint64_t row,
                    uint64_t count, double *values)
 {
@@ -288,9 +298,9 @@ static bool chunks(ovr_source *source, const ovr_dataset *set, uint64_t row,
     search found = FOUND;
     scratch.arena = &arena;
     while (count > 0 && found != DAMAGED) {
-        uint64_t from = row - row % set->chunk[0];
-        uint64_t first = (row - from) * set->chunk[1];
-        uint64_t part = set->chunk[0] * set->chunk[1] - first;
+        uint64_t from = row - row % set->chunk;
+        uint64_t first = (row - from) * set->width;
+        uint64_t part = set->chunk * set->width - first;
         chunk c;
         if (part > count)
             part = count;
@@ -301,7 +311,7 @@ static bool chunks(ovr_source *source, const ovr_dataset *set, uint64_t row,
                  !part_of(&scratch, set, &c, first, part, values))
             found = DAMAGED;
         ovr_arena_release(&arena);
-        row = from + set->chunk[0];
+        row = from + set->chunk;
         count -= part;
         values += part;
     }
@@ -313,12 +323,13 @@ bool ovr_container_values(ovr_container *c, const ovr_dataset *set,
                           uint64_t row, uint64_t count, double *values)
 {
     const ovr_element *e = &set->element;
-    bool inside = set->rank == 2
-                      ? row < set->shape[0] && count == set->shape[1]
+    bool inside = set->rank > 1
+                      ? row < set->shape[0] && count == set->width
                       : row <= set->shape[0] && count <= set->shape[0] - row;
     if (!inside)
         return false;
     if (set->chunked)
         return chunks(&c->source, set, row, count, values);
-    return plain(&c->source, e, set->at + row * e->size, count, values);
+    return plain(&c->source, e, set->at + row * set->width * e->size, count,
+                 values);
 }

@@ -9,10 +9,10 @@
 bool ovr_object_message(ovr_source *source, uint64_t object, unsigned wanted,
                         ovr_piece *body);
 
-/* From such messages: the type, and the dimensions (missing ones are 1), whose
- * number is returned; false and -1 for what the writer never makes. */
+/* From such messages: the type; rank, shape and width (missing dimensions are
+ * 1); false for what the writer never makes. */
 bool ovr_element_read(ovr_piece type, ovr_element *element);
-int ovr_shape_read(ovr_piece space, uint64_t shape[2]);
+bool ovr_shape_read(ovr_piece space, ovr_dataset *set);
 
 /* Numbers of the file as numbers here. */
 void ovr_element_values(const ovr_element *element, const unsigned char *from,

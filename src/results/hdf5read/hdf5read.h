@@ -79,18 +79,19 @@ typedef struct ovr_element {
     size_t size;
 } ovr_element;
 
-/* A dataset of numbers, of one or two dimensions (rows first). */
+/* A dataset of numbers, of any number of dimensions up to this (rows first). */
+enum { OVR_DIMENSIONS = 4 };
 typedef struct ovr_dataset {
     ovr_element element;
     int rank;
-    uint64_t shape[2];
+    uint64_t shape[OVR_DIMENSIONS], width; /* values in a row */
     bool chunked, packed;
-    uint64_t at, chunk[2]; /* the values, or the tree of the chunks */
+    uint64_t at, chunk; /* the values, or the tree of the chunks; its rows */
 } ovr_dataset;
 bool ovr_container_dataset(ovr_container *container, uint64_t object,
                            ovr_dataset *set);
 
-/* `count` values from row `row` of one dimension, or row `row` of two, that is
+/* `count` values from row `row` of one dimension, or row `row` of more, that is
  * `count` wide.  Rows that were never written are NaN (integers: -1). */
 bool ovr_container_values(ovr_container *container, const ovr_dataset *set,
                           uint64_t row, uint64_t count, double *values);

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The kinds of quantities: names, units, scales. */
+#include <math.h>
+#include <string.h>
+
+#include "overroll/contact.h"
+
+static const ovr_kind_info kinds[OVR_KINDS + 1] = {
+    [OVR_KIND_NUMBER] = {"number", "1", "1"},
+    [OVR_KIND_COUNT] = {"count", "1", "1"},
+    [OVR_KIND_FLAG] = {"flag", "1", "1"},
+    [OVR_KIND_LENGTH] = {"length", "m", "b"},
+    [OVR_KIND_HEIGHT] = {"height", "m", "b^2/R"},
+    [OVR_KIND_PRESSURE] = {"pressure", "Pa", "ph"},
+    [OVR_KIND_TIME] = {"time", "s", "b/um"},
+    [OVR_KIND_VISCOSITY] = {"viscosity", "Pa s", "eta0"},
+    [OVR_KIND_FLOW] = {"flow", "m2 s-1", "um b^2/R"},
+    [OVR_KINDS] = {"", "1", "1"}};
+
+const ovr_kind_info *ovr_kind_about(ovr_unit_kind kind)
+{
+    return &kinds[kind];
+}
+
+ovr_unit_kind ovr_kind_named(const char *name)
+{
+    ovr_unit_kind kind = OVR_KIND_NUMBER;
+    while (kind < OVR_KINDS && strcmp(kinds[kind].name, name) != 0)
+        kind++;
+    return kind;
+}
+
+double ovr_kind_scale(ovr_unit_kind kind, const ovr_contact *c)
+{
+    switch (kind) {
+    case OVR_KIND_LENGTH: return c->b;
+    case OVR_KIND_HEIGHT: return c->height;
+    case OVR_KIND_PRESSURE: return c->ph;
+    case OVR_KIND_TIME: return c->time;
+    case OVR_KIND_VISCOSITY: return c->viscosity;
+    case OVR_KIND_FLOW: return c->um * c->height;
+    default: return 1;
+    }
+}
