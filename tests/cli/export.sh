@@ -150,3 +150,8 @@ refuses 'nowhere/a.csv: No such file' export a.h5 -o nowhere/a.csv
 printf '[contact]\nM = 20\nL = 10\n[domain]\nlevel = 3\n' >bare.ini
 expect 0 "$OVERROLL" run bare.ini -o bare.h5 -q
 refuses 'does not know|scale' export bare.h5 --units si
+# ... but kinds: what the numbers are in is known
+expect 0 "$OVERROLL" export bare.h5 --snapshot 0
+contains out '^x \[b\],pressure \[ph\],film_thickness \[b\^2/R\],roughness'
+expect 0 "$OVERROLL" export bare.h5 --units hertzian
+contains out 'central_film_thickness \[b\^2/R\],central_pressure \[ph\]'

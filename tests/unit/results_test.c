@@ -208,6 +208,134 @@ static void stores_what_is_chosen(void **state)
     test_dent_free(&d);
 }
 
+/* A file as 0.1.0 made it: version 1, no kinds. */
+static herr_t forget_kind(hid_t object, const char *name,
+                          const H5O_info_t *about, void *unused)
+{
+    (void)about;
+    (void)unused;
+    if (H5Aexists_by_name(object, name, "kind", H5P_DEFAULT) > 0)
+        H5Adelete_by_name(object, name, "kind", H5P_DEFAULT);
+    return 0;
+}
+
+static void make_version_1(const char *path)
+{
+    int version = 1;
+    hid_t file = H5Fopen(path, H5F_ACC_RDWR, H5P_DEFAULT), attribute;
+    H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, forget_kind, NULL,
+              H5O_INFO_BASIC);
+    attribute = H5Aopen(file, "format_version", H5P_DEFAULT);
+    assert_true(H5Awrite(attribute, H5T_NATIVE_INT, &version) >= 0);
+    H5Aclose(attribute);
+    assert_true(H5Fclose(file) >= 0);
+}
+
+static size_t kinds_of(const char *path, ovr_unit_kind *kinds)
+{
+    ovr_result *r = open_result(path);
+    const ovr_variable *v;
+    size_t count = 0;
+    for (; (v = ovr_result_variable(r, count)); count++)
+        kinds[count] = v->kind;
+    assert_int_equal(ovr_result_find(r, "mass_flow")->kind, OVR_KIND_FLOW);
+    assert_int_equal(ovr_result_find(r, "history/mass_flow")->kind,
+                     OVR_KIND_NUMBER);
+    assert_int_equal(ovr_result_find(r, "history/rigid_approach")->kind,
+                     OVR_KIND_HEIGHT);
+    ovr_result_close(r);
+    return count;
+}
+
+static void knows_kinds_of_version_1(void **state)
+{
+    const char *path = test_path(*state, "old.h5");
+    ovr_write_options o = options_for(path);
+    ovr_contact contact = test_contact_bare();
+    ovr_unit_kind now[64], then[64];
+    size_t count;
+    test_dent d;
+    test_dent_init(&d, NODES, 0);
+    o.fields = 0x7f;
+    write_run(&o, &contact, &d, 4);
+    count = kinds_of(path, now);
+    assert_true(count > 30 && count < 64);
+    make_version_1(path);
+    assert_int_equal(kinds_of(path, then), count);
+    assert_memory_equal(now, then, count * sizeof *now);
+    test_dent_free(&d);
+}
+
+/* What a later version may store: three dimensions, in a group in a group. */
+static void add_stresses(const char *path, double values[2][3][5])
+{
+    const hsize_t shape[3] = {2, 3, 5}, chunk[3] = {1, 3, 5};
+    hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+    herr_t bounds = H5Pset_libver_bounds(access, H5F_LIBVER_V18,
+                                         H5F_LIBVER_V18);
+    hid_t file = H5Fopen(path, H5F_ACC_RDWR, access);
+    hid_t above = H5Gcreate2(file, "stress", H5P_DEFAULT, H5P_DEFAULT,
+                             H5P_DEFAULT);
+    hid_t group = H5Gcreate2(above, "surface_1", H5P_DEFAULT, H5P_DEFAULT,
+                             H5P_DEFAULT);
+    hid_t space = H5Screate_simple(3, shape, NULL);
+    hid_t creation = H5Pcreate(H5P_DATASET_CREATE), set;
+    H5Pset_chunk(creation, 3, chunk);
+    H5Pset_shuffle(creation);
+    H5Pset_deflate(creation, 1);
+    set = H5Dcreate2(group, "sigma_x", H5T_IEEE_F64LE, space, H5P_DEFAULT,
+                     creation, H5P_DEFAULT);
+    H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values);
+    H5Dclose(set);
+    set = H5Dcreate2(group, "plain", H5T_IEEE_F64LE, space, H5P_DEFAULT,
+                     H5P_DEFAULT, H5P_DEFAULT);
+    H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values);
+    H5Dclose(set);
+    assert_true(bounds >= 0);
+    H5Pclose(access);
+    H5Pclose(creation);
+    H5Sclose(space);
+    H5Gclose(group);
+    H5Gclose(above);
+    assert_true(H5Fclose(file) >= 0);
+}
+
+static void reads_any_rank(void **state)
+{
+    static const char *const names[] = {"stress/surface_1/sigma_x",
+                                        "stress/surface_1/plain"};
+    const char *path = test_path(*state, "deep.h5");
+    ovr_write_options o = options_for(path);
+    ovr_contact contact = test_contact_bare();
+    double values[2][3][5], found[3][5];
+    ovr_error err = {OVR_OK, ""};
+    uint64_t seed = 7;
+    test_dent d;
+    ovr_result *r;
+    test_dent_init(&d, NODES, 0);
+    write_run(&o, &contact, &d, 4);
+    for (size_t k = 0; k < 30; k++)
+        (&values[0][0][0])[k] = test_random(&seed, -1, 1);
+    add_stresses(path, values);
+    r = open_result(path);
+    assert_int_equal(ovr_result_fields(r), 3);
+    for (size_t j = 0; j < 2; j++) {
+        const ovr_variable *v = ovr_result_find(r, names[j]);
+        assert_true(v && v->rank == 3 && v->shape[0] == 2 && v->shape[2] == 5);
+        for (size_t k = 0; k < 2; k++) {
+            CHECK_OK(
+                ovr_result_read(r, names[j], k, OVR_AS_STORED, found[0], &err),
+                &err);
+            assert_memory_equal(found, values[k], sizeof found);
+        }
+        assert_int_equal(
+            ovr_result_read(r, names[j], 2, OVR_AS_STORED, found[0], &err),
+            OVR_BAD_INPUT);
+    }
+    ovr_result_close(r);
+    test_dent_free(&d);
+}
+
 static void lists_times(void **state)
 {
     const char *path = test_path(*state, "times.h5");
@@ -394,6 +522,8 @@ int main(void)
                                        TEST(converts_units),
                                        TEST(refuses_si_without_scales),
                                        TEST(stores_what_is_chosen),
+                                       TEST(knows_kinds_of_version_1),
+                                       TEST(reads_any_rank),
                                        TEST(lists_times),
                                        TEST(names_the_next_time),
                                        TEST(refuses_other_files),
