@@ -8,7 +8,7 @@
  *     ovr_setup *setup = ovr_case_resolve(c, NULL, &err);
  *     ovr_simulation *sim = ovr_setup_simulation(setup, NULL, &err);
  *     ovr_simulation_steady(sim, &err);
- *     ovr_march march = setup->march;  march.observe = ...;
+ *     ovr_march march = setup->march;  march.observers = ...;
  *     ovr_simulation_march(sim, &march, &err);
  *     ovr_simulation_free(sim), ovr_setup_free(setup), ovr_case_free(c);
  *

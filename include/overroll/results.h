@@ -90,8 +90,8 @@ typedef struct ovr_frame {
 OVR_API ovr_status ovr_writer_record(ovr_writer *writer, const ovr_frame *frame,
                                      ovr_error *err);
 
-/* The writer as the observer of a march: `observe` and `next_time` of an
- * ovr_march whose data is the writer. */
+/* The writer as an observer of a march, and what it does. */
+OVR_API ovr_observer ovr_writer_observer(ovr_writer *writer);
 OVR_API ovr_status ovr_writer_observe(void *writer, const ovr_simulation *sim,
                                       ovr_error *err);
 OVR_API double ovr_writer_next_time(void *writer, double T);

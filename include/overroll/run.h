@@ -57,7 +57,8 @@ typedef struct ovr_run_options {
     /* After each step of a run in time. */
     void (*progress)(void *data, const ovr_run *run, double fraction);
     /* After the steady start and each step, the file written. */
-    ovr_observer *observe;
+    ovr_status (*observe)(void *data, const ovr_simulation *sim,
+                          ovr_error *err);
     /* Resuming: settings for the case (its end, what is stored). */
     ovr_status (*change)(void *data, ovr_case *c, ovr_error *err);
 } ovr_run_options;

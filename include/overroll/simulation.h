@@ -244,10 +244,16 @@ OVR_API void ovr_simulation_restored(ovr_simulation *sim);
 
 /* ---------------------------------------------------------- time loop */
 
-/* Called after the steady start and after each step; anything but OVR_OK
- * ends the run with that status. */
-typedef ovr_status ovr_observer(void *data, const ovr_simulation *sim,
-                                ovr_error *err);
+/* One that looks on: a result file, stresses, progress, yourself. */
+typedef struct ovr_observer {
+    /* Called after the steady start and after each step; anything but OVR_OK
+     * ends the run with that status. */
+    ovr_status (*observe)(void *data, const ovr_simulation *sim,
+                          ovr_error *err);
+    /* Next time after T that must be hit exactly, or INFINITY; may be NULL. */
+    double (*next_time)(void *data, double T);
+    void *data;
+} ovr_observer;
 
 typedef struct ovr_march {
     double end;        /* last time */
@@ -255,10 +261,8 @@ typedef struct ovr_march {
     bool adaptive;     /* step from the scheme's own error estimate */
     double error;      /* adaptive: relative error of H a step, 1e-4 */
     bool until_steady; /* stop when nothing changes any more */
-    /* next time after T that must be hit exactly, or INFINITY; may be NULL */
-    double (*next_time)(void *data, double T);
-    ovr_observer *observe; /* may be NULL */
-    void *data;
+    size_t count;      /* observers, asked in this order */
+    const ovr_observer *observers;
 } ovr_march;
 
 /* From the state now (steady start or restored) to the end.  With a fixed dT

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "simulation/observables.h"
+
 /* ------------------------------------------------------------------ words */
 
 static const ovr_word viscosity_laws[] = {{"roelands", OVR_ROELANDS},
@@ -39,9 +41,8 @@ static const ovr_word histories[] = {
 static const ovr_word time_units[] = {
     {"b/um", 0}, {"s", 1}, {"ms", 2}, {"us", 3}, {NULL, 0}};
 static const ovr_word precisions[] = {{"f64", 0}, {"f32", 1}, {NULL, 0}};
-static const ovr_word fields[] = {
-    {"pressure", 0},  {"film_thickness", 0}, {"roughness", 0}, {"density", 0},
-    {"viscosity", 0}, {"mass_flow", 0},      {"cavitated", 0}, {NULL, 0}};
+#define FIELD(name, kind, axes, text) {#name, 0},
+static const ovr_word fields[] = {OVR_FIELD_ROWS(FIELD){NULL, 0}};
 static const ovr_word shapes[] = {
     {"dent", OVR_DENT},           {"bump", OVR_BUMP},
     {"indent", OVR_INDENT},       {"ridge", OVR_RIDGE},

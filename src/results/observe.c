@@ -27,6 +27,11 @@ ovr_status ovr_writer_observe(void *writer, const ovr_simulation *sim,
     return ovr_writer_record(w, &frame, err);
 }
 
+ovr_observer ovr_writer_observer(ovr_writer *w)
+{
+    return (ovr_observer){ovr_writer_observe, ovr_writer_next_time, w};
+}
+
 static ovr_status visit_state(void *sim, ovr_visit *visit, void *context,
                               ovr_error *err)
 {

@@ -41,8 +41,8 @@ static ovr_status solve(ovr_setup *setup, ovr_simulation *coarse, bool steady,
 {
     ovr_march march = setup->march;
     ovr_status status = ovr_simulation_steady(coarse, err);
-    march.observe = keep;
-    march.data = kept;
+    march.count = 1;
+    march.observers = &(ovr_observer){keep, NULL, kept};
     if (!status && !steady)
         return ovr_simulation_march(coarse, &march, err);
     return status ? status : keep(kept, coarse, err);

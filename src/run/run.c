@@ -127,18 +127,12 @@ const ovr_run_info *ovr_run_about(const ovr_run *run)
 
 /* ----------------------------------------------------------------- solving */
 
-static ovr_status observe(void *data, const ovr_simulation *sim, ovr_error *err)
+/* The last of the observers: says how far the run is, and may end it. */
+static ovr_status look(void *data, const ovr_simulation *sim, ovr_error *err)
 {
     ovr_run *run = data;
     const ovr_run_options *how = &run->how;
     double T = ovr_simulation_state(sim)->T;
-    ovr_status status = OVR_OK;
-    if (run->writer)
-        status = ovr_writer_observe(run->writer, sim, err);
-    if (!status && how->observe)
-        status = how->observe(how->data, sim, err);
-    if (status)
-        return status;
     run->info.fraction = run->info.transient ? T / run->setup->march.end : 1;
     if (how->progress && run->info.transient)
         how->progress(how->data, run, run->info.fraction);
@@ -147,25 +141,26 @@ static ovr_status observe(void *data, const ovr_simulation *sim, ovr_error *err)
     return OVR_OK;
 }
 
-static double next_time(void *data, double T)
-{
-    const ovr_run *run = data;
-    return run->writer ? ovr_writer_next_time(run->writer, T) : INFINITY;
-}
-
 static ovr_status solve(ovr_run *run, ovr_error *err)
 {
     ovr_march how = run->setup->march;
-    ovr_status status = run->restored ? OVR_OK
-                                      : ovr_simulation_steady(run->sim, err);
-    if (status)
-        return status;
-    if (!run->info.transient)
-        return observe(run, run->sim, err);
-    how.observe = observe;
-    how.next_time = next_time;
-    how.data = run;
-    return ovr_simulation_march(run->sim, &how, err);
+    ovr_observer observer[3];
+    ovr_status status = OVR_OK;
+    how.count = 0;
+    how.observers = observer;
+    if (run->writer)
+        observer[how.count++] = ovr_writer_observer(run->writer);
+    if (run->how.observe)
+        observer[how.count++] = (ovr_observer){run->how.observe, NULL,
+                                               run->how.data};
+    observer[how.count++] = (ovr_observer){look, NULL, run};
+    if (!run->restored)
+        status = ovr_simulation_steady(run->sim, err);
+    if (!status && run->info.transient)
+        return ovr_simulation_march(run->sim, &how, err);
+    for (size_t k = 0; !status && k < how.count; k++)
+        status = observer[k].observe(observer[k].data, run->sim, err);
+    return status;
 }
 
 static ovr_run_status ending(ovr_status status)

@@ -152,9 +152,8 @@ double ovr_step_error(const ovr_simulation *sim, double h);
 ovr_status ovr_simulation_attempt(ovr_simulation *sim, double next, bool *taken,
                                   double *error, ovr_error *err);
 
-/* The scheme's own mass flow at the half nodes i + 1/2, n - 1 values in
- * `room`. */
-const double *ovr_half_flow(const ovr_simulation *sim, double *room);
+/* The scheme's own mass flow at the half node i + 1/2; Cu = um/um0. */
+double ovr_flux(const ovr_simulation *sim, double Cu, size_t i);
 
 /* Relative error of the mass balance over the step just made. */
 double ovr_mass_balance(const ovr_simulation *sim);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The time loop: knows steps and an observer, nothing of files.
+ * The time loop: knows steps and observers, nothing of files.
  *
  * Fixed steps end at k dT exactly, without the rounding of a sum; the times
- * an observer asks for are hit on the way by dividing a step.
+ * that observers ask for are hit on the way by dividing a step.
  * Adaptive steps follow the local error e ~ dT^(p+1) of order p:
  *     dT <- dT min(2, max(1/2, 0.9 (wanted/e)^(1/(p+1)))),
  * a step with twice the wanted error is taken again with a shorter dT.
@@ -24,7 +24,11 @@ static const double least_step = 1. / 64, largest_step = 64;
 static ovr_status observe(const ovr_simulation *sim, const ovr_march *march,
                           ovr_error *err)
 {
-    return march->observe ? march->observe(march->data, sim, err) : OVR_OK;
+    ovr_status status = OVR_OK;
+    for (size_t k = 0; !status && k < march->count; k++)
+        status = march->observers[k].observe(march->observers[k].data, sim,
+                                             err);
+    return status;
 }
 
 /* The next time of the fixed grid, or of the adaptive step; a time that is
@@ -37,8 +41,9 @@ static double next_time(const ovr_simulation *sim, const ovr_march *march,
         next = (floor(T / dT + 1e-6) + 1) * dT;
     else if (next > march->end - least)
         next = march->end;
-    if (march->next_time) {
-        double asked = march->next_time(march->data, T + least);
+    for (size_t k = 0; k < march->count; k++) {
+        const ovr_observer *o = &march->observers[k];
+        double asked = o->next_time ? o->next_time(o->data, T + least) : next;
         if (asked > T + least && asked < next - least)
             next = asked;
     }

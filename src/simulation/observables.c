@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "simulation/internal.h"
+#include "simulation/observables.h"
 
 /* ----------------------------------------------------------------- fields */
 
@@ -45,6 +46,14 @@ static const double *cavitated(const ovr_simulation *sim, double *room)
     return room;
 }
 
+static const double *mass_flow(const ovr_simulation *sim, double *room)
+{
+    double Cu = ovr_history_value(sim->speed, sim->state.T);
+    for (size_t i = 0; i + 1 < sim->state.n; i++)
+        room[i] = ovr_flux(sim, Cu, i);
+    return room;
+}
+
 /* ------------------------------------------------------------------- list */
 
 #define NUMBER(name, key, si, kind, member, text)                              \
@@ -53,12 +62,9 @@ static const double *cavitated(const ovr_simulation *sim, double *room)
             offsetof(ovr_observation, member), NULL                            \
     }
 #define FIELD(name, kind, axes, text)                                          \
-    {                                                                          \
-#name, NULL, NULL, text, OVR_KIND_##kind, OVR_AT_##axes, 0, name       \
-    }
+    {#name, NULL, NULL, text, OVR_KIND_##kind, OVR_AT_##axes, 0, name},
 
-/* Columns and fields stand in a file in this order; bit k of a set of fields
- * is the k-th of them. */
+/* Columns and fields stand in a file in this order. */
 static const ovr_observable table[] = {
     NUMBER("time", NULL, NULL, TIME, T, "time"),
     NUMBER("time_step", NULL, NULL, TIME, dT, "length of the step"),
@@ -108,17 +114,7 @@ static const ovr_observable table[] = {
     NUMBER("retries", NULL, NULL, COUNT, retries, "attempts after the first"),
     NUMBER("converged", NULL, NULL, FLAG, converged, "below tolerance"),
     NUMBER("marked", NULL, NULL, FLAG, marked, "accepted above tolerance"),
-
-    FIELD(pressure, PRESSURE, NODES, "pressure"),
-    FIELD(film_thickness, HEIGHT, NODES, "film thickness"),
-    FIELD(roughness, HEIGHT, NODES,
-          "height of the features of both surfaces, outward positive"),
-    FIELD(density, NUMBER, NODES, "density relative to ambient"),
-    FIELD(viscosity, VISCOSITY, NODES, "viscosity"),
-    {"mass_flow", NULL, NULL, "mass flow per unit width over ambient density",
-     OVR_KIND_FLOW, OVR_AT_HALVES, 0, ovr_half_flow},
-    FIELD(cavitated, FLAG, NODES, "1 where the pressure is zero"),
-};
+    OVR_FIELD_ROWS(FIELD)};
 
 const ovr_observable *ovr_observable_at(size_t k)
 {

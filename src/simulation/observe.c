@@ -56,7 +56,7 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
 
 /* The scheme's own flux at half node i + 1/2: upstream wedge and Poiseuille
  * flow. */
-static double flux(const ovr_simulation *sim, double Cu, size_t i)
+double ovr_flux(const ovr_simulation *sim, double Cu, size_t i)
 {
     const double *P = sim->P, *q = sim->q, *eps = sim->eps;
     double upstream = q[i];
@@ -74,14 +74,6 @@ static double mean_flow(const ovr_simulation *sim)
     const double u[2] = {second ? 1.5 * Cu : Cu, second ? -0.5 * Cu : 0};
     return sim->grids.kernels->mean_flow(sim->finest->n, u, sim->finest->D,
                                          sim->P, sim->q, sim->eps);
-}
-
-const double *ovr_half_flow(const ovr_simulation *sim, double *room)
-{
-    double Cu = ovr_history_value(sim->speed, sim->state.T);
-    for (size_t i = 0; i + 1 < sim->finest->n; i++)
-        room[i] = flux(sim, Cu, i);
-    return room;
 }
 
 static void observe_extremes(ovr_simulation *sim)

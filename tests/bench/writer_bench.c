@@ -105,12 +105,13 @@ static void march(const variant *v, const ovr_contact *contact,
 {
     ovr_march how = {.end = 6};
     ovr_writer *writer = NULL;
+    ovr_observer look;
     ovr_error err = {0};
     if (v->write) {
         writer = make_writer(v, contact, sim, path);
-        how.observe = ovr_writer_observe;
-        how.next_time = ovr_writer_next_time;
-        how.data = writer;
+        look = ovr_writer_observer(writer);
+        how.count = 1;
+        how.observers = &look;
     }
     if (ovr_simulation_march(sim, &how, &err) ||
         (writer && ovr_writer_close(writer, OVR_RUN_COMPLETE, &err)))

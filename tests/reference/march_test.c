@@ -172,11 +172,9 @@ static void times_are_hit_exactly(void **state)
     for (int adaptive = 0; adaptive < 2; adaptive++) {
         asked a = {0, 0};
         ovr_simulation *sim = started(6, OVR_UPSTREAM2, 0, NULL, NULL, NULL);
-        ovr_march march = {.end = 1,
-                           .adaptive = adaptive,
-                           .next_time = next_wanted,
-                           .observe = count_hits,
-                           .data = &a};
+        ovr_observer look = {count_hits, next_wanted, &a};
+        ovr_march march = {
+            .end = 1, .adaptive = adaptive, .count = 1, .observers = &look};
         go(sim, &march);
         assert_int_equal(a.hit, 4);
         ovr_simulation_free(sim);

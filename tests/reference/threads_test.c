@@ -53,10 +53,11 @@ static ovr_status march(one_run *r, const ovr_setup *setup, ovr_simulation *sim,
                         ovr_writer *writer)
 {
     ovr_march how = setup->march;
+    ovr_observer look;
     if (writer) {
-        how.observe = ovr_writer_observe;
-        how.next_time = ovr_writer_next_time;
-        how.data = writer;
+        look = ovr_writer_observer(writer);
+        how.count = 1;
+        how.observers = &look;
     }
     if (ovr_simulation_steady(sim, &r->err))
         return r->err.status;

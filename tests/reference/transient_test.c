@@ -102,7 +102,8 @@ static ovr_status at_given_times(void *data, const ovr_simulation *sim,
 }
 
 static watch march(const run *r, int level, double tolerance,
-                   ovr_observer *observe)
+                   ovr_status observe(void *, const ovr_simulation *,
+                                      ovr_error *))
 {
     ovr_error err;
     ovr_options o = ovr_options_default();
@@ -110,7 +111,8 @@ static watch march(const run *r, int level, double tolerance,
     ovr_history *load = NULL;
     test_feature feature = r->feature;
     watch w = {.truth = r->truth};
-    ovr_march m = {.end = r->end, .observe = observe, .data = &w};
+    ovr_observer look = {observe, NULL, &w};
+    ovr_march m = {.end = r->end, .count = 1, .observers = &look};
     o.level = level;
     o.scheme = r->scheme;
     o.tolerance = tolerance;

@@ -73,7 +73,8 @@ static ovr_write_options options_for(const char *path)
 static void finish(bench *b)
 {
     ovr_error err = {0};
-    ovr_march march = {.end = END, .observe = watch, .data = b};
+    ovr_observer look = {watch, NULL, b};
+    ovr_march march = {.end = END, .count = 1, .observers = &look};
     ovr_status status;
     ovr_writer_checkpoints(b->writer, b->sim);
     status = ovr_simulation_march(b->sim, &march, &err);

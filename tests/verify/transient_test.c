@@ -81,7 +81,8 @@ static double amplitude_ratio(double M, double L, double wavelength, int level,
     if (periods * wavelength > 2)
         end = 5 + periods * wavelength;
     fundamental f = {wavelength, end - periods * wavelength, end, 0, 0, 0};
-    ovr_march march = {.end = end, .observe = accumulate, .data = &f};
+    ovr_observer look = {accumulate, NULL, &f};
+    ovr_march march = {.end = end, .count = 1, .observers = &look};
     if (M == 20 && L == 10)
         wave.A = 0.02105;
     ovr_simulation *sim = begin(M, L, level, scheme, &wave, NULL);
@@ -168,7 +169,8 @@ static void sliding_disturbances_arrive_twice(void **state)
     ovr_error err;
     test_feature dent = {'l', -0.05, 0.4, -3, 0.5, 0};
     arrivals a = {0};
-    ovr_march march = {.end = 8, .observe = note_peaks, .data = &a};
+    ovr_observer look = {note_peaks, NULL, &a};
+    ovr_march march = {.end = 8, .count = 1, .observers = &look};
     bool fluid = false, own = false;
     (void)state;
     ovr_simulation *sim = begin(20, 10, 8, OVR_UPSTREAM2, &dent, NULL);
@@ -259,7 +261,8 @@ static watch follow(const run *r, int level, ovr_scheme scheme)
     ovr_history *load = NULL;
     test_feature feature = r->feature;
     watch w = {.truth = r->truth};
-    ovr_march march = {.end = r->end, .observe = compare, .data = &w};
+    ovr_observer look = {compare, NULL, &w};
+    ovr_march march = {.end = r->end, .count = 1, .observers = &look};
     if (r->load) {
         form.kind = OVR_HISTORY_RAMP;
         form.from = 1;

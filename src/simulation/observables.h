@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The fields among the quantities, for the list and for the words of a case:
+ * ROW(name and function, kind, axes, long name).  Bit k of a set of fields is
+ * the k-th of them. */
+#ifndef OVR_SIMULATION_OBSERVABLES_H
+#define OVR_SIMULATION_OBSERVABLES_H
+
+#define OVR_FIELD_ROWS(ROW)                                                    \
+    ROW(pressure, PRESSURE, NODES, "pressure")                                 \
+    ROW(film_thickness, HEIGHT, NODES, "film thickness")                       \
+    ROW(roughness, HEIGHT, NODES,                                              \
+        "height of the features of both surfaces, outward positive")           \
+    ROW(density, NUMBER, NODES, "density relative to ambient")                 \
+    ROW(viscosity, VISCOSITY, NODES, "viscosity")                              \
+    ROW(mass_flow, FLOW, HALVES,                                               \
+        "mass flow per unit width over ambient density")                       \
+    ROW(cavitated, FLAG, NODES, "1 where the pressure is zero")
+
+#endif
