@@ -1,17 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Lubricant laws, one value at a time; the fast whole-grid evaluation is in
- * src/multigrid.  Sources: Roelands 1966 (viscosity, and z from alpha and
- * eta0), Barus 1893, Dowson & Higginson 1966 (density).
- */
+/* The lubricant of a contact, and its laws (contact/laws) at one pressure. */
 #include "overroll/contact.h"
 
 #include <math.h>
 
+#include "contact/laws/fluid.h"
+
 static const double P0_PAPER = 1.98e8; /* Pa */
 static const double Z_PAPER = 0.68;
 static const double DENSITY_A = 5.9e8; /* Pa */
-static const double DENSITY_LIMIT = 1.34;
 
 static ovr_status index_z(const ovr_contact *contact, double p0, double given,
                           double *z, ovr_error *err)
@@ -77,20 +74,19 @@ ovr_status ovr_lubricant_make(const ovr_contact *contact,
 
 double ovr_viscosity(const ovr_lubricant *lubricant, double P)
 {
-    double P0 = lubricant->P0, z = lubricant->z;
-    switch (lubricant->viscosity_law) {
-    case OVR_ROELANDS:
-        return exp(lubricant->alphabar * P0 / z * expm1(z * log1p(P / P0)));
-    case OVR_BARUS: return exp(lubricant->alphabar * P);
-    case OVR_ISOVISCOUS: break;
-    }
-    return 1;
+    ovr_viscosity_law law = lubricant->viscosity_law;
+    fluid_laws c;
+    fluid_laws_make(lubricant, &c);
+    double divisor = viscosity_divisor(&c, law, P), slope;
+    double power = viscosity_begin(&c, law, P, divisor, 1 / divisor, &slope);
+    return exp2(-viscosity_finish(&c, law, power, &slope));
 }
 
 double ovr_density(const ovr_lubricant *lubricant, double P)
 {
-    double A = lubricant->A;
-    if (lubricant->density_law == OVR_DOWSON_HIGGINSON)
-        return (A + DENSITY_LIMIT * P) / (A + P);
-    return 1;
+    dowson_higginson law;
+    double slope;
+    dowson_higginson_make(lubricant, &law);
+    return dowson_higginson_finish(&law, 1 / dowson_higginson_divisor(&law, P),
+                                   &slope);
 }

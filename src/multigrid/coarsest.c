@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "multigrid/field.h"
-#include "multigrid/scalar.h"
 
 #include "multigrid/reynolds_row.h"
 

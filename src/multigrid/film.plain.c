@@ -1,50 +1,58 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Film, properties and Reynolds coefficient (equations in film.kernel.c). */
-#include <math.h>
-
 #include "multigrid/plain.h"
 
-static double density_slope(const ovr_lubricant *law, double P)
-{
-    double A = law->A;
-    if (law->density_law == OVR_DOWSON_HIGGINSON)
-        return 0.34 * A / ((A + P) * (A + P));
-    return 0;
-}
+#include "contact/laws/fluid.h"
+#include "contact/laws/law.h"
 
-/* ln eta and its derivative */
-static double log_viscosity(const ovr_lubricant *law, double P, double *slope)
+/* log2(1/eta), and the slopes of ln eta by P and by H */
+static double viscosity(const ovr_fluid *fluid, const fluid_laws *c, double P,
+                        double H, double slope[2])
 {
-    double alphabar = law->alphabar, P0 = law->P0, z = law->z;
-    switch (law->viscosity_law) {
-    case OVR_ROELANDS:
-        *slope = alphabar * pow(1 + P / P0, z - 1);
-        return alphabar * P0 / z * expm1(z * log1p(P / P0));
-    case OVR_BARUS: *slope = alphabar; return alphabar * P;
-    case OVR_ISOVISCOUS: break;
+    ovr_viscosity_law law = fluid->lubricant.viscosity_law;
+    double divisor = viscosity_divisor(c, law, P), power;
+    slope[1] = 0;
+    if (fluid->law) {
+        const ovr_law_nodes node = {1, &P, &H, &power, slope, slope + 1};
+        fluid->law->at(fluid->law, &node);
+        return power;
     }
-    *slope = 0;
-    return 0;
+    power = viscosity_begin(c, law, P, divisor, 1 / divisor, slope);
+    return viscosity_finish(c, law, power, slope);
 }
 
 void ovr_film_plain(const ovr_fluid *fluid, double H0, const ovr_lanes *g,
                     const double *gap, const double *w, const ovr_fields *f)
 {
-    const double solid = 900 * log(2); /* ln eta is held there */
-    const ovr_lubricant *law = &fluid->lubricant;
+    fluid_laws c;
+    fluid_laws_make(&fluid->lubricant, &c);
     for (size_t i = 0; i < g->n; i++) {
-        double P = f->P[i], H = H0 + gap[i] - w[i], slope;
-        double rho = ovr_density(law, P), q = rho * H;
-        double dq = density_slope(law, P) * H;
-        double eta = exp(fmin(log_viscosity(law, P, &slope), solid));
-        double flow = H * H / (eta * fluid->lambda);
+        double P = f->P[i], H = H0 + gap[i] - w[i], by_pressure, slope[2];
+        double inv_a = 1 / dowson_higginson_divisor(&c.density, P);
+        double rho = dowson_higginson_finish(&c.density, inv_a, &by_pressure);
+        double power = fmax(viscosity(fluid, &c, P, H, slope), -900);
+        double flow = H * H * exp2(power) / fluid->lambda, q = rho * H;
         f->H[i] = H;
         f->rho[i] = rho;
         f->q[i] = q;
-        f->dq[i] = dq;
+        f->dq[i] = by_pressure * H;
         f->eps[i] = q * flow;
-        f->deps[i] = (dq - q * slope) * flow;
+        f->deps[i] = (f->dq[i] - q * slope[0]) * flow;
         if (f->deps_dH)
-            f->deps_dH[i] = 3 * rho * flow;
+            f->deps_dH[i] = (3 * rho - q * slope[1]) * flow;
     }
+}
+
+double ovr_flow(const ovr_fluid *fluid, double P, double H)
+{
+    double value[6] = {P}, zero = 0;
+    const ovr_fields f = {.P = value,
+                          .H = value + 1,
+                          .rho = value + 2,
+                          .q = value + 3,
+                          .dq = value + 4,
+                          .eps = value + 5,
+                          .deps = value + 4};
+    ovr_film_plain(fluid, H, &(ovr_lanes){1, 1, 1}, &zero, &zero, &f);
+    return *f.eps;
 }

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "multigrid/hybrid.h"
 
-#include "multigrid/scalar.h"
-
 #include "multigrid/reynolds_row.h"
 
 /* Row i with film and properties as they are, P as it is now: the residual,

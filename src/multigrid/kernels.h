@@ -19,11 +19,17 @@
 
 struct ovr_mlmi;
 
+struct ovr_law;
+
 /* The lubricant with the Reynolds equation's lambda. */
 typedef struct ovr_fluid {
     ovr_lubricant lubricant;
     double lambda;
+    const struct ovr_law *law; /* of viscosity, instead of the lubricant's */
 } ovr_fluid;
+
+/* eps of a film H at the pressure P. */
+double ovr_flow(const ovr_fluid *fluid, double P, double H);
 
 /* Coefficients of one grid's discrete Reynolds equation, see reynolds.h. */
 typedef struct ovr_weights {

@@ -115,7 +115,8 @@ static inline vec scaled_log2(const log_table *table, vec x)
 
 /* s 2^(j/16) for scaled_exp2.  Less j at the bits where n + j/16 is added: the
  * exponent, and four bits after. */
-static inline void make_exp_table(double s, table16 *table)
+typedef table16 exp_table;
+static inline void make_exp_table(double s, exp_table *table)
 {
     static const table16 root = {
         {0x1p0, 0x1.0b5586cf9890fp0, 0x1.172b83c7d517bp0, 0x1.2387a6e756238p0,
@@ -135,7 +136,7 @@ static inline void make_exp_table(double s, table16 *table)
 
 /* s 2^y where it is a normal number (not checked); for s = 0 at most 2^y
  * times the smallest of these */
-static inline vec scaled_exp2(const table16 *table, vec y)
+static inline vec scaled_exp2(const exp_table *table, vec y)
 {
     static const double p[6] = {0x1.62e42fefa39f3p-1,  0x1.ebfbdff82c59p-3,
                                 0x1.c6b08d6f2a289p-5,  0x1.3b2ab6fb41213p-7,

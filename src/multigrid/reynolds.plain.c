@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "multigrid/plain.h"
-#include "multigrid/scalar.h"
 
 #include "multigrid/reynolds_row.h"
 

@@ -24,6 +24,9 @@
 #include <stdlib.h>
 
 #include "multigrid/kernels.h"
+#ifndef VEC /* or vector.h came before */
+#include "base/scalar.h"
+#endif
 
 /* The weights of a row: of q_i, q_{i-1}, q_{i-2}, and 1/(2 D^2). */
 typedef struct row_weights {

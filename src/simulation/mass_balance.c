@@ -19,9 +19,8 @@
 static double poiseuille(const ovr_simulation *sim, const double *P,
                          const double *q, size_t i)
 {
-    const ovr_lubricant *law = &sim->lubricant;
-    double rho = ovr_density(law, P[i]), H = q[i] / rho;
-    return rho * H * H * H / (ovr_viscosity(law, P[i]) * sim->contact.lambda);
+    double rho = ovr_density(&sim->lubricant, P[i]);
+    return ovr_flow(&sim->grids.fluid, P[i], q[i] / rho);
 }
 
 static double central_flux(const ovr_simulation *sim, const double *P,

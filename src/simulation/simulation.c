@@ -78,7 +78,7 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
     for (int l = 0; l < OVR_LEVELS; l++)
         ovr_options_mlmi(o, l, &order[l], &range[l]);
     grids->kernels = ovr_kernels_choose(NULL);
-    grids->fluid = (ovr_fluid){sim->lubricant, sim->contact.lambda};
+    grids->fluid = (ovr_fluid){sim->lubricant, sim->contact.lambda, NULL};
     sim->wanted = (ovr_wanted){
         .M = sim->contact.M, .L = sim->contact.L, .fluid = grids->fluid};
     grids->ordered = ordered_level(o);

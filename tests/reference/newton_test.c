@@ -6,6 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "contact/laws/law.h"
+#include "simulation/internal.h"
 #include "support/test.h"
 
 enum { LEVEL = 4 };
@@ -61,6 +63,48 @@ static void steady_smooth(void **state)
             ovr_simulation_free(sim);
             dense_free(d);
         }
+}
+
+/* A law of no oil, eta ~ sqrt(H) and so eps ~ H^2.5, that the library does not
+ * know. */
+static double thickening(double H)
+{
+    return sqrt(fmax(H, 1e-3) / 0.1);
+}
+
+typedef struct thick_oil {
+    ovr_law law;
+    const ovr_lubricant *oil;
+} thick_oil;
+
+static void thick_at(const ovr_law *law, const ovr_law_nodes *nodes)
+{
+    const ovr_lubricant *oil = ((const thick_oil *)law)->oil;
+    for (size_t k = 0; k < nodes->count; k++) {
+        double P = nodes->P[k], H = nodes->H[k];
+        double eta = ovr_viscosity(oil, P) * thickening(H);
+        nodes->log2_fluidity[k] = -log2(eta);
+        nodes->by_pressure[k] = oil->alphabar *
+                                pow(1 + P / oil->P0, oil->z - 1);
+        nodes->by_film[k] = H > 1e-3 ? 0.5 / H : 0;
+    }
+}
+
+static void a_law_of_its_own(void **state)
+{
+    ovr_error err;
+    dense *d = dense_make(5, 5, LEVEL, OVR_UPSTREAM2);
+    ovr_simulation *sim = solver(5, 5, OVR_UPSTREAM2);
+    thick_oil thick = {{thick_at}, &d->contact.lubricant};
+    (void)state;
+    sim->wanted.fluid.law = sim->grids.fluid.law = &thick.law;
+    d->thickening = thickening;
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    start_near(d, sim);
+    dense_solve(d);
+    compare(sim, d);
+    dense_free(d);
+    ovr_simulation_free(sim);
 }
 
 static void steady_with_a_dent(void **state)
@@ -168,6 +212,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(steady_smooth),
+        cmocka_unit_test(a_law_of_its_own),
         cmocka_unit_test(steady_with_a_dent),
         cmocka_unit_test(backward_euler),
         cmocka_unit_test(bdf2),

@@ -58,14 +58,15 @@ test_grid test_grid_make(const ovr_kernels *run, size_t n)
     ovr_error err;
     test_contact contact = test_contact_make(20, 10);
     double D = 5.5 / (double)(n - 1);
-    test_grid grid = {.arena = ovr_arena_make(NULL),
-                      .run = run,
-                      .n = n,
-                      .D = D,
-                      .fluid = {contact.lubricant, contact.contact.lambda},
-                      .weights = {{1.5 / D + 2, -2 / D, 0.5 / D},
-                                  {1 / D + 2, -1 / D, 0},
-                                  0.5 / (D * D)}};
+    test_grid grid = {
+        .arena = ovr_arena_make(NULL),
+        .run = run,
+        .n = n,
+        .D = D,
+        .fluid = {contact.lubricant, contact.contact.lambda, NULL},
+        .weights = {{1.5 / D + 2, -2 / D, 0.5 / D},
+                    {1 / D + 2, -1 / D, 0},
+                    0.5 / (D * D)}};
     CHECK_OK(ovr_mlmi_plan(&grid.mlmi, n, D, 10, 10, NULL, &grid.arena, &err),
              &err);
     grid.lanes = (ovr_lanes){n, ovr_mlmi_lane(&grid.mlmi, run->lanes),

@@ -77,8 +77,10 @@ static void film(dense *d)
 static double eps(const dense *d, size_t i)
 {
     const test_contact *c = &d->contact;
-    return d->q[i] * d->H[i] * d->H[i] /
-           (ovr_viscosity(&c->lubricant, d->P[i]) * c->contact.lambda);
+    double eta = ovr_viscosity(&c->lubricant, d->P[i]);
+    if (d->thickening)
+        eta *= d->thickening(d->H[i]);
+    return d->q[i] * d->H[i] * d->H[i] / (eta * c->contact.lambda);
 }
 
 /* Flow in less flow out of cell i, less the stored change: N_i - F_i. */

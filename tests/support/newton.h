@@ -20,7 +20,8 @@ typedef struct dense {
     double *X, *gap, *F;   /* gap X^2/2 - S, history term */
     double *P, *H, *q;     /* solution */
     double H0;
-    double *kernel; /* K/pi at 0..n-1 meshes */
+    double *kernel;                 /* K/pi at 0..n-1 meshes */
+    double (*thickening)(double H); /* factor on the viscosity, or NULL */
 } dense;
 
 dense *dense_make(double M, double L, int level, ovr_scheme scheme);

@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One number as a vector of one: what is stated over `num` (the row of the
+ * Reynolds equation, the lubricants' laws) by nodes in their order, as vector.h
+ * and power.h have it by vectors of nodes. */
+#ifndef OVR_BASE_SCALAR_H
+#define OVR_BASE_SCALAR_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef double num;
+typedef bool truth;
+
+static inline num all(double x)
+{
+    return x;
+}
+
+static inline num with_first(num x, double first)
+{
+    (void)x;
+    return first;
+}
+
+static inline num at(const double *x, ptrdiff_t i)
+{
+    return x[i];
+}
+
+/* a b + c */
+static inline num fused(num a, num b, num c)
+{
+    return a * b + c;
+}
+
+/* c - a b */
+static inline num less(num c, num a, num b)
+{
+    return c - a * b;
+}
+
+/* z log2 x and s 2^y by tables that hold the factor. */
+typedef struct log_table {
+    double z;
+} log_table;
+
+typedef struct exp_table {
+    double s;
+} exp_table;
+
+static inline void make_log_table(double z, log_table *table)
+{
+    table->z = z;
+}
+
+static inline void make_exp_table(double s, exp_table *table)
+{
+    table->s = s;
+}
+
+static inline num scaled_log2(const log_table *table, num x)
+{
+    return table->z * log2(x);
+}
+
+static inline num scaled_exp2(const exp_table *table, num y)
+{
+    return table->s * exp2(y);
+}
+
+#endif
