@@ -92,6 +92,7 @@ static int draw(const cli_call *call, const ovr_frames_options *given)
     int code = cli_open_results(call, results);
     if (code)
         return code;
+    cli_say_units(call, results, o.look.units);
     cli_catch_signals();
     w.progress = cli_progress_begin(call->verbosity, 0);
     o.progress = watch;

@@ -102,6 +102,25 @@ int cli_open_results(const cli_call *call, ovr_result **results)
     return CLI_DONE;
 }
 
+/* One without scales among others: all axes are Hertzian, which is said. */
+void cli_say_units(const cli_call *call, ovr_result *const *results,
+                   ovr_units units)
+{
+    const char *without = NULL;
+    bool any = false;
+    for (int k = 0; k < call->arguments; k++) {
+        const ovr_result_info *info = ovr_result_about(results[k]);
+        any |= info->physical;
+        if (!without && !info->physical && !(info->ph > 0 && info->b > 0))
+            without = call->argument[k];
+    }
+    if (any && without && units == OVR_AS_STORED && call->verbosity >= 0)
+        fprintf(stderr,
+                "%s has no physical scales: all are drawn in Hertzian units, "
+                "each its own\n",
+                without);
+}
+
 void cli_close_results(const cli_call *call, ovr_result **results)
 {
     for (int k = 0; k < call->arguments; k++)

@@ -32,6 +32,9 @@ enum { CLI_RESULTS = 8 };
 
 /* Opens the files named on the command line. */
 int cli_open_results(const cli_call *call, ovr_result **results);
+/* Says on stderr when one without scales makes all axes Hertzian. */
+void cli_say_units(const cli_call *call, ovr_result *const *results,
+                   ovr_units units);
 void cli_close_results(const cli_call *call, ovr_result **results);
 
 /* For legends: what several files are called without their folders; NULL for

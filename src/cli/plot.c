@@ -56,6 +56,7 @@ static int draw(const cli_call *call, const ovr_picture_options *o)
     int code = cli_open_results(call, results);
     if (code)
         return code;
+    cli_say_units(call, results, o->units);
     if (ovr_picture(results, (size_t)call->arguments, o, NULL, &err) != OVR_OK)
         code = cli_fail(&err);
     else if (call->verbosity >= 0)

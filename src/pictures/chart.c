@@ -42,13 +42,52 @@ static double row_height(const ovr_chart *c, size_t row)
     return height > 0 ? height : 1;
 }
 
-static bool has_legend(const ovr_chart *c)
+/* Characters of UTF-8 text, as many as are drawn. */
+static double letters(const char *text)
 {
-    for (size_t k = 0; k < c->rows * c->columns; k++)
-        for (size_t j = 0; j < c->panel[k].count; j++)
-            if (c->panel[k].series[j].label)
-                return true;
-    return false;
+    double count = 0;
+    for (; *text && count < 60; text++)
+        count += (*text & 0xc0) != 0x80;
+    return count;
+}
+
+/* ---------------------------------------------------------------- legends */
+
+static const double LEGEND_ROW = 1.3; /* letter heights */
+
+static double entry_em(const ovr_series *s)
+{
+    return 3.2 + 0.53 * letters(s->label);
+}
+
+/* Letter heights from the left panel's edge to the picture's right one. */
+static double legend_room(const ovr_pen *p)
+{
+    return p->chart->width / p->em - left_em - right_em;
+}
+
+static size_t legend_rows(const ovr_pen *p, const ovr_panel *panel)
+{
+    size_t rows = 0;
+    double used = 0;
+    for (size_t k = 0; k < panel->count; k++) {
+        const ovr_series *s = &panel->series[k];
+        double wide = s->label ? entry_em(s) : 0;
+        if (!s->label)
+            continue;
+        if (!rows || used + wide > legend_room(p))
+            used = 0, rows++;
+        used += wide;
+    }
+    return rows;
+}
+
+/* Above a row's panels, of which the first has the legend. */
+static double legend_em(const ovr_pen *p, size_t row)
+{
+    const ovr_chart *c = p->chart;
+    size_t rows = legend_rows(p, &c->panel[row * c->columns]);
+    return rows ? 1.7 + LEGEND_ROW * (double)(rows - 1) : 0.3;
 }
 
 static box place(const ovr_pen *p, size_t row, size_t column)
@@ -57,20 +96,22 @@ static box place(const ovr_pen *p, size_t row, size_t column)
     double em = p->em / c->width, em_y = p->em / c->height;
     double gap_x = (c->share_y ? 1.0 : left_em + 0.4) * em;
     double gap_y = (c->share_x ? 0.5 : bottom_em) * em_y;
-    double legend = (has_legend(c) ? 1.7 : 0.3) * em_y, sum = 0, above = 0;
+    double legends = 0, down = 0, sum = 0, above = 0;
     double rows = (double)c->rows, columns = (double)c->columns;
     double width = (1 - (left_em + right_em) * em - (columns - 1) * gap_x) /
                    columns;
-    double height = 1 - (top_em(c) + bottom_em) * em_y - rows * legend -
-                    (rows - 1) * gap_y;
+    double height;
     box b;
     for (size_t k = 0; k < c->rows; k++) {
         sum += row_height(c, k);
         above += k < row ? row_height(c, k) : 0;
+        legends += legend_em(p, k) * em_y;
+        down += k <= row ? legend_em(p, k) * em_y : 0;
     }
+    height = 1 - (top_em(c) + bottom_em) * em_y - legends - (rows - 1) * gap_y;
     b.left = left_em * em + (double)column * (width + gap_x);
     b.right = b.left + width;
-    b.top = 1 - top_em(c) * em_y - (double)row * (legend + gap_y) - legend -
+    b.top = 1 - top_em(c) * em_y - (double)row * gap_y - down -
             height * above / sum;
     b.bottom = b.top - height * row_height(c, row) / sum;
     return b;
@@ -215,26 +256,23 @@ static void put_tics(ovr_pen *p, const ovr_panel *panel, box b)
                    nice_step(panel->y_to, fmin(high / 1.6, 10)));
 }
 
-/* Characters of UTF-8 text, as many as are drawn. */
-static double letters(const char *text)
-{
-    double count = 0;
-    for (; *text && count < 60; text++)
-        count += (*text & 0xc0) != 0x80;
-    return count;
-}
-
 /* gnuplot's own legend is no wider than its panel; this one is as wide as the
- * picture. */
+ * picture, in as many rows as it takes. */
 static void put_legend(ovr_pen *p, const ovr_panel *panel, box b)
 {
-    double em = p->em / p->chart->width, x = b.left + 0.3 * em;
-    double y = b.top + 0.75 * p->em / p->chart->height;
+    double em = p->em / p->chart->width, row = p->em / p->chart->height;
+    size_t rows = legend_rows(p, panel), at_row = 0;
+    double used = 0;
     for (size_t k = 0; k < panel->count; k++) {
         const ovr_series *s = &panel->series[k];
+        double x, y, wide = s->label ? entry_em(s) : 0;
         char at[80];
         if (!s->label)
             continue;
+        if (used > 0 && used + wide > legend_room(p))
+            used = 0, at_row++;
+        x = b.left + (0.3 + used) * em;
+        y = b.top + (0.75 + LEGEND_ROW * (double)(rows - 1 - at_row)) * row;
         ovr_text_print(p->to,
                        "set arrow from screen %.5f,%.5f to screen %.5f,%.5f "
                        "nohead dt %s lw %.3g lc rgb '%s'\n",
@@ -242,7 +280,7 @@ static void put_legend(ovr_pen *p, const ovr_panel *panel, box b)
                        colours[s->colour].line);
         snprintf(at, sizeof at, "screen %.5f,%.5f left", x + 1.9 * em, y);
         put_label(p, s->label, at);
-        x += (3.2 + 0.53 * letters(s->label)) * em;
+        used += wide;
     }
 }
 
@@ -255,7 +293,10 @@ static void put_head(ovr_pen *p, box b)
     put_label(p, c->title, at);
     snprintf(at, sizeof at, "screen %.5f,%.5f right",
              1 - right_em * p->em / c->width, y);
-    put_label(p, c->subtitle, at);
+    if (c->subtitle && *c->subtitle)
+        ovr_text_print(p->to,
+                       "set label \"%s\" at %s textcolor rgb '#202830'\n",
+                       c->subtitle, at);
 }
 
 static void put_panel(ovr_pen *p, size_t row, size_t column, size_t table)

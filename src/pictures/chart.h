@@ -65,7 +65,7 @@ typedef struct ovr_panel {
 
 typedef struct ovr_chart {
     const char *title;    /* at the top left; foreign */
-    const char *subtitle; /* at the top right; foreign */
+    const char *subtitle; /* at the top right; ours, enhanced */
     int width, height;    /* pixels */
     size_t rows, columns;
     bool share_x, share_y;  /* numbers at the outer panels only */

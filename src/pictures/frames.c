@@ -29,6 +29,7 @@ ovr_frames_options ovr_frames_options_default(void)
 
 typedef struct studio {
     const ovr_frames_options *o;
+    ovr_frames_options own; /* what o points to */
     ovr_arena *arena;
     ovr_stored *runs;
     ovr_shot *shots;
@@ -89,7 +90,7 @@ static ovr_status find_ranges(studio *s, ovr_error *err)
             ovr_extent_add(&extent, &s->shots[j]);
     }
     if (status == OVR_OK)
-        status = ovr_look_make(&s->look, look, &extent, s->runs, err);
+        status = ovr_look_make(&s->look, look, &extent, s->runs, s->count, err);
     return status;
 }
 
@@ -315,19 +316,17 @@ static ovr_status check_form(studio *s, ovr_error *err)
 
 static ovr_status prepare(studio *s, ovr_result *const *results, ovr_error *err)
 {
-    const char *const *names = s->o->look.names;
     ovr_status status = check_form(s, err);
     s->runs = ovr_arena_take(s->arena, s->count, sizeof *s->runs, err);
     s->shots = ovr_arena_take(s->arena, s->count, sizeof *s->shots, err);
     s->chart = ovr_arena_take(s->arena, 1, sizeof *s->chart, err);
     if (status == OVR_OK && (!s->runs || !s->shots || !s->chart))
         status = OVR_NO_MEMORY;
-    for (size_t j = 0; status == OVR_OK && j < s->count; j++) {
-        status = ovr_stored_make(&s->runs[j], results[j],
-                                 names ? names[j] : NULL, s->arena, err);
-        if (status == OVR_OK)
-            status = ovr_shot_make(&s->shots[j], &s->runs[j], s->arena, err);
-    }
+    if (status == OVR_OK)
+        status = ovr_open_stored(results, s->count, &s->own.look, s->runs,
+                                 s->arena, err);
+    for (size_t j = 0; status == OVR_OK && j < s->count; j++)
+        status = ovr_shot_make(&s->shots[j], &s->runs[j], s->arena, err);
     if (status == OVR_OK)
         status = choose_frames(s, err);
     if (status == OVR_OK)
@@ -370,7 +369,8 @@ ovr_status ovr_frames(ovr_result *const *results, size_t count,
     if (!s)
         return OVR_NO_MEMORY;
     before = ovr_plain_begin();
-    s->o = options;
+    s->own = *options;
+    s->o = &s->own;
     s->arena = &arena;
     s->count = count;
     s->folder = options->folder;

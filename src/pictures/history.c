@@ -5,6 +5,7 @@
 
 #include "pictures/axis.h"
 #include "pictures/picture.h"
+#include "pictures/snapshot.h"
 
 enum { RUNS = 4 };
 
@@ -12,6 +13,7 @@ enum { RUNS = 4 };
 typedef struct column {
     const char *name, *label;
     int colour;
+    bool heads; /* of several results: names them in the legend */
 } column;
 
 static double largest(const double *values, size_t n)
@@ -27,11 +29,15 @@ static ovr_status time_axis(const ovr_sitting *s, ovr_panel *panel,
 {
     const ovr_stored *run = s->runs;
     const ovr_picture_options *o = s->options;
-    double end = run->times[run->info->snapshots - 1];
+    double end = 0;
     double from = isnan(o->T_from) ? run->times[0] : o->T_from;
-    double to = isnan(o->T_to) ? end : o->T_to;
-    ovr_status status = ovr_axis_make(OVR_KIND_TIME, run->result, o->units,
-                                      fmax(to, from), axis, err);
+    double to;
+    ovr_status status;
+    for (size_t k = 0; k < s->count; k++)
+        end = fmax(end, run[k].times[run[k].info->snapshots - 1]);
+    to = isnan(o->T_to) ? end : o->T_to;
+    status = ovr_axis_make(OVR_KIND_TIME, run->result, o->units, fmax(to, from),
+                           axis, err);
     if (status != OVR_OK)
         return status;
     if (to <= from)
@@ -40,6 +46,24 @@ static ovr_status time_axis(const ovr_sitting *s, ovr_panel *panel,
     panel->x_from = from * axis->factor;
     panel->x_to = to * axis->factor;
     return OVR_OK;
+}
+
+/* One run: a curve for each column; several: one for each run, told apart by
+ * colour and dash, and the only column is named beside the axis. */
+static ovr_series series_of(const ovr_sitting *s, const ovr_stored *run,
+                            const column *c, double T_factor)
+{
+    size_t k = (size_t)(run - s->runs);
+    ovr_series series = {.n = run->info->steps,
+                         .x_factor = T_factor,
+                         .colour = c->colour,
+                         .label = c->label};
+    if (s->count > 1) {
+        series.colour = ovr_guise_of(k).colour;
+        series.mark = ovr_guise_of(k).mark;
+        series.label = c->heads ? run->name : NULL;
+    }
+    return series;
 }
 
 /* Adds columns of every run to a panel whose time axis is set. */
@@ -57,19 +81,17 @@ static ovr_status add_columns(const ovr_sitting *s, const column *columns,
     for (size_t k = 0; k < count * s->count; k++) {
         const ovr_stored *run = &s->runs[k % s->count];
         const column *c = &columns[k / s->count];
-        double *T = ovr_stored_history(run, "time", s->arena, err);
-        double *v = T ? ovr_stored_history(run, c->name, s->arena, err) : NULL;
+        double by = kind == OVR_KIND_PRESSURE ? run->by.pressure : run->by.film;
+        double *T = ovr_stored_history(run, "time", run->by.time, s->arena,
+                                       err);
+        double *v = T ? ovr_stored_history(run, c->name, by, s->arena, err)
+                      : NULL;
         if (!v)
             return err ? err->status : OVR_IO;
         high = fmax(high, largest(v, run->info->steps));
-        series[k] = (ovr_series){.n = run->info->steps,
-                                 .x = T,
-                                 .y = v,
-                                 .x_factor = T_factor,
-                                 .colour = c->colour,
-                                 .label = k % s->count ? run->name : c->label,
-                                 .mark = k % s->count ? OVR_MARK_DASHED
-                                                      : OVR_MARK_LINE};
+        series[k] = series_of(s, run, c, T_factor);
+        series[k].x = T;
+        series[k].y = v;
     }
     status = ovr_axis_make(kind, s->runs->result, s->options->units, high, &y,
                            err);
@@ -77,18 +99,24 @@ static ovr_status add_columns(const ovr_sitting *s, const column *columns,
         series[k].factor = y.factor;
     panel->y_label = y.label;
     panel->y_from = 0;
-    panel->y_to = 1.08 * high * y.factor;
+    panel->y_to = (s->count > 1 ? 1.3 : 1.08) * high * y.factor; /* a note */
     panel->ground = true;
     panel->series = series;
     panel->count = count * s->count;
+    panel->note = s->count > 1 && count == 1 ? columns->label : NULL;
     return status;
 }
 
 static ovr_chart chart_of(const ovr_sitting *s, const ovr_panel *panels,
-                          size_t rows)
+                          size_t rows, ovr_error *err)
 {
+    enum { ROOM = 240 };
     const ovr_picture_options *o = s->options;
-    return (ovr_chart){.title = o->title ? o->title : s->runs->info->title,
+    char *heading = ovr_arena_take(s->arena, ROOM, 1, err);
+    if (heading)
+        ovr_heading(s->runs, s->count, heading, ROOM);
+    return (ovr_chart){.subtitle = heading,
+                       .title = o->title ? o->title : s->runs->info->title,
                        .width = o->width > 0 ? o->width : 1280,
                        .height = o->height > 0 ? o->height : 720,
                        .rows = rows,
@@ -97,31 +125,32 @@ static ovr_chart chart_of(const ovr_sitting *s, const ovr_panel *panels,
                        .panel = panels};
 }
 
+/* One result: both films in a panel; several: each in its own. */
 ovr_status ovr_draw_history(const ovr_sitting *s, ovr_chart *chart,
                             ovr_error *err)
 {
-    static const column film[] = {
-        {"central_film_thickness", "central film thickness", OVR_AMBER},
-        {"min_film_thickness", "minimum film thickness", OVR_RED}};
-    static const column pressure[] = {
-        {"max_pressure", "maximum pressure", OVR_BLUE}};
-    ovr_panel *panel = ovr_arena_take(s->arena, 2, sizeof *panel, err);
+    static const column columns[] = {
+        {"central_film_thickness", "central film thickness", OVR_AMBER, true},
+        {"min_film_thickness", "minimum film thickness", OVR_RED, false},
+        {"max_pressure", "maximum pressure", OVR_BLUE, false}};
+    ovr_panel *panel = ovr_arena_take(s->arena, 3, sizeof *panel, err);
+    size_t films = s->count > 1 ? 2 : 1, k;
     ovr_axis T;
     ovr_status status = panel ? OVR_OK : OVR_NO_MEMORY;
     if (status == OVR_OK)
         status = time_axis(s, panel, &T, err);
-    if (status == OVR_OK) {
-        panel[1] = panel[0];
-        status = add_columns(s, film, 2, OVR_KIND_HEIGHT, T.factor, &panel[0],
-                             err);
+    for (k = 0; status == OVR_OK && k < films; k++) {
+        panel[k + 1] = panel[0];
+        status = add_columns(s, columns + k, 3 - films, OVR_KIND_HEIGHT,
+                             T.factor, &panel[k], err);
     }
     if (status == OVR_OK)
-        status = add_columns(s, pressure, 1, OVR_KIND_PRESSURE, T.factor,
-                             &panel[1], err);
-    if (status == OVR_OK && s->options->H_to > 0)
-        panel[0].y_to = s->options->H_to * panel[0].series[0].factor;
+        status = add_columns(s, columns + 2, 1, OVR_KIND_PRESSURE, T.factor,
+                             &panel[k], err);
+    for (k = 0; status == OVR_OK && s->options->H_to > 0 && k < films; k++)
+        panel[k].y_to = s->options->H_to * panel[k].series[0].factor;
     if (status == OVR_OK)
-        *chart = chart_of(s, panel, 2);
+        *chart = chart_of(s, panel, films + 1, err);
     return status;
 }
 
@@ -155,6 +184,19 @@ static ovr_status roughness_there(const ovr_sitting *s, double *S,
     return status;
 }
 
+/* Of several results the first's is shown. */
+static const char *whose(const ovr_sitting *s, ovr_error *err)
+{
+    ovr_text text = ovr_text_make(s->arena);
+    ovr_text_put(&text, "roughness at x = 0 (undeformed)");
+    if (s->count > 1) {
+        ovr_text_put(&text, " of ");
+        ovr_text_put(&text, s->runs->name);
+    }
+    ovr_text_add(&text, "", 1);
+    return ovr_text_status(&text, err) == OVR_OK ? text.data : NULL;
+}
+
 static ovr_status add_roughness(const ovr_sitting *s, const ovr_panel *film,
                                 ovr_panel *panel, ovr_error *err)
 {
@@ -171,7 +213,7 @@ static ovr_status add_roughness(const ovr_sitting *s, const ovr_panel *film,
     if (status != OVR_OK)
         return status;
     room = fmax(0.12 * (high - low), 1e-3 * film->y_to / factor);
-    *series = (ovr_series){.label = "roughness at x = 0 (undeformed)",
+    *series = (ovr_series){.label = whose(s, err),
                            .n = run->info->snapshots,
                            .x = run->times,
                            .y = S,
@@ -184,6 +226,7 @@ static ovr_status add_roughness(const ovr_sitting *s, const ovr_panel *film,
     *panel = *film;
     panel->series = series;
     panel->count = 1;
+    panel->note = NULL;
     panel->ground = false;
     panel->y_from = (low - room) * factor;
     panel->y_to = (high + room) * factor;
@@ -195,7 +238,7 @@ ovr_status ovr_draw_trace(const ovr_sitting *s, ovr_chart *chart,
                           ovr_error *err)
 {
     static const column film[] = {
-        {"central_film_thickness", "film thickness at x = 0", OVR_AMBER}};
+        {"central_film_thickness", "film thickness at x = 0", OVR_AMBER, true}};
     ovr_panel *panel = ovr_arena_take(s->arena, 2, sizeof *panel, err);
     bool rough = s->runs->roughness && !s->options->no_roughness;
     ovr_axis T;
@@ -208,6 +251,6 @@ ovr_status ovr_draw_trace(const ovr_sitting *s, ovr_chart *chart,
     if (status == OVR_OK && rough)
         status = add_roughness(s, &panel[0], &panel[1], err);
     if (status == OVR_OK)
-        *chart = chart_of(s, panel, rough ? 2 : 1);
+        *chart = chart_of(s, panel, rough ? 2 : 1, err);
     return status;
 }

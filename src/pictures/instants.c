@@ -110,7 +110,7 @@ ovr_status ovr_draw_snapshots(const ovr_sitting *s, ovr_chart *chart,
     if (status == OVR_OK)
         status = read_shots(s, times, count, shots, &extent, err);
     if (status == OVR_OK)
-        status = ovr_look_make(look, o, &extent, s->runs, err);
+        status = ovr_look_make(look, o, &extent, s->runs, s->count, err);
     if (status == OVR_OK) {
         ovr_snapshot_draw(to, look, shots, count, s->count);
         *chart = to->chart;

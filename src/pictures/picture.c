@@ -136,21 +136,26 @@ static ovr_status draw(const ovr_sitting *s, ovr_error *err)
     return status;
 }
 
-static ovr_status open_runs(ovr_result *const *results, size_t count,
-                            const ovr_picture_options *o, ovr_stored *runs,
-                            ovr_arena *arena, ovr_error *err)
+ovr_status ovr_open_stored(ovr_result *const *results, size_t count,
+                           ovr_picture_options *o, ovr_stored *runs,
+                           ovr_arena *arena, ovr_error *err)
 {
     ovr_status status = OVR_OK;
     for (size_t k = 0; status == OVR_OK && k < count; k++)
         status = ovr_stored_make(&runs[k], results[k],
                                  o->names ? o->names[k] : NULL, arena, err);
+    if (status == OVR_OK)
+        status = ovr_common_units(runs, count, &o->units, err);
+    if (status == OVR_OK)
+        ovr_stored_relate(runs, count, o->units);
     return status;
 }
 
 ovr_status ovr_picture(ovr_result *const *results, size_t count,
-                       const ovr_picture_options *o,
+                       const ovr_picture_options *options,
                        const ovr_allocator *allocator, ovr_error *err)
 {
+    ovr_picture_options own = *options, *o = &own;
     locale_t before = ovr_plain_begin();
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_stored *runs = ovr_arena_take(&arena, count, sizeof *runs, err);
@@ -161,7 +166,7 @@ ovr_status ovr_picture(ovr_result *const *results, size_t count,
     if (status == OVR_OK)
         status = ovr_form_of(o->path, &form, err);
     if (status == OVR_OK)
-        status = open_runs(results, count, o, runs, &arena, err);
+        status = ovr_open_stored(results, count, o, runs, &arena, err);
     if (status == OVR_OK)
         status = draw(&sitting, err);
     ovr_arena_release(&arena);

@@ -8,7 +8,7 @@ ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
 {
     const ovr_result_info *info = ovr_result_about(result);
     ovr_status status;
-    *run = (ovr_stored){.result = result, .info = info};
+    *run = (ovr_stored){.result = result, .info = info, .by = {1, 1, 1, 1}};
     run->name = name ? name : info->title;
     if (info->snapshots == 0)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: holds no snapshot yet",
@@ -27,6 +27,65 @@ ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
     return status;
 }
 
+/* ------------------------------------------------------------ common units */
+
+static bool has_scales(const ovr_result_info *i)
+{
+    return i->b > 0 && i->height > 0 && i->ph > 0 && i->time > 0 &&
+           isfinite(i->b * i->height * i->ph * i->time);
+}
+
+ovr_status ovr_common_units(const ovr_stored *runs, size_t count,
+                            ovr_units *units, ovr_error *err)
+{
+    bool any = false, all = true;
+    const ovr_stored *without = NULL;
+    for (size_t k = 0; k < count; k++) {
+        any |= runs[k].info->physical;
+        all &= runs[k].info->physical;
+        if (!without && !has_scales(runs[k].info))
+            without = &runs[k];
+    }
+    if (*units == OVR_SI && without)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: SI units: the contact was given without physical "
+                        "scales",
+                        without->name);
+    if (*units == OVR_AS_STORED && any && !all)
+        *units = without ? OVR_HERTZIAN : OVR_SI;
+    return OVR_OK;
+}
+
+static void multiply(double *a, size_t n, double by)
+{
+    for (size_t i = 0; by != 1 && i < n; i++)
+        a[i] *= by;
+}
+
+void ovr_stored_relate(ovr_stored *runs, size_t count, ovr_units units)
+{
+    const ovr_result_info *one = runs->info;
+    bool physical = units == OVR_SI ||
+                    (units == OVR_AS_STORED && one->physical);
+    for (size_t k = 1; physical && k < count; k++) {
+        const ovr_result_info *own = runs[k].info;
+        runs[k].by.x = own->b / one->b;
+        runs[k].by.film = own->height / one->height;
+        runs[k].by.pressure = own->ph / one->ph;
+        runs[k].by.time = own->time / one->time;
+        multiply(runs[k].x, own->nodes, runs[k].by.x);
+        multiply(runs[k].times, own->snapshots, runs[k].by.time);
+    }
+}
+
+bool ovr_stored_differs(const ovr_stored *run)
+{
+    return run->by.x != 1 || run->by.film != 1 || run->by.pressure != 1 ||
+           run->by.time != 1;
+}
+
+/* --------------------------------------------------------------- snapshots */
+
 ovr_status ovr_shot_make(ovr_shot *shot, const ovr_stored *run,
                          ovr_arena *arena, ovr_error *err)
 {
@@ -41,13 +100,17 @@ ovr_status ovr_shot_make(ovr_shot *shot, const ovr_stored *run,
     return OVR_OK;
 }
 
-static ovr_status read_field(const ovr_shot *shot, const char *name,
+static ovr_status read_field(const ovr_shot *shot, const char *name, double by,
                              double *values, ovr_error *err)
 {
+    ovr_status status;
     if (!values)
         return OVR_OK;
-    return ovr_result_snapshot(shot->run->result, name, shot->k, OVR_HERTZIAN,
-                               values, err);
+    status = ovr_result_snapshot(shot->run->result, name, shot->k, OVR_HERTZIAN,
+                                 values, err);
+    if (status == OVR_OK)
+        multiply(values, shot->run->info->nodes, by);
+    return status;
 }
 
 ovr_status ovr_shot_read(ovr_shot *shot, size_t k, ovr_error *err)
@@ -55,11 +118,13 @@ ovr_status ovr_shot_read(ovr_shot *shot, size_t k, ovr_error *err)
     ovr_status status;
     shot->k = k;
     shot->T = shot->run->times[k];
-    status = read_field(shot, "pressure", shot->P, err);
+    status = read_field(shot, "pressure", shot->run->by.pressure, shot->P, err);
     if (status == OVR_OK)
-        status = read_field(shot, "film_thickness", shot->H, err);
+        status = read_field(shot, "film_thickness", shot->run->by.film, shot->H,
+                            err);
     if (status == OVR_OK)
-        status = read_field(shot, "roughness", shot->S, err);
+        status = read_field(shot, "roughness", shot->run->by.film, shot->S,
+                            err);
     return status;
 }
 
@@ -72,7 +137,7 @@ size_t ovr_stored_nearest(const ovr_stored *run, double T)
     return best;
 }
 
-double *ovr_stored_history(const ovr_stored *run, const char *name,
+double *ovr_stored_history(const ovr_stored *run, const char *name, double by,
                            ovr_arena *arena, ovr_error *err)
 {
     double *values = ovr_arena_take(arena, run->info->steps, sizeof *values,
@@ -80,6 +145,8 @@ double *ovr_stored_history(const ovr_stored *run, const char *name,
     if (values && ovr_result_history(run->result, name, OVR_HERTZIAN, values,
                                      err) != OVR_OK)
         return NULL;
+    if (values)
+        multiply(values, run->info->steps, by);
     return values;
 }
 
@@ -90,8 +157,9 @@ ovr_extent ovr_extent_make(double x_from, double x_to, const ovr_stored *runs,
 {
     ovr_extent e = {.x_from = INFINITY, .x_to = -INFINITY};
     for (size_t k = 0; k < count; k++) {
-        e.x_from = fmin(e.x_from, fmax(runs[k].x[0], -2));
-        e.x_to = fmax(e.x_to, fmin(runs[k].x[runs[k].info->nodes - 1], 1.5));
+        const double *x = runs[k].x, b = runs[k].by.x;
+        e.x_from = fmin(e.x_from, fmax(x[0], -2 * b));
+        e.x_to = fmax(e.x_to, fmin(x[runs[k].info->nodes - 1], 1.5 * b));
     }
     if (!isnan(x_from))
         e.x_from = x_from;
@@ -118,7 +186,7 @@ void ovr_extent_add(ovr_extent *e, const ovr_shot *shot)
     for (size_t i = a; i < b; i++) {
         if (shot->P)
             e->P_high = fmax(e->P_high, shot->P[i]);
-        if (shot->H && fabs(x[i]) < 0.9)
+        if (shot->H && fabs(x[i]) < 0.9 * shot->run->by.x)
             e->H_high = fmax(e->H_high, shot->H[i]);
         if (shot->S) {
             e->S_low = fmin(e->S_low, shot->S[i]);

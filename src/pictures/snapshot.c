@@ -16,19 +16,50 @@ static void make_hertz(ovr_look *look)
     }
 }
 
-static void make_heading(ovr_look *look, const ovr_stored *run)
+static double M_of(const ovr_result_info *i)
 {
-    const ovr_result_info *i = run->info;
-    int used = snprintf(look->heading, sizeof look->heading,
-                        "M = %.4g,  L = %.4g", i->M, i->L);
-    if (i->ph > 0 && used > 0)
-        snprintf(look->heading + used, sizeof look->heading - (size_t)used,
-                 ",  p_h = %.3g GPa", i->ph * 1e-9);
+    return i->M;
+}
+
+static double L_of(const ovr_result_info *i)
+{
+    return i->L;
+}
+
+static double GPa_of(const ovr_result_info *i)
+{
+    return i->ph * 1e-9;
+}
+
+/* What all runs have in common. */
+void ovr_heading(const ovr_stored *runs, size_t count, char *heading,
+                 size_t room)
+{
+    static const struct {
+        const char *format;
+        double (*of)(const ovr_result_info *info);
+    } parts[] = {{"{/:Italic M} = %.4g", M_of},
+                 {"{/:Italic L} = %.4g", L_of},
+                 {"{/:Italic p}_h = %.3g GPa", GPa_of}};
+    size_t used = 0;
+    *heading = 0;
+    for (size_t k = 0; k < sizeof parts / sizeof parts[0]; k++) {
+        double value = parts[k].of(runs->info);
+        bool common = isfinite(value);
+        for (size_t j = 1; j < count; j++)
+            common &= parts[k].of(runs[j].info) == value;
+        if (!common || used + 60 > room)
+            continue;
+        used += (size_t)snprintf(heading + used, room - used, "%s",
+                                 used ? ",  " : "");
+        used += (size_t)snprintf(heading + used, room - used, parts[k].format,
+                                 value);
+    }
 }
 
 ovr_status ovr_look_make(ovr_look *look, const ovr_picture_options *o,
                          const ovr_extent *e, const ovr_stored *run,
-                         ovr_error *err)
+                         size_t count, ovr_error *err)
 {
     double reach = fmax(fabs(e->x_from), fabs(e->x_to));
     double T_end = run->times[run->info->snapshots - 1];
@@ -41,7 +72,7 @@ ovr_status ovr_look_make(ovr_look *look, const ovr_picture_options *o,
     if (!(look->H_to > 0))
         look->H_to = 1;
     make_hertz(look);
-    make_heading(look, run);
+    ovr_heading(run, count, look->heading, sizeof look->heading);
     status = ovr_axis_make(OVR_KIND_LENGTH, run->result, o->units, reach,
                            &look->x, err);
     if (status == OVR_OK)
@@ -58,10 +89,14 @@ ovr_status ovr_look_make(ovr_look *look, const ovr_picture_options *o,
 
 /* ----------------------------------------------------------------- curves */
 
-static const int run_colour[] = {OVR_BLUE, OVR_RED, OVR_GREEN, OVR_VIOLET};
-static const int instant_colour[] = {OVR_BLUE, OVR_GREEN, OVR_AMBER,
-                                     OVR_RED,  OVR_STEEL, OVR_VIOLET,
-                                     OVR_GREY, OVR_BLUE};
+ovr_guise ovr_guise_of(size_t k)
+{
+    static const int colour[] = {OVR_BLUE,  OVR_RED,   OVR_GREEN, OVR_VIOLET,
+                                 OVR_AMBER, OVR_STEEL, OVR_GREY};
+    static const ovr_mark mark[] = {OVR_MARK_LINE, OVR_MARK_DASHED,
+                                    OVR_MARK_DOTTED};
+    return (ovr_guise){colour[k % 7], mark[k / 7 % 3]};
+}
 
 /* Values of one field against x, where the picture shows them. */
 static ovr_series curve(const ovr_look *look, const ovr_shot *shot,
@@ -76,14 +111,13 @@ static ovr_series curve(const ovr_look *look, const ovr_shot *shot,
     return s;
 }
 
-static ovr_series hertz(const ovr_look *look)
+static ovr_series hertz(const ovr_look *look, const ovr_stored *run)
 {
-    return (ovr_series){.label = "Hertzian pressure",
-                        .n = OVR_HERTZ_POINTS,
+    return (ovr_series){.n = OVR_HERTZ_POINTS,
                         .x = look->hertz_x,
                         .y = look->hertz_P,
-                        .x_factor = look->x.factor,
-                        .factor = look->P.factor,
+                        .x_factor = look->x.factor * run->by.x,
+                        .factor = look->P.factor * run->by.pressure,
                         .mark = OVR_MARK_DASHED,
                         .colour = OVR_STEEL,
                         .width = 1.4};
@@ -130,11 +164,12 @@ static ovr_panel panel_of(const ovr_look *look, ovr_series *series,
                        .series = series};
 }
 
-/* How a shot is told from the others of its panel. */
+/* How a shot is told from the others of its panel; named in the legend of
+ * the pressure, which stands above both. */
 typedef struct guise {
-    const char *label, *second; /* in the legend of pressure, of film */
-    int colour;
-    bool area; /* alone: filled */
+    const char *label;
+    ovr_guise as;
+    bool alone; /* filled */
 } guise;
 
 static void add_pressure(const ovr_look *look, const ovr_shot *shot,
@@ -145,8 +180,8 @@ static void add_pressure(const ovr_look *look, const ovr_shot *shot,
         return;
     s = curve(look, shot, shot->P, look->P.factor);
     s.label = as->label;
-    s.colour = as->colour;
-    s.mark = as->area ? OVR_MARK_AREA : OVR_MARK_LINE;
+    s.colour = as->as.colour;
+    s.mark = as->alone ? OVR_MARK_AREA : as->as.mark;
     series[panel->count++] = s;
 }
 
@@ -156,33 +191,41 @@ static void add_film(const ovr_look *look, const ovr_shot *shot,
     ovr_series s;
     if (shot->H) {
         s = curve(look, shot, shot->H, look->H.factor);
-        s.label = as->area ? "film thickness" : as->second;
-        s.colour = as->area ? OVR_AMBER : as->colour;
-        s.mark = as->area ? OVR_MARK_AREA : OVR_MARK_LINE;
+        s.label = as->alone ? "film thickness" : shot->P ? NULL : as->label;
+        s.colour = as->alone ? OVR_AMBER : as->as.colour;
+        s.mark = as->alone ? OVR_MARK_AREA : as->as.mark;
         series[panel->count++] = s;
     }
     if (shot->S && bottom(look) < 0) {
         s = ground(look, shot);
-        s.label = as->area ? "roughness (undeformed)" : NULL;
-        if (!as->area) {
-            s.mark = OVR_MARK_LINE;
-            s.colour = as->colour;
+        s.label = as->alone ? "roughness (undeformed)" : NULL;
+        if (!as->alone) {
+            s.mark = as->as.mark;
+            s.colour = as->as.colour;
         }
         series[panel->count++] = s;
     }
 }
 
-static guise guise_of(const ovr_shot *shot, size_t k, size_t count,
-                      const char *label)
+/* The first run's, and that of each other whose scales are not the same. */
+static void add_hertz(const ovr_look *look, const ovr_shot *shot, size_t count,
+                      ovr_series *series, ovr_panel *panel)
 {
-    if (count == 1)
-        return (guise){"pressure", NULL, OVR_BLUE, true};
-    if (label)
-        return (guise){label, NULL, instant_colour[k % 8], false};
-    return (guise){shot->run->name, shot->run->name, run_colour[k % 4], false};
+    for (size_t k = 0; k < count; k++) {
+        ovr_series s = hertz(look, shot[k].run);
+        bool seen = false;
+        for (size_t j = 0; j < k; j++)
+            seen |= shot[j].run == shot[k].run;
+        if (seen || (k > 0 && !ovr_stored_differs(shot[k].run)))
+            continue;
+        s.label = k == 0 ? "Hertzian pressure" : NULL;
+        if (ovr_stored_differs(shot[k].run))
+            s.colour = ovr_guise_of(k).colour;
+        series[panel->count++] = s;
+    }
 }
 
-/* Shots that share a column; labels NULL: they are told apart by run. */
+/* Shots that share a column. */
 static void draw_column(ovr_snapshot_chart *to, const ovr_look *look,
                         const ovr_shot *shot, size_t count, size_t column,
                         const char *const *labels)
@@ -196,12 +239,13 @@ static void draw_column(ovr_snapshot_chart *to, const ovr_look *look,
     H->height = 1 - 0.5 * bottom(look) / look->H_to;
     P->height = 1;
     for (size_t k = 0; k < count; k++) {
-        guise as = guise_of(&shot[k], k, count, labels ? labels[k] : NULL);
+        guise as = {count > 1 ? labels[k] : "pressure", ovr_guise_of(k),
+                    count == 1};
         add_pressure(look, &shot[k], &as, above, P);
         add_film(look, &shot[k], &as, below, H);
     }
     if (!look->options->no_hertz)
-        above[P->count++] = hertz(look);
+        add_hertz(look, shot, count, above, P);
 }
 
 static void write_time(char *note, size_t size, const ovr_look *look, double T)
@@ -210,6 +254,20 @@ static void write_time(char *note, size_t size, const ovr_look *look, double T)
         snprintf(note, size, "t = %.3f %s", T * look->T.factor, look->T.unit);
     else
         snprintf(note, size, "T = %.3f", T);
+}
+
+/* By run, by instant, or by both. */
+static const char *name_shot(ovr_snapshot_chart *to, size_t k,
+                             const ovr_shot *shot, size_t instants, size_t runs)
+{
+    const char *note = to->note[k / runs];
+    if (instants == 1)
+        return shot->run->name;
+    if (runs == 1)
+        return note;
+    snprintf(to->name[k], sizeof to->name[k], "%.40s, %s", shot->run->name,
+             note);
+    return to->name[k];
 }
 
 void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_look *look,
@@ -232,11 +290,11 @@ void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_look *look,
     for (size_t k = 0; k < instants; k++)
         write_time(to->note[k], sizeof to->note[k], look, shot[k * runs].T);
     for (size_t k = 0; k < instants * runs; k++)
-        label[k] = to->note[k / runs];
+        label[k] = name_shot(to, k, &shot[k], o->overlay ? instants : 1, runs);
     if (o->overlay)
         draw_column(to, look, shot, instants * runs, 0, label);
     for (size_t k = 0; !o->overlay && k < instants; k++) {
-        draw_column(to, look, shot + k * runs, runs, k, NULL);
+        draw_column(to, look, shot + k * runs, runs, k, label + k * runs);
         to->panel[k].note = to->note[k];
     }
 }

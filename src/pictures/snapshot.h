@@ -24,17 +24,27 @@ typedef struct ovr_look {
     char heading[240];
 } ovr_look;
 
-/* From an extent that has seen all shots to be drawn. */
+/* From an extent that has seen all shots of the `count` runs to be drawn. */
 ovr_status ovr_look_make(ovr_look *look, const ovr_picture_options *options,
-                         const ovr_extent *extent, const ovr_stored *run,
-                         ovr_error *err);
+                         const ovr_extent *extent, const ovr_stored *runs,
+                         size_t count, ovr_error *err);
+
+/* Colour and dash of the k-th of several curves: 21 that differ. */
+typedef struct ovr_guise {
+    int colour;
+    ovr_mark mark;
+} ovr_guise;
+ovr_guise ovr_guise_of(size_t k);
+
+/* M, L and ph, as far as all runs have the same, as enhanced text. */
+void ovr_heading(const ovr_stored *runs, size_t count, char *heading, size_t room);
 
 /* Memory of a chart of up to OVR_SHOTS shots. */
 typedef struct ovr_snapshot_chart {
     ovr_chart chart;
     ovr_panel panel[2 * OVR_SHOTS];
     ovr_series series[2 * OVR_SHOTS][2 * OVR_SHOTS + 1];
-    char note[OVR_SHOTS][80];
+    char note[OVR_SHOTS][80], name[OVR_SHOTS][130];
 } ovr_snapshot_chart;
 
 /* `instants` times of `runs` runs each: shot[instant * runs + run]. */

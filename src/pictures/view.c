@@ -189,7 +189,8 @@ static ovr_status put_history(writer *w, ovr_error *err)
     size_t n = w->run->info->steps, bucket = n / MOST_STEPS + 1;
     ovr_text_put(w->to, "\"history\":{");
     for (int k = 0; n > 0 && k < 4; k++) {
-        double *v = ovr_stored_history(w->run, columns[k].name, w->arena, err);
+        double *v = ovr_stored_history(w->run, columns[k].name, 1, w->arena,
+                                       err);
         if (!v)
             return err->status;
         put_doubles(w, columns[k].key, v, thin(v, n, bucket, columns[k].keep));

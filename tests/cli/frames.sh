@@ -63,6 +63,49 @@ refuses 'no snapshot between' frames dent.h5 -o none --time 100:
 refuses "size '1x1'" plot dent.h5 -o x.png --size 1x1
 refuses 'a range such as' plot dent.h5 -o x.png --x 1:-1
 
+# Two physical results of other scales: each curve in its own, on common axes.
+# The largest pressure drawn of each is what `info` says in GPa; a file without
+# scales makes all axes Hertzian, said, or is refused.
+for case in a:100:1 b:400:2; do
+    IFS=: read -r name load speed <<END
+$case
+END
+    {
+        printf '[contact]\nload = %s kN/m\nradius = 10 mm\n' "$load"
+        printf 'modulus = 220 GPa\nviscosity = 40 mPa.s\n'
+        printf 'speed_1 = %s m/s\nspeed_2 = %s m/s\n' "$speed" "$speed"
+        printf '[lubricant]\nalpha = 20 1/GPa\n[domain]\nlevel = 4\n'
+        printf '[time]\nend = 0.5\n[output]\nevery = 4\n'
+    } >"$name.ini"
+    expect 0 "$OVERROLL" run "$name.ini" -o "$name.h5" -q
+    "$OVERROLL" export "$name.h5" -o "$name.csv" -q
+done
+largest() { # FILE INDEX: of the second column of a table of the data
+    awk -v want="$2" 'BEGIN { RS = ""; FS = "\n" } NR == want + 1 {
+        for (i = 1; i <= NF; i++) {
+            n = split($i, a, " ")
+            if (a[1] != "#" && a[2] + 0 > m) m = a[2] + 0
+        }
+        print m }' "$1"
+}
+expect 0 "$OVERROLL" plot a.h5 b.h5 --kind history -o ab.svg --script ab.gp
+for k in 0 1; do
+    name=$([ $k = 0 ] && echo a || echo b)
+    drawn=$(largest ab.dat $((4 + k)))
+    own=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++)
+                if ($i ~ /^max_pressure/) c = i }
+        NR > 1 && $c > m { m = $c } END { print m * 1e-9 }' $name.csv)
+    awk -v a="$drawn" -v b="$own" 'BEGIN { exit !(b > 0.1 &&
+        (a - b) ^ 2 < (1e-4 * b) ^ 2) }' ||
+        fail "$name.h5: largest pressure $own GPa is drawn as $drawn"
+done
+expect 0 "$OVERROLL" plot a.h5 b.h5 -o ab.png
+expect 0 "$OVERROLL" plot a.h5 dent.h5 -o mixed.svg
+contains err 'dent.h5 has no physical scales: all are drawn in Hertzian'
+refuses 'dent.h5: SI units' plot a.h5 dent.h5 --si -o si.svg
+expect 0 "$OVERROLL" frames a.h5 dent.h5 -o mixed --every 100 --size 320x240
+contains err 'dent.h5 has no physical scales'
+
 # What is missing is said, with how to get it.
 expect 2 env PATH=/nowhere "$OVERROLL" plot dent.h5 -o x.png
 contains err 'gnuplot is not installed.*apt install gnuplot-nox'
