@@ -22,15 +22,21 @@ typedef struct job {
 
 /* ---------------------------------------------------------------- columns */
 
-/* The values of a new column, with the variable's unit in those asked for. */
-static double *add_column(job *j, const char *name, const ovr_variable *v)
+/* The unit of a variable in those asked for. */
+static const char *unit_in(const job *j, const ovr_variable *v)
 {
     const ovr_kind_info *kind = ovr_kind_about(v->kind);
     bool stored_si = strcmp(v->unit, "1") != 0;
     const char *unit = j->units == OVR_SI ? kind->si : kind->hertzian;
     if (stored_si && j->units != OVR_HERTZIAN)
         unit = v->unit;
-    return cli_table_add(j->table, name, unit, j->err);
+    return unit;
+}
+
+/* The values of a new column. */
+static double *add_column(job *j, const char *name, const ovr_variable *v)
+{
+    return cli_table_add(j->table, name, unit_in(j, v), j->err);
 }
 
 /* --------------------------------------------------------- what is wanted */
@@ -226,12 +232,23 @@ static ovr_status snapshot(job *j)
     return OVR_OK;
 }
 
+/* The same time in all rows of a snapshot. */
+static ovr_status add_time(job *j, double T)
+{
+    double *times;
+    j->table->rows = j->about->nodes;
+    times = add_column(j, "time", ovr_result_find(j->result, "time"));
+    for (size_t i = 0; times && i < j->about->nodes; i++)
+        times[i] = T;
+    return times ? OVR_OK : j->err->status;
+}
+
 /* Blocks with two empty lines between: gnuplot's `index`. */
-static ovr_status all_snapshots(job *j)
+static ovr_status long_table(job *j, const double *times)
 {
     for (size_t k = 0; k < j->about->snapshots; k++) {
         cli_table_clear(j->table);
-        if (add_snapshot(j, k))
+        if (add_time(j, times[k]) || add_snapshot(j, k))
             return j->err->status;
         if (k == 0)
             cli_table_heads(j->table, j->form, j->to);
@@ -240,6 +257,78 @@ static ovr_status all_snapshots(job *j)
         cli_table_rows(j->table, j->form, j->to);
     }
     return OVR_OK;
+}
+
+/* A row for each x, a column for each field of each snapshot:
+ * pressure(t=0.0012). */
+static ovr_status wide_heads(job *j, const double *times)
+{
+    const ovr_variable *field;
+    const char *unit = unit_in(j, ovr_result_find(j->result, "time"));
+    cli_table_head("x", unit_in(j, ovr_result_find(j->result, "x")), j->form,
+                   true, j->to);
+    for (size_t k = 0; k < j->about->snapshots; k++)
+        for (size_t f = 0; (field = wanted_field(j, f)); f++) {
+            char name[200];
+            snprintf(name, sizeof name, "%s(t=%.9g%s)", field->name, times[k],
+                     strcmp(unit, "s") == 0 ? "s" : "");
+            cli_table_head(name, unit_in(j, field), j->form, false, j->to);
+        }
+    fputc('\n', j->to);
+    return OVR_OK;
+}
+
+static ovr_status fill_wide(job *j, double *values, size_t fields)
+{
+    size_t n = j->about->nodes, columns = 1 + fields * j->about->snapshots;
+    const ovr_variable *field;
+    if (ovr_result_x(j->result, j->units, values, j->err))
+        return j->err->status;
+    for (size_t k = 0; k < j->about->snapshots; k++)
+        for (size_t f = 0; (field = wanted_field(j, f)); f++)
+            if (ovr_result_snapshot(j->result, field->name, k, j->units,
+                                    values + n * (1 + k * fields + f), j->err))
+                return j->err->status;
+    for (size_t i = 0; i < n; i++)
+        for (size_t c = 0; c < columns; c++)
+            cli_table_number(values[c * n + i], j->form, c == 0,
+                             c + 1 == columns, j->to);
+    return OVR_OK;
+}
+
+static ovr_status wide_table(job *j, const double *times)
+{
+    size_t fields = 0;
+    double *values;
+    ovr_status status;
+    while (wanted_field(j, fields))
+        fields++;
+    values = calloc(1 + fields * j->about->snapshots,
+                    j->about->nodes * sizeof *values);
+    if (!values)
+        return ovr_fail(j->err, OVR_NO_MEMORY,
+                        "out of memory: %zu snapshots side by side",
+                        j->about->snapshots);
+    status = wide_heads(j, times);
+    if (status == OVR_OK)
+        status = fill_wide(j, values, fields);
+    free(values);
+    return status;
+}
+
+static ovr_status all_snapshots(job *j)
+{
+    double *times = calloc(j->about->snapshots + 1, sizeof *times);
+    ovr_status status;
+    if (!times)
+        return ovr_fail(j->err, OVR_NO_MEMORY, "out of memory: %zu times",
+                        j->about->snapshots);
+    status = ovr_result_times(j->result, j->units, times, j->err);
+    if (status == OVR_OK)
+        status = cli_flag(j->call, "wide") ? wide_table(j, times)
+                                           : long_table(j, times);
+    free(times);
+    return status;
 }
 
 static ovr_status history(job *j)
@@ -251,6 +340,12 @@ static ovr_status history(job *j)
     return OVR_OK;
 }
 
+static bool wants_all(const job *j)
+{
+    return cli_flag(j->call, "all") || cli_flag(j->call, "long") ||
+           cli_flag(j->call, "wide");
+}
+
 static ovr_status write_table(job *j)
 {
     if (check_fields(j))
@@ -259,7 +354,7 @@ static ovr_status write_table(job *j)
         return series(j);
     if (cli_value(j->call, "snapshot") || cli_value(j->call, "time"))
         return snapshot(j);
-    return cli_flag(j->call, "all") ? all_snapshots(j) : history(j);
+    return wants_all(j) ? all_snapshots(j) : history(j);
 }
 
 /* ---------------------------------------------------------------- command */
@@ -286,6 +381,8 @@ static int read_choices(job *j)
     if (f < 0)
         return cli_usage(j->call, "--format %s: csv, gnuplot or matlab",
                          form_name);
+    if (cli_flag(j->call, "long") && cli_flag(j->call, "wide"))
+        return cli_usage(j->call, "--long and --wide exclude each other");
     j->units = (ovr_units)k;
     j->form = (cli_table_form)f;
     return CLI_DONE;
@@ -359,7 +456,10 @@ static const cli_option options[] = {
     {"snapshot", "K", "fields along x: snapshot number K from 0, or 'last'",
      false},
     {"time", "T", "the same: the snapshot nearest to T (in b/um)", false},
-    {"all", NULL, "the same: all snapshots, one after the other", false},
+    {"all", NULL, "the same: all snapshots", false},
+    {"long", NULL, "of all: one below the other, with a column of the time",
+     false},
+    {"wide", NULL, "of all: side by side, a row for each x", false},
     {"at", "X", "fields at X (in b) in time", true},
     {"field", "NAME", "this field only (pressure, film_thickness, ...)", true},
     {"units", "NAME", "stored, hertzian or si", false},

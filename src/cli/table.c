@@ -37,42 +37,43 @@ static void print_word(const char *text, FILE *to)
         fputc(*text > ' ' && *text != ',' && *text != '"' ? *text : '.', to);
 }
 
-static void print_head(const cli_column *c, cli_table_form form, FILE *to)
+void cli_table_head(const char *name, const char *unit, cli_table_form form,
+                    bool first, FILE *to)
 {
-    print_word(c->name, to);
+    if (first && form != CLI_CSV)
+        fputs(form == CLI_GNUPLOT ? "# " : "% ", to);
+    if (!first)
+        fputc(form == CLI_CSV ? ',' : ' ', to);
+    print_word(name, to);
     fputs(form == CLI_CSV ? " [" : "_[", to);
-    print_word(c->unit, to);
+    print_word(unit, to);
     fputc(']', to);
 }
 
 void cli_table_heads(const cli_table *t, cli_table_form form, FILE *to)
 {
-    if (form != CLI_CSV)
-        fputs(form == CLI_GNUPLOT ? "# " : "% ", to);
-    for (size_t c = 0; c < t->columns; c++) {
-        if (c)
-            fputc(form == CLI_CSV ? ',' : ' ', to);
-        print_head(&t->column[c], form, to);
-    }
+    for (size_t c = 0; c < t->columns; c++)
+        cli_table_head(t->column[c].name, t->column[c].unit, form, c == 0, to);
     fputc('\n', to);
 }
 
-static void print_number(double value, FILE *to)
+void cli_table_number(double value, cli_table_form form, bool first, bool last,
+                      FILE *to)
 {
+    if (!first)
+        fputc(form == CLI_CSV ? ',' : ' ', to);
     if (isnan(value))
         fputs("NaN", to);
     else
         fprintf(to, "%.17g", value);
+    if (last)
+        fputc('\n', to);
 }
 
 void cli_table_rows(const cli_table *t, cli_table_form form, FILE *to)
 {
     for (size_t r = 0; r < t->rows; r++)
-        for (size_t c = 0; c < t->columns; c++) {
-            print_number(t->column[c].values[r], to);
-            if (c + 1 == t->columns)
-                fputc('\n', to);
-            else
-                fputc(form == CLI_CSV ? ',' : ' ', to);
-        }
+        for (size_t c = 0; c < t->columns; c++)
+            cli_table_number(t->column[c].values[r], form, c == 0,
+                             c + 1 == t->columns, to);
 }

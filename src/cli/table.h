@@ -9,6 +9,7 @@
 #ifndef OVR_CLI_TABLE_H
 #define OVR_CLI_TABLE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 
@@ -35,6 +36,13 @@ double *cli_table_add(cli_table *table, const char *name, const char *unit,
                       ovr_error *err);
 void cli_table_heads(const cli_table *table, cli_table_form form, FILE *to);
 void cli_table_rows(const cli_table *table, cli_table_form form, FILE *to);
+
+/* One name, one number, for tables that are not held: `first` and `last` of
+ * their line. */
+void cli_table_head(const char *name, const char *unit, cli_table_form form,
+                    bool first, FILE *to);
+void cli_table_number(double value, cli_table_form form, bool first, bool last,
+                      FILE *to);
 void cli_table_clear(cli_table *table);
 
 #endif

@@ -189,6 +189,18 @@ static void put_curve(ovr_pen *p, const ovr_series *s, size_t table)
     ovr_text_print(p->to, " lc rgb '%s'", colours[s->colour].line);
 }
 
+/* Values above the last colour: an arrow on from its end. */
+static void put_above(ovr_pen *p, const ovr_image *m, box where)
+{
+    double x = where.right + 1.6 * p->em / p->chart->width;
+    char at[80];
+    if (!m->above)
+        return;
+    snprintf(at, sizeof at, "screen %.5f,%.5f center", x,
+             where.top + 0.8 * p->em / p->chart->height);
+    put_label(p, "\342\226\262 above", at); /* a triangle */
+}
+
 static void put_colour_map(ovr_pen *p, const ovr_panel *panel, size_t table,
                            box where)
 {
@@ -200,10 +212,12 @@ static void put_colour_map(ovr_pen *p, const ovr_panel *panel, size_t table,
                    "'#2a7a98', 0.6 '#45a882', 0.8 '#c9cf52', 1 '#fff3b0')\n"
                    "set cbrange [%.9g:%.9g]\nset cblabel \"%s\"\n"
                    "set colorbox user origin screen %.5g,%.5g size screen "
-                   "%.5g,%.5g\nunset grid\nplot ",
+                   "%.5g,%.5g\nunset grid\n",
                    m->from, m->to, m->label,
                    where.right + 1.0 * p->em / p->chart->width, where.bottom,
                    1.2 * p->em / p->chart->width, where.top - where.bottom);
+    put_above(p, m, where);
+    ovr_text_put(p->to, "plot ");
     ovr_pen_source(p, table);
     ovr_text_print(p->to,
                    " matrix using (%.9g+%.9g*$1):(%.9g+%.9g*$2):3 with image",
@@ -284,6 +298,32 @@ static void put_legend(ovr_pen *p, const ovr_panel *panel, box b)
     }
 }
 
+/* What stands below y = 0 has no numbers: a bar in their place. */
+static void put_bar(ovr_pen *p, const ovr_panel *panel, box b)
+{
+    double span = -panel->y_from, length, x, low, high;
+    double em_x = p->em / p->chart->width;
+    double high_em = (b.top - b.bottom) * p->chart->height / p->em;
+    char at[80], text[60];
+    if (!panel->ground || !(span > 0) ||
+        high_em * span / (panel->y_to + span) < 1.5)
+        return;
+    length = nice_step(0.6 * span, 1.2);
+    x = b.left - 0.6 * em_x;
+    low = b.bottom + 0.3 * p->em / p->chart->height;
+    high = low + (b.top - b.bottom) * length / (panel->y_to + span);
+    ovr_text_print(p->to,
+                   "set arrow from screen %.5f,%.5f to screen %.5f,%.5f heads "
+                   "size screen 0.003,90 lw 1.5 lc rgb '#202830' front\n",
+                   x, low, x, high);
+    snprintf(text, sizeof text, "%g%s%s", length,
+             panel->bar_unit && *panel->bar_unit ? " " : "",
+             panel->bar_unit ? panel->bar_unit : "");
+    snprintf(at, sizeof at, "screen %.5f,%.5f right front", x - 0.5 * em_x,
+             (low + high) / 2);
+    put_label(p, text, at);
+}
+
 static void put_head(ovr_pen *p, box b)
 {
     const ovr_chart *c = p->chart;
@@ -317,6 +357,8 @@ static void put_panel(ovr_pen *p, size_t row, size_t column, size_t table)
     if (column == 0)
         put_legend(p, panel, b);
     put_label(p, panel->note, "graph 0.03,0.92 left front");
+    if (column == 0)
+        put_bar(p, panel, b);
     if (panel->image.values)
         put_colour_map(p, panel, table + panel->count, b);
     put_curves(p, panel, table, panel->image.values != NULL);

@@ -48,6 +48,7 @@ typedef struct ovr_image {
     size_t nx, ny;
     const double *values; /* NULL: no image */
     double from, to;      /* of the colours */
+    bool above;           /* some values are above `to`, which is marked */
     const char *label;
 } ovr_image;
 
@@ -60,7 +61,9 @@ typedef struct ovr_panel {
     size_t count;
     const ovr_series *series;
     ovr_image image;
-    bool ground; /* a thin line at y = 0, and numbers only above it */
+    bool ground; /* a thin line at y = 0, and numbers only above it; below it,
+                    where anything is, a bar of round length tells the scale */
+    const char *bar_unit; /* behind that length */
 } ovr_panel;
 
 typedef struct ovr_chart {

@@ -209,7 +209,7 @@ static ovr_status ask_frame(studio *s, size_t i, ovr_error *err)
         return status;
     name_frame(s, i, suffixes[s->form], path);
     name_frame(s, i, "gp", script);
-    ovr_snapshot_draw(s->chart, &s->look, s->shots, 1, s->count);
+    ovr_snapshot_draw(s->chart, &s->look, s->shots, 1, s->count, NULL);
     s->script.length = 0;
     ovr_chart_script(&s->chart->chart, s->form, &s->script);
     if (s->o->scripts)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pictures of snapshots: which instants, their data, the chart. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "pictures/picture.h"
@@ -29,20 +30,40 @@ static void choose_evenly(const ovr_stored *run, size_t *chosen)
         chosen[k] = last * (k + 1) / CHOSEN;
 }
 
+/* The snapshots of largest pressure and smallest film. */
+typedef struct extremes {
+    double P, H;
+    size_t at_P, at_H; /* NOWHERE: that field is not stored */
+} extremes;
+
+static const size_t NOWHERE = (size_t)-1;
+
+static void note_extremes(extremes *e, const ovr_shot *shot)
+{
+    for (size_t i = 0; i < shot->run->info->nodes; i++) {
+        if (shot->P && shot->P[i] > e->P)
+            e->P = shot->P[i], e->at_P = shot->k;
+        if (shot->H && shot->H[i] < e->H)
+            e->H = shot->H[i], e->at_H = shot->k;
+    }
+}
+
 /* The snapshots in which what is on the surface stands ahead of the contact,
  * in it twice, and at its exit; evenly when there is no such passage. */
 static ovr_status choose_passage(const ovr_stored *run, ovr_shot *shot,
-                                 size_t *chosen, ovr_error *err)
+                                 size_t *chosen, extremes *e, ovr_error *err)
 {
     static const double wanted[CHOSEN] = {-1.1, -0.5, 0.15, 0.8};
     double best[CHOSEN] = {INFINITY, INFINITY, INFINITY, INFINITY};
     size_t found[CHOSEN] = {0};
     choose_evenly(run, chosen);
+    *e = (extremes){-INFINITY, INFINITY, NOWHERE, NOWHERE};
     for (size_t k = 0; k < run->info->snapshots; k++) {
         ovr_status status = ovr_shot_read(shot, k, err);
         double centre = status == OVR_OK ? centre_of(shot) : NAN;
         if (status != OVR_OK)
             return status;
+        note_extremes(e, shot);
         for (int j = 0; j < CHOSEN; j++)
             if (fabs(centre - wanted[j]) < best[j]) {
                 best[j] = fabs(centre - wanted[j]);
@@ -56,19 +77,78 @@ static ovr_status choose_passage(const ovr_stored *run, ovr_shot *shot,
     return OVR_OK;
 }
 
-static ovr_status choose(const ovr_sitting *s, double *times, size_t *count,
-                         ovr_error *err)
+/* Row k takes the place of the nearest one that is not `kept`. */
+static void put_among(size_t *chosen, size_t k, size_t kept)
+{
+    size_t best = CHOSEN;
+    for (size_t j = 0; j < CHOSEN; j++) {
+        size_t d = chosen[j] > k ? chosen[j] - k : k - chosen[j];
+        size_t least = best == CHOSEN     ? 0
+                       : chosen[best] > k ? chosen[best] - k
+                                          : k - chosen[best];
+        if (chosen[j] == k)
+            return;
+        if (chosen[j] != kept && (best == CHOSEN || d < least))
+            best = j;
+    }
+    if (best < CHOSEN)
+        chosen[best] = k;
+}
+
+static int in_time(const void *a, const void *b)
+{
+    size_t j = *(const size_t *)a, k = *(const size_t *)b;
+    return (j > k) - (j < k);
+}
+
+static const char *what_is_there(const extremes *e, size_t k)
+{
+    if (k == e->at_P && k == e->at_H)
+        return ": p max, h min";
+    return k == e->at_P ? ": p max" : k == e->at_H ? ": h min" : "";
+}
+
+/* Up to four, fewer where several results share the picture: the largest
+ * pressure first. */
+static size_t room_for(const ovr_sitting *s)
+{
+    size_t room = OVR_SHOTS / s->count;
+    return room < 1 ? 1 : room < CHOSEN ? room : CHOSEN;
+}
+
+static ovr_status choose(const ovr_sitting *s, double *times,
+                         const char **about, size_t *count, ovr_error *err)
 {
     const ovr_stored *run = s->runs;
-    size_t chosen[CHOSEN];
+    size_t chosen[CHOSEN], snapshots = run->info->snapshots, room = room_for(s);
+    extremes e;
     ovr_shot shot;
     ovr_status status = ovr_shot_make(&shot, run, s->arena, err);
-    *count = run->info->snapshots < CHOSEN ? run->info->snapshots : CHOSEN;
     if (status == OVR_OK)
-        status = choose_passage(run, &shot, chosen, err);
-    for (size_t k = 0; status == OVR_OK && k < *count; k++)
-        times[k] = run->times[*count == CHOSEN ? chosen[k] : k];
-    return status;
+        status = choose_passage(run, &shot, chosen, &e, err);
+    if (status != OVR_OK)
+        return status;
+    if (e.at_P != NOWHERE)
+        put_among(chosen, e.at_P, e.at_P);
+    if (e.at_H != NOWHERE)
+        put_among(chosen, e.at_H, e.at_P);
+    if (room < CHOSEN) { /* the extremes alone, as far as there is room */
+        chosen[0] = e.at_P != NOWHERE ? e.at_P : e.at_H;
+        chosen[1] = e.at_H != NOWHERE ? e.at_H : e.at_P;
+        if (chosen[0] == NOWHERE)
+            chosen[0] = chosen[1] = snapshots - 1;
+    }
+    qsort(chosen, room, sizeof *chosen, in_time);
+    *count = 0;
+    for (size_t k = 0; k < CHOSEN && *count < room; k++) {
+        size_t row = snapshots < CHOSEN ? k : chosen[k];
+        if (row >= snapshots ||
+            (k > 0 && snapshots >= CHOSEN && chosen[k] == chosen[k - 1]))
+            continue;
+        about[*count] = what_is_there(&e, row);
+        times[(*count)++] = run->times[row];
+    }
+    return OVR_OK;
 }
 
 static ovr_status read_shots(const ovr_sitting *s, const double *times,
@@ -94,6 +174,7 @@ ovr_status ovr_draw_snapshots(const ovr_sitting *s, ovr_chart *chart,
     const ovr_picture_options *o = s->options;
     ovr_extent extent = ovr_extent_make(o->x_from, o->x_to, s->runs, s->count);
     double chosen[CHOSEN];
+    const char *about[OVR_SHOTS] = {"", "", "", "", "", "", "", ""};
     const double *times = o->time_count ? o->times : chosen;
     size_t count = o->time_count;
     ovr_shot shots[OVR_SHOTS];
@@ -101,7 +182,7 @@ ovr_status ovr_draw_snapshots(const ovr_sitting *s, ovr_chart *chart,
     ovr_look *look = ovr_arena_take(s->arena, 1, sizeof *look, err);
     ovr_status status = to && look ? OVR_OK : OVR_NO_MEMORY;
     if (status == OVR_OK && count == 0)
-        status = choose(s, chosen, &count, err);
+        status = choose(s, chosen, about, &count, err);
     if (status == OVR_OK && count * s->count > OVR_SHOTS)
         status = ovr_fail(err, OVR_BAD_INPUT,
                           "at most %d snapshots fit into a picture; %zu "
@@ -112,7 +193,7 @@ ovr_status ovr_draw_snapshots(const ovr_sitting *s, ovr_chart *chart,
     if (status == OVR_OK)
         status = ovr_look_make(look, o, &extent, s->runs, s->count, err);
     if (status == OVR_OK) {
-        ovr_snapshot_draw(to, look, shots, count, s->count);
+        ovr_snapshot_draw(to, look, shots, count, s->count, about);
         *chart = to->chart;
     }
     return status;

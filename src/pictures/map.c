@@ -107,6 +107,14 @@ static void find_range(const map *m, double *low, double *high)
         *high = *low + 1;
 }
 
+static double largest(const map *m)
+{
+    double most = -INFINITY;
+    for (size_t c = 0; c < (size_t)CELLS_T * CELLS_X; c++)
+        most = fmax(most, m->values[c]);
+    return most;
+}
+
 /* A spike one cell wide would take all colours but the darkest: where only
  * one cell in 500 is above, the colours end. */
 static double common_high(const map *m, double low, double high)
@@ -128,10 +136,11 @@ static ovr_status make_panel(const ovr_sitting *s, map *m, ovr_panel *panel,
 {
     const ovr_picture_options *o = s->options;
     ovr_unit_kind kind = ovr_result_find(m->run->result, m->field)->kind;
-    double low, high, reach = fmax(fabs(m->x_from), fabs(m->x_to));
+    double low, high, highest, reach = fmax(fabs(m->x_from), fabs(m->x_to));
     ovr_axis x, T, v;
     ovr_status status;
     find_range(m, &low, &high);
+    highest = largest(m);
     if (kind == OVR_KIND_PRESSURE)
         high = o->P_to > 0 ? o->P_to : common_high(m, low, high);
     if (kind == OVR_KIND_HEIGHT && o->H_to > 0)
@@ -155,7 +164,8 @@ static ovr_status make_panel(const ovr_sitting *s, map *m, ovr_panel *panel,
                          .y_from = m->T_from * T.factor,
                          .y_to = m->T_to * T.factor,
                          .image = {CELLS_X, CELLS_T, m->values, low * v.factor,
-                                   high * v.factor, v.label}};
+                                   high * v.factor, highest > high * (1 + 1e-9),
+                                   v.label}};
     return OVR_OK;
 }
 

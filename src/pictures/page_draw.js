@@ -155,24 +155,51 @@ function drawAxes(c, box, axes) {
   c.restore();
 }
 
-// What stands for what, in a row above a box.
+// What stands for what, in a row above a box; an entry's short name and closer
+// ones where the row would not fit.
 function drawLegend(c, box, entries) {
+  const wide = (short, line, gap) => entries.reduce((sum, e) =>
+    sum + line + 5 + gap + c.measureText(short && e[3] || e[0]).width, -gap);
+  const looks = [[false, 20, 18], [false, 14, 8], [true, 14, 8], [true, 8, 5]];
+  const [short, line, gap] = looks.find((l) => wide(...l) <= box.w - 4) ||
+    looks[3];
   let x = box.x + 4;
   c.textAlign = "left";
   c.textBaseline = "middle";
-  for (const [name, stroke, dash] of entries) {
+  for (const [name, stroke, dash, brief] of entries) {
+    const text = short && brief || name;
     c.strokeStyle = stroke;
     c.lineWidth = 2;
     c.setLineDash(dash ? [4, 3] : []);
     c.beginPath();
     c.moveTo(x, box.y - 9);
-    c.lineTo(x + 20, box.y - 9);
+    c.lineTo(x + line, box.y - 9);
     c.stroke();
     c.setLineDash([]);
     c.fillStyle = colour.ink;
-    c.fillText(name, x + 25, box.y - 9);
-    x += 25 + c.measureText(name).width + (box.w < 500 ? 8 : 18);
+    c.fillText(text, x + line + 5, box.y - 9);
+    x += line + 5 + c.measureText(text).width + gap;
   }
+}
+
+// How tall the roughness is, in a strip without numbers: a bar of round length
+// at the right.
+function drawBar(c, box, l) {
+  const span = -l.H.y0, length = niceStep(span * 0.6, 1.2);
+  const x = box.x + box.w - 8, y = box.Y(l.H.y0) - 6, top = y - box.h * length /
+    (l.H.y1 - l.H.y0);
+  c.strokeStyle = colour.ink;
+  c.lineWidth = 1.5;
+  c.beginPath();
+  c.moveTo(x - 3, top); c.lineTo(x + 3, top);
+  c.moveTo(x, top); c.lineTo(x, y);
+  c.moveTo(x - 3, y); c.lineTo(x + 3, y);
+  c.stroke();
+  c.fillStyle = colour.ink;
+  c.textAlign = "right";
+  c.textBaseline = "middle";
+  c.fillText(digits(length) + (l.u.h.unit ? " " + l.u.h.unit : ""), x - 6,
+             (top + y) / 2);
 }
 
 function boxOf(x, y, w, h, axes) {
@@ -283,10 +310,13 @@ function drawRun(view) {
     c.lineTo(lower.x + lower.w, zero);
     c.stroke();
   });
+  const rough = run.S && l.bottom < 0;
+  if (rough) drawBar(c, lower, l);
   drawLegend(c, upper, [["pressure", colour.pressure],
     ["Hertzian", colour.hertz, true]]);
   drawLegend(c, lower, [["film", colour.film]].concat(
-    run.S && l.bottom < 0 ? [["roughness (undeformed)", colour.rough]] : []));
+    rough ? [["roughness (undeformed)", colour.rough, false, "roughness"]]
+      : []));
   if (state.pointed) drawPointer(c, view, k);
 }
 
@@ -346,9 +376,10 @@ function drawHistory(view) {
     c.lineWidth = 1.5;
     c.stroke();
   }
-  drawLegend(c, box, [["minimum film", colour.min],
-    ["central film", colour.film],
-    ["max. p to " + digits(P * u.p.f) + " " + u.p.unit, colour.pressure]]);
+  const reach = digits(P * u.p.f) + " " + u.p.unit;
+  drawLegend(c, box, [["minimum film", colour.min, false, "min."],
+    ["central film", colour.film, false, "central"],
+    ["max. p to " + reach, colour.pressure, false, "p to " + reach]]);
   const x = box.X(run.time[shotOf(run)] * u.t.f);
   c.strokeStyle = colour.ink;
   c.lineWidth = 2;

@@ -9,9 +9,12 @@ function valueAt(field, k, i) {
 }
 
 function showTime() {
-  const run = runs[0], u = unitsOf(run), T = run.time[state.shot];
-  const t = u.t.unit ? (T * u.t.f).toFixed(4) + " " + u.t.unit : T.toFixed(4);
-  byId("time").textContent = (u.t.unit ? "t = " : "T = ") + t +
+  const run = runs[0], T = run.time[state.shot], physical = unitsOf(run).t.unit;
+  // Two runs at the same T have other times where their scales differ.
+  const texts = runs.map((r) => unitsOf(r).t).map((q) =>
+    q.unit ? (T * q.f).toFixed(4) + " " + q.unit : T.toFixed(4));
+  const t = [...new Set(texts)].join(" | ");
+  byId("time").textContent = (physical ? "t = " : "T = ") + t +
     "  (" + (state.shot + 1) + " of " + run.shots + ")";
   byId("scrub").value = state.shot;
   byId("scrub").setAttribute("aria-valuetext", "t = " + t);
@@ -150,7 +153,14 @@ function viewOf(run, number) {
   if (runs.length > 1 || run.made.about) {
     const head = element(section, "h2");
     head.textContent = runs.length > 1 ? run.made.name + " " : "";
-    element(head, "span").textContent = run.made.about;
+    const about = element(head, "span");
+    run.made.about.split("p_h").forEach((part, k) => {
+      if (k) {
+        about.append("p");
+        element(about, "sub").textContent = "h";
+      }
+      about.append(part);
+    });
   }
   view.plot = element(section, "canvas", "plot");
   view.plot.setAttribute("role", "img");
@@ -172,7 +182,8 @@ function viewOf(run, number) {
 }
 
 function connect() {
-  const most = Math.max(...runs.map((run) => run.made.units.length));
+  // One run without scales makes both Hertzian.
+  const most = Math.min(...runs.map((run) => run.made.units.length));
   for (let k = 0; k < most; k++) {
     const option = element(byId("units"), "option");
     option.value = k;

@@ -18,8 +18,8 @@ typedef struct ovr_sitting {
 /* The runs of results, in units that they have in common, which go into
  * `options`. */
 ovr_status ovr_open_stored(ovr_result *const *results, size_t count,
-                         ovr_picture_options *options, ovr_stored *runs,
-                         ovr_arena *arena, ovr_error *err);
+                           ovr_picture_options *options, ovr_stored *runs,
+                           ovr_arena *arena, ovr_error *err);
 
 ovr_status ovr_draw_snapshots(const ovr_sitting *sitting, ovr_chart *chart,
                               ovr_error *err);

@@ -21,14 +21,14 @@ typedef struct ovr_stored {
     } by; /* its units in those of the first */
 } ovr_stored;
 
-ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result, const char *name,
-                        ovr_arena *arena, ovr_error *err);
+ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
+                           const char *name, ovr_arena *arena, ovr_error *err);
 
 /* The units that several results have in common: Hertzian ones where one of
  * them has no scales but another is to be drawn in SI, unless SI is asked for,
  * which is an error then. */
-ovr_status ovr_common_units(const ovr_stored *runs, size_t count, ovr_units *units,
-                            ovr_error *err);
+ovr_status ovr_common_units(const ovr_stored *runs, size_t count,
+                            ovr_units *units, ovr_error *err);
 
 /* Puts x and times of each run, and what is read of it from now on, into the
  * units of the first; Hertzian ones are each its own. */
@@ -46,8 +46,8 @@ typedef struct ovr_shot {
     double *P, *H, *S;
 } ovr_shot;
 
-ovr_status ovr_shot_make(ovr_shot *shot, const ovr_stored *run, ovr_arena *arena,
-                         ovr_error *err);
+ovr_status ovr_shot_make(ovr_shot *shot, const ovr_stored *run,
+                         ovr_arena *arena, ovr_error *err);
 ovr_status ovr_shot_read(ovr_shot *shot, size_t k, ovr_error *err);
 
 /* The snapshot nearest to a time. */
@@ -56,7 +56,7 @@ size_t ovr_stored_nearest(const ovr_stored *run, double T);
 /* One column of the history, multiplied by run->by of its kind; NULL with *err
  * filled when there is none. */
 double *ovr_stored_history(const ovr_stored *run, const char *name, double by,
-                        ovr_arena *arena, ovr_error *err);
+                           ovr_arena *arena, ovr_error *err);
 
 /* What the axes must show. */
 typedef struct ovr_extent {
@@ -72,7 +72,7 @@ ovr_extent ovr_extent_make(double x_from, double x_to, const ovr_stored *runs,
 void ovr_extent_add(ovr_extent *extent, const ovr_shot *shot);
 
 /* Nodes a..b-1 that lie within the extent, one more at each end. */
-void ovr_extent_nodes(const ovr_extent *extent, const ovr_stored *run, size_t *a,
-                      size_t *b);
+void ovr_extent_nodes(const ovr_extent *extent, const ovr_stored *run,
+                      size_t *a, size_t *b);
 
 #endif

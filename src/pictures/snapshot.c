@@ -225,35 +225,50 @@ static void add_hertz(const ovr_look *look, const ovr_shot *shot, size_t count,
     }
 }
 
-/* Shots that share a column. */
+/* Shots that share a column; a row that would be empty is not there. */
 static void draw_column(ovr_snapshot_chart *to, const ovr_look *look,
                         const ovr_shot *shot, size_t count, size_t column,
                         const char *const *labels)
 {
     size_t columns = to->chart.columns;
-    ovr_series *above = to->series[column],
-               *below = to->series[columns + column];
-    ovr_panel *P = &to->panel[column], *H = &to->panel[columns + column];
-    *P = panel_of(look, above, &look->P, 0, look->P_to);
-    *H = panel_of(look, below, &look->H, bottom(look), look->H_to);
-    H->height = 1 - 0.5 * bottom(look) / look->H_to;
+    bool above = false, below = false;
+    ovr_series *pressures = to->series[column],
+               *films = to->series[columns + column];
+    ovr_panel unused, *P, *H;
+    for (size_t k = 0; k < count; k++) {
+        above |= shot[k].P != NULL;
+        below |= shot[k].H != NULL || shot[k].S != NULL;
+    }
+    above |= !below;
+    P = above ? &to->panel[column] : &unused;
+    H = below ? &to->panel[(above ? columns : 0) + column] : &unused;
+    to->chart.rows = (size_t)above + (size_t)below;
+    *P = panel_of(look, pressures, &look->P, 0, look->P_to);
     P->height = 1;
+    if (below) {
+        *H = panel_of(look, films, &look->H, bottom(look), look->H_to);
+        H->height = 1 - 0.5 * bottom(look) / look->H_to;
+        H->bar_unit = look->H.unit;
+    }
     for (size_t k = 0; k < count; k++) {
         guise as = {count > 1 ? labels[k] : "pressure", ovr_guise_of(k),
                     count == 1};
-        add_pressure(look, &shot[k], &as, above, P);
-        add_film(look, &shot[k], &as, below, H);
+        add_pressure(look, &shot[k], &as, pressures, P);
+        if (below)
+            add_film(look, &shot[k], &as, films, H);
     }
-    if (!look->options->no_hertz)
-        add_hertz(look, shot, count, above, P);
+    if (!look->options->no_hertz && above)
+        add_hertz(look, shot, count, pressures, P);
 }
 
-static void write_time(char *note, size_t size, const ovr_look *look, double T)
+static void write_time(char *note, size_t size, const ovr_look *look, double T,
+                       const char *about)
 {
     if (look->T.unit[0])
-        snprintf(note, size, "t = %.3f %s", T * look->T.factor, look->T.unit);
+        snprintf(note, size, "t = %.3f %s%s", T * look->T.factor, look->T.unit,
+                 about);
     else
-        snprintf(note, size, "T = %.3f", T);
+        snprintf(note, size, "T = %.3f%s", T, about);
 }
 
 /* By run, by instant, or by both. */
@@ -271,7 +286,8 @@ static const char *name_shot(ovr_snapshot_chart *to, size_t k,
 }
 
 void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_look *look,
-                       const ovr_shot *shot, size_t instants, size_t runs)
+                       const ovr_shot *shot, size_t instants, size_t runs,
+                       const char *const *about)
 {
     const ovr_picture_options *o = look->options;
     size_t columns = o->overlay ? 1 : instants;
@@ -288,7 +304,8 @@ void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_look *look,
                             .share_y = true,
                             .panel = to->panel};
     for (size_t k = 0; k < instants; k++)
-        write_time(to->note[k], sizeof to->note[k], look, shot[k * runs].T);
+        write_time(to->note[k], sizeof to->note[k], look, shot[k * runs].T,
+                   about ? about[k] : "");
     for (size_t k = 0; k < instants * runs; k++)
         label[k] = name_shot(to, k, &shot[k], o->overlay ? instants : 1, runs);
     if (o->overlay)

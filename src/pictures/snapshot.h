@@ -37,7 +37,8 @@ typedef struct ovr_guise {
 ovr_guise ovr_guise_of(size_t k);
 
 /* M, L and ph, as far as all runs have the same, as enhanced text. */
-void ovr_heading(const ovr_stored *runs, size_t count, char *heading, size_t room);
+void ovr_heading(const ovr_stored *runs, size_t count, char *heading,
+                 size_t room);
 
 /* Memory of a chart of up to OVR_SHOTS shots. */
 typedef struct ovr_snapshot_chart {
@@ -47,8 +48,10 @@ typedef struct ovr_snapshot_chart {
     char note[OVR_SHOTS][80], name[OVR_SHOTS][130];
 } ovr_snapshot_chart;
 
-/* `instants` times of `runs` runs each: shot[instant * runs + run]. */
+/* `instants` times of `runs` runs each: shot[instant * runs + run]; `about`
+ * goes behind each time (NULL: nothing). */
 void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_look *look,
-                       const ovr_shot *shot, size_t instants, size_t runs);
+                       const ovr_shot *shot, size_t instants, size_t runs,
+                       const char *const *about);
 
 #endif

@@ -71,7 +71,16 @@ T = time / t0
 asked = 0.7 * T[4] + 0.3 * T[5]
 same(export("--time", repr(asked))[1], stored(4))
 same(export("--time", "1e9")[1], stored(len(time) - 1))
-same(export("--all")[1], numpy.vstack([stored(k) for k in range(len(time))]))
+for options in ["--all"], ["--all", "--long"], ["--long"]:
+    heads, rows = export(*options)
+    assert heads[:3] == ["time [s]", "x [m]", "pressure [Pa]"], heads
+    same(rows[:, 1:], numpy.vstack([stored(k) for k in range(len(time))]))
+    same(rows[:, 0], numpy.repeat(time, len(x)))
+heads, rows = export("--all", "--wide", "--field", "pressure")
+assert len(heads) == 1 + len(time), heads
+assert heads[0] == "x [m]" and heads[-1] == f"pressure(t={time[-1]:.9g}s) [Pa]"
+same(rows, numpy.column_stack([x] + [p for p in f["pressure"]]))
+assert export("--wide")[1].shape == (len(x), 1 + len(fields) * len(time))
 
 # Units: the scales of the file, or none
 scale = lambda name: f[name].attrs["scale"]
@@ -142,6 +151,7 @@ refuses 'no snapshot 999: there are 0 to' export a.h5 --snapshot 999
 refuses 'no snapshot -1' export a.h5 --snapshot -1
 refuses "'x' is not a number" export a.h5 --time x
 refuses "has no field 'pres'" export a.h5 --snapshot 0 --field pres
+refuses 'long and --wide exclude' export a.h5 --long --wide
 refuses 'stored, hertzian or si' export a.h5 --units inch
 refuses 'csv, gnuplot or matlab' export a.h5 --format xls
 refuses 'nowhere/a.csv: No such file' export a.h5 -o nowhere/a.csv

@@ -106,6 +106,43 @@ refuses 'dent.h5: SI units' plot a.h5 dent.h5 --si -o si.svg
 expect 0 "$OVERROLL" frames a.h5 dent.h5 -o mixed --every 100 --size 320x240
 contains err 'dent.h5 has no physical scales'
 
+# Without being asked for, the instants of largest pressure and smallest film
+# are there; the heading's ph has its index; what the strip of roughness holds
+# has a scale; a colour that stands for more says so; no panel is empty.
+expect 0 "$OVERROLL" plot dent.h5 -o all.svg --script all.gp
+"$OVERROLL" export dent.h5 --all -o all.csv -q
+for what in 'p max' 'h min'; do
+    contains all.gp "T = [0-9.]*: (p max, )?$what"
+done
+at=$(awk -F, 'NR > 1 && $3 + 0 > m { m = $3 + 0; T = $1 }
+    END { printf "%.3f", T }' all.csv)
+contains all.gp "T = $at: p max"
+contains all.gp 'heads size'
+expect 0 "$OVERROLL" plot a.h5 -o ph.svg --script ph.gp
+contains ph.gp '\{/:Italic p\}_h = '
+expect 0 "$OVERROLL" plot dent.h5 --kind map --field pressure --p-max 0.5 \
+    -o clip.svg --script clip.gp
+contains clip.gp ' above'
+expect 0 "$OVERROLL" run dent.ini -o film.h5 -q \
+    --set output.fields=film_thickness
+expect 0 "$OVERROLL" plot film.h5 -o film.svg --script film.gp
+! grep -q 'Italic p} / ' film.gp || fail 'an empty panel for the pressure'
+
+# Many results: each in a colour and dash of its own, in rows of a legend that
+# are no wider than the picture.
+set --
+for k in 1 2 3 4 5 6 7 8; do
+    cp dent.h5 "a_result_of_a_long_name_$k.h5"
+    set -- "$@" "a_result_of_a_long_name_$k.h5"
+done
+expect 0 "$OVERROLL" plot "$@" -o many.svg --script many.gp
+expect 0 "$OVERROLL" plot "$@" -o history.svg --kind history --script many.gp
+[ "$(sed -n "s/.* with lines \(dt .*\) lw .* \(lc .*\)/\1 \2/p" many.gp |
+    sort | uniq -c | awk '{ print $1 }' | sort -u)" = 3 ] ||
+    fail 'two results look the same'
+awk '/^set label .*a_result/ { split($0, a, "screen "); split(a[2], b, ",")
+    if (b[1] > 0.75) exit 1 }' many.gp || fail 'a legend is cut off'
+
 # What is missing is said, with how to get it.
 expect 2 env PATH=/nowhere "$OVERROLL" plot dent.h5 -o x.png
 contains err 'gnuplot is not installed.*apt install gnuplot-nox'

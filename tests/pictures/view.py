@@ -46,6 +46,8 @@ def box(browser, selector):
 
 def load(browser, page):
     browser.open(f"file://{folder}/{page}")
+    if page == "frame.html":
+        return
     browser.wait("return document.body.dataset.drawn !== undefined")
     trouble = browser.run("return document.getElementById('trouble').textContent")
     assert not trouble, trouble
@@ -109,6 +111,37 @@ def plays(browser):
     browser.keys("u", "z", "l")
 
 
+def ink_at_edge(browser, canvas):
+    """Whether anything is drawn in the last two columns of pixels above the
+    boxes, where legends are."""
+    return browser.run("""
+        const c = document.querySelectorAll("canvas")[arguments[0]];
+        const g = c.getContext("2d"), d = g.getImageData(c.width - 2, 0, 2, 16).data;
+        for (let i = 3; i < d.length; i += 4) if (d[i]) return true;
+        return false;""", canvas)
+
+
+def phone():
+    """390 px wide, upright: legends are whole. On its side: the controls are
+    on the screen without scrolling."""
+    browser = Browser(500, 844)
+    try:
+        load(browser, "frame.html")
+        browser.call("POST", "/frame", {"id": 0})
+        browser.wait("return document.body.dataset.drawn !== undefined")
+        assert browser.run("return window.innerWidth") == 390
+        for canvas in range(2):
+            assert painted(browser, canvas) > 8
+            assert not ink_at_edge(browser, canvas), f"canvas {canvas} is cut"
+        browser.call("POST", "/frame", {"id": None})
+        browser.call("POST", "/frame", {"id": 1})
+        for button in ("#play", "#scrub", "#last"):
+            left, top, width, height = box(browser, button)
+            assert top >= 0 and top + height <= 390, (button, top, height)
+    finally:
+        browser.close()
+
+
 def narrow():
     browser = Browser(500, 900, dark=True)
     try:
@@ -159,6 +192,7 @@ def main():
     finally:
         browser.close()
     narrow()
+    phone()
 
 
 main()

@@ -49,6 +49,15 @@ for page in page.html two.html title.html; do
     [ "$(grep -c '<script' $page)" -eq 2 ] || fail "$page: more scripts"
 done
 
+# Screens narrower than Chromium's own windows: frames of their size.
+{
+    printf '<!DOCTYPE html><body style="margin:0">'
+    printf '<iframe src="page.html" style="width:390px;height:844px;border:0">'
+    printf '</iframe>'
+    printf '<iframe src="page.html" style="width:844px;height:390px;border:0">'
+    printf '</iframe></body>\n'
+} >frame.html
+
 need chromium chromedriver
 need_python h5py
 "$PYTHON" "$TOP/tests/pictures/view.py" "$PWD"
