@@ -2,7 +2,10 @@
 #include "base/quantity.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
+
+#include "overroll/text.h"
 
 /* Factors are kept as times/over, one of them 1, so that 17 1/GPa is the
  * double nearest to 1.7e-8 and not a product of roundings. */
@@ -49,12 +52,21 @@ static const struct unit {
     {"kPa", OVR_PRESSURE, 1e3, 1},
     {"MPa", OVR_PRESSURE, 1e6, 1},
     {"GPa", OVR_PRESSURE, 1e9, 1},
+    {"N/mm2", OVR_PRESSURE, 1e6, 1},
+    {"N/mm^2", OVR_PRESSURE, 1e6, 1},
+    {"N/mm\302\262", OVR_PRESSURE, 1e6, 1}, /* superscript two */
+    {"kN/mm2", OVR_PRESSURE, 1e9, 1},
+    {"kN/mm^2", OVR_PRESSURE, 1e9, 1},
+    {"kN/mm\302\262", OVR_PRESSURE, 1e9, 1},
     {"1/Pa", OVR_PER_PRESSURE, 1, 1},
     {"Pa^-1", OVR_PER_PRESSURE, 1, 1},
     {"1/MPa", OVR_PER_PRESSURE, 1, 1e6},
     {"MPa^-1", OVR_PER_PRESSURE, 1, 1e6},
     {"1/GPa", OVR_PER_PRESSURE, 1, 1e9},
     {"GPa^-1", OVR_PER_PRESSURE, 1, 1e9},
+    {"mm2/N", OVR_PER_PRESSURE, 1, 1e6},
+    {"mm^2/N", OVR_PER_PRESSURE, 1, 1e6},
+    {"mm\302\262/N", OVR_PER_PRESSURE, 1, 1e6},
     {"Pa.s", OVR_DYNAMIC_VISCOSITY, 1, 1},
     {"Pa s", OVR_DYNAMIC_VISCOSITY, 1, 1},
     {"Pa*s", OVR_DYNAMIC_VISCOSITY, 1, 1},
@@ -70,16 +82,18 @@ static const struct unit {
     {"s", OVR_DURATION, 1, 1},
     {"ms", OVR_DURATION, 1, 1e3},
     {"us", OVR_DURATION, 1, 1e6},
+    {"%", OVR_SHARE, 1, 1e2},
 };
 enum { UNITS = sizeof units / sizeof units[0] };
 
 const char *ovr_units_allowed(ovr_dimension dimension)
 {
     switch (dimension) {
-    case OVR_PURE: break;
+    case OVR_PURE:
+    case OVR_SHARE: break;
     case OVR_LENGTH: return "m, mm, um, nm";
-    case OVR_PRESSURE: return "Pa, kPa, MPa, GPa";
-    case OVR_PER_PRESSURE: return "1/Pa, 1/MPa, 1/GPa";
+    case OVR_PRESSURE: return "Pa, kPa, MPa, GPa, N/mm2";
+    case OVR_PER_PRESSURE: return "1/Pa, 1/MPa, 1/GPa, mm2/N";
     case OVR_DYNAMIC_VISCOSITY: return "Pa.s, mPa.s, cP";
     case OVR_LINE_LOAD: return "N/m, kN/m, N/mm";
     case OVR_SPEED: return "m/s, mm/s";
@@ -91,7 +105,7 @@ const char *ovr_units_allowed(ovr_dimension dimension)
 const char *ovr_unit_si(ovr_dimension dimension)
 {
     for (int i = 0; i < UNITS; i++) /* SI comes first in each dimension */
-        if (units[i].dimension == dimension)
+        if (units[i].dimension == dimension && dimension != OVR_SHARE)
             return units[i].name;
     return "";
 }
@@ -149,19 +163,39 @@ static ovr_status no_number(const char *text, ovr_error *err)
     return ovr_fail(err, OVR_BAD_INPUT, "'%.60s' is not a number", text);
 }
 
+/* " did you mean 'MPa'?", or nothing. */
+static void put_hint(const char *unit, ovr_dimension dimension, char *hint,
+                     size_t room)
+{
+    const char *names[UNITS], *meant;
+    size_t n = 0;
+    for (int i = 0; i < UNITS; i++)
+        if (units[i].dimension == dimension)
+            names[n++] = units[i].name;
+    meant = ovr_suggest(unit, names, n);
+    *hint = '\0';
+    if (meant)
+        snprintf(hint, room, " did you mean '%s'?", meant);
+}
+
 static ovr_status wrong_unit(const char *text, const char *unit,
                              ovr_dimension dimension, ovr_error *err)
 {
+    char hint[60];
     if (*unit == ',')
         return ovr_fail(err, OVR_BAD_INPUT,
                         "'%.60s' is not a number: write a point, not a comma",
                         text);
-    if (dimension == OVR_PURE)
+    if (dimension == OVR_PURE || dimension == OVR_SHARE)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "'%.60s' must be a number without a unit", text);
-    return ovr_fail_about(err, "unit", "'%.60s': %s unit '%.30s'; allowed: %s",
+                        "'%.60s' must be a number without a unit%s", text,
+                        dimension == OVR_SHARE ? ", or in %" : "");
+    put_hint(find_unit(unit) ? "" : unit, dimension, hint, sizeof hint);
+    return ovr_fail_about(err, "unit",
+                          "'%.60s': %s unit '%.30s';%s allowed: "
+                          "%s",
                           text, find_unit(unit) ? "wrong" : "unknown", unit,
-                          ovr_units_allowed(dimension));
+                          hint, ovr_units_allowed(dimension));
 }
 
 ovr_status ovr_quantity_read(const char *text, ovr_dimension dimension,
@@ -178,7 +212,7 @@ ovr_status ovr_quantity_read(const char *text, ovr_dimension dimension,
         at++;
     quantity->value = value;
     quantity->unit = NULL;
-    if (!*at && (bare || dimension == OVR_PURE))
+    if (!*at && (bare || dimension == OVR_PURE || dimension == OVR_SHARE))
         return OVR_OK;
     if (!*at)
         return ovr_fail_about(err, "unit", "'%.60s' needs a unit; allowed: %s",
@@ -187,7 +221,7 @@ ovr_status ovr_quantity_read(const char *text, ovr_dimension dimension,
     if (!unit || unit->dimension != dimension || dimension == OVR_PURE)
         return wrong_unit(text, at, dimension, err);
     quantity->value = value * unit->times / unit->over;
-    quantity->unit = unit->name;
+    quantity->unit = dimension == OVR_SHARE ? NULL : unit->name;
     if (isfinite(quantity->value))
         return OVR_OK;
     return no_number(text, err);

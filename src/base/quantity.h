@@ -23,7 +23,8 @@ typedef enum ovr_dimension {
     OVR_DYNAMIC_VISCOSITY,
     OVR_LINE_LOAD,
     OVR_SPEED,
-    OVR_DURATION
+    OVR_DURATION,
+    OVR_SHARE /* a pure number, or in % */
 } ovr_dimension;
 
 typedef struct ovr_quantity {

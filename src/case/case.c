@@ -83,6 +83,17 @@ static ovr_status no_section(const char *header, ovr_error *err)
                     OVR_NAME_MOST, header);
 }
 
+/* A name that survives being written as [section NAME]. */
+static bool may_name(const char *name)
+{
+    size_t size = strlen(name);
+    for (const char *p = name; *p; p++)
+        if (strchr("]#", *p) || (unsigned char)*p < ' ' ||
+            (*p == ';' && (p == name || p[-1] == ' ')))
+            return false;
+    return name[size - 1] != ' ';
+}
+
 const ovr_section *ovr_section_parse(const char *header, const char **name,
                                      ovr_error *err)
 {
@@ -108,6 +119,12 @@ const ovr_section *ovr_section_parse(const char *header, const char **name,
     else if (!**name) {
         ovr_fail(err, OVR_BAD_INPUT, "[%s] needs a name: [%s dent]", word,
                  word);
+        return NULL;
+    } else if (!may_name(*name)) {
+        ovr_fail(err, OVR_BAD_INPUT,
+                 "[%s %s]: a name must not hold ] or #, a blank at its end, or "
+                 "control characters",
+                 word, *name);
         return NULL;
     }
     return section;
@@ -218,6 +235,24 @@ ovr_case *ovr_case_read_text(const char *text, const char *name,
     return c ? read_source(c, text, name, directory, err) : NULL;
 }
 
+/* A result given in place of its case: what it is good for. */
+static ovr_status refuse_result(const char *path, ovr_error *err)
+{
+    static const char magic[] = "\211HDF\r\n\032\n";
+    char head[sizeof magic] = "";
+    FILE *file = fopen(path, "rb");
+    size_t got = file ? fread(head, 1, sizeof head - 1, file) : 0;
+    if (file)
+        fclose(file);
+    if (got != sizeof magic - 1 || memcmp(head, magic, got) != 0)
+        return OVR_OK;
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "%s: is a result file, not a case: 'overroll resume' goes "
+                    "on with it, 'overroll info -v' shows the case it was made "
+                    "from",
+                    path);
+}
+
 ovr_case *ovr_case_read(const char *path, const ovr_allocator *allocator,
                         ovr_error *err)
 {
@@ -225,7 +260,7 @@ ovr_case *ovr_case_read(const char *path, const ovr_allocator *allocator,
     char *folder = ovr_arena_text(&scratch, path, err);
     const char *text;
     ovr_case *c = NULL;
-    if (folder &&
+    if (folder && !refuse_result(path, err) &&
         !ovr_text_file(path, "case", OVR_CASE_MOST, &scratch, &text, err)) {
         char *slash = strrchr(folder, '/');
         if (slash)
@@ -267,6 +302,27 @@ static ovr_slot *find_place(ovr_case *c, const char *where,
     return block ? ovr_block_slot(block, point + 1, row, err) : NULL;
 }
 
+/* What is written into the text of a case is read from it again. */
+static bool survives(const char *text)
+{
+    for (const char *p = text; *p; p++) {
+        bool first = p == text || p[-1] == ' ' || p[-1] == '\t';
+        if (*p == '#' || (*p == ';' && first) ||
+            ((unsigned char)*p < ' ' && *p != '\t'))
+            return false;
+    }
+    return true;
+}
+
+static const char *trimmed(const char *value, ovr_arena *arena, ovr_error *err)
+{
+    ovr_line line = ovr_trim((ovr_line){value, strlen(value), 0});
+    char *copy = ovr_arena_take(arena, line.size + 1, 1, err);
+    if (copy)
+        memcpy(copy, line.text, line.size);
+    return copy;
+}
+
 ovr_status ovr_case_set(ovr_case *c, const char *where, const char *value,
                         const char *origin, ovr_error *err)
 {
@@ -279,10 +335,15 @@ ovr_status ovr_case_set(ovr_case *c, const char *where, const char *value,
     if (strlen(value) > OVR_LINE_MOST - OVR_NAME_MOST)
         return ovr_fail_about(err, row->key, "%s: %s: the value is too long",
                               origin, row->key);
-    if (value[strcspn(value, "\n\r#")])
+    if (!survives(value))
         return ovr_fail_about(err, row->key,
-                              "%s: %s: the value must not hold # or line ends",
+                              "%s: %s: the value must not hold # or a ; behind "
+                              "a blank (comments of a case), nor control "
+                              "characters",
                               origin, row->key);
+    value = trimmed(value, &c->arena, err);
+    if (!value)
+        return OVR_NO_MEMORY;
     if (ovr_slot_read(row, value, &c->arena, &fresh, &why))
         return ovr_fail_from(err, &why, origin, 0);
     line = slot->line;

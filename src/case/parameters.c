@@ -157,8 +157,9 @@ static const ovr_parameter table[] = {
     {"contact", "mean_speed", WITH_UNIT(OVR_SPEED, 1e-12, 1e4), NULL,
      AT(contact.mean_speed), true,
      "um = (u1 + u2)/2, instead of the two speeds"},
-    {"contact", "slide_to_roll", PLAIN(-1e3, 1e3), NULL,
-     AT(contact.slide_to_roll), true, "(u1 - u2)/um; 0 unless given"},
+    {"contact", "slide_to_roll", WITH_UNIT(OVR_SHARE, -1e3, 1e3), NULL,
+     AT(contact.slide_to_roll), true,
+     "(u1 - u2)/um, may be in %; 0 unless given"},
 
     {"lubricant", "viscosity_law", CHOICE(viscosity_laws), "roelands",
      AT(viscosity_law), true, "viscosity against pressure"},

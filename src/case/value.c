@@ -185,7 +185,7 @@ static ovr_status read_list(const ovr_parameter *row, const char *text,
         return OVR_NO_MEMORY;
     for (size_t i = 0; i < n; i++) {
         ovr_quantity quantity;
-        char item[64];
+        char item[OVR_LINE_MOST + 2];
         next_item(&text, ",", item, sizeof item);
         if (read_quantity(row, item, &quantity, err))
             return OVR_BAD_INPUT;
@@ -206,7 +206,7 @@ static ovr_status read_words(const ovr_parameter *row, const char *text,
                              ovr_slot *slot, ovr_error *err)
 {
     while (*text) {
-        char item[64];
+        char item[OVR_LINE_MOST + 2];
         const ovr_word *word;
         next_item(&text, ", \t", item, sizeof item);
         if (!item[0])
@@ -252,6 +252,30 @@ static ovr_status no_value(const ovr_parameter *row, ovr_error *err)
                     allowed);
 }
 
+/* "b.h5" in quotes is b.h5; a quote at the begin alone is none that could be
+ * written and read again. */
+static ovr_status unquote(const char **text, ovr_arena *arena, ovr_error *err)
+{
+    size_t size = strlen(*text);
+    char quote = **text, *inner;
+    ovr_line line;
+    if (quote != '"' && quote != '\'')
+        return OVR_OK;
+    line = ovr_trim((ovr_line){*text + 1, size > 1 ? size - 2 : 0, 0});
+    if (size < 2 || (*text)[size - 1] != quote || !line.size ||
+        *line.text == '"' || *line.text == '\'')
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s begins with a quote; allowed: text in a pair of "
+                        "quotes, or without",
+                        *text);
+    inner = ovr_arena_take(arena, line.size + 1, 1, err);
+    if (!inner)
+        return OVR_NO_MEMORY;
+    memcpy(inner, line.text, line.size);
+    *text = inner;
+    return OVR_OK;
+}
+
 static ovr_status read_value(const ovr_parameter *row, const char *text,
                              ovr_arena *arena, ovr_slot *slot, ovr_error *err)
 {
@@ -275,7 +299,11 @@ ovr_status ovr_slot_read(const ovr_parameter *row, const char *text,
 {
     ovr_slot fresh = {.key = row->key, .number = NAN};
     ovr_error why = {0};
-    ovr_status status = read_value(row, text, arena, &fresh, &why);
+    ovr_status status = OVR_OK;
+    if (row->kind == OVR_TEXT || row->kind == OVR_PATH)
+        status = unquote(&text, arena, &why);
+    if (!status)
+        status = read_value(row, text, arena, &fresh, &why);
     if (status == OVR_NO_MEMORY)
         return ovr_fail_from(err, &why, NULL, 0);
     if (status)

@@ -11,7 +11,7 @@ _overroll_options() {
     check) echo '--set --M --L --level --scheme --smoother -q -v --json --help' ;;
     info) echo '-q -v --json --help' ;;
     sweep) echo '-j -o --list --task --collect --retry --redo -q -v --json --help' ;;
-    export) echo '--snapshot --time --all --at --field --units --format -o --force -q -v --json --help' ;;
+    export) echo '--snapshot --time --all --long --wide --at --field --units --format -o --force -q -v --json --help' ;;
     plot) echo '-o --kind --at --overlay --field --script --hertzian --si -x --time --p-max --h-max --size --title --no-hertz --no-roughness --force -q -v --json --help' ;;
     frames) echo '-o --movie --rate --every --form --jobs --script --hertzian --si -x --time --p-max --h-max --size --title --no-hertz --no-roughness --force -q -v --json --help' ;;
     view) echo '-o --title --force -q -v --json --help' ;;

@@ -34,6 +34,13 @@ static void units_become_si(void **state)
     assert_true(read_as("198 MPa", OVR_PRESSURE) == 1.98e8);
     assert_true(read_as("-2.5e+2 mm/s", OVR_SPEED) == -0.25);
     assert_true(read_as(".5 ms", OVR_DURATION) == 0.0005);
+    assert_true(read_as("200 N/mm2", OVR_PRESSURE) == 2e8);
+    assert_true(read_as("200 N/mm^2", OVR_PRESSURE) == 2e8);
+    assert_true(read_as("200 N/mm\302\262", OVR_PRESSURE) == 2e8);
+    assert_true(read_as("0.02 mm\302\262/N", OVR_PER_PRESSURE) == 2e-8);
+    assert_true(read_as("5 %", OVR_SHARE) == 0.05);
+    assert_true(read_as("-5%", OVR_SHARE) == -0.05);
+    assert_true(read_as("0.05", OVR_SHARE) == 0.05);
     assert_true(read_as("5.", OVR_PURE) == 5);
     assert_true(read_as("-0", OVR_PURE) == 0);
 }
@@ -68,7 +75,11 @@ static void nonsense_is_refused(void **state)
     refuse("5", OVR_LENGTH, "needs a unit; allowed: m, mm, um, nm");
     refuse("5 GPa", OVR_LENGTH, "wrong unit 'GPa'; allowed: m,");
     refuse("5 furlong", OVR_LENGTH, "unknown unit 'furlong'");
+    refuse("5 %", OVR_PURE, "without a unit");
+    refuse("5 mm", OVR_SHARE, "without a unit, or in %");
     refuse("5 MM", OVR_LENGTH, "unknown unit");
+    refuse("5 Mpa", OVR_PRESSURE, "unknown unit 'Mpa'; did you mean 'MPa'?");
+    refuse("40 mPas", OVR_DYNAMIC_VISCOSITY, "did you mean 'mPa.s'?");
     refuse("40 mPas", OVR_DYNAMIC_VISCOSITY, "allowed: Pa.s, mPa.s, cP");
 }
 
