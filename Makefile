@@ -28,7 +28,7 @@ COMPILES := 1
 endif
 
 PKG_CONFIG ?= pkg-config
-PKGS := gsl zlib libzip expat
+PKGS := gsl zlib libzip expat fftw3 fftw3f
 HDF5 := $(firstword $(foreach p,hdf5 hdf5-serial,\
           $(if $(shell $(PKG_CONFIG) --exists $(p) 2>/dev/null && echo y),$(p))))
 ifdef COMPILES

@@ -12,6 +12,7 @@
 #include "overroll/results.h"
 #include "overroll/run.h"
 #include "overroll/simulation.h"
+#include "overroll/stress.h"
 #include "overroll/surface.h"
 #include "overroll/text.h"
 #include "overroll/version.h"

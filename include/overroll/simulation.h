@@ -233,7 +233,8 @@ ovr_simulation_statistics(const ovr_simulation *sim);
 
 /* Calls visit(context, name, address, size in bytes) for every piece of
  * memory that makes up the state between two steps: writing them all and
- * reading them back into a simulation created alike continues bit for bit.
+ * reading them back, by name, into a simulation created alike continues bit for
+ * bit.  A number (8 bytes at most) that is not written back has its default.
  * Stops at the first status that is not OVR_OK and returns it. */
 typedef ovr_status ovr_visit(void *context, const char *name, void *memory,
                              size_t bytes, ovr_error *err);

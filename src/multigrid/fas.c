@@ -8,10 +8,10 @@ void ovr_fas_restrict(ovr_hierarchy *grids, const ovr_level *fine,
     const ovr_fields *f = &coarse->f;
     double *residual = grids->band.delta, H0 = grids->H0;
     run->restrict_fields(&coarse->lanes, &fine->lanes, &fine->f, f->P,
-                         coarse->P_entry, coarse->gap, residual);
-    run->deformation(&coarse->mlmi, f->P, coarse->w);
-    run->coarse_gap(&coarse->lanes, H0, coarse->w, coarse->gap);
-    run->film(&grids->fluid, H0, &coarse->lanes, coarse->gap, coarse->w, f);
+                         coarse->f.entry, coarse->f.gap, residual);
+    run->deformation(&coarse->mlmi, f->P, coarse->f.w);
+    run->coarse_gap(&coarse->lanes, H0, coarse->f.w, coarse->f.gap);
+    run->film(&grids->fluid, H0, &coarse->lanes, coarse->f.gap, coarse->f.w, f);
     ovr_level_clear(coarse, f->F);
     run->residual(&coarse->lanes, &coarse->weights, f); /* r = -N_c */
     run->coarse_side(&coarse->lanes, residual, f->F, f->r);
@@ -24,7 +24,7 @@ void ovr_fas_correct(const ovr_hierarchy *grids, const ovr_level *coarse,
                      ovr_level *fine, double factor)
 {
     grids->kernels->correct(&coarse->lanes, &fine->lanes, factor, coarse->f.P,
-                            coarse->P_entry, &fine->f);
+                            coarse->f.entry, &fine->f);
 }
 
 static void interpolate(size_t nc, const double *v, double *P)

@@ -15,32 +15,38 @@ typedef struct ascent {
     bool told; /* the load is whole */
 } ascent;
 
-/* Full weighting of the gap; the weights' own effect on X^2/2, D^2/4 with the
- * fine D, is taken out again. */
-static void coarsen_gap(const ovr_level *fine, double *g)
+/* Full weighting, in place; of the gap the weights' own effect on X^2/2, D^2/4
+ * with the fine D, is taken out again. */
+static void coarsen(const ovr_level *fine, size_t field, double *g)
 {
     size_t last = (fine->n - 1) / 2;
-    double shift = 0.25 * fine->D * fine->D;
+    double shift = field == OVR_FIELD_gap ? 0.25 * fine->D * fine->D : 0;
     for (size_t I = 1; I < last; I++)
         g[I] = 0.25 * (g[2 * I - 1] + 2 * g[2 * I] + g[2 * I + 1]) - shift;
     g[last] = g[2 * last];
 }
 
-/* gap, F and force of every level as if it were the finest; roughness comes
- * down by full weighting, so that no level aliases it. */
+/* From the finest level to all others, so that none aliases roughness. */
+static void carry_down(ovr_hierarchy *grids, size_t field)
+{
+    double *g = grids->scratch[0];
+    ovr_level *level = &grids->level[grids->finest];
+    ovr_level_read(grids, level, level->f.all[field], g);
+    for (; level->number > grids->coarsest; level--) {
+        coarsen(level, field, g);
+        ovr_level_write(grids, level - 1, g, (level - 1)->f.all[field]);
+    }
+}
+
+/* gap, F and force of every level as if it were the finest. */
 static void prepare_levels(ovr_hierarchy *grids, double force)
 {
-    double *gap = grids->scratch[0];
-    ovr_level_read(grids, &grids->level[grids->finest],
-                   grids->level[grids->finest].gap, gap);
-    for (int l = grids->finest; l >= grids->coarsest; l--) {
-        ovr_level *level = &grids->level[l];
-        ovr_level_clear(level, level->f.F);
-        level->force = force;
-        if (l < grids->finest) {
-            coarsen_gap(level + 1, gap);
-            ovr_level_write(grids, level, gap, level->gap);
-        }
+    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
+        if (ovr_field_rows[k].carried)
+            carry_down(grids, k);
+    for (int l = grids->coarsest; l <= grids->finest; l++) {
+        ovr_level_clear(&grids->level[l], grids->level[l].f.F);
+        grids->level[l].force = force;
     }
 }
 

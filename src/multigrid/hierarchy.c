@@ -7,22 +7,6 @@
 #include "multigrid/coarsest.h"
 #include "multigrid/field.h"
 
-enum { FIELDS = 10 };
-
-static void name_fields(ovr_fields *f, double *const a[FIELDS])
-{
-    *f = (ovr_fields){.P = a[0],
-                      .H = a[1],
-                      .rho = a[2],
-                      .dq = a[3],
-                      .eps = a[4],
-                      .deps = a[5],
-                      .q = a[6],
-                      .F = a[7],
-                      .r = a[8],
-                      .deps_dH = a[9]};
-}
-
 /* Nodes of the lanes and beyond, for any machine's kernels. */
 static size_t room_of(const ovr_level *level)
 {
@@ -39,20 +23,19 @@ static ovr_status take(double **const to[], size_t count, size_t room,
     return OVR_OK;
 }
 
-/* d eps/dH is for Newton's method on the coarsest grids alone. */
 static ovr_status take_fields(ovr_level *level, bool newton, ovr_arena *arena,
                               ovr_error *err)
 {
-    double *a[FIELDS] = {NULL};
-    double **const all[] = {&level->gap, &level->P_entry, &a[1], &a[2],
-                            &a[3],       &a[4],           &a[5], &a[6],
-                            &a[7],       &a[8],           &a[9]};
-    size_t count = sizeof all / sizeof *all - !newton;
-    a[0] = ovr_mlmi_field(&level->mlmi, arena, err);
-    level->w = ovr_mlmi_field(&level->mlmi, arena, err);
-    if (!a[0] || !level->w || take(all, count, room_of(level), arena, err))
-        return OVR_NO_MEMORY;
-    name_fields(&level->f, a);
+    for (size_t k = 0; k < OVR_FIELD_COUNT; k++) {
+        ovr_field_memory memory = ovr_field_rows[k].memory;
+        if (memory == OVR_NEWTON && !newton)
+            continue;
+        level->f.all[k] = memory == OVR_WIDE
+                              ? ovr_mlmi_field(&level->mlmi, arena, err)
+                              : ovr_field(arena, room_of(level), err);
+        if (!level->f.all[k])
+            return OVR_NO_MEMORY;
+    }
     level->f.wet = ovr_set(arena, level->n, err);
     level->f.held = ovr_set(arena, level->n, err);
     return level->f.wet && level->f.held ? OVR_OK : OVR_NO_MEMORY;
@@ -69,12 +52,10 @@ static ovr_status take_band(ovr_band *band, size_t room, ovr_arena *arena,
 static ovr_status take_natural(ovr_fields *f, size_t n, ovr_arena *arena,
                                ovr_error *err)
 {
-    double *a[FIELDS];
-    double **const all[FIELDS] = {&a[0], &a[1], &a[2], &a[3], &a[4],
-                                  &a[5], &a[6], &a[7], &a[8], &a[9]};
-    if (take(all, FIELDS, n, arena, err))
-        return OVR_NO_MEMORY;
-    name_fields(f, a);
+    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
+        if (ovr_field_rows[k].ordered &&
+            !(f->all[k] = ovr_field(arena, n, err)))
+            return OVR_NO_MEMORY;
     return OVR_OK;
 }
 
@@ -143,8 +124,8 @@ void ovr_hierarchy_operator(ovr_hierarchy *grids, const ovr_operator *op)
 void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level)
 {
     const ovr_kernels *run = grids->kernels;
-    run->deformation(&level->mlmi, level->f.P, level->w);
-    run->film(&grids->fluid, grids->H0, &level->lanes, level->gap, level->w,
+    run->deformation(&level->mlmi, level->f.P, level->f.w);
+    run->film(&grids->fluid, grids->H0, &level->lanes, level->f.gap, level->f.w,
               &level->f);
 }
 
@@ -192,16 +173,11 @@ void ovr_level_clear(const ovr_level *level, double *values)
 const ovr_fields *ovr_level_ordered(const ovr_hierarchy *grids,
                                     const ovr_level *level)
 {
-    const ovr_fields *from = &level->f, *to = &grids->natural;
-    const double *const fields[FIELDS] = {
-        from->P,    from->H, from->rho, from->dq, from->eps,
-        from->deps, from->q, from->F,   from->r,  from->deps_dH};
-    double *const ordered[FIELDS] = {to->P,   to->H,      to->rho, to->dq,
-                                     to->eps, to->deps,   to->q,   to->F,
-                                     to->r,   to->deps_dH};
-    for (size_t k = 0; k < FIELDS && fields[k]; k++)
-        ovr_level_read(grids, level, fields[k], ordered[k]);
-    return to;
+    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
+        if (ovr_field_rows[k].ordered && level->f.all[k])
+            ovr_level_read(grids, level, level->f.all[k],
+                           grids->natural.all[k]);
+    return &grids->natural;
 }
 
 double ovr_level_centre(const ovr_hierarchy *grids, const ovr_level *level,

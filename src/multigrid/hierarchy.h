@@ -27,10 +27,7 @@ typedef struct ovr_level {
     size_t n;
     double D;
     ovr_lanes lanes;
-    ovr_fields f;      /* P, H, properties, F, residual */
-    double *gap;       /* undeformed gap, see above */
-    double *w;         /* deformation */
-    double *P_entry;   /* P as it came down from the finer level */
+    ovr_fields f;
     double force;      /* wanted value of D sum P on this level */
     double k[6];       /* deformation kernel at 0..5 meshes, over pi */
     ovr_shares shares; /* of a distributed change */
@@ -95,8 +92,7 @@ void ovr_level_write(const ovr_hierarchy *grids, const ovr_level *level,
 /* Zero in all of one of its arrays. */
 void ovr_level_clear(const ovr_level *level, double *values);
 
-/* All that a smoother may want, to grids->natural: P, H, rho, dq, eps, deps,
- * q, F and r. */
+/* All that a smoother may want (`ordered` in fields.h), to grids->natural. */
 const ovr_fields *ovr_level_ordered(const ovr_hierarchy *grids,
                                     const ovr_level *level);
 

@@ -14,6 +14,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "multigrid/fields.h"
 #include "multigrid/lanes.h"
 #include "overroll/contact.h"
 
@@ -37,25 +38,6 @@ typedef struct ovr_weights {
     double first[3]; /* in row 1 */
     double half;     /* 1/(2 D^2) */
 } ovr_weights;
-
-/* The arrays of one grid that the kernels share. */
-typedef struct ovr_fields {
-    double *restrict P;    /* pressure */
-    double *restrict H;    /* film thickness */
-    double *restrict rho;  /* density */
-    double *restrict dq;   /* d q/dP at fixed H */
-    double *restrict eps;  /* rho H^3/(eta lambda) */
-    double *restrict deps; /* d eps/dP at fixed H */
-    double *restrict q;    /* rho H */
-    double *restrict F;    /* right-hand side of the Reynolds equation */
-    double *restrict r;    /* residual F - N */
-    /* d eps/dH at fixed P; NULL on levels where nothing asks for it */
-    double *restrict deps_dH;
-    /* The phase of each node, as sets of nodes (lanes.h): wet, P > 0, in halos
-     * too; held dry, not wanting to rise (reynolds_row.h).  What is in neither
-     * is free: dry, and about to rise. */
-    unsigned char *wet, *held;
-} ovr_fields;
 
 /* Work arrays of the line relaxation. */
 typedef struct ovr_band {

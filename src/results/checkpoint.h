@@ -11,8 +11,11 @@
  * Pieces: "version", "created" (the result file's date_created, which ties
  * the two together), "case path", "case text", "value +NAME" or "value -NAME"
  * (physics or not) with the parameter's text, "counts" (checkpoint_counts),
- * then "state NAME" for each piece that ovr_simulation_visit shows, and "state
- * S", the surface at that moment; none of these before the first checkpoint.
+ * then "state NAME" for each piece that ovr_simulation_visit shows, in any
+ * order, and "state S", the surface at that moment; none of these before the
+ * first checkpoint.  Who reads takes the pieces by name: one that he does not
+ * know he leaves, a number (8 bytes at most) that is not there keeps its value
+ * of before, and an array must be there.
  *
  * It is written as OUT.h5.restart.part, synced, and renamed over the one
  * before: there is always a whole one.  What it says of rows is true of the

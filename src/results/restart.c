@@ -294,36 +294,44 @@ ovr_status ovr_restart_check(const ovr_restart *r, size_t count,
     return OVR_OK;
 }
 
-/* A walk through the state's pieces, in the order they were written. */
-typedef struct walk {
-    const ovr_restart *restart;
-    size_t at;
-    bool write; /* else only compare names and sizes */
-} walk;
+static bool find_state(const ovr_restart *r, const char *name, piece *p)
+{
+    const size_t prefix = strlen("state ");
+    for (size_t at = r->first_state; piece_at(r, at, p); at = p->next)
+        if (p->name_length == prefix + strlen(name) &&
+            memcmp(p->name + prefix, name, strlen(name)) == 0)
+            return true;
+    return false;
+}
 
+typedef struct getting {
+    const ovr_restart *restart;
+    bool write; /* else only look whether all fits */
+} getting;
+
+/* A number that the checkpoint does not know stays what it is. */
 static ovr_status get_state(void *context, const char *name, void *memory,
                             size_t bytes, ovr_error *err)
 {
-    walk *w = context;
-    const size_t prefix = strlen("state ");
+    const getting *get = context;
     piece p;
-    if (!piece_at(w->restart, w->at, &p) || !begins(&p, "state ") ||
-        p.name_length - prefix != strlen(name) ||
-        memcmp(p.name + prefix, name, strlen(name)) != 0 || p.bytes != bytes)
+    bool found = find_state(get->restart, name, &p);
+    if (!found && bytes <= sizeof(double))
+        return OVR_OK;
+    if (!found || p.bytes != bytes)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: does not fit this simulation (its '%s')",
-                        w->restart->path, name);
-    if (w->write)
+                        get->restart->path, name);
+    if (get->write)
         memcpy(memory, p.content, bytes);
-    w->at = p.next;
     return OVR_OK;
 }
 
-/* First a walk that only looks, so that nothing is half loaded. */
+/* First a look, so that nothing is half loaded. */
 ovr_status ovr_restart_load_into(const ovr_restart *r,
                                  const ovr_state_source *source, ovr_error *err)
 {
-    walk look = {r, r->first_state, false}, take = {r, r->first_state, true};
+    getting look = {r, false}, take = {r, true};
     ovr_status status = source->visit_all(source->object, get_state, &look,
                                           err);
     if (status != OVR_OK)
@@ -334,11 +342,7 @@ ovr_status ovr_restart_load_into(const ovr_restart *r,
 bool ovr_restart_holds(const ovr_restart *r, const char *name,
                        const void *memory, size_t bytes)
 {
-    const size_t prefix = strlen("state ");
     piece p;
-    for (size_t at = r->first_state; piece_at(r, at, &p); at = p.next)
-        if (p.name_length == prefix + strlen(name) &&
-            memcmp(p.name + prefix, name, strlen(name)) == 0)
-            return p.bytes == bytes && memcmp(p.content, memory, bytes) == 0;
-    return false;
+    return find_state(r, name, &p) && p.bytes == bytes &&
+           memcmp(p.content, memory, bytes) == 0;
 }

@@ -26,7 +26,7 @@ bool ovr_hopeless(const ovr_simulation *sim)
 
 bool ovr_surfaces_apart(const ovr_simulation *sim)
 {
-    return sim->grids.kernels->positive(sim->finest->n, sim->H);
+    return sim->grids.kernels->positive(sim->finest->n, sim->now.H);
 }
 
 static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
@@ -50,12 +50,12 @@ static bool surfaces_overlap(const ovr_simulation *sim, const ovr_defect *d)
 
 static ovr_status touching(const ovr_simulation *sim, double T, ovr_error *err)
 {
-    size_t low = sim->grids.kernels->extreme(sim->finest->n, 1, sim->H);
+    size_t low = sim->grids.kernels->extreme(sim->finest->n, 1, sim->now.H);
     return ovr_fail(err, OVR_IMPOSSIBLE,
                     "the surfaces touch at T = %g: film H = %.1e at X = %.3f "
                     "(surface there %.1e high); contact of the surfaces is "
                     "not modelled%s",
-                    T, sim->H[low], sim->X[low], sim->S[low],
+                    T, sim->now.H[low], sim->X[low], sim->S[low],
                     sim->heights ? "; lower features or a finer level may help"
                                  : "; a finer level may help");
 }

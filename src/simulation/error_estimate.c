@@ -41,8 +41,8 @@ double ovr_step_error(const ovr_simulation *sim, double h)
     if (past->steps < (second ? 2 : 1))
         return 0;
     double factor = predictor(past, h, second, e);
-    rms = sim->grids.kernels->deviation(sim->finest->n, e, sim->P, sim->q,
-                                        past->q);
+    rms = sim->grids.kernels->deviation(sim->finest->n, e, sim->now.P,
+                                        sim->now.q, past->q);
     double H = ovr_level_centre(&sim->grids, sim->finest, sim->finest->f.H);
     return factor * rms / fabs(H);
 }

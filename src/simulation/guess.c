@@ -32,6 +32,8 @@ typedef struct formula {
     double H0[4];
 } formula;
 
+static const formula last = {1, {{1, 0, 0}}, {1, 0, 0, 0}};
+
 static const formula parabola = {
     3, {{3, 0, 0}, {-3, 1, 0}, {1, 2, 0}}, {3, -3, 1, 0}};
 
@@ -66,43 +68,49 @@ static bool moves_a_mesh(const ovr_simulation *sim, double dT)
     return fabs(sim->grids.op.speed * dT / sim->finest->D - 1) < 0.01;
 }
 
-/* The first nodes, of which nothing lies upstream, stay what they are. */
-static void extrapolate(ovr_simulation *sim, const formula *how, double *P)
+/* A field from its past.  The first nodes, of which nothing lies upstream, stay
+ * what they are. */
+static void extrapolate(const ovr_simulation *sim, const formula *how,
+                        double *const past[OVR_PAST], double *guess)
 {
-    const ovr_past *past = &sim->past;
     const double *from[MOST_TERMS];
     double weight[MOST_TERMS];
     size_t moved = sim->finest->n - UPSTREAM;
     for (size_t k = 0; k < how->count; k++) {
         const term *t = &how->term[k];
-        from[k] = past->P[t->ago] + UPSTREAM - t->meshes;
+        from[k] = past[t->ago] + UPSTREAM - t->meshes;
         weight[k] = t->weight;
     }
-    memcpy(P, past->P[0], UPSTREAM * sizeof(double));
+    memcpy(guess, past[0], UPSTREAM * sizeof *guess);
     sim->grids.kernels->extrapolate(moved, how->count, weight, from,
-                                    P + UPSTREAM);
-    sim->grids.H0 = 0;
-    for (int k = 0; k < 4; k++)
-        sim->grids.H0 += how->H0[k] * past->H0[k];
+                                    guess + UPSTREAM);
+}
+
+static formula formula_for(const ovr_simulation *sim, double dT)
+{
+    const ovr_past *past = &sim->past;
+    if (past->steps < 1 || dT > longest * sim->finest->D)
+        return last;
+    if (equal_steps(past, dT, 3) && moves_a_mesh(sim, dT))
+        return standing_and_moving;
+    if (equal_steps(past, dT, 2))
+        return parabola;
+    return line(past->dT > 0 ? dT / past->dT : 0);
 }
 
 bool ovr_guess(ovr_simulation *sim, double dT, bool extrapolated)
 {
     const ovr_past *past = &sim->past;
-    double *P = sim->grids.scratch[0];
-    bool close = false;
-    if (!extrapolated || past->steps < 1 || dT > longest * sim->finest->D) {
-        memcpy(P, past->P[0], sim->finest->n * sizeof(double));
-        sim->grids.H0 = past->H0[0];
-    } else if (equal_steps(past, dT, 3) && moves_a_mesh(sim, dT)) {
-        extrapolate(sim, &standing_and_moving, P);
-        close = true;
-    } else if (equal_steps(past, dT, 2)) {
-        extrapolate(sim, &parabola, P);
-    } else {
-        formula straight = line(past->dT > 0 ? dT / past->dT : 0);
-        extrapolate(sim, &straight, P);
-    }
-    ovr_level_write(&sim->grids, sim->finest, P, sim->finest->f.P);
-    return close;
+    formula how = extrapolated ? formula_for(sim, dT) : last;
+    double *guess = sim->grids.scratch[0];
+    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
+        if (ovr_field_rows[k].guessed) {
+            extrapolate(sim, &how, past->all[k], guess);
+            ovr_level_write(&sim->grids, sim->finest, guess,
+                            sim->finest->f.all[k]);
+        }
+    sim->grids.H0 = 0;
+    for (int k = 0; k < OVR_PAST; k++)
+        sim->grids.H0 += how.H0[k] * past->H0[k];
+    return how.count == standing_and_moving.count;
 }

@@ -10,12 +10,19 @@
 /* Integral of P at nominal load: pi/2 in Hertz's scaling. */
 #define OVR_NOMINAL_LOAD 1.57079632679489661923
 
-/* The past that the time derivative and the extrapolation need. */
+#define OVR_FIELD_AGES(name, ...) double *name[OVR_PAST];
+
+/* The past that the time derivative and the extrapolation need: fields of
+ * multigrid/fields.h one, two, ... steps ago. */
 typedef struct ovr_past {
-    double *q[3]; /* rho H one, two and three steps ago */
-    double *P[4]; /* pressure one to four steps ago */
-    double H0[4];
-    double T[4];
+    union {
+        struct {
+            OVR_LEVEL_FIELDS(OVR_FIELD_AGES)
+        };
+        double *all[OVR_FIELD_COUNT][OVR_PAST];
+    };
+    double H0[OVR_PAST];
+    double T[OVR_PAST];
     double dT;      /* length of the last step */
     int steps;      /* how many steps lie behind P[0], 3 at most */
     int still;      /* steps in a row that changed nothing */
@@ -49,7 +56,7 @@ struct ovr_simulation {
     const ovr_history *load, *speed;
 
     double *X, *S;
-    double *P, *H, *q, *eps; /* of the finest level, in the order of nodes */
+    ovr_fields now; /* what is shown of the finest level, node by node */
     ovr_past past;
     ovr_inflow inflow;
     bool started;

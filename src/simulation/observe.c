@@ -19,7 +19,7 @@ static double vertex(const double *v, size_t i, double *value)
 
 static void observe_film(const ovr_simulation *sim, ovr_observation *o)
 {
-    const double *H = sim->H;
+    const double *H = sim->now.H;
     size_t low = 1 + sim->grids.kernels->extreme(sim->finest->n - 2, 1, H + 1);
     o->H_min = H[low];
     o->X_min = sim->X[low];
@@ -32,7 +32,7 @@ static void observe_film(const ovr_simulation *sim, ovr_observation *o)
 static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
 {
     const ovr_kernels *run = sim->grids.kernels;
-    const double *P = sim->P;
+    const double *P = sim->now.P;
     size_t n = sim->finest->n, spike = 0, wet = n - 2;
     size_t high = 1 + run->extreme(n - 2, -1, P + 1);
     int maxima = run->peaks(n, P, &spike);
@@ -58,7 +58,7 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
  * flow. */
 double ovr_flux(const ovr_simulation *sim, double Cu, size_t i)
 {
-    const double *P = sim->P, *q = sim->q, *eps = sim->eps;
+    const double *P = sim->now.P, *q = sim->now.q, *eps = sim->now.eps;
     double upstream = q[i];
     if (sim->options.scheme != OVR_UPSTREAM1)
         upstream = i ? 1.5 * q[i] - 0.5 * q[i - 1] : 0.5 * (q[0] + q[1]);
@@ -73,7 +73,7 @@ static double mean_flow(const ovr_simulation *sim)
     bool second = sim->options.scheme != OVR_UPSTREAM1;
     const double u[2] = {second ? 1.5 * Cu : Cu, second ? -0.5 * Cu : 0};
     return sim->grids.kernels->mean_flow(sim->finest->n, u, sim->finest->D,
-                                         sim->P, sim->q, sim->eps);
+                                         sim->now.P, sim->now.q, sim->now.eps);
 }
 
 static void observe_extremes(ovr_simulation *sim)
@@ -88,11 +88,10 @@ static void observe_extremes(ovr_simulation *sim)
 
 void ovr_simulation_read(ovr_simulation *sim)
 {
-    const ovr_fields *f = &sim->finest->f;
-    const double *const fields[] = {f->P, f->H, f->q, f->eps};
-    double *const ordered[] = {sim->P, sim->H, sim->q, sim->eps};
-    for (size_t k = 0; k < 4; k++)
-        ovr_level_read(&sim->grids, sim->finest, fields[k], ordered[k]);
+    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
+        if (ovr_field_rows[k].shown)
+            ovr_level_read(&sim->grids, sim->finest, sim->finest->f.all[k],
+                           sim->now.all[k]);
 }
 
 void ovr_publish_state(ovr_simulation *sim)
@@ -101,8 +100,8 @@ void ovr_publish_state(ovr_simulation *sim)
     state->n = sim->finest->n;
     state->D = sim->finest->D;
     state->X = sim->X;
-    state->P = sim->P;
-    state->H = sim->H;
+    state->P = sim->now.P;
+    state->H = sim->now.H;
     state->S = sim->S;
     state->H0 = sim->grids.H0;
 }

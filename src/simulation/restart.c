@@ -1,48 +1,87 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The memory that makes up the state between two steps. */
+/* The numbers and arrays that make up the state between two steps, by name.
+ * What is observed of it is not among them but follows from them; of the step
+ * just made stay how it was solved, and the totals. */
+#include <math.h>
+#include <stdio.h>
+
 #include "simulation/internal.h"
+
+typedef struct part {
+    const char *name;
+    void *memory;
+    size_t bytes;
+} part;
+
+static ovr_status visit_past(ovr_simulation *sim, ovr_visit *visit,
+                             void *context, ovr_error *err)
+{
+    size_t bytes = sim->finest->n * sizeof(double);
+    ovr_status status = OVR_OK;
+    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
+        for (int ago = 0; !status && ago < ovr_field_rows[k].past; ago++) {
+            char name[32];
+            snprintf(name, sizeof name, "%s_%d", ovr_field_rows[k].name,
+                     ago + 1);
+            status = visit(context, name, sim->past.all[k][ago], bytes, err);
+        }
+    return status;
+}
 
 ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
                                 void *context, ovr_error *err)
 {
     ovr_past *past = &sim->past;
-    size_t bytes = sim->finest->n * sizeof(double);
-    const struct {
-        const char *name;
-        void *memory;
-        size_t bytes;
-    } parts[] = {{"q_1", past->q[0], bytes},
-                 {"q_2", past->q[1], bytes},
-                 {"q_3", past->q[2], bytes},
-                 {"P_1", past->P[0], bytes},
-                 {"P_2", past->P[1], bytes},
-                 {"P_3", past->P[2], bytes},
-                 {"P_4", past->P[3], bytes},
-                 {"H0_past", past->H0, sizeof past->H0},
-                 {"T_past", past->T, sizeof past->T},
-                 {"dT", &past->dT, sizeof past->dT},
-                 {"steps_past", &past->steps, sizeof past->steps},
-                 {"still", &past->still, sizeof past->still},
-                 {"dT_next", &past->dT_next, sizeof past->dT_next},
-                 {"change", &past->change, sizeof past->change},
-                 {"step", &sim->state.step, sizeof sim->state.step},
-                 {"T", &sim->state.T, sizeof sim->state.T},
-                 {"observation", &sim->observation, sizeof sim->observation},
-                 {"statistics", &sim->statistics, sizeof sim->statistics}};
-    for (size_t k = 0; k < sizeof parts / sizeof *parts; k++) {
-        ovr_status status = visit(context, parts[k].name, parts[k].memory,
-                                  parts[k].bytes, err);
-        if (status)
-            return status;
+    ovr_observation *o = &sim->observation;
+    ovr_statistics *total = &sim->statistics;
+    ovr_status status = visit_past(sim, visit, context, err);
+#define PART(name, member)                                                     \
+    {                                                                          \
+        name, &(member), sizeof(member)                                        \
     }
-    return OVR_OK;
+    const part parts[] = {PART("H0_past", past->H0),
+                          PART("T_past", past->T),
+                          PART("dT", past->dT),
+                          PART("steps_past", past->steps),
+                          PART("still", past->still),
+                          PART("dT_next", past->dT_next),
+                          PART("change", past->change),
+                          PART("step", sim->state.step),
+                          PART("T", sim->state.T),
+                          PART("time_step", o->dT),
+                          PART("residual", o->residual),
+                          PART("cycles", o->cycles),
+                          PART("retries", o->retries),
+                          PART("converged", o->converged),
+                          PART("marked", o->marked),
+                          PART("total_steps", total->steps),
+                          PART("total_cycles", total->cycles),
+                          PART("total_retries", total->retries),
+                          PART("total_substeps", total->substeps),
+                          PART("total_marked", total->marked),
+                          PART("least_film", total->H_min),
+                          PART("least_film_time", total->T_H_min),
+                          PART("settled", total->settled)};
+    for (size_t k = 0; !status && k < sizeof parts / sizeof *parts; k++)
+        status = visit(context, parts[k].name, parts[k].memory, parts[k].bytes,
+                       err);
+    return status;
 }
 
-/* Film and properties follow from the pressure. */
+/* Film and properties follow from the pressure, and what is observed from
+ * these; without a least film so far it is the one of now. */
 void ovr_simulation_restored(ovr_simulation *sim)
 {
+    const ovr_observation seen = sim->observation;
+    const ovr_outcome outcome = {.defect.imbalance = seen.residual,
+                                 .cycles = seen.cycles,
+                                 .retries = seen.retries,
+                                 .converged = seen.converged,
+                                 .marked = seen.marked};
     sim->grids.fluid = sim->wanted.fluid;
+    if (!(sim->statistics.H_min > 0))
+        sim->statistics.H_min = INFINITY;
     ovr_simulation_return(sim);
-    ovr_publish_state(sim);
+    ovr_observe(sim, seen.dT, &outcome);
     sim->started = true;
 }

@@ -10,28 +10,33 @@
 #include "multigrid/line.h"
 #include "simulation/internal.h"
 
+static ovr_status take(ovr_simulation *sim, double **to, ovr_error *err)
+{
+    *to = ovr_arena_take(&sim->arena, sim->finest->n, sizeof **to, err);
+    return *to ? OVR_OK : OVR_NO_MEMORY;
+}
+
+static ovr_status take_fields(ovr_simulation *sim, ovr_error *err)
+{
+    for (size_t k = 0; k < OVR_FIELD_COUNT; k++) {
+        if (ovr_field_rows[k].shown && take(sim, &sim->now.all[k], err))
+            return OVR_NO_MEMORY;
+        for (int ago = 0; ago < ovr_field_rows[k].past; ago++)
+            if (take(sim, &sim->past.all[k][ago], err))
+                return OVR_NO_MEMORY;
+    }
+    return OVR_OK;
+}
+
 static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
 {
-    double **all[] = {&sim->X,
-                      &sim->S,
-                      &sim->S_past,
-                      &sim->P,
-                      &sim->H,
-                      &sim->q,
-                      &sim->eps,
-                      &sim->past.q[0],
-                      &sim->past.q[1],
-                      &sim->past.q[2],
-                      &sim->past.P[0],
-                      &sim->past.P[1],
-                      &sim->past.P[2],
-                      &sim->past.P[3],
-                      &sim->refining.coarse,
+    double **all[] = {&sim->X, &sim->S, &sim->S_past, &sim->refining.coarse,
                       &sim->refining.before};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (!(*all[k] = ovr_arena_take(&sim->arena, sim->finest->n,
-                                       sizeof(double), err)))
+        if (take(sim, all[k], err))
             return OVR_NO_MEMORY;
+    if (take_fields(sim, err))
+        return OVR_NO_MEMORY;
     for (size_t i = 0; i < sim->finest->n; i++)
         sim->X[i] = sim->grids.X_a + (double)i * sim->finest->D;
     return ovr_inflow_prepare(sim, err);
@@ -156,7 +161,7 @@ void ovr_simulation_gap(ovr_simulation *sim, double T)
     }
     for (size_t i = 0; i < n; i++)
         gap[i] = 0.5 * X[i] * X[i] - S[i];
-    ovr_level_write(&sim->grids, sim->finest, gap, sim->finest->gap);
+    ovr_level_write(&sim->grids, sim->finest, gap, sim->finest->f.gap);
 }
 
 const ovr_state *ovr_simulation_state(const ovr_simulation *sim)

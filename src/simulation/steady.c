@@ -84,12 +84,12 @@ static void begin_history(ovr_simulation *sim)
 {
     ovr_past *past = &sim->past;
     size_t bytes = sim->finest->n * sizeof(double);
-    for (int k = 0; k < 3; k++)
-        memcpy(past->q[k], sim->q, bytes);
-    for (int k = 0; k < 4; k++) {
-        memcpy(past->P[k], sim->P, bytes);
-        past->H0[k] = sim->grids.H0;
-        past->T[k] = 0;
+    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
+        for (int ago = 0; ago < ovr_field_rows[k].past; ago++)
+            memcpy(past->all[k][ago], sim->now.all[k], bytes);
+    for (int ago = 0; ago < OVR_PAST; ago++) {
+        past->H0[ago] = sim->grids.H0;
+        past->T[ago] = 0;
     }
     past->dT = past->dT_next = past->change = 0;
     past->still = 0;

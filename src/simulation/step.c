@@ -102,23 +102,23 @@ static void begin_step(ovr_simulation *sim, double dT)
     sim->finest->force = OVR_NOMINAL_LOAD * ovr_history_value(sim->load, T);
 }
 
-static void rotate(double *arrays[], int count)
+/* The oldest of `count` becomes the newest, with these values. */
+static void keep(double *ages[], int count, const double *values, size_t n)
 {
-    double *last = arrays[count - 1];
-    memmove(arrays + 1, arrays, (size_t)(count - 1) * sizeof *arrays);
-    arrays[0] = last;
+    double *oldest = ages[count - 1];
+    memmove(ages + 1, ages, (size_t)(count - 1) * sizeof *ages);
+    ages[0] = memcpy(oldest, values, n * sizeof *values);
 }
 
 /* The solution becomes the newest of the past. */
 static void end_step(ovr_simulation *sim, double dT)
 {
     ovr_past *past = &sim->past;
-    size_t bytes = sim->finest->n * sizeof(double);
-    rotate(past->q, 3);
-    rotate(past->P, 4);
-    memcpy(past->q[0], sim->q, bytes);
-    memcpy(past->P[0], sim->P, bytes);
-    for (int k = 3; k > 0; k--) {
+    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
+        if (ovr_field_rows[k].past)
+            keep(past->all[k], ovr_field_rows[k].past, sim->now.all[k],
+                 sim->finest->n);
+    for (int k = OVR_PAST - 1; k > 0; k--) {
         past->H0[k] = past->H0[k - 1];
         past->T[k] = past->T[k - 1];
     }

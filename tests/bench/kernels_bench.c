@@ -23,15 +23,15 @@ static void run_deformation(void *sim)
 {
     ovr_simulation *s = sim;
     s->grids.kernels->deformation(&s->finest->mlmi, s->finest->f.P,
-                                  s->finest->w);
+                                  s->finest->f.w);
 }
 
 static void run_film(void *sim)
 {
     ovr_simulation *s = sim;
     ovr_level *l = s->finest;
-    s->grids.kernels->film(&s->grids.fluid, s->grids.H0, &l->lanes, l->gap,
-                           l->w, &l->f);
+    s->grids.kernels->film(&s->grids.fluid, s->grids.H0, &l->lanes, l->f.gap,
+                           l->f.w, &l->f);
 }
 
 static void run_residual(void *sim)
@@ -83,8 +83,8 @@ static void run_restrict(void *sim)
     ovr_simulation *s = sim;
     ovr_level *fine = s->finest, *coarse = fine - 1;
     s->grids.kernels->restrict_fields(&coarse->lanes, &fine->lanes, &fine->f,
-                                      coarse->f.P, coarse->P_entry, coarse->gap,
-                                      s->grids.band.delta);
+                                      coarse->f.P, coarse->f.entry,
+                                      coarse->f.gap, s->grids.band.delta);
 }
 
 static void run_correct(void *sim)
@@ -92,7 +92,7 @@ static void run_correct(void *sim)
     ovr_simulation *s = sim;
     ovr_level *fine = s->finest, *coarse = fine - 1;
     s->grids.kernels->correct(&coarse->lanes, &fine->lanes, 0, coarse->f.P,
-                              coarse->P_entry, &fine->f);
+                              coarse->f.entry, &fine->f);
 }
 
 /*

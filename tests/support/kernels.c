@@ -2,12 +2,13 @@
 #include "support/kernels.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "multigrid/field.h"
 #include "support/contact.h"
 #include "support/test.h"
 
-enum { FIELDS = 10, BAND = 6, ARRAYS = FIELDS + BAND + 2 };
+enum { BAND = 6, ARRAYS = OVR_FIELD_COUNT + BAND };
 
 const ovr_kernels *test_kernels(int k)
 {
@@ -30,26 +31,19 @@ static double *take(test_grid *grid)
 
 static void take_fields(test_grid *grid)
 {
-    double *a[ARRAYS];
-    for (int k = 0; k < ARRAYS; k++)
-        a[k] = take(grid);
+    double *band[BAND];
     ovr_error err = {0};
-    grid->f = (ovr_fields){.P = a[0],
-                           .H = a[1],
-                           .rho = a[2],
-                           .dq = a[3],
-                           .eps = a[4],
-                           .deps = a[5],
-                           .q = a[6],
-                           .F = a[7],
-                           .r = a[8],
-                           .deps_dH = a[9],
-                           .wet = ovr_set(&grid->arena, grid->n, &err),
-                           .held = ovr_set(&grid->arena, grid->n, &err)};
+    for (int k = 0; k < OVR_FIELD_COUNT; k++)
+        grid->f.all[k] = take(grid);
+    grid->f.wet = ovr_set(&grid->arena, grid->n, &err);
+    grid->f.held = ovr_set(&grid->arena, grid->n, &err);
     assert_true(grid->f.wet && grid->f.held);
-    grid->band = (ovr_band){.b = {a[10], a[11], a[12], a[13], a[14]},
-                            .delta = a[15]};
-    grid->gap = a[16], grid->w = a[17];
+    for (int k = 0; k < BAND; k++)
+        band[k] = take(grid);
+    grid->band = (ovr_band){.b = {band[0], band[1], band[2], band[3], band[4]},
+                            .delta = band[5]};
+    grid->gap = grid->f.gap;
+    grid->w = grid->f.w;
     grid->ordered = take(grid);
 }
 
@@ -99,13 +93,10 @@ void test_grid_fill(const test_grid *grid, uint64_t seed)
 
 static void list(const test_grid *g, double *all[ARRAYS])
 {
-    double *const a[ARRAYS] = {
-        g->f.P,       g->f.H,       g->f.rho,     g->f.dq,      g->f.eps,
-        g->f.deps,    g->f.q,       g->f.F,       g->f.r,       g->f.deps_dH,
-        g->gap,       g->w,         g->band.b[0], g->band.b[1], g->band.b[2],
-        g->band.b[3], g->band.b[4], g->band.delta};
-    for (int k = 0; k < ARRAYS; k++)
-        all[k] = a[k];
+    double *const band[BAND] = {g->band.b[0], g->band.b[1], g->band.b[2],
+                                g->band.b[3], g->band.b[4], g->band.delta};
+    memcpy(all, g->f.all, sizeof g->f.all);
+    memcpy(all + OVR_FIELD_COUNT, band, sizeof band);
 }
 
 void test_grid_copy(const test_grid *plain, const test_grid *to)

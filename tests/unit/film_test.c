@@ -8,7 +8,7 @@
 #include "support/kernels.h"
 #include "support/test.h"
 
-enum { N = 1600, ARRAYS = 10, PAD = 4 * OVR_MOST_LANES };
+enum { N = 1600, PAD = 4 * OVR_MOST_LANES };
 
 typedef struct oil {
     ovr_arena arena;
@@ -21,21 +21,12 @@ static oil make(void)
 {
     ovr_error err = {0};
     oil o = {.arena = ovr_arena_make(NULL), .H0 = -0.1};
-    double *a[ARRAYS];
-    for (int k = 0; k < ARRAYS; k++) {
-        a[k] = ovr_field(&o.arena, N + 2 * PAD, &err);
-        assert_non_null(a[k]);
-        a[k] += PAD;
+    for (int k = 0; k < OVR_FIELD_COUNT; k++) {
+        o.f.all[k] = ovr_field(&o.arena, N + 2 * PAD, &err);
+        assert_non_null(o.f.all[k]);
+        o.f.all[k] += PAD;
     }
-    o.f = (ovr_fields){.P = a[0],
-                       .H = a[1],
-                       .rho = a[2],
-                       .dq = a[3],
-                       .eps = a[4],
-                       .deps = a[5],
-                       .q = a[6],
-                       .deps_dH = a[7]};
-    o.gap = a[8], o.w = a[9];
+    o.gap = o.f.gap, o.w = o.f.w;
     return o;
 }
 

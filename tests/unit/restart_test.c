@@ -235,6 +235,77 @@ static void goes_further(void **state)
     check_prefix(shorter, whole, true);
 }
 
+/* Pieces of the state by the names of another version. */
+typedef struct later {
+    double known, added;
+    double array[2];
+    bool all;
+} later;
+
+static ovr_status visit_later(void *object, ovr_visit *visit, void *context,
+                              ovr_error *err)
+{
+    later *l = object;
+    ovr_status status = OVR_OK;
+    if (l->all)
+        status = visit(context, "added", &l->added, sizeof l->added, err);
+    if (!status)
+        status = visit(context, "known", &l->known, sizeof l->known, err);
+    if (!status && l->array[0] != 0)
+        status = visit(context, "array", l->array, sizeof l->array, err);
+    return status;
+}
+
+static void write_later(const char *path, later *l)
+{
+    const ovr_write_options o = options_for(path);
+    ovr_contact contact = test_contact_physical();
+    ovr_error err = {OVR_OK, ""};
+    test_dent dent;
+    fake f;
+    test_dent_init(&dent, NODES, 0);
+    start(&f, &dent);
+    ovr_writer *w = ovr_writer_create(&o, &contact, NODES, dent.X, NULL, &err);
+    assert_non_null(w);
+    ovr_writer_source(w, (ovr_state_source){visit_later, l});
+    CHECK_OK(record(w, &f, &err), &err);
+    CHECK_OK(ovr_writer_close(w, OVR_RUN_STOPPED, &err), &err);
+    test_dent_free(&dent);
+}
+
+static ovr_status read_later(const char *path, later *l, ovr_error *err)
+{
+    ovr_state_source source = {visit_later, l};
+    ovr_restart *r = ovr_restart_open(path, NULL, err);
+    assert_non_null(r);
+    assert_true(ovr_restart_about(r)->has_state);
+    ovr_status status = ovr_restart_load_into(r, &source, err);
+    ovr_restart_close(r);
+    return status;
+}
+
+/* A number that a checkpoint does not have is left as it was, one that nobody
+ * asks for is ignored; an array must be there, and nothing is half read. */
+static void numbers_go_by_name(void **state)
+{
+    const char *path = test_path(*state, "a.h5");
+    ovr_error err = {OVR_OK, ""};
+    later old = {.known = 3}, new = {.known = 5, .added = 7, .all = true};
+    write_later(path, &old);
+    CHECK_OK(read_later(path, &new, &err), &err);
+    assert_true(new.known == 3 && new.added == 7);
+    new.known = 5;
+    new.array[0] = 1;
+    CHECK_STATUS(read_later(path, &new, &err), OVR_BAD_INPUT, &err);
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "its 'array'");
+    assert_true(new.known == 5);
+    path = test_path(*state, "b.h5");
+    write_later(path, &new);
+    old.known = 0;
+    CHECK_OK(read_later(path, &old, &err), &err);
+    assert_true(old.known == 5 && old.added == 0);
+}
+
 static void names_the_changed_parameter(void **state)
 {
     const char *path = test_path(*state, "a.h5");
@@ -392,6 +463,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(survives_kills),
         TEST(goes_further),
+        TEST(numbers_go_by_name),
         TEST(names_the_changed_parameter),
         TEST(refuses_damaged_checkpoints),
         TEST(refuses_another_layout),

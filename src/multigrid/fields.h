@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The fields of a level, in one list: memory, copies in the order of the
+ * nodes, the solution that is shown, guesses, the past and checkpoints follow
+ * from it.
+ *
+ *     memory   LANES: the nodes, in lanes; WIDE: with the deformation's halos;
+ *              NEWTON: on the grids that are solved by Newton's method alone
+ *     ordered  read node by node too, by what does not run in lanes
+ *     carried  full multigrid brings it down to all levels by full weighting
+ *     shown    of the finest level: part of the solution, read after a solve
+ *     past     how many times ago it is kept and saved in checkpoints
+ *     guessed  extrapolated in time, from all of its past
+ */
+#ifndef OVR_MULTIGRID_FIELDS_H
+#define OVR_MULTIGRID_FIELDS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* clang-format off */
+/*    name     memory ordered carried shown past guessed */
+#define OVR_LEVEL_FIELDS(FIELD) \
+    FIELD(P,       WIDE,   1, 0, 1, 4, 1) /* pressure */ \
+    FIELD(H,       LANES,  1, 0, 1, 0, 0) /* film thickness */ \
+    FIELD(rho,     LANES,  1, 0, 0, 0, 0) /* density */ \
+    FIELD(dq,      LANES,  1, 0, 0, 0, 0) /* d q/dP at fixed H */ \
+    FIELD(eps,     LANES,  1, 0, 1, 0, 0) /* rho H^3/(eta lambda) */ \
+    FIELD(deps,    LANES,  1, 0, 0, 0, 0) /* d eps/dP at fixed H */ \
+    FIELD(deps_dH, NEWTON, 1, 0, 0, 0, 0) /* d eps/dH at fixed P */ \
+    FIELD(q,       LANES,  1, 0, 1, 3, 0) /* rho H */ \
+    FIELD(F,       LANES,  1, 0, 0, 0, 0) /* right-hand side of Reynolds' */ \
+    FIELD(r,       LANES,  1, 0, 0, 0, 0) /* residual F - N */ \
+    FIELD(gap,     LANES,  0, 1, 0, 0, 0) /* undeformed gap (hierarchy.h) */ \
+    FIELD(w,       WIDE,   0, 0, 0, 0, 0) /* deformation */ \
+    FIELD(entry,   LANES,  0, 0, 0, 0, 0) /* P as a finer level sent it down */
+#define OVR_FIELD_INDEX(name, ...) OVR_FIELD_##name,
+#define OVR_FIELD_POINTER(name, ...) double *restrict name;
+/* clang-format on */
+
+enum { OVR_LEVEL_FIELDS(OVR_FIELD_INDEX) OVR_FIELD_COUNT, OVR_PAST = 4 };
+
+/* Arrays of one grid, by name or by row. */
+typedef struct ovr_fields {
+    union {
+        struct {
+            OVR_LEVEL_FIELDS(OVR_FIELD_POINTER)
+        };
+        double *all[OVR_FIELD_COUNT];
+    };
+    /* The phase of each node, as sets of nodes (lanes.h): wet, P > 0, in halos
+     * too; held dry, not wanting to rise (reynolds_row.h).  What is in neither
+     * is free: dry, and about to rise. */
+    unsigned char *wet, *held;
+} ovr_fields;
+
+typedef enum ovr_field_memory {
+    OVR_LANES,
+    OVR_WIDE,
+    OVR_NEWTON
+} ovr_field_memory;
+
+typedef struct ovr_field_row {
+    const char *name;
+    ovr_field_memory memory;
+    bool ordered, carried, shown;
+    int past;
+    bool guessed;
+} ovr_field_row;
+
+extern const ovr_field_row ovr_field_rows[OVR_FIELD_COUNT];
+
+#endif

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "stress/depths.h"
+
+#include <math.h>
+
+/* Nodes that a shift may need beyond the last one wanted, and the least room
+ * for the seam of the lags. */
+enum { SHIFT_ROOM = 2 << (OVR_STRESS_LEVELS - 1), LEAST_SEAM = 128 };
+
+ovr_stress_options ovr_stress_options_default(void)
+{
+    return (ovr_stress_options){.from = -2.6,
+                                .to = 2.6,
+                                .depth_max = 2.5,
+                                .per_octave = 5,
+                                .element = OVR_ELEMENT_AUTO};
+}
+
+static double least(const ovr_stress_options *o)
+{
+    return o->depth_min > 0 ? o->depth_min : 4 * o->mesh;
+}
+
+size_t ovr_depths(const ovr_stress_options *o, double *z)
+{
+    double octaves = log2(o->depth_max / least(o));
+    size_t count = 1 + (size_t)floor(octaves * o->per_octave + 1e-9);
+    for (size_t j = 0; z && j < count; j++)
+        z[j] = least(o) * exp2((double)j / o->per_octave);
+    return count;
+}
+
+int ovr_depth_level(const ovr_stress_options *o, double z)
+{
+    int c = (int)floor(log2(z / (4 * o->mesh)) + 1e-9);
+    return c < 0 ? 0 : c < OVR_STRESS_LEVELS ? c : OVR_STRESS_LEVELS - 1;
+}
+
+size_t ovr_stress_nodes(const ovr_stress_options *o)
+{
+    return (size_t)ceil((o->to - o->from) / o->mesh) + SHIFT_ROOM + 2;
+}
+
+size_t ovr_stress_room(const ovr_stress_options *o)
+{
+    size_t room = 256, wanted = o->nodes + ovr_stress_nodes(o) + LEAST_SEAM;
+    while (room < wanted)
+        room *= 2;
+    return room;
+}
+
+ovr_status ovr_stress_check(const ovr_stress_options *o, ovr_error *err)
+{
+    if (!(o->mesh > 0) || o->nodes < 2 || o->nodes > 1u << 26)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "stresses need a mesh and 2 to 2^26 nodes");
+    if (!(o->to > o->from) || (o->to - o->from) / o->mesh > 1u << 26)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "stresses from X = %g to %g: no such range", o->from,
+                        o->to);
+    if (!(least(o) >= 0.5 * o->mesh * (1 - 1e-9)))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "depth_min = %g is less than half a mesh, %g",
+                        o->depth_min, o->mesh / 2);
+    if (!(o->depth_max >= least(o)) || !(o->depth_max <= 1000))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "depth_max = %g: between depth_min, %g, and 1000",
+                        o->depth_max, least(o));
+    if (!(o->per_octave >= 1 && o->per_octave <= 100))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "depths_per_octave = %g: between 1 and 100",
+                        o->per_octave);
+    return OVR_OK;
+}

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "stress/fourier.h"
+
+#include <pthread.h>
+
+static pthread_mutex_t planning = PTHREAD_MUTEX_INITIALIZER;
+
+static bool plan_all(ovr_fourier *f)
+{
+    f->forward = fftw_plan_dft_r2c_1d((int)f->N, f->real, f->spectrum,
+                                      FFTW_ESTIMATE);
+    bool whole = f->forward != NULL;
+    for (int c = 0; c < OVR_STRESS_LEVELS; c++) {
+        f->back[c] = fftwf_plan_dft_1d((int)(f->N >> c), f->waves, f->values,
+                                       FFTW_BACKWARD, FFTW_ESTIMATE);
+        whole = whole && f->back[c];
+    }
+    return whole;
+}
+
+ovr_status ovr_fourier_plan(ovr_fourier *f, ovr_error *err)
+{
+    pthread_mutex_lock(&planning);
+    bool whole = plan_all(f);
+    pthread_mutex_unlock(&planning);
+    if (!whole)
+        return ovr_fail(err, OVR_NO_MEMORY, "no memory to plan transforms");
+    return OVR_OK;
+}
+
+void ovr_fourier_drop(ovr_fourier *f)
+{
+    pthread_mutex_lock(&planning);
+    if (f->forward)
+        fftw_destroy_plan(f->forward);
+    for (int c = 0; c < OVR_STRESS_LEVELS; c++)
+        if (f->back[c])
+            fftwf_destroy_plan(f->back[c]);
+    pthread_mutex_unlock(&planning);
+}
+
+void ovr_fourier_back(ovr_fourier *f, int c, float *values)
+{
+    fftwf_execute_dft(f->back[c], f->waves, (fftwf_complex *)values);
+}

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The transforms, by FFTW: one of real doubles forward, complex floats back
+ * in every length N / 2^c.
+ *
+ * Plans are FFTW_ESTIMATE, chosen without measuring, so that equal inputs give
+ * equal bits in every run; FFTW's planner is not reentrant, so that making and
+ * freeing them stands under one lock.
+ */
+#ifndef OVR_STRESS_FOURIER_H
+#define OVR_STRESS_FOURIER_H
+
+#include <fftw3.h>
+
+#include "stress/depths.h"
+
+typedef struct ovr_fourier {
+    size_t N;
+    double *real;                       /* N */
+    fftw_complex *spectrum;             /* N/2 + 1 */
+    fftwf_complex *waves;               /* N */
+    fftwf_complex *values;              /* N */
+    fftw_plan forward;                  /* real -> spectrum */
+    fftwf_plan back[OVR_STRESS_LEVELS]; /* waves -> values, N / 2^c */
+} ovr_fourier;
+
+/* The arrays are given, at boundaries of 64 bytes. */
+ovr_status ovr_fourier_plan(ovr_fourier *f, ovr_error *err);
+void ovr_fourier_drop(ovr_fourier *f);
+
+/* From waves[] to another array of N / 2^c complex values, equally aligned. */
+void ovr_fourier_back(ovr_fourier *f, int c, float *values);
+
+#endif

@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The smooth dry contact, P = sqrt(1 - X^2): what every criterion says of it.
+ *
+ *     C = i (w - sqrt(w - 1) sqrt(w + 1)),
+ *     C' = i (1 - w / (sqrt(w - 1) sqrt(w + 1)))
+ *
+ * equal to McEwen's form (K. L. Johnson, Contact Mechanics, 1985, section
+ * 4.2).  In free rolling the path at depth z is symmetric in tau, so its
+ * circle has the centre (d(x*), 0) and the radius |tau(x*)|, x* where |tau| is
+ * largest.
+ */
+#include <math.h>
+
+#include "stress/element.h"
+
+ovr_in_plane ovr_hertz_stress(double p, double q, double x, double z)
+{
+    double complex w = x + I * z, root = csqrt(w - 1) * csqrt(w + 1);
+    ovr_potential one = {I * (w - root), I * (1 - w / root)};
+    return ovr_stress_of(z, (ovr_potential){p * one.C, p * one.dC},
+                         (ovr_potential){q * one.C, q * one.dC});
+}
+
+/* One criterion at one depth, as a function of x, in free rolling. */
+typedef struct moment {
+    ovr_criterion criterion;
+    double alpha, poisson, z;
+    double centre; /* of the circle, tau = 0 */
+} moment;
+
+static double distance(const moment *m, double x)
+{
+    ovr_in_plane s = ovr_hertz_stress(1, 0, x, m->z);
+    double shear = hypot(s.d, s.tau);
+    double across = (1 - 2 * m->poisson) * s.h; /* sigma_y - their mean */
+    switch (m->criterion) {
+    case OVR_CRITERION_DANG_VAN:
+        return hypot(s.d - m->centre, s.tau) -
+               m->alpha * 2. / 3 * (1 + m->poisson) * s.h;
+    case OVR_CRITERION_VON_MISES:
+        return sqrt(3 * shear * shear + across * across);
+    case OVR_CRITERION_TRESCA: return fmax(shear, (fabs(across) + shear) / 2);
+    default: return fabs(s.tau);
+    }
+}
+
+typedef double curve(const void *data, double x);
+
+/* The largest value of f on (a, b), by a scan and golden sections. */
+static double maximum(curve *f, const void *data, double a, double b,
+                      double *where)
+{
+    enum { SCAN = 200, GOLDEN = 60 };
+    double step = (b - a) / SCAN, best = a, ratio = (sqrt(5) - 1) / 2;
+    for (int k = 1; k <= SCAN; k++)
+        if (f(data, a + k * step) > f(data, best))
+            best = a + k * step;
+    double left = fmax(a, best - step), right = fmin(b, best + step);
+    for (int k = 0; k < GOLDEN; k++) {
+        double width = ratio * (right - left);
+        if (f(data, right - width) < f(data, left + width))
+            left = right - width;
+        else
+            right = left + width;
+    }
+    *where = (left + right) / 2;
+    return f(data, *where);
+}
+
+static double along(const void *data, double x)
+{
+    return distance(data, x);
+}
+
+/* The passage at depth z. */
+static double at_depth(const void *data, double z)
+{
+    moment m = *(const moment *)data;
+    ovr_criterion wanted = m.criterion;
+    double x;
+    m.z = z;
+    if (wanted == OVR_CRITERION_DANG_VAN) {
+        m.criterion = OVR_CRITERION_CIRCLE;
+        maximum(along, &m, 0, 3, &x);
+        m.centre = ovr_hertz_stress(1, 0, x, z).d;
+        m.criterion = wanted;
+    }
+    return maximum(along, &m, 0, 3, &x);
+}
+
+double ovr_hertz_criterion(ovr_criterion criterion, double alpha,
+                           double poisson, double *z)
+{
+    moment m = {criterion, alpha, poisson, 0, 0};
+    double where;
+    double value = maximum(at_depth, &m, 1e-3, 2, &where);
+    if (z)
+        *z = where;
+    return value;
+}

@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The loops over bins, as vectors (real and imaginary parts interleaved, the
+ * mirrored half backward), and over nodes, for the compiler to make vectors
+ * of: every turn stands alone, and what is compared is chosen, not branched.
+ * Nothing is summed over turns and nothing fused, so that every instruction
+ * set gives the same bits.
+ */
+#include <math.h>
+
+#include "stress/loops.h"
+
+#if defined(__AVX512F__)
+#define LANES 16
+#define INTERLEAVED(a, b)                                                      \
+    TWO(a, b, (0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23),        \
+        (8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31))
+#define BACKWARD(a, b)                                                         \
+    TWO(a, b, (15, 31, 14, 30, 13, 29, 12, 28, 11, 27, 10, 26, 9, 25, 8, 24),  \
+        (7, 23, 6, 22, 5, 21, 4, 20, 3, 19, 2, 18, 1, 17, 0, 16))
+#elif defined(__AVX__)
+#define LANES 8
+#define INTERLEAVED(a, b)                                                      \
+    TWO(a, b, (0, 8, 1, 9, 2, 10, 3, 11), (4, 12, 5, 13, 6, 14, 7, 15))
+#define BACKWARD(a, b)                                                         \
+    TWO(a, b, (7, 15, 6, 14, 5, 13, 4, 12), (3, 11, 2, 10, 1, 9, 0, 8))
+#else
+#define LANES 4
+#define INTERLEAVED(a, b) TWO(a, b, (0, 4, 1, 5), (2, 6, 3, 7))
+#define BACKWARD(a, b) TWO(a, b, (3, 7, 2, 6), (1, 5, 0, 4))
+#endif
+
+typedef float vec __attribute__((vector_size(LANES * 4)));
+typedef float loose_vec
+    __attribute__((vector_size(LANES * 4), aligned(4), may_alias));
+typedef struct two_vec {
+    vec first, second;
+} two_vec;
+
+#define LIST(...) __VA_ARGS__
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+#define SHUFFLE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
+#endif
+#endif
+#ifndef SHUFFLE
+typedef int ivec __attribute__((vector_size(LANES * 4)));
+#define SHUFFLE(a, b, ...) __builtin_shuffle(a, b, (ivec){__VA_ARGS__})
+#endif
+#define TWO(a, b, low, high)                                                   \
+    (two_vec)                                                                  \
+    {                                                                          \
+        SHUFFLE(a, b, LIST low), SHUFFLE(a, b, LIST high)                      \
+    }
+
+static inline vec load(const float *x)
+{
+    return *(const loose_vec *)x;
+}
+
+static inline void store(float *x, two_vec v, bool add)
+{
+    *(loose_vec *)x = add ? load(x) + v.first : v.first;
+    *(loose_vec *)(x + LANES) = add ? load(x + LANES) + v.second : v.second;
+}
+
+/* One bin; `high` is its mirror. */
+static inline void wave(size_t k, ovr_bins P, ovr_bins A, ovr_bins B, bool add,
+                        float *low, float *high)
+{
+    float ar = A.re[k] * P.re[k] - A.im[k] * P.im[k];
+    float ai = A.re[k] * P.im[k] + A.im[k] * P.re[k];
+    float br = B.re[k] * P.re[k] - B.im[k] * P.im[k];
+    float bi = B.re[k] * P.im[k] + B.im[k] * P.re[k];
+    low[0] = (add ? low[0] : 0) + (ar - bi);
+    low[1] = (add ? low[1] : 0) + (ai + br);
+    high[0] = (add ? high[0] : 0) + (ar + bi);
+    high[1] = (add ? high[1] : 0) + (br - ai);
+}
+
+/* LANES of them: the mirrors lie before high + 2, in reverse. */
+static inline void wave_lanes(size_t k, ovr_bins P, ovr_bins A, ovr_bins B,
+                              bool add, float *low, float *high)
+{
+    vec pr = load(P.re + k), pi = load(P.im + k);
+    vec ur = load(A.re + k), ui = load(A.im + k);
+    vec vr = load(B.re + k), vi = load(B.im + k);
+    vec ar = ur * pr - ui * pi, ai = ur * pi + ui * pr;
+    vec br = vr * pr - vi * pi, bi = vr * pi + vi * pr;
+    vec lr = ar - bi, li = ai + br, hr = ar + bi, hi = br - ai;
+    two_vec up = INTERLEAVED(lr, li), down = BACKWARD(hr, hi);
+    store(low, up, add);
+    store(high - 2 * (LANES - 1), down, add);
+}
+
+static inline void spread_over(size_t bins, size_t n, ovr_bins P, ovr_bins A,
+                               ovr_bins B, bool add, float *waves)
+{
+    size_t k = 1;
+    for (; k + LANES <= bins; k += LANES)
+        wave_lanes(k, P, A, B, add, waves + 2 * k, waves + 2 * (n - k));
+    for (; k < bins; k++)
+        wave(k, P, A, B, add, waves + 2 * k, waves + 2 * (n - k));
+}
+
+static void spread(size_t bins, size_t n, ovr_bins P, ovr_bins A, ovr_bins B,
+                   bool add, float *waves)
+{
+    if (add)
+        spread_over(bins, n, P, A, B, true, waves);
+    else
+        spread_over(bins, n, P, A, B, false, waves);
+}
+
+static void states(size_t n, const float *restrict shear,
+                   const float *restrict mean, const ovr_state_constants *c,
+                   float *restrict d, float *restrict tau, float *restrict h,
+                   float *restrict in_plane, float *restrict von_mises,
+                   float *restrict tresca)
+{
+    const float nu = c->poisson, m0 = c->mean, d0 = c->half, y0 = c->across;
+    for (size_t i = 0; i < n; i++) {
+        float di = shear[2 * i], ti = shear[2 * i + 1], hi = mean[2 * i];
+        float s = (di + d0) * (di + d0) + ti * ti;
+        /* mean of the plane less sigma_y */
+        float e = (m0 - hi) - (y0 - 2 * nu * hi);
+        float shear_in = sqrtf(s), other = (fabsf(e) + shear_in) / 2;
+        d[i] = di;
+        tau[i] = ti;
+        h[i] = hi;
+        in_plane[i] = s;
+        von_mises[i] = 3 * s + e * e;
+        tresca[i] = other > shear_in ? other : shear_in;
+    }
+}
+
+static void extents(size_t n, const float *restrict d,
+                    const float *restrict tau, float cosine, float sine,
+                    float *restrict high, float *restrict low)
+{
+    for (size_t i = 0; i < n; i++) {
+        float v = d[i] * cosine + tau[i] * sine;
+        high[i] = v > high[i] ? v : high[i];
+        low[i] = v < low[i] ? v : low[i];
+    }
+}
+
+static void raise(size_t n, const float *restrict v, float *restrict high)
+{
+    for (size_t i = 0; i < n; i++)
+        high[i] = v[i] > high[i] ? v[i] : high[i];
+}
+
+static void lower(size_t n, const float *restrict v, float *restrict low)
+{
+    for (size_t i = 0; i < n; i++)
+        low[i] = v[i] < low[i] ? v[i] : low[i];
+}
+
+static float largest(size_t n, const float *restrict v)
+{
+    enum { WIDE = 16 };
+    float most[WIDE] = {0}, all = 0;
+    size_t i = 0;
+    for (; i + WIDE <= n; i += WIDE)
+        for (size_t l = 0; l < WIDE; l++)
+            most[l] = v[i + l] > most[l] ? v[i + l] : most[l];
+    for (; i < n; i++)
+        all = v[i] > all ? v[i] : all;
+    for (size_t l = 0; l < WIDE; l++)
+        all = most[l] > all ? most[l] : all;
+    return all;
+}
+
+#define OVR_TEXT(x) #x
+#define OVR_NAME(x) OVR_TEXT(x)
+#define OVR_JOIN(a, b) a##b
+#define OVR_LOOPS(isa) OVR_JOIN(ovr_stress_loops_, isa)
+
+extern const ovr_stress_loops OVR_LOOPS(OVR_ISA);
+const ovr_stress_loops OVR_LOOPS(OVR_ISA) = {
+    OVR_NAME(OVR_ISA), spread, states, extents, raise, lower, largest};

@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the loops compute, in the shortest C that says it. */
+#include <complex.h>
+#include <math.h>
+
+#include "stress/loops.h"
+
+static double complex product(ovr_bins a, ovr_bins b, size_t k)
+{
+    return ((double)a.re[k] + I * (double)a.im[k]) *
+           ((double)b.re[k] + I * (double)b.im[k]);
+}
+
+static void put(float *waves, size_t k, bool add, double complex value)
+{
+    if (add)
+        value += (double)waves[2 * k] + I * (double)waves[2 * k + 1];
+    waves[2 * k] = (float)creal(value);
+    waves[2 * k + 1] = (float)cimag(value);
+}
+
+static void spread(size_t bins, size_t n, ovr_bins P, ovr_bins A, ovr_bins B,
+                   bool add, float *waves)
+{
+    for (size_t k = 1; k < bins; k++) {
+        double complex a = product(A, P, k), b = product(B, P, k);
+        put(waves, k, add, a + I * b);
+        put(waves, n - k, add, conj(a) + I * conj(b));
+    }
+}
+
+static void states(size_t n, const float *shear, const float *mean,
+                   const ovr_state_constants *c, float *d, float *tau, float *h,
+                   float *in_plane, float *von_mises, float *tresca)
+{
+    for (size_t i = 0; i < n; i++) {
+        d[i] = shear[2 * i];
+        tau[i] = shear[2 * i + 1];
+        h[i] = mean[2 * i];
+        double half = (double)d[i] + (double)c->half, t = tau[i];
+        double middle = (double)c->mean - (double)h[i];
+        double y = (double)c->across - 2 * (double)c->poisson * (double)h[i];
+        double shearing = hypot(half, t), one = middle + shearing;
+        double three = middle - shearing;
+        in_plane[i] = (float)(shearing * shearing);
+        von_mises[i] = (float)(((one - y) * (one - y) +
+                                (y - three) * (y - three) +
+                                (three - one) * (three - one)) /
+                               2);
+        tresca[i] = (float)(fmax(fmax(fabs(one - y), fabs(y - three)),
+                                 fabs(one - three)) /
+                            2);
+    }
+}
+
+static void extents(size_t n, const float *d, const float *tau, float cosine,
+                    float sine, float *high, float *low)
+{
+    for (size_t i = 0; i < n; i++) {
+        float v = d[i] * cosine + tau[i] * sine;
+        high[i] = fmaxf(high[i], v);
+        low[i] = fminf(low[i], v);
+    }
+}
+
+static void raise(size_t n, const float *v, float *high)
+{
+    for (size_t i = 0; i < n; i++)
+        high[i] = fmaxf(high[i], v[i]);
+}
+
+static void lower(size_t n, const float *v, float *low)
+{
+    for (size_t i = 0; i < n; i++)
+        low[i] = fminf(low[i], v[i]);
+}
+
+static float largest(size_t n, const float *v)
+{
+    float most = 0;
+    for (size_t i = 0; i < n; i++)
+        most = fmaxf(most, v[i]);
+    return most;
+}
+
+extern const ovr_stress_loops ovr_stress_loops_plain;
+const ovr_stress_loops ovr_stress_loops_plain = {
+    "plain", spread, states, extents, raise, lower, largest};

@@ -1,0 +1,323 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Passage of the material through the fields.
+ *
+ * A point of the surface stands at X = reference + xi + U(T).  Each moment's
+ * nodes are moved by the part of a mesh that puts them on material points of
+ * every level (field.c): nothing is interpolated, in rolling or sliding.  Of
+ * the path (d, tau) of each point its extents in 16 half directions are kept,
+ * beside the largest von Mises and Tresca stresses and the range of h: maxima
+ * and minima, so that their order does not matter.
+ *
+ * A path at depth z is smooth on the scale of z: its largest value is low by
+ * (way/z)^2/14 at most when it is seen once in so much way.  Levels are seen
+ * when their way exceeds 1/64 of their shallowest depth: 2e-5, or every step.
+ *
+ * Before the first moment and after the last the contact was, and will be, as
+ * it is then: the fields of that moment at all earlier, or later, places.
+ */
+#include "stress/passage.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double samples_of_depth = 64;
+/* Farther away a feature in the contact does not matter to a path. */
+static const double near_contact = 2;
+enum { WHOLE = 1 << (OVR_STRESS_LEVELS - 1) };
+
+ovr_material_range ovr_material_range_default(void)
+{
+    return (ovr_material_range){
+        .from = -2, .to = 2, .reach = 2.5, .poisson = 0.3};
+}
+
+/* ------------------------------------------------------------ one moment */
+
+/* Where the nodes stand among the material: node i of level c is material
+ * point i - turns 2^(5-c) of it, when the nodes are moved by `shift`. */
+typedef struct place {
+    double shift;
+    long turns;
+} place;
+
+static place find_place(const ovr_passage *p, double U)
+{
+    double D = p->stress->options.mesh;
+    double t = (U + p->range.reference - p->stress->start) / D;
+    double turns = floor(t / WHOLE);
+    return (place){t - turns * WHOLE, (long)turns};
+}
+
+/* Nodes of a row within reach: first, and how many. */
+static size_t nodes_within(const ovr_passage *p, const ovr_stress_row *row,
+                           size_t *first)
+{
+    double low = ceil((-p->range.reach - row->start) / row->step);
+    double high = floor((p->range.reach - row->start) / row->step);
+    low = fmax(low, 0);
+    high = fmin(high, (double)row->count - 1);
+    *first = low > 0 ? (size_t)low : 0;
+    return high >= low ? (size_t)(high - low) + 1 : 0;
+}
+
+static void find_states(ovr_passage *p, const ovr_stress_row *row, size_t first,
+                        size_t n)
+{
+    p->stress->loops->states(n, row->shear + 2 * first, row->mean + 2 * first,
+                             &p->constants, p->d, p->tau, p->h, p->in_plane,
+                             p->von_mises, p->tresca);
+}
+
+static void note_extreme(const ovr_stress_loops *loops, size_t n,
+                         const float *v, const ovr_stress_row *row,
+                         size_t first, double T, ovr_stress_extreme *extreme)
+{
+    double most = loops->largest(n, v);
+    if (!(most > extreme->value))
+        return;
+    size_t i = 0;
+    while (i + 1 < n && (double)v[i] < most)
+        i++;
+    double X = row->start + (double)(first + i) * row->step;
+    *extreme = (ovr_stress_extreme){most, X, row->z, T};
+}
+
+static void note_extremes(ovr_passage *p, const ovr_stress_row *row,
+                          size_t first, size_t n, double T)
+{
+    const ovr_stress_loops *loops = p->stress->loops;
+    if (row->z < p->range.least_depth * (1 - 1e-9))
+        return;
+    note_extreme(loops, n, p->in_plane, row, first, T, &p->numbers.shear);
+    note_extreme(loops, n, p->von_mises, row, first, T, &p->numbers.von_mises);
+}
+
+/* --------------------------------------------------- a step of the passage */
+
+static void widen(ovr_passage *p, size_t depth, size_t from, size_t to,
+                  size_t n)
+{
+    const ovr_stress_loops *loops = p->stress->loops;
+    size_t pitch = p->grid[p->stress->depth[depth].level].points;
+    float *row = p->row[depth] + to;
+    for (int m = 0; m < OVR_HALF_DIRECTIONS; m++)
+        loops->extents(n, p->d + from, p->tau + from, p->cosine[m], p->sine[m],
+                       row + (size_t)(OVR_ROW_HIGH + m) * pitch,
+                       row + (size_t)(OVR_ROW_LOW + m) * pitch);
+    loops->raise(n, p->von_mises + from, row + OVR_ROW_VON_MISES * pitch);
+    loops->raise(n, p->tresca + from, row + OVR_ROW_TRESCA * pitch);
+    loops->raise(n, p->h + from, row + OVR_ROW_H_MAX * pitch);
+    loops->lower(n, p->h + from, row + OVR_ROW_H_MIN * pitch);
+}
+
+/* Material point of the grid at node 0. */
+static long point_at(const ovr_passage *p, int c, place at)
+{
+    return -at.turns * (WHOLE >> c) - p->grid[c].first;
+}
+
+static void follow_depth(ovr_passage *p, size_t depth, place at, double T)
+{
+    ovr_stress_row row = ovr_stress_at(p->stress, depth);
+    size_t first, n = nodes_within(p, &row, &first);
+    if (!n)
+        return;
+    find_states(p, &row, first, n);
+    note_extremes(p, &row, first, n, T);
+    long k = (long)first + point_at(p, row.level, at);
+    long skip = k < 0 ? -k : 0;
+    long most = (long)p->grid[row.level].points - (k + skip);
+    long count = (long)n - skip < most ? (long)n - skip : most;
+    if (count > 0)
+        widen(p, depth, (size_t)skip, (size_t)(k + skip), (size_t)count);
+}
+
+static unsigned levels_due(ovr_passage *p, double dU)
+{
+    unsigned due = 0;
+    for (int c = 0; c < OVR_STRESS_LEVELS; c++) {
+        double limit = p->grid[c].top / samples_of_depth * (1 + 1e-9);
+        p->numbers.way[c] += dU;
+        if (p->grid[c].top > 0 && p->numbers.way[c] + dU > limit) {
+            p->numbers.way[c] = 0;
+            due |= 1u << c;
+        }
+    }
+    p->numbers.widest = fmax(p->numbers.widest, dU);
+    return due;
+}
+
+void ovr_passage_step(ovr_passage *p, const double *P, const double *Q,
+                      const ovr_moment *moment)
+{
+    unsigned due = levels_due(p, moment->dU);
+    place at = find_place(p, moment->U);
+    if (!due)
+        return;
+    ovr_stress_solve(p->stress, P, Q, at.shift, due);
+    for (size_t j = 0; j < p->stress->depths; j++)
+        if (due >> p->stress->depth[j].level & 1)
+            follow_depth(p, j, at, moment->T);
+}
+
+/* ------------------------------------------------------------- the closures */
+
+/* A row's values at n nodes of a moment. */
+static void row_values(const ovr_passage *p, int row, size_t n, float *v)
+{
+    const float *of[] = {p->von_mises, p->tresca, p->h, p->h};
+    if (row >= OVR_ROW_VON_MISES) {
+        memcpy(v, of[row - OVR_ROW_VON_MISES], n * sizeof *v);
+        return;
+    }
+    int m = row % OVR_HALF_DIRECTIONS;
+    float c = p->cosine[m], s = p->sine[m];
+    for (size_t i = 0; i < n; i++)
+        v[i] = p->d[i] * c + p->tau[i] * s;
+}
+
+static bool is_low(int row)
+{
+    return row == OVR_ROW_H_MIN ||
+           (row >= OVR_ROW_LOW && row < OVR_ROW_VON_MISES);
+}
+
+static float beyond(float a, float b, bool low)
+{
+    return low ? fminf(a, b) : fmaxf(a, b);
+}
+
+/* One row of one depth: node i = 0 ... n - 1 stands at point k + i, or between
+ * it and the next.  Upward, a point takes all nodes below it, and its own;
+ * downward those above. */
+static float sweep_row(const ovr_passage *p, size_t depth, int r,
+                       const float *v, size_t n, long k, bool upward)
+{
+    long points = (long)p->grid[p->stress->depth[depth].level].points;
+    float *row = p->row[depth] + (size_t)r * (size_t)points, carry = p->rest[r];
+    bool low = is_low(r);
+    for (size_t i = 0; i < n; i++) {
+        long at = upward ? k + (long)i : k + (long)(n - 1 - i);
+        carry = beyond(carry, v[upward ? i : n - 1 - i], low);
+        if (at >= 0 && at < points)
+            row[at] = beyond(row[at], carry, low);
+    }
+    long from = upward ? k + (long)n : 0, to = upward ? points : k;
+    for (long at = from < 0 ? 0 : from; at < to && at < points; at++)
+        row[at] = beyond(row[at], carry, low);
+    return carry;
+}
+
+/* One depth, its nodes `between` material points or on them; `keep`: the whole
+ * of it is the smooth passage. */
+static void close_depth(ovr_passage *p, size_t depth, place at, bool between,
+                        bool upward, bool keep)
+{
+    ovr_stress_row row = ovr_stress_at(p->stress, depth);
+    size_t first, n = nodes_within(p, &row, &first);
+    find_states(p, &row, first, n);
+    long k = (long)first + point_at(p, row.level, at) + (between && upward);
+    for (int r = 0; r < OVR_ROWS; r++) {
+        row_values(p, r, n, p->in_plane);
+        float all = sweep_row(p, depth, r, p->in_plane, n, k, upward);
+        float *smooth = &p->smooth[depth * OVR_ROWS + (size_t)r];
+        if (keep)
+            *smooth = beyond(*smooth, all, is_low(r));
+    }
+}
+
+/* All earlier (upward: from smaller X) or later places of every point, one
+ * mesh apart: level c has 2^c shifts of its own. */
+static void close_run(ovr_passage *p, const double *P, const double *Q,
+                      double U, bool upward, bool keep)
+{
+    place at = find_place(p, U);
+    for (unsigned s = 0; s < WHOLE; s++) {
+        unsigned levels = 0;
+        for (unsigned c = 0; c < OVR_STRESS_LEVELS; c++)
+            levels |= s < 1u << c ? 1u << c : 0;
+        ovr_stress_solve(p->stress, P, Q, at.shift + s, levels);
+        for (size_t j = 0; j < p->stress->depths; j++)
+            if (levels >> p->stress->depth[j].level & 1)
+                close_depth(p, j, at, s > 0, upward, keep);
+    }
+}
+
+/* Points with a part of their way before the first or behind the last moment
+ * are told, when that part was not that of a smooth contact. */
+static void mark(ovr_passage *p, const ovr_moment *moment, bool begin)
+{
+    double step = ldexp(p->stress->options.mesh, p->finest);
+    for (size_t k = 0; moment->disturbed && k < p->points; k++) {
+        double xi = (double)(p->first + (long)k) * step;
+        double X = p->range.reference + xi + moment->U;
+        double ahead = moment->direction * X;
+        if (begin ? ahead > -near_contact : ahead < near_contact)
+            p->complete[k] = 0;
+    }
+}
+
+/* The extremes of the first moment. */
+static void look(ovr_passage *p, const double *P, const double *Q,
+                 const ovr_moment *moment)
+{
+    ovr_stress_solve(p->stress, P, Q, 0, OVR_STRESS_ALL_LEVELS);
+    for (size_t j = 0; j < p->stress->depths; j++) {
+        ovr_stress_row row = ovr_stress_at(p->stress, j);
+        size_t first, n = nodes_within(p, &row, &first);
+        find_states(p, &row, first, n);
+        note_extremes(p, &row, first, n, moment->T);
+    }
+}
+
+void ovr_passage_begin(ovr_passage *p, const double *P, const double *Q,
+                       const ovr_moment *moment)
+{
+    look(p, P, Q, moment);
+    close_run(p, P, Q, moment->U, moment->direction > 0, true);
+    mark(p, moment, true);
+}
+
+void ovr_passage_end(ovr_passage *p, const double *P, const double *Q,
+                     const ovr_moment *moment)
+{
+    close_run(p, P, Q, moment->U, moment->direction < 0, false);
+    mark(p, moment, false);
+}
+
+/* ----------------------------------------------------- what is asked of it */
+
+static ovr_stress_extreme root(ovr_stress_extreme of_square)
+{
+    of_square.value = sqrt(of_square.value);
+    return of_square;
+}
+
+ovr_stress_extreme ovr_passage_max_shear(const ovr_passage *p)
+{
+    return root(p->numbers.shear);
+}
+
+ovr_stress_extreme ovr_passage_von_mises(const ovr_passage *p)
+{
+    return root(p->numbers.von_mises);
+}
+
+double ovr_passage_widest(const ovr_passage *p)
+{
+    return p->numbers.widest;
+}
+
+ovr_material ovr_passage_material(const ovr_passage *p)
+{
+    double step = ldexp(p->stress->options.mesh, p->finest);
+    return (ovr_material){p->points, p->stress->depths, (double)p->first * step,
+                          step,      p->stress->z,      p->complete};
+}
+
+size_t ovr_passage_state(ovr_passage *p, const ovr_memory_piece **pieces)
+{
+    *pieces = p->piece;
+    return sizeof p->piece / sizeof p->piece[0];
+}

@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Making and freeing of a passage. */
+#include <math.h>
+#include <string.h>
+
+#include "stress/passage.h"
+
+static double least_depth(const ovr_stress_options *o,
+                          const ovr_material_range *range)
+{
+    return range->least_depth > 0 ? range->least_depth : 8 * o->mesh;
+}
+
+/* Level c covers the range with two points more on either side. */
+static ovr_material_grid grid_of(const ovr_material_range *range, double step)
+{
+    ovr_material_grid grid = {.first = (long)floor(range->from / step) - 1};
+    long last = (long)ceil(range->to / step) + 1;
+    grid.points = (size_t)(last - grid.first) + 1;
+    return grid;
+}
+
+static void find_grids(ovr_passage *p)
+{
+    const ovr_stress *s = p->stress;
+    for (size_t j = s->depths; j-- > 0;) {
+        int c = s->depth[j].level;
+        p->grid[c] = grid_of(&p->range, ldexp(s->options.mesh, c));
+        p->grid[c].top = s->depth[j].z;
+    }
+    p->finest = s->depth[0].level;
+    p->first = p->grid[p->finest].first + 1;
+    p->points = p->grid[p->finest].points - 2;
+}
+
+/* The state without load: all zero, but for residual stresses. */
+static void find_rest(ovr_passage *p)
+{
+    const ovr_material_range *range = &p->range;
+    float zero[2] = {0, 0}, d, tau, h, in_plane;
+    p->constants = (ovr_state_constants){
+        (float)range->poisson, (float)(range->residual_x / 2),
+        (float)(range->residual_x / 2), (float)range->residual_y};
+    p->stress->loops->states(1, zero, zero, &p->constants, &d, &tau, &h,
+                             &in_plane, &p->rest[OVR_ROW_VON_MISES],
+                             &p->rest[OVR_ROW_TRESCA]);
+}
+
+static void start_at_rest(ovr_passage *p)
+{
+    for (size_t j = 0; j < p->stress->depths; j++) {
+        size_t points = p->grid[p->stress->depth[j].level].points;
+        for (size_t r = 0; r < OVR_ROWS; r++) {
+            p->smooth[j * OVR_ROWS + r] = p->rest[r];
+            for (size_t k = 0; k < points; k++)
+                p->row[j][r * points + k] = p->rest[r];
+        }
+    }
+    memset(p->complete, 1, p->points);
+}
+
+static size_t values_of_all(const ovr_passage *p)
+{
+    size_t values = 0;
+    for (size_t j = 0; j < p->stress->depths; j++)
+        values += OVR_ROWS * p->grid[p->stress->depth[j].level].points;
+    return values;
+}
+
+static bool take_scratch(ovr_passage *p, ovr_error *err)
+{
+    float **scratch[] = {&p->d,        &p->tau,       &p->h,
+                         &p->in_plane, &p->von_mises, &p->tresca};
+    for (size_t k = 0; k < sizeof scratch / sizeof *scratch; k++) {
+        *scratch[k] = ovr_arena_take(&p->arena, p->stress->room, sizeof(float),
+                                     err);
+        if (!*scratch[k])
+            return false;
+    }
+    return true;
+}
+
+static ovr_status take_arrays(ovr_passage *p, ovr_error *err)
+{
+    size_t depths = p->stress->depths, all = values_of_all(p);
+    float *rows = ovr_arena_take(&p->arena, all, sizeof *rows, err);
+    p->row = ovr_arena_take(&p->arena, depths, sizeof *p->row, err);
+    p->smooth = ovr_arena_take(&p->arena, depths * OVR_ROWS, sizeof(float),
+                               err);
+    p->complete = ovr_arena_take(&p->arena, p->points, 1, err);
+    if (!rows || !p->row || !p->smooth || !p->complete || !take_scratch(p, err))
+        return OVR_NO_MEMORY;
+    p->row[0] = rows;
+    for (size_t j = 1; j < depths; j++)
+        p->row[j] = p->row[j - 1] +
+                    OVR_ROWS * p->grid[p->stress->depth[j - 1].level].points;
+    ovr_memory_piece pieces[] = {
+        {"passage", rows, all * sizeof *rows},
+        {"passage smooth", p->smooth, depths * OVR_ROWS * sizeof(float)},
+        {"passage complete", p->complete, p->points},
+        {"passage numbers", &p->numbers, sizeof p->numbers}};
+    memcpy(p->piece, pieces, sizeof pieces);
+    return OVR_OK;
+}
+
+static ovr_status check(const ovr_stress_options *o,
+                        const ovr_material_range *range, ovr_error *err)
+{
+    if (!(range->to > range->from) ||
+        (range->to - range->from) / o->mesh > 1 << 26)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "material from %g to %g: no such range", range->from,
+                        range->to);
+    if (!(range->reach > 0) || range->reach > o->to || range->reach > -o->from)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "paths within |X| <= %g need fields from %g to %g",
+                        range->reach, -range->reach, range->reach);
+    if (!(range->poisson >= 0 && range->poisson <= 0.5))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "Poisson's ratio %g is not between 0 and 0.5",
+                        range->poisson);
+    return OVR_OK;
+}
+
+static ovr_status prepare(ovr_passage *p, ovr_error *err)
+{
+    for (int m = 0; m < OVR_HALF_DIRECTIONS; m++) {
+        p->cosine[m] = (float)ovr_direction_cos(m);
+        p->sine[m] = (float)ovr_direction_sin(m);
+    }
+    find_grids(p);
+    find_rest(p);
+    ovr_status status = take_arrays(p, err);
+    if (!status)
+        start_at_rest(p);
+    return status;
+}
+
+ovr_passage *ovr_passage_create(const ovr_stress_options *options,
+                                const ovr_material_range *range,
+                                const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    if (ovr_stress_check(options, err) || check(options, range, err))
+        return NULL;
+    ovr_passage *p = ovr_arena_take(&arena, 1, sizeof *p, err);
+    if (!p)
+        return NULL;
+    p->arena = arena;
+    p->range = *range;
+    p->range.least_depth = least_depth(options, range);
+    p->stress = ovr_stress_create(options, allocator, err);
+    if (!p->stress || prepare(p, err)) {
+        ovr_passage_free(p);
+        return NULL;
+    }
+    return p;
+}
+
+void ovr_passage_free(ovr_passage *p)
+{
+    if (!p)
+        return;
+    ovr_stress_free(p->stress);
+    ovr_arena arena = p->arena;
+    ovr_arena_release(&arena);
+}
+
+double ovr_passage_memory(const ovr_stress_options *o,
+                          const ovr_material_range *range)
+{
+    double bytes = ovr_stress_memory(o);
+    if (isnan(bytes) || check(o, range, NULL))
+        return NAN;
+    double least = o->depth_min > 0 ? o->depth_min : 4 * o->mesh;
+    for (size_t j = 0; j < ovr_depths(o, NULL); j++) {
+        double z = least * exp2((double)j / o->per_octave);
+        double step = ldexp(o->mesh, ovr_depth_level(o, z));
+        bytes += 4 * OVR_ROWS * ((range->to - range->from) / step + 3);
+    }
+    return bytes + 24 * (double)ovr_stress_room(o);
+}
