@@ -260,7 +260,7 @@ static void write_later(const char *path, later *l)
 {
     const ovr_write_options o = options_for(path);
     ovr_contact contact = test_contact_physical();
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     test_dent dent;
     fake f;
     test_dent_init(&dent, NODES, 0);
@@ -289,7 +289,7 @@ static ovr_status read_later(const char *path, later *l, ovr_error *err)
 static void numbers_go_by_name(void **state)
 {
     const char *path = test_path(*state, "a.h5");
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     later old = {.known = 3}, new = {.known = 5, .added = 7, .all = true};
     write_later(path, &old);
     CHECK_OK(read_later(path, &new, &err), &err);
