@@ -10,13 +10,13 @@
 static const double *pressure(const ovr_simulation *sim, double *room)
 {
     (void)room;
-    return sim->P;
+    return sim->now.P;
 }
 
 static const double *film_thickness(const ovr_simulation *sim, double *room)
 {
     (void)room;
-    return sim->H;
+    return sim->now.H;
 }
 
 static const double *roughness(const ovr_simulation *sim, double *room)
@@ -28,21 +28,21 @@ static const double *roughness(const ovr_simulation *sim, double *room)
 static const double *density(const ovr_simulation *sim, double *room)
 {
     for (size_t i = 0; i < sim->state.n; i++)
-        room[i] = ovr_density(&sim->lubricant, sim->P[i]);
+        room[i] = ovr_density(&sim->lubricant, sim->now.P[i]);
     return room;
 }
 
 static const double *viscosity(const ovr_simulation *sim, double *room)
 {
     for (size_t i = 0; i < sim->state.n; i++)
-        room[i] = ovr_viscosity(&sim->lubricant, sim->P[i]);
+        room[i] = ovr_viscosity(&sim->lubricant, sim->now.P[i]);
     return room;
 }
 
 static const double *cavitated(const ovr_simulation *sim, double *room)
 {
     for (size_t i = 0; i < sim->state.n; i++)
-        room[i] = sim->P[i] <= 0;
+        room[i] = sim->now.P[i] <= 0;
     return room;
 }
 

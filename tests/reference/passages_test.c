@@ -74,8 +74,9 @@ static ovr_passage *passage_of(const char *text, double start, double z,
     if (!f.passage)
         fail_msg("%s", err.message);
     ovr_march march = setup->march;
-    march.observe = follow;
-    march.data = &f;
+    const ovr_observer look = {.observe = follow, .data = &f};
+    march.count = 1;
+    march.observers = &look;
     CHECK_OK(ovr_simulation_march(sim, &march, &err), &err);
     ovr_moment last = {s->T, s->T, 0, 1, false};
     ovr_passage_end(f.passage, s->P, NULL, &last);
