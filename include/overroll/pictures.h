@@ -45,9 +45,9 @@ typedef struct ovr_picture_options {
     bool overlay;  /* snapshot: all instants in one panel */
     bool no_hertz; /* without the Hertzian pressure */
     bool no_roughness;
-    const char *field; /* map: "pressure", "film_thickness" (NULL), ... */
-    int width, height; /* pixels; 0: 1280 by what the kind needs */
-    const char *title; /* NULL: the file's own; "": none */
+    const char *field;        /* map: any; "film_thickness" (NULL) */
+    int width, height;        /* pixels; 0: 1280 by what the kind needs */
+    const char *title;        /* NULL: the file's own; "": none */
     const char *const *names; /* of each result, for the legend; NULL: their
                                  titles */
     const char *script; /* also write PATH (suffix .gp) and its data beside it

@@ -240,10 +240,6 @@ OVR_API size_t ovr_result_columns(const ovr_result *result);
 OVR_API const ovr_variable *ovr_result_column(const ovr_result *result,
                                               size_t k);
 
-/* Names alone; NULL past the end. */
-OVR_API const char *ovr_result_field_name(const ovr_result *result, size_t k);
-OVR_API const char *ovr_result_field_unit(const ovr_result *result, size_t k);
-
 /* Units of a read: as stored, dimensionless, or SI (which fails with
  * OVR_BAD_INPUT when the file does not know the scale). */
 typedef enum ovr_units { OVR_AS_STORED, OVR_HERTZIAN, OVR_SI } ovr_units;

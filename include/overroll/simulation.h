@@ -214,10 +214,9 @@ typedef struct ovr_observable {
     const double *(*field)(const ovr_simulation *sim, double *room);
 } ovr_observable;
 
-/* NULL past the end.  By name: a field, or a column of the history. */
+/* NULL past the end; a field by name, or NULL. */
 OVR_API const ovr_observable *ovr_observable_at(size_t k);
 OVR_API const ovr_observable *ovr_observable_field(const char *name);
-OVR_API const ovr_observable *ovr_observable_column(const char *name);
 
 OVR_API double ovr_observable_value(const ovr_observable *which,
                                     const ovr_observation *from);

@@ -48,7 +48,7 @@ static const ovr_variable *wanted_field(const job *j, size_t k)
     if (!cli_value(j->call, "field"))
         return ovr_result_field(j->result, k);
     for (size_t f = 0; name && f < ovr_result_fields(j->result); f++)
-        if (strcmp(ovr_result_field_name(j->result, f), name) == 0)
+        if (strcmp(ovr_result_field(j->result, f)->name, name) == 0)
             return ovr_result_field(j->result, f);
     return NULL;
 }

@@ -88,8 +88,8 @@ static void print_sizes(report *r)
     const ovr_result_info *a = r->about;
     printf("nodes      %zu\nfields    ", a->nodes);
     for (size_t k = 0; k < ovr_result_fields(r->result); k++)
-        printf(" %s [%s]", ovr_result_field_name(r->result, k),
-               ovr_result_field_unit(r->result, k));
+        printf(" %s [%s]", ovr_result_field(r->result, k)->name,
+               ovr_result_field(r->result, k)->unit);
     printf("\nsnapshots  %zu\nhistory    %zu steps", a->snapshots, a->steps);
     if (a->steps)
         printf(", T = %g to %g", r->T[0], last_time(r));
@@ -176,7 +176,7 @@ static void json_sizes(json_writer *j, const report *r)
     json_number(j, "bytes", r->bytes);
     json_open_array(j, "fields");
     for (size_t k = 0; k < ovr_result_fields(r->result); k++)
-        json_text(j, NULL, ovr_result_field_name(r->result, k));
+        json_text(j, NULL, ovr_result_field(r->result, k)->name);
     json_close_array(j);
 }
 

@@ -11,7 +11,7 @@ static const cli_option options[] = {
     {"kind", "KIND", "snapshot (default), history, map or trace", false},
     {"at", "T", "snapshot: an instant, in b/um", true},
     {"overlay", NULL, "snapshot: all instants in one panel", false},
-    {"field", "FIELD", "map: film_thickness (default), pressure, roughness",
+    {"field", "FIELD", "map: film_thickness (default) or another of the file",
      false},
     {"script", "FILE.gp", "also write the gnuplot script, and its data beside",
      false},

@@ -43,16 +43,27 @@ static double scale_of(const ovr_result_info *info, ovr_unit_kind kind)
     return ovr_kind_scale(kind, &contact);
 }
 
+static const quantity *find(ovr_unit_kind kind)
+{
+    for (size_t k = 0; k < sizeof quantities / sizeof *quantities; k++)
+        if (quantities[k].kind == kind)
+            return &quantities[k];
+    return NULL;
+}
+
+bool ovr_axis_has(ovr_unit_kind kind)
+{
+    return find(kind) != NULL;
+}
+
 ovr_status ovr_axis_make(ovr_unit_kind kind, ovr_result *result,
                          ovr_units units, double largest, ovr_axis *axis,
                          ovr_error *err)
 {
     const ovr_result_info *info = ovr_result_about(result);
     double scale = scale_of(info, kind);
-    const quantity *q = quantities;
+    const quantity *q = find(kind);
     int k = 0;
-    while (q->kind != kind)
-        q++;
     *axis = q->hertzian;
     if (units == OVR_HERTZIAN || (units == OVR_AS_STORED && !info->physical))
         return OVR_OK;

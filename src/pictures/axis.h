@@ -15,7 +15,10 @@ typedef struct ovr_axis {
     const char *unit;  /* "mm"; "" when Hertzian */
 } ovr_axis;
 
-/* Of a length, pressure, height or time.  `largest` is the largest Hertzian
+/* Kinds that have a symbol: length, pressure, height and time. */
+bool ovr_axis_has(ovr_unit_kind kind);
+
+/* Of one of these.  `largest` is the largest Hertzian
  * number that the axis will show. */
 ovr_status ovr_axis_make(ovr_unit_kind kind, ovr_result *result,
                          ovr_units units, double largest, ovr_axis *axis,

@@ -5,6 +5,7 @@
  * of about one cell a pixel, linear between nodes and between snapshots.
  */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "pictures/axis.h"
@@ -131,6 +132,43 @@ static double common_high(const map *m, double low, double high)
     return low + (high - low) * (double)(bin + 1) / BINS;
 }
 
+/* A field whose kind has no symbol: in words, with a power of ten, so that the
+ * numbers have few digits. */
+static ovr_status words(const ovr_sitting *s, const ovr_variable *v,
+                        double largest, ovr_axis *axis, ovr_error *err)
+{
+    const ovr_observable *row = ovr_observable_field(v->name);
+    const ovr_kind_info *kind = ovr_kind_about(v->kind);
+    bool si = s->options->units == OVR_SI ||
+              (s->options->units == OVR_AS_STORED && strcmp(v->unit, "1") != 0);
+    double scale = si ? v->scale : 1, power = floor(log10(largest * scale));
+    char *label = ovr_arena_take(s->arena, 160, 1, err), ten[24] = "";
+    if (!label)
+        return OVR_NO_MEMORY;
+    if (isnan(scale))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "SI units: the scale of '%s' is not known", v->name);
+    if (!(fabs(power) > 2 && isfinite(power)))
+        power = 0;
+    else
+        snprintf(ten, sizeof ten, "10^{%.0f} ", power);
+    snprintf(label, 160, "%s  [%s%s]", row ? row->long_name : kind->name, ten,
+             si ? kind->si : kind->hertzian);
+    *axis = (ovr_axis){scale / pow(10, power), label, label, ""};
+    return OVR_OK;
+}
+
+/* What the colours mean. */
+static ovr_status colour_axis(const ovr_sitting *s, const map *m,
+                              double largest, ovr_axis *axis, ovr_error *err)
+{
+    const ovr_variable *v = ovr_result_find(m->run->result, m->field);
+    return ovr_axis_has(v->kind)
+               ? ovr_axis_make(v->kind, m->run->result, s->options->units,
+                               largest, axis, err)
+               : words(s, v, largest, axis, err);
+}
+
 static ovr_status make_panel(const ovr_sitting *s, map *m, ovr_panel *panel,
                              ovr_error *err)
 {
@@ -151,8 +189,7 @@ static ovr_status make_panel(const ovr_sitting *s, map *m, ovr_panel *panel,
         status = ovr_axis_make(OVR_KIND_TIME, m->run->result, o->units, m->T_to,
                                &T, err);
     if (status == OVR_OK)
-        status = ovr_axis_make(kind, m->run->result, o->units,
-                               fmax(fabs(low), fabs(high)), &v, err);
+        status = colour_axis(s, m, fmax(fabs(low), fabs(high)), &v, err);
     if (status != OVR_OK)
         return status;
     for (size_t c = 0; c < (size_t)CELLS_T * CELLS_X; c++)
@@ -169,11 +206,12 @@ static ovr_status make_panel(const ovr_sitting *s, map *m, ovr_panel *panel,
     return OVR_OK;
 }
 
-static bool known_field(const char *field)
+static bool known_field(const ovr_stored *run, const char *name)
 {
-    return strcmp(field, "pressure") == 0 ||
-           strcmp(field, "film_thickness") == 0 ||
-           strcmp(field, "roughness") == 0;
+    for (size_t k = 0; k < ovr_result_fields(run->result); k++)
+        if (strcmp(ovr_result_field(run->result, k)->name, name) == 0)
+            return true;
+    return false;
 }
 
 ovr_status ovr_draw_map(const ovr_sitting *s, ovr_chart *chart, ovr_error *err)
@@ -189,10 +227,9 @@ ovr_status ovr_draw_map(const ovr_sitting *s, ovr_chart *chart, ovr_error *err)
     if (status == OVR_OK && run->info->snapshots < 2)
         status = ovr_fail(err, OVR_BAD_INPUT,
                           "a map needs two snapshots at least");
-    if (status == OVR_OK && !known_field(m.field))
+    if (status == OVR_OK && !known_field(run, m.field))
         status = ovr_fail(err, OVR_BAD_INPUT,
-                          "no map of '%s': there are pressure, film_thickness "
-                          "and roughness",
+                          "no map of '%s': the file has no such field",
                           m.field);
     m.x_from = e.x_from;
     m.x_to = e.x_to;

@@ -57,16 +57,6 @@ const ovr_variable *ovr_result_column(const ovr_result *r, size_t k)
     return k < r->columns ? r->column[k] : NULL;
 }
 
-const char *ovr_result_field_name(const ovr_result *r, size_t k)
-{
-    return k < r->fields ? r->field[k]->name : NULL;
-}
-
-const char *ovr_result_field_unit(const ovr_result *r, size_t k)
-{
-    return k < r->fields ? r->field[k]->unit : NULL;
-}
-
 /* -------------------------------------------------------------- reading */
 
 static const ovr_variable *find(const ovr_variable *const *list, size_t count,

@@ -12,41 +12,22 @@ static double value_at(const ovr_writer *w, const ovr_observable *which,
     return (values[i > 0 ? i - 1 : 0] + values[i < last ? i : last - 1]) / 2;
 }
 
-static void fill_flags(const ovr_writer *w, const ovr_observable *which,
-                       const double *from, signed char *to)
-{
-    for (size_t k = 0; k < w->nodes; k++)
-        to[k] = (signed char)value_at(w, which, from, k);
-}
-
-static void fill_single(const ovr_writer *w, const ovr_observable *which,
-                        const double *from, double factor, float *to)
-{
-    for (size_t k = 0; k < w->nodes; k++)
-        to[k] = (float)(factor * value_at(w, which, from, k));
-}
-
-static void fill_double(const ovr_writer *w, const ovr_observable *which,
-                        const double *from, double factor, double *to)
-{
-    for (size_t k = 0; k < w->nodes; k++)
-        to[k] = factor * value_at(w, which, from, k);
-}
-
 void ovr_writer_fill(const ovr_writer *w, const ovr_frame *frame,
                      unsigned char *rows)
 {
-    for (size_t k = 0; k < w->file.fields; k++) {
-        const ovr_observable *which = w->file.which[k];
+    for (size_t f = 0; f < w->file.fields; f++) {
+        const ovr_observable *which = w->file.which[f];
         const double *from = frame->field(frame->source, which, w->room);
         double factor = ovr_factor(&w->scales, which->kind);
         size_t element = ovr_file_element(&w->file, which);
-        if (which->kind == OVR_KIND_FLAG)
-            fill_flags(w, which, from, (signed char *)rows);
-        else if (element == sizeof(float))
-            fill_single(w, which, from, factor, (float *)(void *)rows);
-        else
-            fill_double(w, which, from, factor, (double *)(void *)rows);
-        rows += w->nodes * element;
+        for (size_t k = 0; k < w->nodes; k++, rows += element) {
+            double value = factor * value_at(w, which, from, k);
+            if (element == sizeof(double))
+                *(double *)(void *)rows = value;
+            else if (element == sizeof(float))
+                *(float *)(void *)rows = (float)value;
+            else
+                *(signed char *)rows = (signed char)value;
+        }
     }
 }

@@ -121,23 +121,13 @@ const ovr_observable *ovr_observable_at(size_t k)
     return k < sizeof table / sizeof *table ? &table[k] : NULL;
 }
 
-static const ovr_observable *find(const char *name, bool field)
-{
-    const ovr_observable *o = table;
-    for (size_t k = 0; (o = ovr_observable_at(k)); k++)
-        if (o->name && field == !!o->field && strcmp(o->name, name) == 0)
-            break;
-    return o;
-}
-
 const ovr_observable *ovr_observable_field(const char *name)
 {
-    return find(name, true);
-}
-
-const ovr_observable *ovr_observable_column(const char *name)
-{
-    return find(name, false);
+    const ovr_observable *o;
+    for (size_t k = 0; (o = ovr_observable_at(k)); k++)
+        if (o->field && strcmp(o->name, name) == 0)
+            break;
+    return o;
 }
 
 double ovr_observable_value(const ovr_observable *which,

@@ -20,6 +20,7 @@ width = 0.5
 start = -1.5
 [output]
 every = 5
+fields = pressure, film_thickness, roughness, viscosity
 END
 expect 0 "$OVERROLL" run dent.ini -o dent.h5 -q
 
@@ -56,6 +57,11 @@ mv some/frame_0004.svg before.svg
 expect 0 "$OVERROLL" plot dent.h5 dent.h5 --kind history -o two.pdf
 refuses 'exists; --force' plot dent.h5 -o two.pdf
 refuses 'a map shows one' plot dent.h5 dent.h5 --kind map -o map.png
+
+# A map of any field, its colours said in words where it has no symbol.
+expect 0 "$OVERROLL" plot dent.h5 --kind map --field viscosity -o eta.svg
+contains eta.svg 'viscosity.*eta0'
+refuses "no map of 'density'" plot dent.h5 --kind map --field density -o n.png
 refuses "kind 'maps'" plot dent.h5 --kind maps -o map.png
 refuses 'where to' plot dent.h5
 refuses 'where to' frames dent.h5

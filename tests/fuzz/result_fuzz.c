@@ -15,6 +15,23 @@
 
 #include "overroll/overroll.h"
 
+/* Of any rank, in any group: what says that it is not too large. */
+static void read_all(ovr_result *r)
+{
+    enum { MOST = 1 << 20 };
+    ovr_error err = {0};
+    const ovr_variable *v;
+    double *values = malloc(MOST * sizeof *values);
+    for (size_t k = 0; values && (v = ovr_result_variable(r, k)); k++) {
+        size_t count = v->rank == 1 ? v->shape[0] : 1;
+        for (int d = 1; d < v->rank; d++)
+            count *= v->shape[d];
+        if (count <= MOST)
+            ovr_result_read(r, v->path, 0, OVR_AS_STORED, values, &err);
+    }
+    free(values);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 static char path[64];
@@ -37,7 +54,7 @@ static void read_fields(ovr_result *r, const ovr_result_info *about)
     double *values = malloc((about->nodes + 1) * sizeof *values);
     for (size_t k = 0; values && k < ovr_result_fields(r); k++)
         if (about->snapshots)
-            ovr_result_snapshot(r, ovr_result_field_name(r, k),
+            ovr_result_snapshot(r, ovr_result_field(r, k)->name,
                                 about->snapshots - 1, OVR_AS_STORED, values,
                                 &err);
     if (values)
@@ -72,6 +89,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         abort();
     read_fields(r, about);
     read_history(r, about);
+    read_all(r);
     ovr_result_close(r);
     return 0;
 }

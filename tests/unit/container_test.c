@@ -397,7 +397,7 @@ static bool read_all(const char *path)
     values = malloc(most * sizeof *values);
     for (size_t k = 0; k < about->snapshots; k++)
         for (size_t f = 0; f < ovr_result_fields(r); f++)
-            good = !ovr_result_snapshot(r, ovr_result_field_name(r, f), k,
+            good = !ovr_result_snapshot(r, ovr_result_field(r, f)->name, k,
                                         OVR_AS_STORED, values, &err) &&
                    good;
     for (size_t k = 0; k < ovr_result_columns(r); k++)

@@ -159,7 +159,7 @@ static void check_prefix(const char *part, const char *whole, bool all)
         assert_true(ia->snapshots == ib->snapshots && ia->steps == ib->steps);
     for (size_t k = 0; k < ia->snapshots; k++)
         for (size_t f = 0; f < ovr_result_fields(a); f++) {
-            const char *name = ovr_result_field_name(a, f);
+            const char *name = ovr_result_field(a, f)->name;
             CHECK_OK(ovr_result_snapshot(a, name, k, OVR_AS_STORED, x, &err),
                      &err);
             CHECK_OK(ovr_result_snapshot(b, name, k, OVR_AS_STORED, y, &err),

@@ -129,8 +129,8 @@ static void converts_units(void **state)
     write_run(&o, &contact, &d, STEPS);
     r = open_result(path);
     assert_true(ovr_result_about(r)->physical);
-    assert_string_equal(ovr_result_field_unit(r, 0), "Pa");
-    assert_string_equal(ovr_result_field_unit(r, 1), "m");
+    assert_string_equal(ovr_result_field(r, 0)->unit, "Pa");
+    assert_string_equal(ovr_result_field(r, 1)->unit, "m");
     check_field(r, "pressure", STEPS / 4, OVR_SI, d.P, contact.ph, 1e-15);
     check_field(r, "pressure", STEPS / 4, OVR_AS_STORED, d.P, contact.ph, 0);
     check_field(r, "film_thickness", STEPS / 4, OVR_HERTZIAN, d.H, 1, 1e-15);
