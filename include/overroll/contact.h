@@ -185,6 +185,9 @@ OVR_API void ovr_history_free(ovr_history *history);
 /* Value at T (a NULL history is 1). */
 OVR_API double ovr_history_value(const ovr_history *history, double T);
 
+/* Whether it is ever another than at T = 0. */
+OVR_API bool ovr_history_varies(const ovr_history *history);
+
 /* Integral of the value from 0 to T, exact for the analytic kinds: how far
  * the mean surface has moved when the history is the speed ratio Cu. */
 OVR_API double ovr_history_integral(const ovr_history *history, double T);

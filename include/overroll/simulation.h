@@ -53,6 +53,9 @@ typedef struct ovr_options {
     int level;            /* finest grid, n = 7 * 2^level + 1 nodes; 8 */
     int coarsest_level;   /* 0: automatic (3: 57 nodes); the paper's is 1 */
     ovr_scheme scheme;
+    int order; /* 2; 4: corrected (fourth_order.h), with second-order schemes,
+                  the line smoother and no fixed number of cycles only; 0: 4
+                  where it applies */
     ovr_smoother smoother;
     int cycle_index;                 /* 1: V, 2: W */
     int sweeps_before, sweeps_after; /* 0, 0: line 1, 1; hybrid 2, 2 */
@@ -105,6 +108,18 @@ OVR_API void ovr_simulation_surface(ovr_simulation *sim, ovr_heights *heights,
 OVR_API void ovr_simulation_histories(ovr_simulation *sim,
                                       const ovr_history *load,
                                       const ovr_history *speed);
+
+/* For a run of fourth order: the heights of what stands still (u_k = 0), fully
+ * grown; NULL: the surfaces are smooth but for what moves.  The corrections
+ * of a run are those of the steady contact with these alone; without this
+ * call, those of the surfaces as they are at T = 0. */
+OVR_API void ovr_simulation_standing(ovr_simulation *sim, ovr_heights *standing,
+                                     void *data);
+
+/* Order of the last steady solution, and of what a run keeps of it: 4, 2 (also
+ * where 4 was wanted but its corrections did not converge, or load or speed
+ * vary), or 1. */
+OVR_API int ovr_simulation_order(const ovr_simulation *sim);
 
 /* Solves the steady problem at T = 0 (surface and histories as they are
  * there) by full multigrid; also the start of every run.  A contact at rest

@@ -138,6 +138,10 @@ OVR_API ovr_status ovr_surfaces_add(ovr_surfaces *surfaces,
 OVR_API void ovr_surfaces_heights(void *surfaces, double T, size_t n,
                                   const double *X, double *S);
 
+/* The same of what stands still (u_k = 0), fully grown, whatever T. */
+OVR_API void ovr_surfaces_standing(void *surfaces, double T, size_t n,
+                                   const double *X, double *S);
+
 /* ------------------------------------------------- what is on the surfaces */
 
 typedef struct ovr_feature_info {

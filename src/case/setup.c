@@ -102,5 +102,9 @@ ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
     ovr_simulation_histories(sim, setup->load, setup->speed);
     if (setup->surfaces)
         ovr_simulation_surface(sim, ovr_surfaces_heights, setup->surfaces);
+    if (setup->transient)
+        ovr_simulation_standing(sim,
+                                setup->surfaces ? ovr_surfaces_standing : NULL,
+                                setup->surfaces);
     return sim;
 }

@@ -204,6 +204,11 @@ double ovr_history_value(const ovr_history *history, double T)
     return 1;
 }
 
+bool ovr_history_varies(const ovr_history *history)
+{
+    return history && history->form.kind != OVR_HISTORY_CONSTANT;
+}
+
 /* ------------------------------------------------------------ integrals */
 
 /* The three functions below are integrals from the start (or first point) of

@@ -38,6 +38,36 @@
 #ifndef OVR_MULTIGRID_FOURTH_ORDER_H
 #define OVR_MULTIGRID_FOURTH_ORDER_H
 
-#include "multigrid/hierarchy.h"
+#include "multigrid/cycle.h"
+
+/* What is added to the finest grid's right-hand sides, in lanes. */
+typedef struct ovr_correction {
+    double *F, *gap;
+    double *mask;     /* m */
+    double *gap_only; /* the gap without correction */
+} ovr_correction;
+
+ovr_status ovr_correction_prepare(ovr_hierarchy *grids, ovr_correction *c,
+                                  ovr_arena *arena, ovr_error *err);
+
+/* How the corrected equations are solved. */
+typedef struct ovr_fourth_way {
+    ovr_cycling cycling;
+    int most_cycles;
+    double (*tolerance)(const void *data, const ovr_level *level, double H);
+    const void *data;
+} ovr_fourth_way;
+
+/*
+ * From a solution of second order on the finest grid, F = 0, to one of fourth:
+ * cycle, correct, cycle, ...  The mask is set by the first three corrections
+ * and stays (set again by each it can leave a limit cycle).  The residual falls
+ * by a third a cycle, as the wedge at the shortest wave is corrected by 4/3.
+ * False when the third correction has not brought the residual of the first to
+ * a fifth, or the tolerance is not reached: F, gap and the pressures are then
+ * worth nothing.  Adds to the number of cycles.
+ */
+bool ovr_fourth_solve(ovr_hierarchy *grids, const ovr_correction *c,
+                      const ovr_fourth_way *how, ovr_defect *d, int *cycles);
 
 #endif

@@ -110,5 +110,5 @@ void ovr_inflow_history(ovr_simulation *sim, const double c[2],
     memset(F, 0, sim->finest->n * sizeof *F);
     add_foot(sim, 0, c[0], a[0], F);
     add_foot(sim, 1, c[1], a[1], F);
-    ovr_level_write(&sim->grids, sim->finest, F, sim->finest->f.F);
+    ovr_history_term(sim, F);
 }

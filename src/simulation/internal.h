@@ -4,6 +4,7 @@
 #define OVR_SIMULATION_INTERNAL_H
 
 #include "base/arena.h"
+#include "multigrid/fourth_order.h"
 #include "multigrid/full.h"
 #include "overroll/simulation.h"
 
@@ -53,6 +54,9 @@ struct ovr_simulation {
 
     ovr_heights *heights;
     void *heights_data;
+    ovr_heights *standing; /* of what stands still, or NULL */
+    void *standing_data;
+    bool standing_told;
     const ovr_history *load, *speed;
 
     double *X, *S;
@@ -61,7 +65,10 @@ struct ovr_simulation {
     ovr_inflow inflow;
     bool started;
     int way; /* rung of the ladder that the steady solution was found on */
-    ovr_wanted wanted;    /* the steady start */
+    ovr_wanted wanted; /* the steady start */
+    int order;         /* reached by it */
+    ovr_correction correction;
+    double *F_fourth, *gap_fourth; /* what a run keeps of it, by nodes */
     double largest_error; /* adaptive: a step with more is not accepted */
     double *S_past;       /* surface one step ago */
 
@@ -95,6 +102,16 @@ ovr_cycling ovr_simulation_cycling(const ovr_simulation *sim, int finer_bottom);
 
 /* Sets S and the finest gap X^2/2 - S at time T. */
 void ovr_simulation_gap(ovr_simulation *sim, double T);
+
+/* Fourth order (fourth.c): the order that a solve tries, without corrections
+ * yet; takes them back, for second order. */
+void ovr_fourth_begin(ovr_simulation *sim);
+void ovr_fourth_forget(ovr_simulation *sim);
+
+/* Whether a run has surfaces at T = 0 other than those that stand still; the
+ * finest gap of those alone. */
+bool ovr_fourth_stands_apart(ovr_simulation *sim);
+void ovr_fourth_standing_gap(ovr_simulation *sim);
 
 /* Keeps records of full multigrid (refinement.c). */
 void ovr_refinement_watch(void *sim, const ovr_level *level,
@@ -134,6 +151,9 @@ ovr_status ovr_complain_step(const ovr_simulation *sim,
 /* The history term F of the finest grid and the operator for a step of dT to
  * T + dT (time_derivative.c). */
 void ovr_time_derivative(ovr_simulation *sim, double dT);
+
+/* Sets F, given without the corrections of fourth order. */
+void ovr_history_term(ovr_simulation *sim, double *F);
 
 /* Memory for the characteristic scheme, and its history term
  *     F_i = c1 q^k(X_i - a1) + c2 q^{k-1}(X_i - a2). */

@@ -10,6 +10,7 @@ ovr_options ovr_options_default(void)
                          .outlet = 1.5,
                          .level = 8,
                          .scheme = OVR_UPSTREAM2,
+                         .order = 2,
                          .smoother = OVR_LINE,
                          .cycle_index = 1,
                          .cycles = 2,
@@ -153,6 +154,26 @@ static ovr_status check(const ovr_options *o, ovr_error *err)
     return OVR_OK;
 }
 
+/* Where the corrections of fourth order apply. */
+static bool corrects(const ovr_options *o)
+{
+    return o->scheme != OVR_UPSTREAM1 && o->smoother == OVR_LINE &&
+           o->stop != OVR_STOP_FIXED && !o->paper_balance;
+}
+
+static ovr_status check_order(const ovr_options *o, ovr_error *err)
+{
+    if (o->order != 0 && o->order != 2 && o->order != 4)
+        return ovr_fail(err, OVR_BAD_INPUT, "order = %d: 2 or 4 are possible",
+                        o->order);
+    if (o->order == 4 && !corrects(o))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "order = 4 goes with the schemes upstream2 and "
+                        "characteristic, the line smoother and cycles until "
+                        "a tolerance is reached; else order = 2");
+    return OVR_OK;
+}
+
 ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
                                ovr_error *err)
 {
@@ -160,8 +181,10 @@ ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
         o->inlet = automatic_inlet(contact);
     if (isnan(o->outlet))
         o->outlet = automatic_outlet(contact);
-    if (check(o, err))
+    if (check(o, err) || check_order(o, err))
         return OVR_BAD_INPUT;
+    if (!o->order)
+        o->order = corrects(o) ? 4 : 2;
     if (!o->coarsest_level)
         o->coarsest_level = automatic_coarsest(contact, o);
     if (!o->sweeps_before && !o->sweeps_after) {
@@ -204,6 +227,7 @@ double ovr_simulation_memory(const ovr_options *options)
     }
     /* the smoother's system, the past and what is read, the coarsest grid's
      * matrix and fields, many small things */
-    return bytes + 6 * field_bytes(n) + 16 * 8 * n +
+    int corrections = options->order == 2 ? 0 : 4;
+    return bytes + (6 + corrections) * field_bytes(n) + 18 * 8 * n +
            10 * field_bytes(ordered ? n : m) + 8 * (m + 2) * (m + 16) + 200e3;
 }

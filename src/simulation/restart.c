@@ -28,6 +28,20 @@ static ovr_status visit_past(ovr_simulation *sim, ovr_visit *visit,
     return status;
 }
 
+/* The corrections of fourth order, where the run has them. */
+static ovr_status visit_corrections(ovr_simulation *sim, ovr_visit *visit,
+                                    void *context, ovr_error *err)
+{
+    size_t bytes = sim->finest->n * sizeof(double);
+    ovr_status status = visit(context, "order", &sim->order, sizeof sim->order,
+                              err);
+    if (!status && sim->order == 4)
+        status = visit(context, "F_fourth", sim->F_fourth, bytes, err);
+    if (!status && sim->order == 4)
+        status = visit(context, "gap_fourth", sim->gap_fourth, bytes, err);
+    return status;
+}
+
 ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
                                 void *context, ovr_error *err)
 {
@@ -35,6 +49,8 @@ ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
     ovr_observation *o = &sim->observation;
     ovr_statistics *total = &sim->statistics;
     ovr_status status = visit_past(sim, visit, context, err);
+    if (!status)
+        status = visit_corrections(sim, visit, context, err);
 #define PART(name, member)                                                     \
     {                                                                          \
         name, &(member), sizeof(member)                                        \

@@ -30,8 +30,13 @@ static ovr_status take_fields(ovr_simulation *sim, ovr_error *err)
 
 static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
 {
-    double **all[] = {&sim->X, &sim->S, &sim->S_past, &sim->refining.coarse,
-                      &sim->refining.before};
+    double **all[] = {&sim->X,
+                      &sim->S,
+                      &sim->S_past,
+                      &sim->refining.coarse,
+                      &sim->refining.before,
+                      &sim->F_fourth,
+                      &sim->gap_fourth};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (take(sim, all[k], err))
             return OVR_NO_MEMORY;
@@ -91,6 +96,9 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
                             o->outlet, order, range, &sim->arena, err))
         return OVR_NO_MEMORY;
     sim->finest = &grids->level[o->level];
+    if (o->order == 4 &&
+        ovr_correction_prepare(grids, &sim->correction, &sim->arena, err))
+        return OVR_NO_MEMORY;
     return take_arrays(sim, err);
 }
 
@@ -161,7 +169,13 @@ void ovr_simulation_gap(ovr_simulation *sim, double T)
     }
     for (size_t i = 0; i < n; i++)
         gap[i] = 0.5 * X[i] * X[i] - S[i];
+<<<<<<< HEAD
     ovr_level_write(&sim->grids, sim->finest, gap, sim->finest->f.gap);
+=======
+    if (sim->order == 4)
+        sim->grids.kernels->combine(n, 1, gap, 1, sim->gap_fourth, gap);
+    ovr_level_write(&sim->grids, sim->finest, gap, sim->finest->gap);
+>>>>>>> 298b95c (Order four of the steady solution, and a run that keeps its corrections)
 }
 
 const ovr_state *ovr_simulation_state(const ovr_simulation *sim)

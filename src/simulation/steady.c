@@ -1,6 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The steady solution: full multigrid (multigrid/full.h), and when it fails
- * other ways of going about it. */
+/*
+ * The steady solution: full multigrid (multigrid/full.h), and when it fails
+ * other ways of going about it; then, where order four is wanted, its
+ * correction (multigrid/fourth_order.h).
+ *
+ * A run keeps the corrections of its steady start, so they must not hold what
+ * moves away.  Where the surfaces that stand still are told, the corrections
+ * are those of the contact with these alone, and the start is solved with
+ * them.  They stay right as long as load and speed do.
+ */
 #include <math.h>
 #include <string.h>
 
@@ -32,6 +40,18 @@ static double tolerance_at(const void *data, const ovr_level *level, double H)
     return o->stop == OVR_STOP_TRUNCATION
                ? truncation
                : ovr_negligible_tolerance(sim, level->D, H);
+}
+
+/* The same, but a solution to be corrected need not be better than its
+ * discretization error. */
+static double first_tolerance(const void *data, const ovr_level *level,
+                              double H)
+{
+    const ovr_simulation *sim = data;
+    double wanted = tolerance_at(sim, level, H);
+    if (sim->order == 4 && level == sim->finest)
+        return fmax(wanted, ovr_truncation_tolerance(sim, level->D, H));
+    return wanted;
 }
 
 /* The ladder a solve climbs when it fails: smaller steps in load on a finer
@@ -73,10 +93,103 @@ static ovr_full full_of(ovr_simulation *sim, const rung *how)
                       .mesh = how->mesh,
                       .fixed = fixed,
                       .most_cycles = fixed ? o->cycles : o->max_cycles,
-                      .tolerance = tolerance_at,
+                      .tolerance = first_tolerance,
                       .watch = ovr_refinement_watch,
                       .data = sim,
                       .saved = sim->refining.coarse};
+}
+
+/* Cycles on the finest level, whose right-hand sides are set, to the tolerance
+ * wanted. */
+static ovr_defect finish(ovr_simulation *sim, const ovr_full *how, int *cycles)
+{
+    ovr_hierarchy *grids = &sim->grids;
+    ovr_level *level = sim->finest;
+    ovr_defect d;
+    ovr_level_refresh(grids, level);
+    d = ovr_cycle_defect(grids, level);
+    for (int k = 0; k < how->most_cycles && d.imbalance < 1e6; k++) {
+        if (ovr_below(d, tolerance_at(sim, level, d.centre)))
+            break;
+        ovr_cycle(grids, level, how->cycling);
+        d = ovr_cycle_defect(grids, level);
+        ++*cycles;
+    }
+    return d;
+}
+
+/* The solution found, to go back to. */
+typedef struct found {
+    double *P, H0;
+} found;
+
+static found keep(const ovr_simulation *sim)
+{
+    const ovr_level *level = sim->finest;
+    ovr_level_read(&sim->grids, level, level->f.P, sim->refining.before);
+    return (found){sim->refining.before, sim->grids.H0};
+}
+
+/* Second order after all. */
+static ovr_defect fall_back(ovr_simulation *sim, const ovr_full *how,
+                            const found *second, int *cycles)
+{
+    ovr_level_write(&sim->grids, sim->finest, second->P, sim->finest->f.P);
+    sim->grids.H0 = second->H0;
+    ovr_fourth_forget(sim);
+    ovr_simulation_gap(sim, 0);
+    ovr_level_clear(sim->finest, sim->finest->f.F);
+    return finish(sim, how, cycles);
+}
+
+/* Full multigrid and its own corrections, for the gap as it is. */
+static ovr_defect solve_and_correct(ovr_simulation *sim, const ovr_full *how,
+                                    int *cycles)
+{
+    const ovr_correction *c = &sim->correction;
+    const ovr_fourth_way way = {how->cycling, how->most_cycles, tolerance_at,
+                                sim};
+    ovr_defect d = ovr_full_multigrid(&sim->grids, &sim->wanted, *how, cycles);
+    if (sim->order != 4 ||
+        !ovr_below(d, first_tolerance(sim, sim->finest, d.centre)))
+        return d;
+    found second = keep(sim);
+    if (!ovr_fourth_solve(&sim->grids, c, &way, &d, cycles))
+        return fall_back(sim, how, &second, cycles);
+    ovr_level_read(&sim->grids, sim->finest, c->F, sim->F_fourth);
+    ovr_level_read(&sim->grids, sim->finest, c->gap, sim->gap_fourth);
+    return d;
+}
+
+/* Full multigrid, and the corrections of what stands still. */
+static ovr_defect solve_corrected(ovr_simulation *sim, const ovr_full *how,
+                                  int *cycles)
+{
+    ovr_defect d = ovr_full_multigrid(&sim->grids, &sim->wanted, *how, cycles);
+    if (!ovr_below(d, first_tolerance(sim, sim->finest, d.centre)))
+        return d;
+    found second = keep(sim);
+    ovr_level_write(&sim->grids, sim->finest, sim->F_fourth, sim->finest->f.F);
+    d = finish(sim, how, cycles);
+    if (ovr_below(d, tolerance_at(sim, sim->finest, d.centre)))
+        return d;
+    return fall_back(sim, how, &second, cycles);
+}
+
+/* Of the surfaces as they are at T = 0. */
+static ovr_defect solve(ovr_simulation *sim, const ovr_full *how, int *cycles)
+{
+    ovr_fourth_begin(sim);
+    if (sim->order == 4 && ovr_fourth_stands_apart(sim)) {
+        ovr_fourth_standing_gap(sim);
+        solve_and_correct(sim, how, cycles);
+        ovr_simulation_gap(sim, 0);
+        sim->refinements = 0;
+        if (sim->order == 4)
+            return solve_corrected(sim, how, cycles);
+    }
+    ovr_simulation_gap(sim, 0);
+    return solve_and_correct(sim, how, cycles);
 }
 
 /* The past of a run that was steady before T = 0. */
@@ -137,12 +250,10 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
     ovr_reynolds_wedge(&op, sim->options.scheme != OVR_UPSTREAM1, op.speed);
     ovr_hierarchy_operator(&sim->grids, &op);
     for (int k = 0; k < RUNGS && !outcome.converged; k++) {
-        ovr_simulation_gap(sim, 0);
+        ovr_full how = full_of(sim, &ladder[k]);
         outcome.retries = sim->way = k;
         sim->refinements = 0;
-        outcome.defect = ovr_full_multigrid(&sim->grids, &sim->wanted,
-                                            full_of(sim, &ladder[k]),
-                                            &outcome.cycles);
+        outcome.defect = solve(sim, &how, &outcome.cycles);
         ovr_simulation_read(sim);
         tolerance = tolerance_at(sim, sim->finest, outcome.defect.centre);
         outcome.converged = finished(sim, &outcome, tolerance);

@@ -23,12 +23,19 @@ static void bdf2(double dT, double dT_old, double *cT, double c[2])
     c[1] = s * s / (1 + s) / dT;
 }
 
+void ovr_history_term(ovr_simulation *sim, double *F)
+{
+    if (sim->order == 4)
+        sim->grids.kernels->combine(sim->finest->n, 1, F, 1, sim->F_fourth, F);
+    ovr_level_write(&sim->grids, sim->finest, F, sim->finest->f.F);
+}
+
 static void set_history(ovr_simulation *sim, const double c[2])
 {
     double *F = sim->grids.scratch[0];
     sim->grids.kernels->combine(sim->finest->n, c[0], sim->past.q[0], c[1],
                                 sim->past.q[1], F);
-    ovr_level_write(&sim->grids, sim->finest, F, sim->finest->f.F);
+    ovr_history_term(sim, F);
 }
 
 static void characteristic_history(ovr_simulation *sim, const double c[2],

@@ -239,6 +239,18 @@ void ovr_surfaces_heights(void *data, double T, size_t n, const double *X,
     }
 }
 
+void ovr_surfaces_standing(void *data, double T, size_t n, const double *X,
+                           double *S)
+{
+    const ovr_surfaces *surfaces = data;
+    (void)T;
+    for (size_t i = 0; i < n; i++)
+        S[i] = 0;
+    for (const entry *l = surfaces->first; l && n; l = l->next)
+        if (l->feature.ratio == 0)
+            add_feature(&l->feature, 1, l->feature.start, n, X, S);
+}
+
 /* --------------------------------------------------- what is on them */
 
 size_t ovr_surfaces_count(const ovr_surfaces *surfaces)

@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "multigrid/fourth_order.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "multigrid/field.h"
+
+enum { MASKS = 3 }; /* corrections that set the mask */
+
+static ovr_level *finest_of(const ovr_hierarchy *grids)
+{
+    return (ovr_level *)&grids->level[grids->finest];
+}
+
+ovr_status ovr_correction_prepare(ovr_hierarchy *grids, ovr_correction *c,
+                                  ovr_arena *arena, ovr_error *err)
+{
+    size_t room = finest_of(grids)->n + OVR_MOST_LANES;
+    double **const all[] = {&c->F, &c->gap, &c->mask, &c->gap_only};
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+        if (!(*all[k] = ovr_field(arena, room, err)))
+            return OVR_NO_MEMORY;
+    return OVR_OK;
+}
+
+/* Vectors of a level and of its halo, as one array. */
+static size_t length(const ovr_level *level)
+{
+    return (level->lanes.S + 2 * OVR_HALO) * level->lanes.V;
+}
+
+static double *begin(const ovr_level *level, double *values)
+{
+    return values - OVR_HALO * (ptrdiff_t)level->lanes.V;
+}
+
+/* The correction by the solution so far, and with it the right-hand sides,
+ * film and residual; the deformation is that of P already. */
+static void correct(ovr_hierarchy *grids, const ovr_correction *c, bool mask)
+{
+    const ovr_kernels *run = grids->kernels;
+    ovr_level *level = finest_of(grids);
+    const ovr_fourth how = {.D = level->D,
+                            .Cu = grids->op.speed,
+                            .centre = (size_t)ceil(-grids->X_a / level->D),
+                            .log_eps = grids->band.b[0],
+                            .flux = grids->band.b[1],
+                            .mask = c->mask,
+                            .F = c->F,
+                            .gap = c->gap};
+    if (mask)
+        run->fourth_mask(&level->lanes, level->f.P, c->mask);
+    run->fourth_order(&level->lanes, &how, &level->f, level->w);
+    memcpy(level->f.F, c->F, level->lanes.S * level->lanes.V * sizeof(double));
+    run->combine(length(level), 1, begin(level, c->gap_only), 1,
+                 begin(level, c->gap), begin(level, level->gap));
+    run->film(&grids->fluid, grids->H0, &level->lanes, level->gap, level->w,
+              &level->f);
+    ovr_level_residual(grids, level);
+}
+
+bool ovr_fourth_solve(ovr_hierarchy *grids, const ovr_correction *c,
+                      const ovr_fourth_way *how, ovr_defect *d, int *cycles)
+{
+    ovr_level *level = finest_of(grids);
+    double first = 0;
+    memcpy(begin(level, c->gap_only), begin(level, level->gap),
+           length(level) * sizeof(double));
+    for (int k = 0; k <= how->most_cycles; k++) {
+        correct(grids, c, k < MASKS);
+        *d = ovr_cycle_defect(grids, level);
+        if (k == 0)
+            first = d->imbalance;
+        if (k > 1 && ovr_below(*d, how->tolerance(how->data, level, d->centre)))
+            return true;
+        if (!(d->imbalance < 1e6) ||
+            (k == MASKS && !(d->imbalance <= 0.2 * first)))
+            return false;
+        ovr_cycle(grids, level, how->cycling);
+        ++*cycles;
+    }
+    return false;
+}
