@@ -6,7 +6,10 @@
 
 #include "multigrid/field.h"
 
-enum { MASKS = 3 }; /* corrections that set the mask */
+enum {
+    MASKS = 3, /* corrections that set the mask */
+    TRIES = 8  /* by which the residual has to fall to a fifth */
+};
 
 static ovr_level *finest_of(const ovr_hierarchy *grids)
 {
@@ -75,7 +78,7 @@ bool ovr_fourth_solve(ovr_hierarchy *grids, const ovr_correction *c,
         if (k > 1 && ovr_below(*d, how->tolerance(how->data, level, d->centre)))
             return true;
         if (!(d->imbalance < 1e6) ||
-            (k == MASKS && !(d->imbalance <= 0.2 * first)))
+            (k == TRIES && !(d->imbalance <= 0.2 * first)))
             return false;
         ovr_cycle(grids, level, how->cycling);
         ++*cycles;
