@@ -96,8 +96,8 @@ static void order_is_shown_level_by_level(void **state)
         assert_true(fourth > 8 * finer);
         fourth = finer;
     }
-    assert_true(error_of(limit, solved(50, 5, 2, 13).H_cen,
-                         solved(50, 5, 2, 14).H_cen) < 1e-6);
+    assert_true(error_of(limit, solved(50, 5, 2, 11).H_cen,
+                         solved(50, 5, 2, 12).H_cen) < 1e-6);
 }
 
 /* The mask set again by every correction leaves a limit cycle here. */
