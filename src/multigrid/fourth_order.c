@@ -54,11 +54,11 @@ static void correct(ovr_hierarchy *grids, const ovr_correction *c, bool mask)
                             .gap = c->gap};
     if (mask)
         run->fourth_mask(&level->lanes, level->f.P, c->mask);
-    run->fourth_order(&level->lanes, &how, &level->f, level->w);
+    run->fourth_order(&level->lanes, &how, &level->f, level->f.w);
     memcpy(level->f.F, c->F, level->lanes.S * level->lanes.V * sizeof(double));
     run->combine(length(level), 1, begin(level, c->gap_only), 1,
-                 begin(level, c->gap), begin(level, level->gap));
-    run->film(&grids->fluid, grids->H0, &level->lanes, level->gap, level->w,
+                 begin(level, c->gap), begin(level, level->f.gap));
+    run->film(&grids->fluid, grids->H0, &level->lanes, level->f.gap, level->f.w,
               &level->f);
     ovr_level_residual(grids, level);
 }
@@ -68,7 +68,7 @@ bool ovr_fourth_solve(ovr_hierarchy *grids, const ovr_correction *c,
 {
     ovr_level *level = finest_of(grids);
     double first = 0;
-    memcpy(begin(level, c->gap_only), begin(level, level->gap),
+    memcpy(begin(level, c->gap_only), begin(level, level->f.gap),
            length(level) * sizeof(double));
     for (int k = 0; k <= how->most_cycles; k++) {
         correct(grids, c, k < MASKS);

@@ -55,7 +55,7 @@ void ovr_fourth_standing_gap(ovr_simulation *sim)
     standing_heights(sim, gap);
     for (size_t i = 0; i < sim->finest->n; i++)
         gap[i] = 0.5 * sim->X[i] * sim->X[i] - gap[i];
-    ovr_level_write(&sim->grids, sim->finest, gap, sim->finest->gap);
+    ovr_level_write(&sim->grids, sim->finest, gap, sim->finest->f.gap);
 }
 
 void ovr_simulation_standing(ovr_simulation *sim, ovr_heights *standing,

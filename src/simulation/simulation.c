@@ -169,13 +169,9 @@ void ovr_simulation_gap(ovr_simulation *sim, double T)
     }
     for (size_t i = 0; i < n; i++)
         gap[i] = 0.5 * X[i] * X[i] - S[i];
-<<<<<<< HEAD
-    ovr_level_write(&sim->grids, sim->finest, gap, sim->finest->f.gap);
-=======
     if (sim->order == 4)
         sim->grids.kernels->combine(n, 1, gap, 1, sim->gap_fourth, gap);
-    ovr_level_write(&sim->grids, sim->finest, gap, sim->finest->gap);
->>>>>>> 298b95c (Order four of the steady solution, and a run that keeps its corrections)
+    ovr_level_write(&sim->grids, sim->finest, gap, sim->finest->f.gap);
 }
 
 const ovr_state *ovr_simulation_state(const ovr_simulation *sim)
