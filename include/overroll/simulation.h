@@ -163,7 +163,10 @@ typedef struct ovr_observation {
     double H_cen;                        /* cubic about X = 0 */
     double P_cen;                        /* the same for pressure */
     double P_max, X_P_max;               /* nodal */
-    double P_spike, X_spike;             /* nodal; NAN without a spike */
+    double P_max_located, X_P_max_located;
+    double P_spike, X_spike; /* nodal; the last maximum at X > 0 that stands
+                                more than 1e-3 above the lowest P between it
+                                and the maximum before it; NAN: none */
     double P_spike_located, X_spike_located;
     double H0;
     double load;         /* integral of P */
@@ -171,13 +174,14 @@ typedef struct ovr_observation {
     double load_ratio;   /* Cw */
     double speed_ratio;  /* Cu */
     double mass_flow;    /* mean over wet half nodes of the scheme's flux */
-    double mass_balance; /* inflow - outflow - stored change, relative to
-                            the inflow: vanishes with the discretization */
+    double mass_balance; /* inflow - outflow - stored change, relative to the
+                            contact's own flow, the mean of its size: vanishes
+                            with the discretization */
     double X_cavitation; /* first dry node behind the last wet one */
     double residual;     /* relative mass-flow imbalance R */
     int cycles;          /* multigrid cycles of this step */
     int retries;         /* attempts after the first one */
-    int maxima;          /* local maxima of P */
+    int maxima;          /* maxima of P that stand out so */
     bool converged;      /* R and load below tolerance */
     bool marked;         /* accepted above tolerance */
 } ovr_observation;

@@ -2,20 +2,8 @@
 /* What is observed after a solve or step. */
 #include <math.h>
 
+#include "simulation/extremes.h"
 #include "simulation/internal.h"
-
-/* Vertex of the parabola through (i-1, i, i+1): position in meshes from i,
- * and value. */
-static double vertex(const double *v, size_t i, double *value)
-{
-    double slope = 0.5 * (v[i + 1] - v[i - 1]);
-    double curvature = v[i + 1] - 2 * v[i] + v[i - 1];
-    double shift = curvature != 0 ? -slope / curvature : 0;
-    if (!(fabs(shift) <= 1))
-        shift = 0;
-    *value = v[i] + shift * (slope + 0.5 * shift * curvature);
-    return shift;
-}
 
 static void observe_film(const ovr_simulation *sim, ovr_observation *o)
 {
@@ -24,7 +12,7 @@ static void observe_film(const ovr_simulation *sim, ovr_observation *o)
     o->H_min = H[low];
     o->X_min = sim->X[low];
     o->X_min_located = o->X_min +
-                       sim->finest->D * vertex(H, low, &o->H_min_located);
+                       sim->finest->D * ovr_vertex(H, low, &o->H_min_located);
     o->H_cen = ovr_level_centre(&sim->grids, sim->finest, sim->finest->f.H);
     o->H0 = sim->grids.H0;
 }
@@ -36,10 +24,14 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
     size_t n = sim->finest->n, spike = 0, wet = n - 2;
     size_t high = 1 + run->extreme(n - 2, -1, P + 1);
     int maxima = run->peaks(n, P, &spike);
+    if (maxima > 1) /* most of them may be noise */
+        maxima = ovr_prominent_maxima(n, P, &spike);
     while (wet > 0 && !(P[wet] > 0))
         wet--;
     o->P_max = P[high];
     o->X_P_max = sim->X[high];
+    o->X_P_max_located =
+        o->X_P_max + sim->finest->D * ovr_vertex(P, high, &o->P_max_located);
     o->P_cen = ovr_level_centre(&sim->grids, sim->finest, sim->finest->f.P);
     o->maxima = maxima;
     o->X_cavitation = sim->X[wet + 1];
@@ -48,8 +40,9 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
     if (maxima >= 2 && sim->X[spike] > 0) {
         o->P_spike = P[spike];
         o->X_spike = sim->X[spike];
-        o->X_spike_located =
-            o->X_spike + sim->finest->D * vertex(P, spike, &o->P_spike_located);
+        o->X_spike_located = o->X_spike +
+                             sim->finest->D *
+                                 ovr_vertex(P, spike, &o->P_spike_located);
     }
     o->load = ovr_level_load(&sim->grids, sim->finest);
 }

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "simulation/extremes.h"
+
+#include <math.h>
+
+double ovr_vertex(const double *v, size_t i, double *value)
+{
+    double slope = 0.5 * (v[i + 1] - v[i - 1]);
+    double curvature = v[i + 1] - 2 * v[i] + v[i - 1];
+    double shift = curvature != 0 ? -slope / curvature : 0;
+    double gain = shift * (slope + 0.5 * shift * curvature);
+    if (!(fabs(shift) <= 1) || !(fabs(gain) <= 0.05 * fabs(v[i])))
+        shift = gain = 0;
+    *value = v[i] + gain;
+    return shift;
+}
+
+int ovr_prominent_maxima(size_t n, const double *P, size_t *last)
+{
+    double low = P[0]; /* lowest since the last that stood out */
+    int count = 0;
+    for (size_t i = 1; i + 1 < n; i++) {
+        low = fmin(low, P[i]);
+        if (!(P[i] > P[i - 1] && P[i] >= P[i + 1]))
+            continue;
+        if (P[i] > low + OVR_PROMINENCE)
+            count++;
+        else if (!count || !(P[i] > P[*last]))
+            continue; /* nothing, or a lower one of the same maximum */
+        *last = i;
+        low = P[i];
+    }
+    return count;
+}
