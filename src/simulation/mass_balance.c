@@ -46,7 +46,7 @@ static size_t last_wet(const double *P, size_t n)
 /* Mean size of the flow at the end of the step over half nodes up to `end`. */
 static double own_flow(const ovr_simulation *sim, double Cu, size_t end)
 {
-    const double *P = sim->P, *q = sim->q, *eps = sim->eps;
+    const double *P = sim->now.P, *q = sim->now.q, *eps = sim->now.eps;
     double sum = 0;
     for (size_t i = 0; i <= end; i++)
         sum += fabs(0.5 * Cu * (q[i] + q[i + 1]) - 0.5 * (eps[i] + eps[i + 1]) *
