@@ -27,12 +27,11 @@ void OVR_KERNEL(phase)(const ovr_lanes *g, const ovr_weights *w,
                        const ovr_fields *f)
 {
     const ovr_fields own = *f; /* a copy that no store can change */
-    const vec half = all(w->half);
+    const vec a0 = all(w->a[0]);
     ptrdiff_t S = (ptrdiff_t)g->S;
     for (ptrdiff_t J = 0; J < S; J++) {
-        vec P = at(own.P, J), outflow = row_outflow(&own, half, J);
-        put_set(own.wet, J, P > 0);
-        put_set(own.held, J, row_holds(P, at(own.r, J), outflow));
+        put_set(own.wet, J, at(own.P, J) > 0);
+        put_set(own.held, J, row_holds(&own, at(own.r, J), a0, J));
     }
     for (ptrdiff_t J = 0; J < OVR_HALO; J++) {
         put_set(own.wet, -1 - J, at(own.P, -1 - J) > 0);

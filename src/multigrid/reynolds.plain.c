@@ -23,7 +23,7 @@ void ovr_phase_plain(const ovr_lanes *g, const ovr_weights *w,
     ptrdiff_t last = (ptrdiff_t)g->n - 1;
     for (ptrdiff_t i = 1; i < last; i++) {
         f->wet[i] = f->P[i] > 0;
-        f->held[i] = row_holds(f->P[i], f->r[i], row_outflow(f, w->half, i));
+        f->held[i] = row_holds(f, f->r[i], w->a[0], i);
     }
 }
 

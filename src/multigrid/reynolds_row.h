@@ -83,13 +83,15 @@ static inline num row_outflow(const ovr_fields *f, num half, ptrdiff_t J)
 
 /*
  * Whether a node is held dry: P = 0, and the row does not want it to rise.
- * With room for rounding: on coarse grids the residual of a dry node is
- * rounding, whose sign would pick wet or dry at random (1e-12 to 1e-8 all
- * work).
+ * With room for rounding, which is some 1e-16 of the row's largest term, a0 q:
+ * on coarse grids the residual of a dry node is nothing else, and its sign
+ * would pick wet or dry at random (1e-14 to 1e-10 all work).  The outflow
+ * d_i P_i is no measure of it: far out, where eps/D^2 is 1e10, it would hold
+ * hundreds of nodes that all want to rise.
  */
-static inline truth row_holds(num P, num r, num outflow)
+static inline truth row_holds(const ovr_fields *f, num r, num a0, ptrdiff_t J)
 {
-    return (P <= 0) & (r >= -1e-10 * outflow);
+    return (at(f->P, J) <= 0) & (r >= -1e-12 * a0 * at(f->q, J));
 }
 
 /* e[m + 2] without d eps/dH, m = -2..0. */
