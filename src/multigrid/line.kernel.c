@@ -18,7 +18,7 @@ typedef struct line {
 
 /* Where vector J is: the first ones have columns that reach node 1. */
 typedef enum stretch { LEFT_END, INSIDE } stretch;
-enum { EDGE = 4 };
+enum { EDGE = 5 };
 
 /* Node 1 is a monopole, and when steady so is a dry node that wants to rise (a
  * dry one that does not has delta = 0 anyway, as the ends have). */
@@ -61,6 +61,19 @@ static inline void distributed(const line *l, bool transient, stretch where,
     }
 }
 
+/* Column d = -3, which the band has no room for, by delta_{i-3} = 2 delta_{i-2}
+ * - delta_{i-1} (line.h). */
+static inline void fold(const line *l, const row_weights *c, stretch where,
+                        ptrdiff_t J, vec b[5])
+{
+    vec plus = all(l->shares.plus);
+    if (where == LEFT_END && J < EDGE)
+        plus = with_first(plus, 0);
+    vec cut = plus * c->a[2] * at(l->f.dq, J - 2);
+    b[0] -= 2 * cut;
+    b[1] += cut;
+}
+
 /* The same where the shares are -1, 0: additions are cheaper. */
 static inline void dipoles(const unsigned char *wet, ptrdiff_t J,
                            const vec A[7], vec b[5])
@@ -95,6 +108,8 @@ static INLINE void assemble_vector(const line *l, const row_weights *c,
         distributed(l, transient, where, J, A, b);
     else
         dipoles(l->f.wet, J, A, b);
+    if (transient)
+        fold(l, c, where, J, b);
     hold_dry(l, transient, where, J, held, b);
     for (size_t d = 0; d < 5; d++)
         put(band->b[d], J, b[d]);

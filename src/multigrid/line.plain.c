@@ -27,6 +27,16 @@ static double given(double share, const ovr_shares *shares, const ovr_fields *f,
     return gives ? share : 0;
 }
 
+/* Column d = -3 of row i, which the band has no room for, by delta_{i-3} =
+ * 2 delta_{i-2} - delta_{i-1} (line.h). */
+static void fold(const ovr_weights *w, const ovr_fields *f, ptrdiff_t i,
+                 double plus, const ovr_band *band)
+{
+    double cut = plus * w->a[2] * f->dq[i - 2];
+    band->b[0][i] -= 2 * cut;
+    band->b[1][i] += cut;
+}
+
 /* Row i says that P_i stays: exactly in time, delta_i = 0 when steady. */
 static void hold(const ovr_band *band, ptrdiff_t i, double before, double after)
 {
@@ -50,6 +60,8 @@ void ovr_band_assemble_plain(const ovr_lanes *g, const ovr_weights *w,
             band->b[d][i] = A[d + 1] + minus[d] * A[d] + plus[d] * A[d + 2];
         }
         bool transient = shares->transient;
+        if (transient && i > 2)
+            fold(w, f, i, given(shares->plus, shares, f, i - 3, last), band);
         band->delta[i] = f->r[i];
         if (f->held[i])
             hold(band, i, transient ? plus[1] : 0, transient ? minus[3] : 0);

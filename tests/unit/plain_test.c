@@ -101,8 +101,27 @@ static bool held(const test_grid *b, size_t i)
     return b->f.P[i] <= 0 && b->f.r[i] >= 0;
 }
 
+/* What row i loses with column i - 3 in time: the share of delta_{i-3} times
+ * dN_i/dP_{i-2} with the film as it is. */
+static double lost(const test_grid *b, const test_grid *work,
+                   const ovr_shares *s, size_t i)
+{
+    const double step = 1e-6;
+    double by_P = 0;
+    if (!s->transient || i < 4)
+        return 0;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        memcpy(work->f.P, b->f.P, N * sizeof(double));
+        work->f.P[i - 2] += sign * step;
+        b->run->film(&b->fluid, 0, &b->lanes, b->gap, b->w, &work->f);
+        by_P -= sign * b->weights.a[2] * work->f.q[i - 2] / (2 * step);
+    }
+    return by_P * share(b, s->plus, s->transient, i - 3);
+}
+
 /* Column j of the system is the derivative by delta_j in rows that are not
- * held. */
+ * held, with what they lose put on delta_{i-2} and delta_{i-1} by the line
+ * through these. */
 static void check_column(const test_grid *b, const test_grid *work,
                          const ovr_shares *s, size_t j)
 {
@@ -116,6 +135,8 @@ static void check_column(const test_grid *b, const test_grid *work,
             continue;
         for (size_t e = 0; e < 5; e++)
             size = fmax(size, fabs(b->band.b[e][i]));
+        if (d > 2)
+            by_delta[d] += (d == 4 ? 2 : -1) * lost(b, work, s, i);
         CHECK_NEAR(b->band.b[4 - d][i], by_delta[d], 1e-7 * size);
     }
 }
