@@ -90,7 +90,10 @@ OVR_API ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
                                               ovr_error *err);
 OVR_API void ovr_simulation_free(ovr_simulation *sim);
 
-/* Memory that ovr_simulation_create would take, bytes. */
+/* Memory that ovr_simulation_create would take, bytes: counted in the same
+ * set-up, which takes none here.  Where options are left automatic those of a
+ * moderate contact count.  INFINITY: options that are refused, or more than
+ * this process may address. */
 OVR_API double ovr_simulation_memory(const ovr_options *options);
 
 /* The options after resolution (domain, coarsest level, tolerance, ...). */

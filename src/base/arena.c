@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#define _DEFAULT_SOURCE /* MAP_ANONYMOUS, MAP_NORESERVE */
 #include "base/arena.h"
 
-#include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
 enum { ALIGNMENT = 64, BLOCK = 1 << 16 };
 
@@ -27,10 +28,29 @@ static void to_free(void *context, void *memory)
 
 ovr_arena ovr_arena_make(const ovr_allocator *allocator)
 {
-    ovr_arena arena = {{from_malloc, to_free, NULL}, NULL, 0, 0};
+    ovr_arena arena = {.allocator = {from_malloc, to_free, NULL}};
     if (allocator)
         arena.allocator = *allocator;
     return arena;
+}
+
+static void *reserve(void *context, size_t bytes)
+{
+    void *at = mmap(NULL, bytes, PROT_READ | PROT_WRITE,
+                    MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    (void)context;
+    return at == MAP_FAILED ? NULL : at;
+}
+
+static void give_back(void *context, void *block)
+{
+    (void)context;
+    munmap(block, ((struct ovr_arena_block *)block)->size);
+}
+
+ovr_arena ovr_arena_counting(void)
+{
+    return (ovr_arena){.allocator = {reserve, give_back, NULL}, .blank = true};
 }
 
 /* Offset in the block of the next aligned address. */
@@ -88,7 +108,9 @@ void *ovr_arena_take(ovr_arena *arena, size_t count, size_t size,
     at = next_aligned(block);
     block->used = at + bytes;
     arena->pieces++;
-    return memset((char *)block + at, 0, bytes);
+    if (!arena->blank)
+        memset((char *)block + at, 0, bytes);
+    return (char *)block + at;
 }
 
 char *ovr_arena_text(ovr_arena *arena, const char *text, ovr_error *err)

@@ -10,6 +10,7 @@
 #ifndef OVR_BASE_ARENA_H
 #define OVR_BASE_ARENA_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "overroll/error.h"
@@ -20,10 +21,16 @@ typedef struct ovr_arena {
     struct ovr_arena_block *blocks; /* newest first */
     size_t bytes;                   /* asked of the allocator in all */
     size_t pieces;                  /* handed out */
+    bool blank;                     /* what the allocator gives is zero */
 } ovr_arena;
 
 /* An empty arena; `allocator` NULL means malloc and free. */
 ovr_arena ovr_arena_make(const ovr_allocator *allocator);
+
+/* One that counts: it gives addresses, behind which there is no memory before
+ * something is written.  A set-up run through it, however large, tells by
+ * `bytes` what it takes; only what it fills is really taken. */
+ovr_arena ovr_arena_counting(void);
 
 /* `count` zeroed elements of `size` bytes each, or NULL with *err filled.
  * A zero count gives a valid pointer. */

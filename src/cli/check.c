@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll check CASE: what a case means, nothing solved. */
 #include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "cli/case_args.h"
@@ -33,14 +35,37 @@ static void hear(void *data, ovr_say kind, const char *text)
         fprintf(stderr, "overroll: warning: %s\n", text);
 }
 
-static estimate estimate_cost(const ovr_setup *setup)
+/* Memory that counts itself: each piece is behind its size. */
+enum { HEAD = sizeof(max_align_t) };
+
+static void *take(void *live, size_t bytes)
+{
+    unsigned char *piece = malloc(HEAD + bytes);
+    if (!piece)
+        return NULL;
+    memcpy(piece, &bytes, sizeof bytes);
+    *(double *)live += (double)bytes;
+    return piece + HEAD;
+}
+
+static void give(void *live, void *memory)
+{
+    unsigned char *piece = (unsigned char *)memory - HEAD;
+    size_t bytes;
+    memcpy(&bytes, piece, sizeof bytes);
+    *(double *)live -= (double)bytes;
+    free(piece);
+}
+
+/* `live`: bytes of the set-up, its surfaces included. */
+static estimate estimate_cost(const ovr_setup *setup, double live)
 {
     const ovr_march *march = &setup->march;
     double dT = march->dT > 0 ? march->dT : setup->mesh;
     estimate cost = {0};
     cost.nodes = (double)setup->nodes;
     cost.mesh = setup->mesh;
-    cost.bytes = ovr_simulation_memory(&setup->options);
+    cost.bytes = live + ovr_simulation_memory(&setup->options);
     if (setup->transient)
         cost.steps = ceil(march->end / dT);
     cost.seconds = cost.nodes * SECONDS_A_NODE *
@@ -229,9 +254,9 @@ static void report_json(const ovr_case *c, const ovr_setup *setup,
 }
 
 static void report(const cli_call *call, const ovr_case *c,
-                   const ovr_setup *setup, const heard *said)
+                   const ovr_setup *setup, double live, const heard *said)
 {
-    estimate cost = estimate_cost(setup);
+    estimate cost = estimate_cost(setup, live);
     if (call->json) {
         report_json(c, setup, said, &cost);
         return;
@@ -250,13 +275,15 @@ static int run(cli_call *call)
     ovr_case *c = cli_open_case(call, &code);
     ovr_setup *setup;
     ovr_error err = {0};
+    double live = 0;
+    const ovr_allocator counted = {take, give, &live};
     if (!c)
         return code;
-    setup = ovr_case_resolve(c, NULL, &err);
-    if (setup && !ovr_setup_prepare(setup, NULL, &err)) {
+    setup = ovr_case_resolve(c, &counted, &err);
+    if (setup && !ovr_setup_prepare(setup, &counted, &err)) {
         heard said = {.call = call};
         ovr_setup_review(setup, hear, &said);
-        report(call, c, setup, &said);
+        report(call, c, setup, live, &said);
     } else {
         code = cli_fail(&err);
     }

@@ -15,7 +15,7 @@
 
 enum { POINTS = 6, BEFORE = 2 };
 
-ovr_status ovr_inflow_prepare(ovr_simulation *sim, ovr_error *err)
+ovr_status ovr_inflow_take(ovr_simulation *sim, ovr_error *err)
 {
     ovr_inflow *inflow = &sim->inflow;
     size_t n = sim->finest->n;
@@ -27,11 +27,19 @@ ovr_status ovr_inflow_prepare(ovr_simulation *sim, ovr_error *err)
     inflow->extended = ovr_field(&sim->arena, n + OVR_GHOSTS, err);
     if (!inflow->kernel || !inflow->X || !inflow->S || !inflow->extended)
         return OVR_NO_MEMORY;
+    return OVR_OK;
+}
+
+void ovr_inflow_fill(ovr_simulation *sim)
+{
+    ovr_inflow *inflow = &sim->inflow;
+    size_t n = sim->finest->n;
+    if (sim->options.scheme != OVR_CHARACTERISTIC)
+        return;
     for (size_t d = 0; d <= n + OVR_GHOSTS; d++)
         inflow->kernel[d] = ovr_deformation_kernel((double)d, sim->finest->D);
     for (size_t g = 0; g < OVR_GHOSTS; g++)
         inflow->X[g] = sim->grids.X_a - (double)(g + 1) * sim->finest->D;
-    return OVR_OK;
 }
 
 bool ovr_inflow_reaches(const ovr_simulation *sim, double travel)

@@ -157,7 +157,8 @@ void ovr_history_term(ovr_simulation *sim, double *F);
 
 /* Memory for the characteristic scheme, and its history term
  *     F_i = c1 q^k(X_i - a1) + c2 q^{k-1}(X_i - a2). */
-ovr_status ovr_inflow_prepare(ovr_simulation *sim, ovr_error *err);
+ovr_status ovr_inflow_take(ovr_simulation *sim, ovr_error *err);
+void ovr_inflow_fill(ovr_simulation *sim);
 void ovr_inflow_history(ovr_simulation *sim, const double c[2],
                         const double a[2]);
 

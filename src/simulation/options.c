@@ -197,37 +197,3 @@ ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
         o->max_cycles = 60;
     return OVR_OK;
 }
-
-/* An array over n nodes, with its ends (multigrid/field.h). */
-static double field_bytes(double n)
-{
-    double least = n + 2 * 64;
-    return 8 * (n > 1024 ? least + 512 : 128 * ceil(least / 128) + 24);
-}
-
-/* A level's pressure and deformation, and two arrays on each of the
- * deformation's own grids, with wide ends. */
-static double deformation_bytes(double n)
-{
-    double bytes = 2 * field_bytes(n + 736);
-    for (n /= 2; n > 50; n /= 2)
-        bytes += 2 * field_bytes(n + 736);
-    return bytes;
-}
-
-double ovr_simulation_memory(const ovr_options *options)
-{
-    int coarsest = options->coarsest_level ? options->coarsest_level : 5;
-    double bytes = 0, n = 0, m = 14 * ldexp(1, coarsest);
-    bool ordered = options->smoother != OVR_LINE || options->paper_balance;
-    for (int l = coarsest < options->level ? coarsest : options->level;
-         l <= options->level; l++) {
-        n = 7 * ldexp(1, l) + 1;
-        bytes += 10 * field_bytes(n) + 2 * n + deformation_bytes(n);
-    }
-    /* the smoother's system, the past and what is read, the coarsest grid's
-     * matrix and fields, many small things */
-    int corrections = options->order == 2 ? 0 : 4;
-    return bytes + (6 + corrections) * field_bytes(n) + 18 * 8 * n +
-           10 * field_bytes(ordered ? n : m) + 8 * (m + 2) * (m + 16) + 200e3;
-}

@@ -42,9 +42,18 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
             return OVR_NO_MEMORY;
     if (take_fields(sim, err))
         return OVR_NO_MEMORY;
+    return ovr_inflow_take(sim, err);
+}
+
+/* The grid is known before anything is solved. */
+static void fill_arrays(ovr_simulation *sim)
+{
     for (size_t i = 0; i < sim->finest->n; i++)
         sim->X[i] = sim->grids.X_a + (double)i * sim->finest->D;
-    return ovr_inflow_prepare(sim, err);
+    ovr_inflow_fill(sim);
+    sim->state.n = sim->finest->n;
+    sim->state.D = sim->finest->D;
+    sim->state.X = sim->X;
 }
 
 ovr_cycling ovr_simulation_cycling(const ovr_simulation *sim, int finer_bottom)
@@ -102,33 +111,54 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
     return take_arrays(sim, err);
 }
 
+/* With all its memory, of which as good as nothing is written. */
+static ovr_simulation *set_up(ovr_arena arena, const ovr_contact *contact,
+                              const ovr_lubricant *lubricant,
+                              const ovr_options *options, ovr_error *err)
+{
+    ovr_simulation *sim = ovr_arena_take(&arena, 1, sizeof *sim, err);
+    if (!sim)
+        return NULL;
+    sim->arena = arena;
+    sim->contact = *contact;
+    sim->lubricant = *lubricant;
+    sim->options = *options;
+    if (build(sim, err)) {
+        ovr_simulation_free(sim);
+        sim = NULL;
+    }
+    return sim;
+}
+
 ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
                                       const ovr_lubricant *lubricant,
                                       const ovr_options *options,
                                       const ovr_allocator *allocator,
                                       ovr_error *err)
 {
-    ovr_arena arena = ovr_arena_make(allocator);
     ovr_options resolved = *options;
     ovr_simulation *sim;
     if (ovr_options_resolve(contact, &resolved, err))
         return NULL;
-    sim = ovr_arena_take(&arena, 1, sizeof *sim, err);
-    if (!sim)
-        return NULL;
-    sim->arena = arena;
-    sim->contact = *contact;
-    sim->lubricant = *lubricant;
-    sim->options = resolved;
-    if (build(sim, err)) {
-        ovr_simulation_free(sim);
-        return NULL;
-    }
-    /* the grid is known before anything is solved */
-    sim->state.n = sim->finest->n;
-    sim->state.D = sim->finest->D;
-    sim->state.X = sim->X;
+    sim = set_up(ovr_arena_make(allocator), contact, lubricant, &resolved, err);
+    if (sim)
+        fill_arrays(sim);
     return sim;
+}
+
+double ovr_simulation_memory(const ovr_options *options)
+{
+    const ovr_contact contact = {.M = 20, .L = 10}; /* of what is automatic */
+    const ovr_lubricant lubricant = {0};
+    ovr_options o = *options;
+    ovr_simulation *sim = NULL;
+    double bytes = INFINITY;
+    if (ovr_options_resolve(&contact, &o, NULL) == OVR_OK)
+        sim = set_up(ovr_arena_counting(), &contact, &lubricant, &o, NULL);
+    if (sim)
+        bytes = (double)sim->arena.bytes;
+    ovr_simulation_free(sim);
+    return bytes;
 }
 
 void ovr_simulation_free(ovr_simulation *sim)
