@@ -32,6 +32,9 @@ typedef enum ovr_scheme {
     OVR_CHARACTERISTIC /* narrow second order along the characteristic */
 } ovr_scheme;
 
+/* "upstream1", ...: the words of time.scheme; NULL if there is none. */
+OVR_API const char *ovr_scheme_name(ovr_scheme scheme);
+
 typedef enum ovr_smoother {
     OVR_LINE,         /* distributive line relaxation */
     OVR_HYBRID,       /* the paper: Gauss-Seidel and Jacobi dipole */

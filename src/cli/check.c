@@ -239,7 +239,7 @@ static void report_json(const ovr_case *c, const ovr_setup *setup,
     json_number(&json, "mesh", cost->mesh);
     json_number(&json, "inlet", options->inlet);
     json_number(&json, "outlet", options->outlet);
-    json_text(&json, "scheme", cli_scheme_name(options->scheme));
+    json_text(&json, "scheme", ovr_scheme_name(options->scheme));
     json_text(&json, "smoother", cli_smoother_name(options->smoother));
     json_flag(&json, "transient", setup->transient);
     json_number(&json, "steps", cost->steps);

@@ -4,16 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-const char *cli_scheme_name(ovr_scheme scheme)
-{
-    switch (scheme) {
-    case OVR_UPSTREAM1: return "upstream1";
-    case OVR_UPSTREAM2: return "upstream2";
-    case OVR_CHARACTERISTIC: return "characteristic";
-    }
-    return "";
-}
-
 const char *cli_smoother_name(ovr_smoother smoother)
 {
     switch (smoother) {
@@ -117,7 +107,7 @@ void cli_report_json(const ovr_run_info *s, FILE *to)
     cli_json_contact(&json, &s->setup->contact);
     json_integer(&json, "nodes", (long long)ovr_simulation_state(s->sim)->n);
     json_integer(&json, "level", options->level);
-    json_text(&json, "scheme", cli_scheme_name(options->scheme));
+    json_text(&json, "scheme", ovr_scheme_name(options->scheme));
     json_text(&json, "smoother", cli_smoother_name(options->smoother));
     json_number(&json, "inlet", options->inlet);
     json_number(&json, "outlet", options->outlet);
@@ -218,7 +208,7 @@ static void report_table(const cli_call *call, const ovr_run_info *s)
     if (isfinite(contact->ph))
         printf(", ph = %.4g GPa", contact->ph * 1e-9);
     printf("; level %d (%zu nodes), %s, %s\n", options->level, state->n,
-           cli_scheme_name(options->scheme),
+           ovr_scheme_name(options->scheme),
            cli_smoother_name(options->smoother));
     if (s->transient)
         printf("at T = %.6g%s:\n", state->T, total->settled ? ", settled" : "");

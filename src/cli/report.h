@@ -13,7 +13,6 @@ void cli_report_json(const ovr_run_info *run, FILE *to);
 /* The scales of a contact; for check and info too. */
 void cli_json_contact(json_writer *json, const ovr_contact *contact);
 
-const char *cli_scheme_name(ovr_scheme scheme);
 const char *cli_smoother_name(ovr_smoother smoother);
 
 #endif

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "run/internal.h"
+#include "simulation/scheme.h"
 
 /* The coarser run at the time the finer one ended: its steps are twice as
  * long, so two of its steps are kept. */
@@ -53,7 +54,8 @@ static void compare(const ovr_simulation *fine, const ovr_simulation *coarse,
 {
     const ovr_observation *o = ovr_simulation_observation(fine);
     const ovr_options *options = ovr_simulation_options(coarse);
-    double part = options->scheme == OVR_UPSTREAM1 ? 1 : 1. / 3;
+    int order = ovr_scheme_record(options->scheme)->order;
+    double part = 1 / (ldexp(1, order) - 1);
     e->level = options->level;
     e->H_min = part * fabs(o->H_min_located - at(k, o->T, k->H_min));
     e->H_cen = part * fabs(o->H_cen - at(k, o->T, k->H_cen));

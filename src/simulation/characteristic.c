@@ -19,7 +19,7 @@ ovr_status ovr_inflow_take(ovr_simulation *sim, ovr_error *err)
 {
     ovr_inflow *inflow = &sim->inflow;
     size_t n = sim->finest->n;
-    if (sim->options.scheme != OVR_CHARACTERISTIC)
+    if (!sim->scheme->characteristic)
         return OVR_OK;
     inflow->kernel = ovr_field(&sim->arena, n + OVR_GHOSTS + 1, err);
     inflow->X = ovr_field(&sim->arena, OVR_GHOSTS, err);

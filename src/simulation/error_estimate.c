@@ -17,16 +17,18 @@
 
 #include "simulation/internal.h"
 
-/* Weights of the past values in q_p, and the factor on q - q_p. */
-static double predictor(const ovr_past *past, double h, bool quadratic,
-                        double e[3])
+double ovr_linear_extrapolation(const ovr_past *past, double h, double e[3])
 {
-    double h1 = past->T[0] - past->T[1], h2 = past->T[1] - past->T[2];
+    double h1 = past->T[0] - past->T[1];
     e[0] = 1 + h / h1;
     e[1] = -h / h1;
     e[2] = 0;
-    if (!quadratic)
-        return h / (h + h1);
+    return h / (h + h1);
+}
+
+double ovr_quadratic_extrapolation(const ovr_past *past, double h, double e[3])
+{
+    double h1 = past->T[0] - past->T[1], h2 = past->T[1] - past->T[2];
     e[0] = (h + h1) * (h + h1 + h2) / (h1 * (h1 + h2));
     e[1] = -h * (h + h1 + h2) / (h1 * h2);
     e[2] = h * (h + h1) / ((h1 + h2) * h2);
@@ -36,11 +38,10 @@ static double predictor(const ovr_past *past, double h, bool quadratic,
 double ovr_step_error(const ovr_simulation *sim, double h)
 {
     const ovr_past *past = &sim->past;
-    bool second = sim->options.scheme != OVR_UPSTREAM1;
     double e[3], rms;
-    if (past->steps < (second ? 2 : 1))
+    if (past->steps < sim->scheme->order)
         return 0;
-    double factor = predictor(past, h, second, e);
+    double factor = sim->scheme->extrapolation(past, h, e);
     rms = sim->grids.kernels->deviation(sim->finest->n, e, sim->now.P,
                                         sim->now.q, past->q);
     double H = ovr_level_centre(&sim->grids, sim->finest, sim->finest->f.H);

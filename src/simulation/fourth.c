@@ -25,7 +25,7 @@ void ovr_fourth_begin(ovr_simulation *sim)
     bool varies = ovr_history_varies(sim->load) ||
                   ovr_history_varies(sim->speed);
     ovr_fourth_forget(sim);
-    if (sim->options.scheme == OVR_UPSTREAM1)
+    if (sim->scheme->order == 1)
         sim->order = 1;
     else if (!varies)
         sim->order = sim->options.order;

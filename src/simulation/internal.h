@@ -7,6 +7,7 @@
 #include "multigrid/fourth_order.h"
 #include "multigrid/full.h"
 #include "overroll/simulation.h"
+#include "simulation/scheme.h"
 
 /* Integral of P at nominal load: pi/2 in Hertz's scaling. */
 #define OVR_NOMINAL_LOAD 1.57079632679489661923
@@ -49,6 +50,7 @@ struct ovr_simulation {
     ovr_contact contact;
     ovr_lubricant lubricant;
     ovr_options options;
+    const ovr_discretization *scheme;
     ovr_hierarchy grids;
     ovr_level *finest;
 

@@ -58,11 +58,10 @@ static double wanted_error(const ovr_march *march)
 static double regulated(const ovr_simulation *sim, const ovr_march *march,
                         double dT, double error)
 {
-    bool first = sim->options.scheme == OVR_UPSTREAM1;
     double wanted = wanted_error(march);
     double factor = 2, D = sim->finest->D;
     if (error > 0)
-        factor = 0.9 * pow(wanted / error, first ? 1. / 2 : 1. / 3);
+        factor = 0.9 * pow(wanted / error, 1. / (1 + sim->scheme->order));
     dT *= fmin(2, fmax(0.5, factor));
     return fmin(largest_step * D, fmax(least_step * D, dT));
 }

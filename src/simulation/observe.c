@@ -52,9 +52,10 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
 double ovr_flux(const ovr_simulation *sim, double Cu, size_t i)
 {
     const double *P = sim->now.P, *q = sim->now.q, *eps = sim->now.eps;
-    double upstream = q[i];
-    if (sim->options.scheme != OVR_UPSTREAM1)
-        upstream = i ? 1.5 * q[i] - 0.5 * q[i - 1] : 0.5 * (q[0] + q[1]);
+    const double *u = sim->scheme->upstream;
+    double upstream = i ? u[0] * q[i] + u[1] * q[i - 1] : q[0];
+    if (i == 0 && sim->scheme->order == 2)
+        upstream = 0.5 * (q[0] + q[1]);
     return Cu * upstream -
            0.5 * (eps[i] + eps[i + 1]) * (P[i + 1] - P[i]) / sim->finest->D;
 }
@@ -63,8 +64,8 @@ double ovr_flux(const ovr_simulation *sim, double Cu, size_t i)
 static double mean_flow(const ovr_simulation *sim)
 {
     double Cu = ovr_history_value(sim->speed, sim->state.T);
-    bool second = sim->options.scheme != OVR_UPSTREAM1;
-    const double u[2] = {second ? 1.5 * Cu : Cu, second ? -0.5 * Cu : 0};
+    const double *upstream = sim->scheme->upstream;
+    const double u[2] = {upstream[0] * Cu, upstream[1] * Cu};
     return sim->grids.kernels->mean_flow(sim->finest->n, u, sim->finest->D,
                                          sim->now.P, sim->now.q, sim->now.eps);
 }

@@ -117,6 +117,9 @@ static int automatic_coarsest(const ovr_contact *contact, const ovr_options *o)
 
 static ovr_status check(const ovr_options *o, ovr_error *err)
 {
+    if (!ovr_scheme_record(o->scheme))
+        return ovr_fail_about(err, "scheme", "there is no scheme %d",
+                              (int)o->scheme);
     if (o->level < 1 || o->level >= OVR_LEVELS)
         return ovr_fail_about(err, "level", "level %d: 1 to %d are possible",
                               o->level, OVR_LEVELS - 1);
@@ -157,8 +160,9 @@ static ovr_status check(const ovr_options *o, ovr_error *err)
 /* Where the corrections of fourth order apply. */
 static bool corrects(const ovr_options *o)
 {
-    return o->scheme != OVR_UPSTREAM1 && o->smoother == OVR_LINE &&
-           o->stop != OVR_STOP_FIXED && !o->paper_balance;
+    return ovr_scheme_record(o->scheme)->order == 2 &&
+           o->smoother == OVR_LINE && o->stop != OVR_STOP_FIXED &&
+           !o->paper_balance;
 }
 
 static ovr_status check_order(const ovr_options *o, ovr_error *err)

@@ -123,6 +123,7 @@ static ovr_simulation *set_up(ovr_arena arena, const ovr_contact *contact,
     sim->contact = *contact;
     sim->lubricant = *lubricant;
     sim->options = *options;
+    sim->scheme = ovr_scheme_record(sim->options.scheme);
     if (build(sim, err)) {
         ovr_simulation_free(sim);
         sim = NULL;

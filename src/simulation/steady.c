@@ -247,7 +247,7 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
     if (begin_load_and_speed(sim, err))
         return OVR_BAD_INPUT;
     ovr_operator op = {.speed = sim->wanted.Cu};
-    ovr_reynolds_wedge(&op, sim->options.scheme != OVR_UPSTREAM1, op.speed);
+    ovr_reynolds_wedge(&op, sim->scheme->order == 2, op.speed);
     ovr_hierarchy_operator(&sim->grids, &op);
     for (int k = 0; k < RUNGS && !outcome.converged; k++) {
         ovr_full how = full_of(sim, &ladder[k]);

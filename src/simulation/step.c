@@ -195,8 +195,7 @@ static ovr_status check(const ovr_simulation *sim, double dT, ovr_error *err)
     if (!(dT > 0) || !isfinite(dT))
         return ovr_fail(err, OVR_BAD_INPUT, "time step %g: must be positive",
                         dT);
-    if (sim->options.scheme == OVR_CHARACTERISTIC &&
-        !ovr_inflow_reaches(sim, 2 * dT))
+    if (sim->scheme->characteristic && !ovr_inflow_reaches(sim, 2 * dT))
         return ovr_fail(err, OVR_BAD_INPUT,
                         "time step %g: the characteristic scheme takes at "
                         "most %d mesh sizes",

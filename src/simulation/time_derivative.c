@@ -15,7 +15,15 @@
  */
 #include "simulation/internal.h"
 
-static void bdf2(double dT, double dT_old, double *cT, double c[2])
+void ovr_backward_euler(double dT, double dT_old, double *cT, double c[2])
+{
+    (void)dT_old;
+    *cT = 1 / dT;
+    c[0] = -1 / dT;
+    c[1] = 0;
+}
+
+void ovr_bdf2(double dT, double dT_old, double *cT, double c[2])
 {
     double s = dT_old > 0 ? dT / dT_old : 1;
     *cT = (1 + 2 * s) / (1 + s) / dT;
@@ -30,16 +38,16 @@ void ovr_history_term(ovr_simulation *sim, double *F)
     ovr_level_write(&sim->grids, sim->finest, F, sim->finest->f.F);
 }
 
-static void set_history(ovr_simulation *sim, const double c[2])
+void ovr_history_at_nodes(ovr_simulation *sim, const double c[2], double T)
 {
+    (void)T;
     double *F = sim->grids.scratch[0];
     sim->grids.kernels->combine(sim->finest->n, c[0], sim->past.q[0], c[1],
                                 sim->past.q[1], F);
     ovr_history_term(sim, F);
 }
 
-static void characteristic_history(ovr_simulation *sim, const double c[2],
-                                   double T)
+void ovr_history_at_feet(ovr_simulation *sim, const double c[2], double T)
 {
     const ovr_past *past = &sim->past;
     double here = ovr_history_integral(sim->speed, T);
@@ -51,19 +59,14 @@ static void characteristic_history(ovr_simulation *sim, const double c[2],
 
 void ovr_time_derivative(ovr_simulation *sim, double dT)
 {
-    double T = sim->past.T[0] + dT, c[2] = {-1 / dT, 0};
-    ovr_scheme scheme = sim->options.scheme;
-    ovr_operator op = {.cT = 1 / dT,
-                       .speed = ovr_history_value(sim->speed, T),
+    const ovr_discretization *scheme = sim->scheme;
+    double T = sim->past.T[0] + dT, c[2];
+    ovr_operator op = {.speed = ovr_history_value(sim->speed, T),
                        .transient = true,
-                       .characteristic = scheme == OVR_CHARACTERISTIC};
-    if (scheme != OVR_UPSTREAM1)
-        bdf2(dT, sim->past.dT, &op.cT, c);
-    if (scheme == OVR_CHARACTERISTIC) {
-        characteristic_history(sim, c, T);
-    } else {
-        ovr_reynolds_wedge(&op, scheme == OVR_UPSTREAM2, op.speed);
-        set_history(sim, c);
-    }
+                       .characteristic = scheme->characteristic};
+    scheme->difference(dT, sim->past.dT, &op.cT, c);
+    if (!scheme->characteristic)
+        ovr_reynolds_wedge(&op, scheme->order == 2, op.speed);
+    scheme->history(sim, c, T);
     ovr_hierarchy_operator(&sim->grids, &op);
 }

@@ -94,6 +94,21 @@ static void values_and_defaults(void **state)
     done(c, s);
 }
 
+static void words_of_schemes(void **state)
+{
+    (void)state;
+    for (int k = 0; ovr_scheme_name((ovr_scheme)k); k++) {
+        ovr_case *c;
+        char setting[64];
+        snprintf(setting, sizeof setting, "[time]\nscheme = %s\n",
+                 ovr_scheme_name((ovr_scheme)k));
+        ovr_setup *s = resolved(join(moes, setting), &c);
+        assert_int_equal(s->options.scheme, k);
+        done(c, s);
+    }
+    assert_string_equal(ovr_scheme_name(OVR_CHARACTERISTIC), "characteristic");
+}
+
 static void oddities_of_text(void **state)
 {
     ovr_case *c;
@@ -380,6 +395,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values_and_defaults),
+        cmocka_unit_test(words_of_schemes),
         cmocka_unit_test(oddities_of_text),
         cmocka_unit_test(bad_text_is_refused),
         cmocka_unit_test(contradictions_name_their_line),

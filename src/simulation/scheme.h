@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What makes a scheme: the constant record of each ovr_scheme. */
+#ifndef OVR_SIMULATION_SCHEME_H
+#define OVR_SIMULATION_SCHEME_H
+
+#include "overroll/simulation.h"
+
+struct ovr_past;
+
+typedef struct ovr_discretization {
+    const char *name;
+    int order;           /* of the wedge and in time; steps of past it needs */
+    double upstream[2];  /* Couette flux at i + 1/2: u0 q_i + u1 q_{i-1} */
+    bool characteristic; /* the wedge is in the history term */
+    /* d/dT = cT q + c0 q^k + c1 q^{k-1} over dT after dT_old (0: none) */
+    void (*difference)(double dT, double dT_old, double *cT, double c[2]);
+    /* sets F for the step to T from the past that c weighs */
+    void (*history)(ovr_simulation *sim, const double c[2], double T);
+    /* weights e of the past in the extrapolation q_p over a step h; returns
+     * the factor on q - q_p that gives the local error */
+    double (*extrapolation)(const struct ovr_past *past, double h, double e[3]);
+} ovr_discretization;
+
+/* The record of a scheme, NULL if there is no such scheme. */
+const ovr_discretization *ovr_scheme_record(ovr_scheme scheme);
+
+/* time_derivative.c */
+void ovr_backward_euler(double dT, double dT_old, double *cT, double c[2]);
+void ovr_bdf2(double dT, double dT_old, double *cT, double c[2]);
+void ovr_history_at_nodes(ovr_simulation *sim, const double c[2], double T);
+void ovr_history_at_feet(ovr_simulation *sim, const double c[2], double T);
+
+/* error_estimate.c */
+double ovr_linear_extrapolation(const struct ovr_past *past, double h,
+                                double e[3]);
+double ovr_quadratic_extrapolation(const struct ovr_past *past, double h,
+                                   double e[3]);
+
+#endif
