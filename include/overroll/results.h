@@ -231,6 +231,12 @@ OVR_API const ovr_variable *ovr_result_variable(const ovr_result *result,
 OVR_API const ovr_variable *ovr_result_find(const ovr_result *result,
                                             const char *path);
 
+/* A number as people write it, a length, height, pressure or time, in the
+ * result's Hertzian units: "0.2 ms", "-0.1mm"; a bare one is Hertzian. */
+OVR_API ovr_status ovr_result_number(const ovr_result *result,
+                                     ovr_unit_kind kind, const char *text,
+                                     double *value, ovr_error *err);
+
 /* The fields of each snapshot ("pressure", ...) and the columns of the
  * history ("time", "min_film_thickness", ...): the count, and the k-th. */
 OVR_API size_t ovr_result_fields(const ovr_result *result);

@@ -133,9 +133,10 @@ static ovr_status add_series(job *j, const ovr_variable *field, double X,
 static ovr_status check_position(const job *j, const char *text,
                                  const double *x, double *X)
 {
-    char *end;
-    *X = strtod(text, &end);
-    if (end == text || *end || !(*X >= x[0] && *X <= x[j->about->nodes - 1]))
+    ovr_error why = {0};
+    if (ovr_result_number(j->result, OVR_KIND_LENGTH, text, X, &why))
+        return ovr_fail(j->err, OVR_BAD_INPUT, "--at %s", why.message);
+    if (!(*X >= x[0] && *X <= x[j->about->nodes - 1]))
         return ovr_fail(j->err, OVR_BAD_INPUT,
                         "--at %s: a position in b from %g to %g", text, x[0],
                         x[j->about->nodes - 1]);
@@ -206,10 +207,12 @@ static ovr_status chosen_row(const job *j, size_t *row)
         *row = j->about->snapshots - 1;
         return OVR_OK;
     }
+    if (!index)
+        return ovr_result_number(j->result, OVR_KIND_TIME, text, &value, j->err)
+                   ? j->err->status
+                   : nearest(j, value, row);
     if (end == text || *end || !isfinite(value))
         return ovr_fail(j->err, OVR_BAD_INPUT, "'%s' is not a number", text);
-    if (!index)
-        return nearest(j, value, row);
     if (value < 0 || value >= (double)j->about->snapshots ||
         value != floor(value))
         return ovr_fail(j->err, OVR_BAD_INPUT,
@@ -455,12 +458,13 @@ static int run(cli_call *call)
 static const cli_option options[] = {
     {"snapshot", "K", "fields along x: snapshot number K from 0, or 'last'",
      false},
-    {"time", "T", "the same: the snapshot nearest to T (in b/um)", false},
+    {"time", "T",
+     "the same: the snapshot nearest to T (0.2ms, or bare in b/um)", false},
     {"all", NULL, "the same: all snapshots", false},
     {"long", NULL, "of all: one below the other, with a column of the time",
      false},
     {"wide", NULL, "of all: side by side, a row for each x", false},
-    {"at", "X", "fields at X (in b) in time", true},
+    {"at", "X", "fields at X (0.1mm, or bare in b) in time", true},
     {"field", "NAME", "this field only (pressure, film_thickness, ...)", true},
     {"units", "NAME", "stored, hertzian or si", false},
     {"format", "NAME", "csv, gnuplot (# before names) or matlab (%)", false},

@@ -92,6 +92,11 @@ static int draw(const cli_call *call, const ovr_frames_options *given)
     int code = cli_open_results(call, results);
     if (code)
         return code;
+    code = cli_picture_ranges(call, results[0], &o.look);
+    if (code) {
+        cli_close_results(call, results);
+        return code;
+    }
     cli_say_units(call, results, o.look.units);
     cli_catch_signals();
     w.progress = cli_progress_begin(call->verbosity, 0);

@@ -223,8 +223,8 @@ static int help_units(void)
         "radius and modulus (and viscosity or speeds for times).  Load, "
         "radius, modulus,\n"
         "viscosity, alpha, speeds and pressures always carry their unit.\n\n"
-        "Lengths m, mm, um, nm; pressures Pa, kPa, MPa, GPa; 1/Pa, 1/MPa, "
-        "1/GPa;\n"
+        "Lengths m, mm, um, nm; pressures Pa, kPa, MPa, GPa, N/mm2; 1/Pa, "
+        "1/MPa,\n1/GPa, mm2/N; slide_to_roll bare or in %;\n"
         "Pa.s, mPa.s, cP; N/m, kN/m, N/mm; m/s, mm/s; s, ms, us.");
     return CLI_DONE;
 }

@@ -12,34 +12,59 @@ bool cli_number(const char *text, double *value)
     return end != text && *end == '\0' && isfinite(*value);
 }
 
-static int take_number(const cli_call *call, const char *name, double *value)
+static int take_number(const cli_call *call, const ovr_result *result,
+                       ovr_unit_kind kind, const char *name, double *value)
 {
     const char *text = cli_value(call, name);
-    if (text && (!cli_number(text, value) || *value <= 0))
-        return cli_usage(call, "--%s '%s': a positive number is needed", name,
-                         text);
+    ovr_error err = {0};
+    if (!text)
+        return CLI_DONE;
+    if (ovr_result_number(result, kind, text, value, &err))
+        return cli_usage(call, "--%s %s", name, err.message);
+    if (*value > 0)
+        return CLI_DONE;
+    return cli_usage(call, "--%s '%s': a positive number is needed", name,
+                     text);
+}
+
+/* One end of a range, which may be left out. */
+static int take_end(const cli_call *call, const ovr_result *result,
+                    ovr_unit_kind kind, const char *name, const char *text,
+                    size_t size, double *value)
+{
+    char end[64];
+    ovr_error err = {0};
+    if (size == 0)
+        return CLI_DONE;
+    snprintf(end, sizeof end, "%.*s", (int)size, text);
+    if (ovr_result_number(result, kind, end, value, &err))
+        return cli_usage(call, "--%s %s: %s", name, cli_value(call, name),
+                         err.message);
     return CLI_DONE;
 }
 
-/* FROM:TO, either of which may be left out. */
-static int take_range(const cli_call *call, const char *name, double *from,
+/* FROM:TO, each with its unit or bare. */
+static int take_range(const cli_call *call, const ovr_result *result,
+                      ovr_unit_kind kind, const char *name, double *from,
                       double *to)
 {
     const char *text = cli_value(call, name);
-    char low[64];
     const char *colon = text ? strchr(text, ':') : NULL;
-    size_t length = colon ? (size_t)(colon - text) : 0;
+    int code;
     if (!text)
         return CLI_DONE;
-    if (colon && length < sizeof low) {
-        memcpy(low, text, length);
-        low[length] = '\0';
-        if ((length == 0 || cli_number(low, from)) &&
-            (colon[1] == '\0' || cli_number(colon + 1, to)) && !(*from >= *to))
-            return CLI_DONE;
-    }
-    return cli_usage(call, "--%s '%s': a range such as -1.5:1 is needed", name,
-                     text);
+    if (!colon || strlen(text) > 60)
+        return cli_usage(call, "--%s '%s': a range such as -1.5:1 is needed",
+                         name, text);
+    code = take_end(call, result, kind, name, text, (size_t)(colon - text),
+                    from);
+    if (!code)
+        code = take_end(call, result, kind, name, colon + 1, strlen(colon + 1),
+                        to);
+    if (!code && *from >= *to)
+        code = cli_usage(call, "--%s '%s': a range such as -1.5:1 is needed",
+                         name, text);
+    return code;
 }
 
 /* WIDTHxHEIGHT */
@@ -64,7 +89,6 @@ static int take_size(const cli_call *call, int *width, int *height)
 
 int cli_picture_options(const cli_call *call, ovr_picture_options *o)
 {
-    int code = CLI_DONE;
     if (cli_flag(call, "hertzian") && cli_flag(call, "si"))
         return cli_usage(call, "--hertzian and --si exclude each other");
     if (cli_flag(call, "hertzian"))
@@ -75,15 +99,21 @@ int cli_picture_options(const cli_call *call, ovr_picture_options *o)
     o->no_hertz = cli_flag(call, "no-hertz");
     o->no_roughness = cli_flag(call, "no-roughness");
     o->title = cli_value(call, "title");
-    code = take_range(call, "x", &o->x_from, &o->x_to);
+    return take_size(call, &o->width, &o->height);
+}
+
+int cli_picture_ranges(const cli_call *call, const ovr_result *result,
+                       ovr_picture_options *o)
+{
+    int code = take_range(call, result, OVR_KIND_LENGTH, "x", &o->x_from,
+                          &o->x_to);
     if (!code)
-        code = take_range(call, "time", &o->T_from, &o->T_to);
+        code = take_range(call, result, OVR_KIND_TIME, "time", &o->T_from,
+                          &o->T_to);
     if (!code)
-        code = take_number(call, "p-max", &o->P_to);
+        code = take_number(call, result, OVR_KIND_PRESSURE, "p-max", &o->P_to);
     if (!code)
-        code = take_number(call, "h-max", &o->H_to);
-    if (!code)
-        code = take_size(call, &o->width, &o->height);
+        code = take_number(call, result, OVR_KIND_HEIGHT, "h-max", &o->H_to);
     return code;
 }
 

@@ -10,10 +10,12 @@
     {"hertzian", NULL, "axes in Hertzian units", false},                       \
         {"si", NULL, "axes in SI units (fails when the scales are unknown)",   \
          false},                                                               \
-        {"x", "FROM:TO", "positions shown, in b (-2:1.5)", false},             \
-        {"time", "FROM:TO", "times shown, in b/um", false},                    \
-        {"p-max", "P", "upper end of the pressure axis, in ph", false},        \
-        {"h-max", "H", "upper end of the film axis, in b^2/R", false},         \
+        {"x", "FROM:TO",                                                       \
+         "positions shown, like -0.1mm:0.2mm or, in b, -2:1.5", false},        \
+        {"time", "FROM:TO", "times shown, like 0:0.2ms or, in b/um, 0:2",      \
+         false},                                                               \
+        {"p-max", "P", "upper end of the pressure axis, in ph or GPa", false}, \
+        {"h-max", "H", "upper end of the film axis, in b^2/R or um", false},   \
         {"size", "WxH", "of the picture in pixels", false},                    \
         {"title", "TEXT", "instead of the file's own; '' for none", false},    \
         {"no-hertz", NULL, "leave out the Hertzian pressure", false},          \
@@ -24,6 +26,10 @@
 
 /* Takes those options; CLI_DONE, or the exit code after having said why. */
 int cli_picture_options(const cli_call *call, ovr_picture_options *options);
+
+/* Those with numbers that may have units, by the scales of the first result. */
+int cli_picture_ranges(const cli_call *call, const ovr_result *result,
+                       ovr_picture_options *options);
 
 /* Text as a finite number; false when it is none. */
 bool cli_number(const char *text, double *value);

@@ -9,7 +9,7 @@ enum { TIMES = 8 };
 static const cli_option options[] = {
     {"o", "PICTURE", "where to: NAME.png, NAME.svg or NAME.pdf", false},
     {"kind", "KIND", "snapshot (default), history, map or trace", false},
-    {"at", "T", "snapshot: an instant, in b/um", true},
+    {"at", "T", "snapshot: an instant, like 0.2ms or, in b/um, 1.5", true},
     {"overlay", NULL, "snapshot: all instants in one panel", false},
     {"field", "FIELD", "map: film_thickness (default) or another of the file",
      false},
@@ -34,42 +34,46 @@ static int take_kind(const cli_call *call, ovr_picture_options *o)
         call, "--kind '%s': there are snapshot, history, map and trace", text);
 }
 
-static int take_instants(const cli_call *call, ovr_picture_options *o,
-                         double *times)
+static int take_instants(const cli_call *call, const ovr_result *result,
+                         ovr_picture_options *o, double *times)
 {
     const char *text;
     o->times = times;
     for (int k = 0; (text = cli_value_at(call, "at", k)); k++) {
+        ovr_error err = {0};
         if (k >= TIMES)
             return cli_usage(call, "at most %d instants fit into a picture",
                              TIMES);
-        if (!cli_number(text, &times[o->time_count++]))
-            return cli_usage(call, "--at '%s': a time is needed", text);
+        if (ovr_result_number(result, OVR_KIND_TIME, text,
+                              &times[o->time_count++], &err))
+            return cli_usage(call, "--at %s", err.message);
     }
     return CLI_DONE;
 }
 
-static int draw(const cli_call *call, const ovr_picture_options *o)
+static int draw(const cli_call *call, ovr_result *const *results,
+                ovr_picture_options *o)
 {
-    ovr_result *results[CLI_RESULTS];
+    double times[TIMES];
     ovr_error err = {0};
-    int code = cli_open_results(call, results);
+    int code = cli_picture_ranges(call, results[0], o);
+    if (!code)
+        code = take_instants(call, results[0], o, times);
     if (code)
         return code;
     cli_say_units(call, results, o->units);
     if (ovr_picture(results, (size_t)call->arguments, o, NULL, &err) != OVR_OK)
-        code = cli_fail(&err);
-    else if (call->verbosity >= 0)
+        return cli_fail(&err);
+    if (call->verbosity >= 0)
         printf("%s\n", o->path);
-    cli_close_results(call, results);
-    return code;
+    return CLI_DONE;
 }
 
 static int run(cli_call *call)
 {
     ovr_picture_options o = ovr_picture_options_default();
+    ovr_result *results[CLI_RESULTS];
     const char *names[CLI_RESULTS];
-    double times[TIMES];
     int code;
     o.path = cli_value(call, "o");
     if (!o.path)
@@ -82,8 +86,12 @@ static int run(cli_call *call)
     if (!code)
         code = take_kind(call, &o);
     if (!code)
-        code = take_instants(call, &o, times);
-    return code ? code : draw(call, &o);
+        code = cli_open_results(call, results);
+    if (code)
+        return code;
+    code = draw(call, results, &o);
+    cli_close_results(call, results);
+    return code;
 }
 
 const cli_verb cli_plot = {

@@ -71,6 +71,8 @@ T = time / t0
 asked = 0.7 * T[4] + 0.3 * T[5]
 same(export("--time", repr(asked))[1], stored(4))
 same(export("--time", "1e9")[1], stored(len(time) - 1))
+same(export("--time", f"{asked * t0 * 1e3!r} ms")[1], stored(4))
+same(export("--at", f"{0.3 * b * 1e3!r}mm")[1], export("--at", "0.3")[1], 1e-12)
 for options in ["--all"], ["--all", "--long"], ["--long"]:
     heads, rows = export(*options)
     assert heads[:3] == ["time [s]", "x [m]", "pressure [Pa]"], heads

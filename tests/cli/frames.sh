@@ -112,6 +112,21 @@ refuses 'dent.h5: SI units' plot a.h5 dent.h5 --si -o si.svg
 expect 0 "$OVERROLL" frames a.h5 dent.h5 -o mixed --every 100 --size 320x240
 contains err 'dent.h5 has no physical scales'
 
+# Numbers with units, by the scales of the first result; b is 0.108 mm, b/um
+# 0.108 ms.
+expect 0 "$OVERROLL" plot a.h5 -x -0.1mm:0.2mm --at 0.02ms --p-max 1GPa \
+    --h-max 2um -o at.svg --script at.gp
+contains at.gp 'set xrange \[-0.1:0.2\]'
+contains at.gp 'set yrange \[0:1\]'
+contains at.gp 't = (1[0-9]|2[0-9])\.[0-9]* µs'
+expect 0 "$OVERROLL" plot a.h5 --kind history --time 10us:0.03ms -o us.svg \
+    --script us.gp
+contains us.gp 'set xrange \[10:30\]'
+refuses "unknown unit 'parsec'; allowed: s, ms, us" plot a.h5 --at 2parsec \
+    -o x.png
+refuses 'no physical scales; bare it is in b/um' plot dent.h5 --at 0.2ms \
+    -o x.png
+
 # Without being asked for, the instants of largest pressure and smallest film
 # are there; the heading's ph has its index; what the strip of roughness holds
 # has a scale; a colour that stands for more says so; no panel is empty.
