@@ -206,6 +206,20 @@ static int bash(void)
     return CLI_DONE;
 }
 
+/* Keys for --set, each with its words. */
+static int bash_keys(void)
+{
+    for (size_t i = 0; i < ovr_parameter_count(); i++) {
+        ovr_parameter_info p = ovr_parameter_at(i);
+        bool flag = !strcmp(p.type, "yes or no");
+        printf("    %s.%s) echo '", p.section, p.key);
+        for (int k = 0; p.choices[k]; k++)
+            printf("%s%s", k ? " " : "", p.choices[k]);
+        puts(flag ? "yes no' ;;" : "' ;;");
+    }
+    return CLI_DONE;
+}
+
 /* ------------------------------------------------------------------ topics */
 
 static int help_units(void)
@@ -253,7 +267,7 @@ static int run(cli_call *call)
     if (cli_flag(call, "roff"))
         return roff();
     if (cli_flag(call, "bash"))
-        return bash();
+        return topic && !strcmp(topic, "keys") ? bash_keys() : bash();
     if (call->arguments == 0)
         return list_topics();
     verb = cli_find_verb(topic);
@@ -268,7 +282,8 @@ static int run(cli_call *call)
 
 static const cli_option options[] = {
     {"roff", NULL, "the parameters as overroll-case(5) has them", false},
-    {"bash", NULL, "the options as bash's completion has them", false},
+    {"bash", NULL, "the options (or keys) as bash's completion has them",
+     false},
     {0}};
 
 const cli_verb cli_help = {

@@ -21,6 +21,151 @@ _overroll_options() {
     esac # options
 }
 
+# Words of a key of the case; written by tools/update-manual.
+_overroll_values() {
+    case $1 in
+    contact.M) echo '' ;;
+    contact.L) echo '' ;;
+    contact.lambda) echo '' ;;
+    contact.alphabar) echo '' ;;
+    contact.load) echo '' ;;
+    contact.hertz_pressure) echo '' ;;
+    contact.radius) echo '' ;;
+    contact.modulus) echo '' ;;
+    contact.viscosity) echo '' ;;
+    contact.alpha) echo '' ;;
+    contact.speed_1) echo '' ;;
+    contact.speed_2) echo '' ;;
+    contact.mean_speed) echo '' ;;
+    contact.slide_to_roll) echo '' ;;
+    lubricant.viscosity_law) echo 'roelands barus isoviscous' ;;
+    lubricant.density_law) echo 'dowson-higginson incompressible' ;;
+    lubricant.viscosity) echo '' ;;
+    lubricant.alpha) echo '' ;;
+    lubricant.p0) echo '' ;;
+    lubricant.z) echo 'auto' ;;
+    domain.inlet) echo 'auto' ;;
+    domain.outlet) echo 'auto' ;;
+    domain.level) echo '' ;;
+    domain.nodes) echo '' ;;
+    solver.smoother) echo 'line hybrid gauss-seidel dipole' ;;
+    solver.cycle) echo 'V W' ;;
+    solver.sweeps_before) echo 'auto' ;;
+    solver.sweeps_after) echo 'auto' ;;
+    solver.coarsest_level) echo 'auto' ;;
+    solver.stop) echo 'negligible truncation fixed' ;;
+    solver.cycles) echo '' ;;
+    solver.max_cycles) echo 'auto' ;;
+    solver.tolerance) echo 'auto' ;;
+    solver.mlmi_order) echo 'auto' ;;
+    solver.mlmi_range) echo 'auto' ;;
+    solver.switch) echo '' ;;
+    solver.relax_seidel) echo '' ;;
+    solver.relax_dipole) echo '' ;;
+    solver.paper_balance) echo 'yes no' ;;
+    time.end) echo '' ;;
+    time.step) echo 'grid adaptive' ;;
+    time.scheme) echo 'upstream1 upstream2 characteristic' ;;
+    time.error) echo '' ;;
+    time.until_steady) echo 'yes no' ;;
+    load.history) echo 'constant ramp sine step table' ;;
+    load.from) echo '' ;;
+    load.to) echo '' ;;
+    load.start) echo '' ;;
+    load.duration) echo '' ;;
+    load.amplitude) echo '' ;;
+    load.period) echo '' ;;
+    load.file) echo '' ;;
+    load.time_unit) echo 'b/um s ms us' ;;
+    speed.history) echo 'constant ramp sine step table' ;;
+    speed.from) echo '' ;;
+    speed.to) echo '' ;;
+    speed.start) echo '' ;;
+    speed.duration) echo '' ;;
+    speed.amplitude) echo '' ;;
+    speed.period) echo '' ;;
+    speed.file) echo '' ;;
+    speed.time_unit) echo 'b/um s ms us' ;;
+    feature.surface) echo '' ;;
+    feature.shape) echo 'dent bump indent ridge step groove wave chirp texture profile roughness' ;;
+    feature.start) echo '' ;;
+    feature.centre) echo '' ;;
+    feature.edge) echo '' ;;
+    feature.arrival) echo '' ;;
+    feature.origin) echo '' ;;
+    feature.depth) echo '' ;;
+    feature.height) echo '' ;;
+    feature.amplitude) echo '' ;;
+    feature.width) echo '' ;;
+    feature.wavelength) echo '' ;;
+    feature.wavelength_end) echo '' ;;
+    feature.length) echo '' ;;
+    feature.shoulder) echo '' ;;
+    feature.shoulder_at) echo '' ;;
+    feature.shoulder_width) echo '' ;;
+    feature.flank) echo '' ;;
+    feature.radius) echo '' ;;
+    feature.grow) echo '' ;;
+    feature.grow_from) echo '' ;;
+    feature.repeat) echo '' ;;
+    feature.copies) echo 'endless' ;;
+    feature.file) echo '' ;;
+    feature.unit_x) echo '' ;;
+    feature.unit_z) echo '' ;;
+    feature.spacing) echo '' ;;
+    feature.column_x) echo '' ;;
+    feature.column_z) echo '' ;;
+    feature.line) echo '' ;;
+    feature.from) echo '' ;;
+    feature.to) echo '' ;;
+    feature.scale) echo '' ;;
+    feature.invert) echo 'yes no' ;;
+    feature.stretch) echo '' ;;
+    feature.reverse) echo 'yes no' ;;
+    feature.max_gap) echo '' ;;
+    feature.max_missing) echo '' ;;
+    feature.outliers) echo '' ;;
+    feature.level) echo 'none mean line polynomial ends circle auto' ;;
+    feature.degree) echo '' ;;
+    feature.lambda_c) echo '' ;;
+    feature.lambda_s) echo '' ;;
+    feature.offset) echo '' ;;
+    feature.taper) echo '' ;;
+    feature.extend) echo 'none periodic mirror' ;;
+    feature.Rq) echo '' ;;
+    feature.spectrum) echo 'self-affine exponential' ;;
+    feature.hurst) echo '' ;;
+    feature.rolloff) echo '' ;;
+    feature.shortest) echo '' ;;
+    feature.correlation) echo '' ;;
+    feature.skewness) echo '' ;;
+    feature.kurtosis) echo '' ;;
+    feature.seed) echo '' ;;
+    output.file) echo '' ;;
+    output.title) echo '' ;;
+    output.every) echo '' ;;
+    output.interval) echo '' ;;
+    output.at) echo '' ;;
+    output.feature_at) echo '' ;;
+    output.fields) echo 'pressure film_thickness roughness density viscosity mass_flow cavitated' ;;
+    output.precision) echo 'f64 f32' ;;
+    output.from) echo '' ;;
+    output.to) echo '' ;;
+    output.stride) echo '' ;;
+    output.compression) echo '' ;;
+    output.checkpoint) echo '' ;;
+    esac # keys
+}
+
+# The keys; of a feature those with the name that is typed.
+_overroll_keys() {
+    local name=NAME
+    [[ $1 =~ ^feature\.([^.]+)\. ]] && name=${BASH_REMATCH[1]}
+    declare -f _overroll_values |
+        sed -n "s/^ *\([a-z]*\.[A-Za-z_0-9]*\))\$/\1=/p" |
+        sed "s/^feature\./feature.$name./"
+}
+
 _overroll_commands() {
     declare -f _overroll_options | sed -n 's/^ *\([a-z]*\))$/\1/p'
 }
@@ -35,16 +180,56 @@ _overroll_words() {
     return 0
 }
 
+# Words that may follow an option.
+_overroll_choices() {
+    case $1:$2 in
+    *:--kind) echo 'snapshot history map trace' ;;
+    export:--field | plot:--field) echo 'pressure film_thickness roughness' ;;
+    *:--units) echo 'stored hertzian si' ;;
+    *:--format) echo 'csv gnuplot matlab' ;;
+    *:--form) echo 'png svg pdf' ;;
+    *:--scheme) _overroll_values time.scheme ;;
+    *:--smoother) _overroll_values solver.smoother ;;
+    profile:--level) _overroll_values feature.level ;;
+    profile:--unit-x) echo 'um mm nm m inch b' ;;
+    profile:--unit-z) echo 'um nm mm m inch b^2/R' ;;
+    esac
+}
+
+# Behind --set: a key, or, behind its =, a word. (bash takes = for a word of
+# its own.)
+_overroll_set() {
+    local key=$1 word=$2
+    if [[ -z $key ]]; then
+        # shellcheck disable=SC2046 # a list of words
+        _overroll_words $(_overroll_keys "$word")
+        compopt -o nospace 2>/dev/null
+        return 0
+    fi
+    [[ $key =~ ^feature\. ]] && key=feature.${key##*.}
+    [[ $word == = ]] && COMP_WORDS[COMP_CWORD]=
+    # shellcheck disable=SC2046 # a list of words
+    _overroll_words $(_overroll_values "$key")
+}
+
 _overroll() {
-    local verb=${COMP_WORDS[1]} before=${COMP_WORDS[COMP_CWORD - 1]}
+    local verb=${COMP_WORDS[1]} word=${COMP_WORDS[COMP_CWORD]} k=COMP_CWORD
+    local before=${COMP_WORDS[COMP_CWORD - 1]} choices
     COMPREPLY=()
     # shellcheck disable=SC2046 # lists of words
     if ((COMP_CWORD == 1)); then
         _overroll_words $(_overroll_commands) --version --help
-    elif [[ ${COMP_WORDS[COMP_CWORD]} == -* ]]; then
+    elif [[ $before == --set && $word != = ]]; then
+        _overroll_set '' "$word"
+    elif [[ $word == = && ${COMP_WORDS[k - 2]} == --set ]]; then
+        _overroll_set "$before" "$word"
+    elif [[ $before == = && ${COMP_WORDS[k - 3]} == --set ]]; then
+        _overroll_set "${COMP_WORDS[k - 2]}" "$word"
+    elif choices=$(_overroll_choices "$verb" "$before") && [[ $choices ]]; then
+        # shellcheck disable=SC2086 # a list of words
+        _overroll_words $choices
+    elif [[ $word == -* ]]; then
         _overroll_words $(_overroll_options "$verb")
-    elif [[ $before == --scheme ]]; then
-        _overroll_words upstream1 upstream2 characteristic
     elif [[ $verb == help ]]; then
         _overroll_words $(_overroll_commands) contact lubricant domain solver \
             time load speed feature output units

@@ -53,6 +53,9 @@ mv some/frame_0004.svg before.svg
 (cd some && gnuplot frame_0004.gp) || fail 'the script does not run'
 [ -s some/frame_0004.svg ] || fail 'the script draws nothing'
 
+# A result is no case: what it is good for.
+refuses "is a result file, not a case: 'overroll resume'" run dent.h5
+
 # One picture of two results.
 expect 0 "$OVERROLL" plot dent.h5 dent.h5 --kind history -o two.pdf
 refuses 'exists; --force' plot dent.h5 -o two.pdf
@@ -100,7 +103,7 @@ for k in 0 1; do
     drawn=$(largest ab.dat $((4 + k)))
     own=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++)
                 if ($i ~ /^max_pressure/) c = i }
-        NR > 1 && $c > m { m = $c } END { print m * 1e-9 }' $name.csv)
+        NR > 1 && $c > m { m = $c } END { print m * 1e-9 }' "$name.csv")
     awk -v a="$drawn" -v b="$own" 'BEGIN { exit !(b > 0.1 &&
         (a - b) ^ 2 < (1e-4 * b) ^ 2) }' ||
         fail "$name.h5: largest pressure $own GPa is drawn as $drawn"

@@ -11,11 +11,38 @@ diff written out ||
     fail 'overroll-case.5 is not the table: run tools/update-manual'
 
 expect 0 "$OVERROLL" help --bash
-# shellcheck disable=SC2016 # no expansion wanted
-sed -n '/case $1 in/,/esac # options/p' "$TOP/src/cli/overroll.bash" |
-    sed '1d;$d' >written
+sed -n '/^_overroll_options/,/esac # options/p' "$TOP/src/cli/overroll.bash" |
+    sed '1,2d;$d' >written
 diff written out ||
     fail 'overroll.bash is not the tables: run tools/update-manual'
+
+expect 0 "$OVERROLL" help --bash keys
+sed -n '/^_overroll_values/,/esac # keys/p' "$TOP/src/cli/overroll.bash" |
+    sed '1,2d;$d' >written
+diff written out ||
+    fail 'keys of overroll.bash are not the table: run tools/update-manual'
+
+# Values are completed: those of options, keys behind --set, their words
+if command -v bash >/dev/null; then
+    # shellcheck disable=SC2016 # no expansion wanted
+    complete='. "$TOP/src/cli/overroll.bash"; COMP_WORDS=("$@")
+        COMP_CWORD=$(($# - 1)); _overroll; echo "${COMPREPLY[*]}"'
+    completes() { # WANTED WORDS...
+        wanted=$1
+        shift
+        got=$(TOP=$TOP bash -c "$complete" bash "$@")
+        [ "$got" = "$wanted" ] || fail "'$*' completes to '$got'"
+    }
+    completes 'map' overroll plot a.h5 --kind m
+    completes 'snapshot history map trace' overroll plot a.h5 --kind ''
+    completes 'csv' overroll export a.h5 --format c
+    completes 'upstream1 upstream2' overroll run a.ini --scheme up
+    completes 'contact.load=' overroll run a.ini --set contact.lo
+    completes 'feature.dent.depth=' overroll run a.ini --set feature.dent.dep
+    completes 'upstream1 upstream2' overroll run a.ini --set time.scheme = up
+    completes 'yes no' overroll run a.ini --set feature.d.invert =
+    completes '--kind' overroll plot a.h5 --ki
+fi
 
 # Every command and option is in overroll(1)
 for option in set M L level scheme smoother force json help version; do
