@@ -294,6 +294,11 @@ paper: tests ## the paper's tables, computed and compared
 
 # tests/bench/*_bench.c: each a program that writes $(BUILD)/bench/NAME.json;
 # FFTW and LAPACK, when there, are for comparison only.
+ifneq ($(filter bench,$(MAKECMDGOALS)),)
+ifeq ($(shell $(PKG_CONFIG) --exists cmocka 2>/dev/null && echo y),)
+$(error make bench needs cmocka (libcmocka-dev): tools/install-deps check bench)
+endif
+endif
 BENCHSRC := $(wildcard tests/bench/*_bench.c)
 BENCHBIN := $(BENCHSRC:%.c=$(BUILD)/%)
 BENCHSUP := $(patsubst %.c,$(BUILD)/%.o,\

@@ -11,11 +11,17 @@ blocks='sh'
 command -v ffmpeg >/dev/null && blocks='sh\( ffmpeg\)*'
 sed -n "/^\`\`\`$blocks\$/,/^\`\`\`\$/p" "$TOP/README.md" | grep -v '^```' >tour
 [ "$(grep -c '^overroll' tour)" -ge 10 ] || fail "$(cat tour)"
-mkdir bin
-ln -s "$OVERROLL" bin/overroll
-PATH=$PWD/bin:$PATH
-export TOP
-expect 0 sh -eu tour
+# From line one, in a folder set up by tools/demo.
+mkdir -p here/build made
+ln -s "$TOP/profiles" here/profiles
+ln -s "$OVERROLL" here/build/overroll
+cp tour here
+cd here || exit 1
+PATH=/usr/local/bin:/usr/bin:/bin
+TMPDIR=$OLDPWD/made expect 0 env -u TOP sh -eu tour
+[ "$(ls)" = "$(printf 'build\nerr\nout\nprofiles\ntour')" ] ||
+    fail "the tour leaves here: $(ls)"
+cd "$OLDPWD"/made/* || exit 1
 for file in roller.ini roller.h5 roller.png mine.h5 mine.html \
     study/manifest.csv study.nc; do
     [ -s $file ] || fail "the tour makes no $file"

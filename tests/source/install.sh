@@ -18,13 +18,17 @@ sed -n '/^\.EX/,/^\.EE/p' "$man/man3/overroll-library.3" |
     sed '1d; $d; s/\\-/-/g; s/\\e/\\/g' >user.c
 [ "$(wc -l <user.c)" -eq 40 ] || fail 'the example is not of 40 lines'
 export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
-flags=$(pkg-config --cflags --libs overroll) || fail "no overroll.pc"
-# shellcheck disable=SC2086 # lists of words
-expect 0 $CC -Wall -Wextra -Wpedantic -Werror user.c $flags -lm \
-    -Wl,-rpath,"$prefix/lib" -o user
+# Compiled as its SYNOPSIS says, pasted; and without any warning.
+sed -n '/^\.B cc user/,/^\.fi/p' "$man/man3/overroll-library.3" |
+    sed '$d; s/^\.B *//; s/"//g; s/\\-/-/g; s/\\e/\\/g' >compile
+[ "$(wc -l <compile)" -eq 2 ] || fail "$(cat compile)"
+expect 0 sh -e compile
 expect 0 ./user
 contains out '^T = 0.00  H_min = 0.0732 at 0.96'
 contains out '^T = 3.44  H_min = 0.06.. at -0.51'
+flags=$(pkg-config --cflags --libs overroll) || fail "no overroll.pc"
+# shellcheck disable=SC2086 # lists of words
+expect 0 $CC -Wall -Wextra -Wpedantic -Werror -c user.c $flags -o user.o
 readelf -d user >dynamic
 contains dynamic "NEEDED.*liboverroll.so.0"
 
@@ -53,3 +57,11 @@ completed() {
 for_make uninstall
 find "$prefix" ! -type d >left
 [ ! -s left ] || fail "uninstall leaves $(cat left)"
+
+# What make bench needs beyond tools/demo it says in a line.
+printf '#!/bin/sh\ncase "$*" in *cmocka*) exit 1 ;; esac\n' >without
+echo 'exec pkg-config "$@"' >>without
+chmod +x without
+expect 2 make -s -C "$TOP" bench BUILD="$BUILD" PKG_CONFIG="$PWD/without"
+contains err 'make bench needs cmocka .*tools/install-deps check bench'
+[ "$(wc -l <err)" -eq 1 ] || fail "more than a line: $(cat err)"
