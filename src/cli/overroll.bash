@@ -48,6 +48,7 @@ _overroll_values() {
     domain.outlet) echo 'auto' ;;
     domain.level) echo '' ;;
     domain.nodes) echo '' ;;
+    domain.order) echo 'auto 2 4' ;;
     solver.smoother) echo 'line hybrid gauss-seidel dipole' ;;
     solver.cycle) echo 'V W' ;;
     solver.sweeps_before) echo 'auto' ;;
