@@ -14,8 +14,8 @@ for_make install
 
 # The example of overroll-library(3): 40 lines.
 man=$prefix/share/man
-sed -n '/^\.EX/,/^\.EE/p' "$man/man3/overroll-library.3" |
-    sed '1d; $d; s/\\-/-/g; s/\\e/\\/g' >user.c
+sed -n '/^\.\\" ridge/,/^\.EE/p' "$man/man3/overroll-library.3" |
+    sed '1,2d; $d; s/\\-/-/g; s/\\e/\\/g' >user.c
 [ "$(wc -l <user.c)" -eq 40 ] || fail 'the example is not of 40 lines'
 export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
 # Compiled as its SYNOPSIS says, pasted; and without any warning.
