@@ -25,6 +25,20 @@ extern "C" {
 #define OVR_API
 #endif
 
+/* Structs of options begin with their size as their user's compiler knows it,
+ * so that a program or binding made before a field was added goes on working:
+ * what it does not know has its default.  NAME_default() sets it, or NAME_fill
+ * where no C header is included and `size` is set by hand. */
+#define OVR_SIZED(name)                                                        \
+    OVR_API void name##_fill(name *options);                                   \
+    static inline name name##_default(void)                                    \
+    {                                                                          \
+        name options;                                                          \
+        options.size = sizeof options;                                         \
+        name##_fill(&options);                                                 \
+        return options;                                                        \
+    }
+
 typedef enum ovr_status {
     OVR_OK = 0,
     OVR_BAD_INPUT,     /* the caller's data is wrong or missing: exit code 2 */

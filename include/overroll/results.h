@@ -38,6 +38,7 @@ typedef struct ovr_case_value {
  * of the three schedules names; `times` (and multiples of every_time) are hit
  * exactly when the march asks ovr_writer_next_time. */
 typedef struct ovr_write_options {
+    size_t size;       /* of this struct, as its user knows it */
     const char *path;  /* OUT.h5 */
     bool force;        /* replace an existing file */
     long every_steps;  /* 0: not by steps */
@@ -59,7 +60,7 @@ typedef struct ovr_write_options {
     size_t value_count;
     const ovr_case_value *values;
 } ovr_write_options;
-OVR_API ovr_write_options ovr_write_options_default(void);
+OVR_SIZED(ovr_write_options)
 
 /* Steps between snapshots such that a run to `end` keeps about 250 of them,
  * fewer when they would take more than 64 MB as they lie in memory. */

@@ -64,14 +64,7 @@ typedef struct ovr_run_options {
 } ovr_run_options;
 
 /* Nothing but the case: the defaults of all above. */
-OVR_API void ovr_run_options_fill(ovr_run_options *options);
-static inline ovr_run_options ovr_run_options_default(void)
-{
-    ovr_run_options options;
-    options.size = sizeof options;
-    ovr_run_options_fill(&options);
-    return options;
-}
+OVR_SIZED(ovr_run_options)
 
 /* All that can be refused is refused here, before anything is solved.  The case
  * must outlive the run; a steady run takes the growth out of it. */
@@ -192,14 +185,7 @@ typedef struct ovr_sweep_options {
                      size_t failed, double fraction);
     bool (*stop)(void *data); /* asked as often */
 } ovr_sweep_options;
-OVR_API void ovr_sweep_options_fill(ovr_sweep_options *options);
-static inline ovr_sweep_options ovr_sweep_options_default(void)
-{
-    ovr_sweep_options options;
-    options.size = sizeof options;
-    ovr_sweep_options_fill(&options);
-    return options;
-}
+OVR_SIZED(ovr_sweep_options)
 
 /* Whether a case that stands so is one to work on. */
 OVR_API bool ovr_sweep_wanted(const ovr_sweep_options *options,

@@ -52,6 +52,7 @@ typedef enum ovr_stop {
 
 /* Zero or NAN where noted means: the program chooses from M, L and level. */
 typedef struct ovr_options {
+    size_t size;          /* of this struct, as its user knows it */
     double inlet, outlet; /* X_a < 0 < X_b; NAN: automatic; -4 and 1.5 */
     int level;            /* finest grid, n = 7 * 2^level + 1 nodes; 8 */
     int coarsest_level;   /* 0: automatic (3: 57 nodes); the paper's is 1 */
@@ -75,7 +76,7 @@ typedef struct ovr_options {
                             grid instead of the dense Newton step */
 } ovr_options;
 
-OVR_API ovr_options ovr_options_default(void);
+OVR_SIZED(ovr_options)
 
 typedef struct ovr_simulation ovr_simulation;
 
@@ -281,6 +282,7 @@ typedef struct ovr_observer {
 } ovr_observer;
 
 typedef struct ovr_march {
+    size_t size;       /* of this struct, as its user knows it */
     double end;        /* last time */
     double dT;         /* step; 0: the mesh size */
     bool adaptive;     /* step from the scheme's own error estimate */
@@ -289,6 +291,7 @@ typedef struct ovr_march {
     size_t count;      /* observers, asked in this order */
     const ovr_observer *observers;
 } ovr_march;
+OVR_SIZED(ovr_march)
 
 /* From the state now (steady start or restored) to the end.  With a fixed dT
  * the k-th time is exactly k dT. */

@@ -274,6 +274,7 @@ static ovr_status resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
         return ovr_fail_slot(err, slot_of(r, "time", "until_steady"),
                              "needs an end, for when it never "
                              "gets steady");
+    s->march = ovr_march_default();
     s->march.end = s->transient ? v->end : 0;
     s->march.adaptive = v->step == OVR_STEP_ADAPTIVE;
     s->march.dT = s->march.adaptive ? 0 : v->step;

@@ -8,19 +8,19 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/sized.h"
 #include "results/h5.h"
 
-ovr_write_options ovr_write_options_default(void)
+void ovr_write_options_fill(ovr_write_options *options)
 {
-    ovr_write_options o;
-    memset(&o, 0, sizeof o);
+    ovr_write_options o = {0};
     o.fields = OVR_FIELDS_DEFAULT;
     o.x_from = o.x_to = o.end = NAN;
     o.stride = 1;
     o.deflate = 1;
     o.flush_interval = 0.5;
     o.checkpoint_interval = 30;
-    return o;
+    ovr_sized_fill(options, &o, sizeof o);
 }
 
 long ovr_write_every(const ovr_write_options *o, double end, double dT,
@@ -177,12 +177,15 @@ static ovr_writer *begin(const ovr_write_options *options,
 {
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_writer *w = NULL;
-    if (room_for_hdf5(allocator, err) == OVR_OK)
+    ovr_write_options known = ovr_write_options_default();
+    if (!ovr_sized_take(&known, sizeof known, options, "ovr_write_options",
+                        err) &&
+        room_for_hdf5(allocator, err) == OVR_OK)
         w = ovr_arena_take(&arena, 1, sizeof *w, err);
     if (!w)
         return NULL;
     w->arena = arena;
-    w->options = *options;
+    w->options = known;
     w->scales = ovr_scales_of(contact);
     w->n = n;
     w->file.file = w->file.store.fd = w->file.store.journal = -1;

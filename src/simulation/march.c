@@ -10,7 +10,14 @@
  */
 #include <math.h>
 
+#include "base/sized.h"
 #include "simulation/internal.h"
+
+void ovr_march_fill(ovr_march *march)
+{
+    const ovr_march defaults = {.size = sizeof defaults};
+    ovr_sized_fill(march, &defaults, sizeof defaults);
+}
 
 /* Nothing changes any more: neither P nor S by more than this times dT, so
  * many steps in a row.  The contact forgets within a few b/um, so P is that
@@ -105,8 +112,8 @@ static bool stands_still(ovr_simulation *sim)
     return past->still >= STILL;
 }
 
-ovr_status ovr_simulation_march(ovr_simulation *sim, const ovr_march *march,
-                                ovr_error *err)
+static ovr_status follow(ovr_simulation *sim, const ovr_march *march,
+                         ovr_error *err)
 {
     double dT = march->dT > 0 ? march->dT : sim->finest->D;
     double last = march->end - 1e-6 * dT;
@@ -123,4 +130,13 @@ ovr_status ovr_simulation_march(ovr_simulation *sim, const ovr_march *march,
         sim->statistics.settled = still;
     }
     return status;
+}
+
+ovr_status ovr_simulation_march(ovr_simulation *sim, const ovr_march *march,
+                                ovr_error *err)
+{
+    ovr_march how = ovr_march_default();
+    ovr_status status = ovr_sized_take(&how, sizeof how, march, "ovr_march",
+                                       err);
+    return status ? status : follow(sim, &how, err);
 }

@@ -2,22 +2,24 @@
 /* Options: defaults, and what the program chooses itself. */
 #include <math.h>
 
+#include "base/sized.h"
 #include "simulation/internal.h"
 
-ovr_options ovr_options_default(void)
+void ovr_options_fill(ovr_options *options)
 {
-    return (ovr_options){.inlet = -4,
-                         .outlet = 1.5,
-                         .level = 8,
-                         .scheme = OVR_UPSTREAM2,
-                         .order = 2,
-                         .smoother = OVR_LINE,
-                         .cycle_index = 1,
-                         .cycles = 2,
-                         .stop = OVR_STOP_NEGLIGIBLE,
-                         .switch_value = 3,
-                         .relax_seidel = 0.8,
-                         .relax_dipole = 0.5};
+    const ovr_options defaults = {.inlet = -4,
+                                  .outlet = 1.5,
+                                  .level = 8,
+                                  .scheme = OVR_UPSTREAM2,
+                                  .order = 2,
+                                  .smoother = OVR_LINE,
+                                  .cycle_index = 1,
+                                  .cycles = 2,
+                                  .stop = OVR_STOP_NEGLIGIBLE,
+                                  .switch_value = 3,
+                                  .relax_seidel = 0.8,
+                                  .relax_dipole = 0.5};
+    ovr_sized_fill(options, &defaults, sizeof defaults);
 }
 
 /* H0's error with the second-order wedge at M = 20, L = 10, measured: 2.6e-5

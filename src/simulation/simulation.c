@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/sized.h"
 #include "multigrid/field.h"
 #include "multigrid/hybrid.h"
 #include "multigrid/line.h"
@@ -137,9 +138,11 @@ ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
                                       const ovr_allocator *allocator,
                                       ovr_error *err)
 {
-    ovr_options resolved = *options;
+    ovr_options resolved = ovr_options_default();
     ovr_simulation *sim;
-    if (ovr_options_resolve(contact, &resolved, err))
+    if (ovr_sized_take(&resolved, sizeof resolved, options, "ovr_options",
+                       err) ||
+        ovr_options_resolve(contact, &resolved, err))
         return NULL;
     sim = set_up(ovr_arena_make(allocator), contact, lubricant, &resolved, err);
     if (sim)

@@ -37,7 +37,8 @@ static void roll(void *data)
     ovr_error err;
     static bench_dent dent = {-4.6};
     ovr_observer look = {sample, NULL, r};
-    ovr_march march = {.end = 6, .count = 1, .observers = &look};
+    ovr_march march = {
+        .size = sizeof march, .end = 6, .count = 1, .observers = &look};
     r->count = 0;
     ovr_simulation_surface(r->sim, bench_dent_heights, &dent);
     CHECK_OK(ovr_simulation_steady(r->sim, &err), &err);

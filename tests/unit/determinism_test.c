@@ -23,7 +23,7 @@ static bool run_on(const char *kernels, double M, ending *end)
     ovr_error err = {0};
     ovr_options o = ovr_options_default();
     test_feature dent = {'l', -0.02, 0.5, -1.2, 1, 0};
-    ovr_march march = {.end = STEPS * 5.5 / (NODES - 1)};
+    ovr_march march = {.size = sizeof march, .end = STEPS * 5.5 / (NODES - 1)};
     o.level = LEVEL;
     ovr_simulation *sim = test_simulation(M, 10, &o);
     const ovr_kernels *set = ovr_kernels_choose(kernels);

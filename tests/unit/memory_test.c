@@ -67,7 +67,8 @@ static void nothing_is_allocated_after_set_up(void **state)
         test_faults_init(&faults);
         ovr_simulation *sim = create(&kinds[k], &faults.hook);
         ovr_surfaces *surfaces = rough(sim, &faults.hook);
-        ovr_march march = {.end = 30 * sim->finest->D,
+        ovr_march march = {.size = sizeof march,
+                           .end = 30 * sim->finest->D,
                            .adaptive = kinds[k].adaptive};
         long calls = faults.calls;
         ovr_simulation_surface(sim, ovr_surfaces_heights, surfaces);

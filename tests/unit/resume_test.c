@@ -74,7 +74,8 @@ static void finish(bench *b)
 {
     ovr_error err = {0};
     ovr_observer look = {watch, NULL, b};
-    ovr_march march = {.end = END, .count = 1, .observers = &look};
+    ovr_march march = {
+        .size = sizeof march, .end = END, .count = 1, .observers = &look};
     ovr_status status;
     ovr_writer_checkpoints(b->writer, b->sim);
     status = ovr_simulation_march(b->sim, &march, &err);
