@@ -8,7 +8,7 @@
  *     ovr_setup *setup = ovr_case_resolve(c, NULL, &err);
  *     ovr_simulation *sim = ovr_setup_simulation(setup, NULL, &err);
  *     ovr_simulation_steady(sim, &err);
- *     ovr_march march = setup->march;  march.observers = ...;
+ *     ovr_march march = *setup->march;  march.observers = ...;
  *     ovr_simulation_march(sim, &march, &err);
  *     ovr_simulation_free(sim), ovr_setup_free(setup), ovr_case_free(c);
  *
@@ -136,13 +136,13 @@ typedef struct ovr_output {
 
 /* All that a case describes, ready to be run. */
 typedef struct ovr_setup {
-    ovr_contact contact;
-    ovr_lubricant lubricant;
-    ovr_options options;
+    const ovr_contact *contact;
+    const ovr_lubricant *lubricant;
+    ovr_options *options;
     ovr_history *load, *speed; /* NULL: constant */
     bool transient;            /* has an end of time */
-    ovr_march march;           /* without observer */
-    ovr_output output;
+    ovr_march *march;          /* without observer */
+    const ovr_output *output;
     size_t features;
     const ovr_feature_form *feature;
     size_t nodes;           /* the three below by ovr_setup_prepare */

@@ -61,7 +61,7 @@ static ovr_status no_scale(const ovr_parameter *row, const ovr_slot *slot,
 static ovr_status scale(const ovr_resolved *r, const ovr_parameter *row,
                         const ovr_slot *slot, double *number, ovr_error *err)
 {
-    double unit = scale_of(&r->setup.contact, row->hertzian);
+    double unit = scale_of(&r->contact, row->hertzian);
     ovr_error why = {0};
     if (!slot->unit || !row->hertzian)
         return OVR_OK;
@@ -198,12 +198,12 @@ static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
               !isnan(given->alphabar);
     if (numbers && isnan(given->alpha) && isnan(given->hertz_pressure))
         given->alpha = ALPHA_PAPER;
-    if (ovr_contact_resolve(given, &r->setup.contact, &why))
+    if (ovr_contact_resolve(given, &r->contact, &why))
         return ovr_fail_in(err, r->c, contact, lubricant, &why);
-    if (ovr_lubricant_make(&r->setup.contact,
+    if (ovr_lubricant_make(&r->contact,
                            (ovr_viscosity_law)r->values.viscosity_law,
                            (ovr_density_law)r->values.density_law, r->values.p0,
-                           r->values.z, &r->setup.lubricant, &why))
+                           r->values.z, &r->lubricant, &why))
         return ovr_fail_in(err, r->c, contact, lubricant, &why);
     return OVR_OK;
 }
@@ -258,7 +258,6 @@ static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
     status = resolve_level(r, err);
     if (!status)
         status = check_solver(r, err);
-    r->setup.options = r->values.options;
     return status;
 }
 
@@ -274,12 +273,12 @@ static ovr_status resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
         return ovr_fail_slot(err, slot_of(r, "time", "until_steady"),
                              "needs an end, for when it never "
                              "gets steady");
-    s->march = ovr_march_default();
-    s->march.end = s->transient ? v->end : 0;
-    s->march.adaptive = v->step == OVR_STEP_ADAPTIVE;
-    s->march.dT = s->march.adaptive ? 0 : v->step;
-    s->march.error = v->error;
-    s->march.until_steady = v->until_steady;
+    r->march = ovr_march_default();
+    r->march.end = s->transient ? v->end : 0;
+    r->march.adaptive = v->step == OVR_STEP_ADAPTIVE;
+    r->march.dT = r->march.adaptive ? 0 : v->step;
+    r->march.error = v->error;
+    r->march.until_steady = v->until_steady;
     if (fill_section(r, "load", err) || fill_section(r, "speed", err))
         return OVR_BAD_INPUT;
     if (ovr_resolve_history(r, "load", &v->load, allocator, &s->load, err))
@@ -344,7 +343,6 @@ static ovr_status resolve_output(ovr_resolved *r, ovr_error *err)
     if (out->from >= out->to)
         return ovr_fail_slot(err, slot_of(r, "output", "from"),
                              "%g must be below to = %g", out->from, out->to);
-    r->setup.output = *out;
     return OVR_OK;
 }
 
@@ -360,6 +358,11 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
         return NULL;
     r->arena = arena;
     r->c = c;
+    r->setup.contact = &r->contact;
+    r->setup.lubricant = &r->lubricant;
+    r->setup.options = &r->values.options;
+    r->setup.march = &r->march;
+    r->setup.output = &r->values.output;
     status = resolve_contact(r, err);
     if (!status)
         status = resolve_options(r, err);

@@ -10,6 +10,9 @@ typedef struct ovr_resolved {
     ovr_setup setup;
     const ovr_case *c;
     ovr_settings values;
+    ovr_contact contact;
+    ovr_lubricant lubricant;
+    ovr_march march;
     ovr_arena arena;
 } ovr_resolved;
 

@@ -133,7 +133,7 @@ static ovr_status time_unit(const ovr_resolved *r, const ovr_block *block,
                             int unit, double *value, ovr_error *err)
 {
     static const double seconds[] = {1, 1, 1e-3, 1e-6};
-    *value = unit ? seconds[unit] / r->setup.contact.time : 1;
+    *value = unit ? seconds[unit] / r->contact.time : 1;
     if (!isnan(*value))
         return OVR_OK;
     return ovr_fail_slot(err, ovr_block_get(block, "time_unit"),

@@ -22,9 +22,9 @@ static ovr_status check_memory(const ovr_resolved *r, ovr_error *err)
     const ovr_slot *nodes = ovr_block_get(domain, "nodes");
     const ovr_slot *slot = nodes->given ? nodes
                                         : ovr_block_get(domain, "level");
-    double wanted = ovr_simulation_memory(&r->setup.options);
+    double wanted = ovr_simulation_memory(r->setup.options);
     double here = SHARE * memory_here();
-    ovr_options fits = r->setup.options;
+    ovr_options fits = *r->setup.options;
     if (wanted <= here)
         return OVR_OK;
     while (fits.level > 1 && ovr_simulation_memory(&fits) > here)
@@ -55,7 +55,7 @@ static ovr_status make_surfaces(ovr_resolved *r, const ovr_allocator *allocator,
     ovr_status status;
     if (s->features == 0)
         return OVR_OK;
-    s->surfaces = ovr_surfaces_create(&s->contact, s->speed, s->mesh, allocator,
+    s->surfaces = ovr_surfaces_create(s->contact, s->speed, s->mesh, allocator,
                                       err);
     if (!s->surfaces)
         return OVR_NO_MEMORY;
@@ -71,13 +71,13 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
                              ovr_error *err)
 {
     ovr_resolved *r = (ovr_resolved *)setup;
-    ovr_options *o = &setup->options;
+    ovr_options *o = setup->options;
     const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
     const ovr_block *solver = ovr_case_find_block(r->c, "solver", NULL);
     ovr_error why = {0};
     if (setup->nodes)
         return OVR_OK;
-    if (ovr_options_resolve(&setup->contact, o, &why))
+    if (ovr_options_resolve(setup->contact, o, &why))
         return ovr_fail_in(err, r->c, domain, solver, &why);
     if (check_memory(r, err))
         return OVR_BAD_INPUT;
@@ -95,8 +95,8 @@ ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
     ovr_simulation *sim;
     if (ovr_setup_prepare(setup, allocator, err))
         return NULL;
-    sim = ovr_simulation_create(&setup->contact, &setup->lubricant,
-                                &setup->options, allocator, err);
+    sim = ovr_simulation_create(setup->contact, setup->lubricant,
+                                setup->options, allocator, err);
     if (!sim)
         return NULL;
     ovr_simulation_histories(sim, setup->load, setup->speed);

@@ -60,12 +60,12 @@ static void give(void *live, void *memory)
 /* `live`: bytes of the set-up, its surfaces included. */
 static estimate estimate_cost(const ovr_setup *setup, double live)
 {
-    const ovr_march *march = &setup->march;
+    const ovr_march *march = setup->march;
     double dT = march->dT > 0 ? march->dT : setup->mesh;
     estimate cost = {0};
     cost.nodes = (double)setup->nodes;
     cost.mesh = setup->mesh;
-    cost.bytes = live + ovr_simulation_memory(&setup->options);
+    cost.bytes = live + ovr_simulation_memory(setup->options);
     if (setup->transient)
         cost.steps = ceil(march->end / dT);
     cost.seconds = cost.nodes * SECONDS_A_NODE *
@@ -221,8 +221,8 @@ static void json_parameters(json_writer *json, const ovr_case *c)
 static void report_json(const ovr_case *c, const ovr_setup *setup,
                         const heard *said, const estimate *cost)
 {
-    const ovr_contact *contact = &setup->contact;
-    const ovr_options *options = &setup->options;
+    const ovr_contact *contact = setup->contact;
+    const ovr_options *options = setup->options;
     ovr_film_asymptotes film = ovr_film_asymptotes_moes(contact->M, contact->L);
     json_writer json = json_begin(stdout);
     cli_json_contact(&json, contact);
@@ -261,9 +261,9 @@ static void report(const cli_call *call, const ovr_case *c,
         report_json(c, setup, said, &cost);
         return;
     }
-    put_contact(&setup->contact);
-    put_films(&setup->contact);
-    put_lubricant(&setup->lubricant);
+    put_contact(setup->contact);
+    put_films(setup->contact);
+    put_lubricant(setup->lubricant);
     put_features(setup);
     put_cost(&cost);
     put_parameters(c);

@@ -132,7 +132,7 @@ static int run(cli_call *call)
     if (!code)
         code = take_case(call, &setup);
     if (!code)
-        code = report_on(call, &source, setup ? &setup->contact : NULL);
+        code = report_on(call, &source, setup ? setup->contact : NULL);
     ovr_setup_free(setup);
     return code;
 }

@@ -104,15 +104,14 @@ void cli_report_json(const ovr_run_info *s, FILE *to)
     json_writer json = json_begin(to);
     json_flag(&json, "converged", s->converged);
     json_text(&json, "way", ovr_simulation_way(s->sim));
-    cli_json_contact(&json, &s->setup->contact);
+    cli_json_contact(&json, s->setup->contact);
     json_integer(&json, "nodes", (long long)ovr_simulation_state(s->sim)->n);
     json_integer(&json, "level", options->level);
     json_text(&json, "scheme", ovr_scheme_name(options->scheme));
     json_text(&json, "smoother", cli_smoother_name(options->smoother));
     json_number(&json, "inlet", options->inlet);
     json_number(&json, "outlet", options->outlet);
-    json_observed(&json, ovr_simulation_observation(s->sim),
-                  &s->setup->contact);
+    json_observed(&json, ovr_simulation_observation(s->sim), s->setup->contact);
     if (s->transient)
         json_run(&json, s);
     else
@@ -149,7 +148,7 @@ static void put_pressure(const char *name, double P, double X,
 static void table_observed(const ovr_run_info *s)
 {
     const ovr_observation *o = ovr_simulation_observation(s->sim);
-    const ovr_contact *contact = &s->setup->contact;
+    const ovr_contact *contact = s->setup->contact;
     put_film("minimum film", o->H_min, contact);
     printf("  at X = %.4g\n", o->X_min);
     put_film("central film", o->H_cen, contact);
@@ -168,7 +167,7 @@ static void table_run(const ovr_run_info *s)
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
     printf("%-17s %-12ld %ld cycles, %ld retries, %ld marked\n", "steps",
            total->steps, total->cycles, total->retries, total->marked);
-    put_film("smallest film", total->H_min, &s->setup->contact);
+    put_film("smallest film", total->H_min, s->setup->contact);
     printf("  at T = %.4g\n", total->T_H_min);
     if (s->output)
         printf("%-17s %s, %zu snapshots\n", "stored in", s->output,
@@ -200,7 +199,7 @@ static void table_error(const ovr_run_errors *e, bool run)
 
 static void report_table(const cli_call *call, const ovr_run_info *s)
 {
-    const ovr_contact *contact = &s->setup->contact;
+    const ovr_contact *contact = s->setup->contact;
     const ovr_options *options = ovr_simulation_options(s->sim);
     const ovr_state *state = ovr_simulation_state(s->sim);
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);

@@ -39,7 +39,7 @@ static void progress(void *data, const ovr_run *run, double fraction)
     if (watch->progress.begun == 0) /* in a sweep, on the case's log */
         watch->progress = cli_progress_begin(watch->call->verbosity, fraction);
     snprintf(what, sizeof what, "T = %.3f of %g  step %ld  residual %.1e",
-             state->T, ovr_run_about(run)->setup->march.end, state->step,
+             state->T, ovr_run_about(run)->setup->march->end, state->step,
              ovr_simulation_observation(sim)->residual);
     cli_progress_show(&watch->progress, fraction, what);
 }

@@ -40,7 +40,7 @@ static double at(const two_steps *k, double T, const double v[2])
 static ovr_status solve(ovr_setup *setup, ovr_simulation *coarse, bool steady,
                         two_steps *kept, ovr_error *err)
 {
-    ovr_march march = setup->march;
+    ovr_march march = *setup->march;
     ovr_status status = ovr_simulation_steady(coarse, err);
     march.count = 1;
     march.observers = &(ovr_observer){keep, NULL, kept};
@@ -73,7 +73,7 @@ ovr_status ovr_run_estimate(const ovr_run *run, ovr_run_errors *errors,
     ovr_status status = OVR_BAD_INPUT;
     two_steps kept = {{0}, {0}, {0}, {0}};
     if (setup) {
-        setup->options.level = ovr_simulation_options(run->sim)->level - 1;
+        setup->options->level = ovr_simulation_options(run->sim)->level - 1;
         coarse = ovr_setup_simulation(setup, allocator, err);
     }
     if (coarse)

@@ -102,7 +102,7 @@ static void add_moment(moments *m, double T)
 /* When features (and their copies) are at the X asked for. */
 static void add_arrivals(moments *m, const ovr_setup *setup, double X)
 {
-    double end = setup->march.end;
+    double end = setup->march->end;
     size_t n = setup->surfaces ? ovr_surfaces_count(setup->surfaces) : 0;
     for (size_t k = 0; k < n; k++) {
         double T = -1;
@@ -117,7 +117,7 @@ static void add_arrivals(moments *m, const ovr_setup *setup, double X)
 
 static double *make_times(const ovr_setup *setup, size_t *count)
 {
-    const ovr_output *out = &setup->output;
+    const ovr_output *out = setup->output;
     moments m = {0, calloc(TIMES_MOST, sizeof *m.T)};
     for (size_t i = 0; m.T && i < out->at.count; i++)
         add_moment(&m, out->at.values[i]);
@@ -132,8 +132,8 @@ static double *make_times(const ovr_setup *setup, size_t *count)
 static void choose(ovr_write_options *w, const ovr_setup *setup,
                    const ovr_state *state)
 {
-    const ovr_output *out = &setup->output;
-    double dT = setup->march.dT > 0 ? setup->march.dT : state->D;
+    const ovr_output *out = setup->output;
+    double dT = setup->march->dT > 0 ? setup->march->dT : state->D;
     w->every_steps = out->every;
     w->every_time = out->interval;
     w->fields = out->fields;
@@ -143,7 +143,7 @@ static void choose(ovr_write_options *w, const ovr_setup *setup,
     w->stride = (size_t)out->stride;
     w->deflate = out->compression;
     w->checkpoint_interval = out->checkpoint;
-    w->end = setup->transient ? setup->march.end : NAN;
+    w->end = setup->transient ? setup->march->end : NAN;
     if (out->title)
         w->title = out->title;
     if (!out->every && !(out->interval > 0) && !w->time_count)
@@ -204,7 +204,7 @@ ovr_status ovr_output_open(ovr_run *run, ovr_error *err)
     ovr_writer *writer = NULL;
     if (want(&w, run, err) == OVR_OK) {
         w.options.force = run->how.force;
-        writer = ovr_writer_create(&w.options, &run->setup->contact, state->n,
+        writer = ovr_writer_create(&w.options, run->setup->contact, state->n,
                                    state->X, &run->arena.allocator, err);
     }
     unwant(&w);
@@ -224,7 +224,7 @@ ovr_status ovr_output_reopen(ovr_run *run, ovr_error *err)
     if (status == OVR_OK && restart && ovr_restart_about(restart)->has_state)
         status = ovr_restart_load(restart, run->sim, err);
     if (status == OVR_OK)
-        writer = ovr_writer_resume(&w.options, &run->setup->contact, state->n,
+        writer = ovr_writer_resume(&w.options, run->setup->contact, state->n,
                                    state->X, restart, &run->arena.allocator,
                                    err);
     unwant(&w);

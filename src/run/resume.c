@@ -69,7 +69,7 @@ static ovr_status go_back(ovr_run *run, ovr_error *err)
     else
         say(run, "has no checkpoint: the run begins again");
     if (run->restored && run->info.transient)
-        run->info.fraction = state->T / run->setup->march.end;
+        run->info.fraction = state->T / run->setup->march->end;
     return OVR_OK;
 }
 

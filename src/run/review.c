@@ -70,7 +70,7 @@ static void warn_of_start(const review *r)
 static void warn_of_features(const review *r, bool transient)
 {
     const ovr_surfaces *surfaces = r->setup->surfaces;
-    const ovr_options *options = &r->setup->options;
+    const ovr_options *options = r->setup->options;
     double D = r->setup->mesh, wave = ovr_surfaces_wavelength(surfaces);
     const char *inside;
     if (wave < MESHES_A_WAVE * D)

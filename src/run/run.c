@@ -72,7 +72,7 @@ static ovr_status choose_output(ovr_run *run, ovr_error *err)
 {
     const char *path = run->how.output;
     if (!path)
-        path = run->setup->output.file;
+        path = run->setup->output->file;
     if (!path || run->how.steady)
         return OVR_OK;
     run->info.output = ovr_arena_text(&run->arena, path, err);
@@ -133,7 +133,7 @@ static ovr_status look(void *data, const ovr_simulation *sim, ovr_error *err)
     ovr_run *run = data;
     const ovr_run_options *how = &run->how;
     double T = ovr_simulation_state(sim)->T;
-    run->info.fraction = run->info.transient ? T / run->setup->march.end : 1;
+    run->info.fraction = run->info.transient ? T / run->setup->march->end : 1;
     if (how->progress && run->info.transient)
         how->progress(how->data, run, run->info.fraction);
     if (how->stop && how->stop(how->data))
@@ -143,7 +143,7 @@ static ovr_status look(void *data, const ovr_simulation *sim, ovr_error *err)
 
 static ovr_status solve(ovr_run *run, ovr_error *err)
 {
-    ovr_march how = run->setup->march;
+    ovr_march how = *run->setup->march;
     ovr_observer observer[3];
     ovr_status status = OVR_OK;
     how.count = 0;

@@ -154,10 +154,11 @@ double ovr_simulation_memory(const ovr_options *options)
 {
     const ovr_contact contact = {.M = 20, .L = 10}; /* of what is automatic */
     const ovr_lubricant lubricant = {0};
-    ovr_options o = *options;
+    ovr_options o = ovr_options_default();
     ovr_simulation *sim = NULL;
     double bytes = INFINITY;
-    if (ovr_options_resolve(&contact, &o, NULL) == OVR_OK)
+    if (!ovr_sized_take(&o, sizeof o, options, "ovr_options", NULL) &&
+        ovr_options_resolve(&contact, &o, NULL) == OVR_OK)
         sim = set_up(ovr_arena_counting(), &contact, &lubricant, &o, NULL);
     if (sim)
         bytes = (double)sim->arena.bytes;

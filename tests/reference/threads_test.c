@@ -52,7 +52,7 @@ static void keep(one_run *r, const ovr_simulation *sim)
 static ovr_status march(one_run *r, const ovr_setup *setup, ovr_simulation *sim,
                         ovr_writer *writer)
 {
-    ovr_march how = setup->march;
+    ovr_march how = *setup->march;
     ovr_observer look;
     if (writer) {
         look = ovr_writer_observer(writer);
@@ -75,7 +75,7 @@ static ovr_writer *open_file(one_run *r, const ovr_setup *setup,
     o.force = true;
     o.every_steps = 2;
     o.flush_interval = 0;
-    return ovr_writer_create(&o, &setup->contact, state->n, state->X, NULL,
+    return ovr_writer_create(&o, setup->contact, state->n, state->X, NULL,
                              &r->err);
 }
 

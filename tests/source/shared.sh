@@ -43,7 +43,8 @@ expect 0 "$OVERROLL" export whole.h5 --all
 mv out whole
 expect 0 "$OVERROLL" export dent.h5 --all
 cmp -s out whole || fail 'resumed from C it is another run'
-[ "$(grep -c finished depths/manifest.csv)" -eq 2 ] || fail "$(cat depths/*.csv)"
+[ "$(grep -c finished depths/manifest.csv)" -eq 2 ] ||
+    fail "$(cat depths/*.csv)"
 [ "$(wc -l <depths.csv)" -eq 3 ] || fail "$(cat depths.csv)"
 expect 0 "$OVERROLL" sweep depths.ini
 contains out '^2 cases: 2 finished'

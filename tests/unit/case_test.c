@@ -81,16 +81,16 @@ static void values_and_defaults(void **state)
                                        "[output]\nat = 0.5, 1,2\n"),
                             &c);
     (void)state;
-    assert_true(s->contact.M == 20 && s->contact.L == 10);
-    assert_int_equal(s->options.level, 9);
-    assert_int_equal(s->options.scheme, OVR_UPSTREAM2);
-    assert_true(s->transient && s->march.end == 2.5 && s->march.adaptive);
-    assert_true(s->options.inlet == -4 && s->options.outlet == 1.5);
-    assert_int_equal(s->output.at.count, 3);
-    assert_true(s->output.at.values[2] == 2);
-    assert_int_equal(s->output.fields, 7);
-    CHECK_CLOSE(s->contact.ph, s->contact.alphabar / 1.7e-8, 1e-15);
-    assert_int_equal(s->lubricant.viscosity_law, OVR_ROELANDS);
+    assert_true(s->contact->M == 20 && s->contact->L == 10);
+    assert_int_equal(s->options->level, 9);
+    assert_int_equal(s->options->scheme, OVR_UPSTREAM2);
+    assert_true(s->transient && s->march->end == 2.5 && s->march->adaptive);
+    assert_true(s->options->inlet == -4 && s->options->outlet == 1.5);
+    assert_int_equal(s->output->at.count, 3);
+    assert_true(s->output->at.values[2] == 2);
+    assert_int_equal(s->output->fields, 7);
+    CHECK_CLOSE(s->contact->ph, s->contact->alphabar / 1.7e-8, 1e-15);
+    assert_int_equal(s->lubricant->viscosity_law, OVR_ROELANDS);
     done(c, s);
 }
 
@@ -123,7 +123,7 @@ static void oddities_of_text(void **state)
                             "start = -5",
                             &c);
     (void)state;
-    assert_true(s->contact.M == 20 && s->contact.L == 10);
+    assert_true(s->contact->M == 20 && s->contact->L == 10);
     assert_int_equal(s->features, 1);
     assert_string_equal(s->feature[0].name, "a b.c");
     done(c, s);
@@ -216,7 +216,7 @@ static void physical_numbers_need_a_physical_contact(void **state)
                               "contact: add radius and modulus");
     refused(join(moes, "[time]\nend = 1 ms\n"), "t.ini:5: end: 1 ms needs a");
     s = resolved(join(roller, dent), &c);
-    CHECK_CLOSE(s->feature[0].depth, 0.2e-6 / s->contact.height, 1e-15);
+    CHECK_CLOSE(s->feature[0].depth, 0.2e-6 / s->contact->height, 1e-15);
     assert_true(s->feature[0].width == 0.5);
     done(c, s);
     /* radius and modulus are enough for lengths */
@@ -224,7 +224,7 @@ static void physical_numbers_need_a_physical_contact(void **state)
                  "modulus = 226 GPa\n"
                  "[output]\nfrom = -100 um\n",
                  &c);
-    CHECK_CLOSE(s->output.from, -1e-4 / s->contact.b, 1e-15);
+    CHECK_CLOSE(s->output->from, -1e-4 / s->contact->b, 1e-15);
     done(c, s);
 }
 
@@ -232,7 +232,7 @@ static void same_contact_either_way(void **state)
 {
     ovr_case *c, *d;
     ovr_setup *s = resolved(roller, &c), *t;
-    const ovr_contact *a = &s->contact, *b;
+    const ovr_contact *a = s->contact, *b;
     (void)state;
     snprintf(text, sizeof text,
              "[contact]\nM = %.17g\nL = %.17g\nradius = 10 mm\n"
@@ -240,12 +240,12 @@ static void same_contact_either_way(void **state)
              "slide_to_roll = %.17g\n[lubricant]\nz = 0.68\n",
              a->M, a->L, a->u1_ratio - a->u2_ratio);
     t = resolved(text, &d);
-    b = &t->contact;
+    b = t->contact;
     for (size_t i = 0; i < sizeof *a / sizeof(double); i++)
         CHECK_CLOSE(((const double *)b)[i], ((const double *)a)[i], 1e-12);
-    CHECK_CLOSE(t->lubricant.P0, s->lubricant.P0, 1e-12);
-    CHECK_CLOSE(t->lubricant.A, s->lubricant.A, 1e-12);
-    CHECK_CLOSE(t->lubricant.z, s->lubricant.z, 1e-12);
+    CHECK_CLOSE(t->lubricant->P0, s->lubricant->P0, 1e-12);
+    CHECK_CLOSE(t->lubricant->A, s->lubricant->A, 1e-12);
+    CHECK_CLOSE(t->lubricant->z, s->lubricant->z, 1e-12);
     done(c, s);
     done(d, t);
 }
@@ -266,14 +266,14 @@ static void settings_override_the_file(void **state)
     CHECK_OK(ovr_case_assign(c, "contact.slide_to_roll=0.5", "-", &err), &err);
     s = ovr_case_resolve(c, NULL, &err);
     assert_non_null(s);
-    assert_true(s->contact.M == 50);
+    assert_true(s->contact->M == 50);
     /* the text with the settings in it is the same case */
     d = ovr_case_read_text(ovr_case_text(c, &err), "u.ini", NULL, NULL, &err);
     if (!d)
         fail_msg("%s in\n%s", err.message, ovr_case_text(c, &err));
     t = ovr_case_resolve(d, NULL, &err);
     assert_non_null(t);
-    assert_memory_equal(&t->contact, &s->contact, sizeof s->contact);
+    assert_memory_equal(t->contact, s->contact, sizeof *s->contact);
     assert_int_equal(t->features, 1);
     assert_true(t->feature[0].height == 0.1);
     done(c, s);
@@ -303,11 +303,11 @@ static void paths_start_at_the_case(void **state)
     ovr_case *c = ovr_case_read_text(source, "d/t.ini", "d", NULL, &err);
     ovr_setup *s = ovr_case_resolve(c, NULL, &err);
     (void)state;
-    assert_string_equal(s->output.file, "d/out.h5");
+    assert_string_equal(s->output->file, "d/out.h5");
     ovr_setup_free(s);
     CHECK_OK(ovr_case_set(c, "output.file", "o.h5", "--set", &err), &err);
     s = ovr_case_resolve(c, NULL, &err);
-    assert_string_equal(s->output.file, "o.h5");
+    assert_string_equal(s->output->file, "o.h5");
     done(c, s);
 }
 
@@ -351,7 +351,7 @@ static void defaults_are_the_librarys(void **state)
     done(c, s);
     c = ovr_case_read_text(moes, "t.ini", NULL, NULL, NULL);
     s = ovr_case_resolve(c, NULL, NULL); /* automatic ones still automatic */
-    t = &s->options;
+    t = s->options;
     assert_int_equal(t->level, o.level);
     assert_int_equal(t->coarsest_level, o.coarsest_level);
     assert_int_equal(t->scheme, o.scheme);

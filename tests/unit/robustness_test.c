@@ -139,7 +139,7 @@ static ovr_status run_with(void *folder, const ovr_allocator *hook,
         sim = ovr_setup_simulation(setup, hook, err);
     ovr_status status = sim ? ovr_simulation_steady(sim, err) : err->status;
     if (!status)
-        status = ovr_simulation_march(sim, &setup->march, err);
+        status = ovr_simulation_march(sim, setup->march, err);
     ovr_simulation_free(sim);
     ovr_setup_free(setup);
     ovr_case_free(c);
