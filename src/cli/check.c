@@ -168,15 +168,28 @@ static void put_lubricant(const ovr_lubricant *lubricant)
                lubricant->P0);
 }
 
+/* " (1.2 um)", or nothing where the scale is not known. */
+static ovr_piece in_metres(double value, double scale)
+{
+    ovr_piece piece = {""};
+    if (isfinite(value) && isfinite(scale))
+        snprintf(piece.text, sizeof piece.text, " (%.30s)",
+                 ovr_metres(value * scale).text);
+    return piece;
+}
+
 static void put_features(const ovr_setup *setup)
 {
     size_t n = setup->surfaces ? ovr_surfaces_count(setup->surfaces) : 0;
     for (size_t k = 0; k < n; k++) {
         ovr_feature_info info = ovr_surfaces_info(setup->surfaces, k);
-        printf("# feature %s: %s on surface %d, moves at %.4g um, height "
-               "%.4g, shortest wavelength %.4g\n",
+        printf("# feature %s: %s on surface %d, moves at %.4g times the mean "
+               "speed, height %.4g%s, shortest wavelength %.4g%s\n",
                info.name, ovr_shape_name((int)info.shape), info.surface,
-               info.speed, info.amplitude, info.wavelength);
+               info.speed, info.amplitude,
+               in_metres(info.amplitude, setup->contact->height).text,
+               info.wavelength,
+               in_metres(info.wavelength, setup->contact->b).text);
         for (const char *s = info.assumed; s && *s;) {
             size_t length = strcspn(s, "\n");
             printf("#   %.*s\n", (int)length, s);
@@ -185,10 +198,10 @@ static void put_features(const ovr_setup *setup)
     }
 }
 
-static void put_cost(const estimate *cost)
+static void put_cost(const estimate *cost, const ovr_contact *contact)
 {
-    printf("# %-28s %.0f nodes, mesh D = %.6g\n", "grid", cost->nodes,
-           cost->mesh);
+    printf("# %-28s %.0f nodes, mesh D = %.6g%s\n", "grid", cost->nodes,
+           cost->mesh, in_metres(cost->mesh, contact->b).text);
     if (cost->steps > 0)
         printf("# %-28s %.0f\n", "steps", cost->steps);
     printf("# %-28s about %.2g s and %.3g MB of memory\n", "cost",
@@ -265,7 +278,7 @@ static void report(const cli_call *call, const ovr_case *c,
     put_films(setup->contact);
     put_lubricant(setup->lubricant);
     put_features(setup);
-    put_cost(&cost);
+    put_cost(&cost, setup->contact);
     put_parameters(c);
 }
 

@@ -95,6 +95,9 @@ static void print_sizes(report *r)
         printf(", T = %g to %g", r->T[0], last_time(r));
     if (!isnan(a->end))
         printf(" of %g (%.0f %%)", a->end, 100 * progress(r));
+    if (a->steps && a->physical)
+        printf(", t = %.4g to %.4g ms", r->T[0] * a->time * 1e3,
+               last_time(r) * a->time * 1e3);
     printf("\nsize       %.3g MB\n", r->bytes / 1e6);
     if (take(r, "cycles", OVR_AS_STORED))
         printf("cycles     %.0f\n", sum(r));
@@ -104,8 +107,11 @@ static void print_sizes(report *r)
 
 static void print_extremes(report *r)
 {
-    printf("\n%-26s %13s %9s %13s %9s  %s\n", "", "least", "at T", "most",
-           "at T", "unit");
+    const ovr_result_info *about = ovr_result_about(r->result);
+    double ms = about->physical ? about->time * 1e3 : 1;
+    const char *at = about->physical ? "at t, ms" : "at T";
+    printf("\n%-26s %13s %9s %13s %9s  %s\n", "", "least", at, "most", at,
+           "unit");
     for (size_t k = 0; k < ovr_result_columns(r->result); k++) {
         const ovr_variable *v = ovr_result_column(r->result, k);
         extremes e;
@@ -114,7 +120,7 @@ static void print_extremes(report *r)
             continue;
         e = find_extremes(r);
         printf("%-26s %13.6g %9.4g %13.6g %9.4g  %s\n", v->name, e.least,
-               e.T_least, e.most, e.T_most, v->unit);
+               e.T_least * ms, e.most, e.T_most * ms, v->unit);
     }
 }
 

@@ -136,13 +136,43 @@ static void put_film(const char *name, double H, const ovr_contact *contact)
         printf(" %.4g um", H * contact->height * 1e6);
 }
 
+static void put_place(double X, const ovr_contact *contact)
+{
+    printf("  at X = %.4g", X);
+    if (isfinite(contact->b))
+        printf(" (%s)", ovr_metres(X * contact->b).text);
+    putchar('\n');
+}
+
+static void put_instant(double T, const ovr_contact *contact)
+{
+    printf("T = %.6g", T);
+    if (isfinite(contact->time))
+        printf(" (%.4g ms)", T * contact->time * 1e3);
+}
+
 static void put_pressure(const char *name, double P, double X,
                          const ovr_contact *contact)
 {
     printf("%-17s %-12.6g", name, P);
     if (isfinite(contact->ph))
         printf(" %.4g GPa", P * contact->ph * 1e-9);
-    printf("  at X = %.4g\n", X);
+    put_place(X, contact);
+}
+
+/* The load in N/m, the flow of oil at ambient density. */
+static void put_load_and_flow(const ovr_observation *o,
+                              const ovr_contact *contact)
+{
+    double flow = o->mass_flow * contact->um * contact->height;
+    printf("%-17s %-12.6g ", "load", o->load);
+    if (isfinite(contact->load))
+        printf("%.4g kN/m; ", o->load / acos(0) * contact->load * 1e-3);
+    puts("pi/2 = 1.5708 at nominal load");
+    printf("%-17s %-12.6g", "mass flow", o->mass_flow);
+    if (isfinite(flow))
+        printf(" %.4g mm2/s at ambient density", flow * 1e6);
+    putchar('\n');
 }
 
 static void table_observed(const ovr_run_info *s)
@@ -150,16 +180,16 @@ static void table_observed(const ovr_run_info *s)
     const ovr_observation *o = ovr_simulation_observation(s->sim);
     const ovr_contact *contact = s->setup->contact;
     put_film("minimum film", o->H_min, contact);
-    printf("  at X = %.4g\n", o->X_min);
+    put_place(o->X_min, contact);
     put_film("central film", o->H_cen, contact);
     putchar('\n');
     put_pressure("maximum pressure", o->P_max, o->X_P_max, contact);
     if (isfinite(o->P_spike))
         put_pressure("pressure spike", o->P_spike, o->X_spike, contact);
-    printf("%-17s %-12.6g pi/2 = 1.5708 at nominal load\n", "load", o->load);
-    printf("%-17s %-12.6g\n", "mass flow", o->mass_flow);
-    printf("%-17s %-12.3g %s in %d cycles\n", "residual", o->residual,
-           s->converged ? "converged" : "NOT CONVERGED", o->cycles);
+    put_load_and_flow(o, contact);
+    printf("%-17s %-12.3g %s in %d cycle%s\n", "residual", o->residual,
+           s->converged ? "converged" : "NOT CONVERGED", o->cycles,
+           o->cycles == 1 ? "" : "s");
 }
 
 static void table_run(const ovr_run_info *s)
@@ -168,7 +198,9 @@ static void table_run(const ovr_run_info *s)
     printf("%-17s %-12ld %ld cycles, %ld retries, %ld marked\n", "steps",
            total->steps, total->cycles, total->retries, total->marked);
     put_film("smallest film", total->H_min, s->setup->contact);
-    printf("  at T = %.4g\n", total->T_H_min);
+    printf("  at ");
+    put_instant(total->T_H_min, s->setup->contact);
+    putchar('\n');
     if (s->output)
         printf("%-17s %s, %zu snapshots\n", "stored in", s->output,
                s->snapshots);
@@ -176,24 +208,44 @@ static void table_run(const ovr_run_info *s)
 
 static void table_refinements(const ovr_run_info *s)
 {
+    double height = s->setup->contact->height;
     int count;
     const ovr_refinement *r = ovr_simulation_refinements(s->sim, &count);
     if (count == 0)
         return;
-    puts("\nlevel   nodes cycles residual  H_min        H_cen        "
-         "algebraic to level below");
-    for (int k = 0; k < count; k++)
-        printf("%5d %7zu %6d %-9.2e %-12.7g %-12.7g %-9.2e %.2e\n", r[k].level,
+    printf("\nlevel   nodes cycles residual  H_min        H_cen        "
+           "algebraic to level below%s\n",
+           isfinite(height) ? "  h_min, um  h_cen, um" : "");
+    for (int k = 0; k < count; k++) {
+        printf("%5d %7zu %6d %-9.2e %-12.7g %-12.7g %-9.2e %-14.2e", r[k].level,
                r[k].nodes, r[k].cycles, r[k].residual, r[k].H_min, r[k].H_cen,
                r[k].algebraic, r[k].difference);
+        if (isfinite(height))
+            printf("  %-9.5g  %.5g", r[k].H_min * height * 1e6,
+                   r[k].H_cen * height * 1e6);
+        putchar('\n');
+    }
 }
 
-static void table_error(const ovr_run_errors *e, bool run)
+/* An estimated error, of a film or a pressure. */
+static void put_error(const char *name, double error, double scale, double unit,
+                      const char *symbol)
 {
-    printf("%-17s H_min %.1e, H_cen %.1e, P_max %.1e", "estimated errors",
-           e->H_min, e->H_cen, e->P_max);
+    printf("%s %.1e", name, error);
+    if (isfinite(scale))
+        printf(" (%.2g %s)", error * scale / unit, symbol);
+}
+
+static void table_error(const ovr_run_errors *e, bool run,
+                        const ovr_contact *contact)
+{
+    double film = contact->height, ph = contact->ph;
+    printf("%-17s ", "estimated errors");
+    put_error("H_min", e->H_min, film, 1e-9, "nm");
+    put_error(", H_cen", e->H_cen, film, 1e-9, "nm");
+    put_error(", P_max", e->P_max, ph, 1e6, "MPa");
     if (run)
-        printf(", smallest film %.1e", e->H_min_overall);
+        put_error(", smallest film", e->H_min_overall, film, 1e-9, "nm");
     printf("\n%-17s from level %d\n", "", e->level);
 }
 
@@ -209,13 +261,16 @@ static void report_table(const cli_call *call, const ovr_run_info *s)
     printf("; level %d (%zu nodes), %s, %s\n", options->level, state->n,
            ovr_scheme_name(options->scheme),
            cli_smoother_name(options->smoother));
-    if (s->transient)
-        printf("at T = %.6g%s:\n", state->T, total->settled ? ", settled" : "");
+    if (s->transient) {
+        printf("at ");
+        put_instant(state->T, contact);
+        puts(total->settled ? ", settled:" : ":");
+    }
     table_observed(s);
     if (s->transient)
         table_run(s);
     if (s->error.level)
-        table_error(&s->error, s->transient);
+        table_error(&s->error, s->transient, contact);
     printf("%-17s %.3g s\n", "time", s->seconds);
     if (call->verbosity > 0 && !s->transient)
         table_refinements(s);

@@ -123,3 +123,31 @@ contains err 'starts from rest'
 sed 's/speed/load/' rest.ini >unloaded.ini
 expect 0 "$OVERROLL" run unloaded.ini
 contains err 'starts without load'
+
+# Of a physical case every Hertzian number has its physical one beside it.
+cat >physical.ini <<'END'
+[contact]
+load = 100 kN/m
+radius = 10 mm
+modulus = 220 GPa
+viscosity = 40 mPa.s
+speed_1 = 1 m/s
+speed_2 = 1 m/s
+[lubricant]
+alpha = 20 1/GPa
+[domain]
+level = 4
+[time]
+end = 0.2
+END
+expect 0 "$OVERROLL" run physical.ini -o physical.h5 --estimate-error
+contains out '^at T = 0\.[0-9]+ \(0\.02[0-9]+ ms\):'
+contains out '^minimum film .* um  at X = 0\.[0-9]+ \([0-9.]+ um\)$'
+contains out '^maximum pressure .* GPa  at X = -?0\.[0-9]+ \(-?[0-9.]+ um\)$'
+contains out '^load +1\.57.* 100 kN/m'
+contains out '^mass flow .* mm2/s'
+contains out '^smallest film .* um  at T = [0-9.]+ \([0-9.]+ ms\)$'
+contains out '^estimated errors .* nm\), .* MPa\)'
+expect 0 "$OVERROLL" info physical.h5
+contains out 't = 0 to 0\.02[0-9]+ ms$'
+contains out ' at t, ms '
