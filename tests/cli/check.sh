@@ -41,9 +41,9 @@ contains out '^usage: overroll check'
 
 # Text in JSON is escaped; bytes that are not UTF-8 are replaced.
 printf '[contact]\nM = 20\nL = 10\n' >t.ini
-printf '[output]\ntitle = "\303\244 \\ \377"\n' >>t.ini
+printf '[output]\ntitle = a "\303\244 \\ \377"\n' >>t.ini
 expect 0 "$OVERROLL" check t.ini --json
-contains out '"text": "\\"ä \\\\ \\ufffd\\""'
+contains out '"text": "a \\"ä \\\\ \\ufffd\\""'
 if command -v python3 >/dev/null; then
     python3 -c 'import json; json.load(open("out"))' || fail 'not JSON'
 fi

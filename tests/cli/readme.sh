@@ -30,6 +30,16 @@ done
 [ "$(grep -c ,finished, study/manifest.csv)" -eq 8 ] ||
     fail "$(cat study/manifest.csv)"
 
+# overroll-reading(7) shows the table of this study.
+if (need_python xarray netCDF4 pandas); then
+    need_python xarray netCDF4 pandas
+    sed -n '/^\.\\" study$/,/^\.EE/p' "$TOP/src/results/overroll-reading.7" |
+        grep -v '^\.' >read.py
+    expect 0 "$PYTHON" read.py
+    contains out 'scale +speed_2 +H_min +P_max'
+    contains out '^8 +0\.4 +3\.2 '
+fi
+
 for link in $(sed -n 's/.*](\([^):#]*\)).*/\1/p' "$TOP/README.md" \
     "$TOP/CHANGELOG.md" | sort -u); do
     [ -e "$TOP/$link" ] || fail "README.md leads to $link, which is not there"
