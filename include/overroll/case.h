@@ -100,13 +100,15 @@ typedef struct ovr_case_entry {
     const char *section; /* "contact", "feature" */
     const char *name;    /* of a feature, else NULL */
     const char *key;
-    const char *text; /* as given, else the default, else NULL */
-    bool given;       /* by the file or a setting */
-    const char *file; /* or origin; NULL when not given */
-    long line;        /* 0: no line */
-    double number;    /* SI, or bare; NAN: no number */
-    const char *unit; /* SI unit of the number when it is physical */
-    size_t parameter; /* its row in the table */
+    const char *text;   /* as given, else the default, else NULL */
+    bool given;         /* by the file or a setting */
+    const char *file;   /* or origin; NULL when not given */
+    long line;          /* 0: no line */
+    const char *before; /* section it was given in, to which it belonged in
+                           earlier versions; NULL: its own */
+    double number;      /* SI, or bare; NAN: no number */
+    const char *unit;   /* SI unit of the number when it is physical */
+    size_t parameter;   /* its row in the table */
 } ovr_case_entry;
 OVR_API size_t ovr_case_entries(const ovr_case *c);
 OVR_API ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k);

@@ -79,7 +79,8 @@ static ovr_status no_section(const char *header, ovr_error *err)
                         OVR_NAME_MOST, header, meant);
     return ovr_fail(err, OVR_BAD_INPUT,
                     "unknown section [%.*s]; there are contact, lubricant, "
-                    "domain, solver, time, load, speed, feature NAME, output",
+                    "domain, solver, time, load, speed, feature NAME, output, "
+                    "paper",
                     OVR_NAME_MOST, header);
 }
 
@@ -275,31 +276,46 @@ ovr_case *ovr_case_read(const char *path, const ovr_allocator *allocator,
 /* --------------------------------------------------------------- settings */
 
 /* "section.key" taken apart at its last point. */
-static ovr_slot *find_place(ovr_case *c, const char *where,
-                            const ovr_parameter **row, ovr_error *err)
+typedef struct place {
+    ovr_slot *slot; /* NULL: there is none */
+    const ovr_parameter *row;
+    const char *before; /* section named, where the key no longer belongs */
+} place;
+
+static place no_place(const ovr_section *section, const char *key,
+                      ovr_error *err)
+{
+    ovr_block unknown = {.section = section};
+    unknown.first = ovr_section_first(section);
+    unknown.count = ovr_section_size(section);
+    no_key(&unknown, key, err);
+    return (place){0};
+}
+
+static place find_place(ovr_case *c, const char *where, ovr_error *err)
 {
     const char *point = strrchr(where, '.'), *name;
-    const ovr_section *section;
+    const ovr_section *named, *section;
     ovr_block *block;
+    place at = {0};
     char header[OVR_NAME_MOST + 2];
     if (!point || point == where || !point[1]) {
         ovr_fail(err, OVR_BAD_INPUT,
                  "'%.60s' must be section.key, such as contact.M", where);
-        return NULL;
+        return at;
     }
     snprintf(header, sizeof header, "%.*s", (int)(point - where), where);
-    section = ovr_section_parse(header, &name, err);
-    if (!section || !ovr_parameter_find(section, point + 1)) {
-        ovr_block unknown = {.section = section};
-        if (section) {
-            unknown.first = ovr_section_first(section);
-            unknown.count = ovr_section_size(section);
-            no_key(&unknown, point + 1, err);
-        }
-        return NULL;
-    }
+    named = ovr_section_parse(header, &name, err);
+    if (!named)
+        return at;
+    section = ovr_section_now(named, point + 1);
+    if (!ovr_parameter_find(section, point + 1))
+        return no_place(section, point + 1, err);
     block = ovr_case_block(c, section, name, err);
-    return block ? ovr_block_slot(block, point + 1, row, err) : NULL;
+    if (block)
+        at.slot = ovr_block_slot(block, point + 1, &at.row, err);
+    at.before = section == named ? NULL : named->name;
+    return at;
 }
 
 /* What is written into the text of a case is read from it again. */
@@ -326,11 +342,11 @@ static const char *trimmed(const char *value, ovr_arena *arena, ovr_error *err)
 ovr_status ovr_case_set(ovr_case *c, const char *where, const char *value,
                         const char *origin, ovr_error *err)
 {
-    const ovr_parameter *row;
     ovr_error why = {0};
-    ovr_slot *slot = find_place(c, where, &row, &why), fresh;
-    long line;
-    if (!slot)
+    place at = find_place(c, where, &why);
+    const ovr_parameter *row = at.row;
+    ovr_slot fresh;
+    if (!at.slot)
         return ovr_fail_from(err, &why, origin, 0);
     if (strlen(value) > OVR_LINE_MOST - OVR_NAME_MOST)
         return ovr_fail_about(err, row->key, "%s: %s: the value is too long",
@@ -346,14 +362,14 @@ ovr_status ovr_case_set(ovr_case *c, const char *where, const char *value,
         return OVR_NO_MEMORY;
     if (ovr_slot_read(row, value, &c->arena, &fresh, &why))
         return ovr_fail_from(err, &why, origin, 0);
-    line = slot->line;
     fresh.given = true;
+    fresh.before = at.before;
     fresh.line = 0;
     fresh.file = ovr_arena_text(&c->arena, origin, err);
     if (!fresh.file)
         return OVR_NO_MEMORY;
-    fresh.replaces = slot->replaces ? slot->replaces : line;
-    *slot = fresh;
+    fresh.replaces = at.slot->replaces ? at.slot->replaces : at.slot->line;
+    *at.slot = fresh;
     return OVR_OK;
 }
 
@@ -379,16 +395,16 @@ ovr_status ovr_case_assign(ovr_case *c, const char *assignment,
 
 void ovr_case_unset(ovr_case *c, const char *where)
 {
-    const ovr_parameter *row;
-    ovr_slot *slot = find_place(c, where, &row, NULL), fresh;
-    if (!slot)
+    place at = find_place(c, where, NULL);
+    ovr_slot fresh;
+    if (!at.slot)
         return;
-    fresh = (ovr_slot){.key = row->key, .number = NAN};
-    if (row->initial &&
-        ovr_slot_read(row, row->initial, &c->arena, &fresh, NULL))
+    fresh = (ovr_slot){.key = at.row->key, .number = NAN};
+    if (at.row->initial &&
+        ovr_slot_read(at.row, at.row->initial, &c->arena, &fresh, NULL))
         return;
-    fresh.replaces = slot->replaces ? slot->replaces : slot->line;
-    *slot = fresh;
+    fresh.replaces = at.slot->replaces ? at.slot->replaces : at.slot->line;
+    *at.slot = fresh;
 }
 
 /* ---------------------------------------------------------------- looking */
@@ -427,6 +443,7 @@ ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k)
         entry.key = row->key;
         entry.text = slot->text;
         entry.given = slot->given;
+        entry.before = slot->before;
         entry.file = slot->file;
         entry.line = slot->line;
         entry.number = slot->number;

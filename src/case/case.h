@@ -16,12 +16,13 @@ enum { OVR_NAME_MOST = 48, OVR_LINE_MOST = 190, OVR_CASE_MOST = 1 << 20 };
 typedef struct ovr_slot {
     const char *key;
     bool given;
-    const char *text; /* as given or the default; NULL: neither */
-    const char *file; /* or origin */
-    long line;        /* 0: not from a file */
-    long replaces;    /* line of the file that a later setting replaced */
-    double number;    /* SI or bare; of a word: what it stands for */
-    const char *unit; /* as written; NULL: bare or a word */
+    const char *before; /* section it was given in, where it once belonged */
+    const char *text;   /* as given or the default; NULL: neither */
+    const char *file;   /* or origin */
+    long line;          /* 0: not from a file */
+    long replaces;      /* line of the file that a later setting replaced */
+    double number;      /* SI or bare; of a word: what it stands for */
+    const char *unit;   /* as written; NULL: bare or a word */
     bool word;
     ovr_list list;
     unsigned bits;

@@ -189,10 +189,6 @@ static const ovr_parameter table[] = {
      "of the steady solution, and of what a run keeps of it: 4 corrects film, "
      "Poiseuille flow and wedge on the finest grid; auto: 4 where it applies"},
 
-    {"solver", "smoother", CHOICE(smoothers), "line", AT(options.smoother),
-     true,
-     "line: distributive line relaxation; hybrid: the paper's, for steady "
-     "solutions"},
     {"solver", "cycle", CHOICE(cycles), "V", AT(options.cycle_index), true,
      "multigrid cycle"},
     {"solver", "sweeps_before", WHOLE_OR(auto_zero, 0, 100), "auto",
@@ -204,27 +200,10 @@ static const ovr_parameter table[] = {
     {"solver", "stop", CHOICE(stops), "negligible", AT(options.stop), true,
      "when a steady solve is done: algebraic error negligible, a fraction of "
      "the discretization error, or a fixed number of cycles"},
-    {"solver", "cycles", WHOLE(1, 1000), "2", AT(options.cycles), true,
-     "with stop = fixed: cycles on each level"},
     {"solver", "max_cycles", WHOLE_OR(auto_zero, 1, 100000), "auto",
      AT(options.max_cycles), true, "steady: most cycles on each level"},
     {"solver", "tolerance", PLAIN_OR(auto_zero, 1e-16, 0.1), "auto",
      AT(options.tolerance), true, "on the relative mass-flow imbalance"},
-    {"solver", "mlmi_order", WHOLE_OR(auto_zero, 4, 12), "auto",
-     AT(options.mlmi_order), true,
-     "order of the transfers in the deformation integrals, even"},
-    {"solver", "mlmi_range", WHOLE_OR(auto_zero, 2, 24), "auto",
-     AT(options.mlmi_range), true,
-     "corrections within so many meshes of the singularity"},
-    {"solver", "switch", PLAIN(1e-9, 1e9), "3", AT(options.switch_value), true,
-     "hybrid: eps/D^2 above which Gauss-Seidel is used"},
-    {"solver", "relax_seidel", PLAIN(0.5, 1), "0.8", AT(options.relax_seidel),
-     true, "hybrid: under-relaxation, Gauss-Seidel"},
-    {"solver", "relax_dipole", PLAIN(0.3, 0.6), "0.5", AT(options.relax_dipole),
-     true, "hybrid: under-relaxation, dipole"},
-    {"solver", "paper_balance", FLAG, "no", AT(options.paper_balance), true,
-     "force balance by the paper's relaxation of H0 on the coarsest grid "
-     "instead of dense Newton steps"},
 
     {"time", "end", SPAN(NULL, 1e5), NULL, AT(end), false,
      "end of the run, which starts at 0; without it the case is steady"},
@@ -386,6 +365,27 @@ static const ovr_parameter table[] = {
     {"output", "checkpoint", WITH_UNIT(OVR_DURATION, 0, 1e7), "30 s",
      AT(output.checkpoint), false,
      "wall-clock time between restart files; 0 s: at the end only"},
+
+    {"paper", "smoother", CHOICE(smoothers), "line", AT(options.smoother), true,
+     "line: distributive line relaxation; hybrid: the paper's, for steady "
+     "solutions"},
+    {"paper", "switch", PLAIN(1e-9, 1e9), "3", AT(options.switch_value), true,
+     "hybrid: eps/D^2 above which Gauss-Seidel is used"},
+    {"paper", "relax_seidel", PLAIN(0.5, 1), "0.8", AT(options.relax_seidel),
+     true, "hybrid: under-relaxation, Gauss-Seidel"},
+    {"paper", "relax_dipole", PLAIN(0.3, 0.6), "0.5", AT(options.relax_dipole),
+     true, "hybrid: under-relaxation, dipole"},
+    {"paper", "paper_balance", FLAG, "no", AT(options.paper_balance), true,
+     "force balance by the paper's relaxation of H0 on the coarsest grid "
+     "instead of dense Newton steps"},
+    {"paper", "cycles", WHOLE(1, 1000), "2", AT(options.cycles), true,
+     "with stop = fixed: cycles on each level"},
+    {"paper", "mlmi_order", WHOLE_OR(auto_zero, 4, 12), "auto",
+     AT(options.mlmi_order), true,
+     "order of the transfers in the deformation integrals, even"},
+    {"paper", "mlmi_range", WHOLE_OR(auto_zero, 2, 24), "auto",
+     AT(options.mlmi_range), true,
+     "corrections within so many meshes of the singularity"},
 };
 enum { ROWS = sizeof table / sizeof table[0] };
 
@@ -404,6 +404,9 @@ static const ovr_section sections[] = {
     {"feature", true,
      "[feature NAME], any number: what is on the smooth surfaces"},
     {"output", false, "what is stored, where and when"},
+    {"paper", false,
+     "the algorithm of Venner, ten Napel & Bosma (1990), for their tables; "
+     "[solver] may hold these keys too, as it once did"},
 };
 enum { SECTIONS = sizeof sections / sizeof sections[0] };
 
@@ -439,6 +442,22 @@ size_t ovr_section_size(const ovr_section *section)
     for (size_t k = 0; k < ROWS; k++)
         n += !strcmp(table[k].section, section->name);
     return n;
+}
+
+/* Sections, and where keys that they once had are now. */
+static const struct {
+    const char *before, *now;
+} moved[] = {{"solver", "paper"}};
+
+const ovr_section *ovr_section_now(const ovr_section *before, const char *key)
+{
+    for (size_t k = 0; k < sizeof moved / sizeof *moved; k++) {
+        const ovr_section *now = ovr_section_find(moved[k].now);
+        if (!strcmp(before->name, moved[k].before) &&
+            !ovr_parameter_find(before, key) && ovr_parameter_find(now, key))
+            return now;
+    }
+    return before;
 }
 
 const ovr_parameter *ovr_parameter_find(const ovr_section *section,

@@ -237,7 +237,7 @@ static ovr_status check_solver(const ovr_resolved *r, ovr_error *err)
     const ovr_options *o = &r->values.options;
     if (o->mlmi_order % 2 || o->mlmi_range % 2) {
         const char *key = o->mlmi_order % 2 ? "mlmi_order" : "mlmi_range";
-        const ovr_slot *slot = slot_of(r, "solver", key);
+        const ovr_slot *slot = slot_of(r, "paper", key);
         return ovr_fail_slot(err, slot, "%s must be even", slot->text);
     }
     if (o->coarsest_level > o->level)
@@ -253,7 +253,7 @@ static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
     ovr_status status;
     r->values.options = ovr_options_default();
     if (fill_section(r, "domain", err) || fill_section(r, "solver", err) ||
-        fill_section(r, "time", err))
+        fill_section(r, "paper", err) || fill_section(r, "time", err))
         return OVR_BAD_INPUT;
     status = resolve_level(r, err);
     if (!status)

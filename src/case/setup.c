@@ -74,11 +74,15 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
     ovr_options *o = setup->options;
     const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
     const ovr_block *solver = ovr_case_find_block(r->c, "solver", NULL);
+    const ovr_block *paper = ovr_case_find_block(r->c, "paper", NULL);
     ovr_error why = {0};
     if (setup->nodes)
         return OVR_OK;
-    if (ovr_options_resolve(setup->contact, o, &why))
-        return ovr_fail_in(err, r->c, domain, solver, &why);
+    if (ovr_options_resolve(setup->contact, o, &why)) {
+        bool of_paper = why.about &&
+                        ovr_parameter_find(paper->section, why.about);
+        return ovr_fail_in(err, r->c, of_paper ? paper : domain, solver, &why);
+    }
     if (check_memory(r, err))
         return OVR_BAD_INPUT;
     setup->mesh = (o->outlet - o->inlet) / (7 * ldexp(1, o->level));

@@ -10,7 +10,7 @@ static const struct {
     {"L", "contact.L"},
     {"level", "domain.level"},
     {"scheme", "time.scheme"},
-    {"smoother", "solver.smoother"},
+    {"smoother", "paper.smoother"},
 };
 
 /* --level wins over nodes in the file, --M and --L over lambda, alphabar. */

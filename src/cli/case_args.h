@@ -13,7 +13,7 @@
         {"level", "NUMBER", "short for --set domain.level=NUMBER", false},     \
         {"scheme", "NAME", "short for --set time.scheme=NAME", false},         \
     {                                                                          \
-        "smoother", "NAME", "short for --set solver.smoother=NAME", false      \
+        "smoother", "NAME", "short for --set paper.smoother=NAME", false       \
     }
 
 /* The case of the first argument (none: an empty one) with what the options

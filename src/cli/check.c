@@ -17,7 +17,7 @@ typedef struct estimate {
     double nodes, mesh, steps, seconds, bytes;
 } estimate;
 
-/* What there is to warn of. */
+/* What there is to warn of, or to note. */
 typedef struct heard {
     const cli_call *call;
     int warnings;
@@ -27,7 +27,11 @@ typedef struct heard {
 static void hear(void *data, ovr_say kind, const char *text)
 {
     heard *said = data;
-    (void)kind;
+    if (kind != OVR_SAY_WARNING) {
+        if (said->call->verbosity >= 0)
+            fprintf(stderr, "overroll: %s\n", text);
+        return;
+    }
     if (said->warnings == OVR_RUN_WARNINGS)
         return;
     snprintf(said->warning[said->warnings++], OVR_RUN_WARNING_SIZE, "%s", text);

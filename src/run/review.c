@@ -6,9 +6,11 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "case/resolve.h"
 #include "run/internal.h"
 
 typedef struct review {
+    const ovr_case *c;
     const ovr_setup *setup;
     ovr_listener *say;
     void *data;
@@ -52,6 +54,22 @@ static void say_assumed(const review *r)
     }
 }
 
+/* Keys given where they once belonged. */
+static void say_moved(const review *r)
+{
+    for (size_t k = 0; k < ovr_case_entries(r->c); k++) {
+        ovr_case_entry e = ovr_case_entry_at(r->c, k);
+        if (e.before && e.line)
+            say(r, OVR_SAY_NOTE,
+                "%s:%ld: '%s' belongs in [%s] now, not in "
+                "[%s]; it is taken",
+                e.file, e.line, e.key, e.section, e.before);
+        else if (e.before)
+            say(r, OVR_SAY_NOTE, "%s: '%s.%s' is '%s.%s' now; it is taken",
+                e.file, e.before, e.key, e.section, e.key);
+    }
+}
+
 /* A run from rest or from no load starts a little above either. */
 static void warn_of_start(const review *r)
 {
@@ -89,6 +107,7 @@ static void warn_of_features(const review *r, bool transient)
 
 static void before(const review *r, bool transient)
 {
+    say_moved(r);
     warn_of_start(r);
     if (r->setup->surfaces)
         warn_of_features(r, transient);
@@ -97,7 +116,7 @@ static void before(const review *r, bool transient)
 void ovr_setup_review(const ovr_setup *setup, ovr_listener *listener,
                       void *data)
 {
-    review r = {setup, listener, data};
+    review r = {((const ovr_resolved *)setup)->c, setup, listener, data};
     before(&r, setup->transient);
 }
 
@@ -116,7 +135,7 @@ void ovr_run_say(void *data, ovr_say kind, const char *text)
 
 void ovr_run_review_before(ovr_run *run)
 {
-    review r = {run->setup, ovr_run_say, run};
+    review r = {run->c, run->setup, ovr_run_say, run};
     say_assumed(&r);
     before(&r, run->info.transient);
 }
@@ -138,7 +157,7 @@ static void warn_of_inlet(const review *r, const ovr_simulation *sim, double X,
 
 void ovr_run_review_after(ovr_run *run)
 {
-    review r = {run->setup, ovr_run_say, run};
+    review r = {run->c, run->setup, ovr_run_say, run};
     const ovr_simulation *sim = run->sim;
     const ovr_state *state = ovr_simulation_state(sim);
     double H_cen = ovr_simulation_observation(sim)->H_cen;

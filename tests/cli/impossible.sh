@@ -86,7 +86,7 @@ kept start.h5 "$touch"
 # the hybrid smoother diverges on a wave in time
 sed -e '/^\[feature/,$d' wall.ini >astray.ini
 cat >>astray.ini <<'END'
-[solver]
+[paper]
 smoother = hybrid
 [feature wave]
 shape = wave

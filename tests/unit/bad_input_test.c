@@ -337,8 +337,9 @@ enum { GOOD = sizeof good / sizeof *good };
 /* Writes it with the setting; returns its line. */
 static int with(const char *section, const char *key, const char *value)
 {
-    static const char *const sections[] = {
-        "contact", "domain", "solver", "time", "load", "feature", "output"};
+    static const char *const sections[] = {"contact", "domain", "solver",
+                                           "paper",   "time",   "load",
+                                           "feature", "output"};
     size_t used = 0;
     int line = 0, found = 0;
     for (size_t s = 0; s < sizeof sections / sizeof *sections; s++) {
@@ -373,8 +374,8 @@ static void what_is_found_late_has_its_line(void **state)
                                           {"domain", "inlet", "-1 um"},
                                           {"domain", "outlet", "1 um"},
                                           {"domain", "nodes", "100"},
-                                          {"solver", "mlmi_order", "5"},
-                                          {"solver", "mlmi_range", "5"},
+                                          {"paper", "mlmi_order", "5"},
+                                          {"paper", "mlmi_range", "5"},
                                           {"time", "end", "1e6 s"},
                                           {"load", "period", "2"},
                                           {"load", "file", "nowhere.csv"},

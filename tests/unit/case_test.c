@@ -94,6 +94,47 @@ static void values_and_defaults(void **state)
     done(c, s);
 }
 
+/* What stood in [solver] before [paper] was there, from a file and singly. */
+static void keys_that_moved(void **state)
+{
+    static const char old[] = "[solver]\nsmoother = hybrid\ncycle = W\n"
+                              "relax_dipole = 0.4\n[paper]\nswitch = 2\n";
+    ovr_case *c;
+    ovr_setup *s = resolved(join(moes, old), &c);
+    int moved = 0;
+    (void)state;
+    assert_true(s->options.smoother == OVR_HYBRID &&
+                s->options.cycle_index == 2 && s->options.relax_dipole == 0.4 &&
+                s->options.switch_value == 2);
+    assert_int_equal(
+        ovr_case_set(c, "solver.smoother", "dipole", "--set", NULL), OVR_OK);
+    assert_int_equal(ovr_case_set(c, "paper.relax_dipole", "0.5", "-", NULL),
+                     OVR_OK);
+    for (size_t k = 0; k < ovr_case_entries(c); k++) {
+        ovr_case_entry e = ovr_case_entry_at(c, k);
+        if (!e.before)
+            continue;
+        moved++;
+        assert_string_equal(e.before, "solver");
+        assert_string_equal(e.key, "smoother");
+        assert_string_equal(e.text, "dipole");
+        assert_string_equal(e.section, "paper");
+    }
+    assert_int_equal(moved, 1);
+    /* the text with both settings worked in is read again */
+    snprintf(text, sizeof text, "%s", ovr_case_text(c, NULL));
+    done(c, s);
+    s = resolved(text, &c);
+    assert_true(s->options.smoother == OVR_DIPOLE &&
+                s->options.relax_dipole == 0.5);
+    done(c, s);
+    refused(join(moes, "[solver]\nswitch = 1\n[paper]\nswitch = 2\n"),
+            "t.ini:7: 'switch' is given twice in [paper] (first in line 5)");
+    refused(join(moes, "[solver]\nrelax_dipole = 2\n"),
+            "t.ini:5: relax_dipole");
+    refused(join(moes, "[paper]\ncycle = W\n"), "it belongs in [solver]");
+}
+
 static void words_of_schemes(void **state)
 {
     (void)state;
@@ -191,7 +232,7 @@ static void contradictions_name_their_line(void **state)
     refused(join(moes, "[load]\nhistory = sine\n"), "t.ini:5: history: sine");
     refused(join(moes, "[load]\nhistory = table\nfile = nowhere\n"),
             "t.ini:6: file: cannot read");
-    refused(join(moes, "[solver]\nmlmi_order = 5\n"), "t.ini:5: mlmi_order");
+    refused(join(moes, "[paper]\nmlmi_order = 5\n"), "t.ini:5: mlmi_order");
     refused(join(moes, "[feature a]\nshape = dent\nwidth = 1\nstart=-5\n"),
             "t.ini:4: feature 'a': a dent needs its depth");
     refused(join(moes, "[feature a]\nwidth = 1\n"),
@@ -395,6 +436,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values_and_defaults),
+        cmocka_unit_test(keys_that_moved),
         cmocka_unit_test(words_of_schemes),
         cmocka_unit_test(oddities_of_text),
         cmocka_unit_test(bad_text_is_refused),
