@@ -49,21 +49,13 @@ _overroll_values() {
     domain.level) echo '' ;;
     domain.nodes) echo '' ;;
     domain.order) echo 'auto 2 4' ;;
-    solver.smoother) echo 'line hybrid gauss-seidel dipole' ;;
     solver.cycle) echo 'V W' ;;
     solver.sweeps_before) echo 'auto' ;;
     solver.sweeps_after) echo 'auto' ;;
     solver.coarsest_level) echo 'auto' ;;
     solver.stop) echo 'negligible truncation fixed' ;;
-    solver.cycles) echo '' ;;
     solver.max_cycles) echo 'auto' ;;
     solver.tolerance) echo 'auto' ;;
-    solver.mlmi_order) echo 'auto' ;;
-    solver.mlmi_range) echo 'auto' ;;
-    solver.switch) echo '' ;;
-    solver.relax_seidel) echo '' ;;
-    solver.relax_dipole) echo '' ;;
-    solver.paper_balance) echo 'yes no' ;;
     time.end) echo '' ;;
     time.step) echo 'grid adaptive' ;;
     time.scheme) echo 'upstream1 upstream2 characteristic' ;;
@@ -155,6 +147,14 @@ _overroll_values() {
     output.stride) echo '' ;;
     output.compression) echo '' ;;
     output.checkpoint) echo '' ;;
+    paper.smoother) echo 'line hybrid gauss-seidel dipole' ;;
+    paper.switch) echo '' ;;
+    paper.relax_seidel) echo '' ;;
+    paper.relax_dipole) echo '' ;;
+    paper.paper_balance) echo 'yes no' ;;
+    paper.cycles) echo '' ;;
+    paper.mlmi_order) echo 'auto' ;;
+    paper.mlmi_range) echo 'auto' ;;
     esac # keys
 }
 
