@@ -190,7 +190,7 @@ _overroll_choices() {
     *:--format) echo 'csv gnuplot matlab' ;;
     *:--form) echo 'png svg pdf' ;;
     *:--scheme) _overroll_values time.scheme ;;
-    *:--smoother) _overroll_values solver.smoother ;;
+    *:--smoother) _overroll_values paper.smoother ;;
     profile:--level) _overroll_values feature.level ;;
     profile:--unit-x) echo 'um mm nm m inch b' ;;
     profile:--unit-z) echo 'um nm mm m inch b^2/R' ;;

@@ -58,8 +58,8 @@ for command in $commands; do
 done
 
 # help explains every section and command
-for topic in contact lubricant domain solver time load speed feature output paper \
-    steady run check init help units alpha feature.depth; do
+for topic in contact lubricant domain solver time load speed feature output \
+    paper steady run check init help units alpha feature.depth; do
     expect 0 "$OVERROLL" help $topic
     [ -s out ] || fail "nothing on $topic"
 done
