@@ -103,9 +103,9 @@ static void keys_that_moved(void **state)
     ovr_setup *s = resolved(join(moes, old), &c);
     int moved = 0;
     (void)state;
-    assert_true(s->options.smoother == OVR_HYBRID &&
-                s->options.cycle_index == 2 && s->options.relax_dipole == 0.4 &&
-                s->options.switch_value == 2);
+    assert_true(
+        s->options->smoother == OVR_HYBRID && s->options->cycle_index == 2 &&
+        s->options->relax_dipole == 0.4 && s->options->switch_value == 2);
     assert_int_equal(
         ovr_case_set(c, "solver.smoother", "dipole", "--set", NULL), OVR_OK);
     assert_int_equal(ovr_case_set(c, "paper.relax_dipole", "0.5", "-", NULL),
@@ -125,8 +125,8 @@ static void keys_that_moved(void **state)
     snprintf(text, sizeof text, "%s", ovr_case_text(c, NULL));
     done(c, s);
     s = resolved(text, &c);
-    assert_true(s->options.smoother == OVR_DIPOLE &&
-                s->options.relax_dipole == 0.5);
+    assert_true(s->options->smoother == OVR_DIPOLE &&
+                s->options->relax_dipole == 0.5);
     done(c, s);
     refused(join(moes, "[solver]\nswitch = 1\n[paper]\nswitch = 2\n"),
             "t.ini:7: 'switch' is given twice in [paper] (first in line 5)");
@@ -144,7 +144,7 @@ static void words_of_schemes(void **state)
         snprintf(setting, sizeof setting, "[time]\nscheme = %s\n",
                  ovr_scheme_name((ovr_scheme)k));
         ovr_setup *s = resolved(join(moes, setting), &c);
-        assert_int_equal(s->options.scheme, k);
+        assert_int_equal(s->options->scheme, k);
         done(c, s);
     }
     assert_string_equal(ovr_scheme_name(OVR_CHARACTERISTIC), "characteristic");
