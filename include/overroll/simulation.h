@@ -153,11 +153,14 @@ typedef struct ovr_state {
     long step;
     double T;
     size_t n;
-    double D; /* mesh size */
+    double D; /* mesh size, the smallest */
     const double *X;
-    const double *P; /* pressure / ph */
-    const double *H; /* film thickness R/b^2 */
-    const double *S; /* feature height R/b^2 */
+    const double *weights; /* integral of f: sum of weights f */
+    const double *P;       /* pressure / ph */
+    const double *H;       /* film thickness R/b^2 */
+    const double *S;       /* feature height R/b^2 */
+    const double *q;       /* rho H */
+    const double *eps;     /* rho H^3/(eta lambda) */
     double H0;
 } ovr_state;
 OVR_API const ovr_state *ovr_simulation_state(const ovr_simulation *sim);

@@ -9,6 +9,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "multigrid/hierarchy.h"
+
 static const double ALPHA_PAPER = 1.7e-8; /* 1/Pa */
 
 /* ----------------------------------------------------- where errors belong */
@@ -210,6 +212,11 @@ static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
 
 /* ------------------------------------------------------------------- grid */
 
+static int nodes_of(int level)
+{
+    return (int)ovr_level_nodes(level);
+}
+
 static ovr_status resolve_level(ovr_resolved *r, ovr_error *err)
 {
     const ovr_slot *nodes = slot_of(r, "domain", "nodes");
@@ -219,15 +226,15 @@ static ovr_status resolve_level(ovr_resolved *r, ovr_error *err)
         return OVR_OK;
     if (level->given)
         return ovr_fail_slot(err, nodes, "level is given too: leave one out");
-    while (k < 23 && 7 * (1 << k) + 1 < wanted)
+    while (k < OVR_LEVELS - 1 && nodes_of(k) < wanted)
         k++;
-    if (k > 1 && 7 * (1 << k) + 1 - wanted > wanted - 7 * (1 << (k - 1)) - 1)
+    if (k > 1 && nodes_of(k) - wanted > wanted - nodes_of(k - 1))
         k--;
-    if (7 * (1 << k) + 1 != wanted)
+    if (nodes_of(k) != wanted)
         return ovr_fail_slot(err, nodes,
                              "%d must be 7 2^k + 1; the nearest is %d "
                              "(level %d)",
-                             wanted, 7 * (1 << k) + 1, k);
+                             wanted, nodes_of(k), k);
     r->values.options.level = k;
     return OVR_OK;
 }

@@ -85,10 +85,11 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
     }
     if (check_memory(r, err))
         return OVR_BAD_INPUT;
-    setup->mesh = (o->outlet - o->inlet) / (7 * ldexp(1, o->level));
+    setup->mesh = (o->outlet - o->inlet) /
+                  (double)(ovr_level_nodes(o->level) - 1);
     if (make_surfaces(r, allocator, err))
         return err ? err->status : OVR_BAD_INPUT;
-    setup->nodes = 7 * ((size_t)1 << o->level) + 1;
+    setup->nodes = ovr_level_nodes(o->level);
     return OVR_OK;
 }
 

@@ -12,11 +12,11 @@
 static double *take_kernel(const ovr_level *level, ovr_arena *arena,
                            ovr_error *err)
 {
-    size_t n = level->n, size = 2 * n + 5;
+    size_t n = level->grid.n, size = 2 * n + 5;
     double *kernel = ovr_field(arena, size, err);
     for (size_t k = 0; kernel && k < size; k++)
         kernel[k] = ovr_deformation_kernel((double)k - (double)(n + 2),
-                                           level->D);
+                                           level->grid.D);
     return kernel;
 }
 
@@ -32,8 +32,8 @@ ovr_status ovr_newton_prepare(ovr_hierarchy *grids, ovr_arena *arena,
     bool single = grids->coarsest == grids->finest;
     const ovr_level *level = &grids->level[grids->coarsest + !single];
     ovr_newton *newton = &grids->newton;
-    size_t m = level->n + 1;
-    newton->matrix = ovr_field(arena, m * stride_of(level->n), err);
+    size_t m = level->grid.n + 1;
+    newton->matrix = ovr_field(arena, m * stride_of(level->grid.n), err);
     newton->change = ovr_field(arena, m, err);
     newton->kernel[0] = take_kernel(&grids->level[grids->coarsest], arena, err);
     newton->kernel[1] = take_kernel(level, arena, err);
@@ -50,7 +50,7 @@ static void jacobian_row(const ovr_hierarchy *grids, const ovr_level *level,
 {
     const ovr_weights *w = &level->weights;
     row_weights c = i == 1 ? row_first(w) : row_inner(w);
-    size_t n = level->n;
+    size_t n = level->grid.n;
     ptrdiff_t J = (ptrdiff_t)i;
     /* dH_{i+d}/dP_j = -k(j - i - d) for d = -2, -1, 0, 1 */
     const double *k = grids->newton.kernel[level->number - grids->coarsest] +
@@ -75,7 +75,7 @@ static void hold(size_t n, size_t i, double *row)
 static void assemble(const ovr_hierarchy *grids, const ovr_level *level,
                      const ovr_fields *f)
 {
-    size_t n = level->n, stride = stride_of(n);
+    size_t n = level->grid.n, stride = stride_of(n);
     double *row = grids->newton.matrix;
     for (size_t i = 0; i < n; i++, row += stride) {
         bool end = i == 0 || i == n - 1;
@@ -87,7 +87,7 @@ static void assemble(const ovr_hierarchy *grids, const ovr_level *level,
         row[n + 1] = f->r[i];
     }
     for (size_t j = 0; j < n; j++)
-        row[j] = level->D;
+        row[j] = level->grid.D;
     row[n] = 0;
     row[n + 1] = level->force - ovr_level_load(grids, level);
 }
@@ -101,7 +101,7 @@ bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit)
 {
     const ovr_newton *newton = &grids->newton;
     const ovr_fields *f;
-    size_t n = level->n;
+    size_t n = level->grid.n;
     double H;
     ovr_level_residual(grids, level);
     f = ovr_level_ordered(grids, level);
@@ -115,7 +115,7 @@ bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit)
     }
     ovr_level_write(grids, level, f->P, level->f.P);
     /* in proportion where the film is thick: rigid contacts */
-    H = fabs(ovr_level_centre(grids, level, level->f.H));
+    H = fabs(ovr_level_centre(level, level->f.H));
     grids->H0 += clipped(newton->change[n], limit * 2 / 3 * (H > 1 ? H : 1));
     return isfinite(grids->H0);
 }

@@ -73,7 +73,7 @@ ovr_defect ovr_cycle_defect(const ovr_hierarchy *grids, const ovr_level *level)
     d.imbalance = ovr_level_imbalance(grids, level);
     d.load = fabs(level->force - ovr_level_load(grids, level)) /
              (level->force > 0 ? level->force : 1);
-    d.centre = ovr_level_centre(grids, level, level->f.H);
+    d.centre = ovr_level_centre(level, level->f.H);
     return d;
 }
 

@@ -44,6 +44,6 @@ void ovr_fas_refine(ovr_hierarchy *grids, const ovr_level *coarse,
 {
     double *from = grids->scratch[0], *to = grids->scratch[1];
     ovr_level_read(grids, coarse, coarse->f.P, from);
-    interpolate(coarse->n, from, to);
+    interpolate(coarse->grid.n, from, to);
     ovr_level_write(grids, fine, to, fine->f.P);
 }

@@ -33,7 +33,7 @@
     FIELD(r,       LANES,  1, 0, 0, 0, 0) /* residual F - N */ \
     FIELD(gap,     LANES,  0, 1, 0, 0, 0) /* undeformed gap (hierarchy.h) */ \
     FIELD(w,       WIDE,   0, 0, 0, 0, 0) /* deformation */ \
-    FIELD(entry,   LANES,  0, 0, 0, 0, 0) /* P as a finer level sent it down */
+    FIELD(entry,   LANES,  0, 0, 0, 0, 0) /* P when the cycle came to it */
 #define OVR_FIELD_INDEX(name, ...) OVR_FIELD_##name,
 #define OVR_FIELD_POINTER(name, ...) double *restrict name;
 /* clang-format on */

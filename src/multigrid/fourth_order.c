@@ -19,7 +19,7 @@ static ovr_level *finest_of(const ovr_hierarchy *grids)
 ovr_status ovr_correction_prepare(ovr_hierarchy *grids, ovr_correction *c,
                                   ovr_arena *arena, ovr_error *err)
 {
-    size_t room = finest_of(grids)->n + OVR_MOST_LANES;
+    size_t room = finest_of(grids)->grid.n + OVR_MOST_LANES;
     double **const all[] = {&c->F, &c->gap, &c->mask, &c->gap_only};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (!(*all[k] = ovr_field(arena, room, err)))
@@ -44,14 +44,15 @@ static void correct(ovr_hierarchy *grids, const ovr_correction *c, bool mask)
 {
     const ovr_kernels *run = grids->kernels;
     ovr_level *level = finest_of(grids);
-    const ovr_fourth how = {.D = level->D,
-                            .Cu = grids->op.speed,
-                            .centre = (size_t)ceil(-grids->X_a / level->D),
-                            .log_eps = grids->band.b[0],
-                            .flux = grids->band.b[1],
-                            .mask = c->mask,
-                            .F = c->F,
-                            .gap = c->gap};
+    const ovr_fourth how = {
+        .D = level->grid.D,
+        .Cu = grids->op.speed,
+        .centre = (size_t)ceil(-level->grid.X[0] / level->grid.D),
+        .log_eps = grids->band.b[0],
+        .flux = grids->band.b[1],
+        .mask = c->mask,
+        .F = c->F,
+        .gap = c->gap};
     if (mask)
         run->fourth_mask(&level->lanes, level->f.P, c->mask);
     run->fourth_order(&level->lanes, &how, &level->f, level->f.w);

@@ -19,8 +19,9 @@ typedef struct ascent {
  * with the fine D, is taken out again. */
 static void coarsen(const ovr_level *fine, size_t field, double *g)
 {
-    size_t last = (fine->n - 1) / 2;
-    double shift = field == OVR_FIELD_gap ? 0.25 * fine->D * fine->D : 0;
+    size_t last = (fine->grid.n - 1) / 2;
+    double shift = field == OVR_FIELD_gap ? 0.25 * fine->grid.D * fine->grid.D
+                                          : 0;
     for (size_t I = 1; I < last; I++)
         g[I] = 0.25 * (g[2 * I - 1] + 2 * g[2 * I] + g[2 * I + 1]) - shift;
     g[last] = g[2 * last];
@@ -81,11 +82,11 @@ static void hertzian_start(const ascent *a, ovr_level *level, double fraction)
     ovr_hierarchy *grids = a->grids;
     double Cw = a->wanted->Cw, H = ovr_wanted_film(a->wanted, fraction);
     double width = sqrt(H > Cw ? H : Cw), *P = grids->scratch[0];
-    for (size_t i = 0; i < level->n; i++) {
-        double x = (grids->X_a + (double)i * level->D) / width;
+    for (size_t i = 0; i < level->grid.n; i++) {
+        double x = level->grid.X[i] / width;
         P[i] = x * x < 1 ? Cw / width * sqrt(1 - x * x) : 0;
     }
-    P[0] = P[level->n - 1] = 0;
+    P[0] = P[level->grid.n - 1] = 0;
     ovr_level_write(grids, level, P, level->f.P);
     grids->H0 = H + Cw * (-0.5966 + 0.5 * log(width));
 }
@@ -193,7 +194,7 @@ static double solve_easy_load(const ascent *a, ovr_level *level)
     const double least = 1e-3;
     double fraction = 1;
     while (fraction > least &&
-           ovr_wanted_film(a->wanted, fraction) < pow(level->D, 1.5))
+           ovr_wanted_film(a->wanted, fraction) < pow(level->grid.D, 1.5))
         fraction *= 0.9;
     for (;; fraction *= 0.7) {
         a->grids->fluid = ovr_wanted_fluid(a->wanted, fraction);
@@ -210,7 +211,8 @@ static int load_level(const ascent *a)
     const ovr_hierarchy *grids = a->grids;
     double rise = pow(ovr_wanted_film(a->wanted, 1), 2. / 3);
     int level = grids->coarsest;
-    while (level < grids->finest && grids->level[level].D > a->how->mesh * rise)
+    while (level < grids->finest &&
+           grids->level[level].grid.D > a->how->mesh * rise)
         level++;
     return level;
 }

@@ -10,7 +10,7 @@
 /* Nodes of the lanes and beyond, for any machine's kernels. */
 static size_t room_of(const ovr_level *level)
 {
-    return level->n + OVR_MOST_LANES;
+    return level->grid.n + OVR_MOST_LANES;
 }
 
 /* Arrays of `room` values, to where the pointers point. */
@@ -36,8 +36,8 @@ static ovr_status take_fields(ovr_level *level, bool newton, ovr_arena *arena,
         if (!level->f.all[k])
             return OVR_NO_MEMORY;
     }
-    level->f.wet = ovr_set(arena, level->n, err);
-    level->f.held = ovr_set(arena, level->n, err);
+    level->f.wet = ovr_set(arena, level->grid.n, err);
+    level->f.held = ovr_set(arena, level->grid.n, err);
     return level->f.wet && level->f.held ? OVR_OK : OVR_NO_MEMORY;
 }
 
@@ -59,18 +59,21 @@ static ovr_status take_natural(ovr_fields *f, size_t n, ovr_arena *arena,
     return OVR_OK;
 }
 
+/* The next finer level, of the whole grid below. */
 static ovr_status build_level(ovr_hierarchy *grids, int number, int order,
                               int range, ovr_arena *arena, ovr_error *err)
 {
     ovr_level *level = &grids->level[number];
+    const ovr_grid *below = &(level - 1)->grid;
+    if (number > grids->coarsest &&
+        ovr_grid_refine(&level->grid, below, 0, below->n - 1, arena, err))
+        return OVR_NO_MEMORY;
     level->number = number;
-    level->n = ovr_level_nodes(number);
-    level->D = (grids->X_b - grids->X_a) / (double)(level->n - 1);
     for (int d = 0; d < 6; d++)
-        level->k[d] = ovr_deformation_kernel(d, level->D);
+        level->k[d] = ovr_deformation_kernel(d, level->grid.D);
     const ovr_mlmi *like = number > grids->coarsest ? &(level - 1)->mlmi : NULL;
-    if (ovr_mlmi_plan(&level->mlmi, level->n, level->D, order, range, like,
-                      arena, err))
+    if (ovr_mlmi_plan(&level->mlmi, level->grid.n, level->grid.D, order, range,
+                      like, arena, err))
         return OVR_NO_MEMORY;
     return take_fields(level, number <= grids->coarsest + 1, arena, err);
 }
@@ -81,7 +84,7 @@ void ovr_hierarchy_kernels(ovr_hierarchy *grids, const ovr_kernels *kernels)
     for (int l = grids->coarsest; l <= grids->finest; l++) {
         ovr_level *level = &grids->level[l];
         level->lanes = (ovr_lanes){
-            .n = level->n,
+            .n = level->grid.n,
             .S = ovr_mlmi_lane(&level->mlmi, kernels->lanes),
             .V = kernels->lanes};
     }
@@ -95,15 +98,16 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
 {
     grids->coarsest = coarsest;
     grids->finest = finest;
-    grids->X_a = X_a;
-    grids->X_b = X_b;
+    if (ovr_grid_make(&grids->level[coarsest].grid, X_a, X_b,
+                      ovr_level_nodes(coarsest), arena, err))
+        return OVR_NO_MEMORY;
     for (int l = coarsest; l <= finest; l++)
         if (build_level(grids, l, order[l], range[l], arena, err))
             return OVR_NO_MEMORY;
     size_t room = room_of(&grids->level[finest]);
     if (take_band(&grids->band, room, arena, err) ||
-        take_natural(&grids->natural, ovr_level_nodes(grids->ordered), arena,
-                     err))
+        take_natural(&grids->natural, grids->level[grids->ordered].grid.n,
+                     arena, err))
         return OVR_NO_MEMORY;
     grids->scratch[0] = grids->band.b[0];
     grids->scratch[1] = grids->band.b[1];
@@ -111,13 +115,19 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
     return ovr_newton_prepare(grids, arena, err);
 }
 
+void ovr_hierarchy_fill(ovr_hierarchy *grids)
+{
+    for (int l = grids->coarsest; l <= grids->finest; l++)
+        ovr_grid_fill(&grids->level[l].grid);
+}
+
 void ovr_hierarchy_operator(ovr_hierarchy *grids, const ovr_operator *op)
 {
     grids->op = *op;
     for (int l = grids->coarsest; l <= grids->finest; l++) {
         ovr_level *level = &grids->level[l];
-        level->weights = ovr_reynolds_weights(op, level->D);
-        level->shares = ovr_reynolds_shares(op, level->D);
+        level->weights = ovr_reynolds_weights(op, level->grid.D);
+        level->shares = ovr_reynolds_shares(op, level->grid.D);
     }
 }
 
@@ -145,12 +155,12 @@ double ovr_level_imbalance(const ovr_hierarchy *grids, const ovr_level *level)
 {
     double sum = grids->kernels->imbalance(&level->lanes, &level->weights,
                                            &level->f);
-    return sum * level->D / fabs(ovr_level_centre(grids, level, level->f.H));
+    return sum * level->grid.D / fabs(ovr_level_centre(level, level->f.H));
 }
 
 double ovr_level_load(const ovr_hierarchy *grids, const ovr_level *level)
 {
-    return level->D * grids->kernels->sum(&level->lanes, level->f.P);
+    return level->grid.D * grids->kernels->sum(&level->lanes, level->f.P);
 }
 
 void ovr_level_read(const ovr_hierarchy *grids, const ovr_level *level,
@@ -180,10 +190,9 @@ const ovr_fields *ovr_level_ordered(const ovr_hierarchy *grids,
     return &grids->natural;
 }
 
-double ovr_level_centre(const ovr_hierarchy *grids, const ovr_level *level,
-                        const double *values)
+double ovr_level_centre(const ovr_level *level, const double *values)
 {
-    double at = -grids->X_a / level->D, s, v[4];
+    double at = -level->grid.X_a / level->grid.D, s, v[4];
     size_t i = (size_t)at;
     for (size_t k = 0; k < 4; k++)
         v[k] = values[ovr_lanes_place(&level->lanes, i + k - 1)];

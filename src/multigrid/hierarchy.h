@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Grids: a hierarchy of levels, level l with n = 7 2^l + 1 nodes
- * X_i = X_a + i D on the same domain (the paper's numbering).
+ * Levels: grids (grid.h) with fields on them (fields.h), level l with
+ * n = 7 2^l + 1 nodes on the same domain (the paper's numbering).
  *
  * On every level the film is
  *     H_i = H0 + gap_i - w_i(P),   w the deformation by that level's kernel.
@@ -17,6 +17,7 @@
 #define OVR_MULTIGRID_HIERARCHY_H
 
 #include "multigrid/deformation.h"
+#include "multigrid/grid.h"
 #include "multigrid/kernels.h"
 #include "multigrid/reynolds.h"
 
@@ -24,8 +25,7 @@ enum { OVR_LEVELS = 24 };
 
 typedef struct ovr_level {
     int number;
-    size_t n;
-    double D;
+    ovr_grid grid;
     ovr_lanes lanes;
     ovr_fields f;
     double force;      /* wanted value of D sum P on this level */
@@ -46,7 +46,6 @@ typedef struct ovr_hierarchy {
     const ovr_kernels *kernels;
     ovr_fluid fluid;
     ovr_operator op;
-    double X_a, X_b;
     double H0;
     int ordered; /* the finest level that is not relaxed in lanes */
 
@@ -64,6 +63,9 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
                                const int order[OVR_LEVELS],
                                const int range[OVR_LEVELS], ovr_arena *arena,
                                ovr_error *err);
+
+/* Writes what is large and does not change, for which there is room now. */
+void ovr_hierarchy_fill(ovr_hierarchy *grids);
 
 /* Other kernels than those it was built with, before anything is solved. */
 void ovr_hierarchy_kernels(ovr_hierarchy *grids, const ovr_kernels *kernels);
@@ -97,12 +99,6 @@ const ovr_fields *ovr_level_ordered(const ovr_hierarchy *grids,
                                     const ovr_level *level);
 
 /* Value at X = 0 by the cubic through the four nodes about it. */
-double ovr_level_centre(const ovr_hierarchy *grids, const ovr_level *level,
-                        const double *values);
-
-static inline size_t ovr_level_nodes(int number)
-{
-    return ((size_t)7 << number) + 1;
-}
+double ovr_level_centre(const ovr_level *level, const double *values);
 
 #endif

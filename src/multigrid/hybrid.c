@@ -75,8 +75,8 @@ static bool exit_window(const ovr_level *level, const ovr_fields *f,
 {
     enum { BEHIND = 8 };
     const double *P = f->P, *eps = f->eps;
-    double D = level->D;
-    size_t end = level->n - 2, i;
+    double D = level->grid.D;
+    size_t end = level->grid.n - 2, i;
     while (end > 1 && !(P[end] > 0))
         end--;
     for (i = end; i > 1; i--) {
@@ -85,7 +85,7 @@ static bool exit_window(const ovr_level *level, const ovr_fields *f,
             break;
     }
     *first = i;
-    *last = end + BEHIND < level->n - 1 ? end + BEHIND : level->n - 2;
+    *last = end + BEHIND < level->grid.n - 1 ? end + BEHIND : level->grid.n - 2;
     return end > 1;
 }
 
@@ -105,8 +105,8 @@ void ovr_relax_hybrid(ovr_hierarchy *grids, ovr_level *level,
     const ovr_fields *f = ovr_level_ordered(grids, level);
     double *restrict P = f->P, *restrict delta = grids->band.delta;
     const double *eps = f->eps;
-    double bound = how->switch_value * level->D * level->D;
-    size_t n = level->n;
+    double bound = how->switch_value * level->grid.D * level->grid.D;
+    size_t n = level->grid.n;
     for (size_t i = 1; i + 1 < n; i++) {
         row s = row_at(level, f, i);
         delta[i] = 0;

@@ -113,9 +113,10 @@ enum { OVR_FOURTH_MARGIN = 8 };
     K(size_t, extreme, (size_t n, double sign, const double *x)) \
     K(bool, positive, (size_t n, const double *x)) \
     K(double, difference, (size_t n, const double *a, const double *b)) \
-    K(double, gain, (size_t n, const double *a, const double *b)) \
+    K(double, gain, (size_t n, const double *weights, const double *a, \
+                     const double *b)) \
     K(int, peaks, (size_t n, const double *x, size_t *last)) \
-    K(double, mean_flow, (size_t n, const double u[2], double D, \
+    K(double, mean_flow, (size_t n, const double u[2], const double *X, \
                           const double *P, const double *q, \
                           const double *eps)) \
     K(double, deviation, (size_t n, const double e[3], const double *P, \

@@ -83,17 +83,17 @@ int OVR_KERNEL(peaks)(size_t n, const double *x, size_t *last)
 
 /* Mean over the half nodes i + 1/2, i = 1..n-3, between wet nodes of
  *     Cu (u_0 q_i + u_1 q_{i-1}) - (eps_i + eps_{i+1})/2 (P_{i+1} - P_i)/D */
-double OVR_KERNEL(mean_flow)(size_t n, const double u[2], double D,
+double OVR_KERNEL(mean_flow)(size_t n, const double u[2], const double *X,
                              const double *P, const double *q,
                              const double *eps)
 {
     vec sum = all(0), count = all(0);
-    double half = 0.5 / D;
     for (size_t k = 1; k < n - 2; k += VEC) {
         size_t i = 1 + start_of(k - 1, n - 3);
         vec p = load(P + i), next = load(P + i + 1);
         vec flow = u[0] * load(q + i) + u[1] * load(q + i - 1) -
-                   half * (load(eps + i) + load(eps + i + 1)) * (next - p);
+                   0.5 * (load(eps + i) + load(eps + i + 1)) * (next - p) /
+                       (load(X + i + 1) - load(X + i));
         ivec wet = (p > 0) & (next > 0) & new_elements(k - 1, n - 3);
         sum += choose(wet, flow, all(0));
         count += choose(wet, all(1), all(0));
@@ -121,14 +121,15 @@ double OVR_KERNEL(deviation)(size_t n, const double e[3], const double *P,
 }
 
 /* sum (a - b), any n */
-double OVR_KERNEL(gain)(size_t n, const double *a, const double *b)
+double OVR_KERNEL(gain)(size_t n, const double *weights, const double *a,
+                        const double *b)
 {
     vec part = all(0);
     size_t i = 0;
     for (; i + VEC <= n; i += VEC)
-        part += load(a + i) - load(b + i);
+        part += load(weights + i) * (load(a + i) - load(b + i));
     double sum = sum_of_lanes(part);
     for (; i < n; i++)
-        sum += a[i] - b[i];
+        sum += weights[i] * (a[i] - b[i]);
     return sum;
 }

@@ -29,11 +29,12 @@ double ovr_difference_plain(size_t n, const double *a, const double *b)
     return most;
 }
 
-double ovr_gain_plain(size_t n, const double *a, const double *b)
+double ovr_gain_plain(size_t n, const double *weights, const double *a,
+                      const double *b)
 {
     double sum = 0;
     for (size_t i = 0; i < n; i++)
-        sum += a[i] - b[i];
+        sum += weights[i] * (a[i] - b[i]);
     return sum;
 }
 
@@ -48,14 +49,15 @@ int ovr_peaks_plain(size_t n, const double *x, size_t *last)
     return count;
 }
 
-double ovr_mean_flow_plain(size_t n, const double u[2], double D,
+double ovr_mean_flow_plain(size_t n, const double u[2], const double *X,
                            const double *P, const double *q, const double *eps)
 {
     double sum = 0, count = 0;
     for (size_t i = 1; i + 2 < n; i++)
         if (P[i] > 0 && P[i + 1] > 0) {
             sum += u[0] * q[i] + u[1] * q[i - 1] -
-                   (eps[i] + eps[i + 1]) / 2 * (P[i + 1] - P[i]) / D;
+                   (eps[i] + eps[i + 1]) / 2 * (P[i + 1] - P[i]) /
+                       (X[i + 1] - X[i]);
             count++;
         }
     return count > 0 ? sum / count : 0;

@@ -21,17 +21,17 @@ double ovr_inlet_rise(const ovr_simulation *sim)
 
 bool ovr_hopeless(const ovr_simulation *sim)
 {
-    return sim->finest->D > hopeless * ovr_inlet_rise(sim);
+    return sim->finest->grid.D > hopeless * ovr_inlet_rise(sim);
 }
 
 bool ovr_surfaces_apart(const ovr_simulation *sim)
 {
-    return sim->grids.kernels->positive(sim->finest->n, sim->now.H);
+    return sim->grids.kernels->positive(sim->now.n, sim->now.H);
 }
 
 static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
 {
-    double rise = ovr_inlet_rise(sim), D = sim->finest->D;
+    double rise = ovr_inlet_rise(sim), D = sim->finest->grid.D;
     int more = (int)ceil(log2(D / (resolved * rise)));
     return ovr_fail(err, OVR_IMPOSSIBLE,
                     "the film is too thin for the mesh: H = %.1e by the film "
@@ -50,12 +50,12 @@ static bool surfaces_overlap(const ovr_simulation *sim, const ovr_defect *d)
 
 static ovr_status touching(const ovr_simulation *sim, double T, ovr_error *err)
 {
-    size_t low = sim->grids.kernels->extreme(sim->finest->n, 1, sim->now.H);
+    size_t low = sim->grids.kernels->extreme(sim->now.n, 1, sim->now.H);
     return ovr_fail(err, OVR_IMPOSSIBLE,
                     "the surfaces touch at T = %g: film H = %.1e at X = %.3f "
                     "(surface there %.1e high); contact of the surfaces is "
                     "not modelled%s",
-                    T, sim->now.H[low], sim->X[low], sim->S[low],
+                    T, sim->now.H[low], sim->now.X[low], sim->S[low],
                     sim->heights ? "; lower features or a finer level may help"
                                  : "; a finer level may help");
 }
@@ -77,7 +77,7 @@ ovr_status ovr_complain_steady(const ovr_simulation *sim,
     bool fixed = sim->options.stop == OVR_STOP_FIXED;
     if (fixed && sim->refinements > 0 && ovr_surfaces_apart(sim))
         return too_few_cycles(sim, err);
-    if (sim->finest->D > resolved * ovr_inlet_rise(sim))
+    if (sim->finest->grid.D > resolved * ovr_inlet_rise(sim))
         return too_thin(sim, err);
     if (surfaces_overlap(sim, &outcome->defect))
         return touching(sim, 0, err);

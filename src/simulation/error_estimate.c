@@ -42,8 +42,8 @@ double ovr_step_error(const ovr_simulation *sim, double h)
     if (past->steps < sim->scheme->order)
         return 0;
     double factor = sim->scheme->extrapolation(past, h, e);
-    rms = sim->grids.kernels->deviation(sim->finest->n, e, sim->now.P,
-                                        sim->now.q, past->q);
-    double H = ovr_level_centre(&sim->grids, sim->finest, sim->finest->f.H);
+    rms = sim->grids.kernels->deviation(sim->now.n, e, sim->now.P, sim->now.q,
+                                        past->q);
+    double H = ovr_level_centre(sim->finest, sim->finest->f.H);
     return factor * rms / fabs(H);
 }

@@ -3,16 +3,19 @@
 
 #include <math.h>
 
-double ovr_vertex(const double *v, size_t i, double *value)
+double ovr_vertex(const double *X, const double *v, size_t i, double *value)
 {
-    double slope = 0.5 * (v[i + 1] - v[i - 1]);
-    double curvature = v[i + 1] - 2 * v[i] + v[i - 1];
+    double left = X[i] - X[i - 1], right = X[i + 1] - X[i];
+    double up = (v[i] - v[i - 1]) / left, down = (v[i + 1] - v[i]) / right;
+    double curvature = 2 * (down - up) / (left + right);
+    double slope = (up * right + down * left) / (left + right);
     double shift = curvature != 0 ? -slope / curvature : 0;
     double gain = shift * (slope + 0.5 * shift * curvature);
-    if (!(fabs(shift) <= 1) || !(fabs(gain) <= 0.05 * fabs(v[i])))
+    if (!(-left <= shift && shift <= right) ||
+        !(fabs(gain) <= 0.05 * fabs(v[i])))
         shift = gain = 0;
     *value = v[i] + gain;
-    return shift;
+    return X[i] + shift;
 }
 
 int ovr_prominent_maxima(size_t n, const double *P, size_t *last)

@@ -11,10 +11,10 @@
 #define OVR_PROMINENCE 1e-3
 
 /* The vertex of the parabola through nodes i-1, i, i+1, node i being an
- * extreme: its position in meshes from node i, and *value.  Where the vertex
+ * extreme: its place, and *value.  Where the vertex
  * would be further than a mesh away, or differ from the node by more than 5 %
  * of the node's value, the mesh does not carry it: the node itself. */
-double ovr_vertex(const double *v, size_t i, double *value);
+double ovr_vertex(const double *X, const double *v, size_t i, double *value);
 
 /* How many maxima stand out; *last is the last of them.  Of those that do not
  * stand out from each other the highest is taken. */

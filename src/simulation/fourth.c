@@ -14,7 +14,7 @@
 
 void ovr_fourth_forget(ovr_simulation *sim)
 {
-    size_t bytes = sim->finest->n * sizeof(double);
+    size_t bytes = sim->finest->grid.n * sizeof(double);
     sim->order = 2;
     memset(sim->F_fourth, 0, bytes);
     memset(sim->gap_fourth, 0, bytes);
@@ -33,18 +33,19 @@ void ovr_fourth_begin(ovr_simulation *sim)
 
 static void standing_heights(const ovr_simulation *sim, double *S)
 {
-    memset(S, 0, sim->finest->n * sizeof *S);
+    memset(S, 0, sim->finest->grid.n * sizeof *S);
     if (sim->standing)
-        sim->standing(sim->standing_data, 0, sim->finest->n, sim->X, S);
+        sim->standing(sim->standing_data, 0, sim->finest->grid.n, sim->now.X,
+                      S);
 }
 
 bool ovr_fourth_stands_apart(ovr_simulation *sim)
 {
-    size_t n = sim->finest->n;
+    size_t n = sim->finest->grid.n;
     double *S = sim->grids.scratch[0];
     if (!sim->standing_told || !sim->heights)
         return false;
-    sim->heights(sim->heights_data, 0, n, sim->X, sim->S);
+    sim->heights(sim->heights_data, 0, n, sim->now.X, sim->S);
     standing_heights(sim, S);
     return sim->grids.kernels->difference(n, S, sim->S) > 0;
 }
@@ -53,8 +54,8 @@ void ovr_fourth_standing_gap(ovr_simulation *sim)
 {
     double *gap = sim->grids.scratch[0];
     standing_heights(sim, gap);
-    for (size_t i = 0; i < sim->finest->n; i++)
-        gap[i] = 0.5 * sim->X[i] * sim->X[i] - gap[i];
+    for (size_t i = 0; i < sim->finest->grid.n; i++)
+        gap[i] = 0.5 * sim->now.X[i] * sim->now.X[i] - gap[i];
     ovr_level_write(&sim->grids, sim->finest, gap, sim->finest->f.gap);
 }
 

@@ -65,7 +65,7 @@ static bool equal_steps(const ovr_past *past, double dT, int steps)
 /* S need only be right to a part of the guess's own error. */
 static bool moves_a_mesh(const ovr_simulation *sim, double dT)
 {
-    return fabs(sim->grids.op.speed * dT / sim->finest->D - 1) < 0.01;
+    return fabs(sim->grids.op.speed * dT / sim->finest->grid.D - 1) < 0.01;
 }
 
 /* A field from its past.  The first nodes, of which nothing lies upstream, stay
@@ -75,7 +75,7 @@ static void extrapolate(const ovr_simulation *sim, const formula *how,
 {
     const double *from[MOST_TERMS];
     double weight[MOST_TERMS];
-    size_t moved = sim->finest->n - UPSTREAM;
+    size_t moved = sim->finest->grid.n - UPSTREAM;
     for (size_t k = 0; k < how->count; k++) {
         const term *t = &how->term[k];
         from[k] = past[t->ago] + UPSTREAM - t->meshes;
@@ -89,7 +89,7 @@ static void extrapolate(const ovr_simulation *sim, const formula *how,
 static formula formula_for(const ovr_simulation *sim, double dT)
 {
     const ovr_past *past = &sim->past;
-    if (past->steps < 1 || dT > longest * sim->finest->D)
+    if (past->steps < 1 || dT > longest * sim->finest->grid.D)
         return last;
     if (equal_steps(past, dT, 3) && moves_a_mesh(sim, dT))
         return standing_and_moving;

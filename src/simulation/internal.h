@@ -40,10 +40,19 @@ typedef struct ovr_inflow {
     double *extended; /* q with ghosts before it */
 } ovr_inflow;
 
-/* P in the order of the nodes: of the level below, before the last cycle. */
-typedef struct ovr_refining {
-    double *coarse, *before;
-} ovr_refining;
+/* The solution as all above multigrid sees it, node by node: the fields that
+ * are `shown`, on whatever grid. */
+typedef struct ovr_solution {
+    size_t n;
+    const double *X;
+    double *weights; /* integral of f: sum of weights f */
+    union {
+        struct {
+            OVR_LEVEL_FIELDS(OVR_FIELD_POINTER)
+        };
+        double *all[OVR_FIELD_COUNT];
+    };
+} ovr_solution;
 
 struct ovr_simulation {
     ovr_arena arena;
@@ -61,8 +70,8 @@ struct ovr_simulation {
     bool standing_told;
     const ovr_history *load, *speed;
 
-    double *X, *S;
-    ovr_fields now; /* what is shown of the finest level, node by node */
+    double *S;
+    ovr_solution now;
     ovr_past past;
     ovr_inflow inflow;
     bool started;
@@ -74,7 +83,7 @@ struct ovr_simulation {
     double largest_error; /* adaptive: a step with more is not accepted */
     double *S_past;       /* surface one step ago */
 
-    ovr_refining refining;
+    double *saved; /* steady: P of the level below; P to go back to */
     ovr_refinement refinement[OVR_LEVELS];
     int refinements;
     ovr_state state;

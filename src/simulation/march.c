@@ -66,7 +66,7 @@ static double regulated(const ovr_simulation *sim, const ovr_march *march,
                         double dT, double error)
 {
     double wanted = wanted_error(march);
-    double factor = 2, D = sim->finest->D;
+    double factor = 2, D = sim->finest->grid.D;
     if (error > 0)
         factor = 0.9 * pow(wanted / error, 1. / (1 + sim->scheme->order));
     dT *= fmin(2, fmax(0.5, factor));
@@ -78,10 +78,10 @@ static ovr_status adaptive_step(ovr_simulation *sim, const ovr_march *march,
                                 ovr_error *err)
 {
     double wanted = wanted_error(march), error;
-    double dT = sim->past.dT_next > 0 ? sim->past.dT_next : sim->finest->D;
+    double dT = sim->past.dT_next > 0 ? sim->past.dT_next : sim->finest->grid.D;
     for (bool taken = false; !taken;) {
         double next = next_time(sim, march, dT), step = next - sim->state.T;
-        bool shortest = step <= 1.01 * least_step * sim->finest->D;
+        bool shortest = step <= 1.01 * least_step * sim->finest->grid.D;
         sim->largest_error = shortest ? INFINITY : 2 * wanted;
         ovr_status status = ovr_simulation_attempt(sim, next, &taken, &error,
                                                    err);
@@ -115,7 +115,7 @@ static bool stands_still(ovr_simulation *sim)
 static ovr_status follow(ovr_simulation *sim, const ovr_march *march,
                          ovr_error *err)
 {
-    double dT = march->dT > 0 ? march->dT : sim->finest->D;
+    double dT = march->dT > 0 ? march->dT : sim->finest->grid.D;
     double last = march->end - 1e-6 * dT;
     bool still = false;
     ovr_status status = OVR_OK;

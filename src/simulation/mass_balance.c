@@ -7,7 +7,7 @@
  *     error = [inflow - outflow]_{mean of both times}
  *             - (stored mass now - before)/dT,   over the contact's own flow
  *     flux  = Cu (q_i + q_{i+1})/2 - eps_{i+1/2} (P_{i+1} - P_i)/D
- *     mass  = D sum q over the nodes between the two half nodes
+ *     mass  = sum of weights q over the nodes between the two half nodes
  *
  * from half node 1/2 to the last one that is under pressure at both times.
  * All rules are of second order in D and dT, and so is the error.  The
@@ -32,7 +32,7 @@ static double central_flux(const ovr_simulation *sim, const double *P,
     double eps = 0.5 *
                  (poiseuille(sim, P, q, i) + poiseuille(sim, P, q, i + 1));
     return 0.5 * Cu * (q[i] + q[i + 1]) -
-           eps * (P[i + 1] - P[i]) / sim->finest->D;
+           eps * (P[i + 1] - P[i]) / (sim->now.X[i + 1] - sim->now.X[i]);
 }
 
 static size_t last_wet(const double *P, size_t n)
@@ -47,18 +47,20 @@ static size_t last_wet(const double *P, size_t n)
 static double own_flow(const ovr_simulation *sim, double Cu, size_t end)
 {
     const double *P = sim->now.P, *q = sim->now.q, *eps = sim->now.eps;
+    const double *X = sim->now.X;
     double sum = 0;
-    for (size_t i = 0; i <= end; i++)
-        sum += fabs(0.5 * Cu * (q[i] + q[i + 1]) - 0.5 * (eps[i] + eps[i + 1]) *
-                                                       (P[i + 1] - P[i]) /
-                                                       sim->finest->D);
+    for (size_t i = 0; i <= end; i++) {
+        double slope = (P[i + 1] - P[i]) / (X[i + 1] - X[i]);
+        sum += fabs(0.5 * Cu * (q[i] + q[i + 1]) -
+                    0.5 * (eps[i] + eps[i + 1]) * slope);
+    }
     return sum / (double)(end + 1);
 }
 
 double ovr_mass_balance(const ovr_simulation *sim)
 {
     const ovr_past *past = &sim->past;
-    size_t n = sim->finest->n, end = last_wet(past->P[0], n),
+    size_t n = sim->now.n, end = last_wet(past->P[0], n),
            before = last_wet(past->P[1], n);
     double dT = past->dT, in[2], out[2], stored, scale;
     if (before < end)
@@ -71,9 +73,10 @@ double ovr_mass_balance(const ovr_simulation *sim)
         in[k] = central_flux(sim, past->P[k], past->q[k], Cu, 0);
         out[k] = central_flux(sim, past->P[k], past->q[k], Cu, end);
     }
-    stored = sim->grids.kernels->gain(end, past->q[0] + 1, past->q[1] + 1);
+    stored = sim->grids.kernels->gain(end, sim->now.weights + 1, past->q[0] + 1,
+                                      past->q[1] + 1);
     double net = 0.5 * (in[0] - out[0] + in[1] - out[1]);
     scale = own_flow(sim, ovr_history_value(sim->speed, past->T[0]), end);
-    double error = net - sim->finest->D * stored / dT;
+    double error = net - stored / dT;
     return scale > 0 ? error / scale : error;
 }

@@ -8,12 +8,11 @@
 static void observe_film(const ovr_simulation *sim, ovr_observation *o)
 {
     const double *H = sim->now.H;
-    size_t low = 1 + sim->grids.kernels->extreme(sim->finest->n - 2, 1, H + 1);
+    size_t low = 1 + sim->grids.kernels->extreme(sim->now.n - 2, 1, H + 1);
     o->H_min = H[low];
-    o->X_min = sim->X[low];
-    o->X_min_located = o->X_min +
-                       sim->finest->D * ovr_vertex(H, low, &o->H_min_located);
-    o->H_cen = ovr_level_centre(&sim->grids, sim->finest, sim->finest->f.H);
+    o->X_min = sim->now.X[low];
+    o->X_min_located = ovr_vertex(sim->now.X, H, low, &o->H_min_located);
+    o->H_cen = ovr_level_centre(sim->finest, sim->finest->f.H);
     o->H0 = sim->grids.H0;
 }
 
@@ -21,7 +20,7 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
 {
     const ovr_kernels *run = sim->grids.kernels;
     const double *P = sim->now.P;
-    size_t n = sim->finest->n, spike = 0, wet = n - 2;
+    size_t n = sim->now.n, spike = 0, wet = n - 2;
     size_t high = 1 + run->extreme(n - 2, -1, P + 1);
     int maxima = run->peaks(n, P, &spike);
     if (maxima > 1) /* most of them may be noise */
@@ -29,20 +28,18 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
     while (wet > 0 && !(P[wet] > 0))
         wet--;
     o->P_max = P[high];
-    o->X_P_max = sim->X[high];
-    o->X_P_max_located =
-        o->X_P_max + sim->finest->D * ovr_vertex(P, high, &o->P_max_located);
-    o->P_cen = ovr_level_centre(&sim->grids, sim->finest, sim->finest->f.P);
+    o->X_P_max = sim->now.X[high];
+    o->X_P_max_located = ovr_vertex(sim->now.X, P, high, &o->P_max_located);
+    o->P_cen = ovr_level_centre(sim->finest, sim->finest->f.P);
     o->maxima = maxima;
-    o->X_cavitation = sim->X[wet + 1];
+    o->X_cavitation = sim->now.X[wet + 1];
     o->P_spike = o->X_spike = NAN;
     o->P_spike_located = o->X_spike_located = NAN;
-    if (maxima >= 2 && sim->X[spike] > 0) {
+    if (maxima >= 2 && sim->now.X[spike] > 0) {
         o->P_spike = P[spike];
-        o->X_spike = sim->X[spike];
-        o->X_spike_located = o->X_spike +
-                             sim->finest->D *
-                                 ovr_vertex(P, spike, &o->P_spike_located);
+        o->X_spike = sim->now.X[spike];
+        o->X_spike_located = ovr_vertex(sim->now.X, P, spike,
+                                        &o->P_spike_located);
     }
     o->load = ovr_level_load(&sim->grids, sim->finest);
 }
@@ -52,12 +49,12 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
 double ovr_flux(const ovr_simulation *sim, double Cu, size_t i)
 {
     const double *P = sim->now.P, *q = sim->now.q, *eps = sim->now.eps;
-    const double *u = sim->scheme->upstream;
+    const double *X = sim->now.X, *u = sim->scheme->upstream;
     double upstream = i ? u[0] * q[i] + u[1] * q[i - 1] : q[0];
     if (i == 0 && sim->scheme->order == 2)
         upstream = 0.5 * (q[0] + q[1]);
     return Cu * upstream -
-           0.5 * (eps[i] + eps[i + 1]) * (P[i + 1] - P[i]) / sim->finest->D;
+           0.5 * (eps[i] + eps[i + 1]) * (P[i + 1] - P[i]) / (X[i + 1] - X[i]);
 }
 
 /* The same inside, where it has two nodes upstream, over all that is wet. */
@@ -66,8 +63,8 @@ static double mean_flow(const ovr_simulation *sim)
     double Cu = ovr_history_value(sim->speed, sim->state.T);
     const double *upstream = sim->scheme->upstream;
     const double u[2] = {upstream[0] * Cu, upstream[1] * Cu};
-    return sim->grids.kernels->mean_flow(sim->finest->n, u, sim->finest->D,
-                                         sim->now.P, sim->now.q, sim->now.eps);
+    return sim->grids.kernels->mean_flow(sim->now.n, u, sim->now.X, sim->now.P,
+                                         sim->now.q, sim->now.eps);
 }
 
 static void observe_extremes(ovr_simulation *sim)
@@ -91,9 +88,12 @@ void ovr_simulation_read(ovr_simulation *sim)
 void ovr_publish_state(ovr_simulation *sim)
 {
     ovr_state *state = &sim->state;
-    state->n = sim->finest->n;
-    state->D = sim->finest->D;
-    state->X = sim->X;
+    state->n = sim->now.n;
+    state->D = sim->finest->grid.D;
+    state->X = sim->now.X;
+    state->weights = sim->now.weights;
+    state->q = sim->now.q;
+    state->eps = sim->now.eps;
     state->P = sim->now.P;
     state->H = sim->now.H;
     state->S = sim->S;

@@ -38,7 +38,7 @@ static double discretization_error(int level)
  */
 double ovr_negligible_tolerance(const ovr_simulation *sim, double D, double H)
 {
-    double meshes = 5.5 / 7168 / D, inlet = sim->grids.X_a / 4;
+    double meshes = 5.5 / 7168 / D, inlet = sim->options.inlet / 4;
     double floor = 1.7e-9 * meshes * meshes * pow(inlet, 4) / fabs(H);
     return floor < 1e-9 ? 1e-9 : floor < 1e-3 ? floor : 1e-3;
 }
@@ -105,6 +105,11 @@ static double automatic_outlet(const ovr_contact *contact)
     return X_b > 1.5 ? X_b : 1.5;
 }
 
+static double meshes_of(int level)
+{
+    return (double)ovr_level_nodes(level) - 1;
+}
+
 /* 57 nodes, more where the contact is loaded so highly, or the inlet so long,
  * that they would not see it: two meshes over the width of the film. */
 static int automatic_coarsest(const ovr_contact *contact, const ovr_options *o)
@@ -112,7 +117,8 @@ static int automatic_coarsest(const ovr_contact *contact, const ovr_options *o)
     double H = ovr_film_central_moes(contact->M, contact->L);
     double width = 2 * H > 1 ? sqrt(2 * H) : 1;
     int coarsest = contact->M >= 400 ? 5 : contact->M >= 90 ? 4 : 3;
-    while (coarsest < 6 && o->outlet - o->inlet > 0.5 * width * (7 << coarsest))
+    while (coarsest < 6 &&
+           o->outlet - o->inlet > 0.5 * width * meshes_of(coarsest))
         coarsest++;
     return coarsest < o->level ? coarsest : o->level;
 }

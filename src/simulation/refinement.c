@@ -36,35 +36,37 @@ static void note(ovr_simulation *sim, const ovr_level *level,
                  const ovr_climb *climb)
 {
     ovr_refinement *to = &sim->refinement[sim->refinements++];
-    const ovr_refining *P = &sim->refining;
-    double *now = sim->grids.scratch[0];
+    double *now = sim->grids.scratch[0], *before = sim->grids.scratch[1];
     double q = climb->factor < 0.95 ? climb->factor : 0.95;
     *to = (ovr_refinement){.level = level->number,
-                           .nodes = level->n,
+                           .nodes = level->grid.n,
                            .cycles = climb->cycles,
                            .residual = climb->defect.imbalance,
                            .factor = climb->factor,
                            .H_cen = climb->defect.centre};
     ovr_level_read(&sim->grids, level, level->f.H, now);
-    to->H_min = smallest(now, level->n);
+    to->H_min = smallest(now, level->grid.n);
     ovr_level_read(&sim->grids, level, level->f.P, now);
+    ovr_level_read(&sim->grids, level, level->f.entry, before);
     if (climb->cycles)
-        to->change = distance(now, 1, P->before, level->n, level->D);
+        to->change = distance(now, 1, before, level->grid.n, level->grid.D);
     to->algebraic = to->change * q / (1 - q);
-    to->difference = distance(now, 2, P->coarse, (level - 1)->n,
-                              (level - 1)->D);
+    to->difference = distance(now, 2, sim->saved, (level - 1)->grid.n,
+                              (level - 1)->grid.D);
 }
 
 void ovr_refinement_watch(void *data, const ovr_level *level,
                           ovr_full_event event, const ovr_climb *climb)
 {
     ovr_simulation *sim = data;
-    const ovr_refining *P = &sim->refining;
-    if (event == OVR_FULL_ENDS)
+    double *P = event == OVR_FULL_BEGINS ? sim->saved : sim->grids.scratch[0];
+    if (event == OVR_FULL_ENDS) {
         note(sim, level, climb);
-    else
-        ovr_level_read(&sim->grids, level, level->f.P,
-                       event == OVR_FULL_BEGINS ? P->coarse : P->before);
+        return;
+    }
+    ovr_level_read(&sim->grids, level, level->f.P, P);
+    if (event == OVR_FULL_CYCLES)
+        ovr_level_write(&sim->grids, level, P, level->f.entry);
 }
 
 const ovr_refinement *ovr_simulation_refinements(const ovr_simulation *sim,

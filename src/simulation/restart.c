@@ -16,7 +16,7 @@ typedef struct part {
 static ovr_status visit_past(ovr_simulation *sim, ovr_visit *visit,
                              void *context, ovr_error *err)
 {
-    size_t bytes = sim->finest->n * sizeof(double);
+    size_t bytes = sim->now.n * sizeof(double);
     ovr_status status = OVR_OK;
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         for (int ago = 0; !status && ago < ovr_field_rows[k].past; ago++) {
@@ -32,7 +32,7 @@ static ovr_status visit_past(ovr_simulation *sim, ovr_visit *visit,
 static ovr_status visit_corrections(ovr_simulation *sim, ovr_visit *visit,
                                     void *context, ovr_error *err)
 {
-    size_t bytes = sim->finest->n * sizeof(double);
+    size_t bytes = sim->finest->grid.n * sizeof(double);
     ovr_status status = visit(context, "order", &sim->order, sizeof sim->order,
                               err);
     if (!status && sim->order == 4)

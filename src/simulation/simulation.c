@@ -13,7 +13,7 @@
 
 static ovr_status take(ovr_simulation *sim, double **to, ovr_error *err)
 {
-    *to = ovr_arena_take(&sim->arena, sim->finest->n, sizeof **to, err);
+    *to = ovr_arena_take(&sim->arena, sim->finest->grid.n, sizeof **to, err);
     return *to ? OVR_OK : OVR_NO_MEMORY;
 }
 
@@ -31,13 +31,8 @@ static ovr_status take_fields(ovr_simulation *sim, ovr_error *err)
 
 static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
 {
-    double **all[] = {&sim->X,
-                      &sim->S,
-                      &sim->S_past,
-                      &sim->refining.coarse,
-                      &sim->refining.before,
-                      &sim->F_fourth,
-                      &sim->gap_fourth};
+    double **all[] = {&sim->now.weights, &sim->S,        &sim->S_past,
+                      &sim->saved,       &sim->F_fourth, &sim->gap_fourth};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (take(sim, all[k], err))
             return OVR_NO_MEMORY;
@@ -49,12 +44,10 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
 /* The grid is known before anything is solved. */
 static void fill_arrays(ovr_simulation *sim)
 {
-    for (size_t i = 0; i < sim->finest->n; i++)
-        sim->X[i] = sim->grids.X_a + (double)i * sim->finest->D;
+    ovr_hierarchy_fill(&sim->grids);
+    ovr_grid_weights(&sim->finest->grid, sim->now.weights);
     ovr_inflow_fill(sim);
-    sim->state.n = sim->finest->n;
-    sim->state.D = sim->finest->D;
-    sim->state.X = sim->X;
+    ovr_publish_state(sim);
 }
 
 ovr_cycling ovr_simulation_cycling(const ovr_simulation *sim, int finer_bottom)
@@ -106,6 +99,8 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
                             o->outlet, order, range, &sim->arena, err))
         return OVR_NO_MEMORY;
     sim->finest = &grids->level[o->level];
+    sim->now.n = sim->finest->grid.n;
+    sim->now.X = sim->finest->grid.X;
     if (o->order == 4 &&
         ovr_correction_prepare(grids, &sim->correction, &sim->arena, err))
         return OVR_NO_MEMORY;
@@ -196,8 +191,8 @@ void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
 void ovr_simulation_gap(ovr_simulation *sim, double T)
 {
     double *restrict gap = sim->grids.scratch[0];
-    const double *restrict X = sim->X, *restrict S = sim->S;
-    size_t n = sim->finest->n;
+    const double *restrict X = sim->now.X, *restrict S = sim->S;
+    size_t n = sim->finest->grid.n;
     if (sim->heights) {
         memcpy(sim->S_past, S, n * sizeof *S);
         sim->heights(sim->heights_data, T, n, X, sim->S);

@@ -32,14 +32,14 @@ static double tolerance_at(const void *data, const ovr_level *level, double H)
     const ovr_simulation *sim = data;
     const double on_the_way = 50;
     const ovr_options *o = &sim->options;
-    double truncation = ovr_truncation_tolerance(sim, level->D, H);
+    double truncation = ovr_truncation_tolerance(sim, level->grid.D, H);
     if (level != sim->finest)
         return on_the_way * truncation;
     if (o->tolerance > 0)
         return o->tolerance;
     return o->stop == OVR_STOP_TRUNCATION
                ? truncation
-               : ovr_negligible_tolerance(sim, level->D, H);
+               : ovr_negligible_tolerance(sim, level->grid.D, H);
 }
 
 /* The same, but a solution to be corrected need not be better than its
@@ -50,7 +50,7 @@ static double first_tolerance(const void *data, const ovr_level *level,
     const ovr_simulation *sim = data;
     double wanted = tolerance_at(sim, level, H);
     if (sim->order == 4 && level == sim->finest)
-        return fmax(wanted, ovr_truncation_tolerance(sim, level->D, H));
+        return fmax(wanted, ovr_truncation_tolerance(sim, level->grid.D, H));
     return wanted;
 }
 
@@ -96,7 +96,7 @@ static ovr_full full_of(ovr_simulation *sim, const rung *how)
                       .tolerance = first_tolerance,
                       .watch = ovr_refinement_watch,
                       .data = sim,
-                      .saved = sim->refining.coarse};
+                      .saved = sim->saved};
 }
 
 /* Cycles on the finest level, whose right-hand sides are set, to the tolerance
@@ -126,8 +126,8 @@ typedef struct found {
 static found keep(const ovr_simulation *sim)
 {
     const ovr_level *level = sim->finest;
-    ovr_level_read(&sim->grids, level, level->f.P, sim->refining.before);
-    return (found){sim->refining.before, sim->grids.H0};
+    ovr_level_read(&sim->grids, level, level->f.P, sim->saved);
+    return (found){sim->saved, sim->grids.H0};
 }
 
 /* Second order after all. */
@@ -196,7 +196,7 @@ static ovr_defect solve(ovr_simulation *sim, const ovr_full *how, int *cycles)
 static void begin_history(ovr_simulation *sim)
 {
     ovr_past *past = &sim->past;
-    size_t bytes = sim->finest->n * sizeof(double);
+    size_t bytes = sim->now.n * sizeof(double);
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         for (int ago = 0; ago < ovr_field_rows[k].past; ago++)
             memcpy(past->all[k][ago], sim->now.all[k], bytes);

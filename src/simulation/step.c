@@ -45,7 +45,7 @@ enum { ATTEMPTS = sizeof attempts / sizeof *attempts };
  */
 static double step_tolerance(const ovr_simulation *sim, bool relaxed)
 {
-    double D = sim->finest->D, H = sim->observation.H_cen;
+    double D = sim->finest->grid.D, H = sim->observation.H_cen;
     double share = relaxed ? 0.05 : 0.15;
     double tolerance = share * ovr_truncation_tolerance(sim, D, H);
     double least = ovr_negligible_tolerance(sim, D, H);
@@ -117,7 +117,7 @@ static void end_step(ovr_simulation *sim, double dT)
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (ovr_field_rows[k].past)
             keep(past->all[k], ovr_field_rows[k].past, sim->now.all[k],
-                 sim->finest->n);
+                 sim->now.n);
     for (int k = OVR_PAST - 1; k > 0; k--) {
         past->H0[k] = past->H0[k - 1];
         past->T[k] = past->T[k - 1];
@@ -130,7 +130,7 @@ static void end_step(ovr_simulation *sim, double dT)
 
 static void note_change(ovr_simulation *sim)
 {
-    size_t n = sim->finest->n;
+    size_t n = sim->now.n;
     double (*change)(size_t, const double *,
                      const double *) = sim->grids.kernels->difference;
     double P = change(n, sim->past.P[0], sim->past.P[1]);

@@ -81,10 +81,11 @@ static void beside_newton(void)
         double film, newton = newton_seconds(level, &film);
         bench_measure(1, &work, 2e-3, 9);
         printf("%6d %6zu %13.3f %13d %13.1f %7.0f %9.6f %9.6f\n", level,
-               sim->finest->n, 1e3 * work.seconds, newton_steps, 1e3 * newton,
-               newton / work.seconds, sim->observation.H_cen, film);
+               sim->finest->grid.n, 1e3 * work.seconds, newton_steps,
+               1e3 * newton, newton / work.seconds, sim->observation.H_cen,
+               film);
         bench_row();
-        bench_number("n", (double)sim->finest->n);
+        bench_number("n", (double)sim->finest->grid.n);
         bench_number("multigrid_seconds", work.seconds);
         bench_number("newton_steps", newton_steps);
         bench_number("newton_seconds", newton);
@@ -109,10 +110,10 @@ static void beside_the_paper(void)
         bench_work work = {solve, sim, 0};
         double then = paper[level - 5];
         bench_measure(1, &work, 0, level < 12 ? 15 : 5);
-        printf("%6d %9zu %10.3f %10.0f %15.0f\n", level, sim->finest->n,
+        printf("%6d %9zu %10.3f %10.0f %15.0f\n", level, sim->finest->grid.n,
                1e3 * work.seconds, then, then / work.seconds);
         bench_row();
-        bench_number("n", (double)sim->finest->n);
+        bench_number("n", (double)sim->finest->grid.n);
         bench_number("seconds", work.seconds);
         bench_number("paper_seconds", then);
         bench_end();

@@ -173,7 +173,7 @@ static void one_level(const ovr_kernels *set, double peak, int level,
     bench_work work[KERNELS];
     ovr_simulation *sim = bench_contact(level, OVR_UPSTREAM2,
                                         OVR_STOP_TRUNCATION);
-    double n = (double)sim->finest->n;
+    double n = (double)sim->finest->grid.n;
     ovr_hierarchy_kernels(&sim->grids, set);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     for (size_t k = 0; k < KERNELS; k++)
@@ -274,7 +274,7 @@ static void coarsest_grid(void)
         ovr_hierarchy_kernels(&sim->grids, ovr_kernels_choose(bench_sets[k]));
         CHECK_OK(ovr_simulation_steady(sim, &err), &err);
         bench_work work = {solve_dense, sim, 0};
-        double m = (double)sim->grids.level[sim->grids.coarsest].n + 1;
+        double m = (double)sim->grids.level[sim->grids.coarsest].grid.n + 1;
         bench_measure(1, &work, 1e-3, 15);
         printf("  %s %.1f (%.0f)", bench_sets[k], 1e6 * work.seconds,
                100 * 2 / 3. * pow(m, 3) / work.seconds /

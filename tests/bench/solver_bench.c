@@ -202,7 +202,7 @@ static void some_steps(void *sim)
     ovr_error err;
     ovr_simulation *s = sim;
     for (int k = 0; k < SOME_STEPS; k++)
-        CHECK_OK(ovr_simulation_step(s, s->finest->D, &err), &err);
+        CHECK_OK(ovr_simulation_step(s, s->finest->grid.D, &err), &err);
 }
 
 static double step_seconds(int level)

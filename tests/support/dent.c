@@ -65,7 +65,15 @@ void test_dent_move(test_dent *d, long step)
     double T = d->dT * (double)step;
     for (size_t i = 0; i < d->n; i++)
         fill_node(d, i, T);
-    d->state = (ovr_state){step, T, d->n, d->D, d->X, d->P, d->H, d->S, -0.5};
+    d->state = (ovr_state){.step = step,
+                           .T = T,
+                           .n = d->n,
+                           .D = d->D,
+                           .X = d->X,
+                           .P = d->P,
+                           .H = d->H,
+                           .S = d->S,
+                           .H0 = -0.5};
     d->seen = (ovr_observation){.T = T,
                                 .dT = d->dT,
                                 .H_min = 0.05 + 0.001 * cos(T),

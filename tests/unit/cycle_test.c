@@ -29,7 +29,7 @@ static bool watch(void *data, ovr_hierarchy *grids, ovr_level *level,
     w->changes = false;
     double *gap = grids->scratch[0];
     ovr_level_read(grids, level, level->f.gap, gap);
-    for (size_t i = 0; i < level->n; i++)
+    for (size_t i = 0; i < level->grid.n; i++)
         gap[i] += 1e-3 * cos(0.1 * (double)i);
     ovr_level_write(grids, level, gap, level->f.gap);
     return true;
@@ -81,8 +81,8 @@ static void watching_changes_nothing(void **state)
     ovr_cycle(&b->grids, b->finest, how);
     ovr_simulation_read(a);
     ovr_simulation_read(b);
-    assert_memory_equal(a->now.P, b->now.P, a->finest->n * sizeof(double));
-    assert_memory_equal(a->now.H, b->now.H, a->finest->n * sizeof(double));
+    assert_memory_equal(a->now.P, b->now.P, a->finest->grid.n * sizeof(double));
+    assert_memory_equal(a->now.H, b->now.H, a->finest->grid.n * sizeof(double));
     ovr_simulation_free(b);
     ovr_simulation_free(a);
 }
@@ -118,7 +118,7 @@ static void what_is_attached_is_solved_for(void **state)
     ovr_simulation_surface(formed, heights, NULL);
     CHECK_OK(ovr_simulation_steady(formed, &err), &err);
     ovr_simulation_read(sim);
-    for (size_t i = 0; i < sim->finest->n; i++) {
+    for (size_t i = 0; i < sim->finest->grid.n; i++) {
         CHECK_NEAR(sim->now.P[i], formed->now.P[i], 1e-6);
         CHECK_NEAR(sim->now.H[i], formed->now.H[i], 1e-8);
     }

@@ -14,17 +14,18 @@ enum { N = 400 };
  * more than a twentieth, is left as it is. */
 static void vertices_are_bounded(void **state)
 {
-    double v[3], value;
+    double X[] = {0.3, 1, 2}, v[3], value;
     (void)state;
     for (int k = 0; k < 3; k++)
-        v[k] = 2 + 0.3 * (k - 1.2) * (k - 1.2);
-    CHECK_NEAR(ovr_vertex(v, 1, &value), 0.2, 1e-12);
+        v[k] = 2 + 0.3 * (X[k] - 1.2) * (X[k] - 1.2);
+    CHECK_NEAR(ovr_vertex(X, v, 1, &value), 1.2, 1e-12);
     CHECK_NEAR(value, 2, 1e-12);
+    X[0] = 0;
     v[0] = 1, v[1] = 0.1, v[2] = 0.2; /* -0.0113 by the parabola */
-    CHECK_NEAR(ovr_vertex(v, 1, &value), 0, 0);
+    CHECK_NEAR(ovr_vertex(X, v, 1, &value), 1, 0);
     CHECK_NEAR(value, 0.1, 0);
     v[0] = v[1] = v[2] = 3;
-    CHECK_NEAR(ovr_vertex(v, 1, &value), 0, 0);
+    CHECK_NEAR(ovr_vertex(X, v, 1, &value), 1, 0);
     CHECK_NEAR(value, 3, 0);
 }
 

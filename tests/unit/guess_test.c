@@ -69,19 +69,20 @@ static double error_of(double (*P)(double, double), double meshes, bool *close)
     o.level = 6;
     ovr_simulation *sim = test_simulation(20, 10, &o);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
-    double dT = meshes * sim->finest->D, worst = 0;
-    size_t n = sim->finest->n;
+    double dT = meshes * sim->finest->grid.D, worst = 0;
+    size_t n = sim->finest->grid.n;
     sim->past.steps = 3;
     sim->past.dT = dT;
     for (int k = 0; k < 4; k++) {
         sim->past.T[k] = -k * dT;
         sim->past.H0[k] = pow(-k, 2);
         for (size_t i = 0; i < n; i++)
-            sim->past.P[k][i] = P(sim->X[i], -k * dT);
+            sim->past.P[k][i] = P(sim->now.X[i], -k * dT);
     }
     *close = ovr_guess(sim, dT, true);
     for (size_t i = 2; i < n; i++)
-        worst = fmax(worst, fabs(sim->grids.scratch[0][i] - P(sim->X[i], dT)));
+        worst = fmax(worst,
+                     fabs(sim->grids.scratch[0][i] - P(sim->now.X[i], dT)));
     CHECK_NEAR(sim->grids.H0, 1, 1e-12);
     ovr_simulation_free(sim);
     return worst;
@@ -119,7 +120,7 @@ static series roll(double tolerance)
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     long steady = ovr_simulation_statistics(sim)->cycles;
     for (int k = 0; k < STEPS; k++) {
-        CHECK_OK(ovr_simulation_step(sim, sim->finest->D, &err), &err);
+        CHECK_OK(ovr_simulation_step(sim, sim->finest->grid.D, &err), &err);
         s.H_min[k] = sim->observation.H_min_located;
         s.H_cen[k] = sim->observation.H_cen;
     }

@@ -35,8 +35,8 @@ static ovr_surfaces *rough(const ovr_simulation *sim,
     ovr_error err;
     ovr_feature_form dent = ovr_feature_form_default();
     ovr_feature_form roughness = ovr_feature_form_default();
-    ovr_surfaces *s = ovr_surfaces_create(&sim->contact, NULL, sim->finest->D,
-                                          allocator, &err);
+    ovr_surfaces *s = ovr_surfaces_create(&sim->contact, NULL,
+                                          sim->finest->grid.D, allocator, &err);
     assert_non_null(s);
     dent.shape = OVR_DENT;
     dent.depth = 0.05, dent.width = 0.5, dent.start = -1.5;
@@ -68,7 +68,7 @@ static void nothing_is_allocated_after_set_up(void **state)
         ovr_simulation *sim = create(&kinds[k], &faults.hook);
         ovr_surfaces *surfaces = rough(sim, &faults.hook);
         ovr_march march = {.size = sizeof march,
-                           .end = 30 * sim->finest->D,
+                           .end = 30 * sim->finest->grid.D,
                            .adaptive = kinds[k].adaptive};
         long calls = faults.calls;
         ovr_simulation_surface(sim, ovr_surfaces_heights, surfaces);

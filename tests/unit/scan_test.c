@@ -11,7 +11,7 @@ enum { MOST = 120 };
 /* Arrays with a few equal values, some of them zero. */
 typedef struct arrays {
     size_t n;
-    double P[MOST], q[MOST], eps[MOST], past[3][MOST];
+    double P[MOST], q[MOST], eps[MOST], X[MOST], past[3][MOST];
 } arrays;
 
 static arrays make(size_t n, uint64_t *seed)
@@ -20,6 +20,7 @@ static arrays make(size_t n, uint64_t *seed)
     for (size_t i = 0; i < n; i++) {
         a.P[i] = fmax(0, floor(test_random(seed, -3, 6)));
         a.q[i] = test_random(seed, 1, 2);
+        a.X[i] = (double)i + test_random(seed, 0, 0.5);
         a.eps[i] = test_random(seed, 0, 1);
         for (int k = 0; k < 3; k++)
             a.past[k][i] = test_random(seed, 1, 2);
@@ -35,8 +36,9 @@ static void check_extremes(const ovr_kernels *run, const arrays *a)
     for (int sign = -1; sign <= 1; sign += 2)
         assert_int_equal(run->extreme(n, sign, P), plain->extreme(n, sign, P));
     assert_true(run->difference(n, q, P) == plain->difference(n, q, P));
-    CHECK_NEAR(run->gain(n, q, P), plain->gain(n, q, P), 1e-12 * (double)n);
-    CHECK_NEAR(run->gain(5, q, P), plain->gain(5, q, P), 1e-13);
+    CHECK_NEAR(run->gain(n, a->eps, q, P), plain->gain(n, a->eps, q, P),
+               1e-12 * (double)n);
+    CHECK_NEAR(run->gain(5, a->eps, q, P), plain->gain(5, a->eps, q, P), 1e-13);
 }
 
 static void check_peaks(const ovr_kernels *run, const arrays *a)
@@ -49,12 +51,12 @@ static void check_peaks(const ovr_kernels *run, const arrays *a)
 
 static void check_means(const ovr_kernels *run, arrays *a)
 {
-    const double u[2] = {1.2, -0.4}, D = 0.1, e[3] = {0.5, 0.3, -0.1};
+    const double u[2] = {1.2, -0.4}, e[3] = {0.5, 0.3, -0.1};
     const ovr_kernels *plain = test_kernels(0);
     double *const past[] = {a->past[0], a->past[1], a->past[2]};
     size_t n = a->n;
-    CHECK_NEAR(run->mean_flow(n, u, D, a->P, a->q, a->eps),
-               plain->mean_flow(n, u, D, a->P, a->q, a->eps),
+    CHECK_NEAR(run->mean_flow(n, u, a->X, a->P, a->q, a->eps),
+               plain->mean_flow(n, u, a->X, a->P, a->q, a->eps),
                1e-12 * (double)n);
     CHECK_NEAR(run->deviation(n, e, a->P, a->q, past),
                plain->deviation(n, e, a->P, a->q, past), 1e-13);
@@ -81,6 +83,8 @@ static void plain_scans_by_hand(void **state)
     const double x[] = {3, 1, 4, 4, 1, 5, 0, 5}, y[] = {3, 2, 4, 1, 1, 5, 7, 5};
     const double P[] = {1, 2, 4, 3, 0, 1, 2}, q[] = {1, 2, 4, 8, 0, 8, 9};
     const double eps[] = {0, 1, 3, 5, 0, 0, 0}, zero[7] = {0};
+    const double X[] = {0, 0.5, 1, 2, 3, 4, 5};
+    const double w[] = {1, 2, 1, 0.5, 1, 1, 1, 1};
     const double u[2] = {2, 1}, e[3] = {1, 0.5, 0.25};
     double *const past[3] = {(double[]){1, 1, 1, 1, 9, 6, 6},
                              (double[]){0, 2, 2, 4, 9, 2, 2},
@@ -94,12 +98,12 @@ static void plain_scans_by_hand(void **state)
     assert_int_equal(run->peaks(8, x, &last), 2);
     assert_int_equal(last, 5);
     assert_true(run->difference(8, x, y) == 7);
-    assert_true(run->gain(8, x, y) == -5);
-    /* 2*2 + 1 - 2*2/0.5 = -3 and 2*4 + 2 + 4*1/0.5 = 18 */
-    assert_true(run->mean_flow(7, u, 0.5, P, q, eps) == 7.5);
+    assert_true(run->gain(8, w, x, y) == -7.5);
+    /* 2*2 + 1 - 2*2/0.5 = -3 and 2*4 + 2 + 4*1/1 = 14 */
+    assert_true(run->mean_flow(7, u, X, P, q, eps) == 5.5);
     /* off by 0, 0, 0, 2, (dry), 0, 1 */
     assert_true(run->deviation(7, e, P, q, past) == sqrt(5. / 6));
-    assert_true(run->mean_flow(7, u, 0.5, zero, q, eps) == 0);
+    assert_true(run->mean_flow(7, u, X, zero, q, eps) == 0);
 }
 
 /* One node among many, wherever it is. */
@@ -131,7 +135,7 @@ static void dry_has_no_means(void **state)
     const ovr_kernels *run;
     (void)state;
     for (int k = 0; (run = test_kernels(k)); k++) {
-        assert_true(run->mean_flow(a.n, none, 1, a.P, a.q, a.eps) == 0);
+        assert_true(run->mean_flow(a.n, none, a.X, a.P, a.q, a.eps) == 0);
         assert_true(run->deviation(a.n, none, a.P, a.q, past) == 0);
     }
 }

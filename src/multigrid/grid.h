@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A grid: nodes X_i = X_a + i D, i = 0..n-1.
+ *
+ * It covers the whole domain or a window of its parent, the next coarser grid:
+ * its node 2 k lies on the parent's node first + k.
+ */
+#ifndef OVR_MULTIGRID_GRID_H
+#define OVR_MULTIGRID_GRID_H
+
+#include "base/arena.h"
+
+typedef struct ovr_grid {
+    size_t n;
+    double D;     /* mesh size */
+    double X_a;   /* of node 0 */
+    double *X;    /* of all nodes, after ovr_grid_fill */
+    size_t first; /* node of the parent where node 0 lies */
+} ovr_grid;
+
+ovr_status ovr_grid_make(ovr_grid *grid, double X_a, double X_b, size_t n,
+                         ovr_arena *arena, ovr_error *err);
+
+/* The meshes of a window of the parent, from its node `first` on, halved. */
+ovr_status ovr_grid_refine(ovr_grid *grid, const ovr_grid *parent, size_t first,
+                           size_t meshes, ovr_arena *arena, ovr_error *err);
+
+void ovr_grid_fill(ovr_grid *grid);
+
+/* Weights of the trapezoidal rule. */
+void ovr_grid_weights(const ovr_grid *grid, double *weights);
+
+/* Nodes of a grid over the whole domain in the paper's numbering. */
+static inline size_t ovr_level_nodes(int number)
+{
+    return ((size_t)7 << number) + 1;
+}
+
+#endif
