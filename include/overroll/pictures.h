@@ -17,6 +17,7 @@
 #include "overroll/memory.h"
 #include "overroll/profile.h"
 #include "overroll/results.h"
+#include "overroll/run.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -60,6 +61,28 @@ OVR_API ovr_picture_options ovr_picture_options_default(void);
 OVR_API ovr_status ovr_picture(ovr_result *const *results, size_t count,
                                const ovr_picture_options *options,
                                const ovr_allocator *allocator, ovr_error *err);
+
+/* ---------------------------------------------------------------- studies */
+
+/* A quantity of a study's cases against one of its keys: a line for each value
+ * of a second key; over all others (seeds) the mean, in a band from the
+ * smallest to the largest. */
+typedef struct ovr_figure_options {
+    const char *path; /* .png, .svg or .pdf */
+    bool force;
+    const char *y;  /* column; NULL: H_min_overall, else H_min */
+    const char *x;  /* key; NULL: the first with numbers */
+    const char *by; /* key; NULL: the next, but for a seed; "": none */
+    bool log_x, log_y;
+    int width, height;
+    const char *title;
+    const char *script;
+} ovr_figure_options;
+OVR_API ovr_figure_options ovr_figure_options_default(void);
+
+OVR_API ovr_status ovr_figure(const ovr_table *table,
+                              const ovr_figure_options *options,
+                              const ovr_allocator *allocator, ovr_error *err);
 
 /* ------------------------------------------------------ frames and movies */
 

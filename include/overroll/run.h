@@ -206,6 +206,25 @@ typedef struct ovr_sweep_totals {
 OVR_API ovr_status ovr_sweep_collect(const ovr_study *study, const char *path,
                                      ovr_sweep_totals *totals, ovr_error *err);
 
+/* The table of a study's cases: its keys, then what their summaries hold. */
+typedef struct ovr_table ovr_table;
+
+typedef struct ovr_table_column {
+    const char *name;
+    const char *unit;        /* SI; "": none, or not known */
+    bool varied;             /* a key of the study */
+    const double *number;    /* of each case; NAN: none */
+    const char *const *text; /* as written; NULL: numbers alone */
+} ovr_table_column;
+
+/* As the files in the study's folder stand now; or from the CSV that
+ * ovr_sweep_collect wrote. */
+OVR_API ovr_table *ovr_study_table(const ovr_study *study, ovr_error *err);
+OVR_API ovr_table *ovr_table_read(const char *path, ovr_error *err);
+OVR_API void ovr_table_free(ovr_table *table);
+OVR_API size_t ovr_table_rows(const ovr_table *table);
+OVR_API const ovr_table_column *ovr_table_at(const ovr_table *table, size_t k);
+
 #ifdef __cplusplus
 }
 #endif

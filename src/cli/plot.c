@@ -15,6 +15,11 @@ static const cli_option options[] = {
      false},
     {"script", "FILE.gp", "also write the gnuplot script, and its data beside",
      false},
+    {"quantity", "NAME", "of a study: what is drawn (H_min_overall)", false},
+    {"against", "KEY", "of a study: along x (its first key)", false},
+    {"lines", "KEY", "of a study: a line for each value (the next key); none",
+     false},
+    {"log", "AXES", "of a study: x, y or xy logarithmic", false},
     CLI_RANGE_OPTIONS,
     {NULL, NULL, NULL, false},
 };
@@ -69,6 +74,75 @@ static int draw(const cli_call *call, ovr_result *const *results,
     return CLI_DONE;
 }
 
+/* ---------------------------------------------------------------- studies */
+
+static bool ends_with(const char *text, const char *ending)
+{
+    size_t n = strlen(text), m = strlen(ending);
+    return n >= m && strcmp(text + n - m, ending) == 0;
+}
+
+static bool is_study(const cli_call *call)
+{
+    return ends_with(call->argument[0], ".ini") ||
+           ends_with(call->argument[0], ".csv");
+}
+
+static ovr_table *open_table(const char *path, ovr_error *err)
+{
+    ovr_study *study;
+    ovr_table *table;
+    if (ends_with(path, ".csv"))
+        return ovr_table_read(path, err);
+    study = ovr_study_read(path, NULL, err);
+    table = study ? ovr_study_table(study, err) : NULL;
+    ovr_study_free(study);
+    return table;
+}
+
+static int take_figure(const cli_call *call, ovr_figure_options *f)
+{
+    ovr_picture_options shared = ovr_picture_options_default();
+    const char *log = cli_value(call, "log");
+    int code = cli_picture_options(call, &shared);
+    *f = ovr_figure_options_default();
+    f->path = cli_value(call, "o");
+    f->force = cli_flag(call, "force");
+    f->script = cli_value(call, "script");
+    f->title = cli_value(call, "title");
+    f->width = shared.width;
+    f->height = shared.height;
+    f->y = cli_value(call, "quantity");
+    f->x = cli_value(call, "against");
+    f->by = cli_value(call, "lines");
+    if (f->by && !strcmp(f->by, "none"))
+        f->by = "";
+    if (log && strspn(log, "xy") != strlen(log))
+        return cli_usage(call, "--log %s: x, y or xy", log);
+    f->log_x = log && strchr(log, 'x');
+    f->log_y = log && strchr(log, 'y');
+    return code;
+}
+
+static int draw_study(const cli_call *call)
+{
+    ovr_figure_options f;
+    ovr_error err = {0};
+    ovr_table *table;
+    int code = take_figure(call, &f);
+    if (!code && call->arguments > 1)
+        code = cli_usage(call, "one study at a time");
+    if (code)
+        return code;
+    table = open_table(call->argument[0], &err);
+    if (!table || ovr_figure(table, &f, NULL, &err) != OVR_OK)
+        code = cli_fail(&err);
+    else if (call->verbosity >= 0)
+        printf("%s\n", f.path);
+    ovr_table_free(table);
+    return code;
+}
+
 static int run(cli_call *call)
 {
     ovr_picture_options o = ovr_picture_options_default();
@@ -78,6 +152,8 @@ static int run(cli_call *call)
     o.path = cli_value(call, "o");
     if (!o.path)
         return cli_usage(call, "where to? -o PICTURE.png");
+    if (is_study(call))
+        return draw_study(call);
     o.overlay = cli_flag(call, "overlay");
     o.field = cli_value(call, "field");
     o.script = cli_value(call, "script");
@@ -96,15 +172,18 @@ static int run(cli_call *call)
 
 const cli_verb cli_plot = {
     .name = "plot",
-    .arguments = "OUT.h5... -o PICTURE",
-    .summary = "one picture: snapshot, history, space-time map, trace",
+    .arguments = "OUT.h5... | STUDY.ini | TABLE.csv -o PICTURE",
+    .summary = "one picture: snapshot, history, space-time map, trace, study",
     .help =
         "  snapshot  pressure, film and roughness at a few instants\n"
         "  history   minimum and central film and maximum pressure in time\n"
         "  map       position against time, the colour is film or pressure\n"
         "  trace     film at x = 0, and the roughness that passes there\n"
         "\n"
-        "Several result files are drawn over each other (but for a map).",
+        "Several result files are drawn over each other (but for a map).\n"
+        "A study, or the CSV table of one, gives a figure: a quantity against\n"
+        "a key, a line for each value of a second one, what else varies "
+        "(seeds)\nas a mean in a band.",
     .options = options,
     .least = 1,
     .most = CLI_RESULTS,

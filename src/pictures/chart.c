@@ -172,6 +172,14 @@ static double width_of(const ovr_series *s)
 
 static void put_curve(ovr_pen *p, const ovr_series *s, size_t table)
 {
+    if (s->mark == OVR_MARK_BAND) {
+        ovr_pen_source(p, table);
+        ovr_text_print(p->to,
+                       " using 1:2:3 with filledcurves fillstyle solid "
+                       "fillcolor rgb '%s'",
+                       colours[s->colour].area);
+        return;
+    }
     if (s->mark == OVR_MARK_AREA) {
         ovr_pen_source(p, table);
         ovr_text_print(p->to,

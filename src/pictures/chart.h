@@ -17,7 +17,8 @@ typedef enum ovr_mark {
     OVR_MARK_DASHED,
     OVR_MARK_DOTTED,
     OVR_MARK_POINTS,
-    OVR_MARK_AREA /* a line with the colour, faint, down to `base` */
+    OVR_MARK_BAND, /* no line: the colour, faint, from y to `to` */
+    OVR_MARK_AREA  /* a line with the colour, faint, down to `base` */
 } ovr_mark;
 
 enum {
@@ -35,6 +36,7 @@ typedef struct ovr_series {
     const char *label; /* in the legend, foreign; NULL: not there */
     size_t n;
     const double *x, *y;     /* NAN breaks the line */
+    const double *to;        /* of a band: its other edge */
     double x_factor, factor; /* multiply x and y; 0 means 1 */
     double shift;            /* added to y after the factor */
     ovr_mark mark;

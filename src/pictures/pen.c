@@ -40,6 +40,10 @@ static void put_series(ovr_pen *p, const ovr_series *s)
         put_value(p, s->x[i] * factor_of(s->x_factor));
         ovr_text_put(p->data, " ");
         put_value(p, s->y[i] * factor_of(s->factor) + s->shift);
+        if (s->mark == OVR_MARK_BAND) {
+            ovr_text_put(p->data, " ");
+            put_value(p, s->to[i] * factor_of(s->factor) + s->shift);
+        }
         ovr_text_put(p->data, "\n");
     }
 }

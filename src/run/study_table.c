@@ -1,0 +1,206 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The table of a study for whoever draws or reckons with it: gathered from its
+ * folder, or read again from the CSV that `sweep --collect` wrote. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/entries.h"
+#include "base/text.h"
+#include "run/sweep_table.h"
+
+enum { MOST_COLUMNS = 256, MOST_BYTES = 1 << 26 };
+
+struct ovr_table {
+    ovr_arena arena;
+    size_t rows, columns;
+    ovr_table_column column[MOST_COLUMNS];
+};
+
+static ovr_table *new_table(ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(NULL);
+    ovr_table *t = ovr_arena_take(&arena, 1, sizeof *t, err);
+    if (t)
+        t->arena = arena;
+    return t;
+}
+
+void ovr_table_free(ovr_table *table)
+{
+    if (table) {
+        ovr_arena arena = table->arena;
+        ovr_arena_release(&arena);
+    }
+}
+
+size_t ovr_table_rows(const ovr_table *table)
+{
+    return table->rows;
+}
+
+const ovr_table_column *ovr_table_at(const ovr_table *table, size_t k)
+{
+    return k < table->columns ? &table->column[k] : NULL;
+}
+
+/* ---------------------------------------------------------- from the study */
+
+static ovr_status add_key(ovr_table *t, const ovr_sweep_table *from,
+                          const ovr_sweep_values *v, ovr_error *err)
+{
+    ovr_table_column *c = &t->column[t->columns];
+    double *number = ovr_arena_take(&t->arena, t->rows, sizeof *number, err);
+    const char **text = ovr_arena_take(&t->arena, t->rows, sizeof *text, err);
+    if (!number || !text)
+        return OVR_NO_MEMORY;
+    for (size_t i = 0; i < t->rows; i++) {
+        number[i] = v->numeric ? v->number[i] : NAN;
+        text[i] = ovr_arena_text(&t->arena, ovr_study_value(from->s, v->key, i),
+                                 err);
+        if (!text[i])
+            return OVR_NO_MEMORY;
+    }
+    *c = (ovr_table_column){ovr_arena_text(&t->arena, v->key->shown, err),
+                            strcmp(v->unit, "1") ? v->unit : "", true, number,
+                            text};
+    t->columns += c->name != NULL;
+    return c->name ? OVR_OK : OVR_NO_MEMORY;
+}
+
+static ovr_status add_number(ovr_table *t, const ovr_sweep_column *from,
+                             ovr_error *err)
+{
+    ovr_table_column *c = &t->column[t->columns];
+    double *number = ovr_arena_take(&t->arena, t->rows, sizeof *number, err);
+    *c = (ovr_table_column){ovr_arena_text(&t->arena, from->name, err), "",
+                            false, number, NULL};
+    if (!number || !c->name)
+        return OVR_NO_MEMORY;
+    memcpy(number, from->value, t->rows * sizeof *number);
+    t->columns++;
+    return OVR_OK;
+}
+
+ovr_table *ovr_study_table(const ovr_study *study, ovr_error *err)
+{
+    ovr_table *t = new_table(err);
+    ovr_sweep_table *from = t ? ovr_arena_take(&t->arena, 1, sizeof *from, err)
+                              : NULL;
+    ovr_status status = from ? ovr_sweep_gather(study, from, err)
+                             : OVR_NO_MEMORY;
+    if (t)
+        t->rows = study->tasks;
+    for (size_t k = 0; !status && k < from->keys; k++)
+        status = add_key(t, from, &from->values[k], err);
+    for (size_t k = 0; !status && k < from->columns; k++)
+        status = add_number(t, &from->column[k], err);
+    if (from)
+        ovr_sweep_table_free(from);
+    if (!status)
+        return t;
+    ovr_table_free(t);
+    return NULL;
+}
+
+/* ---------------------------------------------------------------- from CSV */
+
+/* The next cell at *at, ended where it stands, quotes undone; *last: it was
+ * its line's last. */
+static char *next_cell(char **at, bool *last)
+{
+    char *from = *at, *to = from, *p = from;
+    bool quoted = *p == '"';
+    if (quoted)
+        p++;
+    for (; *p; p++) {
+        if (quoted && p[0] == '"' && p[1] == '"')
+            p++;
+        else if (quoted && *p == '"') {
+            quoted = false;
+            continue;
+        } else if (!quoted && (*p == ',' || *p == '\n' || *p == '\r'))
+            break;
+        *to++ = *p;
+    }
+    *last = *p != ',';
+    while (*p == '\r')
+        p++;
+    *at = *p ? p + 1 : p;
+    *to = '\0';
+    return from;
+}
+
+static size_t count_lines(const char *text)
+{
+    size_t n = 0;
+    for (; *text; text++)
+        n += *text == '\n';
+    return n;
+}
+
+/* Names; the columns between `name` and `status` are the study's keys. */
+static ovr_status read_heads(ovr_table *t, char **at, const char *path,
+                             ovr_error *err)
+{
+    bool last = false, varied = false;
+    while (!last && t->columns < MOST_COLUMNS) {
+        ovr_table_column *c = &t->column[t->columns++];
+        double *number = ovr_arena_take(&t->arena, t->rows, sizeof *number,
+                                        err);
+        const char **text = ovr_arena_take(&t->arena, t->rows, sizeof *text,
+                                           err);
+        if (!number || !text)
+            return OVR_NO_MEMORY;
+        *c = (ovr_table_column){next_cell(at, &last), "", false, number, text};
+        varied = varied && strcmp(c->name, "status") != 0;
+        c->varied = varied;
+        varied = varied || !strcmp(c->name, "name");
+    }
+    if (!last || t->columns < 3 || strcmp(t->column[0].name, "task") != 0)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: is no table of a study, as 'overroll sweep "
+                        "STUDY.ini --collect TABLE.csv' writes it",
+                        path);
+    return OVR_OK;
+}
+
+static void read_rows(ovr_table *t, char *at)
+{
+    size_t i = 0;
+    for (; i < t->rows && *at; i++) {
+        bool last = false;
+        for (size_t k = 0; !last; k++) {
+            char *cell = next_cell(&at, &last);
+            double value;
+            if (k >= t->columns)
+                continue;
+            if (!ovr_number((ovr_line){cell, strlen(cell), 0}, false, &value))
+                value = NAN;
+            ((double *)t->column[k].number)[i] = value;
+            ((const char **)t->column[k].text)[i] = cell;
+        }
+    }
+    t->rows = i;
+}
+
+ovr_table *ovr_table_read(const char *path, ovr_error *err)
+{
+    ovr_table *t = new_table(err);
+    const char *text = NULL;
+    char *at;
+    ovr_status status = t ? ovr_text_file(path, "table", MOST_BYTES, &t->arena,
+                                          &text, err)
+                          : OVR_NO_MEMORY;
+    if (!status) {
+        at = ovr_arena_text(&t->arena, text, err);
+        t->rows = count_lines(text);
+        status = at ? read_heads(t, &at, path, err) : OVR_NO_MEMORY;
+        if (!status)
+            read_rows(t, at);
+    }
+    if (!status)
+        return t;
+    ovr_table_free(t);
+    return NULL;
+}

@@ -1,0 +1,78 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A study's figure in one command: lines, a band over seeds, means and edges as
+# the summaries have them; from the study and from its table.
+. "$TOP/tests/support/cli.sh"
+need gnuplot
+
+cat >base.ini <<'END'
+[contact]
+load = 100 kN/m
+radius = 10 mm
+modulus = 220 GPa
+viscosity = 40 mPa.s
+speed_1 = 1 m/s
+speed_2 = 1 m/s
+[lubricant]
+alpha = 20 1/GPa
+[domain]
+level = 3
+[time]
+end = 0.6
+[feature rough]
+shape = roughness
+Rq = 0.1 um
+length = 3
+start = -2
+END
+cat >study.ini <<'END'
+[study]
+case = base.ini
+[product]
+contact.load = 50 kN/m, 100 kN/m, 200 kN/m
+feature.rough.Rq = 0.05 um, 0.1 um
+feature.rough.seed = 1, 2, 3
+END
+refuses 'no case has finished yet' plot study.ini -o none.svg
+expect 0 "$OVERROLL" sweep study.ini -q
+expect 0 "$OVERROLL" sweep study.ini --collect table.csv -q
+expect 0 "$OVERROLL" plot study.ini --quantity H_min -o study.svg \
+    --script study.gp
+expect 0 "$OVERROLL" plot table.csv --quantity H_min -o table.png \
+    --script table.gp
+for picture in study.svg table.png; do
+    [ -s $picture ] || fail "no $picture"
+done
+contains study.gp 'set xlabel "load  \[kN/m\]"'
+contains study.gp 'set ylabel "H.._min"'
+for label in 0.05 0.1; do
+    contains study.gp "Rq = $label um"
+done
+[ "$(grep -c 'using 1:2:3 with filledcurves' study.gp)" -ge 1 ] ||
+    fail 'no band'
+
+# Load 50 kN/m, Rq 0.05 um: least and largest of the three seeds, and the mean
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "H_min") c = i }
+    NR > 1 && $3 == 50000 && $4 < 6e-8 { n++; s += $c
+        if (n == 1 || $c < a) a = $c
+        if (n == 1 || $c > b) b = $c }
+    END { print n, a, b, s / n }' table.csv >wanted
+awk 'BEGIN { RS = ""; FS = "\n" } NR == 1 { split($2, a, " ") }
+    NR == 3 { split($2, m, " ") } END { print 3, a[2], a[3], m[2] }' \
+    study.dat >drawn
+paste -d' ' wanted drawn | awk '{ for (i = 1; i <= 4; i++)
+    if (($i - $(i + 4)) ^ 2 > 1e-10 * $i ^ 2) exit 1 }' ||
+    fail "$(cat wanted drawn)"
+
+# Other choices, and what there is not
+expect 0 "$OVERROLL" plot study.ini --quantity min_film_m --against Rq \
+    --lines none --log x -o other.svg --script other.gp
+contains other.gp 'set ylabel "min.._film  \[(nm|µm)\]"'
+contains other.gp 'set logscale x'
+refuses "no key of the study 'depth'; there are load, Rq, seed" \
+    plot study.ini --against depth -o x.svg
+refuses "no quantity 'film'; there are .*H_min" \
+    plot study.ini --quantity film -o x.svg
+refuses 'exists; --force' plot study.ini -o study.svg
+printf 'a,b\n1,2\n' >no.csv
+refuses 'is no table of a study' plot no.csv -o x.svg
