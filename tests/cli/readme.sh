@@ -23,7 +23,7 @@ TMPDIR=$OLDPWD/made expect 0 env -u TOP sh -eu tour
     fail "the tour leaves here: $(ls)"
 cd "$OLDPWD"/made/* || exit 1
 for file in roller.ini roller.h5 roller.png mine.h5 mine.html \
-    study/manifest.csv study.nc; do
+    study/manifest.csv study.svg study.nc; do
     [ -s $file ] || fail "the tour makes no $file"
 done
 [ "$blocks" = sh ] || [ -s mine.gif ] || fail 'the tour makes no mine.gif'
