@@ -25,6 +25,7 @@
 #include "overroll/error.h"
 #include "overroll/memory.h"
 #include "overroll/simulation.h"
+#include "overroll/stress.h"
 #include "overroll/surface.h"
 
 #ifdef __cplusplus
@@ -136,6 +137,22 @@ typedef struct ovr_output {
     double checkpoint; /* s of wall-clock time */
 } ovr_output;
 
+/* Of [stress] and [fatigue]: lengths in b, stresses in p_h. */
+typedef struct ovr_stress_setup {
+    unsigned surfaces; /* 1, 2, 3: both; 0: no stresses are wanted */
+    double poisson[2];
+    double depth_min, depth_max, per_octave; /* depth_min 0: 4 D */
+    long every;                              /* snapshots; 0: no fields */
+    unsigned fields; /* bits in the order of the parameter's choices */
+    double from, to; /* about the first feature's centre; NAN: about all */
+    bool fatigue;
+    ovr_criterion criterion;
+    double alpha, limit_pressure; /* 0: none */
+    ovr_life_options life;        /* its limit follows from limit_pressure */
+    double raceway, count;        /* raceway 0: not given */
+    double residual_x, residual_y;
+} ovr_stress_setup;
+
 /* All that a case describes, ready to be run. */
 typedef struct ovr_setup {
     const ovr_contact *contact;
@@ -145,6 +162,7 @@ typedef struct ovr_setup {
     bool transient;            /* has an end of time */
     ovr_march *march;          /* without observer */
     const ovr_output *output;
+    const ovr_stress_setup *stress;
     size_t features;
     const ovr_feature_form *feature;
     size_t nodes;           /* the three below by ovr_setup_prepare */

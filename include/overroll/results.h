@@ -20,6 +20,8 @@ extern "C" {
 
 /* ---------------------------------------------------------------- writer */
 
+enum { OVR_MOST_RANK = 4 }; /* dimensions of what is in a file */
+
 /* What a snapshot holds: a bit for each field of the observables, ored; 0 for
  * a name that is none.  Pressure, film thickness and roughness. */
 OVR_API unsigned ovr_field_bit(const char *name);
@@ -95,6 +97,8 @@ OVR_API ovr_status ovr_writer_record(ovr_writer *writer, const ovr_frame *frame,
 OVR_API ovr_observer ovr_writer_observer(ovr_writer *writer);
 OVR_API ovr_status ovr_writer_observe(void *writer, const ovr_simulation *sim,
                                       ovr_error *err);
+/* Whether the state of this step at T will be stored. */
+OVR_API bool ovr_writer_stores(const ovr_writer *writer, long step, double T);
 OVR_API double ovr_writer_next_time(void *writer, double T);
 
 /* Writes out what is buffered and makes it visible to readers. */
@@ -180,6 +184,59 @@ ovr_writer_resume(const ovr_write_options *options, const ovr_contact *contact,
 /* Whether resuming had to finish a cut write. */
 OVR_API bool ovr_writer_repaired(const ovr_writer *writer);
 
+/* A group of its own below the root, "fatigue/surface_1": what is not along
+ * the nodes of the film.  Dimensionless values; the file has them in its units.
+ * An axis without values is the time of rows that are appended. */
+typedef struct ovr_group_axis {
+    const char *name, *long_name;
+    ovr_unit_kind kind;
+    size_t count;
+    const double *values;
+} ovr_group_axis;
+
+/* Along some of the axes; flags, floats, doubles, or rows to come. */
+typedef struct ovr_group_array {
+    const char *name, *long_name;
+    ovr_unit_kind kind;
+    int rank, along[OVR_MOST_RANK];
+    const unsigned char *flags;
+    const float *singles;
+    const double *doubles;
+} ovr_group_array;
+
+/* An attribute: a text, or (text NULL) a number. */
+typedef struct ovr_group_attribute {
+    const char *name, *text;
+    double number;
+} ovr_group_attribute;
+
+typedef struct ovr_group {
+    const char *path;
+    size_t axes, arrays, attributes;
+    const ovr_group_axis *axis;
+    const ovr_group_array *array;
+    const ovr_group_attribute *attribute;
+} ovr_group;
+
+/* Makes the group, in place of one that is there; `keep`: that one stays. */
+OVR_API ovr_status ovr_writer_group(ovr_writer *writer, const ovr_group *group,
+                                    bool keep, ovr_error *err);
+
+/* Row k of the arrays along time: each `count` floats, one array after the
+ * other.  Rows behind it are dropped. */
+OVR_API ovr_status ovr_writer_append(ovr_writer *writer, const ovr_group *group,
+                                     size_t k, double T, const float *values,
+                                     size_t count, ovr_error *err);
+
+/* More state for checkpoints, and back from one. */
+typedef ovr_status ovr_visited(void *object, ovr_visit *visit, void *context,
+                               ovr_error *err);
+OVR_API void ovr_writer_more(ovr_writer *writer, ovr_visited *more,
+                             void *object);
+OVR_API ovr_status ovr_restart_more(const ovr_restart *restart,
+                                    ovr_visited *more, void *object,
+                                    ovr_error *err);
+
 /* ---------------------------------------------------------------- reader */
 
 /*
@@ -215,7 +272,6 @@ OVR_API const ovr_result_info *ovr_result_about(const ovr_result *result);
 
 /* A variable of the file: x, time, a field of the snapshots, a column of the
  * history, or what another program version stores in groups of its own. */
-enum { OVR_MOST_RANK = 4 };
 typedef struct ovr_variable {
     const char *name, *long_name;
     const char *unit;   /* as stored; "1": dimensionless */

@@ -24,6 +24,7 @@
 #include "overroll/error.h"
 #include "overroll/memory.h"
 #include "overroll/simulation.h"
+#include "overroll/stress.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -90,6 +91,29 @@ typedef struct ovr_run_errors {
 
 enum { OVR_RUN_WARNINGS = 4, OVR_RUN_WARNING_SIZE = 240 };
 
+/* Stresses below a surface, as a run or a stored one leaves them: lengths in
+ * b, stresses in p_h, maps value[depth * points + point]. */
+typedef struct ovr_stress_report {
+    int surface;
+    const char *feature; /* xi counts from its centre at T = 0, or NULL */
+    ovr_material material;
+    size_t incomplete;  /* points whose passage an end of the run cut */
+    double least_depth; /* what follows is counted from here down */
+    ovr_stress_extreme max_shear, von_mises;   /* in space and time */
+    double R_max, xi_R_max, Z_R_max, R_smooth; /* radius of the circle */
+    float *measure[OVR_MEASURES];
+    double *smooth[OVR_MEASURES];
+    bool fatigue; /* what follows is there */
+    float *amplitude;
+    double *amplitude_smooth;
+    double *risk;   /* of each point */
+    double *length; /* equivalent length counted from each depth down */
+    ovr_life_result life;
+    double hertz; /* the criterion in a smooth dry contact of p_h = 1 */
+    double limit; /* p_h */
+    double ratio; /* of lives; NAN without a raceway */
+} ovr_stress_report;
+
 /* Of a run at any moment. */
 typedef struct ovr_run_info {
     const ovr_setup *setup;
@@ -101,10 +125,29 @@ typedef struct ovr_run_info {
     double seconds;     /* of wall time, of ovr_run_go */
     size_t snapshots;   /* in the file, when it is closed */
     ovr_run_errors error;
-    int warnings; /* the first ones, for reports */
+    const ovr_stress_report *stress[2]; /* of surface 1, 2; NULL: none */
+    int warnings;                       /* the first ones, for reports */
     char warning[OVR_RUN_WARNINGS][OVR_RUN_WARNING_SIZE];
 } ovr_run_info;
 OVR_API const ovr_run_info *ovr_run_about(const ovr_run *run);
+
+/* Stresses from the pressure that a result file holds, with its own [stress]
+ * and [fatigue] as `change` (may be NULL) leaves them.  Depths are refused that
+ * the stored moments cannot give. */
+typedef struct ovr_stored_stress ovr_stored_stress;
+OVR_API ovr_stored_stress *ovr_stored_stress_create(
+    const char *path,
+    ovr_status (*change)(void *data, ovr_case *c, ovr_error *err), void *data,
+    ovr_error *err);
+OVR_API void ovr_stored_stress_free(ovr_stored_stress *stress);
+OVR_API const ovr_setup *
+ovr_stored_stress_setup(const ovr_stored_stress *stress);
+/* Of surface 1 or 2; NULL: not asked for. */
+OVR_API const ovr_stress_report *
+ovr_stored_stress_report(const ovr_stored_stress *stress, int surface);
+
+/* Memory and, per step, seconds of the passages of a prepared setup. */
+OVR_API double ovr_setup_stress_memory(const ovr_setup *setup);
 
 /* What can be said of a prepared setup before it is solved: a grid too coarse
  * for its features, one of them inside from the start, a start from rest. */

@@ -207,6 +207,9 @@ typedef enum ovr_criterion {
     OVR_CRITERION_TRESCA
 } ovr_criterion;
 
+/* "circle", ... */
+OVR_API const char *ovr_criterion_name(ovr_criterion criterion);
+
 /* The criterion's largest value in a smooth dry contact, per p_h, and where:
  * what turns a limit given as a Hertz pressure into a stress. */
 OVR_API double ovr_hertz_criterion(ovr_criterion criterion, double alpha,

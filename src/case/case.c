@@ -62,6 +62,11 @@ ovr_block *ovr_case_block(ovr_case *c, const ovr_section *section,
     return add_block(c, section, name, err);
 }
 
+bool ovr_block_is_feature(const ovr_block *block)
+{
+    return !strcmp(block->section->name, "feature");
+}
+
 static ovr_status no_section(const char *header, ovr_error *err)
 {
     const char *names[16], *meant;

@@ -60,6 +60,9 @@ ovr_block *ovr_case_block(ovr_case *c, const ovr_section *section,
 const ovr_block *ovr_case_find_block(const ovr_case *c, const char *section,
                                      const char *name);
 
+/* A block of a feature, not of a body. */
+bool ovr_block_is_feature(const ovr_block *block);
+
 /* The slot of a key, NULL with a message that suggests when there is none. */
 ovr_slot *ovr_block_slot(const ovr_block *block, const char *key,
                          const ovr_parameter **row, ovr_error *err);

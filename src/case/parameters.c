@@ -31,6 +31,26 @@ static const ovr_word stops[] = {{"negligible", OVR_STOP_NEGLIGIBLE},
                                  {"truncation", OVR_STOP_TRUNCATION},
                                  {"fixed", OVR_STOP_FIXED},
                                  {NULL, 0}};
+static const ovr_word which_surface[] = {
+    {"1", 1}, {"2", 2}, {"both", 3}, {NULL, 0}};
+static const ovr_word feature_window[] = {{"feature", 0}, {NULL, 0}};
+static const ovr_word stress_fields[] = {
+    {"sigma_x", 0}, {"sigma_z", 0},     {"tau_xz", 0},
+    {"sigma_y", 0}, {"von_mises", 0},   {"max_shear", 0},
+    {"tresca", 0},  {"hydrostatic", 0}, {NULL, 0}};
+static const ovr_word criteria[] = {
+    {"circle", OVR_CRITERION_CIRCLE},
+    {"orthogonal", OVR_CRITERION_ORTHOGONAL},
+    {"critical-plane", OVR_CRITERION_CRITICAL_PLANE},
+    {"dang-van", OVR_CRITERION_DANG_VAN},
+    {"von-mises", OVR_CRITERION_VON_MISES},
+    {"tresca", OVR_CRITERION_TRESCA},
+    {NULL, 0}};
+static const ovr_word no_limit[] = {{"none", 0}, {NULL, 0}};
+static const ovr_word risk_exponents[] = {{"31/3", 31. / 3}, {NULL, 0}};
+static const ovr_word depth_exponents[] = {{"7/3", 7. / 3}, {NULL, 0}};
+static const ovr_word weibull_slopes[] = {
+    {"9/8", 9. / 8}, {"10/9", 10. / 9}, {NULL, 0}};
 static const ovr_word auto_nan[] = {{"auto", NAN}, {NULL, 0}};
 static const ovr_word auto_zero[] = {{"auto", 0}, {NULL, 0}};
 static const ovr_word steps[] = {
@@ -90,6 +110,8 @@ static const ovr_word spectra[] = {{"self-affine", OVR_SELF_AFFINE},
     OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, least, most, false, NULL
 #define SPAN(words, most)                                                      \
     OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, 1e-6, most, false, words
+#define STRESS(words, least, most)                                             \
+    OVR_NUMBER, OVR_PRESSURE, OVR_IN_PRESSURE, least, most, false, words
 #define WHOLE(least, most)                                                     \
     OVR_INTEGER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, NULL
 #define WHOLE_OR(words, least, most)                                           \
@@ -386,6 +408,55 @@ static const ovr_parameter table[] = {
     {"paper", "mlmi_range", WHOLE_OR(auto_zero, 2, 24), "auto",
      AT(options.mlmi_range), true,
      "corrections within so many meshes of the singularity"},
+
+    {"stress", "surface", CHOICE(which_surface), NULL, AT(stress_surface), true,
+     "below which surface; 1 where the section is there and says nothing"},
+    {"stress", "depth_min", LENGTH_OR(auto_zero, 1e-9, 1e3), "auto",
+     AT(stress.depth_min), true,
+     "least depth of the history of the material; auto: 4 meshes"},
+    {"stress", "depth_max", LENGTH(1e-6, 1e3), "2.5", AT(stress.depth_max),
+     true, "largest depth"},
+    {"stress", "depths_per_octave", PLAIN(1, 100), "5", AT(stress.per_octave),
+     true, "depths, geometric"},
+    {"stress", "every", WHOLE(0, 1000000000), "0", AT(stress_every), true,
+     "store stress fields at every so many snapshots; 0: none"},
+    {"stress", "fields", WORDS(stress_fields), "sigma_x, sigma_z, tau_xz",
+     AT(stress.fields), true, "stress fields to store"},
+    {"stress", "window", OVR_NUMBERS, OVR_LENGTH, OVR_IN_B, -1e6, 1e6, false,
+     feature_window, "feature", AT(window), true,
+     "material whose history is kept, FROM, TO about the first feature's "
+     "centre; feature: 2 b beyond the features of the surface"},
+
+    {"fatigue", "criterion", CHOICE(criteria), "circle", AT(criterion), false,
+     "amplitude that does harm: radius of the smallest circle round the path "
+     "of the shear stress, half range of the orthogonal shear stress, that on "
+     "the worst plane, Dang Van's with one line, or static maxima"},
+    {"fatigue", "alpha", PLAIN(0, 1), "0.3", AT(stress.alpha), false,
+     "of the hydrostatic stress; circle: in tension only"},
+    {"fatigue", "limit_pressure", STRESS(no_limit, 0, 1e3), "1.5 GPa",
+     AT(stress.limit_pressure), false,
+     "Hertz pressure of a smooth contact below which amplitudes do no harm"},
+    {"fatigue", "exponent", PLAIN_OR(risk_exponents, 1, 100), "31/3",
+     AT(stress.life.exponent), false, "c of the amplitude in the risk"},
+    {"fatigue", "depth_exponent", PLAIN_OR(depth_exponents, 0, 10), "7/3",
+     AT(stress.life.depth_exponent), false, "h of the depth in the risk"},
+    {"fatigue", "weibull", PLAIN_OR(weibull_slopes, 0.1, 10), "9/8",
+     AT(stress.life.weibull), false, "e, Weibull slope"},
+    {"fatigue", "least_depth", LENGTH_OR(auto_zero, 1e-9, 1e3), "auto",
+     AT(stress.life.least_depth), true,
+     "from which risk and largest values are counted; auto: 8 meshes"},
+    {"fatigue", "raceway", OVR_NUMBER, OVR_LENGTH, OVR_IN_B, 0, 1e9, false,
+     NULL, "0", AT(stress.raceway), false,
+     "length of the raceway, for a ratio of lives; 0: none is given"},
+    {"fatigue", "count", PLAIN(0, 1e9), "1", AT(stress.count), false,
+     "how often the features are on that raceway"},
+    {"fatigue", "residual_x", STRESS(NULL, -10, 10), "0", AT(stress.residual_x),
+     true, "residual stress along the surface, tension positive"},
+    {"fatigue", "residual_y", STRESS(NULL, -10, 10), "0", AT(stress.residual_y),
+     true, "residual stress across"},
+
+    {"body", "poisson", PLAIN(0, 0.5), "0.3", offsetof(ovr_body_form, poisson),
+     true, "Poisson's ratio"},
 };
 enum { ROWS = sizeof table / sizeof table[0] };
 
@@ -407,6 +478,10 @@ static const ovr_section sections[] = {
     {"paper", false,
      "the algorithm of Venner, ten Napel & Bosma (1990), for their tables; "
      "[solver] may hold these keys too, as it once did"},
+    {"stress", false,
+     "stresses below a surface; without this section there are none"},
+    {"fatigue", false, "what they do to the material; needs [stress]"},
+    {"body", true, "[body 1], [body 2]: the bodies"},
 };
 enum { SECTIONS = sizeof sections / sizeof sections[0] };
 
@@ -509,6 +584,7 @@ const char *ovr_hertzian_name(ovr_hertzian hertzian)
     case OVR_IN_B: return "b";
     case OVR_IN_HEIGHT: return "b^2/R";
     case OVR_IN_TIME: return "b/um";
+    case OVR_IN_PRESSURE: return "ph";
     }
     return "";
 }

@@ -27,9 +27,10 @@ typedef enum ovr_kind {
 /* What a bare number is measured in. */
 typedef enum ovr_hertzian {
     OVR_NOT_HERTZIAN,
-    OVR_IN_B,      /* length along x */
-    OVR_IN_HEIGHT, /* b^2/R */
-    OVR_IN_TIME    /* b/um */
+    OVR_IN_B,       /* length along x */
+    OVR_IN_HEIGHT,  /* b^2/R */
+    OVR_IN_TIME,    /* b/um */
+    OVR_IN_PRESSURE /* ph */
 } ovr_hertzian;
 
 typedef struct ovr_word {
@@ -77,7 +78,15 @@ typedef struct ovr_settings {
     ovr_change load, speed;
     ovr_output output;
     int every, precision;
+    ovr_stress_setup stress;
+    int stress_surface, stress_every, criterion;
+    ovr_list window;
 } ovr_settings;
+
+/* Of [body 1] and [body 2]. */
+typedef struct ovr_body_form {
+    double poisson;
+} ovr_body_form;
 
 /* Value of `step = adaptive`. */
 #define OVR_STEP_ADAPTIVE (-1.0)
@@ -92,7 +101,7 @@ const ovr_section *ovr_section_find(const char *name);
 size_t ovr_section_first(const ovr_section *section);
 size_t ovr_section_size(const ovr_section *section);
 
-/* "b", "b^2/R", "b/um" or "". */
+/* "b", "b^2/R", "b/um", "ph" or "". */
 const char *ovr_hertzian_name(ovr_hertzian hertzian);
 
 /* The section that a key given in a section belongs to: another one if it

@@ -43,6 +43,7 @@ static double scale_of(const ovr_contact *contact, ovr_hertzian hertzian)
     case OVR_IN_B: return contact->b;
     case OVR_IN_HEIGHT: return contact->height;
     case OVR_IN_TIME: return contact->time;
+    case OVR_IN_PRESSURE: return contact->ph;
     }
     return 1;
 }
@@ -152,7 +153,7 @@ ovr_status ovr_block_fill(ovr_resolved *r, const ovr_block *block, void *into,
     return OVR_OK;
 }
 
-static const ovr_block *block_of(const ovr_resolved *r, const char *section)
+const ovr_block *ovr_block_of(const ovr_resolved *r, const char *section)
 {
     return ovr_case_find_block(r->c, section, NULL);
 }
@@ -160,13 +161,13 @@ static const ovr_block *block_of(const ovr_resolved *r, const char *section)
 static const ovr_slot *slot_of(const ovr_resolved *r, const char *section,
                                const char *key)
 {
-    return ovr_block_get(block_of(r, section), key);
+    return ovr_block_get(ovr_block_of(r, section), key);
 }
 
 static ovr_status fill_section(ovr_resolved *r, const char *section,
                                ovr_error *err)
 {
-    return ovr_block_fill(r, block_of(r, section), &r->values, err);
+    return ovr_block_fill(r, ovr_block_of(r, section), &r->values, err);
 }
 
 /* ---------------------------------------------------------------- contact */
@@ -186,8 +187,8 @@ static ovr_status check_twice(const ovr_resolved *r, const char *key,
 static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
 {
     ovr_conditions *given = &r->values.contact;
-    const ovr_block *contact = block_of(r, "contact");
-    const ovr_block *lubricant = block_of(r, "lubricant");
+    const ovr_block *contact = ovr_block_of(r, "contact");
+    const ovr_block *lubricant = ovr_block_of(r, "lubricant");
     ovr_error why = {0};
     bool numbers;
     *given = ovr_conditions_unknown();
@@ -322,14 +323,14 @@ static ovr_status resolve_features(ovr_resolved *r, ovr_error *err)
     ovr_feature_form *form;
     size_t n = 0;
     for (const ovr_block *b = r->c->blocks; b; b = b->next)
-        n += b->section->named;
+        n += ovr_block_is_feature(b);
     form = ovr_arena_take(&r->arena, n, sizeof *form, err);
     if (!form)
         return OVR_NO_MEMORY;
     r->setup.feature = form;
     r->setup.features = n;
     for (const ovr_block *b = r->c->blocks; b; b = b->next)
-        if (b->section->named) {
+        if (ovr_block_is_feature(b)) {
             ovr_status status = fill_feature(r, b, form++, err);
             if (status)
                 return status;
@@ -370,6 +371,7 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     r->setup.options = &r->values.options;
     r->setup.march = &r->march;
     r->setup.output = &r->values.output;
+    r->setup.stress = &r->values.stress;
     status = resolve_contact(r, err);
     if (!status)
         status = resolve_options(r, err);
@@ -379,6 +381,8 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
         status = resolve_features(r, err);
     if (!status)
         status = resolve_output(r, err);
+    if (!status)
+        status = ovr_resolve_stress(r, err);
     if (!status)
         return &r->setup;
     ovr_setup_free(&r->setup);

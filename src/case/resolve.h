@@ -16,6 +16,9 @@ typedef struct ovr_resolved {
     ovr_arena arena;
 } ovr_resolved;
 
+/* The block of a plain section. */
+const ovr_block *ovr_block_of(const ovr_resolved *r, const char *section);
+
 /* Puts the values of a block into the struct its rows point into, physical
  * numbers scaled by the contact. */
 ovr_status ovr_block_fill(ovr_resolved *r, const ovr_block *block, void *into,
@@ -26,6 +29,9 @@ ovr_status ovr_block_fill(ovr_resolved *r, const ovr_block *block, void *into,
 ovr_status ovr_fail_in(ovr_error *err, const ovr_case *c,
                        const ovr_block *block, const ovr_block *other,
                        const ovr_error *why);
+
+/* [stress], [fatigue] and the bodies' Poisson's ratios. */
+ovr_status ovr_resolve_stress(ovr_resolved *r, ovr_error *err);
 
 /* A history from [load] or [speed]; *history NULL when it is constant. */
 ovr_status ovr_resolve_history(ovr_resolved *r, const char *section,

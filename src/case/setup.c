@@ -40,7 +40,7 @@ static ovr_status add_features(ovr_resolved *r, ovr_error *err)
     const ovr_block *block = r->c->blocks;
     for (size_t k = 0; k < r->setup.features; k++, block = block->next) {
         ovr_error why = {0};
-        while (!block->section->named)
+        while (!ovr_block_is_feature(block))
             block = block->next;
         if (ovr_surfaces_add(r->setup.surfaces, &r->setup.feature[k], &why))
             return ovr_fail_in(err, r->c, block, NULL, &why);

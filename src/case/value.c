@@ -183,6 +183,8 @@ static ovr_status read_list(const ovr_parameter *row, const char *text,
     double *values = ovr_arena_take(arena, n, sizeof *values, err);
     if (!values)
         return OVR_NO_MEMORY;
+    if (find_word(row->words, text)) /* in place of numbers: none */
+        return OVR_OK;
     for (size_t i = 0; i < n; i++) {
         ovr_quantity quantity;
         char item[OVR_LINE_MOST + 2];

@@ -69,7 +69,8 @@ static estimate estimate_cost(const ovr_setup *setup, double live)
     estimate cost = {0};
     cost.nodes = (double)setup->nodes;
     cost.mesh = setup->mesh;
-    cost.bytes = live + ovr_simulation_memory(setup->options);
+    cost.bytes = live + ovr_simulation_memory(setup->options) +
+                 ovr_setup_stress_memory(setup);
     if (setup->transient)
         cost.steps = ceil(march->end / dT);
     cost.seconds = cost.nodes * SECONDS_A_NODE *
@@ -98,21 +99,24 @@ static bool has_nodes(const ovr_case *c)
 }
 
 /* The default level does not count beside nodes. */
-static bool is_shown(const ovr_case *c, const ovr_case_entry *entry)
+static bool is_shown(const ovr_case *c, const ovr_setup *setup,
+                     const ovr_case_entry *entry)
 {
-    if (!entry->text)
+    if (!entry->text ||
+        (!strcmp(entry->section, "stress") && !setup->stress->surfaces) ||
+        (!strcmp(entry->section, "fatigue") && !setup->stress->fatigue))
         return false;
     return entry->given || strcmp(entry->section, "domain") != 0 ||
            strcmp(entry->key, "level") != 0 || !has_nodes(c);
 }
 
 /* The whole case: reading what is printed gives the same case. */
-static void put_parameters(const ovr_case *c)
+static void put_parameters(const ovr_case *c, const ovr_setup *setup)
 {
     const char *section = "", *name = NULL;
     for (size_t k = 0; k < ovr_case_entries(c); k++) {
         ovr_case_entry entry = ovr_case_entry_at(c, k);
-        if (!is_shown(c, &entry))
+        if (!is_shown(c, setup, &entry))
             continue;
         if (strcmp(section, entry.section) != 0 || name != entry.name)
             put_header(&entry);
@@ -212,6 +216,32 @@ static void put_cost(const estimate *cost, const ovr_contact *contact)
            cost->seconds, cost->bytes / 1e6);
 }
 
+/* Depths, memory, and the limits in MPa. */
+static void put_stress(const ovr_setup *setup)
+{
+    const ovr_stress_setup *s = setup->stress;
+    double dT = setup->march->dT > 0 ? setup->march->dT : setup->mesh, z;
+    double ph = setup->contact->ph * 1e-6;
+    double least = s->depth_min > 0 ? s->depth_min : 4 * fmax(setup->mesh, dT);
+    if (!s->surfaces)
+        return;
+    printf("# %-28s Z = %.4g to %.4g, %g an octave; %.3g MB, as long as the "
+           "run again\n",
+           "stresses below", least, s->depth_max, s->per_octave,
+           ovr_setup_stress_memory(setup) / 1e6);
+    for (int k = 0; s->fatigue && k < 2; k++) {
+        double hertz = ovr_hertz_criterion(s->criterion, s->alpha,
+                                           s->poisson[k], &z);
+        if (!(s->surfaces >> k & 1))
+            continue;
+        printf("# %-28s %s: limit %.4g ph", "fatigue",
+               ovr_criterion_name(s->criterion), hertz * s->limit_pressure);
+        if (isfinite(ph))
+            printf(" = %.4g MPa", hertz * s->limit_pressure * ph);
+        printf("; smooth %.4g ph at Z = %.3g\n", hertz, z);
+    }
+}
+
 /* ------------------------------------------------------------------- JSON */
 
 static void json_parameters(json_writer *json, const ovr_case *c)
@@ -283,7 +313,8 @@ static void report(const cli_call *call, const ovr_case *c,
     put_lubricant(setup->lubricant);
     put_features(setup);
     put_cost(&cost, setup->contact);
-    put_parameters(c);
+    put_stress(setup);
+    put_parameters(c, setup);
 }
 
 static int run(cli_call *call)

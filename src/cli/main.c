@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include <expat.h>
+#include <fftw3.h>
 #include <gsl/gsl_version.h>
 #include <hdf5.h>
 #include <zip.h>
@@ -20,6 +21,7 @@ const cli_verb *const cli_verbs[] = {
     &cli_check,
     &cli_info,
     &cli_sweep,
+    &cli_stress,
     &cli_export,
     &cli_plot,
     &cli_frames,
@@ -36,9 +38,9 @@ static void print_version(void)
     unsigned major = 0, minor = 0, release = 0;
     H5get_libversion(&major, &minor, &release);
     printf("overroll %s\n", OVERROLL_VERSION);
-    printf("GSL %s, HDF5 %u.%u.%u, zlib %s, libzip %s, %s\n", gsl_version,
+    printf("GSL %s, HDF5 %u.%u.%u, zlib %s, libzip %s, %s, %s\n", gsl_version,
            major, minor, release, zlibVersion(), zip_libzip_version(),
-           XML_ExpatVersion());
+           XML_ExpatVersion(), fftw_version);
 }
 
 /* Ten lines. */

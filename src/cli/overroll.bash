@@ -11,6 +11,7 @@ _overroll_options() {
     check) echo '--set --M --L --level --scheme --smoother -q -v --json --help' ;;
     info) echo '-q -v --json --help' ;;
     sweep) echo '-j -o --list --task --collect --retry --redo -q -v --json --help' ;;
+    stress) echo '--set --M --L --level --scheme --smoother -q -v --json --help' ;;
     export) echo '--snapshot --time --all --long --wide --at --field --units --format -o --force -q -v --json --help' ;;
     plot) echo '-o --kind --at --overlay --field --script --quantity --against --lines --log --hertzian --si -x --time --p-max --h-max --size --title --no-hertz --no-roughness --force -q -v --json --help' ;;
     frames) echo '-o --movie --rate --every --form --jobs --script --hertzian --si -x --time --p-max --h-max --size --title --no-hertz --no-roughness --force -q -v --json --help' ;;
@@ -155,6 +156,25 @@ _overroll_values() {
     paper.cycles) echo '' ;;
     paper.mlmi_order) echo 'auto' ;;
     paper.mlmi_range) echo 'auto' ;;
+    stress.surface) echo '1 2 both' ;;
+    stress.depth_min) echo 'auto' ;;
+    stress.depth_max) echo '' ;;
+    stress.depths_per_octave) echo '' ;;
+    stress.every) echo '' ;;
+    stress.fields) echo 'sigma_x sigma_z tau_xz sigma_y von_mises max_shear tresca hydrostatic' ;;
+    stress.window) echo 'feature' ;;
+    fatigue.criterion) echo 'circle orthogonal critical-plane dang-van von-mises tresca' ;;
+    fatigue.alpha) echo '' ;;
+    fatigue.limit_pressure) echo 'none' ;;
+    fatigue.exponent) echo '31/3' ;;
+    fatigue.depth_exponent) echo '7/3' ;;
+    fatigue.weibull) echo '9/8 10/9' ;;
+    fatigue.least_depth) echo 'auto' ;;
+    fatigue.raceway) echo '' ;;
+    fatigue.count) echo '' ;;
+    fatigue.residual_x) echo '' ;;
+    fatigue.residual_y) echo '' ;;
+    body.poisson) echo '' ;;
     esac # keys
 }
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/report.h"
 
+#include "cli/stress_report.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -116,6 +118,7 @@ void cli_report_json(const ovr_run_info *s, FILE *to)
         json_run(&json, s);
     else
         json_refinements(&json, s);
+    cli_json_stress(&json, s->stress, s->setup);
     if (s->error.level)
         json_error(&json, &s->error, s->transient);
     json_number(&json, "seconds", s->seconds);
@@ -269,6 +272,9 @@ static void report_table(const cli_call *call, const ovr_run_info *s)
     table_observed(s);
     if (s->transient)
         table_run(s);
+    for (int k = 0; k < 2; k++)
+        if (s->stress[k])
+            cli_put_stress(s->stress[k], s->setup);
     if (s->error.level)
         table_error(&s->error, s->transient, contact);
     printf("%-17s %.3g s\n", "time", s->seconds);

@@ -10,18 +10,7 @@
 #include "overroll/version.h"
 #include "results/h5.h"
 
-/* A dataset to be made: any number of dimensions, the unlimited one first.
- * One that is along nothing is a dimension itself. */
-typedef struct dataset {
-    const char *name, *long_name;
-    ovr_unit_kind kind;
-    hid_t type;
-    hsize_t rows; /* in a chunk; 0: nothing is unlimited */
-    int rank;
-    hsize_t shape[OVR_MOST_RANK]; /* 0: unlimited */
-    hid_t along[OVR_MOST_RANK];
-    int deflate;
-} dataset;
+typedef ovr_new_dataset dataset;
 
 const char *ovr_run_status_name(ovr_run_status status)
 {
@@ -50,7 +39,7 @@ hid_t ovr_header_creation(void)
     return creation;
 }
 
-static hid_t make_group(hid_t file, const char *name)
+hid_t ovr_header_group(hid_t file, const char *name)
 {
     unsigned order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
     hid_t creation = H5Pcreate(H5P_GROUP_CREATE), group;
@@ -118,8 +107,8 @@ static bool place(hid_t set, const dataset *d)
     return ok;
 }
 
-static hid_t make_dataset(hid_t where, const dataset *d,
-                          const ovr_scales *scales)
+hid_t ovr_header_dataset(hid_t where, const dataset *d,
+                         const ovr_scales *scales)
 {
     hid_t creation = dataset_creation(d), space = dataset_space(d);
     hid_t set = H5Dcreate2(where, d->name, d->type, space, H5P_DEFAULT,
@@ -146,7 +135,7 @@ static hid_t make_positions(const ovr_file *f, const ovr_file_plan *plan)
                  .type = H5T_IEEE_F64LE,
                  .rank = 1,
                  .shape = {f->nodes}};
-    hid_t x = make_dataset(f->file, &d, plan->scales);
+    hid_t x = ovr_header_dataset(f->file, &d, plan->scales);
     bool ok = set_axis(x, "X") && H5Dwrite(x, H5T_NATIVE_DOUBLE, H5S_ALL,
                                            H5S_ALL, H5P_DEFAULT, plan->x) >= 0;
     if (!ok)
@@ -162,7 +151,7 @@ static bool make_time(ovr_file *f, const ovr_scales *scales)
                  .type = H5T_IEEE_F64LE,
                  .rows = OVR_ROW_CHUNK,
                  .rank = 1};
-    f->time = make_dataset(f->file, &d, scales);
+    f->time = ovr_header_dataset(f->file, &d, scales);
     return set_axis(f->time, "T");
 }
 
@@ -181,7 +170,7 @@ static bool make_field(ovr_file *f, const ovr_scales *scales, hid_t x, size_t k)
                  .shape = {0, f->nodes},
                  .along = {f->time, x},
                  .deflate = f->deflate};
-    f->field[k] = make_dataset(f->file, &d, scales);
+    f->field[k] = ovr_header_dataset(f->file, &d, scales);
     return f->field[k] >= 0;
 }
 
@@ -206,7 +195,7 @@ static bool make_column(ovr_file *f, hid_t group, const ovr_scales *scales,
                  .rows = OVR_ROW_CHUNK,
                  .rank = 1,
                  .along = {f->step}};
-    f->column[c] = make_dataset(group, &d, scales);
+    f->column[c] = ovr_header_dataset(group, &d, scales);
     return f->column[c] >= 0;
 }
 
@@ -218,9 +207,9 @@ static bool make_history(ovr_file *f, const ovr_scales *scales)
                  .type = H5T_STD_I32LE,
                  .rows = OVR_ROW_CHUNK,
                  .rank = 1};
-    hid_t group = make_group(f->file, "history");
+    hid_t group = ovr_header_group(f->file, "history");
     bool ok = group >= 0;
-    f->step = ok ? make_dataset(group, &d, scales) : -1;
+    f->step = ok ? ovr_header_dataset(group, &d, scales) : -1;
     ok = f->step >= 0;
     for (size_t c = 0; ok && c < f->columns; c++)
         ok = make_column(f, group, scales, c);
@@ -243,7 +232,7 @@ static bool set_value(hid_t group, const ovr_case_value *value)
 
 static bool make_case(const ovr_file *f, const ovr_write_options *o)
 {
-    hid_t group = make_group(f->file, "case");
+    hid_t group = ovr_header_group(f->file, "case");
     bool ok = group >= 0 && ovr_h5_set_string(group, "text",
                                               o->case_text ? o->case_text : "");
     for (size_t k = 0; ok && k < o->value_count; k++)

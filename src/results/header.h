@@ -5,6 +5,24 @@
 
 #include "results/file.h"
 
+/* A dataset to be made: any number of dimensions, the unlimited one first.
+ * One that is along nothing is a dimension itself. */
+typedef struct ovr_new_dataset {
+    const char *name, *long_name;
+    ovr_unit_kind kind;
+    hid_t type;
+    hsize_t rows; /* in a chunk; 0: nothing is unlimited */
+    int rank;
+    hsize_t shape[OVR_MOST_RANK]; /* 0: unlimited */
+    hid_t along[OVR_MOST_RANK];
+    int deflate;
+} ovr_new_dataset;
+
+/* Makes one, described; a group whose order is kept.  Negative: failed. */
+hid_t ovr_header_dataset(hid_t where, const ovr_new_dataset *plan,
+                         const ovr_scales *scales);
+hid_t ovr_header_group(hid_t where, const char *name);
+
 /* Writes all headers into the open, empty file and opens its datasets. */
 bool ovr_header_write(ovr_file *file, const ovr_file_plan *plan);
 

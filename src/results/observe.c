@@ -39,20 +39,37 @@ static ovr_status visit_state(void *sim, ovr_visit *visit, void *context,
 }
 
 /* What is saved ends with the heights of the surface, to be compared later. */
-static ovr_status visit_all(void *sim, ovr_visit *visit, void *context,
+static ovr_status visit_all(void *writer, ovr_visit *visit, void *context,
                             ovr_error *err)
 {
+    ovr_writer *w = writer;
+    ovr_simulation *sim = w->saved;
     const ovr_state *state = ovr_simulation_state(sim);
     ovr_status status = ovr_simulation_visit(sim, visit, context, err);
-    if (status != OVR_OK)
-        return status;
-    return visit(context, "S", (void *)state->S, state->n * sizeof *state->S,
-                 err);
+    if (status == OVR_OK)
+        status = visit(context, "S", (void *)state->S,
+                       state->n * sizeof *state->S, err);
+    if (status == OVR_OK && w->more.visit_all)
+        status = w->more.visit_all(w->more.object, visit, context, err);
+    return status;
+}
+
+void ovr_writer_more(ovr_writer *w, ovr_visited *more, void *object)
+{
+    w->more = (ovr_state_source){more, object};
+}
+
+ovr_status ovr_restart_more(const ovr_restart *restart, ovr_visited *more,
+                            void *object, ovr_error *err)
+{
+    ovr_state_source source = {more, object};
+    return ovr_restart_load_into(restart, &source, err);
 }
 
 void ovr_writer_checkpoints(ovr_writer *w, ovr_simulation *sim)
 {
-    ovr_state_source source = {visit_all, sim};
+    ovr_state_source source = {visit_all, w};
+    w->saved = sim;
     ovr_writer_source(w, source);
     w->observed = sim;
     w->frame_of = frame_of;

@@ -83,6 +83,11 @@ bool ovr_writer_due(const ovr_writer *w, long step, double T)
     return ovr_schedule_due(&w->schedule, step, w->last_T, T);
 }
 
+bool ovr_writer_stores(const ovr_writer *w, long step, double T)
+{
+    return step > w->last_step && ovr_writer_due(w, step, T);
+}
+
 void ovr_writer_note(ovr_writer *w, const ovr_frame *frame)
 {
     ovr_parcel *parcel = ovr_queue_open(&w->queue);

@@ -30,12 +30,14 @@ struct ovr_writer {
 
     /* checkpoints */
     ovr_state_source source; /* visit_all NULL: there are none */
+    ovr_state_source more;   /* the same */
     char *restart, *restart_part;
     char created[OVR_DATE_SIZE];
 
     /* the state now, as a frame; NULL: not known */
     ovr_frame (*frame_of)(ovr_writer *writer);
     const ovr_simulation *observed;
+    ovr_simulation *saved; /* in checkpoints */
 
     /* the other side of the queue */
     ovr_file file;

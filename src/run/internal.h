@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "overroll/results.h"
 #include "overroll/run.h"
+#include "run/stress.h"
 
 struct ovr_run {
     ovr_arena arena;
@@ -13,10 +14,11 @@ struct ovr_run {
     ovr_case *c;
     ovr_setup *setup;
     ovr_simulation *sim;
-    ovr_writer *writer;   /* NULL: nothing is stored */
-    ovr_restart *restart; /* of a run gone on with */
-    bool resumed;         /* the case is its own */
-    bool restored;        /* the state is a checkpoint's: no steady start */
+    ovr_writer *writer;     /* NULL: nothing is stored */
+    ovr_run_stress *stress; /* NULL: none are wanted */
+    ovr_restart *restart;   /* of a run gone on with */
+    bool resumed;           /* the case is its own */
+    bool restored;          /* the state is a checkpoint's: no steady start */
     ovr_run_info info;
 };
 

@@ -47,7 +47,8 @@ static char *full_name(const ovr_case_entry *entry)
 {
     char *name = malloc(NAME_ROOM);
     if (name && entry->name)
-        snprintf(name, NAME_ROOM, "feature %s.%s", entry->name, entry->key);
+        snprintf(name, NAME_ROOM, "%s %s.%s", entry->section, entry->name,
+                 entry->key);
     else if (name)
         snprintf(name, NAME_ROOM, "%s.%s", entry->section, entry->key);
     return name;
@@ -189,12 +190,15 @@ static void unwant(wanted *w)
     free(w->folder);
 }
 
-static ovr_status have(ovr_run *run, ovr_writer *writer)
+static ovr_status have(ovr_run *run, ovr_writer *writer, ovr_error *err)
 {
     run->writer = writer;
-    if (writer)
-        ovr_writer_checkpoints(writer, run->sim);
-    return writer ? OVR_OK : OVR_BAD_INPUT;
+    if (!writer)
+        return OVR_BAD_INPUT;
+    ovr_writer_checkpoints(writer, run->sim);
+    return run->stress
+               ? ovr_run_stress_open(run->stress, writer, run->info.output, err)
+               : OVR_OK;
 }
 
 ovr_status ovr_output_open(ovr_run *run, ovr_error *err)
@@ -208,7 +212,7 @@ ovr_status ovr_output_open(ovr_run *run, ovr_error *err)
                                    state->X, &run->arena.allocator, err);
     }
     unwant(&w);
-    return have(run, writer);
+    return have(run, writer, err);
 }
 
 ovr_status ovr_output_reopen(ovr_run *run, ovr_error *err)
@@ -223,10 +227,13 @@ ovr_status ovr_output_reopen(ovr_run *run, ovr_error *err)
                                    err);
     if (status == OVR_OK && restart && ovr_restart_about(restart)->has_state)
         status = ovr_restart_load(restart, run->sim, err);
+    if (status == OVR_OK && restart && run->stress &&
+        ovr_restart_about(restart)->has_state)
+        status = ovr_run_stress_restore(run->stress, restart, state->T, err);
     if (status == OVR_OK)
         writer = ovr_writer_resume(&w.options, run->setup->contact, state->n,
                                    state->X, restart, &run->arena.allocator,
                                    err);
     unwant(&w);
-    return have(run, writer);
+    return have(run, writer, err);
 }

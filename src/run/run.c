@@ -64,6 +64,12 @@ ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
     run->info.transient = run->setup->transient && !run->how.steady;
     run->info.setup = run->setup;
     run->info.sim = run->sim;
+    if (run->setup->stress->surfaces && !run->how.steady) {
+        run->stress = ovr_run_stress_create(
+            run->setup, ovr_simulation_state(run->sim), allocator, err);
+        if (!run->stress)
+            return OVR_BAD_INPUT;
+    }
     return OVR_OK;
 }
 
@@ -111,6 +117,7 @@ void ovr_run_free(ovr_run *run)
         return;
     if (run->writer)
         ovr_writer_close(run->writer, OVR_RUN_STOPPED, NULL);
+    ovr_run_stress_free(run->stress);
     ovr_simulation_free(run->sim);
     ovr_setup_free(run->setup);
     if (run->resumed)
@@ -144,10 +151,12 @@ static ovr_status look(void *data, const ovr_simulation *sim, ovr_error *err)
 static ovr_status solve(ovr_run *run, ovr_error *err)
 {
     ovr_march how = *run->setup->march;
-    ovr_observer observer[3];
+    ovr_observer observer[4];
     ovr_status status = OVR_OK;
     how.count = 0;
     how.observers = observer;
+    if (run->stress)
+        observer[how.count++] = ovr_run_stress_observer(run->stress);
     if (run->writer)
         observer[how.count++] = ovr_writer_observer(run->writer);
     if (run->how.observe)
@@ -161,6 +170,23 @@ static ovr_status solve(ovr_run *run, ovr_error *err)
     for (size_t k = 0; !status && k < how.count; k++)
         status = observer[k].observe(observer[k].data, run->sim, err);
     return status;
+}
+
+/* The passages of a run that ended, or was stopped. */
+static ovr_status finish_stress(ovr_run *run, ovr_status status, ovr_error *err)
+{
+    const ovr_state *state = ovr_simulation_state(run->sim);
+    ovr_status finished;
+    if (!run->stress || (status && status != OVR_STOPPED))
+        return status;
+    ovr_error late = {0};
+    finished = ovr_run_stress_finish(run->stress, state, &late);
+    for (int k = 0; k < 2; k++)
+        run->info.stress[k] = ovr_run_stress_report(run->stress, k);
+    if (!finished || status)
+        return status;
+    *err = late;
+    return finished;
 }
 
 static ovr_run_status ending(ovr_status status)
@@ -203,7 +229,8 @@ ovr_status ovr_run_go(ovr_run *run, ovr_error *err)
     ovr_status status;
     err = err ? err : &own;
     ovr_run_review_before(run);
-    status = close_file(run, solve(run, err), err);
+    status = finish_stress(run, solve(run, err), err);
+    status = close_file(run, status, err);
     run->info.seconds = seconds_now() - begun;
     run->info.converged = status == OVR_OK &&
                           ovr_simulation_observation(run->sim)->converged &&

@@ -111,6 +111,14 @@ void ovr_passage_measure(const ovr_passage *p, ovr_measure which, float *to,
     }
 }
 
+const char *ovr_criterion_name(ovr_criterion criterion)
+{
+    static const char *const names[] = {"circle",         "orthogonal",
+                                        "critical-plane", "dang-van",
+                                        "von-mises",      "tresca"};
+    return names[criterion];
+}
+
 static ovr_measure measure_of(ovr_criterion criterion)
 {
     switch (criterion) {

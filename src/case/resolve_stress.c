@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* [stress], [fatigue] and what the bodies add to them. */
+#include <math.h>
+#include <string.h>
+
+#include "case/resolve.h"
+
+/* A section is there when its header is, or any of its keys. */
+static bool is_there(const ovr_block *block)
+{
+    bool given = block->line > 0;
+    for (size_t k = 0; k < block->count; k++)
+        given = given || block->slots[k].given;
+    return given;
+}
+
+static ovr_status resolve_bodies(ovr_resolved *r, ovr_error *err)
+{
+    ovr_stress_setup *s = &r->values.stress;
+    s->poisson[0] = s->poisson[1] = 0.3;
+    for (const ovr_block *b = r->c->blocks; b; b = b->next) {
+        ovr_body_form form = {0.3};
+        bool first = b->name && !strcmp(b->name, "1");
+        if (strcmp(b->section->name, "body") != 0)
+            continue;
+        if (!first && strcmp(b->name, "2") != 0)
+            return ovr_fail_at(err, OVR_BAD_INPUT, r->c->name, b->line,
+                               "[body %s]: there are [body 1] and [body 2]",
+                               b->name);
+        if (ovr_block_fill(r, b, &form, err))
+            return OVR_BAD_INPUT;
+        s->poisson[first ? 0 : 1] = form.poisson;
+    }
+    return OVR_OK;
+}
+
+static ovr_status resolve_window(ovr_resolved *r, ovr_error *err)
+{
+    ovr_stress_setup *s = &r->values.stress;
+    const ovr_list *window = &r->values.window;
+    const ovr_slot *slot = ovr_block_get(ovr_block_of(r, "stress"), "window");
+    s->from = s->to = NAN;
+    if (!window->count)
+        return OVR_OK;
+    if (window->count != 2 || !(window->values[0] < window->values[1]))
+        return ovr_fail_slot(err, slot, "must be FROM, TO with FROM below TO");
+    s->from = window->values[0];
+    s->to = window->values[1];
+    return OVR_OK;
+}
+
+/* A surface that stands still has no passage. */
+static ovr_status check_motion(const ovr_resolved *r, ovr_error *err)
+{
+    const ovr_contact *contact = r->setup.contact;
+    const ovr_block *stress = ovr_block_of(r, "stress");
+    const ovr_slot *slot = ovr_block_get(stress, "surface");
+    double ratio[] = {contact->u1_ratio, contact->u2_ratio};
+    for (int k = 0; k < 2; k++) {
+        if (!(r->values.stress.surfaces >> k & 1) || ratio[k] != 0)
+            continue;
+        if (slot->given)
+            return ovr_fail_slot(err, slot,
+                                 "surface %d stands still: its "
+                                 "material does not pass the contact",
+                                 k + 1);
+        return ovr_fail_at(err, OVR_BAD_INPUT, r->c->name, stress->line,
+                           "[stress]: surface %d stands still: its material "
+                           "does not pass the contact",
+                           k + 1);
+    }
+    return OVR_OK;
+}
+
+static ovr_status resolve_fatigue(ovr_resolved *r, ovr_error *err)
+{
+    const ovr_block *block = ovr_block_of(r, "fatigue");
+    ovr_stress_setup *s = &r->values.stress;
+    s->fatigue = is_there(block);
+    s->life = ovr_life_options_default();
+    if (!s->fatigue)
+        return OVR_OK;
+    if (!s->surfaces)
+        return ovr_fail_at(err, OVR_BAD_INPUT, r->c->name, block->line,
+                           "[fatigue] needs [stress]: add that section");
+    if (ovr_block_fill(r, block, &r->values, err))
+        return OVR_BAD_INPUT;
+    s->criterion = (ovr_criterion)r->values.criterion;
+    return OVR_OK;
+}
+
+ovr_status ovr_resolve_stress(ovr_resolved *r, ovr_error *err)
+{
+    const ovr_block *block = ovr_block_of(r, "stress");
+    ovr_stress_setup *s = &r->values.stress;
+    r->values.stress_surface = 1;
+    if (resolve_bodies(r, err))
+        return OVR_BAD_INPUT;
+    if (is_there(block)) {
+        if (ovr_block_fill(r, block, &r->values, err) || resolve_window(r, err))
+            return OVR_BAD_INPUT;
+        s->surfaces = (unsigned)r->values.stress_surface;
+        s->every = r->values.stress_every;
+    }
+    if (check_motion(r, err) || resolve_fatigue(r, err))
+        return OVR_BAD_INPUT;
+    return OVR_OK;
+}

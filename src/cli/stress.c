@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* overroll stress OUT.h5: from the pressure that is stored. */
+#include "cli/case_args.h"
+#include "cli/stress_report.h"
+
+static ovr_status change(void *call, ovr_case *c, ovr_error *err)
+{
+    return cli_apply_options(call, c, err);
+}
+
+static void report(const cli_call *call, const ovr_stored_stress *s)
+{
+    const ovr_setup *setup = ovr_stored_stress_setup(s);
+    const ovr_stress_report *both[] = {ovr_stored_stress_report(s, 1),
+                                       ovr_stored_stress_report(s, 2)};
+    if (call->json) {
+        json_writer json = json_begin(stdout);
+        cli_json_stress(&json, both, setup);
+        json_end(&json);
+        return;
+    }
+    for (int k = 0; k < 2 && call->verbosity >= 0; k++)
+        if (both[k])
+            cli_put_stress(both[k], setup);
+}
+
+static int run(cli_call *call)
+{
+    ovr_error err = {0};
+    ovr_stored_stress *s = ovr_stored_stress_create(call->argument[0], change,
+                                                    call, &err);
+    if (!s)
+        return cli_fail(&err);
+    report(call, s);
+    ovr_stored_stress_free(s);
+    return CLI_DONE;
+}
+
+static const cli_option options[] = {CLI_CASE_OPTIONS, {0}};
+
+const cli_verb cli_stress = {
+    .name = "stress",
+    .arguments = "OUT.h5",
+    .summary = "stresses and fatigue from a stored run",
+    .help = "From the stored pressure, with [stress] and [fatigue] as the run "
+            "had them or\nas --set changes them (--set "
+            "fatigue.criterion=orthogonal).  Depths that the stored\nmoments "
+            "cannot give are refused, with the `every` that would do.",
+    .options = options,
+    .least = 1,
+    .most = 1,
+    .run = run,
+};

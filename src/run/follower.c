@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A passage in a thread of its own.
+ *
+ * The solver's thread copies the pressure into a ring of moments and goes on;
+ * the follower takes them in order, so that the history does not depend on who
+ * is faster.  A full ring makes the solver wait.  Without a thread a moment is
+ * taken at once.
+ */
+#include <pthread.h>
+#include <string.h>
+
+#include "run/stress.h"
+
+enum { RING = 32 };
+
+typedef struct posted {
+    ovr_part part;
+    ovr_moment moment;
+    double *P;
+} posted;
+
+struct ovr_follower {
+    ovr_arena arena;
+    ovr_passage *passage;
+    size_t nodes;
+    posted ring[RING];
+    size_t first, count; /* posted and not yet taken */
+    bool threaded, closing;
+    pthread_t thread;
+    pthread_mutex_t mutex;
+    pthread_cond_t changed;
+};
+
+static void take(ovr_passage *p, const posted *m)
+{
+    if (m->part == OVR_PART_BEGIN)
+        ovr_passage_begin(p, m->P, NULL, &m->moment);
+    else if (m->part == OVR_PART_STEP)
+        ovr_passage_step(p, m->P, NULL, &m->moment);
+    else
+        ovr_passage_end(p, m->P, NULL, &m->moment);
+}
+
+static void *follow(void *data)
+{
+    ovr_follower *f = data;
+    pthread_mutex_lock(&f->mutex);
+    for (;;) {
+        while (!f->count && !f->closing)
+            pthread_cond_wait(&f->changed, &f->mutex);
+        if (!f->count)
+            break;
+        pthread_mutex_unlock(&f->mutex);
+        take(f->passage, &f->ring[f->first]);
+        pthread_mutex_lock(&f->mutex);
+        f->first = (f->first + 1) % RING;
+        f->count--;
+        pthread_cond_broadcast(&f->changed);
+    }
+    pthread_mutex_unlock(&f->mutex);
+    return NULL;
+}
+
+ovr_follower *ovr_follower_create(const ovr_stress_plan *plan,
+                                  const ovr_allocator *allocator,
+                                  ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_follower *f = ovr_arena_take(&arena, 1, sizeof *f, err);
+    size_t n = plan->options.nodes;
+    double *P = f ? ovr_arena_take(&arena, RING * n, sizeof *P, err) : NULL;
+    if (P)
+        f->passage = ovr_passage_create(&plan->options, &plan->range, allocator,
+                                        err);
+    if (!P || !f->passage) {
+        ovr_arena_release(&arena);
+        return NULL;
+    }
+    f->arena = arena;
+    f->nodes = n;
+    for (size_t k = 0; k < RING; k++)
+        f->ring[k].P = P + k * n;
+    pthread_mutex_init(&f->mutex, NULL);
+    pthread_cond_init(&f->changed, NULL);
+    f->threaded = pthread_create(&f->thread, NULL, follow, f) == 0;
+    return f;
+}
+
+void ovr_follower_post(ovr_follower *f, ovr_part part, const double *P,
+                       const ovr_moment *moment)
+{
+    pthread_mutex_lock(&f->mutex);
+    while (f->count == RING)
+        pthread_cond_wait(&f->changed, &f->mutex);
+    posted *m = &f->ring[(f->first + f->count) % RING];
+    m->part = part;
+    m->moment = *moment;
+    memcpy(m->P, P, f->nodes * sizeof *P);
+    if (f->threaded)
+        f->count++;
+    else
+        take(f->passage, m);
+    pthread_cond_broadcast(&f->changed);
+    pthread_mutex_unlock(&f->mutex);
+}
+
+ovr_passage *ovr_follower_wait(ovr_follower *f)
+{
+    pthread_mutex_lock(&f->mutex);
+    while (f->count)
+        pthread_cond_wait(&f->changed, &f->mutex);
+    pthread_mutex_unlock(&f->mutex);
+    return f->passage;
+}
+
+void ovr_follower_free(ovr_follower *f)
+{
+    if (!f)
+        return;
+    if (f->threaded) {
+        pthread_mutex_lock(&f->mutex);
+        f->closing = true;
+        pthread_cond_broadcast(&f->changed);
+        pthread_mutex_unlock(&f->mutex);
+        pthread_join(f->thread, NULL);
+    }
+    pthread_cond_destroy(&f->changed);
+    pthread_mutex_destroy(&f->mutex);
+    ovr_passage_free(f->passage);
+    ovr_arena arena = f->arena;
+    ovr_arena_release(&arena);
+}

@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Stresses from the pressure that a result file holds. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "run/stress.h"
+
+struct ovr_stored_stress {
+    ovr_arena arena;
+    ovr_case *c;
+    ovr_setup *setup;
+    ovr_stress_report *report[2];
+    double every; /* way between two snapshots over that of a step */
+};
+
+/* What is stored: nodes, and the largest way between two snapshots. */
+typedef struct stored {
+    const char *path;
+    ovr_result *result;
+    size_t nodes, snapshots;
+    double *x, *T, *P;
+    double mesh, longest;
+} stored;
+
+static ovr_status read_axes(stored *f, ovr_arena *arena, ovr_error *err)
+{
+    const ovr_result_info *info = ovr_result_about(f->result);
+    f->nodes = info->nodes;
+    f->snapshots = info->snapshots;
+    f->x = ovr_arena_take(arena, f->nodes, sizeof *f->x, err);
+    f->P = ovr_arena_take(arena, f->nodes, sizeof *f->P, err);
+    f->T = ovr_arena_take(arena, f->snapshots + 1, sizeof *f->T, err);
+    if (!f->x || !f->P || !f->T)
+        return OVR_NO_MEMORY;
+    if (f->nodes < 3 || f->snapshots < 1)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: no pressure is stored",
+                        f->path);
+    if (ovr_result_x(f->result, OVR_HERTZIAN, f->x, err) ||
+        ovr_result_times(f->result, OVR_HERTZIAN, f->T, err))
+        return OVR_BAD_INPUT;
+    f->mesh = (f->x[f->nodes - 1] - f->x[0]) / (double)(f->nodes - 1);
+    if (f->x[0] > -1.05 || f->x[f->nodes - 1] < 1.05)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: holds X from %g to %g only: stresses need the "
+                        "pressure of the whole contact",
+                        f->path, f->x[0], f->x[f->nodes - 1]);
+    for (size_t k = 1; k < f->snapshots; k++)
+        f->longest = fmax(f->longest, f->T[k] - f->T[k - 1]);
+    return OVR_OK;
+}
+
+static ovr_status follow(stored *f, const ovr_setup *setup,
+                         const ovr_stress_plan *plan, ovr_passage *p,
+                         ovr_error *err)
+{
+    for (size_t k = 0; k < f->snapshots; k++) {
+        ovr_moment m = ovr_stress_moment(setup, plan, f->T[k],
+                                         f->T[k ? k - 1 : 0]);
+        if (ovr_result_snapshot(f->result, "pressure", k, OVR_HERTZIAN, f->P,
+                                err))
+            return OVR_BAD_INPUT;
+        if (k == 0)
+            ovr_passage_begin(p, f->P, NULL, &m);
+        else
+            ovr_passage_step(p, f->P, NULL, &m);
+        if (k + 1 == f->snapshots)
+            ovr_passage_end(p, f->P, NULL, &m);
+    }
+    return OVR_OK;
+}
+
+static ovr_status one_surface(ovr_stored_stress *s, stored *f, int k,
+                              ovr_error *err)
+{
+    ovr_stress_plan plan;
+    ovr_second_pass second = {f->path, s->setup};
+    ovr_passage *p;
+    ovr_status status = ovr_stress_planned(s->setup, k + 1, f->x[0], f->mesh,
+                                           f->nodes, s->every, &plan, err);
+    if (status)
+        return status;
+    p = ovr_passage_create(&plan.options, &plan.range, NULL, err);
+    if (!p)
+        return OVR_NO_MEMORY;
+    status = follow(f, s->setup, &plan, p, err);
+    if (!status)
+        s->report[k] = ovr_stress_told(s->setup, &plan, p,
+                                       ovr_stress_second_pass, &second,
+                                       &s->arena, err);
+    ovr_passage_free(p);
+    return status ? status : s->report[k] ? OVR_OK : OVR_BAD_INPUT;
+}
+
+static ovr_status read_case(ovr_stored_stress *s, const stored *f,
+                            ovr_status (*change)(void *data, ovr_case *c,
+                                                 ovr_error *err),
+                            void *data, ovr_error *err)
+{
+    const char *text = ovr_result_about(f->result)->case_text;
+    s->c = ovr_case_read_text(text, f->path, NULL, NULL, err);
+    if (!s->c || (change && change(data, s->c, err)))
+        return OVR_BAD_INPUT;
+    s->setup = ovr_case_resolve(s->c, NULL, err);
+    if (s->setup && !s->setup->stress->surfaces) {
+        ovr_setup_free(s->setup);
+        s->setup = NULL;
+        if (ovr_case_set(s->c, "stress.surface", "1", "overroll stress", err))
+            return OVR_BAD_INPUT;
+        s->setup = ovr_case_resolve(s->c, NULL, err);
+    }
+    if (!s->setup || ovr_setup_prepare(s->setup, NULL, err))
+        return OVR_BAD_INPUT;
+    return OVR_OK;
+}
+
+static ovr_status work(ovr_stored_stress *s, stored *f,
+                       ovr_status (*change)(void *data, ovr_case *c,
+                                            ovr_error *err),
+                       void *data, ovr_error *err)
+{
+    double dT;
+    ovr_status status = read_axes(f, &s->arena, err);
+    if (!status)
+        status = read_case(s, f, change, data, err);
+    if (status)
+        return status;
+    dT = s->setup->march->dT > 0 ? s->setup->march->dT : s->setup->mesh;
+    s->every = f->longest > 0 ? f->longest / dT : 1;
+    for (int k = 0; !status && k < 2; k++)
+        if (s->setup->stress->surfaces >> k & 1)
+            status = one_surface(s, f, k, err);
+    return status;
+}
+
+ovr_stored_stress *ovr_stored_stress_create(
+    const char *path,
+    ovr_status (*change)(void *data, ovr_case *c, ovr_error *err), void *data,
+    ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(NULL);
+    ovr_stored_stress *s = ovr_arena_take(&arena, 1, sizeof *s, err);
+    stored f = {.path = path};
+    if (!s)
+        return NULL;
+    s->arena = arena;
+    f.result = ovr_result_open(path, NULL, err);
+    if (!f.result || work(s, &f, change, data, err)) {
+        ovr_result_close(f.result);
+        ovr_stored_stress_free(s);
+        return NULL;
+    }
+    ovr_result_close(f.result);
+    return s;
+}
+
+const ovr_stress_report *ovr_stored_stress_report(const ovr_stored_stress *s,
+                                                  int surface)
+{
+    return surface == 1 || surface == 2 ? s->report[surface - 1] : NULL;
+}
+
+const ovr_setup *ovr_stored_stress_setup(const ovr_stored_stress *s)
+{
+    return s->setup;
+}
+
+void ovr_stored_stress_free(ovr_stored_stress *s)
+{
+    if (!s)
+        return;
+    ovr_setup_free(s->setup);
+    ovr_case_free(s->c);
+    ovr_arena arena = s->arena;
+    ovr_arena_release(&arena);
+}

@@ -1,0 +1,368 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The stresses of a run: an observer of its steps, with a follower for each
+ * surface, and fields at some of the snapshots. */
+#include "run/stress.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { FIELDS = 8, SURFACES = 2 };
+
+/* Fields of one surface on their way to the file. */
+typedef struct shown {
+    ovr_group group;
+    ovr_group_axis axis[3]; /* time, depth, x */
+    ovr_group_array array[FIELDS];
+    ovr_group_attribute attribute[1];
+    int which[FIELDS];
+    float *values;
+    size_t stride; /* of nodes */
+} shown;
+
+struct ovr_run_stress {
+    ovr_arena arena;
+    const ovr_setup *setup;
+    ovr_stress_plan plan[SURFACES];
+    ovr_follower *follower[SURFACES];
+    ovr_stress_report *report[SURFACES];
+    ovr_writer *writer;
+    ovr_second_pass second;
+    ovr_stress *field; /* NULL: no fields are stored */
+    shown shown[SURFACES];
+    double *x;
+    /* the state */
+    double before;    /* T of the step before */
+    double rows;      /* of fields, stored */
+    double snapshots; /* seen */
+};
+
+/* ----------------------------------------------------------------- fields */
+
+static double state_value(const ovr_stress_setup *s, int surface, int which,
+                          double h, double d, double tau)
+{
+    double nu = s->poisson[surface];
+    double x = d - h + s->residual_x, z = -d - h;
+    double y = -2 * nu * h + s->residual_y, middle = (x + z) / 2;
+    double shear = hypot((x - z) / 2, tau);
+    switch (which) {
+    case 0: return x;
+    case 1: return z;
+    case 2: return tau;
+    case 3: return y;
+    case 4: return sqrt(3 * shear * shear + (middle - y) * (middle - y));
+    case 5: return shear;
+    case 6: return fmax(shear, (fabs(middle - y) + shear) / 2);
+    default: return (x + y + z) / 3;
+    }
+}
+
+/* Nodes of the shallowest row at all depths: deeper rows linear between their
+ * own, as far apart as they are smooth. */
+static double at_node(const ovr_run_stress *s, int surface, int which,
+                      const ovr_stress_row *row, double X)
+{
+    double t = (X - row->start) / row->step;
+    size_t i = t > 0 ? (size_t)t : 0;
+    double v[2];
+    if (i + 2 > row->count)
+        i = row->count - 2;
+    for (size_t k = 0; k < 2; k++)
+        v[k] = state_value(s->setup->stress, surface, which,
+                           (double)row->mean[2 * (i + k)],
+                           (double)row->shear[2 * (i + k)],
+                           (double)row->shear[2 * (i + k) + 1]);
+    return v[0] + (t - (double)i) * (v[1] - v[0]);
+}
+
+static void fill_field(const ovr_run_stress *s, int surface, int which,
+                       float *to)
+{
+    const shown *f = &s->shown[surface];
+    size_t depths = f->axis[1].count, n = f->axis[2].count;
+    for (size_t j = 0; j < depths; j++) {
+        ovr_stress_row row = ovr_stress_at(s->field, j);
+        for (size_t i = 0; i < n; i++)
+            to[j * n + i] = (float)at_node(s, surface, which, &row, s->x[i]);
+    }
+}
+
+static ovr_status store_fields(ovr_run_stress *s, const ovr_state *state,
+                               ovr_error *err)
+{
+    ovr_stress_solve(s->field, state->P, NULL, 0, OVR_STRESS_ALL_LEVELS);
+    for (int k = 0; k < SURFACES; k++) {
+        shown *f = &s->shown[k];
+        size_t count = f->axis[1].count * f->axis[2].count;
+        if (!s->follower[k])
+            continue;
+        for (size_t a = 0; a < f->group.arrays; a++)
+            fill_field(s, k, f->which[a], f->values + a * count);
+        ovr_status status = ovr_writer_append(s->writer, &f->group,
+                                              (size_t)s->rows, state->T,
+                                              f->values, count, err);
+        if (status)
+            return status;
+    }
+    s->rows++;
+    return OVR_OK;
+}
+
+static void name_fields(const ovr_run_stress *s, shown *f)
+{
+    static const char *const names[FIELDS][2] = {
+        {"sigma_x", "normal stress along the surface"},
+        {"sigma_z", "normal stress across the surface"},
+        {"tau_xz", "orthogonal shear stress"},
+        {"sigma_y", "normal stress along the line of contact"},
+        {"von_mises", "von Mises stress"},
+        {"max_shear", "largest shear stress in the plane"},
+        {"tresca", "largest shear stress on any plane"},
+        {"hydrostatic", "hydrostatic stress"}};
+    for (int a = 0; a < FIELDS; a++) {
+        if (!(s->setup->stress->fields >> a & 1))
+            continue;
+        f->which[f->group.arrays] = a;
+        f->array[f->group.arrays++] = (ovr_group_array){
+            .name = names[a][0],
+            .long_name = names[a][1],
+            .kind = OVR_KIND_PRESSURE,
+            .rank = 3,
+            .along = {0, 1, 2}};
+    }
+}
+
+static ovr_status open_fields(ovr_run_stress *s, int surface, ovr_error *err)
+{
+    shown *f = &s->shown[surface];
+    const double *z;
+    size_t depths = ovr_stress_depths(s->field, &z);
+    ovr_stress_row row = ovr_stress_at(s->field, 0);
+    size_t n = (size_t)(5.2 / row.step) + 1;
+    f->axis[0] = (ovr_group_axis){"time", "time", OVR_KIND_TIME, 0, NULL};
+    f->axis[1] = (ovr_group_axis){"depth", "depth below the surface",
+                                  OVR_KIND_LENGTH, depths, z};
+    s->x = ovr_arena_take(&s->arena, n, sizeof *s->x, err);
+    for (size_t i = 0; s->x && i < n; i++)
+        s->x[i] = row.start + (double)i * row.step;
+    f->axis[2] = (ovr_group_axis){"x", "position along the contact",
+                                  OVR_KIND_LENGTH, n, s->x};
+    f->group = (ovr_group){surface ? "stress/surface_2" : "stress/surface_1",
+                           3,
+                           0,
+                           1,
+                           f->axis,
+                           f->array,
+                           f->attribute};
+    f->attribute[0] = (ovr_group_attribute){"poisson", NULL,
+                                            s->setup->stress->poisson[surface]};
+    name_fields(s, f);
+    f->values = ovr_arena_take(&s->arena, f->group.arrays * depths * n,
+                               sizeof *f->values, err);
+    if (!s->x || !f->values)
+        return OVR_NO_MEMORY;
+    return ovr_writer_group(s->writer, &f->group, true, err);
+}
+
+/* ------------------------------------------------------------------- state */
+
+static ovr_status visit_passage(ovr_passage *p, int k, ovr_visit *visit,
+                                void *context, ovr_error *err)
+{
+    const ovr_memory_piece *piece;
+    size_t pieces = ovr_passage_state(p, &piece);
+    ovr_status status = OVR_OK;
+    for (size_t i = 0; !status && i < pieces; i++) {
+        char name[64];
+        snprintf(name, sizeof name, "surface %d %s", k + 1, piece[i].name);
+        status = visit(context, name, piece[i].memory, piece[i].bytes, err);
+    }
+    return status;
+}
+
+static ovr_status visit_state(void *data, ovr_visit *visit, void *context,
+                              ovr_error *err)
+{
+    ovr_run_stress *s = data;
+    ovr_status status = visit(context, "stress before", &s->before,
+                              sizeof s->before, err);
+    if (!status)
+        status = visit(context, "stress rows", &s->rows, sizeof s->rows, err);
+    if (!status)
+        status = visit(context, "stress snapshots", &s->snapshots,
+                       sizeof s->snapshots, err);
+    for (int k = 0; !status && k < SURFACES; k++)
+        if (s->follower[k])
+            status = visit_passage(ovr_follower_wait(s->follower[k]), k, visit,
+                                   context, err);
+    return status;
+}
+
+/* ------------------------------------------------------------------ making */
+
+static ovr_status make(ovr_run_stress *s, const ovr_state *state,
+                       const ovr_allocator *allocator, ovr_error *err)
+{
+    const ovr_options *o = s->setup->options;
+    double mesh = s->setup->mesh;
+    for (int k = 0; k < SURFACES; k++) {
+        if (!(s->setup->stress->surfaces >> k & 1))
+            continue;
+        if (ovr_stress_planned(s->setup, k + 1, o->inlet, mesh, state->n, 1,
+                               &s->plan[k], err))
+            return OVR_BAD_INPUT;
+        s->follower[k] = ovr_follower_create(&s->plan[k], allocator, err);
+        if (!s->follower[k])
+            return OVR_NO_MEMORY;
+        if (s->setup->stress->every && !s->field)
+            s->field = ovr_stress_create(&s->plan[k].options, allocator, err);
+        if (s->setup->stress->every && !s->field)
+            return OVR_NO_MEMORY;
+    }
+    return OVR_OK;
+}
+
+ovr_run_stress *ovr_run_stress_create(const ovr_setup *setup,
+                                      const ovr_state *state,
+                                      const ovr_allocator *allocator,
+                                      ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_run_stress *s = ovr_arena_take(&arena, 1, sizeof *s, err);
+    if (!s)
+        return NULL;
+    s->arena = arena;
+    s->setup = setup;
+    if (make(s, state, allocator, err)) {
+        ovr_run_stress_free(s);
+        return NULL;
+    }
+    return s;
+}
+
+void ovr_run_stress_free(ovr_run_stress *s)
+{
+    if (!s)
+        return;
+    for (int k = 0; k < SURFACES; k++)
+        ovr_follower_free(s->follower[k]);
+    ovr_stress_free(s->field);
+    ovr_arena arena = s->arena;
+    ovr_arena_release(&arena);
+}
+
+ovr_status ovr_run_stress_open(ovr_run_stress *s, ovr_writer *writer,
+                               const char *path, ovr_error *err)
+{
+    ovr_status status = OVR_OK;
+    s->writer = writer;
+    s->second = (ovr_second_pass){path, s->setup};
+    ovr_writer_more(writer, visit_state, s);
+    for (int k = 0; !status && s->field && k < SURFACES; k++)
+        if (s->follower[k])
+            status = open_fields(s, k, err);
+    return status;
+}
+
+ovr_status ovr_run_stress_restore(ovr_run_stress *s, const ovr_restart *restart,
+                                  double T, ovr_error *err)
+{
+    ovr_status status = ovr_restart_more(restart, visit_state, s, err);
+    if (!status && s->before != T)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "the checkpoint at T = %g holds no stresses", T);
+    return status;
+}
+
+/* --------------------------------------------------------------- observing */
+
+static ovr_status observe(void *data, const ovr_simulation *sim, ovr_error *err)
+{
+    ovr_run_stress *s = data;
+    const ovr_state *state = ovr_simulation_state(sim);
+    double before = s->before;
+    for (int k = 0; k < SURFACES; k++) {
+        if (!s->follower[k])
+            continue;
+        ovr_moment m = ovr_stress_moment(s->setup, &s->plan[k], state->T,
+                                         before);
+        ovr_follower_post(s->follower[k],
+                          state->step ? OVR_PART_STEP : OVR_PART_BEGIN,
+                          state->P, &m);
+    }
+    s->before = state->T;
+    if (!s->field || !s->writer ||
+        !ovr_writer_stores(s->writer, state->step, state->T))
+        return OVR_OK;
+    bool due = fmod(s->snapshots, (double)s->setup->stress->every) == 0;
+    s->snapshots++;
+    return due ? store_fields(s, state, err) : OVR_OK;
+}
+
+ovr_observer ovr_run_stress_observer(ovr_run_stress *s)
+{
+    return (ovr_observer){observe, NULL, s};
+}
+
+/* ------------------------------------------------------------------ the end */
+
+/* The end closes a passage; a run that goes on later must not be closed. */
+static void **save(ovr_passage *p, ovr_arena *arena, ovr_error *err)
+{
+    const ovr_memory_piece *piece;
+    size_t pieces = ovr_passage_state(p, &piece);
+    void **saved = ovr_arena_take(arena, pieces, sizeof *saved, err);
+    for (size_t i = 0; saved && i < pieces; i++) {
+        saved[i] = ovr_arena_take(arena, piece[i].bytes, 1, err);
+        if (!saved[i])
+            return NULL;
+        memcpy(saved[i], piece[i].memory, piece[i].bytes);
+    }
+    return saved;
+}
+
+static void restore(ovr_passage *p, void **saved)
+{
+    const ovr_memory_piece *piece;
+    size_t pieces = ovr_passage_state(p, &piece);
+    for (size_t i = 0; i < pieces; i++)
+        memcpy(piece[i].memory, saved[i], piece[i].bytes);
+}
+
+static ovr_status finish(ovr_run_stress *s, int k, const ovr_state *state,
+                         ovr_error *err)
+{
+    ovr_moment m = ovr_stress_moment(s->setup, &s->plan[k], state->T, state->T);
+    ovr_passage *passage = ovr_follower_wait(s->follower[k]);
+    ovr_arena arena = ovr_arena_make(&s->arena.allocator);
+    void **saved = save(passage, &arena, err);
+    if (saved) {
+        ovr_passage_end(passage, state->P, NULL, &m);
+        s->report[k] = ovr_stress_told(s->setup, &s->plan[k], passage,
+                                       s->writer ? ovr_stress_second_pass
+                                                 : NULL,
+                                       &s->second, &s->arena, err);
+        restore(passage, saved);
+    }
+    ovr_arena_release(&arena);
+    if (!s->report[k])
+        return err->status;
+    return s->writer ? ovr_stress_store(s->writer, s->setup, s->report[k], err)
+                     : OVR_OK;
+}
+
+ovr_status ovr_run_stress_finish(ovr_run_stress *s, const ovr_state *state,
+                                 ovr_error *err)
+{
+    ovr_status status = OVR_OK;
+    for (int k = 0; !status && k < SURFACES; k++)
+        if (s->follower[k])
+            status = finish(s, k, state, err);
+    return status;
+}
+
+const ovr_stress_report *ovr_run_stress_report(const ovr_run_stress *s, int k)
+{
+    return s ? s->report[k] : NULL;
+}

@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Stresses of a run: what is followed, by whom, and where it goes. */
+#ifndef OVR_RUN_STRESS_H
+#define OVR_RUN_STRESS_H
+
+#include "base/arena.h"
+#include "overroll/results.h"
+#include "overroll/run.h"
+
+/* -------------------------------------------------------------------- plan */
+
+/* What follows from a case for one surface. */
+typedef struct ovr_stress_plan {
+    int surface;  /* 1 or 2 */
+    double ratio; /* u_k/um */
+    ovr_stress_options options;
+    ovr_material_range range;
+    const char *feature; /* xi counts from its centre; NULL: there is none */
+    double coarsest;     /* way between two moments, as far as it is known */
+} ovr_stress_plan;
+
+/* Of the pressure at `nodes` nodes from `inlet`, `mesh` apart, seen every so
+ * many steps.  Fails when depths are asked for that such moments cannot give.
+ */
+ovr_status ovr_stress_planned(const ovr_setup *setup, int surface, double inlet,
+                              double mesh, size_t nodes, double every,
+                              ovr_stress_plan *plan, ovr_error *err);
+
+/* The moment T of a surface; `before` the T of the one before. */
+ovr_moment ovr_stress_moment(const ovr_setup *setup,
+                             const ovr_stress_plan *plan, double T,
+                             double before);
+
+/* ---------------------------------------------------------------- follower */
+
+/* A passage in a thread of its own: moments are posted, and taken in order. */
+typedef struct ovr_follower ovr_follower;
+ovr_follower *ovr_follower_create(const ovr_stress_plan *plan,
+                                  const ovr_allocator *allocator,
+                                  ovr_error *err);
+void ovr_follower_free(ovr_follower *f);
+
+typedef enum ovr_part { OVR_PART_BEGIN, OVR_PART_STEP, OVR_PART_END } ovr_part;
+void ovr_follower_post(ovr_follower *f, ovr_part part, const double *P,
+                       const ovr_moment *moment);
+
+/* Until all that was posted is taken; then the passage may be looked at. */
+ovr_passage *ovr_follower_wait(ovr_follower *f);
+
+/* ------------------------------------------------------------------ report */
+
+/* All that is told of a passage; its arrays are in the arena.  The amplitude of
+ * Dang Van's criterion comes from `paths` (ovr_stress_paths). */
+typedef ovr_status ovr_stress_paths(void *data, const ovr_stress_plan *plan,
+                                    const ovr_material *material, double alpha,
+                                    float *A, double *smooth, ovr_error *err);
+ovr_stress_report *ovr_stress_told(const ovr_setup *setup,
+                                   const ovr_stress_plan *plan,
+                                   const ovr_passage *passage,
+                                   ovr_stress_paths *paths, void *data,
+                                   ovr_arena *arena, ovr_error *err);
+
+/* Dang Van's amplitudes from the file of an ovr_second_pass. */
+typedef struct ovr_second_pass {
+    const char *path;
+    const ovr_setup *setup;
+} ovr_second_pass;
+ovr_stress_paths ovr_stress_second_pass;
+
+/* The group fatigue/surface_N of the file. */
+ovr_status ovr_stress_store(ovr_writer *writer, const ovr_setup *setup,
+                            const ovr_stress_report *report, ovr_error *err);
+
+/* ------------------------------------------------------------ of one run */
+
+typedef struct ovr_run_stress ovr_run_stress;
+ovr_run_stress *ovr_run_stress_create(const ovr_setup *setup,
+                                      const ovr_state *state,
+                                      const ovr_allocator *allocator,
+                                      ovr_error *err);
+void ovr_run_stress_free(ovr_run_stress *s);
+
+/* The file it writes to, and whose checkpoints hold its state. */
+ovr_status ovr_run_stress_open(ovr_run_stress *s, ovr_writer *writer,
+                               const char *path, ovr_error *err);
+ovr_status ovr_run_stress_restore(ovr_run_stress *s, const ovr_restart *restart,
+                                  double T, ovr_error *err);
+
+ovr_observer ovr_run_stress_observer(ovr_run_stress *s);
+
+/* The end: closes the passages and writes their groups. */
+ovr_status ovr_run_stress_finish(ovr_run_stress *s, const ovr_state *state,
+                                 ovr_error *err);
+const ovr_stress_report *ovr_run_stress_report(const ovr_run_stress *s, int k);
+
+#endif

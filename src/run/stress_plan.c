@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What is followed of a case: depths, material, moments. */
+#include <math.h>
+
+#include "run/stress.h"
+
+/* Depths above 4 times the way between two moments are missed in part. */
+static const double WAY_OF_DEPTH = 4, MESHES_OF_DEPTH = 4, MESHES_OF_LIFE = 8;
+
+static double fastest(const ovr_setup *setup)
+{
+    const ovr_contact *c = setup->contact;
+    return fmax(1, fmax(fabs(c->u1_ratio), fabs(c->u2_ratio)));
+}
+
+static size_t features_of(const ovr_setup *setup)
+{
+    return setup->surfaces ? ovr_surfaces_count(setup->surfaces) : 0;
+}
+
+/* X - way of the surface when the other one's feature is at X = 0. */
+static double struck(const ovr_setup *setup, const ovr_feature_info *info,
+                     double centre, double ratio)
+{
+    double end = ovr_history_integral(setup->speed, setup->march->end);
+    double way = info->speed ? -centre / info->speed : end / 2;
+    return -ratio * fmin(fmax(way, 0), end);
+}
+
+/* xi = 0 at the first feature of the surface, of the other one, or where the
+ * material is under the contact half-way through the run. */
+static void find_material(const ovr_setup *setup, ovr_stress_plan *plan)
+{
+    double low = INFINITY, high = -INFINITY, end;
+    bool own = false;
+    end = ovr_history_integral(setup->speed, setup->march->end);
+    plan->range.reference = -plan->ratio * end / 2;
+    for (size_t k = 0; k < features_of(setup); k++) {
+        ovr_feature_info info = ovr_surfaces_info(setup->surfaces, k);
+        double centre = ovr_surfaces_centre(setup->surfaces, k, 0);
+        bool local = isfinite(info.behind) && isfinite(info.ahead);
+        bool mine = info.surface == plan->surface;
+        if (own && !mine)
+            continue;
+        if (!mine)
+            centre = struck(setup, &info, centre, plan->ratio);
+        if ((mine && !own) || !plan->feature) {
+            plan->range.reference = centre;
+            plan->feature = info.name;
+            low = high = centre;
+        }
+        own = own || mine;
+        low = fmin(low, centre - (local ? fmin(info.behind, 10) : 0));
+        high = fmax(high, centre + (local ? fmin(info.ahead, 10) : 0));
+    }
+    if (!plan->feature)
+        low = high = plan->range.reference;
+    plan->range.from = low - plan->range.reference - 2;
+    plan->range.to = high - plan->range.reference + 2;
+    if (!isnan(setup->stress->from)) {
+        plan->range.from = setup->stress->from;
+        plan->range.to = setup->stress->to;
+    }
+}
+
+static ovr_status refuse(const char *key, double depth, double way,
+                         double every, ovr_error *err)
+{
+    double wanted = floor(depth / WAY_OF_DEPTH / way * every + 1e-9);
+    if (wanted >= 1)
+        return ovr_fail_about(err, key,
+                              "%s = %g: the moments are %g b of way apart, "
+                              "which tells of depths from %.3g only; every = "
+                              "%.0f would do",
+                              key, depth, way, WAY_OF_DEPTH * way, wanted);
+    return ovr_fail_about(err, key,
+                          "%s = %g: steps of %g b of way tell of depths from "
+                          "%.3g only; a step of %.3g would do",
+                          key, depth, way, WAY_OF_DEPTH * way,
+                          depth / WAY_OF_DEPTH / way * way);
+}
+
+static ovr_status find_depths(const ovr_setup *setup, double every,
+                              ovr_stress_plan *plan, ovr_error *err)
+{
+    const ovr_stress_setup *s = setup->stress;
+    double D = plan->options.mesh, possible = WAY_OF_DEPTH * plan->coarsest;
+    double allowed = possible * (1 - 1e-6);
+    plan->options.depth_min = s->depth_min;
+    if (s->depth_min > 0 && s->depth_min < allowed)
+        return refuse("depth_min", s->depth_min, plan->coarsest, every, err);
+    if (!(s->depth_min > 0))
+        plan->options.depth_min = fmax(MESHES_OF_DEPTH * D, possible);
+    plan->range.least_depth = s->life.least_depth;
+    if (s->life.least_depth > 0 && s->life.least_depth < allowed)
+        return refuse("least_depth", s->life.least_depth, plan->coarsest, every,
+                      err);
+    if (!(s->life.least_depth > 0))
+        plan->range.least_depth = fmax(fmax(MESHES_OF_LIFE * D, possible),
+                                       plan->options.depth_min);
+    return OVR_OK;
+}
+
+ovr_status ovr_stress_planned(const ovr_setup *setup, int surface, double inlet,
+                              double mesh, size_t nodes, double every,
+                              ovr_stress_plan *plan, ovr_error *err)
+{
+    const ovr_stress_setup *s = setup->stress;
+    const ovr_contact *c = setup->contact;
+    double dT = setup->march->dT > 0 ? setup->march->dT : setup->mesh;
+    bool dang_van = s->fatigue && s->criterion == OVR_CRITERION_DANG_VAN;
+    *plan = (ovr_stress_plan){.surface = surface};
+    plan->ratio = surface == 1 ? c->u1_ratio : c->u2_ratio;
+    plan->options = ovr_stress_options_default();
+    plan->options.mesh = mesh;
+    plan->options.inlet = inlet;
+    plan->options.nodes = nodes;
+    plan->options.depth_max = s->depth_max;
+    plan->options.per_octave = s->per_octave;
+    plan->range = ovr_material_range_default();
+    plan->range.poisson = s->poisson[surface - 1];
+    plan->range.residual_x = s->residual_x;
+    plan->range.residual_y = s->residual_y;
+    if (dang_van && setup->output->every > every)
+        every = (double)setup->output->every; /* its paths are stored ones */
+    plan->coarsest = setup->transient ? fastest(setup) * dT * every : 0;
+    find_material(setup, plan);
+    return find_depths(setup, every, plan, err);
+}
+
+/* ----------------------------------------------------------------- moments */
+
+/* A feature where pressure is: from 1 b before the contact to its exit. */
+static bool disturbed(const ovr_setup *setup, double T)
+{
+    const double inlet = -2, outlet = 1.25;
+    for (size_t k = 0; k < features_of(setup); k++) {
+        ovr_feature_info info = ovr_surfaces_info(setup->surfaces, k);
+        double X = ovr_surfaces_centre(setup->surfaces, k, T);
+        if (info.grows && T <= 0)
+            continue;
+        if (!isfinite(info.behind) || !isfinite(info.ahead) ||
+            (X - info.behind < outlet && X + info.ahead > inlet))
+            return true;
+    }
+    return false;
+}
+
+ovr_moment ovr_stress_moment(const ovr_setup *setup,
+                             const ovr_stress_plan *plan, double T,
+                             double before)
+{
+    double way = ovr_history_integral(setup->speed, T);
+    double last = ovr_history_integral(setup->speed, before);
+    return (ovr_moment){.T = T,
+                        .U = plan->ratio * way,
+                        .dU = fastest(setup) * fabs(way - last),
+                        .direction = plan->ratio < 0 ? -1 : 1,
+                        .disturbed = disturbed(setup, T)};
+}
+
+double ovr_setup_stress_memory(const ovr_setup *setup)
+{
+    double bytes = 0;
+    for (int k = 1; k <= 2; k++) {
+        ovr_stress_plan plan;
+        if (!(setup->stress->surfaces >> (k - 1) & 1) ||
+            ovr_stress_planned(setup, k, setup->options->inlet, setup->mesh,
+                               setup->nodes, 1, &plan, NULL))
+            continue;
+        bytes += ovr_passage_memory(&plan.options, &plan.range);
+        bytes += 32. * 8 * (double)setup->nodes; /* the follower's ring */
+    }
+    return bytes;
+}

@@ -1,0 +1,286 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What is told of a passage: largest values, amplitudes, life; and the group
+ * fatigue/surface_N of a result file. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "run/stress.h"
+
+/* ------------------------------------------------------------------ telling */
+
+static bool take_arrays(ovr_stress_report *r, ovr_arena *arena, ovr_error *err)
+{
+    size_t n = r->material.points, depths = r->material.depths;
+    bool ok = true;
+    for (int m = 0; ok && m < OVR_MEASURES; m++) {
+        r->measure[m] = ovr_arena_take(arena, n * depths, sizeof(float), err);
+        r->smooth[m] = ovr_arena_take(arena, depths, sizeof(double), err);
+        ok = r->measure[m] && r->smooth[m];
+    }
+    if (!ok)
+        return false;
+    r->amplitude = ovr_arena_take(arena, n * depths, sizeof(float), err);
+    r->amplitude_smooth = ovr_arena_take(arena, depths, sizeof(double), err);
+    r->risk = ovr_arena_take(arena, n, sizeof(double), err);
+    r->length = ovr_arena_take(arena, depths, sizeof(double), err);
+    return r->amplitude && r->amplitude_smooth && r->risk && r->length;
+}
+
+/* What the passage owns goes with it. */
+static bool copy_material(ovr_stress_report *r, ovr_arena *arena,
+                          ovr_error *err)
+{
+    ovr_material *m = &r->material;
+    double *z = ovr_arena_take(arena, m->depths, sizeof *z, err);
+    unsigned char *complete = ovr_arena_take(arena, m->points, 1, err);
+    if (!z || !complete)
+        return false;
+    memcpy(z, m->z, m->depths * sizeof *z);
+    memcpy(complete, m->complete, m->points);
+    m->z = z;
+    m->complete = complete;
+    return true;
+}
+
+/* The largest circle of complete points from the least depth down. */
+static void find_worst(ovr_stress_report *r)
+{
+    const ovr_material *m = &r->material;
+    const float *R = r->measure[OVR_MEASURE_CIRCLE];
+    r->R_max = 0;
+    for (size_t j = 0; j < m->depths; j++) {
+        if (m->z[j] < r->least_depth * (1 - 1e-9))
+            continue;
+        r->R_smooth = fmax(r->R_smooth, r->smooth[OVR_MEASURE_CIRCLE][j]);
+        for (size_t k = 0; k < m->points; k++)
+            if (m->complete[k] && (double)R[j * m->points + k] > r->R_max) {
+                r->R_max = R[j * m->points + k];
+                r->xi_R_max = m->start + (double)k * m->step;
+                r->Z_R_max = m->z[j];
+            }
+    }
+}
+
+static ovr_status find_amplitude(const ovr_setup *setup,
+                                 const ovr_stress_plan *plan,
+                                 const ovr_passage *passage,
+                                 ovr_stress_paths *paths, void *data,
+                                 ovr_stress_report *r, ovr_error *err)
+{
+    const ovr_stress_setup *s = setup->stress;
+    if (s->criterion != OVR_CRITERION_DANG_VAN)
+        return ovr_passage_amplitude(passage, s->criterion, s->alpha,
+                                     r->amplitude, r->amplitude_smooth, err);
+    if (!paths)
+        return ovr_fail_about(err, "criterion",
+                              "criterion = dang-van goes over the stored "
+                              "pressure a second time: the run needs a result "
+                              "file with all its nodes");
+    return paths(data, plan, &r->material, s->alpha, r->amplitude,
+                 r->amplitude_smooth, err);
+}
+
+static ovr_status find_life(const ovr_setup *setup, ovr_stress_report *r,
+                            ovr_error *err)
+{
+    const ovr_stress_setup *s = setup->stress;
+    ovr_life_options life = s->life;
+    double z;
+    r->hertz = ovr_hertz_criterion(s->criterion, s->alpha,
+                                   s->poisson[r->surface - 1], &z);
+    r->limit = r->hertz * s->limit_pressure;
+    life.limit = r->limit;
+    life.least_depth = r->least_depth;
+    if (ovr_life(&life, &r->material, r->amplitude, r->amplitude_smooth,
+                 r->risk, r->length, &r->life, err))
+        return OVR_BAD_INPUT;
+    r->ratio = NAN;
+    if (s->raceway > 0)
+        r->ratio = ovr_life_ratio(&life, r->life.equivalent_length, s->raceway,
+                                  s->count);
+    return OVR_OK;
+}
+
+ovr_stress_report *ovr_stress_told(const ovr_setup *setup,
+                                   const ovr_stress_plan *plan,
+                                   const ovr_passage *passage,
+                                   ovr_stress_paths *paths, void *data,
+                                   ovr_arena *arena, ovr_error *err)
+{
+    ovr_stress_report *r = ovr_arena_take(arena, 1, sizeof *r, err);
+    if (!r)
+        return NULL;
+    r->surface = plan->surface;
+    r->feature = plan->feature;
+    r->fatigue = setup->stress->fatigue;
+    r->material = ovr_passage_material(passage);
+    r->least_depth = plan->range.least_depth;
+    if (!copy_material(r, arena, err))
+        return NULL;
+    r->ratio = r->life.equivalent_length = r->limit = NAN;
+    if (ovr_passage_widest(passage) * 4 > r->least_depth * (1 + 1e-6))
+        r->least_depth = 4 * ovr_passage_widest(passage); /* adaptive steps */
+    if (!take_arrays(r, arena, err))
+        return NULL;
+    for (int m = 0; m < OVR_MEASURES; m++)
+        ovr_passage_measure(passage, (ovr_measure)m, r->measure[m],
+                            r->smooth[m]);
+    r->max_shear = ovr_passage_max_shear(passage);
+    r->von_mises = ovr_passage_von_mises(passage);
+    find_worst(r);
+    for (size_t k = 0; k < r->material.points; k++)
+        r->incomplete += !r->material.complete[k];
+    if (r->fatigue &&
+        (find_amplitude(setup, plan, passage, paths, data, r, err) ||
+         find_life(setup, r, err)))
+        return NULL;
+    return r;
+}
+
+/* ------------------------------------------------------------------ storing */
+
+typedef struct storage {
+    ovr_group group;
+    ovr_group_axis axis[2];
+    ovr_group_array array[OVR_MEASURES + 8];
+    ovr_group_attribute attribute[40];
+} storage;
+
+enum { DEPTH, MATERIAL };
+
+static void add_map(storage *s, const char *name, const char *text,
+                    ovr_unit_kind kind, const float *values)
+{
+    s->array[s->group.arrays++] = (ovr_group_array){.name = name,
+                                                    .long_name = text,
+                                                    .kind = kind,
+                                                    .rank = 2,
+                                                    .along = {DEPTH, MATERIAL},
+                                                    .singles = values};
+}
+
+static void add_line(storage *s, const char *name, const char *text,
+                     ovr_unit_kind kind, int along, const double *values,
+                     const unsigned char *flags)
+{
+    s->array[s->group.arrays++] = (ovr_group_array){.name = name,
+                                                    .long_name = text,
+                                                    .kind = kind,
+                                                    .rank = 1,
+                                                    .along = {along},
+                                                    .doubles = values,
+                                                    .flags = flags};
+}
+
+static void add_number(storage *s, const char *name, double value)
+{
+    s->attribute[s->group.attributes++] = (ovr_group_attribute){name, NULL,
+                                                                value};
+}
+
+static void add_text(storage *s, const char *name, const char *text)
+{
+    s->attribute[s->group.attributes++] = (ovr_group_attribute){name, text,
+                                                                NAN};
+}
+
+static void add_measures(storage *s, const ovr_stress_report *r)
+{
+    static const char *const names[OVR_MEASURES][2] = {
+        {"circle_radius", "radius of the smallest circle round the path"},
+        {"orthogonal_amplitude", "half range of the orthogonal shear stress"},
+        {"critical_plane_amplitude", "half range of shear on the worst plane"},
+        {"critical_plane_angle", "angle of the worst plane, degrees"},
+        {"max_von_mises", "largest von Mises stress"},
+        {"max_tresca", "largest shear stress on any plane"},
+        {"max_hydrostatic", "largest hydrostatic stress"},
+        {"min_hydrostatic", "smallest hydrostatic stress"}};
+    for (int m = 0; m < OVR_MEASURES; m++)
+        add_map(s, names[m][0], names[m][1],
+                m == OVR_MEASURE_ANGLE ? OVR_KIND_NUMBER : OVR_KIND_PRESSURE,
+                r->measure[m]);
+    add_line(s, "circle_radius_smooth",
+             "the same of the steady contact at the start", OVR_KIND_PRESSURE,
+             DEPTH, r->smooth[OVR_MEASURE_CIRCLE], NULL);
+    add_line(s, "complete", "1 where no end of the run mattered", OVR_KIND_FLAG,
+             MATERIAL, NULL, r->material.complete);
+}
+
+static void add_life(storage *s, const ovr_stress_report *r)
+{
+    add_map(s, "amplitude", "amplitude of the criterion", OVR_KIND_PRESSURE,
+            r->amplitude);
+    add_line(s, "amplitude_smooth",
+             "the same of the steady contact at the start", OVR_KIND_PRESSURE,
+             DEPTH, r->amplitude_smooth, NULL);
+    add_line(s, "risk", "risk per length from the least depth down",
+             OVR_KIND_NUMBER, MATERIAL, r->risk, NULL);
+    add_line(s, "equivalent_length",
+             "length of smooth raceway with the risk that is added, counted "
+             "from this depth down",
+             OVR_KIND_LENGTH, DEPTH, r->length, NULL);
+}
+
+static void add_attributes(storage *s, const ovr_setup *setup,
+                           const ovr_stress_report *r)
+{
+    const ovr_stress_setup *o = setup->stress;
+    add_text(s, "moving_with", r->surface == 1 ? "surface 1" : "surface 2");
+    add_text(s, "reference", r->feature ? r->feature : "");
+    add_number(s, "poisson", o->poisson[r->surface - 1]);
+    add_number(s, "residual_x", o->residual_x);
+    add_number(s, "residual_y", o->residual_y);
+    add_number(s, "least_depth", r->least_depth);
+    add_number(s, "tau_max", r->max_shear.value);
+    add_number(s, "von_mises_max", r->von_mises.value);
+    add_number(s, "R_max", r->R_max);
+    add_number(s, "xi_R_max", r->xi_R_max);
+    add_number(s, "Z_R_max", r->Z_R_max);
+    if (!r->fatigue)
+        return;
+    add_text(s, "criterion", ovr_criterion_name(o->criterion));
+    add_number(s, "alpha", o->alpha);
+    add_number(s, "limit", r->limit);
+    add_number(s, "limit_pressure", o->limit_pressure);
+    add_number(s, "exponent", o->life.exponent);
+    add_number(s, "depth_exponent", o->life.depth_exponent);
+    add_number(s, "weibull", o->life.weibull);
+    add_number(s, "risk_smooth", r->life.smooth_risk);
+    add_number(s, "worst_amplitude", r->life.worst_amplitude);
+    add_number(s, "worst_xi", r->life.worst_xi);
+    add_number(s, "worst_depth", r->life.worst_z);
+    add_number(s, "utilisation", r->life.utilisation);
+    add_number(s, "raceway", o->raceway);
+    add_number(s, "count", o->count);
+    add_number(s, "life_ratio", r->ratio);
+}
+
+ovr_status ovr_stress_store(ovr_writer *writer, const ovr_setup *setup,
+                            const ovr_stress_report *r, ovr_error *err)
+{
+    storage s = {.group = {.axes = 2}};
+    const ovr_material *m = &r->material;
+    ovr_arena arena = ovr_arena_make(NULL);
+    double *xi = ovr_arena_take(&arena, m->points, sizeof *xi, err);
+    ovr_status status = OVR_NO_MEMORY;
+    for (size_t k = 0; xi && k < m->points; k++)
+        xi[k] = m->start + (double)k * m->step;
+    s.group.path = r->surface == 1 ? "fatigue/surface_1" : "fatigue/surface_2";
+    s.group.axis = s.axis;
+    s.group.array = s.array;
+    s.group.attribute = s.attribute;
+    s.axis[DEPTH] = (ovr_group_axis){"depth", "depth below the surface",
+                                     OVR_KIND_LENGTH, m->depths, m->z};
+    s.axis[MATERIAL] = (ovr_group_axis){
+        "material", "place in the material, from its reference",
+        OVR_KIND_LENGTH, m->points, xi};
+    add_measures(&s, r);
+    if (r->fatigue)
+        add_life(&s, r);
+    add_attributes(&s, setup, r);
+    if (xi)
+        status = ovr_writer_group(writer, &s.group, false, err);
+    ovr_arena_release(&arena);
+    return status;
+}
