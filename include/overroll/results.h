@@ -89,6 +89,7 @@ typedef struct ovr_frame {
     const double *(*field)(const void *source, const ovr_observable *which,
                            double *room);
     const void *source;
+    const ovr_statistics *total; /* extremes of the run; or NULL */
 } ovr_frame;
 OVR_API ovr_status ovr_writer_record(ovr_writer *writer, const ovr_frame *frame,
                                      ovr_error *err);

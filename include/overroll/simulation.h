@@ -250,14 +250,33 @@ OVR_API const ovr_observable *ovr_observable_field(const char *name);
 OVR_API double ovr_observable_value(const ovr_observable *which,
                                     const ovr_observation *from);
 
-/* Totals since the steady start. */
+/* Totals and extremes since the steady start, which counts. */
 typedef struct ovr_statistics {
     long steps, cycles, retries, substeps, marked;
-    double H_min, T_H_min; /* smallest located film so far, and when */
-    bool settled;          /* a march until steady ended because it was */
+    double H_min, X_H_min, T_H_min; /* smallest film, located as in the history;
+                                       where and when */
+    double P_max, X_P_max, T_P_max; /* largest pressure at a node */
+    double load_error, T_load_error; /* of largest magnitude */
+    bool settled; /* a march until steady ended because it was */
 } ovr_statistics;
 OVR_API const ovr_statistics *
 ovr_simulation_statistics(const ovr_simulation *sim);
+
+/* One row an extreme: attributes of result files, JSON and tables are made
+ * from this list. */
+typedef struct ovr_extreme {
+    const char *key;       /* "P_max_overall"; of JSON, and an attribute */
+    const char *key_si;    /* the same in SI; NULL: a pure number */
+    const char *long_name; /* one line for people */
+    ovr_unit_kind kind;
+    bool steady;   /* told of a steady solution too */
+    size_t offset; /* in ovr_statistics */
+} ovr_extreme;
+
+/* NULL past the end. */
+OVR_API const ovr_extreme *ovr_extreme_at(size_t k);
+OVR_API double ovr_extreme_value(const ovr_extreme *which,
+                                 const ovr_statistics *from);
 
 /* Calls visit(context, name, address, size in bytes) for every piece of
  * memory that makes up the state between two steps: writing them all and

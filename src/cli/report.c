@@ -6,6 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "cli/physical.h"
+
 const char *cli_smoother_name(ovr_smoother smoother)
 {
     switch (smoother) {
@@ -50,20 +52,35 @@ static void json_observed(json_writer *json, const ovr_observation *seen,
     }
 }
 
+/* Extremes over the whole run. */
+static void json_extremes(json_writer *json, const ovr_run_info *s)
+{
+    const ovr_statistics *total = ovr_simulation_statistics(s->sim);
+    const ovr_contact *contact = s->setup->contact;
+    const ovr_extreme *e;
+    for (size_t k = 0; (e = ovr_extreme_at(k)); k++) {
+        double value = ovr_extreme_value(e, total);
+        if (!s->transient && !e->steady)
+            continue;
+        json_number(json, e->key, value);
+        if (e->key_si)
+            json_number(json, e->key_si,
+                        value * ovr_kind_scale(e->kind, contact));
+    }
+}
+
 static void json_run(json_writer *json, const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
     json_integer(json, "steps", total->steps);
     json_integer(json, "steps_marked", total->marked);
-    json_number(json, "T_end", ovr_simulation_state(s->sim)->T);
-    json_number(json, "H_min_overall", total->H_min);
-    json_number(json, "T_H_min", total->T_H_min);
     json_integer(json, "cycles_total", total->cycles);
     json_integer(json, "retries", total->retries);
     json_integer(json, "substeps", total->substeps);
     json_flag(json, "settled", total->settled);
     json_integer(json, "snapshots", (long long)s->snapshots);
     json_text(json, "output", s->output);
+    json_number(json, "T_end", ovr_simulation_state(s->sim)->T);
 }
 
 /* Full multigrid level by level. */
@@ -113,10 +130,12 @@ void cli_report_json(const ovr_run_info *s, FILE *to)
     json_text(&json, "smoother", cli_smoother_name(options->smoother));
     json_number(&json, "inlet", options->inlet);
     json_number(&json, "outlet", options->outlet);
-    json_observed(&json, ovr_simulation_observation(s->sim), s->setup->contact);
+    json_integer(&json, "order", ovr_simulation_order(s->sim));
+    json_extremes(&json, s);
     if (s->transient)
         json_run(&json, s);
-    else
+    json_observed(&json, ovr_simulation_observation(s->sim), s->setup->contact);
+    if (!s->transient)
         json_refinements(&json, s);
     cli_json_stress(&json, s->stress, s->setup);
     if (s->error.level)
@@ -131,36 +150,32 @@ void cli_report_json(const ovr_run_info *s, FILE *to)
 
 /* ------------------------------------------------------------------ table */
 
-/* A film with its physical thickness where that is known. */
-static void put_film(const char *name, double H, const ovr_contact *contact)
+/* A number in Hertzian units, with what it is in SI where that is known. */
+static void put_value(const char *name, double value, ovr_unit_kind kind,
+                      const ovr_contact *contact)
 {
-    printf("%-17s %-12.6g", name, H);
-    if (isfinite(contact->height))
-        printf(" %.4g um", H * contact->height * 1e6);
+    char text[CLI_PHYSICAL_SIZE];
+    cli_physical(value, kind, contact, text);
+    printf("%-17s %-12.6g %s%s", name, value, text, *text ? "  " : "");
 }
 
-static void put_place(double X, const ovr_contact *contact)
+static void put_at(const char *name, double value, ovr_unit_kind kind, double X,
+                   const ovr_contact *contact)
 {
-    printf("  at X = %.4g", X);
-    if (isfinite(contact->b))
-        printf(" (%s)", ovr_metres(X * contact->b).text);
+    put_value(name, value, kind, contact);
+    cli_put_place("at X", X, OVR_KIND_LENGTH, contact);
     putchar('\n');
 }
 
-static void put_instant(double T, const ovr_contact *contact)
+static const char *convergence(const ovr_run_info *s)
 {
-    printf("T = %.6g", T);
-    if (isfinite(contact->time))
-        printf(" (%.4g ms)", T * contact->time * 1e3);
+    return ovr_simulation_observation(s->sim)->converged ? "converged"
+                                                         : "NOT CONVERGED";
 }
 
-static void put_pressure(const char *name, double P, double X,
-                         const ovr_contact *contact)
+static const char *plural(long count)
 {
-    printf("%-17s %-12.6g", name, P);
-    if (isfinite(contact->ph))
-        printf(" %.4g GPa", P * contact->ph * 1e-9);
-    put_place(X, contact);
+    return count == 1 ? "" : "s";
 }
 
 /* The load in N/m, the flow of oil at ambient density. */
@@ -182,28 +197,45 @@ static void table_observed(const ovr_run_info *s)
 {
     const ovr_observation *o = ovr_simulation_observation(s->sim);
     const ovr_contact *contact = s->setup->contact;
-    put_film("minimum film", o->H_min, contact);
-    put_place(o->X_min, contact);
-    put_film("central film", o->H_cen, contact);
+    put_at("minimum film", o->H_min, OVR_KIND_HEIGHT, o->X_min, contact);
+    put_value("central film", o->H_cen, OVR_KIND_HEIGHT, contact);
     putchar('\n');
-    put_pressure("maximum pressure", o->P_max, o->X_P_max, contact);
+    put_at("maximum pressure", o->P_max, OVR_KIND_PRESSURE, o->X_P_max,
+           contact);
     if (isfinite(o->P_spike))
-        put_pressure("pressure spike", o->P_spike, o->X_spike, contact);
+        put_at("pressure spike", o->P_spike, OVR_KIND_PRESSURE, o->X_spike,
+               contact);
     put_load_and_flow(o, contact);
     printf("%-17s %-12.3g %s in %d cycle%s\n", "residual", o->residual,
-           s->converged ? "converged" : "NOT CONVERGED", o->cycles,
-           o->cycles == 1 ? "" : "s");
+           convergence(s), o->cycles, plural(o->cycles));
 }
 
+static void put_extreme(const char *name, double value, ovr_unit_kind kind,
+                        double X, double T, const ovr_contact *contact)
+{
+    put_value(name, value, kind, contact);
+    if (isfinite(X)) {
+        cli_put_place("at X", X, OVR_KIND_LENGTH, contact);
+        fputs(", ", stdout);
+    }
+    cli_put_place(isfinite(X) ? "T" : "at T", T, OVR_KIND_TIME, contact);
+    putchar('\n');
+}
+
+/* The whole run: what was extreme in it, and what it took. */
 static void table_run(const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
+    const ovr_contact *contact = s->setup->contact;
+    puts("over the run:");
+    put_extreme("largest pressure", total->P_max, OVR_KIND_PRESSURE,
+                total->X_P_max, total->T_P_max, contact);
+    put_extreme("smallest film", total->H_min, OVR_KIND_HEIGHT, total->X_H_min,
+                total->T_H_min, contact);
+    put_extreme("load error", total->load_error, OVR_KIND_NUMBER, NAN,
+                total->T_load_error, contact);
     printf("%-17s %-12ld %ld cycles, %ld retries, %ld marked\n", "steps",
            total->steps, total->cycles, total->retries, total->marked);
-    put_film("smallest film", total->H_min, s->setup->contact);
-    printf("  at ");
-    put_instant(total->T_H_min, s->setup->contact);
-    putchar('\n');
     if (s->output)
         printf("%-17s %s, %zu snapshots\n", "stored in", s->output,
                s->snapshots);
@@ -252,6 +284,14 @@ static void table_error(const ovr_run_errors *e, bool run,
     printf("\n%-17s from level %d\n", "", e->level);
 }
 
+/* Of the whole run. */
+static void table_stresses(const ovr_run_info *s)
+{
+    for (int k = 0; k < 2; k++)
+        if (s->stress[k])
+            cli_put_stress(s->stress[k], s->setup);
+}
+
 static void report_table(const cli_call *call, const ovr_run_info *s)
 {
     const ovr_contact *contact = s->setup->contact;
@@ -265,16 +305,14 @@ static void report_table(const cli_call *call, const ovr_run_info *s)
            ovr_scheme_name(options->scheme),
            cli_smoother_name(options->smoother));
     if (s->transient) {
-        printf("at ");
-        put_instant(state->T, contact);
+        table_run(s);
+        table_stresses(s);
+        cli_put_place("at the end, T", state->T, OVR_KIND_TIME, contact);
         puts(total->settled ? ", settled:" : ":");
     }
     table_observed(s);
-    if (s->transient)
-        table_run(s);
-    for (int k = 0; k < 2; k++)
-        if (s->stress[k])
-            cli_put_stress(s->stress[k], s->setup);
+    if (!s->transient)
+        table_stresses(s);
     if (s->error.level)
         table_error(&s->error, s->transient, contact);
     printf("%-17s %.3g s\n", "time", s->seconds);

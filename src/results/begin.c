@@ -326,6 +326,9 @@ static ovr_status end_file(ovr_writer *w, ovr_run_status run, ovr_error *err)
 {
     ovr_status status = ovr_file_status(&w->file, run, w->reason,
                                         ovr_writer_seconds(w), err);
+    if (status == OVR_OK && w->frame_of && w->last_step >= 0)
+        status = ovr_file_extremes(&w->file, &w->scales, w->frame_of(w).total,
+                                   err);
     return status == OVR_OK ? ovr_file_flush(&w->file, err) : status;
 }
 

@@ -303,6 +303,13 @@ ovr_status ovr_file_status(ovr_file *f, ovr_run_status status,
     return OVR_OK;
 }
 
+ovr_status ovr_file_extremes(ovr_file *f, const ovr_scales *scales,
+                             const ovr_statistics *total, ovr_error *err)
+{
+    return ovr_header_extremes(f->file, scales, total) ? OVR_OK
+                                                       : write_failed(f, err);
+}
+
 /* After a failed write the file is as its last flush left it; what was written
  * behind that has been given back, so that there may be room for the word
  * that tells it from a run that goes on.  If not, "running" stays. */

@@ -114,3 +114,9 @@ bool ovr_h5_change_number(hid_t object, const char *name, double value)
     ovr_h5_drop(attribute);
     return ok;
 }
+
+bool ovr_h5_put_number(hid_t object, const char *name, double value)
+{
+    return ovr_h5_change_number(object, name, value) ||
+           ovr_h5_set_number(object, name, value);
+}

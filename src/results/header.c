@@ -262,6 +262,21 @@ static bool set_conventions(hid_t root, const ovr_file_plan *plan)
            ovr_h5_set_number(root, "date_seconds", 0);
 }
 
+bool ovr_header_extremes(hid_t root, const ovr_scales *scales,
+                         const ovr_statistics *total)
+{
+    const ovr_extreme *e;
+    bool ok = true;
+    for (size_t k = 0; ok && (e = ovr_extreme_at(k)); k++) {
+        double value = total ? ovr_extreme_value(e, total) : NAN;
+        double si = value * ovr_kind_scale(e->kind, &scales->contact);
+        ok = ovr_h5_put_number(root, e->key, value) &&
+             (!scales->physical || !e->key_si ||
+              ovr_h5_put_number(root, e->key_si, si));
+    }
+    return ok;
+}
+
 static bool set_scales(hid_t root, const ovr_scales *scales, double end)
 {
     const ovr_contact *c = &scales->contact;
@@ -293,6 +308,7 @@ bool ovr_header_write(ovr_file *f, const ovr_file_plan *plan)
     hid_t x = -1;
     bool ok = set_conventions(f->file, plan) &&
               set_scales(f->file, plan->scales, plan->options->end) &&
+              ovr_header_extremes(f->file, plan->scales, NULL) &&
               make_time(f, plan->scales);
     if (ok)
         x = make_positions(f, plan);

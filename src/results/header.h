@@ -33,6 +33,10 @@ bool ovr_header_open(ovr_file *file, const ovr_file_plan *plan);
 /* Writes the group `case` anew: what is stored, or the end, may be another. */
 bool ovr_header_new_case(ovr_file *file, const ovr_file_plan *plan);
 
+/* The attributes of the extremes over the run; NULL: not known yet. */
+bool ovr_header_extremes(hid_t root, const ovr_scales *scales,
+                         const ovr_statistics *total);
+
 /* File creation properties: the order of links and attributes is kept. */
 hid_t ovr_header_creation(void);
 

@@ -13,7 +13,8 @@ static ovr_frame frame_of(ovr_writer *w)
 {
     const ovr_simulation *sim = w->observed;
     return (ovr_frame){ovr_simulation_state(sim),
-                       ovr_simulation_observation(sim), field_of, sim};
+                       ovr_simulation_observation(sim), field_of, sim,
+                       ovr_simulation_statistics(sim)};
 }
 
 ovr_status ovr_writer_observe(void *writer, const ovr_simulation *sim,

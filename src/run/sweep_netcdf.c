@@ -88,6 +88,25 @@ static const char *unit_of(const char *name)
     return "1";
 }
 
+/* What a key of the summaries means, as far as the lists say. */
+static void explain(const netcdf *n, const char *key, char *text, size_t room)
+{
+    const ovr_extreme *e;
+    const ovr_observable *o;
+    bool run = false;
+    for (size_t k = 0; k < n->t->columns; k++)
+        run = run || !strcmp(n->t->column[k].name, "T_end");
+    snprintf(text, room, "%s", key);
+    for (size_t k = 0; (e = ovr_extreme_at(k)); k++)
+        if (!strcmp(e->key, key) || (e->key_si && !strcmp(e->key_si, key)))
+            snprintf(text, room, "%s", e->long_name);
+    for (size_t k = 0; (o = ovr_observable_at(k)); k++)
+        if ((o->key && !strcmp(o->key, key)) ||
+            (o->key_si && !strcmp(o->key_si, key)))
+            snprintf(text, room, "%s%s", run ? "at the end of the run: " : "",
+                     o->long_name);
+}
+
 static bool put_values(const netcdf *n, const char **texts)
 {
     const ovr_sweep_table *t = n->t;
@@ -114,9 +133,12 @@ static bool put_all(netcdf *n)
         texts[i] = ovr_sweep_state_name(t->state[i]);
     good = good && put_texts(n, "status", "how the case stands", texts) &&
            put_values(n, texts);
-    for (size_t k = 0; good && k < t->columns; k++)
-        good = put_numbers(n, t->column[k].name, unit_of(t->column[k].name),
-                           t->column[k].name, t->column[k].value);
+    for (size_t k = 0; good && k < t->columns; k++) {
+        const ovr_sweep_column *c = &t->column[k];
+        char about[160];
+        explain(n, c->name, about, sizeof about);
+        good = put_numbers(n, c->name, unit_of(c->name), about, c->value);
+    }
     free(texts);
     return good && ovr_h5_set_chars(n->file, "Conventions", "CF-1.8") &&
            ovr_h5_set_chars(n->file, "title", t->s->path) &&

@@ -5,7 +5,7 @@
 
 #include "run/study.h"
 
-enum { OVR_SWEEP_MOST_NUMBERS = 96 };
+enum { OVR_SWEEP_MOST_NUMBERS = 192 };
 
 /* A column of numbers: a key of the summaries. */
 typedef struct ovr_sweep_column {

@@ -206,6 +206,10 @@ void ovr_simulation_read(ovr_simulation *sim);
 /* Points the public state at the solution. */
 void ovr_publish_state(ovr_simulation *sim);
 
+/* Takes what is observed into the extremes of the run. */
+void ovr_statistics_take(ovr_statistics *total, const ovr_observation *seen,
+                         bool first);
+
 /* Fills the state's fields and the observation from the finest level. */
 void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome);
 

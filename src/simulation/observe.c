@@ -67,16 +67,6 @@ static double mean_flow(const ovr_simulation *sim)
                                          sim->now.q, sim->now.eps);
 }
 
-static void observe_extremes(ovr_simulation *sim)
-{
-    ovr_statistics *s = &sim->statistics;
-    const ovr_observation *o = &sim->observation;
-    if (sim->state.step == 0 || o->H_min_located < s->H_min) {
-        s->H_min = o->H_min_located;
-        s->T_H_min = o->T;
-    }
-}
-
 void ovr_simulation_read(ovr_simulation *sim)
 {
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
@@ -118,5 +108,5 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
     o->retries = outcome->retries;
     o->converged = outcome->converged;
     o->marked = outcome->marked;
-    observe_extremes(sim);
+    ovr_statistics_take(&sim->statistics, o, state->step == 0);
 }

@@ -76,7 +76,13 @@ ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
                           PART("total_substeps", total->substeps),
                           PART("total_marked", total->marked),
                           PART("least_film", total->H_min),
+                          PART("least_film_place", total->X_H_min),
                           PART("least_film_time", total->T_H_min),
+                          PART("largest_pressure", total->P_max),
+                          PART("largest_pressure_place", total->X_P_max),
+                          PART("largest_pressure_time", total->T_P_max),
+                          PART("largest_load_error", total->load_error),
+                          PART("largest_load_error_time", total->T_load_error),
                           PART("settled", total->settled)};
     for (size_t k = 0; !status && k < sizeof parts / sizeof *parts; k++)
         status = visit(context, parts[k].name, parts[k].memory, parts[k].bytes,

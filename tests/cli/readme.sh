@@ -36,7 +36,7 @@ if (need_python xarray netCDF4 pandas); then
     sed -n '/^\.\\" study$/,/^\.EE/p' "$TOP/src/results/overroll-reading.7" |
         grep -v '^\.' >read.py
     expect 0 "$PYTHON" read.py
-    contains out 'scale +speed_2 +H_min +P_max'
+    contains out 'scale +speed_2 +H_min_overall +P_max_overall'
     contains out '^8 +0\.4 +3\.2 '
 fi
 

@@ -141,12 +141,12 @@ level = 4
 end = 0.2
 END
 expect 0 "$OVERROLL" run physical.ini -o physical.h5 --estimate-error
-contains out '^at T = 0\.[0-9]+ \(0\.02[0-9]+ ms\):'
+contains out '^at the end, T = 0\.[0-9]+ \(0\.02[0-9]+ ms\):'
 contains out '^minimum film .* um  at X = 0\.[0-9]+ \([0-9.]+ um\)$'
 contains out '^maximum pressure .* GPa  at X = -?0\.[0-9]+ \(-?[0-9.]+ um\)$'
 contains out '^load +1\.57.* 100 kN/m'
 contains out '^mass flow .* mm2/s'
-contains out '^smallest film .* um  at T = [0-9.]+ \([0-9.]+ ms\)$'
+contains out '^smallest film .* um  at X = .* um\), T = [0-9.]+ \([0-9.]+ ms\)$'
 contains out '^estimated errors .* nm\), .* MPa\)'
 expect 0 "$OVERROLL" info physical.h5
 contains out 't = 0 to 0\.02[0-9]+ ms$'

@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The extremes over a whole run: kept step by step, and their list. */
+#include <math.h>
+#include <stddef.h>
+
+#include "simulation/internal.h"
+
+void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
+                         bool first)
+{
+    if (first || o->H_min_located < s->H_min) {
+        s->H_min = o->H_min_located;
+        s->X_H_min = o->X_min_located;
+        s->T_H_min = o->T;
+    }
+    if (first || o->P_max > s->P_max) {
+        s->P_max = o->P_max;
+        s->X_P_max = o->X_P_max;
+        s->T_P_max = o->T;
+    }
+    if (first || fabs(o->load_error) > fabs(s->load_error)) {
+        s->load_error = o->load_error;
+        s->T_load_error = o->T;
+    }
+}
+
+#define ROW(key, si, kind, steady, member, text)                               \
+    {                                                                          \
+        key, si, text, OVR_KIND_##kind, steady,                                \
+            offsetof(ovr_statistics, member)                                   \
+    }
+
+static const ovr_extreme table[] = {
+    ROW("H_min_overall", "H_min_overall_m", HEIGHT, false, H_min,
+        "smallest film thickness over the run, located between nodes"),
+    ROW("X_H_min_overall", "X_H_min_overall_m", LENGTH, false, X_H_min,
+        "where that was"),
+    ROW("T_H_min", "T_H_min_s", TIME, false, T_H_min, "when that was"),
+    ROW("P_max_overall", "P_max_overall_Pa", PRESSURE, false, P_max,
+        "largest pressure over the run"),
+    ROW("X_P_max_overall", "X_P_max_overall_m", LENGTH, false, X_P_max,
+        "where that was"),
+    ROW("T_P_max", "T_P_max_s", TIME, false, T_P_max, "when that was"),
+    ROW("load_error_max", NULL, NUMBER, true, load_error,
+        "load error of largest magnitude over the run, relative to the "
+        "nominal load"),
+    ROW("T_load_error_max", "T_load_error_max_s", TIME, true, T_load_error,
+        "when that was")};
+
+const ovr_extreme *ovr_extreme_at(size_t k)
+{
+    return k < sizeof table / sizeof *table ? &table[k] : NULL;
+}
+
+double ovr_extreme_value(const ovr_extreme *which, const ovr_statistics *from)
+{
+    const char *at = (const char *)from + which->offset;
+    return *(const double *)(const void *)at;
+}
