@@ -57,9 +57,10 @@ static int take_instants(const cli_call *call, const ovr_result *result,
 }
 
 static int draw(const cli_call *call, ovr_result *const *results,
-                ovr_picture_options *o)
+                const ovr_picture_options *given)
 {
     double times[TIMES];
+    ovr_picture_options own = *given, *o = &own;
     ovr_error err = {0};
     int code = cli_picture_ranges(call, results[0], o);
     if (!code)

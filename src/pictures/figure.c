@@ -250,9 +250,10 @@ static axis axis_of(const ovr_table_column *c, double largest)
     }
     put_plain(a.label, LABEL, c->name, size);
     if (*c->unit) {
-        strcat(a.label, "  [");
-        put_plain(a.label, LABEL - 2, c->unit, strlen(c->unit));
-        strcat(a.label, "]");
+        char unit[40] = "";
+        put_plain(unit, sizeof unit, c->unit, strlen(c->unit));
+        snprintf(a.label + strlen(a.label), LABEL - strlen(a.label), "  [%s]",
+                 unit);
     }
     return a;
 }
