@@ -27,8 +27,12 @@ typedef enum ovr_picture_kind {
     OVR_PICTURE_SNAPSHOT, /* pressure, film and roughness at instants */
     OVR_PICTURE_HISTORY,  /* film and pressure against time */
     OVR_PICTURE_MAP,      /* colour over x and time */
-    OVR_PICTURE_TRACE     /* film in the middle of the contact, with the
-                             roughness that passes there, against time */
+    OVR_PICTURE_TRACE,    /* film in the middle of the contact, with the
+                           roughness that passes there, against time */
+    OVR_PICTURE_STRESS, /* pressure, film and the stresses below, at an instant
+                         */
+    OVR_PICTURE_RISK,   /* what the material went through, place by depth */
+    OVR_PICTURE_DEPTH   /* the same over depth: worst, smooth, length */
 } ovr_picture_kind;
 
 /* Lengths in b, pressures in ph, heights in b^2/R, times in b/um, whatever
@@ -46,7 +50,10 @@ typedef struct ovr_picture_options {
     bool overlay;  /* snapshot: all instants in one panel */
     bool no_hertz; /* without the Hertzian pressure */
     bool no_roughness;
-    const char *field;        /* map: any; "film_thickness" (NULL) */
+    const char *field;        /* map: any; "film_thickness" (NULL); stress:
+                                 "max_shear" (NULL) or another stress */
+    int surface;              /* stress, risk, depth: 1 (0) or 2 */
+    bool log_depth;           /* stress: depth logarithmic, from D */
     int width, height;        /* pixels; 0: 1280 by what the kind needs */
     const char *title;        /* NULL: the file's own; "": none */
     const char *const *names; /* of each result, for the legend; NULL: their

@@ -91,11 +91,30 @@ typedef struct ovr_stress_row {
 } ovr_stress_row;
 OVR_API ovr_stress_row ovr_stress_at(const ovr_stress *stress, size_t depth);
 
-/* ------------------------------------------------------ exact references */
+/* Stresses made of h, d and tau, residual ones added. */
+typedef enum ovr_stress_field {
+    OVR_STRESS_SIGMA_X,
+    OVR_STRESS_SIGMA_Z,
+    OVR_STRESS_TAU_XZ,
+    OVR_STRESS_SIGMA_Y,
+    OVR_STRESS_VON_MISES,
+    OVR_STRESS_MAX_SHEAR, /* in the plane */
+    OVR_STRESS_TRESCA,    /* largest shear on any plane */
+    OVR_STRESS_HYDROSTATIC,
+    OVR_STRESS_FIELDS
+} ovr_stress_field;
 
 typedef struct ovr_in_plane {
     double h, d, tau;
 } ovr_in_plane;
+
+/* "sigma_x", ... */
+OVR_API const char *ovr_stress_field_name(ovr_stress_field field);
+OVR_API double ovr_stress_value(ovr_stress_field field, ovr_in_plane state,
+                                double poisson, double residual_x,
+                                double residual_y);
+
+/* ------------------------------------------------------ exact references */
 
 /* At (x, z) below one element of height 1 at x = 0, mesh D, loaded by
  * pressure p and traction q. */

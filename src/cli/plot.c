@@ -8,11 +8,17 @@ enum { TIMES = 8 };
 
 static const cli_option options[] = {
     {"o", "PICTURE", "where to: NAME.png, NAME.svg or NAME.pdf", false},
-    {"kind", "KIND", "snapshot (default), history, map or trace", false},
+    {"kind", "KIND",
+     "snapshot (default), history, map, trace, stress, risk or depth", false},
     {"at", "T", "snapshot: an instant, like 0.2ms or, in b/um, 1.5", true},
     {"overlay", NULL, "snapshot: all instants in one panel", false},
-    {"field", "FIELD", "map: film_thickness (default) or another of the file",
+    {"field", "FIELD",
+     "map: film_thickness (default) or another of the file; stress: max_shear "
+     "(default), tau_xz, von_mises, ...",
      false},
+    {"surface", "N", "stress, risk, depth: below surface 1 (default) or 2",
+     false},
+    {"depth", "SCALE", "stress: linear (default) or log", false},
     {"script", "FILE.gp", "also write the gnuplot script, and its data beside",
      false},
     {"quantity", "NAME", "of a study: what is drawn (H_min_overall)", false},
@@ -26,17 +32,34 @@ static const cli_option options[] = {
 
 static int take_kind(const cli_call *call, ovr_picture_options *o)
 {
-    static const char *const kinds[] = {"snapshot", "history", "map", "trace"};
+    static const char *const kinds[] = {"snapshot", "history", "map",  "trace",
+                                        "stress",   "risk",    "depth"};
     const char *text = cli_value(call, "kind");
     if (!text)
         return CLI_DONE;
-    for (int k = 0; k < 4; k++)
+    for (int k = 0; k < 7; k++)
         if (strcmp(text, kinds[k]) == 0) {
             o->kind = (ovr_picture_kind)k;
             return CLI_DONE;
         }
     return cli_usage(
-        call, "--kind '%s': there are snapshot, history, map and trace", text);
+        call,
+        "--kind '%s': there are snapshot, history, map, trace, stress, "
+        "risk and depth",
+        text);
+}
+
+static int take_depth(const cli_call *call, ovr_picture_options *o)
+{
+    const char *surface = cli_value(call, "surface");
+    const char *depth = cli_value(call, "depth");
+    if (surface && strcmp(surface, "1") != 0 && strcmp(surface, "2") != 0)
+        return cli_usage(call, "--surface '%s': 1 or 2", surface);
+    if (depth && strcmp(depth, "log") != 0 && strcmp(depth, "linear") != 0)
+        return cli_usage(call, "--depth '%s': linear or log", depth);
+    o->surface = surface && *surface == '2' ? 2 : 1;
+    o->log_depth = depth && *depth == 'l' && depth[1] == 'o';
+    return CLI_DONE;
 }
 
 static int take_instants(const cli_call *call, const ovr_result *result,
@@ -158,6 +181,8 @@ static int run(cli_call *call)
     o.overlay = cli_flag(call, "overlay");
     o.field = cli_value(call, "field");
     o.script = cli_value(call, "script");
+    if (take_depth(call, &o))
+        return CLI_USAGE;
     o.names = cli_result_names(call, names);
     code = cli_picture_options(call, &o);
     if (!code)
@@ -180,6 +205,10 @@ const cli_verb cli_plot = {
         "  history   minimum and central film and maximum pressure in time\n"
         "  map       position against time, the colour is film or pressure\n"
         "  trace     film at x = 0, and the roughness that passes there\n"
+        "  stress    pressure, film and the stresses below, at an instant\n"
+        "  risk      what the material went through, place by depth (a run "
+        "with [stress])\n"
+        "  depth     the same over depth, with the equivalent length\n"
         "\n"
         "Several result files are drawn over each other (but for a map).\n"
         "A study, or the CSV table of one, gives a figure: a quantity against\n"

@@ -18,7 +18,8 @@ static const struct {
     [OVR_BLUE] = {"#1d5fa8", "#dce8f5"},  [OVR_AMBER] = {"#c96a00", "#fbe3bd"},
     [OVR_STEEL] = {"#4a5560", "#b9c2ca"}, [OVR_RED] = {"#b3202a", "#f6dcdd"},
     [OVR_GREEN] = {"#2a7f4f", "#d8eee1"}, [OVR_VIOLET] = {"#6b4ba1", "#e7e0f2"},
-    [OVR_GREY] = {"#8a929a", "#e6e9ec"},
+    [OVR_GREY] = {"#8a929a", "#e6e9ec"},  [OVR_WHITE] = {"#ffffff", "#ffffff"},
+    [OVR_INK] = {"#101418", "#101418"},
 };
 
 /* ----------------------------------------------------------------- panels */
@@ -188,7 +189,10 @@ static void put_curve(ovr_pen *p, const ovr_series *s, size_t table)
                        s->base, colours[s->colour].area);
     }
     ovr_pen_source(p, table);
-    if (s->mark == OVR_MARK_POINTS)
+    if (s->mark == OVR_MARK_CROSS)
+        ovr_text_print(p->to, " using 1:2 with points pt 2 ps 1.6 lw %.3g",
+                       width_of(s));
+    else if (s->mark == OVR_MARK_POINTS)
         ovr_text_print(p->to, " using 1:2 with points pt 7 ps %.3g",
                        width_of(s) / 3);
     else
@@ -348,11 +352,20 @@ static void put_head(ovr_pen *p, box b)
                        c->subtitle, at);
 }
 
+/* Panels above and below an image are as wide as it is. */
+static bool has_image(const ovr_chart *c)
+{
+    for (size_t k = 0; k < c->rows * c->columns; k++)
+        if (c->panel[k].image.values)
+            return true;
+    return false;
+}
+
 static void put_panel(ovr_pen *p, size_t row, size_t column, size_t table)
 {
     const ovr_panel *panel = &p->chart->panel[row * p->chart->columns + column];
     box b = place(p, row, column);
-    if (panel->image.values)
+    if (has_image(p->chart))
         b.right -= 5.5 * p->em / p->chart->width;
     ovr_text_print(p->to,
                    "\nset lmargin at screen %.5f\nset rmargin at screen %.5f\n"

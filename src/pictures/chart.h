@@ -17,6 +17,7 @@ typedef enum ovr_mark {
     OVR_MARK_DASHED,
     OVR_MARK_DOTTED,
     OVR_MARK_POINTS,
+    OVR_MARK_CROSS,
     OVR_MARK_BAND, /* no line: the colour, faint, from y to `to` */
     OVR_MARK_AREA  /* a line with the colour, faint, down to `base` */
 } ovr_mark;
@@ -29,6 +30,8 @@ enum {
     OVR_GREEN,
     OVR_VIOLET,
     OVR_GREY,
+    OVR_WHITE, /* on images */
+    OVR_INK,
     OVR_COLOURS
 };
 

@@ -127,7 +127,10 @@ static ovr_status draw(const ovr_sitting *s, ovr_error *err)
         [OVR_PICTURE_SNAPSHOT] = ovr_draw_snapshots,
         [OVR_PICTURE_HISTORY] = ovr_draw_history,
         [OVR_PICTURE_MAP] = ovr_draw_map,
-        [OVR_PICTURE_TRACE] = ovr_draw_trace};
+        [OVR_PICTURE_TRACE] = ovr_draw_trace,
+        [OVR_PICTURE_STRESS] = ovr_draw_stress,
+        [OVR_PICTURE_RISK] = ovr_draw_risk,
+        [OVR_PICTURE_DEPTH] = ovr_draw_depth};
     const ovr_picture_options *o = s->options;
     ovr_chart chart;
     ovr_status status = kinds[o->kind](s, &chart, err);

@@ -27,6 +27,12 @@ ovr_status ovr_draw_history(const ovr_sitting *sitting, ovr_chart *chart,
                             ovr_error *err);
 ovr_status ovr_draw_trace(const ovr_sitting *sitting, ovr_chart *chart,
                           ovr_error *err);
+ovr_status ovr_draw_stress(const ovr_sitting *sitting, ovr_chart *chart,
+                           ovr_error *err);
+ovr_status ovr_draw_risk(const ovr_sitting *sitting, ovr_chart *chart,
+                         ovr_error *err);
+ovr_status ovr_draw_depth(const ovr_sitting *sitting, ovr_chart *chart,
+                          ovr_error *err);
 ovr_status ovr_draw_map(const ovr_sitting *sitting, ovr_chart *chart,
                         ovr_error *err);
 

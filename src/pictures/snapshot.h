@@ -43,7 +43,7 @@ void ovr_heading(const ovr_stored *runs, size_t count, char *heading,
 /* Memory of a chart of up to OVR_SHOTS shots. */
 typedef struct ovr_snapshot_chart {
     ovr_chart chart;
-    ovr_panel panel[2 * OVR_SHOTS];
+    ovr_panel panel[2 * OVR_SHOTS + 1]; /* one more for what lies below */
     ovr_series series[2 * OVR_SHOTS][2 * OVR_SHOTS + 1];
     char note[OVR_SHOTS][80], name[OVR_SHOTS][130];
 } ovr_snapshot_chart;

@@ -42,20 +42,8 @@ struct ovr_run_stress {
 static double state_value(const ovr_stress_setup *s, int surface, int which,
                           double h, double d, double tau)
 {
-    double nu = s->poisson[surface];
-    double x = d - h + s->residual_x, z = -d - h;
-    double y = -2 * nu * h + s->residual_y, middle = (x + z) / 2;
-    double shear = hypot((x - z) / 2, tau);
-    switch (which) {
-    case 0: return x;
-    case 1: return z;
-    case 2: return tau;
-    case 3: return y;
-    case 4: return sqrt(3 * shear * shear + (middle - y) * (middle - y));
-    case 5: return shear;
-    case 6: return fmax(shear, (fabs(middle - y) + shear) / 2);
-    default: return (x + y + z) / 3;
-    }
+    return ovr_stress_value((ovr_stress_field)which, (ovr_in_plane){h, d, tau},
+                            s->poisson[surface], s->residual_x, s->residual_y);
 }
 
 /* Nodes of the shallowest row at all depths: deeper rows linear between their
@@ -111,22 +99,22 @@ static ovr_status store_fields(ovr_run_stress *s, const ovr_state *state,
 
 static void name_fields(const ovr_run_stress *s, shown *f)
 {
-    static const char *const names[FIELDS][2] = {
-        {"sigma_x", "normal stress along the surface"},
-        {"sigma_z", "normal stress across the surface"},
-        {"tau_xz", "orthogonal shear stress"},
-        {"sigma_y", "normal stress along the line of contact"},
-        {"von_mises", "von Mises stress"},
-        {"max_shear", "largest shear stress in the plane"},
-        {"tresca", "largest shear stress on any plane"},
-        {"hydrostatic", "hydrostatic stress"}};
+    static const char *const texts[FIELDS] = {
+        "normal stress along the surface",
+        "normal stress across the surface",
+        "orthogonal shear stress",
+        "normal stress along the line of contact",
+        "von Mises stress",
+        "largest shear stress in the plane",
+        "largest shear stress on any plane",
+        "hydrostatic stress"};
     for (int a = 0; a < FIELDS; a++) {
         if (!(s->setup->stress->fields >> a & 1))
             continue;
         f->which[f->group.arrays] = a;
         f->array[f->group.arrays++] = (ovr_group_array){
-            .name = names[a][0],
-            .long_name = names[a][1],
+            .name = ovr_stress_field_name((ovr_stress_field)a),
+            .long_name = texts[a],
             .kind = OVR_KIND_PRESSURE,
             .rank = 3,
             .along = {0, 1, 2}};

@@ -139,6 +139,20 @@ assert f["surface_1"].attrs["poisson"] == 0.3
 assert (f["surface_2/circle_radius"][...] > 0).any()
 END
 
+# Pictures
+if command -v gnuplot >/dev/null; then
+    for kind in stress risk depth; do
+        expect 0 "$OVERROLL" plot dent.h5 --kind $kind -o $kind.svg
+        contains $kind.svg '<svg'
+    done
+    expect 0 "$OVERROLL" plot dent.h5 --kind stress --field tau_xz \
+        --depth log --at 4.6 -o tau.svg
+    refuses 'no stress .sigma_q' plot dent.h5 --kind stress --field sigma_q \
+        -o no.svg
+    refuses 'no fatigue/surface_1: run the case with' plot plain.h5 \
+        --kind risk -o no.svg
+fi
+
 # What cannot be
 expect 0 "$OVERROLL" run plain.ini -o coarse.h5 -q --set output.every=8
 expect 0 "$OVERROLL" stress coarse.h5

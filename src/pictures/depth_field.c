@@ -1,0 +1,324 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Stresses below a snapshot, drawn on about a cell a pixel: linear along x
+ * between the nodes of each depth and along ln z between depths, which go up
+ * to D/2; above that linear to the surface, where -p stands.
+ */
+#include "pictures/depth_field.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "pictures/axis.h"
+
+static const double least_meshes = 8, deepest = 2.5, shown = 1.5;
+
+/* ------------------------------------------------------------------- making */
+
+/* What the run's own case says of the body. */
+static void read_body(ovr_depth_field *f, int surface)
+{
+    ovr_error err = {0};
+    ovr_case *c = ovr_case_read_text(f->run->info->case_text, "case", NULL,
+                                     NULL, &err);
+    ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
+    f->poisson = 0.3;
+    if (setup) {
+        f->poisson = setup->stress->poisson[surface - 1];
+        f->residual_x = setup->stress->residual_x;
+        f->residual_y = setup->stress->residual_y;
+    }
+    ovr_setup_free(setup);
+    ovr_case_free(c);
+}
+
+static ovr_status find_field(ovr_depth_field *f, const char *field,
+                             ovr_error *err)
+{
+    f->name = field ? field : "max_shear";
+    for (int k = 0; k < OVR_STRESS_FIELDS; k++)
+        if (!strcmp(ovr_stress_field_name((ovr_stress_field)k), f->name)) {
+            f->which = (ovr_stress_field)k;
+            return OVR_OK;
+        }
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "no stress '%s': there are sigma_x, sigma_z, tau_xz, "
+                    "sigma_y, von_mises, max_shear, tresca, hydrostatic",
+                    f->name);
+}
+
+static double value_at(const ovr_depth_field *f, const ovr_stress_row *row,
+                       size_t i)
+{
+    ovr_in_plane s = {(double)row->mean[2 * i], (double)row->shear[2 * i],
+                      (double)row->shear[2 * i + 1]};
+    return ovr_stress_value(f->which, s, f->poisson, f->residual_x,
+                            f->residual_y);
+}
+
+ovr_stress_extreme ovr_depth_field_solve(ovr_depth_field *f, const double *P)
+{
+    ovr_stress_extreme worst = {0, 0, 0, 0};
+    ovr_stress_solve(f->stress, P, NULL, 0, OVR_STRESS_ALL_LEVELS);
+    for (size_t j = 0; j < ovr_stress_depths(f->stress, NULL); j++) {
+        ovr_stress_row row = ovr_stress_at(f->stress, j);
+        if (row.z < f->least * (1 - 1e-9))
+            continue;
+        for (size_t i = 0; i < row.count; i++) {
+            double v = value_at(f, &row, i);
+            double X = row.start + (double)i * row.step;
+            if (fabs(v) > fabs(worst.value) && X >= f->x_from && X <= f->x_to)
+                worst = (ovr_stress_extreme){v, X, row.z, 0};
+        }
+    }
+    return worst;
+}
+
+/* The colours end where the run's largest value is, but not far above what a
+ * smooth contact has: an instant alone does not take them all. */
+static ovr_status look_through(ovr_depth_field *f, ovr_arena *arena,
+                               ovr_error *err)
+{
+    const ovr_result_info *info = f->run->info;
+    double *P = ovr_arena_take(arena, info->nodes, sizeof *P, err), most = 0;
+    size_t step = 1 + info->snapshots / 64;
+    if (!P)
+        return OVR_NO_MEMORY;
+    for (size_t k = 0; k < info->snapshots; k += step) {
+        if (ovr_result_snapshot(f->run->result, "pressure", k, OVR_HERTZIAN, P,
+                                err))
+            return OVR_BAD_INPUT;
+        ovr_stress_extreme e = ovr_depth_field_solve(f, P);
+        most = fmax(most, fabs(e.value));
+        if (k == 0)
+            f->smooth = fabs(e.value);
+    }
+    f->high = ceil(20 * fmin(most, 2 * f->smooth)) / 20;
+    return OVR_OK;
+}
+
+ovr_status ovr_depth_field_make(ovr_depth_field *f, const ovr_stored *run,
+                                const char *field, bool logarithmic,
+                                int surface, double x_from, double x_to,
+                                ovr_arena *arena, ovr_error *err)
+{
+    const ovr_result_info *info = run->info;
+    ovr_stress_options o = ovr_stress_options_default();
+    *f = (ovr_depth_field){.run = run, .logarithmic = logarithmic};
+    if (find_field(f, field, err))
+        return OVR_BAD_INPUT;
+    if (!run->pressure || info->nodes < 3)
+        return ovr_fail(err, OVR_BAD_INPUT, "the file holds no pressure");
+    read_body(f, surface);
+    f->mesh = (run->x[info->nodes - 1] - run->x[0]) / (double)(info->nodes - 1);
+    f->least = least_meshes * f->mesh;
+    f->x_from = isnan(x_from) ? -1.5 : x_from;
+    f->x_to = isnan(x_to) ? 1.5 : x_to;
+    f->z_to = logarithmic ? deepest : shown;
+    o.mesh = f->mesh;
+    o.inlet = run->x[0];
+    o.nodes = info->nodes;
+    o.from = f->x_from - 0.1;
+    o.to = f->x_to + 0.1;
+    o.depth_min = f->mesh / 2;
+    o.depth_max = deepest;
+    f->cells = ovr_arena_take(arena, (size_t)OVR_CELLS_X * OVR_CELLS_Z,
+                              sizeof *f->cells, err);
+    f->stress = f->cells ? ovr_stress_create(&o, &arena->allocator, err) : NULL;
+    return f->stress ? look_through(f, arena, err) : OVR_BAD_INPUT;
+}
+
+void ovr_depth_field_free(ovr_depth_field *f)
+{
+    ovr_stress_free(f->stress);
+    f->stress = NULL;
+}
+
+/* -------------------------------------------------------------------- cells */
+
+static double along_row(const ovr_depth_field *f, size_t j, double X)
+{
+    ovr_stress_row row = ovr_stress_at(f->stress, j);
+    double t = fmax((X - row.start) / row.step, 0);
+    size_t i = (size_t)t;
+    if (i + 2 > row.count)
+        i = row.count - 2;
+    double a = value_at(f, &row, i), b = value_at(f, &row, i + 1);
+    return a + fmin(t - (double)i, 1) * (b - a);
+}
+
+/* Depth of a row of cells, the first next to the surface. */
+static double depth_of(const ovr_depth_field *f, double row)
+{
+    double part = row / OVR_CELLS_Z;
+    if (!f->logarithmic)
+        return part * f->z_to;
+    return f->mesh * exp(part * log(f->z_to / f->mesh));
+}
+
+/* At the surface: sigma_x = sigma_z = -p, no shear. */
+static double at_surface(const ovr_depth_field *f, double X)
+{
+    ovr_stress_row row = ovr_stress_at(f->stress, 0);
+    size_t i = (size_t)fmax((X - row.start) / row.step, 0);
+    ovr_in_plane s = {(double)row.mean[2 * (i < row.count ? i : 0)], 0, 0};
+    return ovr_stress_value(f->which, s, f->poisson, f->residual_x,
+                            f->residual_y);
+}
+
+static double cell(const ovr_depth_field *f, double X, double z)
+{
+    const double *depth;
+    size_t n = ovr_stress_depths(f->stress, &depth), j = 0;
+    if (z < depth[0]) {
+        double top = at_surface(f, X);
+        return top + z / depth[0] * (along_row(f, 0, X) - top);
+    }
+    while (j + 2 < n && depth[j + 1] <= z)
+        j++;
+    double t = fmin(log(z / depth[j]) / log(depth[j + 1] / depth[j]), 1);
+    return (1 - t) * along_row(f, j, X) + t * along_row(f, j + 1, X);
+}
+
+static void fill_cells(ovr_depth_field *f)
+{
+    for (size_t r = 0; r < OVR_CELLS_Z; r++)
+        for (size_t c = 0; c < OVR_CELLS_X; c++) {
+            double X = f->x_from +
+                       (f->x_to - f->x_from) * ((double)c + 0.5) / OVR_CELLS_X;
+            f->cells[r * OVR_CELLS_X + c] = cell(f, X,
+                                                 depth_of(f, (double)r + 0.5));
+        }
+}
+
+/* -------------------------------------------------------------------- panel */
+
+static double drawn_depth(const ovr_depth_field *f, double z, double factor)
+{
+    return f->logarithmic ? log10(z * factor) : z * factor;
+}
+
+/* Contours of the cells in the panel's own numbers. */
+static ovr_status add_lines(ovr_depth_field *f, const ovr_panel *panel,
+                            ovr_series *series, size_t *count, ovr_arena *arena,
+                            ovr_error *err)
+{
+    ovr_cells cells = {OVR_CELLS_X, OVR_CELLS_Z,   f->cells,   panel->x_from,
+                       panel->x_to, panel->y_from, panel->y_to};
+    bool both = panel->image.from < 0;
+    int least = both ? -6 : 1, most = 12;
+    for (int k = least; k <= most && *count < OVR_LINES; k++) {
+        double step = f->high > 0.6 ? 0.2 : 0.1;
+        if (k == 0 || fabs(k * step) > f->high)
+            continue;
+        if (ovr_contour(&cells, k * step, arena, &series[*count], err))
+            return OVR_NO_MEMORY;
+        series[*count].colour = OVR_WHITE;
+        series[(*count)++].width = 0.7;
+    }
+    for (int sign = -1; sign <= 1; sign += 2) {
+        if (sign < 0 && !both)
+            continue;
+        if (ovr_contour(&cells, sign * f->smooth, arena, &series[*count], err))
+            return OVR_NO_MEMORY;
+        series[*count].colour = OVR_INK;
+        series[(*count)++].width = 1.4;
+    }
+    return OVR_OK;
+}
+
+static void add_mark(const ovr_panel *panel, double *point, double X, double z,
+                     ovr_series *series, size_t *count)
+{
+    point[0] = X;
+    point[1] = z;
+    if (X < panel->x_from || X > panel->x_to)
+        return;
+    series[(*count)++] = (ovr_series){.n = 1,
+                                      .x = point,
+                                      .y = point + 1,
+                                      .mark = OVR_MARK_CROSS,
+                                      .colour = OVR_RED,
+                                      .width = 3};
+}
+
+/* A dotted line where the mesh begins to be seen. */
+static void add_limit(const ovr_panel *panel, double *line, double z,
+                      ovr_series *series, size_t *count)
+{
+    line[0] = panel->x_from, line[1] = panel->x_to;
+    line[2] = line[3] = z;
+    series[(*count)++] = (ovr_series){.n = 2,
+                                      .x = line,
+                                      .y = line + 2,
+                                      .mark = OVR_MARK_DOTTED,
+                                      .colour = OVR_WHITE,
+                                      .width = 1.2};
+}
+
+ovr_status ovr_depth_field_panel(ovr_depth_field *f,
+                                 const ovr_stress_extreme *worst,
+                                 ovr_units units, ovr_series *series,
+                                 ovr_panel *panel, ovr_arena *arena,
+                                 ovr_error *err)
+{
+    bool both = f->which == OVR_STRESS_TAU_XZ;
+    bool pressed = f->which == OVR_STRESS_SIGMA_X ||
+                   f->which == OVR_STRESS_SIGMA_Z ||
+                   f->which == OVR_STRESS_SIGMA_Y ||
+                   f->which == OVR_STRESS_HYDROSTATIC;
+    char *label = ovr_arena_take(arena, 80, 1, err);
+    char *depth = ovr_arena_take(arena, 80, 1, err);
+    double *points = ovr_arena_take(arena, 8, sizeof *points, err);
+    ovr_axis x, z, p;
+    if (!label || !depth || !points ||
+        ovr_axis_make(OVR_KIND_LENGTH, f->run->result, units, f->x_to, &x,
+                      err) ||
+        ovr_axis_make(OVR_KIND_PRESSURE, f->run->result, units, f->high, &p,
+                      err))
+        return OVR_BAD_INPUT;
+    z = x;
+    snprintf(depth, 80, "%s  [%s]", f->logarithmic ? "log_{10} depth" : "depth",
+             *x.unit ? x.unit : "b");
+    fill_cells(f);
+    double top = f->logarithmic ? f->mesh : 0;
+    *panel = (ovr_panel){.x_label = x.label,
+                         .y_label = depth,
+                         .x_from = f->x_from * x.factor,
+                         .x_to = f->x_to * x.factor,
+                         .y_from = drawn_depth(f, f->z_to, z.factor),
+                         .y_to = drawn_depth(f, top, z.factor),
+                         .height = 1.5,
+                         .series = series};
+    /* rows of an image go upward: the deepest first */
+    double *up = ovr_arena_take(arena, (size_t)OVR_CELLS_X * OVR_CELLS_Z,
+                                sizeof *up, err);
+    if (!up)
+        return OVR_NO_MEMORY;
+    for (size_t r = 0; r < OVR_CELLS_Z; r++)
+        memcpy(up + r * OVR_CELLS_X,
+               f->cells + (OVR_CELLS_Z - 1 - r) * OVR_CELLS_X,
+               OVR_CELLS_X * sizeof *up);
+    memcpy(f->cells, up, (size_t)OVR_CELLS_X * OVR_CELLS_Z * sizeof *up);
+    snprintf(label, 80, "%s / p_h",
+             f->which == OVR_STRESS_MAX_SHEAR ? "largest shear" : f->name);
+    for (char *c = label; *c; c++)
+        if (*c == '_' && c[1] != 'h')
+            *c = ' ';
+    panel->image = (ovr_image){OVR_CELLS_X,
+                               OVR_CELLS_Z,
+                               f->cells,
+                               both || pressed ? -f->high : 0,
+                               pressed ? 0 : f->high,
+                               false,
+                               label};
+    panel->image.above = fabs(worst->value) > f->high * (1 + 1e-9);
+    if (add_lines(f, panel, series, &panel->count, arena, err))
+        return OVR_NO_MEMORY;
+    add_limit(panel, points + 2, drawn_depth(f, f->least, z.factor), series,
+              &panel->count);
+    add_mark(panel, points, worst->X * x.factor,
+             drawn_depth(f, worst->Z, z.factor), series, &panel->count);
+    return OVR_OK;
+}

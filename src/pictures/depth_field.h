@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The field below a snapshot, from its pressure. */
+#ifndef OVR_PICTURES_DEPTH_FIELD_H
+#define OVR_PICTURES_DEPTH_FIELD_H
+
+#include "overroll/case.h"
+#include "pictures/contour.h"
+#include "pictures/run.h"
+
+enum { OVR_CELLS_X = 360, OVR_CELLS_Z = 160, OVR_LINES = 24 };
+
+/* One scale and one depth axis for a whole run. */
+typedef struct ovr_depth_field {
+    const ovr_stored *run;
+    ovr_stress *stress;
+    ovr_stress_field which;
+    const char *name;
+    double poisson, residual_x, residual_y;
+    bool logarithmic;
+    double mesh, least; /* D; largest values are looked for from here down */
+    double x_from, x_to, z_to;
+    double high;   /* end of the colours; `low` its negative or 0 */
+    double smooth; /* largest of the first snapshot, from `least` down */
+    double *cells; /* OVR_CELLS_Z rows, from the surface down */
+} ovr_depth_field;
+
+/* Looks through the run; `field` NULL: max_shear. */
+ovr_status ovr_depth_field_make(ovr_depth_field *f, const ovr_stored *run,
+                                const char *field, bool logarithmic,
+                                int surface, double x_from, double x_to,
+                                ovr_arena *arena, ovr_error *err);
+void ovr_depth_field_free(ovr_depth_field *f);
+
+/* The largest value of a pressure's field from `least` down. */
+ovr_stress_extreme ovr_depth_field_solve(ovr_depth_field *f, const double *P);
+
+/* The panel of the pressure solved last: colours, contours every 0.1 ph, the
+ * smooth maximum, a mark at the largest value. */
+ovr_status ovr_depth_field_panel(ovr_depth_field *f,
+                                 const ovr_stress_extreme *worst,
+                                 ovr_units units, ovr_series *series,
+                                 ovr_panel *panel, ovr_arena *arena,
+                                 ovr_error *err);
+
+#endif

@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The stresses at an instant: pressure, film, and the field below. */
+#include <math.h>
+#include <stdio.h>
+
+#include "pictures/depth_field.h"
+#include "pictures/picture.h"
+#include "pictures/snapshot.h"
+
+/* The snapshot whose field has the largest value, where none is asked for. */
+static ovr_status find_worst(ovr_depth_field *f, ovr_shot *shot, size_t *worst,
+                             ovr_error *err)
+{
+    double most = -1;
+    for (size_t k = 0; k < f->run->info->snapshots; k++) {
+        if (ovr_shot_read(shot, k, err))
+            return OVR_BAD_INPUT;
+        double v = fabs(ovr_depth_field_solve(f, shot->P).value);
+        if (v > most)
+            most = v, *worst = k;
+    }
+    return OVR_OK;
+}
+
+ovr_status ovr_stress_panel_add(ovr_depth_field *f, const ovr_shot *shot,
+                                const ovr_look *look, ovr_snapshot_chart *to,
+                                ovr_arena *arena, ovr_error *err)
+{
+    char *note = ovr_arena_take(arena, 160, 1, err);
+    ovr_series *series = ovr_arena_take(arena, OVR_LINES + 4, sizeof *series,
+                                        err);
+    ovr_panel *panel = &to->panel[to->chart.rows];
+    if (!note || !series)
+        return OVR_NO_MEMORY;
+    ovr_stress_extreme worst = ovr_depth_field_solve(f, shot->P);
+    if (ovr_depth_field_panel(f, &worst, look->options->units, series, panel,
+                              arena, err))
+        return OVR_BAD_INPUT;
+    to->chart.rows++;
+    snprintf(note, 160, "%s; largest %.3g at X = %.3g, Z = %.3g; smooth %.3g",
+             to->note[0], worst.value, worst.X, worst.Z, f->smooth);
+    for (char *c = note; *c; c++) /* a proper minus is not needed here */
+        if (*c == '\n')
+            *c = ' ';
+    to->panel[0].note = note;
+    return OVR_OK;
+}
+
+static ovr_status draw(const ovr_sitting *s, ovr_depth_field *f,
+                       ovr_chart *chart, ovr_error *err)
+{
+    const ovr_picture_options *o = s->options;
+    ovr_look *look = ovr_arena_take(s->arena, 1, sizeof *look, err);
+    ovr_snapshot_chart *to = ovr_arena_take(s->arena, 1, sizeof *to, err);
+    ovr_shot *shot = ovr_arena_take(s->arena, 1, sizeof *shot, err);
+    ovr_extent extent = ovr_extent_make(f->x_from, f->x_to, s->runs, 1);
+    size_t k = 0;
+    if (!look || !to || !shot || ovr_shot_make(shot, s->runs, s->arena, err))
+        return OVR_NO_MEMORY;
+    if (o->time_count)
+        k = ovr_stored_nearest(s->runs, o->times[0]);
+    else if (find_worst(f, shot, &k, err))
+        return OVR_BAD_INPUT;
+    for (size_t j = 0; j < s->runs->info->snapshots; j += 8) {
+        if (ovr_shot_read(shot, j, err))
+            return OVR_BAD_INPUT;
+        ovr_extent_add(&extent, shot);
+    }
+    if (ovr_shot_read(shot, k, err))
+        return OVR_BAD_INPUT;
+    ovr_extent_add(&extent, shot);
+    if (ovr_look_make(look, o, &extent, s->runs, 1, err))
+        return OVR_BAD_INPUT;
+    ovr_snapshot_draw(to, look, shot, 1, 1, NULL);
+    if (ovr_stress_panel_add(f, shot, look, to, s->arena, err))
+        return OVR_BAD_INPUT;
+    *chart = to->chart;
+    chart->height = o->height > 0 ? o->height : 960;
+    return OVR_OK;
+}
+
+ovr_status ovr_draw_stress(const ovr_sitting *s, ovr_chart *chart,
+                           ovr_error *err)
+{
+    const ovr_picture_options *o = s->options;
+    ovr_depth_field f;
+    ovr_status status;
+    if (s->count > 1)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "a picture of stresses shows one result");
+    if (s->runs->info->snapshots < 1)
+        return ovr_fail(err, OVR_BAD_INPUT, "the file holds no snapshot");
+    status = ovr_depth_field_make(&f, s->runs, o->field, o->log_depth,
+                                  o->surface ? o->surface : 1, o->x_from,
+                                  o->x_to, s->arena, err);
+    if (!status)
+        status = draw(s, &f, chart, err);
+    ovr_depth_field_free(&f);
+    return status;
+}
