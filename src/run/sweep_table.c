@@ -212,14 +212,18 @@ static void put_number(FILE *to, double value, int digits)
 /* Of runs in time what was extreme in them, of steady solutions these. */
 static bool is_main(const ovr_sweep_table *t, const char *name)
 {
-    static const char *const names[] = {
-        "P_max_overall",  "T_P_max",      "H_min_overall", "T_H_min",
-        "load_error_max", "steps_marked", "seconds",       "H_min",
-        "H_cen",          "P_max"};
+    static const char *const names[] = {"P_max_overall",   "P_max_overall_Pa",
+                                        "T_P_max",         "H_min_overall",
+                                        "H_min_overall_m", "T_H_min",
+                                        "load_error_max",  "steps_marked",
+                                        "seconds",         "H_min",
+                                        "min_film_m",      "H_cen",
+                                        "central_film_m",  "P_max",
+                                        "max_pressure_Pa"};
     size_t most = sizeof names / sizeof names[0];
     for (size_t i = 0; i < t->columns; i++)
         if (!strcmp(t->column[i].name, "P_max_overall"))
-            most -= 3;
+            most -= 6;
     for (size_t i = 0; i < most; i++)
         if (!strcmp(names[i], name))
             return true;
