@@ -112,6 +112,10 @@ OVR_API double ovr_simulation_starvation(const ovr_simulation *sim);
  * smooth, constant. */
 OVR_API void ovr_simulation_surface(ovr_simulation *sim, ovr_heights *heights,
                                     void *data);
+/* How fast what is on the surfaces moves, u_k/um of the surface whose features
+ * are the steepest: the steps then begin from a guess that moves along, and
+ * take fewer cycles.  Default: NAN, not known; ovr_surfaces_speed tells it. */
+OVR_API void ovr_simulation_moving(ovr_simulation *sim, double speed);
 OVR_API void ovr_simulation_histories(ovr_simulation *sim,
                                       const ovr_history *load,
                                       const ovr_history *speed);

@@ -165,6 +165,10 @@ OVR_API ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces,
 /* Shortest wavelength of all features, b; INFINITY on smooth surfaces. */
 OVR_API double ovr_surfaces_wavelength(const ovr_surfaces *surfaces);
 
+/* u_k/um of the surface with the steepest feature that moves, by its height
+ * over its wavelength; NAN: nothing moves.  For ovr_simulation_moving. */
+OVR_API double ovr_surfaces_speed(const ovr_surfaces *surfaces);
+
 /* Name of the first feature that is in inlet < X < outlet at T = 0 with more
  * than a trace of its height, or NULL; those that grow, or that are endless,
  * do not count. */

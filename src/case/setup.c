@@ -105,8 +105,10 @@ ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
     if (!sim)
         return NULL;
     ovr_simulation_histories(sim, setup->load, setup->speed);
-    if (setup->surfaces)
+    if (setup->surfaces) {
         ovr_simulation_surface(sim, ovr_surfaces_heights, setup->surfaces);
+        ovr_simulation_moving(sim, ovr_surfaces_speed(setup->surfaces));
+    }
     if (setup->transient)
         ovr_simulation_standing(sim,
                                 setup->surfaces ? ovr_surfaces_standing : NULL,

@@ -110,6 +110,8 @@ enum { OVR_FOURTH_MARGIN = 8 };
                       const double *y, double *result)) \
     K(void, extrapolate, (size_t n, size_t count, const double weight[], \
                           const double *const from[], double *P)) \
+    K(void, carry, (size_t n, const double c[4], const double *const from[3], \
+                    double *P)) \
     K(size_t, extreme, (size_t n, double sign, const double *x)) \
     K(bool, positive, (size_t n, const double *x)) \
     K(double, difference, (size_t n, const double *a, const double *b)) \

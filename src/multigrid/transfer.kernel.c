@@ -182,3 +182,42 @@ void OVR_KERNEL(extrapolate)(size_t n, size_t count, const double weight[],
         store(P + i, choose(newest > 0, larger(sum, all(0)), newest));
     }
 }
+
+static inline vec within(vec x, vec low, vec high)
+{
+    return smaller(larger(x, low), high);
+}
+
+/* The cubic through four nodes, within their range. */
+static inline vec shifted(const double c[4], const double *x)
+{
+    vec v = load(x), sum = c[0] * v, low = v, high = v;
+    for (int k = 1; k < 4; k++) {
+        v = load(x + k);
+        sum = fused(all(c[k]), v, sum);
+        low = smaller(low, v);
+        high = larger(high, v);
+    }
+    return within(sum, low, high);
+}
+
+/*
+ * What moved by a part of a mesh goes on: from[0] + S from[1] - S from[2],
+ * where the first is wet, clipped at zero; (S x)_i the cubic c through
+ * x_i..x_{i+3}.  It stays in [low - r, high + r], low and high of the first
+ * two, r = 0.1 (high - low) + 0.02, so
+ * that no pairs of spikes are thrown.  In the order of the nodes, n >= VEC.
+ */
+void OVR_KERNEL(carry)(size_t n, const double c[4], const double *const from[3],
+                       double *P)
+{
+    for (size_t next = 0; next < n; next += VEC) {
+        size_t i = next + VEC <= n ? next : n - VEC;
+        vec here = load(from[0] + i), moved = shifted(c, from[1] + i);
+        vec low = smaller(here, moved), high = larger(here, moved);
+        vec beyond = 0.1 * (high - low) + 0.02;
+        vec sum = here + moved - shifted(c, from[2] + i);
+        sum = within(sum, low - beyond, high + beyond);
+        store(P + i, choose(here > 0, larger(sum, all(0)), here));
+    }
+}

@@ -67,6 +67,35 @@ void ovr_correct_plain(const ovr_lanes *coarse, const ovr_lanes *fine,
     }
 }
 
+static double within(double x, double low, double high)
+{
+    return fmin(fmax(x, low), high);
+}
+
+static double shifted(const double c[4], const double *x)
+{
+    double sum = 0, low = x[0], high = x[0];
+    for (int k = 0; k < 4; k++) {
+        sum += c[k] * x[k];
+        low = fmin(low, x[k]);
+        high = fmax(high, x[k]);
+    }
+    return within(sum, low, high);
+}
+
+void ovr_carry_plain(size_t n, const double c[4], const double *const from[3],
+                     double *P)
+{
+    for (size_t i = 0; i < n; i++) {
+        double here = from[0][i], moved = shifted(c, from[1] + i);
+        double low = fmin(here, moved), high = fmax(here, moved);
+        double beyond = 0.1 * (high - low) + 0.02;
+        double sum = here + moved - shifted(c, from[2] + i);
+        sum = within(sum, low - beyond, high + beyond);
+        P[i] = here > 0 ? fmax(sum, 0) : here;
+    }
+}
+
 void ovr_extrapolate_plain(size_t n, size_t count, const double weight[],
                            const double *const from[], double *P)
 {

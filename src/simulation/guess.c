@@ -2,13 +2,19 @@
 /*
  * What a step begins from: P and H0 at T + dT, extrapolated from the past.
  *
- * With E one step back and S one mesh downstream, 1 - E takes away what
- * stands still, 1 - S E what moves by a mesh a step: films and rolling
- * features, at the mean speed of the surfaces, when Cu dT = D.  The guess is
- *     (1 - E)^2 (1 - S E)^2 P = 0
- * solved for the newest P: linear in time for both.  When Cu dT is something
- * else it is (1 - E)^3 P = 0, the parabola through the past, or for unequal
- * steps the line.
+ * With E one step back and S_s what shifts by s meshes downstream, 1 - E takes
+ * away what stands still, 1 - S_a E what moves by a meshes a step, and so does
+ * 1 - S_2a E^2, by more meshes, which may be whole.  Of films and rolling
+ * features a = Cu dT/D; when that is 1 the guess is the newest P of
+ *     (1 - E)^2 (1 - S E)^2 P = 0,
+ * linear in time for both; else of (1 - E)^3 P = 0, the parabola through the
+ * past, or for unequal steps the line.
+ *
+ * Of features that slide a = (u_k/um) Cu dT/D, where it is told.  Then there
+ * are several formulas, of which each is the best somewhere: few terms at rough
+ * surfaces and for shifts by parts of a mesh, many where the shift is whole.
+ * After each step it is seen what each would have guessed; the next one begins
+ * from the one that has been the nearest of late.
  */
 #include <math.h>
 #include <string.h>
@@ -16,26 +22,27 @@
 #include "simulation/internal.h"
 
 /* Steps beyond this many meshes begin better from the last state. */
-static const double longest = 7.9;
+static const double longest = 7.9, longest_moved = 8.5;
 
 typedef struct term {
     double weight;
-    int ago, meshes; /* of a past P: its age in steps; how far upstream */
+    int ago, shifts; /* of a past P: its age in steps; S how many times */
 } term;
 
-/* UPSTREAM: most meshes of a term. */
-enum { MOST_TERMS = 8, UPSTREAM = 2 };
+enum { MOST_TERMS = 8 };
 
 typedef struct formula {
     size_t count;
     term term[MOST_TERMS]; /* the first is P[0] as it is */
     double H0[4];
+    double meshes; /* that S shifts by */
+    bool two_terms;
 } formula;
 
-static const formula last = {1, {{1, 0, 0}}, {1, 0, 0, 0}};
+static const formula last = {1, {{1, 0, 0}}, {1, 0, 0, 0}, 0, false};
 
 static const formula parabola = {
-    3, {{3, 0, 0}, {-3, 1, 0}, {1, 2, 0}}, {3, -3, 1, 0}};
+    3, {{3, 0, 0}, {-3, 1, 0}, {1, 2, 0}}, {3, -3, 1, 0}, 0, false};
 
 static const formula standing_and_moving = {8,
                                             {{2, 0, 0},
@@ -46,11 +53,28 @@ static const formula standing_and_moving = {8,
                                              {2, 2, 1},
                                              {2, 2, 2},
                                              {-1, 3, 2}},
-                                            {4, -6, 4, -1}};
+                                            {4, -6, 4, -1},
+                                            1,
+                                            false};
+
+static const formula by_two_steps = {
+    5,
+    {{2, 0, 0}, {-1, 1, 0}, {1, 1, 1}, {-2, 2, 1}, {1, 3, 1}},
+    {2, 0, -2, 1},
+    1,
+    false};
+
+/* P_0 + S (P_k - P_{k+1}) */
+static formula two_terms(int k, double meshes)
+{
+    return (formula){
+        3, {{1, 0, 0}, {1, k, 1}, {-1, k + 1, 1}}, {2, -1, 0, 0}, meshes, true};
+}
 
 static formula line(double s)
 {
-    return (formula){2, {{1 + s, 0, 0}, {-s, 1, 0}}, {1 + s, -s, 0, 0}};
+    return (formula){
+        2, {{1 + s, 0, 0}, {-s, 1, 0}}, {1 + s, -s, 0, 0}, 0, false};
 }
 
 /* The last so many steps, and the one to come, are equally long. */
@@ -63,39 +87,157 @@ static bool equal_steps(const ovr_past *past, double dT, int steps)
 }
 
 /* S need only be right to a part of the guess's own error. */
-static bool moves_a_mesh(const ovr_simulation *sim, double dT)
+static bool is_whole(double meshes)
 {
-    return fabs(sim->grids.op.speed * dT / sim->finest->grid.D - 1) < 0.01;
+    return fabs(meshes - nearbyint(meshes)) < 0.01 && fabs(meshes) > 0.5;
 }
 
-/* A field from its past.  The first nodes, of which nothing lies upstream, stay
- * what they are. */
+static formula shifted(formula how, double meshes)
+{
+    how.meshes = nearbyint(meshes);
+    return how;
+}
+
+/* A field from its past: what whole shifts bring is there already. */
 static void extrapolate(const ovr_simulation *sim, const formula *how,
-                        double *const past[OVR_PAST], double *guess)
+                        ptrdiff_t margin, double *const past[OVR_PAST],
+                        double *guess)
 {
     const double *from[MOST_TERMS];
     double weight[MOST_TERMS];
-    size_t moved = sim->finest->grid.n - UPSTREAM;
     for (size_t k = 0; k < how->count; k++) {
         const term *t = &how->term[k];
-        from[k] = past[t->ago] + UPSTREAM - t->meshes;
+        from[k] = past[t->ago] + margin - t->shifts * (ptrdiff_t)how->meshes;
         weight[k] = t->weight;
     }
-    memcpy(guess, past[0], UPSTREAM * sizeof *guess);
-    sim->grids.kernels->extrapolate(moved, how->count, weight, from,
-                                    guess + UPSTREAM);
+    sim->grids.kernels->extrapolate(sim->finest->grid.n - 2 * (size_t)margin,
+                                    how->count, weight, from, guess + margin);
 }
 
-static formula formula_for(const ovr_simulation *sim, double dT)
+/* Weights of Lagrange's cubic at s in [0, 1) of the middle of four nodes. */
+static void cubic(double s, double c[4])
+{
+    c[0] = -s * (s - 1) * (s - 2) / 6;
+    c[1] = (s + 1) * (s - 1) * (s - 2) / 2;
+    c[2] = -(s + 1) * s * (s - 2) / 2;
+    c[3] = (s + 1) * s * (s - 1) / 6;
+}
+
+/* Two terms, by any shift. */
+static void carry(const ovr_simulation *sim, const formula *how,
+                  ptrdiff_t margin, double *const past[OVR_PAST], double *guess)
+{
+    double c[4], whole = floor(-how->meshes);
+    ptrdiff_t first = margin + (ptrdiff_t)whole - 1;
+    const double *const from[] = {past[0] + margin,
+                                  past[how->term[1].ago] + first,
+                                  past[how->term[2].ago] + first};
+    cubic(-how->meshes - whole, c);
+    sim->grids.kernels->carry(sim->finest->grid.n - 2 * (size_t)margin, c, from,
+                              guess + margin);
+}
+
+/* Nodes at both ends that stay what they are: nothing lies beyond them. */
+static ptrdiff_t margin_of(const formula *how)
+{
+    return 2 + 2 * (ptrdiff_t)ceil(fabs(how->meshes));
+}
+
+static void guess_field(const ovr_simulation *sim, const formula *how,
+                        double *const past[OVR_PAST], double *guess)
+{
+    ptrdiff_t margin = margin_of(how);
+    memcpy(guess, past[0], sim->finest->grid.n * sizeof *guess);
+    (how->two_terms ? carry : extrapolate)(sim, how, margin, past, guess);
+}
+
+/* What nobody told to move but with the surfaces' mean speed. */
+static formula untold(const ovr_simulation *sim, double dT)
 {
     const ovr_past *past = &sim->past;
-    if (past->steps < 1 || dT > longest * sim->finest->grid.D)
+    double a = sim->grids.op.speed * dT / sim->finest->grid.D;
+    if (dT > longest * sim->finest->grid.D)
         return last;
-    if (equal_steps(past, dT, 3) && moves_a_mesh(sim, dT))
+    if (equal_steps(past, dT, 3) && fabs(a - 1) < 0.01)
         return standing_and_moving;
     if (equal_steps(past, dT, 2))
         return parabola;
     return line(past->dT > 0 ? dT / past->dT : 0);
+}
+
+/* The formulas to choose from for features that move by `a` meshes a step and
+ * a film by so many, all of them for equal steps; how many. */
+static size_t candidates(const ovr_simulation *sim, double a, double film,
+                         bool three, formula found[OVR_GUESSES],
+                         size_t number[OVR_GUESSES])
+{
+    enum { NODES = 64 }; /* that no guess leaves alone */
+    const formula all[OVR_GUESSES] = {shifted(standing_and_moving, a),
+                                      shifted(by_two_steps, 2 * a),
+                                      two_terms(0, a),
+                                      two_terms(1, 2 * a),
+                                      shifted(standing_and_moving, film),
+                                      parabola,
+                                      last};
+    const bool can[OVR_GUESSES] = {three && is_whole(a),
+                                   three && is_whole(2 * a),
+                                   true,
+                                   true,
+                                   three && is_whole(film) && film != a,
+                                   true,
+                                   true};
+    size_t count = 0;
+    for (size_t k = 0; k < OVR_GUESSES; k++)
+        if (can[k] &&
+            2 * margin_of(&all[k]) + NODES < (ptrdiff_t)sim->finest->grid.n) {
+            found[count] = all[k];
+            number[count++] = k;
+        }
+    return count;
+}
+
+/* Whether the features' motion is followed in a step of dT, and the formulas
+ * for it. */
+static size_t follow(const ovr_simulation *sim, double dT,
+                     formula found[OVR_GUESSES], size_t number[OVR_GUESSES])
+{
+    const ovr_past *past = &sim->past;
+    double film = sim->grids.op.speed * dT / sim->finest->grid.D;
+    double a = sim->moving * film;
+    bool moves = isfinite(a) && a != 0;
+    if (!moves || dT > longest_moved * sim->finest->grid.D ||
+        !equal_steps(past, dT, 2))
+        return 0;
+    return candidates(sim, a, film, equal_steps(past, dT, 3), found, number);
+}
+
+static formula formula_for(const ovr_simulation *sim, double dT)
+{
+    formula found[OVR_GUESSES];
+    size_t number[OVR_GUESSES], count, best = OVR_GUESSES;
+    const double *off = sim->past.guess_error;
+    if (sim->past.steps < 1)
+        return last;
+    count = follow(sim, dT, found, number);
+    for (size_t k = 0; k < count; k++)
+        if (off[number[k]] > 0 &&
+            (best == OVR_GUESSES || off[number[k]] < off[number[best]]))
+            best = k;
+    return best < OVR_GUESSES ? found[best] : untold(sim, dT);
+}
+
+void ovr_guess_learn(ovr_simulation *sim, double dT)
+{
+    formula found[OVR_GUESSES];
+    size_t number[OVR_GUESSES], count = follow(sim, dT, found, number);
+    double *guess = sim->grids.scratch[0], *off = sim->past.guess_error;
+    for (size_t k = 0; k < count; k++) {
+        double *mean = &off[number[k]], error;
+        guess_field(sim, &found[k], sim->past.P, guess);
+        error = sim->grids.kernels->difference(sim->finest->grid.n, guess,
+                                               sim->now.P);
+        *mean = *mean > 0 ? (*mean + error) / 2 : error;
+    }
 }
 
 bool ovr_guess(ovr_simulation *sim, double dT, bool extrapolated)
@@ -105,12 +247,18 @@ bool ovr_guess(ovr_simulation *sim, double dT, bool extrapolated)
     double *guess = sim->grids.scratch[0];
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (ovr_field_rows[k].guessed) {
-            extrapolate(sim, &how, past->all[k], guess);
+            guess_field(sim, &how, past->all[k], guess);
             ovr_level_write(&sim->grids, sim->finest, guess,
                             sim->finest->f.all[k]);
         }
     sim->grids.H0 = 0;
     for (int k = 0; k < OVR_PAST; k++)
         sim->grids.H0 += how.H0[k] * past->H0[k];
-    return how.count == standing_and_moving.count;
+    return how.count == standing_and_moving.count &&
+           (sim->moving == 1 || isnan(sim->moving));
+}
+
+void ovr_simulation_moving(ovr_simulation *sim, double speed)
+{
+    sim->moving = speed;
 }

@@ -14,6 +14,9 @@
 
 #define OVR_FIELD_AGES(name, ...) double *name[OVR_PAST];
 
+/* Formulas to extrapolate what moves with the features (guess.c). */
+enum { OVR_GUESSES = 7 };
+
 /* The past that the time derivative and the extrapolation need: fields of
  * multigrid/fields.h one, two, ... steps ago. */
 typedef struct ovr_past {
@@ -30,6 +33,8 @@ typedef struct ovr_past {
     int still;      /* steps in a row that changed nothing */
     double dT_next; /* adaptive: the step wanted next */
     double change;  /* largest change of P, or of S, in the last step */
+    /* of P, of late, by each formula of guess.c; 0: not known */
+    double guess_error[OVR_GUESSES];
 } ovr_past;
 
 /* What the characteristic scheme needs beyond the inlet (characteristic.c). */
@@ -69,6 +74,7 @@ struct ovr_simulation {
     void *standing_data;
     bool standing_told;
     const ovr_history *load, *speed;
+    double moving; /* u_k/um of the features; NAN: nobody told */
 
     double *S;
     ovr_solution now;
@@ -180,6 +186,10 @@ bool ovr_inflow_reaches(const ovr_simulation *sim, double travel);
  * last time.  Whether it is close: not just the trend, but what moves has
  * been moved on. */
 bool ovr_guess(ovr_simulation *sim, double dT, bool extrapolated);
+
+/* What each formula would have guessed for the step of dT that was solved just
+ * now, before it becomes the past. */
+void ovr_guess_learn(ovr_simulation *sim, double dT);
 
 /* Local error of a step of h to the finest level's solution, rms over the wet
  * nodes, relative to H_cen; 0 when there is no past to judge by. */

@@ -25,6 +25,12 @@ static ovr_status visit_past(ovr_simulation *sim, ovr_visit *visit,
                      ago + 1);
             status = visit(context, name, sim->past.all[k][ago], bytes, err);
         }
+    for (int k = 0; !status && k < OVR_GUESSES; k++) {
+        char name[32];
+        snprintf(name, sizeof name, "guess_error_%d", k + 1);
+        status = visit(context, name, &sim->past.guess_error[k],
+                       sizeof sim->past.guess_error[k], err);
+    }
     return status;
 }
 

@@ -119,6 +119,7 @@ static ovr_simulation *set_up(ovr_arena arena, const ovr_contact *contact,
     sim->contact = *contact;
     sim->lubricant = *lubricant;
     sim->options = *options;
+    sim->moving = NAN;
     sim->scheme = ovr_scheme_record(sim->options.scheme);
     if (build(sim, err)) {
         ovr_simulation_free(sim);

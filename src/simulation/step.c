@@ -114,6 +114,7 @@ static void keep(double *ages[], int count, const double *values, size_t n)
 static void end_step(ovr_simulation *sim, double dT)
 {
     ovr_past *past = &sim->past;
+    ovr_guess_learn(sim, dT);
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (ovr_field_rows[k].past)
             keep(past->all[k], ovr_field_rows[k].past, sim->now.all[k],

@@ -300,6 +300,23 @@ double ovr_surfaces_wavelength(const ovr_surfaces *surfaces)
     return shortest;
 }
 
+/* Of what moves. */
+static double slope(const ovr_feature *f)
+{
+    return f->ratio != 0 ? amplitude(f) / f->finest : -1;
+}
+
+double ovr_surfaces_speed(const ovr_surfaces *surfaces)
+{
+    double most = -1, speed = NAN;
+    for (const entry *l = surfaces->first; l; l = l->next)
+        if (slope(&l->feature) > most) {
+            most = slope(&l->feature);
+            speed = l->feature.ratio;
+        }
+    return speed;
+}
+
 const char *ovr_surfaces_inside(const ovr_surfaces *surfaces, double inlet,
                                 double outlet)
 {
