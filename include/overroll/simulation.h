@@ -142,7 +142,7 @@ OVR_API ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err);
 
 /* What the last steady solve had to do beyond the ordinary, in words; "" when
  * its first attempt succeeded. */
-OVR_API const char *ovr_simulation_way(const ovr_simulation *sim);
+OVR_API const char *ovr_simulation_strategy(const ovr_simulation *sim);
 
 /* One implicit step of length dT > 0.  A step that does not converge is tried
  * again in several ways, then in halves; if all fail, the state is that of the

@@ -122,7 +122,7 @@ void cli_report_json(const ovr_run_info *s, FILE *to)
     const ovr_options *options = ovr_simulation_options(s->sim);
     json_writer json = json_begin(to);
     json_flag(&json, "converged", s->converged);
-    json_text(&json, "way", ovr_simulation_way(s->sim));
+    json_text(&json, "way", ovr_simulation_strategy(s->sim));
     cli_json_contact(&json, s->setup->contact);
     json_integer(&json, "nodes", (long long)ovr_simulation_state(s->sim)->n);
     json_integer(&json, "level", options->level);

@@ -161,9 +161,10 @@ void ovr_run_review_after(ovr_run *run)
     const ovr_simulation *sim = run->sim;
     const ovr_state *state = ovr_simulation_state(sim);
     double H_cen = ovr_simulation_observation(sim)->H_cen;
-    const char *way = ovr_simulation_way(sim);
-    if (*way)
-        say(&r, OVR_SAY_NOTE, "the steady solution took another way: %s", way);
+    const char *strategy = ovr_simulation_strategy(sim);
+    if (*strategy)
+        say(&r, OVR_SAY_NOTE, "the steady solution took another way: %s",
+            strategy);
     if (state->n && H_cen > 0 && state->H[0] < FLOODED * H_cen)
         warn_of_inlet(&r, sim, state->X[0], state->H[0] / H_cen);
 }

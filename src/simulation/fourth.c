@@ -43,7 +43,7 @@ bool ovr_fourth_stands_apart(ovr_simulation *sim)
 {
     size_t n = sim->finest->grid.n;
     double *S = sim->grids.scratch[0];
-    if (!sim->standing_told || !sim->heights)
+    if (!sim->standing_given || !sim->heights)
         return false;
     sim->heights(sim->heights_data, 0, n, sim->now.X, sim->S);
     standing_heights(sim, S);
@@ -64,7 +64,7 @@ void ovr_simulation_standing(ovr_simulation *sim, ovr_heights *standing,
 {
     sim->standing = standing;
     sim->standing_data = data;
-    sim->standing_told = true;
+    sim->standing_given = true;
 }
 
 int ovr_simulation_order(const ovr_simulation *sim)

@@ -72,7 +72,7 @@ struct ovr_simulation {
     void *heights_data;
     ovr_heights *standing; /* of what stands still, or NULL */
     void *standing_data;
-    bool standing_told;
+    bool standing_given;
     const ovr_history *load, *speed;
     double moving; /* u_k/um of the features; NAN: nobody told */
 
@@ -81,7 +81,7 @@ struct ovr_simulation {
     ovr_past past;
     ovr_inflow inflow;
     bool started;
-    int way; /* rung of the ladder that the steady solution was found on */
+    int strategy;      /* of steady.c, by which the steady solution was found */
     ovr_wanted wanted; /* the steady start */
     int order;         /* reached by it */
     ovr_correction correction;
@@ -156,14 +156,14 @@ bool ovr_surfaces_apart(const ovr_simulation *sim);
 /* How often a step is halved. */
 enum { OVR_HALVINGS = 4 };
 
-/* Says why a solve, or the step to T, gave up, and returns the status; the
+/* Reports why a solve, or the step to T, failed, and returns the status; the
  * finest level still has what the last attempt left. */
-ovr_status ovr_complain_steady(const ovr_simulation *sim,
-                               const ovr_outcome *outcome, double tolerance,
-                               ovr_error *err);
-ovr_status ovr_complain_step(const ovr_simulation *sim,
-                             const ovr_outcome *outcome, double T,
-                             ovr_error *err);
+ovr_status ovr_failure_steady(const ovr_simulation *sim,
+                              const ovr_outcome *outcome, double tolerance,
+                              ovr_error *err);
+ovr_status ovr_failure_step(const ovr_simulation *sim,
+                            const ovr_outcome *outcome, double T,
+                            ovr_error *err);
 
 /* The history term F of the finest grid and the operator for a step of dT to
  * T + dT (time_derivative.c). */

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The steady solution: full multigrid (multigrid/full.h), and when it fails
- * other ways of going about it; then, where order four is wanted, its
- * correction (multigrid/fourth_order.h).
+ * other strategies; then, where order four is wanted, its correction
+ * (multigrid/fourth_order.h).
  *
  * A run keeps the corrections of its steady start, so they must not hold what
- * moves away.  Where the surfaces that stand still are told, the corrections
+ * moves away.  Where the surfaces that stand still are known, the corrections
  * are those of the contact with these alone, and the start is solved with
  * them.  They stay right as long as load and speed do.
  */
@@ -54,31 +54,32 @@ static double first_tolerance(const void *data, const ovr_level *level,
     return wanted;
 }
 
-/* The ladder a solve climbs when it fails: smaller steps in load on a finer
- * level, then a finer coarsest grid, more sweeps and stronger damping. */
-typedef struct rung {
+/* What a solve tries in turn until it converges: first the ordinary, then
+ * smaller steps in load on a finer level, then also a finer coarsest grid, more
+ * sweeps and stronger damping. */
+typedef struct strategy {
     double load_factor; /* largest step of the continuation in load */
     double mesh;        /* its D over H^(2/3), the length of the inlet's rise */
     int sweeps, newton_steps, finer_bottom;
     double limit, newton_limit; /* of changes in P */
     const char *what;
-} rung;
+} strategy;
 
-static const rung ladder[] = {
+static const strategy strategies[] = {
     {1.6, 0.3, 0, 1, 0, 0.1, 0.3, ""},
     {1.25, 0.15, 0, 1, 0, 0.1, 0.3,
      "the load was raised in smaller steps on a finer level"},
     {1.25, 0.15, 2, 2, 1, 0.03, 0.1,
      "the load was raised in smaller steps on a finer level, with a finer "
      "coarsest grid, more sweeps and stronger damping"}};
-enum { RUNGS = sizeof ladder / sizeof *ladder };
+enum { STRATEGIES = sizeof strategies / sizeof *strategies };
 
-const char *ovr_simulation_way(const ovr_simulation *sim)
+const char *ovr_simulation_strategy(const ovr_simulation *sim)
 {
-    return sim->way < RUNGS ? ladder[sim->way].what : "";
+    return sim->strategy < STRATEGIES ? strategies[sim->strategy].what : "";
 }
 
-static ovr_full full_of(ovr_simulation *sim, const rung *how)
+static ovr_full full_of(ovr_simulation *sim, const strategy *how)
 {
     const ovr_options *o = &sim->options;
     bool fixed = o->stop == OVR_STOP_FIXED;
@@ -249,9 +250,9 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
     ovr_operator op = {.speed = sim->wanted.Cu};
     ovr_reynolds_wedge(&op, sim->scheme->order == 2, op.speed);
     ovr_hierarchy_operator(&sim->grids, &op);
-    for (int k = 0; k < RUNGS && !outcome.converged; k++) {
-        ovr_full how = full_of(sim, &ladder[k]);
-        outcome.retries = sim->way = k;
+    for (int k = 0; k < STRATEGIES && !outcome.converged; k++) {
+        ovr_full how = full_of(sim, &strategies[k]);
+        outcome.retries = sim->strategy = k;
         sim->refinements = 0;
         outcome.defect = solve(sim, &how, &outcome.cycles);
         ovr_simulation_read(sim);
@@ -267,5 +268,5 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
     sim->started = outcome.converged;
     return outcome.converged
                ? OVR_OK
-               : ovr_complain_steady(sim, &outcome, tolerance, err);
+               : ovr_failure_steady(sim, &outcome, tolerance, err);
 }

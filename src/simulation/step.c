@@ -226,7 +226,7 @@ ovr_status ovr_simulation_attempt(ovr_simulation *sim, double next, bool *taken,
         return OVR_OK;
     }
     if (!*taken) {
-        status = ovr_complain_step(sim, &outcome, next, err);
+        status = ovr_failure_step(sim, &outcome, next, err);
         ovr_simulation_return(sim);
         return status;
     }

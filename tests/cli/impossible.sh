@@ -111,13 +111,13 @@ kept thin.h5 "$thin"
 level=$(sed -n "s/.*; level \([0-9]*\) resolves it\$/\1/p" err)
 expect 0 "$OVERROLL" steady thin.ini --level "${level:-9}"
 
-# None of these: how far it came, after all rungs of the ladder
+# None of these: how far it came, after all strategies
 far='the steady solution did not converge in any of 3 ways: relative '
 printf '[contact]\nM = 20\nL = 10\n' >far.ini
 gives_up "$far" run far.ini -o far.h5 --set solver.tolerance=1e-16
 kept far.h5 "$far"
 
-# A rung that was needed is told (some of these are too thin for the mesh)
+# Another strategy is reported (some of these are too thin for the mesh)
 told=
 for M in 200 300 400 500; do
     "$OVERROLL" steady --M $M --L 3 --level 6 --json >out 2>err

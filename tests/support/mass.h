@@ -21,7 +21,8 @@ typedef struct test_ending {
     char what[200]; /* the case in a line */
     ovr_error err;
     double seconds;
-    int cycles, retries; /* steady: rungs climbed; transient: attempts */
+    int cycles,
+        retries; /* steady: strategies tried before; transient: attempts */
     long steps, marked;
     bool number; /* every value and observation is a number where it should */
 } test_ending;

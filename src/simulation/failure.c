@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Why a solve gave up, in words: what of the physics or the mesh stands in
- * the way when that can be told, else how far from solved it ended.
+ * Why a solve failed, in words: what in the physics or the mesh prevents a
+ * solution where that is known, else how far from converged it ended.
  *
  * The pressure builds up within about H^(2/3) before the contact.  A mesh
  * wider than 0.3 of that length follows the build-up badly; one wider than
@@ -42,7 +42,7 @@ static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
 }
 
 /* Not far from a solution, whose film is negative somewhere: R was 1e-5 to 20
- * where surfaces touch, 1e6 where a solve had gone astray. */
+ * where surfaces touch, 1e6 where a solve had diverged. */
 static bool surfaces_overlap(const ovr_simulation *sim, const ovr_defect *d)
 {
     return !ovr_surfaces_apart(sim) && fabs(d->imbalance) < 1e3;
@@ -70,9 +70,9 @@ static ovr_status too_few_cycles(const ovr_simulation *sim, ovr_error *err)
                     sim->options.cycles, last->algebraic, last->difference);
 }
 
-ovr_status ovr_complain_steady(const ovr_simulation *sim,
-                               const ovr_outcome *outcome, double tolerance,
-                               ovr_error *err)
+ovr_status ovr_failure_steady(const ovr_simulation *sim,
+                              const ovr_outcome *outcome, double tolerance,
+                              ovr_error *err)
 {
     bool fixed = sim->options.stop == OVR_STOP_FIXED;
     if (fixed && sim->refinements > 0 && ovr_surfaces_apart(sim))
@@ -89,9 +89,9 @@ ovr_status ovr_complain_steady(const ovr_simulation *sim,
                     outcome->defect.load, outcome->cycles);
 }
 
-ovr_status ovr_complain_step(const ovr_simulation *sim,
-                             const ovr_outcome *outcome, double T,
-                             ovr_error *err)
+ovr_status ovr_failure_step(const ovr_simulation *sim,
+                            const ovr_outcome *outcome, double T,
+                            ovr_error *err)
 {
     if (surfaces_overlap(sim, &outcome->defect))
         return touching(sim, T, err);
