@@ -94,7 +94,8 @@ OVR_API ovr_status ovr_figure(const ovr_table *table,
 /* ------------------------------------------------------ frames and movies */
 
 typedef struct ovr_frames_options {
-    ovr_picture_options look; /* of each; kind, path and times are not used */
+    ovr_picture_options look; /* of each; path and times are not used; kind:
+                                 OVR_PICTURE_STRESS, else a snapshot */
     const char *folder;       /* where the frames go; NULL: only the movie */
     const char *form;         /* "png" (NULL), "svg", "pdf" */
     size_t every;             /* every so many snapshots; 0: all */

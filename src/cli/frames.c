@@ -15,6 +15,9 @@ static const cli_option options[] = {
     {"every", "N", "every so many snapshots", false},
     {"form", "FORM", "png (default), svg or pdf", false},
     {"jobs", "N", "gnuplots at once (one a core)", false},
+    {"stress", "FIELD", "the stresses below too: max_shear, tau_xz, ...",
+     false},
+    {"depth", "SCALE", "of the stresses: linear (default) or log", false},
     {"script", NULL, "write each frame's gnuplot script and data too", false},
     CLI_RANGE_OPTIONS,
     {NULL, NULL, NULL, false},
@@ -54,6 +57,11 @@ static int take_options(const cli_call *call, ovr_frames_options *o)
     o->movie = cli_value(call, "movie");
     o->form = cli_value(call, "form");
     o->scripts = cli_flag(call, "script");
+    o->look.field = cli_value(call, "stress");
+    if (o->look.field)
+        o->look.kind = OVR_PICTURE_STRESS;
+    o->look.log_depth = cli_value(call, "depth") &&
+                        strcmp(cli_value(call, "depth"), "log") == 0;
     if (!code && !o->folder && !o->movie)
         code = cli_usage(call, "where to? -o DIR or --movie NAME.mp4");
     if (!code && o->scripts && !o->folder)

@@ -193,14 +193,15 @@ static ovr_status map_panel(const history *h, ovr_panel *panel, ovr_error *err)
                                         err);
     if (!v || !series)
         return OVR_NO_MEMORY;
-    *panel = (ovr_panel){.x_label = "place in the material, b",
-                         .y_label = "log_{10} depth / b",
-                         .x_from = h->xi[0],
-                         .x_to = h->xi[h->points - 1],
-                         .y_from = log10(h->z[h->depths - 1]),
-                         .y_to = log10(h->z[0]),
-                         .height = 2,
-                         .series = series};
+    *panel = (ovr_panel){
+        .x_label = "place in the material, b (trailing side at the left)",
+        .y_label = "log_{10} depth / b",
+        .x_from = h->xi[0],
+        .x_to = h->xi[h->points - 1],
+        .y_from = log10(h->z[h->depths - 1]),
+        .y_to = log10(h->z[0]),
+        .height = 2,
+        .series = series};
     for (size_t r = 0; r < CELLS_Z; r++)
         for (size_t c = 0; c < CELLS_X; c++) {
             double xi = panel->x_from + (panel->x_to - panel->x_from) *
@@ -228,15 +229,16 @@ static ovr_status line_panel(const history *h, const char *label,
     for (size_t k = 0; k < h->points; k++)
         low = fmin(low, y[k]), high = fmax(high, y[k]);
     double room = 0.1 * fmax(high - low, 1e-12);
-    *panel = (ovr_panel){.x_label = "place in the material, b",
-                         .y_label = label,
-                         .x_from = h->xi[0],
-                         .x_to = h->xi[h->points - 1],
-                         .y_from = low - room,
-                         .y_to = high + room,
-                         .height = 0.7,
-                         .count = 1,
-                         .series = series};
+    *panel = (ovr_panel){
+        .x_label = "place in the material, b (trailing side at the left)",
+        .y_label = label,
+        .x_from = h->xi[0],
+        .x_to = h->xi[h->points - 1],
+        .y_from = low - room,
+        .y_to = high + room,
+        .height = 0.7,
+        .count = 1,
+        .series = series};
     series[0] = (ovr_series){.n = h->points,
                              .x = h->xi,
                              .y = y,
@@ -283,10 +285,11 @@ ovr_status ovr_draw_risk(const ovr_sitting *s, ovr_chart *chart, ovr_error *err)
         return OVR_NO_MEMORY;
     if (h.life && h.risk_smooth > 0 && risk_panel(&h, &panel[rows++], err))
         return OVR_NO_MEMORY;
-    snprintf(note, 200,
-             "trailing side at the left; worst R %.3g p_h at %.3g b, %.3g b "
-             "deep, from %.3g b down; smooth %.3g",
-             h.worst, h.worst_xi, h.worst_z, h.least, largest_smooth(&h));
+    snprintf(
+        note, 200,
+        "worst R %.3g p_h at %.3g b, %.3g b deep; smooth %.3g; from %.3g b "
+        "down",
+        h.worst, h.worst_xi, h.worst_z, largest_smooth(&h), h.least);
     *chart = (ovr_chart){.title = o->title ? o->title : s->runs->info->title,
                          .subtitle = note,
                          .width = o->width > 0 ? o->width : 1280,

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "base/plain.h"
+#include "pictures/depth_field.h"
 #include "pictures/gnuplot.h"
 #include "pictures/movie.h"
 #include "pictures/picture.h"
@@ -40,6 +41,8 @@ typedef struct studio {
     ovr_form form;
     ovr_look look;
     ovr_snapshot_chart *chart;
+    bool below; /* the stresses too */
+    ovr_depth_field field;
     ovr_text script;
     ovr_gnuplot *gnuplot;
     size_t workers;
@@ -78,12 +81,34 @@ static ovr_status read_frame(studio *s, size_t i, ovr_error *err)
     return status;
 }
 
+/* The field's one scale for the whole run, and its x for all panels. */
+static ovr_status find_field(studio *s, ovr_error *err)
+{
+    ovr_picture_options *look = &s->own.look;
+    ovr_status status;
+    s->below = look->kind == OVR_PICTURE_STRESS;
+    if (!s->below)
+        return OVR_OK;
+    if (s->count > 1)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "a picture of stresses shows one result");
+    status = ovr_depth_field_make(&s->field, s->runs, look->field,
+                                  look->log_depth,
+                                  look->surface ? look->surface : 1,
+                                  look->x_from, look->x_to, s->arena, err);
+    look->x_from = s->field.x_from;
+    look->x_to = s->field.x_to;
+    if (look->height <= 0)
+        look->height = 960;
+    return status;
+}
+
 static ovr_status find_ranges(studio *s, ovr_error *err)
 {
     const ovr_picture_options *look = &s->o->look;
+    ovr_status status = find_field(s, err);
     ovr_extent extent = ovr_extent_make(look->x_from, look->x_to, s->runs,
                                         s->count);
-    ovr_status status = OVR_OK;
     for (size_t i = 0; status == OVR_OK && i < s->n; i++) {
         status = read_frame(s, i, err);
         for (size_t j = 0; status == OVR_OK && j < s->count; j++)
@@ -130,6 +155,9 @@ static void describe(const studio *s, ovr_text *to)
         ovr_text_put(to, " of ");
         ovr_text_gnuplot(to, s->runs[j].info->created);
     }
+    if (s->below)
+        ovr_text_print(to, "\nstress %s to %.9g%s", s->field.name,
+                       s->field.high, s->field.logarithmic ? " log" : "");
     ovr_text_put(to, "\n");
 }
 
@@ -210,13 +238,19 @@ static ovr_status ask_frame(studio *s, size_t i, ovr_error *err)
     name_frame(s, i, suffixes[s->form], path);
     name_frame(s, i, "gp", script);
     ovr_snapshot_draw(s->chart, &s->look, s->shots, 1, s->count, NULL);
+    ovr_arena once = ovr_arena_make(&s->arena->allocator);
+    if (s->below)
+        status = ovr_stress_panel_add(&s->field, s->shots, &s->look, s->chart,
+                                      &once, err);
     s->script.length = 0;
-    ovr_chart_script(&s->chart->chart, s->form, &s->script);
-    if (s->o->scripts)
+    if (status == OVR_OK)
+        ovr_chart_script(&s->chart->chart, s->form, &s->script);
+    if (status == OVR_OK && s->o->scripts)
         status = ovr_chart_write(&s->chart->chart, path, script,
                                  &s->arena->allocator, err);
     if (status == OVR_OK)
         status = ovr_gnuplot_ask(worker_of(s, i), &s->script, path, err);
+    ovr_arena_release(&once);
     if (status == OVR_OK)
         s->made->drawn++;
     return status;
@@ -283,6 +317,8 @@ static void clear_up(studio *s)
     for (size_t w = 0; s->gnuplot && w < s->workers; w++)
         ovr_gnuplot_stop(&s->gnuplot[w]);
     ovr_movie_stop(&s->movie);
+    if (s->below)
+        ovr_depth_field_free(&s->field);
     if (!s->temporary[0])
         return;
     for (size_t i = 0; i < s->n; i++) {

@@ -54,4 +54,11 @@ void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_look *look,
                        const ovr_shot *shot, size_t instants, size_t runs,
                        const char *const *about);
 
+/* A panel below the last row: the stresses under one shot. */
+struct ovr_depth_field;
+ovr_status ovr_stress_panel_add(struct ovr_depth_field *field,
+                                const ovr_shot *shot, const ovr_look *look,
+                                ovr_snapshot_chart *to, ovr_arena *arena,
+                                ovr_error *err);
+
 #endif
