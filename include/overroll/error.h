@@ -30,7 +30,7 @@ extern "C" {
  * what it does not know has its default.  NAME_default() sets it, or NAME_fill
  * where no C header is included and `size` is set by hand. */
 #define OVR_SIZED(name)                                                        \
-    OVR_API void name##_fill(name *options);                                   \
+    OVR_API void name##_fill(name *options); /* NOLINT(*-parentheses) */       \
     static inline name name##_default(void)                                    \
     {                                                                          \
         name options;                                                          \

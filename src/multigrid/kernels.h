@@ -126,6 +126,7 @@ enum { OVR_FOURTH_MARGIN = 8 };
     K(void, dense_row, (size_t n, const double c[4], const double *k, \
                         double *row)) \
     K(bool, dense_solve, (size_t m, size_t stride, double *A, double *x))
+/* NOLINTNEXTLINE(bugprone-macro-parentheses) */
 #define OVR_KERNEL_POINTER(type, name, arguments) type(*name) arguments;
 /* clang-format on */
 

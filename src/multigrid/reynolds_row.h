@@ -91,7 +91,8 @@ static inline num row_outflow(const ovr_fields *f, num half, ptrdiff_t J)
  */
 static inline truth row_holds(const ovr_fields *f, num r, num a0, ptrdiff_t J)
 {
-    return (at(f->P, J) <= 0) & (r >= -1e-12 * a0 * at(f->q, J));
+    truth dry = at(f->P, J) <= 0, content = r >= -1e-12 * a0 * at(f->q, J);
+    return dry & content;
 }
 
 /* e[m + 2] without d eps/dH, m = -2..0. */

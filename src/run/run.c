@@ -57,8 +57,9 @@ ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
     const ovr_allocator *allocator = &run->arena.allocator;
     if (!run->setup)
         run->setup = ovr_case_resolve(run->c, allocator, err);
-    if (run->setup)
-        run->sim = ovr_setup_simulation(run->setup, allocator, err);
+    if (!run->setup)
+        return OVR_BAD_INPUT;
+    run->sim = ovr_setup_simulation(run->setup, allocator, err);
     if (!run->sim)
         return OVR_BAD_INPUT;
     run->info.transient = run->setup->transient && !run->how.steady;
