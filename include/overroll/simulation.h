@@ -56,7 +56,9 @@ typedef struct ovr_options {
     double inlet, outlet; /* X_a < 0 < X_b; NAN: automatic; -4 and 1.5 */
     int level;            /* finest grid, n = 7 * 2^level + 1 nodes; 8 */
     int coarsest_level;   /* 0: automatic (3: 57 nodes); the paper's is 1 */
-    ovr_scheme scheme;
+    ovr_scheme scheme;    /* OVR_CHARACTERISTIC, for steps of one mesh; for
+                             others, and where load or speed vary,
+                             OVR_UPSTREAM2; steady solutions are the same */
     int order; /* 2; 4: corrected (fourth_order.h), with second-order schemes,
                   the line smoother and no fixed number of cycles only; 0: 4
                   where it applies */
@@ -193,6 +195,7 @@ typedef struct ovr_observation {
                             with the discretization */
     double X_cavitation; /* first dry node behind the last wet one */
     double residual;     /* relative mass-flow imbalance R */
+    int order;           /* ovr_simulation_order */
     int cycles;          /* multigrid cycles of this step */
     int retries;         /* attempts after the first one */
     int maxima;          /* maxima of P that stand out so */

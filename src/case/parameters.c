@@ -16,7 +16,8 @@ static const ovr_word density_laws[] = {
     {"dowson-higginson", OVR_DOWSON_HIGGINSON},
     {"incompressible", OVR_INCOMPRESSIBLE},
     {NULL, 0}};
-static const ovr_word schemes[] = {{"upstream1", OVR_UPSTREAM1},
+static const ovr_word schemes[] = {{"auto", -1},
+                                   {"upstream1", OVR_UPSTREAM1},
                                    {"upstream2", OVR_UPSTREAM2},
                                    {"characteristic", OVR_CHARACTERISTIC},
                                    {NULL, 0}};
@@ -207,7 +208,7 @@ static const ovr_parameter table[] = {
      "finest grid: 7 2^level + 1 nodes"},
     {"domain", "nodes", WHOLE(15, 58720257), NULL, AT(nodes), true,
      "instead of level: 7 2^k + 1"},
-    {"domain", "order", CHOICE(orders), "2", AT(options.order), true,
+    {"domain", "order", CHOICE(orders), "auto", AT(options.order), true,
      "of the steady solution, and of what a run keeps of it: 4 corrects film, "
      "Poiseuille flow and wedge on the finest grid; auto: 4 where it applies"},
 
@@ -231,9 +232,11 @@ static const ovr_parameter table[] = {
      "end of the run, which starts at 0; without it the case is steady"},
     {"time", "step", SPAN(steps, 1e3), "grid", AT(step), true,
      "time step; grid: the mesh size; adaptive: by the scheme's own error"},
-    {"time", "scheme", CHOICE(schemes), "upstream2", AT(options.scheme), true,
+    {"time", "scheme", CHOICE(schemes), "auto", AT(scheme), true,
      "discretization in X and T: upstream1 with backward Euler, upstream2 "
-     "with BDF2, or narrow second order along the characteristic"},
+     "with BDF2, or narrow second order along the characteristic; auto: "
+     "characteristic in runs with step = grid at constant load and speed, "
+     "upstream2 else"},
     {"time", "error", PLAIN(1e-9, 0.1), "1e-4", AT(error), true,
      "adaptive: relative error of the film in a step"},
     {"time", "until_steady", FLAG, "no", AT(until_steady), false,

@@ -72,6 +72,7 @@ typedef struct ovr_settings {
     int viscosity_law, density_law;
     double p0, z;
     ovr_options options;
+    int scheme; /* -1: by the steps and histories */
     int nodes;
     double end, step, error;
     bool until_steady;

@@ -271,6 +271,19 @@ static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
 
 /* ------------------------------------------------------------------- time */
 
+/* Steps of one mesh along the characteristic carry what moves without error;
+ * with others, and under histories, the separate terms do better. */
+static ovr_scheme choose_scheme(const ovr_resolved *r)
+{
+    const ovr_setup *s = &r->setup;
+    bool grid = s->transient && !s->march->adaptive && s->march->dT == 0;
+    if (r->values.scheme >= 0)
+        return (ovr_scheme)r->values.scheme;
+    return grid && !ovr_history_varies(s->load) && !ovr_history_varies(s->speed)
+               ? OVR_CHARACTERISTIC
+               : OVR_UPSTREAM2;
+}
+
 static ovr_status resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
                                ovr_error *err)
 {
@@ -291,8 +304,10 @@ static ovr_status resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
         return OVR_BAD_INPUT;
     if (ovr_resolve_history(r, "load", &v->load, allocator, &s->load, err))
         return err ? err->status : OVR_BAD_INPUT;
-    return ovr_resolve_history(r, "speed", &v->speed, allocator, &s->speed,
-                               err);
+    if (ovr_resolve_history(r, "speed", &v->speed, allocator, &s->speed, err))
+        return err ? err->status : OVR_BAD_INPUT;
+    s->options->scheme = choose_scheme(r);
+    return OVR_OK;
 }
 
 /* --------------------------------------------------------------- features */

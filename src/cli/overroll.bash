@@ -59,7 +59,7 @@ _overroll_values() {
     solver.tolerance) echo 'auto' ;;
     time.end) echo '' ;;
     time.step) echo 'grid adaptive' ;;
-    time.scheme) echo 'upstream1 upstream2 characteristic' ;;
+    time.scheme) echo 'auto upstream1 upstream2 characteristic' ;;
     time.error) echo '' ;;
     time.until_steady) echo 'yes no' ;;
     load.history) echo 'constant ramp sine step table' ;;

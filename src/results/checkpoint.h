@@ -72,4 +72,8 @@ bool ovr_restart_holds(const ovr_restart *restart, const char *name,
 const char *ovr_restart_created(const ovr_restart *restart);
 const ovr_counts *ovr_restart_counts(const ovr_restart *restart);
 
+/* OVR_BAD_INPUT naming the first parameter of physics that differs. */
+ovr_status ovr_values_same(size_t were, const ovr_case_value *was, size_t count,
+                           const ovr_case_value *values, ovr_error *err);
+
 #endif

@@ -278,20 +278,24 @@ static ovr_status differs(const ovr_case_value *was, const ovr_case_value *is,
                     is ? is->text : "not there");
 }
 
+ovr_status ovr_values_same(size_t were, const ovr_case_value *was, size_t count,
+                           const ovr_case_value *values, ovr_error *err)
+{
+    for (size_t k = 0; k < were; k++) {
+        const ovr_case_value *is = find(values, count, was[k].name);
+        if (was[k].physics && (!is || strcmp(was[k].text, is->text) != 0))
+            return differs(&was[k], is, err);
+    }
+    for (size_t k = 0; k < count; k++)
+        if (values[k].physics && !find(was, were, values[k].name))
+            return differs(NULL, &values[k], err);
+    return OVR_OK;
+}
+
 ovr_status ovr_restart_check(const ovr_restart *r, size_t count,
                              const ovr_case_value *values, ovr_error *err)
 {
-    for (size_t k = 0; k < r->info.value_count; k++) {
-        const ovr_case_value *was = &r->values[k];
-        const ovr_case_value *is = find(values, count, was->name);
-        if (was->physics && (!is || strcmp(was->text, is->text) != 0))
-            return differs(was, is, err);
-    }
-    for (size_t k = 0; k < count; k++)
-        if (values[k].physics &&
-            !find(r->values, r->info.value_count, values[k].name))
-            return differs(NULL, &values[k], err);
-    return OVR_OK;
+    return ovr_values_same(r->info.value_count, r->values, count, values, err);
 }
 
 static bool find_state(const ovr_restart *r, const char *name, piece *p)

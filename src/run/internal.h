@@ -19,6 +19,8 @@ struct ovr_run {
     ovr_restart *restart;   /* of a run gone on with */
     bool resumed;           /* the case is its own */
     bool restored;          /* the state is a checkpoint's: no steady start */
+    ovr_case_value *began;  /* of a resumed run: what it began with */
+    size_t began_count;
     ovr_run_info info;
 };
 
@@ -46,6 +48,14 @@ ovr_status ovr_output_check(const char *path, bool force, ovr_error *err);
 /* The writer of a new file; its checkpoints will hold the simulation's state.
  */
 ovr_status ovr_output_open(ovr_run *run, ovr_error *err);
+
+/* Every parameter of a case with a value, as files record them. */
+ovr_case_value *ovr_run_values(const ovr_case *c, size_t *count);
+void ovr_run_free_values(ovr_case_value *values, size_t count);
+
+/* Gives the case of a resumed run what its file recorded (began.c). */
+ovr_status ovr_began(ovr_case *c, const ovr_restart_info *of, const char *path,
+                     ovr_error *err);
 
 /* The file of an earlier run, gone on with: first what may be refused (another
  * physics), then the checkpoint's state into the simulation, then the file. */

@@ -8,6 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "results/checkpoint.h"
 #include "run/internal.h"
 
 enum { NAME_ROOM = 128, TIMES_MOST = 100000 };
@@ -54,7 +55,7 @@ static char *full_name(const ovr_case_entry *entry)
     return name;
 }
 
-static void free_values(ovr_case_value *values, size_t count)
+void ovr_run_free_values(ovr_case_value *values, size_t count)
 {
     for (size_t k = 0; values && k < count; k++)
         free((void *)values[k].name);
@@ -62,7 +63,7 @@ static void free_values(ovr_case_value *values, size_t count)
 }
 
 /* The attributes of the group `case`: every parameter with a value. */
-static ovr_case_value *case_values(const ovr_case *c, size_t *count)
+ovr_case_value *ovr_run_values(const ovr_case *c, size_t *count)
 {
     size_t all = ovr_case_entries(c), n = 0;
     ovr_case_value *values = calloc(all + 1, sizeof *values);
@@ -79,7 +80,7 @@ static ovr_case_value *case_values(const ovr_case *c, size_t *count)
         values[n].unit = entry.unit;
         values[n].physics = info.physics;
         if (!values[n++].name) {
-            free_values(values, n);
+            ovr_run_free_values(values, n);
             return NULL;
         }
     }
@@ -169,7 +170,7 @@ static char *absolute(const char *folder)
 static ovr_status want(wanted *w, ovr_run *run, ovr_error *err)
 {
     w->options = ovr_write_options_default();
-    w->values = case_values(run->c, &w->options.value_count);
+    w->values = ovr_run_values(run->c, &w->options.value_count);
     w->times = make_times(run->setup, &w->options.time_count);
     w->options.path = run->info.output;
     w->options.times = w->times;
@@ -185,7 +186,7 @@ static ovr_status want(wanted *w, ovr_run *run, ovr_error *err)
 
 static void unwant(wanted *w)
 {
-    free_values(w->values, w->options.value_count);
+    ovr_run_free_values(w->values, w->options.value_count);
     free(w->times);
     free(w->folder);
 }
@@ -223,8 +224,8 @@ ovr_status ovr_output_reopen(ovr_run *run, ovr_error *err)
     ovr_writer *writer = NULL;
     ovr_status status = want(&w, run, err);
     if (status == OVR_OK && restart)
-        status = ovr_restart_check(restart, w.options.value_count, w.values,
-                                   err);
+        status = ovr_values_same(run->began_count, run->began,
+                                 w.options.value_count, w.values, err);
     if (status == OVR_OK && restart && ovr_restart_about(restart)->has_state)
         status = ovr_restart_load(restart, run->sim, err);
     if (status == OVR_OK && restart && run->stress &&

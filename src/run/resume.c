@@ -73,12 +73,23 @@ static ovr_status go_back(ovr_run *run, ovr_error *err)
     return OVR_OK;
 }
 
+/* Before anything is changed in it. */
+static ovr_status as_it_began(ovr_run *run, ovr_error *err)
+{
+    if (run->restart && ovr_began(run->c, ovr_restart_about(run->restart),
+                                  run->info.output, err))
+        return OVR_BAD_INPUT;
+    run->began = ovr_run_values(run->c, &run->began_count);
+    return run->began ? OVR_OK : ovr_fail(err, OVR_NO_MEMORY, "out of memory");
+}
+
 static ovr_status prepare(ovr_run *run, const char *path, ovr_error *err)
 {
     const ovr_run_options *how = &run->how;
     run->info.output = ovr_arena_text(&run->arena, path, err);
     run->c = run->info.output ? find_case(run, err) : NULL;
-    if (!run->c || (how->change && how->change(how->data, run->c, err)))
+    if (!run->c || as_it_began(run, err) ||
+        (how->change && how->change(how->data, run->c, err)))
         return OVR_BAD_INPUT;
     return ovr_run_set_up(run, err) ? OVR_BAD_INPUT : go_back(run, err);
 }

@@ -85,6 +85,30 @@ static void warn_of_start(const review *r)
             OVR_LEAST_START);
 }
 
+/* Upstream schemes smear out what moves on few nodes; below so many a width
+ * the characteristic scheme is clearly better (at 160 hardly, at 130 in P). */
+static void warn_of_smearing(const review *r)
+{
+    const double enough = 150;
+    const ovr_setup *s = r->setup;
+    size_t n = ovr_surfaces_count(s->surfaces);
+    if (!s->transient || s->options->scheme == OVR_CHARACTERISTIC)
+        return;
+    for (size_t k = 0; k < n; k++) {
+        ovr_feature_info info = ovr_surfaces_info(s->surfaces, k);
+        double nodes = info.wavelength / s->mesh;
+        if (info.speed == 0 || !(nodes < enough))
+            continue;
+        say(r, OVR_SAY_WARNING,
+            "feature '%s' moves on %.0f nodes a width, on which an upstream "
+            "scheme smears it out: take scheme = characteristic with step = "
+            "grid, or level %d",
+            info.name, nodes,
+            s->options->level + (int)ceil(log2(enough / nodes)));
+        return;
+    }
+}
+
 static void warn_of_features(const review *r, bool transient)
 {
     const ovr_surfaces *surfaces = r->setup->surfaces;
@@ -97,6 +121,7 @@ static void warn_of_features(const review *r, bool transient)
             "%.1f meshes; level %d would resolve it",
             wave, wave / D,
             options->level + (int)ceil(log2(MESHES_A_WAVE * D / wave)));
+    warn_of_smearing(r);
     inside = ovr_surfaces_inside(surfaces, options->inlet, options->outlet);
     if (inside && transient)
         say(r, OVR_SAY_WARNING,
@@ -155,6 +180,21 @@ static void warn_of_inlet(const review *r, const ovr_simulation *sim, double X,
         X, films, share);
 }
 
+/* Order four was taken or wanted, and is not what was reached. */
+static void warn_of_order(const review *r)
+{
+    const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
+    bool varies = ovr_history_varies(r->setup->load) ||
+                  ovr_history_varies(r->setup->speed);
+    if (varies && !ovr_block_get(domain, "order")->given)
+        return;
+    say(r, varies ? OVR_SAY_WARNING : OVR_SAY_NOTE,
+        "the solution is of second order: %s",
+        varies ? "corrections of fourth order hold for one load and speed"
+               : "the corrections of fourth order did not converge on this "
+                 "mesh");
+}
+
 void ovr_run_review_after(ovr_run *run)
 {
     review r = {run->c, run->setup, ovr_run_say, run};
@@ -162,6 +202,8 @@ void ovr_run_review_after(ovr_run *run)
     const ovr_state *state = ovr_simulation_state(sim);
     double H_cen = ovr_simulation_observation(sim)->H_cen;
     const char *strategy = ovr_simulation_strategy(sim);
+    if (run->setup->options->order == 4 && ovr_simulation_order(sim) != 4)
+        warn_of_order(&r);
     if (*strategy)
         say(&r, OVR_SAY_NOTE, "the steady solution took another way: %s",
             strategy);

@@ -113,6 +113,8 @@ static const ovr_observable table[] = {
            "first node without pressure behind the last with"),
     NUMBER("residual", "residual", NULL, NUMBER, residual,
            "relative mass-flow imbalance"),
+    NUMBER("order", "order", NULL, COUNT, order,
+           "order of the solution that the corrections belong to"),
     NUMBER("cycles", "cycles", NULL, COUNT, cycles,
            "multigrid cycles of the step"),
     NUMBER("retries", NULL, NULL, COUNT, retries, "attempts after the first"),

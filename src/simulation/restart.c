@@ -107,6 +107,8 @@ void ovr_simulation_restored(ovr_simulation *sim)
                                  .converged = seen.converged,
                                  .marked = seen.marked};
     sim->grids.fluid = sim->wanted.fluid;
+    if (!sim->order) /* version 0.1.0 */
+        ovr_fourth_forget(sim);
     if (!(sim->statistics.H_min > 0))
         sim->statistics.H_min = INFINITY;
     ovr_simulation_return(sim);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench.h"
+#include "support/contact.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -145,7 +146,7 @@ void bench_close(void)
 
 ovr_simulation *bench_contact(int level, ovr_scheme scheme, ovr_stop stop)
 {
-    ovr_options options = ovr_options_default();
+    ovr_options options = test_options();
     options.level = level;
     options.scheme = scheme;
     options.stop = stop;

@@ -10,6 +10,7 @@
 
 #include "bench.h"
 #include "simulation/internal.h"
+#include "support/contact.h"
 #include "support/test.h"
 
 static void solve(void *sim)
@@ -41,7 +42,7 @@ static bool by_lapack(size_t m, size_t stride, double *A, double *x)
 /* A single grid: nothing but Newton steps. */
 static double newton_seconds(int level, double *film)
 {
-    ovr_options options = ovr_options_default();
+    ovr_options options = test_options();
     ovr_simulation *sim;
     options.level = options.coarsest_level = level;
     sim = test_simulation(20, 10, &options);

@@ -14,7 +14,7 @@ static double bytes_a_node(int level, ovr_scheme scheme, ovr_smoother smoother)
 {
     ovr_error err = {0};
     test_faults hook;
-    ovr_options options = ovr_options_default();
+    ovr_options options = test_options();
     test_contact t = test_contact_make(20, 10);
     options.level = level;
     options.scheme = scheme;

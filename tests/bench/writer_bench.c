@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "overroll/overroll.h"
+#include "support/contact.h"
 
 enum { LEVEL = 8, TURNS = 5 };
 
@@ -61,7 +62,7 @@ static ovr_simulation *make_simulation(ovr_contact *contact)
 {
     ovr_error err = {0};
     ovr_conditions given = ovr_conditions_unknown();
-    ovr_options options = ovr_options_default();
+    ovr_options options = test_options();
     ovr_lubricant lubricant;
     ovr_simulation *sim = NULL;
     given.M = 20;

@@ -21,7 +21,7 @@ expect 0 "$OVERROLL" check a.ini
 contains out '^# lambda +0\.0041'
 contains out '^# central film \(Moes\) +H = 0\.'
 contains out '^depth = 0.1 um$'
-contains out '^scheme = upstream2 +# default$'
+contains out '^scheme = auto +# default$'
 cp out b.ini
 mv out first
 expect 0 "$OVERROLL" check b.ini

@@ -3,6 +3,7 @@
  * A sample of the loads (all 64 are in tests/verify/loads_test.c), the rigid
  * limit, and when a solve stops.
  */
+#include "support/contact.h"
 #include "support/test.h"
 
 #include <math.h>
@@ -13,7 +14,7 @@
 
 static ovr_options automatic(int level)
 {
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     o.level = level;
     o.inlet = o.outlet = NAN;
     return o;
@@ -43,7 +44,7 @@ static void test_film(void **state)
     for (size_t k = 0; k < sizeof truth_steady_rows / sizeof *truth_steady_rows;
          k += 4) {
         const truth_steady *e = &truth_steady_rows[k];
-        ovr_options o = ovr_options_default();
+        ovr_options o = test_options();
         o.level = 11;
         test_solution s = test_steady(e->M, e->L, &o);
         CHECK_OK(s.status, NULL);
@@ -98,7 +99,7 @@ static void test_truncation(void **state)
     (void)state;
     for (size_t k = 0; k < sizeof ML / sizeof *ML; k++)
         for (int order = 1; order <= 2; order++) {
-            ovr_options o = ovr_options_default();
+            ovr_options o = test_options();
             test_solution s, exact;
             o.level = 9;
             o.scheme = order == 1 ? OVR_UPSTREAM1 : OVR_UPSTREAM2;

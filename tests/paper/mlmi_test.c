@@ -4,6 +4,7 @@
  * L = 10, first-order wedge: differences from the automatic choice.  The paper
  * took 6th order to level 12 and 10th above.
  */
+#include "support/contact.h"
 #include "support/test.h"
 
 #include <math.h>
@@ -13,7 +14,7 @@
 
 static test_solution solve(int level, int order, int range)
 {
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     o.level = level;
     o.scheme = OVR_UPSTREAM1;
     o.stop = level > 10 ? OVR_STOP_TRUNCATION : OVR_STOP_NEGLIGIBLE;

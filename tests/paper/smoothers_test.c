@@ -14,7 +14,7 @@
 
 static test_solution solve(double M, double L, int level, ovr_smoother smoother)
 {
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     o.level = level;
     o.smoother = smoother;
     o.inlet = o.outlet = NAN;
@@ -87,7 +87,7 @@ static void test_ranges(void **state)
     test_contact c = test_contact_make(20, 10);
     (void)state;
     for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
-        ovr_options o = ovr_options_default();
+        ovr_options o = test_options();
         ovr_error err = {0};
         o.relax_seidel = wrong[k][0];
         o.relax_dipole = wrong[k][1];

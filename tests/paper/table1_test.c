@@ -4,6 +4,7 @@
  * refinement; the ratio of successive rows (about 2 for O(n ln n)) and the
  * speed-up over the paper's machine.  Times are reported, never judged.
  */
+#include "support/contact.h"
 #include "support/test.h"
 
 #include <stdio.h>
@@ -15,7 +16,7 @@ enum { FIRST = 5, PRINTED_LAST = 14 };
 
 static ovr_options fixed(int level, int index, bool paper)
 {
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     o.level = level;
     o.scheme = OVR_UPSTREAM1;
     o.cycle_index = index;

@@ -5,6 +5,7 @@
  * solution within 2e-5 in H_m and 1e-3 in P_s; the first-order wedge also to
  * the paper within 1.5e-4 and 2 %.
  */
+#include "support/contact.h"
 #include "support/test.h"
 
 #include <math.h>
@@ -15,7 +16,7 @@
 
 static test_solution solve(int level, int order, ovr_smoother smoother)
 {
-    ovr_options options = ovr_options_default();
+    ovr_options options = test_options();
     options.level = level;
     options.scheme = order == 1 ? OVR_UPSTREAM1 : OVR_UPSTREAM2;
     options.smoother = smoother;

@@ -26,7 +26,7 @@ static ovr_simulation *started(int level, ovr_scheme scheme, double tolerance,
                                const ovr_history *speed)
 {
     ovr_error err;
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     o.level = level;
     o.scheme = scheme;
     o.tolerance = tolerance;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The multigrid solver against the dense Newton solution of the same discrete
  * equations: steady, with a feature, and some time steps. */
+#include "support/contact.h"
 #include "support/newton.h"
 
 #include <math.h>
@@ -14,7 +15,7 @@ enum { LEVEL = 4 };
 
 static ovr_simulation *solver(double M, double L, ovr_scheme scheme)
 {
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     o.level = LEVEL;
     o.coarsest_level = 3;
     o.scheme = scheme;

@@ -10,7 +10,7 @@
 static void check_row(const truth_row *row, ovr_scheme scheme)
 {
     ovr_error err;
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     o.level = row->level;
     o.scheme = scheme;
     ovr_simulation *sim = test_simulation(20, 10, &o);
@@ -49,7 +49,7 @@ static void other_loads_at_level_12(void **state)
     for (size_t k = 0; k < rows; k++) {
         const truth_steady *row = &truth_steady_rows[k];
         ovr_error err;
-        ovr_options o = ovr_options_default();
+        ovr_options o = test_options();
         o.level = 12;
         ovr_simulation *sim = test_simulation(row->M, row->L, &o);
         CHECK_OK(ovr_simulation_steady(sim, &err), &err);
@@ -72,7 +72,7 @@ static void converges_at_the_schemes_order(void **state)
         double error[3];
         for (int k = 0; k < 3; k++) {
             ovr_error err;
-            ovr_options o = ovr_options_default();
+            ovr_options o = test_options();
             o.level = 7 + k;
             o.scheme = scheme[s];
             ovr_simulation *sim = test_simulation(20, 10, &o);
@@ -93,7 +93,7 @@ static void truncation_is_below_the_discretization_error(void **state)
     (void)state;
     for (size_t k = 0; truth_wedge_2[k].level <= 8; k++) {
         ovr_error err;
-        ovr_options o = ovr_options_default();
+        ovr_options o = test_options();
         const truth_row *row = &truth_wedge_2[k];
         o.level = row->level;
         o.stop = OVR_STOP_TRUNCATION;
@@ -111,7 +111,7 @@ static void truncation_is_below_the_discretization_error(void **state)
 static void mass_flow_is_constant(void **state)
 {
     ovr_error err;
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     static double flow[1793];
     (void)state;
     ovr_simulation *sim = test_simulation(20, 10, &o);
@@ -128,7 +128,7 @@ static void mass_flow_is_constant(void **state)
 static void high_load_is_hertzian(void **state)
 {
     ovr_error err;
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     o.level = 10;
     (void)state;
     ovr_simulation *sim = test_simulation(500, 8, &o);

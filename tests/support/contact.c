@@ -54,3 +54,12 @@ void test_feature_heights(void *feature, double T, size_t n, const double *X,
     for (size_t i = 0; i < n; i++)
         S[i] = height(feature, T, X[i]);
 }
+
+ovr_options test_options(void)
+{
+    ovr_options o = ovr_options_default();
+    o.inlet = -4, o.outlet = 1.5;
+    o.order = 2;
+    o.scheme = OVR_UPSTREAM2;
+    return o;
+}

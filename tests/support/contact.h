@@ -13,6 +13,10 @@ typedef struct test_contact {
 /* alpha = 1.7e-8 1/Pa, p0 = 1.98e8 Pa, z = 0.68, as in the paper. */
 test_contact test_contact_make(double M, double L);
 
+/* The state that truths are of, whatever the program's defaults: [-4, 1.5],
+ * second order, upstream wedge and BDF2. */
+ovr_options test_options(void);
+
 /* A simulation of it, or the test fails. */
 ovr_simulation *test_simulation(double M, double L, const ovr_options *options);
 

@@ -64,7 +64,7 @@ test_ending test_steady_case(uint64_t seed)
 {
     uint64_t random = scattered(seed);
     test_ending end = {.number = true};
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     double M = exp(test_random(&random, log(2), log(1000)));
     double L = test_random(&random, 0, 15), began = now();
     o.level = (int)test_random(&random, 6, 11);
@@ -166,7 +166,7 @@ test_ending test_transient_case(uint64_t seed)
 {
     uint64_t random = scattered(seed);
     test_ending end = {.number = true};
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     double M = exp(test_random(&random, log(5), log(200)));
     double L = test_random(&random, 2, 15), began = now();
     test_contact t = test_contact_make(M, L);

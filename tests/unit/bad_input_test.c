@@ -4,6 +4,7 @@
  * table of parameters: one line with file, line, key, value and what is
  * allowed.  A new parameter is covered by itself.
  */
+#include "support/contact.h"
 #include "support/test.h"
 
 #include <math.h>
@@ -426,7 +427,7 @@ static void memory_is_estimated_first(void **state)
 {
     const ovr_parameter_info level = *find("domain", "level");
     const ovr_allocator hook = {take, give, NULL};
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     double here = (double)sysconf(_SC_PHYS_PAGES) *
                   (double)sysconf(_SC_PAGE_SIZE);
     ovr_error err = {0};

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Case files: what is read, what is refused, what it resolves to. */
+#include "support/contact.h"
 #include "support/test.h"
 
 #include <math.h>
@@ -387,7 +388,7 @@ static void defaults_are_the_librarys(void **state)
 {
     ovr_case *c;
     ovr_setup *s = resolved(moes, &c);
-    ovr_options o = ovr_options_default(), *t;
+    ovr_options o = test_options(), *t;
     (void)state;
     done(c, s);
     c = ovr_case_read_text(moes, "t.ini", NULL, NULL, NULL);

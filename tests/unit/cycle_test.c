@@ -38,7 +38,7 @@ static bool watch(void *data, ovr_hierarchy *grids, ovr_level *level,
 static ovr_simulation *solved(void)
 {
     ovr_error err = {0};
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     o.level = LEVEL;
     ovr_simulation *sim = test_simulation(20, 10, &o);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);

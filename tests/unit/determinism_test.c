@@ -21,7 +21,7 @@ typedef struct ending {
 static bool run_on(const char *kernels, double M, ending *end)
 {
     ovr_error err = {0};
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     test_feature dent = {'l', -0.02, 0.5, -1.2, 1, 0};
     ovr_march march = {.size = sizeof march, .end = STEPS * 5.5 / (NODES - 1)};
     o.level = LEVEL;
@@ -83,7 +83,7 @@ static void same_cycles_on_a_fine_grid(void **state)
     (void)state;
     for (int k = 0; k < 4; k++) {
         ovr_error err = {0};
-        ovr_options o = ovr_options_default();
+        ovr_options o = test_options();
         const ovr_kernels *set = ovr_kernels_choose(names[k]);
         int count;
         if (!set)

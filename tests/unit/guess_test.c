@@ -137,7 +137,7 @@ static double error_of(double (*P)(double, double), double meshes, bool *close)
 {
     enum { MARGIN = 10 };
     ovr_error err;
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     o.level = 6;
     ovr_simulation *sim = test_simulation(20, 10, &o);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
@@ -209,7 +209,7 @@ static series roll(double tolerance)
     ovr_error err;
     series s;
     test_feature dent = {'l', -0.1, 0.5, -4.6, 1, 0};
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     o.level = 6;
     o.tolerance = tolerance;
     ovr_simulation *sim = test_simulation(20, 10, &o);

@@ -17,7 +17,7 @@ typedef struct kind {
 static ovr_simulation *create(const kind *k, const ovr_allocator *allocator)
 {
     ovr_error err;
-    ovr_options options = ovr_options_default();
+    ovr_options options = test_options();
     test_contact t = test_contact_make(20, 10);
     options.level = k->level;
     options.scheme = k->scheme;

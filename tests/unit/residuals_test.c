@@ -25,7 +25,7 @@ static const double enough = 1e-8;
 /* All that the history depends on is written out. */
 static ovr_options form(ovr_scheme scheme, double tolerance)
 {
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     o.inlet = -4;
     o.outlet = 1.5;
     o.level = 7;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A real run, stopped and gone on with, ends with the same file: every
  * dataset and every attribute but the dates, to the bit. */
+#include "support/contact.h"
 #include "support/test.h"
 
 #include <hdf5.h>
@@ -43,7 +44,7 @@ static void make_simulation(bench *b)
 {
     ovr_error err = {0};
     ovr_conditions given = ovr_conditions_unknown();
-    ovr_options options = ovr_options_default();
+    ovr_options options = test_options();
     ovr_lubricant lubricant;
     given.M = 20;
     given.L = 10;

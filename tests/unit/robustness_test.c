@@ -12,7 +12,7 @@
 static ovr_status steady(double M, double L, int level, int coarsest,
                          ovr_error *err)
 {
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     o.level = level;
     o.coarsest_level = coarsest;
     ovr_simulation *sim = test_simulation(M, L, &o);
@@ -66,7 +66,7 @@ static void negative_film_is_no_solution(void **state)
 static void levels_are_of_the_whole_load(void **state)
 {
     ovr_error err = {0};
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     int count;
     (void)state;
     o.level = 10;
@@ -91,7 +91,7 @@ static void wall(void *data, double T, size_t n, const double *X, double *S)
 static void what_cannot_be_is_taken_back(void **state)
 {
     ovr_error err = {0};
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     ovr_march march = {.size = sizeof march, .end = 4};
     (void)state;
     o.level = 5;

@@ -4,6 +4,7 @@
  * level 10, with both smoothers; and the film at level 12 against independent
  * grid-converged values.
  */
+#include "support/contact.h"
 #include "support/test.h"
 
 #include <math.h>
@@ -26,7 +27,7 @@ static void matrix(ovr_smoother smoother)
     for (size_t i = 0; i < 8; i++) {
         print_message("| %g |", M_of[i]);
         for (size_t j = 0; j < 8; j++) {
-            ovr_options o = ovr_options_default();
+            ovr_options o = test_options();
             o.level = 10;
             o.smoother = smoother;
             o.inlet = o.outlet = NAN;
@@ -62,7 +63,7 @@ static void test_film(void **state)
     for (size_t k = 0; k < sizeof truth_steady_rows / sizeof *truth_steady_rows;
          k++) {
         const truth_steady *e = &truth_steady_rows[k];
-        ovr_options o = ovr_options_default();
+        ovr_options o = test_options();
         o.level = 12;
         test_solution s = test_steady(e->M, e->L, &o);
         print_message("| %g | %g | %.7f | %.1e | %.7f | %.1e |\n", e->M, e->L,

@@ -38,7 +38,7 @@ static ovr_simulation *begin(double M, double L, int level, ovr_scheme scheme,
                              test_feature *feature, const ovr_history *load)
 {
     ovr_error err;
-    ovr_options o = ovr_options_default();
+    ovr_options o = test_options();
     o.level = level;
     o.scheme = scheme;
     ovr_simulation *sim = test_simulation(M, L, &o);

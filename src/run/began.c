@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A run goes on as it began: keys that its case does not give have the values
+ * that its file recorded, not today's defaults, and a key that the file does
+ * not know means what the program did then.
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "run/internal.h"
+
+enum { NAME_ROOM = 512 };
+
+/* What the program did before it had a key. */
+static const struct {
+    const char *name, *text;
+} once[] = {{"domain.order", "2"}, {"time.scheme", "upstream2"}};
+
+/* The first section is that of the key today; it may be recorded under the one
+ * it once belonged to. */
+static const struct {
+    const char *now, *before;
+} sections[] = {{"paper.", "solver."}};
+
+static const char *in_list(const ovr_restart_info *of, const char *name)
+{
+    for (size_t k = 0; k < of->value_count; k++)
+        if (!strcmp(of->values[k].name, name))
+            return of->values[k].text;
+    return NULL;
+}
+
+static const char *recorded(const ovr_restart_info *of, const char *name)
+{
+    const char *text = in_list(of, name);
+    for (size_t k = 0; !text && k < sizeof sections / sizeof *sections; k++) {
+        size_t length = strlen(sections[k].now);
+        char before[NAME_ROOM];
+        if (strncmp(name, sections[k].now, length) != 0)
+            continue;
+        int room = snprintf(before, sizeof before, "%s%s", sections[k].before,
+                            name + length);
+        text = room < NAME_ROOM ? in_list(of, before) : NULL;
+    }
+    for (size_t k = 0; !text && k < sizeof once / sizeof *once; k++)
+        if (!strcmp(name, once[k].name))
+            text = once[k].text;
+    return text;
+}
+
+ovr_status ovr_began(ovr_case *c, const ovr_restart_info *of, const char *path,
+                     ovr_error *err)
+{
+    for (size_t k = 0; k < ovr_case_entries(c); k++) {
+        ovr_case_entry e = ovr_case_entry_at(c, k);
+        char name[NAME_ROOM];
+        if (e.given)
+            continue;
+        snprintf(name, sizeof name, e.name ? "%s %s.%s" : "%s%s.%s", e.section,
+                 e.name ? e.name : "", e.key);
+        const char *text = recorded(of, name);
+        if (text && (!e.text || strcmp(text, e.text) != 0) &&
+            ovr_case_set(c, name, text, path, err))
+            return OVR_BAD_INPUT;
+    }
+    return OVR_OK;
+}
