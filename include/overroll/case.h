@@ -168,6 +168,7 @@ typedef struct ovr_setup {
     size_t nodes;           /* the three below by ovr_setup_prepare */
     double mesh;            /* D */
     ovr_surfaces *surfaces; /* NULL: smooth */
+    double bearable;        /* pressure that the material bears, Pa */
 } ovr_setup;
 
 /* Fails with OVR_BAD_INPUT naming file, line and key; nothing of the size of

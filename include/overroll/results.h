@@ -118,6 +118,10 @@ typedef enum ovr_run_status {
 /* Why the run failed, for the file's attribute `reason`; copied. */
 OVR_API void ovr_writer_reason(ovr_writer *writer, const char *reason);
 
+/* What was warned of, lines ended by '\n', for the attribute `warnings`;
+ * borrowed until the writer is closed. */
+OVR_API void ovr_writer_warnings(ovr_writer *writer, const char *warnings);
+
 /* Ends the file and frees the writer, also when it returns an error.  A
  * complete run gets its last state as a snapshot, whatever the schedule.  So
  * does a failed one, for inspection: the state of the last time reached, or

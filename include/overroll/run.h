@@ -62,6 +62,8 @@ typedef struct ovr_run_options {
                           ovr_error *err);
     /* Resuming: settings for the case (its end, what is stored). */
     ovr_status (*change)(void *data, ovr_case *c, ovr_error *err);
+    bool no_thread; /* compress and write in the caller's thread, as is done
+                       where this process may use one processor only */
 } ovr_run_options;
 
 /* Nothing but the case: the defaults of all above. */
@@ -88,8 +90,6 @@ typedef struct ovr_run_errors {
     double H_min, H_cen, P_max; /* at the end */
     double H_min_overall;       /* of the smallest film in time */
 } ovr_run_errors;
-
-enum { OVR_RUN_WARNINGS = 4, OVR_RUN_WARNING_SIZE = 240 };
 
 /* Stresses below a surface, as a run or a stored one leaves them: lengths in
  * b, stresses in p_h, maps value[depth * points + point]. */
@@ -126,8 +126,10 @@ typedef struct ovr_run_info {
     size_t snapshots;   /* in the file, when it is closed */
     ovr_run_errors error;
     const ovr_stress_report *stress[2]; /* of surface 1, 2; NULL: none */
-    int warnings;                       /* the first ones, for reports */
-    char warning[OVR_RUN_WARNINGS][OVR_RUN_WARNING_SIZE];
+    int warnings;                       /* so many were said, for reports */
+    const char *const *warning;
+    double lambda_ratio; /* central film at the end over the composite Rq of
+                            both surfaces; NAN: smooth */
 } ovr_run_info;
 OVR_API const ovr_run_info *ovr_run_about(const ovr_run *run);
 
@@ -150,7 +152,8 @@ ovr_stored_stress_report(const ovr_stored_stress *stress, int surface);
 OVR_API double ovr_setup_stress_memory(const ovr_setup *setup);
 
 /* What can be said of a prepared setup before it is solved: a grid too coarse
- * for its features, one of them inside from the start, a start from rest. */
+ * for its features, one of them inside from the start or never in the contact,
+ * a start from rest, an end within the first step, too much sliding. */
 OVR_API void ovr_setup_review(const ovr_setup *setup, ovr_listener *say,
                               void *data);
 

@@ -154,6 +154,10 @@ typedef struct ovr_feature_info {
                              nodes in it; of local shapes the feature's width */
     double behind, ahead; /* extent about its centre, b (may be infinite) */
     bool grows;           /* starts from nothing */
+    double Rq;            /* of what is rough (profiles, roughness, wave,
+                             chirp), b^2/R; 0: a single shape */
+    double last;          /* its last copy is so far behind it, b; 0 without
+                             copies, infinite when they have no end */
     const char *assumed;  /* profiles: what the reader assumed and what was
                              done, lines ended by '\n'; else "" */
 } ovr_feature_info;
@@ -168,6 +172,10 @@ OVR_API double ovr_surfaces_wavelength(const ovr_surfaces *surfaces);
 /* u_k/um of the surface with the steepest feature that moves, by its height
  * over its wavelength; NAN: nothing moves.  For ovr_simulation_moving. */
 OVR_API double ovr_surfaces_speed(const ovr_surfaces *surfaces);
+
+/* Composite roughness Rq of both surfaces, b^2/R: the root of the sum of the
+ * squares; 0 without any that is rough. */
+OVR_API double ovr_surfaces_roughness(const ovr_surfaces *surfaces);
 
 /* Name of the first feature that is in inlet < X < outlet at T = 0 with more
  * than a trace of its height, or NULL; those that grow, or that are endless,

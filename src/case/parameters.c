@@ -184,6 +184,9 @@ static const ovr_parameter table[] = {
     {"contact", "slide_to_roll", WITH_UNIT(OVR_SHARE, -1e3, 1e3), NULL,
      AT(contact.slide_to_roll), true,
      "(u1 - u2)/um, may be in %; 0 unless given"},
+    {"contact", "bearable_pressure", WITH_UNIT(OVR_PRESSURE, 1, 1e13), "4 GPa",
+     AT(bearable), false,
+     "above it a run is warned of: hardened steel yields there"},
 
     {"lubricant", "viscosity_law", CHOICE(viscosity_laws), "roelands",
      AT(viscosity_law), true, "viscosity against pressure"},

@@ -69,6 +69,7 @@ typedef struct ovr_change {
 /* Every value of a case but the features'. */
 typedef struct ovr_settings {
     ovr_conditions contact;
+    double bearable;
     int viscosity_law, density_law;
     double p0, z;
     ovr_options options;

@@ -197,6 +197,7 @@ static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
         return OVR_BAD_INPUT;
     if (fill_section(r, "contact", err) || fill_section(r, "lubricant", err))
         return OVR_BAD_INPUT;
+    r->setup.bearable = r->values.bearable;
     numbers = !isnan(given->M) || !isnan(given->L) || !isnan(given->lambda) ||
               !isnan(given->alphabar);
     if (numbers && isnan(given->alpha) && isnan(given->hertz_pressure))

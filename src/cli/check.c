@@ -17,26 +17,18 @@ typedef struct estimate {
     double nodes, mesh, steps, seconds, bytes;
 } estimate;
 
-/* What there is to warn of, or to note. */
-typedef struct heard {
-    const cli_call *call;
-    int warnings;
-    char warning[OVR_RUN_WARNINGS][OVR_RUN_WARNING_SIZE];
-} heard;
-
 static void hear(void *data, ovr_say kind, const char *text)
 {
-    heard *said = data;
-    if (kind != OVR_SAY_WARNING) {
-        if (said->call->verbosity >= 0)
-            fprintf(stderr, "overroll: %s\n", text);
-        return;
-    }
-    if (said->warnings == OVR_RUN_WARNINGS)
-        return;
-    snprintf(said->warning[said->warnings++], OVR_RUN_WARNING_SIZE, "%s", text);
-    if (said->call->verbosity >= 0)
-        fprintf(stderr, "overroll: warning: %s\n", text);
+    const cli_call *call = data;
+    if (call->verbosity >= 0)
+        fprintf(stderr, "overroll: %s%s\n",
+                kind == OVR_SAY_WARNING ? "warning: " : "", text);
+}
+
+static void hear_json(void *data, ovr_say kind, const char *text)
+{
+    if (kind == OVR_SAY_WARNING)
+        json_text(data, NULL, text);
 }
 
 /* Memory that counts itself: each piece is behind its size. */
@@ -266,7 +258,7 @@ static void json_parameters(json_writer *json, const ovr_case *c)
 }
 
 static void report_json(const ovr_case *c, const ovr_setup *setup,
-                        const heard *said, const estimate *cost)
+                        const estimate *cost)
 {
     const ovr_contact *contact = setup->contact;
     const ovr_options *options = setup->options;
@@ -293,19 +285,18 @@ static void report_json(const ovr_case *c, const ovr_setup *setup,
     json_number(&json, "memory_bytes", cost->bytes);
     json_number(&json, "estimated_seconds", cost->seconds);
     json_open_array(&json, "warnings");
-    for (int i = 0; i < said->warnings; i++)
-        json_text(&json, NULL, said->warning[i]);
+    ovr_setup_review(setup, hear_json, &json);
     json_close_array(&json);
     json_parameters(&json, c);
     json_end(&json);
 }
 
 static void report(const cli_call *call, const ovr_case *c,
-                   const ovr_setup *setup, double live, const heard *said)
+                   const ovr_setup *setup, double live)
 {
     estimate cost = estimate_cost(setup, live);
     if (call->json) {
-        report_json(c, setup, said, &cost);
+        report_json(c, setup, &cost);
         return;
     }
     put_contact(setup->contact);
@@ -329,9 +320,8 @@ static int run(cli_call *call)
         return code;
     setup = ovr_case_resolve(c, &counted, &err);
     if (setup && !ovr_setup_prepare(setup, &counted, &err)) {
-        heard said = {.call = call};
-        ovr_setup_review(setup, hear, &said);
-        report(call, c, setup, live, &said);
+        ovr_setup_review(setup, hear, call);
+        report(call, c, setup, live);
     } else {
         code = cli_fail(&err);
     }

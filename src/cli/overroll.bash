@@ -39,6 +39,7 @@ _overroll_values() {
     contact.speed_2) echo '' ;;
     contact.mean_speed) echo '' ;;
     contact.slide_to_roll) echo '' ;;
+    contact.bearable_pressure) echo '' ;;
     lubricant.viscosity_law) echo 'roelands barus isoviscous' ;;
     lubricant.density_law) echo 'dowson-higginson incompressible' ;;
     lubricant.viscosity) echo '' ;;

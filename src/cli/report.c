@@ -131,6 +131,7 @@ void cli_report_json(const ovr_run_info *s, FILE *to)
     json_number(&json, "inlet", options->inlet);
     json_number(&json, "outlet", options->outlet);
     json_integer(&json, "order", ovr_simulation_order(s->sim));
+    json_number(&json, "lambda_ratio", s->lambda_ratio);
     json_extremes(&json, s);
     if (s->transient)
         json_run(&json, s);
@@ -206,6 +207,10 @@ static void table_observed(const ovr_run_info *s)
         put_at("pressure spike", o->P_spike, OVR_KIND_PRESSURE, o->X_spike,
                contact);
     put_load_and_flow(o, contact);
+    if (isfinite(s->lambda_ratio))
+        printf("%-17s %-12.4g central film over the roughness of both "
+               "surfaces\n",
+               "lambda ratio", s->lambda_ratio);
     printf("%-17s %-12.3g %s in %d cycle%s\n", "residual", o->residual,
            convergence(s), o->cycles, plural(o->cycles));
 }

@@ -322,10 +322,18 @@ void ovr_writer_reason(ovr_writer *w, const char *reason)
     snprintf(w->reason, sizeof w->reason, "%s", reason);
 }
 
+void ovr_writer_warnings(ovr_writer *w, const char *warnings)
+{
+    w->warnings = warnings;
+}
+
 static ovr_status end_file(ovr_writer *w, ovr_run_status run, ovr_error *err)
 {
     ovr_status status = ovr_file_status(&w->file, run, w->reason,
                                         ovr_writer_seconds(w), err);
+    if (status == OVR_OK)
+        status = ovr_file_warnings(&w->file, w->warnings ? w->warnings : "",
+                                   err);
     if (status == OVR_OK && w->frame_of && w->last_step >= 0)
         status = ovr_file_extremes(&w->file, &w->scales, w->frame_of(w).total,
                                    err);

@@ -303,6 +303,12 @@ ovr_status ovr_file_status(ovr_file *f, ovr_run_status status,
     return OVR_OK;
 }
 
+ovr_status ovr_file_warnings(ovr_file *f, const char *text, ovr_error *err)
+{
+    return ovr_h5_put_string(f->file, "warnings", text) ? OVR_OK
+                                                        : write_failed(f, err);
+}
+
 ovr_status ovr_file_extremes(ovr_file *f, const ovr_scales *scales,
                              const ovr_statistics *total, ovr_error *err)
 {

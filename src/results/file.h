@@ -77,6 +77,8 @@ ovr_status ovr_file_flush(ovr_file *file, ovr_error *err);
 /* How the run ended, after how many seconds of wall time. */
 ovr_status ovr_file_status(ovr_file *file, ovr_run_status status,
                            const char *reason, double seconds, ovr_error *err);
+/* What was warned of, as an attribute. */
+ovr_status ovr_file_warnings(ovr_file *file, const char *text, ovr_error *err);
 /* The extremes of the run, as attributes. */
 ovr_status ovr_file_extremes(ovr_file *file, const ovr_scales *scales,
                              const ovr_statistics *total, ovr_error *err);

@@ -115,6 +115,12 @@ bool ovr_h5_change_number(hid_t object, const char *name, double value)
     return ok;
 }
 
+bool ovr_h5_put_string(hid_t object, const char *name, const char *text)
+{
+    return ovr_h5_change_string(object, name, text) ||
+           ovr_h5_set_string(object, name, text);
+}
+
 bool ovr_h5_put_number(hid_t object, const char *name, double value)
 {
     return ovr_h5_change_number(object, name, value) ||

@@ -39,7 +39,8 @@ bool ovr_h5_set_integer(hid_t object, const char *name, int value);
 bool ovr_h5_change_string(hid_t object, const char *name, const char *text);
 bool ovr_h5_change_number(hid_t object, const char *name, double value);
 
-/* A number that may be there already. */
+/* A text or number that may be there already. */
+bool ovr_h5_put_string(hid_t object, const char *name, const char *text);
 bool ovr_h5_put_number(hid_t object, const char *name, double value);
 
 #endif

@@ -257,6 +257,7 @@ static bool set_conventions(hid_t root, const ovr_file_plan *plan)
            ovr_h5_set_integer(root, "format_version", OVR_FORMAT_VERSION) &&
            ovr_h5_set_string(root, "status", "running") &&
            ovr_h5_set_string(root, "reason", "") &&
+           ovr_h5_set_string(root, "warnings", "") &&
            ovr_h5_set_string(root, "date_created", date) &&
            ovr_h5_set_string(root, "date_modified", date) &&
            ovr_h5_set_number(root, "date_seconds", 0);

@@ -26,6 +26,7 @@ struct ovr_writer {
     bool last_stored; /* the last state has its snapshot */
     size_t snapshots; /* stored, on their way included */
     char reason[OVR_MESSAGE_SIZE];
+    const char *warnings; /* borrowed; NULL: none */
     double started, last_flush, last_checkpoint, seconds_before;
 
     /* checkpoints */

@@ -23,9 +23,7 @@ static void say(const review *r, ovr_say kind, const char *format, ...)
     char text[OVR_MESSAGE_SIZE];
     va_list args;
     va_start(args, format);
-    vsnprintf(text,
-              kind == OVR_SAY_WARNING ? OVR_RUN_WARNING_SIZE : sizeof text,
-              format, args);
+    vsnprintf(text, sizeof text, format, args);
     va_end(args);
     if (r->say)
         r->say(r->data, kind, text);
@@ -130,12 +128,70 @@ static void warn_of_features(const review *r, bool transient)
             inside, options->inlet);
 }
 
+/* A feature with all its copies from `low` to `high` at T. */
+static void reach(const ovr_surfaces *surfaces, size_t k, double T, double *low,
+                  double *high)
+{
+    ovr_feature_info f = ovr_surfaces_info(surfaces, k);
+    double centre = ovr_surfaces_centre(surfaces, k, T);
+    *low = centre - f.behind - (f.speed < 0 ? 0 : f.last);
+    *high = centre + f.ahead + (f.speed < 0 ? f.last : 0);
+}
+
+/* What moves passes from `low` at T = 0 to `high` at the end and back. */
+static void warn_of_passage(const review *r, size_t k)
+{
+    const ovr_options *o = r->setup->options;
+    ovr_feature_info f = ovr_surfaces_info(r->setup->surfaces, k);
+    double end = r->setup->march->end, low, high, a, b;
+    reach(r->setup->surfaces, k, 0, &low, &high);
+    reach(r->setup->surfaces, k, end, &a, &b);
+    if (fmax(high, b) < o->inlet || fmin(low, a) > o->outlet)
+        say(r, OVR_SAY_WARNING,
+            "feature '%s' never arrives: it is at %.4g <= X <= %.4g when the "
+            "run ends at T = %.4g, and the domain from %.4g to %.4g",
+            f.name, a, b, end, o->inlet, o->outlet);
+    else if (f.speed != 0 && isfinite(f.last) && isfinite(a) && isfinite(b) &&
+             a < o->outlet && b > o->inlet)
+        say(r, OVR_SAY_WARNING,
+            "feature '%s' has not left when the run ends at T = %.4g: it is at "
+            "%.4g <= X <= %.4g",
+            f.name, end, a, b);
+}
+
+static void warn_of_time(const review *r)
+{
+    const ovr_march *march = r->setup->march;
+    const ovr_surfaces *surfaces = r->setup->surfaces;
+    double dT = march->dT > 0 ? march->dT : r->setup->mesh;
+    size_t n = surfaces ? ovr_surfaces_count(surfaces) : 0;
+    if (march->end < 0.999 * dT)
+        say(r, OVR_SAY_WARNING,
+            "the end T = %.3g is shorter than one step, %.3g", march->end, dT);
+    for (size_t k = 0; k < n; k++)
+        warn_of_passage(r, k);
+}
+
+static void warn_of_sliding(const review *r)
+{
+    const ovr_contact *contact = r->setup->contact;
+    double slip = contact->u1_ratio - contact->u2_ratio;
+    if (fabs(slip) > 2 * (1 + 1e-12))
+        say(r, OVR_SAY_WARNING,
+            "the surfaces move against each other: slide_to_roll %.4g is "
+            "beyond +-2, where one of them stands still",
+            slip);
+}
+
 static void before(const review *r, bool transient)
 {
     say_moved(r);
     warn_of_start(r);
+    warn_of_sliding(r);
     if (r->setup->surfaces)
         warn_of_features(r, transient);
+    if (transient)
+        warn_of_time(r);
 }
 
 void ovr_setup_review(const ovr_setup *setup, ovr_listener *listener,
@@ -145,15 +201,36 @@ void ovr_setup_review(const ovr_setup *setup, ovr_listener *listener,
     before(&r, setup->transient);
 }
 
+/* Room for twice as many; those that memory is lacking for are still said. */
+static bool has_room(ovr_run *run)
+{
+    size_t count = (size_t)run->info.warnings;
+    const char **more;
+    if (count < run->warnings_room)
+        return true;
+    more = ovr_arena_take(&run->arena, 2 * count + 8, sizeof *more, NULL);
+    for (size_t k = 0; more && k < count; k++)
+        more[k] = run->warning[k];
+    if (!more)
+        return false;
+    run->warning = more;
+    run->warnings_room = 2 * count + 8;
+    run->info.warning = more;
+    return true;
+}
+
+static void keep(ovr_run *run, const char *text)
+{
+    char *copy = has_room(run) ? ovr_arena_text(&run->arena, text, NULL) : NULL;
+    if (copy)
+        run->warning[run->info.warnings++] = copy;
+}
+
 void ovr_run_say(void *data, ovr_say kind, const char *text)
 {
     ovr_run *run = data;
-    ovr_run_info *info = &run->info;
-    if (kind == OVR_SAY_WARNING && info->warnings == OVR_RUN_WARNINGS)
-        return;
     if (kind == OVR_SAY_WARNING)
-        snprintf(info->warning[info->warnings++], OVR_RUN_WARNING_SIZE, "%s",
-                 text);
+        keep(run, text);
     if (run->how.say)
         run->how.say(run->how.data, kind, text);
 }
@@ -195,6 +272,58 @@ static void warn_of_order(const review *r)
                  "mesh");
 }
 
+/* Of a steady solution the first of these is the only state. */
+static void warn_of_pressure(const review *r, const ovr_statistics *total)
+{
+    double ph = r->setup->contact->ph, bearable = r->setup->bearable;
+    if (total->P_max * ph > bearable)
+        say(r, OVR_SAY_WARNING,
+            "the pressure of %.3g GPa at X = %.4g, T = %.4g is above what the "
+            "material bears (bearable_pressure = %.3g GPa): it would yield, "
+            "which is not modelled",
+            total->P_max * ph * 1e-9, total->X_P_max, total->T_P_max,
+            bearable * 1e-9);
+}
+
+static void warn_of_roughness(const review *r, const ovr_statistics *total)
+{
+    double Rq = r->setup->surfaces ? ovr_surfaces_roughness(r->setup->surfaces)
+                                   : 0;
+    if (total->H_min < Rq)
+        say(r, OVR_SAY_WARNING,
+            "the smallest film H = %.3g, at X = %.4g, T = %.4g, is below the "
+            "roughness on the mesh, Rq = %.3g of both surfaces: what is finer "
+            "than the mesh would touch",
+            total->H_min, total->X_H_min, total->T_H_min, Rq);
+}
+
+/* The ordinary is 3 cycles a step; the steady start has its own. */
+static void warn_of_cycles(const review *r, const ovr_statistics *total)
+{
+    const long far = 20, start = 500;
+    if (total->steps > 0 && total->cycles > far * total->steps + start)
+        say(r, OVR_SAY_WARNING,
+            "%ld cycles for %ld steps, where 3 a step are ordinary: the run is "
+            "at the border of what can be solved on this mesh",
+            total->cycles, total->steps);
+}
+
+static void warn_of_extremes(const review *r, const ovr_statistics *total)
+{
+    if (!(total->H_min > 0)) /* nothing was solved */
+        return;
+    warn_of_pressure(r, total);
+    warn_of_roughness(r, total);
+    warn_of_cycles(r, total);
+}
+
+static double lambda_ratio(const ovr_run *run, double H_cen)
+{
+    const ovr_surfaces *surfaces = run->setup->surfaces;
+    double Rq = surfaces ? ovr_surfaces_roughness(surfaces) : 0;
+    return Rq > 0 ? H_cen / Rq : NAN;
+}
+
 void ovr_run_review_after(ovr_run *run)
 {
     review r = {run->c, run->setup, ovr_run_say, run};
@@ -209,4 +338,6 @@ void ovr_run_review_after(ovr_run *run)
             strategy);
     if (state->n && H_cen > 0 && state->H[0] < FLOODED * H_cen)
         warn_of_inlet(&r, sim, state->X[0], state->H[0] / H_cen);
+    warn_of_extremes(&r, ovr_simulation_statistics(sim));
+    run->info.lambda_ratio = lambda_ratio(run, H_cen);
 }

@@ -64,6 +64,7 @@ ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
         return OVR_BAD_INPUT;
     run->info.transient = run->setup->transient && !run->how.steady;
     run->info.setup = run->setup;
+    run->info.lambda_ratio = NAN;
     run->info.sim = run->sim;
     if (run->setup->stress->surfaces && !run->how.steady) {
         run->stress = ovr_run_stress_create(
@@ -206,6 +207,21 @@ static size_t count_snapshots(const char *path)
     return n;
 }
 
+/* All warnings, a line each; NULL without memory. */
+static const char *warnings_text(ovr_run *run)
+{
+    const ovr_run_info *info = &run->info;
+    size_t room = 1, used = 0;
+    char *text;
+    for (int k = 0; k < info->warnings; k++)
+        room += strlen(info->warning[k]) + 1;
+    text = ovr_arena_take(&run->arena, room, 1, NULL);
+    for (int k = 0; text && k < info->warnings; k++)
+        used += (size_t)snprintf(text + used, room - used, "%s%s",
+                                 k ? "\n" : "", info->warning[k]);
+    return text;
+}
+
 /* Closes the file whatever happened; the first error is the one told. */
 static ovr_status close_file(ovr_run *run, ovr_status status, ovr_error *err)
 {
@@ -213,6 +229,7 @@ static ovr_status close_file(ovr_run *run, ovr_status status, ovr_error *err)
     ovr_status closed;
     if (!run->writer)
         return status;
+    ovr_writer_warnings(run->writer, warnings_text(run));
     if (ending(status) == OVR_RUN_FAILED)
         ovr_writer_reason(run->writer, err->message);
     closed = ovr_writer_close(run->writer, ending(status), &late);
@@ -224,6 +241,12 @@ static ovr_status close_file(ovr_run *run, ovr_status status, ovr_error *err)
     return closed;
 }
 
+static bool has_state(ovr_status status)
+{
+    return !status || status == OVR_STOPPED || status == OVR_NOT_CONVERGED ||
+           status == OVR_IMPOSSIBLE;
+}
+
 ovr_status ovr_run_go(ovr_run *run, ovr_error *err)
 {
     double begun = seconds_now();
@@ -232,6 +255,8 @@ ovr_status ovr_run_go(ovr_run *run, ovr_error *err)
     err = err ? err : &own;
     ovr_run_review_before(run);
     status = finish_stress(run, solve(run, err), err);
+    if (has_state(status))
+        ovr_run_review_after(run);
     status = close_file(run, status, err);
     run->info.seconds = seconds_now() - begun;
     run->info.converged = status == OVR_OK &&
@@ -239,8 +264,5 @@ ovr_status ovr_run_go(ovr_run *run, ovr_error *err)
                           ovr_simulation_statistics(run->sim)->marked == 0;
     if (!status && run->how.estimate_error && !run->resumed)
         status = ovr_run_estimate(run, &run->info.error, err);
-    if (!status || status == OVR_STOPPED || status == OVR_NOT_CONVERGED ||
-        status == OVR_IMPOSSIBLE)
-        ovr_run_review_after(run);
     return status;
 }

@@ -274,6 +274,26 @@ static double amplitude(const ovr_feature *f)
     return most;
 }
 
+static double roughness(const ovr_feature *f)
+{
+    size_t n = f->table ? f->table->n : 0;
+    double mean = 0, squares = 0;
+    if (f->shape == OVR_WAVE || f->shape == OVR_CHIRP)
+        return fabs(f->A) / sqrt(2);
+    for (size_t i = 0; i < n; i++)
+        mean += f->table->z[i] / (double)n;
+    for (size_t i = 0; i < n; i++)
+        squares += (f->table->z[i] - mean) * (f->table->z[i] - mean);
+    return n ? sqrt(squares / (double)n) : 0;
+}
+
+static double last_copy(const ovr_feature *f)
+{
+    if (isnan(f->repeat))
+        return 0;
+    return f->copies ? f->repeat * (double)(f->copies - 1) : INFINITY;
+}
+
 ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces, size_t feature)
 {
     const ovr_feature *f = nth(surfaces, feature);
@@ -289,6 +309,8 @@ ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces, size_t feature)
                               .behind = f->behind,
                               .ahead = f->ahead,
                               .grows = !isnan(f->grow) && f->grow > 0,
+                              .Rq = roughness(f),
+                              .last = last_copy(f),
                               .assumed = f->assumed};
 }
 
@@ -315,6 +337,14 @@ double ovr_surfaces_speed(const ovr_surfaces *surfaces)
             speed = l->feature.ratio;
         }
     return speed;
+}
+
+double ovr_surfaces_roughness(const ovr_surfaces *surfaces)
+{
+    double Rq = 0;
+    for (const entry *l = surfaces->first; l; l = l->next)
+        Rq = hypot(Rq, roughness(&l->feature));
+    return Rq;
 }
 
 const char *ovr_surfaces_inside(const ovr_surfaces *surfaces, double inlet,

@@ -1,0 +1,90 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What lies beyond the model is named: on stderr, in --json, in the file.
+. "$TOP/tests/support/cli.sh"
+
+cat >dent.ini <<'END'
+[contact]
+M = 20
+L = 10
+radius = 10 mm
+modulus = 226 GPa
+viscosity = 40 mPa.s
+[domain]
+level = 4
+[time]
+end = 7
+[feature dent]
+shape = dent
+depth = 0.2
+width = 0.5
+start = -4.6
+END
+
+says() { # PATTERN SETTING...: run and check say it, the file holds it
+    pattern=$1
+    shift
+    settings=
+    for setting; do settings="$settings --set $setting"; done
+    # shellcheck disable=SC2086 # settings are words
+    expect 0 "$OVERROLL" run dent.ini $settings --json
+    contains out "^  \"warnings\": \[.*$pattern"
+    contains err "warning: .*$pattern"
+}
+
+# An ordinary passage: nothing to say
+expect 0 "$OVERROLL" run dent.ini --json
+contains out '"warnings": \[ \]'
+contains out '"lambda_ratio": null'
+
+says 'above what the material bears .bearable_pressure = 1.5 GPa' \
+    'contact.bearable_pressure=1.5GPa'
+contains out 'the pressure of 1\.[6-9][0-9]* GPa at X = .*, T = '
+expect 0 "$OVERROLL" check dent.ini
+contains out '^bearable_pressure = 4 GPa +# default'
+
+says "feature 'dent' never arrives" 'feature.dent.start=-50'
+says "feature 'dent' has not left" 'time.end=4'
+says 'shorter than one step' 'time.end=0.01'
+says 'slide_to_roll 3 is beyond' 'contact.slide_to_roll=3' 'time.end=20'
+
+# Rough: the ratio of film to roughness by hand
+cat >rough.ini <<'END'
+[contact]
+M = 20
+L = 10
+[domain]
+level = 5
+[feature one]
+shape = wave
+amplitude = 0.01
+wavelength = 1
+[feature other]
+surface = 2
+shape = wave
+amplitude = 0.02
+wavelength = 1
+END
+expect 0 "$OVERROLL" steady rough.ini --json
+awk '/"H_cen":/ { H = $2 + 0 } /"lambda_ratio":/ { r = $2 + 0 }
+    END { d = r*sqrt((0.01*0.01 + 0.02*0.02)/2)/H - 1
+        exit !(H > 0 && d < 1e-12 && d > -1e-12) }' out || fail "$(cat out)"
+expect 0 "$OVERROLL" steady rough.ini
+contains out '^lambda ratio +[0-9.]+ '
+expect 0 "$OVERROLL" steady rough.ini --set 'feature.one.amplitude=0.09' \
+    --set feature.other.amplitude=0.08 --set feature.other.origin=0.5
+contains err 'is below the roughness on the mesh'
+
+# All warnings are shown, a fifth as well
+for k in 1 2 3 4 5 6 7; do
+    printf '[feature f%d]\nshape = bump\nheight = 0.01\nwidth = 1\n' $k
+    echo 'start = -60'
+done >>dent.ini
+expect 0 "$OVERROLL" run dent.ini -o a.h5 --json
+[ "$(grep -o 'never arrives' out | wc -l)" -eq 7 ] || fail "$(cat out)"
+expect 0 "$OVERROLL" check dent.ini --json
+[ "$(grep -o 'never arrives' out | wc -l)" -eq 7 ] || fail "$(cat out)"
+need ncdump
+expect 0 ncdump -h a.h5
+[ "$(grep -o 'never arrives' out | wc -l)" -eq 7 ] || fail "$(cat out)"
+contains out 'warnings = .*f1.* never arrives'
