@@ -21,7 +21,7 @@ struct ovr_run {
     bool restored;          /* the state is a checkpoint's: no steady start */
     ovr_case_value *began;  /* of a resumed run: what it began with */
     size_t began_count;
-    const char **warning;   /* room for so many */
+    const char **warning; /* room for so many */
     size_t warnings_room;
     ovr_run_info info;
 };

@@ -8,6 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/processors.h"
 #include "results/checkpoint.h"
 #include "run/internal.h"
 
@@ -132,7 +133,7 @@ static double *make_times(const ovr_setup *setup, size_t *count)
 /* ----------------------------------------------------------------- writer */
 
 static void choose(ovr_write_options *w, const ovr_setup *setup,
-                   const ovr_state *state)
+                   const ovr_state *state, bool no_thread)
 {
     const ovr_output *out = setup->output;
     double dT = setup->march->dT > 0 ? setup->march->dT : state->D;
@@ -144,6 +145,7 @@ static void choose(ovr_write_options *w, const ovr_setup *setup,
     w->x_to = out->to;
     w->stride = (size_t)out->stride;
     w->deflate = out->compression;
+    w->no_thread = no_thread || ovr_processors() < 2;
     w->checkpoint_interval = out->checkpoint;
     w->end = setup->transient ? setup->march->end : NAN;
     if (out->title)
@@ -178,7 +180,8 @@ static ovr_status want(wanted *w, ovr_run *run, ovr_error *err)
     w->options.case_text = ovr_case_text(run->c, err);
     w->folder = absolute(ovr_case_directory(run->c));
     w->options.case_path = w->folder;
-    choose(&w->options, run->setup, ovr_simulation_state(run->sim));
+    choose(&w->options, run->setup, ovr_simulation_state(run->sim),
+           run->how.no_thread);
     if (!w->values || !w->times)
         return ovr_fail(err, OVR_NO_MEMORY, "out of memory");
     return w->options.case_text ? OVR_OK : OVR_NO_MEMORY;

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/processors.h"
 #include "base/sized.h"
 #include "run/sweep_table.h"
 #include "run/task.h"
@@ -94,8 +95,7 @@ static ovr_status take_options(sweeping *w, const ovr_sweep_options *options,
 
 static int workers_of(const sweeping *w)
 {
-    long n = w->how.workers > 0 ? w->how.workers
-                                : sysconf(_SC_NPROCESSORS_ONLN);
+    int n = w->how.workers > 0 ? w->how.workers : ovr_processors();
     n = n < 1 ? 1 : n > OVR_SWEEP_MOST_WORKERS ? OVR_SWEEP_MOST_WORKERS : n;
     return (int)((size_t)n < w->tasks ? (size_t)n : w->tasks);
 }

@@ -226,6 +226,7 @@ static ovr_run *begin(working *w, ovr_case *c, bool resume, ovr_error *err)
     ovr_run_options how = w->run;
     how.output = w->s->results ? path : NULL;
     how.force = how.steady = false;
+    how.no_thread = true; /* the processors have cases of their own */
     how.data = w;
     how.say = say;
     how.stop = stop;

@@ -1,0 +1,9 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef OVR_BASE_PROCESSORS_H
+#define OVR_BASE_PROCESSORS_H
+
+/* How many processors this process may run on: what taskset, a batch system
+ * or a container leaves of them. */
+int ovr_processors(void);
+
+#endif
