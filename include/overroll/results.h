@@ -189,6 +189,9 @@ ovr_writer_resume(const ovr_write_options *options, const ovr_contact *contact,
 /* Whether resuming had to finish a cut write. */
 OVR_API bool ovr_writer_repaired(const ovr_writer *writer);
 
+/* Whether its file system has no locks: nothing keeps a second writer out. */
+OVR_API bool ovr_writer_unlocked(const ovr_writer *writer);
+
 /* A group of its own below the root, "fatigue/surface_1": what is not along
  * the nodes of the film.  Dimensionless values; the file has them in its units.
  * An axis without values is the time of rows that are appended. */

@@ -64,6 +64,8 @@ typedef struct ovr_run_options {
     ovr_status (*change)(void *data, ovr_case *c, ovr_error *err);
     bool no_thread; /* compress and write in the caller's thread, as is done
                        where this process may use one processor only */
+    bool from_start; /* resuming, with `force`: begin again where there is no
+                        checkpoint, which replaces what is in the file */
 } ovr_run_options;
 
 /* Nothing but the case: the defaults of all above. */
@@ -74,8 +76,10 @@ OVR_SIZED(ovr_run_options)
 OVR_API ovr_run *ovr_run_create(ovr_case *c, const ovr_run_options *options,
                                 const ovr_allocator *allocator, ovr_error *err);
 
-/* Goes on where the run of a result file ended, from the checkpoint beside it,
- * or from the beginning for want of one. */
+/* Goes on where the run of a result file ended, from the checkpoint beside it;
+ * a run stopped before its first one begins again.  A complete file that is to
+ * go no further is not touched: the run is at its end, or, for want of a
+ * checkpoint, NULL, with err->status OVR_OK and a message that says so. */
 OVR_API ovr_run *ovr_run_resume(const char *path,
                                 const ovr_run_options *options,
                                 const ovr_allocator *allocator, ovr_error *err);

@@ -5,6 +5,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 static const cli_option common[] = {
     {"q", NULL, "no messages but errors", false},
@@ -131,6 +132,27 @@ static int take_option(cli_call *call, int argc, char **argv, int *i)
         slot->value = argv[++*i];
     }
     call->givens++;
+    return CLI_DONE;
+}
+
+static bool same_file(const char *one, const char *other)
+{
+    struct stat a, b;
+    return stat(one, &a) == 0 && stat(other, &b) == 0 && a.st_ino == b.st_ino &&
+           a.st_dev == b.st_dev;
+}
+
+int cli_check_outputs(const cli_call *call)
+{
+    static const char *const outputs[] = {"o",       "script",  "movie",
+                                          "collect", "convert", "plot"};
+    for (size_t k = 0; k < sizeof outputs / sizeof *outputs; k++) {
+        const char *path = cli_value(call, outputs[k]);
+        for (int i = 0; path && i < call->arguments; i++)
+            if (same_file(path, call->argument[i]))
+                return cli_usage(call, "%s: is read: it cannot be written too",
+                                 path);
+    }
     return CLI_DONE;
 }
 

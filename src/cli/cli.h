@@ -88,6 +88,10 @@ int cli_fail(const ovr_error *err);
 /* "overroll VERB: message", exit code 2. */
 int cli_usage(const cli_call *call, const char *format, ...) OVR_PRINTF(2, 3);
 
+/* CLI_USAGE after having said so when a file that an option would write is one
+ * that is read, links followed. */
+int cli_check_outputs(const cli_call *call);
+
 /* Parses argv behind the verb; returns CLI_DONE, or the exit code after
  * having printed why. `call` must be freed either way. */
 int cli_parse(cli_call *call, const cli_verb *verb, int argc, char **argv);

@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll export OUT.h5: tables of numbers for other programs. */
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
-#include "cli/cli.h"
+#include "cli/output.h"
 #include "cli/table.h"
 
 typedef struct job {
@@ -391,44 +389,16 @@ static int read_choices(job *j)
     return CLI_DONE;
 }
 
-static int open_output(job *j)
-{
-    const char *path = cli_value(j->call, "o");
-    j->to = stdout;
-    if (!path)
-        return CLI_DONE;
-    if (access(path, F_OK) == 0 && !cli_flag(j->call, "force"))
-        return cli_usage(j->call, "%s: exists already; --force replaces it",
-                         path);
-    j->to = fopen(path, "w");
-    if (!j->to)
-        return cli_usage(j->call, "%s: %s", path, strerror(errno));
-    return CLI_DONE;
-}
-
-static int close_output(const job *j)
-{
-    bool failed;
-    if (j->to == stdout)
-        return CLI_DONE;
-    failed = ferror(j->to) != 0;
-    if (fclose(j->to) == 0 && !failed)
-        return CLI_DONE;
-    fprintf(stderr, "%s: cannot be written\n", cli_value(j->call, "o"));
-    return CLI_FAILED;
-}
-
 static int write_all(job *j)
 {
-    int code = open_output(j), closed;
+    cli_output out;
+    int code = cli_output_open(j->call, cli_value(j->call, "o"), &out);
     if (code != CLI_DONE)
         return code;
+    j->to = out.to;
     if (write_table(j) != OVR_OK)
         code = cli_fail(j->err);
-    closed = close_output(j);
-    if (code != CLI_DONE && j->to != stdout) /* nothing but heads in it */
-        unlink(cli_value(j->call, "o"));
-    return code == CLI_DONE ? closed : code;
+    return cli_output_close(&out, code);
 }
 
 static int run(cli_call *call)

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll init [KIND]: a commented case to start from. */
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/output.h"
 
 /*
  * Oils.  Viscosities of the ISO VG grades are those of ISO 3448 at 40 C, the
@@ -203,24 +202,6 @@ static const struct oil *find_oil(const cli_call *call, const char *name)
     return NULL;
 }
 
-static int write_file(const cli_call *call, const struct kind *kind,
-                      const struct oil *oil, const char *path)
-{
-    FILE *to = fopen(path, cli_flag(call, "force") ? "w" : "wx");
-    bool broken;
-    if (!to && errno == EEXIST)
-        return cli_usage(call, "%s exists already; --force replaces it", path);
-    if (!to)
-        return cli_usage(call, "cannot write %s: %s", path, strerror(errno));
-    put_case(kind, oil, to);
-    broken = ferror(to);
-    if (fclose(to) != 0 || broken) {
-        fprintf(stderr, "overroll init: cannot write %s\n", path);
-        return CLI_FAILED;
-    }
-    return CLI_DONE;
-}
-
 static int run(cli_call *call)
 {
     const char *oil_name = cli_value(call, "oil"), *path = cli_value(call, "o");
@@ -228,12 +209,15 @@ static int run(cli_call *call)
         call, call->arguments ? call->argument[0] : "roller");
     const struct oil *oil = kind ? find_oil(call, oil_name ? oil_name : "paper")
                                  : NULL;
+    cli_output out;
+    int code;
     if (!oil)
         return CLI_USAGE;
-    if (path)
-        return write_file(call, kind, oil, path);
-    put_case(kind, oil, stdout);
-    return CLI_DONE;
+    code = cli_output_open(call, path, &out);
+    if (code != CLI_DONE)
+        return code;
+    put_case(kind, oil, out.to);
+    return cli_output_close(&out, code);
 }
 
 static const cli_option options[] = {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The program: picks the subcommand. How to add one: see cli.h. */
+#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -85,7 +86,7 @@ static int run_verb(const cli_verb *verb, int argc, char **argv)
     int code = cli_parse(&call, verb, argc, argv);
     if (code == CLI_DONE && cli_flag(&call, "help"))
         cli_print_help(verb, stdout);
-    else if (code == CLI_DONE)
+    else if (code == CLI_DONE && (code = cli_check_outputs(&call)) == CLI_DONE)
         code = verb->run(&call);
     cli_free(&call);
     return code;
@@ -100,9 +101,21 @@ static int close_stdout(int code)
     return code == CLI_DONE ? CLI_FAILED : code;
 }
 
+/* A stream that was closed would give its number to a file of ours, and what
+ * is printed would go there. */
+static bool open_missing(void)
+{
+    for (int fd = 0; fd <= 2; fd++)
+        if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", O_RDWR) != fd)
+            return false;
+    return true;
+}
+
 int main(int argc, char **argv)
 {
     const cli_verb *verb;
+    if (!open_missing())
+        return CLI_FAILED;
     if (argc < 2) {
         print_short_help();
         return close_stdout(CLI_DONE);

@@ -7,7 +7,7 @@ _overroll_options() {
     case $1 in
     steady) echo '--estimate-error --set --M --L --level --scheme --smoother -q -v --json --help' ;;
     run) echo '-o --force --estimate-error --set --M --L --level --scheme --smoother -q -v --json --help' ;;
-    resume) echo '--set --M --L --level --scheme --smoother -q -v --json --help' ;;
+    resume) echo '--from-start --force --set --M --L --level --scheme --smoother -q -v --json --help' ;;
     check) echo '--set --M --L --level --scheme --smoother -q -v --json --help' ;;
     info) echo '-q -v --json --help' ;;
     sweep) echo '-j -o --list --task --collect --retry --redo -q -v --json --help' ;;

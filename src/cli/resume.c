@@ -15,12 +15,19 @@ static int run(cli_call *call)
     cli_watch watch = {.call = call};
     ovr_run_options how = cli_run_options(&watch);
     how.change = change;
+    how.from_start = cli_flag(call, "from-start");
+    how.force = cli_flag(call, "force");
     cli_silence_the_end();
     return cli_finish_run(
         &watch, ovr_run_resume(call->argument[0], &how, NULL, &err), &err);
 }
 
-static const cli_option options[] = {CLI_CASE_OPTIONS, {0}};
+static const cli_option options[] = {
+    {"from-start", NULL, "with --force: again, where the checkpoint is lost",
+     false},
+    {"force", NULL, "replace what is in the file", false},
+    CLI_CASE_OPTIONS,
+    {0}};
 
 const cli_verb cli_resume = {
     .name = "resume",
@@ -28,7 +35,7 @@ const cli_verb cli_resume = {
     .summary = "go on where a stopped run ended",
     .help = "The result is the one of a run that was never interrupted.  "
             "--set may change\ntime.end and what is stored ([output]), not "
-            "what is solved.",
+            "what is solved.  A complete file is\nnot touched.",
     .options = options,
     .least = 1,
     .most = 1,

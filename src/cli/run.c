@@ -92,7 +92,7 @@ int cli_finish_run(cli_watch *watch, ovr_run *run, ovr_error *err)
     ovr_status status;
     int code;
     if (!run)
-        return cli_fail(err);
+        return err->status || call->verbosity >= 0 ? cli_fail(err) : CLI_DONE;
     if (call->verb != &cli_steady)
         cli_catch_signals();
     watch->progress = cli_progress_begin(call->verbosity,
@@ -137,7 +137,8 @@ const cli_verb cli_run = {
     .help =
         "Solves the steady start and marches to the end of time, storing "
         "snapshots and\nthe history in the result file as it goes.  Without a "
-        "file only the summary is\nprinted.  SIGINT and SIGTERM finish the "
+        "file only the summary is\nprinted.  SIGINT, SIGTERM and "
+        "SIGHUP\nfinish the "
         "step and close the file.",
     .options = options,
     .least = 1,

@@ -34,6 +34,26 @@ long ovr_write_every(const ovr_write_options *o, double end, double dT,
     return every >= 1 && every < 1e9 ? (long)every : 1;
 }
 
+/* Attributes of the group `case`, among which `text` is the case itself, and
+ * NAME.unit belongs to NAME. */
+static ovr_status check_names(const ovr_write_options *o, ovr_error *err)
+{
+    char unit[256];
+    for (size_t k = 0; k < o->value_count; k++)
+        for (size_t i = 0; i < o->value_count; i++) {
+            const char *name = o->values[k].name, *other = o->values[i].name;
+            snprintf(unit, sizeof unit, "%s.unit", other);
+            if ((i < k && strcmp(name, other) == 0) ||
+                strcmp(name, "text") == 0 ||
+                (o->values[i].unit && strcmp(name, unit) == 0))
+                return ovr_fail(err, OVR_BAD_INPUT,
+                                "%s: the name '%s' of a value of the case is "
+                                "taken",
+                                o->path, name);
+        }
+    return OVR_OK;
+}
+
 static ovr_status check_options(const ovr_write_options *o, ovr_error *err)
 {
     if (!o->path || !o->path[0])
@@ -45,7 +65,7 @@ static ovr_status check_options(const ovr_write_options *o, ovr_error *err)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: stride 0; 1 or more", o->path);
     if (ovr_layout_fields(o->fields, NULL) == 0)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: no field to store", o->path);
-    return OVR_OK;
+    return check_names(o, err);
 }
 
 /* The stored nodes: those in the window, from its first one on by strides. */

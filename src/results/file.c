@@ -316,29 +316,40 @@ ovr_status ovr_file_extremes(ovr_file *f, const ovr_scales *scales,
                                                        : write_failed(f, err);
 }
 
-/* After a failed write the file is as its last flush left it; what was written
- * behind that has been given back, so that there may be room for the word
- * that tells it from a run that goes on.  If not, "running" stays. */
-static void mark_failed(ovr_file *f)
+/* `reason` NULL: the word alone. */
+static bool mark(ovr_store *s, const char *reason)
 {
-    ovr_store *s = &f->store;
     hid_t file;
-    bool ok;
-    if (!s->published || s->failed == ESTALE || s->failed == ECANCELED)
-        return;
+    bool ok = false;
     s->failed = 0;
     ovr_pages_clear(&s->changed);
     if (ovr_store_open(s, NULL) == OVR_OK) {
         file = ovr_driver_open(s);
         ok = file >= 0 && ovr_h5_change_string(file, "status", "failed") &&
+             (!reason || ovr_h5_change_string(file, "reason", reason)) &&
              H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0;
         if (file >= 0)
             ok = H5Fclose(file) >= 0 && ok;
-        if (ok)
-            ovr_store_commit(s, NULL);
+        ok = ok && !s->failed && ovr_store_commit(s, NULL) == OVR_OK;
     }
     ovr_driver_release(s);
     ovr_store_close(s);
+    return ok;
+}
+
+/* After a failed write the file is as its last flush left it; what was written
+ * behind that has been given back, so that there may be room for the word
+ * that tells it from a run that goes on, and for the reason.  If not, "running"
+ * stays. */
+static void mark_failed(ovr_file *f)
+{
+    ovr_store *s = &f->store;
+    ovr_error why;
+    if (!s->published || s->failed == ESTALE || s->failed == ECANCELED)
+        return;
+    ovr_store_failure(s, &why);
+    if (!mark(s, why.message))
+        mark(s, NULL);
 }
 
 ovr_status ovr_file_close(ovr_file *f, ovr_error *err)

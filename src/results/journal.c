@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#define _DEFAULT_SOURCE /* flock */
 #include "results/journal.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
+
+#include "base/lock.h"
 
 static const char magic[16] = "overroll journal";
 
@@ -75,19 +75,19 @@ static bool same_file(int fd, const char *path)
 int ovr_journal_open(ovr_store *s)
 {
     for (int attempt = 0; attempt < 100; attempt++) {
-        int error = 0;
+        int error;
         int fd = open(s->journal_path,
                       O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (fd < 0)
             return errno;
-        if (flock(fd, LOCK_EX | LOCK_NB) != 0)
-            error = errno;
-        if (error == 0 && same_file(fd, s->journal_path)) {
+        error = ovr_lock_file(fd, false);
+        if (error != EWOULDBLOCK && same_file(fd, s->journal_path)) {
             s->journal = fd;
+            s->unlocked = error != 0;
             return 0;
         }
         close(fd);
-        if (error)
+        if (error == EWOULDBLOCK)
             return error;
     }
     return EWOULDBLOCK;

@@ -47,6 +47,7 @@ typedef struct ovr_store {
     bool published;  /* has its final name */
     bool halfway;    /* the journal holds a commit that is not finished */
     bool repaired;   /* a cut commit was finished when it was opened */
+    bool unlocked;   /* the file system has no locks */
     int failed;      /* errno of the first failure; 0: none */
     int64_t driver;  /* HDF5's identifier for what leads here, or negative */
     uint64_t committed, length; /* bytes: promised; now (HDF5's end of file) */

@@ -2,6 +2,7 @@
 #define _GNU_SOURCE /* F_OFD_SETLK */
 #include "results/turns.h"
 
+#include <errno.h>
 #include <fcntl.h>
 #include <string.h>
 #include <time.h>
@@ -30,11 +31,18 @@ static int set_lock(int journal, int byte, short kind)
 #endif
 }
 
+/* Where there are no such locks nobody waits. */
+static bool is_taken(int journal, int byte, short kind)
+{
+    return set_lock(journal, byte, kind) != 0 &&
+           (errno == EAGAIN || errno == EACCES);
+}
+
 static void wait_for(int journal, int byte, short kind)
 {
     const struct timespec pause = {0, PAUSE};
     int tries = 0;
-    while (set_lock(journal, byte, kind) != 0 && ++tries < TRIES)
+    while (is_taken(journal, byte, kind) && ++tries < TRIES)
         nanosleep(&pause, NULL);
 }
 

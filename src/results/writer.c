@@ -228,3 +228,8 @@ bool ovr_writer_repaired(const ovr_writer *w)
 {
     return w->file.store.repaired;
 }
+
+bool ovr_writer_unlocked(const ovr_writer *w)
+{
+    return w->file.store.unlocked;
+}

@@ -45,7 +45,8 @@ void ovr_run_review_before(ovr_run *run);
 void ovr_run_review_after(ovr_run *run);
 
 /* Whether the file can be made; said before anything is solved. */
-ovr_status ovr_output_check(const char *path, bool force, ovr_error *err);
+ovr_status ovr_output_check(const char *path, const ovr_case *c, bool force,
+                            ovr_error *err);
 
 /* The writer of a new file; its checkpoints will hold the simulation's state.
  */
@@ -60,7 +61,8 @@ ovr_status ovr_began(ovr_case *c, const ovr_restart_info *of, const char *path,
                      ovr_error *err);
 
 /* The file of an earlier run, gone on with: first what may be refused (another
- * physics), then the checkpoint's state into the simulation, then the file. */
-ovr_status ovr_output_reopen(ovr_run *run, ovr_error *err);
+ * physics), then the checkpoint's state into the simulation, then, to write, the
+ * file. */
+ovr_status ovr_output_reopen(ovr_run *run, bool write, ovr_error *err);
 
 #endif

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/processors.h"
@@ -27,13 +28,63 @@ static void folder_of(const char *path, char *folder, size_t room)
         snprintf(folder, room, "/");
 }
 
-ovr_status ovr_output_check(const char *path, bool force, ovr_error *err)
+static bool same_file(const char *one, const char *other)
+{
+    struct stat a, b;
+    return stat(one, &a) == 0 && stat(other, &b) == 0 && a.st_ino == b.st_ino &&
+           a.st_dev == b.st_dev;
+}
+
+/* The result, or what lies beside it, is a file of the case, which it would
+ * replace. */
+static bool is_input(const char *path, const char *input)
+{
+    static const char *const endings[] = {"", ".part", ".restart",
+                                          ".restart.part", ".journal"};
+    char beside[4096];
+    for (size_t k = 0; k < sizeof endings / sizeof *endings; k++) {
+        int n = snprintf(beside, sizeof beside, "%s%s", path, endings[k]);
+        if (n > 0 && n < (int)sizeof beside && same_file(beside, input))
+            return true;
+    }
+    return false;
+}
+
+static ovr_status check_inputs(const char *path, const ovr_case *c,
+                               ovr_error *err)
+{
+    const char *folder = ovr_case_directory(c);
+    bool clash = is_input(path, ovr_case_name(c));
+    for (size_t k = 0; !clash && k < ovr_case_entries(c); k++) {
+        ovr_case_entry entry = ovr_case_entry_at(c, k);
+        size_t length = strlen(entry.key);
+        char file[4096];
+        if (!entry.text || length < 4 || strcmp(entry.section, "output") == 0 ||
+            strcmp(entry.key + length - 4, "file") != 0)
+            continue;
+        snprintf(file, sizeof file, "%s%s%s",
+                 entry.text[0] != '/' && folder ? folder : "",
+                 entry.text[0] != '/' && folder && *folder ? "/" : "",
+                 entry.text);
+        clash = is_input(path, file);
+    }
+    return clash ? ovr_fail(err, OVR_BAD_INPUT,
+                            "%s: the result would replace a file that the "
+                            "case is read from",
+                            path)
+                 : OVR_OK;
+}
+
+ovr_status ovr_output_check(const char *path, const ovr_case *c, bool force,
+                            ovr_error *err)
 {
     char folder[4096];
     folder_of(path, folder, sizeof folder);
     if (!*path || path[strlen(path) - 1] == '/')
         return ovr_fail(err, OVR_BAD_INPUT, "'%s' is not the name of a file",
                         path);
+    if (check_inputs(path, c, err))
+        return OVR_BAD_INPUT;
     if (access(path, F_OK) == 0 && !force)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: exists already; --force replaces it", path);
@@ -200,6 +251,10 @@ static ovr_status have(ovr_run *run, ovr_writer *writer, ovr_error *err)
     if (!writer)
         return OVR_BAD_INPUT;
     ovr_writer_checkpoints(writer, run->sim);
+    if (ovr_writer_unlocked(writer))
+        ovr_run_say(run, OVR_SAY_WARNING,
+                    "the result's file system has no locks: nothing keeps a "
+                    "second run from writing the same file");
     return run->stress
                ? ovr_run_stress_open(run->stress, writer, run->info.output, err)
                : OVR_OK;
@@ -219,7 +274,7 @@ ovr_status ovr_output_open(ovr_run *run, ovr_error *err)
     return have(run, writer, err);
 }
 
-ovr_status ovr_output_reopen(ovr_run *run, ovr_error *err)
+ovr_status ovr_output_reopen(ovr_run *run, bool write, ovr_error *err)
 {
     const ovr_state *state = ovr_simulation_state(run->sim);
     const ovr_restart *restart = run->restart;
@@ -234,10 +289,10 @@ ovr_status ovr_output_reopen(ovr_run *run, ovr_error *err)
     if (status == OVR_OK && restart && run->stress &&
         ovr_restart_about(restart)->has_state)
         status = ovr_run_stress_restore(run->stress, restart, state->T, err);
-    if (status == OVR_OK)
+    if (status == OVR_OK && write)
         writer = ovr_writer_resume(&w.options, run->setup->contact, state->n,
                                    state->X, restart, &run->arena.allocator,
                                    err);
     unwant(&w);
-    return have(run, writer, err);
+    return write || status ? have(run, writer, err) : OVR_OK;
 }

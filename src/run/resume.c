@@ -1,13 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A run goes on where it ended, from the checkpoint beside its file.  Without a
- * checkpoint (it was lost, or the run was killed before its first one) it
- * begins again, on the case in the file.
+ * A run goes on where it ended, from the checkpoint beside its file.  One that
+ * was killed before its first checkpoint begins again, on the case in the
+ * file; one whose checkpoint was lost only if that is asked for, as it replaces
+ * what was computed.  A complete file is not touched.
  */
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 #include <unistd.h>
 
+#include "results/checkpoint.h"
 #include "run/internal.h"
 
 static void say(ovr_run *run, const char *format, ...) OVR_PRINTF(2, 3);
@@ -29,47 +33,88 @@ static bool has_checkpoint(const char *path)
     return length > 0 && length < (int)sizeof name && access(name, F_OK) == 0;
 }
 
-/* The case as the result file holds it, for want of a checkpoint. */
-static ovr_case *case_of_result(const ovr_run *run, ovr_error *err)
+/* What the result file says by itself: the case, for want of a checkpoint, and
+ * where it ended, if it is complete; else -INFINITY.  With the checkpoint of
+ * another run it is not: the writer will refuse that. */
+static ovr_case *read_result(ovr_run *run, double *complete, ovr_error *err)
 {
     const char *path = run->info.output;
     ovr_result *result = ovr_result_open(path, &run->arena.allocator, err);
+    const ovr_result_info *about = result ? ovr_result_about(result) : NULL;
     ovr_case *c = NULL;
-    if (result)
-        c = ovr_case_read_text(ovr_result_about(result)->case_text, path, NULL,
+    *complete = -INFINITY;
+    if (about && !run->restart)
+        c = ovr_case_read_text(about->case_text, path, NULL,
                                &run->arena.allocator, err);
+    if (about && strcmp(about->status, "complete") == 0 &&
+        (!run->restart ||
+         strcmp(ovr_restart_created(run->restart), about->created) == 0))
+        *complete = isnan(about->end) ? INFINITY : about->end;
+    if (about)
+        run->info.snapshots = about->snapshots;
     ovr_result_close(result);
     return c;
 }
 
-static ovr_case *find_case(ovr_run *run, ovr_error *err)
+static ovr_case *find_case(ovr_run *run, double *complete, ovr_error *err)
 {
     const char *path = run->info.output;
     const ovr_restart_info *about;
     if (access(path, F_OK) != 0 || !has_checkpoint(path))
-        return case_of_result(run, err);
+        return read_result(run, complete, err);
     run->restart = ovr_restart_open(path, &run->arena.allocator, err);
     if (!run->restart)
         return NULL;
+    read_result(run, complete, NULL);
     about = ovr_restart_about(run->restart);
     return ovr_case_read_text(about->case_text, path, about->case_path,
                               &run->arena.allocator, err);
 }
 
-static ovr_status go_back(ovr_run *run, ovr_error *err)
+/* Without a checkpoint: what is in the file would be computed again. */
+static ovr_status begin_again(ovr_run *run, bool done, ovr_error *err)
+{
+    if (run->how.from_start && run->how.force)
+        return OVR_OK;
+    if (!done)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: has no checkpoint to go on from; --from-start "
+                        "--force computes it again from its beginning",
+                        run->info.output);
+    ovr_fail(err, OVR_OK, "%s: is complete: nothing to do", run->info.output);
+    return OVR_BAD_INPUT;
+}
+
+static void tell(ovr_run *run, bool done)
 {
     const ovr_state *state = ovr_simulation_state(run->sim);
-    if (ovr_output_reopen(run, err))
-        return OVR_BAD_INPUT;
-    run->restored = run->restart && ovr_restart_about(run->restart)->has_state;
-    if (ovr_writer_repaired(run->writer))
+    if (run->writer && ovr_writer_repaired(run->writer))
         say(run, "its last write had been cut and is repaired");
-    if (run->restored)
+    if (done)
+        say(run, "is complete: nothing to do");
+    else if (run->restored)
         say(run, "goes on from T = %g, step %ld", state->T, state->step);
     else
         say(run, "has no checkpoint: the run begins again");
     if (run->restored && run->info.transient)
         run->info.fraction = state->T / run->setup->march->end;
+}
+
+static ovr_status go_back(ovr_run *run, double complete, ovr_error *err)
+{
+    bool done = !run->info.transient || run->setup->march->end <= complete;
+    done = done && complete > -INFINITY;
+    if (!run->restart && begin_again(run, done, err))
+        return OVR_BAD_INPUT;
+    done = done && run->restart;
+    if (done) { /* what it would write of stresses is written */
+        ovr_run_stress_free(run->stress);
+        run->stress = NULL;
+    }
+    if (ovr_output_reopen(run, !done, err))
+        return OVR_BAD_INPUT;
+    run->restored = run->restart && ovr_restart_about(run->restart)->has_state;
+    tell(run, done);
     return OVR_OK;
 }
 
@@ -86,12 +131,14 @@ static ovr_status as_it_began(ovr_run *run, ovr_error *err)
 static ovr_status prepare(ovr_run *run, const char *path, ovr_error *err)
 {
     const ovr_run_options *how = &run->how;
+    double complete = -INFINITY;
     run->info.output = ovr_arena_text(&run->arena, path, err);
-    run->c = run->info.output ? find_case(run, err) : NULL;
+    run->c = run->info.output ? find_case(run, &complete, err) : NULL;
     if (!run->c || as_it_began(run, err) ||
         (how->change && how->change(how->data, run->c, err)))
         return OVR_BAD_INPUT;
-    return ovr_run_set_up(run, err) ? OVR_BAD_INPUT : go_back(run, err);
+    return ovr_run_set_up(run, err) ? OVR_BAD_INPUT
+                                    : go_back(run, complete, err);
 }
 
 ovr_run *ovr_run_resume(const char *path, const ovr_run_options *options,

@@ -84,8 +84,9 @@ static ovr_status choose_output(ovr_run *run, ovr_error *err)
     if (!path || run->how.steady)
         return OVR_OK;
     run->info.output = ovr_arena_text(&run->arena, path, err);
-    return run->info.output ? ovr_output_check(path, run->how.force, err)
-                            : OVR_NO_MEMORY;
+    return run->info.output
+               ? ovr_output_check(path, run->c, run->how.force, err)
+               : OVR_NO_MEMORY;
 }
 
 static ovr_status prepare(ovr_run *run, ovr_error *err)

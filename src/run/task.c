@@ -6,10 +6,10 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/file.h>
 #include <time.h>
 #include <unistd.h>
 
+#include "base/lock.h"
 #include "run/internal.h"
 
 enum { PATH_ROOM = 4400 };
@@ -93,7 +93,7 @@ ovr_sweep_state ovr_sweep_state_of(const ovr_study *s, size_t task)
     if (fd < 0) /* none: what lies there is not ours */
         return state == OVR_SWEEP_WAITING ? OVR_SWEEP_WAITING
                                           : OVR_SWEEP_CHANGED;
-    if (flock(fd, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    if (ovr_lock_file(fd, true) == EWOULDBLOCK)
         state = OVR_SWEEP_RUNNING;
     else if (state != OVR_SWEEP_WAITING && !same_case(s, task, fd))
         state = OVR_SWEEP_CHANGED;
@@ -225,7 +225,8 @@ static ovr_run *begin(working *w, ovr_case *c, bool resume, ovr_error *err)
     char path[PATH_ROOM];
     ovr_run_options how = w->run;
     how.output = w->s->results ? path : NULL;
-    how.force = how.steady = false;
+    how.force = how.from_start = resume; /* the file is the sweep's own */
+    how.steady = false;
     how.no_thread = true; /* the processors have cases of their own */
     how.data = w;
     how.say = say;
@@ -303,15 +304,20 @@ static void work_locked(working *w, int fd, ovr_error *err)
 }
 
 /* Somebody who only looks at the state may have the lock for a moment. */
-static bool lock(int fd)
+static bool lock(working *w, int fd)
 {
     const struct timespec moment = {0, 20000000};
-    for (int attempt = 0; attempt < 5; attempt++) {
-        if (flock(fd, LOCK_EX | LOCK_NB) == 0)
-            return true;
-        nanosleep(&moment, NULL);
+    int error = EWOULDBLOCK;
+    for (int attempt = 0; attempt < 5 && error == EWOULDBLOCK; attempt++) {
+        if (attempt)
+            nanosleep(&moment, NULL);
+        error = ovr_lock_file(fd, false);
     }
-    return false;
+    if (error && error != EWOULDBLOCK)
+        say(w, OVR_SAY_WARNING,
+            "this file system has no locks: two sweeps at once would do the "
+            "same cases");
+    return error != EWOULDBLOCK;
 }
 
 ovr_status ovr_task_work(const ovr_study *s, size_t task,
@@ -328,7 +334,7 @@ ovr_status ovr_task_work(const ovr_study *s, size_t task,
     }
     if (how->run)
         w.run = *how->run;
-    if (lock(fd))
+    if (lock(&w, fd))
         work_locked(&w, fd, &err);
     close(fd);
     return err.status;

@@ -122,6 +122,36 @@ static int automatic_coarsest(const ovr_contact *contact, const ovr_options *o)
     return coarsest < o->level ? coarsest : o->level;
 }
 
+/* What no other check would meet before it does harm. */
+static ovr_status check_numbers(const ovr_options *o, ovr_error *err)
+{
+    const struct {
+        const char *key;
+        int value, least, most;
+    } whole[] = {{"scheme", (int)o->scheme, 0, OVR_CHARACTERISTIC},
+                 {"smoother", (int)o->smoother, 0, OVR_DIPOLE},
+                 {"stop", (int)o->stop, 0, OVR_STOP_FIXED},
+                 {"cycle_index", o->cycle_index, 0, 8},
+                 {"sweeps_before", o->sweeps_before, 0, 100},
+                 {"sweeps_after", o->sweeps_after, 0, 100},
+                 {"max_cycles", o->max_cycles, 0, 1000000},
+                 {"cycles", o->cycles, 0, 1000000}};
+    for (size_t k = 0; k < sizeof whole / sizeof *whole; k++)
+        if (whole[k].value < whole[k].least || whole[k].value > whole[k].most)
+            return ovr_fail_about(
+                err, whole[k].key, "%s %d: %d to %d are possible", whole[k].key,
+                whole[k].value, whole[k].least, whole[k].most);
+    if (!(o->tolerance >= 0 && o->tolerance < 1))
+        return ovr_fail_about(err, "tolerance",
+                              "tolerance %g: above 0 and below 1, or 0, which "
+                              "means automatic",
+                              o->tolerance);
+    if (isnan(o->switch_value))
+        return ovr_fail_about(err, "switch_value",
+                              "switch_value is not a number");
+    return OVR_OK;
+}
+
 static ovr_status check(const ovr_options *o, ovr_error *err)
 {
     if (!ovr_scheme_record(o->scheme))
@@ -192,7 +222,7 @@ ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
         o->inlet = automatic_inlet(contact);
     if (isnan(o->outlet))
         o->outlet = automatic_outlet(contact);
-    if (check(o, err) || check_order(o, err))
+    if (check_numbers(o, err) || check(o, err) || check_order(o, err))
         return OVR_BAD_INPUT;
     if (!o->order)
         o->order = corrects(o) ? 4 : 2;

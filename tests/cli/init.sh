@@ -14,6 +14,6 @@ for kind in roller gear cam numbers; do
     [ -f $kind.h5 ] || fail "no $kind.h5"
 done
 expect 0 "$OVERROLL" init gear -o gear2.ini
-refuses 'gear2.ini exists already' init gear -o gear2.ini
+refuses 'gear2.ini: exists already' init gear -o gear2.ini
 refuses "no case 'gaer'; did you mean gear" init gaer
 refuses "no oil 'vg46'" init --oil vg46

@@ -11,6 +11,7 @@
  *     FAULT_SHORT=1    writes and reads move half of what was asked for
  *     FAULT_KEEP=s     what is named ...s cannot be unlinked, as if it were
  *                      another user's in a shared folder
+ *     FAULT_LOCK=e     the file system has no locks: that errno
  *     FAULT_REPORT=f   appends to f how often it was asked, at the end
  *
  * Standard input, output and error are spared.
@@ -20,6 +21,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -162,6 +164,25 @@ int fsync(int fd)
         return -1;
     }
     return real(fd);
+}
+
+int flock(int fd, int how)
+{
+    REAL(int, "flock", int, int);
+    errno = (int)setting("FAULT_LOCK");
+    return errno ? -1 : real(fd, how);
+}
+
+int fcntl(int fd, int command, ...)
+{
+    REAL(int, "fcntl", int, int, ...);
+    va_list arguments;
+    void *what;
+    va_start(arguments, command);
+    what = va_arg(arguments, void *);
+    va_end(arguments);
+    errno = (int)setting("FAULT_LOCK");
+    return errno && command == F_OFD_SETLK ? -1 : real(fd, command, what);
 }
 
 int unlink(const char *path)

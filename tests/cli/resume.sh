@@ -44,7 +44,8 @@ refuses "'contact.M' was '20' and is now '21'" \
     resume short.h5 --set contact.M=21
 refuses "'feature dent.depth' was '0.1' and is now '0.2'" \
     resume short.h5 --set 'feature dent.depth=0.2'
-refuses 'other nodes' resume short.h5 --set output.stride=2
+refuses 'other nodes' \
+    resume short.h5 --set output.stride=2 --set time.end=2
 cmp short.h5 kept.h5 || fail 'a refusal changed the file'
 cmp short.h5.restart kept.h5.restart || fail 'a refusal changed the checkpoint'
 
@@ -55,16 +56,34 @@ expect 0 "$OVERROLL" resume short.h5 --set time.end=3 -q --json
 contains out '"converged": true'
 same whole.h5 short.h5
 
-# Nothing left to do
-expect 0 "$OVERROLL" resume short.h5 -q
-same whole.h5 short.h5
+# Nothing left to do: the file is not touched, with or without a checkpoint
+cp -p short.h5 before.h5
+expect 0 "$OVERROLL" resume short.h5 --json
+contains err 'complete: nothing to do'
+contains out '"T_end": 3'
+cmp short.h5 before.h5 || fail 'a complete file was written to'
+mv short.h5.restart elsewhere
+expect 0 "$OVERROLL" resume short.h5
+contains err '^short.h5: is complete: nothing to do'
+expect 0 "$OVERROLL" resume short.h5 --force
+expect 0 "$OVERROLL" resume short.h5 --from-start
+refuses 'no checkpoint.*--from-start --force' \
+    resume short.h5 --set time.end=4 --force
+cmp short.h5 before.h5 || fail 'a complete file was begun again'
+[ ! -e short.h5.restart ] || fail 'a complete file has a checkpoint again'
+sed "/^\[time\]/,/^end/d" dent.ini >steady.ini
+expect 0 "$OVERROLL" run steady.ini -o steady.h5 -q
+rm steady.h5.restart
+expect 0 "$OVERROLL" resume steady.h5
+contains err 'nothing to do'
 
-# A damaged checkpoint is refused; a lost one means to begin again
+# A damaged checkpoint is refused; a lost one means to begin again, if asked
 dd if=/dev/zero of=kept.h5.restart bs=1 count=4 seek=300 conv=notrunc \
     2>/dev/null
 refuses '^kept.h5.restart: is damaged' resume kept.h5 --set time.end=3
 rm kept.h5.restart
-expect 0 "$OVERROLL" resume kept.h5 --set time.end=3
+refuses 'no checkpoint.*--from-start --force' resume kept.h5 --set time.end=3
+expect 0 "$OVERROLL" resume kept.h5 --set time.end=3 --from-start --force
 contains err 'no checkpoint: the run begins again'
 same whole.h5 kept.h5
 
