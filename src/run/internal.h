@@ -61,8 +61,8 @@ ovr_status ovr_began(ovr_case *c, const ovr_restart_info *of, const char *path,
                      ovr_error *err);
 
 /* The file of an earlier run, gone on with: first what may be refused (another
- * physics), then the checkpoint's state into the simulation, then, to write, the
- * file. */
+ * physics), then the checkpoint's state into the simulation, then, to write,
+ * the file. */
 ovr_status ovr_output_reopen(ovr_run *run, bool write, ovr_error *err);
 
 #endif

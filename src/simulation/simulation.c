@@ -182,8 +182,8 @@ void ovr_simulation_surface(ovr_simulation *sim, ovr_heights *heights,
     sim->heights_data = data;
     if (heights)
         return;
-    memset(sim->S, 0, sim->finest->n * sizeof *sim->S);
-    memset(sim->S_past, 0, sim->finest->n * sizeof *sim->S_past);
+    memset(sim->S, 0, sim->finest->grid.n * sizeof *sim->S);
+    memset(sim->S_past, 0, sim->finest->grid.n * sizeof *sim->S_past);
 }
 
 void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
