@@ -62,8 +62,8 @@ typedef struct ovr_run_options {
                           ovr_error *err);
     /* Resuming: settings for the case (its end, what is stored). */
     ovr_status (*change)(void *data, ovr_case *c, ovr_error *err);
-    bool no_thread; /* compress and write in the caller's thread, as is done
-                       where this process may use one processor only */
+    bool no_thread;  /* compress and write in the caller's thread, as is done
+                        where this process may use one processor only */
     bool from_start; /* resuming, with `force`: begin again where there is no
                         checkpoint, which replaces what is in the file */
 } ovr_run_options;
