@@ -23,7 +23,7 @@ static double struck(const ovr_setup *setup, const ovr_feature_info *info,
                      double centre, double ratio)
 {
     double end = ovr_history_integral(setup->speed, setup->march->end);
-    double way = info->speed ? -centre / info->speed : end / 2;
+    double way = info->speed != 0 ? -centre / info->speed : end / 2;
     return -ratio * fmin(fmax(way, 0), end);
 }
 
@@ -121,7 +121,7 @@ ovr_status ovr_stress_planned(const ovr_setup *setup, int surface, double inlet,
     plan->range.poisson = s->poisson[surface - 1];
     plan->range.residual_x = s->residual_x;
     plan->range.residual_y = s->residual_y;
-    if (dang_van && setup->output->every > every)
+    if (dang_van && (double)setup->output->every > every)
         every = (double)setup->output->every; /* its paths are stored ones */
     plan->coarsest = setup->transient ? fastest(setup) * dT * every : 0;
     find_material(setup, plan);

@@ -73,7 +73,7 @@ static ovr_passage *passage_of(const char *text, double start, double z,
     followed f = {ovr_passage_create(&o, &range, NULL, &err), 0};
     if (!f.passage)
         fail_msg("%s", err.message);
-    ovr_march march = setup->march;
+    ovr_march march = *setup->march;
     const ovr_observer look = {.observe = follow, .data = &f};
     march.count = 1;
     march.observers = &look;

@@ -41,7 +41,7 @@ static double now(void)
 static bool look(const char *path, size_t *rows, bool *ended)
 {
     static double values[MOST];
-    ovr_error err = {OVR_OK, ""};
+    ovr_error err = {0};
     ovr_result *r = ovr_result_open(path, NULL, &err);
     const ovr_result_info *about = r ? ovr_result_about(r) : NULL;
     bool good = about && about->nodes <= MOST && about->snapshots >= *rows;
