@@ -130,7 +130,6 @@ void cli_report_json(const ovr_run_info *s, FILE *to)
     json_text(&json, "smoother", cli_smoother_name(options->smoother));
     json_number(&json, "inlet", options->inlet);
     json_number(&json, "outlet", options->outlet);
-    json_integer(&json, "order", ovr_simulation_order(s->sim));
     json_number(&json, "lambda_ratio", s->lambda_ratio);
     json_extremes(&json, s);
     if (s->transient)
