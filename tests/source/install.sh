@@ -24,7 +24,7 @@ sed -n '/^\.B cc user/,/^\.fi/p' "$man/man3/overroll-library.3" |
 [ "$(wc -l <compile)" -eq 2 ] || fail "$(cat compile)"
 expect 0 sh -e compile
 expect 0 ./user
-contains out '^T = 0.00  H_min = 0.0732 at 0.96'
+contains out '^T = 0.00  H_min = 0.073. at 0.96'
 contains out '^T = 3.44  H_min = 0.06.. at -0.51'
 flags=$(pkg-config --cflags --libs overroll) || fail "no overroll.pc"
 # shellcheck disable=SC2086 # lists of words
