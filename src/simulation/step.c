@@ -13,6 +13,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "multigrid/film_end.h"
 #include "simulation/internal.h"
 
 /* Beyond this R the result of a step is no longer near a solution: runs
@@ -66,6 +67,12 @@ static ovr_cycling cycling_of(const ovr_simulation *sim, const attempt *how)
     return c;
 }
 
+static void settle_ends(const ovr_hierarchy *grids, ovr_level *finest)
+{
+    if (ovr_film_ends(grids, finest))
+        ovr_level_refresh(grids, finest);
+}
+
 /* One cycle at least: the extrapolated guess satisfies the equations to some
  * tolerance at best, and a load that ramps would drift within it.  From a
  * close guess the first cycles do without the relaxation after them. */
@@ -79,6 +86,7 @@ static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
                          sim->options.smoother == OVR_LINE &&
                          c.sweeps_before > 0;
     ovr_level_refresh(grids, sim->finest);
+    settle_ends(grids, sim->finest);
     for (int cycle = 0, after = c.sweeps_after;; cycle++) {
         double tolerance = step_tolerance(sim, c.sweeps_after > 0);
         outcome->defect = ovr_cycle_defect(grids, sim->finest);
@@ -88,6 +96,7 @@ static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
             break;
         c.sweeps_after = close && cycle < SHORT_CYCLES ? 0 : after;
         ovr_cycle(grids, sim->finest, c);
+        settle_ends(grids, sim->finest);
         outcome->cycles++;
     }
     ovr_simulation_read(sim);
