@@ -113,7 +113,7 @@ static double solved(ovr_scheme scheme, ovr_simulation *before, double dT,
 static void history(ovr_scheme scheme, ovr_simulation *before, double dT,
                     char text[8 * MOST])
 {
-    double tolerance = 1;
+    double tolerance = 0.999;
     size_t used = 0;
     for (int k = 0; k < MOST && tolerance > enough; k++) {
         double residual = solved(scheme, before, dT, tolerance);
