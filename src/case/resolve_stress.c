@@ -20,9 +20,9 @@ static ovr_status resolve_bodies(ovr_resolved *r, ovr_error *err)
     s->poisson[0] = s->poisson[1] = 0.3;
     for (const ovr_block *b = r->c->blocks; b; b = b->next) {
         ovr_body_form form = {0.3};
-        bool first = b->name && !strcmp(b->name, "1");
-        if (strcmp(b->section->name, "body") != 0)
+        if (strcmp(b->section->name, "body") != 0 || !b->name)
             continue;
+        bool first = !strcmp(b->name, "1");
         if (!first && strcmp(b->name, "2") != 0)
             return ovr_fail_at(err, OVR_BAD_INPUT, r->c->name, b->line,
                                "[body %s]: there are [body 1] and [body 2]",

@@ -45,13 +45,12 @@ static void read_case(history *h, const double *A)
     ovr_error err = {0};
     ovr_case *c = ovr_case_read_text(info->case_text, "case", NULL, NULL, &err);
     ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
-    double mesh = h->xi[1] - h->xi[0];
+
     h->least = 8 * (h->s->runs->x[1] - h->s->runs->x[0]);
     if (setup && !ovr_setup_prepare(setup, NULL, &err)) {
         ovr_life_options life = setup->stress->life;
         double z;
-        mesh = setup->mesh;
-        h->least = fmax(8 * mesh, life.least_depth);
+        h->least = fmax(8 * setup->mesh, life.least_depth);
         life.limit = setup->stress->limit_pressure *
                      ovr_hertz_criterion(
                          setup->stress->criterion, setup->stress->alpha,
