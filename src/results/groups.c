@@ -2,7 +2,8 @@
 /*
  * Groups beside the snapshots: arrays along axes of their own, written whole
  * or row by row.  They are few: the solver's thread waits until the queue is
- * empty and writes them itself.
+ * empty and writes them itself.  A group that is there is written over, value
+ * by value: HDF5 1.10 cannot always close a file from which one was taken out.
  */
 #include <stdio.h>
 #include <string.h>
@@ -64,6 +65,30 @@ static bool write_singles(const ovr_writer *w, hid_t set, ovr_unit_kind kind,
                               H5P_DEFAULT, scaled) >= 0;
 }
 
+/* A dataset of the plan's shape: an earlier run's, or a new one. */
+static hid_t made_or_open(const ovr_writer *w, hid_t group,
+                          const ovr_new_dataset *plan)
+{
+    hsize_t shape[H5S_MAX_RANK];
+    hid_t set, space;
+    bool same;
+    if (H5Lexists(group, plan->name, H5P_DEFAULT) <= 0)
+        return ovr_header_dataset(group, plan, &w->scales);
+    set = H5Dopen2(group, plan->name, H5P_DEFAULT);
+    space = set >= 0 ? H5Dget_space(set) : -1;
+    same = space >= 0 && H5Sget_simple_extent_ndims(space) == plan->rank &&
+           H5Sget_simple_extent_dims(space, shape, NULL) >= 0;
+    for (int k = plan->rows ? 1 : 0; same && k < plan->rank; k++)
+        same = shape[k] == plan->shape[k];
+    if (space >= 0)
+        ovr_h5_drop(space);
+    if (same)
+        return set;
+    if (set >= 0)
+        ovr_h5_drop(set);
+    return -1;
+}
+
 static hid_t make_axis(const ovr_writer *w, hid_t group,
                        const ovr_group_axis *axis, ovr_arena *arena)
 {
@@ -74,7 +99,7 @@ static hid_t make_axis(const ovr_writer *w, hid_t group,
                             .rows = axis->values ? 0 : OVR_ROW_CHUNK,
                             .rank = 1,
                             .shape = {axis->values ? axis->count : 0}};
-    hid_t set = ovr_header_dataset(group, &plan, &w->scales);
+    hid_t set = made_or_open(w, group, &plan);
     if (set >= 0 && axis->values &&
         !write_doubles(w, set, axis->kind, axis->count, axis->values, arena)) {
         ovr_h5_drop(set);
@@ -118,7 +143,7 @@ static bool make_array(const ovr_writer *w, hid_t group, const ovr_group *g,
         plan.along[k] = axis[array->along[k]];
         n *= along->values ? along->count : 1;
     }
-    hid_t set = ovr_header_dataset(group, &plan, &w->scales);
+    hid_t set = made_or_open(w, group, &plan);
     bool ok = set >= 0 && write_values(w, set, array, n, arena);
     ovr_h5_drop(set);
     return ok;
@@ -126,8 +151,10 @@ static bool make_array(const ovr_writer *w, hid_t group, const ovr_group *g,
 
 static bool set_attribute(hid_t group, const ovr_group_attribute *a)
 {
-    return a->text ? ovr_h5_set_chars(group, a->name, a->text)
-                   : ovr_h5_set_number(group, a->name, a->number);
+    if (!a->text)
+        return ovr_h5_put_number(group, a->name, a->number);
+    return ovr_h5_change_string(group, a->name, a->text) ||
+           ovr_h5_set_string(group, a->name, a->text);
 }
 
 static bool fill_group(const ovr_writer *w, hid_t group, const ovr_group *g,
@@ -154,11 +181,11 @@ static bool make_group(ovr_writer *w, const ovr_group *g, bool keep)
     ovr_arena arena = ovr_arena_make(&w->arena.allocator);
     if (there && keep)
         return true;
-    if (there && H5Ldelete(file, g->path, H5P_DEFAULT) < 0)
-        return false;
-    group = make_path(file, g->path);
+    group = there ? H5Gopen2(file, g->path, H5P_DEFAULT)
+                  : make_path(file, g->path);
     ok = fill_group(w, group, g, &arena);
-    ovr_h5_drop(group);
+    if (group >= 0)
+        ovr_h5_drop(group);
     ovr_arena_release(&arena);
     return ok;
 }
