@@ -325,6 +325,9 @@ static ovr_status finish(ovr_run_stress *s, int k, const ovr_state *state,
     ovr_passage *passage = ovr_follower_wait(s->follower[k]);
     ovr_arena arena = ovr_arena_make(&s->arena.allocator);
     void **saved = save(passage, &arena, err);
+    /* the second pass reads what is stored */
+    if (saved && s->writer && ovr_writer_flush(s->writer, err))
+        saved = NULL;
     if (saved) {
         ovr_passage_end(passage, state->P, NULL, &m);
         s->report[k] = ovr_stress_told(s->setup, &s->plan[k], passage,
