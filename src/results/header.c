@@ -42,13 +42,13 @@ hid_t ovr_header_creation(void)
     return creation;
 }
 
-hid_t ovr_header_group(hid_t file, const char *name)
+hid_t ovr_header_group(hid_t where, const char *name)
 {
     unsigned order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
     hid_t creation = H5Pcreate(H5P_GROUP_CREATE), group;
     H5Pset_link_creation_order(creation, order);
     H5Pset_attr_creation_order(creation, order);
-    group = H5Gcreate2(file, name, H5P_DEFAULT, creation, H5P_DEFAULT);
+    group = H5Gcreate2(where, name, H5P_DEFAULT, creation, H5P_DEFAULT);
     ovr_h5_drop(creation);
     return group;
 }

@@ -19,7 +19,7 @@ typedef struct ovr_new_dataset {
 } ovr_new_dataset;
 
 /* Makes one, described; a group whose order is kept.  Negative: failed. */
-hid_t ovr_header_dataset(hid_t where, const ovr_new_dataset *plan,
+hid_t ovr_header_dataset(hid_t where, const ovr_new_dataset *d,
                          const ovr_scales *scales);
 hid_t ovr_header_group(hid_t where, const char *name);
 

@@ -40,7 +40,8 @@ for precision in f32 f64; do
     for end in 1 1.5; do
         for by in first h5repack ncks; do
             expect 0 "$OVERROLL" resume $by.h5 -q --set time.end=$end
-            expect 0 "$OVERROLL" export $by.h5 --all -o $by.csv --force
+            expect 0 "$OVERROLL" export $by.h5 --all
+            columns out >$by.csv
             expect 0 "$OVERROLL" export $by.h5
             columns out >$by.txt
             cmp first.csv $by.csv || fail "$by, $precision: other fields"

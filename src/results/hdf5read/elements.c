@@ -120,17 +120,17 @@ static bool read_filters(ovr_source *source, uint64_t object, bool *packed)
 {
     enum { DEFLATE = 1, SHUFFLE = 2 };
     ovr_piece b;
-    uint64_t version, count;
-    bool known;
+    uint64_t version, count, first, second;
     *packed = ovr_object_message(source, object, FILTERS, &b);
     if (!*packed)
         return true;
     version = ovr_take(&b, 1);
     count = ovr_take(&b, 1);
     ovr_cut(&b, version == 1 ? 6 : 0);
-    known = take_filter(&b, version == 1) == SHUFFLE &&
-            take_filter(&b, version == 1) == DEFLATE;
-    return known && b.good && (version == 1 || version == 2) && count == 2;
+    first = take_filter(&b, version == 1);
+    second = take_filter(&b, version == 1);
+    return b.good && (version == 1 || version == 2) && count == 2 &&
+           first == SHUFFLE && second == DEFLATE;
 }
 
 static bool read_layout(ovr_piece b, ovr_dataset *set)
