@@ -54,3 +54,10 @@ double test_random(uint64_t *state, double from, double to)
     z ^= z >> 31;
     return from + (to - from) * ((double)(z >> 11) * 0x1p-53);
 }
+
+const char *test_block_name(const char *section)
+{
+    if (!strcmp(section, "feature"))
+        return " f";
+    return strcmp(section, "body") ? "" : " 1";
+}

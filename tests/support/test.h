@@ -49,6 +49,9 @@ void test_error(const ovr_error *err, ovr_status status, const char *part,
 /* Random numbers, the same on every machine: uniform in [from, to). */
 double test_random(uint64_t *state, double from, double to);
 
+/* " f", " 1", ...: a name for sections that need one, else "". */
+const char *test_block_name(const char *section);
+
 /* ----------------------------------------------------------------- files */
 
 /* A new empty folder, removed with its contents by test_remove_folder; both

@@ -20,7 +20,7 @@ static char text[65536];
 /* A case in which `key = value` stands in its section, in line 2. */
 static const char *case_with(const ovr_parameter_info *p, const char *value)
 {
-    const char *name = strcmp(p->section, "feature") ? "" : " f";
+    const char *name = test_block_name(p->section);
     snprintf(text, sizeof text, "[%s%s]\n%s = %s\n", p->section, name, p->key,
              value);
     return text;
@@ -91,7 +91,7 @@ static void bad_value(const ovr_parameter_info *p, const char *value)
 
     /* the same from the command line */
     snprintf(where, sizeof where, "%s%s.%s", p->section,
-             strcmp(p->section, "feature") ? "" : " f", p->key);
+             test_block_name(p->section), p->key);
     c = ovr_case_create(NULL, &err);
     assert_non_null(c);
     assert_int_equal(
@@ -346,8 +346,7 @@ static int with(const char *section, const char *key, const char *value)
     for (size_t s = 0; s < sizeof sections / sizeof *sections; s++) {
         bool here = !strcmp(sections[s], section);
         used += (size_t)snprintf(text + used, sizeof text - used, "[%s%s]\n",
-                                 sections[s],
-                                 strcmp(sections[s], "feature") ? "" : " f");
+                                 sections[s], test_block_name(sections[s]));
         line++;
         for (size_t i = 0; i < GOOD; i++) {
             bool same = here && !strcmp(good[i][1], key);

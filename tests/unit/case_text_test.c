@@ -124,7 +124,7 @@ static bool try_setting(const ovr_parameter_info *p, const char *value)
     char where[100];
     bool taken;
     snprintf(where, sizeof where, "%s%s.%s", p->section,
-             strcmp(p->section, "feature") ? "" : " f", p->key);
+             test_block_name(p->section), p->key);
     taken = !ovr_case_set(c, where, value, "--set", &err);
     if (taken)
         check_survives(c, p, value);
@@ -138,7 +138,7 @@ static bool try_line(const ovr_parameter_info *p, const char *value)
     char text[ROOM + 200];
     ovr_case *c;
     snprintf(text, sizeof text, "[%s%s]\n%s = %s\n[time]\n", p->section,
-             strcmp(p->section, "feature") ? "" : " f", p->key, value);
+             test_block_name(p->section), p->key, value);
     if (!strcmp(p->section, "time"))
         text[strlen(text) - strlen("[time]\n")] = '\0';
     c = ovr_case_read_text(text, "it.ini", NULL, NULL, &err);
