@@ -156,7 +156,8 @@ refuses "has no field 'pres'" export a.h5 --snapshot 0 --field pres
 refuses 'long and --wide exclude' export a.h5 --long --wide
 refuses 'stored, hertzian or si' export a.h5 --units inch
 refuses 'csv, gnuplot or matlab' export a.h5 --format xls
-refuses 'nowhere/a.csv: cannot be written: No such file' export a.h5 -o nowhere/a.csv
+refuses 'nowhere/a.csv: cannot be written: No such file' \
+    export a.h5 -o nowhere/a.csv
 
 # Without scales there is no SI
 printf '[contact]\nM = 20\nL = 10\n[domain]\nlevel = 3\n' >bare.ini
