@@ -53,8 +53,8 @@ ovr_status ovr_output_check(const char *path, const ovr_case *c, bool force,
 ovr_status ovr_output_open(ovr_run *run, ovr_error *err);
 
 /* Every parameter of a case with a value, as files record them. */
-ovr_case_value *ovr_run_values(const ovr_case *c, size_t *count);
-void ovr_run_free_values(ovr_case_value *values, size_t count);
+ovr_case_value *ovr_run_values(const ovr_case *c, ovr_arena *arena,
+                               size_t *count);
 
 /* Gives the case of a resumed run what its file recorded (began.c). */
 ovr_status ovr_began(ovr_case *c, const ovr_restart_info *of, const char *path,

@@ -2,6 +2,7 @@
 /* From the [output] of a case to a writer of its result file. */
 #define _XOPEN_SOURCE 700 /* realpath */
 #include <errno.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -96,45 +97,36 @@ ovr_status ovr_output_check(const char *path, const ovr_case *c, bool force,
 
 /* ------------------------------------------------------------- attributes */
 
-static char *full_name(const ovr_case_entry *entry)
+static const char *full_name(const ovr_case_entry *entry, ovr_arena *arena)
 {
-    char *name = malloc(NAME_ROOM);
-    if (name && entry->name)
-        snprintf(name, NAME_ROOM, "%s %s.%s", entry->section, entry->name,
+    char name[NAME_ROOM];
+    if (entry->name)
+        snprintf(name, sizeof name, "%s %s.%s", entry->section, entry->name,
                  entry->key);
-    else if (name)
-        snprintf(name, NAME_ROOM, "%s.%s", entry->section, entry->key);
-    return name;
-}
-
-void ovr_run_free_values(ovr_case_value *values, size_t count)
-{
-    for (size_t k = 0; values && k < count; k++)
-        free((void *)values[k].name);
-    free(values);
+    else
+        snprintf(name, sizeof name, "%s.%s", entry->section, entry->key);
+    return ovr_arena_text(arena, name, NULL);
 }
 
 /* The attributes of the group `case`: every parameter with a value. */
-ovr_case_value *ovr_run_values(const ovr_case *c, size_t *count)
+ovr_case_value *ovr_run_values(const ovr_case *c, ovr_arena *arena,
+                               size_t *count)
 {
     size_t all = ovr_case_entries(c), n = 0;
-    ovr_case_value *values = calloc(all + 1, sizeof *values);
-    *count = 0;
+    ovr_case_value *values = ovr_arena_take(arena, all, sizeof *values, NULL);
     for (size_t k = 0; values && k < all; k++) {
         ovr_case_entry entry = ovr_case_entry_at(c, k);
         ovr_parameter_info info = ovr_parameter_at(entry.parameter);
         bool number = isfinite(info.least) && isfinite(entry.number);
         if (!entry.text)
             continue;
-        values[n].name = full_name(&entry);
-        values[n].text = entry.text;
-        values[n].number = number ? entry.number : NAN;
-        values[n].unit = entry.unit;
-        values[n].physics = info.physics;
-        if (!values[n++].name) {
-            ovr_run_free_values(values, n);
+        values[n] = (ovr_case_value){.name = full_name(&entry, arena),
+                                     .text = entry.text,
+                                     .number = number ? entry.number : NAN,
+                                     .unit = entry.unit,
+                                     .physics = info.physics};
+        if (!values[n++].name)
             return NULL;
-        }
     }
     *count = n;
     return values;
@@ -169,10 +161,11 @@ static void add_arrivals(moments *m, const ovr_setup *setup, double X)
     }
 }
 
-static double *make_times(const ovr_setup *setup, size_t *count)
+static double *make_times(const ovr_setup *setup, ovr_arena *arena,
+                          size_t *count)
 {
     const ovr_output *out = setup->output;
-    moments m = {0, calloc(TIMES_MOST, sizeof *m.T)};
+    moments m = {0, ovr_arena_take(arena, TIMES_MOST, sizeof *m.T, NULL)};
     for (size_t i = 0; m.T && i < out->at.count; i++)
         add_moment(&m, out->at.values[i]);
     for (size_t i = 0; m.T && i < out->feature_at.count; i++)
@@ -210,27 +203,30 @@ static void choose(ovr_write_options *w, const ovr_setup *setup,
 /* What the writer is told: texts and lists that end with the case. */
 typedef struct wanted {
     ovr_write_options options;
+    ovr_arena arena;
     ovr_case_value *values;
     double *times;
-    char *folder; /* of the case, absolute: resume may start elsewhere */
 } wanted;
 
-static char *absolute(const char *folder)
+/* The folder of the case, absolute: resume may start elsewhere. */
+static const char *absolute(const char *folder, ovr_arena *arena)
 {
-    return realpath(folder && *folder ? folder : ".", NULL);
+    char path[PATH_MAX];
+    const char *found = realpath(folder && *folder ? folder : ".", path);
+    return found ? ovr_arena_text(arena, found, NULL) : NULL;
 }
 
 static ovr_status want(wanted *w, ovr_run *run, ovr_error *err)
 {
     w->options = ovr_write_options_default();
-    w->values = ovr_run_values(run->c, &w->options.value_count);
-    w->times = make_times(run->setup, &w->options.time_count);
+    w->arena = ovr_arena_make(&run->arena.allocator);
+    w->values = ovr_run_values(run->c, &w->arena, &w->options.value_count);
+    w->times = make_times(run->setup, &w->arena, &w->options.time_count);
     w->options.path = run->info.output;
     w->options.times = w->times;
     w->options.values = w->values;
     w->options.case_text = ovr_case_text(run->c, err);
-    w->folder = absolute(ovr_case_directory(run->c));
-    w->options.case_path = w->folder;
+    w->options.case_path = absolute(ovr_case_directory(run->c), &w->arena);
     choose(&w->options, run->setup, ovr_simulation_state(run->sim),
            run->how.no_thread);
     if (!w->values || !w->times)
@@ -240,9 +236,7 @@ static ovr_status want(wanted *w, ovr_run *run, ovr_error *err)
 
 static void unwant(wanted *w)
 {
-    ovr_run_free_values(w->values, w->options.value_count);
-    free(w->times);
-    free(w->folder);
+    ovr_arena_release(&w->arena);
 }
 
 static ovr_status have(ovr_run *run, ovr_writer *writer, ovr_error *err)

@@ -116,9 +116,10 @@ int ovr_pool_run(const ovr_pool_job *job)
     size_t n = (size_t)job->workers, bytes = (n + 1) * sizeof(double);
     void *shared = mmap(NULL, bytes, PROT_READ | PROT_WRITE,
                         MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    ovr_arena arena = ovr_arena_make(job->allocator);
     pool p = {.job = job,
-              .worker = calloc(n, sizeof *p.worker),
-              .end = calloc(n, sizeof *p.end)};
+              .worker = ovr_arena_take(&arena, n, sizeof *p.worker, NULL),
+              .end = ovr_arena_take(&arena, n, sizeof *p.end, NULL)};
     int code = -1;
     if (p.worker && p.end && shared != MAP_FAILED) {
         p.done = shared;
@@ -127,7 +128,6 @@ int ovr_pool_run(const ovr_pool_job *job)
     }
     if (shared != MAP_FAILED)
         munmap(shared, bytes);
-    free(p.worker);
-    free(p.end);
+    ovr_arena_release(&arena);
     return code;
 }

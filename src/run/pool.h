@@ -6,6 +6,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/arena.h"
+
 /* Memory that a worker shares with its parent. */
 typedef struct ovr_shared {
     volatile double *done; /* part of the task, told by the worker */
@@ -25,6 +27,7 @@ typedef struct ovr_pool_job {
     void (*tick)(void *data, size_t ended, int running, double done);
     bool (*stop)(void *data); /* asked as often; then nothing new is begun */
     void *data;
+    const ovr_allocator *allocator;
 } ovr_pool_job;
 
 /* Until all that began have ended.  1: stopped; 0: all done; -1: no memory or

@@ -124,7 +124,7 @@ static ovr_status as_it_began(ovr_run *run, ovr_error *err)
     if (run->restart && ovr_began(run->c, ovr_restart_about(run->restart),
                                   run->info.output, err))
         return OVR_BAD_INPUT;
-    run->began = ovr_run_values(run->c, &run->began_count);
+    run->began = ovr_run_values(run->c, &run->arena, &run->began_count);
     return run->began ? OVR_OK : ovr_fail(err, OVR_NO_MEMORY, "out of memory");
 }
 

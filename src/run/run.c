@@ -125,7 +125,6 @@ void ovr_run_free(ovr_run *run)
     ovr_setup_free(run->setup);
     if (run->resumed)
         ovr_case_free(run->c);
-    ovr_run_free_values(run->began, run->began_count);
     ovr_restart_close(run->restart);
     arena = run->arena;
     ovr_arena_release(&arena);

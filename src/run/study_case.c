@@ -83,10 +83,10 @@ static int by_name(const void *a, const void *b)
 
 static ovr_status check_names(ovr_study *s, ovr_error *err)
 {
-    char **sorted = malloc((s->tasks + 1) * sizeof *sorted);
+    char **sorted = ovr_arena_take(&s->arena, s->tasks, sizeof *sorted, err);
     ovr_status status = OVR_OK;
     if (!sorted)
-        return ovr_fail(err, OVR_NO_MEMORY, "out of memory");
+        return OVR_NO_MEMORY;
     memcpy(sorted, s->name, s->tasks * sizeof *sorted);
     qsort(sorted, s->tasks, sizeof *sorted, by_name);
     for (size_t i = 1; !status && i < s->tasks; i++)
@@ -94,7 +94,6 @@ static ovr_status check_names(ovr_study *s, ovr_error *err)
             status = ovr_fail(err, OVR_BAD_INPUT,
                               "%s: the case %.200s is there twice", s->path,
                               sorted[i]);
-    free(sorted);
     return status;
 }
 

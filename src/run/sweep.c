@@ -102,8 +102,9 @@ static int workers_of(const sweeping *w)
 
 static ovr_status run(sweeping *w, ovr_error *err)
 {
-    ovr_pool_job job = {w->tasks, w->task, workers_of(w), work,
-                        ended,    tick,    stop,          w};
+    ovr_pool_job job = {w->tasks, w->task, workers_of(w),
+                        work,     ended,   tick,
+                        stop,     w,       &w->arena.allocator};
     int stopped = w->tasks ? ovr_pool_run(&job) : 0;
     if (stopped < 0)
         return ovr_fail(err, OVR_IO,

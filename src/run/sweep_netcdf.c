@@ -4,7 +4,6 @@
 #include <hdf5.h>
 #include <hdf5_hl.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -33,10 +32,10 @@ static bool close_set(hid_t set, bool good)
     return set >= 0 && H5Dclose(set) >= 0 && good;
 }
 
-static bool put_scale(netcdf *n)
+static bool put_scale(netcdf *n, ovr_arena *arena)
 {
     size_t count = n->t->s->tasks;
-    int *number = malloc((count + 1) * sizeof *number);
+    int *number = ovr_arena_take(arena, count, sizeof *number, NULL);
     if (!number)
         return false;
     for (size_t i = 0; i < count; i++)
@@ -44,11 +43,8 @@ static bool put_scale(netcdf *n)
     n->scale = create(n, "case", H5T_STD_I32LE);
     if (n->scale < 0 || H5DSset_scale(n->scale, "case") < 0 ||
         H5Dwrite(n->scale, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                 number) < 0) {
-        free(number);
+                 number) < 0)
         return false;
-    }
-    free(number);
     return ovr_h5_set_chars(n->scale, "long_name", "number of the case");
 }
 
@@ -122,11 +118,12 @@ static bool put_values(const netcdf *n, const char **texts)
     return true;
 }
 
-static bool put_all(netcdf *n)
+static bool put_all(netcdf *n, ovr_arena *arena)
 {
     const ovr_sweep_table *t = n->t;
-    const char **texts = malloc((t->s->tasks + 1) * sizeof *texts);
-    bool good = texts && put_scale(n) &&
+    const char **texts = ovr_arena_take(arena, t->s->tasks, sizeof *texts,
+                                        NULL);
+    bool good = texts && put_scale(n, arena) &&
                 put_texts(n, "name", "name of the case's files",
                           (const char *const *)t->s->name);
     for (size_t i = 0; good && i < t->s->tasks; i++)
@@ -139,7 +136,6 @@ static bool put_all(netcdf *n)
         explain(n, c->name, about, sizeof about);
         good = put_numbers(n, c->name, unit_of(c->name), about, c->value);
     }
-    free(texts);
     return good && ovr_h5_set_chars(n->file, "Conventions", "CF-1.8") &&
            ovr_h5_set_chars(n->file, "title", t->s->path) &&
            ovr_h5_set_chars(n->file, "source", "overroll " OVERROLL_VERSION);
@@ -168,12 +164,14 @@ ovr_status ovr_sweep_write_netcdf(const ovr_sweep_table *t, const char *path,
                                   ovr_error *err)
 {
     netcdf n = {.t = t, .scale = -1};
+    ovr_arena arena = ovr_arena_make(&t->arena.allocator);
     ovr_h5_manners before = ovr_h5_quiet();
     char part[4500];
     bool good;
     snprintf(part, sizeof part, "%.4400s.%ld.part", path, (long)getpid());
     prepare(&n, part);
-    good = n.file >= 0 && put_all(&n);
+    good = n.file >= 0 && put_all(&n, &arena);
+    ovr_arena_release(&arena);
     ovr_h5_drop(n.scale);
     ovr_h5_drop(n.text);
     ovr_h5_drop(n.properties);

@@ -166,7 +166,7 @@ ovr_status ovr_sweep_gather(const ovr_study *s, ovr_sweep_table *t,
 {
     memset(t, 0, sizeof *t);
     t->s = s;
-    t->arena = ovr_arena_make(NULL);
+    t->arena = ovr_arena_make(&s->arena.allocator);
     t->state = ovr_arena_take(&t->arena, s->tasks, sizeof *t->state, err);
     if (!t->state || take_values(t, err))
         return OVR_NO_MEMORY;

@@ -65,13 +65,14 @@ static bool same_case(const ovr_study *s, size_t task, int fd)
     ovr_case *c = ovr_study_case(s, task, &err);
     const char *text = c ? ovr_case_text(c, &err) : NULL;
     size_t length = text ? strlen(text) : 0;
-    char *found = text ? malloc(length + 2) : NULL;
+    ovr_arena arena = ovr_arena_make(&s->arena.allocator);
+    char *found = text ? ovr_arena_take(&arena, length + 2, 1, NULL) : NULL;
     bool same = false;
     if (found) {
         ssize_t n = pread(fd, found, length + 1, 0);
         same = n >= 0 && (size_t)n == length && !memcmp(found, text, length);
     }
-    free(found);
+    ovr_arena_release(&arena);
     ovr_case_free(c);
     return same;
 }
