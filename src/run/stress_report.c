@@ -62,16 +62,39 @@ static void find_worst(ovr_stress_report *r)
     }
 }
 
+/* The criterion's amplitude from what is measured already. */
+static void combine(const ovr_stress_setup *s, ovr_stress_report *r)
+{
+    static const ovr_measure of[] = {
+        [OVR_CRITERION_CIRCLE] = OVR_MEASURE_CIRCLE,
+        [OVR_CRITERION_ORTHOGONAL] = OVR_MEASURE_ORTHOGONAL,
+        [OVR_CRITERION_CRITICAL_PLANE] = OVR_MEASURE_CRITICAL,
+        [OVR_CRITERION_DANG_VAN] = OVR_MEASURE_CIRCLE,
+        [OVR_CRITERION_VON_MISES] = OVR_MEASURE_VON_MISES,
+        [OVR_CRITERION_TRESCA] = OVR_MEASURE_TRESCA};
+    size_t n = r->material.points, depths = r->material.depths;
+    bool tension = s->criterion == OVR_CRITERION_CIRCLE;
+    const float *hydro = r->measure[OVR_MEASURE_HYDRO_MAX];
+    for (size_t k = 0; k < n * depths; k++)
+        r->amplitude[k] = r->measure[of[s->criterion]][k] +
+                          (tension && hydro[k] > 0 ? (float)s->alpha * hydro[k]
+                                                   : 0);
+    for (size_t j = 0; j < depths; j++)
+        r->amplitude_smooth[j] =
+            r->smooth[of[s->criterion]][j] +
+            (tension ? s->alpha * fmax(r->smooth[OVR_MEASURE_HYDRO_MAX][j], 0)
+                     : 0);
+}
+
 static ovr_status find_amplitude(const ovr_setup *setup,
                                  const ovr_stress_plan *plan,
-                                 const ovr_passage *passage,
                                  ovr_stress_paths *paths, void *data,
                                  ovr_stress_report *r, ovr_error *err)
 {
     const ovr_stress_setup *s = setup->stress;
+    combine(s, r);
     if (s->criterion != OVR_CRITERION_DANG_VAN)
-        return ovr_passage_amplitude(passage, s->criterion, s->alpha,
-                                     r->amplitude, r->amplitude_smooth, err);
+        return OVR_OK;
     if (!paths)
         return ovr_fail_about(err, "criterion",
                               "criterion = dang-van goes over the stored "
@@ -131,9 +154,8 @@ ovr_stress_report *ovr_stress_told(const ovr_setup *setup,
     find_worst(r);
     for (size_t k = 0; k < r->material.points; k++)
         r->incomplete += !r->material.complete[k];
-    if (r->fatigue &&
-        (find_amplitude(setup, plan, passage, paths, data, r, err) ||
-         find_life(setup, r, err)))
+    if (r->fatigue && (find_amplitude(setup, plan, paths, data, r, err) ||
+                       find_life(setup, r, err)))
         return NULL;
     return r;
 }

@@ -35,18 +35,34 @@ double ovr_direction_sin(int m)
     return 2 * m == OVR_HALF_DIRECTIONS ? 1 : sin(pi * m / OVR_HALF_DIRECTIONS);
 }
 
+/* sin(2 pi g / 32) */
+static const double sine[M / 2] = {0,
+                                   0.19509032201612825,
+                                   0.38268343236508977,
+                                   0.55557023301960218,
+                                   0.70710678118654752,
+                                   0.83146961230254524,
+                                   0.92387953251128674,
+                                   0.98078528040323043,
+                                   1,
+                                   0.98078528040323043,
+                                   0.92387953251128674,
+                                   0.83146961230254524,
+                                   0.70710678118654752,
+                                   0.55557023301960218,
+                                   0.38268343236508977,
+                                   0.19509032201612825};
+
 static double of_triples(const double *H)
 {
-    double sine[M / 2], best = -INFINITY;
-    for (int g = 0; g < M / 2; g++)
-        sine[g] = sin(2 * pi * g / M);
+    double best = -INFINITY;
     for (int a = 0; a < M; a++)
         for (int b = a + 1; b < M && b - a < M / 2; b++)
             for (int c = a + M / 2 + 1; c < M && c - b < M / 2; c++) {
                 double la = sine[c - b], lb = sine[M - c + a];
                 double lc = sine[b - a];
                 double R = (la * H[a] + lb * H[b] + lc * H[c]) / (la + lb + lc);
-                best = fmax(best, R);
+                best = R > best ? R : best;
             }
     return best;
 }
