@@ -42,7 +42,7 @@ static const char roller_end[] =
     "level = 8                    # 7 2^8 + 1 = 1793 nodes\n"
     "\n"
     "[time]\n"
-    "end = 7                      # in b/um; or with a unit: 0.5 ms\n"
+    "end = 9                      # in b/um; or with a unit: 0.5 ms\n"
     "\n"
     "[feature dent]\n"
     "surface = 1\n"

@@ -53,7 +53,7 @@ static void prepare(caller *c, const char *folder, int number)
 }
 
 /* A file that passes for a result until HDF5 is to open what is not there. */
-static void lacks_a_column(caller *c, const test_dent *dent)
+static void lacks_a_field(caller *c, const test_dent *dent)
 {
     ovr_write_options o = ovr_write_options_default();
     ovr_contact contact = test_contact_bare();
@@ -65,7 +65,7 @@ static void lacks_a_column(caller *c, const test_dent *dent)
     w = ovr_writer_create(&o, &contact, NODES, dent->X, NULL, &err);
     expect(c, w && !ovr_writer_close(w, OVR_RUN_STOPPED, &err));
     file = H5Fopen(c->good, H5F_ACC_RDWR, H5P_DEFAULT);
-    expect(c, H5Ldelete(file, "history/load", H5P_DEFAULT) >= 0);
+    expect(c, H5Ldelete(file, "history/step", H5P_DEFAULT) >= 0);
     H5Fclose(file);
     expect(c,
            !ovr_writer_resume(&o, &contact, NODES, dent->X, NULL, NULL, &err) &&
@@ -82,7 +82,7 @@ static void bad_results(caller *c)
     expect(c, !ovr_result_open(c->none, NULL, &err));
     expect(c, !ovr_restart_open(c->bad, NULL, &err));
     test_dent_init(&dent, NODES, 0);
-    lacks_a_column(c, &dent);
+    lacks_a_field(c, &dent);
     o.path = c->bad;
     expect(c,
            !ovr_writer_resume(&o, &contact, NODES, dent.X, NULL, NULL, &err) &&
