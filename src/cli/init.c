@@ -72,7 +72,7 @@ static const char gear_end[] =
     "level = 8\n"
     "\n"
     "[time]\n"
-    "end = 8\n"
+    "end = 9\n"
     "scheme = characteristic      # carries short waves best\n"
     "\n"
     "[load]                       # relative to the load above\n"
