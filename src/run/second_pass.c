@@ -49,7 +49,7 @@ static ovr_stress_row look(pass *p, double U, long *offset)
 {
     const ovr_stress_plan *plan = p->plan;
     double D = plan->options.mesh, start, t, turns;
-    ovr_stress_row row = ovr_stress_at(p->stress, 0);
+    ovr_stress_row row;
     start = plan->options.inlet +
             ceil((plan->options.from - plan->options.inlet) / D - 1e-9) * D;
     t = (U + plan->range.reference - start) / D;

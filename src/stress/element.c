@@ -30,8 +30,9 @@ typedef long double complex precise;
 static precise differences(precise w, int size, const int *c, int power)
 {
     precise sum = 0;
+    const int middle = size / 2;
     for (int k = 0; k < size; k++) {
-        precise v = w - (long double)(k - size / 2), term = clogl(v);
+        precise v = w - (long double)(k - middle), term = clogl(v);
         for (int p = 0; p < power; p++)
             term *= v;
         sum += (long double)c[k] * term;

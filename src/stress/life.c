@@ -126,10 +126,11 @@ ovr_status ovr_life(const ovr_life_options *o, const ovr_material *m,
                     const float *A, const double *smooth, double *risk,
                     double *length, ovr_life_result *result, ovr_error *err)
 {
-    double column[MOST_DEPTHS], i[MOST_DEPTHS], i_0[MOST_DEPTHS];
+    double column[MOST_DEPTHS], i[MOST_DEPTHS], i_0[MOST_DEPTHS] = {0};
     double lambda[MOST_DEPTHS] = {0};
-    if (m->depths > MOST_DEPTHS)
-        return ovr_fail(err, OVR_BAD_INPUT, "more than %d depths", MOST_DEPTHS);
+    if (m->depths < 1 || m->depths > MOST_DEPTHS)
+        return ovr_fail(err, OVR_BAD_INPUT, "%zu depths: 1 to %d are possible",
+                        m->depths, MOST_DEPTHS);
     size_t from = first_counted(o, m);
     *result = (ovr_life_result){.least_depth = m->z[from]};
     ovr_risk(o, m->depths, m->z, smooth, i_0);

@@ -19,6 +19,11 @@ typedef struct ovr_state_constants {
     float across;     /* residual_y */
 } ovr_state_constants;
 
+/* n values each; see `states`. */
+typedef struct ovr_node_states {
+    float *d, *tau, *h, *in_plane, *von_mises, *tresca;
+} ovr_node_states;
+
 typedef struct ovr_stress_loops {
     const char *name;
 
@@ -31,8 +36,8 @@ typedef struct ovr_stress_loops {
     /* The state of n nodes: d and tau apart, h, and by them the largest shear
      * in the plane squared, von Mises squared and Tresca's shear. */
     void (*states)(size_t n, const float *shear, const float *mean,
-                   const ovr_state_constants *constants, float *d, float *tau,
-                   float *h, float *in_plane, float *von_mises, float *tresca);
+                   const ovr_state_constants *constants,
+                   const ovr_node_states *to);
 
     /* high = max(high, v), low = min(low, v) for v = d cos + tau sin. */
     void (*extents)(size_t n, const float *d, const float *tau, float cosine,

@@ -114,10 +114,11 @@ static void spread(size_t bins, size_t n, ovr_bins P, ovr_bins A, ovr_bins B,
 
 static void states(size_t n, const float *restrict shear,
                    const float *restrict mean, const ovr_state_constants *c,
-                   float *restrict d, float *restrict tau, float *restrict h,
-                   float *restrict in_plane, float *restrict von_mises,
-                   float *restrict tresca)
+                   const ovr_node_states *to)
 {
+    float *restrict d = to->d, *restrict tau = to->tau, *restrict h = to->h;
+    float *restrict in_plane = to->in_plane, *restrict tresca = to->tresca;
+    float *restrict von_mises = to->von_mises;
     const float nu = c->poisson, m0 = c->mean, d0 = c->half, y0 = c->across;
     for (size_t i = 0; i < n; i++) {
         float di = shear[2 * i], ti = shear[2 * i + 1], hi = mean[2 * i];

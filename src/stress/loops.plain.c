@@ -30,26 +30,26 @@ static void spread(size_t bins, size_t n, ovr_bins P, ovr_bins A, ovr_bins B,
 }
 
 static void states(size_t n, const float *shear, const float *mean,
-                   const ovr_state_constants *c, float *d, float *tau, float *h,
-                   float *in_plane, float *von_mises, float *tresca)
+                   const ovr_state_constants *c, const ovr_node_states *to)
 {
     for (size_t i = 0; i < n; i++) {
-        d[i] = shear[2 * i];
-        tau[i] = shear[2 * i + 1];
-        h[i] = mean[2 * i];
-        double half = (double)d[i] + (double)c->half, t = tau[i];
-        double middle = (double)c->mean - (double)h[i];
-        double y = (double)c->across - 2 * (double)c->poisson * (double)h[i];
+        to->d[i] = shear[2 * i];
+        to->tau[i] = shear[2 * i + 1];
+        to->h[i] = mean[2 * i];
+        double half = (double)to->d[i] + (double)c->half, t = to->tau[i];
+        double middle = (double)c->mean - (double)to->h[i];
+        double y = (double)c->across -
+                   2 * (double)c->poisson * (double)to->h[i];
         double shearing = hypot(half, t), one = middle + shearing;
         double three = middle - shearing;
-        in_plane[i] = (float)(shearing * shearing);
-        von_mises[i] = (float)(((one - y) * (one - y) +
-                                (y - three) * (y - three) +
-                                (three - one) * (three - one)) /
-                               2);
-        tresca[i] = (float)(fmax(fmax(fabs(one - y), fabs(y - three)),
-                                 fabs(one - three)) /
-                            2);
+        to->in_plane[i] = (float)(shearing * shearing);
+        to->von_mises[i] = (float)(((one - y) * (one - y) +
+                                    (y - three) * (y - three) +
+                                    (three - one) * (three - one)) /
+                                   2);
+        to->tresca[i] = (float)(fmax(fmax(fabs(one - y), fabs(y - three)),
+                                     fabs(one - three)) /
+                                2);
     }
 }
 

@@ -64,9 +64,10 @@ static size_t nodes_within(const ovr_passage *p, const ovr_stress_row *row,
 static void find_states(ovr_passage *p, const ovr_stress_row *row, size_t first,
                         size_t n)
 {
+    const ovr_node_states to = {p->d,        p->tau,       p->h,
+                                p->in_plane, p->von_mises, p->tresca};
     p->stress->loops->states(n, row->shear + 2 * first, row->mean + 2 * first,
-                             &p->constants, p->d, p->tau, p->h, p->in_plane,
-                             p->von_mises, p->tresca);
+                             &p->constants, &to);
 }
 
 static void note_extreme(const ovr_stress_loops *loops, size_t n,

@@ -41,9 +41,13 @@ static void find_rest(ovr_passage *p)
     p->constants = (ovr_state_constants){
         (float)range->poisson, (float)(range->residual_x / 2),
         (float)(range->residual_x / 2), (float)range->residual_y};
-    p->stress->loops->states(1, zero, zero, &p->constants, &d, &tau, &h,
-                             &in_plane, &p->rest[OVR_ROW_VON_MISES],
-                             &p->rest[OVR_ROW_TRESCA]);
+    ovr_node_states to = {&d,
+                          &tau,
+                          &h,
+                          &in_plane,
+                          &p->rest[OVR_ROW_VON_MISES],
+                          &p->rest[OVR_ROW_TRESCA]};
+    p->stress->loops->states(1, zero, zero, &p->constants, &to);
 }
 
 static void start_at_rest(ovr_passage *p)

@@ -398,8 +398,10 @@ static void compare_loops(const ovr_stress_loops *a, const ovr_stress_loops *b)
         near_floats((size_t)2 * LOOP, A[0], B[0]);
     }
     ovr_state_constants c = {0.3F, 0.1F, 0.1F, -0.2F};
-    a->states(LOOP, in[0], in[1], &c, A[0], A[1], A[2], A[3], A[4], A[5]);
-    b->states(LOOP, in[0], in[1], &c, B[0], B[1], B[2], B[3], B[4], B[5]);
+    ovr_node_states to_a = {A[0], A[1], A[2], A[3], A[4], A[5]};
+    ovr_node_states to_b = {B[0], B[1], B[2], B[3], B[4], B[5]};
+    a->states(LOOP, in[0], in[1], &c, &to_a);
+    b->states(LOOP, in[0], in[1], &c, &to_b);
     for (int k = 0; k < 6; k++)
         near_floats(LOOP, A[k], B[k]);
     a->extents(LOOP, in[0], in[1], 0.6F, 0.8F, A[0], A[1]);
