@@ -38,4 +38,8 @@ ovr_element ovr_element_at(ovr_element element, double D, double z);
 /* Stresses of p times one density and q times another. */
 ovr_in_plane ovr_stress_of(double z, ovr_potential p, ovr_potential q);
 
+/* Of p and q times the same density. */
+ovr_in_plane ovr_stress_of_both(double z, ovr_potential one, double p,
+                                double q);
+
 #endif

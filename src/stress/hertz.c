@@ -18,8 +18,7 @@ ovr_in_plane ovr_hertz_stress(double p, double q, double x, double z)
 {
     double complex w = x + I * z, root = csqrt(w - 1) * csqrt(w + 1);
     ovr_potential one = {I * (w - root), I * (1 - w / root)};
-    return ovr_stress_of(z, (ovr_potential){p * one.C, p * one.dC},
-                         (ovr_potential){q * one.C, q * one.dC});
+    return ovr_stress_of_both(z, one, p, q);
 }
 
 /* One criterion at one depth, as a function of x, in free rolling. */

@@ -126,7 +126,8 @@ ovr_status ovr_life(const ovr_life_options *o, const ovr_material *m,
                     const float *A, const double *smooth, double *risk,
                     double *length, ovr_life_result *result, ovr_error *err)
 {
-    double column[MOST_DEPTHS], i[MOST_DEPTHS], i_0[MOST_DEPTHS] = {0};
+    double column[MOST_DEPTHS] = {0}, i[MOST_DEPTHS] = {0};
+    double i_0[MOST_DEPTHS] = {0};
     double lambda[MOST_DEPTHS] = {0};
     if (m->depths < 1 || m->depths > MOST_DEPTHS)
         return ovr_fail(err, OVR_BAD_INPUT, "%zu depths: 1 to %d are possible",
