@@ -21,11 +21,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* gcc 12's analyzer loses complex numbers that are set in a struct. */
-#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
-#pragma GCC diagnostic ignored "-Wanalyzer-use-of-uninitialized-value"
-#endif
-
 static const double pi = 3.14159265358979323846;
 enum { SPLINE_REACH = 100, SPLINE_TAIL = 40 };
 
@@ -56,22 +51,18 @@ static double complex rounded(precise value, long double by)
     return (double)creall(quotient) + I * (double)cimagl(quotient);
 }
 
-static ovr_potential hat(precise w)
+static void hat(precise w, ovr_potential *one)
 {
     static const int c[] = {1, -2, 1};
-    ovr_potential one;
-    one.C = rounded(differences(w, 3, c, 1), (long double)pi);
-    one.dC = rounded(differences(w, 3, c, 0), (long double)pi);
-    return one;
+    one->C = rounded(differences(w, 3, c, 1), (long double)pi);
+    one->dC = rounded(differences(w, 3, c, 0), (long double)pi);
 }
 
-static ovr_potential b_spline(precise w)
+static void b_spline(precise w, ovr_potential *one)
 {
     static const int c[] = {1, -4, 6, -4, 1};
-    ovr_potential one;
-    one.C = rounded(differences(w, 5, c, 3), 6 * (long double)pi);
-    one.dC = rounded(differences(w, 5, c, 2), 2 * (long double)pi);
-    return one;
+    one->C = rounded(differences(w, 5, c, 3), 6 * (long double)pi);
+    one->dC = rounded(differences(w, 5, c, 2), 2 * (long double)pi);
 }
 
 /* a_m = sqrt 3 (sqrt 3 - 2)^|m| */
@@ -95,11 +86,11 @@ static ovr_potential cardinal(const ovr_potential *B)
 
 static ovr_potential spline(double x, double z)
 {
-    ovr_potential B[2 * SPLINE_TAIL + 1];
+    ovr_potential B[2 * SPLINE_TAIL + 1] = {{0, 0}};
     if (fabs(x) > SPLINE_REACH)
         return point(x + I * z);
     for (int m = -SPLINE_TAIL; m <= SPLINE_TAIL; m++)
-        B[m + SPLINE_TAIL] = b_spline((long double)x + m + I * (long double)z);
+        b_spline((long double)x + m + I * (long double)z, &B[m + SPLINE_TAIL]);
     return cardinal(B + SPLINE_TAIL);
 }
 
@@ -117,7 +108,7 @@ ovr_potential ovr_element_potential(ovr_element element, double D, double x,
     x /= D, z /= D;
     switch (ovr_element_at(element, 1, z)) {
     case OVR_ELEMENT_HAT:
-        result = hat((long double)x + I * (long double)z);
+        hat((long double)x + I * (long double)z, &result);
         break;
     case OVR_ELEMENT_SPLINE: result = spline(x, z); break;
     default: result = point(x + I * z); break;
@@ -131,9 +122,9 @@ ovr_potential ovr_element_potential(ovr_element element, double D, double x,
 static void spline_line(double z, ovr_potential *out)
 {
     enum { REACH = SPLINE_REACH + SPLINE_TAIL };
-    ovr_potential B[2 * REACH + 1];
+    ovr_potential B[2 * REACH + 1] = {{0, 0}};
     for (int k = -REACH; k <= REACH; k++)
-        B[k + REACH] = b_spline((long double)k + I * (long double)z);
+        b_spline((long double)k + I * (long double)z, &B[k + REACH]);
     for (int k = -SPLINE_REACH; k <= SPLINE_REACH; k++)
         out[k + SPLINE_REACH] = cardinal(B + REACH + k);
 }
@@ -141,7 +132,7 @@ static void spline_line(double z, ovr_potential *out)
 void ovr_element_line(ovr_element element, double D, double z, long first,
                       size_t count, ovr_potential *out)
 {
-    ovr_potential near[2 * SPLINE_REACH + 1];
+    ovr_potential near[2 * SPLINE_REACH + 1] = {{0, 0}};
     bool splines = ovr_element_at(element, D, z) == OVR_ELEMENT_SPLINE;
     if (splines)
         spline_line(z / D, near);
