@@ -61,6 +61,9 @@ ovr_status ovr_case_parse(ovr_case *c, ovr_error *err)
     while (!status && !(status = ovr_entries_next(&all, &entry, err)) &&
            entry.line) {
         ovr_error why = {0};
+        if (!entry.section && !block)
+            return ovr_fail_at(err, OVR_BAD_INPUT, c->name, entry.line,
+                               "a key stands before the first [section]");
         status = entry.section ? open_section(c, &entry, &block, &why)
                                : take_value(c, &entry, block, &why);
         if (status)

@@ -534,7 +534,7 @@ const ovr_section *ovr_section_now(const ovr_section *before, const char *key)
 {
     for (size_t k = 0; k < sizeof moved / sizeof *moved; k++) {
         const ovr_section *now = ovr_section_find(moved[k].now);
-        if (!strcmp(before->name, moved[k].before) &&
+        if (now && !strcmp(before->name, moved[k].before) &&
             !ovr_parameter_find(before, key) && ovr_parameter_find(now, key))
             return now;
     }

@@ -48,7 +48,7 @@ static ovr_status measure(const ovr_profile_source *source,
                           const ovr_conditioning *how, profile_report *r,
                           ovr_error *err)
 {
-    ovr_profile_numbers now;
+    ovr_profile_numbers now = {.kind = 'P'};
     ovr_status status;
     r->missing = ovr_profile_look(r->profile)->missing;
     status = ovr_profile_condition(r->profile, how, err);

@@ -64,6 +64,8 @@ ovr_status ovr_axis_make(ovr_unit_kind kind, ovr_result *result,
     double scale = scale_of(info, kind);
     const quantity *q = find(kind);
     int k = 0;
+    if (!q)
+        return ovr_fail(err, OVR_BAD_INPUT, "a quantity of unknown kind");
     *axis = q->hertzian;
     if (units == OVR_HERTZIAN || (units == OVR_AS_STORED && !info->physical))
         return OVR_OK;

@@ -176,7 +176,7 @@ static ovr_status take_samples(figure *f, ovr_error *err)
 {
     size_t rows = ovr_table_rows(f->t);
     f->sample = ovr_arena_take(f->arena, rows, sizeof *f->sample, err);
-    if (!f->sample)
+    if (!f->sample || !f->x || !f->y)
         return OVR_NO_MEMORY;
     for (size_t i = 0; i < rows; i++) {
         sample *s = &f->sample[f->samples];

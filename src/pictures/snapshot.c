@@ -234,7 +234,7 @@ static void draw_column(ovr_snapshot_chart *to, const ovr_look *look,
     bool above = false, below = false;
     ovr_series *pressures = to->series[column],
                *films = to->series[columns + column];
-    ovr_panel unused, *P, *H;
+    ovr_panel unused = {0}, *P, *H;
     for (size_t k = 0; k < count; k++) {
         above |= shot[k].P != NULL;
         below |= shot[k].H != NULL || shot[k].S != NULL;

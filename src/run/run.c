@@ -250,7 +250,7 @@ static bool has_state(ovr_status status)
 ovr_status ovr_run_go(ovr_run *run, ovr_error *err)
 {
     double begun = seconds_now();
-    ovr_error own;
+    ovr_error own = {0};
     ovr_status status;
     err = err ? err : &own;
     ovr_run_review_before(run);

@@ -54,6 +54,7 @@ expect 0 "$OVERROLL" export a.h5 --units hertzian
 mv out history.csv
 
 check() { # COLUMN PLACE SIGN KEY PLACE_KEY TIME_KEY
+    # shellcheck disable=SC2046 # three words are wanted
     set -- "$4" "$5" "$6" $(extreme "$1" "$2" "$3")
     near "$(value "$1" a.json)" "$4" "$1"
     [ -z "$2" ] || near "$(value "$2" a.json)" "$5" "$2"
