@@ -9,6 +9,7 @@
 #define OVR_NAME(x) OVR_TEXT(x)
 
 /* clang-format off */
+/* NOLINTNEXTLINE(bugprone-macro-parentheses): a type, and a list */
 #define OVR_KERNEL_DECLARED(type, name, arguments) \
     type OVR_KERNEL(name) arguments;
 #define OVR_KERNEL_ENTRY(type, name, arguments) .name = OVR_KERNEL(name),

@@ -131,7 +131,7 @@ bool ovr_fourth_stands_apart(ovr_simulation *sim);
 void ovr_fourth_standing_gap(ovr_simulation *sim);
 
 /* Keeps records of full multigrid (refinement.c). */
-void ovr_refinement_watch(void *sim, const ovr_level *level,
+void ovr_refinement_watch(void *data, const ovr_level *level,
                           ovr_full_event event, const ovr_climb *climb);
 
 /* How a solve or step ended. */
@@ -217,7 +217,7 @@ void ovr_simulation_read(ovr_simulation *sim);
 void ovr_publish_state(ovr_simulation *sim);
 
 /* Takes what is observed into the extremes of the run. */
-void ovr_statistics_take(ovr_statistics *total, const ovr_observation *seen,
+void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
                          bool first);
 
 /* Fills the state's fields and the observation from the finest level. */
