@@ -9,9 +9,10 @@
 #define OVR_NAME(x) OVR_TEXT(x)
 
 /* clang-format off */
-/* NOLINTNEXTLINE(bugprone-macro-parentheses): a type, and a list */
+/* NOLINTBEGIN(bugprone-macro-parentheses): a type, and a list */
 #define OVR_KERNEL_DECLARED(type, name, arguments) \
     type OVR_KERNEL(name) arguments;
+/* NOLINTEND(bugprone-macro-parentheses) */
 #define OVR_KERNEL_ENTRY(type, name, arguments) .name = OVR_KERNEL(name),
 #define OVR_KERNELS(number_of_lanes) \
     {.name = OVR_NAME(OVR_ISA), .lanes = (number_of_lanes), \
