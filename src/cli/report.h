@@ -8,7 +8,7 @@
 
 /* One object, or a table unless -q. */
 void cli_report(const cli_call *call, const ovr_run_info *run);
-void cli_report_json(const ovr_run_info *run, FILE *to);
+void cli_report_json(const ovr_run_info *s, FILE *to);
 
 /* The scales of a contact; for check and info too. */
 void cli_json_contact(json_writer *json, const ovr_contact *contact);
