@@ -90,11 +90,13 @@ static const ovr_table_column *next_key(const ovr_table *t,
                                         const ovr_table_column *x, bool numeric)
 {
     const ovr_table_column *c;
-    for (size_t k = 0; (c = ovr_table_at(t, k)); k++)
-        if (c->varied && c != x && !is_seed(c) && varies(t, c) &&
-            !(x && together(t, x, c)) && (!numeric || is_numeric(t, c)))
-            break;
-    return c;
+    for (size_t k = 0; (c = ovr_table_at(t, k)) != NULL; k++) {
+        bool other = !x || (c != x && !together(t, x, c));
+        if (c->varied && other && !is_seed(c) && varies(t, c) &&
+            (!numeric || is_numeric(t, c)))
+            return c;
+    }
+    return NULL;
 }
 
 /* What there is, for messages. */
@@ -266,10 +268,11 @@ static ovr_status add_line(const figure *f, size_t first, size_t end,
 {
     size_t n = end - first, m = 0;
     double *block = ovr_arena_take(f->arena, n, 4 * sizeof *block, err);
-    double *x = block, *mean = block + n, *low = mean + n, *high = low + n;
+    double *x = block, *mean, *low, *high;
     ovr_guise as = ovr_guise_of(f->sample[first].line);
     if (!block)
         return OVR_NO_MEMORY;
+    mean = block + n, low = mean + n, high = low + n;
     for (size_t i = first, j; i < end; i = j, m++) {
         x[m] = f->sample[i].x;
         mean[m] = 0;

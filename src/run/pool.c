@@ -123,7 +123,7 @@ int ovr_pool_run(const ovr_pool_job *job)
     int code = -1;
     if (p.worker && p.end && shared != MAP_FAILED) {
         p.done = shared;
-        p.stop = (int *)(p.done + n);
+        p.stop = (int *)(void *)(p.done + n);
         code = run(&p);
     }
     if (shared != MAP_FAILED)
