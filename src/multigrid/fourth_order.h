@@ -63,7 +63,7 @@ typedef struct ovr_fourth_way {
  * cycle, correct, cycle, ...  The mask is set by the first three corrections
  * and stays (set again by each it can leave a limit cycle).  The residual falls
  * by a third a cycle, as the wedge at the shortest wave is corrected by 4/3.
- * False when the third correction has not brought the residual of the first to
+ * False when the eighth correction has not brought the residual of the first to
  * a fifth, or the tolerance is not reached: F, gap and the pressures are then
  * worth nothing.  Adds to the number of cycles.
  */
