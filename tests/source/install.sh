@@ -26,7 +26,8 @@ expect 0 sh -e compile
 expect 0 ./user
 contains out '^T = 0.00  H_min = 0.073. at 0.96'
 contains out '^T = 3.44  H_min = 0.06.. at -0.51'
-flags=$(pkg-config --cflags --libs overroll) || fail "no overroll.pc"
+# Only compiled: clang refuses a linker's words where nothing is linked.
+flags=$(pkg-config --cflags overroll) || fail "no overroll.pc"
 # shellcheck disable=SC2086 # lists of words
 expect 0 $CC -Wall -Wextra -Wpedantic -Werror -c user.c $flags -o user.o
 readelf -d user >dynamic
