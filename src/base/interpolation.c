@@ -4,21 +4,21 @@
 #include <gsl/gsl_errno.h>
 #include <pthread.h>
 
-/* The handler belongs to the whole program: threads take turns to switch it
- * off, so that the one found is the one put back. */
-static pthread_mutex_t turn = PTHREAD_MUTEX_INITIALIZER;
+/* The handler belongs to the whole program: one thread at a time switches
+ * it off, so that the one found is the one put back. */
+static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 
 static int make(const gsl_interp_type *type, size_t n, const double *x,
                 const double *y, gsl_interp **made)
 {
     int code = GSL_ENOMEM;
-    pthread_mutex_lock(&turn);
+    pthread_mutex_lock(&lock);
     gsl_error_handler_t *before = gsl_set_error_handler_off();
     *made = gsl_interp_alloc(type, n);
     if (*made)
         code = gsl_interp_init(*made, x, y, n);
     gsl_set_error_handler(before);
-    pthread_mutex_unlock(&turn);
+    pthread_mutex_unlock(&lock);
     return code;
 }
 

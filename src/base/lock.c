@@ -6,7 +6,7 @@
 #include <fcntl.h>
 #include <sys/file.h>
 
-/* One byte, far behind those that commits and reads take turns by. */
+/* One byte, far behind those of the commit lock. */
 static int lock_byte(int fd, bool shared)
 {
 #ifdef F_OFD_SETLK

@@ -14,7 +14,7 @@ static const struct {
 };
 
 /* --level wins over nodes in the file, --M and --L over lambda, alphabar. */
-static void make_way(ovr_case *c, const char *option)
+static void remove_overridden(ovr_case *c, const char *option)
 {
     if (option[0] == 'l')
         ovr_case_unset(c, "domain.nodes");
@@ -29,7 +29,7 @@ ovr_status cli_apply_options(const cli_call *call, ovr_case *c, ovr_error *err)
         if (!value)
             continue;
         snprintf(origin, sizeof origin, "--%s", shorts[i].option);
-        make_way(c, shorts[i].option);
+        remove_overridden(c, shorts[i].option);
         if (ovr_case_set(c, shorts[i].where, value, origin, err))
             return OVR_BAD_INPUT;
     }

@@ -30,18 +30,18 @@ static void heights(const ovr_profile_numbers *n, row rows[HEIGHTS])
 
 static const char *along(const profile_report *r, double value)
 {
-    static ovr_piece turns[4];
-    static unsigned turn;
-    ovr_piece *piece = &turns[turn++ % 4];
+    static ovr_piece texts[4];
+    static unsigned used;
+    ovr_piece *piece = &texts[used++ % 4];
     *piece = ovr_along(r->profile, value);
     return piece->text;
 }
 
 static const char *across(const profile_report *r, double value)
 {
-    static ovr_piece turns[4];
-    static unsigned turn;
-    ovr_piece *piece = &turns[turn++ % 4];
+    static ovr_piece texts[4];
+    static unsigned used;
+    ovr_piece *piece = &texts[used++ % 4];
     *piece = ovr_across(r->profile, value);
     return piece->text;
 }

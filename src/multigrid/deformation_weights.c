@@ -19,7 +19,7 @@
 
 #include "multigrid/deformation.h"
 
-enum { POINTS = 120, TURNS = 60 };
+enum { POINTS = 120, ITERATIONS = 60 };
 
 typedef struct fit {
     long double column[OVR_MLMI_MOST][POINTS]; /* the last is ln x */
@@ -121,7 +121,7 @@ void ovr_mlmi_weights(size_t h, size_t range, double weight[])
         return;
     }
     fill(&f, h, range);
-    for (int turn = 0; turn < TURNS; turn++) {
+    for (int iteration = 0; iteration < ITERATIONS; iteration++) {
         least_squares(&f, h - 1, w);
         level_errors(&f, h - 1);
     }

@@ -65,7 +65,7 @@ static void correct(ovr_hierarchy *grids, const ovr_correction *c, bool mask)
 }
 
 bool ovr_fourth_solve(ovr_hierarchy *grids, const ovr_correction *c,
-                      const ovr_fourth_way *how, ovr_defect *d, int *cycles)
+                      const ovr_fourth_cycling *how, ovr_defect *d, int *cycles)
 {
     ovr_level *level = finest_of(grids);
     double first = 0;

@@ -51,12 +51,12 @@ ovr_status ovr_correction_prepare(ovr_hierarchy *grids, ovr_correction *c,
                                   ovr_arena *arena, ovr_error *err);
 
 /* How the corrected equations are solved. */
-typedef struct ovr_fourth_way {
+typedef struct ovr_fourth_cycling {
     ovr_cycling cycling;
     int most_cycles;
     double (*tolerance)(const void *data, const ovr_level *level, double H);
     const void *data;
-} ovr_fourth_way;
+} ovr_fourth_cycling;
 
 /*
  * From a solution of second order on the finest grid, F = 0, to one of fourth:
@@ -68,6 +68,7 @@ typedef struct ovr_fourth_way {
  * worth nothing.  Adds to the number of cycles.
  */
 bool ovr_fourth_solve(ovr_hierarchy *grids, const ovr_correction *c,
-                      const ovr_fourth_way *how, ovr_defect *d, int *cycles);
+                      const ovr_fourth_cycling *how, ovr_defect *d,
+                      int *cycles);
 
 #endif

@@ -6,14 +6,14 @@
 #include "multigrid/coarsest.h"
 #include "multigrid/fas.h"
 
-/* One solution on its way. */
-typedef struct ascent {
+/* One solution by nested iteration. */
+typedef struct nested {
     ovr_hierarchy *grids;
     const ovr_wanted *wanted;
     const ovr_full *how;
     int *cycles;
-    bool told; /* the load is whole */
-} ascent;
+    bool reporting; /* the load is whole */
+} nested;
 
 /* Full weighting, in place; of the gap the weights' own effect on X^2/2, D^2/4
  * with the fine D, is taken out again. */
@@ -77,7 +77,7 @@ ovr_fluid ovr_wanted_fluid(const ovr_wanted *wanted, double fraction)
  * where the film outgrows the deformation; H0 from the film formula above the
  * rigid approach of the dry contact, Cw (-0.5966 + ln(a)/2) at half-width a.
  */
-static void hertzian_start(const ascent *a, ovr_level *level, double fraction)
+static void hertzian_start(const nested *a, ovr_level *level, double fraction)
 {
     ovr_hierarchy *grids = a->grids;
     double Cw = a->wanted->Cw, H = ovr_wanted_film(a->wanted, fraction);
@@ -91,20 +91,20 @@ static void hertzian_start(const ascent *a, ovr_level *level, double fraction)
     grids->H0 = H + Cw * (-0.5966 + 0.5 * log(width));
 }
 
-static void tell(const ascent *a, const ovr_level *level, ovr_full_event event,
-                 const ovr_climb *climb)
+static void report(const nested *a, const ovr_level *level,
+                   ovr_full_event event, const ovr_full_status *status)
 {
-    if (a->told && a->how->watch)
-        a->how->watch(a->how->data, level, event, climb);
+    if (a->reporting && a->how->watch)
+        a->how->watch(a->how->data, level, event, status);
 }
 
-static bool is_done(const ascent *a, const ovr_level *level, ovr_defect d)
+static bool is_done(const nested *a, const ovr_level *level, ovr_defect d)
 {
     return ovr_below(d, a->how->tolerance(a->how->data, level, d.centre));
 }
 
 /* Newton's method; where there is no finer grid, to what that is to reach. */
-static ovr_defect solve_coarsest(const ascent *a, ovr_level *level)
+static ovr_defect solve_coarsest(const nested *a, ovr_level *level)
 {
     enum { STEPS = 100 };
     const double enough = 1e-8;
@@ -122,18 +122,18 @@ static ovr_defect solve_coarsest(const ascent *a, ovr_level *level)
 }
 
 /* Cycles on a level until below its tolerance. */
-static ovr_climb cycle_until_done(const ascent *a, ovr_level *level)
+static ovr_full_status cycle_until_done(const nested *a, ovr_level *level)
 {
     enum { ON_THE_WAY = 20 };
     const ovr_full *how = a->how;
     bool finest = level->number == a->grids->finest;
     int most = finest || how->fixed ? how->most_cycles : ON_THE_WAY;
-    ovr_climb c = {.defect = ovr_cycle_defect(a->grids, level)};
+    ovr_full_status c = {.defect = ovr_cycle_defect(a->grids, level)};
     while (c.cycles < most && c.defect.imbalance < 1e6) {
         double before = c.defect.imbalance;
         if (!how->fixed && is_done(a, level, c.defect))
             break;
-        tell(a, level, OVR_FULL_CYCLES, &c);
+        report(a, level, OVR_FULL_CYCLES, &c);
         ovr_cycle(a->grids, level, how->cycling);
         c.defect = ovr_cycle_defect(a->grids, level);
         c.factor = c.defect.imbalance / before;
@@ -144,16 +144,16 @@ static ovr_climb cycle_until_done(const ascent *a, ovr_level *level)
 }
 
 /* From a solved level to the given one. */
-static ovr_defect climb(const ascent *a, ovr_level *level, int top)
+static ovr_defect refine_to(const nested *a, ovr_level *level, int top)
 {
-    ovr_climb c = {.defect = ovr_cycle_defect(a->grids, level)};
+    ovr_full_status c = {.defect = ovr_cycle_defect(a->grids, level)};
     while (level->number < top && c.defect.imbalance < 1e6) {
-        tell(a, level, OVR_FULL_BEGINS, &c);
+        report(a, level, OVR_FULL_BEGINS, &c);
         ovr_fas_refine(a->grids, level, level + 1);
         level++;
         ovr_level_refresh(a->grids, level);
         c = cycle_until_done(a, level);
-        tell(a, level, OVR_FULL_ENDS, &c);
+        report(a, level, OVR_FULL_ENDS, &c);
     }
     return c.defect;
 }
@@ -163,7 +163,7 @@ static ovr_defect climb(const ascent *a, ovr_level *level, int top)
  * the whole.  The pressure hardly changes, being nearly Hertzian; the
  * film gets thinner as a whole, so H0 follows the film formula.
  */
-static ovr_defect raise_load(const ascent *a, ovr_level *level, double from)
+static ovr_defect raise_load(const nested *a, ovr_level *level, double from)
 {
     ovr_hierarchy *grids = a->grids;
     double factor = a->how->load_factor, *saved = a->how->saved;
@@ -189,7 +189,7 @@ static ovr_defect raise_load(const ascent *a, ovr_level *level, double from)
 
 /* Solves the coarsest grid at the largest fraction of the load that it can:
  * its film must be thicker than D^1.5 or so (measured), and Newton converge. */
-static double solve_easy_load(const ascent *a, ovr_level *level)
+static double solve_easy_load(const nested *a, ovr_level *level)
 {
     const double least = 1e-3;
     double fraction = 1;
@@ -206,7 +206,7 @@ static double solve_easy_load(const ascent *a, ovr_level *level)
 }
 
 /* The level on which the load is raised. */
-static int load_level(const ascent *a)
+static int load_level(const nested *a)
 {
     const ovr_hierarchy *grids = a->grids;
     double rise = pow(ovr_wanted_film(a->wanted, 1), 2. / 3);
@@ -220,7 +220,7 @@ static int load_level(const ascent *a)
 ovr_defect ovr_full_multigrid(ovr_hierarchy *grids, const ovr_wanted *wanted,
                               ovr_full how, int *cycles)
 {
-    ascent a = {grids, wanted, &how, cycles, false};
+    nested a = {grids, wanted, &how, cycles, false};
     ovr_level *level = &grids->level[how.cycling.bottom];
     prepare_levels(grids, wanted->force);
     double fraction = solve_easy_load(&a, level);
@@ -228,12 +228,13 @@ ovr_defect ovr_full_multigrid(ovr_hierarchy *grids, const ovr_wanted *wanted,
     if (fraction < 1) {
         int top = load_level(&a);
         if (top > level->number) {
-            climb(&a, level, top);
+            refine_to(&a, level, top);
             level = &grids->level[top];
         }
         d = raise_load(&a, level, fraction);
         grids->fluid = ovr_wanted_fluid(wanted, 1);
     }
-    a.told = true;
-    return level->number < grids->finest ? climb(&a, level, grids->finest) : d;
+    a.reporting = true;
+    return level->number < grids->finest ? refine_to(&a, level, grids->finest)
+                                         : d;
 }

@@ -5,7 +5,8 @@
  *
  * A load that the coarsest grid cannot carry, its film being too thin for the
  * mesh, is raised on the way: Newton at the largest fraction of the load that
- * converges, the climb to a grid that can, and there continuation in load.
+ * converges, nested iteration to a grid that can, and there continuation in
+ * load.
  */
 #ifndef OVR_MULTIGRID_FULL_H
 #define OVR_MULTIGRID_FULL_H
@@ -25,20 +26,20 @@ typedef struct ovr_wanted {
 double ovr_wanted_film(const ovr_wanted *wanted, double fraction);
 ovr_fluid ovr_wanted_fluid(const ovr_wanted *wanted, double fraction);
 
-/* What is told of a level that carries the whole load. */
+/* Reported of each level that carries the whole load. */
 typedef enum ovr_full_event {
     OVR_FULL_BEGINS, /* the level below is solved */
     OVR_FULL_CYCLES, /* another cycle follows */
     OVR_FULL_ENDS
 } ovr_full_event;
 
-typedef struct ovr_climb {
+typedef struct ovr_full_status {
     int cycles;    /* on this level */
     double factor; /* of the last one on the residual */
     ovr_defect defect;
-} ovr_climb;
+} ovr_full_status;
 
-/* How full multigrid goes, and the one who watches and judges. */
+/* How full multigrid goes, and who watches it and judges. */
 typedef struct ovr_full {
     ovr_cycling cycling;
     double load_factor; /* largest step of the continuation in load */
@@ -48,7 +49,7 @@ typedef struct ovr_full {
     /* where a level of this film at X = 0 is done */
     double (*tolerance)(const void *data, const ovr_level *level, double H);
     void (*watch)(void *data, const ovr_level *level, ovr_full_event event,
-                  const ovr_climb *climb);
+                  const ovr_full_status *status);
     void *data;
     double *saved; /* room for a field of the finest size */
 } ovr_full;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The machine room: the hot loops, compiled once for each instruction set
+ * The kernels: the hot loops, compiled once for each instruction set
  * (*.kernel.c) and reached through one table that is chosen when a hierarchy
  * is created.  Each kernel is described above its code; beside it, in
  * *.plain.c, stands what it computes in plain C (plain.h).

@@ -238,7 +238,7 @@ static inline void repeat_ends(double *x, ptrdiff_t S, ptrdiff_t halo)
 /* What is unrolled for constant arguments at its callers. */
 #define INLINE inline __attribute__((always_inline))
 
-/* Loops of few constant turns, in full. */
+/* Loops of few constant passes, unrolled. */
 #ifdef __clang__
 #define UNROLL _Pragma("unroll")
 #else

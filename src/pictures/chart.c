@@ -423,7 +423,7 @@ void ovr_chart_script(const ovr_chart *chart, ovr_form form, ovr_text *script)
     put_chart(&p);
 }
 
-void ovr_chart_apart(const ovr_chart *chart, ovr_form form, ovr_text *script,
+void ovr_chart_split(const ovr_chart *chart, ovr_form form, ovr_text *script,
                      ovr_text *data)
 {
     ovr_pen p = {chart, form, script, data, true, "%.17g", letter_height(chart),

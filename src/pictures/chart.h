@@ -90,7 +90,7 @@ void ovr_chart_script(const ovr_chart *chart, ovr_form form, ovr_text *script);
 
 /* The same with its data in another text; the script expects the name of its
  * file in the variable `data`. */
-void ovr_chart_apart(const ovr_chart *chart, ovr_form form, ovr_text *script,
+void ovr_chart_split(const ovr_chart *chart, ovr_form form, ovr_text *script,
                      ovr_text *data);
 
 #endif

@@ -15,7 +15,7 @@
 enum { CELLS_X = 420, CELLS_Z = 160, LINES = 12 };
 
 typedef struct history {
-    const ovr_sitting *s;
+    const ovr_drawing *s;
     int surface;
     size_t depths, points;
     double *z, *xi, *R, *smooth, *risk, *length, *S;
@@ -266,7 +266,7 @@ static ovr_status risk_panel(const history *h, ovr_panel *panel, ovr_error *err)
     return status;
 }
 
-ovr_status ovr_draw_risk(const ovr_sitting *s, ovr_chart *chart, ovr_error *err)
+ovr_status ovr_draw_risk(const ovr_drawing *s, ovr_chart *chart, ovr_error *err)
 {
     const ovr_picture_options *o = s->options;
     history h = {.s = s, .surface = o->surface ? o->surface : 1};
@@ -313,7 +313,7 @@ static ovr_series over_depth(const history *h, const double *y,
                         .mark = mark};
 }
 
-ovr_status ovr_draw_depth(const ovr_sitting *s, ovr_chart *chart,
+ovr_status ovr_draw_depth(const ovr_drawing *s, ovr_chart *chart,
                           ovr_error *err)
 {
     const ovr_picture_options *o = s->options;

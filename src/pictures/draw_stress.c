@@ -23,8 +23,9 @@ static ovr_status find_worst(ovr_depth_field *f, ovr_shot *shot, size_t *worst,
 }
 
 ovr_status ovr_stress_panel_add(ovr_depth_field *f, const ovr_shot *shot,
-                                const ovr_look *look, ovr_snapshot_chart *to,
-                                ovr_arena *arena, ovr_error *err)
+                                const ovr_snapshot_style *look,
+                                ovr_snapshot_chart *to, ovr_arena *arena,
+                                ovr_error *err)
 {
     char *note = ovr_arena_take(arena, 160, 1, err);
     ovr_series *series = ovr_arena_take(arena, OVR_LINES + 4, sizeof *series,
@@ -46,11 +47,11 @@ ovr_status ovr_stress_panel_add(ovr_depth_field *f, const ovr_shot *shot,
     return OVR_OK;
 }
 
-static ovr_status draw(const ovr_sitting *s, ovr_depth_field *f,
+static ovr_status draw(const ovr_drawing *s, ovr_depth_field *f,
                        ovr_chart *chart, ovr_error *err)
 {
     const ovr_picture_options *o = s->options;
-    ovr_look *look = ovr_arena_take(s->arena, 1, sizeof *look, err);
+    ovr_snapshot_style *look = ovr_arena_take(s->arena, 1, sizeof *look, err);
     ovr_snapshot_chart *to = ovr_arena_take(s->arena, 1, sizeof *to, err);
     ovr_shot *shot = ovr_arena_take(s->arena, 1, sizeof *shot, err);
     ovr_extent extent = ovr_extent_make(f->x_from, f->x_to, s->runs, 1);
@@ -69,7 +70,7 @@ static ovr_status draw(const ovr_sitting *s, ovr_depth_field *f,
     if (ovr_shot_read(shot, k, err))
         return OVR_BAD_INPUT;
     ovr_extent_add(&extent, shot);
-    if (ovr_look_make(look, o, &extent, s->runs, 1, err))
+    if (ovr_snapshot_style_make(look, o, &extent, s->runs, 1, err))
         return OVR_BAD_INPUT;
     ovr_snapshot_draw(to, look, shot, 1, 1, NULL);
     if (ovr_stress_panel_add(f, shot, look, to, s->arena, err))
@@ -79,7 +80,7 @@ static ovr_status draw(const ovr_sitting *s, ovr_depth_field *f,
     return OVR_OK;
 }
 
-ovr_status ovr_draw_stress(const ovr_sitting *s, ovr_chart *chart,
+ovr_status ovr_draw_stress(const ovr_drawing *s, ovr_chart *chart,
                            ovr_error *err)
 {
     const ovr_picture_options *o = s->options;

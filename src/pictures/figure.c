@@ -269,7 +269,7 @@ static ovr_status add_line(const figure *f, size_t first, size_t end,
     size_t n = end - first, m = 0;
     double *block = ovr_arena_take(f->arena, n, 4 * sizeof *block, err);
     double *x = block, *mean, *low, *high;
-    ovr_guise as = ovr_guise_of(f->sample[first].line);
+    ovr_curve_style as = ovr_curve_style_of(f->sample[first].line);
     if (!block)
         return OVR_NO_MEMORY;
     mean = block + n, low = mean + n, high = low + n;

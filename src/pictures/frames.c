@@ -39,7 +39,7 @@ typedef struct studio {
     const char *folder; /* theirs or a temporary one */
     char temporary[OVR_PATH_SIZE];
     ovr_form form;
-    ovr_look look;
+    ovr_snapshot_style look;
     ovr_snapshot_chart *chart;
     bool below; /* the stresses too */
     ovr_depth_field field;
@@ -115,7 +115,8 @@ static ovr_status find_ranges(studio *s, ovr_error *err)
             ovr_extent_add(&extent, &s->shots[j]);
     }
     if (status == OVR_OK)
-        status = ovr_look_make(&s->look, look, &extent, s->runs, s->count, err);
+        status = ovr_snapshot_style_make(&s->look, look, &extent, s->runs,
+                                         s->count, err);
     return status;
 }
 
@@ -133,7 +134,7 @@ static void name_frame(const studio *s, size_t i, const char *suffix,
 /* What a frame looks like depends on this and on the snapshot alone. */
 static void describe(const studio *s, ovr_text *to)
 {
-    const ovr_look *l = &s->look;
+    const ovr_snapshot_style *l = &s->look;
     const ovr_picture_options *o = l->options;
     ovr_text_put(to, "Frames drawn by overroll; with these settings unchanged "
                      "the ones that exist are kept.\n");

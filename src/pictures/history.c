@@ -24,7 +24,7 @@ static double largest(const double *values, size_t n)
     return high;
 }
 
-static ovr_status time_axis(const ovr_sitting *s, ovr_panel *panel,
+static ovr_status time_axis(const ovr_drawing *s, ovr_panel *panel,
                             ovr_axis *axis, ovr_error *err)
 {
     const ovr_stored *run = s->runs;
@@ -50,7 +50,7 @@ static ovr_status time_axis(const ovr_sitting *s, ovr_panel *panel,
 
 /* One run: a curve for each column; several: one for each run, told apart by
  * colour and dash, and the only column is named beside the axis. */
-static ovr_series series_of(const ovr_sitting *s, const ovr_stored *run,
+static ovr_series series_of(const ovr_drawing *s, const ovr_stored *run,
                             const column *c, double T_factor)
 {
     size_t k = (size_t)(run - s->runs);
@@ -59,15 +59,15 @@ static ovr_series series_of(const ovr_sitting *s, const ovr_stored *run,
                          .colour = c->colour,
                          .label = c->label};
     if (s->count > 1) {
-        series.colour = ovr_guise_of(k).colour;
-        series.mark = ovr_guise_of(k).mark;
+        series.colour = ovr_curve_style_of(k).colour;
+        series.mark = ovr_curve_style_of(k).mark;
         series.label = c->heads ? run->name : NULL;
     }
     return series;
 }
 
 /* Adds columns of every run to a panel whose time axis is set. */
-static ovr_status add_columns(const ovr_sitting *s, const column *columns,
+static ovr_status add_columns(const ovr_drawing *s, const column *columns,
                               size_t count, ovr_unit_kind kind, double T_factor,
                               ovr_panel *panel, ovr_error *err)
 {
@@ -107,7 +107,7 @@ static ovr_status add_columns(const ovr_sitting *s, const column *columns,
     return status;
 }
 
-static ovr_chart chart_of(const ovr_sitting *s, const ovr_panel *panels,
+static ovr_chart chart_of(const ovr_drawing *s, const ovr_panel *panels,
                           size_t rows, ovr_error *err)
 {
     enum { ROOM = 240 };
@@ -126,7 +126,7 @@ static ovr_chart chart_of(const ovr_sitting *s, const ovr_panel *panels,
 }
 
 /* One result: both films in a panel; several: each in its own. */
-ovr_status ovr_draw_history(const ovr_sitting *s, ovr_chart *chart,
+ovr_status ovr_draw_history(const ovr_drawing *s, ovr_chart *chart,
                             ovr_error *err)
 {
     static const column columns[] = {
@@ -169,7 +169,7 @@ static double at_centre(const ovr_stored *run, const double *values)
     return values[i] + part * (values[i + 1] - values[i]);
 }
 
-static ovr_status roughness_there(const ovr_sitting *s, double *S,
+static ovr_status roughness_there(const ovr_drawing *s, double *S,
                                   ovr_error *err)
 {
     const ovr_stored *run = s->runs;
@@ -185,7 +185,7 @@ static ovr_status roughness_there(const ovr_sitting *s, double *S,
 }
 
 /* Of several results the first's is shown. */
-static const char *whose(const ovr_sitting *s, ovr_error *err)
+static const char *whose(const ovr_drawing *s, ovr_error *err)
 {
     ovr_text text = ovr_text_make(s->arena);
     ovr_text_put(&text, "roughness at x = 0 (undeformed)");
@@ -197,7 +197,7 @@ static const char *whose(const ovr_sitting *s, ovr_error *err)
     return ovr_text_status(&text, err) == OVR_OK ? text.data : NULL;
 }
 
-static ovr_status add_roughness(const ovr_sitting *s, const ovr_panel *film,
+static ovr_status add_roughness(const ovr_drawing *s, const ovr_panel *film,
                                 ovr_panel *panel, ovr_error *err)
 {
     const ovr_stored *run = s->runs;
@@ -234,7 +234,7 @@ static ovr_status add_roughness(const ovr_sitting *s, const ovr_panel *film,
     return OVR_OK;
 }
 
-ovr_status ovr_draw_trace(const ovr_sitting *s, ovr_chart *chart,
+ovr_status ovr_draw_trace(const ovr_drawing *s, ovr_chart *chart,
                           ovr_error *err)
 {
     static const column film[] = {

@@ -110,13 +110,13 @@ static const char *what_is_there(const extremes *e, size_t k)
 
 /* Up to four, fewer where several results share the picture: the largest
  * pressure first. */
-static size_t room_for(const ovr_sitting *s)
+static size_t room_for(const ovr_drawing *s)
 {
     size_t room = OVR_SHOTS / s->count;
     return room < 1 ? 1 : room < CHOSEN ? room : CHOSEN;
 }
 
-static ovr_status choose(const ovr_sitting *s, double *times,
+static ovr_status choose(const ovr_drawing *s, double *times,
                          const char **about, size_t *count, ovr_error *err)
 {
     const ovr_stored *run = s->runs;
@@ -151,7 +151,7 @@ static ovr_status choose(const ovr_sitting *s, double *times,
     return OVR_OK;
 }
 
-static ovr_status read_shots(const ovr_sitting *s, const double *times,
+static ovr_status read_shots(const ovr_drawing *s, const double *times,
                              size_t count, ovr_shot *shots, ovr_extent *extent,
                              ovr_error *err)
 {
@@ -168,7 +168,7 @@ static ovr_status read_shots(const ovr_sitting *s, const double *times,
     return status;
 }
 
-ovr_status ovr_draw_snapshots(const ovr_sitting *s, ovr_chart *chart,
+ovr_status ovr_draw_snapshots(const ovr_drawing *s, ovr_chart *chart,
                               ovr_error *err)
 {
     const ovr_picture_options *o = s->options;
@@ -179,7 +179,7 @@ ovr_status ovr_draw_snapshots(const ovr_sitting *s, ovr_chart *chart,
     size_t count = o->time_count;
     ovr_shot shots[OVR_SHOTS];
     ovr_snapshot_chart *to = ovr_arena_take(s->arena, 1, sizeof *to, err);
-    ovr_look *look = ovr_arena_take(s->arena, 1, sizeof *look, err);
+    ovr_snapshot_style *look = ovr_arena_take(s->arena, 1, sizeof *look, err);
     ovr_status status = to && look ? OVR_OK : OVR_NO_MEMORY;
     if (status == OVR_OK && count == 0)
         status = choose(s, chosen, about, &count, err);
@@ -191,7 +191,8 @@ ovr_status ovr_draw_snapshots(const ovr_sitting *s, ovr_chart *chart,
     if (status == OVR_OK)
         status = read_shots(s, times, count, shots, &extent, err);
     if (status == OVR_OK)
-        status = ovr_look_make(look, o, &extent, s->runs, s->count, err);
+        status = ovr_snapshot_style_make(look, o, &extent, s->runs, s->count,
+                                         err);
     if (status == OVR_OK) {
         ovr_snapshot_draw(to, look, shots, count, s->count, about);
         *chart = to->chart;

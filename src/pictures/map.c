@@ -134,7 +134,7 @@ static double common_high(const map *m, double low, double high)
 
 /* A field whose kind has no symbol: in words, with a power of ten, so that the
  * numbers have few digits. */
-static ovr_status words(const ovr_sitting *s, const ovr_variable *v,
+static ovr_status words(const ovr_drawing *s, const ovr_variable *v,
                         double largest, ovr_axis *axis, ovr_error *err)
 {
     const ovr_observable *row = ovr_observable_field(v->name);
@@ -159,7 +159,7 @@ static ovr_status words(const ovr_sitting *s, const ovr_variable *v,
 }
 
 /* What the colours mean. */
-static ovr_status colour_axis(const ovr_sitting *s, const map *m,
+static ovr_status colour_axis(const ovr_drawing *s, const map *m,
                               double largest, ovr_axis *axis, ovr_error *err)
 {
     const ovr_variable *v = ovr_result_find(m->run->result, m->field);
@@ -169,7 +169,7 @@ static ovr_status colour_axis(const ovr_sitting *s, const map *m,
                : words(s, v, largest, axis, err);
 }
 
-static ovr_status make_panel(const ovr_sitting *s, map *m, ovr_panel *panel,
+static ovr_status make_panel(const ovr_drawing *s, map *m, ovr_panel *panel,
                              ovr_error *err)
 {
     const ovr_picture_options *o = s->options;
@@ -214,7 +214,7 @@ static bool known_field(const ovr_stored *run, const char *name)
     return false;
 }
 
-ovr_status ovr_draw_map(const ovr_sitting *s, ovr_chart *chart, ovr_error *err)
+ovr_status ovr_draw_map(const ovr_drawing *s, ovr_chart *chart, ovr_error *err)
 {
     const ovr_picture_options *o = s->options;
     const ovr_stored *run = s->runs;

@@ -69,7 +69,7 @@ static ovr_status write_script(const ovr_chart *chart, const char *path,
         status = ovr_gnuplot_path(&input, base_name(data_path), err);
     if (status != OVR_OK)
         return status;
-    ovr_chart_apart(chart, form, &text, &data);
+    ovr_chart_split(chart, form, &text, &data);
     ovr_text_put(&all, "# Drawn by overroll; to draw it again: gnuplot THIS\n");
     ovr_text_print(&all, "data = %.*s\nset output %.*s\n", (int)input.length,
                    input.data, (int)output.length, output.data);
@@ -118,10 +118,10 @@ ovr_status ovr_chart_draw(const ovr_chart *chart, const char *path,
 
 /* ---------------------------------------------------------------- picture */
 
-typedef ovr_status draw_kind(const ovr_sitting *sitting, ovr_chart *chart,
+typedef ovr_status draw_kind(const ovr_drawing *drawing, ovr_chart *chart,
                              ovr_error *err);
 
-static ovr_status draw(const ovr_sitting *s, ovr_error *err)
+static ovr_status draw(const ovr_drawing *s, ovr_error *err)
 {
     static draw_kind *const kinds[] = {
         [OVR_PICTURE_SNAPSHOT] = ovr_draw_snapshots,
@@ -162,7 +162,7 @@ ovr_status ovr_picture(ovr_result *const *results, size_t count,
     locale_t before = ovr_plain_begin();
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_stored *runs = ovr_arena_take(&arena, count, sizeof *runs, err);
-    ovr_sitting sitting = {o, runs, count, &arena};
+    ovr_drawing drawing = {o, runs, count, &arena};
     ovr_status status = runs ? ovr_may_create(o->path, o->force, err)
                              : OVR_NO_MEMORY;
     ovr_form form;
@@ -171,7 +171,7 @@ ovr_status ovr_picture(ovr_result *const *results, size_t count,
     if (status == OVR_OK)
         status = ovr_open_stored(results, count, o, runs, &arena, err);
     if (status == OVR_OK)
-        status = draw(&sitting, err);
+        status = draw(&drawing, err);
     ovr_arena_release(&arena);
     ovr_plain_end(before);
     return status;

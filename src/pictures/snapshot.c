@@ -7,7 +7,7 @@
 
 /* ------------------------------------------------------------------- look */
 
-static void make_hertz(ovr_look *look)
+static void make_hertz(ovr_snapshot_style *look)
 {
     for (int k = 0; k < OVR_HERTZ_POINTS; k++) {
         double angle = acos(-1) * k / (OVR_HERTZ_POINTS - 1);
@@ -57,9 +57,10 @@ void ovr_heading(const ovr_stored *runs, size_t count, char *heading,
     }
 }
 
-ovr_status ovr_look_make(ovr_look *look, const ovr_picture_options *o,
-                         const ovr_extent *e, const ovr_stored *run,
-                         size_t count, ovr_error *err)
+ovr_status ovr_snapshot_style_make(ovr_snapshot_style *look,
+                                   const ovr_picture_options *o,
+                                   const ovr_extent *e, const ovr_stored *run,
+                                   size_t count, ovr_error *err)
 {
     double reach = fmax(fabs(e->x_from), fabs(e->x_to));
     double T_end = run->times[run->info->snapshots - 1];
@@ -89,17 +90,17 @@ ovr_status ovr_look_make(ovr_look *look, const ovr_picture_options *o,
 
 /* ----------------------------------------------------------------- curves */
 
-ovr_guise ovr_guise_of(size_t k)
+ovr_curve_style ovr_curve_style_of(size_t k)
 {
     static const int colour[] = {OVR_BLUE,  OVR_RED,   OVR_GREEN, OVR_VIOLET,
                                  OVR_AMBER, OVR_STEEL, OVR_GREY};
     static const ovr_mark mark[] = {OVR_MARK_LINE, OVR_MARK_DASHED,
                                     OVR_MARK_DOTTED};
-    return (ovr_guise){colour[k % 7], mark[k / 7 % 3]};
+    return (ovr_curve_style){colour[k % 7], mark[k / 7 % 3]};
 }
 
 /* Values of one field against x, where the picture shows them. */
-static ovr_series curve(const ovr_look *look, const ovr_shot *shot,
+static ovr_series curve(const ovr_snapshot_style *look, const ovr_shot *shot,
                         const double *values, double factor)
 {
     ovr_series s = {.x_factor = look->x.factor, .factor = factor, .width = 2.2};
@@ -111,7 +112,7 @@ static ovr_series curve(const ovr_look *look, const ovr_shot *shot,
     return s;
 }
 
-static ovr_series hertz(const ovr_look *look, const ovr_stored *run)
+static ovr_series hertz(const ovr_snapshot_style *look, const ovr_stored *run)
 {
     return (ovr_series){.n = OVR_HERTZ_POINTS,
                         .x = look->hertz_x,
@@ -124,12 +125,12 @@ static ovr_series hertz(const ovr_look *look, const ovr_stored *run)
 }
 
 /* Room between the film's zero and the roughness, and below it. */
-static double gap(const ovr_look *look)
+static double gap(const ovr_snapshot_style *look)
 {
     return 0.1 * look->H_to;
 }
 
-static double bottom(const ovr_look *look)
+static double bottom(const ovr_snapshot_style *look)
 {
     const ovr_extent *e = &look->extent;
     double span = fmin(e->S_high - e->S_low, 1.2 * look->H_to);
@@ -138,7 +139,7 @@ static double bottom(const ovr_look *look)
     return -2.2 * gap(look) - span;
 }
 
-static ovr_series ground(const ovr_look *look, const ovr_shot *shot)
+static ovr_series ground(const ovr_snapshot_style *look, const ovr_shot *shot)
 {
     ovr_series s = curve(look, shot, shot->S, look->H.factor);
     s.mark = OVR_MARK_AREA;
@@ -151,7 +152,7 @@ static ovr_series ground(const ovr_look *look, const ovr_shot *shot)
 
 /* ----------------------------------------------------------------- panels */
 
-static ovr_panel panel_of(const ovr_look *look, ovr_series *series,
+static ovr_panel panel_of(const ovr_snapshot_style *look, ovr_series *series,
                           const ovr_axis *y, double from, double to)
 {
     return (ovr_panel){.x_label = look->x.label,
@@ -166,14 +167,15 @@ static ovr_panel panel_of(const ovr_look *look, ovr_series *series,
 
 /* How a shot is told from the others of its panel; named in the legend of
  * the pressure, which stands above both. */
-typedef struct guise {
+typedef struct labelled {
     const char *label;
-    ovr_guise as;
+    ovr_curve_style as;
     bool alone; /* filled */
-} guise;
+} labelled;
 
-static void add_pressure(const ovr_look *look, const ovr_shot *shot,
-                         const guise *as, ovr_series *series, ovr_panel *panel)
+static void add_pressure(const ovr_snapshot_style *look, const ovr_shot *shot,
+                         const labelled *as, ovr_series *series,
+                         ovr_panel *panel)
 {
     ovr_series s;
     if (!shot->P)
@@ -185,8 +187,8 @@ static void add_pressure(const ovr_look *look, const ovr_shot *shot,
     series[panel->count++] = s;
 }
 
-static void add_film(const ovr_look *look, const ovr_shot *shot,
-                     const guise *as, ovr_series *series, ovr_panel *panel)
+static void add_film(const ovr_snapshot_style *look, const ovr_shot *shot,
+                     const labelled *as, ovr_series *series, ovr_panel *panel)
 {
     ovr_series s;
     if (shot->H) {
@@ -208,8 +210,8 @@ static void add_film(const ovr_look *look, const ovr_shot *shot,
 }
 
 /* The first run's, and that of each other whose scales are not the same. */
-static void add_hertz(const ovr_look *look, const ovr_shot *shot, size_t count,
-                      ovr_series *series, ovr_panel *panel)
+static void add_hertz(const ovr_snapshot_style *look, const ovr_shot *shot,
+                      size_t count, ovr_series *series, ovr_panel *panel)
 {
     for (size_t k = 0; k < count; k++) {
         ovr_series s = hertz(look, shot[k].run);
@@ -220,13 +222,13 @@ static void add_hertz(const ovr_look *look, const ovr_shot *shot, size_t count,
             continue;
         s.label = k == 0 ? "Hertzian pressure" : NULL;
         if (ovr_stored_differs(shot[k].run))
-            s.colour = ovr_guise_of(k).colour;
+            s.colour = ovr_curve_style_of(k).colour;
         series[panel->count++] = s;
     }
 }
 
 /* Shots that share a column; a row that would be empty is not there. */
-static void draw_column(ovr_snapshot_chart *to, const ovr_look *look,
+static void draw_column(ovr_snapshot_chart *to, const ovr_snapshot_style *look,
                         const ovr_shot *shot, size_t count, size_t column,
                         const char *const *labels)
 {
@@ -251,8 +253,8 @@ static void draw_column(ovr_snapshot_chart *to, const ovr_look *look,
         H->bar_unit = look->H.unit;
     }
     for (size_t k = 0; k < count; k++) {
-        guise as = {count > 1 ? labels[k] : "pressure", ovr_guise_of(k),
-                    count == 1};
+        labelled as = {count > 1 ? labels[k] : "pressure",
+                       ovr_curve_style_of(k), count == 1};
         add_pressure(look, &shot[k], &as, pressures, P);
         if (below)
             add_film(look, &shot[k], &as, films, H);
@@ -261,8 +263,8 @@ static void draw_column(ovr_snapshot_chart *to, const ovr_look *look,
         add_hertz(look, shot, count, pressures, P);
 }
 
-static void write_time(char *note, size_t size, const ovr_look *look, double T,
-                       const char *about)
+static void write_time(char *note, size_t size, const ovr_snapshot_style *look,
+                       double T, const char *about)
 {
     if (look->T.unit[0])
         snprintf(note, size, "t = %.3f %s%s", T * look->T.factor, look->T.unit,
@@ -285,7 +287,7 @@ static const char *name_shot(ovr_snapshot_chart *to, size_t k,
     return to->name[k];
 }
 
-void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_look *look,
+void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_snapshot_style *look,
                        const ovr_shot *shot, size_t instants, size_t runs,
                        const char *const *about)
 {

@@ -15,26 +15,28 @@
 enum { OVR_SHOTS = 8, OVR_HERTZ_POINTS = 121 };
 
 /* How: axes and ranges, the same for all pictures of a run. */
-typedef struct ovr_look {
+typedef struct ovr_snapshot_style {
     const ovr_picture_options *options;
     ovr_axis x, P, H, T;
     ovr_extent extent;
     double P_to, H_to; /* Hertzian upper ends */
     double hertz_x[OVR_HERTZ_POINTS], hertz_P[OVR_HERTZ_POINTS];
     char heading[240];
-} ovr_look;
+} ovr_snapshot_style;
 
 /* From an extent that has seen all shots of the `count` runs to be drawn. */
-ovr_status ovr_look_make(ovr_look *look, const ovr_picture_options *options,
-                         const ovr_extent *extent, const ovr_stored *runs,
-                         size_t count, ovr_error *err);
+ovr_status ovr_snapshot_style_make(ovr_snapshot_style *look,
+                                   const ovr_picture_options *options,
+                                   const ovr_extent *extent,
+                                   const ovr_stored *runs, size_t count,
+                                   ovr_error *err);
 
 /* Colour and dash of the k-th of several curves: 21 that differ. */
-typedef struct ovr_guise {
+typedef struct ovr_curve_style {
     int colour;
     ovr_mark mark;
-} ovr_guise;
-ovr_guise ovr_guise_of(size_t k);
+} ovr_curve_style;
+ovr_curve_style ovr_curve_style_of(size_t k);
 
 /* M, L and ph, as far as all runs have the same, as enhanced text. */
 void ovr_heading(const ovr_stored *runs, size_t count, char *heading,
@@ -50,14 +52,15 @@ typedef struct ovr_snapshot_chart {
 
 /* `instants` times of `runs` runs each: shot[instant * runs + run]; `about`
  * goes behind each time (NULL: nothing). */
-void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_look *look,
+void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_snapshot_style *look,
                        const ovr_shot *shot, size_t instants, size_t runs,
                        const char *const *about);
 
 /* A panel below the last row: the stresses under one shot. */
 struct ovr_depth_field;
 ovr_status ovr_stress_panel_add(struct ovr_depth_field *field,
-                                const ovr_shot *shot, const ovr_look *look,
+                                const ovr_shot *shot,
+                                const ovr_snapshot_style *look,
                                 ovr_snapshot_chart *to, ovr_arena *arena,
                                 ovr_error *err);
 

@@ -245,14 +245,14 @@ ovr_writer *ovr_writer_create(const ovr_write_options *options,
                               ovr_error *err)
 {
     ovr_writer *w = begin(options, contact, n, allocator, err);
-    ovr_h5_manners manners;
+    ovr_h5_handler handler;
     ovr_file_plan plan;
     if (!w)
         return NULL;
-    manners = ovr_h5_quiet();
+    handler = ovr_h5_quiet();
     if (prepare(w, X, &plan, err) || start_file(w, &plan, err))
         w = abandon(w);
-    ovr_h5_restore(manners);
+    ovr_h5_restore(handler);
     if (w)
         ovr_queue_start(&w->queue, !w->options.no_thread, ovr_writer_drain, w);
     return w;
@@ -290,12 +290,12 @@ ovr_writer *ovr_writer_resume(const ovr_write_options *options,
                               const ovr_allocator *allocator, ovr_error *err)
 {
     ovr_writer *w = begin(options, contact, n, allocator, err);
-    ovr_h5_manners manners;
+    ovr_h5_handler handler;
     ovr_file_plan plan;
     ovr_status status;
     if (!w)
         return NULL;
-    manners = ovr_h5_quiet();
+    handler = ovr_h5_quiet();
     status = prepare(w, X, &plan, err);
     if (status == OVR_OK) {
         go_on_from(w, restart, &plan);
@@ -303,7 +303,7 @@ ovr_writer *ovr_writer_resume(const ovr_write_options *options,
     }
     if (status != OVR_OK)
         w = abandon(w);
-    ovr_h5_restore(manners);
+    ovr_h5_restore(handler);
     if (w)
         ovr_queue_start(&w->queue, !w->options.no_thread, ovr_writer_drain, w);
     return w;
@@ -363,19 +363,19 @@ static ovr_status end_file(ovr_writer *w, ovr_run_status run, ovr_error *err)
 ovr_status ovr_writer_close(ovr_writer *w, ovr_run_status run, ovr_error *err)
 {
     ovr_status status = OVR_OK, closed;
-    ovr_h5_manners manners;
+    ovr_h5_handler handler;
     if (w->source.visit_all)
         status = ovr_writer_save(w, err);
     if (status == OVR_OK && run != OVR_RUN_STOPPED)
         status = store_last(w, run, err);
     if (status == OVR_OK)
         status = ovr_writer_flush(w, err);
-    manners = ovr_h5_quiet();
+    handler = ovr_h5_quiet();
     ovr_queue_stop(&w->queue);
     if (status == OVR_OK)
         status = end_file(w, run, err);
     closed = ovr_file_close(&w->file, status == OVR_OK ? err : NULL);
     release(w);
-    ovr_h5_restore(manners);
+    ovr_h5_restore(handler);
     return status == OVR_OK ? closed : status;
 }

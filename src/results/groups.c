@@ -196,9 +196,9 @@ ovr_status ovr_writer_group(ovr_writer *w, const ovr_group *g, bool keep,
     ovr_status status = ovr_queue_wait(&w->queue, err);
     if (status)
         return status;
-    ovr_h5_manners manners = ovr_h5_quiet();
+    ovr_h5_handler handler = ovr_h5_quiet();
     bool ok = make_group(w, g, keep);
-    ovr_h5_restore(manners);
+    ovr_h5_restore(handler);
     return ok ? OVR_OK : failed(w, err);
 }
 
@@ -258,8 +258,8 @@ ovr_status ovr_writer_append(ovr_writer *w, const ovr_group *g, size_t k,
     ovr_status status = ovr_queue_wait(&w->queue, err);
     if (status)
         return status;
-    ovr_h5_manners manners = ovr_h5_quiet();
+    ovr_h5_handler handler = ovr_h5_quiet();
     bool ok = append(w, g, k, T, values, count);
-    ovr_h5_restore(manners);
+    ovr_h5_restore(handler);
     return ok ? OVR_OK : failed(w, err);
 }

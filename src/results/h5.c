@@ -3,15 +3,15 @@
 
 #include <string.h>
 
-ovr_h5_manners ovr_h5_quiet(void)
+ovr_h5_handler ovr_h5_quiet(void)
 {
-    ovr_h5_manners before = {NULL, NULL};
+    ovr_h5_handler before = {NULL, NULL};
     H5Eget_auto2(H5E_DEFAULT, &before.function, &before.data);
     H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
     return before;
 }
 
-void ovr_h5_restore(ovr_h5_manners before)
+void ovr_h5_restore(ovr_h5_handler before)
 {
     H5Eclear2(H5E_DEFAULT);
     H5Eset_auto2(H5E_DEFAULT, before.function, before.data);

@@ -12,14 +12,14 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-typedef struct ovr_h5_manners {
+typedef struct ovr_h5_handler {
     H5E_auto2_t function;
     void *data;
-} ovr_h5_manners;
+} ovr_h5_handler;
 
 /* Turns automatic error printing of this thread off; returns what it was. */
-ovr_h5_manners ovr_h5_quiet(void);
-void ovr_h5_restore(ovr_h5_manners before);
+ovr_h5_handler ovr_h5_quiet(void);
+void ovr_h5_restore(ovr_h5_handler before);
 
 /* Drops one reference of any kind of identifier; negative ones are skipped. */
 void ovr_h5_drop(hid_t id);

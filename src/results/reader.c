@@ -3,11 +3,11 @@
  * Reading a result file, also while it is written.
  *
  * The writer changes the file's metadata only in short bursts, its flushes,
- * and the reader takes turns with them.  Should that fail, a read across one
- * may find the halves of two states: so every read is checked too (checksums,
- * or NaN where a complete row has none) and repeated with the file opened
- * anew.  Rows are counted by their time: one that is still NaN does not exist
- * yet.
+ * and the reader locks them out (commit_lock.h).  Should that fail, a read
+ * across one may find the halves of two states: so every read is checked too
+ * (checksums, or NaN where a complete row has none) and repeated with the file
+ * opened anew.  Rows are counted by their time: one that is still NaN does not
+ * exist yet.
  *
  * Nothing in the file is trusted: hdf5read.h holds all that is read against
  * the length of the file.
@@ -114,17 +114,17 @@ static bool read_once(ovr_result *r, const part *what, double *values)
 
 /* While a writer is there, the file is longer at the next read, and may have
  * been replaced: it is opened anew for each. */
-static bool read_in_turn(ovr_result *r, const part *what, double *values,
-                         bool *in_turn)
+static bool read_locked(ovr_result *r, const part *what, double *values,
+                        bool *locked)
 {
-    int turn = ovr_reader_enter(r);
+    int lock = ovr_reader_lock(r);
     bool ok;
-    *in_turn = turn >= 0;
-    if (*in_turn)
+    *locked = lock >= 0;
+    if (*locked)
         ovr_reader_close_file(r);
-    ok = (r->fd >= 0 || ovr_reader_file(r, turn, NULL) == OVR_OK) &&
+    ok = (r->fd >= 0 || ovr_reader_file(r, lock, NULL) == OVR_OK) &&
          read_once(r, what, values);
-    ovr_reader_leave(turn);
+    ovr_reader_unlock(lock);
     if (!ok)
         ovr_reader_close_file(r);
     return ok;
@@ -134,10 +134,10 @@ static ovr_status read_values(ovr_result *r, const part *what, ovr_units units,
                               double *values, ovr_error *err)
 {
     const bool *starved = &r->container.source.starved;
-    bool turn = false;
-    bool ok = what->count == 0 || read_in_turn(r, what, values, &turn);
-    for (int k = 0; !ok && !*starved && ovr_reader_again(r, k, turn); k++)
-        ok = read_in_turn(r, what, values, &turn);
+    bool locked = false;
+    bool ok = what->count == 0 || read_locked(r, what, values, &locked);
+    for (int k = 0; !ok && !*starved && ovr_reader_again(r, k, locked); k++)
+        ok = read_locked(r, what, values, &locked);
     if (!ok && *starved)
         return ovr_fail(err, OVR_NO_MEMORY, "%s: out of memory", r->path);
     if (!ok)

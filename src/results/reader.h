@@ -22,20 +22,20 @@ struct ovr_result {
     bool starved;   /* a text did not fit into memory */
 };
 
-/* Opens the file (again), within a turn or a negative number; the counts and
- * lists of `r` stay.  OVR_IO: trying again may help, when the file is being
- * written. */
-ovr_status ovr_reader_file(ovr_result *result, int turn, ovr_error *err);
+/* Opens the file (again), with the lock held (a negative number: nobody
+ * writes); the counts and lists of `r` stay.  OVR_IO: trying again may help,
+ * when the file is being written. */
+ovr_status ovr_reader_file(ovr_result *result, int lock, ovr_error *err);
 void ovr_reader_close_file(ovr_result *result);
 
-/* A turn between the writer's commits; a negative number: nobody writes. */
-int ovr_reader_enter(const ovr_result *result);
-void ovr_reader_leave(int turn);
+/* Keeps the writer's commits out; a negative number: nobody writes. */
+int ovr_reader_lock(const ovr_result *result);
+void ovr_reader_unlock(int lock);
 
-/* After the attempt of this number that failed, with or without a turn: whether
- * to try again, after a pause, as the writer's bursts take milliseconds.  Where
- * nobody writes the file stays as it is. */
-bool ovr_reader_again(const ovr_result *result, int attempt, bool turn);
+/* After the attempt of this number that failed, with the lock or without:
+ * whether to try again, after a pause, as the writer's bursts take
+ * milliseconds.  Where nobody writes the file stays as it is. */
+bool ovr_reader_again(const ovr_result *result, int attempt, bool locked);
 
 /* A dataset by its path, "x" or "history/time". */
 bool ovr_reader_dataset(ovr_result *result, const char *path, ovr_dataset *set);

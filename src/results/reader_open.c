@@ -11,8 +11,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "results/commit_lock.h"
 #include "results/journal.h"
-#include "results/turns.h"
 
 /* Far more than a file has; groups in groups: stress/surface_1. */
 enum { MOST_VARIABLES = 512, MOST_GROUPS = 32, DEEPEST = 2 };
@@ -285,23 +285,23 @@ static bool journal_name(const char *path, char *name, size_t size)
     return length > 0 && (size_t)length < size;
 }
 
-int ovr_reader_enter(const ovr_result *r)
+int ovr_reader_lock(const ovr_result *r)
 {
     char name[4096];
     int journal = -1;
     if (journal_name(r->path, name, sizeof name))
         journal = open(name, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (journal >= 0)
-        ovr_turn_take(journal, false);
+        ovr_commit_lock(journal, false);
     return journal;
 }
 
-void ovr_reader_leave(int turn)
+void ovr_reader_unlock(int lock)
 {
-    if (turn < 0)
+    if (lock < 0)
         return;
-    ovr_turn_give(turn);
-    close(turn);
+    ovr_commit_unlock(lock);
+    close(lock);
 }
 
 static ovr_status cut(const ovr_result *r, ovr_error *err)
@@ -313,12 +313,12 @@ static ovr_status cut(const ovr_result *r, ovr_error *err)
 
 /* A file cut in the middle of a commit is a mixture of two states, of which
  * the checksums find only some. */
-ovr_status ovr_reader_file(ovr_result *r, int turn, ovr_error *err)
+ovr_status ovr_reader_file(ovr_result *r, int lock, ovr_error *err)
 {
     r->fd = open(r->path, O_RDONLY | O_CLOEXEC);
     if (r->fd < 0)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: %s", r->path, strerror(errno));
-    if (turn >= 0 && ovr_journal_pending(turn, r->fd))
+    if (lock >= 0 && ovr_journal_pending(lock, r->fd))
         return cut(r, err);
     switch (ovr_container_open(&r->container, r->fd, &r->work)) {
     case OVR_FOUND_CONTAINER: return OVR_OK;
@@ -341,9 +341,9 @@ void ovr_reader_close_file(ovr_result *r)
     ovr_arena_release(&r->work);
 }
 
-static ovr_status open_once(ovr_result *r, int turn, ovr_error *err)
+static ovr_status open_once(ovr_result *r, int lock, ovr_error *err)
 {
-    ovr_status status = ovr_reader_file(r, turn, err);
+    ovr_status status = ovr_reader_file(r, lock, err);
     if (status == OVR_OK)
         status = check_format(r, err);
     if (status == OVR_OK)
@@ -360,13 +360,13 @@ static ovr_status open_once(ovr_result *r, int turn, ovr_error *err)
     return status;
 }
 
-bool ovr_reader_again(const ovr_result *r, int attempt, bool turn)
+bool ovr_reader_again(const ovr_result *r, int attempt, bool locked)
 {
     enum { MOST = 4 };
     struct timespec wait = {0, 1000000L << attempt};
     char journal[4096];
-    bool written = turn || (journal_name(r->path, journal, sizeof journal) &&
-                            access(journal, F_OK) == 0);
+    bool written = locked || (journal_name(r->path, journal, sizeof journal) &&
+                              access(journal, F_OK) == 0);
     if (!written || attempt >= MOST)
         return false;
     nanosleep(&wait, NULL);
@@ -376,13 +376,13 @@ bool ovr_reader_again(const ovr_result *r, int attempt, bool turn)
 static ovr_status open_result(ovr_result *r, ovr_error *err)
 {
     ovr_status status;
-    int attempt = 0, turn;
+    int attempt = 0, lock;
     do {
         ovr_reader_close_file(r);
-        turn = ovr_reader_enter(r);
-        status = open_once(r, turn, err);
-        ovr_reader_leave(turn);
-    } while (status == OVR_IO && ovr_reader_again(r, attempt++, turn >= 0));
+        lock = ovr_reader_lock(r);
+        status = open_once(r, lock, err);
+        ovr_reader_unlock(lock);
+    } while (status == OVR_IO && ovr_reader_again(r, attempt++, lock >= 0));
     if (status == OVR_IO && err)
         err->status = OVR_BAD_INPUT;
     return status == OVR_IO ? OVR_BAD_INPUT : status;

@@ -8,8 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "results/commit_lock.h"
 #include "results/journal.h"
-#include "results/turns.h"
 
 /* --------------------------------------------------------------- failures */
 
@@ -214,9 +214,9 @@ ovr_status ovr_store_commit(ovr_store *s, ovr_error *err)
 {
     int error = s->failed ? s->failed : check_name(s);
     if (error == 0 && s->changed.count > 0) {
-        ovr_turn_take(s->journal, true);
+        ovr_commit_lock(s->journal, true);
         error = commit_pages(s);
-        ovr_turn_give(s->journal);
+        ovr_commit_unlock(s->journal);
     }
     if (!note_failure(s, error))
         return ovr_store_failure(s, err);

@@ -23,7 +23,7 @@
  *    let believe that all is well until it is closed.  Nothing is committed
  *    any more; the file stays as the last commit left it.
  * 5. The journal carries the lock (flock) that keeps a second writer out, and
- *    the one by which commits and our own readers take turns (turns.h); it is
+ *    the one between commits and our own readers (commit_lock.h); it is
  *    removed at the end.  Other readers are kept from nothing.
  * 6. A new file grows as OUT.h5.part and gets its name when its first commit
  *    is done.

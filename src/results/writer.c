@@ -70,9 +70,9 @@ static ovr_status drain(ovr_writer *w, const ovr_parcel *parcel, ovr_error *err)
 ovr_status ovr_writer_drain(void *writer, const ovr_parcel *parcel,
                             ovr_error *err)
 {
-    ovr_h5_manners manners = ovr_h5_quiet();
+    ovr_h5_handler handler = ovr_h5_quiet();
     ovr_status status = drain(writer, parcel, err);
-    ovr_h5_restore(manners);
+    ovr_h5_restore(handler);
     return status;
 }
 

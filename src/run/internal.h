@@ -38,7 +38,7 @@ ovr_status ovr_run_estimate(const ovr_run *run, ovr_run_errors *errors,
                             ovr_error *err);
 
 /* Passes on what is said of a run, and keeps the first warnings. */
-ovr_listener ovr_run_say;
+ovr_listener ovr_run_message;
 
 /* What is said before the solve, and after it. */
 void ovr_run_review_before(ovr_run *run);
@@ -56,9 +56,10 @@ ovr_status ovr_output_open(ovr_run *run, ovr_error *err);
 ovr_case_value *ovr_run_values(const ovr_case *c, ovr_arena *arena,
                                size_t *count);
 
-/* Gives the case of a resumed run what its file recorded (began.c). */
-ovr_status ovr_began(ovr_case *c, const ovr_restart_info *of, const char *path,
-                     ovr_error *err);
+/* Gives the case of a resumed run what its file recorded (recorded_values.c).
+ */
+ovr_status ovr_recorded_values(ovr_case *c, const ovr_restart_info *of,
+                               const char *path, ovr_error *err);
 
 /* The file of an earlier run, gone on with: first what may be refused (another
  * physics), then the checkpoint's state into the simulation, then, to write,

@@ -246,9 +246,10 @@ static ovr_status have(ovr_run *run, ovr_writer *writer, ovr_error *err)
         return OVR_BAD_INPUT;
     ovr_writer_checkpoints(writer, run->sim);
     if (ovr_writer_unlocked(writer))
-        ovr_run_say(run, OVR_SAY_WARNING,
-                    "the result's file system has no locks: nothing keeps a "
-                    "second run from writing the same file");
+        ovr_run_message(
+            run, OVR_SAY_WARNING,
+            "the result's file system has no locks: nothing keeps a "
+            "second run from writing the same file");
     return run->stress
                ? ovr_run_stress_open(run->stress, writer, run->info.output, err)
                : OVR_OK;

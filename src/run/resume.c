@@ -23,7 +23,7 @@ static void say(ovr_run *run, const char *format, ...)
     vsnprintf(what, sizeof what, format, args);
     va_end(args);
     snprintf(text, sizeof text, "%.880s: %s", run->info.output, what);
-    ovr_run_say(run, OVR_SAY_FILE, text);
+    ovr_run_message(run, OVR_SAY_FILE, text);
 }
 
 static bool has_checkpoint(const char *path)
@@ -85,7 +85,7 @@ static ovr_status begin_again(ovr_run *run, bool done, ovr_error *err)
     return OVR_BAD_INPUT;
 }
 
-static void tell(ovr_run *run, bool done)
+static void report_state(ovr_run *run, bool done)
 {
     const ovr_state *state = ovr_simulation_state(run->sim);
     if (run->writer && ovr_writer_repaired(run->writer))
@@ -114,15 +114,16 @@ static ovr_status go_back(ovr_run *run, double complete, ovr_error *err)
     if (ovr_output_reopen(run, !done, err))
         return OVR_BAD_INPUT;
     run->restored = run->restart && ovr_restart_about(run->restart)->has_state;
-    tell(run, done);
+    report_state(run, done);
     return OVR_OK;
 }
 
 /* Before anything is changed in it. */
 static ovr_status as_it_began(ovr_run *run, ovr_error *err)
 {
-    if (run->restart && ovr_began(run->c, ovr_restart_about(run->restart),
-                                  run->info.output, err))
+    if (run->restart &&
+        ovr_recorded_values(run->c, ovr_restart_about(run->restart),
+                            run->info.output, err))
         return OVR_BAD_INPUT;
     run->began = ovr_run_values(run->c, &run->arena, &run->began_count);
     return run->began ? OVR_OK : ovr_fail(err, OVR_NO_MEMORY, "out of memory");

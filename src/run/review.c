@@ -226,7 +226,7 @@ static void keep(ovr_run *run, const char *text)
         run->warning[run->info.warnings++] = copy;
 }
 
-void ovr_run_say(void *data, ovr_say kind, const char *text)
+void ovr_run_message(void *data, ovr_say kind, const char *text)
 {
     ovr_run *run = data;
     if (kind == OVR_SAY_WARNING)
@@ -237,7 +237,7 @@ void ovr_run_say(void *data, ovr_say kind, const char *text)
 
 void ovr_run_review_before(ovr_run *run)
 {
-    review r = {run->c, run->setup, ovr_run_say, run};
+    review r = {run->c, run->setup, ovr_run_message, run};
     say_assumed(&r);
     before(&r, run->info.transient);
 }
@@ -326,7 +326,7 @@ static double lambda_ratio(const ovr_run *run, double H_cen)
 
 void ovr_run_review_after(ovr_run *run)
 {
-    review r = {run->c, run->setup, ovr_run_say, run};
+    review r = {run->c, run->setup, ovr_run_message, run};
     const ovr_simulation *sim = run->sim;
     const ovr_state *state = ovr_simulation_state(sim);
     double H_cen = ovr_simulation_observation(sim)->H_cen;

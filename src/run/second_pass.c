@@ -48,16 +48,16 @@ static void keep(pass *p, size_t k, const ovr_stress_row *row, size_t i)
 static ovr_stress_row look(pass *p, double U, long *offset)
 {
     const ovr_stress_plan *plan = p->plan;
-    double D = plan->options.mesh, start, t, turns;
+    double D = plan->options.mesh, start, t, whole;
     ovr_stress_row row;
     start = plan->options.inlet +
             ceil((plan->options.from - plan->options.inlet) / D - 1e-9) * D;
     t = (U + plan->range.reference - start) / D;
-    turns = floor(t / WHOLE);
-    ovr_stress_solve(p->stress, p->P, NULL, t - turns * WHOLE,
+    whole = floor(t / WHOLE);
+    ovr_stress_solve(p->stress, p->P, NULL, t - whole * WHOLE,
                      OVR_STRESS_ALL_LEVELS);
     row = ovr_stress_at(p->stress, 0);
-    *offset = -(long)turns * (WHOLE >> row.level) - p->first;
+    *offset = -(long)whole * (WHOLE >> row.level) - p->first;
     return row;
 }
 

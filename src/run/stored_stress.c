@@ -85,9 +85,9 @@ static ovr_status one_surface(ovr_stored_stress *s, stored *f, int k,
         return OVR_NO_MEMORY;
     status = follow(f, s->setup, &plan, p, err);
     if (!status)
-        s->report[k] = ovr_stress_told(s->setup, &plan, p,
-                                       ovr_stress_second_pass, &second,
-                                       &s->arena, err);
+        s->report[k] = ovr_stress_report_make(s->setup, &plan, p,
+                                              ovr_stress_second_pass, &second,
+                                              &s->arena, err);
     ovr_passage_free(p);
     return status ? status : s->report[k] ? OVR_OK : OVR_BAD_INPUT;
 }

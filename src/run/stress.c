@@ -330,10 +330,10 @@ static ovr_status finish(ovr_run_stress *s, int k, const ovr_state *state,
         saved = NULL;
     if (saved) {
         ovr_passage_end(passage, state->P, NULL, &m);
-        s->report[k] = ovr_stress_told(s->setup, &s->plan[k], passage,
-                                       s->writer ? ovr_stress_second_pass
-                                                 : NULL,
-                                       &s->second, &s->arena, err);
+        s->report[k] = ovr_stress_report_make(s->setup, &s->plan[k], passage,
+                                              s->writer ? ovr_stress_second_pass
+                                                        : NULL,
+                                              &s->second, &s->arena, err);
         restore(passage, saved);
     }
     ovr_arena_release(&arena);

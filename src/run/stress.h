@@ -54,11 +54,11 @@ ovr_passage *ovr_follower_wait(ovr_follower *f);
 typedef ovr_status ovr_stress_paths(void *data, const ovr_stress_plan *plan,
                                     const ovr_material *material, double alpha,
                                     float *A, double *smooth, ovr_error *err);
-ovr_stress_report *ovr_stress_told(const ovr_setup *setup,
-                                   const ovr_stress_plan *plan,
-                                   const ovr_passage *passage,
-                                   ovr_stress_paths *paths, void *data,
-                                   ovr_arena *arena, ovr_error *err);
+ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
+                                          const ovr_stress_plan *plan,
+                                          const ovr_passage *passage,
+                                          ovr_stress_paths *paths, void *data,
+                                          ovr_arena *arena, ovr_error *err);
 
 /* Dang Van's amplitudes from the file of an ovr_second_pass. */
 typedef struct ovr_second_pass {

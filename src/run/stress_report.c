@@ -125,11 +125,11 @@ static ovr_status find_life(const ovr_setup *setup, ovr_stress_report *r,
     return OVR_OK;
 }
 
-ovr_stress_report *ovr_stress_told(const ovr_setup *setup,
-                                   const ovr_stress_plan *plan,
-                                   const ovr_passage *passage,
-                                   ovr_stress_paths *paths, void *data,
-                                   ovr_arena *arena, ovr_error *err)
+ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
+                                          const ovr_stress_plan *plan,
+                                          const ovr_passage *passage,
+                                          ovr_stress_paths *paths, void *data,
+                                          ovr_arena *arena, ovr_error *err)
 {
     ovr_stress_report *r = ovr_arena_take(arena, 1, sizeof *r, err);
     if (!r)

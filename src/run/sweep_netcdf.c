@@ -165,7 +165,7 @@ ovr_status ovr_sweep_write_netcdf(const ovr_sweep_table *t, const char *path,
 {
     netcdf n = {.t = t, .scale = -1};
     ovr_arena arena = ovr_arena_make(&t->arena.allocator);
-    ovr_h5_manners before = ovr_h5_quiet();
+    ovr_h5_handler before = ovr_h5_quiet();
     char part[4500];
     bool good;
     snprintf(part, sizeof part, "%.4400s.%ld.part", path, (long)getpid());

@@ -12,16 +12,16 @@
 
 #include "simulation/internal.h"
 
-static const double resolved = 0.3, hopeless = 0.7;
+static const double resolved = 0.3, too_coarse = 0.7;
 
 double ovr_inlet_rise(const ovr_simulation *sim)
 {
     return pow(ovr_film_expected(sim, 1), 2. / 3);
 }
 
-bool ovr_hopeless(const ovr_simulation *sim)
+bool ovr_mesh_too_coarse(const ovr_simulation *sim)
 {
-    return sim->finest->grid.D > hopeless * ovr_inlet_rise(sim);
+    return sim->finest->grid.D > too_coarse * ovr_inlet_rise(sim);
 }
 
 bool ovr_surfaces_apart(const ovr_simulation *sim)

@@ -132,7 +132,7 @@ void ovr_fourth_standing_gap(ovr_simulation *sim);
 
 /* Keeps records of full multigrid (refinement.c). */
 void ovr_refinement_watch(void *data, const ovr_level *level,
-                          ovr_full_event event, const ovr_climb *climb);
+                          ovr_full_event event, const ovr_full_status *status);
 
 /* How a solve or step ended. */
 typedef struct ovr_outcome {
@@ -148,7 +148,7 @@ double ovr_film_expected(const ovr_simulation *sim, double fraction);
 double ovr_inlet_rise(const ovr_simulation *sim);
 
 /* The mesh is too coarse for the film for any way of solving. */
-bool ovr_hopeless(const ovr_simulation *sim);
+bool ovr_mesh_too_coarse(const ovr_simulation *sim);
 
 /* H > 0 at every node of what was read last. */
 bool ovr_surfaces_apart(const ovr_simulation *sim);
@@ -208,7 +208,7 @@ double ovr_flux(const ovr_simulation *sim, double Cu, size_t i);
 double ovr_mass_balance(const ovr_simulation *sim);
 
 /* Pressure, H0, gap and film of the last time reached. */
-void ovr_simulation_return(ovr_simulation *sim);
+void ovr_simulation_step_back(ovr_simulation *sim);
 
 /* P, H, q and eps of the finest level, in the order of the nodes. */
 void ovr_simulation_read(ovr_simulation *sim);

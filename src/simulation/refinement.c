@@ -33,22 +33,22 @@ static double smallest(const double *H, size_t n)
 }
 
 static void note(ovr_simulation *sim, const ovr_level *level,
-                 const ovr_climb *climb)
+                 const ovr_full_status *status)
 {
     ovr_refinement *to = &sim->refinement[sim->refinements++];
     double *now = sim->grids.scratch[0], *before = sim->grids.scratch[1];
-    double q = climb->factor < 0.95 ? climb->factor : 0.95;
+    double q = status->factor < 0.95 ? status->factor : 0.95;
     *to = (ovr_refinement){.level = level->number,
                            .nodes = level->grid.n,
-                           .cycles = climb->cycles,
-                           .residual = climb->defect.imbalance,
-                           .factor = climb->factor,
-                           .H_cen = climb->defect.centre};
+                           .cycles = status->cycles,
+                           .residual = status->defect.imbalance,
+                           .factor = status->factor,
+                           .H_cen = status->defect.centre};
     ovr_level_read(&sim->grids, level, level->f.H, now);
     to->H_min = smallest(now, level->grid.n);
     ovr_level_read(&sim->grids, level, level->f.P, now);
     ovr_level_read(&sim->grids, level, level->f.entry, before);
-    if (climb->cycles)
+    if (status->cycles)
         to->change = distance(now, 1, before, level->grid.n, level->grid.D);
     to->algebraic = to->change * q / (1 - q);
     to->difference = distance(now, 2, sim->saved, (level - 1)->grid.n,
@@ -56,12 +56,12 @@ static void note(ovr_simulation *sim, const ovr_level *level,
 }
 
 void ovr_refinement_watch(void *data, const ovr_level *level,
-                          ovr_full_event event, const ovr_climb *climb)
+                          ovr_full_event event, const ovr_full_status *status)
 {
     ovr_simulation *sim = data;
     double *P = event == OVR_FULL_BEGINS ? sim->saved : sim->grids.scratch[0];
     if (event == OVR_FULL_ENDS) {
-        note(sim, level, climb);
+        note(sim, level, status);
         return;
     }
     ovr_level_read(&sim->grids, level, level->f.P, P);

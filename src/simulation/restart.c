@@ -111,7 +111,7 @@ void ovr_simulation_restored(ovr_simulation *sim)
         ovr_fourth_forget(sim);
     if (!(sim->statistics.H_min > 0))
         sim->statistics.H_min = INFINITY;
-    ovr_simulation_return(sim);
+    ovr_simulation_step_back(sim);
     ovr_observe(sim, seen.dT, &outcome);
     sim->started = true;
 }

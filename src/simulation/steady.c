@@ -148,8 +148,8 @@ static ovr_defect solve_and_correct(ovr_simulation *sim, const ovr_full *how,
                                     int *cycles)
 {
     const ovr_correction *c = &sim->correction;
-    const ovr_fourth_way way = {how->cycling, how->most_cycles, tolerance_at,
-                                sim};
+    const ovr_fourth_cycling way = {how->cycling, how->most_cycles,
+                                    tolerance_at, sim};
     ovr_defect d = ovr_full_multigrid(&sim->grids, &sim->wanted, *how, cycles);
     if (sim->order != 4 ||
         !ovr_below(d, first_tolerance(sim, sim->finest, d.centre)))
@@ -258,7 +258,7 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
         ovr_simulation_read(sim);
         tolerance = tolerance_at(sim, sim->finest, outcome.defect.centre);
         outcome.converged = finished(sim, &outcome, tolerance);
-        if (sim->options.stop == OVR_STOP_FIXED || ovr_hopeless(sim))
+        if (sim->options.stop == OVR_STOP_FIXED || ovr_mesh_too_coarse(sim))
             break;
     }
     sim->statistics = (ovr_statistics){.cycles = outcome.cycles};

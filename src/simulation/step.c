@@ -177,7 +177,7 @@ static bool advance(ovr_simulation *sim, double dT, int halvings,
     return true;
 }
 
-void ovr_simulation_return(ovr_simulation *sim)
+void ovr_simulation_step_back(ovr_simulation *sim)
 {
     sim->grids.H0 = sim->past.H0[0];
     sim->state.T = sim->past.T[0];
@@ -229,14 +229,14 @@ ovr_status ovr_simulation_attempt(ovr_simulation *sim, double next, bool *taken,
     *taken = advance(sim, dT, 0, &outcome);
     *error = outcome.error;
     if (!*taken && outcome.error > sim->largest_error) {
-        ovr_simulation_return(sim);
+        ovr_simulation_step_back(sim);
         sim->statistics.retries++;
         sim->statistics.cycles += outcome.cycles;
         return OVR_OK;
     }
     if (!*taken) {
         status = ovr_failure_step(sim, &outcome, next, err);
-        ovr_simulation_return(sim);
+        ovr_simulation_step_back(sim);
         return status;
     }
     outcome.converged = !outcome.marked;

@@ -2,8 +2,8 @@
 /*
  * The loops over bins, as vectors (real and imaginary parts interleaved, the
  * mirrored half backward), and over nodes, for the compiler to make vectors
- * of: every turn stands alone, and what is compared is chosen, not branched.
- * Nothing is summed over turns and nothing fused, so that every instruction
+ * of: every pass stands alone, and what is compared is chosen, not branched.
+ * Nothing is summed over passes and nothing fused, so that every instruction
  * set gives the same bits.
  */
 #include <math.h>

@@ -35,18 +35,18 @@ ovr_material_range ovr_material_range_default(void)
 /* ------------------------------------------------------------ one moment */
 
 /* Where the nodes stand among the material: node i of level c is material
- * point i - turns 2^(5-c) of it, when the nodes are moved by `shift`. */
+ * point i - meshes 2^(5-c) of it, when the nodes are moved by `shift`. */
 typedef struct place {
     double shift;
-    long turns;
+    long meshes;
 } place;
 
 static place find_place(const ovr_passage *p, double U)
 {
     double D = p->stress->options.mesh;
     double t = (U + p->range.reference - p->stress->start) / D;
-    double turns = floor(t / WHOLE);
-    return (place){t - turns * WHOLE, (long)turns};
+    double whole = floor(t / WHOLE);
+    return (place){t - whole * WHOLE, (long)whole};
 }
 
 /* Nodes of a row within reach: first, and how many. */
@@ -115,7 +115,7 @@ static void widen(ovr_passage *p, size_t depth, size_t from, size_t to,
 /* Material point of the grid at node 0. */
 static long point_at(const ovr_passage *p, int c, place at)
 {
-    return -at.turns * (WHOLE >> c) - p->grid[c].first;
+    return -at.meshes * (WHOLE >> c) - p->grid[c].first;
 }
 
 static void follow_depth(ovr_passage *p, size_t depth, place at, double T)

@@ -54,7 +54,7 @@ double ovr_binary_value(const char *at, ovr_binary type)
     }
 }
 
-double ovr_without_code(double value, int type)
+double ovr_missing_as_nan(double value, int type)
 {
     double code = type == OVR_BINARY_I8    ? -128.0
                   : type == OVR_BINARY_I16 ? -32768.0
@@ -65,5 +65,5 @@ double ovr_without_code(double value, int type)
 
 double ovr_binary_height(const char *at, ovr_binary type)
 {
-    return ovr_without_code(ovr_binary_value(at, type), (int)type);
+    return ovr_missing_as_nan(ovr_binary_value(at, type), (int)type);
 }

@@ -20,7 +20,7 @@ size_t ovr_binary_size(ovr_binary type);
 double ovr_binary_value(const char *at, ovr_binary type);
 
 /* The smallest signed integer is SDF's code for a missing height: NAN. */
-double ovr_without_code(double value, int type);
+double ovr_missing_as_nan(double value, int type);
 double ovr_binary_height(const char *at, ovr_binary type);
 
 #endif

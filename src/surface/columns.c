@@ -165,7 +165,7 @@ static bool needs_unit_x(const ovr_text_table *t)
            (t->header.spacing > 0 && !(t->header.spacing_metres > 0));
 }
 
-ovr_status ovr_check_all_said(const ovr_text_table *t, ovr_error *err)
+ovr_status ovr_check_given(const ovr_text_table *t, ovr_error *err)
 {
     wanting w = {.t = t};
     want_columns(&w);

@@ -24,7 +24,7 @@ ovr_status ovr_find_columns(ovr_text_table *table, ovr_error *err);
 
 /* All that nobody says, in one error that says what to give: columns,
  * spacing, units. */
-ovr_status ovr_check_all_said(const ovr_text_table *table, ovr_error *err);
+ovr_status ovr_check_given(const ovr_text_table *table, ovr_error *err);
 
 /* The unit of axis 'x' or 'z', which is known: the caller's, else the
  * header's; the notes say which. */

@@ -172,7 +172,7 @@ static ovr_status read_values(ovr_profile *p, const sdf *h, ovr_lines *lines,
                                    "'%s' where a height is wanted",
                                    ovr_quote(word).text);
             if (k >= first)
-                p->z[k - first] = ovr_without_code(value, (int)h->type);
+                p->z[k - first] = ovr_missing_as_nan(value, (int)h->type);
             k++;
         }
     }

@@ -248,7 +248,7 @@ ovr_status ovr_read_text(ovr_profile *profile, const ovr_profile_source *source,
     read_header(&t);
     status = ovr_find_columns(&t, err);
     if (!status)
-        status = ovr_check_all_said(&t, err);
+        status = ovr_check_given(&t, err);
     if (status)
         return status;
     if (*encoding)

@@ -27,7 +27,7 @@
 
 #include "surface/profile.h"
 
-enum { MOST = 1 << 20, ROUNDS = 25 };
+enum { MOST = 1 << 20, ITERATIONS = 25 };
 
 typedef struct random_surface {
     const ovr_roughness *form;
@@ -107,7 +107,7 @@ static bool find_target(random_surface *s, double skewness, double kurtosis)
     double c = 0, d = 0, s0, k0, s1, k1, s2, k2;
     for (size_t i = 0; i < s->n; i++)
         s->normal[i] = gsl_cdf_ugaussian_Pinv(((double)i + 0.5) / (double)s->n);
-    for (int turn = 0; turn < 100; turn++) {
+    for (int step = 0; step < 100; step++) {
         double det, dc, dd, size;
         moments_of(s, c + e, d, &s1, &k1);
         moments_of(s, c, d + e, &s2, &k2);
@@ -169,7 +169,7 @@ static ovr_status shape_heights(random_surface *s, ovr_error *err)
     for (size_t k = 1; k <= s->waves; k++)
         s->size[k] = hypot(s->z[k], s->z[s->n - k]);
     gsl_fft_halfcomplex_radix2_backward(s->z, 1, s->n);
-    for (int turn = 0; turn < ROUNDS; turn++) {
+    for (int k = 0; k < ITERATIONS; k++) {
         take_ranks(s);
         restore_spectrum(s);
     }

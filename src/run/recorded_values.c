@@ -48,8 +48,8 @@ static const char *recorded(const ovr_restart_info *of, const char *name)
     return text;
 }
 
-ovr_status ovr_began(ovr_case *c, const ovr_restart_info *of, const char *path,
-                     ovr_error *err)
+ovr_status ovr_recorded_values(ovr_case *c, const ovr_restart_info *of,
+                               const char *path, ovr_error *err)
 {
     for (size_t k = 0; k < ovr_case_entries(c); k++) {
         ovr_case_entry e = ovr_case_entry_at(c, k);

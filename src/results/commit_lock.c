@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #define _GNU_SOURCE /* F_OFD_SETLK */
-#include "results/turns.h"
+#include "results/commit_lock.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -10,8 +10,8 @@
 
 enum { TRIES = 1000, PAUSE = 200000 }; /* ns; a fifth of a second at most */
 
-/* Bytes that are locked: the room, and the gate before it. */
-enum { ROOM, GATE };
+/* Bytes that are locked: for the content, and for the queue before it. */
+enum { CONTENT, QUEUE };
 
 static int set_lock(int journal, int byte, short kind)
 {
@@ -46,15 +46,15 @@ static void wait_for(int journal, int byte, short kind)
         nanosleep(&pause, NULL);
 }
 
-void ovr_turn_take(int journal, bool write)
+void ovr_commit_lock(int journal, bool write)
 {
     short kind = write ? F_WRLCK : F_RDLCK;
-    wait_for(journal, GATE, kind);
-    wait_for(journal, ROOM, kind);
-    set_lock(journal, GATE, F_UNLCK);
+    wait_for(journal, QUEUE, kind);
+    wait_for(journal, CONTENT, kind);
+    set_lock(journal, QUEUE, F_UNLCK);
 }
 
-void ovr_turn_give(int journal)
+void ovr_commit_unlock(int journal)
 {
-    set_lock(journal, ROOM, F_UNLCK);
+    set_lock(journal, CONTENT, F_UNLCK);
 }
