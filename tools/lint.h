@@ -9,5 +9,7 @@
 
 #define ovr_fail(err, status, ...)                                             \
     ((void)(ovr_fail)(err, status, __VA_ARGS__), (status))
+#define ovr_fail_meant(err, status, meant)                                     \
+    ((void)(ovr_fail_meant)(err, status, meant), (status))
 #define ovr_fail_at(err, status, ...)                                          \
     ((void)(ovr_fail_at)(err, status, __VA_ARGS__), (status))

@@ -5,12 +5,15 @@
  * A function that can fail returns an ovr_status (or NULL for a constructor)
  * and takes an `ovr_error *` as its last argument.  The message is one line,
  * without a trailing newline, that names where (file, line, key), what is
- * wrong and what would be right; `about` is the key alone, for programs.  The
+ * wrong and what would be right; what stands behind it says the same to
+ * programs.  The
  * library never prints, exits or aborts.
  * Every function accepts a NULL error when only the status is of interest.
  */
 #ifndef OVERROLL_ERROR_H
 #define OVERROLL_ERROR_H
+
+#include <stddef.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -56,6 +59,11 @@ typedef struct ovr_error {
     char message[OVR_MESSAGE_SIZE];
     const char *about; /* the key of a case, or field of a struct, that is
                           wrong, or missing altogether: static, or NULL */
+    const char *meant; /* did you mean: the word that the message proposes:
+                          static, or NULL */
+    size_t file; /* so many bytes of the message are the name it begins with,
+                    of a text file or another origin; 0: none */
+    long line;   /* in that file; 0: none */
 } ovr_error;
 
 /* Name of a status ("bad input", ...), a static string. */
@@ -75,6 +83,10 @@ OVR_API ovr_status ovr_fail_at(ovr_error *err, ovr_status status,
 /* OVR_BAD_INPUT about a key, which the message names too. */
 OVR_API ovr_status ovr_fail_about(ovr_error *err, const char *about,
                                   const char *format, ...) OVR_PRINTF(3, 4);
+
+/* Adds the word that the message proposes; returns `status`. */
+OVR_API ovr_status ovr_fail_meant(ovr_error *err, ovr_status status,
+                                  const char *meant);
 
 /* The error `why` with its place before it (file NULL: none). */
 OVR_API ovr_status ovr_fail_from(ovr_error *err, const ovr_error *why,

@@ -34,11 +34,17 @@ static void put(ovr_error *err, ovr_status status, const char *about,
     char *end = err->message, *stop = end + sizeof err->message;
     err->status = status;
     err->about = about;
+    err->meant = NULL;
+    err->line = file && line > 0 ? line : 0;
     *end = '\0';
-    if (file && line > 0)
-        snprintf(end, sizeof err->message, "%s:%ld: ", file, line);
+    if (file)
+        snprintf(end, sizeof err->message, "%s", file);
+    err->file = strlen(end);
+    end += err->file;
+    if (err->line)
+        snprintf(end, (size_t)(stop - end), ":%ld: ", line);
     else if (file)
-        snprintf(end, sizeof err->message, "%s: ", file);
+        snprintf(end, (size_t)(stop - end), ": ");
     end += strlen(end);
     vsnprintf(end, (size_t)(stop - end), format, args);
     one_line(err->message);
@@ -76,15 +82,26 @@ ovr_status ovr_fail_about(ovr_error *err, const char *about, const char *format,
     return OVR_BAD_INPUT;
 }
 
+ovr_status ovr_fail_meant(ovr_error *err, ovr_status status, const char *meant)
+{
+    if (err)
+        err->meant = meant;
+    return status;
+}
+
 ovr_status ovr_fail_from(ovr_error *err, const ovr_error *why, const char *file,
                          long line)
 {
     ovr_error copy = *why;
-    if (file)
-        ovr_fail_at(err, copy.status, file, line, "%s", copy.message);
-    else
-        ovr_fail(err, copy.status, "%s", copy.message);
-    if (err)
-        err->about = copy.about;
-    return copy.status;
+    ovr_status status = copy.status;
+    if (!err)
+        return status;
+    if (!file) {
+        *err = copy;
+        return status;
+    }
+    ovr_fail_at(err, status, file, line, "%s", copy.message);
+    err->about = copy.about;
+    err->meant = copy.meant;
+    return status;
 }

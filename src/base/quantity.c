@@ -163,9 +163,9 @@ static ovr_status no_number(const char *text, ovr_error *err)
     return ovr_fail(err, OVR_BAD_INPUT, "'%.60s' is not a number", text);
 }
 
-/* " did you mean 'MPa'?", or nothing. */
-static void put_hint(const char *unit, ovr_dimension dimension, char *hint,
-                     size_t room)
+/* " did you mean 'MPa'?" and the unit; or nothing, and NULL. */
+static const char *put_hint(const char *unit, ovr_dimension dimension,
+                            char *hint, size_t room)
 {
     const char *names[UNITS], *meant;
     size_t n = 0;
@@ -176,12 +176,14 @@ static void put_hint(const char *unit, ovr_dimension dimension, char *hint,
     *hint = '\0';
     if (meant)
         snprintf(hint, room, " did you mean '%s'?", meant);
+    return meant;
 }
 
 static ovr_status wrong_unit(const char *text, const char *unit,
                              ovr_dimension dimension, ovr_error *err)
 {
     char hint[60];
+    const char *meant;
     if (*unit == ',')
         return ovr_fail(err, OVR_BAD_INPUT,
                         "'%.60s' is not a number: write a point, not a comma",
@@ -190,12 +192,11 @@ static ovr_status wrong_unit(const char *text, const char *unit,
         return ovr_fail(err, OVR_BAD_INPUT,
                         "'%.60s' must be a number without a unit%s", text,
                         dimension == OVR_SHARE ? ", or in %" : "");
-    put_hint(find_unit(unit) ? "" : unit, dimension, hint, sizeof hint);
-    return ovr_fail_about(err, "unit",
-                          "'%.60s': %s unit '%.30s';%s allowed: "
-                          "%s",
-                          text, find_unit(unit) ? "wrong" : "unknown", unit,
-                          hint, ovr_units_allowed(dimension));
+    meant = put_hint(find_unit(unit) ? "" : unit, dimension, hint, sizeof hint);
+    ovr_fail_about(err, "unit", "'%.60s': %s unit '%.30s';%s allowed: %s", text,
+                   find_unit(unit) ? "wrong" : "unknown", unit, hint,
+                   ovr_units_allowed(dimension));
+    return ovr_fail_meant(err, OVR_BAD_INPUT, meant);
 }
 
 ovr_status ovr_quantity_read(const char *text, ovr_dimension dimension,

@@ -78,10 +78,12 @@ static ovr_status no_section(const char *header, ovr_error *err)
     }
     snprintf(word, sizeof word, "%.*s", (int)length, header);
     meant = ovr_suggest(word, names, n);
-    if (meant)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "unknown section [%.*s]; did you mean [%s]?",
-                        OVR_NAME_MOST, header, meant);
+    if (meant) {
+        ovr_fail(err, OVR_BAD_INPUT,
+                 "unknown section [%.*s]; did you mean [%s]?", OVR_NAME_MOST,
+                 header, meant);
+        return ovr_fail_meant(err, OVR_BAD_INPUT, meant);
+    }
     return ovr_fail(err, OVR_BAD_INPUT,
                     "unknown section [%.*s]; there are contact, lubricant, "
                     "domain, solver, time, load, speed, feature NAME, output, "
@@ -153,11 +155,12 @@ static void no_key(const ovr_block *block, const char *key, ovr_error *err)
         ovr_fail(err, OVR_BAD_INPUT,
                  "unknown key '%.48s' in [%s]; it belongs in [%s]", key,
                  block->section->name, row->section);
-    else if (meant)
+    else if (meant) {
         ovr_fail(err, OVR_BAD_INPUT,
                  "unknown key '%.48s' in [%s]; did you mean '%s'?", key,
                  block->section->name, meant);
-    else
+        ovr_fail_meant(err, OVR_BAD_INPUT, meant);
+    } else
         ovr_fail(err, OVR_BAD_INPUT,
                  "unknown key '%.48s' in [%s]; 'overroll help %s' lists them",
                  key, block->section->name, block->section->name);

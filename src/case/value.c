@@ -41,10 +41,12 @@ static ovr_status unknown_word(const ovr_parameter *row, const char *text,
     const char *meant = nearest_word(row->words, text);
     char list[300];
     list_words(row->words, list, sizeof list);
-    if (meant)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "unknown '%.40s'; did you mean '%s'? (allowed: %s)",
-                        text, meant, list);
+    if (meant) {
+        ovr_fail(err, OVR_BAD_INPUT,
+                 "unknown '%.40s'; did you mean '%s'? (allowed: %s)", text,
+                 meant, list);
+        return ovr_fail_meant(err, OVR_BAD_INPUT, meant);
+    }
     return ovr_fail(err, OVR_BAD_INPUT, "unknown '%.40s'; allowed: %s", text,
                     list);
 }
@@ -308,9 +310,10 @@ ovr_status ovr_slot_read(const ovr_parameter *row, const char *text,
         status = read_value(row, text, arena, &fresh, &why);
     if (status == OVR_NO_MEMORY)
         return ovr_fail_from(err, &why, NULL, 0);
-    if (status)
-        return ovr_fail_about(err, row->key, "%s: %.900s", row->key,
-                              why.message);
+    if (status) {
+        ovr_fail_about(err, row->key, "%s: %.900s", row->key, why.message);
+        return ovr_fail_meant(err, status, why.meant);
+    }
     fresh.text = ovr_arena_text(arena, text, err);
     if (!fresh.text)
         return OVR_NO_MEMORY;

@@ -41,10 +41,11 @@ static ovr_status open_section(reading *r, const char *header)
             return OVR_OK;
         }
     meant = ovr_suggest(name, names, 4);
-    if (meant)
-        return ovr_fail_at(r->err, OVR_BAD_INPUT, r->s->path, r->line,
-                           "unknown section '%s'; did you mean '%s'?", name,
-                           meant);
+    if (meant) {
+        ovr_fail_at(r->err, OVR_BAD_INPUT, r->s->path, r->line,
+                    "unknown section '%s'; did you mean '%s'?", name, meant);
+        return ovr_fail_meant(r->err, OVR_BAD_INPUT, meant);
+    }
     return fail(r, "unknown section '%s'; there are study, set, product, zip",
                 name);
 }
@@ -74,11 +75,12 @@ static ovr_status take_setting(reading *r, const char *key, const char *value)
                    : fail(r, "results: '%.40s' must be yes or no", value);
     }
     meant = ovr_suggest(key, names, 3);
-    if (meant)
-        return ovr_fail_at(r->err, OVR_BAD_INPUT, r->s->path, r->line,
-                           "unknown key '%.60s' in [study]; did you mean "
-                           "'%s'?",
-                           key, meant);
+    if (meant) {
+        ovr_fail_at(r->err, OVR_BAD_INPUT, r->s->path, r->line,
+                    "unknown key '%.60s' in [study]; did you mean '%s'?", key,
+                    meant);
+        return ovr_fail_meant(r->err, OVR_BAD_INPUT, meant);
+    }
     return fail(r,
                 "unknown key '%.60s' in [study]; there are case, output, "
                 "results",

@@ -55,6 +55,10 @@ static void refused(const char *source, const char *message)
     if (try_case(source, &c, &setup, &err) == OVR_OK)
         fail_msg("not refused: %s", source);
     CHECK_ERROR(&err, OVR_BAD_INPUT, message);
+    if (strstr(err.message, "did you mean")) /* for programs */
+        assert_non_null(strstr(strstr(err.message, "did you mean"), err.meant));
+    else
+        assert_null(err.meant);
 }
 
 static ovr_setup *resolved(const char *source, ovr_case **c)

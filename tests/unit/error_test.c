@@ -6,7 +6,7 @@
 
 static void fills_status_and_message(void **state)
 {
-    ovr_error err = {OVR_OK, "old", "key"};
+    ovr_error err = {OVR_OK, "old", .about = "key"};
     (void)state;
     assert_int_equal(ovr_fail(&err, OVR_IO, "%s: %d", "disk", 7), OVR_IO);
     assert_int_equal(err.status, OVR_IO);
@@ -29,6 +29,31 @@ static void says_what_it_is_about(void **state)
     assert_string_equal(err.message, "--depth: depth = -1");
     assert_int_equal(ovr_fail_from(NULL, &err, NULL, 0), OVR_BAD_INPUT);
     assert_int_equal(ovr_fail_about(NULL, "depth", "x"), OVR_BAD_INPUT);
+}
+
+/* What a program needs to go to the place, and to mend it. */
+static void says_where_and_what_was_meant(void **state)
+{
+    ovr_error err, placed = {0};
+    (void)state;
+    ovr_fail_at(&err, OVR_BAD_INPUT, "dent.ini", 12, "no 'Q'");
+    assert_int_equal(ovr_fail_meant(&err, OVR_BAD_INPUT, "M"), OVR_BAD_INPUT);
+    assert_int_equal(err.file, strlen("dent.ini"));
+    assert_int_equal(err.line, 12);
+    ovr_fail_from(&placed, &err, NULL, 0);
+    assert_memory_equal(&placed, &err, sizeof err);
+    ovr_fail_from(&placed, &err, "study.ini", 3); /* the outermost place */
+    assert_string_equal(placed.message, "study.ini:3: dent.ini:12: no 'Q'");
+    assert_int_equal(placed.file, strlen("study.ini"));
+    assert_int_equal(placed.line, 3);
+    assert_string_equal(placed.meant, "M");
+    ovr_fail_at(&err, OVR_BAD_INPUT, "--set", 0, "x");
+    assert_int_equal(err.file, strlen("--set"));
+    assert_int_equal(err.line, 0);
+    assert_null(err.meant);
+    ovr_fail(&err, OVR_IO, "x");
+    assert_int_equal(err.file, 0);
+    assert_int_equal(ovr_fail_meant(NULL, OVR_IO, "M"), OVR_IO);
 }
 
 static void accepts_no_error_object(void **state)
@@ -103,6 +128,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(fills_status_and_message),
         cmocka_unit_test(says_what_it_is_about),
+        cmocka_unit_test(says_where_and_what_was_meant),
         cmocka_unit_test(accepts_no_error_object),
         cmocka_unit_test(names_file_and_line),
         cmocka_unit_test(cuts_what_is_too_long),
