@@ -327,6 +327,12 @@ OVR_SIZED(ovr_march)
 OVR_API ovr_status ovr_simulation_march(ovr_simulation *sim,
                                         const ovr_march *march, ovr_error *err);
 
+/* One step of that march (none at its end), for a loop of one's own, and
+ * whether there are more.  Its observers are asked after it. */
+OVR_API ovr_status ovr_simulation_advance(ovr_simulation *sim,
+                                          const ovr_march *march, bool *more,
+                                          ovr_error *err);
+
 #ifdef __cplusplus
 }
 #endif

@@ -112,23 +112,40 @@ static bool stands_still(ovr_simulation *sim)
     return past->still >= STILL;
 }
 
+static double step_of(const ovr_simulation *sim, const ovr_march *march)
+{
+    return march->dT > 0 ? march->dT : sim->finest->grid.D;
+}
+
+static bool arrived(const ovr_simulation *sim, const ovr_march *march)
+{
+    return !(sim->state.T < march->end - 1e-6 * step_of(sim, march));
+}
+
+static ovr_status advance(ovr_simulation *sim, const ovr_march *march,
+                          bool *more, ovr_error *err)
+{
+    double dT = step_of(sim, march);
+    bool still;
+    ovr_status status = march->adaptive ? adaptive_step(sim, march, err)
+                                        : fixed_step(sim, march, dT, err);
+    if (!status)
+        status = observe(sim, march, err);
+    still = march->until_steady && stands_still(sim);
+    sim->statistics.settled = still;
+    *more = !status && !still && !arrived(sim, march);
+    return status;
+}
+
 static ovr_status follow(ovr_simulation *sim, const ovr_march *march,
                          ovr_error *err)
 {
-    double dT = march->dT > 0 ? march->dT : sim->finest->grid.D;
-    double last = march->end - 1e-6 * dT;
-    bool still = false;
+    bool more = !arrived(sim, march);
     ovr_status status = OVR_OK;
     if (sim->state.step == 0)
         status = observe(sim, march, err);
-    while (!status && sim->state.T < last && !still) {
-        status = march->adaptive ? adaptive_step(sim, march, err)
-                                 : fixed_step(sim, march, dT, err);
-        if (!status)
-            status = observe(sim, march, err);
-        still = march->until_steady && stands_still(sim);
-        sim->statistics.settled = still;
-    }
+    while (!status && more)
+        status = advance(sim, march, &more, err);
     return status;
 }
 
@@ -139,4 +156,16 @@ ovr_status ovr_simulation_march(ovr_simulation *sim, const ovr_march *march,
     ovr_status status = ovr_sized_take(&how, sizeof how, march, "ovr_march",
                                        err);
     return status ? status : follow(sim, &how, err);
+}
+
+ovr_status ovr_simulation_advance(ovr_simulation *sim, const ovr_march *march,
+                                  bool *more, ovr_error *err)
+{
+    ovr_march how = ovr_march_default();
+    ovr_status status = ovr_sized_take(&how, sizeof how, march, "ovr_march",
+                                       err);
+    *more = false;
+    if (status || arrived(sim, &how))
+        return status;
+    return advance(sim, &how, more, err);
 }

@@ -55,6 +55,60 @@ static void same_bits_again(void **state)
     assert_memory_equal(&first, &again, sizeof first);
 }
 
+static ovr_status count(void *data, const ovr_simulation *sim, ovr_error *err)
+{
+    (void)sim, (void)err;
+    ++*(int *)data;
+    return OVR_OK;
+}
+
+static ovr_simulation *started(void)
+{
+    static test_feature dent = {'l', -0.02, 0.5, -1.2, 1, 0};
+    ovr_error err = {0};
+    ovr_options o = test_options();
+    o.level = 5;
+    ovr_simulation *sim = test_simulation(20, 10, &o);
+    ovr_simulation_surface(sim, test_feature_heights, &dent);
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    return sim;
+}
+
+/* A loop of one's own takes the steps of a march, adaptive ones too, and asks
+ * its observers as often. */
+static void same_bits_step_by_step(void **state)
+{
+    (void)state;
+    for (int adaptive = 0; adaptive < 2; adaptive++) {
+        int asked[2] = {0};
+        bool more = true;
+        ovr_error err = {0};
+        ovr_observer one = {count, NULL, &asked[0]};
+        ovr_march march = {.size = sizeof march,
+                           .end = 0.7,
+                           .count = 1,
+                           .adaptive = adaptive,
+                           .observers = &one};
+        ovr_simulation *a = started(), *b = started();
+        const ovr_state *s = ovr_simulation_state(a);
+        const ovr_state *t = ovr_simulation_state(b);
+        CHECK_OK(ovr_simulation_march(a, &march, &err), &err);
+        one.data = &asked[1];
+        while (more)
+            CHECK_OK(ovr_simulation_advance(b, &march, &more, &err), &err);
+        assert_int_equal(asked[0], asked[1] + 1); /* at the start too */
+        assert_int_equal(s->step, t->step);
+        assert_memory_equal(s->P, t->P, s->n * sizeof *s->P);
+        CHECK_OK(ovr_simulation_advance(b, &march, &more, &err), &err);
+        assert_false(more);
+        assert_int_equal(s->step, t->step);
+        march.size = 0;
+        assert_int_equal(ovr_simulation_advance(b, &march, &more, &err),
+                         OVR_BAD_INPUT);
+        ovr_simulation_free(a), ovr_simulation_free(b);
+    }
+}
+
 static void same_numbers_on_every_instruction_set(void **state)
 {
     static const char *const names[] = {"plain", "avx2", "avx512"};
@@ -106,6 +160,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(same_bits_again),
+        cmocka_unit_test(same_bits_step_by_step),
         cmocka_unit_test(same_numbers_on_every_instruction_set),
         cmocka_unit_test(same_cycles_on_a_fine_grid)};
     return cmocka_run_group_tests(tests, NULL, NULL);
