@@ -37,7 +37,8 @@ extern "C" {
  *   physical  load or hertz_pressure, radius, modulus, viscosity, alpha (not
  *             needed when isoviscous) and the speeds
  * With Moes or Hertzian numbers, alpha alone sets ph = alphabar/alpha; radius
- * and modulus then set b = 4 R ph/E', and viscosity the speed. */
+ * and modulus then set b = 4 R ph/E', and viscosity the speed; modulus, or G,
+ * alone sets b/R, by which friction becomes a coefficient. */
 typedef struct ovr_conditions {
     double M, L;
     double lambda, alphabar;
@@ -50,6 +51,7 @@ typedef struct ovr_conditions {
     double speed_1, speed_2; /* u1, u2, m/s; both or none */
     double mean_speed;       /* um, m/s, instead of the two speeds */
     double slide_to_roll;    /* (u1 - u2)/um; NAN means 0 (pure rolling) */
+    double G;                /* alpha E', with M and L: instead of modulus */
 } ovr_conditions;
 
 /* All fields NAN. */
@@ -64,6 +66,7 @@ typedef struct ovr_contact {
     double b;                  /* m: length along x */
     double height;             /* b^2/R, m: film thickness and roughness */
     double time;               /* b/um, s */
+    double kappa;              /* b/R = 4 ph/E' = 4 alphabar/G */
     double load;               /* w, N/m */
     double radius, modulus, viscosity, alpha, um; /* m, Pa, Pa s, 1/Pa, m/s */
 } ovr_contact;
@@ -86,6 +89,9 @@ typedef enum ovr_unit_kind {
     OVR_KIND_TIME,      /* b/um */
     OVR_KIND_VISCOSITY, /* eta0 */
     OVR_KIND_FLOW,      /* per unit width: um b^2/R */
+    OVR_KIND_SHEAR,     /* shear stress: ph b/R */
+    OVR_KIND_FORCE,     /* friction per unit width: ph b^2/R */
+    OVR_KIND_POWER,     /* per unit width: um ph b^2/R */
     OVR_KINDS           /* how many; also: one that this version lacks */
 } ovr_unit_kind;
 

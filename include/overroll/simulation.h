@@ -194,13 +194,19 @@ typedef struct ovr_observation {
                             contact's own flow, the mean of its size: vanishes
                             with the discretization */
     double X_cavitation; /* first dry node behind the last wet one */
-    double residual;     /* relative mass-flow imbalance R */
-    int order;           /* ovr_simulation_order */
-    int cycles;          /* multigrid cycles of this step */
-    int retries;         /* attempts after the first one */
-    int maxima;          /* maxima of P that stand out so */
-    bool converged;      /* R and load below tolerance */
-    bool marked;         /* accepted above tolerance */
+    double F_1, F_2;     /* force on each surface, along +x; ph b^2/R */
+    double F_slide;      /* integral of the mean shear stress */
+    double F_roll;       /* integral of H P_X/2: against the motion of both */
+    double mu_1, mu_2, mu_slide, mu_roll; /* over the load; NAN without b/R */
+    double power_in;         /* put in by the surfaces; um ph b^2/R */
+    double power_dissipated; /* in the film */
+    double residual;         /* relative mass-flow imbalance R */
+    int order;               /* ovr_simulation_order */
+    int cycles;              /* multigrid cycles of this step */
+    int retries;             /* attempts after the first one */
+    int maxima;              /* maxima of P that stand out so */
+    bool converged;          /* R and load below tolerance */
+    bool marked;             /* accepted above tolerance */
 } ovr_observation;
 OVR_API const ovr_observation *
 ovr_simulation_observation(const ovr_simulation *sim);
@@ -264,6 +270,7 @@ typedef struct ovr_statistics {
                                        where and when */
     double P_max, X_P_max, T_P_max; /* largest pressure at a node */
     double load_error, T_load_error; /* of largest magnitude */
+    double mu_slide, T_mu_slide;
     bool settled; /* a march until steady ended because it was */
 } ovr_statistics;
 OVR_API const ovr_statistics *

@@ -184,6 +184,9 @@ static const ovr_parameter table[] = {
     {"contact", "slide_to_roll", WITH_UNIT(OVR_SHARE, -1e3, 1e3), NULL,
      AT(contact.slide_to_roll), true,
      "(u1 - u2)/um, may be in %; 0 unless given"},
+    {"contact", "G", PLAIN(1, 1e7), NULL, AT(contact.G), true,
+     "alpha E', with M and L: instead of modulus, for coefficients of "
+     "friction"},
     {"contact", "bearable_pressure", WITH_UNIT(OVR_PRESSURE, 1, 1e13), "4 GPa",
      AT(bearable), false,
      "above it a run is warned of: hardened steel yields there"},

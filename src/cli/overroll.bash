@@ -39,6 +39,7 @@ _overroll_values() {
     contact.speed_2) echo '' ;;
     contact.mean_speed) echo '' ;;
     contact.slide_to_roll) echo '' ;;
+    contact.G) echo '' ;;
     contact.bearable_pressure) echo '' ;;
     lubricant.viscosity_law) echo 'roelands barus isoviscous' ;;
     lubricant.density_law) echo 'dowson-higginson incompressible' ;;
@@ -142,7 +143,7 @@ _overroll_values() {
     output.interval) echo '' ;;
     output.at) echo '' ;;
     output.feature_at) echo '' ;;
-    output.fields) echo 'pressure film_thickness roughness density viscosity mass_flow cavitated' ;;
+    output.fields) echo 'pressure film_thickness roughness density viscosity mass_flow cavitated shear_stress_1 shear_stress_2' ;;
     output.precision) echo 'f64 f32' ;;
     output.from) echo '' ;;
     output.to) echo '' ;;

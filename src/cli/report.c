@@ -193,6 +193,19 @@ static void put_load_and_flow(const ovr_observation *o,
     putchar('\n');
 }
 
+/* Forces in ph b^2/R; coefficients where b/R is known. */
+static void put_friction(const ovr_observation *o, const ovr_contact *contact)
+{
+    if (isfinite(contact->kappa))
+        printf("%-17s %-12.4g sliding, %.4g rolling; on surface 1 %.4g, on 2 "
+               "%.4g\n",
+               "friction coeff.", o->mu_slide, o->mu_roll, o->mu_1, o->mu_2);
+    else
+        printf("%-17s %-12.4g sliding, %.4g rolling, in ph b^2/R; "
+               "coefficients need modulus or G\n",
+               "friction", o->F_slide, o->F_roll);
+}
+
 static void table_observed(const ovr_run_info *s)
 {
     const ovr_observation *o = ovr_simulation_observation(s->sim);
@@ -206,6 +219,7 @@ static void table_observed(const ovr_run_info *s)
         put_at("pressure spike", o->P_spike, OVR_KIND_PRESSURE, o->X_spike,
                contact);
     put_load_and_flow(o, contact);
+    put_friction(o, contact);
     if (isfinite(s->lambda_ratio))
         printf("%-17s %-12.4g central film over the roughness of both "
                "surfaces\n",

@@ -21,7 +21,7 @@ static const double AGREE = 1e-6;
 
 ovr_conditions ovr_conditions_unknown(void)
 {
-    ovr_conditions c = {NAN, NAN, NAN, NAN, NAN, NAN, NAN,
+    ovr_conditions c = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN,
                         NAN, NAN, NAN, NAN, NAN, NAN, NAN};
     return c;
 }
@@ -65,6 +65,7 @@ static ovr_status check_values(const ovr_conditions *c, ovr_error *err)
         {"viscosity", c->viscosity, false},
         {"alpha", c->alpha, true},
         {"mean_speed", c->mean_speed, false},
+        {"G", c->G, false},
     };
     for (size_t i = 0; i < sizeof all / sizeof all[0]; i++)
         if (check_sign(all[i].name, all[i].value, all[i].zero_too, err))
@@ -154,6 +155,23 @@ static ovr_status resolve_numbers(const ovr_conditions *c, ovr_contact *to,
     return OVR_OK;
 }
 
+/* E' where G = alpha E' is given instead. */
+static ovr_status modulus_from_G(const ovr_conditions *c, ovr_contact *to,
+                                 ovr_error *err)
+{
+    if (!known(c->G))
+        return OVR_OK;
+    if (known(c->modulus))
+        return refuse(err, "G",
+                      "follows from alpha and modulus: leave one out");
+    if (!(to->L > 0))
+        return refuse(err, "G",
+                      "= alpha E' is zero in an isoviscous contact, "
+                      "L = 0: give modulus");
+    to->modulus = c->G / to->alpha;
+    return OVR_OK;
+}
+
 /* Scales that follow from the numbers and whatever physical is known. */
 static ovr_status scales_from_numbers(const ovr_conditions *c, ovr_contact *to,
                                       ovr_error *err)
@@ -174,10 +192,12 @@ static ovr_status scales_from_numbers(const ovr_conditions *c, ovr_contact *to,
     } else if (to->L > 0) {
         to->alpha = to->alphabar / to->ph;
     }
-    to->b = 4 * c->radius * to->ph / c->modulus;
+    if (modulus_from_G(c, to, err))
+        return OVR_BAD_INPUT;
+    to->b = 4 * c->radius * to->ph / to->modulus;
     to->load = PI * to->b * to->ph / 2;
-    W = to->load / (c->modulus * c->radius);
-    us = (W / to->M) * (W / to->M) * c->modulus * c->radius;
+    W = to->load / (to->modulus * c->radius);
+    us = (W / to->M) * (W / to->M) * to->modulus * c->radius;
     if (!known(c->viscosity)) {
         to->viscosity = us / (2 * to->um);
         return OVR_OK;
@@ -219,6 +239,8 @@ static ovr_status resolve_physical(const ovr_conditions *c, ovr_contact *to,
     double R = c->radius, E = c->modulus, W, U2;
     if (missing_physical(c, to, err))
         return OVR_BAD_INPUT;
+    if (known(c->G))
+        return refuse(err, "G", "follows from alpha and modulus: leave it out");
     to->ph = known(c->load) ? sqrt(c->load / R * E / (2 * PI))
                             : c->hertz_pressure;
     to->b = 4 * R * to->ph / E;
@@ -273,6 +295,8 @@ ovr_status ovr_contact_resolve(const ovr_conditions *given,
         status = check_range(&to, !numbers, err);
     if (status)
         return status;
+    to.kappa = known(given->G) ? 4 * to.alphabar / given->G
+                               : 4 * to.ph / to.modulus;
     to.height = to.b * to.b / to.radius;
     to.time = to.b / to.um;
     *contact = to;

@@ -15,6 +15,9 @@ static const ovr_kind_info kinds[OVR_KINDS + 1] = {
     [OVR_KIND_TIME] = {"time", "s", "b/um"},
     [OVR_KIND_VISCOSITY] = {"viscosity", "Pa s", "eta0"},
     [OVR_KIND_FLOW] = {"flow", "m2 s-1", "um b^2/R"},
+    [OVR_KIND_SHEAR] = {"shear stress", "Pa", "ph b/R"},
+    [OVR_KIND_FORCE] = {"friction force", "N m-1", "ph b^2/R"},
+    [OVR_KIND_POWER] = {"friction power", "W m-1", "um ph b^2/R"},
     [OVR_KINDS] = {"", "1", "1"}};
 
 const ovr_kind_info *ovr_kind_about(ovr_unit_kind kind)
@@ -39,6 +42,9 @@ double ovr_kind_scale(ovr_unit_kind kind, const ovr_contact *c)
     case OVR_KIND_TIME: return c->time;
     case OVR_KIND_VISCOSITY: return c->viscosity;
     case OVR_KIND_FLOW: return c->um * c->height;
+    case OVR_KIND_SHEAR: return c->ph * c->kappa;
+    case OVR_KIND_FORCE: return c->ph * c->kappa * c->b;
+    case OVR_KIND_POWER: return c->ph * c->kappa * c->b * c->um;
     default: return 1;
     }
 }

@@ -15,6 +15,7 @@
 #include <stddef.h>
 
 #include "multigrid/fields.h"
+#include "multigrid/friction.h"
 #include "multigrid/lanes.h"
 #include "overroll/contact.h"
 
@@ -121,6 +122,8 @@ enum { OVR_FOURTH_MARGIN = 8 };
     K(double, mean_flow, (size_t n, const double u[2], const double *X, \
                           const double *P, const double *q, \
                           const double *eps)) \
+    K(void, mean_stress, (const ovr_sheared *f, double V, double *t)) \
+    K(ovr_friction, friction, (const ovr_sheared *f, const double *t)) \
     K(double, deviation, (size_t n, const double e[3], const double *P, \
                           const double *q, double *const past[3])) \
     K(void, dense_row, (size_t n, const double c[4], const double *k, \

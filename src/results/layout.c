@@ -94,7 +94,7 @@ ovr_unit_kind ovr_layout_kind_1(const char *path)
     char word[160];
     snprintf(word, sizeof word, " %s ", path);
     for (ovr_unit_kind kind = OVR_KIND_COUNT; kind < OVR_KINDS; kind++)
-        if (strstr(names[kind], word))
+        if (names[kind] && strstr(names[kind], word))
             return kind;
     return OVR_KIND_NUMBER;
 }

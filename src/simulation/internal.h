@@ -88,6 +88,7 @@ struct ovr_simulation {
     double *F_fourth, *gap_fourth; /* what a run keeps of it, by nodes */
     double largest_error; /* adaptive: a step with more is not accepted */
     double *S_past;       /* surface one step ago */
+    double *stress;       /* mean over the film, at half nodes */
 
     double *saved; /* steady: P of the level below; P to go back to */
     ovr_refinement refinement[OVR_LEVELS];
@@ -206,6 +207,12 @@ double ovr_flux(const ovr_simulation *sim, double Cu, size_t i);
 
 /* Relative error of the mass balance over the step just made. */
 double ovr_mass_balance(const ovr_simulation *sim);
+
+/* Friction of the film that was read last (friction.c), its coefficients and
+ * powers; shear stress in the film at a surface, at half nodes. */
+void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o);
+const double *ovr_wall_stress(const ovr_simulation *sim, int surface,
+                              double *room);
 
 /* Pressure, H0, gap and film of the last time reached. */
 void ovr_simulation_step_back(ovr_simulation *sim);

@@ -54,6 +54,16 @@ static const double *mass_flow(const ovr_simulation *sim, double *room)
     return room;
 }
 
+static const double *shear_stress_1(const ovr_simulation *sim, double *room)
+{
+    return ovr_wall_stress(sim, 1, room);
+}
+
+static const double *shear_stress_2(const ovr_simulation *sim, double *room)
+{
+    return ovr_wall_stress(sim, 2, room);
+}
+
 /* ------------------------------------------------------------------- list */
 
 #define NUMBER(name, key, si, kind, member, text)                              \
@@ -111,6 +121,26 @@ static const ovr_observable table[] = {
            "inflow - outflow - stored change, over the mean size of the flow"),
     NUMBER("x_cavitation", "X_cavitation", NULL, LENGTH, X_cavitation,
            "first node without pressure behind the last with"),
+    NUMBER("friction_force_1", "F_1", "F_1_N_per_m", FORCE, F_1,
+           "friction force on surface 1 along x"),
+    NUMBER("friction_force_2", "F_2", "F_2_N_per_m", FORCE, F_2,
+           "friction force on surface 2 along x"),
+    NUMBER("sliding_force", "F_slide", "F_slide_N_per_m", FORCE, F_slide,
+           "sliding part: on surface 1 along x, on surface 2 against it"),
+    NUMBER("rolling_force", "F_roll", "F_roll_N_per_m", FORCE, F_roll,
+           "rolling part: on both surfaces against x"),
+    NUMBER("friction_coefficient_1", "mu_1", NULL, NUMBER, mu_1,
+           "friction force on surface 1 over the load"),
+    NUMBER("friction_coefficient_2", "mu_2", NULL, NUMBER, mu_2,
+           "friction force on surface 2 over the load"),
+    NUMBER("sliding_friction_coefficient", "mu_slide", NULL, NUMBER, mu_slide,
+           "sliding force over the load, with the sign of u1 - u2"),
+    NUMBER("rolling_friction_coefficient", "mu_roll", NULL, NUMBER, mu_roll,
+           "rolling force over the load"),
+    NUMBER("power_in", "power_in", "power_in_W_per_m", POWER, power_in,
+           "power that the surfaces put into the film"),
+    NUMBER("power_dissipated", "power_dissipated", "power_dissipated_W_per_m",
+           POWER, power_dissipated, "power dissipated in the film"),
     NUMBER("residual", "residual", NULL, NUMBER, residual,
            "relative mass-flow imbalance"),
     NUMBER("order", "order", NULL, COUNT, order,

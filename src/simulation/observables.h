@@ -14,6 +14,8 @@
     ROW(viscosity, VISCOSITY, NODES, "viscosity")                              \
     ROW(mass_flow, FLOW, HALVES,                                               \
         "mass flow per unit width over ambient density")                       \
-    ROW(cavitated, FLAG, NODES, "1 where the pressure is zero")
+    ROW(cavitated, FLAG, NODES, "1 where the pressure is zero")                \
+    ROW(shear_stress_1, SHEAR, HALVES, "shear stress on surface 1")            \
+    ROW(shear_stress_2, SHEAR, HALVES, "shear stress in the film at surface 2")
 
 #endif

@@ -103,6 +103,7 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
     o->mass_flow = mean_flow(sim);
     o->mass_balance = dT > 0 ? ovr_mass_balance(sim) : 0;
     o->load_error = o->load / OVR_NOMINAL_LOAD - o->load_ratio;
+    ovr_observe_friction(sim, o);
     o->residual = outcome->defect.imbalance;
     o->order = sim->order;
     o->cycles = outcome->cycles;

@@ -22,6 +22,11 @@ void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
         s->load_error = o->load_error;
         s->T_load_error = o->T;
     }
+    if (first || fabs(o->mu_slide) > fabs(s->mu_slide) ||
+        (isnan(s->mu_slide) && !isnan(o->mu_slide))) {
+        s->mu_slide = o->mu_slide;
+        s->T_mu_slide = o->T;
+    }
 }
 
 #define ROW(key, si, kind, steady, member, text)                               \
@@ -45,6 +50,10 @@ static const ovr_extreme table[] = {
         "load error of largest magnitude over the run, relative to the "
         "nominal load"),
     ROW("T_load_error_max", "T_load_error_max_s", TIME, true, T_load_error,
+        "when that was"),
+    ROW("mu_slide_max", NULL, NUMBER, false, mu_slide,
+        "coefficient of sliding friction of largest magnitude over the run"),
+    ROW("T_mu_slide_max", "T_mu_slide_max_s", TIME, false, T_mu_slide,
         "when that was")};
 
 const ovr_extreme *ovr_extreme_at(size_t k)

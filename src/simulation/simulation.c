@@ -32,7 +32,8 @@ static ovr_status take_fields(ovr_simulation *sim, ovr_error *err)
 static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
 {
     double **all[] = {&sim->now.weights, &sim->S,        &sim->S_past,
-                      &sim->saved,       &sim->F_fourth, &sim->gap_fourth};
+                      &sim->saved,       &sim->F_fourth, &sim->gap_fourth,
+                      &sim->stress};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (take(sim, all[k], err))
             return OVR_NO_MEMORY;

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Shear stress across the film, at half nodes, and friction: its integrals.
+ *
+ * Stresses in units ph b/R, u in um, z from surface 1 to surface 2, s = -1..1.
+ * With V = (u1 - u2)/um and t the mean over the film,
+ *     tau(s) = t + s H P_X/2
+ *     Newtonian: t = -(lambda/12) V eta/H = -(V/12) rho H^2/eps
+ *
+ *     at i + 1/2:  D P_X = P_{i+1} - P_i
+ *                  rho H^2, eps, H, rho: means of the nodes i and i + 1
+ *
+ * Force on a surface per unit width (ph b^2/R), power (um ph b^2/R):
+ *     F_slide = int t dX,  F_roll = int H P_X/2 dX
+ *     F_1 = F_slide - F_roll,  F_2 = -F_slide - F_roll
+ *     Poiseuille's part of what is dissipated = int (eps/rho) P_X^2 dX,
+ *         2 F_roll in any steady film
+ * over half nodes with pressure at a node beside them: streamers in a
+ * cavitated film drag less than 1e-4 of it.  Of second order in D.
+ */
+#ifndef OVR_MULTIGRID_FRICTION_H
+#define OVR_MULTIGRID_FRICTION_H
+
+#include <stddef.h>
+
+/* A film, in the order of the nodes. */
+typedef struct ovr_sheared {
+    size_t n;
+    const double *X, *P, *H, *q;
+    const double *eps;
+} ovr_sheared;
+
+typedef struct ovr_friction {
+    double slide, roll; /* F_slide, F_roll */
+    double poiseuille;  /* dissipated by it */
+} ovr_friction;
+
+#endif

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Friction as it is observed (equations in multigrid/friction.h).
+ *
+ *     u1, u2 = Cu +- V/2, V = (u1 - u2)/um0
+ *     mu = kappa F/int P dX,  kappa = b/R
+ *     put in      -(F_1 u1 + F_2 u2) = -V F_slide + 2 Cu F_roll
+ *     dissipated  -V F_slide + int (eps/rho) P_X^2 dX
+ *
+ * The load is the wanted one, Cw pi/2.  The rolling friction is the small
+ * difference of two large forces: it comes from its own integral.  In a steady
+ * film both powers are equal; else compression and squeeze stand between.
+ */
+#include <math.h>
+
+#include "simulation/internal.h"
+
+static double sliding(const ovr_simulation *sim)
+{
+    return ovr_history_value(sim->speed, sim->state.T) *
+           (sim->contact.u1_ratio - sim->contact.u2_ratio);
+}
+
+static ovr_sheared film_of(const ovr_simulation *sim)
+{
+    const ovr_solution *now = &sim->now;
+    return (ovr_sheared){now->n, now->X, now->P, now->H, now->q, now->eps};
+}
+
+void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o)
+{
+    const ovr_kernels *run = sim->grids.kernels;
+    const ovr_sheared film = film_of(sim);
+    double V = sliding(sim), load = OVR_NOMINAL_LOAD * o->load_ratio;
+    double coefficient = load > 0 ? sim->contact.kappa / load : NAN;
+    run->mean_stress(&film, V, sim->stress);
+    ovr_friction f = run->friction(&film, sim->stress);
+    o->F_slide = f.slide;
+    o->F_roll = f.roll;
+    o->F_1 = f.slide - f.roll;
+    o->F_2 = -f.slide - f.roll;
+    o->mu_1 = coefficient * o->F_1;
+    o->mu_2 = coefficient * o->F_2;
+    o->mu_slide = copysign(coefficient * f.slide, V);
+    o->mu_roll = coefficient * f.roll;
+    o->power_in = 2 * o->speed_ratio * f.roll - V * f.slide;
+    o->power_dissipated = f.poiseuille - V * f.slide;
+}
+
+/* t -+ H P_X/2 */
+const double *ovr_wall_stress(const ovr_simulation *sim, int surface,
+                              double *room)
+{
+    const double *X = sim->now.X, *P = sim->now.P, *H = sim->now.H;
+    double side = surface == 1 ? -0.25 : 0.25;
+    for (size_t i = 0; i + 1 < sim->now.n; i++)
+        room[i] = sim->stress[i] + side * (H[i] + H[i + 1]) *
+                                       (P[i + 1] - P[i]) / (X[i + 1] - X[i]);
+    return room;
+}

@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Shear stress and friction of a film: the kernels beside the plain one, and
+ * that by hand. */
+#include <math.h>
+
+#include "support/kernels.h"
+#include "support/test.h"
+
+enum { MOST = 90 };
+
+/* Films with dry nodes among them. */
+typedef struct film {
+    double X[MOST], P[MOST], H[MOST], q[MOST], eps[MOST], t[MOST];
+} film;
+
+static ovr_sheared make(film *f, size_t n, uint64_t *seed)
+{
+    for (size_t i = 0; i < n; i++) {
+        f->X[i] = (double)i + test_random(seed, 0, 0.5);
+        f->P[i] = fmax(0, test_random(seed, -1, 2));
+        f->H[i] = test_random(seed, 0.1, 1);
+        f->q[i] = f->H[i] * test_random(seed, 1, 1.3);
+        f->eps[i] = exp(test_random(seed, -20, 2));
+    }
+    return (ovr_sheared){n, f->X, f->P, f->H, f->q, f->eps};
+}
+
+static void compare(const ovr_kernels *run, const ovr_sheared *f, double V)
+{
+    const ovr_kernels *plain = test_kernels(0);
+    double t[MOST], expected[MOST];
+    plain->mean_stress(f, V, expected);
+    run->mean_stress(f, V, t);
+    for (size_t i = 0; i + 1 < f->n; i++)
+        CHECK_NEAR(t[i], expected[i], 1e-13 * fabs(expected[i]));
+    ovr_friction a = plain->friction(f, expected), b = run->friction(f, t);
+    CHECK_CLOSE(b.slide, a.slide, 1e-12);
+    CHECK_NEAR(b.roll, a.roll, 1e-12);
+    CHECK_CLOSE(b.poiseuille, a.poiseuille, 1e-12);
+}
+
+static void kernels_agree(void **state)
+{
+    const ovr_kernels *run;
+    uint64_t seed = 7;
+    (void)state;
+    for (int k = 1; (run = test_kernels(k)); k++)
+        for (size_t n = 13; n < MOST; n++) {
+            film f;
+            ovr_sheared sheared = make(&f, n, &seed);
+            compare(run, &sheared, test_random(&seed, -3, 3));
+        }
+}
+
+/* P = 1 - X^2 dry from 1 on, rho = 1.2, H = 0.5, eta = 1: t = -lambda V/(12 H)
+ * over the wet part, int H P_X/2 = 0, int eps P_X^2/rho by midpoints. */
+static void plain_by_hand(void **state)
+{
+    enum { N = 301 };
+    static double X[N], P[N], H[N], q[N], eps[N], t[N];
+    const ovr_sheared f = {N, X, P, H, q, eps};
+    const double lambda = 0.03, D = 0.01, V = -0.7;
+    double flow = 0.5 * 0.5 * 0.5 / lambda, wet = 2;
+    (void)state;
+    for (int i = 0; i < N; i++) {
+        X[i] = (i - 150) * D;
+        P[i] = fmax(0, 1 - X[i] * X[i]);
+        H[i] = 0.5;
+        q[i] = 1.2 * H[i];
+        eps[i] = 1.2 * flow;
+    }
+    const ovr_kernels *plain = test_kernels(0);
+    plain->mean_stress(&f, V, t);
+    CHECK_CLOSE(t[100], lambda * 0.7 / 12 / 0.5, 1e-12);
+    assert_true(t[0] == 0 && t[N - 2] == 0);
+    ovr_friction sum = plain->friction(&f, t);
+    CHECK_CLOSE(sum.slide, t[100] * wet, 1e-12);
+    CHECK_NEAR(sum.roll, 0, 1e-14);
+    CHECK_CLOSE(sum.poiseuille, flow * 8 / 3, 1e-4); /* D^2 */
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(kernels_agree),
+                                       cmocka_unit_test(plain_by_hand)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
