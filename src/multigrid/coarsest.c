@@ -8,16 +8,17 @@
 
 #include "multigrid/reynolds_row.h"
 
-/* K/pi of a level at distances -(n + 1) .. n + 2, 0 at index n + 2 */
-static double *take_kernel(const ovr_level *level, ovr_arena *arena,
-                           ovr_error *err)
+/* K/pi of a level is known at distances -(n + 1) .. n + 2, 0 at index n + 2. */
+static size_t distances(const ovr_level *level)
 {
-    size_t n = level->grid.n, size = 2 * n + 5;
-    double *kernel = ovr_field(arena, size, err);
-    for (size_t k = 0; kernel && k < size; k++)
-        kernel[k] = ovr_deformation_kernel((double)k - (double)(n + 2),
-                                           level->grid.D);
-    return kernel;
+    return 2 * level->grid.n + 5;
+}
+
+/* The levels solved by Newton's method: the coarsest and the next. */
+static const ovr_level *newton_level(const ovr_hierarchy *grids, int k)
+{
+    bool single = grids->coarsest == grids->finest;
+    return &grids->level[grids->coarsest + (k && !single)];
 }
 
 /* Values of a row: n + 1 unknowns, the right-hand side, whole vectors. */
@@ -29,18 +30,28 @@ static size_t stride_of(size_t n)
 ovr_status ovr_newton_prepare(ovr_hierarchy *grids, ovr_arena *arena,
                               ovr_error *err)
 {
-    bool single = grids->coarsest == grids->finest;
-    const ovr_level *level = &grids->level[grids->coarsest + !single];
+    const ovr_level *level = newton_level(grids, 1);
     ovr_newton *newton = &grids->newton;
     size_t m = level->grid.n + 1;
     newton->matrix = ovr_field(arena, m * stride_of(level->grid.n), err);
     newton->change = ovr_field(arena, m, err);
-    newton->kernel[0] = take_kernel(&grids->level[grids->coarsest], arena, err);
-    newton->kernel[1] = take_kernel(level, arena, err);
+    for (int k = 0; k < 2; k++)
+        newton->kernel[k] = ovr_field(arena, distances(newton_level(grids, k)),
+                                      err);
     if (!newton->matrix || !newton->change || !newton->kernel[0] ||
         !newton->kernel[1])
         return OVR_NO_MEMORY;
     return OVR_OK;
+}
+
+void ovr_newton_fill(ovr_hierarchy *grids)
+{
+    for (int k = 0; k < 2; k++) {
+        const ovr_level *level = newton_level(grids, k);
+        for (size_t d = 0; d < distances(level); d++)
+            grids->newton.kernel[k][d] = ovr_deformation_kernel(
+                (double)d - (double)(level->grid.n + 2), level->grid.D);
+    }
 }
 
 /* Row i of the Jacobian: elastic terms through dH at i-2..i+1, then the local

@@ -19,6 +19,9 @@
 ovr_status ovr_newton_prepare(ovr_hierarchy *grids, ovr_arena *arena,
                               ovr_error *err);
 
+/* The deformation's kernel of those levels, once their grids are known. */
+void ovr_newton_fill(ovr_hierarchy *grids);
+
 /* One step with |dP| <= limit and |dH0| <= 2/3 limit max(1, H_cen).  Film and
  * properties of the level must be up to date before and are not after.  False
  * when the matrix is singular. */

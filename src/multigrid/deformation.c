@@ -146,8 +146,7 @@ double *ovr_mlmi_field(const ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
     return take(plan, 0, arena, err);
 }
 
-static ovr_status plan_grids(ovr_mlmi *plan, double scale, ovr_arena *arena,
-                             ovr_error *err)
+static ovr_status take_grids(ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
 {
     plan->grid[0].left = 0;
     plan->grid[0].right = 2;
@@ -160,48 +159,56 @@ static ovr_status plan_grids(ovr_mlmi *plan, double scale, ovr_arena *arena,
             if (!grid->u || !grid->out)
                 return OVR_NO_MEMORY;
         }
-        plan_corrections(plan, grid, ldexp(1, s), scale);
     }
     return OVR_OK;
 }
 
-/* The dense sum; kernel[0] is the one at distance zero. */
-static ovr_status plan_dense(ovr_mlmi *plan, size_t count, double D,
-                             ovr_arena *arena, ovr_error *err)
+/* Nodes of the dense sum. */
+static size_t dense_nodes(const ovr_mlmi *plan)
 {
+    const ovr_mlmi_grid *last = &plan->grid[plan->depth];
+    return (most_nodes(plan) >> plan->depth) +
+           (size_t)(last->left + last->right);
+}
+
+/* kernel[0] is the one at distance zero. */
+static ovr_status take_dense(ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
+{
+    size_t count = dense_nodes(plan);
     double *kernel = ovr_field(arena, 2 * count + OVR_FIELD_PAD, err);
     plan->natural = ovr_field(arena, count, err);
     plan->result = ovr_field(arena, count, err);
     if (!kernel || !plan->natural || !plan->result)
         return OVR_NO_MEMORY;
     plan->kernel = kernel + count;
-    for (size_t d = 0; d < count; d++) {
-        double value = D / acos(-1.0) *
-                       (unit_kernel(ldexp((double)d, plan->depth)) + log(D));
-        plan->kernel[d] = kernel[count - d] = value;
-    }
     return OVR_OK;
 }
 
-ovr_status ovr_mlmi_plan(ovr_mlmi *plan, size_t n, double D, int order,
-                         int range, const ovr_mlmi *like, ovr_arena *arena,
-                         ovr_error *err)
+ovr_status ovr_mlmi_plan(ovr_mlmi *plan, size_t n, int order, int range,
+                         ovr_arena *arena, ovr_error *err)
 {
-    const ovr_mlmi_grid *last;
-    size_t ghosts;
     plan->n = n;
     plan->half_order = order / 2;
     plan->range = range;
     plan->depth = depth_of(n, range);
     plan->pad = 2 * (order + 4) + range + 2 * OVR_MLMI_BLOCK;
-    if (like && like->half_order == plan->half_order && like->range == range)
+    if (take_grids(plan, arena, err))
+        return OVR_NO_MEMORY;
+    return take_dense(plan, arena, err);
+}
+
+void ovr_mlmi_fill(ovr_mlmi *plan, double D, const ovr_mlmi *like)
+{
+    const double scale = D / acos(-1.0);
+    if (like && like->half_order == plan->half_order &&
+        like->range == plan->range)
         memcpy(plan->weight, like->weight, sizeof plan->weight);
     else
-        ovr_mlmi_weights((size_t)plan->half_order, (size_t)range, plan->weight);
-    if (plan_grids(plan, D / acos(-1.0), arena, err))
-        return OVR_NO_MEMORY;
-    last = &plan->grid[plan->depth];
-    ghosts = (size_t)(last->left + last->right);
-    return plan_dense(plan, (most_nodes(plan) >> plan->depth) + ghosts, D,
-                      arena, err);
+        ovr_mlmi_weights((size_t)plan->half_order, (size_t)plan->range,
+                         plan->weight);
+    for (int s = 0; s <= plan->depth; s++)
+        plan_corrections(plan, &plan->grid[s], ldexp(1, s), scale);
+    for (ptrdiff_t d = 0; d < (ptrdiff_t)dense_nodes(plan); d++)
+        plan->kernel[d] = plan->kernel[-d] =
+            scale * (unit_kernel(ldexp((double)d, plan->depth)) + log(D));
 }

@@ -63,13 +63,15 @@ static inline size_t ovr_mlmi_lane(const ovr_mlmi *plan, size_t lanes)
     return (share + unit - 1) / unit * unit;
 }
 
-/* Plan for n nodes of mesh size D, order p (even, 2..16) and range m (even,
- * up to 2 OVR_MLMI_MOST).  Its weights take a millisecond to find: those of
- * `like`, a plan or NULL, are taken over if they are of the same order and
+/* Memory of a plan for n nodes, order p (even, 2..16) and range m (even, up to
+ * 2 OVR_MLMI_MOST). */
+ovr_status ovr_mlmi_plan(ovr_mlmi *plan, size_t n, int order, int range,
+                         ovr_arena *arena, ovr_error *err);
+
+/* Its numbers, for mesh size D.  The weights take a millisecond to find: those
+ * of `like`, a plan or NULL, are taken over if they are of the same order and
  * range. */
-ovr_status ovr_mlmi_plan(ovr_mlmi *plan, size_t n, double D, int order,
-                         int range, const ovr_mlmi *like, ovr_arena *arena,
-                         ovr_error *err);
+void ovr_mlmi_fill(ovr_mlmi *plan, double D, const ovr_mlmi *like);
 
 /* An array for P or w of a plan: in lanes for any machine, with room for its
  * halos. */

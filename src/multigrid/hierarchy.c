@@ -69,11 +69,7 @@ static ovr_status build_level(ovr_hierarchy *grids, int number, int order,
         ovr_grid_refine(&level->grid, below, 0, below->n - 1, arena, err))
         return OVR_NO_MEMORY;
     level->number = number;
-    for (int d = 0; d < 6; d++)
-        level->k[d] = ovr_deformation_kernel(d, level->grid.D);
-    const ovr_mlmi *like = number > grids->coarsest ? &(level - 1)->mlmi : NULL;
-    if (ovr_mlmi_plan(&level->mlmi, level->grid.n, level->grid.D, order, range,
-                      like, arena, err))
+    if (ovr_mlmi_plan(&level->mlmi, level->grid.n, order, range, arena, err))
         return OVR_NO_MEMORY;
     return take_fields(level, number <= grids->coarsest + 1, arena, err);
 }
@@ -117,8 +113,15 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
 
 void ovr_hierarchy_fill(ovr_hierarchy *grids)
 {
-    for (int l = grids->coarsest; l <= grids->finest; l++)
-        ovr_grid_fill(&grids->level[l].grid);
+    for (int l = grids->coarsest; l <= grids->finest; l++) {
+        ovr_level *level = &grids->level[l];
+        ovr_grid_fill(&level->grid);
+        ovr_mlmi_fill(&level->mlmi, level->grid.D,
+                      l > grids->coarsest ? &(level - 1)->mlmi : NULL);
+        for (int d = 0; d < 6; d++)
+            level->k[d] = ovr_deformation_kernel(d, level->grid.D);
+    }
+    ovr_newton_fill(grids);
 }
 
 void ovr_hierarchy_operator(ovr_hierarchy *grids, const ovr_operator *op)
@@ -142,7 +145,6 @@ void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level)
 void ovr_level_residual(const ovr_hierarchy *grids, ovr_level *level)
 {
     grids->kernels->residual(&level->lanes, &level->weights, &level->f);
-    grids->kernels->phase(&level->lanes, &level->weights, &level->f);
 }
 
 void ovr_level_refresh(const ovr_hierarchy *grids, ovr_level *level)

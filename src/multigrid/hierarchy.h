@@ -64,7 +64,7 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
                                const int range[OVR_LEVELS], ovr_arena *arena,
                                ovr_error *err);
 
-/* Writes what is large and does not change, for which there is room now. */
+/* Writes the numbers that do not change, for which there is memory now. */
 void ovr_hierarchy_fill(ovr_hierarchy *grids);
 
 /* Other kernels than those it was built with, before anything is solved. */

@@ -78,9 +78,10 @@ enum { OVR_FOURTH_MARGIN = 8 };
     K(void, deformation, (const struct ovr_mlmi *plan, double *P, double *w)) \
     K(void, film, (const ovr_fluid *fluid, double H0, const ovr_lanes *g, \
                    const double *gap, const double *w, const ovr_fields *f)) \
+    /* and the phase by it */ \
     K(void, residual, (const ovr_lanes *g, const ovr_weights *w, \
                        const ovr_fields *f)) \
-    /* wet and held, from P and the residual */ \
+    /* wet and held, from P and the residual that is there */ \
     K(void, phase, (const ovr_lanes *g, const ovr_weights *w, \
                     const ovr_fields *f)) \
     K(double, imbalance, (const ovr_lanes *g, const ovr_weights *w, \

@@ -6,37 +6,56 @@
 
 #include "multigrid/reynolds_row.h"
 
-/* r in rows 1..n-2, zero at both ends. */
+/* The phase of vector J by its residual.  Whether the ends are held is not
+ * said. */
+static inline void put_phase(const ovr_fields *f, vec a0, ptrdiff_t J, vec r)
+{
+    put_set(f->wet, J, at(f->P, J) > 0);
+    put_set(f->held, J, row_holds(f, r, a0, J));
+}
+
+static inline void put_row(const ovr_fields *f, const row_weights *c,
+                           ptrdiff_t J)
+{
+    vec r = row_residual(f, c, J);
+    put_phase(f, c->a[0], J, r);
+    put(f->r, J, r);
+}
+
+static inline void put_halo_phase(const ovr_fields *f, ptrdiff_t S)
+{
+    for (ptrdiff_t J = 0; J < OVR_HALO; J++) {
+        put_set(f->wet, -1 - J, at(f->P, -1 - J) > 0);
+        put_set(f->wet, S + J, at(f->P, S + J) > 0);
+    }
+}
+
+/* r in rows 1..n-2, zero at both ends; and the phase. */
 void OVR_KERNEL(residual)(const ovr_lanes *g, const ovr_weights *w,
                           const ovr_fields *f)
 {
+    const ovr_fields own = *f; /* a copy that no store can change */
     ptrdiff_t S = (ptrdiff_t)g->S;
     row_weights first = row_first(w), rest = row_inner(w);
-    put(f->r, 0, row_residual(f, &rest, 0));
-    put(f->r, 1, row_residual(f, &first, 1));
+    put_row(&own, &rest, 0);
+    put_row(&own, &first, 1);
     for (ptrdiff_t J = 2; J < S; J++)
-        put(f->r, J, row_residual(f, &rest, J));
-    f->r[0] = 0;
+        put_row(&own, &rest, J);
+    own.r[0] = 0;
     for (size_t i = g->n - 1; i <= g->S * VEC; i++)
-        f->r[ovr_lanes_place(g, i)] = 0;
-    repeat_ends(f->r, S, 1);
+        own.r[ovr_lanes_place(g, i)] = 0;
+    repeat_ends(own.r, S, 1);
+    put_halo_phase(&own, S);
 }
 
-/* Whether the ends are held is not said. */
 void OVR_KERNEL(phase)(const ovr_lanes *g, const ovr_weights *w,
                        const ovr_fields *f)
 {
-    const ovr_fields own = *f; /* a copy that no store can change */
+    const ovr_fields own = *f;
     const vec a0 = all(w->a[0]);
-    ptrdiff_t S = (ptrdiff_t)g->S;
-    for (ptrdiff_t J = 0; J < S; J++) {
-        put_set(own.wet, J, at(own.P, J) > 0);
-        put_set(own.held, J, row_holds(&own, at(own.r, J), a0, J));
-    }
-    for (ptrdiff_t J = 0; J < OVR_HALO; J++) {
-        put_set(own.wet, -1 - J, at(own.P, -1 - J) > 0);
-        put_set(own.wet, S + J, at(own.P, S + J) > 0);
-    }
+    for (ptrdiff_t J = 0; J < (ptrdiff_t)g->S; J++)
+        put_phase(&own, a0, J, at(own.r, J));
+    put_halo_phase(&own, (ptrdiff_t)g->S);
 }
 
 /* sum rho_i of the residual in f->r */

@@ -6,6 +6,12 @@
 
 #include "multigrid/reynolds_row.h"
 
+static void put_phase(const ovr_fields *f, const ovr_weights *w, ptrdiff_t i)
+{
+    f->wet[i] = f->P[i] > 0;
+    f->held[i] = row_holds(f, f->r[i], w->a[0], i);
+}
+
 void ovr_residual_plain(const ovr_lanes *g, const ovr_weights *w,
                         const ovr_fields *f)
 {
@@ -13,6 +19,7 @@ void ovr_residual_plain(const ovr_lanes *g, const ovr_weights *w,
     for (ptrdiff_t i = 1; i < last; i++) {
         row_weights c = i == 1 ? row_first(w) : row_inner(w);
         f->r[i] = row_residual(f, &c, i);
+        put_phase(f, w, i);
     }
     f->r[0] = f->r[last] = 0;
 }
@@ -21,10 +28,8 @@ void ovr_phase_plain(const ovr_lanes *g, const ovr_weights *w,
                      const ovr_fields *f)
 {
     ptrdiff_t last = (ptrdiff_t)g->n - 1;
-    for (ptrdiff_t i = 1; i < last; i++) {
-        f->wet[i] = f->P[i] > 0;
-        f->held[i] = row_holds(f, f->r[i], w->a[0], i);
-    }
+    for (ptrdiff_t i = 1; i < last; i++)
+        put_phase(f, w, i);
 }
 
 double ovr_imbalance_plain(const ovr_lanes *g, const ovr_weights *w,

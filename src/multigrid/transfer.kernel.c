@@ -56,10 +56,10 @@ static inline vec weighted_residual(const vec r[3], const ivec wet[3])
 static void restrict_lanes(ptrdiff_t S, const ovr_fields *f, double *Pc,
                            double *entry, double *Hc, double *rc)
 {
+    vec P[3] = {at(f->P, -1)}, r[3] = {at(f->r, -1)};
+    ivec wet[3] = {in_set(f->wet, -1)};
     for (ptrdiff_t J = 0; J < S; J++) {
-        vec P[3], r[3];
-        ivec wet[3];
-        for (ptrdiff_t k = 0; k < 3; k++) {
+        for (ptrdiff_t k = 1; k < 3; k++) {
             P[k] = at(f->P, 2 * J - 1 + k);
             r[k] = at(f->r, 2 * J - 1 + k);
             wet[k] = in_set(f->wet, 2 * J - 1 + k);
@@ -69,6 +69,9 @@ static void restrict_lanes(ptrdiff_t S, const ovr_fields *f, double *Pc,
         put(entry, J, here);
         put(rc, J, weighted_residual(r, wet));
         put(Hc, J, at(f->H, 2 * J));
+        P[0] = P[2];
+        r[0] = r[2];
+        wet[0] = wet[2];
     }
     put(Hc, S, at(f->H, 2 * S));
     for (ptrdiff_t J = -OVR_HALO; J < 0; J++)

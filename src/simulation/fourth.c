@@ -16,6 +16,8 @@ void ovr_fourth_forget(ovr_simulation *sim)
 {
     size_t bytes = sim->finest->grid.n * sizeof(double);
     sim->order = 2;
+    if (sim->options.order != 4)
+        return;
     memset(sim->F_fourth, 0, bytes);
     memset(sim->gap_fourth, 0, bytes);
 }

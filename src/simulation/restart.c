@@ -41,6 +41,11 @@ static ovr_status visit_corrections(ovr_simulation *sim, ovr_visit *visit,
     size_t bytes = sim->finest->grid.n * sizeof(double);
     ovr_status status = visit(context, "order", &sim->order, sizeof sim->order,
                               err);
+    if (!status && sim->order == 4 && sim->options.order != 4)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "the state is of a run of order 4, this one is of "
+                        "order %d",
+                        sim->options.order);
     if (!status && sim->order == 4)
         status = visit(context, "F_fourth", sim->F_fourth, bytes, err);
     if (!status && sim->order == 4)

@@ -31,11 +31,14 @@ static ovr_status take_fields(ovr_simulation *sim, ovr_error *err)
 
 static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
 {
-    double **all[] = {&sim->now.weights, &sim->S,        &sim->S_past,
-                      &sim->saved,       &sim->F_fourth, &sim->gap_fourth,
+    double **all[] = {&sim->now.weights, &sim->S, &sim->S_past, &sim->saved,
                       &sim->stress};
+    double **fourth[] = {&sim->F_fourth, &sim->gap_fourth};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (take(sim, all[k], err))
+            return OVR_NO_MEMORY;
+    for (size_t k = 0; sim->options.order == 4 && k < 2; k++)
+        if (take(sim, fourth[k], err))
             return OVR_NO_MEMORY;
     if (take_fields(sim, err))
         return OVR_NO_MEMORY;

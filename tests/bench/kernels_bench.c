@@ -107,8 +107,8 @@ static void run_correct(void *sim)
  * + 6.  Reads P, gap, w; writes H, rho, dq, q, eps, deps (the blocks of a pass
  * stay in the nearest cache).
  * residual: three sums, two products a side less what they share 7, wedge 6,
- * 2 to finish.  Reads P, eps, q, F; writes r.
- * phase: d 5, tolerance 1.  Reads P, eps, r.
+ * 2 to finish, tolerance 1.  Reads P, eps, q, F; writes r.
+ * phase: tolerance 1.  Reads P, q, r.
  * imbalance: d 5, fall 1, sum 1.  Reads P, eps, r.
  * band_assemble: differences 4, elastic coefficients 3, seven elastic sums 35,
  * local parts 2 + 6 + 8 + 4, five columns 5 when steady (20 in time).  Reads P,
@@ -125,8 +125,8 @@ static const struct kernel {
     double flops, bytes; /* 0: counted from the plan */
 } kernels[] = {{"deformation", run_deformation, 0, 0},
                {"film", run_film, 75, 72},
-               {"residual", run_residual, 15, 40},
-               {"phase", run_phase, 6, 24},
+               {"residual", run_residual, 16, 40},
+               {"phase", run_phase, 1, 24},
                {"imbalance", run_imbalance, 7, 24},
                {"band_assemble", run_assemble, 67, 96},
                {"band_solve", run_assemble_solve, 50, 136},
