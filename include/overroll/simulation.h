@@ -53,7 +53,9 @@ typedef enum ovr_stop {
 /* Zero or NAN where noted means: the program chooses from M, L and level. */
 typedef struct ovr_options {
     size_t size;          /* of this struct, as its user knows it */
-    double inlet, outlet; /* X_a < 0 < X_b; NAN: automatic; -4 and 1.5 */
+    double inlet, outlet; /* X_a < 0 < X_b; NAN: automatic; inlet 0: -4, or
+                             farther out where that would cost more than 0.5 %
+                             of the central film; 0 and 1.5 */
     int level;            /* finest grid, n = 7 * 2^level + 1 nodes; 8 */
     int coarsest_level;   /* 0: automatic (3: 57 nodes); the paper's is 1 */
     ovr_scheme scheme;    /* OVR_CHARACTERISTIC, for steps of one mesh; for
@@ -105,9 +107,9 @@ OVR_API double ovr_simulation_memory(const ovr_options *options);
 /* The options after resolution (domain, coarsest level, tolerance, ...). */
 OVR_API const ovr_options *ovr_simulation_options(const ovr_simulation *sim);
 
-/* Numerical starvation: the share of the film that the inlet's place costs,
- * estimated from M and L (within a factor of 3).  An automatic inlet costs
- * 1e-3 or less. */
+/* Numerical starvation: the share of the central film that the inlet's place
+ * costs, estimated from M and L (within a factor of 1.5 for M = 1 to 1000, L up
+ * to 15).  An automatic inlet costs 1.2e-4 or less by it, 3e-4 as measured. */
 OVR_API double ovr_simulation_starvation(const ovr_simulation *sim);
 
 /* Roughness and histories; borrowed, must outlive the simulation.  Default:

@@ -53,6 +53,7 @@ static const ovr_word depth_exponents[] = {{"7/3", 7. / 3}, {NULL, 0}};
 static const ovr_word weibull_slopes[] = {
     {"9/8", 9. / 8}, {"10/9", 10. / 9}, {NULL, 0}};
 static const ovr_word auto_nan[] = {{"auto", NAN}, {NULL, 0}};
+static const ovr_word inlets[] = {{"usual", 0}, {"auto", NAN}, {NULL, 0}};
 static const ovr_word auto_zero[] = {{"auto", 0}, {NULL, 0}};
 static const ovr_word steps[] = {
     {"grid", 0}, {"adaptive", OVR_STEP_ADAPTIVE}, {NULL, 0}};
@@ -206,8 +207,10 @@ static const ovr_parameter table[] = {
      "Roelands' index; auto: alpha p0/(ln eta0 + 9.67) where alpha and "
      "viscosity are known, else 0.68"},
 
-    {"domain", "inlet", LENGTH_OR(auto_nan, -1e6, -1.05), "-4",
-     AT(options.inlet), true, "X of the first node"},
+    {"domain", "inlet", LENGTH_OR(inlets, -1e6, -1.05), "usual",
+     AT(options.inlet), true,
+     "X of the first node; usual: -4, or farther out where that would cost "
+     "more than 0.5 % of the central film; auto: where it costs 1e-4"},
     {"domain", "outlet", LENGTH_OR(auto_nan, 1.05, 1e6), "1.5",
      AT(options.outlet), true, "X of the last node"},
     {"domain", "level", WHOLE(1, 23), "8", AT(options.level), true,

@@ -13,6 +13,8 @@ typedef struct ovr_resolved {
     ovr_contact contact;
     ovr_lubricant lubricant;
     ovr_march march;
+    double inlet_kept; /* X_a, farther out, that a feature before the usual one
+                          kept the domain from; 0: none did */
     ovr_arena arena;
 } ovr_resolved;
 

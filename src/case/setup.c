@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "case/resolve.h"
+#include "contact/starvation.h"
 #include "simulation/internal.h"
 
 static double memory_here(void)
@@ -67,29 +68,98 @@ static ovr_status make_surfaces(ovr_resolved *r, const ovr_allocator *allocator,
     return status;
 }
 
+/* Conditions of the thickest film between T = 0 and the end, in units of b^2/R
+ * at nominal load; load and speed from where a run begins (OVR_LEAST_START). */
+static ovr_contact thickest(const ovr_setup *s, double *Cw)
+{
+    const int times = 256;
+    ovr_contact now = *s->contact, most = now;
+    double thick = 0;
+    for (int k = 0; k <= times; k++) {
+        double T = s->march->end * k / times;
+        double w = fmax(ovr_history_value(s->load, T), OVR_LEAST_START);
+        double u = fmax(ovr_history_value(s->speed, T), OVR_LEAST_START);
+        now.M = s->contact->M * w / sqrt(u);
+        now.L = s->contact->L * sqrt(sqrt(u));
+        if (ovr_film_central_moes(now.M, now.L) * w > thick) {
+            thick = ovr_film_central_moes(now.M, now.L) * w;
+            most = now;
+            *Cw = w;
+        }
+    }
+    return most;
+}
+
+/* An automatic domain is that of the thickest film: b grows as sqrt(Cw). */
+static ovr_status choose_domain(ovr_setup *s, ovr_error *why)
+{
+    ovr_options *o = s->options, farthest = *o;
+    double Cw = 1;
+    if (s->transient && (isnan(o->inlet) || isnan(o->outlet)) &&
+        (ovr_history_varies(s->load) || ovr_history_varies(s->speed))) {
+        ovr_contact most = thickest(s, &Cw);
+        if (ovr_options_resolve(&most, &farthest, why))
+            return OVR_BAD_INPUT;
+        if (isnan(o->inlet))
+            o->inlet = fmin(sqrt(Cw) * farthest.inlet, -2);
+        if (isnan(o->outlet))
+            o->outlet = fmax(sqrt(Cw) * farthest.outlet, 1.5);
+    }
+    return ovr_options_resolve(s->contact, o, why);
+}
+
+static void measure(ovr_setup *s)
+{
+    s->mesh = (s->options->outlet - s->options->inlet) /
+              (double)(ovr_level_nodes(s->options->level) - 1);
+}
+
+/* Whether something that was to come in from before the usual inlet would
+ * begin inside a domain that was made longer. */
+static bool is_overrun(const ovr_setup *s)
+{
+    const ovr_options *o = s->options;
+    return s->transient && s->surfaces && o->inlet < OVR_USUAL_INLET &&
+           ovr_surfaces_inside(s->surfaces, o->inlet, o->outlet) &&
+           !ovr_surfaces_inside(s->surfaces, OVR_USUAL_INLET, o->outlet);
+}
+
+static ovr_status place_surfaces(ovr_resolved *r, bool usual,
+                                 const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_setup *s = &r->setup;
+    measure(s);
+    if (make_surfaces(r, allocator, err))
+        return err ? err->status : OVR_BAD_INPUT;
+    if (!usual || !is_overrun(s))
+        return OVR_OK;
+    r->inlet_kept = s->options->inlet;
+    s->options->inlet = OVR_USUAL_INLET;
+    ovr_surfaces_free(s->surfaces);
+    s->surfaces = NULL;
+    measure(s);
+    return make_surfaces(r, allocator, err);
+}
+
 ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
                              ovr_error *err)
 {
     ovr_resolved *r = (ovr_resolved *)setup;
-    ovr_options *o = setup->options;
     const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
     const ovr_block *solver = ovr_case_find_block(r->c, "solver", NULL);
     const ovr_block *paper = ovr_case_find_block(r->c, "paper", NULL);
+    bool usual = setup->options->inlet == 0;
     ovr_error why = {0};
     if (setup->nodes)
         return OVR_OK;
-    if (ovr_options_resolve(setup->contact, o, &why)) {
+    if (choose_domain(setup, &why)) {
         bool of_paper = why.about &&
                         ovr_parameter_find(paper->section, why.about);
         return ovr_fail_in(err, r->c, of_paper ? paper : domain, solver, &why);
     }
-    if (check_memory(r, err))
-        return OVR_BAD_INPUT;
-    setup->mesh = (o->outlet - o->inlet) /
-                  (double)(ovr_level_nodes(o->level) - 1);
-    if (make_surfaces(r, allocator, err))
+    if (check_memory(r, err) || place_surfaces(r, usual, allocator, err))
         return err ? err->status : OVR_BAD_INPUT;
-    setup->nodes = ovr_level_nodes(o->level);
+    setup->nodes = ovr_level_nodes(setup->options->level);
     return OVR_OK;
 }
 

@@ -47,7 +47,7 @@ _overroll_values() {
     lubricant.alpha) echo '' ;;
     lubricant.p0) echo '' ;;
     lubricant.z) echo 'auto' ;;
-    domain.inlet) echo 'auto' ;;
+    domain.inlet) echo 'usual auto' ;;
     domain.outlet) echo 'auto' ;;
     domain.level) echo '' ;;
     domain.nodes) echo '' ;;

@@ -173,6 +173,29 @@ static size_t count_values(const ovr_restart *r, size_t at)
     return count;
 }
 
+static bool find_state(const ovr_restart *r, const char *name, piece *p)
+{
+    const size_t prefix = strlen("state ");
+    for (size_t at = r->first_state; piece_at(r, at, p); at = p->next)
+        if (p->name_length == prefix + strlen(name) &&
+            memcmp(p->name + prefix, name, strlen(name)) == 0)
+            return true;
+    return false;
+}
+
+static void take_domain(ovr_restart *r)
+{
+    ovr_restart_info *info = &r->info;
+    piece p;
+    info->inlet = info->outlet = NAN;
+    if (find_state(r, "inlet", &p) && p.bytes == sizeof info->inlet)
+        memcpy(&info->inlet, p.content, sizeof info->inlet);
+    if (find_state(r, "outlet", &p) && p.bytes == sizeof info->outlet)
+        memcpy(&info->outlet, p.content, sizeof info->outlet);
+    if (find_state(r, "level", &p) && p.bytes == sizeof info->level)
+        memcpy(&info->level, p.content, sizeof info->level);
+}
+
 static ovr_status take_pieces(ovr_restart *r, ovr_error *err)
 {
     size_t at = OVR_RESTART_MAGIC_SIZE + 8;
@@ -187,6 +210,7 @@ static ovr_status take_pieces(ovr_restart *r, ovr_error *err)
             return OVR_NO_MEMORY;
     r->first_state = at;
     r->info.has_state = piece_at(r, at, &p);
+    take_domain(r);
     r->info.values = r->values;
     r->info.step = (long)r->counts.step;
     r->info.T = r->counts.T;
@@ -296,16 +320,6 @@ ovr_status ovr_restart_check(const ovr_restart *r, size_t count,
                              const ovr_case_value *values, ovr_error *err)
 {
     return ovr_values_same(r->info.value_count, r->values, count, values, err);
-}
-
-static bool find_state(const ovr_restart *r, const char *name, piece *p)
-{
-    const size_t prefix = strlen("state ");
-    for (size_t at = r->first_state; piece_at(r, at, p); at = p->next)
-        if (p->name_length == prefix + strlen(name) &&
-            memcmp(p->name + prefix, name, strlen(name)) == 0)
-            return true;
-    return false;
 }
 
 typedef struct getting {

@@ -61,6 +61,9 @@ ovr_case_value *ovr_run_values(const ovr_case *c, ovr_arena *arena,
 ovr_status ovr_recorded_values(ovr_case *c, const ovr_restart_info *of,
                                const char *path, ovr_error *err);
 
+/* The same for what the program chose of the domain. */
+void ovr_began_domain(ovr_setup *setup, const ovr_restart_info *of);
+
 /* The file of an earlier run, gone on with: first what may be refused (another
  * physics), then the checkpoint's state into the simulation, then, to write,
  * the file. */

@@ -4,6 +4,7 @@
  * that its file recorded, not today's defaults, and a key that the file does
  * not know means what the program did then.
  */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -64,4 +65,30 @@ ovr_status ovr_recorded_values(ovr_case *c, const ovr_restart_info *of,
             return OVR_BAD_INPUT;
     }
     return OVR_OK;
+}
+
+/* What version 0.1.0 took for inlet = auto. */
+static double inlet_once(const ovr_contact *contact)
+{
+    double H = ovr_film_central_moes(contact->M, contact->L), X_a = -2, s, loss;
+    do {
+        s = sqrt(2 * H) / fabs(X_a);
+        loss = fmax(pow(s, 2.5), 2 * s * s * H * H / (1 + H * H));
+        X_a *= loss > 1e-3 ? 1.02 : 1;
+    } while (loss > 1e-3);
+    return X_a;
+}
+
+void ovr_began_domain(ovr_setup *setup, const ovr_restart_info *of)
+{
+    ovr_options *o = setup->options;
+    if (!of->has_state)
+        return;
+    if (of->level > 0) {
+        o->inlet = of->inlet;
+        o->outlet = of->outlet;
+        o->level = of->level;
+    } else if (isnan(o->inlet)) {
+        o->inlet = inlet_once(setup->contact);
+    }
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "case/resolve.h"
+#include "contact/starvation.h"
 #include "run/internal.h"
 
 typedef struct review {
@@ -32,10 +33,6 @@ static void say(const review *r, ovr_say kind, const char *format, ...)
 /* Second-order schemes carry a wave of eight meshes with a few per cent lost
  * (0.25 b at level 6 is 20 meshes, 3.6 %). */
 static const double MESHES_A_WAVE = 10;
-
-/* Films at the inlet above so many central films leave it fully flooded
- * (Wolveridge, Baglin & Archard 1971, rounded up). */
-static const double FLOODED = 9;
 
 /* What was understood of profiles and done to them. */
 static void say_assumed(const review *r)
@@ -183,11 +180,34 @@ static void warn_of_sliding(const review *r)
             slip);
 }
 
+/* The usual inlet lies farther out, or does not because of a feature. */
+static void say_inlet(const review *r)
+{
+    const ovr_resolved *resolved = (const ovr_resolved *)r->setup;
+    const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
+    const ovr_slot *given = ovr_block_get(domain, "inlet");
+    double inlet = r->setup->options->inlet;
+    const ovr_contact *contact = r->setup->contact;
+    double loss = 100 * ovr_inlet_loss(contact->M, contact->L, OVR_USUAL_INLET);
+    if (resolved->inlet_kept < 0)
+        say(r, OVR_SAY_WARNING,
+            "a feature starts left of X = -4: the inlet stays there, which "
+            "costs some %.2g %% of the central film; start it left of %.4g to "
+            "have the inlet there",
+            loss, resolved->inlet_kept);
+    else if (inlet < OVR_USUAL_INLET && given->word && given->number == 0)
+        say(r, OVR_SAY_NOTE,
+            "the inlet is at X = %.4g: at -4 it would cost some %.2g %% of the "
+            "central film",
+            inlet, loss);
+}
+
 static void before(const review *r, bool transient)
 {
     say_moved(r);
     warn_of_start(r);
     warn_of_sliding(r);
+    say_inlet(r);
     if (r->setup->surfaces)
         warn_of_features(r, transient);
     if (transient)
@@ -242,19 +262,21 @@ void ovr_run_review_before(ovr_run *run)
     before(&r, run->info.transient);
 }
 
-/* The loss is a fit to small ones; a film cannot lose more than all of it. */
-static void warn_of_inlet(const review *r, const ovr_simulation *sim, double X,
-                          double films)
+/* The loss is a fit to those up to a fifth. */
+static void warn_of_inlet(const review *r, const ovr_state *state, double H_cen)
 {
-    double loss = ovr_simulation_starvation(sim);
-    char share[40] = "most";
-    if (loss < 0.5)
+    const ovr_contact *contact = r->setup->contact;
+    double loss = ovr_inlet_loss(contact->M, contact->L, state->X[0]);
+    char share[40] = "more than a fifth";
+    if (loss <= 1.01 * OVR_USUAL_LOSS)
+        return;
+    if (loss < 0.2)
         snprintf(share, sizeof share, "some %.2g %%", 100 * loss);
     say(r, OVR_SAY_WARNING,
         "the inlet is numerically starved: the film at X = %.3g is only %.1f "
         "central films, which costs %s of the film; move the inlet out or let "
         "inlet = auto choose it",
-        X, films, share);
+        state->X[0], state->H[0] / H_cen, share);
 }
 
 /* Order four was taken or wanted, and is not what was reached. */
@@ -386,8 +408,8 @@ void ovr_run_review_after(ovr_run *run)
     if (*strategy)
         say(&r, OVR_SAY_NOTE, "the steady solution took another way: %s",
             strategy);
-    if (state->n && H_cen > 0 && state->H[0] < FLOODED * H_cen)
-        warn_of_inlet(&r, sim, state->X[0], state->H[0] / H_cen);
+    if (state->n && H_cen > 0 && !((const ovr_resolved *)r.setup)->inlet_kept)
+        warn_of_inlet(&r, state, H_cen);
     warn_of_extremes(&r, ovr_simulation_statistics(sim));
     if (state->n && H_cen > 0)
         warn_of_friction(&r, sim, &run->arena);

@@ -59,6 +59,8 @@ ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
         run->setup = ovr_case_resolve(run->c, allocator, err);
     if (!run->setup)
         return OVR_BAD_INPUT;
+    if (run->restart)
+        ovr_began_domain(run->setup, ovr_restart_about(run->restart));
     run->sim = ovr_setup_simulation(run->setup, allocator, err);
     if (!run->sim)
         return OVR_BAD_INPUT;

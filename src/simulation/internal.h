@@ -103,9 +103,6 @@ struct ovr_simulation {
 ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *options,
                                ovr_error *err);
 
-/* Relative loss of film by starting the domain at X_a. */
-double ovr_starvation(const ovr_contact *contact, double X_a);
-
 /* MLMI order and range of a level. */
 void ovr_options_mlmi(const ovr_options *options, int level, int *order,
                       int *range);

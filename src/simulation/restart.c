@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The numbers and arrays that make up the state between two steps, by name.
  * What is observed of it is not among them but follows from them; of the step
- * just made stay how it was solved, and the totals. */
+ * just made stay how it was solved, and the totals.  The domain is among them
+ * for who makes the simulation again. */
 #include <math.h>
 #include <stdio.h>
 
@@ -97,7 +98,10 @@ ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
         PART("largest_load_error_time", total->T_load_error),
         PART("largest_sliding_friction", total->mu_slide),
         PART("largest_sliding_friction_time", total->T_mu_slide),
-        PART("settled", total->settled)};
+        PART("settled", total->settled),
+        PART("inlet", sim->options.inlet),
+        PART("outlet", sim->options.outlet),
+        PART("level", sim->options.level)};
     for (size_t k = 0; !status && k < sizeof parts / sizeof *parts; k++)
         status = visit(context, parts[k].name, parts[k].memory, parts[k].bytes,
                        err);

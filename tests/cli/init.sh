@@ -8,7 +8,7 @@ for kind in roller gear cam numbers; do
         expect 0 "$OVERROLL" init $kind --oil $oil
         mv out $kind.ini
         expect 0 "$OVERROLL" check $kind.ini
-        [ ! -s err ] || fail "$kind, $oil: $(cat err)"
+        ! grep -v 'the inlet is at X' err || fail "$kind, $oil: $(cat err)"
     done
     expect 0 "$OVERROLL" run $kind.ini --level 5 --set time.end=0.3
     [ -f $kind.h5 ] || fail "no $kind.h5"

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Numerical starvation: a domain that begins at X_a leaves out the pressure
+ * that the film before it would have built up.  With Hertz's gap
+ *     g = [X sqrt(X^2 - 1) - ln(X + sqrt(X^2 - 1))]/2
+ * and the central film H (Moes), dP/dX = lambda g/(g + H)^3 there; the share
+ * of the film that is lost is
+ *     c f + 0.4 e^(-L/3) (2 lambda/pi) int X g/(g + H)^3 dX,   X > |X_a|,
+ *     f = int g/(g + H)^3 dX, X > |X_a|, over the same for X > 1,
+ *     c = 0.7 L/(L + 1) M/(M + 0.6):
+ * the first where viscosity rises with pressure, so that what is missing at
+ * X_a is missing at the contact's edge; the second the load that a film of
+ * constant viscosity carries out there.
+ *
+ * Measured by moving the inlet out: M = 1 to 1000, L = 0 to 15, X_a = -2 to
+ * -8, losses of 1e-5 to 20 %: within a factor of 1.5 (two thirds of all within
+ * 1.15).
+ *
+ * The integrals: X = |X_a| + s exp(pi/2 sinh t), s the length over which the
+ * integrand changes, trapezoidal in t; 2e-9 of their values in 33 terms.
+ */
+#include "contact/starvation.h"
+
+#include <math.h>
+
+#include "overroll/contact.h"
+
+static const double pi = 3.14159265358979323846;
+
+/* X = 1 + d; near 1 the two terms cancel, which leaves a series. */
+double ovr_hertz_gap(double d)
+{
+    double r = sqrt(d * (d + 2));
+    if (d < 1e-4)
+        return r * r * r * (1. / 3 - 0.1 * r * r);
+    return 0.5 * ((1 + d) * r - log1p(d + r));
+}
+
+static double integrand(double H, double d, int power)
+{
+    double g = ovr_hertz_gap(d), h = g + H;
+    return (power ? 1 + d : 1) * g / (h * h * h);
+}
+
+double ovr_inlet_integral(double H, double d, int power)
+{
+    const double step = 0.2;
+    const int terms = 16; /* on both sides; beyond them nothing is left */
+    double rise = H < 1 ? pow(H, 2. / 3) : sqrt(2 * H);
+    double s = d > rise ? d : rise, sum = 0;
+    for (int k = -terms; k <= terms; k++) {
+        double t = step * k, x = s * exp(0.5 * pi * sinh(t));
+        sum += integrand(H, d + x, power) * x * cosh(t);
+    }
+    return 0.5 * pi * step * sum;
+}
+
+double ovr_inlet_loss(double M, double L, double X_a)
+{
+    double H = ovr_film_central_moes(M, L), d = -X_a - 1;
+    double lambda = 3 * pi * pi / (8 * M * M);
+    double c = 0.7 * L / (L + 1) * M / (M + 0.6);
+    double f = ovr_inlet_integral(H, d, 0) / ovr_inlet_integral(H, 0, 0);
+    double carried = 2 * lambda / pi * ovr_inlet_integral(H, d, 1);
+    return c * f + 0.4 * exp(-L / 3) * carried;
+}
+
+/* Far out the loss falls as a power of X_a: the line through two points in
+ * logarithms, from both sides, and every third time the middle. */
+double ovr_inlet_of_loss(double M, double L, double loss, double least)
+{
+    double near = log(-least), far, above, below;
+    above = log(ovr_inlet_loss(M, L, least) / loss);
+    if (above <= 0)
+        return least;
+    for (far = near + 0.5;; far += 0.5) {
+        below = log(ovr_inlet_loss(M, L, -exp(far)) / loss);
+        if (below <= 0)
+            break;
+        near = far;
+        above = below;
+    }
+    for (int k = 0; k < 60 && below < -1e-6; k++) {
+        double part = k % 3 == 2 ? 0.5 : above / (above - below);
+        double x = near + (far - near) * part;
+        double y = log(ovr_inlet_loss(M, L, -exp(x)) / loss);
+        *(y > 0 ? &near : &far) = x;
+        *(y > 0 ? &above : &below) = y;
+    }
+    return -exp(far);
+}

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a domain that begins too close to the contact costs of the film. */
+#ifndef OVR_CONTACT_STARVATION_H
+#define OVR_CONTACT_STARVATION_H
+
+/* The paper's X_a, which is usual; a loss above which the usual inlet lies
+ * farther out; the loss by an automatic one. */
+#define OVR_USUAL_INLET (-4.0)
+#define OVR_USUAL_LOSS 5e-3
+#define OVR_AUTO_LOSS 1.2e-4
+
+/* Hertz's gap outside the contact, at |X| = 1 + d. */
+double ovr_hertz_gap(double d);
+
+/* Integral from X_a = 1 + d to infinity of g/(g + H)^3 X^power, power 0 or 1:
+ * the pressure, over lambda, that the film there would build up, and what it
+ * carries. */
+double ovr_inlet_integral(double H, double d, int power);
+
+/* Share of the central film that a first node at X_a < -1 costs. */
+double ovr_inlet_loss(double M, double L, double X_a);
+
+/* The X_a that costs this share, but not beyond `least` (-2, say). */
+double ovr_inlet_of_loss(double M, double L, double loss, double least);
+
+#endif
