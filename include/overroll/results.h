@@ -151,8 +151,8 @@ typedef struct ovr_restart_info {
     long step;      /* of the checkpoint, and its time */
     double T;
     size_t snapshots, steps; /* rows of the file at that moment */
-    double inlet, outlet; /* of the domain; NAN: not recorded */
-    int level;            /* 0: not recorded */
+    double inlet, outlet;    /* of the domain; NAN: not recorded */
+    int level;               /* 0: not recorded */
     const char *case_text, *case_path;
     size_t value_count; /* parameters of the run; name, text, physics */
     const ovr_case_value *values;
