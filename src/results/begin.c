@@ -158,8 +158,8 @@ static ovr_status prepare(ovr_writer *w, const double *X, ovr_file_plan *plan,
     if (status)
         return status;
     ovr_date_now(w->created);
-    *plan = (ovr_file_plan){&w->options, &w->scales, NULL, w->nodes,
-                            w->created};
+    *plan = (ovr_file_plan){&w->options, &w->scales, NULL,
+                            w->nodes,    w->created, 0};
     plan->x = stored_positions(w, X, err);
     if (!plan->x)
         return OVR_NO_MEMORY;
@@ -215,14 +215,16 @@ static ovr_writer *begin(const ovr_write_options *options,
     return w;
 }
 
-/* The checkpoint, still without a state, is there before the file has its
+/* The checkpoint, still without a state, is on the disk before the file has its
  * name: a run killed at any later moment can be gone on with. */
 static ovr_status start_file(ovr_writer *w, const ovr_file_plan *plan,
                              ovr_error *err)
 {
     ovr_status status = ovr_file_create(&w->file, plan, err);
     if (status == OVR_OK)
-        status = ovr_writer_checkpoint(w, false, err);
+        status = ovr_store_sync(&w->file.store, err);
+    if (status == OVR_OK)
+        status = ovr_writer_checkpoint(w, 0, err);
     if (status == OVR_OK)
         status = ovr_store_publish(&w->file.store, w->options.force, err);
     if (status != OVR_IO)
@@ -265,6 +267,7 @@ static void go_on_from(ovr_writer *w, const ovr_restart *restart,
 {
     const ovr_counts *counts = restart ? ovr_restart_counts(restart) : NULL;
     plan->created = restart ? ovr_restart_created(restart) : NULL;
+    plan->number = restart ? ovr_restart_number(restart) : 0;
     if (!restart || !ovr_restart_about(restart)->has_state)
         return;
     w->last_step = (long)counts->step;

@@ -8,6 +8,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include "base/disk.h"
 #include "overroll/version.h"
 
 /* A file being written, through a buffer, with its checksum. */
@@ -90,6 +91,7 @@ static ovr_status put_all(sink *s, const ovr_checkpoint *c, ovr_error *err)
                   c->values[k].name, c->values[k].text,
                   strlen(c->values[k].text));
     put_piece(s, "counts", "", &c->counts, sizeof c->counts);
+    put_piece(s, "base", "", &c->number, sizeof c->number);
     if (c->source.visit_all)
         status = c->source.visit_all(c->source.object, put_state, s, err);
     sum = s->sum;
@@ -129,5 +131,7 @@ ovr_status ovr_checkpoint_write(const ovr_checkpoint *c, ovr_error *err)
     }
     if (s.error || rename(c->part, c->path) != 0)
         return failed(c, s.error ? s.error : errno, err);
-    return OVR_OK;
+    if (c->sync)
+        s.error = ovr_sync_folder(c->path);
+    return s.error ? failed(c, s.error, err) : OVR_OK;
 }

@@ -11,6 +11,7 @@
  * Pieces: "version", "created" (the result file's date_created, which ties
  * the two together), "case path", "case text", "value +NAME" or "value -NAME"
  * (physics or not) with the parameter's text, "counts" (checkpoint_counts),
+ * "base" (the checkpoint's number, 64 bit: store.h; 0 where it is missing),
  * then "state NAME" for each piece that ovr_simulation_visit shows, in any
  * order, and "state S", the surface at that moment; none of these before the
  * first checkpoint.  Who reads takes the pieces by name: one that he does not
@@ -18,8 +19,8 @@
  * of before, and an array must be there.
  *
  * It is written as OUT.h5.restart.part, synced, and renamed over the one
- * before: there is always a whole one.  What it says of rows is true of the
- * result file first: that is flushed and synced before.
+ * before, and the folder is synced: there is always a whole one.  What it says
+ * of rows is true of the result file first: that is flushed and synced before.
  */
 #ifndef OVR_RESULTS_CHECKPOINT_H
 #define OVR_RESULTS_CHECKPOINT_H
@@ -52,6 +53,7 @@ typedef struct ovr_checkpoint {
     size_t value_count;
     const ovr_case_value *values;
     ovr_counts counts;
+    uint64_t number;         /* counted in the store */
     ovr_state_source source; /* visit_all NULL: no state yet */
     bool sync;
 } ovr_checkpoint;
@@ -71,6 +73,7 @@ bool ovr_restart_holds(const ovr_restart *restart, const char *name,
 /* What the result file must have as its date_created. */
 const char *ovr_restart_created(const ovr_restart *restart);
 const ovr_counts *ovr_restart_counts(const ovr_restart *restart);
+uint64_t ovr_restart_number(const ovr_restart *restart);
 
 /* OVR_BAD_INPUT naming the first parameter of physics that differs. */
 ovr_status ovr_values_same(size_t were, const ovr_case_value *was, size_t count,

@@ -10,8 +10,9 @@
 
 enum { TRIES = 1000, PAUSE = 200000 }; /* ns; a fifth of a second at most */
 
-/* Bytes that are locked: for the content, and for the queue before it. */
-enum { CONTENT, QUEUE };
+/* Bytes that are locked: for the content, for the queue before it, and by a
+ * writer for its life. */
+enum { CONTENT, QUEUE, LIFE };
 
 static int set_lock(int journal, int byte, short kind)
 {
@@ -57,4 +58,22 @@ void ovr_commit_lock(int journal, bool write)
 void ovr_commit_unlock(int journal)
 {
     set_lock(journal, CONTENT, F_UNLCK);
+}
+
+void ovr_commit_alive(int journal)
+{
+    set_lock(journal, LIFE, F_WRLCK);
+}
+
+bool ovr_commit_is_settled(int journal)
+{
+#ifdef F_OFD_SETLK
+    struct flock lock = {
+        .l_type = F_WRLCK, .l_whence = SEEK_SET, .l_start = LIFE, .l_len = 1};
+    return set_lock(journal, CONTENT, F_RDLCK) == 0 &&
+           fcntl(journal, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+#else
+    (void)journal;
+    return false;
+#endif
 }

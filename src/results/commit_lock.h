@@ -11,6 +11,8 @@
  * commit notices and tries again.  Readers that know nothing of this are kept
  * from nothing.  (Locks of open file descriptions: Linux; elsewhere nobody
  * waits and readers try again.)
+ *
+ * A third byte is locked as long as a writer lives.
  */
 #ifndef OVR_RESULTS_COMMIT_LOCK_H
 #define OVR_RESULTS_COMMIT_LOCK_H
@@ -20,5 +22,13 @@
 /* Takes the lock on a descriptor of the journal, to write or to read. */
 void ovr_commit_lock(int journal, bool write);
 void ovr_commit_unlock(int journal);
+
+/* From now on a writer lives, until the descriptor is closed. */
+void ovr_commit_alive(int journal);
+
+/* For a reader that has the lock: whether a writer lives and does not change
+ * the file now, so that this is as a commit left it.  False also where there
+ * are no such locks: then the file must be looked at (torn.c). */
+bool ovr_commit_is_settled(int journal);
 
 #endif

@@ -52,11 +52,20 @@ ovr_status ovr_file_prepare(ovr_file *f, const ovr_file_plan *plan,
                               arena, err);
 }
 
+/* The date tells its file from others. */
+static void name_store(ovr_file *f, const char *created)
+{
+    snprintf(f->store.created, sizeof f->store.created, "%s",
+             created ? created : "");
+}
+
 ovr_status ovr_file_create(ovr_file *f, const ovr_file_plan *plan,
                            ovr_error *err)
 {
     hid_t creation;
-    ovr_status status = ovr_store_create(&f->store, plan->options->force, err);
+    ovr_status status;
+    name_store(f, plan->created);
+    status = ovr_store_create(&f->store, plan->options->force, err);
     if (status != OVR_OK)
         return status;
     creation = ovr_header_creation();
@@ -258,13 +267,17 @@ static bool mark_running(ovr_file *f, const ovr_file_plan *plan)
 ovr_status ovr_file_open(ovr_file *f, const ovr_file_plan *plan,
                          size_t snapshots, size_t steps, ovr_error *err)
 {
-    ovr_status status = ovr_store_open(&f->store, err);
+    ovr_status status;
+    name_store(f, plan->created);
+    f->store.kept.number = plan->number;
+    status = ovr_store_open(&f->store, err);
     if (status != OVR_OK)
         return status;
     f->snapshots = snapshots;
     f->steps = steps;
     status = check_file(f, plan, err);
     if (status == OVR_OK) {
+        name_store(f, f->created);
         f->file = ovr_driver_open(&f->store);
         if (f->file < 0 && f->store.failed)
             return ovr_store_failure(&f->store, err);

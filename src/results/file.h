@@ -44,6 +44,7 @@ typedef struct ovr_file_plan {
     const double *x; /* stored positions, in the file's unit */
     size_t nodes;
     const char *created; /* its date_created */
+    uint64_t number;     /* of the checkpoint that is gone on from */
 } ovr_file_plan;
 
 /* Bytes of a value of a field. */
@@ -57,7 +58,8 @@ ovr_status ovr_file_prepare(ovr_file *file, const ovr_file_plan *plan,
 ovr_status ovr_file_create(ovr_file *file, const ovr_file_plan *plan,
                            ovr_error *err);
 
-/* Opens one that is to be gone on with; it must have plan->created, these
+/* Opens one that is to be gone on with, as it was at the last checkpoint; it
+ * must have plan->created, these
  * positions and this precision.  Rows behind the counts are dropped. */
 ovr_status ovr_file_open(ovr_file *file, const ovr_file_plan *plan,
                          size_t snapshots, size_t steps, ovr_error *err);

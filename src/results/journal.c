@@ -1,61 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Writing a journal: its form is described in journal.h. */
 #include "results/journal.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 #include <zlib.h>
 
+#include "base/disk.h"
 #include "base/lock.h"
-
-static const char magic[16] = "overroll journal";
-
-typedef struct header {
-    char magic[16];
-    uint64_t one, committed, length, pages, before, after;
-} header;
-
-typedef struct record {
-    uint64_t number;
-    unsigned char data[OVR_PAGE];
-} record;
-
-int ovr_write_all(int fd, const void *from, size_t bytes, uint64_t at)
-{
-    const char *next = from;
-    while (bytes > 0) {
-        ssize_t n = pwrite(fd, next, bytes, (off_t)at);
-        if (n < 0 && errno == EINTR)
-            continue;
-        if (n <= 0)
-            return n < 0 ? errno : ENOSPC;
-        next += n;
-        at += (uint64_t)n;
-        bytes -= (size_t)n;
-    }
-    return 0;
-}
-
-int ovr_read_all(int fd, void *to, size_t bytes, uint64_t at)
-{
-    char *next = to;
-    while (bytes > 0) {
-        ssize_t n = pread(fd, next, bytes, (off_t)at);
-        if (n < 0 && errno == EINTR)
-            continue;
-        if (n < 0)
-            return errno;
-        if (n == 0)
-            break;
-        next += n;
-        at += (uint64_t)n;
-        bytes -= (size_t)n;
-    }
-    memset(next, 0, bytes);
-    return 0;
-}
+#include "results/commit_lock.h"
 
 static uint64_t checksum(uint64_t sum, const void *data, size_t bytes)
 {
@@ -83,6 +40,7 @@ int ovr_journal_open(ovr_store *s)
         error = ovr_lock_file(fd, false);
         if (error != EWOULDBLOCK && same_file(fd, s->journal_path)) {
             s->journal = fd;
+            ovr_commit_alive(fd);
             s->unlocked = error != 0;
             return 0;
         }
@@ -95,113 +53,191 @@ int ovr_journal_open(ovr_store *s)
 
 /* -------------------------------------------------------------- writing */
 
-/* Bytes of a page that lie below the committed length. */
-static size_t page_bytes(const ovr_store *s, uint64_t number)
+/* No two journals of a file have the same. */
+static uint64_t new_salt(void)
 {
-    uint64_t left = s->committed - number * OVR_PAGE;
-    return left < OVR_PAGE ? (size_t)left : OVR_PAGE;
+    struct timespec now;
+    clock_gettime(CLOCK_REALTIME, &now);
+    return (uint64_t)now.tv_sec * 1000000000u + (uint64_t)now.tv_nsec +
+           ((uint64_t)getpid() << 40);
 }
 
-static int page_zero_sums(const ovr_store *s, header *h)
+/* The names of the file and its checkpoint first: what the journal held until
+ * now may belong to the file that had this name before. */
+static int begin(ovr_store *s)
 {
-    const ovr_page *page = ovr_pages_find(&s->changed, 0);
-    unsigned char now[OVR_PAGE];
-    size_t bytes = page_bytes(s, 0);
-    int error = ovr_read_all(s->fd, now, bytes, 0);
-    h->before = h->after = checksum(0, now, bytes);
-    if (page)
-        h->after = checksum(0, page->data, bytes);
+    ovr_kept *k = &s->kept;
+    ovr_journal_header h = {"", 2, k->number, k->length, 0, "", 0};
+    int error = k->named ? 0 : ovr_sync_folder(s->path);
+    k->salt = h.salt = new_salt();
+    memcpy(h.magic, OVR_JOURNAL_MAGIC, sizeof h.magic);
+    memcpy(h.created, s->created, sizeof h.created);
+    h.sum = checksum(0, &h, offsetof(ovr_journal_header, sum));
+    if (error == 0 && ftruncate(s->journal, 0) != 0)
+        error = errno;
+    if (error == 0)
+        error = ovr_write_all(s->journal, &h, sizeof h, 0);
+    k->named = k->named || error == 0;
+    k->begun = error == 0;
+    k->end = sizeof h;
     return error;
+}
+
+static size_t least(uint64_t a, uint64_t b)
+{
+    return (size_t)(a < b ? a : b);
+}
+
+/* A bit for each page of the checkpoint; more of them than before where the
+ * file has grown since. */
+static bool is_kept(const ovr_kept *k, uint64_t number)
+{
+    return number / 8 < k->room && k->pages[number / 8] >> number % 8 & 1;
+}
+
+static int note_kept(ovr_store *s, uint64_t number)
+{
+    ovr_kept *k = &s->kept;
+    if (number / 8 >= k->room) {
+        size_t room = 2 * (size_t)(number / 8) + 64;
+        unsigned char *more = ovr_arena_take(s->changed.arena, room, 1, NULL);
+        if (!more)
+            return ENOMEM;
+        memset(more, 0, room);
+        if (k->room)
+            memcpy(more, k->pages, k->room);
+        k->pages = more;
+        k->room = room;
+    }
+    k->pages[number / 8] |= (unsigned char)(1u << number % 8);
+    return 0;
+}
+
+/* What a commit appends, written at once. */
+typedef struct addition {
+    ovr_arena arena;
+    unsigned char *data;
+    size_t bytes;
+    bool pages; /* some of it are pages */
+} addition;
+
+static uint64_t pages_of(uint64_t length)
+{
+    return (length + OVR_PAGE - 1) / OVR_PAGE;
+}
+
+/* Pages whose checksums the state needs, at most: those changed, then those
+ * written behind what was committed before. */
+static size_t entries(const ovr_store *s)
+{
+    uint64_t first = s->kept.summed / OVR_PAGE, end = pages_of(s->length);
+    return s->changed.count + (size_t)(end > first ? end - first : 0);
+}
+
+static int make_room(const ovr_store *s, addition *a)
+{
+    size_t record = sizeof(ovr_journal_record);
+    size_t pages = s->changed.count * (record + OVR_PAGE);
+    a->arena = ovr_arena_make(&s->changed.arena->allocator);
+    a->data = ovr_arena_take(
+        &a->arena, pages + record + entries(s) * sizeof(ovr_journal_entry), 1,
+        NULL);
+    return a->data ? 0 : ENOMEM;
+}
+
+/* The content is there already. */
+static void end_record(const ovr_store *s, addition *a, uint64_t kind,
+                       uint64_t where, size_t bytes)
+{
+    ovr_journal_record r = {s->kept.salt, kind, where, bytes, 0};
+    unsigned char *content = a->data + a->bytes + sizeof r;
+    r.sum = checksum(0, &r, offsetof(ovr_journal_record, sum));
+    r.sum = checksum(r.sum, content, bytes);
+    memcpy(a->data + a->bytes, &r, sizeof r);
+    a->bytes += sizeof r + bytes;
+}
+
+static int keep_page(ovr_store *s, addition *a, uint64_t number)
+{
+    uint64_t at = number * OVR_PAGE;
+    size_t bytes = least(OVR_PAGE, s->kept.length - at);
+    int error = ovr_read_all(
+        s->fd, a->data + a->bytes + sizeof(ovr_journal_record), bytes, at);
+    if (error == 0)
+        error = note_kept(s, number);
+    if (error == 0)
+        end_record(s, a, OVR_JOURNAL_PAGE, number, bytes);
+    return error;
+}
+
+static int keep_pages(ovr_store *s, addition *a)
+{
+    int error = 0;
+    for (size_t k = 0; error == 0 && k < s->changed.count; k++) {
+        uint64_t number = s->changed.page[k].number;
+        if (number * OVR_PAGE >= s->kept.length || is_kept(&s->kept, number))
+            continue;
+        error = keep_page(s, a, number);
+        a->pages = true;
+    }
+    return error;
+}
+
+/* The k-th page that the state names. */
+static uint64_t page_number(const ovr_store *s, size_t k)
+{
+    return k < s->changed.count
+               ? s->changed.page[k].number
+               : s->kept.summed / OVR_PAGE + (k - s->changed.count);
+}
+
+static int add_state(ovr_store *s, addition *a)
+{
+    unsigned char now[OVR_PAGE];
+    unsigned char *content = a->data + a->bytes + sizeof(ovr_journal_record);
+    size_t bytes = 0;
+    for (size_t k = 0; k < entries(s); k++) {
+        ovr_journal_entry e = {page_number(s, k), 0, 0};
+        uint64_t at = e.page * OVR_PAGE;
+        if (at >= s->length)
+            continue;
+        e.bytes = (uint32_t)least(OVR_PAGE, s->length - at);
+        if (!ovr_store_read(s, at, e.bytes, now))
+            return s->failed;
+        e.sum = (uint32_t)checksum(0, now, e.bytes);
+        memcpy(content + bytes, &e, sizeof e);
+        bytes += sizeof e;
+    }
+    end_record(s, a, OVR_JOURNAL_STATE, s->length, bytes);
+    return 0;
+}
+
+static int append(ovr_store *s, const addition *a)
+{
+    int error = ovr_write_all(s->journal, a->data, a->bytes, s->kept.end);
+    if (error == 0 && a->pages && fsync(s->journal) != 0)
+        error = errno;
+    if (error) { /* the file is untouched: no state must say otherwise */
+        (void)!ftruncate(s->journal, (off_t)s->kept.end);
+        return error;
+    }
+    s->kept.end += a->bytes;
+    s->kept.summed = s->length;
+    return 0;
 }
 
 int ovr_journal_write(ovr_store *s)
 {
-    header h = {"", 1, s->committed, s->length, s->changed.count, 0, 0};
-    record r;
-    uint64_t at = sizeof h, sum;
-    int error = page_zero_sums(s, &h);
-    memcpy(h.magic, magic, sizeof magic);
-    sum = checksum(0, &h, sizeof h);
+    addition a = {.arena = ovr_arena_make(NULL)};
+    int error = s->kept.begun ? 0 : begin(s);
     if (error == 0)
-        error = ovr_write_all(s->journal, &h, sizeof h, 0);
-    for (size_t k = 0; error == 0 && k < s->changed.count; k++) {
-        r.number = s->changed.page[k].number;
-        memcpy(r.data, s->changed.page[k].data, OVR_PAGE);
-        sum = checksum(sum, &r, sizeof r);
-        error = ovr_write_all(s->journal, &r, sizeof r, at);
-        at += sizeof r;
-    }
-    return error ? error : ovr_write_all(s->journal, &sum, sizeof sum, at);
-}
-
-/* -------------------------------------------------------------- replaying */
-
-static bool whole(int journal, header *h)
-{
-    struct stat about;
-    record r;
-    uint64_t at = sizeof *h, sum, found;
-    if (fstat(journal, &about) != 0 || about.st_size < (off_t)sizeof *h ||
-        ovr_read_all(journal, h, sizeof *h, 0) != 0 ||
-        memcmp(h->magic, magic, sizeof magic) != 0 || h->one != 1 ||
-        h->pages > (uint64_t)about.st_size / sizeof r ||
-        (uint64_t)about.st_size <
-            sizeof *h + h->pages * sizeof r + sizeof found)
-        return false;
-    sum = checksum(0, h, sizeof *h);
-    for (uint64_t k = 0; k < h->pages; k++, at += sizeof r) {
-        if (ovr_read_all(journal, &r, sizeof r, at) != 0)
-            return false;
-        sum = checksum(sum, &r, sizeof r);
-    }
-    return ovr_read_all(journal, &found, sizeof found, at) == 0 && found == sum;
-}
-
-static bool belongs(int file, const header *h)
-{
-    struct stat about;
-    unsigned char page[OVR_PAGE];
-    size_t bytes = h->committed < OVR_PAGE ? (size_t)h->committed : OVR_PAGE;
-    uint64_t sum;
-    if (fstat(file, &about) != 0 || (uint64_t)about.st_size < h->committed ||
-        ovr_read_all(file, page, bytes, 0) != 0)
-        return false;
-    sum = checksum(0, page, bytes);
-    return sum == h->before || sum == h->after;
-}
-
-bool ovr_journal_pending(int journal, int file)
-{
-    header h;
-    return whole(journal, &h) && belongs(file, &h);
-}
-
-static int apply(ovr_store *s, const header *h)
-{
-    record r;
-    uint64_t at = sizeof *h;
-    int error = 0;
-    s->committed = h->committed;
-    for (uint64_t k = 0; error == 0 && k < h->pages; k++, at += sizeof r) {
-        error = ovr_read_all(s->journal, &r, sizeof r, at);
-        if (error == 0 && r.number < (h->committed + OVR_PAGE - 1) / OVR_PAGE)
-            error = ovr_write_all(s->fd, r.data, page_bytes(s, r.number),
-                                  r.number * OVR_PAGE);
-    }
-    if (error == 0 && ftruncate(s->fd, (off_t)h->length) != 0)
-        error = errno;
-    return error;
-}
-
-int ovr_journal_replay(ovr_store *s)
-{
-    header h;
-    int error = 0;
-    if (whole(s->journal, &h) && belongs(s->fd, &h)) {
-        error = apply(s, &h);
-        s->repaired = error == 0;
-    }
-    if (error == 0 && ftruncate(s->journal, 0) != 0)
-        error = errno;
+        error = make_room(s, &a);
+    if (error == 0)
+        error = keep_pages(s, &a);
+    if (error == 0)
+        error = add_state(s, &a);
+    if (error == 0)
+        error = append(s, &a);
+    ovr_arena_release(&a.arena);
     return error;
 }

@@ -1,38 +1,91 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The journal of a store: the changed pages of one commit.
+ * The journal of a store: how to go back to the last checkpoint, and what the
+ * file must be since.
  *
- *   header  16 bytes "overroll journal", then as 64-bit integers in the
- *           machine's order: 1, committed length, new length, pages,
- *           checksums of page 0 before and after
- *   pages   each: its number (64 bit), 4096 bytes
- *   end     checksum (crc32) of all before it (64 bit)
+ *   header   16 bytes "overroll journal", then 64 bits each, as the machine
+ *            lays them: 2, number of the checkpoint, length of the file then,
+ *            a salt; 32 bytes of the file's date_created; checksum of these
+ *   records  each: the header's salt, its kind, where, bytes of its content
+ *            (64 bits each), checksum (crc32) of these and of the content
+ *       page     where: number of a page; as it was at the checkpoint.  It
+ *                stands here, synced, before it is changed in the file
+ *       state    where: length of the file that a commit is about to leave;
+ *                number, bytes and checksum of each page changed by it
  *
- * Anything shorter, or with another checksum, is no journal: the commit that
- * wrote it had not touched the file yet.
+ * The log ends at the first record that is not whole or has another salt: the
+ * commit that wrote it had not touched the file yet.  A journal whose header
+ * is not whole says that nothing was changed since the checkpoint.
+ *
+ * So a file is whole when its pages are those of the last state, or of the one
+ * before (or of the checkpoint, when there is but one); anything else is a
+ * commit cut by the death of the process, or of the machine.
  */
 #ifndef OVR_RESULTS_JOURNAL_H
 #define OVR_RESULTS_JOURNAL_H
 
 #include "results/store.h"
 
+#define OVR_JOURNAL_MAGIC "overroll journal"
+
+enum { OVR_JOURNAL_PAGE = 1, OVR_JOURNAL_STATE = 2 };
+
+typedef struct ovr_journal_header {
+    char magic[16];
+    uint64_t version, number, length, salt;
+    char created[OVR_STORE_NAME];
+    uint64_t sum;
+} ovr_journal_header;
+
+typedef struct ovr_journal_record {
+    uint64_t salt, kind, where, bytes, sum;
+} ovr_journal_record;
+
+/* A page that a state names. */
+typedef struct ovr_journal_entry {
+    uint64_t page;
+    uint32_t bytes, sum;
+} ovr_journal_entry;
+
 /* Both return 0 or an errno. */
-int ovr_journal_write(ovr_store *store);
-
-/* Whether the commit of this journal was cut: it is whole, belongs to the
- * file, and may have been carried out in part. */
-bool ovr_journal_pending(int journal, int file);
-
-/* Finishes the commit of a whole journal that belongs to the file; sets
- * store->repaired.  Anything else is emptied. */
-int ovr_journal_replay(ovr_store *store);
 
 /* Opens (or makes) and locks it; EWOULDBLOCK: another writer has it. */
 int ovr_journal_open(ovr_store *store);
 
-/* All bytes, in spite of interruptions. */
-int ovr_write_all(int fd, const void *from, size_t bytes, uint64_t at);
-/* As far as the file goes; the rest is zero. */
-int ovr_read_all(int fd, void *to, size_t bytes, uint64_t at);
+/* Writes what the commit of the changed pages needs: pages that are not kept
+ * yet since the checkpoint, and the state to come; synced if there are any of
+ * the former. */
+int ovr_journal_write(ovr_store *store);
+
+/* ---- reading: a walk through its records */
+
+typedef struct ovr_journal_walk {
+    int fd;
+    uint64_t at, size;
+    ovr_journal_header header;
+    ovr_journal_record record; /* the present one */
+} ovr_journal_walk;
+
+/* False: there is no header, or none that is whole. */
+bool ovr_journal_first(ovr_journal_walk *walk, int journal);
+
+/* The next record, its content in memory of the arena, which is cleared with
+ * it; false: there is none. */
+const unsigned char *ovr_journal_next(ovr_journal_walk *walk, ovr_arena *arena);
+
+/* ---- using */
+
+/* Whether it is one of version 0.1.0, which held the new pages of a commit that
+ * was cut: only that version's `resume` finishes it. */
+bool ovr_journal_is_first(int journal);
+
+/* Whether the journal (of the file of that descriptor) knows a state of it, and
+ * it is in none of those: see above.  Without memory it is not. */
+bool ovr_journal_torn(int journal, int file, const ovr_allocator *allocator);
+
+/* Puts back the pages that were kept since the checkpoint, unless the journal
+ * is of another file, or of a checkpoint that is no longer the store's; an
+ * errno. */
+int ovr_journal_roll_back(ovr_store *store);
 
 #endif

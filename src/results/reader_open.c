@@ -36,24 +36,25 @@ bool ovr_reader_dataset(ovr_result *r, const char *path, ovr_dataset *set)
     return ovr_container_dataset(c, object, set);
 }
 
-/* How many values stand before the first NaN, which begins the rows that are
- * not complete yet. */
-static size_t complete_rows(ovr_result *r, const ovr_dataset *set, size_t rows)
+/* Cuts *rows to the values that stand before the first NaN, which begins the
+ * rows that are not complete yet; false: they cannot be read. */
+static bool count_complete(ovr_result *r, const ovr_dataset *set, size_t *rows)
 {
     ovr_container *c = &r->container;
-    size_t low = 0, high = rows;
+    size_t low = 0, high = *rows;
+    size_t at = *rows ? *rows - 1 : 0; /* most often they all are */
     double value;
-    if (rows && ovr_container_values(c, set, rows - 1, 1, &value) &&
-        !isnan(value))
-        return rows;
     while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        if (ovr_container_values(c, set, middle, 1, &value) && !isnan(value))
-            low = middle + 1;
+        if (!ovr_container_values(c, set, at, 1, &value))
+            return false;
+        if (isnan(value))
+            high = at;
         else
-            high = middle;
+            low = at + 1;
+        at = low + (high - low) / 2;
     }
-    return low;
+    *rows = low;
+    return true;
 }
 
 /* -------------------------------------------------------------- opening */
@@ -127,27 +128,39 @@ static ovr_status damaged(const ovr_result *r, const char *what, ovr_error *err)
 
 /* All datasets of numbers in a group and the groups in it, in the order of
  * their making, those that this version does not know too: a newer one may
- * have written them. */
-static bool take_group(ovr_result *r, uint64_t group, const char *name,
-                       int depth)
+ * have written them.  What cannot be read is no dataset less. */
+static ovr_status take_group(ovr_result *r, uint64_t group, const char *name,
+                             int depth, ovr_error *err)
 {
     size_t count;
     ovr_link *links = ovr_container_links(&r->container, group, &count);
-    bool ok = links != NULL;
-    for (size_t k = 0; ok && k < count; k++) {
+    ovr_status status = OVR_OK;
+    if (!links)
+        return damaged(r, *name ? name : "its groups", err);
+    for (size_t k = 0; !status && k < count; k++) {
+        uint64_t object = links[k].object;
         char path[256];
         ovr_dataset set;
         snprintf(path, sizeof path, "%s%s%s", name, *name ? "/" : "",
                  links[k].name);
-        if (ovr_container_dataset(&r->container, links[k].object, &set)) {
-            ok = r->variables < MOST_VARIABLES;
-            if (ok)
-                describe(r, links[k].object, path, &set);
-        } else if (depth < DEEPEST && r->groups++ < MOST_GROUPS) {
-            ok = take_group(r, links[k].object, path, depth + 1);
+        if (ovr_container_dataset(&r->container, object, &set)) {
+            if (r->variables == MOST_VARIABLES)
+                return damaged(r, "too many variables", err);
+            describe(r, object, path, &set);
+            continue;
+        }
+        switch (ovr_container_object(&r->container, object)) {
+        case OVR_OBJECT_TEXTS: break;
+        case OVR_OBJECT_GROUP:
+            if (depth < DEEPEST && r->groups++ < MOST_GROUPS)
+                status = take_group(r, object, path, depth + 1, err);
+            break;
+        default:
+            return ovr_fail(err, OVR_IO, "%s: its '%s' cannot be read", r->path,
+                            path);
         }
     }
-    return ok;
+    return status;
 }
 
 static ovr_status take_variables(ovr_result *r, ovr_error *err)
@@ -162,9 +175,7 @@ static ovr_status take_variables(ovr_result *r, ovr_error *err)
     if (!r->variable || !r->field || !r->column)
         return OVR_NO_MEMORY;
     r->variables = r->fields = r->columns = r->groups = 0;
-    if (!take_group(r, r->container.root, "", 0))
-        return damaged(r, "its groups", err);
-    return OVR_OK;
+    return take_group(r, r->container.root, "", 0, err);
 }
 
 /* x and time, and the number of rows that both have.  There are no more nodes
@@ -179,7 +190,9 @@ static ovr_status open_axes(ovr_result *r, ovr_error *err)
         x.shape[0] == 0 || time.rank != 1)
         return damaged(r, "no x or no time", err);
     r->info.nodes = (size_t)x.shape[0];
-    r->info.snapshots = complete_rows(r, &time, (size_t)time.shape[0]);
+    r->info.snapshots = (size_t)time.shape[0];
+    if (!count_complete(r, &time, &r->info.snapshots))
+        return damaged(r, "its time", err);
     return OVR_OK;
 }
 
@@ -217,7 +230,8 @@ static ovr_status open_lists(ovr_result *r, ovr_error *err)
         return damaged(r, "no field", err);
     if (!ovr_reader_dataset(r, "history/time", &time) || time.rank != 1)
         return damaged(r, "no time in its history", err);
-    r->info.steps = complete_rows(r, &time, r->info.steps);
+    if (!count_complete(r, &time, &r->info.steps))
+        return damaged(r, "the time of its history", err);
     for (size_t k = 0; k < r->variables; k++)
         if (r->variable[k].path == r->time->path ||
             (r->variable[k].name == r->variable[k].path &&
@@ -307,18 +321,32 @@ void ovr_reader_unlock(int lock)
 static ovr_status cut(const ovr_result *r, ovr_error *err)
 {
     return ovr_fail(err, OVR_IO,
-                    "%s: its last write was cut; 'overroll resume' repairs it",
+                    "%s: its last write was cut, as the program or the machine "
+                    "was stopped in it; 'overroll resume' goes back to its "
+                    "last checkpoint",
                     r->path);
 }
 
 /* A file cut in the middle of a commit is a mixture of two states, of which
- * the checksums find only some. */
+ * the checksums inside it find only some. */
+static bool is_torn(ovr_result *r, int lock)
+{
+    if (ovr_commit_is_settled(lock)) {
+        r->looked_at = false;
+        return false;
+    }
+    if (r->looked_at) /* nobody writes, or this could not be known */
+        return false;
+    r->looked_at = !ovr_journal_torn(lock, r->fd, &r->arena.allocator);
+    return !r->looked_at;
+}
+
 ovr_status ovr_reader_file(ovr_result *r, int lock, ovr_error *err)
 {
     r->fd = open(r->path, O_RDONLY | O_CLOEXEC);
     if (r->fd < 0)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: %s", r->path, strerror(errno));
-    if (lock >= 0 && ovr_journal_pending(lock, r->fd))
+    if (lock >= 0 && is_torn(r, lock))
         return cut(r, err);
     switch (ovr_container_open(&r->container, r->fd, &r->work)) {
     case OVR_FOUND_CONTAINER: return OVR_OK;

@@ -20,6 +20,7 @@ struct ovr_restart {
     size_t first_state; /* where the pieces of the state begin */
     const char *version, *created;
     ovr_counts counts;
+    uint64_t number;
     ovr_restart_info info;
     ovr_case_value *values;
 };
@@ -159,6 +160,8 @@ static bool take_piece(ovr_restart *r, const piece *p, ovr_error *err)
         }
     if (is_named(p, "counts") && p->bytes == sizeof r->counts)
         memcpy(&r->counts, p->content, sizeof r->counts);
+    if (is_named(p, "base") && p->bytes == sizeof r->number)
+        memcpy(&r->number, p->content, sizeof r->number);
     if (begins(p, "value "))
         return take_value(r, p, err);
     return true;
@@ -282,6 +285,11 @@ const char *ovr_restart_created(const ovr_restart *r)
 const ovr_counts *ovr_restart_counts(const ovr_restart *r)
 {
     return &r->counts;
+}
+
+uint64_t ovr_restart_number(const ovr_restart *r)
+{
+    return r->number;
 }
 
 static const ovr_case_value *find(const ovr_case_value *list, size_t count,

@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/disk.h"
 #include "results/commit_lock.h"
 #include "results/journal.h"
 
@@ -60,6 +61,11 @@ static bool note_failure(ovr_store *s, int error)
 static uint64_t least(uint64_t a, uint64_t b)
 {
     return a < b ? a : b;
+}
+
+static uint64_t most(uint64_t a, uint64_t b)
+{
+    return a > b ? a : b;
 }
 
 /* Bytes below this length are changed in memory only. */
@@ -178,22 +184,30 @@ static int apply_pages(const ovr_store *s)
     return error;
 }
 
+/* What lies behind the end goes, but nothing that the checkpoint had. */
+static int cut_tail(ovr_store *s)
+{
+    uint64_t to = most(s->length, s->kept.length);
+    if (to >= s->on_disk)
+        return 0;
+    if (ftruncate(s->fd, (off_t)to) != 0)
+        return errno;
+    s->on_disk = to;
+    return 0;
+}
+
+/* Before it has its name nobody goes back to a file. */
 static int commit_pages(ovr_store *s)
 {
-    int error = ovr_journal_write(s);
-    if (error) { /* the file is untouched: no journal must say otherwise */
-        (void)!ftruncate(s->journal, 0);
+    int error = s->published ? ovr_journal_write(s) : 0;
+    if (error)
         return error;
-    }
-    s->halfway = true;
+    s->halfway = s->kept.needed = true;
+    ovr_commit_lock(s->journal, true);
     error = apply_pages(s);
-    if (error == 0 && s->length < s->on_disk) {
-        if (ftruncate(s->fd, (off_t)s->length) != 0)
-            error = errno;
-        s->on_disk = s->length;
-    }
-    if (error == 0 && ftruncate(s->journal, 0) != 0)
-        error = errno;
+    if (error == 0)
+        error = cut_tail(s);
+    ovr_commit_unlock(s->journal);
     s->halfway = error != 0;
     return error;
 }
@@ -213,15 +227,12 @@ static int check_name(const ovr_store *s)
 ovr_status ovr_store_commit(ovr_store *s, ovr_error *err)
 {
     int error = s->failed ? s->failed : check_name(s);
-    if (error == 0 && s->changed.count > 0) {
-        ovr_commit_lock(s->journal, true);
+    if (error == 0 && s->changed.count > 0)
         error = commit_pages(s);
-        ovr_commit_unlock(s->journal);
-    }
     if (!note_failure(s, error))
         return ovr_store_failure(s, err);
     ovr_pages_clear(&s->changed);
-    s->committed = s->length;
+    s->committed = most(s->length, s->kept.length);
     return OVR_OK;
 }
 
@@ -229,7 +240,18 @@ ovr_status ovr_store_sync(ovr_store *s, ovr_error *err)
 {
     if (!note_failure(s, fsync(s->fd) != 0 ? errno : 0))
         return ovr_store_failure(s, err);
+    s->kept.needed = false;
     return OVR_OK;
+}
+
+void ovr_store_keep(ovr_store *s, uint64_t number)
+{
+    ovr_kept *k = &s->kept;
+    k->number = number;
+    k->length = k->summed = s->committed = s->length;
+    k->begun = false;
+    if (k->room)
+        memset(k->pages, 0, k->room);
 }
 
 /* --------------------------------------------------------- start and end */
@@ -288,7 +310,7 @@ ovr_status ovr_store_create(ovr_store *s, bool force, ovr_error *err)
         return status;
     s->fd = open(s->part, O_RDWR | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC,
                  0666);
-    if (s->fd < 0 || ftruncate(s->journal, 0) != 0)
+    if (s->fd < 0)
         return say(s, OVR_BAD_INPUT, errno, "cannot be created", err);
     return OVR_OK;
 }
@@ -300,6 +322,7 @@ ovr_status ovr_store_publish(ovr_store *s, bool force, ovr_error *err)
     if (rename(s->part, s->path) != 0)
         return say(s, OVR_BAD_INPUT, errno, "cannot be created", err);
     s->published = true;
+    ovr_store_keep(s, 0);
     return OVR_OK;
 }
 
@@ -315,34 +338,49 @@ ovr_status ovr_store_open(ovr_store *s, ovr_error *err)
     status = take_lock(s, err);
     if (status != OVR_OK)
         return status;
-    s->on_disk = (uint64_t)about.st_size;
-    error = ovr_journal_replay(s);
-    s->halfway = error != 0;
+    if (ovr_journal_is_first(s->journal)) {
+        s->failed = ECANCELED; /* leave it as it is */
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: its last write was cut; 'overroll resume' of "
+                        "version 0.1.0 finishes it",
+                        s->path);
+    }
+    error = ovr_journal_roll_back(s);
     if (error)
-        return say(s, OVR_IO, error, "its last write cannot be finished", err);
+        return say(s, OVR_IO, error, "its last checkpoint cannot be restored",
+                   err);
     if (fstat(s->fd, &about) != 0)
         return say(s, OVR_IO, errno, "cannot be read", err);
-    s->on_disk = s->length = s->committed = (uint64_t)about.st_size;
+    s->on_disk = s->length = (uint64_t)about.st_size;
+    ovr_store_keep(s, s->kept.number);
     return OVR_OK;
 }
 
-/* What was written behind the committed length is given back, and the journal
- * goes, unless that holds a commit that failed half-way: its pages refer to
- * what lies behind. */
-void ovr_store_close(ovr_store *s)
+/* A journal that says how to go back is needed until the file is synced. */
+static bool journal_is_done(ovr_store *s)
 {
     struct stat about = {0};
+    if (fstat(s->journal, &about) == 0 && about.st_size == 0)
+        return true;
+    if (s->fd < 0 || !s->published || s->halfway || s->failed == ECANCELED)
+        return false;
+    return !s->kept.needed || fsync(s->fd) == 0;
+}
+
+/* What was written behind the committed length is given back. */
+void ovr_store_close(ovr_store *s)
+{
     if (s->fd >= 0 && s->on_disk > s->committed && s->published && !s->halfway)
         (void)!ftruncate(s->fd, (off_t)s->committed);
+    if (s->journal >= 0) {
+        if (journal_is_done(s))
+            unlink(s->journal_path);
+        close(s->journal);
+    }
     if (s->fd >= 0) {
         if (!s->published)
             unlink(s->part);
         close(s->fd);
-    }
-    if (s->journal >= 0) {
-        if (fstat(s->journal, &about) == 0 && about.st_size == 0)
-            unlink(s->journal_path);
-        close(s->journal);
     }
     s->fd = s->journal = -1;
 }

@@ -6,30 +6,38 @@
  * in between leaves half a state.  This store stands between HDF5 and the
  * disk (driver.h) and keeps these rules:
  *
- * 1. Bytes below the committed length change only in a commit.  Until then
- *    they are kept in memory, by pages.  Bytes above it may be written at
- *    once: nothing that is committed refers to them.
- * 2. A commit writes the changed pages to OUT.h5.journal, with their places
- *    and a checksum over everything; then to the file, page 0 (HDF5's
- *    superblock) last; then empties the journal.
- *    Killed before the journal is whole: the file is as the last commit left
- *    it.  Killed after: whoever opens the file to write finds a whole
- *    journal and repeats step 2 from it.  Only in the fraction of a
- *    millisecond between is the file itself in neither state.
- * 3. A journal is used only if page 0 of the file is the one that the commit
- *    found or the one that it left; else it belongs to another file.
- * 4. A failed write (a full disk) is noted and its bytes are kept in memory,
+ * 1. Bytes below the committed length, and below the length at the last
+ *    checkpoint, change only in a commit.  Until then they are kept in memory,
+ *    by pages.  Bytes above may be written at once: nothing that is committed
+ *    refers to them.
+ * 2. A commit first puts the pages that it will change, as they were at the
+ *    last checkpoint, into OUT.h5.journal, unless they are there, with the
+ *    checksums of what it will leave; if there were such pages it syncs the
+ *    journal.  Then it writes the changed pages to the file, page 0 (HDF5's
+ *    superblock) last.  So whoever opens the file to write can always go back
+ *    to the last checkpoint, whatever of the pages written since has reached
+ *    the disk; and readers see whether a file is in a state that a commit left
+ *    (torn.c).
+ * 3. A checkpoint syncs the file, writes and syncs the state of the run, which
+ *    names the checkpoint's number, and its name; then the journal begins
+ *    anew, with that number.  A journal of another number than the state has is
+ *    not used: it is that of the checkpoint before, and nothing was changed
+ *    since this one.
+ * 4. A journal is used only for a file in which its date of creation stands;
+ *    else it belongs to another.
+ * 5. A failed write (a full disk) is noted and its bytes are kept in memory,
  *    and so are all after it: HDF5, which does not survive failing writes, is
  *    let believe that all is well until it is closed.  Nothing is committed
  *    any more; the file stays as the last commit left it.
- * 5. The journal carries the lock (flock) that keeps a second writer out, and
+ * 6. The journal carries the lock (flock) that keeps a second writer out, and
  *    the one between commits and our own readers (commit_lock.h); it is
- *    removed at the end.  Other readers are kept from nothing.
- * 6. A new file grows as OUT.h5.part and gets its name when its first commit
- *    is done.
+ *    removed at the end, when the file is synced.  Other readers are kept from
+ *    nothing.
+ * 7. A new file grows as OUT.h5.part and gets its name when its first commit
+ *    is synced.
  *
- * There is no fsync in a commit: the rules hold when the process dies, not
- * when the machine does.  A checkpoint syncs the file before it refers to it.
+ * A commit that changes only pages that are kept already does not sync: what
+ * the death of the machine takes is what came after the last checkpoint.
  */
 #ifndef OVR_RESULTS_STORE_H
 #define OVR_RESULTS_STORE_H
@@ -41,15 +49,32 @@
 
 #include "results/pages.h"
 
+/* Room for the date of creation. */
+enum { OVR_STORE_NAME = 32 };
+
+/* What is kept since the last checkpoint. */
+typedef struct ovr_kept {
+    uint64_t number, length; /* the checkpoint's, and that of the file then */
+    bool begun;              /* the journal is of this checkpoint */
+    bool needed;             /* pages were changed and not synced since */
+    bool named;              /* the folder was synced */
+    uint64_t salt, end;      /* of the journal, and where it ends */
+    uint64_t summed;         /* bytes whose checksums are in its states */
+    unsigned char *pages;    /* a bit each: is in the journal */
+    size_t room;             /* bytes of those */
+} ovr_kept;
+
 typedef struct ovr_store {
     char *path, *part, *journal_path;
-    int fd, journal; /* -1: not open */
-    bool published;  /* has its final name */
-    bool halfway;    /* the journal holds a commit that is not finished */
-    bool repaired;   /* a cut commit was finished when it was opened */
-    bool unlocked;   /* the file system has no locks */
-    int failed;      /* errno of the first failure; 0: none */
-    int64_t driver;  /* HDF5's identifier for what leads here, or negative */
+    char created[OVR_STORE_NAME]; /* stands in the file; "": not known */
+    int fd, journal;              /* -1: not open */
+    bool published;               /* has its final name */
+    bool halfway;                 /* a commit failed in the middle */
+    bool repaired;                /* it was torn when it was opened */
+    bool unlocked;                /* the file system has no locks */
+    ovr_kept kept;
+    int failed;     /* errno of the first failure; 0: none */
+    int64_t driver; /* HDF5's identifier for what leads here, or negative */
     uint64_t committed, length; /* bytes: promised; now (HDF5's end of file) */
     uint64_t on_disk;           /* length of the file itself */
     ovr_pages changed;
@@ -62,7 +87,9 @@ ovr_status ovr_store_prepare(ovr_store *store, const char *path,
 /* A new file, empty, locked, under its temporary name. */
 ovr_status ovr_store_create(ovr_store *store, bool force, ovr_error *err);
 
-/* An existing one, locked, its last commit finished if it was cut. */
+/* An existing one, locked, as it was at its last checkpoint: the one of the
+ * store's date of creation and kept.number, or where that date is "" whichever
+ * the journal is of. */
 ovr_status ovr_store_open(ovr_store *store, ovr_error *err);
 
 /* Reading and writing as HDF5 sees the file; failures are noted. */
@@ -79,6 +106,10 @@ ovr_status ovr_store_publish(ovr_store *store, bool force, ovr_error *err);
 
 /* On to the disk itself. */
 ovr_status ovr_store_sync(ovr_store *store, ovr_error *err);
+
+/* What is committed and synced is the state to go back to from now on, by this
+ * number. */
+void ovr_store_keep(ovr_store *store, uint64_t number);
 
 /* Ends it: what is not committed is lost, a file without a name is removed. */
 void ovr_store_close(ovr_store *store);

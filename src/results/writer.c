@@ -191,7 +191,7 @@ double ovr_writer_seconds(const ovr_writer *w)
     return w->seconds_before + ovr_now() - w->started;
 }
 
-ovr_status ovr_writer_checkpoint(ovr_writer *w, bool sync, ovr_error *err)
+ovr_status ovr_writer_checkpoint(ovr_writer *w, uint64_t number, ovr_error *err)
 {
     const ovr_write_options *o = &w->options;
     ovr_checkpoint c = {.path = w->restart,
@@ -201,7 +201,8 @@ ovr_status ovr_writer_checkpoint(ovr_writer *w, bool sync, ovr_error *err)
                         .case_path = o->case_path,
                         .value_count = o->value_count,
                         .values = o->values,
-                        .sync = sync};
+                        .number = number,
+                        .sync = true};
     if (w->last_step >= 0) /* else the run has not begun */
         c.source = w->source;
     c.counts = (ovr_counts){.step = w->last_step,
@@ -215,11 +216,15 @@ ovr_status ovr_writer_checkpoint(ovr_writer *w, bool sync, ovr_error *err)
 
 ovr_status ovr_writer_save(ovr_writer *w, ovr_error *err)
 {
+    ovr_store *store = &w->file.store;
+    uint64_t number = store->kept.number + 1;
     ovr_status status = ovr_writer_flush(w, err);
     if (status == OVR_OK)
-        status = ovr_store_sync(&w->file.store, err);
+        status = ovr_store_sync(store, err);
     if (status == OVR_OK)
-        status = ovr_writer_checkpoint(w, true, err);
+        status = ovr_writer_checkpoint(w, number, err);
+    if (status == OVR_OK)
+        ovr_store_keep(store, number);
     w->last_checkpoint = ovr_now();
     return status;
 }

@@ -64,8 +64,10 @@ void ovr_writer_note(ovr_writer *writer, const ovr_frame *frame);
 /* Puts a snapshot into the parcel being filled. */
 void ovr_writer_store(ovr_writer *writer, const ovr_frame *frame);
 
-/* A checkpoint of what is in the file; the queue must be empty. */
-ovr_status ovr_writer_checkpoint(ovr_writer *writer, bool sync, ovr_error *err);
+/* A checkpoint of what is in the file, by this number, synced as the file must
+ * be; the queue must be empty. */
+ovr_status ovr_writer_checkpoint(ovr_writer *writer, uint64_t number,
+                                 ovr_error *err);
 
 /* Flushes, syncs and writes a checkpoint. */
 ovr_status ovr_writer_save(ovr_writer *writer, ovr_error *err);

@@ -89,7 +89,8 @@ static void report_state(ovr_run *run, bool done)
 {
     const ovr_state *state = ovr_simulation_state(run->sim);
     if (run->writer && ovr_writer_repaired(run->writer))
-        say(run, "its last write had been cut and is repaired");
+        say(run, "its last write was cut: it is as its last checkpoint left it "
+                 "again");
     if (done)
         say(run, "is complete: nothing to do");
     else if (run->restored)

@@ -34,7 +34,7 @@ faulty() {
         return
     fi
     "$OVERROLL" info a.h5 >log 2>&1 ||
-        grep -q 'its last write was cut; .overroll resume. repairs it' log ||
+        grep -q 'its last write was cut.*resume. goes back' log ||
         fail "$*: info: $(cat log)"
     "$OVERROLL" resume a.h5 -q >log 2>&1 || fail "$*: resume: $(cat log)"
     same "$*"

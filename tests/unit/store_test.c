@@ -3,11 +3,13 @@
 #include "support/test.h"
 
 #include <fcntl.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/disk.h"
 #include "results/journal.h"
 #include "results/store.h"
 
@@ -117,48 +119,100 @@ static void die(ovr_store *s, ovr_arena *arena)
     ovr_arena_release(arena);
 }
 
-/* Killed with the journal cut after `keep` of its bytes, and, when it is
- * whole, with `applied` of its pages in the file. */
-static void cut_and_reopen(const char *path, double keep, double applied,
+/* The pages of the commit under way that reached the file. */
+static size_t apply_some(const ovr_store *s, double share, uint64_t *seed)
+{
+    size_t applied = 0;
+    for (size_t k = 0; k < s->changed.count; k++) {
+        uint64_t at = s->changed.page[k].number * OVR_PAGE;
+        uint64_t left = s->committed > at ? s->committed - at : 0;
+        if (test_random(seed, 0, 1) >= share)
+            continue;
+        ovr_write_all(s->fd, s->changed.page[k].data,
+                      left < OVR_PAGE ? (size_t)left : OVR_PAGE, at);
+        applied++;
+    }
+    return applied;
+}
+
+/* Killed in a commit: with its part of the journal cut after `keep` of its
+ * bytes, or, when that is whole, with some of its pages in the file. */
+static void cut_and_reopen(const char *path, double keep, double share,
                            uint64_t seed)
 {
     unsigned char model[BYTES], before[BYTES];
     ovr_store s;
     ovr_arena arena;
-    struct stat about;
-    size_t committed;
+    size_t length, applied = 0, pages;
+    uint64_t end;
+    bool torn;
     begin(&s, &arena, path, model, &seed);
-    committed = (size_t)s.committed;
+    length = (size_t)s.committed;
     memcpy(before, model, BYTES);
+    for (int k = 0; k < (int)(seed % 3); k++) {
+        fill_up(&s, model, BYTES - 5000);
+        scribble(&s, model, &seed);
+        CHECK_OK(ovr_store_commit(&s, &err), &err);
+    }
     scribble(&s, model, &seed);
+    end = s.kept.end;
     assert_int_equal(ovr_journal_write(&s), 0);
-    assert_int_equal(fstat(s.journal, &about), 0);
     assert_int_equal(
-        ftruncate(s.journal, (off_t)(keep * (double)about.st_size)), 0);
-    for (size_t k = s.changed.count; k-- > 0;)
-        if (keep >= 1 && test_random(&seed, 0, 1) < applied)
-            ovr_write_all(s.fd, s.changed.page[k].data,
-                          s.changed.page[k].number == s.committed / OVR_PAGE
-                              ? s.committed % OVR_PAGE
-                              : OVR_PAGE,
-                          s.changed.page[k].number * OVR_PAGE);
+        ftruncate(s.journal,
+                  (off_t)(end + (uint64_t)(keep * (double)(s.kept.end - end)))),
+        0);
+    pages = s.changed.count;
+    if (keep >= 1)
+        applied = apply_some(&s, share, &seed);
+    torn = applied > 0 && applied < pages;
+    assert_int_equal(ovr_journal_torn(s.journal, s.fd, NULL), torn);
     die(&s, &arena);
     prepare(&s, &arena, path);
     CHECK_OK(ovr_store_open(&s, &err), &err);
-    assert_int_equal(s.repaired, keep >= 1);
-    check_disk(path, keep >= 1 ? model : before, committed);
+    assert_int_equal(s.repaired, torn);
+    assert_int_equal(s.length, length);
+    check_disk(path, before, length);
     ovr_store_close(&s);
     ovr_arena_release(&arena);
     unlink(path);
 }
 
-static void finishes_cut_commits(void **state)
+static void goes_back_to_the_checkpoint(void **state)
 {
     const char *path = test_path(*state, "b");
     for (uint64_t k = 0; k < 20; k++) {
         cut_and_reopen(path, (double)k / 20, 0, 100 + k);
         cut_and_reopen(path, 1, (double)k / 20, 200 + k);
     }
+}
+
+/* A checkpoint later: the journal of the one before would destroy it. */
+static void goes_back_no_further(void **state)
+{
+    const char *path = test_path(*state, "f");
+    unsigned char model[BYTES];
+    uint64_t seed = 9;
+    ovr_store s;
+    ovr_arena arena;
+    begin(&s, &arena, path, model, &seed);
+    snprintf(s.created, sizeof s.created, "today");
+    scribble(&s, model, &seed);
+    ovr_store_write(&s, 0, 5, "today");
+    memcpy(model, "today", 5);
+    CHECK_OK(ovr_store_commit(&s, &err), &err);
+    CHECK_OK(ovr_store_sync(&s, &err), &err);
+    die(&s, &arena); /* the state names 1, the journal is still that of 0 */
+    prepare(&s, &arena, path);
+    snprintf(s.created, sizeof s.created, "today");
+    s.kept.number = 1;
+    CHECK_OK(ovr_store_open(&s, &err), &err);
+    check_content(&s, model);
+    s.kept.number = 0; /* what it would have done */
+    assert_int_equal(ovr_journal_roll_back(&s), 0);
+    assert_true(ovr_store_read(&s, 0, 5, model));
+    assert_memory_not_equal(model, "today", 5);
+    ovr_store_close(&s);
+    ovr_arena_release(&arena);
 }
 
 static void ignores_the_journal_of_another_file(void **state)
@@ -169,8 +223,9 @@ static void ignores_the_journal_of_another_file(void **state)
     ovr_store s;
     ovr_arena arena;
     begin(&s, &arena, path, model, &seed);
+    snprintf(s.created, sizeof s.created, "today");
     scribble(&s, model, &seed);
-    assert_int_equal(ovr_journal_write(&s), 0);
+    CHECK_OK(ovr_store_commit(&s, &err), &err);
     die(&s, &arena);
     memset(model, 'x', BYTES);
     test_write(path, model, BYTES);
@@ -179,6 +234,24 @@ static void ignores_the_journal_of_another_file(void **state)
     assert_false(s.repaired);
     check_disk(path, model, BYTES);
     ovr_store_close(&s);
+    ovr_arena_release(&arena);
+}
+
+/* What the first version's commit left half done is not guessed at. */
+static void refuses_a_journal_of_the_first_version(void **state)
+{
+    const char *path = test_path(*state, "g");
+    const char *journal = test_path(*state, "g.journal");
+    const char content[24] = "overroll journal\1";
+    ovr_store s;
+    ovr_arena arena;
+    test_write_text(path, "half of two");
+    test_write(journal, content, sizeof content);
+    prepare(&s, &arena, path);
+    assert_int_equal(ovr_store_open(&s, &err), OVR_BAD_INPUT);
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "of version 0.1.0 finishes it");
+    ovr_store_close(&s);
+    assert_int_equal(access(journal, F_OK), 0);
     ovr_arena_release(&arena);
 }
 
@@ -232,8 +305,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(commits_whole_states),
-        TEST(finishes_cut_commits),
+        TEST(goes_back_to_the_checkpoint),
+        TEST(goes_back_no_further),
         TEST(ignores_the_journal_of_another_file),
+        TEST(refuses_a_journal_of_the_first_version),
         TEST(keeps_a_second_writer_out),
         TEST(notices_a_replaced_file),
     };

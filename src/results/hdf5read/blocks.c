@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "results/journal.h"
+#include "base/disk.h"
 
 uint64_t ovr_take(ovr_piece *b, size_t size)
 {

@@ -188,6 +188,21 @@ bool ovr_container_dataset(ovr_container *c, uint64_t object, ovr_dataset *set)
            sizes_are_possible(&c->source, set);
 }
 
+ovr_object ovr_container_object(ovr_container *c, uint64_t object)
+{
+    enum { LINK_INFO = 0x02, OLD_GROUP = 0x11 };
+    ovr_element element;
+    ovr_piece body;
+    if (ovr_object_message(&c->source, object, LINK_INFO, &body) ||
+        ovr_object_message(&c->source, object, OLD_GROUP, &body))
+        return OVR_OBJECT_GROUP;
+    if (ovr_object_message(&c->source, object, TYPE, &body) &&
+        ovr_element_read(body, &element) &&
+        (element.kind == 's' || element.kind == 'v'))
+        return OVR_OBJECT_TEXTS;
+    return OVR_OBJECT_UNKNOWN;
+}
+
 /* ------------------------------------------------------------------- chunks */
 
 typedef struct chunk {

@@ -73,6 +73,14 @@ char *ovr_container_text(ovr_container *container, uint64_t object,
 double ovr_container_number(ovr_container *container, uint64_t object,
                             const char *name);
 
+/* What an object is that is no dataset of numbers. */
+typedef enum ovr_object {
+    OVR_OBJECT_GROUP,
+    OVR_OBJECT_TEXTS,  /* a dataset of those */
+    OVR_OBJECT_UNKNOWN /* or damaged, or laid out as the writer never does */
+} ovr_object;
+ovr_object ovr_container_object(ovr_container *container, uint64_t object);
+
 /* What numbers look like in the file. */
 typedef struct ovr_element {
     char kind; /* 'f' number, 'i' integer, 's' characters, 'v' text */

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/disk.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+int ovr_write_all(int fd, const void *from, size_t bytes, uint64_t at)
+{
+    const char *next = from;
+    while (bytes > 0) {
+        ssize_t n = pwrite(fd, next, bytes, (off_t)at);
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n <= 0)
+            return n < 0 ? errno : ENOSPC;
+        next += n;
+        at += (uint64_t)n;
+        bytes -= (size_t)n;
+    }
+    return 0;
+}
+
+int ovr_read_all(int fd, void *to, size_t bytes, uint64_t at)
+{
+    char *next = to;
+    while (bytes > 0) {
+        ssize_t n = pread(fd, next, bytes, (off_t)at);
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n < 0)
+            return errno;
+        if (n == 0)
+            break;
+        next += n;
+        at += (uint64_t)n;
+        bytes -= (size_t)n;
+    }
+    memset(next, 0, bytes);
+    return 0;
+}
+
+/* A folder that one may write to but not read cannot be opened; some file
+ * systems sync no folders. */
+int ovr_sync_folder(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    char folder[4096] = ".";
+    int fd, error = 0;
+    if (slash)
+        snprintf(folder, sizeof folder, "%.*s", (int)(slash - path + 1), path);
+    fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (fd < 0)
+        return 0;
+    if (fsync(fd) != 0 && errno != EINVAL && errno != ENOTSUP)
+        error = errno;
+    close(fd);
+    return error;
+}
