@@ -59,7 +59,7 @@ power_test() {
         -ldl -lpthread 2>log || skip "no preloading here"
     printf 'checkpoint = 3 s\n' >>dent.ini
     sed -i -e '/checkpoint = 10 ms/d' -e "s/^level = .*/level = ${LEVEL:-5}/" \
-        dent.ini
+        -e "s/^end = .*/end = ${END:-6}/" dent.ini
     expect 0 "$OVERROLL" run dent.ini -o whole.h5 -q
     : >readable
     : >resumed
