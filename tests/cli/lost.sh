@@ -131,7 +131,7 @@ cat >full.c <<'END'
 #include <errno.h>
 #include <stdlib.h>
 #include <unistd.h>
-/* From write FULL_AT on a file does not become longer. */
+/* From write FULL_AT on no file becomes longer by a snapshot. */
 ssize_t pwrite64(int fd, const void *data, size_t bytes, off_t at)
 {
     static long writes;
@@ -139,7 +139,7 @@ ssize_t pwrite64(int fd, const void *data, size_t bytes, off_t at)
     if (!real)
         *(void **)&real = dlsym(RTLD_NEXT, "pwrite64");
     if (++writes >= atol(getenv("FULL_AT")) &&
-        at + (off_t)bytes > lseek(fd, 0, SEEK_END) && bytes > 4200) {
+        at + (off_t)bytes > lseek(fd, 0, SEEK_END) && bytes > 20000) {
         errno = ENOSPC;
         return -1;
     }
@@ -152,6 +152,6 @@ ssize_t pwrite(int fd, const void *data, size_t bytes, off_t at)
 END
 "$CC" -shared -fPIC -o full.so full.c -ldl || fail 'full.so'
 expect 1 env FULL_AT="$late" LD_PRELOAD=./full.so "$OVERROLL" \
-    run dent.ini -o w.h5 -q --set domain.level=7 --set output.compression=0
+    run dent.ini -o w.h5 -q --set domain.level=9 --set output.compression=0
 expect 0 "$OVERROLL" info w.h5
 contains out 'status +failed: .*No space left'
