@@ -52,6 +52,7 @@ typedef struct ovr_conditions {
     double mean_speed;       /* um, m/s, instead of the two speeds */
     double slide_to_roll;    /* (u1 - u2)/um; NAN means 0 (pure rolling) */
     double G;                /* alpha E', with M and L: instead of modulus */
+    double width;            /* m, for forces; nothing else depends on it */
 } ovr_conditions;
 
 /* All fields NAN. */
@@ -69,6 +70,7 @@ typedef struct ovr_contact {
     double kappa;              /* b/R = 4 ph/E' = 4 alphabar/G */
     double load;               /* w, N/m */
     double radius, modulus, viscosity, alpha, um; /* m, Pa, Pa s, 1/Pa, m/s */
+    double width;                                 /* m */
 } ovr_contact;
 
 /* Resolves the conditions; fails with OVR_BAD_INPUT naming the quantity that
@@ -123,18 +125,35 @@ OVR_API ovr_film_asymptotes ovr_film_asymptotes_moes(double M, double L);
 typedef enum ovr_viscosity_law {
     OVR_ROELANDS,
     OVR_BARUS,
-    OVR_ISOVISCOUS
+    OVR_ISOVISCOUS,
+    OVR_DOOLITTLE,
+    OVR_YASUTOMI,
+    OVR_VISCOSITY_TABLE
 } ovr_viscosity_law;
 
 typedef enum ovr_density_law {
     OVR_DOWSON_HIGGINSON,
-    OVR_INCOMPRESSIBLE
+    OVR_INCOMPRESSIBLE,
+    OVR_TAIT,
+    OVR_DENSITY_TABLE
 } ovr_density_law;
+
+/* Constants of Yasutomi's law (contact/laws/yasutomi.h); temperatures in K. */
+typedef struct ovr_yasutomi {
+    double C1, C2, Tg0, A1, T; /* C1 bare; the others K */
+    double A2, b1, b2;         /* A2, b1 per unit of pressure; b2 bare */
+} ovr_yasutomi;
+
+struct ovr_law_table;
 
 /* A lubricant in the contact's scaling:
  *   Roelands  eta/eta0 = exp(alphabar P0/z [(1 + P/P0)^z - 1]), P0 = p0/ph
  *   Barus     eta/eta0 = exp(alphabar P)
- *   Dowson-Higginson rho/rho0 = (A + 1.34 P)/(A + P), A = 5.9e8 Pa/ph */
+ *   Dowson-Higginson rho/rho0 = (A + 1.34 P)/(A + P), A = 5.9e8 Pa/ph
+ *   Tait      rho0/rho = 1 - ln(1 + P (1 + K')/K)/(1 + K'), K = K0/ph
+ *   Doolittle eta/eta0 = exp(B R0 (1/(rho0/rho - R0) - 1/(1 - R0))), by Tait
+ *   Yasutomi  see ovr_yasutomi
+ *   tables    see overroll/oil.h, which makes all of these */
 typedef struct ovr_lubricant {
     ovr_viscosity_law viscosity_law;
     ovr_density_law density_law;
@@ -142,6 +161,11 @@ typedef struct ovr_lubricant {
     double P0;
     double z;
     double A;
+    double tait_K, tait_K_slope; /* K, K' */
+    double doolittle_B, doolittle_R0;
+    ovr_yasutomi yasutomi; /* A2, b1 per ph */
+    const struct ovr_law_table *viscosity_table, *density_table; /* or NULL */
+    double table_ph; /* Pa: what P is in for the tables */
 } ovr_lubricant;
 
 /* p0 in Pa (paper: 1.98e8); z dimensionless, NAN: 0.68, or from alpha and a

@@ -7,6 +7,7 @@
 #include "overroll/contact.h"
 #include "overroll/error.h"
 #include "overroll/memory.h"
+#include "overroll/oil.h"
 #include "overroll/pictures.h"
 #include "overroll/profile.h"
 #include "overroll/results.h"

@@ -83,6 +83,30 @@ static const struct unit {
     {"ms", OVR_DURATION, 1, 1e3},
     {"us", OVR_DURATION, 1, 1e6},
     {"%", OVR_SHARE, 1, 1e2},
+    {"N", OVR_FORCE, 1, 1},
+    {"kN", OVR_FORCE, 1e3, 1},
+    {"rad/s", OVR_ROTATION, 1, 1},
+    {"rpm", OVR_ROTATION, 0.10471975511965977, 1}, /* 2 pi/60 */
+    {"1/min", OVR_ROTATION, 0.10471975511965977, 1},
+    {"K", OVR_TEMPERATURE, 1, 1},
+    {"degC", OVR_TEMPERATURE, 1, 1}, /* above the melting point of ice */
+    {"\302\260C", OVR_TEMPERATURE, 1, 1},
+    {"m2/s", OVR_KINEMATIC_VISCOSITY, 1, 1},
+    {"mm2/s", OVR_KINEMATIC_VISCOSITY, 1, 1e6},
+    {"mm^2/s", OVR_KINEMATIC_VISCOSITY, 1, 1e6},
+    {"mm\302\262/s", OVR_KINEMATIC_VISCOSITY, 1, 1e6},
+    {"cSt", OVR_KINEMATIC_VISCOSITY, 1, 1e6},
+    {"kg/m3", OVR_MASS_DENSITY, 1, 1},
+    {"kg/m^3", OVR_MASS_DENSITY, 1, 1},
+    {"g/cm3", OVR_MASS_DENSITY, 1e3, 1},
+    {"g/cm^3", OVR_MASS_DENSITY, 1e3, 1},
+    {"g/ml", OVR_MASS_DENSITY, 1e3, 1},
+    {"1/K", OVR_PER_KELVIN, 1, 1},
+    {"W/m.K", OVR_CONDUCTIVITY, 1, 1},
+    {"W/(m.K)", OVR_CONDUCTIVITY, 1, 1},
+    {"J/kg.K", OVR_HEAT_CAPACITY, 1, 1},
+    {"J/(kg.K)", OVR_HEAT_CAPACITY, 1, 1},
+    {"kJ/kg.K", OVR_HEAT_CAPACITY, 1e3, 1},
 };
 enum { UNITS = sizeof units / sizeof units[0] };
 
@@ -96,14 +120,44 @@ const char *ovr_units_allowed(ovr_dimension dimension)
     case OVR_PER_PRESSURE: return "1/Pa, 1/MPa, 1/GPa, mm2/N";
     case OVR_DYNAMIC_VISCOSITY: return "Pa.s, mPa.s, cP";
     case OVR_LINE_LOAD: return "N/m, kN/m, N/mm";
+    case OVR_LOAD: return "N/m, kN/m, N/mm; N, kN with a width";
     case OVR_SPEED: return "m/s, mm/s";
+    case OVR_SURFACE_SPEED: return "m/s, mm/s; rpm with the body's radius";
+    case OVR_FORCE: return "N, kN";
+    case OVR_ROTATION: return "rad/s, rpm";
+    case OVR_TEMPERATURE: return "degC, K";
+    case OVR_KINEMATIC_VISCOSITY: return "mm2/s, cSt, m2/s";
+    case OVR_MASS_DENSITY: return "kg/m3, g/cm3";
+    case OVR_KELVINS: return "K";
+    case OVR_PER_KELVIN: return "1/K";
+    case OVR_CONDUCTIVITY: return "W/m.K";
+    case OVR_HEAT_CAPACITY: return "J/kg.K, kJ/kg.K";
     case OVR_DURATION: return "s, ms, us";
     }
     return "";
 }
 
+/* Loads and speeds may be given by another quantity that leads to them. */
+static bool leads_to(const struct unit *unit, ovr_dimension wanted)
+{
+    ovr_dimension is = unit->dimension;
+    if (wanted == OVR_LOAD)
+        return is == OVR_LINE_LOAD || is == OVR_FORCE;
+    if (wanted == OVR_SURFACE_SPEED)
+        return is == OVR_SPEED || is == OVR_ROTATION;
+    if (wanted == OVR_KELVINS)
+        return is == OVR_TEMPERATURE && !strcmp(unit->name, "K");
+    return is == wanted;
+}
+
 const char *ovr_unit_si(ovr_dimension dimension)
 {
+    if (dimension == OVR_LOAD)
+        dimension = OVR_LINE_LOAD;
+    if (dimension == OVR_SURFACE_SPEED)
+        dimension = OVR_SPEED;
+    if (dimension == OVR_KELVINS)
+        dimension = OVR_TEMPERATURE;
     for (int i = 0; i < UNITS; i++) /* SI comes first in each dimension */
         if (units[i].dimension == dimension && dimension != OVR_SHARE)
             return units[i].name;
@@ -119,6 +173,12 @@ static const struct unit *find_unit(const char *name)
             ovr_line_starts(u, units[i].name))
             return &units[i];
     return NULL;
+}
+
+ovr_dimension ovr_unit_dimension(const char *unit)
+{
+    const struct unit *u = find_unit(unit);
+    return u ? u->dimension : OVR_PURE;
 }
 
 double ovr_unit_value(const char *unit, ovr_dimension dimension)
@@ -170,7 +230,7 @@ static const char *put_hint(const char *unit, ovr_dimension dimension,
     const char *names[UNITS], *meant;
     size_t n = 0;
     for (int i = 0; i < UNITS; i++)
-        if (units[i].dimension == dimension)
+        if (leads_to(&units[i], dimension))
             names[n++] = units[i].name;
     meant = ovr_suggest(unit, names, n);
     *hint = '\0';
@@ -219,9 +279,11 @@ ovr_status ovr_quantity_read(const char *text, ovr_dimension dimension,
         return ovr_fail_about(err, "unit", "'%.60s' needs a unit; allowed: %s",
                               text, ovr_units_allowed(dimension));
     unit = find_unit(at);
-    if (!unit || unit->dimension != dimension || dimension == OVR_PURE)
+    if (!unit || !leads_to(unit, dimension) || dimension == OVR_PURE)
         return wrong_unit(text, at, dimension, err);
     quantity->value = value * unit->times / unit->over;
+    if (dimension == OVR_TEMPERATURE && strcmp(unit->name, "K") != 0)
+        quantity->value = value + 273.15;
     quantity->unit = dimension == OVR_SHARE ? NULL : unit->name;
     if (isfinite(quantity->value))
         return OVR_OK;

@@ -24,7 +24,18 @@ typedef enum ovr_dimension {
     OVR_LINE_LOAD,
     OVR_SPEED,
     OVR_DURATION,
-    OVR_SHARE /* a pure number, or in % */
+    OVR_SHARE, /* a pure number, or in % */
+    OVR_FORCE,
+    OVR_LOAD, /* a line load, or a force that a width makes one */
+    OVR_ROTATION,
+    OVR_SURFACE_SPEED, /* a speed, or a rotation that a radius makes one */
+    OVR_TEMPERATURE,
+    OVR_KINEMATIC_VISCOSITY,
+    OVR_MASS_DENSITY,
+    OVR_KELVINS, /* a difference of temperatures */
+    OVR_PER_KELVIN,
+    OVR_CONDUCTIVITY,
+    OVR_HEAT_CAPACITY
 } ovr_dimension;
 
 typedef struct ovr_quantity {
@@ -37,6 +48,9 @@ typedef struct ovr_quantity {
  * unit is wrong or missing. */
 ovr_status ovr_quantity_read(const char *text, ovr_dimension dimension,
                              bool bare, ovr_quantity *quantity, ovr_error *err);
+
+/* What a known unit measures; OVR_PURE: it is none. */
+ovr_dimension ovr_unit_dimension(const char *unit);
 
 /* SI value of 1 `unit`, if it is one of the dimension; else NAN. */
 double ovr_unit_value(const char *unit, ovr_dimension dimension);

@@ -40,6 +40,35 @@ static inline num less(num c, num a, num b)
     return c - a * b;
 }
 
+/* b where either is not a number */
+static inline num larger(num a, num b)
+{
+    return a > b ? a : b;
+}
+
+static inline num smaller(num a, num b)
+{
+    return a < b ? a : b;
+}
+
+/* The whole part of a number from 0 to 2^31, for elements of a table. */
+typedef size_t cell;
+
+static inline cell whole_part(num x)
+{
+    return (cell)x;
+}
+
+static inline num from_whole(cell k)
+{
+    return (num)k;
+}
+
+static inline num gather(const double *x, cell k)
+{
+    return x[k];
+}
+
 /* z log2 x and s 2^y by tables that hold the factor. */
 typedef struct log_table {
     double z;

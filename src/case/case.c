@@ -455,7 +455,8 @@ ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k)
         entry.file = slot->file;
         entry.line = slot->line;
         entry.number = slot->number;
-        entry.unit = slot->unit ? ovr_unit_si(row->dimension) : NULL;
+        if (slot->unit)
+            entry.unit = ovr_unit_si(ovr_unit_dimension(slot->unit));
         entry.parameter = b->first + k;
     }
     return entry;

@@ -12,6 +12,7 @@
 
 #include "base/quantity.h"
 #include "overroll/case.h"
+#include "overroll/oil.h"
 
 typedef enum ovr_kind {
     OVR_NUMBER,  /* double; words stand for numbers */
@@ -71,7 +72,9 @@ typedef struct ovr_settings {
     ovr_conditions contact;
     double bearable;
     int viscosity_law, density_law;
-    double p0, z;
+    ovr_oil oil;
+    double iso_vg;
+    const char *viscosity_file, *density_file;
     ovr_options options;
     int scheme; /* -1: by the steps and histories */
     int nodes;
@@ -85,9 +88,20 @@ typedef struct ovr_settings {
     ovr_list window;
 } ovr_settings;
 
-/* Of [body 1] and [body 2]. */
+/* By name in [body 1] and [body 2]; values and sources in resolve_bodies.c. */
+typedef enum ovr_material_name {
+    OVR_STEEL = 1,
+    OVR_SILICON_NITRIDE,
+    OVR_TUNGSTEN_CARBIDE,
+    OVR_BRONZE,
+    OVR_GLASS,
+    OVR_SAPPHIRE
+} ovr_material_name;
+
+/* Of [body 1] and [body 2]; NAN, 0: not given. */
 typedef struct ovr_body_form {
-    double poisson;
+    int material; /* ovr_material_name */
+    double modulus, poisson, radius;
 } ovr_body_form;
 
 /* Value of `step = adaptive`. */

@@ -192,22 +192,22 @@ static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
     ovr_error why = {0};
     bool numbers;
     *given = ovr_conditions_unknown();
-    r->values.p0 = r->values.z = NAN;
     if (check_twice(r, "viscosity", err) || check_twice(r, "alpha", err))
         return OVR_BAD_INPUT;
+    r->values.oil = ovr_oil_unknown();
+    r->values.iso_vg = NAN;
     if (fill_section(r, "contact", err) || fill_section(r, "lubricant", err))
         return OVR_BAD_INPUT;
     r->setup.bearable = r->values.bearable;
+    if (ovr_resolve_bodies(r, err) || ovr_resolve_oil(r, err))
+        return err ? err->status : OVR_BAD_INPUT;
     numbers = !isnan(given->M) || !isnan(given->L) || !isnan(given->lambda) ||
               !isnan(given->alphabar);
     if (numbers && isnan(given->alpha) && isnan(given->hertz_pressure))
         given->alpha = ALPHA_PAPER;
     if (ovr_contact_resolve(given, &r->contact, &why))
         return ovr_fail_in(err, r->c, contact, lubricant, &why);
-    if (ovr_lubricant_make(&r->contact,
-                           (ovr_viscosity_law)r->values.viscosity_law,
-                           (ovr_density_law)r->values.density_law, r->values.p0,
-                           r->values.z, &r->lubricant, &why))
+    if (ovr_oil_scale(&r->values.oil, &r->contact, &r->lubricant, &why))
         return ovr_fail_in(err, r->c, contact, lubricant, &why);
     return OVR_OK;
 }
@@ -413,6 +413,8 @@ void ovr_setup_free(ovr_setup *setup)
     ovr_surfaces_free(setup->surfaces);
     ovr_history_free(setup->load);
     ovr_history_free(setup->speed);
+    for (int k = 0; k < 2; k++)
+        ovr_law_table_free(((ovr_resolved *)setup)->tables[k]);
     arena = ((ovr_resolved *)setup)->arena;
     ovr_arena_release(&arena);
 }

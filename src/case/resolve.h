@@ -12,6 +12,8 @@ typedef struct ovr_resolved {
     ovr_settings values;
     ovr_contact contact;
     ovr_lubricant lubricant;
+    ovr_body_form body[2];
+    ovr_law_table *tables[2]; /* of viscosity, of density; or NULL */
     ovr_march march;
     double inlet_kept; /* X_a, farther out, that a feature before the usual one
                           kept the domain from; 0: none did */
@@ -32,7 +34,15 @@ ovr_status ovr_fail_in(ovr_error *err, const ovr_case *c,
                        const ovr_block *block, const ovr_block *other,
                        const ovr_error *why);
 
-/* [stress], [fatigue] and the bodies' Poisson's ratios. */
+/* [body 1] and [body 2], with what a material gives; and what they say of the
+ * contact: its radius and modulus, speeds from rotations. */
+ovr_status ovr_resolve_bodies(ovr_resolved *r, ovr_error *err);
+
+/* The oil of [lubricant], its tables read: the contact's viscosity and alpha
+ * where it gives them. */
+ovr_status ovr_resolve_oil(ovr_resolved *r, ovr_error *err);
+
+/* [stress] and [fatigue]. */
 ovr_status ovr_resolve_stress(ovr_resolved *r, ovr_error *err);
 
 /* A history from [load] or [speed]; *history NULL when it is constant. */

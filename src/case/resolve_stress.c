@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* [stress], [fatigue] and what the bodies add to them. */
+/* [stress] and [fatigue]. */
 #include <math.h>
-#include <string.h>
 
 #include "case/resolve.h"
 
@@ -12,26 +11,6 @@ static bool is_there(const ovr_block *block)
     for (size_t k = 0; k < block->count; k++)
         given = given || block->slots[k].given;
     return given;
-}
-
-static ovr_status resolve_bodies(ovr_resolved *r, ovr_error *err)
-{
-    ovr_stress_setup *s = &r->values.stress;
-    s->poisson[0] = s->poisson[1] = 0.3;
-    for (const ovr_block *b = r->c->blocks; b; b = b->next) {
-        ovr_body_form form = {0.3};
-        if (strcmp(b->section->name, "body") != 0 || !b->name)
-            continue;
-        bool first = !strcmp(b->name, "1");
-        if (!first && strcmp(b->name, "2") != 0)
-            return ovr_fail_at(err, OVR_BAD_INPUT, r->c->name, b->line,
-                               "[body %s]: there are [body 1] and [body 2]",
-                               b->name);
-        if (ovr_block_fill(r, b, &form, err))
-            return OVR_BAD_INPUT;
-        s->poisson[first ? 0 : 1] = form.poisson;
-    }
-    return OVR_OK;
 }
 
 static ovr_status resolve_window(ovr_resolved *r, ovr_error *err)
@@ -94,8 +73,8 @@ ovr_status ovr_resolve_stress(ovr_resolved *r, ovr_error *err)
     const ovr_block *block = ovr_block_of(r, "stress");
     ovr_stress_setup *s = &r->values.stress;
     r->values.stress_surface = 1;
-    if (resolve_bodies(r, err))
-        return OVR_BAD_INPUT;
+    for (int k = 0; k < 2; k++)
+        s->poisson[k] = r->body[k].poisson;
     if (is_there(block)) {
         if (ovr_block_fill(r, block, &r->values, err) || resolve_window(r, err))
             return OVR_BAD_INPUT;

@@ -140,6 +140,10 @@ static void put_contact(const ovr_contact *contact)
     put_scale("time scale b/um", contact->time, 1e-6, "us");
     put_scale("load", contact->load, 1e3, "kN/m");
     put_scale("mean speed um", contact->um, 1, "m/s");
+    put_scale("force over the width", contact->load * contact->width, 1, "N");
+    put_scale("reduced radius R", contact->radius, 1e-3, "mm");
+    put_scale("reduced modulus E'", contact->modulus, 1e9, "GPa");
+    put_scale("viscosity eta0", contact->viscosity, 1e-3, "mPa.s");
 }
 
 static void put_film(const char *name, double H, const ovr_contact *contact)
@@ -159,6 +163,17 @@ static void put_films(const ovr_contact *contact)
     put_film("  elastic, isoviscous", film.elastic_iso, contact);
     put_film("  rigid, piezoviscous", film.rigid_piezo, contact);
     put_film("  elastic, piezoviscous", film.elastic_piezo, contact);
+}
+
+/* alpha, and alpha* beside it. */
+static void put_alpha(const ovr_setup *setup)
+{
+    const ovr_contact *contact = setup->contact;
+    double star = ovr_asymptotic_alphabar(setup->lubricant) / contact->ph;
+    if (!(contact->alpha > 0) || !isfinite(star))
+        return;
+    printf("# %-28s %.5g 1/GPa, asymptotic alpha* = %.5g 1/GPa\n",
+           "alpha at p = 0", contact->alpha * 1e9, star * 1e9);
 }
 
 static void put_lubricant(const ovr_lubricant *lubricant)
@@ -265,6 +280,13 @@ static void report_json(const ovr_case *c, const ovr_setup *setup,
     ovr_film_asymptotes film = ovr_film_asymptotes_moes(contact->M, contact->L);
     json_writer json = json_begin(stdout);
     cli_json_contact(&json, contact);
+    json_number(&json, "radius_m", contact->radius);
+    json_number(&json, "modulus_Pa", contact->modulus);
+    json_number(&json, "viscosity_Pa_s", contact->viscosity);
+    json_number(&json, "alpha_per_Pa", contact->alpha);
+    json_number(&json, "alpha_star_per_Pa",
+                ovr_asymptotic_alphabar(setup->lubricant) / contact->ph);
+    json_number(&json, "load_N", contact->load * contact->width);
     json_number(&json, "u1_ratio", contact->u1_ratio);
     json_number(&json, "u2_ratio", contact->u2_ratio);
     json_number(&json, "H_cen_moes",
@@ -301,6 +323,7 @@ static void report(const cli_call *call, const ovr_case *c,
     }
     put_contact(setup->contact);
     put_films(setup->contact);
+    put_alpha(setup);
     put_lubricant(setup->lubricant);
     put_features(setup);
     put_cost(&cost, setup->contact);

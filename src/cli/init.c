@@ -155,6 +155,35 @@ static const char numbers_end[] =
     "file = numbers.h5\n"
     "every = 8\n";
 
+static const char discs[] =
+    "# Twin-disc machine: two discs by radius, material and turning speed, "
+    "the\n"
+    "# oil by its data sheet.\n"
+    "\n"
+    "[contact]\n"
+    "width = 10 mm                # of the track\n"
+    "load = 2000 N                # over that width\n"
+    "speed_1 = 1000 rpm           # of disc 1, whose surface runs along +x\n"
+    "speed_2 = 950 rpm\n"
+    "\n"
+    "[body 1]\n"
+    "material = steel\n"
+    "radius = 35 mm               # negative: concave; or flat\n"
+    "\n"
+    "[body 2]\n"
+    "material = steel\n"
+    "radius = 35 mm\n"
+    "\n"
+    "[lubricant]\n"
+    "temperature = 60 degC\n"
+    "iso_vg = 68\n"
+    "viscosity_index = 98\n"
+    "density_15 = 880 kg/m3\n"
+    "alpha = 20 1/GPa             # at that temperature\n"
+    "\n"
+    "[domain]\n"
+    "level = 8\n";
+
 static const struct kind {
     const char *name, *head, *tail;
     bool physical;
@@ -163,6 +192,7 @@ static const struct kind {
     {"gear", gear, gear_end, true},
     {"cam", cam, cam_end, true},
     {"numbers", numbers, numbers_end, false},
+    {"discs", discs, NULL, true}, /* with an oil of its own */
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
@@ -171,6 +201,8 @@ enum { KINDS = sizeof kinds / sizeof kinds[0] };
 static void put_case(const struct kind *kind, const struct oil *oil, FILE *to)
 {
     fputs(kind->head, to);
+    if (!kind->tail)
+        return;
     fprintf(to, "\n[lubricant]                  # %s\n", oil->what);
     if (kind->physical)
         fprintf(to, "viscosity = %s\n", oil->viscosity);
@@ -187,7 +219,8 @@ static const struct kind *find_kind(const cli_call *call, const char *name)
             return &kinds[i];
     }
     meant = ovr_suggest(name, names, KINDS);
-    cli_usage(call, "no case '%s'%s%s; there are roller, gear, cam, numbers",
+    cli_usage(call,
+              "no case '%s'%s%s; there are roller, gear, cam, numbers, discs",
               name, meant ? "; did you mean " : "", meant ? meant : "");
     return NULL;
 }
@@ -213,6 +246,11 @@ static int run(cli_call *call)
     int code;
     if (!oil)
         return CLI_USAGE;
+    if (oil_name && !kind->tail) {
+        cli_usage(call, "'%s' has an oil of its own, by its data sheet",
+                  kind->name);
+        return CLI_USAGE;
+    }
     code = cli_output_open(call, path, &out);
     if (code != CLI_DONE)
         return code;

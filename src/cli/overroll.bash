@@ -30,6 +30,7 @@ _overroll_values() {
     contact.lambda) echo '' ;;
     contact.alphabar) echo '' ;;
     contact.load) echo '' ;;
+    contact.width) echo '' ;;
     contact.hertz_pressure) echo '' ;;
     contact.radius) echo '' ;;
     contact.modulus) echo '' ;;
@@ -41,12 +42,32 @@ _overroll_values() {
     contact.slide_to_roll) echo '' ;;
     contact.G) echo '' ;;
     contact.bearable_pressure) echo '' ;;
-    lubricant.viscosity_law) echo 'roelands barus isoviscous' ;;
-    lubricant.density_law) echo 'dowson-higginson incompressible' ;;
+    lubricant.viscosity_law) echo 'roelands barus isoviscous doolittle yasutomi table' ;;
+    lubricant.density_law) echo 'dowson-higginson incompressible tait table' ;;
     lubricant.viscosity) echo '' ;;
     lubricant.alpha) echo '' ;;
     lubricant.p0) echo '' ;;
     lubricant.z) echo 'auto' ;;
+    lubricant.temperature) echo '' ;;
+    lubricant.viscosity_40) echo '' ;;
+    lubricant.viscosity_100) echo '' ;;
+    lubricant.iso_vg) echo '' ;;
+    lubricant.viscosity_index) echo '' ;;
+    lubricant.density_15) echo '' ;;
+    lubricant.viscosity_file) echo '' ;;
+    lubricant.density_file) echo '' ;;
+    lubricant.tait_K0) echo '' ;;
+    lubricant.tait_K0_slope) echo '' ;;
+    lubricant.doolittle_B) echo '' ;;
+    lubricant.doolittle_R0) echo '' ;;
+    lubricant.yasutomi_Tg0) echo '' ;;
+    lubricant.yasutomi_A1) echo '' ;;
+    lubricant.yasutomi_A2) echo '' ;;
+    lubricant.yasutomi_b1) echo '' ;;
+    lubricant.yasutomi_b2) echo '' ;;
+    lubricant.yasutomi_C1) echo '' ;;
+    lubricant.yasutomi_C2) echo '' ;;
+    lubricant.glass_viscosity) echo '' ;;
     domain.inlet) echo 'usual auto' ;;
     domain.outlet) echo 'auto' ;;
     domain.level) echo '' ;;
@@ -176,7 +197,10 @@ _overroll_values() {
     fatigue.count) echo '' ;;
     fatigue.residual_x) echo '' ;;
     fatigue.residual_y) echo '' ;;
+    body.material) echo 'steel silicon-nitride tungsten-carbide bronze glass sapphire' ;;
+    body.modulus) echo '' ;;
     body.poisson) echo '' ;;
+    body.radius) echo 'flat' ;;
     esac # keys
 }
 
@@ -257,7 +281,7 @@ _overroll() {
         _overroll_words $(_overroll_commands) contact lubricant domain solver \
             time load speed feature output units
     elif [[ $verb == init && $before == init ]]; then
-        _overroll_words roller gear cam numbers
+        _overroll_words roller gear cam numbers discs
     fi
 } # else files
 

@@ -22,7 +22,7 @@ static const double AGREE = 1e-6;
 ovr_conditions ovr_conditions_unknown(void)
 {
     ovr_conditions c = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN,
-                        NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+                        NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
     return c;
 }
 
@@ -66,6 +66,7 @@ static ovr_status check_values(const ovr_conditions *c, ovr_error *err)
         {"alpha", c->alpha, true},
         {"mean_speed", c->mean_speed, false},
         {"G", c->G, false},
+        {"width", c->width, false},
     };
     for (size_t i = 0; i < sizeof all / sizeof all[0]; i++)
         if (check_sign(all[i].name, all[i].value, all[i].zero_too, err))
@@ -299,6 +300,7 @@ ovr_status ovr_contact_resolve(const ovr_conditions *given,
                                : 4 * to.ph / to.modulus;
     to.height = to.b * to.b / to.radius;
     to.time = to.b / to.um;
+    to.width = given->width;
     *contact = to;
     return OVR_OK;
 }

@@ -13,6 +13,9 @@
  * stiffness), measured.  Numbers for P up to 1e150; 1/eta below 2^-900 is held
  * there.
  *
+ * Roelands' and Barus' laws with Dowson and Higginson's density are compiled
+ * each by itself; all others share one loop that chooses by vector.
+ *
  * A node is a chain of some 60 dependent operations.  Three short passes over
  * a block keep more nodes in flight than one long one, and what one leaves for
  * the next stays in the nearest cache.
@@ -44,9 +47,8 @@ typedef struct film {
 } film;
 
 /* H, rho, q, q' at fixed H */
-static inline void store_film(const film *c, ptrdiff_t i, vec inv_a)
+static inline void store_film(const film *c, ptrdiff_t i, vec rho, vec slope)
 {
-    vec slope, rho = dowson_higginson_finish(&c->laws.density, inv_a, &slope);
     vec H = c->H0 + load(c->gap + i) - load(c->w + i);
     store(c->f.H + i, H);
     store(c->f.rho + i, rho);
@@ -63,7 +65,25 @@ static INLINE void begin(const film *c, ovr_viscosity_law law, ptrdiff_t start,
         vec a = dowson_higginson_divisor(&c->laws.density, P);
         vec t = viscosity_divisor(&c->laws, law, P), inverse = 1 / (a * t);
         vec power = viscosity_begin(&c->laws, law, P, t, inverse * a, &slope);
-        store_film(c, i, inverse * t);
+        vec by_pressure, rho = dowson_higginson_finish(
+                             &c->laws.density, inverse * t, &by_pressure);
+        store_film(c, i, rho, by_pressure);
+        store(work->power + i - start, power);
+        store(work->slope + i - start, slope);
+    }
+}
+
+/* The same of any law. */
+static INLINE void begin_any(const film *c, ovr_viscosity_law law,
+                             ptrdiff_t start, ptrdiff_t end, block *work)
+{
+    ovr_density_law density = c->fluid->lubricant.density_law;
+    for (ptrdiff_t i = start; i < end; i += VEC) {
+        vec P = load(c->f.P + i), slope, by_pressure;
+        vec t = viscosity_divisor(&c->laws, law, P);
+        vec power = viscosity_begin(&c->laws, law, P, t, 1 / t, &slope);
+        vec rho = density_at(&c->laws, density, P, &by_pressure);
+        store_film(c, i, rho, by_pressure);
         store(work->power + i - start, power);
         store(work->slope + i - start, slope);
     }
@@ -108,16 +128,26 @@ static INLINE void flow(const film *c, bool other, ptrdiff_t start,
     }
 }
 
-static INLINE void by_law(const film *c, ovr_viscosity_law law, bool other,
-                          ptrdiff_t end)
+static INLINE void by_law(const film *c, ovr_viscosity_law law, bool any_law,
+                          bool other, ptrdiff_t end)
 {
     block work;
     for (ptrdiff_t start = -OVR_HALO * VEC; start < end; start += BLOCK) {
         ptrdiff_t stop = end - start < BLOCK ? end : start + BLOCK;
-        begin(c, law, start, stop, &work);
+        if (any_law)
+            begin_any(c, law, start, stop, &work);
+        else
+            begin(c, law, start, stop, &work);
         finish(c, law, other, start, stop - start, &work);
         flow(c, other, start, stop, &work);
     }
+}
+
+/* Laws of viscosity and density whose first stage shares a division. */
+static bool shares_division(const ovr_lubricant *oil)
+{
+    return !viscosity_is_direct(oil->viscosity_law) &&
+           oil->density_law <= OVR_INCOMPRESSIBLE;
 }
 
 void OVR_KERNEL(film)(const ovr_fluid *fluid, double H0, const ovr_lanes *g,
@@ -125,12 +155,16 @@ void OVR_KERNEL(film)(const ovr_fluid *fluid, double H0, const ovr_lanes *g,
 {
     ptrdiff_t end = ((ptrdiff_t)g->S + 1) * VEC;
     film c = {.fluid = fluid, .H0 = H0, .gap = gap, .w = w, .f = *f};
+    ovr_viscosity_law law = fluid->lubricant.viscosity_law;
     fluid_laws_make(&fluid->lubricant, &c.laws);
     make_exp_table(1 / fluid->lambda, &c.conductance);
-    if (fluid->law)
-        by_law(&c, OVR_ISOVISCOUS, true, end);
-    else if (fluid->lubricant.viscosity_law == OVR_ROELANDS)
-        by_law(&c, OVR_ROELANDS, false, end);
+    if (!shares_division(&fluid->lubricant))
+        by_law(&c, fluid->law ? OVR_ISOVISCOUS : law, true, fluid->law != NULL,
+               end);
+    else if (fluid->law)
+        by_law(&c, OVR_ISOVISCOUS, false, true, end);
+    else if (law == OVR_ROELANDS)
+        by_law(&c, OVR_ROELANDS, false, false, end);
     else
-        by_law(&c, OVR_BARUS, false, end);
+        by_law(&c, OVR_BARUS, false, false, end);
 }

@@ -24,12 +24,12 @@ static double viscosity(const ovr_fluid *fluid, const fluid_laws *c, double P,
 void ovr_film_plain(const ovr_fluid *fluid, double H0, const ovr_lanes *g,
                     const double *gap, const double *w, const ovr_fields *f)
 {
-    fluid_laws c;
+    fluid_laws c = {0};
     fluid_laws_make(&fluid->lubricant, &c);
     for (size_t i = 0; i < g->n; i++) {
         double P = f->P[i], H = H0 + gap[i] - w[i], by_pressure, slope[2];
-        double inv_a = 1 / dowson_higginson_divisor(&c.density, P);
-        double rho = dowson_higginson_finish(&c.density, inv_a, &by_pressure);
+        double rho = density_at(&c, fluid->lubricant.density_law, P,
+                                &by_pressure);
         double power = fmax(viscosity(fluid, &c, P, H, slope), -900);
         double flow = H * H * exp2(power) / fluid->lambda, q = rho * H;
         f->H[i] = H;

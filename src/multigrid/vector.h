@@ -225,6 +225,29 @@ static inline void put_set(unsigned char *set, ptrdiff_t J, ivec mask)
 #endif
 }
 
+/* The whole part of numbers from 0 to 2^31, for elements of a table. */
+typedef uvec cell;
+
+static inline cell whole_part(vec x)
+{
+    vec whole = x + 0x1p52 - 0x1p52; /* the nearest */
+    whole -= (vec)((ivec)all(1) & (whole > x));
+    return (uvec)(whole + 0x1p52) & 0xffffffff;
+}
+
+static inline vec from_whole(cell k)
+{
+    return (vec)(k | (uvec)all(0x1p52)) - 0x1p52;
+}
+
+static inline vec gather(const double *x, cell k)
+{
+    vec found;
+    for (int l = 0; l < VEC; l++)
+        found[l] = x[k[l]];
+    return found;
+}
+
 /* Repeats the ends of lanes of S nodes in `halo` vectors on both sides; what
  * lies beyond the ends of the grid stays. */
 static inline void repeat_ends(double *x, ptrdiff_t S, ptrdiff_t halo)

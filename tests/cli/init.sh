@@ -13,6 +13,12 @@ for kind in roller gear cam numbers; do
     expect 0 "$OVERROLL" run $kind.ini --level 5 --set time.end=0.3
     [ -f $kind.h5 ] || fail "no $kind.h5"
 done
+expect 0 "$OVERROLL" init discs
+mv out discs.ini
+expect 0 "$OVERROLL" check discs.ini
+[ ! -s err ] || fail "discs: $(cat err)"
+expect 0 "$OVERROLL" steady discs.ini --level 6
+refuses "'discs' has an oil of its own" init discs --oil vg32
 expect 0 "$OVERROLL" init gear -o gear2.ini
 refuses 'gear2.ini: exists already' init gear -o gear2.ini
 refuses "no case 'gaer'; did you mean gear" init gaer

@@ -50,6 +50,7 @@ static ovr_conditions roller(void)
     c.alpha = 18.3e-9;
     c.speed_1 = 2.3;
     c.speed_2 = 1.1;
+    c.width = 0.02;
     return c;
 }
 
@@ -108,6 +109,7 @@ static void round_trips(void **state)
     c.viscosity = to.viscosity;
     c.alpha = to.alpha;
     c.slide_to_roll = to.u1_ratio - to.u2_ratio;
+    c.width = to.width;
     same_contact(resolve(c), to, 1e-12);
 
     c.M = c.L = NAN;
@@ -125,6 +127,7 @@ static void round_trips(void **state)
     c.radius = to.radius;
     c.modulus = to.modulus;
     c.hertz_pressure = to.ph;
+    c.width = to.width;
     c.speed_1 = to.u1_ratio * to.um;
     c.speed_2 = to.u2_ratio * to.um;
     same_contact(resolve(c), to, 1e-12);

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "multigrid/field.h"
+#include "overroll/oil.h"
 #include "support/kernels.h"
 #include "support/test.h"
 
@@ -178,12 +179,99 @@ static void any_pressure_gives_numbers(void **state)
     ovr_arena_release(&o.arena);
 }
 
+/* Laws in one stage, their film by every set against the plain one and the
+ * library's value; slopes against differences. */
+static void fill_direct(oil *o, uint64_t *seed, int turn, const double *points,
+                        const ovr_law_table *const table[2])
+{
+    ovr_lubricant *law = &o->fluid.lubricant;
+    fill(o, seed, 1);
+    law->viscosity_law = (ovr_viscosity_law[]){
+        OVR_DOOLITTLE, OVR_YASUTOMI, OVR_VISCOSITY_TABLE, OVR_ROELANDS,
+        OVR_BARUS}[turn % 5];
+    law->density_law = (ovr_density_law[]){OVR_TAIT, OVR_DENSITY_TABLE,
+                                           OVR_DOWSON_HIGGINSON}[turn % 3];
+    law->tait_K = test_random(seed, 0.8, 3);
+    law->tait_K_slope = test_random(seed, 9, 12);
+    law->doolittle_B = test_random(seed, 2, 5);
+    law->doolittle_R0 = test_random(seed, 0.5, 0.7);
+    law->yasutomi = (ovr_yasutomi){.C1 = 16,
+                                   .C2 = 26,
+                                   .Tg0 = 200,
+                                   .T = test_random(seed, 300, 400),
+                                   .A1 = 190,
+                                   .A2 = test_random(seed, .2, .9),
+                                   .b1 = 6,
+                                   .b2 = -0.5};
+    law->viscosity_table = table[0];
+    law->density_table = table[1];
+    law->table_ph = test_random(seed, 0.3e9, 1.5e9);
+    for (int i = 0; i < N; i++) /* some beyond the tables' end */
+        o->f.P[i] = fmin(o->f.P[i], points[1] * 1.2 / law->table_ph);
+}
+
+static double slope_of(double (*value)(const ovr_lubricant *, double),
+                       const ovr_lubricant *lubricant, double P)
+{
+    double h = 1e-5;
+    return (log(value(lubricant, P + h)) - log(value(lubricant, P - h))) /
+           (2 * h);
+}
+
+static void check_direct(const oil *o, int i)
+{
+    const ovr_fields *f = &o->f;
+    const ovr_lubricant *law = &o->fluid.lubricant;
+    double P = f->P[i], H = f->H[i], lambda = o->fluid.lambda;
+    double eta = ovr_viscosity(law, P), rho = ovr_density(law, P);
+    double eps = rho * H * H * H / (eta * lambda), by_eta, by_rho;
+    if (!(eta < 1e150) || P < 1e-4)
+        return;
+    by_eta = slope_of(ovr_viscosity, law, P);
+    by_rho = slope_of(ovr_density, law, P);
+    CHECK_CLOSE(f->rho[i], rho, 1e-13);
+    CHECK_CLOSE(f->eps[i], eps, 1e-11);
+    CHECK_NEAR(f->dq[i], f->q[i] * by_rho, 1e-5 * fabs(f->q[i]));
+    /* a table's second derivative jumps at points */
+    CHECK_NEAR(f->deps[i], eps * (by_rho - by_eta),
+               (law->viscosity_law == OVR_VISCOSITY_TABLE ? 1e-3 : 1e-5) *
+                   fabs(eps) * (1 + by_eta));
+}
+
+static void laws_in_one_stage(void **state)
+{
+    static const double p[] = {0, 2e9};
+    static const double eta[] = {0.01, 1e6}, rho[] = {850, 1100};
+    ovr_law_table *table[] = {
+        ovr_law_table_create(OVR_TABLE_OF_VISCOSITY, 2, p, eta, NULL, NULL),
+        ovr_law_table_create(OVR_TABLE_OF_DENSITY, 2, p, rho, NULL, NULL)};
+    const ovr_law_table *tables[] = {table[0], table[1]};
+    oil o = make();
+    uint64_t seed = 24;
+    (void)state;
+    for (int turn = 0; turn < 30; turn++) {
+        fill_direct(&o, &seed, turn, p, tables);
+        for (int k = 0; run(&o, k); k++)
+            for (int i = 0; i < N; i += 3)
+                check_direct(&o, i);
+        for (int i = 0; i < N; i++)
+            o.f.P[i] = pow(10, 150.0 * i / N), o.gap[i] = 1, o.w[i] = 0;
+        for (int k = 0; run(&o, k); k++)
+            for (int i = 0; i < N; i++)
+                assert_true(o.f.eps[i] >= 0 && isfinite(o.f.deps[i]));
+    }
+    for (int k = 0; k < 2; k++)
+        ovr_law_table_free(table[k]);
+    ovr_arena_release(&o.arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(film_follows_the_laws),
         cmocka_unit_test(viscosity_starts_at_one),
         cmocka_unit_test(any_pressure_gives_numbers),
+        cmocka_unit_test(laws_in_one_stage),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Tables of laws: Steffen's monotone spline (Astron. Astrophys. 239, 1990)
+ * through the points, with his slopes of parabolas at the ends, sampled with
+ * its slope on a uniform mesh h, from which the kernels look up cubics.  In a
+ * mesh without a point the cubic is the spline itself; with one it differs by
+ * less than h^2/16 of the second derivative's jump there.
+ */
+#include "contact/laws/table.h"
+
+#include <math.h>
+
+enum { CELLS = 1024, MOST = 100000 };
+static const double FIRST_MOST = 1e6; /* Pa: what counts as ambient */
+
+static ovr_status check_points(size_t n, const double *p, const double *value,
+                               ovr_error *err)
+{
+    if (n < 2 || n > MOST)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "the table has %zu points; needs 2 to %d", n, MOST);
+    for (size_t i = 0; i < n; i++) {
+        if (!(isfinite(p[i]) && value[i] > 0 && isfinite(value[i])))
+            return ovr_fail(err, OVR_BAD_INPUT,
+                            "point %zu: values must be positive numbers",
+                            i + 1);
+        if (i && !(p[i] > p[i - 1]))
+            return ovr_fail(err, OVR_BAD_INPUT,
+                            "point %zu: pressures must increase", i + 1);
+        if (i && value[i] < value[i - 1])
+            return ovr_fail(err, OVR_BAD_INPUT,
+                            "point %zu: %g follows %g, but it must not fall "
+                            "with pressure",
+                            i + 1, value[i], value[i - 1]);
+    }
+    if (p[0] >= 0 && p[0] <= FIRST_MOST)
+        return OVR_OK;
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "the first pressure, %g Pa, must be ambient: 0 to 1 MPa",
+                    p[0]);
+}
+
+/* The slope at an end, of the parabola through the three last points, so far
+ * as it keeps the sign and twice the slope h0 across. */
+static double end_slope(double h0, double s0, double h1, double s1)
+{
+    double parabola = s0 + (s0 - s1) * h0 / (h0 + h1);
+    return fmax(0, fmin(parabola, 2 * s0));
+}
+
+static double inner_slope(double h0, double s0, double h1, double s1)
+{
+    double parabola = (s0 * h1 + s1 * h0) / (h0 + h1);
+    return fmin(2 * fmin(s0, s1), parabola);
+}
+
+/* Steffen's slopes of y, which nowhere falls. */
+static void make_slopes(size_t n, const double *p, const double *y, double *m)
+{
+    double before = p[1] - p[0], rise = (y[1] - y[0]) / before;
+    m[0] = m[1] = rise;
+    for (size_t i = 1; i + 1 < n; i++) {
+        double h = p[i + 1] - p[i], s = (y[i + 1] - y[i]) / h;
+        if (i == 1)
+            m[0] = end_slope(before, rise, h, s);
+        m[i] = inner_slope(before, rise, h, s);
+        m[i + 1] = end_slope(h, s, before, rise);
+        before = h;
+        rise = s;
+    }
+}
+
+/* The spline; straight on below its first point. */
+typedef struct spline {
+    size_t n, at; /* at: the piece last used */
+    const double *p, *y;
+    double *m;
+} spline;
+
+static double value_at(spline *c, double p, double *slope)
+{
+    double h, f, g, rise, d, d1;
+    size_t k;
+    *slope = c->m[0];
+    if (p < c->p[0])
+        return c->y[0] - c->m[0] * (c->p[0] - p);
+    while (c->at + 2 < c->n && p > c->p[c->at + 1])
+        c->at++;
+    k = c->at;
+    h = c->p[k + 1] - c->p[k];
+    f = (p - c->p[k]) / h;
+    g = 1 - f;
+    rise = c->y[k + 1] - c->y[k];
+    d = h * c->m[k] - rise;
+    d1 = h * c->m[k + 1] - rise;
+    *slope = (rise + (g - f) * (g * d - f * d1) - f * g * (d + d1)) / h;
+    return c->y[k] + f * rise + f * g * (g * d - f * d1);
+}
+
+static void fill(ovr_law_table *t, ovr_table_of what, spline *c)
+{
+    double slope, start = value_at(c, 0, &slope);
+    t->ambient = what == OVR_TABLE_OF_VISCOSITY ? exp(start) : start;
+    for (size_t k = 0; k <= t->cells; k++) {
+        double at = fmin((double)k * t->mesh, c->p[c->n - 1]);
+        t->value[k] = value_at(c, at, &slope);
+        t->slope[k] = t->mesh * slope;
+        if (what == OVR_TABLE_OF_VISCOSITY) {
+            t->value[k] -= start;
+        } else {
+            t->value[k] /= start;
+            t->slope[k] /= start;
+        }
+    }
+    t->value[t->cells + 1] = t->value[t->cells] + t->slope[t->cells];
+    t->slope[t->cells + 1] = t->slope[t->cells];
+}
+
+static ovr_status make(ovr_law_table *t, ovr_table_of what, size_t n,
+                       const double *p, const double *value, ovr_error *err)
+{
+    double *y = ovr_arena_take(&t->arena, n, sizeof *y, err);
+    double *m = ovr_arena_take(&t->arena, n, sizeof *m, err);
+    t->cells = CELLS;
+    t->mesh = p[n - 1] / CELLS;
+    t->value = ovr_arena_take(&t->arena, CELLS + 2, sizeof *y, err);
+    t->slope = ovr_arena_take(&t->arena, CELLS + 2, sizeof *y, err);
+    if (!y || !m || !t->value || !t->slope)
+        return OVR_NO_MEMORY;
+    for (size_t i = 0; i < n; i++)
+        y[i] = what == OVR_TABLE_OF_VISCOSITY ? log(value[i]) : value[i];
+    make_slopes(n, p, y, m);
+    fill(t, what, &(spline){n, 0, p, y, m});
+    return OVR_OK;
+}
+
+ovr_law_table *ovr_law_table_create(ovr_table_of what, size_t n,
+                                    const double *p, const double *value,
+                                    const ovr_allocator *allocator,
+                                    ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_law_table *table;
+    if (check_points(n, p, value, err))
+        return NULL;
+    table = ovr_arena_take(&arena, 1, sizeof *table, err);
+    if (!table)
+        return NULL;
+    table->arena = arena;
+    if (!make(table, what, n, p, value, err))
+        return table;
+    ovr_law_table_free(table);
+    return NULL;
+}
+
+void ovr_law_table_free(ovr_law_table *table)
+{
+    if (table) {
+        ovr_arena arena = table->arena;
+        ovr_arena_release(&arena);
+    }
+}

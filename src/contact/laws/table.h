@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a table of a law (overroll/oil.h) is inside: ln(eta/eta0) or rho/rho0
+ * at pressures k h, k = 0..cells, and a point more that is never reached. */
+#ifndef OVR_CONTACT_LAWS_TABLE_H
+#define OVR_CONTACT_LAWS_TABLE_H
+
+#include "base/arena.h"
+#include "overroll/oil.h"
+
+struct ovr_law_table {
+    size_t cells;
+    double mesh;           /* h, Pa */
+    double *value, *slope; /* y, h dy/dp */
+    double ambient;        /* eta0, Pa s, or rho0: of the table at p = 0 */
+    ovr_arena arena;
+};
+
+#endif
