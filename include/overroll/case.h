@@ -110,6 +110,8 @@ typedef struct ovr_case_entry {
     double number;      /* SI, or bare; NAN: no number */
     const char *unit;   /* SI unit of the number when it is physical */
     size_t parameter;   /* its row in the table */
+    bool applies;       /* has a meaning beside the others: not that of a
+                           profile where there is none */
 } ovr_case_entry;
 OVR_API size_t ovr_case_entries(const ovr_case *c);
 OVR_API ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k);

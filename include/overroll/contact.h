@@ -120,6 +120,15 @@ typedef struct ovr_film_asymptotes {
 } ovr_film_asymptotes;
 OVR_API ovr_film_asymptotes ovr_film_asymptotes_moes(double M, double L);
 
+/* The program's own films of a steady flooded contact with a compressible oil
+ * (Roelands' viscosity, `density` that of Dowson and Higginson at ph), fitted
+ * to its solutions; NAN outside 2 <= M <= 1000, 0.3 <= L <= 25, which they
+ * cover, to 2.6 and 1.7 % (film_fit.c). */
+typedef struct ovr_film_fit {
+    double central, minimum;
+} ovr_film_fit;
+OVR_API ovr_film_fit ovr_film_fitted(double M, double L, double density);
+
 /* ------------------------------------------------------------ lubricant */
 
 typedef enum ovr_viscosity_law {
@@ -217,6 +226,9 @@ OVR_API double ovr_history_value(const ovr_history *history, double T);
 
 /* Whether it is ever another than at T = 0. */
 OVR_API bool ovr_history_varies(const ovr_history *history);
+
+/* From when on it does not change any more; INFINITY: it never ends. */
+OVR_API double ovr_history_end(const ovr_history *history);
 
 /* Integral of the value from 0 to T, exact for the analytic kinds: how far
  * the mean surface has moved when the history is the speed ratio Cu. */

@@ -155,6 +155,14 @@ ovr_stored_stress_report(const ovr_stored_stress *stress, int surface);
 /* Memory and, per step, seconds of the passages of a prepared setup. */
 OVR_API double ovr_setup_stress_memory(const ovr_setup *setup);
 
+/* What a prepared setup would store: snapshots (the instants of the largest
+ * pressure and the smallest film may come on top), and bytes on the disk before
+ * they are compressed. */
+typedef struct ovr_storage {
+    double snapshots, bytes;
+} ovr_storage;
+OVR_API ovr_storage ovr_setup_storage(const ovr_setup *setup);
+
 /* What can be said of a prepared setup before it is solved: a grid too coarse
  * for its features, one of them inside from the start or never in the contact,
  * a start from rest, an end within the first step, too much sliding. */

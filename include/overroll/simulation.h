@@ -328,6 +328,8 @@ typedef struct ovr_march {
     bool until_steady; /* stop when nothing changes any more */
     size_t count;      /* observers, asked in this order */
     const ovr_observer *observers;
+    double steady_from; /* until_steady: not before this time */
+    double steady_rate; /* and when P and S change less a b/um; 0: 1e-8 */
 } ovr_march;
 OVR_SIZED(ovr_march)
 

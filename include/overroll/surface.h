@@ -54,6 +54,11 @@ extern "C" {
  *   profile  measured, from a file
  *   roughness random, from a seed and a spectrum
  *
+ * Instead of its width a shape may be given its diameter, the full width at
+ * half its depth (0.2478 width of a dent or bump, 0.3470 of an indent without
+ * shoulders or a ridge, 1/2 of a texture's dimple, the width itself of a
+ * groove), or half of that, half_width.
+ *
  * A step's or groove's flank may be given by the radius r of its edges
  * instead: flank = sqrt(10/sqrt(3) height r) in metres, since the largest
  * curvature of sigma is 10/sqrt(3).
@@ -86,7 +91,9 @@ typedef struct ovr_feature_form {
     int surface;      /* 1 rides at u1, 2 at u2 */
     ovr_shape shape;
 
-    /* Where: at most one of these (wave and texture: origin or none). */
+    /* Where: at most one of these (wave and texture: origin or none).  With
+     * none a feature comes in from the end of the film, where that is known
+     * (ovr_surfaces_domain), as with start = -INFINITY. */
     double start;   /* X at T = 0 of its centre (step: its edge); of profile
                        and roughness: of their leading, largest-x end */
     double centre;  /* X of its centre at T = 0, profiles included */
@@ -96,7 +103,8 @@ typedef struct ovr_feature_form {
 
     /* Sizes, as the shape's formula names them. */
     double depth, height, amplitude;
-    double width, wavelength, wavelength_end, length;
+    double width, diameter, half_width; /* one of them */
+    double wavelength, wavelength_end, length;
     double shoulder, shoulder_at, shoulder_width;
     double flank;
     double radius; /* of edges; in b, needs a physical contact */
@@ -127,6 +135,11 @@ OVR_API ovr_surfaces *ovr_surfaces_create(const ovr_contact *contact,
                                           ovr_error *err);
 OVR_API void ovr_surfaces_free(ovr_surfaces *surfaces);
 
+/* Where the film begins and ends: a feature without a place starts just
+ * outside, on the side that it comes from. */
+OVR_API void ovr_surfaces_domain(ovr_surfaces *surfaces, double inlet,
+                                 double outlet);
+
 /* Puts one more feature on; reads its file when it has one.  On failure the
  * surfaces are as before. */
 OVR_API ovr_status ovr_surfaces_add(ovr_surfaces *surfaces,
@@ -152,6 +165,8 @@ typedef struct ovr_feature_info {
     double amplitude;     /* largest |S| */
     double wavelength;    /* the shortest that matters, b: a grid needs several
                              nodes in it; of local shapes the feature's width */
+    double diameter;      /* full width at half depth or height, b; NAN of
+                             shapes without a width */
     double behind, ahead; /* extent about its centre, b (may be infinite) */
     bool grows;           /* starts from nothing */
     double Rq;            /* of what is rough (profiles, roughness, wave,
@@ -186,6 +201,17 @@ OVR_API const char *ovr_surfaces_inside(const ovr_surfaces *surfaces,
 /* X of a feature's centre (wave: of the crest first at `origin`) at T. */
 OVR_API double ovr_surfaces_centre(const ovr_surfaces *surfaces, size_t feature,
                                    double T);
+
+/* When a feature's first end comes into the film between inlet and outlet,
+ * when its centre (of the first of its copies) is at X = 0, and when its last
+ * end, that of the last copy, has left: 0 where that is over at T = 0, INFINITY
+ * where it never comes to pass up to `until`. */
+typedef struct ovr_feature_times {
+    double enters, centre, leaves;
+} ovr_feature_times;
+OVR_API ovr_feature_times ovr_surfaces_times(const ovr_surfaces *surfaces,
+                                             size_t feature, double inlet,
+                                             double outlet, double until);
 
 /* First T >= 0 at which a feature's centre, or that of one of its copies
  * when `copies` is set, comes to X after time `after`; INFINITY: never

@@ -70,6 +70,10 @@ ovr_slot *ovr_block_slot(const ovr_block *block, const char *key,
 /* Given and default value of a key that exists. */
 const ovr_slot *ovr_block_get(const ovr_block *block, const char *key);
 
+/* Whether a key has a meaning beside the values of the others. */
+bool ovr_key_applies(const ovr_case *c, const ovr_block *block,
+                     const char *key);
+
 /* "[feature NAME]" taken apart: section and name (NULL for plain ones). */
 const ovr_section *ovr_section_parse(const char *header, const char **name,
                                      ovr_error *err);

@@ -86,6 +86,8 @@ static const ovr_word shapes[] = {
     {"wave", OVR_WAVE},           {"chirp", OVR_CHIRP},
     {"texture", OVR_TEXTURE},     {"profile", OVR_PROFILE},
     {"roughness", OVR_ROUGHNESS}, {NULL, 0}};
+static const ovr_word auto_end[] = {{"auto", OVR_END_AUTO}, {NULL, 0}};
+static const ovr_word at_inlet[] = {{"inlet", -INFINITY}, {NULL, 0}};
 static const ovr_word endless[] = {{"endless", 0}, {NULL, 0}};
 static const ovr_word levellings[] = {
     {"none", OVR_LEVEL_NONE}, {"mean", OVR_LEVEL_MEAN},
@@ -305,8 +307,10 @@ static const ovr_parameter table[] = {
     {"solver", "tolerance", PLAIN_OR(auto_zero, 1e-16, 0.1), "auto",
      AT(options.tolerance), true, "on the relative mass-flow imbalance"},
 
-    {"time", "end", SPAN(NULL, 1e5), NULL, AT(end), false,
-     "end of the run, which starts at 0; without it the case is steady"},
+    {"time", "end", SPAN(auto_end, 1e5), NULL, AT(end), false,
+     "end of the run, which starts at 0; auto: when all features have left, "
+     "load and speed do not change any more and the film is steady again; "
+     "without an end the case is steady"},
     {"time", "step", SPAN(steps, 1e3), "grid", AT(step), true,
      "time step; grid: the mesh size; adaptive: by the scheme's own error"},
     {"time", "scheme", CHOICE(schemes), "auto", AT(scheme), true,
@@ -326,9 +330,11 @@ static const ovr_parameter table[] = {
      "surface it is on: 1 moves at u1, 2 at u2"},
     {"feature", "shape", CHOICE(shapes), NULL, IN_FORM(shape), true,
      "what it is"},
-    {"feature", "start", LENGTH(-1e6, 1e6), NULL, IN_FORM(start), true,
+    {"feature", "start", LENGTH_OR(at_inlet, -1e6, 1e6), NULL, IN_FORM(start),
+     true,
      "X of its centre at T = 0 (of a step its edge, of a profile or "
-     "roughness its leading end)"},
+     "roughness its leading end); inlet, as without any place: just ahead of "
+     "the film, to come in at once"},
     {"feature", "centre", LENGTH(-1e6, 1e6), NULL, IN_FORM(centre), true,
      "X of its centre at T = 0, profiles included"},
     {"feature", "edge", LENGTH(-1e6, 1e6), NULL, IN_FORM(edge), true,
@@ -344,7 +350,12 @@ static const ovr_parameter table[] = {
     {"feature", "amplitude", HEIGHT, NULL, IN_FORM(amplitude), true,
      "wave, chirp: amplitude"},
     {"feature", "width", SIZE, NULL, IN_FORM(width), true,
-     "dent, bump, indent, ridge, groove, texture: width"},
+     "dent, bump, indent, ridge, groove, texture: width in the shape's "
+     "formula"},
+    {"feature", "diameter", SIZE, NULL, IN_FORM(diameter), true,
+     "instead of width: full width at half depth"},
+    {"feature", "half_width", SIZE, NULL, IN_FORM(half_width), true,
+     "instead of width: half the width at half depth"},
     {"feature", "wavelength", SIZE, NULL, IN_FORM(wavelength), true,
      "wave; chirp: at its rear; texture: distance of two dimples"},
     {"feature", "wavelength_end", SIZE, NULL, IN_FORM(wavelength_end), true,

@@ -104,6 +104,9 @@ typedef struct ovr_body_form {
     double modulus, poisson, radius;
 } ovr_body_form;
 
+/* Value of `end = auto`. */
+#define OVR_END_AUTO INFINITY
+
 /* Value of `step = adaptive`. */
 #define OVR_STEP_ADAPTIVE (-1.0)
 

@@ -45,6 +45,9 @@ ovr_status ovr_resolve_oil(ovr_resolved *r, ovr_error *err);
 /* [stress] and [fatigue]. */
 ovr_status ovr_resolve_stress(ovr_resolved *r, ovr_error *err);
 
+/* end = auto, the surfaces being made. */
+ovr_status ovr_resolve_end(ovr_resolved *r, ovr_error *err);
+
 /* A history from [load] or [speed]; *history NULL when it is constant. */
 ovr_status ovr_resolve_history(ovr_resolved *r, const char *section,
                                const ovr_change *change,

@@ -60,6 +60,7 @@ static ovr_status make_surfaces(ovr_resolved *r, const ovr_allocator *allocator,
                                       err);
     if (!s->surfaces)
         return OVR_NO_MEMORY;
+    ovr_surfaces_domain(s->surfaces, s->options->inlet, s->options->outlet);
     status = add_features(r, err);
     if (status) {
         ovr_surfaces_free(s->surfaces);
@@ -74,9 +75,11 @@ static ovr_contact thickest(const ovr_setup *s, double *Cw)
 {
     const int times = 256;
     ovr_contact now = *s->contact, most = now;
-    double thick = 0;
+    double thick = 0, end = s->march->end;
+    if (isinf(end)) /* auto: not known before the domain is */
+        end = fmax(ovr_history_end(s->load), ovr_history_end(s->speed));
     for (int k = 0; k <= times; k++) {
-        double T = s->march->end * k / times;
+        double T = end * k / times;
         double w = fmax(ovr_history_value(s->load, T), OVR_LEAST_START);
         double u = fmax(ovr_history_value(s->speed, T), OVR_LEAST_START);
         now.M = s->contact->M * w / sqrt(u);
@@ -158,6 +161,8 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
         return ovr_fail_in(err, r->c, of_paper ? paper : domain, solver, &why);
     }
     if (check_memory(r, err) || place_surfaces(r, usual, allocator, err))
+        return err ? err->status : OVR_BAD_INPUT;
+    if (ovr_resolve_end(r, err))
         return err ? err->status : OVR_BAD_INPUT;
     setup->nodes = ovr_level_nodes(setup->options->level);
     return OVR_OK;

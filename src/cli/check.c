@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cli/case_args.h"
+#include "cli/physical.h"
 #include "cli/report.h"
 
 /* Measured at level 8 on one core: time of a node in a cycle, and cycles of a
@@ -15,6 +16,7 @@ static const double CYCLES_STEADY = 12;
 
 typedef struct estimate {
     double nodes, mesh, steps, seconds, bytes;
+    ovr_storage stored;
 } estimate;
 
 static void hear(void *data, ovr_say kind, const char *text)
@@ -65,6 +67,7 @@ static estimate estimate_cost(const ovr_setup *setup, double live)
                  ovr_setup_stress_memory(setup);
     if (setup->transient)
         cost.steps = ceil(march->end / dT);
+    cost.stored = ovr_setup_storage(setup);
     cost.seconds = cost.nodes * SECONDS_A_NODE *
                    (2 * CYCLES_STEADY + cost.steps * CYCLES_A_STEP);
     return cost;
@@ -94,7 +97,7 @@ static bool has_nodes(const ovr_case *c)
 static bool is_shown(const ovr_case *c, const ovr_setup *setup,
                      const ovr_case_entry *entry)
 {
-    if (!entry->text ||
+    if (!entry->text || (!entry->given && !entry->applies) ||
         (!strcmp(entry->section, "stress") && !setup->stress->surfaces) ||
         (!strcmp(entry->section, "fatigue") && !setup->stress->fatigue))
         return false;
@@ -154,11 +157,23 @@ static void put_film(const char *name, double H, const ovr_contact *contact)
     putchar('\n');
 }
 
+/* NAN for other oils than it was fitted to. */
+static ovr_film_fit fitted(const ovr_setup *setup)
+{
+    const ovr_contact *contact = setup->contact;
+    const ovr_lubricant *oil = setup->lubricant;
+    if (oil->viscosity_law != OVR_ROELANDS ||
+        oil->density_law != OVR_DOWSON_HIGGINSON)
+        return (ovr_film_fit){NAN, NAN};
+    return ovr_film_fitted(contact->M, contact->L, ovr_density(oil, 1));
+}
+
 static void put_films(const ovr_contact *contact)
 {
     ovr_film_asymptotes film = ovr_film_asymptotes_moes(contact->M, contact->L);
     put_film("central film (Moes)",
              ovr_film_central_moes(contact->M, contact->L), contact);
+    puts("#   of an incompressible oil; asymptotes of it:");
     put_film("  rigid, isoviscous", film.rigid_iso, contact);
     put_film("  elastic, isoviscous", film.elastic_iso, contact);
     put_film("  rigid, piezoviscous", film.rigid_piezo, contact);
@@ -174,6 +189,21 @@ static void put_alpha(const ovr_setup *setup)
         return;
     printf("# %-28s %.5g 1/GPa, asymptotic alpha* = %.5g 1/GPa\n",
            "alpha at p = 0", contact->alpha * 1e9, star * 1e9);
+}
+
+/* Of the oil that it was fitted for alone. */
+static void put_fit(const ovr_setup *setup)
+{
+    const ovr_contact *contact = setup->contact;
+    const ovr_lubricant *oil = setup->lubricant;
+    ovr_film_fit fit = fitted(setup);
+    if (isnan(fit.central))
+        return;
+    put_film("central film (fit)", fit.central, contact);
+    put_film("minimum film (fit)", fit.minimum, contact);
+    printf("#   of a compressible oil, density %.4g at ph, flooded, steady: to "
+           "2.6 and 1.7 %%\n",
+           ovr_density(oil, 1));
 }
 
 static void put_lubricant(const ovr_lubricant *lubricant)
@@ -193,18 +223,58 @@ static ovr_piece in_metres(double value, double scale)
     return piece;
 }
 
+static ovr_piece at_time(double T, const ovr_contact *contact)
+{
+    ovr_piece piece;
+    char text[CLI_PHYSICAL_SIZE];
+    cli_physical(T, OVR_KIND_TIME, contact, text);
+    snprintf(piece.text, sizeof piece.text, "T = %.4g%s%.18s%s", T,
+             *text ? " (" : "", text, *text ? ")" : "");
+    return piece;
+}
+
+/* Where it comes in, passes and leaves, as far as that comes to pass. */
+static void put_passage(const ovr_setup *setup, size_t k)
+{
+    const ovr_options *o = setup->options;
+    double end = setup->march->end;
+    ovr_feature_times t = ovr_surfaces_times(setup->surfaces, k, o->inlet,
+                                             o->outlet, 1e5);
+    const struct {
+        const char *what;
+        double T;
+    } events[] = {{"enters", t.enters},
+                  {"its centre passes X = 0", t.centre},
+                  {"has left", t.leaves}};
+    const char *before = "#   ";
+    for (int i = 0; i < 3; i++)
+        if (isfinite(events[i].T)) {
+            printf("%s%s at %s%s", before, events[i].what,
+                   at_time(events[i].T, setup->contact).text,
+                   events[i].T > end ? " (after the end)" : "");
+            before = ", ";
+        }
+    if (*before == ',')
+        putchar('\n');
+}
+
 static void put_features(const ovr_setup *setup)
 {
     size_t n = setup->surfaces ? ovr_surfaces_count(setup->surfaces) : 0;
     for (size_t k = 0; k < n; k++) {
         ovr_feature_info info = ovr_surfaces_info(setup->surfaces, k);
         printf("# feature %s: %s on surface %d, moves at %.4g times the mean "
-               "speed, height %.4g%s, shortest wavelength %.4g%s\n",
+               "speed, height %.4g%s, ",
                info.name, ovr_shape_name((int)info.shape), info.surface,
                info.speed, info.amplitude,
-               in_metres(info.amplitude, setup->contact->height).text,
-               info.wavelength,
+               in_metres(info.amplitude, setup->contact->height).text);
+        if (info.diameter > 0)
+            printf("diameter at half depth %.4g%s, ", info.diameter,
+                   in_metres(info.diameter, setup->contact->b).text);
+        printf("shortest wavelength %.4g%s\n", info.wavelength,
                in_metres(info.wavelength, setup->contact->b).text);
+        if (setup->transient)
+            put_passage(setup, k);
         for (const char *s = info.assumed; s && *s;) {
             size_t length = strcspn(s, "\n");
             printf("#   %.*s\n", (int)length, s);
@@ -213,12 +283,18 @@ static void put_features(const ovr_setup *setup)
     }
 }
 
-static void put_cost(const estimate *cost, const ovr_contact *contact)
+/* `ends`: at a given time, whatever happens. */
+static void put_cost(const estimate *cost, const ovr_contact *contact,
+                     bool ends)
 {
     printf("# %-28s %.0f nodes, mesh D = %.6g%s\n", "grid", cost->nodes,
            cost->mesh, in_metres(cost->mesh, contact->b).text);
     if (cost->steps > 0)
-        printf("# %-28s %.0f\n", "steps", cost->steps);
+        printf("# %-28s %s%.0f\n", "steps", ends ? "" : "at most ",
+               cost->steps);
+    if (cost->steps > 0)
+        printf("# %-28s %.0f, at most %.3g MB on the disk\n", "snapshots",
+               cost->stored.snapshots, cost->stored.bytes / 1e6);
     printf("# %-28s about %.2g s and %.3g MB of memory\n", "cost",
            cost->seconds, cost->bytes / 1e6);
 }
@@ -291,6 +367,8 @@ static void report_json(const ovr_case *c, const ovr_setup *setup,
     json_number(&json, "u2_ratio", contact->u2_ratio);
     json_number(&json, "H_cen_moes",
                 ovr_film_central_moes(contact->M, contact->L));
+    json_number(&json, "H_cen_fit", fitted(setup).central);
+    json_number(&json, "H_min_fit", fitted(setup).minimum);
     json_number(&json, "H_rigid_isoviscous", film.rigid_iso);
     json_number(&json, "H_elastic_isoviscous", film.elastic_iso);
     json_number(&json, "H_rigid_piezoviscous", film.rigid_piezo);
@@ -304,6 +382,8 @@ static void report_json(const ovr_case *c, const ovr_setup *setup,
     json_text(&json, "smoother", cli_smoother_name(options->smoother));
     json_flag(&json, "transient", setup->transient);
     json_number(&json, "steps", cost->steps);
+    json_number(&json, "snapshots", cost->stored.snapshots);
+    json_number(&json, "disk_bytes", cost->stored.bytes);
     json_number(&json, "memory_bytes", cost->bytes);
     json_number(&json, "estimated_seconds", cost->seconds);
     json_open_array(&json, "warnings");
@@ -324,9 +404,10 @@ static void report(const cli_call *call, const ovr_case *c,
     put_contact(setup->contact);
     put_films(setup->contact);
     put_alpha(setup);
+    put_fit(setup);
     put_lubricant(setup->lubricant);
     put_features(setup);
-    put_cost(&cost, setup->contact);
+    put_cost(&cost, setup->contact, !setup->march->until_steady);
     put_stress(setup);
     put_parameters(c, setup);
 }

@@ -80,7 +80,7 @@ _overroll_values() {
     solver.stop) echo 'negligible truncation fixed' ;;
     solver.max_cycles) echo 'auto' ;;
     solver.tolerance) echo 'auto' ;;
-    time.end) echo '' ;;
+    time.end) echo 'auto' ;;
     time.step) echo 'grid adaptive' ;;
     time.scheme) echo 'auto upstream1 upstream2 characteristic' ;;
     time.error) echo '' ;;
@@ -105,7 +105,7 @@ _overroll_values() {
     speed.time_unit) echo 'b/um s ms us' ;;
     feature.surface) echo '' ;;
     feature.shape) echo 'dent bump indent ridge step groove wave chirp texture profile roughness' ;;
-    feature.start) echo '' ;;
+    feature.start) echo 'inlet' ;;
     feature.centre) echo '' ;;
     feature.edge) echo '' ;;
     feature.arrival) echo '' ;;
@@ -114,6 +114,8 @@ _overroll_values() {
     feature.height) echo '' ;;
     feature.amplitude) echo '' ;;
     feature.width) echo '' ;;
+    feature.diameter) echo '' ;;
+    feature.half_width) echo '' ;;
     feature.wavelength) echo '' ;;
     feature.wavelength_end) echo '' ;;
     feature.length) echo '' ;;

@@ -185,6 +185,17 @@ static double sine_phase(const ovr_history_form *form, double T)
     return 2 * 3.14159265358979323846 * (T - form->start) / form->period;
 }
 
+double ovr_history_end(const ovr_history *history)
+{
+    const ovr_history_form *form = history ? &history->form : NULL;
+    if (!ovr_history_varies(history))
+        return 0;
+    if (form->kind == OVR_HISTORY_TABLE)
+        return history->T[form->points - 1];
+    return form->kind == OVR_HISTORY_SINE ? INFINITY
+                                          : form->start + form->duration;
+}
+
 double ovr_history_value(const ovr_history *history, double T)
 {
     const ovr_history_form *form;

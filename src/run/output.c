@@ -12,6 +12,7 @@
 
 #include "base/processors.h"
 #include "results/checkpoint.h"
+#include "results/layout.h"
 #include "run/internal.h"
 
 enum { NAME_ROOM = 128, TIMES_MOST = 100000 };
@@ -176,11 +177,10 @@ static double *make_times(const ovr_setup *setup, ovr_arena *arena,
 
 /* ----------------------------------------------------------------- writer */
 
-static void choose(ovr_write_options *w, const ovr_setup *setup,
-                   const ovr_state *state, bool no_thread)
+static void choose(ovr_write_options *w, const ovr_setup *setup, bool no_thread)
 {
     const ovr_output *out = setup->output;
-    double dT = setup->march->dT > 0 ? setup->march->dT : state->D;
+    double dT = setup->march->dT > 0 ? setup->march->dT : setup->mesh;
     w->every_steps = out->every;
     w->every_time = out->interval;
     w->fields = out->fields;
@@ -196,8 +196,40 @@ static void choose(ovr_write_options *w, const ovr_setup *setup,
         w->title = out->title;
     if (!out->every && !(out->interval > 0) && !w->time_count)
         w->every_steps = setup->transient
-                             ? ovr_write_every(w, w->end, dT, state->n)
+                             ? ovr_write_every(w, w->end, dT, setup->nodes)
                              : 1;
+}
+
+static double stored_nodes(const ovr_setup *setup)
+{
+    const ovr_options *o = setup->options;
+    double from = fmax(o->inlet, setup->output->from);
+    double to = fmin(o->outlet, setup->output->to);
+    return floor(fmax(to - from, 0) / setup->mesh / setup->output->stride) + 1;
+}
+
+ovr_storage ovr_setup_storage(const ovr_setup *setup)
+{
+    ovr_write_options w = ovr_write_options_default();
+    ovr_arena arena = ovr_arena_make(NULL);
+    double dT = setup->march->dT > 0 ? setup->march->dT : setup->mesh;
+    ovr_storage s = {1, 0};
+    make_times(setup, &arena, &w.time_count);
+    ovr_arena_release(&arena);
+    choose(&w, setup, true);
+    if (setup->transient) {
+        double steps = ceil(w.end / dT - 1e-6);
+        s.snapshots += (double)w.time_count;
+        if (w.every_steps > 0)
+            s.snapshots += floor(steps / (double)w.every_steps);
+        if (w.every_time > 0)
+            s.snapshots += floor(w.end / w.every_time);
+        s.snapshots = fmin(s.snapshots, steps + 1);
+        s.bytes = (steps + 1) * (double)sizeof(ovr_observation);
+    }
+    s.bytes += s.snapshots * stored_nodes(setup) * (w.single ? 4 : 8) *
+               (double)ovr_layout_fields(w.fields, NULL);
+    return s;
 }
 
 /* What the writer is told: texts and lists that end with the case. */
@@ -227,8 +259,7 @@ static ovr_status want(wanted *w, ovr_run *run, ovr_error *err)
     w->options.values = w->values;
     w->options.case_text = ovr_case_text(run->c, err);
     w->options.case_path = absolute(ovr_case_directory(run->c), &w->arena);
-    choose(&w->options, run->setup, ovr_simulation_state(run->sim),
-           run->how.no_thread);
+    choose(&w->options, run->setup, run->how.no_thread);
     if (!w->values || !w->times)
         return ovr_fail(err, OVR_NO_MEMORY, "out of memory");
     return w->options.case_text ? OVR_OK : OVR_NO_MEMORY;

@@ -396,6 +396,17 @@ static double lambda_ratio(const ovr_run *run, double H_cen)
     return Rq > 0 ? H_cen / Rq : NAN;
 }
 
+/* end = auto gives up some time after the last has left. */
+static void warn_of_unrest(const review *r, double T, bool settled)
+{
+    const ovr_march *march = r->setup->march;
+    if (march->steady_from > 0 && !settled && T > 0.999 * march->end)
+        say(r, OVR_SAY_WARNING,
+            "all that passes had left at T = %.4g, but the film is not steady "
+            "again at T = %.4g, where end = auto gives up",
+            march->steady_from, march->end);
+}
+
 void ovr_run_review_after(ovr_run *run)
 {
     review r = {run->c, run->setup, ovr_run_message, run};
@@ -411,6 +422,7 @@ void ovr_run_review_after(ovr_run *run)
     if (state->n && H_cen > 0 && !((const ovr_resolved *)r.setup)->inlet_kept)
         warn_of_inlet(&r, state, H_cen);
     warn_of_extremes(&r, ovr_simulation_statistics(sim));
+    warn_of_unrest(&r, state->T, ovr_simulation_statistics(sim)->settled);
     if (state->n && H_cen > 0)
         warn_of_friction(&r, sim, &run->arena);
     run->info.lambda_ratio = lambda_ratio(run, H_cen);

@@ -105,10 +105,11 @@ static ovr_status fixed_step(ovr_simulation *sim, const ovr_march *march,
                                   &error, err);
 }
 
-static bool stands_still(ovr_simulation *sim)
+static bool stands_still(ovr_simulation *sim, const ovr_march *march)
 {
     ovr_past *past = &sim->past;
-    past->still = past->change <= still_rate * past->dT ? past->still + 1 : 0;
+    double rate = march->steady_rate > 0 ? march->steady_rate : still_rate;
+    past->still = past->change <= rate * past->dT ? past->still + 1 : 0;
     return past->still >= STILL;
 }
 
@@ -131,7 +132,8 @@ static ovr_status advance(ovr_simulation *sim, const ovr_march *march,
                                         : fixed_step(sim, march, dT, err);
     if (!status)
         status = observe(sim, march, err);
-    still = march->until_steady && stands_still(sim);
+    still = march->until_steady && stands_still(sim, march) &&
+            sim->state.T >= march->steady_from;
     sim->statistics.settled = still;
     *more = !status && !still && !arrived(sim, march);
     return status;

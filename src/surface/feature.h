@@ -46,9 +46,14 @@ ovr_status ovr_shape_make(ovr_feature *feature, const ovr_feature_form *form,
                           double per_radius, ovr_error *err);
 
 /* Sets its start from what the form gives: start, centre, edge, arrival or
- * origin.  The shape must be made. */
+ * origin; with none of them it comes in from the end of the film.  The shape
+ * must be made. */
 ovr_status ovr_feature_place(ovr_feature *feature, const ovr_feature_form *form,
-                             const ovr_history *speed, ovr_error *err);
+                             const ovr_history *speed, double inlet,
+                             double outlet, ovr_error *err);
+
+/* Full width where half its depth or height is left; NAN without a width. */
+double ovr_shape_diameter(const ovr_feature *feature);
 
 /* Without end to both sides: it is placed by an origin. */
 static inline bool ovr_is_endless(const ovr_feature *feature)

@@ -20,6 +20,32 @@ static double centre_at_start(const ovr_history *speed,
     return tabulated ? form->start - f->ahead : form->start;
 }
 
+/* Just outside of the film, on the side that it comes from. */
+static ovr_status start_outside(ovr_feature *f, const ovr_feature_form *form,
+                                double inlet, double outlet, ovr_error *err)
+{
+    const char *about = isnan(form->start) ? NULL : "start";
+    if (isnan(inlet) || isnan(outlet))
+        return ovr_fail_about(
+            err, about,
+            "feature '%s': a %s needs its place at T = 0: start, "
+            "centre or edge, or its arrival at X = 0",
+            f->name, ovr_shape_name((int)f->shape));
+    if (f->ratio == 0)
+        return ovr_fail_about(
+            err, about,
+            "feature '%s': surface %d stands still, nothing on it comes in; "
+            "give the X of its centre or edge",
+            f->name, f->surface);
+    f->start = f->ratio > 0 ? inlet - f->ahead : outlet + f->behind;
+    if (isfinite(f->start))
+        return OVR_OK;
+    return ovr_fail_about(err, about,
+                          "feature '%s': it has no end on the side that "
+                          "comes in first; give the X of its edge as start",
+                          f->name);
+}
+
 /* The key that says where it is, one of them when there are several. */
 static const char *place_of(const ovr_feature_form *form)
 {
@@ -31,7 +57,8 @@ static const char *place_of(const ovr_feature_form *form)
 }
 
 ovr_status ovr_feature_place(ovr_feature *f, const ovr_feature_form *form,
-                             const ovr_history *speed, ovr_error *err)
+                             const ovr_history *speed, double inlet,
+                             double outlet, ovr_error *err)
 {
     int given = !isnan(form->start) + !isnan(form->centre) +
                 !isnan(form->edge) + !isnan(form->arrival);
@@ -48,11 +75,8 @@ ovr_status ovr_feature_place(ovr_feature *f, const ovr_feature_form *form,
                                   "given by origin",
                                   f->name, shape);
         f->start = isnan(form->origin) ? 0 : form->origin;
-    } else if (!given) {
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "feature '%s': a %s needs its place at T = 0: start, "
-                        "centre or edge, or its arrival at X = 0",
-                        f->name, shape);
+    } else if (!given || form->start == -INFINITY) {
+        return start_outside(f, form, inlet, outlet, err);
     } else if (!isnan(form->arrival) && f->ratio == 0) {
         return ovr_fail_about(err, "arrival",
                               "feature '%s': surface %d stands still, it never "

@@ -99,7 +99,10 @@ enum {
     SHOULDER_AT = 1 << 8,
     SHOULDER_WIDTH = 1 << 9,
     FLANK = 1 << 10,
-    RADIUS = 1 << 11
+    RADIUS = 1 << 11,
+    DIAMETER = 1 << 12,
+    HALF_WIDTH = 1 << 13,
+    WIDTHS = WIDTH | DIAMETER | HALF_WIDTH
 };
 
 static const struct size {
@@ -124,29 +127,39 @@ static const struct size {
     SIZE(shoulder_width, SHOULDER_WIDTH, false),
     SIZE(flank, FLANK, false),
     SIZE(radius, RADIUS, false),
+    SIZE(diameter, DIAMETER, false),
+    SIZE(half_width, HALF_WIDTH, false),
 #undef SIZE
 };
 enum { SIZES = sizeof sizes / sizeof sizes[0] };
+
+/* Full width at half depth over the width in the formula: of 10^(-10 v^2)
+ * cos(2 pi v), and 2 sqrt(log10(2)/10). */
+#define DENT_HALF 0.24779376112514412
+#define BELL_HALF 0.3470043202405303
 
 /* `tall` are the ways to give its height: exactly one of them. */
 static const struct rule {
     const char *name;
     formula *height;
     unsigned tall, needed, allowed;
+    double half; /* full width at half depth over the width */
 } rules[OVR_SHAPES] = {
-    [OVR_DENT] = {"dent", dent, DEPTH, WIDTH, 0},
-    [OVR_BUMP] = {"bump", dent, HEIGHT, WIDTH, 0},
+    [OVR_DENT] = {"dent", dent, DEPTH, WIDTH, 0, DENT_HALF},
+    [OVR_BUMP] = {"bump", dent, HEIGHT, WIDTH, 0, DENT_HALF},
     [OVR_INDENT] = {"indent", indent, DEPTH, WIDTH,
-                    SHOULDER | SHOULDER_AT | SHOULDER_WIDTH},
-    [OVR_RIDGE] = {"ridge", ridge, HEIGHT | DEPTH, WIDTH, 0},
-    [OVR_STEP] = {"step", step, HEIGHT | DEPTH, 0, LENGTH | FLANK | RADIUS},
-    [OVR_GROOVE] = {"groove", groove, DEPTH | HEIGHT, WIDTH, FLANK | RADIUS},
-    [OVR_WAVE] = {"wave", wave, AMPLITUDE, WAVELENGTH, 0},
+                    SHOULDER | SHOULDER_AT | SHOULDER_WIDTH, BELL_HALF},
+    [OVR_RIDGE] = {"ridge", ridge, HEIGHT | DEPTH, WIDTH, 0, BELL_HALF},
+    [OVR_STEP] = {"step", step, HEIGHT | DEPTH, 0, LENGTH | FLANK | RADIUS,
+                  NAN},
+    [OVR_GROOVE] = {"groove", groove, DEPTH | HEIGHT, WIDTH, FLANK | RADIUS, 1},
+    [OVR_WAVE] = {"wave", wave, AMPLITUDE, WAVELENGTH, 0, NAN},
     [OVR_CHIRP] = {"chirp", chirp, AMPLITUDE,
-                   WAVELENGTH | WAVELENGTH_END | LENGTH, FLANK},
-    [OVR_TEXTURE] = {"texture", texture, DEPTH | HEIGHT, WIDTH | WAVELENGTH, 0},
-    [OVR_PROFILE] = {"profile", tabulated, 0, 0, 0},
-    [OVR_ROUGHNESS] = {"roughness", tabulated, 0, 0, 0},
+                   WAVELENGTH | WAVELENGTH_END | LENGTH, FLANK, NAN},
+    [OVR_TEXTURE] = {"texture", texture, DEPTH | HEIGHT, WIDTH | WAVELENGTH, 0,
+                     0.5},
+    [OVR_PROFILE] = {"profile", tabulated, 0, 0, 0, NAN},
+    [OVR_ROUGHNESS] = {"roughness", tabulated, 0, 0, 0, NAN},
 };
 
 const char *ovr_shape_name(int shape)
@@ -205,6 +218,19 @@ static const char *first_of(unsigned set)
     return sizes[k].name;
 }
 
+/* The width may be given in three ways, one at a time. */
+static ovr_status check_width(const ovr_feature_form *form, unsigned given,
+                              ovr_error *err)
+{
+    unsigned ways = given & WIDTHS;
+    if (!(ways & (ways - 1)))
+        return OVR_OK;
+    return ovr_fail_about(err, first_of(ways & (DIAMETER | HALF_WIDTH)),
+                          "feature '%s': give one of width, diameter and "
+                          "half_width, not several",
+                          form->name);
+}
+
 static ovr_status check_complete(const ovr_feature_form *form, unsigned given,
                                  ovr_error *err)
 {
@@ -230,17 +256,21 @@ static ovr_status check_complete(const ovr_feature_form *form, unsigned given,
 static ovr_status check_form(const ovr_feature_form *form, ovr_error *err)
 {
     const struct rule *rule = &rules[form->shape];
-    unsigned given = 0;
+    unsigned allowed = rule->tall | rule->needed | rule->allowed, given = 0;
+    ovr_status status = OVR_OK;
+    if (allowed & WIDTH)
+        allowed |= WIDTHS;
     for (int k = 0; k < SIZES; k++)
         if (!isnan(size_of(form, &sizes[k]))) {
-            ovr_status status = check_size(
-                form, &sizes[k], rule->tall | rule->needed | rule->allowed,
-                err);
+            status = check_size(form, &sizes[k], allowed, err);
             if (status)
                 return status;
             given |= sizes[k].bit;
         }
-    return check_complete(form, given, err);
+    status = check_width(form, given, err);
+    if (given & WIDTHS)
+        given |= WIDTH;
+    return status ? status : check_complete(form, given, err);
 }
 
 static double or_else(double value, double otherwise)
@@ -274,13 +304,31 @@ static ovr_status find_flank(ovr_feature *f, const ovr_feature_form *form,
 static void take_sizes(ovr_feature *f, const ovr_feature_form *form)
 {
     f->A = or_else(form->amplitude, or_else(form->height, -form->depth));
-    f->width = form->width;
+    f->width = or_else(form->width,
+                       or_else(form->diameter, 2 * form->half_width) /
+                           rules[form->shape].half);
     f->wavelength = form->wavelength;
     f->wavelength_end = form->wavelength_end;
     f->length = form->length;
     f->shoulder = or_else(form->shoulder, 0);
     f->shoulder_at = or_else(form->shoulder_at, f->width / 2);
     f->shoulder_width = or_else(form->shoulder_width, f->width / 2);
+}
+
+/* Of an indent with shoulders by bisection, they rise into its flanks. */
+double ovr_shape_diameter(const ovr_feature *f)
+{
+    double low = 0, high = f->width;
+    if (f->shape != OVR_INDENT || !(f->shoulder > 0))
+        return f->width * rules[f->shape].half;
+    for (int k = 0; k < 60; k++) {
+        double middle = 0.5 * (low + high);
+        if (indent(f, middle) < 0.5 * indent(f, 0))
+            low = middle;
+        else
+            high = middle;
+    }
+    return low + high;
 }
 
 /* -------------------------------------------------------------- extents */

@@ -24,6 +24,7 @@ struct ovr_surfaces {
     ovr_contact contact;
     const ovr_history *speed;
     double mesh;
+    double inlet, outlet; /* NAN: not known */
     size_t count;
     entry *first, **last;
 };
@@ -42,6 +43,8 @@ ovr_feature_form ovr_feature_form_default(void)
                              .height = NAN,
                              .amplitude = NAN,
                              .width = NAN,
+                             .diameter = NAN,
+                             .half_width = NAN,
                              .wavelength = NAN,
                              .wavelength_end = NAN,
                              .length = NAN,
@@ -72,6 +75,7 @@ ovr_surfaces *ovr_surfaces_create(const ovr_contact *contact,
     surfaces->contact = *contact;
     surfaces->speed = speed;
     surfaces->mesh = mesh;
+    surfaces->inlet = surfaces->outlet = NAN;
     surfaces->last = &surfaces->first;
     surfaces->arena = arena;
     return surfaces;
@@ -83,6 +87,12 @@ void ovr_surfaces_free(ovr_surfaces *surfaces)
         ovr_arena arena = surfaces->arena;
         ovr_arena_release(&arena);
     }
+}
+
+void ovr_surfaces_domain(ovr_surfaces *surfaces, double inlet, double outlet)
+{
+    surfaces->inlet = inlet;
+    surfaces->outlet = outlet;
 }
 
 /* ---------------------------------------------------------------- adding */
@@ -158,7 +168,8 @@ static ovr_status make(ovr_surfaces *surfaces, const ovr_feature_form *form,
     if (!status)
         status = check_repeat(f, err);
     if (!status)
-        status = ovr_feature_place(f, form, surfaces->speed, err);
+        status = ovr_feature_place(f, form, surfaces->speed, surfaces->inlet,
+                                   surfaces->outlet, err);
     return status;
 }
 
@@ -306,6 +317,7 @@ ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces, size_t feature)
                               .speed = f->ratio,
                               .amplitude = amplitude(f),
                               .wavelength = f->finest,
+                              .diameter = ovr_shape_diameter(f),
                               .behind = f->behind,
                               .ahead = f->ahead,
                               .grows = !isnan(f->grow) && f->grow > 0,
@@ -350,12 +362,14 @@ double ovr_surfaces_roughness(const ovr_surfaces *surfaces)
 const char *ovr_surfaces_inside(const ovr_surfaces *surfaces, double inlet,
                                 double outlet)
 {
+    const double trace = 1e-9; /* one that begins at the end is outside */
     for (const entry *l = surfaces->first; l; l = l->next) {
         const ovr_feature *f = &l->feature;
         if (ovr_is_endless(f) || (f->grow > 0 && f->grow_from >= 0) ||
             f->ratio == 0)
             continue;
-        if (f->start + f->ahead > inlet && f->start - f->behind < outlet)
+        if (f->start + f->ahead > inlet + trace &&
+            f->start - f->behind < outlet - trace)
             return f->name;
     }
     return NULL;
@@ -386,6 +400,35 @@ static double time_of(const ovr_history *speed, double way, double after,
             high = middle;
     }
     return high;
+}
+
+/* When all within `offset` of the centre has come to X. */
+static double time_at(const ovr_surfaces *surfaces, const ovr_feature *f,
+                      double offset, double X, double until)
+{
+    double way = (X - f->start - offset) / f->ratio;
+    if (f->ratio == 0 || isnan(way))
+        return INFINITY;
+    return way <= 0 ? 0 : time_of(surfaces->speed, way, 0, until);
+}
+
+ovr_feature_times ovr_surfaces_times(const ovr_surfaces *surfaces,
+                                     size_t feature, double inlet,
+                                     double outlet, double until)
+{
+    const ovr_feature *f = nth(surfaces, feature);
+    ovr_feature_times never = {INFINITY, INFINITY, INFINITY}, times;
+    double first, last;
+    bool back;
+    if (!f)
+        return never;
+    back = f->ratio < 0;
+    first = back ? -f->behind : f->ahead;
+    last = back ? f->ahead + last_copy(f) : -f->behind - last_copy(f);
+    times.enters = time_at(surfaces, f, first, back ? outlet : inlet, until);
+    times.centre = time_at(surfaces, f, 0, 0, until);
+    times.leaves = time_at(surfaces, f, last, back ? inlet : outlet, until);
+    return times;
 }
 
 double ovr_surfaces_arrival(const ovr_surfaces *surfaces, size_t feature,

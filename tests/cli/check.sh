@@ -20,6 +20,8 @@ END
 expect 0 "$OVERROLL" check a.ini
 contains out '^# lambda +0\.0041'
 contains out '^# central film \(Moes\) +H = 0\.'
+contains out "^# minimum film \\(fit\\) +H = 0\\."
+contains out "density 1\\.[0-9]+ at ph"
 contains out '^depth = 0.1 um$'
 contains out '^scheme = auto +# default$'
 cp out b.ini
@@ -33,6 +35,47 @@ expect 0 "$OVERROLL" check a.ini --json
 contains out '"H_cen_moes": 0\.'
 contains out '"memory_bytes": '
 contains out '"transient": true'
+
+# When a feature comes, passes and leaves (u = 1: X = -4 from -5.5 on, 1.5 to
+# -0.5), its diameter, and the place for its snapshots; no keys of profiles or
+# of other histories.
+contains first '^#   enters at T = 0\.5, .*X = 0 at T = 5 \(after the end\)'
+contains first 'diameter at half depth 0\.1239 \('
+contains first '^# snapshots +[0-9]+, at most [0-9.]+ MB on the disk$'
+grep -qE '^(scale|seed|hurst|copies|grow_from|amplitude|error|relax_.*) =' \
+    first && fail 'keys that do not apply'
+
+# end = auto: once the last has left (11 from X = -9.5 to 1.5 at speed 1), and
+# not much later than the film forgets; endless ones refuse it.
+cat >e.ini <<'END'
+[contact]
+M = 20
+L = 10
+[domain]
+level = 5
+[time]
+end = auto
+[feature it]
+shape = dent
+depth = 0.05
+diameter = 0.2
+repeat = 4
+copies = 2
+END
+expect 0 "$OVERROLL" check e.ini --set 'feature it.start=-5'
+contains out 'has left at T = 11\.3'
+contains out '^# steps +at most '
+expect 0 "$OVERROLL" run e.ini -o e.h5 --json
+contains out '"settled": true'
+contains out '"T_end": 1[2-9]\.'
+expect 0 "$OVERROLL" resume e.h5
+contains err 'nothing to do'
+expect 2 "$OVERROLL" check e.ini --set 'feature it.copies=endless'
+contains err "e.ini:7: end: auto: feature 'it' is endless"
+expect 2 "$OVERROLL" check e.ini --set load.history=sine --set load.period=1
+contains err 'e.ini:7: end: auto: the history of \[load\] never ends'
+expect 2 "$OVERROLL" check --M 20 --L 10 --set time.end=auto
+contains err 'nothing passes'
 
 expect 0 "$OVERROLL" help
 contains out '^  check '

@@ -223,6 +223,61 @@ static void places_agree(void **state)
     ovr_surfaces_free(s);
 }
 
+/* Half of the depth is left at half the diameter, by the shape's formula; a
+ * form with the diameter is the form with the width. */
+static void diameters_are_at_half_depth(void **state)
+{
+    const ovr_shape shapes[] = {OVR_DENT, OVR_INDENT, OVR_RIDGE, OVR_GROOVE,
+                                OVR_INDENT};
+    ovr_contact c = moes(1, 1);
+    (void)state;
+    for (int k = 0; k < 5; k++) {
+        ovr_feature_form f = local(shapes[k], 0.1, 0.43);
+        double at[2] = {-1.3}, height[2], diameter;
+        ovr_surfaces *s;
+        f.height = NAN, f.depth = 0.1;
+        f.start = -1.3, f.shoulder = k == 4 ? 0.02 : NAN;
+        s = with(&c, NULL, &f);
+        diameter = ovr_surfaces_info(s, 0).diameter;
+        at[1] = at[0] + diameter / 2;
+        ovr_surfaces_heights(s, 0, 2, at, height);
+        assert_true(diameter > 0 && fabs(height[1] / height[0] - 0.5) < 1e-12);
+        ovr_surfaces_free(s);
+        if (k == 4)
+            continue;
+        f.width = NAN, f.half_width = diameter / 2;
+        s = with(&c, NULL, &f);
+        assert_true(fabs(ovr_surfaces_info(s, 0).diameter / diameter - 1) <
+                    1e-14);
+        ovr_surfaces_free(s);
+    }
+}
+
+/* Without a place they are just outside, on the side that they come from. */
+static void features_come_in_from_the_end(void **state)
+{
+    ovr_contact c = moes(1.25, -0.5);
+    (void)state;
+    for (int surface = 1; surface <= 2; surface++) {
+        ovr_feature_form f = local(OVR_DENT, 0.1, 0.5);
+        ovr_surfaces *s = ovr_surfaces_create(&c, NULL, 0.01, NULL, NULL);
+        double speed = surface == 1 ? 1.25 : -0.5;
+        ovr_feature_times t;
+        f.surface = surface, f.repeat = 2, f.copies = 3;
+        f.start = surface == 1 ? NAN : -INFINITY;
+        ovr_surfaces_domain(s, -4, 1.5);
+        assert_int_equal(ovr_surfaces_add(s, &f, NULL), OVR_OK);
+        assert_true(ovr_surfaces_centre(s, 0, 0) == (speed > 0 ? -4.5 : 2));
+        assert_null(ovr_surfaces_inside(s, -4, 1.5));
+        t = ovr_surfaces_times(s, 0, -4, 1.5, 1e3);
+        assert_true(t.enters == 0);
+        assert_true(fabs(t.centre - (speed > 0 ? 4.5 / 1.25 : 4)) < 1e-12);
+        assert_true(fabs(t.leaves - (5.5 + 1 + 4) / fabs(speed)) < 1e-12);
+        assert_true(isinf(ovr_surfaces_times(s, 0, -4, 1.5, 5).leaves));
+        ovr_surfaces_free(s);
+    }
+}
+
 /* Under a speed that changes, features keep to their surface's way. */
 static void speed_history_moves_features(void **state)
 {
@@ -261,6 +316,9 @@ static void mistakes_are_named(void **state)
     ovr_feature_form f = good;
     (void)state;
     f.width = NAN, refuse(&f, "width"), f = good;
+    f.diameter = 1, refuse(&f, "one of width"), f = good;
+    f.shape = OVR_WAVE, f.depth = f.width = NAN, f.half_width = 1;
+    refuse(&f, "wave has no half_width"), f = good;
     f.width = -1, refuse(&f, "width"), f = good;
     f.width = INFINITY, refuse(&f, "width"), f = good;
     f.depth = NAN, refuse(&f, "depth"), f = good;
@@ -289,6 +347,8 @@ int main(void)
         cmocka_unit_test(other_shapes_have_their_heights),
         cmocka_unit_test(chirp_runs_from_one_wavelength_to_the_other),
         cmocka_unit_test(places_agree),
+        cmocka_unit_test(diameters_are_at_half_depth),
+        cmocka_unit_test(features_come_in_from_the_end),
         cmocka_unit_test(speed_history_moves_features),
         cmocka_unit_test(mistakes_are_named),
     };

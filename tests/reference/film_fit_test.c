@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The fitted films beside solved ones: a tenth of the survey that they are
+ * from (tests/verify/film_fit_test.c), to the errors that check states. */
+#include <math.h>
+
+#include "overroll/contact.h"
+#include "support/films.h"
+#include "support/test.h"
+
+enum { COUNT = 26 };
+
+static void fitted_films_are_the_solved_ones(void **state)
+{
+    test_film film[COUNT];
+    size_t n = test_films(COUNT, 9, film);
+    double central = 0, minimum = 0;
+    (void)state;
+    assert_true(n >= COUNT - 1);
+    for (size_t k = 0; k < n; k++) {
+        test_film *f = &film[k];
+        ovr_film_fit fit = ovr_film_fitted(f->M, f->L, f->density);
+        central = fmax(central, fabs(fit.central / f->central - 1));
+        minimum = fmax(minimum, fabs(fit.minimum / f->minimum - 1));
+    }
+    print_message("# %zu contacts: central %.2f %%, minimum %.2f %%\n", n,
+                  100 * central, 100 * minimum);
+    assert_true(central < 0.026 && minimum < 0.017);
+}
+
+static void none_is_given_outside_of_the_survey(void **state)
+{
+    (void)state;
+    assert_true(isnan(ovr_film_fitted(1.9, 5, 1.2).central));
+    assert_true(isnan(ovr_film_fitted(20, 0, 1).minimum));
+    assert_true(isnan(ovr_film_fitted(20, 26, 1).minimum));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(fitted_films_are_the_solved_ones),
+        cmocka_unit_test(none_is_given_outside_of_the_survey),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
