@@ -22,10 +22,10 @@
 
 #include "contact/film_fit.h"
 
-const ovr_film_constants OVR_CENTRAL_FILM = {{2.691, -0.2099, 1.321, 1.254,
+const ovr_film_constants ovr_central_film = {{2.691, -0.2099, 1.321, 1.254,
                                               -0.1201, 0.7429, 2.013, 5.559,
                                               1.434, 112.7, 3.904}};
-const ovr_film_constants OVR_MINIMUM_FILM = {{2.123, -0.2092, 1.033, 0.8305,
+const ovr_film_constants ovr_minimum_film = {{2.123, -0.2092, 1.033, 0.8305,
                                               -0.1181, 0.7566, 2.495, 4.639,
                                               1.378, 3.281, 2.277}};
 
@@ -48,7 +48,7 @@ ovr_film_fit ovr_film_fitted(double M, double L, double density)
     ovr_film_fit fit = {NAN, NAN};
     if (!(M >= 2 && M <= 1000 && L >= 0.3 && L <= 25))
         return fit;
-    fit.central = ovr_film_blend(&OVR_CENTRAL_FILM, M, L) / density;
-    fit.minimum = ovr_film_blend(&OVR_MINIMUM_FILM, M, L);
+    fit.central = ovr_film_blend(&ovr_central_film, M, L) / density;
+    fit.minimum = ovr_film_blend(&ovr_minimum_film, M, L);
     return fit;
 }

@@ -9,7 +9,7 @@ typedef struct ovr_film_constants {
     double a[11];
 } ovr_film_constants;
 
-extern const ovr_film_constants OVR_CENTRAL_FILM, OVR_MINIMUM_FILM;
+extern const ovr_film_constants ovr_central_film, ovr_minimum_film;
 
 /* H of these constants, the density left out. */
 double ovr_film_blend(const ovr_film_constants *constants, double M, double L);

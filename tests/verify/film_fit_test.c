@@ -111,7 +111,7 @@ static double norm(quantity *q)
 
 static void central_film(void **state)
 {
-    quantity q = {"central", &OVR_CENTRAL_FILM, true};
+    quantity q = {"central", &ovr_central_film, true};
     double median, most;
     (void)state;
     judge(&q, &median, &most);
@@ -121,7 +121,7 @@ static void central_film(void **state)
 
 static void minimum_film(void **state)
 {
-    quantity q = {"minimum", &OVR_MINIMUM_FILM, false};
+    quantity q = {"minimum", &ovr_minimum_film, false};
     double median, most;
     (void)state;
     judge(&q, &median, &most);
