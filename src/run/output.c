@@ -300,6 +300,20 @@ ovr_status ovr_output_open(ovr_run *run, ovr_error *err)
     return have(run, writer, err);
 }
 
+/* The stresses of a complete run are told once more; with other depths than
+ * it was computed with, say, they cannot be. */
+static ovr_status restore_stress(ovr_run *run, double T, bool write,
+                                 ovr_error *err)
+{
+    ovr_status status = ovr_run_stress_restore(run->stress, run->restart, T,
+                                               err);
+    if (!status || write)
+        return status;
+    ovr_run_stress_free(run->stress);
+    run->stress = NULL;
+    return OVR_OK;
+}
+
 ovr_status ovr_output_reopen(ovr_run *run, bool write, ovr_error *err)
 {
     const ovr_state *state = ovr_simulation_state(run->sim);
@@ -314,7 +328,7 @@ ovr_status ovr_output_reopen(ovr_run *run, bool write, ovr_error *err)
         status = ovr_restart_load(restart, run->sim, err);
     if (status == OVR_OK && restart && run->stress &&
         ovr_restart_about(restart)->has_state)
-        status = ovr_run_stress_restore(run->stress, restart, state->T, err);
+        status = restore_stress(run, state->T, write, err);
     if (status == OVR_OK && write)
         writer = ovr_writer_resume(&w.options, run->setup->contact, state->n,
                                    state->X, restart, &run->arena.allocator,

@@ -253,6 +253,11 @@ ovr_status ovr_run_stress_open(ovr_run_stress *s, ovr_writer *writer,
     return status;
 }
 
+void ovr_run_stress_told_of(ovr_run_stress *s, const char *path)
+{
+    s->second = (ovr_second_pass){path, s->setup};
+}
+
 ovr_status ovr_run_stress_restore(ovr_run_stress *s, const ovr_restart *restart,
                                   double T, ovr_error *err)
 {
@@ -330,10 +335,10 @@ static ovr_status finish(ovr_run_stress *s, int k, const ovr_state *state,
         saved = NULL;
     if (saved) {
         ovr_passage_end(passage, state->P, NULL, &m);
-        s->report[k] = ovr_stress_report_make(s->setup, &s->plan[k], passage,
-                                              s->writer ? ovr_stress_second_pass
-                                                        : NULL,
-                                              &s->second, &s->arena, err);
+        s->report[k] = ovr_stress_report_make(
+            s->setup, &s->plan[k], passage,
+            s->second.path ? ovr_stress_second_pass : NULL, &s->second,
+            &s->arena, err);
         restore(passage, saved);
     }
     ovr_arena_release(&arena);

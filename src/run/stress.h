@@ -83,6 +83,8 @@ void ovr_run_stress_free(ovr_run_stress *s);
 /* The file it writes to, and whose checkpoints hold its state. */
 ovr_status ovr_run_stress_open(ovr_run_stress *s, ovr_writer *writer,
                                const char *path, ovr_error *err);
+/* That of a run that is complete: told of, not written to. */
+void ovr_run_stress_told_of(ovr_run_stress *s, const char *path);
 ovr_status ovr_run_stress_restore(ovr_run_stress *s, const ovr_restart *restart,
                                   double T, ovr_error *err);
 

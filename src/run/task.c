@@ -216,7 +216,8 @@ static bool write_case(int fd, ovr_case *c)
 static void start_afresh(const ovr_study *s, size_t task)
 {
     static const char *const endings[] = {".json", ".json.part",  ".failed",
-                                          ".h5",   ".h5.restart", ".log"};
+                                          ".h5",   ".h5.journal", ".h5.restart",
+                                          ".log"};
     for (size_t i = 0; i < sizeof endings / sizeof endings[0]; i++)
         discard(s, task, endings[i]);
 }

@@ -77,6 +77,19 @@ assert abs(x + P).max() < 0.25, abs(x + P).max()
 END
 
 expect 0 "$OVERROLL" run plain.ini -o plain.h5 -q
+expect 0 "$OVERROLL" run dent.ini -o dent.h5 --json
+# A complete run is told of once more, its stresses too
+stresses() {
+    sed -n '/"tau_max"/,$p' out | grep -v '"\(seconds\|output\|warnings\)"'
+}
+stresses >first
+[ "$(grep -c max first)" -ge 6 ] || fail "$(cat out)"
+cksum dent.h5* >sums
+expect 0 "$OVERROLL" resume dent.h5 --json
+contains err 'nothing to do'
+stresses | cmp - first || fail "told again: $(stresses | diff - first)"
+cksum dent.h5* | cmp - sums || fail 'a complete file was touched'
+rm dent.h5*
 expect 0 "$OVERROLL" run dent.ini -o dent.h5
 contains out '^largest shear .* at X = .*, Z = .*, T = '
 contains out '^equivalent length .* from Z = .* down'
