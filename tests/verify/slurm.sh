@@ -82,7 +82,8 @@ mkdir bin alone cluster
 ln -s "$OVERROLL" bin/overroll
 PATH=$here/bin:$PATH
 sed -n '/^```sh$/,/^```$/p' "$TOP/README.md" | grep -v '^```' >tour
-grep -q '^overroll sweep study.ini -j 2$' tour || fail 'README has another study'
+grep -q '^overroll sweep study.ini -j 2$' tour ||
+    fail 'README has another study'
 # The files that its study needs, by its own lines; finer, so that the cases
 # take long enough to be cancelled.
 for folder in alone cluster; do
