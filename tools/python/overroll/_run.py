@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From a case to a result file."""
+from __future__ import annotations
+
+import atexit
+import os
+import shutil
+import tempfile
+import weakref
+from typing import TYPE_CHECKING, Any, Callable, Optional, Union
+
+from ._case import Case, Path, case_of
+from ._library import OverrollError, Stopped, encoded, error_of, ffi, lib
+from ._library import new_error
+from ._progress import Progress, Teller
+from ._simulation import Heights, _RunCore, moving_heights, remember, warn
+from ._solution import Solution
+
+if TYPE_CHECKING:
+    import xarray
+
+_FOLDER: list[str] = []
+
+
+def temporary(name: str) -> str:
+    """A path for a file that lives as long as the interpreter."""
+    if not _FOLDER:
+        _FOLDER.append(tempfile.mkdtemp(prefix="overroll-"))
+        atexit.register(shutil.rmtree, _FOLDER[0], ignore_errors=True)
+    handle, path = tempfile.mkstemp(suffix=name, dir=_FOLDER[0])
+    os.close(handle)
+    os.unlink(path)
+    return path
+
+
+class State(Solution):
+    """A run's state, as an observer sees it: valid within the call."""
+
+    def __init__(self, core: Any, info: Any) -> None:
+        self._core = core
+        self._sim = info.sim
+        self._setup = info.setup
+        self._state = lib.ovr_simulation_state(info.sim)
+
+
+class _Watch:
+    """What the callbacks of a run meet: see remember()."""
+
+    def __init__(self, progress: Progress,
+                 observe: Optional[Callable[[State], Any]],
+                 heights: Optional[Heights],
+                 stopped: Optional[Callable[[], bool]]) -> None:
+        self.teller = Teller(progress)
+        self.observe = observe
+        self.heights = heights
+        self.stopped = stopped
+        self.surfaces = ffi.NULL
+        self.trouble: Optional[BaseException] = None
+        self.info: Any = None
+        self.state: Optional[State] = None
+        self.handle = ffi.new_handle(weakref.ref(self))
+
+
+@ffi.callback("bool(void *)", error=True, onerror=remember)
+def _stop(data: Any) -> bool:
+    watch = ffi.from_handle(data)()
+    if watch.trouble is not None:
+        return True
+    if watch.observe is not None and watch.observe(watch.state) is True:
+        return True
+    if watch.teller:
+        info = watch.info
+        watch.teller.tell(info.fraction,
+                          f"T = {watch.state.T:.3f}" if info.transient else "")
+    return watch.stopped is not None and watch.stopped()
+
+
+def go(core: _RunCore, watch: _Watch) -> int:
+    """Runs it; the status, or what the callbacks raised."""
+    err = new_error()
+    watch.info = lib.ovr_run_about(core.run)
+    watch.state = State(core, watch.info)
+    watch.surfaces = watch.info.setup.surfaces
+    try:
+        status = lib.ovr_run_go(core.run, err)
+    finally:
+        watch.teller.end()
+    if watch.trouble is not None:
+        raise watch.trouble
+    if status not in (lib.OVR_OK, lib.OVR_STOPPED):
+        raise error_of(err, status)
+    return status
+
+
+def options(watch: _Watch, output: Optional[str], force: bool) -> Any:
+    how = ffi.new("ovr_run_options *")
+    how.size = ffi.sizeof("ovr_run_options")
+    lib.ovr_run_options_fill(how)
+    how.force = force
+    how.data = watch.handle
+    how.stop = _stop
+    if watch.heights is not None:
+        how.heights = moving_heights
+    if output is not None:
+        path = ffi.new("char[]", encoded(output))
+        how.output = path
+        return how, path
+    return how, None
+
+
+def run(case: Union[Case, Path], output: Optional[Path] = None, *,
+        force: bool = False, progress: Progress = None,
+        surface: Optional[Heights] = None,
+        observe: Optional[Callable[[State], Any]] = None,
+        stop: Optional[Callable[[], bool]] = None,
+        **keys: Any) -> "xarray.Dataset":
+    """Marches a case in time (one without `end` is steady) into a result
+    file, as `overroll run` does.
+
+    >>> ds = overroll.run("mine.ini", output="mine.h5")
+
+    Ctrl-C finishes the step, closes the file and raises KeyboardInterrupt;
+    `overroll.resume` goes on from there.
+
+    Parameters
+    ----------
+    case : Case or path
+    output : path, optional
+        The result file; where the case says, unless given; else one that
+        lives as long as the interpreter.
+    force : bool
+        Replace an existing file.
+    progress : bool or callable(fraction), optional
+        Unless given, told in terminals and notebooks.
+    surface : callable(T, X) -> array, optional
+        A surface of one's own, see `Simulation.surface`.  The file does not
+        hold it: `resume` has to be given it again.
+    observe : callable(state), optional
+        Called after the steady start and each step; True ends the run, with
+        a file that can be gone on with, and so does what it raises, which
+        travels on.  `state` is a `Solution`, to be used within the call.
+    stop : callable() -> bool, optional
+        Asked as often, in the thread that runs.
+    **keys
+        Keys of the case.
+
+    Returns
+    -------
+    xarray.Dataset
+        See `overroll.open`.
+
+    Raises
+    ------
+    BadInput, NotConverged, Impossible, NoMemory, InputOutput
+    """
+    c = case_of(case, keys)
+    c = c.copy() if c is case else c
+    if output is None and c.get("output.file") is None:
+        output = temporary(".h5")
+    watch = _Watch(progress, observe, surface, stop)
+    how, _path = options(watch, None if output is None else os.fspath(output),
+                         force)
+    err = new_error()
+    created = lib.ovr_run_create(c._share(), how, ffi.NULL, err)
+    if created == ffi.NULL:
+        raise error_of(err)
+    core = _RunCore(created, c._c)
+    go(core, watch)
+    return _finished(core)
+
+
+def _finished(core: _RunCore) -> "xarray.Dataset":
+    from ._xarray import open
+    info = lib.ovr_run_about(core.run)
+    warn(core)
+    return open(ffi.string(info.output).decode("utf-8", "surrogateescape"))
+
+
+def resume(path: Path, *, force: bool = False, progress: Progress = None,
+           surface: Optional[Heights] = None,
+           observe: Optional[Callable[[State], Any]] = None,
+           stop: Optional[Callable[[], bool]] = None,
+           **keys: Any) -> "xarray.Dataset":
+    """Goes on where the run of a result file ended, as `overroll resume`
+    does.
+
+    Parameters are those of `run`; `keys` are settings that may change, such
+    as `end`.  `force` begins again where there is no checkpoint.
+
+    Raises
+    ------
+    BadInput
+        There is no checkpoint beside the file, or a key that would change the
+        physics.
+    """
+    from ._xarray import open
+    watch = _Watch(progress, observe, surface, stop)
+    how, _path = options(watch, None, force)
+    how.from_start = force
+    change = Case()
+    settings = {word: value for word, value in keys.items()}
+    changed = _change_of(change, settings)
+    how.change = changed
+    err = new_error()
+    created = lib.ovr_run_resume(encoded(os.fspath(path)), how, ffi.NULL, err)
+    if watch.trouble is not None:
+        raise watch.trouble
+    if created == ffi.NULL:
+        if err.status:
+            raise error_of(err)
+        return open(path)  # complete, and to go no further
+    core = _RunCore(created, None)
+    go(core, watch)
+    return _finished(core)

@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a simulation holds, as numpy and xarray see it."""
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._library import BadInput, ffi, fields_of, lib, suggest, text
+from ._tables import Quantity, extremes, fields, observables
+
+if TYPE_CHECKING:
+    import xarray
+
+
+class _Memory:
+    """n doubles of the library for numpy, which keeps their owner alive."""
+
+    __slots__ = ("__array_interface__", "owner")
+
+    def __init__(self, owner: Any, address: Any, n: int) -> None:
+        self.owner = owner
+        self.__array_interface__ = {
+            "data": (int(ffi.cast("uintptr_t", address)), True),
+            "shape": (n,), "typestr": "=f8".replace("=", _ORDER),
+            "version": 3}
+
+
+_ORDER = np.dtype(float).str[0]
+
+
+def view(owner: Any, address: Any, n: int) -> np.ndarray:
+    """A read-only array over memory that `owner` keeps."""
+    return np.asarray(_Memory(owner, address, n))
+
+
+def _array(name: str, doc: str) -> property:
+    def get(self: "Solution") -> np.ndarray:
+        state = self._state
+        return view(self._core, getattr(state, name), state.n)
+    return property(get, doc=doc + """
+
+    Shape (n,), float64, dimensionless, read-only, without a copy: it shows
+    the solution as it is *now* and stays valid as long as it is referred to.
+    """)
+
+
+def _number(name: str, doc: str) -> property:
+    return property(lambda self: getattr(self._state, name), doc=doc)
+
+
+class Solution:
+    """Fields and numbers of a contact, now.
+
+    All quantities of the tables are attributes by the names they have in JSON
+    (`H_min`, `X_min`, `P_max`, `H_cen`, `load`, `residual`, `H_min_overall`,
+    ...): dimensionless; by their SI names (`min_film_m`, `max_pressure_Pa`)
+    in SI, NaN where the contact has no such scale.  `dir()` lists them.
+    """
+
+    _core: Any   # keeps the memory
+    _sim: Any    # ovr_simulation *
+    _setup: Any  # ovr_setup *
+    _state: Any  # ovr_state *
+
+    X = _array("X", "Positions x/b of the nodes.")
+    P = _array("P", "Pressure p/ph.")
+    H = _array("H", "Film thickness h R/b^2.")
+    S = _array("S", "Height of both surfaces' features, in b^2/R, positive "
+                    "out of the surface.")
+    q = _array("q", "rho H, the mass in the film.")
+    eps = _array("eps", "rho H^3/(eta lambda), the flow coefficient.")
+    weights = _array("weights", "Weights of an integral: (weights * f).sum().")
+    T = _number("T", "Time t um/b.")
+    step_count = _number("step", "Steps since the steady start.")
+    n = _number("n", "Number of nodes.")
+    D = _number("D", "Mesh size, the smallest, in b.")
+    H0 = _number("H0", "Rigid approach, in b^2/R.")
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        found = _quantities().get(name)
+        if not found:
+            meant = suggest(name, dir(self))
+            hint = f"; did you mean '{meant}'?" if meant else ""
+            raise AttributeError(
+                f"'{type(self).__name__}' has no '{name}'{hint}")
+        quantity, scaled = found
+        value = quantity.value(self._source(quantity))
+        return value * self._scale(quantity.kind) if scaled else value
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *_quantities()]
+
+    def _source(self, quantity: Quantity) -> Any:
+        return lib.ovr_simulation_statistics(self._sim) \
+            if quantity.key in extremes() \
+            else lib.ovr_simulation_observation(self._sim)
+
+    def _scale(self, kind: int) -> float:
+        return lib.ovr_kind_scale(kind, self._setup.contact)
+
+    def field(self, name: str) -> np.ndarray:
+        """A field by its name in result files ("viscosity", "mass_flow",
+        ...): a new array, float64, shape (n,), or (n - 1,) at half nodes,
+        dimensionless.
+
+        Raises BadInput where there is none of that name.
+        """
+        row = fields().get(name)
+        if row is None:
+            meant = suggest(name, list(fields()))
+            raise BadInput(f"no field '{name}'; there are "
+                           f"{', '.join(fields())}", key=name,
+                           suggestion=meant)
+        room = np.empty(self.n)
+        values = row.field(self._sim, ffi.cast("double *", room.ctypes.data))
+        n = self.n - (row.axes == lib.OVR_AT_HALVES)
+        return view(self._core, values, n).copy() \
+            if int(ffi.cast("uintptr_t", values)) != room.ctypes.data \
+            else room[:n]
+
+    @property
+    def contact(self) -> SimpleNamespace:
+        """The contact: M, L, lambda, alphabar, and in SI ph, b, height
+        (b^2/R), time (b/um), load, radius, ..., NaN where not known."""
+        return SimpleNamespace(**fields_of(self._setup.contact))
+
+    @property
+    def options(self) -> SimpleNamespace:
+        """What the solver chose: inlet, outlet, level, order, ..."""
+        how = lib.ovr_simulation_options(self._sim)
+        found = fields_of(how)
+        found["scheme"] = text(lib.ovr_scheme_name(how.scheme))
+        return SimpleNamespace(**found)
+
+    def numbers(self) -> dict[str, Any]:
+        """All numbers by their JSON keys; in SI too where the contact has
+        scales."""
+        return {name: getattr(self, name)
+                for name, (quantity, scaled) in _quantities().items()
+                if not scaled or np.isfinite(self._scale(quantity.kind))}
+
+    # ------------------------------------------------------------ xarray
+
+    @property
+    def physical(self) -> bool:
+        """Whether the contact has scales, so that SI values are known."""
+        c = self._setup.contact
+        return bool(np.isfinite(c.b * c.ph * c.height))
+
+    def _data(self, name: str) -> "xarray.DataArray":
+        from ._xarray import xarray
+        row = fields()[name]
+        values = self.field(name)
+        where = self.X if len(values) == self.n \
+            else 0.5 * (self.X[1:] + self.X[:-1])
+        x, x_about = self._scaled(where, lib.OVR_KIND_LENGTH, "x")
+        value, about = self._scaled(values, row.kind, text(row.long_name))
+        return xarray.DataArray(
+            value, dims="x", coords={"x": ("x", x, x_about)}, name=name,
+            attrs=about)
+
+    def _scaled(self, values: np.ndarray, kind: int,
+                long_name: str) -> tuple[np.ndarray, dict[str, Any]]:
+        about = lib.ovr_kind_about(kind)
+        scale = self._scale(kind)
+        if self.physical and np.isfinite(scale):
+            return values * scale, {"units": text(about.si) or "1",
+                                    "long_name": long_name}
+        attrs = {"units": "1", "long_name": long_name}
+        if np.isfinite(scale):
+            attrs["scale"] = scale
+        return np.array(values), attrs
+
+    @property
+    def pressure(self) -> "xarray.DataArray":
+        """Pressure along x with its units: Pa and m where the contact is
+        physical, else ph and b ("1").  A copy."""
+        return self._data("pressure")
+
+    @property
+    def thickness(self) -> "xarray.DataArray":
+        """Film thickness along x with its units; a copy."""
+        return self._data("film_thickness")
+
+    @property
+    def roughness(self) -> "xarray.DataArray":
+        """Heights of the surfaces' features with their units; a copy."""
+        return self._data("roughness")
+
+    def dataset(self, *names: str) -> "xarray.Dataset":
+        """The named fields (all that lie on the nodes) and all numbers, as
+        attributes, of this moment: a copy."""
+        from ._xarray import xarray
+        chosen = names or [name for name, row in fields().items()
+                           if row.axes == lib.OVR_AT_NODES]
+        return xarray.Dataset({name: self._data(name) for name in chosen},
+                              attrs={"time": self.T, **self.numbers()})
+
+
+_QUANTITIES: dict[str, tuple[Quantity, bool]] = {}
+
+
+def _quantities() -> dict[str, tuple[Quantity, bool]]:
+    """Name: quantity, and whether that name is of its value in SI."""
+    if not _QUANTITIES:
+        for table in (extremes(), observables()):
+            for key, quantity in table.items():
+                _QUANTITIES[key] = quantity, False
+                if quantity.key_si:
+                    _QUANTITIES[quantity.key_si] = quantity, True
+    return _QUANTITIES
