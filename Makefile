@@ -402,6 +402,17 @@ install: all ## into DESTDIR/PREFIX (/usr/local)
 	  '$(DESTDIR)$(MANDIR)/man$(subst .,,$(suffix $(m)))/$(notdir $(m))' &&) :
 	$(if $(COMPLETION),install -D -m 644 $(COMPLETION) '$(COMPDIR)/overroll')
 
+# A Python that has what the package is built with; PYTHON=venv/bin/python puts
+# it there, PIPFLAGS=--user and the like elsewhere.
+PYTHON ?= $(shell for p in python3 /usr/bin/python3; do \
+            $$p -c 'import cffi, pip, setuptools, wheel' 2>/dev/null && \
+            echo $$p && break; done)
+install-python: $(SHARED) ## the Python package (PYTHON=venv/bin/python)
+	$(if $(PYTHON),,$(error no Python with cffi, pip, setuptools and wheel: \
+	  tools/install-deps check))
+	OVERROLL_LIBRARY='$(abspath $(SHARED))' '$(PYTHON)' -m pip install \
+	  --no-build-isolation --no-index $(PIPFLAGS) ./tools/python
+
 uninstall: ## take it out again
 	rm -f '$(DESTDIR)$(PREFIX)/bin/overroll' '$(COMPDIR)/overroll' \
 	  '$(DESTDIR)$(LIBDIR)/pkgconfig/overroll.pc' \
@@ -416,12 +427,12 @@ clean: ## remove every build folder
 
 help: ## this list
 	@echo "make [TARGET] [CC=clang] [CFLAGS=...] [SAN=1] [V=1] [PREFIX=...]"
-	@sed -n 's/^\([a-z]*\):[^#]*## \(.*\)/  \1\t\2/p' Makefile | expand -t 14
+	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  \1\t\2/p' Makefile | expand -t 18
 
 FORCE:
 .PHONY: all tests check fuzz verify coverage demo pictures paper bench \
   format lint lint-format lint-tidy lint-cppcheck lint-analyzer lint-shell need-lint need-cmocka \
-  install uninstall clean help FORCE
+  install install-python uninstall clean help FORCE
 .SECONDARY:
 .DELETE_ON_ERROR:
 ifdef COMPILES

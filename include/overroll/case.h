@@ -52,8 +52,10 @@ typedef struct ovr_parameter_info {
 OVR_API size_t ovr_parameter_count(void);
 OVR_API ovr_parameter_info ovr_parameter_at(size_t k);
 
-/* Sections in order: name and a line of help; NULL behind the last. */
+/* Sections in order: name and a line of help, NULL behind the last; and
+ * whether there may be several, each with a name of its own: [feature NAME]. */
 OVR_API const char *ovr_section_name(size_t k);
+OVR_API bool ovr_section_named(size_t k);
 OVR_API const char *ovr_section_help(size_t k);
 
 /* --------------------------------------------------------------- the case */

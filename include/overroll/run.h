@@ -66,6 +66,9 @@ typedef struct ovr_run_options {
                         where this process may use one processor only */
     bool from_start; /* resuming, with `force`: begin again where there is no
                         checkpoint, which replaces what is in the file */
+    ovr_heights *heights; /* surfaces of one's own, in place of the case's
+                             features; no file holds them: resuming has to be
+                             given them again */
 } ovr_run_options;
 
 /* Nothing but the case: the defaults of all above. */

@@ -660,6 +660,11 @@ const char *ovr_section_name(size_t k)
     return k < SECTIONS ? sections[k].name : NULL;
 }
 
+bool ovr_section_named(size_t k)
+{
+    return k < SECTIONS && sections[k].named;
+}
+
 const char *ovr_section_help(size_t k)
 {
     return k < SECTIONS ? sections[k].help : NULL;

@@ -76,8 +76,10 @@ ovr_status ovr_run_estimate(const ovr_run *run, ovr_run_errors *errors,
         setup->options->level = ovr_simulation_options(run->sim)->level - 1;
         coarse = ovr_setup_simulation(setup, allocator, err);
     }
-    if (coarse)
+    if (coarse) {
+        ovr_run_surface(run, coarse);
         status = solve(setup, coarse, !run->info.transient, &kept, err);
+    }
     if (!status)
         compare(run->sim, coarse, &kept, errors);
     ovr_simulation_free(coarse);

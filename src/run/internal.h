@@ -30,6 +30,9 @@ struct ovr_run {
 ovr_run *ovr_run_make(const ovr_run_options *options,
                       const ovr_allocator *allocator, ovr_error *err);
 
+/* Heights of the user, where there are any, in place of the features. */
+void ovr_run_surface(const ovr_run *run, ovr_simulation *sim);
+
 /* The simulation of its case, which is resolved if it was not. */
 ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err);
 

@@ -52,6 +52,14 @@ static void stop_growing(ovr_case *c)
     }
 }
 
+void ovr_run_surface(const ovr_run *run, ovr_simulation *sim)
+{
+    if (!run->how.heights)
+        return;
+    ovr_simulation_surface(sim, run->how.heights, run->how.data);
+    ovr_simulation_moving(sim, NAN);
+}
+
 ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
 {
     const ovr_allocator *allocator = &run->arena.allocator;
@@ -64,6 +72,7 @@ ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
     run->sim = ovr_setup_simulation(run->setup, allocator, err);
     if (!run->sim)
         return OVR_BAD_INPUT;
+    ovr_run_surface(run, run->sim);
     run->info.transient = run->setup->transient && !run->how.steady;
     run->info.setup = run->setup;
     run->info.lambda_ratio = NAN;

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from keyword import iskeyword
 from pathlib import Path
 from typing import Any, Iterator, Optional
 
@@ -190,7 +191,8 @@ def enumerator(kind: Any, word: Any) -> int:
 
 
 def fields_of(struct: Any) -> dict[str, Any]:
-    """The numbers of a struct by name."""
-    return {name: getattr(struct, name)
+    """The numbers of a struct by name, `lambda_` for what Python calls
+    otherwise."""
+    return {name + "_" * iskeyword(name): getattr(struct, name)
             for name, field in ffi.typeof(struct[0]).fields
-            if field.type.kind == "primitive"}
+            if field.type.kind == "primitive" and name != "size"}

@@ -9,12 +9,12 @@ import tempfile
 import weakref
 from typing import TYPE_CHECKING, Any, Callable, Optional, Union
 
-from ._case import Case, Path, case_of
-from ._library import OverrollError, Stopped, encoded, error_of, ffi, lib
-from ._library import new_error
+from ._case import Case, Path, case_of, value_text
+from ._library import ORIGIN, encoded, error_of, ffi, lib, new_error
 from ._progress import Progress, Teller
 from ._simulation import Heights, _RunCore, moving_heights, remember, warn
 from ._solution import Solution
+from ._tables import place
 
 if TYPE_CHECKING:
     import xarray
@@ -49,11 +49,13 @@ class _Watch:
     def __init__(self, progress: Progress,
                  observe: Optional[Callable[[State], Any]],
                  heights: Optional[Heights],
-                 stopped: Optional[Callable[[], bool]]) -> None:
+                 stopped: Optional[Callable[[], bool]],
+                 settings: Optional[dict[str, Any]] = None) -> None:
         self.teller = Teller(progress)
         self.observe = observe
         self.heights = heights
         self.stopped = stopped
+        self.settings = settings or {}
         self.surfaces = ffi.NULL
         self.trouble: Optional[BaseException] = None
         self.info: Any = None
@@ -75,6 +77,17 @@ def _stop(data: Any) -> bool:
     return watch.stopped is not None and watch.stopped()
 
 
+@ffi.callback("ovr_status(void *, ovr_case *, ovr_error *)",
+              error=lib.OVR_BAD_INPUT, onerror=remember)
+def _change(data: Any, c: Any, err: Any) -> int:
+    status = lib.OVR_OK
+    for word, value in ffi.from_handle(data)().settings.items():
+        status = status or lib.ovr_case_set(
+            c, encoded(place(word)), encoded(value_text(value)),
+            ORIGIN.encode(), err)
+    return status
+
+
 def go(core: _RunCore, watch: _Watch) -> int:
     """Runs it; the status, or what the callbacks raised."""
     err = new_error()
@@ -92,7 +105,8 @@ def go(core: _RunCore, watch: _Watch) -> int:
     return status
 
 
-def options(watch: _Watch, output: Optional[str], force: bool) -> Any:
+def options(watch: _Watch, output: Optional[str],
+            force: bool) -> tuple[Any, Any]:
     how = ffi.new("ovr_run_options *")
     how.size = ffi.sizeof("ovr_run_options")
     lib.ovr_run_options_fill(how)
@@ -101,11 +115,10 @@ def options(watch: _Watch, output: Optional[str], force: bool) -> Any:
     how.stop = _stop
     if watch.heights is not None:
         how.heights = moving_heights
-    if output is not None:
-        path = ffi.new("char[]", encoded(output))
-        how.output = path
-        return how, path
-    return how, None
+    if output is None:
+        return how, None
+    how.output = path = ffi.new("char[]", encoded(output))
+    return how, path  # which must live as long
 
 
 def run(case: Union[Case, Path], output: Optional[Path] = None, *,
@@ -194,13 +207,10 @@ def resume(path: Path, *, force: bool = False, progress: Progress = None,
         physics.
     """
     from ._xarray import open
-    watch = _Watch(progress, observe, surface, stop)
+    watch = _Watch(progress, observe, surface, stop, keys)
     how, _path = options(watch, None, force)
     how.from_start = force
-    change = Case()
-    settings = {word: value for word, value in keys.items()}
-    changed = _change_of(change, settings)
-    how.change = changed
+    how.change = _change
     err = new_error()
     created = lib.ovr_run_resume(encoded(os.fspath(path)), how, ffi.NULL, err)
     if watch.trouble is not None:

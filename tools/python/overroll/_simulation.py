@@ -2,6 +2,7 @@
 """Steady solutions, and simulations that one steps through oneself."""
 from __future__ import annotations
 
+import sys
 import threading
 import warnings
 import weakref
@@ -92,8 +93,11 @@ class Film(Solution):
 def warn(core: _RunCore) -> None:
     """Says the warnings of a run, at the place where the user called."""
     info = lib.ovr_run_about(core.run)
+    depth, frame = 1, sys._getframe()
+    while frame.f_back and frame.f_globals.get("__package__") == __package__:
+        depth, frame = depth + 1, frame.f_back
     for k in range(info.warnings):
-        warnings.warn(text(info.warning[k]), OverrollWarning, stacklevel=3)
+        warnings.warn(text(info.warning[k]), OverrollWarning, depth)
 
 
 _STEADY = ffi.new("ovr_run_options *")

@@ -85,6 +85,18 @@ def _of_a_name(word: str) -> Optional[str]:
     return f"{p.section} {word[len(p.section) + 1:-len(p.key) - 1]}.{p.key}"
 
 
+def _meant_of_a_name(word: str) -> Optional[str]:
+    """feature_dent_depth for feature_dent_detph."""
+    for section in dict.fromkeys(p.section for p in _named()):
+        keys = [p.key for p in _named() if p.section == section]
+        parts = word.split("_")
+        for k in range(2, len(parts) if parts[0] == section else 0):
+            meant = suggest("_".join(parts[k:]), keys)
+            if meant:
+                return "_".join([*parts[:k], meant])
+    return None
+
+
 @lru_cache(maxsize=4096)
 def place(word: str) -> str:
     """The "section.key" that a name in Python means.
@@ -106,7 +118,7 @@ def place(word: str) -> str:
     named = _of_a_name(word)
     if named:
         return named
-    meant = suggest(word, list(_places()))
+    meant = suggest(word, list(_places())) or _meant_of_a_name(word)
     hint = f"; did you mean '{meant}'?" if meant else \
         "; overroll.help() lists them"
     raise BadInput(f"{ORIGIN}: unknown key '{word}'{hint}", key=word,

@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs, their files, and the program's own beside them."""
+import json
+import os
+import signal
+import subprocess
+import threading
+import time
+
+import numpy as np
+import pytest
+import xarray
+
+import overroll as ovr
+
+
+def same_file(a, b):
+    """All that was computed, bit for bit."""
+    for group in (None, "history"):
+        x, y = ovr.open(a, group=group), ovr.open(b, group=group)
+        assert set(x.variables) == set(y.variables)
+        for name in x.variables:
+            assert x[name].values.tobytes() == y[name].values.tobytes(), name
+
+
+def test_same_bits_as_the_program(dent, program):
+    dent.save("dent.ini")
+    subprocess.run([program, "run", "dent.ini", "-q", "-o", "c.h5"],
+                   check=True)
+    ds = ovr.run("dent.ini", "python.h5")
+    assert ds.status == "complete"
+    same_file("c.h5", "python.h5")
+    sim = ovr.Simulation(dent)
+    H_min = [state.H_min_located for state in sim.march()]
+    assert (ds.overroll.history.min_film_thickness.values == H_min).all()
+
+
+def test_same_numbers_as_the_program(program):
+    said = subprocess.run([program, "steady", "--M", "20", "--L", "10",
+                           "--level", "6", "--json", "-q"], check=True,
+                          stdout=subprocess.PIPE).stdout
+    film, said = ovr.steady(M=20, L=10, level=6), json.loads(said)
+    compared = 0
+    for name, value in film.numbers().items():
+        if name in said and said[name] is not None:
+            assert value == said[name], name
+            compared += 1
+    assert compared > 15
+
+
+def test_without_a_name_the_file_is_temporary(dent):
+    ds = ovr.run(dent)
+    path = ds.overroll.path
+    assert os.path.exists(path) and not os.listdir(".")
+    assert ds.film_thickness.shape == (ds.sizes["time"], ds.sizes["x"])
+    assert ds.overroll.case["contact.M"] == 20
+    with pytest.raises(ValueError, match="does not know the result file"):
+        xarray.Dataset({"H": 1}).overroll.path
+
+
+def test_files_are_not_overwritten(dent):
+    ovr.run(dent, "a.h5")
+    with pytest.raises(ovr.BadInput, match="a.h5"):
+        ovr.run(dent, "a.h5")
+    ovr.run(dent, "a.h5", force=True)
+    with pytest.raises(ovr.BadInput):
+        ovr.run(dent, "no/such/folder/a.h5")
+
+
+def test_units(dent):
+    physical = ovr.Case(
+        load="300 kN/m", radius="8 mm", modulus="226 GPa", end=0.5, level=4,
+        viscosity="58.5 mPa.s", alpha="23.5 1/GPa", mean_speed="3 m/s")
+    stored = ovr.run(physical)
+    bare, si = (stored.overroll.convert(u) for u in ("hertzian", "si"))
+    assert stored.pressure.units == "Pa" and bare.pressure.units == "1"
+    assert bare.x.values[[0, -1]] == pytest.approx([-4, 1.5])
+    assert float(bare.pressure.max()) == pytest.approx(1, abs=0.1)
+    again = bare.overroll.convert("si")
+    for name in si.variables:
+        assert again[name].values == pytest.approx(stored[name].values)
+        assert again[name].attrs["units"] == stored[name].attrs["units"]
+    with pytest.raises(ValueError, match="scale"):
+        ovr.run(dent).overroll.convert("si")
+    with pytest.raises(ValueError, match="furlong"):
+        stored.overroll.convert("furlong")
+
+
+def test_a_growing_file_is_read(program, dent):
+    dent.set(end=1e4, level=7).save("long.ini")
+    run = subprocess.Popen([program, "run", "long.ini", "-q", "-o", "long.h5"])
+    try:
+        counts = set()
+        for _ in range(600):
+            if os.path.exists("long.h5"):
+                ds = ovr.open("long.h5")
+                steps = ds.overroll.history
+                assert ds.status == "running"
+                assert not np.isnan(ds.film_thickness.values).any()
+                assert not np.isnan(steps.min_film_thickness.values).any()
+                counts.add(steps.sizes["step"])
+            if len(counts) > 2:
+                break
+            time.sleep(0.1)
+        assert len(counts) > 2
+    finally:
+        run.send_signal(signal.SIGINT)
+        assert run.wait() == 130
+    assert ovr.open("long.h5").status == "stopped"
+
+
+def test_ctrl_c_keeps_a_file_that_can_be_gone_on_with(dent):
+    dent["end"] = 1
+    whole = ovr.run(dent, "whole.h5")
+    began = threading.Event()
+
+    def press():
+        began.wait()
+        os.kill(os.getpid(), signal.SIGINT)
+
+    def observe(state):
+        if state.T > 0.3:
+            began.set()
+            time.sleep(0.01)  # the signal comes within the callback or after
+    thread = threading.Thread(target=press)
+    thread.start()
+    with pytest.raises(KeyboardInterrupt):
+        ovr.run(dent, "cut.h5", observe=observe)
+    thread.join()
+    cut = ovr.open("cut.h5")
+    assert cut.status == "stopped"
+    assert 0.3 < cut.overroll.history.time.values[-1] < 1
+    ds = ovr.resume("cut.h5")
+    assert ds.status == "complete" and ds.identical(ds) and whole.sizes
+    same_file("cut.h5", "whole.h5")
+    longer = ovr.resume("cut.h5", end=1.2)
+    assert longer.overroll.history.time.values[-1] >= 1.2
+    with pytest.raises(ovr.BadInput) as caught:
+        ovr.resume("cut.h5", M=30)
+    assert "M" in str(caught.value)
+    with pytest.raises(ovr.BadInput) as caught:
+        ovr.resume("cut.h5", edn=30)
+    assert caught.value.suggestion == "end"
+
+
+def test_observers_see_each_step_and_may_end_it(dent):
+    seen = []
+    ds = ovr.run(dent, "a.h5",
+                 observe=lambda s: seen.append(s.T) or s.T > 0.5)
+    assert ds.status == "stopped"
+    assert (ds.overroll.history.time.values == seen).all()
+    with pytest.raises(ZeroDivisionError):
+        ovr.run(dent, "b.h5", observe=lambda s: 1 / 0)
+    assert ovr.open("b.h5").status == "stopped"
+
+
+def test_own_surface_in_a_file(dent):
+    ds = ovr.run(dent, surface=lambda T, X: 0.01 * np.cos(X - T))
+    S = ds.roughness.isel(time=0).values
+    assert S == pytest.approx(0.01 * np.cos(ds.x.values), abs=1e-3)
+    with pytest.raises(ovr.BadInput, match="finite"):
+        ovr.run(dent, surface=lambda T, X: X * np.nan)
+
+
+def test_progress_is_told(dent, capsys):
+    told = []
+    ovr.run(dent, progress=told.append)
+    assert told and all(0 <= f <= 1 for f in told)
+    ovr.run(dent, progress=True)
+    assert "%" in capsys.readouterr().err
+    ovr.run(dent)  # no terminal
+    assert capsys.readouterr().err == ""
+
+
+def test_warnings_are_warnings(dent):
+    dent["feature_dent_start"] = -3
+    with pytest.warns(ovr.OverrollWarning, match="starts inside") as caught:
+        ovr.run(dent)
+    assert caught[0].filename == __file__
+
+
+def test_the_same_as_by_xarray(dent):
+    """What h5netcdf reads, and lazily."""
+    path = ovr.run(dent, "a.h5", output_every=8).overroll.path
+    for group in (None, "history"):
+        other = xarray.open_dataset(path, group=group, engine="h5netcdf",
+                                    decode_times=False)
+        with other:
+            assert ovr.open(path, group=group).identical(other.load())
+    with ovr.open(path, load=False) as lazy:
+        assert lazy.pressure.sizes == ovr.open(path).pressure.sizes
+
+
+def test_xarray_opens_by_itself(dent):
+    path = ovr.run(dent, "a.h5").overroll.path
+    ds = xarray.open_dataset(path, engine="overroll", units="stored")
+    assert ds.identical(ovr.open(path))
+
+
+def test_no_result_file():
+    with pytest.raises(OSError):
+        ovr.open("none.h5")
+    with open("text.h5", "w") as file:
+        file.write("no result\n")
+    with pytest.raises(OSError):
+        ovr.open("text.h5")
+    with pytest.raises(ovr.BadInput):
+        ovr.resume("none.h5")
