@@ -33,7 +33,7 @@ def own_folder(tmp_path, monkeypatch):
 @pytest.fixture
 def dent():
     """A dent that rolls through in some 150 steps."""
-    case = ovr.Case(M=20, L=10, level=5, end=2)
+    case = ovr.Case(M=20, L=10, level=5, end=2, inlet=-4)
     return case.feature("dent", depth=0.1, width=0.5, start=-4.6)
 
 

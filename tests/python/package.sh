@@ -11,5 +11,5 @@ export OVERROLL_LIBRARY
 expect 0 venv/bin/python -m pip install -q --no-build-isolation --no-index \
     "$TOP/tools/python"
 unset OVERROLL_LIBRARY
-venv/bin/python -m pytest -q -p no:cacheprovider --durations=8 \
+venv/bin/python -B -m pytest -q -p no:cacheprovider -W ignore --durations=8 \
     "$TOP/tests/python" || fail "pytest failed"
