@@ -154,6 +154,11 @@ typedef struct ovr_yasutomi {
 } ovr_yasutomi;
 
 struct ovr_law_table;
+/* How shear stress depends on shear rate: gamma = (tau0/eta) f(tau/tau0). */
+typedef enum ovr_rheology {
+    OVR_NEWTONIAN,
+    OVR_EYRING /* f = sinh */
+} ovr_rheology;
 
 /* A lubricant in the contact's scaling:
  *   Roelands  eta/eta0 = exp(alphabar P0/z [(1 + P/P0)^z - 1]), P0 = p0/ph
@@ -175,6 +180,9 @@ typedef struct ovr_lubricant {
     ovr_yasutomi yasutomi; /* A2, b1 per ph */
     const struct ovr_law_table *viscosity_table, *density_table; /* or NULL */
     double table_ph; /* Pa: what P is in for the tables */
+    ovr_rheology rheology;
+    double Sigma0;         /* tau0 over ph b/R */
+    double limiting_shear; /* most shear stress over pressure; 0: no limit */
 } ovr_lubricant;
 
 /* p0 in Pa (paper: 1.98e8); z dimensionless, NAN: 0.68, or from alpha and a
@@ -186,6 +194,20 @@ OVR_API ovr_status ovr_lubricant_make(const ovr_contact *contact,
                                       ovr_density_law density_law, double p0,
                                       double z, ovr_lubricant *lubricant,
                                       ovr_error *err);
+
+/* A flow law: its stress in Pa, or as a number, the other one NAN. */
+typedef struct ovr_flow_form {
+    ovr_rheology rheology;
+    double stress;         /* tau0, Pa */
+    double number;         /* Sigma0 = tau0/(ph b/R) */
+    double limiting_shear; /* of the mean shear stress, for friction */
+} ovr_flow_form;
+
+/* Gives the lubricant a flow law.  Fails if a stress in Pa is given and b/R or
+ * ph is not known, or both or neither of the two. */
+OVR_API ovr_status ovr_lubricant_flow(const ovr_contact *contact,
+                                      const ovr_flow_form *form,
+                                      ovr_lubricant *lubricant, ovr_error *err);
 
 /* Relative viscosity and density at one dimensionless pressure. */
 OVR_API double ovr_viscosity(const ovr_lubricant *lubricant, double P);

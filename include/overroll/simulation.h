@@ -63,7 +63,7 @@ typedef struct ovr_options {
                              OVR_UPSTREAM2; steady solutions are the same */
     int order; /* 2; 4: corrected (fourth_order.h), with second-order schemes,
                   the line smoother and no fixed number of cycles only; 0: 4
-                  where it applies */
+                  where it applies; always 2 where there is a flow law */
     ovr_smoother smoother;
     int cycle_index;                 /* 1: V, 2: W */
     int sweeps_before, sweeps_after; /* 0, 0: line 1, 1; hybrid 2, 2 */
@@ -202,6 +202,8 @@ typedef struct ovr_observation {
     double mu_1, mu_2, mu_slide, mu_roll; /* over the load; NAN without b/R */
     double power_in;         /* put in by the surfaces; um ph b^2/R */
     double power_dissipated; /* in the film */
+    double limiting_share;   /* of the load, where shear stress is at its limit
+                              */
     double residual;         /* relative mass-flow imbalance R */
     int order;               /* ovr_simulation_order */
     int cycles;              /* multigrid cycles of this step */

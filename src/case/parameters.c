@@ -29,6 +29,8 @@ static const ovr_word materials[] = {{"steel", OVR_STEEL},
                                      {"sapphire", OVR_SAPPHIRE},
                                      {NULL, 0}};
 static const ovr_word flat[] = {{"flat", INFINITY}, {NULL, 0}};
+static const ovr_word rheologies[] = {
+    {"newtonian", OVR_NEWTONIAN}, {"eyring", OVR_EYRING}, {NULL, 0}};
 static const ovr_word schemes[] = {{"auto", -1},
                                    {"upstream1", OVR_UPSTREAM1},
                                    {"upstream2", OVR_UPSTREAM2},
@@ -227,6 +229,15 @@ static const ovr_parameter table[] = {
     {"lubricant", "z", PLAIN_OR(auto_nan, 1e-3, 2), "auto", AT(oil.z), true,
      "Roelands' index; auto: alpha p0/(ln eta0 + 9.67) where alpha and "
      "viscosity are known, else 0.68"},
+    {"lubricant", "rheology", CHOICE(rheologies), "newtonian", AT(rheology),
+     true, "shear stress against shear rate"},
+    {"lubricant", "eyring_stress", WITH_UNIT(OVR_PRESSURE, 1, 1e12), NULL,
+     AT(flow.stress), true, "eyring: tau0, above which the film shears thin"},
+    {"lubricant", "eyring_number", POSITIVE(1e12), NULL, AT(flow.number), true,
+     "eyring: tau0 over ph b/R, instead of eyring_stress"},
+    {"lubricant", "limiting_shear", PLAIN(0, 1), "0", AT(flow.limiting_shear),
+     true,
+     "most mean shear stress over pressure, in friction and heat; 0: no limit"},
 
     {"lubricant", "temperature", WITH_UNIT(OVR_TEMPERATURE, 150, 800), NULL,
      AT(oil.temperature), true,

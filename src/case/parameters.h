@@ -75,6 +75,8 @@ typedef struct ovr_settings {
     ovr_oil oil;
     double iso_vg;
     const char *viscosity_file, *density_file;
+    ovr_flow_form flow;
+    int rheology;
     ovr_options options;
     int scheme; /* -1: by the steps and histories */
     int nodes;

@@ -192,6 +192,7 @@ static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
     ovr_error why = {0};
     bool numbers;
     *given = ovr_conditions_unknown();
+    r->values.flow = (ovr_flow_form){.stress = NAN, .number = NAN};
     if (check_twice(r, "viscosity", err) || check_twice(r, "alpha", err))
         return OVR_BAD_INPUT;
     r->values.oil = ovr_oil_unknown();
@@ -209,6 +210,9 @@ static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
         return ovr_fail_in(err, r->c, contact, lubricant, &why);
     if (ovr_oil_scale(&r->values.oil, &r->contact, &r->lubricant, &why))
         return ovr_fail_in(err, r->c, contact, lubricant, &why);
+    r->values.flow.rheology = (ovr_rheology)r->values.rheology;
+    if (ovr_lubricant_flow(&r->contact, &r->values.flow, &r->lubricant, &why))
+        return ovr_fail_in(err, r->c, lubricant, contact, &why);
     return OVR_OK;
 }
 
@@ -257,6 +261,19 @@ static ovr_status check_solver(const ovr_resolved *r, ovr_error *err)
     return OVR_OK;
 }
 
+/* The corrections of fourth order are those of Newtonian flow. */
+static ovr_status resolve_order(ovr_resolved *r, ovr_error *err)
+{
+    int *order = &r->values.options.order;
+    if (r->lubricant.rheology == OVR_NEWTONIAN)
+        return OVR_OK;
+    if (*order == 4)
+        return ovr_fail_slot(err, slot_of(r, "domain", "order"),
+                             "4 is for rheology = newtonian: take 2");
+    *order = 2;
+    return OVR_OK;
+}
+
 static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
 {
     ovr_status status;
@@ -265,6 +282,8 @@ static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
         fill_section(r, "paper", err) || fill_section(r, "time", err))
         return OVR_BAD_INPUT;
     status = resolve_level(r, err);
+    if (!status)
+        status = resolve_order(r, err);
     if (!status)
         status = check_solver(r, err);
     return status;
@@ -277,7 +296,8 @@ static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
 static ovr_scheme choose_scheme(const ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;
-    bool grid = s->transient && !s->march->adaptive && s->march->dT == 0;
+    bool grid = s->transient && !s->march->adaptive && s->march->dT == 0 &&
+                r->lubricant.rheology == OVR_NEWTONIAN;
     if (r->values.scheme >= 0)
         return (ovr_scheme)r->values.scheme;
     return grid && !ovr_history_varies(s->load) && !ovr_history_varies(s->speed)

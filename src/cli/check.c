@@ -211,6 +211,8 @@ static void put_lubricant(const ovr_lubricant *lubricant)
     if (lubricant->viscosity_law == OVR_ROELANDS)
         printf("# %-28s z = %.6g, p0/ph = %.6g\n", "Roelands", lubricant->z,
                lubricant->P0);
+    if (lubricant->rheology == OVR_EYRING)
+        printf("# %-28s tau0/(ph b/R) = %.6g\n", "Eyring", lubricant->Sigma0);
 }
 
 /* " (1.2 um)", or nothing where the scale is not known. */

@@ -48,6 +48,10 @@ _overroll_values() {
     lubricant.alpha) echo '' ;;
     lubricant.p0) echo '' ;;
     lubricant.z) echo 'auto' ;;
+    lubricant.rheology) echo 'newtonian eyring' ;;
+    lubricant.eyring_stress) echo '' ;;
+    lubricant.eyring_number) echo '' ;;
+    lubricant.limiting_shear) echo '' ;;
     lubricant.temperature) echo '' ;;
     lubricant.viscosity_40) echo '' ;;
     lubricant.viscosity_100) echo '' ;;

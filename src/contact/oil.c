@@ -274,7 +274,10 @@ ovr_status ovr_oil_scale(const ovr_oil *oil, const ovr_contact *contact,
                          ovr_lubricant *lubricant, ovr_error *err)
 {
     double p0 = isnan(oil->p0) ? P0_PAPER : oil->p0;
-    ovr_lubricant made = {OVR_ISOVISCOUS, OVR_INCOMPRESSIBLE, .P0 = 1, .z = 1,
+    ovr_lubricant made = {.viscosity_law = OVR_ISOVISCOUS,
+                          .density_law = OVR_INCOMPRESSIBLE,
+                          .P0 = 1,
+                          .z = 1,
                           .A = 1};
     if (!(p0 > 0 && isfinite(p0)))
         return ovr_fail_about(err, "p0",

@@ -60,7 +60,7 @@ static void jacobian_row(const ovr_hierarchy *grids, const ovr_level *level,
                          const ovr_fields *f, size_t i, double *row)
 {
     const ovr_weights *w = &level->weights;
-    row_weights c = i == 1 ? row_first(w) : row_inner(w);
+    row_weights c = i == 1 ? row_first(w, f->flow) : row_inner(w, f->flow);
     size_t n = level->grid.n;
     ptrdiff_t J = (ptrdiff_t)i;
     /* dH_{i+d}/dP_j = -k(j - i - d) for d = -2, -1, 0, 1 */

@@ -11,7 +11,7 @@ void ovr_fas_restrict(ovr_hierarchy *grids, const ovr_level *fine,
                          coarse->f.entry, coarse->f.gap, residual);
     run->deformation(&coarse->mlmi, f->P, coarse->f.w);
     run->coarse_gap(&coarse->lanes, H0, coarse->f.w, coarse->f.gap);
-    run->film(&grids->fluid, H0, &coarse->lanes, coarse->f.gap, coarse->f.w, f);
+    ovr_level_properties(grids, coarse);
     ovr_level_clear(coarse, f->F);
     run->residual(&coarse->lanes, &coarse->weights, f); /* r = -N_c */
     run->coarse_side(&coarse->lanes, residual, f->F, f->r);

@@ -5,7 +5,8 @@
  * from it.
  *
  *     memory   LANES: the nodes, in lanes; WIDE: with the deformation's halos;
- *              NEWTON: on the grids that are solved by Newton's method alone
+ *              NEWTON: on the grids that are solved by Newton's method alone;
+ *              FLOW, SENSITIVE: as LANES, NEWTON where there is a flow law
  *     ordered  read node by node too, by what does not run in lanes
  *     carried  full multigrid brings it down to all levels by full weighting
  *     shown    of the finest level: part of the solution, read after a solve
@@ -33,7 +34,12 @@
     FIELD(r,       LANES,  1, 0, 0, 0, 0) /* residual F - N */ \
     FIELD(gap,     LANES,  0, 1, 0, 0, 0) /* undeformed gap (hierarchy.h) */ \
     FIELD(w,       WIDE,   0, 0, 0, 0, 0) /* deformation */ \
-    FIELD(entry,   LANES,  0, 0, 0, 0, 0) /* P when the cycle came to it */
+    FIELD(entry,   LANES,  0, 0, 0, 0, 0) /* P when the cycle came to it */ \
+    FIELD(flow,    FLOW,   1, 0, 1, 0, 0) /* 2 E at i + 1/2 (flow.h) */ \
+    FIELD(tangent, FLOW,   1, 0, 0, 0, 0) /* 2 T there */ \
+    FIELD(by_eps,  FLOW,   1, 0, 0, 0, 0) /* dE/d eps */ \
+    FIELD(by_left, SENSITIVE, 1, 0, 0, 0, 0) /* 2 dE/dH_i at fixed P */ \
+    FIELD(by_right, SENSITIVE, 1, 0, 0, 0, 0) /* 2 dE/dH_{i+1} */
 #define OVR_FIELD_INDEX(name, ...) OVR_FIELD_##name,
 #define OVR_FIELD_POINTER(name, ...) double *restrict name;
 /* clang-format on */
@@ -57,7 +63,9 @@ typedef struct ovr_fields {
 typedef enum ovr_field_memory {
     OVR_LANES,
     OVR_WIDE,
-    OVR_NEWTON
+    OVR_NEWTON,
+    OVR_FLOW,
+    OVR_SENSITIVE
 } ovr_field_memory;
 
 typedef struct ovr_field_row {

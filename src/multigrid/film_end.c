@@ -20,14 +20,22 @@ static bool is_wet(const film *f, size_t i)
     return value(f, f->level->f.P, i) > 0;
 }
 
+/* 2 E of the half node before node i. */
+static double flow_before(const film *f, size_t i)
+{
+    const ovr_fields *x = &f->level->f;
+    if (x->flow)
+        return value(f, x->flow, i - 1);
+    return value(f, x->eps, i - 1) + value(f, x->eps, i);
+}
+
 /* Row i; returns L_i. */
 static double row_of(const film *f, size_t i)
 {
     const ovr_weights *w = &f->level->weights;
     const ovr_fields *x = &f->level->f;
-    double eps = value(f, x->eps, i);
-    double before = w->half * (value(f, x->eps, i - 1) + eps);
-    double after = w->half * (eps + value(f, x->eps, i + 1));
+    double before = w->half * flow_before(f, i);
+    double after = w->half * flow_before(f, i + 1);
     double L = before - w->a[1] * value(f, x->dq, i - 1);
     f->U[i] = after;
     f->G[i] = before + after + w->a[0] * value(f, x->dq, i);

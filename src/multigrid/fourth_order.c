@@ -59,8 +59,7 @@ static void correct(ovr_hierarchy *grids, const ovr_correction *c, bool mask)
     memcpy(level->f.F, c->F, level->lanes.S * level->lanes.V * sizeof(double));
     run->combine(length(level), 1, begin(level, c->gap_only), 1,
                  begin(level, c->gap), begin(level, level->f.gap));
-    run->film(&grids->fluid, grids->H0, &level->lanes, level->f.gap, level->f.w,
-              &level->f);
+    ovr_level_properties(grids, level);
     ovr_level_residual(grids, level);
 }
 

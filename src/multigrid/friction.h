@@ -6,6 +6,8 @@
  * With V = (u1 - u2)/um and t the mean over the film,
  *     tau(s) = t + s H P_X/2
  *     Newtonian: t = -(lambda/12) V eta/H = -(V/12) rho H^2/eps
+ *     Eyring (flow.h): t = -sgn(V) Sigma0 asinh(B(g) c/eps)
+ *     at a limit: |t| <= max(0, Lambda P/(b/R) - |H P_X|/2)
  *
  *     at i + 1/2:  D P_X = P_{i+1} - P_i
  *                  rho H^2, eps, H, rho: means of the nodes i and i + 1
@@ -13,8 +15,8 @@
  * Force on a surface per unit width (ph b^2/R), power (um ph b^2/R):
  *     F_slide = int t dX,  F_roll = int H P_X/2 dX
  *     F_1 = F_slide - F_roll,  F_2 = -F_slide - F_roll
- *     Poiseuille's part of what is dissipated = int (eps/rho) P_X^2 dX,
- *         2 F_roll in any steady film
+ *     Poiseuille's part of what is dissipated = int (E/rho) P_X^2 dX, E of
+ *         the flow law, Newtonian eps: 2 F_roll in any steady film
  * over half nodes with pressure at a node beside them: streamers in a
  * cavitated film drag less than 1e-4 of it.  Of second order in D.
  */
@@ -27,7 +29,7 @@
 typedef struct ovr_sheared {
     size_t n;
     const double *X, *P, *H, *q;
-    const double *eps;
+    const double *eps, *flow; /* 2 E at half nodes; NULL: Newtonian */
 } ovr_sheared;
 
 typedef struct ovr_friction {

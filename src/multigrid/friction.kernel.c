@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Mean shear stress and friction (equations in friction.h).  Arrays in the
  * order of the nodes, n > VEC: the last vector overlaps the one before. */
-#include "multigrid/kernels.h"
-#include "multigrid/vector.h"
+#include "multigrid/eyring.h"
+#include "multigrid/flow.h"
 
 /* Where the vector of half nodes at i begins. */
 static inline size_t start_of(size_t i, size_t halves)
@@ -29,16 +29,89 @@ static inline ivec wet_at(const ovr_sheared *f, size_t i)
     return larger(load(f->P + i), load(f->P + i + 1)) > 0;
 }
 
-/* t at the half nodes 0..n-2, 0 where it is dry */
-void OVR_KERNEL(mean_stress)(const ovr_sheared *f, double V, double *t)
+/* rho H^2 of both nodes */
+static inline vec drag_at(const ovr_sheared *f, size_t i)
+{
+    return fused(load(f->q + i), load(f->H + i),
+                 load(f->q + i + 1) * load(f->H + i + 1));
+}
+
+/* D P_X and D */
+static inline vec step_at(const double *x, size_t i)
+{
+    return load(x + i + 1) - load(x + i);
+}
+
+static void newtonian(const ovr_sheared *f, double V, double *t)
 {
     for (size_t k = 0; k < f->n - 1; k += VEC) {
         size_t i = start_of(k, f->n - 1);
-        vec drag = fused(load(f->q + i), load(f->H + i),
-                         load(f->q + i + 1) * load(f->H + i + 1));
-        vec stress = (-V / 12) * drag / pair_at(f->eps, i);
+        vec stress = (-V / 12) * drag_at(f, i) / pair_at(f->eps, i);
         store(t + i, choose(wet_at(f, i), stress, all(0)));
     }
+}
+
+/* scale asinh y, y >= 0: by the logarithm (beyond 1e100 of 2 y), by the series
+ * where that would have no digits */
+static inline vec arsinh(const log_table *ln, double scale, vec y)
+{
+    vec z = smaller(y, all(1e100)), square = z * z, whole = square + 1;
+    vec sum = choose(y > 1e100, 2 * y, z + whole * inverse_root(whole));
+    vec series = y * (1 - square / 6 + square * square * (3. / 40));
+    return choose(y < 1e-3, scale * series, scaled_log2(ln, sum));
+}
+
+static void eyring_stress(const ovr_sheared *f, const ovr_fluid *fluid,
+                          double *t)
+{
+    const double ln2 = 0x1.62e42fefa39efp-1;
+    double Sigma0 = fluid->lubricant.Sigma0, slide = ovr_flow_slide(fluid);
+    double gradient = ovr_flow_gradient(fluid, 1);
+    log_table ln;
+    exp_table growth;
+    double scale = fluid->sliding > 0 ? -Sigma0 : Sigma0;
+    make_log_table(ln2 * scale, &ln);
+    make_exp_table(1, &growth);
+    for (size_t k = 0; k < f->n - 1; k += VEC) {
+        size_t i = start_of(k, f->n - 1);
+        vec g = gradient * pair_at(f->H, i) * step_at(f->P, i) /
+                step_at(f->X, i);
+        vec eps = larger(pair_at(f->eps, i), all(1e-290));
+        vec y = eyring_at(&growth, g).B * (slide * drag_at(f, i)) / eps;
+        store(t + i, choose(wet_at(f, i), arsinh(&ln, scale, y), all(0)));
+    }
+}
+
+/* t at the half nodes 0..n-2, 0 where it is dry */
+void OVR_KERNEL(mean_stress)(const ovr_sheared *f, const ovr_fluid *fluid,
+                             double *t)
+{
+    if (ovr_flow_thins(fluid) && fluid->sliding != 0)
+        eyring_stress(f, fluid, t);
+    else
+        newtonian(f, fluid->sliding, t);
+}
+
+/* Cuts t off at limit P - |H P_X|/2; the share of the load that is carried
+ * where it did. */
+double OVR_KERNEL(limit_stress)(const ovr_sheared *f, double limit, double *t)
+{
+    vec load_all = all(0), load_cut = all(0);
+    for (size_t k = 0; k < f->n - 1; k += VEC) {
+        size_t i = start_of(k, f->n - 1);
+        vec dX = step_at(f->X, i), P = pair_at(f->P, i), stress = load(t + i);
+        vec slope = 0.25 * pair_at(f->H, i) * step_at(f->P, i) / dX;
+        vec most = larger(all(0.5 * limit) * P - larger(slope, -slope), all(0));
+        ivec fresh = new_elements(k, f->n - 1);
+        ivec cut = larger(stress, -stress) > most;
+        P *= dX;
+        load_all += choose(fresh, P, all(0));
+        load_cut += choose(fresh & cut, P, all(0));
+        /* what overlaps is cut already, and counts no more */
+        store(t + i, smaller(larger(stress, -most), most));
+    }
+    double whole = sum_of_lanes(load_all);
+    return whole > 0 ? sum_of_lanes(load_cut) / whole : 0;
 }
 
 ovr_friction OVR_KERNEL(friction)(const ovr_sheared *f, const double *t)
@@ -47,9 +120,9 @@ ovr_friction OVR_KERNEL(friction)(const ovr_sheared *f, const double *t)
     for (size_t k = 0; k < f->n - 1; k += VEC) {
         size_t i = start_of(k, f->n - 1);
         ivec counts = wet_at(f, i) & new_elements(k, f->n - 1);
-        vec dX = load(f->X + i + 1) - load(f->X + i);
-        vec dP = choose(counts, load(f->P + i + 1) - load(f->P + i), all(0));
-        vec H = pair_at(f->H, i), flow = pair_at(f->eps, i) * H;
+        vec dX = step_at(f->X, i), H = pair_at(f->H, i);
+        vec dP = choose(counts, step_at(f->P, i), all(0));
+        vec flow = H * (f->flow ? load(f->flow + i) : pair_at(f->eps, i));
         slide = fused(choose(counts, load(t + i), all(0)), dX, slide);
         roll = fused(H, dP, roll);
         poiseuille += flow * dP * dP / (dX * pair_at(f->q, i));

@@ -1,18 +1,58 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Mean shear stress and friction (equations in friction.h). */
+#include <math.h>
+
 #include "multigrid/plain.h"
+
+#include "multigrid/flow.h"
 
 static bool wet(const ovr_sheared *f, size_t i)
 {
     return f->P[i] > 0 || f->P[i + 1] > 0;
 }
 
-void ovr_mean_stress_plain(const ovr_sheared *f, double V, double *t)
+/* H P_X/2 */
+static double slope(const ovr_sheared *f, size_t i)
 {
+    double dX = f->X[i + 1] - f->X[i], dP = f->P[i + 1] - f->P[i];
+    return (f->H[i] + f->H[i + 1]) / 4 * dP / dX;
+}
+
+static double eyring(const ovr_fluid *fluid, double c, double g)
+{
+    double B = fabs(g) > 1e-8 ? g / sinh(g) : 1,
+           Sigma0 = fluid->lubricant.Sigma0;
+    return copysign(Sigma0 * asinh(B * c), -fluid->sliding);
+}
+
+void ovr_mean_stress_plain(const ovr_sheared *f, const ovr_fluid *fluid,
+                           double *t)
+{
+    double V = fluid->sliding, Sigma0 = fluid->lubricant.Sigma0;
     for (size_t i = 0; i + 1 < f->n; i++) {
         double drag = f->q[i] * f->H[i] + f->q[i + 1] * f->H[i + 1];
-        t[i] = wet(f, i) ? -V / 12 * drag / (f->eps[i] + f->eps[i + 1]) : 0;
+        double eps = fmax(f->eps[i] + f->eps[i + 1], 1e-290);
+        t[i] = -V / 12 * drag / (f->eps[i] + f->eps[i + 1]);
+        if (ovr_flow_thins(fluid) && V != 0)
+            t[i] = eyring(fluid, ovr_flow_slide(fluid) * drag / eps,
+                          slope(f, i) / Sigma0);
+        if (!wet(f, i))
+            t[i] = 0;
     }
+}
+
+double ovr_limit_stress_plain(const ovr_sheared *f, double limit, double *t)
+{
+    double all = 0, cut = 0;
+    for (size_t i = 0; i + 1 < f->n; i++) {
+        double P = (f->P[i] + f->P[i + 1]) / 2;
+        double most = fmax(limit * P - fabs(slope(f, i)), 0);
+        double carried = P * (f->X[i + 1] - f->X[i]);
+        all += carried;
+        cut += fabs(t[i]) > most ? carried : 0;
+        t[i] = fmax(-most, fmin(most, t[i]));
+    }
+    return all > 0 ? cut / all : 0;
 }
 
 ovr_friction ovr_friction_plain(const ovr_sheared *f, const double *t)
@@ -26,7 +66,8 @@ ovr_friction ovr_friction_plain(const ovr_sheared *f, const double *t)
             continue;
         sum.slide += t[i] * dX;
         sum.roll += H * dP / 2;
-        sum.poiseuille += (f->eps[i] + f->eps[i + 1]) / 2 / rho * dP * dP / dX;
+        double twice = f->flow ? f->flow[i] : f->eps[i] + f->eps[i + 1];
+        sum.poiseuille += twice / 2 / rho * dP * dP / dX;
     }
     return sum;
 }

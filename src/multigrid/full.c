@@ -69,7 +69,26 @@ ovr_fluid ovr_wanted_fluid(const ovr_wanted *wanted, double fraction)
     fluid.lubricant.alphabar /= root;
     fluid.lubricant.P0 *= root;
     fluid.lubricant.A *= root;
+    fluid.lubricant.Sigma0 *= ratio;
     return fluid;
+}
+
+static bool thins(const nested *a)
+{
+    return a->wanted->fluid.lubricant.rheology != OVR_NEWTONIAN;
+}
+
+static ovr_fluid newtonian(ovr_fluid fluid)
+{
+    fluid.lubricant.Sigma0 = INFINITY;
+    return fluid;
+}
+
+/* The fluid on the way up. */
+static ovr_fluid fluid_at(const nested *a, double fraction)
+{
+    ovr_fluid fluid = ovr_wanted_fluid(a->wanted, fraction);
+    return a->how->thin_last ? newtonian(fluid) : fluid;
 }
 
 /*
@@ -171,7 +190,7 @@ static ovr_defect raise_load(const nested *a, ovr_level *level, double from)
     while (from < 1 && factor > 1.01) {
         double to = fmin(from * factor, 1), H0 = grids->H0;
         ovr_level_read(grids, level, level->f.P, saved);
-        grids->fluid = ovr_wanted_fluid(a->wanted, to);
+        grids->fluid = fluid_at(a, to);
         grids->H0 += ovr_wanted_film(a->wanted, to) -
                      ovr_wanted_film(a->wanted, from);
         ovr_level_refresh(grids, level);
@@ -187,6 +206,36 @@ static ovr_defect raise_load(const nested *a, ovr_level *level, double from)
     return d;
 }
 
+/*
+ * From the Newtonian solution to that of the flow law on one level: at once,
+ * or stress by stress, in steps by which ln tau0 halves where they fail.
+ */
+static ovr_defect thin_out(const nested *a, ovr_level *level, ovr_fluid fluid,
+                           bool newton)
+{
+    ovr_hierarchy *grids = a->grids;
+    double from = 1e3, step = from, *saved = a->how->saved;
+    double tolerance = newton ? 1e-4 : 1e-2;
+    ovr_defect d = ovr_cycle_defect(grids, level);
+    while (from > 1 && step > 1.05) {
+        double to = fmax(from / step, 1), H0 = grids->H0;
+        ovr_level_read(grids, level, level->f.P, saved);
+        grids->fluid.lubricant.Sigma0 = to * fluid.lubricant.Sigma0;
+        ovr_level_refresh(grids, level);
+        d = newton ? solve_coarsest(a, level)
+                   : cycle_until_done(a, level).defect;
+        if (ovr_below(d, tolerance)) {
+            from = to;
+            continue;
+        }
+        step = sqrt(step);
+        ovr_level_write(grids, level, saved, level->f.P);
+        grids->H0 = H0;
+    }
+    grids->fluid = fluid;
+    return d;
+}
+
 /* Solves the coarsest grid at the largest fraction of the load that it can:
  * its film must be thicker than D^1.5 or so (measured), and Newton converge. */
 static double solve_easy_load(const nested *a, ovr_level *level)
@@ -197,9 +246,12 @@ static double solve_easy_load(const nested *a, ovr_level *level)
            ovr_wanted_film(a->wanted, fraction) < pow(level->grid.D, 1.5))
         fraction *= 0.9;
     for (;; fraction *= 0.7) {
-        a->grids->fluid = ovr_wanted_fluid(a->wanted, fraction);
+        ovr_fluid fluid = ovr_wanted_fluid(a->wanted, fraction);
+        a->grids->fluid = thins(a) ? newtonian(fluid) : fluid;
         hertzian_start(a, level, fraction);
         ovr_defect d = solve_coarsest(a, level);
+        if (thins(a) && !a->how->thin_last && ovr_below(d, 1e-4))
+            d = thin_out(a, level, fluid, true);
         if (ovr_below(d, 1e-4) || fraction < least)
             return fraction;
     }
@@ -232,9 +284,13 @@ ovr_defect ovr_full_multigrid(ovr_hierarchy *grids, const ovr_wanted *wanted,
             level = &grids->level[top];
         }
         d = raise_load(&a, level, fraction);
-        grids->fluid = ovr_wanted_fluid(wanted, 1);
+        grids->fluid = fluid_at(&a, 1);
     }
     a.reporting = true;
-    return level->number < grids->finest ? refine_to(&a, level, grids->finest)
-                                         : d;
+    if (level->number < grids->finest)
+        d = refine_to(&a, level, grids->finest);
+    if (how.thin_last)
+        d = thin_out(&a, &grids->level[grids->finest],
+                     ovr_wanted_fluid(wanted, 1), false);
+    return d;
 }

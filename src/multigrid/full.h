@@ -24,6 +24,7 @@ typedef struct ovr_wanted {
 
 /* Film thickness by formula, and the fluid, at a fraction of the load. */
 double ovr_wanted_film(const ovr_wanted *wanted, double fraction);
+/* At the fraction tau0 over ph b/R is larger: ph b goes with the load. */
 ovr_fluid ovr_wanted_fluid(const ovr_wanted *wanted, double fraction);
 
 /* Reported of each level that carries the whole load. */
@@ -45,6 +46,8 @@ typedef struct ovr_full {
     double load_factor; /* largest step of the continuation in load */
     double mesh;        /* of its level: D over H^(2/3), the inlet's rise */
     bool fixed;         /* `most_cycles` on every level, no fewer */
+    bool thin_last;     /* Newtonian up to the finest level, and only there
+                           stress by stress down to that of the flow law */
     int most_cycles;    /* on the finest level */
     /* where a level of this film at X = 0 is done */
     double (*tolerance)(const void *data, const ovr_level *level, double H);

@@ -6,6 +6,7 @@
 
 #include "multigrid/coarsest.h"
 #include "multigrid/field.h"
+#include "multigrid/flow.h"
 
 /* Nodes of the lanes and beyond, for any machine's kernels. */
 static size_t room_of(const ovr_level *level)
@@ -23,12 +24,23 @@ static ovr_status take(double **const to[], size_t count, size_t room,
     return OVR_OK;
 }
 
-static ovr_status take_fields(ovr_level *level, bool newton, ovr_arena *arena,
-                              ovr_error *err)
+/* Whether a level has the field. */
+static bool has(ovr_field_memory memory, bool newton, bool thins)
+{
+    switch (memory) {
+    case OVR_NEWTON: return newton;
+    case OVR_FLOW: return thins;
+    case OVR_SENSITIVE: return newton && thins;
+    default: return true;
+    }
+}
+
+static ovr_status take_fields(ovr_level *level, bool newton, bool thins,
+                              ovr_arena *arena, ovr_error *err)
 {
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++) {
         ovr_field_memory memory = ovr_field_rows[k].memory;
-        if (memory == OVR_NEWTON && !newton)
+        if (!has(memory, newton, thins))
             continue;
         level->f.all[k] = memory == OVR_WIDE
                               ? ovr_mlmi_field(&level->mlmi, arena, err)
@@ -49,11 +61,12 @@ static ovr_status take_band(ovr_band *band, size_t room, ovr_arena *arena,
     return take(all, sizeof all / sizeof *all, room, arena, err);
 }
 
-static ovr_status take_natural(ovr_fields *f, size_t n, ovr_arena *arena,
-                               ovr_error *err)
+static ovr_status take_natural(ovr_fields *f, size_t n, bool thins,
+                               ovr_arena *arena, ovr_error *err)
 {
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (ovr_field_rows[k].ordered &&
+            has(ovr_field_rows[k].memory, true, thins) &&
             !(f->all[k] = ovr_field(arena, n, err)))
             return OVR_NO_MEMORY;
     return OVR_OK;
@@ -71,7 +84,8 @@ static ovr_status build_level(ovr_hierarchy *grids, int number, int order,
     level->number = number;
     if (ovr_mlmi_plan(&level->mlmi, level->grid.n, order, range, arena, err))
         return OVR_NO_MEMORY;
-    return take_fields(level, number <= grids->coarsest + 1, arena, err);
+    return take_fields(level, number <= grids->coarsest + 1,
+                       ovr_flow_thins(&grids->fluid), arena, err);
 }
 
 void ovr_hierarchy_kernels(ovr_hierarchy *grids, const ovr_kernels *kernels)
@@ -103,7 +117,7 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
     size_t room = room_of(&grids->level[finest]);
     if (take_band(&grids->band, room, arena, err) ||
         take_natural(&grids->natural, grids->level[grids->ordered].grid.n,
-                     arena, err))
+                     ovr_flow_thins(&grids->fluid), arena, err))
         return OVR_NO_MEMORY;
     grids->scratch[0] = grids->band.b[0];
     grids->scratch[1] = grids->band.b[1];
@@ -134,12 +148,19 @@ void ovr_hierarchy_operator(ovr_hierarchy *grids, const ovr_operator *op)
     }
 }
 
-void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level)
+void ovr_level_properties(const ovr_hierarchy *grids, const ovr_level *level)
 {
     const ovr_kernels *run = grids->kernels;
-    run->deformation(&level->mlmi, level->f.P, level->f.w);
     run->film(&grids->fluid, grids->H0, &level->lanes, level->f.gap, level->f.w,
               &level->f);
+    if (level->f.flow)
+        run->flow(&grids->fluid, level->grid.D, &level->lanes, &level->f);
+}
+
+void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level)
+{
+    grids->kernels->deformation(&level->mlmi, level->f.P, level->f.w);
+    ovr_level_properties(grids, level);
 }
 
 void ovr_level_residual(const ovr_hierarchy *grids, ovr_level *level)

@@ -76,6 +76,8 @@ void ovr_hierarchy_operator(ovr_hierarchy *grids, const ovr_operator *op);
 /* Film and properties for the P a level has now; its residual and the phase
  * of its nodes; all of these. */
 void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level);
+/* The same for the deformation it has. */
+void ovr_level_properties(const ovr_hierarchy *grids, const ovr_level *level);
 void ovr_level_residual(const ovr_hierarchy *grids, ovr_level *level);
 void ovr_level_refresh(const ovr_hierarchy *grids, ovr_level *level);
 

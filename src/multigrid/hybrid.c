@@ -14,7 +14,7 @@ typedef struct row {
 static row row_at(const ovr_level *level, const ovr_fields *f, size_t i)
 {
     const ovr_weights *w = &level->weights;
-    row_weights c = i == 1 ? row_first(w) : row_inner(w);
+    row_weights c = i == 1 ? row_first(w, f->flow) : row_inner(w, f->flow);
     ptrdiff_t J = (ptrdiff_t)i;
     double e[3], A[4] = {0};
     row_by_film(f, &c, J, e);
@@ -50,8 +50,8 @@ static void exit_line(const ovr_hierarchy *grids, const ovr_level *level,
     double *upper = grids->band.b[0], *delta = grids->band.delta;
     for (size_t i = first; i <= last; i++) {
         row s = row_at(level, f, i);
-        double lower = half * (f->eps[i - 1] + f->eps[i]);
-        double right = half * (f->eps[i] + f->eps[i + 1]);
+        row_faces faces = row_faces_at(f, f->flow, (ptrdiff_t)i);
+        double lower = half * faces.before, right = half * faces.after;
         if (s.held) {
             s.r = lower = right = 0;
             s.own = 1;
@@ -104,13 +104,12 @@ void ovr_relax_hybrid(ovr_hierarchy *grids, ovr_level *level,
 {
     const ovr_fields *f = ovr_level_ordered(grids, level);
     double *restrict P = f->P, *restrict delta = grids->band.delta;
-    const double *eps = f->eps;
     double bound = how->switch_value * level->grid.D * level->grid.D;
     size_t n = level->grid.n;
     for (size_t i = 1; i + 1 < n; i++) {
         row s = row_at(level, f, i);
         delta[i] = 0;
-        if (0.25 * (eps[i - 1] + 2 * eps[i] + eps[i + 1]) > bound)
+        if (0.5 * row_outflow(f, f->flow, 0.5, (ptrdiff_t)i) > bound)
             seidel(how, f, i, s);
         else
             delta[i] = clipped(how->relax_dipole * s.r / (s.own - s.before),

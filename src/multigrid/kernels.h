@@ -28,6 +28,7 @@ typedef struct ovr_fluid {
     ovr_lubricant lubricant;
     double lambda;
     const struct ovr_law *law; /* of viscosity, instead of the lubricant's */
+    double sliding;            /* V = (u1 - u2)/um */
 } ovr_fluid;
 
 /* eps of a film H at the pressure P. */
@@ -78,6 +79,8 @@ enum { OVR_FOURTH_MARGIN = 8 };
     K(void, deformation, (const struct ovr_mlmi *plan, double *P, double *w)) \
     K(void, film, (const ovr_fluid *fluid, double H0, const ovr_lanes *g, \
                    const double *gap, const double *w, const ovr_fields *f)) \
+    K(void, flow, (const ovr_fluid *fluid, double D, const ovr_lanes *g, \
+                   const ovr_fields *f)) \
     /* and the phase by it */ \
     K(void, residual, (const ovr_lanes *g, const ovr_weights *w, \
                        const ovr_fields *f)) \
@@ -122,8 +125,10 @@ enum { OVR_FOURTH_MARGIN = 8 };
     K(int, peaks, (size_t n, const double *x, size_t *last)) \
     K(double, mean_flow, (size_t n, const double u[2], const double *X, \
                           const double *P, const double *q, \
-                          const double *eps)) \
-    K(void, mean_stress, (const ovr_sheared *f, double V, double *t)) \
+                          const double *eps, const double *flow)) \
+    K(void, mean_stress, (const ovr_sheared *f, const ovr_fluid *fluid, \
+                          double *t)) \
+    K(double, limit_stress, (const ovr_sheared *f, double limit, double *t)) \
     K(ovr_friction, friction, (const ovr_sheared *f, const double *t)) \
     K(double, deviation, (size_t n, const double e[3], const double *P, \
                           const double *q, double *const past[3])) \

@@ -125,10 +125,10 @@ static void hold_row(const ovr_band *band, size_t place)
 }
 
 static INLINE void assemble(const line *l, const ovr_lanes *g,
-                            const ovr_weights *w, bool transient)
+                            const ovr_weights *w, bool transient, bool thins)
 {
     ptrdiff_t S = (ptrdiff_t)g->S, edge = S < EDGE ? S : EDGE;
-    row_weights first = row_first(w), rest = row_inner(w);
+    row_weights first = row_first(w, thins), rest = row_inner(w, thins);
     assemble_vector(l, &rest, transient, LEFT_END, 0);
     assemble_vector(l, &first, transient, LEFT_END, 1);
     for (ptrdiff_t J = 2; J < edge; J++)
@@ -145,10 +145,14 @@ void OVR_KERNEL(band_assemble)(const ovr_lanes *g, const ovr_weights *w,
                     .k = {k[0], k[1], k[2], k[3], k[4], k[5]},
                     .shares = *shares,
                     .band = *band};
-    if (shares->transient)
-        assemble(&l, g, w, true);
+    if (shares->transient && f->flow)
+        assemble(&l, g, w, true, true);
+    else if (shares->transient)
+        assemble(&l, g, w, true, false);
+    else if (f->flow)
+        assemble(&l, g, w, false, true);
     else
-        assemble(&l, g, w, false);
+        assemble(&l, g, w, false, false);
     hold_row(band, 0);
     for (size_t i = g->n - 1; i <= g->S * VEC; i++)
         hold_row(band, ovr_lanes_place(g, i));

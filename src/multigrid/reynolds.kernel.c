@@ -14,7 +14,7 @@ static inline void put_phase(const ovr_fields *f, vec a0, ptrdiff_t J, vec r)
     put_set(f->held, J, row_holds(f, r, a0, J));
 }
 
-static inline void put_row(const ovr_fields *f, const row_weights *c,
+static INLINE void put_row(const ovr_fields *f, const row_weights *c,
                            ptrdiff_t J)
 {
     vec r = row_residual(f, c, J);
@@ -30,17 +30,26 @@ static inline void put_halo_phase(const ovr_fields *f, ptrdiff_t S)
     }
 }
 
+static INLINE void put_rows(const ovr_lanes *g, const ovr_weights *w,
+                            bool thins, const ovr_fields *f)
+{
+    row_weights first = row_first(w, thins), rest = row_inner(w, thins);
+    put_row(f, &rest, 0);
+    put_row(f, &first, 1);
+    for (ptrdiff_t J = 2; J < (ptrdiff_t)g->S; J++)
+        put_row(f, &rest, J);
+}
+
 /* r in rows 1..n-2, zero at both ends; and the phase. */
 void OVR_KERNEL(residual)(const ovr_lanes *g, const ovr_weights *w,
                           const ovr_fields *f)
 {
     const ovr_fields own = *f; /* a copy that no store can change */
     ptrdiff_t S = (ptrdiff_t)g->S;
-    row_weights first = row_first(w), rest = row_inner(w);
-    put_row(&own, &rest, 0);
-    put_row(&own, &first, 1);
-    for (ptrdiff_t J = 2; J < S; J++)
-        put_row(&own, &rest, J);
+    if (own.flow)
+        put_rows(g, w, true, &own);
+    else
+        put_rows(g, w, false, &own);
     own.r[0] = 0;
     for (size_t i = g->n - 1; i <= g->S * VEC; i++)
         own.r[ovr_lanes_place(g, i)] = 0;
@@ -58,16 +67,23 @@ void OVR_KERNEL(phase)(const ovr_lanes *g, const ovr_weights *w,
     put_halo_phase(&own, (ptrdiff_t)g->S);
 }
 
-/* sum rho_i of the residual in f->r */
-double OVR_KERNEL(imbalance)(const ovr_lanes *g, const ovr_weights *w,
-                             const ovr_fields *f)
+static INLINE double sum_imbalance(const ovr_lanes *g, const ovr_weights *w,
+                                   bool thins, const ovr_fields *f)
 {
     const vec half = all(w->half);
     vec sum = all(0);
     for (ptrdiff_t J = 0; J < (ptrdiff_t)g->S; J++) {
         vec r = at(f->r, J);
-        vec fall = smaller(at(f->P, J) * row_outflow(f, half, J), r);
+        vec fall = smaller(at(f->P, J) * row_outflow(f, thins, half, J), r);
         sum += choose(r < 0, -r, fall);
     }
     return sum_of_lanes(sum);
+}
+
+/* sum rho_i of the residual in f->r */
+double OVR_KERNEL(imbalance)(const ovr_lanes *g, const ovr_weights *w,
+                             const ovr_fields *f)
+{
+    return f->flow ? sum_imbalance(g, w, true, f)
+                   : sum_imbalance(g, w, false, f);
 }

@@ -17,7 +17,7 @@ void ovr_residual_plain(const ovr_lanes *g, const ovr_weights *w,
 {
     ptrdiff_t last = (ptrdiff_t)g->n - 1;
     for (ptrdiff_t i = 1; i < last; i++) {
-        row_weights c = i == 1 ? row_first(w) : row_inner(w);
+        row_weights c = i == 1 ? row_first(w, f->flow) : row_inner(w, f->flow);
         f->r[i] = row_residual(f, &c, i);
         put_phase(f, w, i);
     }
@@ -38,7 +38,8 @@ double ovr_imbalance_plain(const ovr_lanes *g, const ovr_weights *w,
     double sum = 0;
     for (ptrdiff_t i = 1; i + 1 < (ptrdiff_t)g->n; i++) {
         double r = f->r[i];
-        sum += r < 0 ? -r : fmin(r, f->P[i] * row_outflow(f, w->half, i));
+        sum += r < 0 ? -r
+                     : fmin(r, f->P[i] * row_outflow(f, f->flow, w->half, i));
     }
     return sum;
 }

@@ -8,6 +8,8 @@
  *     N = [before up + after down]/(2 D^2) - a0 q_i - a1 q_{i-1} - a2 q_{i-2}
  *     up = P_{i-1} - P_i       before = eps_{i-1} + eps_i
  *     down = P_{i+1} - P_i     after = eps_i + eps_{i+1}
+ * With a flow law (flow.h) before and after are 2 E of the half nodes; below,
+ * the sums become 2 T, and eps'_k counts by the R of the half node.
  *
  * dN_i/dP_{i+d} at fixed film, eps' = d eps/dP:
  *     d = -2:  -a2 rho'_{i-2} H_{i-2}
@@ -28,22 +30,24 @@
 #include "base/scalar.h"
 #endif
 
-/* The weights of a row: of q_i, q_{i-1}, q_{i-2}, and 1/(2 D^2). */
+/* The weights of a row: of q_i, q_{i-1}, q_{i-2}, and 1/(2 D^2); whether there
+ * is a flow law, a constant for the compiler in kernels. */
 typedef struct row_weights {
     num a[3], half;
+    bool thins;
 } row_weights;
 
-static inline row_weights row_inner(const ovr_weights *w)
+static inline row_weights row_inner(const ovr_weights *w, bool thins)
 {
-    return (row_weights){{all(w->a[0]), all(w->a[1]), all(w->a[2])},
-                         all(w->half)};
+    return (row_weights){
+        {all(w->a[0]), all(w->a[1]), all(w->a[2])}, all(w->half), thins};
 }
 
 /* Row 1, the first of its vector, has no q_{-1}: its wedge is of first
  * order. */
-static inline row_weights row_first(const ovr_weights *w)
+static inline row_weights row_first(const ovr_weights *w, bool thins)
 {
-    row_weights c = row_inner(w);
+    row_weights c = row_inner(w, thins);
     for (int m = 0; m < 3; m++)
         c.a[m] = with_first(c.a[m], w->first[m]);
     return c;
@@ -54,20 +58,27 @@ typedef struct row_faces {
     num up, down, before, after;
 } row_faces;
 
-static inline row_faces row_faces_at(const ovr_fields *f, ptrdiff_t J)
+static inline row_faces row_faces_at(const ovr_fields *f, bool thins,
+                                     ptrdiff_t J)
 {
-    num P = at(f->P, J), eps = at(f->eps, J);
-    return (row_faces){.up = at(f->P, J - 1) - P,
-                       .down = at(f->P, J + 1) - P,
-                       .before = at(f->eps, J - 1) + eps,
-                       .after = eps + at(f->eps, J + 1)};
+    num P = at(f->P, J);
+    row_faces s = {.up = at(f->P, J - 1) - P, .down = at(f->P, J + 1) - P};
+    if (thins) {
+        s.before = at(f->flow, J - 1);
+        s.after = at(f->flow, J);
+    } else {
+        num eps = at(f->eps, J);
+        s.before = at(f->eps, J - 1) + eps;
+        s.after = eps + at(f->eps, J + 1);
+    }
+    return s;
 }
 
 /* r = F - N */
 static inline num row_residual(const ovr_fields *f, const row_weights *c,
                                ptrdiff_t J)
 {
-    row_faces s = row_faces_at(f, J);
+    row_faces s = row_faces_at(f, c->thins, J);
     num N = c->half * (s.before * s.up + s.after * s.down) -
             c->a[0] * at(f->q, J) - c->a[1] * at(f->q, J - 1) -
             c->a[2] * at(f->q, J - 2);
@@ -75,9 +86,10 @@ static inline num row_residual(const ovr_fields *f, const row_weights *c,
 }
 
 /* What flows out of a node by its own pressure: d of reynolds.h. */
-static inline num row_outflow(const ovr_fields *f, num half, ptrdiff_t J)
+static inline num row_outflow(const ovr_fields *f, bool thins, num half,
+                              ptrdiff_t J)
 {
-    row_faces s = row_faces_at(f, J);
+    row_faces s = row_faces_at(f, thins, J);
     return half * (s.before + s.after);
 }
 
@@ -107,7 +119,15 @@ static inline void row_by_film(const ovr_fields *f, const row_weights *c,
 static inline void row_flow_by_film(const ovr_fields *f, const row_weights *c,
                                     ptrdiff_t J, num e[4])
 {
-    row_faces s = row_faces_at(f, J);
+    row_faces s = row_faces_at(f, c->thins, J);
+    if (c->thins) {
+        e[1] = less(e[1], c->half * at(f->by_left, J - 1), s.up);
+        e[2] = less(
+            e[2], c->half,
+            fused(at(f->by_right, J - 1), s.up, at(f->by_left, J) * s.down));
+        e[3] = less(e[3], c->half * at(f->by_right, J), s.down);
+        return;
+    }
     e[1] = less(e[1], c->half * at(f->deps_dH, J - 1), s.up);
     e[2] = less(e[2], c->half * at(f->deps_dH, J), s.up + s.down);
     e[3] = less(e[3], c->half * at(f->deps_dH, J + 1), s.down);
@@ -120,11 +140,31 @@ static inline num row_elastic(const num e[3], const double *k, int d)
                  fused(e[1], all(k[abs(d + 1)]), e[0] * k[abs(d + 2)]));
 }
 
+/* The same where there is a flow law. */
+static inline void row_thins(const ovr_fields *f, const row_weights *c,
+                             ptrdiff_t J, num A[4])
+{
+    row_faces s = row_faces_at(f, true, J);
+    num before = at(f->tangent, J - 1), after = at(f->tangent, J);
+    num up = at(f->by_eps, J - 1) * s.up, down = at(f->by_eps, J) * s.down;
+    A[0] = less(A[0], c->a[2], at(f->dq, J - 2));
+    A[1] = less(fused(c->half, fused(at(f->deps, J - 1), up, before), A[1]),
+                c->a[1], at(f->dq, J - 1));
+    A[2] = less(
+        less(A[2], c->half, less(before + after, at(f->deps, J), up + down)),
+        c->a[0], at(f->dq, J));
+    A[3] = fused(c->half, fused(at(f->deps, J + 1), down, after), A[3]);
+}
+
 /* A[d + 2] takes in dN_i/dP_{i+d} at fixed film, d = -2..1. */
 static inline void row_by_pressure(const ovr_fields *f, const row_weights *c,
                                    ptrdiff_t J, num A[4])
 {
-    row_faces s = row_faces_at(f, J);
+    if (c->thins) {
+        row_thins(f, c, J, A);
+        return;
+    }
+    row_faces s = row_faces_at(f, false, J);
     A[0] = less(A[0], c->a[2], at(f->dq, J - 2));
     A[1] = less(fused(c->half, fused(at(f->deps, J - 1), s.up, s.before), A[1]),
                 c->a[1], at(f->dq, J - 1));

@@ -82,18 +82,20 @@ int OVR_KERNEL(peaks)(size_t n, const double *x, size_t *last)
 }
 
 /* Mean over the half nodes i + 1/2, i = 1..n-3, between wet nodes of
- *     Cu (u_0 q_i + u_1 q_{i-1}) - (eps_i + eps_{i+1})/2 (P_{i+1} - P_i)/D */
+ *     Cu (u_0 q_i + u_1 q_{i-1}) - (eps_i + eps_{i+1})/2 (P_{i+1} - P_i)/D
+ * with 2 E of the half nodes, `flow`, where there is a flow law. */
 double OVR_KERNEL(mean_flow)(size_t n, const double u[2], const double *X,
                              const double *P, const double *q,
-                             const double *eps)
+                             const double *eps, const double *flow_at)
 {
     vec sum = all(0), count = all(0);
     for (size_t k = 1; k < n - 2; k += VEC) {
         size_t i = 1 + start_of(k - 1, n - 3);
         vec p = load(P + i), next = load(P + i + 1);
+        vec twice = flow_at ? load(flow_at + i)
+                            : load(eps + i) + load(eps + i + 1);
         vec flow = u[0] * load(q + i) + u[1] * load(q + i - 1) -
-                   0.5 * (load(eps + i) + load(eps + i + 1)) * (next - p) /
-                       (load(X + i + 1) - load(X + i));
+                   0.5 * twice * (next - p) / (load(X + i + 1) - load(X + i));
         ivec wet = (p > 0) & (next > 0) & new_elements(k - 1, n - 3);
         sum += choose(wet, flow, all(0));
         count += choose(wet, all(1), all(0));

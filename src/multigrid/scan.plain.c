@@ -50,14 +50,15 @@ int ovr_peaks_plain(size_t n, const double *x, size_t *last)
 }
 
 double ovr_mean_flow_plain(size_t n, const double u[2], const double *X,
-                           const double *P, const double *q, const double *eps)
+                           const double *P, const double *q, const double *eps,
+                           const double *flow)
 {
     double sum = 0, count = 0;
     for (size_t i = 1; i + 2 < n; i++)
         if (P[i] > 0 && P[i + 1] > 0) {
+            double twice = flow ? flow[i] : eps[i] + eps[i + 1];
             sum += u[0] * q[i] + u[1] * q[i - 1] -
-                   (eps[i] + eps[i + 1]) / 2 * (P[i + 1] - P[i]) /
-                       (X[i + 1] - X[i]);
+                   twice / 2 * (P[i + 1] - P[i]) / (X[i + 1] - X[i]);
             count++;
         }
     return count > 0 ? sum / count : 0;

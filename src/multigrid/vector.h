@@ -268,6 +268,22 @@ static inline void repeat_ends(double *x, ptrdiff_t S, ptrdiff_t halo)
 #define UNROLL _Pragma("GCC unroll 32")
 #endif
 
+/* 1/sqrt(x) of normal x > 0, to some 2 ulp */
+static inline vec inverse_root(vec x)
+{
+#if defined(__AVX512F__)
+    vec y = (vec)_mm512_rsqrt14_pd((__m512d)x), half = 0.5 * x;
+    y *= less(all(1.5), half * y, y);
+    return y * less(all(1.5), half * y, y);
+#elif defined(__AVX__)
+    return 1 / (vec)_mm256_sqrt_pd((__m256d)x);
+#elif defined(__SSE2__)
+    return 1 / (vec)_mm_sqrt_pd((__m128d)x);
+#else
+    return 1 / (vec){__builtin_sqrt(x[0]), __builtin_sqrt(x[1])};
+#endif
+}
+
 /* b where either is not a number */
 static inline vec larger(vec a, vec b)
 {

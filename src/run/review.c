@@ -371,6 +371,8 @@ static void warn_of_friction(const review *r, const ovr_simulation *sim,
     const char *const names[2] = {"shear_stress_1", "shear_stress_2"};
     const double *shear[2];
     double kappa = r->setup->contact->kappa, share, ratio;
+    if (r->setup->lubricant->rheology != OVR_NEWTONIAN)
+        return;
     for (int k = 0; k < 2; k++) {
         double *room = ovr_arena_take(arena, state->n, sizeof *room, NULL);
         if (!room)

@@ -15,25 +15,33 @@
 
 #include "simulation/internal.h"
 
-static double sliding(const ovr_simulation *sim)
+double ovr_sliding(const ovr_simulation *sim, double T)
 {
-    return ovr_history_value(sim->speed, sim->state.T) *
+    return ovr_history_value(sim->speed, T) *
            (sim->contact.u1_ratio - sim->contact.u2_ratio);
 }
 
 static ovr_sheared film_of(const ovr_simulation *sim)
 {
     const ovr_solution *now = &sim->now;
-    return (ovr_sheared){now->n, now->X, now->P, now->H, now->q, now->eps};
+    return (ovr_sheared){now->n, now->X,   now->P,   now->H,
+                         now->q, now->eps, now->flow};
 }
 
 void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o)
 {
     const ovr_kernels *run = sim->grids.kernels;
     const ovr_sheared film = film_of(sim);
-    double V = sliding(sim), load = OVR_NOMINAL_LOAD * o->load_ratio;
+    double V = ovr_sliding(sim, sim->state.T),
+           load = OVR_NOMINAL_LOAD * o->load_ratio;
     double coefficient = load > 0 ? sim->contact.kappa / load : NAN;
-    run->mean_stress(&film, V, sim->stress);
+    ovr_fluid fluid = sim->grids.fluid;
+    fluid.sliding = V;
+    run->mean_stress(&film, &fluid, sim->stress);
+    if (sim->lubricant.limiting_shear > 0)
+        o->limiting_share = run->limit_stress(
+            &film, sim->lubricant.limiting_shear / sim->contact.kappa,
+            sim->stress);
     ovr_friction f = run->friction(&film, sim->stress);
     o->F_slide = f.slide;
     o->F_roll = f.roll;

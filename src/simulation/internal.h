@@ -205,6 +205,9 @@ double ovr_flux(const ovr_simulation *sim, double Cu, size_t i);
 /* Relative error of the mass balance over the step just made. */
 double ovr_mass_balance(const ovr_simulation *sim);
 
+/* V = (u1 - u2)/um0 at T. */
+double ovr_sliding(const ovr_simulation *sim, double T);
+
 /* Friction of the film that was read last (friction.c), its coefficients and
  * powers; shear stress in the film at a surface, at half nodes. */
 void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o);

@@ -17,22 +17,33 @@
  */
 #include <math.h>
 
+#include "multigrid/flow.h"
 #include "simulation/internal.h"
 
-static double poiseuille(const ovr_simulation *sim, const double *P,
+/* E at the half node i + 1/2, at the time T. */
+static double poiseuille(const ovr_simulation *sim, double T, const double *P,
                          const double *q, size_t i)
 {
-    double rho = ovr_density(&sim->lubricant, P[i]);
-    return ovr_flow(&sim->grids.fluid, P[i], q[i] / rho);
+    ovr_fluid fluid = sim->grids.fluid;
+    ovr_pair nodes;
+    fluid.sliding = ovr_sliding(sim, T);
+    for (size_t k = 0; k < 2; k++) {
+        double rho = ovr_density(&sim->lubricant, P[i + k]);
+        nodes.P[k] = P[i + k];
+        nodes.q[k] = q[i + k];
+        nodes.H[k] = q[i + k] / rho;
+        nodes.eps[k] = ovr_flow(&fluid, P[i + k], nodes.H[k]);
+    }
+    return ovr_flow_between(&fluid, sim->now.X[i + 1] - sim->now.X[i], &nodes);
 }
 
-static double central_flux(const ovr_simulation *sim, const double *P,
-                           const double *q, double Cu, size_t i)
+static double central_flux(const ovr_simulation *sim, double T, const double *P,
+                           const double *q, size_t i)
 {
-    double eps = 0.5 *
-                 (poiseuille(sim, P, q, i) + poiseuille(sim, P, q, i + 1));
+    double Cu = ovr_history_value(sim->speed, T);
     return 0.5 * Cu * (q[i] + q[i + 1]) -
-           eps * (P[i + 1] - P[i]) / (sim->now.X[i + 1] - sim->now.X[i]);
+           poiseuille(sim, T, P, q, i) * (P[i + 1] - P[i]) /
+               (sim->now.X[i + 1] - sim->now.X[i]);
 }
 
 static size_t last_wet(const double *P, size_t n)
@@ -47,12 +58,12 @@ static size_t last_wet(const double *P, size_t n)
 static double own_flow(const ovr_simulation *sim, double Cu, size_t end)
 {
     const double *P = sim->now.P, *q = sim->now.q, *eps = sim->now.eps;
-    const double *X = sim->now.X;
+    const double *X = sim->now.X, *flow = sim->now.flow;
     double sum = 0;
     for (size_t i = 0; i <= end; i++) {
         double slope = (P[i + 1] - P[i]) / (X[i + 1] - X[i]);
         sum += fabs(0.5 * Cu * (q[i] + q[i + 1]) -
-                    0.5 * (eps[i] + eps[i + 1]) * slope);
+                    0.5 * (flow ? flow[i] : eps[i] + eps[i + 1]) * slope);
     }
     return sum / (double)(end + 1);
 }
@@ -69,9 +80,9 @@ double ovr_mass_balance(const ovr_simulation *sim)
         return 0;
     end--; /* both nodes of half node end + 1/2 are wet */
     for (int k = 0; k < 2; k++) {
-        double Cu = ovr_history_value(sim->speed, past->T[k]);
-        in[k] = central_flux(sim, past->P[k], past->q[k], Cu, 0);
-        out[k] = central_flux(sim, past->P[k], past->q[k], Cu, end);
+        double T = past->T[k];
+        in[k] = central_flux(sim, T, past->P[k], past->q[k], 0);
+        out[k] = central_flux(sim, T, past->P[k], past->q[k], end);
     }
     stored = sim->grids.kernels->gain(end, sim->now.weights + 1, past->q[0] + 1,
                                       past->q[1] + 1);

@@ -141,6 +141,8 @@ static const ovr_observable table[] = {
            "power that the surfaces put into the film"),
     NUMBER("power_dissipated", "power_dissipated", "power_dissipated_W_per_m",
            POWER, power_dissipated, "power dissipated in the film"),
+    NUMBER("limiting_share", "limiting_share", NULL, NUMBER, limiting_share,
+           "share of the load carried where the shear stress is at its limit"),
     NUMBER("residual", "residual", NULL, NUMBER, residual,
            "relative mass-flow imbalance"),
     NUMBER("order", "order", NULL, COUNT, order,

@@ -44,17 +44,23 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
     o->load = ovr_level_load(&sim->grids, sim->finest);
 }
 
+/* 2 E of half node i + 1/2 */
+static double twice_flow(const ovr_solution *now, size_t i)
+{
+    return now->flow ? now->flow[i] : now->eps[i] + now->eps[i + 1];
+}
+
 /* The scheme's own flux at half node i + 1/2: upstream wedge and Poiseuille
  * flow. */
 double ovr_flux(const ovr_simulation *sim, double Cu, size_t i)
 {
-    const double *P = sim->now.P, *q = sim->now.q, *eps = sim->now.eps;
+    const double *P = sim->now.P, *q = sim->now.q;
     const double *X = sim->now.X, *u = sim->scheme->upstream;
     double upstream = i ? u[0] * q[i] + u[1] * q[i - 1] : q[0];
     if (i == 0 && sim->scheme->order == 2)
         upstream = 0.5 * (q[0] + q[1]);
-    return Cu * upstream -
-           0.5 * (eps[i] + eps[i + 1]) * (P[i + 1] - P[i]) / (X[i + 1] - X[i]);
+    return Cu * upstream - 0.5 * twice_flow(&sim->now, i) * (P[i + 1] - P[i]) /
+                               (X[i + 1] - X[i]);
 }
 
 /* The same inside, where it has two nodes upstream, over all that is wet. */
@@ -64,13 +70,14 @@ static double mean_flow(const ovr_simulation *sim)
     const double *upstream = sim->scheme->upstream;
     const double u[2] = {upstream[0] * Cu, upstream[1] * Cu};
     return sim->grids.kernels->mean_flow(sim->now.n, u, sim->now.X, sim->now.P,
-                                         sim->now.q, sim->now.eps);
+                                         sim->now.q, sim->now.eps,
+                                         sim->now.flow);
 }
 
 void ovr_simulation_read(ovr_simulation *sim)
 {
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
-        if (ovr_field_rows[k].shown)
+        if (ovr_field_rows[k].shown && sim->finest->f.all[k])
             ovr_level_read(&sim->grids, sim->finest, sim->finest->f.all[k],
                            sim->now.all[k]);
 }

@@ -20,7 +20,8 @@ static ovr_status take(ovr_simulation *sim, double **to, ovr_error *err)
 static ovr_status take_fields(ovr_simulation *sim, ovr_error *err)
 {
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++) {
-        if (ovr_field_rows[k].shown && take(sim, &sim->now.all[k], err))
+        if (ovr_field_rows[k].shown && sim->finest->f.all[k] &&
+            take(sim, &sim->now.all[k], err))
             return OVR_NO_MEMORY;
         for (int ago = 0; ago < ovr_field_rows[k].past; ago++)
             if (take(sim, &sim->past.all[k][ago], err))
@@ -95,7 +96,9 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
     for (int l = 0; l < OVR_LEVELS; l++)
         ovr_options_mlmi(o, l, &order[l], &range[l]);
     grids->kernels = ovr_kernels_choose(NULL);
-    grids->fluid = (ovr_fluid){sim->lubricant, sim->contact.lambda, NULL};
+    grids->fluid = (ovr_fluid){.lubricant = sim->lubricant,
+                               .lambda = sim->contact.lambda,
+                               .sliding = ovr_sliding(sim, 0)};
     sim->wanted = (ovr_wanted){
         .M = sim->contact.M, .L = sim->contact.L, .fluid = grids->fluid};
     grids->ordered = ordered_level(o);
@@ -144,6 +147,8 @@ ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
                        err) ||
         ovr_options_resolve(contact, &resolved, err))
         return NULL;
+    if (lubricant->rheology != OVR_NEWTONIAN)
+        resolved.order = 2;
     sim = set_up(ovr_arena_make(allocator), contact, lubricant, &resolved, err);
     if (sim)
         fill_arrays(sim);

@@ -54,10 +54,11 @@ static double first_tolerance(const void *data, const ovr_level *level,
     return wanted;
 }
 
-/* What a solve tries in turn until it converges: first the ordinary, then
- * smaller steps in load on a finer level, then also a finer coarsest grid, more
- * sweeps and stronger damping. */
+/* What a solve tries in turn until it converges: first the ordinary; with a
+ * flow law then the Newtonian film first; then smaller steps in load on a finer
+ * level, then also a finer coarsest grid, more sweeps and stronger damping. */
 typedef struct strategy {
+    bool thin_last;     /* for flow laws alone */
     double load_factor; /* largest step of the continuation in load */
     double mesh;        /* its D over H^(2/3), the length of the inlet's rise */
     int sweeps, newton_steps, finer_bottom;
@@ -66,10 +67,12 @@ typedef struct strategy {
 } strategy;
 
 static const strategy strategies[] = {
-    {1.6, 0.3, 0, 1, 0, 0.1, 0.3, ""},
-    {1.25, 0.15, 0, 1, 0, 0.1, 0.3,
+    {false, 1.6, 0.3, 0, 1, 0, 0.1, 0.3, ""},
+    {true, 1.6, 0.3, 0, 1, 0, 0.1, 0.3,
+     "a Newtonian film first, then the flow law stress by stress"},
+    {false, 1.25, 0.15, 0, 1, 0, 0.1, 0.3,
      "the load was raised in smaller steps on a finer level"},
-    {1.25, 0.15, 2, 2, 1, 0.03, 0.1,
+    {false, 1.25, 0.15, 2, 2, 1, 0.03, 0.1,
      "the load was raised in smaller steps on a finer level, with a finer "
      "coarsest grid, more sweeps and stronger damping"}};
 enum { STRATEGIES = sizeof strategies / sizeof *strategies };
@@ -77,6 +80,17 @@ enum { STRATEGIES = sizeof strategies / sizeof *strategies };
 const char *ovr_simulation_strategy(const ovr_simulation *sim)
 {
     return sim->strategy < STRATEGIES ? strategies[sim->strategy].what : "";
+}
+
+static bool thins(const ovr_simulation *sim)
+{
+    return sim->lubricant.rheology != OVR_NEWTONIAN;
+}
+
+/* Of all but the first, where there is a flow law. */
+static bool thin_last(const ovr_simulation *sim, const strategy *how)
+{
+    return thins(sim) && how != strategies;
 }
 
 static ovr_full full_of(ovr_simulation *sim, const strategy *how)
@@ -93,6 +107,7 @@ static ovr_full full_of(ovr_simulation *sim, const strategy *how)
                       .load_factor = how->load_factor,
                       .mesh = how->mesh,
                       .fixed = fixed,
+                      .thin_last = thin_last(sim, how),
                       .most_cycles = fixed ? o->cycles : o->max_cycles,
                       .tolerance = first_tolerance,
                       .watch = ovr_refinement_watch,
@@ -224,6 +239,7 @@ static ovr_status begin_load_and_speed(ovr_simulation *sim, ovr_error *err)
     wanted->Cw = Cw > least ? Cw : least;
     wanted->Cu = Cu > least ? Cu : least;
     wanted->force = OVR_NOMINAL_LOAD * wanted->Cw;
+    wanted->fluid.sliding = ovr_sliding(sim, 0);
     return OVR_OK;
 }
 
@@ -252,6 +268,8 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
     ovr_hierarchy_operator(&sim->grids, &op);
     for (int k = 0; k < STRATEGIES && !outcome.converged; k++) {
         ovr_full how = full_of(sim, &strategies[k]);
+        if (strategies[k].thin_last && !thins(sim))
+            continue;
         outcome.retries = sim->strategy = k;
         sim->refinements = 0;
         outcome.defect = solve(sim, &how, &outcome.cycles);

@@ -106,6 +106,7 @@ static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
 static void begin_step(ovr_simulation *sim, double dT)
 {
     double T = sim->past.T[0] + dT;
+    sim->grids.fluid.sliding = ovr_sliding(sim, T);
     ovr_time_derivative(sim, dT);
     ovr_simulation_gap(sim, T);
     sim->finest->force = OVR_NOMINAL_LOAD * ovr_history_value(sim->load, T);
@@ -181,6 +182,7 @@ void ovr_simulation_step_back(ovr_simulation *sim)
 {
     sim->grids.H0 = sim->past.H0[0];
     sim->state.T = sim->past.T[0];
+    sim->grids.fluid.sliding = ovr_sliding(sim, sim->state.T);
     ovr_level_write(&sim->grids, sim->finest, sim->past.P[0], sim->finest->f.P);
     ovr_simulation_gap(sim, sim->past.T[0]);
     ovr_level_refresh(&sim->grids, sim->finest);

@@ -5,37 +5,113 @@
 #include "support/contact.h"
 #include "support/test.h"
 
-static ovr_observation solved(double M, double L, int level, double S)
+/* At rest of the surfaces' motion, of a flow law or (Sigma0 infinite) not. */
+static ovr_simulation *made(double M, double L, int level, double S,
+                            double Sigma0, double tolerance)
 {
     test_contact c = test_contact_make(M, L);
     ovr_options o = test_options();
     ovr_error err = {0};
+    const ovr_flow_form form = {.rheology = isfinite(Sigma0) ? OVR_EYRING
+                                                             : OVR_NEWTONIAN,
+                                .stress = NAN,
+                                .number = isfinite(Sigma0) ? Sigma0 : NAN};
     o.level = level;
+    o.tolerance = tolerance;
     c.contact.u1_ratio = 1 + S / 2;
     c.contact.u2_ratio = 1 - S / 2;
+    CHECK_OK(ovr_lubricant_flow(&c.contact, &form, &c.lubricant, &err), &err);
     ovr_simulation *sim = ovr_simulation_create(&c.contact, &c.lubricant, &o,
                                                 NULL, &err);
     assert_non_null(sim);
+    return sim;
+}
+
+static ovr_observation thinning(double M, double L, int level, double S,
+                                double Sigma0)
+{
+    ovr_simulation *sim = made(M, L, level, S, Sigma0, 0);
+    ovr_error err = {0};
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     ovr_observation seen = *ovr_simulation_observation(sim);
+    assert_string_equal(ovr_simulation_strategy(sim), "");
     ovr_simulation_free(sim);
     return seen;
 }
 
-static void newtonian_truth_is_met(void **state)
+static ovr_observation solved(double M, double L, int level, double S)
+{
+    return thinning(M, L, level, S, INFINITY);
+}
+
+static void steady_truth_is_met(void **state)
 {
     (void)state;
     for (size_t k = 0; k < sizeof truth_frictions / sizeof *truth_frictions;
          k++) {
         const truth_friction *t = &truth_frictions[k];
-        if (isfinite(t->Sigma0))
-            continue;
-        ovr_observation o = solved(t->M, t->L, t->level, t->S);
+        ovr_observation o = thinning(t->M, t->L, t->level, t->S, t->Sigma0);
         CHECK_CLOSE(o.H_cen, t->H_cen, 1e-6);
-        CHECK_CLOSE(o.F_slide, t->F_slide, 1e-6);
+        CHECK_CLOSE(o.H_min, t->H_m, 1e-6);
+        CHECK_NEAR(o.F_slide, t->F_slide, 1e-6 * fabs(t->F_slide));
         CHECK_CLOSE(o.F_roll, t->F_roll, 1e-6);
         CHECK_CLOSE(o.F_1 + o.F_2, -2 * t->F_roll, 1e-6);
     }
+}
+
+/* A dent on the faster surface, 416 steps. */
+static void dent_is_met(double tolerance, double close)
+{
+    test_feature dent = {'l', -0.1, 0.5, -4.6, 1.25, 0};
+    ovr_simulation *sim = made(20, 10, 6, 0.5, 0.334, tolerance);
+    const ovr_observation *o = ovr_simulation_observation(sim);
+    const truth_thinning_dent *t = truth_thinning_dents;
+    ovr_error err = {0};
+    ovr_simulation_surface(sim, test_feature_heights, &dent);
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    double D = ovr_simulation_state(sim)->D;
+    for (int step = 0; step <= 416; step++) {
+        if (step)
+            CHECK_OK(ovr_simulation_step(sim, D, &err), &err);
+        if (step != t->step)
+            continue;
+        CHECK_CLOSE(o->H_cen, t->H_cen, close);
+        CHECK_CLOSE(o->H_min_located, t->H_min, close);
+        CHECK_CLOSE(o->F_slide, t->F_slide, close);
+        CHECK_NEAR(o->F_roll, t->F_roll, 0.02 * close);
+        t++;
+    }
+    assert_int_equal(ovr_simulation_statistics(sim)->marked, 0);
+    ovr_simulation_free(sim);
+}
+
+static void transient_truth_is_met(void **state)
+{
+    (void)state;
+    dent_is_met(1e-8, 1e-6);
+    dent_is_met(0, 1e-5); /* as it comes */
+}
+
+/* Where nothing is as steep as a Newtonian spike. */
+static void sliding_friction_is_of_second_order(void **state)
+{
+    double F[3];
+    (void)state;
+    for (int k = 0; k < 3; k++)
+        F[k] = thinning(20, 10, 6 + k, 0.5, 0.3338).F_slide;
+    double ratio = (F[1] - F[0]) / (F[2] - F[1]);
+    print_message("    differences of F_slide fall by %.2f\n", ratio);
+    assert_true(ratio > 2.8 && ratio < 5.5);
+}
+
+static void without_bound_it_is_newtonian(void **state)
+{
+    ovr_observation a = solved(20, 10, 6, 0.5);
+    ovr_observation b = thinning(20, 10, 6, 0.5, 1e15);
+    (void)state;
+    CHECK_CLOSE(b.H_cen, a.H_cen, 1e-12);
+    CHECK_CLOSE(b.H_min, a.H_min, 1e-12);
+    CHECK_CLOSE(b.F_slide, a.F_slide, 1e-9);
 }
 
 /* 2 F_roll = int (eps/rho) P_X^2 dX, which is what the surfaces put in and what
@@ -106,7 +182,10 @@ static void coefficients_need_the_ratio(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(newtonian_truth_is_met),
+        cmocka_unit_test(steady_truth_is_met),
+        cmocka_unit_test(transient_truth_is_met),
+        cmocka_unit_test(sliding_friction_is_of_second_order),
+        cmocka_unit_test(without_bound_it_is_newtonian),
         cmocka_unit_test(steady_power_is_dissipated),
         cmocka_unit_test(rolling_friction_is_of_second_order),
         cmocka_unit_test(signs_follow_the_surfaces),

@@ -34,7 +34,9 @@ static void take_fields(test_grid *grid)
     double *band[BAND];
     ovr_error err = {0};
     for (int k = 0; k < OVR_FIELD_COUNT; k++)
-        grid->f.all[k] = take(grid);
+        if (ovr_field_rows[k].memory != OVR_FLOW &&
+            ovr_field_rows[k].memory != OVR_SENSITIVE)
+            grid->f.all[k] = take(grid);
     grid->f.wet = ovr_set(&grid->arena, grid->n, &err);
     grid->f.held = ovr_set(&grid->arena, grid->n, &err);
     assert_true(grid->f.wet && grid->f.held);
@@ -52,15 +54,15 @@ test_grid test_grid_make(const ovr_kernels *run, size_t n)
     ovr_error err;
     test_contact contact = test_contact_make(20, 10);
     double D = 5.5 / (double)(n - 1);
-    test_grid grid = {
-        .arena = ovr_arena_make(NULL),
-        .run = run,
-        .n = n,
-        .D = D,
-        .fluid = {contact.lubricant, contact.contact.lambda, NULL},
-        .weights = {{1.5 / D + 2, -2 / D, 0.5 / D},
-                    {1 / D + 2, -1 / D, 0},
-                    0.5 / (D * D)}};
+    test_grid grid = {.arena = ovr_arena_make(NULL),
+                      .run = run,
+                      .n = n,
+                      .D = D,
+                      .fluid = {.lubricant = contact.lubricant,
+                                .lambda = contact.contact.lambda},
+                      .weights = {{1.5 / D + 2, -2 / D, 0.5 / D},
+                                  {1 / D + 2, -1 / D, 0},
+                                  0.5 / (D * D)}};
     CHECK_OK(ovr_mlmi_plan(&grid.mlmi, n, 10, 10, &grid.arena, &err), &err);
     ovr_mlmi_fill(&grid.mlmi, D, NULL);
     grid.lanes = (ovr_lanes){n, ovr_mlmi_lane(&grid.mlmi, run->lanes),
@@ -69,6 +71,16 @@ test_grid test_grid_make(const ovr_kernels *run, size_t n)
     for (int d = 0; d < 6; d++)
         grid.k[d] = ovr_deformation_kernel(d, D);
     return grid;
+}
+
+void test_grid_thin(test_grid *grid, double Sigma0, double sliding)
+{
+    for (int k = 0; k < OVR_FIELD_COUNT; k++)
+        if (!grid->f.all[k])
+            grid->f.all[k] = take(grid);
+    grid->fluid.lubricant.rheology = OVR_EYRING;
+    grid->fluid.lubricant.Sigma0 = Sigma0;
+    grid->fluid.sliding = sliding;
 }
 
 void test_grid_fill(const test_grid *grid, uint64_t seed)
@@ -87,6 +99,8 @@ void test_grid_fill(const test_grid *grid, uint64_t seed)
     }
     f->P[0] = f->P[n - 1] = 0;
     grid->run->film(&grid->fluid, 0, &grid->lanes, grid->gap, grid->w, f);
+    if (f->flow)
+        grid->run->flow(&grid->fluid, grid->D, &grid->lanes, f);
     grid->run->residual(&grid->lanes, &grid->weights, f);
     grid->run->phase(&grid->lanes, &grid->weights, f);
 }
@@ -106,7 +120,8 @@ void test_grid_copy(const test_grid *plain, const test_grid *to)
     list(plain, from);
     list(to, here);
     for (int k = 0; k < ARRAYS; k++)
-        to->run->pack(&to->lanes, from[k], here[k]);
+        if (from[k])
+            to->run->pack(&to->lanes, from[k], here[k]);
     to->run->phase(&to->lanes, &to->weights, &to->f);
 }
 

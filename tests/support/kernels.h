@@ -29,6 +29,9 @@ typedef struct test_grid {
 
 test_grid test_grid_make(const ovr_kernels *run, size_t n);
 
+/* Gives it a flow law, Eyring's. */
+void test_grid_thin(test_grid *grid, double Sigma0, double sliding);
+
 /* A pressure with a wet part, a dry end and a small disturbance, a film without
  * deformation, a right-hand side; the properties and the residual that belong
  * to them.  For the plain kernels. */

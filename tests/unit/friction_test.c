@@ -10,7 +10,7 @@ enum { MOST = 90 };
 
 /* Films with dry nodes among them. */
 typedef struct film {
-    double X[MOST], P[MOST], H[MOST], q[MOST], eps[MOST], t[MOST];
+    double X[MOST], P[MOST], H[MOST], q[MOST], eps[MOST], flow[MOST];
 } film;
 
 static ovr_sheared make(film *f, size_t n, uint64_t *seed)
@@ -21,22 +21,28 @@ static ovr_sheared make(film *f, size_t n, uint64_t *seed)
         f->H[i] = test_random(seed, 0.1, 1);
         f->q[i] = f->H[i] * test_random(seed, 1, 1.3);
         f->eps[i] = exp(test_random(seed, -20, 2));
+        f->flow[i] = exp(test_random(seed, -20, 2));
     }
-    return (ovr_sheared){n, f->X, f->P, f->H, f->q, f->eps};
+    return (ovr_sheared){n, f->X, f->P, f->H, f->q, f->eps, NULL};
 }
 
-static void compare(const ovr_kernels *run, const ovr_sheared *f, double V)
+static void compare(const ovr_kernels *run, const ovr_sheared *f,
+                    const ovr_fluid *fluid)
 {
     const ovr_kernels *plain = test_kernels(0);
-    double t[MOST], expected[MOST];
-    plain->mean_stress(f, V, expected);
-    run->mean_stress(f, V, t);
+    double t[MOST], expected[MOST], limit = 0.7;
+    plain->mean_stress(f, fluid, expected);
+    run->mean_stress(f, fluid, t);
     for (size_t i = 0; i + 1 < f->n; i++)
-        CHECK_NEAR(t[i], expected[i], 1e-13 * fabs(expected[i]));
+        CHECK_NEAR(t[i], expected[i], 1e-13 * (fabs(expected[i]) + 1));
     ovr_friction a = plain->friction(f, expected), b = run->friction(f, t);
-    CHECK_CLOSE(b.slide, a.slide, 1e-12);
+    CHECK_NEAR(b.slide, a.slide, 1e-12 * (fabs(a.slide) + 1));
     CHECK_NEAR(b.roll, a.roll, 1e-12);
     CHECK_CLOSE(b.poiseuille, a.poiseuille, 1e-12);
+    CHECK_CLOSE(run->limit_stress(f, limit, t),
+                plain->limit_stress(f, limit, expected), 1e-12);
+    for (size_t i = 0; i + 1 < f->n; i++)
+        CHECK_NEAR(t[i], expected[i], 1e-13 * (fabs(expected[i]) + 1));
 }
 
 static void kernels_agree(void **state)
@@ -48,7 +54,14 @@ static void kernels_agree(void **state)
         for (size_t n = 13; n < MOST; n++) {
             film f;
             ovr_sheared sheared = make(&f, n, &seed);
-            compare(run, &sheared, test_random(&seed, -3, 3));
+            ovr_fluid fluid = {.sliding = test_random(&seed, -3, 3)};
+            compare(run, &sheared, &fluid);
+            sheared.flow = f.flow;
+            fluid.lubricant.rheology = OVR_EYRING;
+            fluid.lubricant.Sigma0 = test_random(&seed, 0.1, 1);
+            compare(run, &sheared, &fluid);
+            fluid.sliding = 0;
+            compare(run, &sheared, &fluid);
         }
 }
 
@@ -58,8 +71,9 @@ static void plain_by_hand(void **state)
 {
     enum { N = 301 };
     static double X[N], P[N], H[N], q[N], eps[N], t[N];
-    const ovr_sheared f = {N, X, P, H, q, eps};
+    const ovr_sheared f = {N, X, P, H, q, eps, NULL};
     const double lambda = 0.03, D = 0.01, V = -0.7;
+    const ovr_fluid fluid = {.sliding = V};
     double flow = 0.5 * 0.5 * 0.5 / lambda, wet = 2;
     (void)state;
     for (int i = 0; i < N; i++) {
@@ -70,7 +84,7 @@ static void plain_by_hand(void **state)
         eps[i] = 1.2 * flow;
     }
     const ovr_kernels *plain = test_kernels(0);
-    plain->mean_stress(&f, V, t);
+    plain->mean_stress(&f, &fluid, t);
     CHECK_CLOSE(t[100], lambda * 0.7 / 12 / 0.5, 1e-12);
     assert_true(t[0] == 0 && t[N - 2] == 0);
     ovr_friction sum = plain->friction(&f, t);

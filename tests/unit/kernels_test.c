@@ -22,18 +22,29 @@ static void compare(const test_grid *of, const double *x, const double *plain,
 
 typedef void check(const test_grid *plain, const test_grid *other);
 
-/* The check on every set of vectors, from filled fields. */
+static void on_set(const ovr_kernels *run, bool thin, check *agree)
+{
+    test_grid plain = test_grid_make(test_kernels(0), N);
+    test_grid other = test_grid_make(run, N);
+    if (thin) {
+        test_grid_thin(&plain, 0.2, 0.4);
+        test_grid_thin(&other, 0.2, 0.4);
+    }
+    test_grid_fill(&plain, 9);
+    test_grid_copy(&plain, &other);
+    agree(&plain, &other);
+    ovr_arena_release(&plain.arena);
+    ovr_arena_release(&other.arena);
+}
+
+/* The check on every set of vectors, from filled fields, without and with a
+ * flow law. */
 static void on_every_set(check *agree)
 {
     const ovr_kernels *run;
     for (int k = 1; (run = test_kernels(k)); k++) {
-        test_grid plain = test_grid_make(test_kernels(0), N);
-        test_grid other = test_grid_make(run, N);
-        test_grid_fill(&plain, 9);
-        test_grid_copy(&plain, &other);
-        agree(&plain, &other);
-        ovr_arena_release(&plain.arena);
-        ovr_arena_release(&other.arena);
+        on_set(run, false, agree);
+        on_set(run, true, agree);
     }
 }
 

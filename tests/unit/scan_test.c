@@ -55,8 +55,8 @@ static void check_means(const ovr_kernels *run, arrays *a)
     const ovr_kernels *plain = test_kernels(0);
     double *const past[] = {a->past[0], a->past[1], a->past[2]};
     size_t n = a->n;
-    CHECK_NEAR(run->mean_flow(n, u, a->X, a->P, a->q, a->eps),
-               plain->mean_flow(n, u, a->X, a->P, a->q, a->eps),
+    CHECK_NEAR(run->mean_flow(n, u, a->X, a->P, a->q, a->eps, NULL),
+               plain->mean_flow(n, u, a->X, a->P, a->q, a->eps, NULL),
                1e-12 * (double)n);
     CHECK_NEAR(run->deviation(n, e, a->P, a->q, past),
                plain->deviation(n, e, a->P, a->q, past), 1e-13);
@@ -100,10 +100,10 @@ static void plain_scans_by_hand(void **state)
     assert_true(run->difference(8, x, y) == 7);
     assert_true(run->gain(8, w, x, y) == -7.5);
     /* 2*2 + 1 - 2*2/0.5 = -3 and 2*4 + 2 + 4*1/1 = 14 */
-    assert_true(run->mean_flow(7, u, X, P, q, eps) == 5.5);
+    assert_true(run->mean_flow(7, u, X, P, q, eps, NULL) == 5.5);
     /* off by 0, 0, 0, 2, (dry), 0, 1 */
     assert_true(run->deviation(7, e, P, q, past) == sqrt(5. / 6));
-    assert_true(run->mean_flow(7, u, X, zero, q, eps) == 0);
+    assert_true(run->mean_flow(7, u, X, zero, q, eps, NULL) == 0);
 }
 
 /* One node among many, wherever it is. */
@@ -135,7 +135,7 @@ static void dry_has_no_means(void **state)
     const ovr_kernels *run;
     (void)state;
     for (int k = 0; (run = test_kernels(k)); k++) {
-        assert_true(run->mean_flow(a.n, none, a.X, a.P, a.q, a.eps) == 0);
+        assert_true(run->mean_flow(a.n, none, a.X, a.P, a.q, a.eps, NULL) == 0);
         assert_true(run->deviation(a.n, none, a.P, a.q, past) == 0);
     }
 }

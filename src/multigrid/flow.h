@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Flow of a film that shears thin, exactly, at half nodes.
+ *
+ *     gamma = (tau0/eta) f(tau/tau0)        tau(s) = t + s H P_X/2, s = -1..1
+ *     flux = E P_X                          Sigma0 = tau0/(ph b/R)
+ *
+ * Stresses over tau0: a = t/Sigma0 of the mean, g = H P_X/(2 Sigma0) of the
+ * difference.  What slides and what flows are integrals over the film,
+ *     (1/2) int f(a + g s) ds = -sgn(V) c/eps,   c = |V| rho H^2/(12 Sigma0)
+ *     E = eps (3/(2 g)) int s f(a + g s) ds
+ * Eyring, f = sinh (after Conry, Wang, Cusano 1987):
+ *     E = A(g) W,  W = sqrt(eps^2 + (B(g) c)^2)
+ *     A = 3 (g cosh g - sinh g)/g^3,  B = g/sinh g,  a = -sgn(V) asinh(B c/eps)
+ * c has no viscosity in it, and nothing is divided by eps.
+ *
+ * At i + 1/2, eps and rho H^2 the means of the two nodes, g by the difference
+ * of P over D and the mean of H.  What row and Newton need of it:
+ *     T = d(E g)/dg at fixed eps, c: E with its change by the gradient
+ *       = (3 sinh g/g - 2 A) W - (A^2 B g^2/3) (B c)^2/W
+ *     R = dE/d eps = A eps/W
+ *     dE/dH_i = R (d eps_i/dH)/2 + (A B^2 c/W) dc/dH_i + (T - E)/(H_i +
+ * H_{i+1}) A, B beyond |g| = 200 are those there.  Without T steep pressures
+ * diverge. Sigma0 infinite: E = T = eps, R = 1.
+ */
+#ifndef OVR_MULTIGRID_FLOW_H
+#define OVR_MULTIGRID_FLOW_H
+
+#include <stdbool.h>
+
+#include "multigrid/kernels.h"
+
+/* |V|/(12 Sigma0), by which rho H^2 becomes c; 1/(4 D Sigma0), by which
+ * (H_i + H_{i+1}) (P_{i+1} - P_i) becomes g. */
+static inline double ovr_flow_slide(const ovr_fluid *fluid)
+{
+    double V = fluid->sliding;
+    return (V < 0 ? -V : V) / (12 * fluid->lubricant.Sigma0);
+}
+
+static inline double ovr_flow_gradient(const ovr_fluid *fluid, double D)
+{
+    return 0.25 / (D * fluid->lubricant.Sigma0);
+}
+
+/* Whether the fluid has a flow law. */
+static inline bool ovr_flow_thins(const ovr_fluid *fluid)
+{
+    return fluid->lubricant.rheology != OVR_NEWTONIAN;
+}
+
+/* E at the middle of two nodes that are dX apart. */
+typedef struct ovr_pair {
+    double P[2], H[2], q[2], eps[2];
+} ovr_pair;
+double ovr_flow_between(const ovr_fluid *fluid, double dX,
+                        const ovr_pair *nodes);
+
+#endif

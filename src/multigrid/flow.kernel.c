@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Flow of a film that shears thin (equations in flow.h): 2 E, 2 T, R at all
+ * half nodes that rows reach, from P and the film. */
+#include "multigrid/flow.h"
+#include "multigrid/eyring.h"
+
+/* Of both nodes, summed: eps, c, B c; 2 W and 1/(2 W). */
+typedef struct half {
+    vec eps, c, bc, W, inv_W;
+} half;
+
+static inline half half_at(const ovr_fields *f, double slide, vec B,
+                           ptrdiff_t J)
+{
+    const double least = 1e-290; /* its root is W where all else vanishes */
+    vec drag = fused(at(f->q, J), at(f->H, J),
+                     at(f->q, J + 1) * at(f->H, J + 1));
+    half h = {.eps = at(f->eps, J) + at(f->eps, J + 1), .c = slide * drag};
+    h.bc = B * h.c;
+    vec square = fused(h.eps, h.eps, fused(h.bc, h.bc, all(least)));
+    h.inv_W = inverse_root(square);
+    h.W = square * h.inv_W;
+    return h;
+}
+
+/* 2 dE/dH of node J + k, by eps, c and g */
+static inline vec by_film(const ovr_fields *f, ptrdiff_t J, vec R, vec by_c,
+                          vec by_g)
+{
+    return fused(R, at(f->deps_dH, J), fused(by_c, 2 * at(f->q, J), by_g));
+}
+
+void OVR_KERNEL(flow)(const ovr_fluid *fluid, double D, const ovr_lanes *g,
+                      const ovr_fields *f)
+{
+    const ovr_fields own = *f; /* a copy that no store can change */
+    double slide = ovr_flow_slide(fluid);
+    double gradient = ovr_flow_gradient(fluid, D);
+    exp_table growth;
+    make_exp_table(1, &growth);
+    for (ptrdiff_t J = -OVR_HALO; J < (ptrdiff_t)g->S; J++) {
+        vec H = at(own.H, J) + at(own.H, J + 1);
+        vec dP = at(own.P, J + 1) - at(own.P, J);
+        eyring e = eyring_at(&growth, gradient * H * dP);
+        half h = half_at(&own, slide, e.B, J);
+        vec flow = e.A * h.W, R = e.A * h.eps * h.inv_W;
+        vec bend = (1. / 3) * e.A * e.A * e.B * e.square * h.bc * h.bc;
+        vec tangent = less((3 * e.shc - 2 * e.A) * h.W, bend, h.inv_W);
+        put(own.flow, J, flow);
+        put(own.tangent, J, tangent);
+        put(own.by_eps, J, R);
+        if (!own.by_left)
+            continue;
+        vec by_c = slide * e.A * e.B * h.bc * h.inv_W;
+        vec by_g = (tangent - flow) / H;
+        put(own.by_left, J, by_film(&own, J, R, by_c, by_g));
+        put(own.by_right, J, by_film(&own, J + 1, R, by_c, by_g));
+    }
+}

@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Flow of a film that shears thin (equations in flow.h). */
+#include <math.h>
+
+#include "multigrid/plain.h"
+
+#include "multigrid/flow.h"
+
+typedef struct half {
+    double flow, tangent, R; /* 2 E, 2 T, R */
+    double by_c;             /* dE/dc */
+} half;
+
+/* 3 (x cosh x - sinh x)/x^3 */
+static double poiseuille(double x)
+{
+    double s = x * x;
+    if (x < 0.25)
+        return 1 + s / 10 * (1 + s / 28 * (1 + s / 54 * (1 + s / 88)));
+    return 3 * (cosh(x) - sinh(x) / x) / s;
+}
+
+/* eps, c: of both nodes, summed */
+static half eyring(double g, double eps, double c)
+{
+    double x = fmin(fabs(g), 200), A = poiseuille(x);
+    double shc = x > 0 ? sinh(x) / x : 1, bc = c / shc;
+    double W = sqrt(eps * eps + bc * bc + 1e-290);
+    double bend = A * A / shc * x * x / 3 * bc * bc;
+    return (half){A * W, (3 * shc - 2 * A) * W - bend / W, A * eps / W,
+                  A / shc * bc / W};
+}
+
+static double drag(const ovr_fields *f, ptrdiff_t i)
+{
+    return f->q[i] * f->H[i] + f->q[i + 1] * f->H[i + 1];
+}
+
+void ovr_flow_plain(const ovr_fluid *fluid, double D, const ovr_lanes *g,
+                    const ovr_fields *f)
+{
+    double slide = ovr_flow_slide(fluid);
+    double gradient = ovr_flow_gradient(fluid, D);
+    for (ptrdiff_t i = 0; i + 1 < (ptrdiff_t)g->n; i++) {
+        double H = f->H[i] + f->H[i + 1];
+        half h = eyring(gradient * H * (f->P[i + 1] - f->P[i]),
+                        f->eps[i] + f->eps[i + 1], slide * drag(f, i));
+        f->flow[i] = h.flow;
+        f->tangent[i] = h.tangent;
+        f->by_eps[i] = h.R;
+        if (!f->by_left)
+            continue;
+        double by_g = (h.tangent - h.flow) / H, by_c = 2 * slide * h.by_c;
+        f->by_left[i] = h.R * f->deps_dH[i] + by_c * f->q[i] + by_g;
+        f->by_right[i] = h.R * f->deps_dH[i + 1] + by_c * f->q[i + 1] + by_g;
+    }
+}
+
+double ovr_flow_between(const ovr_fluid *fluid, double dX,
+                        const ovr_pair *nodes)
+{
+    const double *H = nodes->H, *q = nodes->q, *eps = nodes->eps;
+    double twice_eps = eps[0] + eps[1];
+    if (!ovr_flow_thins(fluid))
+        return 0.5 * twice_eps;
+    double g = ovr_flow_gradient(fluid, dX) * (H[0] + H[1]) *
+               (nodes->P[1] - nodes->P[0]);
+    double c = ovr_flow_slide(fluid) * (q[0] * H[0] + q[1] * H[1]);
+    return 0.5 * eyring(g, twice_eps, c).flow;
+}

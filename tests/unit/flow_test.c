@@ -1,0 +1,195 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Flow of films that shear thin: Eyring's law against quadrature over the film,
+ * its derivatives against differences, the kernels beside the plain one. */
+#include <math.h>
+
+#include "multigrid/flow.h"
+#include "support/kernels.h"
+#include "support/test.h"
+
+/* Gauss-Legendre on [-1, 1] by Newton's method on the polynomial. */
+enum { GAUSS = 48 };
+static void gauss(double s[GAUSS], double w[GAUSS])
+{
+    for (int k = 0; k < GAUSS; k++) {
+        double x = cos(acos(-1) * (k + 0.75) / (GAUSS + 0.5)), slope = 1;
+        for (int step = 0; step < 60; step++) {
+            double p = 1, before = 0;
+            for (int j = 0; j < GAUSS; j++) {
+                double next = ((2 * j + 1) * x * p - j * before) / (j + 1);
+                before = p;
+                p = next;
+            }
+            slope = GAUSS * (before - x * p) / (1 - x * x);
+            x -= p / slope;
+        }
+        s[k] = x;
+        w[k] = 2 / ((1 - x * x) * slope * slope);
+    }
+}
+
+/* int s^m sinh(a + g s) ds */
+static double moment(double a, double g, int m)
+{
+    double s[GAUSS], w[GAUSS], sum = 0;
+    gauss(s, w);
+    for (int k = 0; k < GAUSS; k++)
+        sum += w[k] * (m ? s[k] : 1) * sinh(a + g * s[k]);
+    return sum;
+}
+
+/* One half node, of given eps, c and g for both nodes. */
+static ovr_pair half_node(const ovr_fluid *fluid, double eps, double c,
+                          double g)
+{
+    double H = 0.3;
+    double q = fluid->sliding != 0 ? c / ovr_flow_slide(fluid) / H : 1;
+    double dP = g / (ovr_flow_gradient(fluid, 0.01) * 2 * H);
+    return (ovr_pair){{0.5, 0.5 + dP}, {H, H}, {q, q}, {eps, eps}};
+}
+
+static ovr_fluid eyring(double Sigma0, double sliding)
+{
+    return (ovr_fluid){.lubricant = {.rheology = OVR_EYRING, .Sigma0 = Sigma0},
+                       .sliding = sliding};
+}
+
+/* The mean stress a is what makes half the integral of f equal to c/eps; the
+ * flow is eps 3/(2 g) int s f ds. */
+static void flow_is_the_integral(void **state)
+{
+    const double slides[] = {0, 1e-3, 1, 30, 3e3, 1e9};
+    const double gradients[] = {1e-3, 0.2, 0.26, 1, 4, 9};
+    const ovr_fluid fluid = eyring(0.3, 0.5);
+    (void)state;
+    for (int i = 0; i < 6; i++)
+        for (int j = 0; j < 6; j++) {
+            double eps = 1e-3, c = slides[i] * eps, g = gradients[j];
+            double B = g / sinh(g), a = asinh(B * slides[i]);
+            ovr_pair nodes = half_node(&fluid, eps, c, g);
+            double E = ovr_flow_between(&fluid, 0.01, &nodes);
+            CHECK_NEAR(moment(a, g, 0) / 2, slides[i],
+                       1e-11 * slides[i] + 1e-12);
+            CHECK_CLOSE(E, eps * 1.5 / g * moment(a, g, 1), 1e-9);
+        }
+}
+
+/* Without a limit on Sigma0 the film is Newtonian to rounding; a lubricant
+ * without a flow law is exactly. */
+static void thick_films_are_newtonian(void **state)
+{
+    ovr_fluid fluid = eyring(1e12, 0.5), none = {.sliding = 0.5};
+    ovr_pair nodes = {{0.5, 0.7}, {0.2, 0.1}, {0.25, 0.1}, {1e-3, 3e-3}};
+    (void)state;
+    CHECK_CLOSE(ovr_flow_between(&fluid, 0.01, &nodes), 2e-3, 1e-14);
+    fluid.lubricant.Sigma0 = INFINITY;
+    CHECK_CLOSE(ovr_flow_between(&fluid, 0.01, &nodes), 2e-3, 1e-15);
+    assert_true(ovr_flow_between(&none, 0.01, &nodes) == 2e-3);
+}
+
+/* A grid of two nodes: what the plain kernel makes of it. */
+typedef struct pair {
+    double P[2], H[2], rho[2], q[2], eps[2], deps_dH[2], out[5][2];
+} pair;
+
+static void evaluate(const ovr_fluid *fluid, pair *p)
+{
+    const ovr_fields f = {.P = p->P,
+                          .H = p->H,
+                          .q = p->q,
+                          .eps = p->eps,
+                          .deps_dH = p->deps_dH,
+                          .flow = p->out[0],
+                          .tangent = p->out[1],
+                          .by_eps = p->out[2],
+                          .by_left = p->out[3],
+                          .by_right = p->out[4]};
+    for (int k = 0; k < 2; k++) {
+        p->q[k] = p->rho[k] * p->H[k];
+        p->deps_dH[k] = 3 * p->eps[k] / p->H[k];
+    }
+    test_kernels(0)->flow(fluid, 0.01, &(ovr_lanes){2, 2, 1}, &f);
+}
+
+/* eps goes with H^3 where H is nudged. */
+static double flow_nudged(const ovr_fluid *fluid, pair p, double dP, double de,
+                          const double dH[2])
+{
+    p.P[1] += dP;
+    for (int k = 0; k < 2; k++) {
+        p.eps[k] = p.eps[k] * pow(1 + dH[k] / p.H[k], 3) + de;
+        p.H[k] += dH[k];
+    }
+    evaluate(fluid, &p);
+    return p.out[0][0];
+}
+
+static double by_difference(const ovr_fluid *fluid, pair p, double dP,
+                            double de, double left, double right)
+{
+    const double up[2] = {left, right}, down[2] = {-left, -right};
+    double size = dP + de + left + right;
+    double a = flow_nudged(fluid, p, dP, de, up);
+    double b = flow_nudged(fluid, p, -dP, -de, down);
+    return (a - b) / (2 * size);
+}
+
+static void slopes_are_differences(void **state)
+{
+    const double slopes[] = {1e-5, 1e-3, 0.02, -0.05, 0.3};
+    const ovr_fluid fluid = eyring(0.3, -0.5);
+    (void)state;
+    for (int k = 0; k < 5; k++) {
+        pair p = {{0.5, 0.5 + slopes[k]}, {0.2, 0.25}, {1.1, 1.2}, {0},
+                  {1e-4, 3e-4},           {0},         {{0}}};
+        evaluate(&fluid, &p);
+        double dP = p.P[1] - p.P[0], by_P;
+        by_P = by_difference(&fluid, p, 1e-6, 0, 0, 0);
+        CHECK_CLOSE(p.out[1][0], p.out[0][0] + dP * by_P, 1e-7);
+        CHECK_CLOSE(2 * p.out[2][0], by_difference(&fluid, p, 0, 1e-9, 0, 0),
+                    1e-6);
+        CHECK_CLOSE(p.out[3][0], by_difference(&fluid, p, 0, 0, 1e-6, 0), 1e-6);
+        CHECK_CLOSE(p.out[4][0], by_difference(&fluid, p, 0, 0, 0, 1e-6), 1e-6);
+    }
+}
+
+static void agree(const test_grid *plain, const test_grid *other)
+{
+    for (int k = OVR_FIELD_flow; k <= OVR_FIELD_by_right; k++) {
+        const double *a = plain->f.all[k];
+        other->run->flow(&other->fluid, other->D, &other->lanes, &other->f);
+        const double *b = test_grid_read(other, other->f.all[k]);
+        for (size_t i = 0; i + 1 < plain->n; i++)
+            CHECK_NEAR(b[i], a[i], 3e-12 * fabs(a[i]));
+    }
+}
+
+/* For gradients from those of an inlet to those that are capped. */
+static void kernels_agree(void **state)
+{
+    const double stresses[] = {1e-3, 0.05, 0.3, 10};
+    const ovr_kernels *run;
+    (void)state;
+    for (int k = 1; (run = test_kernels(k)); k++)
+        for (int j = 0; j < 4; j++) {
+            test_grid plain = test_grid_make(test_kernels(0), 225);
+            test_grid other = test_grid_make(run, 225);
+            test_grid_thin(&plain, stresses[j], j % 2);
+            test_grid_thin(&other, stresses[j], j % 2);
+            test_grid_fill(&plain, 9);
+            test_grid_copy(&plain, &other);
+            agree(&plain, &other);
+            ovr_arena_release(&plain.arena);
+            ovr_arena_release(&other.arena);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(flow_is_the_integral),
+        cmocka_unit_test(thick_films_are_newtonian),
+        cmocka_unit_test(slopes_are_differences),
+        cmocka_unit_test(kernels_agree)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
