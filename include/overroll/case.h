@@ -157,6 +157,13 @@ typedef struct ovr_stress_setup {
     double residual_x, residual_y;
 } ovr_stress_setup;
 
+/* Of what level = auto brings the error down. */
+typedef enum ovr_accuracy {
+    OVR_ACCURACY_H_CEN,
+    OVR_ACCURACY_H_MIN,
+    OVR_ACCURACY_FEATURES /* of what the features do to the film */
+} ovr_accuracy;
+
 /* All that a case describes, ready to be run. */
 typedef struct ovr_setup {
     const ovr_contact *contact;
@@ -173,6 +180,12 @@ typedef struct ovr_setup {
     double mesh;            /* D */
     ovr_surfaces *surfaces; /* NULL: smooth */
     double bearable;        /* pressure that the material bears, Pa */
+    ovr_accuracy accuracy_of;
+    double accuracy; /* wanted: options->level is 0 until it is chosen by
+                        ovr_setup_prepare; 0: the level was given */
+    double expected; /* relative error of accuracy_of on this mesh, as far as
+                        it is known before anything is solved; by
+                        ovr_setup_prepare */
 } ovr_setup;
 
 /* Fails with OVR_BAD_INPUT naming file, line and key; nothing of the size of

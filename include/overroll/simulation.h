@@ -109,7 +109,7 @@ OVR_API const ovr_options *ovr_simulation_options(const ovr_simulation *sim);
 
 /* Numerical starvation: the share of the central film that the inlet's place
  * costs, estimated from M and L (within a factor of 1.5 for M = 1 to 1000, L up
- * to 15).  An automatic inlet costs 1.2e-4 or less by it, 3e-4 as measured. */
+ * to 15).  An automatic inlet costs 1e-4 or less by it, 3e-4 as measured. */
 OVR_API double ovr_simulation_starvation(const ovr_simulation *sim);
 
 /* Roughness and histories; borrowed, must outlive the simulation.  Default:

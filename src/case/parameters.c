@@ -42,6 +42,10 @@ static const ovr_word smoothers[] = {{"line", OVR_LINE},
                                      {"dipole", OVR_DIPOLE},
                                      {NULL, 0}};
 static const ovr_word orders[] = {{"auto", 0}, {"2", 2}, {"4", 4}, {NULL, 0}};
+static const ovr_word accuracies[] = {{"H_cen", OVR_ACCURACY_H_CEN},
+                                      {"H_min", OVR_ACCURACY_H_MIN},
+                                      {"features", OVR_ACCURACY_FEATURES},
+                                      {NULL, 0}};
 static const ovr_word cycles[] = {{"V", 1}, {"W", 2}, {NULL, 0}};
 static const ovr_word stops[] = {{"negligible", OVR_STOP_NEGLIGIBLE},
                                  {"truncation", OVR_STOP_TRUNCATION},
@@ -294,8 +298,16 @@ static const ovr_parameter table[] = {
      "more than 0.5 % of the central film; auto: where it costs 1e-4"},
     {"domain", "outlet", LENGTH_OR(auto_nan, 1.05, 1e6), "1.5",
      AT(options.outlet), true, "X of the last node"},
-    {"domain", "level", WHOLE(1, 23), "8", AT(options.level), true,
-     "finest grid: 7 2^level + 1 nodes"},
+    {"domain", "level", WHOLE_OR(auto_zero, 1, 23), "8", AT(options.level),
+     true,
+     "finest grid: 7 2^level + 1 nodes; auto: what brings accuracy_of to "
+     "accuracy, 14 at most"},
+    {"domain", "accuracy", PLAIN(1e-9, 0.5), "1e-3", AT(accuracy), true,
+     "with level = auto: relative error of discretization that is wanted"},
+    {"domain", "accuracy_of", CHOICE(accuracies), "H_cen", AT(accuracy_of),
+     true,
+     "with level = auto: of the central film, of the smallest, or of what "
+     "the features do to the film"},
     {"domain", "nodes", WHOLE(15, 58720257), NULL, AT(nodes), true,
      "instead of level: 7 2^k + 1"},
     {"domain", "order", CHOICE(orders), "auto", AT(options.order), true,

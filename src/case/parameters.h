@@ -80,6 +80,8 @@ typedef struct ovr_settings {
     ovr_options options;
     int scheme; /* -1: by the steps and histories */
     int nodes;
+    double accuracy; /* with level = auto */
+    int accuracy_of;
     double end, step, error;
     bool until_steady;
     ovr_change load, speed;

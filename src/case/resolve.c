@@ -253,7 +253,7 @@ static ovr_status check_solver(const ovr_resolved *r, ovr_error *err)
         const ovr_slot *slot = slot_of(r, "paper", key);
         return ovr_fail_slot(err, slot, "%s must be even", slot->text);
     }
-    if (o->coarsest_level > o->level)
+    if (o->level && o->coarsest_level > o->level)
         return ovr_fail_slot(err, slot_of(r, "solver", "coarsest_level"),
                              "%d must not be above the level "
                              "%d",
@@ -286,6 +286,8 @@ static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
         status = resolve_order(r, err);
     if (!status)
         status = check_solver(r, err);
+    r->setup.accuracy_of = (ovr_accuracy)r->values.accuracy_of;
+    r->setup.accuracy = r->values.options.level ? 0 : r->values.accuracy;
     return status;
 }
 

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <unistd.h>
 
+#include "case/accuracy.h"
 #include "case/resolve.h"
 #include "contact/starvation.h"
 #include "simulation/internal.h"
@@ -94,21 +95,20 @@ static ovr_contact thickest(const ovr_setup *s, double *Cw)
 }
 
 /* An automatic domain is that of the thickest film: b grows as sqrt(Cw). */
-static ovr_status choose_domain(ovr_setup *s, ovr_error *why)
+static void choose_domain(ovr_setup *s)
 {
     ovr_options *o = s->options, farthest = *o;
     double Cw = 1;
     if (s->transient && (isnan(o->inlet) || isnan(o->outlet)) &&
         (ovr_history_varies(s->load) || ovr_history_varies(s->speed))) {
         ovr_contact most = thickest(s, &Cw);
-        if (ovr_options_resolve(&most, &farthest, why))
-            return OVR_BAD_INPUT;
+        ovr_options_domain(&most, &farthest);
         if (isnan(o->inlet))
             o->inlet = fmin(sqrt(Cw) * farthest.inlet, -2);
         if (isnan(o->outlet))
             o->outlet = fmax(sqrt(Cw) * farthest.outlet, 1.5);
     }
-    return ovr_options_resolve(s->contact, o, why);
+    ovr_options_domain(s->contact, o);
 }
 
 static void measure(ovr_setup *s)
@@ -127,45 +127,94 @@ static bool is_overrun(const ovr_setup *s)
            !ovr_surfaces_inside(s->surfaces, OVR_USUAL_INLET, o->outlet);
 }
 
+static ovr_status make_anew(ovr_resolved *r, const ovr_allocator *allocator,
+                            ovr_error *err)
+{
+    ovr_surfaces_free(r->setup.surfaces);
+    r->setup.surfaces = NULL;
+    measure(&r->setup);
+    if (make_surfaces(r, allocator, err))
+        return err ? err->status : OVR_BAD_INPUT;
+    return OVR_OK;
+}
+
 static ovr_status place_surfaces(ovr_resolved *r, bool usual,
                                  const ovr_allocator *allocator, ovr_error *err)
 {
     ovr_setup *s = &r->setup;
-    measure(s);
-    if (make_surfaces(r, allocator, err))
-        return err ? err->status : OVR_BAD_INPUT;
-    if (!usual || !is_overrun(s))
-        return OVR_OK;
+    ovr_status status = make_anew(r, allocator, err);
+    if (status || !usual || !is_overrun(s))
+        return status;
     r->inlet_kept = s->options->inlet;
     s->options->inlet = OVR_USUAL_INLET;
-    ovr_surfaces_free(s->surfaces);
-    s->surfaces = NULL;
-    measure(s);
-    return make_surfaces(r, allocator, err);
+    return make_anew(r, allocator, err);
+}
+
+static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
+{
+    const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
+    const ovr_block *solver = ovr_case_find_block(r->c, "solver", NULL);
+    const ovr_block *paper = ovr_case_find_block(r->c, "paper", NULL);
+    ovr_error why = {0};
+    if (!ovr_options_resolve(r->setup.contact, r->setup.options, &why))
+        return OVR_OK;
+    bool of_paper = why.about && ovr_parameter_find(paper->section, why.about);
+    return ovr_fail_in(err, r->c, of_paper ? paper : domain, solver, &why);
+}
+
+/* On the level of the options. */
+static ovr_status make_grid(ovr_resolved *r, bool usual,
+                            const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_setup *s = &r->setup;
+    if (resolve_options(r, err) || check_memory(r, err))
+        return err ? err->status : OVR_BAD_INPUT;
+    ovr_status status = place_surfaces(r, usual, allocator, err);
+    if (!status)
+        s->expected = ovr_expected_of_mesh(s) + ovr_expected_of_features(s);
+    return status;
+}
+
+/* The first level on which the error to be expected is the one wanted; of
+ * what features do on it is asked where the mesh alone would do. */
+static ovr_status choose_level(ovr_resolved *r, bool usual,
+                               const ovr_allocator *allocator, ovr_error *err)
+{
+    enum { LEAST = 4, MOST = 14 };
+    ovr_setup *s = &r->setup;
+    const ovr_options wanted = *s->options;
+    ovr_status status = OVR_OK;
+    int level = wanted.coarsest_level > LEAST ? wanted.coarsest_level : LEAST;
+    s->expected = INFINITY;
+    for (; !status && s->expected > s->accuracy && level <= MOST; level++) {
+        double inlet = s->options->inlet;
+        *s->options = wanted;
+        s->options->inlet = inlet;
+        s->options->level = level;
+        status = resolve_options(r, err);
+        measure(s);
+        if (!status && (level == MOST || ovr_expected_of_mesh(s) < s->accuracy))
+            status = make_grid(r, usual, allocator, err);
+    }
+    return status;
 }
 
 ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
                              ovr_error *err)
 {
     ovr_resolved *r = (ovr_resolved *)setup;
-    const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
-    const ovr_block *solver = ovr_case_find_block(r->c, "solver", NULL);
-    const ovr_block *paper = ovr_case_find_block(r->c, "paper", NULL);
     bool usual = setup->options->inlet == 0;
-    ovr_error why = {0};
+    ovr_status status;
     if (setup->nodes)
         return OVR_OK;
-    if (choose_domain(setup, &why)) {
-        bool of_paper = why.about &&
-                        ovr_parameter_find(paper->section, why.about);
-        return ovr_fail_in(err, r->c, of_paper ? paper : domain, solver, &why);
-    }
-    if (check_memory(r, err) || place_surfaces(r, usual, allocator, err))
-        return err ? err->status : OVR_BAD_INPUT;
-    if (ovr_resolve_end(r, err))
-        return err ? err->status : OVR_BAD_INPUT;
-    setup->nodes = ovr_level_nodes(setup->options->level);
-    return OVR_OK;
+    choose_domain(setup);
+    status = setup->options->level ? make_grid(r, usual, allocator, err)
+                                   : choose_level(r, usual, allocator, err);
+    if (!status)
+        status = ovr_resolve_end(r, err);
+    if (!status)
+        setup->nodes = ovr_level_nodes(setup->options->level);
+    return status;
 }
 
 ovr_simulation *ovr_setup_simulation(ovr_setup *setup,

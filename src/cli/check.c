@@ -273,8 +273,9 @@ static void put_features(const ovr_setup *setup)
         if (info.diameter > 0)
             printf("diameter at half depth %.4g%s, ", info.diameter,
                    in_metres(info.diameter, setup->contact->b).text);
-        printf("shortest wavelength %.4g%s\n", info.wavelength,
-               in_metres(info.wavelength, setup->contact->b).text);
+        printf("shortest wavelength %.4g%s, on %.4g nodes\n", info.wavelength,
+               in_metres(info.wavelength, setup->contact->b).text,
+               info.wavelength / setup->mesh);
         if (setup->transient)
             put_passage(setup, k);
         for (const char *s = info.assumed; s && *s;) {
@@ -286,11 +287,14 @@ static void put_features(const ovr_setup *setup)
 }
 
 /* `ends`: at a given time, whatever happens. */
-static void put_cost(const estimate *cost, const ovr_contact *contact,
-                     bool ends)
+static void put_cost(const estimate *cost, const ovr_setup *setup, bool ends)
 {
-    printf("# %-28s %.0f nodes, mesh D = %.6g%s\n", "grid", cost->nodes,
-           cost->mesh, in_metres(cost->mesh, contact->b).text);
+    const char *const of[] = {"H_cen", "H_min", "what the features do"};
+    printf("# %-28s level %d, %.0f nodes, mesh D = %.6g%s\n", "grid",
+           setup->options->level, cost->nodes, cost->mesh,
+           in_metres(cost->mesh, setup->contact->b).text);
+    printf("# %-28s %.1g of %s is to be expected\n", "error of discretization",
+           setup->expected, of[setup->accuracy_of]);
     if (cost->steps > 0)
         printf("# %-28s %s%.0f\n", "steps", ends ? "" : "at most ",
                cost->steps);
@@ -378,6 +382,7 @@ static void report_json(const ovr_case *c, const ovr_setup *setup,
     json_integer(&json, "level", options->level);
     json_number(&json, "nodes", cost->nodes);
     json_number(&json, "mesh", cost->mesh);
+    json_number(&json, "expected_error", setup->expected);
     json_number(&json, "inlet", options->inlet);
     json_number(&json, "outlet", options->outlet);
     json_text(&json, "scheme", ovr_scheme_name(options->scheme));
@@ -409,7 +414,7 @@ static void report(const cli_call *call, const ovr_case *c,
     put_fit(setup);
     put_lubricant(setup->lubricant);
     put_features(setup);
-    put_cost(&cost, setup->contact, !setup->march->until_steady);
+    put_cost(&cost, setup, !setup->march->until_steady);
     put_stress(setup);
     put_parameters(c, setup);
 }

@@ -74,7 +74,9 @@ _overroll_values() {
     lubricant.glass_viscosity) echo '' ;;
     domain.inlet) echo 'usual auto' ;;
     domain.outlet) echo 'auto' ;;
-    domain.level) echo '' ;;
+    domain.level) echo 'auto' ;;
+    domain.accuracy) echo '' ;;
+    domain.accuracy_of) echo 'H_cen H_min features' ;;
     domain.nodes) echo '' ;;
     domain.order) echo 'auto 2 4' ;;
     solver.cycle) echo 'V W' ;;

@@ -7,7 +7,7 @@
  * farther out; the loss by an automatic one. */
 #define OVR_USUAL_INLET (-4.0)
 #define OVR_USUAL_LOSS 5e-3
-#define OVR_AUTO_LOSS 1.2e-4
+#define OVR_AUTO_LOSS 1e-4
 
 /* Hertz's gap outside the contact, at |X| = 1 + d. */
 double ovr_hertz_gap(double d);

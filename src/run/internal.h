@@ -43,6 +43,10 @@ ovr_status ovr_run_estimate(const ovr_run *run, ovr_run_errors *errors,
 /* Passes on what is said of a run, and keeps the first warnings. */
 ovr_listener ovr_run_message;
 
+/* Estimates them of a level that was chosen for an accuracy, and says where
+ * they are larger, or not known. */
+void ovr_run_confirm(ovr_run *run);
+
 /* What is said before the solve, and after it. */
 void ovr_run_review_before(ovr_run *run);
 void ovr_run_review_after(ovr_run *run);

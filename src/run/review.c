@@ -202,12 +202,24 @@ static void say_inlet(const review *r)
             inlet, loss);
 }
 
+/* One that was chosen, where it is the finest that may be. */
+static void say_level(const review *r)
+{
+    const ovr_setup *s = r->setup;
+    if (s->accuracy > 0 && s->expected > s->accuracy)
+        say(r, OVR_SAY_WARNING,
+            "level = auto takes level %d at most, on which an error of %.2g is "
+            "to be expected, not of %.2g",
+            s->options->level, s->expected, s->accuracy);
+}
+
 static void before(const review *r, bool transient)
 {
     say_moved(r);
     warn_of_start(r);
     warn_of_sliding(r);
     say_inlet(r);
+    say_level(r);
     if (r->setup->surfaces)
         warn_of_features(r, transient);
     if (transient)

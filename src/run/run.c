@@ -273,7 +273,9 @@ ovr_status ovr_run_go(ovr_run *run, ovr_error *err)
     run->info.converged = status == OVR_OK &&
                           ovr_simulation_observation(run->sim)->converged &&
                           ovr_simulation_statistics(run->sim)->marked == 0;
-    if (!status && run->how.estimate_error && !run->resumed)
+    if (!status && run->setup->accuracy > 0 && !run->resumed)
+        ovr_run_confirm(run);
+    else if (!status && run->how.estimate_error && !run->resumed)
         status = ovr_run_estimate(run, &run->info.error, err);
     return status;
 }

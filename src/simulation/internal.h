@@ -99,9 +99,10 @@ struct ovr_simulation {
 };
 
 /* Fills the automatic options from the contact; OVR_BAD_INPUT names what is
- * out of range. */
+ * out of range.  The domain alone is filled in by the second. */
 ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *options,
                                ovr_error *err);
+void ovr_options_domain(const ovr_contact *contact, ovr_options *options);
 
 /* MLMI order and range of a level. */
 void ovr_options_mlmi(const ovr_options *options, int level, int *order,

@@ -205,8 +205,7 @@ static ovr_status check_order(const ovr_options *o, ovr_error *err)
     return OVR_OK;
 }
 
-ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
-                               ovr_error *err)
+void ovr_options_domain(const ovr_contact *contact, ovr_options *o)
 {
     if (isnan(o->inlet))
         o->inlet = automatic_inlet(contact);
@@ -214,6 +213,12 @@ ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
         o->inlet = usual_inlet(contact);
     if (isnan(o->outlet))
         o->outlet = automatic_outlet(contact);
+}
+
+ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
+                               ovr_error *err)
+{
+    ovr_options_domain(contact, o);
     if (check_numbers(o, err) || check(o, err) || check_order(o, err))
         return OVR_BAD_INPUT;
     if (!o->order)

@@ -77,6 +77,17 @@ contains err 'e.ini:7: end: auto: the history of \[load\] never ends'
 expect 2 "$OVERROLL" check --M 20 --L 10 --set time.end=auto
 contains err 'nothing passes'
 
+# A level that is chosen, and what it is to reach
+expect 0 "$OVERROLL" check a.ini --level auto
+contains out '^# grid +level 7, '
+contains out '^# error of discretization +[0-9.e-]* of H_cen is to be expected'
+contains out '^# feature scratch: .*, on [0-9.]* nodes$'
+expect 0 "$OVERROLL" check --M 20 --L 10 --level auto --json \
+    --set domain.accuracy=1e-5
+contains out '"level": 8'
+expect 0 "$OVERROLL" check --M 900 --L 2 --level auto --set domain.accuracy=1e-8
+contains err 'level = auto takes level 14 at most, on which an error of '
+
 expect 0 "$OVERROLL" help
 contains out '^  check '
 expect 0 "$OVERROLL" check --help

@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Errors that are to be expected of a mesh, before anything is solved. */
+#ifndef OVR_CASE_ACCURACY_H
+#define OVR_CASE_ACCURACY_H
+
+#include "overroll/case.h"
+
+/* Relative, of setup->accuracy_of, by the mesh alone; by the features on it,
+ * which must have been made. */
+double ovr_expected_of_mesh(const ovr_setup *setup);
+double ovr_expected_of_features(const ovr_setup *setup);
+
+#endif

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A level chosen before the run is confirmed after it, by the estimate of the
+ * discretization error.  A mesh that did worse is said, with the level that
+ * would do if the error fell as D^2.
+ */
+#include <math.h>
+#include <stdio.h>
+
+#include "run/internal.h"
+
+static double relative_error(const ovr_run *run)
+{
+    const ovr_run_errors *e = &run->info.error;
+    double H_min = ovr_simulation_statistics(run->sim)->H_min;
+    if (run->setup->accuracy_of == OVR_ACCURACY_H_CEN)
+        return e->H_cen / ovr_simulation_observation(run->sim)->H_cen;
+    return e->H_min_overall / H_min;
+}
+
+void ovr_run_confirm(ovr_run *run)
+{
+    const char *const of[] = {"H_cen", "H_min", "what the features do"};
+    const ovr_setup *s = run->setup;
+    int level = s->options->level;
+    char text[OVR_MESSAGE_SIZE];
+    ovr_error why = {0};
+    if (ovr_run_estimate(run, &run->info.error, &why)) {
+        snprintf(text, sizeof text,
+                 "level %d was chosen for an error of %.2g, which cannot be "
+                 "confirmed: %.800s",
+                 level, s->accuracy, why.message);
+        ovr_run_message(run, OVR_SAY_WARNING, text);
+        return;
+    }
+    double error = relative_error(run);
+    if (error <= s->accuracy)
+        return;
+    snprintf(text, sizeof text,
+             "level %d was chosen for an error of %.2g of %s; the estimate "
+             "after the run is %.2g: level %d would do",
+             level, s->accuracy, of[s->accuracy_of], error,
+             level + (int)ceil(log2(error / s->accuracy) / 2));
+    ovr_run_message(run, OVR_SAY_WARNING, text);
+}

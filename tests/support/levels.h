@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* level = auto on random cases: the error reached, beside that wanted. */
+#ifndef TESTS_SUPPORT_LEVELS_H
+#define TESTS_SUPPORT_LEVELS_H
+
+#include <stdint.h>
+
+/* So many random contacts, M = 5 to 1000, L = 1 to 15, H_cen and H_min to 1e-2
+ * to 1e-4, beside two levels more.  Fails where an error is larger than was
+ * wanted and the run did not say so, or more than a tenth are. */
+void test_levels_steady(uint64_t seed, int cases);
+
+/* The same of runs with a dent or a wave that rolls or slides through, H_cen
+ * to 3e-3, rms in time. */
+void test_levels_in_time(uint64_t seed, int cases);
+
+#endif

@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The level that is chosen for an accuracy; verify/levels_test has more. */
+#include <stdio.h>
+
+#include "../support/levels.h"
+#include "../support/test.h"
+#include "overroll/case.h"
+
+static void errors_are_those_wanted(void **state)
+{
+    (void)state;
+    test_levels_steady(20261122, 10);
+    test_levels_in_time(7, 1);
+}
+
+static double expected(const char *text, int *level)
+{
+    ovr_error err = {0};
+    ovr_case *c = ovr_case_read_text(text, "test.ini", NULL, NULL, &err);
+    ovr_setup *s = c ? ovr_case_resolve(c, NULL, &err) : NULL;
+    double error;
+    CHECK_OK(s ? ovr_setup_prepare(s, NULL, &err) : OVR_BAD_INPUT, &err);
+    *level = s->options->level;
+    error = s->expected;
+    assert_true(s->nodes == (size_t)(7 << *level) + 1);
+    ovr_setup_free(s);
+    ovr_case_free(c);
+    return error;
+}
+
+static void narrow_features_take_finer_levels(void **state)
+{
+    const char *dent = "[contact]\nM = 20\nL = 10\n[domain]\nlevel = auto\n"
+                       "%s[time]\nend = 1\nscheme = %s\n[feature d]\n"
+                       "shape = dent\ndepth = 0.01\nwidth = %s\nstart = -6\n";
+    char text[400];
+    int wide, narrow, smeared, of_features;
+    (void)state;
+    snprintf(text, sizeof text, dent, "", "characteristic", "0.5");
+    assert_true(expected(text, &wide) <= 1e-3);
+    snprintf(text, sizeof text, dent, "", "characteristic", "0.02");
+    assert_true(expected(text, &narrow) <= 1e-3);
+    snprintf(text, sizeof text, dent, "", "upstream2", "0.02");
+    assert_true(expected(text, &smeared) <= 1e-3);
+    snprintf(text, sizeof text, dent, "accuracy_of = features\n",
+             "characteristic", "0.02");
+    assert_true(expected(text, &of_features) <= 1e-3);
+    assert_true(wide < narrow && narrow < smeared && narrow < of_features);
+    snprintf(text, sizeof text, dent, "", "upstream2", "0.0005");
+    assert_true(expected(text, &smeared) > 1e-3); /* 14 at most */
+    assert_int_equal(smeared, 14);
+}
+
+static void given_levels_stay(void **state)
+{
+    int level;
+    (void)state;
+    assert_true(expected("[contact]\nM = 800\nL = 14\n[domain]\nlevel = 5\n",
+                         &level) > 1e-2);
+    assert_int_equal(level, 5);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(errors_are_those_wanted),
+        cmocka_unit_test(narrow_features_take_finer_levels),
+        cmocka_unit_test(given_levels_stay),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
