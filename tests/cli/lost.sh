@@ -121,6 +121,24 @@ for errno in 38 37 95; do # ENOSYS, ENOLCK, EOPNOTSUPP
     contains err 'no locks'
     contains out '2 finished'
 done
+# Without flock the other lock keeps a second writer, and sweep, out.
+rm -rf l.h5* swept
+for errno in 38 95; do
+    FAULT_FLOCK=$errno LD_PRELOAD=./faults.so \
+        "$OVERROLL" run long.ini -o l$errno.h5 -q >out 2>err &
+    run=$!
+    begins l$errno.h5
+    expect 2 env FAULT_FLOCK=$errno LD_PRELOAD=./faults.so \
+        "$OVERROLL" resume l$errno.h5
+    contains err 'another process is writing it'
+    kill -TERM $run
+    wait $run
+    rm -rf swept
+    expect 0 env FAULT_FLOCK=$errno LD_PRELOAD=./faults.so \
+        "$OVERROLL" sweep study.csv -o swept
+    contains out '2 finished'
+    ! grep 'no locks' err || fail 'it has locks of the other kind'
+done
 expect 0 env FAULT_REPORT=counts LD_PRELOAD=./faults.so "$OVERROLL" \
     run dent.ini -o w.h5 -q
 rm -f w.h5*

@@ -12,6 +12,7 @@
  *     FAULT_KEEP=s     what is named ...s cannot be unlinked, as if it were
  *                      another user's in a shared folder
  *     FAULT_LOCK=e     the file system has no locks: that errno
+ *     FAULT_FLOCK=e    it has no flock, but locks of open descriptions
  *     FAULT_REPORT=f   appends to f how often it was asked, at the end
  *
  * Standard input, output and error are spared.
@@ -169,7 +170,7 @@ int fsync(int fd)
 int flock(int fd, int how)
 {
     REAL(int, "flock", int, int);
-    errno = (int)setting("FAULT_LOCK");
+    errno = (int)(setting("FAULT_LOCK") | setting("FAULT_FLOCK"));
     return errno ? -1 : real(fd, how);
 }
 
