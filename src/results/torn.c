@@ -120,7 +120,7 @@ bool ovr_journal_torn(int journal, int file, const ovr_allocator *allocator)
     ovr_journal_walk walk;
     bool torn = ovr_journal_is_first(journal);
     if (ovr_journal_first(&walk, journal) && gather(&p, &walk, &scratch) &&
-        p.states > 0) {
+        p.states > 0 && p.count > 0) {
         qsort(p.list, p.count, sizeof *p.list, by_page);
         torn = !is_state(&p, file, p.states, p.length) &&
                !is_state(&p, file, p.states - 1, p.length_before);
