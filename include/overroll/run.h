@@ -49,7 +49,7 @@ typedef struct ovr_run_options {
     bool force;         /* replace an existing file */
     bool steady;        /* the steady contact alone, its features grown: time
                            and output of the case do not count */
-    bool estimate_error; /* solve again one level coarser; not when resumed */
+    bool estimate_error; /* solve again, coarser; not when resumed */
     void *data;
     ovr_listener *say;
     /* After each step; true: stop, with OVR_STOPPED and a file that can be
@@ -91,11 +91,21 @@ OVR_API ovr_run *ovr_run_resume(const char *path,
 OVR_API ovr_status ovr_run_go(ovr_run *run, ovr_error *err);
 OVR_API void ovr_run_free(ovr_run *run);
 
-/* Discretization errors, estimated from the solution one level coarser. */
+/* Discretization errors, estimated from the same case one and two levels
+ * coarser. */
+typedef struct ovr_run_error {
+    const char *key; /* "H_cen", ..., "P_max_overall" */
+    ovr_unit_kind kind;
+    double value[3]; /* on the finest level first; NAN: not solved */
+    double error;    /* of the first, dimensionless as it */
+    double order;    /* seen between the levels; NAN: not known */
+    bool converges;  /* else a warning says so, and the error says little */
+} ovr_run_error;
+enum { OVR_RUN_ERRORS = 8 };
 typedef struct ovr_run_errors {
-    int level;                  /* of that one; 0: none was made */
-    double H_min, H_cen, P_max; /* at the end */
-    double H_min_overall;       /* of the smallest film in time */
+    int level;    /* one coarser; 0: none was made */
+    size_t count; /* the end state first, then the extremes of a run */
+    ovr_run_error of[OVR_RUN_ERRORS];
 } ovr_run_errors;
 
 /* Stresses below a surface, as a run or a stored one leaves them: lengths in

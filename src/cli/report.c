@@ -106,15 +106,23 @@ static void json_refinements(json_writer *json, const ovr_run_info *s)
     json_close_array(json);
 }
 
-/* Estimated discretization errors, dimensionless. */
-static void json_error(json_writer *json, const ovr_run_errors *e, bool run)
+/* Estimated discretization errors, dimensionless and relative. */
+static void json_error(json_writer *json, const ovr_run_errors *e)
 {
+    char key[64];
     json_integer(json, "error_level", e->level);
-    json_number(json, "H_min_error", e->H_min);
-    json_number(json, "H_cen_error", e->H_cen);
-    json_number(json, "P_max_error", e->P_max);
-    if (run)
-        json_number(json, "H_min_overall_error", e->H_min_overall);
+    for (size_t k = 0; k < e->count; k++) {
+        const ovr_run_error *of = &e->of[k];
+        snprintf(key, sizeof key, "%s_error", of->key);
+        json_number(json, key, of->error);
+        snprintf(key, sizeof key, "%s_error_relative", of->key);
+        json_number(json, key, of->error / fabs(of->value[0]));
+    }
+    json_open_array(json, "not_converging");
+    for (size_t k = 0; k < e->count; k++)
+        if (!e->of[k].converges)
+            json_text(json, NULL, e->of[k].key);
+    json_close_array(json);
 }
 
 void cli_report_json(const ovr_run_info *s, FILE *to)
@@ -139,7 +147,7 @@ void cli_report_json(const ovr_run_info *s, FILE *to)
         json_refinements(&json, s);
     cli_json_stress(&json, s->stress, s->setup);
     if (s->error.level)
-        json_error(&json, &s->error, s->transient);
+        json_error(&json, &s->error);
     json_number(&json, "seconds", s->seconds);
     json_open_array(&json, "warnings");
     for (int i = 0; i < s->warnings; i++)
@@ -280,26 +288,47 @@ static void table_refinements(const ovr_run_info *s)
     }
 }
 
-/* An estimated error, of a film or a pressure. */
-static void put_error(const char *name, double error, double scale, double unit,
-                      const char *symbol)
+static const char *long_name(const char *key)
 {
-    printf("%s %.1e", name, error);
-    if (isfinite(scale))
-        printf(" (%.2g %s)", error * scale / unit, symbol);
+    static const char *const names[][2] = {
+        {"H_min", "minimum film"},
+        {"H_cen", "central film"},
+        {"P_max", "maximum pressure"},
+        {"H_min_overall", "smallest film"},
+        {"P_max_overall", "largest pressure"}};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+        if (!strcmp(names[k][0], key))
+            return names[k][1];
+    return key;
 }
 
-static void table_error(const ovr_run_errors *e, bool run,
-                        const ovr_contact *contact)
+/* Relative, and in nm or MPa; of what does not converge only that. */
+static void put_error(const ovr_run_error *e, const ovr_contact *contact)
 {
-    double film = contact->height, ph = contact->ph;
-    printf("%-17s ", "estimated errors");
-    put_error("H_min", e->H_min, film, 1e-9, "nm");
-    put_error(", H_cen", e->H_cen, film, 1e-9, "nm");
-    put_error(", P_max", e->P_max, ph, 1e6, "MPa");
-    if (run)
-        put_error(", smallest film", e->H_min_overall, film, 1e-9, "nm");
-    printf("\n%-17s from level %d\n", "", e->level);
+    bool film = e->kind == OVR_KIND_HEIGHT;
+    double scale = ovr_kind_scale(e->kind, contact) * (film ? 1e9 : 1e-6);
+    if (!e->converges) {
+        printf(" %s does not converge with the level", long_name(e->key));
+        return;
+    }
+    printf(" %s %.2g %%", long_name(e->key),
+           100 * e->error / fabs(e->value[0]));
+    if (isfinite(scale))
+        printf(" (%.2g %s)", e->error * scale, film ? "nm" : "MPa");
+}
+
+static void table_error(const ovr_run_errors *e, const ovr_contact *contact)
+{
+    printf("%-17s", "estimated errors");
+    for (size_t k = 0; k < e->count; k++) {
+        put_error(&e->of[k], contact);
+        fputs(k + 1 < e->count ? "," : "", stdout);
+        if (k % 2 || k + 1 == e->count)
+            printf("\n%-17s", "");
+    }
+    printf(" relative, from level %d%s\n", e->level,
+           e->count && isfinite(e->of[0].value[2]) ? " and the one below it"
+                                                   : "");
 }
 
 /* Of the whole run. */
@@ -332,7 +361,7 @@ static void report_table(const cli_call *call, const ovr_run_info *s)
     if (!s->transient)
         table_stresses(s);
     if (s->error.level)
-        table_error(&s->error, s->transient, contact);
+        table_error(&s->error, contact);
     printf("%-17s %.3g s\n", "time", s->seconds);
     if (call->verbosity > 0 && !s->transient)
         table_refinements(s);

@@ -6,16 +6,20 @@
  */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "run/internal.h"
 
 static double relative_error(const ovr_run *run)
 {
     const ovr_run_errors *e = &run->info.error;
-    double H_min = ovr_simulation_statistics(run->sim)->H_min;
-    if (run->setup->accuracy_of == OVR_ACCURACY_H_CEN)
-        return e->H_cen / ovr_simulation_observation(run->sim)->H_cen;
-    return e->H_min_overall / H_min;
+    const char *key = run->setup->accuracy_of == OVR_ACCURACY_H_CEN ? "H_cen"
+                      : run->info.transient ? "H_min_overall"
+                                            : "H_min";
+    for (size_t k = 0; k < e->count; k++)
+        if (!strcmp(e->of[k].key, key))
+            return e->of[k].error / fabs(e->of[k].value[0]);
+    return INFINITY;
 }
 
 void ovr_run_confirm(ovr_run *run)
@@ -25,7 +29,7 @@ void ovr_run_confirm(ovr_run *run)
     int level = s->options->level;
     char text[OVR_MESSAGE_SIZE];
     ovr_error why = {0};
-    if (ovr_run_estimate(run, &run->info.error, &why)) {
+    if (ovr_run_estimate(run, &why)) {
         snprintf(text, sizeof text,
                  "level %d was chosen for an error of %.2g, which cannot be "
                  "confirmed: %.800s",

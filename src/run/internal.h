@@ -37,8 +37,7 @@ void ovr_run_surface(const ovr_run *run, ovr_simulation *sim);
 ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err);
 
 /* The discretization errors, from the same case one level coarser. */
-ovr_status ovr_run_estimate(const ovr_run *run, ovr_run_errors *errors,
-                            ovr_error *err);
+ovr_status ovr_run_estimate(ovr_run *run, ovr_error *err);
 
 /* Passes on what is said of a run, and keeps the first warnings. */
 ovr_listener ovr_run_message;

@@ -276,6 +276,6 @@ ovr_status ovr_run_go(ovr_run *run, ovr_error *err)
     if (!status && run->setup->accuracy > 0 && !run->resumed)
         ovr_run_confirm(run);
     else if (!status && run->how.estimate_error && !run->resumed)
-        status = ovr_run_estimate(run, &run->info.error, err);
+        status = ovr_run_estimate(run, err);
     return status;
 }

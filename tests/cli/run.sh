@@ -98,9 +98,33 @@ width = 0.5
 start = -4.6
 E
 expect 0 "$OVERROLL" run estimate.ini --estimate-error --json
-for key in H_min_error H_cen_error P_max_error H_min_overall_error; do
-    contains out "\"$key\": [0-9.e-]+"
+for key in H_min H_cen P_max H_min_overall P_max_overall; do
+    contains out "\"${key}_error\": [0-9.e-]+"
+    contains out "\"${key}_error_relative\": [0-9.e-]+"
 done
+contains out '"not_converging": \['
+
+# What does not converge with the level is said in words (the
+# pressure where the bump leaves the contact: 1.74, 1.80, 2.09 ph).
+cat >narrow.ini <<'END'
+[contact]
+M = 14.4
+L = 12.4
+slide_to_roll = -0.24
+[domain]
+level = 5
+[time]
+end = auto
+[feature bump]
+shape = bump
+height = 0.098
+width = 0.97
+END
+expect 0 "$OVERROLL" run narrow.ini --estimate-error
+contains err 'P_max_overall does not converge with the level: [0-9.]+, '
+contains out 'largest pressure does not converge with the level'
+expect 0 "$OVERROLL" run narrow.ini -o narrower.h5 --estimate-error --json
+contains out '"not_converging": \[ .*"P_max_overall"'
 
 # From rest, and from no load: said, and done
 cat >rest.ini <<'E'
@@ -147,7 +171,9 @@ contains out '^maximum pressure .* GPa  at X = -?0\.[0-9]+ \(-?[0-9.]+ um\)$'
 contains out '^load +1\.57.* 100 kN/m'
 contains out '^mass flow .* mm2/s'
 contains out '^smallest film .* um  at X = .* um\), T = [0-9.]+ \([0-9.]+ ms\)$'
-contains out '^estimated errors .* nm\), .* MPa\)'
+contains out '^estimated errors  minimum film [0-9.]+ % \([0-9.]+ nm\)'
+contains out '^ +largest pressure [0-9.]+ % \([0-9.]+ MPa\)$'
+contains out '^ +relative, from level 3 and the one below it$'
 expect 0 "$OVERROLL" info physical.h5
 contains out 't = 0 to 0\.02[0-9]+ ms$'
 contains out ' at t, ms '
