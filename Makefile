@@ -313,11 +313,16 @@ $(BUILD)/tests/bench/%_bench: $(BUILD)/tests/bench/%_bench.o $(BENCHSUP) \
 	$(Q)$(LINK) -o $@ $^ $(OVR_LIBS) -lcmocka \
 	  $(if $(BENCHPKG),$(shell $(PKG_CONFIG) --libs $(BENCHPKG)))
 
-bench: $(BENCHBIN) $(PROGRAM) ## how fast it is, on this machine
+bench: $(BENCHBIN) $(PROGRAM) $(SHARED) ## how fast it is, on this machine
 	@mkdir -p $(BUILD)/bench
 	@for b in $(BENCHBIN); do \
 	  OVERROLL='$(PROGRAM)' $$b $(BUILD)/bench/$$(basename $$b _bench).json \
 	    || exit 1; done
+	@$(if $(PYTHON),OVERROLL_LIBRARY='$(abspath $(SHARED))' $(PYTHON) \
+	  tools/python/setup.py -q build_py --build-lib '$(abspath $(BUILD))/python' \
+	  >/dev/null 2>&1 && PYTHONPATH='$(BUILD)/python' $(PYTHON) -B \
+	  tests/bench/python_bench.py $(BUILD)/bench/python.json,\
+	  echo "no Python with cffi: its share is not measured")
 
 # ------------------------------------------------------------- static checks
 

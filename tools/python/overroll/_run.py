@@ -37,10 +37,7 @@ class State(Solution):
     """A run's state, as an observer sees it: valid within the call."""
 
     def __init__(self, core: Any, info: Any) -> None:
-        self._core = core
-        self._sim = info.sim
-        self._setup = info.setup
-        self._state = lib.ovr_simulation_state(info.sim)
+        self._attach(core, info.sim, info.setup)
 
 
 class _Watch:

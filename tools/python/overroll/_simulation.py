@@ -15,6 +15,9 @@ from ._library import BadInput, OverrollWarning, check, error_of, ffi, lib
 from ._library import new_error, text
 from ._solution import Solution, view
 
+_AT_WORK = ("this simulation is at work already, in another thread or further "
+            "up")
+
 Heights = Callable[[float, np.ndarray], Any]
 
 
@@ -54,11 +57,8 @@ class Film(Solution):
 
     def __init__(self, core: _RunCore) -> None:
         info = lib.ovr_run_about(core.run)
-        self._core = core
         self._info = info
-        self._sim = info.sim
-        self._setup = info.setup
-        self._state = lib.ovr_simulation_state(info.sim)
+        self._attach(core, info.sim, info.setup)
 
     @property
     def converged(self) -> bool:
@@ -244,10 +244,7 @@ class Simulation(Solution):
         core.sim = lib.ovr_setup_simulation(core.setup, ffi.NULL, err)
         if core.sim == ffi.NULL:
             raise error_of(err)
-        self._core = core
-        self._sim = core.sim
-        self._setup = core.setup
-        self._state = lib.ovr_simulation_state(core.sim)
+        self._attach(core, core.sim, core.setup)
         core.surfaces = core.setup.surfaces
         self._lock = threading.Lock()
         self._fresh = True    # not solved yet
@@ -296,19 +293,21 @@ class Simulation(Solution):
 
     def _call(self, function: Any, *arguments: Any) -> None:
         if not self._lock.acquire(False):
-            raise RuntimeError("this simulation is at work already, in another "
-                               "thread or further up")
+            raise RuntimeError(_AT_WORK)
         try:
             status = function(self._sim, *arguments, self._err)
-            core = self._core
-            if core.trouble is not None:
-                trouble, core.trouble = core.trouble, None
-                self._broken = True
-                raise trouble
         finally:
             self._lock.release()
-        if status:
-            raise error_of(self._err, status)
+        if status or self._core.trouble is not None:
+            self._fail(status)
+
+    def _fail(self, status: int) -> None:
+        """Raises what a function of the user or else the library said."""
+        trouble, self._core.trouble = self._core.trouble, None
+        if trouble is not None:
+            self._broken = True
+            raise trouble
+        raise error_of(self._err, status)
 
     def steady(self) -> "Simulation":
         """Solves the steady contact at T = 0, the start of every run;
@@ -377,15 +376,25 @@ class Simulation(Solution):
 
     def _march(self, how: Any) -> Iterator["Simulation"]:
         self._begin()
-        state, more = self._state, ffi.new("bool *", True)
-        advance, call = lib.ovr_simulation_advance, self._call
-        if state.step == 0:
+        core, sim, err, state = self._core, self._sim, self._err, self._state
+        advance, more = lib.ovr_simulation_advance, ffi.new("bool *")
+        acquire, release = self._lock.acquire, self._lock.release
+        before = state.step
+        if before == 0:
             yield self
-        while more[0]:
-            before = state.step
-            call(advance, how, more)
-            if state.step == before:
+        while True:
+            if not acquire(False):
+                raise RuntimeError(_AT_WORK)
+            try:
+                status = advance(sim, how, more, err)
+            finally:
+                release()
+            if status or core.trouble is not None:
+                self._fail(status)
+            if state.step == before:  # it was at its end already
                 return
             yield self
+            if not more[0]:
+                return
             if self._broken:
                 self._begin()

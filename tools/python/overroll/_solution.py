@@ -2,6 +2,7 @@
 """What a simulation holds, as numpy and xarray see it."""
 from __future__ import annotations
 
+from operator import attrgetter
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
@@ -22,12 +23,12 @@ class _Memory:
     def __init__(self, owner: Any, address: Any, n: int) -> None:
         self.owner = owner
         self.__array_interface__ = {
-            "data": (int(ffi.cast("uintptr_t", address)), True),
-            "shape": (n,), "typestr": "=f8".replace("=", _ORDER),
-            "version": 3}
+            "data": (int(ffi.cast(_ADDRESS, address)), True),
+            "shape": (n,), "typestr": _FLOAT, "version": 3}
 
 
-_ORDER = np.dtype(float).str[0]
+_ADDRESS = ffi.typeof("uintptr_t")
+_FLOAT = np.dtype(float).str
 
 
 def view(owner: Any, address: Any, n: int) -> np.ndarray:
@@ -63,6 +64,8 @@ class Solution:
     _sim: Any    # ovr_simulation *
     _setup: Any  # ovr_setup *
     _state: Any  # ovr_state *
+    _seen: Any   # ovr_observation *
+    _total: Any  # ovr_statistics *
 
     X = _array("X", "Positions x/b of the nodes.")
     P = _array("P", "Pressure p/ph.")
@@ -78,26 +81,17 @@ class Solution:
     D = _number("D", "Mesh size, the smallest, in b.")
     H0 = _number("H0", "Rigid approach, in b^2/R.")
 
+    def _attach(self, core: Any, sim: Any, setup: Any) -> None:
+        """Shows a simulation whose memory `core` keeps."""
+        self._core, self._sim, self._setup = core, sim, setup
+        self._state = lib.ovr_simulation_state(sim)
+        self._seen = lib.ovr_simulation_observation(sim)
+        self._total = lib.ovr_simulation_statistics(sim)
+
     def __getattr__(self, name: str) -> Any:
-        if name.startswith("_"):
-            raise AttributeError(name)
-        found = _quantities().get(name)
-        if not found:
-            meant = suggest(name, dir(self))
-            hint = f"; did you mean '{meant}'?" if meant else ""
-            raise AttributeError(
-                f"'{type(self).__name__}' has no '{name}'{hint}")
-        quantity, scaled = found
-        value = quantity.value(self._source(quantity))
-        return value * self._scale(quantity.kind) if scaled else value
-
-    def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *_quantities()]
-
-    def _source(self, quantity: Quantity) -> Any:
-        return lib.ovr_simulation_statistics(self._sim) \
-            if quantity.key in extremes() \
-            else lib.ovr_simulation_observation(self._sim)
+        meant = None if name.startswith("_") else suggest(name, dir(self))
+        hint = f"; did you mean '{meant}'?" if meant else ""
+        raise AttributeError(f"'{type(self).__name__}' has no '{name}'{hint}")
 
     def _scale(self, kind: int) -> float:
         return lib.ovr_kind_scale(kind, self._setup.contact)
@@ -119,7 +113,7 @@ class Solution:
         values = row.field(self._sim, ffi.cast("double *", room.ctypes.data))
         n = self.n - (row.axes == lib.OVR_AT_HALVES)
         return view(self._core, values, n).copy() \
-            if int(ffi.cast("uintptr_t", values)) != room.ctypes.data \
+            if int(ffi.cast(_ADDRESS, values)) != room.ctypes.data \
             else room[:n]
 
     @property
@@ -140,7 +134,7 @@ class Solution:
         """All numbers by their JSON keys; in SI too where the contact has
         scales."""
         return {name: getattr(self, name)
-                for name, (quantity, scaled) in _quantities().items()
+                for name, (quantity, scaled) in _QUANTITIES.items()
                 if not scaled or np.isfinite(self._scale(quantity.kind))}
 
     # ------------------------------------------------------------ xarray
@@ -201,15 +195,29 @@ class Solution:
                               attrs={"time": self.T, **self.numbers()})
 
 
+#: Name: quantity, and whether that name is of its value in SI.
 _QUANTITIES: dict[str, tuple[Quantity, bool]] = {}
 
 
-def _quantities() -> dict[str, tuple[Quantity, bool]]:
-    """Name: quantity, and whether that name is of its value in SI."""
-    if not _QUANTITIES:
-        for table in (extremes(), observables()):
-            for key, quantity in table.items():
-                _QUANTITIES[key] = quantity, False
-                if quantity.key_si:
-                    _QUANTITIES[quantity.key_si] = quantity, True
-    return _QUANTITIES
+def _in_si(plain: Any, kind: int) -> Any:
+    return lambda self: plain(self) * self._scale(kind)
+
+
+def _show(quantity: Quantity) -> None:
+    """Makes a quantity an attribute of all solutions."""
+    at = "_seen" if quantity.struct == "ovr_observation" else "_total"
+    plain = attrgetter(f"{at}.{quantity.member}")
+    doc = f"{quantity.long_name} (dimensionless)"
+    _QUANTITIES[quantity.key] = quantity, False
+    if not hasattr(Solution, quantity.key):
+        setattr(Solution, quantity.key, property(plain, doc=doc))
+    if quantity.key_si:
+        _QUANTITIES[quantity.key_si] = quantity, True
+        setattr(Solution, quantity.key_si,
+                property(_in_si(plain, quantity.kind),
+                         doc=f"{quantity.long_name} in SI"))
+
+
+for _table in (extremes(), observables()):
+    for _quantity in _table.values():
+        _show(_quantity)

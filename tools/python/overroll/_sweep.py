@@ -27,8 +27,7 @@ class _Summary(Solution):
 
     def __init__(self, core: _RunCore) -> None:
         info = lib.ovr_run_about(core.run)
-        self._core, self._sim, self._setup = core, info.sim, info.setup
-        self._state = lib.ovr_simulation_state(info.sim)
+        self._attach(core, info.sim, info.setup)
         self.found = {name: value for name, value in self.numbers().items()
                       if info.transient or name not in extremes()
                       or extremes()[name].row.steady}

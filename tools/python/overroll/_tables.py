@@ -141,32 +141,27 @@ def help(word: Optional[str] = None) -> None:
 
 
 class Quantity:
-    """A number of a solution: its key, kind and scale."""
+    """A number of a solution: its key, kind and scale, and the member of
+    `struct` that it is."""
 
-    __slots__ = ("key", "key_si", "long_name", "row", "kind", "whole", "flag",
-                 "read")
+    __slots__ = ("key", "key_si", "long_name", "row", "kind", "struct",
+                 "member")
 
-    def __init__(self, row: Any, read: Any) -> None:
-        self.row, self.read = row, read
+    def __init__(self, row: Any, struct: str) -> None:
+        self.row, self.struct = row, struct
+        self.member = next(name for name, at in ffi.typeof(struct).fields
+                           if at.offset == row.offset)
         self.key = text(row.key) or text(row.name)
         self.key_si = text(row.key_si)
         self.long_name = text(row.long_name)
         self.kind = row.kind
-        self.whole = row.kind == lib.OVR_KIND_COUNT
-        self.flag = row.kind == lib.OVR_KIND_FLAG
-
-    def value(self, source: Any) -> Any:
-        value = self.read(self.row, source)
-        if self.flag:
-            return bool(value)
-        return int(value) if self.whole else value
 
 
 @lru_cache(maxsize=None)
 def observables() -> dict[str, Quantity]:
     """Numbers of a solution as it is now, by their JSON key, or else their
     name in result files."""
-    found = (Quantity(row, lib.ovr_observable_value)
+    found = (Quantity(row, "ovr_observation")
              for row in rows(lib.ovr_observable_at)
              if row.axes == lib.OVR_AT_STEPS)
     return {q.key: q for q in found}
@@ -175,7 +170,7 @@ def observables() -> dict[str, Quantity]:
 @lru_cache(maxsize=None)
 def extremes() -> dict[str, Quantity]:
     """Extremes since the steady start, by their JSON key."""
-    found = (Quantity(row, lib.ovr_extreme_value)
+    found = (Quantity(row, "ovr_statistics")
              for row in rows(lib.ovr_extreme_at))
     return {q.key: q for q in found}
 
