@@ -175,7 +175,7 @@ typedef struct ovr_setup {
     const ovr_output *output;
     const ovr_stress_setup *stress;
     size_t features;
-    const ovr_feature_form *feature;
+    const ovr_feature_form *const *feature;
     size_t nodes;           /* the three below by ovr_setup_prepare */
     double mesh;            /* D */
     ovr_surfaces *surfaces; /* NULL: smooth */

@@ -40,6 +40,7 @@ extern "C" {
  * and modulus then set b = 4 R ph/E', and viscosity the speed; modulus, or G,
  * alone sets b/R, by which friction becomes a coefficient. */
 typedef struct ovr_conditions {
+    size_t size; /* of this struct, as its user knows it */
     double M, L;
     double lambda, alphabar;
     double load;             /* w, N/m */
@@ -56,7 +57,7 @@ typedef struct ovr_conditions {
 } ovr_conditions;
 
 /* All fields NAN. */
-OVR_API ovr_conditions ovr_conditions_unknown(void);
+OVR_SIZED(ovr_conditions)
 
 /* The resolved contact.  Dimensionless numbers are always set; a physical
  * scale that does not follow from what was given is NAN. */
@@ -227,6 +228,7 @@ typedef struct ovr_history ovr_history;
 
 /* What a history is made of; times in b/um, values relative to nominal. */
 typedef struct ovr_history_form {
+    size_t size; /* of this struct, as its user knows it */
     ovr_history_kind kind;
     double from, to;          /* ramp, step: value before and after */
     double start, duration;   /* ramp (quintic smoothstep), step: duration 0 */
@@ -236,7 +238,7 @@ typedef struct ovr_history_form {
 } ovr_history_form;
 
 /* Value 1 at all times. */
-OVR_API ovr_history_form ovr_history_constant(void);
+OVR_SIZED(ovr_history_form)
 
 OVR_API ovr_history *ovr_history_create(const ovr_history_form *form,
                                         const ovr_allocator *allocator,

@@ -38,6 +38,7 @@ typedef enum ovr_picture_kind {
 /* Lengths in b, pressures in ph, heights in b^2/R, times in b/um, whatever
  * the units drawn; NAN or 0: chosen from the data. */
 typedef struct ovr_picture_options {
+    size_t size; /* of this struct, as its user knows it */
     ovr_picture_kind kind;
     const char *path; /* its suffix is the form: .png, .svg or .pdf */
     bool force;       /* replace an existing file */
@@ -61,7 +62,7 @@ typedef struct ovr_picture_options {
     const char *script; /* also write PATH (suffix .gp) and its data beside it
                            (.dat); NULL: no */
 } ovr_picture_options;
-OVR_API ovr_picture_options ovr_picture_options_default(void);
+OVR_SIZED(ovr_picture_options)
 
 /* Draws one picture of `count` results (more than one: laid over each other;
  * a map takes one).  The file appears whole or not at all. */
@@ -75,6 +76,7 @@ OVR_API ovr_status ovr_picture(ovr_result *const *results, size_t count,
  * of a second key; over all others (seeds) the mean, in a band from the
  * smallest to the largest. */
 typedef struct ovr_figure_options {
+    size_t size;      /* of this struct, as its user knows it */
     const char *path; /* .png, .svg or .pdf */
     bool force;
     const char *y;  /* column; NULL: H_min_overall, else H_min */
@@ -85,7 +87,7 @@ typedef struct ovr_figure_options {
     const char *title;
     const char *script;
 } ovr_figure_options;
-OVR_API ovr_figure_options ovr_figure_options_default(void);
+OVR_SIZED(ovr_figure_options)
 
 OVR_API ovr_status ovr_figure(const ovr_table *table,
                               const ovr_figure_options *options,
@@ -94,20 +96,22 @@ OVR_API ovr_status ovr_figure(const ovr_table *table,
 /* ------------------------------------------------------ frames and movies */
 
 typedef struct ovr_frames_options {
-    ovr_picture_options look; /* of each; path and times are not used; kind:
-                                 OVR_PICTURE_STRESS, else a snapshot */
-    const char *folder;       /* where the frames go; NULL: only the movie */
-    const char *form;         /* "png" (NULL), "svg", "pdf" */
-    size_t every;             /* every so many snapshots; 0: all */
-    int workers;              /* gnuplots at once; 0: one a core */
-    bool scripts;             /* write each one's script and data too */
-    const char *movie;        /* NAME.mp4, .webm, .gif or .webp; NULL: none */
-    double rate;              /* of the movie, frames a second; 0: 25 */
+    size_t size;                     /* of this struct, as its user knows it */
+    const ovr_picture_options *look; /* of each; NULL: the defaults; path and
+                                        times are not used; kind:
+                                        OVR_PICTURE_STRESS, else a snapshot */
+    const char *folder; /* where the frames go; NULL: only the movie */
+    const char *form;   /* "png" (NULL), "svg", "pdf" */
+    size_t every;       /* every so many snapshots; 0: all */
+    int workers;        /* gnuplots at once; 0: one a core */
+    bool scripts;       /* write each one's script and data too */
+    const char *movie;  /* NAME.mp4, .webm, .gif or .webp; NULL: none */
+    double rate;        /* of the movie, frames a second; 0: 25 */
     /* Told after each frame; false stops with OVR_STOPPED.  May be NULL. */
     bool (*progress)(void *data, size_t done, size_t count);
     void *data;
 } ovr_frames_options;
-OVR_API ovr_frames_options ovr_frames_options_default(void);
+OVR_SIZED(ovr_frames_options)
 
 typedef struct ovr_frames_made {
     size_t drawn, kept; /* kept: were there from a run before */
@@ -120,7 +124,7 @@ typedef struct ovr_frames_made {
  *
  * Stopped and called again with the same options, it draws what is missing:
  * FOLDER/frames.txt says what the frames were made with.  Frames made with
- * something else are an error, or with look.force replaced.
+ * something else are an error, or with look->force replaced.
  */
 OVR_API ovr_status ovr_frames(ovr_result *const *results, size_t count,
                               const ovr_frames_options *options,
@@ -130,12 +134,13 @@ OVR_API ovr_status ovr_frames(ovr_result *const *results, size_t count,
 /* -------------------------------------------------------------------- page */
 
 typedef struct ovr_view_options {
+    size_t size;              /* of this struct, as its user knows it */
     const char *path;         /* PAGE.html */
     bool force;               /* replace an existing file */
     const char *title;        /* NULL: the first file's own */
     const char *const *names; /* of each result; NULL: their titles */
 } ovr_view_options;
-OVR_API ovr_view_options ovr_view_options_default(void);
+OVR_SIZED(ovr_view_options)
 
 /* One HTML page, with all it needs in it, that plays one run, or two side by
  * side. */

@@ -44,6 +44,7 @@ typedef struct ovr_profile_view {
 
 /* What to read, and what the file may not say itself. */
 typedef struct ovr_profile_source {
+    size_t size; /* of this struct, as its user knows it */
     const char *file;
     const char *unit_x;  /* "um", "mm", ..., "b"; NULL: the file says it */
     const char *unit_z;  /* "um", "nm", ..., "b^2/R"; NULL: the file says it */
@@ -56,7 +57,7 @@ typedef struct ovr_profile_source {
                      of keys of a case (unit_x) */
 } ovr_profile_source;
 
-OVR_API ovr_profile_source ovr_profile_source_default(void);
+OVR_SIZED(ovr_profile_source)
 
 /* Reads source->file, or the same content from memory (source->file is then
  * only its name in messages). */
@@ -103,6 +104,7 @@ typedef enum ovr_extension {
  * lambda_s, offset, anti-alias, taper.  Lengths are in the profile's x unit,
  * heights in its z unit; NAN: not wanted. */
 typedef struct ovr_conditioning {
+    size_t size;          /* of this struct, as its user knows it */
     double from, to;      /* window in x */
     double scale;         /* of heights, 1 */
     bool invert;          /* heights change sign */
@@ -123,7 +125,7 @@ typedef struct ovr_conditioning {
     ovr_extension extend; /* none */
 } ovr_conditioning;
 
-OVR_API ovr_conditioning ovr_conditioning_default(void);
+OVR_SIZED(ovr_conditioning)
 
 /* All of it but anti-aliasing, taper and extension, which belong to a grid.
  * What was done is added to the notes. */
@@ -216,6 +218,7 @@ typedef enum ovr_spectrum { OVR_SELF_AFFINE, OVR_EXPONENTIAL } ovr_spectrum;
  * and heights of the given skewness and kurtosis.
  */
 typedef struct ovr_roughness {
+    size_t size;   /* of this struct, as its user knows it */
     double Rq;     /* root mean square height */
     double length; /* of one realization; it is periodic */
     ovr_spectrum spectrum;
@@ -228,7 +231,7 @@ typedef struct ovr_roughness {
     int seed;           /* 1 */
 } ovr_roughness;
 
-OVR_API ovr_roughness ovr_roughness_default(void);
+OVR_SIZED(ovr_roughness)
 
 /* One period of it, in b and b^2/R, the first point again at its end. */
 OVR_API ovr_profile *ovr_profile_random(const ovr_roughness *form,

@@ -48,6 +48,7 @@ typedef enum ovr_element {
 } ovr_element;
 
 typedef struct ovr_stress_options {
+    size_t size;       /* of this struct, as its user knows it */
     double mesh;       /* D */
     double inlet;      /* X of the first node */
     size_t nodes;      /* of P and Q */
@@ -58,7 +59,7 @@ typedef struct ovr_stress_options {
     ovr_element element;
     bool traction; /* Q is given */
 } ovr_stress_options;
-OVR_API ovr_stress_options ovr_stress_options_default(void);
+OVR_SIZED(ovr_stress_options)
 
 typedef struct ovr_stress ovr_stress;
 
@@ -127,6 +128,7 @@ OVR_API ovr_in_plane ovr_hertz_stress(double p, double q, double x, double z);
 /* -------------------------------------------------------------- passages */
 
 typedef struct ovr_material_range {
+    size_t size;       /* of this struct, as its user knows it */
     double reference;  /* X where xi = 0 is at U = 0 */
     double from, to;   /* xi, b; fixed in the material */
     double reach;      /* paths are followed through |X| <= reach; 2.5 */
@@ -135,7 +137,7 @@ typedef struct ovr_material_range {
     double residual_y;
     double least_depth; /* extremes are looked for from here; 0: 8 D */
 } ovr_material_range;
-OVR_API ovr_material_range ovr_material_range_default(void);
+OVR_SIZED(ovr_material_range)
 
 /* One moment of a run. */
 typedef struct ovr_moment {
@@ -242,16 +244,17 @@ OVR_API ovr_status ovr_passage_amplitude(const ovr_passage *passage,
                                          ovr_error *err);
 
 typedef struct ovr_life_options {
+    size_t size;           /* of this struct, as its user knows it */
     double limit;          /* A_u: amplitudes below it do no harm, p_h */
     double exponent;       /* c; 31/3 */
     double depth_exponent; /* h; 7/3 */
     double weibull;        /* e; 9/8 */
     double least_depth;    /* of risk and utilisation */
 } ovr_life_options;
-OVR_API ovr_life_options ovr_life_options_default(void);
+OVR_SIZED(ovr_life_options)
 
-/* Risk per length i = int <A - A_u>^c z^-h dz from z[j] downward, j = 0 ...
- * depths - 1. */
+/* NAN where the options have no size.  Risk per length i = int <A - A_u>^c z^-h
+ * dz from z[j] downward, j = 0 ... depths - 1. */
 OVR_API void ovr_risk(const ovr_life_options *options, size_t depths,
                       const double *z, const double *A, double *risk);
 

@@ -87,6 +87,7 @@ OVR_API const char *ovr_shape_name(int shape);
  * NAN: not given.  A field that the shape does not use must stay NAN.
  */
 typedef struct ovr_feature_form {
+    size_t size;      /* of this struct, as its user knows it */
     const char *name; /* for messages: the section's [feature NAME] */
     int surface;      /* 1 rides at u1, 2 at u2 */
     ovr_shape shape;
@@ -116,14 +117,14 @@ typedef struct ovr_feature_form {
                          stands still) */
     int copies;       /* how many in all; 0: endless */
 
-    /* Profiles and roughness. */
-    ovr_profile_source source;
-    ovr_conditioning conditioning; /* lengths in b, heights in b^2/R */
-    ovr_roughness roughness;       /* lengths in b, heights in b^2/R */
+    /* Profiles and roughness; lengths in b, heights in b^2/R. */
+    const ovr_profile_source *source;
+    const ovr_conditioning *conditioning; /* NULL: the defaults */
+    const ovr_roughness *roughness;
 } ovr_feature_form;
 
 /* Surface 1, everything else not given. */
-OVR_API ovr_feature_form ovr_feature_form_default(void);
+OVR_SIZED(ovr_feature_form)
 
 typedef struct ovr_surfaces ovr_surfaces;
 

@@ -19,4 +19,9 @@ void ovr_sized_fill(void *to, const void *defaults, size_t size);
 ovr_status ovr_sized_take(void *to, size_t size, const void *from,
                           const char *name, ovr_error *err);
 
+/* The same over the defaults of a type. */
+#define OVR_SIZED_TAKE(type, to, given, err)                                   \
+    (*(to) = type##_default(),                                                 \
+     ovr_sized_take(to, sizeof *(to), given, #type, err))
+
 #endif

@@ -67,6 +67,14 @@ typedef struct ovr_change {
     int time_unit;
 } ovr_change;
 
+/* Every value of a feature; the form points to the rest. */
+typedef struct ovr_feature_settings {
+    ovr_feature_form form;
+    ovr_profile_source source;
+    ovr_conditioning conditioning;
+    ovr_roughness roughness;
+} ovr_feature_settings;
+
 /* Every value of a case but the features'. */
 typedef struct ovr_settings {
     ovr_conditions contact;

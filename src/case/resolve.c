@@ -191,7 +191,7 @@ static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
     const ovr_block *lubricant = ovr_block_of(r, "lubricant");
     ovr_error why = {0};
     bool numbers;
-    *given = ovr_conditions_unknown();
+    *given = ovr_conditions_default();
     r->values.flow = (ovr_flow_form){.stress = NAN, .number = NAN};
     if (check_twice(r, "viscosity", err) || check_twice(r, "alpha", err))
         return OVR_BAD_INPUT;
@@ -336,21 +336,28 @@ static ovr_status resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
 /* --------------------------------------------------------------- features */
 
 static ovr_status fill_feature(ovr_resolved *r, const ovr_block *block,
-                               ovr_feature_form *form, ovr_error *err)
+                               ovr_feature_settings *to, ovr_error *err)
 {
+    ovr_feature_form *form = &to->form;
     ovr_status status;
-    *form = ovr_feature_form_default();
+    *to = (ovr_feature_settings){.form = ovr_feature_form_default(),
+                                 .source = ovr_profile_source_default(),
+                                 .conditioning = ovr_conditioning_default(),
+                                 .roughness = ovr_roughness_default()};
     form->name = block->name;
+    form->source = &to->source;
+    form->conditioning = &to->conditioning;
+    form->roughness = &to->roughness;
     if (!ovr_block_get(block, "shape")->given) {
         ovr_error why = {0};
         ovr_fail_about(&why, "shape", "[feature %s] needs a shape",
                        block->name);
         return ovr_fail_in(err, r->c, block, NULL, &why);
     }
-    status = ovr_block_fill(r, block, form, err);
-    form->source.spacing_scaled = true; /* like all lengths here: in b */
+    status = ovr_block_fill(r, block, to, err);
+    to->source.spacing_scaled = true; /* like all lengths here: in b */
     if (form->shape == OVR_ROUGHNESS) {
-        form->roughness.length = form->length;
+        to->roughness.length = form->length;
         form->length = NAN;
     }
     return status;
@@ -358,20 +365,23 @@ static ovr_status fill_feature(ovr_resolved *r, const ovr_block *block,
 
 static ovr_status resolve_features(ovr_resolved *r, ovr_error *err)
 {
-    ovr_feature_form *form;
+    ovr_feature_settings *settings;
+    const ovr_feature_form **form;
     size_t n = 0;
     for (const ovr_block *b = r->c->blocks; b; b = b->next)
         n += ovr_block_is_feature(b);
+    settings = ovr_arena_take(&r->arena, n, sizeof *settings, err);
     form = ovr_arena_take(&r->arena, n, sizeof *form, err);
-    if (!form)
+    if (!settings || !form)
         return OVR_NO_MEMORY;
     r->setup.feature = form;
     r->setup.features = n;
     for (const ovr_block *b = r->c->blocks; b; b = b->next)
         if (ovr_block_is_feature(b)) {
-            ovr_status status = fill_feature(r, b, form++, err);
+            ovr_status status = fill_feature(r, b, settings, err);
             if (status)
                 return status;
+            *form++ = &settings++->form;
         }
     return OVR_OK;
 }

@@ -32,7 +32,7 @@ static ovr_status wait_for(const ovr_setup *s, const ovr_slot *end, size_t k,
     ovr_feature_times times;
     if (f.speed == 0) { /* the film gets used to it */
         if (f.grows)
-            *T = fmax(*T, s->feature[k].grow_from + s->feature[k].grow);
+            *T = fmax(*T, s->feature[k]->grow_from + s->feature[k]->grow);
         return OVR_OK;
     }
     if (!isfinite(f.behind) || !isfinite(f.ahead) || !isfinite(f.last))

@@ -168,7 +168,7 @@ ovr_status ovr_resolve_history(ovr_resolved *r, const char *section,
                                ovr_history **history, ovr_error *err)
 {
     const ovr_block *block = ovr_case_find_block(r->c, section, NULL);
-    ovr_history_form form = ovr_history_constant();
+    ovr_history_form form = ovr_history_form_default();
     ovr_error why = {0};
     form.kind = (ovr_history_kind)change->history;
     form.from = change->from;

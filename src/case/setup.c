@@ -44,7 +44,7 @@ static ovr_status add_features(ovr_resolved *r, ovr_error *err)
         ovr_error why = {0};
         while (!ovr_block_is_feature(block))
             block = block->next;
-        if (ovr_surfaces_add(r->setup.surfaces, &r->setup.feature[k], &why))
+        if (ovr_surfaces_add(r->setup.surfaces, r->setup.feature[k], &why))
             return ovr_fail_in(err, r->c, block, NULL, &why);
     }
     return OVR_OK;

@@ -49,19 +49,20 @@ static int take_count(const cli_call *call, const char *name, double most,
     return CLI_DONE;
 }
 
-static int take_options(const cli_call *call, ovr_frames_options *o)
+static int take_options(const cli_call *call, ovr_frames_options *o,
+                        ovr_picture_options *look)
 {
     double every = 0, jobs = 0, rate = 0;
-    int code = cli_picture_options(call, &o->look);
+    int code = cli_picture_options(call, look);
     o->folder = cli_value(call, "o");
     o->movie = cli_value(call, "movie");
     o->form = cli_value(call, "form");
     o->scripts = cli_flag(call, "script");
-    o->look.field = cli_value(call, "stress");
-    if (o->look.field)
-        o->look.kind = OVR_PICTURE_STRESS;
-    o->look.log_depth = cli_value(call, "depth") &&
-                        strcmp(cli_value(call, "depth"), "log") == 0;
+    look->field = cli_value(call, "stress");
+    if (look->field)
+        look->kind = OVR_PICTURE_STRESS;
+    look->log_depth = cli_value(call, "depth") &&
+                      strcmp(cli_value(call, "depth"), "log") == 0;
     if (!code && !o->folder && !o->movie)
         code = cli_usage(call, "where to? -o DIR or --movie NAME.mp4");
     if (!code && o->scripts && !o->folder)
@@ -90,7 +91,8 @@ static void report(const cli_call *call, const ovr_frames_options *o,
         printf("%s\n", o->movie);
 }
 
-static int draw(const cli_call *call, const ovr_frames_options *given)
+static int draw(const cli_call *call, const ovr_frames_options *given,
+                ovr_picture_options *look)
 {
     ovr_frames_options o = *given;
     ovr_result *results[CLI_RESULTS];
@@ -100,12 +102,12 @@ static int draw(const cli_call *call, const ovr_frames_options *given)
     int code = cli_open_results(call, results);
     if (code)
         return code;
-    code = cli_picture_ranges(call, results[0], &o.look);
+    code = cli_picture_ranges(call, results[0], look);
     if (code) {
         cli_close_results(call, results);
         return code;
     }
-    cli_say_units(call, results, o.look.units);
+    cli_say_units(call, results, look->units);
     cli_catch_signals();
     w.progress = cli_progress_begin(call->verbosity, 0);
     o.progress = watch;
@@ -125,10 +127,12 @@ static int draw(const cli_call *call, const ovr_frames_options *given)
 static int run(cli_call *call)
 {
     ovr_frames_options o = ovr_frames_options_default();
+    ovr_picture_options look = ovr_picture_options_default();
     const char *names[CLI_RESULTS];
-    int code = take_options(call, &o);
-    o.look.names = cli_result_names(call, names);
-    return code ? code : draw(call, &o);
+    int code = take_options(call, &o, &look);
+    look.names = cli_result_names(call, names);
+    o.look = &look;
+    return code ? code : draw(call, &o, &look);
 }
 
 const cli_verb cli_frames = {

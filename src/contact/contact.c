@@ -9,6 +9,7 @@
  * Every error is about a field, a given one where it can be.
  */
 #include "overroll/contact.h"
+#include "base/sized.h"
 
 #include <math.h>
 
@@ -19,11 +20,25 @@ static const double M_LEAST = 1e-3, M_MOST = 1e6, L_MOST = 1e3;
 /* Redundant values may differ by their own rounding, no more. */
 static const double AGREE = 1e-6;
 
-ovr_conditions ovr_conditions_unknown(void)
+void ovr_conditions_fill(ovr_conditions *options)
 {
-    ovr_conditions c = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN,
-                        NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
-    return c;
+    const ovr_conditions defaults = {.M = NAN,
+                                     .L = NAN,
+                                     .lambda = NAN,
+                                     .alphabar = NAN,
+                                     .load = NAN,
+                                     .hertz_pressure = NAN,
+                                     .radius = NAN,
+                                     .modulus = NAN,
+                                     .viscosity = NAN,
+                                     .alpha = NAN,
+                                     .speed_1 = NAN,
+                                     .speed_2 = NAN,
+                                     .mean_speed = NAN,
+                                     .slide_to_roll = NAN,
+                                     .G = NAN,
+                                     .width = NAN};
+    ovr_sized_fill(options, &defaults, sizeof defaults);
 }
 
 static bool known(double value)
@@ -277,8 +292,8 @@ static ovr_status check_range(const ovr_contact *to, bool physical,
     return OVR_OK;
 }
 
-ovr_status ovr_contact_resolve(const ovr_conditions *given,
-                               ovr_contact *contact, ovr_error *err)
+static ovr_status resolve(const ovr_conditions *given, ovr_contact *contact,
+                          ovr_error *err)
 {
     ovr_contact to = {0};
     bool numbers = known(given->M) || known(given->L) || known(given->lambda) ||
@@ -303,4 +318,12 @@ ovr_status ovr_contact_resolve(const ovr_conditions *given,
     to.width = given->width;
     *contact = to;
     return OVR_OK;
+}
+
+ovr_status ovr_contact_resolve(const ovr_conditions *given,
+                               ovr_contact *contact, ovr_error *err)
+{
+    ovr_conditions own;
+    ovr_status status = OVR_SIZED_TAKE(ovr_conditions, &own, given, err);
+    return status ? status : resolve(&own, contact, err);
 }

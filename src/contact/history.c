@@ -15,6 +15,7 @@
  * spline, where the points do not increase, and where malloc fails: the first
  * is checked before, for the others it is switched off.
  */
+#include "base/sized.h"
 #include "overroll/contact.h"
 
 #include <gsl/gsl_errno.h>
@@ -30,10 +31,11 @@ struct ovr_history {
     ovr_arena arena;
 };
 
-ovr_history_form ovr_history_constant(void)
+void ovr_history_form_fill(ovr_history_form *options)
 {
-    ovr_history_form form = {OVR_HISTORY_CONSTANT, 1, 1, 0, 0, 0, 1, 0, 0, 0};
-    return form;
+    const ovr_history_form defaults = {
+        .kind = OVR_HISTORY_CONSTANT, .from = 1, .to = 1, .period = 1};
+    ovr_sized_fill(options, &defaults, sizeof defaults);
 }
 
 /* --------------------------------------------------------------- checks */
@@ -116,12 +118,14 @@ static ovr_status make_table(ovr_history *history, const ovr_history_form *form,
     return history->interp ? OVR_OK : OVR_NO_MEMORY;
 }
 
-ovr_history *ovr_history_create(const ovr_history_form *form,
+ovr_history *ovr_history_create(const ovr_history_form *given,
                                 const ovr_allocator *allocator, ovr_error *err)
 {
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_history *history;
-    if (check_form(form, err))
+    ovr_history_form own, *form = &own;
+    if (OVR_SIZED_TAKE(ovr_history_form, form, given, err) ||
+        check_form(form, err))
         return NULL;
     history = ovr_arena_take(&arena, 1, sizeof *history, err);
     if (!history)

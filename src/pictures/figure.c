@@ -10,14 +10,16 @@
 #include <string.h>
 
 #include "base/plain.h"
+#include "base/sized.h"
 #include "pictures/picture.h"
 #include "pictures/snapshot.h"
 
 enum { LINES = 21, LABEL = 200 };
 
-ovr_figure_options ovr_figure_options_default(void)
+void ovr_figure_options_fill(ovr_figure_options *options)
 {
-    return (ovr_figure_options){.force = false};
+    const ovr_figure_options defaults = {.force = false};
+    ovr_sized_fill(options, &defaults, sizeof defaults);
 }
 
 typedef struct sample {
@@ -385,9 +387,12 @@ static ovr_status draw(figure *f, ovr_error *err)
     return ovr_chart_draw(&chart, o->path, o->script, f->arena, err);
 }
 
-ovr_status ovr_figure(const ovr_table *table, const ovr_figure_options *options,
+ovr_status ovr_figure(const ovr_table *table, const ovr_figure_options *given,
                       const ovr_allocator *allocator, ovr_error *err)
 {
+    ovr_figure_options own, *options = &own;
+    if (OVR_SIZED_TAKE(ovr_figure_options, options, given, err))
+        return OVR_BAD_INPUT;
     locale_t before = ovr_plain_begin();
     ovr_arena arena = ovr_arena_make(allocator);
     figure f = {.o = options, .t = table, .arena = &arena};

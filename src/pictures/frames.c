@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "base/plain.h"
+#include "base/sized.h"
 #include "pictures/depth_field.h"
 #include "pictures/gnuplot.h"
 #include "pictures/movie.h"
@@ -23,14 +24,16 @@
 
 enum { WORKERS = 32 };
 
-ovr_frames_options ovr_frames_options_default(void)
+void ovr_frames_options_fill(ovr_frames_options *options)
 {
-    return (ovr_frames_options){.look = ovr_picture_options_default()};
+    const ovr_frames_options defaults = {.look = NULL};
+    ovr_sized_fill(options, &defaults, sizeof defaults);
 }
 
 typedef struct studio {
     const ovr_frames_options *o;
-    ovr_frames_options own; /* what o points to */
+    ovr_frames_options own;   /* what o points to */
+    ovr_picture_options each; /* what own.look points to */
     ovr_arena *arena;
     ovr_stored *runs;
     ovr_shot *shots;
@@ -55,7 +58,7 @@ typedef struct studio {
 static ovr_status choose_frames(studio *s, ovr_error *err)
 {
     const ovr_stored *run = s->runs;
-    const ovr_picture_options *look = &s->o->look;
+    const ovr_picture_options *look = s->o->look;
     size_t every = s->o->every ? s->o->every : 1;
     s->which = ovr_arena_take(s->arena, run->info->snapshots, sizeof *s->which,
                               err);
@@ -84,7 +87,7 @@ static ovr_status read_frame(studio *s, size_t i, ovr_error *err)
 /* The field's one scale for the whole run, and its x for all panels. */
 static ovr_status find_field(studio *s, ovr_error *err)
 {
-    ovr_picture_options *look = &s->own.look;
+    ovr_picture_options *look = &s->each;
     ovr_status status;
     s->below = look->kind == OVR_PICTURE_STRESS;
     if (!s->below)
@@ -105,7 +108,7 @@ static ovr_status find_field(studio *s, ovr_error *err)
 
 static ovr_status find_ranges(studio *s, ovr_error *err)
 {
-    const ovr_picture_options *look = &s->o->look;
+    const ovr_picture_options *look = s->o->look;
     ovr_status status = find_field(s, err);
     ovr_extent extent = ovr_extent_make(look->x_from, look->x_to, s->runs,
                                         s->count);
@@ -195,8 +198,8 @@ static ovr_status open_folder(studio *s, bool *keep, ovr_error *err)
     describe(s, &text);
     status = ovr_text_status(&text, err);
     if (status == OVR_OK && same_file(path, &text))
-        *keep = !s->o->look.force;
-    else if (status == OVR_OK && !s->o->look.force &&
+        *keep = !s->o->look->force;
+    else if (status == OVR_OK && !s->o->look->force &&
              (access(path, F_OK) == 0 || access(first, F_OK) == 0))
         status = ovr_fail(err, OVR_BAD_INPUT,
                           "%s holds frames made with other settings; --force "
@@ -360,8 +363,8 @@ static ovr_status prepare(studio *s, ovr_result *const *results, ovr_error *err)
     if (status == OVR_OK && (!s->runs || !s->shots || !s->chart))
         status = OVR_NO_MEMORY;
     if (status == OVR_OK)
-        status = ovr_open_stored(results, s->count, &s->own.look, s->runs,
-                                 s->arena, err);
+        status = ovr_open_stored(results, s->count, &s->each, s->runs, s->arena,
+                                 err);
     for (size_t j = 0; status == OVR_OK && j < s->count; j++)
         status = ovr_shot_make(&s->shots[j], &s->runs[j], s->arena, err);
     if (status == OVR_OK)
@@ -377,7 +380,7 @@ static ovr_status make(studio *s, ovr_error *err)
     double rate = s->o->rate > 0 ? s->o->rate : 25;
     ovr_status status = OVR_OK;
     if (s->o->movie)
-        status = ovr_may_create(s->o->movie, s->o->look.force, err);
+        status = ovr_may_create(s->o->movie, s->o->look->force, err);
     if (status == OVR_OK && s->folder)
         status = open_folder(s, &keep, err);
     else if (status == OVR_OK && s->o->movie)
@@ -393,6 +396,19 @@ static ovr_status make(studio *s, ovr_error *err)
     return status;
 }
 
+static ovr_status take_options(studio *s, const ovr_frames_options *given,
+                               ovr_error *err)
+{
+    ovr_status status = OVR_SIZED_TAKE(ovr_frames_options, &s->own, given, err);
+    s->each = ovr_picture_options_default();
+    if (!status && s->own.look)
+        status = OVR_SIZED_TAKE(ovr_picture_options, &s->each, s->own.look,
+                                err);
+    s->own.look = &s->each;
+    s->o = &s->own;
+    return status;
+}
+
 ovr_status ovr_frames(ovr_result *const *results, size_t count,
                       const ovr_frames_options *options,
                       const ovr_allocator *allocator, ovr_frames_made *made,
@@ -405,12 +421,15 @@ ovr_status ovr_frames(ovr_result *const *results, size_t count,
     locale_t before;
     if (!s)
         return OVR_NO_MEMORY;
+    status = take_options(s, options, err);
+    if (status) {
+        ovr_arena_release(&arena);
+        return status;
+    }
     before = ovr_plain_begin();
-    s->own = *options;
-    s->o = &s->own;
     s->arena = &arena;
     s->count = count;
-    s->folder = options->folder;
+    s->folder = s->own.folder;
     s->made = made ? made : &unasked;
     *s->made = (ovr_frames_made){0, 0};
     s->script = ovr_text_make(&arena);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One picture: read, chart, gnuplot. */
 #include "pictures/picture.h"
+#include "base/sized.h"
 
 #include <errno.h>
 #include <math.h>
@@ -10,14 +11,15 @@
 #include "base/plain.h"
 #include "pictures/gnuplot.h"
 
-ovr_picture_options ovr_picture_options_default(void)
+void ovr_picture_options_fill(ovr_picture_options *options)
 {
-    return (ovr_picture_options){.x_from = NAN,
-                                 .x_to = NAN,
-                                 .P_to = NAN,
-                                 .H_to = NAN,
-                                 .T_from = NAN,
-                                 .T_to = NAN};
+    const ovr_picture_options defaults = {.x_from = NAN,
+                                          .x_to = NAN,
+                                          .P_to = NAN,
+                                          .H_to = NAN,
+                                          .T_from = NAN,
+                                          .T_to = NAN};
+    ovr_sized_fill(options, &defaults, sizeof defaults);
 }
 
 ovr_status ovr_may_create(const char *path, bool force, ovr_error *err)
@@ -158,7 +160,9 @@ ovr_status ovr_picture(ovr_result *const *results, size_t count,
                        const ovr_picture_options *options,
                        const ovr_allocator *allocator, ovr_error *err)
 {
-    ovr_picture_options own = *options, *o = &own;
+    ovr_picture_options own, *o = &own;
+    if (OVR_SIZED_TAKE(ovr_picture_options, o, options, err))
+        return OVR_BAD_INPUT;
     locale_t before = ovr_plain_begin();
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_stored *runs = ovr_arena_take(&arena, count, sizeof *runs, err);

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "base/plain.h"
+#include "base/sized.h"
 #include "pictures/axis.h"
 #include "pictures/gnuplot.h"
 #include "pictures/pack.h"
@@ -20,9 +21,10 @@
  * evenly. */
 enum { MOST_NODES = 4000, MOST_STEPS = 4000, MOST_VALUES = 4000000 };
 
-ovr_view_options ovr_view_options_default(void)
+void ovr_view_options_fill(ovr_view_options *options)
 {
-    return (ovr_view_options){.force = false};
+    const ovr_view_options defaults = {.force = false};
+    ovr_sized_fill(options, &defaults, sizeof defaults);
 }
 
 typedef struct writer {
@@ -386,9 +388,12 @@ static ovr_status view(ovr_result *const *results, size_t count,
 }
 
 ovr_status ovr_view(ovr_result *const *results, size_t count,
-                    const ovr_view_options *options,
+                    const ovr_view_options *given,
                     const ovr_allocator *allocator, ovr_error *err)
 {
+    ovr_view_options own, *options = &own;
+    if (OVR_SIZED_TAKE(ovr_view_options, options, given, err))
+        return OVR_BAD_INPUT;
     locale_t before = ovr_plain_begin();
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_error unasked;

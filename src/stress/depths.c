@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "stress/depths.h"
+#include "base/sized.h"
 
 #include <math.h>
 
@@ -7,13 +8,14 @@
  * for the seam of the lags. */
 enum { SHIFT_ROOM = 2 << (OVR_STRESS_LEVELS - 1), LEAST_SEAM = 128 };
 
-ovr_stress_options ovr_stress_options_default(void)
+void ovr_stress_options_fill(ovr_stress_options *options)
 {
-    return (ovr_stress_options){.from = -2.6,
-                                .to = 2.6,
-                                .depth_max = 2.5,
-                                .per_octave = 5,
-                                .element = OVR_ELEMENT_AUTO};
+    const ovr_stress_options defaults = {.from = -2.6,
+                                         .to = 2.6,
+                                         .depth_max = 2.5,
+                                         .per_octave = 5,
+                                         .element = OVR_ELEMENT_AUTO};
+    ovr_sized_fill(options, &defaults, sizeof defaults);
 }
 
 static double least(const ovr_stress_options *o)

@@ -24,6 +24,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/sized.h"
 #include "stress/element.h"
 
 static const double two_pi = 6.28318530717958647693;
@@ -185,13 +186,15 @@ ovr_stress *ovr_stress_create(const ovr_stress_options *options,
                               const ovr_allocator *allocator, ovr_error *err)
 {
     ovr_arena arena = ovr_arena_make(allocator);
-    if (ovr_stress_check(options, err))
+    ovr_stress_options own;
+    if (OVR_SIZED_TAKE(ovr_stress_options, &own, options, err) ||
+        ovr_stress_check(&own, err))
         return NULL;
     ovr_stress *s = ovr_arena_take(&arena, 1, sizeof *s, err);
     if (!s)
         return NULL;
     s->arena = arena;
-    s->options = *options;
+    s->options = own;
     if (prepare(s, err)) {
         ovr_stress_free(s);
         return NULL;
@@ -208,9 +211,11 @@ void ovr_stress_free(ovr_stress *s)
     ovr_arena_release(&arena);
 }
 
-double ovr_stress_memory(const ovr_stress_options *o)
+double ovr_stress_memory(const ovr_stress_options *given)
 {
-    if (ovr_stress_check(o, NULL))
+    ovr_stress_options own, *o = &own;
+    if (OVR_SIZED_TAKE(ovr_stress_options, o, given, NULL) ||
+        ovr_stress_check(o, NULL))
         return NAN;
     double N = (double)ovr_stress_room(o), bytes = N * (8 + 8 + 8 + 8 + 8 + 8);
     size_t depths = ovr_depths(o, NULL);

@@ -22,13 +22,16 @@
  */
 #include <math.h>
 
+#include "base/sized.h"
 #include "overroll/stress.h"
 
 enum { PARTS = 16 };
 
-ovr_life_options ovr_life_options_default(void)
+void ovr_life_options_fill(ovr_life_options *options)
 {
-    return (ovr_life_options){0, 31. / 3, 7. / 3, 9. / 8, 0};
+    const ovr_life_options defaults = {
+        .exponent = 31. / 3, .depth_exponent = 7. / 3, .weibull = 9. / 8};
+    ovr_sized_fill(options, &defaults, sizeof defaults);
 }
 
 /* Slope between two intervals: harmonic mean where both have one sign. */
@@ -76,8 +79,8 @@ static double of_interval(const ovr_life_options *o, size_t n, const double *z,
     return sum * width / PARTS;
 }
 
-void ovr_risk(const ovr_life_options *o, size_t depths, const double *z,
-              const double *A, double *risk)
+static void risk_of(const ovr_life_options *o, size_t depths, const double *z,
+                    const double *A, double *risk)
 {
     double sum = 0;
     for (size_t j = depths; j-- > 0;) {
@@ -85,6 +88,17 @@ void ovr_risk(const ovr_life_options *o, size_t depths, const double *z,
             sum += of_interval(o, depths, z, A, j);
         risk[j] = sum;
     }
+}
+
+void ovr_risk(const ovr_life_options *options, size_t depths, const double *z,
+              const double *A, double *risk)
+{
+    ovr_life_options own;
+    if (OVR_SIZED_TAKE(ovr_life_options, &own, options, NULL) == OVR_OK)
+        risk_of(&own, depths, z, A, risk);
+    else
+        for (size_t j = 0; j < depths; j++)
+            risk[j] = NAN;
 }
 
 static size_t first_counted(const ovr_life_options *o, const ovr_material *m)
@@ -115,26 +129,30 @@ static void count_point(const ovr_life_options *o, const ovr_material *m,
 {
     for (size_t j = 0; j < m->depths; j++)
         column[j] = A[j * m->points + k];
-    ovr_risk(o, m->depths, m->z, column, i);
+    risk_of(o, m->depths, m->z, column, i);
     for (size_t j = 0; m->complete[k] && length && j < m->depths; j++)
         length[j] += (i[j] - i_0[j]) / i_0[j] * m->step;
 }
 
 enum { MOST_DEPTHS = 1024 };
 
-ovr_status ovr_life(const ovr_life_options *o, const ovr_material *m,
+ovr_status ovr_life(const ovr_life_options *options, const ovr_material *m,
                     const float *A, const double *smooth, double *risk,
                     double *length, ovr_life_result *result, ovr_error *err)
 {
     double column[MOST_DEPTHS] = {0}, i[MOST_DEPTHS] = {0};
     double i_0[MOST_DEPTHS] = {0};
     double lambda[MOST_DEPTHS] = {0};
+    ovr_life_options own, *o = &own;
+    ovr_status status = OVR_SIZED_TAKE(ovr_life_options, o, options, err);
+    if (status)
+        return status;
     if (m->depths < 1 || m->depths > MOST_DEPTHS)
         return ovr_fail(err, OVR_BAD_INPUT, "%zu depths: 1 to %d are possible",
                         m->depths, MOST_DEPTHS);
     size_t from = first_counted(o, m);
     *result = (ovr_life_result){.least_depth = m->z[from]};
-    ovr_risk(o, m->depths, m->z, smooth, i_0);
+    risk_of(o, m->depths, m->z, smooth, i_0);
     for (size_t k = 0; k < m->points; k++) {
         count_point(o, m, A, k, column, i, i_0, lambda);
         result->counted += m->complete[k];
@@ -153,9 +171,12 @@ ovr_status ovr_life(const ovr_life_options *o, const ovr_material *m,
     return OVR_OK;
 }
 
-double ovr_life_ratio(const ovr_life_options *o, double equivalent_length,
+double ovr_life_ratio(const ovr_life_options *options, double equivalent_length,
                       double raceway, double count)
 {
     double added = 1 + count * equivalent_length / raceway;
-    return added > 0 ? pow(added, -1 / o->weibull) : NAN;
+    ovr_life_options own;
+    if (OVR_SIZED_TAKE(ovr_life_options, &own, options, NULL) || !(added > 0))
+        return NAN;
+    return pow(added, -1 / own.weibull);
 }

@@ -17,6 +17,7 @@
  * it is then: the fields of that moment at all earlier, or later, places.
  */
 #include "stress/passage.h"
+#include "base/sized.h"
 
 #include <math.h>
 #include <string.h>
@@ -26,10 +27,11 @@ static const double samples_of_depth = 64;
 static const double near_contact = 2;
 enum { WHOLE = 1 << (OVR_STRESS_LEVELS - 1) };
 
-ovr_material_range ovr_material_range_default(void)
+void ovr_material_range_fill(ovr_material_range *options)
 {
-    return (ovr_material_range){
+    const ovr_material_range defaults = {
         .from = -2, .to = 2, .reach = 2.5, .poisson = 0.3};
+    ovr_sized_fill(options, &defaults, sizeof defaults);
 }
 
 /* ------------------------------------------------------------ one moment */

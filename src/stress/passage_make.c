@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/sized.h"
 #include "stress/passage.h"
 
 static double least_depth(const ovr_stress_options *o,
@@ -140,12 +141,24 @@ static ovr_status prepare(ovr_passage *p, ovr_error *err)
     return status;
 }
 
-ovr_passage *ovr_passage_create(const ovr_stress_options *options,
-                                const ovr_material_range *range,
+static ovr_status take(const ovr_stress_options *o,
+                       const ovr_material_range *range, ovr_stress_options *to,
+                       ovr_material_range *to_range, ovr_error *err)
+{
+    ovr_status status = OVR_SIZED_TAKE(ovr_stress_options, to, o, err);
+    return status ? status
+                  : OVR_SIZED_TAKE(ovr_material_range, to_range, range, err);
+}
+
+ovr_passage *ovr_passage_create(const ovr_stress_options *given,
+                                const ovr_material_range *given_range,
                                 const ovr_allocator *allocator, ovr_error *err)
 {
     ovr_arena arena = ovr_arena_make(allocator);
-    if (ovr_stress_check(options, err) || check(options, range, err))
+    ovr_stress_options own, *options = &own;
+    ovr_material_range own_range, *range = &own_range;
+    if (take(given, given_range, options, range, err) ||
+        ovr_stress_check(options, err) || check(options, range, err))
         return NULL;
     ovr_passage *p = ovr_arena_take(&arena, 1, sizeof *p, err);
     if (!p)
@@ -170,11 +183,14 @@ void ovr_passage_free(ovr_passage *p)
     ovr_arena_release(&arena);
 }
 
-double ovr_passage_memory(const ovr_stress_options *o,
-                          const ovr_material_range *range)
+double ovr_passage_memory(const ovr_stress_options *given,
+                          const ovr_material_range *given_range)
 {
-    double bytes = ovr_stress_memory(o);
-    if (isnan(bytes) || check(o, range, NULL))
+    ovr_stress_options own, *o = &own;
+    ovr_material_range own_range, *range = &own_range;
+    double bytes = ovr_stress_memory(given);
+    if (isnan(bytes) || take(given, given_range, o, range, NULL) ||
+        check(o, range, NULL))
         return NAN;
     double least = o->depth_min > 0 ? o->depth_min : 4 * o->mesh;
     for (size_t j = 0; j < ovr_depths(o, NULL); j++) {

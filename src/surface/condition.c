@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/sized.h"
 #include "surface/form.h"
 #include "surface/profile.h"
 
@@ -245,11 +246,15 @@ static void shift(ovr_profile *p, double offset, size_t n)
 }
 
 ovr_status ovr_profile_condition(ovr_profile *profile,
-                                 const ovr_conditioning *how, ovr_error *err)
+                                 const ovr_conditioning *given, ovr_error *err)
 {
     size_t n = profile->view.n;
     double *work = ovr_arena_take(&profile->arena, n, 3 * sizeof *work, err);
-    ovr_status status = work ? check(profile, how, err) : OVR_NO_MEMORY;
+    ovr_conditioning own, *how = &own;
+    ovr_status status = work ? OVR_SIZED_TAKE(ovr_conditioning, how, given, err)
+                             : OVR_NO_MEMORY;
+    if (!status)
+        status = check(profile, how, err);
     if (!status)
         status = choose_window(profile, how, &n, err);
     if (status)

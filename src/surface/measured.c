@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/sized.h"
 #include "surface/profile.h"
 #include "surface/resample.h"
 
@@ -38,8 +39,14 @@ static ovr_status to_contact(ovr_profile *p, const ovr_contact *c,
 static ovr_profile *read(const ovr_feature_form *form, const ovr_contact *c,
                          const ovr_allocator *allocator, ovr_error *err)
 {
-    ovr_profile_source source = form->source;
+    ovr_profile_source source;
     ovr_profile *p;
+    if (!form->source) {
+        ovr_fail(err, OVR_BAD_INPUT, "a profile needs its file");
+        return NULL;
+    }
+    if (OVR_SIZED_TAKE(ovr_profile_source, &source, form->source, err))
+        return NULL;
     source.spacing_scaled = !(c->b > 0);
     if (c->b > 0)
         source.spacing *= c->b;
@@ -99,13 +106,16 @@ static ovr_status fit(ovr_feature *f, const ovr_feature_form *form,
                       ovr_error *err)
 {
     ovr_table *table = ovr_arena_take(arena, 1, sizeof *table, err);
-    const ovr_conditioning *how = &form->conditioning;
+    ovr_conditioning how = ovr_conditioning_default();
     bool random = form->shape == OVR_ROUGHNESS;
-    ovr_ends ends = {how->taper, how->extend, !isnan(form->origin), random};
     double lost = 0;
     ovr_status status = table ? OVR_OK : OVR_NO_MEMORY;
+    if (!status && form->conditioning)
+        status = OVR_SIZED_TAKE(ovr_conditioning, &how, form->conditioning,
+                                err);
+    ovr_ends ends = {how.taper, how.extend, !isnan(form->origin), random};
     if (!status && !random) /* roughness is as it was asked for */
-        status = ovr_profile_condition(p, how, err);
+        status = ovr_profile_condition(p, &how, err);
     if (!status)
         status = ovr_resample(p->view.n, p->x, p->z, mesh, &ends, table, arena,
                               &lost, err);
@@ -130,9 +140,11 @@ ovr_status ovr_measured_make(ovr_feature *feature, const ovr_feature_form *form,
                         feature->name);
     if (!err)
         err = &local;
+    const ovr_roughness none = ovr_roughness_default();
+    const ovr_roughness *roughness = form->roughness ? form->roughness : &none;
     p = form->shape == OVR_PROFILE
             ? read(form, contact, &arena->allocator, err)
-            : ovr_profile_random(&form->roughness, &arena->allocator, err);
+            : ovr_profile_random(roughness, &arena->allocator, err);
     status = p ? fit(feature, form, p, mesh, arena, err) : err->status;
     if (status && !err->about && form->shape == OVR_PROFILE)
         err->about = "file"; /* what is wrong stands in it */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The life of a profile: created, read, looked at, saved, freed. */
 #include "surface/profile.h"
+#include "base/sized.h"
 
 #include <errno.h>
 #include <math.h>
@@ -10,41 +11,44 @@
 
 #include "base/plain.h"
 
-ovr_profile_source ovr_profile_source_default(void)
+void ovr_profile_source_fill(ovr_profile_source *options)
 {
-    return (ovr_profile_source){.spacing = NAN};
+    const ovr_profile_source defaults = {.spacing = NAN};
+    ovr_sized_fill(options, &defaults, sizeof defaults);
 }
 
-ovr_conditioning ovr_conditioning_default(void)
+void ovr_conditioning_fill(ovr_conditioning *options)
 {
-    return (ovr_conditioning){.from = NAN,
-                              .to = NAN,
-                              .scale = 1,
-                              .stretch = 1,
-                              .max_gap = NAN,
-                              .max_missing = 0.2,
-                              .outliers = NAN,
-                              .level = OVR_LEVEL_LINE,
-                              .degree = 2,
-                              .lambda_c = NAN,
-                              .lambda_s = NAN,
-                              .offset = 0,
-                              .taper = NAN,
-                              .extend = OVR_EXTEND_NONE};
+    const ovr_conditioning defaults = {.from = NAN,
+                                       .to = NAN,
+                                       .scale = 1,
+                                       .stretch = 1,
+                                       .max_gap = NAN,
+                                       .max_missing = 0.2,
+                                       .outliers = NAN,
+                                       .level = OVR_LEVEL_LINE,
+                                       .degree = 2,
+                                       .lambda_c = NAN,
+                                       .lambda_s = NAN,
+                                       .offset = 0,
+                                       .taper = NAN,
+                                       .extend = OVR_EXTEND_NONE};
+    ovr_sized_fill(options, &defaults, sizeof defaults);
 }
 
-ovr_roughness ovr_roughness_default(void)
+void ovr_roughness_fill(ovr_roughness *options)
 {
-    return (ovr_roughness){.Rq = NAN,
-                           .length = NAN,
-                           .spectrum = OVR_SELF_AFFINE,
-                           .hurst = 0.8,
-                           .rolloff = NAN,
-                           .shortest = NAN,
-                           .correlation = NAN,
-                           .skewness = NAN,
-                           .kurtosis = NAN,
-                           .seed = 1};
+    const ovr_roughness defaults = {.Rq = NAN,
+                                    .length = NAN,
+                                    .spectrum = OVR_SELF_AFFINE,
+                                    .hurst = 0.8,
+                                    .rolloff = NAN,
+                                    .shortest = NAN,
+                                    .correlation = NAN,
+                                    .skewness = NAN,
+                                    .kurtosis = NAN,
+                                    .seed = 1};
+    ovr_sized_fill(options, &defaults, sizeof defaults);
 }
 
 /* -------------------------------------------------------------- building */

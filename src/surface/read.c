@@ -10,6 +10,7 @@
 #include <string.h>
 #include <zlib.h>
 
+#include "base/sized.h"
 #include "base/text.h"
 
 /* ----------------------------------------------------------- the content */
@@ -127,13 +128,22 @@ static ovr_profile *understand(ovr_profile *profile,
     return NULL;
 }
 
+static ovr_profile *parse(const ovr_profile_source *source, ovr_bytes content,
+                          const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_profile *profile = ovr_profile_new(source->file, allocator, err);
+    return profile ? understand(profile, source, content, err) : NULL;
+}
+
 ovr_profile *ovr_profile_parse(const ovr_profile_source *source,
                                const void *data, size_t size,
                                const ovr_allocator *allocator, ovr_error *err)
 {
-    ovr_profile *profile = ovr_profile_new(source->file, allocator, err);
+    ovr_profile_source own;
     ovr_bytes content = {data, size};
-    return profile ? understand(profile, source, content, err) : NULL;
+    if (OVR_SIZED_TAKE(ovr_profile_source, &own, source, err))
+        return NULL;
+    return parse(&own, content, allocator, err);
 }
 
 ovr_profile *ovr_profile_read(const ovr_profile_source *source,
@@ -142,11 +152,13 @@ ovr_profile *ovr_profile_read(const ovr_profile_source *source,
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_profile *profile = NULL;
     ovr_bytes content = {NULL, 0};
-    if (!source->file || !*source->file)
+    ovr_profile_source own;
+    if (OVR_SIZED_TAKE(ovr_profile_source, &own, source, err))
+        return NULL;
+    if (!own.file || !*own.file)
         ovr_fail(err, OVR_BAD_INPUT, "a profile needs its file");
-    else if (!load(source->file, &arena, &content, err))
-        profile = ovr_profile_parse(source, content.data, content.size,
-                                    allocator, err);
+    else if (!load(own.file, &arena, &content, err))
+        profile = parse(&own, content, allocator, err);
     ovr_arena_release(&arena);
     return profile;
 }

@@ -7,6 +7,7 @@
  * Copies of a repeated feature follow it: they are on the side it comes from,
  * and on both sides when it stands still.
  */
+#include "base/sized.h"
 #include "surface/feature.h"
 
 #include <math.h>
@@ -29,38 +30,35 @@ struct ovr_surfaces {
     entry *first, **last;
 };
 
-ovr_feature_form ovr_feature_form_default(void)
+void ovr_feature_form_fill(ovr_feature_form *options)
 {
-    ovr_feature_form form = {.name = "",
-                             .surface = 1,
-                             .shape = OVR_DENT,
-                             .start = NAN,
-                             .centre = NAN,
-                             .edge = NAN,
-                             .arrival = NAN,
-                             .origin = NAN,
-                             .depth = NAN,
-                             .height = NAN,
-                             .amplitude = NAN,
-                             .width = NAN,
-                             .diameter = NAN,
-                             .half_width = NAN,
-                             .wavelength = NAN,
-                             .wavelength_end = NAN,
-                             .length = NAN,
-                             .shoulder = NAN,
-                             .shoulder_at = NAN,
-                             .shoulder_width = NAN,
-                             .flank = NAN,
-                             .radius = NAN,
-                             .grow = NAN,
-                             .grow_from = 0,
-                             .repeat = NAN,
-                             .copies = 0};
-    form.source = ovr_profile_source_default();
-    form.conditioning = ovr_conditioning_default();
-    form.roughness = ovr_roughness_default();
-    return form;
+    const ovr_feature_form defaults = {.name = "",
+                                       .surface = 1,
+                                       .shape = OVR_DENT,
+                                       .start = NAN,
+                                       .centre = NAN,
+                                       .edge = NAN,
+                                       .arrival = NAN,
+                                       .origin = NAN,
+                                       .depth = NAN,
+                                       .height = NAN,
+                                       .amplitude = NAN,
+                                       .width = NAN,
+                                       .diameter = NAN,
+                                       .half_width = NAN,
+                                       .wavelength = NAN,
+                                       .wavelength_end = NAN,
+                                       .length = NAN,
+                                       .shoulder = NAN,
+                                       .shoulder_at = NAN,
+                                       .shoulder_width = NAN,
+                                       .flank = NAN,
+                                       .radius = NAN,
+                                       .grow = NAN,
+                                       .grow_from = 0,
+                                       .repeat = NAN,
+                                       .copies = 0};
+    ovr_sized_fill(options, &defaults, sizeof defaults);
 }
 
 ovr_surfaces *ovr_surfaces_create(const ovr_contact *contact,
@@ -177,10 +175,13 @@ ovr_status ovr_surfaces_add(ovr_surfaces *surfaces,
                             const ovr_feature_form *form, ovr_error *err)
 {
     entry *added = ovr_arena_take(&surfaces->arena, 1, sizeof *added, err);
+    ovr_feature_form own;
     ovr_status status;
     if (!added)
         return OVR_NO_MEMORY;
-    status = make(surfaces, form, &added->feature, err);
+    status = OVR_SIZED_TAKE(ovr_feature_form, &own, form, err);
+    if (!status)
+        status = make(surfaces, &own, &added->feature, err);
     if (status)
         return status;
     *surfaces->last = added;

@@ -25,6 +25,7 @@
 #include <gsl/gsl_sort.h>
 #include <math.h>
 
+#include "base/sized.h"
 #include "surface/profile.h"
 
 enum { MOST = 1 << 20, ITERATIONS = 25 };
@@ -276,9 +277,10 @@ static ovr_status synthesize(random_surface *s, ovr_profile *p, ovr_error *err)
 ovr_profile *ovr_profile_random(const ovr_roughness *form,
                                 const ovr_allocator *allocator, ovr_error *err)
 {
-    random_surface s = {.form = form};
+    ovr_roughness own;
+    random_surface s = {.form = &own};
     ovr_profile *p;
-    if (check(&s, err))
+    if (OVR_SIZED_TAKE(ovr_roughness, &own, form, err) || check(&s, err))
         return NULL;
     p = ovr_profile_new("roughness", allocator, err);
     if (p && !synthesize(&s, p, err))

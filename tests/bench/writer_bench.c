@@ -68,7 +68,7 @@ static void die(const ovr_error *err)
 static ovr_simulation *make_simulation(ovr_contact *contact)
 {
     ovr_error err = {0};
-    ovr_conditions given = ovr_conditions_unknown();
+    ovr_conditions given = ovr_conditions_default();
     ovr_options options = test_options();
     ovr_lubricant lubricant;
     ovr_simulation *sim = NULL;

@@ -282,9 +282,11 @@ static ovr_status frames_with(void *data, const ovr_allocator *allocator,
 {
     ovr_result *r = data;
     ovr_frames_options o = ovr_frames_options_default();
+    ovr_picture_options look = ovr_picture_options_default();
     ovr_error missing;
+    look.force = true;
     o.folder = "frames";
-    o.look.force = true;
+    o.look = &look;
     if (ovr_frames(&r, 1, &o, allocator, NULL, &missing) == OVR_NO_MEMORY) {
         *err = missing;
         return OVR_NO_MEMORY;
@@ -320,6 +322,7 @@ static void frames_go_on(void **state)
 {
     const char *path = test_path(*state, "made.h5");
     ovr_frames_options o = ovr_frames_options_default();
+    ovr_picture_options look = ovr_picture_options_default();
     ovr_frames_made made;
     size_t count = 0;
     char *folder = strdup(test_path(*state, "frames"));
@@ -345,7 +348,8 @@ static void frames_go_on(void **state)
         snprintf(name, sizeof name, "frames/frame_%04d.svg", k);
         check_svg(test_path(*state, name));
     }
-    o.look.H_to = 0.5;
+    look.H_to = 0.5;
+    o.look = &look;
     assert_int_equal(ovr_frames(&r, 1, &o, NULL, &made, &err), OVR_BAD_INPUT);
     CHECK_ERROR(&err, OVR_BAD_INPUT, "other settings");
     free(folder);

@@ -160,7 +160,7 @@ static void signs_follow_the_surfaces(void **state)
 /* mu = kappa F over the load, with kappa = 4 alphabar/G. */
 static void coefficients_need_the_ratio(void **state)
 {
-    ovr_conditions given = ovr_conditions_unknown();
+    ovr_conditions given = ovr_conditions_default();
     ovr_contact contact;
     ovr_error err = {0};
     (void)state;

@@ -11,7 +11,7 @@
 static ovr_history *ramp(double from, double to, double duration)
 {
     ovr_error err;
-    ovr_history_form form = ovr_history_constant();
+    ovr_history_form form = ovr_history_form_default();
     form.kind = OVR_HISTORY_RAMP;
     form.from = from;
     form.to = to;
@@ -290,7 +290,7 @@ static void mass_balance_stands_when_the_inflow_vanishes(void **state)
 {
     ovr_error err;
     double worst = 0;
-    ovr_history_form form = ovr_history_constant();
+    ovr_history_form form = ovr_history_form_default();
     (void)state;
     form.kind = OVR_HISTORY_SINE;
     form.amplitude = 0.4;

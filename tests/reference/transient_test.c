@@ -107,7 +107,7 @@ static watch march(const run *r, int level, double tolerance,
 {
     ovr_error err;
     ovr_options o = test_options();
-    ovr_history_form form = ovr_history_constant();
+    ovr_history_form form = ovr_history_form_default();
     ovr_history *load = NULL;
     test_feature feature = r->feature;
     watch w = {.truth = r->truth};

@@ -11,7 +11,7 @@ test_contact test_contact_make(double M, double L)
 {
     test_contact t;
     ovr_error err;
-    ovr_conditions given = ovr_conditions_unknown();
+    ovr_conditions given = ovr_conditions_default();
     given.M = M;
     given.L = L;
     given.alpha = 1.7e-8;

@@ -29,7 +29,7 @@ static test_film draw(size_t i)
 static int solve(int level, test_film *f)
 {
     double width = sqrt(2 * ovr_film_central_moes(f->M, f->L));
-    ovr_conditions given = ovr_conditions_unknown();
+    ovr_conditions given = ovr_conditions_default();
     ovr_options o = ovr_options_default();
     ovr_simulation *sim = NULL;
     ovr_contact contact;

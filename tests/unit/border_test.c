@@ -24,7 +24,7 @@ static void *front(const void *whole, size_t size)
 
 static ovr_simulation *simulation(const ovr_options *options, ovr_error *err)
 {
-    ovr_conditions given = ovr_conditions_unknown();
+    ovr_conditions given = ovr_conditions_default();
     ovr_contact contact;
     ovr_lubricant oil;
     given.M = 20, given.L = 10, given.alpha = 17e-9;
@@ -102,12 +102,168 @@ static void test_filled(void **state)
     free(run);
 }
 
+/* A function that takes options, and whether it refused them. */
+typedef bool refuses(void *options, ovr_error *err);
+
+static bool conditions(void *o, ovr_error *err)
+{
+    ovr_contact contact;
+    return ovr_contact_resolve(o, &contact, err) != OVR_OK;
+}
+
+static bool history(void *o, ovr_error *err)
+{
+    ovr_history *made = ovr_history_create(o, NULL, err);
+    ovr_history_free(made);
+    return !made;
+}
+
+static bool source(void *o, ovr_error *err)
+{
+    static const char text[] = "x um z um\n0 0\n1 1\n2 0\n3 1\n4 0\n";
+    ovr_profile *made = ovr_profile_parse(o, text, sizeof text - 1, NULL, err);
+    ovr_profile_free(made);
+    return !made;
+}
+
+static bool conditioning(void *o, ovr_error *err)
+{
+    const double x[] = {0, 1, 2, 3, 4}, z[] = {0, 1, 0, 1, 0};
+    ovr_profile *p = ovr_profile_create(5, x, z, true, NULL, err);
+    ovr_status status = ovr_profile_condition(p, o, err);
+    ovr_profile_free(p);
+    return status != OVR_OK;
+}
+
+static bool roughness(void *o, ovr_error *err)
+{
+    ovr_profile *made = ovr_profile_random(o, NULL, err);
+    ovr_profile_free(made);
+    return !made;
+}
+
+static bool feature(void *o, ovr_error *err)
+{
+    ovr_contact c = {.M = 20, .L = 10, .u1_ratio = 1, .u2_ratio = 1};
+    ovr_surfaces *s = ovr_surfaces_create(&c, NULL, 0.01, NULL, err);
+    ovr_status status = ovr_surfaces_add(s, o, err);
+    ovr_surfaces_free(s);
+    return status != OVR_OK;
+}
+
+static bool stress(void *o, ovr_error *err)
+{
+    ovr_stress *made = ovr_stress_create(o, NULL, err);
+    assert_true(isnan(ovr_stress_memory(o)) == !made);
+    ovr_stress_free(made);
+    return !made;
+}
+
+static bool material(void *range, ovr_error *err)
+{
+    ovr_stress_options o = ovr_stress_options_default();
+    o.mesh = 0.05, o.inlet = -3, o.nodes = 121;
+    ovr_passage *made = ovr_passage_create(&o, range, NULL, err);
+    ovr_passage_free(made);
+    return !made;
+}
+
+static bool life(void *o, ovr_error *err)
+{
+    double ratio = ovr_life_ratio(o, 1, 10, 1);
+    if (isnan(ratio)) /* this function has no error to give */
+        ovr_life(o, &(ovr_material){.depths = 1}, NULL, NULL, NULL, NULL, NULL,
+                 err);
+    return isnan(ratio);
+}
+
+/* The pictures would need files: they are refused, or the path is. */
+static bool picture(void *o, ovr_error *err)
+{
+    ovr_picture(NULL, 0, o, NULL, err);
+    return strstr(err->message, "_default()") != NULL;
+}
+
+static bool figure(void *o, ovr_error *err)
+{
+    ovr_figure(NULL, o, NULL, err);
+    return strstr(err->message, "_default()") != NULL;
+}
+
+/* Its `look` has no size, which is the next thing refused. */
+static bool frames(void *o, ovr_error *err)
+{
+    assert_int_equal(ovr_frames(NULL, 0, o, NULL, NULL, err), OVR_BAD_INPUT);
+    return !strstr(err->message, "ovr_picture_options_default()");
+}
+
+static bool view(void *o, ovr_error *err)
+{
+    ovr_view(NULL, 0, o, NULL, err);
+    return strstr(err->message, "_default()") != NULL;
+}
+
+/* Every other struct of options, whole or of an older caller that ends before
+ * `known`; not of a newer one nor without a size. */
+#define EACH(type, function, known, ...)                                       \
+    do {                                                                       \
+        type whole = type##_default(), *old;                                   \
+        __VA_ARGS__;                                                           \
+        old = front(&whole, offsetof(type, known));                            \
+        check_sizes(&whole, sizeof whole, old, #type "_default()", function);  \
+        free(old);                                                             \
+    } while (0)
+
+static void check_sizes(void *whole, size_t size, void *old, const char *says,
+                        refuses *refuse)
+{
+    const size_t bad[] = {0, size + 8};
+    ovr_error err = {0};
+    assert_false(refuse(whole, &err));
+    assert_false(refuse(old, &err));
+    for (int k = 0; k < 2; k++) {
+        memset(&err, 0, sizeof err);
+        memcpy(whole, &bad[k], sizeof bad[k]);
+        assert_true(refuse(whole, &err));
+        assert_int_equal(err.status, OVR_BAD_INPUT);
+        assert_non_null(strstr(err.message, says));
+    }
+}
+
+static void test_all_sizes(void **state)
+{
+    (void)state;
+    EACH(ovr_conditions, conditions, width, whole.M = 20, whole.L = 10,
+         whole.alpha = 17e-9);
+    EACH(ovr_history_form, history, points, whole.kind = OVR_HISTORY_SINE,
+         whole.amplitude = 0.1);
+    EACH(ovr_profile_source, source, options, whole.file = "it");
+    EACH(ovr_conditioning, conditioning, extend, whole.taper = 0);
+    EACH(ovr_roughness, roughness, seed, whole.Rq = 0.1, whole.length = 8);
+    EACH(ovr_feature_form, feature, roughness, whole.depth = 0.1,
+         whole.width = 1, whole.start = 0);
+    EACH(ovr_stress_options, stress, traction, whole.mesh = 0.05,
+         whole.inlet = -3, whole.nodes = 121);
+    EACH(ovr_material_range, material, least_depth, whole.poisson = 0.25);
+    EACH(ovr_life_options, life, least_depth, whole.limit = 0.1);
+}
+
+static void test_all_pictures(void **state)
+{
+    const ovr_picture_options look = {.size = 0};
+    (void)state;
+    EACH(ovr_picture_options, picture, script, whole.path = "none.bmp");
+    EACH(ovr_figure_options, figure, script, whole.path = "none.bmp");
+    EACH(ovr_frames_options, frames, data, whole.look = &look);
+    EACH(ovr_view_options, view, names, whole.path = ".");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_options),
-        cmocka_unit_test(test_march),
-        cmocka_unit_test(test_filled),
+        cmocka_unit_test(test_options),      cmocka_unit_test(test_march),
+        cmocka_unit_test(test_filled),       cmocka_unit_test(test_all_sizes),
+        cmocka_unit_test(test_all_pictures),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -171,7 +171,7 @@ static void oddities_of_text(void **state)
     (void)state;
     assert_true(s->contact->M == 20 && s->contact->L == 10);
     assert_int_equal(s->features, 1);
-    assert_string_equal(s->feature[0].name, "a b.c");
+    assert_string_equal(s->feature[0]->name, "a b.c");
     done(c, s);
 }
 
@@ -262,8 +262,8 @@ static void physical_numbers_need_a_physical_contact(void **state)
                               "contact: add radius and modulus");
     refused(join(moes, "[time]\nend = 1 ms\n"), "t.ini:5: end: 1 ms needs a");
     s = resolved(join(roller, dent), &c);
-    CHECK_CLOSE(s->feature[0].depth, 0.2e-6 / s->contact->height, 1e-15);
-    assert_true(s->feature[0].width == 0.5);
+    CHECK_CLOSE(s->feature[0]->depth, 0.2e-6 / s->contact->height, 1e-15);
+    assert_true(s->feature[0]->width == 0.5);
     done(c, s);
     /* radius and modulus are enough for lengths */
     s = resolved("[contact]\nM = 20\nL = 10\nradius = 10 mm\n"
@@ -321,7 +321,7 @@ static void settings_override_the_file(void **state)
     assert_non_null(t);
     assert_memory_equal(t->contact, s->contact, sizeof *s->contact);
     assert_int_equal(t->features, 1);
-    assert_true(t->feature[0].height == 0.1);
+    assert_true(t->feature[0]->height == 0.1);
     done(c, s);
     done(d, t);
 }

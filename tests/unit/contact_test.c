@@ -33,7 +33,7 @@ static ovr_contact resolve(ovr_conditions c)
 
 static ovr_conditions moes(double M, double L)
 {
-    ovr_conditions c = ovr_conditions_unknown();
+    ovr_conditions c = ovr_conditions_default();
     c.M = M;
     c.L = L;
     return c;
@@ -42,7 +42,7 @@ static ovr_conditions moes(double M, double L)
 /* A steel roller: w, R, E', eta0, alpha, u1, u2. */
 static ovr_conditions roller(void)
 {
-    ovr_conditions c = ovr_conditions_unknown();
+    ovr_conditions c = ovr_conditions_default();
     c.load = 3.1e5;
     c.radius = 13.7e-3;
     c.modulus = 226e9;
@@ -170,7 +170,7 @@ static void refused(ovr_conditions c, const char *begin)
 
 static void contradictions_are_named(void **state)
 {
-    ovr_conditions c = ovr_conditions_unknown();
+    ovr_conditions c = ovr_conditions_default();
     (void)state;
     refused(c, "load is missing");
     refused(moes(-3, 10), "M = -3");
@@ -355,7 +355,7 @@ static void integral_by_quadrature(ovr_history_form form, double breaks[4])
 static void integrals(void **state)
 {
     static const double T[] = {-1, 0.4, 2.5, 4}, v[] = {1, 0.3, 0, 1.7};
-    ovr_history_form form = ovr_history_constant();
+    ovr_history_form form = ovr_history_form_default();
     (void)state;
     integral_by_quadrature(form, (double[]){0, 0, 0, 0});
     form.kind = OVR_HISTORY_RAMP;
@@ -383,7 +383,7 @@ static void integrals(void **state)
 
 static void ramps_are_smooth_and_steps_jump(void **state)
 {
-    ovr_history_form form = ovr_history_constant();
+    ovr_history_form form = ovr_history_form_default();
     ovr_history *h;
     (void)state;
     form.kind = OVR_HISTORY_RAMP;
@@ -409,7 +409,7 @@ static void ramps_are_smooth_and_steps_jump(void **state)
 static void tables_keep_their_points_and_range(void **state)
 {
     static const double T[] = {0, 1, 1.1, 5}, v[] = {1, 0, 0, 2};
-    ovr_history_form form = ovr_history_constant();
+    ovr_history_form form = ovr_history_form_default();
     ovr_history *h;
     (void)state;
     form.kind = OVR_HISTORY_TABLE;
@@ -432,7 +432,7 @@ static void tables_keep_their_points_and_range(void **state)
 static void bad_histories_are_refused(void **state)
 {
     static const double T[] = {0, 1, 1}, v[] = {1, 2, NAN};
-    ovr_history_form form = ovr_history_constant();
+    ovr_history_form form = ovr_history_form_default();
     ovr_error err = {0};
     (void)state;
     form.kind = OVR_HISTORY_TABLE;
@@ -476,7 +476,7 @@ static void give(void *context, void *memory)
 static void histories_survive_every_failed_allocation(void **state)
 {
     double T[9000], v[9000];
-    ovr_history_form form = ovr_history_constant();
+    ovr_history_form form = ovr_history_form_default();
     int failures = 0;
     (void)state;
     for (int i = 0; i < 9000; i++)

@@ -35,6 +35,7 @@ static ovr_surfaces *rough(const ovr_simulation *sim,
     ovr_error err;
     ovr_feature_form dent = ovr_feature_form_default();
     ovr_feature_form roughness = ovr_feature_form_default();
+    ovr_roughness random = ovr_roughness_default();
     ovr_surfaces *s = ovr_surfaces_create(&sim->contact, NULL,
                                           sim->finest->grid.D, allocator, &err);
     assert_non_null(s);
@@ -42,9 +43,9 @@ static ovr_surfaces *rough(const ovr_simulation *sim,
     dent.depth = 0.05, dent.width = 0.5, dent.start = -1.5;
     roughness.shape = OVR_ROUGHNESS;
     roughness.surface = 2, roughness.start = 2;
-    roughness.roughness = ovr_roughness_default();
-    roughness.roughness.Rq = 0.004, roughness.roughness.length = 8;
-    roughness.roughness.rolloff = 1, roughness.roughness.shortest = 0.2;
+    roughness.roughness = &random;
+    random.Rq = 0.004, random.length = 8;
+    random.rolloff = 1, random.shortest = 0.2;
     CHECK_OK(ovr_surfaces_add(s, &dent, &err), &err);
     CHECK_OK(ovr_surfaces_add(s, &roughness, &err), &err);
     return s;

@@ -55,11 +55,17 @@ static void save(size_t n, bool scaled)
     ovr_profile_free(p);
 }
 
+static ovr_profile_source source;
+static ovr_conditioning conditioning;
+
 static ovr_feature_form on_grid(void)
 {
     ovr_feature_form form = ovr_feature_form_default();
-    form.name = "it", form.shape = OVR_PROFILE, form.source.file = path;
-    form.conditioning.level = OVR_LEVEL_NONE;
+    source = ovr_profile_source_default();
+    conditioning = ovr_conditioning_default();
+    form.name = "it", form.shape = OVR_PROFILE, source.file = path;
+    form.source = &source, form.conditioning = &conditioning;
+    conditioning.level = OVR_LEVEL_NONE;
     return form;
 }
 
@@ -165,7 +171,7 @@ static void ends_are_blended(void **state)
         x[i] = 0.01 * (double)i, z[i] = 1;
     save(201, true);
     form.start = 0.5;
-    form.conditioning.taper = 0.5;
+    conditioning.taper = 0.5;
     ovr_surfaces_free(heights(&form, 0));
     /* the steepest of sigma(s/0.5) is 15/8/0.5 */
     CHECK_CLOSE(steepest(), 3.75, 1e-2);
@@ -184,8 +190,8 @@ static void profiles_go_on_without_end(void **state)
         ovr_feature_form form = on_grid();
         double period;
         form.origin = 0;
-        form.conditioning.taper = 0.2;
-        form.conditioning.extend = k ? OVR_EXTEND_MIRROR : OVR_EXTEND_PERIODIC;
+        conditioning.taper = 0.2;
+        conditioning.extend = k ? OVR_EXTEND_MIRROR : OVR_EXTEND_PERIODIC;
         period = k ? 2 : 0.8;
         ovr_surfaces_free(heights(&form, 0));
         assert_true(steepest() < 12);
@@ -212,8 +218,8 @@ static void endless_profiles_have_a_front(void **state)
         x[i] = 0.002 * (double)i, z[i] = 1;
     save(501, true);
     form.start = 0;
-    form.conditioning.extend = OVR_EXTEND_PERIODIC;
-    form.conditioning.taper = 0.3;
+    conditioning.extend = OVR_EXTEND_PERIODIC;
+    conditioning.taper = 0.3;
     ovr_surfaces_free(heights(&form, 0));
     for (int i = 0; i < N; i++) {
         if (X[i] > 0)
@@ -243,7 +249,7 @@ static void profiles_need_scales_and_places(void **state)
     save(501, true);
     CHECK_STATUS(ovr_surfaces_add(s, &form, &err), OVR_BAD_INPUT, &err);
     CHECK_ERROR(&err, OVR_BAD_INPUT, "start");
-    form.start = 0, form.conditioning.taper = 2;
+    form.start = 0, conditioning.taper = 2;
     CHECK_STATUS(ovr_surfaces_add(s, &form, &err), OVR_BAD_INPUT, &err);
     CHECK_ERROR(&err, OVR_BAD_INPUT, "taper");
     ovr_surfaces_free(s);
@@ -265,14 +271,15 @@ static ovr_status add_once(void *data, const ovr_allocator *hook,
 static void every_allocation_may_fail(void **state)
 {
     ovr_feature_form form = on_grid();
+    ovr_roughness roughness = ovr_roughness_default();
     (void)state;
     for (size_t i = 0; i < 2001; i++)
         x[i] = 0.002 * (double)i + (i ? 0.0003 : 0), z[i] = sin(x[i]);
     save(2001, true);
     form.start = 0;
     assert_true(test_every_allocation(add_once, &form) > 5);
-    form.shape = OVR_ROUGHNESS, form.roughness.Rq = 0.1;
-    form.roughness.length = 4, form.roughness.skewness = -0.5;
+    form.shape = OVR_ROUGHNESS, form.roughness = &roughness;
+    roughness.Rq = 0.1, roughness.length = 4, roughness.skewness = -0.5;
     assert_true(test_every_allocation(add_once, &form) > 5);
 }
 

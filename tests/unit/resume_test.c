@@ -43,7 +43,7 @@ static ovr_status watch(void *data, const ovr_simulation *sim, ovr_error *err)
 static void make_simulation(bench *b)
 {
     ovr_error err = {0};
-    ovr_conditions given = ovr_conditions_unknown();
+    ovr_conditions given = ovr_conditions_default();
     ovr_options options = test_options();
     ovr_lubricant lubricant;
     given.M = 20;

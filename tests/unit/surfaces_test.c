@@ -283,7 +283,7 @@ static void speed_history_moves_features(void **state)
 {
     ovr_contact c = moes(1.5, 0.5);
     ovr_feature_form f = local(OVR_DENT, 0.1, 0.5);
-    ovr_history_form h = ovr_history_constant();
+    ovr_history_form h = ovr_history_form_default();
     ovr_history *speed;
     ovr_surfaces *s;
     (void)state;

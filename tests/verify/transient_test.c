@@ -259,7 +259,7 @@ static const run runs[] = {{"dent",
 static watch follow(const run *r, int level, ovr_scheme scheme)
 {
     ovr_error err;
-    ovr_history_form form = ovr_history_constant();
+    ovr_history_form form = ovr_history_form_default();
     ovr_history *load = NULL;
     test_feature feature = r->feature;
     watch w = {.truth = r->truth};

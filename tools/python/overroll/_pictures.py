@@ -150,9 +150,11 @@ def frames(paths: Sequence[Path], movie: Optional[Path],
     options, keep = options_of(
         "ovr_frames_options",
         {name: value for name, value in given.items() if name in of_frames})
-    for name, value in given.items():
-        if name not in of_frames:
-            put_option(options.look, "ovr_picture_options", name, value, keep)
+    options.look, of_look = options_of(
+        "ovr_picture_options",
+        {name: value for name, value in given.items()
+         if name not in of_frames})
+    keep += of_look
     for name, value in (("movie", movie), ("folder", folder)):
         if value is not None:
             put_option(options, "ovr_frames_options", name, os.fspath(value),
