@@ -139,6 +139,8 @@ typedef struct ovr_view_options {
     bool force;               /* replace an existing file */
     const char *title;        /* NULL: the first file's own */
     const char *const *names; /* of each result; NULL: their titles */
+    const char *stress; /* the stresses below the film: "max_shear", ...; NULL:
+                           max_shear of runs whose case has [stress] */
 } ovr_view_options;
 OVR_SIZED(ovr_view_options)
 

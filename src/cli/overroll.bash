@@ -15,7 +15,7 @@ _overroll_options() {
     export) echo '--snapshot --time --all --long --wide --at --field --units --format -o --force -q -v --json --help' ;;
     plot) echo '-o --kind --at --overlay --field --surface --depth --script --quantity --against --lines --log --hertzian --si -x --time --p-max --h-max --size --title --no-hertz --no-roughness --force -q -v --json --help' ;;
     frames) echo '-o --movie --rate --every --form --jobs --stress --depth --script --hertzian --si -x --time --p-max --h-max --size --title --no-hertz --no-roughness --force -q -v --json --help' ;;
-    view) echo '-o --title --force -q -v --json --help' ;;
+    view) echo '-o --title --stress --force -q -v --json --help' ;;
     profile) echo '--unit-x --unit-z --spacing --column-x --column-z --line --from --to --level --degree --lambda-c --lambda-s --outliers --max-gap --max-missing --scale --offset --invert --reverse --case --convert --plot --force -q -v --json --help' ;;
     init) echo '--oil -o --force -q -v --json --help' ;;
     help) echo '--roff --bash -q -v --json --help' ;;

@@ -5,6 +5,10 @@
 static const cli_option options[] = {
     {"o", "PAGE.html", "where to", false},
     {"title", "TEXT", "instead of the file's own", false},
+    {"stress", "FIELD",
+     "the stresses below the film: max_shear, tau_xz, ...; max_shear where the "
+     "case has [stress]",
+     false},
     {"force", NULL, "replace what exists", false},
     {NULL, NULL, NULL, false},
 };
@@ -18,6 +22,7 @@ static int run(cli_call *call)
     int code;
     o.path = cli_value(call, "o");
     o.force = cli_flag(call, "force");
+    o.stress = cli_value(call, "stress");
     o.title = cli_value(call, "title");
     o.names = cli_result_names(call, names);
     if (!o.path)

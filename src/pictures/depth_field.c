@@ -167,7 +167,7 @@ static double at_surface(const ovr_depth_field *f, double X)
                             f->residual_y);
 }
 
-static double cell(const ovr_depth_field *f, double X, double z)
+double ovr_depth_field_at(const ovr_depth_field *f, double X, double z)
 {
     const double *depth;
     size_t n = ovr_stress_depths(f->stress, &depth), j = 0;
@@ -187,8 +187,8 @@ static void fill_cells(ovr_depth_field *f)
         for (size_t c = 0; c < OVR_CELLS_X; c++) {
             double X = f->x_from +
                        (f->x_to - f->x_from) * ((double)c + 0.5) / OVR_CELLS_X;
-            f->cells[r * OVR_CELLS_X + c] = cell(f, X,
-                                                 depth_of(f, (double)r + 0.5));
+            f->cells[r * OVR_CELLS_X + c] = ovr_depth_field_at(
+                f, X, depth_of(f, (double)r + 0.5));
         }
 }
 
@@ -257,68 +257,92 @@ static void add_limit(const ovr_panel *panel, double *line, double z,
                                       .width = 1.2};
 }
 
+bool ovr_depth_field_is_pressed(const ovr_depth_field *f)
+{
+    return f->which == OVR_STRESS_SIGMA_X || f->which == OVR_STRESS_SIGMA_Z ||
+           f->which == OVR_STRESS_SIGMA_Y || f->which == OVR_STRESS_HYDROSTATIC;
+}
+
+/* Rows of an image go upward: the deepest first. */
+static void turn_over(double *cells)
+{
+    for (size_t r = 0; r < OVR_CELLS_Z / 2; r++)
+        for (size_t c = 0; c < OVR_CELLS_X; c++) {
+            double *low = &cells[r * OVR_CELLS_X + c];
+            double *high = &cells[(OVR_CELLS_Z - 1 - r) * OVR_CELLS_X + c];
+            double value = *low;
+            *low = *high;
+            *high = value;
+        }
+}
+
+/* "largest shear / p_h", "von mises / p_h" */
+static void put_label(const ovr_depth_field *f, char *label, size_t room)
+{
+    snprintf(label, room, "%s / p_h",
+             f->which == OVR_STRESS_MAX_SHEAR ? "largest shear" : f->name);
+    for (char *c = label; *c; c++)
+        if (*c == '_' && c[1] != 'h')
+            *c = ' ';
+}
+
+static ovr_image image_of(const ovr_depth_field *f, double worst,
+                          const char *label)
+{
+    bool both = f->which == OVR_STRESS_TAU_XZ;
+    bool pressed = ovr_depth_field_is_pressed(f);
+    ovr_image image = {OVR_CELLS_X,
+                       OVR_CELLS_Z,
+                       f->cells,
+                       both || pressed ? -f->high : 0,
+                       pressed ? 0 : f->high,
+                       false,
+                       label};
+    image.above = fabs(worst) > f->high * (1 + 1e-9);
+    return image;
+}
+
+/* The axes; `x` and `room` for the depth's label live as long. */
+static void set_axes(const ovr_depth_field *f, const ovr_axis *x, char *room,
+                     size_t size, ovr_panel *panel)
+{
+    double top = f->logarithmic ? f->mesh : 0;
+    snprintf(room, size, "%s  [%s]",
+             f->logarithmic ? "log_{10} depth" : "depth",
+             *x->unit ? x->unit : "b");
+    panel->x_label = x->label;
+    panel->y_label = room;
+    panel->x_from = f->x_from * x->factor;
+    panel->x_to = f->x_to * x->factor;
+    panel->y_from = drawn_depth(f, f->z_to, x->factor);
+    panel->y_to = drawn_depth(f, top, x->factor);
+    panel->height = 1.5;
+}
+
 ovr_status ovr_depth_field_panel(ovr_depth_field *f,
                                  const ovr_stress_extreme *worst,
                                  ovr_units units, ovr_series *series,
                                  ovr_panel *panel, ovr_arena *arena,
                                  ovr_error *err)
 {
-    bool both = f->which == OVR_STRESS_TAU_XZ;
-    bool pressed = f->which == OVR_STRESS_SIGMA_X ||
-                   f->which == OVR_STRESS_SIGMA_Z ||
-                   f->which == OVR_STRESS_SIGMA_Y ||
-                   f->which == OVR_STRESS_HYDROSTATIC;
     char *label = ovr_arena_take(arena, 80, 1, err);
     char *depth = ovr_arena_take(arena, 80, 1, err);
     double *points = ovr_arena_take(arena, 8, sizeof *points, err);
-    ovr_axis x, z, p;
+    ovr_axis x;
     if (!label || !depth || !points ||
-        ovr_axis_make(OVR_KIND_LENGTH, f->run->result, units, f->x_to, &x,
-                      err) ||
-        ovr_axis_make(OVR_KIND_PRESSURE, f->run->result, units, f->high, &p,
-                      err))
+        ovr_axis_make(OVR_KIND_LENGTH, f->run->result, units, f->x_to, &x, err))
         return OVR_BAD_INPUT;
-    z = x;
-    snprintf(depth, 80, "%s  [%s]", f->logarithmic ? "log_{10} depth" : "depth",
-             *x.unit ? x.unit : "b");
     fill_cells(f);
-    double top = f->logarithmic ? f->mesh : 0;
-    *panel = (ovr_panel){.x_label = x.label,
-                         .y_label = depth,
-                         .x_from = f->x_from * x.factor,
-                         .x_to = f->x_to * x.factor,
-                         .y_from = drawn_depth(f, f->z_to, z.factor),
-                         .y_to = drawn_depth(f, top, z.factor),
-                         .height = 1.5,
-                         .series = series};
-    /* rows of an image go upward: the deepest first */
-    double *up = ovr_arena_take(arena, (size_t)OVR_CELLS_X * OVR_CELLS_Z,
-                                sizeof *up, err);
-    if (!up)
-        return OVR_NO_MEMORY;
-    for (size_t r = 0; r < OVR_CELLS_Z; r++)
-        memcpy(up + r * OVR_CELLS_X,
-               f->cells + (OVR_CELLS_Z - 1 - r) * OVR_CELLS_X,
-               OVR_CELLS_X * sizeof *up);
-    memcpy(f->cells, up, (size_t)OVR_CELLS_X * OVR_CELLS_Z * sizeof *up);
-    snprintf(label, 80, "%s / p_h",
-             f->which == OVR_STRESS_MAX_SHEAR ? "largest shear" : f->name);
-    for (char *c = label; *c; c++)
-        if (*c == '_' && c[1] != 'h')
-            *c = ' ';
-    panel->image = (ovr_image){OVR_CELLS_X,
-                               OVR_CELLS_Z,
-                               f->cells,
-                               both || pressed ? -f->high : 0,
-                               pressed ? 0 : f->high,
-                               false,
-                               label};
-    panel->image.above = fabs(worst->value) > f->high * (1 + 1e-9);
+    turn_over(f->cells);
+    *panel = (ovr_panel){.series = series};
+    set_axes(f, &x, depth, 80, panel);
+    put_label(f, label, 80);
+    panel->image = image_of(f, worst->value, label);
     if (add_lines(f, panel, series, &panel->count, arena, err))
         return OVR_NO_MEMORY;
-    add_limit(panel, points + 2, drawn_depth(f, f->least, z.factor), series,
+    add_limit(panel, points + 2, drawn_depth(f, f->least, x.factor), series,
               &panel->count);
     add_mark(panel, points, worst->X * x.factor,
-             drawn_depth(f, worst->Z, z.factor), series, &panel->count);
+             drawn_depth(f, worst->Z, x.factor), series, &panel->count);
     return OVR_OK;
 }

@@ -34,6 +34,12 @@ void ovr_depth_field_free(ovr_depth_field *f);
 /* The largest value of a pressure's field from `least` down. */
 ovr_stress_extreme ovr_depth_field_solve(ovr_depth_field *f, const double *P);
 
+/* Its value below X at a depth z, of the pressure solved last. */
+double ovr_depth_field_at(const ovr_depth_field *f, double X, double z);
+
+/* Of those that are pressures: negative below a contact. */
+bool ovr_depth_field_is_pressed(const ovr_depth_field *f);
+
 /* The panel of the pressure solved last: colours, contours every 0.1 ph, the
  * smooth maximum, a mark at the largest value. */
 ovr_status ovr_depth_field_panel(ovr_depth_field *f,

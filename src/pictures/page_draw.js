@@ -6,6 +6,7 @@
 const byId = (id) => document.getElementById(id);
 const state = {
   shot: 0, playing: false, speed: 1, loop: true, zoom: "contact", units: 0,
+  depth: "linear",
   pointed: null, // { run, x } in Hertzian units
 };
 let runs = [], views = [], ranges = null, colour = {};

@@ -44,6 +44,7 @@ function redraw() {
     showTime();
     for (const view of views) {
       drawRun(view);
+      drawStress(view);
       drawHistory(view);
       showValues(view);
     }
@@ -108,6 +109,7 @@ const keys = {
   z: () => choose("zoom", 1),
   u: () => choose("units", 1),
   l: () => byId("loop").click(),
+  d: () => choose("depth", 1),
 };
 
 function onKey(event) {
@@ -165,6 +167,14 @@ function viewOf(run, number) {
   view.plot = element(section, "canvas", "plot");
   view.plot.setAttribute("role", "img");
   view.plot.setAttribute("aria-label", "pressure and film against x");
+  if (run.stress) {
+    view.stress = element(section, "canvas", "stress");
+    view.stress.setAttribute("role", "img");
+    view.stress.setAttribute("aria-label", "stress below the film");
+    view.stress.addEventListener("pointermove", (e) => onStress(view, e));
+    view.stress.addEventListener("pointerdown", (e) => onStress(view, e));
+    byId("depths").hidden = false;
+  }
   view.values = element(section, "output");
   view.values.id = "values" + number;
   view.history = element(section, "canvas", "history");
@@ -203,6 +213,7 @@ function connect() {
   byId("last").onclick = () => step(Infinity);
   byId("loop").onchange = (e) => { state.loop = e.target.checked; };
   byId("speed").onchange = (e) => { state.speed = Number(e.target.value); };
+  byId("depth").onchange = (e) => { state.depth = e.target.value; redraw(); };
   byId("zoom").onchange = (e) => { state.zoom = e.target.value; redraw(); };
   byId("units").onchange = (e) => {
     state.units = Number(e.target.value);

@@ -16,6 +16,7 @@
 #include "pictures/pack.h"
 #include "pictures/page.h"
 #include "pictures/picture.h"
+#include "pictures/view_stress.h"
 
 /* What a page is to hold at most: beyond it nodes and snapshots are left out,
  * evenly. */
@@ -28,6 +29,7 @@ void ovr_view_options_fill(ovr_view_options *options)
 }
 
 typedef struct writer {
+    const char *stress; /* field wanted, or NULL */
     ovr_text *to;
     ovr_arena *arena;
     const ovr_stored *run;
@@ -265,6 +267,19 @@ static void choose(writer *w)
     w->shots = (i->snapshots - 1) / w->every + 1;
 }
 
+/* Its case asked for stresses. */
+static bool has_stress(const ovr_stored *run)
+{
+    ovr_error err = {0};
+    ovr_case *c = ovr_case_read_text(run->info->case_text, "case", NULL, NULL,
+                                     &err);
+    ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
+    bool asked = setup && setup->stress->surfaces && run->pressure;
+    ovr_setup_free(setup);
+    ovr_case_free(c);
+    return asked;
+}
+
 static ovr_status put_run(writer *w, ovr_error *err)
 {
     double *x, *times;
@@ -286,6 +301,9 @@ static ovr_status put_run(writer *w, ovr_error *err)
     put_doubles(w, "x", x, w->nodes);
     put_doubles(w, "time", times, w->shots);
     status = put_fields(w, err);
+    if (status == OVR_OK && (w->stress || has_stress(w->run)))
+        status = ovr_view_stress(w->to, w->run, w->stress, w->shots, w->every,
+                                 w->arena, err);
     if (status == OVR_OK)
         status = put_history(w, err);
     if (status == OVR_OK)
@@ -294,9 +312,9 @@ static ovr_status put_run(writer *w, ovr_error *err)
 }
 
 static ovr_status put_data(ovr_text *to, const ovr_stored *runs, size_t count,
-                           ovr_arena *arena, ovr_error *err)
+                           const char *stress, ovr_arena *arena, ovr_error *err)
 {
-    writer w = {to, arena, NULL, 1, 1, 0, 0};
+    writer w = {stress, to, arena, NULL, 1, 1, 0, 0};
     ovr_status status = OVR_OK;
     ovr_text_put(to, "{\"runs\":[");
     for (size_t k = 0; status == OVR_OK && k < count; k++) {
@@ -376,7 +394,7 @@ static ovr_status view(ovr_result *const *results, size_t count,
         status = ovr_stored_make(&runs[k], results[k],
                                  o->names ? o->names[k] : NULL, arena, err);
     if (status == OVR_OK)
-        status = put_data(&data, runs, count, arena, err);
+        status = put_data(&data, runs, count, o->stress, arena, err);
     if (status == OVR_OK)
         status = ovr_text_status(&data, err);
     if (status == OVR_OK)

@@ -94,6 +94,48 @@ def seeks(browser, shots):
     assert abs(shown(browser) / (shots - 1) - 0.5) < 0.1, shown(browser)
 
 
+def choose(browser, name, value):
+    browser.run("""const s = document.getElementById(arguments[0]);
+        s.value = arguments[1]; s.dispatchEvent(new Event("change"));""",
+                name, value)
+
+
+def stresses(browser):
+    """The field under the film is that of the file, on both scales; the mark
+    is at its largest value."""
+    file = h5py.File(f"{folder}/stress.h5")
+    group, b = file["stress/surface_1"], file.attrs["scale_length"]
+    x, z = group["x"][:] / b, group["depth"][:] / b
+    assert painted(browser, 1) > 100
+    for shot in (0, len(group["time"]) // 2, len(group["time"]) - 1):
+        field = group["max_shear"][shot] / file.attrs["scale_pressure"]
+        drawn = int(np.argmin(abs(file["time"][:] - group["time"][shot])))
+        browser.run("""const s = document.getElementById("scrub");
+            s.value = arguments[0]; s.dispatchEvent(new Event("input"));""",
+                    drawn)
+        browser.wait(f"return document.body.dataset.drawn == {drawn}")
+        for scale in ("linear", "log"):
+            choose(browser, "depth", scale)
+            time.sleep(0.2)
+            left, top, width, height = box(browser, "canvas.stress")
+            for part in (0.3, 0.5, 0.7):
+                browser.pointer(left + part * width, top + 0.6 * height)
+                time.sleep(0.1)
+                X, Z, v = map(float, browser.run(
+                    "return document.querySelector('canvas.stress')"
+                    ".dataset.pointed").split())
+                rows = [np.interp(X, x, row) for row in field]
+                truth = np.interp(np.log(Z), np.log(z), rows)
+                assert abs(v - truth) < 0.01, (shot, scale, X, Z, v, truth)
+        X, Z, worst = map(float, browser.run(
+            "return document.querySelector('canvas.stress')"
+            ".dataset.worst").split())
+        deep = z >= 8 * (file["x"][1] - file["x"][0]) / b * (1 - 1e-9)
+        seen = (x > -1.8) & (x < 1.5)
+        most = field[deep][:, seen].max()
+        assert abs(worst / most - 1) < 0.02, (shot, worst, most)
+
+
 def plays(browser):
     browser.keys(HOME)
     browser.wait("return document.body.dataset.drawn == 0")
@@ -176,6 +218,11 @@ def main():
         browser.wait("return document.body.dataset.drawn == 9")
         hover(browser, h5py.File(f"{folder}/other.h5"), 9, 1)
         assert not browser.log()
+
+        load(browser, "stress.html")
+        stresses(browser)
+        log = browser.log()
+        assert not log, log
 
         load(browser, "title.html")
         assert not browser.run("return document.body.dataset.stolen")

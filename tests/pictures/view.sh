@@ -30,7 +30,19 @@ END
 expect 0 "$OVERROLL" run dent.ini -o dent.h5 -q
 expect 0 "$OVERROLL" run dent.ini -o other.h5 -q --set feature.dent.depth=0.05
 
+cat dent.ini - >stress.ini <<'END'
+[stress]
+every = 4
+fields = max_shear
+END
+expect 0 "$OVERROLL" run stress.ini -o stress.h5 -q --set domain.level=6
+
 expect 0 "$OVERROLL" view dent.h5 -o page.html
+expect 0 "$OVERROLL" view stress.h5 -o stress.html
+expect 0 "$OVERROLL" view dent.h5 -o shear.html --stress tau_xz
+grep -q '"stress":{"name":"tau_xz"' shear.html || fail 'no tau_xz in the page'
+grep -q '"stress":' page.html && fail 'stresses that nobody asked for'
+refuses 'no stress .high.' view dent.h5 -o none.html --stress high
 refuses 'exists; --force' view dent.h5 -o page.html
 refuses 'where to' view dent.h5
 refuses 'No such file' view none.h5 -o none.html

@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The stresses below each snapshot, for the page: values at columns along x and
+ * at depths that grow geometrically from D, with the scale of the whole run,
+ * the largest value of a smooth contact, and where the largest of each is.
+ */
+#include "pictures/view_stress.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "pictures/depth_field.h"
+#include "pictures/pack.h"
+
+enum { ROWS = 40, MOST_COLUMNS = 180, LEAST_COLUMNS = 60 };
+enum { MOST_VALUES = 2000000, STEPS = 1000 };
+
+static const double DEEPEST = 2.5;
+
+typedef struct sheet {
+    ovr_depth_field field;
+    size_t columns, shots, every;
+    double *P, *worst, z[ROWS];
+    uint16_t *level;
+    ovr_levels levels;
+} sheet;
+
+static ovr_status prepare(sheet *s, ovr_arena *arena, ovr_error *err)
+{
+    const ovr_stored *run = s->field.run;
+    size_t most = MOST_VALUES / ROWS / s->shots;
+    s->columns = most > MOST_COLUMNS    ? MOST_COLUMNS
+                 : most < LEAST_COLUMNS ? LEAST_COLUMNS
+                                        : most;
+    for (int r = 0; r < ROWS; r++)
+        s->z[r] = s->field.mesh *
+                  pow(DEEPEST / s->field.mesh, (double)r / (ROWS - 1));
+    /* levels fine beside the colours, and far beyond them */
+    s->levels = ovr_levels_even(0, 1);
+    s->levels.step = s->field.high / STEPS;
+    s->levels.from = -s->levels.step * OVR_LEVELS / 2;
+    s->P = ovr_arena_take(arena, run->info->nodes, sizeof *s->P, err);
+    s->worst = ovr_arena_take(arena, 3 * s->shots, sizeof *s->worst, err);
+    s->level = ovr_arena_take(arena, ROWS * s->columns * s->shots,
+                              sizeof *s->level, err);
+    return s->P && s->worst && s->level ? OVR_OK : OVR_NO_MEMORY;
+}
+
+static ovr_status fill(sheet *s, size_t shot, ovr_error *err)
+{
+    ovr_depth_field *f = &s->field;
+    uint16_t *level = s->level + shot * ROWS * s->columns;
+    double *worst = s->worst + 3 * shot;
+    ovr_stress_extreme e;
+    if (ovr_result_snapshot(f->run->result, "pressure", shot * s->every,
+                            OVR_HERTZIAN, s->P, err))
+        return OVR_BAD_INPUT;
+    e = ovr_depth_field_solve(f, s->P);
+    worst[0] = e.X, worst[1] = e.Z, worst[2] = e.value;
+    for (size_t r = 0; r < ROWS; r++)
+        for (size_t c = 0; c < s->columns; c++) {
+            double part = (double)c / (double)(s->columns - 1);
+            double X = f->x_from + part * (f->x_to - f->x_from);
+            double v = ovr_depth_field_at(f, X, s->z[r]);
+            level[r * s->columns + c] = ovr_level_of(&s->levels, v);
+        }
+    return OVR_OK;
+}
+
+static void put_doubles(ovr_text *to, const char *key, const double *values,
+                        size_t n)
+{
+    ovr_text_print(to, "\"%s\":\"", key);
+    ovr_text_base64(to, values, n * sizeof *values);
+    ovr_text_put(to, "\",");
+}
+
+static ovr_status put(ovr_text *to, const sheet *s, ovr_arena *arena,
+                      ovr_error *err)
+{
+    const ovr_depth_field *f = &s->field;
+    bool both = f->which == OVR_STRESS_TAU_XZ;
+    bool pressed = ovr_depth_field_is_pressed(f);
+    ovr_status status;
+    ovr_text_print(to,
+                   "\"stress\":{\"name\":\"%s\",\"columns\":%zu,\"rows\":%d,"
+                   "\"x0\":%.17g,\"x1\":%.17g,\"low\":%.17g,\"high\":%.17g,"
+                   "\"smooth\":%.17g,\"least\":%.17g,",
+                   f->name, s->columns, ROWS, f->x_from, f->x_to,
+                   both || pressed ? -f->high : 0, pressed ? 0 : f->high,
+                   f->smooth, f->least);
+    put_doubles(to, "z", s->z, ROWS);
+    put_doubles(to, "worst", s->worst, 3 * s->shots);
+    ovr_text_print(to,
+                   "\"levels\":%d,\"from\":%.17g,\"step\":%.17g,\"bend\":0,"
+                   "\"data\":\"",
+                   OVR_LEVELS, s->levels.from, s->levels.step);
+    status = ovr_pack_levels(to, s->level, ROWS * s->columns, s->shots, arena,
+                             err);
+    ovr_text_put(to, "\"},");
+    return status;
+}
+
+ovr_status ovr_view_stress(ovr_text *to, const ovr_stored *run,
+                           const char *field, size_t shots, size_t every,
+                           ovr_arena *arena, ovr_error *err)
+{
+    sheet s = {.shots = shots, .every = every};
+    ovr_status status = ovr_depth_field_make(&s.field, run, field, false, 1,
+                                             -1.8, 1.5, arena, err);
+    if (!status)
+        status = prepare(&s, arena, err);
+    for (size_t k = 0; !status && k < shots; k++)
+        status = fill(&s, k, err);
+    if (!status)
+        status = put(to, &s, arena, err);
+    ovr_depth_field_free(&s.field);
+    return status;
+}
