@@ -2,6 +2,7 @@
 """What cffi knows is what the C compiler sees in the public headers."""
 import os
 import re
+import shutil
 import subprocess
 
 import overroll as ovr
@@ -52,6 +53,19 @@ def test_the_page_shows_what_works():
     shown = re.findall(r'\.\\" python\n\.EX\n(.*?)\.EE', page, re.S)
     assert len(shown) >= 5
     exec("\n".join(shown).replace("\\-", "-"), {})
+
+
+def test_the_tour_of_the_readme(tmp_path):
+    """The lines of Python in README.md, on its own case, on a coarser grid."""
+    page = (TOP / "README.md").read_text()
+    case = re.search(r"cat >mine.ini <<END\n(.*?)END\n", page, re.S).group(1)
+    (tmp_path / "mine.ini").write_text(case + "[domain]\nlevel = 4\n")
+    shutil.copy(TOP / "profiles/dent.csv", "mine.csv")
+    shown = re.search(r"```python\n(.*?)```", page, re.S).group(1)
+    assert "ovr.sweep" in shown
+    if not shutil.which("gnuplot"):
+        shown = shown.replace("ds.overroll.plot()", "")
+    exec(shown, {})
 
 
 def test_all_that_is_public_is_described():

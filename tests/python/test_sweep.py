@@ -2,6 +2,7 @@
 """Sweeps and pictures."""
 import os
 import shutil
+import signal
 
 import pytest
 
@@ -39,6 +40,20 @@ def test_a_case_that_fails_is_a_gap():
                       max_cycles=1)
     assert not table.converged.sel(tolerance=1e-15).any()
     assert "" not in table.message.sel(tolerance=1e-15).values
+
+
+def test_ctrl_c_ends_a_sweep(dent):
+    """What runs finishes its step, what waits does not begin."""
+    dent.set(end=1000, level=7)
+
+    def press(fraction):
+        if os.path.exists("here/M=10.h5"):
+            os.kill(os.getpid(), signal.SIGINT)
+    with pytest.raises(KeyboardInterrupt):
+        ovr.sweep(dent, M=[10, 20, 30, 40], workers=2, output="here",
+                  progress=press)
+    assert ovr.open("here/M=10.h5").status == "stopped"
+    assert not os.path.exists("here/M=40.h5")
 
 
 def test_wrong_keys_are_said_before_anything_runs(dent):

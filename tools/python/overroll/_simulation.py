@@ -221,6 +221,9 @@ class Simulation(Solution):
     >>> for state in sim.march():
     ...     print(state.T, state.H_min)
 
+    A case that is to be marched has its `end`: scheme and corrections are
+    chosen for a run then, as by `overroll run`; else for a steady contact.
+
     X, P, H, S, ... are arrays without a copy, which show the solution as it
     is now: copy what is to be kept.  One thread at a time may use a
     simulation (RuntimeError else); several may run in several threads, since
