@@ -170,6 +170,7 @@ typedef struct ovr_setup {
     const ovr_lubricant *lubricant;
     ovr_options *options;
     ovr_history *load, *speed; /* NULL: constant */
+    ovr_history *sliding;      /* NULL: as slide_to_roll and speed say */
     bool transient;            /* has an end of time */
     ovr_march *march;          /* without observer */
     const ovr_output *output;

@@ -219,7 +219,7 @@ OVR_API double ovr_density(const ovr_lubricant *lubricant, double P);
 typedef enum ovr_history_kind {
     OVR_HISTORY_CONSTANT,
     OVR_HISTORY_RAMP, /* 1 to `to` over `duration` from `start` */
-    OVR_HISTORY_SINE, /* 1 + amplitude sin(2 pi (T - start)/period), T>start */
+    OVR_HISTORY_SINE, /* mean + amplitude sin(2 pi (T - start)/period) */
     OVR_HISTORY_STEP, /* like a ramp without smoothing: jumps at `start` */
     OVR_HISTORY_TABLE /* GSL interpolation through given points */
 } ovr_history_kind;
@@ -235,6 +235,7 @@ typedef struct ovr_history_form {
     double amplitude, period; /* sine */
     size_t points;            /* table */
     const double *T, *value;  /* table, T increasing; copied */
+    double mean;              /* sine: what it is about, and before start; 1 */
 } ovr_history_form;
 
 /* Value 1 at all times. */
@@ -257,6 +258,13 @@ OVR_API double ovr_history_end(const ovr_history *history);
 /* Integral of the value from 0 to T, exact for the analytic kinds: how far
  * the mean surface has moved when the history is the speed ratio Cu. */
 OVR_API double ovr_history_integral(const ovr_history *history, double T);
+
+/* How far a surface has moved from 0 to T, in b: ratio = u_k/um of the nominal
+ * speeds times the integral of Cu; with a history of the sliding V = (u1 -
+ * u2)/um0 the integral of Cu +- V/2. */
+OVR_API double ovr_surface_way(const ovr_history *speed,
+                               const ovr_history *sliding, double ratio,
+                               int surface, double T);
 
 #ifdef __cplusplus
 }

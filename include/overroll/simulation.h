@@ -124,6 +124,11 @@ OVR_API void ovr_simulation_histories(ovr_simulation *sim,
                                       const ovr_history *load,
                                       const ovr_history *speed);
 
+/* V = (u1 - u2)/um0 in time, any sign, instead of Cu times that of the contact;
+ * u_k/um0 = Cu +- V/2.  Borrowed; NULL: none. */
+OVR_API void ovr_simulation_sliding(ovr_simulation *sim,
+                                    const ovr_history *sliding);
+
 /* For a run of fourth order: the heights of what stands still (u_k = 0), fully
  * grown; NULL: the surfaces are smooth but for what moves.  The corrections
  * of a run are those of the steady contact with these alone; without this
@@ -191,6 +196,7 @@ typedef struct ovr_observation {
     double load_error;   /* relative to the nominal load */
     double load_ratio;   /* Cw */
     double speed_ratio;  /* Cu */
+    double sliding;      /* V = (u1 - u2)/um0 */
     double mass_flow;    /* mean over wet half nodes of the scheme's flux */
     double mass_balance; /* inflow - outflow - stored change, relative to the
                             contact's own flow, the mean of its size: vanishes

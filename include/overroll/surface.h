@@ -136,6 +136,11 @@ OVR_API ovr_surfaces *ovr_surfaces_create(const ovr_contact *contact,
                                           ovr_error *err);
 OVR_API void ovr_surfaces_free(ovr_surfaces *surfaces);
 
+/* V = (u1 - u2)/um0 in time, borrowed: surfaces then move at Cu +- V/2.  Before
+ * features are put on. */
+OVR_API void ovr_surfaces_sliding(ovr_surfaces *surfaces,
+                                  const ovr_history *sliding);
+
 /* Where the film begins and ends: a feature without a place starts just
  * outside, on the side that it comes from. */
 OVR_API void ovr_surfaces_domain(ovr_surfaces *surfaces, double inlet,

@@ -150,21 +150,22 @@ static const ovr_word spectra[] = {{"self-affine", OVR_SELF_AFFINE},
 
 /* clang-format off */
 #define IN_CHANGE(base, field) ((base) + offsetof(ovr_change, field))
-#define HISTORY(section, base)                                                \
+#define HISTORY(section, base, initial, least, most, swing)                   \
     {section, "history", CHOICE(histories), "constant",                       \
      IN_CHANGE(base, history), true,                                          \
      "how it changes in time, relative to nominal"},                          \
-    {section, "from", PLAIN(0, 100), "1", IN_CHANGE(base, from), true,        \
+    {section, "from", PLAIN(least, most), initial, IN_CHANGE(base, from),     \
+     true,                                                                    \
      "ramp, step: value up to the start"},                                    \
-    {section, "to", PLAIN(0, 100), "1", IN_CHANGE(base, to), true,            \
+    {section, "to", PLAIN(least, most), initial, IN_CHANGE(base, to), true,   \
      "ramp, step: value at the end"},                                         \
     {section, "start", TIME(-1e6, 1e6), "0", IN_CHANGE(base, start), true,    \
      "time at which the change begins"},                                      \
     {section, "duration", TIME(0, 1e6), "0", IN_CHANGE(base, duration), true, \
      "ramp: how long it takes (quintic smoothstep)"},                         \
-    {section, "amplitude", PLAIN(-1, 1), "0",                                 \
+    {section, "amplitude", PLAIN(-(swing), swing), "0",                       \
      IN_CHANGE(base, amplitude), true,                                        \
-     "sine: amplitude about 1"},                                              \
+     "sine: amplitude about 1, of the sliding about slide_to_roll"},          \
     {section, "period", SPAN(NULL, 1e6), NULL, IN_CHANGE(base, period), true, \
      "sine: period"},                                                         \
     {section, "file", PATH, NULL, IN_CHANGE(base, file), true,                \
@@ -347,8 +348,9 @@ static const ovr_parameter table[] = {
     {"time", "until_steady", FLAG, "no", AT(until_steady), false,
      "stop when nothing changes any more"},
 
-    HISTORY("load", AT(load)),
-    HISTORY("speed", AT(speed)),
+    HISTORY("load", AT(load), "1", 0, 100, 1),
+    HISTORY("speed", AT(speed), "1", 0, 100, 1),
+    HISTORY("sliding", AT(sliding), NULL, -1e3, 1e3, 1e3),
 
     {"feature", "surface", WHOLE(1, 2), "1", IN_FORM(surface), true,
      "surface it is on: 1 moves at u1, 2 at u2"},
@@ -599,6 +601,10 @@ static const ovr_section sections[] = {
     {"time", false, "the run in time, and the scheme (of steady cases too)"},
     {"load", false, "load against time, relative to that of [contact]"},
     {"speed", false, "mean speed against time, relative to that of [contact]"},
+    {"sliding", false,
+     "(u1 - u2)/um against time, over the nominal um, any sign; from and to "
+     "are "
+     "slide_to_roll unless given"},
     {"feature", true,
      "[feature NAME], any number: what is on the smooth surfaces"},
     {"output", false, "what is stored, where and when"},

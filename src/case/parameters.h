@@ -92,7 +92,7 @@ typedef struct ovr_settings {
     int accuracy_of;
     double end, step, error;
     bool until_steady;
-    ovr_change load, speed;
+    ovr_change load, speed, sliding;
     ovr_output output;
     int every, precision;
     ovr_stress_setup stress;

@@ -329,6 +329,12 @@ static ovr_status resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
         return err ? err->status : OVR_BAD_INPUT;
     if (ovr_resolve_history(r, "speed", &v->speed, allocator, &s->speed, err))
         return err ? err->status : OVR_BAD_INPUT;
+    v->sliding.from = v->sliding.to = NAN;
+    if (fill_section(r, "sliding", err))
+        return OVR_BAD_INPUT;
+    if (ovr_resolve_history(r, "sliding", &v->sliding, allocator, &s->sliding,
+                            err))
+        return err ? err->status : OVR_BAD_INPUT;
     s->options->scheme = choose_scheme(r);
     return OVR_OK;
 }
@@ -445,6 +451,7 @@ void ovr_setup_free(ovr_setup *setup)
     ovr_surfaces_free(setup->surfaces);
     ovr_history_free(setup->load);
     ovr_history_free(setup->speed);
+    ovr_history_free(setup->sliding);
     for (int k = 0; k < 2; k++)
         ovr_law_table_free(((ovr_resolved *)setup)->tables[k]);
     arena = ((ovr_resolved *)setup)->arena;

@@ -30,7 +30,7 @@ static ovr_status wait_for(const ovr_setup *s, const ovr_slot *end, size_t k,
     const ovr_options *o = s->options;
     ovr_feature_info f = ovr_surfaces_info(s->surfaces, k);
     ovr_feature_times times;
-    if (f.speed == 0) { /* the film gets used to it */
+    if (f.speed == 0 && !s->sliding) { /* the film gets used to it */
         if (f.grows)
             *T = fmax(*T, s->feature[k]->grow_from + s->feature[k]->grow);
         return OVR_OK;
@@ -75,6 +75,8 @@ ovr_status ovr_resolve_end(ovr_resolved *r, ovr_error *err)
         status = wait_for_history(r, "load", s->load, end, &T, err);
     if (!status)
         status = wait_for_history(r, "speed", s->speed, end, &T, err);
+    if (!status)
+        status = wait_for_history(r, "sliding", s->sliding, end, &T, err);
     if (!status && !(T > 0))
         status = ovr_fail_slot(err, end,
                                "auto: nothing passes and nothing changes; "

@@ -54,6 +54,7 @@ static ovr_status missing(ovr_resolved *r, const ovr_block *block,
 typedef struct points {
     double *T, *value;
     size_t count, room;
+    double least, most; /* of its values */
 } points;
 
 static ovr_status grow(points *p, ovr_arena *arena, ovr_error *err)
@@ -92,10 +93,10 @@ static ovr_status read_line(const char *file, long line, char *text, points *p,
         *skip_separators(s))
         return ovr_fail_at(err, OVR_BAD_INPUT, file, line,
                            "must be two numbers, time and value");
-    if (value < 0 || value > 100)
+    if (value < p->least || value > p->most)
         return ovr_fail_at(err, OVR_BAD_INPUT, file, line,
-                           "value %g must be 0 to 100 (of the nominal one)",
-                           value);
+                           "value %g must be %g to %g (of the nominal one)",
+                           value, p->least, p->most);
     if (p->count == TABLE_MOST)
         return ovr_fail_at(err, OVR_BAD_INPUT, file, line,
                            "more than %d points", TABLE_MOST);
@@ -145,7 +146,8 @@ static ovr_status load_table(ovr_resolved *r, const ovr_block *block,
                              const ovr_change *change, ovr_history_form *form,
                              ovr_error *err)
 {
-    points p = {0};
+    bool sliding = strcmp(block->section->name, "sliding") == 0;
+    points p = {.least = sliding ? -1000 : 0, .most = sliding ? 1000 : 100};
     double unit;
     ovr_status status;
     if (!change->file)
@@ -162,6 +164,16 @@ static ovr_status load_table(ovr_resolved *r, const ovr_block *block,
 
 /* -------------------------------------------------------------------- all */
 
+/* It begins, swings about and ends at the slide_to_roll of the contact. */
+static void of_sliding(const ovr_resolved *r, ovr_history_form *form)
+{
+    form->mean = r->contact.u1_ratio - r->contact.u2_ratio;
+    if (isnan(form->from))
+        form->from = form->mean;
+    if (isnan(form->to))
+        form->to = form->mean;
+}
+
 ovr_status ovr_resolve_history(ovr_resolved *r, const char *section,
                                const ovr_change *change,
                                const ovr_allocator *allocator,
@@ -177,6 +189,8 @@ ovr_status ovr_resolve_history(ovr_resolved *r, const char *section,
     form.duration = change->duration;
     form.amplitude = change->amplitude;
     form.period = change->period;
+    if (strcmp(section, "sliding") == 0)
+        of_sliding(r, &form);
     if (check_keys(block, change, err))
         return OVR_BAD_INPUT;
     if (form.kind == OVR_HISTORY_CONSTANT)

@@ -35,6 +35,13 @@ static ovr_status check_motion(const ovr_resolved *r, ovr_error *err)
     const ovr_block *stress = ovr_block_of(r, "stress");
     const ovr_slot *slot = ovr_block_get(stress, "surface");
     double ratio[] = {contact->u1_ratio, contact->u2_ratio};
+    if (r->setup.sliding && is_there(ovr_block_of(r, "stress")))
+        return ovr_fail_in(
+            err, r->c, ovr_block_of(r, "stress"), NULL,
+            &(ovr_error){.message = "[stress] follows material at the speeds "
+                                    "of [contact]: it cannot stand beside a "
+                                    "history of [sliding]",
+                         .status = OVR_BAD_INPUT});
     for (int k = 0; k < 2; k++) {
         if (!(r->values.stress.surfaces >> k & 1) || ratio[k] != 0)
             continue;

@@ -61,6 +61,7 @@ static ovr_status make_surfaces(ovr_resolved *r, const ovr_allocator *allocator,
                                       err);
     if (!s->surfaces)
         return OVR_NO_MEMORY;
+    ovr_surfaces_sliding(s->surfaces, s->sliding);
     ovr_surfaces_domain(s->surfaces, s->options->inlet, s->options->outlet);
     status = add_features(r, err);
     if (status) {
@@ -229,6 +230,7 @@ ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
     if (!sim)
         return NULL;
     ovr_simulation_histories(sim, setup->load, setup->speed);
+    ovr_simulation_sliding(sim, setup->sliding);
     if (setup->surfaces) {
         ovr_simulation_surface(sim, ovr_surfaces_heights, setup->surfaces);
         ovr_simulation_moving(sim, ovr_surfaces_speed(setup->surfaces));

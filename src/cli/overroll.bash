@@ -109,6 +109,15 @@ _overroll_values() {
     speed.period) echo '' ;;
     speed.file) echo '' ;;
     speed.time_unit) echo 'b/um s ms us' ;;
+    sliding.history) echo 'constant ramp sine step table' ;;
+    sliding.from) echo '' ;;
+    sliding.to) echo '' ;;
+    sliding.start) echo '' ;;
+    sliding.duration) echo '' ;;
+    sliding.amplitude) echo '' ;;
+    sliding.period) echo '' ;;
+    sliding.file) echo '' ;;
+    sliding.time_unit) echo 'b/um s ms us' ;;
     feature.surface) echo '' ;;
     feature.shape) echo 'dent bump indent ridge step groove wave chirp texture profile roughness' ;;
     feature.start) echo 'inlet' ;;

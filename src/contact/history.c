@@ -33,8 +33,11 @@ struct ovr_history {
 
 void ovr_history_form_fill(ovr_history_form *options)
 {
-    const ovr_history_form defaults = {
-        .kind = OVR_HISTORY_CONSTANT, .from = 1, .to = 1, .period = 1};
+    const ovr_history_form defaults = {.kind = OVR_HISTORY_CONSTANT,
+                                       .from = 1,
+                                       .to = 1,
+                                       .period = 1,
+                                       .mean = 1};
     ovr_sized_fill(options, &defaults, sizeof defaults);
 }
 
@@ -212,8 +215,8 @@ double ovr_history_value(const ovr_history *history, double T)
     case OVR_HISTORY_STEP: return ramp_value(form, T);
     case OVR_HISTORY_SINE:
         if (T > form->start)
-            return 1 + form->amplitude * sin(sine_phase(form, T));
-        break;
+            return form->mean + form->amplitude * sin(sine_phase(form, T));
+        return form->mean;
     case OVR_HISTORY_TABLE: return table_value(history, T);
     }
     return 1;
@@ -245,11 +248,11 @@ static double sine_integral(const ovr_history_form *form, double T)
 {
     double half = sin(sine_phase(form, T) / 2);
     if (T <= form->start)
-        return T - form->start;
+        return form->mean * (T - form->start);
     /* 1 - cos(phase) = 2 sin^2(phase/2), without its cancellation */
-    return T - form->start +
-           form->amplitude * form->period / 3.14159265358979323846 * half *
-               half;
+    return form->mean * (T - form->start) + form->amplitude * form->period /
+                                                3.14159265358979323846 * half *
+                                                half;
 }
 
 static double table_integral(const ovr_history *history, double T)
@@ -280,4 +283,13 @@ double ovr_history_integral(const ovr_history *history, double T)
         return table_integral(history, T) - table_integral(history, 0);
     }
     return T;
+}
+
+double ovr_surface_way(const ovr_history *speed, const ovr_history *sliding,
+                       double ratio, int surface, double T)
+{
+    double way = ovr_history_integral(speed, T);
+    if (!sliding)
+        return ratio * way;
+    return way + (surface == 1 ? 0.5 : -0.5) * ovr_history_integral(sliding, T);
 }

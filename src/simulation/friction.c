@@ -17,8 +17,15 @@
 
 double ovr_sliding(const ovr_simulation *sim, double T)
 {
+    if (sim->sliding)
+        return ovr_history_value(sim->sliding, T);
     return ovr_history_value(sim->speed, T) *
            (sim->contact.u1_ratio - sim->contact.u2_ratio);
+}
+
+void ovr_simulation_sliding(ovr_simulation *sim, const ovr_history *sliding)
+{
+    sim->sliding = sliding;
 }
 
 static ovr_sheared film_of(const ovr_simulation *sim)
@@ -37,6 +44,7 @@ void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o)
     double coefficient = load > 0 ? sim->contact.kappa / load : NAN;
     ovr_fluid fluid = sim->grids.fluid;
     fluid.sliding = V;
+    o->sliding = V;
     run->mean_stress(&film, &fluid, sim->stress);
     if (sim->lubricant.limiting_shear > 0)
         o->limiting_share = run->limit_stress(

@@ -73,7 +73,7 @@ struct ovr_simulation {
     ovr_heights *standing; /* of what stands still, or NULL */
     void *standing_data;
     bool standing_given;
-    const ovr_history *load, *speed;
+    const ovr_history *load, *speed, *sliding;
     double moving; /* u_k/um of the features; NAN: nobody told */
 
     double *S;

@@ -115,6 +115,8 @@ static const ovr_observable table[] = {
            "integral of P less the wanted one, relative to the nominal"),
     NUMBER("speed_ratio", NULL, NULL, NUMBER, speed_ratio,
            "entrainment speed over nominal speed"),
+    NUMBER("sliding_speed", "sliding", NULL, NUMBER, sliding,
+           "u1 - u2 over the nominal mean speed"),
     NUMBER("mass_flow", "mass_flow", NULL, NUMBER, mass_flow,
            "mean mass flow rho H - eps dP/dX through the film"),
     NUMBER("mass_balance", "mass_balance", NULL, NUMBER, mass_balance,

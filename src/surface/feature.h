@@ -46,11 +46,12 @@ ovr_status ovr_shape_make(ovr_feature *feature, const ovr_feature_form *form,
                           double per_radius, ovr_error *err);
 
 /* Sets its start from what the form gives: start, centre, edge, arrival or
- * origin; with none of them it comes in from the end of the film.  The shape
+ * origin; with none of them it comes in from the end of the film.  `way`: how
+ * far it moves until its arrival.  The shape
  * must be made. */
 ovr_status ovr_feature_place(ovr_feature *feature, const ovr_feature_form *form,
-                             const ovr_history *speed, double inlet,
-                             double outlet, ovr_error *err);
+                             double way, double inlet, double outlet,
+                             ovr_error *err);
 
 /* Full width where half its depth or height is left; NAN without a width. */
 double ovr_shape_diameter(const ovr_feature *feature);

@@ -6,8 +6,7 @@
 
 /* Where the centre is at T = 0 when the feature's reference point (start), its
  * centre, its leading edge or its arrival at X = 0 was given. */
-static double centre_at_start(const ovr_history *speed,
-                              const ovr_feature_form *form,
+static double centre_at_start(double way, const ovr_feature_form *form,
                               const ovr_feature *f)
 {
     bool tabulated = f->table != NULL;
@@ -16,7 +15,7 @@ static double centre_at_start(const ovr_history *speed,
     if (!isnan(form->edge))
         return form->edge - f->ahead;
     if (!isnan(form->arrival))
-        return -f->ratio * ovr_history_integral(speed, form->arrival);
+        return -way;
     return tabulated ? form->start - f->ahead : form->start;
 }
 
@@ -57,8 +56,8 @@ static const char *place_of(const ovr_feature_form *form)
 }
 
 ovr_status ovr_feature_place(ovr_feature *f, const ovr_feature_form *form,
-                             const ovr_history *speed, double inlet,
-                             double outlet, ovr_error *err)
+                             double way, double inlet, double outlet,
+                             ovr_error *err)
 {
     int given = !isnan(form->start) + !isnan(form->centre) +
                 !isnan(form->edge) + !isnan(form->arrival);
@@ -83,7 +82,7 @@ ovr_status ovr_feature_place(ovr_feature *f, const ovr_feature_form *form,
                               "arrives; give start instead of arrival",
                               f->name, f->surface);
     } else {
-        f->start = centre_at_start(speed, form, f);
+        f->start = centre_at_start(way, form, f);
     }
     if (!isfinite(f->start))
         return ovr_fail_about(err, place_of(form),

@@ -3,6 +3,7 @@
  * The two moving surfaces: where each feature is, and the sum of them all.
  *
  *     X_k(T) = start + (u_k/um) I(T),   I(T) = integral of Cu from 0 to T
+ * or, with a history of the sliding, start + integral of Cu +- V/2
  *
  * Copies of a repeated feature follow it: they are on the side it comes from,
  * and on both sides when it stands still.
@@ -23,7 +24,7 @@ typedef struct entry {
 struct ovr_surfaces {
     ovr_arena arena;
     ovr_contact contact;
-    const ovr_history *speed;
+    const ovr_history *speed, *sliding;
     double mesh;
     double inlet, outlet; /* NAN: not known */
     size_t count;
@@ -79,6 +80,11 @@ ovr_surfaces *ovr_surfaces_create(const ovr_contact *contact,
     return surfaces;
 }
 
+void ovr_surfaces_sliding(ovr_surfaces *surfaces, const ovr_history *sliding)
+{
+    surfaces->sliding = sliding;
+}
+
 void ovr_surfaces_free(ovr_surfaces *surfaces)
 {
     if (surfaces) {
@@ -91,6 +97,16 @@ void ovr_surfaces_domain(ovr_surfaces *surfaces, double inlet, double outlet)
 {
     surfaces->inlet = inlet;
     surfaces->outlet = outlet;
+}
+
+/* How far a feature has come. */
+static double moved(const ovr_surfaces *surfaces, const ovr_feature *f,
+                    double T)
+{
+    if (f->ratio == 0 && !surfaces->sliding)
+        return 0;
+    return ovr_surface_way(surfaces->speed, surfaces->sliding, f->ratio,
+                           f->surface, T);
 }
 
 /* ---------------------------------------------------------------- adding */
@@ -166,8 +182,10 @@ static ovr_status make(ovr_surfaces *surfaces, const ovr_feature_form *form,
     if (!status)
         status = check_repeat(f, err);
     if (!status)
-        status = ovr_feature_place(f, form, surfaces->speed, surfaces->inlet,
-                                   surfaces->outlet, err);
+        status = ovr_feature_place(
+            f, form,
+            isnan(form->arrival) ? 0 : moved(surfaces, f, form->arrival),
+            surfaces->inlet, surfaces->outlet, err);
     return status;
 }
 
@@ -195,9 +213,7 @@ ovr_status ovr_surfaces_add(ovr_surfaces *surfaces,
 static double centre_at(const ovr_surfaces *surfaces, const ovr_feature *f,
                         double T)
 {
-    return f->ratio == 0
-               ? f->start
-               : f->start + f->ratio * ovr_history_integral(surfaces->speed, T);
+    return f->start + moved(surfaces, f, T);
 }
 
 static double grown(const ovr_feature *f, double T)
@@ -259,7 +275,7 @@ void ovr_surfaces_standing(void *data, double T, size_t n, const double *X,
     for (size_t i = 0; i < n; i++)
         S[i] = 0;
     for (const entry *l = surfaces->first; l && n; l = l->next)
-        if (l->feature.ratio == 0)
+        if (l->feature.ratio == 0 && !surfaces->sliding)
             add_feature(&l->feature, 1, l->feature.start, n, X, S);
 }
 
@@ -344,6 +360,8 @@ static double slope(const ovr_feature *f)
 double ovr_surfaces_speed(const ovr_surfaces *surfaces)
 {
     double most = -1, speed = NAN;
+    if (surfaces->sliding) /* not one */
+        return NAN;
     for (const entry *l = surfaces->first; l; l = l->next)
         if (slope(&l->feature) > most) {
             most = slope(&l->feature);
@@ -383,11 +401,42 @@ double ovr_surfaces_centre(const ovr_surfaces *surfaces, size_t feature,
     return f ? centre_at(surfaces, f, T) : NAN;
 }
 
-/* T in [after, until] with I(T) = way: I does not decrease. */
-static double time_of(const ovr_history *speed, double way, double after,
-                      double until)
+/* The first T in [after, until] at which a feature has come as far as `far`,
+ * where sliding may take it back; to a twentieth of b/um, then by halving. */
+static double sliding_time_of(const ovr_surfaces *surfaces,
+                              const ovr_feature *f, double far, double after,
+                              double until)
 {
+    const double step = 0.05;
+    enum { MOST = 100000 };
+    bool above = moved(surfaces, f, after) > far;
+    double low = after;
+    for (int k = 0; k < MOST && low < until; k++) {
+        double high = fmin(low + step, until);
+        if ((moved(surfaces, f, high) > far) == above) {
+            low = high;
+            continue;
+        }
+        for (int m = 0; m < 60; m++) {
+            double middle = 0.5 * (low + high);
+            if ((moved(surfaces, f, middle) > far) == above)
+                low = middle;
+            else
+                high = middle;
+        }
+        return high;
+    }
+    return INFINITY;
+}
+
+/* T in [after, until] with I(T) = way: I does not decrease. */
+static double time_of(const ovr_surfaces *surfaces, const ovr_feature *f,
+                      double way, double after, double until)
+{
+    const ovr_history *speed = surfaces->speed;
     double low = after, high = until;
+    if (surfaces->sliding)
+        return sliding_time_of(surfaces, f, f->ratio * way, after, until);
     if (!speed)
         return way > after && way <= until ? way : INFINITY;
     if (!(ovr_history_integral(speed, low) < way) ||
@@ -407,10 +456,14 @@ static double time_of(const ovr_history *speed, double way, double after,
 static double time_at(const ovr_surfaces *surfaces, const ovr_feature *f,
                       double offset, double X, double until)
 {
-    double way = (X - f->start - offset) / f->ratio;
+    double far = X - f->start - offset, way = far / f->ratio;
+    if (surfaces->sliding && !isnan(far))
+        return (f->ratio < 0 ? far >= 0 : far <= 0)
+                   ? 0
+                   : sliding_time_of(surfaces, f, far, 0, until);
     if (f->ratio == 0 || isnan(way))
         return INFINITY;
-    return way <= 0 ? 0 : time_of(surfaces->speed, way, 0, until);
+    return way <= 0 ? 0 : time_of(surfaces, f, way, 0, until);
 }
 
 ovr_feature_times ovr_surfaces_times(const ovr_surfaces *surfaces,
@@ -443,7 +496,7 @@ double ovr_surfaces_arrival(const ovr_surfaces *surfaces, size_t feature,
     way = (X - f->start) / f->ratio;
     both = ovr_is_endless(f) && f->wavelength > 0;
     apart = (both ? f->wavelength : f->repeat) / fabs(f->ratio);
-    gone = ovr_history_integral(surfaces->speed, after);
+    gone = moved(surfaces, f, after) / f->ratio;
     if (apart > 0) { /* the first copy that has not gone by */
         k = floor((gone - way) / apart + 1e-9) + 1;
         if (!both && k < 0)
@@ -452,5 +505,5 @@ double ovr_surfaces_arrival(const ovr_surfaces *surfaces, size_t feature,
             return INFINITY;
         way += k * apart;
     }
-    return time_of(surfaces->speed, way, after, until);
+    return time_of(surfaces, f, way, after, until);
 }

@@ -3,6 +3,9 @@
 #include "reference/rheology_truth.h"
 
 #include "support/contact.h"
+
+#include <string.h>
+
 #include "support/test.h"
 
 /* At rest of the surfaces' motion, of a flow law or (Sigma0 infinite) not. */
@@ -179,6 +182,70 @@ static void coefficients_need_the_ratio(void **state)
                  &err);
 }
 
+/* Sliding that swings through zero by a history: friction is odd in it, the
+ * film even; a feature on surface 1 is where the integral of 1 + V/2 takes it.
+ */
+static void sliding_changes_sign(void **state)
+{
+    ovr_error err = {0};
+    ovr_history_form form = ovr_history_constant();
+    form.kind = OVR_HISTORY_SINE;
+    form.amplitude = 0.5;
+    form.period = 2;
+    form.mean = 0;
+    ovr_history *V = ovr_history_create(&form, NULL, &err);
+    ovr_simulation *sim = made(20, 10, 6, 0, 0.334, 1e-8);
+    const ovr_observation *o = ovr_simulation_observation(sim);
+    double first[3] = {0};
+    (void)state;
+    ovr_simulation_sliding(sim, V);
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    assert_true(o->F_slide == 0 && o->sliding == 0);
+    for (int k = 1; k <= 480; k++) {
+        CHECK_OK(ovr_simulation_step(sim, 0.02, &err), &err);
+        CHECK_NEAR(o->sliding, 0.5 * sin(acos(-1) * 0.02 * k), 1e-12);
+        assert_true(o->F_slide * o->sliding <= 0);
+        assert_true(o->F_roll > 0);
+        double now[3] = {o->F_slide, o->H_cen, o->F_roll};
+        if (k == 425)
+            memcpy(first, now, sizeof now);
+        if (k == 475) { /* half a period on: the same but for its sign */
+            CHECK_CLOSE(now[0], -first[0], 1e-4);
+            CHECK_CLOSE(now[1], first[1], 1e-5);
+            CHECK_CLOSE(now[2], first[2], 1e-4);
+        }
+    }
+    assert_int_equal(ovr_simulation_statistics(sim)->marked, 0);
+    CHECK_CLOSE(ovr_surface_way(NULL, V, 1, 1, 1), 1 + 0.5 / acos(-1), 1e-12);
+    CHECK_CLOSE(ovr_surface_way(NULL, V, 1, 2, 1), 1 - 0.5 / acos(-1), 1e-12);
+    ovr_simulation_free(sim);
+    ovr_history_free(V);
+}
+
+/* A history of the constant value is none: the same bits. */
+static void constant_sliding_is_that_of_the_contact(void **state)
+{
+    ovr_error err = {0};
+    ovr_history_form form = ovr_history_constant();
+    form.kind = OVR_HISTORY_STEP;
+    form.from = form.to = 3; /* opposite surfaces */
+    ovr_history *V = ovr_history_create(&form, NULL, &err);
+    double F[2][2];
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        ovr_simulation *sim = made(20, 10, 6, k ? 0.1 : 3, 0.334, 0);
+        if (k)
+            ovr_simulation_sliding(sim, V);
+        CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+        F[k][0] = ovr_simulation_observation(sim)->F_slide;
+        CHECK_OK(ovr_simulation_step(sim, 0.02, &err), &err);
+        F[k][1] = ovr_simulation_observation(sim)->F_slide;
+        ovr_simulation_free(sim);
+    }
+    assert_memory_equal(F[0], F[1], sizeof F[0]);
+    ovr_history_free(V);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -188,6 +255,8 @@ int main(void)
         cmocka_unit_test(without_bound_it_is_newtonian),
         cmocka_unit_test(steady_power_is_dissipated),
         cmocka_unit_test(rolling_friction_is_of_second_order),
+        cmocka_unit_test(sliding_changes_sign),
+        cmocka_unit_test(constant_sliding_is_that_of_the_contact),
         cmocka_unit_test(signs_follow_the_surfaces),
         cmocka_unit_test(coefficients_need_the_ratio)};
     return cmocka_run_group_tests(tests, NULL, NULL);

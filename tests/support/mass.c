@@ -33,12 +33,18 @@ static bool all_finite(size_t n, const double *values)
     return true;
 }
 
-/* NAN stands for "none" in what concerns the spike, and nowhere else. */
+/* NAN stands for "none" in what concerns the spike, and where b/R is not known
+ * in coefficients of friction; nowhere else. */
+static bool coefficient(const ovr_observable *row)
+{
+    return row->name && strstr(row->name, "friction_coefficient");
+}
+
 static bool observed_numbers(const ovr_observation *o)
 {
     const ovr_observable *row;
     for (size_t k = 0; (row = ovr_observable_at(k)); k++)
-        if (row->axes == OVR_AT_STEPS &&
+        if (row->axes == OVR_AT_STEPS && !coefficient(row) &&
             !isfinite(ovr_observable_value(row, o)) &&
             isfinite(o->P_spike + o->P_spike_located))
             return false;
