@@ -188,7 +188,7 @@ static void coefficients_need_the_ratio(void **state)
 static void sliding_changes_sign(void **state)
 {
     ovr_error err = {0};
-    ovr_history_form form = ovr_history_constant();
+    ovr_history_form form = ovr_history_form_default();
     form.kind = OVR_HISTORY_SINE;
     form.amplitude = 0.5;
     form.period = 2;
@@ -226,7 +226,7 @@ static void sliding_changes_sign(void **state)
 static void constant_sliding_is_that_of_the_contact(void **state)
 {
     ovr_error err = {0};
-    ovr_history_form form = ovr_history_constant();
+    ovr_history_form form = ovr_history_form_default();
     form.kind = OVR_HISTORY_STEP;
     form.from = form.to = 3; /* opposite surfaces */
     ovr_history *V = ovr_history_create(&form, NULL, &err);
