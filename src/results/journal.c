@@ -118,7 +118,8 @@ typedef struct addition {
     ovr_arena arena;
     unsigned char *data;
     size_t bytes;
-    bool pages; /* some of it are pages */
+    size_t state; /* bytes of the state, behind these */
+    bool pages;   /* some of it are pages */
 } addition;
 
 static uint64_t pages_of(uint64_t length)
@@ -157,16 +158,15 @@ static void end_record(const ovr_store *s, addition *a, uint64_t kind,
     a->bytes += sizeof r + bytes;
 }
 
-static int keep_page(ovr_store *s, addition *a, uint64_t number)
+/* What was not kept yet is in the file as the checkpoint had it. */
+static int keep_page(ovr_store *s, addition *a, const ovr_page *page)
 {
-    uint64_t at = number * OVR_PAGE;
-    size_t bytes = least(OVR_PAGE, s->kept.length - at);
-    int error = ovr_read_all(
-        s->fd, a->data + a->bytes + sizeof(ovr_journal_record), bytes, at);
+    size_t bytes = least(OVR_PAGE, s->kept.length - page->number * OVR_PAGE);
+    int error = note_kept(s, page->number);
+    memcpy(a->data + a->bytes + sizeof(ovr_journal_record), page->was, bytes);
     if (error == 0)
-        error = note_kept(s, number);
-    if (error == 0)
-        end_record(s, a, OVR_JOURNAL_PAGE, number, bytes);
+        end_record(s, a, OVR_JOURNAL_PAGE, page->number, bytes);
+    a->pages = true;
     return error;
 }
 
@@ -174,42 +174,57 @@ static int keep_pages(ovr_store *s, addition *a)
 {
     int error = 0;
     for (size_t k = 0; error == 0 && k < s->changed.count; k++) {
-        uint64_t number = s->changed.page[k].number;
-        if (number * OVR_PAGE >= s->kept.length || is_kept(&s->kept, number))
-            continue;
-        error = keep_page(s, a, number);
-        a->pages = true;
+        const ovr_page *page = &s->changed.page[k];
+        if (page->number * OVR_PAGE < s->kept.length &&
+            !is_kept(&s->kept, page->number))
+            error = keep_page(s, a, page);
     }
     return error;
 }
 
-/* The k-th page that the state names. */
-static uint64_t page_number(const ovr_store *s, size_t k)
+/* Notes a page, `now` being its content, as far as the file goes. */
+static void name_page(const ovr_store *s, addition *a, uint64_t page,
+                      const unsigned char *now)
 {
-    return k < s->changed.count
-               ? s->changed.page[k].number
-               : s->kept.summed / OVR_PAGE + (k - s->changed.count);
+    size_t bytes = least(OVR_PAGE, s->length - page * OVR_PAGE);
+    ovr_journal_entry e = {page, (uint32_t)bytes,
+                           (uint32_t)checksum(0, now, bytes)};
+    memcpy(a->data + a->bytes + sizeof(ovr_journal_record) + a->state, &e,
+           sizeof e);
+    a->state += sizeof e;
 }
 
+/* Those that lie behind what was committed before, many at a time. */
+static int name_new_pages(ovr_store *s, addition *a)
+{
+    enum { MANY = 16 };
+    unsigned char now[MANY * OVR_PAGE];
+    uint64_t page = s->kept.summed / OVR_PAGE, end = pages_of(s->length);
+    while (page < end) {
+        uint64_t at = page * OVR_PAGE, left = end - page;
+        if (!ovr_store_read(s, at, least(sizeof now, s->length - at), now))
+            return s->failed;
+        for (size_t k = 0; k < least(MANY, left); k++)
+            name_page(s, a, page + k, now + k * OVR_PAGE);
+        page += least(MANY, left);
+    }
+    return 0;
+}
+
+/* A page that ends behind what is committed is one of the new ones. */
 static int add_state(ovr_store *s, addition *a)
 {
-    unsigned char now[OVR_PAGE];
-    unsigned char *content = a->data + a->bytes + sizeof(ovr_journal_record);
-    size_t bytes = 0;
-    for (size_t k = 0; k < entries(s); k++) {
-        ovr_journal_entry e = {page_number(s, k), 0, 0};
-        uint64_t at = e.page * OVR_PAGE;
-        if (at >= s->length)
-            continue;
-        e.bytes = (uint32_t)least(OVR_PAGE, s->length - at);
-        if (!ovr_store_read(s, at, e.bytes, now))
-            return s->failed;
-        e.sum = (uint32_t)checksum(0, now, e.bytes);
-        memcpy(content + bytes, &e, sizeof e);
-        bytes += sizeof e;
+    uint64_t first = s->kept.summed / OVR_PAGE;
+    int error = 0;
+    for (size_t k = 0; k < s->changed.count; k++) {
+        const ovr_page *p = &s->changed.page[k];
+        if (p->number < first && p->number * OVR_PAGE < s->length)
+            name_page(s, a, p->number, p->data);
     }
-    end_record(s, a, OVR_JOURNAL_STATE, s->length, bytes);
-    return 0;
+    error = name_new_pages(s, a);
+    if (error == 0)
+        end_record(s, a, OVR_JOURNAL_STATE, s->length, a->state);
+    return error;
 }
 
 static int append(ovr_store *s, const addition *a)

@@ -39,13 +39,15 @@ static bool make_room(ovr_pages *p)
     size_t more = p->room ? p->room : FIRST_ROOM;
     ovr_page *list = ovr_arena_take(p->arena, p->room + more, sizeof *list,
                                     NULL);
-    unsigned char *data = ovr_arena_take(p->arena, more, OVR_PAGE, NULL);
+    unsigned char *data = ovr_arena_take(p->arena, 2 * more, OVR_PAGE, NULL);
     if (!list || !data)
         return false;
     if (p->room)
         memcpy(list, p->page, p->room * sizeof *list);
-    for (size_t k = 0; k < more; k++)
-        list[p->room + k].data = data + k * OVR_PAGE;
+    for (size_t k = 0; k < more; k++) {
+        list[p->room + k].data = data + 2 * k * OVR_PAGE;
+        list[p->room + k].was = data + (2 * k + 1) * OVR_PAGE;
+    }
     p->page = list;
     p->room += more;
     return true;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pages of a file that were changed but not yet written: page number and
- * content, sorted by number. */
+/* Pages of a file that were changed but not yet written: page number, content
+ * and what the file has there until then, sorted by number. */
 #ifndef OVR_RESULTS_PAGES_H
 #define OVR_RESULTS_PAGES_H
 
@@ -14,7 +14,7 @@ enum { OVR_PAGE = 4096 };
 
 typedef struct ovr_page {
     uint64_t number;
-    unsigned char *data;
+    unsigned char *data, *was;
 } ovr_page;
 
 typedef struct ovr_pages {

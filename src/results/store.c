@@ -111,7 +111,8 @@ static ovr_page *changed_page(ovr_store *s, uint64_t number)
         note_failure(s, ENOMEM);
         return NULL;
     }
-    error = ovr_read_all(s->fd, page->data, OVR_PAGE, number * OVR_PAGE);
+    error = ovr_read_all(s->fd, page->was, OVR_PAGE, number * OVR_PAGE);
+    memcpy(page->data, page->was, OVR_PAGE);
     return note_failure(s, error) ? page : NULL;
 }
 
