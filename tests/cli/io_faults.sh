@@ -54,17 +54,17 @@ reads=$(asked 3)
 [ "$writes" -gt 20 ] && [ "$reads" -gt 20 ] || fail "counts: $(cat counts)"
 k=0
 while [ $k -lt "$writes" ]; do
-    k=$((k + ${STRIDE:-5}))
+    k=$((k + ${STRIDE:-7}))
     faulty FAULT_WRITE=$k FAULT_ERRNO=28
 done
 k=1
 while [ $k -lt "$writes" ]; do
-    k=$((k + ${STRIDE:-5}))
+    k=$((k + ${STRIDE:-7}))
     faulty FAULT_WRITE=$k FAULT_ERRNO=5
 done
 k=0
 while [ $k -lt "$reads" ]; do
-    k=$((k + ${STRIDE:-5}))
+    k=$((k + ${STRIDE:-7}))
     faulty FAULT_READ=$k
 done
 echo "$writes writes, $reads reads"
