@@ -39,6 +39,8 @@ extern "C" {
  *   bump     +height g(xi) cos(2 pi xi)
  *   indent   -depth g(xi) + shoulder [g((s - a)/c) + g((s + a)/c)],
  *            a = shoulder_at (width/2), c = shoulder_width (width/2)
+ *            or, by rim_diameter and rim_height, the bowl of a ball (or of a
+ *            hard particle) with a rim raised round it: src/surface/ball.c
  *   ridge    +height g(xi)                     (or -depth g(xi))
  *   step     +height sigma(1/2 - s/flank): what lies behind the edge (s < 0)
  *            is higher; with a length it comes down again at s = -length
@@ -105,6 +107,7 @@ typedef struct ovr_feature_form {
     /* Sizes, as the shape's formula names them. */
     double depth, height, amplitude;
     double width, diameter, half_width; /* one of them */
+    double rim_diameter, rim_height;    /* an indent by its rim */
     double wavelength, wavelength_end, length;
     double shoulder, shoulder_at, shoulder_width;
     double flank;

@@ -382,6 +382,12 @@ static const ovr_parameter table[] = {
      "instead of width: full width at half depth"},
     {"feature", "half_width", SIZE, NULL, IN_FORM(half_width), true,
      "instead of width: half the width at half depth"},
+    {"feature", "rim_diameter", SIZE, NULL, IN_FORM(rim_diameter), true,
+     "indent, instead of width and shoulders: diameter of its rim, crest to "
+     "crest; the bowl is a ball's or a hard particle's"},
+    {"feature", "rim_height", HEIGHT, NULL, IN_FORM(rim_height), true,
+     "indent: height of that rim; unless given 0.159 of the depth, as in "
+     "hardened steel"},
     {"feature", "wavelength", SIZE, NULL, IN_FORM(wavelength), true,
      "wave; chirp: at its rear; texture: distance of two dimples"},
     {"feature", "wavelength_end", SIZE, NULL, IN_FORM(wavelength_end), true,

@@ -131,6 +131,8 @@ _overroll_values() {
     feature.width) echo '' ;;
     feature.diameter) echo '' ;;
     feature.half_width) echo '' ;;
+    feature.rim_diameter) echo '' ;;
+    feature.rim_height) echo '' ;;
     feature.wavelength) echo '' ;;
     feature.wavelength_end) echo '' ;;
     feature.length) echo '' ;;

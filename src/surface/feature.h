@@ -22,6 +22,7 @@ typedef struct ovr_feature {
     double width, wavelength, wavelength_end, length;
     double shoulder, shoulder_at, shoulder_width;
     double flank;
+    bool ball;            /* an indent by its rim: ball.c */
     double behind, ahead; /* extent about the centre, as users see it */
     double reach_behind, reach_ahead; /* beyond them its height vanishes */
     double finest;                    /* shortest wavelength that matters */
@@ -52,6 +53,11 @@ ovr_status ovr_shape_make(ovr_feature *feature, const ovr_feature_form *form,
 ovr_status ovr_feature_place(ovr_feature *feature, const ovr_feature_form *form,
                              double way, double inlet, double outlet,
                              ovr_error *err);
+
+/* An indent by its rim, of the depth -A: its sizes (rim_height NAN: of steel),
+ * and its height at s (ball.c). */
+void ovr_ball_sizes(ovr_feature *f, double rim_diameter, double rim_height);
+double ovr_ball_height(const ovr_feature *f, double s);
 
 /* Full width where half its depth or height is left; NAN without a width. */
 double ovr_shape_diameter(const ovr_feature *feature);

@@ -35,6 +35,8 @@ static double dent(const ovr_feature *f, double s)
 static double indent(const ovr_feature *f, double s)
 {
     double a = f->shoulder_at, c = f->shoulder_width;
+    if (f->ball)
+        return ovr_ball_height(f, s);
     return f->A * bell(s / f->width) +
            f->shoulder * (bell((s - a) / c) + bell((s + a) / c));
 }
@@ -102,7 +104,10 @@ enum {
     RADIUS = 1 << 11,
     DIAMETER = 1 << 12,
     HALF_WIDTH = 1 << 13,
-    WIDTHS = WIDTH | DIAMETER | HALF_WIDTH
+    RIM_DIAMETER = 1 << 14,
+    RIM_HEIGHT = 1 << 15,
+    WIDTHS = WIDTH | DIAMETER | HALF_WIDTH | RIM_DIAMETER,
+    RIM = RIM_DIAMETER | RIM_HEIGHT
 };
 
 static const struct size {
@@ -129,6 +134,8 @@ static const struct size {
     SIZE(radius, RADIUS, false),
     SIZE(diameter, DIAMETER, false),
     SIZE(half_width, HALF_WIDTH, false),
+    SIZE(rim_diameter, RIM_DIAMETER, false),
+    SIZE(rim_height, RIM_HEIGHT, false),
 #undef SIZE
 };
 enum { SIZES = sizeof sizes / sizeof sizes[0] };
@@ -225,9 +232,10 @@ static ovr_status check_width(const ovr_feature_form *form, unsigned given,
     unsigned ways = given & WIDTHS;
     if (!(ways & (ways - 1)))
         return OVR_OK;
-    return ovr_fail_about(err, first_of(ways & (DIAMETER | HALF_WIDTH)),
-                          "feature '%s': give one of width, diameter and "
-                          "half_width, not several",
+    return ovr_fail_about(err, first_of(ways & ~(unsigned)WIDTH),
+                          "feature '%s': give one of width, diameter, "
+                          "half_width and (of an indent) rim_diameter, not "
+                          "several",
                           form->name);
 }
 
@@ -253,13 +261,29 @@ static ovr_status check_complete(const ovr_feature_form *form, unsigned given,
     return OVR_OK;
 }
 
+/* A rim is no higher than its dent is deep, and takes a depth to be there. */
+static ovr_status check_rim(const ovr_feature_form *form, ovr_error *err)
+{
+    if (isnan(form->rim_diameter) ||
+        !(form->rim_height > form->depth || form->depth == 0))
+        return OVR_OK;
+    return ovr_fail_about(err, form->depth == 0 ? "depth" : "rim_height",
+                          "feature '%s': depth = %g of an indent with a rim "
+                          "must be positive, and no less than its rim_height",
+                          form->name, form->depth);
+}
+
 static ovr_status check_form(const ovr_feature_form *form, ovr_error *err)
 {
     const struct rule *rule = &rules[form->shape];
     unsigned allowed = rule->tall | rule->needed | rule->allowed, given = 0;
     ovr_status status = OVR_OK;
+    if (form->shape == OVR_INDENT && !isnan(form->rim_diameter))
+        allowed = DEPTH | RIM; /* its shoulders follow */
+    else if (form->shape == OVR_INDENT)
+        allowed |= RIM_DIAMETER;
     if (allowed & WIDTH)
-        allowed |= WIDTHS;
+        allowed |= WIDTHS & ~(unsigned)RIM;
     for (int k = 0; k < SIZES; k++)
         if (!isnan(size_of(form, &sizes[k]))) {
             status = check_size(form, &sizes[k], allowed, err);
@@ -270,6 +294,8 @@ static ovr_status check_form(const ovr_feature_form *form, ovr_error *err)
     status = check_width(form, given, err);
     if (given & WIDTHS)
         given |= WIDTH;
+    if (!status)
+        status = check_rim(form, err);
     return status ? status : check_complete(form, given, err);
 }
 
@@ -313,12 +339,14 @@ static void take_sizes(ovr_feature *f, const ovr_feature_form *form)
     f->shoulder = or_else(form->shoulder, 0);
     f->shoulder_at = or_else(form->shoulder_at, f->width / 2);
     f->shoulder_width = or_else(form->shoulder_width, f->width / 2);
+    if (!isnan(form->rim_diameter))
+        ovr_ball_sizes(f, form->rim_diameter, form->rim_height);
 }
 
 /* Of an indent with shoulders by bisection, they rise into its flanks. */
 double ovr_shape_diameter(const ovr_feature *f)
 {
-    double low = 0, high = f->width;
+    double low = 0, high = f->ball ? f->shoulder_at : f->width;
     if (f->shape != OVR_INDENT || !(f->shoulder > 0))
         return f->width * rules[f->shape].half;
     for (int k = 0; k < 60; k++) {
@@ -351,6 +379,12 @@ static void find_extent(ovr_feature *f)
     case OVR_BUMP:
     case OVR_RIDGE: set_extent(f, w, w, VANISHED, w); break;
     case OVR_INDENT:
+        if (f->ball) { /* the rim's inner flank is a quarter of a wave */
+            double level = w * sqrt(-f->A / (f->shoulder - f->A));
+            half = f->shoulder_at + sqrt(TEN_LN_10) * f->shoulder_width;
+            set_extent(f, half, half, VANISHED, 4 * (f->shoulder_at - level));
+            break;
+        }
         half = fmax(w,
                     f->shoulder > 0 ? f->shoulder_at + f->shoulder_width : 0);
         set_extent(f, half, half, VANISHED,

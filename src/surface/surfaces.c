@@ -47,6 +47,8 @@ void ovr_feature_form_fill(ovr_feature_form *options)
                                        .width = NAN,
                                        .diameter = NAN,
                                        .half_width = NAN,
+                                       .rim_diameter = NAN,
+                                       .rim_height = NAN,
                                        .wavelength = NAN,
                                        .wavelength_end = NAN,
                                        .length = NAN,

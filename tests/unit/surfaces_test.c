@@ -253,6 +253,45 @@ static void diameters_are_at_half_depth(void **state)
     }
 }
 
+/* A ball's indent: depth and crest as given, the bowl a sphere's, slope and
+ * curvature continuous, and what is displaced stands in the rim (rounded off by
+ * some 1 %). */
+static void a_ball_leaves_its_volume_in_the_rim(void **state)
+{
+    enum { POINTS = 40001 };
+    static double at[POINTS], height[POINTS];
+    const double d = 0.2, step = 4. / (POINTS - 1), crest = 0.25;
+    ovr_contact c = moes(1, 1);
+    ovr_feature_form f = local(OVR_INDENT, 0.1, 0.5);
+    double below = 0, above = 0, top = 0, where = 0, kink = 0;
+    ovr_surfaces *s;
+    (void)state;
+    f.height = f.width = NAN, f.depth = d, f.start = 0, f.surface = 2;
+    f.rim_diameter = 2 * crest;
+    s = with(&c, NULL, &f);
+    for (int i = 0; i < POINTS; i++)
+        at[i] = i * step;
+    ovr_surfaces_heights(s, 0, POINTS, at, height);
+    for (int i = 1; i + 1 < POINTS; i++) {
+        double volume = at[i] * height[i] * step;
+        double bend = (height[i + 1] - 2 * height[i] + height[i - 1]);
+        below += volume < 0 ? volume : 0;
+        above += volume > 0 ? volume : 0;
+        kink = fmax(kink, fabs(bend) / step);
+        if (height[i] > top)
+            top = height[i], where = at[i];
+    }
+    assert_true(fabs(height[0] + d) < 1e-14);
+    assert_true(fabs(top / d - 0.1585366) < 1e-5);
+    assert_true(fabs(where - crest) < 2 * step);
+    print_message("# rim over bowl %.4f\n", -above / below);
+    assert_true(fabs(above / below + 1) < 0.02);
+    assert_true(kink < 0.05); /* a break in the slope is some 2 */
+    assert_true(fabs((height[1000] + d) / (height[500] + d) - 4) < 1e-9);
+    assert_true(height[POINTS - 1] == 0);
+    ovr_surfaces_free(s);
+}
+
 /* Without a place they are just outside, on the side that they come from. */
 static void features_come_in_from_the_end(void **state)
 {
@@ -319,6 +358,9 @@ static void mistakes_are_named(void **state)
     f.diameter = 1, refuse(&f, "one of width"), f = good;
     f.shape = OVR_WAVE, f.depth = f.width = NAN, f.half_width = 1;
     refuse(&f, "wave has no half_width"), f = good;
+    f.rim_diameter = 1, refuse(&f, "dent has no rim_diameter"), f = good;
+    f.shape = OVR_INDENT, f.rim_diameter = 1, refuse(&f, "no width");
+    f.width = NAN, f.rim_height = 0.2, refuse(&f, "rim_height"), f = good;
     f.width = -1, refuse(&f, "width"), f = good;
     f.width = INFINITY, refuse(&f, "width"), f = good;
     f.depth = NAN, refuse(&f, "depth"), f = good;
@@ -348,6 +390,7 @@ int main(void)
         cmocka_unit_test(chirp_runs_from_one_wavelength_to_the_other),
         cmocka_unit_test(places_agree),
         cmocka_unit_test(diameters_are_at_half_depth),
+        cmocka_unit_test(a_ball_leaves_its_volume_in_the_rim),
         cmocka_unit_test(features_come_in_from_the_end),
         cmocka_unit_test(speed_history_moves_features),
         cmocka_unit_test(mistakes_are_named),
