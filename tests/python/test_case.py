@@ -21,6 +21,8 @@ def test_names_mean_keys():
     assert c["domain_level"] == c["level"] == "7"
     assert c["feature_dent_depth"] == c["feature dent.depth"] == "0.1"
     assert c["outlet"] == "1.5"  # a default
+    assert "end" in c and "feature.dent.depth" in c and "radius" not in c
+    assert set(c) == set(c.given())
     with pytest.raises(KeyError):
         c["radius"]
 
@@ -104,6 +106,9 @@ def test_what_contradicts_is_said_where_it_stands():
     with pytest.raises(ovr.BadInput) as caught:
         ovr.Case("a.ini", L=10).check()
     assert caught.value.file == "a.ini" and caught.value.line
+    c = ovr.Case("a.ini", load=None, time_end=3)
+    with pytest.raises(ovr.BadInput):
+        ovr.run(c)
     with pytest.raises(ovr.BadInput, match="no_such.ini"):
         ovr.Case("no_such.ini")
     with pytest.raises(ovr.BadInput):

@@ -27,11 +27,12 @@ from ._version import VERSION as __version__
 if TYPE_CHECKING:
     from ._xarray import open
 
+# Without open and help, which Python has too.
 __all__ = [
     "BadInput", "Case", "Film", "Impossible", "InputOutput", "NoMemory",
     "NotConverged", "OverrollError", "OverrollWarning", "Parameter",
-    "Simulation", "Solution", "State", "Stopped", "help", "open",
-    "parameters", "resume", "run", "steady", "sweep", "__version__"]
+    "Simulation", "Solution", "State", "Stopped", "parameters", "resume",
+    "run", "steady", "sweep", "__version__"]
 
 
 def __getattr__(name: str) -> Any:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import threading
 from typing import TYPE_CHECKING, Any, Iterator, Optional, Union
 
 import numpy as np
@@ -76,6 +77,7 @@ class Case:
             lib.ovr_case_create(ffi.NULL, err) if path is None
             else lib.ovr_case_read(encoded(path), ffi.NULL, err), err)
         self._shared = False
+        self._lock = threading.Lock()
         if keys:
             self.set(**keys)
 
@@ -92,6 +94,7 @@ class Case:
             where if directory is None else ffi.new("char[]", where),
             ffi.NULL, err), err)
         case._shared = False
+        case._lock = threading.Lock()
         return case
 
     # ----------------------------------------------------------- settings
@@ -155,6 +158,15 @@ class Case:
                 section = f"{section} {text(entry.name)}"
             yield f"{section}.{text(entry.key)}", entry
 
+    def __contains__(self, word: str) -> bool:
+        """Whether a key was given, by any of its names."""
+        return place(word).replace(" ", ".") in {
+            name.replace(" ", ".") for name in self.given()}
+
+    def __iter__(self) -> Iterator[str]:
+        """What was given: "section.key"."""
+        return iter(self.given())
+
     def given(self) -> dict[str, str]:
         """What was given, "section.key" and its text, without defaults."""
         return {name: text(entry.text) for name, entry in self._entries()
@@ -164,10 +176,11 @@ class Case:
     def text(self) -> str:
         """The case as the text of a case file."""
         err = new_error()
-        found = lib.ovr_case_text(self._c, err)
-        if found == ffi.NULL:
-            raise error_of(err)
-        return text(found)
+        with self._lock:  # the case keeps the text
+            found = lib.ovr_case_text(self._c, err)
+            if found == ffi.NULL:
+                raise error_of(err)
+            return text(found)
 
     @property
     def name(self) -> Optional[str]:
@@ -214,9 +227,18 @@ class Case:
 
     # ------------------------------------------------------------ running
 
+    def resolved(self) -> None:
+        """Raises BadInput, with its place, for what is contradictory or
+        missing; no grid is made."""
+        err = new_error()
+        setup = lib.ovr_case_resolve(self._c, ffi.NULL, err)
+        if setup == ffi.NULL:
+            raise error_of(err)
+        lib.ovr_setup_free(setup)
+
     def check(self) -> "Simulation":
-        """The case resolved and its grid allocated, nothing solved: raises
-        BadInput, with the place, for what is contradictory or missing."""
+        """The case resolved, its files read and its grid allocated, nothing
+        solved: raises BadInput for what is wrong."""
         return self.simulation()
 
     def simulation(self) -> "Simulation":

@@ -9,6 +9,8 @@ import tempfile
 import weakref
 from typing import TYPE_CHECKING, Any, Callable, Optional, Union
 
+import numpy as np
+
 from ._case import Case, Path, case_of, value_text
 from ._library import ORIGIN, encoded, error_of, ffi, lib, new_error
 from ._progress import Progress, Teller
@@ -65,13 +67,15 @@ def _stop(data: Any) -> bool:
     watch = ffi.from_handle(data)()
     if watch.trouble is not None:
         return True
-    if watch.observe is not None and watch.observe(watch.state) is True:
-        return True
+    if watch.observe is not None:
+        enough = watch.observe(watch.state)
+        if isinstance(enough, (bool, np.bool_)) and enough:
+            return True
     if watch.teller:
         info = watch.info
         watch.teller.tell(info.fraction,
                           f"T = {watch.state.T:.3f}" if info.transient else "")
-    return watch.stopped is not None and watch.stopped()
+    return watch.stopped is not None and bool(watch.stopped())
 
 
 @ffi.callback("ovr_status(void *, ovr_case *, ovr_error *)",
@@ -164,6 +168,7 @@ def run(case: Union[Case, Path], output: Optional[Path] = None, *,
     BadInput, NotConverged, Impossible, NoMemory, InputOutput
     """
     c = case_of(case, keys)
+    c.resolved()  # errors name the lines of its own text
     c = c.copy() if c is case else c
     if output is None and c.get("output.file") is None:
         output = temporary(".h5")
