@@ -304,6 +304,9 @@ OVR_API ovr_status ovr_result_number(const ovr_result *result,
                                      ovr_unit_kind kind, const char *text,
                                      double *value, ovr_error *err);
 
+/* A number alone, with a point in every locale; false: the text is not one. */
+OVR_API bool ovr_bare_number(const char *text, double *value);
+
 /* The fields of each snapshot ("pressure", ...) and the columns of the
  * history ("time", "min_film_thickness", ...): the count, and the k-th. */
 OVR_API size_t ovr_result_fields(const ovr_result *result);

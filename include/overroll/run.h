@@ -168,6 +168,9 @@ ovr_stored_stress_report(const ovr_stored_stress *stress, int surface);
 /* Memory and, per step, seconds of the passages of a prepared setup. */
 OVR_API double ovr_setup_stress_memory(const ovr_setup *setup);
 
+/* Memory of what writes its result file, bytes. */
+OVR_API double ovr_setup_output_memory(const ovr_setup *setup);
+
 /* What a prepared setup would store: snapshots (the instants of the largest
  * pressure and the smallest film may come on top), and bytes on the disk before
  * they are compressed. */

@@ -64,7 +64,8 @@ static estimate estimate_cost(const ovr_setup *setup, double live)
     cost.nodes = (double)setup->nodes;
     cost.mesh = setup->mesh;
     cost.bytes = live + ovr_simulation_memory(setup->options) +
-                 ovr_setup_stress_memory(setup);
+                 ovr_setup_stress_memory(setup) +
+                 ovr_setup_output_memory(setup);
     if (setup->transient)
         cost.steps = ceil(march->end / dT);
     cost.stored = ovr_setup_storage(setup);

@@ -199,8 +199,7 @@ static ovr_status chosen_row(const job *j, size_t *row)
 {
     const char *index = cli_value(j->call, "snapshot");
     const char *text = index ? index : cli_value(j->call, "time");
-    char *end;
-    double value = strtod(text, &end);
+    double value;
     if (index && strcmp(index, "last") == 0) {
         *row = j->about->snapshots - 1;
         return OVR_OK;
@@ -209,7 +208,7 @@ static ovr_status chosen_row(const job *j, size_t *row)
         return ovr_result_number(j->result, OVR_KIND_TIME, text, &value, j->err)
                    ? j->err->status
                    : nearest(j, value, row);
-    if (end == text || *end || !isfinite(value))
+    if (!ovr_bare_number(text, &value))
         return ovr_fail(j->err, OVR_BAD_INPUT, "'%s' is not a number", text);
     if (value < 0 || value >= (double)j->about->snapshots ||
         value != floor(value))

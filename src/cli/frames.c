@@ -40,7 +40,7 @@ static int take_count(const cli_call *call, const char *name, double most,
                       double *value)
 {
     const char *text = cli_value(call, name);
-    if (text && (!cli_number(text, value) || *value < 1 || *value > most ||
+    if (text && (!ovr_bare_number(text, value) || *value < 1 || *value > most ||
                  *value != floor(*value)))
         return cli_usage(call,
                          "--%s '%s': a whole number from 1 to %g is "

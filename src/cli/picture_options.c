@@ -5,13 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool cli_number(const char *text, double *value)
-{
-    char *end;
-    *value = strtod(text, &end);
-    return end != text && *end == '\0' && isfinite(*value);
-}
-
 static int take_number(const cli_call *call, const ovr_result *result,
                        ovr_unit_kind kind, const char *name, double *value)
 {

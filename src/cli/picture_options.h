@@ -31,9 +31,6 @@ int cli_picture_options(const cli_call *call, ovr_picture_options *options);
 int cli_picture_ranges(const cli_call *call, const ovr_result *result,
                        ovr_picture_options *options);
 
-/* Text as a finite number; false when it is none. */
-bool cli_number(const char *text, double *value);
-
 enum { CLI_RESULTS = 8 };
 
 /* Opens the files named on the command line. */

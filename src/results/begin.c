@@ -182,25 +182,25 @@ static void release(ovr_writer *w)
 
 /* HDF5 does not survive that its memory runs out: it aborts, or crashes.  So
  * much as it needs for a file is asked for, and given back, before it is. */
+enum { HDF5_MEMORY = 4 << 20 };
+
 static ovr_status room_for_hdf5(const ovr_allocator *allocator, ovr_error *err)
 {
-    enum { ENOUGH = 4 << 20 };
     ovr_arena probe = ovr_arena_make(allocator);
-    bool enough = ovr_arena_take(&probe, ENOUGH, 1, err) != NULL;
+    bool enough = ovr_arena_take(&probe, HDF5_MEMORY, 1, err) != NULL;
     ovr_arena_release(&probe);
     return enough ? OVR_OK : OVR_NO_MEMORY;
 }
 
 static ovr_writer *begin(const ovr_write_options *options,
-                         const ovr_contact *contact, size_t n,
-                         const ovr_allocator *allocator, ovr_error *err)
+                         const ovr_contact *contact, size_t n, ovr_arena arena,
+                         ovr_error *err)
 {
-    ovr_arena arena = ovr_arena_make(allocator);
     ovr_writer *w = NULL;
     ovr_write_options known = ovr_write_options_default();
     if (!ovr_sized_take(&known, sizeof known, options, "ovr_write_options",
                         err) &&
-        room_for_hdf5(allocator, err) == OVR_OK)
+        room_for_hdf5(&arena.allocator, err) == OVR_OK)
         w = ovr_arena_take(&arena, 1, sizeof *w, err);
     if (!w)
         return NULL;
@@ -246,7 +246,7 @@ ovr_writer *ovr_writer_create(const ovr_write_options *options,
                               const double *X, const ovr_allocator *allocator,
                               ovr_error *err)
 {
-    ovr_writer *w = begin(options, contact, n, allocator, err);
+    ovr_writer *w = begin(options, contact, n, ovr_arena_make(allocator), err);
     ovr_h5_handler handler;
     ovr_file_plan plan;
     if (!w)
@@ -258,6 +258,19 @@ ovr_writer *ovr_writer_create(const ovr_write_options *options,
     if (w)
         ovr_queue_start(&w->queue, !w->options.no_thread, ovr_writer_drain, w);
     return w;
+}
+
+double ovr_writer_memory(const ovr_write_options *options,
+                         const ovr_contact *contact, size_t n, const double *X)
+{
+    ovr_writer *w = begin(options, contact, n, ovr_arena_counting(), NULL);
+    ovr_file_plan plan;
+    double bytes = INFINITY;
+    if (w && prepare(w, X, &plan, NULL) == OVR_OK)
+        bytes = (double)w->arena.bytes + HDF5_MEMORY;
+    if (w)
+        release(w);
+    return bytes;
 }
 
 /* Counts of a checkpoint with a state; else the run begins anew, on the rows
@@ -292,7 +305,7 @@ ovr_writer *ovr_writer_resume(const ovr_write_options *options,
                               const double *X, const ovr_restart *restart,
                               const ovr_allocator *allocator, ovr_error *err)
 {
-    ovr_writer *w = begin(options, contact, n, allocator, err);
+    ovr_writer *w = begin(options, contact, n, ovr_arena_make(allocator), err);
     ovr_h5_handler handler;
     ovr_file_plan plan;
     ovr_status status;

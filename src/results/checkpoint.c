@@ -77,11 +77,12 @@ static ovr_status put_state(void *context, const char *name, void *memory,
 
 static ovr_status put_all(sink *s, const ovr_checkpoint *c, ovr_error *err)
 {
-    const uint64_t order = OVR_RESTART_ORDER;
+    const uint64_t order = OVR_RESTART_ORDER, format = OVR_RESTART_FORMAT;
     ovr_status status = OVR_OK;
     uint64_t sum;
     put(s, OVR_RESTART_MAGIC, OVR_RESTART_MAGIC_SIZE);
     put(s, &order, sizeof order);
+    put_piece(s, "format", "", &format, sizeof format);
     put_text(s, "version", OVERROLL_VERSION);
     put_text(s, "created", c->created);
     put_text(s, "case path", c->case_path);

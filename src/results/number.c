@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/quantity.h"
+#include "base/text.h"
 #include "overroll/results.h"
 
 static ovr_dimension dimension_of(ovr_unit_kind kind)
@@ -14,6 +15,11 @@ static ovr_dimension dimension_of(ovr_unit_kind kind)
     case OVR_KIND_TIME: return OVR_DURATION;
     default: return OVR_PURE;
     }
+}
+
+bool ovr_bare_number(const char *text, double *value)
+{
+    return ovr_read_number(&text, value) && *text == '\0';
 }
 
 ovr_status ovr_result_number(const ovr_result *result, ovr_unit_kind kind,

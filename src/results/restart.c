@@ -20,7 +20,7 @@ struct ovr_restart {
     size_t first_state; /* where the pieces of the state begin */
     const char *version, *created;
     ovr_counts counts;
-    uint64_t number;
+    uint64_t number, format;
     ovr_restart_info info;
     ovr_case_value *values;
 };
@@ -115,6 +115,7 @@ static ovr_status check_whole(const ovr_restart *r, ovr_error *err)
 {
     enum { HEAD = OVR_RESTART_MAGIC_SIZE + 8, END = 24 };
     const uint64_t order = OVR_RESTART_ORDER;
+    const uint64_t lengths[2] = {0, 8}; /* of its name and content */
     uint64_t sum = 0, found;
     if (r->bytes < HEAD + END ||
         memcmp(r->data, OVR_RESTART_MAGIC, OVR_RESTART_MAGIC_SIZE) != 0)
@@ -129,8 +130,10 @@ static ovr_status check_whole(const ovr_restart *r, ovr_error *err)
         at += n;
     }
     memcpy(&found, r->data + r->bytes - 8, sizeof found);
-    return sum == found ? OVR_OK
-                        : refuse(r, "is damaged (its checksum is wrong)", err);
+    if (sum != found ||
+        memcmp(r->data + r->bytes - END, lengths, sizeof lengths) != 0)
+        return refuse(r, "is damaged (its checksum is wrong)", err);
+    return OVR_OK;
 }
 
 static bool take_value(ovr_restart *r, const piece *p, ovr_error *err)
@@ -160,6 +163,8 @@ static bool take_piece(ovr_restart *r, const piece *p, ovr_error *err)
         }
     if (is_named(p, "counts") && p->bytes == sizeof r->counts)
         memcpy(&r->counts, p->content, sizeof r->counts);
+    if (is_named(p, "format") && p->bytes == sizeof r->format)
+        memcpy(&r->format, p->content, sizeof r->format);
     if (is_named(p, "base") && p->bytes == sizeof r->number)
         memcpy(&r->number, p->content, sizeof r->number);
     if (begins(p, "value "))
@@ -203,6 +208,7 @@ static ovr_status take_pieces(ovr_restart *r, ovr_error *err)
 {
     size_t at = OVR_RESTART_MAGIC_SIZE + 8;
     piece p;
+    r->format = 1;
     r->version = r->created = r->info.case_path = r->info.case_text = "";
     r->values = ovr_arena_take(&r->arena, count_values(r, at),
                                sizeof *r->values, err);
@@ -222,13 +228,16 @@ static ovr_status take_pieces(ovr_restart *r, ovr_error *err)
     return OVR_OK;
 }
 
-static ovr_status check_version(const ovr_restart *r, ovr_error *err)
+/* What another program wrote is taken by name; only a later format may mean
+ * something else by them. */
+static ovr_status check_format(const ovr_restart *r, ovr_error *err)
 {
-    if (strcmp(r->version, OVERROLL_VERSION) != 0)
+    if (r->format > OVR_RESTART_FORMAT)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: was written by overroll %s; "
-                        "this is %s",
-                        r->path, r->version, OVERROLL_VERSION);
+                        "%s: was written by overroll %s in format %llu; this "
+                        "is %s, which reads formats up to %d",
+                        r->path, r->version, (unsigned long long)r->format,
+                        OVERROLL_VERSION, OVR_RESTART_FORMAT);
     if (r->counts.snapshots < 0 || r->counts.steps < 0)
         return refuse(r, "is damaged (negative counts)", err);
     return OVR_OK;
@@ -255,7 +264,7 @@ ovr_restart *ovr_restart_open(const char *result_path,
     r->arena = arena;
     r->path = path_of(&r->arena, result_path, err);
     if (!r->path || load_file(r, err) || check_whole(r, err) ||
-        take_pieces(r, err) || check_version(r, err)) {
+        take_pieces(r, err) || check_format(r, err)) {
         ovr_restart_close(r);
         return NULL;
     }

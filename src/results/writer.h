@@ -79,4 +79,9 @@ bool ovr_writer_due(const ovr_writer *writer, long step, double T);
 void ovr_writer_fill(const ovr_writer *writer, const ovr_frame *frame,
                      unsigned char *rows);
 
+/* Bytes that a writer and HDF5 take, counted through its real set-up;
+ * INFINITY where it would be refused. */
+double ovr_writer_memory(const ovr_write_options *options,
+                         const ovr_contact *contact, size_t n, const double *X);
+
 #endif

@@ -13,6 +13,7 @@
 #include "base/processors.h"
 #include "results/checkpoint.h"
 #include "results/layout.h"
+#include "results/writer.h"
 #include "run/internal.h"
 
 enum { NAME_ROOM = 128, TIMES_MOST = 100000 };
@@ -230,6 +231,23 @@ ovr_storage ovr_setup_storage(const ovr_setup *setup)
     s.bytes += s.snapshots * stored_nodes(setup) * (w.single ? 4 : 8) *
                (double)ovr_layout_fields(w.fields, NULL);
     return s;
+}
+
+double ovr_setup_output_memory(const ovr_setup *setup)
+{
+    ovr_write_options w = ovr_write_options_default();
+    ovr_arena arena = ovr_arena_make(NULL);
+    double bytes = INFINITY;
+    double *X = ovr_arena_take(&arena, setup->nodes, sizeof *X, NULL);
+    for (size_t i = 0; X && i < setup->nodes; i++)
+        X[i] = setup->options->inlet + (double)i * setup->mesh;
+    w.path = "counted";
+    w.times = make_times(setup, &arena, &w.time_count);
+    choose(&w, setup, false);
+    if (X && w.times)
+        bytes = ovr_writer_memory(&w, setup->contact, setup->nodes, X);
+    ovr_arena_release(&arena);
+    return bytes;
 }
 
 /* What the writer is told: texts and lists that end with the case. */

@@ -8,6 +8,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/text.h"
+
 enum { PATH_ROOM = 4400 };
 
 /* -------------------------------------------------------------- summaries */
@@ -43,7 +45,6 @@ static ovr_sweep_column *column_of(ovr_sweep_table *t, const char *name,
 static bool read_pair(const char *line, char *key, size_t room, double *value)
 {
     const char *from = line + 2, *end, *text;
-    char *rest;
     if (strncmp(line, "  \"", 3) != 0 || !(end = strchr(from + 1, '"')) ||
         strncmp(end, "\": ", 3) != 0)
         return false;
@@ -55,8 +56,7 @@ static bool read_pair(const char *line, char *key, size_t room, double *value)
     *value = strncmp(text, "true", 4) == 0;
     if (!strncmp(text, "true", 4) || !strncmp(text, "false", 5))
         return true;
-    *value = strtod(text, &rest);
-    return rest != text;
+    return ovr_read_number(&text, value);
 }
 
 static void read_summary(ovr_sweep_table *t, size_t task, ovr_error *err)

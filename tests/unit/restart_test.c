@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include "results/writer.h"
 #include "support/dent.h"
@@ -306,6 +307,61 @@ static void numbers_go_by_name(void **state)
     assert_true(old.known == 5 && old.added == 0);
 }
 
+/* Replaces what follows `after` in a checkpoint, whose checksum stays right. */
+static void patch(const char *path, const char *after, const void *bytes,
+                  size_t count)
+{
+    static unsigned char all[1 << 16];
+    uint64_t sum;
+    FILE *f = fopen(path, "r+b");
+    assert_non_null(f);
+    size_t size = fread(all, 1, sizeof all, f), at = 0, length = strlen(after);
+    while (at + length < size && memcmp(all + at, after, length) != 0)
+        at++;
+    assert_true(at + length + count < size && size < sizeof all);
+    memcpy(all + at + length, bytes, count);
+    sum = crc32(0, all, (uInt)(size - 24));
+    memcpy(all + size - 8, &sum, sizeof sum);
+    rewind(f);
+    assert_int_equal(fwrite(all, 1, size, f), size);
+    fclose(f);
+}
+
+/* The program's version does not matter, the format does. */
+static void goes_by_format(void **state)
+{
+    const char *path = test_path(*state, "a.h5");
+    const uint64_t next = OVR_RESTART_FORMAT + 1;
+    char restart[4200];
+    later l = {.known = 3};
+    ovr_error err = {0};
+    write_later(path, &l);
+    snprintf(restart, sizeof restart, "%s.restart", path);
+    patch(restart, "version", "9.9", 3);
+    l.known = 0;
+    CHECK_OK(read_later(path, &l, &err), &err);
+    assert_true(l.known == 3);
+    patch(restart, "format", &next, sizeof next);
+    assert_null(ovr_restart_open(path, NULL, &err));
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "9.9.0 in format 3");
+}
+
+/* What `check` says of a writer's memory is what one takes. */
+static void tells_its_memory(void **state)
+{
+    const ovr_write_options o = options_for(test_path(*state, "a.h5"));
+    ovr_contact contact = test_contact_physical();
+    ovr_error err = {0};
+    test_dent dent;
+    test_dent_init(&dent, NODES, 0);
+    double told = ovr_writer_memory(&o, &contact, NODES, dent.X);
+    ovr_writer *w = ovr_writer_create(&o, &contact, NODES, dent.X, NULL, &err);
+    assert_non_null(w);
+    CHECK_CLOSE(told, (double)w->arena.bytes + (4 << 20), 0.02);
+    CHECK_OK(ovr_writer_close(w, OVR_RUN_STOPPED, &err), &err);
+    test_dent_free(&dent);
+}
+
 static void names_the_changed_parameter(void **state)
 {
     const char *path = test_path(*state, "a.h5");
@@ -464,6 +520,8 @@ int main(void)
         TEST(survives_kills),
         TEST(goes_further),
         TEST(numbers_go_by_name),
+        TEST(goes_by_format),
+        TEST(tells_its_memory),
         TEST(names_the_changed_parameter),
         TEST(refuses_damaged_checkpoints),
         TEST(refuses_another_layout),
