@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import overroll as ovr
+from conftest import REFERENCE
 
 PHYSICAL = {"load": "300 kN/m", "radius": "8 mm", "modulus": "226 GPa",
             "viscosity": "58.5 mPa.s", "alpha": "23.5 1/GPa",
@@ -73,6 +74,14 @@ def test_arrays_with_units():
     ds = film.dataset()
     assert {"pressure", "film_thickness", "viscosity"} <= set(ds)
     assert ds.attrs["H_min"] == film.H_min
+
+
+def test_errors_are_estimated():
+    """Near the true one, by the limit of table 2."""
+    film = ovr.steady(**REFERENCE, level=7, estimate_error=True)
+    assert film.errors["H_cen"] == pytest.approx(
+        abs(film.H_cen - 0.08419667638), rel=0.3)
+    assert ovr.steady(M=20, L=10, level=5).errors is None
 
 
 def test_fields():

@@ -51,8 +51,8 @@ class Film(Solution):
         Central film over the composite Rq of both surfaces; NaN: smooth.
     seconds : float
     errors : dict or None
-        With `estimate_error`: estimated discretization errors of H_min,
-        H_cen, P_max.
+        With `estimate_error`: estimated discretization errors by key, H_min,
+        H_cen, P_max, ...
     """
 
     def __init__(self, core: _RunCore) -> None:
@@ -79,10 +79,11 @@ class Film(Solution):
 
     @property
     def errors(self) -> Optional[dict[str, float]]:
-        e = self._info.error
-        if not e.level:
+        all_of_them = self._info.error
+        if not all_of_them.level:
             return None
-        return {"H_min": e.H_min, "H_cen": e.H_cen, "P_max": e.P_max}
+        return {text(e.key): e.error
+                for e in all_of_them.of[0:all_of_them.count]}
 
     def __repr__(self) -> str:
         return (f"<overroll.Film M={self.contact.M:g} L={self.contact.L:g} "
