@@ -291,8 +291,8 @@ typedef struct ovr_table_column {
     const char *const *text; /* as written; NULL: numbers alone */
 } ovr_table_column;
 
-/* As the files in the study's folder stand now; or from the CSV that
- * ovr_sweep_collect wrote. */
+/* As the files in the study's folder stand now; or from what ovr_sweep_collect
+ * wrote, .csv or .nc. */
 OVR_API ovr_table *ovr_study_table(const ovr_study *study, ovr_error *err);
 OVR_API ovr_table *ovr_table_read(const char *path, ovr_error *err);
 OVR_API void ovr_table_free(ovr_table *table);

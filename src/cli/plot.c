@@ -106,17 +106,27 @@ static bool ends_with(const char *text, const char *ending)
     return n >= m && strcmp(text + n - m, ending) == 0;
 }
 
+/* A netCDF file may be a result too. */
+static bool is_netcdf_table(const char *path)
+{
+    ovr_table *table = ends_with(path, ".nc") ? ovr_table_read(path, NULL)
+                                              : NULL;
+    ovr_table_free(table);
+    return table != NULL;
+}
+
 static bool is_study(const cli_call *call)
 {
     return ends_with(call->argument[0], ".ini") ||
-           ends_with(call->argument[0], ".csv");
+           ends_with(call->argument[0], ".csv") ||
+           is_netcdf_table(call->argument[0]);
 }
 
 static ovr_table *open_table(const char *path, ovr_error *err)
 {
     ovr_study *study;
     ovr_table *table;
-    if (ends_with(path, ".csv"))
+    if (ends_with(path, ".csv") || ends_with(path, ".nc"))
         return ovr_table_read(path, err);
     study = ovr_study_read(path, NULL, err);
     table = study ? ovr_study_table(study, err) : NULL;
@@ -198,7 +208,7 @@ static int run(cli_call *call)
 
 const cli_verb cli_plot = {
     .name = "plot",
-    .arguments = "OUT.h5... | STUDY.ini | TABLE.csv -o PICTURE",
+    .arguments = "OUT.h5... | STUDY.ini | TABLE.csv | TABLE.nc -o PICTURE",
     .summary = "one picture: snapshot, history, space-time map, trace, study",
     .help =
         "  snapshot  pressure, film and roughness at a few instants\n"
@@ -211,7 +221,7 @@ const cli_verb cli_plot = {
         "  depth     the same over depth, with the equivalent length\n"
         "\n"
         "Several result files are drawn over each other (but for a map).\n"
-        "A study, or the CSV table of one, gives a figure: a quantity against\n"
+        "A study, or the table of one, gives a figure: a quantity against\n"
         "a key, a line for each value of a second one, what else varies "
         "(seeds)\nas a mean in a band.",
     .options = options,

@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of a study for whoever draws or reckons with it: gathered from its
- * folder, or read again from the CSV that `sweep --collect` wrote. */
+ * folder, or read again from what `sweep --collect` wrote. */
+#include <errno.h>
+#include <fcntl.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/entries.h"
 #include "base/text.h"
+#include "results/hdf5read/hdf5read.h"
 #include "run/sweep_table.h"
 
 enum { MOST_COLUMNS = 256, MOST_BYTES = 1 << 26 };
@@ -184,7 +188,7 @@ static void read_rows(ovr_table *t, char *at)
     t->rows = i;
 }
 
-ovr_table *ovr_table_read(const char *path, ovr_error *err)
+static ovr_table *read_csv(const char *path, ovr_error *err)
 {
     ovr_table *t = new_table(err);
     const char *text = NULL;
@@ -203,4 +207,88 @@ ovr_table *ovr_table_read(const char *path, ovr_error *err)
         return t;
     ovr_table_free(t);
     return NULL;
+}
+
+/* ------------------------------------------------------------- from netCDF */
+
+/* What varied is explained by its place in the case, section.key. */
+static bool is_place(const char *about)
+{
+    return about && strchr(about, '.') && !strchr(about, ' ');
+}
+
+static bool add_variable(ovr_table *t, ovr_container *c, const ovr_link *link)
+{
+    ovr_table_column *to = &t->column[t->columns];
+    const char *about = ovr_container_text(c, link->object, "long_name");
+    const char *unit = ovr_container_text(c, link->object, "units");
+    double *number = ovr_arena_take(&t->arena, t->rows, sizeof *number, NULL);
+    const char **text = NULL;
+    ovr_dataset set;
+    size_t rows = 0;
+    bool good = number != NULL;
+    if (ovr_container_dataset(c, link->object, &set)) {
+        good = good && set.rank == 1 && set.shape[0] == t->rows &&
+               ovr_container_values(c, &set, 0, t->rows, number);
+    } else {
+        text = ovr_container_texts(c, link->object, &rows);
+        good = good && text && rows == t->rows;
+        for (size_t i = 0; good && i < rows; i++)
+            number[i] = NAN;
+    }
+    *to = (ovr_table_column){ovr_arena_text(&t->arena, link->name, NULL),
+                             unit && strcmp(unit, "1") != 0 ? unit : "",
+                             is_place(about), number, text};
+    t->columns++;
+    return good && to->name;
+}
+
+/* All over one dimension, `case`. */
+static bool take_variables(ovr_table *t, ovr_container *c)
+{
+    uint64_t object;
+    ovr_dataset cases;
+    size_t count;
+    ovr_link *links;
+    bool good = ovr_container_find(c, c->root, "case", &object) &&
+                ovr_container_dataset(c, object, &cases) && cases.rank == 1;
+    links = good ? ovr_container_links(c, c->root, &count) : NULL;
+    if (!links || count > MOST_COLUMNS)
+        return false;
+    t->rows = (size_t)cases.shape[0];
+    for (size_t k = 0; good && k < count; k++)
+        good = strcmp(links[k].name, "case") == 0 ||
+               add_variable(t, c, &links[k]);
+    return good;
+}
+
+/* Texts stay where they were read. */
+static ovr_table *read_netcdf(const char *path, ovr_error *err)
+{
+    ovr_table *t = new_table(err);
+    ovr_container c;
+    int fd = t ? open(path, O_RDONLY | O_CLOEXEC) : -1;
+    bool good = fd >= 0 &&
+                ovr_container_open(&c, fd, &t->arena) == OVR_FOUND_CONTAINER &&
+                take_variables(t, &c);
+    if (t && fd < 0)
+        ovr_fail(err, OVR_BAD_INPUT, "%s: %s", path, strerror(errno));
+    else if (!good && t)
+        ovr_fail(err, OVR_BAD_INPUT,
+                 "%s: is no table of a study, as 'overroll sweep STUDY.ini "
+                 "--collect TABLE.nc' writes it",
+                 path);
+    if (fd >= 0)
+        close(fd);
+    if (good)
+        return t;
+    ovr_table_free(t);
+    return NULL;
+}
+
+ovr_table *ovr_table_read(const char *path, ovr_error *err)
+{
+    size_t length = strlen(path);
+    bool netcdf = length > 3 && strcmp(path + length - 3, ".nc") == 0;
+    return netcdf ? read_netcdf(path, err) : read_csv(path, err);
 }

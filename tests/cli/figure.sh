@@ -40,6 +40,15 @@ expect 0 "$OVERROLL" plot study.ini --quantity H_min -o study.svg \
     --script study.gp
 expect 0 "$OVERROLL" plot table.csv --quantity H_min -o table.png \
     --script table.gp
+expect 0 "$OVERROLL" sweep study.ini --collect table.nc -q
+expect 0 "$OVERROLL" plot table.nc --quantity H_min -o netcdf.svg \
+    --script netcdf.gp
+contains netcdf.gp 'set xlabel "load  \[kN/m\]"'
+grep -v '^#' study.dat >numbers
+grep -v '^#' netcdf.dat | cmp numbers - ||
+    fail 'the netCDF table draws another thing'
+expect 0 "$OVERROLL" run base.ini -o result.nc -q
+expect 0 "$OVERROLL" plot result.nc -o result.svg
 for picture in study.svg table.png; do
     [ -s $picture ] || fail "no $picture"
 done
@@ -76,3 +85,5 @@ refuses "no quantity 'film'; there are .*H_min" \
 refuses 'exists; --force' plot study.ini -o study.svg
 printf 'a,b\n1,2\n' >no.csv
 refuses 'is no table of a study' plot no.csv -o x.svg
+cp no.csv no.nc
+refuses 'not an HDF5 file' plot no.nc -o x.svg

@@ -332,7 +332,7 @@ static bool read_attribute(ovr_piece b, const char *wanted, ovr_piece *type,
 
 /* The value of an attribute that is one element. */
 static bool find_attribute(ovr_container *c, uint64_t object, const char *name,
-                           ovr_element *element, ovr_piece *value)
+                           ovr_datatype *element, ovr_piece *value)
 {
     ovr_items items;
     ovr_piece type, space;
@@ -358,7 +358,7 @@ static char *copy(ovr_container *c, ovr_piece text)
 
 char *ovr_container_text(ovr_container *c, uint64_t object, const char *name)
 {
-    ovr_element element;
+    ovr_datatype element;
     ovr_piece value, text;
     uint64_t length, heap, index;
     if (!find_attribute(c, object, name, &element, &value))
@@ -380,7 +380,7 @@ char *ovr_container_text(ovr_container *c, uint64_t object, const char *name)
 
 double ovr_container_number(ovr_container *c, uint64_t object, const char *name)
 {
-    ovr_element element;
+    ovr_datatype element;
     ovr_piece bytes;
     double value;
     if (!find_attribute(c, object, name, &element, &bytes) ||

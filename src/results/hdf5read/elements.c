@@ -20,7 +20,7 @@ enum {
 /* -------------------------------------------------------------------- types */
 
 /* Whole numbers: little-endian, with a sign, all bits used. */
-static bool is_integer(const ovr_element *e, uint64_t bits, ovr_piece rest)
+static bool is_integer(const ovr_datatype *e, uint64_t bits, ovr_piece rest)
 {
     uint64_t offset = ovr_take(&rest, 2), precision = ovr_take(&rest, 2);
     return (e->size == 1 || e->size == 4) && (bits & 0x09) == 0x08 &&
@@ -28,7 +28,7 @@ static bool is_integer(const ovr_element *e, uint64_t bits, ovr_piece rest)
 }
 
 /* IEEE 754, little-endian. */
-static bool is_real(const ovr_element *e, uint64_t bits, ovr_piece rest)
+static bool is_real(const ovr_datatype *e, uint64_t bits, ovr_piece rest)
 {
     static const unsigned char form[2][12] = {
         {0, 0, 32, 0, 23, 8, 0, 23, 127, 0, 0, 0},
@@ -40,7 +40,7 @@ static bool is_real(const ovr_element *e, uint64_t bits, ovr_piece rest)
            memcmp(found.at, form[wide], sizeof form[0]) == 0;
 }
 
-bool ovr_element_read(ovr_piece type, ovr_element *e)
+bool ovr_element_read(ovr_piece type, ovr_datatype *e)
 {
     enum { INTEGER = 0, REAL = 1, CHARACTERS = 3, VARIABLE = 9 };
     uint64_t kind = ovr_take(&type, 1) & 0x0f, bits = ovr_take(&type, 3);
@@ -76,7 +76,7 @@ bool ovr_shape_read(ovr_piece space, ovr_dataset *set)
     return space.good;
 }
 
-static double one_value(const ovr_element *e, const unsigned char *from)
+static double one_value(const ovr_datatype *e, const unsigned char *from)
 {
     ovr_piece b = {from, e->size, true};
     uint64_t bits = ovr_take(&b, e->size);
@@ -95,7 +95,7 @@ static double one_value(const ovr_element *e, const unsigned char *from)
     return wide;
 }
 
-void ovr_element_values(const ovr_element *e, const unsigned char *from,
+void ovr_element_values(const ovr_datatype *e, const unsigned char *from,
                         size_t count, double *values)
 {
     for (size_t k = 0; k < count; k++)
@@ -191,7 +191,7 @@ bool ovr_container_dataset(ovr_container *c, uint64_t object, ovr_dataset *set)
 ovr_object ovr_container_object(ovr_container *c, uint64_t object)
 {
     enum { LINK_INFO = 0x02, OLD_GROUP = 0x11 };
-    ovr_element element;
+    ovr_datatype element;
     ovr_piece body;
     if (ovr_object_message(&c->source, object, LINK_INFO, &body) ||
         ovr_object_message(&c->source, object, OLD_GROUP, &body))
@@ -267,14 +267,14 @@ static search find_chunk(ovr_source *source, const ovr_dataset *set,
     return NOT_THERE;
 }
 
-static void fill(const ovr_element *e, uint64_t count, double *values)
+static void fill(const ovr_datatype *e, uint64_t count, double *values)
 {
     for (uint64_t k = 0; k < count; k++)
         values[k] = e->kind == 'f' ? NAN : -1;
 }
 
 /* `count` values that lie in the file as they are. */
-static bool plain(ovr_source *source, const ovr_element *e, uint64_t at,
+static bool plain(ovr_source *source, const ovr_datatype *e, uint64_t at,
                   uint64_t count, double *values)
 {
     ovr_piece b;
@@ -288,7 +288,7 @@ static bool plain(ovr_source *source, const ovr_element *e, uint64_t at,
 static bool part_of(ovr_source *source, const ovr_dataset *set, const chunk *c,
                     uint64_t first, uint64_t count, double *values)
 {
-    const ovr_element *e = &set->element;
+    const ovr_datatype *e = &set->element;
     const uint64_t all = set->chunk * set->width;
     unsigned char *data = NULL;
     ovr_piece b;
@@ -337,7 +337,7 @@ static bool chunks(ovr_source *source, const ovr_dataset *set, uint64_t row,
 bool ovr_container_values(ovr_container *c, const ovr_dataset *set,
                           uint64_t row, uint64_t count, double *values)
 {
-    const ovr_element *e = &set->element;
+    const ovr_datatype *e = &set->element;
     bool inside = set->rank > 1
                       ? row < set->shape[0] && count == set->width
                       : row <= set->shape[0] && count <= set->shape[0] - row;

@@ -11,11 +11,11 @@ bool ovr_object_message(ovr_source *source, uint64_t object, unsigned wanted,
 
 /* From such messages: the type; rank, shape and width (missing dimensions are
  * 1); false for what the writer never makes. */
-bool ovr_element_read(ovr_piece type, ovr_element *element);
+bool ovr_element_read(ovr_piece type, ovr_datatype *element);
 bool ovr_shape_read(ovr_piece space, ovr_dataset *set);
 
 /* Numbers of the file as numbers here. */
-void ovr_element_values(const ovr_element *element, const unsigned char *from,
+void ovr_element_values(const ovr_datatype *element, const unsigned char *from,
                         size_t count, double *values);
 
 #endif

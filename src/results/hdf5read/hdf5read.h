@@ -82,15 +82,15 @@ typedef enum ovr_object {
 ovr_object ovr_container_object(ovr_container *container, uint64_t object);
 
 /* What numbers look like in the file. */
-typedef struct ovr_element {
+typedef struct ovr_datatype {
     char kind; /* 'f' number, 'i' integer, 's' characters, 'v' text */
     size_t size;
-} ovr_element;
+} ovr_datatype;
 
 /* A dataset of numbers, of any number of dimensions up to this (rows first). */
 enum { OVR_DIMENSIONS = 4 };
 typedef struct ovr_dataset {
-    ovr_element element;
+    ovr_datatype element;
     int rank;
     uint64_t shape[OVR_DIMENSIONS], width; /* values in a row */
     bool chunked, packed;
@@ -98,6 +98,10 @@ typedef struct ovr_dataset {
 } ovr_dataset;
 bool ovr_container_dataset(ovr_container *container, uint64_t object,
                            ovr_dataset *set);
+
+/* A dataset of texts of one dimension; NULL: none, or damaged. */
+const char **ovr_container_texts(ovr_container *container, uint64_t object,
+                                 size_t *count);
 
 /* `count` values from row `row` of one dimension, or row `row` of more, that is
  * `count` wide.  Rows that were never written are NaN (integers: -1). */
