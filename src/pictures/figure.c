@@ -308,8 +308,8 @@ static const char *line_label(const figure *f, size_t line, ovr_error *err)
         snprintf(text, sizeof text, "%.60s = %.60s", f->by->name,
                  f->by->text[row]);
     else
-        snprintf(text, sizeof text, "%.60s = %g %.20s", f->by->name,
-                 f->by->number[row], f->by->unit);
+        snprintf(text, sizeof text, "%.60s = %g%s%.20s", f->by->name,
+                 f->by->number[row], *f->by->unit ? " " : "", f->by->unit);
     return ovr_arena_text(f->arena, text, err);
 }
 
