@@ -180,6 +180,7 @@ typedef struct ovr_setup {
     size_t nodes;           /* the three below by ovr_setup_prepare */
     double mesh;            /* D */
     ovr_surfaces *surfaces; /* NULL: smooth */
+    const ovr_heat *heat;   /* NULL: none */
     double bearable;        /* pressure that the material bears, Pa */
     ovr_accuracy accuracy_of;
     double accuracy; /* wanted: options->level is 0 until it is chosen by

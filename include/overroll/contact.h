@@ -83,19 +83,21 @@ OVR_API ovr_status ovr_contact_resolve(const ovr_conditions *given,
 
 /* What a number measures: its scale and its units follow from that. */
 typedef enum ovr_unit_kind {
-    OVR_KIND_NUMBER,    /* a pure number */
-    OVR_KIND_COUNT,     /* a whole one */
-    OVR_KIND_FLAG,      /* 0 or 1 */
-    OVR_KIND_LENGTH,    /* along x: b */
-    OVR_KIND_HEIGHT,    /* film thickness, roughness: b^2/R */
-    OVR_KIND_PRESSURE,  /* ph */
-    OVR_KIND_TIME,      /* b/um */
-    OVR_KIND_VISCOSITY, /* eta0 */
-    OVR_KIND_FLOW,      /* per unit width: um b^2/R */
-    OVR_KIND_SHEAR,     /* shear stress: ph b/R */
-    OVR_KIND_FORCE,     /* friction per unit width: ph b^2/R */
-    OVR_KIND_POWER,     /* per unit width: um ph b^2/R */
-    OVR_KINDS           /* how many; also: one that this version lacks */
+    OVR_KIND_NUMBER,      /* a pure number */
+    OVR_KIND_COUNT,       /* a whole one */
+    OVR_KIND_FLAG,        /* 0 or 1 */
+    OVR_KIND_LENGTH,      /* along x: b */
+    OVR_KIND_HEIGHT,      /* film thickness, roughness: b^2/R */
+    OVR_KIND_PRESSURE,    /* ph */
+    OVR_KIND_TIME,        /* b/um */
+    OVR_KIND_VISCOSITY,   /* eta0 */
+    OVR_KIND_FLOW,        /* per unit width: um b^2/R */
+    OVR_KIND_SHEAR,       /* shear stress: ph b/R */
+    OVR_KIND_FORCE,       /* friction per unit width: ph b^2/R */
+    OVR_KIND_TEMPERATURE, /* K */
+    OVR_KIND_HEAT,        /* a heat flux: um ph b/R */
+    OVR_KIND_POWER,       /* per unit width: um ph b^2/R */
+    OVR_KINDS             /* how many; also: one that this version lacks */
 } ovr_unit_kind;
 
 typedef struct ovr_kind_info {

@@ -6,6 +6,7 @@
 #include "overroll/case.h"
 #include "overroll/contact.h"
 #include "overroll/error.h"
+#include "overroll/heat.h"
 #include "overroll/memory.h"
 #include "overroll/oil.h"
 #include "overroll/pictures.h"

@@ -20,6 +20,7 @@
 
 #include "overroll/contact.h"
 #include "overroll/error.h"
+#include "overroll/heat.h"
 #include "overroll/memory.h"
 
 #ifdef __cplusplus
@@ -129,6 +130,12 @@ OVR_API void ovr_simulation_histories(ovr_simulation *sim,
 OVR_API void ovr_simulation_sliding(ovr_simulation *sim,
                                     const ovr_history *sliding);
 
+/* Heat in steady solutions of second order, upstream: temperatures of film and
+ * surfaces, and the viscosity by them.  To be called before anything is
+ * solved; OVR_BAD_INPUT where options or slip do not go with it. */
+OVR_API ovr_status ovr_simulation_heat(ovr_simulation *sim,
+                                       const ovr_heat *heat, ovr_error *err);
+
 /* For a run of fourth order: the heights of what stands still (u_k = 0), fully
  * grown; NULL: the surfaces are smooth but for what moves.  The corrections
  * of a run are those of the steady contact with these alone; without this
@@ -210,13 +217,20 @@ typedef struct ovr_observation {
     double power_dissipated; /* in the film */
     double limiting_share;   /* of the load, where shear stress is at its limit
                               */
-    double residual;         /* relative mass-flow imbalance R */
-    int order;               /* ovr_simulation_order */
-    int cycles;              /* multigrid cycles of this step */
-    int retries;             /* attempts after the first one */
-    int maxima;              /* maxima of P that stand out so */
-    bool converged;          /* R and load below tolerance */
-    bool marked;             /* accepted above tolerance */
+    /* Heat, NAN without: largest temperatures of film and surfaces, in K, as
+     * rises above the supply's and where; flows into the surfaces, um ph b^2/R;
+     * defect of the energy balance over what is made. */
+    double T_film_max, X_T_film_max, T_max_rise;
+    double T_1_max, X_T_1_max, T_1_max_rise;
+    double T_2_max, X_T_2_max, T_2_max_rise;
+    double heat_flow_1, heat_flow_2, energy_defect;
+    double residual; /* relative mass-flow imbalance R */
+    int order;       /* ovr_simulation_order */
+    int cycles;      /* multigrid cycles of this step */
+    int retries;     /* attempts after the first one */
+    int maxima;      /* maxima of P that stand out so */
+    bool converged;  /* R and load below tolerance */
+    bool marked;     /* accepted above tolerance */
 } ovr_observation;
 OVR_API const ovr_observation *
 ovr_simulation_observation(const ovr_simulation *sim);

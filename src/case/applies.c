@@ -11,6 +11,11 @@ static const struct condition {
 } conditions[] = {
     {"lubricant", "p0", NULL, "viscosity_law", "roelands"},
     {"lubricant", "z", NULL, "viscosity_law", "roelands"},
+    {"heat", "points", NULL, "model", "lobatto"},
+    {"heat", "conductivity", NULL, "model", "lobatto"},
+    {"heat", "heat_capacity", NULL, "model", "lobatto"},
+    {"heat", "density", NULL, "model", "lobatto"},
+    {"heat", "expansion", NULL, "model", "lobatto"},
     {"time", "step", NULL, "end", "*"},
     {"time", "error", NULL, "end", "*"},
     {"time", "error", NULL, "step", "adaptive"},

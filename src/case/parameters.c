@@ -28,6 +28,8 @@ static const ovr_word materials[] = {{"steel", OVR_STEEL},
                                      {"glass", OVR_GLASS},
                                      {"sapphire", OVR_SAPPHIRE},
                                      {NULL, 0}};
+static const ovr_word heats[] = {{"none", 0}, {"lobatto", 1}, {NULL, 0}};
+static const ovr_word heat_points[] = {{"5", 5}, {"7", 7}, {NULL, 0}};
 static const ovr_word flat[] = {{"flat", INFINITY}, {NULL, 0}};
 static const ovr_word rheologies[] = {
     {"newtonian", OVR_NEWTONIAN}, {"eyring", OVR_EYRING}, {NULL, 0}};
@@ -293,6 +295,34 @@ static const ovr_parameter table[] = {
      NULL, AT(oil.glass_viscosity), true,
      "Yasutomi: viscosity at the glass transition, where viscosity is not "
      "given"},
+
+    {"lubricant", "S0", PLAIN(0, 10), NULL, AT(heat.S0), true,
+     "Roelands: fall of viscosity with temperature, in heat; 1.1 unless given"},
+    {"lubricant", "beta", WITH_UNIT(OVR_PER_KELVIN, 0, 1), NULL, AT(heat.beta),
+     true, "instead of S0, and for other laws: -d ln eta/dT at p = 0"},
+
+    {"heat", "model", CHOICE(heats), "none", AT(heat_model), true,
+     "lobatto: temperatures by collocation across the film; of steady contacts "
+     "only"},
+    {"heat", "points", CHOICE(heat_points), "5", AT(heat.points), true,
+     "across the film; 7 as a check"},
+    {"heat", "temperature", WITH_UNIT(OVR_TEMPERATURE, 150, 800), NULL,
+     AT(heat.temperature), true,
+     "of the supplied oil, at which viscosity and alpha are given, and of the "
+     "bodies; or temperature in [lubricant]"},
+    {"heat", "temperature_1", WITH_UNIT(OVR_TEMPERATURE, 150, 800), NULL,
+     AT(heat.bulk[0]), true, "of body 1 far from the contact"},
+    {"heat", "temperature_2", WITH_UNIT(OVR_TEMPERATURE, 150, 800), NULL,
+     AT(heat.bulk[1]), true, "of body 2 far from the contact"},
+    {"heat", "conductivity", WITH_UNIT(OVR_CONDUCTIVITY, 1e-3, 1e3),
+     "0.14 W/m.K", AT(heat.oil.conductivity), true, "of the oil"},
+    {"heat", "heat_capacity", WITH_UNIT(OVR_HEAT_CAPACITY, 1, 1e30),
+     "2000 J/kg.K", AT(heat.oil.heat_capacity), true, "of the oil"},
+    {"heat", "density", WITH_UNIT(OVR_MASS_DENSITY, 100, 1e5), "870 kg/m3",
+     AT(heat.oil.density), true, "of the oil at p = 0"},
+    {"heat", "expansion", WITH_UNIT(OVR_PER_KELVIN, 0, 0.1), "6.5e-4 1/K",
+     AT(heat.expansion), true,
+     "of the oil by volume: heats it where it is compressed"},
 
     {"domain", "inlet", LENGTH_OR(inlets, -1e6, -1.05), "usual",
      AT(options.inlet), true,
@@ -587,6 +617,15 @@ static const ovr_parameter table[] = {
      "Young's modulus E; both bodies' give the reduced one"},
     {"body", "poisson", PLAIN(0, 0.5), "0.3", offsetof(ovr_body_form, poisson),
      true, "Poisson's ratio; 0.3 where no material says otherwise"},
+    {"body", "conductivity", WITH_UNIT(OVR_CONDUCTIVITY, 1e-3, 1e4), NULL,
+     offsetof(ovr_body_form, thermal.conductivity), true,
+     "with heat; of its material, else of steel"},
+    {"body", "heat_capacity", WITH_UNIT(OVR_HEAT_CAPACITY, 1, 1e30), NULL,
+     offsetof(ovr_body_form, thermal.heat_capacity), true,
+     "with heat; of its material, else of steel"},
+    {"body", "density", WITH_UNIT(OVR_MASS_DENSITY, 100, 1e5), NULL,
+     offsetof(ovr_body_form, thermal.density), true,
+     "with heat; of its material, else of steel"},
     {"body", "radius", OVR_NUMBER, OVR_LENGTH, OVR_NOT_HERTZIAN, -1e4, 1e4,
      false, flat, NULL, offsetof(ovr_body_form, radius), true,
      "radius at the contact, negative where it is concave, or flat; both "
@@ -602,6 +641,7 @@ static const ovr_section sections[] = {
      "hertz_pressure), radius, modulus, viscosity, alpha and speeds"},
     {"lubricant", false,
      "how viscosity and density depend on pressure; what the laws need"},
+    {"heat", false, "temperatures of film and surfaces"},
     {"domain", false, "the part of the film that is computed, and its grid"},
     {"solver", false, "multigrid; the defaults do for nearly every case"},
     {"time", false, "the run in time, and the scheme (of steady cases too)"},

@@ -82,6 +82,8 @@ typedef struct ovr_settings {
     int viscosity_law, density_law;
     ovr_oil oil;
     double iso_vg;
+    int heat_model; /* 0: none */
+    ovr_heat_form heat;
     const char *viscosity_file, *density_file;
     ovr_flow_form flow;
     int rheology;
@@ -114,6 +116,7 @@ typedef enum ovr_material_name {
 typedef struct ovr_body_form {
     int material; /* ovr_material_name */
     double modulus, poisson, radius;
+    ovr_thermal thermal;
 } ovr_body_form;
 
 /* Value of `end = auto`. */

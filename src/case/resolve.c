@@ -197,7 +197,10 @@ static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
         return OVR_BAD_INPUT;
     r->values.oil = ovr_oil_unknown();
     r->values.iso_vg = NAN;
-    if (fill_section(r, "contact", err) || fill_section(r, "lubricant", err))
+    r->values.heat = (ovr_heat_form){
+        .temperature = NAN, .bulk = {NAN, NAN}, .S0 = NAN, .beta = NAN};
+    if (fill_section(r, "contact", err) || fill_section(r, "lubricant", err) ||
+        fill_section(r, "heat", err))
         return OVR_BAD_INPUT;
     r->setup.bearable = r->values.bearable;
     if (ovr_resolve_bodies(r, err) || ovr_resolve_oil(r, err))
@@ -431,6 +434,8 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
         status = resolve_options(r, err);
     if (!status)
         status = resolve_time(r, allocator, err);
+    if (!status)
+        status = ovr_resolve_heat(r, err);
     if (!status)
         status = resolve_features(r, err);
     if (!status)

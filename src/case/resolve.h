@@ -13,6 +13,7 @@ typedef struct ovr_resolved {
     ovr_contact contact;
     ovr_lubricant lubricant;
     ovr_body_form body[2];
+    ovr_heat heat;
     ovr_law_table *tables[2]; /* of viscosity, of density; or NULL */
     ovr_march march;
     double inlet_kept; /* X_a, farther out, that a feature before the usual one
@@ -41,6 +42,9 @@ ovr_status ovr_resolve_bodies(ovr_resolved *r, ovr_error *err);
 /* The oil of [lubricant], its tables read: the contact's viscosity and alpha
  * where it gives them. */
 ovr_status ovr_resolve_oil(ovr_resolved *r, ovr_error *err);
+
+/* [heat], and the options that go with it. */
+ovr_status ovr_resolve_heat(ovr_resolved *r, ovr_error *err);
 
 /* [stress] and [fatigue]. */
 ovr_status ovr_resolve_stress(ovr_resolved *r, ovr_error *err);

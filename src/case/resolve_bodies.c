@@ -10,7 +10,10 @@
  * carbide, cemented: MakeItFrom.com, Tungsten Carbide (WC).  Bronze, cast tin
  * bronze: Copper Development Association, C93200.  Glass: SCHOTT, N-BK7.
  * Sapphire: Voigt's mean of the crystal's constants C11 = 496, C33 = 498, C44
- * = 148, C12 = 164, C13 = 115 GPa (Uni Optics).
+ * = 148, C12 = 164, C13 = 115 GPa (Uni Optics).  Heat: the same sources;
+ * silicon nitride's capacity MakeItFrom.com (IEC 60672 C-935), sapphire
+ * Aggarwal & Ramdas, Physical Properties of Diamond and Sapphire, 2019; steel
+ * as in bearing practice.
  */
 #include <math.h>
 #include <string.h>
@@ -19,13 +22,14 @@
 
 static const struct {
     double modulus, poisson;
+    ovr_thermal thermal;
 } materials[] = {
-    [OVR_STEEL] = {206e9, 0.30},
-    [OVR_SILICON_NITRIDE] = {310e9, 0.27},
-    [OVR_TUNGSTEN_CARBIDE] = {630e9, 0.24},
-    [OVR_BRONZE] = {100e9, 0.34},
-    [OVR_GLASS] = {82e9, 0.206},
-    [OVR_SAPPHIRE] = {408e9, 0.23},
+    [OVR_STEEL] = {206e9, 0.30, {46, 460, 7850}},
+    [OVR_SILICON_NITRIDE] = {310e9, 0.27, {30, 800, 3290}},
+    [OVR_TUNGSTEN_CARBIDE] = {630e9, 0.24, {85, 280, 15000}},
+    [OVR_BRONZE] = {100e9, 0.34, {59, 377, 8930}},
+    [OVR_GLASS] = {82e9, 0.206, {1.114, 858, 2510}},
+    [OVR_SAPPHIRE] = {408e9, 0.23, {35, 785, 3980}},
 };
 
 static const ovr_block *block_of_body(const ovr_resolved *r, int k)
@@ -49,15 +53,29 @@ static ovr_status check_names(const ovr_resolved *r, ovr_error *err)
     return OVR_OK;
 }
 
+static void fill_thermal(ovr_body_form *body)
+{
+    int material = body->material ? body->material : OVR_STEEL;
+    const ovr_thermal *from = &materials[material].thermal;
+    ovr_thermal *to = &body->thermal;
+    if (isnan(to->conductivity))
+        to->conductivity = from->conductivity;
+    if (isnan(to->heat_capacity))
+        to->heat_capacity = from->heat_capacity;
+    if (isnan(to->density))
+        to->density = from->density;
+}
+
 static ovr_status fill_body(ovr_resolved *r, int k, ovr_error *err)
 {
     ovr_body_form *body = &r->body[k];
     const ovr_block *block = block_of_body(r, k);
-    *body = (ovr_body_form){0, NAN, 0.3, NAN};
+    *body = (ovr_body_form){0, NAN, 0.3, NAN, {NAN, NAN, NAN}};
+    if (block && ovr_block_fill(r, block, body, err))
+        return OVR_BAD_INPUT;
+    fill_thermal(body);
     if (!block)
         return OVR_OK;
-    if (ovr_block_fill(r, block, body, err))
-        return OVR_BAD_INPUT;
     if (body->material && !says(block, "modulus"))
         body->modulus = materials[body->material].modulus;
     if (body->material && !says(block, "poisson"))

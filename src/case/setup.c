@@ -229,6 +229,10 @@ ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
                                 setup->options, allocator, err);
     if (!sim)
         return NULL;
+    if (setup->heat && ovr_simulation_heat(sim, setup->heat, err)) {
+        ovr_simulation_free(sim);
+        return NULL;
+    }
     ovr_simulation_histories(sim, setup->load, setup->speed);
     ovr_simulation_sliding(sim, setup->sliding);
     if (setup->surfaces) {

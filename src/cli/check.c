@@ -55,6 +55,16 @@ static void give(void *live, void *memory)
     free(piece);
 }
 
+/* Temperatures by points and what the film has of them, on all grids. */
+static double heat_memory(const ovr_setup *setup)
+{
+    enum { ARRAYS = 8, OF_ALL_GRIDS = 3 };
+    if (!setup->heat)
+        return 0;
+    return (2 * setup->heat->points + ARRAYS + 2 * OF_ALL_GRIDS) *
+           (double)setup->nodes * sizeof(double);
+}
+
 /* `live`: bytes of the set-up, its surfaces included. */
 static estimate estimate_cost(const ovr_setup *setup, double live)
 {
@@ -64,7 +74,7 @@ static estimate estimate_cost(const ovr_setup *setup, double live)
     cost.nodes = (double)setup->nodes;
     cost.mesh = setup->mesh;
     cost.bytes = live + ovr_simulation_memory(setup->options) +
-                 ovr_setup_stress_memory(setup) +
+                 heat_memory(setup) + ovr_setup_stress_memory(setup) +
                  ovr_setup_output_memory(setup);
     if (setup->transient)
         cost.steps = ceil(march->end / dT);
@@ -306,6 +316,19 @@ static void put_cost(const estimate *cost, const ovr_setup *setup, bool ends)
            cost->seconds, cost->bytes / 1e6);
 }
 
+static void put_heat(const ovr_setup *setup)
+{
+    const ovr_heat *heat = setup->heat;
+    if (!heat)
+        return;
+    printf("# %-28s Theta = %.5g K, Kf = %.5g; %d points across\n", "heat",
+           heat->theta, heat->conduction, heat->points);
+    printf("# %-28s Peclet %.4g and %.4g\n", "surfaces", heat->peclet[0],
+           heat->peclet[1]);
+    printf("# %-28s S0 = %.4g, beta = %.4g 1/K at p = 0\n",
+           "viscosity and temperature", heat->S0, heat->beta);
+}
+
 /* Depths, memory, and the limits in MPa. */
 static void put_stress(const ovr_setup *setup)
 {
@@ -416,6 +439,7 @@ static void report(const cli_call *call, const ovr_case *c,
     put_lubricant(setup->lubricant);
     put_features(setup);
     put_cost(&cost, setup, !setup->march->until_steady);
+    put_heat(setup);
     put_stress(setup);
     put_parameters(c, setup);
 }

@@ -72,6 +72,17 @@ _overroll_values() {
     lubricant.yasutomi_C1) echo '' ;;
     lubricant.yasutomi_C2) echo '' ;;
     lubricant.glass_viscosity) echo '' ;;
+    lubricant.S0) echo '' ;;
+    lubricant.beta) echo '' ;;
+    heat.model) echo 'none lobatto' ;;
+    heat.points) echo '5 7' ;;
+    heat.temperature) echo '' ;;
+    heat.temperature_1) echo '' ;;
+    heat.temperature_2) echo '' ;;
+    heat.conductivity) echo '' ;;
+    heat.heat_capacity) echo '' ;;
+    heat.density) echo '' ;;
+    heat.expansion) echo '' ;;
     domain.inlet) echo 'usual auto' ;;
     domain.outlet) echo 'auto' ;;
     domain.level) echo 'auto' ;;
@@ -183,7 +194,7 @@ _overroll_values() {
     output.interval) echo '' ;;
     output.at) echo '' ;;
     output.feature_at) echo '' ;;
-    output.fields) echo 'pressure film_thickness roughness density viscosity mass_flow cavitated shear_stress_1 shear_stress_2' ;;
+    output.fields) echo 'pressure film_thickness roughness density viscosity mass_flow cavitated shear_stress_1 shear_stress_2 temperature_1 temperature_2 temperature_mean temperature_middle heat_flux_1 heat_flux_2' ;;
     output.precision) echo 'f64 f32' ;;
     output.from) echo '' ;;
     output.to) echo '' ;;
@@ -219,6 +230,9 @@ _overroll_values() {
     body.material) echo 'steel silicon-nitride tungsten-carbide bronze glass sapphire' ;;
     body.modulus) echo '' ;;
     body.poisson) echo '' ;;
+    body.conductivity) echo '' ;;
+    body.heat_capacity) echo '' ;;
+    body.density) echo '' ;;
     body.radius) echo 'flat' ;;
     esac # keys
 }

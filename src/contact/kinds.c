@@ -18,6 +18,8 @@ static const ovr_kind_info kinds[OVR_KINDS + 1] = {
     [OVR_KIND_SHEAR] = {"shear stress", "Pa", "ph b/R"},
     [OVR_KIND_FORCE] = {"friction force", "N m-1", "ph b^2/R"},
     [OVR_KIND_POWER] = {"friction power", "W m-1", "um ph b^2/R"},
+    [OVR_KIND_TEMPERATURE] = {"temperature", "K", "K"},
+    [OVR_KIND_HEAT] = {"heat flux", "W m-2", "um ph b/R"},
     [OVR_KINDS] = {"", "1", "1"}};
 
 const ovr_kind_info *ovr_kind_about(ovr_unit_kind kind)
@@ -45,6 +47,7 @@ double ovr_kind_scale(ovr_unit_kind kind, const ovr_contact *c)
     case OVR_KIND_SHEAR: return c->ph * c->kappa;
     case OVR_KIND_FORCE: return c->ph * c->kappa * c->b;
     case OVR_KIND_POWER: return c->ph * c->kappa * c->b * c->um;
+    case OVR_KIND_HEAT: return c->ph * c->kappa * c->um;
     default: return 1;
     }
 }

@@ -58,6 +58,10 @@ typedef struct ovr_fields {
      * too; held dry, not wanting to rise (reynolds_row.h).  What is in neither
      * is free: dry, and about to rise. */
     unsigned char *wet, *held;
+    /* Of a film with temperatures, in lanes, else NULL: log2(1/eta) is th times
+     * that of the supply's temperature, plus shift; drag: psi_c, by which rho
+     * H^2 counts where the film slides (flow.h). */
+    double *th, *shift, *drag;
 } ovr_fields;
 
 typedef enum ovr_field_memory {

@@ -9,6 +9,9 @@
  *     d eps/dH (P fixed) = (3 rho - q (d eta/dH)/eta) H^2/(eta lambda), where
  *                          it has a place
  *
+ * With temperatures (fields.h), which are frozen in a cycle,
+ *     log2(1/eta) <- th log2(1/eta) + shift
+ *
  * Error of eps: that of the logarithm in Roelands' law, below 1e-15 (5 + 1.2
  * stiffness), measured.  Numbers for P up to 1e150; 1/eta below 2^-900 is held
  * there.
@@ -113,10 +116,17 @@ static INLINE void flow(const film *c, bool other, ptrdiff_t start,
 {
     const ovr_fields *f = &c->f;
     for (ptrdiff_t i = start; i < end; i += VEC) {
-        vec power = larger(load(work->power + i - start), all(-900));
+        vec power = load(work->power + i - start);
+        vec slope = load(work->slope + i - start);
         vec H = load(f->H + i), q = load(f->q + i);
+        if (f->th) {
+            vec th = load(f->th + i);
+            power = fused(th, power, load(f->shift + i));
+            slope *= th;
+        }
+        power = larger(power, all(-900));
         vec factor = scaled_exp2(&c->conductance, power) * (H * H);
-        vec dq = less(load(f->dq + i), q, load(work->slope + i - start));
+        vec dq = less(load(f->dq + i), q, slope);
         store(f->eps + i, q * factor);
         store(f->deps + i, dq * factor);
         if (f->deps_dH) {

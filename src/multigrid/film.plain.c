@@ -30,8 +30,12 @@ void ovr_film_plain(const ovr_fluid *fluid, double H0, const ovr_lanes *g,
         double P = f->P[i], H = H0 + gap[i] - w[i], by_pressure, slope[2];
         double rho = density_at(&c, fluid->lubricant.density_law, P,
                                 &by_pressure);
-        double power = fmax(viscosity(fluid, &c, P, H, slope), -900);
-        double flow = H * H * exp2(power) / fluid->lambda, q = rho * H;
+        double power = viscosity(fluid, &c, P, H, slope), q = rho * H, flow;
+        if (f->th) {
+            power = f->th[i] * power + f->shift[i];
+            slope[0] *= f->th[i];
+        }
+        flow = H * H * exp2(fmax(power, -900)) / fluid->lambda;
         f->H[i] = H;
         f->rho[i] = rho;
         f->q[i] = q;

@@ -19,9 +19,11 @@
  *     T = d(E g)/dg at fixed eps, c: E with its change by the gradient
  *       = (3 sinh g/g - 2 A) W - (A^2 B g^2/3) (B c)^2/W
  *     R = dE/d eps = A eps/W
- *     dE/dH_i = R (d eps_i/dH)/2 + (A B^2 c/W) dc/dH_i + (T - E)/(H_i +
- * H_{i+1}) A, B beyond |g| = 200 are those there.  Without T steep pressures
- * diverge. Sigma0 infinite: E = T = eps, R = 1.
+ *     dE/dH_i = R (d eps_i/dH)/2 + (A B^2 c/W) dc/dH_i
+ *               + (T - E)/(H_i + H_{i+1})
+ * A, B beyond |g| = 200 are those there.  Without T steep pressures diverge.
+ * With temperatures c has psi_c rho H^2 (drag in fields.h).  Sigma0 infinite:
+ * E = T = eps, R = 1.
  */
 #ifndef OVR_MULTIGRID_FLOW_H
 #define OVR_MULTIGRID_FLOW_H

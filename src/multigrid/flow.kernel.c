@@ -9,12 +9,18 @@ typedef struct half {
     vec eps, c, bc, W, inv_W;
 } half;
 
+/* psi_c q */
+static inline vec dragged(const ovr_fields *f, ptrdiff_t J)
+{
+    return f->drag ? at(f->drag, J) * at(f->q, J) : at(f->q, J);
+}
+
 static inline half half_at(const ovr_fields *f, double slide, vec B,
                            ptrdiff_t J)
 {
     const double least = 1e-290; /* its root is W where all else vanishes */
-    vec drag = fused(at(f->q, J), at(f->H, J),
-                     at(f->q, J + 1) * at(f->H, J + 1));
+    vec drag = fused(dragged(f, J), at(f->H, J),
+                     dragged(f, J + 1) * at(f->H, J + 1));
     half h = {.eps = at(f->eps, J) + at(f->eps, J + 1), .c = slide * drag};
     h.bc = B * h.c;
     vec square = fused(h.eps, h.eps, fused(h.bc, h.bc, all(least)));
@@ -27,7 +33,7 @@ static inline half half_at(const ovr_fields *f, double slide, vec B,
 static inline vec by_film(const ovr_fields *f, ptrdiff_t J, vec R, vec by_c,
                           vec by_g)
 {
-    return fused(R, at(f->deps_dH, J), fused(by_c, 2 * at(f->q, J), by_g));
+    return fused(R, at(f->deps_dH, J), fused(by_c, 2 * dragged(f, J), by_g));
 }
 
 void OVR_KERNEL(flow)(const ovr_fluid *fluid, double D, const ovr_lanes *g,

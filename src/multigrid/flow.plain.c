@@ -31,9 +31,15 @@ static half eyring(double g, double eps, double c)
                   A / shc * bc / W};
 }
 
+/* psi_c q */
+static double dragged(const ovr_fields *f, ptrdiff_t i)
+{
+    return f->drag ? f->drag[i] * f->q[i] : f->q[i];
+}
+
 static double drag(const ovr_fields *f, ptrdiff_t i)
 {
-    return f->q[i] * f->H[i] + f->q[i + 1] * f->H[i + 1];
+    return dragged(f, i) * f->H[i] + dragged(f, i + 1) * f->H[i + 1];
 }
 
 void ovr_flow_plain(const ovr_fluid *fluid, double D, const ovr_lanes *g,
@@ -51,8 +57,9 @@ void ovr_flow_plain(const ovr_fluid *fluid, double D, const ovr_lanes *g,
         if (!f->by_left)
             continue;
         double by_g = (h.tangent - h.flow) / H, by_c = 2 * slide * h.by_c;
-        f->by_left[i] = h.R * f->deps_dH[i] + by_c * f->q[i] + by_g;
-        f->by_right[i] = h.R * f->deps_dH[i + 1] + by_c * f->q[i + 1] + by_g;
+        f->by_left[i] = h.R * f->deps_dH[i] + by_c * dragged(f, i) + by_g;
+        f->by_right[i] = h.R * f->deps_dH[i + 1] + by_c * dragged(f, i + 1) +
+                         by_g;
     }
 }
 

@@ -180,6 +180,19 @@ static void warn_of_sliding(const review *r)
             slip);
 }
 
+/* Below it heat flows along the surface too. */
+static void warn_of_heat(const review *r)
+{
+    const ovr_heat *heat = r->setup->heat;
+    for (int k = 0; heat && k < 2; k++)
+        if (heat->peclet[k] < heat->least_peclet)
+            say(r, OVR_SAY_WARNING,
+                "heat: surface %d has the Peclet number %.3g; a steady "
+                "solution takes it as %g, below which heat would flow along "
+                "the surface too",
+                k + 1, heat->peclet[k], heat->least_peclet);
+}
+
 /* The usual inlet lies farther out, or does not because of a feature. */
 static void say_inlet(const review *r)
 {
@@ -218,6 +231,7 @@ static void before(const review *r, bool transient)
     say_moved(r);
     warn_of_start(r);
     warn_of_sliding(r);
+    warn_of_heat(r);
     say_inlet(r);
     say_level(r);
     if (r->setup->surfaces)

@@ -13,6 +13,7 @@
  */
 #include <math.h>
 
+#include "simulation/heat.h"
 #include "simulation/internal.h"
 
 double ovr_sliding(const ovr_simulation *sim, double T)
@@ -45,7 +46,10 @@ void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o)
     ovr_fluid fluid = sim->grids.fluid;
     fluid.sliding = V;
     o->sliding = V;
-    run->mean_stress(&film, &fluid, sim->stress);
+    if (sim->heated)
+        ovr_heat_stress(sim, sim->stress);
+    else
+        run->mean_stress(&film, &fluid, sim->stress);
     if (sim->lubricant.limiting_shear > 0)
         o->limiting_share = run->limit_stress(
             &film, sim->lubricant.limiting_shear / sim->contact.kappa,

@@ -86,9 +86,10 @@ struct ovr_simulation {
     int order;         /* reached by it */
     ovr_correction correction;
     double *F_fourth, *gap_fourth; /* what a run keeps of it, by nodes */
-    double largest_error; /* adaptive: a step with more is not accepted */
-    double *S_past;       /* surface one step ago */
-    double *stress;       /* mean over the film, at half nodes */
+    double largest_error;      /* adaptive: a step with more is not accepted */
+    double *S_past;            /* surface one step ago */
+    double *stress;            /* mean over the film, at half nodes */
+    struct ovr_heated *heated; /* temperatures (heat.h), or NULL */
 
     double *saved; /* steady: P of the level below; P to go back to */
     ovr_refinement refinement[OVR_LEVELS];

@@ -2,6 +2,7 @@
 /* The list of quantities, and how the fields among them are computed. */
 #include <string.h>
 
+#include "simulation/heat.h"
 #include "simulation/internal.h"
 #include "simulation/observables.h"
 
@@ -62,6 +63,38 @@ static const double *shear_stress_1(const ovr_simulation *sim, double *room)
 static const double *shear_stress_2(const ovr_simulation *sim, double *room)
 {
     return ovr_wall_stress(sim, 2, room);
+}
+
+static const double *temperature_1(const ovr_simulation *sim, double *room)
+{
+    return ovr_heat_temperature(sim, 0, room);
+}
+
+static const double *temperature_2(const ovr_simulation *sim, double *room)
+{
+    int n = sim->heated ? sim->heated->across.n : 1;
+    return ovr_heat_temperature(sim, n - 1, room);
+}
+
+static const double *temperature_mean(const ovr_simulation *sim, double *room)
+{
+    return ovr_heat_temperature(sim, -1, room);
+}
+
+static const double *temperature_middle(const ovr_simulation *sim, double *room)
+{
+    int n = sim->heated ? sim->heated->across.n : 1;
+    return ovr_heat_temperature(sim, n / 2, room);
+}
+
+static const double *heat_flux_1(const ovr_simulation *sim, double *room)
+{
+    return ovr_heat_flux(sim, 1, room);
+}
+
+static const double *heat_flux_2(const ovr_simulation *sim, double *room)
+{
+    return ovr_heat_flux(sim, 2, room);
 }
 
 /* ------------------------------------------------------------------- list */
@@ -145,6 +178,30 @@ static const ovr_observable table[] = {
            POWER, power_dissipated, "power dissipated in the film"),
     NUMBER("limiting_share", "limiting_share", NULL, NUMBER, limiting_share,
            "share of the load carried where the shear stress is at its limit"),
+    NUMBER(NULL, "T_max_rise", NULL, TEMPERATURE, T_max_rise,
+           "largest rise of temperature in the film above the supply's"),
+    NUMBER(NULL, "T_1_max_rise", NULL, TEMPERATURE, T_1_max_rise,
+           "largest rise of temperature on surface 1"),
+    NUMBER(NULL, "T_2_max_rise", NULL, TEMPERATURE, T_2_max_rise,
+           "largest rise of temperature on surface 2"),
+    NUMBER("max_film_temperature", NULL, NULL, TEMPERATURE, T_film_max,
+           "largest temperature in the film"),
+    NUMBER("x_max_film_temperature", "X_T_max", NULL, LENGTH, X_T_film_max,
+           "where the film is hottest"),
+    NUMBER("max_surface_temperature_1", NULL, NULL, TEMPERATURE, T_1_max,
+           "largest temperature on surface 1"),
+    NUMBER("x_max_surface_temperature_1", "X_T_1_max", NULL, LENGTH, X_T_1_max,
+           "where surface 1 is hottest"),
+    NUMBER("max_surface_temperature_2", NULL, NULL, TEMPERATURE, T_2_max,
+           "largest temperature on surface 2"),
+    NUMBER("x_max_surface_temperature_2", "X_T_2_max", NULL, LENGTH, X_T_2_max,
+           "where surface 2 is hottest"),
+    NUMBER("heat_flow_1", "heat_flow_1", "heat_flow_1_W_per_m", POWER,
+           heat_flow_1, "heat that flows into surface 1"),
+    NUMBER("heat_flow_2", "heat_flow_2", "heat_flow_2_W_per_m", POWER,
+           heat_flow_2, "heat that flows into surface 2"),
+    NUMBER("energy_defect", "energy_defect", NULL, NUMBER, energy_defect,
+           "heat that neither surfaces nor oil carry away, over what is made"),
     NUMBER("residual", "residual", NULL, NUMBER, residual,
            "relative mass-flow imbalance"),
     NUMBER("order", "order", NULL, COUNT, order,

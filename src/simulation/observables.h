@@ -16,6 +16,14 @@
         "mass flow per unit width over ambient density")                       \
     ROW(cavitated, FLAG, NODES, "1 where the pressure is zero")                \
     ROW(shear_stress_1, SHEAR, HALVES, "shear stress on surface 1")            \
-    ROW(shear_stress_2, SHEAR, HALVES, "shear stress in the film at surface 2")
+    ROW(shear_stress_2, SHEAR, HALVES,                                         \
+        "shear stress in the film at surface 2")                               \
+    ROW(temperature_1, TEMPERATURE, NODES, "temperature of surface 1")         \
+    ROW(temperature_2, TEMPERATURE, NODES, "temperature of surface 2")         \
+    ROW(temperature_mean, TEMPERATURE, NODES, "mean temperature of the film")  \
+    ROW(temperature_middle, TEMPERATURE, NODES,                                \
+        "temperature in the middle of the film")                               \
+    ROW(heat_flux_1, HEAT, NODES, "heat flux into surface 1")                  \
+    ROW(heat_flux_2, HEAT, NODES, "heat flux into surface 2")
 
 #endif

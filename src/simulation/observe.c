@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "simulation/extremes.h"
+#include "simulation/heat.h"
 #include "simulation/internal.h"
 
 static void observe_film(const ovr_simulation *sim, ovr_observation *o)
@@ -111,6 +112,7 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
     o->mass_balance = dT > 0 ? ovr_mass_balance(sim) : 0;
     o->load_error = o->load / OVR_NOMINAL_LOAD - o->load_ratio;
     ovr_observe_friction(sim, o);
+    ovr_observe_heat(sim, o);
     o->residual = outcome->defect.imbalance;
     o->order = sim->order;
     o->cycles = outcome->cycles;

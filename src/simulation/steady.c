@@ -12,6 +12,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "simulation/heat.h"
 #include "simulation/internal.h"
 
 double ovr_film_expected(const ovr_simulation *sim, double fraction)
@@ -208,6 +209,32 @@ static ovr_defect solve(ovr_simulation *sim, const ovr_full *how, int *cycles)
     return solve_and_correct(sim, how, cycles);
 }
 
+/* Temperatures and film in turn, from the isothermal film, until neither
+ * changes; the share is lowered where changes grow. */
+static void solve_heat(ovr_simulation *sim, const ovr_full *how,
+                       ovr_outcome *outcome)
+{
+    enum { TURNS = 100 };
+    const double enough = 3e-5;
+    double share = fabs(sim->heated->V) < 1 ? 0.6 : 0.35, before = INFINITY;
+    bool done = false;
+    for (int k = 0; k < TURNS && !done; k++) {
+        ovr_heat_march(sim);
+        double change = ovr_heat_relax(sim, share);
+        if (change > before && share > 0.1)
+            share *= 0.7;
+        done = change < enough;
+        before = change;
+        ovr_heat_apply(sim);
+        outcome->defect = finish(sim, how, &outcome->cycles);
+        ovr_simulation_read(sim);
+        if (!(outcome->defect.imbalance < 1e6))
+            break;
+    }
+    if (!done)
+        outcome->defect.imbalance = fmax(outcome->defect.imbalance, before);
+}
+
 /* The past of a run that was steady before T = 0. */
 static void begin_history(ovr_simulation *sim)
 {
@@ -256,6 +283,12 @@ static bool finished(const ovr_simulation *sim, const ovr_outcome *outcome,
     return ovr_below(outcome->defect, tolerance);
 }
 
+static double tolerance_of(const ovr_simulation *sim,
+                           const ovr_outcome *outcome)
+{
+    return tolerance_at(sim, sim->finest, outcome->defect.centre);
+}
+
 ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
 {
     double tolerance = 0;
@@ -272,9 +305,13 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
             continue;
         outcome.retries = sim->strategy = k;
         sim->refinements = 0;
+        if (sim->heated)
+            ovr_heat_reset(sim);
         outcome.defect = solve(sim, &how, &outcome.cycles);
         ovr_simulation_read(sim);
-        tolerance = tolerance_at(sim, sim->finest, outcome.defect.centre);
+        if (sim->heated && finished(sim, &outcome, tolerance_of(sim, &outcome)))
+            solve_heat(sim, &how, &outcome);
+        tolerance = tolerance_of(sim, &outcome);
         outcome.converged = finished(sim, &outcome, tolerance);
         if (sim->options.stop == OVR_STOP_FIXED || ovr_mesh_too_coarse(sim))
             break;

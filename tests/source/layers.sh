@@ -39,7 +39,7 @@ awk -v floors="$floors" -v faces=" $faces" '
             height[name[i]] = i
         # Public headers that are not named after their floor.
         home["error"] = home["memory"] = home["version"] = home["text"] = "base"
-        home["oil"] = "contact"
+        home["oil"] = home["heat"] = "contact"
         home["profile"] = "surface"
         home["overroll"] = "cli"
     }

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Heat in film and solids, in the contact's scaling; temperatures are in K,
+ * rises above that of the supplied oil.
+ *
+ *     Theta = ph/(rho0 c)                     K
+ *     Kf = k R^2/(rho0 c um b^3)              conduction across the film
+ *     N_k = k R b^(-3/2)/sqrt(pi k_k rho_k c_k um)   body k
+ *     Pe_k = |u_k| b rho_k c_k/k_k
+ *
+ * Viscosity falls with temperature, with x = (T0 - 138 K + T)/(T0 - 138 K) by
+ *     Roelands   ln eta = (ln eta(T0) + C) x^(-S0) - C,  C = alpha p0/z
+ *     others     ln eta = ln eta(T0) - beta T
+ * where beta = S0 C/(T0 - 138 K) at ambient pressure.
+ */
+#ifndef OVERROLL_HEAT_H
+#define OVERROLL_HEAT_H
+
+#include "overroll/contact.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Constants of a material, SI. */
+typedef struct ovr_thermal {
+    double conductivity, heat_capacity, density; /* W/m.K, J/kg.K, kg/m3 */
+} ovr_thermal;
+
+/* What heat needs to be known, SI; NAN: not given. */
+typedef struct ovr_heat_form {
+    int points;         /* across the film: 5, or 7 */
+    double temperature; /* of the supplied oil, K */
+    double bulk[2];     /* of the bodies, K; NAN: the same */
+    ovr_thermal oil, body[2];
+    double expansion; /* of the oil by volume, 1/K */
+    double S0, beta;  /* one of them; beta in 1/K */
+} ovr_heat_form;
+
+/* The numbers; all zero: no heat. */
+typedef struct ovr_heat {
+    int points;
+    double T0;                /* K */
+    double bulk[2];           /* rises */
+    double theta, conduction; /* Theta, Kf */
+    double solid[2];          /* N_k with um */
+    double peclet[2];
+    double least_peclet; /* to which steady solutions raise them; 5 */
+    double expansion;    /* 1/K */
+    double S0, C, beta;  /* C = 0: not Roelands */
+} ovr_heat;
+
+/* Fails with OVR_BAD_INPUT about what is missing. */
+OVR_API ovr_status ovr_heat_make(const ovr_heat_form *form,
+                                 const ovr_contact *contact,
+                                 const ovr_lubricant *lubricant, ovr_heat *heat,
+                                 ovr_error *err);
+
+/* ln(eta/eta0) at the rise T from that at T0 and the same pressure. */
+OVR_API double ovr_heat_log_viscosity(const ovr_heat *heat, double log_eta,
+                                      double T);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* [heat]: its numbers, and what else of the case goes with it. */
+#include <math.h>
+
+#include "case/resolve.h"
+
+static const double S0_USUAL = 1.1; /* of mineral oils */
+
+/* What heat is not there for. */
+static ovr_status check(const ovr_resolved *r, ovr_error *err)
+{
+    const ovr_slot *model = ovr_block_get(ovr_block_of(r, "heat"), "model");
+    const ovr_options *o = &r->values.options;
+    const ovr_block *domain = ovr_block_of(r, "domain");
+    const ovr_block *time = ovr_block_of(r, "time");
+    if (r->setup.transient)
+        return ovr_fail_slot(err, model,
+                             "heat is there for steady contacts only: leave "
+                             "out end in [time]");
+    if (r->setup.speed || r->setup.sliding)
+        return ovr_fail_slot(err, model,
+                             "heat is there for constant speeds: leave out "
+                             "[speed] and [sliding]");
+    if (o->order == 4)
+        return ovr_fail_slot(err, ovr_block_get(domain, "order"),
+                             "heat goes with order 2");
+    if (r->values.scheme >= 0 && r->values.scheme != OVR_UPSTREAM2)
+        return ovr_fail_slot(err, ovr_block_get(time, "scheme"),
+                             "heat goes with upstream2");
+    return OVR_OK;
+}
+
+ovr_status ovr_resolve_heat(ovr_resolved *r, ovr_error *err)
+{
+    ovr_settings *v = &r->values;
+    ovr_heat_form *form = &v->heat;
+    ovr_error why = {0};
+    if (!v->heat_model)
+        return OVR_OK;
+    if (check(r, err))
+        return OVR_BAD_INPUT;
+    v->options.order = 2;
+    v->options.scheme = OVR_UPSTREAM2;
+    form->temperature = v->oil.temperature;
+    if (isnan(form->S0) && isnan(form->beta) &&
+        r->lubricant.viscosity_law == OVR_ROELANDS)
+        form->S0 = S0_USUAL;
+    for (int k = 0; k < 2; k++)
+        form->body[k] = r->body[k].thermal;
+    if (ovr_heat_make(form, &r->contact, &r->lubricant, &r->heat, &why))
+        return ovr_fail_in(err, r->c, ovr_block_of(r, "heat"),
+                           ovr_block_of(r, "lubricant"), &why);
+    r->setup.heat = &r->heat;
+    return OVR_OK;
+}

@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Numbers of heat (equations in overroll/heat.h). */
+#include "overroll/heat.h"
+
+#include <math.h>
+
+static const double PI = 3.14159265358979323846;
+static const double ROELANDS_T = 138; /* K: where Roelands' viscosity ends */
+
+static ovr_status missing(const char *name, ovr_error *err)
+{
+    return ovr_fail_about(err, name, "heat needs %s", name);
+}
+
+static ovr_status check_contact(const ovr_contact *c, ovr_error *err)
+{
+    if (isnan(c->b) || isnan(c->height))
+        return missing("radius and modulus", err);
+    if (!(c->um > 0))
+        return missing("viscosity and speeds", err);
+    return c->L > 0 ? OVR_OK : missing("alpha", err);
+}
+
+/* S0 or beta, and the other from it at ambient pressure. */
+static ovr_status viscosity(const ovr_heat_form *form, const ovr_lubricant *oil,
+                            ovr_heat *heat, ovr_error *err)
+{
+    double above = form->temperature - ROELANDS_T;
+    bool roelands = oil->viscosity_law == OVR_ROELANDS;
+    double C = roelands ? oil->alphabar * oil->P0 / oil->z : 0;
+    if (!(above > 0))
+        return ovr_fail_about(err, "temperature",
+                              "temperature = %g K: must be above 138 K",
+                              form->temperature);
+    if (isnan(form->S0) == isnan(form->beta))
+        return ovr_fail_about(err, "beta", "give S0 or beta, one of them");
+    if (!roelands && isnan(form->beta))
+        return ovr_fail_about(err, "S0",
+                              "S0 belongs to Roelands' law: give beta, the "
+                              "slope of -ln eta by temperature");
+    heat->C = C;
+    heat->S0 = isnan(form->S0) ? form->beta * above / C : form->S0;
+    heat->beta = isnan(form->beta) ? form->S0 * C / above : form->beta;
+    return OVR_OK;
+}
+
+static void make_numbers(const ovr_heat_form *form, const ovr_contact *c,
+                         ovr_heat *heat)
+{
+    const ovr_thermal *oil = &form->oil;
+    double capacity = oil->density * oil->heat_capacity;
+    double u[2] = {c->u1_ratio * c->um, c->u2_ratio * c->um};
+    heat->points = form->points;
+    heat->T0 = form->temperature;
+    heat->theta = c->ph / capacity;
+    heat->conduction = oil->conductivity * c->radius * c->radius /
+                       (capacity * c->um * c->b * c->b * c->b);
+    heat->expansion = form->expansion;
+    heat->least_peclet = 5;
+    for (int k = 0; k < 2; k++) {
+        const ovr_thermal *body = &form->body[k];
+        double stored = body->density * body->heat_capacity;
+        double bulk = form->bulk[k];
+        heat->bulk[k] = isnan(bulk) ? 0 : bulk - form->temperature;
+        heat->solid[k] = oil->conductivity * c->radius * pow(c->b, -1.5) /
+                         sqrt(PI * body->conductivity * stored * c->um);
+        heat->peclet[k] = fabs(u[k]) * c->b * stored / body->conductivity;
+    }
+}
+
+ovr_status ovr_heat_make(const ovr_heat_form *form, const ovr_contact *contact,
+                         const ovr_lubricant *lubricant, ovr_heat *heat,
+                         ovr_error *err)
+{
+    *heat = (ovr_heat){0};
+    if (isnan(form->temperature))
+        return missing("temperature", err);
+    if (check_contact(contact, err) || viscosity(form, lubricant, heat, err))
+        return OVR_BAD_INPUT;
+    make_numbers(form, contact, heat);
+    return OVR_OK;
+}
+
+double ovr_heat_log_viscosity(const ovr_heat *heat, double log_eta, double T)
+{
+    double above = heat->T0 - ROELANDS_T;
+    if (heat->C == 0)
+        return log_eta - heat->beta * T;
+    return (log_eta + heat->C) * pow(1 + T / above, -heat->S0) - heat->C;
+}

@@ -1,0 +1,229 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Temperature and velocity across the film (equations in across.h). */
+#include "simulation/across.h"
+
+#include <math.h>
+
+/* ---------------------------------------------------- points and matrices */
+
+/* Legendre's polynomial of degree n. */
+static double legendre(int n, double x)
+{
+    double before = 1, value = x;
+    for (int k = 2; k <= n; k++) {
+        double next = ((2 * k - 1) * x * value - (k - 1) * before) / k;
+        before = value;
+        value = next;
+    }
+    return n ? value : 1;
+}
+
+/* The j-th of the Lagrange polynomials at x. */
+static double lagrange(const ovr_across *a, int j, double x)
+{
+    double value = 1;
+    for (int k = 0; k < a->n; k++)
+        if (k != j)
+            value *= (x - a->s[k]) / (a->s[j] - a->s[k]);
+    return value;
+}
+
+/* d l_j/dzeta at point i. */
+static double derivative(const ovr_across *a, int i, int j)
+{
+    double sum = 0, up = 1, down = 1;
+    if (i == j) {
+        for (int k = 0; k < a->n; k++)
+            if (k != i)
+                sum += 1 / (a->s[i] - a->s[k]);
+        return 2 * sum;
+    }
+    for (int k = 0; k < a->n; k++) {
+        if (k != i && k != j)
+            up *= a->s[i] - a->s[k];
+        if (k != j)
+            down *= a->s[j] - a->s[k];
+    }
+    return 2 * up / down;
+}
+
+/* Points inside, from zero to 1; the others mirror them. */
+static void make_points(int points, ovr_across *a)
+{
+    static const double five[] = {0, 0.65465367070797714380};
+    static const double seven[] = {0, 0.46884879347071421380,
+                                   0.83022389627856692987};
+    int half = points / 2;
+    a->n = points;
+    for (int k = 0; k <= half; k++) {
+        double s = k == half ? 1 : points == 5 ? five[k] : seven[k];
+        double p = legendre(points - 1, s);
+        a->s[half + k] = s;
+        a->s[half - k] = -s;
+        a->w[half + k] = a->w[half - k] = 1 / (points * (points - 1) * p * p);
+    }
+}
+
+void ovr_across_make(int points, ovr_across *a)
+{
+    double D[OVR_MOST_ACROSS][OVR_MOST_ACROSS];
+    make_points(points, a);
+    for (int i = 0; i < points; i++)
+        for (int j = 0; j < points; j++)
+            D[i][j] = derivative(a, i, j);
+    for (int i = 0; i < points; i++)
+        for (int j = 0; j < points; j++) {
+            a->K[i][j] = a->integral[i][j] = 0;
+            for (int k = 0; k < points; k++) {
+                /* the quadrature, moved to the part from -1 to s_i */
+                double x = (a->s[i] + 1) * (a->s[k] + 1) / 2 - 1;
+                a->K[i][j] += D[k][i] * a->w[k] * D[k][j];
+                a->integral[i][j] += (a->s[i] + 1) / 2 * a->w[k] *
+                                     lagrange(a, j, x);
+            }
+        }
+}
+
+/* ------------------------------------------------------------------- flow */
+
+static void moments(const ovr_across *a, const double *r, double m[3])
+{
+    m[0] = m[1] = m[2] = 0;
+    for (int j = 0; j < a->n; j++) {
+        double part = a->w[j] * r[j];
+        m[0] += part;
+        m[1] += part * a->s[j];
+        m[2] += part * a->s[j] * a->s[j];
+    }
+}
+
+/* A dry film: what it holds moves with the surfaces. */
+static void linear(const ovr_across *a, const ovr_sheet *sheet,
+                   ovr_flow_across *flow)
+{
+    flow->t = 0;
+    for (int j = 0; j < a->n; j++) {
+        flow->u[j] = sheet->u1 - sheet->V * (1 + a->s[j]) / 2;
+        flow->heating[j] = 0;
+    }
+}
+
+/* Mean stress and, to `rate`, u_z of a Newtonian film; Y as in across.h. */
+static double newtonian(const ovr_across *a, const ovr_sheet *sheet, double Y,
+                        const double *r, const double m[3], double *rate)
+{
+    double G = sheet->H * sheet->P_X / 2, t = (-sheet->V * Y - G * m[1]) / m[0];
+    for (int j = 0; j < a->n; j++)
+        rate[j] = r[j] * (t + G * a->s[j]) / Y;
+    return t;
+}
+
+static double eyring(const ovr_across *a, const ovr_sheet *sheet, double Y,
+                     const double *r, double *rate)
+{
+    const double most = 200;
+    double g = sheet->H * sheet->P_X / (2 * sheet->Sigma0), A = 0, B = 0;
+    double b = -sheet->V * Y / sheet->Sigma0, square, root, sinh_a, cosh_a;
+    g = fmax(-most, fmin(g, most));
+    for (int j = 0; j < a->n; j++) {
+        A += a->w[j] * r[j] * cosh(g * a->s[j]);
+        B += a->w[j] * r[j] * sinh(g * a->s[j]);
+    }
+    square = A * A - B * B;
+    root = sqrt(square + b * b);
+    sinh_a = (b * A - root * B) / square;
+    cosh_a = (root * A - b * B) / square;
+    for (int j = 0; j < a->n; j++)
+        rate[j] = sheet->Sigma0 / Y * r[j] *
+                  (sinh_a * cosh(g * a->s[j]) + cosh_a * sinh(g * a->s[j]));
+    return sheet->Sigma0 * asinh(sinh_a);
+}
+
+/* Ratios eta(T_m)/eta(T_j). */
+static void ratios(const ovr_across *a, const ovr_heat *heat,
+                   const ovr_sheet *sheet, const double *T,
+                   ovr_flow_across *flow, double *r)
+{
+    flow->mean = 0;
+    for (int j = 0; j < a->n; j++)
+        flow->mean += a->w[j] * T[j];
+    flow->log_eta = ovr_heat_log_viscosity(heat, sheet->log_eta, flow->mean);
+    for (int j = 0; j < a->n; j++)
+        r[j] = exp(flow->log_eta -
+                   ovr_heat_log_viscosity(heat, sheet->log_eta, T[j]));
+}
+
+void ovr_flow_across_film(const ovr_across *a, const ovr_heat *heat,
+                          const ovr_sheet *sheet, const double *T,
+                          ovr_flow_across *flow)
+{
+    double r[OVR_MOST_ACROSS], rate[OVR_MOST_ACROSS], most, Y;
+    double G = sheet->H * sheet->P_X / 2;
+    ratios(a, heat, sheet, T, flow, r);
+    moments(a, r, flow->m);
+    if (!sheet->wet) {
+        linear(a, sheet, flow);
+        return;
+    }
+    Y = sheet->lambda * exp(flow->log_eta) / (12 * sheet->H);
+    flow->t = isfinite(sheet->Sigma0)
+                  ? eyring(a, sheet, Y, r, rate)
+                  : newtonian(a, sheet, Y, r, flow->m, rate);
+    most = fmax(sheet->limit - fabs(G), 0);
+    flow->t = fmax(-most, fmin(flow->t, most));
+    for (int j = 0; j < a->n; j++) {
+        flow->heating[j] = (flow->t + G * a->s[j]) * rate[j];
+        flow->u[j] = sheet->u1;
+        for (int k = 0; k < a->n; k++)
+            flow->u[j] += a->integral[j][k] * rate[k];
+    }
+}
+
+/* ------------------------------------------------------------------- heat */
+
+/* A x = b by elimination; A is nearly symmetric and heavy on its diagonal. */
+static void eliminate(int n, double A[][OVR_MOST_ACROSS], double *b)
+{
+    for (int k = 0; k < n; k++)
+        for (int i = k + 1; i < n; i++) {
+            double factor = A[i][k] / A[k][k];
+            for (int j = k + 1; j < n; j++)
+                A[i][j] -= factor * A[k][j];
+            b[i] -= factor * b[k];
+        }
+    for (int k = n - 1; k >= 0; k--) {
+        for (int j = k + 1; j < n; j++)
+            b[k] -= A[k][j] * b[j];
+        b[k] /= A[k][k];
+    }
+}
+
+void ovr_across_solve(const ovr_across *a, const ovr_heat *heat,
+                      const ovr_sheet *sheet, const ovr_flow_across *flow,
+                      const double *foot, const double *travel,
+                      const ovr_wall wall[2], double *T)
+{
+    double A[OVR_MOST_ACROSS][OVR_MOST_ACROSS];
+    double conduction = heat->conduction / sheet->H;
+    int last = a->n - 1;
+    for (int j = 0; j < a->n; j++) {
+        double stored = a->w[j] * sheet->rho * sheet->H / travel[j];
+        double pressing = sheet->wet
+                              ? a->w[j] * heat->theta * heat->expansion *
+                                    sheet->H *
+                                    (sheet->P_T + flow->u[j] * sheet->P_X)
+                              : 0;
+        for (int l = 0; l < a->n; l++)
+            A[j][l] = conduction * a->K[j][l];
+        A[j][j] += stored - pressing;
+        T[j] = stored * foot[j] + pressing * heat->T0 +
+               a->w[j] * heat->theta * flow->heating[j];
+    }
+    for (int k = 0; k < 2; k++) {
+        int j = k ? last : 0;
+        double G = heat->conduction / wall[k].resistance;
+        A[j][j] += G;
+        T[j] += G * wall[k].h;
+    }
+    eliminate(a->n, A, T);
+}

@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Temperature and velocity across the film at one node, by collocation in the
+ * points s_j of Lobatto's quadrature (5, or 7 as a check), s = -1 at surface 1,
+ * zeta = (1 + s)/2; temperatures are rises above that of the supply, T0:
+ *
+ *     rho H (T_T + u T_X) = Kf T_zz/H
+ *                           + Theta (tau u_z + bT (T0 + T) H (P_T + u P_X))
+ *
+ * in the weak form, whose wall fluxes are conservative: with w_j the weights,
+ * of sum 1, K = D^T w D of the derivative D by zeta, T_j' at the foot of the
+ * path a time t_j ago,
+ *
+ *     w_j rho H (T_j - T_j')/t_j + (Kf/H) sum_l K_jl T_l
+ *         - w_j Theta bT H (P_T + u_j P_X) (T0 + T_j)
+ *         + [j a wall] G (T_j - h) = w_j Theta tau_j u_z,j
+ *     G = Kf/(N (4/3) sqrt(dT)),  q = (T_j - h)/(N (4/3) sqrt(dT))
+ *
+ * with h and q of solids.h.  With r_j = eta(T_m)/eta(T_j), T_m = sum w_j T_j,
+ * m_k = sum w_j r_j s_j^k and tau = t + s G_P, G_P = H P_X/2,
+ *
+ *     u_z,j = r_j tau_j/Y,  Y = lambda eta_m/(12 H)
+ *     t = (-V Y - G_P m_1)/m_0
+ *
+ * so that the film slides by V = u1 - u2; by Eyring's law, with g = G_P/Sigma0,
+ * a = t/Sigma0, A = sum w_j r_j cosh(g s_j), B = sum w_j r_j sinh(g s_j), b =
+ * -V Y/Sigma0, n^2 = A^2 - B^2,
+ *
+ *     u_z,j = Sigma0 r_j sinh(a + g s_j)/Y
+ *     sinh a = (b A - sqrt(n^2 + b^2) B)/n^2
+ *     cosh a = (sqrt(n^2 + b^2) A - b B)/n^2
+ *
+ * A limiting shear stress cuts tau where heat is made, not the flow.  Reynolds'
+ * equation gets
+ *
+ *     eps <- psi_e eps,  psi_e = 3 (m_2 - m_1^2/m_0),  eps with eta_m
+ *     psi_c = psi_e/m_0:  t = -(V/12) psi_c rho H^2/eps without pressure flow
+ *     wedge of q <- wedge of q (1 + D),  D = (V/2) m_1/m_0
+ *
+ * Gravity, heat along x and flow across the film are left out: below 0.2 % of
+ * the film.
+ */
+#ifndef OVR_SIMULATION_ACROSS_H
+#define OVR_SIMULATION_ACROSS_H
+
+#include <stdbool.h>
+
+#include "overroll/heat.h"
+
+enum { OVR_MOST_ACROSS = 7 };
+
+typedef struct ovr_across {
+    int n;
+    double s[OVR_MOST_ACROSS], w[OVR_MOST_ACROSS]; /* sum w = 1 */
+    double K[OVR_MOST_ACROSS][OVR_MOST_ACROSS];
+    double integral[OVR_MOST_ACROSS][OVR_MOST_ACROSS]; /* from 0 to zeta_j */
+} ovr_across;
+
+/* Points, weights and matrices: 5 or 7. */
+void ovr_across_make(int points, ovr_across *across);
+
+/* The film at a node. */
+typedef struct ovr_sheet {
+    double H, rho, P_X, P_T;
+    double log_eta; /* at T0 */
+    double lambda, V, u1;
+    double Sigma0; /* Eyring's; INFINITY: Newtonian */
+    double limit;  /* of |t| + |G_P|; INFINITY: none */
+    bool wet;
+} ovr_sheet;
+
+/* What flows in it, for temperatures T. */
+typedef struct ovr_flow_across {
+    double m[3], mean;               /* m_k; T_m */
+    double log_eta;                  /* at T_m */
+    double t;                        /* mean shear stress */
+    double u[OVR_MOST_ACROSS];       /* velocity */
+    double heating[OVR_MOST_ACROSS]; /* tau u_z */
+} ovr_flow_across;
+
+void ovr_flow_across_film(const ovr_across *a, const ovr_heat *heat,
+                          const ovr_sheet *sheet, const double *T,
+                          ovr_flow_across *flow);
+
+/* What a surface says: T = h + resistance q. */
+typedef struct ovr_wall {
+    double h, resistance; /* N (4/3) sqrt(dT) */
+} ovr_wall;
+
+/* Solves for T; `foot` and `travel` are T_j' and t_j. */
+void ovr_across_solve(const ovr_across *a, const ovr_heat *heat,
+                      const ovr_sheet *sheet, const ovr_flow_across *flow,
+                      const double *foot, const double *travel,
+                      const ovr_wall wall[2], double *T);
+
+#endif

@@ -1,0 +1,390 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Heat in a steady contact (equations in heat.h). */
+#include "simulation/heat.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "multigrid/field.h"
+
+static const double LEAST_SPEED = 0.02;
+static const double INV_LN2 = 1.4426950408889634;
+
+/* --------------------------------------------------------------- creation */
+
+static ovr_status check(const ovr_simulation *sim, ovr_error *err)
+{
+    const ovr_options *o = &sim->options;
+    if (o->order == 4)
+        return ovr_fail_about(err, "order", "order: heat goes with order 2");
+    if (sim->lubricant.rheology != OVR_NEWTONIAN &&
+        sim->lubricant.rheology != OVR_EYRING)
+        return ovr_fail_about(err, "rheology",
+                              "rheology: heat goes with newtonian and eyring");
+    if (o->scheme != OVR_UPSTREAM2)
+        return ovr_fail_about(err, "scheme",
+                              "scheme: heat goes with upstream2");
+    if (!(sim->contact.u1_ratio >= 0 && sim->contact.u2_ratio >= 0))
+        return ovr_fail_about(err, "slide_to_roll",
+                              "slide_to_roll: heat wants both surfaces to move "
+                              "along +x");
+    return OVR_OK;
+}
+
+static ovr_status take(ovr_simulation *sim, double **to, ovr_error *err)
+{
+    *to = ovr_arena_take(&sim->arena, sim->now.n, sizeof **to, err);
+    return *to ? OVR_OK : OVR_NO_MEMORY;
+}
+
+static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
+                              ovr_error *err)
+{
+    double **const all[] = {&h->q[0], &h->q[1],      &h->mean, &h->t,
+                            &h->drag, &h->asymmetry, &h->th,   &h->shift};
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+        if (take(sim, all[k], err))
+            return OVR_NO_MEMORY;
+    for (int j = 0; j < h->across.n; j++)
+        if (take(sim, &h->T[j], err) || take(sim, &h->used[j], err))
+            return OVR_NO_MEMORY;
+    for (int l = sim->grids.coarsest; l <= sim->grids.finest; l++) {
+        ovr_level *level = &sim->grids.level[l];
+        size_t room = level->grid.n + OVR_MOST_LANES;
+        level->f.th = ovr_field(&sim->arena, room, err);
+        level->f.shift = ovr_field(&sim->arena, room, err);
+        level->f.drag = ovr_field(&sim->arena, room, err);
+        if (!level->f.th || !level->f.shift || !level->f.drag)
+            return OVR_NO_MEMORY;
+    }
+    return OVR_OK;
+}
+
+ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
+                               ovr_error *err)
+{
+    double D = sim->finest->grid.D, length = (double)(sim->now.n - 1) * D;
+    const ovr_lubricant *oil = &sim->lubricant;
+    const double ratio[2] = {sim->contact.u1_ratio, sim->contact.u2_ratio};
+    ovr_heated *h;
+    if (check(sim, err))
+        return OVR_BAD_INPUT;
+    h = ovr_arena_take(&sim->arena, 1, sizeof *h, err);
+    if (!h)
+        return OVR_NO_MEMORY;
+    h->numbers = *heat;
+    h->V = ratio[0] - ratio[1];
+    h->u1 = ratio[0];
+    h->Sigma0 = oil->rheology == OVR_EYRING ? oil->Sigma0 : INFINITY;
+    h->limit = oil->limiting_shear > 0
+                   ? oil->limiting_shear / sim->contact.kappa
+                   : INFINITY;
+    ovr_across_make(heat->points, &h->across);
+    if (take_arrays(sim, h, err))
+        return OVR_NO_MEMORY;
+    for (int k = 0; k < 2; k++) {
+        double at_1 = heat->peclet[k] / ratio[k]; /* Peclet number of um */
+        h->speed[k] = ratio[k];
+        if (!(heat->peclet[k] >= heat->least_peclet))
+            h->speed[k] = ratio[k] > 0 ? heat->least_peclet / at_1
+                                       : LEAST_SPEED;
+        ovr_memory_rates(D / h->speed[k], length / h->speed[k], &h->memory[k]);
+        ovr_memory_fit(D / h->speed[k], length / h->speed[k], &h->memory[k]);
+    }
+    sim->heated = h;
+    ovr_heat_reset(sim);
+    return OVR_OK;
+}
+
+/* --------------------------------------------------------- to the film */
+
+/* Injection of all three to all grids. */
+static void restrict_all(ovr_simulation *sim)
+{
+    const ovr_heated *h = sim->heated;
+    const double *const from[] = {h->th, h->shift, h->drag};
+    double *room = sim->grids.scratch[0];
+    for (int l = sim->grids.finest; l >= sim->grids.coarsest; l--) {
+        ovr_level *level = &sim->grids.level[l];
+        double *const to[] = {level->f.th, level->f.shift, level->f.drag};
+        size_t every = (size_t)1 << (sim->grids.finest - l);
+        for (int k = 0; k < 3; k++) {
+            for (size_t i = 0; i < level->grid.n; i++)
+                room[i] = from[k][i * every];
+            ovr_level_write(&sim->grids, level, room, to[k]);
+        }
+    }
+}
+
+void ovr_heat_reset(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    for (size_t i = 0; i < sim->now.n; i++) {
+        h->th[i] = 1;
+        h->shift[i] = h->asymmetry[i] = 0;
+        h->drag[i] = 1;
+        for (int j = 0; j < h->across.n; j++)
+            h->T[j][i] = h->used[j][i] = 0;
+    }
+    restrict_all(sim);
+    ovr_level_clear(sim->finest, sim->finest->f.F);
+}
+
+/* F of N = F: the wedge of q D. */
+static void put_asymmetry(ovr_simulation *sim)
+{
+    const double *D = sim->heated->asymmetry, *q = sim->now.q;
+    const ovr_weights *w = &sim->finest->weights;
+    double *F = sim->grids.scratch[0];
+    F[0] = 0;
+    for (size_t i = 1; i < sim->now.n; i++) {
+        const double *a = i == 1 ? w->first : w->a;
+        F[i] = a[0] * q[i] * D[i] + a[1] * q[i - 1] * D[i - 1];
+        if (i > 1)
+            F[i] += a[2] * q[i - 2] * D[i - 2];
+    }
+    ovr_level_write(&sim->grids, sim->finest, F, sim->finest->f.F);
+}
+
+/* ------------------------------------------------------------- the nodes */
+
+static ovr_sheet sheet_at(const ovr_simulation *sim, size_t i)
+{
+    const ovr_solution *now = &sim->now;
+    const ovr_heated *h = sim->heated;
+    double D = sim->finest->grid.D;
+    bool wet = now->P[i] > 0 && i > 0 && i + 1 < now->n;
+    ovr_sheet sheet = {.H = now->H[i],
+                       .rho = now->q[i] / now->H[i],
+                       .lambda = sim->contact.lambda,
+                       .V = h->V,
+                       .u1 = h->u1,
+                       .Sigma0 = h->Sigma0,
+                       .limit = INFINITY,
+                       .wet = wet};
+    if (wet) {
+        sheet.limit = h->limit * now->P[i];
+        sheet.P_X = (now->P[i + 1] - now->P[i - 1]) / (2 * D);
+        sheet.log_eta = log(ovr_viscosity(&sim->lubricant, now->P[i]));
+    }
+    return sheet;
+}
+
+static void flow_at(const ovr_simulation *sim, double *const *T, size_t i,
+                    const ovr_sheet *sheet, ovr_flow_across *flow)
+{
+    const ovr_heated *h = sim->heated;
+    double here[OVR_MOST_ACROSS];
+    for (int j = 0; j < h->across.n; j++)
+        here[j] = T[j][i];
+    ovr_flow_across_film(&h->across, &h->numbers, sheet, here, flow);
+}
+
+void ovr_heat_apply(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    const ovr_heat *numbers = &h->numbers;
+    for (size_t i = 0; i < sim->now.n; i++) {
+        ovr_sheet sheet = sheet_at(sim, i);
+        ovr_flow_across flow;
+        double psi;
+        flow_at(sim, h->used, i, &sheet, &flow);
+        psi = 3 * (flow.m[2] - flow.m[1] * flow.m[1] / flow.m[0]);
+        /* ln eta of 0 and 1 give th and shift of any law */
+        double at_0 = ovr_heat_log_viscosity(numbers, 0, flow.mean);
+        h->th[i] = ovr_heat_log_viscosity(numbers, 1, flow.mean) - at_0;
+        h->shift[i] = -at_0 * INV_LN2 + log2(psi);
+        h->drag[i] = psi / flow.m[0];
+        h->asymmetry[i] = h->V / 2 * flow.m[1] / flow.m[0];
+    }
+    restrict_all(sim);
+    put_asymmetry(sim);
+}
+
+/* -------------------------------------------------------------- marching */
+
+/* What goes from node to node. */
+typedef struct march {
+    double psi[2][OVR_MODES], q[2], streamers;
+} march;
+
+static void solve_node(ovr_simulation *sim, size_t i, march *m)
+{
+    ovr_heated *h = sim->heated;
+    double D = sim->finest->grid.D, foot[OVR_MOST_ACROSS];
+    double travel[OVR_MOST_ACROSS], T[OVR_MOST_ACROSS];
+    ovr_sheet sheet = sheet_at(sim, i);
+    ovr_flow_across flow;
+    ovr_wall wall[2];
+    int last = h->across.n - 1;
+    if (sheet.wet)
+        m->streamers = sim->now.q[i];
+    else /* what is left fills less than the gap */
+        sheet.H = fmin(sheet.H, fmax(m->streamers, 1e-6) / sheet.rho);
+    flow_at(sim, h->used, i, &sheet, &flow);
+    for (int j = 0; j <= last; j++) {
+        foot[j] = h->T[j][i - 1];
+        travel[j] = D / fmax(flow.u[j], LEAST_SPEED);
+    }
+    for (int k = 0; k < 2; k++) {
+        double N = h->numbers.solid[k];
+        wall[k].h = h->numbers.bulk[k] +
+                    N * ovr_memory_past(&h->memory[k], m->psi[k], m->q[k]);
+        wall[k].resistance = N * 4 / 3 * sqrt(h->memory[k].dT);
+    }
+    ovr_across_solve(&h->across, &h->numbers, &sheet, &flow, foot, travel, wall,
+                     T);
+    for (int k = 0; k < 2; k++) {
+        double q = (T[k ? last : 0] - wall[k].h) / wall[k].resistance;
+        ovr_memory_step(&h->memory[k], m->q[k], q, m->psi[k]);
+        h->q[k][i] = m->q[k] = q;
+    }
+    h->mean[i] = 0;
+    for (int j = 0; j <= last; j++) {
+        h->T[j][i] = T[j];
+        h->mean[i] += h->across.w[j] * T[j];
+    }
+}
+
+void ovr_heat_march(ovr_simulation *sim)
+{
+    march m = {.streamers = sim->now.q[0]};
+    for (size_t i = 1; i < sim->now.n; i++)
+        solve_node(sim, i, &m);
+}
+
+/* No temperature moves on by more than this share of itself and some kelvins:
+ * the first are those of an isothermal film, which may be absurd. */
+double ovr_heat_relax(ovr_simulation *sim, double share)
+{
+    const double most = 0.5, least = 10;
+    ovr_heated *h = sim->heated;
+    double change = 0, rise = 1e-300;
+    for (int j = 0; j < h->across.n; j++)
+        for (size_t i = 0; i < sim->now.n; i++) {
+            double d = h->T[j][i] - h->used[j][i];
+            double limit = most * fabs(h->used[j][i]) + least;
+            change = fmax(change, fabs(d));
+            rise = fmax(rise, fabs(h->T[j][i]));
+            h->used[j][i] += fmax(-limit, fmin(share * d, limit));
+        }
+    return change / rise;
+}
+
+/* ------------------------------------------------------------- observed */
+
+void ovr_heat_stress(const ovr_simulation *sim, double *t)
+{
+    const ovr_heated *h = sim->heated;
+    for (size_t i = 0; i < sim->now.n; i++) {
+        ovr_sheet sheet = sheet_at(sim, i);
+        ovr_flow_across flow;
+        flow_at(sim, h->used, i, &sheet, &flow);
+        h->t[i] = flow.t;
+    }
+    for (size_t i = 0; i + 1 < sim->now.n; i++)
+        t[i] = (h->t[i] + h->t[i + 1]) / 2;
+}
+
+static void largest(const ovr_simulation *sim, const double *T, double *value,
+                    double *X)
+{
+    for (size_t i = 0; i < sim->now.n; i++)
+        if (i == 0 || T[i] > *value) {
+            *value = T[i];
+            *X = sim->now.X[i];
+        }
+}
+
+/* Heat that the nodes make, over Theta; what the oil carries out. */
+static double balance(const ovr_simulation *sim, double *made)
+{
+    const ovr_heated *h = sim->heated;
+    double D = sim->finest->grid.D, stored = 0;
+    *made = 0;
+    for (size_t i = 1; i < sim->now.n; i++) {
+        ovr_sheet sheet = sheet_at(sim, i);
+        ovr_flow_across flow;
+        if (!sheet.wet)
+            continue;
+        flow_at(sim, h->used, i, &sheet, &flow);
+        for (int j = 0; j < h->across.n; j++) {
+            double w = D * h->across.w[j];
+            *made += w * (flow.heating[j] +
+                          h->numbers.expansion * (h->numbers.T0 + h->T[j][i]) *
+                              sheet.H * flow.u[j] * sheet.P_X);
+            stored += w * sheet.rho * sheet.H * fmax(flow.u[j], LEAST_SPEED) *
+                      (h->T[j][i] - h->T[j][i - 1]) / D;
+        }
+    }
+    return stored / h->numbers.theta;
+}
+
+static void observe_temperatures(const ovr_simulation *sim, ovr_observation *o)
+{
+    const ovr_heated *h = sim->heated;
+    double T0 = h->numbers.T0;
+    for (int j = 0; j < h->across.n; j++) {
+        double T = NAN, X = NAN;
+        largest(sim, h->T[j], &T, &X);
+        if (!(T <= o->T_max_rise)) {
+            o->T_max_rise = T;
+            o->X_T_film_max = X;
+        }
+    }
+    largest(sim, h->T[0], &o->T_1_max_rise, &o->X_T_1_max);
+    largest(sim, h->T[h->across.n - 1], &o->T_2_max_rise, &o->X_T_2_max);
+    o->T_film_max = T0 + o->T_max_rise;
+    o->T_1_max = T0 + o->T_1_max_rise;
+    o->T_2_max = T0 + o->T_2_max_rise;
+}
+
+static double flow_into(const ovr_simulation *sim, int k)
+{
+    const ovr_heated *h = sim->heated;
+    double sum = 0;
+    for (size_t i = 1; i < sim->now.n; i++)
+        if (sim->now.P[i] > 0)
+            sum += h->q[k][i];
+    return sum * sim->finest->grid.D * h->numbers.conduction / h->numbers.theta;
+}
+
+void ovr_observe_heat(const ovr_simulation *sim, ovr_observation *o)
+{
+    double made, stored;
+    o->T_film_max = o->X_T_film_max = o->T_max_rise = NAN;
+    o->T_1_max = o->X_T_1_max = o->T_1_max_rise = NAN;
+    o->T_2_max = o->X_T_2_max = o->T_2_max_rise = NAN;
+    o->heat_flow_1 = o->heat_flow_2 = o->energy_defect = NAN;
+    if (!sim->heated)
+        return;
+    observe_temperatures(sim, o);
+    o->heat_flow_1 = flow_into(sim, 0);
+    o->heat_flow_2 = flow_into(sim, 1);
+    stored = balance(sim, &made);
+    o->energy_defect = made != 0
+                           ? (made - o->heat_flow_1 - o->heat_flow_2 - stored) /
+                                 made
+                           : 0;
+}
+
+/* Absolute, at a point across the film; -1: the mean. */
+const double *ovr_heat_temperature(const ovr_simulation *sim, int j,
+                                   double *room)
+{
+    const ovr_heated *h = sim->heated;
+    for (size_t i = 0; i < sim->now.n; i++)
+        room[i] = h ? h->numbers.T0 + (j < 0 ? h->mean[i] : h->T[j][i]) : NAN;
+    return room;
+}
+
+const double *ovr_heat_flux(const ovr_simulation *sim, int surface,
+                            double *room)
+{
+    const ovr_heated *h = sim->heated;
+    for (size_t i = 0; i < sim->now.n; i++)
+        room[i] = h ? h->q[surface - 1][i] * h->numbers.conduction /
+                          h->numbers.theta
+                    : NAN;
+    return room;
+}

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Heat in a steady contact: temperatures of film and surfaces by marching along
+ * x (across.h, solids.h), and what Reynolds' equation gets of them, in turn
+ * with cycles until neither changes.
+ *
+ * A node is entered from the one upstream, t_j = D/u_j, u_j at least 0.02; a
+ * surface of Peclet number below 5 is taken to have 5.  At the inlet the oil
+ * is at the supply's temperature and the surfaces have taken up nothing.
+ *
+ *     th = (T0 - 138 K + T_m)^(-S0)/...,  log2(1/eta) <- th log2(1/eta) + shift
+ *     shift = (1 - th) C/ln 2 + log2 psi_e      Roelands
+ *     shift = beta T_m/ln 2 + log2 psi_e, th = 1    others
+ *     F = wedge of q D
+ *
+ * go down to all grids by injection, F to the finest alone.
+ */
+#ifndef OVR_SIMULATION_HEAT_H
+#define OVR_SIMULATION_HEAT_H
+
+#include "simulation/across.h"
+#include "simulation/internal.h"
+#include "simulation/solids.h"
+
+typedef struct ovr_heated {
+    ovr_heat numbers;
+    ovr_across across;
+    ovr_memory memory[2];
+    double speed[2];            /* u_k/um, at least that of Peclet number 5 */
+    double *T[OVR_MOST_ACROSS]; /* rises at the nodes, by points */
+    double *used[OVR_MOST_ACROSS]; /* under-relaxed: what the film has */
+    double *q[2];                  /* T_zeta/H into the surfaces */
+    double *mean;                  /* T_m of T */
+    double *t;                     /* mean stress at the nodes */
+    double *asymmetry, *drag;      /* D; psi_c */
+    double *th, *shift;            /* in the order of the nodes */
+    double V, u1;
+    double Sigma0, limit; /* as in across.h; limit over P */
+} ovr_heated;
+
+/* Isothermal again. */
+void ovr_heat_reset(ovr_simulation *sim);
+
+/* Temperatures of the film that was read last, with viscosities by `used`. */
+void ovr_heat_march(ovr_simulation *sim);
+
+/* Moves `used` on by this share of the change; the largest change over the
+ * largest rise. */
+double ovr_heat_relax(ovr_simulation *sim, double share);
+
+/* Gives film and finest F of all grids what `used` means. */
+void ovr_heat_apply(ovr_simulation *sim);
+
+/* Mean shear stress at half nodes, means of the nodes beside them. */
+void ovr_heat_stress(const ovr_simulation *sim, double *t);
+
+/* Temperatures in K at the point j across (-1: the mean), heat fluxes into a
+ * surface, at the nodes; NAN without heat. */
+const double *ovr_heat_temperature(const ovr_simulation *sim, int j,
+                                   double *room);
+const double *ovr_heat_flux(const ovr_simulation *sim, int surface,
+                            double *room);
+
+/* Largest rises, flows into the surfaces, defect of the balance. */
+void ovr_observe_heat(const ovr_simulation *sim, ovr_observation *o);
+
+#endif

@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The memory of moving half-spaces (equations in solids.h). */
+#include "simulation/solids.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+enum { SAMPLES = 400 };
+
+typedef struct fit {
+    long double matrix[SAMPLES][OVR_MODES], right[SAMPLES];
+} fit;
+
+void ovr_memory_rates(double shortest, double longest, ovr_memory *memory)
+{
+    double first = 0.3 / longest, last = 8 / shortest;
+    double ratio = pow(last / first, 1.0 / (OVR_MODES - 1));
+    for (int m = 0; m < OVR_MODES; m++)
+        memory->rate[m] = first * pow(ratio, m);
+}
+
+/* Rows sqrt(t) e^(-s t) against 1, at times that are geometric. */
+static void fill(fit *f, const ovr_memory *memory, double dT, double longest)
+{
+    long double ratio = powl((long double)longest / dT, 1.0L / (SAMPLES - 1));
+    long double t = dT;
+    for (int k = 0; k < SAMPLES; k++, t *= ratio) {
+        for (int m = 0; m < OVR_MODES; m++)
+            f->matrix[k][m] = sqrtl(t) * expl(-memory->rate[m] * t);
+        f->right[k] = 1;
+    }
+}
+
+/* Removes what the columns after m, and the right side, have along column m. */
+static long double orthogonalize(fit *f, int m, long double part[OVR_MODES + 1])
+{
+    long double norm = 0;
+    for (int k = 0; k < SAMPLES; k++)
+        norm += f->matrix[k][m] * f->matrix[k][m];
+    for (int c = m + 1; c <= OVR_MODES; c++) {
+        part[c] = 0;
+        for (int k = 0; k < SAMPLES; k++)
+            part[c] += f->matrix[k][m] *
+                       (c < OVR_MODES ? f->matrix[k][c] : f->right[k]);
+        part[c] /= norm;
+        for (int k = 0; k < SAMPLES; k++)
+            *(c < OVR_MODES ? &f->matrix[k][c]
+                            : &f->right[k]) -= part[c] * f->matrix[k][m];
+    }
+    return norm;
+}
+
+/* Least squares by modified Gram and Schmidt. */
+static void solve(fit *f, double weight[OVR_MODES])
+{
+    long double part[OVR_MODES][OVR_MODES + 1];
+    for (int m = 0; m < OVR_MODES; m++)
+        orthogonalize(f, m, part[m]);
+    for (int m = OVR_MODES - 1; m >= 0; m--) {
+        long double w = part[m][OVR_MODES];
+        for (int c = m + 1; c < OVR_MODES; c++)
+            w -= part[m][c] * weight[c];
+        weight[m] = (double)w;
+    }
+}
+
+static double worst(const ovr_memory *memory, const double weight[OVR_MODES],
+                    double dT, double longest)
+{
+    double most = 0;
+    for (int k = 0; k <= 1000; k++) {
+        double t = dT * pow(longest / dT, k / 1000.0), sum = 0;
+        for (int m = 0; m < OVR_MODES; m++)
+            sum += weight[m] * exp(-memory->rate[m] * t);
+        most = fmax(most, fabs(sqrt(t) * sum - 1));
+    }
+    return most;
+}
+
+double ovr_memory_fit(double dT, double longest, ovr_memory *memory)
+{
+    double weight[OVR_MODES];
+    fit f;
+    fill(&f, memory, dT, longest);
+    solve(&f, weight);
+    memory->dT = dT;
+    for (int m = 0; m < OVR_MODES; m++) {
+        double x = memory->rate[m] * dT, e = exp(-x);
+        bool small = x < 1e-3; /* by series */
+        memory->fade[m] = e;
+        memory->weight[m] = weight[m] * e;
+        memory->now[m] = dT * (small ? 0.5 - x / 6 : (x - 1 + e) / (x * x));
+        memory->before[m] = dT *
+                            (small ? 0.5 - x / 3 : (1 - e * (1 + x)) / (x * x));
+    }
+    return worst(memory, weight, dT, longest);
+}
+
+double ovr_memory_past(const ovr_memory *memory, const double *psi, double q)
+{
+    double sum = 2.0 / 3 * sqrt(memory->dT) * q;
+    for (int m = 0; m < OVR_MODES; m++)
+        sum += memory->weight[m] * psi[m];
+    return sum;
+}
+
+void ovr_memory_step(const ovr_memory *memory, double q_before, double q,
+                     double *psi)
+{
+    for (int m = 0; m < OVR_MODES; m++)
+        psi[m] = memory->fade[m] * psi[m] + memory->now[m] * q +
+                 memory->before[m] * q_before;
+}

@@ -1,0 +1,61 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# [heat]: a steady contact from a case to files; what it does not go with.
+. "$TOP/tests/support/cli.sh"
+
+cat >hot.ini <<'END'
+[contact]
+load = 300 kN/m
+modulus = 226 GPa
+radius = 12 mm
+mean_speed = 3 m/s
+slide_to_roll = 0.4
+[lubricant]
+viscosity = 38 mPa.s
+alpha = 22 1/GPa
+rheology = eyring
+eyring_stress = 5 MPa
+[heat]
+model = lobatto
+temperature = 80 degC
+[body 2]
+material = silicon-nitride
+[domain]
+level = 5
+[output]
+file = hot.h5
+fields = pressure, temperature_1, temperature_2, temperature_mean
+END
+number() {
+    sed -n "s/^  \"$1\": \([-0-9.e+]*\),*\$/\1/p" out
+}
+expect 0 "$OVERROLL" check hot.ini
+contains out '^# heat +Theta = '
+contains out '^# surfaces +Peclet '
+expect 0 "$OVERROLL" run hot.ini --json
+for key in T_max_rise T_1_max_rise T_2_max_rise; do
+    awk -v x="$(number $key)" 'BEGIN { exit !(x > 1 && x < 100) }' ||
+        fail "$key is '$(number $key)'"
+done
+# silicon nitride conducts worse: that surface is the hotter one
+awk -v a="$(number T_1_max_rise)" -v b="$(number T_2_max_rise)" \
+    'BEGIN { exit !(b > a) }' || fail 'surface 2 is not the hotter'
+awk -v d="$(number energy_defect)" 'BEGIN { exit !(d < 1e-3 && d > -1e-3) }' ||
+    fail "energy_defect is $(number energy_defect)"
+mu=$(number mu_slide)
+expect 0 "$OVERROLL" info hot.h5
+expect 0 "$OVERROLL" steady hot.ini --json --set heat.model=none
+contains out '"T_max_rise": null'
+awk -v hot="$mu" -v cold="$(number mu_slide)" \
+    'BEGIN { exit !(hot < cold && hot > 0) }' || fail "mu $mu is not below"
+
+refuses 'steady contacts only' check hot.ini --set time.end=1
+refuses 'take 2' check hot.ini --set domain.order=4
+sed '/rheology/d;/eyring/d' hot.ini >newtonian.ini
+refuses 'heat goes with order 2' check newtonian.ini --set domain.order=4
+refuses 'heat goes with upstream2' check hot.ini \
+    --set time.scheme=upstream1
+refuses 'given in \[lubricant\] too' check hot.ini \
+    --set 'lubricant.temperature=90 degC'
+expect 0 "$OVERROLL" check hot.ini --set 'contact.mean_speed=0.1 m/s'
+contains err 'Peclet number'

@@ -1,0 +1,271 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Steady contacts with heat against an independent solution of the same model
+ * (dense Newton and Picard turns, walls by product integration), on its own
+ * levels. */
+#include <math.h>
+
+#include "overroll/simulation.h"
+#include "simulation/heat.h"
+#include "support/contact.h"
+#include "support/test.h"
+
+/* model "weak4"; rises in K */
+static const struct truth {
+    const char *name;
+    double M, L, S, tau0; /* tau0 in MPa; 0: Newtonian */
+    int level;
+    double Kf, Theta, N1, N2;
+    double H_cen, H0, P_max, mu, T_max, T_mean, T_1, T_2;
+} truths[] = {
+    {"N", 12, 8, 0.2, 0, 5, 35.78578183174901, 288.8143360261948,
+     0.12323383334204793, 0.1362401288909207, 0.13548411299173468,
+     -0.44710185004060227, 0.9856251745867454, 0.07398097043721381,
+     2.6893417564054403, 2.5796699400121383, 2.3443181578554118,
+     2.398898191053945},
+    {"N", 12, 8, 0.2, 0, 6, 35.78578183174901, 288.8143360261948,
+     0.12323383334204793, 0.1362401288909207, 0.13630411964933808,
+     -0.44630898316802936, 0.9856447626482807, 0.07370025560808244,
+     2.6774574953984143, 2.5676250387803634, 2.3321001800976546,
+     2.387169943062247},
+    {"A0", 20, 10, 0.0, 5.0, 5, 3.4879262577855235, 466.07213065641884,
+     0.04035103629987148, 0.04035103629987148, 0.0839240756671476,
+     -0.5051724927095869, 0.9918047543489902, 0.0, 0.25637665481605154,
+     0.23286498750690043, 0.18948768855744902, 0.18948768855744902},
+    {"A2", 20, 10, 0.5, 5.0, 5, 3.4879262577855235, 466.07213065641884,
+     0.03609106405162969, 0.04659336333962233, 0.0837356192545158,
+     -0.5056251057991977, 0.9919648733572531, 0.046633251803737265,
+     12.052671441645714, 11.341760963441459, 9.550518192261336,
+     10.49330631683057},
+    {"A3", 20, 10, 1.0, 5.0, 5, 3.4879262577855235, 466.07213065641884,
+     0.032946483175735626, 0.05706498279108733, 0.08162407909677499,
+     -0.5071972609339878, 0.9906718431276503, 0.046652628818600085,
+     24.6028664530823, 23.224355346316713, 18.720437087548135,
+     22.688198264134883},
+    {"B", 12, 8, 0.5, 5.0, 5, 35.78578183174901, 288.8143360261948,
+     0.11560358281019913, 0.14924358366193707, 0.1354672181989869,
+     -0.44711841274874187, 0.9855477571430904, 0.0346931678116536,
+     2.687029672223673, 2.6004564676234736, 2.3714011583701904,
+     2.49611732999756},
+    {"F", 62, 14, 0.1, 8.0, 5, 0.060621754847137034, 1148.8465308307086,
+     0.005191473578031977, 0.005457873868571547, 0.0257174435947758,
+     -0.5693392450404322, 0.9982661340926773, 0.06809357238638566,
+     34.49805149129247, 29.270524770236534, 20.922359464000237,
+     21.869408947489546},
+    {"A0", 20, 10, 0.0, 5.0, 6, 3.4879262577855235, 466.07213065641884,
+     0.04035103629987148, 0.04035103629987148, 0.08495175094342075,
+     -0.5041626749576525, 0.991775298145668, 0.0, 0.2614428508616129,
+     0.23738548732740128, 0.19152539397890678, 0.19152539397884993},
+    {"A2", 20, 10, 0.5, 5.0, 6, 3.4879262577855235, 466.07213065641884,
+     0.03609106405162969, 0.04659336333962233, 0.0847707287614091,
+     -0.5046124504441319, 0.9919350697970543, 0.046564432308569735,
+     12.059405820851964, 11.339568759026577, 9.529172190948714,
+     10.480218818943456},
+    {"A3", 20, 10, 1.0, 5.0, 6, 3.4879262577855235, 466.07213065641884,
+     0.032946483175735626, 0.05706498279108733, 0.08264085089379936,
+     -0.506191261153972, 0.9906173193062573, 0.04657309109166059,
+     24.61585652194475, 23.220417921723197, 18.668251168560232,
+     22.673676141530223},
+    {"B", 12, 8, 0.5, 5.0, 6, 35.78578183174901, 288.8143360261948,
+     0.11560358281019913, 0.14924358366193707, 0.13628773774158318,
+     -0.4463303540697733, 0.985579931493519, 0.034659888790923514,
+     2.684431920359202, 2.597402709391474, 2.3674200223230173,
+     2.492670946174826},
+    {"F", 62, 14, 0.1, 8.0, 6, 0.060621754847137034, 1148.8465308307086,
+     0.005191473578031977, 0.005457873868571547, 0.027331406921884172,
+     -0.5677458011634904, 0.998241865328976, 0.06753973046889733,
+     35.32713306896454, 29.65105192649446, 20.73844518194744,
+     21.69823952476804},
+};
+
+static const ovr_thermal steel = {46, 460, 7850}, mineral = {.14, 2000, 870};
+
+static ovr_heat_form form(void)
+{
+    ovr_heat_form f = {.points = 5,
+                       .temperature = 353,
+                       .bulk = {NAN, NAN},
+                       .oil = mineral,
+                       .body = {steel, steel},
+                       .expansion = 6.5e-4,
+                       .S0 = 1.1,
+                       .beta = NAN};
+    return f;
+}
+
+typedef struct hot {
+    ovr_contact contact;
+    ovr_lubricant oil;
+    ovr_heat heat;
+} hot;
+
+static hot hot_contact(const struct truth *t, const ovr_heat_form *f)
+{
+    ovr_conditions c = ovr_conditions_default();
+    ovr_error err = {0};
+    hot made;
+    c.M = t->M, c.L = t->L, c.slide_to_roll = t->S;
+    c.alpha = 2.2e-8, c.modulus = 226e9, c.radius = 0.0127;
+    /* of which Roelands' relation gives z = 0.68 */
+    c.viscosity = exp(2.2e-8 * 1.98e8 / 0.68 - 9.67);
+    CHECK_OK(ovr_contact_resolve(&c, &made.contact, &err), &err);
+    CHECK_OK(ovr_lubricant_make(&made.contact, OVR_ROELANDS,
+                                OVR_DOWSON_HIGGINSON, NAN, 0.68, &made.oil,
+                                &err),
+             &err);
+    if (t->tau0 > 0) {
+        const ovr_flow_form eyring = {OVR_EYRING, t->tau0 * 1e6, NAN, 0};
+        CHECK_OK(ovr_lubricant_flow(&made.contact, &eyring, &made.oil, &err),
+                 &err);
+    }
+    CHECK_OK(ovr_heat_make(f, &made.contact, &made.oil, &made.heat, &err),
+             &err);
+    made.heat.least_peclet = 0; /* as the truth has it */
+    return made;
+}
+
+static ovr_simulation *solved(const hot *c, int level)
+{
+    ovr_options options = test_options();
+    ovr_error err = {0};
+    options.level = level;
+    ovr_simulation *sim = ovr_simulation_create(&c->contact, &c->oil, &options,
+                                                NULL, &err);
+    assert_non_null(sim);
+    CHECK_OK(ovr_simulation_heat(sim, &c->heat, &err), &err);
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    return sim;
+}
+
+/* The truth's friction: stresses of the nodes up to the last that is wet. */
+static double nodal_mu(const ovr_simulation *sim)
+{
+    double F = 0;
+    for (size_t i = 0; i < sim->now.n; i++)
+        if (sim->now.P[i] > 0)
+            F += sim->finest->grid.D * sim->heated->t[i];
+    return -sim->contact.kappa * F / OVR_NOMINAL_LOAD;
+}
+
+static void numbers_of_heat(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < sizeof truths / sizeof *truths; k++) {
+        const struct truth *t = &truths[k];
+        ovr_heat_form f = form();
+        hot c = hot_contact(t, &f);
+        CHECK_CLOSE(c.heat.conduction, t->Kf, 1e-6);
+        CHECK_CLOSE(c.heat.theta, t->Theta, 1e-6);
+        CHECK_CLOSE(c.heat.solid[0] / sqrt(c.contact.u1_ratio), t->N1, 1e-6);
+        CHECK_CLOSE(c.heat.solid[1] / sqrt(c.contact.u2_ratio), t->N2, 1e-6);
+    }
+}
+
+static void steady_against_truth(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < sizeof truths / sizeof *truths; k++) {
+        const struct truth *t = &truths[k];
+        ovr_heat_form f = form();
+        hot c = hot_contact(t, &f);
+        ovr_simulation *sim = solved(&c, t->level);
+        const ovr_observation *o = ovr_simulation_observation(sim);
+        double mean = 0;
+        for (size_t i = 0; i < sim->now.n; i++)
+            mean = fmax(mean, sim->heated->mean[i]);
+        print_message(
+            "%s%d H_cen %.6f mu %.6f T %.4f %.4f %.4f %.4f, truth %.6f "
+            "%.6f %.4f %.4f %.4f %.4f; defect %.2g, %d cycles\n",
+            t->name, t->level, o->H_cen, nodal_mu(sim), o->T_max_rise, mean,
+            o->T_1_max_rise, o->T_2_max_rise, t->H_cen, t->mu, t->T_max,
+            t->T_mean, t->T_1, t->T_2, o->energy_defect, o->cycles);
+        CHECK_NEAR(nodal_mu(sim), t->mu, 1e-3 * t->mu + 1e-12);
+        CHECK_CLOSE(o->H_cen, t->H_cen, 1e-3);
+        CHECK_CLOSE(o->P_max, t->P_max, 1e-5);
+        CHECK_NEAR(o->T_max_rise, t->T_max, 0.01 + 0.005 * t->T_max);
+        CHECK_NEAR(o->T_1_max_rise, t->T_1, 0.01 + 0.005 * t->T_1);
+        CHECK_NEAR(o->T_2_max_rise, t->T_2, 0.01 + 0.005 * t->T_2);
+        CHECK_NEAR(mean, t->T_mean, 0.01 + 0.005 * t->T_mean);
+        ovr_simulation_free(sim);
+    }
+}
+
+/* The two surfaces swapped mirror everything. */
+static void surfaces_swapped(void **state)
+{
+    const struct truth *t = &truths[3];
+    struct truth other = *t;
+    ovr_heat_form f = form();
+    hot c = hot_contact(t, &f), d;
+    ovr_simulation *sim = solved(&c, 5), *mirror;
+    const ovr_observation *a = ovr_simulation_observation(sim), *b;
+    (void)state;
+    other.S = -t->S;
+    d = hot_contact(&other, &f);
+    mirror = solved(&d, 5);
+    b = ovr_simulation_observation(mirror);
+    assert_true(t->S > 0 && t->tau0 > 0);
+    CHECK_CLOSE(b->H_cen, a->H_cen, 1e-9);
+    CHECK_CLOSE(b->F_slide, -a->F_slide, 1e-8);
+    CHECK_CLOSE(b->F_1, a->F_2, 1e-8);
+    CHECK_CLOSE(b->T_1_max_rise, a->T_2_max_rise, 1e-7);
+    CHECK_CLOSE(b->T_2_max_rise, a->T_1_max_rise, 1e-7);
+    CHECK_CLOSE(b->heat_flow_2, a->heat_flow_1, 1e-7);
+    ovr_simulation_free(sim);
+    ovr_simulation_free(mirror);
+}
+
+/* Oil that cannot be heated leaves the isothermal contact. */
+static void isothermal_limit(void **state)
+{
+    const struct truth *t = &truths[3];
+    ovr_heat_form f = form();
+    ovr_error err = {0};
+    ovr_options options = test_options();
+    hot c;
+    ovr_simulation *sim, *cold;
+    (void)state;
+    f.oil.heat_capacity = 1e30;
+    c = hot_contact(t, &f);
+    sim = solved(&c, 5);
+    options.level = 5;
+    cold = ovr_simulation_create(&c.contact, &c.oil, &options, NULL, &err);
+    CHECK_OK(ovr_simulation_steady(cold, &err), &err);
+    CHECK_CLOSE(ovr_simulation_observation(sim)->H_cen,
+                ovr_simulation_observation(cold)->H_cen, 1e-9);
+    CHECK_NEAR(ovr_simulation_observation(sim)->T_max_rise, 0, 1e-12);
+    ovr_simulation_free(sim);
+    ovr_simulation_free(cold);
+}
+
+/* Seven points are nearer to the full solution (15 across, with cross flow)
+ * than five: the hottest film of the fast contact with the largest load. */
+static void seven_points_check_five(void **state)
+{
+    const struct truth *t = &truths[6];
+    const double full = 34.24531516915363;
+    double off[2];
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        ovr_heat_form f = form();
+        f.points = k ? 7 : 5;
+        hot c = hot_contact(t, &f);
+        ovr_simulation *sim = solved(&c, 5);
+        off[k] = fabs(ovr_simulation_observation(sim)->T_max_rise - full);
+        print_message("%d points: T_max off by %.3f of %.3f K\n", f.points,
+                      off[k], full);
+        ovr_simulation_free(sim);
+    }
+    assert_true(off[1] < off[0]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(numbers_of_heat),
+        cmocka_unit_test(steady_against_truth),
+        cmocka_unit_test(surfaces_swapped),
+        cmocka_unit_test(isothermal_limit),
+        cmocka_unit_test(seven_points_check_five),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,232 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Parts of heat alone: the memory of the solids against a source of uniform
+ * strength that moves, and temperatures across a film against closed forms. */
+#include <gsl/gsl_integration.h>
+#include <gsl/gsl_sf_bessel.h>
+#include <math.h>
+#include <stdio.h>
+
+#include "simulation/across.h"
+#include "simulation/solids.h"
+#include "support/test.h"
+
+/* ----------------------------------------------------------------- solids */
+
+static void memory_is_one_over_sqrt(void **state)
+{
+    (void)state;
+    for (double range = 100; range < 1e5; range *= 3) {
+        ovr_memory m;
+        ovr_memory_rates(0.01, 0.01 * range, &m);
+        double error = ovr_memory_fit(0.01, 0.01 * range, &m);
+        assert_true(error < (range < 3e4 ? 1e-4 : 5e-4));
+    }
+}
+
+/* Steps of other lengths than the rates were made for. */
+static void memory_survives_other_steps(void **state)
+{
+    ovr_memory m;
+    (void)state;
+    ovr_memory_rates(0.01, 30, &m);
+    assert_true(ovr_memory_fit(0.02, 30, &m) < 1e-3);
+    assert_true(ovr_memory_fit(0.013, 30, &m) < 1e-3);
+}
+
+/* q = 1 over -1 < X < 1, from X = -3 on in steps of D: T/N = 2 sqrt(X + 1), and
+ * behind it 2 (sqrt(X + 1) - sqrt(X - 1)). */
+static void under_a_uniform_source(void **state)
+{
+    const double D = 1.0 / 256;
+    double psi[OVR_MODES] = {0}, before = 0, worst = 0;
+    ovr_memory m;
+    (void)state;
+    ovr_memory_rates(D, 6, &m);
+    ovr_memory_fit(D, 6, &m);
+    for (int i = -768; i <= 768; i++) {
+        double X = i * D, q = X > -1 && X < 1 ? 1 : X == -1 || X == 1 ? .5 : 0;
+        double T = ovr_memory_past(&m, psi, before) + 4. / 3 * sqrt(D) * q;
+        double exact = X > -1 ? 2 * sqrt(X + 1) : 0;
+        if (X > 1)
+            exact -= 2 * sqrt(X - 1);
+        ovr_memory_step(&m, before, q, psi);
+        before = q;
+        if (fabs(X + 1) > 0.1 && fabs(X - 1) > 0.1)
+            worst = fmax(worst, fabs(T - exact));
+    }
+    print_message("uniform source: off by %.1e of the largest\n",
+                  worst / (2 * sqrt(2)));
+    assert_true(worst < 1e-3 * 2 * sqrt(2));
+}
+
+static double source(double x, void *unused)
+{
+    (void)unused;
+    return x == 0 ? 0 : gsl_sf_bessel_K0(fabs(x)) * exp(x);
+}
+
+/* How far the limit of fast motion is from Carslaw and Jaeger's full solution,
+ * in its largest temperature: told, and falling. */
+static void distance_from_the_full_solution(void **state)
+{
+    gsl_integration_workspace *w = gsl_integration_workspace_alloc(2000);
+    gsl_function f = {source, NULL};
+    double before = 1;
+    (void)state;
+    for (double Pe = 1; Pe < 200; Pe *= 10) {
+        double L = Pe / 2, largest = 0;
+        for (double X = -1; X <= 1; X += 0.02) {
+            double pts[] = {-L * (1 + X), 0, L * (1 - X)}, value, error;
+            gsl_integration_qagp(&f, pts, 3, 1e-12, 1e-8, 2000, w, &value,
+                                 &error);
+            /* T = value q b/(pi k L); in the limit 2 sqrt(2 (1 + X)...) */
+            largest = fmax(largest, value / sqrt(3.14159265358979323846 * L));
+        }
+        double off = fabs(largest / 2 - 1);
+        (void)off;
+        print_message("Peclet %g: the full solution is %.4f of the limit\n", Pe,
+                      largest / 2);
+        assert_true(off < before);
+        before = off;
+    }
+    gsl_integration_workspace_free(w);
+}
+
+/* ------------------------------------------------------------------- film */
+
+static const ovr_heat oil = {
+    .points = 5, .T0 = 350, .theta = 400, .conduction = 3, .C = 0, .beta = 0};
+
+/* A slab between walls held at two temperatures, with uniform heating: a
+ * parabola, T = T1 + (T2 - T1) z + Theta Q H z (1 - z)/(2 Kf). */
+static void slab_conduction(void **state)
+{
+    (void)state;
+    for (int points = 5; points <= 7; points += 2) {
+        const ovr_sheet sheet = {.H = 0.3,
+                                 .rho = 1.1,
+                                 .lambda = 0.1,
+                                 .Sigma0 = INFINITY,
+                                 .limit = INFINITY,
+                                 .V = 0.4,
+                                 .u1 = 1.2,
+                                 .wet = true};
+        const ovr_wall wall[2] = {{2, 1e-12}, {5, 1e-12}};
+        double T[7] = {0}, never[7];
+        ovr_across a;
+        ovr_flow_across flow;
+        ovr_across_make(points, &a);
+        ovr_flow_across_film(&a, &oil, &sheet, T, &flow);
+        for (int j = 0; j < points; j++)
+            never[j] = 1e30;
+        ovr_across_solve(&a, &oil, &sheet, &flow, T, never, wall, T);
+        for (int j = 0; j < points; j++) {
+            double z = (1 + a.s[j]) / 2, Q = flow.heating[0];
+            CHECK_CLOSE(T[j],
+                        2 + 3 * z +
+                            oil.theta * Q * sheet.H * z * (1 - z) /
+                                (2 * oil.conduction),
+                        1e-9);
+            CHECK_CLOSE(flow.u[j], 1.2 - 0.4 * z, 1e-12);
+            CHECK_CLOSE(Q, 0.4 * 0.4 * 0.1 / (12 * sheet.H), 1e-12);
+        }
+    }
+}
+
+/* Walls that take no heat: rho dT/dt = Theta tau u_z/H, all of it stays. */
+static void adiabatic_couette_heating(void **state)
+{
+    const ovr_sheet sheet = {.H = 0.2,
+                             .rho = 1.2,
+                             .lambda = 0.1,
+                             .Sigma0 = INFINITY,
+                             .limit = INFINITY,
+                             .V = 0.5,
+                             .u1 = 1.25,
+                             .wet = true};
+    const ovr_wall wall[2] = {{0, 1e30}, {0, 1e30}};
+    double T[7] = {0}, step[7];
+    ovr_across a;
+    ovr_flow_across flow;
+    (void)state;
+    ovr_across_make(5, &a);
+    for (int j = 0; j < 5; j++)
+        step[j] = 0.01;
+    for (int k = 1; k <= 50; k++) {
+        double foot[7];
+        for (int j = 0; j < 5; j++)
+            foot[j] = T[j];
+        ovr_flow_across_film(&a, &oil, &sheet, T, &flow);
+        ovr_across_solve(&a, &oil, &sheet, &flow, foot, step, wall, T);
+        for (int j = 0; j < 5; j++)
+            CHECK_CLOSE(T[j],
+                        k * 0.01 * oil.theta * 0.25 * 0.1 /
+                            (12 * 0.2 * 0.2 * 1.2),
+                        1e-11);
+    }
+}
+
+/* Rows add up to the balance of energy, whatever the temperatures. */
+static void what_is_made_flows_out(void **state)
+{
+    ovr_heat hot = oil;
+    const ovr_sheet sheet = {.H = 0.25,
+                             .rho = 1.1,
+                             .P_X = -0.4,
+                             .P_T = 0.3,
+                             .log_eta = 2,
+                             .lambda = 0.1,
+                             .Sigma0 = INFINITY,
+                             .limit = INFINITY,
+                             .V = 0.5,
+                             .u1 = 1.25,
+                             .wet = true};
+    const ovr_wall wall[2] = {{3, 0.2}, {1, 0.4}};
+    double foot[7] = {1, 2, 4, 3, 2}, T[7], step[7], made = 0, gone = 0;
+    ovr_across a;
+    ovr_flow_across flow;
+    (void)state;
+    hot.C = 6, hot.S0 = 1.1, hot.expansion = 6e-4;
+    ovr_across_make(5, &a);
+    ovr_flow_across_film(&a, &hot, &sheet, foot, &flow);
+    CHECK_CLOSE(flow.u[4], 0.75, 1e-12);
+    for (int j = 0; j < 5; j++)
+        step[j] = 0.1 / fmax(flow.u[j], 0.02);
+    ovr_across_solve(&a, &hot, &sheet, &flow, foot, step, wall, T);
+    for (int j = 0; j < 5; j++) {
+        made += a.w[j] * hot.theta *
+                (flow.heating[j] + 6e-4 * (350 + T[j]) * sheet.H *
+                                       (sheet.P_T + flow.u[j] * sheet.P_X));
+        gone += a.w[j] * sheet.rho * sheet.H * (T[j] - foot[j]) / step[j];
+    }
+    gone += hot.conduction * ((T[0] - 3) / 0.2 + (T[4] - 1) / 0.4);
+    CHECK_CLOSE(gone, made, 1e-12);
+}
+
+static void viscosity_falls_with_temperature(void **state)
+{
+    ovr_heat roelands = {.T0 = 353, .C = 6.4, .S0 = 1.1};
+    ovr_heat barus = {.T0 = 353, .beta = 0.033};
+    (void)state;
+    /* the slope at ambient pressure is beta = S0 C/(T0 - 138) */
+    CHECK_CLOSE(-ovr_heat_log_viscosity(&roelands, 0, 1e-4) / 1e-4,
+                1.1 * 6.4 / 215, 1e-5);
+    CHECK_CLOSE(ovr_heat_log_viscosity(&barus, 7, 10), 6.67, 1e-14);
+    CHECK_CLOSE(ovr_heat_log_viscosity(&roelands, 12, 50),
+                18.4 * pow(265. / 215, -1.1) - 6.4, 1e-13);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(memory_is_one_over_sqrt),
+        cmocka_unit_test(memory_survives_other_steps),
+        cmocka_unit_test(under_a_uniform_source),
+        cmocka_unit_test(distance_from_the_full_solution),
+        cmocka_unit_test(slab_conduction),
+        cmocka_unit_test(adiabatic_couette_heating),
+        cmocka_unit_test(what_is_made_flows_out),
+        cmocka_unit_test(viscosity_falls_with_temperature),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
