@@ -162,6 +162,13 @@ static ovr_full_status cycle_until_done(const nested *a, ovr_level *level)
     return c;
 }
 
+ovr_defect ovr_full_cycles(ovr_hierarchy *grids, ovr_level *level,
+                           const ovr_full *how, int *cycles)
+{
+    const nested a = {.grids = grids, .how = how, .cycles = cycles};
+    return cycle_until_done(&a, level).defect;
+}
+
 /* From a solved level to the given one. */
 static ovr_defect refine_to(const nested *a, ovr_level *level, int top)
 {

@@ -57,6 +57,11 @@ typedef struct ovr_full {
     double *saved; /* room for a field of the finest size */
 } ovr_full;
 
+/* Cycles on a level whose film and residual are up to date, to its tolerance;
+ * adds to the number of cycles. */
+ovr_defect ovr_full_cycles(ovr_hierarchy *grids, ovr_level *level,
+                           const ovr_full *how, int *cycles);
+
 /* Leaves the solution on the finest level, whose gap X^2/2 - S is set; adds
  * to the number of cycles. */
 ovr_defect ovr_full_multigrid(ovr_hierarchy *grids, const ovr_wanted *wanted,

@@ -120,19 +120,11 @@ static ovr_full full_of(ovr_simulation *sim, const strategy *how)
  * wanted. */
 static ovr_defect finish(ovr_simulation *sim, const ovr_full *how, int *cycles)
 {
-    ovr_hierarchy *grids = &sim->grids;
-    ovr_level *level = sim->finest;
-    ovr_defect d;
-    ovr_level_refresh(grids, level);
-    d = ovr_cycle_defect(grids, level);
-    for (int k = 0; k < how->most_cycles && d.imbalance < 1e6; k++) {
-        if (ovr_below(d, tolerance_at(sim, level, d.centre)))
-            break;
-        ovr_cycle(grids, level, how->cycling);
-        d = ovr_cycle_defect(grids, level);
-        ++*cycles;
-    }
-    return d;
+    ovr_full last = *how;
+    last.tolerance = tolerance_at;
+    last.fixed = false;
+    ovr_level_refresh(&sim->grids, sim->finest);
+    return ovr_full_cycles(&sim->grids, sim->finest, &last, cycles);
 }
 
 /* The solution found, to go back to. */
