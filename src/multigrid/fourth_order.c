@@ -63,25 +63,36 @@ static void correct(ovr_hierarchy *grids, const ovr_correction *c, bool mask)
     ovr_level_residual(grids, level);
 }
 
+/* One solution, corrected after each cycle. */
+typedef struct correcting {
+    const ovr_correction *correction;
+    int done; /* corrections */
+} correcting;
+
+static bool correct_after(void *data, ovr_hierarchy *grids, ovr_level *level,
+                          ovr_cycle_end end)
+{
+    correcting *c = data;
+    (void)level;
+    if (end == OVR_AFTER_CYCLE)
+        correct(grids, c->correction, ++c->done < MASKS);
+    return false; /* film and residual are up to date */
+}
+
 bool ovr_fourth_solve(ovr_hierarchy *grids, const ovr_correction *c,
-                      const ovr_fourth_cycling *how, ovr_defect *d, int *cycles)
+                      const ovr_full *how, ovr_defect *d, int *cycles)
 {
     ovr_level *level = finest_of(grids);
-    double first = 0;
+    correcting data = {.correction = c};
+    const ovr_attached attached = {correct_after, &data};
+    ovr_full own = *how;
+    own.cycling.attached = &attached;
+    own.fixed = false;
+    own.least_cycles = 2;
+    own.trial = TRIES;
     memcpy(begin(level, c->gap_only), begin(level, level->f.gap),
            length(level) * sizeof(double));
-    for (int k = 0; k <= how->most_cycles; k++) {
-        correct(grids, c, k < MASKS);
-        *d = ovr_cycle_defect(grids, level);
-        if (k == 0)
-            first = d->imbalance;
-        if (k > 1 && ovr_below(*d, how->tolerance(how->data, level, d->centre)))
-            return true;
-        if (!(d->imbalance < 1e6) ||
-            (k == TRIES && !(d->imbalance <= 0.2 * first)))
-            return false;
-        ovr_cycle(grids, level, how->cycling);
-        ++*cycles;
-    }
-    return false;
+    correct(grids, c, true);
+    *d = ovr_full_cycles(grids, level, &own, cycles);
+    return ovr_below(*d, how->tolerance(how->data, level, d->centre));
 }

@@ -38,7 +38,7 @@
 #ifndef OVR_MULTIGRID_FOURTH_ORDER_H
 #define OVR_MULTIGRID_FOURTH_ORDER_H
 
-#include "multigrid/cycle.h"
+#include "multigrid/full.h"
 
 /* What is added to the finest grid's right-hand sides, in lanes. */
 typedef struct ovr_correction {
@@ -50,14 +50,6 @@ typedef struct ovr_correction {
 ovr_status ovr_correction_prepare(ovr_hierarchy *grids, ovr_correction *c,
                                   ovr_arena *arena, ovr_error *err);
 
-/* How the corrected equations are solved. */
-typedef struct ovr_fourth_cycling {
-    ovr_cycling cycling;
-    int most_cycles;
-    double (*tolerance)(const void *data, const ovr_level *level, double H);
-    const void *data;
-} ovr_fourth_cycling;
-
 /*
  * From a solution of second order on the finest grid, F = 0, to one of fourth:
  * cycle, correct, cycle, ...  The mask is set by the first three corrections
@@ -68,7 +60,6 @@ typedef struct ovr_fourth_cycling {
  * worth nothing.  Adds to the number of cycles.
  */
 bool ovr_fourth_solve(ovr_hierarchy *grids, const ovr_correction *c,
-                      const ovr_fourth_cycling *how, ovr_defect *d,
-                      int *cycles);
+                      const ovr_full *how, ovr_defect *d, int *cycles);
 
 #endif

@@ -49,6 +49,8 @@ typedef struct ovr_full {
     bool thin_last;     /* Newtonian up to the finest level, and only there
                            stress by stress down to that of the flow law */
     int most_cycles;    /* on the finest level */
+    int least_cycles;   /* before a level may be done */
+    int trial;          /* cycles by which R has fallen to a fifth; 0: none */
     /* where a level of this film at X = 0 is done */
     double (*tolerance)(const void *data, const ovr_level *level, double H);
     void (*watch)(void *data, const ovr_level *level, ovr_full_event event,

@@ -156,14 +156,14 @@ static ovr_defect solve_and_correct(ovr_simulation *sim, const ovr_full *how,
                                     int *cycles)
 {
     const ovr_correction *c = &sim->correction;
-    const ovr_fourth_cycling way = {how->cycling, how->most_cycles,
-                                    tolerance_at, sim};
+    ovr_full last = *how;
+    last.tolerance = tolerance_at;
     ovr_defect d = ovr_full_multigrid(&sim->grids, &sim->wanted, *how, cycles);
     if (sim->order != 4 ||
         !ovr_below(d, first_tolerance(sim, sim->finest, d.centre)))
         return d;
     found second = keep(sim);
-    if (!ovr_fourth_solve(&sim->grids, c, &way, &d, cycles))
+    if (!ovr_fourth_solve(&sim->grids, c, &last, &d, cycles))
         return fall_back(sim, how, &second, cycles);
     ovr_level_read(&sim->grids, sim->finest, c->F, sim->F_fourth);
     ovr_level_read(&sim->grids, sim->finest, c->gap, sim->gap_fourth);
