@@ -346,7 +346,8 @@ typedef struct ovr_march {
     double end;        /* last time */
     double dT;         /* step; 0: the mesh size */
     bool adaptive;     /* step from the scheme's own error estimate */
-    double error;      /* adaptive: relative error of H a step, 1e-4 */
+    double error;      /* adaptive: relative error of H that the steps add on
+                          its way through the contact, 1e-3 */
     bool until_steady; /* stop when nothing changes any more */
     size_t count;      /* observers, asked in this order */
     const ovr_observer *observers;

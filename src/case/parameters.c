@@ -373,8 +373,9 @@ static const ovr_parameter table[] = {
      "with BDF2, or narrow second order along the characteristic; auto: "
      "characteristic in runs with step = grid at constant load and speed, "
      "upstream2 else"},
-    {"time", "error", PLAIN(1e-9, 0.1), "1e-4", AT(error), true,
-     "adaptive: relative error of the film in a step"},
+    {"time", "error", PLAIN(1e-9, 0.1), "1e-3", AT(error), true,
+     "adaptive: relative error that the steps add to the film on its way "
+     "through the contact"},
     {"time", "until_steady", FLAG, "no", AT(until_steady), false,
      "stop when nothing changes any more"},
 

@@ -130,7 +130,8 @@ enum { OVR_FOURTH_MARGIN = 8 };
                           double *t)) \
     K(double, limit_stress, (const ovr_sheared *f, double limit, double *t)) \
     K(ovr_friction, friction, (const ovr_sheared *f, const double *t)) \
-    K(double, deviation, (size_t n, const double e[3], const double *P, \
+    K(double, deviation, (size_t n, const double e[3], double most, \
+                          const double *weights, const double *P, \
                           const double *q, double *const past[3])) \
     K(void, dense_row, (size_t n, const double c[4], const double *k, \
                         double *row)) \

@@ -104,22 +104,22 @@ double OVR_KERNEL(mean_flow)(size_t n, const double u[2], const double *X,
     return nodes > 0 ? sum_of_lanes(sum) / nodes : 0;
 }
 
-/* Root of the mean square of q - sum_k e_k past_k over wet nodes. */
-double OVR_KERNEL(deviation)(size_t n, const double e[3], const double *P,
+/* Integral of |q - sum_k e_k past_k| over wet nodes where q < most. */
+double OVR_KERNEL(deviation)(size_t n, const double e[3], double most,
+                             const double *weights, const double *P,
                              const double *q, double *const past[3])
 {
-    vec sum = all(0), count = all(0);
+    vec sum = all(0);
     for (size_t k = 0; k < n; k += VEC) {
         size_t i = start_of(k, n);
-        vec off = load(q + i);
+        vec film = load(q + i), off = film;
         for (size_t m = 0; m < 3; m++)
             off = less(off, all(e[m]), load(past[m] + i));
-        ivec wet = (load(P + i) > 0) & new_elements(k, n);
-        sum += choose(wet, off * off, all(0));
-        count += choose(wet, all(1), all(0));
+        off = choose(off < 0, -off, off);
+        ivec wet = (load(P + i) > 0) & (film < most) & new_elements(k, n);
+        sum += choose(wet, load(weights + i) * off, all(0));
     }
-    double nodes = sum_of_lanes(count);
-    return nodes > 0 ? __builtin_sqrt(sum_of_lanes(sum) / nodes) : 0;
+    return sum_of_lanes(sum);
 }
 
 /* sum (a - b), any n */

@@ -64,17 +64,17 @@ double ovr_mean_flow_plain(size_t n, const double u[2], const double *X,
     return count > 0 ? sum / count : 0;
 }
 
-double ovr_deviation_plain(size_t n, const double e[3], const double *P,
+double ovr_deviation_plain(size_t n, const double e[3], double most,
+                           const double *weights, const double *P,
                            const double *q, double *const past[3])
 {
-    double sum = 0, count = 0;
+    double sum = 0;
     for (size_t i = 0; i < n; i++)
-        if (P[i] > 0) {
+        if (P[i] > 0 && q[i] < most) {
             double off = q[i];
             for (int k = 0; k < 3; k++)
                 off -= e[k] * past[k][i];
-            sum += off * off;
-            count++;
+            sum += weights[i] * fabs(off);
         }
-    return count > 0 ? sqrt(sum / count) : 0;
+    return sum;
 }

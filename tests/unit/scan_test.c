@@ -58,8 +58,9 @@ static void check_means(const ovr_kernels *run, arrays *a)
     CHECK_NEAR(run->mean_flow(n, u, a->X, a->P, a->q, a->eps, NULL),
                plain->mean_flow(n, u, a->X, a->P, a->q, a->eps, NULL),
                1e-12 * (double)n);
-    CHECK_NEAR(run->deviation(n, e, a->P, a->q, past),
-               plain->deviation(n, e, a->P, a->q, past), 1e-13);
+    CHECK_NEAR(run->deviation(n, e, 0.9, a->X, a->P, a->q, past),
+               plain->deviation(n, e, 0.9, a->X, a->P, a->q, past),
+               1e-13 * (double)n);
 }
 
 static void scans_agree(void **state)
@@ -102,7 +103,10 @@ static void plain_scans_by_hand(void **state)
     /* 2*2 + 1 - 2*2/0.5 = -3 and 2*4 + 2 + 4*1/1 = 14 */
     assert_true(run->mean_flow(7, u, X, P, q, eps, NULL) == 5.5);
     /* off by 0, 0, 0, 2, (dry), 0, 1 */
-    assert_true(run->deviation(7, e, P, q, past) == sqrt(5. / 6));
+    assert_true(run->deviation(7, e, INFINITY, w, P, q, past) ==
+                2 * w[3] + w[6]);
+    assert_true(run->deviation(7, e, q[6], w, P, q, past) ==
+                (q[3] < q[6] ? 2 * w[3] : 0));
     assert_true(run->mean_flow(7, u, X, zero, q, eps, NULL) == 0);
 }
 
@@ -136,7 +140,8 @@ static void dry_has_no_means(void **state)
     (void)state;
     for (int k = 0; (run = test_kernels(k)); k++) {
         assert_true(run->mean_flow(a.n, none, a.X, a.P, a.q, a.eps, NULL) == 0);
-        assert_true(run->deviation(a.n, none, a.P, a.q, past) == 0);
+        assert_true(run->deviation(a.n, none, INFINITY, a.X, a.P, a.q, past) ==
+                    0);
     }
 }
 

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A few cases of verify/adaptive_test, on a coarser mesh. */
+#include <stdio.h>
+
+#include "../support/adaptive.h"
+#include "../support/test.h"
+
+static void dents(void **state)
+{
+    test_adaptive all = test_adaptive_cases(20261122, 3, 5);
+    (void)state;
+    assert_true(all.worst < 10);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(dents),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

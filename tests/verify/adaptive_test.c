@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Adaptive steps are honest about dents: the error of H_cen over the run,
+ * beside dT = D/8 on the same level, is below 10 times the wanted one; and
+ * where they are no worse than dT = D they take no more cycles in all. */
+#include <stdio.h>
+
+#include "../support/adaptive.h"
+#include "../support/test.h"
+
+static void dents(void **state)
+{
+    test_adaptive all = test_adaptive_cases(1, 40, 6);
+    (void)state;
+    assert_true(all.worst < 10);
+    assert_true(all.cycles > 0 && all.cycles <= all.cycles_of_mesh);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(dents),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
