@@ -415,7 +415,7 @@ PYTHON ?= $(shell for p in python3 /usr/bin/python3; do \
             echo $$p && break; done)
 install-python: $(SHARED) ## the Python package (PYTHON=venv/bin/python)
 	$(if $(PYTHON),,$(error no Python with cffi, pip, setuptools and wheel: \
-	  tools/install-deps check))
+	  tools/install-deps python))
 	OVERROLL_LIBRARY='$(abspath $(SHARED))' '$(PYTHON)' -m pip install \
 	  --no-build-isolation --no-index $(PIPFLAGS) ./tools/python
 
