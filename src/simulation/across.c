@@ -66,7 +66,7 @@ static void make_points(int points, ovr_across *a)
 
 void ovr_across_make(int points, ovr_across *a)
 {
-    double D[OVR_MOST_ACROSS][OVR_MOST_ACROSS];
+    double D[OVR_MOST_ACROSS][OVR_MOST_ACROSS] = {{0}};
     make_points(points, a);
     for (int i = 0; i < points; i++)
         for (int j = 0; j < points; j++)
@@ -157,7 +157,7 @@ void ovr_flow_across_film(const ovr_across *a, const ovr_heat *heat,
                           const ovr_sheet *sheet, const double *T,
                           ovr_flow_across *flow)
 {
-    double r[OVR_MOST_ACROSS], rate[OVR_MOST_ACROSS], most, Y;
+    double r[OVR_MOST_ACROSS] = {0}, rate[OVR_MOST_ACROSS] = {0}, most, Y;
     double G = sheet->H * sheet->P_X / 2;
     ratios(a, heat, sheet, T, flow, r);
     moments(a, r, flow->m);
@@ -203,7 +203,7 @@ void ovr_across_solve(const ovr_across *a, const ovr_heat *heat,
                       const double *foot, const double *travel,
                       const ovr_wall wall[2], double *T)
 {
-    double A[OVR_MOST_ACROSS][OVR_MOST_ACROSS];
+    double A[OVR_MOST_ACROSS][OVR_MOST_ACROSS] = {{0}};
     double conduction = heat->conduction / sheet->H;
     int last = a->n - 1;
     for (int j = 0; j < a->n; j++) {
@@ -218,12 +218,12 @@ void ovr_across_solve(const ovr_across *a, const ovr_heat *heat,
         A[j][j] += stored - pressing;
         T[j] = stored * foot[j] + pressing * heat->T0 +
                a->w[j] * heat->theta * flow->heating[j];
-    }
-    for (int k = 0; k < 2; k++) {
-        int j = k ? last : 0;
-        double G = heat->conduction / wall[k].resistance;
-        A[j][j] += G;
-        T[j] += G * wall[k].h;
+        if (j == 0 || j == last) {
+            const ovr_wall *side = &wall[j == last];
+            double G = heat->conduction / side->resistance;
+            A[j][j] += G;
+            T[j] += G * side->h;
+        }
     }
     eliminate(a->n, A, T);
 }

@@ -265,6 +265,45 @@ static void laws_in_one_stage(void **state)
     ovr_arena_release(&o.arena);
 }
 
+/* With temperatures log2(1/eta) is th times the isothermal one, plus shift, and
+ * its slope th times. */
+static void temperatures_shift_the_logarithm(void **state)
+{
+    ovr_error err = {0};
+    oil o = make();
+    uint64_t seed = 25;
+    double *th = ovr_field(&o.arena, N + 2 * PAD, &err);
+    double *shift = ovr_field(&o.arena, N + 2 * PAD, &err);
+    (void)state;
+    fill(&o, &seed, 1);
+    o.fluid.lubricant.alphabar = 10;
+    for (int i = -PAD; i < N + PAD; i++) {
+        th[PAD + i] = test_random(&seed, 0.5, 1.1);
+        shift[PAD + i] = test_random(&seed, 0, 30);
+    }
+    for (int k = 0; test_kernels(k); k++) {
+        double eps[N], deps[N];
+        o.f.th = o.f.shift = NULL;
+        run(&o, k);
+        for (int i = 0; i < N; i++)
+            eps[i] = o.f.eps[i], deps[i] = o.f.deps[i];
+        o.f.th = th + PAD;
+        o.f.shift = shift + PAD;
+        run(&o, k);
+        for (int i = 0; i < N; i++) {
+            double q = o.f.q[i], H2 = o.f.H[i] * o.f.H[i];
+            double scale = o.fluid.lambda / H2, cold = eps[i] * scale / q;
+            double hot = exp2(o.f.th[i] * log2(cold) + o.f.shift[i]);
+            double slope = (o.f.dq[i] - deps[i] * scale / cold) / q;
+            CHECK_CLOSE(o.f.eps[i] * scale / q, hot, 1e-12);
+            CHECK_NEAR(o.f.deps[i] * scale / hot,
+                       o.f.dq[i] - q * o.f.th[i] * slope,
+                       1e-11 * q * (1 + slope));
+        }
+    }
+    ovr_arena_release(&o.arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -272,6 +311,7 @@ int main(void)
         cmocka_unit_test(viscosity_starts_at_one),
         cmocka_unit_test(any_pressure_gives_numbers),
         cmocka_unit_test(laws_in_one_stage),
+        cmocka_unit_test(temperatures_shift_the_logarithm),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

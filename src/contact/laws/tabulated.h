@@ -26,7 +26,8 @@ typedef struct tabulated {
 static inline void tabulated_make(const ovr_law_table *table, double ph,
                                   double scale, tabulated *law)
 {
-    *law = (tabulated){.scale = scale};
+    static const double none[2] = {0};
+    *law = (tabulated){.value = none, .slope = none, .scale = scale};
     if (!table)
         return;
     law->value = table->value;
