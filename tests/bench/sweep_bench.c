@@ -112,14 +112,14 @@ static void measure(double (*once)(int), double wall[2], double all[2])
         for (int k = 0; k < 2; k++) {
             double before = processor_time(), t = once(k + 1);
             double used = processor_time() - before;
-            wall[k] = turn ? fmin(wall[k], t) : t;
-            all[k] = turn ? fmin(all[k], used) : used;
+            wall[k] = fmin(wall[k], t);
+            all[k] = fmin(all[k], used);
         }
 }
 
 static void tell(const char *name, double (*once)(int))
 {
-    double wall[2], all[2];
+    double wall[2] = {INFINITY, INFINITY}, all[2] = {INFINITY, INFINITY};
     measure(once, wall, all);
     printf("%-24s %8.2f %8.2f %8.2f x %12.2f %8.2f\n", name, wall[0], wall[1],
            wall[0] / wall[1], all[0], all[1]);
