@@ -111,6 +111,8 @@ class Solution:
                            suggestion=meant)
         room = np.empty(self.n)
         values = row.field(self._sim, ffi.cast("double *", room.ctypes.data))
+        if values == ffi.NULL:
+            return np.full(self.n, np.nan)
         n = self.n - (row.axes == lib.OVR_AT_HALVES)
         return view(self._core, values, n).copy() \
             if int(ffi.cast(_ADDRESS, values)) != room.ctypes.data \

@@ -178,5 +178,6 @@ def extremes() -> dict[str, Quantity]:
 @lru_cache(maxsize=None)
 def fields() -> dict[str, Any]:
     """What is known along x, by its name in result files."""
+    along_x = lib.OVR_AT_NODES, lib.OVR_AT_HALVES
     return {text(row.name): row for row in rows(lib.ovr_observable_at)
-            if row.field != ffi.NULL and row.axes != lib.OVR_AT_STEPS}
+            if row.field != ffi.NULL and row.axes in along_x}
