@@ -46,25 +46,40 @@ static double distance(const moment *m, double x)
 
 typedef double curve(const void *data, double x);
 
+/* Between left and right, f having one maximum there, to the last digits. */
+static double golden(curve *f, const void *data, double left, double right,
+                     double *where)
+{
+    const double ratio = (sqrt(5) - 1) / 2;
+    double low = right - ratio * (right - left);
+    double high = left + ratio * (right - left);
+    double f_low = f(data, low), f_high = f(data, high);
+    for (int k = 0; k < 60; k++)
+        if (f_low < f_high) {
+            left = low, low = high, f_low = f_high;
+            high = left + ratio * (right - left);
+            f_high = f(data, high);
+        } else {
+            right = high, high = low, f_high = f_low;
+            low = right - ratio * (right - left);
+            f_low = f(data, low);
+        }
+    *where = (left + right) / 2;
+    return f(data, *where);
+}
+
 /* The largest value of f on (a, b), by a scan and golden sections. */
 static double maximum(curve *f, const void *data, double a, double b,
                       double *where)
 {
-    enum { SCAN = 200, GOLDEN = 60 };
-    double step = (b - a) / SCAN, best = a, ratio = (sqrt(5) - 1) / 2;
-    for (int k = 1; k <= SCAN; k++)
-        if (f(data, a + k * step) > f(data, best))
-            best = a + k * step;
-    double left = fmax(a, best - step), right = fmin(b, best + step);
-    for (int k = 0; k < GOLDEN; k++) {
-        double width = ratio * (right - left);
-        if (f(data, right - width) < f(data, left + width))
-            left = right - width;
-        else
-            right = left + width;
+    enum { SCAN = 64 };
+    double step = (b - a) / SCAN, best = a, most = f(data, a);
+    for (int k = 1; k <= SCAN; k++) {
+        double value = f(data, a + k * step);
+        if (value > most)
+            most = value, best = a + k * step;
     }
-    *where = (left + right) / 2;
-    return f(data, *where);
+    return golden(f, data, fmax(a, best - step), fmin(b, best + step), where);
 }
 
 static double along(const void *data, double x)

@@ -188,3 +188,13 @@ expect 0 "$OVERROLL" check checked.ini
 if grep -qE '^.(stress|fatigue)' checked.ini; then
     fail 'check prints sections that are not there'
 fi
+
+# A strong dent (1.5 um deep, 0.6 b wide, with shoulders): the worst point of
+# the material is at its trailing shoulder, some 0.25 b behind its centre, by
+# 7 % above the smooth contact even 8 meshes deep.
+expect 0 "$OVERROLL" init roller -o strong.ini
+expect 0 "$OVERROLL" run strong.ini -o strong.h5 --set domain.level=7 \
+    --set feature.dent.depth='1.5 um' --set feature.dent.shoulder='0.25 um' \
+    --set output.every=100 --set stress.surface=1 \
+    --set fatigue.limit_pressure=none
+contains out 'shear circle R .* at xi = -0\.2[0-9]*, trailing side'
