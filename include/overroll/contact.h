@@ -160,8 +160,15 @@ struct ovr_law_table;
 /* How shear stress depends on shear rate: gamma = (tau0/eta) f(tau/tau0). */
 typedef enum ovr_rheology {
     OVR_NEWTONIAN,
-    OVR_EYRING /* f = sinh */
+    OVR_EYRING,         /* f = sinh */
+    OVR_CARREAU,        /* Carreau-Yasuda: tau = eta gamma
+                           (1 + (eta gamma/tau0)^a)^((n - 1)/a) */
+    OVR_CARREAU_STRESS, /* f(x) = x (1 + x^a)^((1/n - 1)/a) */
+    OVR_FLOW_TABLE      /* points of stress against rate */
 } ovr_rheology;
+
+/* The integrals of a flow law over the film, in a table. */
+typedef struct ovr_flow_law ovr_flow_law;
 
 /* A lubricant in the contact's scaling:
  *   Roelands  eta/eta0 = exp(alphabar P0/z [(1 + P/P0)^z - 1]), P0 = p0/ph
@@ -186,6 +193,7 @@ typedef struct ovr_lubricant {
     ovr_rheology rheology;
     double Sigma0;         /* tau0 over ph b/R */
     double limiting_shear; /* most shear stress over pressure; 0: no limit */
+    const ovr_flow_law *flow_law; /* of all but Eyring's; borrowed */
 } ovr_lubricant;
 
 /* p0 in Pa (paper: 1.98e8); z dimensionless, NAN: 0.68, or from alpha and a
@@ -200,11 +208,26 @@ OVR_API ovr_status ovr_lubricant_make(const ovr_contact *contact,
 
 /* A flow law: its stress in Pa, or as a number, the other one NAN. */
 typedef struct ovr_flow_form {
+    size_t size; /* of this struct, as its user knows it */
     ovr_rheology rheology;
     double stress;         /* tau0, Pa */
     double number;         /* Sigma0 = tau0/(ph b/R) */
     double limiting_shear; /* of the mean shear stress, for friction */
+    double n, a;           /* Carreau-Yasuda: exponents, 0.5 and 2 */
+    /* Points of a table, both increasing, the stress no faster than the rate;
+     * borrowed.  Its stress, which is but a scale, in the units of `shear`. */
+    size_t points;
+    const double *rate, *shear;
+    const ovr_flow_law *law; /* of all but Newtonian and Eyring */
 } ovr_flow_form;
+OVR_SIZED(ovr_flow_form)
+
+/* The table of Carreau's law or that of points; a second's tenth of work.
+ * NULL: *err says why. */
+OVR_API ovr_flow_law *ovr_flow_law_create(const ovr_flow_form *form,
+                                          const ovr_allocator *allocator,
+                                          ovr_error *err);
+OVR_API void ovr_flow_law_free(ovr_flow_law *law);
 
 /* Gives the lubricant a flow law.  Fails if a stress in Pa is given and b/R or
  * ph is not known, or both or neither of the two. */

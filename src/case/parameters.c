@@ -31,8 +31,13 @@ static const ovr_word materials[] = {{"steel", OVR_STEEL},
 static const ovr_word heats[] = {{"none", 0}, {"lobatto", 1}, {NULL, 0}};
 static const ovr_word heat_points[] = {{"5", 5}, {"7", 7}, {NULL, 0}};
 static const ovr_word flat[] = {{"flat", INFINITY}, {NULL, 0}};
-static const ovr_word rheologies[] = {
-    {"newtonian", OVR_NEWTONIAN}, {"eyring", OVR_EYRING}, {NULL, 0}};
+static const ovr_word rheologies[] = {{"newtonian", OVR_NEWTONIAN},
+                                      {"eyring", OVR_EYRING},
+                                      {"carreau", OVR_CARREAU},
+                                      {"table", OVR_FLOW_TABLE},
+                                      {NULL, 0}};
+static const ovr_word carreau_forms[] = {
+    {"rate", OVR_CARREAU}, {"stress", OVR_CARREAU_STRESS}, {NULL, 0}};
 static const ovr_word schemes[] = {{"auto", -1},
                                    {"upstream1", OVR_UPSTREAM1},
                                    {"upstream2", OVR_UPSTREAM2},
@@ -243,6 +248,19 @@ static const ovr_parameter table[] = {
      AT(flow.stress), true, "eyring: tau0, above which the film shears thin"},
     {"lubricant", "eyring_number", POSITIVE(1e12), NULL, AT(flow.number), true,
      "eyring: tau0 over ph b/R, instead of eyring_stress"},
+    {"lubricant", "carreau_stress", WITH_UNIT(OVR_PRESSURE, 1, 1e12), NULL,
+     AT(carreau_stress), true, "carreau: tau0 (G), where the film shears thin"},
+    {"lubricant", "carreau_number", POSITIVE(1e12), NULL, AT(carreau_number),
+     true, "carreau: tau0 over ph b/R, instead of carreau_stress"},
+    {"lubricant", "carreau_n", PLAIN(0.05, 1), "0.5", AT(flow.n), true,
+     "carreau: exponent at high rates, of the stress"},
+    {"lubricant", "carreau_a", PLAIN(0.1, 10), "2", AT(flow.a), true,
+     "carreau: Yasuda's exponent of the change"},
+    {"lubricant", "carreau_form", CHOICE(carreau_forms), "rate",
+     AT(carreau_form), true,
+     "carreau: stress by the rate, as in textbooks, or rate by the stress"},
+    {"lubricant", "rheology_file", PATH, NULL, AT(rheology_file), true,
+     "table: file of shear stresses and rates at ambient pressure"},
     {"lubricant", "limiting_shear", PLAIN(0, 1), "0", AT(flow.limiting_shear),
      true,
      "most mean shear stress over pressure, in friction and heat; 0: no limit"},

@@ -86,7 +86,9 @@ typedef struct ovr_settings {
     ovr_heat_form heat;
     const char *viscosity_file, *density_file;
     ovr_flow_form flow;
-    int rheology;
+    int rheology, carreau_form;
+    const char *rheology_file;
+    double carreau_stress, carreau_number;
     ovr_options options;
     int scheme; /* -1: by the steps and histories */
     int nodes;

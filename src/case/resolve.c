@@ -192,7 +192,8 @@ static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
     ovr_error why = {0};
     bool numbers;
     *given = ovr_conditions_default();
-    r->values.flow = (ovr_flow_form){.stress = NAN, .number = NAN};
+    r->values.flow = ovr_flow_form_default();
+    r->values.carreau_stress = r->values.carreau_number = NAN;
     if (check_twice(r, "viscosity", err) || check_twice(r, "alpha", err))
         return OVR_BAD_INPUT;
     r->values.oil = ovr_oil_unknown();
@@ -213,9 +214,6 @@ static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
         return ovr_fail_in(err, r->c, contact, lubricant, &why);
     if (ovr_oil_scale(&r->values.oil, &r->contact, &r->lubricant, &why))
         return ovr_fail_in(err, r->c, contact, lubricant, &why);
-    r->values.flow.rheology = (ovr_rheology)r->values.rheology;
-    if (ovr_lubricant_flow(&r->contact, &r->values.flow, &r->lubricant, &why))
-        return ovr_fail_in(err, r->c, lubricant, contact, &why);
     return OVR_OK;
 }
 
@@ -431,6 +429,8 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     r->setup.stress = &r->values.stress;
     status = resolve_contact(r, err);
     if (!status)
+        status = ovr_resolve_flow(r, allocator, err);
+    if (!status)
         status = resolve_options(r, err);
     if (!status)
         status = resolve_time(r, allocator, err);
@@ -457,6 +457,7 @@ void ovr_setup_free(ovr_setup *setup)
     ovr_history_free(setup->load);
     ovr_history_free(setup->speed);
     ovr_history_free(setup->sliding);
+    ovr_flow_law_free(((ovr_resolved *)setup)->flow_law);
     for (int k = 0; k < 2; k++)
         ovr_law_table_free(((ovr_resolved *)setup)->tables[k]);
     arena = ((ovr_resolved *)setup)->arena;

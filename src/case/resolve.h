@@ -16,6 +16,7 @@ typedef struct ovr_resolved {
     ovr_heat heat;
     ovr_law_table *tables[2]; /* of viscosity, of density; or NULL */
     ovr_march march;
+    ovr_flow_law *flow_law;
     double inlet_kept; /* X_a, farther out, that a feature before the usual one
                           kept the domain from; 0: none did */
     ovr_arena arena;
@@ -51,6 +52,10 @@ ovr_status ovr_resolve_stress(ovr_resolved *r, ovr_error *err);
 
 /* end = auto, the surfaces being made. */
 ovr_status ovr_resolve_end(ovr_resolved *r, ovr_error *err);
+
+/* The flow law of [lubricant], for a contact that is resolved. */
+ovr_status ovr_resolve_flow(ovr_resolved *r, const ovr_allocator *allocator,
+                            ovr_error *err);
 
 /* A history from [load] or [speed]; *history NULL when it is constant. */
 ovr_status ovr_resolve_history(ovr_resolved *r, const char *section,

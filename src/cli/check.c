@@ -219,11 +219,14 @@ static void put_fit(const ovr_setup *setup)
 
 static void put_lubricant(const ovr_lubricant *lubricant)
 {
+    static const char *const laws[] = {"", "Eyring", "Carreau", "Carreau",
+                                       "flow law by table"};
     if (lubricant->viscosity_law == OVR_ROELANDS)
         printf("# %-28s z = %.6g, p0/ph = %.6g\n", "Roelands", lubricant->z,
                lubricant->P0);
-    if (lubricant->rheology == OVR_EYRING)
-        printf("# %-28s tau0/(ph b/R) = %.6g\n", "Eyring", lubricant->Sigma0);
+    if (lubricant->rheology != OVR_NEWTONIAN)
+        printf("# %-28s tau0/(ph b/R) = %.6g\n", laws[lubricant->rheology],
+               lubricant->Sigma0);
 }
 
 /* " (1.2 um)", or nothing where the scale is not known. */

@@ -48,9 +48,15 @@ _overroll_values() {
     lubricant.alpha) echo '' ;;
     lubricant.p0) echo '' ;;
     lubricant.z) echo 'auto' ;;
-    lubricant.rheology) echo 'newtonian eyring' ;;
+    lubricant.rheology) echo 'newtonian eyring carreau table' ;;
     lubricant.eyring_stress) echo '' ;;
     lubricant.eyring_number) echo '' ;;
+    lubricant.carreau_stress) echo '' ;;
+    lubricant.carreau_number) echo '' ;;
+    lubricant.carreau_n) echo '' ;;
+    lubricant.carreau_a) echo '' ;;
+    lubricant.carreau_form) echo 'rate stress' ;;
+    lubricant.rheology_file) echo '' ;;
     lubricant.limiting_shear) echo '' ;;
     lubricant.temperature) echo '' ;;
     lubricant.viscosity_40) echo '' ;;

@@ -4,50 +4,79 @@
 
 #include "overroll/contact.h"
 
+#include "base/sized.h"
+
+void ovr_flow_form_fill(ovr_flow_form *form)
+{
+    const ovr_flow_form defaults = {
+        .stress = NAN, .number = NAN, .n = 0.5, .a = 2};
+    ovr_sized_fill(form, &defaults, sizeof defaults);
+}
+
+/* Keys of the stress: in Pa, and as a number. */
+static const char *const keys[][2] = {
+    [OVR_NEWTONIAN] = {"eyring_stress", "eyring_number"},
+    [OVR_EYRING] = {"eyring_stress", "eyring_number"},
+    [OVR_CARREAU] = {"carreau_stress", "carreau_number"},
+    [OVR_CARREAU_STRESS] = {"carreau_stress", "carreau_number"},
+    [OVR_FLOW_TABLE] = {"rheology_file", "rheology_file"}};
+
 static ovr_status stress_number(const ovr_contact *contact,
                                 const ovr_flow_form *form, double *Sigma0,
                                 ovr_error *err)
 {
+    const char *const *key = keys[form->rheology];
     double unit = contact->ph * contact->kappa;
-    if (!isnan(form->stress) && !isnan(form->number))
-        return ovr_fail_about(err, "eyring_number",
-                              "eyring_stress is given too: leave one out");
+    bool both = !isnan(form->stress) && !isnan(form->number);
+    if (both)
+        return ovr_fail_about(err, key[1], "%s is given too: leave one out",
+                              key[0]);
     if (isnan(form->stress) && isnan(form->number))
         return ovr_fail_about(err, "rheology",
-                              "eyring_stress is missing (or eyring_number, the "
-                              "same over ph b/R)");
+                              "%s is missing (or %s, the same over ph b/R)",
+                              key[0], key[1]);
     if (!isnan(form->stress) && isnan(unit))
-        return ovr_fail_about(err, "eyring_stress",
+        return ovr_fail_about(err, key[0],
                               "needs b/R: give modulus (or G) and alpha, or "
-                              "give eyring_number, the stress over ph b/R");
+                              "the stress over ph b/R as a number");
     *Sigma0 = isnan(form->stress) ? form->number : form->stress / unit;
     if (*Sigma0 > 0)
         return OVR_OK;
-    return ovr_fail_about(
-        err, isnan(form->stress) ? "eyring_number" : "eyring_stress",
-        "must be positive");
+    return ovr_fail_about(err, key[isnan(form->stress)], "must be positive");
 }
 
-ovr_status ovr_lubricant_flow(const ovr_contact *contact,
-                              const ovr_flow_form *form,
-                              ovr_lubricant *lubricant, ovr_error *err)
+static ovr_status check_form(const ovr_contact *contact,
+                             const ovr_flow_form *form, ovr_error *err)
 {
-    double Sigma0 = 0;
-    if (form->rheology == OVR_NEWTONIAN &&
-        !(isnan(form->stress) && isnan(form->number)))
-        return ovr_fail_about(
-            err, isnan(form->stress) ? "eyring_number" : "eyring_stress",
-            "has no meaning with rheology = newtonian");
+    bool stress = !isnan(form->stress) || !isnan(form->number);
+    if (form->rheology == OVR_NEWTONIAN && stress)
+        return ovr_fail_about(err, keys[0][isnan(form->stress)],
+                              "has no meaning with rheology = newtonian");
     if (!(form->limiting_shear >= 0))
         return ovr_fail_about(err, "limiting_shear", "must not be negative");
     if (form->limiting_shear > 0 && isnan(contact->kappa))
         return ovr_fail_about(err, "limiting_shear",
                               "needs b/R: give modulus or G");
-    if (form->rheology != OVR_NEWTONIAN &&
-        stress_number(contact, form, &Sigma0, err))
+    if (form->rheology > OVR_EYRING && !form->law)
+        return ovr_fail_about(err, "rheology", "needs its ovr_flow_law");
+    return OVR_OK;
+}
+
+ovr_status ovr_lubricant_flow(const ovr_contact *contact,
+                              const ovr_flow_form *given,
+                              ovr_lubricant *lubricant, ovr_error *err)
+{
+    ovr_flow_form form = ovr_flow_form_default();
+    double Sigma0 = 0;
+    if (OVR_SIZED_TAKE(ovr_flow_form, &form, given, err) ||
+        check_form(contact, &form, err))
         return OVR_BAD_INPUT;
-    lubricant->rheology = form->rheology;
+    if (form.rheology != OVR_NEWTONIAN &&
+        stress_number(contact, &form, &Sigma0, err))
+        return OVR_BAD_INPUT;
+    lubricant->rheology = form.rheology;
     lubricant->Sigma0 = Sigma0;
-    lubricant->limiting_shear = form->limiting_shear;
+    lubricant->limiting_shear = form.limiting_shear;
+    lubricant->flow_law = form.law;
     return OVR_OK;
 }

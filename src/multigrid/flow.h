@@ -21,9 +21,14 @@
  *     R = dE/d eps = A eps/W
  *     dE/dH_i = R (d eps_i/dH)/2 + (A B^2 c/W) dc/dH_i
  *               + (T - E)/(H_i + H_{i+1})
+ *
  * A, B beyond |g| = 200 are those there.  Without T steep pressures diverge.
  * With temperatures c has psi_c rho H^2 (drag in fields.h).  Sigma0 infinite:
  * E = T = eps, R = 1.
+ *
+ * Other laws by the table of Phi = E/eps (contact/flow_law.h), m_s and m_g its
+ * logarithmic slopes by s_N = c/eps and g:
+ *     T = (1 + m_g) E,  R = Phi (1 - m_s),  dE/dc = Phi m_s/s_N
  */
 #ifndef OVR_MULTIGRID_FLOW_H
 #define OVR_MULTIGRID_FLOW_H
@@ -55,6 +60,9 @@ static inline bool ovr_flow_thins(const ovr_fluid *fluid)
 typedef struct ovr_pair {
     double P[2], H[2], q[2], eps[2];
 } ovr_pair;
+/* a of a law by table, for V < 0. */
+double ovr_flow_stress(const ovr_flow_law *law, double s_N, double g);
+
 double ovr_flow_between(const ovr_fluid *fluid, double dX,
                         const ovr_pair *nodes);
 

@@ -3,6 +3,7 @@
  * half nodes that rows reach, from P and the film. */
 #include "multigrid/flow.h"
 #include "multigrid/eyring.h"
+#include "multigrid/flow_table.h"
 
 /* Of both nodes, summed: eps, c, B c; 2 W and 1/(2 W). */
 typedef struct half {
@@ -36,7 +37,46 @@ static inline vec by_film(const ovr_fields *f, ptrdiff_t J, vec R, vec by_c,
     return fused(R, at(f->deps_dH, J), fused(by_c, 2 * dragged(f, J), by_g));
 }
 
-void OVR_KERNEL(flow)(const ovr_fluid *fluid, double D, const ovr_lanes *g,
+/* 2 dE/dH of both nodes, where it has a place. */
+static inline void put_by_film(const ovr_fields *f, ptrdiff_t J, vec R,
+                               vec by_c, vec by_g)
+{
+    if (!f->by_left)
+        return;
+    put(f->by_left, J, by_film(f, J, R, by_c, by_g));
+    put(f->by_right, J, by_film(f, J + 1, R, by_c, by_g));
+}
+
+static void by_table(const ovr_fluid *fluid, double D, const ovr_lanes *g,
+                     const ovr_fields *f)
+{
+    const double ln2 = 0x1.62e42fefa39efp-1;
+    const ovr_fields own = *f;
+    double slide = ovr_flow_slide(fluid);
+    double gradient = ovr_flow_gradient(fluid, D);
+    log_table log;
+    exp_table growth;
+    make_log_table(OVR_LAW_PER * ln2, &log);
+    make_exp_table(1, &growth);
+    for (ptrdiff_t J = -OVR_HALO; J < (ptrdiff_t)g->S; J++) {
+        vec H = at(own.H, J) + at(own.H, J + 1), slope[2];
+        vec dP = at(own.P, J + 1) - at(own.P, J);
+        half h = half_at(&own, slide, all(0), J);
+        vec eps = larger(h.eps, all(1e-290));
+        vec s_N = smaller(larger(h.c / eps, all(OVR_LAW_LEAST)), all(1e280));
+        law_place p = law_find(&log, s_N, gradient * H * dP);
+        vec power = law_at(fluid->lubricant.flow_law->flow, &p, slope);
+        vec Phi = scaled_exp2(&growth, power * (1 / ln2)), flow = Phi * eps;
+        vec R = Phi * (1 - slope[0]), tangent = flow * (1 + slope[1]);
+        put(own.flow, J, flow);
+        put(own.tangent, J, tangent);
+        put(own.by_eps, J, R);
+        put_by_film(&own, J, R, slide * Phi * slope[0] / s_N,
+                    (tangent - flow) / H);
+    }
+}
+
+static void by_eyring(const ovr_fluid *fluid, double D, const ovr_lanes *g,
                       const ovr_fields *f)
 {
     const ovr_fields own = *f; /* a copy that no store can change */
@@ -55,11 +95,16 @@ void OVR_KERNEL(flow)(const ovr_fluid *fluid, double D, const ovr_lanes *g,
         put(own.flow, J, flow);
         put(own.tangent, J, tangent);
         put(own.by_eps, J, R);
-        if (!own.by_left)
-            continue;
-        vec by_c = slide * e.A * e.B * h.bc * h.inv_W;
-        vec by_g = (tangent - flow) / H;
-        put(own.by_left, J, by_film(&own, J, R, by_c, by_g));
-        put(own.by_right, J, by_film(&own, J + 1, R, by_c, by_g));
+        put_by_film(&own, J, R, slide * e.A * e.B * h.bc * h.inv_W,
+                    (tangent - flow) / H);
     }
+}
+
+void OVR_KERNEL(flow)(const ovr_fluid *fluid, double D, const ovr_lanes *g,
+                      const ovr_fields *f)
+{
+    if (fluid->lubricant.rheology == OVR_EYRING)
+        by_eyring(fluid, D, g, f);
+    else
+        by_table(fluid, D, g, f);
 }

@@ -18,8 +18,12 @@ static double slope(const ovr_sheared *f, size_t i)
     return (f->H[i] + f->H[i + 1]) / 4 * dP / dX;
 }
 
-static double eyring(const ovr_fluid *fluid, double c, double g)
+static double thinning(const ovr_fluid *fluid, double c, double g)
 {
+    if (fluid->lubricant.rheology != OVR_EYRING)
+        return copysign(fluid->lubricant.Sigma0 *
+                            ovr_flow_stress(fluid->lubricant.flow_law, c, g),
+                        -fluid->sliding);
     double B = fabs(g) > 1e-8 ? g / sinh(g) : 1,
            Sigma0 = fluid->lubricant.Sigma0;
     return copysign(Sigma0 * asinh(B * c), -fluid->sliding);
@@ -34,8 +38,8 @@ void ovr_mean_stress_plain(const ovr_sheared *f, const ovr_fluid *fluid,
         double eps = fmax(f->eps[i] + f->eps[i + 1], 1e-290);
         t[i] = -V / 12 * drag / (f->eps[i] + f->eps[i + 1]);
         if (ovr_flow_thins(fluid) && V != 0)
-            t[i] = eyring(fluid, ovr_flow_slide(fluid) * drag / eps,
-                          slope(f, i) / Sigma0);
+            t[i] = thinning(fluid, ovr_flow_slide(fluid) * drag / eps,
+                            slope(f, i) / Sigma0);
         if (!wet(f, i))
             t[i] = 0;
     }

@@ -49,7 +49,11 @@ static void kernels_agree(void **state)
 {
     const ovr_kernels *run;
     uint64_t seed = 7;
+    ovr_flow_form form = ovr_flow_form_default();
+    form.rheology = OVR_CARREAU;
+    ovr_flow_law *law = ovr_flow_law_create(&form, NULL, NULL);
     (void)state;
+    assert_non_null(law);
     for (int k = 1; (run = test_kernels(k)); k++)
         for (size_t n = 13; n < MOST; n++) {
             film f;
@@ -60,9 +64,13 @@ static void kernels_agree(void **state)
             fluid.lubricant.rheology = OVR_EYRING;
             fluid.lubricant.Sigma0 = test_random(&seed, 0.1, 1);
             compare(run, &sheared, &fluid);
+            fluid.lubricant.rheology = OVR_CARREAU;
+            fluid.lubricant.flow_law = law;
+            compare(run, &sheared, &fluid);
             fluid.sliding = 0;
             compare(run, &sheared, &fluid);
         }
+    ovr_flow_law_free(law);
 }
 
 /* P = 1 - X^2 dry from 1 on, rho = 1.2, H = 0.5, eta = 1: t = -lambda V/(12 H)

@@ -1,0 +1,303 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The table of a flow law (flow_law.h).
+ *
+ * f is evaluated some million times: from a table of ln f over ln x of its own,
+ * 50 points a unit, with the slopes between them (cubic, error below 1e-8).
+ * Below x = 1e-6 the law is Newtonian, beyond 1e12 a power.
+ */
+#include "contact/flow_law.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/arena.h"
+#include "base/sized.h"
+
+static const double LEAST = -13.8, STEP = 0.02; /* ln x of the first point */
+enum { POINTS = 2073, GAUSS = 64 };
+
+typedef struct curve {
+    double value[POINTS], slope[POINTS]; /* ln f, d ln f/d ln x */
+} curve;
+
+/* ------------------------------------------------------------------ laws */
+
+/* ln f of the stress form, x = e^u. */
+static double by_stress(const ovr_flow_form *form, double u)
+{
+    return u + (1 / form->n - 1) / form->a * log1p(exp(form->a * u));
+}
+
+/* The inverse of v + (n - 1)/a ln(1 + e^(a v)) = u by Newton's method: its
+ * slope is between n and 1. */
+static double by_rate(const ovr_flow_form *form, double u)
+{
+    double n = form->n, a = form->a, v = fmax(u, u / n);
+    for (int k = 0; k < 60; k++) {
+        double e = exp(a * v), off = v + (n - 1) / a * log1p(e) - u;
+        double slope = isinf(e) ? n : 1 + (n - 1) * e / (1 + e);
+        v -= off / slope;
+        if (fabs(off) < 1e-14 * fmax(1, fabs(u)))
+            break;
+    }
+    return v;
+}
+
+/* What was measured, straight between the points in logarithms of stress and
+ * rate, and beyond them; where rates are low a Newtonian film. */
+static double by_points(const ovr_flow_form *form, double u)
+{
+    size_t n = form->points, k = 0;
+    const double *rate = form->rate, *shear = form->shear;
+    double eta = shear[0] / rate[0], tau0 = form->stress;
+    double ln = u + log(tau0);
+    if (ln <= log(shear[0]))
+        return u;
+    while (k + 2 < n && log(shear[k + 1]) < ln)
+        k++;
+    double slope = log(rate[k + 1] / rate[k]) / log(shear[k + 1] / shear[k]);
+    return log(rate[k] * eta / tau0) + slope * (ln - log(shear[k]));
+}
+
+static void make_curve(const ovr_flow_form *form, curve *f)
+{
+    for (int k = 0; k < POINTS; k++) {
+        double u = LEAST + STEP * k;
+        f->value[k] = form->rheology == OVR_CARREAU_STRESS ? by_stress(form, u)
+                      : form->rheology == OVR_CARREAU      ? by_rate(form, u)
+                                                           : by_points(form, u);
+    }
+    for (int k = 0; k < POINTS; k++) {
+        int low = k ? k - 1 : 0, high = k + 1 < POINTS ? k + 1 : k;
+        f->slope[k] = (f->value[high] - f->value[low]) / (STEP * (high - low));
+    }
+}
+
+/* f and its derivative at x >= 0 */
+static double curve_at(const curve *f, double x, double *by_x)
+{
+    double place = (log(x) - LEAST) / STEP;
+    if (!(place > 0)) {
+        *by_x = 1;
+        return x;
+    }
+    int k = place < POINTS - 1 ? (int)place : POINTS - 2;
+    double t = place - k, d = f->value[k + 1] - f->value[k];
+    double p = STEP * f->slope[k], q = STEP * f->slope[k + 1];
+    double c2 = 3 * d - 2 * p - q, c3 = p + q - 2 * d, value, slope;
+    if (t > 1) {
+        value = f->value[k + 1] + (t - 1) * q;
+        slope = q;
+    } else {
+        value = f->value[k] + t * (p + t * (c2 + t * c3));
+        slope = p + t * (2 * c2 + 3 * t * c3);
+    }
+    value = exp(value);
+    *by_x = value * slope / (STEP * x);
+    return value;
+}
+
+static double law(const curve *f, double x, double *by_x)
+{
+    return x < 0 ? -curve_at(f, -x, by_x) : curve_at(f, x, by_x);
+}
+
+/* ------------------------------------------------------------- integrals */
+
+typedef struct rule {
+    double s[GAUSS], w[GAUSS];
+} rule;
+
+/* Gauss-Legendre on [-1, 1]: roots of the polynomial by Newton's method. */
+static void make_rule(rule *r)
+{
+    for (int k = 0; k < GAUSS; k++) {
+        double x = cos(acos(-1) * (k + 0.75) / (GAUSS + 0.5)), slope = 1;
+        for (int step = 0; step < 20; step++) {
+            double p = 1, before = 0;
+            for (int j = 0; j < GAUSS; j++) {
+                double next = ((2 * j + 1) * x * p - j * before) / (j + 1);
+                before = p;
+                p = next;
+            }
+            slope = GAUSS * (before - x * p) / (1 - x * x);
+            x -= p / slope;
+        }
+        r->s[k] = x;
+        r->w[k] = 2 / ((1 - x * x) * slope * slope);
+    }
+}
+
+/* Half the integral of f(a + g s), and its slope by a. */
+static double slid(const curve *f, const rule *r, double a, double g,
+                   double *by_a)
+{
+    double sum = 0, slope = 0, by_x;
+    for (int k = 0; k < GAUSS; k++) {
+        sum += r->w[k] * law(f, a + g * r->s[k], &by_x);
+        slope += r->w[k] * by_x;
+    }
+    *by_a = slope / 2;
+    return sum / 2;
+}
+
+/* a, by Newton's method between bounds, from `guess`. */
+static double mean_stress(const curve *f, const rule *r, double s_N, double g,
+                          double guess)
+{
+    double low = 0, high = s_N, a = guess, by_a;
+    for (int k = 0; k < 200; k++) {
+        double off = slid(f, r, a, g, &by_a) - s_N;
+        if (fabs(off) <= 1e-12 * s_N)
+            break;
+        if (off > 0)
+            high = fmin(high, a);
+        else
+            low = fmax(low, a);
+        a -= off / by_a;
+        if (!(a > low && a < high))
+            a = low > 0 ? sqrt(low * high) : 0.5 * high;
+    }
+    return a;
+}
+
+static double flow_factor(const curve *f, const rule *r, double a, double g)
+{
+    double sum = 0, by_x;
+    if (g == 0) {
+        law(f, a, &by_x);
+        return by_x;
+    }
+    for (int k = 0; k < GAUSS; k++)
+        sum += r->w[k] * r->s[k] * law(f, a + g * r->s[k], &by_x);
+    return 1.5 * sum / g;
+}
+
+static double node(int k)
+{
+    return sinh((double)k / OVR_LAW_PER);
+}
+
+/* ------------------------------------------------------------------ table */
+
+/* In place: values at n + 1 nodes, `apart` from each other, the first behind
+ * one place; even about the first, straight beyond the last. */
+static void to_spline(double *v, int n, int apart)
+{
+    double pivot[OVR_LAW_SLIDES + 1];
+    double *c = v + apart;
+    pivot[0] = 0.5;
+    c[0] *= 1.5;
+    for (int k = 1; k < n; k++) {
+        pivot[k] = 1 / (4 - pivot[k - 1]);
+        c[k * apart] = (6 * c[k * apart] - c[(k - 1) * apart]) * pivot[k];
+    }
+    for (int k = n - 1; k >= 0; k--)
+        c[k * apart] -= pivot[k] * c[(k + 1) * apart];
+    v[0] = c[apart];
+    c[(n + 1) * apart] = 2 * c[n * apart] - c[(n - 1) * apart];
+}
+
+static void splines(double *table)
+{
+    for (int i = 0; i <= OVR_LAW_SLIDES; i++)
+        to_spline(table + (i + 1) * OVR_LAW_ROW, OVR_LAW_GRADIENTS, 1);
+    for (int j = 0; j < OVR_LAW_ROW; j++)
+        to_spline(table + j, OVR_LAW_SLIDES, OVR_LAW_ROW);
+}
+
+static void fill(ovr_flow_law *to, const curve *f)
+{
+    rule r;
+    make_rule(&r);
+    for (int j = 0; j <= OVR_LAW_GRADIENTS; j++) {
+        double g = node(j), ratio, by_a;
+        slid(f, &r, 0, g, &by_a);
+        ratio = 1 / by_a;
+        for (int i = 0; i <= OVR_LAW_SLIDES; i++) {
+            double s_N = node(i), a = 0;
+            int at = (i + 1) * OVR_LAW_ROW + j + 1;
+            if (i > 0) {
+                a = mean_stress(f, &r, s_N, g, ratio * s_N);
+                ratio = a / s_N;
+            }
+            to->flow[at] = log(flow_factor(f, &r, a, g));
+            to->stress[at] = log(ratio);
+        }
+    }
+    splines(to->flow);
+    splines(to->stress);
+}
+
+/* ----------------------------------------------------------------- public */
+
+static ovr_status check_points(const ovr_flow_form *form, ovr_error *err)
+{
+    if (form->points < 2)
+        return ovr_fail_about(err, "rheology_file",
+                              "needs at least two points, has %zu",
+                              form->points);
+    for (size_t k = 0; k < form->points; k++) {
+        double before[2] = {k ? form->rate[k - 1] : 0,
+                            k ? form->shear[k - 1] : 0};
+        if (!(form->rate[k] > before[0] && form->shear[k] > before[1] &&
+              isfinite(form->rate[k]) && isfinite(form->shear[k])))
+            return ovr_fail_about(err, "rheology_file",
+                                  "point %zu: rates and stresses must be "
+                                  "positive and increase",
+                                  k + 1);
+        if (k &&
+            form->shear[k] / form->rate[k] > (1 + 1e-9) * before[1] / before[0])
+            return ovr_fail_about(err, "rheology_file",
+                                  "point %zu: the film thickens with the rate, "
+                                  "laws here thin",
+                                  k + 1);
+    }
+    return OVR_OK;
+}
+
+static ovr_status check_form(const ovr_flow_form *form, ovr_error *err)
+{
+    if (form->rheology == OVR_FLOW_TABLE)
+        return check_points(form, err);
+    if (!(form->n >= 0.05 && form->n <= 1))
+        return ovr_fail_about(err, "carreau_n",
+                              "carreau_n = %g: must be 0.05 to 1", form->n);
+    if (!(form->a >= 0.1 && form->a <= 10))
+        return ovr_fail_about(err, "carreau_a",
+                              "carreau_a = %g: must be 0.1 to 10", form->a);
+    return OVR_OK;
+}
+
+ovr_flow_law *ovr_flow_law_create(const ovr_flow_form *given,
+                                  const ovr_allocator *allocator,
+                                  ovr_error *err)
+{
+    ovr_flow_form form = ovr_flow_form_default();
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_flow_law *made;
+    curve *f;
+    if (OVR_SIZED_TAKE(ovr_flow_form, &form, given, err) ||
+        check_form(&form, err))
+        return NULL;
+    made = ovr_arena_take(&arena, 1, sizeof *made, err);
+    f = made ? ovr_arena_take(&arena, 1, sizeof *f, err) : NULL;
+    if (!f) {
+        ovr_arena_release(&arena);
+        return NULL;
+    }
+    make_curve(&form, f);
+    fill(made, f);
+    made->arena = arena;
+    return made;
+}
+
+void ovr_flow_law_free(ovr_flow_law *law)
+{
+    ovr_arena arena;
+    if (!law)
+        return;
+    arena = law->arena;
+    ovr_arena_release(&arena);
+}

@@ -1,0 +1,48 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Flow laws by the words of a case, and what is refused of them.
+. "$(dirname "$0")/../support/cli.sh"
+
+law='--M 20 --L 10 --level 5 --set contact.G=4000'
+law="$law --set contact.slide_to_roll=0.5"
+run() {
+    # shellcheck disable=SC2086
+    "$OVERROLL" steady $law "$@" --json
+}
+value() { sed -n "s/^  \"$1\": \(.*\),/\1/p" "$2"; }
+
+run --set lubricant.rheology=carreau \
+    --set 'lubricant.carreau_stress=5 MPa' >carreau || fail 'carreau'
+awk 'BEGIN {
+    print "rate [1/s], stress [MPa]"
+    for (k = 0; k < 150; k++) {
+        y = exp(-6 + 0.15 * k)
+        printf "%.9g, %.9g\n", 1e5 * y, 5 * y * (1 + y * y) ^ -0.25
+    }
+}' >points.csv
+run --set lubricant.rheology=table \
+    --set lubricant.rheology_file=points.csv >table || fail 'table'
+near=$(echo "$(value mu_slide carreau) $(value mu_slide table)" |
+    awk '{ d = $1 / $2 - 1; print d * d < 1e-5 }')
+[ "$near" = 1 ] || fail "$(value mu_slide carreau) $(value mu_slide table)"
+
+refused() {
+    expected=$1
+    shift
+    if run "$@" >out 2>err; then
+        fail "accepted: $*"
+    fi
+    contains err "$expected"
+}
+refused 'eyring_stress is missing' --set lubricant.rheology=eyring
+refused 'no meaning' --set 'lubricant.eyring_stress=5 MPa'
+refused 'carreau_stress is missing' --set lubricant.rheology=carreau
+refused "needs 'rheology_file'" --set lubricant.rheology=table
+echo '1, 2' >bare.csv
+refused 'bare.csv:1: the first line must name the units' \
+    --set lubricant.rheology=table --set lubricant.rheology_file=bare.csv
+printf 'rate [1/s], stress [MPa]\n1, 2\n2, 1\n' >falls.csv
+refused 'must be positive and increase' \
+    --set lubricant.rheology=table --set lubricant.rheology_file=falls.csv
+refused 'order: 4 is for rheology = newtonian' --set lubricant.rheology=eyring \
+    --set lubricant.eyring_number=0.3 --set domain.order=4
