@@ -410,11 +410,23 @@ static void warn_of_friction(const review *r, const ovr_simulation *sim,
     ratio = largest_ratio(state, shear[0], shear[1], kappa, &share);
     if (ratio > CARRIED)
         say(r, OVR_SAY_WARNING,
-            "friction of a Newtonian isothermal film: the shear stress is up "
+            "friction of a Newtonian%s film: the shear stress is up "
             "to %.3g times the pressure, and above 0.1 of it in %.2g %% of the "
             "contact; no oil carries it: choose a rheology, or take the film "
             "alone from this run",
-            ratio, 100 * share);
+            r->setup->heat ? "" : " isothermal", ratio, 100 * share);
+}
+
+/* Laws of viscosity and temperature are measured over some hundred kelvins. */
+static void warn_of_rise(const review *r, const ovr_simulation *sim)
+{
+    const double most = 100;
+    double rise = ovr_simulation_observation(sim)->T_max_rise;
+    if (rise > most)
+        say(r, OVR_SAY_WARNING,
+            "heat: the film is up to %.3g K hotter than the supply, further "
+            "than laws of viscosity are measured",
+            rise);
 }
 
 static double lambda_ratio(const ovr_run *run, double H_cen)
@@ -453,5 +465,6 @@ void ovr_run_review_after(ovr_run *run)
     warn_of_unrest(&r, state->T, ovr_simulation_statistics(sim)->settled);
     if (state->n && H_cen > 0)
         warn_of_friction(&r, sim, &run->arena);
+    warn_of_rise(&r, sim);
     run->info.lambda_ratio = lambda_ratio(run, H_cen);
 }

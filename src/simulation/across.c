@@ -47,20 +47,20 @@ static double derivative(const ovr_across *a, int i, int j)
     return 2 * up / down;
 }
 
-/* Points inside, from zero to 1; the others mirror them. */
+/* Points from the middle to surface 2; the others mirror them. */
 static void make_points(int points, ovr_across *a)
 {
-    static const double five[] = {0, 0.65465367070797714380};
-    static const double seven[] = {0, 0.46884879347071421380,
-                                   0.83022389627856692987};
-    int half = points / 2;
-    a->n = points;
+    static const double five[4] = {0, 0.65465367070797714380, 1};
+    static const double seven[4] = {0, 0.46884879347071421380,
+                                    0.83022389627856692987, 1};
+    const double *from = points == 5 ? five : seven;
+    int half = points == 5 ? 2 : 3, n = 2 * half + 1;
+    a->n = n;
     for (int k = 0; k <= half; k++) {
-        double s = k == half ? 1 : points == 5 ? five[k] : seven[k];
-        double p = legendre(points - 1, s);
-        a->s[half + k] = s;
-        a->s[half - k] = -s;
-        a->w[half + k] = a->w[half - k] = 1 / (points * (points - 1) * p * p);
+        double p = legendre(n - 1, from[k]);
+        a->s[half + k] = from[k];
+        a->s[half - k] = -from[k];
+        a->w[half + k] = a->w[half - k] = 1 / (n * (n - 1) * p * p);
     }
 }
 
