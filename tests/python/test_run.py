@@ -48,6 +48,18 @@ def test_same_numbers_as_the_program(program):
     assert compared > 15
 
 
+def test_fields_are_those_of_a_file():
+    """Of a physical contact, to the last bit but for its factor's rounding."""
+    case = ovr.Case(
+        load="300 kN/m", radius="8 mm", modulus="226 GPa", level=4,
+        viscosity="58.5 mPa.s", alpha="23.5 1/GPa", mean_speed="3 m/s",
+        output_fields="pressure, film_thickness, viscosity, mass_flow")
+    ds, now = ovr.run(case).isel(time=0), case.steady().dataset()
+    for name in ("pressure", "film_thickness", "viscosity", "mass_flow", "x"):
+        assert now[name].values == pytest.approx(ds[name].values, rel=1e-14)
+        assert now[name].units == ds[name].units
+
+
 def test_without_a_name_the_file_is_temporary(dent):
     ds = ovr.run(dent)
     path = ds.overroll.path

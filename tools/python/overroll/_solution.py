@@ -151,9 +151,10 @@ class Solution:
         from ._xarray import xarray
         row = fields()[name]
         values = self.field(name)
-        where = self.X if len(values) == self.n \
-            else 0.5 * (self.X[1:] + self.X[:-1])
-        x, x_about = self._scaled(where, lib.OVR_KIND_LENGTH, "x")
+        if len(values) < self.n:  # at the half nodes: as files have them
+            ends = np.pad(values, 1, mode="edge")
+            values = 0.5 * (ends[:-1] + ends[1:])
+        x, x_about = self._scaled(self.X, lib.OVR_KIND_LENGTH, "x")
         value, about = self._scaled(values, row.kind, text(row.long_name))
         return xarray.DataArray(
             value, dims="x", coords={"x": ("x", x, x_about)}, name=name,
@@ -188,13 +189,13 @@ class Solution:
         return self._data("roughness")
 
     def dataset(self, *names: str) -> "xarray.Dataset":
-        """The named fields (all that lie on the nodes) and all numbers, as
-        attributes, of this moment: a copy."""
+        """The named fields (all, unless named) and all numbers, as
+        attributes, of this moment: a copy.  Fields at half nodes are means at
+        the nodes, as in result files."""
         from ._xarray import xarray
-        chosen = names or [name for name, row in fields().items()
-                           if row.axes == lib.OVR_AT_NODES]
-        return xarray.Dataset({name: self._data(name) for name in chosen},
-                              attrs={"time": self.T, **self.numbers()})
+        return xarray.Dataset(
+            {name: self._data(name) for name in names or fields()},
+            attrs={"time": self.T, **self.numbers()})
 
 
 #: Name: quantity, and whether that name is of its value in SI.
