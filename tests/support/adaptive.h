@@ -7,8 +7,8 @@
 
 typedef struct test_adaptive {
     double worst; /* error of H_cen, rms in time, over the wanted one */
-    long cycles, cycles_of_mesh; /* of all runs with no more error than those
-                                    of dT = D, and of these */
+    double cycles, cycles_of_mesh; /* of all runs at the error of those of
+                                      dT = D, and of these */
 } test_adaptive;
 
 /* So many cases: M = 10 to 100, L = 4 to 12, 12 nodes a width or more, rolling
