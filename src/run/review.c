@@ -459,7 +459,8 @@ void ovr_run_review_after(ovr_run *run)
     if (*strategy)
         say(&r, OVR_SAY_NOTE, "the steady solution took another way: %s",
             strategy);
-    if (state->n && H_cen > 0 && !((const ovr_resolved *)r.setup)->inlet_kept)
+    if (state->n && H_cen > 0 &&
+        ((const ovr_resolved *)r.setup)->inlet_kept >= 0)
         warn_of_inlet(&r, state, H_cen);
     warn_of_extremes(&r, ovr_simulation_statistics(sim));
     warn_of_unrest(&r, state->T, ovr_simulation_statistics(sim)->settled);
