@@ -56,10 +56,12 @@ static double first_tolerance(const void *data, const ovr_level *level,
 }
 
 /* What a solve tries in turn until it converges: first the ordinary; with a
- * flow law then the Newtonian film first; then smaller steps in load on a finer
- * level, then also a finer coarsest grid, more sweeps and stronger damping. */
+ * flow law then more sweeps, then the Newtonian film first; then smaller steps
+ * in load on a finer level, then also a finer coarsest grid, more sweeps and
+ * stronger damping. */
 typedef struct strategy {
-    bool thin_last;     /* for flow laws alone */
+    bool flow_law;      /* for flow laws alone */
+    bool thin_last;     /* of these */
     double load_factor; /* largest step of the continuation in load */
     double mesh;        /* its D over H^(2/3), the length of the inlet's rise */
     int sweeps, newton_steps, finer_bottom;
@@ -68,12 +70,14 @@ typedef struct strategy {
 } strategy;
 
 static const strategy strategies[] = {
-    {false, 1.6, 0.3, 0, 1, 0, 0.1, 0.3, ""},
-    {true, 1.6, 0.3, 0, 1, 0, 0.1, 0.3,
+    {false, false, 1.6, 0.3, 0, 1, 0, 0.1, 0.3, ""},
+    {true, false, 1.6, 0.3, 2, 1, 1, 0.1, 0.3,
+     "with a finer coarsest grid and more sweeps"},
+    {true, true, 1.6, 0.3, 0, 1, 0, 0.1, 0.3,
      "a Newtonian film first, then the flow law stress by stress"},
-    {false, 1.25, 0.15, 0, 1, 0, 0.1, 0.3,
+    {false, true, 1.25, 0.15, 0, 1, 0, 0.1, 0.3,
      "the load was raised in smaller steps on a finer level"},
-    {false, 1.25, 0.15, 2, 2, 1, 0.03, 0.1,
+    {false, true, 1.25, 0.15, 2, 2, 1, 0.03, 0.1,
      "the load was raised in smaller steps on a finer level, with a finer "
      "coarsest grid, more sweeps and stronger damping"}};
 enum { STRATEGIES = sizeof strategies / sizeof *strategies };
@@ -88,10 +92,9 @@ static bool thins(const ovr_simulation *sim)
     return sim->lubricant.rheology != OVR_NEWTONIAN;
 }
 
-/* Of all but the first, where there is a flow law. */
 static bool thin_last(const ovr_simulation *sim, const strategy *how)
 {
-    return thins(sim) && how != strategies;
+    return thins(sim) && how->thin_last;
 }
 
 static ovr_full full_of(ovr_simulation *sim, const strategy *how)
@@ -293,7 +296,7 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
     ovr_hierarchy_operator(&sim->grids, &op);
     for (int k = 0; k < STRATEGIES && !outcome.converged; k++) {
         ovr_full how = full_of(sim, &strategies[k]);
-        if (strategies[k].thin_last && !thins(sim))
+        if (strategies[k].flow_law && !thins(sim))
             continue;
         outcome.retries = sim->strategy = k;
         sim->refinements = 0;
