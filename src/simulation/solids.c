@@ -79,7 +79,7 @@ static double worst(const ovr_memory *memory, const double weight[OVR_MODES],
 
 double ovr_memory_fit(double dT, double longest, ovr_memory *memory)
 {
-    double weight[OVR_MODES];
+    double weight[OVR_MODES] = {0};
     fit f;
     fill(&f, memory, dT, longest);
     solve(&f, weight);

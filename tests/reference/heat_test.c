@@ -113,7 +113,10 @@ static hot hot_contact(const struct truth *t, const ovr_heat_form *f)
                                 &err),
              &err);
     if (t->tau0 > 0) {
-        const ovr_flow_form eyring = {OVR_EYRING, t->tau0 * 1e6, NAN, 0};
+        ovr_flow_form eyring = {.size = sizeof eyring,
+                                .rheology = OVR_EYRING,
+                                .stress = t->tau0 * 1e6,
+                                .number = NAN};
         CHECK_OK(ovr_lubricant_flow(&made.contact, &eyring, &made.oil, &err),
                  &err);
     }
