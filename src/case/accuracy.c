@@ -56,7 +56,7 @@ static double of_feature(const ovr_setup *s, const ovr_feature_info *f)
         part = 1; /* of what they do to the film, whatever that is */
     if (scheme == OVR_UPSTREAM1)
         return 3 * part / N;
-    return (scheme == OVR_UPSTREAM2 ? 30 : 2.5) * part / (N * N);
+    return (scheme == OVR_UPSTREAM2 ? 100 : 8) * part / (N * N);
 }
 
 double ovr_expected_of_features(const ovr_setup *s)
