@@ -51,6 +51,14 @@ typedef enum ovr_stop {
                             difference from the next coarser level */
 } ovr_stop;
 
+/* What becomes of the film behind its rupture. */
+typedef enum ovr_cavitation {
+    OVR_CAVITATION_REYNOLDS,  /* P >= 0 alone: a gap without pressure is full */
+    OVR_CAVITATION_CONSERVING /* it keeps the oil that came, and no more;
+                                 upstream1 and upstream2, order 2, the line
+                                 smoother and cycles to a tolerance only */
+} ovr_cavitation;
+
 /* Zero or NAN where noted means: the program chooses from M, L and level. */
 typedef struct ovr_options {
     size_t size;          /* of this struct, as its user knows it */
@@ -79,6 +87,7 @@ typedef struct ovr_options {
     double relax_dipole; /* paper 0.3..0.6; 0.5 */
     bool paper_balance;  /* H0 by the paper's relaxation on the coarsest
                             grid instead of the dense Newton step */
+    ovr_cavitation cavitation;
 } ovr_options;
 
 OVR_SIZED(ovr_options)
@@ -117,6 +126,16 @@ OVR_API double ovr_simulation_starvation(const ovr_simulation *sim);
  * smooth, constant. */
 OVR_API void ovr_simulation_surface(ovr_simulation *sim, ovr_heights *heights,
                                     void *data);
+/* With OVR_CAVITATION_CONSERVING: the oil q = rho H that arrives at the inlet
+ * at time T >= 0 (before, what arrives at T = 0), as a film on the surfaces; of
+ * layers h1, h2 it is (u1 h1 + u2 h2)/um.  What the contact does not take waits
+ * before the inlet; `waiting` of it, in b^3/R, is there at the start.  When it
+ * is used up only the film arrives.  INFINITY: the contact is flooded whatever
+ * comes.  Borrowed; NULL, the default: flooded. */
+typedef double ovr_supply(void *data, double T);
+OVR_API void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply,
+                                   void *data, double waiting);
+
 /* How fast what is on the surfaces moves, u_k/um of the surface whose features
  * are the steepest: the steps then begin from a guess that moves along, and
  * take fewer cycles.  Default: NAN, not known; ovr_surfaces_speed tells it. */
@@ -231,6 +250,15 @@ typedef struct ovr_observation {
     int maxima;      /* maxima of P that stand out so */
     bool converged;  /* R and load below tolerance */
     bool marked;     /* accepted above tolerance */
+    /* oil conserved; without it NAN */
+    double supply;          /* q that arrives at the inlet */
+    double meniscus;        /* X where the film begins; NAN: flooded */
+    double inflow, outflow; /* Cu q less what the pressure drives back */
+    double oil_inside;      /* integral of q over the domain */
+    double oil_waiting;     /* before the inlet; may be a small debt */
+    double cavity_length;   /* dry, between the first and the last wet node */
+    double mass_defect;     /* inflow - outflow - stored change by the scheme's
+                               own fluxes, over H_cen */
 } ovr_observation;
 OVR_API const ovr_observation *
 ovr_simulation_observation(const ovr_simulation *sim);

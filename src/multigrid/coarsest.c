@@ -4,21 +4,15 @@
 #include <math.h>
 #include <string.h>
 
+#include "multigrid/content.h"
 #include "multigrid/field.h"
 
-#include "multigrid/reynolds_row.h"
+#include "multigrid/content_row.h"
 
 /* K/pi of a level is known at distances -(n + 1) .. n + 2, 0 at index n + 2. */
 static size_t distances(const ovr_level *level)
 {
     return 2 * level->grid.n + 5;
-}
-
-/* The levels solved by Newton's method: the coarsest and the next. */
-static const ovr_level *newton_level(const ovr_hierarchy *grids, int k)
-{
-    bool single = grids->coarsest == grids->finest;
-    return &grids->level[grids->coarsest + (k && !single)];
 }
 
 /* Values of a row: n + 1 unknowns, the right-hand side, whole vectors. */
@@ -27,27 +21,47 @@ static size_t stride_of(size_t n)
     return (n + 2 + 14) / 8 * 8;
 }
 
+int ovr_newton_levels(const ovr_hierarchy *grids)
+{
+    int levels = grids->finest - grids->coarsest + 1;
+    int most = grids->content ? 3 : 2;
+    return levels < most ? levels : most;
+}
+
 ovr_status ovr_newton_prepare(ovr_hierarchy *grids, ovr_arena *arena,
                               ovr_error *err)
 {
-    const ovr_level *level = newton_level(grids, 1);
     ovr_newton *newton = &grids->newton;
-    size_t m = level->grid.n + 1;
-    newton->matrix = ovr_field(arena, m * stride_of(level->grid.n), err);
+    const ovr_level *level = &grids->level[grids->coarsest], *top;
+    top = level + newton->levels - 1;
+    size_t m = top->grid.n + 1;
+    newton->matrix = ovr_field(arena, m * stride_of(top->grid.n), err);
     newton->change = ovr_field(arena, m, err);
-    for (int k = 0; k < 2; k++)
-        newton->kernel[k] = ovr_field(arena, distances(newton_level(grids, k)),
-                                      err);
-    if (!newton->matrix || !newton->change || !newton->kernel[0] ||
-        !newton->kernel[1])
+    for (int k = 0; k < newton->levels; k++)
+        if (!(newton->kernel[k] = ovr_field(arena, distances(level + k), err)))
+            return OVR_NO_MEMORY;
+    if (grids->content && !(newton->wet = ovr_field(arena, m, err)))
         return OVR_NO_MEMORY;
-    return OVR_OK;
+    return newton->matrix && newton->change ? OVR_OK : OVR_NO_MEMORY;
+}
+
+/* Columns of dry nodes, whose unknown is q. */
+static void content_columns(const ovr_hierarchy *grids, const ovr_fields *f,
+                            const row_weights *c, size_t n, size_t i,
+                            double *row)
+{
+    const double *wet = grids->newton.wet;
+    for (size_t j = 0; j < n; j++)
+        row[j] *= wet[j];
+    for (size_t m = 0; m < 3 && m <= i; m++)
+        if (!f->wet[i - m])
+            row[i - m] = -c->a[m];
 }
 
 void ovr_newton_fill(ovr_hierarchy *grids)
 {
-    for (int k = 0; k < 2; k++) {
-        const ovr_level *level = newton_level(grids, k);
+    for (int k = 0; k < grids->newton.levels; k++) {
+        const ovr_level *level = &grids->level[grids->coarsest + k];
         for (size_t d = 0; d < distances(level); d++)
             grids->newton.kernel[k][d] = ovr_deformation_kernel(
                 (double)d - (double)(level->grid.n + 2), level->grid.D);
@@ -63,17 +77,24 @@ static void jacobian_row(const ovr_hierarchy *grids, const ovr_level *level,
     row_weights c = i == 1 ? row_first(w, f->flow) : row_inner(w, f->flow);
     size_t n = level->grid.n;
     ptrdiff_t J = (ptrdiff_t)i;
+    if (grids->conserving)
+        c = row_limited(f, w, &c, J);
     /* dH_{i+d}/dP_j = -k(j - i - d) for d = -2, -1, 0, 1 */
     const double *k = grids->newton.kernel[level->number - grids->coarsest] +
                       n + 2 - i; /* k[j] = k(j - i) */
     double e[4] = {0}, local[4] = {0};
-    row_by_film(f, &c, J, e);
+    if (grids->conserving)
+        row_content_by_film(f, &c, J, e);
+    else
+        row_by_film(f, &c, J, e);
     row_flow_by_film(f, &c, J, e);
     row_by_pressure(f, &c, J, local);
     grids->kernels->dense_row(n, e, k, row);
     for (size_t d = i == 1; d < 4; d++)
         row[i + d - 2] += local[d];
     row[n] = -(e[0] + e[1] + e[2] + e[3]);
+    if (grids->conserving)
+        content_columns(grids, f, &c, n, i, row);
 }
 
 static void hold(size_t n, size_t i, double *row)
@@ -89,8 +110,10 @@ static void assemble(const ovr_hierarchy *grids, const ovr_level *level,
     size_t n = level->grid.n, stride = stride_of(n);
     double *row = grids->newton.matrix;
     for (size_t i = 0; i < n; i++, row += stride) {
-        bool end = i == 0 || i == n - 1;
-        if (end || ovr_lanes_has(&level->lanes, level->f.held, i)) {
+        bool held = i == 0 || i == n - 1;
+        if (!grids->conserving)
+            held |= ovr_lanes_has(&level->lanes, level->f.held, i);
+        if (held) {
             hold(n, i, row);
             continue;
         }
@@ -98,7 +121,7 @@ static void assemble(const ovr_hierarchy *grids, const ovr_level *level,
         row[n + 1] = f->r[i];
     }
     for (size_t j = 0; j < n; j++)
-        row[j] = level->grid.D;
+        row[j] = level->grid.D * (grids->conserving ? grids->newton.wet[j] : 1);
     row[n] = 0;
     row[n + 1] = level->force - ovr_level_load(grids, level);
 }
@@ -106,6 +129,38 @@ static void assemble(const ovr_hierarchy *grids, const ovr_level *level,
 static double clipped(double x, double limit)
 {
     return x > limit ? limit : x < -limit ? -limit : x;
+}
+
+/* The states of the nodes, once those on the kink have taken sides. */
+static void order_states(const ovr_hierarchy *grids, const ovr_level *level,
+                         const ovr_fields *f)
+{
+    grids->kernels->content_choose(&level->lanes, &level->weights, &level->f);
+    ovr_content_read(level, level->f.wet, f->wet);
+    ovr_content_read(level, level->f.limited, f->limited);
+    ovr_content_read(level, level->f.spent, f->spent);
+    for (size_t i = 0; i < level->grid.n; i++)
+        grids->newton.wet[i] = f->wet[i];
+}
+
+/* P of wet nodes, which are dried at zero, q of dry ones. */
+static void advance(const ovr_hierarchy *grids, const ovr_level *level,
+                    const ovr_fields *f, double limit)
+{
+    const double *change = grids->newton.change;
+    for (size_t i = 1; i + 1 < level->grid.n; i++) {
+        if (!grids->conserving || f->wet[i])
+            f->P[i] = fmax(0, f->P[i] + clipped(change[i], limit));
+        else
+            f->q[i] = fmax(0, f->q[i] + change[i]);
+        if (!grids->conserving || !f->wet[i] || f->P[i] > 0)
+            continue;
+        ovr_content_mark(level, level->f.wet, i, false);
+        ovr_content_mark(level, level->f.dried, i, true);
+    }
+    ovr_level_write(grids, level, f->P, level->f.P);
+    if (grids->conserving)
+        ovr_level_write(grids, level, f->q, level->f.q);
 }
 
 bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit)
@@ -116,15 +171,13 @@ bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit)
     double H;
     ovr_level_residual(grids, level);
     f = ovr_level_ordered(grids, level);
+    if (grids->conserving)
+        order_states(grids, level, f);
     assemble(grids, level, f);
     if (!grids->kernels->dense_solve(n + 1, stride_of(n), newton->matrix,
                                      newton->change))
         return false;
-    for (size_t i = 1; i < n - 1; i++) {
-        double P = f->P[i] + clipped(newton->change[i], limit);
-        f->P[i] = P > 0 ? P : 0;
-    }
-    ovr_level_write(grids, level, f->P, level->f.P);
+    advance(grids, level, f, limit);
     /* in proportion where the film is thick: rigid contacts */
     H = fabs(ovr_level_centre(level, level->f.H));
     grids->H0 += clipped(newton->change[n], limit * 2 / 3 * (H > 1 ? H : 1));

@@ -7,6 +7,9 @@
  *     dP_i = 0                            at held nodes: dry, not rising
  *     D sum_j dP_j = force - D sum_j P_j
  *
+ * Where oil is conserved no node is held; unknown are the pressures of wet
+ * nodes, which alone carry, and the contents of dry ones (content.h).
+ *
  * J_ij = dN_i/dP_j is that of reynolds_row.h, d eps/dH included.  H0 changes
  * nowhere else.
  */
@@ -15,7 +18,11 @@
 
 #include "multigrid/hierarchy.h"
 
-/* Memory for steps on the coarsest two levels. */
+/* How many of the coarsest levels it solves: two, of conserved oil three (the
+ * supply is reduced there). */
+int ovr_newton_levels(const ovr_hierarchy *grids);
+
+/* Memory for steps on them. */
 ovr_status ovr_newton_prepare(ovr_hierarchy *grids, ovr_arena *arena,
                               ovr_error *err);
 

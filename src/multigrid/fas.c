@@ -1,6 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "multigrid/fas.h"
 
+#include "multigrid/content.h"
+
+/* F = N + restricted residual, with the film of the restricted P. */
+static void make_sides(ovr_hierarchy *grids, ovr_level *coarse,
+                       const double *residual)
+{
+    const ovr_kernels *run = grids->kernels;
+    const ovr_fields *f = &coarse->f;
+    ovr_level_clear(coarse, f->F);
+    if (grids->conserving)
+        run->content_residual(&coarse->lanes, &coarse->weights, f);
+    else
+        run->residual(&coarse->lanes, &coarse->weights, f); /* r = -N_c */
+    run->coarse_side(&coarse->lanes, residual, f->F, f->r);
+    if (!grids->conserving)
+        run->phase(&coarse->lanes, &coarse->weights, f);
+}
+
 void ovr_fas_restrict(ovr_hierarchy *grids, const ovr_level *fine,
                       ovr_level *coarse)
 {
@@ -9,13 +27,12 @@ void ovr_fas_restrict(ovr_hierarchy *grids, const ovr_level *fine,
     double *residual = grids->band.delta, H0 = grids->H0;
     run->restrict_fields(&coarse->lanes, &fine->lanes, &fine->f, f->P,
                          coarse->f.entry, coarse->f.gap, residual);
+    if (grids->conserving)
+        ovr_content_restrict(grids, fine, coarse, residual);
     run->deformation(&coarse->mlmi, f->P, coarse->f.w);
     run->coarse_gap(&coarse->lanes, H0, coarse->f.w, coarse->f.gap);
     ovr_level_properties(grids, coarse);
-    ovr_level_clear(coarse, f->F);
-    run->residual(&coarse->lanes, &coarse->weights, f); /* r = -N_c */
-    run->coarse_side(&coarse->lanes, residual, f->F, f->r);
-    run->phase(&coarse->lanes, &coarse->weights, f);
+    make_sides(grids, coarse, residual);
     coarse->force = ovr_level_load(grids, coarse) +
                     (fine->force - ovr_level_load(grids, fine));
 }
@@ -46,4 +63,6 @@ void ovr_fas_refine(ovr_hierarchy *grids, const ovr_level *coarse,
     ovr_level_read(grids, coarse, coarse->f.P, from);
     interpolate(coarse->grid.n, from, to);
     ovr_level_write(grids, fine, to, fine->f.P);
+    if (grids->conserving)
+        ovr_content_refine(grids, coarse, fine);
 }

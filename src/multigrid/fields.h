@@ -6,7 +6,8 @@
  *
  *     memory   LANES: the nodes, in lanes; WIDE: with the deformation's halos;
  *              NEWTON: on the grids that are solved by Newton's method alone;
- *              FLOW, SENSITIVE: as LANES, NEWTON where there is a flow law
+ *              FLOW, SENSITIVE: as LANES, NEWTON where there is a flow law;
+ *              CONTENT: where oil is conserved (content.h) alone
  *     ordered  read node by node too, by what does not run in lanes
  *     carried  full multigrid brings it down to all levels by full weighting
  *     shown    of the finest level: part of the solution, read after a solve
@@ -39,7 +40,9 @@
     FIELD(tangent, FLOW,   1, 0, 0, 0, 0) /* 2 T there */ \
     FIELD(by_eps,  FLOW,   1, 0, 0, 0, 0) /* dE/d eps */ \
     FIELD(by_left, SENSITIVE, 1, 0, 0, 0, 0) /* 2 dE/dH_i at fixed P */ \
-    FIELD(by_right, SENSITIVE, 1, 0, 0, 0, 0) /* 2 dE/dH_{i+1} */
+    FIELD(by_right, SENSITIVE, 1, 0, 0, 0, 0) /* 2 dE/dH_{i+1} */ \
+    FIELD(full,    CONTENT, 0, 0, 0, 0, 0) /* rho H, of a gap full of oil */ \
+    FIELD(kept,    CONTENT, 0, 0, 0, 0, 0) /* kappa q^{k-1}/dT (content.h) */
 #define OVR_FIELD_INDEX(name, ...) OVR_FIELD_##name,
 #define OVR_FIELD_POINTER(name, ...) double *restrict name;
 /* clang-format on */
@@ -62,6 +65,10 @@ typedef struct ovr_fields {
      * that of the supply's temperature, plus shift; drag: psi_c, by which rho
      * H^2 counts where the film slides (flow.h). */
     double *th, *shift, *drag;
+    /* Where oil is conserved (content.h): dried in this sweep; outflow, time
+     * derivative limited; wet columns that share with the node before, after
+     * them. */
+    unsigned char *dried, *limited, *spent, *left, *right;
 } ovr_fields;
 
 typedef enum ovr_field_memory {
@@ -69,7 +76,8 @@ typedef enum ovr_field_memory {
     OVR_WIDE,
     OVR_NEWTON,
     OVR_FLOW,
-    OVR_SENSITIVE
+    OVR_SENSITIVE,
+    OVR_CONTENT
 } ovr_field_memory;
 
 typedef struct ovr_field_row {

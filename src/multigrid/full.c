@@ -39,8 +39,7 @@ static void carry_down(ovr_hierarchy *grids, size_t field)
     }
 }
 
-/* gap, F and force of every level as if it were the finest. */
-static void prepare_levels(ovr_hierarchy *grids, double force)
+void ovr_full_prepare(ovr_hierarchy *grids, double force)
 {
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (ovr_field_rows[k].carried)
@@ -284,7 +283,7 @@ ovr_defect ovr_full_multigrid(ovr_hierarchy *grids, const ovr_wanted *wanted,
 {
     nested a = {grids, wanted, &how, cycles, false};
     ovr_level *level = &grids->level[how.cycling.bottom];
-    prepare_levels(grids, wanted->force);
+    ovr_full_prepare(grids, wanted->force);
     double fraction = solve_easy_load(&a, level);
     ovr_defect d = ovr_cycle_defect(grids, level);
     if (fraction < 1) {

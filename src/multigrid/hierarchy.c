@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "multigrid/coarsest.h"
+#include "multigrid/content.h"
 #include "multigrid/field.h"
 #include "multigrid/flow.h"
 
@@ -25,22 +26,37 @@ static ovr_status take(double **const to[], size_t count, size_t room,
 }
 
 /* Whether a level has the field. */
-static bool has(ovr_field_memory memory, bool newton, bool thins)
+static bool has(const ovr_hierarchy *grids, ovr_field_memory memory,
+                bool newton)
 {
+    bool thins = ovr_flow_thins(&grids->fluid);
     switch (memory) {
     case OVR_NEWTON: return newton;
     case OVR_FLOW: return thins;
     case OVR_SENSITIVE: return newton && thins;
+    case OVR_CONTENT: return grids->content;
     default: return true;
     }
 }
 
-static ovr_status take_fields(ovr_level *level, bool newton, bool thins,
+static ovr_status take_sets(ovr_fields *f, size_t n, bool content,
+                            ovr_arena *arena, ovr_error *err)
+{
+    unsigned char **const all[] = {&f->wet,   &f->held, &f->dried, &f->limited,
+                                   &f->spent, &f->left, &f->right};
+    for (size_t k = 0; k < (content ? sizeof all / sizeof *all : 2); k++)
+        if (!(*all[k] = ovr_set(arena, n, err)))
+            return OVR_NO_MEMORY;
+    return OVR_OK;
+}
+
+static ovr_status take_fields(const ovr_hierarchy *grids, ovr_level *level,
                               ovr_arena *arena, ovr_error *err)
 {
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++) {
         ovr_field_memory memory = ovr_field_rows[k].memory;
-        if (!has(memory, newton, thins))
+        if (!has(grids, memory,
+                 level->number < grids->coarsest + grids->newton.levels))
             continue;
         level->f.all[k] = memory == OVR_WIDE
                               ? ovr_mlmi_field(&level->mlmi, arena, err)
@@ -48,9 +64,7 @@ static ovr_status take_fields(ovr_level *level, bool newton, bool thins,
         if (!level->f.all[k])
             return OVR_NO_MEMORY;
     }
-    level->f.wet = ovr_set(arena, level->grid.n, err);
-    level->f.held = ovr_set(arena, level->grid.n, err);
-    return level->f.wet && level->f.held ? OVR_OK : OVR_NO_MEMORY;
+    return take_sets(&level->f, level->grid.n, grids->content, arena, err);
 }
 
 static ovr_status take_band(ovr_band *band, size_t room, ovr_arena *arena,
@@ -61,15 +75,16 @@ static ovr_status take_band(ovr_band *band, size_t room, ovr_arena *arena,
     return take(all, sizeof all / sizeof *all, room, arena, err);
 }
 
-static ovr_status take_natural(ovr_fields *f, size_t n, bool thins,
-                               ovr_arena *arena, ovr_error *err)
+static ovr_status take_natural(ovr_hierarchy *grids, size_t n, ovr_arena *arena,
+                               ovr_error *err)
 {
+    ovr_fields *f = &grids->natural;
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (ovr_field_rows[k].ordered &&
-            has(ovr_field_rows[k].memory, true, thins) &&
+            has(grids, ovr_field_rows[k].memory, true) &&
             !(f->all[k] = ovr_field(arena, n, err)))
             return OVR_NO_MEMORY;
-    return OVR_OK;
+    return grids->content ? take_sets(f, n, true, arena, err) : OVR_OK;
 }
 
 /* The next finer level, of the whole grid below. */
@@ -84,8 +99,7 @@ static ovr_status build_level(ovr_hierarchy *grids, int number, int order,
     level->number = number;
     if (ovr_mlmi_plan(&level->mlmi, level->grid.n, order, range, arena, err))
         return OVR_NO_MEMORY;
-    return take_fields(level, number <= grids->coarsest + 1,
-                       ovr_flow_thins(&grids->fluid), arena, err);
+    return take_fields(grids, level, arena, err);
 }
 
 void ovr_hierarchy_kernels(ovr_hierarchy *grids, const ovr_kernels *kernels)
@@ -108,6 +122,7 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
 {
     grids->coarsest = coarsest;
     grids->finest = finest;
+    grids->newton.levels = ovr_newton_levels(grids);
     if (ovr_grid_make(&grids->level[coarsest].grid, X_a, X_b,
                       ovr_level_nodes(coarsest), arena, err))
         return OVR_NO_MEMORY;
@@ -116,8 +131,7 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
             return OVR_NO_MEMORY;
     size_t room = room_of(&grids->level[finest]);
     if (take_band(&grids->band, room, arena, err) ||
-        take_natural(&grids->natural, grids->level[grids->ordered].grid.n,
-                     ovr_flow_thins(&grids->fluid), arena, err))
+        take_natural(grids, grids->level[grids->ordered].grid.n, arena, err))
         return OVR_NO_MEMORY;
     grids->scratch[0] = grids->band.b[0];
     grids->scratch[1] = grids->band.b[1];
@@ -145,16 +159,22 @@ void ovr_hierarchy_operator(ovr_hierarchy *grids, const ovr_operator *op)
         ovr_level *level = &grids->level[l];
         level->weights = ovr_reynolds_weights(op, level->grid.D);
         level->shares = ovr_reynolds_shares(op, level->grid.D);
+        level->closed = false;
+        memcpy(level->opened, level->weights.first, sizeof level->opened);
     }
 }
 
-void ovr_level_properties(const ovr_hierarchy *grids, const ovr_level *level)
+void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level)
 {
     const ovr_kernels *run = grids->kernels;
-    run->film(&grids->fluid, grids->H0, &level->lanes, level->f.gap, level->f.w,
-              &level->f);
-    if (level->f.flow)
-        run->flow(&grids->fluid, level->grid.D, &level->lanes, &level->f);
+    ovr_fields f = level->f;
+    if (grids->conserving)
+        f.q = f.full;
+    run->film(&grids->fluid, grids->H0, &level->lanes, f.gap, f.w, &f);
+    if (f.flow)
+        run->flow(&grids->fluid, level->grid.D, &level->lanes, &f);
+    if (grids->conserving)
+        ovr_content_settle(grids, level);
 }
 
 void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level)
@@ -165,6 +185,11 @@ void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level)
 
 void ovr_level_residual(const ovr_hierarchy *grids, ovr_level *level)
 {
+    if (grids->conserving) {
+        grids->kernels->content_residual(&level->lanes, &level->weights,
+                                         &level->f);
+        return;
+    }
     grids->kernels->residual(&level->lanes, &level->weights, &level->f);
 }
 
@@ -176,8 +201,11 @@ void ovr_level_refresh(const ovr_hierarchy *grids, ovr_level *level)
 
 double ovr_level_imbalance(const ovr_hierarchy *grids, const ovr_level *level)
 {
-    double sum = grids->kernels->imbalance(&level->lanes, &level->weights,
-                                           &level->f);
+    const ovr_kernels *run = grids->kernels;
+    double sum = grids->conserving
+                     ? run->content_imbalance(&level->lanes, &level->f)
+                     : run->imbalance(&level->lanes, &level->weights,
+                                      &level->f);
     return sum * level->grid.D / fabs(ovr_level_centre(level, level->f.H));
 }
 

@@ -33,11 +33,18 @@ typedef struct ovr_level {
     ovr_shares shares; /* of a distributed change */
     ovr_weights weights;
     ovr_mlmi mlmi;
+    /* where oil is conserved (content.h): its right-hand sides are its own,
+     * no coarser grid's; its inlet is closed; weights of row 1 when open */
+    bool leads, closed;
+    double opened[3];
 } ovr_level;
 
 typedef struct ovr_newton {
     double *matrix, *change; /* with the right-hand side; the solution */
-    double *kernel[2];       /* K/pi of the coarsest two levels */
+    double *kernel[3];       /* K/pi of the coarsest levels */
+    int levels;              /* of those, how many */
+    /* oil conserved, in the order of the nodes: 1 where wet, else 0 */
+    double *wet;
 } ovr_newton;
 
 typedef struct ovr_hierarchy {
@@ -48,6 +55,9 @@ typedef struct ovr_hierarchy {
     ovr_operator op;
     double H0;
     int ordered; /* the finest level that is not relaxed in lanes */
+    /* oil is conserved (content.h): wanted when it was built, at the moment;
+     * what arrives is given, and inlets may be closed */
+    bool content, conserving, supplied;
 
     ovr_band band;      /* work arrays of the finest size */
     double *scratch[2]; /* two of them, for as long as a function */
@@ -77,7 +87,7 @@ void ovr_hierarchy_operator(ovr_hierarchy *grids, const ovr_operator *op);
  * of its nodes; all of these. */
 void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level);
 /* The same for the deformation it has. */
-void ovr_level_properties(const ovr_hierarchy *grids, const ovr_level *level);
+void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level);
 void ovr_level_residual(const ovr_hierarchy *grids, ovr_level *level);
 void ovr_level_refresh(const ovr_hierarchy *grids, ovr_level *level);
 

@@ -39,6 +39,9 @@ typedef struct ovr_weights {
     double a[3];     /* of q_i, q_{i-1}, q_{i-2} */
     double first[3]; /* in row 1 */
     double half;     /* 1/(2 D^2) */
+    /* where oil is conserved (content.h): what limits change, inflow */
+    double closed[3]; /* in row 1 of a closed inlet */
+    double out, time, source;
 } ovr_weights;
 
 /* Work arrays of the line relaxation. */
@@ -110,6 +113,23 @@ enum { OVR_FOURTH_MARGIN = 8 };
     K(void, correct, (const ovr_lanes *coarse, const ovr_lanes *fine, \
                       double factor, const double *Pc, const double *entry, \
                       const ovr_fields *f)) \
+    /* oil conserved, see content.h */ \
+    K(void, content_settle, (const ovr_lanes *g, const ovr_weights *w, \
+                             bool limits, const ovr_fields *f)) \
+    K(void, content_residual, (const ovr_lanes *g, const ovr_weights *w, \
+                               const ovr_fields *f)) \
+    K(double, content_imbalance, (const ovr_lanes *g, const ovr_fields *f)) \
+    K(void, content_choose, (const ovr_lanes *g, const ovr_weights *w, \
+                             const ovr_fields *f)) \
+    K(void, content_assemble, (const ovr_lanes *g, const ovr_weights *w, \
+                               const double k[6], const ovr_shares *shares, \
+                               const ovr_fields *f, const ovr_band *band)) \
+    K(void, content_advance, (const ovr_lanes *g, double limit, \
+                              const ovr_shares *shares, const ovr_band *band, \
+                              const ovr_fields *f)) \
+    K(void, content_restrict, (const ovr_lanes *coarse, const ovr_lanes *fine, \
+                               const ovr_fields *f, const ovr_fields *to, \
+                               double *rc)) \
     /* in the order of the nodes, see scan.kernel.c */ \
     K(void, combine, (size_t n, double a, const double *x, double b, \
                       const double *y, double *result)) \

@@ -19,6 +19,12 @@ ovr_weights ovr_reynolds_weights(const ovr_operator *op, double D)
         w.first[m] = m < 2 ? op->w_first[m] / D + cT : 0;
     }
     w.half = 0.5 / (D * D);
+    w.closed[0] = w.a[0];
+    w.closed[1] = -w.a[2];
+    w.closed[2] = 0;
+    w.out = op->limited[0] / D;
+    w.time = op->limited[1];
+    w.source = 0;
     return w;
 }
 

@@ -44,6 +44,7 @@ typedef struct ovr_operator {
     double speed;      /* Cu */
     bool transient;
     bool characteristic;
+    double limited[2]; /* content.h: outflow and time derivative; else zero */
 } ovr_operator;
 
 /* Sets w and w_first: the upstream wedge of first or second order at the speed

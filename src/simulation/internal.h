@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "multigrid/fourth_order.h"
 #include "multigrid/full.h"
+#include "multigrid/starved.h"
 #include "overroll/simulation.h"
 #include "simulation/scheme.h"
 
@@ -45,6 +46,16 @@ typedef struct ovr_inflow {
     double *extended; /* q with ghosts before it */
 } ovr_inflow;
 
+/* The film that arrives (supply.c). */
+typedef struct ovr_arrival {
+    ovr_supply *supply; /* NULL: flooded */
+    void *data;
+    double before;  /* waiting at the start */
+    double waiting; /* now */
+    bool closed;    /* only what arrives flows in */
+    double q, face; /* of this step: at X_a, half a mesh further */
+} ovr_arrival;
+
 /* The solution as all above multigrid sees it, node by node: the fields that
  * are `shown`, on whatever grid. */
 typedef struct ovr_solution {
@@ -80,6 +91,7 @@ struct ovr_simulation {
     ovr_solution now;
     ovr_past past;
     ovr_inflow inflow;
+    ovr_arrival arrival;
     bool started;
     int strategy;      /* of steady.c, by which the steady solution was found */
     ovr_wanted wanted; /* the steady start */
@@ -171,6 +183,22 @@ void ovr_time_derivative(ovr_simulation *sim, double dT);
 
 /* Sets F, given without the corrections of fourth order. */
 void ovr_history_term(ovr_simulation *sim, double *F);
+
+/* Whether oil is conserved (multigrid/content.h). */
+bool ovr_conserves(const ovr_simulation *sim);
+
+/* With oil conserved: the history term (content_history.c); contents, states
+ * and inlet that a try begins from; the inlet's account of a step that was
+ * accepted; the steady solution from the flooded one of the Reynolds equation;
+ * what is observed (supply.c). */
+void ovr_content_history(ovr_simulation *sim, double dT, const double c[2]);
+void ovr_supply_step(ovr_simulation *sim, double dT);
+void ovr_supply_try(ovr_simulation *sim);
+void ovr_supply_taken(ovr_simulation *sim, double dT);
+ovr_defect ovr_supply_steady(ovr_simulation *sim, const ovr_full *how,
+                             int *cycles);
+void ovr_supply_observe(const ovr_simulation *sim, double dT,
+                        ovr_observation *o);
 
 /* Memory for the characteristic scheme, and its history term
  *     F_i = c1 q^k(X_i - a1) + c2 q^{k-1}(X_i - a2). */

@@ -51,17 +51,28 @@ static double twice_flow(const ovr_solution *now, size_t i)
     return now->flow ? now->flow[i] : now->eps[i] + now->eps[i + 1];
 }
 
+/* Content that flows downstream at half node i + 1/2. */
+static double upstream(const ovr_simulation *sim, size_t i)
+{
+    const double *q = sim->now.q, *u = sim->scheme->upstream;
+    double flow;
+    if (i == 0 && sim->finest->closed)
+        return sim->arrival.face;
+    if (i == 0)
+        return sim->scheme->order == 2 ? 0.5 * (q[0] + q[1]) : q[0];
+    flow = u[0] * q[i] + u[1] * q[i - 1];
+    if (ovr_conserves(sim) && !(sim->now.P[i] > 0) && flow < 0.5 * q[i])
+        flow = 0.5 * q[i]; /* multigrid/content.h */
+    return flow;
+}
+
 /* The scheme's own flux at half node i + 1/2: upstream wedge and Poiseuille
  * flow. */
 double ovr_flux(const ovr_simulation *sim, double Cu, size_t i)
 {
-    const double *P = sim->now.P, *q = sim->now.q;
-    const double *X = sim->now.X, *u = sim->scheme->upstream;
-    double upstream = i ? u[0] * q[i] + u[1] * q[i - 1] : q[0];
-    if (i == 0 && sim->scheme->order == 2)
-        upstream = 0.5 * (q[0] + q[1]);
-    return Cu * upstream - 0.5 * twice_flow(&sim->now, i) * (P[i + 1] - P[i]) /
-                               (X[i + 1] - X[i]);
+    const double *P = sim->now.P, *X = sim->now.X;
+    return Cu * upstream(sim, i) - 0.5 * twice_flow(&sim->now, i) *
+                                       (P[i + 1] - P[i]) / (X[i + 1] - X[i]);
 }
 
 /* The same inside, where it has two nodes upstream, over all that is wet. */
@@ -110,6 +121,7 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
     o->speed_ratio = ovr_history_value(sim->speed, state->T);
     o->mass_flow = mean_flow(sim);
     o->mass_balance = dT > 0 ? ovr_mass_balance(sim) : 0;
+    ovr_supply_observe(sim, dT, o);
     o->load_error = o->load / OVR_NOMINAL_LOAD - o->load_ratio;
     ovr_observe_friction(sim, o);
     ovr_observe_heat(sim, o);

@@ -118,14 +118,16 @@ static ovr_status check_numbers(const ovr_options *o, ovr_error *err)
     const struct {
         const char *key;
         int value, least, most;
-    } whole[] = {{"scheme", (int)o->scheme, 0, OVR_CHARACTERISTIC},
-                 {"smoother", (int)o->smoother, 0, OVR_DIPOLE},
-                 {"stop", (int)o->stop, 0, OVR_STOP_FIXED},
-                 {"cycle_index", o->cycle_index, 0, 8},
-                 {"sweeps_before", o->sweeps_before, 0, 100},
-                 {"sweeps_after", o->sweeps_after, 0, 100},
-                 {"max_cycles", o->max_cycles, 0, 1000000},
-                 {"cycles", o->cycles, 0, 1000000}};
+    } whole[] = {
+        {"scheme", (int)o->scheme, 0, OVR_CHARACTERISTIC},
+        {"smoother", (int)o->smoother, 0, OVR_DIPOLE},
+        {"stop", (int)o->stop, 0, OVR_STOP_FIXED},
+        {"cavitation", (int)o->cavitation, 0, OVR_CAVITATION_CONSERVING},
+        {"cycle_index", o->cycle_index, 0, 8},
+        {"sweeps_before", o->sweeps_before, 0, 100},
+        {"sweeps_after", o->sweeps_after, 0, 100},
+        {"max_cycles", o->max_cycles, 0, 1000000},
+        {"cycles", o->cycles, 0, 1000000}};
     for (size_t k = 0; k < sizeof whole / sizeof *whole; k++)
         if (whole[k].value < whole[k].least || whole[k].value > whole[k].most)
             return ovr_fail_about(
@@ -189,7 +191,7 @@ static bool corrects(const ovr_options *o)
 {
     return ovr_scheme_record(o->scheme)->order == 2 &&
            o->smoother == OVR_LINE && o->stop != OVR_STOP_FIXED &&
-           !o->paper_balance;
+           !o->paper_balance && o->cavitation == OVR_CAVITATION_REYNOLDS;
 }
 
 static ovr_status check_order(const ovr_options *o, ovr_error *err)
@@ -202,6 +204,30 @@ static ovr_status check_order(const ovr_options *o, ovr_error *err)
                         "order = 4 goes with the schemes upstream2 and "
                         "characteristic, the line smoother and cycles until "
                         "a tolerance is reached; else order = 2");
+    return OVR_OK;
+}
+
+/* What goes with conserved oil. */
+static ovr_status check_cavitation(const ovr_options *o, ovr_error *err)
+{
+    if (o->cavitation == OVR_CAVITATION_REYNOLDS)
+        return OVR_OK;
+    if (ovr_scheme_record(o->scheme)->characteristic)
+        return ovr_fail_about(err, "scheme",
+                              "scheme characteristic does not conserve oil in "
+                              "cavities; upstream2 and upstream1 do");
+    if (o->order == 4)
+        return ovr_fail_about(err, "order",
+                              "order = 4 does not conserve oil in cavities; "
+                              "order = 2 does");
+    if (o->smoother != OVR_LINE || o->paper_balance)
+        return ovr_fail_about(err, "smoother",
+                              "with conserved oil only the line smoother "
+                              "relaxes cavities");
+    if (o->stop == OVR_STOP_FIXED)
+        return ovr_fail_about(err, "stop",
+                              "with conserved oil cycles go on to a "
+                              "tolerance: stop = negligible or truncation");
     return OVR_OK;
 }
 
@@ -219,7 +245,8 @@ ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
                                ovr_error *err)
 {
     ovr_options_domain(contact, o);
-    if (check_numbers(o, err) || check(o, err) || check_order(o, err))
+    if (check_numbers(o, err) || check(o, err) || check_cavitation(o, err) ||
+        check_order(o, err))
         return OVR_BAD_INPUT;
     if (!o->order)
         o->order = corrects(o) ? 4 : 2;

@@ -101,7 +101,10 @@ ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
         PART("settled", total->settled),
         PART("inlet", sim->options.inlet),
         PART("outlet", sim->options.outlet),
-        PART("level", sim->options.level)};
+        PART("level", sim->options.level),
+        PART("oil_waiting", sim->arrival.waiting),
+        PART("inlet_closed", sim->arrival.closed),
+        PART("mass_defect", o->mass_defect)};
     for (size_t k = 0; !status && k < sizeof parts / sizeof *parts; k++)
         status = visit(context, parts[k].name, parts[k].memory, parts[k].bytes,
                        err);
@@ -123,7 +126,10 @@ void ovr_simulation_restored(ovr_simulation *sim)
         ovr_fourth_forget(sim);
     if (!(sim->statistics.H_min > 0))
         sim->statistics.H_min = INFINITY;
+    if (ovr_conserves(sim))
+        ovr_supply_step(sim, 0);
     ovr_simulation_step_back(sim);
     ovr_observe(sim, seen.dT, &outcome);
+    sim->observation.mass_defect = seen.mass_defect;
     sim->started = true;
 }

@@ -85,7 +85,9 @@ static int ordered_level(const ovr_options *o)
 {
     if (o->smoother != OVR_LINE || o->paper_balance)
         return o->level;
-    return o->coarsest_level + (o->coarsest_level < o->level);
+    int newton = o->cavitation == OVR_CAVITATION_CONSERVING ? 2 : 1;
+    int above = o->level - o->coarsest_level;
+    return o->coarsest_level + (newton < above ? newton : above);
 }
 
 static ovr_status build(ovr_simulation *sim, ovr_error *err)
@@ -101,6 +103,7 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
                                .sliding = ovr_sliding(sim, 0)};
     sim->wanted = (ovr_wanted){
         .M = sim->contact.M, .L = sim->contact.L, .fluid = grids->fluid};
+    grids->content = o->cavitation == OVR_CAVITATION_CONSERVING;
     grids->ordered = ordered_level(o);
     if (ovr_hierarchy_build(grids, o->coarsest_level, o->level, o->inlet,
                             o->outlet, order, range, &sim->arena, err))

@@ -293,6 +293,8 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
         return OVR_BAD_INPUT;
     ovr_operator op = {.speed = sim->wanted.Cu};
     ovr_reynolds_wedge(&op, sim->scheme->order == 2, op.speed);
+    if (ovr_conserves(sim) && sim->scheme->order == 2)
+        op.limited[0] = op.speed;
     ovr_hierarchy_operator(&sim->grids, &op);
     for (int k = 0; k < STRATEGIES && !outcome.converged; k++) {
         ovr_full how = full_of(sim, &strategies[k]);
@@ -302,7 +304,10 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
         sim->refinements = 0;
         if (sim->heated)
             ovr_heat_reset(sim);
+        sim->grids.conserving = false;
         outcome.defect = solve(sim, &how, &outcome.cycles);
+        if (ovr_conserves(sim))
+            outcome.defect = ovr_supply_steady(sim, &how, &outcome.cycles);
         ovr_simulation_read(sim);
         if (sim->heated && finished(sim, &outcome, tolerance_of(sim, &outcome)))
             solve_heat(sim, &how, &outcome);

@@ -69,7 +69,7 @@ static ovr_cycling cycling_of(const ovr_simulation *sim, const attempt *how)
 
 static void settle_ends(const ovr_hierarchy *grids, ovr_level *finest)
 {
-    if (ovr_film_ends(grids, finest))
+    if (!grids->conserving && ovr_film_ends(grids, finest))
         ovr_level_refresh(grids, finest);
 }
 
@@ -108,6 +108,8 @@ static void begin_step(ovr_simulation *sim, double dT)
     double T = sim->past.T[0] + dT;
     sim->grids.fluid.sliding = ovr_sliding(sim, T);
     ovr_time_derivative(sim, dT);
+    if (ovr_conserves(sim))
+        ovr_supply_step(sim, dT);
     ovr_simulation_gap(sim, T);
     sim->finest->force = OVR_NOMINAL_LOAD * ovr_history_value(sim->load, T);
 }
@@ -125,6 +127,8 @@ static void end_step(ovr_simulation *sim, double dT)
 {
     ovr_past *past = &sim->past;
     ovr_guess_learn(sim, dT);
+    if (ovr_conserves(sim))
+        ovr_supply_taken(sim, dT);
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (ovr_field_rows[k].past)
             keep(past->all[k], ovr_field_rows[k].past, sim->now.all[k],
@@ -185,6 +189,8 @@ void ovr_simulation_step_back(ovr_simulation *sim)
     sim->grids.fluid.sliding = ovr_sliding(sim, sim->state.T);
     ovr_level_write(&sim->grids, sim->finest, sim->past.P[0], sim->finest->f.P);
     ovr_simulation_gap(sim, sim->past.T[0]);
+    if (ovr_conserves(sim))
+        ovr_supply_try(sim);
     ovr_level_refresh(&sim->grids, sim->finest);
     ovr_simulation_read(sim);
 }

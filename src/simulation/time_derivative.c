@@ -68,6 +68,12 @@ void ovr_time_derivative(ovr_simulation *sim, double dT)
     scheme->difference(dT, sim->past.dT, &op.cT, c);
     if (!scheme->characteristic)
         ovr_reynolds_wedge(&op, scheme->order == 2, op.speed);
-    scheme->history(sim, c, T);
+    if (ovr_conserves(sim)) {
+        op.limited[0] = scheme->order == 2 ? op.speed : 0;
+        op.limited[1] = scheme->order == 2 ? 0.5 / dT - op.cT : 0;
+        ovr_content_history(sim, dT, c);
+    } else {
+        scheme->history(sim, c, T);
+    }
     ovr_hierarchy_operator(&sim->grids, &op);
 }

@@ -37,9 +37,13 @@ static void take_fields(test_grid *grid)
         if (ovr_field_rows[k].memory != OVR_FLOW &&
             ovr_field_rows[k].memory != OVR_SENSITIVE)
             grid->f.all[k] = take(grid);
-    grid->f.wet = ovr_set(&grid->arena, grid->n, &err);
-    grid->f.held = ovr_set(&grid->arena, grid->n, &err);
-    assert_true(grid->f.wet && grid->f.held);
+    ovr_fields *f = &grid->f;
+    unsigned char **const sets[] = {&f->wet,   &f->held, &f->dried, &f->limited,
+                                    &f->spent, &f->left, &f->right};
+    for (size_t k = 0; k < sizeof sets / sizeof *sets; k++) {
+        *sets[k] = ovr_set(&grid->arena, grid->n, &err);
+        assert_non_null(*sets[k]);
+    }
     for (int k = 0; k < BAND; k++)
         band[k] = take(grid);
     grid->band = (ovr_band){.b = {band[0], band[1], band[2], band[3], band[4]},

@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A row where oil is conserved (content.h): the row of reynolds_row.h with
+ * weights by what is limited, over `num` too. */
+#ifndef OVR_MULTIGRID_CONTENT_ROW_H
+#define OVR_MULTIGRID_CONTENT_ROW_H
+
+#include "multigrid/reynolds_row.h"
+
+#ifndef VEC
+static inline truth in_set(const unsigned char *set, ptrdiff_t i)
+{
+    return set[i] != 0;
+}
+
+static inline num choose(truth which, num a, num b)
+{
+    return which ? a : b;
+}
+#endif
+
+/* x in the nodes of a set, else 0 */
+static inline num within_set(truth in, num x)
+{
+    return choose(in, x, all(0));
+}
+
+/* The weights of row J, from those of a row that nothing limits. */
+static inline row_weights row_limited(const ovr_fields *f, const ovr_weights *w,
+                                      const row_weights *free, ptrdiff_t J)
+{
+    truth own = in_set(f->limited, J), before = in_set(f->limited, J - 1);
+    num out = all(w->out), half = all(0.5 * w->out);
+    row_weights c = *free;
+    c.a[0] += within_set(in_set(f->spent, J), all(w->time));
+    c.a[0] -= within_set(own, out);
+    c.a[1] += within_set(own, half) + within_set(before, out);
+    c.a[2] -= within_set(before, half);
+    return c;
+}
+
+/* r = F - N, but for the source of row 1 */
+static inline num row_content_residual(const ovr_fields *f,
+                                       const row_weights *c, ptrdiff_t J)
+{
+    num kept = within_set(in_set(f->spent, J), at(f->kept, J));
+    return row_residual(f, c, J) + kept;
+}
+
+/* e[m + 2] of reynolds_row.h: the content of dry nodes does not follow their
+ * film. */
+static inline void row_content_by_film(const ovr_fields *f,
+                                       const row_weights *c, ptrdiff_t J,
+                                       num e[3])
+{
+    for (int m = 0; m < 3; m++)
+        e[2 - m] = c->a[m] *
+                   within_set(in_set(f->wet, J - m), at(f->rho, J - m));
+}
+
+/* A wet node with P = 0 that wants to fall, a dry one that is full and wants to
+ * rise by more than rounding. */
+static inline truth row_falls(const ovr_fields *f, ptrdiff_t J)
+{
+    truth empty = at(f->P, J) <= 0, falls = at(f->r, J) > 0;
+    return in_set(f->wet, J) & empty & falls;
+}
+
+static inline truth row_rises(const ovr_fields *f, bool thins, num half,
+                              ptrdiff_t J)
+{
+    truth full = at(f->q, J) >= at(f->full, J);
+    truth rises = at(f->r, J) < -1e-10 * row_outflow(f, thins, half, J);
+    return full & rises;
+}
+
+/* Whether the content of a dry node is more than the gap holds. */
+static inline truth row_overflows(num q, num full)
+{
+    return q > full * (1 + 1e-12);
+}
+
+#endif

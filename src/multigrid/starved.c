@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "multigrid/starved.h"
+
+#include <math.h>
+
+#include "multigrid/coarsest.h"
+#include "multigrid/content.h"
+#include "multigrid/fas.h"
+
+static size_t place(const ovr_level *level, size_t i)
+{
+    return ovr_lanes_place(&level->lanes, i);
+}
+
+double ovr_content_leaving(const ovr_level *level)
+{
+    return level->f.q[place(level, level->grid.n - 2)];
+}
+
+/* Cycles until solved or given up. */
+static ovr_defect solve(ovr_hierarchy *grids, const ovr_full *how,
+                        ovr_level *level, int *cycles)
+{
+    ovr_defect d;
+    ovr_level_refresh(grids, level);
+    d = ovr_cycle_defect(grids, level);
+    for (int k = 0; k < how->most_cycles && d.imbalance < 1e6; k++) {
+        if (ovr_below(d, how->tolerance(how->data, level, d.centre)))
+            break;
+        ovr_cycle(grids, level, how->cycling);
+        d = ovr_cycle_defect(grids, level);
+        ++*cycles;
+    }
+    return d;
+}
+
+/* What the film at X = 0 carries. */
+static double central_flow(const ovr_level *level)
+{
+    return ovr_level_centre(level, level->f.q);
+}
+
+/* Contents of dry nodes, of a flow that passes everywhere. */
+static void fill_dry(const ovr_level *level, double q)
+{
+    for (size_t i = 1; i < level->grid.n; i++)
+        if (!ovr_lanes_has(&level->lanes, level->f.wet, i))
+            level->f.q[place(level, i)] = q;
+}
+
+/* From the pressure of the Reynolds equation. */
+static void conserve(ovr_hierarchy *grids, ovr_level *level)
+{
+    double q = central_flow(level);
+    grids->conserving = level->leads = true;
+    ovr_content_by_pressure(grids, level);
+    ovr_content_open(level);
+    fill_dry(level, q);
+}
+
+ovr_defect ovr_flooded(ovr_hierarchy *grids, const ovr_full *how, int *cycles)
+{
+    ovr_level *level = &grids->level[grids->finest];
+    grids->supplied = false;
+    conserve(grids, level);
+    return solve(grids, how, level, cycles);
+}
+
+/* ------------------------------------------------- flooded on a coarse level
+ */
+
+/* Every second node. */
+static void inject(ovr_hierarchy *grids, const ovr_level *fine,
+                   ovr_level *coarse)
+{
+    for (size_t I = 0; I < coarse->grid.n; I++)
+        coarse->f.P[place(coarse, I)] = fine->f.P[place(fine, 2 * I)];
+    (void)grids;
+}
+
+static ovr_defect newton(ovr_hierarchy *grids, ovr_level *level, double limit,
+                         int steps)
+{
+    const double enough = 1e-9;
+    ovr_defect d;
+    ovr_level_refresh(grids, level);
+    d = ovr_cycle_defect(grids, level);
+    for (int step = 0; step < steps && !ovr_below(d, enough); step++) {
+        if (!ovr_newton_step(grids, level, limit))
+            break;
+        ovr_level_refresh(grids, level);
+        d = ovr_cycle_defect(grids, level);
+    }
+    return d;
+}
+
+/* The level that the supply is reduced on, with its flooded solution. */
+static ovr_level *start_level(ovr_hierarchy *grids, double force, double limit)
+{
+    enum { STEPS = 60 };
+    ovr_level *level = &grids->level[grids->finest];
+    int start = grids->coarsest + grids->newton.levels - 1;
+    ovr_full_prepare(grids, force);
+    for (; level->number > start; level--)
+        inject(grids, level, level - 1);
+    if (level->number == grids->finest)
+        return level;
+    grids->conserving = false;
+    newton(grids, level, limit, STEPS);
+    conserve(grids, level);
+    newton(grids, level, limit, STEPS);
+    return level;
+}
+
+/* ------------------------------------------------------------- less supply */
+
+static void close_inlet(const ovr_hierarchy *grids, ovr_level *level, double q)
+{
+    double source = grids->op.speed * q / level->grid.D;
+    ovr_content_close(level, source, q);
+}
+
+/* The film falls as a whole; before the contact, where it is thicker than twice
+ * the supply, there is none. */
+static void take_supply(ovr_hierarchy *grids, ovr_level *level, double q,
+                        double before)
+{
+    double H = ovr_level_centre(level, level->f.H), fall = (1 - q / before) * H;
+    grids->H0 -= fall;
+    for (size_t i = 1; i + 1 < level->grid.n; i++) {
+        size_t at = place(level, i);
+        if (level->grid.X[i] < 0 && level->f.H[at] - fall > 2 * q) {
+            level->f.P[at] = 0;
+            ovr_content_mark(level, level->f.wet, i, false);
+        }
+    }
+    fill_dry(level, q);
+    close_inlet(grids, level, q);
+}
+
+/* In steps by halves at most, smaller where Newton's method does not
+ * converge. */
+static ovr_defect reduce(ovr_hierarchy *grids, ovr_level *level, double limit,
+                         double wanted)
+{
+    enum { STEPS = 60 };
+    double q = central_flow(level), factor = 0.5;
+    ovr_defect d = {0};
+    while (q > wanted && factor < 0.99) {
+        double next = fmax(wanted, factor * q);
+        take_supply(grids, level, next, q);
+        d = newton(grids, level, limit, STEPS);
+        q = next;
+        if (!ovr_below(d, 1e-4))
+            factor = sqrt(factor);
+    }
+    return d;
+}
+
+/* Each level's own share of the supply. */
+typedef struct shares {
+    double q, ratio, c;
+} shares;
+
+static double supply_of(const shares *s, const ovr_level *level, int finest)
+{
+    double error = ldexp(s->c, -2 * level->number) - ldexp(s->c, -2 * finest);
+    return s->q * (1 - error);
+}
+
+ovr_defect ovr_starve(ovr_hierarchy *grids, const ovr_full *how, double q,
+                      int *cycles)
+{
+    const double limit = how->cycling.newton_limit;
+    ovr_level *level = &grids->level[grids->finest];
+    double flow = ovr_content_leaving(level), here, before;
+    ovr_defect d;
+    level = start_level(grids, level->force, limit);
+    grids->supplied = true;
+    here = central_flow(level);
+    shares s = {.q = q};
+    if (level->number < grids->finest)
+        s.c = (1 - here / flow) /
+              (ldexp(1, -2 * level->number) - ldexp(1, -2 * grids->finest));
+    before = supply_of(&s, level, grids->finest);
+    d = reduce(grids, level, limit, before);
+    while (level->number < grids->finest) {
+        double next = supply_of(&s, level + 1, grids->finest);
+        ovr_fas_refine(grids, level, level + 1);
+        level++;
+        grids->H0 += (next / before - 1) *
+                     ovr_level_centre(level - 1, (level - 1)->f.H);
+        fill_dry(level, next);
+        close_inlet(grids, level, next);
+        before = next;
+        d = solve(grids, how, level, cycles);
+    }
+    return level->number == grids->finest && d.imbalance > 0
+               ? solve(grids, how, level, cycles)
+               : d;
+}

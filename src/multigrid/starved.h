@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The steady contact with oil conserved (content.h).
+ *
+ * Flooded: the pressure is that of the Reynolds equation, and all that flows
+ * goes on behind the film.  Starved: the supply is reduced from the flooded
+ * flow by halves at most, on the finest of the levels that are solved by
+ * Newton's method, then refined level by level.
+ *
+ * A coarse grid's flooded flow is not the finest's (half of it at M = 200 and
+ * 225 nodes), so the supply of a level is the same share of its own flooded
+ * flow, q_l = q (1 - c 4^-l), c by the flows of the coarsest and the finest.
+ */
+#ifndef OVR_MULTIGRID_STARVED_H
+#define OVR_MULTIGRID_STARVED_H
+
+#include "multigrid/full.h"
+
+/* From the flooded pressure of the Reynolds equation on the finest level: its
+ * contents, and cycles until it is solved. */
+ovr_defect ovr_flooded(ovr_hierarchy *grids, const ovr_full *how, int *cycles);
+
+/* What passes the contact: q of the last node, where nothing but Cu moves. */
+double ovr_content_leaving(const ovr_level *level);
+
+/* From the flooded solution on the finest level to that of the supply q < what
+ * leaves now. */
+ovr_defect ovr_starve(ovr_hierarchy *grids, const ovr_full *how, double q,
+                      int *cycles);
+
+#endif

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The history term where oil is conserved (multigrid/content.h), with s =
+ * dT/dT_old, kappa = s/(1 + s), b2 = s^2/(1 + s):
+ *
+ *     F = -(B + kappa q^k)/dT,   B = (1 + b2) q^k - b2 q^{k-1},
+ *     where the node was dry  B = max(B, q^k/2)
+ *
+ * which is BDF2's wherever nothing is limited.  With equal steps B is what the
+ * last step ended with, A, so that what is stored telescopes.
+ */
+#include "simulation/internal.h"
+
+void ovr_content_history(ovr_simulation *sim, double dT, const double c[2])
+{
+    const double *const *q = (const double *const *)sim->past.q;
+    const double *P = sim->past.P[0];
+    double *F = sim->grids.scratch[0], *kept = sim->grids.scratch[1];
+    double b2 = c[1] * dT, kappa = -c[0] * dT - 1 - b2;
+    if (sim->scheme->order == 1)
+        kappa = 0;
+    for (size_t i = 0; i < sim->now.n; i++) {
+        double linear = (1 + b2) * q[0][i] - b2 * q[1][i];
+        bool limited = !(P[i] > 0) && linear < 0.5 * q[0][i];
+        F[i] = limited ? -(0.5 + kappa) * q[0][i] / dT
+                       : c[0] * q[0][i] + c[1] * q[1][i];
+        kept[i] = kappa * q[0][i] / dT;
+    }
+    ovr_level_write(&sim->grids, sim->finest, F, sim->finest->f.F);
+    ovr_level_write(&sim->grids, sim->finest, kept, sim->finest->f.kept);
+}

@@ -1,0 +1,191 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What arrives at the inlet, and the oil that waits before it.
+ *
+ *     dV/dT = Cu q_f - f,   q_f = q_s where the face of the first cell was
+ *                           half a mesh of travel ago, f the inflow
+ *
+ * A contact that is flooded takes f; when V is used up its first node is dried
+ * and only the film arrives, f = Cu q_f, until that node fills by itself.  V
+ * may stay slightly negative: a debt, no loss.
+ */
+#include <math.h>
+
+#include "multigrid/content.h"
+#include "simulation/internal.h"
+
+bool ovr_conserves(const ovr_simulation *sim)
+{
+    return sim->options.cavitation == OVR_CAVITATION_CONSERVING;
+}
+
+void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
+                           double waiting)
+{
+    sim->arrival = (ovr_arrival){
+        .supply = supply, .data = data, .before = waiting, .waiting = waiting};
+}
+
+/* ------------------------------------------------------------------- a step */
+
+/* When what is at X_a + D/2 at time T was at X_a: the distance that the oil
+ * travels is the integral of Cu.  What came before T = 0 is what comes then. */
+static double time_of_entry(const ovr_simulation *sim, double T)
+{
+    enum { HALVINGS = 60 };
+    double way = 0.5 * sim->finest->grid.D;
+    double from = ovr_history_integral(sim->speed, T) - way;
+    double low = 0, high = T;
+    if (from <= 0)
+        return 0;
+    for (int k = 0; k < HALVINGS; k++) {
+        double middle = 0.5 * (low + high);
+        *(ovr_history_integral(sim->speed, middle) < from ? &low
+                                                          : &high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+void ovr_supply_step(ovr_simulation *sim, double dT)
+{
+    ovr_arrival *a = &sim->arrival;
+    double T = sim->past.T[0] + dT;
+    if (!a->supply)
+        return;
+    a->q = a->supply(a->data, T);
+    a->face = a->supply(a->data, time_of_entry(sim, T));
+}
+
+void ovr_supply_try(ovr_simulation *sim)
+{
+    ovr_arrival *a = &sim->arrival;
+    ovr_level *level = sim->finest;
+    bool closing = a->supply && !a->closed && a->waiting < 0;
+    double source = sim->grids.op.speed * a->face / level->grid.D;
+    sim->grids.conserving = level->leads = true;
+    sim->grids.supplied = a->supply != NULL;
+    ovr_level_write(&sim->grids, level, sim->past.q[0], level->f.q);
+    for (size_t i = 0; i < level->grid.n; i++) {
+        bool wet = sim->past.P[0][i] > 0 && !(closing && i == 1);
+        ovr_content_mark(level, level->f.wet, i, wet);
+        ovr_content_mark(level, level->f.dried, i, closing && i == 1);
+    }
+    if (closing)
+        level->f.P[ovr_lanes_place(&level->lanes, 1)] = 0;
+    if (a->supply && (a->closed || closing))
+        ovr_content_close(level, source, a->q);
+    else
+        ovr_content_open(level);
+}
+
+static double speed_now(const ovr_simulation *sim, double T)
+{
+    return ovr_history_value(sim->speed, T);
+}
+
+void ovr_supply_taken(ovr_simulation *sim, double dT)
+{
+    ovr_arrival *a = &sim->arrival;
+    double Cu = speed_now(sim, sim->past.T[0] + dT);
+    if (!a->supply)
+        return;
+    a->waiting += dT * (Cu * a->face - ovr_flux(sim, Cu, 0));
+    a->closed = sim->finest->closed;
+}
+
+/* ------------------------------------------------------------------- steady */
+
+ovr_defect ovr_supply_steady(ovr_simulation *sim, const ovr_full *how,
+                             int *cycles)
+{
+    ovr_arrival *a = &sim->arrival;
+    ovr_hierarchy *grids = &sim->grids;
+    a->waiting = a->before;
+    a->closed = false;
+    ovr_level_clear(sim->finest, sim->finest->f.kept);
+    ovr_defect d = ovr_flooded(grids, how, cycles);
+    if (!a->supply)
+        return d;
+    a->q = a->face = a->supply(a->data, 0);
+    if (!(a->q < ovr_content_leaving(sim->finest)) || isinf(a->before))
+        return d;
+    d = ovr_starve(grids, how, a->q, cycles);
+    a->closed = sim->finest->closed;
+    return d;
+}
+
+/* ----------------------------------------------------------- what is observed
+ */
+
+/* The first wet node of the run of wet nodes that holds the largest P; n if
+ * there is none. */
+static size_t first_wet(const ovr_solution *s)
+{
+    size_t i = 0;
+    for (size_t k = 0; k < s->n; k++)
+        if (s->P[k] > s->P[i])
+            i = k;
+    while (i > 0 && s->P[i - 1] > 0)
+        i--;
+    return s->P[i] > 0 ? i : s->n;
+}
+
+/* The cell before it is filled in part, on its downstream side: a place that
+ * goes on steadily when the film takes a node. */
+static double meniscus(const ovr_solution *s)
+{
+    size_t i = first_wet(s);
+    if (i <= 1 || i == s->n)
+        return NAN;
+    double D = s->X[1] - s->X[0], before = i > 1 ? s->q[i - 2] : 0;
+    double part = (s->q[i - 1] - before) / (s->H[i - 1] - before);
+    return s->X[i - 1] + D / 2 - D * part;
+}
+
+static double cavity_length(const ovr_solution *s)
+{
+    size_t first = 0, last = s->n - 1, dry = 0;
+    while (first < last && !(s->P[first] > 0))
+        first++;
+    while (last > first && !(s->P[last] > 0))
+        last--;
+    for (size_t i = first; i < last; i++)
+        dry += !(s->P[i] > 0);
+    return (double)dry * (s->X[1] - s->X[0]);
+}
+
+/* Inflow - outflow - stored change is, row by row, the residual. */
+static double mass_defect(const ovr_simulation *sim)
+{
+    const ovr_level *level = sim->finest;
+    double sum = sim->grids.kernels->sum(&level->lanes, level->f.r);
+    return -level->grid.D * sum / sim->observation.H_cen;
+}
+
+static void forget(ovr_observation *o)
+{
+    o->supply = o->meniscus = o->inflow = o->outflow = NAN;
+    o->oil_inside = o->oil_waiting = o->cavity_length = o->mass_defect = NAN;
+}
+
+void ovr_supply_observe(const ovr_simulation *sim, double dT,
+                        ovr_observation *o)
+{
+    const ovr_solution *s = &sim->now;
+    const ovr_arrival *a = &sim->arrival;
+    double Cu = speed_now(sim, o->T), sum = 0;
+    (void)dT;
+    forget(o);
+    if (!ovr_conserves(sim))
+        return;
+    for (size_t i = 0; i < s->n; i++)
+        sum += s->weights[i] * s->q[i];
+    o->supply = a->supply ? a->q : NAN;
+    o->meniscus = meniscus(s);
+    o->inflow = ovr_flux(sim, Cu, 0);
+    o->outflow = ovr_flux(sim, Cu, s->n - 2);
+    o->oil_inside = sum;
+    o->oil_waiting = a->supply ? a->waiting : NAN;
+    o->cavity_length = cavity_length(s);
+    o->mass_defect = mass_defect(sim);
+}
