@@ -165,6 +165,14 @@ typedef enum ovr_accuracy {
 } ovr_accuracy;
 
 /* All that a case describes, ready to be run. */
+/* The film that arrives: layers on the surfaces, in b^2/R, times its history;
+ * oil waiting at the start, in b^3/R. */
+typedef struct ovr_supply_setup {
+    bool film; /* else flooded */
+    double thickness[2], waiting;
+    ovr_history *history; /* NULL: constant */
+} ovr_supply_setup;
+
 typedef struct ovr_setup {
     const ovr_contact *contact;
     const ovr_lubricant *lubricant;
@@ -173,6 +181,7 @@ typedef struct ovr_setup {
     ovr_history *sliding;      /* NULL: as slide_to_roll and speed say */
     bool transient;            /* has an end of time */
     ovr_march *march;          /* without observer */
+    const ovr_supply_setup *supply;
     const ovr_output *output;
     const ovr_stress_setup *stress;
     size_t features;

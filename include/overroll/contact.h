@@ -97,6 +97,7 @@ typedef enum ovr_unit_kind {
     OVR_KIND_TEMPERATURE, /* K */
     OVR_KIND_HEAT,        /* a heat flux: um ph b/R */
     OVR_KIND_POWER,       /* per unit width: um ph b^2/R */
+    OVR_KIND_AREA,        /* oil per unit width: b^3/R */
     OVR_KINDS             /* how many; also: one that this version lacks */
 } ovr_unit_kind;
 

@@ -61,6 +61,7 @@ typedef struct ovr_write_options {
     const char *case_path;      /* where the case's relative paths start */
     size_t value_count;
     const ovr_case_value *values;
+    unsigned physics; /* of ovr_options_physics: columns of the history */
 } ovr_write_options;
 OVR_SIZED(ovr_write_options)
 

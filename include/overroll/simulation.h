@@ -253,6 +253,7 @@ typedef struct ovr_observation {
     /* oil conserved; without it NAN */
     double supply;          /* q that arrives at the inlet */
     double meniscus;        /* X where the film begins; NAN: flooded */
+    double film_ratio;      /* H_cen over that of the flooded start */
     double inflow, outflow; /* Cu q less what the pressure drives back */
     double oil_inside;      /* integral of q over the domain */
     double oil_waiting;     /* before the inlet; may be a small debt */
@@ -292,6 +293,10 @@ typedef enum ovr_axes {
     OVR_AT_MATERIAL /* along a surface that moves, depth by depth */
 } ovr_axes;
 
+/* Physics that a quantity belongs to, as bits. */
+enum { OVR_PHYSICS_CONTENT = 1 }; /* oil is conserved */
+OVR_API unsigned ovr_options_physics(const ovr_options *options);
+
 /* One row a quantity: result files, JSON, tables and help are made from this
  * list.  A number a step is a member of ovr_observation; the values of a field
  * are made when they are asked for. */
@@ -306,6 +311,7 @@ typedef struct ovr_observable {
     /* Of a field: its values now, at all nodes (half nodes: one less); where
      * they lie already, or in `room` for as many values. */
     const double *(*field)(const ovr_simulation *sim, double *room);
+    unsigned needs; /* physics without which it is not known; 0: none */
 } ovr_observable;
 
 /* NULL past the end; a field by name, or NULL. */

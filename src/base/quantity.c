@@ -107,6 +107,12 @@ static const struct unit {
     {"J/kg.K", OVR_HEAT_CAPACITY, 1, 1},
     {"J/(kg.K)", OVR_HEAT_CAPACITY, 1, 1},
     {"kJ/kg.K", OVR_HEAT_CAPACITY, 1e3, 1},
+    {"m2", OVR_AREA, 1, 1},
+    {"m^2", OVR_AREA, 1, 1},
+    {"mm2", OVR_AREA, 1, 1e6},
+    {"mm^2", OVR_AREA, 1, 1e6},
+    {"um2", OVR_AREA, 1, 1e12},
+    {"um^2", OVR_AREA, 1, 1e12},
 };
 enum { UNITS = sizeof units / sizeof units[0] };
 
@@ -132,6 +138,7 @@ const char *ovr_units_allowed(ovr_dimension dimension)
     case OVR_PER_KELVIN: return "1/K";
     case OVR_CONDUCTIVITY: return "W/m.K";
     case OVR_HEAT_CAPACITY: return "J/kg.K, kJ/kg.K";
+    case OVR_AREA: return "m2, mm2, um2";
     case OVR_DURATION: return "s, ms, us";
     }
     return "";

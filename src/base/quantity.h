@@ -35,7 +35,8 @@ typedef enum ovr_dimension {
     OVR_KELVINS, /* a difference of temperatures */
     OVR_PER_KELVIN,
     OVR_CONDUCTIVITY,
-    OVR_HEAT_CAPACITY
+    OVR_HEAT_CAPACITY,
+    OVR_AREA
 } ovr_dimension;
 
 typedef struct ovr_quantity {

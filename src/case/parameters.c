@@ -81,6 +81,12 @@ static const ovr_word weibull_slopes[] = {
 static const ovr_word auto_nan[] = {{"auto", NAN}, {NULL, 0}};
 static const ovr_word inlets[] = {{"usual", 0}, {"auto", NAN}, {NULL, 0}};
 static const ovr_word auto_zero[] = {{"auto", 0}, {NULL, 0}};
+static const ovr_word cavitations[] = {
+    {"reynolds", OVR_CAVITATION_REYNOLDS},
+    {"conserving", OVR_CAVITATION_CONSERVING},
+    {NULL, 0}};
+static const ovr_word supplies[] = {{"flooded", 0}, {"film", 1}, {NULL, 0}};
+static const ovr_word endless_oil[] = {{"endless", INFINITY}, {NULL, 0}};
 static const ovr_word steps[] = {
     {"grid", 0}, {"adaptive", OVR_STEP_ADAPTIVE}, {NULL, 0}};
 static const ovr_word histories[] = {
@@ -143,6 +149,8 @@ static const ovr_word spectra[] = {{"self-affine", OVR_SELF_AFFINE},
     OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, 1e-6, most, false, words
 #define STRESS(words, least, most)                                             \
     OVR_NUMBER, OVR_PRESSURE, OVR_IN_PRESSURE, least, most, false, words
+#define AREA_OR(words, most)                                                   \
+    OVR_NUMBER, OVR_AREA, OVR_IN_AREA, 0, most, false, words
 #define WHOLE(least, most)                                                     \
     OVR_INTEGER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, NULL
 #define WHOLE_OR(words, least, most)                                           \
@@ -400,6 +408,23 @@ static const ovr_parameter table[] = {
     HISTORY("load", AT(load), "1", 0, 100, 1),
     HISTORY("speed", AT(speed), "1", 0, 100, 1),
     HISTORY("sliding", AT(sliding), NULL, -1e3, 1e3, 1e3),
+
+    {"cavitation", "model", CHOICE(cavitations), "reynolds",
+     AT(options.cavitation), true,
+     "reynolds: a gap without pressure counts as full; conserving: it holds "
+     "the oil that came, with upstream2 or upstream1 and order 2"},
+
+    {"supply", "model", CHOICE(supplies), "flooded", AT(supply_model), true,
+     "flooded, or the film that arrives on the surfaces; needs model = "
+     "conserving"},
+    {"supply", "thickness_1", HEIGHT, "0", AT(thickness[0]), true,
+     "film on surface 1 as it arrives"},
+    {"supply", "thickness_2", HEIGHT, "0", AT(thickness[1]), true,
+     "film on surface 2 as it arrives"},
+    {"supply", "waiting", AREA_OR(endless_oil, 1e9), "0.1", AT(waiting), true,
+     "oil that waits before the inlet at the start, where the contact is "
+     "flooded then"},
+    HISTORY("supply", AT(supply), "1", 0, 100, 1),
 
     {"feature", "surface", WHOLE(1, 2), "1", IN_FORM(surface), true,
      "surface it is on: 1 moves at u1, 2 at u2"},
@@ -670,6 +695,9 @@ static const ovr_section sections[] = {
      "(u1 - u2)/um against time, over the nominal um, any sign; from and to "
      "are "
      "slide_to_roll unless given"},
+    {"cavitation", false, "what becomes of the film behind its rupture"},
+    {"supply", false,
+     "the oil that arrives; its history is relative to the thicknesses"},
     {"feature", true,
      "[feature NAME], any number: what is on the smooth surfaces"},
     {"output", false, "what is stored, where and when"},
@@ -789,6 +817,7 @@ const char *ovr_hertzian_name(ovr_hertzian hertzian)
     case OVR_IN_HEIGHT: return "b^2/R";
     case OVR_IN_TIME: return "b/um";
     case OVR_IN_PRESSURE: return "ph";
+    case OVR_IN_AREA: return "b^3/R";
     }
     return "";
 }

@@ -28,10 +28,11 @@ typedef enum ovr_kind {
 /* What a bare number is measured in. */
 typedef enum ovr_hertzian {
     OVR_NOT_HERTZIAN,
-    OVR_IN_B,       /* length along x */
-    OVR_IN_HEIGHT,  /* b^2/R */
-    OVR_IN_TIME,    /* b/um */
-    OVR_IN_PRESSURE /* ph */
+    OVR_IN_B,        /* length along x */
+    OVR_IN_HEIGHT,   /* b^2/R */
+    OVR_IN_TIME,     /* b/um */
+    OVR_IN_PRESSURE, /* ph */
+    OVR_IN_AREA      /* b^3/R */
 } ovr_hertzian;
 
 typedef struct ovr_word {
@@ -96,7 +97,9 @@ typedef struct ovr_settings {
     int accuracy_of;
     double end, step, error;
     bool until_steady;
-    ovr_change load, speed, sliding;
+    ovr_change load, speed, sliding, supply;
+    int supply_model; /* 0: flooded, 1: film */
+    double thickness[2], waiting;
     ovr_output output;
     int every, precision;
     ovr_stress_setup stress;

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "multigrid/hierarchy.h"
+#include "overroll/results.h"
 
 static const double ALPHA_PAPER = 1.7e-8; /* 1/Pa */
 
@@ -44,6 +45,7 @@ static double scale_of(const ovr_contact *contact, ovr_hertzian hertzian)
     case OVR_IN_HEIGHT: return contact->height;
     case OVR_IN_TIME: return contact->time;
     case OVR_IN_PRESSURE: return contact->ph;
+    case OVR_IN_AREA: return contact->b * contact->height;
     }
     return 1;
 }
@@ -280,7 +282,8 @@ static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
     ovr_status status;
     r->values.options = ovr_options_default();
     if (fill_section(r, "domain", err) || fill_section(r, "solver", err) ||
-        fill_section(r, "paper", err) || fill_section(r, "time", err))
+        fill_section(r, "paper", err) || fill_section(r, "time", err) ||
+        fill_section(r, "cavitation", err) || fill_section(r, "supply", err))
         return OVR_BAD_INPUT;
     status = resolve_level(r, err);
     if (!status)
@@ -303,6 +306,8 @@ static ovr_scheme choose_scheme(const ovr_resolved *r)
                 r->lubricant.rheology == OVR_NEWTONIAN;
     if (r->values.scheme >= 0)
         return (ovr_scheme)r->values.scheme;
+    if (r->values.options.cavitation == OVR_CAVITATION_CONSERVING)
+        return OVR_UPSTREAM2;
     return grid && !ovr_history_varies(s->load) && !ovr_history_varies(s->speed)
                ? OVR_CHARACTERISTIC
                : OVR_UPSTREAM2;
@@ -337,7 +342,7 @@ static ovr_status resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
                             err))
         return err ? err->status : OVR_BAD_INPUT;
     s->options->scheme = choose_scheme(r);
-    return OVR_OK;
+    return ovr_resolve_supply(r, allocator, err);
 }
 
 /* --------------------------------------------------------------- features */
@@ -401,6 +406,9 @@ static ovr_status resolve_output(ovr_resolved *r, ovr_error *err)
     out->from = out->to = NAN;
     if (fill_section(r, "output", err))
         return OVR_BAD_INPUT;
+    if (r->values.options.cavitation == OVR_CAVITATION_CONSERVING &&
+        !slot_of(r, "output", "fields")->given)
+        out->fields |= ovr_field_bit("filling") | ovr_field_bit("oil_content");
     out->every = r->values.every;
     out->single = r->values.precision == 1;
     if (out->from >= out->to)
@@ -425,6 +433,7 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     r->setup.lubricant = &r->lubricant;
     r->setup.options = &r->values.options;
     r->setup.march = &r->march;
+    r->setup.supply = &r->supply;
     r->setup.output = &r->values.output;
     r->setup.stress = &r->values.stress;
     status = resolve_contact(r, err);
@@ -458,6 +467,7 @@ void ovr_setup_free(ovr_setup *setup)
     ovr_history_free(setup->speed);
     ovr_history_free(setup->sliding);
     ovr_flow_law_free(((ovr_resolved *)setup)->flow_law);
+    ovr_history_free(setup->supply->history);
     for (int k = 0; k < 2; k++)
         ovr_law_table_free(((ovr_resolved *)setup)->tables[k]);
     arena = ((ovr_resolved *)setup)->arena;

@@ -17,6 +17,7 @@ typedef struct ovr_resolved {
     ovr_law_table *tables[2]; /* of viscosity, of density; or NULL */
     ovr_march march;
     ovr_flow_law *flow_law;
+    ovr_supply_setup supply;
     double inlet_kept; /* X_a, farther out, that a feature before the usual one
                           kept the domain from; 0: none did */
     ovr_arena arena;
@@ -46,6 +47,10 @@ ovr_status ovr_resolve_oil(ovr_resolved *r, ovr_error *err);
 
 /* [heat], and the options that go with it. */
 ovr_status ovr_resolve_heat(ovr_resolved *r, ovr_error *err);
+
+/* [cavitation] and [supply]. */
+ovr_status ovr_resolve_supply(ovr_resolved *r, const ovr_allocator *allocator,
+                              ovr_error *err);
 
 /* [stress] and [fatigue]. */
 ovr_status ovr_resolve_stress(ovr_resolved *r, ovr_error *err);

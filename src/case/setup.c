@@ -218,6 +218,16 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
     return status;
 }
 
+/* rho H that arrives: at P = 0, by both surfaces. */
+static double arriving(void *data, double T)
+{
+    const ovr_setup *s = data;
+    const double *h = s->supply->thickness;
+    double both = fmax(0, s->contact->u1_ratio) * h[0] +
+                  fmax(0, s->contact->u2_ratio) * h[1];
+    return both * ovr_history_value(s->supply->history, T);
+}
+
 ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
                                      const ovr_allocator *allocator,
                                      ovr_error *err)
@@ -235,6 +245,8 @@ ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
     }
     ovr_simulation_histories(sim, setup->load, setup->speed);
     ovr_simulation_sliding(sim, setup->sliding);
+    if (setup->supply->film)
+        ovr_simulation_supply(sim, arriving, setup, setup->supply->waiting);
     if (setup->surfaces) {
         ovr_simulation_surface(sim, ovr_surfaces_heights, setup->surfaces);
         ovr_simulation_moving(sim, ovr_surfaces_speed(setup->surfaces));

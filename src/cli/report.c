@@ -37,11 +37,13 @@ void cli_json_contact(json_writer *json, const ovr_contact *contact)
 
 /* All quantities that have a key, as they are at the end. */
 static void json_observed(json_writer *json, const ovr_observation *seen,
-                          const ovr_contact *contact)
+                          const ovr_contact *contact, unsigned physics)
 {
     const ovr_observable *o;
     for (size_t k = 0; (o = ovr_observable_at(k)); k++) {
         double value = o->key ? ovr_observable_value(o, seen) : NAN;
+        if (o->needs & ~physics)
+            continue;
         if (o->key && o->kind == OVR_KIND_COUNT)
             json_integer(json, o->key, (long long)value);
         else if (o->key)
@@ -142,7 +144,8 @@ void cli_report_json(const ovr_run_info *s, FILE *to)
     json_extremes(&json, s);
     if (s->transient)
         json_run(&json, s);
-    json_observed(&json, ovr_simulation_observation(s->sim), s->setup->contact);
+    json_observed(&json, ovr_simulation_observation(s->sim), s->setup->contact,
+                  ovr_options_physics(options));
     if (!s->transient)
         json_refinements(&json, s);
     cli_json_stress(&json, s->stress, s->setup);
@@ -214,6 +217,18 @@ static void put_friction(const ovr_observation *o, const ovr_contact *contact)
                "friction", o->F_slide, o->F_roll);
 }
 
+/* Where the film begins, and how much of the flooded one it is. */
+static void put_supply(const ovr_observation *o, const ovr_contact *contact)
+{
+    if (!isfinite(o->film_ratio))
+        return;
+    printf("%-17s %-12.6g of the flooded film", "film ratio", o->film_ratio);
+    if (isfinite(o->meniscus))
+        cli_put_place("; film begins at X", o->meniscus, OVR_KIND_LENGTH,
+                      contact);
+    putchar('\n');
+}
+
 static void table_observed(const ovr_run_info *s)
 {
     const ovr_observation *o = ovr_simulation_observation(s->sim);
@@ -227,6 +242,7 @@ static void table_observed(const ovr_run_info *s)
         put_at("pressure spike", o->P_spike, OVR_KIND_PRESSURE, o->X_spike,
                contact);
     put_load_and_flow(o, contact);
+    put_supply(o, contact);
     put_friction(o, contact);
     if (isfinite(s->lambda_ratio))
         printf("%-17s %-12.4g central film over the roughness of both "

@@ -20,6 +20,7 @@ static const ovr_kind_info kinds[OVR_KINDS + 1] = {
     [OVR_KIND_POWER] = {"friction power", "W m-1", "um ph b^2/R"},
     [OVR_KIND_TEMPERATURE] = {"temperature", "K", "K"},
     [OVR_KIND_HEAT] = {"heat flux", "W m-2", "um ph b/R"},
+    [OVR_KIND_AREA] = {"area", "m2", "b^3/R"},
     [OVR_KINDS] = {"", "1", "1"}};
 
 const ovr_kind_info *ovr_kind_about(ovr_unit_kind kind)
@@ -48,6 +49,7 @@ double ovr_kind_scale(ovr_unit_kind kind, const ovr_contact *c)
     case OVR_KIND_FORCE: return c->ph * c->kappa * c->b;
     case OVR_KIND_POWER: return c->ph * c->kappa * c->b * c->um;
     case OVR_KIND_HEAT: return c->ph * c->kappa * c->um;
+    case OVR_KIND_AREA: return c->b * c->height;
     default: return 1;
     }
 }

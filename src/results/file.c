@@ -39,12 +39,13 @@ ovr_status ovr_file_prepare(ovr_file *f, const ovr_file_plan *plan,
     f->element = plan->options->single ? sizeof(float) : sizeof(double);
     f->deflate = plan->options->deflate;
     f->fields = ovr_layout_fields(plan->options->fields, f->which);
-    f->columns = ovr_layout_columns(NULL);
+    unsigned physics = plan->options->physics;
+    f->columns = ovr_layout_columns(physics, NULL);
     f->column = ovr_arena_take(arena, f->columns, sizeof *f->column, err);
     f->row = ovr_arena_take(arena, f->columns, sizeof *f->row, err);
     if (!f->column || !f->row)
         return OVR_NO_MEMORY;
-    ovr_layout_columns(f->row);
+    ovr_layout_columns(physics, f->row);
     forget_ids(f);
     if (ovr_store_prepare(&f->store, plan->options->path, arena, err) != OVR_OK)
         return OVR_NO_MEMORY;

@@ -7,12 +7,12 @@
 
 /* ------------------------------------------------------------------- rows */
 
-size_t ovr_layout_columns(const ovr_observable **rows)
+size_t ovr_layout_columns(unsigned physics, const ovr_observable **rows)
 {
     const ovr_observable *o;
     size_t count = 0;
     for (size_t k = 0; (o = ovr_observable_at(k)); k++) {
-        if (!o->name || o->axes != OVR_AT_STEPS)
+        if (!o->name || o->axes != OVR_AT_STEPS || (o->needs & ~physics))
             continue;
         if (rows)
             rows[count] = o;

@@ -53,6 +53,7 @@ typedef struct ovr_arrival {
     double before;  /* waiting at the start */
     double waiting; /* now */
     bool closed;    /* only what arrives flows in */
+    double flooded; /* central film of the flooded start */
     double q, face; /* of this step: at X_a, half a mesh further */
 } ovr_arrival;
 

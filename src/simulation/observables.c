@@ -47,6 +47,21 @@ static const double *cavitated(const ovr_simulation *sim, double *room)
     return room;
 }
 
+static const double *filling(const ovr_simulation *sim, double *room)
+{
+    for (size_t i = 0; i < sim->state.n; i++) {
+        double P = sim->now.P[i], full = sim->now.H[i];
+        room[i] = P > 0 ? 1 : sim->now.q[i] / full;
+    }
+    return room;
+}
+
+static const double *oil_content(const ovr_simulation *sim, double *room)
+{
+    (void)room;
+    return sim->now.q;
+}
+
 static const double *mass_flow(const ovr_simulation *sim, double *room)
 {
     double Cu = ovr_history_value(sim->speed, sim->state.T);
@@ -102,10 +117,16 @@ static const double *heat_flux_2(const ovr_simulation *sim, double *room)
 #define NUMBER(name, key, si, kind, member, text)                              \
     {                                                                          \
         name, key, si, text, OVR_KIND_##kind, OVR_AT_STEPS,                    \
-            offsetof(ovr_observation, member), NULL                            \
+            offsetof(ovr_observation, member), NULL, 0                         \
+    }
+/* Where oil is conserved. */
+#define OIL(name, key, kind, member, text)                                     \
+    {                                                                          \
+        name, key, NULL, text, OVR_KIND_##kind, OVR_AT_STEPS,                  \
+            offsetof(ovr_observation, member), NULL, OVR_PHYSICS_CONTENT       \
     }
 #define FIELD(name, kind, axes, text)                                          \
-    {#name, NULL, NULL, text, OVR_KIND_##kind, OVR_AT_##axes, 0, name},
+    {#name, NULL, NULL, text, OVR_KIND_##kind, OVR_AT_##axes, 0, name, 0},
 
 /* Columns and fields stand in a file in this order. */
 static const ovr_observable table[] = {
@@ -202,6 +223,20 @@ static const ovr_observable table[] = {
            heat_flow_2, "heat that flows into surface 2"),
     NUMBER("energy_defect", "energy_defect", NULL, NUMBER, energy_defect,
            "heat that neither surfaces nor oil carry away, over what is made"),
+    OIL("supply", NULL, HEIGHT, supply, "oil that arrives, rho H at the inlet"),
+    OIL("meniscus", "X_meniscus", LENGTH, meniscus,
+        "where the film begins; none: flooded"),
+    OIL(NULL, "film_ratio", NUMBER, film_ratio,
+        "central film over that of the flooded steady contact"),
+    OIL("inflow", NULL, FLOW, inflow, "mass flow at the inlet"),
+    OIL("outflow", NULL, FLOW, outflow, "mass flow at the outlet"),
+    OIL("oil_inside", NULL, AREA, oil_inside, "oil between inlet and outlet"),
+    OIL("oil_waiting", NULL, AREA, oil_waiting, "oil before the inlet"),
+    OIL("cavity_length", NULL, LENGTH, cavity_length,
+        "nodes without pressure between the first and the last with"),
+    OIL("mass_defect", NULL, NUMBER, mass_defect,
+        "inflow - outflow - stored change of the scheme, over the central "
+        "film"),
     NUMBER("residual", "residual", NULL, NUMBER, residual,
            "relative mass-flow imbalance"),
     NUMBER("order", "order", NULL, COUNT, order,
@@ -225,6 +260,13 @@ const ovr_observable *ovr_observable_field(const char *name)
         if (o->field && strcmp(o->name, name) == 0)
             break;
     return o;
+}
+
+unsigned ovr_options_physics(const ovr_options *options)
+{
+    return options->cavitation == OVR_CAVITATION_CONSERVING
+               ? OVR_PHYSICS_CONTENT
+               : 0;
 }
 
 double ovr_observable_value(const ovr_observable *which,

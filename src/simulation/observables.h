@@ -24,6 +24,8 @@
     ROW(temperature_middle, TEMPERATURE, NODES,                                \
         "temperature in the middle of the film")                               \
     ROW(heat_flux_1, HEAT, NODES, "heat flux into surface 1")                  \
-    ROW(heat_flux_2, HEAT, NODES, "heat flux into surface 2")
+    ROW(heat_flux_2, HEAT, NODES, "heat flux into surface 2")                  \
+    ROW(filling, NUMBER, NODES, "share of the gap that is full of oil")        \
+    ROW(oil_content, HEIGHT, NODES, "oil rho H theta over ambient density")
 
 #endif

@@ -104,6 +104,7 @@ ovr_defect ovr_supply_steady(ovr_simulation *sim, const ovr_full *how,
     a->closed = false;
     ovr_level_clear(sim->finest, sim->finest->f.kept);
     ovr_defect d = ovr_flooded(grids, how, cycles);
+    a->flooded = d.centre;
     if (!a->supply)
         return d;
     a->q = a->face = a->supply(a->data, 0);
@@ -164,6 +165,7 @@ static double mass_defect(const ovr_simulation *sim)
 
 static void forget(ovr_observation *o)
 {
+    o->film_ratio = NAN;
     o->supply = o->meniscus = o->inflow = o->outflow = NAN;
     o->oil_inside = o->oil_waiting = o->cavity_length = o->mass_defect = NAN;
 }
@@ -181,6 +183,7 @@ void ovr_supply_observe(const ovr_simulation *sim, double dT,
     for (size_t i = 0; i < s->n; i++)
         sum += s->weights[i] * s->q[i];
     o->supply = a->supply ? a->q : NAN;
+    o->film_ratio = o->H_cen / a->flooded;
     o->meniscus = meniscus(s);
     o->inflow = ovr_flux(sim, Cu, 0);
     o->outflow = ovr_flux(sim, Cu, s->n - 2);

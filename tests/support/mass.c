@@ -44,7 +44,7 @@ static bool observed_numbers(const ovr_observation *o)
 {
     const ovr_observable *row;
     for (size_t k = 0; (row = ovr_observable_at(k)); k++)
-        if (row->axes == OVR_AT_STEPS && !coefficient(row) &&
+        if (row->axes == OVR_AT_STEPS && !coefficient(row) && !row->needs &&
             !isfinite(ovr_observable_value(row, o)) &&
             isfinite(o->P_spike + o->P_spike_located))
             return false;

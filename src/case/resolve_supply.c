@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* [cavitation] and [supply]: what goes with conserved oil, and the film that
+ * arrives. */
+#include <math.h>
+
+#include "case/resolve.h"
+
+static const ovr_slot *slot_of(const ovr_resolved *r, const char *section,
+                               const char *key)
+{
+    return ovr_block_get(ovr_block_of(r, section), key);
+}
+
+/* Written values that do not conserve oil; what is not written gives way. */
+static ovr_status check_solver(const ovr_resolved *r, ovr_error *err)
+{
+    const ovr_options *o = &r->values.options;
+    const struct {
+        const char *section, *key;
+        bool refused;
+        const char *right;
+    } checks[] = {{"time", "scheme", r->values.scheme == OVR_CHARACTERISTIC,
+                   "upstream2 or upstream1"},
+                  {"domain", "order", o->order == 4, "2"},
+                  {"paper", "smoother", o->smoother != OVR_LINE, "line"},
+                  {"paper", "paper_balance", o->paper_balance, "no"},
+                  {"solver", "stop", o->stop == OVR_STOP_FIXED,
+                   "negligible or truncation"}};
+    for (size_t k = 0; k < sizeof checks / sizeof *checks; k++)
+        if (checks[k].refused) {
+            const ovr_slot *slot = slot_of(r, checks[k].section, checks[k].key);
+            return ovr_fail_slot(err, slot,
+                                 "%s does not go with [cavitation] model = "
+                                 "conserving; %s does",
+                                 slot->text, checks[k].right);
+        }
+    return OVR_OK;
+}
+
+/* What a flooded contact has no use for. */
+static ovr_status check_flooded(const ovr_resolved *r, ovr_error *err)
+{
+    static const char *const keys[] = {"thickness_1", "thickness_2", "history",
+                                       "waiting"};
+    for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
+        const ovr_slot *slot = slot_of(r, "supply", keys[k]);
+        if (slot->given)
+            return ovr_fail_slot(err, slot,
+                                 "has no meaning with model = flooded; a film "
+                                 "arrives with model = film");
+    }
+    return OVR_OK;
+}
+
+static ovr_status check_film(const ovr_resolved *r, ovr_error *err)
+{
+    const ovr_slot *model = slot_of(r, "supply", "model");
+    if (r->values.options.cavitation != OVR_CAVITATION_CONSERVING)
+        return ovr_fail_slot(err, model,
+                             "film needs [cavitation] model = conserving");
+    if (!slot_of(r, "supply", "thickness_1")->given &&
+        !slot_of(r, "supply", "thickness_2")->given)
+        return ovr_fail_slot(err, model,
+                             "film needs thickness_1, thickness_2 or both in "
+                             "[supply]");
+    return OVR_OK;
+}
+
+ovr_status ovr_resolve_supply(ovr_resolved *r, const ovr_allocator *allocator,
+                              ovr_error *err)
+{
+    ovr_settings *v = &r->values;
+    ovr_supply_setup *s = &r->supply;
+    bool conserving = v->options.cavitation == OVR_CAVITATION_CONSERVING;
+    ovr_status status = OVR_OK;
+    if (conserving)
+        status = check_solver(r, err);
+    s->film = v->supply_model != 0;
+    if (!status)
+        status = s->film ? check_film(r, err) : check_flooded(r, err);
+    if (!status)
+        status = ovr_resolve_history(r, "supply", &v->supply, allocator,
+                                     &s->history, err);
+    s->thickness[0] = v->thickness[0];
+    s->thickness[1] = v->thickness[1];
+    s->waiting = v->waiting;
+    return status;
+}

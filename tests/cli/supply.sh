@@ -1,0 +1,94 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# [cavitation] and [supply]: a starved run, what its file holds, resumed to the
+# same bits; what does not go together; the columns only where they belong.
+. "$TOP/tests/support/cli.sh"
+
+cat >dent.ini <<'END'
+[contact]
+M = 20
+L = 10
+[domain]
+inlet = -4
+level = 5
+[cavitation]
+model = conserving
+[supply]
+model = film
+thickness_1 = 0.02521
+thickness_2 = 0.02521
+[time]
+end = 2
+[feature d]
+shape = dent
+depth = 0.1
+width = 0.5
+start = -1.5
+[output]
+every = 20
+END
+
+# near KEY VALUE TOLERANCE: of the JSON in `out`
+near() {
+    sed -n "s/.*\"$1\": \([-0-9.e+]*\).*/\1/p" out |
+        awk -v key="$1" -v v="$2" -v t="$3" \
+            '{ d = $1 - v; if (d < 0) d = -d; ok = d <= t; was = $1 }
+             END { if (!ok) { print key " is " was ", wanted " v; exit 1 } }' ||
+        exit 1
+}
+
+# Half of level 5's flooded flow: the independent solution's central film and
+# meniscus (tests/reference/cavitation_truth.h)
+sed '/time/,$d' dent.ini >steady.ini
+expect 0 "$OVERROLL" steady steady.ini --json
+near H_cen 0.041415 2e-6
+near X_meniscus -1.12092 2e-5
+near film_ratio 0.49983 1e-4
+contains out '"scheme": "upstream2"'
+contains out '"order": 2'
+expect 0 "$OVERROLL" steady steady.ini
+contains out '^film ratio .* of the flooded film; film begins at X = -1.12'
+
+# What arrives beyond what it takes makes no difference
+expect 0 "$OVERROLL" steady steady.ini --json --set supply.thickness_1=0.3
+contains out '"X_meniscus": null'
+near film_ratio 1 1e-12
+
+# A run, and the same in two pieces
+content() {
+    "$OVERROLL" export "$1" >history.txt &&
+        "$OVERROLL" export "$1" --all >snapshots.txt &&
+        cat history.txt snapshots.txt
+}
+expect 0 "$OVERROLL" run dent.ini -o whole.h5 -q
+expect 0 "$OVERROLL" run dent.ini -o part.h5 -q --set time.end=1
+expect 0 "$OVERROLL" resume part.h5 -q --set time.end=2
+content whole.h5 >1.txt
+content part.h5 >2.txt
+cmp 1.txt 2.txt || fail 'resumed, it is another run'
+for column in supply meniscus inflow outflow oil_inside oil_waiting \
+    cavity_length mass_defect; do
+    contains history.txt "$column"
+done
+contains snapshots.txt filling
+contains snapshots.txt oil_content
+
+# Runs of the Reynolds equation know nothing of it
+sed '/supply/,/thickness_2/d; s/conserving/reynolds/; s/end = 2/end = 0.1/' \
+    dent.ini >plain.ini
+expect 0 "$OVERROLL" run plain.ini -o plain.h5 -q
+"$OVERROLL" export plain.h5 >history.txt
+! grep -q meniscus history.txt || fail 'a flooded file has a meniscus'
+
+# What does not go together
+refuses 'scheme: characteristic does not go .*upstream2' \
+    check dent.ini --set time.scheme=characteristic
+refuses 'order: 4 does not go .*; 2 does' check dent.ini --set domain.order=4
+refuses 'smoother: hybrid does not go' \
+    check dent.ini --set paper.smoother=hybrid
+refuses 'model: film needs \[cavitation\] model = conserving' \
+    check dent.ini --set cavitation.model=reynolds
+refuses 'thickness_1: has no meaning with model = flooded' \
+    check dent.ini --set supply.model=flooded
+sed '/thickness/d' dent.ini >none.ini
+refuses 'film needs thickness_1' check none.ini

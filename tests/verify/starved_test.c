@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Oil conserved: random runs and steady starved contacts, none of which may
+ * fail; what it took is printed. */
+#include <math.h>
+#include <stdio.h>
+
+#include "support/starved.h"
+#include "support/test.h"
+
+/* Surfaces that touch are no failure of the solver. */
+static void survey(int runs, int level, uint64_t seed)
+{
+    int plain = 0, retried = 0, halved = 0, touching = 0;
+    double cycles = 0;
+    for (int k = 0; k < runs; k++) {
+        test_starved_run r = test_starved(seed + (uint64_t)k, level);
+        cycles += r.cycles / runs;
+        touching += r.status == OVR_IMPOSSIBLE;
+        if (r.status && r.status != OVR_IMPOSSIBLE)
+            printf("seed %d: M %g L %g: %s\n", (int)seed + k, r.M, r.L,
+                   r.err.message);
+        assert_true(!r.status || r.status == OVR_IMPOSSIBLE);
+        assert_true(r.marked == 0);
+        plain += r.retries == 0;
+        retried += r.retries > 0 && r.substeps == 0;
+        halved += r.substeps > 0;
+    }
+    printf("level %d, seeds %d on: %d runs, %d without retries, %d retried, %d "
+           "with halved steps, %d touching; %.2f cycles a step\n",
+           level, (int)seed, runs, plain, retried, halved, touching, cycles);
+}
+
+static void random_runs(void **state)
+{
+    (void)state;
+    survey(200, 7, 1000);
+}
+
+static void random_runs_finer(void **state)
+{
+    (void)state;
+    survey(40, 8, 2000);
+}
+
+static void steady_contacts(void **state)
+{
+    static const double M[] = {5, 20, 50, 100, 200}, L[] = {2.5, 5, 10, 14},
+                        share[] = {0.1, 0.3, 0.5, 0.7, 0.9, 0.99};
+    int ways[4] = {0}, failed = 0;
+    (void)state;
+    for (int i = 0; i < 120; i++) {
+        ovr_error err = {0};
+        double m = M[i / 24], l = L[i / 6 % 4], r = share[i % 6];
+        int way = 0;
+        ovr_status status = test_starve(m, l, 8, r, &way, &err);
+        if (status)
+            printf("M %g L %g share %g: %s\n", m, l, r, err.message);
+        failed += status != OVR_OK;
+        ways[way]++;
+    }
+    printf("120 steady contacts: %d by the first way, %d by the second, %d by "
+           "the third\n",
+           ways[1], ways[2], ways[3]);
+    assert_int_equal(failed, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(steady_contacts),
+        cmocka_unit_test(random_runs),
+        cmocka_unit_test(random_runs_finer),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
