@@ -2,6 +2,7 @@
 /* Oil conserved, against an independent solution, against the Reynolds
  * equation where the contact is flooded, and against its own identity. */
 #include <math.h>
+#include <string.h>
 
 #include "cavitation_truth.h"
 #include "support/contact.h"
@@ -174,6 +175,83 @@ static void oil_is_conserved(void **state)
     ovr_simulation_free(sim);
 }
 
+/* What was stored between two states by a step of dT after dT_old: A - B of
+ * multigrid/content.h, by the contents of three times. */
+typedef struct times {
+    double q[3][7 * 64 + 1], P[2][7 * 64 + 1], dT, dT_old;
+} times;
+
+static double gained(const times *t, size_t n, double D)
+{
+    double s = t->dT_old > 0 ? t->dT / t->dT_old : 1, sum = 0;
+    double kappa = s / (1 + s), b2 = s * s / (1 + s);
+    for (size_t i = 1; i + 1 < n; i++) {
+        double now = t->q[0][i], before = t->q[1][i];
+        double A = (1 + kappa) * now - kappa * before;
+        double B = (1 + b2) * before - b2 * t->q[2][i];
+        A = t->P[0][i] > 0 ? A : fmax(A, 0.5 * now);
+        B = t->P[1][i] > 0 ? B : fmax(B, 0.5 * before);
+        sum += A - B;
+    }
+    return D * sum;
+}
+
+static void take_over(times *t, const ovr_state *s, double dT)
+{
+    size_t bytes = s->n * sizeof(double);
+    memcpy(t->q[2], t->q[1], bytes);
+    memcpy(t->q[1], t->q[0], bytes);
+    memcpy(t->P[1], t->P[0], bytes);
+    memcpy(t->q[0], s->q, bytes);
+    memcpy(t->P[0], s->P, bytes);
+    t->dT_old = t->dT;
+    t->dT = dT;
+}
+
+/* The mass defect of a step is its algebraic residual, whatever its length, and
+ * while the entrainment stops: content never falls below nothing. */
+static void steps_of_any_length(void **state)
+{
+    enum { STEPS = 200 };
+    static times t;
+    uint64_t seed = 7;
+    double supply = 1, slowest = 1;
+    ovr_history_form form = ovr_history_constant();
+    test_feature dent = {'l', -0.1, 0.5, -2, 1, 0};
+    ovr_error err = {0};
+    ovr_simulation *sim = made(6, 1e-7, &supply);
+    const ovr_state *s = ovr_simulation_state(sim);
+    const ovr_observation *o = ovr_simulation_observation(sim);
+    (void)state;
+    form.kind = OVR_HISTORY_SINE;
+    form.amplitude = 1;
+    form.period = 2.5;
+    ovr_history *speed = ovr_history_create(&form, NULL, &err);
+    ovr_simulation_histories(sim, NULL, speed);
+    ovr_simulation_surface(sim, test_feature_heights, &dent);
+    ovr_simulation_supply(sim, waving, NULL, 0.01);
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    t = (times){0};
+    for (int k = 0; k < 3; k++)
+        take_over(&t, s, 0);
+    for (int k = 0; k < STEPS; k++) {
+        double dT = s->D * test_random(&seed, 0.4, 2.5), flow;
+        CHECK_OK(ovr_simulation_step(sim, dT, &err), &err);
+        assert_int_equal(ovr_simulation_statistics(sim)->substeps, 0);
+        take_over(&t, s, dT);
+        flow = dT * (o->inflow - o->outflow);
+        CHECK_NEAR(flow - gained(&t, s->n, s->D),
+                   dT * o->mass_defect * o->H_cen, 1e-13);
+        CHECK_NEAR(o->mass_defect, 0, 1e-7);
+        slowest = fmin(slowest, o->speed_ratio);
+        for (size_t i = 0; i < s->n; i++)
+            assert_true(s->q[i] >= 0 && s->P[i] >= 0);
+    }
+    assert_true(slowest < 0.01);
+    ovr_simulation_free(sim);
+    ovr_history_free(speed);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -181,6 +259,7 @@ int main(void)
         cmocka_unit_test(flooded_is_reynolds),
         cmocka_unit_test(starved_dents),
         cmocka_unit_test(oil_is_conserved),
+        cmocka_unit_test(steps_of_any_length),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
