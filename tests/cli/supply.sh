@@ -32,7 +32,7 @@ END
 near() {
     sed -n "s/.*\"$1\": \([-0-9.e+]*\).*/\1/p" out |
         awk -v key="$1" -v v="$2" -v t="$3" \
-            '{ d = $1 - v; if (d < 0) d = -d; ok = d <= t; was = $1 }
+            'NR == 1 { d = $1 - v; if (d < 0) d = -d; ok = d <= t; was = $1 }
              END { if (!ok) { print key " is " was ", wanted " v; exit 1 } }' ||
         exit 1
 }
