@@ -20,6 +20,7 @@ ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
         return OVR_NO_MEMORY;
     run->pressure = ovr_result_find(result, "pressure") != NULL;
     run->film = ovr_result_find(result, "film_thickness") != NULL;
+    run->filling = run->film && ovr_result_find(result, "filling") != NULL;
     run->roughness = ovr_result_find(result, "roughness") != NULL;
     status = ovr_result_x(result, OVR_HERTZIAN, run->x, err);
     if (status == OVR_OK)
@@ -90,13 +91,14 @@ ovr_status ovr_shot_make(ovr_shot *shot, const ovr_stored *run,
                          ovr_arena *arena, ovr_error *err)
 {
     size_t n = run->info->nodes;
-    double *block = ovr_arena_take(arena, 3 * n, sizeof *block, err);
+    double *block = ovr_arena_take(arena, 4 * n, sizeof *block, err);
     if (!block)
         return OVR_NO_MEMORY;
     *shot = (ovr_shot){.run = run};
     shot->P = run->pressure ? block : NULL;
     shot->H = run->film ? block + n : NULL;
     shot->S = run->roughness ? block + 2 * n : NULL;
+    shot->oil = run->filling ? block + 3 * n : NULL;
     return OVR_OK;
 }
 
@@ -125,6 +127,10 @@ ovr_status ovr_shot_read(ovr_shot *shot, size_t k, ovr_error *err)
     if (status == OVR_OK)
         status = read_field(shot, "roughness", shot->run->by.film, shot->S,
                             err);
+    if (status == OVR_OK)
+        status = read_field(shot, "filling", 1, shot->oil, err);
+    for (size_t i = 0; shot->oil && i < shot->run->info->nodes; i++)
+        shot->oil[i] *= shot->H[i];
     return status;
 }
 

@@ -15,7 +15,7 @@ typedef struct ovr_stored {
     const ovr_result_info *info;
     const char *name;  /* foreign */
     double *x, *times; /* nodes, snapshots */
-    bool film, pressure, roughness;
+    bool film, pressure, roughness, filling;
     struct {
         double x, film, pressure, time;
     } by; /* its units in those of the first */
@@ -44,6 +44,7 @@ typedef struct ovr_shot {
     size_t k;
     double T;
     double *P, *H, *S;
+    double *oil; /* its height in the film, of runs that conserve it */
 } ovr_shot;
 
 ovr_status ovr_shot_make(ovr_shot *shot, const ovr_stored *run,

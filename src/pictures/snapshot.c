@@ -187,15 +187,29 @@ static void add_pressure(const ovr_snapshot_style *look, const ovr_shot *shot,
     series[panel->count++] = s;
 }
 
+/* Oil as high as it stands, where the gap is not full of it. */
+static void add_oil(const ovr_snapshot_style *look, const ovr_shot *shot,
+                    ovr_series *series, ovr_panel *panel)
+{
+    ovr_series s = curve(look, shot, shot->oil, look->H.factor);
+    s.label = "oil";
+    s.colour = OVR_AMBER;
+    s.mark = OVR_MARK_AREA;
+    series[panel->count++] = s;
+}
+
 static void add_film(const ovr_snapshot_style *look, const ovr_shot *shot,
                      const labelled *as, ovr_series *series, ovr_panel *panel)
 {
     ovr_series s;
+    bool oil = as->alone && shot->oil;
+    if (oil)
+        add_oil(look, shot, series, panel);
     if (shot->H) {
         s = curve(look, shot, shot->H, look->H.factor);
         s.label = as->alone ? "film thickness" : shot->P ? NULL : as->label;
-        s.colour = as->alone ? OVR_AMBER : as->as.colour;
-        s.mark = as->alone ? OVR_MARK_AREA : as->as.mark;
+        s.colour = oil ? OVR_STEEL : as->alone ? OVR_AMBER : as->as.colour;
+        s.mark = oil ? OVR_MARK_LINE : as->alone ? OVR_MARK_AREA : as->as.mark;
         series[panel->count++] = s;
     }
     if (shot->S && bottom(look) < 0) {
