@@ -167,8 +167,10 @@ typedef enum ovr_accuracy {
 /* All that a case describes, ready to be run. */
 /* The film that arrives: layers on the surfaces, in b^2/R, times its history;
  * oil waiting at the start, in b^3/R. */
+struct ovr_layer;
 typedef struct ovr_supply_setup {
     bool film; /* else flooded */
+    struct ovr_layer *layer[2]; /* along the surfaces; NULL: constant */
     double thickness[2], waiting;
     ovr_history *history; /* NULL: constant */
 } ovr_supply_setup;

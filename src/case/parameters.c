@@ -421,6 +421,11 @@ static const ovr_parameter table[] = {
      "film on surface 1 as it arrives"},
     {"supply", "thickness_2", HEIGHT, "0", AT(thickness[1]), true,
      "film on surface 2 as it arrives"},
+    {"supply", "profile_1", PATH, NULL, AT(layer_file[0]), true,
+     "file of thickness along surface 1, whose largest x arrives at T = 0, "
+     "instead of thickness_1"},
+    {"supply", "profile_2", PATH, NULL, AT(layer_file[1]), true,
+     "the same of surface 2"},
     {"supply", "waiting", AREA_OR(endless_oil, 1e9), "0.1", AT(waiting), true,
      "oil that waits before the inlet at the start, where the contact is "
      "flooded then"},

@@ -100,6 +100,7 @@ typedef struct ovr_settings {
     ovr_change load, speed, sliding, supply;
     int supply_model; /* 0: flooded, 1: film */
     double thickness[2], waiting;
+    const char *layer_file[2];
     ovr_output output;
     int every, precision;
     ovr_stress_setup stress;

@@ -11,6 +11,7 @@
 
 #include "multigrid/hierarchy.h"
 #include "overroll/results.h"
+#include "surface/layer.h"
 
 static const double ALPHA_PAPER = 1.7e-8; /* 1/Pa */
 
@@ -468,6 +469,8 @@ void ovr_setup_free(ovr_setup *setup)
     ovr_history_free(setup->sliding);
     ovr_flow_law_free(((ovr_resolved *)setup)->flow_law);
     ovr_history_free(setup->supply->history);
+    for (int k = 0; k < 2; k++)
+        ovr_layer_free(setup->supply->layer[k]);
     for (int k = 0; k < 2; k++)
         ovr_law_table_free(((ovr_resolved *)setup)->tables[k]);
     arena = ((ovr_resolved *)setup)->arena;

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "case/resolve.h"
+#include "surface/layer.h"
 
 static const ovr_slot *slot_of(const ovr_resolved *r, const char *section,
                                const char *key)
@@ -40,8 +41,9 @@ static ovr_status check_solver(const ovr_resolved *r, ovr_error *err)
 /* What a flooded contact has no use for. */
 static ovr_status check_flooded(const ovr_resolved *r, ovr_error *err)
 {
-    static const char *const keys[] = {"thickness_1", "thickness_2", "history",
-                                       "waiting"};
+    static const char *const keys[] = {"thickness_1", "thickness_2",
+                                       "profile_1",   "profile_2",
+                                       "history",     "waiting"};
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
         const ovr_slot *slot = slot_of(r, "supply", keys[k]);
         if (slot->given)
@@ -59,10 +61,33 @@ static ovr_status check_film(const ovr_resolved *r, ovr_error *err)
         return ovr_fail_slot(err, model,
                              "film needs [cavitation] model = conserving");
     if (!slot_of(r, "supply", "thickness_1")->given &&
-        !slot_of(r, "supply", "thickness_2")->given)
+        !slot_of(r, "supply", "thickness_2")->given &&
+        !slot_of(r, "supply", "profile_1")->given &&
+        !slot_of(r, "supply", "profile_2")->given)
         return ovr_fail_slot(err, model,
                              "film needs thickness_1, thickness_2 or both in "
-                             "[supply]");
+                             "[supply], or a profile");
+    return OVR_OK;
+}
+
+static ovr_status read_layers(ovr_resolved *r, const ovr_allocator *allocator,
+                              ovr_error *err)
+{
+    static const char *const profiles[] = {"profile_1", "profile_2"};
+    static const char *const thick[] = {"thickness_1", "thickness_2"};
+    for (int k = 0; k < 2; k++) {
+        const ovr_slot *slot = slot_of(r, "supply", profiles[k]);
+        ovr_error why = {0};
+        if (!r->values.layer_file[k])
+            continue;
+        if (slot_of(r, "supply", thick[k])->given)
+            return ovr_fail_slot(err, slot, "%s is given too: leave one out",
+                                 thick[k]);
+        r->supply.layer[k] = ovr_layer_read(r->values.layer_file[k],
+                                            &r->contact, allocator, &why);
+        if (!r->supply.layer[k])
+            return ovr_fail_slot(err, slot, "%s", why.message);
+    }
     return OVR_OK;
 }
 
@@ -81,6 +106,8 @@ ovr_status ovr_resolve_supply(ovr_resolved *r, const ovr_allocator *allocator,
     if (!status)
         status = ovr_resolve_history(r, "supply", &v->supply, allocator,
                                      &s->history, err);
+    if (!status)
+        status = read_layers(r, allocator, err);
     s->thickness[0] = v->thickness[0];
     s->thickness[1] = v->thickness[1];
     s->waiting = v->waiting;

@@ -7,6 +7,7 @@
 #include "case/resolve.h"
 #include "contact/starvation.h"
 #include "simulation/internal.h"
+#include "surface/layer.h"
 
 static double memory_here(void)
 {
@@ -218,13 +219,19 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
     return status;
 }
 
-/* rho H that arrives: at P = 0, by both surfaces. */
+/* rho H that arrives: at P = 0, by both surfaces; a layer goes by as fast as
+ * its surface moves. */
 static double arriving(void *data, double T)
 {
     const ovr_setup *s = data;
-    const double *h = s->supply->thickness;
-    double both = fmax(0, s->contact->u1_ratio) * h[0] +
-                  fmax(0, s->contact->u2_ratio) * h[1];
+    const double u[2] = {s->contact->u1_ratio, s->contact->u2_ratio};
+    double way = ovr_history_integral(s->speed, T), both = 0;
+    for (int k = 0; k < 2; k++) {
+        const ovr_layer *layer = s->supply->layer[k];
+        double h = layer ? ovr_layer_thickness(layer, u[k] * way)
+                         : s->supply->thickness[k];
+        both += fmax(0, u[k]) * h;
+    }
     return both * ovr_history_value(s->supply->history, T);
 }
 

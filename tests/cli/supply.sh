@@ -73,6 +73,26 @@ done
 contains snapshots.txt filling
 contains snapshots.txt oil_content
 
+# A layer along a surface: here twice as thick where the first b/2 of it lies
+cat >layer.csv <<'END'
+x in b, z in b^2/R
+0, 0.02521
+1, 0.02521
+1.001, 0.05042
+1.5, 0.05042
+END
+sed 's/thickness_1 =.*/profile_1 = layer.csv/; s/end = 2/end = 1/' \
+    dent.ini >layer.ini
+expect 0 "$OVERROLL" run layer.ini -o layer.h5 -q
+"$OVERROLL" export layer.h5 >history.txt
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /^supply/) c = i }
+         NR == 2 { first = $c } { last = $c }
+         END { exit !(first > 0.0755 && first < 0.0757 &&
+                      last > 0.0503 && last < 0.0505) }' history.txt ||
+    fail "the layer does not arrive: $(head -3 history.txt)"
+refuses 'profile_1: .*thickness_1 is given too' \
+    check layer.ini --set supply.thickness_1=0.1
+
 # Runs of the Reynolds equation know nothing of it
 sed '/supply/,/thickness_2/d; s/conserving/reynolds/; s/end = 2/end = 0.1/' \
     dent.ini >plain.ini

@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "surface/layer.h"
+
+#include <math.h>
+
+#include "base/arena.h"
+
+struct ovr_layer {
+    ovr_arena arena;
+    ovr_profile *profile;
+    size_t n;
+    const double *x, *z;
+    double length, height; /* what its units are in b and in b^2/R */
+};
+
+static ovr_status check(const ovr_layer *l, const char *file, ovr_error *err)
+{
+    if (!isfinite(l->length) || !isfinite(l->height))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "'%s' is in metres: that needs radius and modulus in "
+                        "[contact]",
+                        file);
+    for (size_t i = 0; i < l->n; i++)
+        if (!(l->z[i] >= 0) || !isfinite(l->z[i]))
+            return ovr_fail(err, OVR_BAD_INPUT,
+                            "'%s': thickness %g at x = %g; 0 or more, without "
+                            "gaps",
+                            file, l->z[i], l->x[i]);
+    return OVR_OK;
+}
+
+ovr_layer *ovr_layer_read(const char *file, const ovr_contact *contact,
+                          const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_profile_source source = ovr_profile_source_default();
+    source.file = file;
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_layer *l = ovr_arena_take(&arena, 1, sizeof *l, err);
+    if (!l)
+        return NULL;
+    l->arena = arena;
+    l->profile = ovr_profile_read(&source, allocator, err);
+    if (l->profile) {
+        const ovr_profile_view *view = ovr_profile_look(l->profile);
+        l->n = view->n;
+        l->x = view->x;
+        l->z = view->z;
+        l->length = view->scaled_x ? 1 : 1 / contact->b;
+        l->height = view->scaled_z ? 1 : 1 / contact->height;
+        if (!check(l, file, err))
+            return l;
+    }
+    ovr_layer_free(l);
+    return NULL;
+}
+
+void ovr_layer_free(ovr_layer *layer)
+{
+    if (!layer)
+        return;
+    ovr_arena arena = layer->arena;
+    ovr_profile_free(layer->profile);
+    ovr_arena_release(&arena);
+}
+
+double ovr_layer_thickness(const ovr_layer *l, double travelled)
+{
+    double x = l->x[l->n - 1] - travelled / l->length, s;
+    size_t low = 0, high = l->n - 1;
+    if (x <= l->x[0])
+        return l->height * l->z[0];
+    if (x >= l->x[high])
+        return l->height * l->z[high];
+    while (high - low > 1) {
+        size_t middle = (low + high) / 2;
+        *(l->x[middle] <= x ? &low : &high) = middle;
+    }
+    s = (x - l->x[low]) / (l->x[high] - l->x[low]);
+    return l->height * (l->z[low] + s * (l->z[high] - l->z[low]));
+}
