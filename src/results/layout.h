@@ -12,8 +12,9 @@
 /* Version 1, of overroll 0.1.0, names no kinds. */
 enum { OVR_FORMAT_VERSION = 2, OVR_FIELDS_MOST = 32 };
 
-/* The columns of the history where these physics are on, or the fields of a set of them, in the order in
- * which they are written: how many; into `rows`, unless that is NULL. */
+/* The columns of the history where these physics are on, or the fields of a
+ * set of them, in the order in which they are written: how many; into `rows`,
+ * unless that is NULL. */
 size_t ovr_layout_columns(unsigned physics, const ovr_observable **rows);
 size_t ovr_layout_fields(unsigned set, const ovr_observable **rows);
 

@@ -150,10 +150,11 @@ static double amplitude_left(int level)
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     double D = at->D;
     size_t node = (size_t)lround(1 / D);
-    double dT = period / round(period / D);
-    while (at->T < 1.2 + 2 * period - dT / 2) {
+    int each = (int)lround(period / D), before = (int)(1.2 / D);
+    double dT = period / each;
+    for (int k = 0; k < before + 2 * each; k++) {
         CHECK_OK(ovr_simulation_step(sim, dT, &err), &err);
-        if (at->T < 1.2 - dT / 2)
+        if (k < before)
             continue;
         c += at->q[node] * cos(w * at->T);
         s += at->q[node] * sin(w * at->T);
