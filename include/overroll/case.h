@@ -169,7 +169,7 @@ typedef enum ovr_accuracy {
  * oil waiting at the start, in b^3/R. */
 struct ovr_layer;
 typedef struct ovr_supply_setup {
-    bool film; /* else flooded */
+    bool film;                  /* else flooded */
     struct ovr_layer *layer[2]; /* along the surfaces; NULL: constant */
     double thickness[2], waiting;
     ovr_history *history; /* NULL: constant */
