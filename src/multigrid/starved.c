@@ -138,23 +138,58 @@ static void take_supply(ovr_hierarchy *grids, ovr_level *level, double q,
     close_inlet(grids, level, q);
 }
 
-/* In steps by halves at most, smaller where Newton's method does not
- * converge. */
-static ovr_defect reduce(ovr_hierarchy *grids, ovr_level *level, double limit,
-                         double wanted)
+/* One step of the supply by Newton's method; false and all as before when it
+ * does not converge. */
+static bool step(ovr_hierarchy *grids, ovr_level *level, double limit,
+                 double before, double q)
 {
     enum { STEPS = 60 };
-    double q = central_flow(level), factor = 0.5;
-    ovr_defect d = {0};
-    while (q > wanted && factor < 0.99) {
-        double next = fmax(wanted, factor * q);
-        take_supply(grids, level, next, q);
-        d = newton(grids, level, limit, STEPS);
-        q = next;
-        if (!ovr_below(d, 1e-4))
+    double *P = grids->scratch[0], *content = grids->scratch[1];
+    double H0 = grids->H0;
+    bool closed = level->closed;
+    ovr_level_read(grids, level, level->f.P, P);
+    ovr_level_read(grids, level, level->f.q, content);
+    take_supply(grids, level, q, before);
+    if (ovr_below(newton(grids, level, limit, STEPS), 1e-6))
+        return true;
+    ovr_level_write(grids, level, P, level->f.P);
+    ovr_level_write(grids, level, content, level->f.q);
+    ovr_content_by_pressure(grids, level);
+    grids->H0 = H0;
+    if (closed)
+        close_inlet(grids, level, before);
+    else
+        ovr_content_open(level);
+    ovr_level_refresh(grids, level);
+    return false;
+}
+
+/* From the supply *q to the one wanted, by steps of this factor at most,
+ * smaller where one fails. */
+static bool travel(ovr_hierarchy *grids, ovr_level *level, double limit,
+                   double *q, double wanted, double factor)
+{
+    const double least = 0.98;
+    while (*q != wanted && factor < least) {
+        double next = wanted < *q ? fmax(wanted, factor * *q)
+                                  : fmin(wanted, *q / factor);
+        if (step(grids, level, limit, *q, next))
+            *q = next;
+        else
             factor = sqrt(factor);
     }
-    return d;
+    return *q == wanted;
+}
+
+/* A supply just below the flooded flow may have to be come to from below: its
+ * meniscus is far out. */
+static void reduce(ovr_hierarchy *grids, ovr_level *level, double limit,
+                   double wanted)
+{
+    double q = central_flow(level);
+    if (!travel(grids, level, limit, &q, wanted, 0.5) &&
+        travel(grids, level, limit, &q, 0.7 * wanted, 0.5))
+        travel(grids, level, limit, &q, wanted, 0.95);
 }
 
 /* Each level's own share of the supply. */
@@ -183,7 +218,8 @@ ovr_defect ovr_starve(ovr_hierarchy *grids, const ovr_full *how, double q,
         s.c = (1 - here / flow) /
               (ldexp(1, -2 * level->number) - ldexp(1, -2 * grids->finest));
     before = supply_of(&s, level, grids->finest);
-    d = reduce(grids, level, limit, before);
+    reduce(grids, level, limit, before);
+    d = ovr_cycle_defect(grids, level);
     while (level->number < grids->finest) {
         double next = supply_of(&s, level + 1, grids->finest);
         ovr_fas_refine(grids, level, level + 1);

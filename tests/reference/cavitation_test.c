@@ -216,7 +216,7 @@ static void steps_of_any_length(void **state)
     static times t;
     uint64_t seed = 7;
     double supply = 1, slowest = 1;
-    ovr_history_form form = ovr_history_constant();
+    ovr_history_form form = ovr_history_form_default();
     test_feature dent = {'l', -0.1, 0.5, -2, 1, 0};
     ovr_error err = {0};
     ovr_simulation *sim = made(6, 1e-7, &supply);

@@ -121,7 +121,7 @@ static void make_scene(scene *s, uint64_t *seed, test_flooded f, double u)
 
 static ovr_history *sine(uint64_t *seed, double most)
 {
-    ovr_history_form form = ovr_history_constant();
+    ovr_history_form form = ovr_history_form_default();
     bool varies = pick(seed, 0, 1) < 0.3;
     form.kind = OVR_HISTORY_SINE;
     form.amplitude = pick(seed, 0, most);

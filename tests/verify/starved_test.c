@@ -46,7 +46,7 @@ static void steady_contacts(void **state)
 {
     static const double M[] = {5, 20, 50, 100, 200}, L[] = {2.5, 5, 10, 14},
                         share[] = {0.1, 0.3, 0.5, 0.7, 0.9, 0.99};
-    int ways[4] = {0}, failed = 0;
+    int ways[5] = {0}, failed = 0;
     (void)state;
     for (int i = 0; i < 120; i++) {
         ovr_error err = {0};
