@@ -23,7 +23,8 @@ static ovr_status check_solver(const ovr_resolved *r, ovr_error *err)
     } checks[] = {{"time", "scheme", r->values.scheme == OVR_CHARACTERISTIC,
                    "upstream2 or upstream1"},
                   {"domain", "order", o->order == 4, "2"},
-                  {"paper", "smoother", o->smoother != OVR_LINE, "line"},
+                  {"heat", "model", slot_of(r, "heat", "model")->number != 0, "none"},
+        {"paper", "smoother", o->smoother != OVR_LINE, "line"},
                   {"paper", "paper_balance", o->paper_balance, "no"},
                   {"solver", "stop", o->stop == OVR_STOP_FIXED,
                    "negligible or truncation"}};

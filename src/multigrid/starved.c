@@ -17,17 +17,40 @@ double ovr_content_leaving(const ovr_level *level)
     return level->f.q[place(level, level->grid.n - 2)];
 }
 
+/* Where cycles stall: twice the sweeps, then also a finer coarsest grid. */
+static void try_harder(const ovr_hierarchy *grids, const ovr_level *level,
+                       ovr_cycling *c)
+{
+    int finer = c->bottom + 1;
+    bool more = c->sweeps_after > 1 && finer < level->number &&
+                finer < grids->coarsest + grids->newton.levels;
+    c->sweeps_before = c->sweeps_after = 2;
+    if (!more)
+        return;
+    c->bottom = finer;
+    c->newton_steps = 2;
+}
+
 /* Cycles until solved or given up. */
 static ovr_defect solve(ovr_hierarchy *grids, const ovr_full *how,
                         ovr_level *level, int *cycles)
 {
+    enum { PATIENCE = 8 };
+    ovr_cycling cycling = how->cycling;
+    double before;
     ovr_defect d;
     ovr_level_refresh(grids, level);
     d = ovr_cycle_defect(grids, level);
+    before = d.imbalance;
     for (int k = 0; k < how->most_cycles && d.imbalance < 1e6; k++) {
         if (ovr_below(d, how->tolerance(how->data, level, d.centre)))
             break;
-        ovr_cycle(grids, level, how->cycling);
+        if (k % PATIENCE == PATIENCE - 1) {
+            if (d.imbalance > 0.1 * before)
+                try_harder(grids, level, &cycling);
+            before = d.imbalance;
+        }
+        ovr_cycle(grids, level, cycling);
         d = ovr_cycle_defect(grids, level);
         ++*cycles;
     }
