@@ -131,8 +131,8 @@ const char *ovr_units_allowed(ovr_dimension dimension)
     case OVR_SURFACE_SPEED: return "m/s, mm/s; rpm with the body's radius";
     case OVR_FORCE: return "N, kN";
     case OVR_ROTATION: return "rad/s, rpm";
-    case OVR_TEMPERATURE: return "degC, K";
-    case OVR_KINEMATIC_VISCOSITY: return "mm2/s, cSt, m2/s";
+    case OVR_TEMPERATURE: return "K, degC";
+    case OVR_KINEMATIC_VISCOSITY: return "m2/s, mm2/s, cSt";
     case OVR_MASS_DENSITY: return "kg/m3, g/cm3";
     case OVR_KELVINS: return "K";
     case OVR_PER_KELVIN: return "1/K";

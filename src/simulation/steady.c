@@ -287,6 +287,7 @@ static double tolerance_of(const ovr_simulation *sim,
 ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
 {
     double tolerance = 0;
+    int tried = 0;
     ovr_outcome outcome = {0};
     sim->started = false;
     if (begin_load_and_speed(sim, err))
@@ -300,7 +301,8 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
         ovr_full how = full_of(sim, &strategies[k]);
         if (strategies[k].flow_law && !thins(sim))
             continue;
-        outcome.retries = sim->strategy = k;
+        outcome.retries = tried++;
+        sim->strategy = k;
         sim->refinements = 0;
         if (sim->heated)
             ovr_heat_reset(sim);

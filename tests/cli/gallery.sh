@@ -13,5 +13,7 @@ for case in "$TOP"/profiles/*.ini; do
         --set domain.level=6
     contains out '"steps_marked": 0'
     contains err 'overroll: feature .*: column 1 is x'
-    ! grep -q warning err || fail "$name: $(grep warning err)"
+    # that no oil carries the shear stress of a Newtonian film is true of most
+    ! grep warning err | grep -v 'friction of a Newtonian isothermal film' ||
+        fail "$name: $(grep warning err)"
 done

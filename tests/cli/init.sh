@@ -16,7 +16,7 @@ done
 expect 0 "$OVERROLL" init discs
 mv out discs.ini
 expect 0 "$OVERROLL" check discs.ini
-[ ! -s err ] || fail "discs: $(cat err)"
+! grep -v 'the inlet is at X' err || fail "discs: $(cat err)"
 expect 0 "$OVERROLL" steady discs.ini --level 6
 refuses "'discs' has an oil of its own" init discs --oil vg32
 expect 0 "$OVERROLL" init gear -o gear2.ini

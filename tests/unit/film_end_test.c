@@ -30,12 +30,20 @@ static ovr_history *made(ovr_history_form form)
     return history;
 }
 
+static ovr_history_form sine(double amplitude, double period)
+{
+    ovr_history_form form = ovr_history_form_default();
+    form.kind = OVR_HISTORY_SINE;
+    form.amplitude = amplitude;
+    form.period = period;
+    return form;
+}
+
 static void run(const swing *w, double most_cycles, long most_retries)
 {
     ovr_error err = {0};
     ovr_history *load = made(w->load);
-    ovr_history *speed = made((ovr_history_form){
-        .kind = OVR_HISTORY_SINE, .amplitude = w->speed, .period = 2.7237});
+    ovr_history *speed = made(sine(w->speed, 2.7237));
     ovr_simulation *sim = begin(w->M, w->L, w->outlet, 8);
     ovr_simulation_histories(sim, load, speed);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
@@ -59,14 +67,16 @@ static void run(const swing *w, double most_cycles, long most_retries)
 /* Version 0.1.0 failed at steps 19, 1 and 1,434. */
 static void loads_that_failed(void **state)
 {
-    const ovr_history_form jump = {
-        .kind = OVR_HISTORY_STEP, .from = 1, .to = 1.1, .start = 0.05};
-    const ovr_history_form sine = {
-        .kind = OVR_HISTORY_SINE, .amplitude = 0.48, .period = 1.756};
+    ovr_history_form jump = ovr_history_form_default();
+    jump.kind = OVR_HISTORY_STEP;
+    jump.from = 1;
+    jump.to = 1.1;
+    jump.start = 0.05;
+    ovr_history_form swings = sine(0.48, 1.756);
     (void)state;
     run(&(swing){200, 10, 1.5, 0.3, jump, 0}, 5, 10);
-    run(&(swing){200, 10, 2.5, 1.5, sine, 0}, 6.5, 3);
-    run(&(swing){329, 4.9, 1.5, 4.6, sine, 0.4777}, 5.5, 3);
+    run(&(swing){200, 10, 2.5, 1.5, swings, 0}, 6.5, 3);
+    run(&(swing){329, 4.9, 1.5, 4.6, swings, 0.4777}, 5.5, 3);
 }
 
 int main(void)
