@@ -14,8 +14,9 @@
  * Without a rim_height h = (c^2 - 1) d, c^2 = 5 (2 - n)/(2 (4 + n)) being the
  * square of contact radius over that without pile-up (Hill, Storakers & Zdunek,
  * Proc. R. Soc. Lond. A 423 (1989) 301), for a hardening exponent n = 0.1 as of
- * hardened steel: h = 0.159 d.  It is of full plasticity and leaves out what
- * springs back; who has measured a rim gives it.
+ * hardened steel: h = 0.159 d; quoted at second hand, the paper was not at
+ * hand.  It is of full plasticity and leaves out what springs back; who has
+ * measured a rim gives it.
  *
  * The width l follows from the volume: what the ball has displaced stands in
  * the round rim,
