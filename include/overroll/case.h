@@ -44,7 +44,7 @@ typedef struct ovr_parameter_info {
     const char *initial; /* default as in a case file, or NULL */
     double least, most;  /* allowed, in SI or bare; NAN: not a number */
     bool above;          /* `least` itself is not allowed */
-    const char *choices[16]; /* words allowed, ends with NULL */
+    const char *choices[24]; /* words allowed, ends with NULL */
     bool physics;            /* another value is another solution */
     const char *help;
 } ovr_parameter_info;

@@ -843,7 +843,7 @@ ovr_parameter_info ovr_parameter_at(size_t k)
         .physics = row->physics,
         .help = row->help,
     };
-    for (size_t i = 0; row->words && row->words[i].name && i < 15; i++)
+    for (size_t i = 0; row->words && row->words[i].name && i < 23; i++)
         info.choices[i] = row->words[i].name;
     return info;
 }

@@ -216,7 +216,7 @@ _overroll_values() {
     output.interval) echo '' ;;
     output.at) echo '' ;;
     output.feature_at) echo '' ;;
-    output.fields) echo 'pressure film_thickness roughness density viscosity mass_flow cavitated shear_stress_1 shear_stress_2 temperature_1 temperature_2 temperature_mean temperature_middle heat_flux_1 heat_flux_2' ;;
+    output.fields) echo 'pressure film_thickness roughness density viscosity mass_flow cavitated shear_stress_1 shear_stress_2 temperature_1 temperature_2 temperature_mean temperature_middle heat_flux_1 heat_flux_2 filling oil_content' ;;
     output.precision) echo 'f64 f32' ;;
     output.from) echo '' ;;
     output.to) echo '' ;;
