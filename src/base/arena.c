@@ -11,8 +11,11 @@ enum { ALIGNMENT = 64, BLOCK = 1 << 16 };
 
 struct ovr_arena_block {
     struct ovr_arena_block *older;
-    size_t used, size; /* bytes, this header included */
+    size_t used; /* bytes from start_of() */
+    size_t size; /* bytes, this header and what aligns included */
 };
+
+enum { OVERHEAD = sizeof(struct ovr_arena_block) + ALIGNMENT };
 
 static void *from_malloc(void *context, size_t bytes)
 {
@@ -53,11 +56,17 @@ ovr_arena ovr_arena_counting(void)
     return (ovr_arena){.allocator = {reserve, give_back, NULL}, .blank = true};
 }
 
-/* Offset in the block of the next aligned address. */
-static size_t next_aligned(const struct ovr_arena_block *block)
+/* The first aligned address behind the header: what is counted from it lies
+ * alike in blocks from any allocator. */
+static char *start_of(struct ovr_arena_block *block)
 {
-    uintptr_t at = (uintptr_t)block + block->used;
-    return block->used + (size_t)(-at & (ALIGNMENT - 1));
+    uintptr_t at = (uintptr_t)(block + 1);
+    return (char *)(block + 1) + (-at & (ALIGNMENT - 1));
+}
+
+static size_t aligned(size_t bytes)
+{
+    return (bytes + ALIGNMENT - 1) & ~(size_t)(ALIGNMENT - 1);
 }
 
 /* Large pieces have a block of their own, behind the newest, in which small
@@ -75,14 +84,14 @@ static void add_to_list(ovr_arena *arena, struct ovr_arena_block *block)
 
 static struct ovr_arena_block *add_block(ovr_arena *arena, size_t bytes)
 {
-    size_t size = sizeof(struct ovr_arena_block) + ALIGNMENT + bytes;
+    size_t size = OVERHEAD + bytes;
     struct ovr_arena_block *block;
     if (size < BLOCK / 8)
         size = BLOCK;
     block = arena->allocator.allocate(arena->allocator.context, size);
     if (!block)
         return NULL;
-    block->used = sizeof *block;
+    block->used = 0;
     block->size = size;
     add_to_list(arena, block);
     arena->bytes += size;
@@ -99,18 +108,18 @@ void *ovr_arena_take(ovr_arena *arena, size_t count, size_t size,
                  count, size);
         return NULL;
     }
-    if (!block || next_aligned(block) + bytes > block->size)
+    if (!block || aligned(block->used) + bytes > block->size - OVERHEAD)
         block = add_block(arena, bytes);
     if (!block) {
         ovr_fail(err, OVR_NO_MEMORY, "out of memory: %zu bytes wanted", bytes);
         return NULL;
     }
-    at = next_aligned(block);
+    at = aligned(block->used);
     block->used = at + bytes;
     arena->pieces++;
     if (!arena->blank)
-        memset((char *)block + at, 0, bytes);
-    return (char *)block + at;
+        memset(start_of(block) + at, 0, bytes);
+    return start_of(block) + at;
 }
 
 char *ovr_arena_text(ovr_arena *arena, const char *text, ovr_error *err)

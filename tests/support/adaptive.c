@@ -34,8 +34,8 @@ static void run(const char *text, series *s)
     ovr_error err = {0};
     ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, &err);
     ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
-    ovr_simulation *sim = setup ? ovr_setup_simulation(setup, NULL, &err)
-                                : NULL;
+    assert_non_null(setup);
+    ovr_simulation *sim = ovr_setup_simulation(setup, NULL, &err);
     CHECK_OK(sim ? ovr_simulation_steady(sim, &err) : OVR_BAD_INPUT, &err);
     ovr_observer observer = {look, NULL, s};
     ovr_march march = *setup->march;

@@ -33,18 +33,21 @@ static bool all_finite(size_t n, const double *values)
     return true;
 }
 
-/* NAN stands for "none" in what concerns the spike, and where b/R is not known
- * in coefficients of friction; nowhere else. */
-static bool coefficient(const ovr_observable *row)
+/* NAN stands for "none" in what concerns the spike, in coefficients of friction
+ * where b/R is not known, and in what heat is asked for; nowhere else. */
+static bool may_be_none(const ovr_observable *row)
 {
-    return row->name && strstr(row->name, "friction_coefficient");
+    const char *name = row->name ? row->name : "";
+    return strstr(name, "friction_coefficient") ||
+           row->kind == OVR_KIND_TEMPERATURE || strstr(name, "temperature") ||
+           strstr(name, "heat_flow") || strstr(name, "energy_defect");
 }
 
 static bool observed_numbers(const ovr_observation *o)
 {
     const ovr_observable *row;
     for (size_t k = 0; (row = ovr_observable_at(k)); k++)
-        if (row->axes == OVR_AT_STEPS && !coefficient(row) && !row->needs &&
+        if (row->axes == OVR_AT_STEPS && !may_be_none(row) && !row->needs &&
             !isfinite(ovr_observable_value(row, o)) &&
             isfinite(o->P_spike + o->P_spike_located))
             return false;

@@ -46,9 +46,7 @@ static void under_a_uniform_source(void **state)
     for (int i = -768; i <= 768; i++) {
         double X = i * D, q = X > -1 && X < 1 ? 1 : X == -1 || X == 1 ? .5 : 0;
         double T = ovr_memory_past(&m, psi, before) + 4. / 3 * sqrt(D) * q;
-        double exact = X > -1 ? 2 * sqrt(X + 1) : 0;
-        if (X > 1)
-            exact -= 2 * sqrt(X - 1);
+        double exact = 2 * (sqrt(fmax(X + 1, 0)) - sqrt(fmax(X - 1, 0)));
         ovr_memory_step(&m, before, q, psi);
         before = q;
         if (fabs(X + 1) > 0.1 && fabs(X - 1) > 0.1)

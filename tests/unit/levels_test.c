@@ -19,7 +19,8 @@ static double expected(const char *text, int *level)
     ovr_case *c = ovr_case_read_text(text, "test.ini", NULL, NULL, &err);
     ovr_setup *s = c ? ovr_case_resolve(c, NULL, &err) : NULL;
     double error;
-    CHECK_OK(s ? ovr_setup_prepare(s, NULL, &err) : OVR_BAD_INPUT, &err);
+    assert_non_null(s);
+    CHECK_OK(ovr_setup_prepare(s, NULL, &err), &err);
     *level = s->options->level;
     error = s->expected;
     assert_true(s->nodes == (size_t)(7 << *level) + 1);

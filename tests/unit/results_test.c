@@ -235,7 +235,8 @@ static void make_version_1(const char *path)
 static bool of_version_1(const char *name)
 {
     return strcmp(name, "order") != 0 && !strstr(name, "_force") &&
-           !strstr(name, "power_");
+           !strstr(name, "power_") && !strstr(name, "temperature") &&
+           !strstr(name, "heat_");
 }
 
 static size_t kinds_of(const char *path, ovr_unit_kind *kinds)

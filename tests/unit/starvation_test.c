@@ -119,8 +119,8 @@ static double inlet_of(const char *text, double *loss)
     ovr_case *c = ovr_case_read_text(text, "test.ini", NULL, NULL, &err);
     ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
     double inlet;
-    CHECK_OK(setup ? ovr_setup_prepare(setup, NULL, &err) : OVR_BAD_INPUT,
-             &err);
+    assert_non_null(setup);
+    CHECK_OK(ovr_setup_prepare(setup, NULL, &err), &err);
     inlet = setup->options->inlet;
     *loss = ovr_inlet_loss(setup->contact->M, setup->contact->L, inlet);
     ovr_setup_free(setup);

@@ -59,7 +59,7 @@ static int ascending(const void *a, const void *b)
 /* Median and largest error in per cent. */
 static void judge(const quantity *q, double *median, double *most)
 {
-    double error[COUNT];
+    double error[COUNT] = {0};
     for (size_t k = 0; k < n; k++)
         error[k] = 100 *
                    fabs(ovr_film_blend(q->constants, film[k].M, film[k].L) /
@@ -79,13 +79,16 @@ static double refit(quantity *q)
         gsl_multifit_nlinear_default_parameters();
     gsl_multifit_nlinear_workspace *w = gsl_multifit_nlinear_alloc(
         gsl_multifit_nlinear_trust, &how, n, CONSTANTS);
-    gsl_multifit_nlinear_fdf f = {
-        .f = residuals, .n = n, .p = CONSTANTS, .params = q};
+    gsl_multifit_nlinear_fdf problem = {0};
     gsl_vector_const_view x = gsl_vector_const_view_array(q->constants->a,
                                                           CONSTANTS);
     int why;
     double rms;
-    gsl_multifit_nlinear_init(&x.vector, &f, w);
+    problem.f = residuals;
+    problem.n = n;
+    problem.p = CONSTANTS;
+    problem.params = q;
+    gsl_multifit_nlinear_init(&x.vector, &problem, w);
     gsl_multifit_nlinear_driver(200, 1e-10, 1e-10, 0, NULL, NULL, &why, w);
     print_message("# fitted anew:");
     for (size_t i = 0; i < CONSTANTS; i++)
