@@ -66,7 +66,8 @@ test_grid test_grid_make(const ovr_kernels *run, size_t n)
                                 .lambda = contact.contact.lambda},
                       .weights = {{1.5 / D + 2, -2 / D, 0.5 / D},
                                   {1 / D + 2, -1 / D, 0},
-                                  0.5 / (D * D)}};
+                                  0.5 / (D * D),
+                                  .closed = {0}}};
     CHECK_OK(ovr_mlmi_plan(&grid.mlmi, n, 10, 10, &grid.arena, &err), &err);
     ovr_mlmi_fill(&grid.mlmi, D, NULL);
     grid.lanes = (ovr_lanes){n, ovr_mlmi_lane(&grid.mlmi, run->lanes),

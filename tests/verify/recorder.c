@@ -76,8 +76,8 @@ static void note(int what, int fd, int64_t at, const void *data, size_t bytes)
 static int is_ours(const char *path)
 {
     const char *name = getenv("RECORD_NAME"), *slash = strrchr(path, '/');
-    const char *last = slash ? slash + 1 : path;
-    return name && strncmp(last, name, strlen(name)) == 0;
+    const char *file = slash ? slash + 1 : path;
+    return name && strncmp(file, name, strlen(name)) == 0;
 }
 
 static int is_watched(int fd)
