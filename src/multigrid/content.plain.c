@@ -114,7 +114,7 @@ void ovr_content_assemble_plain(const ovr_lanes *g, const ovr_weights *w,
 {
     ptrdiff_t last = (ptrdiff_t)g->n - 1;
     for (ptrdiff_t i = 1; i < last; i++) {
-        double A[7];
+        double A[7] = {0};
         row_weights c = weights_at(f, w, i);
         derivatives(&c, k, f, i, A);
         row_of_band(&c, A, shares, f, i, band);
