@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "multigrid/grid.h"
 
+#include <math.h>
+
 static ovr_status take(ovr_grid *grid, ovr_arena *arena, ovr_error *err)
 {
     grid->X = ovr_arena_take(arena, grid->n, sizeof *grid->X, err);
@@ -35,4 +37,13 @@ void ovr_grid_weights(const ovr_grid *grid, double *weights)
     for (size_t i = 0; i < grid->n; i++)
         weights[i] = grid->D;
     weights[0] = weights[grid->n - 1] = grid->D / 2;
+}
+
+double ovr_grid_distance(const ovr_grid *grid, const double *a, size_t stride,
+                         const double *b)
+{
+    double sum = 0;
+    for (size_t i = 0; i < grid->n; i++)
+        sum += fabs(a[stride * i] - b[i]);
+    return grid->D * sum;
 }

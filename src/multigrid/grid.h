@@ -30,6 +30,11 @@ void ovr_grid_fill(ovr_grid *grid);
 /* Weights of the trapezoidal rule. */
 void ovr_grid_weights(const ovr_grid *grid, double *weights);
 
+/* Integral of |a - b| over the grid, a at every so many of its values; both
+ * zero at the ends. */
+double ovr_grid_distance(const ovr_grid *grid, const double *a, size_t stride,
+                         const double *b);
+
 /* Nodes of a grid over the whole domain in the paper's numbering. */
 static inline size_t ovr_level_nodes(int number)
 {

@@ -122,16 +122,17 @@ double OVR_KERNEL(deviation)(size_t n, const double e[3], double most,
     return sum_of_lanes(sum);
 }
 
-/* sum (a - b), any n */
+/* Sum of weights (a - b), any n; without b of a alone. */
 double OVR_KERNEL(gain)(size_t n, const double *weights, const double *a,
                         const double *b)
 {
     vec part = all(0);
     size_t i = 0;
     for (; i + VEC <= n; i += VEC)
-        part += load(weights + i) * (load(a + i) - load(b + i));
+        part += load(weights + i) *
+                (b ? load(a + i) - load(b + i) : load(a + i));
     double sum = sum_of_lanes(part);
     for (; i < n; i++)
-        sum += weights[i] * (a[i] - b[i]);
+        sum += weights[i] * (b ? a[i] - b[i] : a[i]);
     return sum;
 }

@@ -34,7 +34,7 @@ double ovr_gain_plain(size_t n, const double *weights, const double *a,
 {
     double sum = 0;
     for (size_t i = 0; i < n; i++)
-        sum += weights[i] * (a[i] - b[i]);
+        sum += weights[i] * (b ? a[i] - b[i] : a[i]);
     return sum;
 }
 

@@ -18,7 +18,7 @@ enum { POINTS = 6, BEFORE = 2 };
 ovr_status ovr_inflow_take(ovr_simulation *sim, ovr_error *err)
 {
     ovr_inflow *inflow = &sim->inflow;
-    size_t n = sim->finest->grid.n;
+    size_t n = sim->now.n;
     if (!sim->scheme->characteristic)
         return OVR_OK;
     inflow->kernel = ovr_field(&sim->arena, n + OVR_GHOSTS + 1, err);
@@ -33,19 +33,18 @@ ovr_status ovr_inflow_take(ovr_simulation *sim, ovr_error *err)
 void ovr_inflow_fill(ovr_simulation *sim)
 {
     ovr_inflow *inflow = &sim->inflow;
-    size_t n = sim->finest->grid.n;
+    size_t n = sim->now.n;
     if (sim->options.scheme != OVR_CHARACTERISTIC)
         return;
     for (size_t d = 0; d <= n + OVR_GHOSTS; d++)
-        inflow->kernel[d] = ovr_deformation_kernel((double)d,
-                                                   sim->finest->grid.D);
+        inflow->kernel[d] = ovr_deformation_kernel((double)d, ovr_mesh(sim));
     for (size_t g = 0; g < OVR_GHOSTS; g++)
-        inflow->X[g] = sim->now.X[0] - (double)(g + 1) * sim->finest->grid.D;
+        inflow->X[g] = sim->now.X[0] - (double)(g + 1) * ovr_mesh(sim);
 }
 
 bool ovr_inflow_reaches(const ovr_simulation *sim, double travel)
 {
-    return travel / sim->finest->grid.D < OVR_GHOSTS - POINTS;
+    return travel / ovr_mesh(sim) < OVR_GHOSTS - POINTS;
 }
 
 /* q at the ghosts nearest the inlet, written before extended[OVR_GHOSTS]. */
@@ -53,7 +52,7 @@ static void ghost_film(ovr_simulation *sim, int past, size_t ghosts)
 {
     const ovr_inflow *inflow = &sim->inflow;
     const double *P = sim->past.P[past];
-    size_t n = sim->finest->grid.n;
+    size_t n = sim->now.n;
     if (sim->heights)
         sim->heights(sim->heights_data, sim->past.T[past], ghosts, inflow->X,
                      inflow->S);
@@ -84,8 +83,8 @@ static void add_foot(ovr_simulation *sim, int past, double c, double a,
 {
     ovr_inflow *inflow = &sim->inflow;
     double *q = inflow->extended, weight[POINTS];
-    size_t n = sim->finest->grid.n;
-    double meshes = a / sim->finest->grid.D, whole = nearbyint(meshes);
+    size_t n = sim->now.n;
+    double meshes = a / ovr_mesh(sim), whole = nearbyint(meshes);
     bool on_node = fabs(meshes - whole) < 1e-9;
     if (!on_node)
         whole = ceil(meshes);
@@ -115,8 +114,8 @@ static void add_foot(ovr_simulation *sim, int past, double c, double a,
 void ovr_inflow_history(ovr_simulation *sim, const double c[2],
                         const double a[2])
 {
-    double *F = sim->grids.scratch[0];
-    memset(F, 0, sim->finest->grid.n * sizeof *F);
+    double *F = sim->room[0];
+    memset(F, 0, sim->now.n * sizeof *F);
     add_foot(sim, 0, c[0], a[0], F);
     add_foot(sim, 1, c[1], a[1], F);
     ovr_history_term(sim, F);

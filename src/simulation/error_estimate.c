@@ -53,7 +53,7 @@ double ovr_step_error(const ovr_simulation *sim, double h)
     if (past->steps < sim->scheme->order || isinf(sim->largest_error))
         return 0;
     double factor = sim->scheme->extrapolation(past, h, e);
-    double H = ovr_level_centre(sim->finest, sim->finest->f.H);
+    double H = ovr_value_at(&sim->now, sim->now.H, 0);
     off = sim->grids.kernels->deviation(sim->now.n, e, thickest * H,
                                         sim->now.weights, sim->now.P,
                                         sim->now.q, past->q);

@@ -19,9 +19,15 @@ double ovr_inlet_rise(const ovr_simulation *sim)
     return pow(ovr_film_expected(sim, 1), 2. / 3);
 }
 
+/* Where the pressure builds up. */
+static double inlet_mesh(const ovr_simulation *sim)
+{
+    return ovr_spacing(&sim->now, ovr_node_after(&sim->now, -1));
+}
+
 bool ovr_mesh_too_coarse(const ovr_simulation *sim)
 {
-    return sim->finest->grid.D > too_coarse * ovr_inlet_rise(sim);
+    return inlet_mesh(sim) > too_coarse * ovr_inlet_rise(sim);
 }
 
 bool ovr_surfaces_apart(const ovr_simulation *sim)
@@ -31,7 +37,7 @@ bool ovr_surfaces_apart(const ovr_simulation *sim)
 
 static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
 {
-    double rise = ovr_inlet_rise(sim), D = sim->finest->grid.D;
+    double rise = ovr_inlet_rise(sim), D = inlet_mesh(sim);
     int more = (int)ceil(log2(D / (resolved * rise)));
     return ovr_fail(err, OVR_IMPOSSIBLE,
                     "the film is too thin for the mesh: H = %.1e by the film "
@@ -77,7 +83,7 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
     bool fixed = sim->options.stop == OVR_STOP_FIXED;
     if (fixed && sim->refinements > 0 && ovr_surfaces_apart(sim))
         return too_few_cycles(sim, err);
-    if (sim->finest->grid.D > resolved * ovr_inlet_rise(sim))
+    if (inlet_mesh(sim) > resolved * ovr_inlet_rise(sim))
         return too_thin(sim, err);
     if (surfaces_overlap(sim, &outcome->defect))
         return touching(sim, 0, err);

@@ -14,7 +14,7 @@
 
 void ovr_fourth_forget(ovr_simulation *sim)
 {
-    size_t bytes = sim->finest->grid.n * sizeof(double);
+    size_t bytes = sim->now.n * sizeof(double);
     sim->order = 2;
     if (sim->options.order != 4)
         return;
@@ -35,16 +35,15 @@ void ovr_fourth_begin(ovr_simulation *sim)
 
 static void standing_heights(const ovr_simulation *sim, double *S)
 {
-    memset(S, 0, sim->finest->grid.n * sizeof *S);
+    memset(S, 0, sim->now.n * sizeof *S);
     if (sim->standing)
-        sim->standing(sim->standing_data, 0, sim->finest->grid.n, sim->now.X,
-                      S);
+        sim->standing(sim->standing_data, 0, sim->now.n, sim->now.X, S);
 }
 
 bool ovr_fourth_stands_apart(ovr_simulation *sim)
 {
-    size_t n = sim->finest->grid.n;
-    double *S = sim->grids.scratch[0];
+    size_t n = sim->now.n;
+    double *S = sim->room[0];
     if (!sim->standing_given || !sim->heights)
         return false;
     sim->heights(sim->heights_data, 0, n, sim->now.X, sim->S);
@@ -54,9 +53,9 @@ bool ovr_fourth_stands_apart(ovr_simulation *sim)
 
 void ovr_fourth_standing_gap(ovr_simulation *sim)
 {
-    double *gap = sim->grids.scratch[0];
+    double *gap = sim->room[0];
     standing_heights(sim, gap);
-    for (size_t i = 0; i < sim->finest->grid.n; i++)
+    for (size_t i = 0; i < sim->now.n; i++)
         gap[i] = 0.5 * sim->now.X[i] * sim->now.X[i] - gap[i];
     ovr_level_write(&sim->grids, sim->finest, gap, sim->finest->f.gap);
 }

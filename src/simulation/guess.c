@@ -110,8 +110,8 @@ static void extrapolate(const ovr_simulation *sim, const formula *how,
         from[k] = past[t->ago] + margin - t->shifts * (ptrdiff_t)how->meshes;
         weight[k] = t->weight;
     }
-    sim->grids.kernels->extrapolate(sim->finest->grid.n - 2 * (size_t)margin,
-                                    how->count, weight, from, guess + margin);
+    sim->grids.kernels->extrapolate(sim->now.n - 2 * (size_t)margin, how->count,
+                                    weight, from, guess + margin);
 }
 
 /* Weights of Lagrange's cubic at s in [0, 1) of the middle of four nodes. */
@@ -133,7 +133,7 @@ static void carry(const ovr_simulation *sim, const formula *how,
                                   past[how->term[1].ago] + first,
                                   past[how->term[2].ago] + first};
     cubic(-how->meshes - whole, c);
-    sim->grids.kernels->carry(sim->finest->grid.n - 2 * (size_t)margin, c, from,
+    sim->grids.kernels->carry(sim->now.n - 2 * (size_t)margin, c, from,
                               guess + margin);
 }
 
@@ -147,7 +147,7 @@ static void guess_field(const ovr_simulation *sim, const formula *how,
                         double *const past[OVR_PAST], double *guess)
 {
     ptrdiff_t margin = margin_of(how);
-    memcpy(guess, past[0], sim->finest->grid.n * sizeof *guess);
+    memcpy(guess, past[0], sim->now.n * sizeof *guess);
     (how->two_terms ? carry : extrapolate)(sim, how, margin, past, guess);
 }
 
@@ -155,8 +155,8 @@ static void guess_field(const ovr_simulation *sim, const formula *how,
 static formula untold(const ovr_simulation *sim, double dT)
 {
     const ovr_past *past = &sim->past;
-    double a = sim->grids.op.speed * dT / sim->finest->grid.D;
-    if (dT > longest * sim->finest->grid.D)
+    double a = sim->grids.op.speed * dT / ovr_mesh(sim);
+    if (dT > longest * ovr_mesh(sim))
         return last;
     if (equal_steps(past, dT, 3) && fabs(a - 1) < 0.01)
         return standing_and_moving;
@@ -188,8 +188,7 @@ static size_t candidates(const ovr_simulation *sim, double a, double film,
                                    true};
     size_t count = 0;
     for (size_t k = 0; k < OVR_GUESSES; k++)
-        if (can[k] &&
-            2 * margin_of(&all[k]) + NODES < (ptrdiff_t)sim->finest->grid.n) {
+        if (can[k] && 2 * margin_of(&all[k]) + NODES < (ptrdiff_t)sim->now.n) {
             found[count] = all[k];
             number[count++] = k;
         }
@@ -202,10 +201,10 @@ static size_t follow(const ovr_simulation *sim, double dT,
                      formula found[OVR_GUESSES], size_t number[OVR_GUESSES])
 {
     const ovr_past *past = &sim->past;
-    double film = sim->grids.op.speed * dT / sim->finest->grid.D;
+    double film = sim->grids.op.speed * dT / ovr_mesh(sim);
     double a = sim->moving * film;
     bool moves = isfinite(a) && a != 0;
-    if (!moves || dT > longest_moved * sim->finest->grid.D ||
+    if (!moves || dT > longest_moved * ovr_mesh(sim) ||
         !equal_steps(past, dT, 2))
         return 0;
     return candidates(sim, a, film, equal_steps(past, dT, 3), found, number);
@@ -230,12 +229,11 @@ void ovr_guess_learn(ovr_simulation *sim, double dT)
 {
     formula found[OVR_GUESSES];
     size_t number[OVR_GUESSES], count = follow(sim, dT, found, number);
-    double *guess = sim->grids.scratch[0], *off = sim->past.guess_error;
+    double *guess = sim->room[0], *off = sim->past.guess_error;
     for (size_t k = 0; k < count; k++) {
         double *mean = &off[number[k]], error;
         guess_field(sim, &found[k], sim->past.P, guess);
-        error = sim->grids.kernels->difference(sim->finest->grid.n, guess,
-                                               sim->now.P);
+        error = sim->grids.kernels->difference(sim->now.n, guess, sim->now.P);
         *mean = *mean > 0 ? (*mean + error) / 2 : error;
     }
 }
@@ -244,7 +242,7 @@ bool ovr_guess(ovr_simulation *sim, double dT, bool extrapolated)
 {
     const ovr_past *past = &sim->past;
     formula how = extrapolated ? formula_for(sim, dT) : last;
-    double *guess = sim->grids.scratch[0];
+    double *guess = sim->room[0];
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (ovr_field_rows[k].guessed) {
             guess_field(sim, &how, past->all[k], guess);

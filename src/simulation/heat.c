@@ -63,7 +63,7 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
 ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
                                ovr_error *err)
 {
-    double D = sim->finest->grid.D, length = (double)(sim->now.n - 1) * D;
+    double D = ovr_mesh(sim), length = (double)(sim->now.n - 1) * D;
     const ovr_lubricant *oil = &sim->lubricant;
     const double ratio[2] = {sim->contact.u1_ratio, sim->contact.u2_ratio};
     ovr_heated *h;
@@ -103,7 +103,7 @@ static void restrict_all(ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
     const double *const from[] = {h->th, h->shift, h->drag};
-    double *room = sim->grids.scratch[0];
+    double *room = sim->room[0];
     for (int l = sim->grids.finest; l >= sim->grids.coarsest; l--) {
         ovr_level *level = &sim->grids.level[l];
         double *const to[] = {level->f.th, level->f.shift, level->f.drag};
@@ -135,7 +135,7 @@ static void put_asymmetry(ovr_simulation *sim)
 {
     const double *D = sim->heated->asymmetry, *q = sim->now.q;
     const ovr_weights *w = &sim->finest->weights;
-    double *F = sim->grids.scratch[0];
+    double *F = sim->room[0];
     F[0] = 0;
     for (size_t i = 1; i < sim->now.n; i++) {
         const double *a = i == 1 ? w->first : w->a;
@@ -152,7 +152,6 @@ static ovr_sheet sheet_at(const ovr_simulation *sim, size_t i)
 {
     const ovr_solution *now = &sim->now;
     const ovr_heated *h = sim->heated;
-    double D = sim->finest->grid.D;
     bool wet = now->P[i] > 0 && i > 0 && i + 1 < now->n;
     ovr_sheet sheet = {.H = now->H[i],
                        .rho = now->q[i] / now->H[i],
@@ -164,7 +163,8 @@ static ovr_sheet sheet_at(const ovr_simulation *sim, size_t i)
                        .wet = wet};
     if (wet) {
         sheet.limit = h->limit * now->P[i];
-        sheet.P_X = (now->P[i + 1] - now->P[i - 1]) / (2 * D);
+        sheet.P_X = (now->P[i + 1] - now->P[i - 1]) /
+                    (now->X[i + 1] - now->X[i - 1]);
         sheet.log_eta = log(ovr_viscosity(&sim->lubricant, now->P[i]));
     }
     return sheet;
@@ -211,7 +211,7 @@ typedef struct march {
 static void solve_node(ovr_simulation *sim, size_t i, march *m)
 {
     ovr_heated *h = sim->heated;
-    double D = sim->finest->grid.D, foot[OVR_MOST_ACROSS];
+    double D = ovr_spacing(&sim->now, i), foot[OVR_MOST_ACROSS];
     double travel[OVR_MOST_ACROSS], T[OVR_MOST_ACROSS];
     ovr_sheet sheet = sheet_at(sim, i);
     ovr_flow_across flow;
@@ -300,7 +300,7 @@ static void largest(const ovr_simulation *sim, const double *T, double *value,
 static double balance(const ovr_simulation *sim, double *made)
 {
     const ovr_heated *h = sim->heated;
-    double D = sim->finest->grid.D, stored = 0;
+    double stored = 0;
     *made = 0;
     for (size_t i = 1; i < sim->now.n; i++) {
         ovr_sheet sheet = sheet_at(sim, i);
@@ -309,12 +309,12 @@ static double balance(const ovr_simulation *sim, double *made)
             continue;
         flow_at(sim, h->used, i, &sheet, &flow);
         for (int j = 0; j < h->across.n; j++) {
-            double w = D * h->across.w[j];
+            double w = sim->now.weights[i] * h->across.w[j];
             *made += w * (flow.heating[j] +
                           h->numbers.expansion * (h->numbers.T0 + h->T[j][i]) *
                               sheet.H * flow.u[j] * sheet.P_X);
             stored += w * sheet.rho * sheet.H * fmax(flow.u[j], LEAST_SPEED) *
-                      (h->T[j][i] - h->T[j][i - 1]) / D;
+                      (h->T[j][i] - h->T[j][i - 1]) / ovr_spacing(&sim->now, i);
         }
     }
     return stored / h->numbers.theta;
@@ -345,8 +345,8 @@ static double flow_into(const ovr_simulation *sim, int k)
     double sum = 0;
     for (size_t i = 1; i < sim->now.n; i++)
         if (sim->now.P[i] > 0)
-            sum += h->q[k][i];
-    return sum * sim->finest->grid.D * h->numbers.conduction / h->numbers.theta;
+            sum += sim->now.weights[i] * h->q[k][i];
+    return sum * h->numbers.conduction / h->numbers.theta;
 }
 
 void ovr_observe_heat(const ovr_simulation *sim, ovr_observation *o)

@@ -9,6 +9,7 @@
 #include "multigrid/starved.h"
 #include "overroll/simulation.h"
 #include "simulation/scheme.h"
+#include "simulation/solution.h"
 
 /* Integral of P at nominal load: pi/2 in Hertz's scaling. */
 #define OVR_NOMINAL_LOAD 1.57079632679489661923
@@ -57,20 +58,6 @@ typedef struct ovr_arrival {
     double q, face; /* of this step: at X_a, half a mesh further */
 } ovr_arrival;
 
-/* The solution as all above multigrid sees it, node by node: the fields that
- * are `shown`, on whatever grid. */
-typedef struct ovr_solution {
-    size_t n;
-    const double *X;
-    double *weights; /* integral of f: sum of weights f */
-    union {
-        struct {
-            OVR_LEVEL_FIELDS(OVR_FIELD_POINTER)
-        };
-        double *all[OVR_FIELD_COUNT];
-    };
-} ovr_solution;
-
 struct ovr_simulation {
     ovr_arena arena;
     ovr_contact contact;
@@ -90,6 +77,7 @@ struct ovr_simulation {
 
     double *S;
     ovr_solution now;
+    double *room[2]; /* as many values, for as long as a function */
     ovr_past past;
     ovr_inflow inflow;
     ovr_arrival arrival;
@@ -121,6 +109,13 @@ void ovr_options_domain(const ovr_contact *contact, ovr_options *options);
 /* MLMI order and range of a level. */
 void ovr_options_mlmi(const ovr_options *options, int level, int *order,
                       int *range);
+
+/* Mesh of the finest grid of the whole domain: what steps in time, guesses and
+ * tolerances go by. */
+double ovr_mesh(const ovr_simulation *sim);
+
+/* Integral over the domain of a field of the solution's nodes. */
+double ovr_integral(const ovr_simulation *sim, const double *f);
 
 /* Tolerances on R for a mesh size D and a film H: a fraction of the
  * discretization error, and the least that the residual's rounding allows. */

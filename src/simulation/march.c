@@ -69,7 +69,7 @@ static double wanted_error(const ovr_march *march)
 static double regulated(const ovr_simulation *sim, const ovr_march *march,
                         double dT, double error)
 {
-    double D = sim->finest->grid.D, order = sim->scheme->order;
+    double D = ovr_mesh(sim), order = sim->scheme->order;
     double ratio = error / wanted_error(march);
     double power = floor(log2(dT / D) + 1e-9);
     if (ratio > 1)
@@ -84,10 +84,10 @@ static ovr_status adaptive_step(ovr_simulation *sim, const ovr_march *march,
                                 ovr_error *err)
 {
     double wanted = wanted_error(march), error;
-    double dT = sim->past.dT_next > 0 ? sim->past.dT_next : sim->finest->grid.D;
+    double dT = sim->past.dT_next > 0 ? sim->past.dT_next : ovr_mesh(sim);
     for (bool taken = false; !taken;) {
         double next = next_time(sim, march, dT), step = next - sim->state.T;
-        bool shortest = step <= 1.01 * least_step * sim->finest->grid.D;
+        bool shortest = step <= 1.01 * least_step * ovr_mesh(sim);
         sim->largest_error = shortest ? DBL_MAX : 3 * wanted;
         ovr_status status = ovr_simulation_attempt(sim, next, &taken, &error,
                                                    err);
@@ -121,7 +121,7 @@ static bool stands_still(ovr_simulation *sim, const ovr_march *march)
 
 static double step_of(const ovr_simulation *sim, const ovr_march *march)
 {
-    return march->dT > 0 ? march->dT : sim->finest->grid.D;
+    return march->dT > 0 ? march->dT : ovr_mesh(sim);
 }
 
 static bool arrived(const ovr_simulation *sim, const ovr_march *march)

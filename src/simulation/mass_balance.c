@@ -61,11 +61,11 @@ static double own_flow(const ovr_simulation *sim, double Cu, size_t end)
     const double *X = sim->now.X, *flow = sim->now.flow;
     double sum = 0;
     for (size_t i = 0; i <= end; i++) {
-        double slope = (P[i + 1] - P[i]) / (X[i + 1] - X[i]);
-        sum += fabs(0.5 * Cu * (q[i] + q[i + 1]) -
-                    0.5 * (flow ? flow[i] : eps[i] + eps[i + 1]) * slope);
+        double twice = flow ? flow[i] : eps[i] + eps[i + 1];
+        sum += 0.5 * fabs(Cu * (q[i] + q[i + 1]) * (X[i + 1] - X[i]) -
+                          twice * (P[i + 1] - P[i]));
     }
-    return sum / (double)(end + 1);
+    return sum / (X[end + 1] - X[0]);
 }
 
 double ovr_mass_balance(const ovr_simulation *sim)

@@ -6,6 +6,11 @@
 #include "simulation/heat.h"
 #include "simulation/internal.h"
 
+double ovr_integral(const ovr_simulation *sim, const double *f)
+{
+    return sim->grids.kernels->gain(sim->now.n, sim->now.weights, f, NULL);
+}
+
 static void observe_film(const ovr_simulation *sim, ovr_observation *o)
 {
     const double *H = sim->now.H;
@@ -13,7 +18,7 @@ static void observe_film(const ovr_simulation *sim, ovr_observation *o)
     o->H_min = H[low];
     o->X_min = sim->now.X[low];
     o->X_min_located = ovr_vertex(sim->now.X, H, low, &o->H_min_located);
-    o->H_cen = ovr_level_centre(sim->finest, sim->finest->f.H);
+    o->H_cen = ovr_value_at(&sim->now, H, 0);
     o->H0 = sim->grids.H0;
 }
 
@@ -31,7 +36,7 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
     o->P_max = P[high];
     o->X_P_max = sim->now.X[high];
     o->X_P_max_located = ovr_vertex(sim->now.X, P, high, &o->P_max_located);
-    o->P_cen = ovr_level_centre(sim->finest, sim->finest->f.P);
+    o->P_cen = ovr_value_at(&sim->now, P, 0);
     o->maxima = maxima;
     o->X_cavitation = sim->now.X[wet + 1];
     o->P_spike = o->X_spike = NAN;
@@ -42,7 +47,7 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
         o->X_spike_located = ovr_vertex(sim->now.X, P, spike,
                                         &o->P_spike_located);
     }
-    o->load = ovr_level_load(&sim->grids, sim->finest);
+    o->load = ovr_integral(sim, P);
 }
 
 /* 2 E of half node i + 1/2 */
@@ -98,7 +103,7 @@ void ovr_publish_state(ovr_simulation *sim)
 {
     ovr_state *state = &sim->state;
     state->n = sim->now.n;
-    state->D = sim->finest->grid.D;
+    state->D = ovr_mesh(sim);
     state->X = sim->now.X;
     state->weights = sim->now.weights;
     state->q = sim->now.q;

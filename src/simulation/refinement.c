@@ -14,13 +14,10 @@
 
 #include "simulation/internal.h"
 
-static double distance(const double *a, size_t stride, const double *b,
-                       size_t n, double D)
+static double distance(const ovr_level *level, const double *a, size_t stride,
+                       const double *b)
 {
-    double sum = 0;
-    for (size_t i = 0; i < n; i++)
-        sum += fabs(a[stride * i] - b[i]);
-    return D * sum / OVR_NOMINAL_LOAD;
+    return ovr_grid_distance(&level->grid, a, stride, b) / OVR_NOMINAL_LOAD;
 }
 
 static double smallest(const double *H, size_t n)
@@ -36,7 +33,7 @@ static void note(ovr_simulation *sim, const ovr_level *level,
                  const ovr_full_status *status)
 {
     ovr_refinement *to = &sim->refinement[sim->refinements++];
-    double *now = sim->grids.scratch[0], *before = sim->grids.scratch[1];
+    double *now = sim->room[0], *before = sim->room[1];
     double q = status->factor < 0.95 ? status->factor : 0.95;
     *to = (ovr_refinement){.level = level->number,
                            .nodes = level->grid.n,
@@ -49,17 +46,16 @@ static void note(ovr_simulation *sim, const ovr_level *level,
     ovr_level_read(&sim->grids, level, level->f.P, now);
     ovr_level_read(&sim->grids, level, level->f.entry, before);
     if (status->cycles)
-        to->change = distance(now, 1, before, level->grid.n, level->grid.D);
+        to->change = distance(level, now, 1, before);
     to->algebraic = to->change * q / (1 - q);
-    to->difference = distance(now, 2, sim->saved, (level - 1)->grid.n,
-                              (level - 1)->grid.D);
+    to->difference = distance(level - 1, now, 2, sim->saved);
 }
 
 void ovr_refinement_watch(void *data, const ovr_level *level,
                           ovr_full_event event, const ovr_full_status *status)
 {
     ovr_simulation *sim = data;
-    double *P = event == OVR_FULL_BEGINS ? sim->saved : sim->grids.scratch[0];
+    double *P = event == OVR_FULL_BEGINS ? sim->saved : sim->room[0];
     if (event == OVR_FULL_ENDS) {
         note(sim, level, status);
         return;

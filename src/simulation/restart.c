@@ -39,7 +39,7 @@ static ovr_status visit_past(ovr_simulation *sim, ovr_visit *visit,
 static ovr_status visit_corrections(ovr_simulation *sim, ovr_visit *visit,
                                     void *context, ovr_error *err)
 {
-    size_t bytes = sim->finest->grid.n * sizeof(double);
+    size_t bytes = sim->now.n * sizeof(double);
     ovr_status status = visit(context, "order", &sim->order, sizeof sim->order,
                               err);
     if (!status && sim->order == 4 && sim->options.order != 4)

@@ -13,7 +13,7 @@
 
 static ovr_status take(ovr_simulation *sim, double **to, ovr_error *err)
 {
-    *to = ovr_arena_take(&sim->arena, sim->finest->grid.n, sizeof **to, err);
+    *to = ovr_arena_take(&sim->arena, sim->now.n, sizeof **to, err);
     return *to ? OVR_OK : OVR_NO_MEMORY;
 }
 
@@ -53,6 +53,11 @@ static void fill_arrays(ovr_simulation *sim)
     ovr_grid_weights(&sim->finest->grid, sim->now.weights);
     ovr_inflow_fill(sim);
     ovr_publish_state(sim);
+}
+
+double ovr_mesh(const ovr_simulation *sim)
+{
+    return sim->finest->grid.D;
 }
 
 ovr_cycling ovr_simulation_cycling(const ovr_simulation *sim, int finer_bottom)
@@ -111,6 +116,8 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
     sim->finest = &grids->level[o->level];
     sim->now.n = sim->finest->grid.n;
     sim->now.X = sim->finest->grid.X;
+    for (int k = 0; k < 2; k++)
+        sim->room[k] = grids->scratch[k];
     if (o->order == 4 &&
         ovr_correction_prepare(grids, &sim->correction, &sim->arena, err))
         return OVR_NO_MEMORY;
@@ -194,8 +201,8 @@ void ovr_simulation_surface(ovr_simulation *sim, ovr_heights *heights,
     sim->heights_data = data;
     if (heights)
         return;
-    memset(sim->S, 0, sim->finest->grid.n * sizeof *sim->S);
-    memset(sim->S_past, 0, sim->finest->grid.n * sizeof *sim->S_past);
+    memset(sim->S, 0, sim->now.n * sizeof *sim->S);
+    memset(sim->S_past, 0, sim->now.n * sizeof *sim->S_past);
 }
 
 void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
@@ -207,9 +214,9 @@ void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
 
 void ovr_simulation_gap(ovr_simulation *sim, double T)
 {
-    double *restrict gap = sim->grids.scratch[0];
+    double *restrict gap = sim->room[0];
     const double *restrict X = sim->now.X, *restrict S = sim->S;
-    size_t n = sim->finest->grid.n;
+    size_t n = sim->now.n;
     if (sim->heights) {
         memcpy(sim->S_past, S, n * sizeof *S);
         sim->heights(sim->heights_data, T, n, X, sim->S);

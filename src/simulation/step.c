@@ -46,7 +46,7 @@ enum { ATTEMPTS = sizeof attempts / sizeof *attempts };
  */
 static double step_tolerance(const ovr_simulation *sim, bool relaxed)
 {
-    double D = sim->finest->grid.D, H = sim->observation.H_cen;
+    double D = ovr_mesh(sim), H = sim->observation.H_cen;
     double share = relaxed ? 0.05 : 0.15;
     double tolerance = share * ovr_truncation_tolerance(sim, D, H);
     double least = ovr_negligible_tolerance(sim, D, H);

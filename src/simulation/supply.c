@@ -33,7 +33,7 @@ void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
 static double time_of_entry(const ovr_simulation *sim, double T)
 {
     enum { HALVINGS = 60 };
-    double way = 0.5 * sim->finest->grid.D;
+    double way = sim->now.weights[0];
     double from = ovr_history_integral(sim->speed, T) - way;
     double low = 0, high = T;
     if (from <= 0)
@@ -61,11 +61,11 @@ void ovr_supply_try(ovr_simulation *sim)
     ovr_arrival *a = &sim->arrival;
     ovr_level *level = sim->finest;
     bool closing = a->supply && !a->closed && a->waiting < 0;
-    double source = sim->grids.op.speed * a->face / level->grid.D;
+    double source = sim->grids.op.speed * a->face / sim->now.weights[1];
     sim->grids.conserving = level->leads = true;
     sim->grids.supplied = a->supply != NULL;
     ovr_level_write(&sim->grids, level, sim->past.q[0], level->f.q);
-    for (size_t i = 0; i < level->grid.n; i++) {
+    for (size_t i = 0; i < sim->now.n; i++) {
         bool wet = sim->past.P[0][i] > 0 && !(closing && i == 1);
         ovr_content_mark(level, level->f.wet, i, wet);
         ovr_content_mark(level, level->f.dried, i, closing && i == 1);
@@ -138,29 +138,30 @@ static double meniscus(const ovr_solution *s)
     size_t i = first_wet(s);
     if (i <= 1 || i == s->n)
         return NAN;
-    double D = s->X[1] - s->X[0], before = i > 1 ? s->q[i - 2] : 0;
+    double D = ovr_spacing(s, i - 1), before = i > 1 ? s->q[i - 2] : 0;
     double part = (s->q[i - 1] - before) / (s->H[i - 1] - before);
     return s->X[i - 1] + D / 2 - D * part;
 }
 
 static double cavity_length(const ovr_solution *s)
 {
-    size_t first = 0, last = s->n - 1, dry = 0;
+    size_t first = 0, last = s->n - 1;
+    double length = 0;
     while (first < last && !(s->P[first] > 0))
         first++;
     while (last > first && !(s->P[last] > 0))
         last--;
     for (size_t i = first; i < last; i++)
-        dry += !(s->P[i] > 0);
-    return (double)dry * (s->X[1] - s->X[0]);
+        length += s->P[i] > 0 ? 0 : s->weights[i];
+    return length;
 }
 
 /* Inflow - outflow - stored change is, row by row, the residual. */
 static double mass_defect(const ovr_simulation *sim)
 {
-    const ovr_level *level = sim->finest;
-    double sum = sim->grids.kernels->sum(&level->lanes, level->f.r);
-    return -level->grid.D * sum / sim->observation.H_cen;
+    double *r = sim->room[0];
+    ovr_level_read(&sim->grids, sim->finest, sim->finest->f.r, r);
+    return -ovr_integral(sim, r) / sim->observation.H_cen;
 }
 
 static void forget(ovr_observation *o)
@@ -175,19 +176,17 @@ void ovr_supply_observe(const ovr_simulation *sim, double dT,
 {
     const ovr_solution *s = &sim->now;
     const ovr_arrival *a = &sim->arrival;
-    double Cu = speed_now(sim, o->T), sum = 0;
+    double Cu = speed_now(sim, o->T);
     (void)dT;
     forget(o);
     if (!ovr_conserves(sim))
         return;
-    for (size_t i = 0; i < s->n; i++)
-        sum += s->weights[i] * s->q[i];
     o->supply = a->supply ? a->q : NAN;
     o->film_ratio = o->H_cen / a->flooded;
     o->meniscus = meniscus(s);
     o->inflow = ovr_flux(sim, Cu, 0);
     o->outflow = ovr_flux(sim, Cu, s->n - 2);
-    o->oil_inside = sum;
+    o->oil_inside = ovr_integral(sim, s->q);
     o->oil_waiting = a->supply ? a->waiting : NAN;
     o->cavity_length = cavity_length(s);
     o->mass_defect = mass_defect(sim);

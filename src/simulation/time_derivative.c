@@ -34,16 +34,15 @@ void ovr_bdf2(double dT, double dT_old, double *cT, double c[2])
 void ovr_history_term(ovr_simulation *sim, double *F)
 {
     if (sim->order == 4)
-        sim->grids.kernels->combine(sim->finest->grid.n, 1, F, 1, sim->F_fourth,
-                                    F);
+        sim->grids.kernels->combine(sim->now.n, 1, F, 1, sim->F_fourth, F);
     ovr_level_write(&sim->grids, sim->finest, F, sim->finest->f.F);
 }
 
 void ovr_history_at_nodes(ovr_simulation *sim, const double c[2], double T)
 {
     (void)T;
-    double *F = sim->grids.scratch[0];
-    sim->grids.kernels->combine(sim->finest->grid.n, c[0], sim->past.q[0], c[1],
+    double *F = sim->room[0];
+    sim->grids.kernels->combine(sim->now.n, c[0], sim->past.q[0], c[1],
                                 sim->past.q[1], F);
     ovr_history_term(sim, F);
 }

@@ -39,6 +39,8 @@ static void check_extremes(const ovr_kernels *run, const arrays *a)
     CHECK_NEAR(run->gain(n, a->eps, q, P), plain->gain(n, a->eps, q, P),
                1e-12 * (double)n);
     CHECK_NEAR(run->gain(5, a->eps, q, P), plain->gain(5, a->eps, q, P), 1e-13);
+    CHECK_NEAR(run->gain(n, P, q, NULL), plain->gain(n, P, q, NULL),
+               1e-12 * (double)n);
 }
 
 static void check_peaks(const ovr_kernels *run, const arrays *a)
@@ -100,6 +102,7 @@ static void plain_scans_by_hand(void **state)
     assert_int_equal(last, 5);
     assert_true(run->difference(8, x, y) == 7);
     assert_true(run->gain(8, w, x, y) == -7.5);
+    assert_true(run->gain(8, w, x, NULL) == 22);
     /* 2*2 + 1 - 2*2/0.5 = -3 and 2*4 + 2 + 4*1/1 = 14 */
     assert_true(run->mean_flow(7, u, X, P, q, eps, NULL) == 5.5);
     /* off by 0, 0, 0, 2, (dry), 0, 1 */
