@@ -1,11 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The table of a flow law (flow_law.h).
- *
- * f is evaluated some million times: from a table of ln f over ln x of its own,
- * 50 points a unit, with the slopes between them (cubic, error below 1e-8).
- * Below x = 1e-6 the law is Newtonian, beyond 1e12 a power.
- */
+/* The table of a flow law (flow_law.h).  f is evaluated some million times:
+ * from a table of its own. */
 #include "contact/flow_law.h"
 
 #include <math.h>
@@ -14,12 +9,8 @@
 #include "base/arena.h"
 #include "base/sized.h"
 
-static const double LEAST = -13.8, STEP = 0.02; /* ln x of the first point */
-enum { POINTS = 2073, GAUSS = 64 };
-
-typedef struct curve {
-    double value[POINTS], slope[POINTS]; /* ln f, d ln f/d ln x */
-} curve;
+static const double LEAST = OVR_CURVE_LEAST, STEP = OVR_CURVE_STEP;
+enum { GAUSS = 64, POINTS = OVR_CURVE_POINTS };
 
 /* ------------------------------------------------------------------ laws */
 
@@ -60,7 +51,7 @@ static double by_points(const ovr_flow_form *form, double u)
     return log(rate[k] * eta / tau0) + slope * (ln - log(shear[k]));
 }
 
-static void make_curve(const ovr_flow_form *form, curve *f)
+static void make_curve(const ovr_flow_form *form, ovr_curve *f)
 {
     for (int k = 0; k < POINTS; k++) {
         double u = LEAST + STEP * k;
@@ -74,8 +65,8 @@ static void make_curve(const ovr_flow_form *form, curve *f)
     }
 }
 
-/* f and its derivative at x >= 0 */
-static double curve_at(const curve *f, double x, double *by_x)
+/* At x >= 0. */
+static double curve_at(const ovr_curve *f, double x, double *by_x)
 {
     double place = (log(x) - LEAST) / STEP;
     if (!(place > 0)) {
@@ -98,7 +89,7 @@ static double curve_at(const curve *f, double x, double *by_x)
     return value;
 }
 
-static double law(const curve *f, double x, double *by_x)
+double ovr_curve_at(const ovr_curve *f, double x, double *by_x)
 {
     return x < 0 ? -curve_at(f, -x, by_x) : curve_at(f, x, by_x);
 }
@@ -130,24 +121,25 @@ static void make_rule(rule *r)
 }
 
 /* Half the integral of f(a + g s), and its slope by a. */
-static double slid(const curve *f, const rule *r, double a, double g,
+static double slid(const ovr_curve *f, const rule *r, double a, double g,
                    double *by_a)
 {
     double sum = 0, slope = 0, by_x;
     for (int k = 0; k < GAUSS; k++) {
-        sum += r->w[k] * law(f, a + g * r->s[k], &by_x);
+        sum += r->w[k] * ovr_curve_at(f, a + g * r->s[k], &by_x);
         slope += r->w[k] * by_x;
     }
     *by_a = slope / 2;
     return sum / 2;
 }
 
-/* a, by Newton's method between bounds, from `guess`. */
-static double mean_stress(const curve *f, const rule *r, double s_N, double g,
-                          double guess)
+/* a, by Newton's method between bounds, from `guess`; where that is nothing
+ * beside g, in laws that thin steeply, it is exact, and sums have no digits. */
+static double mean_stress(const ovr_curve *f, const rule *r, double s_N,
+                          double g, double guess)
 {
     double low = 0, high = s_N, a = guess, by_a;
-    for (int k = 0; k < 200; k++) {
+    for (int k = 0; k < 200 && guess > 1e-9 * g; k++) {
         double off = slid(f, r, a, g, &by_a) - s_N;
         if (fabs(off) <= 1e-12 * s_N)
             break;
@@ -162,15 +154,15 @@ static double mean_stress(const curve *f, const rule *r, double s_N, double g,
     return a;
 }
 
-static double flow_factor(const curve *f, const rule *r, double a, double g)
+static double flow_factor(const ovr_curve *f, const rule *r, double a, double g)
 {
     double sum = 0, by_x;
     if (g == 0) {
-        law(f, a, &by_x);
+        ovr_curve_at(f, a, &by_x);
         return by_x;
     }
     for (int k = 0; k < GAUSS; k++)
-        sum += r->w[k] * r->s[k] * law(f, a + g * r->s[k], &by_x);
+        sum += r->w[k] * r->s[k] * ovr_curve_at(f, a + g * r->s[k], &by_x);
     return 1.5 * sum / g;
 }
 
@@ -207,7 +199,7 @@ static void splines(double *table)
         to_spline(table + j, OVR_LAW_SLIDES, OVR_LAW_ROW);
 }
 
-static void fill(ovr_flow_law *to, const curve *f)
+static void fill(ovr_flow_law *to, const ovr_curve *f)
 {
     rule r;
     make_rule(&r);
@@ -277,18 +269,16 @@ ovr_flow_law *ovr_flow_law_create(const ovr_flow_form *given,
     ovr_flow_form form = ovr_flow_form_default();
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_flow_law *made;
-    curve *f;
     if (OVR_SIZED_TAKE(ovr_flow_form, &form, given, err) ||
         check_form(&form, err))
         return NULL;
     made = ovr_arena_take(&arena, 1, sizeof *made, err);
-    f = made ? ovr_arena_take(&arena, 1, sizeof *f, err) : NULL;
-    if (!f) {
+    if (!made) {
         ovr_arena_release(&arena);
         return NULL;
     }
-    make_curve(&form, f);
-    fill(made, f);
+    make_curve(&form, &made->f);
+    fill(made, &made->f);
     made->arena = arena;
     return made;
 }

@@ -32,11 +32,25 @@ enum {
     OVR_LAW_SIZE = (OVR_LAW_SLIDES + 3) * OVR_LAW_ROW
 };
 
+/* f itself: ln f and d ln f/d ln x at ln x = LEAST + STEP k, cubic between them
+ * (error below 1e-8); Newtonian below, a power beyond. */
+#define OVR_CURVE_LEAST (-13.8)
+#define OVR_CURVE_STEP 0.02
+enum { OVR_CURVE_POINTS = 2073 };
+
+typedef struct ovr_curve {
+    double value[OVR_CURVE_POINTS], slope[OVR_CURVE_POINTS];
+} ovr_curve;
+
+/* f and its derivative at any x. */
+double ovr_curve_at(const ovr_curve *f, double x, double *by_x);
+
 /* Coefficients of the B-splines, [(i + 1) OVR_LAW_ROW + j + 1]. */
 struct ovr_flow_law {
     ovr_arena arena;
     double flow[OVR_LAW_SIZE];   /* of ln Phi */
     double stress[OVR_LAW_SIZE]; /* of ln(a/s_N) */
+    ovr_curve f;
 };
 
 /* Weights of a cubic B-spline at t in [0, 1] between its second and third

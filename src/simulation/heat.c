@@ -17,10 +17,6 @@ static ovr_status check(const ovr_simulation *sim, ovr_error *err)
     const ovr_options *o = &sim->options;
     if (o->order == 4)
         return ovr_fail_about(err, "order", "order: heat goes with order 2");
-    if (sim->lubricant.rheology != OVR_NEWTONIAN &&
-        sim->lubricant.rheology != OVR_EYRING)
-        return ovr_fail_about(err, "rheology",
-                              "rheology: heat goes with newtonian and eyring");
     if (o->scheme != OVR_UPSTREAM2)
         return ovr_fail_about(err, "scheme",
                               "scheme: heat goes with upstream2");
@@ -75,7 +71,7 @@ ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
     h->numbers = *heat;
     h->V = ratio[0] - ratio[1];
     h->u1 = ratio[0];
-    h->Sigma0 = oil->rheology == OVR_EYRING ? oil->Sigma0 : INFINITY;
+    h->Sigma0 = oil->rheology == OVR_NEWTONIAN ? INFINITY : oil->Sigma0;
     h->limit = oil->limiting_shear > 0
                    ? oil->limiting_shear / sim->contact.kappa
                    : INFINITY;
@@ -160,7 +156,10 @@ static ovr_sheet sheet_at(const ovr_simulation *sim, size_t i)
                        .u1 = h->u1,
                        .Sigma0 = h->Sigma0,
                        .limit = INFINITY,
-                       .wet = wet};
+                       .wet = wet,
+                       .law = sim->lubricant.rheology > OVR_EYRING
+                                  ? sim->lubricant.flow_law
+                                  : NULL};
     if (wet) {
         sheet.limit = h->limit * now->P[i];
         sheet.P_X = (now->P[i + 1] - now->P[i - 1]) /

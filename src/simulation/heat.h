@@ -18,7 +18,7 @@
 #ifndef OVR_SIMULATION_HEAT_H
 #define OVR_SIMULATION_HEAT_H
 
-#include "simulation/across.h"
+#include "multigrid/across.h"
 #include "simulation/internal.h"
 #include "simulation/solids.h"
 

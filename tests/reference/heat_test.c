@@ -192,21 +192,99 @@ static void steady_against_truth(void **state)
     }
 }
 
-/* The two surfaces swapped mirror everything. */
-static void surfaces_swapped(void **state)
+static ovr_flow_form carreau(ovr_rheology rheology, double n)
 {
+    ovr_flow_form form = ovr_flow_form_default();
+    form.rheology = rheology;
+    form.stress = 5e6, form.n = n, form.a = 2;
+    return form;
+}
+
+/* Contact A2 or N with another law that is given as Carreau's or by points. */
+static hot with_law(const struct truth *t, const ovr_heat_form *f,
+                    const ovr_flow_form *given)
+{
+    struct truth newtonian = *t;
+    ovr_flow_form form = *given;
+    ovr_error err = {0};
+    newtonian.tau0 = 0;
+    hot c = hot_contact(&newtonian, f);
+    form.law = ovr_flow_law_create(given, NULL, &err);
+    assert_non_null(form.law);
+    CHECK_OK(ovr_lubricant_flow(&c.contact, &form, &c.oil, &err), &err);
+    return c;
+}
+
+static void compare(const ovr_simulation *a, const ovr_simulation *b,
+                    double tolerance)
+{
+    const ovr_observation *x = ovr_simulation_observation(a);
+    const ovr_observation *y = ovr_simulation_observation(b);
+    print_message("H_cen %.3g, F_slide %.3g, T %.3g %.3g %.3g off\n",
+                  x->H_cen / y->H_cen - 1, x->F_slide / y->F_slide - 1,
+                  x->T_max_rise / y->T_max_rise - 1,
+                  x->T_1_max_rise / y->T_1_max_rise - 1,
+                  x->T_2_max_rise / y->T_2_max_rise - 1);
+    CHECK_CLOSE(x->H_cen, y->H_cen, tolerance);
+    CHECK_CLOSE(x->F_slide, y->F_slide, tolerance);
+    CHECK_CLOSE(x->T_max_rise, y->T_max_rise, tolerance);
+    CHECK_CLOSE(x->T_1_max_rise, y->T_1_max_rise, tolerance);
+    CHECK_CLOSE(x->T_2_max_rise, y->T_2_max_rise, tolerance);
+}
+
+/* Carreau's law of n = 1 is Newton's, in both forms. */
+static void carreau_of_one_is_newtonian(void **state)
+{
+    const struct truth *t = &truths[0];
+    ovr_heat_form f = form();
+    hot cold = hot_contact(t, &f);
+    ovr_simulation *newtonian = solved(&cold, 5);
+    (void)state;
+    for (int rate = 0; rate < 2; rate++) {
+        ovr_flow_form form = carreau(rate ? OVR_CARREAU : OVR_CARREAU_STRESS,
+                                     1);
+        hot c = with_law(t, &f, &form);
+        ovr_simulation *sim = solved(&c, 5);
+        compare(sim, newtonian, 1e-7);
+        ovr_simulation_free(sim);
+        ovr_flow_law_free((ovr_flow_law *)c.oil.flow_law);
+    }
+    ovr_simulation_free(newtonian);
+}
+
+/* Points of Eyring's law are Eyring's, to the mean error of the table. */
+static void points_of_eyring(void **state)
+{
+    enum { POINTS = 600 };
+    static double rate[POINTS], shear[POINTS];
     const struct truth *t = &truths[3];
-    struct truth other = *t;
     ovr_heat_form f = form();
     hot c = hot_contact(t, &f), d;
-    ovr_simulation *sim = solved(&c, 5), *mirror;
-    const ovr_observation *a = ovr_simulation_observation(sim), *b;
+    ovr_flow_form form = ovr_flow_form_default();
+    ovr_simulation *eyring = solved(&c, 5), *sim;
+    double tau0 = t->tau0 * 1e6, eta = 0.038; /* any: f is of eta gamma/tau0 */
     (void)state;
-    other.S = -t->S;
-    d = hot_contact(&other, &f);
-    mirror = solved(&d, 5);
-    b = ovr_simulation_observation(mirror);
-    assert_true(t->S > 0 && t->tau0 > 0);
+    for (int k = 0; k < POINTS; k++) {
+        double x = 0.01 * exp(7.8 * k / (POINTS - 1)); /* to 24 */
+        shear[k] = tau0 * x, rate[k] = tau0 / eta * sinh(x);
+    }
+    form.rheology = OVR_FLOW_TABLE;
+    form.stress = tau0;
+    form.points = POINTS, form.rate = rate, form.shear = shear;
+    d = with_law(t, &f, &form);
+    sim = solved(&d, 5);
+    compare(sim, eyring, 1e-4);
+    ovr_simulation_free(sim);
+    ovr_simulation_free(eyring);
+    ovr_flow_law_free((ovr_flow_law *)d.oil.flow_law);
+}
+
+/* The two surfaces swapped mirror everything. */
+static void mirrored(const hot *c, const hot *d)
+{
+    ovr_simulation *sim = solved(c, 5), *mirror = solved(d, 5);
+    const ovr_observation *a = ovr_simulation_observation(sim);
+    const ovr_observation *b = ovr_simulation_observation(mirror);
     CHECK_CLOSE(b->H_cen, a->H_cen, 1e-9);
     CHECK_CLOSE(b->F_slide, -a->F_slide, 1e-8);
     CHECK_CLOSE(b->F_1, a->F_2, 1e-8);
@@ -217,27 +295,54 @@ static void surfaces_swapped(void **state)
     ovr_simulation_free(mirror);
 }
 
-/* Oil that cannot be heated leaves the isothermal contact. */
-static void isothermal_limit(void **state)
+static void surfaces_swapped(void **state)
 {
     const struct truth *t = &truths[3];
+    struct truth other = *t;
     ovr_heat_form f = form();
-    ovr_error err = {0};
-    ovr_options options = test_options();
-    hot c;
-    ovr_simulation *sim, *cold;
+    ovr_flow_form law = carreau(OVR_CARREAU, 0.35);
     (void)state;
-    f.oil.heat_capacity = 1e30;
-    c = hot_contact(t, &f);
-    sim = solved(&c, 5);
+    other.S = -t->S;
+    for (int k = 0; k < 2; k++) {
+        hot c = k ? with_law(t, &f, &law) : hot_contact(t, &f);
+        hot d = k ? with_law(&other, &f, &law) : hot_contact(&other, &f);
+        mirrored(&c, &d);
+        ovr_flow_law_free((ovr_flow_law *)c.oil.flow_law);
+        ovr_flow_law_free((ovr_flow_law *)d.oil.flow_law);
+    }
+}
+
+/* Oil that cannot be heated leaves the isothermal contact. */
+static void is_cold(const hot *c)
+{
+    ovr_options options = test_options();
+    ovr_error err = {0};
+    ovr_simulation *sim = solved(c, 5), *cold;
     options.level = 5;
-    cold = ovr_simulation_create(&c.contact, &c.oil, &options, NULL, &err);
+    cold = ovr_simulation_create(&c->contact, &c->oil, &options, NULL, &err);
     CHECK_OK(ovr_simulation_steady(cold, &err), &err);
     CHECK_CLOSE(ovr_simulation_observation(sim)->H_cen,
                 ovr_simulation_observation(cold)->H_cen, 1e-9);
     CHECK_NEAR(ovr_simulation_observation(sim)->T_max_rise, 0, 1e-12);
     ovr_simulation_free(sim);
     ovr_simulation_free(cold);
+}
+
+static void isothermal_limit(void **state)
+{
+    const struct truth *t = &truths[3];
+    ovr_heat_form f = form();
+    (void)state;
+    f.oil.heat_capacity = 1e30;
+    hot c = hot_contact(t, &f);
+    is_cold(&c);
+    for (int rate = 0; rate < 2; rate++) {
+        ovr_flow_form law = carreau(rate ? OVR_CARREAU : OVR_CARREAU_STRESS,
+                                    0.5);
+        c = with_law(t, &f, &law);
+        is_cold(&c);
+        ovr_flow_law_free((ovr_flow_law *)c.oil.flow_law);
+    }
 }
 
 /* Seven points are nearer to the full solution (15 across, with cross flow)
@@ -267,6 +372,8 @@ int main(void)
         cmocka_unit_test(numbers_of_heat),
         cmocka_unit_test(steady_against_truth),
         cmocka_unit_test(surfaces_swapped),
+        cmocka_unit_test(carreau_of_one_is_newtonian),
+        cmocka_unit_test(points_of_eyring),
         cmocka_unit_test(isothermal_limit),
         cmocka_unit_test(seven_points_check_five),
     };

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "simulation/across.h"
+#include "multigrid/across.h"
 #include "simulation/solids.h"
 #include "support/test.h"
 

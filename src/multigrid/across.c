@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Temperature and velocity across the film (equations in across.h). */
-#include "simulation/across.h"
+#include "multigrid/across.h"
 
 #include <math.h>
+
+#include "contact/flow_law.h"
+#include "multigrid/flow.h"
 
 /* ---------------------------------------------------- points and matrices */
 
@@ -139,6 +142,56 @@ static double eyring(const ovr_across *a, const ovr_sheet *sheet, double Y,
     return sheet->Sigma0 * asinh(sinh_a);
 }
 
+/* The film slid by mean stress a, over Y/Sigma0, and its slope by a. */
+static double slid(const ovr_across *across, const ovr_curve *f,
+                   const double *r, double a, double g, double *by_a)
+{
+    double sum = 0, slope;
+    *by_a = 0;
+    for (int j = 0; j < across->n; j++) {
+        double part = across->w[j] * r[j];
+        sum += part * ovr_curve_at(f, a + g * across->s[j], &slope);
+        *by_a += part * slope;
+    }
+    return sum;
+}
+
+/* From the stress of a film of the same mean fluidity: Newton's method between
+ * bounds, as f(x) >= x where a film thins. */
+static double by_law(const ovr_across *across, const ovr_sheet *sheet, double Y,
+                     const double *r, const double m[3], double *rate)
+{
+    const ovr_curve *f = &sheet->law->f;
+    double g = sheet->H * sheet->P_X / (2 * sheet->Sigma0), by_a;
+    double b = -sheet->V * Y / sheet->Sigma0, uniform = fabs(b) / m[0];
+    double high = fabs(g) + uniform, low = -high;
+    double a = copysign(ovr_flow_stress(sheet->law, uniform, g), b);
+    for (int k = 0; k < 60 && high > low; k++) {
+        double off = slid(across, f, r, a, g, &by_a) - b;
+        double step = off / by_a;
+        *(off > 0 ? &high : &low) = a;
+        a -= step;
+        if (fabs(step) <= 1e-13 * (fabs(a) + fabs(g)))
+            break;
+        if (!(a > low && a < high))
+            a = (low + high) / 2;
+    }
+    for (int j = 0; j < across->n; j++)
+        rate[j] = sheet->Sigma0 / Y * r[j] *
+                  ovr_curve_at(f, a + g * across->s[j], &by_a);
+    return sheet->Sigma0 * a;
+}
+
+static double stressed(const ovr_across *a, const ovr_sheet *sheet, double Y,
+                       const double *r, const double m[3], double *rate)
+{
+    if (sheet->law)
+        return by_law(a, sheet, Y, r, m, rate);
+    if (isfinite(sheet->Sigma0))
+        return eyring(a, sheet, Y, r, rate);
+    return newtonian(a, sheet, Y, r, m, rate);
+}
+
 /* Ratios eta(T_m)/eta(T_j). */
 static void ratios(const ovr_across *a, const ovr_heat *heat,
                    const ovr_sheet *sheet, const double *T,
@@ -166,9 +219,7 @@ void ovr_flow_across_film(const ovr_across *a, const ovr_heat *heat,
         return;
     }
     Y = sheet->lambda * exp(flow->log_eta) / (12 * sheet->H);
-    flow->t = isfinite(sheet->Sigma0)
-                  ? eyring(a, sheet, Y, r, rate)
-                  : newtonian(a, sheet, Y, r, flow->m, rate);
+    flow->t = stressed(a, sheet, Y, r, flow->m, rate);
     most = fmax(sheet->limit - fabs(G), 0);
     flow->t = fmax(-most, fmin(flow->t, most));
     for (int j = 0; j < a->n; j++) {

@@ -30,6 +30,10 @@
  *     sinh a = (b A - sqrt(n^2 + b^2) B)/n^2
  *     cosh a = (sqrt(n^2 + b^2) A - b B)/n^2
  *
+ * and by any other law f, with a and its derivative by Newton's method,
+ *
+ *     sum w_j r_j f(a + g s_j) = b,  u_z,j = Sigma0 r_j f(a + g s_j)/Y
+ *
  * A limiting shear stress cuts tau where heat is made, not the flow.  Reynolds'
  * equation gets
  *
@@ -40,8 +44,8 @@
  * Gravity, heat along x and flow across the film are left out: below 0.2 % of
  * the film.
  */
-#ifndef OVR_SIMULATION_ACROSS_H
-#define OVR_SIMULATION_ACROSS_H
+#ifndef OVR_MULTIGRID_ACROSS_H
+#define OVR_MULTIGRID_ACROSS_H
 
 #include <stdbool.h>
 
@@ -64,9 +68,10 @@ typedef struct ovr_sheet {
     double H, rho, P_X, P_T;
     double log_eta; /* at T0 */
     double lambda, V, u1;
-    double Sigma0; /* Eyring's; INFINITY: Newtonian */
+    double Sigma0; /* of Eyring or `law`; INFINITY: Newtonian */
     double limit;  /* of |t| + |G_P|; INFINITY: none */
     bool wet;
+    const ovr_flow_law *law; /* by table; NULL: Newtonian or Eyring */
 } ovr_sheet;
 
 /* What flows in it, for temperatures T. */
