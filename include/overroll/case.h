@@ -155,6 +155,8 @@ typedef struct ovr_stress_setup {
     ovr_life_options life;        /* its limit follows from limit_pressure */
     double raceway, count;        /* raceway 0: not given */
     double residual_x, residual_y;
+    bool traction;           /* the film's shear stress is a load too */
+    const char *no_traction; /* why not; NULL where it is */
 } ovr_stress_setup;
 
 /* Of what level = auto brings the error down. */

@@ -126,9 +126,11 @@ typedef struct ovr_stress_report {
     double *risk;   /* of each point */
     double *length; /* equivalent length counted from each depth down */
     ovr_life_result life;
-    double hertz; /* the criterion in a smooth dry contact of p_h = 1 */
-    double limit; /* p_h */
-    double ratio; /* of lives; NAN without a raceway */
+    double hertz;  /* the criterion in a smooth dry contact of p_h = 1 */
+    double limit;  /* p_h */
+    double ratio;  /* of lives; NAN without a raceway */
+    bool traction; /* with the film's shear stress on the surface */
+    const char *no_traction; /* why without */
 } ovr_stress_report;
 
 /* Of a run at any moment. */

@@ -60,6 +60,10 @@ static const ovr_word stops[] = {{"negligible", OVR_STOP_NEGLIGIBLE},
                                  {NULL, 0}};
 static const ovr_word which_surface[] = {
     {"1", 1}, {"2", 2}, {"both", 3}, {NULL, 0}};
+static const ovr_word tractions[] = {{"auto", OVR_TRACTION_AUTO},
+                                     {"yes", OVR_TRACTION_YES},
+                                     {"no", OVR_TRACTION_NO},
+                                     {NULL, 0}};
 static const ovr_word feature_window[] = {{"feature", 0}, {NULL, 0}};
 static const ovr_word stress_fields[] = {
     {"sigma_x", 0}, {"sigma_z", 0},     {"tau_xz", 0},
@@ -629,6 +633,9 @@ static const ovr_parameter table[] = {
      feature_window, "feature", AT(window), true,
      "material whose history is kept, FROM, TO about the first feature's "
      "centre; feature: 2 b beyond the features of the surface"},
+    {"stress", "traction", CHOICE(tractions), "auto", AT(stress_traction), true,
+     "the film's shear stress as a load on the surface beside the pressure; "
+     "auto: with a flow law or limiting_shear, where b/R is known"},
 
     {"fatigue", "criterion", CHOICE(criteria), "circle", AT(criterion), false,
      "amplitude that does harm: radius of the smallest circle round the path "

@@ -104,9 +104,12 @@ typedef struct ovr_settings {
     ovr_output output;
     int every, precision;
     ovr_stress_setup stress;
-    int stress_surface, stress_every, criterion;
+    int stress_surface, stress_every, stress_traction, criterion;
     ovr_list window;
 } ovr_settings;
+
+/* Of [stress] traction. */
+enum { OVR_TRACTION_NO, OVR_TRACTION_YES, OVR_TRACTION_AUTO };
 
 /* By name in [body 1] and [body 2]; values and sources in resolve_bodies.c. */
 typedef enum ovr_material_name {

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "case/resolve.h"
+#include "overroll/results.h"
 
 /* A section is there when its header is, or any of its keys. */
 static bool is_there(const ovr_block *block)
@@ -75,6 +76,43 @@ static ovr_status resolve_fatigue(ovr_resolved *r, ovr_error *err)
     return OVR_OK;
 }
 
+/* A Newtonian film's shear stress may be many times what any oil carries:
+ * nothing to load a body with unasked. */
+static const char *no_traction(const ovr_resolved *r)
+{
+    const ovr_lubricant *l = &r->lubricant;
+    int wanted = r->values.stress_traction;
+    if (wanted == OVR_TRACTION_NO)
+        return "[stress] traction = no";
+    if (isnan(r->contact.kappa))
+        return "b/R is not known: a modulus or contact.G gives it";
+    if (wanted == OVR_TRACTION_AUTO && l->rheology == OVR_NEWTONIAN &&
+        !(l->limiting_shear > 0))
+        return "Newtonian film; a rheology, limiting_shear or [stress] "
+               "traction = yes brings its shear stress in";
+    return NULL;
+}
+
+/* It is stored for `overroll stress`, the second pass and the pictures. */
+static ovr_status resolve_traction(ovr_resolved *r, const ovr_block *block,
+                                   ovr_error *err)
+{
+    ovr_stress_setup *s = &r->values.stress;
+    const ovr_block *output = ovr_block_of(r, "output");
+    s->no_traction = no_traction(r);
+    s->traction = !s->no_traction;
+    if (!s->traction && r->values.stress_traction == OVR_TRACTION_YES)
+        return ovr_fail_slot(err, ovr_block_get(block, "traction"), "%s",
+                             s->no_traction);
+    if (!s->traction || ovr_block_get(output, "fields")->given)
+        return OVR_OK;
+    if (s->surfaces & 1)
+        r->values.output.fields |= ovr_field_bit("shear_stress_1");
+    if (s->surfaces & 2)
+        r->values.output.fields |= ovr_field_bit("shear_stress_2");
+    return OVR_OK;
+}
+
 ovr_status ovr_resolve_stress(ovr_resolved *r, ovr_error *err)
 {
     const ovr_block *block = ovr_block_of(r, "stress");
@@ -87,6 +125,8 @@ ovr_status ovr_resolve_stress(ovr_resolved *r, ovr_error *err)
             return OVR_BAD_INPUT;
         s->surfaces = (unsigned)r->values.stress_surface;
         s->every = r->values.stress_every;
+        if (resolve_traction(r, block, err))
+            return OVR_BAD_INPUT;
     }
     if (check_motion(r, err) || resolve_fatigue(r, err))
         return OVR_BAD_INPUT;

@@ -345,6 +345,9 @@ static void put_stress(const ovr_setup *setup)
            "run again\n",
            "stresses below", least, s->depth_max, s->per_octave,
            ovr_setup_stress_memory(setup) / 1e6);
+    printf("# %-28s %s%s\n", "traction",
+           s->traction ? "the film's shear stress" : "none: ",
+           s->traction ? "" : s->no_traction);
     for (int k = 0; s->fatigue && k < 2; k++) {
         double hertz = ovr_hertz_criterion(s->criterion, s->alpha,
                                            s->poisson[k], &z);

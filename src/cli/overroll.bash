@@ -238,6 +238,7 @@ _overroll_values() {
     stress.every) echo '' ;;
     stress.fields) echo 'sigma_x sigma_z tau_xz sigma_y von_mises max_shear tresca hydrostatic' ;;
     stress.window) echo 'feature' ;;
+    stress.traction) echo 'auto yes no' ;;
     fatigue.criterion) echo 'circle orthogonal critical-plane dang-van von-mises tresca' ;;
     fatigue.alpha) echo '' ;;
     fatigue.limit_pressure) echo 'none' ;;

@@ -42,10 +42,11 @@ const cli_verb cli_stress = {
     .name = "stress",
     .arguments = "OUT.h5",
     .summary = "stresses and fatigue from a stored run",
-    .help = "From the stored pressure, with [stress] and [fatigue] as the run "
-            "had them or\nas --set changes them (--set "
-            "fatigue.criterion=orthogonal).  Depths that the stored\nmoments "
-            "cannot give are refused, with the `every` that would do.",
+    .help = "From the stored pressure and, with traction, shear stress, with "
+            "[stress] and\n[fatigue] as the run had them or as --set changes "
+            "them (--set\nfatigue.criterion=orthogonal).  Depths that the "
+            "stored moments cannot give are\nrefused, with the `every` that "
+            "would do.",
     .options = options,
     .least = 1,
     .most = 1,

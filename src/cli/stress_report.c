@@ -79,6 +79,13 @@ static void put_life(const ovr_stress_report *r, const ovr_setup *setup)
            "", s->life.exponent, s->life.depth_exponent, s->life.weibull);
 }
 
+static void put_traction(const ovr_stress_report *r)
+{
+    printf("%-17s %s%s\n", "traction",
+           r->traction ? "the film's shear stress" : "none: ",
+           r->traction ? "" : r->no_traction);
+}
+
 void cli_put_stress(const ovr_stress_report *r, const ovr_setup *setup)
 {
     double ph = setup->contact->ph;
@@ -89,6 +96,7 @@ void cli_put_stress(const ovr_stress_report *r, const ovr_setup *setup)
     put_stress("shear circle R", r->R_max, ph);
     printf("  at xi = %.4g%s, Z = %.4g; smooth %.4g\n", r->xi_R_max,
            side_of(r, r->xi_R_max, setup), r->Z_R_max, r->R_smooth);
+    put_traction(r);
     if (r->fatigue)
         put_life(r, setup);
     if (r->von_mises.value * ph > YIELD)
@@ -163,6 +171,7 @@ void cli_json_stress(json_writer *json,
     json_number(json, "R_smooth", circle->R_smooth);
     json_integer(json, "surface_R_max", circle->surface);
     json_number(json, "least_depth", circle->least_depth);
+    json_flag(json, "traction", circle->traction);
     json_integer(json, "material_points", (long long)circle->material.points);
     json_integer(json, "material_incomplete", (long long)circle->incomplete);
     if (circle->fatigue)

@@ -2,7 +2,8 @@
 /*
  * Stresses below a snapshot, drawn on about a cell a pixel: linear along x
  * between the nodes of each depth and along ln z between depths, which go up
- * to D/2; above that linear to the surface, where -p stands.
+ * to D/2; above that linear to the surface, where -p stands, or with traction
+ * what there is at D/2.
  */
 #include "pictures/depth_field.h"
 
@@ -28,6 +29,11 @@ static void read_body(ovr_depth_field *f, int surface)
         f->poisson = setup->stress->poisson[surface - 1];
         f->residual_x = setup->stress->residual_x;
         f->residual_y = setup->stress->residual_y;
+        f->shear = surface == 1 ? "shear_stress_1" : "shear_stress_2";
+        if (setup->stress->traction &&
+            ovr_result_find(f->run->result, f->shear))
+            f->traction = surface == 1 ? setup->contact->kappa
+                                       : -setup->contact->kappa;
     }
     ovr_setup_free(setup);
     ovr_case_free(c);
@@ -57,10 +63,22 @@ static double value_at(const ovr_depth_field *f, const ovr_stress_row *row,
                             f->residual_y);
 }
 
-ovr_stress_extreme ovr_depth_field_solve(ovr_depth_field *f, const double *P)
+static ovr_status read_loads(ovr_depth_field *f, size_t k, ovr_error *err)
+{
+    ovr_result *result = f->run->result;
+    ovr_status status = ovr_result_snapshot(result, "pressure", k, OVR_HERTZIAN,
+                                            f->P, err);
+    if (status || f->traction == 0)
+        return status;
+    status = ovr_result_snapshot(result, f->shear, k, OVR_HERTZIAN, f->Q, err);
+    for (size_t i = 0; i < f->run->info->nodes; i++)
+        f->Q[i] *= f->traction;
+    return status;
+}
+
+static ovr_stress_extreme find_worst(const ovr_depth_field *f)
 {
     ovr_stress_extreme worst = {0, 0, 0, 0};
-    ovr_stress_solve(f->stress, P, NULL, 0, OVR_STRESS_ALL_LEVELS);
     for (size_t j = 0; j < ovr_stress_depths(f->stress, NULL); j++) {
         ovr_stress_row row = ovr_stress_at(f->stress, j);
         if (row.z < f->least * (1 - 1e-9))
@@ -75,21 +93,29 @@ ovr_stress_extreme ovr_depth_field_solve(ovr_depth_field *f, const double *P)
     return worst;
 }
 
+ovr_status ovr_depth_field_solve(ovr_depth_field *f, size_t k,
+                                 ovr_stress_extreme *worst, ovr_error *err)
+{
+    ovr_status status = read_loads(f, k, err);
+    if (status)
+        return status;
+    ovr_stress_solve(f->stress, f->P, f->traction == 0 ? NULL : f->Q, 0,
+                     OVR_STRESS_ALL_LEVELS);
+    *worst = find_worst(f);
+    return OVR_OK;
+}
+
 /* The colours end where the run's largest value is, but not far above what a
  * smooth contact has: an instant alone does not take them all. */
-static ovr_status look_through(ovr_depth_field *f, ovr_arena *arena,
-                               ovr_error *err)
+static ovr_status look_through(ovr_depth_field *f, ovr_error *err)
 {
     const ovr_result_info *info = f->run->info;
-    double *P = ovr_arena_take(arena, info->nodes, sizeof *P, err), most = 0;
+    double most = 0;
     size_t step = 1 + info->snapshots / 64;
-    if (!P)
-        return OVR_NO_MEMORY;
     for (size_t k = 0; k < info->snapshots; k += step) {
-        if (ovr_result_snapshot(f->run->result, "pressure", k, OVR_HERTZIAN, P,
-                                err))
+        ovr_stress_extreme e;
+        if (ovr_depth_field_solve(f, k, &e, err))
             return OVR_BAD_INPUT;
-        ovr_stress_extreme e = ovr_depth_field_solve(f, P);
         most = fmax(most, fabs(e.value));
         if (k == 0)
             f->smooth = fabs(e.value);
@@ -123,10 +149,15 @@ ovr_status ovr_depth_field_make(ovr_depth_field *f, const ovr_stored *run,
     o.to = f->x_to + 0.1;
     o.depth_min = f->mesh / 2;
     o.depth_max = deepest;
+    o.traction = f->traction != 0;
+    f->P = ovr_arena_take(arena, info->nodes, sizeof *f->P, err);
+    f->Q = ovr_arena_take(arena, info->nodes, sizeof *f->Q, err);
     f->cells = ovr_arena_take(arena, (size_t)OVR_CELLS_X * OVR_CELLS_Z,
                               sizeof *f->cells, err);
-    f->stress = f->cells ? ovr_stress_create(&o, &arena->allocator, err) : NULL;
-    return f->stress ? look_through(f, arena, err) : OVR_BAD_INPUT;
+    if (!f->P || !f->Q || !f->cells)
+        return OVR_NO_MEMORY;
+    f->stress = ovr_stress_create(&o, &arena->allocator, err);
+    return f->stress ? look_through(f, err) : OVR_BAD_INPUT;
 }
 
 void ovr_depth_field_free(ovr_depth_field *f)
@@ -171,6 +202,8 @@ double ovr_depth_field_at(const ovr_depth_field *f, double X, double z)
 {
     const double *depth;
     size_t n = ovr_stress_depths(f->stress, &depth), j = 0;
+    if (z < depth[0] && f->traction != 0)
+        return along_row(f, 0, X);
     if (z < depth[0]) {
         double top = at_surface(f, X);
         return top + z / depth[0] * (along_row(f, 0, X) - top);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The field below a snapshot, from its pressure. */
+/* The field below a snapshot, from its pressure and, where the case has it,
+ * traction. */
 #ifndef OVR_PICTURES_DEPTH_FIELD_H
 #define OVR_PICTURES_DEPTH_FIELD_H
 
@@ -16,6 +17,9 @@ typedef struct ovr_depth_field {
     ovr_stress_field which;
     const char *name;
     double poisson, residual_x, residual_y;
+    double traction;   /* Q over the stored shear stress; 0: there is none */
+    const char *shear; /* its name in the file */
+    double *P, *Q;
     bool logarithmic;
     double mesh, least; /* D; largest values are looked for from here down */
     double x_from, x_to, z_to;
@@ -31,16 +35,17 @@ ovr_status ovr_depth_field_make(ovr_depth_field *f, const ovr_stored *run,
                                 ovr_arena *arena, ovr_error *err);
 void ovr_depth_field_free(ovr_depth_field *f);
 
-/* The largest value of a pressure's field from `least` down. */
-ovr_stress_extreme ovr_depth_field_solve(ovr_depth_field *f, const double *P);
+/* The field of snapshot k, and its largest value from `least` down. */
+ovr_status ovr_depth_field_solve(ovr_depth_field *f, size_t k,
+                                 ovr_stress_extreme *worst, ovr_error *err);
 
-/* Its value below X at a depth z, of the pressure solved last. */
+/* Its value below X at a depth z, of the snapshot solved last. */
 double ovr_depth_field_at(const ovr_depth_field *f, double X, double z);
 
 /* Of those that are pressures: negative below a contact. */
 bool ovr_depth_field_is_pressed(const ovr_depth_field *f);
 
-/* The panel of the pressure solved last: colours, contours every 0.1 ph, the
+/* The panel of the snapshot solved last: colours, contours every 0.1 ph, the
  * smooth maximum, a mark at the largest value. */
 ovr_status ovr_depth_field_panel(ovr_depth_field *f,
                                  const ovr_stress_extreme *worst,

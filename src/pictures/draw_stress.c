@@ -8,14 +8,14 @@
 #include "pictures/snapshot.h"
 
 /* The snapshot whose field has the largest value, where none is asked for. */
-static ovr_status find_worst(ovr_depth_field *f, ovr_shot *shot, size_t *worst,
-                             ovr_error *err)
+static ovr_status find_worst(ovr_depth_field *f, size_t *worst, ovr_error *err)
 {
     double most = -1;
     for (size_t k = 0; k < f->run->info->snapshots; k++) {
-        if (ovr_shot_read(shot, k, err))
+        ovr_stress_extreme e;
+        if (ovr_depth_field_solve(f, k, &e, err))
             return OVR_BAD_INPUT;
-        double v = fabs(ovr_depth_field_solve(f, shot->P).value);
+        double v = fabs(e.value);
         if (v > most)
             most = v, *worst = k;
     }
@@ -27,19 +27,23 @@ ovr_status ovr_stress_panel_add(ovr_depth_field *f, const ovr_shot *shot,
                                 ovr_snapshot_chart *to, ovr_arena *arena,
                                 ovr_error *err)
 {
-    char *note = ovr_arena_take(arena, 160, 1, err);
+    enum { NOTE = 200 };
+    char *note = ovr_arena_take(arena, NOTE, 1, err);
     ovr_series *series = ovr_arena_take(arena, OVR_LINES + 4, sizeof *series,
                                         err);
     ovr_panel *panel = &to->panel[to->chart.rows];
+    ovr_stress_extreme worst;
     if (!note || !series)
         return OVR_NO_MEMORY;
-    ovr_stress_extreme worst = ovr_depth_field_solve(f, shot->P);
-    if (ovr_depth_field_panel(f, &worst, look->options->units, series, panel,
+    if (ovr_depth_field_solve(f, shot->k, &worst, err) ||
+        ovr_depth_field_panel(f, &worst, look->options->units, series, panel,
                               arena, err))
         return OVR_BAD_INPUT;
     to->chart.rows++;
-    snprintf(note, 160, "%s; largest %.3g at X = %.3g, Z = %.3g; smooth %.3g",
-             to->note[0], worst.value, worst.X, worst.Z, f->smooth);
+    snprintf(note, NOTE,
+             "%s; largest %.3g at X = %.3g, Z = %.3g; smooth %.3g%s",
+             to->note[0], worst.value, worst.X, worst.Z, f->smooth,
+             f->traction == 0 ? "" : "; with traction");
     for (char *c = note; *c; c++) /* a proper minus is not needed here */
         if (*c == '\n')
             *c = ' ';
@@ -60,7 +64,7 @@ static ovr_status draw(const ovr_drawing *s, ovr_depth_field *f,
         return OVR_NO_MEMORY;
     if (o->time_count)
         k = ovr_stored_nearest(s->runs, o->times[0]);
-    else if (find_worst(f, shot, &k, err))
+    else if (find_worst(f, &k, err))
         return OVR_BAD_INPUT;
     for (size_t j = 0; j < s->runs->info->snapshots; j += 8) {
         if (ovr_shot_read(shot, j, err))

@@ -20,14 +20,13 @@ static const double DEEPEST = 2.5;
 typedef struct sheet {
     ovr_depth_field field;
     size_t columns, shots, every;
-    double *P, *worst, z[ROWS];
+    double *worst, z[ROWS];
     uint16_t *level;
     ovr_levels levels;
 } sheet;
 
 static ovr_status prepare(sheet *s, ovr_arena *arena, ovr_error *err)
 {
-    const ovr_stored *run = s->field.run;
     size_t most = MOST_VALUES / ROWS / s->shots;
     s->columns = most > MOST_COLUMNS    ? MOST_COLUMNS
                  : most < LEAST_COLUMNS ? LEAST_COLUMNS
@@ -39,11 +38,10 @@ static ovr_status prepare(sheet *s, ovr_arena *arena, ovr_error *err)
     s->levels = ovr_levels_even(0, 1);
     s->levels.step = s->field.high / STEPS;
     s->levels.from = -s->levels.step * OVR_LEVELS / 2;
-    s->P = ovr_arena_take(arena, run->info->nodes, sizeof *s->P, err);
     s->worst = ovr_arena_take(arena, 3 * s->shots, sizeof *s->worst, err);
     s->level = ovr_arena_take(arena, ROWS * s->columns * s->shots,
                               sizeof *s->level, err);
-    return s->P && s->worst && s->level ? OVR_OK : OVR_NO_MEMORY;
+    return s->worst && s->level ? OVR_OK : OVR_NO_MEMORY;
 }
 
 static ovr_status fill(sheet *s, size_t shot, ovr_error *err)
@@ -52,10 +50,8 @@ static ovr_status fill(sheet *s, size_t shot, ovr_error *err)
     uint16_t *level = s->level + shot * ROWS * s->columns;
     double *worst = s->worst + 3 * shot;
     ovr_stress_extreme e;
-    if (ovr_result_snapshot(f->run->result, "pressure", shot * s->every,
-                            OVR_HERTZIAN, s->P, err))
+    if (ovr_depth_field_solve(f, shot * s->every, &e, err))
         return OVR_BAD_INPUT;
-    e = ovr_depth_field_solve(f, s->P);
     worst[0] = e.X, worst[1] = e.Z, worst[2] = e.value;
     for (size_t r = 0; r < ROWS; r++)
         for (size_t c = 0; c < s->columns; c++) {

@@ -2,10 +2,10 @@
 /*
  * A passage in a thread of its own.
  *
- * The solver's thread copies the pressure into a ring of moments and goes on;
- * the follower takes them in order, so that the history does not depend on who
- * is faster.  A full ring makes the solver wait.  Without a thread a moment is
- * taken at once.
+ * The solver's thread copies pressure and traction into a ring of moments and
+ * goes on; the follower takes them in order, so that the history does not
+ * depend on who is faster.  A full ring makes the solver wait.  Without a
+ * thread a moment is taken at once.
  */
 #include <pthread.h>
 #include <string.h>
@@ -17,7 +17,7 @@ enum { RING = 32 };
 typedef struct posted {
     ovr_part part;
     ovr_moment moment;
-    double *P;
+    double *P, *Q; /* Q NULL: there is none */
 } posted;
 
 struct ovr_follower {
@@ -35,11 +35,11 @@ struct ovr_follower {
 static void take(ovr_passage *p, const posted *m)
 {
     if (m->part == OVR_PART_BEGIN)
-        ovr_passage_begin(p, m->P, NULL, &m->moment);
+        ovr_passage_begin(p, m->P, m->Q, &m->moment);
     else if (m->part == OVR_PART_STEP)
-        ovr_passage_step(p, m->P, NULL, &m->moment);
+        ovr_passage_step(p, m->P, m->Q, &m->moment);
     else
-        ovr_passage_end(p, m->P, NULL, &m->moment);
+        ovr_passage_end(p, m->P, m->Q, &m->moment);
 }
 
 static void *follow(void *data)
@@ -68,8 +68,9 @@ ovr_follower *ovr_follower_create(const ovr_stress_plan *plan,
 {
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_follower *f = ovr_arena_take(&arena, 1, sizeof *f, err);
-    size_t n = plan->options.nodes;
-    double *P = f ? ovr_arena_take(&arena, RING * n, sizeof *P, err) : NULL;
+    size_t n = plan->options.nodes, loads = plan->options.traction ? 2 : 1;
+    double *P = f ? ovr_arena_take(&arena, loads * RING * n, sizeof *P, err)
+                  : NULL;
     if (P)
         f->passage = ovr_passage_create(&plan->options, &plan->range, allocator,
                                         err);
@@ -79,8 +80,10 @@ ovr_follower *ovr_follower_create(const ovr_stress_plan *plan,
     }
     f->arena = arena;
     f->nodes = n;
-    for (size_t k = 0; k < RING; k++)
+    for (size_t k = 0; k < RING; k++) {
         f->ring[k].P = P + k * n;
+        f->ring[k].Q = loads > 1 ? P + (RING + k) * n : NULL;
+    }
     pthread_mutex_init(&f->mutex, NULL);
     pthread_cond_init(&f->changed, NULL);
     f->threaded = pthread_create(&f->thread, NULL, follow, f) == 0;
@@ -88,7 +91,7 @@ ovr_follower *ovr_follower_create(const ovr_stress_plan *plan,
 }
 
 void ovr_follower_post(ovr_follower *f, ovr_part part, const double *P,
-                       const ovr_moment *moment)
+                       const double *Q, const ovr_moment *moment)
 {
     pthread_mutex_lock(&f->mutex);
     while (f->count == RING)
@@ -97,6 +100,8 @@ void ovr_follower_post(ovr_follower *f, ovr_part part, const double *P,
     m->part = part;
     m->moment = *moment;
     memcpy(m->P, P, f->nodes * sizeof *P);
+    if (m->Q)
+        memcpy(m->Q, Q, f->nodes * sizeof *Q);
     if (f->threaded)
         f->count++;
     else

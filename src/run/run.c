@@ -78,8 +78,9 @@ ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
     run->info.lambda_ratio = NAN;
     run->info.sim = run->sim;
     if (run->setup->stress->surfaces && !run->how.steady) {
-        run->stress = ovr_run_stress_create(
-            run->setup, ovr_simulation_state(run->sim), allocator, err);
+        run->stress = ovr_run_stress_create(run->setup,
+                                            ovr_simulation_state(run->sim),
+                                            run->info.output, allocator, err);
         if (!run->stress)
             return OVR_BAD_INPUT;
     }

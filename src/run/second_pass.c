@@ -18,7 +18,7 @@ typedef struct pass {
     const ovr_stress_plan *plan;
     ovr_result *result;
     size_t snapshots;
-    double *T, *P; /* T of all; one P */
+    double *T, *P, *Q; /* T of all; one P and Q, NULL: none */
     /* one depth */
     ovr_stress *stress;
     long first; /* point k is at xi = (first + k) 2^c D */
@@ -54,7 +54,7 @@ static ovr_stress_row look(pass *p, double U, long *offset)
             ceil((plan->options.from - plan->options.inlet) / D - 1e-9) * D;
     t = (U + plan->range.reference - start) / D;
     whole = floor(t / WHOLE);
-    ovr_stress_solve(p->stress, p->P, NULL, t - whole * WHOLE,
+    ovr_stress_solve(p->stress, p->P, p->Q, t - whole * WHOLE,
                      OVR_STRESS_ALL_LEVELS);
     row = ovr_stress_at(p->stress, 0);
     *offset = -(long)whole * (WHOLE >> row.level) - p->first;
@@ -88,10 +88,12 @@ static void follow(pass *p, double U, int side)
     }
 }
 
-static ovr_status read_pressure(pass *p, size_t k, ovr_error *err)
+static ovr_status read_loads(pass *p, size_t k, ovr_error *err)
 {
-    return ovr_result_snapshot(p->result, "pressure", k, OVR_HERTZIAN, p->P,
-                               err);
+    ovr_status status = ovr_result_snapshot(p->result, "pressure", k,
+                                            OVR_HERTZIAN, p->P, err);
+    return status ? status
+                  : ovr_traction_stored(p->plan, p->result, k, p->Q, err);
 }
 
 /* The steady contact at the start, from one side to the other. */
@@ -151,7 +153,7 @@ static ovr_status follow_all(pass *p, double alpha, double *smooth,
     for (size_t k = 0; k < p->snapshots; k++) {
         double U = p->plan->ratio *
                    ovr_history_integral(p->setup->speed, p->T[k]);
-        if (read_pressure(p, k, err))
+        if (read_loads(p, k, err))
             return err ? err->status : OVR_IO;
         follow(p, U, k == 0 ? -1 : 0);
         if (k == 0)
@@ -206,6 +208,11 @@ static ovr_status all_depths(pass *p, const ovr_material *m, double alpha,
         return ovr_fail_about(err, "criterion",
                               "criterion = dang-van needs the pressure of all "
                               "nodes in the file, at two moments or more");
+    if (p->Q && !ovr_traction_is_stored(p->plan, p->result))
+        return ovr_fail_about(err, "criterion",
+                              "criterion = dang-van with traction needs "
+                              "shear_stress_%d among [output] fields",
+                              p->plan->surface);
     status = ovr_result_times(p->result, OVR_HERTZIAN, p->T, err);
     for (size_t j = 0; !status && j < m->depths; j++)
         status = one_depth(p, m, j, alpha, A, smooth, err);
@@ -226,7 +233,9 @@ ovr_status ovr_stress_second_pass(void *data, const ovr_stress_plan *plan,
     const ovr_result_info *info = ovr_result_about(p.result);
     p.T = ovr_arena_take(&arena, info->snapshots + 1, sizeof *p.T, err);
     p.P = ovr_arena_take(&arena, info->nodes, sizeof *p.P, err);
-    if (p.T && p.P)
+    if (plan->options.traction)
+        p.Q = ovr_arena_take(&arena, info->nodes, sizeof *p.Q, err);
+    if (p.T && p.P && (p.Q || !plan->options.traction))
         status = all_depths(&p, m, alpha, A, smooth, err);
     ovr_result_close(p.result);
     ovr_arena_release(&arena);

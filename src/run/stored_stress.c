@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "case/resolve.h"
 #include "run/stress.h"
 
 struct ovr_stored_stress {
@@ -19,7 +20,7 @@ typedef struct stored {
     const char *path;
     ovr_result *result;
     size_t nodes, snapshots;
-    double *x, *T, *P;
+    double *x, *T, *P, *Q;
     double mesh, longest;
 } stored;
 
@@ -30,8 +31,9 @@ static ovr_status read_axes(stored *f, ovr_arena *arena, ovr_error *err)
     f->snapshots = info->snapshots;
     f->x = ovr_arena_take(arena, f->nodes, sizeof *f->x, err);
     f->P = ovr_arena_take(arena, f->nodes, sizeof *f->P, err);
+    f->Q = ovr_arena_take(arena, f->nodes, sizeof *f->Q, err);
     f->T = ovr_arena_take(arena, f->snapshots + 1, sizeof *f->T, err);
-    if (!f->x || !f->P || !f->T)
+    if (!f->x || !f->P || !f->Q || !f->T)
         return OVR_NO_MEMORY;
     if (f->nodes < 3 || f->snapshots < 1)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: no pressure is stored",
@@ -54,19 +56,40 @@ static ovr_status follow(stored *f, const ovr_setup *setup,
                          const ovr_stress_plan *plan, ovr_passage *p,
                          ovr_error *err)
 {
+    const double *Q = plan->options.traction ? f->Q : NULL;
     for (size_t k = 0; k < f->snapshots; k++) {
         ovr_moment m = ovr_stress_moment(setup, plan, f->T[k],
                                          f->T[k ? k - 1 : 0]);
         if (ovr_result_snapshot(f->result, "pressure", k, OVR_HERTZIAN, f->P,
-                                err))
+                                err) ||
+            ovr_traction_stored(plan, f->result, k, f->Q, err))
             return OVR_BAD_INPUT;
         if (k == 0)
-            ovr_passage_begin(p, f->P, NULL, &m);
+            ovr_passage_begin(p, f->P, Q, &m);
         else
-            ovr_passage_step(p, f->P, NULL, &m);
+            ovr_passage_step(p, f->P, Q, &m);
         if (k + 1 == f->snapshots)
-            ovr_passage_end(p, f->P, NULL, &m);
+            ovr_passage_end(p, f->P, Q, &m);
     }
+    return OVR_OK;
+}
+
+/* A file without the shear stress gives stresses without traction, unless the
+ * case insists on it. */
+static ovr_status look_for_traction(const stored *f, const ovr_setup *setup,
+                                    ovr_stress_plan *plan, ovr_error *err)
+{
+    const ovr_resolved *r = (const ovr_resolved *)setup;
+    if (!plan->options.traction || ovr_traction_is_stored(plan, f->result))
+        return OVR_OK;
+    if (r->values.stress_traction == OVR_TRACTION_YES)
+        return ovr_fail_about(err, "traction",
+                              "traction = yes: %s holds no shear_stress_%d; a "
+                              "run stores it by [output] fields",
+                              f->path, plan->surface);
+    plan->options.traction = false;
+    plan->no_traction = plan->surface == 1 ? "the file holds no shear_stress_1"
+                                           : "the file holds no shear_stress_2";
     return OVR_OK;
 }
 
@@ -78,6 +101,8 @@ static ovr_status one_surface(ovr_stored_stress *s, stored *f, int k,
     ovr_passage *p;
     ovr_status status = ovr_stress_planned(s->setup, k + 1, f->x[0], f->mesh,
                                            f->nodes, s->every, &plan, err);
+    if (!status)
+        status = look_for_traction(f, s->setup, &plan, err);
     if (status)
         return status;
     p = ovr_passage_create(&plan.options, &plan.range, NULL, err);

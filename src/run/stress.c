@@ -14,7 +14,7 @@ typedef struct shown {
     ovr_group group;
     ovr_group_axis axis[3]; /* time, depth, x */
     ovr_group_array array[FIELDS];
-    ovr_group_attribute attribute[1];
+    ovr_group_attribute attribute[2];
     int which[FIELDS];
     float *values;
     size_t stride; /* of nodes */
@@ -28,7 +28,8 @@ struct ovr_run_stress {
     ovr_stress_report *report[SURFACES];
     ovr_writer *writer;
     ovr_second_pass second;
-    ovr_stress *field; /* NULL: no fields are stored */
+    double *Q[SURFACES]; /* of the last moment; NULL: none */
+    ovr_stress *field;   /* NULL: no fields are stored */
     shown shown[SURFACES];
     double *x;
     /* the state */
@@ -79,12 +80,12 @@ static void fill_field(const ovr_run_stress *s, int surface, int which,
 static ovr_status store_fields(ovr_run_stress *s, const ovr_state *state,
                                ovr_error *err)
 {
-    ovr_stress_solve(s->field, state->P, NULL, 0, OVR_STRESS_ALL_LEVELS);
     for (int k = 0; k < SURFACES; k++) {
         shown *f = &s->shown[k];
         size_t count = f->axis[1].count * f->axis[2].count;
         if (!s->follower[k])
             continue;
+        ovr_stress_solve(s->field, state->P, s->Q[k], 0, OVR_STRESS_ALL_LEVELS);
         for (size_t a = 0; a < f->group.arrays; a++)
             fill_field(s, k, f->which[a], f->values + a * count);
         ovr_status status = ovr_writer_append(s->writer, &f->group,
@@ -139,12 +140,14 @@ static ovr_status open_fields(ovr_run_stress *s, int surface, ovr_error *err)
     f->group = (ovr_group){surface ? "stress/surface_2" : "stress/surface_1",
                            3,
                            0,
-                           1,
+                           2,
                            f->axis,
                            f->array,
                            f->attribute};
     f->attribute[0] = (ovr_group_attribute){"poisson", NULL,
                                             s->setup->stress->poisson[surface]};
+    f->attribute[1] = (ovr_group_attribute){
+        "traction", NULL, s->plan[surface].options.traction ? 1 : 0};
     name_fields(s, f);
     f->values = ovr_arena_take(&s->arena, f->group.arrays * depths * n,
                                sizeof *f->values, err);
@@ -184,6 +187,11 @@ static ovr_status visit_state(void *data, ovr_visit *visit, void *context,
         if (s->follower[k])
             status = visit_passage(ovr_follower_wait(s->follower[k]), k, visit,
                                    context, err);
+    for (int k = 0; !status && k < SURFACES; k++)
+        if (s->Q[k])
+            status = visit(
+                context, k ? "surface 2 traction" : "surface 1 traction",
+                s->Q[k], s->plan[k].options.nodes * sizeof(double), err);
     return status;
 }
 
@@ -201,7 +209,9 @@ static ovr_status make(ovr_run_stress *s, const ovr_state *state,
                                &s->plan[k], err))
             return OVR_BAD_INPUT;
         s->follower[k] = ovr_follower_create(&s->plan[k], allocator, err);
-        if (!s->follower[k])
+        if (s->plan[k].options.traction)
+            s->Q[k] = ovr_arena_take(&s->arena, state->n, sizeof(double), err);
+        if (!s->follower[k] || (s->plan[k].options.traction && !s->Q[k]))
             return OVR_NO_MEMORY;
         if (s->setup->stress->every && !s->field)
             s->field = ovr_stress_create(&s->plan[k].options, allocator, err);
@@ -211,13 +221,42 @@ static ovr_status make(ovr_run_stress *s, const ovr_state *state,
     return OVR_OK;
 }
 
+/* What a second pass will read has to be stored: said before the run. */
+static ovr_status check_second_pass(const ovr_setup *setup, const char *output,
+                                    ovr_error *err)
+{
+    const ovr_stress_setup *s = setup->stress;
+    const ovr_output *o = setup->output;
+    if (!s->fatigue || s->criterion != OVR_CRITERION_DANG_VAN)
+        return OVR_OK;
+    if (!output || !isnan(o->from) || !isnan(o->to) || o->stride > 1)
+        return ovr_fail_about(err, "criterion",
+                              "criterion = dang-van goes over the stored "
+                              "pressure a second time: the run needs a result "
+                              "file with all its nodes");
+    for (int k = 0; s->traction && k < SURFACES; k++)
+        if ((s->surfaces >> k & 1) &&
+            !(o->fields &
+              ovr_field_bit(k ? "shear_stress_2" : "shear_stress_1")))
+            return ovr_fail_about(err, "criterion",
+                                  "criterion = dang-van with traction goes "
+                                  "over the stored shear stress too: "
+                                  "shear_stress_%d is missing in [output] "
+                                  "fields",
+                                  k + 1);
+    return OVR_OK;
+}
+
 ovr_run_stress *ovr_run_stress_create(const ovr_setup *setup,
                                       const ovr_state *state,
+                                      const char *output,
                                       const ovr_allocator *allocator,
                                       ovr_error *err)
 {
     ovr_arena arena = ovr_arena_make(allocator);
-    ovr_run_stress *s = ovr_arena_take(&arena, 1, sizeof *s, err);
+    ovr_run_stress *s = NULL;
+    if (!check_second_pass(setup, output, err))
+        s = ovr_arena_take(&arena, 1, sizeof *s, err);
     if (!s)
         return NULL;
     s->arena = arena;
@@ -280,9 +319,11 @@ static ovr_status observe(void *data, const ovr_simulation *sim, ovr_error *err)
             continue;
         ovr_moment m = ovr_stress_moment(s->setup, &s->plan[k], state->T,
                                          before);
+        if (s->Q[k])
+            ovr_traction_now(&s->plan[k], sim, s->Q[k]);
         ovr_follower_post(s->follower[k],
                           state->step ? OVR_PART_STEP : OVR_PART_BEGIN,
-                          state->P, &m);
+                          state->P, s->Q[k], &m);
     }
     s->before = state->T;
     if (!s->field || !s->writer ||
@@ -334,7 +375,7 @@ static ovr_status finish(ovr_run_stress *s, int k, const ovr_state *state,
     if (saved && s->writer && ovr_writer_flush(s->writer, err))
         saved = NULL;
     if (saved) {
-        ovr_passage_end(passage, state->P, NULL, &m);
+        ovr_passage_end(passage, state->P, s->Q[k], &m);
         s->report[k] = ovr_stress_report_make(
             s->setup, &s->plan[k], passage,
             s->second.path ? ovr_stress_second_pass : NULL, &s->second,

@@ -17,6 +17,8 @@ typedef struct ovr_stress_plan {
     ovr_material_range range;
     const char *feature; /* xi counts from its centre; NULL: there is none */
     double coarsest;     /* way between two moments, as far as it is known */
+    double traction;     /* Q over the film's shear stress at this surface */
+    const char *no_traction; /* why it is left out; NULL: it is not */
 } ovr_stress_plan;
 
 /* Of the pressure at `nodes` nodes from `inlet`, `mesh` apart, seen every so
@@ -31,6 +33,17 @@ ovr_moment ovr_stress_moment(const ovr_setup *setup,
                              const ovr_stress_plan *plan, double T,
                              double before);
 
+/* ---------------------------------------------------------------- traction */
+
+/* Q of a moment at the plan's nodes: of the state, or of snapshot k of a file.
+ * NULL where the plan is without; `room` has a value for each node. */
+const double *ovr_traction_now(const ovr_stress_plan *plan,
+                               const ovr_simulation *sim, double *room);
+ovr_status ovr_traction_stored(const ovr_stress_plan *plan, ovr_result *result,
+                               size_t k, double *room, ovr_error *err);
+bool ovr_traction_is_stored(const ovr_stress_plan *plan,
+                            const ovr_result *result);
+
 /* ---------------------------------------------------------------- follower */
 
 /* A passage in a thread of its own: moments are posted, and taken in order. */
@@ -42,7 +55,7 @@ void ovr_follower_free(ovr_follower *f);
 
 typedef enum ovr_part { OVR_PART_BEGIN, OVR_PART_STEP, OVR_PART_END } ovr_part;
 void ovr_follower_post(ovr_follower *f, ovr_part part, const double *P,
-                       const ovr_moment *moment);
+                       const double *Q, const ovr_moment *moment);
 
 /* Until all that was posted is taken; then the passage may be looked at. */
 ovr_passage *ovr_follower_wait(ovr_follower *f);
@@ -74,8 +87,10 @@ ovr_status ovr_stress_store(ovr_writer *writer, const ovr_setup *setup,
 /* ------------------------------------------------------------ of one run */
 
 typedef struct ovr_run_stress ovr_run_stress;
+/* `output`: the path of the result file; NULL: there will be none. */
 ovr_run_stress *ovr_run_stress_create(const ovr_setup *setup,
                                       const ovr_state *state,
+                                      const char *output,
                                       const ovr_allocator *allocator,
                                       ovr_error *err);
 void ovr_run_stress_free(ovr_run_stress *s);

@@ -117,6 +117,9 @@ ovr_status ovr_stress_planned(const ovr_setup *setup, int surface, double inlet,
     plan->options.nodes = nodes;
     plan->options.depth_max = s->depth_max;
     plan->options.per_octave = s->per_octave;
+    plan->options.traction = s->traction;
+    plan->traction = surface == 1 ? c->kappa : -c->kappa;
+    plan->no_traction = s->no_traction;
     plan->range = ovr_material_range_default();
     plan->range.poisson = s->poisson[surface - 1];
     plan->range.residual_x = s->residual_x;
@@ -169,7 +172,9 @@ double ovr_setup_stress_memory(const ovr_setup *setup)
                                setup->nodes, 1, &plan, NULL))
             continue;
         bytes += ovr_passage_memory(&plan.options, &plan.range);
-        bytes += 32. * 8 * (double)setup->nodes; /* the follower's ring */
+        /* the follower's ring */
+        bytes += (plan.options.traction ? 2 : 1) * 32. * 8 *
+                 (double)setup->nodes;
     }
     return bytes;
 }

@@ -137,6 +137,8 @@ ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
     r->surface = plan->surface;
     r->feature = plan->feature;
     r->fatigue = setup->stress->fatigue;
+    r->traction = plan->options.traction;
+    r->no_traction = plan->no_traction;
     r->material = ovr_passage_material(passage);
     r->least_depth = plan->range.least_depth;
     if (!copy_material(r, arena, err))
@@ -251,6 +253,7 @@ static void add_attributes(storage *s, const ovr_setup *setup,
     add_text(s, "moving_with", r->surface == 1 ? "surface 1" : "surface 2");
     add_text(s, "reference", r->feature ? r->feature : "");
     add_number(s, "poisson", o->poisson[r->surface - 1]);
+    add_number(s, "traction", r->traction ? 1 : 0);
     add_number(s, "residual_x", o->residual_x);
     add_number(s, "residual_y", o->residual_y);
     add_number(s, "least_depth", r->least_depth);
