@@ -129,6 +129,7 @@ typedef struct ovr_stress_report {
     double hertz;  /* the criterion in a smooth dry contact of p_h = 1 */
     double limit;  /* p_h */
     double ratio;  /* of lives; NAN without a raceway */
+    int direction; /* of the surface's motion, 1 or -1; 0: both ways */
     bool traction; /* with the film's shear stress on the surface */
     const char *no_traction; /* why without */
 } ovr_stress_report;

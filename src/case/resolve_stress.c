@@ -29,20 +29,18 @@ static ovr_status resolve_window(ovr_resolved *r, ovr_error *err)
     return OVR_OK;
 }
 
-/* A surface that stands still has no passage. */
+/* A surface that stands still has no passage; one that changes its speed may
+ * later, but not as it begins. */
 static ovr_status check_motion(const ovr_resolved *r, ovr_error *err)
 {
     const ovr_contact *contact = r->setup.contact;
     const ovr_block *stress = ovr_block_of(r, "stress");
     const ovr_slot *slot = ovr_block_get(stress, "surface");
     double ratio[] = {contact->u1_ratio, contact->u2_ratio};
-    if (r->setup.sliding && is_there(ovr_block_of(r, "stress")))
-        return ovr_fail_in(
-            err, r->c, ovr_block_of(r, "stress"), NULL,
-            &(ovr_error){.message = "[stress] follows material at the speeds "
-                                    "of [contact]: it cannot stand beside a "
-                                    "history of [sliding]",
-                         .status = OVR_BAD_INPUT});
+    double Cu = ovr_history_value(r->setup.speed, 0);
+    for (int k = 0; r->setup.sliding && Cu != 0 && k < 2; k++)
+        ratio[k] = Cu +
+                   (k ? -0.5 : 0.5) * ovr_history_value(r->setup.sliding, 0);
     for (int k = 0; k < 2; k++) {
         if (!(r->values.stress.surfaces >> k & 1) || ratio[k] != 0)
             continue;

@@ -31,14 +31,12 @@ static size_t row_from(const ovr_material *m, double z)
     return j;
 }
 
-static const char *side_of(const ovr_stress_report *r, double xi,
-                           const ovr_setup *setup)
+static const char *side_of(const ovr_stress_report *r, double xi)
 {
-    const ovr_contact *c = setup->contact;
-    double ratio = r->surface == 1 ? c->u1_ratio : c->u2_ratio;
-    if (!r->feature || xi == 0)
+    if (!r->feature || xi == 0 || r->direction == 0)
         return "";
-    return (xi < 0) == (ratio > 0) ? ", trailing side" : ", leading side";
+    return (xi < 0) == (r->direction > 0) ? ", trailing side"
+                                          : ", leading side";
 }
 
 static void put_lengths(const ovr_stress_report *r)
@@ -95,7 +93,7 @@ void cli_put_stress(const ovr_stress_report *r, const ovr_setup *setup)
     put_extreme("von Mises", &r->von_mises, ph);
     put_stress("shear circle R", r->R_max, ph);
     printf("  at xi = %.4g%s, Z = %.4g; smooth %.4g\n", r->xi_R_max,
-           side_of(r, r->xi_R_max, setup), r->Z_R_max, r->R_smooth);
+           side_of(r, r->xi_R_max), r->Z_R_max, r->R_smooth);
     put_traction(r);
     if (r->fatigue)
         put_life(r, setup);

@@ -67,11 +67,11 @@ static bool within(const pass *p, const ovr_stress_row *row, size_t i)
 }
 
 /* One moment; `side` -1: all earlier places too, 1: all later ones. */
-static void follow(pass *p, double U, int side)
+static void follow(pass *p, const ovr_moment *m, int side)
 {
     long offset;
-    ovr_stress_row row = look(p, U, &offset);
-    bool upward = p->plan->ratio > 0;
+    ovr_stress_row row = look(p, m->U, &offset);
+    bool upward = m->direction > 0;
     for (size_t k = 0; k < p->points; k++) {
         long own = (long)k - offset;
         for (size_t i = 0; i < row.count; i++) {
@@ -120,15 +120,18 @@ static ovr_status make_depth(pass *p, double z, ovr_arena *arena,
 {
     ovr_stress_options o = p->plan->options;
     const ovr_material_range *range = &p->plan->range;
-    double shortest = INFINITY;
+    double shortest = INFINITY, way[2] = {0, 0};
     o.depth_min = o.depth_max = z;
     p->stress = ovr_stress_create(&o, &arena->allocator, err);
     if (!p->stress)
         return OVR_NO_MEMORY;
     ovr_stress_row row = ovr_stress_at(p->stress, 0);
-    for (size_t k = 1; k < p->snapshots; k++)
-        shortest = fmin(shortest, fabs(p->plan->ratio) *
-                                      fmax(p->T[k] - p->T[k - 1], 1e-9));
+    for (size_t k = 1; k < p->snapshots; k++) {
+        way[k & 1] = ovr_stress_way(p->setup, p->plan, p->T[k]);
+        shortest = fmin(shortest, fmax(fabs(way[1] - way[0]), 1e-9));
+    }
+    if (p->plan->direction == 0)
+        shortest = 1e-9; /* points may stay, or come again */
     p->first = (long)floor(range->from / row.step) - 1;
     p->points = (size_t)((long)ceil(range->to / row.step) + 2 - p->first);
     p->room = 3 * row.count + 8 +
@@ -151,15 +154,14 @@ static ovr_status follow_all(pass *p, double alpha, double *smooth,
                              ovr_arena *arena, ovr_error *err)
 {
     for (size_t k = 0; k < p->snapshots; k++) {
-        double U = p->plan->ratio *
-                   ovr_history_integral(p->setup->speed, p->T[k]);
+        ovr_moment m = ovr_stress_moment(p->setup, p->plan, p->T[k], p->T[k]);
         if (read_loads(p, k, err))
             return err ? err->status : OVR_IO;
-        follow(p, U, k == 0 ? -1 : 0);
+        follow(p, &m, k == 0 ? -1 : 0);
         if (k == 0)
             *smooth = smooth_value(p, alpha, arena);
         if (k + 1 == p->snapshots)
-            follow(p, U, 1);
+            follow(p, &m, 1);
     }
     return OVR_OK;
 }

@@ -11,8 +11,9 @@
 
 /* What follows from a case for one surface. */
 typedef struct ovr_stress_plan {
-    int surface;  /* 1 or 2 */
-    double ratio; /* u_k/um */
+    int surface;   /* 1 or 2 */
+    double ratio;  /* u_k/um by slide_to_roll */
+    int direction; /* of its motion: 1, -1; 0: both ways */
     ovr_stress_options options;
     ovr_material_range range;
     const char *feature; /* xi counts from its centre; NULL: there is none */
@@ -27,6 +28,18 @@ typedef struct ovr_stress_plan {
 ovr_status ovr_stress_planned(const ovr_setup *setup, int surface, double inlet,
                               double mesh, size_t nodes, double every,
                               ovr_stress_plan *plan, ovr_error *err);
+
+/* Way of the plan's surface since T = 0; 1, -1, or 0 where it goes both ways;
+ * largest speed of either surface or the film, over um. */
+double ovr_stress_way(const ovr_setup *setup, const ovr_stress_plan *plan,
+                      double T);
+int ovr_stress_direction(const ovr_setup *setup, const ovr_stress_plan *plan);
+double ovr_stress_fastest(const ovr_setup *setup);
+
+/* X at T = 0 of the material under which the other surface's feature is at
+ * X = 0. */
+double ovr_stress_struck(const ovr_setup *setup, const ovr_stress_plan *plan,
+                         size_t feature);
 
 /* The moment T of a surface; `before` the T of the one before. */
 ovr_moment ovr_stress_moment(const ovr_setup *setup,

@@ -7,24 +7,9 @@
 /* Depths above 4 times the way between two moments are missed in part. */
 static const double WAY_OF_DEPTH = 4, MESHES_OF_DEPTH = 4, MESHES_OF_LIFE = 8;
 
-static double fastest(const ovr_setup *setup)
-{
-    const ovr_contact *c = setup->contact;
-    return fmax(1, fmax(fabs(c->u1_ratio), fabs(c->u2_ratio)));
-}
-
 static size_t features_of(const ovr_setup *setup)
 {
     return setup->surfaces ? ovr_surfaces_count(setup->surfaces) : 0;
-}
-
-/* X - way of the surface when the other one's feature is at X = 0. */
-static double struck(const ovr_setup *setup, const ovr_feature_info *info,
-                     double centre, double ratio)
-{
-    double end = ovr_history_integral(setup->speed, setup->march->end);
-    double way = info->speed != 0 ? -centre / info->speed : end / 2;
-    return -ratio * fmin(fmax(way, 0), end);
 }
 
 /* xi = 0 at the first feature of the surface, of the other one, or where the
@@ -34,7 +19,10 @@ static void find_material(const ovr_setup *setup, ovr_stress_plan *plan)
     double low = INFINITY, high = -INFINITY, end;
     bool own = false;
     end = ovr_history_integral(setup->speed, setup->march->end);
-    plan->range.reference = -plan->ratio * end / 2;
+    plan->range.reference = setup->sliding
+                                ? -ovr_stress_way(setup, plan,
+                                                  setup->march->end / 2)
+                                : -plan->ratio * end / 2;
     for (size_t k = 0; k < features_of(setup); k++) {
         ovr_feature_info info = ovr_surfaces_info(setup->surfaces, k);
         double centre = ovr_surfaces_centre(setup->surfaces, k, 0);
@@ -43,7 +31,7 @@ static void find_material(const ovr_setup *setup, ovr_stress_plan *plan)
         if (own && !mine)
             continue;
         if (!mine)
-            centre = struck(setup, &info, centre, plan->ratio);
+            centre = ovr_stress_struck(setup, plan, k);
         if ((mine && !own) || !plan->feature) {
             plan->range.reference = centre;
             plan->feature = info.name;
@@ -126,40 +114,11 @@ ovr_status ovr_stress_planned(const ovr_setup *setup, int surface, double inlet,
     plan->range.residual_y = s->residual_y;
     if (dang_van && (double)setup->output->every > every)
         every = (double)setup->output->every; /* its paths are stored ones */
-    plan->coarsest = setup->transient ? fastest(setup) * dT * every : 0;
+    plan->coarsest = setup->transient ? ovr_stress_fastest(setup) * dT * every
+                                      : 0;
+    plan->direction = ovr_stress_direction(setup, plan);
     find_material(setup, plan);
     return find_depths(setup, every, plan, err);
-}
-
-/* ----------------------------------------------------------------- moments */
-
-/* A feature where pressure is: from 1 b before the contact to its exit. */
-static bool disturbed(const ovr_setup *setup, double T)
-{
-    const double inlet = -2, outlet = 1.25;
-    for (size_t k = 0; k < features_of(setup); k++) {
-        ovr_feature_info info = ovr_surfaces_info(setup->surfaces, k);
-        double X = ovr_surfaces_centre(setup->surfaces, k, T);
-        if (info.grows && T <= 0)
-            continue;
-        if (!isfinite(info.behind) || !isfinite(info.ahead) ||
-            (X - info.behind < outlet && X + info.ahead > inlet))
-            return true;
-    }
-    return false;
-}
-
-ovr_moment ovr_stress_moment(const ovr_setup *setup,
-                             const ovr_stress_plan *plan, double T,
-                             double before)
-{
-    double way = ovr_history_integral(setup->speed, T);
-    double last = ovr_history_integral(setup->speed, before);
-    return (ovr_moment){.T = T,
-                        .U = plan->ratio * way,
-                        .dU = fastest(setup) * fabs(way - last),
-                        .direction = plan->ratio < 0 ? -1 : 1,
-                        .disturbed = disturbed(setup, T)};
 }
 
 double ovr_setup_stress_memory(const ovr_setup *setup)

@@ -137,6 +137,7 @@ ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
     r->surface = plan->surface;
     r->feature = plan->feature;
     r->fatigue = setup->stress->fatigue;
+    r->direction = plan->direction;
     r->traction = plan->options.traction;
     r->no_traction = plan->no_traction;
     r->material = ovr_passage_material(passage);
