@@ -12,6 +12,16 @@
 static const double LEAST = OVR_CURVE_LEAST, STEP = OVR_CURVE_STEP;
 enum { GAUSS = 64, POINTS = OVR_CURVE_POINTS };
 
+/* The B-splines: nodes a unit of asinh; intervals; coefficients a row, one more
+ * on both sides. */
+enum {
+    PER = 4,
+    SLIDES = 86,
+    GRADIENTS = 26,
+    ROW = GRADIENTS + 3,
+    SIZE = (SLIDES + 3) * ROW
+};
+
 /* ------------------------------------------------------------------ laws */
 
 /* ln f of the stress form, x = e^u. */
@@ -168,16 +178,16 @@ static double flow_factor(const ovr_curve *f, const rule *r, double a, double g)
 
 static double node(int k)
 {
-    return sinh((double)k / OVR_LAW_PER);
+    return sinh((double)k / PER);
 }
 
-/* ------------------------------------------------------------------ table */
+/* ---------------------------------------------------------------- splines */
 
 /* In place: values at n + 1 nodes, `apart` from each other, the first behind
  * one place; even about the first, straight beyond the last. */
 static void to_spline(double *v, int n, int apart)
 {
-    double pivot[OVR_LAW_SLIDES + 1];
+    double pivot[SLIDES + 1];
     double *c = v + apart;
     pivot[0] = 0.5;
     c[0] *= 1.5;
@@ -191,25 +201,30 @@ static void to_spline(double *v, int n, int apart)
     c[(n + 1) * apart] = 2 * c[n * apart] - c[(n - 1) * apart];
 }
 
-static void splines(double *table)
+/* Coefficients, [(i + 1) ROW + j + 1]. */
+typedef struct splines {
+    double flow[SIZE], stress[SIZE];
+} splines;
+
+static void make_splines(double *table)
 {
-    for (int i = 0; i <= OVR_LAW_SLIDES; i++)
-        to_spline(table + (i + 1) * OVR_LAW_ROW, OVR_LAW_GRADIENTS, 1);
-    for (int j = 0; j < OVR_LAW_ROW; j++)
-        to_spline(table + j, OVR_LAW_SLIDES, OVR_LAW_ROW);
+    for (int i = 0; i <= SLIDES; i++)
+        to_spline(table + (i + 1) * ROW, GRADIENTS, 1);
+    for (int j = 0; j < ROW; j++)
+        to_spline(table + j, SLIDES, ROW);
 }
 
-static void fill(ovr_flow_law *to, const ovr_curve *f)
+static void solve(splines *to, const ovr_curve *f)
 {
     rule r;
     make_rule(&r);
-    for (int j = 0; j <= OVR_LAW_GRADIENTS; j++) {
+    for (int j = 0; j <= GRADIENTS; j++) {
         double g = node(j), ratio, by_a;
         slid(f, &r, 0, g, &by_a);
         ratio = 1 / by_a;
-        for (int i = 0; i <= OVR_LAW_SLIDES; i++) {
+        for (int i = 0; i <= SLIDES; i++) {
             double s_N = node(i), a = 0;
-            int at = (i + 1) * OVR_LAW_ROW + j + 1;
+            int at = (i + 1) * ROW + j + 1;
             if (i > 0) {
                 a = mean_stress(f, &r, s_N, g, ratio * s_N);
                 ratio = a / s_N;
@@ -218,8 +233,51 @@ static void fill(ovr_flow_law *to, const ovr_curve *f)
             to->stress[at] = log(ratio);
         }
     }
-    splines(to->flow);
-    splines(to->stress);
+    make_splines(to->flow);
+    make_splines(to->stress);
+}
+
+/* ------------------------------------------------------------------ table */
+
+/* Along s_N or g, where x = 2^k (1 + m/4) is 1 + s: the spline's interval, its
+ * weights and their derivatives by s. */
+typedef struct place {
+    int interval;
+    double b[4], d[4];
+} place;
+
+static place place_of(int node, int intervals)
+{
+    place p;
+    double s = ldexp(1 + node % 4 / 4., node / 4) - 1, at = PER * asinh(s);
+    p.interval = at < intervals ? (int)at : intervals - 1;
+    double t = at - p.interval, r = 1 - t, by_s = PER / hypot(1, s);
+    p.b[0] = r * r * r / 6;
+    p.b[1] = (4 - 6 * t * t + 3 * t * t * t) / 6;
+    p.b[2] = (1 + 3 * t + 3 * t * t - 3 * t * t * t) / 6;
+    p.b[3] = t * t * t / 6;
+    p.d[0] = -0.5 * r * r * by_s;
+    p.d[1] = t * (1.5 * t - 2) * by_s;
+    p.d[2] = (0.5 + t - 1.5 * t * t) * by_s;
+    p.d[3] = 0.5 * t * t * by_s;
+    return p;
+}
+
+static void tabulate(const double *spline, double *table)
+{
+    for (int i = 0; i <= OVR_LAW_SLIDES; i++)
+        for (int j = 0; j < OVR_LAW_ROW; j++) {
+            place s = place_of(i, SLIDES), g = place_of(j, GRADIENTS);
+            double *to = table + 4 * (i * OVR_LAW_ROW + j);
+            const double *c = spline + s.interval * ROW + g.interval;
+            for (int k = 0; k < 16; k++) {
+                int m = k / 4, l = k % 4;
+                to[0] += s.b[m] * g.b[l] * c[m * ROW + l];
+                to[1] += s.d[m] * g.b[l] * c[m * ROW + l];
+                to[2] += s.b[m] * g.d[l] * c[m * ROW + l];
+                to[3] += s.d[m] * g.d[l] * c[m * ROW + l];
+            }
+        }
 }
 
 /* ----------------------------------------------------------------- public */
@@ -269,16 +327,20 @@ ovr_flow_law *ovr_flow_law_create(const ovr_flow_form *given,
     ovr_flow_form form = ovr_flow_form_default();
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_flow_law *made;
+    splines *of;
     if (OVR_SIZED_TAKE(ovr_flow_form, &form, given, err) ||
         check_form(&form, err))
         return NULL;
     made = ovr_arena_take(&arena, 1, sizeof *made, err);
-    if (!made) {
+    of = made ? ovr_arena_take(&arena, 1, sizeof *of, err) : NULL;
+    if (!of) {
         ovr_arena_release(&arena);
         return NULL;
     }
     make_curve(&form, &made->f);
-    fill(made, &made->f);
+    solve(of, &made->f);
+    tabulate(of->flow, made->flow);
+    tabulate(of->stress, made->stress);
     made->arena = arena;
     return made;
 }

@@ -37,47 +37,47 @@ static inline vec by_film(const ovr_fields *f, ptrdiff_t J, vec R, vec by_c,
     return fused(R, at(f->deps_dH, J), fused(by_c, 2 * dragged(f, J), by_g));
 }
 
-/* 2 dE/dH of both nodes, where it has a place. */
+/* 2 dE/dH of both nodes. */
 static inline void put_by_film(const ovr_fields *f, ptrdiff_t J, vec R,
                                vec by_c, vec by_g)
 {
-    if (!f->by_left)
-        return;
     put(f->by_left, J, by_film(f, J, R, by_c, by_g));
     put(f->by_right, J, by_film(f, J + 1, R, by_c, by_g));
 }
 
-static void by_table(const ovr_fluid *fluid, double D, const ovr_lanes *g,
-                     const ovr_fields *f)
+/* `film`: whether changes by the film have a place. */
+static INLINE void by_table(const ovr_fluid *fluid, double D,
+                            const ovr_lanes *g, const ovr_fields *f, bool film)
 {
-    const double ln2 = 0x1.62e42fefa39efp-1;
     const ovr_fields own = *f;
+    const double *table = fluid->lubricant.flow_law->flow;
     double slide = ovr_flow_slide(fluid);
     double gradient = ovr_flow_gradient(fluid, D);
     log_table log;
     exp_table growth;
-    make_log_table(OVR_LAW_PER * ln2, &log);
+    make_log_table(1, &log);
     make_exp_table(1, &growth);
     for (ptrdiff_t J = -OVR_HALO; J < (ptrdiff_t)g->S; J++) {
-        vec H = at(own.H, J) + at(own.H, J + 1), slope[2];
+        vec H = at(own.H, J) + at(own.H, J + 1);
         vec dP = at(own.P, J + 1) - at(own.P, J);
         half h = half_at(&own, slide, all(0), J);
         vec eps = larger(h.eps, all(1e-290));
-        vec s_N = smaller(larger(h.c / eps, all(OVR_LAW_LEAST)), all(1e280));
-        law_place p = law_find(&log, s_N, gradient * H * dP);
-        vec power = law_at(fluid->lubricant.flow_law->flow, &p, slope);
-        vec Phi = scaled_exp2(&growth, power * (1 / ln2)), flow = Phi * eps;
-        vec R = Phi * (1 - slope[0]), tangent = flow * (1 + slope[1]);
+        vec s_N = smaller(h.c / eps, all(1e280));
+        law_value v = law_at(table, s_N, gradient * H * dP);
+        vec Phi = law_power(&growth, &log, &v), flow = Phi * eps;
+        vec R = Phi * less(all(1), v.s, v.by_s);
+        vec tangent = flow * fused(v.g, v.by_g, all(1));
         put(own.flow, J, flow);
         put(own.tangent, J, tangent);
         put(own.by_eps, J, R);
-        put_by_film(&own, J, R, slide * Phi * slope[0] / s_N,
-                    (tangent - flow) / H);
+        if (film)
+            put_by_film(&own, J, R, slide * Phi * v.by_s / v.beyond,
+                        (tangent - flow) / H);
     }
 }
 
-static void by_eyring(const ovr_fluid *fluid, double D, const ovr_lanes *g,
-                      const ovr_fields *f)
+static INLINE void by_eyring(const ovr_fluid *fluid, double D,
+                             const ovr_lanes *g, const ovr_fields *f, bool film)
 {
     const ovr_fields own = *f; /* a copy that no store can change */
     double slide = ovr_flow_slide(fluid);
@@ -95,16 +95,22 @@ static void by_eyring(const ovr_fluid *fluid, double D, const ovr_lanes *g,
         put(own.flow, J, flow);
         put(own.tangent, J, tangent);
         put(own.by_eps, J, R);
-        put_by_film(&own, J, R, slide * e.A * e.B * h.bc * h.inv_W,
-                    (tangent - flow) / H);
+        if (film)
+            put_by_film(&own, J, R, slide * e.A * e.B * h.bc * h.inv_W,
+                        (tangent - flow) / H);
     }
 }
 
 void OVR_KERNEL(flow)(const ovr_fluid *fluid, double D, const ovr_lanes *g,
                       const ovr_fields *f)
 {
-    if (fluid->lubricant.rheology == OVR_EYRING)
-        by_eyring(fluid, D, g, f);
+    bool is_eyring = fluid->lubricant.rheology == OVR_EYRING;
+    if (is_eyring && f->by_left)
+        by_eyring(fluid, D, g, f, true);
+    else if (is_eyring)
+        by_eyring(fluid, D, g, f, false);
+    else if (f->by_left)
+        by_table(fluid, D, g, f, true);
     else
-        by_table(fluid, D, g, f);
+        by_table(fluid, D, g, f, false);
 }

@@ -38,41 +38,61 @@ static double dragged(const ovr_fields *f, ptrdiff_t i)
     return f->drag ? f->drag[i] * f->q[i] : f->q[i];
 }
 
-/* The spline of a table, and its slopes by ln s_N and ln g. */
-static double spline(const double *table, double s_N, double g, double slope[2])
+/* A cell of a table along s_N or g: cubic between its ends, of which value and
+ * slope are known.  Weights of these four, and of the derivative. */
+typedef struct cell {
+    int number;
+    double b[4], d[4];
+} cell;
+
+static cell cell_of(double x)
 {
-    const int most[2] = {OVR_LAW_SLIDES, OVR_LAW_GRADIENTS};
-    double x[2] = {s_N, fmin(fabs(g), 300)}, b[2][4], d[2][4], past = 0;
-    double value = 0, by[2] = {0, 0};
-    int k[2];
-    for (int m = 0; m < 2; m++) {
-        double at = OVR_LAW_PER * asinh(x[m]);
-        k[m] = at < most[m] - 1 ? (int)at : most[m] - 1;
-        double t = fmin(at - k[m], 1);
-        past = m ? past : at - k[m] - t;
-        ovr_law_weights(t, b[m], d[m]);
-    }
-    const double *corner = table + k[0] * OVR_LAW_ROW + k[1];
-    for (int m = 0; m < 4; m++)
-        for (int l = 0; l < 4; l++) {
-            double c = corner[m * OVR_LAW_ROW + l];
-            value += b[0][m] * b[1][l] * c;
-            by[0] += d[0][m] * b[1][l] * c;
-            by[1] += b[0][m] * d[1][l] * c;
-        }
+    int octave;
+    double part = 8 * frexp(x, &octave) - 4, w = ldexp(0.25, octave - 1);
+    double t = part - floor(part);
+    return (cell){4 * (octave - 1) + (int)part,
+                  {(1 + 2 * t) * (1 - t) * (1 - t), w * t * (1 - t) * (1 - t),
+                   t * t * (3 - 2 * t), w * t * t * (t - 1)},
+                  {6 * t * (t - 1) / w, (1 - t) * (1 - 3 * t),
+                   6 * t * (1 - t) / w, t * (3 * t - 2)}};
+}
+
+/* A value of a table, its slopes by s_N and g, and where: beyond its ends s_N
+ * and |g| are held; and by how much s_N is beyond. */
+typedef struct value {
+    double ln, by_s, by_g, s, g, beyond;
+} value;
+
+static value value_at(const double *table, double s_N, double g)
+{
+    double x = fmin(1 + s_N, OVR_LAW_MOST_SLIDE);
+    double y = fmin(1 + fabs(g), OVR_LAW_MOST_GRADIENT);
+    cell s = cell_of(x), along = cell_of(y);
+    double beyond = fmax(s_N / (OVR_LAW_MOST_SLIDE - 1), 1);
+    value v = {.s = x - 1, .g = y - 1, .beyond = beyond};
     for (int m = 0; m < 2; m++)
-        slope[m] = OVR_LAW_PER * by[m] * x[m] / hypot(1, x[m]);
-    return value + by[0] * past;
+        for (int l = 0; l < 2; l++) {
+            int node = (s.number + m) * OVR_LAW_ROW + along.number + l;
+            for (int k = 0; k < 4; k++) {
+                int i = 2 * m + k % 2, j = 2 * l + k / 2;
+                double c = table[4 * node + k];
+                v.ln += s.b[i] * along.b[j] * c;
+                v.by_s += s.d[i] * along.b[j] * c;
+                v.by_g += s.b[i] * along.d[j] * c;
+            }
+        }
+    v.ln += v.s * v.by_s * log(beyond);
+    return v;
 }
 
 static half by_table(const ovr_flow_law *law, double g, double eps, double c)
 {
-    double slope[2], s_N;
     eps = fmax(eps, 1e-290);
-    s_N = fmin(fmax(c / eps, 1e-4), 1e280);
-    double Phi = exp(spline(law->flow, s_N, g, slope)), flow = Phi * eps;
-    return (half){flow, flow * (1 + slope[1]), Phi * (1 - slope[0]),
-                  Phi * slope[0] / s_N};
+    double s_N = fmin(c / eps, 1e280);
+    value v = value_at(law->flow, s_N, g);
+    double Phi = exp(v.ln), flow = Phi * eps;
+    return (half){flow, flow * (1 + v.g * v.by_g), Phi * (1 - v.s * v.by_s),
+                  Phi * v.by_s / v.beyond};
 }
 
 static half half_of(const ovr_fluid *fluid, double g, double eps, double c)
@@ -84,8 +104,8 @@ static half half_of(const ovr_fluid *fluid, double g, double eps, double c)
 
 double ovr_flow_stress(const ovr_flow_law *law, double s_N, double g)
 {
-    double unused[2], s = fmin(fmax(s_N, 1e-4), 1e280);
-    return s_N * exp(spline(law->stress, s, g, unused));
+    double s = fmin(s_N, 1e280);
+    return s_N * exp(value_at(law->stress, s, g).ln);
 }
 
 static double drag(const ovr_fields *f, ptrdiff_t i)

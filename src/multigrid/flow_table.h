@@ -1,109 +1,102 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A flow law's table (contact/flow_law.h) for whole vectors: ln Phi and its
- * slopes by ln s_N and ln g, or ln(a/s_N).
+ * A flow law's table (contact/flow_law.h) for whole vectors: ln Phi or
+ * ln(a/s_N) and its slopes by s_N and g.  The cell is what the first bits of 1
+ * + s_N and 1 + g say; its corners lie side by side in pairs.
  */
 #ifndef OVR_MULTIGRID_FLOW_TABLE_H
 #define OVR_MULTIGRID_FLOW_TABLE_H
 
+#include <string.h>
+
 #include "contact/flow_law.h"
 #include "multigrid/power.h"
 
-/* Where in the table: interval and place in it, by s_N and by g; d asinh s/d
- * ln s of both. */
-typedef struct law_place {
-    ivec corner; /* of the 16 coefficients */
-    vec t[2], chain[2];
-} law_place;
+/* A cell along s_N or g: its number; weights of value and slope at its first
+ * node, at its second; the same for the derivative. */
+typedef struct law_cell {
+    uvec number;
+    vec b[4], d[4];
+} law_cell;
 
-/* Least s_N: its square is nothing beside 1, and slopes by ln s_N have digits
- * that can be divided by s_N. */
-#define OVR_LAW_LEAST 1e-4
-
-/* asinh x times PER for x >= 0 with the slope of asinh by ln x; `log`: the
- * table of PER ln x. */
-static inline vec law_asinh(const log_table *log, vec x, vec *chain)
+/* x = 1 + s, within the table */
+static inline law_cell law_cell_of(vec x)
 {
-    vec z = smaller(x, all(1e100)), whole = fused(z, z, all(1));
-    vec y = inverse_root(whole), sum = fused(whole, y, z);
-    *chain = z * y;
-    return scaled_log2(log, choose(x > 1e100, 2 * x, sum));
+    const uint64_t one = 1023, octave = 0x7ffULL << 52, part = 1ULL << 50;
+    uvec bits = (uvec)x, power = bits & octave;
+    vec width = (vec)(power - (2ULL << 52)); /* 2^k/4 */
+    vec inverse = (vec)((2048ULL << 52) - power);
+    vec t = (x - (vec)(bits & ~(part - 1))) * inverse, r = 1 - t;
+    vec rise = t * (6 * r) * inverse, far = width * t * r;
+    law_cell c = {.number = (bits >> 50) - 4 * one};
+    c.b[2] = t * t * less(all(3), all(2), t);
+    c.b[0] = 1 - c.b[2];
+    c.b[1] = far * r;
+    c.b[3] = -far * t;
+    c.d[0] = -rise;
+    c.d[1] = r * less(all(1), all(3), t);
+    c.d[2] = rise;
+    c.d[3] = t * less(all(-2), all(-3), t);
+    return c;
 }
 
-/* Interval of `at` among n, as a number. */
-static inline vec law_interval(vec at, int n)
+/* Of the corners at both ends of a cell along g what a table has there. */
+static inline void law_corners(const double *table, uvec place, vec v[8])
 {
-    const double shift = 0x1p52; /* leaves the whole part as last bits */
-    vec inside = smaller(at, all(n - 0.5));
-    vec whole = (inside + shift) - shift; /* rounded */
-    return choose(whole > inside, whole - 1, whole);
-}
-
-static inline law_place law_find(const log_table *log, vec s_N, vec g)
-{
-    law_place p;
-    vec x = larger(g, -g), at[2], k[2];
-    at[0] = law_asinh(log, s_N, &p.chain[0]);
-    at[1] = law_asinh(log, smaller(x, all(300)), &p.chain[1]);
-    at[1] = larger(at[1], all(0));
-    k[0] = law_interval(at[0], OVR_LAW_SLIDES);
-    k[1] = law_interval(at[1], OVR_LAW_GRADIENTS);
-    p.t[0] = at[0] - k[0];
-    p.t[1] = at[1] - k[1];
-    vec corner = fused(k[0], all(OVR_LAW_ROW), k[1]);
-    for (int l = 0; l < VEC; l++)
-        p.corner[l] = (int64_t)corner[l];
-    return p;
-}
-
-static inline vec law_gather(const double *table, ivec at)
-{
-#if defined(__AVX512F__)
-    return (vec)_mm512_i64gather_pd((__m512i)at, table, 8);
-#else
-    vec found;
-    for (int l = 0; l < VEC; l++)
-        found[l] = table[at[l]];
-    return found;
-#endif
-}
-
-static inline void law_weights(vec t, vec b[4], vec d[4])
-{
-    vec r = 1 - t, s = t * t;
-    b[0] = r * r * r * (1. / 6);
-    b[3] = s * t * (1. / 6);
-    b[1] = (4 - 6 * s + 3 * s * t) * (1. / 6);
-    b[2] = 1 - b[0] - b[1] - b[3];
-    d[0] = -0.5 * r * r;
-    d[3] = 0.5 * s;
-    d[1] = t * (1.5 * t - 2);
-    d[2] = -d[0] - d[1] - d[3];
-}
-
-/* The spline at p; slope[0] by ln s_N, slope[1] by ln g.  Straight beyond the
- * last s_N. */
-static inline vec law_at(const double *table, const law_place *p, vec slope[2])
-{
-    vec b[2][4], d[2][4], value = all(0), by_s = all(0), by_g = all(0);
-    vec inside = smaller(p->t[0], all(1));
-    law_weights(inside, b[0], d[0]);
-    law_weights(p->t[1], b[1], d[1]);
-    for (int m = 0; m < 4; m++) {
-        vec row = all(0), along = all(0);
-        for (int k = 0; k < 4; k++) {
-            vec c = law_gather(table + m * OVR_LAW_ROW + k, p->corner);
-            row = fused(b[1][k], c, row);
-            along = fused(d[1][k], c, along);
-        }
-        value = fused(b[0][m], row, value);
-        by_s = fused(d[0][m], row, by_s);
-        by_g = fused(b[0][m], along, by_g);
+    int64_t at[VEC];
+    memcpy(at, &place, sizeof at);
+    UNROLL
+    for (int k = 0; k < 8; k += VEC) {
+        for (int l = 0; l < VEC; l++)
+            v[k + l] = load(table + at[l] + k);
+        transpose(v + k);
     }
-    value = fused(by_s, p->t[0] - inside, value);
-    slope[0] = OVR_LAW_PER * p->chain[0] * by_s;
-    slope[1] = OVR_LAW_PER * p->chain[1] * by_g;
-    return value;
+}
+
+static inline vec law_sum(const vec w[4], vec a, vec by_a, vec b, vec by_b)
+{
+    return fused(w[3], by_b, fused(w[2], b, fused(w[1], by_a, w[0] * a)));
+}
+
+/* A value of a table and its slopes by s_N and g; s_N and |g| as they are held
+ * within the table, and by how much s_N is beyond. */
+typedef struct law_value {
+    vec value, by_s, by_g, s, g, beyond;
+} law_value;
+
+static inline law_value law_at(const double *table, vec s_N, vec g)
+{
+    vec x = smaller(s_N + 1, all(OVR_LAW_MOST_SLIDE));
+    vec y = smaller(larger(g, -g) + 1, all(OVR_LAW_MOST_GRADIENT));
+    law_cell by_s = law_cell_of(x), by_g = law_cell_of(y);
+    uvec row = (by_s.number << 5) + by_s.number + by_g.number;
+    vec along[2], rise[2], slope[2], across[2];
+    for (int k = 0; k < 2; k++) {
+        vec v[8];
+        law_corners(table, (row + (uint64_t)(k * OVR_LAW_ROW)) << 2, v);
+        along[k] = law_sum(by_g.b, v[0], v[2], v[4], v[6]);
+        rise[k] = law_sum(by_g.b, v[1], v[3], v[5], v[7]);
+        slope[k] = law_sum(by_g.d, v[0], v[2], v[4], v[6]);
+        across[k] = law_sum(by_g.d, v[1], v[3], v[5], v[7]);
+    }
+    return (law_value){
+        law_sum(by_s.b, along[0], rise[0], along[1], rise[1]),
+        law_sum(by_s.d, along[0], rise[0], along[1], rise[1]),
+        law_sum(by_s.b, slope[0], across[0], slope[1], across[1]),
+        x - 1,
+        y - 1,
+        larger(s_N * (1 / (OVR_LAW_MOST_SLIDE - 1)), all(1))};
+}
+
+/* e^value; beyond the last s_N a power of it. */
+static inline vec law_power(const exp_table *growth, const log_table *log2,
+                            const law_value *at)
+{
+    const double log2_e = 0x1.71547652b82fep0;
+    vec power = log2_e * at->value;
+    if (any(at->beyond > 1))
+        power = fused(at->s * at->by_s, scaled_log2(log2, at->beyond), power);
+    return scaled_exp2(growth, power);
 }
 
 #endif

@@ -86,23 +86,22 @@ static void eyring_stress(const ovr_sheared *f, const ovr_fluid *fluid,
 static void table_stress(const ovr_sheared *f, const ovr_fluid *fluid,
                          double *t)
 {
-    const double ln2 = 0x1.62e42fefa39efp-1;
     double Sigma0 = fluid->lubricant.Sigma0, slide = ovr_flow_slide(fluid);
     double gradient = ovr_flow_gradient(fluid, 1);
     double scale = fluid->sliding > 0 ? -Sigma0 : Sigma0;
+    const double *table = fluid->lubricant.flow_law->stress;
     log_table log;
     exp_table growth;
-    make_log_table(OVR_LAW_PER * ln2, &log);
+    make_log_table(1, &log);
     make_exp_table(1, &growth);
     for (size_t k = 0; k < f->n - 1; k += VEC) {
         size_t i = start_of(k, f->n - 1);
         vec g = gradient * pair_at(f->H, i) * step_at(f->P, i) /
                 step_at(f->X, i);
-        vec eps = larger(pair_at(f->eps, i), all(1e-290)), unused[2];
+        vec eps = larger(pair_at(f->eps, i), all(1e-290));
         vec s_N = smaller(slide * drag_at(f, i) / eps, all(1e280));
-        law_place p = law_find(&log, larger(s_N, all(OVR_LAW_LEAST)), g);
-        vec power = law_at(fluid->lubricant.flow_law->stress, &p, unused);
-        vec a = s_N * scaled_exp2(&growth, power * (1 / ln2));
+        law_value v = law_at(table, s_N, g);
+        vec a = s_N * law_power(&growth, &log, &v);
         store(t + i, choose(wet_at(f, i), scale * a, all(0)));
     }
 }

@@ -112,10 +112,11 @@ static void compare(const char *set)
 int main(int argc, char *argv[])
 {
     bench_open(argc, argv);
-    printf("steps of a dent by flow law, level 8; medians of CPU time; flow: the law's "
+    printf("steps of a dent by flow law, level 8; medians of CPU time; flow: "
+           "the law's "
            "kernel, ns a node\n%-7s %-10s %7s %9s %7s %7s %7s %9s\n",
-           "kernels", "law", "Sigma0", "step, us", "ratio", "goal",
-           "cycles", "flow, ns");
+           "kernels", "law", "Sigma0", "step, us", "ratio", "goal", "cycles",
+           "flow, ns");
     bench_list("flow_laws");
     for (int k = 0; bench_sets[k]; k++)
         if (ovr_kernels_choose(bench_sets[k]))

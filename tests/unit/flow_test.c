@@ -217,12 +217,71 @@ static void tables_agree(void **state)
     ovr_flow_law_free(law);
 }
 
+/* x (1 + x^2)^(1/2), n = 1/2, a = 2; moments over the film with it. */
+static double carreau_moment(double a, double g, int m)
+{
+    static double s[GAUSS], w[GAUSS];
+    double sum = 0;
+    if (w[0] == 0)
+        gauss(s, w);
+    for (int k = 0; k < GAUSS; k++) {
+        double x = a + g * s[k];
+        sum += w[k] * (m ? s[k] : 1) * x * sqrt(1 + x * x);
+    }
+    return sum;
+}
+
+/* Phi by bisection for the mean stress and quadrature over the film. */
+static double carreau_flow(double s_N, double g)
+{
+    double low = 0, high = s_N;
+    for (int k = 0; k < 100; k++) {
+        double a = low > 0 ? sqrt(low * high) : high * 1e-3;
+        if (carreau_moment(a, g, 0) / 2 > s_N)
+            high = a;
+        else
+            low = a;
+    }
+    return 1.5 / g * carreau_moment(high, g, 1);
+}
+
+/* 400 points of the law itself; largest error and root of the mean square. */
+static void table_is_the_law(void **state)
+{
+    ovr_fluid fluid = {.sliding = 0.5};
+    ovr_flow_form form = ovr_flow_form_default();
+    ovr_error err = {0};
+    uint64_t seed = 20260923;
+    double worst = 0, squares = 0;
+    (void)state;
+    form.rheology = OVR_CARREAU_STRESS;
+    ovr_flow_law *law = ovr_flow_law_create(&form, NULL, &err);
+    CHECK_OK(err.status, &err);
+    fluid.lubricant = (ovr_lubricant){
+        .rheology = OVR_CARREAU_STRESS, .Sigma0 = 0.3, .flow_law = law};
+    for (int k = 0; k < 400; k++) {
+        double s_N = exp(test_random(&seed, log(1e-3), log(3e8)));
+        double g = exp(test_random(&seed, log(1e-2), log(200)));
+        ovr_pair nodes = half_node(&fluid, 1e-3, 1e-3 * s_N, g);
+        double E = ovr_flow_between(&fluid, 0.01, &nodes);
+        double off = E / (1e-3 * carreau_flow(s_N, g)) - 1;
+        worst = fmax(worst, fabs(off));
+        squares += off * off / 400;
+    }
+    print_message("    flow factor: error %.2g at most, %.2g in the mean\n",
+                  worst, sqrt(squares));
+    assert_true(worst < 1e-3 && squares < 2e-4 * 2e-4);
+    ovr_flow_law_free(law);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(flow_is_the_integral),
         cmocka_unit_test(thick_films_are_newtonian),
         cmocka_unit_test(slopes_are_differences),
-        cmocka_unit_test(kernels_agree), cmocka_unit_test(tables_agree)};
+        cmocka_unit_test(kernels_agree),
+        cmocka_unit_test(tables_agree),
+        cmocka_unit_test(table_is_the_law)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
