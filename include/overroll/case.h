@@ -219,6 +219,10 @@ OVR_API ovr_status ovr_setup_prepare(ovr_setup *setup,
 
 /* The simulation with surfaces and histories in place, which the setup keeps:
  * setup and case must live as long.  Prepares what is not prepared. */
+/* The physics of its runs, as bits: quantities that need others are none of
+ * theirs. */
+OVR_API unsigned ovr_setup_physics(const ovr_setup *setup);
+
 OVR_API ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
                                              const ovr_allocator *allocator,
                                              ovr_error *err);

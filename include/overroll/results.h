@@ -61,7 +61,7 @@ typedef struct ovr_write_options {
     const char *case_path;      /* where the case's relative paths start */
     size_t value_count;
     const ovr_case_value *values;
-    unsigned physics; /* of ovr_options_physics: columns of the history */
+    unsigned physics; /* of ovr_setup_physics: columns of the history */
 } ovr_write_options;
 OVR_SIZED(ovr_write_options)
 
@@ -316,6 +316,11 @@ OVR_API const ovr_variable *ovr_result_field(const ovr_result *result,
 OVR_API size_t ovr_result_columns(const ovr_result *result);
 OVR_API const ovr_variable *ovr_result_column(const ovr_result *result,
                                               size_t k);
+
+/* Attributes of a group that are numbers, in their order: "summary".  Owned by
+ * the result; NULL: no such group. */
+OVR_API const ovr_group_attribute *
+ovr_result_attributes(ovr_result *result, const char *path, size_t *count);
 
 /* Units of a read: as stored, dimensionless, or SI (which fails with
  * OVR_BAD_INPUT when the file does not know the scale). */

@@ -142,7 +142,7 @@ typedef struct ovr_run_info {
     bool transient;     /* marches in time */
     double fraction;    /* of its time that is done */
     bool converged;     /* all steps, to the end */
-    double seconds;     /* of wall time, of ovr_run_go */
+    double seconds;     /* of wall time, until its file is closed */
     size_t snapshots;   /* in the file, when it is closed */
     ovr_run_errors error;
     const ovr_stress_report *stress[2]; /* of surface 1, 2; NULL: none */
@@ -152,6 +152,32 @@ typedef struct ovr_run_info {
                             both surfaces; NAN: smooth */
 } ovr_run_info;
 OVR_API const ovr_run_info *ovr_run_about(const ovr_run *run);
+
+/* What sums a run up, line by line: the keys of `--json`, of the group
+ * `summary` of its file and of a study's table. */
+typedef enum ovr_summary_form {
+    OVR_SUMMARY_NUMBER, /* NAN: not known */
+    OVR_SUMMARY_COUNT,
+    OVR_SUMMARY_FLAG, /* 0 or 1 */
+    OVR_SUMMARY_TEXT
+} ovr_summary_form;
+typedef struct ovr_summary_line {
+    const char *key;
+    ovr_summary_form form;
+    double number;
+    const char *text;
+} ovr_summary_line;
+typedef void ovr_summary_taker(void *data, const ovr_summary_line *line);
+OVR_API void ovr_run_summary(const ovr_run_info *run, ovr_summary_taker *take,
+                             void *data);
+
+/* The part of it about the scales of a contact; about the stresses below both
+ * surfaces (either may be NULL), which are those of the worse one. */
+OVR_API void ovr_contact_summary(const ovr_contact *contact,
+                                 ovr_summary_taker *take, void *data);
+OVR_API void ovr_stress_summary(const ovr_stress_report *const report[2],
+                                const ovr_setup *setup, ovr_summary_taker *take,
+                                void *data);
 
 /* Stresses from the pressure that a result file holds, with its own [stress]
  * and [fatigue] as `change` (may be NULL) leaves them.  Depths are refused that
@@ -253,7 +279,8 @@ typedef struct ovr_sweep_options {
         *run; /* output, force, steady do not count; or NULL */
     void *data;
     /* A run ended, as `err` says; it is NULL when it could not begin.  What is
-     * written to `summary` becomes its NAME.json, unless it failed. */
+     * written to `summary` becomes its NAME.json, unless it failed; NULL:
+     * the numbers of ovr_run_summary do. */
     void (*report)(void *data, const ovr_run *run, const ovr_error *err,
                    FILE *summary);
     /* A few times a second, here: how many of how many ended, how many run,

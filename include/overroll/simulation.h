@@ -43,6 +43,9 @@ typedef enum ovr_smoother {
     OVR_DIPOLE
 } ovr_smoother;
 
+/* "line", ...: the words of solver.smoother. */
+OVR_API const char *ovr_smoother_name(ovr_smoother smoother);
+
 typedef enum ovr_stop {
     OVR_STOP_NEGLIGIBLE, /* algebraic error negligible beside 1e-6 of H */
     OVR_STOP_TRUNCATION, /* a fraction of the discretization error */
@@ -294,7 +297,10 @@ typedef enum ovr_axes {
 } ovr_axes;
 
 /* Physics that a quantity belongs to, as bits. */
-enum { OVR_PHYSICS_CONTENT = 1 }; /* oil is conserved */
+enum {
+    OVR_PHYSICS_CONTENT = 1, /* oil is conserved */
+    OVR_PHYSICS_HEAT = 2     /* there are temperatures */
+};
 OVR_API unsigned ovr_options_physics(const ovr_options *options);
 
 /* One row a quantity: result files, JSON, tables and help are made from this

@@ -235,6 +235,12 @@ static double arriving(void *data, double T)
     return both * ovr_history_value(s->supply->history, T);
 }
 
+unsigned ovr_setup_physics(const ovr_setup *setup)
+{
+    return ovr_options_physics(setup->options) |
+           (setup->heat ? OVR_PHYSICS_HEAT : 0);
+}
+
 ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
                                      const ovr_allocator *allocator,
                                      ovr_error *err)

@@ -391,7 +391,7 @@ static void report_json(const ovr_case *c, const ovr_setup *setup,
     const ovr_options *options = setup->options;
     ovr_film_asymptotes film = ovr_film_asymptotes_moes(contact->M, contact->L);
     json_writer json = json_begin(stdout);
-    cli_json_contact(&json, contact);
+    ovr_contact_summary(contact, cli_json_line, &json);
     json_number(&json, "radius_m", contact->radius);
     json_number(&json, "modulus_Pa", contact->modulus);
     json_number(&json, "viscosity_Pa_s", contact->viscosity);
@@ -416,7 +416,7 @@ static void report_json(const ovr_case *c, const ovr_setup *setup,
     json_number(&json, "inlet", options->inlet);
     json_number(&json, "outlet", options->outlet);
     json_text(&json, "scheme", ovr_scheme_name(options->scheme));
-    json_text(&json, "smoother", cli_smoother_name(options->smoother));
+    json_text(&json, "smoother", ovr_smoother_name(options->smoother));
     json_flag(&json, "transient", setup->transient);
     json_number(&json, "steps", cost->steps);
     json_number(&json, "snapshots", cost->stored.snapshots);

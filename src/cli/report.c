@@ -8,81 +8,18 @@
 
 #include "cli/physical.h"
 
-const char *cli_smoother_name(ovr_smoother smoother)
-{
-    switch (smoother) {
-    case OVR_LINE: return "line";
-    case OVR_HYBRID: return "hybrid";
-    case OVR_GAUSS_SEIDEL: return "gauss-seidel";
-    case OVR_DIPOLE: return "dipole";
-    }
-    return "";
-}
-
 /* ------------------------------------------------------------------- JSON */
 
-void cli_json_contact(json_writer *json, const ovr_contact *contact)
+void cli_json_line(void *json, const ovr_summary_line *line)
 {
-    json_number(json, "M", contact->M);
-    json_number(json, "L", contact->L);
-    json_number(json, "alphabar", contact->alphabar);
-    json_number(json, "lambda", contact->lambda);
-    json_number(json, "hertz_pressure_Pa", contact->ph);
-    json_number(json, "half_width_m", contact->b);
-    json_number(json, "film_scale_m", contact->height);
-    json_number(json, "time_scale_s", contact->time);
-    json_number(json, "load_N_per_m", contact->load);
-    json_number(json, "mean_speed_m_per_s", contact->um);
-}
-
-/* All quantities that have a key, as they are at the end. */
-static void json_observed(json_writer *json, const ovr_observation *seen,
-                          const ovr_contact *contact, unsigned physics)
-{
-    const ovr_observable *o;
-    for (size_t k = 0; (o = ovr_observable_at(k)); k++) {
-        double value = o->key ? ovr_observable_value(o, seen) : NAN;
-        if (o->needs & ~physics)
-            continue;
-        if (o->key && o->kind == OVR_KIND_COUNT)
-            json_integer(json, o->key, (long long)value);
-        else if (o->key)
-            json_number(json, o->key, value);
-        if (o->key_si)
-            json_number(json, o->key_si,
-                        value * ovr_kind_scale(o->kind, contact));
+    switch (line->form) {
+    case OVR_SUMMARY_NUMBER: json_number(json, line->key, line->number); break;
+    case OVR_SUMMARY_COUNT:
+        json_integer(json, line->key, (long long)line->number);
+        break;
+    case OVR_SUMMARY_FLAG: json_flag(json, line->key, line->number > 0); break;
+    case OVR_SUMMARY_TEXT: json_text(json, line->key, line->text); break;
     }
-}
-
-/* Extremes over the whole run. */
-static void json_extremes(json_writer *json, const ovr_run_info *s)
-{
-    const ovr_statistics *total = ovr_simulation_statistics(s->sim);
-    const ovr_contact *contact = s->setup->contact;
-    const ovr_extreme *e;
-    for (size_t k = 0; (e = ovr_extreme_at(k)); k++) {
-        double value = ovr_extreme_value(e, total);
-        if (!s->transient && !e->steady)
-            continue;
-        json_number(json, e->key, value);
-        if (e->key_si)
-            json_number(json, e->key_si,
-                        value * ovr_kind_scale(e->kind, contact));
-    }
-}
-
-static void json_run(json_writer *json, const ovr_run_info *s)
-{
-    const ovr_statistics *total = ovr_simulation_statistics(s->sim);
-    json_integer(json, "steps", total->steps);
-    json_integer(json, "steps_marked", total->marked);
-    json_integer(json, "cycles_total", total->cycles);
-    json_integer(json, "retries", total->retries);
-    json_integer(json, "substeps", total->substeps);
-    json_flag(json, "settled", total->settled);
-    json_integer(json, "snapshots", (long long)s->snapshots);
-    json_text(json, "output", s->output);
-    json_number(json, "T_end", ovr_simulation_state(s->sim)->T);
 }
 
 /* Full multigrid level by level. */
@@ -108,18 +45,9 @@ static void json_refinements(json_writer *json, const ovr_run_info *s)
     json_close_array(json);
 }
 
-/* Estimated discretization errors, dimensionless and relative. */
-static void json_error(json_writer *json, const ovr_run_errors *e)
+/* Quantities whose estimated errors say little. */
+static void json_not_converging(json_writer *json, const ovr_run_errors *e)
 {
-    char key[64];
-    json_integer(json, "error_level", e->level);
-    for (size_t k = 0; k < e->count; k++) {
-        const ovr_run_error *of = &e->of[k];
-        snprintf(key, sizeof key, "%s_error", of->key);
-        json_number(json, key, of->error);
-        snprintf(key, sizeof key, "%s_error_relative", of->key);
-        json_number(json, key, of->error / fabs(of->value[0]));
-    }
     json_open_array(json, "not_converging");
     for (size_t k = 0; k < e->count; k++)
         if (!e->of[k].converges)
@@ -129,29 +57,13 @@ static void json_error(json_writer *json, const ovr_run_errors *e)
 
 void cli_report_json(const ovr_run_info *s, FILE *to)
 {
-    const ovr_options *options = ovr_simulation_options(s->sim);
     json_writer json = json_begin(to);
-    json_flag(&json, "converged", s->converged);
-    json_text(&json, "way", ovr_simulation_strategy(s->sim));
-    cli_json_contact(&json, s->setup->contact);
-    json_integer(&json, "nodes", (long long)ovr_simulation_state(s->sim)->n);
-    json_integer(&json, "level", options->level);
-    json_text(&json, "scheme", ovr_scheme_name(options->scheme));
-    json_text(&json, "smoother", cli_smoother_name(options->smoother));
-    json_number(&json, "inlet", options->inlet);
-    json_number(&json, "outlet", options->outlet);
-    json_number(&json, "lambda_ratio", s->lambda_ratio);
-    json_extremes(&json, s);
-    if (s->transient)
-        json_run(&json, s);
-    json_observed(&json, ovr_simulation_observation(s->sim), s->setup->contact,
-                  ovr_options_physics(options));
+    ovr_run_summary(s, cli_json_line, &json);
     if (!s->transient)
         json_refinements(&json, s);
-    cli_json_stress(&json, s->stress, s->setup);
+    cli_json_lengths(&json, s->stress);
     if (s->error.level)
-        json_error(&json, &s->error);
-    json_number(&json, "seconds", s->seconds);
+        json_not_converging(&json, &s->error);
     json_open_array(&json, "warnings");
     for (int i = 0; i < s->warnings; i++)
         json_text(&json, NULL, s->warning[i]);
@@ -366,7 +278,7 @@ static void report_table(const cli_call *call, const ovr_run_info *s)
         printf(", ph = %.4g GPa", contact->ph * 1e-9);
     printf("; level %d (%zu nodes), %s, %s\n", options->level, state->n,
            ovr_scheme_name(options->scheme),
-           cli_smoother_name(options->smoother));
+           ovr_smoother_name(options->smoother));
     if (s->transient) {
         table_run(s);
         table_stresses(s);

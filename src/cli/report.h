@@ -10,9 +10,7 @@
 void cli_report(const cli_call *call, const ovr_run_info *run);
 void cli_report_json(const ovr_run_info *s, FILE *to);
 
-/* The scales of a contact; for check and info too. */
-void cli_json_contact(json_writer *json, const ovr_contact *contact);
-
-const char *cli_smoother_name(ovr_smoother smoother);
+/* Takes the lines of a summary to a json_writer. */
+ovr_summary_taker cli_json_line;
 
 #endif

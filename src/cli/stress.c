@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll stress OUT.h5: from the pressure that is stored. */
 #include "cli/case_args.h"
+#include "cli/report.h"
 #include "cli/stress_report.h"
 
 static ovr_status change(void *call, ovr_case *c, ovr_error *err)
@@ -15,7 +16,8 @@ static void report(const cli_call *call, const ovr_stored_stress *s)
                                        ovr_stored_stress_report(s, 2)};
     if (call->json) {
         json_writer json = json_begin(stdout);
-        cli_json_stress(&json, both, setup);
+        ovr_stress_summary(both, setup, cli_json_line, &json);
+        cli_json_lengths(&json, both);
         json_end(&json);
         return;
     }

@@ -109,69 +109,20 @@ void cli_put_stress(const ovr_stress_report *r, const ovr_setup *setup)
 
 /* ------------------------------------------------------------------- JSON */
 
-static void json_extreme(json_writer *json, const char *name,
-                         const ovr_stress_extreme *e, double ph)
+void cli_json_lengths(json_writer *json,
+                      const ovr_stress_report *const report[2])
 {
-    char key[64];
-    json_number(json, name, e->value);
-    snprintf(key, sizeof key, "X_%s", name);
-    json_number(json, key, e->X);
-    snprintf(key, sizeof key, "Z_%s", name);
-    json_number(json, key, e->Z);
-    snprintf(key, sizeof key, "T_%s", name);
-    json_number(json, key, e->T);
-    snprintf(key, sizeof key, "%s_Pa", name);
-    json_number(json, key, e->value * ph);
-}
-
-static void json_life(json_writer *json, const ovr_stress_report *r,
-                      const ovr_setup *setup)
-{
-    const ovr_material *m = &r->material;
-    json_text(json, "criterion", ovr_criterion_name(setup->stress->criterion));
-    json_number(json, "limit", r->limit);
-    json_number(json, "equivalent_length", r->life.equivalent_length);
-    json_number(json, "equivalent_length_m",
-                r->life.equivalent_length * setup->contact->b);
-    json_number(json, "utilisation", r->life.utilisation);
-    json_number(json, "life_ratio", r->ratio);
-    json_number(json, "risk_smooth", r->life.smooth_risk);
+    const ovr_stress_report *a = report[0], *b = report[1], *r = a ? a : b;
+    if (a && b && b->R_max > a->R_max)
+        r = b;
+    if (!r || !r->fatigue)
+        return;
     json_open_array(json, "equivalent_lengths");
-    for (size_t j = 0; j < m->depths; j++) {
+    for (size_t j = 0; j < r->material.depths; j++) {
         json_open(json, NULL);
-        json_number(json, "depth", m->z[j]);
+        json_number(json, "depth", r->material.z[j]);
         json_number(json, "equivalent_length", r->length[j]);
         json_close(json);
     }
     json_close_array(json);
-}
-
-void cli_json_stress(json_writer *json,
-                     const ovr_stress_report *const report[2],
-                     const ovr_setup *setup)
-{
-    const ovr_stress_report *a = report[0], *b = report[1];
-    const ovr_stress_report *shear = a ? a : b, *circle = shear;
-    double ph = setup->contact->ph;
-    if (!shear)
-        return;
-    if (a && b && b->max_shear.value > a->max_shear.value)
-        shear = b;
-    if (a && b && b->R_max > a->R_max)
-        circle = b;
-    json_extreme(json, "tau_max", &shear->max_shear, ph);
-    json_extreme(json, "von_mises_max", &shear->von_mises, ph);
-    json_integer(json, "surface_tau_max", shear->surface);
-    json_number(json, "R_max", circle->R_max);
-    json_number(json, "xi_R_max", circle->xi_R_max);
-    json_number(json, "Z_R_max", circle->Z_R_max);
-    json_number(json, "R_max_Pa", circle->R_max * ph);
-    json_number(json, "R_smooth", circle->R_smooth);
-    json_integer(json, "surface_R_max", circle->surface);
-    json_number(json, "least_depth", circle->least_depth);
-    json_flag(json, "traction", circle->traction);
-    json_integer(json, "material_points", (long long)circle->material.points);
-    json_integer(json, "material_incomplete", (long long)circle->incomplete);
-    if (circle->fatigue)
-        json_life(json, circle, setup);
 }

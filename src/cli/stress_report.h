@@ -9,9 +9,9 @@
 
 void cli_put_stress(const ovr_stress_report *report, const ovr_setup *setup);
 
-/* Of the worse body (either may be NULL). */
-void cli_json_stress(json_writer *json,
-                     const ovr_stress_report *const report[2],
-                     const ovr_setup *setup);
+/* Equivalent lengths counted from each depth down, of the worse body (either
+ * may be NULL). */
+void cli_json_lengths(json_writer *json,
+                      const ovr_stress_report *const report[2]);
 
 #endif

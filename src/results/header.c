@@ -48,6 +48,7 @@ hid_t ovr_header_group(hid_t where, const char *name)
     hid_t creation = H5Pcreate(H5P_GROUP_CREATE), group;
     H5Pset_link_creation_order(creation, order);
     H5Pset_attr_creation_order(creation, order);
+    H5Pset_attr_phase_change(creation, 512, 256); /* see above */
     group = H5Gcreate2(where, name, H5P_DEFAULT, creation, H5P_DEFAULT);
     ovr_h5_drop(creation);
     return group;

@@ -38,6 +38,9 @@ void ovr_reader_unlock(int lock);
  * milliseconds.  Where nobody writes the file stays as it is. */
 bool ovr_reader_again(const ovr_result *result, int attempt, bool locked);
 
+/* An object by its path, "stress/surface_1". */
+bool ovr_reader_object(ovr_result *result, const char *path, uint64_t *object);
+
 /* A dataset by its path, "x" or "history/time". */
 bool ovr_reader_dataset(ovr_result *result, const char *path, ovr_dataset *set);
 

@@ -19,21 +19,28 @@ enum { MOST_VARIABLES = 512, MOST_GROUPS = 32, DEEPEST = 2 };
 
 /* ------------------------------------------------------------- datasets */
 
-bool ovr_reader_dataset(ovr_result *r, const char *path, ovr_dataset *set)
+bool ovr_reader_object(ovr_result *r, const char *path, uint64_t *object)
 {
     ovr_container *c = &r->container;
-    uint64_t object = c->root;
     char name[64];
+    *object = c->root;
     while (*path) {
         size_t length = strcspn(path, "/");
         if (length >= sizeof name)
             return false;
         snprintf(name, sizeof name, "%.*s", (int)length, path);
-        if (!ovr_container_find(c, object, name, &object))
+        if (!ovr_container_find(c, *object, name, object))
             return false;
         path += length + (path[length] == '/');
     }
-    return ovr_container_dataset(c, object, set);
+    return true;
+}
+
+bool ovr_reader_dataset(ovr_result *r, const char *path, ovr_dataset *set)
+{
+    uint64_t object;
+    return ovr_reader_object(r, path, &object) &&
+           ovr_container_dataset(&r->container, object, set);
 }
 
 /* Cuts *rows to the values that stand before the first NaN, which begins the

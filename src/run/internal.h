@@ -42,6 +42,9 @@ ovr_status ovr_run_estimate(ovr_run *run, ovr_error *err);
 /* Passes on what is said of a run, and keeps the first warnings. */
 ovr_listener ovr_run_message;
 
+/* The numbers of its summary into its file. */
+ovr_status ovr_run_keep_summary(ovr_run *run, ovr_error *err);
+
 /* Estimates them of a level that was chosen for an accuracy, and says where
  * they are larger, or not known. */
 void ovr_run_confirm(ovr_run *run);

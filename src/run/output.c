@@ -185,7 +185,7 @@ static void choose(ovr_write_options *w, const ovr_setup *setup, bool no_thread)
     w->every_steps = out->every;
     w->every_time = out->interval;
     w->fields = out->fields;
-    w->physics = ovr_options_physics(setup->options);
+    w->physics = ovr_setup_physics(setup);
     w->single = out->single;
     w->x_from = out->from;
     w->x_to = out->to;

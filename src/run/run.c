@@ -259,24 +259,39 @@ static bool has_state(ovr_status status)
            status == OVR_IMPOSSIBLE;
 }
 
+/* The discretization errors, where they are wanted; before the file is closed,
+ * which keeps them. */
+static ovr_status estimate(ovr_run *run, ovr_error *err)
+{
+    if (run->resumed)
+        return OVR_OK;
+    if (run->setup->accuracy > 0)
+        ovr_run_confirm(run);
+    else if (run->how.estimate_error)
+        return ovr_run_estimate(run, err);
+    return OVR_OK;
+}
+
 ovr_status ovr_run_go(ovr_run *run, ovr_error *err)
 {
     double begun = seconds_now();
-    ovr_error own = {0};
-    ovr_status status;
-    err = err ? err : &own;
+    ovr_error own = {0}, unasked = {0};
+    ovr_status status, late;
+    err = err ? err : &unasked;
     ovr_run_review_before(run);
     status = finish_stress(run, solve(run, err), err);
     if (has_state(status))
         ovr_run_review_after(run);
-    status = close_file(run, status, err);
     run->info.seconds = seconds_now() - begun;
-    run->info.converged = status == OVR_OK &&
+    run->info.converged = !status &&
                           ovr_simulation_observation(run->sim)->converged &&
                           ovr_simulation_statistics(run->sim)->marked == 0;
-    if (!status && run->setup->accuracy > 0 && !run->resumed)
-        ovr_run_confirm(run);
-    else if (!status && run->how.estimate_error && !run->resumed)
-        status = ovr_run_estimate(run, err);
-    return status;
+    if (status)
+        return close_file(run, status, err);
+    late = estimate(run, err);
+    if (run->writer)
+        ovr_run_keep_summary(run, &own);
+    status = close_file(run, OVR_OK, late ? &own : err);
+    run->info.converged = run->info.converged && !status;
+    return late ? late : status;
 }

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "base/text.h"
+#include "overroll/results.h"
 
 enum { PATH_ROOM = 4400 };
 
@@ -59,20 +60,49 @@ static bool read_pair(const char *line, char *key, size_t room, double *value)
     return ovr_read_number(&text, value);
 }
 
-static void read_summary(ovr_sweep_table *t, size_t task, ovr_error *err)
+static void take_number(ovr_sweep_table *t, size_t task, const char *name,
+                        double value, ovr_error *err)
+{
+    ovr_sweep_column *c = column_of(t, name, err);
+    if (c)
+        c->value[task] = value;
+}
+
+/* From the result file; false: there is none, or none with a summary. */
+static bool read_result(ovr_sweep_table *t, size_t task, ovr_error *err)
+{
+    char path[PATH_ROOM];
+    ovr_result *result;
+    const ovr_group_attribute *line;
+    size_t count = 0;
+    ovr_study_file(t->s, task, ".h5", path, sizeof path);
+    result = access(path, F_OK) == 0
+                 ? ovr_result_open(path, &t->arena.allocator, NULL)
+                 : NULL;
+    line = result ? ovr_result_attributes(result, "summary", &count) : NULL;
+    for (size_t k = 0; k < count; k++)
+        take_number(t, task, line[k].name, line[k].number, err);
+    if (count) {
+        const ovr_result_info *about = ovr_result_about(result);
+        take_number(t, task, "snapshots", (double)about->snapshots, err);
+        take_number(t, task, "seconds", about->seconds, err);
+    }
+    ovr_result_close(result);
+    return count > 0;
+}
+
+/* From the JSON beside it: studies without result files, and those that older
+ * versions ran. */
+static void read_json(ovr_sweep_table *t, size_t task, ovr_error *err)
 {
     char path[PATH_ROOM], line[512], key[64];
     double value;
     FILE *from;
     ovr_study_file(t->s, task, ".json", path, sizeof path);
     from = fopen(path, "r");
-    while (from && fgets(line, sizeof line, from)) {
-        ovr_sweep_column *c = read_pair(line, key, sizeof key, &value)
-                                  ? column_of(t, key, err)
-                                  : NULL;
-        if (c)
-            c->value[task] = value;
-    }
+    while (from && fgets(line, sizeof line, from))
+        if (read_pair(line, key, sizeof key, &value))
+            take_number(t, task, key, value, err);
     if (from)
         fclose(from);
 }
@@ -173,8 +203,8 @@ ovr_status ovr_sweep_gather(const ovr_study *s, ovr_sweep_table *t,
     for (size_t i = 0; i < s->tasks; i++) {
         t->state[i] = ovr_sweep_state_of(s, i);
         t->count[t->state[i]]++;
-        if (t->state[i] == OVR_SWEEP_FINISHED)
-            read_summary(t, i, err);
+        if (t->state[i] == OVR_SWEEP_FINISHED && !read_result(t, i, err))
+            read_json(t, i, err);
     }
     drop_columns(t);
     return OVR_OK;

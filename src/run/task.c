@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -241,10 +242,26 @@ static ovr_run *begin(working *w, ovr_case *c, bool resume, ovr_error *err)
                   : ovr_run_create(c, &how, NULL, err);
 }
 
+/* A line of JSON, as the table of a study reads it. */
+static void put_line(void *summary, const ovr_summary_line *line)
+{
+    if (line->form == OVR_SUMMARY_TEXT)
+        return;
+    if (isfinite(line->number))
+        fprintf(summary, "  \"%s\": %.17g,\n", line->key, line->number);
+    else
+        fprintf(summary, "  \"%s\": null,\n", line->key);
+}
+
 static void report(const working *w, const ovr_run *run, const ovr_error *err)
 {
-    if (w->how->report)
+    if (w->how->report) {
         w->how->report(w->how->data, run, err, w->summary);
+    } else if (run && err->status == OVR_OK) {
+        fputs("{\n", w->summary);
+        ovr_run_summary(ovr_run_about(run), put_line, w->summary);
+        fputs("  \"finished\": true\n}\n", w->summary);
+    }
 }
 
 /* The run and its summary. */

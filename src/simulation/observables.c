@@ -125,6 +125,12 @@ static const double *heat_flux_2(const ovr_simulation *sim, double *room)
         name, key, NULL, text, OVR_KIND_##kind, OVR_AT_STEPS,                  \
             offsetof(ovr_observation, member), NULL, OVR_PHYSICS_CONTENT       \
     }
+/* Where there is heat. */
+#define HEAT(name, key, si, kind, member, text)                                \
+    {                                                                          \
+        name, key, si, text, OVR_KIND_##kind, OVR_AT_STEPS,                    \
+            offsetof(ovr_observation, member), NULL, OVR_PHYSICS_HEAT          \
+    }
 #define FIELD(name, kind, axes, text)                                          \
     {#name, NULL, NULL, text, OVR_KIND_##kind, OVR_AT_##axes, 0, name, 0},
 
@@ -199,30 +205,30 @@ static const ovr_observable table[] = {
            POWER, power_dissipated, "power dissipated in the film"),
     NUMBER("limiting_share", "limiting_share", NULL, NUMBER, limiting_share,
            "share of the load carried where the shear stress is at its limit"),
-    NUMBER(NULL, "T_max_rise", NULL, TEMPERATURE, T_max_rise,
-           "largest rise of temperature in the film above the supply's"),
-    NUMBER(NULL, "T_1_max_rise", NULL, TEMPERATURE, T_1_max_rise,
-           "largest rise of temperature on surface 1"),
-    NUMBER(NULL, "T_2_max_rise", NULL, TEMPERATURE, T_2_max_rise,
-           "largest rise of temperature on surface 2"),
-    NUMBER("max_film_temperature", NULL, NULL, TEMPERATURE, T_film_max,
-           "largest temperature in the film"),
-    NUMBER("x_max_film_temperature", "X_T_max", NULL, LENGTH, X_T_film_max,
-           "where the film is hottest"),
-    NUMBER("max_surface_temperature_1", NULL, NULL, TEMPERATURE, T_1_max,
-           "largest temperature on surface 1"),
-    NUMBER("x_max_surface_temperature_1", "X_T_1_max", NULL, LENGTH, X_T_1_max,
-           "where surface 1 is hottest"),
-    NUMBER("max_surface_temperature_2", NULL, NULL, TEMPERATURE, T_2_max,
-           "largest temperature on surface 2"),
-    NUMBER("x_max_surface_temperature_2", "X_T_2_max", NULL, LENGTH, X_T_2_max,
-           "where surface 2 is hottest"),
-    NUMBER("heat_flow_1", "heat_flow_1", "heat_flow_1_W_per_m", POWER,
-           heat_flow_1, "heat that flows into surface 1"),
-    NUMBER("heat_flow_2", "heat_flow_2", "heat_flow_2_W_per_m", POWER,
-           heat_flow_2, "heat that flows into surface 2"),
-    NUMBER("energy_defect", "energy_defect", NULL, NUMBER, energy_defect,
-           "heat that neither surfaces nor oil carry away, over what is made"),
+    HEAT(NULL, "T_max_rise", NULL, TEMPERATURE, T_max_rise,
+         "largest rise of temperature in the film above the supply's"),
+    HEAT(NULL, "T_1_max_rise", NULL, TEMPERATURE, T_1_max_rise,
+         "largest rise of temperature on surface 1"),
+    HEAT(NULL, "T_2_max_rise", NULL, TEMPERATURE, T_2_max_rise,
+         "largest rise of temperature on surface 2"),
+    HEAT("max_film_temperature", NULL, NULL, TEMPERATURE, T_film_max,
+         "largest temperature in the film"),
+    HEAT("x_max_film_temperature", "X_T_max", NULL, LENGTH, X_T_film_max,
+         "where the film is hottest"),
+    HEAT("max_surface_temperature_1", NULL, NULL, TEMPERATURE, T_1_max,
+         "largest temperature on surface 1"),
+    HEAT("x_max_surface_temperature_1", "X_T_1_max", NULL, LENGTH, X_T_1_max,
+         "where surface 1 is hottest"),
+    HEAT("max_surface_temperature_2", NULL, NULL, TEMPERATURE, T_2_max,
+         "largest temperature on surface 2"),
+    HEAT("x_max_surface_temperature_2", "X_T_2_max", NULL, LENGTH, X_T_2_max,
+         "where surface 2 is hottest"),
+    HEAT("heat_flow_1", "heat_flow_1", "heat_flow_1_W_per_m", POWER,
+         heat_flow_1, "heat that flows into surface 1"),
+    HEAT("heat_flow_2", "heat_flow_2", "heat_flow_2_W_per_m", POWER,
+         heat_flow_2, "heat that flows into surface 2"),
+    HEAT("energy_defect", "energy_defect", NULL, NUMBER, energy_defect,
+         "heat that neither surfaces nor oil carry away, over what is made"),
     OIL("supply", NULL, HEIGHT, supply, "oil that arrives, rho H at the inlet"),
     OIL("meniscus", "X_meniscus", LENGTH, meniscus,
         "where the film begins; none: flooded"),

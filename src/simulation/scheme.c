@@ -31,6 +31,17 @@ const ovr_discretization *ovr_scheme_record(ovr_scheme scheme)
     return k < sizeof records / sizeof *records ? &records[k] : NULL;
 }
 
+const char *ovr_smoother_name(ovr_smoother smoother)
+{
+    switch (smoother) {
+    case OVR_LINE: return "line";
+    case OVR_HYBRID: return "hybrid";
+    case OVR_GAUSS_SEIDEL: return "gauss-seidel";
+    case OVR_DIPOLE: return "dipole";
+    }
+    return "";
+}
+
 const char *ovr_scheme_name(ovr_scheme scheme)
 {
     const ovr_discretization *record = ovr_scheme_record(scheme);

@@ -45,7 +45,9 @@ awk -v d="$(number energy_defect)" 'BEGIN { exit !(d < 1e-3 && d > -1e-3) }' ||
 mu=$(number mu_slide)
 expect 0 "$OVERROLL" info hot.h5
 expect 0 "$OVERROLL" steady hot.ini --json --set heat.model=none
-contains out '"T_max_rise": null'
+if grep -q '"T_max_rise"\|"heat_flow' out; then
+    fail 'temperatures where there is no heat'
+fi
 awk -v hot="$mu" -v cold="$(number mu_slide)" \
     'BEGIN { exit !(hot < cold && hot > 0) }' || fail "mu $mu is not below"
 

@@ -9,13 +9,7 @@
 #include "results/hdf5read/elements.h"
 
 /* Kinds of messages in an object's header. */
-enum {
-    LINK_INFO = 0x02,
-    LINK = 0x06,
-    ATTRIBUTE = 0x0c,
-    CONTINUATION = 0x10,
-    ATTRIBUTE_INFO = 0x15
-};
+enum { LINK_INFO = 0x02, CONTINUATION = 0x10, ATTRIBUTE_INFO = 0x15 };
 
 /* -------------------------------------------------------------- superblock */
 
@@ -188,7 +182,7 @@ bool ovr_object_message(ovr_source *source, uint64_t object, unsigned wanted,
     return false;
 }
 
-/* ------------------------------------------------------ links and attributes
+/* ------------------------------------------------------------------- links
  */
 
 /* Those that a heap holds: its address and its index by name. */
@@ -221,11 +215,10 @@ static size_t count_messages(ovr_source *source, uint64_t object,
     return count;
 }
 
-/* All links or all attributes of an object, wherever they are. */
-static bool all_items(ovr_source *source, uint64_t object, unsigned wanted,
+bool ovr_object_items(ovr_source *source, uint64_t object, unsigned wanted,
                       ovr_items *items)
 {
-    unsigned info = wanted == LINK ? LINK_INFO : ATTRIBUTE_INFO, kind;
+    unsigned info = wanted == OVR_ITEM_LINK ? LINK_INFO : ATTRIBUTE_INFO, kind;
     size_t room = count_messages(source, object, wanted), count = 0;
     ovr_items apart = {NULL, 0};
     ovr_piece body;
@@ -246,6 +239,16 @@ static bool all_items(ovr_source *source, uint64_t object, unsigned wanted,
     return !h.damaged;
 }
 
+bool ovr_plain_name(const unsigned char *name, size_t length)
+{
+    for (size_t k = 0; k < length; k++)
+        if (!(name[k] == '_' || (name[k] >= '0' && name[k] <= '9') ||
+              (name[k] >= 'A' && name[k] <= 'Z') ||
+              (name[k] >= 'a' && name[k] <= 'z')))
+            return false;
+    return length > 0;
+}
+
 /* True for a hard link with a plain name. */
 static bool read_link(ovr_piece b, ovr_link *link)
 {
@@ -260,11 +263,8 @@ static bool read_link(ovr_piece b, ovr_link *link)
     if (version != 1 || kind != 0 || !b.good || length == 0 ||
         length >= sizeof link->name)
         return false;
-    for (size_t k = 0; k < length; k++)
-        if (!(name.at[k] == '_' || (name.at[k] >= '0' && name.at[k] <= '9') ||
-              (name.at[k] >= 'A' && name.at[k] <= 'Z') ||
-              (name.at[k] >= 'a' && name.at[k] <= 'z')))
-            return false;
+    if (!ovr_plain_name(name.at, length))
+        return false;
     memcpy(link->name, name.at, length);
     link->name[length] = '\0';
     return true;
@@ -275,7 +275,7 @@ bool ovr_container_find(ovr_container *c, uint64_t group, const char *name,
 {
     ovr_items items;
     ovr_link link;
-    if (!all_items(&c->source, group, LINK, &items))
+    if (!ovr_object_items(&c->source, group, OVR_ITEM_LINK, &items))
         return false;
     for (size_t k = 0; k < items.count; k++)
         if (read_link(items.item[k], &link) && strcmp(link.name, name) == 0) {
@@ -296,7 +296,7 @@ ovr_link *ovr_container_links(ovr_container *c, uint64_t group, size_t *count)
     ovr_items items;
     ovr_link *links;
     *count = 0;
-    if (!all_items(&c->source, group, LINK, &items))
+    if (!ovr_object_items(&c->source, group, OVR_ITEM_LINK, &items))
         return NULL;
     links = ovr_arena_take(c->source.arena, items.count, sizeof *links, NULL);
     c->source.starved = c->source.starved || !links;
@@ -305,87 +305,4 @@ ovr_link *ovr_container_links(ovr_container *c, uint64_t group, size_t *count)
     if (links)
         qsort(links, *count, sizeof *links, by_order);
     return links;
-}
-
-/* Name, type, dimensions and value follow each other: closely but in version
- * 1, where each begins at a multiple of 8 bytes. */
-static bool read_attribute(ovr_piece b, const char *wanted, ovr_piece *type,
-                           ovr_piece *space, ovr_piece *value)
-{
-    uint64_t version = ovr_take(&b, 1), shared = ovr_take(&b, 1);
-    uint64_t size[3], unit = version == 1 ? 8 : 1;
-    ovr_piece part[3];
-    for (size_t k = 0; k < 3; k++)
-        size[k] = ovr_take(&b, 2);
-    ovr_take(&b, version == 3 ? 1 : 0);
-    for (size_t k = 0; k < 3; k++) {
-        part[k] = ovr_cut(&b, size[k]);
-        ovr_cut(&b, -size[k] % unit);
-    }
-    *type = part[1];
-    *space = part[2];
-    *value = b;
-    return version >= 1 && version <= 3 && !shared && b.good &&
-           size[0] == strlen(wanted) + 1 &&
-           memcmp(part[0].at, wanted, size[0]) == 0;
-}
-
-/* The value of an attribute that is one element. */
-static bool find_attribute(ovr_container *c, uint64_t object, const char *name,
-                           ovr_datatype *element, ovr_piece *value)
-{
-    ovr_items items;
-    ovr_piece type, space;
-    ovr_dataset set;
-    if (!all_items(&c->source, object, ATTRIBUTE, &items))
-        return false;
-    for (size_t k = 0; k < items.count; k++)
-        if (read_attribute(items.item[k], name, &type, &space, value))
-            return ovr_element_read(type, element) &&
-                   ovr_shape_read(space, &set) && set.shape[0] == 1 &&
-                   set.width == 1 && value->left >= element->size;
-    return false;
-}
-
-static char *copy(ovr_container *c, ovr_piece text)
-{
-    char *made = ovr_arena_take(c->source.arena, text.left + 1, 1, NULL);
-    c->source.starved = c->source.starved || !made;
-    if (made && text.left)
-        memcpy(made, text.at, text.left);
-    return made;
-}
-
-char *ovr_container_text(ovr_container *c, uint64_t object, const char *name)
-{
-    ovr_datatype element;
-    ovr_piece value, text;
-    uint64_t length, heap, index;
-    if (!find_attribute(c, object, name, &element, &value))
-        return NULL;
-    if (element.kind == 's')
-        return copy(c, ovr_cut(&value, element.size));
-    if (element.kind != 'v')
-        return NULL;
-    length = ovr_take(&value, 4);
-    heap = ovr_take(&value, 8);
-    index = ovr_take(&value, 4);
-    if (length == 0)
-        return copy(c, (ovr_piece){NULL, 0, true});
-    if (!ovr_heap_text(&c->source, heap, index, &text))
-        return NULL;
-    text = ovr_cut(&text, length);
-    return text.good ? copy(c, text) : NULL;
-}
-
-double ovr_container_number(ovr_container *c, uint64_t object, const char *name)
-{
-    ovr_datatype element;
-    ovr_piece bytes;
-    double value;
-    if (!find_attribute(c, object, name, &element, &bytes) ||
-        (element.kind != 'f' && element.kind != 'i'))
-        return NAN;
-    ovr_element_values(&element, bytes.at, 1, &value);
-    return value;
 }

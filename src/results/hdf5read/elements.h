@@ -9,6 +9,14 @@
 bool ovr_object_message(ovr_source *source, uint64_t object, unsigned wanted,
                         ovr_piece *body);
 
+/* All links or all attributes of an object, wherever they are. */
+enum { OVR_ITEM_LINK = 0x06, OVR_ITEM_ATTRIBUTE = 0x0c };
+bool ovr_object_items(ovr_source *source, uint64_t object, unsigned wanted,
+                      ovr_items *items);
+
+/* A name of this program's: letters, digits and _. */
+bool ovr_plain_name(const unsigned char *name, size_t length);
+
 /* From such messages: the type; rank, shape and width (missing dimensions are
  * 1); false for what the writer never makes. */
 bool ovr_element_read(ovr_piece type, ovr_datatype *element);

@@ -73,6 +73,14 @@ char *ovr_container_text(ovr_container *container, uint64_t object,
 double ovr_container_number(ovr_container *container, uint64_t object,
                             const char *name);
 
+/* All attributes that are one number and have a plain name; NULL: damaged. */
+typedef struct ovr_named_number {
+    char name[64];
+    double value;
+} ovr_named_number;
+ovr_named_number *ovr_container_numbers(ovr_container *container,
+                                        uint64_t object, size_t *count);
+
 /* What an object is that is no dataset of numbers. */
 typedef enum ovr_object {
     OVR_OBJECT_GROUP,

@@ -1,0 +1,125 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Attributes: numbers and texts that an object carries by name. */
+#include <math.h>
+#include <string.h>
+
+#include "results/hdf5read/elements.h"
+
+/* One as it lies in the file. */
+typedef struct attribute {
+    ovr_piece name, type, space, value;
+} attribute;
+
+/* Name, type, dimensions and value follow each other: closely but in version
+ * 1, where each begins at a multiple of 8 bytes. */
+static bool read_attribute(ovr_piece b, attribute *to)
+{
+    uint64_t version = ovr_take(&b, 1), shared = ovr_take(&b, 1);
+    uint64_t size[3], unit = version == 1 ? 8 : 1;
+    ovr_piece part[3];
+    for (size_t k = 0; k < 3; k++)
+        size[k] = ovr_take(&b, 2);
+    ovr_take(&b, version == 3 ? 1 : 0);
+    for (size_t k = 0; k < 3; k++) {
+        part[k] = ovr_cut(&b, size[k]);
+        ovr_cut(&b, -size[k] % unit);
+    }
+    *to = (attribute){part[0], part[1], part[2], b};
+    return version >= 1 && version <= 3 && !shared && b.good && size[0] > 0 &&
+           part[0].at[size[0] - 1] == '\0';
+}
+
+/* Of an attribute that is one element. */
+static bool one_element(const attribute *a, ovr_datatype *element)
+{
+    ovr_dataset set;
+    return ovr_element_read(a->type, element) &&
+           ovr_shape_read(a->space, &set) && set.shape[0] == 1 &&
+           set.width == 1 && a->value.left >= element->size;
+}
+
+static bool find_attribute(ovr_container *c, uint64_t object, const char *name,
+                           ovr_datatype *element, ovr_piece *value)
+{
+    ovr_items items;
+    attribute a;
+    if (!ovr_object_items(&c->source, object, OVR_ITEM_ATTRIBUTE, &items))
+        return false;
+    for (size_t k = 0; k < items.count; k++)
+        if (read_attribute(items.item[k], &a) &&
+            a.name.left == strlen(name) + 1 &&
+            memcmp(a.name.at, name, a.name.left) == 0) {
+            *value = a.value;
+            return one_element(&a, element);
+        }
+    return false;
+}
+
+static char *copy(ovr_container *c, ovr_piece text)
+{
+    char *made = ovr_arena_take(c->source.arena, text.left + 1, 1, NULL);
+    c->source.starved = c->source.starved || !made;
+    if (made && text.left)
+        memcpy(made, text.at, text.left);
+    return made;
+}
+
+char *ovr_container_text(ovr_container *c, uint64_t object, const char *name)
+{
+    ovr_datatype element;
+    ovr_piece value, text;
+    uint64_t length, heap, index;
+    if (!find_attribute(c, object, name, &element, &value))
+        return NULL;
+    if (element.kind == 's')
+        return copy(c, ovr_cut(&value, element.size));
+    if (element.kind != 'v')
+        return NULL;
+    length = ovr_take(&value, 4);
+    heap = ovr_take(&value, 8);
+    index = ovr_take(&value, 4);
+    if (length == 0)
+        return copy(c, (ovr_piece){NULL, 0, true});
+    if (!ovr_heap_text(&c->source, heap, index, &text))
+        return NULL;
+    text = ovr_cut(&text, length);
+    return text.good ? copy(c, text) : NULL;
+}
+
+double ovr_container_number(ovr_container *c, uint64_t object, const char *name)
+{
+    ovr_datatype element;
+    ovr_piece bytes;
+    double value;
+    if (!find_attribute(c, object, name, &element, &bytes) ||
+        (element.kind != 'f' && element.kind != 'i'))
+        return NAN;
+    ovr_element_values(&element, bytes.at, 1, &value);
+    return value;
+}
+
+ovr_named_number *ovr_container_numbers(ovr_container *c, uint64_t object,
+                                        size_t *count)
+{
+    ovr_items items;
+    ovr_named_number *found;
+    *count = 0;
+    if (!ovr_object_items(&c->source, object, OVR_ITEM_ATTRIBUTE, &items))
+        return NULL;
+    found = ovr_arena_take(c->source.arena, items.count, sizeof *found, NULL);
+    c->source.starved = c->source.starved || !found;
+    for (size_t k = 0; found && k < items.count; k++) {
+        ovr_named_number *to = &found[*count];
+        ovr_datatype element;
+        attribute a;
+        if (!read_attribute(items.item[k], &a) || !one_element(&a, &element) ||
+            (element.kind != 'f' && element.kind != 'i') ||
+            !ovr_plain_name(a.name.at, a.name.left - 1) ||
+            a.name.left > sizeof to->name)
+            continue;
+        memcpy(to->name, a.name.at, a.name.left);
+        ovr_element_values(&element, a.value.at, 1, &to->value);
+        (*count)++;
+    }
+    return found;
+}
