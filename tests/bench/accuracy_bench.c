@@ -1,144 +1,122 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Accuracy per second: the error in H_cen(T) of the reference dent, rms over
- * the run relative to the film, and the time of the run, for each scheme and
- * level.  The truth is the characteristic scheme two levels above the finest
- * of the table.
+ * Accuracy per second of runs in time: the error of H_cen(T), rms over the run
+ * relative to the film, against CPU seconds on each level, by what is taken
+ * where nothing is written and as version 0.1.0 did it (second order,
+ * upstream2).  The truth is the former on a finer level.
  */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "bench.h"
-#include "simulation/internal.h"
-#include "support/test.h"
+#include "support/series.h"
 
-enum { FIRST = 5, LAST = 8, TRUTH = 10, TIMES = 300 };
+enum { LEVELS = 4, WAYS = 2 };
 
-typedef struct run {
-    ovr_simulation *sim;
-    int every; /* steps between the times of level FIRST */
-    double H[TIMES];
-    int count;
-} run;
+typedef struct question {
+    const char *name;
+    const char *text; /* of the case, without domain.level */
+    int first, truth; /* levels */
+} question;
 
-static ovr_status sample(void *data, const ovr_simulation *sim, ovr_error *err)
-{
-    run *r = data;
-    (void)err;
-    if (ovr_simulation_state(sim)->step % r->every == 0 && r->count < TIMES)
-        r->H[r->count++] = ovr_simulation_observation(sim)->H_cen;
-    return OVR_OK;
-}
+#define CONTACT(slip) "[contact]\nM = 20\nL = 10\nslide_to_roll = " slip "\n"
+#define DENT(width, start, end)                                                \
+    "[feature d]\nshape = dent\ndepth = 0.1\nwidth = " width                   \
+    "\nstart = " start "\n[time]\nend = " end "\n"
 
-static void roll(void *data)
-{
-    run *r = data;
-    ovr_error err;
-    static bench_dent dent = {-4.6};
-    ovr_observer look = {sample, NULL, r};
-    ovr_march march = {
-        .size = sizeof march, .end = 6, .count = 1, .observers = &look};
-    r->count = 0;
-    ovr_simulation_surface(r->sim, bench_dent_heights, &dent);
-    CHECK_OK(ovr_simulation_steady(r->sim, &err), &err);
-    CHECK_OK(ovr_simulation_march(r->sim, &march, &err), &err);
-}
+/* M = 20, L = 10; the ground surface in the contact of profiles/ground.ini,
+ * M = 41, L = 12, at a slide-to-roll ratio of 0.15. */
+static const question questions[] = {
+    {"rolling dent, 0.5 b", CONTACT("0") DENT("0.5", "-4.6", "6"), 6, 11},
+    {"rolling dent, 0.05 b", CONTACT("0") DENT("0.05", "-1.6", "3"), 7, 12},
+    {"sliding dent, 0.05 b", CONTACT("-1") DENT("0.05", "-1.6", "6"), 7, 11},
+    {"rolling waves, 0.25 b",
+     CONTACT("0") "[feature w]\nshape = wave\namplitude = 0.02\n"
+                  "wavelength = 0.25\norigin = 0\ngrow = 1\n"
+                  "[time]\nend = 3\n",
+     6, 11},
+    {"ground surface",
+     "[contact]\nload = 3.07e5 N/m\nradius = 10 mm\nmodulus = 226 GPa\n"
+     "viscosity = 40 mPa.s\nspeed_1 = 1.4 m/s\nspeed_2 = 1.2 m/s\n"
+     "[lubricant]\nalpha = 17 1/GPa\n"
+     "[feature g]\nshape = profile\nfile = ground.csv\nlevel = line\n"
+     "lambda_c = 250 um\nextend = periodic\ntaper = 60 um\nstart = -4.02\n"
+     "[time]\nend = 4\n",
+     7, 11}};
 
-static double seconds_of(run *r, int level, ovr_scheme scheme, int rounds)
-{
-    bench_work work = {roll, r, 0};
-    r->sim = bench_contact(level, scheme, OVR_STOP_NEGLIGIBLE);
-    r->every = 1 << (level - FIRST);
-    bench_measure(1, &work, 0, rounds);
-    ovr_simulation_free(r->sim);
-    return work.seconds;
-}
-
-static double rms(const run *r, const run *truth)
-{
-    double sum = 0;
-    int count = r->count < truth->count ? r->count : truth->count;
-    for (int k = 0; k < count; k++)
-        sum += pow((r->H[k] - truth->H[k]) / truth->H[0], 2);
-    return sqrt(sum / count);
-}
-
-enum { LEVELS = LAST - FIRST + 1, SCHEMES = 3 };
-static const char *const names[SCHEMES] = {"upstream1", "upstream2",
-                                           "characteristic"};
+static const struct way {
+    const char *name, *text;
+} ways[WAYS] = {{"0.1.0's way", "scheme = upstream2\n[domain]\norder = 2\n"},
+                {"default", ""}};
 
 typedef struct cost {
     double error, seconds;
 } cost;
 
-static void print_all(cost all[SCHEMES][LEVELS])
+static void solve(const question *q, const struct way *w, int level,
+                  test_series *s)
 {
-    printf("\nreference dent to T = 6, dT = D: rms error of H_cen / H_c, and "
-           "seconds\n%-15s",
-           "scheme");
-    for (int l = 0; l < LEVELS; l++)
-        printf(" |     level %d     ", FIRST + l);
-    printf("\n");
-    bench_list("accuracy");
-    for (int s = 0; s < SCHEMES; s++) {
-        printf("%-15s", names[s]);
-        for (int l = 0; l < LEVELS; l++) {
-            printf(" | %8.1e %7.3f", all[s][l].error, all[s][l].seconds);
-            bench_row();
-            bench_text("scheme", names[s]);
-            bench_number("level", FIRST + l);
-            bench_number("rms_error", all[s][l].error);
-            bench_number("seconds", all[s][l].seconds);
-            bench_end();
-        }
-        printf("\n");
-    }
+    char text[1500];
+    snprintf(text, sizeof text,
+             "%s%s[domain]\ninlet = -4\noutlet = 1.5\nlevel = %d\n", q->text,
+             w->text, level);
+    test_series_run(text, "profiles", s);
+}
+
+/* At an error, on the line in logarithms through the levels about it; beyond
+ * them on that through the last two. */
+static double seconds_at(double error, const cost of[LEVELS])
+{
+    int k = 0;
+    while (k + 2 < LEVELS && of[k + 1].error > error)
+        k++;
+    double slope = log(of[k + 1].seconds / of[k].seconds) /
+                   log(of[k + 1].error / of[k].error);
+    return of[k].seconds * pow(error / of[k].error, slope);
+}
+
+static void record(const question *q, const struct way *w, int level, cost c)
+{
+    bench_row();
+    bench_text("case", q->name);
+    bench_text("way", w->name);
+    bench_number("level", level);
+    bench_number("rms_error", c.error);
+    bench_number("seconds", c.seconds);
     bench_end();
 }
 
-/* Which settings to use: the quickest that is good enough. */
-static void recommend(cost all[SCHEMES][LEVELS])
+static void answer(const question *q)
 {
-    static const double wanted[] = {3e-2, 1e-2, 3e-3, 1e-3, 3e-4};
-    printf("\nquickest for a wanted error\n");
-    bench_list("quickest");
-    for (size_t k = 0; k < sizeof wanted / sizeof *wanted; k++) {
-        int best = -1, at = 0;
-        for (int s = 0; s < SCHEMES; s++)
-            for (int l = 0; l < LEVELS; l++)
-                if (all[s][l].error <= wanted[k] &&
-                    (best < 0 || all[s][l].seconds < all[best][at].seconds)) {
-                    best = s;
-                    at = l;
-                }
-        if (best < 0)
-            continue;
-        printf("%8.0e  %-15s level %d  %.3f s\n", wanted[k], names[best],
-               FIRST + at, all[best][at].seconds);
-        bench_row();
-        bench_number("wanted", wanted[k]);
-        bench_text("scheme", names[best]);
-        bench_number("level", FIRST + at);
-        bench_number("seconds", all[best][at].seconds);
-        bench_end();
+    static test_series truth, s; /* large */
+    cost all[WAYS][LEVELS];
+    solve(q, &ways[1], q->truth, &truth);
+    for (int w = 0; w < WAYS; w++) {
+        printf("%-22s %-12s", q->name, ways[w].name);
+        for (int l = 0; l < LEVELS; l++) {
+            solve(q, &ways[w], q->first + l, &s);
+            cost c = {test_series_error(&s, &truth), s.seconds};
+            all[w][l] = c;
+            printf(" | %d: %7.1e %6.2f s", q->first + l, c.error, c.seconds);
+            fflush(stdout);
+            record(q, &ways[w], q->first + l, c);
+        }
+        printf("\n");
     }
-    bench_end();
+    double error = all[0][LEVELS - 1].error, now = seconds_at(error, all[1]);
+    printf("  an error of %.1e: %.3g s, %.3g times quicker\n", error, now,
+           all[0][LEVELS - 1].seconds / now);
 }
 
 int main(int argc, char *argv[])
 {
-    static run truth, r;
-    cost all[SCHEMES][LEVELS];
     bench_open(argc, argv);
-    seconds_of(&truth, TRUTH, OVR_CHARACTERISTIC, 1);
-    for (int s = 0; s < SCHEMES; s++)
-        for (int l = 0; l < LEVELS; l++) {
-            double seconds = seconds_of(&r, FIRST + l, (ovr_scheme)s, 3);
-            all[s][l] = (cost){rms(&r, &truth), seconds};
-        }
-    print_all(all);
-    recommend(all);
+    printf("\ndT = D: rms error of H_cen and CPU seconds on "
+           "levels\n");
+    bench_list("accuracy");
+    for (size_t k = 0; k < sizeof questions / sizeof *questions; k++)
+        answer(&questions[k]);
+    bench_end();
     bench_close();
     return 0;
 }

@@ -4,67 +4,11 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "overroll/case.h"
-#include "overroll/simulation.h"
+#include "overroll/contact.h"
+#include "series.h"
 #include "test.h"
 
-enum { MOST = 60000 };
-
-typedef struct series {
-    size_t n;
-    double T[MOST], H[MOST];
-    long cycles;
-} series;
-
-static series finest, steps_of_mesh, adaptive; /* large */
-
-static ovr_status look(void *data, const ovr_simulation *sim, ovr_error *err)
-{
-    const ovr_observation *o = ovr_simulation_observation(sim);
-    series *s = data;
-    (void)err;
-    assert_true(s->n < MOST);
-    s->T[s->n] = o->T;
-    s->H[s->n++] = o->H_cen;
-    return OVR_OK;
-}
-
-static void run(const char *text, series *s)
-{
-    ovr_error err = {0};
-    ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, &err);
-    ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
-    assert_non_null(setup);
-    ovr_simulation *sim = ovr_setup_simulation(setup, NULL, &err);
-    CHECK_OK(sim ? ovr_simulation_steady(sim, &err) : OVR_BAD_INPUT, &err);
-    ovr_observer observer = {look, NULL, s};
-    ovr_march march = *setup->march;
-    march.count = 1;
-    march.observers = &observer;
-    s->n = 0;
-    CHECK_OK(ovr_simulation_march(sim, &march, &err), &err);
-    s->cycles = ovr_simulation_statistics(sim)->cycles;
-    ovr_simulation_free(sim);
-    ovr_setup_free(setup);
-    ovr_case_free(c);
-}
-
-/* rms in time of the relative error of H_cen, the finest series linear. */
-static double error_of(const series *s)
-{
-    double sum = 0, length = 0;
-    size_t j = 0;
-    for (size_t i = 1; i < s->n; i++) {
-        while (j + 2 < finest.n && finest.T[j + 1] < s->T[i])
-            j++;
-        double part = (s->T[i] - finest.T[j]) / (finest.T[j + 1] - finest.T[j]);
-        double H = finest.H[j] + part * (finest.H[j + 1] - finest.H[j]);
-        double e = s->H[i] / H - 1, dT = s->T[i] - s->T[i - 1];
-        sum += dT * e * e;
-        length += dT;
-    }
-    return sqrt(sum / length);
-}
+static test_series finest, steps_of_mesh, adaptive; /* large */
 
 /* The case without its steps. */
 static void make_case(uint64_t *state, int level, char *text, size_t room)
@@ -106,17 +50,17 @@ test_adaptive test_adaptive_cases(uint64_t seed, int cases, int level)
         make_case(&state, level, plain, sizeof plain);
         snprintf(text, sizeof text, "%sstep = %.15g\n", plain,
                  5.5 / (7 << level) / 8);
-        run(text, &finest);
-        run(plain, &steps_of_mesh);
-        double of_mesh = error_of(&steps_of_mesh);
+        test_series_run(text, NULL, &finest);
+        test_series_run(plain, NULL, &steps_of_mesh);
+        double of_mesh = test_series_error(&steps_of_mesh, &finest);
         double e[WANTED], cycles[WANTED];
         printf("  %2d: dT = D %.1e in %ld cycles;", k, of_mesh,
                steps_of_mesh.cycles);
         for (int i = 0; i < WANTED; i++) {
             snprintf(text, sizeof text, "%sstep = adaptive\nerror = %g\n",
                      plain, wanted[i]);
-            run(text, &adaptive);
-            e[i] = error_of(&adaptive);
+            test_series_run(text, NULL, &adaptive);
+            e[i] = test_series_error(&adaptive, &finest);
             cycles[i] = (double)adaptive.cycles;
             printf(" wanted %.0e: %.1e in %.0f", wanted[i], e[i], cycles[i]);
             all.worst = fmax(all.worst, e[i] / wanted[i]);
