@@ -428,6 +428,24 @@ uninstall: ## take it out again
 	rm -f $(foreach m,$(MAN),\
 	  '$(DESTDIR)$(MANDIR)/man$(subst .,,$(suffix $(m)))/$(notdir $(m))')
 
+# Debian packages in $(BUILD)/deb, from the files that git knows.
+DEB := $(abspath $(BUILD))/deb
+DEBTREE := $(DEB)/overroll-$(VERSION)
+deb: ## Debian packages, into $(BUILD)/deb
+	@for t in git dpkg-buildpackage dh lintian; do command -v $$t >/dev/null || \
+	  { echo "missing: $$t; run tools/install-deps deb"; exit 1; }; done
+	rm -rf '$(DEB)' && mkdir -p '$(DEBTREE)'
+	git ls-files -z | xargs -0 cp --parents -t '$(DEBTREE)'
+	cp -r tools/debian '$(DEBTREE)/debian'
+	cd '$(DEBTREE)/debian' && sed -i 's/@SOVER@/$(SOVER)/' control && \
+	  mv liboverroll.install liboverroll$(SOVER).install && \
+	  printf 'overroll (%s) unstable; urgency=medium\n\n%s\n\n -- %s  %s\n' \
+	    '$(VERSION)' '  * See CHANGELOG.md of the source.' \
+	    "$$(sed -n 's/^Maintainer: //p' control)" \
+	    "$$(git log -1 --format=%aD)" > changelog
+	cd '$(DEBTREE)' && dpkg-buildpackage -us -uc -b -j$(JOBS)
+	cd '$(DEB)' && lintian --fail-on error,warning *.changes
+
 clean: ## remove every build folder
 	rm -rf build build-san build-cov build-clang '$(BUILD)'
 
@@ -438,7 +456,7 @@ help: ## this list
 FORCE:
 .PHONY: all tests check fuzz verify coverage demo pictures paper bench \
   format lint lint-format lint-tidy lint-cppcheck lint-analyzer lint-shell need-lint need-cmocka \
-  install install-python uninstall clean help FORCE
+  install install-python uninstall deb clean help FORCE
 .SECONDARY:
 .DELETE_ON_ERROR:
 ifdef COMPILES

@@ -2,16 +2,26 @@
 /*
  * Accuracy per second of runs in time: the error of H_cen(T), rms over the run
  * relative to the film, against CPU seconds on each level, by what is taken
- * where nothing is written and as version 0.1.0 did it (second order,
- * upstream2).  The truth is the former on a finer level.
+ * where nothing is written, by steps of 2 D, and by version 0.1.0: that program
+ * itself where BEFORE=PATH names it (its files and start-up included), else
+ * this one told to do as that one did (second order, upstream2), which has the
+ * same errors but fewer cycles.  The truth is the default on a finer level.
  */
+#define _DEFAULT_SOURCE /* wait4 */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "bench.h"
+#include "overroll/results.h"
 #include "support/series.h"
+#include "support/test.h"
 
-enum { LEVELS = 4, WAYS = 2 };
+enum { LEVELS = 4, WAYS = 3 };
 
 typedef struct question {
     const char *name;
@@ -34,7 +44,7 @@ static const question questions[] = {
      CONTACT("0") "[feature w]\nshape = wave\namplitude = 0.02\n"
                   "wavelength = 0.25\norigin = 0\ngrow = 1\n"
                   "[time]\nend = 3\n",
-     6, 11},
+     6, 10},
     {"ground surface",
      "[contact]\nload = 3.07e5 N/m\nradius = 10 mm\nmodulus = 226 GPa\n"
      "viscosity = 40 mPa.s\nspeed_1 = 1.4 m/s\nspeed_2 = 1.2 m/s\n"
@@ -44,23 +54,105 @@ static const question questions[] = {
      "[time]\nend = 4\n",
      7, 11}};
 
-static const struct way {
-    const char *name, *text;
-} ways[WAYS] = {{"0.1.0's way", "scheme = upstream2\n[domain]\norder = 2\n"},
-                {"default", ""}};
+typedef enum way { BEFORE, DEFAULT, TWO_MESHES } way;
+static const char *const names[WAYS] = {"0.1.0", "default", "dT = 2 D"};
 
 typedef struct cost {
     double error, seconds;
 } cost;
 
-static void solve(const question *q, const struct way *w, int level,
-                  test_series *s)
+static const char *before(void)
+{
+    return getenv("BEFORE");
+}
+
+/* Of a case: what the way adds to it. */
+static void write_case(const question *q, way w, int level, char *text,
+                       size_t room)
+{
+    int n = snprintf(text, room,
+                     "%s[domain]\ninlet = -4\noutlet = 1.5\nlevel = %d\n",
+                     q->text, level);
+    char *rest = text + n;
+    room -= (size_t)n;
+    if (w == TWO_MESHES)
+        snprintf(rest, room, "[time]\nstep = %.15g\n", 2 * 5.5 / (7 << level));
+    else if (w == BEFORE)
+        snprintf(rest, room, "%s[time]\nscheme = upstream2\n",
+                 before() ? "" : "order = 2\n");
+}
+
+static void write_text(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    assert_int_equal(fclose(file), 0);
+}
+
+/* The series of a result file. */
+static void read_series(const char *path, test_series *s)
+{
+    ovr_error err = {0};
+    ovr_result *result = ovr_result_open(path, NULL, &err);
+    CHECK_OK(result ? OVR_OK : OVR_BAD_INPUT, &err);
+    s->n = ovr_result_about(result)->steps;
+    assert_true(s->n <= TEST_SERIES);
+    CHECK_OK(ovr_result_history(result, "time", OVR_HERTZIAN, s->T, &err),
+             &err);
+    CHECK_OK(ovr_result_history(result, "central_film_thickness", OVR_HERTZIAN,
+                                s->H, &err),
+             &err);
+    ovr_result_close(result);
+}
+
+/* The folder's profile, as the case names it. */
+static void link_profile(const char *folder, char *path, size_t room)
+{
+    char here[400], target[450];
+    assert_non_null(getcwd(here, sizeof here));
+    snprintf(target, sizeof target, "%s/profiles/ground.csv", here);
+    snprintf(path, room, "%s/ground.csv", folder);
+    assert_int_equal(symlink(target, path), 0);
+}
+
+/* By the older program. */
+static void run_before(const char *text, test_series *s)
+{
+    char folder[] = "/tmp/overroll-bench-XXXXXX", input[64], output[64];
+    char profile[64];
+    struct rusage used;
+    int status;
+    assert_non_null(mkdtemp(folder));
+    snprintf(input, sizeof input, "%s/case.ini", folder);
+    snprintf(output, sizeof output, "%s/case.h5", folder);
+    write_text(input, text);
+    link_profile(folder, profile, sizeof profile);
+    pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        execl(before(), before(), "run", input, "-o", output, "-q",
+              (char *)NULL);
+        _exit(127);
+    }
+    assert_true(wait4(child, &status, 0, &used) == child && status == 0);
+    s->seconds = (double)used.ru_utime.tv_sec + (double)used.ru_stime.tv_sec +
+                 1e-6 * (double)(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
+    read_series(output, s);
+    assert_true(!unlink(input) && !unlink(output) && !unlink(profile));
+    strcat(output, ".restart");
+    unlink(output);
+    assert_int_equal(rmdir(folder), 0);
+}
+
+static void solve(const question *q, way w, int level, test_series *s)
 {
     char text[1500];
-    snprintf(text, sizeof text,
-             "%s%s[domain]\ninlet = -4\noutlet = 1.5\nlevel = %d\n", q->text,
-             w->text, level);
-    test_series_run(text, "profiles", s);
+    write_case(q, w, level, text, sizeof text);
+    if (w == BEFORE && before())
+        run_before(text, s);
+    else
+        test_series_run(text, "profiles", s);
 }
 
 /* At an error, on the line in logarithms through the levels about it; beyond
@@ -75,44 +167,53 @@ static double seconds_at(double error, const cost of[LEVELS])
     return of[k].seconds * pow(error / of[k].error, slope);
 }
 
-static void record(const question *q, const struct way *w, int level, cost c)
+static void record(const question *q, way w, int level, cost c)
 {
     bench_row();
     bench_text("case", q->name);
-    bench_text("way", w->name);
+    bench_text("way", names[w]);
     bench_number("level", level);
     bench_number("rms_error", c.error);
     bench_number("seconds", c.seconds);
     bench_end();
 }
 
+/* What an error of the program of before took, and takes now. */
+static void compare(cost was, cost all[WAYS][LEVELS])
+{
+    double now = fmin(seconds_at(was.error, all[DEFAULT]),
+                      seconds_at(was.error, all[TWO_MESHES]));
+    printf("  an error of %.1e: %.3g s instead of %.3g, %.3g times quicker\n",
+           was.error, now, was.seconds, was.seconds / now);
+}
+
 static void answer(const question *q)
 {
     static test_series truth, s; /* large */
     cost all[WAYS][LEVELS];
-    solve(q, &ways[1], q->truth, &truth);
+    solve(q, DEFAULT, q->truth, &truth);
     for (int w = 0; w < WAYS; w++) {
-        printf("%-22s %-12s", q->name, ways[w].name);
+        printf("%-22s %-12s", q->name, names[w]);
         for (int l = 0; l < LEVELS; l++) {
-            solve(q, &ways[w], q->first + l, &s);
+            solve(q, (way)w, q->first + l, &s);
             cost c = {test_series_error(&s, &truth), s.seconds};
             all[w][l] = c;
             printf(" | %d: %7.1e %6.2f s", q->first + l, c.error, c.seconds);
             fflush(stdout);
-            record(q, &ways[w], q->first + l, c);
+            record(q, (way)w, q->first + l, c);
         }
         printf("\n");
     }
-    double error = all[0][LEVELS - 1].error, now = seconds_at(error, all[1]);
-    printf("  an error of %.1e: %.3g s, %.3g times quicker\n", error, now,
-           all[0][LEVELS - 1].seconds / now);
+    for (int l = 1; l < LEVELS; l++)
+        compare(all[BEFORE][l], all);
 }
 
 int main(int argc, char *argv[])
 {
     bench_open(argc, argv);
-    printf("\ndT = D: rms error of H_cen and CPU seconds on "
-           "levels\n");
+    printf("\nruns in time: rms error of H_cen and CPU seconds on levels; "
+           "0.1.0 is %s\n",
+           before() ? before() : "this program told to do as that one did");
     bench_list("accuracy");
     for (size_t k = 0; k < sizeof questions / sizeof *questions; k++)
         answer(&questions[k]);
