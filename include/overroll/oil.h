@@ -43,6 +43,7 @@ OVR_API void ovr_law_table_free(ovr_law_table *table);
 
 /* NAN: not given. */
 typedef struct ovr_oil {
+    size_t size; /* of this struct, as its user knows it */
     ovr_viscosity_law viscosity_law;
     ovr_density_law density_law;
     double temperature;            /* K */
@@ -60,7 +61,7 @@ typedef struct ovr_oil {
 } ovr_oil;
 
 /* Roelands and Dowson-Higginson, all numbers NAN. */
-OVR_API ovr_oil ovr_oil_unknown(void);
+OVR_SIZED(ovr_oil)
 
 /* Sets viscosity and alpha where the law or the data sheet gives them; fails
  * with OVR_BAD_INPUT about what is missing, double or out of range. */

@@ -222,7 +222,7 @@ OVR_API void ovr_setup_review(const ovr_setup *setup, ovr_listener *say,
  *
  *     ovr_study *study = ovr_study_read("loads.ini", NULL, &err);
  *     ovr_sweep_options how = ovr_sweep_options_default();
- *     ovr_sweep_totals totals;
+ *     ovr_sweep_totals totals = ovr_sweep_totals_default();
  *     if (study && !ovr_sweep(study, &how, &err))
  *         ovr_sweep_collect(study, "loads.csv", &totals, &err);
  *     ovr_study_free(study);
@@ -301,9 +301,11 @@ OVR_API ovr_status ovr_sweep(const ovr_study *study,
                              const ovr_sweep_options *options, ovr_error *err);
 
 typedef struct ovr_sweep_totals {
+    size_t size;     /* of this struct, as its user knows it */
     size_t count[8]; /* by state */
     size_t marked;   /* cases with steps accepted above the tolerance */
 } ovr_sweep_totals;
+OVR_SIZED(ovr_sweep_totals)
 
 /* Writes manifest.csv in the folder and, unless NULL, the table of all cases
  * to `path`, which ends with .csv, .nc or .h5. */

@@ -199,7 +199,7 @@ static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
     r->values.carreau_stress = r->values.carreau_number = NAN;
     if (check_twice(r, "viscosity", err) || check_twice(r, "alpha", err))
         return OVR_BAD_INPUT;
-    r->values.oil = ovr_oil_unknown();
+    r->values.oil = ovr_oil_default();
     r->values.iso_vg = NAN;
     r->values.heat = (ovr_heat_form){
         .temperature = NAN, .bulk = {NAN, NAN}, .S0 = NAN, .beta = NAN};

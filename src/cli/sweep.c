@@ -136,7 +136,7 @@ static void report_table(const sweeping *w, const ovr_sweep_totals *t)
 /* Manifest, table, report; the exit code. */
 static int finish(sweeping *w)
 {
-    ovr_sweep_totals totals;
+    ovr_sweep_totals totals = ovr_sweep_totals_default();
     ovr_error err = {0};
     if (ovr_sweep_collect(w->s, cli_value(w->call, "collect"), &totals, &err))
         return cli_fail(&err);

@@ -28,7 +28,7 @@ ovr_status ovr_lubricant_make(const ovr_contact *contact,
                               ovr_density_law density_law, double p0, double z,
                               ovr_lubricant *lubricant, ovr_error *err)
 {
-    ovr_oil oil = ovr_oil_unknown();
+    ovr_oil oil = ovr_oil_default();
     oil.viscosity_law = viscosity_law;
     oil.density_law = density_law;
     oil.p0 = p0;

@@ -10,6 +10,7 @@
 
 #include <math.h>
 
+#include "base/sized.h"
 #include "contact/laws/table.h"
 
 static const double P0_PAPER = 1.98e8; /* Pa */
@@ -18,9 +19,10 @@ static const double DENSITY_A = 5.9e8; /* Pa */
 /* Of mineral oils near 40 degC, 1/K: for densities away from 15 degC. */
 static const double EXPANSION = 6.5e-4;
 
-ovr_oil ovr_oil_unknown(void)
+void ovr_oil_fill(ovr_oil *to)
 {
-    ovr_oil oil = {.viscosity_law = OVR_ROELANDS,
+    ovr_oil oil = {.size = sizeof oil,
+                   .viscosity_law = OVR_ROELANDS,
                    .density_law = OVR_DOWSON_HIGGINSON};
     double *const numbers[] = {&oil.temperature,
                                &oil.viscosity,
@@ -46,7 +48,7 @@ ovr_oil ovr_oil_unknown(void)
                                &oil.viscosity_index};
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
         *numbers[i] = NAN;
-    return oil;
+    ovr_sized_fill(to, &oil, sizeof oil);
 }
 
 /* ---------------------------------------------------------- what is given */
@@ -199,7 +201,7 @@ static ovr_status by_data_sheet(ovr_oil *oil, ovr_error *err)
     return OVR_OK;
 }
 
-ovr_status ovr_oil_complete(ovr_oil *oil, ovr_error *err)
+static ovr_status complete(ovr_oil *oil, ovr_error *err)
 {
     if (check_tait(oil, err) || by_data_sheet(oil, err))
         return OVR_BAD_INPUT;
@@ -207,6 +209,17 @@ ovr_status ovr_oil_complete(ovr_oil *oil, ovr_error *err)
         return ovr_fail_about(err, "density_law",
                               "density_law = table needs density_file");
     return by_its_law(oil, err);
+}
+
+ovr_status ovr_oil_complete(ovr_oil *oil, ovr_error *err)
+{
+    ovr_oil whole;
+    ovr_status status = OVR_SIZED_TAKE(ovr_oil, &whole, oil, err);
+    if (!status)
+        status = complete(&whole, err);
+    if (!status)
+        ovr_sized_fill(oil, &whole, sizeof whole);
+    return status;
 }
 
 /* ------------------------------------------------------------- scaling */
@@ -270,8 +283,8 @@ static void scale_laws(const ovr_oil *oil, double ph, ovr_lubricant *made)
     made->table_ph = ph;
 }
 
-ovr_status ovr_oil_scale(const ovr_oil *oil, const ovr_contact *contact,
-                         ovr_lubricant *lubricant, ovr_error *err)
+static ovr_status scale(const ovr_oil *oil, const ovr_contact *contact,
+                        ovr_lubricant *lubricant, ovr_error *err)
 {
     double p0 = isnan(oil->p0) ? P0_PAPER : oil->p0;
     ovr_lubricant made = {.viscosity_law = OVR_ISOVISCOUS,
@@ -297,6 +310,14 @@ ovr_status ovr_oil_scale(const ovr_oil *oil, const ovr_contact *contact,
     }
     *lubricant = made;
     return OVR_OK;
+}
+
+ovr_status ovr_oil_scale(const ovr_oil *oil, const ovr_contact *contact,
+                         ovr_lubricant *lubricant, ovr_error *err)
+{
+    ovr_oil whole;
+    ovr_status status = OVR_SIZED_TAKE(ovr_oil, &whole, oil, err);
+    return status ? status : scale(&whole, contact, lubricant, err);
 }
 
 /* Panels of Gauss and Legendre's 5 points, each 1.2 times the one before,

@@ -145,22 +145,33 @@ static ovr_status write_table(const ovr_sweep_table *t, const char *path,
                     "%s: its name must end with .csv, .nc or .h5", path);
 }
 
+void ovr_sweep_totals_fill(ovr_sweep_totals *totals)
+{
+    const ovr_sweep_totals none = {.size = sizeof none};
+    ovr_sized_fill(totals, &none, sizeof none);
+}
+
 static void count(const ovr_sweep_table *t, ovr_sweep_totals *totals)
 {
-    memset(totals, 0, sizeof *totals);
-    memcpy(totals->count, t->count, sizeof t->count);
+    ovr_sweep_totals all = ovr_sweep_totals_default();
+    memcpy(all.count, t->count, sizeof t->count);
     for (size_t k = 0; k < t->columns; k++)
         for (size_t i = 0; i < t->s->tasks; i++)
-            totals->marked += !strcmp(t->column[k].name, "steps_marked") &&
-                              t->column[k].value[i] > 0;
+            all.marked += !strcmp(t->column[k].name, "steps_marked") &&
+                          t->column[k].value[i] > 0;
+    ovr_sized_fill(totals, &all, sizeof all);
 }
 
 ovr_status ovr_sweep_collect(const ovr_study *study, const char *path,
                              ovr_sweep_totals *totals, ovr_error *err)
 {
+    ovr_sweep_totals asked;
     ovr_sweep_table t;
     char manifest[4400];
-    ovr_status status = make_folder(study->output, err);
+    ovr_status status =
+        totals ? OVR_SIZED_TAKE(ovr_sweep_totals, &asked, totals, err) : OVR_OK;
+    if (!status)
+        status = make_folder(study->output, err);
     if (status)
         return status;
     snprintf(manifest, sizeof manifest, "%s/manifest.csv", study->output);

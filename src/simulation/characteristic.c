@@ -114,7 +114,7 @@ static void add_foot(ovr_simulation *sim, int past, double c, double a,
 void ovr_inflow_history(ovr_simulation *sim, const double c[2],
                         const double a[2])
 {
-    double *F = sim->room[0];
+    double *F = sim->scratch[0];
     memset(F, 0, sim->now.n * sizeof *F);
     add_foot(sim, 0, c[0], a[0], F);
     add_foot(sim, 1, c[1], a[1], F);

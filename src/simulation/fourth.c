@@ -43,7 +43,7 @@ static void standing_heights(const ovr_simulation *sim, double *S)
 bool ovr_fourth_stands_apart(ovr_simulation *sim)
 {
     size_t n = sim->now.n;
-    double *S = sim->room[0];
+    double *S = sim->scratch[0];
     if (!sim->standing_given || !sim->heights)
         return false;
     sim->heights(sim->heights_data, 0, n, sim->now.X, sim->S);
@@ -53,7 +53,7 @@ bool ovr_fourth_stands_apart(ovr_simulation *sim)
 
 void ovr_fourth_standing_gap(ovr_simulation *sim)
 {
-    double *gap = sim->room[0];
+    double *gap = sim->scratch[0];
     standing_heights(sim, gap);
     for (size_t i = 0; i < sim->now.n; i++)
         gap[i] = 0.5 * sim->now.X[i] * sim->now.X[i] - gap[i];

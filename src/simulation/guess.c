@@ -229,7 +229,7 @@ void ovr_guess_learn(ovr_simulation *sim, double dT)
 {
     formula found[OVR_GUESSES];
     size_t number[OVR_GUESSES], count = follow(sim, dT, found, number);
-    double *guess = sim->room[0], *off = sim->past.guess_error;
+    double *guess = sim->scratch[0], *off = sim->past.guess_error;
     for (size_t k = 0; k < count; k++) {
         double *mean = &off[number[k]], error;
         guess_field(sim, &found[k], sim->past.P, guess);
@@ -242,7 +242,7 @@ bool ovr_guess(ovr_simulation *sim, double dT, bool extrapolated)
 {
     const ovr_past *past = &sim->past;
     formula how = extrapolated ? formula_for(sim, dT) : last;
-    double *guess = sim->room[0];
+    double *guess = sim->scratch[0];
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (ovr_field_rows[k].guessed) {
             guess_field(sim, &how, past->all[k], guess);

@@ -99,7 +99,7 @@ static void restrict_all(ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
     const double *const from[] = {h->th, h->shift, h->drag};
-    double *room = sim->room[0];
+    double *room = sim->scratch[0];
     for (int l = sim->grids.finest; l >= sim->grids.coarsest; l--) {
         ovr_level *level = &sim->grids.level[l];
         double *const to[] = {level->f.th, level->f.shift, level->f.drag};
@@ -131,7 +131,7 @@ static void put_asymmetry(ovr_simulation *sim)
 {
     const double *D = sim->heated->asymmetry, *q = sim->now.q;
     const ovr_weights *w = &sim->finest->weights;
-    double *F = sim->room[0];
+    double *F = sim->scratch[0];
     F[0] = 0;
     for (size_t i = 1; i < sim->now.n; i++) {
         const double *a = i == 1 ? w->first : w->a;

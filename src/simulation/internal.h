@@ -77,7 +77,7 @@ struct ovr_simulation {
 
     double *S;
     ovr_solution now;
-    double *room[2]; /* as many values, for as long as a function */
+    double *scratch[2]; /* as many values, for as long as a function */
     ovr_past past;
     ovr_inflow inflow;
     ovr_arrival arrival;

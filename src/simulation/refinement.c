@@ -33,7 +33,7 @@ static void note(ovr_simulation *sim, const ovr_level *level,
                  const ovr_full_status *status)
 {
     ovr_refinement *to = &sim->refinement[sim->refinements++];
-    double *now = sim->room[0], *before = sim->room[1];
+    double *now = sim->scratch[0], *before = sim->scratch[1];
     double q = status->factor < 0.95 ? status->factor : 0.95;
     *to = (ovr_refinement){.level = level->number,
                            .nodes = level->grid.n,
@@ -55,7 +55,7 @@ void ovr_refinement_watch(void *data, const ovr_level *level,
                           ovr_full_event event, const ovr_full_status *status)
 {
     ovr_simulation *sim = data;
-    double *P = event == OVR_FULL_BEGINS ? sim->saved : sim->room[0];
+    double *P = event == OVR_FULL_BEGINS ? sim->saved : sim->scratch[0];
     if (event == OVR_FULL_ENDS) {
         note(sim, level, status);
         return;

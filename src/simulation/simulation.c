@@ -117,7 +117,7 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
     sim->now.n = sim->finest->grid.n;
     sim->now.X = sim->finest->grid.X;
     for (int k = 0; k < 2; k++)
-        sim->room[k] = grids->scratch[k];
+        sim->scratch[k] = grids->scratch[k];
     if (o->order == 4 &&
         ovr_correction_prepare(grids, &sim->correction, &sim->arena, err))
         return OVR_NO_MEMORY;
@@ -214,7 +214,7 @@ void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
 
 void ovr_simulation_gap(ovr_simulation *sim, double T)
 {
-    double *restrict gap = sim->room[0];
+    double *restrict gap = sim->scratch[0];
     const double *restrict X = sim->now.X, *restrict S = sim->S;
     size_t n = sim->now.n;
     if (sim->heights) {

@@ -159,7 +159,7 @@ static double cavity_length(const ovr_solution *s)
 /* Inflow - outflow - stored change is, row by row, the residual. */
 static double mass_defect(const ovr_simulation *sim)
 {
-    double *r = sim->room[0];
+    double *r = sim->scratch[0];
     ovr_level_read(&sim->grids, sim->finest, sim->finest->f.r, r);
     return -ovr_integral(sim, r) / sim->observation.H_cen;
 }

@@ -41,7 +41,7 @@ void ovr_history_term(ovr_simulation *sim, double *F)
 void ovr_history_at_nodes(ovr_simulation *sim, const double c[2], double T)
 {
     (void)T;
-    double *F = sim->room[0];
+    double *F = sim->scratch[0];
     sim->grids.kernels->combine(sim->now.n, c[0], sim->past.q[0], c[1],
                                 sim->past.q[1], F);
     ovr_history_term(sim, F);

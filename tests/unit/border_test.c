@@ -151,6 +151,14 @@ static bool feature(void *o, ovr_error *err)
     return status != OVR_OK;
 }
 
+static bool oil(void *o, ovr_error *err)
+{
+    const ovr_contact c = {.M = 20, .L = 10, .alphabar = 20, .ph = 1e9};
+    ovr_lubricant made;
+    return ovr_oil_complete(o, err) != OVR_OK ||
+           ovr_oil_scale(o, &c, &made, err) != OVR_OK;
+}
+
 static bool stress(void *o, ovr_error *err)
 {
     ovr_stress *made = ovr_stress_create(o, NULL, err);
@@ -203,6 +211,21 @@ static bool view(void *o, ovr_error *err)
     return strstr(err->message, "_default()") != NULL;
 }
 
+/* What the library fills says how long it is too. */
+static void test_totals(void **state)
+{
+    ovr_sweep_totals totals = {0};
+    ovr_error err = {0};
+    (void)state;
+    assert_int_equal(ovr_sweep_collect(NULL, NULL, &totals, &err),
+                     OVR_BAD_INPUT);
+    assert_non_null(strstr(err.message, "ovr_sweep_totals_default()"));
+    totals.size = offsetof(ovr_sweep_totals, marked);
+    totals.count[1] = totals.marked = 7;
+    ovr_sweep_totals_fill(&totals);
+    assert_true(totals.count[1] == 0 && totals.marked == 7);
+}
+
 /* Every other struct of options, whole or of an older caller that ends before
  * `known`; not of a newer one nor without a size. */
 #define EACH(type, function, known, ...)                                       \
@@ -242,6 +265,7 @@ static void test_all_sizes(void **state)
     EACH(ovr_roughness, roughness, seed, whole.Rq = 0.1, whole.length = 8);
     EACH(ovr_feature_form, feature, roughness, whole.depth = 0.1,
          whole.width = 1, whole.start = 0);
+    EACH(ovr_oil, oil, density_15, whole.z = 0.6);
     EACH(ovr_stress_options, stress, traction, whole.mesh = 0.05,
          whole.inlet = -3, whole.nodes = 121);
     EACH(ovr_material_range, material, least_depth, whole.poisson = 0.25);
@@ -263,7 +287,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_options),      cmocka_unit_test(test_march),
         cmocka_unit_test(test_filled),       cmocka_unit_test(test_all_sizes),
-        cmocka_unit_test(test_all_pictures),
+        cmocka_unit_test(test_all_pictures), cmocka_unit_test(test_totals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

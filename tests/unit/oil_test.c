@@ -11,7 +11,7 @@
 /* An ester at 1 GPa of Hertzian pressure, made up. */
 static ovr_oil an_oil(ovr_viscosity_law law, ovr_density_law density)
 {
-    ovr_oil oil = ovr_oil_unknown();
+    ovr_oil oil = ovr_oil_default();
     oil.viscosity_law = law;
     oil.density_law = density;
     oil.temperature = 353.15;
@@ -315,7 +315,7 @@ static void oils_say_what_they_lack(void **state)
     oil.temperature = 190;
     assert_int_equal(ovr_oil_complete(&oil, &err), OVR_BAD_INPUT);
     assert_string_equal(err.about, "temperature");
-    oil = ovr_oil_unknown();
+    oil = ovr_oil_default();
     oil.nu_40 = 46e-6;
     assert_int_equal(ovr_oil_complete(&oil, &err), OVR_BAD_INPUT);
     assert_string_equal(err.about, "temperature");
