@@ -9,24 +9,15 @@ static const double S0_USUAL = 1.1; /* of mineral oils */
 /* What heat is not there for. */
 static ovr_status check(const ovr_resolved *r, ovr_error *err)
 {
-    const ovr_slot *model = ovr_block_get(ovr_block_of(r, "heat"), "model");
     const ovr_options *o = &r->values.options;
     const ovr_block *domain = ovr_block_of(r, "domain");
     const ovr_block *time = ovr_block_of(r, "time");
-    if (r->setup.transient)
-        return ovr_fail_slot(err, model,
-                             "heat is there for steady contacts only: leave "
-                             "out end in [time]");
-    if (r->setup.speed || r->setup.sliding)
-        return ovr_fail_slot(err, model,
-                             "heat is there for constant speeds: leave out "
-                             "[speed] and [sliding]");
     if (o->order == 4)
         return ovr_fail_slot(err, ovr_block_get(domain, "order"),
                              "heat goes with order 2");
-    if (r->values.scheme >= 0 && r->values.scheme != OVR_UPSTREAM2)
+    if (r->values.scheme == OVR_CHARACTERISTIC)
         return ovr_fail_slot(err, ovr_block_get(time, "scheme"),
-                             "heat goes with upstream2");
+                             "heat goes with upstream2 and upstream1");
     return OVR_OK;
 }
 
@@ -40,7 +31,8 @@ ovr_status ovr_resolve_heat(ovr_resolved *r, ovr_error *err)
     if (check(r, err))
         return OVR_BAD_INPUT;
     v->options.order = 2;
-    v->options.scheme = OVR_UPSTREAM2;
+    if (v->scheme < 0)
+        v->options.scheme = OVR_UPSTREAM2;
     form->temperature = v->oil.temperature;
     if (isnan(form->S0) && isnan(form->beta) &&
         r->lubricant.viscosity_law == OVR_ROELANDS)

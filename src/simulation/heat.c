@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Heat in a steady contact (equations in heat.h). */
-#include "simulation/heat.h"
+#include "simulation/heat_in_time.h"
 
 #include <math.h>
 #include <string.h>
@@ -17,9 +17,10 @@ static ovr_status check(const ovr_simulation *sim, ovr_error *err)
     const ovr_options *o = &sim->options;
     if (o->order == 4)
         return ovr_fail_about(err, "order", "order: heat goes with order 2");
-    if (o->scheme != OVR_UPSTREAM2)
+    if (o->scheme == OVR_CHARACTERISTIC)
         return ovr_fail_about(err, "scheme",
-                              "scheme: heat goes with upstream2");
+                              "scheme: heat goes with upstream2 and "
+                              "upstream1");
     if (!(sim->contact.u1_ratio >= 0 && sim->contact.u2_ratio >= 0))
         return ovr_fail_about(err, "slide_to_roll",
                               "slide_to_roll: heat wants both surfaces to move "
@@ -36,8 +37,8 @@ static ovr_status take(ovr_simulation *sim, double **to, ovr_error *err)
 static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
                               ovr_error *err)
 {
-    double **const all[] = {&h->q[0], &h->q[1],      &h->mean, &h->t,
-                            &h->drag, &h->asymmetry, &h->th,   &h->shift};
+    double **const all[] = {&h->q[0], &h->q[1],   &h->mean, &h->t,
+                            &h->drag, &h->turned, &h->th,   &h->shift};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (take(sim, all[k], err))
             return OVR_NO_MEMORY;
@@ -56,12 +57,23 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
     return OVR_OK;
 }
 
+/* The rates of the memories stay whatever the steps and speeds: they reach
+ * from steps of part of a mesh to two passages of the domain. */
+static void remember(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    double D = ovr_mesh(sim), length = (double)(sim->now.n - 1) * D;
+    const double u[2] = {sim->contact.u1_ratio, sim->contact.u2_ratio};
+    for (int k = 0; k < 2; k++) {
+        h->longest[k] = 2 * length / fmax(fabs(u[k]), 0.1);
+        ovr_memory_rates(D / 8, h->longest[k], &h->memory[k]);
+    }
+}
+
 ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
                                ovr_error *err)
 {
-    double D = ovr_mesh(sim), length = (double)(sim->now.n - 1) * D;
     const ovr_lubricant *oil = &sim->lubricant;
-    const double ratio[2] = {sim->contact.u1_ratio, sim->contact.u2_ratio};
     ovr_heated *h;
     if (check(sim, err))
         return OVR_BAD_INPUT;
@@ -69,8 +81,6 @@ ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
     if (!h)
         return OVR_NO_MEMORY;
     h->numbers = *heat;
-    h->V = ratio[0] - ratio[1];
-    h->u1 = ratio[0];
     h->Sigma0 = oil->rheology == OVR_NEWTONIAN ? INFINITY : oil->Sigma0;
     h->limit = oil->limiting_shear > 0
                    ? oil->limiting_shear / sim->contact.kappa
@@ -78,17 +88,10 @@ ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
     ovr_across_make(heat->points, &h->across);
     if (take_arrays(sim, h, err))
         return OVR_NO_MEMORY;
-    for (int k = 0; k < 2; k++) {
-        double at_1 = heat->peclet[k] / ratio[k]; /* Peclet number of um */
-        h->speed[k] = ratio[k];
-        if (!(heat->peclet[k] >= heat->least_peclet))
-            h->speed[k] = ratio[k] > 0 ? heat->least_peclet / at_1
-                                       : LEAST_SPEED;
-        ovr_memory_rates(D / h->speed[k], length / h->speed[k], &h->memory[k]);
-        ovr_memory_fit(D / h->speed[k], length / h->speed[k], &h->memory[k]);
-    }
     sim->heated = h;
-    ovr_heat_reset(sim);
+    if (ovr_heat_steps_take(sim, err))
+        return OVR_NO_MEMORY;
+    remember(sim);
     return OVR_OK;
 }
 
@@ -112,39 +115,78 @@ static void restrict_all(ovr_simulation *sim)
     }
 }
 
+/* Speeds of the surfaces at T = 0, and their memories from node to node. */
+static void start_surfaces(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    const ovr_contact *c = &sim->contact;
+    const double ratio[2] = {c->u1_ratio, c->u2_ratio};
+    double D = ovr_mesh(sim), length = (double)(sim->now.n - 1) * D;
+    ovr_heat_speeds(sim, 0);
+    for (int k = 0; k < 2; k++) {
+        double u = h->u1 - k * h->V;
+        double at_1 = h->numbers.peclet[k] / fabs(ratio[k]); /* of um */
+        double least = ratio[k] != 0 ? h->numbers.least_peclet / at_1 : 0;
+        h->speed[k] = fmax(u, fmax(least, LEAST_SPEED));
+        ovr_memory_fit(D / h->speed[k],
+                       fmax(h->longest[k], length / h->speed[k]),
+                       &h->memory[k]);
+    }
+}
+
 void ovr_heat_reset(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
+    start_surfaces(sim);
+    h->steps->trying = false;
+    h->steps->dT = 0;
     for (size_t i = 0; i < sim->now.n; i++) {
         h->th[i] = 1;
-        h->shift[i] = h->asymmetry[i] = 0;
+        h->shift[i] = h->turned[i] = 0;
         h->drag[i] = 1;
         for (int j = 0; j < h->across.n; j++)
             h->T[j][i] = h->used[j][i] = 0;
     }
-    restrict_all(sim);
-    ovr_level_clear(sim->finest, sim->finest->f.F);
+    ovr_heat_give(sim);
 }
 
-/* F of N = F: the wedge of q D. */
-static void put_asymmetry(ovr_simulation *sim)
+void ovr_heat_speeds(ovr_simulation *sim, double T)
 {
-    const double *D = sim->heated->asymmetry, *q = sim->now.q;
-    const ovr_weights *w = &sim->finest->weights;
+    ovr_heated *h = sim->heated;
+    h->V = ovr_sliding(sim, T);
+    h->u1 = ovr_history_value(sim->speed, T) + h->V / 2;
+}
+
+/* F of N = F: the wedge of q D, and in time what the past gives. */
+static void put_turned(ovr_simulation *sim)
+{
+    const ovr_heated *h = sim->heated;
+    const double *v = h->turned, D = ovr_mesh(sim);
     double *F = sim->scratch[0];
-    F[0] = 0;
-    for (size_t i = 1; i < sim->now.n; i++) {
-        const double *a = i == 1 ? w->first : w->a;
-        F[i] = a[0] * q[i] * D[i] + a[1] * q[i - 1] * D[i - 1];
+    ovr_operator op = {0};
+    ovr_weights w;
+    ovr_reynolds_wedge(&op, sim->scheme->order == 2, 1);
+    w = ovr_reynolds_weights(&op, D);
+    for (size_t i = 0; i < sim->now.n; i++) {
+        const double *a = i == 1 ? w.first : w.a;
+        F[i] = h->steps->dT > 0 ? h->steps->F[i] : 0;
+        if (i > 0)
+            F[i] += a[0] * v[i] + a[1] * v[i - 1];
         if (i > 1)
-            F[i] += a[2] * q[i - 2] * D[i - 2];
+            F[i] += a[2] * v[i - 2];
     }
     ovr_level_write(&sim->grids, sim->finest, F, sim->finest->f.F);
 }
 
+void ovr_heat_give(ovr_simulation *sim)
+{
+    restrict_all(sim);
+    put_turned(sim);
+}
+
 /* ------------------------------------------------------------- the nodes */
 
-static ovr_sheet sheet_at(const ovr_simulation *sim, size_t i)
+ovr_sheet ovr_heat_sheet(const ovr_simulation *sim, size_t i)
 {
     const ovr_solution *now = &sim->now;
     const ovr_heated *h = sim->heated;
@@ -169,13 +211,13 @@ static ovr_sheet sheet_at(const ovr_simulation *sim, size_t i)
     return sheet;
 }
 
-static void flow_at(const ovr_simulation *sim, double *const *T, size_t i,
-                    const ovr_sheet *sheet, ovr_flow_across *flow)
+void ovr_heat_flow(const ovr_simulation *sim, size_t i, const ovr_sheet *sheet,
+                   ovr_flow_across *flow)
 {
     const ovr_heated *h = sim->heated;
     double here[OVR_MOST_ACROSS];
     for (int j = 0; j < h->across.n; j++)
-        here[j] = T[j][i];
+        here[j] = h->used[j][i];
     ovr_flow_across_film(&h->across, &h->numbers, sheet, here, flow);
 }
 
@@ -184,20 +226,20 @@ void ovr_heat_apply(ovr_simulation *sim)
     ovr_heated *h = sim->heated;
     const ovr_heat *numbers = &h->numbers;
     for (size_t i = 0; i < sim->now.n; i++) {
-        ovr_sheet sheet = sheet_at(sim, i);
+        ovr_sheet sheet = ovr_heat_sheet(sim, i);
         ovr_flow_across flow;
         double psi;
-        flow_at(sim, h->used, i, &sheet, &flow);
+        sheet.wet = false; /* the ratios alone are wanted */
+        ovr_heat_flow(sim, i, &sheet, &flow);
         psi = 3 * (flow.m[2] - flow.m[1] * flow.m[1] / flow.m[0]);
         /* ln eta of 0 and 1 give th and shift of any law */
         double at_0 = ovr_heat_log_viscosity(numbers, 0, flow.mean);
         h->th[i] = ovr_heat_log_viscosity(numbers, 1, flow.mean) - at_0;
         h->shift[i] = -at_0 * INV_LN2 + log2(psi);
         h->drag[i] = psi / flow.m[0];
-        h->asymmetry[i] = h->V / 2 * flow.m[1] / flow.m[0];
+        h->turned[i] = sim->now.q[i] * h->V / 2 * flow.m[1] / flow.m[0];
     }
-    restrict_all(sim);
-    put_asymmetry(sim);
+    ovr_heat_give(sim);
 }
 
 /* -------------------------------------------------------------- marching */
@@ -212,7 +254,7 @@ static void solve_node(ovr_simulation *sim, size_t i, march *m)
     ovr_heated *h = sim->heated;
     double D = ovr_spacing(&sim->now, i), foot[OVR_MOST_ACROSS];
     double travel[OVR_MOST_ACROSS], T[OVR_MOST_ACROSS];
-    ovr_sheet sheet = sheet_at(sim, i);
+    ovr_sheet sheet = ovr_heat_sheet(sim, i);
     ovr_flow_across flow;
     ovr_wall wall[2];
     int last = h->across.n - 1;
@@ -220,7 +262,7 @@ static void solve_node(ovr_simulation *sim, size_t i, march *m)
         m->streamers = sim->now.q[i];
     else /* what is left fills less than the gap */
         sheet.H = fmin(sheet.H, fmax(m->streamers, 1e-6) / sheet.rho);
-    flow_at(sim, h->used, i, &sheet, &flow);
+    ovr_heat_flow(sim, i, &sheet, &flow);
     for (int j = 0; j <= last; j++) {
         foot[j] = h->T[j][i - 1];
         travel[j] = D / fmax(flow.u[j], LEAST_SPEED);
@@ -236,6 +278,7 @@ static void solve_node(ovr_simulation *sim, size_t i, march *m)
     for (int k = 0; k < 2; k++) {
         double q = (T[k ? last : 0] - wall[k].h) / wall[k].resistance;
         ovr_memory_step(&h->memory[k], m->q[k], q, m->psi[k]);
+        ovr_heat_steps_keep(sim, k, i, m->psi[k]);
         h->q[k][i] = m->q[k] = q;
     }
     h->mean[i] = 0;
@@ -274,13 +317,16 @@ double ovr_heat_relax(ovr_simulation *sim, double share)
 
 void ovr_heat_stress(const ovr_simulation *sim, double *t)
 {
-    const ovr_heated *h = sim->heated;
+    ovr_heated *h = sim->heated;
+    double made = 0;
     for (size_t i = 0; i < sim->now.n; i++) {
-        ovr_sheet sheet = sheet_at(sim, i);
+        ovr_sheet sheet = ovr_heat_last_sheet(sim, i);
         ovr_flow_across flow;
-        flow_at(sim, h->used, i, &sheet, &flow);
+        ovr_heat_flow(sim, i, &sheet, &flow);
         h->t[i] = flow.t;
+        made += sim->now.weights[i] * ovr_heat_made(sim, i, &sheet, &flow);
     }
+    h->made = made;
     for (size_t i = 0; i + 1 < sim->now.n; i++)
         t[i] = (h->t[i] + h->t[i + 1]) / 2;
 }
@@ -295,26 +341,21 @@ static void largest(const ovr_simulation *sim, const double *T, double *value,
         }
 }
 
-/* Heat that the nodes make, over Theta; what the oil carries out. */
-static double balance(const ovr_simulation *sim, double *made)
+/* What the steady oil takes up. */
+static double steadily_stored(const ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
     double stored = 0;
-    *made = 0;
     for (size_t i = 1; i < sim->now.n; i++) {
-        ovr_sheet sheet = sheet_at(sim, i);
+        ovr_sheet sheet = ovr_heat_sheet(sim, i);
         ovr_flow_across flow;
         if (!sheet.wet)
             continue;
-        flow_at(sim, h->used, i, &sheet, &flow);
-        for (int j = 0; j < h->across.n; j++) {
-            double w = sim->now.weights[i] * h->across.w[j];
-            *made += w * (flow.heating[j] +
-                          h->numbers.expansion * (h->numbers.T0 + h->T[j][i]) *
-                              sheet.H * flow.u[j] * sheet.P_X);
-            stored += w * sheet.rho * sheet.H * fmax(flow.u[j], LEAST_SPEED) *
+        ovr_heat_flow(sim, i, &sheet, &flow);
+        for (int j = 0; j < h->across.n; j++)
+            stored += sim->now.weights[i] * h->across.w[j] * sheet.rho *
+                      sheet.H * fmax(flow.u[j], LEAST_SPEED) *
                       (h->T[j][i] - h->T[j][i - 1]) / ovr_spacing(&sim->now, i);
-        }
     }
     return stored / h->numbers.theta;
 }
@@ -357,14 +398,22 @@ void ovr_observe_heat(const ovr_simulation *sim, ovr_observation *o)
     o->heat_flow_1 = o->heat_flow_2 = o->energy_defect = NAN;
     if (!sim->heated)
         return;
+    o->energy_defect = 0;
     observe_temperatures(sim, o);
     o->heat_flow_1 = flow_into(sim, 0);
     o->heat_flow_2 = flow_into(sim, 1);
-    stored = balance(sim, &made);
-    o->energy_defect = made != 0
-                           ? (made - o->heat_flow_1 - o->heat_flow_2 - stored) /
-                                 made
-                           : 0;
+    made = sim->heated->made;
+    stored = sim->heated->steps->dT > 0 ? sim->heated->steps->stored
+                                        : steadily_stored(sim);
+    if (made != 0)
+        o->energy_defect = (made - stored - o->heat_flow_1 - o->heat_flow_2) /
+                           made;
+}
+
+double ovr_heat_turned(const ovr_simulation *sim, size_t i)
+{
+    const double *v = sim->heated ? sim->heated->turned : NULL;
+    return v ? (v[i] + v[i + 1]) / 2 : 0;
 }
 
 /* Absolute, at a point across the film; -1: the mean. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Heat in a steady contact: temperatures of film and surfaces by marching along
- * x (across.h, solids.h), and what Reynolds' equation gets of them, in turn
- * with cycles until neither changes.
+ * Heat in a steady contact (in time: heat_in_time.h): temperatures of film and
+ * surfaces by marching along x (across.h, solids.h), and what Reynolds'
+ * equation gets of them, in turn with cycles until neither changes.
  *
  * A node is entered from the one upstream, t_j = D/u_j, u_j at least 0.02; a
  * surface of Peclet number below 5 is taken to have 5.  At the inlet the oil
@@ -11,7 +11,7 @@
  *     th = (T0 - 138 K + T_m)^(-S0)/...,  log2(1/eta) <- th log2(1/eta) + shift
  *     shift = (1 - th) C/ln 2 + log2 psi_e      Roelands
  *     shift = beta T_m/ln 2 + log2 psi_e, th = 1    others
- *     F = wedge of q D
+ *     F = wedge of q D, at um = 1: of q (V/2) m_1/m_0
  *
  * go down to all grids by injection, F to the finest alone.
  */
@@ -27,15 +27,18 @@ typedef struct ovr_heated {
     ovr_across across;
     ovr_memory memory[2];
     double speed[2];            /* u_k/um, at least that of Peclet number 5 */
+    double longest[2];          /* time that a surface remembers */
     double *T[OVR_MOST_ACROSS]; /* rises at the nodes, by points */
     double *used[OVR_MOST_ACROSS]; /* under-relaxed: what the film has */
     double *q[2];                  /* T_zeta/H into the surfaces */
     double *mean;                  /* T_m of T */
     double *t;                     /* mean stress at the nodes */
-    double *asymmetry, *drag;      /* D; psi_c */
+    double *turned, *drag;         /* q V/2 m_1/m_0; psi_c */
     double *th, *shift;            /* in the order of the nodes */
-    double V, u1;
-    double Sigma0, limit; /* as in across.h; limit over P */
+    double V, u1;                  /* now */
+    double made;                   /* power, by ovr_heat_stress; over Theta */
+    struct ovr_heat_steps *steps;  /* heat_in_time.h */
+    double Sigma0, limit;          /* as in across.h; limit over P */
 } ovr_heated;
 
 /* Isothermal again. */
@@ -48,10 +51,22 @@ void ovr_heat_march(ovr_simulation *sim);
  * largest rise. */
 double ovr_heat_relax(ovr_simulation *sim, double share);
 
-/* Gives film and finest F of all grids what `used` means. */
+/* Gives film and finest F of all grids what `used` means for the film that was
+ * read last; what was found last. */
 void ovr_heat_apply(ovr_simulation *sim);
+void ovr_heat_give(ovr_simulation *sim);
 
-/* Mean shear stress at half nodes, means of the nodes beside them. */
+/* Takes V and u1 of the time T. */
+void ovr_heat_speeds(ovr_simulation *sim, double T);
+
+/* A node of the film that was read last, P_T = 0; what flows in it, with
+ * viscosities by `used`. */
+ovr_sheet ovr_heat_sheet(const ovr_simulation *sim, size_t i);
+void ovr_heat_flow(const ovr_simulation *sim, size_t i, const ovr_sheet *sheet,
+                   ovr_flow_across *flow);
+
+/* Mean shear stress at half nodes, means of the nodes beside them; and what
+ * all nodes make. */
 void ovr_heat_stress(const ovr_simulation *sim, double *t);
 
 /* Temperatures in K at the point j across (-1: the mean), heat fluxes into a
@@ -60,6 +75,9 @@ const double *ovr_heat_temperature(const ovr_simulation *sim, int j,
                                    double *room);
 const double *ovr_heat_flux(const ovr_simulation *sim, int surface,
                             double *room);
+
+/* q D at the half node i + 1/2; 0 without heat. */
+double ovr_heat_turned(const ovr_simulation *sim, size_t i);
 
 /* Largest rises, flows into the surfaces, defect of the balance. */
 void ovr_observe_heat(const ovr_simulation *sim, ovr_observation *o);

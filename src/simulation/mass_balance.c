@@ -18,9 +18,18 @@
 #include <math.h>
 
 #include "multigrid/flow.h"
-#include "simulation/internal.h"
+#include "simulation/heat.h"
 
-/* E at the half node i + 1/2, at the time T. */
+/* By how much temperatures thin the oil at a node. */
+static double thinned(const ovr_simulation *sim, size_t i)
+{
+    const ovr_solution *now = &sim->now;
+    if (!sim->heated)
+        return 1;
+    return now->eps[i] / ovr_flow(&sim->grids.fluid, now->P[i], now->H[i]);
+}
+
+/* E at the half node i + 1/2, at the time T; with temperatures of now. */
 static double poiseuille(const ovr_simulation *sim, double T, const double *P,
                          const double *q, size_t i)
 {
@@ -32,7 +41,8 @@ static double poiseuille(const ovr_simulation *sim, double T, const double *P,
         nodes.P[k] = P[i + k];
         nodes.q[k] = q[i + k];
         nodes.H[k] = q[i + k] / rho;
-        nodes.eps[k] = ovr_flow(&fluid, P[i + k], nodes.H[k]);
+        nodes.eps[k] = thinned(sim, i + k) *
+                       ovr_flow(&fluid, P[i + k], nodes.H[k]);
     }
     return ovr_flow_between(&fluid, sim->now.X[i + 1] - sim->now.X[i], &nodes);
 }
@@ -41,7 +51,7 @@ static double central_flux(const ovr_simulation *sim, double T, const double *P,
                            const double *q, size_t i)
 {
     double Cu = ovr_history_value(sim->speed, T);
-    return 0.5 * Cu * (q[i] + q[i + 1]) -
+    return 0.5 * Cu * (q[i] + q[i + 1]) + ovr_heat_turned(sim, i) -
            poiseuille(sim, T, P, q, i) * (P[i + 1] - P[i]) /
                (sim->now.X[i + 1] - sim->now.X[i]);
 }
@@ -62,8 +72,9 @@ static double own_flow(const ovr_simulation *sim, double Cu, size_t end)
     double sum = 0;
     for (size_t i = 0; i <= end; i++) {
         double twice = flow ? flow[i] : eps[i] + eps[i + 1];
-        sum += 0.5 * fabs(Cu * (q[i] + q[i + 1]) * (X[i + 1] - X[i]) -
-                          twice * (P[i + 1] - P[i]));
+        double through = Cu * (q[i] + q[i + 1]) / 2 + ovr_heat_turned(sim, i);
+        sum += fabs(through * (X[i + 1] - X[i]) -
+                    twice / 2 * (P[i + 1] - P[i]));
     }
     return sum / (X[end + 1] - X[0]);
 }

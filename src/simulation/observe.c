@@ -71,13 +71,35 @@ static double upstream(const ovr_simulation *sim, size_t i)
     return flow;
 }
 
+/* q D there, as F has it (heat.h). */
+static double turned(const ovr_simulation *sim, size_t i)
+{
+    const double *u = sim->scheme->upstream;
+    const double *v = sim->heated ? sim->heated->turned : NULL;
+    return !v ? 0 : i == 0 ? v[0] : u[0] * v[i] + u[1] * v[i - 1];
+}
+
 /* The scheme's own flux at half node i + 1/2: upstream wedge and Poiseuille
  * flow. */
 double ovr_flux(const ovr_simulation *sim, double Cu, size_t i)
 {
     const double *P = sim->now.P, *X = sim->now.X;
-    return Cu * upstream(sim, i) - 0.5 * twice_flow(&sim->now, i) *
-                                       (P[i + 1] - P[i]) / (X[i + 1] - X[i]);
+    return Cu * upstream(sim, i) + turned(sim, i) -
+           0.5 * twice_flow(&sim->now, i) * (P[i + 1] - P[i]) /
+               (X[i + 1] - X[i]);
+}
+
+/* Node by node, with what temperatures turn to the side. */
+static double mean_hot_flow(const ovr_simulation *sim, double Cu)
+{
+    const double *P = sim->now.P;
+    double sum = 0, count = 0;
+    for (size_t i = 1; i + 2 < sim->now.n; i++)
+        if (P[i] > 0 && P[i + 1] > 0) {
+            sum += ovr_flux(sim, Cu, i);
+            count++;
+        }
+    return count > 0 ? sum / count : 0;
 }
 
 /* The same inside, where it has two nodes upstream, over all that is wet. */
@@ -86,6 +108,8 @@ static double mean_flow(const ovr_simulation *sim)
     double Cu = ovr_history_value(sim->speed, sim->state.T);
     const double *upstream = sim->scheme->upstream;
     const double u[2] = {upstream[0] * Cu, upstream[1] * Cu};
+    if (sim->heated)
+        return mean_hot_flow(sim, Cu);
     return sim->grids.kernels->mean_flow(sim->now.n, u, sim->now.X, sim->now.P,
                                          sim->now.q, sim->now.eps,
                                          sim->now.flow);

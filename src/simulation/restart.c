@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "simulation/internal.h"
+#include "simulation/heat_in_time.h"
 
 typedef struct part {
     const char *name;
@@ -63,6 +63,8 @@ ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
     ovr_status status = visit_past(sim, visit, context, err);
     if (!status)
         status = visit_corrections(sim, visit, context, err);
+    if (!status && sim->heated)
+        status = ovr_heat_visit(sim, visit, context, err);
 #define PART(name, member)                                                     \
     {                                                                          \
         name, &(member), sizeof(member)                                        \
@@ -129,6 +131,8 @@ void ovr_simulation_restored(ovr_simulation *sim)
         sim->statistics.H_min = INFINITY;
     if (ovr_conserves(sim))
         ovr_supply_step(sim, 0);
+    if (sim->heated)
+        ovr_heat_restored(sim);
     ovr_simulation_step_back(sim);
     ovr_observe(sim, seen.dT, &outcome);
     sim->observation.mass_defect = seen.mass_defect;

@@ -50,39 +50,49 @@ static long double orthogonalize(fit *f, int m, long double part[OVR_MODES + 1])
     return norm;
 }
 
+/* Modes that remember anything after a step; the others have no weight. */
+static int modes_alive(const ovr_memory *memory, double dT)
+{
+    const double forgotten = 36; /* e^-36 is below rounding */
+    int alive = OVR_MODES;
+    while (alive > 1 && memory->rate[alive - 1] * dT > forgotten)
+        alive--;
+    return alive;
+}
+
 /* Least squares by modified Gram and Schmidt. */
-static void solve(fit *f, double weight[OVR_MODES])
+static void solve(fit *f, int modes, double weight[OVR_MODES])
 {
     long double part[OVR_MODES][OVR_MODES + 1];
-    for (int m = 0; m < OVR_MODES; m++)
+    for (int m = 0; m < modes; m++)
         orthogonalize(f, m, part[m]);
-    for (int m = OVR_MODES - 1; m >= 0; m--) {
+    for (int m = modes - 1; m >= 0; m--) {
         long double w = part[m][OVR_MODES];
-        for (int c = m + 1; c < OVR_MODES; c++)
+        for (int c = m + 1; c < modes; c++)
             w -= part[m][c] * weight[c];
         weight[m] = (double)w;
     }
 }
 
-static double worst(const ovr_memory *memory, const double weight[OVR_MODES],
-                    double dT, double longest)
+double ovr_memory_error(const ovr_memory *memory, double longest)
 {
     double most = 0;
     for (int k = 0; k <= 1000; k++) {
-        double t = dT * pow(longest / dT, k / 1000.0), sum = 0;
+        double past = memory->dT * (pow(longest / memory->dT, k / 1000.) - 1);
+        double sum = 0;
         for (int m = 0; m < OVR_MODES; m++)
-            sum += weight[m] * exp(-memory->rate[m] * t);
-        most = fmax(most, fabs(sqrt(t) * sum - 1));
+            sum += memory->weight[m] * exp(-memory->rate[m] * past);
+        most = fmax(most, fabs(sqrt(memory->dT + past) * sum - 1));
     }
     return most;
 }
 
-double ovr_memory_fit(double dT, double longest, ovr_memory *memory)
+void ovr_memory_fit(double dT, double longest, ovr_memory *memory)
 {
     double weight[OVR_MODES] = {0};
     fit f;
     fill(&f, memory, dT, longest);
-    solve(&f, weight);
+    solve(&f, modes_alive(memory, dT), weight);
     memory->dT = dT;
     for (int m = 0; m < OVR_MODES; m++) {
         double x = memory->rate[m] * dT, e = exp(-x);
@@ -93,7 +103,6 @@ double ovr_memory_fit(double dT, double longest, ovr_memory *memory)
         memory->before[m] = dT *
                             (small ? 0.5 - x / 3 : (1 - e * (1 + x)) / (x * x));
     }
-    return worst(memory, weight, dT, longest);
 }
 
 double ovr_memory_past(const ovr_memory *memory, const double *psi, double q)

@@ -38,9 +38,10 @@ typedef struct ovr_memory {
 /* Rates for times from `shortest` to `longest`; they stay for a run. */
 void ovr_memory_rates(double shortest, double longest, ovr_memory *memory);
 
-/* Weights for steps of dT; the largest relative error of the kernel from dT to
- * `longest`. */
-double ovr_memory_fit(double dT, double longest, ovr_memory *memory);
+/* Weights for steps of dT; the largest relative error of the kernel then, from
+ * dT to `longest`. */
+void ovr_memory_fit(double dT, double longest, ovr_memory *memory);
+double ovr_memory_error(const ovr_memory *memory, double longest);
 
 /* What the past of a point says: (h - T_bulk)/N. */
 double ovr_memory_past(const ovr_memory *memory, const double *psi, double q);

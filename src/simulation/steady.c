@@ -12,8 +12,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "simulation/heat.h"
-#include "simulation/internal.h"
+#include "simulation/heat_in_time.h"
 
 double ovr_film_expected(const ovr_simulation *sim, double fraction)
 {
@@ -242,6 +241,8 @@ static void begin_history(ovr_simulation *sim)
         past->H0[ago] = sim->grids.H0;
         past->T[ago] = 0;
     }
+    if (sim->heated)
+        ovr_heat_begin(sim);
     past->dT = past->dT_next = past->change = 0;
     past->still = 0;
     past->steps = 0;

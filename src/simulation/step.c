@@ -14,7 +14,7 @@
 #include <string.h>
 
 #include "multigrid/film_end.h"
-#include "simulation/internal.h"
+#include "simulation/heat_in_time.h"
 
 /* Beyond this R the result of a step is no longer near a solution: runs
  * recover from less. */
@@ -87,6 +87,8 @@ static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
                          c.sweeps_before > 0;
     ovr_level_refresh(grids, sim->finest);
     settle_ends(grids, sim->finest);
+    if (sim->heated)
+        ovr_heat_try(sim, how == attempts);
     for (int cycle = 0, after = c.sweeps_after;; cycle++) {
         double tolerance = step_tolerance(sim, c.sweeps_after > 0);
         outcome->defect = ovr_cycle_defect(grids, sim->finest);
@@ -110,6 +112,8 @@ static void begin_step(ovr_simulation *sim, double dT)
     ovr_time_derivative(sim, dT);
     if (ovr_conserves(sim))
         ovr_supply_step(sim, dT);
+    if (sim->heated)
+        ovr_heat_step(sim, dT);
     ovr_simulation_gap(sim, T);
     sim->finest->force = OVR_NOMINAL_LOAD * ovr_history_value(sim->load, T);
 }
@@ -129,6 +133,8 @@ static void end_step(ovr_simulation *sim, double dT)
     ovr_guess_learn(sim, dT);
     if (ovr_conserves(sim))
         ovr_supply_taken(sim, dT);
+    if (sim->heated)
+        ovr_heat_taken(sim);
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (ovr_field_rows[k].past)
             keep(past->all[k], ovr_field_rows[k].past, sim->now.all[k],
@@ -191,6 +197,8 @@ void ovr_simulation_step_back(ovr_simulation *sim)
     ovr_simulation_gap(sim, sim->past.T[0]);
     if (ovr_conserves(sim))
         ovr_supply_try(sim);
+    if (sim->heated)
+        ovr_heat_step_back(sim);
     ovr_level_refresh(&sim->grids, sim->finest);
     ovr_simulation_read(sim);
 }

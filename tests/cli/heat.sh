@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# [heat]: a steady contact from a case to files; what it does not go with.
+# [heat]: a steady contact and a run from a case to files; resume; what it does
+# not go with.
 . "$TOP/tests/support/cli.sh"
 
 cat >hot.ini <<'END'
@@ -51,7 +52,37 @@ fi
 awk -v hot="$mu" -v cold="$(number mu_slide)" \
     'BEGIN { exit !(hot < cold && hot > 0) }' || fail "mu $mu is not below"
 
-refuses 'steady contacts only' check hot.ini --set time.end=1
+# A run of slip that rises and a dent, whole and in two pieces
+cp hot.ini run.ini
+cat >>run.ini <<'END'
+[time]
+end = 2
+[sliding]
+history = ramp
+to = 0.8
+duration = 1
+[feature dent]
+shape = dent
+depth = 0.05
+width = 0.6
+start = -2.5
+END
+expect 0 "$OVERROLL" run run.ini -o whole.h5 --json
+awk -v x="$(number T_max_rise)" 'BEGIN { exit !(x > 1 && x < 100) }' ||
+    fail "T_max_rise is $(number T_max_rise)"
+awk -v d="$(number energy_defect_max)" \
+    'BEGIN { exit !(d < 0.02 && d > -0.02 && d != 0) }' ||
+    fail "energy_defect_max is $(number energy_defect_max)"
+expect 0 "$OVERROLL" run run.ini -o short.h5 -q --set time.end=1
+expect 0 "$OVERROLL" resume short.h5 --set time.end=2 -q
+for file in whole short; do
+    "$OVERROLL" export $file.h5 >$file.txt && "$OVERROLL" export $file.h5 --all \
+        >>$file.txt
+done
+cmp whole.txt short.txt || fail 'interrupted, it is another run'
+contains whole.txt 'energy_defect'
+contains whole.txt 'temperature_1'
+
 refuses 'take 2' check hot.ini --set domain.order=4
 sed '/rheology/d;/eyring/d' hot.ini >newtonian.ini
 refuses 'heat goes with order 2' check newtonian.ini --set domain.order=4

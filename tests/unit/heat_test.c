@@ -18,7 +18,8 @@ static void memory_is_one_over_sqrt(void **state)
     for (double range = 100; range < 1e5; range *= 3) {
         ovr_memory m;
         ovr_memory_rates(0.01, 0.01 * range, &m);
-        double error = ovr_memory_fit(0.01, 0.01 * range, &m);
+        ovr_memory_fit(0.01, 0.01 * range, &m);
+        double error = ovr_memory_error(&m, 0.01 * range);
         assert_true(error < (range < 3e4 ? 1e-4 : 5e-4));
     }
 }
@@ -29,8 +30,11 @@ static void memory_survives_other_steps(void **state)
     ovr_memory m;
     (void)state;
     ovr_memory_rates(0.01, 30, &m);
-    assert_true(ovr_memory_fit(0.02, 30, &m) < 1e-3);
-    assert_true(ovr_memory_fit(0.013, 30, &m) < 1e-3);
+    for (double dT = 0.01 / 16; dT < 1; dT *= 1.3) {
+        ovr_memory_fit(dT, 30, &m);
+        print_message("steps of %.4f: %.1e\n", dT, ovr_memory_error(&m, 30));
+        assert_true(ovr_memory_error(&m, 30) < 1e-3);
+    }
 }
 
 /* q = 1 over -1 < X < 1, from X = -3 on in steps of D: T/N = 2 sqrt(X + 1), and

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Values at the feet of paths: what is at a node now was some meshes upstream
+ * a step ago.
+ *
+ * All of a surface moves alike: Lagrange's cubic through four nodes, exact
+ * where it moves by whole meshes.  Layers of the film move each at its own
+ * speed: a line between two nodes, which makes no new extremes.  What enters
+ * is nothing (a rise of 0); what has left is as at the end.
+ */
+#ifndef OVR_SIMULATION_FEET_H
+#define OVR_SIMULATION_FEET_H
+
+#include <stddef.h>
+
+/* v at i - meshes, for all i. */
+void ovr_feet_cubic(size_t n, const double *v, double meshes, double *at_feet);
+
+/* v at i - meshes, at the one node. */
+double ovr_foot_linear(size_t n, const double *v, size_t i, double meshes);
+
+#endif

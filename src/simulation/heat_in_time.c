@@ -1,0 +1,369 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Heat in time (equations in heat_in_time.h). */
+#include "simulation/heat_in_time.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "simulation/feet.h"
+
+/* Of the change of temperatures that viscosities take a step. */
+static const double SHARE = 0.5;
+
+/* --------------------------------------------------------------- creation */
+
+ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
+{
+    ovr_heated *h = sim->heated;
+    ovr_heat_steps *s = ovr_arena_take(&sim->arena, 1, sizeof *s, err);
+    int points = h->across.n, count = 0;
+    double **all[2 * OVR_MOST_ACROSS + 2 * OVR_MODES + 16];
+    if (!s)
+        return OVR_NO_MEMORY;
+    h->steps = s;
+    all[count++] = &s->F;
+    for (int j = 0; j < points; j++)
+        all[count++] = &s->T_before[j];
+    for (int j = 0; j < points + 4; j++)
+        all[count++] = &s->kept[j];
+    for (int k = 0; k < 2; k++) {
+        all[count++] = &s->q_before[k];
+        all[count++] = &s->past[k];
+        for (int m = 0; m < OVR_MODES; m++)
+            all[count++] = &s->psi[k][m];
+    }
+    for (int a = 0; a < count; a++) {
+        *all[a] = ovr_arena_take(&sim->arena, sim->now.n, sizeof **all[a], err);
+        if (!*all[a])
+            return OVR_NO_MEMORY;
+    }
+    return OVR_OK;
+}
+
+void ovr_heat_steps_keep(const ovr_simulation *sim, int surface, size_t i,
+                         const double *psi)
+{
+    for (int m = 0; m < OVR_MODES; m++)
+        sim->heated->steps->psi[surface][m][i] = psi[m];
+}
+
+/* ------------------------------------------------ the last time reached */
+
+/* What is `kept` of, by number. */
+static double *kept_of(const ovr_heated *h, int k)
+{
+    double *const fields[] = {h->th, h->shift, h->drag, h->turned};
+    return k < h->across.n ? h->used[k] : fields[k - h->across.n];
+}
+
+static void keep(const ovr_simulation *sim)
+{
+    const ovr_heated *h = sim->heated;
+    for (int k = 0; k < h->across.n + 4; k++)
+        memcpy(h->steps->kept[k], kept_of(h, k), sim->now.n * sizeof(double));
+}
+
+static void swap(double **a, double **b)
+{
+    double *kept = *a;
+    *a = *b;
+    *b = kept;
+}
+
+static void swap_trial(ovr_heated *h)
+{
+    ovr_heat_steps *s = h->steps;
+    for (int j = 0; j < h->across.n; j++)
+        swap(&h->T[j], &s->T_before[j]);
+    for (int k = 0; k < 2; k++)
+        swap(&h->q[k], &s->q_before[k]);
+    s->trying = !s->trying;
+}
+
+/* Temperatures and viscosities of the last time reached. */
+static void withdraw(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    if (!h->steps->trying)
+        return;
+    swap_trial(h);
+    for (int k = 0; k < h->across.n + 4; k++)
+        memcpy(kept_of(h, k), h->steps->kept[k], sim->now.n * sizeof(double));
+}
+
+void ovr_heat_begin(ovr_simulation *sim)
+{
+    ovr_heat_steps *s = sim->heated->steps;
+    s->trying = false;
+    s->dT = s->stored = 0;
+    s->memory[0].dT = s->memory[1].dT = 0;
+    keep(sim);
+}
+
+/* Psi and q of a surface a step later, where they are now. */
+static void remember(const ovr_simulation *sim, int k)
+{
+    const ovr_heated *h = sim->heated;
+    const ovr_heat_steps *s = h->steps;
+    const ovr_memory *m = &s->memory[k];
+    size_t n = sim->now.n;
+    double *foot = sim->scratch[0], *before = sim->scratch[1];
+    ovr_feet_cubic(n, s->q_before[k], s->meshes[k], before);
+    for (int a = 0; a < OVR_MODES; a++) {
+        ovr_feet_cubic(n, s->psi[k][a], s->meshes[k], foot);
+        for (size_t i = 0; i < n; i++)
+            s->psi[k][a][i] = m->fade[a] * foot[i] + m->now[a] * h->q[k][i] +
+                              m->before[a] * before[i];
+    }
+}
+
+void ovr_heat_taken(ovr_simulation *sim)
+{
+    for (int k = 0; k < 2; k++)
+        remember(sim, k);
+    sim->heated->steps->trying = false;
+    keep(sim);
+}
+
+void ovr_heat_step_back(ovr_simulation *sim)
+{
+    withdraw(sim);
+    ovr_heat_speeds(sim, sim->past.T[0]);
+    ovr_heat_give(sim);
+}
+
+/* ----------------------------------------------------------------- a step */
+
+/* The same for steps that differ in rounding alone. */
+static double rounded(double dT)
+{
+    int exponent;
+    double part = frexp(dT, &exponent);
+    return ldexp(nearbyint(ldexp(part, 26)), exponent - 26);
+}
+
+/* Weights of the memories for this length of step, which most often is that
+ * of the step before. */
+static void fit_memories(ovr_heated *h)
+{
+    ovr_heat_steps *s = h->steps;
+    double dT = rounded(s->dT);
+    for (int k = 0; k < 2; k++) {
+        if (s->memory[k].dT == dT)
+            continue;
+        memcpy(s->memory[k].rate, h->memory[k].rate, sizeof s->memory[k].rate);
+        ovr_memory_fit(dT, fmax(h->longest[k], 2 * dT), &s->memory[k]);
+    }
+}
+
+/* (h - T_bulk)/N of both surfaces, where they are after the step. */
+static void look_back(ovr_simulation *sim)
+{
+    const ovr_heated *h = sim->heated;
+    ovr_heat_steps *s = h->steps;
+    size_t n = sim->now.n;
+    double *here = sim->scratch[0];
+    for (int k = 0; k < 2; k++) {
+        for (size_t i = 0; i < n; i++) {
+            double psi[OVR_MODES];
+            for (int m = 0; m < OVR_MODES; m++)
+                psi[m] = s->psi[k][m][i];
+            here[i] = ovr_memory_past(&s->memory[k], psi, h->q[k][i]);
+        }
+        ovr_feet_cubic(n, here, s->meshes[k], s->past[k]);
+    }
+}
+
+void ovr_heat_step(ovr_simulation *sim, double dT)
+{
+    ovr_heated *h = sim->heated;
+    ovr_heat_steps *s = h->steps;
+    double D = ovr_mesh(sim), T = sim->past.T[0];
+    double way = ovr_history_integral(sim->speed, T + dT) -
+                 ovr_history_integral(sim->speed, T);
+    double slip = sim->sliding
+                      ? ovr_history_integral(sim->sliding, T + dT) -
+                            ovr_history_integral(sim->sliding, T)
+                      : way * (sim->contact.u1_ratio - sim->contact.u2_ratio);
+    withdraw(sim);
+    s->dT = dT;
+    s->meshes[0] = (way + slip / 2) / D;
+    s->meshes[1] = (way - slip / 2) / D;
+    ovr_heat_speeds(sim, T + dT);
+    fit_memories(h);
+    look_back(sim);
+    ovr_level_read(&sim->grids, sim->finest, sim->finest->f.F, s->F);
+}
+
+/* The state of a node, with P_T by the pressures of now and `before`. */
+static ovr_sheet sheet_at(const ovr_simulation *sim, size_t i,
+                          const double *before)
+{
+    ovr_sheet sheet = ovr_heat_sheet(sim, i);
+    double dT = sim->heated->steps->dT;
+    if (before && dT > 0)
+        sheet.P_T = (sim->now.P[i] - before[i]) / dT;
+    return sheet;
+}
+
+/* What a surface says at a node. */
+static ovr_wall wall_at(const ovr_heated *h, int k, size_t i)
+{
+    double N = h->numbers.solid[k];
+    return (ovr_wall){h->numbers.bulk[k] + N * h->steps->past[k][i],
+                      N * 4 / 3 * sqrt(h->steps->dT)};
+}
+
+/* gamma: d ln(t V)/dT with the mean temperature, of a film that slides. */
+static double fall_of_heating(const ovr_heated *h, const ovr_sheet *sheet,
+                              const ovr_flow_across *flow)
+{
+    double a = fabs(flow->t) / h->Sigma0;
+    double colder = ovr_heat_log_viscosity(&h->numbers, sheet->log_eta,
+                                           flow->mean);
+    double hotter = ovr_heat_log_viscosity(&h->numbers, sheet->log_eta,
+                                           flow->mean + 1);
+    return (colder - hotter) * (a > 1e-3 ? tanh(a) / a : 1);
+}
+
+/* Temperatures of a node a step later, to T and q of ovr_heated; the power
+ * that its oil takes up. */
+static double solve_node(ovr_simulation *sim, size_t i, const ovr_sheet *sheet)
+{
+    ovr_heated *h = sim->heated;
+    const ovr_heat_steps *s = h->steps;
+    double foot[OVR_MOST_ACROSS], travel[OVR_MOST_ACROSS];
+    double from[OVR_MOST_ACROSS], T[OVR_MOST_ACROSS], stored = 0;
+    double meshes = s->dT / ovr_mesh(sim);
+    const ovr_wall wall[2] = {wall_at(h, 0, i), wall_at(h, 1, i)};
+    ovr_flow_across flow;
+    int n = h->across.n;
+    ovr_heat_flow(sim, i, sheet, &flow);
+    double fall = sheet->wet ? fall_of_heating(h, sheet, &flow) *
+                                   h->numbers.theta / (sheet->rho * sheet->H)
+                             : 0;
+    for (int j = 0; j < n; j++) {
+        double rate = fmax(0, fall * flow.heating[j]);
+        foot[j] = ovr_foot_linear(sim->now.n, s->T_before[j], i,
+                                  flow.u[j] * meshes);
+        travel[j] = 1 / (1 / s->dT + rate);
+        from[j] = (foot[j] / s->dT + rate * h->used[j][i]) * travel[j];
+    }
+    ovr_across_solve(&h->across, &h->numbers, sheet, &flow, from, travel, wall,
+                     T);
+    for (int k = 0; k < 2; k++)
+        h->q[k][i] = (T[k ? n - 1 : 0] - wall[k].h) / wall[k].resistance;
+    h->mean[i] = 0;
+    for (int j = 0; j < n; j++) {
+        h->T[j][i] = T[j];
+        h->mean[i] += h->across.w[j] * T[j];
+        stored += h->across.w[j] * (T[j] - foot[j]);
+    }
+    return sheet->wet ? sheet->rho * sheet->H * stored : 0;
+}
+
+/* All nodes but the first, where oil and surfaces come in as they were. */
+static void solve(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    ovr_heat_steps *s = h->steps;
+    const double *before = sim->past.steps ? sim->past.P[0] : NULL;
+    double streamers = sim->now.q[0], stored = 0;
+    swap_trial(h);
+    for (size_t i = 1; i < sim->now.n; i++) {
+        ovr_sheet sheet = sheet_at(sim, i, before);
+        if (sheet.wet)
+            streamers = sim->now.q[i];
+        else /* what is left fills less than the gap */
+            sheet.H = fmin(sheet.H, fmax(streamers, 1e-6) / sheet.rho);
+        stored += sim->now.weights[i] * solve_node(sim, i, &sheet);
+    }
+    s->stored = stored / (s->dT * h->numbers.theta);
+}
+
+void ovr_heat_try(ovr_simulation *sim, bool first)
+{
+    withdraw(sim);
+    ovr_simulation_read(sim);
+    solve(sim);
+    if (first)
+        ovr_heat_relax(sim, SHARE);
+    ovr_heat_apply(sim);
+    ovr_level_properties(&sim->grids, sim->finest);
+    ovr_level_residual(&sim->grids, sim->finest);
+}
+
+/* --------------------------------------------------------------- observed */
+
+ovr_sheet ovr_heat_last_sheet(const ovr_simulation *sim, size_t i)
+{
+    return sheet_at(sim, i, sim->past.steps > 1 ? sim->past.P[1] : NULL);
+}
+
+double ovr_heat_made(const ovr_simulation *sim, size_t i,
+                     const ovr_sheet *sheet, const ovr_flow_across *flow)
+{
+    const ovr_heated *h = sim->heated;
+    double made = 0;
+    for (int j = 0; sheet->wet && j < h->across.n; j++)
+        made += h->across.w[j] *
+                (flow->heating[j] +
+                 h->numbers.expansion * (h->numbers.T0 + h->T[j][i]) *
+                     sheet->H * (sheet->P_T + flow->u[j] * sheet->P_X));
+    return made;
+}
+
+/* -------------------------------------------------------------------- saved */
+
+static ovr_status visit_array(ovr_simulation *sim, const char *name, int number,
+                              double *values, ovr_visit *visit, void *context,
+                              ovr_error *err)
+{
+    char text[40];
+    snprintf(text, sizeof text, "%s_%d", name, number);
+    return visit(context, text, values, sim->now.n * sizeof *values, err);
+}
+
+static ovr_status visit_surface(ovr_simulation *sim, int k, ovr_visit *visit,
+                                void *context, ovr_error *err)
+{
+    static const char *const names[2] = {"memory_1", "memory_2"};
+    ovr_heated *h = sim->heated;
+    ovr_status status = visit_array(sim, "heat_flux", k + 1, h->q[k], visit,
+                                    context, err);
+    for (int m = 0; !status && m < OVR_MODES; m++)
+        status = visit_array(sim, names[k], m + 1, h->steps->psi[k][m], visit,
+                             context, err);
+    return status;
+}
+
+ovr_status ovr_heat_visit(ovr_simulation *sim, ovr_visit *visit, void *context,
+                          ovr_error *err)
+{
+    ovr_heated *h = sim->heated;
+    ovr_status status = visit(context, "heat_stored", &h->steps->stored,
+                              sizeof h->steps->stored, err);
+    for (int j = 0; !status && j < h->across.n; j++)
+        status = visit_array(sim, "temperature", j + 1, h->T[j], visit, context,
+                             err);
+    for (int k = 0; !status && k < h->across.n + 4; k++)
+        status = visit_array(sim, "viscosity_by", k + 1, kept_of(h, k), visit,
+                             context, err);
+    for (int k = 0; !status && k < 2; k++)
+        status = visit_surface(sim, k, visit, context, err);
+    return status;
+}
+
+void ovr_heat_restored(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    h->steps->trying = false;
+    h->steps->dT = sim->past.dT;
+    for (size_t i = 0; i < sim->now.n; i++) {
+        h->mean[i] = 0;
+        for (int j = 0; j < h->across.n; j++)
+            h->mean[i] += h->across.w[j] * h->T[j][i];
+    }
+    keep(sim);
+}

@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Heat in time: a step of the temperatures of film and surfaces (across.h,
+ * solids.h), and what Reynolds' equation gets of them.
+ *
+ * A layer j of the film comes from X - u_j dT, T_j' is what is there a step
+ * ago; a surface comes from X - int u_k dT with its q and Psi_m (feet.h).  One
+ * solve across the film at each node, once a step, with P and H of the guess
+ * that the cycles begin from and
+ *
+ *     P_T = (P - P')/dT, 0 in the first step
+ *
+ * Viscosities are those of temperatures `used` that go half the way to the new
+ * ones; the flow is that by those before the step, so that it lags behind by a
+ * step or two, O(dT).  What is made falls as the film gets hotter:
+ *
+ *     tau u_z <- tau u_z (1 - gamma (T - T_used)),
+ *     gamma = -(d ln eta/dT) tanh(a)/a,  a = |t|/Sigma0
+ *
+ * so that no film gets hotter by more than 1/gamma in a step, be it Newtonian.
+ * It counts as a faster exchange with the foot, which is moved to T_used.
+ * Solved anew in every cycle, film and heat may circle without end where the
+ * film ends.
+ *
+ * A step that is tried again begins from the temperatures of the last time
+ * reached and keeps the viscosities `used` then.  Fluxes, memories of the
+ * surfaces and `used` move on when a step is taken.
+ *
+ * Peclet numbers have no least one here: a surface that stands still gets
+ * hotter as sqrt(T).
+ */
+#ifndef OVR_SIMULATION_HEAT_IN_TIME_H
+#define OVR_SIMULATION_HEAT_IN_TIME_H
+
+#include "simulation/heat.h"
+
+/* The temperatures used, th, shift, drag, turned. */
+enum { OVR_HEAT_KEPT = OVR_MOST_ACROSS + 4 };
+
+typedef struct ovr_heat_steps {
+    double dT;
+    bool trying; /* T and q of ovr_heated are of a step not yet taken */
+    double *T_before[OVR_MOST_ACROSS], *q_before[2]; /* then: a step ago */
+    double *kept[OVR_HEAT_KEPT]; /* of the last time reached */
+    double *psi[2][OVR_MODES];   /* Psi_m of the surfaces at the nodes */
+    double *past[2];             /* (h - T_bulk)/N at the nodes */
+    double *F;                   /* history term of Reynolds' equation */
+    ovr_memory memory[2];        /* for steps of dT */
+    double meshes[2];            /* that surfaces move in the step */
+    double stored;               /* power that the oil took up in the step */
+} ovr_heat_steps;
+
+/* Memory for them, with the rates of the surfaces' memories. */
+ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err);
+
+/* What a steady march leaves of a surface at a node. */
+void ovr_heat_steps_keep(const ovr_simulation *sim, int surface, size_t i,
+                         const double *psi);
+
+/* The steady solution, or a step just made, is the last time reached. */
+void ovr_heat_begin(ovr_simulation *sim);
+void ovr_heat_taken(ovr_simulation *sim);
+
+/* A step of dT from there, with its history term in place; a try of it, with
+ * the guess in place: temperatures, and the film by them. */
+void ovr_heat_step(ovr_simulation *sim, double dT);
+void ovr_heat_try(ovr_simulation *sim, bool first);
+
+/* Back to the last time reached. */
+void ovr_heat_step_back(ovr_simulation *sim);
+
+/* A node of the film as it ends the last step; the power made there. */
+ovr_sheet ovr_heat_last_sheet(const ovr_simulation *sim, size_t i);
+double ovr_heat_made(const ovr_simulation *sim, size_t i,
+                     const ovr_sheet *sheet, const ovr_flow_across *flow);
+
+/* Arrays and numbers of the state between two steps; what follows from them,
+ * once they are there. */
+ovr_status ovr_heat_visit(ovr_simulation *sim, ovr_visit *visit, void *context,
+                          ovr_error *err);
+void ovr_heat_restored(ovr_simulation *sim);
+
+#endif

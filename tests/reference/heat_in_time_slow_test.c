@@ -1,0 +1,272 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Contacts with heat in time against what must hold of them: the ends of long
+ * runs are the steady contacts, energy is conserved to the order of the
+ * scheme, surfaces may be swapped, a film that cannot be heated is isothermal,
+ * a run that was interrupted goes on alike. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "simulation/heat_in_time.h"
+#include "support/contact.h"
+#include "support/hot.h"
+#include "support/test.h"
+
+static double D_of(const ovr_simulation *sim)
+{
+    return ovr_simulation_state(sim)->D;
+}
+
+static void step(ovr_simulation *sim, double dT)
+{
+    ovr_error err = {0};
+    CHECK_OK(ovr_simulation_step(sim, dT, &err), &err);
+}
+
+static void steady(ovr_simulation *sim)
+{
+    ovr_error err = {0};
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+}
+
+/* ------------------------------------------------------------------- ends */
+
+/* Friction and largest temperatures of a run that began at another slip, over
+ * those of the steady contact at its last slip: how far apart. */
+static void apart(double M, double L, double S, int level, double off[2])
+{
+    test_hot hot = test_hot_make(M, L, S, 5e6, NULL);
+    ovr_simulation *run = test_hot_simulation(&hot, level);
+    ovr_simulation *still = test_hot_simulation(&hot, level);
+    ovr_history_form form = ovr_history_form_default();
+    const ovr_observation *a = ovr_simulation_observation(run),
+                          *b = ovr_simulation_observation(still);
+    ovr_error err = {0};
+    assert_true(hot.heat.peclet[0] > 5 && hot.heat.peclet[1] > 5);
+    form.kind = OVR_HISTORY_RAMP;
+    form.from = S / 4, form.to = S;
+    form.duration = 0.5;
+    ovr_history *slip = ovr_history_create(&form, NULL, &err);
+    assert_non_null(slip);
+    ovr_simulation_sliding(run, slip);
+    steady(run);
+    steady(still);
+    assert_true(fabs(a->T_max_rise / b->T_max_rise - 1) > 0.3);
+    while (a->T < 10)
+        step(run, D_of(run));
+    off[0] = fabs(a->mu_slide / b->mu_slide - 1);
+    off[1] = fmax(fabs(a->T_max_rise / b->T_max_rise - 1),
+                  fmax(fabs(a->T_1_max_rise / b->T_1_max_rise - 1),
+                       fabs(a->T_2_max_rise / b->T_2_max_rise - 1)));
+    print_message("M %g S %g level %d: mu %.6f of %.6f, T_max %.4f of %.4f; "
+                  "apart %.1e and %.1e\n",
+                  M, S, level, a->mu_slide, b->mu_slide, a->T_max_rise,
+                  b->T_max_rise, off[0], off[1]);
+    ovr_simulation_free(run);
+    ovr_simulation_free(still);
+    ovr_history_free(slip);
+}
+
+/* The steady one is found to 3e-5. */
+static void long_runs_end_steady(void **state)
+{
+    double off[2], finer[2];
+    (void)state;
+    apart(50, 14, -0.4, 5, off);
+    assert_true(off[0] < 1e-3 && off[1] < 5e-3);
+    apart(20, 10, 0.5, 5, off);
+    apart(20, 10, 0.5, 6, finer);
+    assert_true(off[0] < 1e-3 && off[1] < 5e-3);
+    assert_true(finer[0] < off[0] && finer[1] < off[1]);
+}
+
+/* ---------------------------------------------------------------- energy */
+
+static ovr_simulation *with_dent(const test_hot *hot, int level,
+                                 test_feature *f)
+{
+    ovr_simulation *sim = test_hot_simulation(hot, level);
+    ovr_simulation_surface(sim, test_feature_heights, f);
+    ovr_simulation_moving(sim, f->u);
+    steady(sim);
+    return sim;
+}
+
+/* Root mean square of the balance's defect while a dent passes. */
+static double defect(double steps, double *temperature)
+{
+    test_hot hot = test_hot_make(20, 10, 0.5, 5e6, NULL);
+    test_feature f = {'l', -0.05, 0.5, -2.5, 1.25, 0};
+    ovr_simulation *sim = with_dent(&hot, 6, &f);
+    const ovr_observation *o = ovr_simulation_observation(sim);
+    double sum = 0, count = 0, dT = D_of(sim) * steps;
+    while (o->T < 2 - dT / 2) {
+        step(sim, dT);
+        sum += o->energy_defect * o->energy_defect;
+        count++;
+    }
+    *temperature = o->T_max_rise;
+    ovr_simulation_free(sim);
+    return sqrt(sum / count);
+}
+
+/* The film as it ends a step differs from that which was heated in it by what
+ * changed in between. */
+static void energy_is_conserved(void **state)
+{
+    double T[3], off[3];
+    (void)state;
+    for (int k = 0; k < 3; k++)
+        off[k] = defect(4. / (1 << k), &T[k]);
+    print_message("steps of 4 D, 2 D, D: defect %.2e %.2e %.2e, T %.4f %.4f "
+                  "%.4f\n",
+                  off[0], off[1], off[2], T[0], T[1], T[2]);
+    assert_true(off[0] < 2e-3);
+    for (int k = 0; k < 2; k++)
+        assert_true(off[k + 1] < 0.6 * off[k]);
+    assert_true(fabs(T[2] / T[1] - 1) < 0.03);
+}
+
+/* ---------------------------------------------------------------- mirrors */
+
+/* A dent on the one surface, then on the other that moves as fast: friction
+ * turns its sign, temperatures change places. */
+static void surfaces_swapped(void **state)
+{
+    test_hot hot[2] = {test_hot_make(20, 10, 0.8, 5e6, NULL),
+                       test_hot_make(20, 10, -0.8, 5e6, NULL)};
+    test_feature f = {'l', -0.05, 0.5, -2, 1.4, 0};
+    ovr_simulation *sim[2];
+    const ovr_observation *a, *b;
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        sim[k] = with_dent(&hot[k], 5, &f);
+        for (int n = 0; n < 60; n++)
+            step(sim[k], D_of(sim[k]));
+    }
+    a = ovr_simulation_observation(sim[0]);
+    b = ovr_simulation_observation(sim[1]);
+    CHECK_CLOSE(b->H_min, a->H_min, 1e-9);
+    CHECK_CLOSE(b->F_slide, -a->F_slide, 1e-8);
+    CHECK_CLOSE(b->F_1, a->F_2, 1e-8);
+    CHECK_CLOSE(b->T_1_max_rise, a->T_2_max_rise, 1e-8);
+    CHECK_CLOSE(b->T_2_max_rise, a->T_1_max_rise, 1e-8);
+    CHECK_CLOSE(b->heat_flow_1, a->heat_flow_2, 1e-8);
+    CHECK_CLOSE(b->heat_flow_2, a->heat_flow_1, 1e-8);
+    assert_true(fabs(a->T_1_max_rise - a->T_2_max_rise) > 0.1);
+    ovr_simulation_free(sim[0]);
+    ovr_simulation_free(sim[1]);
+}
+
+/* -------------------------------------------------------------- isothermal */
+
+static void isothermal_limit(void **state)
+{
+    ovr_heat_form form = test_heat_form();
+    test_feature f = {'l', -0.05, 0.5, -2, 1.25, 0};
+    ovr_options options = test_options();
+    ovr_error err = {0};
+    (void)state;
+    form.oil.heat_capacity = 1e30;
+    test_hot hot = test_hot_make(20, 10, 0.5, 5e6, &form);
+    ovr_simulation *sim = with_dent(&hot, 5, &f);
+    options.level = 5;
+    ovr_simulation *cold = ovr_simulation_create(&hot.contact, &hot.oil,
+                                                 &options, NULL, &err);
+    ovr_simulation_surface(cold, test_feature_heights, &f);
+    ovr_simulation_moving(cold, f.u);
+    steady(cold);
+    for (int k = 0; k < 60; k++) {
+        step(sim, D_of(sim));
+        step(cold, D_of(sim));
+    }
+    const ovr_observation *a = ovr_simulation_observation(sim),
+                          *b = ovr_simulation_observation(cold);
+    CHECK_CLOSE(a->H_min, b->H_min, 1e-9);
+    CHECK_CLOSE(a->H_cen, b->H_cen, 1e-9);
+    CHECK_CLOSE(a->F_roll, b->F_roll, 1e-9);
+    CHECK_CLOSE(a->mass_flow, b->mass_flow, 1e-9);
+    CHECK_NEAR(a->mass_balance, b->mass_balance, 1e-9);
+    CHECK_NEAR(a->T_max_rise, 0, 1e-12);
+    ovr_simulation_free(sim);
+    ovr_simulation_free(cold);
+}
+
+/* --------------------------------------------------------------- restored */
+
+typedef struct pieces {
+    char *at[256];
+    size_t bytes[256], count;
+    bool write;
+} pieces;
+
+static ovr_status visit(void *context, const char *name, void *memory,
+                        size_t bytes, ovr_error *err)
+{
+    pieces *p = context;
+    size_t k = p->count++;
+    (void)name, (void)err;
+    assert_true(k < sizeof p->at / sizeof *p->at);
+    if (p->write) {
+        assert_int_equal(bytes, p->bytes[k]);
+        memcpy(memory, p->at[k], bytes);
+        free(p->at[k]);
+    } else {
+        p->at[k] = malloc(bytes);
+        p->bytes[k] = bytes;
+        memcpy(p->at[k], memory, bytes);
+    }
+    return OVR_OK;
+}
+
+static void same_bits(ovr_simulation *a, ovr_simulation *b)
+{
+    ovr_observation x = *ovr_simulation_observation(a),
+                    y = *ovr_simulation_observation(b);
+    size_t n = ovr_simulation_state(a)->n;
+    assert_memory_equal(&x, &y, sizeof x);
+    assert_memory_equal(ovr_simulation_state(a)->H, ovr_simulation_state(b)->H,
+                        n * sizeof(double));
+    for (int j = 0; j < 5; j++)
+        assert_memory_equal(a->heated->T[j], b->heated->T[j],
+                            n * sizeof(double));
+}
+
+static void goes_on_alike(void **state)
+{
+    test_hot hot = test_hot_make(20, 10, 0.5, 5e6, NULL);
+    test_feature f = {'l', -0.05, 0.5, -2, 1.25, 0};
+    ovr_simulation *sim = with_dent(&hot, 5, &f);
+    ovr_simulation *other = test_hot_simulation(&hot, 5);
+    pieces p = {.count = 0};
+    (void)state;
+    for (int k = 0; k < 40; k++)
+        step(sim, D_of(sim) * (k % 7 ? 1 : 0.5));
+    ovr_simulation_surface(other, test_feature_heights, &f);
+    ovr_simulation_moving(other, f.u);
+    assert_int_equal(ovr_simulation_visit(sim, visit, &p, NULL), OVR_OK);
+    p.count = 0;
+    p.write = true;
+    assert_int_equal(ovr_simulation_visit(other, visit, &p, NULL), OVR_OK);
+    ovr_simulation_restored(other);
+    same_bits(sim, other);
+    for (int k = 0; k < 20; k++) {
+        step(sim, D_of(sim));
+        step(other, D_of(sim));
+        same_bits(sim, other);
+    }
+    ovr_simulation_free(sim);
+    ovr_simulation_free(other);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(long_runs_end_steady),
+        cmocka_unit_test(energy_is_conserved),
+        cmocka_unit_test(surfaces_swapped),
+        cmocka_unit_test(isothermal_limit),
+        cmocka_unit_test(goes_on_alike),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
