@@ -152,9 +152,9 @@ OVR_API void ovr_simulation_histories(ovr_simulation *sim,
 OVR_API void ovr_simulation_sliding(ovr_simulation *sim,
                                     const ovr_history *sliding);
 
-/* Heat in steady solutions of second order, upstream: temperatures of film and
- * surfaces, and the viscosity by them.  To be called before anything is
- * solved; OVR_BAD_INPUT where options or slip do not go with it. */
+/* Heat in solutions of second order, steady and in time, upstream: temperatures
+ * of film and surfaces, and the viscosity by them.  To be called before
+ * anything is solved; OVR_BAD_INPUT where options or slip do not go with it. */
 OVR_API ovr_status ovr_simulation_heat(ovr_simulation *sim,
                                        const ovr_heat *heat, ovr_error *err);
 
@@ -335,6 +335,9 @@ typedef struct ovr_statistics {
     double P_max, X_P_max, T_P_max; /* largest pressure at a node */
     double load_error, T_load_error; /* of largest magnitude */
     double mu_slide, T_mu_slide;
+    /* heat, NAN without: largest rises of film and surfaces, defect of the
+     * energy balance of largest magnitude */
+    double T_rise, T_1_rise, T_2_rise, energy_defect;
     bool settled; /* a march until steady ended because it was */
 } ovr_statistics;
 OVR_API const ovr_statistics *
@@ -347,8 +350,9 @@ typedef struct ovr_extreme {
     const char *key_si;    /* the same in SI; NULL: a pure number */
     const char *long_name; /* one line for people */
     ovr_unit_kind kind;
-    bool steady;   /* told of a steady solution too */
-    size_t offset; /* in ovr_statistics */
+    bool steady;    /* told of a steady solution too */
+    size_t offset;  /* in ovr_statistics */
+    unsigned needs; /* physics without which it is not there */
 } ovr_extreme;
 
 /* NULL past the end. */

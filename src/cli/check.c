@@ -55,13 +55,14 @@ static void give(void *live, void *memory)
     free(piece);
 }
 
-/* Temperatures by points and what the film has of them, on all grids. */
+/* Temperatures by points, now, before and as the film has them; memories of
+ * both surfaces; what the film has of them, on all grids. */
 static double heat_memory(const ovr_setup *setup)
 {
-    enum { ARRAYS = 8, OF_ALL_GRIDS = 3 };
+    enum { MEMORIES = 32, ARRAYS = 17, OF_ALL_GRIDS = 3 };
     if (!setup->heat)
         return 0;
-    return (2 * setup->heat->points + ARRAYS + 2 * OF_ALL_GRIDS) *
+    return (4 * setup->heat->points + MEMORIES + ARRAYS + 2 * OF_ALL_GRIDS) *
            (double)setup->nodes * sizeof(double);
 }
 

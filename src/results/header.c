@@ -275,6 +275,8 @@ bool ovr_header_extremes(hid_t root, const ovr_scales *scales,
     for (size_t k = 0; ok && (e = ovr_extreme_at(k)); k++) {
         double value = total ? ovr_extreme_value(e, total) : NAN;
         double si = value * ovr_kind_scale(e->kind, &scales->contact);
+        if (e->needs && isnan(value))
+            continue;
         ok = ovr_h5_put_number(root, e->key, value) &&
              (!scales->physical || !e->key_si ||
               ovr_h5_put_number(root, e->key_si, si));

@@ -421,7 +421,7 @@ static void warn_of_friction(const review *r, const ovr_simulation *sim,
 static void warn_of_rise(const review *r, const ovr_simulation *sim)
 {
     const double most = 100;
-    double rise = ovr_simulation_observation(sim)->T_max_rise;
+    double rise = ovr_simulation_statistics(sim)->T_rise;
     if (rise > most)
         say(r, OVR_SAY_WARNING,
             "heat: the film is up to %.3g K hotter than the supply, further "

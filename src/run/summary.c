@@ -85,9 +85,10 @@ static void put_observed(const taker *to, const ovr_run_info *s)
 static void put_extremes(const taker *to, const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
+    unsigned physics = ovr_setup_physics(s->setup);
     const ovr_extreme *e;
     for (size_t k = 0; (e = ovr_extreme_at(k)); k++)
-        if (s->transient || e->steady)
+        if ((s->transient || e->steady) && !(e->needs & ~physics))
             put_both(to, e->key, e->key_si, ovr_extreme_value(e, total),
                      ovr_kind_scale(e->kind, s->setup->contact));
 }

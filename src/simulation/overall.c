@@ -5,6 +5,21 @@
 
 #include "simulation/internal.h"
 
+/* The larger in magnitude; what is not a number counts last. */
+static void raise(double *most, double value, bool first)
+{
+    if (first || fabs(value) > fabs(*most) || isnan(*most))
+        *most = value;
+}
+
+static void take_heat(ovr_statistics *s, const ovr_observation *o, bool first)
+{
+    raise(&s->T_rise, o->T_max_rise, first);
+    raise(&s->T_1_rise, o->T_1_max_rise, first);
+    raise(&s->T_2_rise, o->T_2_max_rise, first);
+    raise(&s->energy_defect, o->energy_defect, first);
+}
+
 void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
                          bool first)
 {
@@ -27,12 +42,19 @@ void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
         s->mu_slide = o->mu_slide;
         s->T_mu_slide = o->T;
     }
+    take_heat(s, o, first);
 }
 
 #define ROW(key, si, kind, steady, member, text)                               \
     {                                                                          \
         key, si, text, OVR_KIND_##kind, steady,                                \
-            offsetof(ovr_statistics, member)                                   \
+            offsetof(ovr_statistics, member), 0                                \
+    }
+/* Where there is heat. */
+#define HEAT(key, kind, member, text)                                          \
+    {                                                                          \
+        key, NULL, text, OVR_KIND_##kind, true,                                \
+            offsetof(ovr_statistics, member), OVR_PHYSICS_HEAT                 \
     }
 
 static const ovr_extreme table[] = {
@@ -54,7 +76,17 @@ static const ovr_extreme table[] = {
     ROW("mu_slide_max", NULL, NUMBER, false, mu_slide,
         "coefficient of sliding friction of largest magnitude over the run"),
     ROW("T_mu_slide_max", "T_mu_slide_max_s", TIME, false, T_mu_slide,
-        "when that was")};
+        "when that was"),
+    HEAT("T_max_rise", TEMPERATURE, T_rise,
+         "largest rise of temperature in the film above the supply's, over the "
+         "run"),
+    HEAT("T_1_max_rise", TEMPERATURE, T_1_rise,
+         "largest rise of temperature on surface 1 over the run"),
+    HEAT("T_2_max_rise", TEMPERATURE, T_2_rise,
+         "largest rise of temperature on surface 2 over the run"),
+    HEAT("energy_defect_max", NUMBER, energy_defect,
+         "heat that neither surfaces nor oil carry away, over what is made: of "
+         "largest magnitude over the run")};
 
 const ovr_extreme *ovr_extreme_at(size_t k)
 {

@@ -24,16 +24,16 @@ static void memory_is_one_over_sqrt(void **state)
     }
 }
 
-/* Steps of other lengths than the rates were made for. */
+/* Steps of other lengths than the rates were made for: a bit shorter, or
+ * longer by any factor. */
 static void memory_survives_other_steps(void **state)
 {
     ovr_memory m;
     (void)state;
     ovr_memory_rates(0.01, 30, &m);
-    for (double dT = 0.01 / 16; dT < 1; dT *= 1.3) {
+    for (double dT = 0.01 / 2.4; dT < 2; dT *= 1.3) {
         ovr_memory_fit(dT, 30, &m);
-        print_message("steps of %.4f: %.1e\n", dT, ovr_memory_error(&m, 30));
-        assert_true(ovr_memory_error(&m, 30) < 1e-3);
+        assert_true(ovr_memory_error(&m, 30) < 2e-4);
     }
 }
 
