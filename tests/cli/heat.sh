@@ -76,8 +76,8 @@ awk -v d="$(number energy_defect_max)" \
 expect 0 "$OVERROLL" run run.ini -o short.h5 -q --set time.end=1
 expect 0 "$OVERROLL" resume short.h5 --set time.end=2 -q
 for file in whole short; do
-    "$OVERROLL" export $file.h5 >$file.txt && "$OVERROLL" export $file.h5 --all \
-        >>$file.txt
+    "$OVERROLL" export $file.h5 >$file.txt
+    "$OVERROLL" export $file.h5 --all >>$file.txt
 done
 cmp whole.txt short.txt || fail 'interrupted, it is another run'
 contains whole.txt 'energy_defect'
