@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Contacts that shear thin, in numbers: 144 steady ones after Eyring, and runs
- * with features, flow laws and sliding that swings, drawn at random. */
-#include <math.h>
+/* Contacts that shear thin, in numbers: 144 steady ones after Eyring, and 200
+ * runs drawn at random. */
 #include <stdlib.h>
 
 #include "support/contact.h"
 #include "support/test.h"
+#include "support/thinning.h"
 
 static ovr_simulation *eyring(double M, double L, double S, double tau0,
                               int level)
@@ -50,59 +50,11 @@ static void steady_contacts_converge(void **state)
                   ways, cycles / 144.);
 }
 
-/* One run of 120 steps of two meshes; how many were marked. */
-static long run(uint64_t *seed, long *cycles, long *steps)
-{
-    double M = exp(test_random(seed, log(5), log(200)));
-    double L = test_random(seed, 2.5, 14), S = test_random(seed, -2, 2);
-    int level = test_random(seed, 0, 1) < 0.5 ? 7 : 8;
-    ovr_simulation *sim = eyring(
-        M, L, S, exp(test_random(seed, log(2e6), log(15e6))), level);
-    double u = 1 + (test_random(seed, 0, 1) < 0.5 ? S : -S) / 2;
-    test_feature f = {
-        'l', test_random(seed, -0.3, 0.1), 0.5, u < 0 ? 2 : -4.5, u, 0};
-    ovr_history_form form = ovr_history_form_default();
-    ovr_error err = {0};
-    f.A *= ovr_film_central_moes(M, L);
-    f.width = test_random(seed, 0.2, 1);
-    form.kind = OVR_HISTORY_SINE;
-    form.amplitude = test_random(seed, 0, 2);
-    form.period = test_random(seed, 1, 4);
-    form.mean = S;
-    ovr_history *V = ovr_history_create(&form, NULL, &err);
-    if (test_random(seed, 0, 1) < 0.5)
-        ovr_simulation_sliding(sim, V);
-    ovr_simulation_surface(sim, test_feature_heights, &f);
-    ovr_simulation_moving(sim, u);
-    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
-    double D = ovr_simulation_state(sim)->D;
-    for (int k = 0; k < 400 && !err.status; k++)
-        ovr_simulation_step(sim, 2 * D, &err);
-    if (err.status)
-        print_message("    M %.4g L %.4g S %.3g: %s\n", M, L, S, err.message);
-    assert_int_equal(err.status, OVR_OK);
-    const ovr_statistics *s = ovr_simulation_statistics(sim);
-    long marked = s->marked > 0;
-    *cycles += s->cycles;
-    *steps += s->steps;
-    ovr_simulation_free(sim);
-    ovr_history_free(V);
-    return marked;
-}
-
 static void random_runs_go_through(void **state)
 {
     const char *told = getenv("OVERROLL_RUNS");
-    long runs = told ? strtol(told, NULL, 10) : 200, marked = 0, cycles = 0,
-         steps = 0;
-    uint64_t seed = 20260622;
     (void)state;
-    print_message("    seed %llu\n", (unsigned long long)seed);
-    for (long k = 0; k < runs; k++)
-        marked += run(&seed, &cycles, &steps);
-    print_message("    %ld runs, %ld with marked steps, %.2f cycles a step\n",
-                  runs, marked, (double)cycles / (double)steps);
-    assert_true(50 * marked <= runs);
+    test_thinning_survey(20261122, told ? atoi(told) : 200, 7);
 }
 
 int main(void)
