@@ -150,6 +150,11 @@ typedef struct ovr_run_info {
     const char *const *warning;
     double lambda_ratio; /* central film at the end over the composite Rq of
                             both surfaces; NAN: smooth */
+    double shear_over_pressure; /* the film's largest shear stress over its
+                                   pressure, where that is 0.2 ph at least, at
+                                   the end; NAN: b/R is not known */
+    double unbearable_share;    /* of the nodes there: above 0.1, which no oil
+                                   carries */
 } ovr_run_info;
 OVR_API const ovr_run_info *ovr_run_about(const ovr_run *run);
 

@@ -303,8 +303,7 @@ static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
 static ovr_scheme choose_scheme(const ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;
-    bool grid = s->transient && !s->march->adaptive && s->march->dT == 0 &&
-                r->lubricant.rheology == OVR_NEWTONIAN;
+    bool grid = s->transient && !s->march->adaptive && s->march->dT == 0;
     if (r->values.scheme >= 0)
         return (ovr_scheme)r->values.scheme;
     if (r->values.options.cavitation == OVR_CAVITATION_CONSERVING)

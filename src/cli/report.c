@@ -117,7 +117,8 @@ static void put_load_and_flow(const ovr_observation *o,
 }
 
 /* Forces in ph b^2/R; coefficients where b/R is known. */
-static void put_friction(const ovr_observation *o, const ovr_contact *contact)
+static void put_coefficients(const ovr_observation *o,
+                             const ovr_contact *contact)
 {
     if (isfinite(contact->kappa))
         printf("%-17s %-12.4g sliding, %.4g rolling; on surface 1 %.4g, on 2 "
@@ -127,6 +128,25 @@ static void put_friction(const ovr_observation *o, const ovr_contact *contact)
         printf("%-17s %-12.4g sliding, %.4g rolling, in ph b^2/R; "
                "coefficients need modulus or G\n",
                "friction", o->F_slide, o->F_roll);
+}
+
+/* A Newtonian isothermal film's may be no oil's: the film is none the worse. */
+static void put_friction(const ovr_run_info *s)
+{
+    const ovr_observation *o = ovr_simulation_observation(s->sim);
+    const ovr_contact *contact = s->setup->contact;
+    double scale = ovr_kind_scale(OVR_KIND_FORCE, contact) * contact->width;
+    put_coefficients(o, contact);
+    if (isfinite(scale))
+        printf("%-17s %-12.4g N on surface 1, %.4g N on 2, over the width\n",
+               "friction force", o->F_1 * scale, o->F_2 * scale);
+    if (s->unbearable_share > 0 && !s->setup->heat &&
+        s->setup->lubricant->rheology == OVR_NEWTONIAN)
+        printf(
+            "%-17s no oil has this friction: a Newtonian film's stress is up "
+            "to %.3g times\n%-17s the pressure, above a tenth of it in %.2g "
+            "%% of the contact; choose a rheology\n",
+            "", s->shear_over_pressure, "", 100 * s->unbearable_share);
 }
 
 /* Where the film begins, and how much of the flooded one it is. */
@@ -155,7 +175,7 @@ static void table_observed(const ovr_run_info *s)
                contact);
     put_load_and_flow(o, contact);
     put_supply(o, contact);
-    put_friction(o, contact);
+    put_friction(s);
     if (isfinite(s->lambda_ratio))
         printf("%-17s %-12.4g central film over the roughness of both "
                "surfaces\n",

@@ -92,9 +92,18 @@ static hid_t dataset_space(const dataset *d)
     return H5Screate_simple(d->rank, d->shape, most);
 }
 
+/* What is per unit width has the width, where it is known. */
+static bool put_width(hid_t set, const dataset *d, const ovr_contact *contact)
+{
+    bool wide = d->kind == OVR_KIND_FORCE || d->kind == OVR_KIND_POWER;
+    return !wide || isnan(contact->width) ||
+           ovr_h5_set_number(set, "width", contact->width);
+}
+
 static bool describe(hid_t set, const dataset *d, const ovr_scales *scales)
 {
-    return ovr_h5_set_chars(set, "long_name", d->long_name) &&
+    return put_width(set, d, &scales->contact) &&
+           ovr_h5_set_chars(set, "long_name", d->long_name) &&
            ovr_h5_set_chars(set, "units", ovr_unit(scales, d->kind)) &&
            ovr_h5_set_number(set, "scale",
                              ovr_kind_scale(d->kind, &scales->contact)) &&

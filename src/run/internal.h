@@ -53,6 +53,9 @@ void ovr_run_confirm(ovr_run *run);
 void ovr_run_review_before(ovr_run *run);
 void ovr_run_review_after(ovr_run *run);
 
+/* Fills shear_over_pressure and unbearable_share. */
+void ovr_run_shear(ovr_run *run);
+
 /* Whether the file can be made; said before anything is solved. */
 ovr_status ovr_output_check(const char *path, const ovr_case *c, bool force,
                             ovr_error *err);

@@ -365,58 +365,6 @@ static void warn_of_extremes(const review *r, const ovr_statistics *total)
     warn_of_cycles(r, total);
 }
 
-/* What no oil carries: stresses above so much of the pressure, where that is
- * above CARRIES of ph.  With b/R unknown, even if it were the least there is.
- */
-static const double CARRIED = 0.1, CARRIES = 0.2, LEAST_KAPPA = 1e-3;
-
-/* The mean shear stress over the pressure where it is largest, and the share
- * of the nodes under such pressure where it is beyond belief. */
-static double largest_ratio(const ovr_state *state, const double *shear_1,
-                            const double *shear_2, double kappa, double *share)
-{
-    double most = 0, count = 0, beyond = 0;
-    for (size_t i = 0; i + 1 < state->n; i++) {
-        double P = (state->P[i] + state->P[i + 1]) / 2;
-        double t = kappa * fabs(shear_1[i] + shear_2[i]) / 2;
-        if (P < CARRIES)
-            continue;
-        count++;
-        beyond += t > CARRIED * P;
-        most = fmax(most, t / P);
-    }
-    *share = count > 0 ? beyond / count : 0;
-    return most;
-}
-
-/* Of the state at the end. */
-static void warn_of_friction(const review *r, const ovr_simulation *sim,
-                             ovr_arena *arena)
-{
-    const ovr_state *state = ovr_simulation_state(sim);
-    const char *const names[2] = {"shear_stress_1", "shear_stress_2"};
-    const double *shear[2];
-    double kappa = r->setup->contact->kappa, share, ratio;
-    if (r->setup->lubricant->rheology != OVR_NEWTONIAN)
-        return;
-    for (int k = 0; k < 2; k++) {
-        double *room = ovr_arena_take(arena, state->n, sizeof *room, NULL);
-        if (!room)
-            return;
-        shear[k] = ovr_observable_field(names[k])->field(sim, room);
-    }
-    if (isnan(kappa))
-        kappa = LEAST_KAPPA;
-    ratio = largest_ratio(state, shear[0], shear[1], kappa, &share);
-    if (ratio > CARRIED)
-        say(r, OVR_SAY_WARNING,
-            "friction of a Newtonian%s film: the shear stress is up "
-            "to %.3g times the pressure, and above 0.1 of it in %.2g %% of the "
-            "contact; no oil carries it: choose a rheology, or take the film "
-            "alone from this run",
-            r->setup->heat ? "" : " isothermal", ratio, 100 * share);
-}
-
 /* Laws of viscosity and temperature are measured over some hundred kelvins. */
 static void warn_of_rise(const review *r, const ovr_simulation *sim)
 {
@@ -464,8 +412,8 @@ void ovr_run_review_after(ovr_run *run)
         warn_of_inlet(&r, state, H_cen);
     warn_of_extremes(&r, ovr_simulation_statistics(sim));
     warn_of_unrest(&r, state->T, ovr_simulation_statistics(sim)->settled);
-    if (state->n && H_cen > 0)
-        warn_of_friction(&r, sim, &run->arena);
     warn_of_rise(&r, sim);
     run->info.lambda_ratio = lambda_ratio(run, H_cen);
+    if (state->n && H_cen > 0)
+        ovr_run_shear(run);
 }

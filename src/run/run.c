@@ -76,6 +76,7 @@ ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
     run->info.transient = run->setup->transient && !run->how.steady;
     run->info.setup = run->setup;
     run->info.lambda_ratio = NAN;
+    run->info.shear_over_pressure = run->info.unbearable_share = NAN;
     run->info.sim = run->sim;
     if (run->setup->stress->surfaces && !run->how.steady) {
         run->stress = ovr_run_stress_create(run->setup,

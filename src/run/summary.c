@@ -81,6 +81,29 @@ static void put_observed(const taker *to, const ovr_run_info *s)
     }
 }
 
+/* Forces and powers of the whole width, where it is known: keys as those of a
+ * unit width, without "_per_m". */
+static void put_of_width(const taker *to, const ovr_run_info *s)
+{
+    const ovr_observation *seen = ovr_simulation_observation(s->sim);
+    const ovr_contact *contact = s->setup->contact;
+    unsigned physics = ovr_setup_physics(s->setup);
+    const ovr_observable *o;
+    char key[64];
+    if (isnan(contact->width))
+        return;
+    put_number(to, "load_N", seen->load_ratio * contact->load * contact->width);
+    for (size_t k = 0; (o = ovr_observable_at(k)); k++) {
+        double scale = ovr_kind_scale(o->kind, contact) * contact->width;
+        if (!o->key_si || o->needs & ~physics ||
+            (o->kind != OVR_KIND_FORCE && o->kind != OVR_KIND_POWER))
+            continue;
+        snprintf(key, sizeof key, "%.*s",
+                 (int)(strlen(o->key_si) - strlen("_per_m")), o->key_si);
+        put_number(to, key, ovr_observable_value(o, seen) * scale);
+    }
+}
+
 /* Extremes over the whole run. */
 static void put_extremes(const taker *to, const ovr_run_info *s)
 {
@@ -197,10 +220,13 @@ void ovr_run_summary(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     put_number(&to, "inlet", options->inlet);
     put_number(&to, "outlet", options->outlet);
     put_number(&to, "lambda_ratio", s->lambda_ratio);
+    put_number(&to, "shear_over_pressure", s->shear_over_pressure);
+    put_number(&to, "unbearable_share", s->unbearable_share);
     put_extremes(&to, s);
     if (s->transient)
         put_steps(&to, s);
     put_observed(&to, s);
+    put_of_width(&to, s);
     ovr_stress_summary(s->stress, s->setup, take, data);
     if (s->error.level)
         put_errors(&to, &s->error);

@@ -26,6 +26,37 @@ near=$(echo "$(value mu_slide carreau) $(value mu_slide table)" |
     awk '{ d = $1 / $2 - 1; print d * d < 1e-5 }')
 [ "$near" = 1 ] || fail "$(value mu_slide carreau) $(value mu_slide table)"
 
+# A Newtonian film is worth its thickness: that no oil has its friction stands
+# beside that alone.  Heat takes it away; a flow law has no such stresses.
+steel='--set contact.radius=12.7mm --set contact.modulus=226GPa
+    --set contact.mean_speed=2m/s --set contact.slide_to_roll=0.02
+    --set lubricant.viscosity=40mPa.s --set lubricant.alpha=0.02mm2/N
+    --set domain.level=5 --set domain.inlet=-4'
+newtonian() {
+    # shellcheck disable=SC2086
+    "$OVERROLL" steady $steel "$@" >out 2>err || fail "$*: $(cat err)"
+}
+newtonian --set 'contact.hertz_pressure=0.9 GPa'
+contains out 'no oil has this friction'
+! grep friction err || fail 'a warning of friction nobody asked for'
+newtonian --set 'contact.hertz_pressure=0.9 GPa' \
+    --set lubricant.rheology=eyring --set 'lubricant.eyring_stress=5 MPa'
+! grep 'no oil' out || fail 'a flow law that no oil has'
+newtonian --set 'contact.hertz_pressure=0.5 GPa' \
+    --set heat.model=lobatto --set heat.temperature=80degC
+! grep 'no oil' out || fail 'heat is on'
+
+# Forces in N over the width.
+newtonian --set 'contact.hertz_pressure=0.9 GPa' \
+    --set 'contact.width=10 mm' --json
+mv out wide
+forces="$(value F_1_N wide) $(value F_1_N_per_m wide) $(value load_N wide)"
+near=$(echo "$forces" |
+    awk '{ print (($1 / $2 / 0.01 - 1)^2 < 1e-20 && $3 > 2800 && $3 < 2900) }')
+[ "$near" = 1 ] || fail "forces: $(grep _N wide)"
+newtonian --set 'contact.hertz_pressure=0.9 GPa' --json
+! grep F_1_N\" out || fail 'forces without a width'
+
 refused() {
     expected=$1
     shift

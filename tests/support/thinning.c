@@ -119,8 +119,8 @@ static void make_case(draft *d, int level)
         if (chance(d, 0.6))
             roughness(d, surface, H, D);
     }
-    if (chance(d, 0.4))
-        history(d, "load", 0.5, 1.5, 0.3);
+    if (chance(d, 0.4)) /* jumps by half fail in Newtonian films too */
+        history(d, "load", 0.9, 1.1, 0.3);
     if (chance(d, 0.4))
         history(d, "speed", 0.5, 2, 0.3);
     if (chance(d, 0.5))

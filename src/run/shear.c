@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * How much of its pressure the film carries as shear stress, at the end of a
+ * run: the largest ratio of both where the pressure is a fifth of Hertz's at
+ * least, and the share of those nodes where it is above a tenth, which oils do
+ * not carry.  A Newtonian isothermal film has such stresses wherever it is
+ * pressed and slides; its thickness and pressure are none the worse for it, so
+ * this belongs beside its friction.
+ */
+#include <math.h>
+
+#include "run/internal.h"
+
+static const double CARRIED = 0.1, CARRIES = 0.2;
+
+void ovr_run_shear(ovr_run *run)
+{
+    const ovr_state *state = ovr_simulation_state(run->sim);
+    const char *const names[2] = {"shear_stress_1", "shear_stress_2"};
+    double *shear[2], kappa = run->setup->contact->kappa;
+    double most = 0, count = 0, beyond = 0;
+    for (int k = 0; k < 2; k++) {
+        shear[k] = ovr_arena_take(&run->arena, state->n, sizeof(double), NULL);
+        if (!shear[k])
+            return;
+        ovr_observable_field(names[k])->field(run->sim, shear[k]);
+    }
+    for (size_t i = 0; i + 1 < state->n; i++) {
+        double P = (state->P[i] + state->P[i + 1]) / 2;
+        double t = kappa * fabs(shear[0][i] + shear[1][i]) / 2;
+        if (P < CARRIES)
+            continue;
+        count++;
+        beyond += t > CARRIED * P;
+        most = fmax(most, t / P);
+    }
+    run->info.shear_over_pressure = isnan(kappa) ? NAN : most;
+    run->info.unbearable_share = isnan(kappa) || count == 0 ? NAN
+                                                            : beyond / count;
+}
