@@ -241,7 +241,7 @@ typedef struct ovr_observation {
                               */
     /* Heat, NAN without: largest temperatures of film and surfaces, in K, as
      * rises above the supply's and where; flows into the surfaces, um ph b^2/R;
-     * defect of the energy balance over what is made. */
+     * defect of the energy balance over what is made or flows out. */
     double T_film_max, X_T_film_max, T_max_rise;
     double T_1_max, X_T_1_max, T_1_max_rise;
     double T_2_max, X_T_2_max, T_2_max_rise;

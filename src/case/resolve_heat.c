@@ -11,13 +11,9 @@ static ovr_status check(const ovr_resolved *r, ovr_error *err)
 {
     const ovr_options *o = &r->values.options;
     const ovr_block *domain = ovr_block_of(r, "domain");
-    const ovr_block *time = ovr_block_of(r, "time");
     if (o->order == 4)
         return ovr_fail_slot(err, ovr_block_get(domain, "order"),
                              "heat goes with order 2");
-    if (r->values.scheme == OVR_CHARACTERISTIC)
-        return ovr_fail_slot(err, ovr_block_get(time, "scheme"),
-                             "heat goes with upstream2 and upstream1");
     return OVR_OK;
 }
 

@@ -59,7 +59,7 @@ static void give(void *live, void *memory)
  * both surfaces; what the film has of them, on all grids. */
 static double heat_memory(const ovr_setup *setup)
 {
-    enum { MEMORIES = 32, ARRAYS = 17, OF_ALL_GRIDS = 3 };
+    enum { MEMORIES = 32, ARRAYS = 18, OF_ALL_GRIDS = 3 };
     if (!setup->heat)
         return 0;
     return (4 * setup->heat->points + MEMORIES + ARRAYS + 2 * OF_ALL_GRIDS) *

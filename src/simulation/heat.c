@@ -17,10 +17,6 @@ static ovr_status check(const ovr_simulation *sim, ovr_error *err)
     const ovr_options *o = &sim->options;
     if (o->order == 4)
         return ovr_fail_about(err, "order", "order: heat goes with order 2");
-    if (o->scheme == OVR_CHARACTERISTIC)
-        return ovr_fail_about(err, "scheme",
-                              "scheme: heat goes with upstream2 and "
-                              "upstream1");
     if (!(sim->contact.u1_ratio >= 0 && sim->contact.u2_ratio >= 0))
         return ovr_fail_about(err, "slide_to_roll",
                               "slide_to_roll: heat wants both surfaces to move "
@@ -318,15 +314,18 @@ double ovr_heat_relax(ovr_simulation *sim, double share)
 void ovr_heat_stress(const ovr_simulation *sim, double *t)
 {
     ovr_heated *h = sim->heated;
-    double made = 0;
+    double made = 0, size = 0;
     for (size_t i = 0; i < sim->now.n; i++) {
-        ovr_sheet sheet = ovr_heat_last_sheet(sim, i);
+        ovr_sheet sheet = ovr_heat_sheet_in_time(sim, i);
         ovr_flow_across flow;
         ovr_heat_flow(sim, i, &sheet, &flow);
         h->t[i] = flow.t;
-        made += sim->now.weights[i] * ovr_heat_made(sim, i, &sheet, &flow);
+        double here = ovr_heat_made(sim, i, &sheet, &flow);
+        made += sim->now.weights[i] * here;
+        size += sim->now.weights[i] * fabs(here);
     }
     h->made = made;
+    h->made_size = size;
     for (size_t i = 0; i + 1 < sim->now.n; i++)
         t[i] = (h->t[i] + h->t[i + 1]) / 2;
 }
@@ -391,7 +390,7 @@ static double flow_into(const ovr_simulation *sim, int k)
 
 void ovr_observe_heat(const ovr_simulation *sim, ovr_observation *o)
 {
-    double made, stored;
+    double stored, size;
     o->T_film_max = o->X_T_film_max = o->T_max_rise = NAN;
     o->T_1_max = o->X_T_1_max = o->T_1_max_rise = NAN;
     o->T_2_max = o->X_T_2_max = o->T_2_max_rise = NAN;
@@ -402,12 +401,12 @@ void ovr_observe_heat(const ovr_simulation *sim, ovr_observation *o)
     observe_temperatures(sim, o);
     o->heat_flow_1 = flow_into(sim, 0);
     o->heat_flow_2 = flow_into(sim, 1);
-    made = sim->heated->made;
-    stored = sim->heated->steps->dT > 0 ? sim->heated->steps->stored
-                                        : steadily_stored(sim);
-    if (made != 0)
-        o->energy_defect = (made - stored - o->heat_flow_1 - o->heat_flow_2) /
-                           made;
+    const ovr_heated *h = sim->heated;
+    stored = h->steps->dT > 0 ? h->steps->stored : steadily_stored(sim);
+    size = fmax(h->made_size, fabs(o->heat_flow_1) + fabs(o->heat_flow_2));
+    if (size > 0)
+        o->energy_defect =
+            (h->made - stored - o->heat_flow_1 - o->heat_flow_2) / size;
 }
 
 double ovr_heat_turned(const ovr_simulation *sim, size_t i)

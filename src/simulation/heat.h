@@ -36,9 +36,10 @@ typedef struct ovr_heated {
     double *turned, *drag;         /* q V/2 m_1/m_0; psi_c */
     double *th, *shift;            /* in the order of the nodes */
     double V, u1;                  /* now */
-    double made;                   /* power, by ovr_heat_stress; over Theta */
-    struct ovr_heat_steps *steps;  /* heat_in_time.h */
-    double Sigma0, limit;          /* as in across.h; limit over P */
+    /* by ovr_heat_stress: power that is made, and of its size node by node */
+    double made, made_size;
+    struct ovr_heat_steps *steps; /* heat_in_time.h */
+    double Sigma0, limit;         /* as in across.h; limit over P */
 } ovr_heated;
 
 /* Isothermal again. */

@@ -23,6 +23,7 @@ ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
         return OVR_NO_MEMORY;
     h->steps = s;
     all[count++] = &s->F;
+    all[count++] = &s->P_T;
     for (int j = 0; j < points; j++)
         all[count++] = &s->T_before[j];
     for (int j = 0; j < points + 4; j++)
@@ -97,6 +98,7 @@ void ovr_heat_begin(ovr_simulation *sim)
     ovr_heat_steps *s = sim->heated->steps;
     s->trying = false;
     s->dT = s->stored = 0;
+    memset(s->P_T, 0, sim->now.n * sizeof *s->P_T);
     s->memory[0].dT = s->memory[1].dT = 0;
     keep(sim);
 }
@@ -196,14 +198,19 @@ void ovr_heat_step(ovr_simulation *sim, double dT)
     ovr_level_read(&sim->grids, sim->finest, sim->finest->f.F, s->F);
 }
 
-/* The state of a node, with P_T by the pressures of now and `before`. */
-static ovr_sheet sheet_at(const ovr_simulation *sim, size_t i,
-                          const double *before)
+/* How fast the guess presses the oil. */
+static void find_P_T(ovr_simulation *sim)
+{
+    const double *P = sim->now.P, *before = sim->past.P[0];
+    ovr_heat_steps *s = sim->heated->steps;
+    for (size_t i = 0; i < sim->now.n; i++)
+        s->P_T[i] = sim->past.steps ? (P[i] - before[i]) / s->dT : 0;
+}
+
+ovr_sheet ovr_heat_sheet_in_time(const ovr_simulation *sim, size_t i)
 {
     ovr_sheet sheet = ovr_heat_sheet(sim, i);
-    double dT = sim->heated->steps->dT;
-    if (before && dT > 0)
-        sheet.P_T = (sim->now.P[i] - before[i]) / dT;
+    sheet.P_T = sim->heated->steps->P_T[i];
     return sheet;
 }
 
@@ -268,11 +275,11 @@ static void solve(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
     ovr_heat_steps *s = h->steps;
-    const double *before = sim->past.steps ? sim->past.P[0] : NULL;
     double streamers = sim->now.q[0], stored = 0;
+    find_P_T(sim);
     swap_trial(h);
     for (size_t i = 1; i < sim->now.n; i++) {
-        ovr_sheet sheet = sheet_at(sim, i, before);
+        ovr_sheet sheet = ovr_heat_sheet_in_time(sim, i);
         if (sheet.wet)
             streamers = sim->now.q[i];
         else /* what is left fills less than the gap */
@@ -295,11 +302,6 @@ void ovr_heat_try(ovr_simulation *sim, bool first)
 }
 
 /* --------------------------------------------------------------- observed */
-
-ovr_sheet ovr_heat_last_sheet(const ovr_simulation *sim, size_t i)
-{
-    return sheet_at(sim, i, sim->past.steps > 1 ? sim->past.P[1] : NULL);
-}
 
 double ovr_heat_made(const ovr_simulation *sim, size_t i,
                      const ovr_sheet *sheet, const ovr_flow_across *flow)
@@ -344,6 +346,9 @@ ovr_status ovr_heat_visit(ovr_simulation *sim, ovr_visit *visit, void *context,
     ovr_heated *h = sim->heated;
     ovr_status status = visit(context, "heat_stored", &h->steps->stored,
                               sizeof h->steps->stored, err);
+    if (!status)
+        status = visit_array(sim, "pressing", 1, h->steps->P_T, visit, context,
+                             err);
     for (int j = 0; !status && j < h->across.n; j++)
         status = visit_array(sim, "temperature", j + 1, h->T[j], visit, context,
                              err);

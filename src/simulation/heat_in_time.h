@@ -8,7 +8,7 @@
  * solve across the film at each node, once a step, with P and H of the guess
  * that the cycles begin from and
  *
- *     P_T = (P - P')/dT, 0 in the first step
+ *     P_T = (P - P')/dT, 0 in the first step and where nothing foretold a jump
  *
  * Viscosities are those of temperatures `used` that go half the way to the new
  * ones; the flow is that by those before the step, so that it lags behind by a
@@ -45,6 +45,7 @@ typedef struct ovr_heat_steps {
     double *psi[2][OVR_MODES];   /* Psi_m of the surfaces at the nodes */
     double *past[2];             /* (h - T_bulk)/N at the nodes */
     double *F;                   /* history term of Reynolds' equation */
+    double *P_T;                 /* that the step was heated by */
     ovr_memory memory[2];        /* for steps of dT */
     double meshes[2];            /* that surfaces move in the step */
     double stored;               /* power that the oil took up in the step */
@@ -69,8 +70,9 @@ void ovr_heat_try(ovr_simulation *sim, bool first);
 /* Back to the last time reached. */
 void ovr_heat_step_back(ovr_simulation *sim);
 
-/* A node of the film as it ends the last step; the power made there. */
-ovr_sheet ovr_heat_last_sheet(const ovr_simulation *sim, size_t i);
+/* A node of the film that was read last, with P_T of the step; the power made
+ * there. */
+ovr_sheet ovr_heat_sheet_in_time(const ovr_simulation *sim, size_t i);
 double ovr_heat_made(const ovr_simulation *sim, size_t i,
                      const ovr_sheet *sheet, const ovr_flow_across *flow);
 

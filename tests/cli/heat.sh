@@ -86,8 +86,6 @@ contains whole.txt 'temperature_1'
 refuses 'take 2' check hot.ini --set domain.order=4
 sed '/rheology/d;/eyring/d' hot.ini >newtonian.ini
 refuses 'heat goes with order 2' check newtonian.ini --set domain.order=4
-refuses 'heat goes with upstream2' check hot.ini \
-    --set time.scheme=characteristic
 refuses 'given in \[lubricant\] too' check hot.ini \
     --set 'lubricant.temperature=90 degC'
 expect 0 "$OVERROLL" check hot.ini --set 'contact.mean_speed=0.1 m/s'

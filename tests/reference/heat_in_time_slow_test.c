@@ -158,6 +158,37 @@ static void surfaces_swapped(void **state)
     ovr_simulation_free(sim[1]);
 }
 
+/* ---------------------------------------------------------------- schemes */
+
+/* Along the characteristic the film is another discretization of the same. */
+static void schemes_agree(void **state)
+{
+    static const ovr_scheme schemes[] = {OVR_UPSTREAM2, OVR_CHARACTERISTIC};
+    test_hot hot = test_hot_make(20, 10, 0.8, 5e6, NULL);
+    test_feature f = {'l', -0.05, 1, -2, 1.4, 0};
+    ovr_observation seen[2];
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        ovr_options options = test_options();
+        options.level = 6;
+        options.scheme = schemes[k];
+        ovr_simulation *sim = test_hot_made(&hot, &options);
+        ovr_simulation_surface(sim, test_feature_heights, &f);
+        ovr_simulation_moving(sim, f.u);
+        steady(sim);
+        for (int n = 0; n < 120; n++)
+            step(sim, D_of(sim));
+        seen[k] = *ovr_simulation_observation(sim);
+        ovr_simulation_free(sim);
+    }
+    print_message("H_min %.6f and %.6f, mu %.6f and %.6f, T %.4f and %.4f\n",
+                  seen[0].H_min, seen[1].H_min, seen[0].mu_slide,
+                  seen[1].mu_slide, seen[0].T_max_rise, seen[1].T_max_rise);
+    CHECK_CLOSE(seen[1].H_min, seen[0].H_min, 1e-2);
+    CHECK_CLOSE(seen[1].mu_slide, seen[0].mu_slide, 1e-3);
+    CHECK_CLOSE(seen[1].T_max_rise, seen[0].T_max_rise, 2e-3);
+}
+
 /* -------------------------------------------------------------- isothermal */
 
 static void isothermal_limit(void **state)
@@ -265,6 +296,7 @@ int main(void)
         cmocka_unit_test(long_runs_end_steady),
         cmocka_unit_test(energy_is_conserved),
         cmocka_unit_test(surfaces_swapped),
+        cmocka_unit_test(schemes_agree),
         cmocka_unit_test(isothermal_limit),
         cmocka_unit_test(goes_on_alike),
     };

@@ -48,14 +48,19 @@ test_hot test_hot_make(double M, double L, double S, double tau0,
     return hot;
 }
 
-ovr_simulation *test_hot_simulation(const test_hot *hot, int level)
+ovr_simulation *test_hot_made(const test_hot *hot, const ovr_options *options)
 {
-    ovr_options options = test_options();
     ovr_error err = {0};
-    options.level = level;
     ovr_simulation *sim = ovr_simulation_create(&hot->contact, &hot->oil,
-                                                &options, NULL, &err);
+                                                options, NULL, &err);
     assert_non_null(sim);
     CHECK_OK(ovr_simulation_heat(sim, &hot->heat, &err), &err);
     return sim;
+}
+
+ovr_simulation *test_hot_simulation(const test_hot *hot, int level)
+{
+    ovr_options options = test_options();
+    options.level = level;
+    return test_hot_made(hot, &options);
 }

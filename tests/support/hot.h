@@ -18,7 +18,8 @@ ovr_heat_form test_heat_form(void);
 test_hot test_hot_make(double M, double L, double S, double tau0,
                        const ovr_heat_form *form);
 
-/* With test_options on this level, or the test fails. */
+/* With these options; with test_options on this level; or the test fails. */
+ovr_simulation *test_hot_made(const test_hot *hot, const ovr_options *options);
 ovr_simulation *test_hot_simulation(const test_hot *hot, int level);
 
 #endif
