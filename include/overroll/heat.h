@@ -22,6 +22,8 @@
 extern "C" {
 #endif
 
+#define OVR_ROELANDS_T 138.0 /* K: where Roelands' viscosity ends */
+
 /* Constants of a material, SI. */
 typedef struct ovr_thermal {
     double conductivity, heat_capacity, density; /* W/m.K, J/kg.K, kg/m3 */
@@ -59,6 +61,10 @@ OVR_API ovr_status ovr_heat_make(const ovr_heat_form *form,
 /* ln(eta/eta0) at the rise T from that at T0 and the same pressure. */
 OVR_API double ovr_heat_log_viscosity(const ovr_heat *heat, double log_eta,
                                       double T);
+
+/* -d ln eta/dT there. */
+OVR_API double ovr_heat_viscosity_fall(const ovr_heat *heat, double log_eta,
+                                       double T);
 
 #ifdef __cplusplus
 }

@@ -5,7 +5,6 @@
 #include <math.h>
 
 static const double PI = 3.14159265358979323846;
-static const double ROELANDS_T = 138; /* K: where Roelands' viscosity ends */
 
 static ovr_status missing(const char *name, ovr_error *err)
 {
@@ -25,7 +24,7 @@ static ovr_status check_contact(const ovr_contact *c, ovr_error *err)
 static ovr_status viscosity(const ovr_heat_form *form, const ovr_lubricant *oil,
                             ovr_heat *heat, ovr_error *err)
 {
-    double above = form->temperature - ROELANDS_T;
+    double above = form->temperature - OVR_ROELANDS_T;
     bool roelands = oil->viscosity_law == OVR_ROELANDS;
     double C = roelands ? oil->alphabar * oil->P0 / oil->z : 0;
     if (!(above > 0))
@@ -81,10 +80,24 @@ ovr_status ovr_heat_make(const ovr_heat_form *form, const ovr_contact *contact,
     return OVR_OK;
 }
 
+/* x of overroll/heat.h: no oil gets that cold. */
+static double warmth(const ovr_heat *heat, double T)
+{
+    return fmax(1 + T / (heat->T0 - OVR_ROELANDS_T), 1e-3);
+}
+
 double ovr_heat_log_viscosity(const ovr_heat *heat, double log_eta, double T)
 {
-    double above = heat->T0 - ROELANDS_T;
     if (heat->C == 0)
         return log_eta - heat->beta * T;
-    return (log_eta + heat->C) * pow(1 + T / above, -heat->S0) - heat->C;
+    return (log_eta + heat->C) * pow(warmth(heat, T), -heat->S0) - heat->C;
+}
+
+double ovr_heat_viscosity_fall(const ovr_heat *heat, double log_eta, double T)
+{
+    double x = warmth(heat, T);
+    if (heat->C == 0)
+        return heat->beta;
+    return heat->S0 * (log_eta + heat->C) * pow(x, -heat->S0) /
+           (x * (heat->T0 - OVR_ROELANDS_T));
 }

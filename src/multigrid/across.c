@@ -124,7 +124,7 @@ static double newtonian(const ovr_across *a, const ovr_sheet *sheet, double Y,
 static double eyring(const ovr_across *a, const ovr_sheet *sheet, double Y,
                      const double *r, double *rate)
 {
-    const double most = 200;
+    const double most = 200; /* in powers of e */
     double g = sheet->H * sheet->P_X / (2 * sheet->Sigma0), A = 0, B = 0;
     double b = -sheet->V * Y / sheet->Sigma0, square, root, sinh_a, cosh_a;
     g = fmax(-most, fmin(g, most));
@@ -132,7 +132,7 @@ static double eyring(const ovr_across *a, const ovr_sheet *sheet, double Y,
         A += a->w[j] * r[j] * cosh(g * a->s[j]);
         B += a->w[j] * r[j] * sinh(g * a->s[j]);
     }
-    square = A * A - B * B;
+    square = (A - B) * (A + B);
     root = sqrt(square + b * b);
     sinh_a = (b * A - root * B) / square;
     cosh_a = (root * A - b * B) / square;
@@ -163,6 +163,7 @@ static double by_law(const ovr_across *across, const ovr_sheet *sheet, double Y,
 {
     const ovr_curve *f = &sheet->law->f;
     double g = sheet->H * sheet->P_X / (2 * sheet->Sigma0), by_a;
+    g = fmax(-300, fmin(g, 300)); /* as far as tables go */
     double b = -sheet->V * Y / sheet->Sigma0, uniform = fabs(b) / m[0];
     double high = fabs(g) + uniform, low = -high;
     double a = copysign(ovr_flow_stress(sheet->law, uniform, g), b);
@@ -192,7 +193,7 @@ static double stressed(const ovr_across *a, const ovr_sheet *sheet, double Y,
     return newtonian(a, sheet, Y, r, m, rate);
 }
 
-/* Ratios eta(T_m)/eta(T_j). */
+/* Ratios eta(T_m)/eta(T_j): within 1e43, and eta_m below 1e130, whatever T. */
 static void ratios(const ovr_across *a, const ovr_heat *heat,
                    const ovr_sheet *sheet, const double *T,
                    ovr_flow_across *flow, double *r)
@@ -200,10 +201,13 @@ static void ratios(const ovr_across *a, const ovr_heat *heat,
     flow->mean = 0;
     for (int j = 0; j < a->n; j++)
         flow->mean += a->w[j] * T[j];
-    flow->log_eta = ovr_heat_log_viscosity(heat, sheet->log_eta, flow->mean);
-    for (int j = 0; j < a->n; j++)
-        r[j] = exp(flow->log_eta -
-                   ovr_heat_log_viscosity(heat, sheet->log_eta, T[j]));
+    double log_eta = ovr_heat_log_viscosity(heat, sheet->log_eta, flow->mean);
+    for (int j = 0; j < a->n; j++) {
+        double ln = log_eta -
+                    ovr_heat_log_viscosity(heat, sheet->log_eta, T[j]);
+        r[j] = exp(fmax(-100, fmin(ln, 100)));
+    }
+    flow->log_eta = fmin(log_eta, 300);
 }
 
 void ovr_flow_across_film(const ovr_across *a, const ovr_heat *heat,

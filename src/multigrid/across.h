@@ -48,6 +48,7 @@
 #define OVR_MULTIGRID_ACROSS_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "overroll/heat.h"
 
@@ -97,5 +98,42 @@ void ovr_across_solve(const ovr_across *a, const ovr_heat *heat,
                       const ovr_sheet *sheet, const ovr_flow_across *flow,
                       const double *foot, const double *travel,
                       const ovr_wall wall[2], double *T);
+
+/*
+ * The same of n nodes in their order, for kernels: a film, what flows in it,
+ * and a step of its temperatures.  A node is wet where P > 0, and not an end;
+ * P_X by central differences.  What is made falls as the film gets hotter, so
+ * that a step cannot overshoot:
+ *
+ *     tau u_z <- tau u_z (1 - gamma (T - T_used))
+ *     gamma = -(d ln eta/dT) tanh(a)/a,  a = |t|/Sigma0
+ */
+typedef struct ovr_columns {
+    const ovr_across *across;
+    const ovr_heat *heat;
+    size_t n;
+    double lambda, V, u1, Sigma0;
+    double limit; /* of |t| + |G_P|, over P */
+    const ovr_flow_law *law;
+    const double *X, *P, *H, *q;         /* the oil's H: q = rho H */
+    const double *log_eta;               /* at T0 */
+    const double *used[OVR_MOST_ACROSS]; /* T by which it flows */
+    /* what flows; gamma */
+    double *u[OVR_MOST_ACROSS], *heating[OVR_MOST_ACROSS], *t, *fall;
+    /* what Reynolds' equation gets (fields.h); V/2 m_1/m_0 q */
+    double *th, *shift, *drag, *turned;
+    /* a step dT from T at the feet and P `before` it (NULL: as now), with
+     * surfaces of which (h - T_bulk)/N is `past` */
+    double dT;
+    double least_u; /* steady: a node is entered from the one upstream, with
+                     * at least this speed (plain only); 0: in time */
+    const double *before, *foot[OVR_MOST_ACROSS], *past[2];
+    double resistance[2];
+    double *T[OVR_MOST_ACROSS], *mean, *into[2]; /* T, T_m, q */
+} ovr_columns;
+
+/* Flow, and heat, of node i alone. */
+void ovr_column_flow(const ovr_columns *columns, size_t i);
+void ovr_column_heat(const ovr_columns *columns, size_t i);
 
 #endif

@@ -50,4 +50,14 @@ static inline eyring eyring_at(const exp_table *growth, vec g)
     return f;
 }
 
+/* scale asinh y, y >= 0: by the logarithm (beyond 1e100 of 2 y), by the series
+ * where that would have no digits */
+static inline vec arsinh(const log_table *ln, double scale, vec y)
+{
+    vec z = smaller(y, all(1e100)), square = z * z, whole = square + 1;
+    vec sum = choose(y > 1e100, 2 * y, z + whole * inverse_root(whole));
+    vec series = y * (1 - square / 6 + square * square * (3. / 40));
+    return choose(y < 1e-3, scale * series, scaled_log2(ln, sum));
+}
+
 #endif

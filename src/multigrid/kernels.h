@@ -22,6 +22,7 @@
 struct ovr_mlmi;
 
 struct ovr_law;
+struct ovr_columns;
 
 /* The lubricant with the Reynolds equation's lambda. */
 typedef struct ovr_fluid {
@@ -150,6 +151,11 @@ enum { OVR_FOURTH_MARGIN = 8 };
                           double *t)) \
     K(double, limit_stress, (const ovr_sheared *f, double limit, double *t)) \
     K(ovr_friction, friction, (const ovr_sheared *f, const double *t)) \
+    /* ln(eta/eta0) at T0; columns across the film, see across.h */ \
+    K(void, log_viscosity, (size_t n, const ovr_fluid *fluid, const double *P, \
+                            const double *H, double *log_eta)) \
+    K(void, flow_across, (const struct ovr_columns *c)) \
+    K(void, heat_across, (const struct ovr_columns *c)) \
     K(double, deviation, (size_t n, const double e[3], double most, \
                           const double *weights, const double *P, \
                           const double *q, double *const past[3])) \

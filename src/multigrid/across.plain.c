@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Columns across the film, node by node (equations in across.h). */
+#include <math.h>
+
+#include "multigrid/plain.h"
+
+#include "contact/laws/fluid.h"
+#include "contact/laws/law.h"
+#include "multigrid/across.h"
+
+static const double INV_LN2 = 1.4426950408889634;
+
+void ovr_log_viscosity_plain(size_t n, const ovr_fluid *fluid, const double *P,
+                             const double *H, double *log_eta)
+{
+    ovr_viscosity_law law = fluid->lubricant.viscosity_law;
+    fluid_laws c = {0};
+    fluid_laws_make(&fluid->lubricant, &c);
+    for (size_t i = 0; i < n; i++) {
+        double t = viscosity_divisor(&c, law, P[i]), slope, by_film, power;
+        const ovr_law_nodes node = {1, P + i, H + i, &power, &slope, &by_film};
+        if (fluid->law)
+            fluid->law->at(fluid->law, &node);
+        else {
+            power = viscosity_begin(&c, law, P[i], t, 1 / t, &slope);
+            power = viscosity_finish(&c, law, power, &slope);
+        }
+        log_eta[i] = -power / INV_LN2;
+    }
+}
+
+static ovr_sheet sheet_at(const ovr_columns *c, size_t i)
+{
+    const double *X = c->X, *P = c->P;
+    bool inside = i > 0 && i + 1 < c->n;
+    ovr_sheet sheet = {.H = c->H[i],
+                       .rho = c->q[i] / c->H[i],
+                       .log_eta = c->log_eta[i],
+                       .lambda = c->lambda,
+                       .V = c->V,
+                       .u1 = c->u1,
+                       .Sigma0 = c->Sigma0,
+                       .limit = c->limit * P[i],
+                       .wet = inside && P[i] > 0,
+                       .law = c->law};
+    if (inside)
+        sheet.P_X = (P[i + 1] - P[i - 1]) / (X[i + 1] - X[i - 1]);
+    if (c->before)
+        sheet.P_T = (P[i] - c->before[i]) / c->dT;
+    return sheet;
+}
+
+static double fall(const ovr_columns *c, double log_eta,
+                   const ovr_flow_across *flow)
+{
+    double a = fabs(flow->t) / c->Sigma0;
+    return ovr_heat_viscosity_fall(c->heat, log_eta, flow->mean) *
+           (a > 1e-3 ? tanh(a) / a : 1);
+}
+
+void ovr_column_flow(const ovr_columns *c, size_t i)
+{
+    double T[OVR_MOST_ACROSS];
+    ovr_sheet sheet = sheet_at(c, i);
+    ovr_flow_across flow;
+    for (int j = 0; j < c->across->n; j++)
+        T[j] = c->used[j][i];
+    ovr_flow_across_film(c->across, c->heat, &sheet, T, &flow);
+    for (int j = 0; j < c->across->n; j++) {
+        c->u[j][i] = flow.u[j];
+        c->heating[j][i] = flow.heating[j];
+    }
+    double skew = flow.m[1] / flow.m[0];
+    double psi = 3 * (flow.m[2] - flow.m[1] * skew);
+    /* ln eta of 0 and 1 give th and shift of any law */
+    double at_0 = ovr_heat_log_viscosity(c->heat, 0, flow.mean);
+    c->t[i] = flow.t;
+    c->fall[i] = fall(c, sheet.log_eta, &flow);
+    c->th[i] = ovr_heat_log_viscosity(c->heat, 1, flow.mean) - at_0;
+    c->shift[i] = -at_0 * INV_LN2 + log2(psi);
+    c->drag[i] = psi / flow.m[0];
+    c->turned[i] = c->V / 2 * skew * c->q[i];
+}
+
+/* From where a layer was. */
+static double time_to(const ovr_columns *c, int j, size_t i)
+{
+    if (!(c->least_u > 0))
+        return c->dT;
+    return (c->X[i] - c->X[i - 1]) / fmax(c->u[j][i], c->least_u);
+}
+
+void ovr_column_heat(const ovr_columns *c, size_t i)
+{
+    double foot[OVR_MOST_ACROSS], stay[OVR_MOST_ACROSS], T[OVR_MOST_ACROSS];
+    ovr_sheet sheet = sheet_at(c, i);
+    ovr_flow_across flow;
+    ovr_wall wall[2];
+    int n = c->across->n;
+    double cooling = c->heat->theta * c->fall[i] / c->q[i];
+    for (int j = 0; j < n; j++) {
+        double rate = fmax(0, cooling * c->heating[j][i]);
+        double travel = time_to(c, j, i);
+        size_t from = c->least_u > 0 ? i - 1 : i;
+        flow.u[j] = c->u[j][i];
+        flow.heating[j] = c->heating[j][i];
+        stay[j] = 1 / (1 / travel + rate);
+        foot[j] = (c->foot[j][from] / travel + rate * c->used[j][i]) * stay[j];
+    }
+    for (int k = 0; k < 2; k++)
+        wall[k] = (ovr_wall){c->heat->bulk[k] +
+                                 c->heat->solid[k] * c->past[k][i],
+                             c->resistance[k]};
+    ovr_across_solve(c->across, c->heat, &sheet, &flow, foot, stay, wall, T);
+    c->mean[i] = 0;
+    for (int j = 0; j < n; j++) {
+        c->T[j][i] = T[j];
+        c->mean[i] += c->across->w[j] * T[j];
+    }
+    for (int k = 0; k < 2; k++)
+        c->into[k][i] = (T[k ? n - 1 : 0] - wall[k].h) / wall[k].resistance;
+}
+
+void ovr_flow_across_plain(const ovr_columns *c)
+{
+    for (size_t i = 0; i < c->n; i++)
+        ovr_column_flow(c, i);
+}
+
+void ovr_heat_across_plain(const ovr_columns *c)
+{
+    for (size_t i = 1; i < c->n; i++)
+        ovr_column_heat(c, i);
+}

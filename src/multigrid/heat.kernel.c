@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A step of temperatures across the film (equations in across.h), node by
+ * node: nodes 1 to n - 1, in vectors that begin at node 1, the last one over
+ * part of the one before; the end by itself.  The matrix of a node is symmetric
+ * and heavy on its diagonal: elimination without a search for pivots.
+ */
+#include "multigrid/across.h"
+#include "multigrid/kernels.h"
+#include "multigrid/vector.h"
+
+/* Rows of the matrix from the diagonal on, and the right side. */
+typedef struct rows {
+    vec A[OVR_MOST_ACROSS][OVR_MOST_ACROSS], b[OVR_MOST_ACROSS];
+} rows;
+
+static INLINE vec pressed(const ovr_columns *c, size_t i)
+{
+    if (!c->before)
+        return all(0);
+    return (load(c->P + i) - load(c->before + i)) / c->dT;
+}
+
+static INLINE vec wall_at(const ovr_columns *c, const ovr_heat *heat, int k,
+                          size_t i)
+{
+    return fused(load(c->past[k] + i), all(heat->solid[k]), all(heat->bulk[k]));
+}
+
+static INLINE void assemble(const ovr_columns *c, const ovr_across *across,
+                            const ovr_heat *heat, int n, size_t i, rows *m)
+{
+    vec q = load(c->q + i), H = load(c->H + i), P = load(c->P + i);
+    vec dX = load(c->X + i + 1) - load(c->X + i - 1), P_T = pressed(c, i);
+    vec P_X = (load(c->P + i + 1) - load(c->P + i - 1)) / dX;
+    vec conduction = heat->conduction / H, cooling = load(c->fall + i);
+    vec pressing = choose(P > 0, heat->theta * heat->expansion * H, all(0));
+    UNROLL
+    for (int j = 0; j < n; j++) {
+        double w = across->w[j];
+        vec made = (w * heat->theta) * load(c->heating[j] + i);
+        vec less_made = larger(made * cooling, all(0));
+        vec stored = (w / c->dT) * q;
+        vec press = w * pressing * fused(load(c->u[j] + i), P_X, P_T);
+        UNROLL
+        for (int l = j; l < n; l++)
+            m->A[j][l] = conduction * across->K[j][l];
+        m->A[j][j] += stored + less_made - press;
+        m->b[j] = fused(less_made, load(c->used[j] + i), made);
+        m->b[j] = fused(stored, load(c->foot[j] + i), m->b[j]);
+        m->b[j] = fused(press, all(heat->T0), m->b[j]);
+    }
+    for (int k = 0; k < 2; k++) {
+        double G = heat->conduction / c->resistance[k];
+        int j = k ? n - 1 : 0;
+        m->A[j][j] += G;
+        m->b[j] = fused(all(G), wall_at(c, heat, k, i), m->b[j]);
+    }
+}
+
+static INLINE void eliminate(int n, rows *m)
+{
+    vec inverse[OVR_MOST_ACROSS];
+    UNROLL
+    for (int k = 0; k < n; k++) {
+        inverse[k] = 1 / m->A[k][k];
+        UNROLL
+        for (int i = k + 1; i < n; i++) {
+            vec factor = m->A[k][i] * inverse[k];
+            UNROLL
+            for (int j = i; j < n; j++)
+                m->A[i][j] = less(m->A[i][j], factor, m->A[k][j]);
+            m->b[i] = less(m->b[i], factor, m->b[k]);
+        }
+    }
+    UNROLL
+    for (int k = n - 1; k >= 0; k--) {
+        UNROLL
+        for (int j = k + 1; j < n; j++)
+            m->b[k] = less(m->b[k], m->A[k][j], m->b[j]);
+        m->b[k] *= inverse[k];
+    }
+}
+
+static INLINE void columns(const ovr_columns *given, int n)
+{
+    const ovr_columns own = *given, *c = &own; /* that no store can change */
+    const ovr_across across = *c->across;
+    const ovr_heat heat = *c->heat;
+    for (size_t at = 1; at < c->n - 1; at += VEC) {
+        size_t i = at + VEC <= c->n - 1 ? at : c->n - 1 - VEC;
+        vec mean = all(0);
+        rows m;
+        assemble(c, &across, &heat, n, i, &m);
+        eliminate(n, &m);
+        UNROLL
+        for (int j = 0; j < n; j++) {
+            store(c->T[j] + i, m.b[j]);
+            mean = fused(m.b[j], all(across.w[j]), mean);
+        }
+        store(c->mean + i, mean);
+        for (int k = 0; k < 2; k++)
+            store(c->into[k] + i,
+                  (m.b[k ? n - 1 : 0] - wall_at(c, &heat, k, i)) /
+                      c->resistance[k]);
+    }
+}
+
+void OVR_KERNEL(heat_across)(const ovr_columns *c)
+{
+    if (c->across->n == 5)
+        columns(c, 5);
+    else
+        columns(c, 7);
+    ovr_column_heat(c, c->n - 1);
+}

@@ -1,0 +1,241 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Columns across the film: the kernels of every instruction set against the
+ * plain ones, which are the statement of across.c (heat_test.c). */
+#include <math.h>
+#include <string.h>
+
+#include "contact/flow_law.h"
+#include "multigrid/across.h"
+#include "support/contact.h"
+#include "support/kernels.h"
+#include "support/test.h"
+
+enum { MOST = 70, IN = 2 * OVR_MOST_ACROSS + 8, OUT = 4 * OVR_MOST_ACROSS + 8 };
+
+/* Films with dry nodes, all that they are made of at random, and places for
+ * what comes of them. */
+typedef struct films {
+    ovr_across across;
+    ovr_heat heat;
+    ovr_columns c;
+    double in[IN][MOST], out[OUT][MOST];
+    int count;
+} films;
+
+static const double *input(films *f, int k, double from, double to,
+                           uint64_t *seed)
+{
+    for (size_t i = 0; i < f->c.n; i++)
+        f->in[k][i] = test_random(seed, from, to);
+    return f->in[k];
+}
+
+static void put_places(films *f)
+{
+    ovr_columns *c = &f->c;
+    double **const all[] = {&c->t,     &c->fall,    &c->th,
+                            &c->shift, &c->drag,    &c->turned,
+                            &c->mean,  &c->into[0], &c->into[1]};
+    f->count = 0;
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+        *all[k] = f->out[f->count++];
+    for (int j = 0; j < f->across.n; j++) {
+        c->u[j] = f->out[f->count++];
+        c->heating[j] = f->out[f->count++];
+        c->T[j] = f->out[f->count++];
+    }
+}
+
+static void fill(films *f, size_t n, int points, uint64_t *seed)
+{
+    ovr_columns *c = &f->c;
+    ovr_across_make(points, &f->across);
+    *c = (ovr_columns){.across = &f->across, .heat = &f->heat, .n = n};
+    f->heat = (ovr_heat){.points = points,
+                         .T0 = test_random(seed, 280, 400),
+                         .theta = test_random(seed, 100, 1000),
+                         .conduction = pow(10, test_random(seed, -1, 1.5)),
+                         .solid = {test_random(seed, 0.01, 0.1), 0.05},
+                         .bulk = {test_random(seed, -30, 30), 0},
+                         .expansion = 6e-4,
+                         .S0 = test_random(seed, 0.5, 1.5),
+                         .beta = 0.03,
+                         .C = 6.5};
+    c->lambda = test_random(seed, 1e-3, 1);
+    c->V = test_random(seed, -2, 2);
+    c->u1 = 1 + c->V / 2;
+    c->limit = INFINITY;
+    c->Sigma0 = INFINITY;
+    c->dT = 0.02;
+    c->X = input(f, 0, 0, 0.3, seed);
+    c->P = input(f, 1, -0.2, 1.2, seed);
+    for (size_t i = 0; i < n; i++) {
+        f->in[0][i] += (double)i;
+        f->in[1][i] = fmax(0, f->in[1][i]);
+    }
+    c->H = input(f, 2, 0.03, 1.5, seed);
+    c->q = input(f, 3, 0.03, 1.8, seed);
+    c->log_eta = input(f, 4, -1, 25, seed);
+    c->before = input(f, 5, 0, 1, seed);
+    for (int k = 0; k < 2; k++) {
+        c->past[k] = input(f, 6 + k, -100, 500, seed);
+        c->resistance[k] = test_random(seed, 1e-3, 1e-2);
+    }
+    for (int j = 0; j < points; j++) {
+        c->used[j] = input(f, 8 + j, -20, 150, seed);
+        c->foot[j] = input(f, 8 + OVR_MOST_ACROSS + j, -20, 150, seed);
+    }
+    put_places(f);
+}
+
+/* Values, of which the largest say what is small. */
+static void agree(const films *here, const films *plain, double tolerance)
+{
+    for (int k = 0; k < here->count; k++) {
+        double most = 0;
+        for (size_t i = 1; i < plain->c.n; i++)
+            most = fmax(most, fabs(plain->out[k][i]));
+        for (size_t i = 1; i < plain->c.n; i++) {
+            double size = fabs(plain->out[k][i]) + 1e-6 * most;
+            CHECK_NEAR(here->out[k][i], plain->out[k][i], tolerance * size);
+        }
+    }
+}
+
+static void compare(films *plain, double tolerance)
+{
+    static films here;
+    const ovr_kernels *run;
+    test_kernels(0)->flow_across(&plain->c);
+    test_kernels(0)->heat_across(&plain->c);
+    for (int k = 1; (run = test_kernels(k)); k++) {
+        here = *plain;
+        here.c.across = &here.across;
+        here.c.heat = &here.heat;
+        memset(here.out, 0, sizeof here.out);
+        put_places(&here);
+        run->flow_across(&here.c);
+        run->heat_across(&here.c);
+        agree(&here, plain, tolerance);
+    }
+}
+
+static const size_t sizes[] = {15, 29, 57, 70};
+
+static void films_by_law(double Sigma0, const ovr_flow_law *law, uint64_t seed)
+{
+    static films f;
+    for (int k = 0; k < 16; k++) {
+        fill(&f, sizes[k & 3], k & 1 ? 7 : 5, &seed);
+        f.c.Sigma0 = Sigma0;
+        f.c.law = law;
+        if (k & 4)
+            f.heat.C = 0;
+        if (k & 8) {
+            f.c.limit = 4;
+            f.c.V = k & 1 ? 0 : f.c.V;
+        }
+        compare(&f, 1e-9);
+    }
+}
+
+static void newtonian_films_agree(void **state)
+{
+    (void)state;
+    films_by_law(INFINITY, NULL, 5);
+}
+
+static void eyring_films_agree(void **state)
+{
+    (void)state;
+    films_by_law(0.05, NULL, 6);
+    films_by_law(0.4, NULL, 7);
+    films_by_law(1e4, NULL, 8);
+}
+
+static void films_by_table_agree(void **state)
+{
+    ovr_error err = {0};
+    (void)state;
+    for (int rate = 0; rate < 2; rate++) {
+        ovr_flow_form form = ovr_flow_form_default();
+        form.rheology = rate ? OVR_CARREAU : OVR_CARREAU_STRESS;
+        form.n = rate ? 0.35 : 0.6;
+        ovr_flow_law *law = ovr_flow_law_create(&form, NULL, &err);
+        assert_non_null(law);
+        films_by_law(0.05, law, 9);
+        films_by_law(0.6, law, 10);
+        ovr_flow_law_free(law);
+    }
+}
+
+/* What slides adds up, whatever the law: u_2 = u_1 - V; the film of uniform
+ * temperature has a parabola. */
+static void surfaces_move_as_told(void **state)
+{
+    static films f;
+    uint64_t seed = 11;
+    const ovr_kernels *run;
+    (void)state;
+    for (int k = 0; (run = test_kernels(k)); k++) {
+        fill(&f, 57, 5, &seed);
+        f.c.Sigma0 = 0.3;
+        run->flow_across(&f.c);
+        for (size_t i = 0; i < 57; i++) {
+            CHECK_NEAR(f.c.u[0][i], f.c.u1, 1e-12);
+            CHECK_NEAR(f.c.u[4][i], f.c.u1 - f.c.V, 1e-9);
+        }
+    }
+}
+
+/* Laws of viscosity, and one that is an object. */
+static void half_of_barus(const ovr_law *law, const ovr_law_nodes *nodes)
+{
+    (void)law;
+    for (size_t i = 0; i < nodes->count; i++) {
+        nodes->log2_fluidity[i] = -5 * nodes->P[i] - nodes->H[i];
+        nodes->by_pressure[i] = nodes->by_film[i] = 0;
+    }
+}
+
+static void viscosities_agree(void **state)
+{
+    static const ovr_law own = {half_of_barus};
+    double P[MOST], H[MOST], plain[MOST], here[MOST];
+    uint64_t seed = 12;
+    const ovr_kernels *run;
+    (void)state;
+    for (size_t i = 0; i < MOST; i++) {
+        P[i] = fmax(0, test_random(&seed, -0.2, 1.5));
+        H[i] = test_random(&seed, 0.1, 1);
+    }
+    for (int law = 0; law < 3; law++) {
+        test_contact contact = test_contact_make(20, 10);
+        ovr_fluid fluid = {.lubricant = contact.lubricant, .lambda = 1};
+        if (law == 1)
+            fluid.lubricant.viscosity_law = OVR_BARUS;
+        if (law == 2)
+            fluid.law = &own;
+        test_kernels(0)->log_viscosity(MOST, &fluid, P, H, plain);
+        for (size_t i = 0; law < 2 && i < MOST; i++)
+            CHECK_NEAR(plain[i], log(ovr_viscosity(&fluid.lubricant, P[i])),
+                       1e-12 * (1 + fabs(plain[i])));
+        for (int k = 1; (run = test_kernels(k)); k++) {
+            run->log_viscosity(MOST, &fluid, P, H, here);
+            for (size_t i = 0; i < MOST; i++)
+                CHECK_NEAR(here[i], plain[i], 1e-12 * (1 + fabs(plain[i])));
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(newtonian_films_agree),
+        cmocka_unit_test(eyring_films_agree),
+        cmocka_unit_test(films_by_table_agree),
+        cmocka_unit_test(surfaces_move_as_told),
+        cmocka_unit_test(viscosities_agree),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
