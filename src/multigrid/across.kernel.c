@@ -72,7 +72,7 @@ typedef struct shared {
     ovr_across across;
     ovr_heat heat;
     log_table cooling; /* -S0 log2 x */
-    log_table ln;      /* Sigma0 ln x; of laws by table: OVR_LAW_PER ln x */
+    log_table ln;      /* Sigma0 ln x */
     log_table curve;   /* ln x/STEP */
     log_table log2;
     exp_table growth; /* 2^y */
@@ -208,12 +208,11 @@ static vec curve_at(const shared *s, vec x, vec *by_x)
     return choose(x < 0, -value, value);
 }
 
+/* That of a film of the same mean fluidity. */
 static vec first_stress(const shared *s, vec uniform, vec g)
 {
-    vec unused[2], s_N = smaller(uniform, all(1e280));
-    law_place p = law_find(&s->ln, larger(s_N, all(OVR_LAW_LEAST)), g);
-    vec power = law_at(s->c.law->stress, &p, unused);
-    return uniform * scaled_exp2(&s->growth, INV_LN2 * power);
+    law_value v = law_at(s->c.law->stress, smaller(uniform, all(1e280)), g);
+    return uniform * law_power(&s->growth, &s->log2, &v);
 }
 
 /* What slides less what should, and its slope. */
@@ -341,7 +340,7 @@ void OVR_KERNEL(flow_across)(const ovr_columns *c)
     shared s = {.c = *c, .across = *c->across, .heat = *c->heat};
     double above = s.heat.T0 - OVR_ROELANDS_T;
     make_log_table(-s.heat.S0, &s.cooling);
-    make_log_table(LN2 * (c->law ? OVR_LAW_PER : c->Sigma0), &s.ln);
+    make_log_table(LN2 * c->Sigma0, &s.ln);
     make_log_table(LN2 / OVR_CURVE_STEP, &s.curve);
     make_log_table(1, &s.log2);
     make_exp_table(1, &s.growth);

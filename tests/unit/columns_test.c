@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "contact/flow_law.h"
+#include "contact/laws/law.h"
 #include "multigrid/across.h"
 #include "support/contact.h"
 #include "support/kernels.h"
