@@ -253,7 +253,8 @@ typedef struct ovr_life_options {
 } ovr_life_options;
 OVR_SIZED(ovr_life_options)
 
-/* NAN where the options have no size.  Risk per length i = int <A - A_u>^c z^-h
+/* NAN where the options have no size or depths are more than 1024, the most
+ * here and below.  Risk per length i = int <A - A_u>^c z^-h
  * dz from z[j] downward, j = 0 ... depths - 1. */
 OVR_API void ovr_risk(const ovr_life_options *options, size_t depths,
                       const double *z, const double *A, double *risk);

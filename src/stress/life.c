@@ -25,13 +25,30 @@
 #include "base/sized.h"
 #include "overroll/stress.h"
 
-enum { PARTS = 16 };
+enum { PARTS = 16, MOST_DEPTHS = 1024 };
 
 void ovr_life_options_fill(ovr_life_options *options)
 {
     const ovr_life_options defaults = {
         .exponent = 31. / 3, .depth_exponent = 7. / 3, .weibull = 9. / 8};
     ovr_sized_fill(options, &defaults, sizeof defaults);
+}
+
+/* What the depths alone decide, once for all points: of the interval from z[j]
+ * its width in ln z, and z^(1-h) at its start and from part to part. */
+typedef struct interval {
+    double width, start, part;
+} interval;
+
+static void find_intervals(const ovr_life_options *o, size_t depths,
+                           const double *z, interval *of)
+{
+    double power = 1 - o->depth_exponent;
+    for (size_t j = 0; j + 1 < depths; j++) {
+        of[j].width = log(z[j + 1] / z[j]);
+        of[j].start = pow(z[j], power);
+        of[j].part = exp(power * of[j].width / PARTS);
+    }
 }
 
 /* Slope between two intervals: harmonic mean where both have one sign. */
@@ -43,49 +60,43 @@ static double inner_slope(double left, double right, double dl, double dr)
     return (wl + wr) / (wl / left + wr / right);
 }
 
-/* dA/d ln z at depth j. */
-static double slope(size_t n, const double *z, const double *A, size_t j)
+/* dA/d ln z at depth j of n. */
+static double slope(size_t n, const interval *of, const double *A, size_t j)
 {
     if (n < 2)
         return 0;
     size_t l = j > 0 ? j - 1 : 0, r = j + 1 < n ? j : n - 2;
-    double dl = log(z[l + 1] / z[l]), dr = log(z[r + 1] / z[r]);
+    double dl = of[l].width, dr = of[r].width;
     double left = (A[l + 1] - A[l]) / dl, right = (A[r + 1] - A[r]) / dr;
     return j == 0 || j + 1 == n ? left : inner_slope(left, right, dl, dr);
 }
 
-static double harm(const ovr_life_options *o, double A, double z)
-{
-    double over = A - o->limit;
-    return over > 0 ? pow(over, o->exponent) * pow(z, 1 - o->depth_exponent)
-                    : 0;
-}
-
 /* Between z[j] and z[j + 1]. */
-static double of_interval(const ovr_life_options *o, size_t n, const double *z,
-                          const double *A, size_t j)
+static double of_interval(const ovr_life_options *o, size_t n,
+                          const interval *of, const double *A, size_t j)
 {
-    double width = log(z[j + 1] / z[j]), sum = 0;
-    double m0 = slope(n, z, A, j) * width, m1 = slope(n, z, A, j + 1) * width;
+    double width = of[j].width, weight = of[j].start, sum = 0;
+    double m0 = slope(n, of, A, j) * width, m1 = slope(n, of, A, j + 1) * width;
     if (fmax(A[j], A[j + 1]) <= o->limit)
         return 0;
-    for (int k = 0; k <= PARTS; k++) {
+    for (int k = 0; k <= PARTS; k++, weight *= of[j].part) {
         double t = (double)k / PARTS, s = 1 - t;
         double a = s * s * (1 + 2 * t) * A[j] + s * s * t * m0 +
                    t * t * (1 + 2 * s) * A[j + 1] - t * t * s * m1;
-        double part = k == 0 || k == PARTS ? 0.5 : 1;
-        sum += part * harm(o, a, z[j] * exp(t * width));
+        double part = k == 0 || k == PARTS ? 0.5 : 1, over = a - o->limit;
+        if (over > 0)
+            sum += part * weight * pow(over, o->exponent);
     }
     return sum * width / PARTS;
 }
 
-static void risk_of(const ovr_life_options *o, size_t depths, const double *z,
-                    const double *A, double *risk)
+static void risk_of(const ovr_life_options *o, size_t depths,
+                    const interval *of, const double *A, double *risk)
 {
     double sum = 0;
     for (size_t j = depths; j-- > 0;) {
         if (j + 1 < depths)
-            sum += of_interval(o, depths, z, A, j);
+            sum += of_interval(o, depths, of, A, j);
         risk[j] = sum;
     }
 }
@@ -94,11 +105,15 @@ void ovr_risk(const ovr_life_options *options, size_t depths, const double *z,
               const double *A, double *risk)
 {
     ovr_life_options own;
-    if (OVR_SIZED_TAKE(ovr_life_options, &own, options, NULL) == OVR_OK)
-        risk_of(&own, depths, z, A, risk);
-    else
+    interval of[MOST_DEPTHS];
+    if (depths > MOST_DEPTHS ||
+        OVR_SIZED_TAKE(ovr_life_options, &own, options, NULL)) {
         for (size_t j = 0; j < depths; j++)
             risk[j] = NAN;
+        return;
+    }
+    find_intervals(&own, depths, z, of);
+    risk_of(&own, depths, of, A, risk);
 }
 
 static size_t first_counted(const ovr_life_options *o, const ovr_material *m)
@@ -124,17 +139,16 @@ static void find_worst(const ovr_material *m, const float *A, size_t from,
 
 /* One point's amplitudes and risks, added to lambda's sums. */
 static void count_point(const ovr_life_options *o, const ovr_material *m,
-                        const float *A, size_t k, double *column, double *i,
-                        const double *i_0, double *length)
+                        const interval *of, const float *A, size_t k,
+                        double *column, double *i, const double *i_0,
+                        double *length)
 {
     for (size_t j = 0; j < m->depths; j++)
         column[j] = A[j * m->points + k];
-    risk_of(o, m->depths, m->z, column, i);
+    risk_of(o, m->depths, of, column, i);
     for (size_t j = 0; m->complete[k] && length && j < m->depths; j++)
         length[j] += (i[j] - i_0[j]) / i_0[j] * m->step;
 }
-
-enum { MOST_DEPTHS = 1024 };
 
 ovr_status ovr_life(const ovr_life_options *options, const ovr_material *m,
                     const float *A, const double *smooth, double *risk,
@@ -143,6 +157,7 @@ ovr_status ovr_life(const ovr_life_options *options, const ovr_material *m,
     double column[MOST_DEPTHS] = {0}, i[MOST_DEPTHS] = {0};
     double i_0[MOST_DEPTHS] = {0};
     double lambda[MOST_DEPTHS] = {0};
+    interval of[MOST_DEPTHS] = {{0, 0, 0}};
     ovr_life_options own, *o = &own;
     ovr_status status = OVR_SIZED_TAKE(ovr_life_options, o, options, err);
     if (status)
@@ -152,9 +167,10 @@ ovr_status ovr_life(const ovr_life_options *options, const ovr_material *m,
                         m->depths, MOST_DEPTHS);
     size_t from = first_counted(o, m);
     *result = (ovr_life_result){.least_depth = m->z[from]};
-    risk_of(o, m->depths, m->z, smooth, i_0);
+    find_intervals(o, m->depths, m->z, of);
+    risk_of(o, m->depths, of, smooth, i_0);
     for (size_t k = 0; k < m->points; k++) {
-        count_point(o, m, A, k, column, i, i_0, lambda);
+        count_point(o, m, of, A, k, column, i, i_0, lambda);
         result->counted += m->complete[k];
         if (risk)
             risk[k] = i[from];

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The loops that take the time: once for each instruction set (loops.kernel.c)
- * and once as they read (loops.plain.c). */
+/* The loops that take the time, of snapshots, passages and their circles: once
+ * for each instruction set (loops.kernel.c) and once as they read
+ * (loops.plain.c). */
 #ifndef OVR_STRESS_LOOPS_H
 #define OVR_STRESS_LOOPS_H
 
@@ -46,6 +47,10 @@ typedef struct ovr_stress_loops {
     void (*lower)(size_t n, const float *v, float *low);
 
     float (*largest)(size_t n, const float *v); /* 0 when n = 0 */
+
+    /* Radii of the circles of n paths (circle.h): rows of high_m, then of
+     * low_m, `pitch` apart. */
+    void (*circles)(size_t n, const float *rows, size_t pitch, float *radius);
 } ovr_stress_loops;
 
 /* By name ("plain", "base", ...); NULL: the best this machine runs. */

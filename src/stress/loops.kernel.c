@@ -8,6 +8,7 @@
  */
 #include <math.h>
 
+#include "stress/circle.h"
 #include "stress/loops.h"
 
 #if defined(__AVX512F__)
@@ -33,6 +34,7 @@
 typedef float vec __attribute__((vector_size(LANES * 4)));
 typedef float loose_vec
     __attribute__((vector_size(LANES * 4), aligned(4), may_alias));
+typedef int whole_vec __attribute__((vector_size(LANES * 4)));
 typedef struct two_vec {
     vec first, second;
 } two_vec;
@@ -44,8 +46,7 @@ typedef struct two_vec {
 #endif
 #endif
 #ifndef SHUFFLE
-typedef int ivec __attribute__((vector_size(LANES * 4)));
-#define SHUFFLE(a, b, ...) __builtin_shuffle(a, b, (ivec){__VA_ARGS__})
+#define SHUFFLE(a, b, ...) __builtin_shuffle(a, b, (whole_vec){__VA_ARGS__})
 #endif
 #define TWO(a, b, low, high)                                                   \
     (two_vec)                                                                  \
@@ -173,6 +174,69 @@ static float largest(size_t n, const float *restrict v)
     return all;
 }
 
+/* ------------------------------------------------------------------ circles */
+
+enum { AROUND = 2 * OVR_HALF_DIRECTIONS };
+
+static inline vec larger(vec a, vec b)
+{
+    whole_vec above = a > b;
+    return (vec)(((whole_vec)a & above) | ((whole_vec)b & ~above));
+}
+
+/* Extents of LANES paths in all directions; beyond the last the first again. */
+static void gather(size_t count, const float *rows, size_t pitch, vec *H)
+{
+    for (size_t m = 0; m < OVR_HALF_DIRECTIONS; m++) {
+        const float *high = rows + m * pitch;
+        const float *low = high + OVR_HALF_DIRECTIONS * pitch;
+        for (size_t l = 0; l < LANES; l++) {
+            size_t i = l < count ? l : 0;
+            H[m][l] = high[i];
+            H[m + OVR_HALF_DIRECTIONS][l] = -low[i];
+        }
+    }
+}
+
+/* Every a with the directions b and b + c farther on, which span the plane. */
+static vec raise_triples(const vec *H, size_t b, size_t c, const float *sine,
+                         vec best)
+{
+    const size_t rest = AROUND - b - c;
+    const float sum = sine[b] + sine[c] + sine[rest];
+    const float wa = sine[c] / sum, wb = sine[rest] / sum, wc = sine[b] / sum;
+    for (size_t a = 0; a < rest; a++)
+        best = larger(wa * H[a] + wb * H[a + b] + wc * H[a + b + c], best);
+    return best;
+}
+
+static vec circles_of(const vec *H, const float *sine)
+{
+    const size_t half = OVR_HALF_DIRECTIONS;
+    vec best = {0};
+    for (size_t m = 0; m < half; m++)
+        best = larger((H[m] + H[m + half]) / 2, best);
+    for (size_t b = 2; b < half; b++)
+        for (size_t c = half + 1 - b; c < half; c++)
+            best = raise_triples(H, b, c, sine, best);
+    return best;
+}
+
+static void circles(size_t n, const float *rows, size_t pitch, float *radius)
+{
+    float sine[OVR_HALF_DIRECTIONS];
+    vec H[AROUND];
+    for (int g = 0; g < OVR_HALF_DIRECTIONS; g++)
+        sine[g] = (float)ovr_direction_sin(g);
+    for (size_t i = 0; i < n; i += LANES) {
+        size_t count = n - i < LANES ? n - i : LANES;
+        gather(count, rows + i, pitch, H);
+        vec best = circles_of(H, sine);
+        for (size_t l = 0; l < count; l++)
+            radius[i + l] = best[l];
+    }
+}
+
 #define OVR_TEXT(x) #x
 #define OVR_NAME(x) OVR_TEXT(x)
 #define OVR_JOIN(a, b) a##b
@@ -180,4 +244,4 @@ static float largest(size_t n, const float *restrict v)
 
 extern const ovr_stress_loops OVR_LOOPS(OVR_ISA);
 const ovr_stress_loops OVR_LOOPS(OVR_ISA) = {
-    OVR_NAME(OVR_ISA), spread, states, extents, raise, lower, largest};
+    OVR_NAME(OVR_ISA), spread, states, extents, raise, lower, largest, circles};

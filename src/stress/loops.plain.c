@@ -3,6 +3,7 @@
 #include <complex.h>
 #include <math.h>
 
+#include "stress/circle.h"
 #include "stress/loops.h"
 
 static double complex product(ovr_bins a, ovr_bins b, size_t k)
@@ -83,6 +84,18 @@ static float largest(size_t n, const float *v)
     return most;
 }
 
+static void circles(size_t n, const float *rows, size_t pitch, float *radius)
+{
+    for (size_t i = 0; i < n; i++) {
+        double high[OVR_HALF_DIRECTIONS], low[OVR_HALF_DIRECTIONS];
+        for (size_t m = 0; m < OVR_HALF_DIRECTIONS; m++) {
+            high[m] = rows[m * pitch + i];
+            low[m] = rows[(m + OVR_HALF_DIRECTIONS) * pitch + i];
+        }
+        radius[i] = (float)ovr_circle_of_extents(high, low);
+    }
+}
+
 extern const ovr_stress_loops ovr_stress_loops_plain;
 const ovr_stress_loops ovr_stress_loops_plain = {
-    "plain", spread, states, extents, raise, lower, largest};
+    "plain", spread, states, extents, raise, lower, largest, circles};

@@ -28,14 +28,11 @@ static double half_range(path p, int m)
     return (value(p, OVR_ROW_HIGH + m) - value(p, OVR_ROW_LOW + m)) / 2;
 }
 
-static double circle(path p)
+static double circle(const ovr_passage *p, path at)
 {
-    double high[OVR_HALF_DIRECTIONS], low[OVR_HALF_DIRECTIONS];
-    for (int m = 0; m < OVR_HALF_DIRECTIONS; m++) {
-        high[m] = value(p, OVR_ROW_HIGH + m);
-        low[m] = value(p, OVR_ROW_LOW + m);
-    }
-    return ovr_circle_of_extents(high, low);
+    float radius;
+    p->stress->loops->circles(1, at.row, at.pitch, &radius);
+    return radius;
 }
 
 /* The direction of the largest half range; tau_xz where they are equal. */
@@ -57,7 +54,7 @@ static double hydrostatic(const ovr_material_range *range, double h)
 static double measure(const ovr_passage *p, ovr_measure which, path at)
 {
     switch (which) {
-    case OVR_MEASURE_CIRCLE: return circle(at);
+    case OVR_MEASURE_CIRCLE: return circle(p, at);
     case OVR_MEASURE_ORTHOGONAL: return half_range(at, OVR_HALF_DIRECTIONS / 2);
     case OVR_MEASURE_CRITICAL: return half_range(at, worst_direction(at));
     case OVR_MEASURE_ANGLE:
@@ -94,7 +91,9 @@ static void measure_depth(const ovr_passage *p, ovr_measure which, size_t depth,
 {
     int c = p->stress->depth[depth].level;
     size_t points = p->grid[c].points;
-    for (size_t k = 0; k < points; k++)
+    if (which == OVR_MEASURE_CIRCLE)
+        p->stress->loops->circles(points, p->row[depth], points, nodes);
+    for (size_t k = 0; k < points && which != OVR_MEASURE_CIRCLE; k++)
         nodes[k] = (float)measure(p, which, (path){p->row[depth] + k, points});
     for (size_t k = 0; k < p->points; k++)
         to[k] = (float)between(p, nodes, c, k, which == OVR_MEASURE_ANGLE);

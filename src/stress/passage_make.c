@@ -72,13 +72,20 @@ static size_t values_of_all(const ovr_passage *p)
     return values;
 }
 
+/* Nodes of a moment, or points of a level. */
+static size_t scratch_room(const ovr_passage *p)
+{
+    size_t points = p->grid[p->finest].points;
+    return points > p->stress->room ? points : p->stress->room;
+}
+
 static bool take_scratch(ovr_passage *p, ovr_error *err)
 {
+    size_t room = scratch_room(p);
     float **scratch[] = {&p->d,        &p->tau,       &p->h,
                          &p->in_plane, &p->von_mises, &p->tresca};
     for (size_t k = 0; k < sizeof scratch / sizeof *scratch; k++) {
-        *scratch[k] = ovr_arena_take(&p->arena, p->stress->room, sizeof(float),
-                                     err);
+        *scratch[k] = ovr_arena_take(&p->arena, room, sizeof(float), err);
         if (!*scratch[k])
             return false;
     }

@@ -8,6 +8,7 @@
 #include "overroll/stress.h"
 #include "reference/stress_snapshot.h"
 #include "reference/stress_truth.h"
+#include "stress/circle.h"
 #include "stress/element.h"
 #include "stress/loops.h"
 #include "support/test.h"
@@ -385,6 +386,26 @@ static void near_floats(size_t n, const float *a, const float *b)
         CHECK_NEAR((double)a[k], (double)b[k], 2e-6);
 }
 
+/* Extents of paths, high above low. */
+static void compare_circles(const ovr_stress_loops *a,
+                            const ovr_stress_loops *b)
+{
+    enum { ROWS_OF = 2 * OVR_HALF_DIRECTIONS };
+    static float rows[ROWS_OF * LOOP], A[LOOP], B[LOOP];
+    uint64_t seed = 13;
+    for (size_t i = 0; i < LOOP; i++)
+        for (size_t m = 0; m < OVR_HALF_DIRECTIONS; m++) {
+            double low = test_random(&seed, -1, 0.5);
+            rows[(m + OVR_HALF_DIRECTIONS) * LOOP + i] = (float)low;
+            rows[m * LOOP + i] = (float)(low + test_random(&seed, 0, 1));
+        }
+    a->circles(LOOP, rows, LOOP, A);
+    b->circles(LOOP, rows, LOOP, B);
+    near_floats(LOOP, A, B);
+    b->circles(5, rows + 3, LOOP, B); /* fewer than a vector holds */
+    near_floats(5, A + 3, B);
+}
+
 static void compare_loops(const ovr_stress_loops *a, const ovr_stress_loops *b)
 {
     static float in[6][2 * LOOP], A[6][2 * LOOP], B[6][2 * LOOP];
@@ -413,6 +434,7 @@ static void compare_loops(const ovr_stress_loops *a, const ovr_stress_loops *b)
     for (int k = 0; k < 4; k++)
         near_floats(LOOP, A[k], B[k]);
     assert_true(a->largest(LOOP, in[5]) == b->largest(LOOP, in[5]));
+    compare_circles(a, b);
 }
 
 static void every_instruction_set_agrees(void **state)
