@@ -40,9 +40,12 @@ static precise differences(precise w, int size, const int *c, int power)
     return sum;
 }
 
+/* By conj(w)/|w|^2: w is far from where that could overflow. */
 static ovr_potential point(double complex w)
 {
-    return (ovr_potential){I / (pi * w), -I / (pi * w * w)};
+    double x = creal(w), z = cimag(w), scale = 1 / (x * x + z * z);
+    double complex inverse = scale * x - I * (scale * z);
+    return (ovr_potential){I / pi * inverse, -I / pi * (inverse * inverse)};
 }
 
 static double complex rounded(precise value, long double by)

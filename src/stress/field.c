@@ -49,11 +49,6 @@ static ovr_status keep_spectrum(ovr_stress *s, size_t bins, ovr_bins *kept,
     return OVR_OK;
 }
 
-static double component(ovr_in_plane s, int which)
-{
-    return which == 0 ? s.h : which == 1 ? s.d : s.tau;
-}
-
 /* Lags that no field needs lead smoothly from the last one around to the
  * first: a step there would be cut with the waves and ring far into the
  * field. */
@@ -68,23 +63,34 @@ static double seamed(const ovr_stress *s, const double *lag, size_t k)
            first * lag[(ptrdiff_t)k - (ptrdiff_t)s->room];
 }
 
+/* The three kernels of a density on a line of lags: lag[0 ... 2], one behind
+ * the other. */
+static void evaluate(double z, bool traction, size_t lags,
+                     const ovr_potential *line, double *lag)
+{
+    const ovr_potential none = {0, 0};
+    for (size_t k = 0; k < lags; k++) {
+        ovr_in_plane s = traction ? ovr_stress_of(z, none, line[k])
+                                  : ovr_stress_of(z, line[k], none);
+        lag[k] = s.h;
+        lag[lags + k] = s.d;
+        lag[2 * lags + k] = s.tau;
+    }
+}
+
 /* One density's three kernels at one depth, from its line of lags, the seam's
  * before the first; lag k stands at index k - nodes + 1. */
 static ovr_status tabulate(ovr_stress *s, const ovr_depth *depth, bool traction,
                            const ovr_potential *line, double *lag,
                            ovr_depth_table *table, ovr_error *err)
 {
-    size_t N = s->room, before = s->options.nodes - 1;
+    size_t N = s->room, before = s->options.nodes - 1, lags = N + s->seam;
     ovr_bins *kept[] = {&table->h, &table->d, &table->tau};
-    const ovr_potential none = {0, 0};
-    for (int which = 0; which < 3; which++) {
-        for (size_t k = 0; k < N + s->seam; k++)
-            lag[k] = component(traction
-                                   ? ovr_stress_of(depth->z, none, line[k])
-                                   : ovr_stress_of(depth->z, line[k], none),
-                               which);
+    evaluate(depth->z, traction, lags, line, lag);
+    for (size_t which = 0; which < 3; which++) {
+        const double *own = lag + which * lags + s->seam;
         for (size_t k = 0; k < N; k++)
-            s->fourier.real[(k + N - before) % N] = seamed(s, lag + s->seam, k);
+            s->fourier.real[(k + N - before) % N] = seamed(s, own, k);
         ovr_status status = keep_spectrum(s, depth->bins, kept[which], err);
         if (status)
             return status;
@@ -98,7 +104,7 @@ static ovr_status tabulate_all(ovr_stress *s, ovr_arena *scratch,
     const ovr_stress_options *o = &s->options;
     size_t lags = s->room + s->seam;
     ovr_potential *line = ovr_arena_take(scratch, lags, sizeof *line, err);
-    double *lag = ovr_arena_take(scratch, lags, sizeof *lag, err);
+    double *lag = ovr_arena_take(scratch, 3 * lags, sizeof *lag, err);
     if (!line || !lag)
         return OVR_NO_MEMORY;
     long first = lround((s->start - o->inlet) / o->mesh) -

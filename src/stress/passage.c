@@ -188,28 +188,47 @@ static bool is_low(int row)
 
 static float beyond(float a, float b, bool low)
 {
-    return low ? fminf(a, b) : fmaxf(a, b);
+    return (low ? b < a : b > a) ? b : a;
+}
+
+/* Each value becomes the largest (lowest) of `first` and all before it, the
+ * ones behind it where the points are swept downward; returns that of all. */
+static float run_through(float *v, size_t n, float first, bool low, bool upward)
+{
+    float carry = first;
+    for (size_t i = 0; i < n; i++) {
+        float *at = v + (upward ? i : n - 1 - i);
+        carry = *at = beyond(carry, *at, low);
+    }
+    return carry;
+}
+
+/* Points a ... b - 1 of a row have seen what stands at v[a - k]. */
+static void take_in(const ovr_passage *p, float *row, long a, long b,
+                    const float *v, long k, bool low)
+{
+    const ovr_stress_loops *loops = p->stress->loops;
+    if (a < b)
+        (low ? loops->lower : loops->raise)((size_t)(b - a), v + (a - k),
+                                            row + a);
 }
 
 /* One row of one depth: node i = 0 ... n - 1 stands at point k + i, or between
  * it and the next.  Upward, a point takes all nodes below it, and its own;
  * downward those above. */
-static float sweep_row(const ovr_passage *p, size_t depth, int r,
-                       const float *v, size_t n, long k, bool upward)
+static float sweep_row(const ovr_passage *p, size_t depth, int r, float *v,
+                       size_t n, long k, bool upward)
 {
     long points = (long)p->grid[p->stress->depth[depth].level].points;
-    float *row = p->row[depth] + (size_t)r * (size_t)points, carry = p->rest[r];
+    long first = k > 0 ? k : 0, last = k + (long)n;
+    float *row = p->row[depth] + (size_t)r * (size_t)points;
     bool low = is_low(r);
-    for (size_t i = 0; i < n; i++) {
-        long at = upward ? k + (long)i : k + (long)(n - 1 - i);
-        carry = beyond(carry, v[upward ? i : n - 1 - i], low);
-        if (at >= 0 && at < points)
-            row[at] = beyond(row[at], carry, low);
-    }
-    long from = upward ? k + (long)n : 0, to = upward ? points : k;
-    for (long at = from < 0 ? 0 : from; at < to && at < points; at++)
-        row[at] = beyond(row[at], carry, low);
-    return carry;
+    float all = run_through(v, n, p->rest[r], low, upward);
+    take_in(p, row, first, last < points ? last : points, v, k, low);
+    long from = upward ? (last > 0 ? last : 0) : 0, to = upward ? points : k;
+    for (long at = from; at < to && at < points; at++)
+        row[at] = beyond(row[at], all, low);
+    return all;
 }
 
 /* One depth, its nodes `between` material points or on them; `keep`: the whole
