@@ -20,6 +20,10 @@
  * factor of a V(1,1) cycle, over rho' H/(rho D) from 3 to 30 and cT D from 0.2
  * to 3, from 1.6 to 0.06.
  *
+ * P_{n-1} = 0 stays: in time column n - 2 is (minus, 1, 0) where that node is
+ * wet.  (Where it is dry its column counts in coarse corrections of a film that
+ * ends far before it alone.)
+ *
  * Dry nodes that do not want to rise are held (reynolds_row.h).
  *
  * Cost O(n), one deformation and one evaluation of properties a sweep.

@@ -124,6 +124,22 @@ static void hold_row(const ovr_band *band, size_t place)
     band->delta[place] = 0;
 }
 
+/* Column n - 2 has no share at node n - 1, which stays zero: rows n - 4 to n -
+ * 2 as they are without it, where a film fills the outlet (line.h). */
+static void end_column(const line *l, const ovr_lanes *g, const row_weights *c)
+{
+    if (!ovr_lanes_has(g, l->f.wet, g->n - 2))
+        return;
+    for (size_t d = 0; d < 3; d++) { /* column n - 2 of row n - 2 - d */
+        size_t place = ovr_lanes_place(g, g->n - 2 - d);
+        vec A[7];
+        if (ovr_lanes_has(g, l->f.held, g->n - 2 - d))
+            continue;
+        derivatives(l, c, (ptrdiff_t)(place / VEC), A);
+        l->band.b[d + 2][place] -= l->shares.plus * A[d + 4][place % VEC];
+    }
+}
+
 static INLINE void assemble(const line *l, const ovr_lanes *g,
                             const ovr_weights *w, bool transient, bool thins)
 {
@@ -135,6 +151,8 @@ static INLINE void assemble(const line *l, const ovr_lanes *g,
         assemble_vector(l, &rest, transient, LEFT_END, J);
     for (ptrdiff_t J = edge; J < S; J++)
         assemble_vector(l, &rest, transient, INSIDE, J);
+    if (transient)
+        end_column(l, g, &rest);
 }
 
 void OVR_KERNEL(band_assemble)(const ovr_lanes *g, const ovr_weights *w,

@@ -57,6 +57,8 @@ void ovr_band_assemble_plain(const ovr_lanes *g, const ovr_weights *w,
         for (ptrdiff_t d = 0; d < 5; d++) {
             minus[d] = given(shares->minus, shares, f, i + d - 2, last);
             plus[d] = given(shares->plus, shares, f, i + d - 2, last);
+            if (shares->transient && i + d - 1 == last && f->wet[last - 1])
+                plus[d] = 0;
             band->b[d][i] = A[d + 1] + minus[d] * A[d] + plus[d] * A[d + 2];
         }
         bool transient = shares->transient;
