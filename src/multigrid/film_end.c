@@ -4,24 +4,36 @@
 #include <math.h>
 
 /* A level, and rows on the way: diagonal, right-hand side, coefficient of the
- * next node. */
+ * next node outwards. */
 typedef struct film {
     const ovr_level *level;
     double *G, *b, *U;
 } film;
 
-static double value(const film *f, const double *x, size_t i)
+/* Nodes from the film's side outwards: to the right, out = 1, or left, -1. */
+typedef struct stretch {
+    ptrdiff_t first, last, out;
+} stretch;
+
+static double value(const film *f, const double *x, ptrdiff_t i)
 {
-    return x[ovr_lanes_place(&f->level->lanes, i)];
+    return x[ovr_lanes_place(&f->level->lanes, (size_t)i)];
 }
 
-static bool is_wet(const film *f, size_t i)
+static bool is_wet(const film *f, ptrdiff_t i)
 {
     return value(f, f->level->f.P, i) > 0;
 }
 
+/* Dry or wet, by more than a share of its row's size. */
+static bool wants_to_rise(const film *f, ptrdiff_t i, double share)
+{
+    double size = f->level->weights.a[0] * value(f, f->level->f.q, i);
+    return value(f, f->level->f.r, i) < -share * size;
+}
+
 /* 2 E of the half node before node i. */
-static double flow_before(const film *f, size_t i)
+static double flow_before(const film *f, ptrdiff_t i)
 {
     const ovr_fields *x = &f->level->f;
     if (x->flow)
@@ -29,78 +41,157 @@ static double flow_before(const film *f, size_t i)
     return value(f, x->eps, i - 1) + value(f, x->eps, i);
 }
 
-/* Row i; returns L_i. */
-static double row_of(const film *f, size_t i)
+/* Row i; returns the coefficient of its neighbour inwards. */
+static double row_of(const film *f, ptrdiff_t i, ptrdiff_t out)
 {
     const ovr_weights *w = &f->level->weights;
     const ovr_fields *x = &f->level->f;
     double before = w->half * flow_before(f, i);
     double after = w->half * flow_before(f, i + 1);
     double L = before - w->a[1] * value(f, x->dq, i - 1);
-    f->U[i] = after;
     f->G[i] = before + after + w->a[0] * value(f, x->dq, i);
     f->b[i] = -value(f, x->r, i) + f->G[i] * value(f, x->P, i) -
               L * value(f, x->P, i - 1) - after * value(f, x->P, i + 1);
-    return L;
+    f->U[i] = out > 0 ? after : L;
+    return out > 0 ? L : after;
 }
 
-/* Rows first..last; P before the first stays, and so does its share. */
-static void eliminate(const film *f, size_t first, size_t last)
+/* P before the first node stays, and so does its share. */
+static void eliminate(const film *f, const stretch *s)
 {
-    double L = row_of(f, first);
-    f->b[first] += L * value(f, f->level->f.P, first - 1);
-    for (size_t i = first + 1; i <= last; i++) {
-        double factor = row_of(f, i) / f->G[i - 1];
-        f->G[i] -= factor * f->U[i - 1];
-        f->b[i] += factor * f->b[i - 1];
+    double inner = row_of(f, s->first, s->out);
+    f->b[s->first] += inner * value(f, f->level->f.P, s->first - s->out);
+    for (ptrdiff_t i = s->first; i != s->last;) {
+        double G = f->G[i], b = f->b[i], U = f->U[i];
+        i += s->out;
+        double factor = row_of(f, i, s->out) / G;
+        f->G[i] -= factor * U;
+        f->b[i] += factor * b;
     }
 }
 
-static void put_in(const film *f, size_t first, size_t last)
+static void put_in(const film *f, const stretch *s, double most)
 {
-    const double most = 0.05;
-    double *P = f->level->f.P, next = value(f, P, last + 1);
-    for (size_t i = last; i >= first; i--) {
+    double *P = f->level->f.P, next = value(f, P, s->last + s->out);
+    for (ptrdiff_t i = s->last; i != s->first - s->out; i -= s->out) {
         next = fmin(most, fmax(0, (f->b[i] + f->U[i] * next) / f->G[i]));
-        P[ovr_lanes_place(&f->level->lanes, i)] = next;
+        P[ovr_lanes_place(&f->level->lanes, (size_t)i)] = next;
     }
 }
 
-/* Behind the wet node `end`, as far as it is dry. */
-static void extend(const film *f, size_t end)
+/* ----------------------------------------------------- beyond the contact */
+
+/* The node beside the contact. */
+static ptrdiff_t rigid_from(const film *f, ptrdiff_t out)
+{
+    enum { STIFF = 1000 }; /* 10 to 1e5 all work */
+    const ovr_level *l = f->level;
+    double D = l->grid.D;
+    double least = STIFF * l->weights.a[0] * fabs(l->k[0]) * 2 * D * D;
+    ptrdiff_t last = (ptrdiff_t)l->grid.n - 1, i = out > 0 ? last : 0;
+    for (ptrdiff_t in = i - out; in > 0 && in < last; in -= out) {
+        if (!(value(f, l->f.eps, in) > least))
+            break;
+        i = in;
+    }
+    return i + out;
+}
+
+/* From the contact over what is wet or about to be, and what is dry behind it;
+ * whether a dry node wants to rise. */
+static bool find_film(const film *f, ptrdiff_t out, stretch *s)
+{
+    ptrdiff_t n = (ptrdiff_t)f->level->grid.n, from = rigid_from(f, out);
+    bool dry = false, moves = false;
+    *s = (stretch){from, from - out, out};
+    for (ptrdiff_t i = from; i > 0 && i < n - 1; i += out) {
+        bool wet = is_wet(f, i), rises = !wet && wants_to_rise(f, i, 1e-9);
+        if (dry && (wet || rises))
+            break;
+        dry = !wet && !rises;
+        moves |= rises;
+        s->last = i;
+    }
+    return moves;
+}
+
+static bool move_rigid(const film *f)
+{
+    bool moved = false;
+    for (ptrdiff_t out = -1; out <= 1; out += 2) {
+        stretch s;
+        if (!find_film(f, out, &s))
+            continue;
+        eliminate(f, &s);
+        put_in(f, &s, INFINITY);
+        moved = true;
+    }
+    return moved;
+}
+
+/* ------------------------------------------------------ behind other ends */
+
+/* Behind the wet node before `first`, as far as it is dry. */
+static void extend(const film *f, ptrdiff_t first)
 {
     enum { REACH = 32 };
-    size_t last = end + 1, most = f->level->grid.n - 2;
-    while (last < most && last < end + REACH && !is_wet(f, last + 1))
-        last++;
-    eliminate(f, end + 1, last);
-    put_in(f, end + 1, last);
+    const double most = 0.05;
+    stretch s = {first, first, 1};
+    ptrdiff_t end = (ptrdiff_t)f->level->grid.n - 2;
+    while (s.last < end && s.last < first - 1 + REACH && !is_wet(f, s.last + 1))
+        s.last++;
+    eliminate(f, &s);
+    put_in(f, &s, most);
 }
 
 /* Whether a film ends before node i, which is dry and wants to rise. */
-static bool moves_to(const film *f, size_t i)
+static bool moves_to(const film *f, ptrdiff_t i)
 {
-    const ovr_level *l = f->level;
-    double size;
-    if (i < 2 || i + 1 >= l->grid.n || is_wet(f, i) || !is_wet(f, i - 1))
+    if (i < 2 || i + 1 >= (ptrdiff_t)f->level->grid.n || is_wet(f, i) ||
+        !is_wet(f, i - 1))
         return false;
-    size = l->weights.a[0] * value(f, l->f.q, i);
-    return value(f, l->f.r, i) < -1e-6 * size;
+    return wants_to_rise(f, i, 1e-6);
 }
 
-bool ovr_film_ends(const ovr_hierarchy *grids, const ovr_level *level)
+/* ------------------------------------------------------------ both of them */
+
+/* Each node that is dry and not held is looked at; whether any said yes. */
+static bool for_free(const film *f, bool (*look)(const film *, ptrdiff_t))
+{
+    const ovr_lanes *g = &f->level->lanes;
+    const ovr_fields *x = &f->level->f;
+    bool found = false;
+    for (size_t J = 0; J < g->S; J++) {
+        unsigned free = ~(unsigned)(x->wet[J] | x->held[J]);
+        for (size_t l = 0; free && l < g->V; l++)
+            if (free >> l & 1)
+                found |= look(f, (ptrdiff_t)(l * g->S + J));
+    }
+    return found;
+}
+
+static bool rises(const film *f, ptrdiff_t i)
+{
+    return i > 0 && i + 1 < (ptrdiff_t)f->level->grid.n &&
+           wants_to_rise(f, i, 1e-9);
+}
+
+static bool extend_to(const film *f, ptrdiff_t i)
+{
+    bool moves = moves_to(f, i);
+    if (moves)
+        extend(f, i);
+    return moves;
+}
+
+void ovr_film_ends(const ovr_hierarchy *grids, ovr_level *level)
 {
     const film f = {level, grids->band.b[0], grids->band.b[1],
                     grids->band.b[2]};
-    const ovr_lanes *g = &level->lanes;
-    bool moved = false;
-    for (size_t J = 0; J < g->S; J++) {
-        unsigned rising = ~(unsigned)(level->f.wet[J] | level->f.held[J]);
-        for (size_t l = 0; rising && l < g->V; l++)
-            if (rising >> l & 1 && moves_to(&f, l * g->S + J)) {
-                extend(&f, l * g->S + J - 1);
-                moved = true;
-            }
-    }
-    return moved;
+    if (!for_free(&f, rises))
+        return;
+    if (move_rigid(&f))
+        ovr_level_refresh(grids, level);
+    if (for_free(&f, extend_to))
+        ovr_level_refresh(grids, level);
 }

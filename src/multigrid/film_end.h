@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Ends of the film that move outwards, in time.
+ * Ends of the film that move, in time.
  *
  * Sweeps move the end of a film by a node each, and corrections enter wet
- * nodes only: an end that moves many nodes in a step would creep.  Behind each
- * end whose next node wants to rise, 32 dry nodes at most, with the film H as
- * it is, are a tridiagonal problem with P >= 0 whose matrix is an M-matrix:
+ * nodes only: an end that moves many nodes in a step would creep.  With the
+ * film H as it is, nodes in a row are a tridiagonal problem with P >= 0 whose
+ * matrix is an M-matrix:
  *
  *     G_i P_i - L_i P_{i-1} - U_i P_{i+1} = -r_i + (the same of P as it is)
  *     L_i = (eps_{i-1} + eps_i)/(2 D^2) - a1 dq_{i-1}
@@ -13,15 +13,22 @@
  *     G_i = (eps_{i-1} + 2 eps_i + eps_{i+1})/(2 D^2) + a0 dq_i
  *
  * solved in one pass after Brennan and Schwartz: eliminated from the wet side,
- * put in from the dry one.  P <= 0.05, and wet nodes stay: their film would
- * have to follow.
+ * put in from the dry one.  It is solved
+ *
+ *  - beyond the contact, on both sides, as far as eps > 2000 a0 K(0) D^2/pi:
+ *    the pressures that move the film there do not deform it, so that the
+ *    problem is all there is.  From the contact to the end of the film behind
+ *    which it stays dry; patches beyond stay with the sweeps;
+ *  - behind each end of a film whose next node wants to rise, for 32 dry nodes
+ *    at most and P <= 0.05; wet nodes stay: their film would have to follow.
  */
 #ifndef OVR_MULTIGRID_FILM_END_H
 #define OVR_MULTIGRID_FILM_END_H
 
 #include "multigrid/hierarchy.h"
 
-/* Whether P has changed: film and residual are those of before then. */
-bool ovr_film_ends(const ovr_hierarchy *grids, const ovr_level *level);
+/* On a level whose film and residual are up to date; so they are when it is
+ * done. */
+void ovr_film_ends(const ovr_hierarchy *grids, ovr_level *level);
 
 #endif

@@ -92,7 +92,8 @@ struct ovr_simulation {
     double *stress;            /* mean over the film, at half nodes */
     struct ovr_heated *heated; /* temperatures (heat.h), or NULL */
 
-    double *saved; /* steady: P of the level below; P to go back to */
+    double *saved; /* a P to go back to: steady, of the level below */
+    double *saved_before, *lacking; /* continuation.c */
     ovr_refinement refinement[OVR_LEVELS];
     int refinements;
     ovr_state state;

@@ -32,8 +32,9 @@ static ovr_status take_fields(ovr_simulation *sim, ovr_error *err)
 
 static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
 {
-    double **all[] = {&sim->now.weights, &sim->S, &sim->S_past, &sim->saved,
-                      &sim->stress};
+    double **all[] = {
+        &sim->now.weights,  &sim->S,       &sim->S_past, &sim->saved,
+        &sim->saved_before, &sim->lacking, &sim->stress};
     double **fourth[] = {&sim->F_fourth, &sim->gap_fourth};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (take(sim, all[k], err))

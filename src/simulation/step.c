@@ -3,8 +3,9 @@
  * One implicit step:
  *   1. operator, history term, gap and force at T + dT;
  *   2. a guess by extrapolation in time (guess.c);
- *   3. cycles until residual and load are below tolerance;
- *   4. failing that, further attempts that are slower and steadier;
+ *   3. cycles until residual and load are below tolerance (step_cycles.c);
+ *   4. failing that, further attempts that are slower and steadier, the last
+ *      by continuation (continuation.c);
  *   5. failing that, two half steps; at the smallest step a result that is
  *      merely poor is accepted and marked, anything else goes back to the
  *      last time reached and says so;
@@ -13,8 +14,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "multigrid/film_end.h"
 #include "simulation/heat_in_time.h"
+#include "simulation/step_cycles.h"
 
 /* Beyond this R the result of a step is no longer near a solution: runs
  * recover from less. */
@@ -25,35 +26,19 @@ typedef struct attempt {
     bool extrapolate;
     int sweeps, newton_steps, finer_bottom, most_cycles;
     double limit, newton_limit, correction;
+    bool continued; /* from the last solution, by continuation */
 } attempt;
 
 static const attempt attempts[] = {
-    {true, 0, 1, 0, 20, 0.2, 0.3, 1},
-    {false, 0, 1, 0, 40, 0.2, 0.3, 1},
-    {false, 2, 2, 1, 80, 0.05, 0.3, 1},
+    {true, 0, 1, 0, 20, 0.2, 0.3, 1, false},
+    {false, 0, 1, 0, 40, 0.2, 0.3, 1, false},
+    {false, 2, 2, 1, 80, 0.05, 0.3, 1, false},
     /* half corrections into the finest level break a two-cycle at an isolated
      * dry node that coarse grids cannot see */
-    {false, 0, 1, 0, 80, 0.2, 0.3, 0.5},
+    {false, 0, 1, 0, 80, 0.2, 0.3, 0.5, false},
+    {false, 2, 1, 0, 0, 0.2, 0.3, 1, true},
 };
 enum { ATTEMPTS = sizeof attempts / sizeof *attempts };
-
-/*
- * A twentieth of the steady one: errors of many steps meet in one film.  The
- * exact discrete series of level 7 are then met to 3e-7.
- * A residual that nothing has relaxed since the last correction is rough and
- * moves the film less: with three times the tolerance the series of dents,
- * waves and ramps are nearer to the converged ones than relaxed ones are.
- */
-static double step_tolerance(const ovr_simulation *sim, bool relaxed)
-{
-    double D = ovr_mesh(sim), H = sim->observation.H_cen;
-    double share = relaxed ? 0.05 : 0.15;
-    double tolerance = share * ovr_truncation_tolerance(sim, D, H);
-    double least = ovr_negligible_tolerance(sim, D, H);
-    if (sim->options.tolerance > 0)
-        return sim->options.tolerance;
-    return tolerance > least ? tolerance : least;
-}
 
 static ovr_cycling cycling_of(const ovr_simulation *sim, const attempt *how)
 {
@@ -67,42 +52,20 @@ static ovr_cycling cycling_of(const ovr_simulation *sim, const attempt *how)
     return c;
 }
 
-static void settle_ends(const ovr_hierarchy *grids, ovr_level *finest)
-{
-    if (!grids->conserving && ovr_film_ends(grids, finest))
-        ovr_level_refresh(grids, finest);
-}
-
-/* One cycle at least: the extrapolated guess satisfies the equations to some
- * tolerance at best, and a load that ramps would drift within it.  From a
- * close guess the first cycles do without the relaxation after them. */
 static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
                      ovr_outcome *outcome)
 {
-    enum { SHORT_CYCLES = 3 };
-    ovr_hierarchy *grids = &sim->grids;
     ovr_cycling c = cycling_of(sim, how);
-    bool solved, close = ovr_guess(sim, dT, how->extrapolate) &&
-                         sim->options.smoother == OVR_LINE &&
-                         c.sweeps_before > 0;
-    ovr_level_refresh(grids, sim->finest);
-    settle_ends(grids, sim->finest);
-    if (sim->heated)
+    bool close = ovr_guess(sim, dT, how->extrapolate) &&
+                 sim->options.smoother == OVR_LINE && c.sweeps_before > 0;
+    if (sim->heated) {
+        ovr_level_refresh(&sim->grids, sim->finest);
         ovr_heat_try(sim, how == attempts);
-    for (int cycle = 0, after = c.sweeps_after;; cycle++) {
-        double tolerance = step_tolerance(sim, c.sweeps_after > 0);
-        outcome->defect = ovr_cycle_defect(grids, sim->finest);
-        solved = cycle && ovr_below(outcome->defect, tolerance);
-        if (solved || cycle == how->most_cycles ||
-            !(outcome->defect.imbalance < 1e6))
-            break;
-        c.sweeps_after = close && cycle < SHORT_CYCLES ? 0 : after;
-        ovr_cycle(grids, sim->finest, c);
-        settle_ends(grids, sim->finest);
-        outcome->cycles++;
     }
-    ovr_simulation_read(sim);
-    return solved && ovr_surfaces_apart(sim);
+    if (how->continued)
+        return !ovr_conserves(sim) && ovr_step_continued(sim, &c, outcome);
+    return ovr_step_cycles(
+        sim, (ovr_step_cycling){c, close, how->most_cycles, 1e6, 0}, outcome);
 }
 
 static void begin_step(ovr_simulation *sim, double dT)

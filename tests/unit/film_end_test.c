@@ -64,25 +64,42 @@ static void run(const swing *w, double most_cycles, long most_retries)
     ovr_history_free(speed);
 }
 
-/* Version 0.1.0 failed at steps 19, 1 and 1,434. */
-static void loads_that_failed(void **state)
+static ovr_history_form jump_to(double load)
 {
     ovr_history_form jump = ovr_history_form_default();
     jump.kind = OVR_HISTORY_STEP;
     jump.from = 1;
-    jump.to = 1.1;
+    jump.to = load;
     jump.start = 0.05;
+    return jump;
+}
+
+/* Version 0.1.0 failed at steps 19, 1 and 1,434. */
+static void loads_that_failed(void **state)
+{
     ovr_history_form swings = sine(0.48, 1.756);
     (void)state;
-    run(&(swing){200, 10, 1.5, 0.3, jump, 0}, 5, 10);
+    run(&(swing){200, 10, 1.5, 0.3, jump_to(1.1), 0}, 5, 10);
     run(&(swing){200, 10, 2.5, 1.5, swings, 0}, 6.5, 3);
     run(&(swing){329, 4.9, 1.5, 4.6, swings, 0.4777}, 5.5, 3);
+}
+
+/* Within one step of a mesh: films filled to the outlet, pressures above 2
+ * there.  Version 0.1.0 failed at the step. */
+static void loads_that_jump(void **state)
+{
+    (void)state;
+    run(&(swing){50, 10, 1.5, 0.1, jump_to(2), 0}, 80, 80);
+    run(&(swing){500, 10, 1.5, 0.1, jump_to(1.1), 0}, 15, 30);
+    run(&(swing){200, 10, 1.5, 0.1, jump_to(1.5), 0}, 60, 60);
+    run(&(swing){200, 10, 1.5, 0.1, jump_to(0.5), 0}, 15, 20);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(loads_that_failed),
+        cmocka_unit_test(loads_that_jump),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

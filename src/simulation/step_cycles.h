@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Cycles on the equations of a step, from what P and H0 are, until residual
+ * and load are below tolerance; a step by continuation (continuation.c). */
+#ifndef OVR_SIMULATION_STEP_CYCLES_H
+#define OVR_SIMULATION_STEP_CYCLES_H
+
+#include "simulation/internal.h"
+
+typedef struct ovr_step_cycling {
+    ovr_cycling cycle;
+    bool close; /* the first cycles do without the relaxation after them */
+    int most;
+    double hopeless;  /* R from which no cycle helps */
+    double tolerance; /* a looser one than the step's own; or 0 */
+} ovr_step_cycling;
+
+/* Whether it is solved, with H > 0; the solution is read. */
+bool ovr_step_cycles(ovr_simulation *sim, ovr_step_cycling how,
+                     ovr_outcome *outcome);
+
+/* The step whose equations are set, from the last solution.  `cycle`: of a
+ * careful attempt. */
+bool ovr_step_continued(ovr_simulation *sim, const ovr_cycling *cycle,
+                        ovr_outcome *outcome);
+
+#endif
