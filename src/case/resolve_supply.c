@@ -20,15 +20,13 @@ static ovr_status check_solver(const ovr_resolved *r, ovr_error *err)
         const char *section, *key;
         bool refused;
         const char *right;
-    } checks[] = {
-        {"time", "scheme", r->values.scheme == OVR_CHARACTERISTIC,
-         "upstream2 or upstream1"},
-        {"domain", "order", o->order == 4, "2"},
-        {"heat", "model", slot_of(r, "heat", "model")->number != 0, "none"},
-        {"paper", "smoother", o->smoother != OVR_LINE, "line"},
-        {"paper", "paper_balance", o->paper_balance, "no"},
-        {"solver", "stop", o->stop == OVR_STOP_FIXED,
-         "negligible or truncation"}};
+    } checks[] = {{"time", "scheme", r->values.scheme == OVR_CHARACTERISTIC,
+                   "upstream2 or upstream1"},
+                  {"domain", "order", o->order == 4, "2"},
+                  {"paper", "smoother", o->smoother != OVR_LINE, "line"},
+                  {"paper", "paper_balance", o->paper_balance, "no"},
+                  {"solver", "stop", o->stop == OVR_STOP_FIXED,
+                   "negligible or truncation"}};
     for (size_t k = 0; k < sizeof checks / sizeof *checks; k++)
         if (checks[k].refused) {
             const ovr_slot *slot = slot_of(r, checks[k].section, checks[k].key);

@@ -7,7 +7,7 @@
 
 #include "multigrid/field.h"
 
-static const double LEAST_SPEED = 0.02;
+static const double LEAST_SPEED = 0.02, LEAST_FILM = 1e-6;
 static const double INV_LN2 = 1.4426950408889634;
 
 /* --------------------------------------------------------------- creation */
@@ -198,6 +198,10 @@ ovr_sheet ovr_heat_sheet(const ovr_simulation *sim, size_t i)
                        .law = sim->lubricant.rheology > OVR_EYRING
                                   ? sim->lubricant.flow_law
                                   : NULL};
+    if (!wet && ovr_conserves(sim)) { /* P = 0: rho = 1 */
+        sheet.H = fmax(now->q[i], LEAST_FILM);
+        sheet.rho = 1;
+    }
     if (wet) {
         sheet.limit = h->limit * now->P[i];
         sheet.P_X = (now->P[i + 1] - now->P[i - 1]) /
@@ -234,6 +238,8 @@ void ovr_heat_apply(ovr_simulation *sim)
         h->shift[i] = -at_0 * INV_LN2 + log2(psi);
         h->drag[i] = psi / flow.m[0];
         h->turned[i] = sim->now.q[i] * h->V / 2 * flow.m[1] / flow.m[0];
+        if (ovr_conserves(sim) && !(sim->now.P[i] > 0))
+            h->turned[i] = 0; /* what it holds moves with the surfaces */
     }
     ovr_heat_give(sim);
 }
@@ -257,7 +263,7 @@ static void solve_node(ovr_simulation *sim, size_t i, march *m)
     if (sheet.wet)
         m->streamers = sim->now.q[i];
     else /* what is left fills less than the gap */
-        sheet.H = fmin(sheet.H, fmax(m->streamers, 1e-6) / sheet.rho);
+        sheet.H = fmin(sheet.H, fmax(m->streamers, LEAST_FILM) / sheet.rho);
     ovr_heat_flow(sim, i, &sheet, &flow);
     for (int j = 0; j <= last; j++) {
         foot[j] = h->T[j][i - 1];

@@ -227,6 +227,8 @@ static void solve_heat(ovr_simulation *sim, const ovr_full *how,
     }
     if (!done)
         outcome->defect.imbalance = fmax(outcome->defect.imbalance, before);
+    if (!sim->finest->closed)
+        sim->arrival.flooded = outcome->defect.centre;
 }
 
 /* The past of a run that was steady before T = 0. */

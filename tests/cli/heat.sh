@@ -83,6 +83,14 @@ cmp whole.txt short.txt || fail 'interrupted, it is another run'
 contains whole.txt 'energy_defect'
 contains whole.txt 'temperature_1'
 
+# Starved: the oil is conserved
+expect 0 "$OVERROLL" run run.ini -o starved.h5 --json --set time.end=0.5 \
+    --set cavitation.model=conserving --set supply.model=film \
+    --set supply.thickness_1=0.08 --set supply.thickness_2=0.08
+awk -v d="$(number mass_defect)" -v r="$(number film_ratio)" \
+    'BEGIN { exit !(d * d < 1e-6 && r < 0.9 && r > 0.1) }' ||
+    fail "mass_defect $(number mass_defect), film_ratio $(number film_ratio)"
+
 refuses 'take 2' check hot.ini --set domain.order=4
 sed '/rheology/d;/eyring/d' hot.ini >newtonian.ini
 refuses 'heat goes with order 2' check newtonian.ini --set domain.order=4

@@ -189,6 +189,36 @@ static void schemes_agree(void **state)
     CHECK_CLOSE(seen[1].T_max_rise, seen[0].T_max_rise, 2e-3);
 }
 
+/* Oil that is conserved in cavities leaves a flooded film and its temperatures
+ * as they are, and is conserved with heat. */
+static void conserved_oil(void **state)
+{
+    test_hot hot = test_hot_make(20, 10, 0.8, 5e6, NULL);
+    test_feature f = {'l', -0.05, 1, -2, 1.4, 0};
+    ovr_observation seen[2];
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        ovr_options options = test_options();
+        options.level = 5;
+        options.cavitation = k ? OVR_CAVITATION_CONSERVING
+                               : OVR_CAVITATION_REYNOLDS;
+        ovr_simulation *sim = test_hot_made(&hot, &options);
+        ovr_simulation_surface(sim, test_feature_heights, &f);
+        ovr_simulation_moving(sim, f.u);
+        steady(sim);
+        for (int n = 0; n < 60; n++) {
+            step(sim, D_of(sim));
+            seen[k] = *ovr_simulation_observation(sim);
+            assert_true(!k || fabs(seen[k].mass_defect) < 1e-3);
+        }
+        ovr_simulation_free(sim);
+    }
+    CHECK_CLOSE(seen[1].H_min, seen[0].H_min, 1e-4);
+    CHECK_CLOSE(seen[1].F_slide, seen[0].F_slide, 1e-4);
+    CHECK_CLOSE(seen[1].T_max_rise, seen[0].T_max_rise, 1e-4);
+    CHECK_CLOSE(seen[1].film_ratio, 1, 0.2);
+}
+
 /* -------------------------------------------------------------- isothermal */
 
 static void isothermal_limit(void **state)
@@ -297,6 +327,7 @@ int main(void)
         cmocka_unit_test(energy_is_conserved),
         cmocka_unit_test(surfaces_swapped),
         cmocka_unit_test(schemes_agree),
+        cmocka_unit_test(conserved_oil),
         cmocka_unit_test(isothermal_limit),
         cmocka_unit_test(goes_on_alike),
     };
