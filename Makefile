@@ -51,11 +51,16 @@ SOVER   := $(if $(filter 0,$(MAJOR)),0.$(MINOR),$(MAJOR))
 # ------------------------------------------------------------ kinds of build
 
 # SAN=1: address and undefined-behaviour sanitizers; COV=1: line coverage;
-# FUZZ=1: for libFuzzer (clang); WERROR=1: warnings are errors (CI).  Each has a build folder of its own.
+# TSAN=1: thread sanitizer; FUZZ=1: for libFuzzer (clang); WERROR=1: warnings
+# are errors (CI).  Each has a build folder of its own.
 ifeq ($(SAN),1)
 override BUILD := $(BUILD)-san
 KIND := -fsanitize=address,undefined -fno-sanitize-recover=all \
         -fno-omit-frame-pointer
+endif
+ifeq ($(TSAN),1)
+override BUILD := $(BUILD)-tsan
+KIND := -fsanitize=thread -fno-omit-frame-pointer
 endif
 ifeq ($(COV),1)
 override BUILD := $(BUILD)-cov

@@ -270,40 +270,46 @@ static void transform(ovr_stress *s, const double *v, double shift, float **to)
 }
 
 /* Waves 0 and the last, which are their own mirrors: real. */
-static void spread_ends(const ovr_depth *depth, const float *p, ovr_bins A,
-                        ovr_bins B, bool add, float *waves)
+static void spread_ends(const ovr_depth *depth, const ovr_load_bins *load,
+                        size_t loads, float *waves)
 {
-    size_t last = depth->bins;
-    bool whole = depth->level == 0;
-    float end = whole ? p[last] : 0;
-    waves[0] = (add ? waves[0] : 0) + A.re[0] * p[0];
-    waves[1] = (add ? waves[1] : 0) + B.re[0] * p[0];
-    waves[2 * last] = (add ? waves[2 * last] : 0) + A.re[last] * end;
-    waves[2 * last + 1] = (add ? waves[2 * last + 1] : 0) + B.re[last] * end;
+    size_t last = depth->bins, ends[] = {0, last};
+    for (size_t k = 0; k < 2; k++) {
+        float a = 0, b = 0;
+        bool cut = k == 1 && depth->level > 0;
+        for (size_t l = 0; l < loads && !cut; l++) {
+            a += load[l].A.re[ends[k]] * load[l].P.re[ends[k]];
+            b += load[l].B.re[ends[k]] * load[l].P.re[ends[k]];
+        }
+        waves[2 * ends[k]] = a;
+        waves[2 * ends[k] + 1] = b;
+    }
 }
 
-static void spread(ovr_stress *s, const ovr_depth *depth, float *const *v,
-                   ovr_bins A, ovr_bins B, bool add)
+static void spread(ovr_stress *s, const ovr_depth *depth,
+                   const ovr_load_bins *load, size_t loads)
 {
     float *waves = (float *)s->fourier.waves;
-    ovr_bins spectrum = {v[0], v[1]};
-    spread_ends(depth, v[0], A, B, add, waves);
-    s->loops->spread(depth->bins, 2 * depth->bins, spectrum, A, B, add, waves);
+    spread_ends(depth, load, loads, waves);
+    s->loops->spread(depth->bins, 2 * depth->bins, load, loads, waves);
 }
 
-static void solve_depth(ovr_stress *s, size_t j, bool traction)
+static void solve_depth(ovr_stress *s, size_t j, size_t loads)
 {
-    const ovr_depth *depth = &s->depth[j];
-    spread(s, depth, s->p, depth->p.d, depth->p.tau, false);
-    if (traction)
-        spread(s, depth, s->q, depth->q.d, depth->q.tau, true);
+    const ovr_depth *depth = &s->depth[j], *other;
+    const ovr_bins p = {s->p[0], s->p[1]}, q = {s->q[0], s->q[1]};
+    spread(s, depth,
+           (ovr_load_bins[]){{p, depth->p.d, depth->p.tau},
+                             {q, depth->q.d, depth->q.tau}},
+           loads);
     ovr_fourier_back(&s->fourier, depth->level, depth->shear);
     if (!depth->pair)
         return;
-    const ovr_depth *other = &s->depth[depth->other];
-    spread(s, depth, s->p, depth->p.h, other->p.h, false);
-    if (traction)
-        spread(s, depth, s->q, depth->q.h, other->q.h, true);
+    other = &s->depth[depth->other];
+    spread(s, depth,
+           (ovr_load_bins[]){{p, depth->p.h, other->p.h},
+                             {q, depth->q.h, other->q.h}},
+           loads);
     ovr_fourier_back(&s->fourier, depth->level, depth->pair);
 }
 
@@ -317,7 +323,7 @@ void ovr_stress_solve(ovr_stress *s, const double *P, const double *Q,
         transform(s, Q, shift, s->q);
     for (size_t j = 0; j < s->depths; j++)
         if (levels >> s->depth[j].level & 1)
-            solve_depth(s, j, traction);
+            solve_depth(s, j, traction ? 2 : 1);
 }
 
 ovr_stress_row ovr_stress_at(const ovr_stress *s, size_t j)

@@ -13,6 +13,11 @@ typedef struct ovr_bins {
     const float *re, *im;
 } ovr_bins;
 
+/* A load's spectrum and the two tables that it meets. */
+typedef struct ovr_load_bins {
+    ovr_bins P, A, B;
+} ovr_load_bins;
+
 /* What turns (h, d, tau) into equivalent stresses. */
 typedef struct ovr_state_constants {
     float poisson;
@@ -28,11 +33,11 @@ typedef struct ovr_node_states {
 typedef struct ovr_stress_loops {
     const char *name;
 
-    /* With a = A P and b = B P bin by bin: wave k is a + i b, wave n - k
-     * conj(a) + i conj(b), for k = 1 ... bins - 1 of n waves (re, im, re,
-     * ...); `add`: to what stands there. */
-    void (*spread)(size_t bins, size_t n, ovr_bins P, ovr_bins A, ovr_bins B,
-                   bool add, float *waves);
+    /* With a = A P and b = B P bin by bin, sums over one load or two: wave k is
+     * a + i b, wave n - k conj(a) + i conj(b), for k = 1 ... bins - 1 of n
+     * waves (re, im, re, ...). */
+    void (*spread)(size_t bins, size_t n, const ovr_load_bins *load,
+                   size_t loads, float *waves);
 
     /* The state of n nodes: d and tau apart, h, and by them the largest shear
      * in the plane squared, von Mises squared and Tresca's shear. */

@@ -54,63 +54,71 @@ typedef struct two_vec {
         SHUFFLE(a, b, LIST low), SHUFFLE(a, b, LIST high)                      \
     }
 
-static inline vec load(const float *x)
+static inline vec load_vec(const float *x)
 {
     return *(const loose_vec *)x;
 }
 
-static inline void store(float *x, two_vec v, bool add)
+static inline void store(float *x, two_vec v)
 {
-    *(loose_vec *)x = add ? load(x) + v.first : v.first;
-    *(loose_vec *)(x + LANES) = add ? load(x + LANES) + v.second : v.second;
+    *(loose_vec *)x = v.first;
+    *(loose_vec *)(x + LANES) = v.second;
 }
 
 /* One bin; `high` is its mirror. */
-static inline void wave(size_t k, ovr_bins P, ovr_bins A, ovr_bins B, bool add,
+static inline void wave(size_t k, const ovr_load_bins *load, size_t loads,
                         float *low, float *high)
 {
-    float ar = A.re[k] * P.re[k] - A.im[k] * P.im[k];
-    float ai = A.re[k] * P.im[k] + A.im[k] * P.re[k];
-    float br = B.re[k] * P.re[k] - B.im[k] * P.im[k];
-    float bi = B.re[k] * P.im[k] + B.im[k] * P.re[k];
-    low[0] = (add ? low[0] : 0) + (ar - bi);
-    low[1] = (add ? low[1] : 0) + (ai + br);
-    high[0] = (add ? high[0] : 0) + (ar + bi);
-    high[1] = (add ? high[1] : 0) + (br - ai);
+    float ar = 0, ai = 0, br = 0, bi = 0;
+    for (size_t l = 0; l < loads; l++) {
+        const ovr_load_bins *v = &load[l];
+        ar += v->A.re[k] * v->P.re[k] - v->A.im[k] * v->P.im[k];
+        ai += v->A.re[k] * v->P.im[k] + v->A.im[k] * v->P.re[k];
+        br += v->B.re[k] * v->P.re[k] - v->B.im[k] * v->P.im[k];
+        bi += v->B.re[k] * v->P.im[k] + v->B.im[k] * v->P.re[k];
+    }
+    low[0] = ar - bi;
+    low[1] = ai + br;
+    high[0] = ar + bi;
+    high[1] = br - ai;
 }
 
 /* LANES of them: the mirrors lie before high + 2, in reverse. */
-static inline void wave_lanes(size_t k, ovr_bins P, ovr_bins A, ovr_bins B,
-                              bool add, float *low, float *high)
+static inline void wave_lanes(size_t k, const ovr_load_bins *load, size_t loads,
+                              float *low, float *high)
 {
-    vec pr = load(P.re + k), pi = load(P.im + k);
-    vec ur = load(A.re + k), ui = load(A.im + k);
-    vec vr = load(B.re + k), vi = load(B.im + k);
-    vec ar = ur * pr - ui * pi, ai = ur * pi + ui * pr;
-    vec br = vr * pr - vi * pi, bi = vr * pi + vi * pr;
+    vec ar = {0}, ai = {0}, br = {0}, bi = {0};
+    for (size_t l = 0; l < loads; l++) {
+        vec pr = load_vec(load[l].P.re + k), pi = load_vec(load[l].P.im + k);
+        vec ur = load_vec(load[l].A.re + k), ui = load_vec(load[l].A.im + k);
+        vec vr = load_vec(load[l].B.re + k), vi = load_vec(load[l].B.im + k);
+        ar += ur * pr - ui * pi, ai += ur * pi + ui * pr;
+        br += vr * pr - vi * pi, bi += vr * pi + vi * pr;
+    }
     vec lr = ar - bi, li = ai + br, hr = ar + bi, hi = br - ai;
     two_vec up = INTERLEAVED(lr, li), down = BACKWARD(hr, hi);
-    store(low, up, add);
-    store(high - 2 * (LANES - 1), down, add);
+    store(low, up);
+    store(high - 2 * (LANES - 1), down);
 }
 
-static inline void spread_over(size_t bins, size_t n, ovr_bins P, ovr_bins A,
-                               ovr_bins B, bool add, float *waves)
+static inline void spread_over(size_t bins, size_t n, const ovr_load_bins *load,
+                               size_t loads, float *waves)
 {
     size_t k = 1;
     for (; k + LANES <= bins; k += LANES)
-        wave_lanes(k, P, A, B, add, waves + 2 * k, waves + 2 * (n - k));
+        wave_lanes(k, load, loads, waves + 2 * k, waves + 2 * (n - k));
     for (; k < bins; k++)
-        wave(k, P, A, B, add, waves + 2 * k, waves + 2 * (n - k));
+        wave(k, load, loads, waves + 2 * k, waves + 2 * (n - k));
 }
 
-static void spread(size_t bins, size_t n, ovr_bins P, ovr_bins A, ovr_bins B,
-                   bool add, float *waves)
+static void spread(size_t bins, size_t n, const ovr_load_bins *load,
+                   size_t loads, float *waves)
 {
-    if (add)
-        spread_over(bins, n, P, A, B, true, waves);
+    const ovr_load_bins own[2] = {load[0], load[loads - 1]};
+    if (loads > 1)
+        spread_over(bins, n, own, 2, waves);
     else
-        spread_over(bins, n, P, A, B, false, waves);
+        spread_over(bins, n, own, 1, waves);
 }
 
 static void states(size_t n, const float *restrict shear,

@@ -12,21 +12,23 @@ static double complex product(ovr_bins a, ovr_bins b, size_t k)
            ((double)b.re[k] + I * (double)b.im[k]);
 }
 
-static void put(float *waves, size_t k, bool add, double complex value)
+static void put(float *waves, size_t k, double complex value)
 {
-    if (add)
-        value += (double)waves[2 * k] + I * (double)waves[2 * k + 1];
     waves[2 * k] = (float)creal(value);
     waves[2 * k + 1] = (float)cimag(value);
 }
 
-static void spread(size_t bins, size_t n, ovr_bins P, ovr_bins A, ovr_bins B,
-                   bool add, float *waves)
+static void spread(size_t bins, size_t n, const ovr_load_bins *load,
+                   size_t loads, float *waves)
 {
     for (size_t k = 1; k < bins; k++) {
-        double complex a = product(A, P, k), b = product(B, P, k);
-        put(waves, k, add, a + I * b);
-        put(waves, n - k, add, conj(a) + I * conj(b));
+        double complex a = 0, b = 0;
+        for (size_t l = 0; l < loads; l++) {
+            a += product(load[l].A, load[l].P, k);
+            b += product(load[l].B, load[l].P, k);
+        }
+        put(waves, k, a + I * b);
+        put(waves, n - k, conj(a) + I * conj(b));
     }
 }
 

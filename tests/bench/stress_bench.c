@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * What stresses cost a step, in FFT convolutions of the same room: one real
- * transform forward, one back, in double precision.
+ * transform forward, one back, in double precision; by the pressure alone and
+ * with traction.
  */
 #include <fftw3.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,7 +19,7 @@ typedef struct stage {
     double *values;
     fftw_complex *spectrum;
     fftw_plan forward, back;
-    double *P;
+    double *P, *Q; /* Q NULL: no traction */
     ovr_stress *stress;
     ovr_passage *passage;
     ovr_moment moment;
@@ -35,7 +37,7 @@ static void convolve(void *data)
 static void solve(void *data)
 {
     stage *s = data;
-    ovr_stress_solve(s->stress, s->P, NULL, 0.3, OVR_STRESS_ALL_LEVELS);
+    ovr_stress_solve(s->stress, s->P, s->Q, 0.3, OVR_STRESS_ALL_LEVELS);
 }
 
 /* The material window lies under the contact all the time: the dearest. */
@@ -43,16 +45,17 @@ static void step(void *data)
 {
     stage *s = data;
     s->moment.U = fmod(s->moment.U + s->moment.dU, 0.5);
-    ovr_passage_step(s->passage, s->P, NULL, &s->moment);
+    ovr_passage_step(s->passage, s->P, s->Q, &s->moment);
 }
 
-static void open_stage(stage *s, int level)
+static void open_stage(stage *s, int level, bool traction)
 {
     ovr_error err;
     ovr_stress_options o = ovr_stress_options_default();
     ovr_material_range range = ovr_material_range_default();
     size_t n = (size_t)7 * ((size_t)1 << level) + 1;
     o.nodes = n;
+    o.traction = traction;
     o.inlet = -4;
     o.mesh = 5.5 / (double)(n - 1);
     range.reference = -0.25;
@@ -60,17 +63,21 @@ static void open_stage(stage *s, int level)
     s->stress = ovr_stress_create(&o, NULL, &err);
     s->passage = ovr_passage_create(&o, &range, NULL, &err);
     s->P = calloc(n, sizeof *s->P);
+    s->Q = traction ? calloc(n, sizeof *s->Q) : NULL;
     for (s->room = 256; s->room < 9 * (n - 1) / 4; s->room *= 2)
         ;
     s->values = fftw_malloc(s->room * sizeof *s->values);
     s->spectrum = fftw_malloc((s->room / 2 + 1) * sizeof *s->spectrum);
-    if (!s->stress || !s->passage || !s->P || !s->values || !s->spectrum) {
+    if (!s->stress || !s->passage || !s->P || (traction && !s->Q) ||
+        !s->values || !s->spectrum) {
         fprintf(stderr, "no memory\n");
         exit(1);
     }
     for (size_t i = 0; i < n; i++) {
         double X = o.inlet + (double)i * o.mesh;
         s->P[i] = fabs(X) < 1 ? sqrt(1 - X * X) : 0;
+        if (s->Q)
+            s->Q[i] = 0.05 * s->P[i];
     }
     s->forward = fftw_plan_dft_r2c_1d((int)s->room, s->values, s->spectrum,
                                       FFTW_ESTIMATE);
@@ -88,31 +95,39 @@ static void close_stage(stage *s)
     ovr_stress_free(s->stress);
     ovr_passage_free(s->passage);
     free(s->P);
+    free(s->Q);
+}
+
+static void measure(int level, bool traction)
+{
+    stage s;
+    open_stage(&s, level, traction);
+    bench_work work[] = {{convolve, &s, 0}, {solve, &s, 0}, {step, &s, 0}};
+    bench_measure(3, work, 0.02, 15);
+    double unit = work[0].seconds;
+    printf("%5d %s %8.1f us  %8.1f us = %4.1f of these  %8.1f us = %4.1f\n",
+           level, traction ? "P and Q" : "P      ", unit * 1e6,
+           work[1].seconds * 1e6, work[1].seconds / unit, work[2].seconds * 1e6,
+           work[2].seconds / unit);
+    bench_row();
+    bench_number("level", level);
+    bench_number("traction", traction);
+    bench_number("convolution_s", unit);
+    bench_number("snapshot_s", work[1].seconds);
+    bench_number("step_s", work[2].seconds);
+    bench_end();
+    close_stage(&s);
 }
 
 int main(int argc, char *argv[])
 {
     bench_open(argc, argv);
     bench_list("stress");
-    puts(
-        "level  convolution     fields of a snapshot       fields and history");
-    for (int level = 7; level <= 10; level++) {
-        stage s;
-        open_stage(&s, level);
-        bench_work work[] = {{convolve, &s, 0}, {solve, &s, 0}, {step, &s, 0}};
-        bench_measure(3, work, 0.02, 15);
-        double unit = work[0].seconds;
-        printf("%5d  %8.1f us  %8.1f us = %4.1f of these  %8.1f us = %4.1f\n",
-               level, unit * 1e6, work[1].seconds * 1e6, work[1].seconds / unit,
-               work[2].seconds * 1e6, work[2].seconds / unit);
-        bench_row();
-        bench_number("level", level);
-        bench_number("convolution_s", unit);
-        bench_number("snapshot_s", work[1].seconds);
-        bench_number("step_s", work[2].seconds);
-        bench_end();
-        close_stage(&s);
-    }
+    puts("level load    convolution     fields of a snapshot       fields and "
+         "history");
+    for (int level = 7; level <= 10; level++)
+        for (int traction = 0; traction < 2; traction++)
+            measure(level, traction);
     bench_end();
     bench_close();
     return 0;

@@ -413,9 +413,10 @@ static void compare_loops(const ovr_stress_loops *a, const ovr_stress_loops *b)
     for (int k = 0; k < 6; k++)
         random_floats(&seed, (size_t)2 * LOOP, in[k]);
     ovr_bins p = {in[0], in[1]}, u = {in[2], in[3]}, v = {in[4], in[5]};
-    for (int add = 0; add < 2; add++) {
-        a->spread(LOOP / 2, LOOP - 1, p, u, v, add, A[0]);
-        b->spread(LOOP / 2, LOOP - 1, p, u, v, add, B[0]);
+    ovr_load_bins load[] = {{p, u, v}, {u, v, p}};
+    for (size_t loads = 1; loads <= 2; loads++) {
+        a->spread(LOOP / 2, LOOP - 1, load, loads, A[0]);
+        b->spread(LOOP / 2, LOOP - 1, load, loads, B[0]);
         near_floats((size_t)2 * LOOP, A[0], B[0]);
     }
     ovr_state_constants c = {0.3F, 0.1F, 0.1F, -0.2F};
