@@ -166,7 +166,6 @@ typedef enum ovr_accuracy {
     OVR_ACCURACY_FEATURES /* of what the features do to the film */
 } ovr_accuracy;
 
-/* All that a case describes, ready to be run. */
 /* The film that arrives: layers on the surfaces, in b^2/R, times its history;
  * oil waiting at the start, in b^3/R. */
 struct ovr_layer;
@@ -177,6 +176,17 @@ typedef struct ovr_supply_setup {
     ovr_history *history; /* NULL: constant */
 } ovr_supply_setup;
 
+/* What becomes of the layers between two passes; in b^2/R. */
+typedef struct ovr_passes_setup {
+    int number;       /* 1: the ordinary run */
+    double split;     /* share of the thickness that is surface 1's */
+    double loss;      /* share that is lost */
+    double side_flow; /* exponent of its law; NAN: none */
+    double replenish; /* comes to each surface */
+} ovr_passes_setup;
+
+/* All that a case describes, ready to be run. */
+
 typedef struct ovr_setup {
     const ovr_contact *contact;
     const ovr_lubricant *lubricant;
@@ -186,6 +196,7 @@ typedef struct ovr_setup {
     bool transient;            /* has an end of time */
     ovr_march *march;          /* without observer */
     const ovr_supply_setup *supply;
+    const ovr_passes_setup *passes;
     const ovr_output *output;
     const ovr_stress_setup *stress;
     size_t features;

@@ -285,6 +285,11 @@ OVR_API double ovr_history_end(const ovr_history *history);
  * the mean surface has moved when the history is the speed ratio Cu. */
 OVR_API double ovr_history_integral(const ovr_history *history, double T);
 
+/* How fast a surface moves, over um0; arguments as below. */
+OVR_API double ovr_surface_speed(const ovr_history *speed,
+                                 const ovr_history *sliding, double ratio,
+                                 int surface, double T);
+
 /* How far a surface has moved from 0 to T, in b: ratio = u_k/um of the nominal
  * speeds times the integral of Cu; with a history of the sliding V = (u1 -
  * u2)/um0 the integral of Cu +- V/2. */

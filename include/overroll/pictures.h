@@ -93,6 +93,13 @@ OVR_API ovr_status ovr_figure(const ovr_table *table,
                               const ovr_figure_options *options,
                               const ovr_allocator *allocator, ovr_error *err);
 
+/* Film and meniscus against the number of the pass, from the file of several
+ * passes; y, x, by and the logarithms do not count. */
+OVR_API ovr_status ovr_figure_passes(const ovr_table *passes,
+                                     const ovr_figure_options *options,
+                                     const ovr_allocator *allocator,
+                                     ovr_error *err);
+
 /* ------------------------------------------------------ frames and movies */
 
 typedef struct ovr_frames_options {

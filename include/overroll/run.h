@@ -74,7 +74,9 @@ typedef struct ovr_run_options {
 /* Nothing but the case: the defaults of all above. */
 OVR_SIZED(ovr_run_options)
 
-/* All that can be refused is refused here, before anything is solved.  The case
+/* All that can be refused is refused here, before anything is solved.  A case
+ * with several [passes] is one run, whose time begins again with each; its
+ * result file has a row for each, theirs are OUT-1.h5 and so on.  The case
  * must outlive the run; a steady run takes the growth out of it. */
 OVR_API ovr_run *ovr_run_create(ovr_case *c, const ovr_run_options *options,
                                 const ovr_allocator *allocator, ovr_error *err);
@@ -155,6 +157,11 @@ typedef struct ovr_run_info {
                                    the end; NAN: b/R is not known */
     double unbearable_share;    /* of the nodes there: above 0.1, which no oil
                                    carries */
+    int pass, passes;         /* of several: under way, all; 0: there are none;
+                                 what stands above is of this one */
+    const char *passes_file;  /* with a row for each, OUT.h5; output is that of
+                                 the pass, OUT-1.h5 */
+    long marked; /* steps accepted above the tolerance, of all passes */
 } ovr_run_info;
 OVR_API const ovr_run_info *ovr_run_about(const ovr_run *run);
 
@@ -329,7 +336,8 @@ typedef struct ovr_table_column {
 } ovr_table_column;
 
 /* As the files in the study's folder stand now; or from what ovr_sweep_collect
- * wrote, .csv or .nc. */
+ * wrote, .csv or .nc; or the rows of several passes, OUT.h5: its first column
+ * is `pass`, and the only one varied. */
 OVR_API ovr_table *ovr_study_table(const ovr_study *study, ovr_error *err);
 OVR_API ovr_table *ovr_table_read(const char *path, ovr_error *err);
 OVR_API void ovr_table_free(ovr_table *table);

@@ -257,6 +257,7 @@ typedef struct ovr_observation {
     double supply;          /* q that arrives at the inlet */
     double meniscus;        /* X where the film begins; NAN: flooded */
     double film_ratio;      /* H_cen over that of the flooded start */
+    double supply_ratio;    /* supply over the flow of that */
     double inflow, outflow; /* Cu q less what the pressure drives back */
     double oil_inside;      /* integral of q over the domain */
     double oil_waiting;     /* before the inlet; may be a small debt */

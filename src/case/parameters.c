@@ -435,6 +435,19 @@ static const ovr_parameter table[] = {
      "flooded then"},
     HISTORY("supply", AT(supply), "1", 0, 100, 1),
 
+    {"passes", "number", WHOLE(1, 100000), "1", AT(passes.number), false,
+     "how often the surfaces pass, each time with the oil that lies on them "
+     "since; needs [cavitation] model = conserving"},
+    {"passes", "split", PLAIN(0, 1), "0.5", AT(passes.split), true,
+     "share of the thickness leaving that stays on surface 1"},
+    {"passes", "loss", PLAIN(0, 1), "0", AT(passes.loss), true,
+     "share of each layer that is lost between two passes"},
+    {"passes", "side_flow", POSITIVE(100), NULL, AT(passes.side_flow), true,
+     "instead of loss: exponent g of x/(1 + x^g)^(1/g), x the layer over the "
+     "one that a flooded contact leaves; some 2 to 5 for point contacts"},
+    {"passes", "replenish", HEIGHT, "0", AT(passes.replenish), true,
+     "thickness that comes to each surface between two passes"},
+
     {"feature", "surface", WHOLE(1, 2), "1", IN_FORM(surface), true,
      "surface it is on: 1 moves at u1, 2 at u2"},
     {"feature", "shape", CHOICE(shapes), NULL, IN_FORM(shape), true,
@@ -710,6 +723,8 @@ static const ovr_section sections[] = {
     {"cavitation", false, "what becomes of the film behind its rupture"},
     {"supply", false,
      "the oil that arrives; its history is relative to the thicknesses"},
+    {"passes", false,
+     "several passes: the layers that leave feed the next one where they lie"},
     {"feature", true,
      "[feature NAME], any number: what is on the smooth surfaces"},
     {"output", false, "what is stored, where and when"},

@@ -101,6 +101,7 @@ typedef struct ovr_settings {
     int supply_model; /* 0: flooded, 1: film */
     double thickness[2], waiting;
     const char *layer_file[2];
+    ovr_passes_setup passes;
     ovr_output output;
     int every, precision;
     ovr_stress_setup stress;

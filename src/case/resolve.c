@@ -286,6 +286,9 @@ static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
         fill_section(r, "paper", err) || fill_section(r, "time", err) ||
         fill_section(r, "cavitation", err) || fill_section(r, "supply", err))
         return OVR_BAD_INPUT;
+    r->values.passes.side_flow = NAN;
+    if (fill_section(r, "passes", err))
+        return OVR_BAD_INPUT;
     status = resolve_level(r, err);
     if (!status)
         status = resolve_order(r, err);
@@ -434,6 +437,7 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     r->setup.options = &r->values.options;
     r->setup.march = &r->march;
     r->setup.supply = &r->supply;
+    r->setup.passes = &r->values.passes;
     r->setup.output = &r->values.output;
     r->setup.stress = &r->values.stress;
     status = resolve_contact(r, err);

@@ -48,7 +48,7 @@ ovr_status ovr_resolve_oil(ovr_resolved *r, ovr_error *err);
 /* [heat], and the options that go with it. */
 ovr_status ovr_resolve_heat(ovr_resolved *r, ovr_error *err);
 
-/* [cavitation] and [supply]. */
+/* [cavitation], [supply] and [passes]. */
 ovr_status ovr_resolve_supply(ovr_resolved *r, const ovr_allocator *allocator,
                               ovr_error *err);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* [cavitation] and [supply]: what goes with conserved oil, and the film that
- * arrives. */
+/* [cavitation], [supply] and [passes]: what goes with conserved oil, and the
+ * film that arrives. */
 #include <math.h>
 
 #include "case/resolve.h"
@@ -91,6 +91,34 @@ static ovr_status read_layers(ovr_resolved *r, const ovr_allocator *allocator,
     return OVR_OK;
 }
 
+static ovr_status check_passes(const ovr_resolved *r, ovr_error *err)
+{
+    static const char *const keys[] = {"split", "loss", "side_flow",
+                                       "replenish"};
+    const ovr_passes_setup *p = &r->values.passes;
+    const ovr_slot *number = slot_of(r, "passes", "number");
+    double left = p->split * fmax(0, r->contact.u1_ratio) +
+                  (1 - p->split) * fmax(0, r->contact.u2_ratio);
+    for (size_t k = 0; k < sizeof keys / sizeof *keys; k++)
+        if (slot_of(r, "passes", keys[k])->given && !number->given)
+            return ovr_fail_slot(err, slot_of(r, "passes", keys[k]),
+                                 "has no meaning without number in [passes]");
+    if (p->number > 1 &&
+        r->values.options.cavitation != OVR_CAVITATION_CONSERVING)
+        return ovr_fail_slot(err, number,
+                             "several passes need [cavitation] model = "
+                             "conserving");
+    if (slot_of(r, "passes", "loss")->given && isfinite(p->side_flow))
+        return ovr_fail_slot(err, slot_of(r, "passes", "side_flow"),
+                             "loss is given too: leave one out");
+    if (p->number > 1 && !(left > 0))
+        return ovr_fail_slot(err, slot_of(r, "passes", "split"),
+                             "%g leaves all oil on a surface that does not "
+                             "carry it off",
+                             p->split);
+    return OVR_OK;
+}
+
 ovr_status ovr_resolve_supply(ovr_resolved *r, const ovr_allocator *allocator,
                               ovr_error *err)
 {
@@ -108,6 +136,8 @@ ovr_status ovr_resolve_supply(ovr_resolved *r, const ovr_allocator *allocator,
                                      &s->history, err);
     if (!status)
         status = read_layers(r, allocator, err);
+    if (!status)
+        status = check_passes(r, err);
     s->thickness[0] = v->thickness[0];
     s->thickness[1] = v->thickness[1];
     s->waiting = v->waiting;

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "case/accuracy.h"
+#include "case/feed.h"
 #include "case/resolve.h"
 #include "contact/starvation.h"
 #include "simulation/internal.h"
@@ -220,17 +221,26 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
 }
 
 /* rho H that arrives: at P = 0, by both surfaces; a layer goes by as fast as
- * its surface moves. */
+ * its surface moves.  A mean speed near zero brings nothing, whatever slides.
+ */
 static double arriving(void *data, double T)
 {
+    static const double least = 1e-3;
     const ovr_setup *s = data;
-    const double u[2] = {s->contact->u1_ratio, s->contact->u2_ratio};
-    double way = ovr_history_integral(s->speed, T), both = 0;
+    const double ratio[2] = {s->contact->u1_ratio, s->contact->u2_ratio};
+    double Cu = fmax(ovr_history_value(s->speed, T), least), both = 0;
     for (int k = 0; k < 2; k++) {
         const ovr_layer *layer = s->supply->layer[k];
-        double h = layer ? ovr_layer_thickness(layer, u[k] * way)
+        double way = layer ? ovr_surface_way(s->speed, s->sliding, ratio[k],
+                                             k + 1, T)
+                           : 0;
+        double h = layer ? ovr_layer_thickness(layer, way)
                          : s->supply->thickness[k];
-        both += fmax(0, u[k]) * h;
+        double u = s->sliding ? ovr_surface_speed(s->speed, s->sliding,
+                                                  ratio[k], k + 1, T) /
+                                    Cu
+                              : ratio[k];
+        both += fmax(0, u) * h;
     }
     return both * ovr_history_value(s->supply->history, T);
 }
@@ -239,6 +249,19 @@ unsigned ovr_setup_physics(const ovr_setup *setup)
 {
     return ovr_options_physics(setup->options) |
            (setup->heat ? OVR_PHYSICS_HEAT : 0);
+}
+
+void ovr_setup_feed(ovr_setup *setup, ovr_layer *layer[2], double waiting)
+{
+    ovr_supply_setup *supply = &((ovr_resolved *)setup)->supply;
+    ovr_history_free(supply->history);
+    supply->history = NULL;
+    supply->film = true;
+    supply->waiting = waiting;
+    for (int k = 0; k < 2; k++) {
+        ovr_layer_free(supply->layer[k]);
+        supply->layer[k] = layer[k];
+    }
 }
 
 ovr_simulation *ovr_setup_simulation(ovr_setup *setup,

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/output.h"
+#include "cli/passes.h"
 #include "cli/table.h"
 
 typedef struct job {
@@ -400,6 +401,20 @@ static int write_all(job *j)
     return cli_output_close(&out, code);
 }
 
+static int write_passes(job *j, const ovr_table *passes)
+{
+    cli_output out;
+    int code;
+    if (j->units != OVR_AS_STORED)
+        return cli_usage(j->call, "the rows of passes are as they are stored");
+    code = cli_output_open(j->call, cli_value(j->call, "o"), &out);
+    if (code != CLI_DONE)
+        return code;
+    if (cli_passes_export(passes, j->form, out.to, j->err))
+        code = cli_fail(j->err);
+    return cli_output_close(&out, code);
+}
+
 static int run(cli_call *call)
 {
     ovr_error err = {0};
@@ -407,6 +422,12 @@ static int run(cli_call *call)
     int code = read_choices(&j);
     if (code != CLI_DONE)
         return code;
+    ovr_table *passes = cli_passes_open(call->argument[0]);
+    if (passes) {
+        code = write_passes(&j, passes);
+        ovr_table_free(passes);
+        return code;
+    }
     j.result = ovr_result_open(call->argument[0], NULL, &err);
     if (!j.result)
         return cli_fail(&err);
@@ -446,7 +467,8 @@ const cli_verb cli_export = {
     .name = "export",
     .arguments = "OUT.h5 [-o FILE]",
     .summary = "tables of numbers for other programs",
-    .help = "Without a choice of snapshots: the history, one row a time step.",
+    .help = "Without a choice of snapshots: the history, one row a time step.\n"
+            "Of the file of several passes: one row a pass.",
     .options = options,
     .least = 1,
     .most = 1,

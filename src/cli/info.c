@@ -7,6 +7,7 @@
 
 #include "cli/cli.h"
 #include "cli/json.h"
+#include "cli/passes.h"
 
 /* Smallest and largest value of a column of the history, and when. */
 typedef struct extremes {
@@ -249,6 +250,12 @@ static int run(cli_call *call)
     ovr_error err = {0};
     report r = {NULL, NULL, call->argument[0], NULL, NULL, 0};
     int code = CLI_DONE;
+    ovr_table *passes = cli_passes_open(r.path);
+    if (passes) {
+        cli_passes_print(r.path, passes, call->json);
+        ovr_table_free(passes);
+        return CLI_DONE;
+    }
     r.result = ovr_result_open(r.path, NULL, &err);
     if (!r.result)
         return cli_fail(&err);
@@ -269,7 +276,7 @@ const cli_verb cli_info = {
     .name = "info",
     .arguments = "OUT.h5",
     .summary = "what is in a result file",
-    .help = "Works while the file is being written. With -v the case is "
+    .help = "Of the file of several passes: its rows.\nWorks while the file is being written. With -v the case is "
             "printed too.\nThe table is in the file's units, --json is "
             "dimensionless.",
     .least = 1,

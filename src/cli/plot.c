@@ -9,7 +9,8 @@ enum { TIMES = 8 };
 static const cli_option options[] = {
     {"o", "PICTURE", "where to: NAME.png, NAME.svg or NAME.pdf", false},
     {"kind", "KIND",
-     "snapshot (default), history, map, trace, stress, risk or depth", false},
+     "snapshot (default), history, map, trace, stress, risk, depth or passes",
+     false},
     {"at", "T", "snapshot: an instant, like 0.2ms or, in b/um, 1.5", true},
     {"overlay", NULL, "snapshot: all instants in one panel", false},
     {"field", "FIELD",
@@ -42,10 +43,15 @@ static int take_kind(const cli_call *call, ovr_picture_options *o)
             o->kind = (ovr_picture_kind)k;
             return CLI_DONE;
         }
+    if (strcmp(text, "passes") == 0)
+        return cli_usage(call,
+                         "%s: holds one run; --kind passes draws the file of "
+                         "several, OUT.h5 beside OUT-1.h5, ...",
+                         call->argument[0]);
     return cli_usage(
         call,
         "--kind '%s': there are snapshot, history, map, trace, stress, "
-        "risk and depth",
+        "risk, depth and passes",
         text);
 }
 
@@ -109,8 +115,7 @@ static bool ends_with(const char *text, const char *ending)
 /* A netCDF file may be a result too. */
 static bool is_netcdf_table(const char *path)
 {
-    ovr_table *table = ends_with(path, ".nc") ? ovr_table_read(path, NULL)
-                                              : NULL;
+    ovr_table *table = ovr_table_read(path, NULL);
     ovr_table_free(table);
     return table != NULL;
 }
@@ -122,11 +127,19 @@ static bool is_study(const cli_call *call)
            is_netcdf_table(call->argument[0]);
 }
 
+/* Its one figure, unless another quantity is asked for. */
+static bool of_passes(const cli_call *call, const ovr_table *table)
+{
+    const ovr_table_column *first = ovr_table_at(table, 0);
+    return first && strcmp(first->name, "pass") == 0 &&
+           !cli_value(call, "quantity");
+}
+
 static ovr_table *open_table(const char *path, ovr_error *err)
 {
     ovr_study *study;
     ovr_table *table;
-    if (ends_with(path, ".csv") || ends_with(path, ".nc"))
+    if (!ends_with(path, ".ini"))
         return ovr_table_read(path, err);
     study = ovr_study_read(path, NULL, err);
     table = study ? ovr_study_table(study, err) : NULL;
@@ -169,7 +182,8 @@ static int draw_study(const cli_call *call)
     if (code)
         return code;
     table = open_table(call->argument[0], &err);
-    if (!table || ovr_figure(table, &f, NULL, &err) != OVR_OK)
+    if (!table || (of_passes(call, table) ? ovr_figure_passes : ovr_figure)(
+                      table, &f, NULL, &err) != OVR_OK)
         code = cli_fail(&err);
     else if (call->verbosity >= 0)
         printf("%s\n", f.path);
@@ -219,6 +233,8 @@ const cli_verb cli_plot = {
         "  risk      what the material went through, place by depth (a run "
         "with [stress])\n"
         "  depth     the same over depth, with the equivalent length\n"
+        "  passes    film and meniscus against the number of the pass, of the "
+        "file\n            of several passes\n"
         "\n"
         "Several result files are drawn over each other (but for a map).\n"
         "A study, or the table of one, gives a figure: a quantity against\n"

@@ -299,6 +299,9 @@ static void report_table(const cli_call *call, const ovr_run_info *s)
     printf("; level %d (%zu nodes), %s, %s\n", options->level, state->n,
            ovr_scheme_name(options->scheme),
            ovr_smoother_name(options->smoother));
+    if (s->passes)
+        printf("pass %d of %d, all in %s; of this one, in %s:\n", s->pass,
+               s->passes, s->passes_file, s->output);
     if (s->transient) {
         table_run(s);
         table_stresses(s);

@@ -38,8 +38,13 @@ static void progress(void *data, const ovr_run *run, double fraction)
     char what[120];
     if (watch->progress.begun == 0) /* in a sweep, on the case's log */
         watch->progress = cli_progress_begin(watch->call->verbosity, fraction);
-    snprintf(what, sizeof what, "T = %.3f of %g  step %ld  residual %.1e",
-             state->T, ovr_run_about(run)->setup->march->end, state->step,
+    const ovr_run_info *info = ovr_run_about(run);
+    int used = info->passes ? snprintf(what, sizeof what, "pass %d of %d  ",
+                                       info->pass, info->passes)
+                            : 0;
+    snprintf(what + used, sizeof what - (size_t)used,
+             "T = %.3f of %g  step %ld  residual %.1e", state->T,
+             info->setup->march->end, state->step,
              ovr_simulation_observation(sim)->residual);
     cli_progress_show(&watch->progress, fraction, what);
 }
@@ -64,22 +69,21 @@ bool cli_has_result(ovr_status status)
 int cli_run_code(const cli_call *call, const ovr_run *run, ovr_status status,
                  const ovr_error *err)
 {
-    const ovr_simulation *sim = ovr_run_about(run)->sim;
-    const ovr_statistics *total = ovr_simulation_statistics(sim);
+    const ovr_run_info *info = ovr_run_about(run);
     if (status == OVR_STOPPED && cli_signal()) {
         if (call->verbosity >= 0)
             fprintf(stderr, "overroll: stopped by signal %d at T = %g\n",
-                    cli_signal(), ovr_simulation_state(sim)->T);
+                    cli_signal(), ovr_simulation_state(info->sim)->T);
         return CLI_SIGNAL + cli_signal();
     }
     if (status)
         return cli_fail(err);
-    if (total->marked && call->verbosity >= 0)
+    if (info->marked && call->verbosity >= 0)
         fprintf(stderr,
                 "overroll: %ld of %ld steps were accepted above the "
                 "tolerance; they are marked in the history\n",
-                total->marked, total->steps);
-    if (total->marked)
+                info->marked, ovr_simulation_statistics(info->sim)->steps);
+    if (info->marked)
         return CLI_EARLY;
     return call->verb != &cli_steady || ovr_run_about(run)->converged
                ? CLI_DONE

@@ -285,6 +285,15 @@ double ovr_history_integral(const ovr_history *history, double T)
     return T;
 }
 
+double ovr_surface_speed(const ovr_history *speed, const ovr_history *sliding,
+                         double ratio, int surface, double T)
+{
+    double Cu = ovr_history_value(speed, T);
+    if (!sliding)
+        return ratio * Cu;
+    return Cu + (surface == 1 ? 0.5 : -0.5) * ovr_history_value(sliding, T);
+}
+
 double ovr_surface_way(const ovr_history *speed, const ovr_history *sliding,
                        double ratio, int surface, double T)
 {

@@ -56,6 +56,22 @@ bool ovr_axis_has(ovr_unit_kind kind)
     return find(kind) != NULL;
 }
 
+/* From a tenth of the unit on: 0.3 mm rather than 300 um. */
+static ovr_axis with_unit(const quantity *q, double scale, double largest)
+{
+    int k = 0;
+    while (k < 2 && !(largest * scale >= 0.1 * q->unit[k].size))
+        k++;
+    return (ovr_axis){scale / q->unit[k].size, q->unit[k].label,
+                      q->unit[k].plain, q->unit[k].unit};
+}
+
+void ovr_axis_as_is(ovr_unit_kind kind, bool si, double largest, ovr_axis *axis)
+{
+    const quantity *q = find(kind);
+    *axis = si ? with_unit(q, 1, largest) : q->hertzian;
+}
+
 ovr_status ovr_axis_make(ovr_unit_kind kind, ovr_result *result,
                          ovr_units units, double largest, ovr_axis *axis,
                          ovr_error *err)
@@ -63,7 +79,6 @@ ovr_status ovr_axis_make(ovr_unit_kind kind, ovr_result *result,
     const ovr_result_info *info = ovr_result_about(result);
     double scale = scale_of(info, kind);
     const quantity *q = find(kind);
-    int k = 0;
     if (!q)
         return ovr_fail(err, OVR_BAD_INPUT, "a quantity of unknown kind");
     *axis = q->hertzian;
@@ -73,10 +88,6 @@ ovr_status ovr_axis_make(ovr_unit_kind kind, ovr_result *result,
         return ovr_fail(err, OVR_BAD_INPUT,
                         "SI units: the contact was given without physical "
                         "scales");
-    /* From a tenth of the unit on: 0.3 mm rather than 300 um. */
-    while (k < 2 && !(largest * scale >= 0.1 * q->unit[k].size))
-        k++;
-    *axis = (ovr_axis){scale / q->unit[k].size, q->unit[k].label,
-                       q->unit[k].plain, q->unit[k].unit};
+    *axis = with_unit(q, scale, largest);
     return OVR_OK;
 }

@@ -24,4 +24,8 @@ ovr_status ovr_axis_make(ovr_unit_kind kind, ovr_result *result,
                          ovr_units units, double largest, ovr_axis *axis,
                          ovr_error *err);
 
+/* The same for numbers in SI, or bare ones, as they are. */
+void ovr_axis_as_is(ovr_unit_kind kind, bool si, double largest,
+                    ovr_axis *axis);
+
 #endif

@@ -281,8 +281,15 @@ static void read_attributes(ovr_result *r)
     i->seconds = number_of(r, "date_seconds");
 }
 
-static ovr_status not_ours(const ovr_result *r, ovr_error *err)
+static ovr_status not_ours(ovr_result *r, ovr_error *err)
 {
+    ovr_dataset pass;
+    if (ovr_reader_dataset(r, "pass", &pass))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: has a row for each of several passes; their "
+                        "results are in files of their own, which 'overroll "
+                        "info' names",
+                        r->path);
     return ovr_fail(err, OVR_BAD_INPUT,
                     "%s: an HDF5 file, but not a result of overroll", r->path);
 }

@@ -8,6 +8,8 @@
 #include "overroll/run.h"
 #include "run/stress.h"
 
+typedef struct ovr_passes ovr_passes; /* passes.h */
+
 struct ovr_run {
     ovr_arena arena;
     ovr_run_options how;
@@ -17,6 +19,7 @@ struct ovr_run {
     ovr_writer *writer;     /* NULL: nothing is stored */
     ovr_run_stress *stress; /* NULL: none are wanted */
     ovr_restart *restart;   /* of a run gone on with */
+    ovr_passes *passes;     /* NULL: one */
     bool resumed;           /* the case is its own */
     bool restored;          /* the state is a checkpoint's: no steady start */
     ovr_case_value *began;  /* of a resumed run: what it began with */
@@ -35,6 +38,9 @@ void ovr_run_surface(const ovr_run *run, ovr_simulation *sim);
 
 /* The simulation of its case, which is resolved if it was not. */
 ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err);
+
+/* Solves what is set up to its end, and closes its file. */
+ovr_status ovr_run_once(ovr_run *run, ovr_error *err);
 
 /* The discretization errors, from the same case one level coarser. */
 ovr_status ovr_run_estimate(ovr_run *run, ovr_error *err);

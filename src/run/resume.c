@@ -13,6 +13,7 @@
 
 #include "results/checkpoint.h"
 #include "run/internal.h"
+#include "run/passes.h"
 
 static void say(ovr_run *run, const char *format, ...) OVR_PRINTF(2, 3);
 static void say(ovr_run *run, const char *format, ...)
@@ -141,6 +142,34 @@ static ovr_status prepare(ovr_run *run, const char *path, ovr_error *err)
                                     : go_back(run, complete, err);
 }
 
+/* A pass that has no file yet. */
+static ovr_status begin_pass(ovr_run *run, ovr_error *err)
+{
+    const ovr_run_options *how = &run->how;
+    ovr_passes *p = run->passes;
+    run->c = ovr_passes_case(p->path, &run->arena.allocator, err);
+    if (!run->c || (how->change && how->change(how->data, run->c, err)))
+        return OVR_BAD_INPUT;
+    run->setup = ovr_case_resolve(run->c, &run->arena.allocator, err);
+    if (!run->setup)
+        return OVR_BAD_INPUT;
+    if (p->now > run->setup->passes->number) {
+        ovr_fail(err, OVR_OK, "%s: is complete: nothing to do", p->path);
+        return OVR_BAD_INPUT;
+    }
+    return ovr_run_set_up(run, err) ? OVR_BAD_INPUT : ovr_output_open(run, err);
+}
+
+/* Where the first pass ended that is not complete. */
+static ovr_status prepare_passes(ovr_run *run, const char *path, ovr_error *err)
+{
+    if (ovr_passes_reopen(run, path, err))
+        return OVR_BAD_INPUT;
+    return has_checkpoint(run->info.output)
+               ? prepare(run, run->info.output, err)
+               : begin_pass(run, err);
+}
+
 ovr_run *ovr_run_resume(const char *path, const ovr_run_options *options,
                         const ovr_allocator *allocator, ovr_error *err)
 {
@@ -148,7 +177,8 @@ ovr_run *ovr_run_resume(const char *path, const ovr_run_options *options,
     if (!run)
         return NULL;
     run->resumed = true;
-    if (prepare(run, path, err)) {
+    if (ovr_passes_file_is(path) ? prepare_passes(run, path, err)
+                                 : prepare(run, path, err)) {
         ovr_run_free(run);
         return NULL;
     }

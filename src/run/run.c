@@ -6,6 +6,7 @@
 
 #include "base/sized.h"
 #include "run/internal.h"
+#include "run/passes.h"
 
 void ovr_run_options_fill(ovr_run_options *options)
 {
@@ -69,6 +70,13 @@ ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
         return OVR_BAD_INPUT;
     if (run->restart)
         ovr_began_domain(run->setup, ovr_restart_about(run->restart));
+    if (run->resumed && !run->passes && run->setup->passes->number > 1)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: is one of several passes; 'overroll resume' goes "
+                        "on with the file of all of them",
+                        run->info.output);
+    if (run->passes && ovr_passes_feed(run, err))
+        return OVR_BAD_INPUT;
     run->sim = ovr_setup_simulation(run->setup, allocator, err);
     if (!run->sim)
         return OVR_BAD_INPUT;
@@ -107,7 +115,11 @@ static ovr_status prepare(ovr_run *run, ovr_error *err)
     if (run->how.steady)
         stop_growing(run->c);
     run->setup = ovr_case_resolve(run->c, &run->arena.allocator, err);
-    if (!run->setup || choose_output(run, err) || ovr_run_set_up(run, err))
+    if (!run->setup || choose_output(run, err))
+        return OVR_BAD_INPUT;
+    if (run->setup->passes->number > 1 && !run->how.steady)
+        return ovr_passes_begin(run, err);
+    if (ovr_run_set_up(run, err))
         return OVR_BAD_INPUT;
     return run->info.output ? ovr_output_open(run, err) : OVR_OK;
 }
@@ -157,6 +169,9 @@ static ovr_status look(void *data, const ovr_simulation *sim, ovr_error *err)
     const ovr_run_options *how = &run->how;
     double T = ovr_simulation_state(sim)->T;
     run->info.fraction = run->info.transient ? T / run->setup->march->end : 1;
+    if (run->passes)
+        run->info.fraction = (run->passes->now - 1 + run->info.fraction) /
+                             run->passes->rows;
     if (how->progress && run->info.transient)
         how->progress(how->data, run, run->info.fraction);
     if (how->stop && how->stop(how->data))
@@ -273,26 +288,43 @@ static ovr_status estimate(ovr_run *run, ovr_error *err)
     return OVR_OK;
 }
 
-ovr_status ovr_run_go(ovr_run *run, ovr_error *err)
+/* To its end, or to where it was stopped. */
+ovr_status ovr_run_once(ovr_run *run, ovr_error *err)
 {
     double begun = seconds_now();
-    ovr_error own = {0}, unasked = {0};
+    bool first = !run->passes || run->passes->now == 1;
+    ovr_error own = {0};
     ovr_status status, late;
-    err = err ? err : &unasked;
-    ovr_run_review_before(run);
+    long marked;
+    if (first)
+        ovr_run_review_before(run);
     status = finish_stress(run, solve(run, err), err);
     if (has_state(status))
         ovr_run_review_after(run);
+    marked = ovr_simulation_statistics(run->sim)->marked;
+    run->info.marked += marked;
     run->info.seconds = seconds_now() - begun;
-    run->info.converged = !status &&
-                          ovr_simulation_observation(run->sim)->converged &&
-                          ovr_simulation_statistics(run->sim)->marked == 0;
+    run->info.converged = !status && !marked &&
+                          ovr_simulation_observation(run->sim)->converged;
     if (status)
         return close_file(run, status, err);
-    late = estimate(run, err);
+    late = run->passes ? OVR_OK : estimate(run, err);
     if (run->writer)
         ovr_run_keep_summary(run, &own);
     status = close_file(run, OVR_OK, late ? &own : err);
     run->info.converged = run->info.converged && !status;
     return late ? late : status;
+}
+
+ovr_status ovr_run_go(ovr_run *run, ovr_error *err)
+{
+    double begun = seconds_now();
+    ovr_error unasked = {0};
+    ovr_status status;
+    err = err ? err : &unasked;
+    if (!run->passes)
+        return ovr_run_once(run, err);
+    status = ovr_passes_go(run, err);
+    run->info.seconds = seconds_now() - begun;
+    return status;
 }

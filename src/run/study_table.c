@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of a study for whoever draws or reckons with it: gathered from its
- * folder, or read again from what `sweep --collect` wrote. */
+ * folder, or read again from what `sweep --collect` wrote; and that of several
+ * passes, read from their file. */
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -243,22 +244,29 @@ static bool add_variable(ovr_table *t, ovr_container *c, const ovr_link *link)
     return good && to->name;
 }
 
-/* All over one dimension, `case`. */
-static bool take_variables(ovr_table *t, ovr_container *c)
+static bool find_axis(ovr_container *c, const char *name, ovr_dataset *axis)
 {
     uint64_t object;
-    ovr_dataset cases;
+    return ovr_container_find(c, c->root, name, &object) &&
+           ovr_container_dataset(c, object, axis) && axis->rank == 1;
+}
+
+/* All over one dimension: `case`, whose numbers say nothing, or `pass`. */
+static bool take_variables(ovr_table *t, ovr_container *c)
+{
+    ovr_dataset axis;
     size_t count;
-    ovr_link *links;
-    bool good = ovr_container_find(c, c->root, "case", &object) &&
-                ovr_container_dataset(c, object, &cases) && cases.rank == 1;
-    links = good ? ovr_container_links(c, c->root, &count) : NULL;
+    bool passes = find_axis(c, "pass", &axis);
+    bool good = passes || find_axis(c, "case", &axis);
+    ovr_link *links = good ? ovr_container_links(c, c->root, &count) : NULL;
     if (!links || count > MOST_COLUMNS)
         return false;
-    t->rows = (size_t)cases.shape[0];
+    t->rows = (size_t)axis.shape[0];
     for (size_t k = 0; good && k < count; k++)
         good = strcmp(links[k].name, "case") == 0 ||
                add_variable(t, c, &links[k]);
+    if (passes && good && t->columns)
+        t->column[0].varied = true;
     return good;
 }
 
@@ -275,8 +283,8 @@ static ovr_table *read_netcdf(const char *path, ovr_error *err)
         ovr_fail(err, OVR_BAD_INPUT, "%s: %s", path, strerror(errno));
     else if (!good && t)
         ovr_fail(err, OVR_BAD_INPUT,
-                 "%s: is no table of a study, as 'overroll sweep STUDY.ini "
-                 "--collect TABLE.nc' writes it",
+                 "%s: is no table of passes or of a study, as 'overroll sweep "
+                 "STUDY.ini --collect TABLE.nc' writes it",
                  path);
     if (fd >= 0)
         close(fd);
@@ -286,9 +294,22 @@ static ovr_table *read_netcdf(const char *path, ovr_error *err)
     return NULL;
 }
 
+static bool is_hdf5(const char *path)
+{
+    static const char begins[] = "\211HDF";
+    char found[4];
+    int fd = open(path, O_RDONLY | O_CLOEXEC);
+    bool is = fd >= 0 && read(fd, found, sizeof found) == sizeof found &&
+              !memcmp(found, begins, sizeof found);
+    if (fd >= 0)
+        close(fd);
+    return is;
+}
+
 ovr_table *ovr_table_read(const char *path, ovr_error *err)
 {
     size_t length = strlen(path);
-    bool netcdf = length > 3 && strcmp(path + length - 3, ".nc") == 0;
+    const char *end = path + (length > 3 ? length - 3 : 0);
+    bool netcdf = strcmp(end, ".nc") == 0 || is_hdf5(path);
     return netcdf ? read_netcdf(path, err) : read_csv(path, err);
 }

@@ -126,8 +126,18 @@ static void put_steps(const taker *to, const ovr_run_info *s)
     put_count(to, "substeps", (double)total->substeps);
     put(to, "settled", OVR_SUMMARY_FLAG, total->settled);
     put_count(to, "snapshots", (double)s->snapshots);
-    put_text(to, "output", s->output);
+    put_text(to, "output", s->passes ? s->passes_file : s->output);
     put_number(to, "T_end", ovr_simulation_state(s->sim)->T);
+}
+
+/* All that stands beside it is of the last one. */
+static void put_passes(const taker *to, const ovr_run_info *s)
+{
+    put_count(to, "pass", s->pass);
+    put_count(to, "passes", s->passes);
+    put_text(to, "pass_output", s->output);
+    if (!s->transient)
+        put_text(to, "output", s->passes_file);
 }
 
 /* Estimated discretization errors, dimensionless and relative. */
@@ -222,6 +232,8 @@ void ovr_run_summary(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     put_number(&to, "lambda_ratio", s->lambda_ratio);
     put_number(&to, "shear_over_pressure", s->shear_over_pressure);
     put_number(&to, "unbearable_share", s->unbearable_share);
+    if (s->passes)
+        put_passes(&to, s);
     put_extremes(&to, s);
     if (s->transient)
         put_steps(&to, s);

@@ -55,6 +55,7 @@ typedef struct ovr_arrival {
     double waiting; /* now */
     bool closed;    /* only what arrives flows in */
     double flooded; /* central film of the flooded start */
+    double flow;    /* what that takes, rho H */
     double q, face; /* of this step: at X_a, half a mesh further */
 } ovr_arrival;
 

@@ -111,6 +111,7 @@ ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
         PART("oil_waiting", sim->arrival.waiting),
         PART("inlet_closed", sim->arrival.closed),
         PART("flooded_film", sim->arrival.flooded),
+        PART("flooded_flow", sim->arrival.flow),
         PART("mass_defect", o->mass_defect)};
     for (size_t k = 0; !status && k < sizeof parts / sizeof *parts; k++)
         status = visit(context, parts[k].name, parts[k].memory, parts[k].bytes,

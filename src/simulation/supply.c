@@ -105,10 +105,11 @@ ovr_defect ovr_supply_steady(ovr_simulation *sim, const ovr_full *how,
     ovr_level_clear(sim->finest, sim->finest->f.kept);
     ovr_defect d = ovr_flooded(grids, how, cycles);
     a->flooded = d.centre;
+    a->flow = ovr_content_leaving(sim->finest);
     if (!a->supply)
         return d;
     a->q = a->face = a->supply(a->data, 0);
-    if (!(a->q < ovr_content_leaving(sim->finest)) || isinf(a->before))
+    if (!(a->q < a->flow) || isinf(a->before))
         return d;
     d = ovr_starve(grids, how, a->q, cycles);
     a->closed = sim->finest->closed;
@@ -166,7 +167,7 @@ static double mass_defect(const ovr_simulation *sim)
 
 static void forget(ovr_observation *o)
 {
-    o->film_ratio = NAN;
+    o->film_ratio = o->supply_ratio = NAN;
     o->supply = o->meniscus = o->inflow = o->outflow = NAN;
     o->oil_inside = o->oil_waiting = o->cavity_length = o->mass_defect = NAN;
 }
@@ -183,6 +184,7 @@ void ovr_supply_observe(const ovr_simulation *sim, double dT,
         return;
     o->supply = a->supply ? a->q : NAN;
     o->film_ratio = o->H_cen / a->flooded;
+    o->supply_ratio = a->flow > 0 ? o->supply / a->flow : NAN;
     o->meniscus = meniscus(s);
     o->inflow = ovr_flux(sim, Cu, 0);
     o->outflow = ovr_flux(sim, Cu, s->n - 2);

@@ -2,6 +2,7 @@
 #include "surface/layer.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/arena.h"
 
@@ -11,6 +12,7 @@ struct ovr_layer {
     size_t n;
     const double *x, *z;
     double length, height; /* what its units are in b and in b^2/R */
+    double first;          /* x that arrives first */
 };
 
 static ovr_status check(const ovr_layer *l, const char *file, ovr_error *err)
@@ -45,6 +47,7 @@ ovr_layer *ovr_layer_read(const char *file, const ovr_contact *contact,
         l->n = view->n;
         l->x = view->x;
         l->z = view->z;
+        l->first = l->x[l->n - 1];
         l->length = view->scaled_x ? 1 : 1 / contact->b;
         l->height = view->scaled_z ? 1 : 1 / contact->height;
         if (!check(l, file, err))
@@ -52,6 +55,29 @@ ovr_layer *ovr_layer_read(const char *file, const ovr_contact *contact,
     }
     ovr_layer_free(l);
     return NULL;
+}
+
+ovr_layer *ovr_layer_make(size_t n, const double *x, const double *thickness,
+                          double first, const ovr_allocator *allocator,
+                          ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_layer *l = ovr_arena_take(&arena, 1, sizeof *l, err);
+    double *copy = l ? ovr_arena_take(&arena, 2 * n, sizeof *copy, err) : NULL;
+    if (!copy) {
+        ovr_arena_release(&arena);
+        return NULL;
+    }
+    memcpy(copy, x, n * sizeof *copy);
+    memcpy(copy + n, thickness, n * sizeof *copy);
+    *l = (ovr_layer){.arena = arena,
+                     .n = n,
+                     .x = copy,
+                     .z = copy + n,
+                     .length = 1,
+                     .height = 1,
+                     .first = first};
+    return l;
 }
 
 void ovr_layer_free(ovr_layer *layer)
@@ -65,7 +91,7 @@ void ovr_layer_free(ovr_layer *layer)
 
 double ovr_layer_thickness(const ovr_layer *l, double travelled)
 {
-    double x = l->x[l->n - 1] - travelled / l->length, s;
+    double x = l->first - travelled / l->length, s;
     size_t low = 0, high = l->n - 1;
     if (x <= l->x[0])
         return l->height * l->z[0];

@@ -18,6 +18,12 @@ ovr_layer *ovr_layer_read(const char *file, const ovr_contact *contact,
                           const ovr_allocator *allocator, ovr_error *err);
 void ovr_layer_free(ovr_layer *layer);
 
+/* Of n points, x from small to large in b, thickness in b^2/R; what lies at
+ * `first` arrives first.  Copied. */
+ovr_layer *ovr_layer_make(size_t n, const double *x, const double *thickness,
+                          double first, const ovr_allocator *allocator,
+                          ovr_error *err);
+
 /* b^2/R, where so much of it, in b, has gone by. */
 double ovr_layer_thickness(const ovr_layer *layer, double travelled);
 

@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a pass before left on the surfaces, as the supply of this one. */
+#ifndef OVR_CASE_FEED_H
+#define OVR_CASE_FEED_H
+
+#include "overroll/case.h"
+#include "surface/layer.h"
+
+/* In place of what the case says of the supply; the layers are the setup's
+ * from now on.  `waiting`: oil before the inlet, b^3/R. */
+void ovr_setup_feed(ovr_setup *setup, ovr_layer *layer[2], double waiting);
+
+#endif

@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/passes.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/json.h"
+
+ovr_table *cli_passes_open(const char *path)
+{
+    ovr_table *table = ovr_table_read(path, NULL);
+    const ovr_table_column *first = table ? ovr_table_at(table, 0) : NULL;
+    if (first && strcmp(first->name, "pass") == 0)
+        return table;
+    ovr_table_free(table);
+    return NULL;
+}
+
+static const ovr_table_column *named(const ovr_table *t, const char *name)
+{
+    const ovr_table_column *c;
+    for (size_t k = 0; (c = ovr_table_at(t, k)); k++)
+        if (strcmp(c->name, name) == 0)
+            break;
+    return c;
+}
+
+/* ------------------------------------------------------------------- print */
+
+static void put_text(const ovr_table_column *c, size_t row)
+{
+    const char *text = c && c->text && c->text[row] ? c->text[row] : "";
+    for (; *text; text++)
+        putchar((unsigned char)*text < 0x20 || *text == 0x7f ? ' ' : *text);
+}
+
+static void print_table(const char *path, const ovr_table *t)
+{
+    static const char *const shown[] = {
+        "central_film_thickness", "least_central_film_thickness",
+        "min_film_thickness",     "meniscus",
+        "supply_ratio",           "oil_lost"};
+    static const char *const heads[] = {"central", "least", "minimum",
+                                        "meniscus", "supply", "lost"};
+    enum { SHOWN = sizeof shown / sizeof *shown };
+    const ovr_table_column *of[SHOWN];
+    printf("%s: %zu passes\n\n%4s", path, ovr_table_rows(t), "pass");
+    for (int k = 0; k < SHOWN; k++) {
+        of[k] = named(t, shown[k]);
+        printf(" %11s", heads[k]);
+    }
+    printf("  file\n%4s", "");
+    for (int k = 0; k < SHOWN; k++)
+        printf(" %11s", of[k] && *of[k]->unit ? of[k]->unit : "1");
+    putchar('\n');
+    for (size_t i = 0; i < ovr_table_rows(t); i++) {
+        printf("%4zu", i + 1);
+        for (int k = 0; k < SHOWN; k++)
+            if (of[k] && isfinite(of[k]->number[i]))
+                printf(" %11.5g", of[k]->number[i]);
+            else
+                printf(" %11s", "-");
+        fputs("  ", stdout);
+        put_text(named(t, "file"), i);
+        fputs(", ", stdout);
+        put_text(named(t, "status"), i);
+        putchar('\n');
+    }
+}
+
+static void print_json(const char *path, const ovr_table *t)
+{
+    const ovr_table_column *c;
+    json_writer json = json_begin(stdout);
+    json_text(&json, "path", path);
+    json_integer(&json, "passes", (long long)ovr_table_rows(t));
+    for (size_t k = 0; (c = ovr_table_at(t, k)); k++) {
+        json_open_array(&json, c->name);
+        for (size_t i = 0; i < ovr_table_rows(t); i++)
+            if (c->text)
+                json_text(&json, NULL, c->text[i]);
+            else
+                json_number(&json, NULL, c->number[i]);
+        json_close_array(&json);
+    }
+    json_end(&json);
+}
+
+void cli_passes_print(const char *path, const ovr_table *passes, bool json)
+{
+    if (json)
+        print_json(path, passes);
+    else
+        print_table(path, passes);
+}
+
+/* ------------------------------------------------------------------ export */
+
+ovr_status cli_passes_export(const ovr_table *passes, cli_table_form form,
+                             FILE *to, ovr_error *err)
+{
+    cli_table *table = calloc(1, sizeof *table);
+    const ovr_table_column *c;
+    ovr_status status = table ? OVR_OK
+                              : ovr_fail(err, OVR_NO_MEMORY, "out of memory");
+    if (table)
+        table->rows = ovr_table_rows(passes);
+    for (size_t k = 0; !status && (c = ovr_table_at(passes, k)); k++) {
+        double *values = c->text ? NULL
+                                 : cli_table_add(table, c->name,
+                                                 *c->unit ? c->unit : "1", err);
+        if (values)
+            memcpy(values, c->number, table->rows * sizeof *values);
+        else if (!c->text)
+            status = OVR_NO_MEMORY;
+    }
+    if (!status) {
+        cli_table_heads(table, form, to);
+        cli_table_rows(table, form, to);
+    }
+    if (table)
+        cli_table_clear(table);
+    free(table);
+    return status;
+}

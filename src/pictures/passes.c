@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Several passes: film above, meniscus below, against the number of the pass.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "base/plain.h"
+#include "base/sized.h"
+#include "pictures/axis.h"
+#include "pictures/picture.h"
+
+typedef struct line {
+    const char *name, *label;
+    int colour;
+} line;
+
+static const ovr_table_column *named(const ovr_table *t, const char *name)
+{
+    const ovr_table_column *c;
+    for (size_t k = 0; (c = ovr_table_at(t, k)); k++)
+        if (strcmp(c->name, name) == 0)
+            break;
+    return c;
+}
+
+static double largest(const ovr_table *t, const ovr_table_column *c)
+{
+    double most = 0;
+    for (size_t i = 0; i < ovr_table_rows(t); i++)
+        most = fmax(most, fabs(c->number[i])); /* passes over NAN */
+    return most;
+}
+
+/* Lines with their points; the axis by the first. */
+static ovr_status add_lines(const ovr_table *t, const line *lines, size_t count,
+                            ovr_unit_kind kind, ovr_panel *panel,
+                            ovr_arena *arena, ovr_error *err)
+{
+    const ovr_table_column *pass = named(t, "pass");
+    ovr_series *series = ovr_arena_take(arena, 2 * count, sizeof *series, err);
+    ovr_axis axis = {0};
+    if (!series)
+        return OVR_NO_MEMORY;
+    for (size_t k = 0; k < count; k++) {
+        const ovr_table_column *c = named(t, lines[k].name);
+        if (!pass || !c)
+            return ovr_fail(err, OVR_BAD_INPUT,
+                            "no '%s' in it: it is no file of several passes",
+                            pass ? lines[k].name : "pass");
+        if (k == 0)
+            ovr_axis_as_is(kind, *c->unit, largest(t, c), &axis);
+        series[k] = (ovr_series){.label = lines[k].label,
+                                 .n = ovr_table_rows(t),
+                                 .x = pass->number,
+                                 .y = c->number,
+                                 .factor = axis.factor,
+                                 .colour = lines[k].colour};
+        series[count + k] = series[k];
+        series[count + k].label = NULL;
+        series[count + k].mark = OVR_MARK_POINTS;
+        series[count + k].width = 2.4;
+    }
+    panel->y_label = axis.label;
+    panel->count = 2 * count;
+    panel->series = series;
+    return OVR_OK;
+}
+
+static ovr_status draw(const ovr_table *t, const ovr_figure_options *o,
+                       ovr_arena *arena, ovr_error *err)
+{
+    static const line films[] = {
+        {"central_film_thickness", "central film, mean", OVR_AMBER},
+        {"least_central_film_thickness", "central film, least", OVR_RED},
+        {"min_film_thickness", "minimum film", OVR_BLUE}};
+    static const line menisci[] = {
+        {"meniscus", "where the film begins", OVR_STEEL}};
+    double rows = (double)ovr_table_rows(t);
+    ovr_panel panel[2];
+    ovr_status status;
+    for (int k = 0; k < 2; k++)
+        panel[k] = (ovr_panel){.x_label = "number of the pass",
+                               .x_from = 1 - 0.04 * rows,
+                               .x_to = rows + 0.04 * rows,
+                               .y_from = k ? NAN : 0,
+                               .y_to = NAN};
+    ovr_chart chart = {.title = o->title ? o->title : "",
+                       .width = o->width > 0 ? o->width : 960,
+                       .height = o->height > 0 ? o->height : 720,
+                       .rows = 2,
+                       .columns = 1,
+                       .share_x = true,
+                       .panel = panel};
+    status = add_lines(t, films, 3, OVR_KIND_HEIGHT, &panel[0], arena, err);
+    if (!status)
+        status = add_lines(t, menisci, 1, OVR_KIND_LENGTH, &panel[1], arena,
+                           err);
+    return status ? status
+                  : ovr_chart_draw(&chart, o->path, o->script, arena, err);
+}
+
+ovr_status ovr_figure_passes(const ovr_table *passes,
+                             const ovr_figure_options *given,
+                             const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_figure_options own, *options = &own;
+    if (OVR_SIZED_TAKE(ovr_figure_options, options, given, err))
+        return OVR_BAD_INPUT;
+    locale_t before = ovr_plain_begin();
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_form form;
+    ovr_status status = ovr_may_create(options->path, options->force, err);
+    if (!status)
+        status = ovr_form_of(options->path, &form, err);
+    if (!status)
+        status = draw(passes, options, &arena, err);
+    ovr_arena_release(&arena);
+    ovr_plain_end(before);
+    return status;
+}

@@ -1,0 +1,260 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "run/passes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "case/feed.h"
+
+/* ------------------------------------------------------------------- names */
+
+/* OUT.h5 -> OUT-3.h5. */
+static const char *file_of(ovr_run *run, int pass, ovr_error *err)
+{
+    const char *path = run->passes->path, *dot = strrchr(path, '.');
+    size_t stem, room = strlen(path) + 16;
+    char *name = ovr_arena_take(&run->arena, room, 1, err);
+    if (!dot || strchr(dot, '/'))
+        dot = path + strlen(path);
+    stem = (size_t)(dot - path);
+    if (name)
+        snprintf(name, room, "%.*s-%d%s", (int)stem, path, pass, dot);
+    return name;
+}
+
+static void blank(ovr_pass_row *row)
+{
+    for (int k = 0; k < OVR_PASS_COLUMNS; k++)
+        row->value[k] = NAN;
+    row->status = "waiting";
+}
+
+/* Rows and names for so many. */
+static ovr_status make_rows(ovr_run *run, int number, ovr_error *err)
+{
+    ovr_passes *p = run->passes;
+    p->rows = number;
+    p->file = ovr_arena_take(&run->arena, (size_t)number, sizeof *p->file, err);
+    p->row = ovr_arena_take(&run->arena, (size_t)number, sizeof *p->row, err);
+    if (!p->file || !p->row)
+        return OVR_NO_MEMORY;
+    for (int k = 0; k < number; k++) {
+        blank(&p->row[k]);
+        p->file[k] = file_of(run, k + 1, err);
+        if (!p->file[k])
+            return OVR_NO_MEMORY;
+    }
+    return OVR_OK;
+}
+
+static ovr_status make(ovr_run *run, const char *path, ovr_error *err)
+{
+    ovr_passes *p = ovr_arena_take(&run->arena, 1, sizeof *p, err);
+    run->passes = p;
+    if (!p)
+        return OVR_NO_MEMORY;
+    p->now = 1;
+    p->oil_flooded = NAN;
+    p->converged = true;
+    p->path = ovr_arena_text(&run->arena, path, err);
+    return p->path ? OVR_OK : OVR_NO_MEMORY;
+}
+
+static void tell(ovr_run *run)
+{
+    run->info.pass = run->passes->now;
+    run->info.passes = run->passes->rows;
+    run->info.passes_file = run->passes->path;
+    run->info.output = run->passes->file[run->passes->now - 1];
+}
+
+/* ----------------------------------------------------------------- feeding */
+
+static ovr_status learn(ovr_run *run, int pass, ovr_pass_end *end,
+                        ovr_error *err)
+{
+    ovr_passes *p = run->passes;
+    ovr_status status = ovr_pass_read(p->file[pass - 1], run->setup,
+                                      p->oil_flooded, end,
+                                      &run->arena.allocator, err);
+    if (status)
+        return status;
+    end->row.status = "complete";
+    p->row[pass - 1] = end->row;
+    p->oil_flooded = end->flooded;
+    return OVR_OK;
+}
+
+ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err)
+{
+    ovr_passes *p = run->passes;
+    ovr_pass_end end;
+    ovr_status status = ovr_setup_prepare(run->setup, &run->arena.allocator,
+                                          err);
+    if (!status && !p->file)
+        status = make_rows(run, run->setup->passes->number, err);
+    if (status)
+        return status;
+    tell(run);
+    for (int pass = 1; pass < p->now; pass++) {
+        if (pass < p->now - 1 && isfinite(p->row[pass - 1].value[0]))
+            continue;
+        status = learn(run, pass, &end, err);
+        if (status)
+            return status;
+        if (pass == p->now - 1) {
+            ovr_setup_feed(run->setup, end.layer, end.waiting);
+            continue;
+        }
+        ovr_layer_free(end.layer[0]);
+        ovr_layer_free(end.layer[1]);
+    }
+    return OVR_OK;
+}
+
+/* ---------------------------------------------------------------- a new run */
+
+/* Files of passes from before, which would be gone on with. */
+static ovr_status clear(ovr_run *run, ovr_error *err)
+{
+    static const char *const endings[] = {"", ".restart", ".journal"};
+    const ovr_passes *p = run->passes;
+    for (int k = 0; k < p->rows; k++) {
+        ovr_status status = ovr_output_check(p->file[k], run->c,
+                                             run->how.force, err);
+        if (status)
+            return status;
+    }
+    for (int k = 0; k < p->rows; k++)
+        for (size_t e = 0; e < sizeof endings / sizeof *endings; e++) {
+            char path[4500];
+            snprintf(path, sizeof path, "%.4400s%s", p->file[k], endings[e]);
+            unlink(path);
+        }
+    run->how.force = true;
+    return OVR_OK;
+}
+
+ovr_status ovr_passes_begin(ovr_run *run, ovr_error *err)
+{
+    ovr_status status;
+    if (!run->info.output)
+        return ovr_fail_about(err, "number",
+                              "several passes need a result file: -o OUT.h5, "
+                              "or file in [output]");
+    if (run->how.estimate_error)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "errors of several passes are not estimated");
+    status = make(run, run->info.output, err);
+    if (!status)
+        status = make_rows(run, run->setup->passes->number, err);
+    if (!status)
+        status = clear(run, err);
+    if (!status)
+        status = ovr_run_set_up(run, err);
+    if (!status)
+        status = ovr_passes_write(run, "running", err);
+    return status ? status : ovr_output_open(run, err);
+}
+
+/* ------------------------------------------------------------- going through */
+
+/* All of the pass that was. */
+static void forget(ovr_run *run)
+{
+    ovr_run_stress_free(run->stress);
+    ovr_simulation_free(run->sim);
+    ovr_setup_free(run->setup);
+    ovr_restart_close(run->restart);
+    run->stress = NULL;
+    run->sim = NULL;
+    run->setup = NULL;
+    run->restart = NULL;
+    run->restored = false;
+    run->info.sim = NULL;
+    run->info.setup = NULL;
+    run->info.stress[0] = run->info.stress[1] = NULL;
+}
+
+static ovr_status next(ovr_run *run, ovr_error *err)
+{
+    ovr_status status;
+    forget(run);
+    run->passes->now++;
+    status = ovr_run_set_up(run, err);
+    return status ? status : ovr_output_open(run, err);
+}
+
+/* The row of a pass that ended, and the file of all. */
+static ovr_status end_pass(ovr_run *run, ovr_error *err)
+{
+    ovr_passes *p = run->passes;
+    ovr_pass_end end;
+    ovr_status status = learn(run, p->now, &end, err);
+    if (status)
+        return status;
+    ovr_layer_free(end.layer[0]);
+    ovr_layer_free(end.layer[1]);
+    p->converged = p->converged && run->info.converged;
+    return OVR_OK;
+}
+
+ovr_status ovr_passes_go(ovr_run *run, ovr_error *err)
+{
+    static const char *const names[] = {"complete", "stopped", "failed"};
+    ovr_passes *p = run->passes;
+    ovr_status status = OVR_OK;
+    for (bool more = true; !status && more;) {
+        status = ovr_passes_write(run, "running", err);
+        if (!status)
+            status = ovr_run_once(run, err);
+        if (!status)
+            status = end_pass(run, err);
+        more = p->now < p->rows;
+        if (!status && more)
+            status = next(run, err);
+    }
+    const char *how = names[!status ? 0 : status == OVR_STOPPED ? 1 : 2];
+    ovr_error late = {0};
+    if (status)
+        p->row[p->now - 1].status = how;
+    if (run->setup && ovr_passes_write(run, how, &late) && !status) {
+        *err = late;
+        status = late.status;
+    }
+    run->info.converged = run->info.converged && p->converged;
+    return status;
+}
+
+/* ---------------------------------------------------------------- resuming */
+
+static bool is_complete(const char *path)
+{
+    ovr_result *result = access(path, F_OK) == 0
+                             ? ovr_result_open(path, NULL, NULL)
+                             : NULL;
+    bool complete = result && strcmp(ovr_result_about(result)->status,
+                                     "complete") == 0;
+    ovr_result_close(result);
+    return complete;
+}
+
+ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err)
+{
+    ovr_status status = make(run, path, err);
+    const char *file = NULL;
+    if (status)
+        return status;
+    for (run->passes->now = 1;; run->passes->now++) {
+        file = file_of(run, run->passes->now, err);
+        if (!file)
+            return OVR_NO_MEMORY;
+        if (!is_complete(file))
+            break;
+    }
+    run->info.output = file;
+    run->how.force = true;
+    return OVR_OK;
+}

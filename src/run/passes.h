@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Several passes: each a run of its own, with a file of its own, that takes
+ * in what the one before left on the surfaces (pass_layers.c).  The file of
+ * all of them, OUT.h5, has a row for each (passes_file.c); rows and layers
+ * follow from the files OUT-1.h5, ... alone, so that a run that goes on later
+ * is the one that was never stopped.
+ */
+#ifndef OVR_RUN_PASSES_H
+#define OVR_RUN_PASSES_H
+
+#include "run/internal.h"
+#include "surface/layer.h"
+
+/* Columns of the file of all passes. */
+typedef enum ovr_pass_column {
+    OVR_PASS_FILM,
+    OVR_PASS_LEAST_CENTRAL,
+    OVR_PASS_LEAST,
+    OVR_PASS_PRESSURE,
+    OVR_PASS_FILM_RATIO,
+    OVR_PASS_MENISCUS,
+    OVR_PASS_SUPPLY,
+    OVR_PASS_SUPPLY_RATIO,
+    OVR_PASS_INFLOW,
+    OVR_PASS_OUTFLOW,
+    OVR_PASS_LOST,
+    OVR_PASS_WAITING,
+    OVR_PASS_STEPS,
+    OVR_PASS_COLUMNS
+} ovr_pass_column;
+
+typedef struct ovr_pass_row {
+    double value[OVR_PASS_COLUMNS]; /* dimensionless; NAN: not known */
+    const char *status;             /* of its file; "waiting": none yet */
+} ovr_pass_row;
+
+struct ovr_passes {
+    const char *path;    /* OUT.h5 */
+    int now;             /* under way, from 1 */
+    int rows;            /* with a name and a row so far */
+    const char **file;   /* of each */
+    ovr_pass_row *row;
+    double oil_flooded;  /* flow of the flooded contact; NAN: not known yet */
+    bool converged;      /* all so far */
+};
+
+/* The two layers as they come to the next pass, and the oil that waits before
+ * it; the row of this one.  From its file, for a setup that is prepared. */
+typedef struct ovr_pass_end {
+    ovr_layer *layer[2];
+    double waiting;
+    double flooded; /* rho H that a flooded contact takes; NAN: not known */
+    ovr_pass_row row;
+} ovr_pass_end;
+ovr_status ovr_pass_read(const char *file, const ovr_setup *setup,
+                         double flooded, ovr_pass_end *end,
+                         const ovr_allocator *allocator, ovr_error *err);
+
+/* The file of all passes, written whole; its case, as it was written. */
+ovr_status ovr_passes_write(const ovr_run *run, const char *status,
+                            ovr_error *err);
+bool ovr_passes_file_is(const char *path);
+ovr_case *ovr_passes_case(const char *path, const ovr_allocator *allocator,
+                          ovr_error *err);
+
+/* A new run: its file and the first pass. */
+ovr_status ovr_passes_begin(ovr_run *run, ovr_error *err);
+
+/* Gives the setup of a pass what the one before left. */
+ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err);
+
+/* From the pass that is set up to the last. */
+ovr_status ovr_passes_go(ovr_run *run, ovr_error *err);
+
+/* The passes of a file that is gone on with: `now` is the first that is not
+ * complete. */
+ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err);
+
+#endif

@@ -1,0 +1,152 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# [passes]: what leaves feeds the next pass where it lies, less what is lost;
+# a file each, a row each; stopped between and within passes, the same bits.
+. "$TOP/tests/support/cli.sh"
+
+cat >roller.ini <<'END'
+[contact]
+M = 20
+L = 10
+[domain]
+level = 5
+[cavitation]
+model = conserving
+[passes]
+number = 4
+loss = 0.2
+END
+
+# rows OUT.h5: every column of the passes
+rows() {
+    "$OVERROLL" export "$1" >rows.csv || fail "no rows in $1"
+}
+# row NAME EXPRESSION: of each pass: v the column, n the pass, u that before
+row() {
+    awk -F, -v name="$1" '
+        NR == 1 { for (i = 1; i <= NF; i++) if (index($i, name " ") == 1) c = i }
+        NR > 1 { n = NR - 1; v = $c + 0; if (!('"$2"')) bad = bad " " $c; u = v }
+        END { if (bad || !c) print name ":" bad; exit bad || !c }' rows.csv ||
+        fail "not $2"
+}
+
+# A given loss: the supply falls by it, and the film follows
+expect 0 "$OVERROLL" run roller.ini -o roller.h5 --json
+contains out '"passes": 4'
+contains out '"output": "roller.h5"'
+contains out '"pass_output": "roller-4.h5"'
+rows roller.h5
+row supply_ratio 'n == 1 || (v - 0.8 ^ (n - 1)) ^ 2 < 1e-17'
+row film_ratio '(v - 0.8 ^ (n - 1)) ^ 2 < 1e-6'
+row outflow 'n == 1 || (v - 0.8 * u) ^ 2 < 1e-17'
+row meniscus 'n < 3 || v > u + 0.05'
+expect 0 "$OVERROLL" info roller-4.h5
+expect 0 "$OVERROLL" info roller.h5
+contains out '^ +4 .*roller-4.h5, complete'
+refuses "a row for each of several passes" frames roller.h5 -o x
+expect 0 "$OVERROLL" resume roller.h5
+contains err 'is complete: nothing to do'
+
+# By the law of point contacts x^-g grows by 1 a pass
+expect 0 "$OVERROLL" run roller.ini --set passes.loss= -q -o side.h5 \
+    --set passes.side_flow=3
+rows side.h5
+row supply_ratio 'n == 1 || (v ^ -3 - n) ^ 2 < 1e-16'
+
+# Without losses nothing changes; what is replenished comes every time
+expect 0 "$OVERROLL" run roller.ini -q -o even.h5 --set passes.loss=0.5 \
+    --set passes.replenish=0.01
+rows even.h5
+row supply 'n < 3 || (v - 0.5 * u - 0.02) ^ 2 < 1e-17'
+
+# A dent meets its own wake: what arrives is what lay there, on either surface
+cat roller.ini - >dent.ini <<'END'
+split = 0.7
+replenish = 0.001
+[time]
+end = 8
+[feature d]
+shape = dent
+depth = 0.1
+width = 0.5
+start = -4.6
+END
+sed 's/L = 10/L = 10\nslide_to_roll = 0.5/; s/number = 4/number = 2/' \
+    dent.ini >slide.ini
+expect 0 "$OVERROLL" run slide.ini -q -o slide.h5
+"$OVERROLL" export slide-1.h5 >1.csv
+"$OVERROLL" export slide-2.h5 >2.csv
+awk -F, '
+    FNR == 1 {
+        file++
+        for (i = 1; i <= NF; i++) {
+            if (index($i, "outflow ") == 1) out = i
+            if (index($i, "supply ") == 1) arrives = i
+        }
+        next
+    }
+    file == 1 { T[m] = $1; f[m++] = $out }
+    file == 2 {
+        sum = 0
+        for (k = 1; k <= 2; k++) {
+            u = k == 1 ? 1.25 : 0.75
+            left = $1 + 5.5 / u # of the first pass, when it left
+            j = int(left / T[1])
+            q = f[m - 1]
+            if (j + 1 < m) q = f[j] + (left - T[j]) / T[1] * (f[j + 1] - f[j])
+            share = k == 1 ? 0.7 : 0.3
+            h = share * q / (0.7 * 1.25 + 0.3 * 0.75)
+            sum += u * (0.8 * h + 0.001)
+        }
+        d = sum - $arrives
+        worst = d * d > worst ? d * d : worst
+        low = !low || $arrives < low ? $arrives : low
+        high = $arrives > high ? $arrives : high
+    }
+    END {
+        if (!(worst < 1e-20) || !(high > 1.3 * low))
+            print "off by " sqrt(worst) ", from " low " to " high
+        exit !(worst < 1e-20) || !(high > 1.3 * low)
+    }' 1.csv 2.csv || fail 'the layers do not arrive where they lie'
+
+# Stopped within a pass, and killed between two
+content() {
+    for k in 1 2 3; do
+        "$OVERROLL" export "$1-$k.h5" && "$OVERROLL" export "$1-$k.h5" --all
+    done
+    "$OVERROLL" export "$1.h5"
+}
+set -- run dent.ini -q --set passes.number=3 --set time.end=6 --force
+expect 0 "$OVERROLL" "$@" -o whole.h5
+"$OVERROLL" "$@" -o part.h5 &
+begins part-2.h5
+kill -INT $! 2>/dev/null
+wait $!
+expect 0 "$OVERROLL" resume part.h5 -q
+content whole >whole.txt
+content part >part.txt
+cmp whole.txt part.txt || fail 'stopped within a pass, it is another run'
+rm part-3.h5*
+refuses 'is one of several passes' resume part-2.h5
+expect 0 "$OVERROLL" resume part.h5 -q
+content part >part.txt
+cmp whole.txt part.txt || fail 'stopped between passes, it is another run'
+
+# More of them, later
+expect 0 "$OVERROLL" resume roller.h5 -q --set passes.number=5
+rows roller.h5
+row supply_ratio 'n == 1 || (v - 0.8 ^ (n - 1)) ^ 2 < 1e-17'
+[ "$(wc -l <rows.csv)" -eq 6 ] || fail 'not five passes'
+
+# What does not go together
+refuses 'number: several passes need .*conserving' \
+    check roller.ini --set cavitation.model=reynolds
+refuses 'side_flow: loss is given too' check roller.ini \
+    --set passes.side_flow=3
+refuses 'split: 0 leaves all oil on a surface' check roller.ini \
+    --set passes.split=0 --set contact.slide_to_roll=2
+refuses 'need a result file' run roller.ini
+refuses 'roller-1.h5: exists already' run roller.ini -o roller.h5
+refuses 'errors of several passes' run roller.ini --estimate-error -o x.h5
+sed '/number/d' roller.ini >none.ini
+refuses 'loss: has no meaning without number' check none.ini
