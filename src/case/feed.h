@@ -10,4 +10,7 @@
  * from now on.  `waiting`: oil before the inlet, b^3/R. */
 void ovr_setup_feed(ovr_setup *setup, ovr_layer *layer[2], double waiting);
 
+/* rho H that arrives at the inlet at T. */
+double ovr_setup_arriving(const ovr_setup *setup, double T);
+
 #endif

@@ -220,13 +220,11 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
     return status;
 }
 
-/* rho H that arrives: at P = 0, by both surfaces; a layer goes by as fast as
- * its surface moves.  A mean speed near zero brings nothing, whatever slides.
- */
-static double arriving(void *data, double T)
+/* At P = 0, by both surfaces; a layer goes by as fast as its surface moves.  A
+ * mean speed near zero brings nothing, whatever slides. */
+double ovr_setup_arriving(const ovr_setup *s, double T)
 {
     static const double least = 1e-3;
-    const ovr_setup *s = data;
     const double ratio[2] = {s->contact->u1_ratio, s->contact->u2_ratio};
     double Cu = fmax(ovr_history_value(s->speed, T), least), both = 0;
     for (int k = 0; k < 2; k++) {
@@ -243,6 +241,11 @@ static double arriving(void *data, double T)
         both += fmax(0, u) * h;
     }
     return both * ovr_history_value(s->supply->history, T);
+}
+
+static double arriving(void *data, double T)
+{
+    return ovr_setup_arriving(data, T);
 }
 
 unsigned ovr_setup_physics(const ovr_setup *setup)

@@ -15,7 +15,7 @@ static const double SECONDS_A_NODE = 2e-7, CYCLES_A_STEP = 3;
 static const double CYCLES_STEADY = 12;
 
 typedef struct estimate {
-    double nodes, mesh, steps, seconds, bytes;
+    double nodes, mesh, steps, passes, seconds, bytes;
     ovr_storage stored;
 } estimate;
 
@@ -79,8 +79,10 @@ static estimate estimate_cost(const ovr_setup *setup, double live)
                  ovr_setup_output_memory(setup);
     if (setup->transient)
         cost.steps = ceil(march->end / dT);
+    cost.passes = setup->passes->number;
     cost.stored = ovr_setup_storage(setup);
-    cost.seconds = cost.nodes * SECONDS_A_NODE *
+    cost.stored.bytes *= cost.passes;
+    cost.seconds = cost.passes * cost.nodes * SECONDS_A_NODE *
                    (2 * CYCLES_STEADY + cost.steps * CYCLES_A_STEP);
     return cost;
 }
@@ -310,6 +312,10 @@ static void put_cost(const estimate *cost, const ovr_setup *setup, bool ends)
            in_metres(cost->mesh, setup->contact->b).text);
     printf("# %-28s %.1g of %s is to be expected\n", "error of discretization",
            setup->expected, of[setup->accuracy_of]);
+    if (cost->passes > 1)
+        printf("# %-28s %.0f, a run and a result file each; all below is of "
+               "one but for the disk and the seconds\n",
+               "passes", cost->passes);
     if (cost->steps > 0)
         printf("# %-28s %s%.0f\n", "steps", ends ? "" : "at most ",
                cost->steps);
@@ -419,6 +425,7 @@ static void report_json(const ovr_case *c, const ovr_setup *setup,
     json_text(&json, "scheme", ovr_scheme_name(options->scheme));
     json_text(&json, "smoother", ovr_smoother_name(options->smoother));
     json_flag(&json, "transient", setup->transient);
+    json_number(&json, "passes", cost->passes);
     json_number(&json, "steps", cost->steps);
     json_number(&json, "snapshots", cost->stored.snapshots);
     json_number(&json, "disk_bytes", cost->stored.bytes);

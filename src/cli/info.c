@@ -276,7 +276,8 @@ const cli_verb cli_info = {
     .name = "info",
     .arguments = "OUT.h5",
     .summary = "what is in a result file",
-    .help = "Of the file of several passes: its rows.\nWorks while the file is being written. With -v the case is "
+    .help = "Of the file of several passes: its rows.\nWorks while the file is "
+            "being written. With -v the case is "
             "printed too.\nThe table is in the file's units, --json is "
             "dimensionless.",
     .least = 1,

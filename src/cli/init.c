@@ -184,6 +184,38 @@ static const char discs[] =
     "[domain]\n"
     "level = 8\n";
 
+static const char starved[] =
+    "# Starved: a smooth roller passes ten times, a tenth of the oil is lost "
+    "in "
+    "\n"
+    "# between.  Drop [passes] for one pass.\n"
+    "\n"
+    "[contact]\n"
+    "load = 300 kN/m              # per unit length of the roller\n"
+    "radius = 8 mm\n"
+    "modulus = 226 GPa\n"
+    "mean_speed = 3 m/s\n";
+
+static const char starved_end[] =
+    "\n"
+    "[domain]\n"
+    "level = 8\n"
+    "\n"
+    "[cavitation]\n"
+    "model = conserving           # oil in cavities, and no more than arrives\n"
+    "\n"
+    "[supply]\n"
+    "model = film                 # of the first pass; or flooded\n"
+    "thickness_1 = 0.2 um         # on each surface, as it arrives\n"
+    "thickness_2 = 0.2 um\n"
+    "\n"
+    "[passes]\n"
+    "number = 10\n"
+    "loss = 0.1                   # of each layer, between two passes\n"
+    "\n"
+    "[output]\n"
+    "file = starved.h5            # a row each; starved-1.h5, ... the passes\n";
+
 static const struct kind {
     const char *name, *head, *tail;
     bool physical;
@@ -192,6 +224,7 @@ static const struct kind {
     {"gear", gear, gear_end, true},
     {"cam", cam, cam_end, true},
     {"numbers", numbers, numbers_end, false},
+    {"starved", starved, starved_end, true},
     {"discs", discs, NULL, true}, /* with an oil of its own */
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
@@ -220,7 +253,8 @@ static const struct kind *find_kind(const cli_call *call, const char *name)
     }
     meant = ovr_suggest(name, names, KINDS);
     cli_usage(call,
-              "no case '%s'%s%s; there are roller, gear, cam, numbers, discs",
+              "no case '%s'%s%s; there are roller, gear, cam, numbers, "
+              "starved, discs",
               name, meant ? "; did you mean " : "", meant ? meant : "");
     return NULL;
 }
@@ -269,7 +303,9 @@ const cli_verb cli_init = {
     .arguments = "[KIND] [-o FILE]",
     .summary = "write a commented case to start from",
     .help = "Kinds: roller (a dented bearing), gear (a tooth with ground flank "
-            "and load\nhistory), cam (swinging speed), numbers (M and L).",
+            "and load\nhistory), cam (swinging speed), numbers (M and L), "
+            "starved (several passes "
+            "with little oil), discs (a twin-disc machine).",
     .options = options,
     .least = 0,
     .most = 1,

@@ -41,7 +41,7 @@ static void print_table(const char *path, const ovr_table *t)
         "central_film_thickness", "least_central_film_thickness",
         "min_film_thickness",     "meniscus",
         "supply_ratio",           "oil_lost"};
-    static const char *const heads[] = {"central", "least", "minimum",
+    static const char *const heads[] = {"central",  "least",  "minimum",
                                         "meniscus", "supply", "lost"};
     enum { SHOWN = sizeof shown / sizeof *shown };
     const ovr_table_column *of[SHOWN];

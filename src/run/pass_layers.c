@@ -199,8 +199,8 @@ static ovr_status make_end(const ovr_setup *s, const pass_history *h,
     if (isnan(end->flooded))
         end->flooded = flooded_flow(h);
     for (int k = 0; k < 2; k++)
-        end->layer[k] = make_layer(s, h, k, end->flooded, x, x + h->n + 1,
-                                   lost, allocator, err);
+        end->layer[k] = make_layer(s, h, k, end->flooded, x, x + h->n + 1, lost,
+                                   allocator, err);
     end->waiting = s->supply->waiting;
     if (isfinite(h->of[WAITING][h->n - 1]))
         end->waiting = h->of[WAITING][h->n - 1];

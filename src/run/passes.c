@@ -122,8 +122,8 @@ static ovr_status clear(ovr_run *run, ovr_error *err)
     static const char *const endings[] = {"", ".restart", ".journal"};
     const ovr_passes *p = run->passes;
     for (int k = 0; k < p->rows; k++) {
-        ovr_status status = ovr_output_check(p->file[k], run->c,
-                                             run->how.force, err);
+        ovr_status status = ovr_output_check(p->file[k], run->c, run->how.force,
+                                             err);
         if (status)
             return status;
     }
@@ -159,7 +159,8 @@ ovr_status ovr_passes_begin(ovr_run *run, ovr_error *err)
     return status ? status : ovr_output_open(run, err);
 }
 
-/* ------------------------------------------------------------- going through */
+/* ------------------------------------------------------------- going through
+ */
 
 /* All of the pass that was. */
 static void forget(ovr_run *run)
@@ -235,8 +236,8 @@ static bool is_complete(const char *path)
     ovr_result *result = access(path, F_OK) == 0
                              ? ovr_result_open(path, NULL, NULL)
                              : NULL;
-    bool complete = result && strcmp(ovr_result_about(result)->status,
-                                     "complete") == 0;
+    bool complete = result &&
+                    strcmp(ovr_result_about(result)->status, "complete") == 0;
     ovr_result_close(result);
     return complete;
 }

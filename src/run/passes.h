@@ -36,13 +36,13 @@ typedef struct ovr_pass_row {
 } ovr_pass_row;
 
 struct ovr_passes {
-    const char *path;    /* OUT.h5 */
-    int now;             /* under way, from 1 */
-    int rows;            /* with a name and a row so far */
-    const char **file;   /* of each */
+    const char *path;  /* OUT.h5 */
+    int now;           /* under way, from 1 */
+    int rows;          /* with a name and a row so far */
+    const char **file; /* of each */
     ovr_pass_row *row;
-    double oil_flooded;  /* flow of the flooded contact; NAN: not known yet */
-    bool converged;      /* all so far */
+    double oil_flooded; /* flow of the flooded contact; NAN: not known yet */
+    bool converged;     /* all so far */
 };
 
 /* The two layers as they come to the next pass, and the oil that waits before

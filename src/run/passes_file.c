@@ -28,8 +28,7 @@ static const struct {
     [OVR_PASS_LEAST_CENTRAL] = {"least_central_film_thickness",
                                 "the smallest of it", OVR_KIND_HEIGHT},
     [OVR_PASS_LEAST] = {"min_film_thickness",
-                        "smallest film thickness of the pass",
-                        OVR_KIND_HEIGHT},
+                        "smallest film thickness of the pass", OVR_KIND_HEIGHT},
     [OVR_PASS_PRESSURE] = {"max_pressure", "largest pressure of the pass",
                            OVR_KIND_PRESSURE},
     [OVR_PASS_FILM_RATIO] = {"film_ratio",
@@ -97,8 +96,7 @@ static bool put_numbers(const table *t, ovr_pass_column k)
     good = set >= 0 &&
            H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
                     t->values) >= 0 &&
-           ovr_h5_set_chars(set, "units",
-                            ovr_unit(&scales, columns[k].kind)) &&
+           ovr_h5_set_chars(set, "units", ovr_unit(&scales, columns[k].kind)) &&
            ovr_h5_set_chars(set, "long_name", columns[k].long_name);
     return set >= 0 && H5Dclose(set) >= 0 && good;
 }

@@ -9,6 +9,7 @@
 #include "case/resolve.h"
 #include "contact/starvation.h"
 #include "run/internal.h"
+#include "run/review_supply.h"
 
 typedef struct review {
     const ovr_case *c;
@@ -92,13 +93,14 @@ static void warn_of_smearing(const review *r)
     for (size_t k = 0; k < n; k++) {
         ovr_feature_info info = ovr_surfaces_info(s->surfaces, k);
         double nodes = info.wavelength / s->mesh;
+        bool conserving = s->options->cavitation == OVR_CAVITATION_CONSERVING;
         if (info.speed == 0 || !(nodes < enough))
             continue;
         say(r, OVR_SAY_WARNING,
             "feature '%s' moves on %.0f nodes a width, on which an upstream "
-            "scheme smears it out: take scheme = characteristic with step = "
-            "grid, or level %d",
+            "scheme smears it out: take %slevel %d",
             info.name, nodes,
+            conserving ? "" : "scheme = characteristic with step = grid, or ",
             s->options->level + (int)ceil(log2(enough / nodes)));
         return;
     }
@@ -234,6 +236,7 @@ static void before(const review *r, bool transient)
     warn_of_heat(r);
     say_inlet(r);
     say_level(r);
+    ovr_review_supply(r->setup, r->say, r->data);
     if (r->setup->surfaces)
         warn_of_features(r, transient);
     if (transient)
@@ -272,9 +275,20 @@ static void keep(ovr_run *run, const char *text)
         run->warning[run->info.warnings++] = copy;
 }
 
+/* One of several passes says again what another said. */
+static bool was_said(const ovr_run *run, const char *text)
+{
+    for (int k = 0; run->passes && k < run->info.warnings; k++)
+        if (strcmp(run->warning[k], text) == 0)
+            return true;
+    return false;
+}
+
 void ovr_run_message(void *data, ovr_say kind, const char *text)
 {
     ovr_run *run = data;
+    if (kind == OVR_SAY_WARNING && was_said(run, text))
+        return;
     if (kind == OVR_SAY_WARNING)
         keep(run, text);
     if (run->how.say)
@@ -407,7 +421,9 @@ void ovr_run_review_after(ovr_run *run)
     if (*strategy)
         say(&r, OVR_SAY_NOTE, "the steady solution took another way: %s",
             strategy);
+    ovr_review_meniscus(sim, ovr_run_message, run);
     if (state->n && H_cen > 0 &&
+        isnan(ovr_simulation_observation(sim)->meniscus) &&
         ((const ovr_resolved *)r.setup)->inlet_kept >= 0)
         warn_of_inlet(&r, state, H_cen);
     warn_of_extremes(&r, ovr_simulation_statistics(sim));

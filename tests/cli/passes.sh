@@ -24,9 +24,14 @@ rows() {
 # row NAME EXPRESSION: of each pass: v the column, n the pass, u that before
 row() {
     awk -F, -v name="$1" '
-        NR == 1 { for (i = 1; i <= NF; i++) if (index($i, name " ") == 1) c = i }
-        NR > 1 { n = NR - 1; v = $c + 0; if (!('"$2"')) bad = bad " " $c; u = v }
-        END { if (bad || !c) print name ":" bad; exit bad || !c }' rows.csv ||
+        NR == 1 { while (++c < NF && index($c, name " ") != 1); }
+        NR > 1 {
+            n = NR - 1
+            v = $c + 0
+            if (!('"$2"')) bad = bad " " $c
+            u = v
+        }
+        END { if (bad || !n) print name ":" bad; exit bad || !n }' rows.csv ||
         fail "not $2"
 }
 

@@ -85,7 +85,7 @@ sed 's/thickness_1 =.*/profile_1 = layer.csv/; s/end = 2/end = 1/' \
     dent.ini >layer.ini
 expect 0 "$OVERROLL" run layer.ini -o layer.h5 -q
 "$OVERROLL" export layer.h5 >history.txt
-awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /^supply/) c = i }
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /^supply /) c = i }
          NR == 2 { first = $c } { last = $c }
          END { exit !(first > 0.0755 && first < 0.0757 &&
                       last > 0.0503 && last < 0.0505) }' history.txt ||
