@@ -157,10 +157,10 @@ typedef struct ovr_run_info {
                                    the end; NAN: b/R is not known */
     double unbearable_share;    /* of the nodes there: above 0.1, which no oil
                                    carries */
-    int pass, passes;         /* of several: under way, all; 0: there are none;
-                                 what stands above is of this one */
-    const char *passes_file;  /* with a row for each, OUT.h5; output is that of
-                                 the pass, OUT-1.h5 */
+    int pass, passes;        /* of several: under way, all; 0: there are none;
+                                what stands above is of this one */
+    const char *passes_file; /* with a row for each, OUT.h5; output is that of
+                                the pass, OUT-1.h5 */
     long marked; /* steps accepted above the tolerance, of all passes */
 } ovr_run_info;
 OVR_API const ovr_run_info *ovr_run_about(const ovr_run *run);
