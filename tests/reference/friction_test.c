@@ -327,6 +327,61 @@ static void constant_sliding_is_that_of_the_contact(void **state)
     ovr_history_free(V);
 }
 
+/* The paper's smoother comes to the same film. */
+static void smoothers_agree(void **state)
+{
+    ovr_observation o[2];
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        test_contact c = test_contact_make(20, 10);
+        ovr_options options = test_options();
+        ovr_flow_form form = ovr_flow_form_default();
+        ovr_error err = {0};
+        options.level = 6;
+        options.tolerance = 1e-9;
+        options.smoother = k ? OVR_HYBRID : OVR_LINE;
+        c.contact.u1_ratio = 1.25;
+        c.contact.u2_ratio = 0.75;
+        form.rheology = OVR_EYRING;
+        form.number = 0.334;
+        CHECK_OK(ovr_lubricant_flow(&c.contact, &form, &c.lubricant, &err),
+                 &err);
+        ovr_simulation *sim = ovr_simulation_create(&c.contact, &c.lubricant,
+                                                    &options, NULL, &err);
+        CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+        o[k] = *ovr_simulation_observation(sim);
+        ovr_simulation_free(sim);
+    }
+    CHECK_CLOSE(o[1].H_cen, o[0].H_cen, 1e-9);
+    CHECK_CLOSE(o[1].F_slide, o[0].F_slide, 1e-9);
+}
+
+/* Beyond SRR 2 the surfaces run against each other: a bump on the one that
+ * comes back, seen with the surfaces exchanged. */
+static void opposite_surfaces_are_exchanged(void **state)
+{
+    ovr_observation last[2];
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        double S = k ? 3 : -3;
+        test_feature bump = {'l', 0.03, 0.5, 1.2, -0.5, 0};
+        ovr_simulation *sim = made(20, 10, 6, S, 0.334, 0);
+        ovr_error err = {0};
+        ovr_simulation_surface(sim, test_feature_heights, &bump);
+        CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+        double smooth = ovr_simulation_observation(sim)->H_cen;
+        for (int step = 0; step < 200; step++)
+            CHECK_OK(ovr_simulation_step(sim, 0.012, &err), &err);
+        last[k] = *ovr_simulation_observation(sim);
+        assert_true(fabs(last[k].H_cen / smooth - 1) > 0.02);
+        assert_int_equal(ovr_simulation_statistics(sim)->marked, 0);
+        ovr_simulation_free(sim);
+    }
+    assert_true(last[0].H_cen == last[1].H_cen);
+    assert_true(last[0].F_1 == last[1].F_2 && last[0].F_2 == last[1].F_1);
+    assert_true(last[0].F_slide == -last[1].F_slide && last[0].F_slide > 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -339,6 +394,8 @@ int main(void)
         cmocka_unit_test(steady_power_is_dissipated),
         cmocka_unit_test(rolling_friction_is_of_second_order),
         cmocka_unit_test(sliding_changes_sign),
+        cmocka_unit_test(smoothers_agree),
+        cmocka_unit_test(opposite_surfaces_are_exchanged),
         cmocka_unit_test(constant_sliding_is_that_of_the_contact),
         cmocka_unit_test(signs_follow_the_surfaces),
         cmocka_unit_test(coefficients_need_the_ratio)};
