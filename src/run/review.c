@@ -182,19 +182,6 @@ static void warn_of_sliding(const review *r)
             slip);
 }
 
-/* Below it heat flows along the surface too. */
-static void warn_of_heat(const review *r)
-{
-    const ovr_heat *heat = r->setup->heat;
-    for (int k = 0; heat && k < 2; k++)
-        if (heat->peclet[k] < heat->least_peclet)
-            say(r, OVR_SAY_WARNING,
-                "heat: surface %d has the Peclet number %.3g; a steady "
-                "solution takes it as %g, below which heat would flow along "
-                "the surface too",
-                k + 1, heat->peclet[k], heat->least_peclet);
-}
-
 /* The usual inlet lies farther out, or does not because of a feature. */
 static void say_inlet(const review *r)
 {
@@ -233,7 +220,7 @@ static void before(const review *r, bool transient)
     say_moved(r);
     warn_of_start(r);
     warn_of_sliding(r);
-    warn_of_heat(r);
+    ovr_review_peclet(r->setup, r->say, r->data);
     say_inlet(r);
     say_level(r);
     ovr_review_supply(r->setup, r->say, r->data);
@@ -379,18 +366,6 @@ static void warn_of_extremes(const review *r, const ovr_statistics *total)
     warn_of_cycles(r, total);
 }
 
-/* Laws of viscosity and temperature are measured over some hundred kelvins. */
-static void warn_of_rise(const review *r, const ovr_simulation *sim)
-{
-    const double most = 100;
-    double rise = ovr_simulation_statistics(sim)->T_rise;
-    if (rise > most)
-        say(r, OVR_SAY_WARNING,
-            "heat: the film is up to %.3g K hotter than the supply, further "
-            "than laws of viscosity are measured",
-            rise);
-}
-
 static double lambda_ratio(const ovr_run *run, double H_cen)
 {
     const ovr_surfaces *surfaces = run->setup->surfaces;
@@ -428,7 +403,7 @@ void ovr_run_review_after(ovr_run *run)
         warn_of_inlet(&r, state, H_cen);
     warn_of_extremes(&r, ovr_simulation_statistics(sim));
     warn_of_unrest(&r, state->T, ovr_simulation_statistics(sim)->settled);
-    warn_of_rise(&r, sim);
+    ovr_run_review_heat(run);
     run->info.lambda_ratio = lambda_ratio(run, H_cen);
     if (state->n && H_cen > 0)
         ovr_run_shear(run);

@@ -99,6 +99,16 @@ refuses 'given in \[lubricant\] too' check hot.ini \
 expect 0 "$OVERROLL" check hot.ini --set 'contact.mean_speed=0.1 m/s'
 contains err 'Peclet number'
 
+# Slow in time alone; a surface that turns round comes in where it went out
+expect 0 "$OVERROLL" check run.ini --set contact.mean_speed='8 m/s'
+grep Peclet err && fail 'both surfaces are fast'
+expect 0 "$OVERROLL" check run.ini --set contact.mean_speed='8 m/s' \
+    --set sliding.to=1.95
+contains err 'surface 2 has the Peclet number .* at T = 1'
+
+expect 0 "$OVERROLL" steady hot.ini --set domain.inlet=-1.05
+contains err 'domain is too short for it to leave: surface 1 comes in at the inlet'
+
 # Far beyond what laws are measured for it converges, and says so.
 expect 0 "$OVERROLL" steady hot.ini --set 'contact.mean_speed=8.7 m/s' \
     --set contact.slide_to_roll=1.5 --set 'lubricant.eyring_stress=15 MPa'
