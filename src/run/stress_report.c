@@ -265,6 +265,9 @@ static void add_attributes(storage *s, const ovr_setup *setup,
     add_number(s, "Z_R_max", r->Z_R_max);
     if (!r->fatigue)
         return;
+    add_text(s, "note",
+             "elastic, plane strain; exponents and limit are conventions, and "
+             "no length or life holds but from its depth down");
     add_text(s, "criterion", ovr_criterion_name(o->criterion));
     add_number(s, "alpha", o->alpha);
     add_number(s, "limit", r->limit);
