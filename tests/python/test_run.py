@@ -219,3 +219,19 @@ def test_no_result_file():
         ovr.open("text.h5")
     with pytest.raises(ovr.BadInput):
         ovr.resume("none.h5")
+
+
+def test_passes():
+    """Each pass is a simulation of its own, all are one run."""
+    seen = []
+    case = ovr.Case(M=20, L=10, level=4, cavitation_model="conserving",
+                    passes_number=3, loss=0.2)
+    ds = ovr.run(case, "out.h5", surface=lambda T, X: 0 * X,
+                 observe=lambda s: seen.append((s.pass_number, s.H_cen)))
+    assert [number for number, _ in seen] == [1, 2, 3]
+    np.testing.assert_allclose(ds.supply_ratio[1:], [0.8, 0.64], rtol=1e-4)
+    np.testing.assert_allclose([H for _, H in seen],
+                               ds.central_film_thickness)
+    assert list(ds.file.values) == ["out-1.h5", "out-2.h5", "out-3.h5"]
+    third = ovr.open(ds.file.values[2], group="history")
+    assert third.meniscus[0] == ds.meniscus[2]

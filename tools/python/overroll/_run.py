@@ -40,6 +40,12 @@ class State(Solution):
 
     def __init__(self, core: Any, info: Any) -> None:
         self._attach(core, info.sim, info.setup)
+        self._info = info
+
+    @property
+    def pass_number(self) -> int:
+        """Of several passes the one under way, from 1; 0: there are none."""
+        return int(getattr(self._info, "pass"))
 
 
 class _Watch:
@@ -55,11 +61,21 @@ class _Watch:
         self.heights = heights
         self.stopped = stopped
         self.settings = settings or {}
-        self.surfaces = ffi.NULL
         self.trouble: Optional[BaseException] = None
         self.info: Any = None
+        self.core: Any = None
         self.state: Optional[State] = None
         self.handle = ffi.new_handle(weakref.ref(self))
+
+    @property
+    def surfaces(self) -> Any:
+        """Features of the case; each of several passes has its own."""
+        return ffi.NULL if self.info is None else self.info.setup.surfaces
+
+    def follow(self) -> None:
+        """Shows the simulation of the pass under way."""
+        if self.state is not None and self.state._sim != self.info.sim:
+            self.state = State(self.core, self.info)
 
 
 @ffi.callback("bool(void *)", error=True, onerror=remember)
@@ -67,6 +83,7 @@ def _stop(data: Any) -> bool:
     watch = ffi.from_handle(data)()
     if watch.trouble is not None:
         return True
+    watch.follow()
     if watch.observe is not None:
         enough = watch.observe(watch.state)
         if isinstance(enough, (bool, np.bool_)) and enough:
@@ -93,8 +110,8 @@ def go(core: _RunCore, watch: _Watch) -> int:
     """Runs it; the status, or what the callbacks raised."""
     err = new_error()
     watch.info = lib.ovr_run_about(core.run)
+    watch.core = core
     watch.state = State(core, watch.info)
-    watch.surfaces = watch.info.setup.surfaces
     try:
         status = lib.ovr_run_go(core.run, err)
     finally:
@@ -161,7 +178,8 @@ def run(case: Union[Case, Path], output: Optional[Path] = None, *,
     Returns
     -------
     xarray.Dataset
-        See `overroll.open`.
+        See `overroll.open`; of a case with several passes their rows, whose
+        `file` names the results.
 
     Raises
     ------
@@ -188,7 +206,8 @@ def _finished(core: _RunCore) -> "xarray.Dataset":
     from ._xarray import open
     info = lib.ovr_run_about(core.run)
     warn(core)
-    return open(ffi.string(info.output).decode("utf-8", "surrogateescape"))
+    path = info.passes_file if info.passes else info.output
+    return open(ffi.string(path).decode("utf-8", "surrogateescape"))
 
 
 def resume(path: Path, *, force: bool = False, progress: Progress = None,

@@ -45,7 +45,8 @@ def _variable(v: Any, name: str, path: str) -> xarray.Variable:
         dims = [name]
     else:
         dims = [dim[0].name.rsplit("/", 1)[1] for dim in v.dims]
-    return xarray.Variable(dims, v[()], _attributes(v), {"source": path})
+    values = v[()] if v.dtype.kind != "O" else v.asstr()[()]
+    return xarray.Variable(dims, values, _attributes(v), {"source": path})
 
 
 def _group(path: str, group: Optional[str]) -> xarray.Dataset:
@@ -55,7 +56,7 @@ def _group(path: str, group: Optional[str]) -> xarray.Dataset:
     with h5py.File(path, "r") as file:
         at = file[group] if group else file
         names = [name for name, v in at.items()
-                 if isinstance(v, h5py.Dataset) and v.dtype.kind in "fiub"]
+                 if isinstance(v, h5py.Dataset) and v.dtype.kind in "fiubO"]
         found = {name: _variable(at[name], name, path) for name in names}
         ds = xarray.Dataset(found, attrs=_attributes(at))
     ds.encoding["source"] = path
