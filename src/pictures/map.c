@@ -2,7 +2,8 @@
 /*
  * Position against time, the colour a field: moving features become slanted
  * lines, whose slope is their speed.  The field is brought onto an even grid
- * of about one cell a pixel, linear between nodes and between snapshots.
+ * of about one cell a pixel, linear between nodes and between snapshots.  Where
+ * a starved film begins, its meniscus, is a line over it.
  */
 #include <math.h>
 #include <stdio.h>
@@ -206,6 +207,34 @@ static ovr_status make_panel(const ovr_drawing *s, map *m, ovr_panel *panel,
     return OVR_OK;
 }
 
+/* The meniscus at each step, where the history has it. */
+static ovr_status add_meniscus(const ovr_drawing *s, const map *m,
+                               ovr_panel *panel, ovr_error *err)
+{
+    const ovr_stored *run = m->run;
+    double x = m->x_to != 0 ? panel->x_to / m->x_to : panel->x_from / m->x_from;
+    double T = panel->y_to / m->T_to;
+    ovr_series *line;
+    if (!ovr_result_find(run->result, "history/meniscus"))
+        return OVR_OK;
+    line = ovr_arena_take(s->arena, 1, sizeof *line, err);
+    if (!line)
+        return OVR_NO_MEMORY;
+    *line = (ovr_series){.label = "where the film begins",
+                         .n = run->info->steps,
+                         .x_factor = x,
+                         .factor = T,
+                         .colour = OVR_RED,
+                         .width = 1.6};
+    line->x = ovr_stored_history(run, "meniscus", run->by.x, s->arena, err);
+    line->y = line->x
+                  ? ovr_stored_history(run, "time", run->by.time, s->arena, err)
+                  : NULL;
+    panel->series = line;
+    panel->count = 1;
+    return line->y ? OVR_OK : OVR_IO;
+}
+
 static bool known_field(const ovr_stored *run, const char *name)
 {
     for (size_t k = 0; k < ovr_result_fields(run->result); k++)
@@ -239,6 +268,8 @@ ovr_status ovr_draw_map(const ovr_drawing *s, ovr_chart *chart, ovr_error *err)
         status = fill(&m, s->arena, err);
     if (status == OVR_OK)
         status = make_panel(s, &m, panel, err);
+    if (status == OVR_OK)
+        status = add_meniscus(s, &m, panel, err);
     if (status == OVR_OK)
         *chart = (ovr_chart){.title = o->title ? o->title : run->info->title,
                              .width = o->width > 0 ? o->width : 1280,

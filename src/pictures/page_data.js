@@ -46,7 +46,7 @@ async function runOf(made) {
   const run = { made, nodes: made.nodes, shots: made.snapshots };
   run.x = doublesOf(made.x);
   run.time = doublesOf(made.time);
-  for (const name of ["P", "H", "S"])
+  for (const name of ["P", "H", "S", "F"])
     if (made[name]) run[name] = await fieldOf(made[name], run.nodes, run.shots);
   if (made.stress) run.stress = await stressOf(made.stress, run.shots);
   run.history = {};

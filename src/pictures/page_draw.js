@@ -247,6 +247,21 @@ function drawCurve(c, box, run, a, b, f, valueAt, look) {
   c.stroke();
 }
 
+// Oil as high as it stands on either wall, half of it on each.
+function drawOil(c, box, run, a, b, k, u) {
+  const half = (i) => run.F.at(k, i) * run.H.at(k, i) / 2;
+  for (const [from, to] of [[() => 0, half],
+    [(i) => run.H.at(k, i) - half(i), (i) => run.H.at(k, i)]]) {
+    const Y = (v) => Math.max(box.y - 4 * box.h, box.Y(v * u.h.f));
+    c.beginPath();
+    for (let i = a; i < b; i++) c.lineTo(box.X(run.x[i] * u.x.f), Y(from(i)));
+    for (let i = b; i-- > a;) c.lineTo(box.X(run.x[i] * u.x.f), Y(to(i)));
+    c.closePath();
+    c.fillStyle = colour["film-area"];
+    c.fill();
+  }
+}
+
 function drawHertz(c, box, u) {
   c.beginPath();
   for (let k = 0; k <= 90; k++) {
@@ -294,10 +309,12 @@ function drawRun(view) {
     drawHertz(c, upper, u);
   });
   clipped(c, lower, () => {
+    const oil = run.H && run.F;
+    if (oil) drawOil(c, lower, run, a, b, k, u);
     if (run.H)
       drawCurve(c, lower, run, a, b, u.x.f, (i) => run.H.at(k, i) * u.h.f,
-        { area: colour["film-area"], line: colour.film, base: 0,
-          width: 2 });
+        { area: oil ? "transparent" : colour["film-area"], line: colour.film,
+          base: 0, width: 2 });
     if (run.S && l.bottom < 0)
       drawCurve(c, lower, run, a, b, u.x.f,
         (i) => (run.S.at(k, i) - ranges.high - l.gap) * u.h.f,
@@ -315,7 +332,8 @@ function drawRun(view) {
   if (rough) drawBar(c, lower, l);
   drawLegend(c, upper, [["pressure", colour.pressure],
     ["Hertzian", colour.hertz, true]]);
-  drawLegend(c, lower, [["film", colour.film]].concat(
+  drawLegend(c, lower, [[run.F ? "film, its oil shaded" : "film", colour.film,
+    false, "film"]].concat(
     rough ? [["roughness (undeformed)", colour.rough, false, "roughness"]]
       : []));
   if (state.pointed) drawPointer(c, view, k);

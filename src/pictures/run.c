@@ -91,7 +91,7 @@ ovr_status ovr_shot_make(ovr_shot *shot, const ovr_stored *run,
                          ovr_arena *arena, ovr_error *err)
 {
     size_t n = run->info->nodes;
-    double *block = ovr_arena_take(arena, 4 * n, sizeof *block, err);
+    double *block = ovr_arena_take(arena, 6 * n, sizeof *block, err);
     if (!block)
         return OVR_NO_MEMORY;
     *shot = (ovr_shot){.run = run};
@@ -99,6 +99,8 @@ ovr_status ovr_shot_make(ovr_shot *shot, const ovr_stored *run,
     shot->H = run->film ? block + n : NULL;
     shot->S = run->roughness ? block + 2 * n : NULL;
     shot->oil = run->filling ? block + 3 * n : NULL;
+    shot->hung = block + 4 * n;
+    shot->wall = block + 5 * n;
     return OVR_OK;
 }
 
@@ -129,8 +131,10 @@ ovr_status ovr_shot_read(ovr_shot *shot, size_t k, ovr_error *err)
                             err);
     if (status == OVR_OK)
         status = read_field(shot, "filling", 1, shot->oil, err);
-    for (size_t i = 0; shot->oil && i < shot->run->info->nodes; i++)
-        shot->oil[i] *= shot->H[i];
+    for (size_t i = 0; shot->oil && i < shot->run->info->nodes; i++) {
+        shot->oil[i] *= 0.5 * shot->H[i];
+        shot->hung[i] = shot->H[i] - shot->oil[i];
+    }
     return status;
 }
 

@@ -44,7 +44,9 @@ typedef struct ovr_shot {
     size_t k;
     double T;
     double *P, *H, *S;
-    double *oil; /* its height in the film, of runs that conserve it */
+    /* of runs that conserve oil, half of which lies on each wall: up to `oil`,
+     * and from `hung` up to H; `wall` is 0 */
+    double *oil, *hung, *wall;
 } ovr_shot;
 
 ovr_status ovr_shot_make(ovr_shot *shot, const ovr_stored *run,

@@ -187,15 +187,19 @@ static void add_pressure(const ovr_snapshot_style *look, const ovr_shot *shot,
     series[panel->count++] = s;
 }
 
-/* Oil as high as it stands, where the gap is not full of it. */
+/* Oil as high as it stands on either wall, where the gap is not full of it. */
 static void add_oil(const ovr_snapshot_style *look, const ovr_shot *shot,
                     ovr_series *series, ovr_panel *panel)
 {
-    ovr_series s = curve(look, shot, shot->oil, look->H.factor);
-    s.label = "oil";
-    s.colour = OVR_AMBER;
-    s.mark = OVR_MARK_AREA;
-    series[panel->count++] = s;
+    const double *const from[] = {shot->wall, shot->hung};
+    const double *const to[] = {shot->oil, shot->H};
+    for (int k = 0; k < 2; k++) {
+        ovr_series s = curve(look, shot, from[k], look->H.factor);
+        s.to = curve(look, shot, to[k], look->H.factor).y;
+        s.colour = OVR_AMBER;
+        s.mark = OVR_MARK_BAND;
+        series[panel->count++] = s;
+    }
 }
 
 static void add_film(const ovr_snapshot_style *look, const ovr_shot *shot,
@@ -207,8 +211,11 @@ static void add_film(const ovr_snapshot_style *look, const ovr_shot *shot,
         add_oil(look, shot, series, panel);
     if (shot->H) {
         s = curve(look, shot, shot->H, look->H.factor);
-        s.label = as->alone ? "film thickness" : shot->P ? NULL : as->label;
-        s.colour = oil ? OVR_STEEL : as->alone ? OVR_AMBER : as->as.colour;
+        s.label = oil         ? "film thickness, its oil shaded"
+                  : as->alone ? "film thickness"
+                  : shot->P   ? NULL
+                              : as->label;
+        s.colour = as->alone ? OVR_AMBER : as->as.colour;
         s.mark = oil ? OVR_MARK_LINE : as->alone ? OVR_MARK_AREA : as->as.mark;
         series[panel->count++] = s;
     }

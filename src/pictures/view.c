@@ -155,10 +155,12 @@ static ovr_status put_fields(writer *w, ovr_error *err)
 {
     static const field fields[] = {{"P", "pressure", false},
                                    {"H", "film_thickness", true},
-                                   {"S", "roughness", false}};
-    const bool there[] = {w->run->pressure, w->run->film, w->run->roughness};
+                                   {"S", "roughness", false},
+                                   {"F", "filling", false}};
+    const bool there[] = {w->run->pressure, w->run->film, w->run->roughness,
+                          w->run->filling};
     ovr_status status = OVR_OK;
-    for (int k = 0; status == OVR_OK && k < 3; k++)
+    for (int k = 0; status == OVR_OK && k < 4; k++)
         if (there[k])
             status = put_field(w, &fields[k], err);
     return status;
