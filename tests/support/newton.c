@@ -29,30 +29,36 @@ dense *dense_make(double M, double L, int level, ovr_scheme scheme)
     bool second = scheme == OVR_UPSTREAM2;
     d->contact = test_contact_make(M, L);
     d->X_a = -4;
-    d->D = 5.5 / (double)(n - 1);
     d->w[0] = second ? 1.5 : 1;
     d->w[1] = second ? -2 : -1;
     d->w[2] = second ? 0.5 : 0;
     d->first[0] = 1;
     d->first[1] = -1;
     d->force = acos(0);
-    double **all[] = {&d->X, &d->gap, &d->F, &d->P, &d->H, &d->q, &d->kernel};
+    double **all[] = {&d->X, &d->gap,    &d->F,   &d->P,  &d->H,
+                      &d->q, &d->kernel, &d->rho, &d->eta};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         *all[k] = take(n);
-    for (size_t i = 0; i < n; i++) {
+    dense_outlet(d, 1.5);
+    d->H0 = ovr_film_central_moes(M, L) - 0.6;
+    return d;
+}
+
+void dense_outlet(dense *d, double X_b)
+{
+    d->D = (X_b - d->X_a) / (double)(d->n - 1);
+    for (size_t i = 0; i < d->n; i++) {
         double X = d->X[i] = d->X_a + (double)i * d->D;
         d->gap[i] = 0.5 * X * X;
         d->P[i] = X * X < 1 ? sqrt(1 - X * X) : 0;
         d->kernel[i] = influence((double)i, d->D);
     }
-    d->H0 = ovr_film_central_moes(M, L) - 0.6;
-    return d;
 }
 
 void dense_free(dense *d)
 {
-    double *all[] = {d->X, d->gap, d->F,      d->P,
-                     d->H, d->q,   d->kernel, (double *)d};
+    double *all[] = {d->X, d->gap,    d->F,   d->P,   d->H,
+                     d->q, d->kernel, d->rho, d->eta, (double *)d};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         free(all[k]);
 }
@@ -63,6 +69,12 @@ void dense_surface(dense *d, const double *S)
         d->gap[i] = 0.5 * d->X[i] * d->X[i] - S[i];
 }
 
+static void properties(dense *d, size_t i)
+{
+    d->rho[i] = ovr_density(&d->contact.lubricant, d->P[i]);
+    d->eta[i] = ovr_viscosity(&d->contact.lubricant, d->P[i]);
+}
+
 static void film(dense *d)
 {
     for (size_t i = 0; i < d->n; i++) {
@@ -70,14 +82,15 @@ static void film(dense *d)
         for (size_t j = 0; j < d->n; j++)
             w += d->kernel[i > j ? i - j : j - i] * d->P[j];
         d->H[i] = d->H0 + d->gap[i] - w;
-        d->q[i] = ovr_density(&d->contact.lubricant, d->P[i]) * d->H[i];
+        properties(d, i);
+        d->q[i] = d->rho[i] * d->H[i];
     }
 }
 
 static double eps(const dense *d, size_t i)
 {
     const test_contact *c = &d->contact;
-    double eta = ovr_viscosity(&c->lubricant, d->P[i]);
+    double eta = d->eta[i];
     if (d->thickening)
         eta *= d->thickening(d->H[i]);
     return d->q[i] * d->H[i] * d->H[i] / (eta * c->contact.lambda);
@@ -103,12 +116,31 @@ static double load_defect(const dense *d)
     return d->force - d->D * sum;
 }
 
-static void residuals(dense *d, double *r)
+static void equations(dense *d, double *r)
 {
-    film(d);
     for (size_t i = 1; i + 1 < d->n; i++)
         r[i - 1] = -equation(d, i);
     r[d->n - 2] = load_defect(d);
+}
+
+/* The equations where unknown c is larger by h, and back: the film is linear
+ * in it. */
+static void nudge(dense *d, size_t c, double h, double *r)
+{
+    bool pressure = c + 2 < d->n;
+    double *unknown = pressure ? &d->P[c + 1] : &d->H0, kept = *unknown;
+    for (int back = 0; back < 2; back++, h = -h) {
+        *unknown = back ? kept : kept + h;
+        if (pressure)
+            properties(d, c + 1);
+        for (size_t i = 0; i < d->n; i++) {
+            size_t away = i > c + 1 ? i - c - 1 : c + 1 - i;
+            d->H[i] += pressure ? -h * d->kernel[away] : h;
+            d->q[i] = d->rho[i] * d->H[i];
+        }
+        if (!back)
+            equations(d, r);
+    }
 }
 
 /* One Newton step of the complementarity problem; rows of dry nodes that do
@@ -119,13 +151,11 @@ static double newton_step(dense *d, gsl_matrix *J, gsl_vector *x,
     size_t m = d->n - 1;
     int sign;
     double biggest = 0, step = 1;
-    residuals(d, r);
+    film(d);
+    equations(d, r);
     for (size_t c = 0; c < m; c++) {
-        double *unknown = c + 1 < m ? &d->P[c + 1] : &d->H0;
-        double kept = *unknown, h = 1e-7;
-        *unknown = kept + h;
-        residuals(d, moved);
-        *unknown = kept;
+        const double h = 1e-7;
+        nudge(d, c, h, moved);
         for (size_t i = 0; i < m; i++)
             gsl_matrix_set(J, i, c, (moved[i] - r[i]) / h);
     }
@@ -148,7 +178,8 @@ static double newton_step(dense *d, gsl_matrix *J, gsl_vector *x,
     return biggest;
 }
 
-void dense_solve(dense *d)
+/* The last step's change. */
+static double solve(dense *d, int most)
 {
     size_t m = d->n - 1;
     gsl_matrix *J = gsl_matrix_alloc(m, m);
@@ -156,13 +187,23 @@ void dense_solve(dense *d)
     gsl_permutation *p = gsl_permutation_alloc(m);
     double *r = take(m), *moved = take(m), change = 1;
     int step = 0;
-    while (change > 1e-9 && step++ < 100)
+    while (change > 1e-9 && step++ < most)
         change = newton_step(d, J, x, p, r, moved);
-    CHECK_NEAR(change, 0, 1e-9);
     film(d);
     free(r);
     free(moved);
     gsl_permutation_free(p);
     gsl_vector_free(x);
     gsl_matrix_free(J);
+    return change;
+}
+
+void dense_solve(dense *d)
+{
+    CHECK_NEAR(solve(d, 100), 0, 1e-9);
+}
+
+bool dense_converges(dense *d, int most)
+{
+    return solve(d, most) <= 1e-9;
 }

@@ -19,6 +19,7 @@ typedef struct dense {
     double force;          /* wanted D sum P */
     double *X, *gap, *F;   /* gap X^2/2 - S, history term */
     double *P, *H, *q;     /* solution */
+    double *rho, *eta;
     double H0;
     double *kernel;                 /* K/pi at 0..n-1 meshes */
     double (*thickening)(double H); /* factor on the viscosity, or NULL */
@@ -27,10 +28,16 @@ typedef struct dense {
 dense *dense_make(double M, double L, int level, ovr_scheme scheme);
 void dense_free(dense *d);
 
+/* Another end of the domain; before a surface is set. */
+void dense_outlet(dense *d, double X_b);
+
 /* Sets gap = X^2/2 - S. */
 void dense_surface(dense *d, const double *S);
 
 /* Newton from the P and H0 it has; fails the test if it does not converge. */
 void dense_solve(dense *d);
+
+/* Whether so many steps of it are enough. */
+bool dense_converges(dense *d, int most);
 
 #endif
