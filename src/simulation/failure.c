@@ -35,6 +35,24 @@ bool ovr_surfaces_apart(const ovr_simulation *sim)
     return sim->grids.kernels->positive(sim->now.n, sim->now.H);
 }
 
+bool ovr_below_rounding(const ovr_simulation *sim, const ovr_defect *defect)
+{
+    double least = ovr_negligible_tolerance(sim, ovr_mesh(sim), defect->centre);
+    return sim->options.tolerance > 0 && sim->options.tolerance < least &&
+           ovr_below(*defect, least);
+}
+
+static ovr_status rounding(const ovr_simulation *sim, const ovr_defect *defect,
+                           ovr_error *err)
+{
+    return ovr_fail(
+        err, OVR_NOT_CONVERGED,
+        "tolerance = %.1e is below rounding on this grid: R ends "
+        "at %.1e; the solution is there, one of %.1e is met",
+        sim->options.tolerance, defect->imbalance,
+        ovr_negligible_tolerance(sim, ovr_mesh(sim), defect->centre));
+}
+
 static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
 {
     double rise = ovr_inlet_rise(sim), D = inlet_mesh(sim);
@@ -83,6 +101,8 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
     bool fixed = sim->options.stop == OVR_STOP_FIXED;
     if (fixed && sim->refinements > 0 && ovr_surfaces_apart(sim))
         return too_few_cycles(sim, err);
+    if (ovr_below_rounding(sim, &outcome->defect))
+        return rounding(sim, &outcome->defect, err);
     if (inlet_mesh(sim) > resolved * ovr_inlet_rise(sim))
         return too_thin(sim, err);
     if (surfaces_overlap(sim, &outcome->defect))

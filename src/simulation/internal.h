@@ -163,6 +163,10 @@ bool ovr_mesh_too_coarse(const ovr_simulation *sim);
 /* H > 0 at every node of what was read last. */
 bool ovr_surfaces_apart(const ovr_simulation *sim);
 
+/* The tolerance asked for is below the rounding of R, and R as small as it
+ * gets. */
+bool ovr_below_rounding(const ovr_simulation *sim, const ovr_defect *defect);
+
 /* How often a step is halved. */
 enum { OVR_HALVINGS = 4 };
 
