@@ -5,7 +5,7 @@
 
 static void no_step_fails(void **state)
 {
-    test_histories all = test_histories_run(5, 20, false);
+    test_histories all = test_histories_run(5, 10, false);
     (void)state;
     assert_int_equal(all.refused, 0);
 }

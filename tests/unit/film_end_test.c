@@ -2,6 +2,8 @@
 /* Loads and speeds whose films end now here, now many nodes farther: runs that
  * gave up before film ends were moved in one pass and the dry test was in the
  * unit of its rows. */
+#include <string.h>
+
 #include "support/contact.h"
 #include "support/test.h"
 
@@ -95,11 +97,27 @@ static void loads_that_jump(void **state)
     run(&(swing){200, 10, 1.5, 0.1, jump_to(0.5), 0}, 15, 20);
 }
 
+/* The solution is there, and what it lacks is said. */
+static void a_tolerance_below_rounding(void **state)
+{
+    ovr_options o = test_options();
+    ovr_error err = {0};
+    (void)state;
+    o.level = 7;
+    o.tolerance = 1e-15;
+    ovr_simulation *sim = test_simulation(20, 10, &o);
+    assert_int_equal(ovr_simulation_steady(sim, &err), OVR_NOT_CONVERGED);
+    assert_non_null(strstr(err.message, "below rounding"));
+    CHECK_CLOSE(ovr_simulation_observation(sim)->H_cen, 0.0842, 2e-3);
+    ovr_simulation_free(sim);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(loads_that_failed),
         cmocka_unit_test(loads_that_jump),
+        cmocka_unit_test(a_tolerance_below_rounding),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
