@@ -102,10 +102,12 @@ ovr_status cli_passes_export(const ovr_table *passes, cli_table_form form,
 {
     cli_table *table = calloc(1, sizeof *table);
     const ovr_table_column *c;
-    ovr_status status = table ? OVR_OK
-                              : ovr_fail(err, OVR_NO_MEMORY, "out of memory");
-    if (table)
-        table->rows = ovr_table_rows(passes);
+    ovr_status status = OVR_OK;
+    if (!table) {
+        ovr_fail(err, OVR_NO_MEMORY, "out of memory");
+        return OVR_NO_MEMORY;
+    }
+    table->rows = ovr_table_rows(passes);
     for (size_t k = 0; !status && (c = ovr_table_at(passes, k)); k++) {
         double *values = c->text ? NULL
                                  : cli_table_add(table, c->name,
@@ -119,8 +121,7 @@ ovr_status cli_passes_export(const ovr_table *passes, cli_table_form form,
         cli_table_heads(table, form, to);
         cli_table_rows(table, form, to);
     }
-    if (table)
-        cli_table_clear(table);
+    cli_table_clear(table);
     free(table);
     return status;
 }

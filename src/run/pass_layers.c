@@ -62,13 +62,16 @@ static ovr_status read_history(ovr_result *result, ovr_arena *arena,
 {
     ovr_status status = OVR_OK;
     h->n = ovr_result_about(result)->steps;
-    if (!h->n)
-        return ovr_fail(err, OVR_BAD_INPUT, "has no row of its history");
+    if (!h->n) {
+        ovr_fail(err, OVR_BAD_INPUT, "has no row of its history");
+        return OVR_BAD_INPUT;
+    }
     for (int k = 0; !status && k < HISTORIES; k++) {
         h->of[k] = ovr_arena_take(arena, h->n, sizeof **h->of, err);
-        status = h->of[k] ? ovr_result_history(result, names[k], OVR_HERTZIAN,
-                                               h->of[k], err)
-                          : OVR_NO_MEMORY;
+        if (!h->of[k])
+            return OVR_NO_MEMORY;
+        status = ovr_result_history(result, names[k], OVR_HERTZIAN, h->of[k],
+                                    err);
     }
     return status;
 }

@@ -93,6 +93,28 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /^supply /) c = i }
 refuses 'profile_1: .*thickness_1 is given too' \
     check layer.ini --set supply.thickness_1=0.1
 
+# A layer goes by as fast as its surface, which [sliding] may say too
+supplies() {
+    "$OVERROLL" export "$1" | awk -F, '
+        NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /^supply /) c = i }
+        NR > 1 { printf "%.10g\n", $c }'
+}
+expect 0 "$OVERROLL" run layer.ini -o 1.h5 -q --set contact.slide_to_roll=0.5
+expect 0 "$OVERROLL" run layer.ini -o 2.h5 -q --set sliding.history=step \
+    --set sliding.from=0.5 --set sliding.to=0.5
+supplies 1.h5 >1.txt
+supplies 2.h5 >2.txt
+supplies layer.h5 >3.txt
+cmp 1.txt 2.txt || fail 'the supply does not see [sliding]'
+! cmp -s 1.txt 3.txt || fail 'the supply does not see slide_to_roll'
+
+# What is said of it
+expect 0 "$OVERROLL" check dent.ini --set supply.thickness_1=0.3
+contains err 'a film of 0.325 arrives, of which the contact takes only some'
+contains err 'smears it out: take level 8'
+expect 0 "$OVERROLL" steady steady.ini --set domain.inlet=-1.3
+contains err 'begins at X = -1.1.*, closer to the inlet at -1.3 .*move the inlet'
+
 # Runs of the Reynolds equation know nothing of it
 sed '/supply/,/thickness_2/d; s/conserving/reynolds/; s/end = 2/end = 0.1/' \
     dent.ini >plain.ini
