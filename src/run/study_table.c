@@ -218,6 +218,16 @@ static bool is_place(const char *about)
     return about && strchr(about, '.') && !strchr(about, ' ');
 }
 
+/* A stranger's text reaches terminals: no control does. */
+static const char *plain(ovr_table *t, const char *text)
+{
+    char *copy = ovr_arena_text(&t->arena, text, NULL);
+    for (char *c = copy; c && *c; c++)
+        if ((unsigned char)*c < 0x20 || *c == 0x7f)
+            *c = ' ';
+    return copy;
+}
+
 static bool add_variable(ovr_table *t, ovr_container *c, const ovr_link *link)
 {
     ovr_table_column *to = &t->column[t->columns];
@@ -238,17 +248,19 @@ static bool add_variable(ovr_table *t, ovr_container *c, const ovr_link *link)
             number[i] = NAN;
     }
     *to = (ovr_table_column){ovr_arena_text(&t->arena, link->name, NULL),
-                             unit && strcmp(unit, "1") != 0 ? unit : "",
+                             unit && strcmp(unit, "1") != 0 ? plain(t, unit)
+                                                            : "",
                              is_place(about), number, text};
     t->columns++;
-    return good && to->name;
+    return good && to->name && to->unit;
 }
 
 static bool find_axis(ovr_container *c, const char *name, ovr_dataset *axis)
 {
     uint64_t object;
     return ovr_container_find(c, c->root, name, &object) &&
-           ovr_container_dataset(c, object, axis) && axis->rank == 1;
+           ovr_container_dataset(c, object, axis) && axis->rank == 1 &&
+           axis->shape[0] <= c->source.bytes;
 }
 
 /* All over one dimension: `case`, whose numbers say nothing, or `pass`. */

@@ -76,9 +76,23 @@ static void read_history(ovr_result *r, const ovr_result_info *about)
     free(values);
 }
 
+/* The rows of several passes, or of a study. */
+static void read_table(size_t size)
+{
+    ovr_error err = {0};
+    ovr_table *table = ovr_table_read(path, &err);
+    if (!table && (!err.message[0] || strpbrk(err.message, "\n\r")))
+        abort();
+    if (table && ovr_table_rows(table) > size)
+        abort();
+    ovr_table_free(table);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     ovr_error err = {0};
+    if (size > 4 && !memcmp(data + 1, "HDF", 3) && put(data, size))
+        read_table(size);
     ovr_result *r = put(data, size) ? ovr_result_open(path, NULL, &err) : NULL;
     if (!r && (!err.message[0] || strpbrk(err.message, "\n\r")))
         abort();
