@@ -66,13 +66,24 @@ static ovr_status add_lines(const ovr_table *t, const line *lines, size_t count,
     return OVR_OK;
 }
 
+/* Nothing passed: the least film is the mean one. */
+static bool is_steady(const ovr_table *t)
+{
+    const ovr_table_column *least = named(t, "least_central_film_thickness");
+    const ovr_table_column *mean = named(t, "central_film_thickness");
+    for (size_t i = 0; least && mean && i < ovr_table_rows(t); i++)
+        if (least->number[i] < (1 - 1e-6) * mean->number[i])
+            return false;
+    return true;
+}
+
 static ovr_status draw(const ovr_table *t, const ovr_figure_options *o,
                        ovr_arena *arena, ovr_error *err)
 {
     static const line films[] = {
         {"central_film_thickness", "central film, mean", OVR_AMBER},
-        {"least_central_film_thickness", "central film, least", OVR_RED},
-        {"min_film_thickness", "minimum film", OVR_BLUE}};
+        {"min_film_thickness", "minimum film", OVR_BLUE},
+        {"least_central_film_thickness", "central film, least", OVR_RED}};
     static const line menisci[] = {
         {"meniscus", "where the film begins", OVR_STEEL}};
     double rows = (double)ovr_table_rows(t);
@@ -91,7 +102,8 @@ static ovr_status draw(const ovr_table *t, const ovr_figure_options *o,
                        .columns = 1,
                        .share_x = true,
                        .panel = panel};
-    status = add_lines(t, films, 3, OVR_KIND_HEIGHT, &panel[0], arena, err);
+    status = add_lines(t, films, is_steady(t) ? 2 : 3, OVR_KIND_HEIGHT,
+                       &panel[0], arena, err);
     if (!status)
         status = add_lines(t, menisci, 1, OVR_KIND_LENGTH, &panel[1], arena,
                            err);

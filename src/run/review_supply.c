@@ -52,7 +52,7 @@ void ovr_review_meniscus(const ovr_simulation *sim, ovr_listener *say,
         return;
     snprintf(text, sizeof text,
              "the film begins at X = %.3g, closer to the inlet at %.3g than "
-             "coarse grids resolve: move the inlet out",
+             "coarse grids resolve: move it out",
              X, o->inlet);
     say(data, OVR_SAY_WARNING, text);
 }

@@ -113,7 +113,7 @@ expect 0 "$OVERROLL" check dent.ini --set supply.thickness_1=0.3
 contains err 'a film of 0.325 arrives, of which the contact takes only some'
 contains err 'smears it out: take level 8'
 expect 0 "$OVERROLL" steady steady.ini --set domain.inlet=-1.3
-contains err 'begins at X = -1.1.*, closer to the inlet at -1.3 .*move the inlet'
+contains err 'begins at X = -1.1.*, closer to the inlet at -1.3 .*move it out'
 
 # Runs of the Reynolds equation know nothing of it
 sed '/supply/,/thickness_2/d; s/conserving/reynolds/; s/end = 2/end = 0.1/' \
