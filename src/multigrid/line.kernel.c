@@ -79,7 +79,7 @@ static inline void dipoles(const unsigned char *wet, ptrdiff_t J,
                            const vec A[7], vec b[5])
 {
     for (ptrdiff_t d = 0; d < 5; d++)
-        b[d] = choose(in_set(wet, J + d - 2), A[d + 1] - A[d], A[d + 1]);
+        b[d] = A[d + 1] - choose(in_set(wet, J + d - 2), A[d], all(0));
 }
 
 /* Dry rows hold P_i: exactly in time, delta_i = 0 when steady. */

@@ -56,24 +56,26 @@ static inline vec weighted_residual(const vec r[3], const ivec wet[3])
 static void restrict_lanes(ptrdiff_t S, const ovr_fields *f, double *Pc,
                            double *entry, double *Hc, double *rc)
 {
-    vec P[3] = {at(f->P, -1)}, r[3] = {at(f->r, -1)};
-    ivec wet[3] = {in_set(f->wet, -1)};
+    const double *fine_P = f->P, *fine_r = f->r, *H = f->H;
+    const unsigned char *set = f->wet;
+    vec P[3] = {at(fine_P, -1)}, r[3] = {at(fine_r, -1)};
+    ivec wet[3] = {in_set(set, -1)};
     for (ptrdiff_t J = 0; J < S; J++) {
         for (ptrdiff_t k = 1; k < 3; k++) {
-            P[k] = at(f->P, 2 * J - 1 + k);
-            r[k] = at(f->r, 2 * J - 1 + k);
-            wet[k] = in_set(f->wet, 2 * J - 1 + k);
+            P[k] = at(fine_P, 2 * J - 1 + k);
+            r[k] = at(fine_r, 2 * J - 1 + k);
+            wet[k] = in_set(set, 2 * J - 1 + k);
         }
         vec here = weighted_pressure(P, wet);
         put(Pc, J, here);
         put(entry, J, here);
         put(rc, J, weighted_residual(r, wet));
-        put(Hc, J, at(f->H, 2 * J));
+        put(Hc, J, at(H, 2 * J));
         P[0] = P[2];
         r[0] = r[2];
         wet[0] = wet[2];
     }
-    put(Hc, S, at(f->H, 2 * S));
+    put(Hc, S, at(H, 2 * S));
     for (ptrdiff_t J = -OVR_HALO; J < 0; J++)
         put(Hc, J, lanes_up(at(Hc, J), at(Hc, S + J)));
 }
@@ -126,23 +128,27 @@ void OVR_KERNEL(coarse_side)(const ovr_lanes *g, const double *residual,
     }
 }
 
-static inline void correct_vector(const ovr_fields *f, ptrdiff_t J, vec change)
+static inline void correct_vector(double *P, const unsigned char *wet,
+                                  ptrdiff_t J, vec change)
 {
-    vec P = at(f->P, J);
-    put(f->P, J, choose(in_set(f->wet, J), larger(P + change, all(0)), P));
+    vec here = at(P, J);
+    put(P, J, choose(in_set(wet, J), larger(here + change, all(0)), here));
 }
 
 static void correct_lanes(ptrdiff_t S, double factor, const double *Pc,
-                          const double *entry, const ovr_fields *f)
+                          const double *entry, double *P,
+                          const unsigned char *wet)
 {
     vec first = factor * (at(Pc, 0) - at(entry, 0)), left = first, right;
-    for (ptrdiff_t J = 0; J < S; J++) {
-        right = J == S - 1 ? lanes_down(first, all(0))
-                           : factor * (at(Pc, J + 1) - at(entry, J + 1));
-        correct_vector(f, 2 * J, left);
-        correct_vector(f, 2 * J + 1, 0.5 * (left + right));
+    for (ptrdiff_t J = 0; J < S - 1; J++) {
+        right = factor * (at(Pc, J + 1) - at(entry, J + 1));
+        correct_vector(P, wet, 2 * J, left);
+        correct_vector(P, wet, 2 * J + 1, 0.5 * (left + right));
         left = right;
     }
+    right = lanes_down(first, all(0));
+    correct_vector(P, wet, 2 * S - 2, left);
+    correct_vector(P, wet, 2 * S - 1, 0.5 * (left + right));
 }
 
 static void correct_nodes(const ovr_lanes *coarse, const ovr_lanes *fine,
@@ -166,7 +172,7 @@ void OVR_KERNEL(correct)(const ovr_lanes *coarse, const ovr_lanes *fine,
                          const ovr_fields *f)
 {
     if (fine->S == 2 * coarse->S)
-        correct_lanes((ptrdiff_t)coarse->S, factor, Pc, entry, f);
+        correct_lanes((ptrdiff_t)coarse->S, factor, Pc, entry, f->P, f->wet);
     else
         correct_nodes(coarse, fine, factor, Pc, entry, f);
 }

@@ -207,8 +207,16 @@ static inline ivec in_set(const unsigned char *set, ptrdiff_t J)
 #if VEC == 8
     return (ivec)_mm512_movm_epi64(set[J]);
 #elif VEC == 4
-    const ivec bit = {1, 2, 4, 8};
-    return ((int64_t)set[J] & bit) != 0;
+#define LANES(m)                                                               \
+    {                                                                          \
+        -((m)&1), -((m) >> 1 & 1), -((m) >> 2 & 1), -((m) >> 3)                \
+    }
+    static const ivec masks[16] = {LANES(0),  LANES(1),  LANES(2),  LANES(3),
+                                   LANES(4),  LANES(5),  LANES(6),  LANES(7),
+                                   LANES(8),  LANES(9),  LANES(10), LANES(11),
+                                   LANES(12), LANES(13), LANES(14), LANES(15)};
+#undef LANES
+    return masks[set[J]];
 #else
     return (ivec){-(set[J] & 1), -(set[J] >> 1)};
 #endif
