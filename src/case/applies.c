@@ -5,10 +5,17 @@
 #include "case/case.h"
 
 /* `other` of the same section, or of the plain section `of`, must be one of
- * the values, set apart by blanks; "*": given. */
+ * the values, set apart by blanks; "*": given.  Without a section: of any that
+ * has a history. */
 static const struct condition {
     const char *section, *key, *of, *other, *values;
 } conditions[] = {
+    {NULL, "from", NULL, "history", "ramp step"},
+    {NULL, "to", NULL, "history", "ramp step"},
+    {NULL, "start", NULL, "history", "ramp step sine"},
+    {NULL, "duration", NULL, "history", "ramp"},
+    {NULL, "amplitude", NULL, "history", "sine"},
+    {NULL, "time_unit", NULL, "history", "table"},
     {"lubricant", "p0", NULL, "viscosity_law", "roelands"},
     {"lubricant", "z", NULL, "viscosity_law", "roelands"},
     {"heat", "points", NULL, "model", "lobatto"},
@@ -23,37 +30,13 @@ static const struct condition {
     {"time", "error", NULL, "end", "*"},
     {"time", "error", NULL, "step", "adaptive"},
     {"load", "history", "time", "end", "*"},
-    {"load", "from", NULL, "history", "ramp step"},
-    {"load", "to", NULL, "history", "ramp step"},
-    {"load", "start", NULL, "history", "ramp step sine"},
-    {"load", "duration", NULL, "history", "ramp"},
-    {"load", "amplitude", NULL, "history", "sine"},
-    {"load", "time_unit", NULL, "history", "table"},
     {"speed", "history", "time", "end", "*"},
-    {"speed", "from", NULL, "history", "ramp step"},
-    {"speed", "to", NULL, "history", "ramp step"},
-    {"speed", "start", NULL, "history", "ramp step sine"},
-    {"speed", "duration", NULL, "history", "ramp"},
-    {"speed", "amplitude", NULL, "history", "sine"},
-    {"speed", "time_unit", NULL, "history", "table"},
     {"sliding", "history", "time", "end", "*"},
-    {"sliding", "from", NULL, "history", "ramp step"},
-    {"sliding", "to", NULL, "history", "ramp step"},
-    {"sliding", "start", NULL, "history", "ramp step sine"},
-    {"sliding", "duration", NULL, "history", "ramp"},
-    {"sliding", "amplitude", NULL, "history", "sine"},
-    {"sliding", "time_unit", NULL, "history", "table"},
     {"supply", "thickness_1", NULL, "model", "film"},
     {"supply", "thickness_2", NULL, "model", "film"},
     {"supply", "waiting", NULL, "model", "film"},
     {"supply", "history", NULL, "model", "film"},
     {"supply", "history", "time", "end", "*"},
-    {"supply", "from", NULL, "history", "ramp step"},
-    {"supply", "to", NULL, "history", "ramp step"},
-    {"supply", "start", NULL, "history", "ramp step sine"},
-    {"supply", "duration", NULL, "history", "ramp"},
-    {"supply", "amplitude", NULL, "history", "sine"},
-    {"supply", "time_unit", NULL, "history", "table"},
     {"passes", "number", "cavitation", "model", "conserving"},
     {"passes", "split", NULL, "number", "*"},
     {"passes", "loss", NULL, "number", "*"},
@@ -94,18 +77,33 @@ static bool is_one_of(const char *text, const char *values)
     return false;
 }
 
+static bool has_key(const ovr_block *block, const char *key)
+{
+    for (size_t k = 0; k < block->count; k++)
+        if (!strcmp(block->slots[k].key, key))
+            return true;
+    return false;
+}
+
+static bool is_about(const struct condition *w, const ovr_block *block,
+                     const char *key)
+{
+    if (strcmp(w->key, key) != 0)
+        return false;
+    return w->section ? !strcmp(w->section, block->section->name)
+                      : has_key(block, w->other);
+}
+
 bool ovr_key_applies(const ovr_case *c, const ovr_block *block, const char *key)
 {
     size_t n = sizeof conditions / sizeof *conditions;
     for (size_t k = 0; k < n; k++) {
         const struct condition *w = &conditions[k];
-        const ovr_block *in = w->of ? ovr_case_find_block(c, w->of, NULL)
-                                    : block;
         const ovr_slot *slot;
-        if (strcmp(w->section, block->section->name) != 0 ||
-            strcmp(w->key, key) != 0)
+        if (!is_about(w, block, key))
             continue;
-        slot = ovr_block_get(in, w->other);
+        slot = ovr_block_get(
+            w->of ? ovr_case_find_block(c, w->of, NULL) : block, w->other);
         if (*w->values == '*'
                 ? !slot->given
                 : !slot->text || !is_one_of(slot->text, w->values))
