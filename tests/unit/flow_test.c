@@ -1,38 +1,32 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Flow of films that shear thin: Eyring's law against quadrature over the film,
  * its derivatives against differences, the kernels beside the plain one. */
+#include <gsl/gsl_integration.h>
 #include <math.h>
 
 #include "multigrid/flow.h"
 #include "support/kernels.h"
 #include "support/test.h"
 
-/* Gauss-Legendre on [-1, 1] by Newton's method on the polynomial. */
+/* Gauss-Legendre on [-1, 1], by GSL's tables. */
 enum { GAUSS = 48 };
 static void gauss(double s[GAUSS], double w[GAUSS])
 {
-    for (int k = 0; k < GAUSS; k++) {
-        double x = cos(acos(-1) * (k + 0.75) / (GAUSS + 0.5)), slope = 1;
-        for (int step = 0; step < 60; step++) {
-            double p = 1, before = 0;
-            for (int j = 0; j < GAUSS; j++) {
-                double next = ((2 * j + 1) * x * p - j * before) / (j + 1);
-                before = p;
-                p = next;
-            }
-            slope = GAUSS * (before - x * p) / (1 - x * x);
-            x -= p / slope;
-        }
-        s[k] = x;
-        w[k] = 2 / ((1 - x * x) * slope * slope);
-    }
+    gsl_integration_glfixed_table *table = gsl_integration_glfixed_table_alloc(
+        GAUSS);
+    assert_non_null(table);
+    for (size_t k = 0; k < GAUSS; k++)
+        gsl_integration_glfixed_point(-1, 1, k, &s[k], &w[k], table);
+    gsl_integration_glfixed_table_free(table);
 }
 
 /* int s^m sinh(a + g s) ds */
 static double moment(double a, double g, int m)
 {
-    double s[GAUSS], w[GAUSS], sum = 0;
-    gauss(s, w);
+    static double s[GAUSS], w[GAUSS];
+    double sum = 0;
+    if (w[0] == 0)
+        gauss(s, w);
     for (int k = 0; k < GAUSS; k++)
         sum += w[k] * (m ? s[k] : 1) * sinh(a + g * s[k]);
     return sum;
