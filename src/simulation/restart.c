@@ -4,15 +4,63 @@
  * just made stay how it was solved, and the totals.  The domain is among them
  * for who makes the simulation again. */
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 
 #include "simulation/heat_in_time.h"
 
-typedef struct part {
+/* The numbers, wherever a simulation has them. */
+#define PART(name, member)                                                     \
+    {                                                                          \
+        name, offsetof(ovr_simulation, member),                                \
+            sizeof(((ovr_simulation *)0)->member)                              \
+    }
+static const struct {
     const char *name;
-    void *memory;
-    size_t bytes;
-} part;
+    size_t offset, bytes;
+} parts[] = {PART("H0_past", past.H0),
+             PART("T_past", past.T),
+             PART("dT", past.dT),
+             PART("steps_past", past.steps),
+             PART("still", past.still),
+             PART("dT_next", past.dT_next),
+             PART("change", past.change),
+             PART("step", state.step),
+             PART("T", state.T),
+             PART("time_step", observation.dT),
+             PART("residual", observation.residual),
+             PART("cycles", observation.cycles),
+             PART("retries", observation.retries),
+             PART("converged", observation.converged),
+             PART("marked", observation.marked),
+             PART("total_steps", statistics.steps),
+             PART("total_cycles", statistics.cycles),
+             PART("total_retries", statistics.retries),
+             PART("total_substeps", statistics.substeps),
+             PART("total_marked", statistics.marked),
+             PART("least_film", statistics.H_min),
+             PART("least_film_place", statistics.X_H_min),
+             PART("least_film_time", statistics.T_H_min),
+             PART("largest_pressure", statistics.P_max),
+             PART("largest_pressure_place", statistics.X_P_max),
+             PART("largest_pressure_time", statistics.T_P_max),
+             PART("largest_load_error", statistics.load_error),
+             PART("largest_load_error_time", statistics.T_load_error),
+             PART("largest_sliding_friction", statistics.mu_slide),
+             PART("largest_sliding_friction_time", statistics.T_mu_slide),
+             PART("largest_rise", statistics.T_rise),
+             PART("largest_rise_1", statistics.T_1_rise),
+             PART("largest_rise_2", statistics.T_2_rise),
+             PART("largest_energy_defect", statistics.energy_defect),
+             PART("settled", statistics.settled),
+             PART("inlet", options.inlet),
+             PART("outlet", options.outlet),
+             PART("level", options.level),
+             PART("oil_waiting", arrival.waiting),
+             PART("inlet_closed", arrival.closed),
+             PART("flooded_film", arrival.flooded),
+    PART("flooded_flow", arrival.flow),
+             PART("mass_defect", observation.mass_defect)};
 
 static ovr_status visit_past(ovr_simulation *sim, ovr_visit *visit,
                              void *context, ovr_error *err)
@@ -57,65 +105,14 @@ static ovr_status visit_corrections(ovr_simulation *sim, ovr_visit *visit,
 ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
                                 void *context, ovr_error *err)
 {
-    ovr_past *past = &sim->past;
-    ovr_observation *o = &sim->observation;
-    ovr_statistics *total = &sim->statistics;
     ovr_status status = visit_past(sim, visit, context, err);
     if (!status)
         status = visit_corrections(sim, visit, context, err);
     if (!status && sim->heated)
         status = ovr_heat_visit(sim, visit, context, err);
-#define PART(name, member)                                                     \
-    {                                                                          \
-        name, &(member), sizeof(member)                                        \
-    }
-    const part parts[] = {
-        PART("H0_past", past->H0),
-        PART("T_past", past->T),
-        PART("dT", past->dT),
-        PART("steps_past", past->steps),
-        PART("still", past->still),
-        PART("dT_next", past->dT_next),
-        PART("change", past->change),
-        PART("step", sim->state.step),
-        PART("T", sim->state.T),
-        PART("time_step", o->dT),
-        PART("residual", o->residual),
-        PART("cycles", o->cycles),
-        PART("retries", o->retries),
-        PART("converged", o->converged),
-        PART("marked", o->marked),
-        PART("total_steps", total->steps),
-        PART("total_cycles", total->cycles),
-        PART("total_retries", total->retries),
-        PART("total_substeps", total->substeps),
-        PART("total_marked", total->marked),
-        PART("least_film", total->H_min),
-        PART("least_film_place", total->X_H_min),
-        PART("least_film_time", total->T_H_min),
-        PART("largest_pressure", total->P_max),
-        PART("largest_pressure_place", total->X_P_max),
-        PART("largest_pressure_time", total->T_P_max),
-        PART("largest_load_error", total->load_error),
-        PART("largest_load_error_time", total->T_load_error),
-        PART("largest_sliding_friction", total->mu_slide),
-        PART("largest_sliding_friction_time", total->T_mu_slide),
-        PART("largest_rise", total->T_rise),
-        PART("largest_rise_1", total->T_1_rise),
-        PART("largest_rise_2", total->T_2_rise),
-        PART("largest_energy_defect", total->energy_defect),
-        PART("settled", total->settled),
-        PART("inlet", sim->options.inlet),
-        PART("outlet", sim->options.outlet),
-        PART("level", sim->options.level),
-        PART("oil_waiting", sim->arrival.waiting),
-        PART("inlet_closed", sim->arrival.closed),
-        PART("flooded_film", sim->arrival.flooded),
-        PART("flooded_flow", sim->arrival.flow),
-        PART("mass_defect", o->mass_defect)};
     for (size_t k = 0; !status && k < sizeof parts / sizeof *parts; k++)
-        status = visit(context, parts[k].name, parts[k].memory, parts[k].bytes,
-                       err);
+        status = visit(context, parts[k].name, (char *)sim + parts[k].offset,
+                       parts[k].bytes, err);
     return status;
 }
 
