@@ -152,20 +152,10 @@ static size_t count_missing(size_t n, const double *z)
 }
 
 /* Missing heights at the ends are cut off, those between bridged. */
-static ovr_status close_gaps(ovr_profile *p, const ovr_conditioning *how,
-                             size_t *n, ovr_error *err)
+/* Cuts off the ends that have no height. */
+static ovr_status cut_ends(ovr_profile *p, size_t *n, ovr_error *err)
 {
-    size_t first = 0, last = *n, missing = count_missing(*n, p->z), filled;
-    double length, where, most = how->max_gap;
-    if (!missing)
-        return OVR_OK;
-    if ((double)missing > how->max_missing * (double)*n)
-        return ovr_about(
-            err, "max_missing",
-            ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                        "%zu of %zu heights are missing, more than %s = %g",
-                        missing, *n, ovr_named(p, "max_missing").text,
-                        how->max_missing));
+    size_t first = 0, last = *n;
     while (first < last && isnan(p->z[first]))
         first++;
     while (last > first && isnan(p->z[last - 1]))
@@ -178,6 +168,25 @@ static ovr_status close_gaps(ovr_profile *p, const ovr_conditioning *how,
         ovr_profile_note(p, "%zu points without height cut off at the ends",
                          *n - (last - first));
     *n = last - first;
+    return OVR_OK;
+}
+
+static ovr_status close_gaps(ovr_profile *p, const ovr_conditioning *how,
+                             size_t *n, ovr_error *err)
+{
+    size_t missing = count_missing(*n, p->z), filled;
+    double length, where, most = how->max_gap;
+    if (!missing)
+        return OVR_OK;
+    if ((double)missing > how->max_missing * (double)*n)
+        return ovr_about(
+            err, "max_missing",
+            ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                        "%zu of %zu heights are missing, more than %s = %g",
+                        missing, *n, ovr_named(p, "max_missing").text,
+                        how->max_missing));
+    if (cut_ends(p, n, err))
+        return OVR_BAD_INPUT;
     if (isnan(most))
         most = 0.05 * (p->x[*n - 1] - p->x[0]);
     ovr_longest_gap(*n, p->x, p->z, &length, &where);
