@@ -266,12 +266,13 @@ static ovr_status risk_panel(const history *h, ovr_panel *panel, ovr_error *err)
     return status;
 }
 
-ovr_status ovr_draw_risk(const ovr_drawing *s, ovr_chart *chart, ovr_error *err)
+ovr_status ovr_draw_risk(const ovr_drawing *drawing, ovr_chart *chart,
+                         ovr_error *err)
 {
-    const ovr_picture_options *o = s->options;
-    history h = {.s = s, .surface = o->surface ? o->surface : 1};
-    ovr_panel *panel = ovr_arena_take(s->arena, 3, sizeof *panel, err);
-    char *note = ovr_arena_take(s->arena, 200, 1, err);
+    const ovr_picture_options *o = drawing->options;
+    history h = {.s = drawing, .surface = o->surface ? o->surface : 1};
+    ovr_panel *panel = ovr_arena_take(drawing->arena, 3, sizeof *panel, err);
+    char *note = ovr_arena_take(drawing->arena, 200, 1, err);
     size_t rows = 0;
     if (!panel || !note)
         return OVR_NO_MEMORY;
@@ -289,7 +290,8 @@ ovr_status ovr_draw_risk(const ovr_drawing *s, ovr_chart *chart, ovr_error *err)
         "worst R %.3g p_h at %.3g b, %.3g b deep; smooth %.3g; from %.3g b "
         "down",
         h.worst, h.worst_xi, h.worst_z, largest_smooth(&h), h.least);
-    *chart = (ovr_chart){.title = o->title ? o->title : s->runs->info->title,
+    *chart = (ovr_chart){.title = o->title ? o->title
+                                           : drawing->runs->info->title,
                          .subtitle = note,
                          .width = o->width > 0 ? o->width : 1280,
                          .height = o->height > 0 ? o->height : 960,
@@ -313,50 +315,64 @@ static ovr_series over_depth(const history *h, const double *y,
                         .mark = mark};
 }
 
-ovr_status ovr_draw_depth(const ovr_drawing *s, ovr_chart *chart,
-                          ovr_error *err)
+/* The worst circle at each depth; NULL: no memory. */
+static double *worst_at_depths(const history *h, ovr_error *err)
 {
-    const ovr_picture_options *o = s->options;
-    history h = {.s = s, .surface = o->surface ? o->surface : 1};
-    ovr_panel *panel = ovr_arena_take(s->arena, 2, sizeof *panel, err);
-    ovr_series *series = ovr_arena_take(s->arena, 4, sizeof *series, err);
-    if (!panel || !series)
-        return OVR_NO_MEMORY;
-    if (read_history(&h, err))
-        return OVR_BAD_INPUT;
-    double *worst = ovr_arena_take(s->arena, h.depths, sizeof *worst, err);
-    if (!worst)
-        return OVR_NO_MEMORY;
-    for (size_t j = 0; j < h.depths; j++)
-        for (size_t k = 0; k < h.points; k++)
-            worst[j] = fmax(worst[j], h.R[j * h.points + k]);
-    series[0] = over_depth(&h, worst, "worst circle R / ph", OVR_RED,
+    double *worst = ovr_arena_take(h->s->arena, h->depths, sizeof *worst, err);
+    for (size_t j = 0; worst && j < h->depths; j++)
+        for (size_t k = 0; k < h->points; k++)
+            worst[j] = fmax(worst[j], h->R[j * h->points + k]);
+    return worst;
+}
+
+/* Circles above, equivalent lengths below, where there are any; how many. */
+static size_t depth_panels(const history *h, const double *worst,
+                           ovr_series *series, ovr_panel *panel)
+{
+    series[0] = over_depth(h, worst, "worst circle R / ph", OVR_RED,
                            OVR_MARK_LINE);
-    series[1] = over_depth(&h, h.smooth, "smooth contact", OVR_STEEL,
+    series[1] = over_depth(h, h->smooth, "smooth contact", OVR_STEEL,
                            OVR_MARK_DASHED);
     panel[0] = (ovr_panel){.x_label = "depth / b",
                            .y_label = "R / p_h",
-                           .x_from = h.z[0],
-                           .x_to = h.z[h.depths - 1],
+                           .x_from = h->z[0],
+                           .x_to = h->z[h->depths - 1],
                            .y_from = 0,
                            .y_to = NAN,
                            .log_x = true,
                            .count = 2,
                            .series = series};
-    size_t rows = 1;
-    if (h.length && isfinite(h.length[0])) {
-        series[2] = over_depth(&h, h.length,
-                               "equivalent length / b, counted from this depth "
-                               "down",
-                               OVR_BLUE, OVR_MARK_LINE);
-        panel[1] = panel[0];
-        panel[1].y_label = "equivalent length / b";
-        panel[1].y_from = NAN;
-        panel[1].count = 1;
-        panel[1].series = series + 2;
-        rows = 2;
-    }
-    *chart = (ovr_chart){.title = o->title ? o->title : s->runs->info->title,
+    if (!h->length || !isfinite(h->length[0]))
+        return 1;
+    series[2] = over_depth(h, h->length,
+                           "equivalent length / b, counted from this depth "
+                           "down",
+                           OVR_BLUE, OVR_MARK_LINE);
+    panel[1] = panel[0];
+    panel[1].y_label = "equivalent length / b";
+    panel[1].y_from = NAN;
+    panel[1].count = 1;
+    panel[1].series = series + 2;
+    return 2;
+}
+
+ovr_status ovr_draw_depth(const ovr_drawing *drawing, ovr_chart *chart,
+                          ovr_error *err)
+{
+    const ovr_picture_options *o = drawing->options;
+    history h = {.s = drawing, .surface = o->surface ? o->surface : 1};
+    ovr_panel *panel = ovr_arena_take(drawing->arena, 2, sizeof *panel, err);
+    ovr_series *series = ovr_arena_take(drawing->arena, 4, sizeof *series, err);
+    if (!panel || !series)
+        return OVR_NO_MEMORY;
+    if (read_history(&h, err))
+        return OVR_BAD_INPUT;
+    double *worst = worst_at_depths(&h, err);
+    if (!worst)
+        return OVR_NO_MEMORY;
+    size_t rows = depth_panels(&h, worst, series, panel);
+    *chart = (ovr_chart){.title = o->title ? o->title
+                                           : drawing->runs->info->title,
                          .width = o->width > 0 ? o->width : 1280,
                          .height = o->height > 0 ? o->height : 800,
                          .rows = rows,

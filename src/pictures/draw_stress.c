@@ -51,22 +51,24 @@ ovr_status ovr_stress_panel_add(ovr_depth_field *f, const ovr_shot *shot,
     return OVR_OK;
 }
 
-static ovr_status draw(const ovr_drawing *s, ovr_depth_field *f,
+static ovr_status draw(const ovr_drawing *drawing, ovr_depth_field *f,
                        ovr_chart *chart, ovr_error *err)
 {
-    const ovr_picture_options *o = s->options;
-    ovr_snapshot_style *look = ovr_arena_take(s->arena, 1, sizeof *look, err);
-    ovr_snapshot_chart *to = ovr_arena_take(s->arena, 1, sizeof *to, err);
-    ovr_shot *shot = ovr_arena_take(s->arena, 1, sizeof *shot, err);
-    ovr_extent extent = ovr_extent_make(f->x_from, f->x_to, s->runs, 1);
+    const ovr_picture_options *o = drawing->options;
+    ovr_snapshot_style *look = ovr_arena_take(drawing->arena, 1, sizeof *look,
+                                              err);
+    ovr_snapshot_chart *to = ovr_arena_take(drawing->arena, 1, sizeof *to, err);
+    ovr_shot *shot = ovr_arena_take(drawing->arena, 1, sizeof *shot, err);
+    ovr_extent extent = ovr_extent_make(f->x_from, f->x_to, drawing->runs, 1);
     size_t k = 0;
-    if (!look || !to || !shot || ovr_shot_make(shot, s->runs, s->arena, err))
+    if (!look || !to || !shot ||
+        ovr_shot_make(shot, drawing->runs, drawing->arena, err))
         return OVR_NO_MEMORY;
     if (o->time_count)
-        k = ovr_stored_nearest(s->runs, o->times[0]);
+        k = ovr_stored_nearest(drawing->runs, o->times[0]);
     else if (find_worst(f, &k, err))
         return OVR_BAD_INPUT;
-    for (size_t j = 0; j < s->runs->info->snapshots; j += 8) {
+    for (size_t j = 0; j < drawing->runs->info->snapshots; j += 8) {
         if (ovr_shot_read(shot, j, err))
             return OVR_BAD_INPUT;
         ovr_extent_add(&extent, shot);
@@ -74,32 +76,32 @@ static ovr_status draw(const ovr_drawing *s, ovr_depth_field *f,
     if (ovr_shot_read(shot, k, err))
         return OVR_BAD_INPUT;
     ovr_extent_add(&extent, shot);
-    if (ovr_snapshot_style_make(look, o, &extent, s->runs, 1, err))
+    if (ovr_snapshot_style_make(look, o, &extent, drawing->runs, 1, err))
         return OVR_BAD_INPUT;
     ovr_snapshot_draw(to, look, shot, 1, 1, NULL);
-    if (ovr_stress_panel_add(f, shot, look, to, s->arena, err))
+    if (ovr_stress_panel_add(f, shot, look, to, drawing->arena, err))
         return OVR_BAD_INPUT;
     *chart = to->chart;
     chart->height = o->height > 0 ? o->height : 960;
     return OVR_OK;
 }
 
-ovr_status ovr_draw_stress(const ovr_drawing *s, ovr_chart *chart,
+ovr_status ovr_draw_stress(const ovr_drawing *drawing, ovr_chart *chart,
                            ovr_error *err)
 {
-    const ovr_picture_options *o = s->options;
+    const ovr_picture_options *o = drawing->options;
     ovr_depth_field f;
     ovr_status status;
-    if (s->count > 1)
+    if (drawing->count > 1)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "a picture of stresses shows one result");
-    if (s->runs->info->snapshots < 1)
+    if (drawing->runs->info->snapshots < 1)
         return ovr_fail(err, OVR_BAD_INPUT, "the file holds no snapshot");
-    status = ovr_depth_field_make(&f, s->runs, o->field, o->log_depth,
+    status = ovr_depth_field_make(&f, drawing->runs, o->field, o->log_depth,
                                   o->surface ? o->surface : 1, o->x_from,
-                                  o->x_to, s->arena, err);
+                                  o->x_to, drawing->arena, err);
     if (!status)
-        status = draw(s, &f, chart, err);
+        status = draw(drawing, &f, chart, err);
     ovr_depth_field_free(&f);
     return status;
 }

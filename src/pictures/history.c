@@ -24,16 +24,16 @@ static double largest(const double *values, size_t n)
     return high;
 }
 
-static ovr_status time_axis(const ovr_drawing *s, ovr_panel *panel,
+static ovr_status time_axis(const ovr_drawing *drawing, ovr_panel *panel,
                             ovr_axis *axis, ovr_error *err)
 {
-    const ovr_stored *run = s->runs;
-    const ovr_picture_options *o = s->options;
+    const ovr_stored *run = drawing->runs;
+    const ovr_picture_options *o = drawing->options;
     double end = 0;
     double from = isnan(o->T_from) ? run->times[0] : o->T_from;
     double to;
     ovr_status status;
-    for (size_t k = 0; k < s->count; k++)
+    for (size_t k = 0; k < drawing->count; k++)
         end = fmax(end, run[k].times[run[k].info->snapshots - 1]);
     to = isnan(o->T_to) ? end : o->T_to;
     status = ovr_axis_make(OVR_KIND_TIME, run->result, o->units, fmax(to, from),
@@ -50,15 +50,15 @@ static ovr_status time_axis(const ovr_drawing *s, ovr_panel *panel,
 
 /* One run: a curve for each column; several: one for each run, told apart by
  * colour and dash, and the only column is named beside the axis. */
-static ovr_series series_of(const ovr_drawing *s, const ovr_stored *run,
+static ovr_series series_of(const ovr_drawing *drawing, const ovr_stored *run,
                             const column *c, double T_factor)
 {
-    size_t k = (size_t)(run - s->runs);
+    size_t k = (size_t)(run - drawing->runs);
     ovr_series series = {.n = run->info->steps,
                          .x_factor = T_factor,
                          .colour = c->colour,
                          .label = c->label};
-    if (s->count > 1) {
+    if (drawing->count > 1) {
         series.colour = ovr_curve_style_of(k).colour;
         series.mark = ovr_curve_style_of(k).mark;
         series.label = c->heads ? run->name : NULL;
@@ -67,56 +67,59 @@ static ovr_series series_of(const ovr_drawing *s, const ovr_stored *run,
 }
 
 /* Adds columns of every run to a panel whose time axis is set. */
-static ovr_status add_columns(const ovr_drawing *s, const column *columns,
+static ovr_status add_columns(const ovr_drawing *drawing, const column *columns,
                               size_t count, ovr_unit_kind kind, double T_factor,
                               ovr_panel *panel, ovr_error *err)
 {
-    ovr_series *series = ovr_arena_take(s->arena, count * s->count,
+    ovr_series *series = ovr_arena_take(drawing->arena, count * drawing->count,
                                         sizeof *series, err);
     double high = 0;
     ovr_axis y;
     ovr_status status;
     if (!series)
         return OVR_NO_MEMORY;
-    for (size_t k = 0; k < count * s->count; k++) {
-        const ovr_stored *run = &s->runs[k % s->count];
-        const column *c = &columns[k / s->count];
+    for (size_t k = 0; k < count * drawing->count; k++) {
+        const ovr_stored *run = &drawing->runs[k % drawing->count];
+        const column *c = &columns[k / drawing->count];
         double by = kind == OVR_KIND_PRESSURE ? run->by.pressure : run->by.film;
-        double *T = ovr_stored_history(run, "time", run->by.time, s->arena,
-                                       err);
-        double *v = T ? ovr_stored_history(run, c->name, by, s->arena, err)
+        double *T = ovr_stored_history(run, "time", run->by.time,
+                                       drawing->arena, err);
+        double *v = T ? ovr_stored_history(run, c->name, by, drawing->arena,
+                                           err)
                       : NULL;
         if (!v)
             return err ? err->status : OVR_IO;
         high = fmax(high, largest(v, run->info->steps));
-        series[k] = series_of(s, run, c, T_factor);
+        series[k] = series_of(drawing, run, c, T_factor);
         series[k].x = T;
         series[k].y = v;
     }
-    status = ovr_axis_make(kind, s->runs->result, s->options->units, high, &y,
-                           err);
-    for (size_t k = 0; k < count * s->count; k++)
+    status = ovr_axis_make(kind, drawing->runs->result, drawing->options->units,
+                           high, &y, err);
+    for (size_t k = 0; k < count * drawing->count; k++)
         series[k].factor = y.factor;
     panel->y_label = y.label;
     panel->y_from = 0;
-    panel->y_to = (s->count > 1 ? 1.3 : 1.08) * high * y.factor; /* a note */
+    panel->y_to = (drawing->count > 1 ? 1.3 : 1.08) * high *
+                  y.factor; /* a note */
     panel->ground = true;
     panel->series = series;
-    panel->count = count * s->count;
-    panel->note = s->count > 1 && count == 1 ? columns->label : NULL;
+    panel->count = count * drawing->count;
+    panel->note = drawing->count > 1 && count == 1 ? columns->label : NULL;
     return status;
 }
 
-static ovr_chart chart_of(const ovr_drawing *s, const ovr_panel *panels,
+static ovr_chart chart_of(const ovr_drawing *drawing, const ovr_panel *panels,
                           size_t rows, ovr_error *err)
 {
     enum { ROOM = 240 };
-    const ovr_picture_options *o = s->options;
-    char *heading = ovr_arena_take(s->arena, ROOM, 1, err);
+    const ovr_picture_options *o = drawing->options;
+    char *heading = ovr_arena_take(drawing->arena, ROOM, 1, err);
     if (heading)
-        ovr_heading(s->runs, s->count, heading, ROOM);
+        ovr_heading(drawing->runs, drawing->count, heading, ROOM);
     return (ovr_chart){.subtitle = heading,
-                       .title = o->title ? o->title : s->runs->info->title,
+                       .title = o->title ? o->title
+                                         : drawing->runs->info->title,
                        .width = o->width > 0 ? o->width : 1280,
                        .height = o->height > 0 ? o->height : 720,
                        .rows = rows,
@@ -126,31 +129,32 @@ static ovr_chart chart_of(const ovr_drawing *s, const ovr_panel *panels,
 }
 
 /* One result: both films in a panel; several: each in its own. */
-ovr_status ovr_draw_history(const ovr_drawing *s, ovr_chart *chart,
+ovr_status ovr_draw_history(const ovr_drawing *drawing, ovr_chart *chart,
                             ovr_error *err)
 {
     static const column columns[] = {
         {"central_film_thickness", "central film thickness", OVR_AMBER, true},
         {"min_film_thickness", "minimum film thickness", OVR_RED, false},
         {"max_pressure", "maximum pressure", OVR_BLUE, false}};
-    ovr_panel *panel = ovr_arena_take(s->arena, 3, sizeof *panel, err);
-    size_t films = s->count > 1 ? 2 : 1, k;
+    ovr_panel *panel = ovr_arena_take(drawing->arena, 3, sizeof *panel, err);
+    size_t films = drawing->count > 1 ? 2 : 1, k;
     ovr_axis T;
     ovr_status status = panel ? OVR_OK : OVR_NO_MEMORY;
     if (status == OVR_OK)
-        status = time_axis(s, panel, &T, err);
+        status = time_axis(drawing, panel, &T, err);
     for (k = 0; status == OVR_OK && k < films; k++) {
         panel[k + 1] = panel[0];
-        status = add_columns(s, columns + k, 3 - films, OVR_KIND_HEIGHT,
+        status = add_columns(drawing, columns + k, 3 - films, OVR_KIND_HEIGHT,
                              T.factor, &panel[k], err);
     }
     if (status == OVR_OK)
-        status = add_columns(s, columns + 2, 1, OVR_KIND_PRESSURE, T.factor,
-                             &panel[k], err);
-    for (k = 0; status == OVR_OK && s->options->H_to > 0 && k < films; k++)
-        panel[k].y_to = s->options->H_to * panel[k].series[0].factor;
+        status = add_columns(drawing, columns + 2, 1, OVR_KIND_PRESSURE,
+                             T.factor, &panel[k], err);
+    for (k = 0; status == OVR_OK && drawing->options->H_to > 0 && k < films;
+         k++)
+        panel[k].y_to = drawing->options->H_to * panel[k].series[0].factor;
     if (status == OVR_OK)
-        *chart = chart_of(s, panel, films + 1, err);
+        *chart = chart_of(drawing, panel, films + 1, err);
     return status;
 }
 
@@ -169,12 +173,12 @@ static double at_centre(const ovr_stored *run, const double *values)
     return values[i] + part * (values[i + 1] - values[i]);
 }
 
-static ovr_status roughness_there(const ovr_drawing *s, double *S,
+static ovr_status roughness_there(const ovr_drawing *drawing, double *S,
                                   ovr_error *err)
 {
-    const ovr_stored *run = s->runs;
+    const ovr_stored *run = drawing->runs;
     ovr_shot shot;
-    ovr_status status = ovr_shot_make(&shot, run, s->arena, err);
+    ovr_status status = ovr_shot_make(&shot, run, drawing->arena, err);
     shot.P = shot.H = NULL; /* not needed: not read */
     for (size_t k = 0; status == OVR_OK && k < run->info->snapshots; k++) {
         status = ovr_shot_read(&shot, k, err);
@@ -185,25 +189,27 @@ static ovr_status roughness_there(const ovr_drawing *s, double *S,
 }
 
 /* Of several results the first's is shown. */
-static const char *whose(const ovr_drawing *s, ovr_error *err)
+static const char *whose(const ovr_drawing *drawing, ovr_error *err)
 {
-    ovr_text text = ovr_text_make(s->arena);
+    ovr_text text = ovr_text_make(drawing->arena);
     ovr_text_put(&text, "roughness at x = 0 (undeformed)");
-    if (s->count > 1) {
+    if (drawing->count > 1) {
         ovr_text_put(&text, " of ");
-        ovr_text_put(&text, s->runs->name);
+        ovr_text_put(&text, drawing->runs->name);
     }
     ovr_text_add(&text, "", 1);
     return ovr_text_status(&text, err) == OVR_OK ? text.data : NULL;
 }
 
-static ovr_status add_roughness(const ovr_drawing *s, const ovr_panel *film,
-                                ovr_panel *panel, ovr_error *err)
+static ovr_status add_roughness(const ovr_drawing *drawing,
+                                const ovr_panel *film, ovr_panel *panel,
+                                ovr_error *err)
 {
-    const ovr_stored *run = s->runs;
-    double *S = ovr_arena_take(s->arena, run->info->snapshots, sizeof *S, err);
-    ovr_series *series = ovr_arena_take(s->arena, 1, sizeof *series, err);
-    ovr_status status = S && series ? roughness_there(s, S, err)
+    const ovr_stored *run = drawing->runs;
+    double *S = ovr_arena_take(drawing->arena, run->info->snapshots, sizeof *S,
+                               err);
+    ovr_series *series = ovr_arena_take(drawing->arena, 1, sizeof *series, err);
+    ovr_status status = S && series ? roughness_there(drawing, S, err)
                                     : OVR_NO_MEMORY;
     double factor = film->series->factor, low = 0, high = 0, room;
     for (size_t k = 0; status == OVR_OK && k < run->info->snapshots; k++) {
@@ -213,7 +219,7 @@ static ovr_status add_roughness(const ovr_drawing *s, const ovr_panel *film,
     if (status != OVR_OK)
         return status;
     room = fmax(0.12 * (high - low), 1e-3 * film->y_to / factor);
-    *series = (ovr_series){.label = whose(s, err),
+    *series = (ovr_series){.label = whose(drawing, err),
                            .n = run->info->snapshots,
                            .x = run->times,
                            .y = S,
@@ -234,23 +240,23 @@ static ovr_status add_roughness(const ovr_drawing *s, const ovr_panel *film,
     return OVR_OK;
 }
 
-ovr_status ovr_draw_trace(const ovr_drawing *s, ovr_chart *chart,
+ovr_status ovr_draw_trace(const ovr_drawing *drawing, ovr_chart *chart,
                           ovr_error *err)
 {
     static const column film[] = {
         {"central_film_thickness", "film thickness at x = 0", OVR_AMBER, true}};
-    ovr_panel *panel = ovr_arena_take(s->arena, 2, sizeof *panel, err);
-    bool rough = s->runs->roughness && !s->options->no_roughness;
+    ovr_panel *panel = ovr_arena_take(drawing->arena, 2, sizeof *panel, err);
+    bool rough = drawing->runs->roughness && !drawing->options->no_roughness;
     ovr_axis T;
     ovr_status status = panel ? OVR_OK : OVR_NO_MEMORY;
     if (status == OVR_OK)
-        status = time_axis(s, panel, &T, err);
+        status = time_axis(drawing, panel, &T, err);
     if (status == OVR_OK)
-        status = add_columns(s, film, 1, OVR_KIND_HEIGHT, T.factor, &panel[0],
-                             err);
+        status = add_columns(drawing, film, 1, OVR_KIND_HEIGHT, T.factor,
+                             &panel[0], err);
     if (status == OVR_OK && rough)
-        status = add_roughness(s, &panel[0], &panel[1], err);
+        status = add_roughness(drawing, &panel[0], &panel[1], err);
     if (status == OVR_OK)
-        *chart = chart_of(s, panel, rough ? 2 : 1, err);
+        *chart = chart_of(drawing, panel, rough ? 2 : 1, err);
     return status;
 }

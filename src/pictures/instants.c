@@ -110,20 +110,21 @@ static const char *what_is_there(const extremes *e, size_t k)
 
 /* Up to four, fewer where several results share the picture: the largest
  * pressure first. */
-static size_t room_for(const ovr_drawing *s)
+static size_t room_for(const ovr_drawing *drawing)
 {
-    size_t room = OVR_SHOTS / s->count;
+    size_t room = OVR_SHOTS / drawing->count;
     return room < 1 ? 1 : room < CHOSEN ? room : CHOSEN;
 }
 
-static ovr_status choose(const ovr_drawing *s, double *times,
+static ovr_status choose(const ovr_drawing *drawing, double *times,
                          const char **about, size_t *count, ovr_error *err)
 {
-    const ovr_stored *run = s->runs;
-    size_t chosen[CHOSEN], snapshots = run->info->snapshots, room = room_for(s);
+    const ovr_stored *run = drawing->runs;
+    size_t chosen[CHOSEN], snapshots = run->info->snapshots,
+                           room = room_for(drawing);
     extremes e;
     ovr_shot shot;
-    ovr_status status = ovr_shot_make(&shot, run, s->arena, err);
+    ovr_status status = ovr_shot_make(&shot, run, drawing->arena, err);
     if (status == OVR_OK)
         status = choose_passage(run, &shot, chosen, &e, err);
     if (status != OVR_OK)
@@ -151,50 +152,53 @@ static ovr_status choose(const ovr_drawing *s, double *times,
     return OVR_OK;
 }
 
-static ovr_status read_shots(const ovr_drawing *s, const double *times,
+static ovr_status read_shots(const ovr_drawing *drawing, const double *times,
                              size_t count, ovr_shot *shots, ovr_extent *extent,
                              ovr_error *err)
 {
     ovr_status status = OVR_OK;
-    for (size_t k = 0; status == OVR_OK && k < count * s->count; k++) {
-        const ovr_stored *run = &s->runs[k % s->count];
-        status = ovr_shot_make(&shots[k], run, s->arena, err);
+    for (size_t k = 0; status == OVR_OK && k < count * drawing->count; k++) {
+        const ovr_stored *run = &drawing->runs[k % drawing->count];
+        status = ovr_shot_make(&shots[k], run, drawing->arena, err);
         if (status == OVR_OK)
             status = ovr_shot_read(
-                &shots[k], ovr_stored_nearest(run, times[k / s->count]), err);
+                &shots[k], ovr_stored_nearest(run, times[k / drawing->count]),
+                err);
         if (status == OVR_OK)
             ovr_extent_add(extent, &shots[k]);
     }
     return status;
 }
 
-ovr_status ovr_draw_snapshots(const ovr_drawing *s, ovr_chart *chart,
+ovr_status ovr_draw_snapshots(const ovr_drawing *drawing, ovr_chart *chart,
                               ovr_error *err)
 {
-    const ovr_picture_options *o = s->options;
-    ovr_extent extent = ovr_extent_make(o->x_from, o->x_to, s->runs, s->count);
+    const ovr_picture_options *o = drawing->options;
+    ovr_extent extent = ovr_extent_make(o->x_from, o->x_to, drawing->runs,
+                                        drawing->count);
     double chosen[CHOSEN];
     const char *about[OVR_SHOTS] = {"", "", "", "", "", "", "", ""};
     const double *times = o->time_count ? o->times : chosen;
     size_t count = o->time_count;
     ovr_shot shots[OVR_SHOTS];
-    ovr_snapshot_chart *to = ovr_arena_take(s->arena, 1, sizeof *to, err);
-    ovr_snapshot_style *look = ovr_arena_take(s->arena, 1, sizeof *look, err);
+    ovr_snapshot_chart *to = ovr_arena_take(drawing->arena, 1, sizeof *to, err);
+    ovr_snapshot_style *look = ovr_arena_take(drawing->arena, 1, sizeof *look,
+                                              err);
     ovr_status status = to && look ? OVR_OK : OVR_NO_MEMORY;
     if (status == OVR_OK && count == 0)
-        status = choose(s, chosen, about, &count, err);
-    if (status == OVR_OK && count * s->count > OVR_SHOTS)
+        status = choose(drawing, chosen, about, &count, err);
+    if (status == OVR_OK && count * drawing->count > OVR_SHOTS)
         status = ovr_fail(err, OVR_BAD_INPUT,
                           "at most %d snapshots fit into a picture; %zu "
                           "instants of %zu results were asked for",
-                          OVR_SHOTS, count, s->count);
+                          OVR_SHOTS, count, drawing->count);
     if (status == OVR_OK)
-        status = read_shots(s, times, count, shots, &extent, err);
+        status = read_shots(drawing, times, count, shots, &extent, err);
     if (status == OVR_OK)
-        status = ovr_snapshot_style_make(look, o, &extent, s->runs, s->count,
-                                         err);
+        status = ovr_snapshot_style_make(look, o, &extent, drawing->runs,
+                                         drawing->count, err);
     if (status == OVR_OK) {
-        ovr_snapshot_draw(to, look, shots, count, s->count, about);
+        ovr_snapshot_draw(to, look, shots, count, drawing->count, about);
         *chart = to->chart;
     }
     return status;

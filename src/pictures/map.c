@@ -135,15 +135,16 @@ static double common_high(const map *m, double low, double high)
 
 /* A field whose kind has no symbol: in words, with a power of ten, so that the
  * numbers have few digits. */
-static ovr_status words(const ovr_drawing *s, const ovr_variable *v,
+static ovr_status words(const ovr_drawing *drawing, const ovr_variable *v,
                         double largest, ovr_axis *axis, ovr_error *err)
 {
     const ovr_observable *row = ovr_observable_field(v->name);
     const ovr_kind_info *kind = ovr_kind_about(v->kind);
-    bool si = s->options->units == OVR_SI ||
-              (s->options->units == OVR_AS_STORED && strcmp(v->unit, "1") != 0);
+    bool si = drawing->options->units == OVR_SI ||
+              (drawing->options->units == OVR_AS_STORED &&
+               strcmp(v->unit, "1") != 0);
     double scale = si ? v->scale : 1, power = floor(log10(largest * scale));
-    char *label = ovr_arena_take(s->arena, 160, 1, err), ten[24] = "";
+    char *label = ovr_arena_take(drawing->arena, 160, 1, err), ten[24] = "";
     if (!label)
         return OVR_NO_MEMORY;
     if (isnan(scale))
@@ -160,20 +161,20 @@ static ovr_status words(const ovr_drawing *s, const ovr_variable *v,
 }
 
 /* What the colours mean. */
-static ovr_status colour_axis(const ovr_drawing *s, const map *m,
+static ovr_status colour_axis(const ovr_drawing *drawing, const map *m,
                               double largest, ovr_axis *axis, ovr_error *err)
 {
     const ovr_variable *v = ovr_result_find(m->run->result, m->field);
     return ovr_axis_has(v->kind)
-               ? ovr_axis_make(v->kind, m->run->result, s->options->units,
+               ? ovr_axis_make(v->kind, m->run->result, drawing->options->units,
                                largest, axis, err)
-               : words(s, v, largest, axis, err);
+               : words(drawing, v, largest, axis, err);
 }
 
-static ovr_status make_panel(const ovr_drawing *s, map *m, ovr_panel *panel,
-                             ovr_error *err)
+static ovr_status make_panel(const ovr_drawing *drawing, map *m,
+                             ovr_panel *panel, ovr_error *err)
 {
-    const ovr_picture_options *o = s->options;
+    const ovr_picture_options *o = drawing->options;
     ovr_unit_kind kind = ovr_result_find(m->run->result, m->field)->kind;
     double low, high, highest, reach = fmax(fabs(m->x_from), fabs(m->x_to));
     ovr_axis x, T, v;
@@ -190,7 +191,7 @@ static ovr_status make_panel(const ovr_drawing *s, map *m, ovr_panel *panel,
         status = ovr_axis_make(OVR_KIND_TIME, m->run->result, o->units, m->T_to,
                                &T, err);
     if (status == OVR_OK)
-        status = colour_axis(s, m, fmax(fabs(low), fabs(high)), &v, err);
+        status = colour_axis(drawing, m, fmax(fabs(low), fabs(high)), &v, err);
     if (status != OVR_OK)
         return status;
     for (size_t c = 0; c < (size_t)CELLS_T * CELLS_X; c++)
@@ -243,15 +244,16 @@ static bool known_field(const ovr_stored *run, const char *name)
     return false;
 }
 
-ovr_status ovr_draw_map(const ovr_drawing *s, ovr_chart *chart, ovr_error *err)
+ovr_status ovr_draw_map(const ovr_drawing *drawing, ovr_chart *chart,
+                        ovr_error *err)
 {
-    const ovr_picture_options *o = s->options;
-    const ovr_stored *run = s->runs;
+    const ovr_picture_options *o = drawing->options;
+    const ovr_stored *run = drawing->runs;
     ovr_extent e = ovr_extent_make(o->x_from, o->x_to, run, 1);
     map m = {.run = run, .field = o->field ? o->field : "film_thickness"};
-    ovr_panel *panel = ovr_arena_take(s->arena, 1, sizeof *panel, err);
+    ovr_panel *panel = ovr_arena_take(drawing->arena, 1, sizeof *panel, err);
     ovr_status status = panel ? OVR_OK : OVR_NO_MEMORY;
-    if (status == OVR_OK && s->count > 1)
+    if (status == OVR_OK && drawing->count > 1)
         status = ovr_fail(err, OVR_BAD_INPUT, "a map shows one result");
     if (status == OVR_OK && run->info->snapshots < 2)
         status = ovr_fail(err, OVR_BAD_INPUT,
@@ -265,11 +267,11 @@ ovr_status ovr_draw_map(const ovr_drawing *s, ovr_chart *chart, ovr_error *err)
     m.T_from = isnan(o->T_from) ? run->times[0] : o->T_from;
     m.T_to = isnan(o->T_to) ? run->times[run->info->snapshots - 1] : o->T_to;
     if (status == OVR_OK)
-        status = fill(&m, s->arena, err);
+        status = fill(&m, drawing->arena, err);
     if (status == OVR_OK)
-        status = make_panel(s, &m, panel, err);
+        status = make_panel(drawing, &m, panel, err);
     if (status == OVR_OK)
-        status = add_meniscus(s, &m, panel, err);
+        status = add_meniscus(drawing, &m, panel, err);
     if (status == OVR_OK)
         *chart = (ovr_chart){.title = o->title ? o->title : run->info->title,
                              .width = o->width > 0 ? o->width : 1280,

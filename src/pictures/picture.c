@@ -123,7 +123,7 @@ ovr_status ovr_chart_draw(const ovr_chart *chart, const char *path,
 typedef ovr_status draw_kind(const ovr_drawing *drawing, ovr_chart *chart,
                              ovr_error *err);
 
-static ovr_status draw(const ovr_drawing *s, ovr_error *err)
+static ovr_status draw(const ovr_drawing *drawing, ovr_error *err)
 {
     static draw_kind *const kinds[] = {
         [OVR_PICTURE_SNAPSHOT] = ovr_draw_snapshots,
@@ -133,11 +133,12 @@ static ovr_status draw(const ovr_drawing *s, ovr_error *err)
         [OVR_PICTURE_STRESS] = ovr_draw_stress,
         [OVR_PICTURE_RISK] = ovr_draw_risk,
         [OVR_PICTURE_DEPTH] = ovr_draw_depth};
-    const ovr_picture_options *o = s->options;
+    const ovr_picture_options *o = drawing->options;
     ovr_chart chart;
-    ovr_status status = kinds[o->kind](s, &chart, err);
+    ovr_status status = kinds[o->kind](drawing, &chart, err);
     if (status == OVR_OK)
-        status = ovr_chart_draw(&chart, o->path, o->script, s->arena, err);
+        status = ovr_chart_draw(&chart, o->path, o->script, drawing->arena,
+                                err);
     return status;
 }
 

@@ -21,19 +21,20 @@ ovr_status ovr_open_stored(ovr_result *const *results, size_t count,
                            ovr_picture_options *options, ovr_stored *runs,
                            ovr_arena *arena, ovr_error *err);
 
-ovr_status ovr_draw_snapshots(const ovr_drawing *s, ovr_chart *chart,
+ovr_status ovr_draw_snapshots(const ovr_drawing *drawing, ovr_chart *chart,
                               ovr_error *err);
-ovr_status ovr_draw_history(const ovr_drawing *s, ovr_chart *chart,
+ovr_status ovr_draw_history(const ovr_drawing *drawing, ovr_chart *chart,
                             ovr_error *err);
-ovr_status ovr_draw_trace(const ovr_drawing *s, ovr_chart *chart,
+ovr_status ovr_draw_trace(const ovr_drawing *drawing, ovr_chart *chart,
                           ovr_error *err);
-ovr_status ovr_draw_stress(const ovr_drawing *s, ovr_chart *chart,
+ovr_status ovr_draw_stress(const ovr_drawing *drawing, ovr_chart *chart,
                            ovr_error *err);
-ovr_status ovr_draw_risk(const ovr_drawing *s, ovr_chart *chart,
+ovr_status ovr_draw_risk(const ovr_drawing *drawing, ovr_chart *chart,
                          ovr_error *err);
-ovr_status ovr_draw_depth(const ovr_drawing *s, ovr_chart *chart,
+ovr_status ovr_draw_depth(const ovr_drawing *drawing, ovr_chart *chart,
                           ovr_error *err);
-ovr_status ovr_draw_map(const ovr_drawing *s, ovr_chart *chart, ovr_error *err);
+ovr_status ovr_draw_map(const ovr_drawing *drawing, ovr_chart *chart,
+                        ovr_error *err);
 
 /* Draws a chart to a path; when `script` is not NULL, writes it there too,
  * with the data beside it. */
