@@ -16,14 +16,14 @@ struct ovr_run {
     ovr_case *c;
     ovr_setup *setup;
     ovr_simulation *sim;
-    ovr_writer *writer;     /* NULL: nothing is stored */
-    ovr_run_stress *stress; /* NULL: none are wanted */
-    ovr_restart *restart;   /* of a run gone on with */
-    ovr_passes *passes;     /* NULL: one */
-    bool resumed;           /* the case is its own */
-    bool restored;          /* the state is a checkpoint's: no steady start */
-    ovr_case_value *began;  /* of a resumed run: what it began with */
-    size_t began_count;
+    ovr_writer *writer;       /* NULL: nothing is stored */
+    ovr_run_stress *stress;   /* NULL: none are wanted */
+    ovr_restart *restart;     /* of a run gone on with */
+    ovr_passes *passes;       /* NULL: one */
+    bool resumed;             /* the case is its own */
+    bool restored;            /* the state is a checkpoint's: no steady start */
+    ovr_case_value *recorded; /* of a resumed run: what its file says */
+    size_t recorded_count;
     const char **warning; /* room for so many */
     size_t warnings_room;
     ovr_run_info info;
@@ -85,7 +85,7 @@ ovr_status ovr_recorded_values(ovr_case *c, const ovr_restart_info *of,
                                const char *path, ovr_error *err);
 
 /* The same for what the program chose of the domain. */
-void ovr_began_domain(ovr_setup *setup, const ovr_restart_info *of);
+void ovr_recorded_domain(ovr_setup *setup, const ovr_restart_info *of);
 
 /* The file of an earlier run, gone on with: first what may be refused (another
  * physics), then the checkpoint's state into the simulation, then, to write,

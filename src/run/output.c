@@ -178,10 +178,15 @@ static double *make_times(const ovr_setup *setup, ovr_arena *arena,
 
 /* ----------------------------------------------------------------- writer */
 
+static double step_length(const ovr_setup *setup)
+{
+    return setup->march->dT > 0 ? setup->march->dT : setup->mesh;
+}
+
 static void choose(ovr_write_options *w, const ovr_setup *setup, bool no_thread)
 {
     const ovr_output *out = setup->output;
-    double dT = setup->march->dT > 0 ? setup->march->dT : setup->mesh;
+    double dT = step_length(setup);
     w->every_steps = out->every;
     w->every_time = out->interval;
     w->fields = out->fields;
@@ -214,7 +219,7 @@ ovr_storage ovr_setup_storage(const ovr_setup *setup)
 {
     ovr_write_options w = ovr_write_options_default();
     ovr_arena arena = ovr_arena_make(NULL);
-    double dT = setup->march->dT > 0 ? setup->march->dT : setup->mesh;
+    double dT = step_length(setup);
     ovr_storage s = {1, 0};
     make_times(setup, &arena, &w.time_count);
     ovr_arena_release(&arena);
@@ -341,7 +346,7 @@ ovr_status ovr_output_reopen(ovr_run *run, bool write, ovr_error *err)
     ovr_writer *writer = NULL;
     ovr_status status = want(&w, run, err);
     if (status == OVR_OK && restart)
-        status = ovr_values_same(run->began_count, run->began,
+        status = ovr_values_same(run->recorded_count, run->recorded,
                                  w.options.value_count, w.values, err);
     if (status == OVR_OK && restart && ovr_restart_about(restart)->has_state)
         status = ovr_restart_load(restart, run->sim, err);

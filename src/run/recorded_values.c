@@ -79,7 +79,7 @@ static double inlet_once(const ovr_contact *contact)
     return X_a;
 }
 
-void ovr_began_domain(ovr_setup *setup, const ovr_restart_info *of)
+void ovr_recorded_domain(ovr_setup *setup, const ovr_restart_info *of)
 {
     ovr_options *o = setup->options;
     if (!of->has_state)

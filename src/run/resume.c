@@ -119,14 +119,15 @@ static ovr_status go_back(ovr_run *run, double complete, ovr_error *err)
 }
 
 /* Before anything is changed in it. */
-static ovr_status as_it_began(ovr_run *run, ovr_error *err)
+static ovr_status as_recorded(ovr_run *run, ovr_error *err)
 {
     if (run->restart &&
         ovr_recorded_values(run->c, ovr_restart_about(run->restart),
                             run->info.output, err))
         return OVR_BAD_INPUT;
-    run->began = ovr_run_values(run->c, &run->arena, &run->began_count);
-    return run->began ? OVR_OK : ovr_fail(err, OVR_NO_MEMORY, "out of memory");
+    run->recorded = ovr_run_values(run->c, &run->arena, &run->recorded_count);
+    return run->recorded ? OVR_OK
+                         : ovr_fail(err, OVR_NO_MEMORY, "out of memory");
 }
 
 static ovr_status prepare(ovr_run *run, const char *path, ovr_error *err)
@@ -135,7 +136,7 @@ static ovr_status prepare(ovr_run *run, const char *path, ovr_error *err)
     double complete = -INFINITY;
     run->info.output = ovr_arena_text(&run->arena, path, err);
     run->c = run->info.output ? find_case(run, &complete, err) : NULL;
-    if (!run->c || as_it_began(run, err) ||
+    if (!run->c || as_recorded(run, err) ||
         (how->change && how->change(how->data, run->c, err)))
         return OVR_BAD_INPUT;
     return ovr_run_set_up(run, err) ? OVR_BAD_INPUT

@@ -69,7 +69,7 @@ ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
     if (!run->setup)
         return OVR_BAD_INPUT;
     if (run->restart)
-        ovr_began_domain(run->setup, ovr_restart_about(run->restart));
+        ovr_recorded_domain(run->setup, ovr_restart_about(run->restart));
     if (run->resumed && !run->passes && run->setup->passes->number > 1)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: is one of several passes; 'overroll resume' goes "

@@ -59,7 +59,7 @@ static const struct {
              PART("oil_waiting", arrival.waiting),
              PART("inlet_closed", arrival.closed),
              PART("flooded_film", arrival.flooded),
-    PART("flooded_flow", arrival.flow),
+             PART("flooded_flow", arrival.flow),
              PART("mass_defect", observation.mass_defect)};
 
 static ovr_status visit_past(ovr_simulation *sim, ovr_visit *visit,
