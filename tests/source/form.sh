@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every source file names its licence in its first two lines, is at most 80
-# columns wide, and has neither tabs nor blanks at line ends.
+# columns wide, and has neither tabs nor blanks at line ends.  No function is
+# longer than 45 lines, its head included.
 set -u
 cd "$TOP" || exit 1
 status=0
@@ -22,6 +23,16 @@ for file in src/*/*.[ch] src/*/*/*.[ch] include/overroll/*.h \
         length > 80 { print file ":" NR ": wider than 80"; bad = 1 }
         /\t/        { print file ":" NR ": a tab"; bad = 1 }
         / $/        { print file ":" NR ": blanks at the end"; bad = 1 }
+        file !~ /\.c$/ { next }
+        /^[A-Za-z_]/ { head = NR; name = $0 }
+        /^\{/       { open = head }
+        /^}/ && open {
+            if (NR - open > 44) {
+                print file ":" open ": longer than 45 lines: " name
+                bad = 1
+            }
+            open = 0
+        }
         END { exit bad }' "$file" || status=1
 done
 exit $status
