@@ -63,7 +63,7 @@ static int modes_alive(const ovr_memory *memory, double dT)
 /* Least squares by modified Gram and Schmidt. */
 static void solve(fit *f, int modes, double weight[OVR_MODES])
 {
-    long double part[OVR_MODES][OVR_MODES + 1];
+    long double part[OVR_MODES][OVR_MODES + 1] = {{0}};
     for (int m = 0; m < modes; m++)
         orthogonalize(f, m, part[m]);
     for (int m = modes - 1; m >= 0; m--) {
