@@ -265,19 +265,6 @@ static ovr_status check_solver(const ovr_resolved *r, ovr_error *err)
     return OVR_OK;
 }
 
-/* The corrections of fourth order are those of Newtonian flow. */
-static ovr_status resolve_order(ovr_resolved *r, ovr_error *err)
-{
-    int *order = &r->values.options.order;
-    if (r->lubricant.rheology == OVR_NEWTONIAN)
-        return OVR_OK;
-    if (*order == 4)
-        return ovr_fail_slot(err, slot_of(r, "domain", "order"),
-                             "4 is for rheology = newtonian: take 2");
-    *order = 2;
-    return OVR_OK;
-}
-
 static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
 {
     ovr_status status;
@@ -290,8 +277,6 @@ static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
     if (fill_section(r, "passes", err))
         return OVR_BAD_INPUT;
     status = resolve_level(r, err);
-    if (!status)
-        status = resolve_order(r, err);
     if (!status)
         status = check_solver(r, err);
     r->setup.accuracy_of = (ovr_accuracy)r->values.accuracy_of;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "multigrid/field.h"
+#include "multigrid/flow.h"
 
 enum {
     MASKS = 3, /* corrections that set the mask */
@@ -23,6 +24,9 @@ ovr_status ovr_correction_prepare(ovr_hierarchy *grids, ovr_correction *c,
     double **const all[] = {&c->F, &c->gap, &c->mask, &c->gap_only};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (!(*all[k] = ovr_field(arena, room, err)))
+            return OVR_NO_MEMORY;
+    for (size_t k = 0; ovr_flow_thins(&grids->fluid) && k < 7; k++)
+        if (!(c->work[k] = ovr_field(arena, room, err)))
             return OVR_NO_MEMORY;
     return OVR_OK;
 }
@@ -56,6 +60,8 @@ static void correct(ovr_hierarchy *grids, const ovr_correction *c, bool mask)
     if (mask)
         run->fourth_mask(&level->lanes, level->f.P, c->mask);
     run->fourth_order(&level->lanes, &how, &level->f, level->f.w);
+    if (level->f.flow)
+        ovr_fourth_thinning(grids, level, c);
     memcpy(level->f.F, c->F, level->lanes.S * level->lanes.V * sizeof(double));
     run->combine(length(level), 1, begin(level, c->gap_only), 1,
                  begin(level, c->gap), begin(level, level->f.gap));

@@ -25,7 +25,7 @@
  * eps grows exponentially in the inlet, so for X < 0 the logarithm of eps_{i +
  * 1/2} is the cubic through four nodes; behind it eps itself is, or the mean of
  * the two nodes where the two differ by more than 40 % (at the spike the cubic
- * would leave a limit cycle).
+ * would leave a limit cycle).  A flow law has its own (fourth_thinning.c).
  *
  * Wedge, biased upstream, less the second-order one:
  *     dN -= Cu (3 q_{i+1} + 10 q_i - 18 q_{i-1} + 6 q_{i-2} - q_{i-3})/(12 D)
@@ -45,10 +45,15 @@ typedef struct ovr_correction {
     double *F, *gap;
     double *mask;     /* m */
     double *gap_only; /* the gap without correction */
+    double *work[7];  /* node by node, with a flow law */
 } ovr_correction;
 
 ovr_status ovr_correction_prepare(ovr_hierarchy *grids, ovr_correction *c,
                                   ovr_arena *arena, ovr_error *err);
+
+/* F alone, with a flow law, from film and properties as they are. */
+void ovr_fourth_thinning(const ovr_hierarchy *grids, const ovr_level *level,
+                         const ovr_correction *c);
 
 /*
  * From a solution of second order on the finest grid, F = 0, to one of fourth:

@@ -6,7 +6,8 @@
  * every step: they take the background's error of second order away, that of
  * what moves stays.  So they must not hold what moves: they are those of the
  * smooth surfaces with what stands still, fully grown.  They are right for
- * one load and speed; where these vary, start and run are of second order.
+ * one load and speed, with a flow law one sliding speed; where these vary,
+ * start and run are of second order.
  */
 #include <string.h>
 
@@ -25,7 +26,9 @@ void ovr_fourth_forget(ovr_simulation *sim)
 void ovr_fourth_begin(ovr_simulation *sim)
 {
     bool varies = ovr_history_varies(sim->load) ||
-                  ovr_history_varies(sim->speed);
+                  ovr_history_varies(sim->speed) ||
+                  (sim->lubricant.rheology != OVR_NEWTONIAN &&
+                   ovr_history_varies(sim->sliding));
     ovr_fourth_forget(sim);
     if (sim->scheme->order == 1)
         sim->order = 1;

@@ -158,8 +158,6 @@ ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
                        err) ||
         ovr_options_resolve(contact, &resolved, err))
         return NULL;
-    if (lubricant->rheology != OVR_NEWTONIAN)
-        resolved.order = 2;
     sim = set_up(ovr_arena_make(allocator), contact, lubricant, &resolved, err);
     if (sim)
         fill_arrays(sim);

@@ -75,5 +75,3 @@ refused 'bare.csv:1: the first line must name the units' \
 printf 'rate [1/s], stress [MPa]\n1, 2\n2, 1\n' >falls.csv
 refused 'must be positive and increase' \
     --set lubricant.rheology=table --set lubricant.rheology_file=falls.csv
-refused 'order: 4 is for rheology = newtonian' --set lubricant.rheology=eyring \
-    --set lubricant.eyring_number=0.3 --set domain.order=4
