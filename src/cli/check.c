@@ -339,6 +339,16 @@ static void put_heat(const ovr_setup *setup)
            "viscosity and temperature", heat->S0, heat->beta);
 }
 
+/* The limits of the model, where its user meets them. */
+static void put_oil(const ovr_setup *setup)
+{
+    if (setup->options->cavitation != OVR_CAVITATION_CONSERVING)
+        return;
+    printf("# %-28s in cavities it moves at the mean speed; an infinitely long "
+           "contact passes all that arrives\n",
+           "oil conserved");
+}
+
 /* Depths, memory, and the limits in MPa. */
 static void put_stress(const ovr_setup *setup)
 {
@@ -460,6 +470,7 @@ static void report(const cli_call *call, const ovr_case *c,
     put_features(setup);
     put_cost(&cost, setup, !setup->march->until_steady);
     put_heat(setup);
+    put_oil(setup);
     put_stress(setup);
     put_parameters(c, setup);
 }

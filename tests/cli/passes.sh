@@ -144,6 +144,18 @@ rows roller.h5
 row supply_ratio 'n == 1 || (v - 0.8 ^ (n - 1)) ^ 2 < 1e-17'
 [ "$(wc -l <rows.csv)" -eq 6 ] || fail 'not five passes'
 
+# What is drawn of them
+if command -v gnuplot >/dev/null; then
+    expect 0 "$OVERROLL" plot roller.h5 --kind passes -o passes.svg
+    contains passes.svg 'number of the pass'
+    expect 0 "$OVERROLL" plot slide-2.h5 --kind map -o map.svg
+    contains map.svg 'where the film begins'
+    expect 0 "$OVERROLL" plot slide-2.h5 --at 1 -o film.svg
+    contains film.svg 'its oil shaded'
+    refuses 'holds one run; --kind passes draws the file of several' \
+        plot slide-2.h5 --kind passes -o x.svg
+fi
+
 # What does not go together
 refuses 'number: several passes need .*conserving' \
     check roller.ini --set cavitation.model=reynolds
