@@ -200,10 +200,13 @@ double ovr_passage_memory(const ovr_stress_options *given,
         check(o, range, NULL))
         return NAN;
     double least = o->depth_min > 0 ? o->depth_min : 4 * o->mesh;
+    double scratch = (double)ovr_stress_room(o);
     for (size_t j = 0; j < ovr_depths(o, NULL); j++) {
         double z = least * exp2((double)j / o->per_octave);
         double step = ldexp(o->mesh, ovr_depth_level(o, z));
-        bytes += 4 * OVR_ROWS * ((range->to - range->from) / step + 3);
+        double points = (range->to - range->from) / step + 3;
+        bytes += 4 * OVR_ROWS * points;
+        scratch = fmax(scratch, points);
     }
-    return bytes + 24 * (double)ovr_stress_room(o);
+    return bytes + 24 * scratch;
 }

@@ -336,6 +336,31 @@ static void backward_is_the_mirror_of_forward(void **state)
     CHECK_NEAR(result[1].worst_xi, -result[0].worst_xi, 2.01 * D);
 }
 
+/* More points than the fields have nodes, all of one steady contact. */
+static void windows_may_be_wider_than_the_fields(void **state)
+{
+    ovr_stress_options o = level8();
+    static double P[NODES];
+    double smooth;
+    (void)state;
+    ovr_material_range range = about(0);
+    ovr_moment m = {.direction = 1};
+    range.from = -10, range.to = 10;
+    o.depth_min = o.depth_max = 4 * D;
+    ovr_passage *p = made(&o, &range);
+    ovr_material material = ovr_passage_material(p);
+    float *R = calloc(material.points, sizeof *R);
+    assert_true(R && material.points > 5000);
+    hertz(1, P);
+    ovr_passage_begin(p, P, NULL, &m);
+    ovr_passage_end(p, P, NULL, &m);
+    ovr_passage_measure(p, OVR_MEASURE_CIRCLE, R, &smooth);
+    for (size_t k = 0; k < material.points; k++)
+        CHECK_CLOSE((double)R[k], smooth, 1e-3);
+    free(R);
+    ovr_passage_free(p);
+}
+
 /* Points whose passage the run cut while the hump was in the contact. */
 static void what_was_cut_is_told(void **state)
 {
@@ -567,6 +592,7 @@ int main(void)
         cmocka_unit_test(a_steady_contact_adds_no_risk),
         cmocka_unit_test(the_window_does_not_matter),
         cmocka_unit_test(backward_is_the_mirror_of_forward),
+        cmocka_unit_test(windows_may_be_wider_than_the_fields),
         cmocka_unit_test(what_was_cut_is_told),
         cmocka_unit_test(a_copied_state_goes_on),
         cmocka_unit_test(residual_stresses_are_added),
