@@ -12,11 +12,14 @@
  *
  * Of features that slide a = (u_k/um) Cu dT/D, where it is told.  Then there
  * are several formulas, of which each is the best somewhere: few terms at rough
- * surfaces and for shifts by parts of a mesh, many where the shift is whole.
+ * surfaces and for shifts by parts of a mesh, many where the shift is whole;
+ * and (1 - S_a E)(1 - S E) P = 0 where rough surfaces slide, for the film is
+ * full of what they left in it.
  * After each step it is seen what each would have guessed; the next one begins
  * from the one that has been the nearest of late.
  */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "simulation/internal.h"
@@ -37,12 +40,13 @@ typedef struct formula {
     double H0[4];
     double meshes; /* that S shifts by */
     bool two_terms;
+    ptrdiff_t film; /* that S' shifts by, whole: of the first and last term */
 } formula;
 
-static const formula last = {1, {{1, 0, 0}}, {1, 0, 0, 0}, 0, false};
+static const formula last = {1, {{1, 0, 0}}, {1, 0, 0, 0}, 0, false, 0};
 
 static const formula parabola = {
-    3, {{3, 0, 0}, {-3, 1, 0}, {1, 2, 0}}, {3, -3, 1, 0}, 0, false};
+    3, {{3, 0, 0}, {-3, 1, 0}, {1, 2, 0}}, {3, -3, 1, 0}, 0, false, 0};
 
 static const formula standing_and_moving = {8,
                                             {{2, 0, 0},
@@ -55,26 +59,37 @@ static const formula standing_and_moving = {8,
                                              {-1, 3, 2}},
                                             {4, -6, 4, -1},
                                             1,
-                                            false};
+                                            false,
+                                            0};
 
 static const formula by_two_steps = {
     5,
     {{2, 0, 0}, {-1, 1, 0}, {1, 1, 1}, {-2, 2, 1}, {1, 3, 1}},
     {2, 0, -2, 1},
     1,
-    false};
+    false,
+    0};
 
 /* P_0 + S (P_k - P_{k+1}) */
 static formula two_terms(int k, double meshes)
 {
     return (formula){
-        3, {{1, 0, 0}, {1, k, 1}, {-1, k + 1, 1}}, {2, -1, 0, 0}, meshes, true};
+        3, {{1, 0, 0}, {1, k, 1}, {-1, k + 1, 1}}, {2, -1, 0, 0}, meshes, true,
+        0};
+}
+
+/* S' P_0 + S (P_0 - S' P_1): what moves with the features and with the film */
+static formula each_moves(double meshes, double film)
+{
+    formula how = two_terms(0, meshes);
+    how.film = (ptrdiff_t)nearbyint(film);
+    return how;
 }
 
 static formula line(double s)
 {
     return (formula){
-        2, {{1 + s, 0, 0}, {-s, 1, 0}}, {1 + s, -s, 0, 0}, 0, false};
+        2, {{1 + s, 0, 0}, {-s, 1, 0}}, {1 + s, -s, 0, 0}, 0, false, 0};
 }
 
 /* The last so many steps, and the one to come, are equally long. */
@@ -129,18 +144,23 @@ static void carry(const ovr_simulation *sim, const formula *how,
 {
     double c[4], whole = floor(-how->meshes);
     ptrdiff_t first = margin + (ptrdiff_t)whole - 1;
-    const double *const from[] = {past[0] + margin,
+    const double *const from[] = {past[0] + margin - how->film,
                                   past[how->term[1].ago] + first,
-                                  past[how->term[2].ago] + first};
+                                  past[how->term[2].ago] + first - how->film};
+    size_t n = sim->now.n - 2 * (size_t)margin;
     cubic(-how->meshes - whole, c);
-    sim->grids.kernels->carry(sim->now.n - 2 * (size_t)margin, c, from,
-                              guess + margin);
+    sim->grids.kernels->carry(n, c, from, guess + margin);
+    if (how->film) { /* nodes that are dry now stay so */
+        const double *const wet[] = {past[0] + margin, guess + margin};
+        sim->grids.kernels->extrapolate(n, 2, (const double[]){0, 1}, wet,
+                                        guess + margin);
+    }
 }
 
 /* Nodes at both ends that stay what they are: nothing lies beyond them. */
 static ptrdiff_t margin_of(const formula *how)
 {
-    return 2 + 2 * (ptrdiff_t)ceil(fabs(how->meshes));
+    return 2 + 2 * (ptrdiff_t)ceil(fabs(how->meshes)) + labs(how->film);
 }
 
 static void guess_field(const ovr_simulation *sim, const formula *how,
@@ -178,14 +198,16 @@ static size_t candidates(const ovr_simulation *sim, double a, double film,
                                       two_terms(1, 2 * a),
                                       shifted(standing_and_moving, film),
                                       parabola,
-                                      last};
+                                      last,
+                                      each_moves(a, film)};
     const bool can[OVR_GUESSES] = {three && is_whole(a),
                                    three && is_whole(2 * a),
                                    true,
                                    true,
                                    three && is_whole(film) && film != a,
                                    true,
-                                   true};
+                                   true,
+                                   is_whole(film) && fabs(film - a) > 0.01};
     size_t count = 0;
     for (size_t k = 0; k < OVR_GUESSES; k++)
         if (can[k] && 2 * margin_of(&all[k]) + NODES < (ptrdiff_t)sim->now.n) {

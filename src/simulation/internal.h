@@ -17,7 +17,7 @@
 #define OVR_FIELD_AGES(name, ...) double *name[OVR_PAST];
 
 /* Formulas to extrapolate what moves with the features (guess.c). */
-enum { OVR_GUESSES = 7 };
+enum { OVR_GUESSES = 8 };
 
 /* The past that the time derivative and the extrapolation need: fields of
  * multigrid/fields.h one, two, ... steps ago. */

@@ -120,6 +120,11 @@ static double constant(double X, double T)
     return 2 + 0.1 * sin(3 * X) + 0.2 * bump(X, T);
 }
 
+static double each_moving(double X, double T)
+{
+    return 2 + 0.1 * sin(3 * (X - T)) + 0.2 * bump(X, T);
+}
+
 static double standing(double X, double T)
 {
     return 2 + (0.1 + 0.02 * T - 0.1 * T * T) * sin(3 * X);
@@ -174,7 +179,7 @@ static void exact_for_what_moves_by_a_mesh_a_step(void **state)
 
 static void exact_for_what_slides_as_told(void **state)
 {
-    enum { BY_STEPS, BY_TWO, TWO_TERMS, TWO_BY_TWO };
+    enum { BY_STEPS, BY_TWO, TWO_TERMS, TWO_BY_TWO, EACH_MOVES = 7 };
     bool close;
     (void)state;
     speed = told = 0.5;
@@ -189,6 +194,10 @@ static void exact_for_what_slides_as_told(void **state)
     assert_true(error_of(constant, 1.4, &close) < 1e-4);
     nearest = TWO_BY_TWO;
     assert_true(error_of(constant, 1, &close) < 1e-13);
+    nearest = EACH_MOVES;
+    assert_true(error_of(each_moving, 2, &close) < 1e-13 && !close);
+    assert_true(error_of(each_moving, 1, &close) < 1e-4);
+    nearest = TWO_BY_TWO;
     speed = told = -0.5; /* against the others */
     assert_true(error_of(constant, 1, &close) < 1e-13);
     speed = 1, H0 = 1, nearest = 0;
