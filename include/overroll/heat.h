@@ -31,6 +31,7 @@ typedef struct ovr_thermal {
 
 /* What heat needs to be known, SI; NAN: not given. */
 typedef struct ovr_heat_form {
+    size_t size;        /* of this struct, as its user knows it */
     int points;         /* across the film: 5, or 7 */
     double temperature; /* of the supplied oil, K */
     double bulk[2];     /* of the bodies, K; NAN: the same */
@@ -38,6 +39,9 @@ typedef struct ovr_heat_form {
     double expansion; /* of the oil by volume, 1/K */
     double S0, beta;  /* one of them; beta in 1/K */
 } ovr_heat_form;
+
+/* 5 points, nothing else given. */
+OVR_SIZED(ovr_heat_form)
 
 /* The numbers; all zero: no heat. */
 typedef struct ovr_heat {

@@ -201,8 +201,7 @@ static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
         return OVR_BAD_INPUT;
     r->values.oil = ovr_oil_default();
     r->values.iso_vg = NAN;
-    r->values.heat = (ovr_heat_form){
-        .temperature = NAN, .bulk = {NAN, NAN}, .S0 = NAN, .beta = NAN};
+    r->values.heat = ovr_heat_form_default();
     if (fill_section(r, "contact", err) || fill_section(r, "lubricant", err) ||
         fill_section(r, "heat", err))
         return OVR_BAD_INPUT;

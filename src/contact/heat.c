@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "base/sized.h"
+
 static const double PI = 3.14159265358979323846;
 
 static ovr_status missing(const char *name, ovr_error *err)
@@ -67,16 +69,34 @@ static void make_numbers(const ovr_heat_form *form, const ovr_contact *c,
     }
 }
 
+void ovr_heat_form_fill(ovr_heat_form *form)
+{
+    const ovr_thermal none = {NAN, NAN, NAN};
+    const ovr_heat_form defaults = {.size = sizeof defaults,
+                                    .points = 5,
+                                    .temperature = NAN,
+                                    .bulk = {NAN, NAN},
+                                    .oil = none,
+                                    .body = {none, none},
+                                    .expansion = 0,
+                                    .S0 = NAN,
+                                    .beta = NAN};
+    ovr_sized_fill(form, &defaults, sizeof defaults);
+}
+
 ovr_status ovr_heat_make(const ovr_heat_form *form, const ovr_contact *contact,
                          const ovr_lubricant *lubricant, ovr_heat *heat,
                          ovr_error *err)
 {
+    ovr_heat_form whole;
     *heat = (ovr_heat){0};
-    if (isnan(form->temperature))
-        return missing("temperature", err);
-    if (check_contact(contact, err) || viscosity(form, lubricant, heat, err))
+    if (OVR_SIZED_TAKE(ovr_heat_form, &whole, form, err))
         return OVR_BAD_INPUT;
-    make_numbers(form, contact, heat);
+    if (isnan(whole.temperature))
+        return missing("temperature", err);
+    if (check_contact(contact, err) || viscosity(&whole, lubricant, heat, err))
+        return OVR_BAD_INPUT;
+    make_numbers(&whole, contact, heat);
     return OVR_OK;
 }
 

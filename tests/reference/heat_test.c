@@ -81,7 +81,8 @@ static const ovr_thermal steel = {46, 460, 7850}, mineral = {.14, 2000, 870};
 
 static ovr_heat_form form(void)
 {
-    ovr_heat_form f = {.points = 5,
+    ovr_heat_form f = {.size = sizeof f,
+                       .points = 5,
                        .temperature = 353,
                        .bulk = {NAN, NAN},
                        .oil = mineral,

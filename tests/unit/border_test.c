@@ -159,6 +159,15 @@ static bool oil(void *o, ovr_error *err)
            ovr_oil_scale(o, &c, &made, err) != OVR_OK;
 }
 
+static bool heat(void *o, ovr_error *err)
+{
+    ovr_contact c = {
+        .b = 1e-4, .height = 1e-6, .um = 1, .L = 10, .radius = 0.01};
+    const ovr_lubricant oil = {.alphabar = 20, .P0 = 0.2, .z = 0.68};
+    ovr_heat made;
+    return ovr_heat_make(o, &c, &oil, &made, err) != OVR_OK;
+}
+
 static bool stress(void *o, ovr_error *err)
 {
     ovr_stress *made = ovr_stress_create(o, NULL, err);
@@ -266,6 +275,7 @@ static void test_all_sizes(void **state)
     EACH(ovr_feature_form, feature, roughness, whole.depth = 0.1,
          whole.width = 1, whole.start = 0);
     EACH(ovr_oil, oil, density_15, whole.z = 0.6);
+    EACH(ovr_heat_form, heat, beta, whole.temperature = 353, whole.S0 = 1.1);
     EACH(ovr_stress_options, stress, traction, whole.mesh = 0.05,
          whole.inlet = -3, whole.nodes = 121);
     EACH(ovr_material_range, material, least_depth, whole.poisson = 0.25);
