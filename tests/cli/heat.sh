@@ -106,6 +106,11 @@ expect 0 "$OVERROLL" check run.ini --set contact.mean_speed='8 m/s' \
     --set sliding.to=1.95
 contains err 'surface 2 has the Peclet number .* at T = 1'
 
+expect 0 "$OVERROLL" check run.ini --set sliding.from=2.5
+contains err 'surface 2 moves against the film at T = 0'
+refuses 'both surfaces to move along' run hot.ini -o refused.h5 \
+    --set contact.slide_to_roll=2.5
+
 expect 0 "$OVERROLL" steady hot.ini --set domain.inlet=-1.05
 contains err 'domain is too short for it to leave: surface 1 comes in'
 
