@@ -62,9 +62,12 @@ void ovr_newton_fill(ovr_hierarchy *grids)
 {
     for (int k = 0; k < grids->newton.levels; k++) {
         const ovr_level *level = &grids->level[grids->coarsest + k];
-        for (size_t d = 0; d < distances(level); d++)
-            grids->newton.kernel[k][d] = ovr_deformation_kernel(
-                (double)d - (double)(level->grid.n + 2), level->grid.D);
+        for (size_t d = 0; d < distances(level); d++) {
+            double at = (double)d - (double)(level->grid.n + 2);
+            grids->newton.kernel[k][d] =
+                grids->linear ? ovr_deformation_linear(at, level->grid.D)
+                              : ovr_deformation_kernel(at, level->grid.D);
+        }
     }
 }
 

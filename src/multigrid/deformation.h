@@ -6,6 +6,10 @@
  *     K(d D) = D [f(d) + ln D],
  *     f(d) = (d + 1/2) ln|d + 1/2| - (d - 1/2) ln|d - 1/2| - 1
  *
+ * for a pressure that is constant about each node.  Where it is linear between
+ * them, on composite grids (composite.h),
+ *     f(d) = g(d + 1) - 2 g(d) + g(d - 1),  g(d) = d^2/2 ln|d| - 3/4 d^2
+ *
  * Method (Brandt & Lubrecht 1990):
  *  1. The kernel is smooth away from d = 0.  K from an odd node j is replaced
  *     by its interpolation of order p between even nodes, so the sum over odd
@@ -26,6 +30,7 @@
 #ifndef OVR_MULTIGRID_DEFORMATION_H
 #define OVR_MULTIGRID_DEFORMATION_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/arena.h"
@@ -44,6 +49,7 @@ typedef struct ovr_mlmi_grid {
 
 typedef struct ovr_mlmi {
     size_t n;
+    bool linear;                  /* P between the nodes; set before the fill */
     ptrdiff_t half_order;         /* p/2 */
     ptrdiff_t range;              /* m */
     int depth;                    /* coarsenings */
@@ -82,6 +88,9 @@ void ovr_mlmi_choose(double wanted, int *order, int *range);
 
 /* K(d D)/pi, the influence of a node on one d meshes away. */
 double ovr_deformation_kernel(double d, double D);
+
+/* The same of a pressure that is linear between the nodes. */
+double ovr_deformation_linear(double d, double D);
 
 /* w = K P/pi by direct summation, O(n^2): the reference. */
 void ovr_deformation_direct(size_t n, double D, const double *P, double *w);

@@ -56,7 +56,8 @@ static void correct(ovr_hierarchy *grids, const ovr_correction *c, bool mask)
         .flux = grids->band.b[1],
         .mask = c->mask,
         .F = c->F,
-        .gap = c->gap};
+        .gap = c->gap,
+        .linear = grids->linear};
     if (mask)
         run->fourth_mask(&level->lanes, level->f.P, c->mask);
     run->fourth_order(&level->lanes, &how, &level->f, level->f.w);

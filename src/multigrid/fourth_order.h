@@ -12,11 +12,13 @@
  *
  * Film.  A pressure that is constant from half node to half node has the
  * deformation, of a wave e^(ikX) by Poisson's summation,
- *     w - (D^2/24) w'' + C D^3 P'' + O(D^4),
+ *     w + (D^2/24) w'' + C D^3 P'' + O(D^4),
  *     C = eta(3)/(2 pi^3),  eta(3) = 1 - 1/8 + 1/27 - ... = 0.90154...
  * (the term of third order comes from the kernel's singularity), hence
  *     g_i = delta2 w_i/24 + C D delta2 P_i,  delta2 f_i = f_{i-1} - 2 f_i +
- * f_{i+1}, at dry nodes too.
+ * f_{i+1}, at dry nodes too.  One that is linear between the nodes has
+ *     w + (D^2/12) w'' + C D^3 P'',  C = zeta(3)/(4 pi^3),
+ * and 1/12 and this C stand in g.
  *
  * Poiseuille flow, conservative, at half nodes:
  *     p_i = [27 (P_{i+1} - P_i) - (P_{i+2} - P_{i-1})]/(24 D)

@@ -87,6 +87,25 @@ static ovr_status take_natural(ovr_hierarchy *grids, size_t n, ovr_arena *arena,
     return grids->content ? take_sets(f, n, true, arena, err) : OVR_OK;
 }
 
+static void set_lanes(ovr_level *level, const ovr_kernels *kernels)
+{
+    level->lanes = (ovr_lanes){
+        .n = level->grid.n,
+        .S = ovr_mlmi_lane(&level->mlmi, kernels->lanes),
+        .V = kernels->lanes};
+}
+
+ovr_status ovr_level_build(const ovr_hierarchy *grids, ovr_level *level,
+                           int order, int range, ovr_arena *arena,
+                           ovr_error *err)
+{
+    if (ovr_mlmi_plan(&level->mlmi, level->grid.n, order, range, arena, err))
+        return OVR_NO_MEMORY;
+    level->mlmi.linear = grids->linear;
+    set_lanes(level, grids->kernels);
+    return take_fields(grids, level, arena, err);
+}
+
 /* The next finer level, of the whole grid below. */
 static ovr_status build_level(ovr_hierarchy *grids, int number, int order,
                               int range, ovr_arena *arena, ovr_error *err)
@@ -97,21 +116,14 @@ static ovr_status build_level(ovr_hierarchy *grids, int number, int order,
         ovr_grid_refine(&level->grid, below, 0, below->n - 1, arena, err))
         return OVR_NO_MEMORY;
     level->number = number;
-    if (ovr_mlmi_plan(&level->mlmi, level->grid.n, order, range, arena, err))
-        return OVR_NO_MEMORY;
-    return take_fields(grids, level, arena, err);
+    return ovr_level_build(grids, level, order, range, arena, err);
 }
 
 void ovr_hierarchy_kernels(ovr_hierarchy *grids, const ovr_kernels *kernels)
 {
     grids->kernels = kernels;
-    for (int l = grids->coarsest; l <= grids->finest; l++) {
-        ovr_level *level = &grids->level[l];
-        level->lanes = (ovr_lanes){
-            .n = level->grid.n,
-            .S = ovr_mlmi_lane(&level->mlmi, kernels->lanes),
-            .V = kernels->lanes};
-    }
+    for (int l = grids->coarsest; l <= grids->finest; l++)
+        set_lanes(&grids->level[l], kernels);
 }
 
 ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
@@ -139,29 +151,39 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
     return ovr_newton_prepare(grids, arena, err);
 }
 
+void ovr_level_fill(const ovr_hierarchy *grids, ovr_level *level,
+                    const ovr_level *like)
+{
+    ovr_grid_fill(&level->grid);
+    ovr_mlmi_fill(&level->mlmi, level->grid.D, like ? &like->mlmi : NULL);
+    for (int d = 0; d < 6; d++)
+        level->k[d] = grids->linear
+                          ? ovr_deformation_linear(d, level->grid.D)
+                          : ovr_deformation_kernel(d, level->grid.D);
+}
+
 void ovr_hierarchy_fill(ovr_hierarchy *grids)
 {
     for (int l = grids->coarsest; l <= grids->finest; l++) {
         ovr_level *level = &grids->level[l];
-        ovr_grid_fill(&level->grid);
-        ovr_mlmi_fill(&level->mlmi, level->grid.D,
-                      l > grids->coarsest ? &(level - 1)->mlmi : NULL);
-        for (int d = 0; d < 6; d++)
-            level->k[d] = ovr_deformation_kernel(d, level->grid.D);
+        ovr_level_fill(grids, level, l > grids->coarsest ? level - 1 : NULL);
     }
     ovr_newton_fill(grids);
+}
+
+void ovr_level_operator(const ovr_operator *op, ovr_level *level)
+{
+    level->weights = ovr_reynolds_weights(op, level->grid.D);
+    level->shares = ovr_reynolds_shares(op, level->grid.D);
+    level->closed = false;
+    memcpy(level->opened, level->weights.first, sizeof level->opened);
 }
 
 void ovr_hierarchy_operator(ovr_hierarchy *grids, const ovr_operator *op)
 {
     grids->op = *op;
-    for (int l = grids->coarsest; l <= grids->finest; l++) {
-        ovr_level *level = &grids->level[l];
-        level->weights = ovr_reynolds_weights(op, level->grid.D);
-        level->shares = ovr_reynolds_shares(op, level->grid.D);
-        level->closed = false;
-        memcpy(level->opened, level->weights.first, sizeof level->opened);
-    }
+    for (int l = grids->coarsest; l <= grids->finest; l++)
+        ovr_level_operator(op, &grids->level[l]);
 }
 
 void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level)

@@ -58,6 +58,7 @@ typedef struct ovr_hierarchy {
     /* oil is conserved (content.h): wanted when it was built, at the moment;
      * what arrives is given, and inlets may be closed */
     bool content, conserving, supplied;
+    bool linear; /* pressure between nodes (deformation.h), else constant */
 
     ovr_band band;      /* work arrays of the finest size */
     double *scratch[2]; /* two of them, for as long as a function */
@@ -73,6 +74,15 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
                                const int order[OVR_LEVELS],
                                const int range[OVR_LEVELS], ovr_arena *arena,
                                ovr_error *err);
+
+/* A level on the grid that it has: memory and lanes; its numbers, MLMI's
+ * weights like those of a coarser level or NULL; the equation's weights. */
+ovr_status ovr_level_build(const ovr_hierarchy *grids, ovr_level *level,
+                           int order, int range, ovr_arena *arena,
+                           ovr_error *err);
+void ovr_level_fill(const ovr_hierarchy *grids, ovr_level *level,
+                    const ovr_level *like);
+void ovr_level_operator(const ovr_operator *op, ovr_level *level);
 
 /* Writes the numbers that do not change, for which there is memory now. */
 void ovr_hierarchy_fill(ovr_hierarchy *grids);

@@ -65,12 +65,15 @@ typedef struct ovr_fourth {
     double *log_eps, *flux; /* work arrays */
     double *mask;           /* 1 where the equation is corrected, else 0 */
     double *F, *gap;        /* what is added to the right-hand sides */
+    bool linear;            /* pressure between nodes, else constant */
 } ovr_fourth;
 
 /* Nodes at both ends that are not corrected; eta(3)/(2 pi^3), the share of D
- * times the second difference of P that the film's correction takes. */
+ * times the second difference of P that the film's correction takes, and that
+ * of linear pressures, zeta(3)/(4 pi^3). */
 enum { OVR_FOURTH_MARGIN = 8 };
 #define OVR_FOURTH_LOCAL 0.014538067351
+#define OVR_FOURTH_LINEAR 0.009692044901
 
 /* Every kernel: what it returns, its name, what it takes.  The table, each
  * instruction set's declarations and its entries follow from this list. */

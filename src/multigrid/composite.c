@@ -1,0 +1,322 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "multigrid/composite.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "multigrid/field.h"
+
+/* ------------------------------------------------------------------ memory */
+
+static void *from_chunk(void *context, size_t bytes)
+{
+    ovr_composite *c = context;
+    size_t at = (c->used + 63) / 64 * 64;
+    if (at + bytes > c->size)
+        return NULL;
+    c->used = at + bytes;
+    return c->chunk + at;
+}
+
+static void to_chunk(void *context, void *memory)
+{
+    (void)context;
+    (void)memory;
+}
+
+/* What patches of so many nodes take. */
+static ovr_status count_bytes(const ovr_composite *c, const size_t *most,
+                              int patches, size_t *bytes, ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_counting();
+    ovr_patch patch, parent;
+    ovr_level wide = *c->part[0].level;
+    ovr_status status = OVR_OK;
+    parent = (ovr_patch){.level = &wide};
+    for (int k = 0; k < patches && !status; k++) {
+        wide.grid.n = most[k] + 2;
+        status = ovr_patch_build(c->grids, &patch, &parent, 1,
+                                 (most[k] - 1) / 2, &arena, err);
+    }
+    *bytes = arena.bytes;
+    ovr_arena_release(&arena);
+    return status;
+}
+
+ovr_status ovr_composite_prepare(ovr_composite *c, ovr_hierarchy *grids,
+                                 const size_t *most, int patches,
+                                 ovr_arena *arena, ovr_error *err)
+{
+    size_t n = grids->level[grids->finest].grid.n;
+    c->grids = grids;
+    if (ovr_patch_base(grids, &c->part[0], arena, err))
+        return OVR_NO_MEMORY;
+    for (int k = 0; k < 2; k++)
+        if (!(c->room[k] = ovr_field(arena, n + OVR_MOST_LANES, err)))
+            return OVR_NO_MEMORY;
+    if (count_bytes(c, most, patches, &c->size, err))
+        return OVR_NO_MEMORY;
+    c->size += (size_t)64 * 1024 * (size_t)(patches + 1);
+    c->chunk = ovr_arena_take(arena, c->size, 1, err);
+    return c->chunk ? OVR_OK : OVR_NO_MEMORY;
+}
+
+void ovr_composite_begin(ovr_composite *c, double force)
+{
+    const ovr_allocator chunk = {from_chunk, to_chunk, c};
+    ovr_patch *base = &c->part[0];
+    const ovr_level *level = base->level;
+    ovr_composite_film_make(&c->film);
+    c->used = 0;
+    c->memory = ovr_arena_make(&chunk);
+    c->patches = 0;
+    c->force = force;
+    ovr_patch_read(c->grids, base);
+    ovr_level_read(c->grids, level, level->f.gap, base->rigid);
+    ovr_level_read(c->grids, level, level->f.F, base->F);
+    memset(base->detail, 0, level->grid.n * sizeof *base->detail);
+    memset(base->detail_w, 0, level->grid.n * sizeof *base->detail_w);
+}
+
+ovr_status ovr_composite_add(ovr_composite *c, size_t first, size_t meshes,
+                             ovr_error *err)
+{
+    ovr_patch *patch = &c->part[c->patches + 1], *parent = patch - 1;
+    if (ovr_patch_build(c->grids, patch, parent, first, meshes, &c->memory,
+                        err))
+        return OVR_NO_MEMORY;
+    ovr_patch_fill(c->grids, patch, parent);
+    c->patches++;
+    return OVR_OK;
+}
+
+/* -------------------------------------------------------------------- film */
+
+/* Film, residual and phase for P of a patch. */
+static void refresh(ovr_composite *c, ovr_patch *patch)
+{
+    ovr_patch_write(c->grids, patch);
+    ovr_patch_deform(c->grids, patch);
+    ovr_level_properties(c->grids, patch->level);
+    ovr_patch_settle(c->grids, patch);
+}
+
+void ovr_composite_start(ovr_composite *c)
+{
+    ovr_patch *patch = &c->part[c->patches], *parent = patch - 1;
+    ovr_level *level = patch->level;
+    ovr_patch_read(c->grids, parent);
+    ovr_patch_begin_from(patch, parent);
+    ovr_patch_outer(&c->film, patch, parent);
+    ovr_level_write(c->grids, level, patch->rigid, level->f.gap);
+    ovr_level_clear(level, level->f.F);
+    refresh(c, patch);
+}
+
+/* ------------------------------------------------------------- restriction */
+
+bool ovr_composite_leaf(const ovr_composite *c, int part, size_t i)
+{
+    const ovr_patch *finer = &c->part[part + 1];
+    if (part == c->patches)
+        return true;
+    return (finer->opens && i <= ovr_patch_begin(finer)) ||
+           (finer->closes && i >= ovr_patch_end(finer));
+}
+
+/* P' under the patch. */
+static void restrict_pressure(ovr_patch *patch, ovr_patch *parent)
+{
+    const double *P = patch->P;
+    size_t first = patch->level->grid.first, n = patch->level->grid.n;
+    for (size_t i = patch->from + 1; i + 1 <= patch->to; i += 2) {
+        bool inject = (patch->opens && i < OVR_PATCH_EDGE + 8) ||
+                      (patch->closes && i + OVR_PATCH_EDGE + 8 >= n);
+        bool wet = P[i - 1] > 0 && P[i] > 0 && P[i + 1] > 0;
+        parent->P[first + i / 2] =
+            wet && !inject ? (P[i - 1] + 2 * P[i] + P[i + 1]) / 4 : P[i];
+    }
+    memcpy(parent->entry, parent->P, parent->level->grid.n * sizeof *P);
+}
+
+/* The parent's gap: outside the patch the real one, under it what makes the
+ * film that of the patch. */
+static void restrict_gap(ovr_composite *c, ovr_patch *patch, ovr_patch *parent)
+{
+    const ovr_hierarchy *grids = c->grids;
+    size_t first = patch->level->grid.first, n = patch->level->grid.n;
+    double *gap = c->room[0], *H = c->room[1];
+    for (size_t I = 0; I < parent->level->grid.n; I++)
+        gap[I] = parent->rigid[I] - parent->detail_w[I];
+    ovr_level_read(grids, patch->level, patch->level->f.H, H);
+    for (size_t i = 0; i < n; i += 2)
+        gap[first + i / 2] = H[i] - grids->H0 + parent->w[first + i / 2];
+    ovr_level_write(grids, parent->level, gap, parent->level->f.gap);
+}
+
+/* The flow of the patch at the parent's half node I + 1/2. */
+static double inner_flux(const ovr_composite *c, const ovr_patch *patch,
+                         size_t I)
+{
+    size_t i = ovr_patch_node(patch, I);
+    return 0.5 * (ovr_patch_flux(c->grids, patch, i) +
+                  ovr_patch_flux(c->grids, patch, i + 1));
+}
+
+/* Residual at J*: what flows in through one grid less what flows out through
+ * the other. */
+static double residual_at_end(const ovr_composite *c, const ovr_patch *patch,
+                              const ovr_patch *parent, size_t J, bool begins)
+{
+    double left = begins ? ovr_patch_flux(c->grids, parent, J - 1)
+                         : inner_flux(c, patch, J - 1);
+    double right = begins ? inner_flux(c, patch, J)
+                          : ovr_patch_flux(c->grids, parent, J);
+    return parent->F[J] - (right - left) / parent->level->grid.D;
+}
+
+/* Full weighting of the residual at a wet node of the patch. */
+static double weighted(const double *P, const double *r)
+{
+    double sum = 2 * r[0] + (P[-1] > 0 ? r[-1] : 0) + (P[1] > 0 ? r[1] : 0);
+    return P[0] > 0 ? sum / 4 : 0;
+}
+
+/* F' = N' + r under the patch and at its ends, elsewhere F0'. */
+static void restrict_sides(ovr_composite *c, ovr_patch *patch,
+                           ovr_patch *parent)
+{
+    const ovr_hierarchy *grids = c->grids;
+    ovr_level *level = parent->level;
+    size_t begin = ovr_patch_begin(patch), end = ovr_patch_end(patch);
+    double *r = c->room[0], *F = c->room[1];
+    ovr_level_clear(level, level->f.F);
+    ovr_level_residual(grids, level); /* -N' */
+    ovr_level_read(grids, level, level->f.r, F);
+    ovr_level_read(grids, patch->level, patch->level->f.r, r);
+    for (size_t I = begin + 1; I < end; I++) {
+        size_t i = ovr_patch_node(patch, I);
+        F[I] = weighted(patch->P + i, r + i) - F[I];
+    }
+    if (patch->opens)
+        F[begin] = residual_at_end(c, patch, parent, begin, true) - F[begin];
+    if (patch->closes)
+        F[end] = residual_at_end(c, patch, parent, end, false) - F[end];
+    for (size_t I = 0; I < begin + !patch->opens; I++)
+        F[I] = parent->F[I];
+    for (size_t I = end + patch->closes; I < level->grid.n; I++)
+        F[I] = parent->F[I];
+    ovr_level_write(grids, level, F, level->f.F);
+}
+
+/* Residual and phase. */
+static void settle(const ovr_composite *c, ovr_patch *part)
+{
+    if (part == c->part)
+        ovr_level_residual(c->grids, part->level);
+    else
+        ovr_patch_settle(c->grids, part);
+}
+
+/* To the parent; film and residual of the patch are up to date, then those of
+ * the parent are. */
+static void restrict_to(ovr_composite *c, ovr_patch *patch, ovr_patch *parent)
+{
+    const ovr_hierarchy *grids = c->grids;
+    ovr_level_read(grids, parent->level, parent->level->f.P, parent->P);
+    restrict_pressure(patch, parent);
+    ovr_patch_write(grids, parent);
+    ovr_patch_deform(grids, parent);
+    ovr_patch_detail(grids, &c->film, patch, parent);
+    restrict_gap(c, patch, parent);
+    ovr_level_properties(grids, parent->level);
+    ovr_patch_read(grids, patch);
+    ovr_patch_read(grids, parent);
+    restrict_sides(c, patch, parent);
+    settle(c, parent);
+}
+
+/* What the patches add is no longer the base's to carry. */
+static void restrict_force(ovr_composite *c)
+{
+    double added = 0;
+    for (int k = 1; k <= c->patches; k++)
+        added += c->part[k].added;
+    c->part[0].level->force = c->force - added;
+}
+
+/* -------------------------------------------------------------- correction */
+
+static void correct(ovr_composite *c, ovr_patch *patch, ovr_patch *parent)
+{
+    const double *new, *old;
+    ovr_patch_read(c->grids, parent);
+    new = parent->P + patch->level->grid.first;
+    old = parent->entry + patch->level->grid.first;
+    for (size_t i = patch->from; i <= patch->to; i++) {
+        size_t I = i / 2, J = I + i % 2;
+        double change = 0.5 * (new[I] - old[I] + new[J] - old[J]);
+        if (patch->P[i] > 0)
+            patch->P[i] = fmax(0, patch->P[i] + change);
+    }
+    ovr_patch_edges(patch, parent);
+    ovr_patch_outer(&c->film, patch, parent);
+    refresh(c, patch);
+}
+
+/* ------------------------------------------------------------------ cycles */
+
+static void relax(ovr_composite *c, ovr_patch *patch, const ovr_cycling *how,
+                  int sweeps)
+{
+    for (int s = 0; s < sweeps; s++) {
+        ovr_patch_relax(c->grids, patch, how->smoothing.limit);
+        refresh(c, patch);
+    }
+}
+
+void ovr_composite_cycle(ovr_composite *c, const ovr_cycling *how)
+{
+    for (int k = c->patches; k > 0; k--) {
+        relax(c, &c->part[k], how, how->sweeps_before);
+        restrict_to(c, &c->part[k], &c->part[k - 1]);
+    }
+    restrict_force(c);
+    ovr_cycle(c->grids, c->part[0].level, *how);
+    for (int k = 1; k <= c->patches; k++) {
+        correct(c, &c->part[k], &c->part[k - 1]);
+        relax(c, &c->part[k], how, how->sweeps_after);
+    }
+}
+
+/* Sum of rho_i (reynolds.h) of the leaves of a part. */
+static double imbalance(const ovr_composite *c, int k)
+{
+    const ovr_patch *part = &c->part[k];
+    double D = part->level->grid.D, half = 0.5 / (D * D), sum = 0;
+    double *r = c->room[0];
+    ovr_level_read(c->grids, part->level, part->level->f.r, r);
+    for (size_t i = part->from; i <= part->to; i++) {
+        const double *eps = part->eps + i;
+        double outflow = half * (eps[-1] + 2 * eps[0] + eps[1]) * part->P[i];
+        if (ovr_composite_leaf(c, k, i))
+            sum += r[i] < 0 ? -r[i] : fmin(r[i], outflow);
+    }
+    return sum;
+}
+
+ovr_defect ovr_composite_defect(ovr_composite *c)
+{
+    const ovr_level *base = c->part[0].level;
+    ovr_defect d = {0};
+    for (int k = c->patches; k > 0; k--)
+        restrict_to(c, &c->part[k], &c->part[k - 1]);
+    restrict_force(c);
+    ovr_patch_read(c->grids, &c->part[0]);
+    for (int k = 0; k <= c->patches; k++)
+        d.imbalance += c->part[k].level->grid.D * imbalance(c, k);
+    d.centre = ovr_level_centre(base, base->f.H);
+    d.imbalance /= fabs(d.centre);
+    d.load = fabs(base->force - ovr_level_load(c->grids, base)) / c->force;
+    return d;
+}
