@@ -48,6 +48,8 @@ ovr_status ovr_composite_prepare(ovr_composite *c, ovr_hierarchy *grids,
                                  ovr_arena *arena, ovr_error *err)
 {
     size_t n = grids->level[grids->finest].grid.n;
+    for (int k = 0; k < patches; k++)
+        n = most[k] > n ? most[k] : n;
     c->grids = grids;
     if (ovr_patch_base(grids, &c->part[0], arena, err))
         return OVR_NO_MEMORY;

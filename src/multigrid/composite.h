@@ -42,14 +42,15 @@ typedef struct ovr_composite {
     int patches;                   /* beside the base */
     ovr_patch part[OVR_LEVELS];    /* 0: the base; each the next one's parent */
     double force;                  /* wanted load */
-    double *room[2];               /* as large as the base */
+    double *room[2];               /* for the nodes of any part */
     /* Memory of patches, taken anew for each solution. */
     ovr_arena memory;
     char *chunk;
     size_t size, used;
 } ovr_composite;
 
-/* Memory for `patches` patches of so many nodes at most. */
+/* Memory for `patches` patches of so many nodes at most, none with more than
+ * the hierarchy's finest grid. */
 ovr_status ovr_composite_prepare(ovr_composite *c, ovr_hierarchy *grids,
                                  const size_t *most, int patches,
                                  ovr_arena *arena, ovr_error *err);

@@ -3,16 +3,17 @@
 
 #include <math.h>
 
-/* Longest way from the spike to the rupture that the first two patches have
- * room for; meshes that they go beyond it. */
+/* How many patches reach to behind the rupture; the longest way there from the
+ * spike that they have room for; meshes that they go beyond it. */
 #define EXIT_LENGTH 0.8
 enum { EXITS = 3, BEYOND = 12 };
 
-size_t ovr_spike_most(int k, double half, double D)
+size_t ovr_spike_most(int k, double half, const ovr_grid *base)
 {
     double meshes = 2 * half + 3 * OVR_PATCH_UNIT;
     if (k <= EXITS)
-        meshes += 2 * BEYOND + EXIT_LENGTH / ldexp(D, 1 - k);
+        meshes += EXITS * BEYOND + EXIT_LENGTH / ldexp(base->D, 1 - k);
+    meshes = fmin(meshes, (double)(base->n - 1) / 2);
     return 2 * ((size_t)meshes / OVR_PATCH_UNIT) * OVR_PATCH_UNIT + 1;
 }
 
@@ -72,7 +73,8 @@ static window lay(const ovr_composite *c, const ovr_spike_search *how, double X)
     right = fmin(right + OVR_PATCH_EDGE / 2., most);
     double units = ceil((right - left) / OVR_PATCH_UNIT);
     double room = floor((most - left) / OVR_PATCH_UNIT);
-    double taken = (double)ovr_spike_most(k, how->half, c->part[0].level->grid.D);
+    double taken = (double)ovr_spike_most(k, how->half,
+                                          &c->part[0].level->grid);
     units = fmin(fmin(units, room), floor((taken - 1) / (2 * OVR_PATCH_UNIT)));
     if (!(units * OVR_PATCH_UNIT >= OVR_PATCH_LEAST))
         return (window){0, 0};
