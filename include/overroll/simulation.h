@@ -62,6 +62,15 @@ typedef enum ovr_cavitation {
                                  smoother and cycles to a tolerance only */
 } ovr_cavitation;
 
+/* Patches of ever finer mesh where the mesh of the whole domain is too coarse
+ * (multigrid/composite.h).  Of steady solutions only: Newtonian, isothermal,
+ * second-order schemes, the line smoother, cycles to a tolerance, level 6 at
+ * least.  The pressure is then linear between nodes. */
+typedef enum ovr_refine {
+    OVR_REFINE_NONE,
+    OVR_REFINE_SPIKE /* about the pressure spike, and to behind the rupture */
+} ovr_refine;
+
 /* Zero or NAN where noted means: the program chooses from M, L and level. */
 typedef struct ovr_options {
     size_t size;          /* of this struct, as its user knows it */
@@ -91,6 +100,10 @@ typedef struct ovr_options {
     bool paper_balance;  /* H0 by the paper's relaxation on the coarsest
                             grid instead of the dense Newton step */
     ovr_cavitation cavitation;
+    ovr_refine refine;
+    int refine_level;     /* of the finest patch; 0: until the spike's height
+                             has changed less on two levels running than by */
+    double refine_change; /* so much, relative; 0: 1e-3 */
 } ovr_options;
 
 OVR_SIZED(ovr_options)
@@ -264,6 +277,9 @@ typedef struct ovr_observation {
     double cavity_length;   /* dry, between the first and the last wet node */
     double mass_defect;     /* inflow - outflow - stored change by the scheme's
                                own fluxes, over H_cen */
+    /* patches about the spike; without them 0 and NAN */
+    int refined_level;   /* of the finest */
+    double spike_change; /* of the spike's height by the last level, relative */
 } ovr_observation;
 OVR_API const ovr_observation *
 ovr_simulation_observation(const ovr_simulation *sim);
@@ -300,7 +316,8 @@ typedef enum ovr_axes {
 /* Physics that a quantity belongs to, as bits. */
 enum {
     OVR_PHYSICS_CONTENT = 1, /* oil is conserved */
-    OVR_PHYSICS_HEAT = 2     /* there are temperatures */
+    OVR_PHYSICS_HEAT = 2,    /* there are temperatures */
+    OVR_PHYSICS_REFINED = 4  /* there are patches of finer mesh */
 };
 OVR_API unsigned ovr_options_physics(const ovr_options *options);
 

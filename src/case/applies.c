@@ -18,6 +18,8 @@ static const struct condition {
     {NULL, "time_unit", NULL, "history", "table"},
     {"lubricant", "p0", NULL, "viscosity_law", "roelands"},
     {"lubricant", "z", NULL, "viscosity_law", "roelands"},
+    {"domain", "refine_level", NULL, "refine", "spike"},
+    {"domain", "refine_change", NULL, "refine", "spike"},
     {"heat", "points", NULL, "model", "lobatto"},
     {"heat", "conductivity", NULL, "model", "lobatto"},
     {"heat", "heat_capacity", NULL, "model", "lobatto"},

@@ -49,6 +49,9 @@ static const ovr_word smoothers[] = {{"line", OVR_LINE},
                                      {"dipole", OVR_DIPOLE},
                                      {NULL, 0}};
 static const ovr_word orders[] = {{"auto", 0}, {"2", 2}, {"4", 4}, {NULL, 0}};
+static const ovr_word refines[] = {{"none", OVR_REFINE_NONE},
+                                   {"spike", OVR_REFINE_SPIKE},
+                                   {NULL, 0}};
 static const ovr_word accuracies[] = {{"H_cen", OVR_ACCURACY_H_CEN},
                                       {"H_min", OVR_ACCURACY_H_MIN},
                                       {"features", OVR_ACCURACY_FEATURES},
@@ -375,6 +378,14 @@ static const ovr_parameter table[] = {
     {"domain", "order", CHOICE(orders), "auto", AT(options.order), true,
      "of the steady solution, and of what a run keeps of it: 4 corrects film, "
      "Poiseuille flow and wedge on the finest grid; auto: 4 where it applies"},
+    {"domain", "refine", CHOICE(refines), "none", AT(options.refine), true,
+     "spike: patches of ever finer mesh about the pressure spike, the first "
+     "three to behind the rupture of the film; of steady contacts only"},
+    {"domain", "refine_level", WHOLE(7, 22), NULL, AT(options.refine_level),
+     true, "of the finest patch; else as many as refine_change takes"},
+    {"domain", "refine_change", PLAIN(1e-9, 0.5), "1e-3",
+     AT(options.refine_change), true,
+     "patches until two levels running change the spike's height by less"},
 
     {"solver", "cycle", CHOICE(cycles), "V", AT(options.cycle_index), true,
      "multigrid cycle"},

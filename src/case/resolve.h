@@ -48,6 +48,9 @@ ovr_status ovr_resolve_oil(ovr_resolved *r, ovr_error *err);
 /* [heat], and the options that go with it. */
 ovr_status ovr_resolve_heat(ovr_resolved *r, ovr_error *err);
 
+/* [domain] refine: refuses what does not go with it. */
+ovr_status ovr_resolve_refine(const ovr_resolved *r, ovr_error *err);
+
 /* [cavitation], [supply] and [passes]. */
 ovr_status ovr_resolve_supply(ovr_resolved *r, const ovr_allocator *allocator,
                               ovr_error *err);

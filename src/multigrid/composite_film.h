@@ -11,12 +11,12 @@
  *     w = o + K_l (P - I P')                           P = I P' at the edges
  *     o_{2I}   = w'_I
  *     o_{2I+1} = sum_{m<5} a_m (w'_{I-m} + w'_{I+1+m})
- *              + sum_{t<14} c_t (P'_{I-t} + P'_{I+1+t})
+ *              + sum_{t<18} c_t (P'_{I-t} + P'_{I+1+t})
  *     c_t = k'(t + 1/2) - sum_m a_m [k'(t - m) + k'(t + 1 + m)]
  *
  * a_m Lagrange's weights of the midpoint, k' the parent's kernel; c_t/D' does
  * not depend on the level.  It is exact but for the far terms of c_t, about
- * 1e-12, in every sweep.
+ * 1e-13, in every sweep.
  *
  * Outside the patch what it adds to its parent, P - I P' and what still finer
  * patches add, V, counts as pressures V' of the parent's nodes with the same
@@ -41,7 +41,7 @@
 
 #include "multigrid/patch.h"
 
-enum { OVR_FILM_NEAR = 14, OVR_FILM_MIDDLE = 5, OVR_DETAIL_MIDDLE = 4 };
+enum { OVR_FILM_NEAR = 18, OVR_FILM_MIDDLE = 5, OVR_DETAIL_MIDDLE = 4 };
 
 typedef struct ovr_composite_film {
     double near[OVR_FILM_NEAR];       /* c_t/D' */

@@ -157,6 +157,7 @@ ovr_status ovr_spike_solve(ovr_composite *c, const ovr_spike_search *how,
         found->X = now.X;
     }
     finish(c, how, found, cycles);
+    found->D = c->part[c->patches].level->grid.D;
     now = find(&c->part[c->patches]);
     found->P = now.P;
     found->X = now.X;

@@ -31,6 +31,7 @@ typedef struct ovr_spike_search {
 
 typedef struct ovr_spike_found {
     int level;         /* of the finest patch; the base's where none fits */
+    double D;          /* its mesh */
     double P, X;       /* height, at a node: NAN without a maximum; place */
     double change;     /* relative, of P from the level below; NAN */
     ovr_defect defect;

@@ -95,6 +95,23 @@ static double *stored_positions(ovr_writer *w, const double *X, ovr_error *err)
     return x;
 }
 
+/* By the trapezoidal rule, where patches make the nodes unequally far from
+ * each other; else NULL. */
+static ovr_status weigh(const ovr_writer *w, ovr_arena *arena,
+                        ovr_file_plan *plan, ovr_error *err)
+{
+    if (!(w->options.physics & OVR_PHYSICS_REFINED))
+        return OVR_OK;
+    double *weights = ovr_arena_take(arena, w->nodes, sizeof *weights, err);
+    for (size_t k = 1; weights && k < w->nodes; k++) {
+        double half = 0.5 * (plan->x[k] - plan->x[k - 1]);
+        weights[k - 1] += half;
+        weights[k] += half;
+    }
+    plan->weights = weights;
+    return weights ? OVR_OK : OVR_NO_MEMORY;
+}
+
 static ovr_status take_scratch(ovr_writer *w, ovr_error *err)
 {
     ovr_arena *a = &w->arena;
@@ -158,10 +175,12 @@ static ovr_status prepare(ovr_writer *w, const double *X, ovr_file_plan *plan,
     if (status)
         return status;
     ovr_date_now(w->created);
-    *plan = (ovr_file_plan){&w->options, &w->scales, NULL,
-                            w->nodes,    w->created, 0};
+    *plan = (ovr_file_plan){.options = &w->options,
+                            .scales = &w->scales,
+                            .nodes = w->nodes,
+                            .created = w->created};
     plan->x = stored_positions(w, X, err);
-    if (!plan->x)
+    if (!plan->x || weigh(w, &w->arena, plan, err))
         return OVR_NO_MEMORY;
     status = ovr_file_prepare(&w->file, plan, &w->arena, err);
     if (status)

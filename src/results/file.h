@@ -45,6 +45,7 @@ typedef struct ovr_file_plan {
     size_t nodes;
     const char *created; /* its date_created */
     uint64_t number;     /* of the checkpoint that is gone on from */
+    const double *weights; /* of x in integrals; NULL: not stored */
 } ovr_file_plan;
 
 /* Bytes of a value of a field. */

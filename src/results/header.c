@@ -156,6 +156,24 @@ static hid_t make_positions(const ovr_file *f, const ovr_file_plan *plan)
     return ok ? x : -1;
 }
 
+/* Weights of the nodes that are stored, by which sums are integrals over x,
+ * where the nodes are not equally far from each other. */
+static bool make_weights(const ovr_file *f, const ovr_file_plan *plan, hid_t x)
+{
+    dataset d = {.name = "weight",
+                 .long_name = "weight of a node in integrals over x",
+                 .kind = OVR_KIND_LENGTH,
+                 .type = H5T_IEEE_F64LE,
+                 .rank = 1,
+                 .shape = {f->nodes},
+                 .along = {x}};
+    hid_t set = ovr_header_dataset(f->file, &d, plan->scales);
+    bool ok = set >= 0 && H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL,
+                                   H5P_DEFAULT, plan->weights) >= 0;
+    ovr_h5_drop(set);
+    return ok;
+}
+
 static bool make_time(ovr_file *f, const ovr_scales *scales)
 {
     dataset d = {.name = "time",
@@ -328,7 +346,8 @@ bool ovr_header_write(ovr_file *f, const ovr_file_plan *plan)
               make_time(f, plan->scales);
     if (ok)
         x = make_positions(f, plan);
-    ok = x >= 0 && make_fields(f, plan->scales, x) &&
+    ok = x >= 0 && (!plan->weights || make_weights(f, plan, x)) &&
+         make_fields(f, plan->scales, x) &&
          make_history(f, plan->scales) && make_case(f, plan->options);
     ovr_h5_drop(x);
     return ok;

@@ -139,8 +139,14 @@ static ovr_status prepare(ovr_run *run, const char *path, ovr_error *err)
     if (!run->c || as_recorded(run, err) ||
         (how->change && how->change(how->data, run->c, err)))
         return OVR_BAD_INPUT;
-    return ovr_run_set_up(run, err) ? OVR_BAD_INPUT
-                                    : go_back(run, complete, err);
+    if (ovr_run_set_up(run, err))
+        return OVR_BAD_INPUT;
+    if (run->setup->options->refine != OVR_REFINE_NONE)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: a solution with patches (refine) is computed in "
+                        "one go: there is nothing to go on with",
+                        path);
+    return go_back(run, complete, err);
 }
 
 /* A pass that has no file yet. */

@@ -384,6 +384,29 @@ static void warn_of_unrest(const review *r, double T, bool settled)
             march->steady_from, march->end);
 }
 
+/* Patches that did not do what was asked of them. */
+static void warn_of_patches(const review *r, const ovr_observation *o)
+{
+    const ovr_options *wanted = r->setup->options;
+    if (!wanted->refine)
+        return;
+    if (o->refined_level == wanted->level)
+        say(r, OVR_SAY_WARNING,
+            "refine: there is no room for a patch about X = %.4g on this "
+            "domain and level; outlet farther out or a higher level gives it",
+            isfinite(o->X_spike) ? o->X_spike : o->X_cavitation);
+    else if (!isfinite(o->P_spike))
+        say(r, OVR_SAY_NOTE,
+            "refine: the pressure has no spike; its sharpest bend was refined "
+            "to level %d",
+            o->refined_level);
+    else if (!wanted->refine_level && o->spike_change > wanted->refine_change)
+        say(r, OVR_SAY_WARNING,
+            "the spike's height still changes by %.2g at level %d, where the "
+            "patches end",
+            o->spike_change, o->refined_level);
+}
+
 void ovr_run_review_after(ovr_run *run)
 {
     review r = {run->c, run->setup, ovr_run_message, run};
@@ -401,6 +424,7 @@ void ovr_run_review_after(ovr_run *run)
         isnan(ovr_simulation_observation(sim)->meniscus) &&
         ((const ovr_resolved *)r.setup)->inlet_kept >= 0)
         warn_of_inlet(&r, state, H_cen);
+    warn_of_patches(&r, ovr_simulation_observation(sim));
     warn_of_extremes(&r, ovr_simulation_statistics(sim));
     warn_of_unrest(&r, state->T, ovr_simulation_statistics(sim)->settled);
     ovr_run_review_heat(run);

@@ -110,6 +110,12 @@ static ovr_status choose_output(ovr_run *run, ovr_error *err)
                : OVR_NO_MEMORY;
 }
 
+/* Where the nodes are is then known once the contact is solved. */
+static bool refines(const ovr_run *run)
+{
+    return run->setup->options->refine != OVR_REFINE_NONE;
+}
+
 static ovr_status prepare(ovr_run *run, ovr_error *err)
 {
     if (run->how.steady)
@@ -121,7 +127,8 @@ static ovr_status prepare(ovr_run *run, ovr_error *err)
         return ovr_passes_begin(run, err);
     if (ovr_run_set_up(run, err))
         return OVR_BAD_INPUT;
-    return run->info.output ? ovr_output_open(run, err) : OVR_OK;
+    return run->info.output && !refines(run) ? ovr_output_open(run, err)
+                                             : OVR_OK;
 }
 
 ovr_run *ovr_run_create(ovr_case *c, const ovr_run_options *options,
@@ -184,6 +191,10 @@ static ovr_status solve(ovr_run *run, ovr_error *err)
     ovr_march how = *run->setup->march;
     ovr_observer observer[4];
     ovr_status status = OVR_OK;
+    if (!run->restored)
+        status = ovr_simulation_steady(run->sim, err);
+    if (!status && run->info.output && !run->writer && refines(run))
+        status = ovr_output_open(run, err);
     how.count = 0;
     how.observers = observer;
     if (run->stress)
@@ -194,8 +205,6 @@ static ovr_status solve(ovr_run *run, ovr_error *err)
         observer[how.count++] = (ovr_observer){run->how.observe, NULL,
                                                run->how.data};
     observer[how.count++] = (ovr_observer){look, NULL, run};
-    if (!run->restored)
-        status = ovr_simulation_steady(run->sim, err);
     if (!status && run->info.transient)
         return ovr_simulation_march(run->sim, &how, err);
     for (size_t k = 0; !status && k < how.count; k++)

@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "multigrid/fourth_order.h"
 #include "multigrid/full.h"
+#include "multigrid/spike.h"
 #include "multigrid/starved.h"
 #include "overroll/simulation.h"
 #include "simulation/scheme.h"
@@ -92,6 +93,7 @@ struct ovr_simulation {
     double *S_past;            /* surface one step ago */
     double *stress;            /* mean over the film, at half nodes */
     struct ovr_heated *heated; /* temperatures (heat.h), or NULL */
+    struct ovr_refined *refined; /* patches (refined.h), or NULL */
 
     double *saved; /* a P to go back to: steady, of the level below */
     double *saved_before, *lacking; /* continuation.c */

@@ -239,6 +239,13 @@ static const ovr_observable table[] = {
     OIL("mass_defect", NULL, NUMBER, mass_defect,
         "inflow - outflow - stored change of the scheme, over the central "
         "film"),
+    {NULL, "refined_level", NULL,
+     "level of the finest patch about the spike", OVR_KIND_COUNT, OVR_AT_STEPS,
+     offsetof(ovr_observation, refined_level), NULL, OVR_PHYSICS_REFINED},
+    {NULL, "spike_change", NULL,
+     "relative change of the spike's height by the last level", OVR_KIND_NUMBER,
+     OVR_AT_STEPS, offsetof(ovr_observation, spike_change), NULL,
+     OVR_PHYSICS_REFINED},
     NUMBER("residual", "residual", NULL, NUMBER, residual,
            "relative mass-flow imbalance"),
     NUMBER("order", "order", NULL, COUNT, order,
@@ -266,9 +273,9 @@ const ovr_observable *ovr_observable_field(const char *name)
 
 unsigned ovr_options_physics(const ovr_options *options)
 {
-    return options->cavitation == OVR_CAVITATION_CONSERVING
-               ? OVR_PHYSICS_CONTENT
-               : 0;
+    bool content = options->cavitation == OVR_CAVITATION_CONSERVING;
+    return (content ? OVR_PHYSICS_CONTENT : 0) |
+           (options->refine != OVR_REFINE_NONE ? OVR_PHYSICS_REFINED : 0);
 }
 
 double ovr_observable_value(const ovr_observable *which,

@@ -5,6 +5,7 @@
 #include "simulation/extremes.h"
 #include "simulation/heat.h"
 #include "simulation/internal.h"
+#include "simulation/refined.h"
 
 double ovr_integral(const ovr_simulation *sim, const double *f)
 {
@@ -65,6 +66,9 @@ static double upstream(const ovr_simulation *sim, size_t i)
         return sim->arrival.face;
     if (i == 0)
         return sim->scheme->order == 2 ? 0.5 * (q[0] + q[1]) : q[0];
+    if (sim->refined) /* at unequal distances */
+        return q[i] + 0.5 * (q[i] - q[i - 1]) * ovr_spacing(&sim->now, i + 1) /
+                          ovr_spacing(&sim->now, i);
     flow = u[0] * q[i] + u[1] * q[i - 1];
     if (ovr_conserves(sim) && !(sim->now.P[i] > 0) && flow < 0.5 * q[i])
         flow = 0.5 * q[i]; /* multigrid/content.h */
@@ -107,6 +111,8 @@ static double mean_flow(const ovr_simulation *sim)
 {
     double Cu = ovr_history_value(sim->speed, sim->state.T);
     const double *upstream = sim->scheme->upstream;
+    if (sim->refined)
+        return ovr_refined_flow(sim);
     const double u[2] = {upstream[0] * Cu, upstream[1] * Cu};
     if (sim->heated)
         return mean_hot_flow(sim, Cu);
@@ -127,7 +133,7 @@ void ovr_publish_state(ovr_simulation *sim)
 {
     ovr_state *state = &sim->state;
     state->n = sim->now.n;
-    state->D = ovr_mesh(sim);
+    state->D = sim->refined ? sim->refined->found.D : ovr_mesh(sim);
     state->X = sim->now.X;
     state->weights = sim->now.weights;
     state->q = sim->now.q;
@@ -156,6 +162,7 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
     ovr_observe_heat(sim, o);
     o->residual = outcome->defect.imbalance;
     o->order = sim->order;
+    ovr_refined_observe(sim, o);
     o->cycles = outcome->cycles;
     o->retries = outcome->retries;
     o->converged = outcome->converged;

@@ -207,6 +207,46 @@ static ovr_status check_order(const ovr_options *o, ovr_error *err)
     return OVR_OK;
 }
 
+/* Patches need a grid with room for the first of them, and memory for the
+ * last. */
+enum { LEAST_REFINED = 6, MOST_REFINED = 22 };
+
+static ovr_status check_refine_level(const ovr_options *o, ovr_error *err)
+{
+    if (o->level < LEAST_REFINED || o->level >= MOST_REFINED)
+        return ovr_fail_about(err, "level",
+                              "level %d: refine goes with levels %d to %d",
+                              o->level, LEAST_REFINED, MOST_REFINED - 1);
+    if (o->refine_level &&
+        (o->refine_level <= o->level || o->refine_level > MOST_REFINED))
+        return ovr_fail_about(err, "refine_level",
+                              "refine_level %d: above the level, %d, and %d at "
+                              "most",
+                              o->refine_level, o->level, MOST_REFINED);
+    if (!(o->refine_change >= 0 && o->refine_change < 1))
+        return ovr_fail_about(err, "refine_change",
+                              "refine_change %g: above 0 and below 1, or 0, "
+                              "which means 1e-3",
+                              o->refine_change);
+    return OVR_OK;
+}
+
+static ovr_status check_refine(const ovr_options *o, ovr_error *err)
+{
+    if (o->refine == OVR_REFINE_NONE)
+        return OVR_OK;
+    if (o->refine != OVR_REFINE_SPIKE)
+        return ovr_fail_about(err, "refine", "refine %d: 0 and 1 are possible",
+                              (int)o->refine);
+    if (!corrects(o))
+        return ovr_fail_about(err, "refine",
+                              "refine goes with the schemes upstream2 and "
+                              "characteristic, cavitation by Reynolds, the "
+                              "line smoother and cycles until a tolerance is "
+                              "reached");
+    return check_refine_level(o, err);
+}
+
 /* What goes with conserved oil. */
 static ovr_status check_cavitation(const ovr_options *o, ovr_error *err)
 {
@@ -246,7 +286,7 @@ ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
 {
     ovr_options_domain(contact, o);
     if (check_numbers(o, err) || check(o, err) || check_cavitation(o, err) ||
-        check_order(o, err))
+        check_order(o, err) || check_refine(o, err))
         return OVR_BAD_INPUT;
     if (!o->order)
         o->order = corrects(o) ? 4 : 2;

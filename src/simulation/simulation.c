@@ -10,6 +10,7 @@
 #include "multigrid/hybrid.h"
 #include "multigrid/line.h"
 #include "simulation/internal.h"
+#include "simulation/refined.h"
 
 static ovr_status take(ovr_simulation *sim, double **to, ovr_error *err)
 {
@@ -51,7 +52,7 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
 static void fill_arrays(ovr_simulation *sim)
 {
     ovr_hierarchy_fill(&sim->grids);
-    ovr_grid_weights(&sim->finest->grid, sim->now.weights);
+    ovr_refined_forget(sim);
     ovr_inflow_fill(sim);
     ovr_publish_state(sim);
 }
@@ -110,6 +111,7 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
     sim->wanted = (ovr_wanted){
         .M = sim->contact.M, .L = sim->contact.L, .fluid = grids->fluid};
     grids->content = o->cavitation == OVR_CAVITATION_CONSERVING;
+    grids->linear = o->refine != OVR_REFINE_NONE;
     grids->ordered = ordered_level(o);
     if (ovr_hierarchy_build(grids, o->coarsest_level, o->level, o->inlet,
                             o->outlet, order, range, &sim->arena, err))
@@ -122,7 +124,13 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
     if (o->order == 4 &&
         ovr_correction_prepare(grids, &sim->correction, &sim->arena, err))
         return OVR_NO_MEMORY;
-    return take_arrays(sim, err);
+    if (grids->linear && ovr_refined_take(sim, err))
+        return OVR_NO_MEMORY;
+    if (sim->refined)
+        sim->now.n = sim->refined->most;
+    ovr_status status = take_arrays(sim, err);
+    sim->now.n = sim->finest->grid.n;
+    return status;
 }
 
 /* With all its memory, of which as good as nothing is written. */
@@ -158,6 +166,10 @@ ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
                        err) ||
         ovr_options_resolve(contact, &resolved, err))
         return NULL;
+    if (lubricant->rheology != OVR_NEWTONIAN && resolved.refine) {
+        ovr_fail_about(err, "refine", "refine goes with Newtonian oil");
+        return NULL;
+    }
     sim = set_up(ovr_arena_make(allocator), contact, lubricant, &resolved, err);
     if (sim)
         fill_arrays(sim);

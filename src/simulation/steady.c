@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "simulation/heat_in_time.h"
+#include "simulation/refined.h"
 
 double ovr_film_expected(const ovr_simulation *sim, double fraction)
 {
@@ -310,12 +311,17 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
         if (sim->heated)
             ovr_heat_reset(sim);
         sim->grids.conserving = false;
+        if (sim->refined)
+            ovr_refined_forget(sim);
         outcome.defect = solve(sim, &how, &outcome.cycles);
         if (ovr_conserves(sim))
             outcome.defect = ovr_supply_steady(sim, &how, &outcome.cycles);
         ovr_simulation_read(sim);
         if (sim->heated && finished(sim, &outcome, tolerance_of(sim, &outcome)))
             solve_heat(sim, &how, &outcome);
+        if (sim->refined &&
+            finished(sim, &outcome, tolerance_of(sim, &outcome)))
+            ovr_refined_solve(sim, &how, &outcome);
         tolerance = tolerance_of(sim, &outcome);
         outcome.converged = finished(sim, &outcome, tolerance);
         if (sim->options.stop == OVR_STOP_FIXED || ovr_mesh_too_coarse(sim))

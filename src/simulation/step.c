@@ -190,6 +190,10 @@ static void count(ovr_simulation *sim, const ovr_outcome *outcome)
 static ovr_status check(const ovr_simulation *sim, double dT, ovr_error *err)
 {
     double Cu = ovr_history_value(sim->speed, sim->past.T[0] + dT);
+    if (sim->refined)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "a steady solution with patches (refine) is no start "
+                        "of steps in time: create it without");
     if (!sim->started)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "a step needs a converged steady start first");

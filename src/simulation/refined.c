@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "simulation/refined.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Meshes of the parent to each side of the spike: measured, where more change
+ * its height by less than two levels do. */
+static double half_width(const ovr_simulation *sim)
+{
+    double M = sim->contact.M;
+    return M <= 50 ? 24 : M <= 150 ? 48 : M <= 500 ? 64 : 96;
+}
+
+/* Where patches end that go on until the spike changes little: uniform grids
+ * of level 18 have 2 million nodes, here a level is 10 microseconds a cycle. */
+enum { LAST_LEVEL = 22 };
+static const double USUAL_CHANGE = 1e-3;
+
+static int last_level(const ovr_options *o)
+{
+    return o->refine_level ? o->refine_level : LAST_LEVEL;
+}
+
+ovr_status ovr_refined_take(ovr_simulation *sim, ovr_error *err)
+{
+    size_t most[OVR_LEVELS], n = sim->finest->grid.n;
+    int patches = last_level(&sim->options) - sim->options.level;
+    ovr_refined *r = ovr_arena_take(&sim->arena, 1, sizeof *r, err);
+    if (!r)
+        return OVR_NO_MEMORY;
+    sim->refined = r;
+    r->most = n;
+    for (int k = 0; k < patches; k++) {
+        most[k] = ovr_spike_most(k + 1, half_width(sim), &sim->finest->grid);
+        r->most += most[k];
+    }
+    r->X = ovr_arena_take(&sim->arena, r->most, sizeof *r->X, err);
+    r->whole = ovr_arena_take(&sim->arena, n, sizeof *r->whole, err);
+    if (!r->X || !r->whole)
+        return OVR_NO_MEMORY;
+    return ovr_composite_prepare(&r->composite, &sim->grids, most, patches,
+                                 &sim->arena, err);
+}
+
+void ovr_refined_forget(ovr_simulation *sim)
+{
+    sim->now.n = sim->finest->grid.n;
+    sim->now.X = sim->finest->grid.X;
+    ovr_grid_weights(&sim->finest->grid, sim->now.weights);
+}
+
+/* X^2/2 - S at T = 0. */
+static void rigid(void *data, size_t n, const double *X, double *gap)
+{
+    ovr_simulation *sim = data;
+    if (sim->heights)
+        sim->heights(sim->heights_data, 0, n, X, gap);
+    else
+        memset(gap, 0, n * sizeof *gap);
+    for (size_t i = 0; i < n; i++)
+        gap[i] = 0.5 * X[i] * X[i] - gap[i];
+}
+
+/* ------------------------------------------------------------------ leaves */
+
+/* Leaf i of a part becomes node n of the solution. */
+static void take_leaf(ovr_simulation *sim, const ovr_patch *part, size_t i,
+                      const double *H)
+{
+    size_t n = sim->now.n++;
+    sim->refined->X[n] = part->level->grid.X[i];
+    sim->now.P[n] = part->P[i];
+    sim->now.H[n] = H[i];
+    sim->now.q[n] = part->q[i];
+    sim->now.eps[n] = part->eps[i];
+}
+
+/* Leaves from a part's node `from` to `to`, of which the next patch lies
+ * somewhere between. */
+static void take_leaves(ovr_simulation *sim, int k, size_t from, size_t to)
+{
+    ovr_composite *c = &sim->refined->composite;
+    const ovr_patch *part = &c->part[k];
+    double *H = part->outer_w; /* free once all is solved */
+    ovr_level_read(&sim->grids, part->level, part->level->f.H, H);
+    for (size_t i = from; i <= to; i++) {
+        if (ovr_composite_leaf(c, k, i)) {
+            take_leaf(sim, part, i, H);
+            continue;
+        }
+        take_leaves(sim, k + 1, part[1].from, part[1].to);
+        i = ovr_patch_end(part + 1) - 1;
+    }
+}
+
+static void weigh(ovr_solution *now)
+{
+    memset(now->weights, 0, now->n * sizeof *now->weights);
+    for (size_t i = 1; i < now->n; i++) {
+        double half = 0.5 * ovr_spacing(now, i);
+        now->weights[i - 1] += half;
+        now->weights[i] += half;
+    }
+}
+
+static void read_leaves(ovr_simulation *sim)
+{
+    ovr_refined *r = sim->refined;
+    for (int k = 0; k <= r->composite.patches; k++)
+        ovr_patch_read(&sim->grids, &r->composite.part[k]);
+    sim->now.n = 0;
+    sim->now.X = r->X;
+    take_leaves(sim, 0, 0, sim->finest->grid.n - 1);
+    weigh(&sim->now);
+    if (sim->heights)
+        sim->heights(sim->heights_data, 0, sim->now.n, r->X, sim->S);
+}
+
+double ovr_refined_flow(const ovr_simulation *sim)
+{
+    const ovr_composite *c = &sim->refined->composite;
+    double sum = 0, length = 0;
+    for (int k = 0; k <= c->patches; k++) {
+        const ovr_patch *part = &c->part[k];
+        double D = part->level->grid.D;
+        for (size_t i = part->from; i < part->to; i++)
+            if (part->P[i] > 0 && part->P[i + 1] > 0 &&
+                ovr_composite_leaf(c, k, i) &&
+                ovr_composite_leaf(c, k, i + 1)) {
+                sum += D * ovr_patch_flux(&sim->grids, part, i);
+                length += D;
+            }
+    }
+    return length > 0 ? -sum / length : 0;
+}
+
+void ovr_refined_observe(const ovr_simulation *sim, ovr_observation *o)
+{
+    o->refined_level = sim->refined ? sim->refined->found.level : 0;
+    o->spike_change = sim->refined ? sim->refined->found.change : NAN;
+}
+
+/* ----------------------------------------------------------------- solving */
+
+void ovr_refined_solve(ovr_simulation *sim, const ovr_full *how,
+                       ovr_outcome *outcome)
+{
+    const ovr_options *o = &sim->options;
+    ovr_refined *r = sim->refined;
+    ovr_error err = {0};
+    double change = o->refine_change > 0 ? o->refine_change : USUAL_CHANGE;
+    const ovr_spike_search search = {
+        .cycling = how->cycling,
+        .level = last_level(o),
+        .change = o->refine_level ? 0 : change,
+        .half = half_width(sim),
+        .tolerance = ovr_negligible_tolerance(sim, ovr_mesh(sim),
+                                              outcome->defect.centre),
+        .most_cycles = how->most_cycles,
+        .fourth = sim->order == 4,
+        .rigid = rigid,
+        .data = sim};
+    ovr_composite_begin(&r->composite, sim->wanted.force);
+    if (ovr_spike_solve(&r->composite, &search, &r->found, &outcome->cycles,
+                        &err))
+        outcome->defect.imbalance = INFINITY; /* cannot be: it has its room */
+    else
+        outcome->defect = r->found.defect;
+    read_leaves(sim);
+}
