@@ -49,9 +49,8 @@ static const ovr_word smoothers[] = {{"line", OVR_LINE},
                                      {"dipole", OVR_DIPOLE},
                                      {NULL, 0}};
 static const ovr_word orders[] = {{"auto", 0}, {"2", 2}, {"4", 4}, {NULL, 0}};
-static const ovr_word refines[] = {{"none", OVR_REFINE_NONE},
-                                   {"spike", OVR_REFINE_SPIKE},
-                                   {NULL, 0}};
+static const ovr_word refines[] = {
+    {"none", OVR_REFINE_NONE}, {"spike", OVR_REFINE_SPIKE}, {NULL, 0}};
 static const ovr_word accuracies[] = {{"H_cen", OVR_ACCURACY_H_CEN},
                                       {"H_min", OVR_ACCURACY_H_MIN},
                                       {"features", OVR_ACCURACY_FEATURES},

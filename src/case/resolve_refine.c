@@ -16,7 +16,8 @@ ovr_status ovr_resolve_refine(const ovr_resolved *r, ovr_error *err)
         bool refused;
         const char *right;
     } checks[] = {
-        {"time", "end", r->setup.transient, "a steady contact, without [time],"},
+        {"time", "end", r->setup.transient,
+         "a steady contact, without [time],"},
         {"lubricant", "rheology", r->lubricant.rheology != OVR_NEWTONIAN,
          "newtonian"},
         {"heat", "model", r->setup.heat != NULL, "none"},

@@ -66,6 +66,18 @@ static double heat_memory(const ovr_setup *setup)
            (double)setup->nodes * sizeof(double);
 }
 
+/* One cycle a patch down to the grid of the level, some more at the end; of
+ * patches that go on until the spike changes little, eight. */
+static double refine_seconds(const ovr_options *o, double nodes)
+{
+    const double nodes_a_patch = 300, usual = 8, last = 4;
+    double levels = o->refine_level ? o->refine_level - o->level : usual;
+    if (!o->refine)
+        return 0;
+    return 2 * SECONDS_A_NODE * (levels + last) *
+           (nodes + levels * nodes_a_patch);
+}
+
 /* `live`: bytes of the set-up, its surfaces included. */
 static estimate estimate_cost(const ovr_setup *setup, double live)
 {
@@ -84,6 +96,7 @@ static estimate estimate_cost(const ovr_setup *setup, double live)
     cost.stored.bytes *= cost.passes;
     cost.seconds = cost.passes * cost.nodes * SECONDS_A_NODE *
                    (2 * CYCLES_STEADY + cost.steps * CYCLES_A_STEP);
+    cost.seconds += refine_seconds(setup->options, cost.nodes);
     return cost;
 }
 
@@ -310,6 +323,15 @@ static void put_cost(const estimate *cost, const ovr_setup *setup, bool ends)
     printf("# %-28s level %d, %.0f nodes, mesh D = %.6g%s\n", "grid",
            setup->options->level, cost->nodes, cost->mesh,
            in_metres(cost->mesh, setup->contact->b).text);
+    if (setup->options->refine && setup->options->refine_level)
+        printf("# %-28s about the spike, to level %d, mesh %.3g\n", "patches",
+               setup->options->refine_level,
+               ldexp(cost->mesh,
+                     setup->options->level - setup->options->refine_level));
+    else if (setup->options->refine)
+        printf("# %-28s about the spike, until its height changes by less than "
+               "%g\n",
+               "patches", setup->options->refine_change);
     printf("# %-28s %.1g of %s is to be expected\n", "error of discretization",
            setup->expected, of[setup->accuracy_of]);
     if (cost->passes > 1)

@@ -96,6 +96,9 @@ _overroll_values() {
     domain.accuracy_of) echo 'H_cen H_min features' ;;
     domain.nodes) echo '' ;;
     domain.order) echo 'auto 2 4' ;;
+    domain.refine) echo 'none spike' ;;
+    domain.refine_level) echo '' ;;
+    domain.refine_change) echo '' ;;
     solver.cycle) echo 'V W' ;;
     solver.sweeps_before) echo 'auto' ;;
     solver.sweeps_after) echo 'auto' ;;

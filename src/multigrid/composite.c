@@ -135,8 +135,9 @@ static void restrict_pressure(ovr_patch *patch, ovr_patch *parent)
         bool inject = (patch->opens && i < OVR_PATCH_EDGE + 8) ||
                       (patch->closes && i + OVR_PATCH_EDGE + 8 >= n);
         bool wet = P[i - 1] > 0 && P[i] > 0 && P[i + 1] > 0;
-        parent->P[first + i / 2] =
-            wet && !inject ? (P[i - 1] + 2 * P[i] + P[i + 1]) / 4 : P[i];
+        parent->P[first + i / 2] = wet && !inject
+                                       ? (P[i - 1] + 2 * P[i] + P[i + 1]) / 4
+                                       : P[i];
     }
     memcpy(parent->entry, parent->P, parent->level->grid.n * sizeof *P);
 }

@@ -39,10 +39,10 @@
 typedef struct ovr_composite {
     ovr_hierarchy *grids;
     ovr_composite_film film;
-    int patches;                   /* beside the base */
-    ovr_patch part[OVR_LEVELS];    /* 0: the base; each the next one's parent */
-    double force;                  /* wanted load */
-    double *room[2];               /* for the nodes of any part */
+    int patches;                /* beside the base */
+    ovr_patch part[OVR_LEVELS]; /* 0: the base; each the next one's parent */
+    double force;               /* wanted load */
+    double *room[2];            /* for the nodes of any part */
     /* Memory of patches, taken anew for each solution. */
     ovr_arena memory;
     char *chunk;

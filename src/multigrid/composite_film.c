@@ -187,8 +187,7 @@ void ovr_patch_fourth(ovr_patch *patch, const ovr_patch *parent)
     const double *g = parent->g + patch->level->grid.first;
     for (size_t i = 0; i < patch->level->grid.n; i++) {
         const double *at = g + i / 2;
-        patch->g[i] = i % 2 ? (9 * (at[0] + at[1]) - at[-1] - at[2]) / 16
-                            : *at;
+        patch->g[i] = i % 2 ? (9 * (at[0] + at[1]) - at[-1] - at[2]) / 16 : *at;
         patch->rigid[i] += patch->g[i];
     }
 }

@@ -129,7 +129,8 @@ static void plan_corrections(const ovr_mlmi *plan, ovr_mlmi_grid *grid,
             sum += plan->weight[j] * (effective(plan, spacing, k - x) +
                                       effective(plan, spacing, k + x));
         }
-        grid->near_odd[k] = scale * (kernel_of(plan, spacing * (double)k) - sum);
+        grid->near_odd[k] = scale *
+                            (kernel_of(plan, spacing * (double)k) - sum);
     }
 }
 

@@ -89,10 +89,9 @@ static ovr_status take_natural(ovr_hierarchy *grids, size_t n, ovr_arena *arena,
 
 static void set_lanes(ovr_level *level, const ovr_kernels *kernels)
 {
-    level->lanes = (ovr_lanes){
-        .n = level->grid.n,
-        .S = ovr_mlmi_lane(&level->mlmi, kernels->lanes),
-        .V = kernels->lanes};
+    level->lanes = (ovr_lanes){.n = level->grid.n,
+                               .S = ovr_mlmi_lane(&level->mlmi, kernels->lanes),
+                               .V = kernels->lanes};
 }
 
 ovr_status ovr_level_build(const ovr_hierarchy *grids, ovr_level *level,
@@ -157,9 +156,8 @@ void ovr_level_fill(const ovr_hierarchy *grids, ovr_level *level,
     ovr_grid_fill(&level->grid);
     ovr_mlmi_fill(&level->mlmi, level->grid.D, like ? &like->mlmi : NULL);
     for (int d = 0; d < 6; d++)
-        level->k[d] = grids->linear
-                          ? ovr_deformation_linear(d, level->grid.D)
-                          : ovr_deformation_kernel(d, level->grid.D);
+        level->k[d] = grids->linear ? ovr_deformation_linear(d, level->grid.D)
+                                    : ovr_deformation_kernel(d, level->grid.D);
 }
 
 void ovr_hierarchy_fill(ovr_hierarchy *grids)

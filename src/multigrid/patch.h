@@ -19,28 +19,28 @@
 #include "multigrid/hierarchy.h"
 
 enum {
-    OVR_PATCH_EDGE = 2,  /* fine meshes from the array's end to J* */
-    OVR_PATCH_UNIT = 8,  /* parent meshes: lanes without a rest */
+    OVR_PATCH_EDGE = 2,    /* fine meshes from the array's end to J* */
+    OVR_PATCH_UNIT = 8,    /* parent meshes: lanes without a rest */
     OVR_PATCH_MARGIN = 16, /* parent nodes to the parent's own end */
-    OVR_PATCH_LEAST = 40 /* parent meshes: fewer leave no room for the next */
+    OVR_PATCH_LEAST = 40   /* parent meshes: fewer leave no room for the next */
 };
 
 typedef struct ovr_patch {
-    ovr_level *level;      /* the base's, or own */
+    ovr_level *level; /* the base's, or own */
     ovr_level own;
-    size_t from, to;       /* first and last unknown */
-    bool opens, closes;    /* begins, ends inside the domain */
-    double *P, *q, *eps;   /* of the level, as last read */
-    double *w;             /* deformation by all pressures */
-    double *entry;         /* P when the cycle came from the finer patch */
-    double *rigid, *F;     /* gap and right-hand side where no patch is finer */
-    double *g;             /* of rigid: fourth order (composite_film.h) */
+    size_t from, to;     /* first and last unknown */
+    bool opens, closes;  /* begins, ends inside the domain */
+    double *P, *q, *eps; /* of the level, as last read */
+    double *w;           /* deformation by all pressures */
+    double *entry;       /* P when the cycle came from the finer patch */
+    double *rigid, *F;   /* gap and right-hand side where no patch is finer */
+    double *g;           /* of rigid: fourth order (composite_film.h) */
     double *outer_w, *outer_P; /* the parent's deformation and pressure here */
-    double *detail;        /* what finer patches add, as pressures of this
-                              grid (composite_film.h) */
-    double *detail_w;      /* its deformation */
-    double *wide[2];       /* in lanes, with halos */
-    double added;          /* D sum of P less the parent's: load */
+    double *detail;            /* what finer patches add, as pressures of this
+                                  grid (composite_film.h) */
+    double *detail_w;          /* its deformation */
+    double *wide[2];           /* in lanes, with halos */
+    double added;              /* D sum of P less the parent's: load */
 } ovr_patch;
 
 /* The base: memory for what it needs beside its level. */

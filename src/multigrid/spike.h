@@ -5,11 +5,11 @@
  * The next patch is laid about the spike of the solution so far, some 24 to 96
  * meshes of its parent to each side, the first three to behind the rupture of
  * the film as well (with two the smallest film is off by 3e-6 at M = 20, L =
- * 10, base 8, with three by 1e-6).  The spike is the highest local maximum of P at X > 0.3, of
- * nodes; where there is none, the sharpest bend.  One cycle a patch, from cubic
- * interpolation, until the wanted level is reached, or the height of the spike
- * has changed less than was wanted on two levels running (once may be by
- * chance); then cycles to the tolerance.
+ * 10, base 8, with three by 1e-6).  The spike is the highest local maximum of P
+ * at X > 0.3, of nodes; where there is none, the sharpest bend.  One cycle a
+ * patch, from cubic interpolation, until the wanted level is reached, or the
+ * height of the spike has changed less than was wanted on two levels running
+ * (once may be by chance); then cycles to the tolerance.
  */
 #ifndef OVR_MULTIGRID_SPIKE_H
 #define OVR_MULTIGRID_SPIKE_H
@@ -30,10 +30,10 @@ typedef struct ovr_spike_search {
 } ovr_spike_search;
 
 typedef struct ovr_spike_found {
-    int level;         /* of the finest patch; the base's where none fits */
-    double D;          /* its mesh */
-    double P, X;       /* height, at a node: NAN without a maximum; place */
-    double change;     /* relative, of P from the level below; NAN */
+    int level;     /* of the finest patch; the base's where none fits */
+    double D;      /* its mesh */
+    double P, X;   /* height, at a node: NAN without a maximum; place */
+    double change; /* relative, of P from the level below; NAN */
     ovr_defect defect;
 } ovr_spike_found;
 

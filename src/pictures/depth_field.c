@@ -63,16 +63,53 @@ static double value_at(const ovr_depth_field *f, const ovr_stress_row *row,
                             f->residual_y);
 }
 
+/* Nodes at the first distance of the file's, those of patches (refine) left
+ * out: what they add does not reach the depths that are shown. */
+static ovr_status choose_nodes(ovr_depth_field *f, ovr_arena *arena,
+                               ovr_error *err)
+{
+    const double *x = f->run->x;
+    size_t n = f->run->info->nodes;
+    double length = x[n - 1] - x[0];
+    f->nodes = n;
+    f->mesh = length / (double)(n - 1);
+    if (fabs(x[1] - x[0] - f->mesh) < 1e-6 * f->mesh)
+        return OVR_OK;
+    f->nodes = (size_t)(length / (x[1] - x[0]) + 0.5) + 1;
+    f->mesh = length / (double)(f->nodes - 1);
+    f->even = ovr_arena_take(arena, f->nodes, sizeof *f->even, err);
+    return f->even ? OVR_OK : OVR_NO_MEMORY;
+}
+
+/* Values at the chosen nodes, linear between the file's, in their place. */
+static void put_even(const ovr_depth_field *f, double *values)
+{
+    const double *x = f->run->x;
+    size_t last = f->run->info->nodes - 1, i = 0;
+    for (size_t k = 0; f->even && k < f->nodes; k++) {
+        double at = x[0] + (double)k * f->mesh;
+        while (i + 2 <= last && x[i + 1] <= at)
+            i++;
+        f->even[k] = values[i] + (values[i + 1] - values[i]) * (at - x[i]) /
+                                     (x[i + 1] - x[i]);
+    }
+    if (f->even)
+        memcpy(values, f->even, f->nodes * sizeof *values);
+}
+
 static ovr_status read_loads(ovr_depth_field *f, size_t k, ovr_error *err)
 {
     ovr_result *result = f->run->result;
     ovr_status status = ovr_result_snapshot(result, "pressure", k, OVR_HERTZIAN,
                                             f->P, err);
+    if (!status)
+        put_even(f, f->P);
     if (status || f->traction == 0)
         return status;
     status = ovr_result_snapshot(result, f->shear, k, OVR_HERTZIAN, f->Q, err);
     for (size_t i = 0; i < f->run->info->nodes; i++)
         f->Q[i] *= f->traction;
+    put_even(f, f->Q);
     return status;
 }
 
@@ -137,21 +174,23 @@ ovr_status ovr_depth_field_make(ovr_depth_field *f, const ovr_stored *run,
     if (!run->pressure || info->nodes < 3)
         return ovr_fail(err, OVR_BAD_INPUT, "the file holds no pressure");
     read_body(f, surface);
-    f->mesh = (run->x[info->nodes - 1] - run->x[0]) / (double)(info->nodes - 1);
+    if (choose_nodes(f, arena, err))
+        return OVR_NO_MEMORY;
     f->least = least_meshes * f->mesh;
     f->x_from = isnan(x_from) ? -1.5 : x_from;
     f->x_to = isnan(x_to) ? 1.5 : x_to;
     f->z_to = logarithmic ? deepest : shown;
     o.mesh = f->mesh;
     o.inlet = run->x[0];
-    o.nodes = info->nodes;
+    o.nodes = f->nodes;
     o.from = f->x_from - 0.1;
     o.to = f->x_to + 0.1;
     o.depth_min = f->mesh / 2;
     o.depth_max = deepest;
     o.traction = f->traction != 0;
-    f->P = ovr_arena_take(arena, info->nodes, sizeof *f->P, err);
-    f->Q = ovr_arena_take(arena, info->nodes, sizeof *f->Q, err);
+    size_t room = f->nodes > info->nodes ? f->nodes : info->nodes;
+    f->P = ovr_arena_take(arena, room, sizeof *f->P, err);
+    f->Q = ovr_arena_take(arena, room, sizeof *f->Q, err);
     f->cells = ovr_arena_take(arena, (size_t)OVR_CELLS_X * OVR_CELLS_Z,
                               sizeof *f->cells, err);
     if (!f->P || !f->Q || !f->cells)

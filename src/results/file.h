@@ -43,8 +43,8 @@ typedef struct ovr_file_plan {
     const ovr_scales *scales;
     const double *x; /* stored positions, in the file's unit */
     size_t nodes;
-    const char *created; /* its date_created */
-    uint64_t number;     /* of the checkpoint that is gone on from */
+    const char *created;   /* its date_created */
+    uint64_t number;       /* of the checkpoint that is gone on from */
     const double *weights; /* of x in integrals; NULL: not stored */
 } ovr_file_plan;
 

@@ -347,8 +347,8 @@ bool ovr_header_write(ovr_file *f, const ovr_file_plan *plan)
     if (ok)
         x = make_positions(f, plan);
     ok = x >= 0 && (!plan->weights || make_weights(f, plan, x)) &&
-         make_fields(f, plan->scales, x) &&
-         make_history(f, plan->scales) && make_case(f, plan->options);
+         make_fields(f, plan->scales, x) && make_history(f, plan->scales) &&
+         make_case(f, plan->options);
     ovr_h5_drop(x);
     return ok;
 }

@@ -42,6 +42,11 @@ static ovr_status read_axes(stored *f, ovr_arena *arena, ovr_error *err)
         ovr_result_times(f->result, OVR_HERTZIAN, f->T, err))
         return OVR_BAD_INPUT;
     f->mesh = (f->x[f->nodes - 1] - f->x[0]) / (double)(f->nodes - 1);
+    if (fabs(f->x[1] - f->x[0] - f->mesh) > 1e-6 * f->mesh)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: its nodes are not equally far from each other "
+                        "(refine): stresses need a run without patches",
+                        f->path);
     if (f->x[0] > -1.05 || f->x[f->nodes - 1] < 1.05)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: holds X from %g to %g only: stresses need the "

@@ -239,9 +239,9 @@ static const ovr_observable table[] = {
     OIL("mass_defect", NULL, NUMBER, mass_defect,
         "inflow - outflow - stored change of the scheme, over the central "
         "film"),
-    {NULL, "refined_level", NULL,
-     "level of the finest patch about the spike", OVR_KIND_COUNT, OVR_AT_STEPS,
-     offsetof(ovr_observation, refined_level), NULL, OVR_PHYSICS_REFINED},
+    {NULL, "refined_level", NULL, "level of the finest patch about the spike",
+     OVR_KIND_COUNT, OVR_AT_STEPS, offsetof(ovr_observation, refined_level),
+     NULL, OVR_PHYSICS_REFINED},
     {NULL, "spike_change", NULL,
      "relative change of the spike's height by the last level", OVR_KIND_NUMBER,
      OVR_AT_STEPS, offsetof(ovr_observation, spike_change), NULL,

@@ -121,7 +121,7 @@ double ovr_refined_flow(const ovr_simulation *sim)
 {
     const ovr_composite *c = &sim->refined->composite;
     double sum = 0, length = 0;
-    for (int k = 0; k <= c->patches; k++) {
+    for (int k = c->patches > 0; k <= c->patches; k++) {
         const ovr_patch *part = &c->part[k];
         double D = part->level->grid.D;
         for (size_t i = part->from; i < part->to; i++)

@@ -29,7 +29,8 @@ void ovr_refined_solve(ovr_simulation *sim, const ovr_full *how,
 /* What is observed of patches. */
 void ovr_refined_observe(const ovr_simulation *sim, ovr_observation *o);
 
-/* Mean mass flow of the leaves' own fluxes where the film is wet. */
+/* Mean mass flow of the patches' own fluxes where the film is wet: those of the
+ * whole domain's grid are of second order, its solution of fourth. */
 double ovr_refined_flow(const ovr_simulation *sim);
 
 #endif

@@ -265,9 +265,11 @@ static void mass_passes_the_interfaces(void **state)
  * level; its place stays. */
 static void spike_is_resolved(void **state)
 {
-    const ovr_spike_search wanted = {
-        .level = 14, .half = 24, .tolerance = 1e-8, .most_cycles = 20,
-        .rigid = rigid};
+    const ovr_spike_search wanted = {.level = 14,
+                                     .half = 24,
+                                     .tolerance = 1e-8,
+                                     .most_cycles = 20,
+                                     .rigid = rigid};
     ovr_spike_search how = wanted;
     ovr_error err = {0};
     ovr_spike_found found;

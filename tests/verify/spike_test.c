@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Patches about the spike: beside uniform grids, heights at high loads, and a
+ * survey. */
+#include <math.h>
+#include <stdio.h>
+
+#include "support/spike.h"
+#include "support/test.h"
+
+static void as_on_uniform_grids(void **state)
+{
+    (void)state;
+    test_spike_beside_uniform(14);
+    test_spike_beside_uniform(16);
+}
+
+/* Heights over two or three grids of the whole domain, and their scatter. */
+static void heights_at_high_loads(void **state)
+{
+    const struct {
+        double M, L, inlet;
+        int first, last, to;
+        double scatter;
+    } at[] = {{100, 10, -4, 9, 10, 20, 1e-3},
+              {200, 14, -4, 9, 10, 22, 2e-3},
+              {1000, 10, -2, 9, 11, 21, 1e-2}};
+    (void)state;
+    for (size_t k = 0; k < sizeof at / sizeof *at; k++) {
+        double low = INFINITY, high = -INFINITY;
+        for (int level = at[k].first; level <= at[k].last; level++)
+            for (int to = at[k].to - 1; to <= at[k].to; to++) {
+                ovr_observation o = test_spike(at[k].M, at[k].L, at[k].inlet,
+                                               level, to, 0);
+                printf("M = %g, L = %g: over level %d to %d: P_spike %.6f, "
+                       "H_min %.9f, H_cen %.9f, last change %.1e\n",
+                       at[k].M, at[k].L, level, to, o.P_spike, o.H_min, o.H_cen,
+                       o.spike_change);
+                assert_true(o.converged);
+                low = fmin(low, o.P_spike);
+                high = fmax(high, o.P_spike);
+            }
+        printf("  scatter %.1e\n", high / low - 1);
+        assert_true(high / low - 1 < at[k].scatter);
+    }
+}
+
+static void survey(void **state)
+{
+    (void)state;
+    test_spike_survey(169, 80);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(as_on_uniform_grids),
+        cmocka_unit_test(heights_at_high_loads),
+        cmocka_unit_test(survey),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
