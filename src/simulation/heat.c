@@ -17,6 +17,8 @@ static ovr_status check(const ovr_simulation *sim, ovr_error *err)
     const ovr_options *o = &sim->options;
     if (o->order == 4)
         return ovr_fail_about(err, "order", "order: heat goes with order 2");
+    if (o->refine != OVR_REFINE_NONE)
+        return ovr_fail_about(err, "refine", "refine: heat goes without");
     if (!(sim->contact.u1_ratio >= 0 && sim->contact.u2_ratio >= 0))
         return ovr_fail_about(err, "slide_to_roll",
                               "slide_to_roll: heat wants both surfaces to move "

@@ -288,6 +288,28 @@ static double tolerance_of(const ovr_simulation *sim,
     return tolerance_at(sim, sim->finest, outcome->defect.centre);
 }
 
+/* By one strategy, from the beginning: flooded, isothermal, on the whole
+ * domain's grids; then with the supply, with heat or with patches. */
+static void attempt(ovr_simulation *sim, const ovr_full *how,
+                    ovr_outcome *outcome)
+{
+    if (sim->heated)
+        ovr_heat_reset(sim);
+    if (sim->refined)
+        ovr_refined_forget(sim);
+    sim->grids.conserving = false;
+    outcome->defect = solve(sim, how, &outcome->cycles);
+    if (ovr_conserves(sim))
+        outcome->defect = ovr_supply_steady(sim, how, &outcome->cycles);
+    ovr_simulation_read(sim);
+    if (!finished(sim, outcome, tolerance_of(sim, outcome)))
+        return;
+    if (sim->heated)
+        solve_heat(sim, how, outcome);
+    if (sim->refined)
+        ovr_refined_solve(sim, how, outcome);
+}
+
 ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
 {
     double tolerance = 0;
@@ -308,20 +330,7 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
         outcome.retries = tried++;
         sim->strategy = k;
         sim->refinements = 0;
-        if (sim->heated)
-            ovr_heat_reset(sim);
-        sim->grids.conserving = false;
-        if (sim->refined)
-            ovr_refined_forget(sim);
-        outcome.defect = solve(sim, &how, &outcome.cycles);
-        if (ovr_conserves(sim))
-            outcome.defect = ovr_supply_steady(sim, &how, &outcome.cycles);
-        ovr_simulation_read(sim);
-        if (sim->heated && finished(sim, &outcome, tolerance_of(sim, &outcome)))
-            solve_heat(sim, &how, &outcome);
-        if (sim->refined &&
-            finished(sim, &outcome, tolerance_of(sim, &outcome)))
-            ovr_refined_solve(sim, &how, &outcome);
+        attempt(sim, &how, &outcome);
         tolerance = tolerance_of(sim, &outcome);
         outcome.converged = finished(sim, &outcome, tolerance);
         if (sim->options.stop == OVR_STOP_FIXED || ovr_mesh_too_coarse(sim))
