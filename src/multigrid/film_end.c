@@ -105,11 +105,11 @@ static bool find_film(const film *f, ptrdiff_t out, stretch *s)
     bool dry = false, moves = false;
     *s = (stretch){from, from - out, out};
     for (ptrdiff_t i = from; i > 0 && i < n - 1; i += out) {
-        bool wet = is_wet(f, i), rises = !wet && wants_to_rise(f, i, 1e-9);
-        if (dry && (wet || rises))
+        bool wet = is_wet(f, i), up = !wet && wants_to_rise(f, i, 1e-9);
+        if (dry && (wet || up))
             break;
-        dry = !wet && !rises;
-        moves |= rises;
+        dry = !wet && !up;
+        moves |= up;
         s->last = i;
     }
     return moves;
@@ -162,7 +162,8 @@ static bool for_free(const film *f, bool (*look)(const film *, ptrdiff_t))
     const ovr_fields *x = &f->level->f;
     bool found = false;
     for (size_t J = 0; J < g->S; J++) {
-        unsigned free = ~(unsigned)(x->wet[J] | x->held[J]);
+        unsigned all = (1U << g->V) - 1;
+        unsigned free = all & ~(unsigned)(x->wet[J] | x->held[J]);
         for (size_t l = 0; free && l < g->V; l++)
             if (free >> l & 1)
                 found |= look(f, (ptrdiff_t)(l * g->S + J));

@@ -22,6 +22,6 @@ typedef struct test_histories {
  * again.  A step that is refused is tried by the dense Newton from the same
  * past.
  */
-test_histories test_histories_run(uint64_t seed, long runs, bool dense);
+test_histories test_histories_run(uint64_t seed, long runs, bool check);
 
 #endif
