@@ -24,22 +24,27 @@ static void to_chunk(void *context, void *memory)
     (void)memory;
 }
 
-/* What patches of so many nodes take. */
+/* What patches of so many nodes take; most are as large as the one before. */
 static ovr_status count_bytes(const ovr_composite *c, const size_t *most,
                               int patches, size_t *bytes, ovr_error *err)
 {
-    ovr_arena arena = ovr_arena_counting();
     ovr_patch patch, parent;
     ovr_level wide = *c->part[0].level;
     ovr_status status = OVR_OK;
+    size_t one = 0;
     parent = (ovr_patch){.level = &wide};
+    *bytes = 0;
     for (int k = 0; k < patches && !status; k++) {
+        ovr_arena arena = ovr_arena_counting();
         wide.grid.n = most[k] + 2;
-        status = ovr_patch_build(c->grids, &patch, &parent, 1,
-                                 (most[k] - 1) / 2, &arena, err);
+        if (k == 0 || most[k] != most[k - 1]) {
+            status = ovr_patch_build(c->grids, &patch, &parent, 1,
+                                     (most[k] - 1) / 2, &arena, err);
+            one = arena.bytes;
+            ovr_arena_release(&arena);
+        }
+        *bytes += one;
     }
-    *bytes = arena.bytes;
-    ovr_arena_release(&arena);
     return status;
 }
 
