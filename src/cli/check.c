@@ -55,14 +55,14 @@ static void give(void *live, void *memory)
     free(piece);
 }
 
-/* Temperatures by points, now, before and as the film has them; memories of
- * both surfaces; what the film has of them, on all grids. */
+/* Temperatures by points, now, before, at the feet and as the film has them,
+ * speeds and what they make; memories of both surfaces; what the film has of them, on all grids. */
 static double heat_memory(const ovr_setup *setup)
 {
-    enum { MEMORIES = 32, ARRAYS = 18, OF_ALL_GRIDS = 3 };
+    enum { MEMORIES = 32, ARRAYS = 25, OF_ALL_GRIDS = 3 };
     if (!setup->heat)
         return 0;
-    return (4 * setup->heat->points + MEMORIES + ARRAYS + 2 * OF_ALL_GRIDS) *
+    return (7 * setup->heat->points + MEMORIES + ARRAYS + 2 * OF_ALL_GRIDS) *
            (double)setup->nodes * sizeof(double);
 }
 
