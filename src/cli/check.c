@@ -56,7 +56,8 @@ static void give(void *live, void *memory)
 }
 
 /* Temperatures by points, now, before, at the feet and as the film has them,
- * speeds and what they make; memories of both surfaces; what the film has of them, on all grids. */
+ * speeds and what they make; memories of both surfaces; what the film has of
+ * them, on all grids. */
 static double heat_memory(const ovr_setup *setup)
 {
     enum { MEMORIES = 32, ARRAYS = 25, OF_ALL_GRIDS = 3 };
