@@ -120,14 +120,15 @@ typedef struct ovr_columns {
     const double *used[OVR_MOST_ACROSS]; /* T by which it flows */
     /* what flows; gamma */
     double *u[OVR_MOST_ACROSS], *heating[OVR_MOST_ACROSS], *t, *fall;
-    /* what Reynolds' equation gets (fields.h); V/2 m_1/m_0 q */
+    /* what Reynolds' equation gets (fields.h); V/2 m_1/m_0 q.  Where they have
+     * a place, they alone are made. */
     double *th, *shift, *drag, *turned;
-    /* a step dT from T at the feet and P `before` it (NULL: as now), with
+    /* a step dT from T at the feet with P_T (NULL: 0), with
      * surfaces of which (h - T_bulk)/N is `past` */
     double dT;
     double least_u; /* steady: a node is entered from the one upstream, with
                      * at least this speed (plain only); 0: in time */
-    const double *before, *foot[OVR_MOST_ACROSS], *past[2];
+    const double *P_T, *foot[OVR_MOST_ACROSS], *past[2];
     double resistance[2];
     double *T[OVR_MOST_ACROSS], *mean, *into[2]; /* T, T_m, q */
 } ovr_columns;

@@ -274,22 +274,30 @@ static INLINE vec softer(const shared *s, vec t)
     return choose(a > 1e-3, (up - 1) / ((up + 1) * a), all(1));
 }
 
-/* What Reynolds' equation gets, and gamma. */
+/* What Reynolds' equation gets. */
 static INLINE void store_fields(const shared *s, bool by_power, const nodes *v,
-                                vec t, size_t i)
+                                size_t i)
 {
     const ovr_columns *c = &s->c;
     vec skew = v->m[1] / v->m[0], psi = 3 * less(v->m[2], v->m[1], skew);
-    vec shift = -v->level, fall = all(s->heat.beta);
-    if (by_power) {
+    vec shift = -v->level;
+    if (by_power)
         shift = (1 - v->level) * (s->heat.C * INV_LN2);
-        fall = (s->heat.S0 * LN2 * s->inv_above) * v->steep * v->level / v->x;
-    }
-    store(c->fall + i, fall * softer(s, t));
     store(c->th + i, by_power ? v->level : all(1));
     store(c->shift + i, shift + scaled_log2(&s->log2, psi));
     store(c->drag + i, psi / v->m[0]);
     store(c->turned + i, (0.5 * c->V) * skew * load(c->q + i));
+}
+
+/* Stress and gamma. */
+static INLINE void store_stress(const shared *s, bool by_power, const nodes *v,
+                                vec t, size_t i)
+{
+    vec fall = all(s->heat.beta);
+    if (by_power)
+        fall = (s->heat.S0 * LN2 * s->inv_above) * v->steep * v->level / v->x;
+    store(s->c.t + i, t);
+    store(s->c.fall + i, fall * softer(s, t));
 }
 
 /* Velocities and heating, of a wet film; else what there is moves with the
@@ -313,25 +321,34 @@ static INLINE void store_flow(const shared *s, int n, const nodes *v, vec t,
 }
 
 /* The law's number: Newtonian 0, Eyring 1, by table 2. */
-static INLINE void columns(const shared *s, int n, bool by_power, int law)
+static INLINE void flow(const shared *s, int n, bool by_power, int law,
+                        nodes *v, size_t i)
 {
     const ovr_columns *c = &s->c;
-    for (size_t k = 1; k < c->n - 1; k += VEC) {
-        size_t i = k + VEC <= c->n - 1 ? k : c->n - 1 - VEC;
-        vec rate[OVR_MOST_ACROSS], H = load(c->H + i);
-        vec dX = load(c->X + i + 1) - load(c->X + i - 1);
-        vec P_X = (load(c->P + i + 1) - load(c->P + i - 1)) / dX;
+    vec rate[OVR_MOST_ACROSS], P = load(c->P + i);
+    vec dX = load(c->X + i + 1) - load(c->X + i - 1);
+    vec P_X = (load(c->P + i + 1) - load(c->P + i - 1)) / dX;
+    v->G = 0.5 * load(c->H + i) * P_X;
+    vec t = law == 2   ? law_flow(s, v, rate)
+            : law == 1 ? eyring_flow(s, n, v, rate)
+                       : newtonian(s, n, v, rate);
+    vec most = larger(c->limit * P - magnitude(v->G), all(0));
+    t = larger(smaller(t, most), -most);
+    t = choose(P > 0, t, all(0));
+    store_flow(s, n, v, t, rate, i);
+    store_stress(s, by_power, v, t, i);
+}
+
+static INLINE void columns(const shared *s, int n, bool by_power, int law)
+{
+    size_t last = s->c.n - 1;
+    for (size_t k = 1; k < last; k += VEC) {
+        size_t i = k + VEC <= last ? k : last - VEC;
         nodes v = temperatures(s, n, by_power, i);
-        v.G = 0.5 * H * P_X;
-        vec t = law == 2   ? law_flow(s, &v, rate)
-                : law == 1 ? eyring_flow(s, n, &v, rate)
-                           : newtonian(s, n, &v, rate);
-        vec most = larger(c->limit * load(c->P + i) - magnitude(v.G), all(0));
-        t = larger(smaller(t, most), -most);
-        t = choose(load(c->P + i) > 0, t, all(0));
-        store(c->t + i, t);
-        store_flow(s, n, &v, t, rate, i);
-        store_fields(s, by_power, &v, t, i);
+        if (s->c.th)
+            store_fields(s, by_power, &v, i);
+        else
+            flow(s, n, by_power, law, &v, i);
     }
 }
 

@@ -45,8 +45,8 @@ static ovr_sheet sheet_at(const ovr_columns *c, size_t i)
                        .law = c->law};
     if (inside)
         sheet.P_X = (P[i + 1] - P[i - 1]) / (X[i + 1] - X[i - 1]);
-    if (c->before)
-        sheet.P_T = (P[i] - c->before[i]) / c->dT;
+    if (c->P_T)
+        sheet.P_T = c->P_T[i];
     return sheet;
 }
 
@@ -58,6 +58,20 @@ static double fall(const ovr_columns *c, double log_eta,
            (a > 1e-3 ? tanh(a) / a : 1);
 }
 
+/* What Reynolds' equation gets. */
+static void put_fields(const ovr_columns *c, const ovr_flow_across *flow,
+                       size_t i)
+{
+    double skew = flow->m[1] / flow->m[0];
+    double psi = 3 * (flow->m[2] - flow->m[1] * skew);
+    /* ln eta of 0 and 1 give th and shift of any law */
+    double at_0 = ovr_heat_log_viscosity(c->heat, 0, flow->mean);
+    c->th[i] = ovr_heat_log_viscosity(c->heat, 1, flow->mean) - at_0;
+    c->shift[i] = -at_0 * INV_LN2 + log2(psi);
+    c->drag[i] = psi / flow->m[0];
+    c->turned[i] = c->V / 2 * skew * c->q[i];
+}
+
 void ovr_column_flow(const ovr_columns *c, size_t i)
 {
     double T[OVR_MOST_ACROSS];
@@ -65,21 +79,19 @@ void ovr_column_flow(const ovr_columns *c, size_t i)
     ovr_flow_across flow;
     for (int j = 0; j < c->across->n; j++)
         T[j] = c->used[j][i];
+    if (c->th)
+        sheet.wet = false; /* the ratios alone are wanted */
     ovr_flow_across_film(c->across, c->heat, &sheet, T, &flow);
+    if (c->th) {
+        put_fields(c, &flow, i);
+        return;
+    }
     for (int j = 0; j < c->across->n; j++) {
         c->u[j][i] = flow.u[j];
         c->heating[j][i] = flow.heating[j];
     }
-    double skew = flow.m[1] / flow.m[0];
-    double psi = 3 * (flow.m[2] - flow.m[1] * skew);
-    /* ln eta of 0 and 1 give th and shift of any law */
-    double at_0 = ovr_heat_log_viscosity(c->heat, 0, flow.mean);
     c->t[i] = flow.t;
     c->fall[i] = fall(c, sheet.log_eta, &flow);
-    c->th[i] = ovr_heat_log_viscosity(c->heat, 1, flow.mean) - at_0;
-    c->shift[i] = -at_0 * INV_LN2 + log2(psi);
-    c->drag[i] = psi / flow.m[0];
-    c->turned[i] = c->V / 2 * skew * c->q[i];
 }
 
 /* From where a layer was. */

@@ -14,13 +14,6 @@ typedef struct rows {
     vec A[OVR_MOST_ACROSS][OVR_MOST_ACROSS], b[OVR_MOST_ACROSS];
 } rows;
 
-static INLINE vec pressed(const ovr_columns *c, size_t i)
-{
-    if (!c->before)
-        return all(0);
-    return (load(c->P + i) - load(c->before + i)) / c->dT;
-}
-
 static INLINE vec wall_at(const ovr_columns *c, const ovr_heat *heat, int k,
                           size_t i)
 {
@@ -31,7 +24,8 @@ static INLINE void assemble(const ovr_columns *c, const ovr_across *across,
                             const ovr_heat *heat, int n, size_t i, rows *m)
 {
     vec q = load(c->q + i), H = load(c->H + i), P = load(c->P + i);
-    vec dX = load(c->X + i + 1) - load(c->X + i - 1), P_T = pressed(c, i);
+    vec dX = load(c->X + i + 1) - load(c->X + i - 1), P_T;
+    P_T = c->P_T ? load(c->P_T + i) : all(0);
     vec P_X = (load(c->P + i + 1) - load(c->P + i - 1)) / dX;
     vec conduction = heat->conduction / H, cooling = load(c->fall + i);
     vec pressing = choose(P > 0, heat->theta * heat->expansion * H, all(0));

@@ -23,6 +23,8 @@ struct ovr_mlmi;
 
 struct ovr_law;
 struct ovr_columns;
+struct ovr_feet;
+struct ovr_carried;
 
 /* The lubricant with the Reynolds equation's lambda. */
 typedef struct ovr_fluid {
@@ -159,6 +161,13 @@ enum { OVR_FOURTH_MARGIN = 8 };
                             const double *H, double *log_eta)) \
     K(void, flow_across, (const struct ovr_columns *c)) \
     K(void, heat_across, (const struct ovr_columns *c)) \
+    /* what surfaces and film carry along, see feet.h */ \
+    K(void, carry_along, (const struct ovr_feet *f, \
+                          const struct ovr_carried *w, double *to)) \
+    K(void, film_feet, (size_t n, double meshes, const double *u, \
+                        const double *v, double *at_feet)) \
+    K(void, weighted_sum, (size_t n, size_t count, const double weight[], \
+                           const double *const from[], double *sum)) \
     K(double, deviation, (size_t n, const double e[3], double most, \
                           const double *weights, const double *P, \
                           const double *q, double *const past[3])) \

@@ -7,8 +7,7 @@
 
 #include "multigrid/field.h"
 
-static const double LEAST_SPEED = 0.02, LEAST_FILM = 1e-6;
-static const double INV_LN2 = 1.4426950408889634;
+static const double LEAST_SPEED = 0.02;
 
 /* --------------------------------------------------------------- creation */
 
@@ -87,7 +86,7 @@ ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
     if (take_arrays(sim, h, err))
         return OVR_NO_MEMORY;
     sim->heated = h;
-    if (ovr_heat_steps_take(sim, err))
+    if (ovr_heat_film_take(sim, err) || ovr_heat_steps_take(sim, err))
         return OVR_NO_MEMORY;
     remember(sim);
     return OVR_OK;
@@ -182,67 +181,9 @@ void ovr_heat_give(ovr_simulation *sim)
     put_turned(sim);
 }
 
-/* ------------------------------------------------------------- the nodes */
-
-ovr_sheet ovr_heat_sheet(const ovr_simulation *sim, size_t i)
-{
-    const ovr_solution *now = &sim->now;
-    const ovr_heated *h = sim->heated;
-    bool wet = now->P[i] > 0 && i > 0 && i + 1 < now->n;
-    ovr_sheet sheet = {.H = now->H[i],
-                       .rho = now->q[i] / now->H[i],
-                       .lambda = sim->contact.lambda,
-                       .V = h->V,
-                       .u1 = h->u1,
-                       .Sigma0 = h->Sigma0,
-                       .limit = INFINITY,
-                       .wet = wet,
-                       .law = sim->lubricant.rheology > OVR_EYRING
-                                  ? sim->lubricant.flow_law
-                                  : NULL};
-    if (!wet && ovr_conserves(sim)) { /* P = 0: rho = 1 */
-        sheet.H = fmax(now->q[i], LEAST_FILM);
-        sheet.rho = 1;
-    }
-    if (wet) {
-        sheet.limit = h->limit * now->P[i];
-        sheet.P_X = (now->P[i + 1] - now->P[i - 1]) /
-                    (now->X[i + 1] - now->X[i - 1]);
-        sheet.log_eta = log(ovr_viscosity(&sim->lubricant, now->P[i]));
-    }
-    return sheet;
-}
-
-void ovr_heat_flow(const ovr_simulation *sim, size_t i, const ovr_sheet *sheet,
-                   ovr_flow_across *flow)
-{
-    const ovr_heated *h = sim->heated;
-    double here[OVR_MOST_ACROSS];
-    for (int j = 0; j < h->across.n; j++)
-        here[j] = h->used[j][i];
-    ovr_flow_across_film(&h->across, &h->numbers, sheet, here, flow);
-}
-
 void ovr_heat_apply(ovr_simulation *sim)
 {
-    ovr_heated *h = sim->heated;
-    const ovr_heat *numbers = &h->numbers;
-    for (size_t i = 0; i < sim->now.n; i++) {
-        ovr_sheet sheet = ovr_heat_sheet(sim, i);
-        ovr_flow_across flow;
-        double psi;
-        sheet.wet = false; /* the ratios alone are wanted */
-        ovr_heat_flow(sim, i, &sheet, &flow);
-        psi = 3 * (flow.m[2] - flow.m[1] * flow.m[1] / flow.m[0]);
-        /* ln eta of 0 and 1 give th and shift of any law */
-        double at_0 = ovr_heat_log_viscosity(numbers, 0, flow.mean);
-        h->th[i] = ovr_heat_log_viscosity(numbers, 1, flow.mean) - at_0;
-        h->shift[i] = -at_0 * INV_LN2 + log2(psi);
-        h->drag[i] = psi / flow.m[0];
-        h->turned[i] = sim->now.q[i] * h->V / 2 * flow.m[1] / flow.m[0];
-        if (ovr_conserves(sim) && !(sim->now.P[i] > 0))
-            h->turned[i] = 0; /* what it holds moves with the surfaces */
-    }
+    ovr_heat_film_fields(sim);
     ovr_heat_give(sim);
 }
 
@@ -250,51 +191,40 @@ void ovr_heat_apply(ovr_simulation *sim)
 
 /* What goes from node to node. */
 typedef struct march {
-    double psi[2][OVR_MODES], q[2], streamers;
+    double psi[2][OVR_MODES], q[2];
 } march;
 
 static void solve_node(ovr_simulation *sim, size_t i, march *m)
 {
     ovr_heated *h = sim->heated;
-    double D = ovr_spacing(&sim->now, i), foot[OVR_MOST_ACROSS];
-    double travel[OVR_MOST_ACROSS], T[OVR_MOST_ACROSS];
-    ovr_sheet sheet = ovr_heat_sheet(sim, i);
-    ovr_flow_across flow;
-    ovr_wall wall[2];
-    int last = h->across.n - 1;
-    if (sheet.wet)
-        m->streamers = sim->now.q[i];
-    else /* what is left fills less than the gap */
-        sheet.H = fmin(sheet.H, fmax(m->streamers, LEAST_FILM) / sheet.rho);
-    ovr_heat_flow(sim, i, &sheet, &flow);
-    for (int j = 0; j <= last; j++) {
-        foot[j] = h->T[j][i - 1];
-        travel[j] = D / fmax(flow.u[j], LEAST_SPEED);
-    }
+    for (int k = 0; k < 2; k++)
+        h->steps->past[k][i] = ovr_memory_past(&h->memory[k], m->psi[k],
+                                               m->q[k]);
+    ovr_column_heat(&h->film, i);
     for (int k = 0; k < 2; k++) {
-        double N = h->numbers.solid[k];
-        wall[k].h = h->numbers.bulk[k] +
-                    N * ovr_memory_past(&h->memory[k], m->psi[k], m->q[k]);
-        wall[k].resistance = N * 4 / 3 * sqrt(h->memory[k].dT);
-    }
-    ovr_across_solve(&h->across, &h->numbers, &sheet, &flow, foot, travel, wall,
-                     T);
-    for (int k = 0; k < 2; k++) {
-        double q = (T[k ? last : 0] - wall[k].h) / wall[k].resistance;
+        double q = h->q[k][i];
         ovr_memory_step(&h->memory[k], m->q[k], q, m->psi[k]);
         ovr_heat_steps_keep(sim, k, i, m->psi[k]);
-        h->q[k][i] = m->q[k] = q;
-    }
-    h->mean[i] = 0;
-    for (int j = 0; j <= last; j++) {
-        h->T[j][i] = T[j];
-        h->mean[i] += h->across.w[j] * T[j];
+        m->q[k] = q;
     }
 }
 
 void ovr_heat_march(ovr_simulation *sim)
 {
-    march m = {.streamers = sim->now.q[0]};
+    ovr_heated *h = sim->heated;
+    ovr_columns *c = &h->film;
+    march m = {.q = {0, 0}};
+    ovr_heat_film(sim);
+    c->P_T = NULL;
+    c->least_u = LEAST_SPEED;
+    c->mean = h->mean;
+    for (int j = 0; j < h->across.n; j++)
+        c->foot[j] = c->T[j] = h->T[j];
+    for (int k = 0; k < 2; k++) {
+        c->past[k] = h->steps->past[k];
+        c->into[k] = h->q[k];
+        c->resistance[k] = h->numbers.solid[k] * 4 / 3 * sqrt(h->memory[k].dT);
+    }
     for (size_t i = 1; i < sim->now.n; i++)
         solve_node(sim, i, &m);
 }
@@ -319,21 +249,12 @@ double ovr_heat_relax(ovr_simulation *sim, double share)
 
 /* ------------------------------------------------------------- observed */
 
-void ovr_heat_stress(const ovr_simulation *sim, double *t)
+void ovr_heat_stress(ovr_simulation *sim, double *t)
 {
     ovr_heated *h = sim->heated;
-    double made = 0, size = 0;
-    for (size_t i = 0; i < sim->now.n; i++) {
-        ovr_sheet sheet = ovr_heat_sheet_in_time(sim, i);
-        ovr_flow_across flow;
-        ovr_heat_flow(sim, i, &sheet, &flow);
-        h->t[i] = flow.t;
-        double here = ovr_heat_made(sim, i, &sheet, &flow);
-        made += sim->now.weights[i] * here;
-        size += sim->now.weights[i] * fabs(here);
-    }
-    h->made = made;
-    h->made_size = size;
+    ovr_heat_film(sim);
+    h->film.P_T = h->steps->dT > 0 ? h->steps->P_T : NULL;
+    h->made = ovr_heat_made(sim, &h->made_size);
     for (size_t i = 0; i + 1 < sim->now.n; i++)
         t[i] = (h->t[i] + h->t[i + 1]) / 2;
 }
@@ -346,25 +267,6 @@ static void largest(const ovr_simulation *sim, const double *T, double *value,
             *value = T[i];
             *X = sim->now.X[i];
         }
-}
-
-/* What the steady oil takes up. */
-static double steadily_stored(const ovr_simulation *sim)
-{
-    const ovr_heated *h = sim->heated;
-    double stored = 0;
-    for (size_t i = 1; i < sim->now.n; i++) {
-        ovr_sheet sheet = ovr_heat_sheet(sim, i);
-        ovr_flow_across flow;
-        if (!sheet.wet)
-            continue;
-        ovr_heat_flow(sim, i, &sheet, &flow);
-        for (int j = 0; j < h->across.n; j++)
-            stored += sim->now.weights[i] * h->across.w[j] * sheet.rho *
-                      sheet.H * fmax(flow.u[j], LEAST_SPEED) *
-                      (h->T[j][i] - h->T[j][i - 1]) / ovr_spacing(&sim->now, i);
-    }
-    return stored / h->numbers.theta;
 }
 
 static void observe_temperatures(const ovr_simulation *sim, ovr_observation *o)
@@ -410,7 +312,7 @@ void ovr_observe_heat(const ovr_simulation *sim, ovr_observation *o)
     o->heat_flow_1 = flow_into(sim, 0);
     o->heat_flow_2 = flow_into(sim, 1);
     const ovr_heated *h = sim->heated;
-    stored = h->steps->dT > 0 ? h->steps->stored : steadily_stored(sim);
+    stored = h->steps->dT > 0 ? h->steps->stored : ovr_heat_stored(sim);
     size = fmax(h->made_size, fabs(o->heat_flow_1) + fabs(o->heat_flow_2));
     if (size > 0)
         o->energy_defect =

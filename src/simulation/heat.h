@@ -18,8 +18,7 @@
 #ifndef OVR_SIMULATION_HEAT_H
 #define OVR_SIMULATION_HEAT_H
 
-#include "multigrid/across.h"
-#include "simulation/internal.h"
+#include "simulation/heat_film.h"
 #include "simulation/solids.h"
 
 typedef struct ovr_heated {
@@ -40,6 +39,10 @@ typedef struct ovr_heated {
     double made, made_size;
     struct ovr_heat_steps *steps; /* heat_in_time.h */
     double Sigma0, limit;         /* as in across.h; limit over P */
+    ovr_columns film;
+    double *log_eta;               /* at T0 */
+    double *oil, *content;         /* H and q of what is there (heat_film.h) */
+    double *foot[OVR_MOST_ACROSS]; /* T at the feet of a step */
 } ovr_heated;
 
 /* Isothermal again. */
@@ -60,15 +63,9 @@ void ovr_heat_give(ovr_simulation *sim);
 /* Takes V and u1 of the time T. */
 void ovr_heat_speeds(ovr_simulation *sim, double T);
 
-/* A node of the film that was read last, P_T = 0; what flows in it, with
- * viscosities by `used`. */
-ovr_sheet ovr_heat_sheet(const ovr_simulation *sim, size_t i);
-void ovr_heat_flow(const ovr_simulation *sim, size_t i, const ovr_sheet *sheet,
-                   ovr_flow_across *flow);
-
 /* Mean shear stress at half nodes, means of the nodes beside them; and what
  * all nodes make. */
-void ovr_heat_stress(const ovr_simulation *sim, double *t);
+void ovr_heat_stress(ovr_simulation *sim, double *t);
 
 /* Temperatures in K at the point j across (-1: the mean), heat fluxes into a
  * surface, at the nodes; NAN without heat. */

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "simulation/feet.h"
+#include "multigrid/feet.h"
 
 /* Of the change of temperatures that viscosities take a step. */
 static const double SHARE = 0.5;
@@ -24,6 +24,7 @@ ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
     h->steps = s;
     all[count++] = &s->F;
     all[count++] = &s->P_T;
+    all[count++] = &s->spare;
     for (int j = 0; j < points; j++)
         all[count++] = &s->T_before[j];
     for (int j = 0; j < points + 4; j++)
@@ -107,16 +108,17 @@ void ovr_heat_begin(ovr_simulation *sim)
 static void remember(const ovr_simulation *sim, int k)
 {
     const ovr_heated *h = sim->heated;
-    const ovr_heat_steps *s = h->steps;
+    ovr_heat_steps *s = h->steps;
     const ovr_memory *m = &s->memory[k];
-    size_t n = sim->now.n;
-    double *foot = sim->scratch[0], *before = sim->scratch[1];
-    ovr_feet_cubic(n, s->q_before[k], s->meshes[k], before);
+    const ovr_feet feet = ovr_feet_of(sim->now.n, s->meshes[k]);
+    double *before = sim->scratch[0];
+    ovr_carried q = {1, 0, 0, s->q_before[k], s->q_before[k], s->q_before[k]};
+    sim->grids.kernels->carry_along(&feet, &q, before);
     for (int a = 0; a < OVR_MODES; a++) {
-        ovr_feet_cubic(n, s->psi[k][a], s->meshes[k], foot);
-        for (size_t i = 0; i < n; i++)
-            s->psi[k][a][i] = m->fade[a] * foot[i] + m->now[a] * h->q[k][i] +
-                              m->before[a] * before[i];
+        const ovr_carried psi = {m->fade[a],   m->now[a], m->before[a],
+                                 s->psi[k][a], h->q[k],   before};
+        sim->grids.kernels->carry_along(&feet, &psi, s->spare);
+        swap(&s->psi[k][a], &s->spare);
     }
 }
 
@@ -163,17 +165,23 @@ static void fit_memories(ovr_heated *h)
 static void look_back(ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
+    const ovr_kernels *run = sim->grids.kernels;
     ovr_heat_steps *s = h->steps;
-    size_t n = sim->now.n;
     double *here = sim->scratch[0];
     for (int k = 0; k < 2; k++) {
-        for (size_t i = 0; i < n; i++) {
-            double psi[OVR_MODES];
-            for (int m = 0; m < OVR_MODES; m++)
-                psi[m] = s->psi[k][m][i];
-            here[i] = ovr_memory_past(&s->memory[k], psi, h->q[k][i]);
+        const ovr_memory *m = &s->memory[k];
+        const ovr_feet feet = ovr_feet_of(sim->now.n, s->meshes[k]);
+        const ovr_carried past = {1, 0, 0, here, here, here};
+        const double *from[OVR_MODES + 1];
+        double weight[OVR_MODES + 1];
+        for (int a = 0; a < OVR_MODES; a++) {
+            from[a] = s->psi[k][a];
+            weight[a] = m->weight[a];
         }
-        ovr_feet_cubic(n, here, s->meshes[k], s->past[k]);
+        from[OVR_MODES] = h->q[k];
+        weight[OVR_MODES] = 2.0 / 3 * sqrt(m->dT);
+        run->weighted_sum(sim->now.n, OVR_MODES + 1, weight, from, here);
+        run->carry_along(&feet, &past, s->past[k]);
     }
 }
 
@@ -207,86 +215,33 @@ static void find_P_T(ovr_simulation *sim)
         s->P_T[i] = sim->past.steps ? (P[i] - before[i]) / s->dT : 0;
 }
 
-ovr_sheet ovr_heat_sheet_in_time(const ovr_simulation *sim, size_t i)
-{
-    ovr_sheet sheet = ovr_heat_sheet(sim, i);
-    sheet.P_T = sim->heated->steps->P_T[i];
-    return sheet;
-}
-
-/* What a surface says at a node. */
-static ovr_wall wall_at(const ovr_heated *h, int k, size_t i)
-{
-    double N = h->numbers.solid[k];
-    return (ovr_wall){h->numbers.bulk[k] + N * h->steps->past[k][i],
-                      N * 4 / 3 * sqrt(h->steps->dT)};
-}
-
-/* gamma: d ln(t V)/dT with the mean temperature, of a film that slides. */
-static double fall_of_heating(const ovr_heated *h, const ovr_sheet *sheet,
-                              const ovr_flow_across *flow)
-{
-    double a = fabs(flow->t) / h->Sigma0;
-    double colder = ovr_heat_log_viscosity(&h->numbers, sheet->log_eta,
-                                           flow->mean);
-    double hotter = ovr_heat_log_viscosity(&h->numbers, sheet->log_eta,
-                                           flow->mean + 1);
-    return (colder - hotter) * (a > 1e-3 ? tanh(a) / a : 1);
-}
-
-/* Temperatures of a node a step later, to T and q of ovr_heated; the power
- * that its oil takes up. */
-static double solve_node(ovr_simulation *sim, size_t i, const ovr_sheet *sheet)
-{
-    ovr_heated *h = sim->heated;
-    const ovr_heat_steps *s = h->steps;
-    double foot[OVR_MOST_ACROSS], travel[OVR_MOST_ACROSS];
-    double from[OVR_MOST_ACROSS], T[OVR_MOST_ACROSS], stored = 0;
-    double meshes = s->dT / ovr_mesh(sim);
-    const ovr_wall wall[2] = {wall_at(h, 0, i), wall_at(h, 1, i)};
-    ovr_flow_across flow;
-    int n = h->across.n;
-    ovr_heat_flow(sim, i, sheet, &flow);
-    double fall = sheet->wet ? fall_of_heating(h, sheet, &flow) *
-                                   h->numbers.theta / (sheet->rho * sheet->H)
-                             : 0;
-    for (int j = 0; j < n; j++) {
-        double rate = fmax(0, fall * flow.heating[j]);
-        foot[j] = ovr_foot_linear(sim->now.n, s->T_before[j], i,
-                                  flow.u[j] * meshes);
-        travel[j] = 1 / (1 / s->dT + rate);
-        from[j] = (foot[j] / s->dT + rate * h->used[j][i]) * travel[j];
-    }
-    ovr_across_solve(&h->across, &h->numbers, sheet, &flow, from, travel, wall,
-                     T);
-    for (int k = 0; k < 2; k++)
-        h->q[k][i] = (T[k ? n - 1 : 0] - wall[k].h) / wall[k].resistance;
-    h->mean[i] = 0;
-    for (int j = 0; j < n; j++) {
-        h->T[j][i] = T[j];
-        h->mean[i] += h->across.w[j] * T[j];
-        stored += h->across.w[j] * (T[j] - foot[j]);
-    }
-    return sheet->wet ? sheet->rho * sheet->H * stored : 0;
-}
-
 /* All nodes but the first, where oil and surfaces come in as they were. */
 static void solve(ovr_simulation *sim)
 {
+    const ovr_kernels *run = sim->grids.kernels;
     ovr_heated *h = sim->heated;
     ovr_heat_steps *s = h->steps;
-    double streamers = sim->now.q[0], stored = 0;
+    ovr_columns *c = &h->film;
     find_P_T(sim);
     swap_trial(h);
-    for (size_t i = 1; i < sim->now.n; i++) {
-        ovr_sheet sheet = ovr_heat_sheet_in_time(sim, i);
-        if (sheet.wet)
-            streamers = sim->now.q[i];
-        else /* what is left fills less than the gap */
-            sheet.H = fmin(sheet.H, fmax(streamers, 1e-6) / sheet.rho);
-        stored += sim->now.weights[i] * solve_node(sim, i, &sheet);
+    ovr_heat_film(sim);
+    c->dT = s->dT;
+    c->least_u = 0;
+    c->P_T = s->P_T;
+    c->mean = h->mean;
+    for (int j = 0; j < h->across.n; j++) {
+        run->film_feet(c->n, s->dT / ovr_mesh(sim), c->u[j], s->T_before[j],
+                       h->foot[j]);
+        c->foot[j] = h->foot[j];
+        c->T[j] = h->T[j];
     }
-    s->stored = stored / (s->dT * h->numbers.theta);
+    for (int k = 0; k < 2; k++) {
+        c->past[k] = s->past[k];
+        c->into[k] = h->q[k];
+        c->resistance[k] = h->numbers.solid[k] * 4 / 3 * sqrt(s->dT);
+    }
+    run->heat_across(c);
+    s->stored = ovr_heat_stored(sim);
 }
 
 void ovr_heat_try(ovr_simulation *sim, bool first)
@@ -299,21 +254,6 @@ void ovr_heat_try(ovr_simulation *sim, bool first)
     ovr_heat_apply(sim);
     ovr_level_properties(&sim->grids, sim->finest);
     ovr_level_residual(&sim->grids, sim->finest);
-}
-
-/* --------------------------------------------------------------- observed */
-
-double ovr_heat_made(const ovr_simulation *sim, size_t i,
-                     const ovr_sheet *sheet, const ovr_flow_across *flow)
-{
-    const ovr_heated *h = sim->heated;
-    double made = 0;
-    for (int j = 0; sheet->wet && j < h->across.n; j++)
-        made += h->across.w[j] *
-                (flow->heating[j] +
-                 h->numbers.expansion * (h->numbers.T0 + h->T[j][i]) *
-                     sheet->H * (sheet->P_T + flow->u[j] * sheet->P_X));
-    return made;
 }
 
 /* -------------------------------------------------------------------- saved */

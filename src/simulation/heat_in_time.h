@@ -44,6 +44,7 @@ typedef struct ovr_heat_steps {
     double *kept[OVR_HEAT_KEPT]; /* of the last time reached */
     double *psi[2][OVR_MODES];   /* Psi_m of the surfaces at the nodes */
     double *past[2];             /* (h - T_bulk)/N at the nodes */
+    double *spare;               /* for Psi_m that are carried along */
     double *F;                   /* history term of Reynolds' equation */
     double *P_T;                 /* that the step was heated by */
     ovr_memory memory[2];        /* for steps of dT */
@@ -69,12 +70,6 @@ void ovr_heat_try(ovr_simulation *sim, bool first);
 
 /* Back to the last time reached. */
 void ovr_heat_step_back(ovr_simulation *sim);
-
-/* A node of the film that was read last, with P_T of the step; the power made
- * there. */
-ovr_sheet ovr_heat_sheet_in_time(const ovr_simulation *sim, size_t i);
-double ovr_heat_made(const ovr_simulation *sim, size_t i,
-                     const ovr_sheet *sheet, const ovr_flow_across *flow);
 
 /* Arrays and numbers of the state between two steps; what follows from them,
  * once they are there. */

@@ -7,6 +7,7 @@
 #include "contact/flow_law.h"
 #include "contact/laws/law.h"
 #include "multigrid/across.h"
+#include "multigrid/feet.h"
 #include "support/contact.h"
 #include "support/kernels.h"
 #include "support/test.h"
@@ -77,7 +78,7 @@ static void fill(films *f, size_t n, int points, uint64_t *seed)
     c->H = input(f, 2, 0.03, 1.5, seed);
     c->q = input(f, 3, 0.03, 1.8, seed);
     c->log_eta = input(f, 4, -1, 25, seed);
-    c->before = input(f, 5, 0, 1, seed);
+    c->P_T = input(f, 5, -1, 1, seed);
     for (int k = 0; k < 2; k++) {
         c->past[k] = input(f, 6 + k, -100, 500, seed);
         c->resistance[k] = test_random(seed, 1e-3, 1e-2);
@@ -103,20 +104,29 @@ static void agree(const films *here, const films *plain, double tolerance)
     }
 }
 
+/* All of it: flow, heat, and what Reynolds' equation gets. */
+static void make(const ovr_kernels *run, films *f)
+{
+    double *th = f->c.th;
+    f->c.th = NULL;
+    run->flow_across(&f->c);
+    run->heat_across(&f->c);
+    f->c.th = th;
+    run->flow_across(&f->c);
+}
+
 static void compare(films *plain, double tolerance)
 {
     static films here;
     const ovr_kernels *run;
-    test_kernels(0)->flow_across(&plain->c);
-    test_kernels(0)->heat_across(&plain->c);
+    make(test_kernels(0), plain);
     for (int k = 1; (run = test_kernels(k)); k++) {
         here = *plain;
         here.c.across = &here.across;
         here.c.heat = &here.heat;
         memset(here.out, 0, sizeof here.out);
         put_places(&here);
-        run->flow_across(&here.c);
-        run->heat_across(&here.c);
+        make(run, &here);
         agree(&here, plain, tolerance);
     }
 }
@@ -181,12 +191,45 @@ static void surfaces_move_as_told(void **state)
     for (int k = 0; (run = test_kernels(k)); k++) {
         fill(&f, 57, 5, &seed);
         f.c.Sigma0 = 0.3;
+        f.c.th = NULL;
         run->flow_across(&f.c);
         for (size_t i = 0; i < 57; i++) {
             CHECK_NEAR(f.c.u[0][i], f.c.u1, 1e-12);
             CHECK_NEAR(f.c.u[4][i], f.c.u1 - f.c.V, 1e-9);
         }
     }
+}
+
+/* What surfaces and film carry along, by any number of meshes. */
+static void feet_agree(void **state)
+{
+    double v[MOST], q[MOST], u[MOST], plain[MOST], here[MOST];
+    uint64_t seed = 13;
+    const ovr_kernels *run, *by_nodes = test_kernels(0);
+    (void)state;
+    for (int k = 1; (run = test_kernels(k)); k++)
+        for (double meshes = -90; meshes < 90; meshes += 3.3) {
+            const ovr_feet feet = ovr_feet_of(MOST, meshes);
+            const ovr_carried what = {0.9, 0.2, -0.1, v, q, u};
+            const double weight[] = {1, -2, 0.5}, *from[] = {v, q, u};
+            for (size_t i = 0; i < MOST; i++) {
+                v[i] = test_random(&seed, -1, 2);
+                q[i] = test_random(&seed, -1, 2);
+                u[i] = test_random(&seed, -0.5, 2);
+            }
+            by_nodes->carry_along(&feet, &what, plain);
+            run->carry_along(&feet, &what, here);
+            for (size_t i = 0; i < MOST; i++)
+                CHECK_NEAR(here[i], plain[i], 1e-14);
+            by_nodes->film_feet(MOST, meshes / 4, u, v, plain);
+            run->film_feet(MOST, meshes / 4, u, v, here);
+            for (size_t i = 0; i < MOST; i++)
+                CHECK_NEAR(here[i], plain[i], 1e-12);
+            by_nodes->weighted_sum(MOST, 3, weight, from, plain);
+            run->weighted_sum(MOST, 3, weight, from, here);
+            for (size_t i = 0; i < MOST; i++)
+                CHECK_NEAR(here[i], plain[i], 1e-14);
+        }
 }
 
 /* Laws of viscosity, and one that is an object. */
@@ -236,6 +279,7 @@ int main(void)
         cmocka_unit_test(eyring_films_agree),
         cmocka_unit_test(films_by_table_agree),
         cmocka_unit_test(surfaces_move_as_told),
+        cmocka_unit_test(feet_agree),
         cmocka_unit_test(viscosities_agree),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "simulation/feet.h"
+#include "multigrid/feet.h"
 #include "simulation/solids.h"
 #include "support/test.h"
 

@@ -8,15 +8,35 @@
  * speed: a line between two nodes, which makes no new extremes.  What enters
  * is nothing (a rise of 0); what has left is as at the end.
  */
-#ifndef OVR_SIMULATION_FEET_H
-#define OVR_SIMULATION_FEET_H
+#ifndef OVR_MULTIGRID_FEET_H
+#define OVR_MULTIGRID_FEET_H
 
 #include <stddef.h>
+
+/* Where the feet of a surface are: node i takes c[0..3] of the nodes from i +
+ * first on, all of them there for `from` <= i < `to`. */
+typedef struct ovr_feet {
+    size_t n, from, to;
+    ptrdiff_t first;
+    double meshes, c[4];
+} ovr_feet;
+
+ovr_feet ovr_feet_of(size_t n, double meshes);
+
+/* v at the foot of node i, wherever that is. */
+double ovr_feet_at(const ovr_feet *feet, const double *v, size_t i);
 
 /* v at i - meshes, for all i. */
 void ovr_feet_cubic(size_t n, const double *v, double meshes, double *at_feet);
 
 /* v at i - meshes, at the one node. */
 double ovr_foot_linear(size_t n, const double *v, size_t i, double meshes);
+
+/* At all nodes of a surface a v + b q + c before, v at the feet, q and `before`
+ * at the nodes. */
+typedef struct ovr_carried {
+    double a, b, c;
+    const double *v, *q, *before;
+} ovr_carried;
 
 #endif

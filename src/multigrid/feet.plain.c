@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Values at the feet of paths (feet.h). */
+#include <math.h>
+
+#include "multigrid/plain.h"
+
+#include "multigrid/feet.h"
+
+/* Beyond the end by which material comes nothing, beyond the other its last. */
+static double value(size_t n, const double *v, ptrdiff_t i, double meshes)
+{
+    if (i >= 0 && i < (ptrdiff_t)n)
+        return v[i];
+    if ((i < 0) == (meshes >= 0))
+        return 0;
+    return v[i < 0 ? 0 : n - 1];
+}
+
+/* Lagrange's cubic at s in [0, 1) of the middle of four nodes. */
+static void cubic(double s, double c[4])
+{
+    c[0] = -s * (s - 1) * (s - 2) / 6;
+    c[1] = (s + 1) * (s - 1) * (s - 2) / 2;
+    c[2] = -(s + 1) * s * (s - 2) / 2;
+    c[3] = (s + 1) * s * (s - 1) / 6;
+}
+
+/* No foot is farther away than this many domains. */
+static double bounded(size_t n, double meshes)
+{
+    double most = 2 * (double)n;
+    return fmax(-most, fmin(meshes, most));
+}
+
+ovr_feet ovr_feet_of(size_t n, double meshes)
+{
+    ovr_feet f = {.n = n, .meshes = bounded(n, meshes)};
+    double whole = floor(-f.meshes);
+    ptrdiff_t size = (ptrdiff_t)n, first = (ptrdiff_t)whole - 1;
+    ptrdiff_t from = first < 0 ? -first : 0, to = size - 3 - first;
+    from = from < size ? from : size;
+    to = to < from ? from : to < size ? to : size;
+    f.first = first;
+    f.from = (size_t)from;
+    f.to = (size_t)to;
+    cubic(-f.meshes - whole, f.c);
+    return f;
+}
+
+double ovr_feet_at(const ovr_feet *f, const double *v, size_t i)
+{
+    ptrdiff_t at = (ptrdiff_t)i + f->first;
+    double sum = 0;
+    for (ptrdiff_t k = 0; k < 4; k++)
+        sum += f->c[k] * value(f->n, v, at + k, f->meshes);
+    return sum;
+}
+
+void ovr_feet_cubic(size_t n, const double *v, double meshes, double *at_feet)
+{
+    const ovr_feet f = ovr_feet_of(n, meshes);
+    for (size_t i = 0; i < n; i++)
+        at_feet[i] = ovr_feet_at(&f, v, i);
+}
+
+double ovr_foot_linear(size_t n, const double *v, size_t i, double meshes)
+{
+    double at = (double)i - bounded(n, meshes), whole = floor(at);
+    double s = at - whole;
+    ptrdiff_t first = (ptrdiff_t)whole;
+    return (1 - s) * value(n, v, first, meshes) +
+           s * value(n, v, first + 1, meshes);
+}
+
+void ovr_carry_along_plain(const ovr_feet *f, const ovr_carried *w, double *to)
+{
+    for (size_t i = 0; i < f->n; i++)
+        to[i] = w->a * ovr_feet_at(f, w->v, i) + w->b * w->q[i] +
+                w->c * w->before[i];
+}
+
+void ovr_film_feet_plain(size_t n, double meshes, const double *u,
+                         const double *v, double *at_feet)
+{
+    for (size_t i = 0; i < n; i++)
+        at_feet[i] = ovr_foot_linear(n, v, i, meshes * u[i]);
+}
+
+void ovr_weighted_sum_plain(size_t n, size_t count, const double weight[],
+                            const double *const from[], double *sum)
+{
+    for (size_t i = 0; i < n; i++) {
+        sum[i] = 0;
+        for (size_t k = 0; k < count; k++)
+            sum[i] += weight[k] * from[k][i];
+    }
+}

@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The film as columns (heat_film.h). */
+#include "simulation/heat_film.h"
+
+#include <math.h>
+
+#include "simulation/heat.h"
+
+ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err)
+{
+    ovr_heated *h = sim->heated;
+    ovr_columns *c = &h->film;
+    double **all[3 * OVR_MOST_ACROSS + 6];
+    int count = 0;
+    all[count++] = &h->log_eta;
+    all[count++] = &h->oil;
+    all[count++] = &h->content;
+    all[count++] = &c->fall;
+    for (int j = 0; j < h->across.n; j++) {
+        all[count++] = &c->u[j];
+        all[count++] = &c->heating[j];
+        all[count++] = &h->foot[j];
+    }
+    for (int a = 0; a < count; a++) {
+        *all[a] = ovr_arena_take(&sim->arena, sim->now.n, sizeof **all[a], err);
+        if (!*all[a])
+            return OVR_NO_MEMORY;
+    }
+    return OVR_OK;
+}
+
+/* Thickness and content of what is there. */
+static void fill_oil(ovr_simulation *sim)
+{
+    const ovr_solution *now = &sim->now;
+    ovr_heated *h = sim->heated;
+    bool conserves = ovr_conserves(sim);
+    double left = now->q[0];
+    for (size_t i = 0; i < now->n; i++) {
+        h->oil[i] = now->H[i];
+        h->content[i] = now->q[i];
+        if (now->P[i] > 0) {
+            left = now->q[i];
+            continue;
+        }
+        if (conserves) /* of density 1 */
+            h->content[i] = h->oil[i] = fmax(now->q[i], 1e-6);
+        else if (left < now->q[i]) {
+            h->oil[i] *= fmax(left, 1e-6) / now->q[i];
+            h->content[i] = fmax(left, 1e-6);
+        }
+    }
+}
+
+/* All but what comes out. */
+static void begin(ovr_simulation *sim)
+{
+    const ovr_solution *now = &sim->now;
+    const ovr_lubricant *oil = &sim->lubricant;
+    ovr_heated *h = sim->heated;
+    ovr_columns *c = &h->film;
+    c->across = &h->across;
+    c->heat = &h->numbers;
+    c->n = now->n;
+    c->lambda = sim->contact.lambda;
+    c->V = h->V;
+    c->u1 = h->u1;
+    c->Sigma0 = h->Sigma0;
+    c->limit = h->limit;
+    c->law = oil->rheology > OVR_EYRING ? oil->flow_law : NULL;
+    c->X = now->X;
+    c->P = now->P;
+    c->H = h->oil;
+    c->q = h->content;
+    c->log_eta = h->log_eta;
+    c->t = h->t;
+    c->th = NULL;
+    for (int j = 0; j < h->across.n; j++)
+        c->used[j] = h->used[j];
+    sim->grids.kernels->log_viscosity(now->n, &sim->grids.fluid, now->P, now->H,
+                                      h->log_eta);
+}
+
+void ovr_heat_film(ovr_simulation *sim)
+{
+    begin(sim);
+    fill_oil(sim);
+    sim->grids.kernels->flow_across(&sim->heated->film);
+}
+
+void ovr_heat_film_fields(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    ovr_columns *c = &h->film;
+    begin(sim);
+    c->q = sim->now.q; /* the gap's: wedges are of that */
+    c->th = h->th;
+    c->shift = h->shift;
+    c->drag = h->drag;
+    c->turned = h->turned;
+    sim->grids.kernels->flow_across(c);
+}
+
+double ovr_heat_made(const ovr_simulation *sim, double *size)
+{
+    const ovr_heated *h = sim->heated;
+    const ovr_columns *c = &h->film;
+    const double *X = c->X, *P = c->P;
+    double made = 0;
+    *size = 0;
+    for (size_t i = 1; i + 1 < c->n; i++) {
+        double P_X = (P[i + 1] - P[i - 1]) / (X[i + 1] - X[i - 1]);
+        double P_T = c->P_T ? c->P_T[i] : 0, part = 0;
+        double swelling = h->numbers.expansion * c->H[i];
+        for (int j = 0; P[i] > 0 && j < h->across.n; j++)
+            part += h->across.w[j] * (c->heating[j][i] +
+                                      swelling * (h->numbers.T0 + h->T[j][i]) *
+                                          (P_T + c->u[j][i] * P_X));
+        made += sim->now.weights[i] * part;
+        *size += sim->now.weights[i] * fabs(part);
+    }
+    return made;
+}
+
+double ovr_heat_stored(const ovr_simulation *sim)
+{
+    const ovr_heated *h = sim->heated;
+    const ovr_columns *c = &h->film;
+    double stored = 0;
+    for (size_t i = 1; i + 1 < c->n; i++) {
+        double part = 0, mesh = c->X[i] - c->X[i - 1];
+        for (int j = 0; c->P[i] > 0 && j < h->across.n; j++)
+            part += h->across.w[j] *
+                    (c->least_u > 0 ? fmax(c->u[j][i], c->least_u) / mesh *
+                                          (h->T[j][i] - h->T[j][i - 1])
+                                    : (h->T[j][i] - h->foot[j][i]) / c->dT);
+        stored += sim->now.weights[i] * c->q[i] * part;
+    }
+    return stored / h->numbers.theta;
+}

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The film that was read last as columns (multigrid/across.h): what flows in
+ * it, with viscosities by the temperatures `used`.
+ *
+ * Where the film has ruptured, what is left of it fills less than the gap:
+ * what the last wet node upstream lets through, or, where oil is conserved,
+ * what there is.
+ */
+#ifndef OVR_SIMULATION_HEAT_FILM_H
+#define OVR_SIMULATION_HEAT_FILM_H
+
+#include "multigrid/across.h"
+#include "simulation/internal.h"
+
+/* Places for what flows. */
+ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err);
+
+/* Velocities, heating, stress and gamma. */
+void ovr_heat_film(ovr_simulation *sim);
+
+/* th, shift, drag and turned for the film. */
+void ovr_heat_film_fields(ovr_simulation *sim);
+
+/* The power made, over Theta, and the same of its size node by node; what the
+ * wet film takes up from `foot` in the time dT, or steadily from node to
+ * node. */
+double ovr_heat_made(const ovr_simulation *sim, double *size);
+double ovr_heat_stored(const ovr_simulation *sim);
+
+#endif
