@@ -16,6 +16,8 @@
 #ifndef OVERROLL_HEAT_H
 #define OVERROLL_HEAT_H
 
+#include <stdbool.h>
+
 #include "overroll/contact.h"
 
 #ifdef __cplusplus
@@ -37,6 +39,7 @@ typedef struct ovr_heat_form {
     double bulk[2];     /* of the bodies, K; NAN: the same */
     ovr_thermal oil, body[2];
     double expansion; /* of the oil by volume, 1/K */
+    bool density_expands; /* else it heats where it is compressed, alone */
     double S0, beta;  /* one of them; beta in 1/K */
 } ovr_heat_form;
 
@@ -53,6 +56,7 @@ typedef struct ovr_heat {
     double peclet[2];
     double least_peclet; /* to which steady solutions raise them; 5 */
     double expansion;    /* 1/K */
+    bool density_expands;
     double S0, C, beta;  /* C = 0: not Roelands */
 } ovr_heat;
 

@@ -40,6 +40,7 @@
  *     eps <- psi_e eps,  psi_e = 3 (m_2 - m_1^2/m_0),  eps with eta_m
  *     psi_c = psi_e/m_0:  t = -(V/12) psi_c rho H^2/eps without pressure flow
  *     wedge of q <- wedge of q (1 + D),  D = (V/2) m_1/m_0
+ *     rho <- rho (1 - bT T_m), where density expands
  *
  * Gravity, heat along x and flow across the film are left out: below 0.2 % of
  * the film.
@@ -122,9 +123,9 @@ typedef struct ovr_columns {
     double *u[OVR_MOST_ACROSS], *heating[OVR_MOST_ACROSS], *t, *fall;
     /* what Reynolds' equation gets (fields.h); V/2 m_1/m_0 q.  Where they have
      * a place, they alone are made. */
-    double *th, *shift, *drag, *turned;
-    /* a step dT from T at the feet with P_T (NULL: 0), with
-     * surfaces of which (h - T_bulk)/N is `past` */
+    double *th, *shift, *drag, *swell, *turned;
+    /* a step dT from T at the feet with P_T (NULL: 0), between surfaces of
+     * which (h - T_bulk)/N is `past` */
     double dT;
     double least_u; /* steady: a node is entered from the one upstream, with
                      * at least this speed (plain only); 0: in time */

@@ -286,6 +286,8 @@ static INLINE void store_fields(const shared *s, bool by_power, const nodes *v,
     store(c->th + i, by_power ? v->level : all(1));
     store(c->shift + i, shift + scaled_log2(&s->log2, psi));
     store(c->drag + i, psi / v->m[0]);
+    store(c->swell + i,
+          larger(less(all(1), all(s->heat.expansion), v->mean), all(0.5)));
     store(c->turned + i, (0.5 * c->V) * skew * load(c->q + i));
 }
 

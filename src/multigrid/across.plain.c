@@ -69,6 +69,7 @@ static void put_fields(const ovr_columns *c, const ovr_flow_across *flow,
     c->th[i] = ovr_heat_log_viscosity(c->heat, 1, flow->mean) - at_0;
     c->shift[i] = -at_0 * INV_LN2 + log2(psi);
     c->drag[i] = psi / flow->m[0];
+    c->swell[i] = fmax(1 - c->heat->expansion * flow->mean, 0.5);
     c->turned[i] = c->V / 2 * skew * c->q[i];
 }
 

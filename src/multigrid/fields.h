@@ -63,8 +63,9 @@ typedef struct ovr_fields {
     unsigned char *wet, *held;
     /* Of a film with temperatures, in lanes, else NULL: log2(1/eta) is th times
      * that of the supply's temperature, plus shift; drag: psi_c, by which rho
-     * H^2 counts where the film slides (flow.h). */
-    double *th, *shift, *drag;
+     * H^2 counts where the film slides (flow.h); swell: by which density is
+     * less, or NULL. */
+    double *th, *shift, *drag, *swell;
     /* Where oil is conserved (content.h): dried in this sweep; outflow, time
      * derivative limited; wet columns that share with the node before, after
      * them. */

@@ -10,7 +10,7 @@
  *                          it has a place
  *
  * With temperatures (fields.h), which are frozen in a cycle,
- *     log2(1/eta) <- th log2(1/eta) + shift
+ *     log2(1/eta) <- th log2(1/eta) + shift,  rho <- swell rho
  *
  * Error of eps: that of the logarithm in Roelands' law, below 1e-15 (5 + 1.2
  * stiffness), measured.  Numbers for P up to 1e150; 1/eta below 2^-900 is held
@@ -110,6 +110,16 @@ static INLINE void finish(const film *c, ovr_viscosity_law law, bool other,
     }
 }
 
+/* Density by temperature; the new rho H. */
+static INLINE vec swelled(const ovr_fields *f, ptrdiff_t i)
+{
+    vec swell = load(f->swell + i), q = load(f->q + i) * swell;
+    store(f->q + i, q);
+    store(f->rho + i, load(f->rho + i) * swell);
+    store(f->dq + i, load(f->dq + i) * swell);
+    return q;
+}
+
 /* Last pass: the viscosity. */
 static INLINE void flow(const film *c, bool other, ptrdiff_t start,
                         ptrdiff_t end, const block *work)
@@ -124,6 +134,8 @@ static INLINE void flow(const film *c, bool other, ptrdiff_t start,
             power = fused(th, power, load(f->shift + i));
             slope *= th;
         }
+        if (f->swell)
+            q = swelled(f, i);
         power = larger(power, all(-900));
         vec factor = scaled_exp2(&c->conductance, power) * (H * H);
         vec dq = less(load(f->dq + i), q, slope);

@@ -35,6 +35,11 @@ void ovr_film_plain(const ovr_fluid *fluid, double H0, const ovr_lanes *g,
             power = f->th[i] * power + f->shift[i];
             slope[0] *= f->th[i];
         }
+        if (f->swell) {
+            rho *= f->swell[i];
+            by_pressure *= f->swell[i];
+            q = rho * H;
+        }
         flow = H * H * exp2(fmax(power, -900)) / fluid->lambda;
         f->H[i] = H;
         f->rho[i] = rho;

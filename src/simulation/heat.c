@@ -35,7 +35,8 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
                               ovr_error *err)
 {
     double **const all[] = {&h->q[0], &h->q[1],   &h->mean, &h->t,
-                            &h->drag, &h->turned, &h->th,   &h->shift};
+                            &h->drag, &h->turned, &h->th,   &h->shift,
+                            &h->swell};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (take(sim, all[k], err))
             return OVR_NO_MEMORY;
@@ -50,6 +51,11 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
         level->f.drag = ovr_field(&sim->arena, room, err);
         if (!level->f.th || !level->f.shift || !level->f.drag)
             return OVR_NO_MEMORY;
+        if (h->numbers.density_expands) {
+            level->f.swell = ovr_field(&sim->arena, room, err);
+            if (!level->f.swell)
+                return OVR_NO_MEMORY;
+        }
     }
     return OVR_OK;
 }
@@ -94,17 +100,18 @@ ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
 
 /* --------------------------------------------------------- to the film */
 
-/* Injection of all three to all grids. */
+/* Injection of all to all grids. */
 static void restrict_all(ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
-    const double *const from[] = {h->th, h->shift, h->drag};
+    const double *const from[] = {h->th, h->shift, h->drag, h->swell};
     double *room = sim->scratch[0];
     for (int l = sim->grids.finest; l >= sim->grids.coarsest; l--) {
         ovr_level *level = &sim->grids.level[l];
-        double *const to[] = {level->f.th, level->f.shift, level->f.drag};
+        double *const to[] = {level->f.th, level->f.shift, level->f.drag,
+                              level->f.swell};
         size_t every = (size_t)1 << (sim->grids.finest - l);
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 4 && to[k]; k++) {
             for (size_t i = 0; i < level->grid.n; i++)
                 room[i] = from[k][i * every];
             ovr_level_write(&sim->grids, level, room, to[k]);
@@ -140,7 +147,7 @@ void ovr_heat_reset(ovr_simulation *sim)
     for (size_t i = 0; i < sim->now.n; i++) {
         h->th[i] = 1;
         h->shift[i] = h->turned[i] = 0;
-        h->drag[i] = 1;
+        h->drag[i] = h->swell[i] = 1;
         for (int j = 0; j < h->across.n; j++)
             h->T[j][i] = h->used[j][i] = 0;
     }

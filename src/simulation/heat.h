@@ -11,6 +11,7 @@
  *     th = (T0 - 138 K + T_m)^(-S0)/...,  log2(1/eta) <- th log2(1/eta) + shift
  *     shift = (1 - th) C/ln 2 + log2 psi_e      Roelands
  *     shift = beta T_m/ln 2 + log2 psi_e, th = 1    others
+ *     rho <- rho (1 - bT T_m), where density expands
  *     F = wedge of q D, at um = 1: of q (V/2) m_1/m_0
  *
  * go down to all grids by injection, F to the finest alone.
@@ -33,7 +34,7 @@ typedef struct ovr_heated {
     double *mean;                  /* T_m of T */
     double *t;                     /* mean stress at the nodes */
     double *turned, *drag;         /* q V/2 m_1/m_0; psi_c */
-    double *th, *shift;            /* in the order of the nodes */
+    double *th, *shift, *swell;    /* in the order of the nodes */
     double V, u1;                  /* now */
     /* by ovr_heat_stress: power that is made, and of its size node by node */
     double made, made_size;

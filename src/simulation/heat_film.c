@@ -97,6 +97,7 @@ void ovr_heat_film_fields(ovr_simulation *sim)
     c->th = h->th;
     c->shift = h->shift;
     c->drag = h->drag;
+    c->swell = h->swell;
     c->turned = h->turned;
     sim->grids.kernels->flow_across(c);
 }

@@ -11,6 +11,8 @@
 /* Of the change of temperatures that viscosities take a step. */
 static const double SHARE = 0.5;
 
+enum { FIELDS = OVR_HEAT_KEPT - OVR_MOST_ACROSS };
+
 /* --------------------------------------------------------------- creation */
 
 ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
@@ -27,7 +29,7 @@ ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
     all[count++] = &s->spare;
     for (int j = 0; j < points; j++)
         all[count++] = &s->T_before[j];
-    for (int j = 0; j < points + 4; j++)
+    for (int j = 0; j < points + FIELDS; j++)
         all[count++] = &s->kept[j];
     for (int k = 0; k < 2; k++) {
         all[count++] = &s->q_before[k];
@@ -55,14 +57,14 @@ void ovr_heat_steps_keep(const ovr_simulation *sim, int surface, size_t i,
 /* What is `kept` of, by number. */
 static double *kept_of(const ovr_heated *h, int k)
 {
-    double *const fields[] = {h->th, h->shift, h->drag, h->turned};
+    double *const fields[] = {h->th, h->shift, h->drag, h->turned, h->swell};
     return k < h->across.n ? h->used[k] : fields[k - h->across.n];
 }
 
 static void keep(const ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
-    for (int k = 0; k < h->across.n + 4; k++)
+    for (int k = 0; k < h->across.n + FIELDS; k++)
         memcpy(h->steps->kept[k], kept_of(h, k), sim->now.n * sizeof(double));
 }
 
@@ -90,7 +92,7 @@ static void withdraw(ovr_simulation *sim)
     if (!h->steps->trying)
         return;
     swap_trial(h);
-    for (int k = 0; k < h->across.n + 4; k++)
+    for (int k = 0; k < h->across.n + FIELDS; k++)
         memcpy(kept_of(h, k), h->steps->kept[k], sim->now.n * sizeof(double));
 }
 
@@ -292,7 +294,7 @@ ovr_status ovr_heat_visit(ovr_simulation *sim, ovr_visit *visit, void *context,
     for (int j = 0; !status && j < h->across.n; j++)
         status = visit_array(sim, "temperature", j + 1, h->T[j], visit, context,
                              err);
-    for (int k = 0; !status && k < h->across.n + 4; k++)
+    for (int k = 0; !status && k < h->across.n + FIELDS; k++)
         status = visit_array(sim, "viscosity_by", k + 1, kept_of(h, k), visit,
                              context, err);
     for (int k = 0; !status && k < 2; k++)

@@ -34,8 +34,8 @@
 
 #include "simulation/heat.h"
 
-/* The temperatures used, th, shift, drag, turned. */
-enum { OVR_HEAT_KEPT = OVR_MOST_ACROSS + 4 };
+/* The temperatures used, th, shift, drag, turned, swell. */
+enum { OVR_HEAT_KEPT = OVR_MOST_ACROSS + 5 };
 
 typedef struct ovr_heat_steps {
     double dT;
