@@ -25,6 +25,7 @@ static const struct condition {
     {"heat", "heat_capacity", NULL, "model", "lobatto"},
     {"heat", "density", NULL, "model", "lobatto"},
     {"heat", "expansion", NULL, "model", "lobatto"},
+    {"heat", "density_expansion", NULL, "model", "lobatto"},
     {"lubricant", "carreau_n", NULL, "rheology", "carreau"},
     {"lubricant", "carreau_a", NULL, "rheology", "carreau"},
     {"lubricant", "carreau_form", NULL, "rheology", "carreau"},

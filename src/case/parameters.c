@@ -355,6 +355,8 @@ static const ovr_parameter table[] = {
     {"heat", "expansion", WITH_UNIT(OVR_PER_KELVIN, 0, 0.1), "6.5e-4 1/K",
      AT(heat.expansion), true,
      "of the oil by volume: heats it where it is compressed"},
+    {"heat", "density_expansion", FLAG, "yes", AT(heat.density_expands), true,
+     "no: density is that at the supply's temperature"},
 
     {"domain", "inlet", LENGTH_OR(inlets, -1e6, -1.05), "usual",
      AT(options.inlet), true,

@@ -34,9 +34,8 @@ static ovr_status take(ovr_simulation *sim, double **to, ovr_error *err)
 static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
                               ovr_error *err)
 {
-    double **const all[] = {&h->q[0], &h->q[1],   &h->mean, &h->t,
-                            &h->drag, &h->turned, &h->th,   &h->shift,
-                            &h->swell};
+    double **const all[] = {&h->q[0],   &h->q[1], &h->mean,  &h->t,    &h->drag,
+                            &h->turned, &h->th,   &h->shift, &h->swell};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (take(sim, all[k], err))
             return OVR_NO_MEMORY;

@@ -346,6 +346,30 @@ static void isothermal_limit(void **state)
     }
 }
 
+/* Oil that expands is lighter where it is hot: the inlet lets the same mass
+ * through, so that the film is the thicker. */
+static void density_expands(void **state)
+{
+    const struct truth *t = &truths[4];
+    double H[2], T = 0;
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        ovr_heat_form f = form();
+        f.density_expands = k;
+        hot c = hot_contact(t, &f);
+        ovr_simulation *sim = solved(&c, 5);
+        H[k] = ovr_simulation_observation(sim)->H_cen;
+        size_t i = 0;
+        while (sim->now.X[i] < 0)
+            i++;
+        T = sim->heated->mean[i];
+        ovr_simulation_free(sim);
+    }
+    print_message("%.3f K in the middle: film %.5f as thick, density %.5f\n", T,
+                  H[1] / H[0], 1 - 6.5e-4 * T);
+    CHECK_NEAR(H[1] / H[0] * (1 - 6.5e-4 * T), 1, 0.1 * 6.5e-4 * T);
+}
+
 /* Seven points are nearer to the full solution (15 across, with cross flow)
  * than five: the hottest film of the fast contact with the largest load. */
 static void seven_points_check_five(void **state)
@@ -376,6 +400,7 @@ int main(void)
         cmocka_unit_test(carreau_of_one_is_newtonian),
         cmocka_unit_test(points_of_eyring),
         cmocka_unit_test(isothermal_limit),
+        cmocka_unit_test(density_expands),
         cmocka_unit_test(seven_points_check_five),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -3,6 +3,7 @@
  * extended precision, node by node; where a node lies does not matter to it. */
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "multigrid/field.h"
 #include "overroll/oil.h"
@@ -304,6 +305,33 @@ static void temperatures_shift_the_logarithm(void **state)
     ovr_arena_release(&o.arena);
 }
 
+/* Density falls with it: rho, q and d q/dP, and eps as rho. */
+static void temperatures_swell_the_oil(void **state)
+{
+    ovr_error err = {0};
+    oil o = make();
+    uint64_t seed = 26;
+    double *swell = ovr_field(&o.arena, N + 2 * PAD, &err);
+    (void)state;
+    fill(&o, &seed, 1);
+    for (int i = -PAD; i < N + PAD; i++)
+        swell[PAD + i] = test_random(&seed, 0.9, 1.02);
+    for (int k = 0; test_kernels(k); k++) {
+        double cold[5][N];
+        o.f.swell = NULL;
+        run(&o, k);
+        double *const all[] = {o.f.rho, o.f.q, o.f.dq, o.f.eps, o.f.deps};
+        for (int m = 0; m < 5; m++)
+            memcpy(cold[m], all[m], sizeof cold[m]);
+        o.f.swell = swell + PAD;
+        run(&o, k);
+        for (int m = 0; m < 5; m++)
+            for (int i = 0; i < N; i++)
+                CHECK_CLOSE(all[m][i], o.f.swell[i] * cold[m][i], 1e-13);
+    }
+    ovr_arena_release(&o.arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -312,6 +340,7 @@ int main(void)
         cmocka_unit_test(any_pressure_gives_numbers),
         cmocka_unit_test(laws_in_one_stage),
         cmocka_unit_test(temperatures_shift_the_logarithm),
+        cmocka_unit_test(temperatures_swell_the_oil),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
