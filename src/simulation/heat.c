@@ -189,7 +189,11 @@ void ovr_heat_give(ovr_simulation *sim)
 
 void ovr_heat_apply(ovr_simulation *sim)
 {
+    ovr_heated *h = sim->heated;
     ovr_heat_film_fields(sim);
+    for (size_t i = 0; ovr_conserves(sim) && i < sim->now.n; i++)
+        if (!(sim->now.P[i] > 0))
+            h->turned[i] = 0; /* what it holds moves with the surfaces */
     ovr_heat_give(sim);
 }
 
