@@ -148,6 +148,9 @@ static void describe(const studio *s, ovr_text *to)
                    l->T.factor, l->T.plain);
     ovr_text_print(to, "x %.9g to %.9g\npressure to %.9g\nfilm to %.9g\n",
                    l->extent.x_from, l->extent.x_to, l->P_to, l->H_to);
+    if (l->extent.hot_high >= l->extent.hot_low)
+        ovr_text_print(to, "temperature %.9g to %.9g\n", l->extent.hot_low,
+                       l->extent.hot_high);
     ovr_text_print(to, "roughness %.9g to %.9g\nwithout%s%s\ntitle ",
                    l->extent.S_low, l->extent.S_high,
                    o->no_hertz ? " hertz" : "",

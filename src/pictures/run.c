@@ -3,6 +3,10 @@
 
 #include <math.h>
 
+static const char *const temperatures[3] = {"temperature_1", "temperature_2",
+                                            "temperature_middle"};
+static const double ZERO_DEGC = 273.15; /* K */
+
 ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
                            const char *name, ovr_arena *arena, ovr_error *err)
 {
@@ -22,6 +26,8 @@ ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
     run->film = ovr_result_find(result, "film_thickness") != NULL;
     run->filling = run->film && ovr_result_find(result, "filling") != NULL;
     run->roughness = ovr_result_find(result, "roughness") != NULL;
+    for (int k = 0; k < 3; k++)
+        run->hot[k] = ovr_result_find(result, temperatures[k]) != NULL;
     status = ovr_result_x(result, OVR_HERTZIAN, run->x, err);
     if (status == OVR_OK)
         status = ovr_result_times(result, OVR_HERTZIAN, run->times, err);
@@ -91,7 +97,7 @@ ovr_status ovr_shot_make(ovr_shot *shot, const ovr_stored *run,
                          ovr_arena *arena, ovr_error *err)
 {
     size_t n = run->info->nodes;
-    double *block = ovr_arena_take(arena, 6 * n, sizeof *block, err);
+    double *block = ovr_arena_take(arena, 9 * n, sizeof *block, err);
     if (!block)
         return OVR_NO_MEMORY;
     *shot = (ovr_shot){.run = run};
@@ -101,6 +107,8 @@ ovr_status ovr_shot_make(ovr_shot *shot, const ovr_stored *run,
     shot->oil = run->filling ? block + 3 * n : NULL;
     shot->hung = block + 4 * n;
     shot->wall = block + 5 * n;
+    for (size_t k = 0; k < 3; k++)
+        shot->hot[k] = run->hot[k] ? block + (6 + k) * n : NULL;
     return OVR_OK;
 }
 
@@ -135,6 +143,11 @@ ovr_status ovr_shot_read(ovr_shot *shot, size_t k, ovr_error *err)
         shot->oil[i] *= 0.5 * shot->H[i];
         shot->hung[i] = shot->H[i] - shot->oil[i];
     }
+    for (int j = 0; status == OVR_OK && j < 3; j++) {
+        status = read_field(shot, temperatures[j], 1, shot->hot[j], err);
+        for (size_t i = 0; shot->hot[j] && i < shot->run->info->nodes; i++)
+            shot->hot[j][i] -= ZERO_DEGC;
+    }
     return status;
 }
 
@@ -165,7 +178,10 @@ double *ovr_stored_history(const ovr_stored *run, const char *name, double by,
 ovr_extent ovr_extent_make(double x_from, double x_to, const ovr_stored *runs,
                            size_t count)
 {
-    ovr_extent e = {.x_from = INFINITY, .x_to = -INFINITY};
+    ovr_extent e = {.x_from = INFINITY,
+                    .x_to = -INFINITY,
+                    .hot_low = INFINITY,
+                    .hot_high = -INFINITY};
     for (size_t k = 0; k < count; k++) {
         const double *x = runs[k].x, b = runs[k].by.x;
         e.x_from = fmin(e.x_from, fmax(x[0], -2 * b));
@@ -198,6 +214,11 @@ void ovr_extent_add(ovr_extent *e, const ovr_shot *shot)
             e->P_high = fmax(e->P_high, shot->P[i]);
         if (shot->H && fabs(x[i]) < 0.9 * shot->run->by.x)
             e->H_high = fmax(e->H_high, shot->H[i]);
+        for (int j = 0; j < 3; j++)
+            if (shot->hot[j]) {
+                e->hot_low = fmin(e->hot_low, shot->hot[j][i]);
+                e->hot_high = fmax(e->hot_high, shot->hot[j][i]);
+            }
         if (shot->S) {
             e->S_low = fmin(e->S_low, shot->S[i]);
             e->S_high = fmax(e->S_high, shot->S[i]);

@@ -16,6 +16,7 @@ typedef struct ovr_stored {
     const char *name;  /* foreign */
     double *x, *times; /* nodes, snapshots */
     bool film, pressure, roughness, filling;
+    bool hot[3]; /* temperatures of surface 1, surface 2, middle of the film */
     struct {
         double x, film, pressure, time;
     } by; /* its units in those of the first */
@@ -47,6 +48,7 @@ typedef struct ovr_shot {
     /* of runs that conserve oil, half of which lies on each wall: up to `oil`,
      * and from `hung` up to H; `wall` is 0 */
     double *oil, *hung, *wall;
+    double *hot[3]; /* temperatures as in ovr_stored; degC */
 } ovr_shot;
 
 ovr_status ovr_shot_make(ovr_shot *shot, const ovr_stored *run,
@@ -64,9 +66,10 @@ double *ovr_stored_history(const ovr_stored *run, const char *name, double by,
 /* What the axes must show. */
 typedef struct ovr_extent {
     double x_from, x_to;
-    double P_high;        /* largest pressure */
-    double H_high;        /* largest film within |X| < 0.9 */
-    double S_low, S_high; /* of the roughness between x_from and x_to */
+    double P_high;            /* largest pressure */
+    double H_high;            /* largest film within |X| < 0.9 */
+    double S_low, S_high;     /* of the roughness between x_from and x_to */
+    double hot_low, hot_high; /* degC */
 } ovr_extent;
 
 /* Nothing yet; x_from or x_to NAN: -2 and 1.5, as far as the runs go. */

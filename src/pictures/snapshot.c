@@ -248,6 +248,58 @@ static void add_hertz(const ovr_snapshot_style *look, const ovr_shot *shot,
     }
 }
 
+/* Both surfaces and the middle of the film; of several shots the middle. */
+static void add_temperatures(const ovr_snapshot_style *look,
+                             const ovr_shot *shot, const labelled *as,
+                             ovr_series *series, ovr_panel *panel)
+{
+    static const char *const names[3] = {"surface 1", "surface 2",
+                                         "middle of the film"};
+    static const int colours[3] = {OVR_BLUE, OVR_GREEN, OVR_RED};
+    for (int k = as->alone ? 0 : 2; k < 3; k++) {
+        if (!shot->hot[k])
+            continue;
+        ovr_series s = curve(look, shot, shot->hot[k], 1);
+        s.label = as->alone ? names[k] : NULL;
+        s.colour = as->alone ? colours[k] : as->as.colour;
+        s.mark = as->alone ? OVR_MARK_LINE : as->as.mark;
+        series[panel->count++] = s;
+    }
+}
+
+static bool is_hot(const ovr_shot *shot)
+{
+    return shot->hot[0] || shot->hot[1] || shot->hot[2];
+}
+
+/* The row of temperatures, if any shot of the column has them. */
+static void draw_temperatures(ovr_snapshot_chart *to,
+                              const ovr_snapshot_style *look,
+                              const ovr_shot *shot, size_t count, size_t column)
+{
+    static const ovr_axis degC = {1, "temperature (°C)", "temperature in degC",
+                                  "°C"};
+    size_t columns = to->chart.columns;
+    const ovr_extent *e = &look->extent;
+    double margin = fmax(0.06 * (e->hot_high - e->hot_low), 0.1);
+    ovr_series *series = to->series[2 * columns + column];
+    ovr_panel *panel = &to->panel[to->chart.rows * columns + column];
+    bool any = false;
+    for (size_t k = 0; k < count; k++)
+        any |= is_hot(&shot[k]);
+    if (!any)
+        return;
+    *panel = panel_of(look, series, &degC, e->hot_low - margin,
+                      e->hot_high + margin);
+    panel->ground = false;
+    panel->height = 0.8;
+    for (size_t k = 0; k < count; k++) {
+        labelled as = {NULL, ovr_curve_style_of(k), count == 1};
+        add_temperatures(look, &shot[k], &as, series, panel);
+    }
+    to->chart.rows++;
+}
+
 /* Shots that share a column; a row that would be empty is not there. */
 static void draw_column(ovr_snapshot_chart *to, const ovr_snapshot_style *look,
                         const ovr_shot *shot, size_t count, size_t column,
@@ -282,6 +334,7 @@ static void draw_column(ovr_snapshot_chart *to, const ovr_snapshot_style *look,
     }
     if (!look->options->no_hertz && above)
         add_hertz(look, shot, count, pressures, P);
+    draw_temperatures(to, look, shot, count, column);
 }
 
 static void write_time(char *note, size_t size, const ovr_snapshot_style *look,

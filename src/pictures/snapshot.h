@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The chart of snapshots: pressure above, film below and, under the film,
- * the roughness as it would be undeformed.  One column for each instant, or
+ * the roughness as it would be undeformed; temperatures, where there are any,
+ * below both.  One column for each instant, or
  * all in one; the frames of a movie are charts of one instant.
  */
 #ifndef OVR_PICTURES_SNAPSHOT_H
@@ -45,8 +46,8 @@ void ovr_heading(const ovr_stored *runs, size_t count, char *heading,
 /* Memory of a chart of up to OVR_SHOTS shots. */
 typedef struct ovr_snapshot_chart {
     ovr_chart chart;
-    ovr_panel panel[2 * OVR_SHOTS + 1]; /* one more for what lies below */
-    ovr_series series[2 * OVR_SHOTS][2 * OVR_SHOTS + 1];
+    ovr_panel panel[3 * OVR_SHOTS + 1]; /* one more for what lies below */
+    ovr_series series[3 * OVR_SHOTS][3 * OVR_SHOTS + 1];
     char note[OVR_SHOTS][80], name[OVR_SHOTS][130];
 } ovr_snapshot_chart;
 
