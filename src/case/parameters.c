@@ -329,13 +329,16 @@ static const ovr_parameter table[] = {
      "given"},
 
     {"lubricant", "S0", PLAIN(0, 10), NULL, AT(heat.S0), true,
-     "Roelands: fall of viscosity with temperature, in heat; 1.1 unless given"},
+     "Roelands: fall of viscosity with temperature, in heat; by the data "
+     "sheet's "
+     "two viscosities, or 1.1, unless given"},
     {"lubricant", "beta", WITH_UNIT(OVR_PER_KELVIN, 0, 1), NULL, AT(heat.beta),
-     true, "instead of S0, and for other laws: -d ln eta/dT at p = 0"},
+     true,
+     "instead of S0, and for other laws: -d ln eta/dT at p = 0; by the data "
+     "sheet's two viscosities unless given"},
 
     {"heat", "model", CHOICE(heats), "none", AT(heat_model), true,
-     "lobatto: temperatures by collocation across the film; of steady contacts "
-     "only"},
+     "lobatto: temperatures by collocation across the film"},
     {"heat", "points", CHOICE(heat_points), "5", AT(heat.points), true,
      "across the film; 7 as a check"},
     {"heat", "temperature", WITH_UNIT(OVR_TEMPERATURE, 150, 800), NULL,

@@ -17,6 +17,32 @@ static ovr_status check(const ovr_resolved *r, ovr_error *err)
     return OVR_OK;
 }
 
+/* -d ln eta/dT at the oil's temperature where its data sheet knows two
+ * viscosities: that of nu, and of the density. */
+static double fall_of_viscosity(const ovr_resolved *r)
+{
+    const ovr_oil *oil = &r->values.oil;
+    const double step = 0.5; /* K */
+    double T = oil->temperature;
+    return log(ovr_walther(oil->nu_40, oil->nu_100, T - step) /
+               ovr_walther(oil->nu_40, oil->nu_100, T + step)) /
+               (2 * step) +
+           r->values.heat.expansion;
+}
+
+/* What is not given: by the data sheet, else S0 of the usual oil. */
+static void complete(const ovr_resolved *r, ovr_heat_form *form)
+{
+    const ovr_oil *oil = &r->values.oil;
+    bool sheet = oil->nu_40 > 0 && oil->nu_100 > 0;
+    if (!isnan(form->S0) || !isnan(form->beta))
+        return;
+    if (sheet)
+        form->beta = fall_of_viscosity(r);
+    else if (r->lubricant.viscosity_law == OVR_ROELANDS)
+        form->S0 = S0_USUAL;
+}
+
 ovr_status ovr_resolve_heat(ovr_resolved *r, ovr_error *err)
 {
     ovr_settings *v = &r->values;
@@ -30,9 +56,7 @@ ovr_status ovr_resolve_heat(ovr_resolved *r, ovr_error *err)
     if (v->scheme < 0)
         v->options.scheme = OVR_UPSTREAM2;
     form->temperature = v->oil.temperature;
-    if (isnan(form->S0) && isnan(form->beta) &&
-        r->lubricant.viscosity_law == OVR_ROELANDS)
-        form->S0 = S0_USUAL;
+    complete(r, form);
     for (int k = 0; k < 2; k++)
         form->body[k] = r->body[k].thermal;
     if (ovr_heat_make(form, &r->contact, &r->lubricant, &r->heat, &why))

@@ -216,6 +216,42 @@ static const char starved_end[] =
     "[output]\n"
     "file = starved.h5            # a row each; starved-1.h5, ... the passes\n";
 
+/* A disc machine again, at a slip and a load where oils get hot. */
+static const char traction_hot[] =
+    "# Two discs of steel that slip: friction, film and temperatures.\n"
+    "[contact]\n"
+    "load = 300 kN/m\n"
+    "mean_speed = 5 m/s\n"
+    "slide_to_roll = 0.2\n"
+    "\n"
+    "[body 1]\n"
+    "material = steel             # conducts and stores heat as steel does\n"
+    "radius = 35 mm\n"
+    "\n"
+    "[body 2]\n"
+    "material = steel\n"
+    "radius = 35 mm\n"
+    "\n"
+    "[lubricant]\n"
+    "temperature = 60 degC        # of the supply, and of the bodies\n"
+    "iso_vg = 68\n"
+    "viscosity_index = 98         # and so how viscosity falls with "
+    "temperature\n"
+    "density_15 = 880 kg/m3\n"
+    "alpha = 20 1/GPa             # at that temperature\n"
+    "rheology = eyring\n"
+    "eyring_stress = 5 MPa\n"
+    "\n"
+    "[heat]\n"
+    "model = lobatto\n"
+    "\n"
+    "[domain]\n"
+    "level = 8\n"
+    "\n"
+    "[output]\n"
+    "fields = pressure, film_thickness, temperature_1, temperature_2, "
+    "temperature_middle\n";
+
 static const struct kind {
     const char *name, *head, *tail;
     bool physical;
@@ -225,7 +261,8 @@ static const struct kind {
     {"cam", cam, cam_end, true},
     {"numbers", numbers, numbers_end, false},
     {"starved", starved, starved_end, true},
-    {"discs", discs, NULL, true}, /* with an oil of its own */
+    {"discs", discs, NULL, true}, /* with oils of their own */
+    {"hot", traction_hot, NULL, true},
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
@@ -254,7 +291,7 @@ static const struct kind *find_kind(const cli_call *call, const char *name)
     meant = ovr_suggest(name, names, KINDS);
     cli_usage(call,
               "no case '%s'%s%s; there are roller, gear, cam, numbers, "
-              "starved, discs",
+              "starved, discs, hot",
               name, meant ? "; did you mean " : "", meant ? meant : "");
     return NULL;
 }

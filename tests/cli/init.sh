@@ -18,6 +18,11 @@ mv out discs.ini
 expect 0 "$OVERROLL" check discs.ini
 ! grep -v 'the inlet is at X' err || fail "discs: $(cat err)"
 expect 0 "$OVERROLL" steady discs.ini --level 6
+expect 0 "$OVERROLL" init hot
+mv out hot.ini
+expect 0 "$OVERROLL" check hot.ini
+! grep -v 'the inlet is at X' err || fail "hot: $(cat err)"
+expect 0 "$OVERROLL" run hot.ini --level 5 -o hot.h5
 refuses "'discs' has an oil of its own" init discs --oil vg32
 expect 0 "$OVERROLL" init gear -o gear2.ini
 refuses 'gear2.ini: exists already' init gear -o gear2.ini
