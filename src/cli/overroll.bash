@@ -89,6 +89,7 @@ _overroll_values() {
     heat.heat_capacity) echo '' ;;
     heat.density) echo '' ;;
     heat.expansion) echo '' ;;
+    heat.density_expansion) echo 'yes no' ;;
     domain.inlet) echo 'usual auto' ;;
     domain.outlet) echo 'auto' ;;
     domain.level) echo 'auto' ;;
@@ -154,11 +155,6 @@ _overroll_values() {
     supply.period) echo '' ;;
     supply.file) echo '' ;;
     supply.time_unit) echo 'b/um s ms us' ;;
-    passes.number) echo '' ;;
-    passes.split) echo '' ;;
-    passes.loss) echo '' ;;
-    passes.side_flow) echo '' ;;
-    passes.replenish) echo '' ;;
     feature.surface) echo '' ;;
     feature.shape) echo 'dent bump indent ridge step groove wave chirp texture profile roughness' ;;
     feature.start) echo 'inlet' ;;
