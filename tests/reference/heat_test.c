@@ -233,7 +233,8 @@ static void compare(const ovr_simulation *a, const ovr_simulation *b,
     CHECK_CLOSE(x->T_2_max_rise, y->T_2_max_rise, tolerance);
 }
 
-/* Carreau's law of n = 1 is Newton's, in both forms. */
+/* Carreau's law of n = 1 is Newton's, in both forms, to what is left of the
+ * turns, which end at changes of 3e-5. */
 static void carreau_of_one_is_newtonian(void **state)
 {
     const struct truth *t = &truths[0];
@@ -246,7 +247,7 @@ static void carreau_of_one_is_newtonian(void **state)
                                      1);
         hot c = with_law(t, &f, &form);
         ovr_simulation *sim = solved(&c, 5);
-        compare(sim, newtonian, 1e-7);
+        compare(sim, newtonian, 1e-5);
         ovr_simulation_free(sim);
         ovr_flow_law_free((ovr_flow_law *)c.oil.flow_law);
     }
