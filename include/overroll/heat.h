@@ -38,9 +38,9 @@ typedef struct ovr_heat_form {
     double temperature; /* of the supplied oil, K */
     double bulk[2];     /* of the bodies, K; NAN: the same */
     ovr_thermal oil, body[2];
-    double expansion; /* of the oil by volume, 1/K */
+    double expansion;     /* of the oil by volume, 1/K */
     bool density_expands; /* else it heats where it is compressed, alone */
-    double S0, beta;  /* one of them; beta in 1/K */
+    double S0, beta;      /* one of them; beta in 1/K */
 } ovr_heat_form;
 
 /* 5 points, nothing else given. */
@@ -57,7 +57,7 @@ typedef struct ovr_heat {
     double least_peclet; /* to which steady solutions raise them; 5 */
     double expansion;    /* 1/K */
     bool density_expands;
-    double S0, C, beta;  /* C = 0: not Roelands */
+    double S0, C, beta; /* C = 0: not Roelands */
 } ovr_heat;
 
 /* Fails with OVR_BAD_INPUT about what is missing. */

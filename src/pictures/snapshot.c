@@ -277,8 +277,8 @@ static void draw_temperatures(ovr_snapshot_chart *to,
                               const ovr_snapshot_style *look,
                               const ovr_shot *shot, size_t count, size_t column)
 {
-    static const ovr_axis degC = {1, "{/:Italic T}  [°C]", "temperature in degC",
-                                  "°C"};
+    static const ovr_axis degC = {1, "{/:Italic T}  [°C]",
+                                  "temperature in degC", "°C"};
     size_t columns = to->chart.columns;
     const ovr_extent *e = &look->extent;
     double margin = fmax(0.06 * (e->hot_high - e->hot_low), 0.1);
