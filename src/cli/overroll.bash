@@ -155,6 +155,11 @@ _overroll_values() {
     supply.period) echo '' ;;
     supply.file) echo '' ;;
     supply.time_unit) echo 'b/um s ms us' ;;
+    passes.number) echo '' ;;
+    passes.split) echo '' ;;
+    passes.loss) echo '' ;;
+    passes.side_flow) echo '' ;;
+    passes.replenish) echo '' ;;
     feature.surface) echo '' ;;
     feature.shape) echo 'dent bump indent ridge step groove wave chirp texture profile roughness' ;;
     feature.start) echo 'inlet' ;;
