@@ -295,7 +295,7 @@ _overroll_words() {
 # Words that may follow an option.
 _overroll_choices() {
     case $1:$2 in
-    *:--kind) echo 'snapshot history map trace' ;;
+    *:--kind) echo 'snapshot history map trace stress risk depth passes' ;;
     export:--field | plot:--field) echo 'pressure film_thickness roughness' ;;
     *:--units) echo 'stored hertzian si' ;;
     *:--format) echo 'csv gnuplot matlab' ;;

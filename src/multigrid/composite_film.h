@@ -33,8 +33,8 @@
  * patch:
  *     g = K (m delta2 P/12) + m C D delta2 P
  * on the base, with C as there; in patches K's part alone, by cubic
- * interpolation of the parent's.  (Without it there the smallest film is off
- * by 3e-6 at M = 20, L = 10, base 8.)
+ * interpolation of the parent's, which moves the smallest film by less than
+ * 1e-6 at M = 20, L = 10, base 8.
  */
 #ifndef OVR_MULTIGRID_COMPOSITE_FILM_H
 #define OVR_MULTIGRID_COMPOSITE_FILM_H

@@ -2,10 +2,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every source file names its licence in its first two lines, is at most 80
 # columns wide, and has neither tabs nor blanks at line ends.  No function is
-# longer than 45 lines, its head included.
+# longer than 45 lines, its head included.  Nothing else stands in the top
+# folder.
 set -u
 cd "$TOP" || exit 1
 status=0
+for file in *; do
+    case $file in
+    Makefile | src | include | profiles | tests | tools | README.md) ;;
+    LICENSE | CHANGELOG.md | build | build-*) ;;
+    *)
+        echo "$file: does not belong into the top folder"
+        status=1
+        ;;
+    esac
+done
 for file in src/*/*.[ch] src/*/*/*.[ch] include/overroll/*.h \
     tests/*/*.[ch] tests/*/*.sh tests/support/run \
     tools/* tools/examples/* .ci/run Makefile \
