@@ -166,9 +166,11 @@ static ptrdiff_t margin_of(const formula *how)
 static void guess_field(const ovr_simulation *sim, const formula *how,
                         double *const past[OVR_PAST], double *guess)
 {
-    ptrdiff_t margin = margin_of(how);
-    memcpy(guess, past[0], sim->now.n * sizeof *guess);
-    (how->two_terms ? carry : extrapolate)(sim, how, margin, past, guess);
+    size_t margin = (size_t)margin_of(how), rear = sim->now.n - margin;
+    memcpy(guess, past[0], margin * sizeof *guess);
+    memcpy(guess + rear, past[0] + rear, margin * sizeof *guess);
+    (how->two_terms ? carry : extrapolate)(sim, how, (ptrdiff_t)margin, past,
+                                           guess);
 }
 
 /* What nobody told to move but with the surfaces' mean speed. */
