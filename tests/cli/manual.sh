@@ -34,7 +34,8 @@ if command -v bash >/dev/null; then
         [ "$got" = "$wanted" ] || fail "'$*' completes to '$got'"
     }
     completes 'map' overroll plot a.h5 --kind m
-    completes 'snapshot history map trace' overroll plot a.h5 --kind ''
+    completes 'snapshot history map trace stress risk depth passes' \
+        overroll plot a.h5 --kind ''
     completes 'csv' overroll export a.h5 --format c
     completes 'upstream1 upstream2' overroll run a.ini --scheme up
     completes 'contact.load=' overroll run a.ini --set contact.lo
