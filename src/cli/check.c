@@ -258,8 +258,11 @@ static ovr_piece in_metres(double value, double scale)
 
 static ovr_piece at_time(double T, const ovr_contact *contact)
 {
+    const double rounding = 1e-12;
     ovr_piece piece;
     char text[CLI_PHYSICAL_SIZE];
+    if (fabs(T) < rounding)
+        T = 0;
     cli_physical(T, OVR_KIND_TIME, contact, text);
     snprintf(piece.text, sizeof piece.text, "T = %.4g%s%.18s%s", T,
              *text ? " (" : "", text, *text ? ")" : "");
