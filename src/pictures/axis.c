@@ -69,7 +69,10 @@ static ovr_axis with_unit(const quantity *q, double scale, double largest)
 void ovr_axis_as_is(ovr_unit_kind kind, bool si, double largest, ovr_axis *axis)
 {
     const quantity *q = find(kind);
-    *axis = si ? with_unit(q, 1, largest) : q->hertzian;
+    if (q)
+        *axis = si ? with_unit(q, 1, largest) : q->hertzian;
+    else
+        *axis = (ovr_axis){1, "", "", ""};
 }
 
 ovr_status ovr_axis_make(ovr_unit_kind kind, ovr_result *result,
