@@ -387,15 +387,27 @@ static ovr_status resolve_features(ovr_resolved *r, ovr_error *err)
 
 /* ----------------------------------------------------------------- output */
 
+/* What the physics that is on adds to the fields where none are given. */
+static unsigned fields_of_physics(const ovr_resolved *r)
+{
+    unsigned fields = 0;
+    if (r->values.options.cavitation == OVR_CAVITATION_CONSERVING)
+        fields |= ovr_field_bit("filling") | ovr_field_bit("oil_content");
+    if (r->setup.heat)
+        fields |= ovr_field_bit("temperature_1") |
+                  ovr_field_bit("temperature_2") |
+                  ovr_field_bit("temperature_middle");
+    return fields;
+}
+
 static ovr_status resolve_output(ovr_resolved *r, ovr_error *err)
 {
     ovr_output *out = &r->values.output;
     out->from = out->to = NAN;
     if (fill_section(r, "output", err))
         return OVR_BAD_INPUT;
-    if (r->values.options.cavitation == OVR_CAVITATION_CONSERVING &&
-        !slot_of(r, "output", "fields")->given)
-        out->fields |= ovr_field_bit("filling") | ovr_field_bit("oil_content");
+    if (!slot_of(r, "output", "fields")->given)
+        out->fields |= fields_of_physics(r);
     out->every = r->values.every;
     out->single = r->values.precision == 1;
     if (out->from >= out->to)
