@@ -205,6 +205,17 @@ static void resume(const char *path, long last)
     test_dent_free(&dent);
 }
 
+/* Killed within a write: a reader says so, and only resuming mends it. */
+static bool was_cut(const char *path)
+{
+    ovr_error err = {0};
+    ovr_result *r = ovr_result_open(path, NULL, &err);
+    if (!r)
+        assert_non_null(strstr(err.message, "its last write was cut"));
+    ovr_result_close(r);
+    return !r;
+}
+
 static void survives_kills(void **state)
 {
     const char *whole = test_path(*state, "whole.h5");
@@ -218,7 +229,8 @@ static void survives_kills(void **state)
             died_early++; /* before it had its name: nothing to go on with */
             continue;
         }
-        check_prefix(killed, whole, false);
+        if (!was_cut(killed))
+            check_prefix(killed, whole, false);
         resume(killed, STEPS);
         check_prefix(killed, whole, true);
         unlink(killed);
