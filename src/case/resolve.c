@@ -161,10 +161,24 @@ const ovr_block *ovr_block_of(const ovr_resolved *r, const char *section)
     return ovr_case_find_block(r->c, section, NULL);
 }
 
-static const ovr_slot *slot_of(const ovr_resolved *r, const char *section,
-                               const char *key)
+const ovr_slot *ovr_slot_of(const ovr_resolved *r, const char *section,
+                            const char *key)
 {
     return ovr_block_get(ovr_block_of(r, section), key);
+}
+
+ovr_status ovr_refuse(const ovr_resolved *r, size_t count,
+                      const ovr_pairing pairs[], const char *with,
+                      ovr_error *err)
+{
+    for (size_t k = 0; k < count; k++)
+        if (pairs[k].refused) {
+            const ovr_slot *slot = ovr_slot_of(r, pairs[k].section,
+                                               pairs[k].key);
+            return ovr_fail_slot(err, slot, "%s does not go with %s; %s does",
+                                 slot->text, with, pairs[k].right);
+        }
+    return OVR_OK;
 }
 
 static ovr_status fill_section(ovr_resolved *r, const char *section,
@@ -179,8 +193,8 @@ static ovr_status fill_section(ovr_resolved *r, const char *section,
 static ovr_status check_twice(const ovr_resolved *r, const char *key,
                               ovr_error *err)
 {
-    const ovr_slot *one = slot_of(r, "contact", key);
-    const ovr_slot *other = slot_of(r, "lubricant", key);
+    const ovr_slot *one = ovr_slot_of(r, "contact", key);
+    const ovr_slot *other = ovr_slot_of(r, "lubricant", key);
     if (!one->given || !other->given)
         return OVR_OK;
     return ovr_fail_slot(err, other,
@@ -228,8 +242,8 @@ static int nodes_of(int level)
 
 static ovr_status resolve_level(ovr_resolved *r, ovr_error *err)
 {
-    const ovr_slot *nodes = slot_of(r, "domain", "nodes");
-    const ovr_slot *level = slot_of(r, "domain", "level");
+    const ovr_slot *nodes = ovr_slot_of(r, "domain", "nodes");
+    const ovr_slot *level = ovr_slot_of(r, "domain", "level");
     int k = 1, wanted = r->values.nodes;
     if (!nodes->given)
         return OVR_OK;
@@ -253,11 +267,11 @@ static ovr_status check_solver(const ovr_resolved *r, ovr_error *err)
     const ovr_options *o = &r->values.options;
     if (o->mlmi_order % 2 || o->mlmi_range % 2) {
         const char *key = o->mlmi_order % 2 ? "mlmi_order" : "mlmi_range";
-        const ovr_slot *slot = slot_of(r, "paper", key);
+        const ovr_slot *slot = ovr_slot_of(r, "paper", key);
         return ovr_fail_slot(err, slot, "%s must be even", slot->text);
     }
     if (o->level && o->coarsest_level > o->level)
-        return ovr_fail_slot(err, slot_of(r, "solver", "coarsest_level"),
+        return ovr_fail_slot(err, ovr_slot_of(r, "solver", "coarsest_level"),
                              "%d must not be above the level "
                              "%d",
                              o->coarsest_level, o->level);
@@ -305,9 +319,9 @@ static ovr_status resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
 {
     ovr_settings *v = &r->values;
     ovr_setup *s = &r->setup;
-    s->transient = slot_of(r, "time", "end")->given;
+    s->transient = ovr_slot_of(r, "time", "end")->given;
     if (v->until_steady && !s->transient)
-        return ovr_fail_slot(err, slot_of(r, "time", "until_steady"),
+        return ovr_fail_slot(err, ovr_slot_of(r, "time", "until_steady"),
                              "needs an end, for when it never "
                              "gets steady");
     r->march = ovr_march_default();
@@ -406,12 +420,12 @@ static ovr_status resolve_output(ovr_resolved *r, ovr_error *err)
     out->from = out->to = NAN;
     if (fill_section(r, "output", err))
         return OVR_BAD_INPUT;
-    if (!slot_of(r, "output", "fields")->given)
+    if (!ovr_slot_of(r, "output", "fields")->given)
         out->fields |= fields_of_physics(r);
     out->every = r->values.every;
     out->single = r->values.precision == 1;
     if (out->from >= out->to)
-        return ovr_fail_slot(err, slot_of(r, "output", "from"),
+        return ovr_fail_slot(err, ovr_slot_of(r, "output", "from"),
                              "%g must be below to = %g", out->from, out->to);
     return OVR_OK;
 }

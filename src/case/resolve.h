@@ -25,6 +25,20 @@ typedef struct ovr_resolved {
 
 /* The block of a plain section. */
 const ovr_block *ovr_block_of(const ovr_resolved *r, const char *section);
+const ovr_slot *ovr_slot_of(const ovr_resolved *r, const char *section,
+                            const char *key);
+
+/* What is refused beside something else of the case, and what is right. */
+typedef struct ovr_pairing {
+    const char *section, *key;
+    bool refused;
+    const char *right;
+} ovr_pairing;
+
+/* Fails with the first of them that is refused beside `with`. */
+ovr_status ovr_refuse(const ovr_resolved *r, size_t count,
+                      const ovr_pairing pairs[], const char *with,
+                      ovr_error *err);
 
 /* Puts the values of a block into the struct its rows point into, physical
  * numbers scaled by the contact. */

@@ -2,20 +2,10 @@
 /* [domain] refine: what else of the case goes with patches. */
 #include "case/resolve.h"
 
-static const ovr_slot *slot_of(const ovr_resolved *r, const char *section,
-                               const char *key)
-{
-    return ovr_block_get(ovr_block_of(r, section), key);
-}
-
 ovr_status ovr_resolve_refine(const ovr_resolved *r, ovr_error *err)
 {
     const ovr_options *o = &r->values.options;
-    const struct {
-        const char *section, *key;
-        bool refused;
-        const char *right;
-    } checks[] = {
+    const ovr_pairing pairs[] = {
         {"time", "end", r->setup.transient,
          "a steady contact, without [time],"},
         {"lubricant", "rheology", r->lubricant.rheology != OVR_NEWTONIAN,
@@ -31,13 +21,6 @@ ovr_status ovr_resolve_refine(const ovr_resolved *r, ovr_error *err)
          "negligible or truncation"}};
     if (o->refine == OVR_REFINE_NONE)
         return OVR_OK;
-    for (size_t k = 0; k < sizeof checks / sizeof *checks; k++)
-        if (checks[k].refused) {
-            const ovr_slot *slot = slot_of(r, checks[k].section, checks[k].key);
-            return ovr_fail_slot(err, slot,
-                                 "%s does not go with [domain] refine = "
-                                 "spike; %s does",
-                                 slot->text, checks[k].right);
-        }
-    return OVR_OK;
+    return ovr_refuse(r, sizeof pairs / sizeof *pairs, pairs,
+                      "[domain] refine = spike", err);
 }

@@ -6,36 +6,20 @@
 #include "case/resolve.h"
 #include "surface/layer.h"
 
-static const ovr_slot *slot_of(const ovr_resolved *r, const char *section,
-                               const char *key)
-{
-    return ovr_block_get(ovr_block_of(r, section), key);
-}
-
 /* Written values that do not conserve oil; what is not written gives way. */
 static ovr_status check_solver(const ovr_resolved *r, ovr_error *err)
 {
     const ovr_options *o = &r->values.options;
-    const struct {
-        const char *section, *key;
-        bool refused;
-        const char *right;
-    } checks[] = {{"time", "scheme", r->values.scheme == OVR_CHARACTERISTIC,
-                   "upstream2 or upstream1"},
-                  {"domain", "order", o->order == 4, "2"},
-                  {"paper", "smoother", o->smoother != OVR_LINE, "line"},
-                  {"paper", "paper_balance", o->paper_balance, "no"},
-                  {"solver", "stop", o->stop == OVR_STOP_FIXED,
-                   "negligible or truncation"}};
-    for (size_t k = 0; k < sizeof checks / sizeof *checks; k++)
-        if (checks[k].refused) {
-            const ovr_slot *slot = slot_of(r, checks[k].section, checks[k].key);
-            return ovr_fail_slot(err, slot,
-                                 "%s does not go with [cavitation] model = "
-                                 "conserving; %s does",
-                                 slot->text, checks[k].right);
-        }
-    return OVR_OK;
+    const ovr_pairing pairs[] = {
+        {"time", "scheme", r->values.scheme == OVR_CHARACTERISTIC,
+         "upstream2 or upstream1"},
+        {"domain", "order", o->order == 4, "2"},
+        {"paper", "smoother", o->smoother != OVR_LINE, "line"},
+        {"paper", "paper_balance", o->paper_balance, "no"},
+        {"solver", "stop", o->stop == OVR_STOP_FIXED,
+         "negligible or truncation"}};
+    return ovr_refuse(r, sizeof pairs / sizeof *pairs, pairs,
+                      "[cavitation] model = conserving", err);
 }
 
 /* What a flooded contact has no use for. */
@@ -45,7 +29,7 @@ static ovr_status check_flooded(const ovr_resolved *r, ovr_error *err)
                                        "profile_1",   "profile_2",
                                        "history",     "waiting"};
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
-        const ovr_slot *slot = slot_of(r, "supply", keys[k]);
+        const ovr_slot *slot = ovr_slot_of(r, "supply", keys[k]);
         if (slot->given)
             return ovr_fail_slot(err, slot,
                                  "has no meaning with model = flooded; a film "
@@ -56,14 +40,14 @@ static ovr_status check_flooded(const ovr_resolved *r, ovr_error *err)
 
 static ovr_status check_film(const ovr_resolved *r, ovr_error *err)
 {
-    const ovr_slot *model = slot_of(r, "supply", "model");
+    const ovr_slot *model = ovr_slot_of(r, "supply", "model");
     if (r->values.options.cavitation != OVR_CAVITATION_CONSERVING)
         return ovr_fail_slot(err, model,
                              "film needs [cavitation] model = conserving");
-    if (!slot_of(r, "supply", "thickness_1")->given &&
-        !slot_of(r, "supply", "thickness_2")->given &&
-        !slot_of(r, "supply", "profile_1")->given &&
-        !slot_of(r, "supply", "profile_2")->given)
+    if (!ovr_slot_of(r, "supply", "thickness_1")->given &&
+        !ovr_slot_of(r, "supply", "thickness_2")->given &&
+        !ovr_slot_of(r, "supply", "profile_1")->given &&
+        !ovr_slot_of(r, "supply", "profile_2")->given)
         return ovr_fail_slot(err, model,
                              "film needs thickness_1, thickness_2 or both in "
                              "[supply], or a profile");
@@ -76,11 +60,11 @@ static ovr_status read_layers(ovr_resolved *r, const ovr_allocator *allocator,
     static const char *const profiles[] = {"profile_1", "profile_2"};
     static const char *const thick[] = {"thickness_1", "thickness_2"};
     for (int k = 0; k < 2; k++) {
-        const ovr_slot *slot = slot_of(r, "supply", profiles[k]);
+        const ovr_slot *slot = ovr_slot_of(r, "supply", profiles[k]);
         ovr_error why = {0};
         if (!r->values.layer_file[k])
             continue;
-        if (slot_of(r, "supply", thick[k])->given)
+        if (ovr_slot_of(r, "supply", thick[k])->given)
             return ovr_fail_slot(err, slot, "%s is given too: leave one out",
                                  thick[k]);
         r->supply.layer[k] = ovr_layer_read(r->values.layer_file[k],
@@ -96,23 +80,23 @@ static ovr_status check_passes(const ovr_resolved *r, ovr_error *err)
     static const char *const keys[] = {"split", "loss", "side_flow",
                                        "replenish"};
     const ovr_passes_setup *p = &r->values.passes;
-    const ovr_slot *number = slot_of(r, "passes", "number");
+    const ovr_slot *number = ovr_slot_of(r, "passes", "number");
     double left = p->split * fmax(0, r->contact.u1_ratio) +
                   (1 - p->split) * fmax(0, r->contact.u2_ratio);
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++)
-        if (slot_of(r, "passes", keys[k])->given && !number->given)
-            return ovr_fail_slot(err, slot_of(r, "passes", keys[k]),
+        if (ovr_slot_of(r, "passes", keys[k])->given && !number->given)
+            return ovr_fail_slot(err, ovr_slot_of(r, "passes", keys[k]),
                                  "has no meaning without number in [passes]");
     if (p->number > 1 &&
         r->values.options.cavitation != OVR_CAVITATION_CONSERVING)
         return ovr_fail_slot(err, number,
                              "several passes need [cavitation] model = "
                              "conserving");
-    if (slot_of(r, "passes", "loss")->given && isfinite(p->side_flow))
-        return ovr_fail_slot(err, slot_of(r, "passes", "side_flow"),
+    if (ovr_slot_of(r, "passes", "loss")->given && isfinite(p->side_flow))
+        return ovr_fail_slot(err, ovr_slot_of(r, "passes", "side_flow"),
                              "loss is given too: leave one out");
     if (p->number > 1 && !(left > 0))
-        return ovr_fail_slot(err, slot_of(r, "passes", "split"),
+        return ovr_fail_slot(err, ovr_slot_of(r, "passes", "split"),
                              "%g leaves all oil on a surface that does not "
                              "carry it off",
                              p->split);
