@@ -141,8 +141,8 @@ $(BUILD)/%.o: %.c $(BUILD)/flags
 # The page of `overroll view` as an array: its style and its script go into
 # its text where they are named.
 PAGE    := src/pictures/page
-PAGE_JS := $(PAGE)_data.js $(PAGE)_draw.js $(PAGE)_stress.js \
-           $(PAGE)_play.js
+PAGE_JS := $(PAGE)_data.js $(PAGE)_draw.js $(PAGE)_heat.js \
+           $(PAGE)_stress.js $(PAGE)_play.js
 $(BUILD)/$(PAGE).c: $(PAGE).html $(PAGE).css $(PAGE_JS)
 	$(call say,PAGE  $@)
 	@mkdir -p $(@D)

@@ -161,6 +161,21 @@ static void put_supply(const ovr_observation *o, const ovr_contact *contact)
     putchar('\n');
 }
 
+/* Largest temperatures, and how far the balance of energy is from closed. */
+static void put_heat(const ovr_run_info *s)
+{
+    const double zero = 273.15; /* degC in K */
+    const ovr_observation *o = ovr_simulation_observation(s->sim);
+    if (!s->setup->heat)
+        return;
+    printf("%-17s %-12.4g degC in the film", "temperature",
+           o->T_film_max - zero);
+    cli_put_place(" at X", o->X_T_film_max, OVR_KIND_LENGTH, s->setup->contact);
+    printf("\n%-17s %.4g and %.4g degC on surfaces 1 and 2; energy closes to "
+           "%.1e\n",
+           "", o->T_1_max - zero, o->T_2_max - zero, o->energy_defect);
+}
+
 static void table_observed(const ovr_run_info *s)
 {
     const ovr_observation *o = ovr_simulation_observation(s->sim);
@@ -176,6 +191,7 @@ static void table_observed(const ovr_run_info *s)
     put_load_and_flow(o, contact);
     put_supply(o, contact);
     put_friction(s);
+    put_heat(s);
     if (isfinite(s->lambda_ratio))
         printf("%-17s %-12.4g central film over the roughness of both "
                "surfaces\n",

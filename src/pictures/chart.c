@@ -223,7 +223,7 @@ static void put_colour_map(ovr_pen *p, const ovr_panel *panel, size_t table,
                    "set palette defined (0 '#1b1044', 0.2 '#3b3a8c', 0.4 "
                    "'#2a7a98', 0.6 '#45a882', 0.8 '#c9cf52', 1 '#fff3b0')\n"
                    "set cbrange [%.9g:%.9g]\nset format cb \"%%g\"\n"
-                   "set cblabel \"%s\"\n"
+                   "set cblabel \"%s\" offset character 1.2,0\n"
                    "set colorbox user origin screen %.5g,%.5g size screen "
                    "%.5g,%.5g\nunset grid\n",
                    m->from, m->to, m->label,

@@ -160,11 +160,33 @@ static ovr_status words(const ovr_drawing *drawing, const ovr_variable *v,
     return OVR_OK;
 }
 
+/* Temperatures in degC, as everywhere in pictures. */
+static void to_degrees(map *m)
+{
+    const double zero = 273.15; /* K */
+    for (size_t c = 0; c < (size_t)CELLS_T * CELLS_X; c++)
+        m->values[c] -= zero;
+}
+
+static ovr_status degrees(const ovr_drawing *drawing, const map *m,
+                          ovr_axis *axis, ovr_error *err)
+{
+    const ovr_observable *row = ovr_observable_field(m->field);
+    char *label = ovr_arena_take(drawing->arena, 160, 1, err);
+    if (!label)
+        return OVR_NO_MEMORY;
+    snprintf(label, 160, "%s  [°C]", row ? row->long_name : m->field);
+    *axis = (ovr_axis){1, label, label, "°C"};
+    return OVR_OK;
+}
+
 /* What the colours mean. */
 static ovr_status colour_axis(const ovr_drawing *drawing, const map *m,
                               double largest, ovr_axis *axis, ovr_error *err)
 {
     const ovr_variable *v = ovr_result_find(m->run->result, m->field);
+    if (v->kind == OVR_KIND_TEMPERATURE)
+        return degrees(drawing, m, axis, err);
     return ovr_axis_has(v->kind)
                ? ovr_axis_make(v->kind, m->run->result, drawing->options->units,
                                largest, axis, err)
@@ -179,6 +201,8 @@ static ovr_status make_panel(const ovr_drawing *drawing, map *m,
     double low, high, highest, reach = fmax(fabs(m->x_from), fabs(m->x_to));
     ovr_axis x, T, v;
     ovr_status status;
+    if (kind == OVR_KIND_TEMPERATURE)
+        to_degrees(m);
     find_range(m, &low, &high);
     highest = largest(m);
     if (kind == OVR_KIND_PRESSURE)

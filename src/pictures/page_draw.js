@@ -87,7 +87,7 @@ function readColours() {
   const style = getComputedStyle(document.documentElement);
   for (const name of ["page", "ink", "faint", "rule", "grid", "accent",
     "pressure", "pressure-area", "film", "film-area", "rough", "rough-area",
-    "hertz", "min", "tip"])
+    "hertz", "min", "warm-2", "tip"])
     colour[name] = style.getPropertyValue("--" + name).trim();
 }
 
@@ -115,17 +115,18 @@ function niceStep(span, most) {
 }
 
 // Grid, numbers and names of a box whose edges are x0..x1 and y0..y1 in drawn
-// units; numbers on y only from zero on.
+// units; numbers on y only from zero, or from `from`, on.
 function drawAxes(c, box, axes) {
+  const from = axes.from ?? 0, span = axes.y1 - from;
   const dx = niceStep(axes.x1 - axes.x0, box.w / 70);
-  const dy = niceStep(axes.y1, Math.max(2, box.h * axes.y1 /
-                                           (axes.y1 - axes.y0) / 32));
+  const dy = niceStep(span, Math.max(2, box.h * span /
+                                        (axes.y1 - axes.y0) / 32));
   c.lineWidth = 1;
   c.strokeStyle = colour.grid;
   c.fillStyle = colour.faint;
   c.textBaseline = "middle";
   c.textAlign = "right";
-  for (let k = 0; k * dy <= axes.y1 * 1.0001; k++) {
+  for (let k = Math.ceil(from / dy); k * dy <= axes.y1 + 1e-4 * span; k++) {
     const y = Math.round(box.Y(k * dy)) + 0.5;
     c.beginPath(); c.moveTo(box.x, y); c.lineTo(box.x + box.w, y); c.stroke();
     c.fillText(digits(k * dy), box.x - 6, y);
@@ -286,7 +287,10 @@ function layout(view, width, height) {
     yName: u.p.name };
   const H = { x0: P.x0, x1: P.x1, y0: bottom * u.h.f, y1: w.H * u.h.f,
     xName: u.x.name, yName: u.h.name };
-  return { u, w, gap, bottom, P, H,
+  let a = 0, b = run.nodes;
+  while (a + 2 < b && run.x[a + 1] <= w.x0) a++;
+  while (b > a + 2 && run.x[b - 2] >= w.x1) b--;
+  return { u, w, a, b, gap, bottom, P, H,
     upper: boxOf(left, 22, inner, upper, P),
     lower: boxOf(left, 22 + upper + 24, inner, tall - upper, H) };
 }
@@ -294,10 +298,7 @@ function layout(view, width, height) {
 function drawRun(view) {
   const { c, width, height } = prepare(view.plot);
   const run = view.run, k = shotOf(run), l = layout(view, width, height);
-  const { u, w, upper, lower } = l;
-  let a = 0, b = run.nodes;
-  while (a + 2 < b && run.x[a + 1] <= w.x0) a++;
-  while (b > a + 2 && run.x[b - 2] >= w.x1) b--;
+  const { u, a, b, upper, lower } = l;
   view.layout = l;
   drawAxes(c, upper, l.P);
   drawAxes(c, lower, l.H);
@@ -348,24 +349,32 @@ function nodeAt(run, x) {
   return x - run.x[low] <= run.x[high] - x ? low : high;
 }
 
-function drawPointer(c, view, k) {
-  const run = view.run, { u, upper, lower } = view.layout;
-  const i = nodeAt(run, state.pointed.x), x = upper.X(run.x[i] * u.x.f);
-  if (x < upper.x || x > upper.x + upper.w) return;
+// A line through boxes at x and dots on it: [box, value, colour].
+function drawCross(c, at, boxes, dots) {
+  const x = boxes[0].X(at);
+  if (x < boxes[0].x || x > boxes[0].x + boxes[0].w) return;
   c.strokeStyle = colour.faint;
   c.lineWidth = 1;
   c.beginPath();
-  c.moveTo(x, upper.y); c.lineTo(x, upper.y + upper.h);
-  c.moveTo(x, lower.y); c.lineTo(x, lower.y + lower.h);
+  for (const box of boxes) {
+    c.moveTo(x, box.y); c.lineTo(x, box.y + box.h);
+  }
   c.stroke();
-  for (const [field, box, f, fill] of [[run.P, upper, u.p.f, colour.pressure],
-    [run.H, lower, u.h.f, colour.film]]) {
-    if (!field) continue;
-    const y = box.Y(field.at(k, i) * f);
+  for (const [box, value, fill] of dots) {
+    const y = box.Y(value);
     if (y < box.y) continue;
     c.fillStyle = fill;
     c.beginPath(); c.arc(x, y, 3.5, 0, 7); c.fill();
   }
+}
+
+function drawPointer(c, view, k) {
+  const run = view.run, { u, upper, lower } = view.layout;
+  const i = nodeAt(run, state.pointed.x), dots = [];
+  for (const [field, box, f, fill] of [[run.P, upper, u.p.f, colour.pressure],
+    [run.H, lower, u.h.f, colour.film]])
+    if (field) dots.push([box, field.at(k, i) * f, fill]);
+  drawCross(c, run.x[i] * u.x.f, [upper, lower], dots);
 }
 
 // The strip: films on the left scale, pressure on its own, the time shown as

@@ -31,6 +31,7 @@ function showValues(view) {
   if (run.P) parts.push("p = " + written(valueAt(run.P, k, i), u.p));
   if (run.H) parts.push("h = " + written(valueAt(run.H, k, i), u.h));
   if (run.S) parts.push("roughness " + written(valueAt(run.S, k, i), u.h));
+  if (isWarm(run)) parts.push(saidHeat(run, k, i));
   view.values.textContent = parts.join("   ");
   view.values.dataset.node = i;
 }
@@ -44,6 +45,7 @@ function redraw() {
     showTime();
     for (const view of views) {
       drawRun(view);
+      drawHeat(view);
       drawStress(view);
       drawHistory(view);
       showValues(view);
@@ -167,6 +169,11 @@ function viewOf(run, number) {
   view.plot = element(section, "canvas", "plot");
   view.plot.setAttribute("role", "img");
   view.plot.setAttribute("aria-label", "pressure and film against x");
+  if (isWarm(run)) {
+    view.heat = element(section, "canvas", "heat");
+    view.heat.setAttribute("role", "img");
+    view.heat.setAttribute("aria-label", "temperatures against x");
+  }
   if (run.stress) {
     view.stress = element(section, "canvas", "stress");
     view.stress.setAttribute("role", "img");
@@ -180,12 +187,14 @@ function viewOf(run, number) {
   view.history = element(section, "canvas", "history");
   view.history.setAttribute("role", "img");
   view.history.setAttribute("aria-label", "history of film and pressure");
-  view.plot.addEventListener("pointermove", (e) => onPoint(view, e));
-  view.plot.addEventListener("pointerdown", (e) => onPoint(view, e));
-  view.plot.addEventListener("pointerleave", (e) => {
-    if (e.pointerType === "mouse") state.pointed = null;
-    redraw();
-  });
+  for (const canvas of view.heat ? [view.plot, view.heat] : [view.plot]) {
+    canvas.addEventListener("pointermove", (e) => onPoint(view, e));
+    canvas.addEventListener("pointerdown", (e) => onPoint(view, e));
+    canvas.addEventListener("pointerleave", (e) => {
+      if (e.pointerType === "mouse") state.pointed = null;
+      redraw();
+    });
+  }
   view.history.addEventListener("pointerdown", (e) => onStrip(view, e));
   view.history.addEventListener("pointermove", (e) => onStrip(view, e));
   return view;

@@ -79,9 +79,12 @@ typedef struct span {
     double positive, low, high;
 } span;
 
+/* How the levels of a field lie. */
+typedef enum lie { FROM_ZERO, BENT, FROM_LOWEST } lie;
+
 typedef struct field {
     const char *key, *name;
-    bool bent;
+    lie lie;
 } field;
 
 static ovr_status read_row(const writer *w, const char *name, size_t row,
@@ -146,21 +149,31 @@ static ovr_status put_field(writer *w, const field *f, ovr_error *err)
     status = find_span(w, f->name, values, &s, err);
     if (status != OVR_OK)
         return status;
-    levels = f->bent ? ovr_levels_bent(0.5 * s.positive, s.high)
-                     : ovr_levels_even(fmin(s.low, 0), s.high);
+    if (f->lie == BENT)
+        levels = ovr_levels_bent(0.5 * s.positive, s.high);
+    else
+        levels = ovr_levels_even(f->lie == FROM_ZERO ? fmin(s.low, 0) : s.low,
+                                 s.high);
     return put_levels(w, f, &levels, values, err);
 }
 
 static ovr_status put_fields(writer *w, ovr_error *err)
 {
-    static const field fields[] = {{"P", "pressure", false},
-                                   {"H", "film_thickness", true},
-                                   {"S", "roughness", false},
-                                   {"F", "filling", false}};
-    const bool there[] = {w->run->pressure, w->run->film, w->run->roughness,
-                          w->run->filling};
+    static const field fields[] = {
+        {"P", "pressure", FROM_ZERO},
+        {"H", "film_thickness", BENT},
+        {"S", "roughness", FROM_ZERO},
+        {"F", "filling", FROM_ZERO},
+        {"T1", "temperature_1", FROM_LOWEST},
+        {"T2", "temperature_2", FROM_LOWEST},
+        {"T3", "temperature_middle", FROM_LOWEST},
+    };
+    const ovr_stored *run = w->run;
+    const bool there[] = {run->pressure, run->film,   run->roughness,
+                          run->filling,  run->hot[0], run->hot[1],
+                          run->hot[2]};
     ovr_status status = OVR_OK;
-    for (int k = 0; status == OVR_OK && k < 4; k++)
+    for (size_t k = 0; !status && k < sizeof fields / sizeof *fields; k++)
         if (there[k])
             status = put_field(w, &fields[k], err);
     return status;
@@ -327,8 +340,9 @@ static ovr_status put_data(ovr_text *to, const ovr_stored *runs, size_t count,
     }
     ovr_text_print(to,
                    "],\"precision\":\"Values in this page are rounded: "
-                   "pressure and roughness to 1/%d of their range, film "
-                   "thickness to 0.02 %%. The result file has them all",
+                   "pressure, roughness and temperatures to 1/%d of their "
+                   "range, film thickness to 0.02 %%. The result file has them "
+                   "all",
                    2 * OVR_LEVELS);
     if (w.stride > 1 || w.every > 1)
         ovr_text_print(to,

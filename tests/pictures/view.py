@@ -136,6 +136,27 @@ def stresses(browser):
         assert abs(worst / most - 1) < 0.02, (shot, worst, most)
 
 
+def temperatures(browser):
+    """Three curves under the film; what is said of them is in the file."""
+    file = h5py.File(f"{folder}/hot.h5")
+    fields = [file[f"temperature_{name}"] for name in ("1", "2", "middle")]
+    shot = len(file["time"]) - 1
+    browser.keys(END)
+    browser.wait(f"return document.body.dataset.drawn == {shot}")
+    assert painted(browser, 1) > 8
+    left, top, width, height = box(browser, "canvas.heat")
+    for part in (0.3, 0.6, 0.9):
+        browser.pointer(left + part * width, top + height / 2)
+        time.sleep(0.2)
+        text = browser.run(
+            "return document.getElementById('values0').textContent")
+        i = int(np.argmin(abs(file["x"][:] - numbers(text)["x"])))
+        said = re.search("surface 1 (.*), surface 2 (.*), "
+                         "middle of the film (.*) °C", text)
+        for value, field in zip(said.groups(), fields):
+            assert abs(float(value) + 273.15 - field[shot, i]) < 0.06, text
+
+
 def plays(browser):
     browser.keys(HOME)
     browser.wait("return document.body.dataset.drawn == 0")
@@ -221,6 +242,11 @@ def main():
 
         load(browser, "stress.html")
         stresses(browser)
+        log = browser.log()
+        assert not log, log
+
+        load(browser, "hot.html")
+        temperatures(browser)
         log = browser.log()
         assert not log, log
 

@@ -37,10 +37,18 @@ fields = max_shear
 END
 expect 0 "$OVERROLL" run stress.ini -o stress.h5 -q --set domain.level=6
 
+{
+    sed 's/^alpha = .*/&\nrheology = eyring\neyring_stress = 5 MPa/' dent.ini
+    printf '[heat]\nmodel = lobatto\ntemperature = 80 degC\n'
+} >hot.ini
+expect 0 "$OVERROLL" run hot.ini -o hot.h5 -q --set time.end=0.5
+
 expect 0 "$OVERROLL" view dent.h5 -o page.html
+expect 0 "$OVERROLL" view hot.h5 -o hot.html
 expect 0 "$OVERROLL" view stress.h5 -o stress.html
 expect 0 "$OVERROLL" view dent.h5 -o shear.html --stress tau_xz
 grep -q '"stress":{"name":"tau_xz"' shear.html || fail 'no tau_xz in the page'
+grep -q '"T1":' page.html && fail 'temperatures of a run without heat'
 grep -q '"stress":' page.html && fail 'stresses that nobody asked for'
 refuses 'no stress .high.' view dent.h5 -o none.html --stress high
 refuses 'exists; --force' view dent.h5 -o page.html
