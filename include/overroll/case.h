@@ -174,6 +174,8 @@ typedef struct ovr_supply_setup {
     struct ovr_layer *layer[2]; /* along the surfaces; NULL: constant */
     double thickness[2], waiting;
     ovr_history *history; /* NULL: constant */
+    double start; /* rho H that the steady start takes; NAN: what arrives then
+                   */
 } ovr_supply_setup;
 
 /* What becomes of the layers between two passes; in b^2/R. */

@@ -49,7 +49,8 @@ typedef struct ovr_run_options {
     bool force;         /* replace an existing file */
     bool steady;        /* the steady contact alone, its features grown: time
                            and output of the case do not count */
-    bool estimate_error; /* solve again, coarser; not when resumed */
+    bool estimate_error; /* solve again, coarser, each of several passes; not
+                            when resumed */
     void *data;
     ovr_listener *say;
     /* After each step; true: stop, with OVR_STOPPED and a file that can be

@@ -125,5 +125,6 @@ ovr_status ovr_resolve_supply(ovr_resolved *r, const ovr_allocator *allocator,
     s->thickness[0] = v->thickness[0];
     s->thickness[1] = v->thickness[1];
     s->waiting = v->waiting;
+    s->start = NAN;
     return status;
 }

@@ -243,9 +243,23 @@ double ovr_setup_arriving(const ovr_setup *s, double T)
     return both * ovr_history_value(s->supply->history, T);
 }
 
+/* Before T = 0 what the steady start takes. */
 static double arriving(void *data, double T)
 {
-    return ovr_setup_arriving(data, T);
+    const ovr_setup *s = data;
+    return T <= 0 && isfinite(s->supply->start) ? s->supply->start
+                                                : ovr_setup_arriving(s, T);
+}
+
+/* What lies on the surfaces between inlet and outlet at T = 0, as supply. */
+static double lying(const ovr_setup *s)
+{
+    const double ratio[2] = {s->contact->u1_ratio, s->contact->u2_ratio};
+    double length = s->options->outlet - s->options->inlet, both = 0;
+    for (int k = 0; k < 2; k++)
+        both += fmax(0, ratio[k]) *
+                ovr_layer_mean(s->supply->layer[k], 0, length);
+    return both;
 }
 
 unsigned ovr_setup_physics(const ovr_setup *setup)
@@ -265,6 +279,7 @@ void ovr_setup_feed(ovr_setup *setup, ovr_layer *layer[2], double waiting)
         ovr_layer_free(supply->layer[k]);
         supply->layer[k] = layer[k];
     }
+    supply->start = lying(setup);
 }
 
 ovr_simulation *ovr_setup_simulation(ovr_setup *setup,

@@ -259,18 +259,24 @@ static const char *long_name(const char *key)
         {"H_cen", "central film"},
         {"P_max", "maximum pressure"},
         {"H_min_overall", "smallest film"},
-        {"P_max_overall", "largest pressure"}};
+        {"P_max_overall", "largest pressure"},
+        {"H_cen_mean", "mean central film"},
+        {"X_meniscus_mean", "mean meniscus"}};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++)
         if (!strcmp(names[k][0], key))
             return names[k][1];
     return key;
 }
 
-/* Relative, and in nm or MPa; of what does not converge only that. */
+/* Relative, and in nm, um or MPa; of what does not converge only that. */
 static void put_error(const ovr_run_error *e, const ovr_contact *contact)
 {
-    bool film = e->kind == OVR_KIND_HEIGHT;
-    double scale = ovr_kind_scale(e->kind, contact) * (film ? 1e9 : 1e-6);
+    const char *unit = e->kind == OVR_KIND_HEIGHT   ? "nm"
+                       : e->kind == OVR_KIND_LENGTH ? "um"
+                                                    : "MPa";
+    double scale = ovr_kind_scale(e->kind, contact) * (*unit == 'n'   ? 1e9
+                                                       : *unit == 'u' ? 1e6
+                                                                      : 1e-6);
     if (!e->converges) {
         printf(" %s does not converge with the level", long_name(e->key));
         return;
@@ -278,7 +284,7 @@ static void put_error(const ovr_run_error *e, const ovr_contact *contact)
     printf(" %s %.2g %%", long_name(e->key),
            100 * e->error / fabs(e->value[0]));
     if (isfinite(scale))
-        printf(" (%.2g %s)", e->error * scale, film ? "nm" : "MPa");
+        printf(" (%.2g %s)", e->error * scale, unit);
 }
 
 static void table_error(const ovr_run_errors *e, const ovr_contact *contact)

@@ -27,13 +27,13 @@ void ovr_run_confirm(ovr_run *run)
     const char *const of[] = {"H_cen", "H_min", "what the features do"};
     const ovr_setup *s = run->setup;
     int level = s->options->level;
-    char text[OVR_MESSAGE_SIZE];
+    char text[OVR_MESSAGE_SIZE], where[40];
     ovr_error why = {0};
     if (ovr_run_estimate(run, &why)) {
         snprintf(text, sizeof text,
-                 "level %d was chosen for an error of %.2g, which cannot be "
+                 "%slevel %d was chosen for an error of %.2g, which cannot be "
                  "confirmed: %.800s",
-                 level, s->accuracy, why.message);
+                 ovr_run_where(run, where), level, s->accuracy, why.message);
         ovr_run_message(run, OVR_SAY_WARNING, text);
         return;
     }
@@ -41,9 +41,9 @@ void ovr_run_confirm(ovr_run *run)
     if (error <= s->accuracy)
         return;
     snprintf(text, sizeof text,
-             "level %d was chosen for an error of %.2g of %s; the estimate "
+             "%slevel %d was chosen for an error of %.2g of %s; the estimate "
              "after the run is %.2g: level %d would do",
-             level, s->accuracy, of[s->accuracy_of], error,
-             level + (int)ceil(log2(error / s->accuracy) / 2));
+             ovr_run_where(run, where), level, s->accuracy, of[s->accuracy_of],
+             error, level + (int)ceil(log2(error / s->accuracy) / 2));
     ovr_run_message(run, OVR_SAY_WARNING, text);
 }

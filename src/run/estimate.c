@@ -11,6 +11,9 @@
  * not misled by a d1 that is small by chance.  An extreme over time is that of
  * something that passes, seen at nodes and steps: of it p = 1.
  *
+ * Of several passes each level has its own: what its passes leave feeds its
+ * next ones, so that the errors that oil carries from pass to pass are seen.
+ *
  * Where d1 is more than 0.6 of d2 the value does not converge with the level
  * (yet), or by less than order 3/4, and where the two differ in sign by much it
  * is far from its limit: e says little then.  Narrow peaks of pressure grow so,
@@ -20,6 +23,7 @@
 #include <stdio.h>
 
 #include "run/internal.h"
+#include "run/passes.h"
 #include "simulation/scheme.h"
 
 /* Relative differences that are of the solver's tolerances, not of the mesh;
@@ -29,7 +33,7 @@ static const double FILM_CONVERGED = 5e-3, PRESSURE_CONVERGED = 5e-4;
 static const double TURNS_BY = 0.01;
 static const double SHRINKS = 0.6;
 
-enum { LEVELS = 3 };
+enum { LEVELS = OVR_PASS_LEVELS };
 
 /* What a level says at the time at which the finest run ended: its steps are
  * longer, so two of its steps are kept. */
@@ -63,35 +67,56 @@ static double at(const level_run *r, double T, double before, double now)
 
 /* The coarser run to the same time, whatever would have ended it. */
 static ovr_status solve(ovr_setup *setup, ovr_simulation *coarse, double end,
-                        level_run *r, ovr_error *err)
+                        level_run *r, ovr_pass_level *pass, ovr_error *err)
 {
+    ovr_observer observer[2] = {{keep, NULL, r}};
     ovr_march march = *setup->march;
     ovr_status status = ovr_simulation_steady(coarse, err);
-    march.count = 1;
-    march.observers = &(ovr_observer){keep, NULL, r};
+    if (pass)
+        observer[1] = ovr_pass_history_observer(&pass->seen);
+    march.count = pass ? 2 : 1;
+    march.observers = observer;
     march.end = end;
     march.until_steady = false;
     if (!status && setup->transient)
         return ovr_simulation_march(coarse, &march, err);
-    return status ? status : keep(r, coarse, err);
+    for (size_t k = 0; !status && k < march.count; k++)
+        status = observer[k].observe(observer[k].data, coarse, err);
+    return status;
+}
+
+/* Its pass, of several, before it begins. */
+static ovr_status begin(ovr_setup *setup, ovr_pass_level *pass,
+                        const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_status status = ovr_setup_prepare(setup, allocator, err);
+    if (pass && !status) {
+        ovr_pass_level_feed(pass, setup);
+        ovr_pass_level_begin(pass, allocator);
+    }
+    return status;
 }
 
 static ovr_status run_coarser(const ovr_run *run, int down, level_run *r,
                               ovr_error *err)
 {
     const ovr_allocator *allocator = &run->arena.allocator;
+    ovr_pass_level *pass = run->passes ? &run->passes->level[down] : NULL;
     ovr_setup *setup = ovr_case_resolve(run->c, allocator, err);
     ovr_simulation *coarse = NULL;
     ovr_status status = OVR_BAD_INPUT;
     if (setup) {
         setup->options->level = ovr_simulation_options(run->sim)->level - down;
-        coarse = ovr_setup_simulation(setup, allocator, err);
+        if (!begin(setup, pass, allocator, err))
+            coarse = ovr_setup_simulation(setup, allocator, err);
     }
     if (coarse) {
         ovr_run_surface(run, coarse);
         status = solve(setup, coarse, ovr_simulation_state(run->sim)->T, r,
-                       err);
+                       pass, err);
     }
+    if (pass && !status)
+        status = ovr_pass_level_end(pass, setup, err);
     ovr_simulation_free(coarse);
     ovr_setup_free(setup);
     return status;
@@ -170,6 +195,25 @@ static void judge_extremes(ovr_run_errors *errors, const level_run *r)
     }
 }
 
+/* Means over a pass, of several. */
+static void judge_means(ovr_run_errors *errors, const ovr_passes *passes,
+                        const level_run *r, double order)
+{
+    static const struct {
+        const char *key;
+        ovr_unit_kind kind;
+        ovr_pass_column of;
+    } rows[] = {{"H_cen_mean", OVR_KIND_HEIGHT, OVR_PASS_FILM},
+                {"X_meniscus_mean", OVR_KIND_LENGTH, OVR_PASS_MENISCUS}};
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        double v[LEVELS];
+        for (int i = 0; i < LEVELS; i++)
+            v[i] = r[i].steps ? passes->level[i].end.row.value[rows[k].of]
+                              : NAN;
+        add(errors, judge(rows[k].key, rows[k].kind, order, v));
+    }
+}
+
 /* The order of what is left at the end: of a steady state that of the
  * solution, of a moving one no more than the scheme's. */
 static double order_of(const ovr_run *run)
@@ -182,35 +226,63 @@ static double order_of(const ovr_run *run)
 
 static void warn(ovr_run *run, const ovr_run_error *e, int level)
 {
-    char text[OVR_MESSAGE_SIZE];
+    char text[OVR_MESSAGE_SIZE], where[40];
     if (e->converges)
         return;
-    snprintf(text, sizeof text,
-             "%s does not converge with the level: %.4g, %.4g, %.4g at levels "
-             "%d, %d, %d; its estimated error says little (narrow peaks of "
-             "pressure grow so)",
-             e->key, e->value[2], e->value[1], e->value[0], level - 2,
-             level - 1, level);
+    snprintf(
+        text, sizeof text,
+        "%s%s does not converge with the level: %.4g, %.4g, %.4g at levels "
+        "%d, %d, %d; its estimated error says little (narrow peaks of "
+        "pressure grow so)",
+        ovr_run_where(run, where), e->key, e->value[2], e->value[1],
+        e->value[0], level - 2, level - 1, level);
     ovr_run_message(run, OVR_SAY_WARNING, text);
+}
+
+const char *ovr_run_where(const ovr_run *run, char room[40])
+{
+    snprintf(room, 40, run->passes ? "pass %d: " : "", run->info.pass);
+    return room;
+}
+
+/* The levels below, as far as they can be solved. */
+static ovr_status run_levels(const ovr_run *run, level_run r[LEVELS],
+                             ovr_error *err)
+{
+    ovr_passes *p = run->passes;
+    int level = ovr_simulation_options(run->sim)->level;
+    ovr_status status = keep(&r[0], run->sim, err);
+    ovr_error why = {0};
+    if (!status && p)
+        status = ovr_pass_level_end(&p->level[0], run->setup, err);
+    if (!status)
+        status = run_coarser(run, 1, &r[1], err);
+    if (status)
+        return status;
+    if (level < 3 || (p && p->level[2].lost) ||
+        run_coarser(run, 2, &r[2], &why)) {
+        r[2].steps = 0;
+        if (p)
+            p->level[2].lost = true;
+    }
+    return OVR_OK;
 }
 
 ovr_status ovr_run_estimate(ovr_run *run, ovr_error *err)
 {
     ovr_run_errors *errors = &run->info.error;
     level_run r[LEVELS] = {{0}};
-    ovr_error why = {0};
-    ovr_status status = keep(&r[0], run->sim, err);
+    ovr_status status = run_levels(run, r, err);
     int level = ovr_simulation_options(run->sim)->level;
-    if (!status)
-        status = run_coarser(run, 1, &r[1], err);
+    *errors = (ovr_run_errors){0};
     if (status)
         return status;
-    if (level < 3 || run_coarser(run, 2, &r[2], &why))
-        r[2].steps = 0;
     errors->level = level - 1;
     judge_end(errors, r, r[0].T[1], order_of(run));
     if (run->info.transient)
         judge_extremes(errors, r);
+    if (run->passes)
+        judge_means(errors, run->passes, r, order_of(run));
     for (size_t k = 0; k < errors->count; k++)
         warn(run, &errors->of[k], level);
     return OVR_OK;

@@ -8,14 +8,17 @@
  * what leaves at time T lies at x = X_b - (way of the surface up to T), in the
  * place that it has at T = 0, and so has the next pass, whose features begin
  * where they did.  Between two of these points it is linear, beyond them as
- * thick as there.  Between two passes
+ * thick as there.  A pass begins steady with the mean of what lies between
+ * inlet and outlet at T = 0: what arrives then may be a feature's wake. Between
+ * two passes
  *
  *     h <- (1 - loss) h,   or   h <- h_ff x/(1 + x^g)^(1/g),  x = h/h_ff,
  *     h <- h + replenish
  *
  * h_ff the layer that a flooded contact leaves; x^-g grows by 1 a pass.
  *
- * Method: the history of the result file.  Accuracy: that of a step.
+ * Method: the history of the result file, or of a simulation that runs.
+ * Accuracy: that of a step.
  * Source: the second law has the form known of point contacts (Chevalier et
  * al. 1998, Damiens et al. 2004), its exponent is the user's.
  */
@@ -23,58 +26,6 @@
 #include <string.h>
 
 #include "run/passes.h"
-
-enum {
-    TIME,
-    FILM,
-    LEAST,
-    PRESSURE,
-    FILM_RATIO,
-    MENISCUS,
-    SUPPLY,
-    SUPPLY_RATIO,
-    INFLOW,
-    OUTFLOW,
-    WAITING,
-    SPEED,
-    HISTORIES
-};
-static const char *const names[HISTORIES] = {"time",
-                                             "central_film_thickness",
-                                             "min_film_thickness",
-                                             "max_pressure",
-                                             "film_ratio",
-                                             "meniscus",
-                                             "supply",
-                                             "supply_ratio",
-                                             "inflow",
-                                             "outflow",
-                                             "oil_waiting",
-                                             "speed_ratio"};
-
-typedef struct pass_history {
-    size_t n;
-    double *of[HISTORIES];
-} pass_history;
-
-static ovr_status read_history(ovr_result *result, ovr_arena *arena,
-                               pass_history *h, ovr_error *err)
-{
-    ovr_status status = OVR_OK;
-    h->n = ovr_result_about(result)->steps;
-    if (!h->n) {
-        ovr_fail(err, OVR_BAD_INPUT, "has no row of its history");
-        return OVR_BAD_INPUT;
-    }
-    for (int k = 0; !status && k < HISTORIES; k++) {
-        h->of[k] = ovr_arena_take(arena, h->n, sizeof **h->of, err);
-        if (!h->of[k])
-            return OVR_NO_MEMORY;
-        status = ovr_result_history(result, names[k], OVR_HERTZIAN, h->of[k],
-                                    err);
-    }
-    return status;
-}
 
 /* ------------------------------------------------------------------ layers */
 
@@ -105,8 +56,8 @@ static double after(const ovr_passes_setup *p, double h, double flooded)
 }
 
 /* Surface k; what is lost of it goes to lost[j], as a flow at each time. */
-static ovr_layer *make_layer(const ovr_setup *s, const pass_history *h, int k,
-                             double flooded, double *x, double *thick,
+static ovr_layer *make_layer(const ovr_setup *s, const ovr_pass_history *h,
+                             int k, double flooded, double *x, double *thick,
                              double *lost, const ovr_allocator *allocator,
                              ovr_error *err)
 {
@@ -117,9 +68,9 @@ static ovr_layer *make_layer(const ovr_setup *s, const pass_history *h, int k,
     const double full = share * nominally(s, flooded);
     size_t end = h->n, first = end;
     for (size_t j = 0; j < h->n; j++) {
-        double T = h->of[TIME][j];
+        double T = h->of[OVR_SEEN_TIME][j];
         double u = ovr_surface_speed(s->speed, s->sliding, ratio, k + 1, T);
-        double left = share * leaving(s, T, h->of[OUTFLOW][j]);
+        double left = share * leaving(s, T, h->of[OVR_SEEN_OUTFLOW][j]);
         double place = s->options->outlet -
                        ovr_surface_way(s->speed, s->sliding, ratio, k + 1, T);
         if (!isfinite(left) || (first < end && place > x[first] - apart))
@@ -137,9 +88,9 @@ static ovr_layer *make_layer(const ovr_setup *s, const pass_history *h, int k,
 /* --------------------------------------------------------------------- row */
 
 /* Mean over the time for which it is known; NAN: never. */
-static double mean(const pass_history *h, const double *v)
+static double mean(const ovr_pass_history *h, const double *v)
 {
-    const double *T = h->of[TIME];
+    const double *T = h->of[OVR_SEEN_TIME];
     double sum = 0, span = 0;
     if (h->n == 1)
         return v[0];
@@ -151,7 +102,7 @@ static double mean(const pass_history *h, const double *v)
     return span > 0 ? sum / span : NAN;
 }
 
-static double extreme(const pass_history *h, const double *v, double sign)
+static double extreme(const ovr_pass_history *h, const double *v, double sign)
 {
     double most = NAN;
     for (size_t j = 0; j < h->n; j++)
@@ -160,59 +111,93 @@ static double extreme(const pass_history *h, const double *v, double sign)
     return most;
 }
 
-static void fill_row(const pass_history *h, const double *lost,
+static void fill_row(const ovr_pass_history *h, const double *lost,
                      ovr_pass_row *row)
 {
     double *to = row->value;
-    to[OVR_PASS_FILM] = mean(h, h->of[FILM]);
-    to[OVR_PASS_LEAST_CENTRAL] = extreme(h, h->of[FILM], -1);
-    to[OVR_PASS_LEAST] = extreme(h, h->of[LEAST], -1);
-    to[OVR_PASS_PRESSURE] = extreme(h, h->of[PRESSURE], 1);
-    to[OVR_PASS_FILM_RATIO] = mean(h, h->of[FILM_RATIO]);
-    to[OVR_PASS_MENISCUS] = mean(h, h->of[MENISCUS]);
-    to[OVR_PASS_SUPPLY] = mean(h, h->of[SUPPLY]);
-    to[OVR_PASS_SUPPLY_RATIO] = mean(h, h->of[SUPPLY_RATIO]);
-    to[OVR_PASS_INFLOW] = mean(h, h->of[INFLOW]);
-    to[OVR_PASS_OUTFLOW] = mean(h, h->of[OUTFLOW]);
+    to[OVR_PASS_FILM] = mean(h, h->of[OVR_SEEN_FILM]);
+    to[OVR_PASS_LEAST_CENTRAL] = extreme(h, h->of[OVR_SEEN_FILM], -1);
+    to[OVR_PASS_LEAST] = extreme(h, h->of[OVR_SEEN_LEAST], -1);
+    to[OVR_PASS_PRESSURE] = extreme(h, h->of[OVR_SEEN_PRESSURE], 1);
+    to[OVR_PASS_FILM_RATIO] = mean(h, h->of[OVR_SEEN_FILM_RATIO]);
+    to[OVR_PASS_MENISCUS] = mean(h, h->of[OVR_SEEN_MENISCUS]);
+    to[OVR_PASS_SUPPLY] = mean(h, h->of[OVR_SEEN_SUPPLY]);
+    to[OVR_PASS_SUPPLY_RATIO] = mean(h, h->of[OVR_SEEN_SUPPLY_RATIO]);
+    to[OVR_PASS_INFLOW] = mean(h, h->of[OVR_SEEN_INFLOW]);
+    to[OVR_PASS_OUTFLOW] = mean(h, h->of[OVR_SEEN_OUTFLOW]);
     to[OVR_PASS_LOST] = mean(h, lost);
-    to[OVR_PASS_WAITING] = h->of[WAITING][h->n - 1];
+    to[OVR_PASS_WAITING] = h->of[OVR_SEEN_WAITING][h->n - 1];
     to[OVR_PASS_STEPS] = (double)h->n - 1;
 }
 
 /* ------------------------------------------------------------------- whole */
 
 /* Of a film that arrives by its ratio, of a flooded contact what leaves it. */
-static double flooded_flow(const pass_history *h)
+static double flooded_flow(const ovr_pass_history *h)
 {
-    double supply = h->of[SUPPLY][0], ratio = h->of[SUPPLY_RATIO][0];
-    double flow = h->of[OUTFLOW][0] / h->of[SPEED][0];
+    double supply = h->of[OVR_SEEN_SUPPLY][0];
+    double ratio = h->of[OVR_SEEN_SUPPLY_RATIO][0];
+    double flow = h->of[OVR_SEEN_OUTFLOW][0] / h->of[OVR_SEEN_SPEED][0];
     if (supply > 0 && ratio > 0)
         return supply / ratio;
     return isnan(supply) && flow > 0 ? flow : NAN;
 }
 
-static ovr_status make_end(const ovr_setup *s, const pass_history *h,
-                           ovr_arena *arena, ovr_pass_end *end,
-                           const ovr_allocator *allocator, ovr_error *err)
+ovr_status ovr_pass_end_make(const ovr_setup *s, ovr_pass_history *h,
+                             double flooded, ovr_pass_end *end,
+                             const ovr_allocator *allocator, ovr_error *err)
 {
-    double *x = ovr_arena_take(arena, 3 * h->n + 2, sizeof *x, err);
+    const double *waiting = h->of[OVR_SEEN_WAITING];
+    double *x = ovr_arena_take(&h->arena, 3 * h->n + 2, sizeof *x, err);
     double *lost = x ? x + 2 * h->n + 2 : NULL;
+    *end = (ovr_pass_end){.flooded = flooded, .waiting = s->supply->waiting};
     if (!x)
         return OVR_NO_MEMORY;
-    if (isnan(end->flooded))
+    if (isnan(flooded))
         end->flooded = flooded_flow(h);
     for (int k = 0; k < 2; k++)
         end->layer[k] = make_layer(s, h, k, end->flooded, x, x + h->n + 1, lost,
                                    allocator, err);
-    end->waiting = s->supply->waiting;
-    if (isfinite(h->of[WAITING][h->n - 1]))
-        end->waiting = h->of[WAITING][h->n - 1];
+    if (isfinite(waiting[h->n - 1]))
+        end->waiting = waiting[h->n - 1];
     fill_row(h, lost, &end->row);
     if (end->layer[0] && end->layer[1])
         return OVR_OK;
+    ovr_pass_end_free(end);
+    return OVR_NO_MEMORY;
+}
+
+void ovr_pass_end_free(ovr_pass_end *end)
+{
     ovr_layer_free(end->layer[0]);
     ovr_layer_free(end->layer[1]);
-    return OVR_NO_MEMORY;
+    end->layer[0] = end->layer[1] = NULL;
+}
+
+/* ------------------------------------------------------------- from its file
+ */
+
+/* Errors that were estimated for the pass; of a steady one those of its end. */
+static void read_errors(ovr_result *result, ovr_pass_row *row)
+{
+    static const struct {
+        const char *key;
+        ovr_pass_column to;
+    } of[] = {{"H_cen_mean_error", OVR_PASS_FILM_ERROR},
+              {"H_min_error", OVR_PASS_LEAST_ERROR},
+              {"P_max_error", OVR_PASS_PRESSURE_ERROR},
+              {"H_min_overall_error", OVR_PASS_LEAST_ERROR},
+              {"P_max_overall_error", OVR_PASS_PRESSURE_ERROR},
+              {"X_meniscus_mean_error", OVR_PASS_MENISCUS_ERROR}};
+    size_t count = 0;
+    const ovr_group_attribute *line = ovr_result_attributes(result, "summary",
+                                                            &count);
+    for (int c = OVR_PASS_FILM_ERROR; c < OVR_PASS_COLUMNS; c++)
+        row->value[c] = NAN;
+    for (size_t k = 0; k < sizeof of / sizeof *of; k++)
+        for (size_t i = 0; i < count; i++)
+            if (strcmp(line[i].name, of[k].key) == 0)
+                row->value[of[k].to] = line[i].number;
 }
 
 ovr_status ovr_pass_read(const char *file, const ovr_setup *setup,
@@ -220,17 +205,17 @@ ovr_status ovr_pass_read(const char *file, const ovr_setup *setup,
                          const ovr_allocator *allocator, ovr_error *err)
 {
     ovr_result *result = ovr_result_open(file, allocator, err);
-    ovr_arena arena = ovr_arena_make(allocator);
-    pass_history h = {0};
+    ovr_pass_history h = ovr_pass_history_make(allocator);
     ovr_error why = {0};
-    ovr_status status = result ? read_history(result, &arena, &h, &why)
+    ovr_status status = result ? ovr_pass_history_read(&h, result, &why)
                                : OVR_IO;
-    *end = (ovr_pass_end){.flooded = flooded};
     if (result && status)
         ovr_fail(err, status, "%s: %.900s", file, why.message);
     else if (result)
-        status = make_end(setup, &h, &arena, end, allocator, err);
+        status = ovr_pass_end_make(setup, &h, flooded, end, allocator, err);
+    if (!status)
+        read_errors(result, &end->row);
     ovr_result_close(result);
-    ovr_arena_release(&arena);
+    ovr_arena_release(&h.arena);
     return status;
 }

@@ -108,10 +108,43 @@ ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err)
             ovr_setup_feed(run->setup, end.layer, end.waiting);
             continue;
         }
-        ovr_layer_free(end.layer[0]);
-        ovr_layer_free(end.layer[1]);
+        ovr_pass_end_free(&end);
     }
     return OVR_OK;
+}
+
+/* --------------------------------------------------------- coarser passes */
+
+void ovr_pass_level_feed(ovr_pass_level *of, ovr_setup *setup)
+{
+    if (of->end.layer[0])
+        ovr_setup_feed(setup, of->end.layer, of->end.waiting);
+    of->end.layer[0] = of->end.layer[1] = NULL;
+}
+
+void ovr_pass_level_begin(ovr_pass_level *of, const ovr_allocator *allocator)
+{
+    ovr_arena_release(&of->seen.arena);
+    of->seen = ovr_pass_history_make(allocator);
+}
+
+ovr_status ovr_pass_level_end(ovr_pass_level *of, const ovr_setup *setup,
+                              ovr_error *err)
+{
+    double flooded = of->end.row.status ? of->end.flooded : NAN;
+    ovr_pass_end_free(&of->end);
+    ovr_status status = ovr_pass_end_make(setup, &of->seen, flooded, &of->end,
+                                          &of->seen.arena.allocator, err);
+    of->end.row.status = "complete";
+    return status;
+}
+
+void ovr_passes_free(ovr_passes *passes)
+{
+    for (int k = 0; passes && k < OVR_PASS_LEVELS; k++) {
+        ovr_pass_end_free(&passes->level[k].end);
+        ovr_arena_release(&passes->level[k].seen.arena);
+    }
 }
 
 /* ---------------------------------------------------------------- a new run */
@@ -144,9 +177,6 @@ ovr_status ovr_passes_begin(ovr_run *run, ovr_error *err)
         return ovr_fail_about(err, "number",
                               "several passes need a result file: -o OUT.h5, "
                               "or file in [output]");
-    if (run->how.estimate_error)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "errors of several passes are not estimated");
     status = make(run, run->info.output, err);
     if (!status)
         status = make_rows(run, run->setup->passes->number, err);
@@ -196,8 +226,7 @@ static ovr_status end_pass(ovr_run *run, ovr_error *err)
     ovr_status status = learn(run, p->now, &end, err);
     if (status)
         return status;
-    ovr_layer_free(end.layer[0]);
-    ovr_layer_free(end.layer[1]);
+    ovr_pass_end_free(&end);
     p->converged = p->converged && run->info.converged;
     return OVR_OK;
 }

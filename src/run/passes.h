@@ -10,6 +10,7 @@
 #define OVR_RUN_PASSES_H
 
 #include "run/internal.h"
+#include "run/pass_history.h"
 #include "surface/layer.h"
 
 /* Columns of the file of all passes. */
@@ -27,6 +28,10 @@ typedef enum ovr_pass_column {
     OVR_PASS_LOST,
     OVR_PASS_WAITING,
     OVR_PASS_STEPS,
+    OVR_PASS_FILM_ERROR, /* where they were estimated, from here on */
+    OVR_PASS_LEAST_ERROR,
+    OVR_PASS_PRESSURE_ERROR,
+    OVR_PASS_MENISCUS_ERROR,
     OVR_PASS_COLUMNS
 } ovr_pass_column;
 
@@ -34,6 +39,36 @@ typedef struct ovr_pass_row {
     double value[OVR_PASS_COLUMNS]; /* dimensionless; NAN: not known */
     const char *status;             /* of its file; "waiting": none yet */
 } ovr_pass_row;
+
+/* The two layers as they come to the next pass, and the oil that waits before
+ * it; the row of this one. */
+typedef struct ovr_pass_end {
+    ovr_layer *layer[2];
+    double waiting;
+    double flooded; /* rho H that a flooded contact takes; NAN: not known */
+    ovr_pass_row row;
+} ovr_pass_end;
+
+/* Of what was seen of a pass, for a setup that is prepared; `flooded` as the
+ * passes before know it. */
+ovr_status ovr_pass_end_make(const ovr_setup *setup, ovr_pass_history *h,
+                             double flooded, ovr_pass_end *end,
+                             const ovr_allocator *allocator, ovr_error *err);
+void ovr_pass_end_free(ovr_pass_end *end);
+
+/* The same from its file. */
+ovr_status ovr_pass_read(const char *file, const ovr_setup *setup,
+                         double flooded, ovr_pass_end *end,
+                         const ovr_allocator *allocator, ovr_error *err);
+
+/* A pass on a level, as the estimate of errors needs it: 0 the run's own, k
+ * that of the same passes k levels coarser, fed by its own pass before. */
+enum { OVR_PASS_LEVELS = 3 };
+typedef struct ovr_pass_level {
+    bool lost; /* a pass failed on it: it has none from there on */
+    ovr_pass_history seen;
+    ovr_pass_end end; /* of the pass that was seen last */
+} ovr_pass_level;
 
 struct ovr_passes {
     const char *path;  /* OUT.h5 */
@@ -43,19 +78,16 @@ struct ovr_passes {
     ovr_pass_row *row;
     double oil_flooded; /* flow of the flooded contact; NAN: not known yet */
     bool converged;     /* all so far */
+    ovr_pass_level level[OVR_PASS_LEVELS];
 };
 
-/* The two layers as they come to the next pass, and the oil that waits before
- * it; the row of this one.  From its file, for a setup that is prepared. */
-typedef struct ovr_pass_end {
-    ovr_layer *layer[2];
-    double waiting;
-    double flooded; /* rho H that a flooded contact takes; NAN: not known */
-    ovr_pass_row row;
-} ovr_pass_end;
-ovr_status ovr_pass_read(const char *file, const ovr_setup *setup,
-                         double flooded, ovr_pass_end *end,
-                         const ovr_allocator *allocator, ovr_error *err);
+/* What a pass before left, into the setup of this one, a level coarser; what
+ * was seen of it, before it begins and when it ended. */
+void ovr_pass_level_feed(ovr_pass_level *of, ovr_setup *setup);
+void ovr_pass_level_begin(ovr_pass_level *of, const ovr_allocator *allocator);
+ovr_status ovr_pass_level_end(ovr_pass_level *of, const ovr_setup *setup,
+                              ovr_error *err);
+void ovr_passes_free(ovr_passes *passes);
 
 /* The file of all passes, written whole; its case, as it was written. */
 ovr_status ovr_passes_write(const ovr_run *run, const char *status,

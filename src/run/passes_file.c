@@ -53,7 +53,19 @@ static const struct {
                        OVR_KIND_FLOW},
     [OVR_PASS_WAITING] = {"oil_waiting", "oil before the inlet at the end",
                           OVR_KIND_AREA},
-    [OVR_PASS_STEPS] = {"steps", "time steps", OVR_KIND_COUNT}};
+    [OVR_PASS_STEPS] = {"steps", "time steps", OVR_KIND_COUNT},
+    [OVR_PASS_FILM_ERROR] = {"central_film_thickness_error",
+                             "its estimated error of discretization",
+                             OVR_KIND_HEIGHT},
+    [OVR_PASS_LEAST_ERROR] = {"min_film_thickness_error",
+                              "its estimated error of discretization",
+                              OVR_KIND_HEIGHT},
+    [OVR_PASS_PRESSURE_ERROR] = {"max_pressure_error",
+                                 "its estimated error of discretization",
+                                 OVR_KIND_PRESSURE},
+    [OVR_PASS_MENISCUS_ERROR] = {"meniscus_error",
+                                 "its estimated error of discretization",
+                                 OVR_KIND_LENGTH}};
 
 typedef struct table {
     const ovr_run *run;
@@ -111,6 +123,15 @@ static bool put_texts(const table *t, const char *name, const char *about)
     return set >= 0 && H5Dclose(set) >= 0 && good;
 }
 
+/* Errors are a column where they were estimated. */
+static bool is_wanted(const table *t, ovr_pass_column k)
+{
+    bool wanted = k < OVR_PASS_FILM_ERROR;
+    for (size_t i = 0; i < t->count; i++)
+        wanted = wanted || isfinite(t->run->passes->row[i].value[k]);
+    return wanted;
+}
+
 static const char *base_name(const char *path)
 {
     const char *slash = strrchr(path, '/');
@@ -151,7 +172,7 @@ static bool put_all(table *t, const char *status)
                                  "overroll " OVERROLL_VERSION) &&
                 ovr_h5_set_string(t->file, "status", status);
     for (ovr_pass_column k = 0; good && k < OVR_PASS_COLUMNS; k++)
-        good = put_numbers(t, k);
+        good = !is_wanted(t, k) || put_numbers(t, k);
     return good;
 }
 

@@ -155,6 +155,7 @@ void ovr_run_free(ovr_run *run)
     ovr_run_stress_free(run->stress);
     ovr_simulation_free(run->sim);
     ovr_setup_free(run->setup);
+    ovr_passes_free(run->passes);
     if (run->resumed)
         ovr_case_free(run->c);
     ovr_restart_close(run->restart);
@@ -186,10 +187,17 @@ static ovr_status look(void *data, const ovr_simulation *sim, ovr_error *err)
     return OVR_OK;
 }
 
+/* Errors of discretization are wanted, and can be had. */
+static bool estimates(const ovr_run *run)
+{
+    return !run->resumed &&
+           (run->setup->accuracy > 0 || run->how.estimate_error);
+}
+
 static ovr_status solve(ovr_run *run, ovr_error *err)
 {
     ovr_march how = *run->setup->march;
-    ovr_observer observer[4];
+    ovr_observer observer[5];
     ovr_status status = OVR_OK;
     if (!run->restored)
         status = ovr_simulation_steady(run->sim, err);
@@ -201,6 +209,11 @@ static ovr_status solve(ovr_run *run, ovr_error *err)
         observer[how.count++] = ovr_run_stress_observer(run->stress);
     if (run->writer)
         observer[how.count++] = ovr_writer_observer(run->writer);
+    if (run->passes && estimates(run)) {
+        ovr_pass_level *own = &run->passes->level[0];
+        ovr_pass_level_begin(own, &run->arena.allocator);
+        observer[how.count++] = ovr_pass_history_observer(&own->seen);
+    }
     if (run->how.observe)
         observer[how.count++] = (ovr_observer){run->how.observe, NULL,
                                                run->how.data};
@@ -284,15 +297,32 @@ static bool has_state(ovr_status status)
            status == OVR_IMPOSSIBLE;
 }
 
+/* Of several passes, those that can be had are no reason to stop. */
+static ovr_status estimate_pass(ovr_run *run)
+{
+    char text[OVR_MESSAGE_SIZE], where[40];
+    ovr_error why = {0};
+    if (run->passes->level[1].lost || !ovr_run_estimate(run, &why))
+        return OVR_OK;
+    run->passes->level[1].lost = true;
+    snprintf(text, sizeof text,
+             "%serrors cannot be estimated from here on: %.900s",
+             ovr_run_where(run, where), why.message);
+    ovr_run_message(run, OVR_SAY_WARNING, text);
+    return OVR_OK;
+}
+
 /* The discretization errors, where they are wanted; before the file is closed,
  * which keeps them. */
 static ovr_status estimate(ovr_run *run, ovr_error *err)
 {
-    if (run->resumed)
+    if (!estimates(run))
         return OVR_OK;
     if (run->setup->accuracy > 0)
         ovr_run_confirm(run);
-    else if (run->how.estimate_error)
+    else if (run->passes)
+        return estimate_pass(run);
+    else
         return ovr_run_estimate(run, err);
     return OVR_OK;
 }
@@ -317,7 +347,7 @@ ovr_status ovr_run_once(ovr_run *run, ovr_error *err)
                           ovr_simulation_observation(run->sim)->converged;
     if (status)
         return close_file(run, status, err);
-    late = run->passes ? OVR_OK : estimate(run, err);
+    late = estimate(run, err);
     if (run->writer)
         ovr_run_keep_summary(run, &own);
     status = close_file(run, OVR_OK, late ? &own : err);

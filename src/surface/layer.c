@@ -104,3 +104,19 @@ double ovr_layer_thickness(const ovr_layer *l, double travelled)
     s = (x - l->x[low]) / (l->x[high] - l->x[low]);
     return l->height * (l->z[low] + s * (l->z[high] - l->z[low]));
 }
+
+double ovr_layer_mean(const ovr_layer *l, double travelled, double length)
+{
+    double x = l->first - travelled / l->length, to = x + length / l->length;
+    double before = ovr_layer_thickness(l, travelled), sum = 0;
+    for (size_t i = 0; i <= l->n && x < to; i++) {
+        double next = i < l->n ? fmin(l->x[i], to) : to;
+        if (next <= x)
+            continue;
+        double h = ovr_layer_thickness(l, (l->first - next) * l->length);
+        sum += 0.5 * (before + h) * (next - x);
+        x = next;
+        before = h;
+    }
+    return sum * l->length / length;
+}

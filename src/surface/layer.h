@@ -27,4 +27,7 @@ ovr_layer *ovr_layer_make(size_t n, const double *x, const double *thickness,
 /* b^2/R, where so much of it, in b, has gone by. */
 double ovr_layer_thickness(const ovr_layer *layer, double travelled);
 
+/* Its mean over `length`, in b, that went by before `travelled`. */
+double ovr_layer_mean(const ovr_layer *layer, double travelled, double length);
+
 #endif

@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "run/pass_history.h"
+
+#include <string.h>
+
+static const char *const names[OVR_PASS_QUANTITIES] = {
+    [OVR_SEEN_TIME] = "time",
+    [OVR_SEEN_FILM] = "central_film_thickness",
+    [OVR_SEEN_LEAST] = "min_film_thickness",
+    [OVR_SEEN_PRESSURE] = "max_pressure",
+    [OVR_SEEN_FILM_RATIO] = "film_ratio",
+    [OVR_SEEN_MENISCUS] = "meniscus",
+    [OVR_SEEN_SUPPLY] = "supply",
+    [OVR_SEEN_SUPPLY_RATIO] = "supply_ratio",
+    [OVR_SEEN_INFLOW] = "inflow",
+    [OVR_SEEN_OUTFLOW] = "outflow",
+    [OVR_SEEN_WAITING] = "oil_waiting",
+    [OVR_SEEN_SPEED] = "speed_ratio"};
+
+static const ovr_observable *named(const char *name)
+{
+    const ovr_observable *o;
+    for (size_t k = 0; (o = ovr_observable_at(k)); k++)
+        if (o->name && strcmp(o->name, name) == 0)
+            break;
+    return o;
+}
+
+ovr_pass_history ovr_pass_history_make(const ovr_allocator *allocator)
+{
+    ovr_pass_history h = {.arena = ovr_arena_make(allocator)};
+    for (int k = 0; k < OVR_PASS_QUANTITIES; k++)
+        h.which[k] = named(names[k]);
+    return h;
+}
+
+/* Room for so many rows; the rows of before are kept. */
+static ovr_status make_room(ovr_pass_history *h, size_t rows, ovr_error *err)
+{
+    for (int k = 0; k < OVR_PASS_QUANTITIES; k++) {
+        double *of = ovr_arena_take(&h->arena, rows, sizeof *of, err);
+        if (!of)
+            return OVR_NO_MEMORY;
+        if (h->n)
+            memcpy(of, h->of[k], h->n * sizeof *of);
+        h->of[k] = of;
+    }
+    h->room = rows;
+    return OVR_OK;
+}
+
+ovr_status ovr_pass_history_read(ovr_pass_history *h, ovr_result *result,
+                                 ovr_error *err)
+{
+    size_t rows = ovr_result_about(result)->steps;
+    ovr_status status = OVR_OK;
+    if (!rows) {
+        ovr_fail(err, OVR_BAD_INPUT, "has no row of its history");
+        return OVR_BAD_INPUT;
+    }
+    status = make_room(h, rows, err);
+    for (int k = 0; !status && k < OVR_PASS_QUANTITIES; k++)
+        status = ovr_result_history(result, names[k], OVR_HERTZIAN, h->of[k],
+                                    err);
+    h->n = status ? 0 : rows;
+    return status;
+}
+
+static ovr_status take_down(void *data, const ovr_simulation *sim,
+                            ovr_error *err)
+{
+    enum { FIRST = 256 };
+    ovr_pass_history *h = data;
+    const ovr_observation *seen = ovr_simulation_observation(sim);
+    if (h->n == h->room && make_room(h, h->n ? 2 * h->n : FIRST, err))
+        return OVR_NO_MEMORY;
+    for (int k = 0; k < OVR_PASS_QUANTITIES; k++)
+        h->of[k][h->n] = ovr_observable_value(h->which[k], seen);
+    h->n++;
+    return OVR_OK;
+}
+
+ovr_observer ovr_pass_history_observer(ovr_pass_history *h)
+{
+    return (ovr_observer){take_down, NULL, h};
+}

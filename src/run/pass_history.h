@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What passes are told by: some columns of a history, dimensionless, read from
+ * a result file or taken down while a simulation runs. */
+#ifndef OVR_RUN_PASS_HISTORY_H
+#define OVR_RUN_PASS_HISTORY_H
+
+#include "base/arena.h"
+#include "overroll/results.h"
+
+typedef enum ovr_pass_quantity {
+    OVR_SEEN_TIME,
+    OVR_SEEN_FILM,
+    OVR_SEEN_LEAST,
+    OVR_SEEN_PRESSURE,
+    OVR_SEEN_FILM_RATIO,
+    OVR_SEEN_MENISCUS,
+    OVR_SEEN_SUPPLY,
+    OVR_SEEN_SUPPLY_RATIO,
+    OVR_SEEN_INFLOW,
+    OVR_SEEN_OUTFLOW,
+    OVR_SEEN_WAITING,
+    OVR_SEEN_SPEED,
+    OVR_PASS_QUANTITIES
+} ovr_pass_quantity;
+
+typedef struct ovr_pass_history {
+    ovr_arena arena;
+    size_t n, room;
+    double *of[OVR_PASS_QUANTITIES];
+    const ovr_observable *which[OVR_PASS_QUANTITIES];
+} ovr_pass_history;
+
+/* Empty; ovr_arena_release(&h.arena) frees it. */
+ovr_pass_history ovr_pass_history_make(const ovr_allocator *allocator);
+
+/* All rows of a file. */
+ovr_status ovr_pass_history_read(ovr_pass_history *h, ovr_result *result,
+                                 ovr_error *err);
+
+/* Takes a row down at the start and at each step. */
+ovr_observer ovr_pass_history_observer(ovr_pass_history *h);
+
+#endif
