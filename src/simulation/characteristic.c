@@ -120,3 +120,14 @@ void ovr_inflow_history(ovr_simulation *sim, const double c[2],
     add_foot(sim, 1, c[1], a[1], F);
     ovr_history_term(sim, F);
 }
+
+double *ovr_inflow_prediction(ovr_simulation *sim, double T, const double e[3])
+{
+    double *q = sim->scratch[0];
+    if (!ovr_inflow_reaches(sim, ovr_travel_since(sim, 2, T)))
+        return NULL;
+    memset(q, 0, sim->now.n * sizeof *q);
+    for (int k = 0; k < 3; k++)
+        add_foot(sim, k, e[k], ovr_travel_since(sim, k, T), q);
+    return q;
+}

@@ -211,6 +211,14 @@ void ovr_inflow_fill(ovr_simulation *sim);
 void ovr_inflow_history(ovr_simulation *sim, const double c[2],
                         const double a[2]);
 
+/* q at T as the past predicts it along the characteristics: the sum of e_k
+ * q^{k}(X_i - a_k), in scratch; NULL if that is further than the ghosts reach.
+ */
+double *ovr_inflow_prediction(ovr_simulation *sim, double T, const double e[3]);
+
+/* How far a particle has come since the k-th time of the past, at T. */
+double ovr_travel_since(const ovr_simulation *sim, int past, double T);
+
 /* Whether a characteristic step of this length has enough ghosts. */
 bool ovr_inflow_reaches(const ovr_simulation *sim, double travel);
 
@@ -223,9 +231,10 @@ bool ovr_guess(ovr_simulation *sim, double dT, bool extrapolated);
  * now, before it becomes the past. */
 void ovr_guess_learn(ovr_simulation *sim, double dT);
 
-/* Local error of a step of h to the finest level's solution, rms over the wet
- * nodes, relative to H_cen; 0 when there is no past to judge by. */
-double ovr_step_error(const ovr_simulation *sim, double h);
+/* What the errors of steps like this one of h add to the film on its way
+ * through the contact, relative to H_cen; 0 when there is no past to judge
+ * by. */
+double ovr_step_error(ovr_simulation *sim, double h);
 
 /* One step to the time `next`, observed; *error is its local error.  A step
  * whose error is above sim->largest_error is taken back, with OVR_OK and *taken

@@ -11,7 +11,8 @@
 static test_series finest, steps_of_mesh, adaptive; /* large */
 
 /* The case without its steps. */
-static void make_case(uint64_t *state, int level, char *text, size_t room)
+static void make_case(uint64_t *state, int level, const char *scheme,
+                      char *text, size_t room)
 {
     double D = 5.5 / (7 << level), M = 10 * pow(10, test_random(state, 0, 1));
     double L = test_random(state, 4, 12);
@@ -24,8 +25,8 @@ static void make_case(uint64_t *state, int level, char *text, size_t room)
              "[contact]\nM = %.6g\nL = %.6g\nslide_to_roll = %.6g\n"
              "[domain]\ninlet = -4\nlevel = %d\n[feature d]\nshape = dent\n"
              "width = %.6g\ndepth = %.6g\nstart = %.6g\n"
-             "[time]\nscheme = upstream2\nend = %.6g\n",
-             M, L, slip, level, width, depth, start, end);
+             "[time]\nscheme = %s\nend = %.6g\n",
+             M, L, slip, level, width, depth, start, scheme, end);
 }
 
 enum { WANTED = 3 };
@@ -40,14 +41,15 @@ static double cycles_at(double error, const double e[WANTED],
     return cycles[k] * pow(error / e[k], slope);
 }
 
-test_adaptive test_adaptive_cases(uint64_t seed, int cases, int level)
+test_adaptive test_adaptive_cases(uint64_t seed, int cases, int level,
+                                  const char *scheme)
 {
     uint64_t state = seed;
     test_adaptive all = {0};
     char plain[700], text[800];
-    printf("seed %llu\n", (unsigned long long)seed);
+    printf("%s, seed %llu\n", scheme, (unsigned long long)seed);
     for (int k = 0; k < cases; k++) {
-        make_case(&state, level, plain, sizeof plain);
+        make_case(&state, level, scheme, plain, sizeof plain);
         snprintf(text, sizeof text, "%sstep = %.15g\n", plain,
                  5.5 / (7 << level) / 8);
         test_series_run(text, NULL, &finest);

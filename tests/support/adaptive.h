@@ -12,7 +12,8 @@ typedef struct test_adaptive {
 } test_adaptive;
 
 /* So many cases: M = 10 to 100, L = 4 to 12, 12 nodes a width or more, rolling
- * and sliding, upstream2. */
-test_adaptive test_adaptive_cases(uint64_t seed, int cases, int level);
+ * and sliding. */
+test_adaptive test_adaptive_cases(uint64_t seed, int cases, int level,
+                                  const char *scheme);
 
 #endif
