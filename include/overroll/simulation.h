@@ -156,6 +156,9 @@ OVR_API void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply,
  * are the steepest: the steps then begin from a guess that moves along, and
  * take fewer cycles.  Default: NAN, not known; ovr_surfaces_speed tells it. */
 OVR_API void ovr_simulation_moving(ovr_simulation *sim, double speed);
+
+/* Load and speed in time.  Borrowed; NULL: 1.  A speed below zero wants a
+ * domain that is symmetric, and cavitation by Reynolds. */
 OVR_API void ovr_simulation_histories(ovr_simulation *sim,
                                       const ovr_history *load,
                                       const ovr_history *speed);

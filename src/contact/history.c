@@ -23,6 +23,7 @@
 
 #include "base/arena.h"
 #include "base/interpolation.h"
+#include "contact/turning.h"
 
 struct ovr_history {
     ovr_history_form form;
@@ -225,6 +226,37 @@ double ovr_history_value(const ovr_history *history, double T)
 bool ovr_history_varies(const ovr_history *history)
 {
     return history && history->form.kind != OVR_HISTORY_CONSTANT;
+}
+
+static double table_least(const ovr_history *history)
+{
+    double least = history->value[0];
+    for (size_t i = 1; i < history->form.points; i++)
+        least = fmin(least, history->value[i]);
+    return least;
+}
+
+double ovr_history_least(const ovr_history *history)
+{
+    const ovr_history_form *form = history ? &history->form : NULL;
+    if (!ovr_history_varies(history))
+        return 1;
+    if (form->kind == OVR_HISTORY_TABLE)
+        return table_least(history);
+    return form->kind == OVR_HISTORY_SINE ? form->mean - fabs(form->amplitude)
+                                          : fmin(form->from, form->to);
+}
+
+bool ovr_history_turns(const ovr_history *history)
+{
+    return ovr_history_least(history) < 0;
+}
+
+bool ovr_history_begins_backward(const ovr_history *history)
+{
+    const double soon = 1e-3;
+    double Cu = ovr_history_value(history, 0);
+    return Cu < 0 || (!(Cu > 0) && ovr_history_integral(history, soon) < 0);
 }
 
 /* ------------------------------------------------------------ integrals */

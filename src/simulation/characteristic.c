@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "multigrid/field.h"
-#include "simulation/internal.h"
+#include "simulation/mirror.h"
 
 enum { POINTS = 6, BEFORE = 2 };
 
@@ -38,21 +38,23 @@ void ovr_inflow_fill(ovr_simulation *sim)
         return;
     for (size_t d = 0; d <= n + OVR_GHOSTS; d++)
         inflow->kernel[d] = ovr_deformation_kernel((double)d, ovr_mesh(sim));
-    for (size_t g = 0; g < OVR_GHOSTS; g++)
-        inflow->X[g] = sim->now.X[0] - (double)(g + 1) * ovr_mesh(sim);
 }
 
 bool ovr_inflow_reaches(const ovr_simulation *sim, double travel)
 {
-    return travel / ovr_mesh(sim) < OVR_GHOSTS - POINTS;
+    return fabs(travel) / ovr_mesh(sim) < OVR_GHOSTS - POINTS;
 }
 
-/* q at the ghosts nearest the inlet, written before extended[OVR_GHOSTS]. */
-static void ghost_film(ovr_simulation *sim, int past, size_t ghosts)
+/* q at the ghosts nearest the inlet, which is on the right where `back`,
+ * written before extended[OVR_GHOSTS]. */
+static void ghost_film(ovr_simulation *sim, int past, size_t ghosts, bool back)
 {
     const ovr_inflow *inflow = &sim->inflow;
     const double *P = sim->past.P[past];
     size_t n = sim->now.n;
+    double out = back ? ovr_mesh(sim) : -ovr_mesh(sim);
+    for (size_t g = 0; g < ghosts; g++)
+        inflow->X[g] = sim->now.X[back ? n - 1 : 0] + (double)(g + 1) * out;
     if (sim->heights)
         sim->heights(sim->heights_data, sim->past.T[past], ghosts, inflow->X,
                      inflow->S);
@@ -60,7 +62,7 @@ static void ghost_film(ovr_simulation *sim, int past, size_t ghosts)
         const double *k = inflow->kernel + g + 1;
         double w = 0, X = inflow->X[g];
         for (size_t j = 0; j < n; j++)
-            w += k[j] * P[j];
+            w += k[j] * P[back ? n - 1 - j : j];
         inflow->extended[OVR_GHOSTS - 1 - g] = sim->past.H0[past] +
                                                0.5 * X * X - inflow->S[g] - w;
     }
@@ -84,18 +86,22 @@ static void add_foot(ovr_simulation *sim, int past, double c, double a,
     ovr_inflow *inflow = &sim->inflow;
     double *q = inflow->extended, weight[POINTS];
     size_t n = sim->now.n;
-    double meshes = a / ovr_mesh(sim), whole = nearbyint(meshes);
+    bool back = a < 0; /* what follows is then of the mirror image */
+    double meshes = fabs(a) / ovr_mesh(sim), whole = nearbyint(meshes);
     bool on_node = fabs(meshes - whole) < 1e-9;
     if (!on_node)
         whole = ceil(meshes);
     size_t shift = (size_t)whole;
     size_t ghosts = shift + (on_node ? 0 : BEFORE);
-    ghost_film(sim, past, ghosts);
-    memcpy(q + OVR_GHOSTS, sim->past.q[past], n * sizeof(double));
+    ghost_film(sim, past, ghosts, back);
+    if (back)
+        ovr_mirror(n, sim->past.q[past], q + OVR_GHOSTS);
+    else
+        memcpy(q + OVR_GHOSTS, sim->past.q[past], n * sizeof(double));
     const double *foot = q + OVR_GHOSTS - shift;
     if (on_node) {
         for (size_t i = 0; i < n; i++)
-            F[i] += c * foot[i];
+            F[back ? n - 1 - i : i] += c * foot[i];
         return;
     }
     for (size_t i = 0; i < n; i++) {
@@ -107,7 +113,7 @@ static void add_foot(ovr_simulation *sim, int past, double c, double a,
             lagrange(BEFORE + (double)inward + (whole - meshes), weight);
         for (int k = 0; k < POINTS; k++)
             sum += weight[k] * *(first - inward + k);
-        F[i] += c * sum;
+        F[back ? n - 1 - i : i] += c * sum;
     }
 }
 
@@ -124,8 +130,9 @@ void ovr_inflow_history(ovr_simulation *sim, const double c[2],
 double *ovr_inflow_prediction(ovr_simulation *sim, double T, const double e[3])
 {
     double *q = sim->scratch[0];
-    if (!ovr_inflow_reaches(sim, ovr_travel_since(sim, 2, T)))
-        return NULL;
+    for (int k = 0; k < 3; k++)
+        if (!ovr_inflow_reaches(sim, ovr_travel_since(sim, k, T)))
+            return NULL;
     memset(q, 0, sim->now.n * sizeof *q);
     for (int k = 0; k < 3; k++)
         add_foot(sim, k, e[k], ovr_travel_since(sim, k, T), q);

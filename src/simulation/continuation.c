@@ -15,6 +15,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "simulation/mirror.h"
 #include "simulation/step_cycles.h"
 
 typedef struct path {
@@ -31,10 +32,10 @@ static void set_equations(path *p, double s)
     ovr_simulation *sim = p->sim;
     ovr_level *finest = sim->finest;
     double *F = sim->scratch[0];
-    ovr_level_read(&sim->grids, finest, finest->f.F, F);
+    ovr_nodes_read(sim, finest, finest->f.F, F);
     sim->grids.kernels->combine(finest->grid.n, 1, F, s - p->s, sim->lacking,
                                 F);
-    ovr_level_write(&sim->grids, finest, F, finest->f.F);
+    ovr_nodes_write(sim, finest, F, finest->f.F);
     finest->force = p->load[0] + s * (p->load[1] - p->load[0]);
     if (s == 1)
         finest->force = p->load[1];
@@ -51,7 +52,7 @@ static void begin_from(const path *p, double s)
     const double *const from[] = {sim->saved, sim->saved_before};
     double *P = sim->scratch[0];
     sim->grids.kernels->extrapolate(sim->finest->grid.n, 2, weight, from, P);
-    ovr_level_write(&sim->grids, sim->finest, P, sim->finest->f.P);
+    ovr_nodes_write(sim, sim->finest, P, sim->finest->f.P);
     sim->grids.H0 = p->H0 + factor * (p->H0 - p->H0_before);
 }
 
@@ -75,7 +76,7 @@ static path begin(ovr_simulation *sim)
     memcpy(sim->saved, sim->past.P[0], sim->now.n * sizeof(double));
     begin_from(&p, 0);
     ovr_level_refresh(&sim->grids, finest);
-    ovr_level_read(&sim->grids, finest, finest->f.r, sim->lacking);
+    ovr_nodes_read(sim, finest, finest->f.r, sim->lacking);
     p.load[0] = ovr_level_load(&sim->grids, finest);
     return p;
 }

@@ -11,7 +11,7 @@
  */
 #include <string.h>
 
-#include "simulation/internal.h"
+#include "simulation/mirror.h"
 
 void ovr_fourth_forget(ovr_simulation *sim)
 {
@@ -60,7 +60,7 @@ void ovr_fourth_standing_gap(ovr_simulation *sim)
     standing_heights(sim, gap);
     for (size_t i = 0; i < sim->now.n; i++)
         gap[i] = 0.5 * sim->now.X[i] * sim->now.X[i] - gap[i];
-    ovr_level_write(&sim->grids, sim->finest, gap, sim->finest->f.gap);
+    ovr_nodes_write(sim, sim->finest, gap, sim->finest->f.gap);
 }
 
 void ovr_simulation_standing(ovr_simulation *sim, ovr_heights *standing,

@@ -22,7 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "simulation/internal.h"
+#include "simulation/mirror.h"
 
 /* Steps beyond this many meshes begin better from the last state. */
 static const double longest = 7.9, longest_moved = 8.5;
@@ -173,15 +173,22 @@ static void guess_field(const ovr_simulation *sim, const formula *how,
                                            guess);
 }
 
+/* That the film moves along x in the step of dT at hand. */
+static double film_meshes(const ovr_simulation *sim, double dT)
+{
+    double Cu = sim->grids.op.speed;
+    return (sim->backward ? -Cu : Cu) * dT / ovr_mesh(sim);
+}
+
 /* What nobody told to move but with the surfaces' mean speed. */
 static formula untold(const ovr_simulation *sim, double dT)
 {
     const ovr_past *past = &sim->past;
-    double a = sim->grids.op.speed * dT / ovr_mesh(sim);
+    double a = film_meshes(sim, dT);
     if (dT > longest * ovr_mesh(sim))
         return last;
-    if (equal_steps(past, dT, 3) && fabs(a - 1) < 0.01)
-        return standing_and_moving;
+    if (equal_steps(past, dT, 3) && fabs(fabs(a) - 1) < 0.01)
+        return shifted(standing_and_moving, a);
     if (equal_steps(past, dT, 2))
         return parabola;
     return line(past->dT > 0 ? dT / past->dT : 0);
@@ -225,7 +232,7 @@ static size_t follow(const ovr_simulation *sim, double dT,
                      formula found[OVR_GUESSES], size_t number[OVR_GUESSES])
 {
     const ovr_past *past = &sim->past;
-    double film = sim->grids.op.speed * dT / ovr_mesh(sim);
+    double film = film_meshes(sim, dT);
     double a = sim->moving * film;
     bool moves = isfinite(a) && a != 0;
     if (!moves || dT > longest_moved * ovr_mesh(sim) ||
@@ -270,8 +277,7 @@ bool ovr_guess(ovr_simulation *sim, double dT, bool extrapolated)
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (ovr_field_rows[k].guessed) {
             guess_field(sim, &how, past->all[k], guess);
-            ovr_level_write(&sim->grids, sim->finest, guess,
-                            sim->finest->f.all[k]);
+            ovr_nodes_write(sim, sim->finest, guess, sim->finest->f.all[k]);
         }
     sim->grids.H0 = 0;
     for (int k = 0; k < OVR_PAST; k++)

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "multigrid/field.h"
+#include "simulation/mirror.h"
 
 static const double LEAST_SPEED = 0.02;
 
@@ -113,7 +114,7 @@ static void restrict_all(ovr_simulation *sim)
         for (int k = 0; k < 4 && to[k]; k++) {
             for (size_t i = 0; i < level->grid.n; i++)
                 room[i] = from[k][i * every];
-            ovr_level_write(&sim->grids, level, room, to[k]);
+            ovr_nodes_write(sim, level, room, to[k]);
         }
     }
 }
@@ -178,7 +179,7 @@ static void put_turned(ovr_simulation *sim)
         if (i > 1)
             F[i] += a[2] * v[i - 2];
     }
-    ovr_level_write(&sim->grids, sim->finest, F, sim->finest->f.F);
+    ovr_nodes_write(sim, sim->finest, F, sim->finest->f.F);
 }
 
 void ovr_heat_give(ovr_simulation *sim)

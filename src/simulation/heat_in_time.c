@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "multigrid/feet.h"
+#include "simulation/mirror.h"
 
 /* Of the change of temperatures that viscosities take a step. */
 static const double SHARE = 0.5;
@@ -205,7 +206,7 @@ void ovr_heat_step(ovr_simulation *sim, double dT)
     ovr_heat_speeds(sim, T + dT);
     fit_memories(h);
     look_back(sim);
-    ovr_level_read(&sim->grids, sim->finest, sim->finest->f.F, s->F);
+    ovr_nodes_read(sim, sim->finest, sim->finest->f.F, s->F);
 }
 
 /* How fast the guess presses the oil. */

@@ -36,6 +36,7 @@ typedef struct ovr_past {
     int still;      /* steps in a row that changed nothing */
     double dT_next; /* adaptive: the step wanted next */
     double change;  /* largest change of P, or of S, in the last step */
+    bool backward;  /* um < 0, or had been when it stopped (mirror.h) */
     /* of P, of late, by each formula of guess.c; 0: not known */
     double guess_error[OVR_GUESSES];
 } ovr_past;
@@ -84,6 +85,8 @@ struct ovr_simulation {
     ovr_inflow inflow;
     ovr_arrival arrival;
     bool started;
+    bool backward;     /* of what is solved now: um < 0 (mirror.h) */
+    bool mirrored;     /* the grids hold the mirror image */
     int strategy;      /* of steady.c, by which the steady solution was found */
     ovr_wanted wanted; /* the steady start */
     int order;         /* reached by it */

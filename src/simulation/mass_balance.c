@@ -14,9 +14,12 @@
  * contact's own flow is the mean size of the flow over all half nodes between:
  * in steady rolling the mass flow, under a varying load what the approach
  * presses about as well.  The net inflow alone may vanish then.
+ * Where um reverses, over the film about X = 0 as far as it is under pressure
+ * at both times, and over H_cen at least: the flow of nominal speed.
  */
 #include <math.h>
 
+#include "contact/turning.h"
 #include "multigrid/flow.h"
 #include "simulation/heat.h"
 
@@ -64,41 +67,66 @@ static size_t last_wet(const double *P, size_t n)
     return i;
 }
 
-/* Mean size of the flow at the end of the step over half nodes up to `end`. */
-static double own_flow(const ovr_simulation *sim, double Cu, size_t end)
+/* Half nodes, between nodes that are wet at both times. */
+typedef struct stretch {
+    size_t first, last;
+} stretch;
+
+/* From the inlet. */
+static stretch from_inlet(const ovr_past *past, size_t n)
+{
+    size_t last = last_wet(past->P[0], n), before = last_wet(past->P[1], n);
+    return (stretch){0, (before < last ? before : last) - 1};
+}
+
+/* All that hangs together with the middle. */
+static stretch about_middle(const ovr_past *past, size_t n)
+{
+    const double *now = past->P[0], *then = past->P[1];
+    stretch s = {n / 2, n / 2};
+    while (s.first > 1 && now[s.first - 1] > 0 && then[s.first - 1] > 0)
+        s.first--;
+    while (s.last < n - 2 && now[s.last + 1] > 0 && then[s.last + 1] > 0)
+        s.last++;
+    s.last--;
+    return s;
+}
+
+/* Mean size of the flow at the end of the step over these half nodes. */
+static double own_flow(const ovr_simulation *sim, double Cu, stretch s)
 {
     const double *P = sim->now.P, *q = sim->now.q, *eps = sim->now.eps;
     const double *X = sim->now.X, *flow = sim->now.flow;
     double sum = 0;
-    for (size_t i = 0; i <= end; i++) {
+    for (size_t i = s.first; i <= s.last; i++) {
         double twice = flow ? flow[i] : eps[i] + eps[i + 1];
         double through = Cu * (q[i] + q[i + 1]) / 2 + ovr_heat_turned(sim, i);
         sum += fabs(through * (X[i + 1] - X[i]) -
                     twice / 2 * (P[i + 1] - P[i]));
     }
-    return sum / (X[end + 1] - X[0]);
+    return sum / (X[s.last + 1] - X[s.first]);
 }
 
 double ovr_mass_balance(const ovr_simulation *sim)
 {
     const ovr_past *past = &sim->past;
-    size_t n = sim->now.n, end = last_wet(past->P[0], n),
-           before = last_wet(past->P[1], n);
+    bool turns = ovr_history_turns(sim->speed);
+    stretch s = (turns ? about_middle : from_inlet)(past, sim->now.n);
     double dT = past->dT, in[2], out[2], stored, scale;
-    if (before < end)
-        end = before;
-    if (!(dT > 0) || end < 3)
+    if (!(dT > 0) || s.last < s.first + 2)
         return 0;
-    end--; /* both nodes of half node end + 1/2 are wet */
     for (int k = 0; k < 2; k++) {
         double T = past->T[k];
-        in[k] = central_flux(sim, T, past->P[k], past->q[k], 0);
-        out[k] = central_flux(sim, T, past->P[k], past->q[k], end);
+        in[k] = central_flux(sim, T, past->P[k], past->q[k], s.first);
+        out[k] = central_flux(sim, T, past->P[k], past->q[k], s.last);
     }
-    stored = sim->grids.kernels->gain(end, sim->now.weights + 1, past->q[0] + 1,
-                                      past->q[1] + 1);
+    stored = sim->grids.kernels->gain(
+        s.last - s.first, sim->now.weights + s.first + 1,
+        past->q[0] + s.first + 1, past->q[1] + s.first + 1);
     double net = 0.5 * (in[0] - out[0] + in[1] - out[1]);
-    scale = own_flow(sim, ovr_history_value(sim->speed, past->T[0]), end);
+    scale = own_flow(sim, ovr_history_value(sim->speed, past->T[0]), s);
+    if (turns)
+        scale = fmax(scale, sim->observation.H_cen);
     double error = net - stored / dT;
     return scale > 0 ? error / scale : error;
 }

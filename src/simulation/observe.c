@@ -4,7 +4,7 @@
 
 #include "simulation/extremes.h"
 #include "simulation/heat.h"
-#include "simulation/internal.h"
+#include "simulation/mirror.h"
 #include "simulation/refined.h"
 
 double ovr_integral(const ovr_simulation *sim, const double *f)
@@ -23,26 +23,57 @@ static void observe_film(const ovr_simulation *sim, ovr_observation *o)
     o->H0 = sim->grids.H0;
 }
 
+/* Maxima that stand out, and the last of them along the flow. */
+static int maxima_of(const ovr_simulation *sim, size_t *last)
+{
+    const ovr_kernels *run = sim->grids.kernels;
+    const double *P = sim->now.P;
+    size_t n = sim->now.n;
+    int maxima;
+    if (sim->backward) {
+        ovr_mirror(n, P, sim->scratch[1]);
+        P = sim->scratch[1];
+    }
+    maxima = run->peaks(n, P, last);
+    if (maxima > 1) /* most of them may be noise */
+        maxima = ovr_prominent_maxima(n, P, last);
+    if (sim->backward)
+        *last = n - 1 - *last;
+    return maxima;
+}
+
+/* The dry node behind the last wet one along the flow. */
+static size_t film_end(const ovr_simulation *sim)
+{
+    const double *P = sim->now.P;
+    size_t n = sim->now.n, i = sim->backward ? 1 : n - 2;
+    if (sim->backward) {
+        while (i < n - 1 && !(P[i] > 0))
+            i++;
+        return i - 1;
+    }
+    while (i > 0 && !(P[i] > 0))
+        i--;
+    return i + 1;
+}
+
 static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
 {
     const ovr_kernels *run = sim->grids.kernels;
     const double *P = sim->now.P;
-    size_t n = sim->now.n, spike = 0, wet = n - 2;
+    size_t n = sim->now.n, spike = 0;
     size_t high = 1 + run->extreme(n - 2, -1, P + 1);
-    int maxima = run->peaks(n, P, &spike);
-    if (maxima > 1) /* most of them may be noise */
-        maxima = ovr_prominent_maxima(n, P, &spike);
-    while (wet > 0 && !(P[wet] > 0))
-        wet--;
+    int maxima = maxima_of(sim, &spike);
+    double exit = sim->backward ? -1 : 1;
     o->P_max = P[high];
     o->X_P_max = sim->now.X[high];
     o->X_P_max_located = ovr_vertex(sim->now.X, P, high, &o->P_max_located);
     o->P_cen = ovr_value_at(&sim->now, P, 0);
     o->maxima = maxima;
-    o->X_cavitation = sim->now.X[wet + 1];
+    o->X_cavitation = sim->now.X[film_end(sim)];
     o->P_spike = o->X_spike = NAN;
     o->P_spike_located = o->X_spike_located = NAN;
-    if (maxima >= 2 && sim->now.X[spike] > 0) {
+    if (maxima >= 2 && exit * sim->now.X[spike] > 0) {
         o->P_spike = P[spike];
         o->X_spike = sim->now.X[spike];
         o->X_spike_located = ovr_vertex(sim->now.X, P, spike,
@@ -57,11 +88,23 @@ static double twice_flow(const ovr_solution *now, size_t i)
     return now->flow ? now->flow[i] : now->eps[i] + now->eps[i + 1];
 }
 
+/* Content that flows towards -x at half node i + 1/2. */
+static double upstream_from_right(const ovr_simulation *sim, const double *q,
+                                  size_t i)
+{
+    const double *u = sim->scheme->upstream;
+    if (i + 2 == sim->now.n)
+        return sim->scheme->order == 2 ? 0.5 * (q[i] + q[i + 1]) : q[i + 1];
+    return u[0] * q[i + 1] + u[1] * q[i + 2];
+}
+
 /* Content that flows downstream at half node i + 1/2. */
 static double upstream(const ovr_simulation *sim, size_t i)
 {
     const double *q = sim->now.q, *u = sim->scheme->upstream;
     double flow;
+    if (sim->backward)
+        return upstream_from_right(sim, q, i);
     if (i == 0 && sim->finest->closed)
         return sim->arrival.face;
     if (i == 0)
@@ -80,6 +123,8 @@ static double turned(const ovr_simulation *sim, size_t i)
 {
     const double *u = sim->scheme->upstream;
     const double *v = sim->heated ? sim->heated->turned : NULL;
+    if (v && sim->backward)
+        return upstream_from_right(sim, v, i);
     return !v ? 0 : i == 0 ? v[0] : u[0] * v[i] + u[1] * v[i - 1];
 }
 
@@ -93,8 +138,8 @@ double ovr_flux(const ovr_simulation *sim, double Cu, size_t i)
                (X[i + 1] - X[i]);
 }
 
-/* Node by node, with what temperatures turn to the side. */
-static double mean_hot_flow(const ovr_simulation *sim, double Cu)
+/* Node by node, with what temperatures turn to the side; either way. */
+static double mean_flow_by_nodes(const ovr_simulation *sim, double Cu)
 {
     const double *P = sim->now.P;
     double sum = 0, count = 0;
@@ -114,8 +159,8 @@ static double mean_flow(const ovr_simulation *sim)
     if (sim->refined)
         return ovr_refined_flow(sim);
     const double u[2] = {upstream[0] * Cu, upstream[1] * Cu};
-    if (sim->heated)
-        return mean_hot_flow(sim, Cu);
+    if (sim->heated || sim->backward)
+        return mean_flow_by_nodes(sim, Cu);
     return sim->grids.kernels->mean_flow(sim->now.n, u, sim->now.X, sim->now.P,
                                          sim->now.q, sim->now.eps,
                                          sim->now.flow);
@@ -125,7 +170,7 @@ void ovr_simulation_read(ovr_simulation *sim)
 {
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (ovr_field_rows[k].shown && sim->finest->f.all[k])
-            ovr_level_read(&sim->grids, sim->finest, sim->finest->f.all[k],
+            ovr_nodes_read(sim, sim->finest, sim->finest->f.all[k],
                            sim->now.all[k]);
 }
 

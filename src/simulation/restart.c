@@ -25,6 +25,7 @@ static const struct {
              PART("still", past.still),
              PART("dT_next", past.dT_next),
              PART("change", past.change),
+             PART("backward", past.backward),
              PART("step", state.step),
              PART("T", state.T),
              PART("time_step", observation.dT),

@@ -9,7 +9,7 @@
 #include "multigrid/field.h"
 #include "multigrid/hybrid.h"
 #include "multigrid/line.h"
-#include "simulation/internal.h"
+#include "simulation/mirror.h"
 #include "simulation/refined.h"
 
 static ovr_status take(ovr_simulation *sim, double **to, ovr_error *err)
@@ -236,7 +236,7 @@ void ovr_simulation_gap(ovr_simulation *sim, double T)
         gap[i] = 0.5 * X[i] * X[i] - S[i];
     if (sim->order == 4)
         sim->grids.kernels->combine(n, 1, gap, 1, sim->gap_fourth, gap);
-    ovr_level_write(&sim->grids, sim->finest, gap, sim->finest->f.gap);
+    ovr_nodes_write(sim, sim->finest, gap, sim->finest->f.gap);
 }
 
 const ovr_state *ovr_simulation_state(const ovr_simulation *sim)

@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "simulation/heat_in_time.h"
+#include "simulation/mirror.h"
 #include "simulation/refined.h"
 
 double ovr_film_expected(const ovr_simulation *sim, double fraction)
@@ -138,7 +139,7 @@ typedef struct found {
 static found keep(const ovr_simulation *sim)
 {
     const ovr_level *level = sim->finest;
-    ovr_level_read(&sim->grids, level, level->f.P, sim->saved);
+    ovr_nodes_read(sim, level, level->f.P, sim->saved);
     return (found){sim->saved, sim->grids.H0};
 }
 
@@ -146,7 +147,7 @@ static found keep(const ovr_simulation *sim)
 static ovr_defect fall_back(ovr_simulation *sim, const ovr_full *how,
                             const found *second, int *cycles)
 {
-    ovr_level_write(&sim->grids, sim->finest, second->P, sim->finest->f.P);
+    ovr_nodes_write(sim, sim->finest, second->P, sim->finest->f.P);
     sim->grids.H0 = second->H0;
     ovr_fourth_forget(sim);
     ovr_simulation_gap(sim, 0);
@@ -168,8 +169,8 @@ static ovr_defect solve_and_correct(ovr_simulation *sim, const ovr_full *how,
     found second = keep(sim);
     if (!ovr_fourth_solve(&sim->grids, c, &last, &d, cycles))
         return fall_back(sim, how, &second, cycles);
-    ovr_level_read(&sim->grids, sim->finest, c->F, sim->F_fourth);
-    ovr_level_read(&sim->grids, sim->finest, c->gap, sim->gap_fourth);
+    ovr_nodes_read(sim, sim->finest, c->F, sim->F_fourth);
+    ovr_nodes_read(sim, sim->finest, c->gap, sim->gap_fourth);
     return d;
 }
 
@@ -181,7 +182,7 @@ static ovr_defect solve_corrected(ovr_simulation *sim, const ovr_full *how,
     if (!ovr_below(d, first_tolerance(sim, sim->finest, d.centre)))
         return d;
     found second = keep(sim);
-    ovr_level_write(&sim->grids, sim->finest, sim->F_fourth, sim->finest->f.F);
+    ovr_nodes_write(sim, sim->finest, sim->F_fourth, sim->finest->f.F);
     d = finish(sim, how, cycles);
     if (ovr_below(d, tolerance_at(sim, sim->finest, d.centre)))
         return d;
@@ -247,6 +248,7 @@ static void begin_history(ovr_simulation *sim)
     if (sim->heated)
         ovr_heat_begin(sim);
     past->dT = past->dT_next = past->change = 0;
+    past->backward = sim->backward;
     past->still = 0;
     past->steps = 0;
 }
@@ -256,16 +258,22 @@ static ovr_status begin_load_and_speed(ovr_simulation *sim, ovr_error *err)
 {
     const double least = OVR_LEAST_START;
     double Cw = ovr_history_value(sim->load, 0);
-    double Cu = ovr_history_value(sim->speed, 0);
+    double Cu = fabs(ovr_history_value(sim->speed, 0));
     if (!(Cw >= 0) || !(Cu >= 0))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s ratio %g at T = 0: must not be negative",
-                        Cw >= 0 ? "speed" : "load", Cw >= 0 ? Cu : Cw);
+                        Cw >= 0
+                            ? "speed ratio %g at T = 0: must be a number"
+                            : "load ratio %g at T = 0: must not be negative",
+                        Cw >= 0 ? Cu : Cw);
+    if (ovr_check_turning(sim, err))
+        return OVR_BAD_INPUT;
+    ovr_turn_at_start(sim);
     ovr_wanted *wanted = &sim->wanted;
     wanted->Cw = Cw > least ? Cw : least;
     wanted->Cu = Cu > least ? Cu : least;
     wanted->force = OVR_NOMINAL_LOAD * wanted->Cw;
-    wanted->fluid.sliding = ovr_sliding(sim, 0);
+    ovr_slide(sim, 0);
+    wanted->fluid.sliding = sim->grids.fluid.sliding;
     return OVR_OK;
 }
 

@@ -13,7 +13,9 @@
  * the left, and q^k, q^{k-1} at the feet X - a1, X - a2 of the characteristic
  * on the right.  With dT = D and Cu = 1 the feet are nodes.
  */
-#include "simulation/internal.h"
+#include <math.h>
+
+#include "simulation/mirror.h"
 
 void ovr_backward_euler(double dT, double dT_old, double *cT, double c[2])
 {
@@ -35,7 +37,7 @@ void ovr_history_term(ovr_simulation *sim, double *F)
 {
     if (sim->order == 4)
         sim->grids.kernels->combine(sim->now.n, 1, F, 1, sim->F_fourth, F);
-    ovr_level_write(&sim->grids, sim->finest, F, sim->finest->f.F);
+    ovr_nodes_write(sim, sim->finest, F, sim->finest->f.F);
 }
 
 void ovr_history_at_nodes(ovr_simulation *sim, const double c[2], double T)
@@ -68,7 +70,7 @@ void ovr_time_derivative(ovr_simulation *sim, double dT)
 {
     const ovr_discretization *scheme = sim->scheme;
     double T = sim->past.T[0] + dT, c[2];
-    ovr_operator op = {.speed = ovr_history_value(sim->speed, T),
+    ovr_operator op = {.speed = fabs(ovr_history_value(sim->speed, T)),
                        .transient = true,
                        .characteristic = scheme->characteristic};
     scheme->difference(dT, sim->past.dT, &op.cT, c);

@@ -96,16 +96,26 @@ static double eps(const dense *d, size_t i)
     return d->q[i] * d->H[i] * d->H[i] / (eta * c->contact.lambda);
 }
 
+/* What the mean speed carries out of cell i less in, over D; towards -x what
+ * comes from the right. */
+static double wedge_of(const dense *d, size_t i)
+{
+    const double *q = d->q;
+    if (d->backward)
+        return i + 2 == d->n
+                   ? d->first[0] * q[i] + d->first[1] * q[i + 1]
+                   : d->w[0] * q[i] + d->w[1] * q[i + 1] + d->w[2] * q[i + 2];
+    return i == 1 ? d->first[0] * q[1] + d->first[1] * q[0]
+                  : d->w[0] * q[i] + d->w[1] * q[i - 1] + d->w[2] * q[i - 2];
+}
+
 /* Flow in less flow out of cell i, less the stored change: N_i - F_i. */
 static double equation(const dense *d, size_t i)
 {
     double e = eps(d, i), D = d->D;
     double in = 0.5 * (eps(d, i - 1) + e) * (d->P[i - 1] - d->P[i]) / D;
     double out = 0.5 * (e + eps(d, i + 1)) * (d->P[i] - d->P[i + 1]) / D;
-    double wedge = i == 1 ? d->first[0] * d->q[1] + d->first[1] * d->q[0]
-                          : d->w[0] * d->q[i] + d->w[1] * d->q[i - 1] +
-                                d->w[2] * d->q[i - 2];
-    return (in - out - wedge) / D - d->cT * d->q[i] - d->F[i];
+    return (in - out - wedge_of(d, i)) / D - d->cT * d->q[i] - d->F[i];
 }
 
 static double load_defect(const dense *d)
@@ -162,9 +172,11 @@ static double newton_step(dense *d, gsl_matrix *J, gsl_vector *x,
     for (size_t i = 0; i < m; i++) {
         /* r = -N rises with P: a dry node with r > 0 stays */
         bool dry = i + 1 < m && d->P[i + 1] <= 0 && r[i] >= 0;
+        if (d->primal_dual && i + 1 < m)
+            dry = d->P[i + 1] < r[i] / gsl_matrix_get(J, i, i);
         for (size_t c = 0; dry && c < m; c++)
             gsl_matrix_set(J, i, c, i == c);
-        gsl_vector_set(x, i, dry ? 0 : -r[i]);
+        gsl_vector_set(x, i, !dry ? -r[i] : d->primal_dual ? -d->P[i + 1] : 0);
     }
     gsl_linalg_LU_decomp(J, p, &sign);
     gsl_linalg_LU_svx(J, p, x);
@@ -172,8 +184,10 @@ static double newton_step(dense *d, gsl_matrix *J, gsl_vector *x,
         biggest = fmax(biggest, fabs(gsl_vector_get(x, c)));
     if (biggest > 0.1)
         step = 0.1 / biggest;
-    for (size_t c = 0; c + 1 < m; c++)
-        d->P[c + 1] = fmax(0, d->P[c + 1] + step * gsl_vector_get(x, c));
+    for (size_t c = 0; c + 1 < m; c++) {
+        double P = d->P[c + 1] + step * gsl_vector_get(x, c);
+        d->P[c + 1] = d->primal_dual ? P : fmax(0, P);
+    }
     d->H0 += step * gsl_vector_get(x, m - 1);
     return biggest;
 }

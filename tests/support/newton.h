@@ -16,6 +16,7 @@ typedef struct dense {
     double D, X_a;
     double w[3], first[2]; /* wedge weights, and in row 1 */
     double cT;             /* of q in the time derivative */
+    bool backward;         /* um < 0: the wedge from the right, times |Cu| */
     double force;          /* wanted D sum P */
     double *X, *gap, *F;   /* gap X^2/2 - S, history term */
     double *P, *H, *q;     /* solution */
@@ -23,6 +24,9 @@ typedef struct dense {
     double H0;
     double *kernel;                 /* K/pi at 0..n-1 meshes */
     double (*thickening)(double H); /* factor on the viscosity, or NULL */
+    /* which nodes are dry by P and r together, without clipping: ends of the
+     * film that run (Hintermueller, Ito & Kunisch 2002) */
+    bool primal_dual;
 } dense;
 
 dense *dense_make(double M, double L, int level, ovr_scheme scheme);

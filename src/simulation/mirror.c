@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "simulation/mirror.h"
+
+#include <math.h>
+
+#include "contact/turning.h"
+
+void ovr_turn(ovr_simulation *sim, double T)
+{
+    double Cu = ovr_history_value(sim->speed, T);
+    sim->backward = Cu < 0 || (sim->past.backward && !(Cu > 0));
+    sim->mirrored = sim->backward && !sim->scheme->characteristic;
+}
+
+void ovr_turn_back(ovr_simulation *sim)
+{
+    sim->backward = sim->past.backward;
+    sim->mirrored = sim->backward && !sim->scheme->characteristic;
+}
+
+void ovr_turn_at_start(ovr_simulation *sim)
+{
+    sim->backward = ovr_history_begins_backward(sim->speed);
+    sim->mirrored = sim->backward;
+}
+
+void ovr_slide(ovr_simulation *sim, double T)
+{
+    double V = ovr_sliding(sim, T);
+    sim->grids.fluid.sliding = sim->mirrored ? -V : V;
+}
+
+ovr_status ovr_check_turning(const ovr_simulation *sim, ovr_error *err)
+{
+    const double X_a = sim->options.inlet, X_b = sim->options.outlet;
+    if (!ovr_history_turns(sim->speed))
+        return OVR_OK;
+    if (ovr_conserves(sim))
+        return ovr_fail_about(err, "cavitation",
+                              "a mean speed that reverses goes with cavitation "
+                              "by Reynolds only: conserved oil keeps its inlet "
+                              "on the left");
+    if (sim->heated)
+        return ovr_fail_about(err, "heat",
+                              "a mean speed that reverses goes without heat");
+    if (fabs(X_a + X_b) > 1e-12 * X_b)
+        return ovr_fail_about(err, "outlet",
+                              "domain [%g, %g]: a mean speed that reverses "
+                              "wants as much room on both sides, say [%g, %g]",
+                              X_a, X_b, -fmax(-X_a, X_b), fmax(-X_a, X_b));
+    return OVR_OK;
+}
+
+void ovr_mirror(size_t n, const double *from, double *to)
+{
+    for (size_t i = 0; i < n; i++)
+        to[i] = from[n - 1 - i];
+}
+
+static void mirror_in_place(size_t n, double *x)
+{
+    for (size_t i = 0; i < n / 2; i++) {
+        double left = x[i];
+        x[i] = x[n - 1 - i];
+        x[n - 1 - i] = left;
+    }
+}
+
+void ovr_nodes_read(const ovr_simulation *sim, const ovr_level *level,
+                    const double *values, double *along_x)
+{
+    ovr_level_read(&sim->grids, level, values, along_x);
+    if (!sim->mirrored)
+        return;
+    /* between nodes i and i + 1 */
+    bool between = values == level->f.flow && values;
+    mirror_in_place(level->grid.n - between, along_x);
+}
+
+void ovr_nodes_write(const ovr_simulation *sim, const ovr_level *level,
+                     const double *along_x, double *values)
+{
+    if (sim->mirrored) {
+        ovr_mirror(level->grid.n, along_x, sim->scratch[1]);
+        along_x = sim->scratch[1];
+    }
+    ovr_level_write(&sim->grids, level, along_x, values);
+}
