@@ -69,7 +69,7 @@ static void say_moved(const review *r)
 /* A run from rest or from no load starts a little above either. */
 static void warn_of_start(const review *r)
 {
-    if (ovr_history_value(r->setup->speed, 0) < OVR_LEAST_START)
+    if (fabs(ovr_history_value(r->setup->speed, 0)) < OVR_LEAST_START)
         say(r, OVR_SAY_WARNING,
             "the run starts from rest, where there is no film: the film at T "
             "= 0 is that of %g of the nominal speed",

@@ -30,9 +30,10 @@ ovr_status ovr_stress_planned(const ovr_setup *setup, int surface, double inlet,
                               ovr_stress_plan *plan, ovr_error *err);
 
 /* Way of the plan's surface since T = 0; 1, -1, or 0 where it goes both ways;
- * largest speed of either surface or the film, over um. */
+ * whether that may be; largest speed of either surface or the film, over um. */
 double ovr_stress_way(const ovr_setup *setup, const ovr_stress_plan *plan,
                       double T);
+bool ovr_stress_wanders(const ovr_setup *setup);
 int ovr_stress_direction(const ovr_setup *setup, const ovr_stress_plan *plan);
 double ovr_stress_fastest(const ovr_setup *setup);
 

@@ -9,6 +9,7 @@
  */
 #include <math.h>
 
+#include "contact/turning.h"
 #include "run/stress.h"
 
 /* A motion is looked at in so many moments. */
@@ -39,10 +40,15 @@ static int direction_at(const ovr_setup *setup, const ovr_stress_plan *plan,
     return u < 0 || (u == 0 && plan->ratio < 0) ? -1 : 1;
 }
 
+bool ovr_stress_wanders(const ovr_setup *setup)
+{
+    return setup->sliding || ovr_history_turns(setup->speed);
+}
+
 int ovr_stress_direction(const ovr_setup *setup, const ovr_stress_plan *plan)
 {
     bool forward = false, backward = false;
-    if (!setup->sliding)
+    if (!ovr_stress_wanders(setup))
         return plan->ratio < 0 ? -1 : 1;
     for (int k = 0; k <= LOOKS; k++) {
         double u = speed_of(setup, plan, setup->march->end * k / LOOKS);
@@ -98,7 +104,7 @@ double ovr_stress_struck(const ovr_setup *setup, const ovr_stress_plan *plan,
     double speed = ovr_surfaces_info(setup->surfaces, feature).speed;
     double centre = ovr_surfaces_centre(setup->surfaces, feature, 0);
     double way = speed != 0 ? -centre / speed : end / 2;
-    if (setup->sliding)
+    if (ovr_stress_wanders(setup))
         return struck_in_sliding(setup, plan, feature);
     return -plan->ratio * fmin(fmax(way, 0), end);
 }

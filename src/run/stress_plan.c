@@ -19,7 +19,7 @@ static void find_material(const ovr_setup *setup, ovr_stress_plan *plan)
     double low = INFINITY, high = -INFINITY, end;
     bool own = false;
     end = ovr_history_integral(setup->speed, setup->march->end);
-    plan->range.reference = setup->sliding
+    plan->range.reference = ovr_stress_wanders(setup)
                                 ? -ovr_stress_way(setup, plan,
                                                   setup->march->end / 2)
                                 : -plan->ratio * end / 2;

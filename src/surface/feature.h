@@ -17,6 +17,7 @@ typedef struct ovr_feature {
     int surface;
     ovr_shape shape;
     double ratio; /* u_k/um */
+    bool back;    /* its surface begins towards -x */
     double start; /* X of its centre at T = 0 */
     double A;     /* signed: negative into the surface */
     double width, wavelength, wavelength_end, length;

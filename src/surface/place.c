@@ -36,7 +36,7 @@ static ovr_status start_outside(ovr_feature *f, const ovr_feature_form *form,
             "feature '%s': surface %d stands still, nothing on it comes in; "
             "give the X of its centre or edge",
             f->name, f->surface);
-    f->start = f->ratio > 0 ? inlet - f->ahead : outlet + f->behind;
+    f->start = !f->back ? inlet - f->ahead : outlet + f->behind;
     if (isfinite(f->start))
         return OVR_OK;
     return ovr_fail_about(err, about,

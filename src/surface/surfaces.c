@@ -14,6 +14,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "contact/turning.h"
 #include "surface/measured.h"
 
 typedef struct entry {
@@ -173,6 +174,8 @@ static ovr_status make(ovr_surfaces *surfaces, const ovr_feature_form *form,
     f->assumed = "";
     f->surface = form->surface;
     f->ratio = form->surface == 1 ? c->u1_ratio : c->u2_ratio;
+    f->back = f->ratio != 0 &&
+              (f->ratio < 0) != ovr_history_begins_backward(surfaces->speed);
     f->grow = form->grow;
     f->grow_from = form->grow_from;
     f->repeat = form->repeat;
@@ -226,12 +229,11 @@ static double grown(const ovr_feature *f, double T)
 }
 
 /* The copies k = low..high that touch [X_a, X_b]; copy k is at
- * centre - k * repeat * direction. */
+ * centre - k * p. */
 static void copies_within(const ovr_feature *f, double centre, double X_a,
                           double X_b, double *low, double *high)
 {
-    double direction = f->ratio < 0 ? -1 : 1;
-    double p = f->repeat * direction;
+    double p = f->back ? -f->repeat : f->repeat;
     double one = (centre - f->reach_behind - X_b) / p;
     double other = (centre + f->reach_ahead - X_a) / p;
     *low = ceil(fmin(one, other));
@@ -245,14 +247,14 @@ static void copies_within(const ovr_feature *f, double centre, double X_a,
 static void add_feature(const ovr_feature *f, double factor, double centre,
                         size_t n, const double *X, double *S)
 {
-    double low = 0, high = 0, direction = f->ratio < 0 ? -1 : 1;
+    double low = 0, high = 0, p = f->back ? -f->repeat : f->repeat;
     if (isnan(f->repeat)) {
         ovr_shape_add(f, factor, centre, n, X, S);
         return;
     }
     copies_within(f, centre, X[0], X[n - 1], &low, &high);
     for (double k = low; k <= high; k++)
-        ovr_shape_add(f, factor, centre - k * f->repeat * direction, n, X, S);
+        ovr_shape_add(f, factor, centre - k * p, n, X, S);
 }
 
 void ovr_surfaces_heights(void *data, double T, size_t n, const double *X,
@@ -403,11 +405,17 @@ double ovr_surfaces_centre(const ovr_surfaces *surfaces, size_t feature,
     return f ? centre_at(surfaces, f, T) : NAN;
 }
 
+/* Whether what has come may go back. */
+static bool wanders(const ovr_surfaces *surfaces)
+{
+    return surfaces->sliding || ovr_history_turns(surfaces->speed);
+}
+
 /* The first T in [after, until] at which a feature has come as far as `far`,
- * where sliding may take it back; to a twentieth of b/um, then by halving. */
-static double sliding_time_of(const ovr_surfaces *surfaces,
-                              const ovr_feature *f, double far, double after,
-                              double until)
+ * where it may go back; to a twentieth of b/um, then by halving. */
+static double wandering_time_of(const ovr_surfaces *surfaces,
+                                const ovr_feature *f, double far, double after,
+                                double until)
 {
     const double step = 0.05;
     enum { MOST = 100000 };
@@ -437,8 +445,8 @@ static double time_of(const ovr_surfaces *surfaces, const ovr_feature *f,
 {
     const ovr_history *speed = surfaces->speed;
     double low = after, high = until;
-    if (surfaces->sliding)
-        return sliding_time_of(surfaces, f, f->ratio * way, after, until);
+    if (wanders(surfaces))
+        return wandering_time_of(surfaces, f, f->ratio * way, after, until);
     if (!speed)
         return way > after && way <= until ? way : INFINITY;
     if (!(ovr_history_integral(speed, low) < way) ||
@@ -459,10 +467,10 @@ static double time_at(const ovr_surfaces *surfaces, const ovr_feature *f,
                       double offset, double X, double until)
 {
     double far = X - f->start - offset, way = far / f->ratio;
-    if (surfaces->sliding && !isnan(far))
-        return (f->ratio < 0 ? far >= 0 : far <= 0)
+    if (wanders(surfaces) && !isnan(far))
+        return (f->back ? far >= 0 : far <= 0)
                    ? 0
-                   : sliding_time_of(surfaces, f, far, 0, until);
+                   : wandering_time_of(surfaces, f, far, 0, until);
     if (f->ratio == 0 || isnan(way))
         return INFINITY;
     return way <= 0 ? 0 : time_of(surfaces, f, way, 0, until);
@@ -478,13 +486,32 @@ ovr_feature_times ovr_surfaces_times(const ovr_surfaces *surfaces,
     bool back;
     if (!f)
         return never;
-    back = f->ratio < 0;
+    back = f->back;
     first = back ? -f->behind : f->ahead;
     last = back ? f->ahead + last_copy(f) : -f->behind - last_copy(f);
     times.enters = time_at(surfaces, f, first, back ? outlet : inlet, until);
     times.centre = time_at(surfaces, f, 0, 0, until);
     times.leaves = time_at(surfaces, f, last, back ? inlet : outlet, until);
     return times;
+}
+
+/* Of the copies beside X, of which the film's turns bring either; all there
+ * are if it is one. */
+static double wandering_arrival(const ovr_surfaces *surfaces,
+                                const ovr_feature *f, double X, double after,
+                                double until)
+{
+    bool both = ovr_is_endless(f) && f->wavelength > 0;
+    double p = both ? f->wavelength : f->back ? -f->repeat : f->repeat;
+    double far = X - f->start, here = moved(surfaces, f, after), T = INFINITY;
+    if (isnan(p))
+        return wandering_time_of(surfaces, f, far, after, until);
+    double next = floor((here - far) / p);
+    for (double k = next - 1; k <= next + 2; k++)
+        if (both || (k >= 0 && (!f->copies || k < (double)f->copies)))
+            T = fmin(T,
+                     wandering_time_of(surfaces, f, far + k * p, after, until));
+    return T;
 }
 
 double ovr_surfaces_arrival(const ovr_surfaces *surfaces, size_t feature,
@@ -495,6 +522,8 @@ double ovr_surfaces_arrival(const ovr_surfaces *surfaces, size_t feature,
     bool both;
     if (!f || f->ratio == 0)
         return INFINITY;
+    if (ovr_history_turns(surfaces->speed))
+        return wandering_arrival(surfaces, f, X, after, until);
     way = (X - f->start) / f->ratio;
     both = ovr_is_endless(f) && f->wavelength > 0;
     apart = (both ? f->wavelength : f->repeat) / fabs(f->ratio);
