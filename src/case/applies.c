@@ -33,6 +33,7 @@ static const struct condition {
     {"time", "error", NULL, "end", "*"},
     {"time", "error", NULL, "step", "adaptive"},
     {"load", "history", "time", "end", "*"},
+    {"speed", "mean", NULL, "history", "sine"},
     {"speed", "history", "time", "end", "*"},
     {"sliding", "history", "time", "end", "*"},
     {"supply", "thickness_1", NULL, "model", "film"},

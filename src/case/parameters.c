@@ -425,7 +425,9 @@ static const ovr_parameter table[] = {
      "stop when nothing changes any more"},
 
     HISTORY("load", AT(load), "1", 0, 100, 1),
-    HISTORY("speed", AT(speed), "1", 0, 100, 1),
+    HISTORY("speed", AT(speed), "1", -100, 100, 100),
+    {"speed", "mean", PLAIN(-100, 100), "1", IN_CHANGE(AT(speed), mean), true,
+     "sine: what it swings about; 0: it goes to and fro"},
     HISTORY("sliding", AT(sliding), NULL, -1e3, 1e3, 1e3),
 
     {"cavitation", "model", CHOICE(cavitations), "reynolds",

@@ -63,7 +63,7 @@ typedef struct ovr_section {
 /* How load or speed change. */
 typedef struct ovr_change {
     int history; /* ovr_history_kind */
-    double from, to, start, duration, amplitude, period;
+    double from, to, start, duration, amplitude, period, mean;
     const char *file;
     int time_unit;
 } ovr_change;

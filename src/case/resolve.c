@@ -468,6 +468,8 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     if (!status)
         status = ovr_resolve_refine(r, err);
     if (!status)
+        status = ovr_resolve_turning(r, err);
+    if (!status)
         return &r->setup;
     ovr_setup_free(&r->setup);
     return NULL;

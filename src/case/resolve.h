@@ -65,6 +65,12 @@ ovr_status ovr_resolve_heat(ovr_resolved *r, ovr_error *err);
 /* [domain] refine: refuses what does not go with it. */
 ovr_status ovr_resolve_refine(const ovr_resolved *r, ovr_error *err);
 
+/* [speed] below zero: refuses what does not go with it; makes the domain as
+ * long on both sides, where its ends are not given. */
+ovr_status ovr_resolve_turning(const ovr_resolved *r, ovr_error *err);
+ovr_status ovr_symmetric_domain(ovr_resolved *r, bool inlet, bool outlet,
+                                ovr_error *err);
+
 /* [cavitation], [supply] and [passes]. */
 ovr_status ovr_resolve_supply(ovr_resolved *r, const ovr_allocator *allocator,
                               ovr_error *err);

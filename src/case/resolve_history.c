@@ -13,8 +13,9 @@ enum { TABLE_MOST = 1000000 }; /* points */
 static const struct {
     const char *key, *kinds;
 } used[] = {
-    {"from", "rs"},     {"to", "rs"},    {"start", "ris"}, {"duration", "r"},
-    {"amplitude", "i"}, {"period", "i"}, {"file", "t"},    {"time_unit", "t"},
+    {"from", "rs"},    {"to", "rs"},       {"start", "ris"},
+    {"duration", "r"}, {"amplitude", "i"}, {"period", "i"},
+    {"mean", "i"},     {"file", "t"},      {"time_unit", "t"},
 };
 
 static const char *kind_name(int kind)
@@ -28,9 +29,12 @@ static ovr_status check_keys(const ovr_block *block, const ovr_change *change,
                              ovr_error *err)
 {
     for (size_t i = 0; i < sizeof used / sizeof used[0]; i++) {
+        const ovr_parameter *key = ovr_parameter_find(block->section,
+                                                      used[i].key);
+        if (!key) /* mean: of the speed alone */
+            continue;
         const ovr_slot *slot = ovr_block_get(block, used[i].key);
-        const char *initial =
-            ovr_parameter_find(block->section, used[i].key)->initial;
+        const char *initial = key->initial;
         bool changed = slot->given &&
                        (!initial || strcmp(slot->text, initial) != 0);
         if (changed && !strchr(used[i].kinds, "crist"[change->history]))
@@ -147,7 +151,11 @@ static ovr_status load_table(ovr_resolved *r, const ovr_block *block,
                              ovr_error *err)
 {
     bool sliding = strcmp(block->section->name, "sliding") == 0;
-    points p = {.least = sliding ? -1000 : 0, .most = sliding ? 1000 : 100};
+    bool speed = strcmp(block->section->name, "speed") == 0;
+    points p = {.least = sliding ? -1000
+                         : speed ? -100
+                                 : 0,
+                .most = sliding ? 1000 : 100};
     double unit;
     ovr_status status;
     if (!change->file)
@@ -191,6 +199,8 @@ ovr_status ovr_resolve_history(ovr_resolved *r, const char *section,
     form.period = change->period;
     if (strcmp(section, "sliding") == 0)
         of_sliding(r, &form);
+    if (strcmp(section, "speed") == 0)
+        form.mean = change->mean;
     if (check_keys(block, change, err))
         return OVR_BAD_INPUT;
     if (form.kind == OVR_HISTORY_CONSTANT)

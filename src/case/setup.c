@@ -7,6 +7,7 @@
 #include "case/feed.h"
 #include "case/resolve.h"
 #include "contact/starvation.h"
+#include "contact/turning.h"
 #include "simulation/internal.h"
 #include "surface/layer.h"
 
@@ -85,7 +86,7 @@ static ovr_contact thickest(const ovr_setup *s, double *Cw)
     for (int k = 0; k <= times; k++) {
         double T = end * k / times;
         double w = fmax(ovr_history_value(s->load, T), OVR_LEAST_START);
-        double u = fmax(ovr_history_value(s->speed, T), OVR_LEAST_START);
+        double u = fmax(fabs(ovr_history_value(s->speed, T)), OVR_LEAST_START);
         now.M = s->contact->M * w / sqrt(u);
         now.L = s->contact->L * sqrt(sqrt(u));
         if (ovr_film_central_moes(now.M, now.L) * w > thick) {
@@ -146,7 +147,7 @@ static ovr_status place_surfaces(ovr_resolved *r, bool usual,
 {
     ovr_setup *s = &r->setup;
     ovr_status status = make_anew(r, allocator, err);
-    if (status || !usual || !is_overrun(s))
+    if (status || !usual || ovr_history_turns(s->speed) || !is_overrun(s))
         return status;
     r->inlet_kept = s->options->inlet;
     s->options->inlet = OVR_USUAL_INLET;
@@ -206,11 +207,16 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
                              ovr_error *err)
 {
     ovr_resolved *r = (ovr_resolved *)setup;
-    bool usual = setup->options->inlet == 0;
+    const ovr_options *o = setup->options;
+    bool inlet = o->inlet < 0, usual = o->inlet == 0;
+    bool outlet = ovr_slot_of(r, "domain", "outlet")->given &&
+                  isfinite(o->outlet);
     ovr_status status;
     if (setup->nodes)
         return OVR_OK;
     choose_domain(setup);
+    if (ovr_symmetric_domain(r, inlet, outlet, err))
+        return OVR_BAD_INPUT;
     status = setup->options->level ? make_grid(r, usual, allocator, err)
                                    : choose_level(r, usual, allocator, err);
     if (!status)

@@ -130,6 +130,7 @@ _overroll_values() {
     speed.period) echo '' ;;
     speed.file) echo '' ;;
     speed.time_unit) echo 'b/um s ms us' ;;
+    speed.mean) echo '' ;;
     sliding.history) echo 'constant ramp sine step table' ;;
     sliding.from) echo '' ;;
     sliding.to) echo '' ;;
