@@ -181,10 +181,8 @@ OVR_API ovr_status ovr_profile_waves(const ovr_profile *profile, size_t most,
                                      ovr_profile_wave *waves, size_t *found,
                                      ovr_error *err);
 
-/* Amplitude of a small wave under the contact over its undeformed one, in
- * pure rolling: 1/(1 + 0.17 r + 0.03 r^2), r = wavelength M^(3/4) L^(-1/2),
- * wavelength in b (a fit to Venner, Couhier, Lubrecht & Greenwood 1997; a
- * guide).  0 for L = 0. */
+/* Amplitude of a wave under the contact over its undeformed one, in pure
+ * rolling, wavelength in b (src/surface/amplitude.c).  0 for L = 0. */
 OVR_API double ovr_wave_reduction(double M, double L, double wavelength);
 
 /* A length as people write it: "12 um", "0.3 b", "5".  `scaled` is the unit of

@@ -137,6 +137,22 @@ typedef struct ovr_stress_report {
     const char *no_traction; /* why without */
 } ovr_stress_report;
 
+/* What amplitude reduction says of rough surfaces that roll through, before
+ * anything is solved: heights in b^2/R, NAN where it says nothing.  Rq is the
+ * largest in a window of |X| < OVR_ROUGH_WINDOW of all that comes through. */
+typedef struct ovr_rough_film {
+    double Rq;       /* of the unloaded surfaces */
+    double film_Rq;  /* of the film under the contact */
+    double H_min;    /* the smallest film; 0: what is left is as high as it */
+    const char *why; /* it says nothing; or NULL */
+    const char *but; /* it is less sure than overroll(1) says; or NULL */
+} ovr_rough_film;
+
+/* Of a prepared setup, in milliseconds. */
+OVR_API ovr_status ovr_setup_rough_film(const ovr_setup *setup,
+                                        const ovr_allocator *allocator,
+                                        ovr_rough_film *film, ovr_error *err);
+
 /* Of a run at any moment. */
 typedef struct ovr_run_info {
     const ovr_setup *setup;
@@ -151,8 +167,9 @@ typedef struct ovr_run_info {
     const ovr_stress_report *stress[2]; /* of surface 1, 2; NULL: none */
     int warnings;                       /* so many were said, for reports */
     const char *const *warning;
-    double lambda_ratio; /* central film at the end over the composite Rq of
-                            both surfaces; NAN: smooth */
+    double lambda_ratio;     /* central film at the end over the composite Rq of
+                                both surfaces; NAN: smooth */
+    ovr_rough_film foreseen; /* what was said of its film before it */
     double shear_over_pressure; /* the film's largest shear stress over its
                                    pressure, where that is 0.2 ph at least, at
                                    the end; NAN: b/R is not known */
@@ -184,8 +201,12 @@ typedef void ovr_summary_taker(void *data, const ovr_summary_line *line);
 OVR_API void ovr_run_summary(const ovr_run_info *run, ovr_summary_taker *take,
                              void *data);
 
-/* The part of it about the scales of a contact; about the stresses below both
- * surfaces (either may be NULL), which are those of the worse one. */
+/* The part of it about what was foreseen; about the scales of a contact; about
+ * the stresses below both surfaces (either may be NULL), which are those of the
+ * worse one. */
+OVR_API void ovr_rough_film_summary(const ovr_rough_film *film,
+                                    const ovr_contact *contact,
+                                    ovr_summary_taker *take, void *data);
 OVR_API void ovr_contact_summary(const ovr_contact *contact,
                                  ovr_summary_taker *take, void *data);
 OVR_API void ovr_stress_summary(const ovr_stress_report *const report[2],

@@ -223,14 +223,19 @@ typedef struct ovr_state {
 } ovr_state;
 OVR_API const ovr_state *ovr_simulation_state(const ovr_simulation *sim);
 
+/* Half the width, in b, of what the film's roughness is seen in. */
+#define OVR_ROUGH_WINDOW 0.75
+
 /* What is observed after a solve or step; definitions in the manual. */
 typedef struct ovr_observation {
     double T, dT;
     double H_min, X_min;                 /* nodal */
     double H_min_located, X_min_located; /* parabola through three nodes */
     double H_cen;                        /* cubic about X = 0 */
-    double P_cen;                        /* the same for pressure */
-    double P_max, X_P_max;               /* nodal */
+    double film_Rq; /* of the film in |X| < OVR_ROUGH_WINDOW: rho H there about
+                       its mean, over the mean density; NAN: smooth surfaces */
+    double P_cen;   /* the same for pressure */
+    double P_max, X_P_max; /* nodal */
     double P_max_located, X_P_max_located;
     double P_spike, X_spike; /* nodal; the last maximum at X > 0 that stands
                                 more than 1e-3 above the lowest P between it
@@ -320,7 +325,8 @@ typedef enum ovr_axes {
 enum {
     OVR_PHYSICS_CONTENT = 1, /* oil is conserved */
     OVR_PHYSICS_HEAT = 2,    /* there are temperatures */
-    OVR_PHYSICS_REFINED = 4  /* there are patches of finer mesh */
+    OVR_PHYSICS_REFINED = 4, /* there are patches of finer mesh */
+    OVR_PHYSICS_FEATURES = 8 /* there is something on the surfaces */
 };
 OVR_API unsigned ovr_options_physics(const ovr_options *options);
 
@@ -354,6 +360,7 @@ typedef struct ovr_statistics {
     double H_min, X_H_min, T_H_min; /* smallest film, located as in the history;
                                        where and when */
     double P_max, X_P_max, T_P_max; /* largest pressure at a node */
+    double film_Rq;                 /* largest; NAN: smooth surfaces */
     double load_error, T_load_error; /* of largest magnitude */
     double mu_slide, T_mu_slide;
     /* heat, NAN without: largest rises of film and surfaces, defect of the

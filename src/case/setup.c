@@ -271,7 +271,8 @@ static double lying(const ovr_setup *s)
 unsigned ovr_setup_physics(const ovr_setup *setup)
 {
     return ovr_options_physics(setup->options) |
-           (setup->heat ? OVR_PHYSICS_HEAT : 0);
+           (setup->heat ? OVR_PHYSICS_HEAT : 0) |
+           (setup->features ? OVR_PHYSICS_FEATURES : 0);
 }
 
 void ovr_setup_feed(ovr_setup *setup, ovr_layer *layer[2], double waiting)

@@ -212,6 +212,23 @@ static void put_extreme(const char *name, double value, ovr_unit_kind kind,
     putchar('\n');
 }
 
+/* Beside what was said of it before it. */
+static void put_rough_film(const ovr_run_info *s)
+{
+    const ovr_rough_film *said = &s->foreseen;
+    double film_Rq = ovr_simulation_statistics(s->sim)->film_Rq;
+    if (!s->setup->features)
+        return;
+    put_value("film roughness", film_Rq, OVR_KIND_HEIGHT, s->setup->contact);
+    fputs("at most, Rq in |X| < 3/4\n", stdout);
+    if (said->why)
+        return;
+    printf("%-17s %-12.4g of %.4g on the surfaces, and a smallest film of "
+           "%.4g%s%s\n",
+           "  foreseen", said->film_Rq, said->Rq, said->H_min,
+           said->but ? "; less sure here: " : "", said->but ? said->but : "");
+}
+
 /* The whole run: what was extreme in it, and what it took. */
 static void table_run(const ovr_run_info *s)
 {
@@ -222,6 +239,7 @@ static void table_run(const ovr_run_info *s)
                 total->X_P_max, total->T_P_max, contact);
     put_extreme("smallest film", total->H_min, OVR_KIND_HEIGHT, total->X_H_min,
                 total->T_H_min, contact);
+    put_rough_film(s);
     put_extreme("load error", total->load_error, OVR_KIND_NUMBER, NAN,
                 total->T_load_error, contact);
     printf("%-17s %-12ld %ld cycles, %ld retries, %ld marked\n", "steps",

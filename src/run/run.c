@@ -86,6 +86,8 @@ ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
     run->info.lambda_ratio = NAN;
     run->info.shear_over_pressure = run->info.unbearable_share = NAN;
     run->info.sim = run->sim;
+    if (ovr_setup_rough_film(run->setup, allocator, &run->info.foreseen, err))
+        return OVR_NO_MEMORY;
     if (run->setup->stress->surfaces && !run->how.steady) {
         run->stress = ovr_run_stress_create(run->setup,
                                             ovr_simulation_state(run->sim),

@@ -63,6 +63,17 @@ void ovr_contact_summary(const ovr_contact *c, ovr_summary_taker *take,
     put_number(&to, "mean_speed_m_per_s", c->um);
 }
 
+void ovr_rough_film_summary(const ovr_rough_film *film, const ovr_contact *c,
+                            ovr_summary_taker *take, void *data)
+{
+    const taker to = {take, data};
+    put_both(&to, "surface_Rq", "surface_Rq_m", film->Rq, c->height);
+    put_both(&to, "film_Rq_foreseen", "film_Rq_foreseen_m", film->film_Rq,
+             c->height);
+    put_both(&to, "H_min_foreseen", "H_min_foreseen_m", film->H_min, c->height);
+    put_text(&to, "not_foreseen", film->why ? film->why : film->but);
+}
+
 /* All quantities that have a key, as they are at the end. */
 static void put_observed(const taker *to, const ovr_run_info *s)
 {
@@ -235,6 +246,8 @@ void ovr_run_summary(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     if (s->passes)
         put_passes(&to, s);
     put_extremes(&to, s);
+    if (s->setup->features)
+        ovr_rough_film_summary(&s->foreseen, s->setup->contact, take, data);
     if (s->transient)
         put_steps(&to, s);
     put_observed(&to, s);

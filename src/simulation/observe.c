@@ -12,6 +12,27 @@ double ovr_integral(const ovr_simulation *sim, const double *f)
     return sim->grids.kernels->gain(sim->now.n, sim->now.weights, f, NULL);
 }
 
+/* The root mean square of rho H, which neither compresses nor flows there, in
+ * the window about its mean, over the mean density. */
+static double film_roughness(const ovr_solution *now)
+{
+    double width = 0, content = 0, squares = 0, density = 0, mean;
+    for (size_t i = 0; i < now->n; i++) {
+        double w = now->weights[i], q = now->q[i];
+        if (!(fabs(now->X[i]) < OVR_ROUGH_WINDOW))
+            continue;
+        width += w;
+        content += w * q;
+        density += w * q / now->H[i];
+    }
+    mean = content / width;
+    for (size_t i = 0; i < now->n; i++)
+        if (fabs(now->X[i]) < OVR_ROUGH_WINDOW)
+            squares += now->weights[i] * (now->q[i] - mean) *
+                       (now->q[i] - mean);
+    return sqrt(squares * width) / density;
+}
+
 static void observe_film(const ovr_simulation *sim, ovr_observation *o)
 {
     const double *H = sim->now.H;
@@ -20,6 +41,7 @@ static void observe_film(const ovr_simulation *sim, ovr_observation *o)
     o->X_min = sim->now.X[low];
     o->X_min_located = ovr_vertex(sim->now.X, H, low, &o->H_min_located);
     o->H_cen = ovr_value_at(&sim->now, H, 0);
+    o->film_Rq = sim->heights ? film_roughness(&sim->now) : NAN;
     o->H0 = sim->grids.H0;
 }
 

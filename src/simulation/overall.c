@@ -28,6 +28,8 @@ void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
         s->X_H_min = o->X_min_located;
         s->T_H_min = o->T;
     }
+    if (first || o->film_Rq > s->film_Rq)
+        s->film_Rq = o->film_Rq;
     if (first || o->P_max > s->P_max) {
         s->P_max = o->P_max;
         s->X_P_max = o->X_P_max;
@@ -68,6 +70,11 @@ static const ovr_extreme table[] = {
     ROW("X_P_max_overall", "X_P_max_overall_m", LENGTH, false, X_P_max,
         "where that was"),
     ROW("T_P_max", "T_P_max_s", TIME, false, T_P_max, "when that was"),
+    {"film_Rq_max", "film_Rq_max_m",
+     "largest root mean square of the film about its mean in |x| < 3/4 b, over "
+     "the run",
+     OVR_KIND_HEIGHT, false, offsetof(ovr_statistics, film_Rq),
+     OVR_PHYSICS_FEATURES},
     ROW("load_error_max", NULL, NUMBER, true, load_error,
         "load error of largest magnitude over the run, relative to the "
         "nominal load"),

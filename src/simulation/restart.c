@@ -45,6 +45,7 @@ static const struct {
              PART("largest_pressure", statistics.P_max),
              PART("largest_pressure_place", statistics.X_P_max),
              PART("largest_pressure_time", statistics.T_P_max),
+             PART("largest_film_roughness", statistics.film_Rq),
              PART("largest_load_error", statistics.load_error),
              PART("largest_load_error_time", statistics.T_load_error),
              PART("largest_sliding_friction", statistics.mu_slide),

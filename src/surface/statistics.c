@@ -245,9 +245,3 @@ ovr_status ovr_profile_waves(const ovr_profile *profile, size_t most,
     ovr_arena_release(&arena);
     return status;
 }
-
-double ovr_wave_reduction(double M, double L, double wavelength)
-{
-    double r = wavelength * pow(M, 0.75) / sqrt(L);
-    return L > 0 ? 1 / (1 + r * (0.17 + 0.03 * r)) : 0;
-}

@@ -101,3 +101,41 @@ contains out '"text": "a \\"ä \\\\ \\ufffd\\""'
 if command -v python3 >/dev/null; then
     python3 -c 'import json; json.load(open("out"))' || fail 'not JSON'
 fi
+
+# Of rough surfaces that roll: what is foreseen, and the run's own beside it
+cat >rough.ini <<'EOF'
+[contact]
+M = 50
+L = 8
+radius = 10 mm
+modulus = 226 GPa
+[domain]
+level = 5
+[time]
+end = 3
+[feature ground]
+shape = wave
+amplitude = 0.005
+wavelength = 1
+grow = 1
+EOF
+expect 0 "$OVERROLL" check rough.ini
+contains out '^# roughness of the film +Rq = 0\.00[0-9]+ \(.* nm\) of 0\.003'
+contains out '^# smallest film +H = 0\.0[0-9]+ \(.* um\)'
+contains out '^#   foreseen by amplitude reduction'
+expect 0 "$OVERROLL" check rough.ini --json
+foreseen=$(sed -n 's/.*"film_Rq_foreseen": \(.*\),/\1/p' out)
+[ "$foreseen" != null ] || fail 'nothing is foreseen'
+contains out '"not_foreseen": null'
+expect 0 "$OVERROLL" run rough.ini
+contains out '^film roughness +0\.00[0-9]+ '
+contains out "^  foreseen +0\\.00[0-9]+ +of 0\\.003[0-9]+ on the surfaces"
+expect 0 "$OVERROLL" run rough.ini --json
+contains out "\"film_Rq_foreseen\": $foreseen"
+own=$(sed -n 's/.*"film_Rq_max": \(.*\),/\1/p' out)
+echo "$own $foreseen" | awk '{ exit !($1 > 0.8*$2 && $1 < 1.2*$2) }' ||
+    fail "film_Rq_max $own is far from what was foreseen, $foreseen"
+expect 0 "$OVERROLL" check rough.ini --set contact.M=10
+contains out 'film of rough surfaces +not foreseen: it was fitted to'
+expect 0 "$OVERROLL" check rough.ini --set contact.slide_to_roll=0.2
+contains out 'less sure here: the surfaces slide'

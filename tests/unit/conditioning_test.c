@@ -490,14 +490,6 @@ static void waves_are_found(void **state)
     ovr_profile_free(p);
 }
 
-static void master_curve(void **state)
-{
-    (void)state;
-    /* r = 0.5 20^(3/4) 10^(-1/2) = 1.4953 */
-    CHECK_CLOSE(ovr_wave_reduction(20, 10, 0.5), 0.75684, 1e-5);
-    CHECK_NEAR(ovr_wave_reduction(20, 0, 0.5), 0, 0);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -518,7 +510,6 @@ int main(void)
         cmocka_unit_test(Rz_is_the_mean_of_five_sampling_lengths),
         cmocka_unit_test(cutoffs_follow_from_the_length),
         cmocka_unit_test(waves_are_found),
-        cmocka_unit_test(master_curve),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The film of rough surfaces, before it is solved, by amplitude reduction
+ * (surface/amplitude.c): what rolls through the contact within the run is laid
+ * out along the surface, transformed, each wave reduced, and put together again
+ * to the roughness s that the film carries.  Then
+ *     film_Rq = the largest root mean square of s in a window,
+ *     H_min = smooth minimum film - 0.75 highest s:
+ * at the exit's constriction, where the film is thinnest, all that the film
+ * carries is lower as the film is, and long waves lower still (0.6 to 0.85
+ * in a dozen runs).
+ */
+#include <math.h>
+
+#include "base/arena.h"
+#include "overroll/run.h"
+#include "surface/amplitude.h"
+
+/* Samples of the surface: those before `first` and from `end` on lead up to
+ * what comes through. */
+typedef struct rolled {
+    size_t n, first, end;
+    double step;
+    double *X, *z;
+} rolled;
+
+static const double LEAD = 8; /* b; more than the inlet's length */
+static const double AT_EXIT = 0.75;
+enum { MOST = 1 << 17, LEAST_IN_WINDOW = 64 };
+
+static bool slides(const ovr_setup *s)
+{
+    return fabs(s->contact->u1_ratio - s->contact->u2_ratio) > 1e-6;
+}
+
+/* u/um of what is rough; NAN: two speeds. */
+static double speed(const ovr_setup *s)
+{
+    size_t n = ovr_surfaces_count(s->surfaces);
+    double u = ovr_surfaces_info(s->surfaces, 0).speed;
+    for (size_t k = 1; k < n; k++)
+        if (fabs(ovr_surfaces_info(s->surfaces, k).speed - u) > 1e-6)
+            return NAN;
+    return u;
+}
+
+static const char *refusal(const ovr_setup *s)
+{
+    const ovr_contact *c = s->contact;
+    if (!s->transient)
+        return "nothing rolls through a steady contact";
+    if (ovr_history_varies(s->load) || ovr_history_varies(s->speed))
+        return "load or speed change";
+    if (s->sliding)
+        return "the sliding changes";
+    if (isnan(speed(s)))
+        return "the surfaces slide, and both are rough";
+    if (!(speed(s) > 0))
+        return "the rough surface does not move with the film";
+    if (s->supply->film)
+        return "it holds for a flooded inlet";
+    if (!(c->M >= 20 && c->M <= 400 && c->L >= 4 && c->L <= 14))
+        return "it was fitted to 20 <= M <= 400, 4 <= L <= 14";
+    return NULL;
+}
+
+/* At the end of the run, what came to the contact's window first lies at its
+ * way from there. */
+static ovr_status lay_out(const ovr_setup *s, ovr_arena *arena, rolled *r,
+                          ovr_error *err)
+{
+    double way = speed(s) * s->march->end, from = -OVR_ROUGH_WINDOW - LEAD;
+    double length = way + 2 * OVR_ROUGH_WINDOW + 2 * LEAD;
+    r->step = fmin(s->mesh, OVR_ROUGH_WINDOW / LEAST_IN_WINDOW);
+    if (length > MOST * r->step)
+        length = MOST * r->step;
+    for (r->n = 64; (double)r->n * r->step < length;)
+        r->n *= 2;
+    r->X = ovr_arena_take(arena, r->n, sizeof *r->X, err);
+    r->z = ovr_arena_take(arena, r->n, sizeof *r->z, err);
+    if (!r->X || !r->z)
+        return OVR_NO_MEMORY;
+    for (size_t i = 0; i < r->n; i++)
+        r->X[i] = from + (double)i * r->step;
+    ovr_surfaces_heights(s->surfaces, s->march->end, r->n, r->X, r->z);
+    r->first = (size_t)(LEAD / r->step);
+    r->end = (size_t)((length - LEAD) / r->step);
+    return OVR_OK;
+}
+
+/* The largest of all windows. */
+static double largest_Rq(const rolled *r)
+{
+    size_t width = (size_t)(2 * OVR_ROUGH_WINDOW / r->step);
+    double sum = 0, squares = 0, most = 0, n = (double)width;
+    for (size_t i = r->first; i < r->end; i++) {
+        double in = r->z[i], out = i < r->first + width ? 0 : r->z[i - width];
+        sum += in - out;
+        squares += in * in - out * out;
+        if (i + 1 >= r->first + width)
+            most = fmax(most, squares / n - sum / n * (sum / n));
+    }
+    return sqrt(most);
+}
+
+static double highest(const rolled *r)
+{
+    double most = 0;
+    for (size_t i = r->first; i < r->end; i++)
+        most = fmax(most, r->z[i]);
+    return most;
+}
+
+static const char *reservation(const ovr_setup *s, const ovr_rough_film *film)
+{
+    size_t n = ovr_surfaces_count(s->surfaces);
+    if (slides(s))
+        return "the surfaces slide (overroll(1))";
+    for (size_t k = 0; k < n; k++)
+        if (!(ovr_surfaces_info(s->surfaces, k).Rq > 0))
+            return "single features are no waves";
+    return film->H_min > 0 ? NULL : "what is left is as high as the film";
+}
+
+static ovr_status predict(const ovr_setup *s, ovr_arena *arena,
+                          ovr_rough_film *film, ovr_error *err)
+{
+    const ovr_contact *c = s->contact;
+    ovr_film_fit smooth = ovr_film_fitted(c->M, c->L,
+                                          ovr_density(s->lubricant, 1));
+    rolled r;
+    ovr_status status = lay_out(s, arena, &r, err);
+    if (status)
+        return status;
+    film->Rq = largest_Rq(&r);
+    ovr_waves_reduce(c->M, c->L, r.step, r.n, r.z);
+    film->film_Rq = largest_Rq(&r);
+    film->H_min = fmax(0, smooth.minimum - AT_EXIT * highest(&r));
+    film->but = reservation(s, film);
+    return OVR_OK;
+}
+
+ovr_status ovr_setup_rough_film(const ovr_setup *setup,
+                                const ovr_allocator *allocator,
+                                ovr_rough_film *film, ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_status status = OVR_OK;
+    *film = (ovr_rough_film){NAN, NAN, NAN, "the surfaces are smooth", NULL};
+    if (setup->surfaces)
+        film->why = refusal(setup);
+    if (!film->why)
+        status = predict(setup, &arena, film, err);
+    ovr_arena_release(&arena);
+    return status;
+}

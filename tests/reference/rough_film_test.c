@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What amplitude reduction foresees of the film of rough surfaces, beside runs:
+ * a tenth of verify/rough_film_test.c, two levels coarser, whose films are
+ * within 0.03 of that. */
+#include <math.h>
+
+#include "support/rough.h"
+#include "support/test.h"
+
+static void films_are_foreseen(void **state)
+{
+    static const uint64_t seeds[] = {101, 104};
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        test_rough r = test_rough_run(seeds[k], 0, 6);
+        CHECK_OK(r.status, &r.err);
+        assert_null(r.said.why);
+        assert_null(r.said.but);
+        CHECK_CLOSE(r.film_Rq, r.said.film_Rq, 0.08);
+        CHECK_NEAR(r.H_min, r.said.H_min, 0.12 * r.smooth);
+        assert_true(r.film_Rq < 0.8 * r.said.Rq); /* pressed flatter */
+        assert_true(r.H_min < 0.95 * r.smooth);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(films_are_foreseen)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What amplitude reduction foresees of rough surfaces, beside the runs: 20
+ * random surfaces (support/rough.h) that roll, on which the errors that `check`
+ * and overroll(1) state are measured; and 20 that slide, for what is said of
+ * those.
+ */
+#include <math.h>
+#include <stdio.h>
+
+#include "support/rough.h"
+#include "support/test.h"
+
+typedef struct errors {
+    double Rq, H_min;        /* largest */
+    double low, high;        /* of the ratio of Rq */
+    double thinner, thicker; /* than foreseen, over the smooth film */
+} errors;
+
+static void compare(uint64_t seed, double slide, errors *most)
+{
+    test_rough r = test_rough_run(seed, slide, 8);
+    double ratio = r.film_Rq / r.said.film_Rq;
+    double film = (r.H_min - r.said.H_min) / r.smooth;
+    CHECK_OK(r.status, &r.err);
+    print_message("# seed %d: M %5.1f L %5.2f slide %4.1f Rq %.4g: film's "
+                  "%.4g, foreseen %.4g (%.3f); smallest film %.4g, foreseen "
+                  "%.4g (%+.3f of the smooth)\n",
+                  (int)seed, r.M, r.L, slide, r.said.Rq, r.film_Rq,
+                  r.said.film_Rq, ratio, r.H_min, r.said.H_min, film);
+    most->Rq = fmax(most->Rq, fabs(ratio - 1));
+    most->H_min = fmax(most->H_min, fabs(film));
+    most->low = fmin(most->low, ratio);
+    most->high = fmax(most->high, ratio);
+    most->thinner = fmax(most->thinner, -film);
+    most->thicker = fmax(most->thicker, film);
+}
+
+static void survey(uint64_t seed, int count, double slide, errors *most)
+{
+    *most = (errors){.low = INFINITY};
+    for (int k = 0; k < count; k++)
+        compare(seed + (uint64_t)k, slide, most);
+    print_message("# seeds %d on, %d surfaces, slide-to-roll ratio %g: Rq to "
+                  "%.3f (ratio %.2f to %.2f), smallest film to %.3f of the "
+                  "smooth one\n",
+                  (int)seed, count, slide, most->Rq, most->low, most->high,
+                  most->H_min);
+}
+
+/* The errors stated. */
+static void rolling(void **state)
+{
+    errors most;
+    (void)state;
+    survey(101, 20, 0, &most);
+    assert_true(most.Rq < 0.12);
+    assert_true(most.H_min < 0.12);
+}
+
+/* What is said of sliding. */
+static void sliding(void **state)
+{
+    static const double slide[] = {-1, -0.5, 0.5, 1};
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        errors most;
+        survey(201, 5, slide[k], &most);
+        assert_true(most.low > 0.78 && most.high < 1.22);
+        assert_true(most.thinner < 0.025 && most.thicker < 0.22);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rolling),
+        cmocka_unit_test(sliding),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
