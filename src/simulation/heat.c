@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Heat in a steady contact (equations in heat.h). */
 #include "simulation/heat_in_time.h"
+#include "simulation/heat_turns.h"
 
 #include <math.h>
 #include <string.h>
@@ -92,7 +93,8 @@ ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
     if (take_arrays(sim, h, err))
         return OVR_NO_MEMORY;
     sim->heated = h;
-    if (ovr_heat_film_take(sim, err) || ovr_heat_steps_take(sim, err))
+    if (ovr_heat_film_take(sim, err) || ovr_heat_turns_take(sim, err) ||
+        ovr_heat_steps_take(sim, err))
         return OVR_NO_MEMORY;
     remember(sim);
     return OVR_OK;

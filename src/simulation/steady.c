@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "simulation/heat_in_time.h"
+#include "simulation/heat_turns.h"
 #include "simulation/mirror.h"
 #include "simulation/refined.h"
 
@@ -205,30 +206,25 @@ static ovr_defect solve(ovr_simulation *sim, const ovr_full *how, int *cycles)
     return solve_and_correct(sim, how, cycles);
 }
 
-/* Temperatures and film in turn, from the isothermal film, until neither
- * changes; the share is lowered where changes grow. */
+/* From the isothermal film, until neither changes. */
 static void solve_heat(ovr_simulation *sim, const ovr_full *how,
                        ovr_outcome *outcome)
 {
     enum { TURNS = 100 };
     const double enough = 3e-5;
-    double share = fabs(sim->heated->V) < 1 ? 0.6 : 0.35, before = INFINITY;
-    bool done = false;
-    for (int k = 0; k < TURNS && !done; k++) {
+    double change = INFINITY;
+    ovr_heat_turns_begin(sim);
+    for (int k = 0; k < TURNS && !(change < enough); k++) {
         ovr_heat_march(sim);
-        double change = ovr_heat_relax(sim, share);
-        if (change > before && share > 0.1)
-            share *= 0.7;
-        done = change < enough;
-        before = change;
+        change = ovr_heat_turn(sim);
         ovr_heat_apply(sim);
         outcome->defect = finish(sim, how, &outcome->cycles);
         ovr_simulation_read(sim);
         if (!(outcome->defect.imbalance < 1e6))
             break;
     }
-    if (!done)
-        outcome->defect.imbalance = fmax(outcome->defect.imbalance, before);
+    if (!(change < enough))
+        outcome->defect.imbalance = fmax(outcome->defect.imbalance, change);
     if (!sim->finest->closed)
         sim->arrival.flooded = outcome->defect.centre;
 }

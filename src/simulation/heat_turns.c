@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Temperatures and film in turn (equations in heat_turns.h). */
+#include "simulation/heat_turns.h"
+
+#include <math.h>
+
+#include "simulation/heat.h"
+
+ovr_status ovr_heat_turns_take(ovr_simulation *sim, ovr_error *err)
+{
+    ovr_heated *h = sim->heated;
+    ovr_heat_turns *t = ovr_arena_take(&sim->arena, 1, sizeof *t, err);
+    size_t n = sim->now.n;
+    if (!t)
+        return OVR_NO_MEMORY;
+    h->turns = t;
+    for (int k = 0; k < OVR_TURNS_KEPT; k++)
+        for (int j = 0; j < h->across.n; j++) {
+            t->u[k][j] = ovr_arena_take(&sim->arena, n, sizeof(double), err);
+            t->r[k][j] = ovr_arena_take(&sim->arena, n, sizeof(double), err);
+            if (!t->u[k][j] || !t->r[k][j])
+                return OVR_NO_MEMORY;
+        }
+    return OVR_OK;
+}
+
+void ovr_heat_turns_begin(ovr_simulation *sim)
+{
+    ovr_heat_turns *t = sim->heated->turns;
+    t->kept = 0;
+    t->w = fabs(sim->heated->V) < 1 ? 0.6 : 0.35;
+    t->change = INFINITY;
+}
+
+/* ------------------------------------------------------ Anderson's method */
+
+/* Normal equations of the g; A is symmetric. */
+typedef struct least {
+    double A[OVR_TURNS_KEPT][OVR_TURNS_KEPT], b[OVR_TURNS_KEPT];
+} least;
+
+static void add_node(const ovr_heated *h, size_t i, least *l)
+{
+    const ovr_heat_turns *t = h->turns;
+    for (int j = 0; j < h->across.n; j++) {
+        double r = h->T[j][i] - h->used[j][i], d[OVR_TURNS_KEPT] = {0};
+        for (int k = 0; k < t->kept; k++) {
+            d[k] = r - t->r[k][j][i];
+            l->b[k] += d[k] * r;
+            for (int m = 0; m <= k; m++)
+                l->A[k][m] += d[k] * d[m];
+        }
+    }
+}
+
+/* By Cholesky's method; what is nearly dependent on turns after it is left
+ * out. */
+static void solve(int n, least *l, double *g)
+{
+    const double least_part = 1e-10;
+    for (int k = 0; k < n; k++) {
+        double whole = l->A[k][k];
+        for (int m = 0; m <= k; m++) {
+            for (int i = 0; i < m; i++)
+                l->A[k][m] -= l->A[k][i] * l->A[m][i];
+            if (m < k)
+                l->A[k][m] = l->A[m][m] > 0 ? l->A[k][m] / l->A[m][m] : 0;
+        }
+        l->A[k][k] = l->A[k][k] > least_part * whole ? sqrt(l->A[k][k]) : 0;
+        g[k] = l->b[k];
+        for (int m = 0; m < k; m++)
+            g[k] -= l->A[k][m] * g[m];
+        g[k] = l->A[k][k] > 0 ? g[k] / l->A[k][k] : 0;
+    }
+    for (int k = n - 1; k >= 0; k--) {
+        for (int m = k + 1; m < n; m++)
+            g[k] -= l->A[m][k] * g[m];
+        g[k] = l->A[k][k] > 0 ? g[k] / l->A[k][k] : 0;
+    }
+}
+
+/* Room for this turn before the others; that of the last is used again. */
+static void keep(ovr_heat_turns *t, int points)
+{
+    const int last = OVR_TURNS_KEPT - 1;
+    for (int j = 0; j < points; j++) {
+        double *u = t->u[last][j], *r = t->r[last][j];
+        for (int k = last; k > 0; k--) {
+            t->u[k][j] = t->u[k - 1][j];
+            t->r[k][j] = t->r[k - 1][j];
+        }
+        t->u[0][j] = u;
+        t->r[0][j] = r;
+    }
+    if (t->kept < OVR_TURNS_KEPT)
+        t->kept++;
+}
+
+/* Keeps this turn and makes the next u of it and of those before. */
+static void move(ovr_heated *h, size_t n, const double *g)
+{
+    const double most = 0.5, few = 10;
+    ovr_heat_turns *t = h->turns;
+    int before = t->kept;
+    keep(t, h->across.n);
+    for (int j = 0; j < h->across.n; j++)
+        for (size_t i = 0; i < n; i++) {
+            double u = h->used[j][i], r = h->T[j][i] - u, step = t->w * r;
+            double limit = most * fabs(u) + few;
+            for (int k = 0; k < before; k++) {
+                int at = (k + 1) % OVR_TURNS_KEPT; /* where it is now */
+                step += g[k] *
+                        (t->u[at][j][i] - u + t->w * (t->r[at][j][i] - r));
+            }
+            t->u[0][j][i] = u;
+            t->r[0][j][i] = r;
+            h->used[j][i] = u + fmax(-limit, fmin(step, limit));
+        }
+}
+
+/* ---------------------------------------------------------------- a turn */
+
+static double largest_rest(const ovr_heated *h, size_t n)
+{
+    double rest = 0, rise = 1e-300;
+    for (int j = 0; j < h->across.n; j++)
+        for (size_t i = 0; i < n; i++) {
+            rest = fmax(rest, fabs(h->T[j][i] - h->used[j][i]));
+            rise = fmax(rise, fabs(h->T[j][i]));
+        }
+    return rest / rise;
+}
+
+double ovr_heat_turn(ovr_simulation *sim)
+{
+    const double small = 0.1, grows = 2, lower = 0.7, least_w = 0.1;
+    ovr_heated *h = sim->heated;
+    ovr_heat_turns *t = h->turns;
+    double change = largest_rest(h, sim->now.n), g[OVR_TURNS_KEPT] = {0};
+    least l = {0};
+    if (!t->kept && change > t->change && t->w > least_w)
+        t->w *= lower;
+    if (change > small || change > grows * t->change)
+        t->kept = 0;
+    t->change = change;
+    for (size_t i = 0; t->kept && i < sim->now.n; i++)
+        add_node(h, i, &l);
+    solve(t->kept, &l, g);
+    move(h, sim->now.n, g);
+    return change;
+}
