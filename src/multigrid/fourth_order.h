@@ -62,8 +62,8 @@ void ovr_fourth_thinning(const ovr_hierarchy *grids, const ovr_level *level,
  * cycle, correct, cycle, ...  The mask is set by the first three corrections
  * and stays (set again by each it can leave a limit cycle).  The residual falls
  * by a third a cycle, as the wedge at the shortest wave is corrected by 4/3.
- * False when the eighth correction has not brought the residual of the first to
- * a fifth, or the tolerance is not reached: F, gap and the pressures are then
+ * False when the eighth correction has not brought the largest residual to a
+ * fifth, or the tolerance is not reached: F, gap and the pressures are then
  * worth nothing.  Adds to the number of cycles.
  */
 bool ovr_fourth_solve(ovr_hierarchy *grids, const ovr_correction *c,

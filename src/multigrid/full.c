@@ -147,17 +147,18 @@ static ovr_full_status cycle_until_done(const nested *a, ovr_level *level)
     bool finest = level->number == a->grids->finest;
     int most = finest || how->fixed ? how->most_cycles : ON_THE_WAY;
     ovr_full_status c = {.defect = ovr_cycle_defect(a->grids, level)};
-    double first = c.defect.imbalance;
+    double largest = c.defect.imbalance;
     while (c.cycles < most && c.defect.imbalance < 1e6) {
         double before = c.defect.imbalance;
         if ((!how->fixed && c.cycles >= how->least_cycles &&
              is_done(a, level, c.defect)) ||
-            (c.cycles && c.cycles == how->trial && !(before <= 0.2 * first)))
+            (c.cycles && c.cycles == how->trial && !(before <= 0.2 * largest)))
             break;
         report(a, level, OVR_FULL_CYCLES, &c);
         ovr_cycle(a->grids, level, how->cycling);
         c.defect = ovr_cycle_defect(a->grids, level);
         c.factor = c.defect.imbalance / before;
+        largest = fmax(largest, c.defect.imbalance);
         c.cycles++;
     }
     *a->cycles += c.cycles;

@@ -144,6 +144,8 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
     if (take_band(&grids->band, room, arena, err) ||
         take_natural(grids, grids->level[grids->ordered].grid.n, arena, err))
         return OVR_NO_MEMORY;
+    double end = fmax(fmax(-X_a, X_b) / 4, 1);
+    grids->band.reach = end * end;
     grids->scratch[0] = grids->band.b[0];
     grids->scratch[1] = grids->band.b[1];
     ovr_hierarchy_kernels(grids, grids->kernels);

@@ -51,6 +51,7 @@ typedef struct ovr_weights {
 typedef struct ovr_band {
     double *b[5];  /* rows of the pentadiagonal system, b[d + 2] */
     double *delta; /* right-hand side, then solution */
+    double reach;  /* (X/4)^2 of the far end, 1 at least: band.kernel.c */
 } ovr_band;
 
 /* How a change delta_j of the line relaxation is shared with P_{j-1} and

@@ -65,7 +65,7 @@ static void automatic_domains(void **state)
     printf("largest %.3g, %d of %d without fourth order\n", worst, lower,
            LOADS * MATERIALS);
     assert_true(worst < 3e-4);
-    assert_true(lower <= 6);
+    assert_true(lower <= 2);
 }
 
 /* Losses of less than 2e-5 are left out: meshes do not show them. */
