@@ -226,13 +226,17 @@ static double supply_of(const shares *s, const ovr_level *level, int finest)
     return s->q * (1 - error);
 }
 
-ovr_defect ovr_starve(ovr_hierarchy *grids, const ovr_full *how, double q,
-                      int *cycles)
+/* By nested iteration from the start level, where the flooded solution is found
+ * anew. */
+static ovr_defect nested(ovr_hierarchy *grids, const ovr_full *how, double q,
+                         double flow, int *cycles)
 {
     const double limit = how->cycling.newton_limit;
     ovr_level *level = &grids->level[grids->finest];
-    double flow = ovr_content_leaving(level), here, before;
+    double here, before;
     ovr_defect d;
+    grids->supplied = false;
+    ovr_content_open(level);
     level = start_level(grids, level->force, limit);
     grids->supplied = true;
     here = central_flow(level);
@@ -257,4 +261,51 @@ ovr_defect ovr_starve(ovr_hierarchy *grids, const ovr_full *how, double q,
     return level->number == grids->finest && d.imbalance > 0
                ? solve(grids, how, level, cycles)
                : d;
+}
+
+/* ------------------------------------------------------ just below flooded */
+
+/* A little more supply on the finest level. */
+static void raise_supply(ovr_hierarchy *grids, ovr_level *level, double before,
+                         double q)
+{
+    grids->H0 += (q / before - 1) * ovr_level_centre(level, level->f.H);
+    fill_dry(level, q);
+    close_inlet(grids, level, q);
+}
+
+/* From nine tenths of it, by a quarter of what lacks to the flooded flow each
+ * time: the meniscus of almost all of it is far out in a gap that hardly
+ * narrows, and moves by many meshes for a little supply. */
+static ovr_defect approach(ovr_hierarchy *grids, const ovr_full *how,
+                           double wanted, double flow, int *cycles)
+{
+    const double from = 0.9, part = 0.25, beyond = 1.0025;
+    ovr_level *level = &grids->level[grids->finest];
+    double q = from * wanted;
+    ovr_defect d = nested(grids, how, q, flow, cycles);
+    while (q < wanted &&
+           ovr_below(d, how->tolerance(how->data, level, d.centre))) {
+        double next = fmin(wanted, q + part * (beyond * flow - q));
+        raise_supply(grids, level, q, next);
+        d = solve(grids, how, level, cycles);
+        q = next;
+    }
+    if (q < wanted) /* not that of this supply */
+        d.imbalance = INFINITY;
+    return d;
+}
+
+ovr_defect ovr_starve(ovr_hierarchy *grids, const ovr_full *how, double q,
+                      int *cycles)
+{
+    ovr_level *level = &grids->level[grids->finest];
+    double flow = ovr_content_leaving(level), H0 = grids->H0;
+    ovr_level_read(grids, level, level->f.P, how->saved);
+    ovr_defect d = nested(grids, how, q, flow, cycles);
+    if (ovr_below(d, how->tolerance(how->data, level, d.centre)))
+        return d;
+    ovr_level_write(grids, level, how->saved, level->f.P);
+    grids->H0 = H0;
+    return approach(grids, how, q, flow, cycles);
 }

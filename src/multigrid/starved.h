@@ -10,6 +10,8 @@
  * A coarse grid's flooded flow is not the finest's (half of it at M = 200 and
  * 225 nodes), so the supply of a level is the same share of its own flooded
  * flow, q_l = q (1 - c 4^-l), c by the flows of the coarsest and the finest.
+ * Where that fails, just below the flooded flow, the last tenth of the supply
+ * is added on the finest level, in steps.
  */
 #ifndef OVR_MULTIGRID_STARVED_H
 #define OVR_MULTIGRID_STARVED_H

@@ -61,8 +61,7 @@ static void steady_contacts(void **state)
     printf("120 steady contacts: %d by the first way, %d by the second, %d by "
            "the third\n",
            ways[1], ways[2], ways[3]);
-    /* M 50, L 2.5 at 0.99: known to stall on levels 6 to 8 */
-    assert_true(failed <= 1);
+    assert_true(failed == 0);
 }
 
 int main(void)
