@@ -9,6 +9,7 @@
 #include "overroll/heat.h"
 #include "overroll/memory.h"
 #include "overroll/oil.h"
+#include "overroll/parts.h"
 #include "overroll/pictures.h"
 #include "overroll/profile.h"
 #include "overroll/results.h"

@@ -167,20 +167,6 @@ const ovr_slot *ovr_slot_of(const ovr_resolved *r, const char *section,
     return ovr_block_get(ovr_block_of(r, section), key);
 }
 
-ovr_status ovr_refuse(const ovr_resolved *r, size_t count,
-                      const ovr_pairing pairs[], const char *with,
-                      ovr_error *err)
-{
-    for (size_t k = 0; k < count; k++)
-        if (pairs[k].refused) {
-            const ovr_slot *slot = ovr_slot_of(r, pairs[k].section,
-                                               pairs[k].key);
-            return ovr_fail_slot(err, slot, "%s does not go with %s; %s does",
-                                 slot->text, with, pairs[k].right);
-        }
-    return OVR_OK;
-}
-
 static ovr_status fill_section(ovr_resolved *r, const char *section,
                                ovr_error *err)
 {
@@ -466,9 +452,7 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     if (!status)
         status = ovr_resolve_stress(r, err);
     if (!status)
-        status = ovr_resolve_refine(r, err);
-    if (!status)
-        status = ovr_resolve_turning(r, err);
+        status = ovr_resolve_parts(r, err);
     if (!status)
         return &r->setup;
     ovr_setup_free(&r->setup);

@@ -28,18 +28,6 @@ const ovr_block *ovr_block_of(const ovr_resolved *r, const char *section);
 const ovr_slot *ovr_slot_of(const ovr_resolved *r, const char *section,
                             const char *key);
 
-/* What is refused beside something else of the case, and what is right. */
-typedef struct ovr_pairing {
-    const char *section, *key;
-    bool refused;
-    const char *right;
-} ovr_pairing;
-
-/* Fails with the first of them that is refused beside `with`. */
-ovr_status ovr_refuse(const ovr_resolved *r, size_t count,
-                      const ovr_pairing pairs[], const char *with,
-                      ovr_error *err);
-
 /* Puts the values of a block into the struct its rows point into, physical
  * numbers scaled by the contact. */
 ovr_status ovr_block_fill(ovr_resolved *r, const ovr_block *block, void *into,
@@ -62,12 +50,9 @@ ovr_status ovr_resolve_oil(ovr_resolved *r, ovr_error *err);
 /* [heat], and the options that go with it. */
 ovr_status ovr_resolve_heat(ovr_resolved *r, ovr_error *err);
 
-/* [domain] refine: refuses what does not go with it. */
-ovr_status ovr_resolve_refine(const ovr_resolved *r, ovr_error *err);
+/* Refuses parts of the case that do not go together. */
+ovr_status ovr_resolve_parts(const ovr_resolved *r, ovr_error *err);
 
-/* [speed] below zero: refuses what does not go with it; makes the domain as
- * long on both sides, where its ends are not given. */
-ovr_status ovr_resolve_turning(const ovr_resolved *r, ovr_error *err);
 ovr_status ovr_symmetric_domain(ovr_resolved *r, bool inlet, bool outlet,
                                 ovr_error *err);
 

@@ -6,17 +6,6 @@
 
 static const double S0_USUAL = 1.1; /* of mineral oils */
 
-/* What heat is not there for. */
-static ovr_status check(const ovr_resolved *r, ovr_error *err)
-{
-    const ovr_options *o = &r->values.options;
-    const ovr_block *domain = ovr_block_of(r, "domain");
-    if (o->order == 4)
-        return ovr_fail_slot(err, ovr_block_get(domain, "order"),
-                             "heat goes with order 2");
-    return OVR_OK;
-}
-
 /* -d ln eta/dT at the oil's temperature where its data sheet knows two
  * viscosities: that of nu, and of the density. */
 static double fall_of_viscosity(const ovr_resolved *r)
@@ -50,9 +39,8 @@ ovr_status ovr_resolve_heat(ovr_resolved *r, ovr_error *err)
     ovr_error why = {0};
     if (!v->heat_model)
         return OVR_OK;
-    if (check(r, err))
-        return OVR_BAD_INPUT;
-    v->options.order = 2;
+    if (!v->options.order)
+        v->options.order = 2;
     if (v->scheme < 0)
         v->options.scheme = OVR_UPSTREAM2;
     form->temperature = v->oil.temperature;

@@ -1,26 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* [cavitation], [supply] and [passes]: what goes with conserved oil, and the
- * film that arrives. */
+/* [cavitation], [supply] and [passes]: the film that arrives. */
 #include <math.h>
 
 #include "case/resolve.h"
 #include "surface/layer.h"
-
-/* Written values that do not conserve oil; what is not written gives way. */
-static ovr_status check_solver(const ovr_resolved *r, ovr_error *err)
-{
-    const ovr_options *o = &r->values.options;
-    const ovr_pairing pairs[] = {
-        {"time", "scheme", r->values.scheme == OVR_CHARACTERISTIC,
-         "upstream2 or upstream1"},
-        {"domain", "order", o->order == 4, "2"},
-        {"paper", "smoother", o->smoother != OVR_LINE, "line"},
-        {"paper", "paper_balance", o->paper_balance, "no"},
-        {"solver", "stop", o->stop == OVR_STOP_FIXED,
-         "negligible or truncation"}};
-    return ovr_refuse(r, sizeof pairs / sizeof *pairs, pairs,
-                      "[cavitation] model = conserving", err);
-}
 
 /* What a flooded contact has no use for. */
 static ovr_status check_flooded(const ovr_resolved *r, ovr_error *err)
@@ -108,13 +91,9 @@ ovr_status ovr_resolve_supply(ovr_resolved *r, const ovr_allocator *allocator,
 {
     ovr_settings *v = &r->values;
     ovr_supply_setup *s = &r->supply;
-    bool conserving = v->options.cavitation == OVR_CAVITATION_CONSERVING;
-    ovr_status status = OVR_OK;
-    if (conserving)
-        status = check_solver(r, err);
+    ovr_status status;
     s->film = v->supply_model != 0;
-    if (!status)
-        status = s->film ? check_film(r, err) : check_flooded(r, err);
+    status = s->film ? check_film(r, err) : check_flooded(r, err);
     if (!status)
         status = ovr_resolve_history(r, "supply", &v->supply, allocator,
                                      &s->history, err);

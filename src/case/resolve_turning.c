@@ -1,23 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* [speed] below zero: what goes with a mean speed that reverses, and the
- * domain for it (simulation/mirror.h). */
+/* [speed] below zero: the domain of a mean speed that reverses
+ * (simulation/mirror.h). */
 #include <math.h>
 
 #include "case/resolve.h"
 #include "contact/turning.h"
-
-ovr_status ovr_resolve_turning(const ovr_resolved *r, ovr_error *err)
-{
-    const ovr_options *o = &r->values.options;
-    const ovr_pairing pairs[] = {
-        {"cavitation", "model", o->cavitation != OVR_CAVITATION_REYNOLDS,
-         "reynolds"},
-        {"heat", "model", r->setup.heat != NULL, "none"}};
-    if (!ovr_history_turns(r->setup.speed))
-        return OVR_OK;
-    return ovr_refuse(r, sizeof pairs / sizeof *pairs, pairs,
-                      "a [speed] that reverses", err);
-}
 
 ovr_status ovr_symmetric_domain(ovr_resolved *r, bool inlet, bool outlet,
                                 ovr_error *err)

@@ -9,6 +9,7 @@
 #include "contact/starvation.h"
 #include "contact/turning.h"
 #include "simulation/internal.h"
+#include "simulation/refined.h"
 #include "surface/layer.h"
 
 static double memory_here(void)
@@ -188,7 +189,8 @@ static ovr_status choose_level(ovr_resolved *r, bool usual,
     ovr_setup *s = &r->setup;
     const ovr_options wanted = *s->options;
     ovr_status status = OVR_OK;
-    int level = wanted.coarsest_level > LEAST ? wanted.coarsest_level : LEAST;
+    int least = wanted.refine ? OVR_LEAST_REFINED : LEAST;
+    int level = wanted.coarsest_level > least ? wanted.coarsest_level : least;
     s->expected = INFINITY;
     for (; !status && s->expected > s->accuracy && level <= MOST; level++) {
         double inlet = s->options->inlet;

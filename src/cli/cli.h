@@ -102,4 +102,9 @@ const cli_verb *cli_find_verb(const char *name);
 /* Help of one verb: usage, summary, options. */
 void cli_print_help(const cli_verb *verb, FILE *to);
 
+/* What does not go together, on standard output: as a topic of help, which
+ * returns CLI_DONE; as a part of overroll-case(5). */
+int cli_help_pairs(void);
+void cli_roff_pairs(void);
+
 #endif

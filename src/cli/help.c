@@ -43,6 +43,7 @@ static int list_topics(void)
         put_wrapped(ovr_section_help(k));
     }
     puts("\noverroll help units    how numbers and units are written\n"
+         "overroll help pairs    what does not go together, and why\n"
          "overroll help KEY      one key of the case file");
     return CLI_DONE;
 }
@@ -188,6 +189,7 @@ static int roff(void)
                 roff_parameter(&p);
         }
     }
+    cli_roff_pairs();
     return CLI_DONE;
 }
 
@@ -275,6 +277,8 @@ static int run(cli_call *call)
         cli_print_help(verb, stdout);
     else if (!strcmp(topic, "units"))
         return help_units();
+    else if (!strcmp(topic, "pairs"))
+        return cli_help_pairs();
     else if (!help_section(topic) && !help_key(topic))
         return no_topic(call, topic);
     return CLI_DONE;

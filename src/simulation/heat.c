@@ -2,6 +2,7 @@
 /* Heat in a steady contact (equations in heat.h). */
 #include "simulation/heat_in_time.h"
 #include "simulation/heat_turns.h"
+#include "simulation/parts.h"
 
 #include <math.h>
 #include <string.h>
@@ -15,11 +16,10 @@ static const double LEAST_SPEED = 0.02;
 
 static ovr_status check(const ovr_simulation *sim, ovr_error *err)
 {
-    const ovr_options *o = &sim->options;
-    if (o->order == 4)
-        return ovr_fail_about(err, "order", "order: heat goes with order 2");
-    if (o->refine != OVR_REFINE_NONE)
-        return ovr_fail_about(err, "refine", "refine: heat goes without");
+    if (ovr_parts_check(ovr_parts_of(&sim->options) |
+                            ovr_part_bit(OVR_PART_HEAT, true),
+                        err))
+        return OVR_BAD_INPUT;
     if (!(sim->contact.u1_ratio >= 0 && sim->contact.u2_ratio >= 0))
         return ovr_fail_about(err, "slide_to_roll",
                               "slide_to_roll: heat wants both surfaces to move "

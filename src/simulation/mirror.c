@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "contact/turning.h"
+#include "simulation/parts.h"
 
 void ovr_turn(ovr_simulation *sim, double T)
 {
@@ -35,14 +36,11 @@ ovr_status ovr_check_turning(const ovr_simulation *sim, ovr_error *err)
     const double X_a = sim->options.inlet, X_b = sim->options.outlet;
     if (!ovr_history_turns(sim->speed))
         return OVR_OK;
-    if (ovr_conserves(sim))
-        return ovr_fail_about(err, "cavitation",
-                              "a mean speed that reverses goes with cavitation "
-                              "by Reynolds only: conserved oil keeps its inlet "
-                              "on the left");
-    if (sim->heated)
-        return ovr_fail_about(err, "heat",
-                              "a mean speed that reverses goes without heat");
+    if (ovr_parts_check(ovr_parts_of(&sim->options) |
+                            ovr_part_bit(OVR_PART_HEAT, sim->heated != NULL) |
+                            ovr_part_bit(OVR_PART_REVERSAL, true),
+                        err))
+        return OVR_BAD_INPUT;
     if (fabs(X_a + X_b) > 1e-12 * X_b)
         return ovr_fail_about(err, "outlet",
                               "domain [%g, %g]: a mean speed that reverses "

@@ -5,6 +5,8 @@
 #include "base/sized.h"
 #include "contact/starvation.h"
 #include "simulation/internal.h"
+#include "simulation/parts.h"
+#include "simulation/refined.h"
 
 void ovr_options_fill(ovr_options *options)
 {
@@ -189,9 +191,10 @@ static ovr_status check(const ovr_options *o, ovr_error *err)
 /* Where the corrections of fourth order apply. */
 static bool corrects(const ovr_options *o)
 {
-    return ovr_scheme_record(o->scheme)->order == 2 &&
-           o->smoother == OVR_LINE && o->stop != OVR_STOP_FIXED &&
-           !o->paper_balance && o->cavitation == OVR_CAVITATION_REYNOLDS;
+    ovr_options with = *o;
+    with.order = 4;
+    with.refine = OVR_REFINE_NONE;
+    return !ovr_parts_conflict(ovr_parts_of(&with));
 }
 
 static ovr_status check_order(const ovr_options *o, ovr_error *err)
@@ -199,30 +202,21 @@ static ovr_status check_order(const ovr_options *o, ovr_error *err)
     if (o->order != 0 && o->order != 2 && o->order != 4)
         return ovr_fail(err, OVR_BAD_INPUT, "order = %d: 2 or 4 are possible",
                         o->order);
-    if (o->order == 4 && !corrects(o))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "order = 4 goes with the schemes upstream2 and "
-                        "characteristic, the line smoother and cycles until "
-                        "a tolerance is reached; else order = 2");
     return OVR_OK;
 }
 
-/* Patches need a grid with room for the first of them, and memory for the
- * last. */
-enum { LEAST_REFINED = 6, MOST_REFINED = 22 };
-
 static ovr_status check_refine_level(const ovr_options *o, ovr_error *err)
 {
-    if (o->level < LEAST_REFINED || o->level >= MOST_REFINED)
-        return ovr_fail_about(err, "level",
-                              "level %d: refine goes with levels %d to %d",
-                              o->level, LEAST_REFINED, MOST_REFINED - 1);
+    if (o->level < OVR_LEAST_REFINED || o->level >= OVR_MOST_REFINED)
+        return ovr_fail_about(
+            err, "level", "level %d: refine goes with levels %d to %d",
+            o->level, OVR_LEAST_REFINED, OVR_MOST_REFINED - 1);
     if (o->refine_level &&
-        (o->refine_level <= o->level || o->refine_level > MOST_REFINED))
+        (o->refine_level <= o->level || o->refine_level > OVR_MOST_REFINED))
         return ovr_fail_about(err, "refine_level",
                               "refine_level %d: above the level, %d, and %d at "
                               "most",
-                              o->refine_level, o->level, MOST_REFINED);
+                              o->refine_level, o->level, OVR_MOST_REFINED);
     if (!(o->refine_change >= 0 && o->refine_change < 1))
         return ovr_fail_about(err, "refine_change",
                               "refine_change %g: above 0 and below 1, or 0, "
@@ -238,37 +232,7 @@ static ovr_status check_refine(const ovr_options *o, ovr_error *err)
     if (o->refine != OVR_REFINE_SPIKE)
         return ovr_fail_about(err, "refine", "refine %d: 0 and 1 are possible",
                               (int)o->refine);
-    if (!corrects(o))
-        return ovr_fail_about(err, "refine",
-                              "refine goes with the schemes upstream2 and "
-                              "characteristic, cavitation by Reynolds, the "
-                              "line smoother and cycles until a tolerance is "
-                              "reached");
     return check_refine_level(o, err);
-}
-
-/* What goes with conserved oil. */
-static ovr_status check_cavitation(const ovr_options *o, ovr_error *err)
-{
-    if (o->cavitation == OVR_CAVITATION_REYNOLDS)
-        return OVR_OK;
-    if (ovr_scheme_record(o->scheme)->characteristic)
-        return ovr_fail_about(err, "scheme",
-                              "scheme characteristic does not conserve oil in "
-                              "cavities; upstream2 and upstream1 do");
-    if (o->order == 4)
-        return ovr_fail_about(err, "order",
-                              "order = 4 does not conserve oil in cavities; "
-                              "order = 2 does");
-    if (o->smoother != OVR_LINE || o->paper_balance)
-        return ovr_fail_about(err, "smoother",
-                              "with conserved oil only the line smoother "
-                              "relaxes cavities");
-    if (o->stop == OVR_STOP_FIXED)
-        return ovr_fail_about(err, "stop",
-                              "with conserved oil cycles go on to a "
-                              "tolerance: stop = negligible or truncation");
-    return OVR_OK;
 }
 
 void ovr_options_domain(const ovr_contact *contact, ovr_options *o)
@@ -285,8 +249,8 @@ ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
                                ovr_error *err)
 {
     ovr_options_domain(contact, o);
-    if (check_numbers(o, err) || check(o, err) || check_cavitation(o, err) ||
-        check_order(o, err) || check_refine(o, err))
+    if (check_numbers(o, err) || check(o, err) || check_order(o, err) ||
+        ovr_parts_check(ovr_parts_of(o), err) || check_refine(o, err))
         return OVR_BAD_INPUT;
     if (!o->order)
         o->order = corrects(o) ? 4 : 2;

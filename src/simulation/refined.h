@@ -7,6 +7,10 @@
 
 #include "simulation/internal.h"
 
+/* Patches need a grid that has nodes for the first of them, and memory for the
+ * last. */
+enum { OVR_LEAST_REFINED = 6, OVR_MOST_REFINED = 22 };
+
 typedef struct ovr_refined {
     ovr_composite composite;
     size_t most;   /* leaves */

@@ -10,6 +10,7 @@
 #include "multigrid/hybrid.h"
 #include "multigrid/line.h"
 #include "simulation/mirror.h"
+#include "simulation/parts.h"
 #include "simulation/refined.h"
 
 static ovr_status take(ovr_simulation *sim, double **to, ovr_error *err)
@@ -166,10 +167,11 @@ ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
                        err) ||
         ovr_options_resolve(contact, &resolved, err))
         return NULL;
-    if (lubricant->rheology != OVR_NEWTONIAN && resolved.refine) {
-        ovr_fail_about(err, "refine", "refine goes with Newtonian oil");
+    if (ovr_parts_check(ovr_parts_of(&resolved) |
+                            ovr_part_bit(OVR_PART_FLOW_LAW,
+                                         lubricant->rheology != OVR_NEWTONIAN),
+                        err))
         return NULL;
-    }
     sim = set_up(ovr_arena_make(allocator), contact, lubricant, &resolved, err);
     if (sim)
         fill_arrays(sim);

@@ -16,6 +16,7 @@
 
 #include "simulation/heat_in_time.h"
 #include "simulation/mirror.h"
+#include "simulation/parts.h"
 #include "simulation/step_cycles.h"
 
 /* Beyond this R the result of a step is no longer near a solution: runs
@@ -202,10 +203,10 @@ static bool feet_are_there(const ovr_simulation *sim, double dT)
 
 static ovr_status check(const ovr_simulation *sim, double dT, ovr_error *err)
 {
-    if (sim->refined)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "a steady solution with patches (refine) is no start "
-                        "of steps in time: create it without");
+    if (ovr_parts_check(ovr_parts_of(&sim->options) |
+                            ovr_part_bit(OVR_PART_TIME, true),
+                        err))
+        return OVR_BAD_INPUT;
     if (!sim->started)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "a step needs a converged steady start first");

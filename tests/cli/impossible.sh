@@ -82,22 +82,6 @@ contains err 'the run begins again'
 kept start.h5 "$touch"
 [ "$steps" -eq 1 ] || fail "$steps steps"
 
-# A solve that went astray has a negative film too, but no surfaces that touch:
-# the hybrid smoother diverges on a wave in time
-sed -e '/^\[feature/,$d' wall.ini >astray.ini
-cat >>astray.ini <<'END'
-[paper]
-smoother = hybrid
-[feature wave]
-shape = wave
-amplitude = 0.02
-wavelength = 0.25
-origin = 0
-grow = 1
-END
-astray='step [0-9]+ to T = .* did not converge, nor did parts of it'
-gives_up "$astray" run astray.ini --set domain.level=7
-
 # A film too thin for the mesh, with the level that resolves it
 thin='the film is too thin for the mesh: .*; level [0-9]+ resolves it$'
 printf '[contact]\nM = 900\nL = 5\n[domain]\nlevel = 6\n' >thin.ini

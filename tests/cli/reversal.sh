@@ -66,6 +66,6 @@ refuses "outlet: 1.5: where .speed. reverses inlet and outlet trade places" \
     run cam.ini -o no.h5 --set domain.outlet=1.5
 
 # What it does not go with
-refuses "model: conserving does not go with a .speed. that reverses" \
+refuses "model: conserving does not go with a speed that reverses" \
     run cam.ini -o no.h5 --set cavitation.model=conserving
 [ ! -e no.h5 ] || fail 'a refused run left a file'

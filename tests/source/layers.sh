@@ -41,6 +41,7 @@ awk -v floors="$floors" -v faces=" $faces" '
         home["error"] = home["memory"] = home["version"] = home["text"] = "base"
         home["oil"] = home["heat"] = "contact"
         home["profile"] = "surface"
+        home["parts"] = "simulation"
         home["overroll"] = "cli"
     }
     !floor($1) { print $1 ": on no floor that this test knows"; bad = 1 }

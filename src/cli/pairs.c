@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* overroll help pairs: what does not go together, and why. */
+#include <stdio.h>
+#include <string.h>
+
+#include "cli/cli.h"
+
+/* "[domain] order"; of a section that is there or not, its name. */
+static void place(ovr_part part, size_t size, char *text)
+{
+    ovr_part_info info = ovr_part_at(part);
+    bool whole = part == OVR_PART_TIME || part == OVR_PART_STRESS;
+    snprintf(text, size, "[%s]%s%s", info.section, whole ? "" : " ",
+             whole ? "" : info.key);
+}
+
+int cli_help_pairs(void)
+{
+    const ovr_refusal *r;
+    puts("What does not go together is refused before anything is solved. "
+         "Every other\npair works; what is not written gives way by itself.\n");
+    for (size_t k = 0; (r = ovr_refusal_at(k)); k++) {
+        char where[40];
+        place(r->part, sizeof where, where);
+        printf("  %s beside %s\n        %s: %s\n        since %s\n",
+               ovr_part_at(r->part).name, ovr_part_at(r->beside).name, where,
+               r->instead, r->why);
+    }
+    return CLI_DONE;
+}
+
+void cli_roff_pairs(void)
+{
+    const ovr_refusal *r;
+    puts(".SH WHAT GOES WITH WHAT\n"
+         "Every two parts of a case work together but for these, which are "
+         "refused\nbefore anything is solved where both are written; what is "
+         "not written gives\nway.");
+    for (size_t k = 0; (r = ovr_refusal_at(k)); k++) {
+        char where[40];
+        place(r->part, sizeof where, where);
+        printf(".TP\n.B %s beside %s\n%s must be %s: %s.\n",
+               ovr_part_at(r->part).name, ovr_part_at(r->beside).name, where,
+               r->instead, r->why);
+    }
+}

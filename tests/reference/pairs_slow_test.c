@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What goes with what: all pairs are refused as the table says, or accepted; a
+ * tenth of those marches (all of them: tests/verify/pairs_test.c). */
+#include "support/pairs.h"
+#include "support/test.h"
+
+static void pairs_work_or_are_refused(void **state)
+{
+    test_walk_pairs(*state, 10);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test_setup_teardown(
+        pairs_work_or_are_refused, test_make_folder, test_remove_folder)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

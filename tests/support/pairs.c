@@ -1,0 +1,293 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "support/pairs.h"
+
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "support/test.h"
+
+#include "overroll/overroll.h"
+
+/* A rolling steel contact with some sliding; 20 steps of one mesh. */
+static const char *const base[] = {
+    "contact.load=60 kN/m",    "contact.radius=10 mm",
+    "contact.modulus=226 GPa", "contact.viscosity=0.12 Pa.s",
+    "contact.alpha=18 1/GPa",  "contact.speed_1=5.2 m/s",
+    "contact.speed_2=4.8 m/s", "domain.level=5",
+    "domain.inlet=-5",         "output.checkpoint=1 ms"};
+
+/* What moves in a run in time. */
+static const char *const moving[] = {
+    "time.end=0.58", "feature dent.shape=dent", "feature dent.depth=0.02",
+    "feature dent.width=2", "feature dent.start=-5"};
+
+enum { SETTINGS = 7 };
+
+/* How a case turns a part on; some parts have several ways. */
+static const struct way {
+    ovr_part part;
+    const char *set[SETTINGS];
+} ways[] = {
+    {OVR_PART_TIME, {"time.end=0.58"}},
+    {OVR_PART_UPSTREAM1, {"time.scheme=upstream1"}},
+    {OVR_PART_UPSTREAM2, {"time.scheme=upstream2"}},
+    {OVR_PART_CHARACTERISTIC, {"time.scheme=characteristic"}},
+    {OVR_PART_ORDER_2, {"domain.order=2"}},
+    {OVR_PART_ORDER_4, {"domain.order=4"}},
+    {OVR_PART_PAPER_SMOOTHER, {"paper.smoother=hybrid"}},
+    {OVR_PART_PAPER_BALANCE, {"paper.paper_balance=yes"}},
+    {OVR_PART_FIXED_CYCLES, {"solver.stop=fixed", "paper.cycles=20"}},
+    {OVR_PART_ADAPTIVE, {"time.step=adaptive"}},
+    {OVR_PART_LOAD,
+     {"load.history=ramp", "load.from=1", "load.to=1.1", "load.duration=0.5"}},
+    {OVR_PART_SPEED,
+     {"speed.history=ramp", "speed.from=1", "speed.to=0.9",
+      "speed.duration=0.5"}},
+    {OVR_PART_REVERSAL,
+     {"speed.history=ramp", "speed.from=0.2", "speed.to=-0.2",
+      "speed.duration=0.5"}},
+    {OVR_PART_SLIDING,
+     {"sliding.history=ramp", "sliding.to=0.2", "sliding.duration=0.5"}},
+    {OVR_PART_FLOW_LAW,
+     {"lubricant.rheology=eyring", "lubricant.eyring_stress=5 MPa"}},
+    {OVR_PART_FLOW_LAW,
+     {"lubricant.rheology=carreau", "lubricant.carreau_stress=5 MPa",
+      "lubricant.carreau_n=0.5", "lubricant.limiting_shear=0.06"}},
+    {OVR_PART_HEAT, {"heat.model=lobatto", "heat.temperature=60 degC"}},
+    {OVR_PART_CONSERVING, {"cavitation.model=conserving"}},
+    {OVR_PART_SUPPLY,
+     {"cavitation.model=conserving", "supply.model=film",
+      "supply.thickness_1=1.5 um", "supply.thickness_2=1.5 um",
+      "supply.history=ramp", "supply.to=0.9", "supply.duration=0.5"}},
+    {OVR_PART_PASSES,
+     {"cavitation.model=conserving", "passes.number=2", "passes.loss=0.1"}},
+    {OVR_PART_STRESS, {"stress.surface=both"}},
+    {OVR_PART_FATIGUE,
+     {"stress.surface=1", "fatigue.criterion=dang-van", "fatigue.alpha=0.3"}},
+    {OVR_PART_PATCHES, {"domain.refine=spike", "domain.level=6"}},
+};
+enum { WAYS = sizeof ways / sizeof *ways };
+
+static bool in_time(const struct way *w)
+{
+    return w->part != OVR_PART_PATCHES && w->part != OVR_PART_PAPER_SMOOTHER &&
+           w->part != OVR_PART_PAPER_BALANCE;
+}
+
+static void set(ovr_case *c, const char *const *settings, size_t count)
+{
+    ovr_error err = {0};
+    for (size_t k = 0; k < count && settings[k]; k++)
+        CHECK_OK(ovr_case_assign(c, settings[k], "test", &err), &err);
+}
+
+/* In time unless one of them is steady; the word for time itself counts. */
+static ovr_case *combine(const struct way *a, const struct way *b)
+{
+    ovr_error err = {0};
+    ovr_case *c = ovr_case_create(NULL, &err);
+    assert_non_null(c);
+    set(c, base, sizeof base / sizeof *base);
+    if (in_time(a) && in_time(b))
+        set(c, moving, sizeof moving / sizeof *moving);
+    set(c, a->set, SETTINGS);
+    set(c, b->set, SETTINGS);
+    return c;
+}
+
+/* ------------------------------------------------------------ what is kept */
+
+/* The solution that a run ends in, bit by bit. */
+typedef struct ending {
+    size_t n;
+    long step;
+    double T, *P, *H;
+} ending;
+
+static ending keep(const ovr_run *run)
+{
+    const ovr_state *s = ovr_simulation_state(ovr_run_about(run)->sim);
+    ending e = {.n = s->n, .step = s->step, .T = s->T};
+    e.P = malloc(s->n * sizeof *e.P);
+    e.H = malloc(s->n * sizeof *e.H);
+    assert_true(e.P && e.H);
+    memcpy(e.P, s->P, s->n * sizeof *e.P);
+    memcpy(e.H, s->H, s->n * sizeof *e.H);
+    return e;
+}
+
+static void drop(ending *e)
+{
+    free(e->P);
+    free(e->H);
+}
+
+static void check_same(const ending *a, const ending *b)
+{
+    assert_true(a->n == b->n && a->step == b->step && a->T == b->T);
+    assert_memory_equal(a->P, b->P, a->n * sizeof *a->P);
+    assert_memory_equal(a->H, b->H, a->n * sizeof *a->H);
+}
+
+/* Oil conserved: by the fluxes' own identity, of which a step may leave the
+ * residual that its tolerance on this level allows; else to the discretization
+ * of this coarse mesh. */
+static void check_kept(const ovr_run *run)
+{
+    const ovr_run_info *info = ovr_run_about(run);
+    const ovr_observation *o = ovr_simulation_observation(info->sim);
+    assert_true(info->converged && o->converged && !o->marked);
+    CHECK_NEAR(o->load_error, 0, 1e-6);
+    if (info->setup->options->cavitation == OVR_CAVITATION_CONSERVING)
+        CHECK_NEAR(o->mass_defect, 0, 1e-5);
+    else
+        CHECK_NEAR(o->mass_balance, 0, 0.05);
+}
+
+/* ------------------------------------------------------------------ killed */
+
+enum { KILLED_AT = 5 }; /* adaptive runs take 8 steps or more */
+
+static bool is_late(void *calls)
+{
+    if (++*(int *)calls == KILLED_AT)
+        raise(SIGKILL);
+    return false;
+}
+
+/* Begun in a process that is killed on the way. */
+static void run_killed(ovr_case *c, const char *path)
+{
+    pid_t child = fork();
+    int how_it_ended;
+    if (child == 0) {
+        int calls = 0;
+        ovr_run_options how = ovr_run_options_default();
+        how.output = path;
+        how.force = true;
+        how.data = &calls;
+        how.stop = is_late;
+        ovr_run *run = ovr_run_create(c, &how, NULL, NULL);
+        if (run)
+            ovr_run_go(run, NULL);
+        _exit(1);
+    }
+    assert_true(child > 0 && waitpid(child, &how_it_ended, 0) == child);
+    assert_true(WIFSIGNALED(how_it_ended) && WTERMSIG(how_it_ended) == SIGKILL);
+}
+
+static void check_resumed(ovr_case *c, const char *path, const ending *whole)
+{
+    ovr_run_options how = ovr_run_options_default();
+    ovr_error err = {0};
+    run_killed(c, path);
+    ovr_run *run = ovr_run_resume(path, &how, NULL, &err);
+    if (!run)
+        print_message("%s\n", err.message);
+    assert_non_null(run);
+    CHECK_OK(ovr_run_go(run, &err), &err);
+    ending resumed = keep(run);
+    check_same(whole, &resumed);
+    drop(&resumed);
+    ovr_run_free(run);
+}
+
+/* -------------------------------------------------------------------- walk */
+
+/* NULL: both work. */
+static const ovr_refusal *refused(const struct way *a, const struct way *b)
+{
+    ovr_part parts[4] = {a->part, b->part, OVR_PART_TIME, OVR_PART_TIME};
+    size_t n = 2;
+    if (in_time(a) && in_time(b))
+        n = 3;
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < i; j++)
+            if (ovr_parts_refused(parts[i], parts[j]))
+                return ovr_parts_refused(parts[i], parts[j]);
+    /* What is supplied, or passes again, is oil that is conserved. */
+    for (size_t i = 0; i < 2; i++)
+        if (parts[i] == OVR_PART_SUPPLY || parts[i] == OVR_PART_PASSES) {
+            parts[i] = OVR_PART_CONSERVING;
+            return ovr_parts_refused(parts[0], parts[1]);
+        }
+    return NULL;
+}
+
+/* Another value of the same key would only replace the first. */
+static bool exclude_each_other(const struct way *a, const struct way *b)
+{
+    ovr_part_info one = ovr_part_at(a->part), other = ovr_part_at(b->part);
+    return !strcmp(one.section, other.section) && !strcmp(one.key, other.key);
+}
+
+static void check_refused(ovr_case *c, const ovr_refusal *why)
+{
+    ovr_error err = {0};
+    ovr_setup *setup = ovr_case_resolve(c, NULL, &err);
+    assert_null(setup);
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "does not go with");
+    assert_non_null(strstr(err.message, why->instead));
+    assert_string_equal(err.about, ovr_part_at(why->part).key);
+}
+
+static void check_works(ovr_case *c, const char *path, bool marches)
+{
+    ovr_run_options how = ovr_run_options_default();
+    ovr_error err = {0};
+    how.output = path;
+    how.force = true;
+    ovr_run *run = ovr_run_create(c, &how, NULL, &err);
+    if (!run)
+        print_message("%s\n", err.message);
+    assert_non_null(run);
+    if (!marches) {
+        ovr_run_free(run);
+        return;
+    }
+    CHECK_OK(ovr_run_go(run, &err), &err);
+    check_kept(run);
+    bool transient = ovr_run_about(run)->transient;
+    ending whole = keep(run);
+    ovr_run_free(run);
+    if (transient)
+        check_resumed(c, path, &whole);
+    drop(&whole);
+}
+
+void test_walk_pairs(const char *folder, int every)
+{
+    char path[300];
+    int pairs = 0, refusals = 0, marched = 0;
+    snprintf(path, sizeof path, "%s/pair.h5", folder);
+    for (int a = 0; a < WAYS; a++)
+        for (int b = 0; b < a; b++) {
+            const struct way *one = &ways[a], *other = &ways[b];
+            const ovr_refusal *why = refused(one, other);
+            if (exclude_each_other(one, other))
+                continue;
+            bool marches = !why && pairs % every == 0;
+            ovr_case *c = combine(one, other);
+            print_message("%s, %s%s\n", ovr_part_at(one->part).name,
+                          ovr_part_at(other->part).name,
+                          why       ? ": refused"
+                          : marches ? ": marches"
+                                    : "");
+            if (why)
+                check_refused(c, why);
+            else
+                check_works(c, path, marches);
+            ovr_case_free(c);
+            pairs++;
+            refusals += why != NULL;
+            marched += marches;
+        }
+    print_message("%d pairs, %d refused, %d of the others marched\n", pairs,
+                  refusals, marched);
+    assert_true(refusals > 0 && marched > 0);
+}

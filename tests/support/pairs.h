@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Every two parts that a case is put together from (overroll/parts.h), in a
+ * small case: refused as the table says, or at work. */
+#ifndef TESTS_SUPPORT_PAIRS_H
+#define TESTS_SUPPORT_PAIRS_H
+
+/* Resolves all pairs; those of which nothing is refused march, every
+ * `every`-th, are killed on the way, resumed to the same bits, and keep mass
+ * and load.  Prints what was walked; files go to `folder`. */
+void test_walk_pairs(const char *folder, int every);
+
+#endif
