@@ -229,6 +229,10 @@ static ovr_status check_second_pass(const ovr_setup *setup, const char *output,
     const ovr_output *o = setup->output;
     if (!s->fatigue || s->criterion != OVR_CRITERION_DANG_VAN)
         return OVR_OK;
+    if (!setup->transient)
+        return ovr_fail_about(err, "criterion",
+                              "criterion = dang-van follows the material "
+                              "through a run in time: give [time] an end");
     if (!output || !isnan(o->from) || !isnan(o->to) || o->stride > 1)
         return ovr_fail_about(err, "criterion",
                               "criterion = dang-van goes over the stored "
