@@ -200,6 +200,14 @@ static void check_resumed(ovr_case *c, const char *path, const ending *whole)
 
 /* -------------------------------------------------------------------- walk */
 
+/* What a part is nothing without. */
+static ovr_part underneath(ovr_part part)
+{
+    if (part == OVR_PART_SUPPLY || part == OVR_PART_PASSES)
+        return OVR_PART_CONSERVING;
+    return part == OVR_PART_FATIGUE ? OVR_PART_STRESS : part;
+}
+
 /* NULL: both work. */
 static const ovr_refusal *refused(const struct way *a, const struct way *b)
 {
@@ -211,13 +219,9 @@ static const ovr_refusal *refused(const struct way *a, const struct way *b)
         for (size_t j = 0; j < i; j++)
             if (ovr_parts_refused(parts[i], parts[j]))
                 return ovr_parts_refused(parts[i], parts[j]);
-    /* What is supplied, or passes again, is oil that is conserved. */
     for (size_t i = 0; i < 2; i++)
-        if (parts[i] == OVR_PART_SUPPLY || parts[i] == OVR_PART_PASSES) {
-            parts[i] = OVR_PART_CONSERVING;
-            return ovr_parts_refused(parts[0], parts[1]);
-        }
-    return NULL;
+        parts[i] = underneath(parts[i]);
+    return ovr_parts_refused(parts[0], parts[1]);
 }
 
 /* Another value of the same key would only replace the first. */
