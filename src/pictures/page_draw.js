@@ -251,16 +251,18 @@ function drawCurve(c, box, run, a, b, f, valueAt, look) {
 // Oil as high as it stands on either wall, half of it on each.
 function drawOil(c, box, run, a, b, k, u) {
   const half = (i) => run.F.at(k, i) * run.H.at(k, i) / 2;
+  c.beginPath(); // one for both: where two areas meet, a line would show
   for (const [from, to] of [[() => 0, half],
     [(i) => run.H.at(k, i) - half(i), (i) => run.H.at(k, i)]]) {
     const Y = (v) => Math.max(box.y - 4 * box.h, box.Y(v * u.h.f));
-    c.beginPath();
-    for (let i = a; i < b; i++) c.lineTo(box.X(run.x[i] * u.x.f), Y(from(i)));
+    c.moveTo(box.X(run.x[a] * u.x.f), Y(from(a)));
+    for (let i = a + 1; i < b; i++)
+      c.lineTo(box.X(run.x[i] * u.x.f), Y(from(i)));
     for (let i = b; i-- > a;) c.lineTo(box.X(run.x[i] * u.x.f), Y(to(i)));
     c.closePath();
-    c.fillStyle = colour["film-area"];
-    c.fill();
   }
+  c.fillStyle = colour["film-area"];
+  c.fill();
 }
 
 function drawHertz(c, box, u) {

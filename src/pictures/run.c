@@ -125,6 +125,16 @@ static ovr_status read_field(const ovr_shot *shot, const char *name, double by,
     return status;
 }
 
+/* Oil on either wall; what fills the gap is all on the lower one: where two
+ * areas meet, a line shows. */
+static void stand(double H, double *oil, double *hung)
+{
+    const double full = 1 - 1e-6;
+    bool fills = *oil > full;
+    *oil *= fills ? H : 0.5 * H;
+    *hung = fills ? H : H - *oil;
+}
+
 ovr_status ovr_shot_read(ovr_shot *shot, size_t k, ovr_error *err)
 {
     ovr_status status;
@@ -139,10 +149,8 @@ ovr_status ovr_shot_read(ovr_shot *shot, size_t k, ovr_error *err)
                             err);
     if (status == OVR_OK)
         status = read_field(shot, "filling", 1, shot->oil, err);
-    for (size_t i = 0; shot->oil && i < shot->run->info->nodes; i++) {
-        shot->oil[i] *= 0.5 * shot->H[i];
-        shot->hung[i] = shot->H[i] - shot->oil[i];
-    }
+    for (size_t i = 0; shot->oil && i < shot->run->info->nodes; i++)
+        stand(shot->H[i], &shot->oil[i], &shot->hung[i]);
     for (int j = 0; status == OVR_OK && j < 3; j++) {
         status = read_field(shot, temperatures[j], 1, shot->hot[j], err);
         for (size_t i = 0; shot->hot[j] && i < shot->run->info->nodes; i++)
