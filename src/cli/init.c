@@ -95,7 +95,9 @@ static const char gear_end[] =
     "every = 8\n";
 
 static const char cam[] =
-    "# Cam and tappet: the mean speed swings, a scratch stands on the tappet.\n"
+    "# Cam and tappet: the mean speed swings and reverses, a scratch stands on "
+    "the\n"
+    "# tappet.\n"
     "\n"
     "[contact]\n"
     "load = 80 N/mm\n"
@@ -114,7 +116,8 @@ static const char cam_end[] =
     "\n"
     "[speed]                      # relative to mean_speed\n"
     "history = sine\n"
-    "amplitude = 0.5\n"
+    "mean = 0.5\n"
+    "amplitude = 1                # below zero it runs towards -x\n"
     "period = 6\n"
     "\n"
     "[feature scratch]\n"
@@ -339,10 +342,11 @@ const cli_verb cli_init = {
     .name = "init",
     .arguments = "[KIND] [-o FILE]",
     .summary = "write a commented case to start from",
-    .help = "Kinds: roller (a dented bearing), gear (a tooth with ground flank "
-            "and load\nhistory), cam (swinging speed), numbers (M and L), "
-            "starved (several passes "
-            "with little oil), discs (a twin-disc machine).",
+    .help =
+        "Kinds: roller (a dented bearing), gear (a tooth with ground flank "
+        "and load\nhistory), cam (a speed that reverses), numbers (M and L), "
+        "starved (several passes "
+        "with little oil), discs (a twin-disc machine).",
     .options = options,
     .least = 0,
     .most = 1,

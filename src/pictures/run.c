@@ -183,6 +183,15 @@ double *ovr_stored_history(const ovr_stored *run, const char *name, double by,
 
 /* ----------------------------------------------------------------- extent */
 
+/* As far out as on the left where oil may come from there too: where the speed
+ * reverses, domains are as long on both sides. */
+static double right_end(const ovr_stored *run)
+{
+    double last = run->x[run->info->nodes - 1];
+    bool both = last > -run->x[0] * (1 - 1e-9);
+    return fmin(last, (both ? 2 : 1.5) * run->by.x);
+}
+
 ovr_extent ovr_extent_make(double x_from, double x_to, const ovr_stored *runs,
                            size_t count)
 {
@@ -193,7 +202,7 @@ ovr_extent ovr_extent_make(double x_from, double x_to, const ovr_stored *runs,
     for (size_t k = 0; k < count; k++) {
         const double *x = runs[k].x, b = runs[k].by.x;
         e.x_from = fmin(e.x_from, fmax(x[0], -2 * b));
-        e.x_to = fmax(e.x_to, fmin(x[runs[k].info->nodes - 1], 1.5 * b));
+        e.x_to = fmax(e.x_to, right_end(&runs[k]));
     }
     if (!isnan(x_from))
         e.x_from = x_from;

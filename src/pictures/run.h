@@ -72,7 +72,8 @@ typedef struct ovr_extent {
     double hot_low, hot_high; /* degC */
 } ovr_extent;
 
-/* Nothing yet; x_from or x_to NAN: -2 and 1.5, as far as the runs go. */
+/* Nothing yet; x_from or x_to NAN: -2 and 1.5, or 2 in a domain that is as long
+ * on both sides, as far as the runs go. */
 ovr_extent ovr_extent_make(double x_from, double x_to, const ovr_stored *runs,
                            size_t count);
 void ovr_extent_add(ovr_extent *extent, const ovr_shot *shot);
