@@ -129,10 +129,15 @@ typedef struct ovr_columns {
     double dT;
     double least_u; /* steady: a node is entered from the one upstream, with
                      * at least this speed (plain only); 0: in time */
+    bool both_ways; /* steady: layers that move against x from the next node */
     const double *P_T, *foot[OVR_MOST_ACROSS], *past[2];
     double resistance[2];
     double *T[OVR_MOST_ACROSS], *mean, *into[2]; /* T, T_m, q */
 } ovr_columns;
+
+/* T of layer j where it was before it came to node i, and how long ago. */
+double ovr_column_foot(const ovr_columns *columns, int j, size_t i);
+double ovr_column_travel(const ovr_columns *columns, int j, size_t i);
 
 /* Flow, and heat, of node i alone. */
 void ovr_column_flow(const ovr_columns *columns, size_t i);

@@ -95,12 +95,25 @@ void ovr_column_flow(const ovr_columns *c, size_t i)
     c->fall[i] = fall(c, sheet.log_eta, &flow);
 }
 
-/* From where a layer was. */
-static double time_to(const ovr_columns *c, int j, size_t i)
+/* Steadily: the node by which a layer comes in; n: an end. */
+static size_t upstream(const ovr_columns *c, int j, size_t i)
 {
+    return c->both_ways && c->u[j][i] < 0 ? i + 1 : i - 1;
+}
+
+double ovr_column_foot(const ovr_columns *c, int j, size_t i)
+{
+    size_t from = c->least_u > 0 ? upstream(c, j, i) : i;
+    return from < c->n ? c->foot[j][from] : 0;
+}
+
+double ovr_column_travel(const ovr_columns *c, int j, size_t i)
+{
+    double u = c->u[j][i];
     if (!(c->least_u > 0))
         return c->dT;
-    return (c->X[i] - c->X[i - 1]) / fmax(c->u[j][i], c->least_u);
+    return (c->X[i] - c->X[i - 1]) /
+           fmax(c->both_ways ? fabs(u) : u, c->least_u);
 }
 
 void ovr_column_heat(const ovr_columns *c, size_t i)
@@ -113,12 +126,12 @@ void ovr_column_heat(const ovr_columns *c, size_t i)
     double cooling = c->heat->theta * c->fall[i] / c->q[i];
     for (int j = 0; j < n; j++) {
         double rate = fmax(0, cooling * c->heating[j][i]);
-        double travel = time_to(c, j, i);
-        size_t from = c->least_u > 0 ? i - 1 : i;
+        double travel = ovr_column_travel(c, j, i);
         flow.u[j] = c->u[j][i];
         flow.heating[j] = c->heating[j][i];
         stay[j] = 1 / (1 / travel + rate);
-        foot[j] = (c->foot[j][from] / travel + rate * c->used[j][i]) * stay[j];
+        foot[j] = (ovr_column_foot(c, j, i) / travel + rate * c->used[j][i]) *
+                  stay[j];
     }
     for (int k = 0; k < 2; k++)
         wall[k] = (ovr_wall){c->heat->bulk[k] +

@@ -36,21 +36,6 @@ static double least_peclet(const ovr_setup *s, int k, double *T)
     return least;
 }
 
-/* A steady solution follows both from node to node along +x. */
-static void review_direction(const ovr_setup *setup, int k,
-                             ovr_listener *listener, void *data)
-{
-    char text[OVR_MESSAGE_SIZE];
-    if (!(speed_of(setup, k, 0) < 0))
-        return;
-    snprintf(text, sizeof text,
-             "heat: surface %d moves against the film at T = 0, where the "
-             "steady start takes it as one of Peclet number %g along it; in "
-             "time it goes its own way",
-             k + 1, setup->heat->least_peclet);
-    listener(data, OVR_SAY_WARNING, text);
-}
-
 /* Below it heat flows along the surface too. */
 void ovr_review_peclet(const ovr_setup *setup, ovr_listener *listener,
                        void *data)
@@ -59,7 +44,6 @@ void ovr_review_peclet(const ovr_setup *setup, ovr_listener *listener,
     for (int k = 0; setup->heat && listener && k < 2; k++) {
         double T, Pe = least_peclet(setup, k, &T);
         double least = setup->heat->least_peclet;
-        review_direction(setup, k, listener, data);
         if (!(Pe < least))
             continue;
         if (setup->transient)

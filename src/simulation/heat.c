@@ -10,21 +10,13 @@
 #include "multigrid/field.h"
 #include "simulation/mirror.h"
 
-static const double LEAST_SPEED = 0.02;
-
 /* --------------------------------------------------------------- creation */
 
 static ovr_status check(const ovr_simulation *sim, ovr_error *err)
 {
-    if (ovr_parts_check(ovr_parts_of(&sim->options) |
-                            ovr_part_bit(OVR_PART_HEAT, true),
-                        err))
-        return OVR_BAD_INPUT;
-    if (!(sim->contact.u1_ratio >= 0 && sim->contact.u2_ratio >= 0))
-        return ovr_fail_about(err, "slide_to_roll",
-                              "slide_to_roll: heat wants both surfaces to move "
-                              "along +x");
-    return OVR_OK;
+    return ovr_parts_check(ovr_parts_of(&sim->options) |
+                               ovr_part_bit(OVR_PART_HEAT, true),
+                           err);
 }
 
 static ovr_status take(ovr_simulation *sim, double **to, ovr_error *err)
@@ -121,29 +113,10 @@ static void restrict_all(ovr_simulation *sim)
     }
 }
 
-/* Speeds of the surfaces at T = 0, and their memories from node to node. */
-static void start_surfaces(ovr_simulation *sim)
-{
-    ovr_heated *h = sim->heated;
-    const ovr_contact *c = &sim->contact;
-    const double ratio[2] = {c->u1_ratio, c->u2_ratio};
-    double D = ovr_mesh(sim), length = (double)(sim->now.n - 1) * D;
-    ovr_heat_speeds(sim, 0);
-    for (int k = 0; k < 2; k++) {
-        double u = h->u1 - k * h->V;
-        double at_1 = h->numbers.peclet[k] / fabs(ratio[k]); /* of um */
-        double least = ratio[k] != 0 ? h->numbers.least_peclet / at_1 : 0;
-        h->speed[k] = fmax(u, fmax(least, LEAST_SPEED));
-        ovr_memory_fit(D / h->speed[k],
-                       fmax(h->longest[k], length / h->speed[k]),
-                       &h->memory[k]);
-    }
-}
-
 void ovr_heat_reset(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
-    start_surfaces(sim);
+    ovr_heat_march_begin(sim);
     h->steps->trying = false;
     h->steps->dT = 0;
     for (size_t i = 0; i < sim->now.n; i++) {
@@ -152,6 +125,8 @@ void ovr_heat_reset(ovr_simulation *sim)
         h->drag[i] = h->swell[i] = 1;
         for (int j = 0; j < h->across.n; j++)
             h->T[j][i] = h->used[j][i] = 0;
+        for (int k = 0; k < 2; k++)
+            h->steps->past[k][i] = h->q[k][i] = 0;
     }
     ovr_heat_give(sim);
 }
@@ -198,48 +173,6 @@ void ovr_heat_apply(ovr_simulation *sim)
         if (!(sim->now.P[i] > 0))
             h->turned[i] = 0; /* what it holds moves with the surfaces */
     ovr_heat_give(sim);
-}
-
-/* -------------------------------------------------------------- marching */
-
-/* What goes from node to node. */
-typedef struct march {
-    double psi[2][OVR_MODES], q[2];
-} march;
-
-static void solve_node(ovr_simulation *sim, size_t i, march *m)
-{
-    ovr_heated *h = sim->heated;
-    for (int k = 0; k < 2; k++)
-        h->steps->past[k][i] = ovr_memory_past(&h->memory[k], m->psi[k],
-                                               m->q[k]);
-    ovr_column_heat(&h->film, i);
-    for (int k = 0; k < 2; k++) {
-        double q = h->q[k][i];
-        ovr_memory_step(&h->memory[k], m->q[k], q, m->psi[k]);
-        ovr_heat_steps_keep(sim, k, i, m->psi[k]);
-        m->q[k] = q;
-    }
-}
-
-void ovr_heat_march(ovr_simulation *sim)
-{
-    ovr_heated *h = sim->heated;
-    ovr_columns *c = &h->film;
-    march m = {.q = {0, 0}};
-    ovr_heat_film(sim);
-    c->P_T = NULL;
-    c->least_u = LEAST_SPEED;
-    c->mean = h->mean;
-    for (int j = 0; j < h->across.n; j++)
-        c->foot[j] = c->T[j] = h->T[j];
-    for (int k = 0; k < 2; k++) {
-        c->past[k] = h->steps->past[k];
-        c->into[k] = h->q[k];
-        c->resistance[k] = h->numbers.solid[k] * 4 / 3 * sqrt(h->memory[k].dT);
-    }
-    for (size_t i = 1; i < sim->now.n; i++)
-        solve_node(sim, i, &m);
 }
 
 /* No temperature moves on by more than this share of itself and some kelvins:

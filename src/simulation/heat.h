@@ -8,6 +8,13 @@
  * surface of Peclet number below 5 is taken to have 5.  At the inlet the oil
  * is at the supply's temperature and the surfaces have taken up nothing.
  *
+ * Surfaces that move against each other each come in at an end of their own,
+ * and layers that move against x are entered from the other side: marches along
+ * x and against it in turn, two of each a turn of film and heat, each with what
+ * the other has left of the other surface.  With K the operator from heat to
+ * temperature of a surface, which is positive, two marches reduce the error by
+ * ((I + K)^-1 K)^2.
+ *
  *     th = (T0 - 138 K + T_m)^(-S0)/...,  log2(1/eta) <- th log2(1/eta) + shift
  *     shift = (1 - th) C/ln 2 + log2 psi_e      Roelands
  *     shift = beta T_m/ln 2 + log2 psi_e, th = 1    others
@@ -26,7 +33,8 @@ typedef struct ovr_heated {
     ovr_heat numbers;
     ovr_across across;
     ovr_memory memory[2];
-    double speed[2];            /* u_k/um, at least that of Peclet number 5 */
+    double speed[2];            /* |u_k|/um, at least that of Peclet number 5 */
+    int way[2];                 /* along x: 1; against it: -1 */
     double longest[2];          /* time that a surface remembers */
     double *T[OVR_MOST_ACROSS]; /* rises at the nodes, by points */
     double *used[OVR_MOST_ACROSS]; /* under-relaxed: what the film has */
@@ -49,6 +57,9 @@ typedef struct ovr_heated {
 
 /* Isothermal again. */
 void ovr_heat_reset(ovr_simulation *sim);
+
+/* Speeds of the surfaces at T = 0, and their memories from node to node. */
+void ovr_heat_march_begin(ovr_simulation *sim);
 
 /* Temperatures of the film that was read last, with viscosities by `used`. */
 void ovr_heat_march(ovr_simulation *sim);

@@ -129,12 +129,10 @@ double ovr_heat_stored(const ovr_simulation *sim)
     const ovr_columns *c = &h->film;
     double stored = 0;
     for (size_t i = 1; i + 1 < c->n; i++) {
-        double part = 0, mesh = c->X[i] - c->X[i - 1];
+        double part = 0;
         for (int j = 0; c->P[i] > 0 && j < h->across.n; j++)
-            part += h->across.w[j] *
-                    (c->least_u > 0 ? fmax(c->u[j][i], c->least_u) / mesh *
-                                          (h->T[j][i] - h->T[j][i - 1])
-                                    : (h->T[j][i] - h->foot[j][i]) / c->dT);
+            part += h->across.w[j] * (h->T[j][i] - ovr_column_foot(c, j, i)) /
+                    ovr_column_travel(c, j, i);
         stored += sim->now.weights[i] * c->q[i] * part;
     }
     return stored / h->numbers.theta;

@@ -210,7 +210,7 @@ static ovr_defect solve(ovr_simulation *sim, const ovr_full *how, int *cycles)
 static void solve_heat(ovr_simulation *sim, const ovr_full *how,
                        ovr_outcome *outcome)
 {
-    enum { TURNS = 100 };
+    enum { TURNS = 200 };
     const double enough = 3e-5;
     double change = INFINITY;
     ovr_heat_turns_begin(sim);

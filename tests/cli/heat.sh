@@ -107,10 +107,13 @@ expect 0 "$OVERROLL" check run.ini --set contact.mean_speed='8 m/s' \
     --set sliding.to=1.95
 contains err 'surface 2 has the Peclet number .* at T = 1'
 
-expect 0 "$OVERROLL" check run.ini --set sliding.from=2.5
-contains err 'surface 2 moves against the film at T = 0'
-refuses 'both surfaces to move along' run hot.ini -o refused.h5 \
-    --set contact.slide_to_roll=2.5
+# Surfaces against each other
+expect 0 "$OVERROLL" steady hot.ini --json --set contact.slide_to_roll=2.5
+awk -v d="$(number energy_defect)" -v x="$(number T_max_rise)" \
+    'BEGIN { exit !(d < 1e-3 && d > -1e-3 && x > 1 && x < 200) }' ||
+    fail "defect $(number energy_defect), $(number T_max_rise) K"
+expect 0 "$OVERROLL" run run.ini -o against.h5 --set sliding.from=2.5 \
+    --set time.end=0.2 -q
 
 expect 0 "$OVERROLL" steady hot.ini --set domain.inlet=-1.05
 contains err 'domain is too short for it to leave: surface 1 comes in'

@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Marching along x (equations in heat.h). */
+#include <math.h>
+#include <string.h>
+
+#include "simulation/heat_in_time.h"
+
+static const double LEAST_SPEED = 0.02;
+
+/* Speeds of the surfaces at T = 0, and their memories from node to node. */
+void ovr_heat_march_begin(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    const ovr_contact *c = &sim->contact;
+    const double ratio[2] = {c->u1_ratio, c->u2_ratio};
+    double D = ovr_mesh(sim), length = (double)(sim->now.n - 1) * D;
+    ovr_heat_speeds(sim, 0);
+    for (int k = 0; k < 2; k++) {
+        double u = h->u1 - k * h->V;
+        double at_1 = h->numbers.peclet[k] / fabs(ratio[k]); /* of um */
+        double least = ratio[k] != 0 ? h->numbers.least_peclet / at_1 : 0;
+        h->speed[k] = fmax(fabs(u), fmax(least, LEAST_SPEED));
+        h->way[k] = u < 0 ? -1 : 1;
+        ovr_memory_fit(D / h->speed[k],
+                       fmax(h->longest[k], length / h->speed[k]),
+                       &h->memory[k]);
+    }
+}
+
+static bool opposed(const ovr_heated *h)
+{
+    return h->way[0] != h->way[1];
+}
+
+/* What goes from node to node. */
+typedef struct march {
+    int way; /* along x, or against it */
+    double psi[2][OVR_MODES], q[2];
+} march;
+
+/* What a surface that moves the other way brings along is that of the last
+ * march. */
+static void solve_node(ovr_simulation *sim, size_t i, march *m)
+{
+    ovr_heated *h = sim->heated;
+    for (int k = 0; k < 2; k++)
+        if (h->way[k] == m->way)
+            h->steps->past[k][i] = ovr_memory_past(&h->memory[k], m->psi[k],
+                                                   m->q[k]);
+    ovr_column_heat(&h->film, i);
+    for (int k = 0; k < 2; k++) {
+        double q = h->q[k][i];
+        if (h->way[k] != m->way)
+            continue;
+        ovr_memory_step(&h->memory[k], m->q[k], q, m->psi[k]);
+        ovr_heat_steps_keep(sim, k, i, m->psi[k]);
+        m->q[k] = q;
+    }
+}
+
+static void along(ovr_simulation *sim)
+{
+    march m = {.way = 1};
+    for (size_t i = 1; i < sim->now.n; i++)
+        solve_node(sim, i, &m);
+}
+
+static void against(ovr_simulation *sim)
+{
+    march m = {.way = -1};
+    for (size_t i = sim->now.n; i-- > 1;)
+        solve_node(sim, i, &m);
+}
+
+static void prepare(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    ovr_columns *c = &h->film;
+    ovr_heat_film(sim);
+    c->P_T = NULL;
+    c->least_u = LEAST_SPEED;
+    c->both_ways = opposed(h);
+    c->mean = h->mean;
+    for (int j = 0; j < h->across.n; j++)
+        c->foot[j] = c->T[j] = h->T[j];
+    for (int k = 0; k < 2; k++) {
+        c->past[k] = h->steps->past[k];
+        c->into[k] = h->q[k];
+        c->resistance[k] = h->numbers.solid[k] * 4 / 3 * sqrt(h->memory[k].dT);
+    }
+}
+
+void ovr_heat_march(ovr_simulation *sim)
+{
+    enum { PAIRS = 2 };
+    prepare(sim);
+    if (!opposed(sim->heated))
+        along(sim);
+    for (int k = 0; opposed(sim->heated) && k < PAIRS; k++) {
+        along(sim);
+        against(sim);
+    }
+}
