@@ -14,9 +14,8 @@
 
 static ovr_status check(const ovr_simulation *sim, ovr_error *err)
 {
-    return ovr_parts_check(ovr_parts_of(&sim->options) |
-                               ovr_part_bit(OVR_PART_HEAT, true),
-                           err);
+    return ovr_parts_check(
+        ovr_parts_of(&sim->options) | ovr_part_bit(OVR_PART_HEAT, true), err);
 }
 
 static ovr_status take(ovr_simulation *sim, double **to, ovr_error *err)
