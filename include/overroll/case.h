@@ -195,6 +195,9 @@ typedef struct ovr_setup {
     ovr_options *options;
     ovr_history *load, *speed; /* NULL: constant */
     ovr_history *sliding;      /* NULL: as slide_to_roll and speed say */
+    ovr_history *radius;       /* NULL: constant */
+    ovr_history *radius_1;     /* NULL: not known */
+    bool rides;                /* the curvature, by ovr_setup_prepare */
     bool transient;            /* has an end of time */
     ovr_march *march;          /* without observer */
     const ovr_supply_setup *supply;

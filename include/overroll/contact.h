@@ -275,6 +275,10 @@ OVR_API void ovr_history_free(ovr_history *history);
 /* Value at T (a NULL history is 1). */
 OVR_API double ovr_history_value(const ovr_history *history, double T);
 
+/* Its slope at T, of a sine and a table at their ends the one inside; 0 where
+ * it jumps. */
+OVR_API double ovr_history_slope(const ovr_history *history, double T);
+
 /* Whether it is ever another than at T = 0. */
 OVR_API bool ovr_history_varies(const ovr_history *history);
 

@@ -168,6 +168,17 @@ OVR_API void ovr_simulation_histories(ovr_simulation *sim,
 OVR_API void ovr_simulation_sliding(ovr_simulation *sim,
                                     const ovr_history *sliding);
 
+/* R over the nominal one in time: the gap of the smooth surfaces is then
+ * R0/R X^2/2, all else in units of the nominal contact.  `rides`: what varies
+ * is the curvature of the material that comes by, as on an involute or a cam,
+ * which a cubic term tells from one that is imposed (overroll-theory(7)); of
+ * surface 1 alone radius_1 = R_1/R0 (negative: concave) where that is known,
+ * else NULL.  Not where the surfaces stand: a step is refused where the cubic
+ * would close the gap within the domain.  Borrowed; NULL: 1. */
+OVR_API void ovr_simulation_radius(ovr_simulation *sim,
+                                   const ovr_history *radius,
+                                   const ovr_history *radius_1, bool rides);
+
 /* Heat in solutions of second order, steady and in time, upstream: temperatures
  * of film and surfaces, and the viscosity by them.  To be called before
  * anything is solved; OVR_BAD_INPUT where options or slip do not go with it. */
@@ -182,8 +193,8 @@ OVR_API void ovr_simulation_standing(ovr_simulation *sim, ovr_heights *standing,
                                      void *data);
 
 /* Order of the last steady solution, and of what a run keeps of it: 4, 2 (also
- * where 4 was wanted but its corrections did not converge, or load or speed
- * vary), or 1. */
+ * where 4 was wanted but its corrections did not converge, or load, speed or
+ * radius vary), or 1. */
 OVR_API int ovr_simulation_order(const ovr_simulation *sim);
 
 /* Solves the steady problem at T = 0 (surface and histories as they are
@@ -247,6 +258,7 @@ typedef struct ovr_observation {
     double load_ratio;   /* Cw */
     double speed_ratio;  /* Cu */
     double sliding;      /* V = (u1 - u2)/um0 */
+    double radius_ratio; /* R over the nominal one */
     double mass_flow;    /* mean over wet half nodes of the scheme's flux */
     double mass_balance; /* inflow - outflow - stored change, relative to the
                             contact's own flow, the mean of its size: vanishes

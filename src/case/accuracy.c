@@ -22,13 +22,13 @@
 
 #include <math.h>
 
+#include "case/domain.h"
 #include "simulation/scheme.h"
 
 /* The order that a solution reaches where nothing goes wrong. */
 static int order_of(const ovr_setup *s)
 {
-    bool varies = ovr_history_varies(s->load) || ovr_history_varies(s->speed);
-    if (s->options->order == 4 && !(s->transient && varies))
+    if (s->options->order == 4 && !(s->transient && ovr_setup_varies(s)))
         return 4;
     return ovr_scheme_record(s->options->scheme)->order;
 }

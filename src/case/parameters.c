@@ -99,6 +99,10 @@ static const ovr_word histories[] = {
     {"constant", OVR_HISTORY_CONSTANT}, {"ramp", OVR_HISTORY_RAMP},
     {"sine", OVR_HISTORY_SINE},         {"step", OVR_HISTORY_STEP},
     {"table", OVR_HISTORY_TABLE},       {NULL, 0}};
+static const ovr_word curvatures[] = {{"auto", OVR_CURVATURE_AUTO},
+                                      {"rides", OVR_CURVATURE_RIDES},
+                                      {"imposed", OVR_CURVATURE_IMPOSED},
+                                      {NULL, 0}};
 static const ovr_word time_units[] = {
     {"b/um", 0}, {"s", 1}, {"ms", 2}, {"us", 3}, {NULL, 0}};
 static const ovr_word precisions[] = {{"f64", 0}, {"f32", 1}, {NULL, 0}};
@@ -429,6 +433,11 @@ static const ovr_parameter table[] = {
     {"speed", "mean", PLAIN(-100, 100), "1", IN_CHANGE(AT(speed), mean), true,
      "sine: what it swings about; 0: it goes to and fro"},
     HISTORY("sliding", AT(sliding), NULL, -1e3, 1e3, 1e3),
+    HISTORY("radius", AT(radius), "1", 0.01, 100, 0.99),
+    {"radius", "curvature", CHOICE(curvatures), "auto", AT(curvature), true,
+     "imposed, or rides with the material that comes by, as on gear teeth and "
+     "cams; auto: rides where the surfaces move fast enough for it"},
+    HISTORY("radius_1", AT(radius_1), "1", -1e3, 1e3, 1e3),
 
     {"cavitation", "model", CHOICE(cavitations), "reynolds",
      AT(options.cavitation), true,
@@ -737,6 +746,13 @@ static const ovr_section sections[] = {
      "(u1 - u2)/um against time, over the nominal um, any sign; from and to "
      "are "
      "slide_to_roll unless given"},
+    {"radius", false,
+     "reduced radius against time, relative to that of [contact], which stays "
+     "the scale"},
+    {"radius_1", false,
+     "radius of surface 1 against time, relative to the reduced one of "
+     "[contact], negative: concave; the rest of the curvature is surface 2's; "
+     "without it all of it moves at the mean speed"},
     {"cavitation", false, "what becomes of the film behind its rupture"},
     {"supply", false,
      "the oil that arrives; its history is relative to the thicknesses"},

@@ -97,7 +97,8 @@ typedef struct ovr_settings {
     int accuracy_of;
     double end, step, error;
     bool until_steady;
-    ovr_change load, speed, sliding, supply;
+    ovr_change load, speed, sliding, radius, radius_1, supply;
+    int curvature;    /* of [radius], see below */
     int supply_model; /* 0: flooded, 1: film */
     double thickness[2], waiting;
     const char *layer_file[2];
@@ -108,6 +109,9 @@ typedef struct ovr_settings {
     int stress_surface, stress_every, stress_traction, criterion;
     ovr_list window;
 } ovr_settings;
+
+/* Of [radius] curvature. */
+enum { OVR_CURVATURE_AUTO, OVR_CURVATURE_RIDES, OVR_CURVATURE_IMPOSED };
 
 /* Of [stress] traction. */
 enum { OVR_TRACTION_NO, OVR_TRACTION_YES, OVR_TRACTION_AUTO };

@@ -4,6 +4,7 @@
  * everything else in its units.
  */
 #include "case/resolve.h"
+#include "case/domain.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -295,9 +296,21 @@ static ovr_scheme choose_scheme(const ovr_resolved *r)
         return (ovr_scheme)r->values.scheme;
     if (r->values.options.cavitation == OVR_CAVITATION_CONSERVING)
         return OVR_UPSTREAM2;
-    return grid && !ovr_history_varies(s->load) && !ovr_history_varies(s->speed)
-               ? OVR_CHARACTERISTIC
-               : OVR_UPSTREAM2;
+    return grid && !ovr_setup_varies(s) ? OVR_CHARACTERISTIC : OVR_UPSTREAM2;
+}
+
+static ovr_status resolve_radius(ovr_resolved *r,
+                                 const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_settings *v = &r->values;
+    ovr_setup *s = &r->setup;
+    if (fill_section(r, "radius", err) || fill_section(r, "radius_1", err))
+        return OVR_BAD_INPUT;
+    if (ovr_resolve_history(r, "radius", &v->radius, allocator, &s->radius,
+                            err))
+        return err ? err->status : OVR_BAD_INPUT;
+    return ovr_resolve_history(r, "radius_1", &v->radius_1, allocator,
+                               &s->radius_1, err);
 }
 
 static ovr_status resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
@@ -327,6 +340,8 @@ static ovr_status resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
         return OVR_BAD_INPUT;
     if (ovr_resolve_history(r, "sliding", &v->sliding, allocator, &s->sliding,
                             err))
+        return err ? err->status : OVR_BAD_INPUT;
+    if (resolve_radius(r, allocator, err))
         return err ? err->status : OVR_BAD_INPUT;
     s->options->scheme = choose_scheme(r);
     return ovr_resolve_supply(r, allocator, err);
@@ -466,6 +481,8 @@ void ovr_setup_free(ovr_setup *setup)
         return;
     ovr_surfaces_free(setup->surfaces);
     ovr_history_free(setup->load);
+    ovr_history_free(setup->radius);
+    ovr_history_free(setup->radius_1);
     ovr_history_free(setup->speed);
     ovr_history_free(setup->sliding);
     ovr_flow_law_free(((ovr_resolved *)setup)->flow_law);

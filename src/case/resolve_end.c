@@ -77,6 +77,10 @@ ovr_status ovr_resolve_end(ovr_resolved *r, ovr_error *err)
         status = wait_for_history(r, "speed", s->speed, end, &T, err);
     if (!status)
         status = wait_for_history(r, "sliding", s->sliding, end, &T, err);
+    if (!status)
+        status = wait_for_history(r, "radius", s->radius, end, &T, err);
+    if (!status)
+        status = wait_for_history(r, "radius_1", s->radius_1, end, &T, err);
     if (!status && !(T > 0))
         status = ovr_fail_slot(err, end,
                                "auto: nothing passes and nothing changes; "

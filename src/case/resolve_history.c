@@ -150,12 +150,8 @@ static ovr_status load_table(ovr_resolved *r, const ovr_block *block,
                              const ovr_change *change, ovr_history_form *form,
                              ovr_error *err)
 {
-    bool sliding = strcmp(block->section->name, "sliding") == 0;
-    bool speed = strcmp(block->section->name, "speed") == 0;
-    points p = {.least = sliding ? -1000
-                         : speed ? -100
-                                 : 0,
-                .most = sliding ? 1000 : 100};
+    const ovr_parameter *to = ovr_parameter_find(block->section, "to");
+    points p = {.least = to->least, .most = to->most};
     double unit;
     ovr_status status;
     if (!change->file)

@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include "case/accuracy.h"
+#include "case/domain.h"
 #include "case/feed.h"
-#include "case/resolve.h"
 #include "contact/starvation.h"
 #include "contact/turning.h"
 #include "simulation/internal.h"
@@ -73,47 +73,6 @@ static ovr_status make_surfaces(ovr_resolved *r, const ovr_allocator *allocator,
         s->surfaces = NULL;
     }
     return status;
-}
-
-/* Conditions of the thickest film between T = 0 and the end, in units of b^2/R
- * at nominal load; load and speed from where a run begins (OVR_LEAST_START). */
-static ovr_contact thickest(const ovr_setup *s, double *Cw)
-{
-    const int times = 256;
-    ovr_contact now = *s->contact, most = now;
-    double thick = 0, end = s->march->end;
-    if (isinf(end)) /* auto: not known before the domain is */
-        end = fmax(ovr_history_end(s->load), ovr_history_end(s->speed));
-    for (int k = 0; k <= times; k++) {
-        double T = end * k / times;
-        double w = fmax(ovr_history_value(s->load, T), OVR_LEAST_START);
-        double u = fmax(fabs(ovr_history_value(s->speed, T)), OVR_LEAST_START);
-        now.M = s->contact->M * w / sqrt(u);
-        now.L = s->contact->L * sqrt(sqrt(u));
-        if (ovr_film_central_moes(now.M, now.L) * w > thick) {
-            thick = ovr_film_central_moes(now.M, now.L) * w;
-            most = now;
-            *Cw = w;
-        }
-    }
-    return most;
-}
-
-/* An automatic domain is that of the thickest film: b grows as sqrt(Cw). */
-static void choose_domain(ovr_setup *s)
-{
-    ovr_options *o = s->options, farthest = *o;
-    double Cw = 1;
-    if (s->transient && (isnan(o->inlet) || isnan(o->outlet)) &&
-        (ovr_history_varies(s->load) || ovr_history_varies(s->speed))) {
-        ovr_contact most = thickest(s, &Cw);
-        ovr_options_domain(&most, &farthest);
-        if (isnan(o->inlet))
-            o->inlet = fmin(sqrt(Cw) * farthest.inlet, -2);
-        if (isnan(o->outlet))
-            o->outlet = fmax(sqrt(Cw) * farthest.outlet, 1.5);
-    }
-    ovr_options_domain(s->contact, o);
 }
 
 static void measure(ovr_setup *s)
@@ -216,8 +175,9 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
     ovr_status status;
     if (setup->nodes)
         return OVR_OK;
-    choose_domain(setup);
-    if (ovr_symmetric_domain(r, inlet, outlet, err))
+    ovr_setup_domain(setup);
+    if (ovr_symmetric_domain(r, inlet, outlet, err) ||
+        ovr_setup_curvature(r, err))
         return OVR_BAD_INPUT;
     status = setup->options->level ? make_grid(r, usual, allocator, err)
                                    : choose_level(r, usual, allocator, err);
@@ -308,6 +268,7 @@ ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
     }
     ovr_simulation_histories(sim, setup->load, setup->speed);
     ovr_simulation_sliding(sim, setup->sliding);
+    ovr_simulation_radius(sim, setup->radius, setup->radius_1, setup->rides);
     if (setup->supply->film)
         ovr_simulation_supply(sim, arriving, setup, setup->supply->waiting);
     if (setup->surfaces) {

@@ -196,6 +196,34 @@ static ovr_film_fit fitted(const ovr_setup *setup)
     return ovr_film_fitted(contact->M, contact->L, ovr_density(oil, 1));
 }
 
+/* Reduced radius and half width over the run, where it says how long that is.
+ */
+static void put_radius(const ovr_setup *setup)
+{
+    enum { LOOKS = 1000 };
+    const ovr_contact *contact = setup->contact;
+    double R[2] = {INFINITY, 0}, b[2] = {INFINITY, 0};
+    if (!ovr_history_varies(setup->radius) || !isfinite(setup->march->end))
+        return;
+    for (int k = 0; k <= LOOKS; k++) {
+        double T = setup->march->end * k / LOOKS;
+        double r = ovr_history_value(setup->radius, T);
+        double half = sqrt(ovr_history_value(setup->load, T) * r);
+        R[0] = fmin(R[0], r);
+        R[1] = fmax(R[1], r);
+        b[0] = fmin(b[0], half);
+        b[1] = fmax(b[1], half);
+    }
+    printf("# %-28s %.4g to %.4g of the nominal one", "radius in time", R[0],
+           R[1]);
+    if (isfinite(contact->radius))
+        printf(", %.4g to %.4g mm", R[0] * contact->radius * 1e3,
+               R[1] * contact->radius * 1e3);
+    printf("; half width %.3g to %.3g b\n", b[0], b[1]);
+    printf("# %-28s %s\n", "its curvature",
+           setup->rides ? "rides with the material" : "is imposed");
+}
+
 static void put_films(const ovr_contact *contact)
 {
     ovr_film_asymptotes film = ovr_film_asymptotes_moes(contact->M, contact->L);
@@ -514,6 +542,7 @@ static void report(const cli_call *call, const ovr_case *c,
         return;
     }
     put_contact(setup->contact);
+    put_radius(setup);
     put_films(setup->contact);
     put_alpha(setup);
     put_fit(setup);

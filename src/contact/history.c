@@ -259,6 +259,50 @@ bool ovr_history_begins_backward(const ovr_history *history)
     return Cu < 0 || (!(Cu > 0) && ovr_history_integral(history, soon) < 0);
 }
 
+/* --------------------------------------------------------------- slopes */
+
+/* 30 y^2 (1 - y)^2 */
+static double ramp_slope(const ovr_history_form *form, double T)
+{
+    double y = (T - form->start) / form->duration;
+    if (!(form->duration > 0) || !(y > 0 && y < 1))
+        return 0;
+    return (form->to - form->from) / form->duration * 30 * y * y * (1 - y) *
+           (1 - y);
+}
+
+static double sine_slope(const ovr_history_form *form, double T)
+{
+    const double turn = 2 * 3.14159265358979323846 / form->period;
+    if (T < form->start)
+        return 0;
+    return form->amplitude * turn * cos(sine_phase(form, T));
+}
+
+/* At the ends the one inside. */
+static double table_slope(const ovr_history *history, double T)
+{
+    double slope = 0;
+    if (T >= history->T[0] && T <= history->T[history->form.points - 1])
+        gsl_interp_eval_deriv_e(history->interp, history->T, history->value, T,
+                                NULL, &slope);
+    return slope;
+}
+
+double ovr_history_slope(const ovr_history *history, double T)
+{
+    if (!ovr_history_varies(history) || isnan(T))
+        return 0;
+    switch (history->form.kind) {
+    case OVR_HISTORY_CONSTANT: break;
+    case OVR_HISTORY_RAMP:
+    case OVR_HISTORY_STEP: return ramp_slope(&history->form, T);
+    case OVR_HISTORY_SINE: return sine_slope(&history->form, T);
+    case OVR_HISTORY_TABLE: return table_slope(history, T);
+    }
+    return 0;
+}
+
 /* ------------------------------------------------------------ integrals */
 
 /* The three functions below are integrals from the start (or first point) of

@@ -50,13 +50,14 @@ void ovr_full_prepare(ovr_hierarchy *grids, double force)
     }
 }
 
-/* With Cw of the nominal load and Cu of the nominal speed M goes with
- * Cw/sqrt(Cu), L with Cu^(1/4), and the unit of film b^2/R with Cw. */
+/* With Cw of the nominal load, Cu of the nominal speed and c of the nominal
+ * curvature M goes with Cw sqrt(c/Cu), L with (Cu c)^(1/4), and the unit of
+ * film b^2/R with Cw. */
 double ovr_wanted_film(const ovr_wanted *wanted, double fraction)
 {
     double Cw = wanted->Cw, Cu = wanted->Cu;
-    double M = fraction * wanted->M * Cw / sqrt(Cu);
-    return Cw * ovr_film_central_moes(M, wanted->L * pow(Cu, 0.25));
+    double M = fraction * wanted->M * Cw / sqrt(Cu / wanted->c);
+    return Cw * ovr_film_central_moes(M, wanted->L * pow(Cu * wanted->c, 0.25));
 }
 
 /* ph goes with the root of the load. */
@@ -91,7 +92,7 @@ static ovr_fluid fluid_at(const nested *a, double fraction)
 }
 
 /*
- * Hertz's semi-ellipse, but no narrower than the film's own width sqrt(H)
+ * Hertz's semi-ellipse, but no narrower than the film's own width sqrt(H/c)
  * where the film outgrows the deformation; H0 from the film formula above the
  * rigid approach of the dry contact, Cw (-0.5966 + ln(a)/2) at half-width a.
  */
@@ -99,7 +100,8 @@ static void hertzian_start(const nested *a, ovr_level *level, double fraction)
 {
     ovr_hierarchy *grids = a->grids;
     double Cw = a->wanted->Cw, H = ovr_wanted_film(a->wanted, fraction);
-    double width = sqrt(H > Cw ? H : Cw), *P = grids->scratch[0];
+    double width = sqrt((H > Cw ? H : Cw) / a->wanted->c),
+           *P = grids->scratch[0];
     for (size_t i = 0; i < level->grid.n; i++) {
         double x = level->grid.X[i] / width;
         P[i] = x * x < 1 ? Cw / width * sqrt(1 - x * x) : 0;
@@ -271,7 +273,8 @@ static double solve_easy_load(const nested *a, ovr_level *level)
 static int load_level(const nested *a)
 {
     const ovr_hierarchy *grids = a->grids;
-    double rise = pow(ovr_wanted_film(a->wanted, 1), 2. / 3);
+    double rise = pow(ovr_wanted_film(a->wanted, 1), 2. / 3) /
+                  sqrt(a->wanted->c);
     int level = grids->coarsest;
     while (level < grids->finest &&
            grids->level[level].grid.D > a->how->mesh * rise)

@@ -13,11 +13,12 @@
 
 #include "multigrid/cycle.h"
 
-/* The contact whose solution is wanted, at loads and speeds relative to the
- * nominal ones of M and L. */
+/* The contact whose solution is wanted, at loads, speeds and curvatures
+ * relative to the nominal ones of M and L. */
 typedef struct ovr_wanted {
     double M, L;
     double Cw, Cu; /* load, speed */
+    double c;      /* R0/R */
     double force;  /* D sum P */
     ovr_fluid fluid;
 } ovr_wanted;

@@ -6,7 +6,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "case/domain.h"
 #include "case/resolve.h"
+#include "contact/curvature.h"
 #include "contact/starvation.h"
 #include "run/internal.h"
 #include "run/review_supply.h"
@@ -292,8 +294,9 @@ void ovr_run_review_before(ovr_run *run)
 /* The loss is a fit to those up to a fifth. */
 static void warn_of_inlet(const review *r, const ovr_state *state, double H_cen)
 {
-    const ovr_contact *contact = r->setup->contact;
-    double loss = ovr_inlet_loss(contact->M, contact->L, state->X[0]);
+    double c = 1 / ovr_history_value(r->setup->radius, state->T);
+    ovr_instant now = ovr_instant_of(r->setup->contact, 1, 1, c);
+    double loss = ovr_inlet_loss(now.M, now.L, state->X[0] / now.s);
     char share[40] = "more than a fifth";
     if (loss <= 1.01 * OVR_USUAL_LOSS)
         return;
@@ -310,15 +313,15 @@ static void warn_of_inlet(const review *r, const ovr_state *state, double H_cen)
 static void warn_of_order(const review *r)
 {
     const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
-    bool varies = ovr_history_varies(r->setup->load) ||
-                  ovr_history_varies(r->setup->speed);
+    bool varies = ovr_setup_varies(r->setup);
     if (varies && !ovr_block_get(domain, "order")->given)
         return;
     say(r, varies ? OVR_SAY_WARNING : OVR_SAY_NOTE,
         "the solution is of second order: %s",
-        varies ? "corrections of fourth order hold for one load and speed"
-               : "the corrections of fourth order did not converge on this "
-                 "mesh");
+        varies
+            ? "corrections of fourth order hold for one load, speed and radius"
+            : "the corrections of fourth order did not converge on this "
+              "mesh");
 }
 
 /* Of a steady solution the first of these is the only state. */

@@ -4,8 +4,8 @@
  *
  * Between nodes: Lagrange interpolation on six nodes (order 6, well above the
  * scheme's 2), shifted at the outlet to stay on the grid.  Beyond the inlet:
- * P = 0, so q = H = H0 + X^2/2 - S - w with w summed directly for the few
- * ghost nodes needed.
+ * P = 0, so q = H = H0 + X^2/2 - S - w (curvature.h) with w summed directly for
+ * the few ghost nodes needed.
  */
 #include <math.h>
 #include <string.h>
@@ -51,6 +51,7 @@ static void ghost_film(ovr_simulation *sim, int past, size_t ghosts, bool back)
 {
     const ovr_inflow *inflow = &sim->inflow;
     const double *P = sim->past.P[past];
+    const ovr_smooth smooth = ovr_simulation_smooth(sim, sim->past.T[past]);
     size_t n = sim->now.n;
     double out = back ? ovr_mesh(sim) : -ovr_mesh(sim);
     for (size_t g = 0; g < ghosts; g++)
@@ -64,7 +65,8 @@ static void ghost_film(ovr_simulation *sim, int past, size_t ghosts, bool back)
         for (size_t j = 0; j < n; j++)
             w += k[j] * P[back ? n - 1 - j : j];
         inflow->extended[OVR_GHOSTS - 1 - g] = sim->past.H0[past] +
-                                               0.5 * X * X - inflow->S[g] - w;
+                                               ovr_smooth_at(&smooth, X) -
+                                               inflow->S[g] - w;
     }
 }
 

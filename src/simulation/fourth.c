@@ -6,8 +6,8 @@
  * every step: they take the background's error of second order away, that of
  * what moves stays.  So they must not hold what moves: they are those of the
  * smooth surfaces with what stands still, fully grown.  They are right for
- * one load and speed, with a flow law one sliding speed; where these vary,
- * start and run are of second order.
+ * one load, speed and radius, with a flow law one sliding speed; where these
+ * vary, start and run are of second order.
  */
 #include <string.h>
 
@@ -27,6 +27,8 @@ void ovr_fourth_begin(ovr_simulation *sim)
 {
     bool varies = ovr_history_varies(sim->load) ||
                   ovr_history_varies(sim->speed) ||
+                  ovr_history_varies(sim->radius) ||
+                  ovr_history_varies(sim->radius_1) ||
                   (sim->lubricant.rheology != OVR_NEWTONIAN &&
                    ovr_history_varies(sim->sliding));
     ovr_fourth_forget(sim);
@@ -56,10 +58,11 @@ bool ovr_fourth_stands_apart(ovr_simulation *sim)
 
 void ovr_fourth_standing_gap(ovr_simulation *sim)
 {
+    const ovr_smooth smooth = ovr_simulation_smooth(sim, 0);
     double *gap = sim->scratch[0];
     standing_heights(sim, gap);
     for (size_t i = 0; i < sim->now.n; i++)
-        gap[i] = 0.5 * sim->now.X[i] * sim->now.X[i] - gap[i];
+        gap[i] = ovr_smooth_at(&smooth, sim->now.X[i]) - gap[i];
     ovr_nodes_write(sim, sim->finest, gap, sim->finest->f.gap);
 }
 

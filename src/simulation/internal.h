@@ -4,6 +4,7 @@
 #define OVR_SIMULATION_INTERNAL_H
 
 #include "base/arena.h"
+#include "contact/curvature.h"
 #include "multigrid/fourth_order.h"
 #include "multigrid/full.h"
 #include "multigrid/spike.h"
@@ -76,6 +77,8 @@ struct ovr_simulation {
     void *standing_data;
     bool standing_given;
     const ovr_history *load, *speed, *sliding;
+    const ovr_history *radius, *radius_1;
+    bool rides;    /* the curvature, with the material */
     double moving; /* u_k/um of the features; NAN: nobody told */
 
     double *S;
@@ -134,6 +137,11 @@ ovr_cycling ovr_simulation_cycling(const ovr_simulation *sim, int finer_bottom);
 
 /* Sets S and the finest gap X^2/2 - S at time T. */
 void ovr_simulation_gap(ovr_simulation *sim, double T);
+
+/* Of the smooth surfaces at T; whether they open all over the domain. */
+ovr_smooth ovr_simulation_smooth(const ovr_simulation *sim, double T);
+ovr_status ovr_smooth_check(const ovr_simulation *sim, double T,
+                            ovr_error *err);
 
 /* Fourth order (fourth.c): the order that a solve tries, without corrections
  * yet; takes them back, for second order. */

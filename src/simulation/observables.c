@@ -177,6 +177,8 @@ static const ovr_observable table[] = {
            "entrainment speed over nominal speed"),
     NUMBER("sliding_speed", "sliding", NULL, NUMBER, sliding,
            "u1 - u2 over the nominal mean speed"),
+    NUMBER("radius_ratio", "radius_ratio", NULL, NUMBER, radius_ratio,
+           "reduced radius over the nominal one"),
     NUMBER("mass_flow", "mass_flow", NULL, NUMBER, mass_flow,
            "mean mass flow rho H - eps dP/dX through the film"),
     NUMBER("mass_balance", "mass_balance", NULL, NUMBER, mass_balance,

@@ -221,6 +221,7 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
     observe_pressure(sim, o);
     o->load_ratio = ovr_history_value(sim->load, state->T);
     o->speed_ratio = ovr_history_value(sim->speed, state->T);
+    o->radius_ratio = ovr_history_value(sim->radius, state->T);
     o->mass_flow = mean_flow(sim);
     o->mass_balance = dT > 0 ? ovr_mass_balance(sim) : 0;
     ovr_supply_observe(sim, dT, o);

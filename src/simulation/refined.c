@@ -54,12 +54,13 @@ void ovr_refined_forget(ovr_simulation *sim)
 static void rigid(void *data, size_t n, const double *X, double *gap)
 {
     ovr_simulation *sim = data;
+    const ovr_smooth smooth = ovr_simulation_smooth(sim, 0);
     if (sim->heights)
         sim->heights(sim->heights_data, 0, n, X, gap);
     else
         memset(gap, 0, n * sizeof *gap);
     for (size_t i = 0; i < n; i++)
-        gap[i] = 0.5 * X[i] * X[i] - gap[i];
+        gap[i] = ovr_smooth_at(&smooth, X[i]) - gap[i];
 }
 
 /* ------------------------------------------------------------------ leaves */

@@ -109,8 +109,10 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
     grids->fluid = (ovr_fluid){.lubricant = sim->lubricant,
                                .lambda = sim->contact.lambda,
                                .sliding = ovr_sliding(sim, 0)};
-    sim->wanted = (ovr_wanted){
-        .M = sim->contact.M, .L = sim->contact.L, .fluid = grids->fluid};
+    sim->wanted = (ovr_wanted){.M = sim->contact.M,
+                               .L = sim->contact.L,
+                               .c = 1,
+                               .fluid = grids->fluid};
     grids->content = o->cavitation == OVR_CAVITATION_CONSERVING;
     grids->linear = o->refine != OVR_REFINE_NONE;
     grids->ordered = ordered_level(o);
@@ -225,8 +227,46 @@ void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
     sim->speed = speed;
 }
 
+void ovr_simulation_radius(ovr_simulation *sim, const ovr_history *radius,
+                           const ovr_history *radius_1, bool rides)
+{
+    sim->radius = radius;
+    sim->radius_1 = radius_1;
+    sim->rides = rides;
+}
+
+ovr_smooth ovr_simulation_smooth(const ovr_simulation *sim, double T)
+{
+    const ovr_contact *c = &sim->contact;
+    return ovr_smooth_of(&(ovr_curving){sim->radius,
+                                        sim->radius_1,
+                                        sim->speed,
+                                        sim->sliding,
+                                        {c->u1_ratio, c->u2_ratio},
+                                        sim->rides},
+                         T);
+}
+
+ovr_status ovr_smooth_check(const ovr_simulation *sim, double T, ovr_error *err)
+{
+    const ovr_options *o = &sim->options;
+    ovr_smooth smooth = ovr_simulation_smooth(sim, T);
+    if (ovr_smooth_opens(&smooth, fmax(-o->inlet, o->outlet)))
+        return OVR_OK;
+    if (!(ovr_history_value(sim->radius, T) > 0))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "radius ratio %g at T = %g: must be positive",
+                        ovr_history_value(sim->radius, T), T);
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "the curvature at T = %g changes too fast, or a surface "
+                    "moves too slowly, for it to ride with the material all "
+                    "over the domain",
+                    T);
+}
+
 void ovr_simulation_gap(ovr_simulation *sim, double T)
 {
+    const ovr_smooth smooth = ovr_simulation_smooth(sim, T);
     double *restrict gap = sim->scratch[0];
     const double *restrict X = sim->now.X, *restrict S = sim->S;
     size_t n = sim->now.n;
@@ -235,7 +275,7 @@ void ovr_simulation_gap(ovr_simulation *sim, double T)
         sim->heights(sim->heights_data, T, n, X, sim->S);
     }
     for (size_t i = 0; i < n; i++)
-        gap[i] = 0.5 * X[i] * X[i] - S[i];
+        gap[i] = ovr_smooth_at(&smooth, X[i]) - S[i];
     if (sim->order == 4)
         sim->grids.kernels->combine(n, 1, gap, 1, sim->gap_fourth, gap);
     ovr_nodes_write(sim, sim->finest, gap, sim->finest->f.gap);

@@ -267,6 +267,7 @@ static ovr_status begin_load_and_speed(ovr_simulation *sim, ovr_error *err)
     ovr_wanted *wanted = &sim->wanted;
     wanted->Cw = Cw > least ? Cw : least;
     wanted->Cu = Cu > least ? Cu : least;
+    wanted->c = 1 / ovr_history_value(sim->radius, 0);
     wanted->force = OVR_NOMINAL_LOAD * wanted->Cw;
     ovr_slide(sim, 0);
     wanted->fluid.sliding = sim->grids.fluid.sliding;
@@ -320,7 +321,7 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
     int tried = 0;
     ovr_outcome outcome = {0};
     sim->started = false;
-    if (begin_load_and_speed(sim, err))
+    if (begin_load_and_speed(sim, err) || ovr_smooth_check(sim, 0, err))
         return OVR_BAD_INPUT;
     ovr_operator op = {.speed = sim->wanted.Cu};
     ovr_reynolds_wedge(&op, sim->scheme->order == 2, op.speed);

@@ -218,7 +218,9 @@ static ovr_status check(const ovr_simulation *sim, double dT, ovr_error *err)
                         "time step %g: the characteristic scheme takes at "
                         "most %d mesh sizes",
                         dT, OVR_GHOSTS / 2 - 4);
-    return ovr_check_turning(sim, err);
+    if (ovr_check_turning(sim, err))
+        return OVR_BAD_INPUT;
+    return ovr_smooth_check(sim, sim->past.T[0] + dT, err);
 }
 
 ovr_status ovr_simulation_attempt(ovr_simulation *sim, double next, bool *taken,

@@ -1,0 +1,107 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# [radius] in a case: what is said of it, what is refused, the history's
+# column, a killed run gone on with, by every scheme.
+. "$TOP/tests/support/cli.sh"
+
+cat >tooth.ini <<'END'
+[contact]
+M = 20
+L = 10
+slide_to_roll = 0.5
+[domain]
+level = 5
+[time]
+end = 2
+[radius]
+history = sine
+amplitude = 0.3
+period = 30
+[feature dent]
+shape = dent
+depth = 0.05
+width = 0.5
+start = -3.9
+[output]
+every = 10
+checkpoint = 10 ms
+END
+
+expect 0 "$OVERROLL" check tooth.ini
+contains out 'radius in time .*1 to 1.122 of the nominal one; half width 1 to'
+contains out 'its curvature .*rides with the material'
+expect 0 "$OVERROLL" check tooth.ini --set radius.period=2
+contains out 'its curvature .*is imposed'
+refuses() {
+    what=$1
+    shift
+    expect 2 "$OVERROLL" check tooth.ini "$@"
+    contains err "$what"
+}
+refuses 'rides: at T = 0 the curvature changes too fast' \
+    --set radius.period=2 --set radius.curvature=rides
+refuses 'amplitude' --set radius.amplitude=1
+refuses 'must be 0.01 to 100' --set radius.history=ramp --set radius.to=0 \
+    --set radius.amplitude=0
+refuses 'has no meaning' --set radius.duration=1
+printf '0 1\n9 1.1\n12 -1\n' >bad.csv
+grep -v '^amplitude\|^period' tooth.ini >table.ini
+expect 2 "$OVERROLL" check table.ini --set radius.history=table \
+    --set radius.file=bad.csv
+contains err 'bad.csv:3: value -1'
+
+expect 0 "$OVERROLL" run tooth.ini -o r.h5 -q --json
+grep -q '"radius_ratio": *1.12' out || fail "no radius_ratio: $(cat out)"
+expect 0 "$OVERROLL" export r.h5
+head -n 1 out | grep -q 'radius_ratio' || fail 'no column of the radius'
+
+# What is not surface 1's is surface 2's: in rolling no matter
+printf '0 3\n2 3.5\n' >one.csv
+film() {
+    name=$1
+    shift
+    expect 0 "$OVERROLL" run tooth.ini -o "$name.h5" -q "$@"
+    "$OVERROLL" export "$name.h5" --snapshot last --field film_thickness \
+        >"$name.txt"
+}
+set -- --set radius_1.history=table --set radius_1.file=one.csv
+film a --set contact.slide_to_roll=0
+film b --set contact.slide_to_roll=0 "$@"
+film c "$@"
+film d
+differ() {
+    paste -d, "$1.txt" "$2.txt" | awk -F, 'NR > 1 && $2 != $4 {
+        d = ($2 - $4) / $4
+        if (d * d > most) most = d * d }
+        END { exit !(most > 1e-12) }'
+}
+differ c d || fail 'in sliding it matters'
+differ a b && fail 'in rolling it does not'
+
+content() {
+    "$OVERROLL" export "$1" >history.txt &&
+        "$OVERROLL" export "$1" --all >snapshots.txt &&
+        cat history.txt snapshots.txt
+}
+killed() {
+    "$OVERROLL" "$@" -q &
+    pid=$!
+    tries=0
+    while { [ ! -e part.h5 ] || [ ! -e part.h5.restart ]; } &&
+        [ "$tries" -lt 500 ]; do
+        sleep 0.01
+        tries=$((tries + 1))
+    done
+    kill -9 "$pid" 2>/dev/null || :
+    wait "$pid" 2>/dev/null || :
+}
+for scheme in upstream2 characteristic; do
+    set -- run tooth.ini --force --set time.scheme=$scheme --set time.end=4
+    rm -f part.h5 part.h5.restart
+    expect 0 "$OVERROLL" "$@" -o whole.h5 -q
+    killed "$@" -o part.h5
+    expect 0 "$OVERROLL" resume part.h5 -q
+    content whole.h5 >1.txt
+    content part.h5 >2.txt
+    cmp 1.txt 2.txt || fail "$scheme: another end"
+done
