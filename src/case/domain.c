@@ -54,6 +54,14 @@ static ovr_contact thickest(const ovr_setup *s, double *width)
     return most;
 }
 
+/* Neither by the case nor by the file of a run that goes on. */
+static const double USUAL_OUTLET = 1.5;
+
+static bool outlet_given(const ovr_setup *s)
+{
+    return ovr_slot_of((const ovr_resolved *)s, "domain", "outlet")->given;
+}
+
 /* An automatic domain is that of the thickest film: b grows as sqrt(Cw R). */
 static void of_histories(ovr_setup *s)
 {
@@ -64,13 +72,13 @@ static void of_histories(ovr_setup *s)
     if (isnan(o->inlet))
         o->inlet = fmin(width * farthest.inlet, -2);
     if (isnan(o->outlet))
-        o->outlet = fmax(width * farthest.outlet, 1.5);
+        o->outlet = fmax(width * farthest.outlet, USUAL_OUTLET);
     if (!ovr_history_varies(s->radius))
         return;
     if (o->inlet == 0)
         o->inlet = fmin(width * farthest.inlet, OVR_USUAL_INLET);
-    if (!ovr_slot_of((ovr_resolved *)s, "domain", "outlet")->given)
-        o->outlet = fmax(width, 1) * o->outlet;
+    if (o->outlet == USUAL_OUTLET && !outlet_given(s))
+        o->outlet = fmax(width, 1) * USUAL_OUTLET;
 }
 
 void ovr_setup_domain(ovr_setup *s)

@@ -24,7 +24,7 @@ width = 0.5
 start = -3.9
 [output]
 every = 10
-checkpoint = 10 ms
+checkpoint = 1 us
 END
 
 expect 0 "$OVERROLL" check tooth.ini
@@ -87,7 +87,7 @@ killed() {
     "$OVERROLL" "$@" -q &
     pid=$!
     tries=0
-    while { [ ! -e part.h5 ] || [ ! -e part.h5.restart ]; } &&
+    while ! "$OVERROLL" info part.h5 2>&1 | grep -qE 'history +[1-9][0-9]* steps' &&
         [ "$tries" -lt 500 ]; do
         sleep 0.01
         tries=$((tries + 1))
