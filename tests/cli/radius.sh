@@ -96,7 +96,8 @@ killed() {
     wait "$pid" 2>/dev/null || :
 }
 for scheme in upstream2 characteristic; do
-    set -- run tooth.ini --force --set time.scheme=$scheme --set time.end=4
+    set -- run tooth.ini --force --set time.scheme=$scheme \
+        --set time.end=4
     rm -f part.h5 part.h5.restart
     expect 0 "$OVERROLL" "$@" -o whole.h5 -q
     killed "$@" -o part.h5
