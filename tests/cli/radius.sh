@@ -87,8 +87,8 @@ killed() {
     "$OVERROLL" "$@" -q &
     pid=$!
     tries=0
-    while ! "$OVERROLL" info part.h5 2>&1 | grep -qE 'history +[1-9][0-9]* steps' &&
-        [ "$tries" -lt 500 ]; do
+    while [ "$tries" -lt 500 ] && ! "$OVERROLL" info part.h5 2>&1 |
+        grep -qE 'history +[1-9][0-9]* steps'; do
         sleep 0.01
         tries=$((tries + 1))
     done
