@@ -298,6 +298,9 @@ paper: tests ## the paper's tables, computed and compared
 	  tests/support/run -v -j 1 -o $(BUILD)/paper $(patsubst %.c,$(BUILD)/%,\
 	    $(wildcard tests/paper/*_test.c)) $(wildcard tests/paper/*.sh)
 
+validation: $(PROGRAM) ## beside published results: build/validation.html
+	@OVERROLL='$(abspath $(PROGRAM))' tools/validation/run $(BUILD)
+
 # tests/bench/*_bench.c: each a program that writes $(BUILD)/bench/NAME.json;
 # FFTW and LAPACK, when there, are for comparison only.
 ifneq ($(filter bench,$(MAKECMDGOALS)),)
@@ -459,7 +462,7 @@ help: ## this list
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  \1\t\2/p' Makefile | expand -t 18
 
 FORCE:
-.PHONY: all tests check fuzz verify coverage demo pictures paper bench \
+.PHONY: all tests check fuzz verify coverage demo pictures paper validation bench \
   format lint lint-format lint-tidy lint-cppcheck lint-analyzer lint-shell need-lint need-cmocka \
   install install-python uninstall deb clean help FORCE
 .SECONDARY:
