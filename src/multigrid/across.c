@@ -104,7 +104,7 @@ static void moments(const ovr_across *a, const double *r, double m[3])
 static void linear(const ovr_across *a, const ovr_sheet *sheet,
                    ovr_flow_across *flow)
 {
-    flow->t = 0;
+    flow->t = flow->even = 0;
     for (int j = 0; j < a->n; j++) {
         flow->u[j] = sheet->u1 - sheet->V * (1 + a->s[j]) / 2;
         flow->heating[j] = 0;
@@ -193,6 +193,18 @@ static double stressed(const ovr_across *a, const ovr_sheet *sheet, double Y,
     return newtonian(a, sheet, Y, r, m, rate);
 }
 
+/* The stress of a film of the fluidity m_0 all over. */
+static double uniform(const ovr_across *a, const ovr_sheet *sheet, double Y,
+                      double m_0)
+{
+    double r[OVR_MOST_ACROSS], rate[OVR_MOST_ACROSS], m[3] = {m_0, 0, 0};
+    if (sheet->V == 0)
+        return 0;
+    for (int j = 0; j < a->n; j++)
+        r[j] = m_0;
+    return stressed(a, sheet, Y, r, m, rate);
+}
+
 /* Ratios eta(T_m)/eta(T_j): within 1e43, and eta_m below 1e130, whatever T. */
 static void ratios(const ovr_across *a, const ovr_heat *heat,
                    const ovr_sheet *sheet, const double *T,
@@ -223,9 +235,11 @@ void ovr_flow_across_film(const ovr_across *a, const ovr_heat *heat,
         return;
     }
     Y = sheet->lambda * exp(flow->log_eta) / (12 * sheet->H);
+    flow->even = uniform(a, sheet, Y, flow->m[0]);
     flow->t = stressed(a, sheet, Y, r, flow->m, rate);
     most = fmax(sheet->limit - fabs(G), 0);
     flow->t = fmax(-most, fmin(flow->t, most));
+    flow->even = fmax(-most, fmin(flow->even, most));
     for (int j = 0; j < a->n; j++) {
         flow->heating[j] = (flow->t + G * a->s[j]) * rate[j];
         flow->u[j] = sheet->u1;

@@ -34,6 +34,9 @@
  *
  *     sum w_j r_j f(a + g s_j) = b,  u_z,j = Sigma0 r_j f(a + g s_j)/Y
  *
+ * A film of the same P_X whose fluidity is m_0 all over has the stress t_0; the
+ * profile adds t - t_0.
+ *
  * A limiting shear stress cuts tau where heat is made, not the flow.  Reynolds'
  * equation gets
  *
@@ -81,6 +84,7 @@ typedef struct ovr_flow_across {
     double m[3], mean;               /* m_k; T_m */
     double log_eta;                  /* at T_m */
     double t;                        /* mean shear stress */
+    double even;                     /* that of a uniform film */
     double u[OVR_MOST_ACROSS];       /* velocity */
     double heating[OVR_MOST_ACROSS]; /* tau u_z */
 } ovr_flow_across;
@@ -121,6 +125,7 @@ typedef struct ovr_columns {
     const double *used[OVR_MOST_ACROSS]; /* T by which it flows */
     /* what flows; gamma */
     double *u[OVR_MOST_ACROSS], *heating[OVR_MOST_ACROSS], *t, *fall;
+    double *even; /* t_0; NULL: not wanted */
     /* what Reynolds' equation gets (fields.h); V/2 m_1/m_0 q.  Where they have
      * a place, they alone are made. */
     double *th, *shift, *drag, *swell, *turned;

@@ -86,9 +86,14 @@ typedef struct nodes {
     vec mean, x, level, steep;    /* T_m; x, l there; L */
 } nodes;
 
+static INLINE vec bounded_by(vec x, vec most)
+{
+    return larger(smaller(x, most), -most);
+}
+
 static INLINE vec bounded(vec x, double most)
 {
-    return larger(smaller(x, all(most)), all(-most));
+    return bounded_by(x, all(most));
 }
 
 static INLINE vec magnitude(vec x)
@@ -264,6 +269,28 @@ static vec law_flow(const shared *s, const nodes *v, vec *rate)
     return Sigma0 * a;
 }
 
+/* That of a film of the fluidity m_0 all over. */
+static vec uniform(const shared *s, const nodes *v, int law)
+{
+    double Sigma0 = s->c.Sigma0;
+    nodes even = *v;
+    vec g = bounded(v->G / Sigma0, law == 1 ? 200 : 300), A = all(0), sh, ch;
+    vec b = (-s->c.V / Sigma0) * v->Y;
+    if (s->c.V == 0)
+        return all(0);
+    if (law == 0)
+        return -s->c.V * v->Y / v->m[0];
+    for (int j = 0; j < s->across.n; j++) {
+        even.r[j] = v->m[0];
+        hyperbolic(s, g * s->across.s[j], &sh, &ch);
+        A = fused(s->across.w[j] * ch, v->m[0], A);
+    }
+    if (law == 2)
+        return Sigma0 * law_stress(s, &even, g, b);
+    vec t = arsinh(&s->ln, Sigma0, magnitude(b / A));
+    return choose(b < 0, -t, t);
+}
+
 /* -------------------------------------------------------------- what it is */
 
 /* gamma over -d ln eta/dT: tanh(a)/a */
@@ -335,7 +362,11 @@ static INLINE void flow(const shared *s, int n, bool by_power, int law,
             : law == 1 ? eyring_flow(s, n, v, rate)
                        : newtonian(s, n, v, rate);
     vec most = larger(c->limit * P - magnitude(v->G), all(0));
-    t = larger(smaller(t, most), -most);
+    if (c->even) {
+        vec even = bounded_by(uniform(s, v, law), most);
+        store(c->even + i, choose(P > 0, even, all(0)));
+    }
+    t = bounded_by(t, most);
     t = choose(P > 0, t, all(0));
     store_flow(s, n, v, t, rate, i);
     store_stress(s, by_power, v, t, i);

@@ -92,6 +92,8 @@ void ovr_column_flow(const ovr_columns *c, size_t i)
         c->heating[j][i] = flow.heating[j];
     }
     c->t[i] = flow.t;
+    if (c->even)
+        c->even[i] = flow.even;
     c->fall[i] = fall(c, sheet.log_eta, &flow);
 }
 

@@ -47,7 +47,7 @@ void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o)
     fluid.sliding = V;
     o->sliding = V;
     if (sim->heated)
-        ovr_heat_stress(sim, sim->stress);
+        ovr_heat_stress(sim, &film, &fluid, sim->stress);
     else
         run->mean_stress(&film, &fluid, sim->stress);
     if (sim->lubricant.limiting_shear > 0)

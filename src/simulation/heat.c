@@ -194,14 +194,25 @@ double ovr_heat_relax(ovr_simulation *sim, double share)
 
 /* ------------------------------------------------------------- observed */
 
-void ovr_heat_stress(ovr_simulation *sim, double *t)
+/* The isothermal film's stress with the viscosities of this one, as Reynolds'
+ * equation has them, and what their profile does beyond (across.h). */
+void ovr_heat_stress(ovr_simulation *sim, const ovr_sheared *film,
+                     const ovr_fluid *fluid, double *t)
 {
     ovr_heated *h = sim->heated;
+    ovr_sheared dragged = *film;
+    double *q = sim->scratch[0], *even = sim->scratch[1];
+    for (size_t i = 0; i < sim->now.n; i++)
+        q[i] = h->drag[i] * film->q[i];
+    dragged.q = q;
+    sim->grids.kernels->mean_stress(&dragged, fluid, t);
+    h->film.even = even;
     ovr_heat_film(sim);
+    h->film.even = NULL;
     h->film.P_T = h->steps->dT > 0 ? h->steps->P_T : NULL;
     h->made = ovr_heat_made(sim, &h->made_size);
     for (size_t i = 0; i + 1 < sim->now.n; i++)
-        t[i] = (h->t[i] + h->t[i + 1]) / 2;
+        t[i] += (h->t[i] - even[i] + h->t[i + 1] - even[i + 1]) / 2;
 }
 
 static void largest(const ovr_simulation *sim, const double *T, double *value,

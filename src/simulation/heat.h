@@ -76,9 +76,10 @@ void ovr_heat_give(ovr_simulation *sim);
 /* Takes V and u1 of the time T. */
 void ovr_heat_speeds(ovr_simulation *sim, double T);
 
-/* Mean shear stress at half nodes, means of the nodes beside them; and what
- * all nodes make. */
-void ovr_heat_stress(ovr_simulation *sim, double *t);
+/* Mean shear stress at half nodes of the film as it is sheared by a fluid; and
+ * what all nodes make. */
+void ovr_heat_stress(ovr_simulation *sim, const ovr_sheared *film,
+                     const ovr_fluid *fluid, double *t);
 
 /* Temperatures in K at the point j across (-1: the mean), heat fluxes into a
  * surface, at the nodes; NAN without heat. */

@@ -326,6 +326,14 @@ static void is_cold(const hot *c)
     CHECK_CLOSE(ovr_simulation_observation(sim)->H_cen,
                 ovr_simulation_observation(cold)->H_cen, 1e-9);
     CHECK_NEAR(ovr_simulation_observation(sim)->T_max_rise, 0, 1e-12);
+    print_message("F_slide %.2e off\n",
+                  ovr_simulation_observation(sim)->F_slide /
+                          ovr_simulation_observation(cold)->F_slide -
+                      1);
+    CHECK_CLOSE(ovr_simulation_observation(sim)->F_slide,
+                ovr_simulation_observation(cold)->F_slide, 1e-10);
+    CHECK_CLOSE(ovr_simulation_observation(sim)->F_roll,
+                ovr_simulation_observation(cold)->F_roll, 1e-10);
     ovr_simulation_free(sim);
     ovr_simulation_free(cold);
 }
@@ -337,6 +345,8 @@ static void isothermal_limit(void **state)
     (void)state;
     f.oil.heat_capacity = 1e30;
     hot c = hot_contact(t, &f);
+    is_cold(&c);
+    c = hot_contact(&truths[0], &f);
     is_cold(&c);
     for (int rate = 0; rate < 2; rate++) {
         ovr_flow_form law = carreau(rate ? OVR_CARREAU : OVR_CARREAU_STRESS,

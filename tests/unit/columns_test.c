@@ -35,9 +35,9 @@ static const double *input(films *f, int k, double from, double to,
 static void put_places(films *f)
 {
     ovr_columns *c = &f->c;
-    double **const all[] = {&c->t,       &c->fall,   &c->th,    &c->shift,
-                            &c->drag,    &c->turned, &c->swell, &c->mean,
-                            &c->into[0], &c->into[1]};
+    double **const all[] = {&c->t,       &c->fall,    &c->th,    &c->shift,
+                            &c->drag,    &c->turned,  &c->swell, &c->mean,
+                            &c->into[0], &c->into[1], &c->even};
     f->count = 0;
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         *all[k] = f->out[f->count++];
