@@ -185,6 +185,12 @@ typedef struct ovr_passes_setup {
     double loss;      /* share that is lost */
     double side_flow; /* exponent of its law; NAN: none */
     double replenish; /* comes to each surface */
+    int again;        /* surfaces that come back, as bits: 1, 2, 3 both; the
+                         other is each time another body of its kind */
+    double spacing;   /* between two rolling bodies, b; NAN: not given */
+    double recovery;  /* b/um, in which a layer regains 1 - 1/e of what lacks
+                         to that of a flooded contact; NAN: never */
+    ovr_list loads;   /* of each pass over the nominal one; none: all 1 */
 } ovr_passes_setup;
 
 /* All that a case describes, ready to be run. */

@@ -180,6 +180,8 @@ typedef struct ovr_run_info {
     const char *passes_file; /* with a row for each, OUT.h5; output is that of
                                 the pass, OUT-1.h5 */
     long marked; /* steps accepted above the tolerance, of all passes */
+    double life_together; /* ratio of lives of a raceway that sees all passes
+                             again and again; NAN: not known */
 } ovr_run_info;
 OVR_API const ovr_run_info *ovr_run_about(const ovr_run *run);
 

@@ -48,6 +48,7 @@ static const struct condition {
     {"passes", "split", NULL, "number", "*"},
     {"passes", "loss", NULL, "number", "*"},
     {"passes", "replenish", NULL, "number", "*"},
+    {"passes", "again", NULL, "number", "*"},
     {"feature", "grow_from", NULL, "grow", "*"},
     {"feature", "copies", NULL, "repeat", "*"},
     {"feature", "scale", NULL, "shape", "profile"},

@@ -10,6 +10,10 @@
  * from now on.  `waiting`: oil before the inlet, b^3/R. */
 void ovr_setup_feed(ovr_setup *setup, ovr_layer *layer[2], double waiting);
 
+/* In place of the load: that of a pass, times its history. */
+ovr_status ovr_setup_load(ovr_setup *setup, int pass,
+                          const ovr_allocator *allocator, ovr_error *err);
+
 /* rho H that arrives at the inlet at T. */
 double ovr_setup_arriving(const ovr_setup *setup, double T);
 

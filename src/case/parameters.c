@@ -79,6 +79,7 @@ static const ovr_word criteria[] = {
     {"von-mises", OVR_CRITERION_VON_MISES},
     {"tresca", OVR_CRITERION_TRESCA},
     {NULL, 0}};
+static const ovr_word agains[] = {{"both", 3}, {"1", 1}, {"2", 2}, {NULL, 0}};
 static const ovr_word no_limit[] = {{"none", 0}, {NULL, 0}};
 static const ovr_word risk_exponents[] = {{"31/3", 31. / 3}, {NULL, 0}};
 static const ovr_word depth_exponents[] = {{"7/3", 7. / 3}, {NULL, 0}};
@@ -473,6 +474,19 @@ static const ovr_parameter table[] = {
      "one that a flooded contact leaves; some 2 to 5 for point contacts"},
     {"passes", "replenish", HEIGHT, "0", AT(passes.replenish), true,
      "thickness that comes to each surface between two passes"},
+    {"passes", "spacing", LENGTH(1e-3, 1e9), NULL, AT(passes.spacing), true,
+     "from one rolling body to the next, along the surfaces"},
+    {"passes", "recovery", OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, 1e-6, 1e12,
+     false, NULL, NULL, AT(passes.recovery), true,
+     "time in which a layer regains 1 - 1/e of what lacks to that of a flooded "
+     "contact; needs spacing"},
+    {"passes", "again", CHOICE(agains), "both", AT(passes.again), true,
+     "surfaces that come back with their layers; the other is each time "
+     "another body of its kind, with the even layer of before the features"},
+    {"passes", "loads", OVR_NUMBERS, OVR_PURE, OVR_NOT_HERTZIAN, 1e-3, 1e3,
+     false, NULL, NULL, AT(passes.loads), true,
+     "load of each pass over that of [contact], as many as passes: a load "
+     "zone"},
 
     {"feature", "surface", WHOLE(1, 2), "1", IN_FORM(surface), true,
      "surface it is on: 1 moves at u1, 2 at u2"},

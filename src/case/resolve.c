@@ -274,6 +274,7 @@ static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
         fill_section(r, "cavitation", err) || fill_section(r, "supply", err))
         return OVR_BAD_INPUT;
     r->values.passes.side_flow = NAN;
+    r->values.passes.spacing = r->values.passes.recovery = NAN;
     if (fill_section(r, "passes", err))
         return OVR_BAD_INPUT;
     status = resolve_level(r, err);

@@ -58,10 +58,32 @@ static ovr_status read_layers(ovr_resolved *r, const ovr_allocator *allocator,
     return OVR_OK;
 }
 
+/* Time from one rolling body to the next; a load for each of them. */
+static ovr_status check_bodies(const ovr_resolved *r, ovr_error *err)
+{
+    const ovr_passes_setup *p = &r->values.passes;
+    const ovr_slot *recovery = ovr_slot_of(r, "passes", "recovery");
+    const double speed[] = {r->contact.u1_ratio, r->contact.u2_ratio};
+    if (recovery->given && !(p->spacing > 0))
+        return ovr_fail_slot(err, recovery,
+                             "needs spacing, which tells how long a layer has");
+    for (int k = 0; k < 2; k++)
+        if (recovery->given && p->again & 1 << k && !(speed[k] > 0))
+            return ovr_fail_slot(err, recovery,
+                                 "surface %d does not move: no time goes by",
+                                 k + 1);
+    if (p->loads.count && p->loads.count != (size_t)p->number)
+        return ovr_fail_slot(err, ovr_slot_of(r, "passes", "loads"),
+                             "%zu loads for %d passes: one for each",
+                             p->loads.count, p->number);
+    return OVR_OK;
+}
+
 static ovr_status check_passes(const ovr_resolved *r, ovr_error *err)
 {
-    static const char *const keys[] = {"split", "loss", "side_flow",
-                                       "replenish"};
+    static const char *const keys[] = {"split",     "loss",    "side_flow",
+                                       "replenish", "spacing", "recovery",
+                                       "again",     "loads"};
     const ovr_passes_setup *p = &r->values.passes;
     const ovr_slot *number = ovr_slot_of(r, "passes", "number");
     double left = p->split * fmax(0, r->contact.u1_ratio) +
@@ -83,7 +105,7 @@ static ovr_status check_passes(const ovr_resolved *r, ovr_error *err)
                              "%g leaves all oil on a surface that does not "
                              "carry it off",
                              p->split);
-    return OVR_OK;
+    return check_bodies(r, err);
 }
 
 ovr_status ovr_resolve_supply(ovr_resolved *r, const ovr_allocator *allocator,

@@ -6,6 +6,7 @@
 #include "case/accuracy.h"
 #include "case/domain.h"
 #include "case/feed.h"
+#include "contact/scaled_history.h"
 #include "contact/starvation.h"
 #include "contact/turning.h"
 #include "simulation/internal.h"
@@ -249,6 +250,16 @@ void ovr_setup_feed(ovr_setup *setup, ovr_layer *layer[2], double waiting)
         supply->layer[k] = layer[k];
     }
     supply->start = lying(setup);
+}
+
+ovr_status ovr_setup_load(ovr_setup *setup, int pass,
+                          const ovr_allocator *allocator, ovr_error *err)
+{
+    const ovr_list *loads = &setup->passes->loads;
+    return (size_t)pass > loads->count
+               ? OVR_OK
+               : ovr_history_scale(&setup->load, loads->values[pass - 1],
+                                   allocator, err);
 }
 
 ovr_simulation *ovr_setup_simulation(ovr_setup *setup,

@@ -370,6 +370,27 @@ static void put_rough_film(const ovr_setup *setup, const ovr_rough_film *film)
         printf("#   less sure here: %s\n", film->but);
 }
 
+/* Bodies that roll one behind the other. */
+static void put_bodies(const ovr_setup *setup)
+{
+    const ovr_passes_setup *p = setup->passes;
+    const ovr_contact *c = setup->contact;
+    const double speed = p->again == 2 ? c->u2_ratio : c->u1_ratio;
+    double way = p->spacing / speed, most = 0;
+    for (size_t k = 0; k < p->loads.count; k++)
+        most = fmax(most, p->loads.values[k]);
+    if (most > 0)
+        printf("# %-28s %.4g of the nominal load at most\n", "load zone", most);
+    if (isfinite(way))
+        printf("# %-28s %.4g%s behind each other, %s\n", "rolling bodies",
+               p->spacing, in_metres(p->spacing, c->b).text,
+               at_time(way, c).text);
+    if (isfinite(p->recovery))
+        printf("# %-28s %.3g %% of what lacks to a flooded layer, in that "
+               "time\n",
+               "oil that flows back", 100 * -expm1(-way / p->recovery));
+}
+
 /* `ends`: at a given time, whatever happens. */
 static void put_cost(const estimate *cost, const ovr_setup *setup, bool ends)
 {
@@ -392,6 +413,8 @@ static void put_cost(const estimate *cost, const ovr_setup *setup, bool ends)
         printf("# %-28s %.0f, a run and a result file each; all below is of "
                "one but for the disk and the seconds\n",
                "passes", cost->passes);
+    if (cost->passes > 1)
+        put_bodies(setup);
     if (cost->steps > 0)
         printf("# %-28s %s%.0f\n", "steps", ends ? "" : "at most ",
                cost->steps);

@@ -180,6 +180,10 @@ _overroll_values() {
     passes.loss) echo '' ;;
     passes.side_flow) echo '' ;;
     passes.replenish) echo '' ;;
+    passes.spacing) echo '' ;;
+    passes.recovery) echo '' ;;
+    passes.again) echo 'both 1 2' ;;
+    passes.loads) echo '' ;;
     feature.surface) echo '' ;;
     feature.shape) echo 'dent bump indent ridge step groove wave chirp texture profile roughness' ;;
     feature.start) echo 'inlet' ;;

@@ -23,12 +23,14 @@
 
 #include "base/arena.h"
 #include "base/interpolation.h"
+#include "contact/scaled_history.h"
 #include "contact/turning.h"
 
 struct ovr_history {
     ovr_history_form form;
     gsl_interp *interp; /* table only */
     double *T, *value;
+    double scale; /* on all values */
     ovr_arena arena;
 };
 
@@ -135,6 +137,7 @@ ovr_history *ovr_history_create(const ovr_history_form *given,
     if (!history)
         return NULL;
     history->form = *form;
+    history->scale = 1;
     history->form.T = history->form.value = NULL;
     history->arena = arena;
     if (form->kind == OVR_HISTORY_TABLE && make_table(history, form, err)) {
@@ -153,6 +156,18 @@ void ovr_history_free(ovr_history *history)
         gsl_interp_free(history->interp);
     arena = history->arena;
     ovr_arena_release(&arena);
+}
+
+ovr_status ovr_history_scale(ovr_history **history, double factor,
+                             const ovr_allocator *allocator, ovr_error *err)
+{
+    const ovr_history_form constant = ovr_history_form_default();
+    if (!*history)
+        *history = ovr_history_create(&constant, allocator, err);
+    if (!*history)
+        return OVR_NO_MEMORY;
+    (*history)->scale *= factor;
+    return OVR_OK;
 }
 
 /* --------------------------------------------------------------- values */
@@ -204,12 +219,9 @@ double ovr_history_end(const ovr_history *history)
                                           : form->start + form->duration;
 }
 
-double ovr_history_value(const ovr_history *history, double T)
+static double unscaled(const ovr_history *history, double T)
 {
-    const ovr_history_form *form;
-    if (!history || isnan(T))
-        return 1;
-    form = &history->form;
+    const ovr_history_form *form = &history->form;
     switch (form->kind) {
     case OVR_HISTORY_CONSTANT: break;
     case OVR_HISTORY_RAMP:
@@ -221,6 +233,13 @@ double ovr_history_value(const ovr_history *history, double T)
     case OVR_HISTORY_TABLE: return table_value(history, T);
     }
     return 1;
+}
+
+double ovr_history_value(const ovr_history *history, double T)
+{
+    if (!history)
+        return 1;
+    return isnan(T) ? history->scale : history->scale * unscaled(history, T);
 }
 
 bool ovr_history_varies(const ovr_history *history)
@@ -240,11 +259,12 @@ double ovr_history_least(const ovr_history *history)
 {
     const ovr_history_form *form = history ? &history->form : NULL;
     if (!ovr_history_varies(history))
-        return 1;
+        return history ? history->scale : 1;
     if (form->kind == OVR_HISTORY_TABLE)
-        return table_least(history);
-    return form->kind == OVR_HISTORY_SINE ? form->mean - fabs(form->amplitude)
-                                          : fmin(form->from, form->to);
+        return history->scale * table_least(history);
+    return history->scale * (form->kind == OVR_HISTORY_SINE
+                                 ? form->mean - fabs(form->amplitude)
+                                 : fmin(form->from, form->to));
 }
 
 bool ovr_history_turns(const ovr_history *history)
@@ -342,12 +362,9 @@ static double table_integral(const ovr_history *history, double T)
     return T > last ? inside + (T - last) * history->value[n - 1] : inside;
 }
 
-double ovr_history_integral(const ovr_history *history, double T)
+static double unscaled_integral(const ovr_history *history, double T)
 {
-    const ovr_history_form *form;
-    if (!history)
-        return T;
-    form = &history->form;
+    const ovr_history_form *form = &history->form;
     switch (form->kind) {
     case OVR_HISTORY_CONSTANT: break;
     case OVR_HISTORY_RAMP:
@@ -359,6 +376,11 @@ double ovr_history_integral(const ovr_history *history, double T)
         return table_integral(history, T) - table_integral(history, 0);
     }
     return T;
+}
+
+double ovr_history_integral(const ovr_history *history, double T)
+{
+    return history ? history->scale * unscaled_integral(history, T) : T;
 }
 
 double ovr_surface_speed(const ovr_history *speed, const ovr_history *sliding,

@@ -22,6 +22,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "case/feed.h"
 #include "run/internal.h"
 #include "run/passes.h"
 #include "simulation/scheme.h"
@@ -86,10 +87,14 @@ static ovr_status solve(ovr_setup *setup, ovr_simulation *coarse, double end,
 }
 
 /* Its pass, of several, before it begins. */
-static ovr_status begin(ovr_setup *setup, ovr_pass_level *pass,
-                        const ovr_allocator *allocator, ovr_error *err)
+static ovr_status begin(const ovr_run *run, ovr_setup *setup,
+                        ovr_pass_level *pass, ovr_error *err)
 {
-    ovr_status status = ovr_setup_prepare(setup, allocator, err);
+    const ovr_allocator *allocator = &run->arena.allocator;
+    ovr_status status =
+        pass ? ovr_setup_load(setup, run->passes->now, allocator, err) : OVR_OK;
+    if (!status)
+        status = ovr_setup_prepare(setup, allocator, err);
     if (pass && !status) {
         ovr_pass_level_feed(pass, setup);
         ovr_pass_level_begin(pass, allocator);
@@ -107,7 +112,7 @@ static ovr_status run_coarser(const ovr_run *run, int down, level_run *r,
     ovr_status status = OVR_BAD_INPUT;
     if (setup) {
         setup->options->level = ovr_simulation_options(run->sim)->level - down;
-        if (!begin(setup, pass, allocator, err))
+        if (!begin(run, setup, pass, err))
             coarse = ovr_setup_simulation(setup, allocator, err);
     }
     if (coarse) {

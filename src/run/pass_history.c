@@ -15,7 +15,8 @@ static const char *const names[OVR_PASS_QUANTITIES] = {
     [OVR_SEEN_INFLOW] = "inflow",
     [OVR_SEEN_OUTFLOW] = "outflow",
     [OVR_SEEN_WAITING] = "oil_waiting",
-    [OVR_SEEN_SPEED] = "speed_ratio"};
+    [OVR_SEEN_SPEED] = "speed_ratio",
+    [OVR_SEEN_LOAD] = "load_ratio"};
 
 static const ovr_observable *named(const char *name)
 {

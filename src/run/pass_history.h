@@ -20,6 +20,7 @@ typedef enum ovr_pass_quantity {
     OVR_SEEN_OUTFLOW,
     OVR_SEEN_WAITING,
     OVR_SEEN_SPEED,
+    OVR_SEEN_LOAD,
     OVR_PASS_QUANTITIES
 } ovr_pass_quantity;
 

@@ -13,9 +13,11 @@
  * two passes
  *
  *     h <- (1 - loss) h,   or   h <- h_ff x/(1 + x^g)^(1/g),  x = h/h_ff,
- *     h <- h + replenish
+ *     h <- h + replenish,   h <- h_ff - (h_ff - h) exp(-t/recovery)
  *
- * h_ff the layer that a flooded contact leaves; x^-g grows by 1 a pass.
+ * h_ff the layer that a flooded contact leaves; x^-g grows by 1 a pass; t =
+ * spacing/u_k, from one rolling body to the next.  A surface that is each time
+ * another body's has the layer that was left before anything passed.
  *
  * Method: the history of the result file, or of a simulation that runs.
  * Accuracy: that of a step.
@@ -39,6 +41,11 @@ static double leaving(const ovr_setup *s, double T, double f)
     return f / (split * fmax(0, u1) + (1 - split) * fmax(0, u2));
 }
 
+static double left_at(const ovr_setup *s, const ovr_pass_history *h, size_t j)
+{
+    return leaving(s, h->of[OVR_SEEN_TIME][j], h->of[OVR_SEEN_OUTFLOW][j]);
+}
+
 /* The same at nominal speeds, of a content. */
 static double nominally(const ovr_setup *s, double q)
 {
@@ -47,12 +54,23 @@ static double nominally(const ovr_setup *s, double q)
                 (1 - split) * fmax(0, s->contact->u2_ratio));
 }
 
-static double after(const ovr_passes_setup *p, double h, double flooded)
+/* `ratio`: speed of its surface. */
+static double after(const ovr_passes_setup *p, double h, double flooded,
+                    double ratio)
 {
     double g = p->side_flow, x = h / flooded;
     if (isfinite(g) && x > 0)
         h = flooded * x / pow(1 + pow(x, g), 1 / g);
-    return (1 - p->loss) * h + p->replenish;
+    h = (1 - p->loss) * h + p->replenish;
+    if (isfinite(p->recovery) && h < flooded)
+        h = flooded - (flooded - h) * exp(-p->spacing / ratio / p->recovery);
+    return h;
+}
+
+/* The row of the history that tells what lies on surface k where row j was. */
+static size_t lies(const ovr_setup *s, int k, size_t j)
+{
+    return s->passes->again & 1 << k ? j : 0;
 }
 
 /* Surface k; what is lost of it goes to lost[j], as a flow at each time. */
@@ -70,13 +88,13 @@ static ovr_layer *make_layer(const ovr_setup *s, const ovr_pass_history *h,
     for (size_t j = 0; j < h->n; j++) {
         double T = h->of[OVR_SEEN_TIME][j];
         double u = ovr_surface_speed(s->speed, s->sliding, ratio, k + 1, T);
-        double left = share * leaving(s, T, h->of[OVR_SEEN_OUTFLOW][j]);
+        double left = share * left_at(s, h, lies(s, k, j));
         double place = s->options->outlet -
                        ovr_surface_way(s->speed, s->sliding, ratio, k + 1, T);
         if (!isfinite(left) || (first < end && place > x[first] - apart))
             continue;
         x[--first] = place;
-        thick[first] = after(s->passes, fmax(0, left), full);
+        thick[first] = after(s->passes, fmax(0, left), full, ratio);
         lost[j] += fmax(0, u) * (left - thick[first]);
     }
     if (first == end)
@@ -128,6 +146,7 @@ static void fill_row(const ovr_pass_history *h, const double *lost,
     to[OVR_PASS_LOST] = mean(h, lost);
     to[OVR_PASS_WAITING] = h->of[OVR_SEEN_WAITING][h->n - 1];
     to[OVR_PASS_STEPS] = (double)h->n - 1;
+    to[OVR_PASS_LOAD] = mean(h, h->of[OVR_SEEN_LOAD]);
 }
 
 /* ------------------------------------------------------------------- whole */
@@ -177,8 +196,9 @@ void ovr_pass_end_free(ovr_pass_end *end)
 /* ------------------------------------------------------------- from its file
  */
 
-/* Errors that were estimated for the pass; of a steady one those of its end. */
-static void read_errors(ovr_result *result, ovr_pass_row *row)
+/* Errors that were estimated for the pass, of a steady one those of its end;
+ * what it does to the material. */
+static void read_summary(ovr_result *result, ovr_pass_row *row)
 {
     static const struct {
         const char *key;
@@ -188,7 +208,10 @@ static void read_errors(ovr_result *result, ovr_pass_row *row)
               {"P_max_error", OVR_PASS_PRESSURE_ERROR},
               {"H_min_overall_error", OVR_PASS_LEAST_ERROR},
               {"P_max_overall_error", OVR_PASS_PRESSURE_ERROR},
-              {"X_meniscus_mean_error", OVR_PASS_MENISCUS_ERROR}};
+              {"X_meniscus_mean_error", OVR_PASS_MENISCUS_ERROR},
+              {"equivalent_length", OVR_PASS_LENGTH},
+              {"risk_smooth", OVR_PASS_RISK},
+              {"life_ratio", OVR_PASS_RATIO}};
     size_t count = 0;
     const ovr_group_attribute *line = ovr_result_attributes(result, "summary",
                                                             &count);
@@ -214,7 +237,7 @@ ovr_status ovr_pass_read(const char *file, const ovr_setup *setup,
     else if (result)
         status = ovr_pass_end_make(setup, &h, flooded, end, allocator, err);
     if (!status)
-        read_errors(result, &end->row);
+        read_summary(result, &end->row);
     ovr_result_close(result);
     ovr_arena_release(&h.arena);
     return status;

@@ -72,6 +72,30 @@ static void tell(ovr_run *run)
 
 /* ----------------------------------------------------------------- feeding */
 
+/*
+ * Life of a raceway under all passes up to this one, again and again, over that
+ * without features.  By the rule of Palmgren and Miner the shares of life add,
+ * each pass's by its risk I of the whole raceway l, (I/ln(1/S))^(1/e) (life.c):
+ *
+ *     ratio = sum_k i_k^(1/e) / sum_k (i_k (1 + count lambda_k/l))^(1/e)
+ *
+ * i the smooth risk per length, lambda the equivalent length, of one surface.
+ */
+static double life_together(const ovr_run *run, int passes)
+{
+    const ovr_stress_setup *s = run->setup->stress;
+    double smooth = 0, real = 0;
+    if (!(s->raceway > 0) || s->surfaces == 3)
+        return NAN;
+    for (int k = 0; k < passes; k++) {
+        const double *v = run->passes->row[k].value;
+        double part = pow(v[OVR_PASS_RISK], 1 / s->life.weibull);
+        smooth += part;
+        real += part / v[OVR_PASS_RATIO];
+    }
+    return smooth / real;
+}
+
 static ovr_status learn(ovr_run *run, int pass, ovr_pass_end *end,
                         ovr_error *err)
 {
@@ -83,6 +107,8 @@ static ovr_status learn(ovr_run *run, int pass, ovr_pass_end *end,
         return status;
     end->row.status = "complete";
     p->row[pass - 1] = end->row;
+    run->info.life_together = life_together(run, pass);
+    p->row[pass - 1].value[OVR_PASS_TOGETHER] = run->info.life_together;
     p->oil_flooded = end->flooded;
     return OVR_OK;
 }
@@ -91,8 +117,10 @@ ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err)
 {
     ovr_passes *p = run->passes;
     ovr_pass_end end;
-    ovr_status status = ovr_setup_prepare(run->setup, &run->arena.allocator,
-                                          err);
+    const ovr_allocator *allocator = &run->arena.allocator;
+    ovr_status status = ovr_setup_load(run->setup, p->now, allocator, err);
+    if (!status)
+        status = ovr_setup_prepare(run->setup, allocator, err);
     if (!status && !p->file)
         status = make_rows(run, run->setup->passes->number, err);
     if (status)

@@ -28,10 +28,15 @@ typedef enum ovr_pass_column {
     OVR_PASS_LOST,
     OVR_PASS_WAITING,
     OVR_PASS_STEPS,
-    OVR_PASS_FILM_ERROR, /* where they were estimated, from here on */
+    OVR_PASS_LOAD,
+    OVR_PASS_FILM_ERROR, /* from here on where they are known */
     OVR_PASS_LEAST_ERROR,
     OVR_PASS_PRESSURE_ERROR,
     OVR_PASS_MENISCUS_ERROR,
+    OVR_PASS_LENGTH, /* of the stresses below a surface */
+    OVR_PASS_RISK,
+    OVR_PASS_RATIO,
+    OVR_PASS_TOGETHER,
     OVR_PASS_COLUMNS
 } ovr_pass_column;
 

@@ -54,6 +54,8 @@ static const struct {
     [OVR_PASS_WAITING] = {"oil_waiting", "oil before the inlet at the end",
                           OVR_KIND_AREA},
     [OVR_PASS_STEPS] = {"steps", "time steps", OVR_KIND_COUNT},
+    [OVR_PASS_LOAD] = {"load_ratio", "load over the nominal one, mean",
+                       OVR_KIND_NUMBER},
     [OVR_PASS_FILM_ERROR] = {"central_film_thickness_error",
                              "its estimated error of discretization",
                              OVR_KIND_HEIGHT},
@@ -65,7 +67,20 @@ static const struct {
                                  OVR_KIND_PRESSURE},
     [OVR_PASS_MENISCUS_ERROR] = {"meniscus_error",
                                  "its estimated error of discretization",
-                                 OVR_KIND_LENGTH}};
+                                 OVR_KIND_LENGTH},
+    [OVR_PASS_LENGTH] = {"equivalent_length",
+                         "length of smooth raceway with the risk that is added",
+                         OVR_KIND_LENGTH},
+    [OVR_PASS_RISK] = {"risk_smooth", "risk of a length of smooth raceway",
+                       OVR_KIND_NUMBER},
+    [OVR_PASS_RATIO] = {"life_ratio",
+                        "life over that of the smooth raceway, of passes like "
+                        "this one alone",
+                        OVR_KIND_NUMBER},
+    [OVR_PASS_TOGETHER] = {"life_ratio_together",
+                           "the same of all passes up to this one, again and "
+                           "again",
+                           OVR_KIND_NUMBER}};
 
 typedef struct table {
     const ovr_run *run;
@@ -123,7 +138,7 @@ static bool put_texts(const table *t, const char *name, const char *about)
     return set >= 0 && H5Dclose(set) >= 0 && good;
 }
 
-/* Errors are a column where they were estimated. */
+/* Errors and lives are columns where they are known. */
 static bool is_wanted(const table *t, ovr_pass_column k)
 {
     bool wanted = k < OVR_PASS_FILM_ERROR;

@@ -147,6 +147,8 @@ static void put_passes(const taker *to, const ovr_run_info *s)
     put_count(to, "pass", s->pass);
     put_count(to, "passes", s->passes);
     put_text(to, "pass_output", s->output);
+    if (isfinite(s->life_together))
+        put_number(to, "life_ratio_together", s->life_together);
     if (!s->transient)
         put_text(to, "output", s->passes_file);
 }

@@ -1,0 +1,116 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Rollers that follow each other over a dented raceway, the example bearing on a
+# coarse level: a load for each, another roller each time, oil that flows back
+# in between, and lives that add.
+. "$TOP/tests/support/cli.sh"
+
+sed 's/^number = .*/number = 3/; s/^loads = .*/loads = 0.5, 1, 0.5/' \
+    "$TOP/tools/examples/bearing.ini" >three.ini
+expect 0 "$OVERROLL" run three.ini -q -o three.h5 --json --set domain.level=5 \
+    --set feature.dent.depth=0.3um --set feature.dent.shoulder=0.05um
+mv out three.json
+expect 0 "$OVERROLL" export three.h5
+mv out three.csv
+for k in 1 2 3; do
+    expect 0 "$OVERROLL" export "three-$k.h5"
+    mv out "$k.csv"
+done
+
+# column NAME, of the file read now
+column='
+    FNR == 1 { for (i = 1; i <= NF; i++) {
+        name = $i
+        sub(" .*", "", name)
+        at[FILENAME, name] = i } }
+    function of(name) { return $at[FILENAME, name] }
+    function near(a, b, by) { return (a - b) ^ 2 <= (by * b) ^ 2 }'
+
+# The load of each is carried from its start to its end
+for k in 1 2 3; do
+    awk -F, "$column"'
+        FNR > 1 {
+            w = n == 2 ? 1 : 0.5
+            if (!near(of("load"), w * atan2(0, -1) / 2, 1e-3)) bad = of("load")
+            if (!near(of("load_ratio"), w, 1e-12)) bad = of("load_ratio")
+        }
+        END { print bad; exit bad != "" }' n=$k $k.csv >bad ||
+        fail "pass $k carries $(cat bad)"
+done
+
+# What arrives at the second: of the raceway what lay there, of the roller what
+# was there before the dent; both less a fifth, then back by 1 - exp(-1/2), in
+# 3 ms of 6, to what a flooded contact leaves, not above
+awk -F, "$column"'
+    FNR == 1 { next }
+    FILENAME == "1.csv" {
+        T[m] = of("time")
+        f[m++] = of("outflow")
+        next
+    }
+    function between(t,    j) {
+        j = int(t / T[1])
+        return j + 1 < m ? f[j] + (t / T[1] - j) * (f[j + 1] - f[j]) : f[m - 1]
+    }
+    function later(h) {
+        h *= 0.8
+        return h < full ? full - (full - h) * exp(-0.5) : h
+    }
+    FILENAME == "2.csv" && rows++ {
+        if (!speed) speed = 4
+        full = f[0] / speed / 2
+        left = of("time") + 5.5 * b / speed
+        wanted = later(between(left) / speed / 2) + later(f[0] / speed / 2)
+        if (!near(of("supply"), wanted, 1e-9)) bad = of("supply") ", " wanted
+        if (wanted > high) high = wanted
+        if (!low || wanted < low) low = wanted
+    }
+    END {
+        if (!(high > 1.02 * low)) bad = "no wake " low " " high
+        print bad
+        exit bad != ""
+    }' b="$(sed -n 's/^ *"half_width_m": \(.*\),$/\1/p' three.json)" \
+    1.csv 2.csv >bad || fail "arrives: $(cat bad)"
+
+# Lives: of each by its equivalent length, together by Palmgren and Miner; the
+# risk of a load goes with its power 4.5, where the least depth is no matter
+awk -F, "$column"'
+    FNR > 1 {
+        e = 9 / 8
+        each = (1 + 30 * of("equivalent_length") / 0.15) ^ (-1 / e)
+        if (!near(of("life_ratio"), each, 1e-9)) bad = "alone " each
+        part = of("risk_smooth") ^ (1 / e)
+        smooth += part
+        real += part / each
+        if (!near(of("life_ratio_together"), smooth / real, 1e-9))
+            bad = "together " smooth / real
+        if (of("pass") == 2 && !near(risk / of("risk_smooth"), 0.5 ^ 4.5, 0.3))
+            bad = "risks " risk / of("risk_smooth")
+        risk = of("risk_smooth")
+        last = of("life_ratio_together")
+    }
+    END {
+        if (!near(last, told, 1e-12)) bad = "tells " told
+        print bad
+        exit bad != ""
+    }' told="$(sed -n 's/^ *"life_ratio_together": \(.*\),$/\1/p' three.json)" \
+    three.csv >bad || fail "lives: $(cat bad)"
+
+# In one piece or gone on with: the same
+rm three-2.h5* three-3.h5*
+expect 0 "$OVERROLL" resume three.h5 -q
+expect 0 "$OVERROLL" export three.h5
+cmp -s out three.csv || fail 'resumed it is another run'
+
+# What does not go together
+refuses 'loads: 2 loads for 3 passes' check three.ini --set passes.loads=1,2
+sed '/^spacing/d' three.ini >near.ini
+refuses 'recovery: needs spacing' check near.ini
+refuses 'recovery: surface 1 does not move' check three.ini \
+    --set contact.slide_to_roll=-2
+
+# What is said before
+expect 0 "$OVERROLL" check three.ini
+contains out '^# load zone +1 of the nominal load at most'
+contains out '^# rolling bodies +[0-9.]+ \(12 mm\) behind each other, '
+contains out '^# oil that flows back +39.3 % of what lacks'
