@@ -29,6 +29,7 @@ typedef enum ovr_part {
     OVR_PART_SPEED,
     OVR_PART_REVERSAL, /* a history of speed that passes through zero */
     OVR_PART_SLIDING,
+    OVR_PART_RADIUS,
     OVR_PART_FLOW_LAW, /* any but Newton's */
     OVR_PART_HEAT,
     OVR_PART_CONSERVING,

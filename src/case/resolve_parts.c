@@ -33,6 +33,7 @@ static unsigned written(const ovr_resolved *r)
            ovr_part_bit(OVR_PART_SPEED, s->speed != NULL) |
            ovr_part_bit(OVR_PART_REVERSAL, ovr_history_turns(s->speed)) |
            ovr_part_bit(OVR_PART_SLIDING, s->sliding != NULL) |
+           ovr_part_bit(OVR_PART_RADIUS, s->radius != NULL) |
            ovr_part_bit(OVR_PART_FLOW_LAW,
                         r->lubricant.rheology != OVR_NEWTONIAN) |
            ovr_part_bit(OVR_PART_HEAT, s->heat != NULL) |

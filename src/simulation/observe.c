@@ -14,12 +14,12 @@ double ovr_integral(const ovr_simulation *sim, const double *f)
 
 /* The root mean square of rho H, which neither compresses nor flows there, in
  * the window about its mean, over the mean density. */
-static double film_roughness(const ovr_solution *now)
+static double film_roughness(const ovr_solution *now, double window)
 {
     double width = 0, content = 0, squares = 0, density = 0, mean;
     for (size_t i = 0; i < now->n; i++) {
         double w = now->weights[i], q = now->q[i];
-        if (!(fabs(now->X[i]) < OVR_ROUGH_WINDOW))
+        if (!(fabs(now->X[i]) < window))
             continue;
         width += w;
         content += w * q;
@@ -27,10 +27,19 @@ static double film_roughness(const ovr_solution *now)
     }
     mean = content / width;
     for (size_t i = 0; i < now->n; i++)
-        if (fabs(now->X[i]) < OVR_ROUGH_WINDOW)
+        if (fabs(now->X[i]) < window)
             squares += now->weights[i] * (now->q[i] - mean) *
                        (now->q[i] - mean);
     return sqrt(squares * width) / density;
+}
+
+/* Less than that of the nominal contact where the contact is narrower. */
+static double rough_window(const ovr_simulation *sim)
+{
+    double T = sim->state.T;
+    double s = sqrt(ovr_history_value(sim->load, T) *
+                    ovr_history_value(sim->radius, T));
+    return OVR_ROUGH_WINDOW * fmin(1, s);
 }
 
 static void observe_film(const ovr_simulation *sim, ovr_observation *o)
@@ -41,7 +50,8 @@ static void observe_film(const ovr_simulation *sim, ovr_observation *o)
     o->X_min = sim->now.X[low];
     o->X_min_located = ovr_vertex(sim->now.X, H, low, &o->H_min_located);
     o->H_cen = ovr_value_at(&sim->now, H, 0);
-    o->film_Rq = sim->heights ? film_roughness(&sim->now) : NAN;
+    o->film_Rq = sim->heights ? film_roughness(&sim->now, rough_window(sim))
+                              : NAN;
     o->H0 = sim->grids.H0;
 }
 

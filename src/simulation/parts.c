@@ -19,6 +19,7 @@ static const ovr_part_info parts[OVR_PARTS] = {
     {"a history of speed", "speed", "history"},
     {"a speed that reverses", "speed", "history"},
     {"a history of sliding", "sliding", "history"},
+    {"a history of the radius", "radius", "history"},
     {"a flow law", "lubricant", "rheology"},
     {"heat", "heat", "model"},
     {"cavitation that conserves oil", "cavitation", "model"},
