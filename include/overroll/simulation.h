@@ -179,11 +179,17 @@ OVR_API void ovr_simulation_radius(ovr_simulation *sim,
                                    const ovr_history *radius,
                                    const ovr_history *radius_1, bool rides);
 
-/* Heat in solutions of second order, steady and in time, upstream: temperatures
- * of film and surfaces, and the viscosity by them.  To be called before
- * anything is solved; OVR_BAD_INPUT where options or slip do not go with it. */
+/* Heat in solutions of second order, steady and in time: temperatures of film
+ * and surfaces, and the viscosity by them.  To be called before anything is
+ * solved; OVR_BAD_INPUT where options do not go with it.  An order that was
+ * left to the library (0) is 2 from then on, as ovr_simulation_options tells.
+ */
 OVR_API ovr_status ovr_simulation_heat(ovr_simulation *sim,
                                        const ovr_heat *heat, ovr_error *err);
+
+/* Bytes that it takes, beyond ovr_simulation_memory; INFINITY: refused. */
+OVR_API double ovr_simulation_heat_memory(const ovr_options *options,
+                                          const ovr_heat *heat);
 
 /* For a run of fourth order: the heights of what stands still (u_k = 0), fully
  * grown; NULL: the surfaces are smooth but for what moves.  The corrections

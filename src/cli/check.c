@@ -55,18 +55,6 @@ static void give(void *live, void *memory)
     free(piece);
 }
 
-/* Temperatures by points, now, before, at the feet and as the film has them,
- * speeds and what they make; memories of both surfaces; what the film has of
- * them, on all grids. */
-static double heat_memory(const ovr_setup *setup)
-{
-    enum { MEMORIES = 32, ARRAYS = 25, OF_ALL_GRIDS = 3 };
-    if (!setup->heat)
-        return 0;
-    return (7 * setup->heat->points + MEMORIES + ARRAYS + 2 * OF_ALL_GRIDS) *
-           (double)setup->nodes * sizeof(double);
-}
-
 /* One cycle a patch down to the grid of the level, some more at the end; of
  * patches that go on until the spike changes little, eight. */
 static double refine_seconds(const ovr_options *o, double nodes)
@@ -88,8 +76,10 @@ static estimate estimate_cost(const ovr_setup *setup, double live)
     cost.nodes = (double)setup->nodes;
     cost.mesh = setup->mesh;
     cost.bytes = live + ovr_simulation_memory(setup->options) +
-                 heat_memory(setup) + ovr_setup_stress_memory(setup) +
+                 ovr_setup_stress_memory(setup) +
                  ovr_setup_output_memory(setup);
+    if (setup->heat)
+        cost.bytes += ovr_simulation_heat_memory(setup->options, setup->heat);
     if (setup->transient)
         cost.steps = ceil(march->end / dT);
     cost.passes = setup->passes->number;

@@ -70,6 +70,8 @@ ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
 {
     const ovr_lubricant *oil = &sim->lubricant;
     ovr_heated *h;
+    if (sim->order_left)
+        sim->options.order = 2;
     if (check(sim, err))
         return OVR_BAD_INPUT;
     h = ovr_arena_take(&sim->arena, 1, sizeof *h, err);

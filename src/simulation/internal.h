@@ -93,6 +93,7 @@ struct ovr_simulation {
     int strategy;      /* of steady.c, by which the steady solution was found */
     ovr_wanted wanted; /* the steady start */
     int order;         /* reached by it */
+    bool order_left;   /* options left it to the library */
     ovr_correction correction;
     double *F_fourth, *gap_fourth; /* what a run keeps of it, by nodes */
     double largest_error;      /* adaptive: a step with more is not accepted */

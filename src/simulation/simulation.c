@@ -165,9 +165,11 @@ ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
 {
     ovr_options resolved = ovr_options_default();
     ovr_simulation *sim;
-    if (ovr_sized_take(&resolved, sizeof resolved, options, "ovr_options",
-                       err) ||
-        ovr_options_resolve(contact, &resolved, err))
+    bool order_left;
+    if (ovr_sized_take(&resolved, sizeof resolved, options, "ovr_options", err))
+        return NULL;
+    order_left = !resolved.order;
+    if (ovr_options_resolve(contact, &resolved, err))
         return NULL;
     if (ovr_parts_check(ovr_parts_of(&resolved) |
                             ovr_part_bit(OVR_PART_FLOW_LAW,
@@ -175,23 +177,50 @@ ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
                         err))
         return NULL;
     sim = set_up(ovr_arena_make(allocator), contact, lubricant, &resolved, err);
+    if (!sim)
+        return NULL;
+    sim->order_left = order_left;
+    fill_arrays(sim);
+    return sim;
+}
+
+/* A set-up that only counts what it takes. */
+static ovr_simulation *counted(const ovr_options *options)
+{
+    const ovr_contact contact = {.M = 20, .L = 10}; /* of what is automatic */
+    const ovr_lubricant lubricant = {0};
+    ovr_options o = ovr_options_default();
+    ovr_simulation *sim;
+    bool order_left;
+    if (ovr_sized_take(&o, sizeof o, options, "ovr_options", NULL))
+        return NULL;
+    order_left = !o.order;
+    if (ovr_options_resolve(&contact, &o, NULL))
+        return NULL;
+    sim = set_up(ovr_arena_counting(), &contact, &lubricant, &o, NULL);
     if (sim)
-        fill_arrays(sim);
+        sim->order_left = order_left;
     return sim;
 }
 
 double ovr_simulation_memory(const ovr_options *options)
 {
-    const ovr_contact contact = {.M = 20, .L = 10}; /* of what is automatic */
-    const ovr_lubricant lubricant = {0};
-    ovr_options o = ovr_options_default();
-    ovr_simulation *sim = NULL;
+    ovr_simulation *sim = counted(options);
+    double bytes = sim ? (double)sim->arena.bytes : INFINITY;
+    ovr_simulation_free(sim);
+    return bytes;
+}
+
+double ovr_simulation_heat_memory(const ovr_options *options,
+                                  const ovr_heat *heat)
+{
+    ovr_simulation *sim = counted(options);
     double bytes = INFINITY;
-    if (!ovr_sized_take(&o, sizeof o, options, "ovr_options", NULL) &&
-        ovr_options_resolve(&contact, &o, NULL) == OVR_OK)
-        sim = set_up(ovr_arena_counting(), &contact, &lubricant, &o, NULL);
-    if (sim)
-        bytes = (double)sim->arena.bytes;
+    if (sim) {
+        size_t before = sim->arena.bytes;
+        if (!ovr_simulation_heat(sim, heat, NULL))
+            bytes = (double)(sim->arena.bytes - before);
+    }
     ovr_simulation_free(sim);
     return bytes;
 }

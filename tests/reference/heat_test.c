@@ -402,10 +402,36 @@ static void seven_points_check_five(void **state)
     assert_true(off[1] < off[0]);
 }
 
+/* Options that leave the order to the library; one that is written stays. */
+static void order_left_to_the_library(void **state)
+{
+    ovr_heat_form f = form();
+    hot c = hot_contact(&truths[3], &f);
+    ovr_options options = ovr_options_default();
+    ovr_error err = {0};
+    (void)state;
+    options.level = 5;
+    ovr_simulation *sim = ovr_simulation_create(&c.contact, &c.oil, &options,
+                                                NULL, &err);
+    assert_int_equal(ovr_simulation_options(sim)->order, 4);
+    CHECK_OK(ovr_simulation_heat(sim, &c.heat, &err), &err);
+    assert_int_equal(ovr_simulation_options(sim)->order, 2);
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    assert_int_equal(ovr_simulation_order(sim), 2);
+    assert_true(ovr_simulation_observation(sim)->T_max_rise > 10);
+    ovr_simulation_free(sim);
+    options.order = 4;
+    sim = ovr_simulation_create(&c.contact, &c.oil, &options, NULL, &err);
+    assert_int_equal(ovr_simulation_heat(sim, &c.heat, &err), OVR_BAD_INPUT);
+    assert_string_equal(err.about, "order");
+    ovr_simulation_free(sim);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_of_heat),
+        cmocka_unit_test(order_left_to_the_library),
         cmocka_unit_test(steady_against_truth),
         cmocka_unit_test(surfaces_swapped),
         cmocka_unit_test(carreau_of_one_is_newtonian),

@@ -5,6 +5,7 @@
 #include "overroll/surface.h"
 #include "simulation/internal.h"
 #include "support/contact.h"
+#include "support/hot.h"
 #include "support/test.h"
 
 typedef struct kind {
@@ -114,6 +115,31 @@ static void a_node_takes_less_than_a_kilobyte(void **state)
         }
 }
 
+/* What heat takes is counted, too. */
+static void heat_is_announced(void **state)
+{
+    (void)state;
+    for (int points = 5; points <= 7; points += 2) {
+        test_faults faults;
+        ovr_error err = {0};
+        ovr_heat_form form = test_heat_form();
+        form.points = points;
+        form.density_expands = points == 7;
+        test_hot hot = test_hot_make(20, 10, 0.5, 5e6, &form);
+        test_faults_init(&faults);
+        ovr_simulation *sim = create(
+            &(kind){10, OVR_UPSTREAM2, OVR_LINE, false}, &faults.hook);
+        const ovr_options *options = ovr_simulation_options(sim);
+        double before = faults.bytes;
+        CHECK_OK(ovr_simulation_heat(sim, &hot.heat, &err), &err);
+        double announced = ovr_simulation_heat_memory(options, &hot.heat);
+        print_message("%d points: %.0f bytes a node\n", points,
+                      announced / (double)ovr_simulation_state(sim)->n);
+        assert_true(announced == faults.bytes - before);
+        ovr_simulation_free(sim);
+    }
+}
+
 /* Of levels that no machine here has memory for: counted, not taken. */
 static void finer_levels_take_twice_as_much(void **state)
 {
@@ -137,6 +163,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_is_allocated_after_set_up),
         cmocka_unit_test(a_node_takes_less_than_a_kilobyte),
+        cmocka_unit_test(heat_is_announced),
         cmocka_unit_test(finer_levels_take_twice_as_much),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
