@@ -153,6 +153,9 @@ enum { OVR_FOURTH_MARGIN = 8 };
     K(double, mean_flow, (size_t n, const double u[2], const double *X, \
                           const double *P, const double *q, \
                           const double *eps, const double *flow)) \
+    K(double, flow_size, (size_t n, double Cu, const double *X, \
+                          const double *P, const double *q, \
+                          const double *eps, const double *flow)) \
     K(void, mean_stress, (const ovr_sheared *f, const ovr_fluid *fluid, \
                           double *t)) \
     K(double, limit_stress, (const ovr_sheared *f, double limit, double *t)) \

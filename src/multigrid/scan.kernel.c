@@ -104,6 +104,27 @@ double OVR_KERNEL(mean_flow)(size_t n, const double u[2], const double *X,
     return nodes > 0 ? sum_of_lanes(sum) / nodes : 0;
 }
 
+/* Integral of the flow's size over the half nodes between n >= VEC + 1 nodes,
+ *     |Cu (q_i + q_{i+1})/2 (X_{i+1} - X_i) - E (P_{i+1} - P_i)|,
+ * 2 E as in mean_flow. */
+double OVR_KERNEL(flow_size)(size_t n, double Cu, const double *X,
+                             const double *P, const double *q,
+                             const double *eps, const double *flow_at)
+{
+    vec sum = all(0);
+    for (size_t k = 0; k < n - 1; k += VEC) {
+        size_t i = start_of(k, n - 1);
+        vec twice = flow_at ? load(flow_at + i)
+                            : load(eps + i) + load(eps + i + 1);
+        vec wedge = Cu * (load(q + i) + load(q + i + 1)) *
+                    (load(X + i + 1) - load(X + i));
+        vec flow = less(wedge, twice, load(P + i + 1) - load(P + i));
+        flow = choose(flow < 0, -flow, flow);
+        sum += choose(new_elements(k, n - 1), flow, all(0));
+    }
+    return sum_of_lanes(sum) / 2;
+}
+
 /* Integral of |q - sum_k e_k past_k| over wet nodes where q < most. */
 double OVR_KERNEL(deviation)(size_t n, const double e[3], double most,
                              const double *weights, const double *P,

@@ -64,6 +64,19 @@ double ovr_mean_flow_plain(size_t n, const double u[2], const double *X,
     return count > 0 ? sum / count : 0;
 }
 
+double ovr_flow_size_plain(size_t n, double Cu, const double *X,
+                           const double *P, const double *q, const double *eps,
+                           const double *flow)
+{
+    double sum = 0;
+    for (size_t i = 0; i + 1 < n; i++) {
+        double twice = flow ? flow[i] : eps[i] + eps[i + 1];
+        sum += fabs(Cu * (q[i] + q[i + 1]) / 2 * (X[i + 1] - X[i]) -
+                    twice / 2 * (P[i + 1] - P[i]));
+    }
+    return sum;
+}
+
 double ovr_deviation_plain(size_t n, const double e[3], double most,
                            const double *weights, const double *P,
                            const double *q, double *const past[3])

@@ -23,7 +23,7 @@ int ovr_prominent_maxima(size_t n, const double *P, size_t *last)
     double low = P[0]; /* lowest since the last that stood out */
     int count = 0;
     for (size_t i = 1; i + 1 < n; i++) {
-        low = fmin(low, P[i]);
+        low = P[i] < low ? P[i] : low;
         if (!(P[i] > P[i - 1] && P[i] >= P[i + 1]))
             continue;
         if (P[i] > low + OVR_PROMINENCE)

@@ -92,8 +92,9 @@ static stretch about_middle(const ovr_past *past, size_t n)
     return s;
 }
 
-/* Mean size of the flow at the end of the step over these half nodes. */
-static double own_flow(const ovr_simulation *sim, double Cu, stretch s)
+/* Integral of the flow's size over these half nodes, with what temperatures
+ * turn to the side. */
+static double hot_flow_size(const ovr_simulation *sim, double Cu, stretch s)
 {
     const double *P = sim->now.P, *q = sim->now.q, *eps = sim->now.eps;
     const double *X = sim->now.X, *flow = sim->now.flow;
@@ -104,7 +105,23 @@ static double own_flow(const ovr_simulation *sim, double Cu, stretch s)
         sum += fabs(through * (X[i + 1] - X[i]) -
                     twice / 2 * (P[i + 1] - P[i]));
     }
-    return sum / (X[s.last + 1] - X[s.first]);
+    return sum;
+}
+
+/* Mean size of the flow at the end of the step over these half nodes. */
+static double own_flow(const ovr_simulation *sim, double Cu, stretch s)
+{
+    enum { NODES = 16 }; /* more than a vector has */
+    const ovr_solution *now = &sim->now;
+    size_t first = s.first, n = s.last - first + 2;
+    const double *flow = now->flow ? now->flow + first : NULL;
+    double length = now->X[s.last + 1] - now->X[first];
+    if (sim->heated || n < NODES)
+        return hot_flow_size(sim, Cu, s) / length;
+    return sim->grids.kernels->flow_size(n, Cu, now->X + first, now->P + first,
+                                         now->q + first, now->eps + first,
+                                         flow) /
+           length;
 }
 
 double ovr_mass_balance(const ovr_simulation *sim)

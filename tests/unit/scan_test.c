@@ -60,6 +60,12 @@ static void check_means(const ovr_kernels *run, arrays *a)
     CHECK_NEAR(run->mean_flow(n, u, a->X, a->P, a->q, a->eps, NULL),
                plain->mean_flow(n, u, a->X, a->P, a->q, a->eps, NULL),
                1e-12 * (double)n);
+    CHECK_NEAR(run->flow_size(n, 1.2, a->X, a->P, a->q, a->eps, NULL),
+               plain->flow_size(n, 1.2, a->X, a->P, a->q, a->eps, NULL),
+               1e-12 * (double)n);
+    CHECK_NEAR(run->flow_size(n, 1.2, a->X, a->P, a->q, NULL, a->eps),
+               plain->flow_size(n, 1.2, a->X, a->P, a->q, NULL, a->eps),
+               1e-12 * (double)n);
     CHECK_NEAR(run->deviation(n, e, 0.9, a->X, a->P, a->q, past),
                plain->deviation(n, e, 0.9, a->X, a->P, a->q, past),
                1e-13 * (double)n);
@@ -105,6 +111,9 @@ static void plain_scans_by_hand(void **state)
     assert_true(run->gain(8, w, x, NULL) == 22);
     /* 2*2 + 1 - 2*2/0.5 = -3 and 2*4 + 2 + 4*1/1 = 14 */
     assert_true(run->mean_flow(7, u, X, P, q, eps, NULL) == 5.5);
+    /* |1.5 - .5|, |3 - 4|, 12 + 4, 8 + 7.5, 8, 17; then |1.5 - 0|, |3 - 1| */
+    assert_true(run->flow_size(7, 2, X, P, q, eps, NULL) == 58.5);
+    assert_true(run->flow_size(3, 2, X, P, q, NULL, eps) == 3.5);
     /* off by 0, 0, 0, 2, (dry), 0, 1 */
     assert_true(run->deviation(7, e, INFINITY, w, P, q, past) ==
                 2 * w[3] + w[6]);
