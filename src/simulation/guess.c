@@ -15,8 +15,8 @@
  * surfaces and for shifts by parts of a mesh, many where the shift is whole;
  * and (1 - S_a E)(1 - S E) P = 0 where rough surfaces slide, for the film is
  * full of what they left in it.
- * After each step it is seen what each would have guessed; the next one begins
- * from the one that has been the nearest of late.
+ * After every fourth step it is seen what each would have guessed, sooner where
+ * one is new; the next steps begin from the one that has been the nearest.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -33,6 +33,10 @@ typedef struct term {
 } term;
 
 enum { MOST_TERMS = 8 };
+
+/* Steps from one look at all formulas to the next: a look costs as much as half
+ * a cycle, and the nearest stays so for long. */
+enum { LEARN_EVERY = 4 };
 
 typedef struct formula {
     size_t count;
@@ -256,11 +260,21 @@ static formula formula_for(const ovr_simulation *sim, double dT)
     return best < OVR_GUESSES ? found[best] : untold(sim, dT);
 }
 
+static bool all_known(const double *off, size_t count, const size_t number[])
+{
+    bool known = true;
+    for (size_t k = 0; k < count; k++)
+        known &= off[number[k]] > 0;
+    return known;
+}
+
 void ovr_guess_learn(ovr_simulation *sim, double dT)
 {
     formula found[OVR_GUESSES];
     size_t number[OVR_GUESSES], count = follow(sim, dT, found, number);
     double *guess = sim->scratch[0], *off = sim->past.guess_error;
+    if (sim->state.step % LEARN_EVERY && all_known(off, count, number))
+        return;
     for (size_t k = 0; k < count; k++) {
         double *mean = &off[number[k]], error;
         guess_field(sim, &found[k], sim->past.P, guess);
