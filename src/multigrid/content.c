@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "multigrid/content.h"
 
-#include <math.h>
+#include <string.h>
 
 /* ------------------------------------------------------------ sets of nodes */
 
@@ -13,18 +13,31 @@ void ovr_content_mark(const ovr_level *level, unsigned char *set, size_t i,
     set[place / V] = (unsigned char)(rest | (in ? bit : 0));
 }
 
+/* Lane by lane: no division a node. */
 void ovr_content_read(const ovr_level *level, const unsigned char *set,
                       unsigned char *ordered)
 {
-    for (size_t i = 0; i < level->grid.n; i++)
-        ordered[i] = ovr_lanes_has(&level->lanes, set, i);
+    const ovr_lanes *g = &level->lanes;
+    size_t i = 0;
+    for (size_t lane = 0; lane < g->V; lane++)
+        for (size_t J = 0; J < g->S && i < g->n; J++)
+            ordered[i++] = set[J] >> lane & 1;
+    if (i < g->n) /* node n - 1, in the halo */
+        ordered[i] = ovr_lanes_has(g, set, i);
 }
 
-void ovr_content_write(const ovr_level *level, const unsigned char *ordered,
-                       unsigned char *set)
+void ovr_content_wet(ovr_level *level, const double *P)
 {
-    for (size_t i = 0; i < level->grid.n; i++)
-        ovr_content_mark(level, set, i, ordered[i]);
+    const ovr_lanes *g = &level->lanes;
+    unsigned char *wet = level->f.wet;
+    size_t i = 0;
+    memset(wet, 0, g->S);
+    memset(level->f.dried, 0, g->S);
+    for (size_t lane = 0; lane < g->V; lane++)
+        for (size_t J = 0; J < g->S && i < g->n; J++)
+            wet[J] |= (unsigned char)((P[i++] > 0) << lane);
+    if (i < g->n)
+        ovr_content_mark(level, wet, i, P[i] > 0);
 }
 
 /* -------------------------------------------------------------------- inlet */

@@ -77,13 +77,14 @@ void ovr_content_restrict(ovr_hierarchy *grids, const ovr_level *fine,
 void ovr_content_refine(ovr_hierarchy *grids, const ovr_level *coarse,
                         ovr_level *fine);
 
-/* Sets of nodes: one node, all of a level from or to the order of the nodes. */
+/* Wet where P > 0, P in the order of the nodes; nothing is dried. */
+void ovr_content_wet(ovr_level *level, const double *P);
+
+/* Sets of nodes: one node, all of a level to the order of the nodes. */
 void ovr_content_mark(const ovr_level *level, unsigned char *set, size_t i,
                       bool in);
 void ovr_content_read(const ovr_level *level, const unsigned char *set,
                       unsigned char *ordered);
-void ovr_content_write(const ovr_level *level, const unsigned char *ordered,
-                       unsigned char *set);
 
 /* One sweep of the line relaxation. */
 void ovr_content_relax(ovr_hierarchy *grids, ovr_level *level, double limit);

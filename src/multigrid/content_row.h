@@ -24,17 +24,20 @@ static inline num within_set(truth in, num x)
     return choose(in, x, all(0));
 }
 
-/* The weights of row J, from those of a row that nothing limits. */
+/* The weights of row J, from those of a row that nothing limits, which are
+ * nearly all. */
 static inline row_weights row_limited(const ovr_fields *f, const ovr_weights *w,
                                       const row_weights *free, ptrdiff_t J)
 {
-    truth own = in_set(f->limited, J), before = in_set(f->limited, J - 1);
-    num out = all(w->out), half = all(0.5 * w->out);
     row_weights c = *free;
-    c.a[0] += within_set(in_set(f->spent, J), all(w->time));
-    c.a[0] -= within_set(own, out);
-    c.a[1] += within_set(own, half) + within_set(before, out);
-    c.a[2] -= within_set(before, half);
+    if (f->limited[J] | f->limited[J - 1] | f->spent[J]) {
+        truth own = in_set(f->limited, J), before = in_set(f->limited, J - 1);
+        num out = all(w->out), half = all(0.5 * w->out);
+        c.a[0] += within_set(in_set(f->spent, J), all(w->time));
+        c.a[0] -= within_set(own, out);
+        c.a[1] += within_set(own, half) + within_set(before, out);
+        c.a[2] -= within_set(before, half);
+    }
     return c;
 }
 
@@ -42,8 +45,9 @@ static inline row_weights row_limited(const ovr_fields *f, const ovr_weights *w,
 static inline num row_content_residual(const ovr_fields *f,
                                        const row_weights *c, ptrdiff_t J)
 {
-    num kept = within_set(in_set(f->spent, J), at(f->kept, J));
-    return row_residual(f, c, J) + kept;
+    num r = row_residual(f, c, J);
+    return f->spent[J] ? r + within_set(in_set(f->spent, J), at(f->kept, J))
+                       : r;
 }
 
 /* e[m + 2] of reynolds_row.h: the content of dry nodes does not follow their

@@ -19,12 +19,12 @@ void ovr_content_history(ovr_simulation *sim, double dT, const double c[2])
     double b2 = c[1] * dT, kappa = -c[0] * dT - 1 - b2;
     if (sim->scheme->order == 1)
         kappa = 0;
+    double half = -(0.5 + kappa) / dT, keeps = kappa / dT;
     for (size_t i = 0; i < sim->now.n; i++) {
         double linear = (1 + b2) * q[0][i] - b2 * q[1][i];
         bool limited = !(P[i] > 0) && linear < 0.5 * q[0][i];
-        F[i] = limited ? -(0.5 + kappa) * q[0][i] / dT
-                       : c[0] * q[0][i] + c[1] * q[1][i];
-        kept[i] = kappa * q[0][i] / dT;
+        F[i] = limited ? half * q[0][i] : c[0] * q[0][i] + c[1] * q[1][i];
+        kept[i] = keeps * q[0][i];
     }
     ovr_level_write(&sim->grids, sim->finest, F, sim->finest->f.F);
     ovr_level_write(&sim->grids, sim->finest, kept, sim->finest->f.kept);

@@ -65,13 +65,12 @@ void ovr_supply_try(ovr_simulation *sim)
     sim->grids.conserving = level->leads = true;
     sim->grids.supplied = a->supply != NULL;
     ovr_level_write(&sim->grids, level, sim->past.q[0], level->f.q);
-    for (size_t i = 0; i < sim->now.n; i++) {
-        bool wet = sim->past.P[0][i] > 0 && !(closing && i == 1);
-        ovr_content_mark(level, level->f.wet, i, wet);
-        ovr_content_mark(level, level->f.dried, i, closing && i == 1);
-    }
-    if (closing)
+    ovr_content_wet(level, sim->past.P[0]);
+    if (closing) {
+        ovr_content_mark(level, level->f.wet, 1, false);
+        ovr_content_mark(level, level->f.dried, 1, true);
         level->f.P[ovr_lanes_place(&level->lanes, 1)] = 0;
+    }
     if (a->supply && (a->closed || closing))
         ovr_content_close(level, source, a->q);
     else
@@ -121,12 +120,10 @@ ovr_defect ovr_supply_steady(ovr_simulation *sim, const ovr_full *how,
 
 /* The first wet node of the run of wet nodes that holds the largest P; n if
  * there is none. */
-static size_t first_wet(const ovr_solution *s)
+static size_t first_wet(const ovr_simulation *sim)
 {
-    size_t i = 0;
-    for (size_t k = 0; k < s->n; k++)
-        if (s->P[k] > s->P[i])
-            i = k;
+    const ovr_solution *s = &sim->now;
+    size_t i = sim->grids.kernels->extreme(s->n, -1, s->P);
     while (i > 0 && s->P[i - 1] > 0)
         i--;
     return s->P[i] > 0 ? i : s->n;
@@ -134,9 +131,10 @@ static size_t first_wet(const ovr_solution *s)
 
 /* The cell before it is filled in part, on its downstream side: a place that
  * goes on steadily when the film takes a node. */
-static double meniscus(const ovr_solution *s)
+static double meniscus(const ovr_simulation *sim)
 {
-    size_t i = first_wet(s);
+    const ovr_solution *s = &sim->now;
+    size_t i = first_wet(sim);
     if (i <= 1 || i == s->n)
         return NAN;
     double D = ovr_spacing(s, i - 1), before = i > 1 ? s->q[i - 2] : 0;
@@ -153,7 +151,8 @@ static double cavity_length(const ovr_solution *s)
     while (last > first && !(s->P[last] > 0))
         last--;
     for (size_t i = first; i < last; i++)
-        length += s->P[i] > 0 ? 0 : s->weights[i];
+        if (!(s->P[i] > 0))
+            length += s->weights[i];
     return length;
 }
 
@@ -185,7 +184,7 @@ void ovr_supply_observe(const ovr_simulation *sim, double dT,
     o->supply = a->supply ? a->q : NAN;
     o->film_ratio = o->H_cen / a->flooded;
     o->supply_ratio = a->flow > 0 ? o->supply / a->flow : NAN;
-    o->meniscus = meniscus(s);
+    o->meniscus = meniscus(sim);
     o->inflow = ovr_flux(sim, Cu, 0);
     o->outflow = ovr_flux(sim, Cu, s->n - 2);
     o->oil_inside = ovr_integral(sim, s->q);
