@@ -96,7 +96,7 @@ static bool has_key(const ovr_block *block, const char *key)
 static bool is_about(const struct condition *w, const ovr_block *block,
                      const char *key)
 {
-    if (strcmp(w->key, key) != 0)
+    if (*w->key != *key || strcmp(w->key, key) != 0)
         return false;
     return w->section ? !strcmp(w->section, block->section->name)
                       : has_key(block, w->other);
