@@ -49,8 +49,9 @@ static const char *refusal(const ovr_setup *s)
     const ovr_contact *c = s->contact;
     if (!s->transient)
         return "nothing rolls through a steady contact";
-    if (ovr_history_varies(s->load) || ovr_history_varies(s->speed))
-        return "load or speed change";
+    if (ovr_history_varies(s->load) || ovr_history_varies(s->speed) ||
+        ovr_history_varies(s->radius) || s->passes->loads.count)
+        return "load, speed or radius change";
     if (s->sliding)
         return "the sliding changes";
     if (isnan(speed(s)))

@@ -102,6 +102,8 @@ static void what_is_not_foreseen(void **state)
         {"", "contact.slide_to_roll=-2", "does not move", NULL},
         {"[load]\nhistory = ramp\nto = 1.2\nduration = 1\n", NULL, "change",
          NULL},
+        {"[radius]\nhistory = ramp\nto = 1.2\nduration = 1\n", NULL, "radius",
+         NULL},
         {"[sliding]\nhistory = ramp\nto = 0.2\nduration = 1\n", NULL,
          "sliding changes", NULL},
         {"", "contact.M=5", "20 <= M", NULL},
