@@ -135,6 +135,7 @@ typedef struct ovr_columns {
     double least_u; /* steady: a node is entered from the one upstream, with
                      * at least this speed (plain only); 0: in time */
     bool both_ways; /* steady: layers that move against x from the next node */
+    bool back;      /* steady: all from the next node, at -u */
     const double *P_T, *foot[OVR_MOST_ACROSS], *past[2];
     double resistance[2];
     double *T[OVR_MOST_ACROSS], *mean, *into[2]; /* T, T_m, q */

@@ -100,7 +100,7 @@ void ovr_column_flow(const ovr_columns *c, size_t i)
 /* Steadily: the node by which a layer comes in; n: an end. */
 static size_t upstream(const ovr_columns *c, int j, size_t i)
 {
-    return c->both_ways && c->u[j][i] < 0 ? i + 1 : i - 1;
+    return c->back || (c->both_ways && c->u[j][i] < 0) ? i + 1 : i - 1;
 }
 
 double ovr_column_foot(const ovr_columns *c, int j, size_t i)
@@ -111,10 +111,10 @@ double ovr_column_foot(const ovr_columns *c, int j, size_t i)
 
 double ovr_column_travel(const ovr_columns *c, int j, size_t i)
 {
-    double u = c->u[j][i];
+    double u = c->back ? -c->u[j][i] : c->u[j][i];
     if (!(c->least_u > 0))
         return c->dT;
-    return (c->X[i] - c->X[i - 1]) /
+    return (i ? c->X[i] - c->X[i - 1] : c->X[1] - c->X[0]) /
            fmax(c->both_ways ? fabs(u) : u, c->least_u);
 }
 

@@ -139,6 +139,18 @@ void ovr_heat_speeds(ovr_simulation *sim, double T)
     h->u1 = ovr_history_value(sim->speed, T) + h->V / 2;
 }
 
+/* Upstream difference of v along x, the flow coming from the right. */
+static double wedge_from_right(const ovr_simulation *sim, const ovr_weights *w,
+                               const double *v, size_t i)
+{
+    size_t last = sim->now.n - 1;
+    const double *a = i + 1 == last ? w->first : w->a;
+    double sum = 0;
+    for (size_t m = 0; m < 3 && i + m <= last; m++)
+        sum -= a[m] * v[i + m];
+    return sum;
+}
+
 /* F of N = F: the wedge of q D, and in time what the past gives. */
 static void put_turned(ovr_simulation *sim)
 {
@@ -152,6 +164,10 @@ static void put_turned(ovr_simulation *sim)
     for (size_t i = 0; i < sim->now.n; i++) {
         const double *a = i == 1 ? w.first : w.a;
         F[i] = h->steps->dT > 0 ? h->steps->F[i] : 0;
+        if (sim->backward) {
+            F[i] += wedge_from_right(sim, &w, v, i);
+            continue;
+        }
         if (i > 0)
             F[i] += a[0] * v[i] + a[1] * v[i - 1];
         if (i > 1)

@@ -35,8 +35,10 @@ static void fill_oil(ovr_simulation *sim)
     const ovr_solution *now = &sim->now;
     ovr_heated *h = sim->heated;
     bool conserves = ovr_conserves(sim);
-    double left = now->q[0];
-    for (size_t i = 0; i < now->n; i++) {
+    size_t last = now->n - 1;
+    double left = now->q[sim->backward ? last : 0];
+    for (size_t k = 0; k <= last; k++) {
+        size_t i = sim->backward ? last - k : k;
         h->oil[i] = now->H[i];
         h->content[i] = now->q[i];
         if (now->P[i] > 0) {

@@ -218,7 +218,20 @@ static void find_P_T(ovr_simulation *sim)
         s->P_T[i] = sim->past.steps ? (P[i] - before[i]) / s->dT : 0;
 }
 
-/* All nodes but the first, where oil and surfaces come in as they were. */
+/* All nodes but the one where the film comes in, and with it surfaces as they
+ * were. */
+static void solve_nodes(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    size_t entry = sim->backward ? sim->now.n - 1 : 0;
+    sim->grids.kernels->heat_across(&h->film);
+    if (sim->backward)
+        ovr_column_heat(&h->film, 0);
+    h->mean[entry] = h->q[0][entry] = h->q[1][entry] = 0;
+    for (int j = 0; j < h->across.n; j++)
+        h->T[j][entry] = 0;
+}
+
 static void solve(ovr_simulation *sim)
 {
     const ovr_kernels *run = sim->grids.kernels;
@@ -243,7 +256,7 @@ static void solve(ovr_simulation *sim)
         c->into[k] = h->q[k];
         c->resistance[k] = h->numbers.solid[k] * 4 / 3 * sqrt(s->dT);
     }
-    run->heat_across(c);
+    solve_nodes(sim);
     s->stored = ovr_heat_stored(sim);
 }
 

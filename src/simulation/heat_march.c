@@ -20,7 +20,7 @@ void ovr_heat_march_begin(ovr_simulation *sim)
         double at_1 = h->numbers.peclet[k] / fabs(ratio[k]); /* of um */
         double least = ratio[k] != 0 ? h->numbers.least_peclet / at_1 : 0;
         h->speed[k] = fmax(fabs(u), fmax(least, LEAST_SPEED));
-        h->way[k] = u < 0 ? -1 : 1;
+        h->way[k] = u < 0 || (!(u > 0) && sim->backward) ? -1 : 1;
         ovr_memory_fit(D / h->speed[k],
                        fmax(h->longest[k], length / h->speed[k]),
                        &h->memory[k]);
@@ -58,6 +58,14 @@ static void solve_node(ovr_simulation *sim, size_t i, march *m)
     }
 }
 
+/* Both surfaces and the film: from the last node on. */
+static void all_against(ovr_simulation *sim)
+{
+    march m = {.way = -1};
+    for (size_t i = sim->now.n - 1; i-- > 0;)
+        solve_node(sim, i, &m);
+}
+
 static void along(ovr_simulation *sim)
 {
     march m = {.way = 1};
@@ -80,6 +88,7 @@ static void prepare(ovr_simulation *sim)
     c->P_T = NULL;
     c->least_u = LEAST_SPEED;
     c->both_ways = opposed(h);
+    c->back = !opposed(h) && h->way[0] < 0;
     c->mean = h->mean;
     for (int j = 0; j < h->across.n; j++)
         c->foot[j] = c->T[j] = h->T[j];
@@ -95,7 +104,7 @@ void ovr_heat_march(ovr_simulation *sim)
     enum { PAIRS = 2 };
     prepare(sim);
     if (!opposed(sim->heated))
-        along(sim);
+        (sim->heated->film.back ? all_against : along)(sim);
     for (int k = 0; opposed(sim->heated) && k < PAIRS; k++) {
         along(sim);
         against(sim);

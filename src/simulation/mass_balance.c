@@ -32,6 +32,13 @@ static double thinned(const ovr_simulation *sim, size_t i)
     return now->eps[i] / ovr_flow(&sim->grids.fluid, now->P[i], now->H[i]);
 }
 
+/* By how much they make its density less, where it expands. */
+static double swollen(const ovr_simulation *sim, size_t i)
+{
+    const ovr_heated *h = sim->heated;
+    return h && h->numbers.density_expands ? h->swell[i] : 1;
+}
+
 /* E at the half node i + 1/2, at the time T; with temperatures of now. */
 static double poiseuille(const ovr_simulation *sim, double T, const double *P,
                          const double *q, size_t i)
@@ -40,7 +47,8 @@ static double poiseuille(const ovr_simulation *sim, double T, const double *P,
     ovr_pair nodes;
     fluid.sliding = ovr_sliding(sim, T);
     for (size_t k = 0; k < 2; k++) {
-        double rho = ovr_density(&sim->lubricant, P[i + k]);
+        double rho = swollen(sim, i + k) *
+                     ovr_density(&sim->lubricant, P[i + k]);
         nodes.P[k] = P[i + k];
         nodes.q[k] = q[i + k];
         nodes.H[k] = q[i + k] / rho;
@@ -79,14 +87,17 @@ static stretch from_inlet(const ovr_past *past, size_t n)
     return (stretch){0, (before < last ? before : last) - 1};
 }
 
-/* All that hangs together with the middle. */
+/* All that hangs together with the middle, but for the nodes beside the ends,
+ * where temperatures jump. */
 static stretch about_middle(const ovr_past *past, size_t n)
 {
+    enum { BESIDE = 4 };
     const double *now = past->P[0], *then = past->P[1];
     stretch s = {n / 2, n / 2};
-    while (s.first > 1 && now[s.first - 1] > 0 && then[s.first - 1] > 0)
+    while (s.first > BESIDE && now[s.first - 1] > 0 && then[s.first - 1] > 0)
         s.first--;
-    while (s.last < n - 2 && now[s.last + 1] > 0 && then[s.last + 1] > 0)
+    while (s.last < n - 1 - BESIDE && now[s.last + 1] > 0 &&
+           then[s.last + 1] > 0)
         s.last++;
     s.last--;
     return s;

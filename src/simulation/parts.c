@@ -58,8 +58,6 @@ static const ovr_refusal refusals[] = {
     {OVR_PART_PAPER_BALANCE, OVR_PART_TIME, "no", in_time},
     {OVR_PART_CONSERVING, OVR_PART_REVERSAL, "reynolds",
      "conserved oil keeps its inlet on the left"},
-    {OVR_PART_HEAT, OVR_PART_REVERSAL, "none",
-     "what the surfaces keep of heat goes one way"},
     {OVR_PART_TIME, OVR_PART_PATCHES, "a steady contact, without [time],",
      "what moves would leave them"},
     {OVR_PART_UPSTREAM1, OVR_PART_PATCHES, "upstream2", base_row},
