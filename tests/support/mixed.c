@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "mixed.h"
 
+#include <stdlib.h>
+
 #include "overroll/run.h"
 #include "random_case.h"
 #include "test.h"
@@ -36,7 +38,7 @@ static void try(tally *t, uint64_t seed, int level)
     }
     t->touching += run && err.status == OVR_IMPOSSIBLE;
     t->failed += run && err.status && err.status != OVR_IMPOSSIBLE;
-    if (err.status)
+    if (err.status || getenv("OVERROLL_RUNS"))
         print_message("    seed %llu: %s\n", (unsigned long long)seed,
                       err.message);
     if (err.status && err.status != OVR_IMPOSSIBLE)

@@ -102,13 +102,14 @@ static double mesh(int level)
     return 5.5 / (7 << level);
 }
 
-static void contact(test_random_case *d, double M, double L, int level)
+static void contact(test_random_case *d, const char *radius, double M, double L,
+                    int level)
 {
     say(d,
-        "[contact]\nM = %.6g\nL = %.6g\nmodulus = 226 GPa\n"
+        "[contact]\n%sM = %.6g\nL = %.6g\nmodulus = 226 GPa\n"
         "slide_to_roll = %.6g\n[domain]\nlevel = %d\ninlet = -4\n"
         "outlet = 1.5\n",
-        M, L, draw(d, -2, 2), level);
+        radius, M, L, draw(d, -2, 2), level);
 }
 
 static void surfaces(test_random_case *d, double H, double D)
@@ -131,7 +132,7 @@ void test_thinning_case(test_random_case *d, uint64_t seed, int level)
 {
     begin(d, seed);
     double M = 5 * pow(40, draw(d, 0, 1)), L = draw(d, 2.5, 14);
-    contact(d, M, L, level);
+    contact(d, "", M, L, level);
     say(d, "[time]\nend = 4\n");
     lubricant(d);
     surfaces(d, ovr_film_central_moes(M, L), mesh(level));
@@ -151,7 +152,8 @@ static bool has_usual_pressure(const char *text)
     ovr_error err = {0};
     ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, &err);
     ovr_setup *s = c ? ovr_case_resolve(c, NULL, &err) : NULL;
-    bool usual = s && s->contact->ph > 0.4e9 && s->contact->ph < 2e9;
+    assert_non_null(s);
+    bool usual = s->contact->ph > 0.4e9 && s->contact->ph < 2e9;
     ovr_setup_free(s);
     ovr_case_free(c);
     return usual;
@@ -185,8 +187,7 @@ void test_mixed_case(test_random_case *d, uint64_t seed, int level)
     do {
         d->length = 0;
         M = 5 * pow(40, draw(d, 0, 1)), L = draw(d, 2.5, 14);
-        contact(d, M, L, level);
-        say(d, "radius = 12.7 mm\n");
+        contact(d, "radius = 12.7 mm\nviscosity = 8.9152 mPa.s\n", M, L, level);
     } while (!has_usual_pressure(d->text));
     H = ovr_film_central_moes(M, L);
     steps(d);
