@@ -249,7 +249,7 @@ static void load_comes_at_once(void **state)
     ovr_history_free(load);
 }
 
-static void reversal_is_refused(void **state)
+static void reversal_wants_a_symmetric_domain(void **state)
 {
     ovr_error err;
     ovr_history *speed = ramp(1, -1, 0.5);
