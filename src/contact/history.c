@@ -309,10 +309,8 @@ static double table_slope(const ovr_history *history, double T)
     return slope;
 }
 
-double ovr_history_slope(const ovr_history *history, double T)
+static double unscaled_slope(const ovr_history *history, double T)
 {
-    if (!ovr_history_varies(history) || isnan(T))
-        return 0;
     switch (history->form.kind) {
     case OVR_HISTORY_CONSTANT: break;
     case OVR_HISTORY_RAMP:
@@ -321,6 +319,13 @@ double ovr_history_slope(const ovr_history *history, double T)
     case OVR_HISTORY_TABLE: return table_slope(history, T);
     }
     return 0;
+}
+
+double ovr_history_slope(const ovr_history *history, double T)
+{
+    return ovr_history_varies(history) && !isnan(T)
+               ? history->scale * unscaled_slope(history, T)
+               : 0;
 }
 
 /* ------------------------------------------------------------ integrals */

@@ -246,7 +246,9 @@ static void warn(ovr_run *run, const ovr_run_error *e, int level)
 
 const char *ovr_run_where(const ovr_run *run, char room[40])
 {
-    snprintf(room, 40, run->passes ? "pass %d: " : "", run->info.pass);
+    *room = '\0';
+    if (run->passes)
+        snprintf(room, 40, "pass %d: ", run->info.pass);
     return room;
 }
 

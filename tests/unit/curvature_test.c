@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+#include "contact/scaled_history.h"
+#include "contact/turning.h"
 #include "support/test.h"
 
 static ovr_history *history(ovr_history_form form)
@@ -195,10 +197,41 @@ static void in_rolling_the_share_does_not_matter(void **state)
     ovr_history_free(R1);
 }
 
+/* A pass of a load zone: all of a history times its load. */
+static void scaled_histories(void **state)
+{
+    ovr_history_form form = ovr_history_form_default();
+    form.kind = OVR_HISTORY_SINE;
+    form.amplitude = 0.4;
+    form.period = 2.5;
+    ovr_history *plain[] = {NULL, history(form), table(wavy, NULL, 6)};
+    ovr_history *half[] = {NULL, history(form), table(wavy, NULL, 6)};
+    ovr_error err = {0};
+    (void)state;
+    for (int k = 0; k < 3; k++) {
+        CHECK_OK(ovr_history_scale(&half[k], 0.5, NULL, &err), &err);
+        for (double T = 0; T < 7; T += 0.7) {
+            CHECK_NEAR(ovr_history_value(half[k], T),
+                       0.5 * ovr_history_value(plain[k], T), 1e-15);
+            CHECK_NEAR(ovr_history_integral(half[k], T),
+                       0.5 * ovr_history_integral(plain[k], T), 1e-14);
+            CHECK_NEAR(ovr_history_slope(half[k], T),
+                       0.5 * ovr_history_slope(plain[k], T), 1e-14);
+        }
+        CHECK_NEAR(ovr_history_least(half[k]),
+                   0.5 * ovr_history_least(plain[k]), 1e-15);
+        assert_true(ovr_history_varies(half[k]) ==
+                    ovr_history_varies(plain[k]));
+        ovr_history_free(plain[k]);
+        ovr_history_free(half[k]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(slopes_are_difference_quotients),
+        cmocka_unit_test(scaled_histories),
         cmocka_unit_test(the_cubic_is_that_of_involutes),
         cmocka_unit_test(in_rolling_the_share_does_not_matter),
     };
