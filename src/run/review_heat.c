@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where the model of heat ends: surfaces too slow for heat that flows inward
- * only, before a run; films hotter than what laws are measured for and domains
- * that cut off what is warm, after it. */
+ * only, or that slide too fast for the steps, before a run; films hotter than
+ * what laws are measured for and domains that cut off what is warm, after it.
+ */
 #include <math.h>
 #include <stdio.h>
 
@@ -36,6 +37,32 @@ static double least_peclet(const ovr_setup *s, int k, double *T)
     return least;
 }
 
+/* Viscosities follow temperatures a step behind: where surfaces slide very
+ * fast that makes what they carry along hotter still. */
+static void review_slip(const ovr_setup *s, ovr_listener *listener, void *data)
+{
+    const int times = 500;
+    const double much = 3;
+    double end = isfinite(s->march->end) ? s->march->end : 0, most = 0, T = 0;
+    char text[OVR_MESSAGE_SIZE];
+    for (int i = 0; i <= times; i++) {
+        double at = end * i / times;
+        double slip = fabs(speed_of(s, 0, at) - speed_of(s, 1, at));
+        if (slip > most) {
+            most = slip;
+            T = at;
+        }
+    }
+    if (!(most > much))
+        return;
+    snprintf(text, sizeof text,
+             "heat: the surfaces slide by %.3g um at T = %.4g: beyond %g um "
+             "temperatures may swing from step to step; compare with steps of "
+             "half the length",
+             most, T, much);
+    listener(data, OVR_SAY_WARNING, text);
+}
+
 /* Below it heat flows along the surface too. */
 void ovr_review_peclet(const ovr_setup *setup, ovr_listener *listener,
                        void *data)
@@ -60,6 +87,8 @@ void ovr_review_peclet(const ovr_setup *setup, ovr_listener *listener,
                      k + 1, Pe, least);
         listener(data, OVR_SAY_WARNING, text);
     }
+    if (setup->heat && setup->transient && listener)
+        review_slip(setup, listener, data);
 }
 
 /* Laws of viscosity and temperature are measured over some hundred kelvins. */

@@ -14,7 +14,9 @@
 
 #include "bench.h"
 #include "multigrid/coarsest.h"
-#include "simulation/internal.h"
+#include "multigrid/feet.h"
+#include "simulation/heat_in_time.h"
+#include "support/hot.h"
 #include "support/test.h"
 
 /* ----------------------------------------------------------- the kernels */
@@ -95,6 +97,31 @@ static void run_correct(void *sim)
                               coarse->f.entry, &fine->f);
 }
 
+/* Of a contact with heat, Eyring's film, 5 points. */
+static void run_flow_across(void *sim)
+{
+    ovr_simulation *s = sim;
+    ovr_columns c = s->heated->film;
+    c.th = NULL;
+    s->grids.kernels->flow_across(&c);
+}
+
+static void run_heat_across(void *sim)
+{
+    ovr_simulation *s = sim;
+    s->grids.kernels->heat_across(&s->heated->film);
+}
+
+static void run_carry_along(void *sim)
+{
+    ovr_simulation *s = sim;
+    ovr_heat_steps *h = s->heated->steps;
+    const ovr_feet feet = ovr_feet_of(s->now.n, 1.25);
+    const ovr_carried what = {0.9,          0.1,          0.1,
+                              h->psi[0][0], h->psi[0][1], h->psi[0][2]};
+    s->grids.kernels->carry_along(&feet, &what, h->spare);
+}
+
 /*
  * Operations and bytes a node, counted by hand in the kernels' text for the
  * line smoother, Roelands, second order.  A multiply-add is two operations; a
@@ -118,21 +145,34 @@ static void run_correct(void *sim)
  * distribute: 6.  Reads delta, P; writes P.
  * restrict_fields, a fine node: 8/2.  Reads P, H, r; writes four coarse ones.
  * correct, a fine node: (2 + 5)/2.  Reads P and two coarse ones; writes P.
+ * flow_across: means 10; six powers of temperature, each a logarithm 20, a
+ * power 16 and 2; five ratios 19, moments 25, Y 19; hyperbolic functions of
+ * three points 28, their sums 20, a 20, its logarithm 35; rates 25, heating and
+ * velocities 60, gamma 24.  Reads X, P, H, log_eta, five T; writes five u and
+ * heatings, t, gamma.
+ * heat_across: rows 105, elimination 80, back substitution 25, mean and fluxes
+ * 18.  Reads X, P, H, q, P_T, gamma, two pasts, five u, heatings, T and feet;
+ * writes five T, the mean, two fluxes.
+ * carry_along: a cubic 7, 4 more.  Reads three arrays, writes one.
  */
 static const struct kernel {
     const char *name;
     void (*run)(void *);
     double flops, bytes; /* 0: counted from the plan */
-} kernels[] = {{"deformation", run_deformation, 0, 0},
-               {"film", run_film, 75, 72},
-               {"residual", run_residual, 16, 40},
-               {"phase", run_phase, 1, 24},
-               {"imbalance", run_imbalance, 7, 24},
-               {"band_assemble", run_assemble, 67, 96},
-               {"band_solve", run_assemble_solve, 50, 136},
-               {"distribute", run_distribute, 6, 24},
-               {"restrict_fields", run_restrict, 4, 40},
-               {"correct", run_correct, 3.5, 24}};
+    bool hot;            /* of a contact with heat */
+} kernels[] = {{"deformation", run_deformation, 0, 0, false},
+               {"film", run_film, 75, 72, false},
+               {"residual", run_residual, 16, 40, false},
+               {"phase", run_phase, 1, 24, false},
+               {"imbalance", run_imbalance, 7, 24, false},
+               {"band_assemble", run_assemble, 67, 96, false},
+               {"band_solve", run_assemble_solve, 50, 136, false},
+               {"distribute", run_distribute, 6, 24, false},
+               {"restrict_fields", run_restrict, 4, 40, false},
+               {"correct", run_correct, 3.5, 24, false},
+               {"flow_across", run_flow_across, 645, 168, true},
+               {"heat_across", run_heat_across, 228, 288, true},
+               {"carry_along", run_carry_along, 11, 32, true}};
 enum { KERNELS = sizeof kernels / sizeof *kernels, ASSEMBLE = 5, SOLVE = 6 };
 
 /*
@@ -166,6 +206,18 @@ typedef struct figures {
     double ns, flops, bytes, of_flops, of_bytes;
 } figures;
 
+/* After a step. */
+static ovr_simulation *hot_contact(int level, const ovr_kernels *set)
+{
+    test_hot hot = test_hot_make(20, 10, 0.5, 5e6, NULL);
+    ovr_error err = {0};
+    ovr_simulation *sim = test_hot_simulation(&hot, level);
+    ovr_hierarchy_kernels(&sim->grids, set);
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    CHECK_OK(ovr_simulation_step(sim, sim->finest->grid.D, &err), &err);
+    return sim;
+}
+
 static void one_level(const ovr_kernels *set, double peak, int level,
                       figures found[KERNELS])
 {
@@ -176,8 +228,9 @@ static void one_level(const ovr_kernels *set, double peak, int level,
     double n = (double)sim->finest->grid.n;
     ovr_hierarchy_kernels(&sim->grids, set);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    ovr_simulation *hot = hot_contact(level, set);
     for (size_t k = 0; k < KERNELS; k++)
-        work[k] = (bench_work){kernels[k].run, sim, 0};
+        work[k] = (bench_work){kernels[k].run, kernels[k].hot ? hot : sim, 0};
     bench_measure(KERNELS, work, 2e-3, 15);
     work[SOLVE].seconds -= work[ASSEMBLE].seconds;
     for (size_t k = 0; k < KERNELS; k++) {
@@ -193,6 +246,7 @@ static void one_level(const ovr_kernels *set, double peak, int level,
                                          bench_bandwidth((size_t)(bytes * n))};
     }
     ovr_simulation_free(sim);
+    ovr_simulation_free(hot);
 }
 
 static void print_set(const char *set, double peak,

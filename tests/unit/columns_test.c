@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Columns across the film: the kernels of every instruction set against the
- * plain ones, which are the statement of across.c (heat_test.c). */
+ * plain ones, which are the statement of across.c (heat_test.c), and all of
+ * them against closed forms. */
 #include <math.h>
 #include <string.h>
 
@@ -200,6 +201,143 @@ static void surfaces_move_as_told(void **state)
     }
 }
 
+/* ------------------------------------------------- what must hold of them */
+
+/* Wet films with flat pressure and viscosity, between surfaces of which each
+ * has its own past. */
+static void flat(films *f, int points, uint64_t *seed)
+{
+    fill(f, 57, points, seed);
+    f->heat.C = f->heat.beta = f->heat.expansion = 0;
+    f->c.th = NULL;
+    f->c.P_T = NULL;
+    f->c.dT = 1e30; /* as long as it takes */
+    for (size_t i = 0; i < 57; i++) {
+        f->in[1][i] = 0.5;
+        f->in[4][i] = fmin(f->in[4][i], 3);
+    }
+}
+
+/* T = T_bulk + N past of surface k */
+static double told(const films *f, int k, size_t i)
+{
+    return f->heat.bulk[k] + f->heat.solid[k] * f->c.past[k][i];
+}
+
+/* Nothing slides: heat goes from the one to the other, q_1 = -q_2 = (T_2 -
+ * T_1)/(H + R_1 + R_2) with the surfaces' resistances. */
+static void slab_conducts(void **state)
+{
+    static films f;
+    uint64_t seed = 14;
+    const ovr_kernels *run;
+    (void)state;
+    for (int k = 0; (run = test_kernels(k)); k++) {
+        flat(&f, k & 1 ? 7 : 5, &seed);
+        f.c.V = 0;
+        run->flow_across(&f.c);
+        run->heat_across(&f.c);
+        for (size_t i = 1; i + 1 < 57; i++) {
+            double a = told(&f, 0, i), b = told(&f, 1, i);
+            double all = f.c.H[i] + f.c.resistance[0] + f.c.resistance[1];
+            double q = (b - a) / all;
+            CHECK_NEAR(f.c.into[0][i], q, 1e-9 * (1 + fabs(q)));
+            CHECK_NEAR(f.c.into[1][i], -q, 1e-9 * (1 + fabs(q)));
+            for (int j = 0; j < f.across.n; j++) {
+                double zeta = (1 + f.across.s[j]) / 2;
+                double T = a + q * (f.c.resistance[0] + zeta * f.c.H[i]);
+                CHECK_NEAR(f.c.T[j][i], T, 1e-9 * (1 + fabs(T)));
+            }
+        }
+    }
+}
+
+/* A Newtonian film that slides between surfaces of the same temperature: T =
+ * T_wall + (4 zeta (1 - zeta)) Theta lambda eta V^2/(96 Kf), whatever H. */
+static void couette_heats(void **state)
+{
+    static films f;
+    uint64_t seed = 15;
+    const ovr_kernels *run;
+    (void)state;
+    for (int k = 0; (run = test_kernels(k)); k++) {
+        flat(&f, k & 1 ? 7 : 5, &seed);
+        f.heat.bulk[0] = f.heat.bulk[1];
+        f.heat.solid[0] = f.heat.solid[1];
+        f.c.past[0] = f.c.past[1];
+        f.c.resistance[0] = f.c.resistance[1];
+        run->flow_across(&f.c);
+        run->heat_across(&f.c);
+        for (size_t i = 1; i + 1 < 57; i++) {
+            double eta = exp(f.c.log_eta[i]), V = f.c.V;
+            double most = f.heat.theta * f.c.lambda * eta * V * V /
+                          (96 * f.heat.conduction);
+            CHECK_NEAR(f.c.t[i], -f.c.lambda * eta * V / (12 * f.c.H[i]),
+                       1e-9 * fabs(f.c.t[i]));
+            CHECK_NEAR(f.c.even[i], f.c.t[i], 1e-12 * fabs(f.c.t[i]));
+            for (int j = 0; j < f.across.n; j++) {
+                double s = f.across.s[j], T = most * (1 - s * s);
+                CHECK_NEAR(f.c.T[j][i] - f.c.T[0][i], T,
+                           1e-9 * (most + fabs(f.c.T[0][i])));
+            }
+        }
+    }
+}
+
+static void turn_over(films *f)
+{
+    int last = f->across.n - 1;
+    for (int j = 0; j < last - j; j++)
+        for (size_t i = 0; i < f->c.n; i++) {
+            double *rows[2][2] = {{f->in[8 + j], f->in[8 + last - j]},
+                                  {f->in[8 + OVR_MOST_ACROSS + j],
+                                   f->in[8 + OVR_MOST_ACROSS + last - j]}};
+            for (int r = 0; r < 2; r++) {
+                double kept = rows[r][0][i];
+                rows[r][0][i] = rows[r][1][i];
+                rows[r][1][i] = kept;
+            }
+        }
+    double bulk = f->heat.bulk[0], solid = f->heat.solid[0];
+    double resistance = f->c.resistance[0];
+    const double *past = f->c.past[0];
+    f->c.u1 -= f->c.V;
+    f->c.V = -f->c.V;
+    f->heat.bulk[0] = f->heat.bulk[1], f->heat.bulk[1] = bulk;
+    f->heat.solid[0] = f->heat.solid[1], f->heat.solid[1] = solid;
+    f->c.resistance[0] = f->c.resistance[1], f->c.resistance[1] = resistance;
+    f->c.past[0] = f->c.past[1], f->c.past[1] = past;
+}
+
+/* The two surfaces swapped. */
+static void swapped_films_mirror(void **state)
+{
+    static films f, g;
+    uint64_t seed = 16;
+    const ovr_kernels *run;
+    (void)state;
+    for (int k = 0; (run = test_kernels(k)); k++) {
+        uint64_t same = seed;
+        fill(&f, 57, k & 1 ? 7 : 5, &seed);
+        fill(&g, 57, k & 1 ? 7 : 5, &same);
+        f.c.Sigma0 = g.c.Sigma0 = 0.4;
+        turn_over(&g);
+        make(run, &f);
+        make(run, &g);
+        int last = f.across.n - 1;
+        for (size_t i = 1; i < 57; i++) {
+            double t = fabs(f.c.t[i]);
+            CHECK_NEAR(g.c.t[i], -f.c.t[i], 1e-9 * (1 + t));
+            CHECK_NEAR(g.c.turned[i], f.c.turned[i], 1e-9);
+            CHECK_NEAR(g.c.into[1][i], f.c.into[0][i],
+                       1e-7 * (1 + fabs(f.c.into[0][i])));
+            for (int j = 0; j <= last; j++)
+                CHECK_NEAR(g.c.T[last - j][i], f.c.T[j][i],
+                           1e-9 * (1 + fabs(f.c.T[j][i])));
+        }
+    }
+}
+
 /* What surfaces and film carry along, by any number of meshes. */
 static void feet_agree(void **state)
 {
@@ -279,6 +417,9 @@ int main(void)
         cmocka_unit_test(eyring_films_agree),
         cmocka_unit_test(films_by_table_agree),
         cmocka_unit_test(surfaces_move_as_told),
+        cmocka_unit_test(slab_conducts),
+        cmocka_unit_test(couette_heats),
+        cmocka_unit_test(swapped_films_mirror),
         cmocka_unit_test(feet_agree),
         cmocka_unit_test(viscosities_agree),
     };
