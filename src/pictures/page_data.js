@@ -46,6 +46,7 @@ async function runOf(made) {
   const run = { made, nodes: made.nodes, shots: made.snapshots };
   run.x = doublesOf(made.x);
   run.time = doublesOf(made.time);
+  if (made.hertz) run.hertz = doublesOf(made.hertz);
   for (const name of ["P", "H", "S", "F", "T1", "T2", "T3"])
     if (made[name]) run[name] = await fieldOf(made[name], run.nodes, run.shots);
   if (made.stress) run.stress = await stressOf(made.stress, run.shots);

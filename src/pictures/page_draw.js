@@ -265,11 +265,14 @@ function drawOil(c, box, run, a, b, k, u) {
   c.fill();
 }
 
-function drawHertz(c, box, u) {
+function drawHertz(c, box, u, run, k) {
+  const b = run.hertz ? run.hertz[2 * k] : 1;
+  const P = run.hertz ? run.hertz[2 * k + 1] : 1;
   c.beginPath();
   for (let k = 0; k <= 90; k++) {
     const angle = Math.PI * k / 90;
-    c.lineTo(box.X(-Math.cos(angle) * u.x.f), box.Y(Math.sin(angle) * u.p.f));
+    c.lineTo(box.X(-b * Math.cos(angle) * u.x.f),
+      box.Y(P * Math.sin(angle) * u.p.f));
   }
   c.strokeStyle = colour.hertz;
   c.lineWidth = 1.2;
@@ -309,7 +312,7 @@ function drawRun(view) {
       drawCurve(c, upper, run, a, b, u.x.f, (i) => run.P.at(k, i) * u.p.f,
         { area: colour["pressure-area"], line: colour.pressure, base: 0,
           width: 2 });
-    drawHertz(c, upper, u);
+    drawHertz(c, upper, u, run, k);
   });
   clipped(c, lower, () => {
     const oil = run.H && run.F;

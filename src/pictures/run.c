@@ -7,6 +7,57 @@ static const char *const temperatures[3] = {"temperature_1", "temperature_2",
                                             "temperature_middle"};
 static const double ZERO_DEGC = 273.15; /* K */
 
+/* A column of the history; NULL without. */
+static double *column(ovr_stored *run, const char *path, ovr_arena *arena)
+{
+    double *v = NULL;
+    if (run->info->steps && ovr_result_find(run->result, path))
+        v = ovr_arena_take(arena, run->info->steps, sizeof *v, NULL);
+    if (v && ovr_result_read(run->result, path, 0, OVR_HERTZIAN, v, NULL))
+        return NULL;
+    return v;
+}
+
+static bool varies(const double *v, size_t n)
+{
+    for (size_t i = 0; v && i < n; i++)
+        if (v[i] != 1)
+            return true;
+    return false;
+}
+
+/* b goes with sqrt(w R), ph with sqrt(w/R). */
+static void find_hertz(ovr_stored *run, ovr_arena *arena)
+{
+    size_t steps = run->info->steps, shots = run->info->snapshots, i = 0;
+    double *T = column(run, "history/time", arena);
+    double *load = column(run, "history/load_ratio", arena);
+    double *radius = column(run, "history/radius_ratio", arena);
+    if (!T || !load || (!varies(load, steps) && !varies(radius, steps)))
+        return;
+    double *width = ovr_arena_take(arena, shots, sizeof *width, NULL);
+    double *P = ovr_arena_take(arena, shots, sizeof *P, NULL);
+    for (size_t k = 0; width && P && k < shots; k++) {
+        while (i + 1 < steps && T[i] < run->times[k])
+            i++;
+        double R = radius ? radius[i] : 1;
+        width[k] = sqrt(load[i] * R);
+        P[k] = sqrt(load[i] / R);
+    }
+    run->hertz_width = P ? width : NULL;
+    run->hertz_P = width ? P : NULL;
+}
+
+double ovr_stored_hertz_width(const ovr_stored *run, size_t k)
+{
+    return run->hertz_width ? run->hertz_width[k] : 1;
+}
+
+double ovr_stored_hertz_pressure(const ovr_stored *run, size_t k)
+{
+    return run->hertz_P ? run->hertz_P[k] : 1;
+}
+
 ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
                            const char *name, ovr_arena *arena, ovr_error *err)
 {
@@ -31,6 +82,8 @@ ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
     status = ovr_result_x(result, OVR_HERTZIAN, run->x, err);
     if (status == OVR_OK)
         status = ovr_result_times(result, OVR_HERTZIAN, run->times, err);
+    if (status == OVR_OK)
+        find_hertz(run, arena);
     return status;
 }
 

@@ -15,6 +15,9 @@ typedef struct ovr_stored {
     const ovr_result_info *info;
     const char *name;  /* foreign */
     double *x, *times; /* nodes, snapshots */
+    /* of Hertz's contact at the load and radius of each snapshot, over the
+     * nominal one's; NULL: it is that */
+    double *hertz_width, *hertz_P;
     bool film, pressure, roughness, filling;
     bool hot[3]; /* temperatures of surface 1, surface 2, middle of the film */
     struct {
@@ -24,6 +27,10 @@ typedef struct ovr_stored {
 
 ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
                            const char *name, ovr_arena *arena, ovr_error *err);
+
+/* Hertz's half width and largest pressure at snapshot k over the nominal. */
+double ovr_stored_hertz_width(const ovr_stored *run, size_t k);
+double ovr_stored_hertz_pressure(const ovr_stored *run, size_t k);
 
 /* The units that several results have in common: Hertzian ones where one of
  * them has no scales but another is to be drawn in SI, unless SI is asked for,

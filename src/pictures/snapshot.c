@@ -112,13 +112,16 @@ static ovr_series curve(const ovr_snapshot_style *look, const ovr_shot *shot,
     return s;
 }
 
-static ovr_series hertz(const ovr_snapshot_style *look, const ovr_stored *run)
+static ovr_series hertz(const ovr_snapshot_style *look, const ovr_shot *shot)
 {
+    const ovr_stored *run = shot->run;
     return (ovr_series){.n = OVR_HERTZ_POINTS,
                         .x = look->hertz_x,
                         .y = look->hertz_P,
-                        .x_factor = look->x.factor * run->by.x,
-                        .factor = look->P.factor * run->by.pressure,
+                        .x_factor = look->x.factor * run->by.x *
+                                    ovr_stored_hertz_width(run, shot->k),
+                        .factor = look->P.factor * run->by.pressure *
+                                  ovr_stored_hertz_pressure(run, shot->k),
                         .mark = OVR_MARK_DASHED,
                         .colour = OVR_STEEL,
                         .width = 1.4};
@@ -235,7 +238,7 @@ static void add_hertz(const ovr_snapshot_style *look, const ovr_shot *shot,
                       size_t count, ovr_series *series, ovr_panel *panel)
 {
     for (size_t k = 0; k < count; k++) {
-        ovr_series s = hertz(look, shot[k].run);
+        ovr_series s = hertz(look, &shot[k]);
         bool seen = false;
         for (size_t j = 0; j < k; j++)
             seen |= shot[j].run == shot[k].run;

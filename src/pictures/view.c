@@ -196,6 +196,19 @@ static size_t thin(double *values, size_t n, size_t bucket, char keep)
     return count;
 }
 
+/* Half width and pressure of Hertz's contact, snapshot by snapshot. */
+static void put_hertz(writer *w)
+{
+    double *two = ovr_arena_take(w->arena, 2 * w->shots, sizeof *two, NULL);
+    if (!w->run->hertz_P || !two)
+        return;
+    for (size_t k = 0; k < w->shots; k++) {
+        two[2 * k] = w->run->hertz_width[k * w->every];
+        two[2 * k + 1] = w->run->hertz_P[k * w->every];
+    }
+    put_doubles(w, "hertz", two, 2 * w->shots);
+}
+
 static ovr_status put_history(writer *w, ovr_error *err)
 {
     static const struct {
@@ -315,6 +328,7 @@ static ovr_status put_run(writer *w, ovr_error *err)
                    w->shots);
     put_doubles(w, "x", x, w->nodes);
     put_doubles(w, "time", times, w->shots);
+    put_hertz(w);
     status = put_fields(w, err);
     if (status == OVR_OK && (w->stress || has_stress(w->run)))
         status = ovr_view_stress(w->to, w->run, w->stress, w->shots, w->every,
