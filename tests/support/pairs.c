@@ -55,7 +55,7 @@ static const struct way {
     {OVR_PART_SLIDING,
      {"sliding.history=ramp", "sliding.to=0.2", "sliding.duration=0.5"}},
     {OVR_PART_RADIUS,
-     {"radius.history=ramp", "radius.to=1.05", "radius.duration=1"}},
+     {"radius.history=ramp", "radius.to=1.01", "radius.duration=1"}},
     {OVR_PART_FLOW_LAW,
      {"lubricant.rheology=eyring", "lubricant.eyring_stress=5 MPa"}},
     {OVR_PART_FLOW_LAW,

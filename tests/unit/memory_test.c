@@ -75,9 +75,11 @@ static void nothing_is_allocated_after_set_up(void **state)
         long calls = faults.calls;
         ovr_simulation_surface(sim, ovr_surfaces_heights, surfaces);
         CHECK_OK(ovr_simulation_steady(sim, &err), &err);
-        CHECK_OK(ovr_simulation_march(sim, &march, &err), &err);
+        if (kinds[k].smoother == OVR_LINE) /* the others are for steady ones */
+            CHECK_OK(ovr_simulation_march(sim, &march, &err), &err);
         assert_int_equal(faults.calls, calls);
-        assert_true(ovr_simulation_statistics(sim)->steps > 1);
+        assert_true(kinds[k].smoother != OVR_LINE ||
+                    ovr_simulation_statistics(sim)->steps > 1);
         ovr_simulation_free(sim);
         ovr_surfaces_free(surfaces);
         assert_int_equal(faults.live, 0);
