@@ -15,9 +15,10 @@
  *     h <- (1 - loss) h,   or   h <- h_ff x/(1 + x^g)^(1/g),  x = h/h_ff,
  *     h <- h + replenish,   h <- h_ff - (h_ff - h) exp(-t/recovery)
  *
- * h_ff the layer that a flooded contact leaves; x^-g grows by 1 a pass; t =
- * spacing/u_k, from one rolling body to the next.  A surface that is each time
- * another body's has the layer that was left before anything passed.
+ * h_ff the layer that a flooded contact leaves, the first one; x^-g grows by 1
+ * a pass; t = spacing/u_k, from one rolling body to the next.  A surface that
+ * is each time another body's has the layer that was left before anything
+ * passed.
  *
  * Method: the history of the result file, or of a simulation that runs.
  * Accuracy: that of a step.
