@@ -36,6 +36,7 @@ extern "C" {
 
 /* One parameter as people see it. */
 typedef struct ovr_parameter_info {
+    size_t size; /* of this struct */
     const char *section, *key;
     const char *type;    /* "number", "whole number", "choice", ... */
     const char *units;   /* allowed units, "" for none */
@@ -50,7 +51,14 @@ typedef struct ovr_parameter_info {
 } ovr_parameter_info;
 
 OVR_API size_t ovr_parameter_count(void);
-OVR_API ovr_parameter_info ovr_parameter_at(size_t k);
+OVR_API void ovr_parameter_into(size_t k, ovr_parameter_info *info);
+static inline ovr_parameter_info ovr_parameter_at(size_t k)
+{
+    ovr_parameter_info info;
+    info.size = sizeof info;
+    ovr_parameter_into(k, &info);
+    return info;
+}
 
 /* Sections in order: name and a line of help, NULL behind the last; and
  * whether there may be several, each with a name of its own: [feature NAME]. */
@@ -100,6 +108,7 @@ OVR_API const char *ovr_case_directory(const ovr_case *c);
 
 /* Every parameter of every section present, in the order of the table. */
 typedef struct ovr_case_entry {
+    size_t size;         /* of this struct */
     const char *section; /* "contact", "feature" */
     const char *name;    /* of a feature, else NULL */
     const char *key;
@@ -116,7 +125,15 @@ typedef struct ovr_case_entry {
                            profile where there is none */
 } ovr_case_entry;
 OVR_API size_t ovr_case_entries(const ovr_case *c);
-OVR_API ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k);
+OVR_API void ovr_case_entry_into(const ovr_case *c, size_t k,
+                                 ovr_case_entry *entry);
+static inline ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k)
+{
+    ovr_case_entry entry;
+    entry.size = sizeof entry;
+    ovr_case_entry_into(c, k, &entry);
+    return entry;
+}
 
 /* ---------------------------------------------------- what it resolves to */
 
@@ -127,6 +144,7 @@ typedef struct ovr_list {
 
 /* What is to be stored; all times in b/um, lengths in b. */
 typedef struct ovr_output {
+    size_t size;         /* of this struct */
     const char *file;    /* relative to the working directory; or NULL */
     const char *title;   /* or NULL */
     long every;          /* steps; 0: not by steps */
@@ -143,6 +161,7 @@ typedef struct ovr_output {
 
 /* Of [stress] and [fatigue]: lengths in b, stresses in p_h. */
 typedef struct ovr_stress_setup {
+    size_t size;       /* of this struct */
     unsigned surfaces; /* 1, 2, 3: both; 0: no stresses are wanted */
     double poisson[2];
     double depth_min, depth_max, per_octave; /* depth_min 0: 4 D */
@@ -152,7 +171,7 @@ typedef struct ovr_stress_setup {
     bool fatigue;
     ovr_criterion criterion;
     double alpha, limit_pressure; /* 0: none */
-    ovr_life_options life;        /* its limit follows from limit_pressure */
+    const ovr_life_options *life; /* its limit follows from limit_pressure */
     double raceway, count;        /* raceway 0: not given */
     double residual_x, residual_y;
     bool traction;           /* the film's shear stress is a load too */
@@ -170,6 +189,7 @@ typedef enum ovr_accuracy {
  * oil waiting at the start, in b^3/R. */
 struct ovr_layer;
 typedef struct ovr_supply_setup {
+    size_t size;                /* of this struct */
     bool film;                  /* else flooded */
     struct ovr_layer *layer[2]; /* along the surfaces; NULL: constant */
     double thickness[2], waiting;
@@ -180,6 +200,7 @@ typedef struct ovr_supply_setup {
 
 /* What becomes of the layers between two passes; in b^2/R. */
 typedef struct ovr_passes_setup {
+    size_t size;      /* of this struct */
     int number;       /* 1: the ordinary run */
     double split;     /* share of the thickness that is surface 1's */
     double loss;      /* share that is lost */
@@ -196,6 +217,7 @@ typedef struct ovr_passes_setup {
 /* All that a case describes, ready to be run. */
 
 typedef struct ovr_setup {
+    size_t size; /* of this struct */
     const ovr_contact *contact;
     const ovr_lubricant *lubricant;
     ovr_options *options;

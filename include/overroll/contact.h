@@ -62,6 +62,7 @@ OVR_SIZED(ovr_conditions)
 /* The resolved contact.  Dimensionless numbers are always set; a physical
  * scale that does not follow from what was given is NAN. */
 typedef struct ovr_contact {
+    size_t size; /* of this struct */
     double M, L, lambda, alphabar;
     double u1_ratio, u2_ratio; /* u1/um, u2/um */
     double ph;                 /* Pa */
@@ -74,10 +75,21 @@ typedef struct ovr_contact {
     double width;                                 /* m */
 } ovr_contact;
 
+/* All fields NAN but the two ratios, which are 1. */
+OVR_SIZED(ovr_contact)
+
 /* Resolves the conditions; fails with OVR_BAD_INPUT naming the quantity that
  * is missing, contradictory or out of range. */
-OVR_API ovr_status ovr_contact_resolve(const ovr_conditions *given,
-                                       ovr_contact *contact, ovr_error *err);
+OVR_API ovr_status ovr_contact_resolve_into(const ovr_conditions *given,
+                                            ovr_contact *contact,
+                                            ovr_error *err);
+static inline ovr_status ovr_contact_resolve(const ovr_conditions *given,
+                                             ovr_contact *contact,
+                                             ovr_error *err)
+{
+    contact->size = sizeof *contact;
+    return ovr_contact_resolve_into(given, contact, err);
+}
 
 /* ---------------------------------------------------------------- kinds */
 
@@ -102,6 +114,7 @@ typedef enum ovr_unit_kind {
 } ovr_unit_kind;
 
 typedef struct ovr_kind_info {
+    size_t size;          /* of this struct */
     const char *name;     /* "pressure"; in result files */
     const char *si;       /* "Pa" */
     const char *hertzian; /* "ph" */
@@ -180,6 +193,7 @@ typedef struct ovr_flow_law ovr_flow_law;
  *   Yasutomi  see ovr_yasutomi
  *   tables    see overroll/oil.h, which makes all of these */
 typedef struct ovr_lubricant {
+    size_t size; /* of this struct */
     ovr_viscosity_law viscosity_law;
     ovr_density_law density_law;
     double alphabar;
@@ -197,15 +211,28 @@ typedef struct ovr_lubricant {
     const ovr_flow_law *flow_law; /* of all but Eyring's; borrowed */
 } ovr_lubricant;
 
+/* All 0: Roelands' law without pressure in it. */
+OVR_SIZED(ovr_lubricant)
+
 /* p0 in Pa (paper: 1.98e8); z dimensionless, NAN: 0.68, or from alpha and a
  * physical viscosity by Roelands' relation z = alpha p0/(ln eta0 + 9.67).
  * With L = 0 both laws become isoviscous and incompressible.  Fails if a law
  * needs ph and the contact has none. */
-OVR_API ovr_status ovr_lubricant_make(const ovr_contact *contact,
-                                      ovr_viscosity_law viscosity_law,
-                                      ovr_density_law density_law, double p0,
-                                      double z, ovr_lubricant *lubricant,
-                                      ovr_error *err);
+OVR_API ovr_status ovr_lubricant_make_into(const ovr_contact *contact,
+                                           ovr_viscosity_law viscosity_law,
+                                           ovr_density_law density_law,
+                                           double p0, double z,
+                                           ovr_lubricant *lubricant,
+                                           ovr_error *err);
+static inline ovr_status
+ovr_lubricant_make(const ovr_contact *contact, ovr_viscosity_law viscosity_law,
+                   ovr_density_law density_law, double p0, double z,
+                   ovr_lubricant *lubricant, ovr_error *err)
+{
+    lubricant->size = sizeof *lubricant;
+    return ovr_lubricant_make_into(contact, viscosity_law, density_law, p0, z,
+                                   lubricant, err);
+}
 
 /* A flow law: its stress in Pa, or as a number, the other one NAN. */
 typedef struct ovr_flow_form {

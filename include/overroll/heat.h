@@ -48,6 +48,7 @@ OVR_SIZED(ovr_heat_form)
 
 /* The numbers; all zero: no heat. */
 typedef struct ovr_heat {
+    size_t size; /* of this struct */
     int points;
     double T0;                /* K */
     double bulk[2];           /* rises */
@@ -59,12 +60,21 @@ typedef struct ovr_heat {
     bool density_expands;
     double S0, C, beta; /* C = 0: not Roelands */
 } ovr_heat;
+OVR_SIZED(ovr_heat)
 
 /* Fails with OVR_BAD_INPUT about what is missing. */
-OVR_API ovr_status ovr_heat_make(const ovr_heat_form *form,
-                                 const ovr_contact *contact,
-                                 const ovr_lubricant *lubricant, ovr_heat *heat,
-                                 ovr_error *err);
+OVR_API ovr_status ovr_heat_make_into(const ovr_heat_form *form,
+                                      const ovr_contact *contact,
+                                      const ovr_lubricant *lubricant,
+                                      ovr_heat *heat, ovr_error *err);
+static inline ovr_status ovr_heat_make(const ovr_heat_form *form,
+                                       const ovr_contact *contact,
+                                       const ovr_lubricant *lubricant,
+                                       ovr_heat *heat, ovr_error *err)
+{
+    heat->size = sizeof *heat;
+    return ovr_heat_make_into(form, contact, lubricant, heat, err);
+}
 
 /* ln(eta/eta0) at the rise T from that at T0 and the same pressure. */
 OVR_API double ovr_heat_log_viscosity(const ovr_heat *heat, double log_eta,

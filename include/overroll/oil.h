@@ -69,8 +69,16 @@ OVR_API ovr_status ovr_oil_complete(ovr_oil *oil, ovr_error *err);
 
 /* The oil in a contact's scaling.  Its tables must live as long.  With L = 0
  * the film is isoviscous and incompressible whatever the laws. */
-OVR_API ovr_status ovr_oil_scale(const ovr_oil *oil, const ovr_contact *contact,
-                                 ovr_lubricant *lubricant, ovr_error *err);
+OVR_API ovr_status ovr_oil_scale_into(const ovr_oil *oil,
+                                      const ovr_contact *contact,
+                                      ovr_lubricant *lubricant, ovr_error *err);
+static inline ovr_status ovr_oil_scale(const ovr_oil *oil,
+                                       const ovr_contact *contact,
+                                       ovr_lubricant *lubricant, ovr_error *err)
+{
+    lubricant->size = sizeof *lubricant;
+    return ovr_oil_scale_into(oil, contact, lubricant, err);
+}
 
 /* Blok's reciprocal asymptotic isoviscous pressure coefficient times ph:
  * 1/(integral from 0 to infinity of dP/eta(P)), eta relative; NAN where the

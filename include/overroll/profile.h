@@ -30,6 +30,7 @@ typedef struct ovr_profile ovr_profile;
 
 /* What a profile is now; owned by it, valid until it is conditioned. */
 typedef struct ovr_profile_view {
+    size_t size; /* of this struct */
     size_t n;
     const double *x, *z; /* x increasing; z NAN where missing */
     bool scaled_x;       /* x in b, else in metres */
@@ -144,6 +145,7 @@ OVR_API ovr_status ovr_profile_condition(ovr_profile *profile,
  * the profile's z unit, lengths in its x unit.  A profile with gaps has none.
  */
 typedef struct ovr_profile_numbers {
+    size_t size; /* of this struct */
     size_t n;
     double length, spacing, spacing_least, spacing_most;
     char kind;      /* 'P' or 'R': a is Pa or Ra, and so on */
@@ -159,9 +161,16 @@ typedef struct ovr_profile_numbers {
     double dq;     /* root mean square slope */
 } ovr_profile_numbers;
 
-OVR_API ovr_status ovr_profile_measure(const ovr_profile *profile,
-                                       ovr_profile_numbers *numbers,
-                                       ovr_error *err);
+OVR_API ovr_status ovr_profile_measure_into(const ovr_profile *profile,
+                                            ovr_profile_numbers *numbers,
+                                            ovr_error *err);
+static inline ovr_status ovr_profile_measure(const ovr_profile *profile,
+                                             ovr_profile_numbers *numbers,
+                                             ovr_error *err)
+{
+    numbers->size = sizeof *numbers;
+    return ovr_profile_measure_into(profile, numbers, err);
+}
 
 /* The cut-off lambda_c of ISO 21920-3 (0.08, 0.25, 0.8, 2.5, 8 mm) that a
  * trace of so many metres allows: the longest of which five fit.  NAN: the

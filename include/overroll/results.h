@@ -85,6 +85,7 @@ OVR_API ovr_writer *ovr_writer_create(const ovr_write_options *options,
 /* What a writer records.  `field` is asked at snapshots only, for the fields
  * that are stored: values as in ovr_observable, where they lie or in `room`. */
 typedef struct ovr_frame {
+    size_t size; /* of this struct */
     const ovr_state *state;
     const ovr_observation *seen;
     const double *(*field)(const void *source, const ovr_observable *which,
@@ -92,6 +93,7 @@ typedef struct ovr_frame {
     const void *source;
     const ovr_statistics *total; /* extremes of the run; or NULL */
 } ovr_frame;
+OVR_SIZED(ovr_frame)
 OVR_API ovr_status ovr_writer_record(ovr_writer *writer, const ovr_frame *frame,
                                      ovr_error *err);
 
@@ -148,6 +150,7 @@ OVR_API ovr_status ovr_writer_close(ovr_writer *writer, ovr_run_status status,
 typedef struct ovr_restart ovr_restart;
 
 typedef struct ovr_restart_info {
+    size_t size;    /* of this struct */
     bool has_state; /* false: the run ended before its first checkpoint */
     long step;      /* of the checkpoint, and its time */
     double T;
@@ -222,12 +225,14 @@ typedef struct ovr_group_attribute {
 } ovr_group_attribute;
 
 typedef struct ovr_group {
+    size_t size; /* of this struct */
     const char *path;
     size_t axes, arrays, attributes;
     const ovr_group_axis *axis;
     const ovr_group_array *array;
     const ovr_group_attribute *attribute;
 } ovr_group;
+OVR_SIZED(ovr_group)
 
 /* Makes the group, in place of one that is there; `keep`: that one stays. */
 OVR_API ovr_status ovr_writer_group(ovr_writer *writer, const ovr_group *group,
@@ -259,6 +264,7 @@ typedef struct ovr_result ovr_result;
 
 /* What is in a file.  Texts are owned by the result. */
 typedef struct ovr_result_info {
+    size_t size;                    /* of this struct */
     const char *title, *status;     /* running, complete, stopped, failed */
     const char *reason;             /* why it failed, or "" */
     const char *source;             /* program and version */
@@ -284,6 +290,7 @@ OVR_API const ovr_result_info *ovr_result_about(const ovr_result *result);
 /* A variable of the file: x, time, a field of the snapshots, a column of the
  * history, or what another program version stores in groups of its own. */
 typedef struct ovr_variable {
+    size_t size; /* of this struct */
     const char *name, *long_name;
     const char *unit;   /* as stored; "1": dimensionless */
     double scale;       /* SI value of the dimensionless 1; NAN unknown */

@@ -106,6 +106,7 @@ typedef struct ovr_run_error {
 } ovr_run_error;
 enum { OVR_RUN_ERRORS = 8 };
 typedef struct ovr_run_errors {
+    size_t size;  /* of this struct */
     int level;    /* one coarser; 0: none was made */
     size_t count; /* the end state first, then the extremes of a run */
     ovr_run_error of[OVR_RUN_ERRORS];
@@ -114,6 +115,7 @@ typedef struct ovr_run_errors {
 /* Stresses below a surface, as a run or a stored one leaves them: lengths in
  * b, stresses in p_h, maps value[depth * points + point]. */
 typedef struct ovr_stress_report {
+    size_t size; /* of this struct */
     int surface;
     const char *feature; /* xi counts from its centre at T = 0, or NULL */
     ovr_material material;
@@ -128,7 +130,7 @@ typedef struct ovr_stress_report {
     double *amplitude_smooth;
     double *risk;   /* of each point */
     double *length; /* equivalent length counted from each depth down */
-    ovr_life_result life;
+    const ovr_life_result *life;
     double hertz;  /* the criterion in a smooth dry contact of p_h = 1 */
     double limit;  /* p_h */
     double ratio;  /* of lives; NAN without a raceway */
@@ -141,6 +143,7 @@ typedef struct ovr_stress_report {
  * anything is solved: heights in b^2/R, NAN where it says nothing.  Rq is the
  * largest in a window of |X| < OVR_ROUGH_WINDOW of all that comes through. */
 typedef struct ovr_rough_film {
+    size_t size;     /* of this struct */
     double Rq;       /* of the unloaded surfaces */
     double film_Rq;  /* of the film under the contact */
     double H_min;    /* the smallest film; 0: what is left is as high as it */
@@ -149,12 +152,22 @@ typedef struct ovr_rough_film {
 } ovr_rough_film;
 
 /* Of a prepared setup, in milliseconds. */
-OVR_API ovr_status ovr_setup_rough_film(const ovr_setup *setup,
-                                        const ovr_allocator *allocator,
-                                        ovr_rough_film *film, ovr_error *err);
+OVR_API ovr_status ovr_setup_rough_film_into(const ovr_setup *setup,
+                                             const ovr_allocator *allocator,
+                                             ovr_rough_film *film,
+                                             ovr_error *err);
+static inline ovr_status ovr_setup_rough_film(const ovr_setup *setup,
+                                              const ovr_allocator *allocator,
+                                              ovr_rough_film *film,
+                                              ovr_error *err)
+{
+    film->size = sizeof *film;
+    return ovr_setup_rough_film_into(setup, allocator, film, err);
+}
 
 /* Of a run at any moment. */
 typedef struct ovr_run_info {
+    size_t size; /* of this struct */
     const ovr_setup *setup;
     const ovr_simulation *sim;
     const char *output; /* result file or NULL */
@@ -163,13 +176,15 @@ typedef struct ovr_run_info {
     bool converged;     /* all steps, to the end */
     double seconds;     /* of wall time, until its file is closed */
     size_t snapshots;   /* in the file, when it is closed */
-    ovr_run_errors error;
+    const ovr_run_errors *error;
     const ovr_stress_report *stress[2]; /* of surface 1, 2; NULL: none */
     int warnings;                       /* so many were said, for reports */
     const char *const *warning;
-    double lambda_ratio;     /* central film at the end over the composite Rq of
-                                both surfaces; NAN: smooth */
-    ovr_rough_film foreseen; /* what was said of its film before it */
+    double lambda_ratio; /* central film at the end over the composite Rq of
+                            both surfaces; NAN: smooth */
+    /* What was said of its film before it. */
+    const ovr_rough_film *foreseen;
+
     double shear_over_pressure; /* the film's largest shear stress over its
                                    pressure, where that is 0.2 ph at least, at
                                    the end; NAN: b/R is not known */
@@ -194,6 +209,7 @@ typedef enum ovr_summary_form {
     OVR_SUMMARY_TEXT
 } ovr_summary_form;
 typedef struct ovr_summary_line {
+    size_t size; /* of this struct */
     const char *key;
     ovr_summary_form form;
     double number;
@@ -352,6 +368,7 @@ OVR_API ovr_status ovr_sweep_collect(const ovr_study *study, const char *path,
 typedef struct ovr_table ovr_table;
 
 typedef struct ovr_table_column {
+    size_t size; /* of this struct */
     const char *name;
     const char *unit;        /* SI; "": none, or not known */
     bool varied;             /* a key of the study */

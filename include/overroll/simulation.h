@@ -225,6 +225,7 @@ OVR_API ovr_status ovr_simulation_step(ovr_simulation *sim, double dT,
 /* The solution now.  Arrays of n values, owned by the simulation, valid until
  * the next call that changes it. */
 typedef struct ovr_state {
+    size_t size; /* of this struct */
     long step;
     double T;
     size_t n;
@@ -245,6 +246,7 @@ OVR_API const ovr_state *ovr_simulation_state(const ovr_simulation *sim);
 
 /* What is observed after a solve or step; definitions in the manual. */
 typedef struct ovr_observation {
+    size_t size; /* of this struct */
     double T, dT;
     double H_min, X_min;                 /* nodal */
     double H_min_located, X_min_located; /* parabola through three nodes */
@@ -315,6 +317,7 @@ ovr_simulation_observation(const ovr_simulation *sim);
  * Levels where the load was still being raised are left out.  Differences of
  * pressure as D sum |dP| / (pi/2). */
 typedef struct ovr_refinement {
+    size_t size; /* of this struct */
     int level;
     size_t nodes;
     int cycles;
@@ -352,6 +355,7 @@ OVR_API unsigned ovr_options_physics(const ovr_options *options);
  * list.  A number a step is a member of ovr_observation; the values of a field
  * are made when they are asked for. */
 typedef struct ovr_observable {
+    size_t size;           /* of this struct */
     const char *name;      /* "min_film_thickness"; NULL: not in files */
     const char *key;       /* "H_min_located", of JSON; NULL: not there */
     const char *key_si;    /* the same in SI; NULL: not there */
@@ -374,6 +378,7 @@ OVR_API double ovr_observable_value(const ovr_observable *which,
 
 /* Totals and extremes since the steady start, which counts. */
 typedef struct ovr_statistics {
+    size_t size; /* of this struct */
     long steps, cycles, retries, substeps, marked;
     double H_min, X_H_min, T_H_min; /* smallest film, located as in the history;
                                        where and when */
@@ -392,6 +397,7 @@ ovr_simulation_statistics(const ovr_simulation *sim);
 /* One row an extreme: attributes of result files, JSON and tables are made
  * from this list. */
 typedef struct ovr_extreme {
+    size_t size;           /* of this struct */
     const char *key;       /* "P_max_overall"; of JSON, and an attribute */
     const char *key_si;    /* the same in SI; NULL: a pure number */
     const char *long_name; /* one line for people */

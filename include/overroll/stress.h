@@ -260,6 +260,7 @@ OVR_API void ovr_risk(const ovr_life_options *options, size_t depths,
                       const double *z, const double *A, double *risk);
 
 typedef struct ovr_life_result {
+    size_t size;              /* of this struct */
     double smooth_risk;       /* i_0 from least_depth down */
     double equivalent_length; /* from least_depth down; NAN where i_0 = 0 */
     double least_depth;       /* the row it was counted from */
@@ -272,10 +273,21 @@ typedef struct ovr_life_result {
 /* risk[points]: from the least depth down; length[depths]: the equivalent
  * length lambda = int (i - i_0) dxi / i_0 counted from z[j] down.  Either may
  * be NULL. */
-OVR_API ovr_status ovr_life(const ovr_life_options *options,
-                            const ovr_material *material, const float *A,
-                            const double *smooth, double *risk, double *length,
-                            ovr_life_result *result, ovr_error *err);
+OVR_API ovr_status ovr_life_into(const ovr_life_options *options,
+                                 const ovr_material *material, const float *A,
+                                 const double *smooth, double *risk,
+                                 double *length, ovr_life_result *result,
+                                 ovr_error *err);
+static inline ovr_status ovr_life(const ovr_life_options *options,
+                                  const ovr_material *material, const float *A,
+                                  const double *smooth, double *risk,
+                                  double *length, ovr_life_result *result,
+                                  ovr_error *err)
+{
+    result->size = sizeof *result;
+    return ovr_life_into(options, material, A, smooth, risk, length, result,
+                         err);
+}
 
 /* Life over that of the smooth raceway of this length with so many of the
  * features: (1 + count lambda / raceway)^(-1/e). */

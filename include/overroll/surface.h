@@ -167,6 +167,7 @@ OVR_API void ovr_surfaces_standing(void *surfaces, double T, size_t n,
 /* ------------------------------------------------- what is on the surfaces */
 
 typedef struct ovr_feature_info {
+    size_t size; /* of this struct */
     const char *name;
     int surface;
     ovr_shape shape;
@@ -187,8 +188,16 @@ typedef struct ovr_feature_info {
 } ovr_feature_info;
 
 OVR_API size_t ovr_surfaces_count(const ovr_surfaces *surfaces);
-OVR_API ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces,
-                                           size_t feature);
+OVR_API void ovr_surfaces_info_into(const ovr_surfaces *surfaces,
+                                    size_t feature, ovr_feature_info *info);
+static inline ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces,
+                                                 size_t feature)
+{
+    ovr_feature_info info;
+    info.size = sizeof info;
+    ovr_surfaces_info_into(surfaces, feature, &info);
+    return info;
+}
 
 /* Shortest wavelength of all features, b; INFINITY on smooth surfaces. */
 OVR_API double ovr_surfaces_wavelength(const ovr_surfaces *surfaces);

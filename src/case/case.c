@@ -2,6 +2,7 @@
 /* A case as a store of values; reading its file is in case_file.c, what it
  * resolves to in resolve.c. */
 #include "case/case.h"
+#include "base/sized.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -435,7 +436,7 @@ size_t ovr_case_entries(const ovr_case *c)
     return n;
 }
 
-ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k)
+void ovr_case_entry_into(const ovr_case *c, size_t k, ovr_case_entry *to)
 {
     const ovr_block *b = c->blocks;
     ovr_case_entry entry = {0};
@@ -460,5 +461,5 @@ ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k)
         entry.parameter = b->first + k;
         entry.applies = ovr_key_applies(c, b, row->key);
     }
-    return entry;
+    ovr_sized_give(to, &entry, sizeof entry);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/parameters.h"
+#include "base/sized.h"
 
 #include <math.h>
 #include <string.h>
@@ -700,13 +701,13 @@ static const ovr_parameter table[] = {
      AT(stress.limit_pressure), false,
      "Hertz pressure of a smooth contact below which amplitudes do no harm"},
     {"fatigue", "exponent", PLAIN_OR(risk_exponents, 1, 100), "31/3",
-     AT(stress.life.exponent), false, "c of the amplitude in the risk"},
+     AT(life.exponent), false, "c of the amplitude in the risk"},
     {"fatigue", "depth_exponent", PLAIN_OR(depth_exponents, 0, 10), "7/3",
-     AT(stress.life.depth_exponent), false, "h of the depth in the risk"},
+     AT(life.depth_exponent), false, "h of the depth in the risk"},
     {"fatigue", "weibull", PLAIN_OR(weibull_slopes, 0.1, 10), "9/8",
-     AT(stress.life.weibull), false, "e, Weibull slope"},
+     AT(life.weibull), false, "e, Weibull slope"},
     {"fatigue", "least_depth", LENGTH_OR(auto_zero, 1e-9, 1e3), "auto",
-     AT(stress.life.least_depth), true,
+     AT(life.least_depth), true,
      "from which risk and largest values are counted; auto: 8 meshes"},
     {"fatigue", "raceway", OVR_NUMBER, OVR_LENGTH, OVR_IN_B, 0, 1e9, false,
      NULL, "0", AT(stress.raceway), false,
@@ -896,7 +897,7 @@ const char *ovr_hertzian_name(ovr_hertzian hertzian)
     return "";
 }
 
-ovr_parameter_info ovr_parameter_at(size_t k)
+void ovr_parameter_into(size_t k, ovr_parameter_info *to)
 {
     const ovr_parameter *row = &table[k < ROWS ? k : 0];
     ovr_parameter_info info = {
@@ -914,5 +915,5 @@ ovr_parameter_info ovr_parameter_at(size_t k)
     };
     for (size_t i = 0; row->words && row->words[i].name && i < 23; i++)
         info.choices[i] = row->words[i].name;
-    return info;
+    ovr_sized_give(to, &info, sizeof info);
 }

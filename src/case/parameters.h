@@ -106,6 +106,7 @@ typedef struct ovr_settings {
     ovr_output output;
     int every, precision;
     ovr_stress_setup stress;
+    ovr_life_options life;
     int stress_surface, stress_every, stress_traction, criterion;
     ovr_list window;
 } ovr_settings;

@@ -434,6 +434,15 @@ static ovr_status resolve_output(ovr_resolved *r, ovr_error *err)
 
 /* -------------------------------------------------------------- all of it */
 
+static void set_sizes(ovr_resolved *r)
+{
+    r->setup.size = sizeof r->setup;
+    r->supply.size = sizeof r->supply;
+    r->values.passes.size = sizeof r->values.passes;
+    r->values.output.size = sizeof r->values.output;
+    r->values.stress.size = sizeof r->values.stress;
+}
+
 ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
                             ovr_error *err)
 {
@@ -444,6 +453,7 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
         return NULL;
     r->arena = arena;
     r->c = c;
+    set_sizes(r);
     r->setup.contact = &r->contact;
     r->setup.lubricant = &r->lubricant;
     r->setup.options = &r->values.options;

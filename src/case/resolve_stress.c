@@ -62,7 +62,8 @@ static ovr_status resolve_fatigue(ovr_resolved *r, ovr_error *err)
     const ovr_block *block = ovr_block_of(r, "fatigue");
     ovr_stress_setup *s = &r->values.stress;
     s->fatigue = is_there(block);
-    s->life = ovr_life_options_default();
+    r->values.life = ovr_life_options_default();
+    s->life = &r->values.life;
     if (!s->fatigue)
         return OVR_OK;
     if (!s->surfaces)

@@ -62,8 +62,8 @@ void cli_report_json(const ovr_run_info *s, FILE *to)
     if (!s->transient)
         json_refinements(&json, s);
     cli_json_lengths(&json, s->stress);
-    if (s->error.level)
-        json_not_converging(&json, &s->error);
+    if (s->error->level)
+        json_not_converging(&json, s->error);
     json_open_array(&json, "warnings");
     for (int i = 0; i < s->warnings; i++)
         json_text(&json, NULL, s->warning[i]);
@@ -215,7 +215,7 @@ static void put_extreme(const char *name, double value, ovr_unit_kind kind,
 /* Beside what was said of it before it. */
 static void put_rough_film(const ovr_run_info *s)
 {
-    const ovr_rough_film *said = &s->foreseen;
+    const ovr_rough_film *said = s->foreseen;
     double film_Rq = ovr_simulation_statistics(s->sim)->film_Rq;
     if (!s->setup->features)
         return;
@@ -351,8 +351,8 @@ static void report_table(const cli_call *call, const ovr_run_info *s)
     table_observed(s);
     if (!s->transient)
         table_stresses(s);
-    if (s->error.level)
-        table_error(&s->error, contact);
+    if (s->error->level)
+        table_error(s->error, contact);
     printf("%-17s %.3g s\n", "time", s->seconds);
     if (call->verbosity > 0 && !s->transient)
         table_refinements(s);

@@ -59,22 +59,22 @@ static void put_lengths(const ovr_stress_report *r)
 static void put_life(const ovr_stress_report *r, const ovr_setup *setup)
 {
     const ovr_stress_setup *s = setup->stress;
-    if (isfinite(r->life.equivalent_length))
+    if (isfinite(r->life->equivalent_length))
         put_lengths(r);
     else
         printf("%-17s none: the smooth contact stays below the limit from Z = "
                "%.3g down\n",
                "equivalent length", r->least_depth);
-    if (isfinite(r->life.utilisation))
+    if (isfinite(r->life->utilisation))
         printf("%-17s %-12.4g of the limit %.4g ph (%s), from Z = %.3g down\n",
-               "utilisation", r->life.utilisation, r->limit,
+               "utilisation", r->life->utilisation, r->limit,
                ovr_criterion_name(s->criterion), r->least_depth);
     if (isfinite(r->ratio))
         printf("%-17s %-12.4g of the smooth raceway's, counted from Z = %.3g\n",
                "life", r->ratio, r->least_depth);
     printf("%-17s exponents %.4g, %.4g, %.4g and limit are conventions; "
            "elastic, a groove\n",
-           "", s->life.exponent, s->life.depth_exponent, s->life.weibull);
+           "", s->life->exponent, s->life->depth_exponent, s->life->weibull);
 }
 
 static void put_traction(const ovr_stress_report *r)

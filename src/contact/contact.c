@@ -320,10 +320,37 @@ static ovr_status resolve(const ovr_conditions *given, ovr_contact *contact,
     return OVR_OK;
 }
 
-ovr_status ovr_contact_resolve(const ovr_conditions *given,
-                               ovr_contact *contact, ovr_error *err)
+void ovr_contact_fill(ovr_contact *contact)
+{
+    const ovr_contact defaults = {.M = NAN,
+                                  .L = NAN,
+                                  .lambda = NAN,
+                                  .alphabar = NAN,
+                                  .u1_ratio = 1,
+                                  .u2_ratio = 1,
+                                  .ph = NAN,
+                                  .b = NAN,
+                                  .height = NAN,
+                                  .time = NAN,
+                                  .kappa = NAN,
+                                  .load = NAN,
+                                  .radius = NAN,
+                                  .modulus = NAN,
+                                  .viscosity = NAN,
+                                  .alpha = NAN,
+                                  .um = NAN,
+                                  .width = NAN};
+    ovr_sized_fill(contact, &defaults, sizeof defaults);
+}
+
+ovr_status ovr_contact_resolve_into(const ovr_conditions *given,
+                                    ovr_contact *contact, ovr_error *err)
 {
     ovr_conditions own;
-    ovr_status status = OVR_SIZED_TAKE(ovr_conditions, &own, given, err);
-    return status ? status : resolve(&own, contact, err);
+    ovr_contact made;
+    if (OVR_SIZED_TAKE(ovr_conditions, &own, given, err) ||
+        OVR_SIZED_ROOM(ovr_contact, contact, err) || resolve(&own, &made, err))
+        return OVR_BAD_INPUT;
+    ovr_sized_give(contact, &made, sizeof made);
+    return OVR_OK;
 }

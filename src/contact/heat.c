@@ -85,19 +85,32 @@ void ovr_heat_form_fill(ovr_heat_form *form)
     ovr_sized_fill(form, &defaults, sizeof defaults);
 }
 
-ovr_status ovr_heat_make(const ovr_heat_form *form, const ovr_contact *contact,
-                         const ovr_lubricant *lubricant, ovr_heat *heat,
-                         ovr_error *err)
+void ovr_heat_fill(ovr_heat *heat)
+{
+    const ovr_heat none = {.points = 0};
+    ovr_sized_fill(heat, &none, sizeof none);
+}
+
+ovr_status ovr_heat_make_into(const ovr_heat_form *form,
+                              const ovr_contact *contact,
+                              const ovr_lubricant *lubricant, ovr_heat *heat,
+                              ovr_error *err)
 {
     ovr_heat_form whole;
-    *heat = (ovr_heat){0};
-    if (OVR_SIZED_TAKE(ovr_heat_form, &whole, form, err))
+    ovr_contact of;
+    ovr_lubricant oil;
+    ovr_heat made = {0};
+    if (OVR_SIZED_TAKE(ovr_heat_form, &whole, form, err) ||
+        OVR_SIZED_TAKE(ovr_contact, &of, contact, err) ||
+        OVR_SIZED_TAKE(ovr_lubricant, &oil, lubricant, err) ||
+        OVR_SIZED_ROOM(ovr_heat, heat, err))
         return OVR_BAD_INPUT;
     if (isnan(whole.temperature))
         return missing("temperature", err);
-    if (check_contact(contact, err) || viscosity(&whole, lubricant, heat, err))
+    if (check_contact(&of, err) || viscosity(&whole, &oil, &made, err))
         return OVR_BAD_INPUT;
-    make_numbers(&whole, contact, heat);
+    make_numbers(&whole, &of, &made);
+    ovr_sized_give(heat, &made, sizeof made);
     return OVR_OK;
 }
 
@@ -107,18 +120,27 @@ static double warmth(const ovr_heat *heat, double T)
     return fmax(1 + T / (heat->T0 - OVR_ROELANDS_T), 1e-3);
 }
 
-double ovr_heat_log_viscosity(const ovr_heat *heat, double log_eta, double T)
+double ovr_heat_log_viscosity(const ovr_heat *given, double log_eta, double T)
 {
+    ovr_heat own = {0};
+    const ovr_heat *heat = ovr_sized_whole(&own, sizeof own, given);
+    if (!heat)
+        return NAN;
     if (heat->C == 0)
         return log_eta - heat->beta * T;
     return (log_eta + heat->C) * pow(warmth(heat, T), -heat->S0) - heat->C;
 }
 
-double ovr_heat_viscosity_fall(const ovr_heat *heat, double log_eta, double T)
+double ovr_heat_viscosity_fall(const ovr_heat *given, double log_eta, double T)
 {
-    double x = warmth(heat, T);
+    ovr_heat own = {0};
+    const ovr_heat *heat = ovr_sized_whole(&own, sizeof own, given);
+    double x;
+    if (!heat)
+        return NAN;
     if (heat->C == 0)
         return heat->beta;
+    x = warmth(heat, T);
     return heat->S0 * (log_eta + heat->C) * pow(x, -heat->S0) /
            (x * (heat->T0 - OVR_ROELANDS_T));
 }

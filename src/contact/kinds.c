@@ -3,25 +3,30 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/sized.h"
 #include "overroll/contact.h"
 
+#define ROW(name, si, hertzian)                                                \
+    {                                                                          \
+        sizeof(ovr_kind_info), name, si, hertzian                              \
+    }
 static const ovr_kind_info kinds[OVR_KINDS + 1] = {
-    [OVR_KIND_NUMBER] = {"number", "1", "1"},
-    [OVR_KIND_COUNT] = {"count", "1", "1"},
-    [OVR_KIND_FLAG] = {"flag", "1", "1"},
-    [OVR_KIND_LENGTH] = {"length", "m", "b"},
-    [OVR_KIND_HEIGHT] = {"height", "m", "b^2/R"},
-    [OVR_KIND_PRESSURE] = {"pressure", "Pa", "ph"},
-    [OVR_KIND_TIME] = {"time", "s", "b/um"},
-    [OVR_KIND_VISCOSITY] = {"viscosity", "Pa s", "eta0"},
-    [OVR_KIND_FLOW] = {"flow", "m2 s-1", "um b^2/R"},
-    [OVR_KIND_SHEAR] = {"shear stress", "Pa", "ph b/R"},
-    [OVR_KIND_FORCE] = {"friction force", "N m-1", "ph b^2/R"},
-    [OVR_KIND_POWER] = {"friction power", "W m-1", "um ph b^2/R"},
-    [OVR_KIND_TEMPERATURE] = {"temperature", "K", "K"},
-    [OVR_KIND_HEAT] = {"heat flux", "W m-2", "um ph b/R"},
-    [OVR_KIND_AREA] = {"area", "m2", "b^3/R"},
-    [OVR_KINDS] = {"", "1", "1"}};
+    [OVR_KIND_NUMBER] = ROW("number", "1", "1"),
+    [OVR_KIND_COUNT] = ROW("count", "1", "1"),
+    [OVR_KIND_FLAG] = ROW("flag", "1", "1"),
+    [OVR_KIND_LENGTH] = ROW("length", "m", "b"),
+    [OVR_KIND_HEIGHT] = ROW("height", "m", "b^2/R"),
+    [OVR_KIND_PRESSURE] = ROW("pressure", "Pa", "ph"),
+    [OVR_KIND_TIME] = ROW("time", "s", "b/um"),
+    [OVR_KIND_VISCOSITY] = ROW("viscosity", "Pa s", "eta0"),
+    [OVR_KIND_FLOW] = ROW("flow", "m2 s-1", "um b^2/R"),
+    [OVR_KIND_SHEAR] = ROW("shear stress", "Pa", "ph b/R"),
+    [OVR_KIND_FORCE] = ROW("friction force", "N m-1", "ph b^2/R"),
+    [OVR_KIND_POWER] = ROW("friction power", "W m-1", "um ph b^2/R"),
+    [OVR_KIND_TEMPERATURE] = ROW("temperature", "K", "K"),
+    [OVR_KIND_HEAT] = ROW("heat flux", "W m-2", "um ph b/R"),
+    [OVR_KIND_AREA] = ROW("area", "m2", "b^3/R"),
+    [OVR_KINDS] = ROW("", "1", "1")};
 
 const ovr_kind_info *ovr_kind_about(ovr_unit_kind kind)
 {
@@ -36,8 +41,12 @@ ovr_unit_kind ovr_kind_named(const char *name)
     return kind;
 }
 
-double ovr_kind_scale(ovr_unit_kind kind, const ovr_contact *c)
+double ovr_kind_scale(ovr_unit_kind kind, const ovr_contact *contact)
 {
+    ovr_contact own = ovr_contact_default();
+    const ovr_contact *c = ovr_sized_whole(&own, sizeof own, contact);
+    if (!c)
+        return NAN;
     switch (kind) {
     case OVR_KIND_LENGTH: return c->b;
     case OVR_KIND_HEIGHT: return c->height;

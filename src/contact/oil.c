@@ -312,24 +312,34 @@ static ovr_status scale(const ovr_oil *oil, const ovr_contact *contact,
     return OVR_OK;
 }
 
-ovr_status ovr_oil_scale(const ovr_oil *oil, const ovr_contact *contact,
-                         ovr_lubricant *lubricant, ovr_error *err)
+ovr_status ovr_oil_scale_into(const ovr_oil *oil, const ovr_contact *contact,
+                              ovr_lubricant *lubricant, ovr_error *err)
 {
     ovr_oil whole;
-    ovr_status status = OVR_SIZED_TAKE(ovr_oil, &whole, oil, err);
-    return status ? status : scale(&whole, contact, lubricant, err);
+    ovr_contact of;
+    ovr_lubricant made;
+    if (OVR_SIZED_TAKE(ovr_oil, &whole, oil, err) ||
+        OVR_SIZED_TAKE(ovr_contact, &of, contact, err) ||
+        OVR_SIZED_ROOM(ovr_lubricant, lubricant, err) ||
+        scale(&whole, &of, &made, err))
+        return OVR_BAD_INPUT;
+    ovr_sized_give(lubricant, &made, sizeof made);
+    return OVR_OK;
 }
 
 /* Panels of Gauss and Legendre's 5 points, each 1.2 times the one before,
  * until eta is beyond 1e18 or the panels add nothing. */
-double ovr_asymptotic_alphabar(const ovr_lubricant *lubricant)
+double ovr_asymptotic_alphabar(const ovr_lubricant *given)
 {
+    ovr_lubricant own = ovr_lubricant_default();
+    const ovr_lubricant *lubricant = ovr_sized_whole(&own, sizeof own, given);
     static const double x[] = {0, 0.5384693101056831, 0.9061798459386640};
     static const double w[] = {0.5688888888888889, 0.4786286704993665,
                                0.2369268850561891};
-    double width = 0.05 / lubricant->alphabar, at = 0, sum = 0;
-    if (!(lubricant->alphabar > 0))
+    double width, at = 0, sum = 0;
+    if (!lubricant || !(lubricant->alphabar > 0))
         return NAN;
+    width = 0.05 / lubricant->alphabar;
     for (int panel = 0; panel < 200; panel++) {
         double part = 0;
         for (int k = -2; k <= 2; k++) {

@@ -66,17 +66,22 @@ ovr_status ovr_lubricant_flow(const ovr_contact *contact,
                               const ovr_flow_form *given,
                               ovr_lubricant *lubricant, ovr_error *err)
 {
-    ovr_flow_form form = ovr_flow_form_default();
+    ovr_flow_form form;
+    ovr_contact of;
+    ovr_lubricant oil;
     double Sigma0 = 0;
     if (OVR_SIZED_TAKE(ovr_flow_form, &form, given, err) ||
-        check_form(contact, &form, err))
+        OVR_SIZED_TAKE(ovr_contact, &of, contact, err) ||
+        OVR_SIZED_TAKE(ovr_lubricant, &oil, lubricant, err) ||
+        check_form(&of, &form, err))
         return OVR_BAD_INPUT;
     if (form.rheology != OVR_NEWTONIAN &&
-        stress_number(contact, &form, &Sigma0, err))
+        stress_number(&of, &form, &Sigma0, err))
         return OVR_BAD_INPUT;
-    lubricant->rheology = form.rheology;
-    lubricant->Sigma0 = Sigma0;
-    lubricant->limiting_shear = form.limiting_shear;
-    lubricant->flow_law = form.law;
+    oil.rheology = form.rheology;
+    oil.Sigma0 = Sigma0;
+    oil.limiting_shear = form.limiting_shear;
+    oil.flow_law = form.law;
+    ovr_sized_give(lubricant, &oil, sizeof oil);
     return OVR_OK;
 }

@@ -48,7 +48,7 @@ static void read_case(history *h, const double *A)
 
     h->least = 8 * (h->s->runs->x[1] - h->s->runs->x[0]);
     if (setup && !ovr_setup_prepare(setup, NULL, &err)) {
-        ovr_life_options life = setup->stress->life;
+        ovr_life_options life = *setup->stress->life;
         double z;
         h->least = fmax(8 * setup->mesh, life.least_depth);
         life.limit = setup->stress->limit_pressure *

@@ -216,16 +216,17 @@ static ovr_writer *begin(const ovr_write_options *options,
                          ovr_error *err)
 {
     ovr_writer *w = NULL;
-    ovr_write_options known = ovr_write_options_default();
-    if (!ovr_sized_take(&known, sizeof known, options, "ovr_write_options",
-                        err) &&
+    ovr_write_options known;
+    ovr_contact of;
+    if (!OVR_SIZED_TAKE(ovr_write_options, &known, options, err) &&
+        !OVR_SIZED_TAKE(ovr_contact, &of, contact, err) &&
         room_for_hdf5(&arena.allocator, err) == OVR_OK)
         w = ovr_arena_take(&arena, 1, sizeof *w, err);
     if (!w)
         return NULL;
     w->arena = arena;
     w->options = known;
-    w->scales = ovr_scales_of(contact);
+    w->scales = ovr_scales_of(&of);
     w->n = n;
     w->file.file = w->file.store.fd = w->file.store.journal = -1;
     w->last_step = -1;

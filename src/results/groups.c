@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/sized.h"
 #include "results/h5.h"
 #include "results/writer.h"
 
@@ -190,14 +191,23 @@ static bool make_group(ovr_writer *w, const ovr_group *g, bool keep)
     return ok;
 }
 
-ovr_status ovr_writer_group(ovr_writer *w, const ovr_group *g, bool keep,
+void ovr_group_fill(ovr_group *group)
+{
+    const ovr_group none = {.path = NULL};
+    ovr_sized_fill(group, &none, sizeof none);
+}
+
+ovr_status ovr_writer_group(ovr_writer *w, const ovr_group *given, bool keep,
                             ovr_error *err)
 {
-    ovr_status status = ovr_queue_wait(&w->queue, err);
+    ovr_group g;
+    ovr_status status = OVR_SIZED_TAKE(ovr_group, &g, given, err);
+    if (!status)
+        status = ovr_queue_wait(&w->queue, err);
     if (status)
         return status;
     ovr_h5_handler handler = ovr_h5_quiet();
-    bool ok = make_group(w, g, keep);
+    bool ok = make_group(w, &g, keep);
     ovr_h5_restore(handler);
     return ok ? OVR_OK : failed(w, err);
 }
@@ -251,15 +261,18 @@ static bool append(ovr_writer *w, const ovr_group *g, size_t k, double T,
     return ok;
 }
 
-ovr_status ovr_writer_append(ovr_writer *w, const ovr_group *g, size_t k,
+ovr_status ovr_writer_append(ovr_writer *w, const ovr_group *given, size_t k,
                              double T, const float *values, size_t count,
                              ovr_error *err)
 {
-    ovr_status status = ovr_queue_wait(&w->queue, err);
+    ovr_group g;
+    ovr_status status = OVR_SIZED_TAKE(ovr_group, &g, given, err);
+    if (!status)
+        status = ovr_queue_wait(&w->queue, err);
     if (status)
         return status;
     ovr_h5_handler handler = ovr_h5_quiet();
-    bool ok = append(w, g, k, T, values, count);
+    bool ok = append(w, &g, k, T, values, count);
     ovr_h5_restore(handler);
     return ok ? OVR_OK : failed(w, err);
 }

@@ -26,7 +26,8 @@ ovr_status ovr_result_number(const ovr_result *result, ovr_unit_kind kind,
                              const char *text, double *value, ovr_error *err)
 {
     const ovr_result_info *info = ovr_result_about(result);
-    const ovr_contact scales = {.b = info->b,
+    const ovr_contact scales = {.size = sizeof scales,
+                                .b = info->b,
                                 .ph = info->ph,
                                 .height = info->height,
                                 .time = info->time};

@@ -9,6 +9,7 @@
  * the step.
  */
 #include "results/writer.h"
+#include "base/sized.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -139,11 +140,22 @@ static ovr_status check_frame(const ovr_writer *w, const ovr_frame *frame,
     return OVR_OK;
 }
 
-ovr_status ovr_writer_record(ovr_writer *w, const ovr_frame *frame,
+void ovr_frame_fill(ovr_frame *frame)
+{
+    const ovr_frame none = {.state = NULL};
+    ovr_sized_fill(frame, &none, sizeof none);
+}
+
+ovr_status ovr_writer_record(ovr_writer *w, const ovr_frame *given,
                              ovr_error *err)
 {
-    const ovr_state *state = frame->state;
-    bool due = ovr_writer_due(w, state->step, state->T), flush;
+    ovr_frame own, *frame = &own;
+    const ovr_state *state;
+    bool due, flush;
+    if (OVR_SIZED_TAKE(ovr_frame, frame, given, err))
+        return OVR_BAD_INPUT;
+    state = frame->state;
+    due = ovr_writer_due(w, state->step, state->T);
     if (state->step <= w->last_step) /* the state a resumed run starts from */
         return OVR_OK;
     if (due && check_frame(w, frame, err) != OVR_OK)

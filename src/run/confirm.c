@@ -12,7 +12,7 @@
 
 static double relative_error(const ovr_run *run)
 {
-    const ovr_run_errors *e = &run->info.error;
+    const ovr_run_errors *e = &run->error;
     const char *key = run->setup->accuracy_of == OVR_ACCURACY_H_CEN ? "H_cen"
                       : run->info.transient ? "H_min_overall"
                                             : "H_min";

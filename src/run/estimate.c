@@ -277,7 +277,7 @@ static ovr_status run_levels(const ovr_run *run, level_run r[LEVELS],
 
 ovr_status ovr_run_estimate(ovr_run *run, ovr_error *err)
 {
-    ovr_run_errors *errors = &run->info.error;
+    ovr_run_errors *errors = &run->error;
     level_run r[LEVELS] = {{0}};
     ovr_status status = run_levels(run, r, err);
     int level = ovr_simulation_options(run->sim)->level;

@@ -26,6 +26,8 @@ struct ovr_run {
     size_t recorded_count;
     const char **warning; /* room for so many */
     size_t warnings_room;
+    ovr_run_errors error;
+    ovr_rough_film foreseen;
     ovr_run_info info;
 };
 

@@ -89,7 +89,7 @@ static double life_together(const ovr_run *run, int passes)
         return NAN;
     for (int k = 0; k < passes; k++) {
         const double *v = run->passes->row[k].value;
-        double part = pow(v[OVR_PASS_RISK], 1 / s->life.weibull);
+        double part = pow(v[OVR_PASS_RISK], 1 / s->life->weibull);
         smooth += part;
         real += part / v[OVR_PASS_RATIO];
     }

@@ -13,6 +13,7 @@
 #include <math.h>
 
 #include "base/arena.h"
+#include "base/sized.h"
 #include "overroll/run.h"
 #include "surface/amplitude.h"
 
@@ -141,17 +142,22 @@ static ovr_status predict(const ovr_setup *s, ovr_arena *arena,
     return OVR_OK;
 }
 
-ovr_status ovr_setup_rough_film(const ovr_setup *setup,
-                                const ovr_allocator *allocator,
-                                ovr_rough_film *film, ovr_error *err)
+ovr_status ovr_setup_rough_film_into(const ovr_setup *setup,
+                                     const ovr_allocator *allocator,
+                                     ovr_rough_film *to, ovr_error *err)
 {
     ovr_arena arena = ovr_arena_make(allocator);
-    ovr_status status = OVR_OK;
-    *film = (ovr_rough_film){NAN, NAN, NAN, "the surfaces are smooth", NULL};
+    ovr_rough_film film = {.Rq = NAN,
+                           .film_Rq = NAN,
+                           .H_min = NAN,
+                           .why = "the surfaces are smooth"};
+    ovr_status status = OVR_SIZED_ROOM(ovr_rough_film, to, err);
     if (setup->surfaces)
-        film->why = refusal(setup);
-    if (!film->why)
-        status = predict(setup, &arena, film, err);
+        film.why = refusal(setup);
+    if (!status && !film.why)
+        status = predict(setup, &arena, &film, err);
+    if (!status)
+        ovr_sized_give(to, &film, sizeof film);
     ovr_arena_release(&arena);
     return status;
 }

@@ -31,6 +31,10 @@ ovr_run *ovr_run_make(const ovr_run_options *options,
     if (!run)
         return NULL;
     run->arena = arena;
+    run->info.size = sizeof run->info;
+    run->info.error = &run->error;
+    run->info.foreseen = &run->foreseen;
+    run->error.size = sizeof run->error;
     run->how = ovr_run_options_default();
     if (options && ovr_sized_take(&run->how, sizeof run->how, options,
                                   "ovr_run_options", err)) {
@@ -86,7 +90,7 @@ ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
     run->info.lambda_ratio = run->info.life_together = NAN;
     run->info.shear_over_pressure = run->info.unbearable_share = NAN;
     run->info.sim = run->sim;
-    if (ovr_setup_rough_film(run->setup, allocator, &run->info.foreseen, err))
+    if (ovr_setup_rough_film(run->setup, allocator, &run->foreseen, err))
         return OVR_NO_MEMORY;
     if (run->setup->stress->surfaces && !run->how.steady) {
         run->stress = ovr_run_stress_create(run->setup,

@@ -79,11 +79,11 @@ static ovr_status find_depths(const ovr_setup *setup, double every,
         return refuse("depth_min", s->depth_min, plan->coarsest, every, err);
     if (!(s->depth_min > 0))
         plan->options.depth_min = fmax(MESHES_OF_DEPTH * D, possible);
-    plan->range.least_depth = s->life.least_depth;
-    if (s->life.least_depth > 0 && s->life.least_depth < allowed)
-        return refuse("least_depth", s->life.least_depth, plan->coarsest, every,
-                      err);
-    if (!(s->life.least_depth > 0))
+    plan->range.least_depth = s->life->least_depth;
+    if (s->life->least_depth > 0 && s->life->least_depth < allowed)
+        return refuse("least_depth", s->life->least_depth, plan->coarsest,
+                      every, err);
+    if (!(s->life->least_depth > 0))
         plan->range.least_depth = fmax(fmax(MESHES_OF_LIFE * D, possible),
                                        plan->options.depth_min);
     return OVR_OK;

@@ -105,10 +105,10 @@ static ovr_status find_amplitude(const ovr_setup *setup,
 }
 
 static ovr_status find_life(const ovr_setup *setup, ovr_stress_report *r,
-                            ovr_error *err)
+                            ovr_life_result *result, ovr_error *err)
 {
     const ovr_stress_setup *s = setup->stress;
-    ovr_life_options life = s->life;
+    ovr_life_options life = *s->life;
     double z;
     r->hertz = ovr_hertz_criterion(s->criterion, s->alpha,
                                    s->poisson[r->surface - 1], &z);
@@ -116,11 +116,11 @@ static ovr_status find_life(const ovr_setup *setup, ovr_stress_report *r,
     life.limit = r->limit;
     life.least_depth = r->least_depth;
     if (ovr_life(&life, &r->material, r->amplitude, r->amplitude_smooth,
-                 r->risk, r->length, &r->life, err))
+                 r->risk, r->length, result, err))
         return OVR_BAD_INPUT;
     r->ratio = NAN;
     if (s->raceway > 0)
-        r->ratio = ovr_life_ratio(&life, r->life.equivalent_length, s->raceway,
+        r->ratio = ovr_life_ratio(&life, r->life->equivalent_length, s->raceway,
                                   s->count);
     return OVR_OK;
 }
@@ -132,8 +132,13 @@ ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
                                           ovr_arena *arena, ovr_error *err)
 {
     ovr_stress_report *r = ovr_arena_take(arena, 1, sizeof *r, err);
-    if (!r)
+    ovr_life_result *life = ovr_arena_take(arena, 1, sizeof *life, err);
+    if (!r || !life)
         return NULL;
+    r->size = sizeof *r;
+    life->size = sizeof *life;
+    life->equivalent_length = NAN;
+    r->life = life;
     r->surface = plan->surface;
     r->feature = plan->feature;
     r->fatigue = setup->stress->fatigue;
@@ -144,7 +149,7 @@ ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
     r->least_depth = plan->range.least_depth;
     if (!copy_material(r, arena, err))
         return NULL;
-    r->ratio = r->life.equivalent_length = r->limit = NAN;
+    r->ratio = r->limit = NAN;
     if (ovr_passage_widest(passage) * 4 > r->least_depth * (1 + 1e-6))
         r->least_depth = 4 * ovr_passage_widest(passage); /* adaptive steps */
     if (!take_arrays(r, arena, err))
@@ -158,7 +163,7 @@ ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
     for (size_t k = 0; k < r->material.points; k++)
         r->incomplete += !r->material.complete[k];
     if (r->fatigue && (find_amplitude(setup, plan, paths, data, r, err) ||
-                       find_life(setup, r, err)))
+                       find_life(setup, r, life, err)))
         return NULL;
     return r;
 }
@@ -272,14 +277,14 @@ static void add_attributes(storage *s, const ovr_setup *setup,
     add_number(s, "alpha", o->alpha);
     add_number(s, "limit", r->limit);
     add_number(s, "limit_pressure", o->limit_pressure);
-    add_number(s, "exponent", o->life.exponent);
-    add_number(s, "depth_exponent", o->life.depth_exponent);
-    add_number(s, "weibull", o->life.weibull);
-    add_number(s, "risk_smooth", r->life.smooth_risk);
-    add_number(s, "worst_amplitude", r->life.worst_amplitude);
-    add_number(s, "worst_xi", r->life.worst_xi);
-    add_number(s, "worst_depth", r->life.worst_z);
-    add_number(s, "utilisation", r->life.utilisation);
+    add_number(s, "exponent", o->life->exponent);
+    add_number(s, "depth_exponent", o->life->depth_exponent);
+    add_number(s, "weibull", o->life->weibull);
+    add_number(s, "risk_smooth", r->life->smooth_risk);
+    add_number(s, "worst_amplitude", r->life->worst_amplitude);
+    add_number(s, "worst_xi", r->life->worst_xi);
+    add_number(s, "worst_depth", r->life->worst_z);
+    add_number(s, "utilisation", r->life->utilisation);
     add_number(s, "raceway", o->raceway);
     add_number(s, "count", o->count);
     add_number(s, "life_ratio", r->ratio);
@@ -297,6 +302,7 @@ ovr_status ovr_stress_store(ovr_writer *writer, const ovr_setup *setup,
         xi[k] = m->start + (double)k * m->step;
     s.group.path = r->surface == 1 ? "fatigue/surface_1" : "fatigue/surface_2";
     s.group.axis = s.axis;
+    s.group.size = sizeof s.group;
     s.group.array = s.array;
     s.group.attribute = s.attribute;
     s.axis[DEPTH] = (ovr_group_axis){"depth", "depth below the surface",

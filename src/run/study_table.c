@@ -66,8 +66,11 @@ static ovr_status add_key(ovr_table *t, const ovr_sweep_table *from,
         if (!text[i])
             return OVR_NO_MEMORY;
     }
-    *c = (ovr_table_column){ovr_arena_text(&t->arena, v->key->shown, err),
-                            strcmp(v->unit, "1") ? v->unit : "", true, number,
+    *c = (ovr_table_column){sizeof *c,
+                            ovr_arena_text(&t->arena, v->key->shown, err),
+                            strcmp(v->unit, "1") ? v->unit : "",
+                            true,
+                            number,
                             text};
     t->columns += c->name != NULL;
     return c->name ? OVR_OK : OVR_NO_MEMORY;
@@ -78,8 +81,10 @@ static ovr_status add_number(ovr_table *t, const ovr_sweep_column *from,
 {
     ovr_table_column *c = &t->column[t->columns];
     double *number = ovr_arena_take(&t->arena, t->rows, sizeof *number, err);
-    *c = (ovr_table_column){ovr_arena_text(&t->arena, from->name, err), "",
-                            false, number, NULL};
+    *c = (ovr_table_column){
+        sizeof *c, ovr_arena_text(&t->arena, from->name, err),
+        "",        false,
+        number,    NULL};
     if (!number || !c->name)
         return OVR_NO_MEMORY;
     memcpy(number, from->value, t->rows * sizeof *number);
@@ -157,7 +162,8 @@ static ovr_status read_heads(ovr_table *t, char **at, const char *path,
                                            err);
         if (!number || !text)
             return OVR_NO_MEMORY;
-        *c = (ovr_table_column){next_cell(at, &last), "", false, number, text};
+        *c = (ovr_table_column){
+            sizeof *c, next_cell(at, &last), "", false, number, text};
         varied = varied && strcmp(c->name, "status") != 0;
         c->varied = varied;
         varied = varied || !strcmp(c->name, "name");
@@ -247,10 +253,13 @@ static bool add_variable(ovr_table *t, ovr_container *c, const ovr_link *link)
         for (size_t i = 0; good && i < rows; i++)
             number[i] = NAN;
     }
-    *to = (ovr_table_column){ovr_arena_text(&t->arena, link->name, NULL),
+    *to = (ovr_table_column){sizeof *c,
+                             ovr_arena_text(&t->arena, link->name, NULL),
                              unit && strcmp(unit, "1") != 0 ? plain(t, unit)
                                                             : "",
-                             is_place(about), number, text};
+                             is_place(about),
+                             number,
+                             text};
     t->columns++;
     return good && to->name && to->unit;
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/sized.h"
 #include "run/internal.h"
 
 /* Who takes the lines. */
@@ -16,7 +17,7 @@ typedef struct taker {
 static void put(const taker *to, const char *key, ovr_summary_form form,
                 double value)
 {
-    const ovr_summary_line line = {key, form, value, NULL};
+    const ovr_summary_line line = {sizeof line, key, form, value, NULL};
     to->take(to->data, &line);
 }
 
@@ -32,7 +33,8 @@ static void put_count(const taker *to, const char *key, double value)
 
 static void put_text(const taker *to, const char *key, const char *text)
 {
-    const ovr_summary_line line = {key, OVR_SUMMARY_TEXT, NAN, text};
+    const ovr_summary_line line = {sizeof line, key, OVR_SUMMARY_TEXT, NAN,
+                                   text};
     to->take(to->data, &line);
 }
 
@@ -47,10 +49,14 @@ static void put_both(const taker *to, const char *key, const char *key_si,
 
 /* --------------------------------------------------------------- its parts */
 
-void ovr_contact_summary(const ovr_contact *c, ovr_summary_taker *take,
+void ovr_contact_summary(const ovr_contact *contact, ovr_summary_taker *take,
                          void *data)
 {
     const taker to = {take, data};
+    ovr_contact own = ovr_contact_default();
+    const ovr_contact *c = ovr_sized_whole(&own, sizeof own, contact);
+    if (!c)
+        return;
     put_number(&to, "M", c->M);
     put_number(&to, "L", c->L);
     put_number(&to, "alphabar", c->alphabar);
@@ -63,10 +69,15 @@ void ovr_contact_summary(const ovr_contact *c, ovr_summary_taker *take,
     put_number(&to, "mean_speed_m_per_s", c->um);
 }
 
-void ovr_rough_film_summary(const ovr_rough_film *film, const ovr_contact *c,
-                            ovr_summary_taker *take, void *data)
+void ovr_rough_film_summary(const ovr_rough_film *film,
+                            const ovr_contact *contact, ovr_summary_taker *take,
+                            void *data)
 {
     const taker to = {take, data};
+    ovr_contact own = ovr_contact_default();
+    const ovr_contact *c = ovr_sized_whole(&own, sizeof own, contact);
+    if (!c)
+        return;
     put_both(&to, "surface_Rq", "surface_Rq_m", film->Rq, c->height);
     put_both(&to, "film_Rq_foreseen", "film_Rq_foreseen_m", film->film_Rq,
              c->height);
@@ -190,10 +201,10 @@ static void put_life(const taker *to, const ovr_stress_report *r,
     put_text(to, "criterion", ovr_criterion_name(setup->stress->criterion));
     put_number(to, "limit", r->limit);
     put_both(to, "equivalent_length", "equivalent_length_m",
-             r->life.equivalent_length, setup->contact->b);
-    put_number(to, "utilisation", r->life.utilisation);
+             r->life->equivalent_length, setup->contact->b);
+    put_number(to, "utilisation", r->life->utilisation);
     put_number(to, "life_ratio", r->ratio);
-    put_number(to, "risk_smooth", r->life.smooth_risk);
+    put_number(to, "risk_smooth", r->life->smooth_risk);
 }
 
 void ovr_stress_summary(const ovr_stress_report *const report[2],
@@ -249,14 +260,14 @@ void ovr_run_summary(const ovr_run_info *s, ovr_summary_taker *take, void *data)
         put_passes(&to, s);
     put_extremes(&to, s);
     if (s->setup->features)
-        ovr_rough_film_summary(&s->foreseen, s->setup->contact, take, data);
+        ovr_rough_film_summary(s->foreseen, s->setup->contact, take, data);
     if (s->transient)
         put_steps(&to, s);
     put_observed(&to, s);
     put_of_width(&to, s);
     ovr_stress_summary(s->stress, s->setup, take, data);
-    if (s->error.level)
-        put_errors(&to, &s->error);
+    if (s->error->level)
+        put_errors(&to, s->error);
     put_number(&to, "seconds", s->seconds);
 }
 
@@ -287,7 +298,7 @@ static void keep(void *data, const ovr_summary_line *line)
 ovr_status ovr_run_keep_summary(ovr_run *run, ovr_error *err)
 {
     kept *k = ovr_arena_take(&run->arena, 1, sizeof *k, err);
-    ovr_group group = {.path = "summary"};
+    ovr_group group = {.size = sizeof group, .path = "summary"};
     if (!k)
         return OVR_NO_MEMORY;
     k->arena = &run->arena;

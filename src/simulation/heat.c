@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Heat in a steady contact (equations in heat.h). */
+#include "base/sized.h"
 #include "simulation/heat_in_time.h"
 #include "simulation/heat_turns.h"
 #include "simulation/parts.h"
@@ -70,19 +71,20 @@ ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
 {
     const ovr_lubricant *oil = &sim->lubricant;
     ovr_heated *h;
+    ovr_heat numbers;
     if (sim->order_left)
         sim->options.order = 2;
-    if (check(sim, err))
+    if (OVR_SIZED_TAKE(ovr_heat, &numbers, heat, err) || check(sim, err))
         return OVR_BAD_INPUT;
     h = ovr_arena_take(&sim->arena, 1, sizeof *h, err);
     if (!h)
         return OVR_NO_MEMORY;
-    h->numbers = *heat;
+    h->numbers = numbers;
     h->Sigma0 = oil->rheology == OVR_NEWTONIAN ? INFINITY : oil->Sigma0;
     h->limit = oil->limiting_shear > 0
                    ? oil->limiting_shear / sim->contact.kappa
                    : INFINITY;
-    ovr_across_make(heat->points, &h->across);
+    ovr_across_make(numbers.points, &h->across);
     if (take_arrays(sim, h, err))
         return OVR_NO_MEMORY;
     sim->heated = h;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The list of quantities, and how the fields among them are computed. */
+#include <math.h>
 #include <string.h>
 
 #include "simulation/heat.h"
@@ -114,25 +115,27 @@ static const double *heat_flux_2(const ovr_simulation *sim, double *room)
 
 /* ------------------------------------------------------------------- list */
 
+#define ROW_SIZE sizeof(ovr_observable)
 #define NUMBER(name, key, si, kind, member, text)                              \
     {                                                                          \
-        name, key, si, text, OVR_KIND_##kind, OVR_AT_STEPS,                    \
+        ROW_SIZE, name, key, si, text, OVR_KIND_##kind, OVR_AT_STEPS,          \
             offsetof(ovr_observation, member), NULL, 0                         \
     }
 /* Where oil is conserved. */
 #define OIL(name, key, kind, member, text)                                     \
     {                                                                          \
-        name, key, NULL, text, OVR_KIND_##kind, OVR_AT_STEPS,                  \
+        ROW_SIZE, name, key, NULL, text, OVR_KIND_##kind, OVR_AT_STEPS,        \
             offsetof(ovr_observation, member), NULL, OVR_PHYSICS_CONTENT       \
     }
 /* Where there is heat. */
 #define HEAT(name, key, si, kind, member, text)                                \
     {                                                                          \
-        name, key, si, text, OVR_KIND_##kind, OVR_AT_STEPS,                    \
+        ROW_SIZE, name, key, si, text, OVR_KIND_##kind, OVR_AT_STEPS,          \
             offsetof(ovr_observation, member), NULL, OVR_PHYSICS_HEAT          \
     }
 #define FIELD(name, kind, axes, text)                                          \
-    {#name, NULL, NULL, text, OVR_KIND_##kind, OVR_AT_##axes, 0, name, 0},
+    {ROW_SIZE,        #name,         NULL, NULL, text,                         \
+     OVR_KIND_##kind, OVR_AT_##axes, 0,    name, 0},
 
 /* Columns and fields stand in a file in this order. */
 static const ovr_observable table[] = {
@@ -207,7 +210,7 @@ static const ovr_observable table[] = {
            POWER, power_dissipated, "power dissipated in the film"),
     NUMBER("limiting_share", "limiting_share", NULL, NUMBER, limiting_share,
            "share of the load carried where the shear stress is at its limit"),
-    {"film_roughness", "film_Rq", "film_Rq_m",
+    {ROW_SIZE, "film_roughness", "film_Rq", "film_Rq_m",
      "root mean square of the film about its mean in |x| < 3/4 b",
      OVR_KIND_HEIGHT, OVR_AT_STEPS, offsetof(ovr_observation, film_Rq), NULL,
      OVR_PHYSICS_FEATURES},
@@ -245,10 +248,10 @@ static const ovr_observable table[] = {
     OIL("mass_defect", NULL, NUMBER, mass_defect,
         "inflow - outflow - stored change of the scheme, over the central "
         "film"),
-    {NULL, "refined_level", NULL, "level of the finest patch about the spike",
-     OVR_KIND_COUNT, OVR_AT_STEPS, offsetof(ovr_observation, refined_level),
-     NULL, OVR_PHYSICS_REFINED},
-    {NULL, "spike_change", NULL,
+    {ROW_SIZE, NULL, "refined_level", NULL,
+     "level of the finest patch about the spike", OVR_KIND_COUNT, OVR_AT_STEPS,
+     offsetof(ovr_observation, refined_level), NULL, OVR_PHYSICS_REFINED},
+    {ROW_SIZE, NULL, "spike_change", NULL,
      "relative change of the spike's height by the last level", OVR_KIND_NUMBER,
      OVR_AT_STEPS, offsetof(ovr_observation, spike_change), NULL,
      OVR_PHYSICS_REFINED},
@@ -288,6 +291,8 @@ double ovr_observable_value(const ovr_observable *which,
                             const ovr_observation *from)
 {
     const char *at = (const char *)from + which->offset;
+    if (which->offset >= from->size)
+        return NAN; /* of an older caller, or none */
     switch (which->kind) {
     case OVR_KIND_COUNT: return *(const int *)(const void *)at;
     case OVR_KIND_FLAG: return *(const bool *)(const void *)at;

@@ -226,7 +226,7 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
     ovr_observation *o = &sim->observation;
     const ovr_state *state = &sim->state;
     ovr_publish_state(sim);
-    *o = (ovr_observation){.T = state->T, .dT = dT};
+    *o = (ovr_observation){.size = sizeof *o, .T = state->T, .dT = dT};
     observe_film(sim, o);
     observe_pressure(sim, o);
     o->load_ratio = ovr_history_value(sim->load, state->T);

@@ -49,13 +49,13 @@ void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
 
 #define ROW(key, si, kind, steady, member, text)                               \
     {                                                                          \
-        key, si, text, OVR_KIND_##kind, steady,                                \
+        sizeof(ovr_extreme), key, si, text, OVR_KIND_##kind, steady,           \
             offsetof(ovr_statistics, member), 0                                \
     }
 /* Where there is heat. */
 #define HEAT(key, kind, member, text)                                          \
     {                                                                          \
-        key, NULL, text, OVR_KIND_##kind, true,                                \
+        sizeof(ovr_extreme), key, NULL, text, OVR_KIND_##kind, true,           \
             offsetof(ovr_statistics, member), OVR_PHYSICS_HEAT                 \
     }
 
@@ -70,7 +70,7 @@ static const ovr_extreme table[] = {
     ROW("X_P_max_overall", "X_P_max_overall_m", LENGTH, false, X_P_max,
         "where that was"),
     ROW("T_P_max", "T_P_max_s", TIME, false, T_P_max, "when that was"),
-    {"film_Rq_max", "film_Rq_max_m",
+    {sizeof(ovr_extreme), "film_Rq_max", "film_Rq_max_m",
      "largest root mean square of the film about its mean in |x| < 3/4 b, over "
      "the run",
      OVR_KIND_HEIGHT, false, offsetof(ovr_statistics, film_Rq),
@@ -103,5 +103,7 @@ const ovr_extreme *ovr_extreme_at(size_t k)
 double ovr_extreme_value(const ovr_extreme *which, const ovr_statistics *from)
 {
     const char *at = (const char *)from + which->offset;
+    if (which->offset >= from->size)
+        return NAN; /* of an older caller, or none */
     return *(const double *)(const void *)at;
 }

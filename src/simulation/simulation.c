@@ -148,6 +148,9 @@ static ovr_simulation *set_up(ovr_arena arena, const ovr_contact *contact,
     sim->contact = *contact;
     sim->lubricant = *lubricant;
     sim->options = *options;
+    sim->state.size = sizeof sim->state;
+    sim->observation.size = sizeof sim->observation;
+    sim->statistics.size = sizeof sim->statistics;
     sim->moving = NAN;
     sim->scheme = ovr_scheme_record(sim->options.scheme);
     if (build(sim, err)) {
@@ -163,20 +166,24 @@ ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
                                       const ovr_allocator *allocator,
                                       ovr_error *err)
 {
-    ovr_options resolved = ovr_options_default();
+    ovr_options resolved;
+    ovr_contact of;
+    ovr_lubricant oil;
     ovr_simulation *sim;
     bool order_left;
-    if (ovr_sized_take(&resolved, sizeof resolved, options, "ovr_options", err))
+    if (OVR_SIZED_TAKE(ovr_options, &resolved, options, err) ||
+        OVR_SIZED_TAKE(ovr_contact, &of, contact, err) ||
+        OVR_SIZED_TAKE(ovr_lubricant, &oil, lubricant, err))
         return NULL;
     order_left = !resolved.order;
-    if (ovr_options_resolve(contact, &resolved, err))
+    if (ovr_options_resolve(&of, &resolved, err))
         return NULL;
-    if (ovr_parts_check(ovr_parts_of(&resolved) |
-                            ovr_part_bit(OVR_PART_FLOW_LAW,
-                                         lubricant->rheology != OVR_NEWTONIAN),
-                        err))
+    if (ovr_parts_check(
+            ovr_parts_of(&resolved) |
+                ovr_part_bit(OVR_PART_FLOW_LAW, oil.rheology != OVR_NEWTONIAN),
+            err))
         return NULL;
-    sim = set_up(ovr_arena_make(allocator), contact, lubricant, &resolved, err);
+    sim = set_up(ovr_arena_make(allocator), &of, &oil, &resolved, err);
     if (!sim)
         return NULL;
     sim->order_left = order_left;
@@ -187,8 +194,10 @@ ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
 /* A set-up that only counts what it takes. */
 static ovr_simulation *counted(const ovr_options *options)
 {
-    const ovr_contact contact = {.M = 20, .L = 10}; /* of what is automatic */
-    const ovr_lubricant lubricant = {0};
+    const ovr_contact contact = {.size = sizeof contact,
+                                 .M = 20, /* of what is automatic */
+                                 .L = 10};
+    const ovr_lubricant lubricant = {.size = sizeof lubricant};
     ovr_options o = ovr_options_default();
     ovr_simulation *sim;
     bool order_left;

@@ -341,8 +341,9 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
         if (sim->options.stop == OVR_STOP_FIXED || ovr_mesh_too_coarse(sim))
             break;
     }
-    sim->statistics = (ovr_statistics){.cycles = outcome.cycles};
-    sim->state = (ovr_state){0};
+    sim->statistics = (ovr_statistics){.size = sizeof sim->statistics,
+                                       .cycles = outcome.cycles};
+    sim->state = (ovr_state){.size = sizeof sim->state};
     ovr_observe(sim, 0, &outcome);
     begin_history(sim);
     sim->started = outcome.converged;

@@ -159,28 +159,30 @@ static void count_point(const ovr_life_options *o, const ovr_material *m,
         length[j] += (i[j] - i_0[j]) / i_0[j] * m->step;
 }
 
-ovr_status ovr_life(const ovr_life_options *options, const ovr_material *m,
-                    const float *A, const double *smooth, double *risk,
-                    double *length, ovr_life_result *result, ovr_error *err)
+ovr_status ovr_life_into(const ovr_life_options *options, const ovr_material *m,
+                         const float *A, const double *smooth, double *risk,
+                         double *length, ovr_life_result *result,
+                         ovr_error *err)
 {
     double column[MOST_DEPTHS] = {0}, i[MOST_DEPTHS] = {0};
     double i_0[MOST_DEPTHS] = {0};
     double lambda[MOST_DEPTHS] = {0};
     interval of[MOST_DEPTHS];
     ovr_life_options own, *o = &own;
-    ovr_status status = OVR_SIZED_TAKE(ovr_life_options, o, options, err);
-    if (status)
-        return status;
+    ovr_life_result made;
+    if (OVR_SIZED_TAKE(ovr_life_options, o, options, err) ||
+        OVR_SIZED_ROOM(ovr_life_result, result, err))
+        return OVR_BAD_INPUT;
     if (m->depths < 1 || m->depths > MOST_DEPTHS)
         return ovr_fail(err, OVR_BAD_INPUT, "%zu depths: 1 to %d are possible",
                         m->depths, MOST_DEPTHS);
     size_t from = first_counted(o, m);
-    *result = (ovr_life_result){.least_depth = m->z[from]};
+    made = (ovr_life_result){.least_depth = m->z[from]};
     find_intervals(o, m->depths, m->z, of);
     risk_of(o, m->depths, of, smooth, i_0);
     for (size_t k = 0; k < m->points; k++) {
         count_point(o, m, of, A, k, column, i, i_0, lambda);
-        result->counted += m->complete[k];
+        made.counted += m->complete[k];
         if (risk)
             risk[k] = i[from];
     }
@@ -188,11 +190,11 @@ ovr_status ovr_life(const ovr_life_options *options, const ovr_material *m,
         lambda[j] = i_0[j] > 0 ? lambda[j] : NAN;
     for (size_t j = 0; length && j < m->depths; j++)
         length[j] = lambda[j];
-    find_worst(m, A, from, result);
-    result->smooth_risk = i_0[from];
-    result->equivalent_length = lambda[from];
-    result->utilisation = o->limit > 0 ? result->worst_amplitude / o->limit
-                                       : NAN;
+    find_worst(m, A, from, &made);
+    made.smooth_risk = i_0[from];
+    made.equivalent_length = lambda[from];
+    made.utilisation = o->limit > 0 ? made.worst_amplitude / o->limit : NAN;
+    ovr_sized_give(result, &made, sizeof made);
     return OVR_OK;
 }
 

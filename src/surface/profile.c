@@ -201,6 +201,7 @@ ovr_status ovr_profile_finish(ovr_profile *profile, size_t n, ovr_error *err)
         return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
                            "a profile needs two points, there %s %zu",
                            n == 1 ? "is" : "are", n);
+    view->size = sizeof *view;
     view->n = n;
     view->x = profile->x;
     view->z = profile->z;

@@ -3,6 +3,7 @@
 #include <gsl/gsl_fft_real.h>
 #include <math.h>
 
+#include "base/sized.h"
 #include "surface/condition.h"
 #include "surface/profile.h"
 #include "surface/spline.h"
@@ -124,20 +125,25 @@ static double rms_slope(const part *w)
     return sqrt(sum / (w->x[w->n - 1] - w->x[0]));
 }
 
-ovr_status ovr_profile_measure(const ovr_profile *profile,
-                               ovr_profile_numbers *numbers, ovr_error *err)
+ovr_status ovr_profile_measure_into(const ovr_profile *profile,
+                                    ovr_profile_numbers *numbers,
+                                    ovr_error *err)
 {
-    ovr_status status = whole(profile, err);
+    ovr_profile_numbers made = {0};
+    ovr_status status = OVR_SIZED_ROOM(ovr_profile_numbers, numbers, err);
     part w;
-    *numbers = (ovr_profile_numbers){0};
     if (status)
         return status;
-    measure_lengths(profile, numbers);
-    w = find_part(profile, numbers);
-    measure_heights(&w, numbers);
-    measure_peaks(&w, numbers);
-    numbers->dq = rms_slope(&w);
-    return OVR_OK;
+    status = whole(profile, err);
+    if (!status) {
+        measure_lengths(profile, &made);
+        w = find_part(profile, &made);
+        measure_heights(&w, &made);
+        measure_peaks(&w, &made);
+        made.dq = rms_slope(&w);
+    }
+    ovr_sized_give(numbers, &made, sizeof made);
+    return status;
 }
 
 double ovr_profile_cutoff(double length)

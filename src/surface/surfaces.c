@@ -71,10 +71,14 @@ ovr_surfaces *ovr_surfaces_create(const ovr_contact *contact,
                                   ovr_error *err)
 {
     ovr_arena arena = ovr_arena_make(allocator);
-    ovr_surfaces *surfaces = ovr_arena_take(&arena, 1, sizeof *surfaces, err);
+    ovr_contact of;
+    ovr_surfaces *surfaces;
+    if (OVR_SIZED_TAKE(ovr_contact, &of, contact, err))
+        return NULL;
+    surfaces = ovr_arena_take(&arena, 1, sizeof *surfaces, err);
     if (!surfaces)
         return NULL;
-    surfaces->contact = *contact;
+    surfaces->contact = of;
     surfaces->speed = speed;
     surfaces->mesh = mesh;
     surfaces->inlet = surfaces->outlet = NAN;
@@ -326,12 +330,8 @@ static double last_copy(const ovr_feature *f)
     return f->copies ? f->repeat * (double)(f->copies - 1) : INFINITY;
 }
 
-ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces, size_t feature)
+static ovr_feature_info info_of(const ovr_feature *f)
 {
-    const ovr_feature *f = nth(surfaces, feature);
-    ovr_feature_info none = {.name = NULL, .assumed = ""};
-    if (!f)
-        return none;
     return (ovr_feature_info){.name = f->name,
                               .surface = f->surface,
                               .shape = f->shape,
@@ -345,6 +345,15 @@ ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces, size_t feature)
                               .Rq = roughness(f),
                               .last = last_copy(f),
                               .assumed = f->assumed};
+}
+
+void ovr_surfaces_info_into(const ovr_surfaces *surfaces, size_t feature,
+                            ovr_feature_info *info)
+{
+    const ovr_feature *f = nth(surfaces, feature);
+    const ovr_feature_info none = {.name = NULL, .assumed = ""};
+    ovr_feature_info made = f ? info_of(f) : none;
+    ovr_sized_give(info, &made, sizeof made);
 }
 
 double ovr_surfaces_wavelength(const ovr_surfaces *surfaces)

@@ -144,7 +144,8 @@ static bool roughness(void *o, ovr_error *err)
 
 static bool feature(void *o, ovr_error *err)
 {
-    ovr_contact c = {.M = 20, .L = 10, .u1_ratio = 1, .u2_ratio = 1};
+    ovr_contact c = {
+        .size = sizeof c, .M = 20, .L = 10, .u1_ratio = 1, .u2_ratio = 1};
     ovr_surfaces *s = ovr_surfaces_create(&c, NULL, 0.01, NULL, err);
     ovr_status status = ovr_surfaces_add(s, o, err);
     ovr_surfaces_free(s);
@@ -153,7 +154,8 @@ static bool feature(void *o, ovr_error *err)
 
 static bool oil(void *o, ovr_error *err)
 {
-    const ovr_contact c = {.M = 20, .L = 10, .alphabar = 20, .ph = 1e9};
+    const ovr_contact c = {
+        .size = sizeof c, .M = 20, .L = 10, .alphabar = 20, .ph = 1e9};
     ovr_lubricant made;
     return ovr_oil_complete(o, err) != OVR_OK ||
            ovr_oil_scale(o, &c, &made, err) != OVR_OK;
@@ -161,9 +163,14 @@ static bool oil(void *o, ovr_error *err)
 
 static bool heat(void *o, ovr_error *err)
 {
-    ovr_contact c = {
-        .b = 1e-4, .height = 1e-6, .um = 1, .L = 10, .radius = 0.01};
-    const ovr_lubricant oil = {.alphabar = 20, .P0 = 0.2, .z = 0.68};
+    ovr_contact c = {.size = sizeof c,
+                     .b = 1e-4,
+                     .height = 1e-6,
+                     .um = 1,
+                     .L = 10,
+                     .radius = 0.01};
+    const ovr_lubricant oil = {
+        .size = sizeof oil, .alphabar = 20, .P0 = 0.2, .z = 0.68};
     ovr_heat made;
     return ovr_heat_make(o, &c, &oil, &made, err) != OVR_OK;
 }
@@ -187,10 +194,11 @@ static bool material(void *range, ovr_error *err)
 
 static bool life(void *o, ovr_error *err)
 {
+    ovr_life_result result;
     double ratio = ovr_life_ratio(o, 1, 10, 1);
     if (isnan(ratio)) /* this function has no error to give */
-        ovr_life(o, &(ovr_material){.depths = 1}, NULL, NULL, NULL, NULL, NULL,
-                 err);
+        ovr_life(o, &(ovr_material){.depths = 1}, NULL, NULL, NULL, NULL,
+                 &result, err);
     return isnan(ratio);
 }
 
@@ -218,6 +226,68 @@ static bool view(void *o, ovr_error *err)
 {
     ovr_view(NULL, 0, o, NULL, err);
     return strstr(err->message, "_default()") != NULL;
+}
+
+/* What the library makes ends where an older caller's struct ends, and what
+ * such a one gives back has defaults behind. */
+static void test_made(void **state)
+{
+    const size_t known = offsetof(ovr_contact, width);
+    ovr_conditions given = ovr_conditions_default();
+    ovr_contact whole = ovr_contact_default(), *old;
+    ovr_lubricant oil;
+    ovr_error err = {0};
+    (void)state;
+    given.M = 20, given.L = 10, given.alpha = 17e-9, given.width = 0.01;
+    old = front(&whole, known);
+    assert_int_equal(ovr_contact_resolve_into(&given, old, &err), OVR_OK);
+    assert_true(old->M == 20 && old->size == known);
+    assert_int_equal(((unsigned char *)old)[known], 0x5a);
+    assert_int_equal(ovr_lubricant_make(old, OVR_ROELANDS, OVR_DOWSON_HIGGINSON,
+                                        198e6, 0.68, &oil, &err),
+                     OVR_OK);
+    assert_true(oil.size == sizeof oil && oil.z == 0.68);
+    assert_true(ovr_kind_scale(OVR_KIND_PRESSURE, old) == old->ph);
+    oil.size = offsetof(ovr_lubricant, limiting_shear);
+    assert_true(ovr_viscosity(&oil, 0.5) > 1);
+    oil.size = 0;
+    assert_true(isnan(ovr_viscosity(&oil, 0.5)));
+    old->size = sizeof whole + 8; /* newer: what this one lacks is zero */
+    memset((char *)old + sizeof whole, 1, 8);
+    assert_int_equal(ovr_contact_resolve_into(&given, old, &err), OVR_OK);
+    assert_true(old->size == sizeof whole && old->width == 0.01);
+    assert_int_equal(((char *)old)[sizeof whole + 7], 0);
+    old->size = 0;
+    assert_int_equal(ovr_contact_resolve_into(&given, old, &err),
+                     OVR_BAD_INPUT);
+    assert_non_null(strstr(err.message, "ovr_contact has size 0"));
+    assert_null(ovr_surfaces_create(old, NULL, 0.1, NULL, &err));
+    free(old);
+}
+
+/* The same of what it tells of a table's row; and quantities that an older
+ * struct does not hold. */
+static void test_told(void **state)
+{
+    ovr_observation seen = {
+        .size = offsetof(ovr_observation, P_cen), .H_cen = 0.5, .P_cen = 1};
+    ovr_parameter_info whole = {.size = 0}, *old;
+    const ovr_observable *o;
+    int known = 0;
+    (void)state;
+    old = front(&whole, offsetof(ovr_parameter_info, initial));
+    ovr_parameter_into(0, old);
+    assert_string_equal(old->section, ovr_parameter_at(0).section);
+    assert_int_equal(((unsigned char *)old)[old->size], 0x5a);
+    free(old);
+    for (size_t k = 0; (o = ovr_observable_at(k)); k++) {
+        bool there = o->offset < seen.size;
+        if (o->axes != OVR_AT_STEPS)
+            continue;
+        known += there;
+        assert_true(isnan(ovr_observable_value(o, &seen)) == !there);
+    }
+    assert_true(known > 5);
 }
 
 /* What the library fills says how long it is too. */
@@ -298,6 +368,7 @@ int main(void)
         cmocka_unit_test(test_options),      cmocka_unit_test(test_march),
         cmocka_unit_test(test_filled),       cmocka_unit_test(test_all_sizes),
         cmocka_unit_test(test_all_pictures), cmocka_unit_test(test_totals),
+        cmocka_unit_test(test_made),         cmocka_unit_test(test_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -54,7 +54,8 @@ static void fill(films *f, size_t n, int points, uint64_t *seed)
     ovr_columns *c = &f->c;
     ovr_across_make(points, &f->across);
     *c = (ovr_columns){.across = &f->across, .heat = &f->heat, .n = n};
-    f->heat = (ovr_heat){.points = points,
+    f->heat = (ovr_heat){.size = sizeof(ovr_heat),
+                         .points = points,
                          .T0 = test_random(seed, 280, 400),
                          .theta = test_random(seed, 100, 1000),
                          .conduction = pow(10, test_random(seed, -1, 1.5)),

@@ -45,7 +45,7 @@ static void a_run_is_on_the_heights_given(void **state)
     assert_memory_equal(a->P, b->P, a->n * sizeof *a->P);
     CHECK_NEAR(a->S[0], 0.02 * cos(a->X[0] - a->T), 1e-15);
     assert_true(calls[0] > calls[1]); /* the coarser one too */
-    assert_true(ovr_run_about(run)->error.level == 3);
+    assert_true(ovr_run_about(run)->error->level == 3);
     ovr_simulation_free(sim), ovr_setup_free(setup);
     ovr_run_free(run), ovr_case_free(c);
 }

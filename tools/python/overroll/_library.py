@@ -131,6 +131,14 @@ def rows(at: Any, *arguments: Any) -> Iterator[Any]:
         k += 1
 
 
+def made(kind: str, function: Any, *arguments: Any) -> Any:
+    """A struct that the library fills, as much as this package knows of it."""
+    struct = ffi.new(kind + " *")
+    struct.size = ffi.sizeof(kind)
+    function(*arguments, struct)
+    return struct
+
+
 def suggest(wrong: str, names: list[str]) -> Optional[str]:
     """The name that was probably meant."""
     keep = [ffi.new("char[]", encoded(name)) for name in names]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, Optional
 
-from ._library import BadInput, ORIGIN, ffi, lib, rows, suggest, text
+from ._library import BadInput, ORIGIN, ffi, lib, made, rows, suggest, text
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ def parameters() -> tuple[Parameter, ...]:
              for k, name in enumerate(rows(lib.ovr_section_name))}
     table = []
     for k in range(lib.ovr_parameter_count()):
-        p = lib.ovr_parameter_at(k)
+        p = made("ovr_parameter_info", lib.ovr_parameter_into, k)
         choices = [text(c) for c in p.choices if c != ffi.NULL]
         table.append(Parameter(
             text(p.section), text(p.key), text(p.type), text(p.units),
