@@ -23,6 +23,7 @@
 #include <math.h>
 
 #include "case/domain.h"
+#include "contact/curvature.h"
 #include "simulation/scheme.h"
 
 /* The order that a solution reaches where nothing goes wrong. */
@@ -33,10 +34,10 @@ static int order_of(const ovr_setup *s)
     return ovr_scheme_record(s->options->scheme)->order;
 }
 
-double ovr_expected_of_mesh(const ovr_setup *s)
+/* Of a contact of these M and L, its own half width b. */
+static double of_mesh(const ovr_setup *s, double M, double L, double mesh)
 {
-    double M = s->contact->M, L = s->contact->L;
-    double x = s->mesh / pow(ovr_film_central_moes(M, L), 2. / 3);
+    double x = mesh / pow(ovr_film_central_moes(M, L), 2. / 3);
     double spike = fmin(L * L / 225, 1) * fmin(sqrt(M / 25), 1) * pow(x, 1.3);
     bool least = s->accuracy_of == OVR_ACCURACY_H_MIN;
     int order = order_of(s);
@@ -44,6 +45,24 @@ double ovr_expected_of_mesh(const ovr_setup *s)
         return x * x * (0.035 + 0.2 * x * x) +
                (least ? 0.4 * spike + 2 * x * x * x : 0);
     return order == 2 ? 1.5 * x * x + (least ? 0.55 * spike : 0) : 0.6 * x;
+}
+
+/* Where the radius varies, the largest over the run. */
+double ovr_expected_of_mesh(const ovr_setup *s)
+{
+    enum { LOOKS = 64 };
+    double most = of_mesh(s, s->contact->M, s->contact->L, s->mesh);
+    if (!s->transient || !ovr_history_varies(s->radius))
+        return most;
+    for (int k = 0; k <= LOOKS; k++) {
+        double T = ovr_setup_end(s) * k / LOOKS;
+        double w = fmax(ovr_history_value(s->load, T), OVR_LEAST_START);
+        double u = fmax(fabs(ovr_history_value(s->speed, T)), OVR_LEAST_START);
+        ovr_instant at = ovr_instant_of(s->contact, w, u,
+                                        1 / ovr_history_value(s->radius, T));
+        most = fmax(most, of_mesh(s, at.M, at.L, s->mesh / at.s));
+    }
+    return most;
 }
 
 static double of_feature(const ovr_setup *s, const ovr_feature_info *f)

@@ -16,8 +16,7 @@ bool ovr_setup_varies(const ovr_setup *s)
            ovr_history_varies(s->radius) || ovr_history_varies(s->radius_1);
 }
 
-/* The end, as far as it is known before the domain is. */
-static double end_of(const ovr_setup *s)
+double ovr_setup_end(const ovr_setup *s)
 {
     double end = s->march->end;
     if (isinf(end)) /* auto */
@@ -33,7 +32,7 @@ static double end_of(const ovr_setup *s)
 static ovr_contact thickest(const ovr_setup *s, double *width)
 {
     ovr_contact now = *s->contact, most = now;
-    double thick = 0, end = end_of(s), widest = 0;
+    double thick = 0, end = ovr_setup_end(s), widest = 0;
     for (int k = 0; k <= LOOKS; k++) {
         double T = end * k / LOOKS;
         double w = fmax(ovr_history_value(s->load, T), OVR_LEAST_START);
@@ -104,7 +103,7 @@ static double closes(const ovr_setup *s)
                            s->sliding,
                            {c->u1_ratio, c->u2_ratio},
                            true};
-    double far = fmax(-o->inlet, o->outlet), end = end_of(s);
+    double far = fmax(-o->inlet, o->outlet), end = ovr_setup_end(s);
     for (int k = 0; k <= 4 * LOOKS; k++) {
         double T = end * k / (4 * LOOKS);
         ovr_smooth smooth = ovr_smooth_of(&g, T);

@@ -8,6 +8,9 @@
 /* Load, speed or radius vary: other films at other times. */
 bool ovr_setup_varies(const ovr_setup *setup);
 
+/* The end, as far as it is known before the domain is. */
+double ovr_setup_end(const ovr_setup *setup);
+
 /* The domain, where it is left to the program. */
 void ovr_setup_domain(ovr_setup *setup);
 

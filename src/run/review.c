@@ -199,6 +199,12 @@ static void say_inlet(const review *r)
             "costs some %.2g %% of the central film; start it left of %.4g to "
             "have the inlet there",
             loss, resolved->inlet_kept);
+    else if (inlet < OVR_USUAL_INLET && ovr_history_varies(r->setup->radius) &&
+             given->word && given->number == 0)
+        say(r, OVR_SAY_NOTE,
+            "the inlet is at X = %.4g: that far for the widest contact and the "
+            "thickest film that the histories make",
+            inlet);
     else if (inlet < OVR_USUAL_INLET && given->word && given->number == 0)
         say(r, OVR_SAY_NOTE,
             "the inlet is at X = %.4g: at -4 it would cost some %.2g %% of the "

@@ -32,6 +32,14 @@ contains out 'radius in time .*1 to 1.122 of the nominal one; half width 1 to'
 contains out 'its curvature .*rides with the material'
 expect 0 "$OVERROLL" check tooth.ini --set radius.period=2
 contains out 'its curvature .*is imposed'
+# A contact that gets narrower wants a finer mesh
+level() {
+    expect 0 "$OVERROLL" check tooth.ini --set domain.level=auto \
+        --set domain.accuracy=3e-3 --set radius.amplitude="$1" --set time.end=30
+    grep -o 'level [0-9]*,' out | head -n 1
+}
+wide=$(level 0.01) narrow=$(level -0.9)
+[ "$wide" != "$narrow" ] || fail "$wide for a tenth of the radius too"
 refuses() {
     what=$1
     shift
