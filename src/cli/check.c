@@ -385,9 +385,10 @@ static void put_bodies(const ovr_setup *setup)
 static void put_cost(const estimate *cost, const ovr_setup *setup, bool ends)
 {
     const char *const of[] = {"H_cen", "H_min", "what the features do"};
-    printf("# %-28s level %d, %.0f nodes, mesh D = %.6g%s\n", "grid",
-           setup->options->level, cost->nodes, cost->mesh,
-           in_metres(cost->mesh, setup->contact->b).text);
+    printf("# %-28s level %d, %.0f nodes, mesh D = %.6g%s, X = %g to %g\n",
+           "grid", setup->options->level, cost->nodes, cost->mesh,
+           in_metres(cost->mesh, setup->contact->b).text, setup->options->inlet,
+           setup->options->outlet);
     if (setup->options->refine && setup->options->refine_level)
         printf("# %-28s about the spike, to level %d, mesh %.3g\n", "patches",
                setup->options->refine_level,
