@@ -245,18 +245,39 @@ static size_t follow(const ovr_simulation *sim, double dT,
     return candidates(sim, a, film, equal_steps(past, dT, 3), found, number);
 }
 
-static formula formula_for(const ovr_simulation *sim, double dT)
+/* Which has been the nearest; OVR_GUESSES where none is known. */
+static size_t nearest_of(const double *off, size_t count, const size_t number[])
 {
-    formula found[OVR_GUESSES];
-    size_t number[OVR_GUESSES], count, best = OVR_GUESSES;
-    const double *off = sim->past.guess_error;
-    if (sim->past.steps < 1)
-        return last;
-    count = follow(sim, dT, found, number);
+    size_t best = OVR_GUESSES;
     for (size_t k = 0; k < count; k++)
         if (off[number[k]] > 0 &&
             (best == OVR_GUESSES || off[number[k]] < off[number[best]]))
             best = k;
+    return best;
+}
+
+/* Where all roll, what stands and what moves come first if they come this near
+ * (in ph): cycles from there need no sweeps after the correction. */
+static const double near_enough = 1e-5;
+
+static bool rolls_closely(const ovr_simulation *sim, size_t count,
+                          const size_t number[])
+{
+    const double *off = sim->past.guess_error;
+    return sim->moving == 1 && count && number[0] == 0 && off[0] > 0 &&
+           off[0] < near_enough;
+}
+
+static formula formula_for(const ovr_simulation *sim, double dT)
+{
+    formula found[OVR_GUESSES];
+    size_t number[OVR_GUESSES], count, best;
+    if (sim->past.steps < 1)
+        return last;
+    count = follow(sim, dT, found, number);
+    if (rolls_closely(sim, count, number))
+        return found[0];
+    best = nearest_of(sim->past.guess_error, count, number);
     return best < OVR_GUESSES ? found[best] : untold(sim, dT);
 }
 
