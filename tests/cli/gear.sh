@@ -16,6 +16,15 @@ grep -q '"steps_marked": 0' out || fail 'marked steps'
 expect 0 "$OVERROLL" info gear.h5
 grep -q 'temperature_middle' out || fail 'no temperatures'
 
+# A pair and a flank of one's own
+mkdir own
+cp gear-nominal.txt own/
+cp "$TOP/profiles/honed.csv" mine.csv
+expect 0 env EXAMPLES="$PWD/own" OVERROLL="$OVERROLL" PICTURES=no MODULE=2 \
+    TEETH_1=25 TEETH_2=60 CENTRE=85 RPM=1500 LEVEL=6 FLANK_1=mine.csv \
+    OPTIONS='--set time.end=0.02 -q' "$TOP/tools/examples/gear"
+cmp -s gear-nominal.txt own/gear-nominal.txt && fail 'the same pair'
+
 # Module 3, 20 and 40 teeth: pitch radii 30 and 60 mm, R = 10.26 20.52/30.78;
 # contact ratio 1.635 by ISO 21771, so 1.635 pi 3 cos(20)/(w rb) ms.
 awk '{ exit !($1 - 6.8404 < 1e-3 && 6.8404 - $1 < 1e-3 &&
