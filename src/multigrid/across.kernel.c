@@ -269,26 +269,36 @@ static vec law_flow(const shared *s, const nodes *v, vec *rate)
     return Sigma0 * a;
 }
 
-/* That of a film of the fluidity m_0 all over. */
-static vec uniform(const shared *s, const nodes *v, int law)
+/* Sum of w_j cosh(g s_j). */
+static INLINE vec mean_cosh(const shared *s, int n, vec g)
+{
+    vec sum = all(s->across.w[n / 2]);
+    UNROLL
+    for (int j = n / 2 + 1; j < n; j++) {
+        vec up = scaled_exp2(&s->growth, (INV_LN2 * s->across.s[j]) * g);
+        sum = fused(all(s->across.w[j]), up + 1 / up, sum);
+    }
+    return sum;
+}
+
+/* The stress of a film of the fluidity m_0 all over. */
+static INLINE vec uniform(const shared *s, int n, const nodes *v, int law)
 {
     double Sigma0 = s->c.Sigma0;
+    vec b = (-s->c.V / Sigma0) * v->Y, g = v->G / Sigma0;
     nodes even = *v;
-    vec g = bounded(v->G / Sigma0, law == 1 ? 200 : 300), A = all(0), sh, ch;
-    vec b = (-s->c.V / Sigma0) * v->Y;
     if (s->c.V == 0)
         return all(0);
     if (law == 0)
         return -s->c.V * v->Y / v->m[0];
-    for (int j = 0; j < s->across.n; j++) {
-        even.r[j] = v->m[0];
-        hyperbolic(s, g * s->across.s[j], &sh, &ch);
-        A = fused(s->across.w[j] * ch, v->m[0], A);
+    if (law == 1) {
+        vec a = magnitude(b) / (v->m[0] * mean_cosh(s, n, bounded(g, 200)));
+        vec t = arsinh(&s->ln, Sigma0, a);
+        return choose(b < 0, -t, t);
     }
-    if (law == 2)
-        return Sigma0 * law_stress(s, &even, g, b);
-    vec t = arsinh(&s->ln, Sigma0, magnitude(b / A));
-    return choose(b < 0, -t, t);
+    for (int j = 0; j < n; j++)
+        even.r[j] = v->m[0];
+    return Sigma0 * law_stress(s, &even, bounded(g, 300), b);
 }
 
 /* -------------------------------------------------------------- what it is */
@@ -363,7 +373,7 @@ static INLINE void flow(const shared *s, int n, bool by_power, int law,
                        : newtonian(s, n, v, rate);
     vec most = larger(c->limit * P - magnitude(v->G), all(0));
     if (c->even) {
-        vec even = bounded_by(uniform(s, v, law), most);
+        vec even = bounded_by(uniform(s, n, v, law), most);
         store(c->even + i, choose(P > 0, even, all(0)));
     }
     t = bounded_by(t, most);
