@@ -337,6 +337,46 @@ static void speed_history_moves_features(void **state)
     ovr_history_free(speed);
 }
 
+/* What has gone by comes back, and goes by again; what begins backward comes
+ * in on the right, and so do its copies. */
+static void features_come_back(void **state)
+{
+    const double quarter = acos(0), period = 8;
+    ovr_contact c = moes(1.5, 0.5);
+    ovr_feature_form f = local(OVR_DENT, 0.1, 0.5);
+    ovr_history_form h = ovr_history_form_default();
+    (void)state;
+    h.kind = OVR_HISTORY_SINE, h.mean = 0, h.amplitude = 1, h.period = period;
+    h.start = -period / 4; /* cos(2 pi T/8) */
+    ovr_history *speed = ovr_history_create(&h, NULL, NULL);
+    assert_non_null(speed);
+    f.start = -1;
+    double way = 1.5 * period / (4 * quarter); /* times sin(2 pi T/8) */
+    double there = asin(1 / way) * period / (4 * quarter);
+    const double when[] = {there, period / 2 - there, period + there};
+    for (int repeated = 0; repeated < 2; repeated++) {
+        f.repeat = repeated ? 1.2 : NAN; /* no other copy comes so far */
+        ovr_surfaces *s = with(&c, speed, &f);
+        double T = -1;
+        for (int k = 0; k < 3; k++) {
+            T = ovr_surfaces_arrival(s, 0, 0, T, 99);
+            assert_true(fabs(T - when[k]) < 1e-9);
+        }
+        ovr_surfaces_free(s);
+    }
+    ovr_history_free(speed);
+    h.amplitude = -1;
+    speed = ovr_history_create(&h, NULL, NULL);
+    f.start = 1, f.repeat = 1;
+    ovr_surfaces *s = with(&c, speed, &f);
+    double left[1], right[1], at[] = {0, 2};
+    ovr_surfaces_heights(s, 0, 1, at, left);
+    ovr_surfaces_heights(s, 0, 1, at + 1, right);
+    assert_true(left[0] == 0 && fabs(right[0] + 0.1) < 1e-12);
+    ovr_surfaces_free(s);
+    ovr_history_free(speed);
+}
+
 static void refuse(const ovr_feature_form *form, const char *word)
 {
     ovr_contact c = moes(1, 0);
@@ -394,6 +434,7 @@ int main(void)
         cmocka_unit_test(a_ball_leaves_its_volume_in_the_rim),
         cmocka_unit_test(features_come_in_from_the_end),
         cmocka_unit_test(speed_history_moves_features),
+        cmocka_unit_test(features_come_back),
         cmocka_unit_test(mistakes_are_named),
     };
     return cmocka_run_group_tests(tests, grid, NULL);
