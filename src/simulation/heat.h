@@ -15,6 +15,8 @@
  * temperature of a surface, which is positive, two marches reduce the error by
  * ((I + K)^-1 K)^2.
  *
+ * A film that begins towards -x (mirror.h) is marched from its last node.
+ *
  *     th = (T0 - 138 K + T_m)^(-S0)/...,  log2(1/eta) <- th log2(1/eta) + shift
  *     shift = (1 - th) C/ln 2 + log2 psi_e      Roelands
  *     shift = beta T_m/ln 2 + log2 psi_e, th = 1    others
