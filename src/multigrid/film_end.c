@@ -196,3 +196,60 @@ void ovr_film_ends(const ovr_hierarchy *grids, ovr_level *level)
     if (for_free(&f, extend_to))
         ovr_level_refresh(grids, level);
 }
+
+/* ---------------------------------------------------------------- patches */
+
+/* Nodes between a patch and what is still its end. */
+enum { NEAR = 8 };
+
+/* Whether the film ends near a node whose pressure is small. */
+static bool near_end(const film *f, ptrdiff_t i)
+{
+    const double small = 1e-3;
+    bool wet = is_wet(f, i), near = false;
+    if (value(f, f->level->f.P, i) > small)
+        return false;
+    for (ptrdiff_t k = i - NEAR; k <= i + NEAR; k++)
+        near |= is_wet(f, k) != wet;
+    return near;
+}
+
+static void add(const film *f, double *x, ptrdiff_t i, double change)
+{
+    x[ovr_lanes_place(&f->level->lanes, (size_t)i)] += change;
+}
+
+static bool relax_alone(const film *f, ptrdiff_t i)
+{
+    const ovr_weights *w = &f->level->weights;
+    const ovr_fields *x = &f->level->f;
+    double before = w->half * flow_before(f, i);
+    double after = w->half * flow_before(f, i + 1);
+    double dq = value(f, x->dq, i), G = before + after + w->a[0] * dq;
+    double change = fmax(-value(f, x->r, i) / G, -value(f, x->P, i));
+    add(f, x->P, i, change);
+    add(f, x->r, i, G * change);
+    add(f, x->r, i - 1, -before * change);
+    add(f, x->r, i + 1, (w->a[1] * dq - after) * change);
+    add(f, x->r, i + 2, w->a[2] * dq * change);
+    return change != 0;
+}
+
+void ovr_film_patches(const ovr_hierarchy *grids, ovr_level *level)
+{
+    enum { SWEEPS = 30 };
+    const film f = {.level = level};
+    ptrdiff_t last = (ptrdiff_t)level->grid.n - 1;
+    double *near = grids->band.b[0];
+    bool moved = false;
+    for (ptrdiff_t i = NEAR; i <= last - NEAR; i++)
+        near[i] = near_end(&f, i);
+    for (int sweep = 0; sweep < SWEEPS; sweep++)
+        for (ptrdiff_t k = NEAR; k <= last - NEAR; k++) {
+            ptrdiff_t i = sweep % 2 ? last - k : k;
+            if (near[i] > 0)
+                moved |= relax_alone(&f, i);
+        }
+    if (moved)
+        ovr_level_refresh(grids, level);
+}

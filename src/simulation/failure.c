@@ -65,9 +65,8 @@ static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
                     sim->finest->number + more);
 }
 
-/* Not far from a solution, whose film is negative somewhere: R was 1e-5 to 20
- * where surfaces touch, 1e6 where a solve had diverged. */
-static bool surfaces_overlap(const ovr_simulation *sim, const ovr_defect *d)
+/* R was 1e-5 to 20 where surfaces touch, 1e6 where a solve had diverged. */
+bool ovr_surfaces_overlap(const ovr_simulation *sim, const ovr_defect *d)
 {
     return !ovr_surfaces_apart(sim) && fabs(d->imbalance) < 1e3;
 }
@@ -105,21 +104,24 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
         return rounding(sim, &outcome->defect, err);
     if (inlet_mesh(sim) > resolved * ovr_inlet_rise(sim))
         return too_thin(sim, err);
-    if (surfaces_overlap(sim, &outcome->defect))
+    if (ovr_surfaces_overlap(sim, &outcome->defect))
         return touching(sim, 0, err);
     return ovr_fail(err, OVR_NOT_CONVERGED,
                     "the steady solution did not converge in any of %d ways: "
                     "relative mass-flow imbalance %.1e (wanted %.1e), load off "
-                    "by %.1e after %d cycles",
+                    "by %.1e after %d cycles%s",
                     outcome->retries + 1, outcome->defect.imbalance, tolerance,
-                    outcome->defect.load, outcome->cycles);
+                    outcome->defect.load, outcome->cycles,
+                    sim->heights ? "; features that start left of the inlet, "
+                                   "or grow in time, need no such start"
+                                 : "");
 }
 
 ovr_status ovr_failure_step(const ovr_simulation *sim,
                             const ovr_outcome *outcome, double T,
                             ovr_error *err)
 {
-    if (surfaces_overlap(sim, &outcome->defect))
+    if (ovr_surfaces_overlap(sim, &outcome->defect))
         return touching(sim, T, err);
     return ovr_fail(err, OVR_NOT_CONVERGED,
                     "step %ld to T = %g did not converge, nor did parts of it "

@@ -177,6 +177,9 @@ bool ovr_mesh_too_coarse(const ovr_simulation *sim);
 /* H > 0 at every node of what was read last. */
 bool ovr_surfaces_apart(const ovr_simulation *sim);
 
+/* Not far from a solution, whose film is negative somewhere. */
+bool ovr_surfaces_overlap(const ovr_simulation *sim, const ovr_defect *d);
+
 /* The tolerance asked for is below the rounding of R, and R as small as it
  * gets. */
 bool ovr_below_rounding(const ovr_simulation *sim, const ovr_defect *defect);

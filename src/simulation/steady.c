@@ -12,10 +12,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "multigrid/film_end.h"
 #include "simulation/heat_in_time.h"
 #include "simulation/heat_turns.h"
 #include "simulation/mirror.h"
 #include "simulation/refined.h"
+#include "simulation/step_cycles.h"
 
 double ovr_film_expected(const ovr_simulation *sim, double fraction)
 {
@@ -60,7 +62,8 @@ static double first_tolerance(const void *data, const ovr_level *level,
 /* What a solve tries in turn until it converges: first the ordinary; with a
  * flow law then more sweeps, then the Newtonian film first; then smaller steps
  * in load on a finer level, then also a finer coarsest grid, more sweeps and
- * stronger damping. */
+ * stronger damping; last, features that grow out of smooth surfaces, unless
+ * surfaces touched. */
 typedef struct strategy {
     bool flow_law;      /* for flow laws alone */
     bool thin_last;     /* of these */
@@ -69,19 +72,23 @@ typedef struct strategy {
     int sweeps, newton_steps, finer_bottom;
     double limit, newton_limit; /* of changes in P */
     const char *what;
+    bool grown; /* features that grow */
 } strategy;
 
 static const strategy strategies[] = {
-    {false, false, 1.6, 0.3, 0, 1, 0, 0.1, 0.3, ""},
+    {false, false, 1.6, 0.3, 0, 1, 0, 0.1, 0.3, "", false},
     {true, false, 1.6, 0.3, 2, 1, 1, 0.1, 0.3,
-     "with a finer coarsest grid and more sweeps"},
+     "with a finer coarsest grid and more sweeps", false},
     {true, true, 1.6, 0.3, 0, 1, 0, 0.1, 0.3,
-     "a Newtonian film first, then the flow law stress by stress"},
+     "a Newtonian film first, then the flow law stress by stress", false},
     {false, true, 1.25, 0.15, 0, 1, 0, 0.1, 0.3,
-     "the load was raised in smaller steps on a finer level"},
+     "the load was raised in smaller steps on a finer level", false},
     {false, true, 1.25, 0.15, 2, 2, 1, 0.03, 0.1,
      "the load was raised in smaller steps on a finer level, with a finer "
-     "coarsest grid, more sweeps and stronger damping"}};
+     "coarsest grid, more sweeps and stronger damping",
+     false},
+    {false, true, 1.6, 0.3, 2, 1, 0, 0.2, 0.3,
+     "smooth surfaces first, then the features grew", true}};
 enum { STRATEGIES = sizeof strategies / sizeof *strategies };
 
 const char *ovr_simulation_strategy(const ovr_simulation *sim)
@@ -99,6 +106,18 @@ static bool thin_last(const ovr_simulation *sim, const strategy *how)
     return thins(sim) && how->thin_last;
 }
 
+/* Patches of film as rough surfaces have them. */
+static bool settle_patches(void *data, ovr_hierarchy *grids, ovr_level *level,
+                           ovr_cycle_end end)
+{
+    (void)data;
+    if (end == OVR_AFTER_CYCLE)
+        ovr_film_patches(grids, level);
+    return false; /* film and residual are up to date */
+}
+
+static const ovr_attached settling = {settle_patches, NULL};
+
 static ovr_full full_of(ovr_simulation *sim, const strategy *how)
 {
     const ovr_options *o = &sim->options;
@@ -107,6 +126,10 @@ static ovr_full full_of(ovr_simulation *sim, const strategy *how)
     c.smoothing.limit = how->limit;
     c.newton_limit = how->newton_limit;
     c.newton_steps = how->newton_steps;
+    if (how->grown) {
+        c.attached = &settling;
+        c.correction = 0.5; /* as in step.c, of isolated nodes */
+    }
     if (how->sweeps)
         c.sweeps_before = c.sweeps_after = how->sweeps;
     return (ovr_full){.cycling = c,
@@ -156,6 +179,14 @@ static ovr_defect fall_back(ovr_simulation *sim, const ovr_full *how,
     return finish(sim, how, cycles);
 }
 
+static ovr_defect multigrid(ovr_simulation *sim, const ovr_full *how,
+                            int *cycles)
+{
+    if (strategies[sim->strategy].grown)
+        return ovr_steady_grown(sim, how, cycles);
+    return ovr_full_multigrid(&sim->grids, &sim->wanted, *how, cycles);
+}
+
 /* Full multigrid and its own corrections, for the gap as it is. */
 static ovr_defect solve_and_correct(ovr_simulation *sim, const ovr_full *how,
                                     int *cycles)
@@ -163,7 +194,7 @@ static ovr_defect solve_and_correct(ovr_simulation *sim, const ovr_full *how,
     const ovr_correction *c = &sim->correction;
     ovr_full last = *how;
     last.tolerance = tolerance_at;
-    ovr_defect d = ovr_full_multigrid(&sim->grids, &sim->wanted, *how, cycles);
+    ovr_defect d = multigrid(sim, how, cycles);
     if (sim->order != 4 ||
         !ovr_below(d, first_tolerance(sim, sim->finest, d.centre)))
         return d;
@@ -179,7 +210,7 @@ static ovr_defect solve_and_correct(ovr_simulation *sim, const ovr_full *how,
 static ovr_defect solve_corrected(ovr_simulation *sim, const ovr_full *how,
                                   int *cycles)
 {
-    ovr_defect d = ovr_full_multigrid(&sim->grids, &sim->wanted, *how, cycles);
+    ovr_defect d = multigrid(sim, how, cycles);
     if (!ovr_below(d, first_tolerance(sim, sim->finest, d.centre)))
         return d;
     found second = keep(sim);
@@ -330,7 +361,9 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
     ovr_hierarchy_operator(&sim->grids, &op);
     for (int k = 0; k < STRATEGIES && !outcome.converged; k++) {
         ovr_full how = full_of(sim, &strategies[k]);
-        if (strategies[k].flow_law && !thins(sim))
+        if ((strategies[k].flow_law && !thins(sim)) ||
+            (strategies[k].grown &&
+             (!sim->heights || ovr_surfaces_overlap(sim, &outcome.defect))))
             continue;
         outcome.retries = tried++;
         sim->strategy = k;

@@ -23,4 +23,8 @@ bool ovr_step_cycles(ovr_simulation *sim, ovr_step_cycling how,
 bool ovr_step_continued(ovr_simulation *sim, const ovr_cycling *cycle,
                         ovr_outcome *outcome);
 
+/* The steady solution of surfaces that grow out of smooth ones (growth.c). */
+ovr_defect ovr_steady_grown(ovr_simulation *sim, const ovr_full *how,
+                            int *cycles);
+
 #endif

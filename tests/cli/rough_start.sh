@@ -1,0 +1,44 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A steady start with rough surfaces on both sides of the whole film: they grow
+# out of smooth ones.
+. "$TOP/tests/support/cli.sh"
+
+{
+    cat <<END
+[contact]
+load = 3.07e5 N/m
+radius = 10 mm
+modulus = 226 GPa
+viscosity = 40 mPa.s
+mean_speed = 1.3 m/s
+slide_to_roll = 0.3
+[lubricant]
+viscosity_law = roelands
+density_law = dowson-higginson
+alpha = 17 1/GPa
+z = 0.68
+[domain]
+inlet = -4
+outlet = 1.5
+level = 8
+[time]
+end = 0.005
+END
+    for side in '1 ground periodic' '2 honed mirror'; do
+        set -- $side
+        cat <<END
+[feature on$1]
+surface = $1
+shape = profile
+file = $TOP/profiles/$2.csv
+level = line
+extend = $3
+taper = 60 um
+start = 1.5
+END
+    done
+} >both.ini
+expect 0 "$OVERROLL" run both.ini -o both.h5 --json
+contains out '"way": "smooth surfaces first, then the features grew"'
+contains out '"converged": true'
