@@ -26,6 +26,11 @@ ovr_status ovr_grid_refine(ovr_grid *grid, const ovr_grid *parent, size_t first,
     return take(grid, arena, err);
 }
 
+double ovr_grid_mesh(const ovr_grid *grid)
+{
+    return grid->D;
+}
+
 void ovr_grid_fill(ovr_grid *grid)
 {
     for (size_t i = 0; i < grid->n; i++)

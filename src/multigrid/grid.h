@@ -27,6 +27,9 @@ ovr_status ovr_grid_refine(ovr_grid *grid, const ovr_grid *parent, size_t first,
 
 void ovr_grid_fill(ovr_grid *grid);
 
+/* The smallest mesh: what floors above ask for in place of D. */
+double ovr_grid_mesh(const ovr_grid *grid);
+
 /* Weights of the trapezoidal rule. */
 void ovr_grid_weights(const ovr_grid *grid, double *weights);
 

@@ -124,13 +124,14 @@ double ovr_refined_flow(const ovr_simulation *sim)
     double sum = 0, length = 0;
     for (int k = c->patches > 0; k <= c->patches; k++) {
         const ovr_patch *part = &c->part[k];
-        double D = part->level->grid.D;
+        const double *X = part->level->grid.X;
         for (size_t i = part->from; i < part->to; i++)
             if (part->P[i] > 0 && part->P[i + 1] > 0 &&
                 ovr_composite_leaf(c, k, i) &&
                 ovr_composite_leaf(c, k, i + 1)) {
-                sum += D * ovr_patch_flux(&sim->grids, part, i);
-                length += D;
+                double mesh = X[i + 1] - X[i];
+                sum += mesh * ovr_patch_flux(&sim->grids, part, i);
+                length += mesh;
             }
     }
     return length > 0 ? -sum / length : 0;

@@ -60,7 +60,7 @@ static void fill_arrays(ovr_simulation *sim)
 
 double ovr_mesh(const ovr_simulation *sim)
 {
-    return sim->finest->grid.D;
+    return ovr_grid_mesh(&sim->finest->grid);
 }
 
 ovr_cycling ovr_simulation_cycling(const ovr_simulation *sim, int finer_bottom)

@@ -37,14 +37,15 @@ static double tolerance_at(const void *data, const ovr_level *level, double H)
     const ovr_simulation *sim = data;
     const double on_the_way = 50;
     const ovr_options *o = &sim->options;
-    double truncation = ovr_truncation_tolerance(sim, level->grid.D, H);
+    double truncation = ovr_truncation_tolerance(
+        sim, ovr_grid_mesh(&level->grid), H);
     if (level != sim->finest)
         return on_the_way * truncation;
     if (o->tolerance > 0)
         return o->tolerance;
     return o->stop == OVR_STOP_TRUNCATION
                ? truncation
-               : ovr_negligible_tolerance(sim, level->grid.D, H);
+               : ovr_negligible_tolerance(sim, ovr_grid_mesh(&level->grid), H);
 }
 
 /* The same, but a solution to be corrected need not be better than its
@@ -55,7 +56,8 @@ static double first_tolerance(const void *data, const ovr_level *level,
     const ovr_simulation *sim = data;
     double wanted = tolerance_at(sim, level, H);
     if (sim->order == 4 && level == sim->finest)
-        return fmax(wanted, ovr_truncation_tolerance(sim, level->grid.D, H));
+        return fmax(wanted, ovr_truncation_tolerance(
+                                sim, ovr_grid_mesh(&level->grid), H));
     return wanted;
 }
 

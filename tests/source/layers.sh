@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A file includes headers of its own floor and of floors below, never in
 # circles; of a folder inside a floor only the header of the folder's name, if
-# there is one; the command line of the library only overroll/*.h.
+# there is one; the command line of the library only overroll/*.h.  Above
+# multigrid nobody knows of a grid with one mesh size.
 set -u
 cd "$TOP" || exit 1
 floors="base contact surface multigrid stress simulation results case run
@@ -11,6 +12,8 @@ floors="base contact surface multigrid stress simulation results case run
 # "file included" for every #include "..." of the project.
 find src include -name '*.[ch]' -exec grep -HE '^ *# *include *"' {} + |
     sed 's/^\([^:]*\):[^"]*"\([^"]*\)".*/\1 \2/' >"$OLDPWD/pairs"
+find src -name '*.[ch]' ! -path 'src/multigrid/*' \
+    -exec grep -HnE 'grid(\.|->)D\>' {} + | grep . && exit 1
 cd "$OLDPWD" || exit 1
 
 faces=$(cd "$TOP/src" && ls ./*/*/*.h | sed 's/^..//' | tr '\n' ' ')
