@@ -9,6 +9,7 @@
 
 #include "simulation/heat_in_time.h"
 #include "support/contact.h"
+#include "support/copied.h"
 #include "support/hot.h"
 #include "support/test.h"
 
@@ -257,31 +258,6 @@ static void isothermal_limit(void **state)
 
 /* --------------------------------------------------------------- restored */
 
-typedef struct pieces {
-    char *at[256];
-    size_t bytes[256], count;
-    bool write;
-} pieces;
-
-static ovr_status visit(void *context, const char *name, void *memory,
-                        size_t bytes, ovr_error *err)
-{
-    pieces *p = context;
-    size_t k = p->count++;
-    (void)name, (void)err;
-    assert_true(k < sizeof p->at / sizeof *p->at);
-    if (p->write) {
-        assert_int_equal(bytes, p->bytes[k]);
-        memcpy(memory, p->at[k], bytes);
-        free(p->at[k]);
-    } else {
-        p->at[k] = malloc(bytes);
-        p->bytes[k] = bytes;
-        memcpy(p->at[k], memory, bytes);
-    }
-    return OVR_OK;
-}
-
 static void same_bits(ovr_simulation *a, ovr_simulation *b)
 {
     ovr_observation x = *ovr_simulation_observation(a),
@@ -301,17 +277,12 @@ static void goes_on_alike(void **state)
     test_feature f = {'l', -0.05, 0.5, -2, 1.25, 0};
     ovr_simulation *sim = with_dent(&hot, 5, &f);
     ovr_simulation *other = test_hot_simulation(&hot, 5);
-    pieces p = {.count = 0};
     (void)state;
     for (int k = 0; k < 40; k++)
         step(sim, D_of(sim) * (k % 7 ? 1 : 0.5));
     ovr_simulation_surface(other, test_feature_heights, &f);
     ovr_simulation_moving(other, f.u);
-    assert_int_equal(ovr_simulation_visit(sim, visit, &p, NULL), OVR_OK);
-    p.count = 0;
-    p.write = true;
-    assert_int_equal(ovr_simulation_visit(other, visit, &p, NULL), OVR_OK);
-    ovr_simulation_restored(other);
+    test_copy_state(sim, other);
     same_bits(sim, other);
     for (int k = 0; k < 20; k++) {
         step(sim, D_of(sim));

@@ -7,6 +7,7 @@
 #include "overroll/simulation.h"
 #include "simulation/heat.h"
 #include "support/contact.h"
+#include "support/hot.h"
 #include "support/test.h"
 
 /* model "weak4"; rises in K */
@@ -77,65 +78,17 @@ static const struct truth {
      21.69823952476804},
 };
 
-static const ovr_thermal steel = {46, 460, 7850}, mineral = {.14, 2000, 870};
-
-static ovr_heat_form form(void)
+static test_hot hot_contact(const struct truth *t, const ovr_heat_form *f)
 {
-    ovr_heat_form f = {.size = sizeof f,
-                       .points = 5,
-                       .temperature = 353,
-                       .bulk = {NAN, NAN},
-                       .oil = mineral,
-                       .body = {steel, steel},
-                       .expansion = 6.5e-4,
-                       .S0 = 1.1,
-                       .beta = NAN};
-    return f;
-}
-
-typedef struct hot {
-    ovr_contact contact;
-    ovr_lubricant oil;
-    ovr_heat heat;
-} hot;
-
-static hot hot_contact(const struct truth *t, const ovr_heat_form *f)
-{
-    ovr_conditions c = ovr_conditions_default();
-    ovr_error err = {0};
-    hot made;
-    c.M = t->M, c.L = t->L, c.slide_to_roll = t->S;
-    c.alpha = 2.2e-8, c.modulus = 226e9, c.radius = 0.0127;
-    /* of which Roelands' relation gives z = 0.68 */
-    c.viscosity = exp(2.2e-8 * 1.98e8 / 0.68 - 9.67);
-    CHECK_OK(ovr_contact_resolve(&c, &made.contact, &err), &err);
-    CHECK_OK(ovr_lubricant_make(&made.contact, OVR_ROELANDS,
-                                OVR_DOWSON_HIGGINSON, NAN, 0.68, &made.oil,
-                                &err),
-             &err);
-    if (t->tau0 > 0) {
-        ovr_flow_form eyring = {.size = sizeof eyring,
-                                .rheology = OVR_EYRING,
-                                .stress = t->tau0 * 1e6,
-                                .number = NAN};
-        CHECK_OK(ovr_lubricant_flow(&made.contact, &eyring, &made.oil, &err),
-                 &err);
-    }
-    CHECK_OK(ovr_heat_make(f, &made.contact, &made.oil, &made.heat, &err),
-             &err);
+    test_hot made = test_hot_make(t->M, t->L, t->S, t->tau0 * 1e6, f);
     made.heat.least_peclet = 0; /* as the truth has it */
     return made;
 }
 
-static ovr_simulation *solved(const hot *c, int level)
+static ovr_simulation *solved(const test_hot *c, int level)
 {
-    ovr_options options = test_options();
     ovr_error err = {0};
-    options.level = level;
-    ovr_simulation *sim = ovr_simulation_create(&c->contact, &c->oil, &options,
-                                                NULL, &err);
-    assert_non_null(sim);
-    CHECK_OK(ovr_simulation_heat(sim, &c->heat, &err), &err);
+    ovr_simulation *sim = test_hot_simulation(c, level);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     return sim;
 }
@@ -155,8 +108,8 @@ static void numbers_of_heat(void **state)
     (void)state;
     for (size_t k = 0; k < sizeof truths / sizeof *truths; k++) {
         const struct truth *t = &truths[k];
-        ovr_heat_form f = form();
-        hot c = hot_contact(t, &f);
+        ovr_heat_form f = test_heat_form();
+        test_hot c = hot_contact(t, &f);
         CHECK_CLOSE(c.heat.conduction, t->Kf, 1e-6);
         CHECK_CLOSE(c.heat.theta, t->Theta, 1e-6);
         CHECK_CLOSE(c.heat.solid[0] / sqrt(c.contact.u1_ratio), t->N1, 1e-6);
@@ -169,8 +122,8 @@ static void steady_against_truth(void **state)
     (void)state;
     for (size_t k = 0; k < sizeof truths / sizeof *truths; k++) {
         const struct truth *t = &truths[k];
-        ovr_heat_form f = form();
-        hot c = hot_contact(t, &f);
+        ovr_heat_form f = test_heat_form();
+        test_hot c = hot_contact(t, &f);
         ovr_simulation *sim = solved(&c, t->level);
         const ovr_observation *o = ovr_simulation_observation(sim);
         double mean = 0;
@@ -202,14 +155,14 @@ static ovr_flow_form carreau(ovr_rheology rheology, double n)
 }
 
 /* Contact A2 or N with another law that is given as Carreau's or by points. */
-static hot with_law(const struct truth *t, const ovr_heat_form *f,
-                    const ovr_flow_form *given)
+static test_hot with_law(const struct truth *t, const ovr_heat_form *f,
+                         const ovr_flow_form *given)
 {
     struct truth newtonian = *t;
     ovr_flow_form form = *given;
     ovr_error err = {0};
     newtonian.tau0 = 0;
-    hot c = hot_contact(&newtonian, f);
+    test_hot c = hot_contact(&newtonian, f);
     form.law = ovr_flow_law_create(given, NULL, &err);
     assert_non_null(form.law);
     CHECK_OK(ovr_lubricant_flow(&c.contact, &form, &c.oil, &err), &err);
@@ -238,14 +191,14 @@ static void compare(const ovr_simulation *a, const ovr_simulation *b,
 static void carreau_of_one_is_newtonian(void **state)
 {
     const struct truth *t = &truths[0];
-    ovr_heat_form f = form();
-    hot cold = hot_contact(t, &f);
+    ovr_heat_form f = test_heat_form();
+    test_hot cold = hot_contact(t, &f);
     ovr_simulation *newtonian = solved(&cold, 5);
     (void)state;
     for (int rate = 0; rate < 2; rate++) {
         ovr_flow_form form = carreau(rate ? OVR_CARREAU : OVR_CARREAU_STRESS,
                                      1);
-        hot c = with_law(t, &f, &form);
+        test_hot c = with_law(t, &f, &form);
         ovr_simulation *sim = solved(&c, 5);
         compare(sim, newtonian, 1e-5);
         ovr_simulation_free(sim);
@@ -260,8 +213,8 @@ static void points_of_eyring(void **state)
     enum { POINTS = 600 };
     static double rate[POINTS], shear[POINTS];
     const struct truth *t = &truths[3];
-    ovr_heat_form f = form();
-    hot c = hot_contact(t, &f), d;
+    ovr_heat_form f = test_heat_form();
+    test_hot c = hot_contact(t, &f), d;
     ovr_flow_form form = ovr_flow_form_default();
     ovr_simulation *eyring = solved(&c, 5), *sim;
     double tau0 = t->tau0 * 1e6, eta = 0.038; /* any: f is of eta gamma/tau0 */
@@ -282,7 +235,7 @@ static void points_of_eyring(void **state)
 }
 
 /* The two surfaces swapped mirror everything. */
-static void mirrored(const hot *c, const hot *d)
+static void mirrored(const test_hot *c, const test_hot *d)
 {
     ovr_simulation *sim = solved(c, 5), *mirror = solved(d, 5);
     const ovr_observation *a = ovr_simulation_observation(sim);
@@ -301,13 +254,13 @@ static void surfaces_swapped(void **state)
 {
     const struct truth *t = &truths[3];
     struct truth other = *t;
-    ovr_heat_form f = form();
+    ovr_heat_form f = test_heat_form();
     ovr_flow_form law = carreau(OVR_CARREAU, 0.35);
     (void)state;
     other.S = -t->S;
     for (int k = 0; k < 2; k++) {
-        hot c = k ? with_law(t, &f, &law) : hot_contact(t, &f);
-        hot d = k ? with_law(&other, &f, &law) : hot_contact(&other, &f);
+        test_hot c = k ? with_law(t, &f, &law) : hot_contact(t, &f);
+        test_hot d = k ? with_law(&other, &f, &law) : hot_contact(&other, &f);
         mirrored(&c, &d);
         ovr_flow_law_free((ovr_flow_law *)c.oil.flow_law);
         ovr_flow_law_free((ovr_flow_law *)d.oil.flow_law);
@@ -315,7 +268,7 @@ static void surfaces_swapped(void **state)
 }
 
 /* Oil that cannot be heated leaves the isothermal contact. */
-static void is_cold(const hot *c)
+static void is_cold(const test_hot *c)
 {
     ovr_options options = test_options();
     ovr_error err = {0};
@@ -341,10 +294,10 @@ static void is_cold(const hot *c)
 static void isothermal_limit(void **state)
 {
     const struct truth *t = &truths[3];
-    ovr_heat_form f = form();
+    ovr_heat_form f = test_heat_form();
     (void)state;
     f.oil.heat_capacity = 1e30;
-    hot c = hot_contact(t, &f);
+    test_hot c = hot_contact(t, &f);
     is_cold(&c);
     c = hot_contact(&truths[0], &f);
     is_cold(&c);
@@ -365,9 +318,9 @@ static void density_expands(void **state)
     double H[2], T = 0;
     (void)state;
     for (int k = 0; k < 2; k++) {
-        ovr_heat_form f = form();
+        ovr_heat_form f = test_heat_form();
         f.density_expands = k;
-        hot c = hot_contact(t, &f);
+        test_hot c = hot_contact(t, &f);
         ovr_simulation *sim = solved(&c, 5);
         H[k] = ovr_simulation_observation(sim)->H_cen;
         size_t i = 0;
@@ -390,9 +343,9 @@ static void seven_points_check_five(void **state)
     double off[2];
     (void)state;
     for (int k = 0; k < 2; k++) {
-        ovr_heat_form f = form();
+        ovr_heat_form f = test_heat_form();
         f.points = k ? 7 : 5;
-        hot c = hot_contact(t, &f);
+        test_hot c = hot_contact(t, &f);
         ovr_simulation *sim = solved(&c, 5);
         off[k] = fabs(ovr_simulation_observation(sim)->T_max_rise - full);
         print_message("%d points: T_max off by %.3f of %.3f K\n", f.points,

@@ -18,6 +18,7 @@
 #include <string.h>
 
 #include "support/contact.h"
+#include "support/copied.h"
 
 enum { MOST = 20, STEPS = 10 };
 static const double enough = 1e-8;
@@ -52,43 +53,6 @@ static ovr_simulation *made(ovr_scheme scheme, double tolerance)
     return sim;
 }
 
-/* ------------------------------------------- the state from one to another */
-
-typedef struct pieces {
-    char *at[64];
-    size_t bytes[64], count;
-    bool write;
-} pieces;
-
-static ovr_status visit(void *context, const char *name, void *memory,
-                        size_t bytes, ovr_error *err)
-{
-    pieces *p = context;
-    size_t k = p->count++;
-    (void)name, (void)err;
-    assert_true(k < sizeof p->at / sizeof *p->at);
-    if (p->write) {
-        assert_int_equal(bytes, p->bytes[k]);
-        memcpy(memory, p->at[k], bytes);
-        free(p->at[k]);
-    } else {
-        p->at[k] = malloc(bytes);
-        p->bytes[k] = bytes;
-        memcpy(p->at[k], memory, bytes);
-    }
-    return OVR_OK;
-}
-
-static void copy_state(ovr_simulation *from, ovr_simulation *to)
-{
-    pieces p = {.count = 0};
-    assert_int_equal(ovr_simulation_visit(from, visit, &p, NULL), OVR_OK);
-    p.count = 0;
-    p.write = true;
-    assert_int_equal(ovr_simulation_visit(to, visit, &p, NULL), OVR_OK);
-    ovr_simulation_restored(to);
-}
-
 /* -------------------------------------------------------------- histories */
 
 /* Residual of the steady start, or of the step of dT that follows `before`,
@@ -99,7 +63,7 @@ static double solved(ovr_scheme scheme, ovr_simulation *before, double dT,
     ovr_error err = {0};
     ovr_simulation *sim = made(scheme, tolerance);
     if (before)
-        copy_state(before, sim);
+        test_copy_state(before, sim);
     CHECK_OK(before ? ovr_simulation_step(sim, dT, &err)
                     : ovr_simulation_steady(sim, &err),
              &err);
