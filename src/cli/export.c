@@ -223,9 +223,6 @@ static ovr_status chosen_row(const job *j, size_t *row)
 static ovr_status snapshot(job *j)
 {
     size_t row = 0;
-    if (j->about->snapshots == 0)
-        return ovr_fail(j->err, OVR_BAD_INPUT, "%s: has no snapshot yet",
-                        j->call->argument[0]);
     if (chosen_row(j, &row) || add_snapshot(j, row))
         return j->err->status;
     cli_table_heads(j->table, j->form, j->to);
@@ -349,13 +346,18 @@ static bool wants_all(const job *j)
 
 static ovr_status write_table(job *j)
 {
+    bool at = cli_value(j->call, "at") != NULL;
+    bool one = cli_value(j->call, "snapshot") || cli_value(j->call, "time");
     if (check_fields(j))
         return j->err->status;
-    if (cli_value(j->call, "at"))
-        return series(j);
-    if (cli_value(j->call, "snapshot") || cli_value(j->call, "time"))
-        return snapshot(j);
-    return wants_all(j) ? all_snapshots(j) : history(j);
+    if (!at && !one && !wants_all(j))
+        return history(j);
+    if (j->about->snapshots == 0)
+        return ovr_fail(j->err, OVR_BAD_INPUT,
+                        "%s: holds no snapshot; its history of %zu steps can "
+                        "be exported",
+                        j->call->argument[0], j->about->steps);
+    return at ? series(j) : one ? snapshot(j) : all_snapshots(j);
 }
 
 /* ---------------------------------------------------------------- command */

@@ -96,7 +96,8 @@ ovr_status ovr_draw_stress(const ovr_drawing *drawing, ovr_chart *chart,
         return ovr_fail(err, OVR_BAD_INPUT,
                         "a picture of stresses shows one result");
     if (drawing->runs->info->snapshots < 1)
-        return ovr_fail(err, OVR_BAD_INPUT, "the file holds no snapshot");
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: holds no snapshot",
+                        drawing->runs->name);
     status = ovr_depth_field_make(&f, drawing->runs, o->field, o->log_depth,
                                   o->surface ? o->surface : 1, o->x_from,
                                   o->x_to, drawing->arena, err);

@@ -29,12 +29,21 @@ static ovr_status time_axis(const ovr_drawing *drawing, ovr_panel *panel,
 {
     const ovr_stored *run = drawing->runs;
     const ovr_picture_options *o = drawing->options;
-    double end = 0;
-    double from = isnan(o->T_from) ? run->times[0] : o->T_from;
-    double to;
+    double begin = INFINITY, end = 0, from, to;
     ovr_status status;
-    for (size_t k = 0; k < drawing->count; k++)
-        end = fmax(end, run[k].times[run[k].info->snapshots - 1]);
+    for (size_t k = 0; k < drawing->count; k++) {
+        size_t steps = run[k].info->steps;
+        double *T = ovr_stored_history(&run[k], "time", run[k].by.time,
+                                       drawing->arena, err);
+        if (!T)
+            return err ? err->status : OVR_IO;
+        if (steps == 0)
+            return ovr_fail(err, OVR_BAD_INPUT, "%s: holds no step yet",
+                            run[k].name);
+        begin = fmin(begin, T[0]);
+        end = fmax(end, T[steps - 1]);
+    }
+    from = isnan(o->T_from) ? begin : o->T_from;
     to = isnan(o->T_to) ? end : o->T_to;
     status = ovr_axis_make(OVR_KIND_TIME, run->result, o->units, fmax(to, from),
                            axis, err);

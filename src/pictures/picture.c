@@ -142,6 +142,13 @@ static ovr_status draw(const ovr_drawing *drawing, ovr_error *err)
     return status;
 }
 
+/* The others are made of the history, or of what the material went through. */
+static bool of_snapshots(ovr_picture_kind kind)
+{
+    return kind != OVR_PICTURE_HISTORY && kind != OVR_PICTURE_RISK &&
+           kind != OVR_PICTURE_DEPTH;
+}
+
 ovr_status ovr_open_stored(ovr_result *const *results, size_t count,
                            ovr_picture_options *o, ovr_stored *runs,
                            ovr_arena *arena, ovr_error *err)
@@ -150,6 +157,9 @@ ovr_status ovr_open_stored(ovr_result *const *results, size_t count,
     for (size_t k = 0; status == OVR_OK && k < count; k++)
         status = ovr_stored_make(&runs[k], results[k],
                                  o->names ? o->names[k] : NULL, arena, err);
+    for (size_t k = 0; status == OVR_OK && k < count && of_snapshots(o->kind);
+         k++)
+        status = ovr_stored_need_snapshots(&runs[k], err);
     if (status == OVR_OK)
         status = ovr_common_units(runs, count, &o->units, err);
     if (status == OVR_OK)

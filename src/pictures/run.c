@@ -65,11 +65,8 @@ ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
     ovr_status status;
     *run = (ovr_stored){.result = result, .info = info, .by = {1, 1, 1, 1}};
     run->name = name ? name : info->title;
-    if (info->snapshots == 0)
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: holds no snapshot yet",
-                        run->name);
     run->x = ovr_arena_take(arena, info->nodes, sizeof *run->x, err);
-    run->times = ovr_arena_take(arena, info->snapshots, sizeof *run->times,
+    run->times = ovr_arena_take(arena, info->snapshots + 1, sizeof *run->times,
                                 err);
     if (!run->x || !run->times)
         return OVR_NO_MEMORY;
@@ -85,6 +82,16 @@ ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
     if (status == OVR_OK)
         find_hertz(run, arena);
     return status;
+}
+
+ovr_status ovr_stored_need_snapshots(const ovr_stored *run, ovr_error *err)
+{
+    if (run->info->snapshots > 0)
+        return OVR_OK;
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "%s: holds no snapshot; its history of %zu steps can be "
+                    "drawn and exported",
+                    run->name, run->info->steps);
 }
 
 /* ------------------------------------------------------------ common units */

@@ -32,6 +32,9 @@ ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
 double ovr_stored_hertz_width(const ovr_stored *run, size_t k);
 double ovr_stored_hertz_pressure(const ovr_stored *run, size_t k);
 
+/* Refuses one that was stored without snapshots, or is at its beginning. */
+ovr_status ovr_stored_need_snapshots(const ovr_stored *run, ovr_error *err);
+
 /* The units that several results have in common: Hertzian ones where one of
  * them has no scales but another is to be drawn in SI, unless SI is asked for,
  * which is an error then. */

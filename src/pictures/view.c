@@ -423,6 +423,8 @@ static ovr_status view(ovr_result *const *results, size_t count,
     for (size_t k = 0; status == OVR_OK && k < count; k++)
         status = ovr_stored_make(&runs[k], results[k],
                                  o->names ? o->names[k] : NULL, arena, err);
+    for (size_t k = 0; status == OVR_OK && k < count; k++)
+        status = ovr_stored_need_snapshots(&runs[k], err);
     if (status == OVR_OK)
         status = put_data(&data, runs, count, o->stress, arena, err);
     if (status == OVR_OK)
