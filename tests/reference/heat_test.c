@@ -358,8 +358,8 @@ static void seven_points_check_five(void **state)
 /* Options that leave the order to the library; one that is written stays. */
 static void order_left_to_the_library(void **state)
 {
-    ovr_heat_form f = form();
-    hot c = hot_contact(&truths[3], &f);
+    ovr_heat_form f = test_heat_form();
+    test_hot c = hot_contact(&truths[3], &f);
     ovr_options options = ovr_options_default();
     ovr_error err = {0};
     (void)state;
