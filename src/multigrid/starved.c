@@ -265,6 +265,11 @@ static ovr_defect nested(ovr_hierarchy *grids, const ovr_full *how, double q,
 
 /* ------------------------------------------------------ just below flooded */
 
+static bool is_solved(const ovr_full *how, const ovr_level *level, ovr_defect d)
+{
+    return ovr_below(d, how->tolerance(how->data, level, d.centre));
+}
+
 /* A little more supply on the finest level. */
 static void raise_supply(ovr_hierarchy *grids, ovr_level *level, double before,
                          double q)
@@ -274,18 +279,17 @@ static void raise_supply(ovr_hierarchy *grids, ovr_level *level, double before,
     close_inlet(grids, level, q);
 }
 
-/* From nine tenths of it, by a quarter of what lacks to the flooded flow each
+/* From nine tenths of it, by this part of what lacks to the flooded flow each
  * time: the meniscus of almost all of it is far out in a gap that hardly
  * narrows, and moves by many meshes for a little supply. */
 static ovr_defect approach(ovr_hierarchy *grids, const ovr_full *how,
-                           double wanted, double flow, int *cycles)
+                           double wanted, double flow, double part, int *cycles)
 {
-    const double from = 0.9, part = 0.25, beyond = 1.0025;
+    const double from = 0.9, beyond = 1.0025;
     ovr_level *level = &grids->level[grids->finest];
     double q = from * wanted;
     ovr_defect d = nested(grids, how, q, flow, cycles);
-    while (q < wanted &&
-           ovr_below(d, how->tolerance(how->data, level, d.centre))) {
+    while (q < wanted && is_solved(how, level, d)) {
         double next = fmin(wanted, q + part * (beyond * flow - q));
         raise_supply(grids, level, q, next);
         d = solve(grids, how, level, cycles);
@@ -299,13 +303,15 @@ static ovr_defect approach(ovr_hierarchy *grids, const ovr_full *how,
 ovr_defect ovr_starve(ovr_hierarchy *grids, const ovr_full *how, double q,
                       int *cycles)
 {
+    static const double parts[] = {0.25, 0.12, 0.05};
     ovr_level *level = &grids->level[grids->finest];
     double flow = ovr_content_leaving(level), H0 = grids->H0;
     ovr_level_read(grids, level, level->f.P, how->saved);
     ovr_defect d = nested(grids, how, q, flow, cycles);
-    if (ovr_below(d, how->tolerance(how->data, level, d.centre)))
-        return d;
-    ovr_level_write(grids, level, how->saved, level->f.P);
-    grids->H0 = H0;
-    return approach(grids, how, q, flow, cycles);
+    for (int k = 0; k < 3 && !is_solved(how, level, d); k++) {
+        ovr_level_write(grids, level, how->saved, level->f.P);
+        grids->H0 = H0;
+        d = approach(grids, how, q, flow, parts[k], cycles);
+    }
+    return d;
 }

@@ -42,32 +42,47 @@ static void random_runs_finer(void **state)
     survey(40, 8, 2000);
 }
 
-static void steady_contacts(void **state)
+/* Each M and L at these shares of its flooded flow: all are solved. */
+static void survey_steady(int level, size_t count, const double *share)
 {
-    static const double M[] = {5, 20, 50, 100, 200}, L[] = {2.5, 5, 10, 14},
-                        share[] = {0.1, 0.3, 0.5, 0.7, 0.9, 0.99};
+    static const double M[] = {5, 20, 50, 100, 200}, L[] = {2.5, 5, 10, 14};
     int ways[5] = {0}, failed = 0;
-    (void)state;
-    for (int i = 0; i < 120; i++) {
+    for (size_t i = 0; i < 20 * count; i++) {
         ovr_error err = {0};
-        double m = M[i / 24], l = L[i / 6 % 4], r = share[i % 6];
+        double m = M[i / count / 4], l = L[i / count % 4], r = share[i % count];
         int way = 0;
-        ovr_status status = test_starve(m, l, 8, r, &way, &err);
+        ovr_status status = test_starve(m, l, level, r, &way, &err);
         if (status)
             printf("M %g L %g share %g: %s\n", m, l, r, err.message);
         failed += status != OVR_OK;
         ways[way]++;
     }
-    printf("120 steady contacts: %d by the first way, %d by the second, %d by "
-           "the third\n",
-           ways[1], ways[2], ways[3]);
+    printf("level %d, %d steady contacts: %d by the first way, %d by the "
+           "second, %d by the third\n",
+           level, (int)(20 * count), ways[1], ways[2], ways[3]);
     assert_true(failed == 0);
+}
+
+static void steady_contacts(void **state)
+{
+    static const double share[] = {0.1, 0.3, 0.5, 0.7, 0.9, 0.99};
+    (void)state;
+    survey_steady(8, 6, share);
+}
+
+/* Menisci far out. */
+static void nearly_flooded(void **state)
+{
+    static const double share[] = {0.97, 0.995, 0.999};
+    (void)state;
+    survey_steady(7, 3, share);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(steady_contacts),
+        cmocka_unit_test(nearly_flooded),
         cmocka_unit_test(random_runs),
         cmocka_unit_test(random_runs_finer),
     };
