@@ -184,13 +184,22 @@ void ovr_heat_give(ovr_simulation *sim)
     put_turned(sim);
 }
 
+/* What a cavity holds moves with the surfaces.  The flow that temperatures turn
+ * fades out over the last pressures before it: a node that is wet in one turn
+ * and dry in the next then changes nothing. */
+static void fade(const ovr_simulation *sim, double *turned)
+{
+    const double low = 0.005; /* p_h */
+    for (size_t i = 0; i < sim->now.n; i++)
+        turned[i] *= fmax(0, fmin(sim->now.P[i] / low, 1));
+}
+
 void ovr_heat_apply(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
     ovr_heat_film_fields(sim);
-    for (size_t i = 0; ovr_conserves(sim) && i < sim->now.n; i++)
-        if (!(sim->now.P[i] > 0))
-            h->turned[i] = 0; /* what it holds moves with the surfaces */
+    if (ovr_conserves(sim))
+        fade(sim, h->turned);
     ovr_heat_give(sim);
 }
 
