@@ -26,6 +26,7 @@ level = 8
 end = 0.005
 END
     for side in '1 ground periodic' '2 honed mirror'; do
+        # shellcheck disable=SC2086 # three words
         set -- $side
         cat <<END
 [feature on$1]
