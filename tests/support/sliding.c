@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "sliding.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "overroll/case.h"
+#include "overroll/simulation.h"
+#include "test.h"
+
+static ovr_statistics counts_of(const char *text)
+{
+    ovr_error err = {0};
+    ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, &err);
+    ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
+    CHECK_OK(setup ? OVR_OK : OVR_BAD_INPUT, &err);
+    ovr_simulation *sim = ovr_setup_simulation(setup, NULL, &err);
+    CHECK_OK(sim ? OVR_OK : OVR_BAD_INPUT, &err);
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    long start = ovr_simulation_statistics(sim)->cycles;
+    CHECK_OK(ovr_simulation_march(sim, setup->march, &err), &err);
+    ovr_statistics s = *ovr_simulation_statistics(sim);
+    s.cycles -= start;
+    ovr_simulation_free(sim);
+    ovr_setup_free(setup);
+    ovr_case_free(c);
+    return s;
+}
+
+void test_slides_add(test_slides *all, const test_slide *one)
+{
+    char text[500];
+    double speed = 1 + one->slip / 2, D = 5.5 / (7 << one->level);
+    double start = speed > 0 ? -1.3 - one->width : 0;
+    double end = speed > 0 ? (1.3 + one->width - start) / speed : 1;
+    snprintf(text, sizeof text,
+             "[contact]\nM = 20\nL = 10\nslide_to_roll = %g\n"
+             "[domain]\ninlet = -4\noutlet = 1.5\nlevel = %d\n"
+             "[feature d]\nshape = dent\nsurface = 1\nwidth = %g\n"
+             "depth = 0.05\nstart = %g\n"
+             "[time]\nscheme = %s\nstep = %.17g\nend = %.6g\n",
+             one->slip, one->level, one->width, start, one->scheme,
+             one->meshes * D, end);
+    ovr_statistics s = counts_of(text);
+    double cycles = (double)s.cycles / (double)s.steps;
+    all->runs++;
+    all->mean += (cycles - all->mean) / all->runs;
+    if (cycles > all->largest) {
+        all->largest = cycles;
+        all->worst = *one;
+    }
+    all->steps += s.steps;
+    all->retries += s.retries;
+}
+
+test_slides test_slides_grid(const char *scheme, int level, double meshes,
+                             int every)
+{
+    static const double widths[] = {0.02, 0.05, 0.2, 0.5};
+    static const double slips[] = {-2, -1, -0.3, 0, 0.8, 2};
+    test_slides all = {0};
+    int k = 0;
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 6; j++) {
+            const test_slide one = {scheme, level, widths[i], slips[j], meshes};
+            if (k++ % every == 0)
+                test_slides_add(&all, &one);
+        }
+    printf("%-14s level %2d, dT = %g D: %4.2f cycles a step, at most %5.2f "
+           "(width %g, slip %g); %ld retries in %ld steps\n",
+           scheme, level, meshes, all.mean, all.largest, all.worst.width,
+           all.worst.slip, all.retries, all.steps);
+    fflush(stdout);
+    return all;
+}
