@@ -23,7 +23,7 @@ void ovr_content_read(const ovr_level *level, const unsigned char *set,
         for (size_t J = 0; J < g->S && i < g->n; J++)
             ordered[i++] = set[J] >> lane & 1;
     if (i < g->n) /* node n - 1, in the halo */
-        ordered[i] = ovr_lanes_has(g, set, i);
+        ordered[i] = set[g->S] >> (g->V - 1) & 1;
 }
 
 void ovr_content_wet(ovr_level *level, const double *P)
@@ -36,8 +36,8 @@ void ovr_content_wet(ovr_level *level, const double *P)
     for (size_t lane = 0; lane < g->V; lane++)
         for (size_t J = 0; J < g->S && i < g->n; J++)
             wet[J] |= (unsigned char)((P[i++] > 0) << lane);
-    if (i < g->n)
-        ovr_content_mark(level, wet, i, P[i] > 0);
+    if (i < g->n) /* there too, where P = 0 */
+        wet[g->S] &= (unsigned char)~(1U << (g->V - 1));
 }
 
 /* -------------------------------------------------------------------- inlet */
