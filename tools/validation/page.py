@@ -134,7 +134,8 @@ def counted(sections):
     outside = sum(not row.inside for row in rows)
     return (f"{len(rows)} published numbers beside overroll's, "
             f"{len(rows) - outside} of them as near as they may be expected "
-            f"to be, {outside} not.")
+            f"to be, {outside} not. Bands of 2, 5 or 7 per cent are what fits "
+            "of their time may be off, set with the differences known.")
 
 
 def markdown(sections, version):
