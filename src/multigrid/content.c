@@ -13,6 +13,11 @@ void ovr_content_mark(const ovr_level *level, unsigned char *set, size_t i,
     set[place / V] = (unsigned char)(rest | (in ? bit : 0));
 }
 
+static unsigned last_lane(const ovr_lanes *g)
+{
+    return (1U << g->V) >> 1;
+}
+
 /* Lane by lane: no division a node. */
 void ovr_content_read(const ovr_level *level, const unsigned char *set,
                       unsigned char *ordered)
@@ -23,7 +28,7 @@ void ovr_content_read(const ovr_level *level, const unsigned char *set,
         for (size_t J = 0; J < g->S && i < g->n; J++)
             ordered[i++] = set[J] >> lane & 1;
     if (i < g->n) /* node n - 1, in the halo */
-        ordered[i] = set[g->S] >> (g->V - 1) & 1;
+        ordered[i] = (set[g->S] & last_lane(g)) != 0;
 }
 
 void ovr_content_wet(ovr_level *level, const double *P)
@@ -37,7 +42,7 @@ void ovr_content_wet(ovr_level *level, const double *P)
         for (size_t J = 0; J < g->S && i < g->n; J++)
             wet[J] |= (unsigned char)((P[i++] > 0) << lane);
     if (i < g->n) /* there too, where P = 0 */
-        wet[g->S] &= (unsigned char)~(1U << (g->V - 1));
+        wet[g->S] &= (unsigned char)~last_lane(g);
 }
 
 /* -------------------------------------------------------------------- inlet */
