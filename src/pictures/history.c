@@ -36,7 +36,7 @@ static ovr_status time_axis(const ovr_drawing *drawing, ovr_panel *panel,
         double *T = ovr_stored_history(&run[k], "time", run[k].by.time,
                                        drawing->arena, err);
         if (!T)
-            return err ? err->status : OVR_IO;
+            return err && err->status ? err->status : OVR_IO;
         if (steps == 0)
             return ovr_fail(err, OVR_BAD_INPUT, "%s: holds no step yet",
                             run[k].name);
@@ -147,7 +147,7 @@ ovr_status ovr_draw_history(const ovr_drawing *drawing, ovr_chart *chart,
         {"max_pressure", "maximum pressure", OVR_BLUE, false}};
     ovr_panel *panel = ovr_arena_take(drawing->arena, 3, sizeof *panel, err);
     size_t films = drawing->count > 1 ? 2 : 1, k;
-    ovr_axis T;
+    ovr_axis T = {0};
     ovr_status status = panel ? OVR_OK : OVR_NO_MEMORY;
     if (status == OVR_OK)
         status = time_axis(drawing, panel, &T, err);
@@ -256,7 +256,7 @@ ovr_status ovr_draw_trace(const ovr_drawing *drawing, ovr_chart *chart,
         {"central_film_thickness", "film thickness at x = 0", OVR_AMBER, true}};
     ovr_panel *panel = ovr_arena_take(drawing->arena, 2, sizeof *panel, err);
     bool rough = drawing->runs->roughness && !drawing->options->no_roughness;
-    ovr_axis T;
+    ovr_axis T = {0};
     ovr_status status = panel ? OVR_OK : OVR_NO_MEMORY;
     if (status == OVR_OK)
         status = time_axis(drawing, panel, &T, err);

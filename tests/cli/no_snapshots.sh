@@ -11,9 +11,9 @@ L = 10
 [domain]
 level = 7
 [time]
-end = 40
+end = 10000
 [output]
-at = 39
+at = 9999
 END
 "$OVERROLL" run late.ini -o a.h5 -q &
 run=$!
