@@ -64,13 +64,13 @@ static void deform(void *sim)
 {
     ovr_simulation *s = sim;
     s->grids.kernels->deformation(&s->finest->mlmi, s->finest->f.P,
-                                  s->finest->w);
+                                  s->finest->f.w);
 }
 
 static void cycle(void *sim)
 {
     ovr_simulation *s = sim;
-    ovr_cycle(&s->grids, s->finest);
+    ovr_cycle(&s->grids, s->finest, ovr_simulation_cycling(s, 0));
 }
 
 static void solve(void *sim)
