@@ -287,7 +287,10 @@ demo: $(PROGRAM) ## roll a dent through a contact: result file and picture
 	@OVERROLL='$(PROGRAM)' tools/run-demo $(BUILD)/demo
 
 pictures: demo ## the pictures of README.md, into tools/pictures
-	@cp $(BUILD)/demo/dent.png tools/pictures/dent.png
+	@OVERROLL='$(PROGRAM)' tools/examples/gear
+	@$(PROGRAM) plot build/examples/gear.h5 --kind stress --at '0.36 ms' \
+	  --h-max 0.6um -o tools/pictures/gear.png --force -q \
+	  --title 'A ground gear tooth: pressure, starved film, temperatures, stress'
 	@$(PROGRAM) frames $(BUILD)/demo/dent.h5 --movie tools/pictures/dent.gif \
 	  --every 4 --time 3:6.4 --p-max 5 --rate 20 --size 800x450 --force \
 	  --title 'A dent passes through the contact of two steel rollers'
