@@ -168,7 +168,7 @@ static bool is_late(void *calls)
 static void run_killed(ovr_case *c, const char *path)
 {
     pid_t child = fork();
-    int how_it_ended;
+    int how_it_ended = 0;
     if (child == 0) {
         int calls = 0;
         ovr_run_options how = ovr_run_options_default();
