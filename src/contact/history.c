@@ -30,6 +30,7 @@ struct ovr_history {
     ovr_history_form form;
     gsl_interp *interp; /* table only */
     double *T, *value;
+    double least; /* of all values before they are scaled */
     double scale; /* on all values */
     ovr_arena arena;
 };
@@ -124,6 +125,27 @@ static ovr_status make_table(ovr_history *history, const ovr_history_form *form,
     return history->interp ? OVR_OK : OVR_NO_MEMORY;
 }
 
+static double table_least(const ovr_history *history)
+{
+    double least = history->value[0];
+    for (size_t i = 1; i < history->form.points; i++)
+        least = fmin(least, history->value[i]);
+    return least;
+}
+
+static double least(const ovr_history *history)
+{
+    const ovr_history_form *form = &history->form;
+    switch (form->kind) {
+    case OVR_HISTORY_TABLE: return table_least(history);
+    case OVR_HISTORY_SINE: return form->mean - fabs(form->amplitude);
+    case OVR_HISTORY_RAMP:
+    case OVR_HISTORY_STEP: return fmin(form->from, form->to);
+    case OVR_HISTORY_CONSTANT: break;
+    }
+    return 1;
+}
+
 ovr_history *ovr_history_create(const ovr_history_form *given,
                                 const ovr_allocator *allocator, ovr_error *err)
 {
@@ -144,6 +166,7 @@ ovr_history *ovr_history_create(const ovr_history_form *given,
         ovr_history_free(history);
         return NULL;
     }
+    history->least = least(history);
     return history;
 }
 
@@ -247,24 +270,9 @@ bool ovr_history_varies(const ovr_history *history)
     return history && history->form.kind != OVR_HISTORY_CONSTANT;
 }
 
-static double table_least(const ovr_history *history)
-{
-    double least = history->value[0];
-    for (size_t i = 1; i < history->form.points; i++)
-        least = fmin(least, history->value[i]);
-    return least;
-}
-
 double ovr_history_least(const ovr_history *history)
 {
-    const ovr_history_form *form = history ? &history->form : NULL;
-    if (!ovr_history_varies(history))
-        return history ? history->scale : 1;
-    if (form->kind == OVR_HISTORY_TABLE)
-        return history->scale * table_least(history);
-    return history->scale * (form->kind == OVR_HISTORY_SINE
-                                 ? form->mean - fabs(form->amplitude)
-                                 : fmin(form->from, form->to));
+    return history ? history->scale * history->least : 1;
 }
 
 bool ovr_history_turns(const ovr_history *history)
