@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll help pairs: what does not go together, and why. */
 #include <stdio.h>
-#include <string.h>
 
 #include "cli/cli.h"
 
@@ -14,33 +13,32 @@ static void place(ovr_part part, size_t size, char *text)
              whole ? "" : info.key);
 }
 
-int cli_help_pairs(void)
+static void put_refusals(bool roff)
 {
     const ovr_refusal *r;
-    puts("What does not go together is refused before anything is solved. "
-         "Every other\npair works; what is not written gives way by itself.\n");
     for (size_t k = 0; (r = ovr_refusal_at(k)); k++) {
         char where[40];
         place(r->part, sizeof where, where);
-        printf("  %s beside %s\n        %s: %s\n        since %s\n",
+        printf(roff ? ".TP\n.B %s beside %s\n%s must be %s: %s.\n"
+                    : "  %s beside %s\n        %s: %s\n        since %s\n",
                ovr_part_at(r->part).name, ovr_part_at(r->beside).name, where,
                r->instead, r->why);
     }
+}
+
+int cli_help_pairs(void)
+{
+    puts("What does not go together is refused before anything is solved. "
+         "Every other\npair works; what is not written gives way by itself.\n");
+    put_refusals(false);
     return CLI_DONE;
 }
 
 void cli_roff_pairs(void)
 {
-    const ovr_refusal *r;
     puts(".SH WHAT GOES WITH WHAT\n"
          "Every two parts of a case work together but for these, which are "
          "refused\nbefore anything is solved where both are written; what is "
          "not written gives\nway.");
-    for (size_t k = 0; (r = ovr_refusal_at(k)); k++) {
-        char where[40];
-        place(r->part, sizeof where, where);
-        printf(".TP\n.B %s beside %s\n%s must be %s: %s.\n",
-               ovr_part_at(r->part).name, ovr_part_at(r->beside).name, where,
-               r->instead, r->why);
-    }
+    put_refusals(true);
 }
