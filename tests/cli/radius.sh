@@ -86,11 +86,6 @@ differ() {
 differ c d || fail 'in sliding it matters'
 differ a b && fail 'in rolling it does not'
 
-content() {
-    "$OVERROLL" export "$1" >history.txt &&
-        "$OVERROLL" export "$1" --all >snapshots.txt &&
-        cat history.txt snapshots.txt
-}
 killed() {
     "$OVERROLL" "$@" -q &
     pid=$!

@@ -21,12 +21,6 @@ start = -3.9
 every = 2
 END
 
-# The file as text, without dates.
-content() {
-    "$OVERROLL" export "$1" >history.txt &&
-        "$OVERROLL" export "$1" --all >snapshots.txt &&
-        cat history.txt snapshots.txt
-}
 same() {
     content "$1" >1.txt
     content "$2" >2.txt

@@ -35,11 +35,6 @@ awk 'BEGIN {
     }
 }' >law.csv
 
-content() {
-    "$OVERROLL" export "$1" >history.txt &&
-        "$OVERROLL" export "$1" --all >snapshots.txt &&
-        cat history.txt snapshots.txt
-}
 killed() {
     "$OVERROLL" "$@" -q &
     pid=$!

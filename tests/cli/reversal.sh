@@ -35,12 +35,6 @@ start = 1
 every = 4
 END
 
-content() {
-    "$OVERROLL" export "$1" >history.txt &&
-        "$OVERROLL" export "$1" --all >snapshots.txt &&
-        cat history.txt snapshots.txt
-}
-
 # Cu = 0 at T = 8/7, the end of a step
 for scheme in upstream1 upstream2 characteristic; do
     set -- run cam.ini -q --force --set time.scheme=$scheme \

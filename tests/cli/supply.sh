@@ -55,11 +55,6 @@ contains out '"X_meniscus": null'
 near film_ratio 1 1e-12
 
 # A run, and the same in two pieces
-content() {
-    "$OVERROLL" export "$1" >history.txt &&
-        "$OVERROLL" export "$1" --all >snapshots.txt &&
-        cat history.txt snapshots.txt
-}
 expect 0 "$OVERROLL" run dent.ini -o whole.h5 -q
 expect 0 "$OVERROLL" run dent.ini -o part.h5 -q --set time.end=1
 expect 0 "$OVERROLL" resume part.h5 -q --set time.end=2

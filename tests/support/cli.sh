@@ -72,3 +72,10 @@ refuses() {
     [ "$(wc -l <err)" -eq 1 ] || fail "'$*' says not one line: $(cat err)"
     contains err "$pattern"
 }
+
+# content FILE: all that a result file says of its run, as text without dates.
+content() {
+    "$OVERROLL" export "$1" >history.txt &&
+        "$OVERROLL" export "$1" --all >snapshots.txt &&
+        cat history.txt snapshots.txt
+}
