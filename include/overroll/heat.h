@@ -59,6 +59,8 @@ typedef struct ovr_heat {
     double expansion;    /* 1/K */
     bool density_expands;
     double S0, C, beta; /* C = 0: not Roelands */
+    double A;           /* 5.9e8 Pa/ph: density expands by 1/K times
+                           A^2/((A + P)(A + 1.34 P)); 0: the same at all P */
 } ovr_heat;
 OVR_SIZED(ovr_heat)
 

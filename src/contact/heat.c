@@ -57,6 +57,7 @@ static void make_numbers(const ovr_heat_form *form, const ovr_contact *c,
     heat->conduction = oil->conductivity * c->radius * c->radius /
                        (capacity * c->um * c->b * c->b * c->b);
     heat->expansion = form->expansion;
+    heat->A = 5.9e8 / c->ph;
     heat->density_expands = form->density_expands;
     heat->least_peclet = 5;
     for (int k = 0; k < 2; k++) {

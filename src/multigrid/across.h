@@ -43,7 +43,13 @@
  *     eps <- psi_e eps,  psi_e = 3 (m_2 - m_1^2/m_0),  eps with eta_m
  *     psi_c = psi_e/m_0:  t = -(V/12) psi_c rho H^2/eps without pressure flow
  *     wedge of q <- wedge of q (1 + D),  D = (V/2) m_1/m_0
- *     rho <- rho (1 - bT T_m), where density expands
+ *     rho <- rho (1 - bT A^2/((A + P)(A + 1.34 P)) T_m), where density expands
+ *
+ * The fraction is the compressibility of Dowson and Higginson over that at
+ * P = 0: bT over compressibility, (dp/dT) at constant volume, hardly changes
+ * with pressure.  With bT the same everywhere oil of some GPa would, heated by
+ * being pressed, swell by more than it is pressed together: nothing holds such
+ * a film, and temperatures of thousands of kelvins came out.
  *
  * Gravity, heat along x and flow across the film are left out: below 0.2 % of
  * the film.

@@ -58,6 +58,14 @@ static double fall(const ovr_columns *c, double log_eta,
            (a > 1e-3 ? tanh(a) / a : 1);
 }
 
+/* By which density falls for each kelvin. */
+static double swelling(const ovr_heat *heat, double P)
+{
+    double A = heat->A;
+    double part = A > 0 ? A * A / ((A + P) * (A + 1.34 * P)) : 1;
+    return heat->expansion * part;
+}
+
 /* What Reynolds' equation gets. */
 static void put_fields(const ovr_columns *c, const ovr_flow_across *flow,
                        size_t i)
@@ -69,7 +77,7 @@ static void put_fields(const ovr_columns *c, const ovr_flow_across *flow,
     c->th[i] = ovr_heat_log_viscosity(c->heat, 1, flow->mean) - at_0;
     c->shift[i] = -at_0 * INV_LN2 + log2(psi);
     c->drag[i] = psi / flow->m[0];
-    c->swell[i] = fmax(1 - c->heat->expansion * flow->mean, 0.5);
+    c->swell[i] = fmax(1 - swelling(c->heat, c->P[i]) * flow->mean, 0.5);
     c->turned[i] = c->V / 2 * skew * c->q[i];
 }
 

@@ -20,7 +20,7 @@
  *     th = (T0 - 138 K + T_m)^(-S0)/...,  log2(1/eta) <- th log2(1/eta) + shift
  *     shift = (1 - th) C/ln 2 + log2 psi_e      Roelands
  *     shift = beta T_m/ln 2 + log2 psi_e, th = 1    others
- *     rho <- rho (1 - bT T_m), where density expands
+ *     rho <- rho swell, where density expands (across.h)
  *     F = wedge of q D, at um = 1: of q (V/2) m_1/m_0
  *
  * go down to all grids by injection, F to the finest alone.

@@ -64,7 +64,8 @@ static void fill(films *f, size_t n, int points, uint64_t *seed)
                          .expansion = 6e-4,
                          .S0 = test_random(seed, 0.5, 1.5),
                          .beta = 0.03,
-                         .C = 6.5};
+                         .C = 6.5,
+                         .A = test_random(seed, 0.3, 1)};
     c->lambda = test_random(seed, 1e-3, 1);
     c->V = test_random(seed, -2, 2);
     c->u1 = 1 + c->V / 2;
@@ -411,6 +412,40 @@ static void viscosities_agree(void **state)
     }
 }
 
+/* Expansion over compressibility, by the slope of the density law, is the same
+ * at all pressures; and oil of 5 GPa and 1000 K, heated by being pressed, gets
+ * denser by it: (1/rho) d rho/dP > bT dT/dP, dT/dP = Theta bT (T0 + T). */
+static void pressed_oil_gets_denser(void **state)
+{
+    static films f;
+    ovr_lubricant dh = {
+        .size = sizeof dh, .density_law = OVR_DOWSON_HIGGINSON, .A = 0.59};
+    const double h = 1e-4, T = 50, bT = 6.5e-4;
+    uint64_t seed = 11;
+    (void)state;
+    fill(&f, MOST, 5, &seed);
+    f.heat.A = dh.A;
+    f.heat.expansion = bT;
+    f.heat.theta = 1e9 / (870 * 2000.0); /* ph = 1 GPa */
+    for (size_t i = 0; i < f.c.n; i++) {
+        f.in[1][i] = 5.0 * (double)(i + 1) / MOST;
+        for (int j = 0; j < 5; j++)
+            f.in[8 + j][i] = T;
+    }
+    for (int k = 0; test_kernels(k); k++) {
+        test_kernels(k)->flow_across(&f.c);
+        for (size_t i = 1; i + 1 < f.c.n; i++) {
+            double P = f.c.P[i], swells = (1 - f.c.swell[i]) / T;
+            double dense = log(ovr_density(&dh, P + h) /
+                               ovr_density(&dh, P - h)) /
+                           (2 * h);
+            double at_0 = 0.34 / dh.A;
+            CHECK_CLOSE(swells / dense, bT / at_0, 1e-5);
+            assert_true(swells * f.heat.theta * bT * 1000 < dense);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -421,6 +456,7 @@ int main(void)
         cmocka_unit_test(slab_conducts),
         cmocka_unit_test(couette_heats),
         cmocka_unit_test(swapped_films_mirror),
+        cmocka_unit_test(pressed_oil_gets_denser),
         cmocka_unit_test(feet_agree),
         cmocka_unit_test(viscosities_agree),
     };
