@@ -209,6 +209,25 @@ void ovr_heat_step(ovr_simulation *sim, double dT)
     ovr_nodes_read(sim, sim->finest, sim->finest->f.F, s->F);
 }
 
+/* No further from the last P than it may have come: as it moved there and
+ * beside it in the step before, and some. */
+static void hold_guess(ovr_simulation *sim)
+{
+    const double share = 0.05, low = 0.01 /* ph */, again = 0.7;
+    const double *P1 = sim->past.P[0], *P2 = sim->past.P[1];
+    double *P = sim->now.P, before = 0, here = fabs(P1[0] - P2[0]);
+    size_t n = sim->now.n;
+    for (size_t i = 0; sim->past.steps && i < n; i++) {
+        double after = i + 1 < n ? fabs(P1[i + 1] - P2[i + 1]) : 0;
+        double change = before > here ? before : here;
+        change = after > change ? after : change;
+        double far = share * (P1[i] + low) + again * change, d = P[i] - P1[i];
+        P[i] = P1[i] + (d > far ? far : d < -far ? -far : d);
+        before = here;
+        here = after;
+    }
+}
+
 /* How fast the guess presses the oil. */
 static void find_P_T(ovr_simulation *sim)
 {
@@ -264,6 +283,7 @@ void ovr_heat_try(ovr_simulation *sim, bool first)
 {
     withdraw(sim);
     ovr_simulation_read(sim);
+    hold_guess(sim);
     solve(sim);
     if (first)
         ovr_heat_relax(sim, SHARE);

@@ -5,10 +5,17 @@
  *
  * A layer j of the film comes from X - u_j dT, T_j' is what is there a step
  * ago; a surface comes from X - int u_k dT with its q and Psi_m (feet.h).  One
- * solve across the film at each node, once a step, with P and H of the guess
- * that the cycles begin from and
+ * solve across the film at each node, once a step, with H of the guess that the
+ * cycles begin from, and its P no further from the P' before than
  *
+ *     |P - P'| <= 0.05 (P' + 0.01) + 0.7 max |P' - P''| there and
+ *                                           beside it
  *     P_T = (P - P')/dT, 0 in the first step and where nothing foretold a jump
+ *
+ * A guess goes wrong by some of P where viscosities change, pressures of such
+ * a guess heat the oil, and its viscosities change: a smooth film at 300 K and
+ * a slip of um went to 1e5 K so, and in 10 cycles a step instead of 4.  What
+ * passes in steps of D does not come near the limit.
  *
  * Viscosities are those of temperatures `used` that go half the way to the new
  * ones; the flow is that by those before the step, so that it lags behind by a
