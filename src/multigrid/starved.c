@@ -31,9 +31,8 @@ static void try_harder(const ovr_hierarchy *grids, const ovr_level *level,
     c->newton_steps = 2;
 }
 
-/* Cycles until solved or given up. */
-static ovr_defect solve(ovr_hierarchy *grids, const ovr_full *how,
-                        ovr_level *level, int *cycles)
+ovr_defect ovr_content_cycles(ovr_hierarchy *grids, const ovr_full *how,
+                              ovr_level *level, int *cycles)
 {
     enum { PATIENCE = 8 };
     ovr_cycling cycling = how->cycling;
@@ -86,7 +85,7 @@ ovr_defect ovr_flooded(ovr_hierarchy *grids, const ovr_full *how, int *cycles)
     ovr_level *level = &grids->level[grids->finest];
     grids->supplied = false;
     conserve(grids, level);
-    return solve(grids, how, level, cycles);
+    return ovr_content_cycles(grids, how, level, cycles);
 }
 
 /* ------------------------------------------------- flooded on a coarse level
@@ -256,10 +255,10 @@ static ovr_defect nested(ovr_hierarchy *grids, const ovr_full *how, double q,
         fill_dry(level, next);
         close_inlet(grids, level, next);
         before = next;
-        d = solve(grids, how, level, cycles);
+        d = ovr_content_cycles(grids, how, level, cycles);
     }
     return level->number == grids->finest && d.imbalance > 0
-               ? solve(grids, how, level, cycles)
+               ? ovr_content_cycles(grids, how, level, cycles)
                : d;
 }
 
@@ -279,21 +278,44 @@ static void raise_supply(ovr_hierarchy *grids, ovr_level *level, double before,
     close_inlet(grids, level, q);
 }
 
-/* From nine tenths of it, by this part of what lacks to the flooded flow each
- * time: the meniscus of almost all of it is far out in a gap that hardly
- * narrows, and moves by many meshes for a little supply. */
-static ovr_defect approach(ovr_hierarchy *grids, const ovr_full *how,
-                           double wanted, double flow, double part, int *cycles)
+/* Back to a solution: nodes are wet by their pressure, and what is not passes
+ * everywhere. */
+static void put_back(ovr_hierarchy *grids, ovr_level *level, const double *P,
+                     double H0, double q)
 {
-    const double from = 0.9, beyond = 1.0025;
+    ovr_level_write(grids, level, P, level->f.P);
+    grids->H0 = H0;
+    ovr_content_by_pressure(grids, level);
+    fill_dry(level, q);
+    close_inlet(grids, level, q);
+}
+
+/* From nine tenths of it, by a part of what lacks to the flooded flow each
+ * time, half of it from the last solution where that fails: the meniscus of
+ * almost all of it is far out in a gap that hardly narrows, and moves by many
+ * meshes for a little supply. */
+static ovr_defect approach(ovr_hierarchy *grids, const ovr_full *how,
+                           double wanted, double flow, int *cycles)
+{
+    const double from = 0.9, beyond = 1.0025, most = 0.25, least = 0.01;
     ovr_level *level = &grids->level[grids->finest];
-    double q = from * wanted;
+    double q = from * wanted, part = most;
     ovr_defect d = nested(grids, how, q, flow, cycles);
-    while (q < wanted && is_solved(how, level, d)) {
+    if (!is_solved(how, level, d))
+        return d;
+    while (q < wanted && part > least) {
         double next = fmin(wanted, q + part * (beyond * flow - q));
+        double H0 = grids->H0;
+        ovr_level_read(grids, level, level->f.P, how->saved);
         raise_supply(grids, level, q, next);
-        d = solve(grids, how, level, cycles);
-        q = next;
+        d = ovr_content_cycles(grids, how, level, cycles);
+        if (is_solved(how, level, d)) {
+            q = next;
+            part = fmin(1.5 * part, most);
+            continue;
+        }
+        put_back(grids, level, how->saved, H0, q);
+        part *= 0.5;
     }
     if (q < wanted) /* not that of this supply */
         d.imbalance = INFINITY;
@@ -303,15 +325,13 @@ static ovr_defect approach(ovr_hierarchy *grids, const ovr_full *how,
 ovr_defect ovr_starve(ovr_hierarchy *grids, const ovr_full *how, double q,
                       int *cycles)
 {
-    static const double parts[] = {0.25, 0.12, 0.05};
     ovr_level *level = &grids->level[grids->finest];
     double flow = ovr_content_leaving(level), H0 = grids->H0;
     ovr_level_read(grids, level, level->f.P, how->saved);
     ovr_defect d = nested(grids, how, q, flow, cycles);
-    for (int k = 0; k < 3 && !is_solved(how, level, d); k++) {
-        ovr_level_write(grids, level, how->saved, level->f.P);
-        grids->H0 = H0;
-        d = approach(grids, how, q, flow, parts[k], cycles);
-    }
-    return d;
+    if (is_solved(how, level, d))
+        return d;
+    ovr_level_write(grids, level, how->saved, level->f.P);
+    grids->H0 = H0;
+    return approach(grids, how, q, flow, cycles);
 }

@@ -18,6 +18,11 @@
 
 #include "multigrid/full.h"
 
+/* Cycles until the film of a level is solved or given up, with more sweeps and
+ * a finer coarsest grid where they stall. */
+ovr_defect ovr_content_cycles(ovr_hierarchy *grids, const ovr_full *how,
+                              ovr_level *level, int *cycles);
+
 /* From the flooded pressure of the Reynolds equation on the finest level: its
  * contents, and cycles until it is solved. */
 ovr_defect ovr_flooded(ovr_hierarchy *grids, const ovr_full *how, int *cycles);
