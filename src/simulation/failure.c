@@ -65,10 +65,16 @@ static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
                     sim->finest->number + more);
 }
 
-/* R was 1e-5 to 20 where surfaces touch, 1e6 where a solve had diverged. */
+/* R was 1e-5 to 20 where surfaces touch, 1e6 where a solve had diverged.  No
+ * deeper than what stands up there and a film of nominal load and
+ * speed: beyond, it diverged too. */
 bool ovr_surfaces_overlap(const ovr_simulation *sim, const ovr_defect *d)
 {
-    return !ovr_surfaces_apart(sim) && fabs(d->imbalance) < 1e3;
+    size_t low = sim->grids.kernels->extreme(sim->now.n, 1, sim->now.H);
+    double deep = -sim->now.H[low];
+    double film = ovr_film_central_moes(sim->contact.M, sim->contact.L);
+    return deep >= 0 && fabs(d->imbalance) < 1e3 &&
+           deep < fabs(sim->S[low]) + film;
 }
 
 static ovr_status touching(const ovr_simulation *sim, double T, ovr_error *err)
