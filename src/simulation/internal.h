@@ -208,16 +208,21 @@ bool ovr_conserves(const ovr_simulation *sim);
 
 /* With oil conserved: the history term (content_history.c); contents, states
  * and inlet that a try begins from; the inlet's account of a step that was
- * accepted; the steady solution from the flooded one of the Reynolds equation;
- * what is observed (supply.c). */
+ * accepted; what is observed (supply.c). */
 void ovr_content_history(ovr_simulation *sim, double dT, const double c[2]);
 void ovr_supply_step(ovr_simulation *sim, double dT);
 void ovr_supply_try(ovr_simulation *sim);
 void ovr_supply_taken(ovr_simulation *sim, double dT);
-ovr_defect ovr_supply_steady(ovr_simulation *sim, const ovr_full *how,
-                             int *cycles);
 void ovr_supply_observe(const ovr_simulation *sim, double dT,
                         ovr_observation *o);
+
+/* The steady film with oil conserved: flooded, from the Reynolds equation's;
+ * whether less arrives than that takes; with what arrives. */
+ovr_defect ovr_supply_flooded(ovr_simulation *sim, const ovr_full *how,
+                              int *cycles);
+bool ovr_supply_lacks(ovr_simulation *sim);
+ovr_defect ovr_supply_starve(ovr_simulation *sim, const ovr_full *how,
+                             int *cycles);
 
 /* Memory for the characteristic scheme, and its history term
  *     F_i = c1 q^k(X_i - a1) + c2 q^{k-1}(X_i - a2). */

@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "multigrid/film_end.h"
+#include "multigrid/starved.h"
 #include "simulation/heat_in_time.h"
 #include "simulation/heat_turns.h"
 #include "simulation/mirror.h"
@@ -153,6 +154,8 @@ static ovr_defect finish(ovr_simulation *sim, const ovr_full *how, int *cycles)
     ovr_full last = *how;
     last.tolerance = tolerance_at;
     last.fixed = false;
+    if (sim->grids.conserving)
+        return ovr_content_cycles(&sim->grids, &last, sim->finest, cycles);
     ovr_level_refresh(&sim->grids, sim->finest);
     return ovr_full_cycles(&sim->grids, sim->finest, &last, cycles);
 }
@@ -239,7 +242,7 @@ static ovr_defect solve(ovr_simulation *sim, const ovr_full *how, int *cycles)
     return solve_and_correct(sim, how, cycles);
 }
 
-/* From the isothermal film, until neither changes. */
+/* From the film for other temperatures, until neither changes. */
 static void solve_heat(ovr_simulation *sim, const ovr_full *how,
                        ovr_outcome *outcome)
 {
@@ -258,8 +261,6 @@ static void solve_heat(ovr_simulation *sim, const ovr_full *how,
     }
     if (!(change < enough))
         outcome->defect.imbalance = fmax(outcome->defect.imbalance, change);
-    if (!sim->finest->closed)
-        sim->arrival.flooded = outcome->defect.centre;
 }
 
 /* The past of a run that was steady before T = 0. */
@@ -326,8 +327,19 @@ static double tolerance_of(const ovr_simulation *sim,
     return tolerance_at(sim, sim->finest, outcome->defect.centre);
 }
 
-/* By one strategy, from the beginning: flooded, isothermal, on the whole
- * domain's grids; then with the supply, with heat or with patches. */
+/* The film as it is now, and heat where there is some. */
+static bool found_with_heat(ovr_simulation *sim, const ovr_full *how,
+                            ovr_outcome *outcome)
+{
+    ovr_simulation_read(sim);
+    if (sim->heated && finished(sim, outcome, tolerance_of(sim, outcome)))
+        solve_heat(sim, how, outcome);
+    return finished(sim, outcome, tolerance_of(sim, outcome));
+}
+
+/* By one strategy, from the beginning: flooded and isothermal, on the whole
+ * domain's grids; then with heat; with the supply, which may be more than the
+ * hot film takes and less than the cold one; or with patches. */
 static void attempt(ovr_simulation *sim, const ovr_full *how,
                     ovr_outcome *outcome)
 {
@@ -338,12 +350,13 @@ static void attempt(ovr_simulation *sim, const ovr_full *how,
     sim->grids.conserving = false;
     outcome->defect = solve(sim, how, &outcome->cycles);
     if (ovr_conserves(sim))
-        outcome->defect = ovr_supply_steady(sim, how, &outcome->cycles);
-    ovr_simulation_read(sim);
-    if (!finished(sim, outcome, tolerance_of(sim, outcome)))
+        outcome->defect = ovr_supply_flooded(sim, how, &outcome->cycles);
+    if (!found_with_heat(sim, how, outcome))
         return;
-    if (sim->heated)
-        solve_heat(sim, how, outcome);
+    if (ovr_supply_lacks(sim)) {
+        outcome->defect = ovr_supply_starve(sim, how, &outcome->cycles);
+        found_with_heat(sim, how, outcome);
+    }
     if (sim->refined)
         ovr_refined_solve(sim, how, outcome);
 }

@@ -94,23 +94,34 @@ void ovr_supply_taken(ovr_simulation *sim, double dT)
 
 /* ------------------------------------------------------------------- steady */
 
-ovr_defect ovr_supply_steady(ovr_simulation *sim, const ovr_full *how,
-                             int *cycles)
+ovr_defect ovr_supply_flooded(ovr_simulation *sim, const ovr_full *how,
+                              int *cycles)
 {
     ovr_arrival *a = &sim->arrival;
-    ovr_hierarchy *grids = &sim->grids;
     a->waiting = a->before;
     a->closed = false;
     ovr_level_clear(sim->finest, sim->finest->f.kept);
-    ovr_defect d = ovr_flooded(grids, how, cycles);
-    a->flooded = d.centre;
+    return ovr_flooded(&sim->grids, how, cycles);
+}
+
+bool ovr_supply_lacks(ovr_simulation *sim)
+{
+    ovr_arrival *a = &sim->arrival;
+    if (!ovr_conserves(sim))
+        return false;
+    a->flooded = ovr_level_centre(sim->finest, sim->finest->f.H);
     a->flow = ovr_content_leaving(sim->finest);
     if (!a->supply)
-        return d;
+        return false;
     a->q = a->face = a->supply(a->data, 0);
-    if (!(a->q < a->flow) || isinf(a->before))
-        return d;
-    d = ovr_starve(grids, how, a->q, cycles);
+    return a->q < a->flow && !isinf(a->before);
+}
+
+ovr_defect ovr_supply_starve(ovr_simulation *sim, const ovr_full *how,
+                             int *cycles)
+{
+    ovr_arrival *a = &sim->arrival;
+    ovr_defect d = ovr_starve(&sim->grids, how, a->q, cycles);
     a->closed = sim->finest->closed;
     return d;
 }

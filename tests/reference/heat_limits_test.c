@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Hot films at their limits: supply between what the cold and the hot contact
+ * take, and a film so hot that its viscosities follow every pressure. */
+#include <math.h>
+#include <stdio.h>
+
+#include "overroll/run.h"
+#include "support/test.h"
+
+typedef struct ending {
+    ovr_observation o;
+    ovr_statistics s;
+} ending;
+
+static ending run_to_end(const char *text, bool steady)
+{
+    ovr_run_options how = ovr_run_options_default();
+    ovr_error err = {0};
+    how.steady = steady;
+    ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, &err);
+    ovr_run *run = c ? ovr_run_create(c, &how, NULL, &err) : NULL;
+    if (!run || ovr_run_go(run, &err))
+        fail_msg("%s", err.message);
+    const ovr_simulation *sim = ovr_run_about(run)->sim;
+    ending end = {*ovr_simulation_observation(sim),
+                  *ovr_simulation_statistics(sim)};
+    ovr_run_free(run);
+    ovr_case_free(c);
+    return end;
+}
+
+/* ----------------------------------------------------------------- supply */
+
+/* A steady film, scheme and domain told; supply 0: what is needed, else so much
+ * as it comes in at um. */
+static ending contact(bool hot, double supply)
+{
+    char text[900], film[100] = "";
+    if (supply > 0)
+        snprintf(film, sizeof film,
+                 "[supply]\nmodel = film\nthickness_1 = %.17g\n"
+                 "thickness_2 = %.17g\n",
+                 supply / 2, supply / 2);
+    snprintf(text, sizeof text,
+             "[contact]\nradius = 12.7 mm\nviscosity = 8.9152 mPa.s\n"
+             "M = 27.4\nL = 12.8\nmodulus = 226 GPa\nslide_to_roll = 0.5\n"
+             "[lubricant]\nalpha = 17 1/GPa\np0 = 198 MPa\nz = 0.68\n"
+             "rheology = carreau\ncarreau_form = rate\ncarreau_n = 0.44\n"
+             "carreau_stress = 7.66 MPa\n"
+             "[domain]\nlevel = 6\ninlet = -4\noutlet = 1.5\n"
+             "order = 2\n"
+             "[time]\nscheme = upstream2\n%s"
+             "[cavitation]\nmodel = conserving\n%s",
+             hot ? "[heat]\nmodel = lobatto\ntemperature = 80 degC\n" : "",
+             film);
+    return run_to_end(text, true);
+}
+
+/* The hot inlet lets less through than the cold one: what lies between floods
+ * it, less starves it, and comes through whole. */
+static void supply_between_cold_and_hot(void **state)
+{
+    ending cold = contact(false, 0), hot = contact(true, 0);
+    double taken = hot.o.outflow, cold_taken = cold.o.outflow;
+    (void)state;
+    print_message("the cold contact takes %.6f, the hot one %.6f\n", cold_taken,
+                  taken);
+    assert_true(cold_taken > 1.05 * taken);
+    ending more = contact(true, 0.5 * (taken + cold_taken));
+    CHECK_CLOSE(more.o.outflow, taken, 1e-6);
+    CHECK_CLOSE(more.o.H_cen, hot.o.H_cen, 1e-6);
+    CHECK_CLOSE(more.o.film_ratio, 1, 1e-12);
+    for (int k = 0; k < 2; k++) {
+        ending less = contact(true, (k ? 0.6 : 0.97) * taken);
+        CHECK_CLOSE(less.o.outflow, (k ? 0.6 : 0.97) * taken, 1e-7);
+        CHECK_CLOSE(less.o.film_ratio, less.o.H_cen / hot.o.H_cen, 1e-6);
+        assert_true(less.o.film_ratio < 1 && isfinite(less.o.meniscus));
+    }
+}
+
+/* ---------------------------------------------------------------- runaway */
+
+/* Smooth surfaces, Newtonian oil 270 to 300 K hotter than it came: a pressure
+ * that a guess makes up heats the oil, and the next one is worse.  Nothing here
+ * presses the film by more than the load does. */
+static void hot_film_stays(void **state)
+{
+    ending end = run_to_end(
+        "[contact]\nradius = 12.7 mm\nviscosity = 8.9152 mPa.s\nM = 9.36\n"
+        "L = 13.94\nmodulus = 226 GPa\nslide_to_roll = 1.19\n"
+        "[domain]\nlevel = 7\ninlet = -4\noutlet = 1.5\n"
+        "order = 2\n"
+        "[time]\nscheme = upstream2\nend = 1.2\n"
+        "[heat]\nmodel = lobatto\ntemperature = 80 degC\n"
+        "[load]\nhistory = ramp\nto = 1.4\nstart = 1\nduration = 1\n"
+        "[sliding]\nhistory = sine\namplitude = 0.363\nperiod = 1.52\n",
+        false);
+    (void)state;
+    print_message("P_max %.4f, %.1f K, %ld retries, %.2f cycles a step\n",
+                  end.o.P_max, end.o.T_max_rise, end.s.retries,
+                  (double)end.s.cycles / (double)end.s.steps);
+    assert_true(end.o.P_max < 1.1);
+    assert_true(end.o.T_max_rise < 350);
+    assert_int_equal(end.s.retries, 0);
+    assert_int_equal(end.s.marked, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(supply_between_cold_and_hot),
+        cmocka_unit_test(hot_film_stays)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
