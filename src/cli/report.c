@@ -149,7 +149,8 @@ static void put_friction(const ovr_run_info *s)
             "", s->shear_over_pressure, "", 100 * s->unbearable_share);
 }
 
-/* Where the film begins, and how much of the flooded one it is. */
+/* Where the film begins, and how much of the flooded one it is; what a flooded
+ * contact leaves of the supply. */
 static void put_supply(const ovr_observation *o, const ovr_contact *contact)
 {
     if (!isfinite(o->film_ratio))
@@ -158,6 +159,9 @@ static void put_supply(const ovr_observation *o, const ovr_contact *contact)
     if (isfinite(o->meniscus))
         cli_put_place("; film begins at X", o->meniscus, OVR_KIND_LENGTH,
                       contact);
+    else if (o->supply > 1.01 * o->inflow)
+        printf("; of what arrives it takes %.2g, the rest waits",
+               o->inflow / o->supply);
     putchar('\n');
 }
 

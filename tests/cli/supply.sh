@@ -53,6 +53,8 @@ contains out '^film ratio .* of the flooded film; film begins at X = -1.12'
 expect 0 "$OVERROLL" steady steady.ini --json --set supply.thickness_1=0.3
 contains out '"X_meniscus": null'
 near film_ratio 1 1e-12
+expect 0 "$OVERROLL" steady steady.ini --set supply.thickness_1=0.3
+contains out '; of what arrives it takes 0\.[0-9]+, the rest waits$'
 
 # A run, and the same in two pieces
 expect 0 "$OVERROLL" run dent.ini -o whole.h5 -q
