@@ -94,7 +94,7 @@ endif
 # Kernels (*.kernel.c) are compiled once for each instruction set; the program
 # picks one when it starts.
 # Hints that clang cannot follow everywhere are no mistakes.
-KERNEL_CFLAGS := -O3 -fno-trapping-math -Wno-pass-failed
+KERNEL_CFLAGS := $(if $(SAN),-O1,-O3) -fno-trapping-math -Wno-pass-failed
 ISAS := base $(if $(filter x86_64%,$(MACHINE)),avx2 avx512)
 ISA_base   :=
 ISA_avx2   := -mavx2 -mfma
