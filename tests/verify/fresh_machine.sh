@@ -17,10 +17,14 @@ rm -rf "$machine"/var/lib/apt/lists/*
 cp /etc/resolv.conf "$machine/etc/resolv.conf"
 git clone -q "$TOP" "$machine/overroll" || fail "cannot clone"
 
-# there COMMAND: runs it in the sources on that machine.
+# there COMMAND: runs it in the sources on that machine, whose /proc goes with
+# the command.
 there() {
+    # shellcheck disable=SC2016 # expanded there
     env -i HOME=/root TERM=dumb PATH=/usr/sbin:/usr/bin:/sbin:/bin \
-        chroot "$machine" sh -c "cd /overroll && $1"
+        unshare --mount --propagation private sh -ec \
+        'mount -t proc proc "$0/proc"; exec chroot "$0" sh -c "$1"' \
+        "$machine" "cd /overroll && $1"
 }
 
 expect 127 there make
