@@ -25,7 +25,7 @@ static row row_at(const ovr_level *level, const ovr_fields *f, size_t i)
     return (row){.r = r,
                  .own = A[2],
                  .before = A[1],
-                 .held = row_holds(f, r, w->a[0], J)};
+                 .held = row_holds(f, r, w->hold, J)};
 }
 
 static double clipped(double x, double limit)

@@ -42,6 +42,7 @@ typedef struct ovr_weights {
     double a[3];     /* of q_i, q_{i-1}, q_{i-2} */
     double first[3]; /* in row 1 */
     double half;     /* 1/(2 D^2) */
+    double hold;     /* r over q by which a dry node stays dry */
     /* where oil is conserved (content.h): what limits change, inflow */
     double closed[3]; /* in row 1 of a closed inlet */
     double out, time, source;

@@ -19,6 +19,7 @@ ovr_weights ovr_reynolds_weights(const ovr_operator *op, double D)
         w.first[m] = m < 2 ? op->w_first[m] / D + cT : 0;
     }
     w.half = 0.5 / (D * D);
+    w.hold = 1e-12 * w.a[0];
     w.closed[0] = w.a[0];
     w.closed[1] = -w.a[2];
     w.closed[2] = 0;

@@ -8,17 +8,17 @@
 
 /* The phase of vector J by its residual.  Whether the ends are held is not
  * said. */
-static inline void put_phase(const ovr_fields *f, vec a0, ptrdiff_t J, vec r)
+static inline void put_phase(const ovr_fields *f, vec hold, ptrdiff_t J, vec r)
 {
     put_set(f->wet, J, at(f->P, J) > 0);
-    put_set(f->held, J, row_holds(f, r, a0, J));
+    put_set(f->held, J, row_holds(f, r, hold, J));
 }
 
 static INLINE void put_row(const ovr_fields *f, const row_weights *c,
                            ptrdiff_t J)
 {
     vec r = row_residual(f, c, J);
-    put_phase(f, c->a[0], J, r);
+    put_phase(f, c->hold, J, r);
     put(f->r, J, r);
 }
 
@@ -61,9 +61,9 @@ void OVR_KERNEL(phase)(const ovr_lanes *g, const ovr_weights *w,
                        const ovr_fields *f)
 {
     const ovr_fields own = *f;
-    const vec a0 = all(w->a[0]);
+    const vec hold = all(w->hold);
     for (ptrdiff_t J = 0; J < (ptrdiff_t)g->S; J++)
-        put_phase(&own, a0, J, at(own.r, J));
+        put_phase(&own, hold, J, at(own.r, J));
     put_halo_phase(&own, (ptrdiff_t)g->S);
 }
 

@@ -9,7 +9,7 @@
 static void put_phase(const ovr_fields *f, const ovr_weights *w, ptrdiff_t i)
 {
     f->wet[i] = f->P[i] > 0;
-    f->held[i] = row_holds(f, f->r[i], w->a[0], i);
+    f->held[i] = row_holds(f, f->r[i], w->hold, i);
 }
 
 void ovr_residual_plain(const ovr_lanes *g, const ovr_weights *w,

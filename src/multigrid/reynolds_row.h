@@ -33,14 +33,16 @@
 /* The weights of a row: of q_i, q_{i-1}, q_{i-2}, and 1/(2 D^2); whether there
  * is a flow law, a constant for the compiler in kernels. */
 typedef struct row_weights {
-    num a[3], half;
+    num a[3], half, hold;
     bool thins;
 } row_weights;
 
 static inline row_weights row_inner(const ovr_weights *w, bool thins)
 {
-    return (row_weights){
-        {all(w->a[0]), all(w->a[1]), all(w->a[2])}, all(w->half), thins};
+    return (row_weights){{all(w->a[0]), all(w->a[1]), all(w->a[2])},
+                         all(w->half),
+                         all(w->hold),
+                         thins};
 }
 
 /* Row 1, the first of its vector, has no q_{-1}: its wedge is of first
@@ -97,13 +99,15 @@ static inline num row_outflow(const ovr_fields *f, bool thins, num half,
  * Whether a node is held dry: P = 0, and the row does not want it to rise.
  * With room for rounding, which is some 1e-16 of the row's largest term, a0 q:
  * on coarse grids the residual of a dry node is nothing else, and its sign
- * would pick wet or dry at random (1e-14 to 1e-10 all work).  The outflow
+ * would pick wet or dry at random (1e-14 to 1e-10 all work).  A coarse grid
+ * solved twice (W) moves a node at the film's end to and fro for 1e-7 of it:
+ * there 1e-6 hold it, and the finest grid has the last word.  The outflow
  * d_i P_i is no measure of it: far out, where eps/D^2 is 1e10, it would hold
  * hundreds of nodes that all want to rise.
  */
-static inline truth row_holds(const ovr_fields *f, num r, num a0, ptrdiff_t J)
+static inline truth row_holds(const ovr_fields *f, num r, num hold, ptrdiff_t J)
 {
-    truth dry = at(f->P, J) <= 0, content = r >= -1e-12 * a0 * at(f->q, J);
+    truth dry = at(f->P, J) <= 0, content = r >= -hold * at(f->q, J);
     return dry & content;
 }
 

@@ -110,6 +110,22 @@ static void test_two_w_suffice(void **state)
     }
 }
 
+/* On fine grids too W cycles leave less than V cycles do: coarse grids are
+ * solved twice. */
+static void test_two_w_leave_less(void **state)
+{
+    double left[2];
+    (void)state;
+    for (int index = 1; index <= 2; index++) {
+        ovr_options o = fixed(13, index, false);
+        test_solution s = test_steady(20, 10, &o);
+        CHECK_OK(s.status, NULL);
+        left[index - 1] = s.finest.algebraic;
+    }
+    print_message("level 13: 2 V leave %.1e, 2 W %.1e\n", left[0], left[1]);
+    assert_true(left[1] < 0.1 * left[0]);
+}
+
 /* Low loads: 2 V cycles are enough, as the paper says. */
 static void test_two_v_at_low_load(void **state)
 {
@@ -129,6 +145,7 @@ int main(void)
         cmocka_unit_test(test_paper),
         cmocka_unit_test(test_line),
         cmocka_unit_test(test_two_w_suffice),
+        cmocka_unit_test(test_two_w_leave_less),
         cmocka_unit_test(test_two_v_at_low_load),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
