@@ -134,7 +134,7 @@ static void of_steps(ovr_scheme scheme, const char *const was[STEPS])
 static void of_ten_steps(void **state)
 {
     static const char *const upstream1[STEPS] = {
-        "6.0e-03 1.9e-04 9.8e-07", "2.1e-02 1.0e-04 6.5e-07",
+        "6.0e-03 2.6e-04 1.3e-06", "2.1e-02 1.0e-04 6.8e-07",
         "6.9e-04 2.4e-06 1.4e-08", "6.3e-01 1.8e-03 9.3e-06",
         "2.2e-01 1.0e-03 5.3e-06", "8.5e-02 5.0e-04 2.6e-06",
         "3.5e-02 2.3e-04 1.2e-06", "1.4e-02 1.1e-04 5.4e-07",
@@ -146,7 +146,7 @@ static void of_ten_steps(void **state)
         "1.3e-01 2.3e-04 1.5e-06", "1.6e-02 4.5e-05 4.7e-07",
         "1.3e-02 2.0e-05 1.6e-07", "1.0e-02 1.6e-05 1.1e-07"};
     static const char *const characteristic[STEPS] = {
-        "6.9e-03 3.1e-05 3.1e-07", "1.1e-02 3.8e-05 4.3e-07",
+        "6.9e-03 3.1e-05 3.1e-07", "1.1e-02 4.0e-05 4.4e-07",
         "6.7e-04 1.6e-06",         "1.6e-03 5.4e-06",
         "4.2e-01 9.7e-04 3.3e-06", "3.5e-01 4.8e-04 1.1e-06",
         "1.6e-01 1.7e-04 2.2e-07", "3.2e-02 3.5e-05 1.2e-07",
