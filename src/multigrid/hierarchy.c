@@ -184,7 +184,7 @@ void ovr_hierarchy_operator(ovr_hierarchy *grids, const ovr_operator *op)
     grids->op = *op;
     for (int l = grids->coarsest; l <= grids->finest; l++) {
         ovr_level_operator(op, &grids->level[l]);
-        if (l < grids->finest) /* reynolds_row.h */
+        if (l < grids->finest && !op->transient) /* reynolds_row.h */
             grids->level[l].weights.hold *= 1e6;
     }
 }
