@@ -60,8 +60,20 @@ static void descend(ovr_hierarchy *grids, ovr_level *level,
     }
 }
 
+/* Dry nodes of coarse grids that are solved twice (reynolds_row.h). */
+static void hold_coarse(ovr_hierarchy *grids, const ovr_level *finest)
+{
+    const double share = 1e-6;
+    for (int l = grids->coarsest; l < finest->number; l++) {
+        ovr_weights *w = &grids->level[l].weights;
+        w->hold = share * w->a[0];
+    }
+}
+
 void ovr_cycle(ovr_hierarchy *grids, ovr_level *level, ovr_cycling how)
 {
+    if (how.index > 1 && !grids->op.transient)
+        hold_coarse(grids, level);
     descend(grids, level, &how);
     ovr_level_refresh(grids, level);
     offer(grids, level, &how, OVR_AFTER_CYCLE);

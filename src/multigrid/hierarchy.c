@@ -182,11 +182,8 @@ void ovr_level_operator(const ovr_operator *op, ovr_level *level)
 void ovr_hierarchy_operator(ovr_hierarchy *grids, const ovr_operator *op)
 {
     grids->op = *op;
-    for (int l = grids->coarsest; l <= grids->finest; l++) {
+    for (int l = grids->coarsest; l <= grids->finest; l++)
         ovr_level_operator(op, &grids->level[l]);
-        if (l < grids->finest && !op->transient) /* reynolds_row.h */
-            grids->level[l].weights.hold *= 1e6;
-    }
 }
 
 void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level)
