@@ -355,7 +355,8 @@ static void attempt(ovr_simulation *sim, const ovr_full *how,
         return;
     if (ovr_supply_lacks(sim)) {
         outcome->defect = ovr_supply_starve(sim, how, &outcome->cycles);
-        found_with_heat(sim, how, outcome);
+        if (!found_with_heat(sim, how, outcome))
+            return;
     }
     if (sim->refined)
         ovr_refined_solve(sim, how, outcome);

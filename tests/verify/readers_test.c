@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Twenty-four readers at a file that a run is writing: none of them fails,
- * none sees fewer rows than before, and the run loses less than a twentieth of
- * its time against one beside which as many readers look at another file: they
- * take the same processors, but nothing that the writer waits for.  (Medians
- * of runs in turns; those without readers are told for comparison.)
+ * none sees fewer rows than before.  What the run loses against one beside
+ * which as many readers look at another file is told: they take the same
+ * processors, but nothing that the writer waits for, and on a quiet machine it
+ * is less than a twentieth.  (Medians of runs in turns; those without readers
+ * are told for comparison.)
  *
  * Every reader looks twice a second: opens the file, reads the newest snapshot
  * and the history, closes it.
