@@ -120,8 +120,11 @@ CLIOBJ  := $(CLISRC:%.c=$(BUILD)/%.o)
 LIB     := $(BUILD)/liboverroll.a
 SHARED  := $(BUILD)/liboverroll.so.$(VERSION)
 PROGRAM := $(BUILD)/overroll
+# What the program knows of itself, put where these two files name it.
+CASE_PAGE  := $(BUILD)/overroll-case.5
+COMPLETION := $(BUILD)/overroll.bash
 
-all: $(PROGRAM) $(LIB) $(SHARED) ## the program and both libraries
+all: $(PROGRAM) $(LIB) $(SHARED) $(CASE_PAGE) $(COMPLETION) ## the program and both libraries
 
 $(PROGRAM): $(CLIOBJ) $(LIB)
 	$(call say,LINK  $@)
@@ -135,6 +138,18 @@ $(SHARED): $(LIBOBJ)
 	$(call say,LINK  $@)
 	$(Q)$(LINK) -shared -Wl,-soname,liboverroll.so.$(SOVER) -o $@ $(LIBOBJ) \
 	  $(OVR_LIBS)
+
+$(CASE_PAGE): src/case/overroll-case.5 $(PROGRAM)
+	$(call say,PAGE  $@)
+	$(Q)$(PROGRAM) help --roff > $@.rows
+	$(Q)sed -e '/^\.\\" PARAMETERS:/{r $@.rows' -e 'd' -e '}' $< > $@
+
+$(COMPLETION): src/cli/overroll.bash $(PROGRAM)
+	$(call say,WORDS $@)
+	$(Q)$(PROGRAM) help --bash > $@.options
+	$(Q)$(PROGRAM) help --bash keys > $@.keys
+	$(Q)sed -e '/^ *# OPTIONS:/{r $@.options' -e 'd' -e '}' \
+	  -e '/^ *# KEYS:/{r $@.keys' -e 'd' -e '}' $< > $@
 
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	$(call say,CC    $<)
@@ -409,8 +424,8 @@ need-lint:
 
 # ------------------------------------------------------------------ install
 
-MAN        := $(wildcard src/*/*.[1357])
-COMPLETION := $(wildcard src/cli/overroll.bash)
+MAN        := $(filter-out src/case/overroll-case.5,$(wildcard src/*/*.[1357])) \
+              $(CASE_PAGE)
 SHARE      := $(DESTDIR)$(PREFIX)/share
 COMPDIR    := $(SHARE)/bash-completion/completions
 
@@ -428,7 +443,7 @@ install: all ## into DESTDIR/PREFIX (/usr/local)
 	  src/overroll.pc.in > '$(DESTDIR)$(LIBDIR)/pkgconfig/overroll.pc'
 	$(foreach m,$(MAN),install -D -m 644 $(m) \
 	  '$(DESTDIR)$(MANDIR)/man$(subst .,,$(suffix $(m)))/$(notdir $(m))' &&) :
-	$(if $(COMPLETION),install -D -m 644 $(COMPLETION) '$(COMPDIR)/overroll')
+	install -D -m 644 $(COMPLETION) '$(COMPDIR)/overroll'
 
 # A Python that has what the package is built with; PYTHON=venv/bin/python puts
 # it there, PIPFLAGS=--user and the like elsewhere.
