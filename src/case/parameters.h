@@ -10,55 +10,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "base/quantity.h"
+#include "base/parameter.h"
 #include "overroll/case.h"
 #include "overroll/oil.h"
-
-typedef enum ovr_kind {
-    OVR_NUMBER,  /* double; words stand for numbers */
-    OVR_INTEGER, /* int; words stand for numbers */
-    OVR_CHOICE,  /* int; one of the words */
-    OVR_FLAG,    /* bool */
-    OVR_TEXT,    /* const char * */
-    OVR_PATH,    /* const char *, relative to the case */
-    OVR_NUMBERS, /* ovr_list, separated by commas */
-    OVR_WORDS    /* unsigned, bit k for the k-th word */
-} ovr_kind;
-
-/* What a bare number is measured in. */
-typedef enum ovr_hertzian {
-    OVR_NOT_HERTZIAN,
-    OVR_IN_B,        /* length along x */
-    OVR_IN_HEIGHT,   /* b^2/R */
-    OVR_IN_TIME,     /* b/um */
-    OVR_IN_PRESSURE, /* ph */
-    OVR_IN_AREA      /* b^3/R */
-} ovr_hertzian;
-
-typedef struct ovr_word {
-    const char *name; /* NULL ends a list */
-    double value;
-} ovr_word;
-
-typedef struct ovr_parameter {
-    const char *section, *key;
-    ovr_kind kind;
-    ovr_dimension dimension; /* of numbers */
-    ovr_hertzian hertzian;
-    double least, most; /* SI or bare */
-    bool above;         /* `least` itself is refused */
-    const ovr_word *words;
-    const char *initial; /* NULL: not given */
-    size_t place;        /* in ovr_settings; of a feature in its form */
-    bool physics;        /* another value is another solution */
-    const char *help;
-} ovr_parameter;
-
-typedef struct ovr_section {
-    const char *name;
-    bool named; /* [feature NAME], any number */
-    const char *help;
-} ovr_section;
 
 /* How load or speed change. */
 typedef struct ovr_change {

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A row of the table of parameters, and a section of a case: what a key is
+ * called, what it may be, and where its value goes.  The rows of the case
+ * stand in case/parameters.c, those of a physics in its record
+ * (simulation/physics.h), which is why their type lies below both.
+ */
+#ifndef OVR_BASE_PARAMETER_H
+#define OVR_BASE_PARAMETER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/quantity.h"
+
+typedef enum ovr_kind {
+    OVR_NUMBER,  /* double; words stand for numbers */
+    OVR_INTEGER, /* int; words stand for numbers */
+    OVR_CHOICE,  /* int; one of the words */
+    OVR_FLAG,    /* bool */
+    OVR_TEXT,    /* const char * */
+    OVR_PATH,    /* const char *, relative to the case */
+    OVR_NUMBERS, /* ovr_list, separated by commas */
+    OVR_WORDS    /* unsigned, bit k for the k-th word */
+} ovr_kind;
+
+/* What a bare number is measured in. */
+typedef enum ovr_hertzian {
+    OVR_NOT_HERTZIAN,
+    OVR_IN_B,        /* length along x */
+    OVR_IN_HEIGHT,   /* b^2/R */
+    OVR_IN_TIME,     /* b/um */
+    OVR_IN_PRESSURE, /* ph */
+    OVR_IN_AREA      /* b^3/R */
+} ovr_hertzian;
+
+typedef struct ovr_word {
+    const char *name; /* NULL ends a list */
+    double value;
+} ovr_word;
+
+typedef struct ovr_parameter {
+    const char *section, *key;
+    ovr_kind kind;
+    ovr_dimension dimension; /* of numbers */
+    ovr_hertzian hertzian;
+    double least, most; /* SI or bare */
+    bool above;         /* `least` itself is refused */
+    const ovr_word *words;
+    const char *initial; /* NULL: not given */
+    size_t place;        /* in the form that its section fills */
+    bool physics;        /* another value is another solution */
+    const char *help;
+} ovr_parameter;
+
+typedef struct ovr_section {
+    const char *name;
+    bool named; /* [feature NAME], any number */
+    const char *help;
+} ovr_section;
+
+#endif
