@@ -120,6 +120,7 @@ void ovr_heat_reset(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
     ovr_heat_march_begin(sim);
+    ovr_heat_march_columns(sim);
     h->steps->trying = false;
     h->steps->dT = 0;
     for (size_t i = 0; i < sim->now.n; i++) {

@@ -63,6 +63,10 @@ void ovr_heat_reset(ovr_simulation *sim);
 /* Speeds of the surfaces at T = 0, and their memories from node to node. */
 void ovr_heat_march_begin(ovr_simulation *sim);
 
+/* The film's columns are those of a steady film, entered from node to node:
+ * before the first march too, as a solve may be given up before it. */
+void ovr_heat_march_columns(ovr_simulation *sim);
+
 /* Temperatures of the film that was read last, with viscosities by `used`. */
 void ovr_heat_march(ovr_simulation *sim);
 

@@ -346,5 +346,9 @@ void ovr_heat_restored(ovr_simulation *sim)
         for (int j = 0; j < h->across.n; j++)
             h->mean[i] += h->across.w[j] * h->T[j][i];
     }
+    if (!(h->steps->dT > 0)) { /* the steady start */
+        ovr_heat_march_begin(sim);
+        ovr_heat_march_columns(sim);
+    }
     keep(sim);
 }

@@ -80,11 +80,10 @@ static void against(ovr_simulation *sim)
         solve_node(sim, i, &m);
 }
 
-static void prepare(ovr_simulation *sim)
+void ovr_heat_march_columns(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
     ovr_columns *c = &h->film;
-    ovr_heat_film(sim);
     c->P_T = NULL;
     c->least_u = LEAST_SPEED;
     c->both_ways = opposed(h);
@@ -102,7 +101,8 @@ static void prepare(ovr_simulation *sim)
 void ovr_heat_march(ovr_simulation *sim)
 {
     enum { PAIRS = 2 };
-    prepare(sim);
+    ovr_heat_film(sim);
+    ovr_heat_march_columns(sim);
     if (!opposed(sim->heated))
         (sim->heated->film.back ? all_against : along)(sim);
     for (int k = 0; opposed(sim->heated) && k < PAIRS; k++) {

@@ -127,3 +127,26 @@ expect 0 "$OVERROLL" steady hot.ini --set 'contact.mean_speed=8.7 m/s' \
     --set contact.slide_to_roll=1.5 --set 'lubricant.eyring_stress=15 MPa'
 contains err 'heat: the film is up to'
 expect 0 "$OVERROLL" steady newtonian.ini --set 'contact.load=60 kN/m'
+
+# Given up before there is any heat: the film is too thin for the mesh
+cat >thin.ini <<'END'
+[contact]
+load = 1e6 N/m
+radius = 10 mm
+modulus = 226 GPa
+mean_speed = .03 m/s
+[lubricant]
+viscosity = .01 Pa.s
+alpha = 17 1/GPa
+[heat]
+model = lobatto
+temperature = 330 K
+[domain]
+level = 7
+[time]
+end = 0.1
+END
+for verb in steady run; do
+    expect 1 "$OVERROLL" $verb thin.ini
+    contains err 'the film is too thin for the mesh'
+done

@@ -2,6 +2,7 @@
 /* A real run, stopped and gone on with, ends with the same file: every
  * dataset and every attribute but the dates, to the bit. */
 #include "support/contact.h"
+#include "support/hot.h"
 #include "support/test.h"
 
 #include <hdf5.h>
@@ -11,7 +12,7 @@
 
 #include "overroll/overroll.h"
 
-enum { LEVEL = 4 };
+enum { LEVEL = 4, NEVER = -1 };
 static const double END = 3;
 
 static void dent(void *data, double T, size_t n, const double *X, double *S)
@@ -27,20 +28,28 @@ typedef struct bench {
     ovr_contact contact;
     ovr_simulation *sim;
     ovr_writer *writer;
-    long stop; /* after this step; 0: never */
+    bool hot;
+    double end;
+    long stop; /* after this step, or NEVER */
 } bench;
 
 static ovr_status watch(void *data, const ovr_simulation *sim, ovr_error *err)
 {
     bench *b = data;
     ovr_status status = ovr_writer_observe(b->writer, sim, err);
-    if (status == OVR_OK && b->stop &&
-        ovr_simulation_state(sim)->step == b->stop)
+    if (status == OVR_OK && ovr_simulation_state(sim)->step == b->stop)
         return ovr_fail(err, OVR_STOPPED, "stopped");
     return status;
 }
 
-static void make_simulation(bench *b)
+static void make_hot(bench *b)
+{
+    test_hot hot = test_hot_make(20, 10, 0.4, 5e6, NULL);
+    b->contact = hot.contact;
+    b->sim = test_hot_simulation(&hot, LEVEL);
+}
+
+static void make_isothermal(bench *b)
 {
     ovr_error err = {0};
     ovr_conditions given = ovr_conditions_default();
@@ -57,16 +66,21 @@ static void make_simulation(bench *b)
     b->sim = ovr_simulation_create(&b->contact, &lubricant, &options, NULL,
                                    &err);
     assert_non_null(b->sim);
+}
+
+static void make_simulation(bench *b)
+{
+    (b->hot ? make_hot : make_isothermal)(b);
     ovr_simulation_surface(b->sim, dent, NULL);
 }
 
-static ovr_write_options options_for(const char *path)
+static ovr_write_options options_for(const char *path, double end)
 {
     ovr_write_options o = ovr_write_options_default();
     o.path = path;
     o.every_steps = 3;
     o.fields = 0x7f;
-    o.end = END;
+    o.end = end;
     return o;
 }
 
@@ -76,23 +90,23 @@ static void finish(bench *b)
     ovr_error err = {0};
     ovr_observer look = {watch, NULL, b};
     ovr_march march = {
-        .size = sizeof march, .end = END, .count = 1, .observers = &look};
+        .size = sizeof march, .end = b->end, .count = 1, .observers = &look};
+    bool stops = b->stop != NEVER;
     ovr_status status;
     ovr_writer_checkpoints(b->writer, b->sim);
     status = ovr_simulation_march(b->sim, &march, &err);
-    CHECK_STATUS(status, b->stop ? OVR_STOPPED : OVR_OK, &err);
-    CHECK_OK(ovr_writer_close(
-                 b->writer, b->stop ? OVR_RUN_STOPPED : OVR_RUN_COMPLETE, &err),
+    CHECK_STATUS(status, stops ? OVR_STOPPED : OVR_OK, &err);
+    CHECK_OK(ovr_writer_close(b->writer,
+                              stops ? OVR_RUN_STOPPED : OVR_RUN_COMPLETE, &err),
              &err);
     ovr_simulation_free(b->sim);
 }
 
-static void run(const char *path, long stop)
+static void run(const char *path, bench b)
 {
     ovr_error err = {0};
-    ovr_write_options o = options_for(path);
+    ovr_write_options o = options_for(path, b.end);
     const ovr_state *state;
-    bench b = {.stop = stop};
     make_simulation(&b);
     CHECK_OK(ovr_simulation_steady(b.sim, &err), &err);
     state = ovr_simulation_state(b.sim);
@@ -102,13 +116,12 @@ static void run(const char *path, long stop)
     finish(&b);
 }
 
-static void resume(const char *path, long stop)
+static void resume(const char *path, bench b)
 {
     ovr_error err = {0};
-    ovr_write_options o = options_for(path);
+    ovr_write_options o = options_for(path, b.end);
     ovr_restart *restart = ovr_restart_open(path, NULL, &err);
     const ovr_state *state;
-    bench b = {.stop = stop};
     make_simulation(&b);
     assert_non_null(restart);
     CHECK_OK(ovr_restart_load(restart, b.sim, &err), &err);
@@ -214,13 +227,26 @@ static void ends_the_same(void **state)
 {
     const char *whole = test_path(*state, "whole.h5");
     const char *parts = test_path(*state, "parts.h5");
-    run(whole, 0);
-    run(parts, 17);
-    resume(parts, 18);
-    resume(parts, 40);
-    resume(parts, 0);
+    run(whole, (bench){.end = END, .stop = NEVER});
+    run(parts, (bench){.end = END, .stop = 17});
+    resume(parts, (bench){.end = END, .stop = 18});
+    resume(parts, (bench){.end = END, .stop = 40});
+    resume(parts, (bench){.end = END, .stop = NEVER});
     check_identical(whole, parts);
-    resume(parts, 0); /* nothing left to do */
+    resume(parts, (bench){.end = END, .stop = NEVER}); /* nothing left to do */
+    check_identical(whole, parts);
+}
+
+/* Stopped in its steady start, before a step says what was stored in it. */
+static void a_hot_start_goes_on(void **state)
+{
+    const char *whole = test_path(*state, "whole.h5");
+    const char *parts = test_path(*state, "parts.h5");
+    const double end = 2;
+    run(whole, (bench){.hot = true, .end = end, .stop = NEVER});
+    run(parts, (bench){.hot = true, .end = end, .stop = 0});
+    resume(parts, (bench){.hot = true, .end = end, .stop = 3});
+    resume(parts, (bench){.hot = true, .end = end, .stop = NEVER});
     check_identical(whole, parts);
 }
 
@@ -229,6 +255,7 @@ static void ends_the_same(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {TEST(ends_the_same)};
+    const struct CMUnitTest tests[] = {TEST(ends_the_same),
+                                       TEST(a_hot_start_goes_on)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
