@@ -38,7 +38,7 @@ typedef struct ovr_heat_form {
     double temperature; /* of the supplied oil, K */
     double bulk[2];     /* of the bodies, K; NAN: the same */
     ovr_thermal oil, body[2];
-    double expansion;     /* of the oil by volume, 1/K */
+    double expansion;     /* of the oil by volume at p = 0, 1/K */
     bool density_expands; /* else it heats where it is compressed, alone */
     double S0, beta;      /* one of them; beta in 1/K */
 } ovr_heat_form;
@@ -56,10 +56,10 @@ typedef struct ovr_heat {
     double solid[2];          /* N_k with um */
     double peclet[2];
     double least_peclet; /* to which steady solutions raise them; 5 */
-    double expansion;    /* 1/K */
+    double expansion;    /* 1/K; 0 of an incompressible oil */
     bool density_expands;
     double S0, C, beta; /* C = 0: not Roelands */
-    double A;           /* 5.9e8 Pa/ph: density expands by 1/K times
+    double A;           /* 5.9e8 Pa/ph: oil expands by `expansion` times f =
                            A^2/((A + P)(A + 1.34 P)); 0: the same at all P */
 } ovr_heat;
 OVR_SIZED(ovr_heat)

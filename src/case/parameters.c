@@ -363,7 +363,8 @@ static const ovr_parameter table[] = {
      AT(heat.oil.density), true, "of the oil at p = 0"},
     {"heat", "expansion", WITH_UNIT(OVR_PER_KELVIN, 0, 0.1), "6.5e-4 1/K",
      AT(heat.expansion), true,
-     "of the oil by volume: heats it where it is compressed"},
+     "of the oil by volume at p = 0, less under pressure: heats it where it is "
+     "compressed; of an incompressible oil none"},
     {"heat", "density_expansion", FLAG, "yes", AT(heat.density_expands), true,
      "no: density is that at the supply's temperature"},
 

@@ -46,7 +46,7 @@ static ovr_status viscosity(const ovr_heat_form *form, const ovr_lubricant *oil,
 }
 
 static void make_numbers(const ovr_heat_form *form, const ovr_contact *c,
-                         ovr_heat *heat)
+                         bool compressible, ovr_heat *heat)
 {
     const ovr_thermal *oil = &form->oil;
     double capacity = oil->density * oil->heat_capacity;
@@ -56,9 +56,9 @@ static void make_numbers(const ovr_heat_form *form, const ovr_contact *c,
     heat->theta = c->ph / capacity;
     heat->conduction = oil->conductivity * c->radius * c->radius /
                        (capacity * c->um * c->b * c->b * c->b);
-    heat->expansion = form->expansion;
+    heat->expansion = compressible ? form->expansion : 0;
     heat->A = 5.9e8 / c->ph;
-    heat->density_expands = form->density_expands;
+    heat->density_expands = compressible && form->density_expands;
     heat->least_peclet = 5;
     for (int k = 0; k < 2; k++) {
         const ovr_thermal *body = &form->body[k];
@@ -110,7 +110,7 @@ ovr_status ovr_heat_make_into(const ovr_heat_form *form,
         return missing("temperature", err);
     if (check_contact(&of, err) || viscosity(&whole, &oil, &made, err))
         return OVR_BAD_INPUT;
-    make_numbers(&whole, &of, &made);
+    make_numbers(&whole, &of, oil.density_law != OVR_INCOMPRESSIBLE, &made);
     ovr_sized_give(heat, &made, sizeof made);
     return OVR_OK;
 }

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "contact/flow_law.h"
+#include "multigrid/expansion.h"
 #include "multigrid/flow.h"
 
 /* ---------------------------------------------------- points and matrices */
@@ -228,6 +229,8 @@ void ovr_flow_across_film(const ovr_across *a, const ovr_heat *heat,
 {
     double r[OVR_MOST_ACROSS] = {0}, rate[OVR_MOST_ACROSS] = {0}, most, Y;
     double G = sheet->H * sheet->P_X / 2;
+    for (int j = 0; j < a->n; j++)
+        flow->beta[j] = ovr_expansion(heat, sheet->P, T[j]);
     ratios(a, heat, sheet, T, flow, r);
     moments(a, r, flow->m);
     if (!sheet->wet) {
@@ -249,6 +252,12 @@ void ovr_flow_across_film(const ovr_across *a, const ovr_heat *heat,
 }
 
 /* ------------------------------------------------------------------- heat */
+
+double ovr_expansion(const ovr_heat *heat, double P, double T)
+{
+    double bT_f = expansion_at(heat, P);
+    return bT_f * expansion_lightness(heat, bT_f, T);
+}
 
 /* A x = b by elimination; A is nearly symmetric and heavy on its diagonal. */
 static void eliminate(int n, double A[][OVR_MOST_ACROSS], double *b)
@@ -278,7 +287,7 @@ void ovr_across_solve(const ovr_across *a, const ovr_heat *heat,
     for (int j = 0; j < a->n; j++) {
         double stored = a->w[j] * sheet->rho * sheet->H / travel[j];
         double pressing = sheet->wet
-                              ? a->w[j] * heat->theta * heat->expansion *
+                              ? a->w[j] * heat->theta * flow->beta[j] *
                                     sheet->H *
                                     (sheet->P_T + flow->u[j] * sheet->P_X)
                               : 0;

@@ -5,14 +5,14 @@
  * zeta = (1 + s)/2; temperatures are rises above that of the supply, T0:
  *
  *     rho H (T_T + u T_X) = Kf T_zz/H
- *                           + Theta (tau u_z + bT (T0 + T) H (P_T + u P_X))
+ *                           + Theta (tau u_z + beta (T0 + T) H (P_T + u P_X))
  *
  * in the weak form, whose wall fluxes are conservative: with w_j the weights,
  * of sum 1, K = D^T w D of the derivative D by zeta, T_j' at the foot of the
  * path a time t_j ago,
  *
  *     w_j rho H (T_j - T_j')/t_j + (Kf/H) sum_l K_jl T_l
- *         - w_j Theta bT H (P_T + u_j P_X) (T0 + T_j)
+ *         - w_j Theta beta_j H (P_T + u_j P_X) (T0 + T_j)
  *         + [j a wall] G (T_j - h) = w_j Theta tau_j u_z,j
  *     G = Kf/(N (4/3) sqrt(dT)),  q = (T_j - h)/(N (4/3) sqrt(dT))
  *
@@ -43,13 +43,12 @@
  *     eps <- psi_e eps,  psi_e = 3 (m_2 - m_1^2/m_0),  eps with eta_m
  *     psi_c = psi_e/m_0:  t = -(V/12) psi_c rho H^2/eps without pressure flow
  *     wedge of q <- wedge of q (1 + D),  D = (V/2) m_1/m_0
- *     rho <- rho (1 - bT A^2/((A + P)(A + 1.34 P)) T_m), where density expands
+ *     rho <- rho/(1 + bT f T_m), where density expands
  *
- * The fraction is the compressibility of Dowson and Higginson over that at
- * P = 0: bT over compressibility, (dp/dT) at constant volume, hardly changes
- * with pressure.  With bT the same everywhere oil of some GPa would, heated by
- * being pressed, swell by more than it is pressed together: nothing holds such
- * a film, and temperatures of thousands of kelvins came out.
+ * with the expansion beta of expansion.h at T_used.  With bT the same at all
+ * pressures oil of some GPa would, heated by being pressed, swell by more than
+ * it is pressed together: nothing holds such a film, and temperatures of
+ * thousands of kelvins came out.
  *
  * Gravity, heat along x and flow across the film are left out: below 0.2 % of
  * the film.
@@ -76,7 +75,7 @@ void ovr_across_make(int points, ovr_across *across);
 
 /* The film at a node. */
 typedef struct ovr_sheet {
-    double H, rho, P_X, P_T;
+    double H, rho, P, P_X, P_T;
     double log_eta; /* at T0 */
     double lambda, V, u1;
     double Sigma0; /* of Eyring or `law`; INFINITY: Newtonian */
@@ -93,6 +92,7 @@ typedef struct ovr_flow_across {
     double even;                     /* that of a uniform film */
     double u[OVR_MOST_ACROSS];       /* velocity */
     double heating[OVR_MOST_ACROSS]; /* tau u_z */
+    double beta[OVR_MOST_ACROSS];    /* expansion */
 } ovr_flow_across;
 
 void ovr_flow_across_film(const ovr_across *a, const ovr_heat *heat,
@@ -150,6 +150,9 @@ typedef struct ovr_columns {
 /* T of layer j where it was before it came to node i, and how long ago. */
 double ovr_column_foot(const ovr_columns *columns, int j, size_t i);
 double ovr_column_travel(const ovr_columns *columns, int j, size_t i);
+
+/* The expansion beta at a pressure and a rise. */
+double ovr_expansion(const ovr_heat *heat, double P, double T);
 
 /* Flow, and heat, of node i alone. */
 void ovr_column_flow(const ovr_columns *columns, size_t i);

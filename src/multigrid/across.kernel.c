@@ -13,6 +13,8 @@
 #include "multigrid/flow_table.h"
 #include "multigrid/kernels.h"
 
+#include "multigrid/expansion.h" /* over vectors */
+
 #include "contact/laws/fluid.h"
 #include "contact/laws/law.h"
 
@@ -311,14 +313,6 @@ static INLINE vec softer(const shared *s, vec t)
     return choose(a > 1e-3, (up - 1) / ((up + 1) * a), all(1));
 }
 
-/* By which density falls for each kelvin. */
-static INLINE vec swelling(const ovr_heat *heat, vec P)
-{
-    double A = heat->A;
-    vec pressed = (A + P) * (A + 1.34 * P);
-    return A > 0 ? heat->expansion * (A * A) / pressed : all(heat->expansion);
-}
-
 /* What Reynolds' equation gets. */
 static INLINE void store_fields(const shared *s, bool by_power, const nodes *v,
                                 size_t i)
@@ -331,8 +325,8 @@ static INLINE void store_fields(const shared *s, bool by_power, const nodes *v,
     store(c->th + i, by_power ? v->level : all(1));
     store(c->shift + i, shift + scaled_log2(&s->log2, psi));
     store(c->drag + i, psi / v->m[0]);
-    vec swell = swelling(&s->heat, load(c->P + i));
-    store(c->swell + i, larger(less(all(1), swell, v->mean), all(0.5)));
+    vec bT_f = expansion_at(&s->heat, load(c->P + i));
+    store(c->swell + i, expansion_lightness(&s->heat, bT_f, v->mean));
     store(c->turned + i, (0.5 * c->V) * skew * load(c->q + i));
 }
 

@@ -7,6 +7,7 @@
 #include "contact/laws/fluid.h"
 #include "contact/laws/law.h"
 #include "multigrid/across.h"
+#include "multigrid/expansion.h"
 
 static const double INV_LN2 = 1.4426950408889634;
 
@@ -35,6 +36,7 @@ static ovr_sheet sheet_at(const ovr_columns *c, size_t i)
     bool inside = i > 0 && i + 1 < c->n;
     ovr_sheet sheet = {.H = c->H[i],
                        .rho = c->q[i] / c->H[i],
+                       .P = P[i],
                        .log_eta = c->log_eta[i],
                        .lambda = c->lambda,
                        .V = c->V,
@@ -58,14 +60,6 @@ static double fall(const ovr_columns *c, double log_eta,
            (a > 1e-3 ? tanh(a) / a : 1);
 }
 
-/* By which density falls for each kelvin. */
-static double swelling(const ovr_heat *heat, double P)
-{
-    double A = heat->A;
-    double part = A > 0 ? A * A / ((A + P) * (A + 1.34 * P)) : 1;
-    return heat->expansion * part;
-}
-
 /* What Reynolds' equation gets. */
 static void put_fields(const ovr_columns *c, const ovr_flow_across *flow,
                        size_t i)
@@ -77,7 +71,8 @@ static void put_fields(const ovr_columns *c, const ovr_flow_across *flow,
     c->th[i] = ovr_heat_log_viscosity(c->heat, 1, flow->mean) - at_0;
     c->shift[i] = -at_0 * INV_LN2 + log2(psi);
     c->drag[i] = psi / flow->m[0];
-    c->swell[i] = fmax(1 - swelling(c->heat, c->P[i]) * flow->mean, 0.5);
+    c->swell[i] = expansion_lightness(c->heat, expansion_at(c->heat, c->P[i]),
+                                      flow->mean);
     c->turned[i] = c->V / 2 * skew * c->q[i];
 }
 
@@ -139,6 +134,7 @@ void ovr_column_heat(const ovr_columns *c, size_t i)
         double travel = ovr_column_travel(c, j, i);
         flow.u[j] = c->u[j][i];
         flow.heating[j] = c->heating[j][i];
+        flow.beta[j] = ovr_expansion(c->heat, c->P[i], c->used[j][i]);
         stay[j] = 1 / (1 / travel + rate);
         foot[j] = (ovr_column_foot(c, j, i) / travel + rate * c->used[j][i]) *
                   stay[j];

@@ -9,6 +9,8 @@
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
 
+#include "multigrid/expansion.h" /* over vectors */
+
 /* Rows of the matrix from the diagonal on, and the right side. */
 typedef struct rows {
     vec A[OVR_MOST_ACROSS][OVR_MOST_ACROSS], b[OVR_MOST_ACROSS];
@@ -28,19 +30,22 @@ static INLINE void assemble(const ovr_columns *c, const ovr_across *across,
     P_T = c->P_T ? load(c->P_T + i) : all(0);
     vec P_X = (load(c->P + i + 1) - load(c->P + i - 1)) / dX;
     vec conduction = heat->conduction / H, cooling = load(c->fall + i);
-    vec pressing = choose(P > 0, heat->theta * heat->expansion * H, all(0));
+    vec bT_f = choose(P > 0, expansion_at(heat, P), all(0));
+    vec pressing = heat->theta * bT_f * H;
     UNROLL
     for (int j = 0; j < n; j++) {
         double w = across->w[j];
         vec made = (w * heat->theta) * load(c->heating[j] + i);
         vec less_made = larger(made * cooling, all(0));
         vec stored = (w / c->dT) * q;
+        vec used = load(c->used[j] + i);
         vec press = w * pressing * fused(load(c->u[j] + i), P_X, P_T);
+        press *= expansion_lightness(heat, bT_f, used);
         UNROLL
         for (int l = j; l < n; l++)
             m->A[j][l] = conduction * across->K[j][l];
         m->A[j][j] += stored + less_made - press;
-        m->b[j] = fused(less_made, load(c->used[j] + i), made);
+        m->b[j] = fused(less_made, used, made);
         m->b[j] = fused(stored, load(c->foot[j] + i), m->b[j]);
         m->b[j] = fused(press, all(heat->T0), m->b[j]);
     }

@@ -114,11 +114,13 @@ double ovr_heat_made(const ovr_simulation *sim, double *size)
     for (size_t i = 1; i + 1 < c->n; i++) {
         double P_X = (P[i + 1] - P[i - 1]) / (X[i + 1] - X[i - 1]);
         double P_T = c->P_T ? c->P_T[i] : 0, part = 0;
-        double swelling = h->numbers.expansion * c->H[i];
-        for (int j = 0; P[i] > 0 && j < h->across.n; j++)
-            part += h->across.w[j] * (c->heating[j][i] +
-                                      swelling * (h->numbers.T0 + h->T[j][i]) *
-                                          (P_T + c->u[j][i] * P_X));
+        for (int j = 0; P[i] > 0 && j < h->across.n; j++) {
+            double beta = ovr_expansion(&h->numbers, P[i], h->used[j][i]);
+            part += h->across.w[j] *
+                    (c->heating[j][i] + beta * c->H[i] *
+                                            (h->numbers.T0 + h->T[j][i]) *
+                                            (P_T + c->u[j][i] * P_X));
+        }
         made += sim->now.weights[i] * part;
         *size += sim->now.weights[i] * fabs(part);
     }

@@ -62,6 +62,7 @@ static void fill(films *f, size_t n, int points, uint64_t *seed)
                          .solid = {test_random(seed, 0.01, 0.1), 0.05},
                          .bulk = {test_random(seed, -30, 30), 0},
                          .expansion = 6e-4,
+                         .density_expands = points == 5,
                          .S0 = test_random(seed, 0.5, 1.5),
                          .beta = 0.03,
                          .C = 6.5,
@@ -412,38 +413,106 @@ static void viscosities_agree(void **state)
     }
 }
 
-/* Expansion over compressibility, by the slope of the density law, is the same
- * at all pressures; and oil of 5 GPa and 1000 K, heated by being pressed, gets
- * denser by it: (1/rho) d rho/dP > bT dT/dP, dT/dP = Theta bT (T0 + T). */
+/* Films of the pressures P, at one rise all over. */
+static void fill_at(films *f, double T, const double *P)
+{
+    uint64_t seed = 11;
+    fill(f, MOST, 5, &seed);
+    f->heat.density_expands = true;
+    f->heat.A = 0.59;
+    f->heat.expansion = 6.5e-4;
+    f->heat.theta = 1e9 / (870 * 2000.0); /* ph = 1 GPa */
+    f->heat.T0 = 353;
+    for (size_t i = 0; i < MOST; i++) {
+        f->in[1][i] = P[i];
+        for (int j = 0; j < 5; j++)
+            f->in[8 + j][i] = f->in[8 + OVR_MOST_ACROSS + j][i] = T;
+    }
+}
+
+/* Oil of 5 GPa and 1000 K, heated by being pressed, gets denser by it:
+ * (1/rho) d rho/dP > beta dT/dP, dT/dP = Theta beta (T0 + T). */
 static void pressed_oil_gets_denser(void **state)
 {
     static films f;
     ovr_lubricant dh = {
         .size = sizeof dh, .density_law = OVR_DOWSON_HIGGINSON, .A = 0.59};
-    const double h = 1e-4, T = 50, bT = 6.5e-4;
-    uint64_t seed = 11;
+    const double h = 1e-4, T = 50;
+    double P[MOST];
     (void)state;
-    fill(&f, MOST, 5, &seed);
-    f.heat.A = dh.A;
-    f.heat.expansion = bT;
-    f.heat.theta = 1e9 / (870 * 2000.0); /* ph = 1 GPa */
-    for (size_t i = 0; i < f.c.n; i++) {
-        f.in[1][i] = 5.0 * (double)(i + 1) / MOST;
-        for (int j = 0; j < 5; j++)
-            f.in[8 + j][i] = T;
-    }
+    for (size_t i = 0; i < MOST; i++)
+        P[i] = 5.0 * (double)(i + 1) / MOST;
+    fill_at(&f, T, P);
     for (int k = 0; test_kernels(k); k++) {
         test_kernels(k)->flow_across(&f.c);
         for (size_t i = 1; i + 1 < f.c.n; i++) {
-            double P = f.c.P[i], swells = (1 - f.c.swell[i]) / T;
-            double dense = log(ovr_density(&dh, P + h) /
-                               ovr_density(&dh, P - h)) /
+            double swells = (1 / f.c.swell[i] - 1) / T; /* of v_0 */
+            double dense = log(ovr_density(&dh, P[i] + h) /
+                               ovr_density(&dh, P[i] - h)) /
                            (2 * h);
-            double at_0 = 0.34 / dh.A;
+            double at_0 = 0.34 / dh.A, bT = f.heat.expansion;
             CHECK_CLOSE(swells / dense, bT / at_0, 1e-5);
             assert_true(swells * f.heat.theta * bT * 1000 < dense);
         }
     }
+}
+
+/* Volumes of a mass, and beta as it heats the oil: walls that take nothing and
+ * P that rises all over, in a step too short for conduction. */
+static void expand(const ovr_kernels *run, double T, const double *P, double *v,
+                   double *beta)
+{
+    static films f;
+    double pressed[MOST];
+    ovr_lubricant dh = {
+        .size = sizeof dh, .density_law = OVR_DOWSON_HIGGINSON, .A = 0.59};
+    fill_at(&f, T, P);
+    f.heat.conduction = 1e-20;
+    f.c.V = 0;
+    f.c.u1 = 0;
+    f.c.Sigma0 = INFINITY;
+    f.c.lambda = 1e30; /* what P_X does to the film */
+    f.c.P_T = pressed;
+    for (size_t i = 0; i < MOST; i++)
+        pressed[i] = 1e-3;
+    make(run, &f);
+    for (size_t i = 1; i + 1 < MOST; i++) {
+        v[i] = 1 / (ovr_density(&dh, P[i]) * f.c.swell[i]);
+        beta[i] = (f.c.mean[i] - T) * f.c.q[i] /
+                  (f.heat.theta * f.c.H[i] * f.c.dT * pressed[i] *
+                   (f.heat.T0 + f.c.mean[i]));
+    }
+}
+
+/* Oil is pressed at T1, warmed, relieved at T2 and cooled: heat, T v beta dP
+ * along the two isotherms, is work, P dv around.  Both per density and ph. */
+static void a_cycle_closes(const ovr_kernels *run, double most)
+{
+    enum { INTERVALS = MOST - 4 };
+    double P[MOST], v[2][MOST], beta[2][MOST], heat = 0, work = 0;
+    const double T[2] = {0, 50};
+    for (size_t i = 0; i < MOST; i++)
+        P[i] = fmax(most * ((double)i - 1) / INTERVALS, 1e-12);
+    for (int k = 0; k < 2; k++)
+        expand(run, T[k], P, v[k], beta[k]);
+    for (size_t i = 1; i <= 1 + INTERVALS; i++) {
+        double w = i == 1 || i == 1 + INTERVALS ? 1 : i % 2 ? 2 : 4;
+        double dP = w / 3 * most / INTERVALS; /* Simpson's rule */
+        heat += dP * ((353 + T[1]) * v[1][i] * beta[1][i] -
+                      (353 + T[0]) * v[0][i] * beta[0][i]);
+        work += dP * (v[1][i] - v[0][i]);
+    }
+    print_message("cycle to %g GPa: heat over work %.8f\n", most, heat / work);
+    CHECK_CLOSE(heat / work, 1, 1e-6);
+}
+
+static void closed_cycles_close(void **state)
+{
+    static const double most[] = {0.5, 1, 2};
+    (void)state;
+    for (int k = 0; test_kernels(k); k++)
+        for (int m = 0; m < 3; m++)
+            a_cycle_closes(test_kernels(k), most[m]);
 }
 
 int main(void)
@@ -457,6 +526,7 @@ int main(void)
         cmocka_unit_test(couette_heats),
         cmocka_unit_test(swapped_films_mirror),
         cmocka_unit_test(pressed_oil_gets_denser),
+        cmocka_unit_test(closed_cycles_close),
         cmocka_unit_test(feet_agree),
         cmocka_unit_test(viscosities_agree),
     };
