@@ -9,7 +9,7 @@
 
 enum {
     MASKS = 3, /* corrections that set the mask */
-    TRIES = 8  /* by which the residual has to fall to a fifth */
+    TRIES = 8  /* of them have to gain a third */
 };
 
 static ovr_level *finest_of(const ovr_hierarchy *grids)

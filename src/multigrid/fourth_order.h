@@ -25,9 +25,10 @@
  *     f_i = eps_{i+1/2} p_i
  *     dN  = [27 (f_i - f_{i-1}) - (f_{i+1} - f_{i-2})]/(24 D) - second order
  * eps grows exponentially in the inlet, so for X < 0 the logarithm of eps_{i +
- * 1/2} is the cubic through four nodes; behind it eps itself is, or the mean of
- * the two nodes where the two differ by more than 40 % (at the spike the cubic
- * would leave a limit cycle).  A flow law has its own (fourth_thinning.c).
+ * 1/2} is the cubic through four nodes; behind it eps itself is, held within
+ * 40 % of the mean of the two nodes: at the spike the cubic would leave a limit
+ * cycle, and so would a jump to the mean.  A flow law has its own
+ * (fourth_thinning.c).
  *
  * Wedge, biased upstream, less the second-order one:
  *     dN -= Cu (3 q_{i+1} + 10 q_i - 18 q_{i-1} + 6 q_{i-2} - q_{i-3})/(12 D)
@@ -62,9 +63,10 @@ void ovr_fourth_thinning(const ovr_hierarchy *grids, const ovr_level *level,
  * cycle, correct, cycle, ...  The mask is set by the first three corrections
  * and stays (set again by each it can leave a limit cycle).  The residual falls
  * by a third a cycle, as the wedge at the shortest wave is corrected by 4/3.
- * False when the eighth correction has not brought the largest residual to a
- * fifth, or the tolerance is not reached: F, gap and the pressures are then
- * worth nothing.  Adds to the number of cycles.
+ * False when eight corrections do not gain a third (so a limit cycle does not,
+ * while D/H^(2/3) above 0.3 may fall by as little as 0.9 a cycle), or the
+ * tolerance is not reached: F, gap and the pressures are then worth nothing.
+ * Adds to the number of cycles.
  */
 bool ovr_fourth_solve(ovr_hierarchy *grids, const ovr_correction *c,
                       const ovr_full *how, ovr_defect *d, int *cycles);

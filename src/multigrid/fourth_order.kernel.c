@@ -48,9 +48,8 @@ static inline vec middle(const table16 *table, const double *log_eps,
     vec cubic = (9 * sum - at(eps, J - 1) - at(eps, J + 2)) / 16;
     vec power = 9 * (at(log_eps, J) + at(log_eps, J + 1)) - at(log_eps, J - 1) -
                 at(log_eps, J + 2);
-    ivec near = (cubic >= 0.6 * mean) & (cubic <= 1.4 * mean);
-    return choose(upstream, scaled_exp2(table, power),
-                  choose(near, cubic, mean));
+    vec held = larger(0.6 * mean, smaller(1.4 * mean, cubic));
+    return choose(upstream, scaled_exp2(table, power), held);
 }
 
 static void fluxes(const ovr_lanes *g, const ovr_fourth *c, const ovr_fields *f)

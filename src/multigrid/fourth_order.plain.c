@@ -29,7 +29,7 @@ static double middle(const double *eps, bool upstream)
         return exp(
             (9 * (log(eps[0]) + log(eps[1])) - log(eps[-1]) - log(eps[2])) /
             16);
-    return cubic >= 0.6 * mean && cubic <= 1.4 * mean ? cubic : mean;
+    return fmin(fmax(cubic, 0.6 * mean), 1.4 * mean);
 }
 
 static double flux(const ovr_fourth *c, const ovr_fields *f, ptrdiff_t i)

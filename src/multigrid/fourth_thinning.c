@@ -4,8 +4,8 @@
  * flux at a half node is E p, E by the flow law (flow.h) from eps, rho H^2, H
  * and the gradient there, each of fourth order:
  *     x_{i+1/2} = [9 (x_i + x_{i+1}) - x_{i-1} - x_{i+2}]/16
- * eps by its logarithms, or the mean of the two nodes where they differ by more
- * than 40 %.  A steady solution takes some ten of these: node by node.
+ * eps by its logarithms, held within 40 % of the mean of the two nodes.  A
+ * steady solution takes some ten of these: node by node.
  */
 #include <math.h>
 
@@ -22,7 +22,7 @@ static double middle(const double *eps)
     double mean = 0.5 * (eps[0] + eps[1]);
     double power = 9 * (log(eps[0]) + log(eps[1])) - log(eps[-1]) - log(eps[2]);
     double value = exp(power / 16);
-    return value >= 0.6 * mean && value <= 1.4 * mean ? value : mean;
+    return fmin(fmax(value, 0.6 * mean), 1.4 * mean);
 }
 
 /* E p between x[0] and x[1] of all arrays. */

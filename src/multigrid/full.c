@@ -141,6 +141,23 @@ static ovr_defect solve_coarsest(const nested *a, ovr_level *level)
     return d;
 }
 
+/* Largest residuals of the last cycles, as many as are on trial, and of those
+ * before. */
+typedef struct progress {
+    double before, now;
+} progress;
+
+/* After each cycle; in a limit cycle R is often small, its largest is not. */
+static bool gains(progress *p, const ovr_full_status *c, int trial)
+{
+    p->now = fmax(p->now, c->defect.imbalance);
+    if (!trial || c->cycles % trial)
+        return true;
+    bool enough = !(p->now > p->before * 2 / 3);
+    *p = (progress){p->now, 0};
+    return enough;
+}
+
 /* Cycles on a level until below its tolerance. */
 static ovr_full_status cycle_until_done(const nested *a, ovr_level *level)
 {
@@ -149,19 +166,19 @@ static ovr_full_status cycle_until_done(const nested *a, ovr_level *level)
     bool finest = level->number == a->grids->finest;
     int most = finest || how->fixed ? how->most_cycles : ON_THE_WAY;
     ovr_full_status c = {.defect = ovr_cycle_defect(a->grids, level)};
-    double largest = c.defect.imbalance;
-    while (c.cycles < most && c.defect.imbalance < 1e6) {
+    progress trial = {INFINITY, c.defect.imbalance};
+    bool gained = true;
+    while (c.cycles < most && c.defect.imbalance < 1e6 && gained) {
         double before = c.defect.imbalance;
-        if ((!how->fixed && c.cycles >= how->least_cycles &&
-             is_done(a, level, c.defect)) ||
-            (c.cycles && c.cycles == how->trial && !(before <= 0.2 * largest)))
+        if (!how->fixed && c.cycles >= how->least_cycles &&
+            is_done(a, level, c.defect))
             break;
         report(a, level, OVR_FULL_CYCLES, &c);
         ovr_cycle(a->grids, level, how->cycling);
         c.defect = ovr_cycle_defect(a->grids, level);
         c.factor = c.defect.imbalance / before;
-        largest = fmax(largest, c.defect.imbalance);
         c.cycles++;
+        gained = gains(&trial, &c, how->trial);
     }
     *a->cycles += c.cycles;
     return c;

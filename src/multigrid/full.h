@@ -51,7 +51,8 @@ typedef struct ovr_full {
                            stress by stress down to that of the flow law */
     int most_cycles;    /* on the finest level */
     int least_cycles;   /* before a level may be done */
-    int trial; /* cycles by which R is a fifth of its largest; 0: none */
+    int trial; /* so many cycles have to gain a third: the largest R of them
+                  below 2/3 of that of as many before; 0: they need not */
     /* where a level of this film at X = 0 is done */
     double (*tolerance)(const void *data, const ovr_level *level, double H);
     void (*watch)(void *data, const ovr_level *level, ovr_full_event event,

@@ -12,6 +12,7 @@
 #include "contact/starvation.h"
 #include "run/internal.h"
 #include "run/review_supply.h"
+#include "simulation/internal.h"
 
 typedef struct review {
     const ovr_case *c;
@@ -316,18 +317,19 @@ static void warn_of_inlet(const review *r, const ovr_state *state, double H_cen)
 }
 
 /* Order four was taken or wanted, and is not what was reached. */
-static void warn_of_order(const review *r)
+static void warn_of_order(const review *r, const ovr_simulation *sim)
 {
     const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
-    bool varies = ovr_setup_varies(r->setup);
-    if (varies && !ovr_block_get(domain, "order")->given)
-        return;
-    say(r, varies ? OVR_SAY_WARNING : OVR_SAY_NOTE,
-        "the solution is of second order: %s",
-        varies
-            ? "corrections of fourth order hold for one load, speed and radius"
-            : "the corrections of fourth order did not converge on this "
-              "mesh");
+    int most = r->setup->options->max_cycles;
+    if (!ovr_setup_varies(r->setup))
+        say(r, OVR_SAY_WARNING,
+            "the solution is of second order: the corrections of fourth order "
+            "did not converge on this mesh%s; level = %d would do",
+            most ? " in the max_cycles given" : "", ovr_level_resolving(sim));
+    else if (ovr_block_get(domain, "order")->given)
+        say(r, OVR_SAY_WARNING,
+            "the solution is of second order: corrections of fourth order hold "
+            "for one load, speed and radius");
 }
 
 /* Of a steady solution the first of these is the only state. */
@@ -424,7 +426,7 @@ void ovr_run_review_after(ovr_run *run)
     double H_cen = ovr_simulation_observation(sim)->H_cen;
     const char *strategy = ovr_simulation_strategy(sim);
     if (run->setup->options->order == 4 && ovr_simulation_order(sim) != 4)
-        warn_of_order(&r);
+        warn_of_order(&r, sim);
     if (*strategy)
         say(&r, OVR_SAY_NOTE, "the steady solution took another way: %s",
             strategy);

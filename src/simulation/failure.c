@@ -53,16 +53,21 @@ static ovr_status rounding(const ovr_simulation *sim, const ovr_defect *defect,
         ovr_negligible_tolerance(sim, ovr_mesh(sim), defect->centre));
 }
 
+int ovr_level_resolving(const ovr_simulation *sim)
+{
+    double share = inlet_mesh(sim) / ovr_inlet_rise(sim);
+    return sim->finest->number + (int)fmax(1, ceil(log2(share / resolved)));
+}
+
 static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
 {
     double rise = ovr_inlet_rise(sim), D = inlet_mesh(sim);
-    int more = (int)ceil(log2(D / (resolved * rise)));
     return ovr_fail(err, OVR_IMPOSSIBLE,
                     "the film is too thin for the mesh: H = %.1e by the film "
                     "formula, so that the pressure builds up within %.1e of b, "
                     "on a mesh of %.1e; level %d resolves it",
                     ovr_film_expected(sim, 1), rise, D,
-                    sim->finest->number + more);
+                    ovr_level_resolving(sim));
 }
 
 /* R was 1e-5 to 20 where surfaces touch, 1e6 where a solve had diverged.  No

@@ -174,6 +174,9 @@ double ovr_inlet_rise(const ovr_simulation *sim);
 /* The mesh is too coarse for the film for any way of solving. */
 bool ovr_mesh_too_coarse(const ovr_simulation *sim);
 
+/* A finer level, on which that length is resolved. */
+int ovr_level_resolving(const ovr_simulation *sim);
+
 /* H > 0 at every node of what was read last. */
 bool ovr_surfaces_apart(const ovr_simulation *sim);
 

@@ -262,7 +262,5 @@ ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
     }
     if (!o->cycle_index)
         o->cycle_index = 1;
-    if (!o->max_cycles)
-        o->max_cycles = 60;
     return OVR_OK;
 }

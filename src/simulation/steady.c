@@ -121,6 +121,12 @@ static bool settle_patches(void *data, ovr_hierarchy *grids, ovr_level *level,
 
 static const ovr_attached settling = {settle_patches, NULL};
 
+/* The number of cycles given, else that. */
+static int most_cycles(const ovr_simulation *sim, int unless_given)
+{
+    return sim->options.max_cycles ? sim->options.max_cycles : unless_given;
+}
+
 static ovr_full full_of(ovr_simulation *sim, const strategy *how)
 {
     const ovr_options *o = &sim->options;
@@ -140,7 +146,7 @@ static ovr_full full_of(ovr_simulation *sim, const strategy *how)
                       .mesh = how->mesh,
                       .fixed = fixed,
                       .thin_last = thin_last(sim, how),
-                      .most_cycles = fixed ? o->cycles : o->max_cycles,
+                      .most_cycles = fixed ? o->cycles : most_cycles(sim, 60),
                       .tolerance = first_tolerance,
                       .watch = ovr_refinement_watch,
                       .data = sim,
@@ -192,13 +198,15 @@ static ovr_defect multigrid(ovr_simulation *sim, const ovr_full *how,
     return ovr_full_multigrid(&sim->grids, &sim->wanted, *how, cycles);
 }
 
-/* Full multigrid and its own corrections, for the gap as it is. */
+/* Full multigrid and its own corrections, for the gap as it is.  On a mesh that
+ * is hardly fine enough they take up to 160 cycles. */
 static ovr_defect solve_and_correct(ovr_simulation *sim, const ovr_full *how,
                                     int *cycles)
 {
     const ovr_correction *c = &sim->correction;
     ovr_full last = *how;
     last.tolerance = tolerance_at;
+    last.most_cycles = most_cycles(sim, 200);
     ovr_defect d = multigrid(sim, how, cycles);
     if (sim->order != 4 ||
         !ovr_below(d, first_tolerance(sim, sim->finest, d.centre)))

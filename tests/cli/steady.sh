@@ -35,6 +35,18 @@ expect 0 "$OVERROLL" steady --M 5 --L 0 --level 6 --json
 contains out '"hertz_pressure_Pa": null'
 contains out '"P_spike": null'
 
+# Second order where fourth was wanted is a warning, and the level that it
+# names is of fourth order
+thin='steady --M 503.8029 --L 6.047824'
+# shellcheck disable=SC2086
+expect 0 "$OVERROLL" $thin --level 7 --json
+contains out '"order": 2'
+contains out '"warnings": .*second order.* level = 8 would do'
+# shellcheck disable=SC2086
+expect 0 "$OVERROLL" $thin --level 8 --json
+contains out '"order": 4'
+contains out '"warnings": \[ \]'
+
 # The same contact in physical units and in numbers
 cat >roller.ini <<'END'
 [contact]

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 
 #include "support/contact.h"
+#include "support/orders.h"
 #include "support/steady.h"
 #include "support/test.h"
 
@@ -105,6 +106,15 @@ static void frozen_mask_ends_a_limit_cycle(void **state)
 {
     (void)state;
     assert_true(solved(843.279, 4.2251, 4, 9).residual < 1e-6);
+}
+
+/* A tenth of tests/verify/fourth_order_test.c. */
+static void none_falls_back_by_accident(void **state)
+{
+    (void)state;
+    test_order_survey(1, 100);
+    test_order_survey(2, 100);
+    test_order_survey_eyring(3, 30);
 }
 
 static void refused(const ovr_options *o)
@@ -207,6 +217,7 @@ int main(void)
         cmocka_unit_test(limit_of_second_order_is_met),
         cmocka_unit_test(order_is_shown_level_by_level),
         cmocka_unit_test(frozen_mask_ends_a_limit_cycle),
+        cmocka_unit_test(none_falls_back_by_accident),
         cmocka_unit_test(only_where_it_applies),
         cmocka_unit_test(nothing_happens),
         cmocka_unit_test(comes_to_rest_in_the_steady_solution),
