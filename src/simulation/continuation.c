@@ -8,9 +8,11 @@
  *
  * r(P^k) the residual that the last solution P^k leaves in the equations of
  * the step, w_s between its load and the one that is wanted: at s = 0 it is
- * the solution, at s = 1 nothing is added any more.  Each solution on the path
- * begins from the line through the two before it; a stretch that fails is
- * halved.
+ * the solution, at s = 1 nothing is added any more.  Where oil is conserved the
+ * rows of dry nodes are on the path as all others, with their contents q, which
+ * are a solution's at both of its ends.  Each solution on the path begins from
+ * the line through the two before it; a stretch that fails is halved, from the
+ * last solution's pressure, contents and inlet.
  */
 #include <math.h>
 #include <string.h>
@@ -24,6 +26,7 @@ typedef struct path {
     double s;          /* of the equations as they are */
     double at, before; /* of the last two solutions */
     double H0, H0_before;
+    bool closed; /* the inlet of the last solution, with oil conserved */
 } path;
 
 /* The equations at s. */
@@ -53,6 +56,8 @@ static void begin_from(const path *p, double s)
     double *P = sim->scratch[0];
     sim->grids.kernels->extrapolate(sim->finest->grid.n, 2, weight, from, P);
     ovr_nodes_write(sim, sim->finest, P, sim->finest->f.P);
+    if (ovr_conserves(sim))
+        ovr_supply_restore(sim, sim->saved, sim->saved_q, p->closed);
     sim->grids.H0 = p->H0 + factor * (p->H0 - p->H0_before);
 }
 
@@ -62,6 +67,9 @@ static void keep(path *p)
     size_t bytes = sim->now.n * sizeof(double);
     memcpy(sim->saved_before, sim->saved, bytes);
     memcpy(sim->saved, sim->now.P, bytes);
+    if (ovr_conserves(sim))
+        memcpy(sim->saved_q, sim->now.q, bytes);
+    p->closed = sim->finest->closed;
     p->before = p->at;
     p->H0_before = p->H0;
     p->at = p->s;
@@ -72,10 +80,12 @@ static path begin(ovr_simulation *sim)
 {
     ovr_level *finest = sim->finest;
     double H0 = sim->past.H0[0];
-    path p = {sim, {0, finest->force}, 1, 0, 0, H0, H0};
-    memcpy(sim->saved, sim->past.P[0], sim->now.n * sizeof(double));
-    begin_from(&p, 0);
+    path p = {sim, {0, finest->force}, 1, 0, 0, H0, H0, false};
     ovr_level_refresh(&sim->grids, finest);
+    ovr_nodes_read(sim, finest, finest->f.P, sim->saved);
+    if (ovr_conserves(sim))
+        ovr_level_read(&sim->grids, finest, finest->f.q, sim->saved_q);
+    p.closed = finest->closed;
     ovr_nodes_read(sim, finest, finest->f.r, sim->lacking);
     p.load[0] = ovr_level_load(&sim->grids, finest);
     return p;

@@ -104,6 +104,7 @@ struct ovr_simulation {
 
     double *saved; /* a P to go back to: steady, of the level below */
     double *saved_before, *lacking; /* continuation.c */
+    double *saved_q;                /* the same, where oil is conserved */
     ovr_refinement refinement[OVR_LEVELS];
     int refinements;
     ovr_state state;
@@ -210,11 +211,13 @@ void ovr_history_term(ovr_simulation *sim, double *F);
 bool ovr_conserves(const ovr_simulation *sim);
 
 /* With oil conserved: the history term (content_history.c); contents, states
- * and inlet that a try begins from; the inlet's account of a step that was
- * accepted; what is observed (supply.c). */
+ * and inlet that a try begins from, and those of a solution to go back to; the
+ * inlet's account of a step that was accepted; what is observed (supply.c). */
 void ovr_content_history(ovr_simulation *sim, double dT, const double c[2]);
 void ovr_supply_step(ovr_simulation *sim, double dT);
 void ovr_supply_try(ovr_simulation *sim);
+void ovr_supply_restore(ovr_simulation *sim, const double *P, const double *q,
+                        bool closed);
 void ovr_supply_taken(ovr_simulation *sim, double dT);
 void ovr_supply_observe(const ovr_simulation *sim, double dT,
                         ovr_observation *o);

@@ -44,6 +44,8 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
     for (size_t k = 0; sim->options.order == 4 && k < 2; k++)
         if (take(sim, fourth[k], err))
             return OVR_NO_MEMORY;
+    if (ovr_conserves(sim) && take(sim, &sim->saved_q, err))
+        return OVR_NO_MEMORY;
     if (take_fields(sim, err))
         return OVR_NO_MEMORY;
     return ovr_inflow_take(sim, err);

@@ -65,7 +65,7 @@ static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
         ovr_heat_try(sim, how == attempts);
     }
     if (how->continued)
-        return !ovr_conserves(sim) && ovr_step_continued(sim, &c, outcome);
+        return ovr_step_continued(sim, &c, outcome);
     return ovr_step_cycles(
         sim, (ovr_step_cycling){c, close, how->most_cycles, 1e6, 0}, outcome);
 }

@@ -56,25 +56,34 @@ void ovr_supply_step(ovr_simulation *sim, double dT)
     a->face = a->supply(a->data, time_of_entry(sim, T));
 }
 
-void ovr_supply_try(ovr_simulation *sim)
+void ovr_supply_restore(ovr_simulation *sim, const double *P, const double *q,
+                        bool closed)
 {
-    ovr_arrival *a = &sim->arrival;
+    const ovr_arrival *a = &sim->arrival;
     ovr_level *level = sim->finest;
-    bool closing = a->supply && !a->closed && a->waiting < 0;
     double source = sim->grids.op.speed * a->face / sim->now.weights[1];
     sim->grids.conserving = level->leads = true;
     sim->grids.supplied = a->supply != NULL;
-    ovr_level_write(&sim->grids, level, sim->past.q[0], level->f.q);
-    ovr_content_wet(level, sim->past.P[0]);
+    ovr_level_write(&sim->grids, level, q, level->f.q);
+    ovr_content_wet(level, P);
+    if (closed)
+        ovr_content_close(level, source, a->q);
+    else
+        ovr_content_open(level);
+}
+
+void ovr_supply_try(ovr_simulation *sim)
+{
+    const ovr_arrival *a = &sim->arrival;
+    ovr_level *level = sim->finest;
+    bool closing = a->supply && !a->closed && a->waiting < 0;
+    ovr_supply_restore(sim, sim->past.P[0], sim->past.q[0],
+                       a->supply && (a->closed || closing));
     if (closing) {
         ovr_content_mark(level, level->f.wet, 1, false);
         ovr_content_mark(level, level->f.dried, 1, true);
         level->f.P[ovr_lanes_place(&level->lanes, 1)] = 0;
     }
-    if (a->supply && (a->closed || closing))
-        ovr_content_close(level, source, a->q);
-    else
-        ovr_content_open(level);
 }
 
 static double speed_now(const ovr_simulation *sim, double T)

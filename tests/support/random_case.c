@@ -206,3 +206,29 @@ void test_mixed_case(test_random_case *d, uint64_t seed, int level)
     if (chance(d, 0.5))
         history(d, "sliding", -2, 2, 2);
 }
+
+void test_jump_case(test_random_case *d, uint64_t seed, double *share)
+{
+    double M, L, H;
+    int level;
+    begin(d, seed);
+    level = (int)draw(d, 6, 9);
+    do {
+        d->length = 0;
+        M = 5 * pow(40, draw(d, 0, 1)), L = draw(d, 2.5, 14);
+        contact(d, "radius = 12.7 mm\nviscosity = 8.9152 mPa.s\n", M, L, level);
+    } while (!has_usual_pressure(d->text));
+    H = ovr_film_central_moes(M, L);
+    *share = draw(d, 0.3, 1.2);
+    say(d, "[time]\nend = 0.8\nstep = %.6g\n",
+        mesh(level) * 0.5 * pow(8, draw(d, 0, 1)));
+    say(d, "[load]\nhistory = step\nto = %.6g\nstart = 0.2\n",
+        draw(d, 0.5, 1.5));
+    say(d, "[cavitation]\nmodel = conserving\n");
+    if (chance(d, 0.5))
+        lubricant(d);
+    if (chance(d, 0.3))
+        say(d, "[heat]\nmodel = lobatto\ntemperature = 80 degC\n");
+    if (chance(d, 0.5))
+        surfaces(d, H, mesh(level));
+}

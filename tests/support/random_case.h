@@ -17,6 +17,10 @@ void test_thinning_case(test_random_case *d, uint64_t seed, int level);
 /* All at once (mixed.h). */
 void test_mixed_case(test_random_case *d, uint64_t seed, int level);
 
+/* A load that jumps once where oil is conserved (jumps.h): of the flooded flow
+ * this share arrives, which the text does not say. */
+void test_jump_case(test_random_case *d, uint64_t seed, double *share);
+
 /* The flow law by points, thinning.csv, that they may name. */
 void test_write_points(const char *path);
 
