@@ -2,7 +2,7 @@
 /*
  * A row of the table of parameters, and a section of a case: what a key is
  * called, what it may be, and where its value goes.  The rows of the case
- * stand in case/parameters.c, those of a physics in its record
+ * stand in case/keys, those of a physics in its record
  * (simulation/physics.h), which is why their type lies below both.
  */
 #ifndef OVR_BASE_PARAMETER_H
@@ -40,7 +40,7 @@ typedef struct ovr_word {
 } ovr_word;
 
 typedef struct ovr_parameter {
-    const char *section, *key;
+    const char *key;
     ovr_kind kind;
     ovr_dimension dimension; /* of numbers */
     ovr_hertzian hertzian;
@@ -50,13 +50,24 @@ typedef struct ovr_parameter {
     const char *initial; /* NULL: not given */
     size_t place;        /* in the form that its section fills */
     bool physics;        /* another value is another solution */
+    const char *when;    /* it has an effect; NULL: always */
     const char *help;
 } ovr_parameter;
 
+/*
+ * When a key has an effect: conditions on other keys, all of which must hold,
+ * set apart by "; ".  Each is a key of the same section, or section.key,
+ *     "history = ramp | step"   whose value is one of these words,
+ *     "time.end"                or which is given.
+ */
+
+/* A section with its rows: a table of parameters is a list of sections. */
 typedef struct ovr_section {
     const char *name;
     bool named; /* [feature NAME], any number */
     const char *help;
+    const ovr_parameter *rows;
+    size_t count;
 } ovr_section;
 
 #endif

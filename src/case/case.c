@@ -19,21 +19,20 @@ static ovr_block *add_block(ovr_case *c, const ovr_section *section,
                             const char *name, ovr_error *err)
 {
     ovr_block **end = &c->blocks, *block;
-    size_t n = ovr_section_size(section);
+    size_t n = section->count;
     while (*end)
         end = &(*end)->next;
     block = ovr_arena_take(&c->arena, 1, sizeof *block, err);
     if (!block)
         return NULL;
     block->section = section;
-    block->first = ovr_section_first(section);
     block->count = n;
     block->slots = ovr_arena_take(&c->arena, n, sizeof *block->slots, err);
     block->name = name ? ovr_arena_text(&c->arena, name, err) : NULL;
     if (!block->slots || (name && !block->name))
         return NULL;
     for (size_t k = 0; k < n; k++) {
-        const ovr_parameter *row = ovr_parameter_row(block->first + k);
+        const ovr_parameter *row = &section->rows[k];
         block->slots[k] = (ovr_slot){.key = row->key, .number = NAN};
         if (row->initial &&
             ovr_slot_read(row, row->initial, &c->arena, &block->slots[k], err))
@@ -141,30 +140,31 @@ const ovr_section *ovr_section_parse(const char *header, const char **name,
 
 /* ------------------------------------------------------------------ slots */
 
-static void no_key(const ovr_block *block, const char *key, ovr_error *err)
+static void no_key(const ovr_section *section, const char *key, ovr_error *err)
 {
     const char *names[128], *meant;
+    const ovr_section *home = NULL;
     const ovr_parameter *row;
     size_t n;
-    for (n = 0; n < block->count && n < 128; n++)
-        names[n] = ovr_parameter_row(block->first + n)->key;
+    for (n = 0; n < section->count && n < 128; n++)
+        names[n] = section->rows[n].key;
     meant = ovr_suggest(key, names, n);
-    for (n = 0; (row = ovr_parameter_row(n)); n++)
+    for (n = 0; (row = ovr_parameter_row(n, &home)); n++)
         if (!strcmp(row->key, key) && (!meant || strlen(key) > 1))
             break;
     if (row)
         ovr_fail(err, OVR_BAD_INPUT,
                  "unknown key '%.48s' in [%s]; it belongs in [%s]", key,
-                 block->section->name, row->section);
+                 section->name, home->name);
     else if (meant) {
         ovr_fail(err, OVR_BAD_INPUT,
                  "unknown key '%.48s' in [%s]; did you mean '%s'?", key,
-                 block->section->name, meant);
+                 section->name, meant);
         ovr_fail_meant(err, OVR_BAD_INPUT, meant);
     } else
         ovr_fail(err, OVR_BAD_INPUT,
                  "unknown key '%.48s' in [%s]; 'overroll help %s' lists them",
-                 key, block->section->name, block->section->name);
+                 key, section->name, section->name);
 }
 
 ovr_slot *ovr_block_slot(const ovr_block *block, const char *key,
@@ -172,15 +172,15 @@ ovr_slot *ovr_block_slot(const ovr_block *block, const char *key,
 {
     *row = ovr_parameter_find(block->section, key);
     if (*row)
-        return &block->slots[*row - ovr_parameter_row(block->first)];
-    no_key(block, key, err);
+        return &block->slots[*row - block->section->rows];
+    no_key(block->section, key, err);
     return NULL;
 }
 
 const ovr_slot *ovr_block_get(const ovr_block *block, const char *key)
 {
     const ovr_parameter *row = ovr_parameter_find(block->section, key);
-    return &block->slots[row - ovr_parameter_row(block->first)];
+    return &block->slots[row - block->section->rows];
 }
 
 ovr_status ovr_fail_slot(ovr_error *err, const ovr_slot *slot,
@@ -291,16 +291,6 @@ typedef struct place {
     const char *before; /* section named, where the key no longer belongs */
 } place;
 
-static place no_place(const ovr_section *section, const char *key,
-                      ovr_error *err)
-{
-    ovr_block unknown = {.section = section};
-    unknown.first = ovr_section_first(section);
-    unknown.count = ovr_section_size(section);
-    no_key(&unknown, key, err);
-    return (place){0};
-}
-
 static place find_place(ovr_case *c, const char *where, ovr_error *err)
 {
     const char *point = strrchr(where, '.'), *name;
@@ -318,8 +308,10 @@ static place find_place(ovr_case *c, const char *where, ovr_error *err)
     if (!named)
         return at;
     section = ovr_section_now(named, point + 1);
-    if (!ovr_parameter_find(section, point + 1))
-        return no_place(section, point + 1, err);
+    if (!ovr_parameter_find(section, point + 1)) {
+        no_key(section, point + 1, err);
+        return at;
+    }
     block = ovr_case_block(c, section, name, err);
     if (block)
         at.slot = ovr_block_slot(block, point + 1, &at.row, err);
@@ -446,7 +438,7 @@ void ovr_case_entry_into(const ovr_case *c, size_t k, ovr_case_entry *to)
     }
     if (b) {
         const ovr_slot *slot = &b->slots[k];
-        const ovr_parameter *row = ovr_parameter_row(b->first + k);
+        const ovr_parameter *row = &b->section->rows[k];
         entry.section = b->section->name;
         entry.name = b->name;
         entry.key = row->key;
@@ -458,8 +450,8 @@ void ovr_case_entry_into(const ovr_case *c, size_t k, ovr_case_entry *to)
         entry.number = slot->number;
         if (slot->unit)
             entry.unit = ovr_unit_si(ovr_unit_dimension(slot->unit));
-        entry.parameter = b->first + k;
-        entry.applies = ovr_key_applies(c, b, row->key);
+        entry.parameter = ovr_section_first(b->section) + k;
+        entry.applies = ovr_key_applies(c, b, row);
     }
     ovr_sized_give(to, &entry, sizeof entry);
 }

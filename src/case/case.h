@@ -32,7 +32,7 @@ typedef struct ovr_block {
     const ovr_section *section;
     const char *name; /* of a feature; else NULL */
     long line;        /* of its header; 0: none */
-    size_t first, count;
+    size_t count;     /* of slots, one a row of the section */
     ovr_slot *slots;
     struct ovr_block *next;
 } ovr_block;
@@ -70,9 +70,9 @@ ovr_slot *ovr_block_slot(const ovr_block *block, const char *key,
 /* Given and default value of a key that exists. */
 const ovr_slot *ovr_block_get(const ovr_block *block, const char *key);
 
-/* Whether a key has a meaning beside the values of the others. */
+/* Whether a key has an effect beside the values of the others. */
 bool ovr_key_applies(const ovr_case *c, const ovr_block *block,
-                     const char *key);
+                     const ovr_parameter *row);
 
 /* "[feature NAME]" taken apart: section and name (NULL for plain ones). */
 const ovr_section *ovr_section_parse(const char *header, const char **name,

@@ -35,7 +35,7 @@ static bool is_later(const ovr_slot *slot)
 
 static void put_setting(growing *g, const ovr_block *b, size_t k)
 {
-    put_text(g, ovr_parameter_row(b->first + k)->key);
+    put_text(g, b->section->rows[k].key);
     put_text(g, " = ");
     put_text(g, b->slots[k].text);
     put_text(g, "\n");

@@ -1,108 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The one table of parameters.  It drives parsing, defaults, ranges, help,
- * the manual page, JSON and the attributes in result files; a parameter is
- * added by adding a row here and its field to the struct the row points into.
+ * The one table of parameters: the sections of case/keys, one behind the other.
+ * It drives parsing, defaults, ranges, help, the manual page, JSON and the
+ * attributes in result files.
  */
 #ifndef OVR_CASE_PARAMETERS_H
 #define OVR_CASE_PARAMETERS_H
 
-#include <stdbool.h>
-#include <stddef.h>
-
 #include "base/parameter.h"
-#include "overroll/case.h"
-#include "overroll/oil.h"
 
-/* How load or speed change. */
-typedef struct ovr_change {
-    int history; /* ovr_history_kind */
-    double from, to, start, duration, amplitude, period, mean;
-    const char *file;
-    int time_unit;
-} ovr_change;
-
-/* Every value of a feature; the form points to the rest. */
-typedef struct ovr_feature_settings {
-    ovr_feature_form form;
-    ovr_profile_source source;
-    ovr_conditioning conditioning;
-    ovr_roughness roughness;
-} ovr_feature_settings;
-
-/* Every value of a case but the features'. */
-typedef struct ovr_settings {
-    ovr_conditions contact;
-    double bearable;
-    int viscosity_law, density_law;
-    ovr_oil oil;
-    double iso_vg;
-    int heat_model; /* 0: none */
-    ovr_heat_form heat;
-    const char *viscosity_file, *density_file;
-    ovr_flow_form flow;
-    int rheology, carreau_form;
-    const char *rheology_file;
-    double carreau_stress, carreau_number;
-    ovr_options options;
-    int scheme; /* -1: by the steps and histories */
-    int nodes;
-    double accuracy; /* with level = auto */
-    int accuracy_of;
-    double end, step, error;
-    bool until_steady;
-    ovr_change load, speed, sliding, radius, radius_1, supply;
-    int curvature;    /* of [radius], see below */
-    int supply_model; /* 0: flooded, 1: film */
-    double thickness[2], waiting;
-    const char *layer_file[2];
-    ovr_passes_setup passes;
-    ovr_output output;
-    int every, precision;
-    ovr_stress_setup stress;
-    ovr_life_options life;
-    int stress_surface, stress_every, stress_traction, criterion;
-    ovr_list window;
-} ovr_settings;
-
-/* Of [radius] curvature. */
-enum { OVR_CURVATURE_AUTO, OVR_CURVATURE_RIDES, OVR_CURVATURE_IMPOSED };
-
-/* Of [stress] traction. */
-enum { OVR_TRACTION_NO, OVR_TRACTION_YES, OVR_TRACTION_AUTO };
-
-/* By name in [body 1] and [body 2]; values and sources in resolve_bodies.c. */
-typedef enum ovr_material_name {
-    OVR_STEEL = 1,
-    OVR_SILICON_NITRIDE,
-    OVR_TUNGSTEN_CARBIDE,
-    OVR_BRONZE,
-    OVR_GLASS,
-    OVR_SAPPHIRE
-} ovr_material_name;
-
-/* Of [body 1] and [body 2]; NAN, 0: not given. */
-typedef struct ovr_body_form {
-    int material; /* ovr_material_name */
-    double modulus, poisson, radius;
-    ovr_thermal thermal;
-} ovr_body_form;
-
-/* Value of `end = auto`. */
-#define OVR_END_AUTO INFINITY
-
-/* Value of `step = adaptive`. */
-#define OVR_STEP_ADAPTIVE (-1.0)
-
-const ovr_parameter *ovr_parameter_row(size_t k);
+/* The k-th row of all sections, NULL behind the last; *section (or NULL) is the
+ * one it belongs to. */
+const ovr_parameter *ovr_parameter_row(size_t k, const ovr_section **section);
 
 /* Sections in order; NULL behind the last. */
 const ovr_section *ovr_section_row(size_t k);
 const ovr_section *ovr_section_find(const char *name);
 
-/* Its rows in the table lie together. */
+/* How many rows the sections before it have. */
 size_t ovr_section_first(const ovr_section *section);
-size_t ovr_section_size(const ovr_section *section);
 
 /* "b", "b^2/R", "b/um", "ph" or "". */
 const char *ovr_hertzian_name(ovr_hertzian hertzian);

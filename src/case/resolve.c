@@ -145,7 +145,7 @@ ovr_status ovr_block_fill(ovr_resolved *r, const ovr_block *block, void *into,
                           ovr_error *err)
 {
     for (size_t k = 0; k < block->count; k++) {
-        const ovr_parameter *row = ovr_parameter_row(block->first + k);
+        const ovr_parameter *row = &block->section->rows[k];
         const ovr_slot *slot = &block->slots[k];
         ovr_status status;
         if (!slot->text)

@@ -4,6 +4,7 @@
 #define OVR_CASE_RESOLVE_H
 
 #include "case/case.h"
+#include "case/settings.h"
 
 /* A setup with the memory behind it; the setup comes first. */
 typedef struct ovr_resolved {

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Short forms for rows of parameters (base/parameter.h): each stands for kind,
+ * dimension, unit of a bare number, least and most, whether the least itself is
+ * refused, and words.  Included only by files that hold rows.
+ */
+#ifndef OVR_BASE_ROWS_H
+#define OVR_BASE_ROWS_H
+
+#include <math.h>
+
+#include "base/parameter.h"
+
+#define PLAIN(least, most)                                                     \
+    OVR_NUMBER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, NULL
+#define PLAIN_OR(words, least, most)                                           \
+    OVR_NUMBER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, words
+#define POSITIVE(most)                                                         \
+    OVR_NUMBER, OVR_PURE, OVR_NOT_HERTZIAN, 0, most, true, NULL
+#define WITH_UNIT(dimension, least, most)                                      \
+    OVR_NUMBER, dimension, OVR_NOT_HERTZIAN, least, most, false, NULL
+#define LENGTH(least, most)                                                    \
+    OVR_NUMBER, OVR_LENGTH, OVR_IN_B, least, most, false, NULL
+#define LENGTH_OR(words, least, most)                                          \
+    OVR_NUMBER, OVR_LENGTH, OVR_IN_B, least, most, false, words
+#define SIZE OVR_NUMBER, OVR_LENGTH, OVR_IN_B, 1e-6, 1e4, false, NULL
+#define HEIGHT OVR_NUMBER, OVR_LENGTH, OVR_IN_HEIGHT, 0, 1e3, false, NULL
+#define SHIFT OVR_NUMBER, OVR_LENGTH, OVR_IN_HEIGHT, -1e3, 1e3, false, NULL
+#define TIME(least, most)                                                      \
+    OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, least, most, false, NULL
+#define SPAN(words, most)                                                      \
+    OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, 1e-6, most, false, words
+#define STRESS(words, least, most)                                             \
+    OVR_NUMBER, OVR_PRESSURE, OVR_IN_PRESSURE, least, most, false, words
+#define AREA_OR(words, most)                                                   \
+    OVR_NUMBER, OVR_AREA, OVR_IN_AREA, 0, most, false, words
+#define WHOLE(least, most)                                                     \
+    OVR_INTEGER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, NULL
+#define WHOLE_OR(words, least, most)                                           \
+    OVR_INTEGER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, words
+#define CHOICE(words)                                                          \
+    OVR_CHOICE, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, words
+#define WORDS(words)                                                           \
+    OVR_WORDS, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, words
+#define FLAG OVR_FLAG, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, NULL
+#define TEXT OVR_TEXT, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, NULL
+#define PATH OVR_PATH, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, NULL
+#define LIST(dimension, hertzian, least, most, words)                          \
+    OVR_NUMBERS, dimension, hertzian, least, most, false, words
+
+/* Of a key that has an effect beside any others. */
+#define ALWAYS NULL
+
+/* The rows of a section, and how many there are. */
+#define ROWS(table) table, sizeof table / sizeof *table
+
+#endif

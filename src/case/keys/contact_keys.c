@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* [contact] and [body]. */
+#include "case/keys/keys.h"
+
+#include <math.h>
+
+static const ovr_word materials[] = {{"steel", OVR_STEEL},
+                                     {"silicon-nitride", OVR_SILICON_NITRIDE},
+                                     {"tungsten-carbide", OVR_TUNGSTEN_CARBIDE},
+                                     {"bronze", OVR_BRONZE},
+                                     {"glass", OVR_GLASS},
+                                     {"sapphire", OVR_SAPPHIRE},
+                                     {NULL, 0}};
+static const ovr_word flat[] = {{"flat", INFINITY}, {NULL, 0}};
+
+static const ovr_parameter contact_keys[] = {
+    {"M", PLAIN(1e-3, 1e6), NULL, AT(contact.M), true, ALWAYS,
+     "Moes load parameter W/sqrt(2U)"},
+    {"L", PLAIN(0, 1e3), NULL, AT(contact.L), true, ALWAYS,
+     "Moes material parameter G (2U)^(1/4); 0: isoviscous, incompressible"},
+    {"lambda", PLAIN(1e-12, 1e7), NULL, AT(contact.lambda), true, ALWAYS,
+     "3 pi^2/(8 M^2), with alphabar instead of M and L"},
+    {"alphabar", PLAIN(0, 1e5), NULL, AT(contact.alphabar), true, ALWAYS,
+     "alpha times the Hertzian pressure, with lambda"},
+    {"load", WITH_UNIT(OVR_LOAD, 1e-6, 1e10), NULL, AT(contact.load), true,
+     ALWAYS, "load per unit width, w; as a force with width given"},
+    {"width", WITH_UNIT(OVR_LENGTH, 1e-7, 1e4), NULL, AT(contact.width), false,
+     ALWAYS,
+     "length of the contact along the rollers' axes: for a load in N, and for "
+     "forces in N"},
+    {"hertz_pressure", WITH_UNIT(OVR_PRESSURE, 1e2, 1e12), NULL,
+     AT(contact.hertz_pressure), true, ALWAYS,
+     "maximum Hertzian pressure ph, instead of load (or of alpha)"},
+    {"radius", WITH_UNIT(OVR_LENGTH, 1e-7, 1e4), NULL, AT(contact.radius), true,
+     ALWAYS,
+     "reduced radius R, 1/R = 1/R1 + 1/R2; or from [body 1] and [body 2]"},
+    {"modulus", WITH_UNIT(OVR_PRESSURE, 1e3, 1e13), NULL, AT(contact.modulus),
+     true, ALWAYS,
+     "reduced modulus E', 2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2; or from [body "
+     "1] and [body 2]"},
+    {"viscosity", WITH_UNIT(OVR_DYNAMIC_VISCOSITY, 1e-7, 1e7), NULL,
+     AT(contact.viscosity), true, ALWAYS,
+     "the same as viscosity in [lubricant]"},
+    {"alpha", WITH_UNIT(OVR_PER_PRESSURE, 0, 1e-5), NULL, AT(contact.alpha),
+     true, ALWAYS, "the same as alpha in [lubricant]"},
+    {"speed_1", WITH_UNIT(OVR_SURFACE_SPEED, -1e4, 1e4), NULL,
+     AT(contact.speed_1), true, ALWAYS, "speed of surface 1 along +x, u1"},
+    {"speed_2", WITH_UNIT(OVR_SURFACE_SPEED, -1e4, 1e4), NULL,
+     AT(contact.speed_2), true, ALWAYS, "speed of surface 2 along +x, u2"},
+    {"mean_speed", WITH_UNIT(OVR_SPEED, 1e-12, 1e4), NULL,
+     AT(contact.mean_speed), true, ALWAYS,
+     "um = (u1 + u2)/2, instead of the two speeds"},
+    {"slide_to_roll", WITH_UNIT(OVR_SHARE, -1e3, 1e3), NULL,
+     AT(contact.slide_to_roll), true, ALWAYS,
+     "(u1 - u2)/um, may be in %; 0 unless given"},
+    {"G", PLAIN(1, 1e7), NULL, AT(contact.G), true, ALWAYS,
+     "alpha E', with M and L: instead of modulus, for coefficients of "
+     "friction"},
+    {"bearable_pressure", WITH_UNIT(OVR_PRESSURE, 1, 1e13), "4 GPa",
+     AT(bearable), false, ALWAYS,
+     "above it a run is warned of: hardened steel yields there"},
+};
+
+const ovr_section ovr_contact_section = {
+    "contact", false,
+    "the operating conditions: M and L; or lambda and alphabar; or load (or "
+    "hertz_pressure), radius, modulus, viscosity, alpha and speeds",
+    ROWS(contact_keys)};
+
+static const ovr_parameter body_keys[] = {
+    {"material", CHOICE(materials), NULL, offsetof(ovr_body_form, material),
+     true, ALWAYS,
+     "gives modulus and Poisson's ratio; those that are given count"},
+    {"modulus", WITH_UNIT(OVR_PRESSURE, 1e3, 1e13), NULL,
+     offsetof(ovr_body_form, modulus), true, ALWAYS,
+     "Young's modulus E; both bodies' give the reduced one"},
+    {"poisson", PLAIN(0, 0.5), "0.3", offsetof(ovr_body_form, poisson), true,
+     ALWAYS, "Poisson's ratio; 0.3 where no material says otherwise"},
+    {"conductivity", WITH_UNIT(OVR_CONDUCTIVITY, 1e-3, 1e4), NULL,
+     offsetof(ovr_body_form, thermal.conductivity), true, ALWAYS,
+     "with heat; of its material, else of steel"},
+    {"heat_capacity", WITH_UNIT(OVR_HEAT_CAPACITY, 1, 1e30), NULL,
+     offsetof(ovr_body_form, thermal.heat_capacity), true, ALWAYS,
+     "with heat; of its material, else of steel"},
+    {"density", WITH_UNIT(OVR_MASS_DENSITY, 100, 1e5), NULL,
+     offsetof(ovr_body_form, thermal.density), true, ALWAYS,
+     "with heat; of its material, else of steel"},
+    {"radius", OVR_NUMBER, OVR_LENGTH, OVR_NOT_HERTZIAN, -1e4, 1e4, false, flat,
+     NULL, offsetof(ovr_body_form, radius), true, ALWAYS,
+     "radius at the contact, negative where it is concave, or flat; both "
+     "bodies' give the reduced one"},
+};
+
+const ovr_section ovr_body_section = {
+    "body", true,
+    "[body 1], [body 2]: the bodies, for what [contact] does not say",
+    ROWS(body_keys)};

@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* [domain], [solver] and [paper]. */
+#include "case/keys/keys.h"
+
+#include <math.h>
+
+static const ovr_word smoothers[] = {{"line", OVR_LINE},
+                                     {"hybrid", OVR_HYBRID},
+                                     {"gauss-seidel", OVR_GAUSS_SEIDEL},
+                                     {"dipole", OVR_DIPOLE},
+                                     {NULL, 0}};
+static const ovr_word orders[] = {{"auto", 0}, {"2", 2}, {"4", 4}, {NULL, 0}};
+static const ovr_word refines[] = {
+    {"none", OVR_REFINE_NONE}, {"spike", OVR_REFINE_SPIKE}, {NULL, 0}};
+static const ovr_word accuracies[] = {{"H_cen", OVR_ACCURACY_H_CEN},
+                                      {"H_min", OVR_ACCURACY_H_MIN},
+                                      {"features", OVR_ACCURACY_FEATURES},
+                                      {NULL, 0}};
+static const ovr_word cycles[] = {{"V", 1}, {"W", 2}, {NULL, 0}};
+static const ovr_word stops[] = {{"negligible", OVR_STOP_NEGLIGIBLE},
+                                 {"truncation", OVR_STOP_TRUNCATION},
+                                 {"fixed", OVR_STOP_FIXED},
+                                 {NULL, 0}};
+static const ovr_word auto_nan[] = {{"auto", NAN}, {NULL, 0}};
+static const ovr_word inlets[] = {{"usual", 0}, {"auto", NAN}, {NULL, 0}};
+static const ovr_word auto_zero[] = {{"auto", 0}, {NULL, 0}};
+
+static const ovr_parameter domain_keys[] = {
+    {"inlet", LENGTH_OR(inlets, -1e6, -1.05), "usual", AT(options.inlet), true,
+     ALWAYS,
+     "X of the first node; usual: -4, or farther out where that would cost "
+     "more than 0.5 % of the central film; auto: where it costs 1e-4"},
+    {"outlet", LENGTH_OR(auto_nan, 1.05, 1e6), "1.5", AT(options.outlet), true,
+     ALWAYS, "X of the last node"},
+    {"level", WHOLE_OR(auto_zero, 1, 23), "8", AT(options.level), true, ALWAYS,
+     "finest grid: 7 2^level + 1 nodes; auto: what brings accuracy_of to "
+     "accuracy, 14 at most"},
+    {"accuracy", PLAIN(1e-9, 0.5), "1e-3", AT(accuracy), true, ALWAYS,
+     "with level = auto: relative error of discretization that is wanted"},
+    {"accuracy_of", CHOICE(accuracies), "H_cen", AT(accuracy_of), true, ALWAYS,
+     "with level = auto: of the central film, of the smallest, or of what "
+     "the features do to the film"},
+    {"nodes", WHOLE(15, 58720257), NULL, AT(nodes), true, ALWAYS,
+     "instead of level: 7 2^k + 1"},
+    {"order", CHOICE(orders), "auto", AT(options.order), true, ALWAYS,
+     "of the steady solution, and of what a run keeps of it: 4 corrects film, "
+     "Poiseuille flow and wedge on the finest grid; auto: 4 where it applies"},
+    {"refine", CHOICE(refines), "none", AT(options.refine), true, ALWAYS,
+     "spike: patches of ever finer mesh about the pressure spike, the first "
+     "three to behind the rupture of the film; of steady contacts only"},
+    {"refine_level", WHOLE(7, 22), NULL, AT(options.refine_level), true,
+     "refine = spike",
+     "of the finest patch; else as many as refine_change takes"},
+    {"refine_change", PLAIN(1e-9, 0.5), "1e-3", AT(options.refine_change), true,
+     "refine = spike",
+     "patches until two levels running change the spike's height by less"},
+};
+
+const ovr_section ovr_domain_section = {
+    "domain", false, "the part of the film that is computed, and its grid",
+    ROWS(domain_keys)};
+
+static const ovr_parameter solver_keys[] = {
+    {"cycle", CHOICE(cycles), "V", AT(options.cycle_index), true, ALWAYS,
+     "multigrid cycle"},
+    {"sweeps_before", WHOLE_OR(auto_zero, 0, 100), "auto",
+     AT(options.sweeps_before), true, ALWAYS,
+     "relaxations before the coarse grid"},
+    {"sweeps_after", WHOLE_OR(auto_zero, 0, 100), "auto",
+     AT(options.sweeps_after), true, ALWAYS,
+     "relaxations after the coarse grid"},
+    {"coarsest_level", WHOLE_OR(auto_zero, 1, 7), "auto",
+     AT(options.coarsest_level), true, ALWAYS,
+     "coarsest grid; the paper's is 1"},
+    {"stop", CHOICE(stops), "negligible", AT(options.stop), true, ALWAYS,
+     "when a steady solve is done: algebraic error negligible, a fraction of "
+     "the discretization error, or a fixed number of cycles"},
+    {"max_cycles", WHOLE_OR(auto_zero, 1, 100000), "auto",
+     AT(options.max_cycles), true, ALWAYS, "steady: most cycles on each level"},
+    {"tolerance", PLAIN_OR(auto_zero, 1e-16, 0.1), "auto",
+     AT(options.tolerance), true, ALWAYS,
+     "on the relative mass-flow imbalance"},
+};
+
+const ovr_section ovr_solver_section = {
+    "solver", false, "multigrid; the defaults do for nearly every case",
+    ROWS(solver_keys)};
+
+static const ovr_parameter paper_keys[] = {
+    {"smoother", CHOICE(smoothers), "line", AT(options.smoother), true, ALWAYS,
+     "line: distributive line relaxation; hybrid: the paper's, for steady "
+     "solutions"},
+    {"switch", PLAIN(1e-9, 1e9), "3", AT(options.switch_value), true,
+     "smoother = hybrid", "hybrid: eps/D^2 above which Gauss-Seidel is used"},
+    {"relax_seidel", PLAIN(0.5, 1), "0.8", AT(options.relax_seidel), true,
+     "smoother = hybrid | gauss-seidel",
+     "hybrid: under-relaxation, Gauss-Seidel"},
+    {"relax_dipole", PLAIN(0.3, 0.6), "0.5", AT(options.relax_dipole), true,
+     "smoother = hybrid | dipole", "hybrid: under-relaxation, dipole"},
+    {"paper_balance", FLAG, "no", AT(options.paper_balance), true, ALWAYS,
+     "force balance by the paper's relaxation of H0 on the coarsest grid "
+     "instead of dense Newton steps"},
+    {"cycles", WHOLE(1, 1000), "2", AT(options.cycles), true,
+     "solver.stop = fixed", "with stop = fixed: cycles on each level"},
+    {"mlmi_order", WHOLE_OR(auto_zero, 4, 12), "auto", AT(options.mlmi_order),
+     true, ALWAYS, "order of the transfers in the deformation integrals, even"},
+    {"mlmi_range", WHOLE_OR(auto_zero, 2, 24), "auto", AT(options.mlmi_range),
+     true, ALWAYS, "corrections within so many meshes of the singularity"},
+};
+
+const ovr_section ovr_paper_section = {
+    "paper", false,
+    "the algorithm of Venner, ten Napel & Bosma (1990), for their tables; "
+    "[solver] may hold these keys too, as it once did",
+    ROWS(paper_keys)};

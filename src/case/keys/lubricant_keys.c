@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* [lubricant] and [heat]. */
+#include "case/keys/keys.h"
+
+#include <math.h>
+
+static const ovr_word viscosity_laws[] = {{"roelands", OVR_ROELANDS},
+                                          {"barus", OVR_BARUS},
+                                          {"isoviscous", OVR_ISOVISCOUS},
+                                          {"doolittle", OVR_DOOLITTLE},
+                                          {"yasutomi", OVR_YASUTOMI},
+                                          {"table", OVR_VISCOSITY_TABLE},
+                                          {NULL, 0}};
+static const ovr_word density_laws[] = {
+    {"dowson-higginson", OVR_DOWSON_HIGGINSON},
+    {"incompressible", OVR_INCOMPRESSIBLE},
+    {"tait", OVR_TAIT},
+    {"table", OVR_DENSITY_TABLE},
+    {NULL, 0}};
+static const ovr_word heats[] = {{"none", 0}, {"lobatto", 1}, {NULL, 0}};
+static const ovr_word heat_points[] = {{"5", 5}, {"7", 7}, {NULL, 0}};
+static const ovr_word rheologies[] = {{"newtonian", OVR_NEWTONIAN},
+                                      {"eyring", OVR_EYRING},
+                                      {"carreau", OVR_CARREAU},
+                                      {"table", OVR_FLOW_TABLE},
+                                      {NULL, 0}};
+static const ovr_word carreau_forms[] = {
+    {"rate", OVR_CARREAU}, {"stress", OVR_CARREAU_STRESS}, {NULL, 0}};
+static const ovr_word auto_nan[] = {{"auto", NAN}, {NULL, 0}};
+
+static const ovr_parameter lubricant_keys[] = {
+    {"viscosity_law", CHOICE(viscosity_laws), "roelands", AT(viscosity_law),
+     true, ALWAYS, "viscosity against pressure"},
+    {"density_law", CHOICE(density_laws), "dowson-higginson", AT(density_law),
+     true, ALWAYS, "density against pressure"},
+    {"viscosity", WITH_UNIT(OVR_DYNAMIC_VISCOSITY, 1e-7, 1e7), NULL,
+     AT(contact.viscosity), true, ALWAYS, "at ambient pressure, eta0"},
+    {"alpha", WITH_UNIT(OVR_PER_PRESSURE, 0, 1e-5), NULL, AT(contact.alpha),
+     true, ALWAYS,
+     "pressure-viscosity index; with M and L 17 1/GPa unless given"},
+    {"p0", WITH_UNIT(OVR_PRESSURE, 1e5, 1e11), "198 MPa", AT(oil.p0), true,
+     "viscosity_law = roelands", "Roelands' p0"},
+    {"z", PLAIN_OR(auto_nan, 1e-3, 2), "auto", AT(oil.z), true,
+     "viscosity_law = roelands",
+     "Roelands' index; auto: alpha p0/(ln eta0 + 9.67) where alpha and "
+     "viscosity are known, else 0.68"},
+    {"rheology", CHOICE(rheologies), "newtonian", AT(rheology), true, ALWAYS,
+     "shear stress against shear rate"},
+    {"eyring_stress", WITH_UNIT(OVR_PRESSURE, 1, 1e12), NULL, AT(flow.stress),
+     true, ALWAYS, "eyring: tau0, above which the film shears thin"},
+    {"eyring_number", POSITIVE(1e12), NULL, AT(flow.number), true, ALWAYS,
+     "eyring: tau0 over ph b/R, instead of eyring_stress"},
+    {"carreau_stress", WITH_UNIT(OVR_PRESSURE, 1, 1e12), NULL,
+     AT(carreau_stress), true, ALWAYS,
+     "carreau: tau0 (G), where the film shears thin"},
+    {"carreau_number", POSITIVE(1e12), NULL, AT(carreau_number), true, ALWAYS,
+     "carreau: tau0 over ph b/R, instead of carreau_stress"},
+    {"carreau_n", PLAIN(0.05, 1), "0.5", AT(flow.n), true, "rheology = carreau",
+     "carreau: exponent at high rates, of the stress"},
+    {"carreau_a", PLAIN(0.1, 10), "2", AT(flow.a), true, "rheology = carreau",
+     "carreau: Yasuda's exponent of the change"},
+    {"carreau_form", CHOICE(carreau_forms), "rate", AT(carreau_form), true,
+     "rheology = carreau",
+     "carreau: stress by the rate, as in textbooks, or rate by the stress"},
+    {"rheology_file", PATH, NULL, AT(rheology_file), true, ALWAYS,
+     "table: file of shear stresses and rates at ambient pressure"},
+    {"limiting_shear", PLAIN(0, 1), "0", AT(flow.limiting_shear), true, ALWAYS,
+     "most mean shear stress over pressure, in friction and heat; 0: no limit"},
+    {"temperature", WITH_UNIT(OVR_TEMPERATURE, 150, 800), NULL,
+     AT(oil.temperature), true, ALWAYS,
+     "of oil and bodies, at which the laws hold; for viscosity_40 and the like "
+     "and for Yasutomi's law"},
+    {"viscosity_40", WITH_UNIT(OVR_KINEMATIC_VISCOSITY, 1e-7, 1), NULL,
+     AT(oil.nu_40), true, ALWAYS,
+     "kinematic viscosity at 40 degC, from a data sheet"},
+    {"viscosity_100", WITH_UNIT(OVR_KINEMATIC_VISCOSITY, 1e-7, 1), NULL,
+     AT(oil.nu_100), true, ALWAYS, "kinematic viscosity at 100 degC"},
+    {"iso_vg", PLAIN(2, 5000), NULL, AT(iso_vg), true, ALWAYS,
+     "ISO VG grade: viscosity_40 in mm2/s, the middle of the grade"},
+    {"viscosity_index", PLAIN(-200, 500), NULL, AT(oil.viscosity_index), true,
+     ALWAYS, "viscosity index, instead of viscosity_100"},
+    {"density_15", WITH_UNIT(OVR_MASS_DENSITY, 400, 3000), NULL,
+     AT(oil.density_15), true, ALWAYS,
+     "density at 15 degC, with viscosity_40 or iso_vg"},
+    {"viscosity_file", PATH, NULL, AT(viscosity_file), true, ALWAYS,
+     "viscosity_law = table: file of pressures and viscosities"},
+    {"density_file", PATH, NULL, AT(density_file), true, ALWAYS,
+     "density_law = table: file of pressures and densities"},
+    {"tait_K0", WITH_UNIT(OVR_PRESSURE, 1e6, 1e12), NULL, AT(oil.tait_K0), true,
+     ALWAYS, "Tait, and Doolittle: bulk modulus at p = 0 and the temperature"},
+    {"tait_K0_slope", PLAIN(0.1, 100), NULL, AT(oil.tait_K0_slope), true,
+     ALWAYS, "Tait, and Doolittle: its slope K0' there, near 11"},
+    {"doolittle_B", POSITIVE(1e3), NULL, AT(oil.doolittle_B), true, ALWAYS,
+     "Doolittle's B"},
+    {"doolittle_R0", POSITIVE(1), NULL, AT(oil.doolittle_R0), true, ALWAYS,
+     "Doolittle: occupied share of the volume at p = 0"},
+    {"yasutomi_Tg0", WITH_UNIT(OVR_TEMPERATURE, 50, 800), NULL,
+     AT(oil.yasutomi.Tg0), true, ALWAYS, "Yasutomi: glass transition at p = 0"},
+    {"yasutomi_A1", WITH_UNIT(OVR_KELVINS, 1e-3, 1e4), NULL,
+     AT(oil.yasutomi.A1), true, ALWAYS, "Yasutomi: A1 of the glass transition"},
+    {"yasutomi_A2", WITH_UNIT(OVR_PER_PRESSURE, 1e-13, 1e-5), NULL,
+     AT(oil.yasutomi.A2), true, ALWAYS, "Yasutomi: A2 of the glass transition"},
+    {"yasutomi_b1", WITH_UNIT(OVR_PER_PRESSURE, 0, 1e-5), NULL,
+     AT(oil.yasutomi.b1), true, ALWAYS, "Yasutomi: b1 of the factor F"},
+    {"yasutomi_b2", PLAIN(-10, 0), NULL, AT(oil.yasutomi.b2), true, ALWAYS,
+     "Yasutomi: b2 of the factor F"},
+    {"yasutomi_C1", POSITIVE(100), NULL, AT(oil.yasutomi.C1), true, ALWAYS,
+     "Yasutomi: C1, 16.04 where the glass viscosity is 1e12 Pa s"},
+    {"yasutomi_C2", WITH_UNIT(OVR_KELVINS, 1e-3, 1e4), NULL,
+     AT(oil.yasutomi.C2), true, ALWAYS, "Yasutomi: C2"},
+    {"glass_viscosity", WITH_UNIT(OVR_DYNAMIC_VISCOSITY, 1, 1e15), NULL,
+     AT(oil.glass_viscosity), true, ALWAYS,
+     "Yasutomi: viscosity at the glass transition, where viscosity is not "
+     "given"},
+    {"S0", PLAIN(0, 10), NULL, AT(heat.S0), true, ALWAYS,
+     "Roelands: fall of viscosity with temperature, in heat; by the data "
+     "sheet's "
+     "two viscosities, or 1.1, unless given"},
+    {"beta", WITH_UNIT(OVR_PER_KELVIN, 0, 1), NULL, AT(heat.beta), true, ALWAYS,
+     "instead of S0, and for other laws: -d ln eta/dT at p = 0; by the data "
+     "sheet's two viscosities unless given"},
+};
+
+const ovr_section ovr_lubricant_section = {
+    "lubricant", false,
+    "how viscosity and density depend on pressure; what the laws need",
+    ROWS(lubricant_keys)};
+
+static const ovr_parameter heat_keys[] = {
+    {"model", CHOICE(heats), "none", AT(heat_model), true, ALWAYS,
+     "lobatto: temperatures by collocation across the film"},
+    {"points", CHOICE(heat_points), "5", AT(heat.points), true,
+     "model = lobatto", "across the film; 7 as a check"},
+    {"temperature", WITH_UNIT(OVR_TEMPERATURE, 150, 800), NULL,
+     AT(heat.temperature), true, ALWAYS,
+     "of the supplied oil, at which viscosity and alpha are given, and of the "
+     "bodies; or temperature in [lubricant]"},
+    {"temperature_1", WITH_UNIT(OVR_TEMPERATURE, 150, 800), NULL,
+     AT(heat.bulk[0]), true, ALWAYS, "of body 1 far from the contact"},
+    {"temperature_2", WITH_UNIT(OVR_TEMPERATURE, 150, 800), NULL,
+     AT(heat.bulk[1]), true, ALWAYS, "of body 2 far from the contact"},
+    {"conductivity", WITH_UNIT(OVR_CONDUCTIVITY, 1e-3, 1e3), "0.14 W/m.K",
+     AT(heat.oil.conductivity), true, "model = lobatto", "of the oil"},
+    {"heat_capacity", WITH_UNIT(OVR_HEAT_CAPACITY, 1, 1e30), "2000 J/kg.K",
+     AT(heat.oil.heat_capacity), true, "model = lobatto", "of the oil"},
+    {"density", WITH_UNIT(OVR_MASS_DENSITY, 100, 1e5), "870 kg/m3",
+     AT(heat.oil.density), true, "model = lobatto", "of the oil at p = 0"},
+    {"expansion", WITH_UNIT(OVR_PER_KELVIN, 0, 0.1), "6.5e-4 1/K",
+     AT(heat.expansion), true, "model = lobatto",
+     "of the oil by volume at p = 0, less under pressure: heats it where it is "
+     "compressed; of an incompressible oil none"},
+    {"density_expansion", FLAG, "yes", AT(heat.density_expands), true,
+     "model = lobatto", "no: density is that at the supply's temperature"},
+};
+
+const ovr_section ovr_heat_section = {
+    "heat", false, "temperatures of film and surfaces", ROWS(heat_keys)};

@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* [time], and the histories. */
+#include "case/keys/keys.h"
+
+#include <math.h>
+
+const ovr_word ovr_history_words[] = {
+    {"constant", OVR_HISTORY_CONSTANT}, {"ramp", OVR_HISTORY_RAMP},
+    {"sine", OVR_HISTORY_SINE},         {"step", OVR_HISTORY_STEP},
+    {"table", OVR_HISTORY_TABLE},       {NULL, 0}};
+const ovr_word ovr_time_unit_words[] = {
+    {"b/um", 0}, {"s", 1}, {"ms", 2}, {"us", 3}, {NULL, 0}};
+static const ovr_word schemes[] = {{"auto", -1},
+                                   {"upstream1", OVR_UPSTREAM1},
+                                   {"upstream2", OVR_UPSTREAM2},
+                                   {"characteristic", OVR_CHARACTERISTIC},
+                                   {NULL, 0}};
+static const ovr_word steps[] = {
+    {"grid", 0}, {"adaptive", OVR_STEP_ADAPTIVE}, {NULL, 0}};
+static const ovr_word curvatures[] = {{"auto", OVR_CURVATURE_AUTO},
+                                      {"rides", OVR_CURVATURE_RIDES},
+                                      {"imposed", OVR_CURVATURE_IMPOSED},
+                                      {NULL, 0}};
+static const ovr_word auto_end[] = {{"auto", OVR_END_AUTO}, {NULL, 0}};
+
+static const ovr_parameter time_keys[] = {
+    {"end", SPAN(auto_end, 1e5), NULL, AT(end), false, ALWAYS,
+     "end of the run, which starts at 0; auto: when all features have left, "
+     "load and speed do not change any more and the film is steady again; "
+     "without an end the case is steady"},
+    {"step", SPAN(steps, 1e3), "grid", AT(step), true, "end",
+     "time step; grid: the mesh size; adaptive: by the scheme's own error"},
+    {"scheme", CHOICE(schemes), "auto", AT(scheme), true, ALWAYS,
+     "discretization in X and T: upstream1 with backward Euler, upstream2 "
+     "with BDF2, or narrow second order along the characteristic; auto: "
+     "characteristic in runs with step = grid at constant load and speed, "
+     "upstream2 else"},
+    {"error", PLAIN(1e-9, 0.1), "1e-3", AT(error), true, "end; step = adaptive",
+     "adaptive: relative error that the steps add to the film on its way "
+     "through the contact"},
+    {"until_steady", FLAG, "no", AT(until_steady), false, ALWAYS,
+     "stop when nothing changes any more"},
+};
+
+const ovr_section ovr_time_section = {
+    "time", false, "the run in time, and the scheme (of steady cases too)",
+    ROWS(time_keys)};
+
+static const ovr_parameter load_keys[] = {
+    HISTORY(AT(load), "1", 0, 100, 1, "time.end"),
+};
+
+const ovr_section ovr_load_section = {
+    "load", false, "load against time, relative to that of [contact]",
+    ROWS(load_keys)};
+
+static const ovr_parameter speed_keys[] = {
+    HISTORY(AT(speed), "1", -100, 100, 100, "time.end"),
+    {"mean", PLAIN(-100, 100), "1", IN_CHANGE(AT(speed), mean), true,
+     "history = sine", "sine: what it swings about; 0: it goes to and fro"},
+};
+
+const ovr_section ovr_speed_section = {
+    "speed", false, "mean speed against time, relative to that of [contact]",
+    ROWS(speed_keys)};
+
+static const ovr_parameter sliding_keys[] = {
+    HISTORY(AT(sliding), NULL, -1e3, 1e3, 1e3, "time.end"),
+};
+
+const ovr_section ovr_sliding_section = {
+    "sliding", false,
+    "(u1 - u2)/um against time, over the nominal um, any sign; from and to "
+    "are "
+    "slide_to_roll unless given",
+    ROWS(sliding_keys)};
+
+static const ovr_parameter radius_keys[] = {
+    HISTORY(AT(radius), "1", 0.01, 100, 0.99, "time.end"),
+    {"curvature", CHOICE(curvatures), "auto", AT(curvature), true,
+     "history = ramp | sine | step | table",
+     "imposed, or rides with the material that comes by, as on gear teeth and "
+     "cams; auto: rides where the surfaces move fast enough for it"},
+};
+
+const ovr_section ovr_radius_section = {
+    "radius", false,
+    "reduced radius against time, relative to that of [contact], which stays "
+    "the scale",
+    ROWS(radius_keys)};
+
+static const ovr_parameter radius_1_keys[] = {
+    HISTORY(AT(radius_1), "1", -1e3, 1e3, 1e3, "time.end"),
+};
+
+const ovr_section ovr_radius_1_section = {
+    "radius_1", false,
+    "radius of surface 1 against time, relative to the reduced one of "
+    "[contact], negative: concave; the rest of the curvature is surface 2's; "
+    "without it all of it moves at the mean speed",
+    ROWS(radius_1_keys)};
