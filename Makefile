@@ -106,7 +106,7 @@ LINK    = $(CC) $(CFLAGS) $(KIND) $(LDFLAGS)
 # ---------------------------------------------------------- library, program
 
 # A floor may have folders of its own, one deep.
-FLOORS  := base contact surface multigrid stress simulation results case run \
+FLOORS  := base contact elements surface multigrid stress simulation results case run \
            pictures
 KERNELS := $(wildcard src/*/*.kernel.c src/*/*/*.kernel.c)
 LIBSRC  := $(filter-out $(KERNELS),\

@@ -5,6 +5,7 @@
 
 #include "overroll/case.h"
 #include "overroll/contact.h"
+#include "overroll/elements.h"
 #include "overroll/error.h"
 #include "overroll/heat.h"
 #include "overroll/memory.h"

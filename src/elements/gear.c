@@ -1,0 +1,455 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Involute gears on parallel axes: the contact along the line of action.
+ *
+ *   tan at = tan an/cos b,  mt = m/cos b,  d_k = z_k mt,  rb_k = d_k cos(at)/2
+ *   sin bb = sin b cos an
+ *   inv aw = inv at + 2 (x1 + x2) tan an/(z1 + z2),  a = a_d cos at/cos aw
+ *   L = a sin aw,  p = pi mt cos at,  s = sign z2
+ *   R1_A = L - s sqrt(da2^2/4 - rb2^2),  R1_E = sqrt(da1^2/4 - rb1^2)
+ * (Niemann & Winter, Maschinenelemente 2; ISO 21771), signs of an internal gear
+ * by z2 < 0.  At the distance R1 from the base circle of gear 1 the flanks have
+ * the radii R1 and L - R1 and the speeds omega_k R_k.
+ *
+ * Helical teeth touch along lines that lie in the plane of action at the angle
+ * bb to the axes: what moves across such a line is the transverse speed, and
+ * radii across it are the transverse ones over cos bb.
+ */
+#include "overroll/elements.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/arena.h"
+#include "elements/gear_sharing.h"
+
+static const double pi = 3.14159265358979323846;
+
+struct ovr_gear {
+    ovr_gear_form form;
+    ovr_gear_geometry g;
+    ovr_arena arena;
+};
+
+ovr_gear_form ovr_gear_form_default(void)
+{
+    return (ovr_gear_form){.module = NAN,
+                           .pressure_angle = 20 * pi / 180,
+                           .centre = NAN,
+                           .addendum = 1,
+                           .tip_1 = NAN,
+                           .tip_2 = NAN,
+                           .face = NAN,
+                           .speed = NAN,
+                           .driving = 1,
+                           .torque = NAN,
+                           .sharing = OVR_SHARING_ELASTIC,
+                           .blend = 0.05,
+                           .relief_length_1 = NAN,
+                           .relief_length_2 = NAN,
+                           .mesh_stiffness = NAN,
+                           .slice = 0.5,
+                           .least_share = 0.02,
+                           .least_radius = 0.05};
+}
+
+static double involute(double angle)
+{
+    return tan(angle) - angle;
+}
+
+/* The angle whose involute function is `value`: Newton's iteration from above,
+ * where it converges from any start, for inv is convex. */
+static double inverse_involute(double value)
+{
+    double angle = fmin(1.5, cbrt(3 * value) + 0.1);
+    for (int k = 0; k < 60; k++) {
+        double slope = tan(angle) * tan(angle);
+        double change = (involute(angle) - value) / slope;
+        angle -= change;
+        if (fabs(change) < 1e-16)
+            break;
+    }
+    return angle;
+}
+
+/* --------------------------------------------------------------- checks */
+
+typedef struct needed {
+    const char *about;
+    double value;
+} needed;
+
+static ovr_status check_numbers(const ovr_gear_form *f, ovr_error *err)
+{
+    const needed all[] = {{"module", f->module},
+                          {"face", f->face},
+                          {"speed", fabs(f->speed)},
+                          {"torque", fabs(f->torque)},
+                          {"addendum", f->addendum}};
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+        if (!(all[k].value > 0 && isfinite(all[k].value)))
+            return ovr_fail_about(err, all[k].about, "%s: must be positive",
+                                  all[k].about);
+    if (!(f->pressure_angle > 0 && f->pressure_angle < pi / 3))
+        return ovr_fail_about(err, "pressure_angle",
+                              "pressure_angle: must be between 0 and 60 deg");
+    if (!(fabs(f->helix_angle) < pi / 2.2))
+        return ovr_fail_about(err, "helix_angle",
+                              "helix_angle: must be below 80 deg");
+    if (!(f->slice >= 0 && f->slice <= 1))
+        return ovr_fail_about(err, "slice", "slice = %g: must be 0 to 1",
+                              f->slice);
+    if (f->driving != 1 && f->driving != 2)
+        return ovr_fail_about(err, "driving", "driving = %d: must be 1 or 2",
+                              f->driving);
+    return OVR_OK;
+}
+
+static ovr_status check_teeth(const ovr_gear_form *f, ovr_error *err)
+{
+    int one = f->teeth_1, two = f->teeth_2, fewer = abs(one), more = abs(two);
+    if (abs(one) < 5 || abs(two) < 5)
+        return ovr_fail_about(err, abs(one) < 5 ? "teeth_1" : "teeth_2",
+                              "teeth_%d = %d: must be 5 or more",
+                              abs(one) < 5 ? 1 : 2, abs(one) < 5 ? one : two);
+    if (one < 0)
+        return ovr_fail_about(
+            err, "teeth_1",
+            two < 0 ? "teeth_1 = %d, teeth_2 = %d: one gear at most is "
+                      "internal (a negative number of teeth)"
+                    : "teeth_1 = %d, teeth_2 = %d: the internal gear is gear 2;"
+                      " with driving = 1 or 2 either of them drives",
+            one, two);
+    if (two < 0 && more - fewer < 8)
+        return ovr_fail_about(err, "teeth_2",
+                              "teeth_2 = %d, teeth_1 = %d: an internal gear "
+                              "needs at least 8 teeth more than its pinion",
+                              two, one);
+    return OVR_OK;
+}
+
+static ovr_status check_sharing(const ovr_gear_form *f, ovr_error *err)
+{
+    bool helical = f->helix_angle != 0;
+    bool relieved = f->relief_1 > 0 || f->relief_2 > 0;
+    if (helical && f->sharing != OVR_SHARING_ELASTIC)
+        return ovr_fail_about(err, "sharing",
+                              "sharing: of helical teeth only elastic is "
+                              "known");
+    if (relieved && f->sharing != OVR_SHARING_STIFFNESS)
+        return ovr_fail_about(err, f->relief_1 > 0 ? "relief_1" : "relief_2",
+                              "tip relief needs sharing = stiffness");
+    if (!(f->blend >= 0 && f->blend <= 0.5))
+        return ovr_fail_about(err, "blend", "blend = %g: must be 0 to 0.5",
+                              f->blend);
+    if (f->sharing != OVR_SHARING_TABLE)
+        return OVR_OK;
+    if (f->shares < 2)
+        return ovr_fail_about(err, "file",
+                              "sharing = table needs at least two points");
+    for (size_t k = 0; k < f->shares; k++) {
+        if (!(f->share[k] >= 0 && f->share[k] <= 1))
+            return ovr_fail_about(err, "file",
+                                  "point %zu: a share of %g, must be 0 to 1",
+                                  k + 1, f->share[k]);
+        if (!isfinite(f->way[k]) || (k && !(f->way[k] > f->way[k - 1])))
+            return ovr_fail_about(err, "file", "point %zu: ways must increase",
+                                  k + 1);
+    }
+    return OVR_OK;
+}
+
+/* ------------------------------------------------------------- geometry */
+
+/* Shifts and centre distance, of which one follows from the others. */
+static ovr_status mesh(const ovr_gear_form *f, ovr_gear_geometry *g, double at,
+                       ovr_error *err)
+{
+    double teeth = f->teeth_1 + f->teeth_2, tangent = tan(f->pressure_angle);
+    double reference = (g->d_1 + g->d_2) / 2; /* a_d, signed */
+    g->shift_1 = f->shift_1;
+    g->shift_2 = f->shift_2;
+    if (isnan(f->centre)) {
+        double sum, value;
+        if (isnan(f->shift_1) || isnan(f->shift_2))
+            return ovr_fail_about(err,
+                                  isnan(f->shift_1) ? "shift_1" : "shift_2",
+                                  "the shifts are both needed where no centre "
+                                  "distance is given");
+        sum = f->shift_1 + f->shift_2;
+        value = involute(at) + 2 * sum * tangent / teeth;
+        if (!(value > 0))
+            return ovr_fail_about(err, "shift_1",
+                                  "shift_1 + shift_2 = %g: no gears mesh at "
+                                  "this sum of shifts",
+                                  sum);
+        g->working_angle = inverse_involute(value);
+        g->centre = fabs(reference * cos(at) / cos(g->working_angle));
+        return OVR_OK;
+    }
+    if (!isnan(f->shift_1) && !isnan(f->shift_2))
+        return ovr_fail_about(err, "centre",
+                              "shift_1, shift_2 and centre: leave one out");
+    double cosine = fabs(reference) * cos(at) / f->centre;
+    if (!(cosine < 1))
+        return ovr_fail_about(err, "centre",
+                              "cos(working pressure angle) = %.4g: centre must "
+                              "be above %.6g mm",
+                              cosine, 1e3 * fabs(reference) * cos(at));
+    g->centre = f->centre;
+    g->working_angle = acos(cosine);
+    double sum = (involute(g->working_angle) - involute(at)) * teeth /
+                 (2 * tangent);
+    if (isnan(f->shift_1) && isnan(f->shift_2))
+        return ovr_fail_about(err, "shift_1",
+                              "centre: give shift_1 or shift_2, whose sum is "
+                              "%.6g",
+                              sum);
+    if (isnan(f->shift_2))
+        g->shift_2 = sum - f->shift_1;
+    else
+        g->shift_1 = sum - f->shift_2;
+    return OVR_OK;
+}
+
+static ovr_status tips(const ovr_gear_form *f, ovr_gear_geometry *g,
+                       ovr_error *err)
+{
+    double m = f->module, s = f->teeth_2 < 0 ? -1 : 1;
+    double reference = (g->d_1 + g->d_2) / 2;
+    g->shortening = (s * g->centre - reference) / m - g->shift_1 - g->shift_2;
+    double height = f->addendum + g->shortening;
+    g->tip_1 = isnan(f->tip_1) ? g->d_1 + 2 * m * (height + g->shift_1)
+                               : f->tip_1;
+    g->tip_2 = isnan(f->tip_2)
+                   ? fabs(g->d_2) + 2 * s * m * (height + g->shift_2)
+                   : f->tip_2;
+    if (!(g->tip_1 > 2 * g->base_1))
+        return ovr_fail_about(err, "tip_1",
+                              "tip_1 = %.6g mm is inside the base circle of "
+                              "%.6g mm",
+                              1e3 * g->tip_1, 2e3 * g->base_1);
+    if (!(g->tip_2 > 2 * fabs(g->base_2)))
+        return ovr_fail_about(err, "tip_2",
+                              "tip_2 = %.6g mm is inside the base circle of "
+                              "%.6g mm",
+                              1e3 * g->tip_2, 2e3 * fabs(g->base_2));
+    return OVR_OK;
+}
+
+static ovr_status path(const ovr_gear_form *f, ovr_gear_geometry *g,
+                       ovr_error *err)
+{
+    double s = f->teeth_2 < 0 ? -1 : 1;
+    g->line = s * g->centre * sin(g->working_angle);
+    g->R1_A = g->line -
+              s * sqrt(g->tip_2 * g->tip_2 / 4 - g->base_2 * g->base_2);
+    g->R1_E = sqrt(g->tip_1 * g->tip_1 / 4 - g->base_1 * g->base_1);
+    g->R1_B = g->R1_E - g->base_pitch;
+    g->R1_D = g->R1_A + g->base_pitch;
+    g->R1_C = g->base_1 * tan(g->working_angle);
+    g->contact_ratio = (g->R1_E - g->R1_A) / g->base_pitch;
+    g->overlap_ratio = f->face * sin(fabs(f->helix_angle)) / (pi * f->module);
+    if (g->R1_A <= 0)
+        return ovr_fail_about(
+            err, "tip_2",
+            "the tip of gear 2 reaches below the base circle of gear 1 by "
+            "%.3g mm (interference): smaller tip_2, larger shift_1 or more "
+            "teeth_1",
+            -1e3 * g->R1_A);
+    if (s > 0 && g->R1_E >= g->line)
+        return ovr_fail_about(
+            err, "tip_1",
+            "the tip of gear 1 reaches below the base circle of gear 2 by "
+            "%.3g mm (interference): smaller tip_1, larger shift_2 or more "
+            "teeth_2",
+            1e3 * (g->R1_E - g->line));
+    if (!(g->contact_ratio > 1) &&
+        !(f->helix_angle != 0 && g->contact_ratio > 0 &&
+          g->contact_ratio + g->overlap_ratio > 1))
+        return ovr_fail_about(err, "teeth_1",
+                              "contact ratio %.4g: there are moments when no "
+                              "tooth touches",
+                              g->contact_ratio);
+    if (f->helix_angle == 0 && g->contact_ratio > 2 &&
+        (f->sharing == OVR_SHARING_RULE ||
+         (f->sharing == OVR_SHARING_ELASTIC && f->blend > 0)))
+        return ovr_fail_about(err, "sharing",
+                              "contact ratio %.4g: above 2, where never one "
+                              "pair is alone, sharing is stiffness (with "
+                              "relief) or table",
+                              g->contact_ratio);
+    return OVR_OK;
+}
+
+static void move(const ovr_gear_form *f, ovr_gear_geometry *g)
+{
+    g->omega_1 = fabs(f->speed);
+    g->omega_2 = g->omega_1 * f->teeth_1 / abs(f->teeth_2);
+    g->transverse_force = fabs(f->torque) / g->base_1;
+    g->normal_force = g->transverse_force / cos(g->base_helix);
+    g->duration = (g->R1_E - g->R1_A) / (g->base_1 * g->omega_1);
+    double iso = ovr_iso_stiffness(f, g, &g->iso_applies);
+    g->mesh_stiffness = isnan(f->mesh_stiffness) ? iso : f->mesh_stiffness;
+    double b0 = 1 / sqrt(0.5 * pow(1 + g->contact_ratio / 2, 2) - 1);
+    /* The integral of v over the path is its mean over a base pitch, summed
+     * over all pairs. */
+    g->stiffness_sum = 2 * sin(b0 * g->contact_ratio / 2) / b0;
+}
+
+/* ------------------------------------------------------- the way that runs */
+
+static double xi_at(const ovr_gear *gear, double t)
+{
+    const ovr_gear_geometry *g = &gear->g;
+    double way = t * g->base_1 * g->omega_1 / g->base_pitch;
+    return gear->form.driving == 1 ? way : g->contact_ratio - way;
+}
+
+/* It carries enough, on flanks that are round enough. */
+static bool runs(const ovr_gear *gear, double t)
+{
+    const ovr_gear_form *f = &gear->form;
+    const ovr_gear_geometry *g = &gear->g;
+    double xi = xi_at(gear, t), whole = g->transverse_force / f->face;
+    double R1 = g->R1_A + xi * g->base_pitch, least = f->least_radius * g->line;
+    if (f->teeth_2 > 0 && (R1 < least || g->line - R1 < least))
+        return false;
+    return ovr_gear_load(f, g, xi) > f->least_share * whole;
+}
+
+/* Between a time at which it runs and one at which it does not. */
+static double edge(const ovr_gear *gear, double in, double out)
+{
+    for (int k = 0; k < 60; k++) {
+        double middle = 0.5 * (in + out);
+        if (runs(gear, middle))
+            in = middle;
+        else
+            out = middle;
+    }
+    return in;
+}
+
+static ovr_status clip(ovr_gear *gear, ovr_error *err)
+{
+    enum { LOOKS = 4000 };
+    ovr_gear_geometry *g = &gear->g;
+    int first = 0, last = LOOKS;
+    while (first < LOOKS && !runs(gear, first * g->duration / LOOKS))
+        first++;
+    while (last > first && !runs(gear, last * g->duration / LOOKS))
+        last--;
+    if (last <= first)
+        return ovr_fail_about(err, "least_share",
+                              "no part of the path carries more than "
+                              "least_share = %g of the load",
+                              gear->form.least_share);
+    g->begin = first ? edge(gear, first * g->duration / LOOKS,
+                            (first - 1) * g->duration / LOOKS)
+                     : 0;
+    g->end = last < LOOKS ? edge(gear, last * g->duration / LOOKS,
+                                 (last + 1) * g->duration / LOOKS)
+                          : g->duration;
+    return OVR_OK;
+}
+
+/* ------------------------------------------------------------- creation */
+
+static ovr_status make(ovr_gear *gear, ovr_error *err)
+{
+    const ovr_gear_form *f = &gear->form;
+    ovr_gear_geometry *g = &gear->g;
+    ovr_status status;
+    if ((status = check_numbers(f, err)) || (status = check_teeth(f, err)) ||
+        (status = check_sharing(f, err)))
+        return status;
+    double cosine = cos(f->helix_angle), mt = f->module / cosine;
+    double at = atan(tan(f->pressure_angle) / cosine);
+    g->d_1 = f->teeth_1 * mt;
+    g->d_2 = f->teeth_2 * mt;
+    g->base_1 = g->d_1 * cos(at) / 2;
+    g->base_2 = g->d_2 * cos(at) / 2;
+    g->base_pitch = pi * mt * cos(at);
+    g->base_helix = asin(sin(fabs(f->helix_angle)) * cos(f->pressure_angle));
+    if ((status = mesh(f, g, at, err)) || (status = tips(f, g, err)) ||
+        (status = path(f, g, err)))
+        return status;
+    move(f, g);
+    return clip(gear, err);
+}
+
+static ovr_status copy_table(ovr_gear_form *form, ovr_arena *arena,
+                             ovr_error *err)
+{
+    size_t n = form->sharing == OVR_SHARING_TABLE ? form->shares : 0;
+    double *way = ovr_arena_take(arena, n, sizeof *way, err);
+    double *share = ovr_arena_take(arena, n, sizeof *share, err);
+    if (!way || !share)
+        return OVR_NO_MEMORY;
+    for (size_t k = 0; k < n; k++) {
+        way[k] = form->way[k];
+        share[k] = form->share[k];
+    }
+    form->way = way;
+    form->share = share;
+    return OVR_OK;
+}
+
+ovr_gear *ovr_gear_create(const ovr_gear_form *form,
+                          const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_gear *gear;
+    if (!form) {
+        ovr_fail(err, OVR_BAD_INPUT, "no form of a gear was given");
+        return NULL;
+    }
+    gear = ovr_arena_take(&arena, 1, sizeof *gear, err);
+    if (gear) {
+        gear->form = *form;
+        if (!copy_table(&gear->form, &arena, err) && !make(gear, err)) {
+            gear->arena = arena;
+            return gear;
+        }
+    }
+    ovr_arena_release(&arena);
+    return NULL;
+}
+
+void ovr_gear_free(ovr_gear *gear)
+{
+    if (gear) {
+        ovr_arena arena = gear->arena;
+        ovr_arena_release(&arena);
+    }
+}
+
+const ovr_gear_geometry *ovr_gear_of(const ovr_gear *gear)
+{
+    return gear ? &gear->g : NULL;
+}
+
+/* -------------------------------------------------------------- the contact */
+
+ovr_element_moment ovr_gear_at(const ovr_gear *gear, double t)
+{
+    const ovr_gear_geometry *g = &gear->g;
+    double xi = xi_at(gear, t), along = cos(g->base_helix);
+    double R1 = g->R1_A + xi * g->base_pitch, R2 = g->line - R1;
+    return (ovr_element_moment){.t = t,
+                                .R = R1 * R2 / (g->line * along),
+                                .R_1 = R1 / along,
+                                .R_2 = R2 / along,
+                                .u1 = g->omega_1 * R1,
+                                .u2 = g->omega_2 * fabs(R2),
+                                .load = ovr_gear_load(&gear->form, g, xi)};
+}
+
+double ovr_gear_time(const ovr_gear *gear, double R1)
+{
+    const ovr_gear_geometry *g = &gear->g;
+    double way = gear->form.driving == 1 ? R1 - g->R1_A : g->R1_E - R1;
+    return way / (g->base_1 * g->omega_1);
+}
