@@ -316,3 +316,12 @@ ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err)
     run->how.force = true;
     return OVR_OK;
 }
+
+ovr_status ovr_passes_finish(ovr_run *run, ovr_error *err)
+{
+    run->passes->now = run->setup->passes->number;
+    ovr_status status = ovr_passes_feed(run, err);
+    if (!status)
+        status = end_pass(run, err);
+    return status ? status : ovr_passes_write(run, "complete", err);
+}

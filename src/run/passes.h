@@ -98,6 +98,7 @@ void ovr_passes_free(ovr_passes *passes);
 ovr_status ovr_passes_write(const ovr_run *run, const char *status,
                             ovr_error *err);
 bool ovr_passes_file_is(const char *path);
+bool ovr_passes_file_complete(const char *path); /* every row is in it */
 ovr_case *ovr_passes_case(const char *path, const ovr_allocator *allocator,
                           ovr_error *err);
 
@@ -113,5 +114,8 @@ ovr_status ovr_passes_go(ovr_run *run, ovr_error *err);
 /* The passes of a file that is gone on with: `now` is the first that is not
  * complete. */
 ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err);
+
+/* The rows of all passes, whose files are complete, into the file of them. */
+ovr_status ovr_passes_finish(ovr_run *run, ovr_error *err);
 
 #endif

@@ -252,9 +252,13 @@ ovr_status ovr_passes_write(const ovr_run *run, const char *status,
 
 /* ----------------------------------------------------------------- reading */
 
-/* The case's text and folder; false: no file of passes. */
-static bool read_case(const char *path, ovr_arena *arena, const char **text,
-                      const char **folder)
+/* What the file says of itself. */
+typedef struct told {
+    const char *text, *folder, *status; /* of the case; of the passes */
+} told;
+
+/* false: no file of passes. */
+static bool read_told(const char *path, ovr_arena *arena, told *t)
 {
     ovr_container c;
     ovr_dataset pass;
@@ -265,30 +269,44 @@ static bool read_case(const char *path, ovr_arena *arena, const char **text,
                 ovr_container_find(&c, c.root, "pass", &object) &&
                 ovr_container_dataset(&c, object, &pass) &&
                 ovr_container_find(&c, c.root, "case", &object);
-    *text = good ? ovr_container_text(&c, object, "text") : NULL;
-    *folder = good ? ovr_container_text(&c, object, "path") : NULL;
+    *t = (told){NULL, NULL, NULL};
+    if (good)
+        *t = (told){ovr_container_text(&c, object, "text"),
+                    ovr_container_text(&c, object, "path"),
+                    ovr_container_text(&c, c.root, "status")};
     if (fd >= 0)
         close(fd);
-    return *text != NULL;
+    return t->text != NULL;
 }
 
 bool ovr_passes_file_is(const char *path)
 {
     ovr_arena arena = ovr_arena_make(NULL);
-    const char *text, *folder;
-    bool is = read_case(path, &arena, &text, &folder);
+    told t;
+    bool is = read_told(path, &arena, &t);
     ovr_arena_release(&arena);
     return is;
+}
+
+bool ovr_passes_file_complete(const char *path)
+{
+    ovr_arena arena = ovr_arena_make(NULL);
+    told t;
+    bool complete = read_told(path, &arena, &t) && t.status &&
+                    strcmp(t.status, "complete") == 0;
+    ovr_arena_release(&arena);
+    return complete;
 }
 
 ovr_case *ovr_passes_case(const char *path, const ovr_allocator *allocator,
                           ovr_error *err)
 {
     ovr_arena arena = ovr_arena_make(allocator);
-    const char *text, *folder;
+    told t;
     ovr_case *c = NULL;
-    if (read_case(path, &arena, &text, &folder))
-        c = ovr_case_read_text(text, path, folder && *folder ? folder : NULL,
+    if (read_told(path, &arena, &t))
+        c = ovr_case_read_text(t.text, path,
+                               t.folder && *t.folder ? t.folder : NULL,
                                allocator, err);
     else
         ovr_fail(err, OVR_BAD_INPUT, "%s: is no file of passes", path);

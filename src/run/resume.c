@@ -149,6 +149,21 @@ static ovr_status prepare(ovr_run *run, const char *path, ovr_error *err)
     return go_back(run, complete, err);
 }
 
+/* Each pass has its file, but one that was killed as the last of them ended
+ * may not have its row yet. */
+static ovr_status all_are_there(ovr_run *run, ovr_error *err)
+{
+    const char *path = run->passes->path;
+    bool whole = ovr_passes_file_complete(path);
+    if (!whole && ovr_passes_finish(run, err))
+        return OVR_BAD_INPUT;
+    ovr_fail(err, OVR_OK,
+             whole ? "%s: is complete: nothing to do"
+                   : "%s: its passes are complete; the last row was written",
+             path);
+    return OVR_BAD_INPUT;
+}
+
 /* A pass that has no file yet. */
 static ovr_status begin_pass(ovr_run *run, ovr_error *err)
 {
@@ -160,10 +175,8 @@ static ovr_status begin_pass(ovr_run *run, ovr_error *err)
     run->setup = ovr_case_resolve(run->c, &run->arena.allocator, err);
     if (!run->setup)
         return OVR_BAD_INPUT;
-    if (p->now > run->setup->passes->number) {
-        ovr_fail(err, OVR_OK, "%s: is complete: nothing to do", p->path);
-        return OVR_BAD_INPUT;
-    }
+    if (p->now > run->setup->passes->number)
+        return all_are_there(run, err);
     return ovr_run_set_up(run, err) ? OVR_BAD_INPUT : ovr_output_open(run, err);
 }
 

@@ -1,0 +1,42 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Killed as the last of several passes ends, between its file and its row:
+# resume writes the row that is missing.
+. "$TOP/tests/support/faults.sh"
+make_faults
+
+cat >roller.ini <<'END'
+[contact]
+M = 20
+L = 10
+[domain]
+level = 4
+[cavitation]
+model = conserving
+[passes]
+number = 3
+loss = 0.2
+END
+
+expect 0 env FAULT_REPORT=counts LD_PRELOAD=./faults.so \
+    "$OVERROLL" run roller.ini -o whole.h5 -q
+writes=$(awk '{ print $2 }' counts)
+"$OVERROLL" export whole.h5 >whole.csv
+contains whole.csv '^3,[0-9]'
+
+# One at each of the last writes: the table is the last that is written.
+k=$((writes - 24)) missing=0
+while [ $k -le "$writes" ]; do
+    rm -f part*.h5*
+    expect 137 env FAULT_KILL=$k LD_PRELOAD=./faults.so \
+        "$OVERROLL" run roller.ini -o part.h5 -q
+    expect 0 "$OVERROLL" resume part.h5
+    grep -q 'the last row was written' err && missing=$((missing + 1))
+    "$OVERROLL" export part.h5 >part.csv
+    cmp -s whole.csv part.csv || fail "killed at write $k of $writes:" \
+        "$(diff whole.csv part.csv)"
+    expect 0 "$OVERROLL" resume part.h5
+    contains err 'is complete: nothing to do'
+    k=$((k + 1))
+done
+[ $missing -gt 0 ] || fail "no write was between the last pass and its row"
