@@ -186,7 +186,7 @@ $(foreach i,$(ISAS),$(eval $(call isa_rule,$(i))))
 # Touched only when a compiler or flag is another than last time: everything
 # that is compiled depends on it.
 FLAGS := $(COMPILE) $(KERNEL_CFLAGS) $(foreach i,$(ISAS),$(ISA_$(i))) \
-         $(LDFLAGS) $(OVR_LIBS) $(MACHINE)
+         $(LDFLAGS) $(OVR_LIBS) $(MACHINE) one-test-program
 $(BUILD)/flags: FORCE
 	@mkdir -p $(@D)
 	@echo '$(subst ','\'',$(FLAGS))' | cmp -s - $@ || \
@@ -217,6 +217,7 @@ VERIFYSRC := $(wildcard tests/verify/*_test.c)
 VERIFYSH  := $(wildcard tests/verify/*.sh)
 SUPPORT   := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/support/*.c))
 TESTBIN   := $(TESTSRC:%.c=$(BUILD)/%)
+ALONE_TESTS :=
 
 # A locale with a decimal comma, for the tests alone; empty where it cannot be
 # made, which skips them.
@@ -233,9 +234,39 @@ TESTENV = OVERROLL='$(abspath $(PROGRAM))' BUILD='$(abspath $(BUILD))' \
   UBSAN_OPTIONS=print_stacktrace=1 MAKEFLAGS= MAKELEVEL=
 
 $(BUILD)/tests/%.o: OVR_CFLAGS += -Itests
-$(BUILD)/tests/%_test: $(BUILD)/tests/%_test.o $(SUPPORT) $(LIB)
+
+# All tests are one program, linked once: main() of tests/KIND/NAME.c is called
+# tests_KIND_NAME there, and a test is a name of the program.  Those that link
+# another part of the library than it has are programs of their own.
+ALONE     := $(filter $(ALONE_TESTS),$(TESTSRC))
+TOGETHER  := $(filter-out $(ALONE),$(TESTSRC))
+TESTNAMES := $(TOGETHER:%.c=%)
+$(TESTNAMES:%=$(BUILD)/%.o): CPPFLAGS += -Dmain=$(subst /,_,$*)
+$(BUILD)/tests/tests.c: $(BUILD)/tests/names
+	@{ $(foreach t,$(TESTNAMES),echo 'int $(subst /,_,$(t))(void);';) \
+	  echo '#define TESTS \'; \
+	  $(foreach t,$(TESTNAMES),\
+	    echo '    {"$(t:tests/%=%)", $(subst /,_,$(t))}, \';) \
+	  echo; echo '#include "support/main.h"'; } > $@
+$(BUILD)/tests/names: FORCE
+	@mkdir -p $(@D)
+	@echo '$(TESTNAMES)' | cmp -s - $@ || echo '$(TESTNAMES)' > $@
+$(BUILD)/tests/tests.o: $(BUILD)/tests/tests.c tests/support/main.h
+	$(Q)$(COMPILE) -c -o $@ $<
+$(BUILD)/tests/tests: $(BUILD)/tests/tests.o $(TESTNAMES:%=$(BUILD)/%.o) \
+  $(SUPPORT) $(LIB)
 	$(call say,LINK  $@)
 	$(Q)$(LINK) -o $@ $^ $(OVR_LIBS) -lcmocka
+$(TESTNAMES:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/tests/tests
+	@mkdir -p $(@D)
+	@ln -sf ../tests $@
+$(ALONE:%.c=$(BUILD)/%): %: %.o $(SUPPORT) $(LIB)
+	$(call say,LINK  $@)
+	$(Q)$(LINK) -o $@ $^ $(OVR_LIBS) -lcmocka
+# One of them without the others, for who works on it.
+$(TESTNAMES:%=$(BUILD)/one/%): $(BUILD)/one/%: $(BUILD)/%.o $(SUPPORT) $(LIB)
+	@mkdir -p $(@D)
+	$(Q)$(LINK) -Wl,--defsym=main=$(subst /,_,$*) -o $@ $^ $(OVR_LIBS) -lcmocka
 
 # tests/fuzz/NAME_fuzz.c: a target of libFuzzer, whose corpus is in
 # tests/fuzz/corpus/NAME.  NAME_replay takes files instead of making inputs up.
@@ -286,10 +317,11 @@ verify: need-cmocka all $(LOCALE) $(VERIFYSRC:%.c=$(BUILD)/%) ## what takes long
 tests/unit/corpus.run: $(REPLAYS)
 
 # A single test: make tests/unit/arena_test.run
-%.run: need-cmocka all $(LOCALE)
-	@$(MAKE) --no-print-directory $(if $(wildcard $*.c),$(BUILD)/$*)
+one = $(BUILD)/$(if $(filter $(1),$(TESTNAMES)),one/)$(1)
+%.run: need-cmocka $(LOCALE)
+	@$(MAKE) --no-print-directory all $(if $(wildcard $*.c),$(call one,$*))
 	@$(TESTENV) tests/support/run -j 1 -o $(BUILD)/check \
-	  $(if $(wildcard $*.c),$(BUILD)/$*,$*.sh)
+	  $(if $(wildcard $*.c),$(call one,$*),$*.sh)
 
 coverage: ## lines and branches that the tests reach (gcovr)
 	@command -v gcovr >/dev/null || \
