@@ -56,9 +56,9 @@ static void ghost_film(ovr_simulation *sim, int past, size_t ghosts, bool back)
     double out = back ? ovr_mesh(sim) : -ovr_mesh(sim);
     for (size_t g = 0; g < ghosts; g++)
         inflow->X[g] = sim->now.X[back ? n - 1 : 0] + (double)(g + 1) * out;
-    if (sim->heights)
-        sim->heights(sim->heights_data, sim->past.T[past], ghosts, inflow->X,
-                     inflow->S);
+    if (ovr_has_heights(sim))
+        ovr_surface_heights(sim, sim->past.T[past], ghosts, inflow->X,
+                            inflow->S);
     for (size_t g = 0; g < ghosts; g++) {
         const double *k = inflow->kernel + g + 1;
         double w = 0, X = inflow->X[g];

@@ -18,6 +18,7 @@
 #include <string.h>
 
 #include "simulation/mirror.h"
+#include "simulation/physics.h"
 #include "simulation/step_cycles.h"
 
 typedef struct path {
@@ -26,7 +27,6 @@ typedef struct path {
     double s;          /* of the equations as they are */
     double at, before; /* of the last two solutions */
     double H0, H0_before;
-    bool closed; /* the inlet of the last solution, with oil conserved */
 } path;
 
 /* The equations at s. */
@@ -56,8 +56,8 @@ static void begin_from(const path *p, double s)
     double *P = sim->scratch[0];
     sim->grids.kernels->extrapolate(sim->finest->grid.n, 2, weight, from, P);
     ovr_nodes_write(sim, sim->finest, P, sim->finest->f.P);
-    if (ovr_conserves(sim))
-        ovr_supply_restore(sim, sim->saved, sim->saved_q, p->closed);
+    OVR_EACH_PHYSICS(sim, each, go_back)
+        each->is->go_back(sim, each->own, sim->saved);
     sim->grids.H0 = p->H0 + factor * (p->H0 - p->H0_before);
 }
 
@@ -67,9 +67,8 @@ static void keep(path *p)
     size_t bytes = sim->now.n * sizeof(double);
     memcpy(sim->saved_before, sim->saved, bytes);
     memcpy(sim->saved, sim->now.P, bytes);
-    if (ovr_conserves(sim))
-        memcpy(sim->saved_q, sim->now.q, bytes);
-    p->closed = sim->finest->closed;
+    OVR_EACH_PHYSICS(sim, each, keep)
+        each->is->keep(sim, each->own);
     p->before = p->at;
     p->H0_before = p->H0;
     p->at = p->s;
@@ -80,12 +79,11 @@ static path begin(ovr_simulation *sim)
 {
     ovr_level *finest = sim->finest;
     double H0 = sim->past.H0[0];
-    path p = {sim, {0, finest->force}, 1, 0, 0, H0, H0, false};
+    path p = {sim, {0, finest->force}, 1, 0, 0, H0, H0};
     ovr_level_refresh(&sim->grids, finest);
     ovr_nodes_read(sim, finest, finest->f.P, sim->saved);
-    if (ovr_conserves(sim))
-        ovr_level_read(&sim->grids, finest, finest->f.q, sim->saved_q);
-    p.closed = finest->closed;
+    OVR_EACH_PHYSICS(sim, each, keep)
+        each->is->keep(sim, each->own);
     ovr_nodes_read(sim, finest, finest->f.r, sim->lacking);
     p.load[0] = ovr_level_load(&sim->grids, finest);
     return p;

@@ -13,8 +13,7 @@
  */
 #include <math.h>
 
-#include "simulation/heat.h"
-#include "simulation/internal.h"
+#include "simulation/physics.h"
 
 double ovr_sliding(const ovr_simulation *sim, double T)
 {
@@ -44,16 +43,19 @@ void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o)
            load = OVR_NOMINAL_LOAD * o->load_ratio;
     double coefficient = load > 0 ? sim->contact.kappa / load : NAN;
     ovr_fluid fluid = sim->grids.fluid;
+    OVR_LAST_PHYSICS(sim, own, stress);
     fluid.sliding = V;
     o->sliding = V;
-    if (sim->heated)
-        ovr_heat_stress(sim, &film, &fluid, sim->stress);
+    if (own->is)
+        own->is->stress(sim, own->own, &film, &fluid, sim->stress);
     else
         run->mean_stress(&film, &fluid, sim->stress);
     if (sim->lubricant.limiting_shear > 0)
         o->limiting_share = run->limit_stress(
             &film, sim->lubricant.limiting_shear / sim->contact.kappa,
             sim->stress);
+    OVR_EACH_PHYSICS(sim, p, friction)
+        p->is->friction(sim, p->own, sim->stress);
     ovr_friction f = run->friction(&film, sim->stress);
     o->F_slide = f.slide;
     o->F_roll = f.roll;

@@ -317,8 +317,6 @@ bool ovr_guess(ovr_simulation *sim, double dT, bool extrapolated)
     sim->grids.H0 = 0;
     for (int k = 0; k < OVR_PAST; k++)
         sim->grids.H0 += how.H0[k] * past->H0[k];
-    if (ovr_conserves(sim))
-        ovr_supply_try(sim);
     return how.count == standing_and_moving.count &&
            (sim->moving == 1 || isnan(sim->moving));
 }

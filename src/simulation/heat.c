@@ -4,11 +4,14 @@
 #include "simulation/heat_in_time.h"
 #include "simulation/heat_turns.h"
 #include "simulation/parts.h"
+#include "simulation/physics.h"
+#include "simulation/steady.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "multigrid/field.h"
+#include "multigrid/flow.h"
 #include "simulation/mirror.h"
 
 /* --------------------------------------------------------------- creation */
@@ -66,9 +69,10 @@ static void remember(ovr_simulation *sim)
     }
 }
 
-ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
-                               ovr_error *err)
+static ovr_status take_heat(ovr_simulation *sim, const void *form, void **own,
+                            ovr_error *err)
 {
+    const ovr_heat *heat = form;
     const ovr_lubricant *oil = &sim->lubricant;
     ovr_heated *h;
     ovr_heat numbers;
@@ -87,7 +91,8 @@ ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
     ovr_across_make(numbers.points, &h->across);
     if (take_arrays(sim, h, err))
         return OVR_NO_MEMORY;
-    sim->heated = h;
+    *own = sim->heated = h;
+    sim->parts |= ovr_part_bit(OVR_PART_HEAT, true);
     if (ovr_heat_film_take(sim, err) || ovr_heat_turns_take(sim, err) ||
         ovr_heat_steps_take(sim, err))
         return OVR_NO_MEMORY;
@@ -284,20 +289,23 @@ static double flow_into(const ovr_simulation *sim, int k)
     return sum * h->numbers.conduction / h->numbers.theta;
 }
 
-void ovr_observe_heat(const ovr_simulation *sim, ovr_observation *o)
+static void unknown(ovr_observation *o)
 {
-    double stored, size;
     o->T_film_max = o->X_T_film_max = o->T_max_rise = NAN;
     o->T_1_max = o->X_T_1_max = o->T_1_max_rise = NAN;
     o->T_2_max = o->X_T_2_max = o->T_2_max_rise = NAN;
     o->heat_flow_1 = o->heat_flow_2 = o->energy_defect = NAN;
-    if (!sim->heated)
-        return;
+}
+
+/* Largest rises, flows into the surfaces, defect of the balance. */
+static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
+{
+    const ovr_heated *h = own;
+    double stored, size;
     o->energy_defect = 0;
     observe_temperatures(sim, o);
     o->heat_flow_1 = flow_into(sim, 0);
     o->heat_flow_2 = flow_into(sim, 1);
-    const ovr_heated *h = sim->heated;
     stored = h->steps->dT > 0 ? h->steps->stored : ovr_heat_stored(sim);
     size = fmax(h->made_size, fabs(o->heat_flow_1) + fabs(o->heat_flow_2));
     if (size > 0)
@@ -305,10 +313,43 @@ void ovr_observe_heat(const ovr_simulation *sim, ovr_observation *o)
             (h->made - stored - o->heat_flow_1 - o->heat_flow_2) / size;
 }
 
-double ovr_heat_turned(const ovr_simulation *sim, size_t i)
+/* The larger in magnitude; what is not a number counts last. */
+static void raise(double *most, double value, bool first)
 {
-    const double *v = sim->heated ? sim->heated->turned : NULL;
-    return v ? (v[i] + v[i + 1]) / 2 : 0;
+    if (first || fabs(value) > fabs(*most) || isnan(*most))
+        *most = value;
+}
+
+static void extremes(ovr_statistics *s, const ovr_observation *o, bool first)
+{
+    raise(&s->T_rise, o->T_max_rise, first);
+    raise(&s->T_1_rise, o->T_1_max_rise, first);
+    raise(&s->T_2_rise, o->T_2_max_rise, first);
+    raise(&s->energy_defect, o->energy_defect, first);
+}
+
+/* q D at the half node i + 1/2, as F has it or between the nodes. */
+static double turned(const ovr_simulation *sim, const void *own, size_t i,
+                     bool mean)
+{
+    const double *v = ((const ovr_heated *)own)->turned;
+    if (mean)
+        return (v[i] + v[i + 1]) / 2;
+    if (i == 0 && !sim->backward)
+        return v[0];
+    return ovr_upstream(sim, v, i);
+}
+
+/* By how much temperatures thin the oil at a node, and make its density less
+ * where it expands. */
+static void thin(const ovr_simulation *sim, const void *own, size_t i,
+                 double *eps, double *rho)
+{
+    const ovr_heated *h = own;
+    const ovr_solution *now = &sim->now;
+    *eps *= now->eps[i] / ovr_flow(&sim->grids.fluid, now->P[i], now->H[i]);
+    if (h->numbers.density_expands)
+        *rho *= h->swell[i];
 }
 
 /* Absolute, at a point across the film; -1: the mean. */
@@ -330,4 +371,110 @@ const double *ovr_heat_flux(const ovr_simulation *sim, int surface,
                           h->numbers.theta
                     : NAN;
     return room;
+}
+
+/* ----------------------------------------------------------------- physics */
+
+static void forget(ovr_simulation *sim, void *own)
+{
+    (void)own;
+    ovr_heat_reset(sim);
+}
+
+/* From the film for other temperatures, until neither changes. */
+static void couple(ovr_simulation *sim, void *own, const ovr_full *how,
+                   ovr_outcome *outcome)
+{
+    enum { TURNS = 200 };
+    const double enough = 3e-5;
+    double change = INFINITY;
+    (void)own;
+    ovr_heat_turns_begin(sim);
+    for (int k = 0; k < TURNS && !(change < enough); k++) {
+        ovr_heat_march(sim);
+        change = ovr_heat_turn(sim);
+        ovr_heat_apply(sim);
+        outcome->defect = ovr_steady_cycles(sim, how, &outcome->cycles);
+        ovr_simulation_read(sim);
+        if (!(outcome->defect.imbalance < 1e6))
+            break;
+    }
+    if (!(change < enough))
+        outcome->defect.imbalance = fmax(outcome->defect.imbalance, change);
+}
+
+static void begin(ovr_simulation *sim, void *own)
+{
+    (void)own;
+    ovr_heat_begin(sim);
+}
+
+static void step(ovr_simulation *sim, void *own, double dT)
+{
+    (void)own;
+    ovr_heat_step(sim, dT);
+}
+
+static void attempt(ovr_simulation *sim, void *own, bool first)
+{
+    (void)own;
+    ovr_level_refresh(&sim->grids, sim->finest);
+    ovr_heat_try(sim, first);
+}
+
+static void taken(ovr_simulation *sim, void *own, double dT)
+{
+    (void)own, (void)dT;
+    ovr_heat_taken(sim);
+}
+
+static void step_back(ovr_simulation *sim, void *own)
+{
+    (void)own;
+    ovr_heat_step_back(sim);
+}
+
+static void stress(ovr_simulation *sim, void *own, const ovr_sheared *film,
+                   const ovr_fluid *fluid, double *t)
+{
+    (void)own;
+    ovr_heat_stress(sim, film, fluid, t);
+}
+
+static ovr_status visit(ovr_simulation *sim, void *own, ovr_visit *show,
+                        void *context, ovr_error *err)
+{
+    (void)own;
+    return ovr_heat_visit(sim, show, context, err);
+}
+
+static void restored(ovr_simulation *sim, void *own)
+{
+    (void)own;
+    ovr_heat_restored(sim);
+}
+
+const ovr_physics ovr_physics_heat = {.name = "heat",
+                                      .bit = OVR_PHYSICS_HEAT,
+                                      .take = take_heat,
+                                      .forget = forget,
+                                      .couple = couple,
+                                      .begin = begin,
+                                      .step = step,
+                                      .attempt = attempt,
+                                      .taken = taken,
+                                      .step_back = step_back,
+                                      .flow = turned,
+                                      .oil = thin,
+                                      .stress = stress,
+                                      .unknown = unknown,
+                                      .observe = observe,
+                                      .extremes = extremes,
+                                      .visit = visit,
+                                      .restored = restored};
+
+ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
+                               ovr_error *err)
+{
+    return ovr_physics_add(sim, &ovr_physics_heat, heat, err);
 }

@@ -94,10 +94,4 @@ const double *ovr_heat_temperature(const ovr_simulation *sim, int j,
 const double *ovr_heat_flux(const ovr_simulation *sim, int surface,
                             double *room);
 
-/* q D at the half node i + 1/2; 0 without heat. */
-double ovr_heat_turned(const ovr_simulation *sim, size_t i);
-
-/* Largest rises, flows into the surfaces, defect of the balance. */
-void ovr_observe_heat(const ovr_simulation *sim, ovr_observation *o);
-
 #endif

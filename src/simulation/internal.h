@@ -60,10 +60,21 @@ typedef struct ovr_arrival {
     double flooded; /* central film of the flooded start */
     double flow;    /* what that takes, rho H */
     double q, face; /* of this step: at X_a, half a mesh further */
+    double *kept;   /* contents of a solution on a path, and its inlet */
+    bool closed_kept;
 } ovr_arrival;
+
+/* A physics (physics.h) of a simulation; is NULL behind the last. */
+typedef struct ovr_physics ovr_physics;
+enum { OVR_MOST_PHYSICS = 16 };
+typedef struct ovr_present {
+    const ovr_physics *is;
+    void *own;
+} ovr_present;
 
 struct ovr_simulation {
     ovr_arena arena;
+    ovr_present physics[OVR_MOST_PHYSICS + 1];
     ovr_contact contact;
     ovr_lubricant lubricant;
     ovr_options options;
@@ -94,17 +105,15 @@ struct ovr_simulation {
     ovr_wanted wanted; /* the steady start */
     int order;         /* reached by it */
     bool order_left;   /* options left it to the library */
-    ovr_correction correction;
-    double *F_fourth, *gap_fourth; /* what a run keeps of it, by nodes */
+    unsigned parts;    /* parts.h, of physics that the options do not know */
     double largest_error;      /* adaptive: a step with more is not accepted */
     double *S_past;            /* surface one step ago */
     double *stress;            /* mean over the film, at half nodes */
     struct ovr_heated *heated; /* temperatures (heat.h), or NULL */
-    struct ovr_refined *refined; /* patches (refined.h), or NULL */
+    size_t most;               /* nodes that a solution may have */
 
     double *saved; /* a P to go back to: steady, of the level below */
     double *saved_before, *lacking; /* continuation.c */
-    double *saved_q;                /* the same, where oil is conserved */
     ovr_refinement refinement[OVR_LEVELS];
     int refinements;
     ovr_state state;
@@ -126,6 +135,9 @@ void ovr_options_mlmi(const ovr_options *options, int level, int *order,
  * tolerances go by. */
 double ovr_mesh(const ovr_simulation *sim);
 
+/* The solution is that of the nodes of the whole domain's finest grid. */
+void ovr_whole_domain(ovr_simulation *sim);
+
 /* Integral over the domain of a field of the solution's nodes. */
 double ovr_integral(const ovr_simulation *sim, const double *f);
 
@@ -137,6 +149,13 @@ double ovr_negligible_tolerance(const ovr_simulation *sim, double D, double H);
 /* Ordinary cycles, that end so many levels above the coarsest. */
 ovr_cycling ovr_simulation_cycling(const ovr_simulation *sim, int finer_bottom);
 
+/* Height of what is on both surfaces at T: features, and what physics add. */
+void ovr_surface_heights(const ovr_simulation *sim, double T, size_t n,
+                         const double *X, double *S);
+
+/* Whether there is anything but the smooth surfaces. */
+bool ovr_has_heights(const ovr_simulation *sim);
+
 /* Sets S and the finest gap X^2/2 - S at time T. */
 void ovr_simulation_gap(ovr_simulation *sim, double T);
 
@@ -144,16 +163,6 @@ void ovr_simulation_gap(ovr_simulation *sim, double T);
 ovr_smooth ovr_simulation_smooth(const ovr_simulation *sim, double T);
 ovr_status ovr_smooth_check(const ovr_simulation *sim, double T,
                             ovr_error *err);
-
-/* Fourth order (fourth.c): the order that a solve tries, without corrections
- * yet; takes them back, for second order. */
-void ovr_fourth_begin(ovr_simulation *sim);
-void ovr_fourth_forget(ovr_simulation *sim);
-
-/* Whether a run has surfaces at T = 0 other than those that stand still; the
- * finest gap of those alone. */
-bool ovr_fourth_stands_apart(ovr_simulation *sim);
-void ovr_fourth_standing_gap(ovr_simulation *sim);
 
 /* Keeps records of full multigrid (refinement.c). */
 void ovr_refinement_watch(void *data, const ovr_level *level,
@@ -204,31 +213,14 @@ ovr_status ovr_failure_step(const ovr_simulation *sim,
  * T + dT (time_derivative.c). */
 void ovr_time_derivative(ovr_simulation *sim, double dT);
 
-/* Sets F, given without the corrections of fourth order. */
+/* Sets F, to which what belongs to no scheme is added. */
 void ovr_history_term(ovr_simulation *sim, double *F);
 
 /* Whether oil is conserved (multigrid/content.h). */
 bool ovr_conserves(const ovr_simulation *sim);
 
-/* With oil conserved: the history term (content_history.c); contents, states
- * and inlet that a try begins from, and those of a solution to go back to; the
- * inlet's account of a step that was accepted; what is observed (supply.c). */
+/* The history term where oil is conserved (content_history.c). */
 void ovr_content_history(ovr_simulation *sim, double dT, const double c[2]);
-void ovr_supply_step(ovr_simulation *sim, double dT);
-void ovr_supply_try(ovr_simulation *sim);
-void ovr_supply_restore(ovr_simulation *sim, const double *P, const double *q,
-                        bool closed);
-void ovr_supply_taken(ovr_simulation *sim, double dT);
-void ovr_supply_observe(const ovr_simulation *sim, double dT,
-                        ovr_observation *o);
-
-/* The steady film with oil conserved: flooded, from the Reynolds equation's;
- * whether less arrives than that takes; with what arrives. */
-ovr_defect ovr_supply_flooded(ovr_simulation *sim, const ovr_full *how,
-                              int *cycles);
-bool ovr_supply_lacks(ovr_simulation *sim);
-ovr_defect ovr_supply_starve(ovr_simulation *sim, const ovr_full *how,
-                             int *cycles);
 
 /* Memory for the characteristic scheme, and its history term
  *     F_i = c1 q^k(X_i - a1) + c2 q^{k-1}(X_i - a2). */
@@ -270,6 +262,11 @@ ovr_status ovr_simulation_attempt(ovr_simulation *sim, double next, bool *taken,
 
 /* The scheme's own mass flow at the half node i + 1/2; Cu = um/um0. */
 double ovr_flux(const ovr_simulation *sim, double Cu, size_t i);
+
+/* What the scheme takes of a content q at i + 1/2, from upstream; what flows
+ * there beside the film's own (physics.h). */
+double ovr_upstream(const ovr_simulation *sim, const double *q, size_t i);
+double ovr_flow_beside(const ovr_simulation *sim, size_t i, bool mean);
 
 /* Relative error of the mass balance over the step just made. */
 double ovr_mass_balance(const ovr_simulation *sim);

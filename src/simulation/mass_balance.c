@@ -21,23 +21,7 @@
 
 #include "contact/turning.h"
 #include "multigrid/flow.h"
-#include "simulation/heat.h"
-
-/* By how much temperatures thin the oil at a node. */
-static double thinned(const ovr_simulation *sim, size_t i)
-{
-    const ovr_solution *now = &sim->now;
-    if (!sim->heated)
-        return 1;
-    return now->eps[i] / ovr_flow(&sim->grids.fluid, now->P[i], now->H[i]);
-}
-
-/* By how much they make its density less, where it expands. */
-static double swollen(const ovr_simulation *sim, size_t i)
-{
-    const ovr_heated *h = sim->heated;
-    return h && h->numbers.density_expands ? h->swell[i] : 1;
-}
+#include "simulation/physics.h"
 
 /* E at the half node i + 1/2, at the time T; with temperatures of now. */
 static double poiseuille(const ovr_simulation *sim, double T, const double *P,
@@ -47,13 +31,14 @@ static double poiseuille(const ovr_simulation *sim, double T, const double *P,
     ovr_pair nodes;
     fluid.sliding = ovr_sliding(sim, T);
     for (size_t k = 0; k < 2; k++) {
-        double rho = swollen(sim, i + k) *
-                     ovr_density(&sim->lubricant, P[i + k]);
+        double thinner = 1, lighter = 1;
+        OVR_EACH_PHYSICS(sim, p, oil)
+            p->is->oil(sim, p->own, i + k, &thinner, &lighter);
+        double rho = lighter * ovr_density(&sim->lubricant, P[i + k]);
         nodes.P[k] = P[i + k];
         nodes.q[k] = q[i + k];
         nodes.H[k] = q[i + k] / rho;
-        nodes.eps[k] = thinned(sim, i + k) *
-                       ovr_flow(&fluid, P[i + k], nodes.H[k]);
+        nodes.eps[k] = thinner * ovr_flow(&fluid, P[i + k], nodes.H[k]);
     }
     return ovr_flow_between(&fluid, sim->now.X[i + 1] - sim->now.X[i], &nodes);
 }
@@ -62,7 +47,7 @@ static double central_flux(const ovr_simulation *sim, double T, const double *P,
                            const double *q, size_t i)
 {
     double Cu = ovr_history_value(sim->speed, T);
-    return 0.5 * Cu * (q[i] + q[i + 1]) + ovr_heat_turned(sim, i) -
+    return 0.5 * Cu * (q[i] + q[i + 1]) + ovr_flow_beside(sim, i, true) -
            poiseuille(sim, T, P, q, i) * (P[i + 1] - P[i]) /
                (sim->now.X[i + 1] - sim->now.X[i]);
 }
@@ -103,16 +88,17 @@ static stretch about_middle(const ovr_past *past, size_t n)
     return s;
 }
 
-/* Integral of the flow's size over these half nodes, with what temperatures
- * turn to the side. */
-static double hot_flow_size(const ovr_simulation *sim, double Cu, stretch s)
+/* Integral of the flow's size over these half nodes, with what flows beside the
+ * film's own. */
+static double flow_size(const ovr_simulation *sim, double Cu, stretch s)
 {
     const double *P = sim->now.P, *q = sim->now.q, *eps = sim->now.eps;
     const double *X = sim->now.X, *flow = sim->now.flow;
     double sum = 0;
     for (size_t i = s.first; i <= s.last; i++) {
         double twice = flow ? flow[i] : eps[i] + eps[i + 1];
-        double through = Cu * (q[i] + q[i + 1]) / 2 + ovr_heat_turned(sim, i);
+        double through = Cu * (q[i] + q[i + 1]) / 2 +
+                         ovr_flow_beside(sim, i, true);
         sum += fabs(through * (X[i + 1] - X[i]) -
                     twice / 2 * (P[i + 1] - P[i]));
     }
@@ -127,8 +113,9 @@ static double own_flow(const ovr_simulation *sim, double Cu, stretch s)
     size_t first = s.first, n = s.last - first + 2;
     const double *flow = now->flow ? now->flow + first : NULL;
     double length = now->X[s.last + 1] - now->X[first];
-    if (sim->heated || n < NODES)
-        return hot_flow_size(sim, Cu, s) / length;
+    OVR_LAST_PHYSICS(sim, p, flow);
+    if (p->is || n < NODES)
+        return flow_size(sim, Cu, s) / length;
     return sim->grids.kernels->flow_size(n, Cu, now->X + first, now->P + first,
                                          now->q + first, now->eps + first,
                                          flow) /

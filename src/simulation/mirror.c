@@ -5,24 +5,61 @@
 
 #include "contact/turning.h"
 #include "simulation/parts.h"
+#include "simulation/physics.h"
 
-void ovr_turn(ovr_simulation *sim, double T)
+static bool always(const ovr_options *o)
 {
+    (void)o;
+    return true;
+}
+
+static void before_step(ovr_simulation *sim, void *own, double T)
+{
+    (void)own;
     double Cu = ovr_history_value(sim->speed, T);
     sim->backward = Cu < 0 || (sim->past.backward && !(Cu > 0));
     sim->mirrored = sim->backward && !sim->scheme->characteristic;
 }
 
-void ovr_turn_back(ovr_simulation *sim)
+static void before_back(ovr_simulation *sim, void *own)
 {
+    (void)own;
     sim->backward = sim->past.backward;
     sim->mirrored = sim->backward && !sim->scheme->characteristic;
 }
 
-void ovr_turn_at_start(ovr_simulation *sim)
+/* The start has a wedge by any scheme. */
+static void before_start(ovr_simulation *sim, void *own)
 {
+    (void)own;
     sim->backward = ovr_history_begins_backward(sim->speed);
     sim->mirrored = sim->backward;
+}
+
+/* The side of the solution becomes that of the past. */
+static void keep_side(ovr_simulation *sim)
+{
+    sim->past.backward = sim->backward;
+}
+
+static void begin(ovr_simulation *sim, void *own)
+{
+    (void)own;
+    keep_side(sim);
+}
+
+static void taken(ovr_simulation *sim, void *own, double dT)
+{
+    (void)own, (void)dT;
+    keep_side(sim);
+}
+
+static ovr_status visit(ovr_simulation *sim, void *own, ovr_visit *show,
+                        void *context, ovr_error *err)
+{
+    bool *backward = &sim->past.backward;
+    (void)own;
+    return show(context, "backward", backward, sizeof *backward, err);
 }
 
 void ovr_slide(ovr_simulation *sim, double T)
@@ -31,13 +68,14 @@ void ovr_slide(ovr_simulation *sim, double T)
     sim->grids.fluid.sliding = sim->mirrored ? -V : V;
 }
 
-ovr_status ovr_check_turning(const ovr_simulation *sim, ovr_error *err)
+static ovr_status check(const ovr_simulation *sim, const void *own,
+                        ovr_error *err)
 {
     const double X_a = sim->options.inlet, X_b = sim->options.outlet;
+    (void)own;
     if (!ovr_history_turns(sim->speed))
         return OVR_OK;
-    if (ovr_parts_check(ovr_parts_of(&sim->options) |
-                            ovr_part_bit(OVR_PART_HEAT, sim->heated != NULL) |
+    if (ovr_parts_check(ovr_parts_of(&sim->options) | sim->parts |
                             ovr_part_bit(OVR_PART_REVERSAL, true),
                         err))
         return OVR_BAD_INPUT;
@@ -48,6 +86,16 @@ ovr_status ovr_check_turning(const ovr_simulation *sim, ovr_error *err)
                               X_a, X_b, -fmax(-X_a, X_b), fmax(-X_a, X_b));
     return OVR_OK;
 }
+
+const ovr_physics ovr_physics_reversal = {.name = "reversal",
+                                          .chosen = always,
+                                          .begin = begin,
+                                          .check = check,
+                                          .before_step = before_step,
+                                          .before_start = before_start,
+                                          .taken = taken,
+                                          .before_back = before_back,
+                                          .visit = visit};
 
 void ovr_mirror(size_t n, const double *from, double *to)
 {

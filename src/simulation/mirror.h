@@ -21,17 +21,8 @@
 
 #include "simulation/internal.h"
 
-/* The side for a step to T, of the last time reached, and of the steady start,
- * which has a wedge by any scheme. */
-void ovr_turn(ovr_simulation *sim, double T);
-void ovr_turn_back(ovr_simulation *sim);
-void ovr_turn_at_start(ovr_simulation *sim);
-
 /* The grids' sliding speed at T. */
 void ovr_slide(ovr_simulation *sim, double T);
-
-/* Whether a speed below zero can be solved at all. */
-ovr_status ovr_check_turning(const ovr_simulation *sim, ovr_error *err);
 
 /* n values along x to or from one of a grid's arrays.  What is written while
  * the grids are mirrored is not sim->scratch[1]. */

@@ -3,9 +3,8 @@
 #include <math.h>
 
 #include "simulation/extremes.h"
-#include "simulation/heat.h"
 #include "simulation/mirror.h"
-#include "simulation/refined.h"
+#include "simulation/physics.h"
 
 double ovr_integral(const ovr_simulation *sim, const double *f)
 {
@@ -120,44 +119,33 @@ static double twice_flow(const ovr_solution *now, size_t i)
     return now->flow ? now->flow[i] : now->eps[i] + now->eps[i + 1];
 }
 
-/* Content that flows towards -x at half node i + 1/2. */
-static double upstream_from_right(const ovr_simulation *sim, const double *q,
-                                  size_t i)
+double ovr_upstream(const ovr_simulation *sim, const double *q, size_t i)
 {
     const double *u = sim->scheme->upstream;
-    if (i + 2 == sim->now.n)
+    if (sim->backward && i + 2 == sim->now.n)
         return sim->scheme->order == 2 ? 0.5 * (q[i] + q[i + 1]) : q[i + 1];
-    return u[0] * q[i + 1] + u[1] * q[i + 2];
-}
-
-/* Content that flows downstream at half node i + 1/2. */
-static double upstream(const ovr_simulation *sim, size_t i)
-{
-    const double *q = sim->now.q, *u = sim->scheme->upstream;
-    double flow;
     if (sim->backward)
-        return upstream_from_right(sim, q, i);
-    if (i == 0 && sim->finest->closed)
-        return sim->arrival.face;
+        return u[0] * q[i + 1] + u[1] * q[i + 2];
     if (i == 0)
         return sim->scheme->order == 2 ? 0.5 * (q[0] + q[1]) : q[0];
-    if (sim->refined) /* at unequal distances */
-        return q[i] + 0.5 * (q[i] - q[i - 1]) * ovr_spacing(&sim->now, i + 1) /
-                          ovr_spacing(&sim->now, i);
-    flow = u[0] * q[i] + u[1] * q[i - 1];
-    if (ovr_conserves(sim) && !(sim->now.P[i] > 0) && flow < 0.5 * q[i])
-        flow = 0.5 * q[i]; /* multigrid/content.h */
-    return flow;
+    return u[0] * q[i] + u[1] * q[i - 1];
 }
 
-/* q D there, as F has it (heat.h). */
-static double turned(const ovr_simulation *sim, size_t i)
+/* Content that the film carries along at half node i + 1/2. */
+static double carried(const ovr_simulation *sim, size_t i)
 {
-    const double *u = sim->scheme->upstream;
-    const double *v = sim->heated ? sim->heated->turned : NULL;
-    if (v && sim->backward)
-        return upstream_from_right(sim, v, i);
-    return !v ? 0 : i == 0 ? v[0] : u[0] * v[i] + u[1] * v[i - 1];
+    double q = ovr_upstream(sim, sim->now.q, i);
+    OVR_EACH_PHYSICS(sim, p, carried)
+        q = p->is->carried(sim, p->own, i, q);
+    return q;
+}
+
+double ovr_flow_beside(const ovr_simulation *sim, size_t i, bool mean)
+{
+    double flow = 0;
+    OVR_EACH_PHYSICS(sim, p, flow)
+        flow += p->is->flow(sim, p->own, i, mean);
+    return flow;
 }
 
 /* The scheme's own flux at half node i + 1/2: upstream wedge and Poiseuille
@@ -165,12 +153,12 @@ static double turned(const ovr_simulation *sim, size_t i)
 double ovr_flux(const ovr_simulation *sim, double Cu, size_t i)
 {
     const double *P = sim->now.P, *X = sim->now.X;
-    return Cu * upstream(sim, i) + turned(sim, i) -
+    return Cu * carried(sim, i) + ovr_flow_beside(sim, i, false) -
            0.5 * twice_flow(&sim->now, i) * (P[i + 1] - P[i]) /
                (X[i + 1] - X[i]);
 }
 
-/* Node by node, with what temperatures turn to the side; either way. */
+/* Node by node, with what flows beside the film's own; either way. */
 static double mean_flow_by_nodes(const ovr_simulation *sim, double Cu)
 {
     const double *P = sim->now.P;
@@ -188,10 +176,12 @@ static double mean_flow(const ovr_simulation *sim)
 {
     double Cu = ovr_history_value(sim->speed, sim->state.T);
     const double *upstream = sim->scheme->upstream;
-    if (sim->refined)
-        return ovr_refined_flow(sim);
     const double u[2] = {upstream[0] * Cu, upstream[1] * Cu};
-    if (sim->heated || sim->backward)
+    OVR_LAST_PHYSICS(sim, own, mean_flow);
+    OVR_LAST_PHYSICS(sim, beside, flow);
+    if (own->is)
+        return own->is->mean_flow(sim, own->own);
+    if (beside->is || sim->backward)
         return mean_flow_by_nodes(sim, Cu);
     return sim->grids.kernels->mean_flow(sim->now.n, u, sim->now.X, sim->now.P,
                                          sim->now.q, sim->now.eps,
@@ -210,7 +200,7 @@ void ovr_publish_state(ovr_simulation *sim)
 {
     ovr_state *state = &sim->state;
     state->n = sim->now.n;
-    state->D = sim->refined ? sim->refined->found.D : ovr_mesh(sim);
+    state->D = sim->now.D;
     state->X = sim->now.X;
     state->weights = sim->now.weights;
     state->q = sim->now.q;
@@ -227,6 +217,9 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
     const ovr_state *state = &sim->state;
     ovr_publish_state(sim);
     *o = (ovr_observation){.size = sizeof *o, .T = state->T, .dT = dT};
+    for (int k = 0; ovr_physics_list[k]; k++)
+        if (ovr_physics_list[k]->unknown)
+            ovr_physics_list[k]->unknown(o);
     observe_film(sim, o);
     observe_pressure(sim, o);
     o->load_ratio = ovr_history_value(sim->load, state->T);
@@ -234,16 +227,15 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
     o->radius_ratio = ovr_history_value(sim->radius, state->T);
     o->mass_flow = mean_flow(sim);
     o->mass_balance = dT > 0 ? ovr_mass_balance(sim) : 0;
-    ovr_supply_observe(sim, dT, o);
     o->load_error = o->load / OVR_NOMINAL_LOAD - o->load_ratio;
     ovr_observe_friction(sim, o);
-    ovr_observe_heat(sim, o);
     o->residual = outcome->defect.imbalance;
     o->order = sim->order;
-    ovr_refined_observe(sim, o);
     o->cycles = outcome->cycles;
     o->retries = outcome->retries;
     o->converged = outcome->converged;
     o->marked = outcome->marked;
+    OVR_EACH_PHYSICS(sim, p, observe)
+        p->is->observe(sim, p->own, o);
     ovr_statistics_take(&sim->statistics, o, state->step == 0);
 }

@@ -3,22 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "simulation/internal.h"
-
-/* The larger in magnitude; what is not a number counts last. */
-static void raise(double *most, double value, bool first)
-{
-    if (first || fabs(value) > fabs(*most) || isnan(*most))
-        *most = value;
-}
-
-static void take_heat(ovr_statistics *s, const ovr_observation *o, bool first)
-{
-    raise(&s->T_rise, o->T_max_rise, first);
-    raise(&s->T_1_rise, o->T_1_max_rise, first);
-    raise(&s->T_2_rise, o->T_2_max_rise, first);
-    raise(&s->energy_defect, o->energy_defect, first);
-}
+#include "simulation/physics.h"
 
 void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
                          bool first)
@@ -44,7 +29,9 @@ void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
         s->mu_slide = o->mu_slide;
         s->T_mu_slide = o->T;
     }
-    take_heat(s, o, first);
+    for (int k = 0; ovr_physics_list[k]; k++)
+        if (ovr_physics_list[k]->extremes)
+            ovr_physics_list[k]->extremes(s, o, first);
 }
 
 #define ROW(key, si, kind, steady, member, text)                               \

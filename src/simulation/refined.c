@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "simulation/physics.h"
+
 /* Meshes of the parent to each side of the spike: measured, where more change
  * its height by less than two levels do. */
 static double half_width(const ovr_simulation *sim)
@@ -22,19 +24,33 @@ static int last_level(const ovr_options *o)
     return o->refine_level ? o->refine_level : LAST_LEVEL;
 }
 
-ovr_status ovr_refined_take(ovr_simulation *sim, ovr_error *err)
+static bool chosen(const ovr_options *o)
+{
+    return o->refine != OVR_REFINE_NONE;
+}
+
+/* Patches want a pressure that is linear between the nodes. */
+static void prepare(ovr_hierarchy *grids)
+{
+    grids->linear = true;
+}
+
+static ovr_status take(ovr_simulation *sim, const void *form, void **own,
+                       ovr_error *err)
 {
     size_t most[OVR_LEVELS], n = sim->finest->grid.n;
     int patches = last_level(&sim->options) - sim->options.level;
     ovr_refined *r = ovr_arena_take(&sim->arena, 1, sizeof *r, err);
+    (void)form;
     if (!r)
         return OVR_NO_MEMORY;
-    sim->refined = r;
+    *own = r;
     r->most = n;
     for (int k = 0; k < patches; k++) {
         most[k] = ovr_spike_most(k + 1, half_width(sim), &sim->finest->grid);
         r->most += most[k];
     }
+    sim->most = r->most;
     r->X = ovr_arena_take(&sim->arena, r->most, sizeof *r->X, err);
     r->whole = ovr_arena_take(&sim->arena, n, sizeof *r->whole, err);
     if (!r->X || !r->whole)
@@ -43,11 +59,10 @@ ovr_status ovr_refined_take(ovr_simulation *sim, ovr_error *err)
                                  &sim->arena, err);
 }
 
-void ovr_refined_forget(ovr_simulation *sim)
+static void forget(ovr_simulation *sim, void *own)
 {
-    sim->now.n = sim->finest->grid.n;
-    sim->now.X = sim->finest->grid.X;
-    ovr_grid_weights(&sim->finest->grid, sim->now.weights);
+    (void)own;
+    ovr_whole_domain(sim);
 }
 
 /* X^2/2 - S at T = 0. */
@@ -55,10 +70,7 @@ static void rigid(void *data, size_t n, const double *X, double *gap)
 {
     ovr_simulation *sim = data;
     const ovr_smooth smooth = ovr_simulation_smooth(sim, 0);
-    if (sim->heights)
-        sim->heights(sim->heights_data, 0, n, X, gap);
-    else
-        memset(gap, 0, n * sizeof *gap);
+    ovr_surface_heights(sim, 0, n, X, gap);
     for (size_t i = 0; i < n; i++)
         gap[i] = ovr_smooth_at(&smooth, X[i]) - gap[i];
 }
@@ -66,11 +78,11 @@ static void rigid(void *data, size_t n, const double *X, double *gap)
 /* ------------------------------------------------------------------ leaves */
 
 /* Leaf i of a part becomes node n of the solution. */
-static void take_leaf(ovr_simulation *sim, const ovr_patch *part, size_t i,
-                      const double *H)
+static void take_leaf(ovr_simulation *sim, ovr_refined *r,
+                      const ovr_patch *part, size_t i, const double *H)
 {
     size_t n = sim->now.n++;
-    sim->refined->X[n] = part->level->grid.X[i];
+    r->X[n] = part->level->grid.X[i];
     sim->now.P[n] = part->P[i];
     sim->now.H[n] = H[i];
     sim->now.q[n] = part->q[i];
@@ -79,18 +91,19 @@ static void take_leaf(ovr_simulation *sim, const ovr_patch *part, size_t i,
 
 /* Leaves from a part's node `from` to `to`, of which the next patch lies
  * somewhere between. */
-static void take_leaves(ovr_simulation *sim, int k, size_t from, size_t to)
+static void take_leaves(ovr_simulation *sim, ovr_refined *r, int k, size_t from,
+                        size_t to)
 {
-    ovr_composite *c = &sim->refined->composite;
+    ovr_composite *c = &r->composite;
     const ovr_patch *part = &c->part[k];
     double *H = part->outer_w; /* free once all is solved */
     ovr_level_read(&sim->grids, part->level, part->level->f.H, H);
     for (size_t i = from; i <= to; i++) {
         if (ovr_composite_leaf(c, k, i)) {
-            take_leaf(sim, part, i, H);
+            take_leaf(sim, r, part, i, H);
             continue;
         }
-        take_leaves(sim, k + 1, part[1].from, part[1].to);
+        take_leaves(sim, r, k + 1, part[1].from, part[1].to);
         i = ovr_patch_end(part + 1) - 1;
     }
 }
@@ -105,22 +118,23 @@ static void weigh(ovr_solution *now)
     }
 }
 
-static void read_leaves(ovr_simulation *sim)
+static void read_leaves(ovr_simulation *sim, ovr_refined *r)
 {
-    ovr_refined *r = sim->refined;
     for (int k = 0; k <= r->composite.patches; k++)
         ovr_patch_read(&sim->grids, &r->composite.part[k]);
     sim->now.n = 0;
     sim->now.X = r->X;
-    take_leaves(sim, 0, 0, sim->finest->grid.n - 1);
+    sim->now.D = r->found.D;
+    take_leaves(sim, r, 0, 0, sim->finest->grid.n - 1);
     weigh(&sim->now);
-    if (sim->heights)
-        sim->heights(sim->heights_data, 0, sim->now.n, r->X, sim->S);
+    ovr_surface_heights(sim, 0, sim->now.n, r->X, sim->S);
 }
 
-double ovr_refined_flow(const ovr_simulation *sim)
+/* Of the patches' own fluxes where the film is wet: those of the whole domain's
+ * grid are of second order, its solution of fourth. */
+static double mean_flow(const ovr_simulation *sim, const void *own)
 {
-    const ovr_composite *c = &sim->refined->composite;
+    const ovr_composite *c = &((const ovr_refined *)own)->composite;
     double sum = 0, length = 0;
     for (int k = c->patches > 0; k <= c->patches; k++) {
         const ovr_patch *part = &c->part[k];
@@ -137,19 +151,39 @@ double ovr_refined_flow(const ovr_simulation *sim)
     return length > 0 ? -sum / length : 0;
 }
 
-void ovr_refined_observe(const ovr_simulation *sim, ovr_observation *o)
+/* At unequal distances; row 1 and what flows back are as on one grid. */
+static double carried(const ovr_simulation *sim, const void *own, size_t i,
+                      double flow)
 {
-    o->refined_level = sim->refined ? sim->refined->found.level : 0;
-    o->spike_change = sim->refined ? sim->refined->found.change : NAN;
+    const double *q = sim->now.q;
+    (void)own;
+    if (i == 0 || sim->backward)
+        return flow;
+    return q[i] + 0.5 * (q[i] - q[i - 1]) * ovr_spacing(&sim->now, i + 1) /
+                      ovr_spacing(&sim->now, i);
+}
+
+static void unknown(ovr_observation *o)
+{
+    o->refined_level = 0;
+    o->spike_change = NAN;
+}
+
+static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
+{
+    const ovr_refined *r = own;
+    (void)sim;
+    o->refined_level = r->found.level;
+    o->spike_change = r->found.change;
 }
 
 /* ----------------------------------------------------------------- solving */
 
-void ovr_refined_solve(ovr_simulation *sim, const ovr_full *how,
-                       ovr_outcome *outcome)
+static void finish(ovr_simulation *sim, void *own, const ovr_full *how,
+                   ovr_outcome *outcome)
 {
     const ovr_options *o = &sim->options;
-    ovr_refined *r = sim->refined;
+    ovr_refined *r = own;
     ovr_error err = {0};
     double change = o->refine_change > 0 ? o->refine_change : USUAL_CHANGE;
     const ovr_spike_search search = {
@@ -169,5 +203,17 @@ void ovr_refined_solve(ovr_simulation *sim, const ovr_full *how,
         outcome->defect.imbalance = INFINITY; /* cannot be: it has its room */
     else
         outcome->defect = r->found.defect;
-    read_leaves(sim);
+    read_leaves(sim, r);
 }
+
+const ovr_physics ovr_physics_patches = {.name = "patches",
+                                         .bit = OVR_PHYSICS_REFINED,
+                                         .chosen = chosen,
+                                         .prepare = prepare,
+                                         .take = take,
+                                         .forget = forget,
+                                         .finish = finish,
+                                         .carried = carried,
+                                         .mean_flow = mean_flow,
+                                         .unknown = unknown,
+                                         .observe = observe};

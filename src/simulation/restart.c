@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "simulation/heat_in_time.h"
+#include "simulation/physics.h"
 
 /* The numbers, wherever a simulation has them. */
 #define PART(name, member)                                                     \
@@ -25,7 +25,6 @@ static const struct {
              PART("still", past.still),
              PART("dT_next", past.dT_next),
              PART("change", past.change),
-             PART("backward", past.backward),
              PART("step", state.step),
              PART("T", state.T),
              PART("time_step", observation.dT),
@@ -57,12 +56,7 @@ static const struct {
              PART("settled", statistics.settled),
              PART("inlet", options.inlet),
              PART("outlet", options.outlet),
-             PART("level", options.level),
-             PART("oil_waiting", arrival.waiting),
-             PART("inlet_closed", arrival.closed),
-             PART("flooded_film", arrival.flooded),
-             PART("flooded_flow", arrival.flow),
-             PART("mass_defect", observation.mass_defect)};
+             PART("level", options.level)};
 
 static ovr_status visit_past(ovr_simulation *sim, ovr_visit *visit,
                              void *context, ovr_error *err)
@@ -85,22 +79,17 @@ static ovr_status visit_past(ovr_simulation *sim, ovr_visit *visit,
     return status;
 }
 
-/* The corrections of fourth order, where the run has them. */
-static ovr_status visit_corrections(ovr_simulation *sim, ovr_visit *visit,
-                                    void *context, ovr_error *err)
+/* The order that the run has, which says what else it has. */
+static ovr_status visit_order(ovr_simulation *sim, ovr_visit *visit,
+                              void *context, ovr_error *err)
 {
-    size_t bytes = sim->now.n * sizeof(double);
     ovr_status status = visit(context, "order", &sim->order, sizeof sim->order,
                               err);
-    if (!status && sim->order == 4 && sim->options.order != 4)
+    if (!status && sim->order > sim->options.order)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "the state is of a run of order 4, this one is of "
+                        "the state is of a run of order %d, this one is of "
                         "order %d",
-                        sim->options.order);
-    if (!status && sim->order == 4)
-        status = visit(context, "F_fourth", sim->F_fourth, bytes, err);
-    if (!status && sim->order == 4)
-        status = visit(context, "gap_fourth", sim->gap_fourth, bytes, err);
+                        sim->order, sim->options.order);
     return status;
 }
 
@@ -109,9 +98,10 @@ ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
 {
     ovr_status status = visit_past(sim, visit, context, err);
     if (!status)
-        status = visit_corrections(sim, visit, context, err);
-    if (!status && sim->heated)
-        status = ovr_heat_visit(sim, visit, context, err);
+        status = visit_order(sim, visit, context, err);
+    OVR_EACH_PHYSICS(sim, p, visit)
+        if (!status)
+            status = p->is->visit(sim, p->own, visit, context, err);
     for (size_t k = 0; !status && k < sizeof parts / sizeof *parts; k++)
         status = visit(context, parts[k].name, (char *)sim + parts[k].offset,
                        parts[k].bytes, err);
@@ -130,15 +120,14 @@ void ovr_simulation_restored(ovr_simulation *sim)
                                  .marked = seen.marked};
     sim->grids.fluid = sim->wanted.fluid;
     if (!sim->order) /* version 0.1.0 */
-        ovr_fourth_forget(sim);
+        sim->order = 2;
     if (!(sim->statistics.H_min > 0))
         sim->statistics.H_min = INFINITY;
-    if (ovr_conserves(sim))
-        ovr_supply_step(sim, 0);
-    if (sim->heated)
-        ovr_heat_restored(sim);
+    OVR_EACH_PHYSICS(sim, p, restored)
+        p->is->restored(sim, p->own);
     ovr_simulation_step_back(sim);
     ovr_observe(sim, seen.dT, &outcome);
-    sim->observation.mass_defect = seen.mass_defect;
+    OVR_EACH_PHYSICS(sim, p, recalled)
+        p->is->recalled(&sim->observation, &seen);
     sim->started = true;
 }

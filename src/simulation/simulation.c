@@ -11,7 +11,7 @@
 #include "multigrid/line.h"
 #include "simulation/mirror.h"
 #include "simulation/parts.h"
-#include "simulation/refined.h"
+#include "simulation/physics.h"
 
 static ovr_status take(ovr_simulation *sim, double **to, ovr_error *err)
 {
@@ -37,25 +37,27 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
     double **all[] = {
         &sim->now.weights,  &sim->S,       &sim->S_past, &sim->saved,
         &sim->saved_before, &sim->lacking, &sim->stress};
-    double **fourth[] = {&sim->F_fourth, &sim->gap_fourth};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (take(sim, all[k], err))
             return OVR_NO_MEMORY;
-    for (size_t k = 0; sim->options.order == 4 && k < 2; k++)
-        if (take(sim, fourth[k], err))
-            return OVR_NO_MEMORY;
-    if (ovr_conserves(sim) && take(sim, &sim->saved_q, err))
-        return OVR_NO_MEMORY;
     if (take_fields(sim, err))
         return OVR_NO_MEMORY;
     return ovr_inflow_take(sim, err);
+}
+
+void ovr_whole_domain(ovr_simulation *sim)
+{
+    sim->now.n = sim->finest->grid.n;
+    sim->now.D = ovr_mesh(sim);
+    sim->now.X = sim->finest->grid.X;
+    ovr_grid_weights(&sim->finest->grid, sim->now.weights);
 }
 
 /* The grid is known before anything is solved. */
 static void fill_arrays(ovr_simulation *sim)
 {
     ovr_hierarchy_fill(&sim->grids);
-    ovr_refined_forget(sim);
+    ovr_whole_domain(sim);
     ovr_inflow_fill(sim);
     ovr_publish_state(sim);
 }
@@ -91,11 +93,11 @@ ovr_cycling ovr_simulation_cycling(const ovr_simulation *sim, int finer_bottom)
 }
 
 /* The finest level that is not relaxed in lanes: Newton's, or all. */
-static int ordered_level(const ovr_options *o)
+static int ordered_level(const ovr_options *o, const ovr_hierarchy *grids)
 {
     if (o->smoother != OVR_LINE || o->paper_balance)
         return o->level;
-    int newton = o->cavitation == OVR_CAVITATION_CONSERVING ? 2 : 1;
+    int newton = grids->content ? 2 : 1;
     int above = o->level - o->coarsest_level;
     return o->coarsest_level + (newton < above ? newton : above);
 }
@@ -115,9 +117,8 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
                                .L = sim->contact.L,
                                .c = 1,
                                .fluid = grids->fluid};
-    grids->content = o->cavitation == OVR_CAVITATION_CONSERVING;
-    grids->linear = o->refine != OVR_REFINE_NONE;
-    grids->ordered = ordered_level(o);
+    ovr_physics_prepare(sim);
+    grids->ordered = ordered_level(o, grids);
     if (ovr_hierarchy_build(grids, o->coarsest_level, o->level, o->inlet,
                             o->outlet, order, range, &sim->arena, err))
         return OVR_NO_MEMORY;
@@ -126,13 +127,10 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
     sim->now.X = sim->finest->grid.X;
     for (int k = 0; k < 2; k++)
         sim->scratch[k] = grids->scratch[k];
-    if (o->order == 4 &&
-        ovr_correction_prepare(grids, &sim->correction, &sim->arena, err))
+    sim->most = sim->now.n;
+    if (ovr_physics_choose(sim, err))
         return OVR_NO_MEMORY;
-    if (grids->linear && ovr_refined_take(sim, err))
-        return OVR_NO_MEMORY;
-    if (sim->refined)
-        sim->now.n = sim->refined->most;
+    sim->now.n = sim->most;
     ovr_status status = take_arrays(sim, err);
     sim->now.n = sim->finest->grid.n;
     return status;
@@ -304,20 +302,37 @@ ovr_status ovr_smooth_check(const ovr_simulation *sim, double T, ovr_error *err)
                     T);
 }
 
+void ovr_surface_heights(const ovr_simulation *sim, double T, size_t n,
+                         const double *X, double *S)
+{
+    if (sim->heights)
+        sim->heights(sim->heights_data, T, n, X, S);
+    else
+        memset(S, 0, n * sizeof *S);
+    OVR_EACH_PHYSICS(sim, p, heights)
+        p->is->heights(sim, p->own, T, n, X, S);
+}
+
+bool ovr_has_heights(const ovr_simulation *sim)
+{
+    OVR_LAST_PHYSICS(sim, p, heights);
+    return sim->heights || p->is;
+}
+
 void ovr_simulation_gap(ovr_simulation *sim, double T)
 {
     const ovr_smooth smooth = ovr_simulation_smooth(sim, T);
     double *restrict gap = sim->scratch[0];
     const double *restrict X = sim->now.X, *restrict S = sim->S;
     size_t n = sim->now.n;
-    if (sim->heights) {
+    if (ovr_has_heights(sim)) {
         memcpy(sim->S_past, S, n * sizeof *S);
-        sim->heights(sim->heights_data, T, n, X, sim->S);
+        ovr_surface_heights(sim, T, n, X, sim->S);
     }
     for (size_t i = 0; i < n; i++)
         gap[i] = ovr_smooth_at(&smooth, X[i]) - S[i];
-    if (sim->order == 4)
-        sim->grids.kernels->combine(n, 1, gap, 1, sim->gap_fourth, gap);
+    OVR_EACH_PHYSICS(sim, p, gap)
+        p->is->gap(sim, p->own, gap);
     ovr_nodes_write(sim, sim->finest, gap, sim->finest->f.gap);
 }
 

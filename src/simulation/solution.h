@@ -10,6 +10,7 @@
 
 typedef struct ovr_solution {
     size_t n;
+    double D; /* the smallest mesh */
     const double *X;
     double *weights; /* integral of f: sum of weights f */
     union {

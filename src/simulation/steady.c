@@ -1,23 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The steady solution: full multigrid (multigrid/full.h), and when it fails
- * other strategies; then, where order four is wanted, its correction
- * (multigrid/fourth_order.h).
- *
- * A run keeps the corrections of its steady start, so they must not hold what
- * moves away.  Where the surfaces that stand still are known, the corrections
- * are those of the contact with these alone, and the start is solved with
- * them.  They stay right as long as load and speed do.
+ * other strategies; then what the physics make of it (physics.h).
  */
 #include <math.h>
 #include <string.h>
 
 #include "multigrid/film_end.h"
 #include "multigrid/starved.h"
-#include "simulation/heat_in_time.h"
-#include "simulation/heat_turns.h"
 #include "simulation/mirror.h"
-#include "simulation/refined.h"
+#include "simulation/physics.h"
+#include "simulation/steady.h"
 #include "simulation/step_cycles.h"
 
 double ovr_film_expected(const ovr_simulation *sim, double fraction)
@@ -33,7 +26,7 @@ double ovr_film_expected(const ovr_simulation *sim, double fraction)
  * L = 10, levels 8, 10 and 12: 0.020, 0.022, 0.006 after two cycles on it,
  * 0.015, 0.017, 0.000 when all levels had two), a fifth sooner.
  */
-static double tolerance_at(const void *data, const ovr_level *level, double H)
+double ovr_steady_tolerance(const void *data, const ovr_level *level, double H)
 {
     const ovr_simulation *sim = data;
     const double on_the_way = 50;
@@ -47,19 +40,6 @@ static double tolerance_at(const void *data, const ovr_level *level, double H)
     return o->stop == OVR_STOP_TRUNCATION
                ? truncation
                : ovr_negligible_tolerance(sim, ovr_grid_mesh(&level->grid), H);
-}
-
-/* The same, but a solution to be corrected need not be better than its
- * discretization error. */
-static double first_tolerance(const void *data, const ovr_level *level,
-                              double H)
-{
-    const ovr_simulation *sim = data;
-    double wanted = tolerance_at(sim, level, H);
-    if (sim->order == 4 && level == sim->finest)
-        return fmax(wanted, ovr_truncation_tolerance(
-                                sim, ovr_grid_mesh(&level->grid), H));
-    return wanted;
 }
 
 /* What a solve tries in turn until it converges: first the ordinary; with a
@@ -121,8 +101,7 @@ static bool settle_patches(void *data, ovr_hierarchy *grids, ovr_level *level,
 
 static const ovr_attached settling = {settle_patches, NULL};
 
-/* The number of cycles given, else that. */
-static int most_cycles(const ovr_simulation *sim, int unless_given)
+int ovr_steady_most_cycles(const ovr_simulation *sim, int unless_given)
 {
     return sim->options.max_cycles ? sim->options.max_cycles : unless_given;
 }
@@ -146,19 +125,18 @@ static ovr_full full_of(ovr_simulation *sim, const strategy *how)
                       .mesh = how->mesh,
                       .fixed = fixed,
                       .thin_last = thin_last(sim, how),
-                      .most_cycles = fixed ? o->cycles : most_cycles(sim, 60),
-                      .tolerance = first_tolerance,
+                      .most_cycles = fixed ? o->cycles
+                                           : ovr_steady_most_cycles(sim, 60),
+                      .tolerance = ovr_steady_tolerance,
                       .watch = ovr_refinement_watch,
                       .data = sim,
                       .saved = sim->saved};
 }
 
-/* Cycles on the finest level, whose right-hand sides are set, to the tolerance
- * wanted. */
-static ovr_defect finish(ovr_simulation *sim, const ovr_full *how, int *cycles)
+ovr_defect ovr_steady_cycles(ovr_simulation *sim, const ovr_full *how,
+                             int *cycles)
 {
     ovr_full last = *how;
-    last.tolerance = tolerance_at;
     last.fixed = false;
     if (sim->grids.conserving)
         return ovr_content_cycles(&sim->grids, &last, sim->finest, cycles);
@@ -166,109 +144,23 @@ static ovr_defect finish(ovr_simulation *sim, const ovr_full *how, int *cycles)
     return ovr_full_cycles(&sim->grids, sim->finest, &last, cycles);
 }
 
-/* The solution found, to go back to. */
-typedef struct found {
-    double *P, H0;
-} found;
-
-static found keep(const ovr_simulation *sim)
-{
-    const ovr_level *level = sim->finest;
-    ovr_nodes_read(sim, level, level->f.P, sim->saved);
-    return (found){sim->saved, sim->grids.H0};
-}
-
-/* Second order after all. */
-static ovr_defect fall_back(ovr_simulation *sim, const ovr_full *how,
-                            const found *second, int *cycles)
-{
-    ovr_nodes_write(sim, sim->finest, second->P, sim->finest->f.P);
-    sim->grids.H0 = second->H0;
-    ovr_fourth_forget(sim);
-    ovr_simulation_gap(sim, 0);
-    ovr_level_clear(sim->finest, sim->finest->f.F);
-    return finish(sim, how, cycles);
-}
-
-static ovr_defect multigrid(ovr_simulation *sim, const ovr_full *how,
-                            int *cycles)
+ovr_defect ovr_steady_film(ovr_simulation *sim, const ovr_full *how,
+                           int *cycles)
 {
     if (strategies[sim->strategy].grown)
         return ovr_steady_grown(sim, how, cycles);
     return ovr_full_multigrid(&sim->grids, &sim->wanted, *how, cycles);
 }
 
-/* Full multigrid and its own corrections, for the gap as it is.  On a mesh that
- * is hardly fine enough they take up to 160 cycles. */
-static ovr_defect solve_and_correct(ovr_simulation *sim, const ovr_full *how,
-                                    int *cycles)
-{
-    const ovr_correction *c = &sim->correction;
-    ovr_full last = *how;
-    last.tolerance = tolerance_at;
-    last.most_cycles = most_cycles(sim, 200);
-    ovr_defect d = multigrid(sim, how, cycles);
-    if (sim->order != 4 ||
-        !ovr_below(d, first_tolerance(sim, sim->finest, d.centre)))
-        return d;
-    found second = keep(sim);
-    if (!ovr_fourth_solve(&sim->grids, c, &last, &d, cycles))
-        return fall_back(sim, how, &second, cycles);
-    ovr_nodes_read(sim, sim->finest, c->F, sim->F_fourth);
-    ovr_nodes_read(sim, sim->finest, c->gap, sim->gap_fourth);
-    return d;
-}
-
-/* Full multigrid, and the corrections of what stands still. */
-static ovr_defect solve_corrected(ovr_simulation *sim, const ovr_full *how,
-                                  int *cycles)
-{
-    ovr_defect d = multigrid(sim, how, cycles);
-    if (!ovr_below(d, first_tolerance(sim, sim->finest, d.centre)))
-        return d;
-    found second = keep(sim);
-    ovr_nodes_write(sim, sim->finest, sim->F_fourth, sim->finest->f.F);
-    d = finish(sim, how, cycles);
-    if (ovr_below(d, tolerance_at(sim, sim->finest, d.centre)))
-        return d;
-    return fall_back(sim, how, &second, cycles);
-}
-
 /* Of the surfaces as they are at T = 0. */
 static ovr_defect solve(ovr_simulation *sim, const ovr_full *how, int *cycles)
 {
-    ovr_fourth_begin(sim);
-    if (sim->order == 4 && ovr_fourth_stands_apart(sim)) {
-        ovr_fourth_standing_gap(sim);
-        solve_and_correct(sim, how, cycles);
-        ovr_simulation_gap(sim, 0);
-        sim->refinements = 0;
-        if (sim->order == 4)
-            return solve_corrected(sim, how, cycles);
-    }
+    OVR_LAST_PHYSICS(sim, p, solve);
+    sim->order = sim->scheme->order;
+    if (p->is)
+        return p->is->solve(sim, p->own, how, cycles);
     ovr_simulation_gap(sim, 0);
-    return solve_and_correct(sim, how, cycles);
-}
-
-/* From the film for other temperatures, until neither changes. */
-static void solve_heat(ovr_simulation *sim, const ovr_full *how,
-                       ovr_outcome *outcome)
-{
-    enum { TURNS = 200 };
-    const double enough = 3e-5;
-    double change = INFINITY;
-    ovr_heat_turns_begin(sim);
-    for (int k = 0; k < TURNS && !(change < enough); k++) {
-        ovr_heat_march(sim);
-        change = ovr_heat_turn(sim);
-        ovr_heat_apply(sim);
-        outcome->defect = finish(sim, how, &outcome->cycles);
-        ovr_simulation_read(sim);
-        if (!(outcome->defect.imbalance < 1e6))
-            break;
-    }
-    if (!(change < enough))
-        outcome->defect.imbalance = fmax(outcome->defect.imbalance, change);
+    return ovr_steady_film(sim, how, cycles);
 }
 
 /* The past of a run that was steady before T = 0. */
@@ -283,12 +175,11 @@ static void begin_history(ovr_simulation *sim)
         past->H0[ago] = sim->grids.H0;
         past->T[ago] = 0;
     }
-    if (sim->heated)
-        ovr_heat_begin(sim);
     past->dT = past->dT_next = past->change = 0;
-    past->backward = sim->backward;
     past->still = 0;
     past->steps = 0;
+    OVR_EACH_PHYSICS(sim, p, begin)
+        p->is->begin(sim, p->own);
 }
 
 /* Load and speed of the start, at least the least share of each. */
@@ -303,9 +194,10 @@ static ovr_status begin_load_and_speed(ovr_simulation *sim, ovr_error *err)
                             ? "speed ratio %g at T = 0: must be a number"
                             : "load ratio %g at T = 0: must not be negative",
                         Cw >= 0 ? Cu : Cw);
-    if (ovr_check_turning(sim, err))
+    if (ovr_physics_check(sim, err))
         return OVR_BAD_INPUT;
-    ovr_turn_at_start(sim);
+    OVR_EACH_PHYSICS(sim, p, before_start)
+        p->is->before_start(sim, p->own);
     ovr_wanted *wanted = &sim->wanted;
     wanted->Cw = Cw > least ? Cw : least;
     wanted->Cu = Cu > least ? Cu : least;
@@ -332,42 +224,44 @@ static bool finished(const ovr_simulation *sim, const ovr_outcome *outcome,
 static double tolerance_of(const ovr_simulation *sim,
                            const ovr_outcome *outcome)
 {
-    return tolerance_at(sim, sim->finest, outcome->defect.centre);
+    return ovr_steady_tolerance(sim, sim->finest, outcome->defect.centre);
 }
 
-/* The film as it is now, and heat where there is some. */
-static bool found_with_heat(ovr_simulation *sim, const ovr_full *how,
-                            ovr_outcome *outcome)
+bool ovr_steady_found(const ovr_simulation *sim, const ovr_outcome *outcome)
 {
-    ovr_simulation_read(sim);
-    if (sim->heated && finished(sim, outcome, tolerance_of(sim, outcome)))
-        solve_heat(sim, how, outcome);
     return finished(sim, outcome, tolerance_of(sim, outcome));
 }
 
-/* By one strategy, from the beginning: flooded and isothermal, on the whole
- * domain's grids; then with heat; with the supply, which may be more than the
- * hot film takes and less than the cold one; or with patches. */
+/* The film as it is now, with the physics that are solved in turn with it. */
+static bool found_with_all(ovr_simulation *sim, const ovr_full *how,
+                           ovr_outcome *outcome)
+{
+    ovr_simulation_read(sim);
+    OVR_EACH_PHYSICS(sim, p, couple)
+        if (ovr_steady_found(sim, outcome))
+            p->is->couple(sim, p->own, how, outcome);
+    return ovr_steady_found(sim, outcome);
+}
+
+/* By one strategy, from the beginning: the film alone, on the whole domain's
+ * grids; what it is by the physics beside it; with those that are solved in
+ * turn with it; then what that is but the start for. */
 static void attempt(ovr_simulation *sim, const ovr_full *how,
                     ovr_outcome *outcome)
 {
-    if (sim->heated)
-        ovr_heat_reset(sim);
-    if (sim->refined)
-        ovr_refined_forget(sim);
-    sim->grids.conserving = false;
+    OVR_EACH_PHYSICS(sim, p, forget)
+        p->is->forget(sim, p->own);
     outcome->defect = solve(sim, how, &outcome->cycles);
-    if (ovr_conserves(sim))
-        outcome->defect = ovr_supply_flooded(sim, how, &outcome->cycles);
-    if (!found_with_heat(sim, how, outcome))
+    OVR_EACH_PHYSICS(sim, p, complete)
+        outcome->defect = p->is->complete(sim, p->own, how, &outcome->cycles);
+    if (!found_with_all(sim, how, outcome))
         return;
-    if (ovr_supply_lacks(sim)) {
-        outcome->defect = ovr_supply_starve(sim, how, &outcome->cycles);
-        if (!found_with_heat(sim, how, outcome))
+    OVR_EACH_PHYSICS(sim, p, proceed)
+        if (p->is->proceed(sim, p->own, how, outcome) &&
+            !found_with_all(sim, how, outcome))
             return;
-    }
-    if (sim->refined)
-        ovr_refined_solve(sim, how, outcome);
+    OVR_EACH_PHYSICS(sim, p, finish)
+        p->is->finish(sim, p->own, how, outcome);
 }
 
 ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
@@ -380,8 +274,8 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
         return OVR_BAD_INPUT;
     ovr_operator op = {.speed = sim->wanted.Cu};
     ovr_reynolds_wedge(&op, sim->scheme->order == 2, op.speed);
-    if (ovr_conserves(sim) && sim->scheme->order == 2)
-        op.limited[0] = op.speed;
+    OVR_EACH_PHYSICS(sim, p, operate)
+        p->is->operate(sim, p->own, 0, &op);
     ovr_hierarchy_operator(&sim->grids, &op);
     for (int k = 0; k < STRATEGIES && !outcome.converged; k++) {
         ovr_full how = full_of(sim, &strategies[k]);

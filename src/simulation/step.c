@@ -14,9 +14,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "simulation/heat_in_time.h"
 #include "simulation/mirror.h"
 #include "simulation/parts.h"
+#include "simulation/physics.h"
 #include "simulation/step_cycles.h"
 
 /* Beyond this R the result of a step is no longer near a solution: runs
@@ -60,10 +60,8 @@ static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
     ovr_cycling c = cycling_of(sim, how);
     bool close = ovr_guess(sim, dT, how->extrapolate) &&
                  sim->options.smoother == OVR_LINE && c.sweeps_before > 0;
-    if (sim->heated) {
-        ovr_level_refresh(&sim->grids, sim->finest);
-        ovr_heat_try(sim, how == attempts);
-    }
+    OVR_EACH_PHYSICS(sim, p, attempt)
+        p->is->attempt(sim, p->own, how == attempts);
     if (how->continued)
         return ovr_step_continued(sim, &c, outcome);
     return ovr_step_cycles(
@@ -73,13 +71,12 @@ static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
 static void begin_step(ovr_simulation *sim, double dT)
 {
     double T = sim->past.T[0] + dT;
-    ovr_turn(sim, T);
+    OVR_EACH_PHYSICS(sim, p, before_step)
+        p->is->before_step(sim, p->own, T);
     ovr_slide(sim, T);
     ovr_time_derivative(sim, dT);
-    if (ovr_conserves(sim))
-        ovr_supply_step(sim, dT);
-    if (sim->heated)
-        ovr_heat_step(sim, dT);
+    OVR_EACH_PHYSICS(sim, p, step)
+        p->is->step(sim, p->own, dT);
     ovr_simulation_gap(sim, T);
     sim->finest->force = OVR_NOMINAL_LOAD * ovr_history_value(sim->load, T);
 }
@@ -97,10 +94,8 @@ static void end_step(ovr_simulation *sim, double dT)
 {
     ovr_past *past = &sim->past;
     ovr_guess_learn(sim, dT);
-    if (ovr_conserves(sim))
-        ovr_supply_taken(sim, dT);
-    if (sim->heated)
-        ovr_heat_taken(sim);
+    OVR_EACH_PHYSICS(sim, p, taken)
+        p->is->taken(sim, p->own, dT);
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (ovr_field_rows[k].past)
             keep(past->all[k], ovr_field_rows[k].past, sim->now.all[k],
@@ -110,7 +105,6 @@ static void end_step(ovr_simulation *sim, double dT)
         past->T[k] = past->T[k - 1];
     }
     past->H0[0] = sim->grids.H0;
-    past->backward = sim->backward;
     past->T[0] += dT;
     past->dT = dT;
     past->steps += past->steps < 3;
@@ -171,14 +165,13 @@ void ovr_simulation_step_back(ovr_simulation *sim)
 {
     sim->grids.H0 = sim->past.H0[0];
     sim->state.T = sim->past.T[0];
-    ovr_turn_back(sim);
+    OVR_EACH_PHYSICS(sim, p, before_back)
+        p->is->before_back(sim, p->own);
     ovr_slide(sim, sim->state.T);
     ovr_nodes_write(sim, sim->finest, sim->past.P[0], sim->finest->f.P);
     ovr_simulation_gap(sim, sim->past.T[0]);
-    if (ovr_conserves(sim))
-        ovr_supply_try(sim);
-    if (sim->heated)
-        ovr_heat_step_back(sim);
+    OVR_EACH_PHYSICS(sim, p, step_back)
+        p->is->step_back(sim, p->own);
     ovr_level_refresh(&sim->grids, sim->finest);
     ovr_simulation_read(sim);
 }
@@ -218,7 +211,7 @@ static ovr_status check(const ovr_simulation *sim, double dT, ovr_error *err)
                         "time step %g: the characteristic scheme takes at "
                         "most %d mesh sizes",
                         dT, OVR_GHOSTS / 2 - 4);
-    if (ovr_check_turning(sim, err))
+    if (ovr_physics_check(sim, err))
         return OVR_BAD_INPUT;
     return ovr_smooth_check(sim, sim->past.T[0] + dT, err);
 }

@@ -12,7 +12,7 @@
 #include <math.h>
 
 #include "multigrid/content.h"
-#include "simulation/internal.h"
+#include "simulation/physics.h"
 
 bool ovr_conserves(const ovr_simulation *sim)
 {
@@ -22,8 +22,12 @@ bool ovr_conserves(const ovr_simulation *sim)
 void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
                            double waiting)
 {
-    sim->arrival = (ovr_arrival){
-        .supply = supply, .data = data, .before = waiting, .waiting = waiting};
+    ovr_arrival *a = &sim->arrival;
+    *a = (ovr_arrival){.supply = supply,
+                       .data = data,
+                       .before = waiting,
+                       .waiting = waiting,
+                       .kept = a->kept};
 }
 
 /* ------------------------------------------------------------------- a step */
@@ -46,9 +50,9 @@ static double time_of_entry(const ovr_simulation *sim, double T)
     return 0.5 * (low + high);
 }
 
-void ovr_supply_step(ovr_simulation *sim, double dT)
+static void step(ovr_simulation *sim, void *own, double dT)
 {
-    ovr_arrival *a = &sim->arrival;
+    ovr_arrival *a = own;
     double T = sim->past.T[0] + dT;
     if (!a->supply)
         return;
@@ -56,10 +60,10 @@ void ovr_supply_step(ovr_simulation *sim, double dT)
     a->face = a->supply(a->data, time_of_entry(sim, T));
 }
 
-void ovr_supply_restore(ovr_simulation *sim, const double *P, const double *q,
-                        bool closed)
+/* Contents and states by the pressure, and the inlet: those of a solution. */
+static void restore(ovr_simulation *sim, const ovr_arrival *a, const double *P,
+                    const double *q, bool closed)
 {
-    const ovr_arrival *a = &sim->arrival;
     ovr_level *level = sim->finest;
     double source = sim->grids.op.speed * a->face / sim->now.weights[1];
     sim->grids.conserving = level->leads = true;
@@ -72,13 +76,14 @@ void ovr_supply_restore(ovr_simulation *sim, const double *P, const double *q,
         ovr_content_open(level);
 }
 
-void ovr_supply_try(ovr_simulation *sim)
+/* Contents, states and inlet that an attempt begins from. */
+static void begin_attempt(ovr_simulation *sim, void *own)
 {
-    const ovr_arrival *a = &sim->arrival;
+    const ovr_arrival *a = own;
     ovr_level *level = sim->finest;
     bool closing = a->supply && !a->closed && a->waiting < 0;
-    ovr_supply_restore(sim, sim->past.P[0], sim->past.q[0],
-                       a->supply && (a->closed || closing));
+    restore(sim, a, sim->past.P[0], sim->past.q[0],
+            a->supply && (a->closed || closing));
     if (closing) {
         ovr_content_mark(level, level->f.wet, 1, false);
         ovr_content_mark(level, level->f.dried, 1, true);
@@ -86,14 +91,34 @@ void ovr_supply_try(ovr_simulation *sim)
     }
 }
 
+static void attempt(ovr_simulation *sim, void *own, bool first)
+{
+    (void)first;
+    begin_attempt(sim, own);
+}
+
+static void keep(ovr_simulation *sim, void *own)
+{
+    ovr_arrival *a = own;
+    ovr_level_read(&sim->grids, sim->finest, sim->finest->f.q, a->kept);
+    a->closed_kept = sim->finest->closed;
+}
+
+static void go_back(ovr_simulation *sim, void *own, const double *P)
+{
+    const ovr_arrival *a = own;
+    restore(sim, a, P, a->kept, a->closed_kept);
+}
+
 static double speed_now(const ovr_simulation *sim, double T)
 {
     return ovr_history_value(sim->speed, T);
 }
 
-void ovr_supply_taken(ovr_simulation *sim, double dT)
+/* The inlet's account. */
+static void taken(ovr_simulation *sim, void *own, double dT)
 {
-    ovr_arrival *a = &sim->arrival;
+    ovr_arrival *a = own;
     double Cu = speed_now(sim, sim->past.T[0] + dT);
     if (!a->supply)
         return;
@@ -103,21 +128,26 @@ void ovr_supply_taken(ovr_simulation *sim, double dT)
 
 /* ------------------------------------------------------------------- steady */
 
-ovr_defect ovr_supply_flooded(ovr_simulation *sim, const ovr_full *how,
-                              int *cycles)
+static void forget(ovr_simulation *sim, void *own)
 {
-    ovr_arrival *a = &sim->arrival;
+    (void)own;
+    sim->grids.conserving = false;
+}
+
+/* Flooded, from the film of the Reynolds equation. */
+static ovr_defect complete(ovr_simulation *sim, void *own, const ovr_full *how,
+                           int *cycles)
+{
+    ovr_arrival *a = own;
     a->waiting = a->before;
     a->closed = false;
     ovr_level_clear(sim->finest, sim->finest->f.kept);
     return ovr_flooded(&sim->grids, how, cycles);
 }
 
-bool ovr_supply_lacks(ovr_simulation *sim)
+/* Whether less arrives than the flooded contact takes. */
+static bool lacks(ovr_simulation *sim, ovr_arrival *a)
 {
-    ovr_arrival *a = &sim->arrival;
-    if (!ovr_conserves(sim))
-        return false;
     a->flooded = ovr_level_centre(sim->finest, sim->finest->f.H);
     a->flow = ovr_content_leaving(sim->finest);
     if (!a->supply)
@@ -126,13 +156,51 @@ bool ovr_supply_lacks(ovr_simulation *sim)
     return a->q < a->flow && !isinf(a->before);
 }
 
-ovr_defect ovr_supply_starve(ovr_simulation *sim, const ovr_full *how,
-                             int *cycles)
+/* The supply may be more than the hot film takes and less than the cold one: it
+ * is looked at when all else is found. */
+static bool starve(ovr_simulation *sim, void *own, const ovr_full *how,
+                   ovr_outcome *outcome)
 {
-    ovr_arrival *a = &sim->arrival;
-    ovr_defect d = ovr_starve(&sim->grids, how, a->q, cycles);
+    ovr_arrival *a = own;
+    if (!lacks(sim, a))
+        return false;
+    outcome->defect = ovr_starve(&sim->grids, how, a->q, &outcome->cycles);
     a->closed = sim->finest->closed;
-    return d;
+    return true;
+}
+
+/* --------------------------------------------------------------- the equation
+ */
+
+/* Of second order, outflow and time derivative are limited where it is dry. */
+static void operate(const ovr_simulation *sim, const void *own, double dT,
+                    ovr_operator *op)
+{
+    (void)own;
+    if (sim->scheme->order != 2)
+        return;
+    op->limited[0] = op->speed;
+    if (dT > 0)
+        op->limited[1] = 0.5 / dT - op->cT;
+}
+
+static void history(ovr_simulation *sim, void *own, double dT,
+                    const double c[2])
+{
+    (void)own;
+    ovr_content_history(sim, dT, c);
+}
+
+/* What arrives where the inlet is closed; limited where it is dry
+ * (multigrid/content.h). */
+static double carried(const ovr_simulation *sim, const void *own, size_t i,
+                      double q)
+{
+    const ovr_arrival *a = own;
+    double half = 0.5 * sim->now.q[i];
+    if (i == 0)
+        return sim->finest->closed ? a->face : q;
+    return !(sim->now.P[i] > 0) && q < half ? half : q;
 }
 
 /* ----------------------------------------------------------- what is observed
@@ -184,23 +252,18 @@ static double mass_defect(const ovr_simulation *sim)
     return -ovr_integral(sim, r) / sim->observation.H_cen;
 }
 
-static void forget(ovr_observation *o)
+static void unknown(ovr_observation *o)
 {
     o->film_ratio = o->supply_ratio = NAN;
     o->supply = o->meniscus = o->inflow = o->outflow = NAN;
     o->oil_inside = o->oil_waiting = o->cavity_length = o->mass_defect = NAN;
 }
 
-void ovr_supply_observe(const ovr_simulation *sim, double dT,
-                        ovr_observation *o)
+static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
 {
     const ovr_solution *s = &sim->now;
-    const ovr_arrival *a = &sim->arrival;
+    const ovr_arrival *a = own;
     double Cu = speed_now(sim, o->T);
-    (void)dT;
-    forget(o);
-    if (!ovr_conserves(sim))
-        return;
     o->supply = a->supply ? a->q : NAN;
     o->film_ratio = o->H_cen / a->flooded;
     o->supply_ratio = a->flow > 0 ? o->supply / a->flow : NAN;
@@ -212,3 +275,78 @@ void ovr_supply_observe(const ovr_simulation *sim, double dT,
     o->cavity_length = cavity_length(s);
     o->mass_defect = mass_defect(sim);
 }
+
+/* --------------------------------------------------------------- checkpoint */
+
+static ovr_status visit(ovr_simulation *sim, void *own, ovr_visit *show,
+                        void *context, ovr_error *err)
+{
+    ovr_arrival *a = own;
+    double *defect = &sim->observation.mass_defect;
+    ovr_status status = show(context, "oil_waiting", &a->waiting,
+                             sizeof a->waiting, err);
+    if (!status)
+        status = show(context, "inlet_closed", &a->closed, sizeof a->closed,
+                      err);
+    if (!status)
+        status = show(context, "flooded_film", &a->flooded, sizeof a->flooded,
+                      err);
+    if (!status)
+        status = show(context, "flooded_flow", &a->flow, sizeof a->flow, err);
+    return status ? status
+                  : show(context, "mass_defect", defect, sizeof *defect, err);
+}
+
+static void restored(ovr_simulation *sim, void *own)
+{
+    step(sim, own, 0);
+}
+
+static void recalled(ovr_observation *o, const ovr_observation *saved)
+{
+    o->mass_defect = saved->mass_defect;
+}
+
+static bool chosen(const ovr_options *o)
+{
+    return o->cavitation == OVR_CAVITATION_CONSERVING;
+}
+
+static void prepare(ovr_hierarchy *grids)
+{
+    grids->content = true;
+}
+
+static ovr_status take(ovr_simulation *sim, const void *form, void **own,
+                       ovr_error *err)
+{
+    ovr_arrival *a = &sim->arrival;
+    (void)form;
+    *own = a;
+    a->kept = ovr_arena_take(&sim->arena, sim->finest->grid.n, sizeof *a->kept,
+                             err);
+    return a->kept ? OVR_OK : OVR_NO_MEMORY;
+}
+
+const ovr_physics ovr_physics_conserving = {.name = "oil conserved",
+                                            .bit = OVR_PHYSICS_CONTENT,
+                                            .chosen = chosen,
+                                            .prepare = prepare,
+                                            .take = take,
+                                            .forget = forget,
+                                            .complete = complete,
+                                            .proceed = starve,
+                                            .operate = operate,
+                                            .history = history,
+                                            .step = step,
+                                            .attempt = attempt,
+                                            .keep = keep,
+                                            .go_back = go_back,
+                                            .taken = taken,
+                                            .step_back = begin_attempt,
+                                            .carried = carried,
+                                            .unknown = unknown,
+                                            .observe = observe,
+                                            .visit = visit,
+                                            .restored = restored,
+                                            .recalled = recalled};

@@ -16,6 +16,7 @@
 #include <math.h>
 
 #include "simulation/mirror.h"
+#include "simulation/physics.h"
 
 void ovr_backward_euler(double dT, double dT_old, double *cT, double c[2])
 {
@@ -35,8 +36,8 @@ void ovr_bdf2(double dT, double dT_old, double *cT, double c[2])
 
 void ovr_history_term(ovr_simulation *sim, double *F)
 {
-    if (sim->order == 4)
-        sim->grids.kernels->combine(sim->now.n, 1, F, 1, sim->F_fourth, F);
+    OVR_EACH_PHYSICS(sim, p, sides)
+        p->is->sides(sim, p->own, F);
     ovr_nodes_write(sim, sim->finest, F, sim->finest->f.F);
 }
 
@@ -69,6 +70,7 @@ void ovr_history_at_feet(ovr_simulation *sim, const double c[2], double T)
 void ovr_time_derivative(ovr_simulation *sim, double dT)
 {
     const ovr_discretization *scheme = sim->scheme;
+    OVR_LAST_PHYSICS(sim, p, history);
     double T = sim->past.T[0] + dT, c[2];
     ovr_operator op = {.speed = fabs(ovr_history_value(sim->speed, T)),
                        .transient = true,
@@ -76,12 +78,11 @@ void ovr_time_derivative(ovr_simulation *sim, double dT)
     scheme->difference(dT, sim->past.dT, &op.cT, c);
     if (!scheme->characteristic)
         ovr_reynolds_wedge(&op, scheme->order == 2, op.speed);
-    if (ovr_conserves(sim)) {
-        op.limited[0] = scheme->order == 2 ? op.speed : 0;
-        op.limited[1] = scheme->order == 2 ? 0.5 / dT - op.cT : 0;
-        ovr_content_history(sim, dT, c);
-    } else {
+    OVR_EACH_PHYSICS(sim, each, operate)
+        each->is->operate(sim, each->own, dT, &op);
+    if (p->is)
+        p->is->history(sim, p->own, dT, c);
+    else
         scheme->history(sim, c, T);
-    }
     ovr_hierarchy_operator(&sim->grids, &op);
 }

@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "simulation/physics.h"
+
+const ovr_present ovr_absent = {NULL, NULL};
+
+static int place_of(const ovr_physics *physics)
+{
+    int k = 0;
+    while (ovr_physics_list[k] && ovr_physics_list[k] != physics)
+        k++;
+    return k;
+}
+
+/* In the order of the list; one that is there already keeps its place. */
+static ovr_present *place_for(ovr_simulation *sim, const ovr_physics *physics)
+{
+    ovr_present *all = sim->physics;
+    int at = 0, last;
+    while (all[at].is && place_of(all[at].is) < place_of(physics))
+        at++;
+    if (all[at].is == physics)
+        return &all[at];
+    for (last = at; all[last].is;)
+        last++;
+    if (last == OVR_MOST_PHYSICS)
+        return NULL;
+    for (; last > at; last--)
+        all[last] = all[last - 1];
+    return &all[at];
+}
+
+static ovr_status add(ovr_simulation *sim, const ovr_physics *physics,
+                      const void *form, ovr_error *err)
+{
+    void *own = NULL;
+    ovr_present *at;
+    if (physics->take) {
+        ovr_status status = physics->take(sim, form, &own, err);
+        if (status)
+            return status;
+    }
+    at = place_for(sim, physics);
+    if (!at)
+        return ovr_fail(err, OVR_BAD_INPUT, "%d physics are the most",
+                        OVR_MOST_PHYSICS);
+    *at = (ovr_present){physics, own};
+    return OVR_OK;
+}
+
+void ovr_physics_prepare(ovr_simulation *sim)
+{
+    for (int k = 0; ovr_physics_list[k]; k++) {
+        const ovr_physics *p = ovr_physics_list[k];
+        if (p->chosen && p->chosen(&sim->options) && p->prepare)
+            p->prepare(&sim->grids);
+    }
+}
+
+ovr_status ovr_physics_choose(ovr_simulation *sim, ovr_error *err)
+{
+    for (int k = 0; ovr_physics_list[k]; k++) {
+        const ovr_physics *p = ovr_physics_list[k];
+        if (p->chosen && p->chosen(&sim->options) && add(sim, p, NULL, err))
+            return OVR_NO_MEMORY;
+    }
+    return OVR_OK;
+}
+
+ovr_status ovr_physics_add(ovr_simulation *sim, const ovr_physics *physics,
+                           const void *form, ovr_error *err)
+{
+    return add(sim, physics, form, err);
+}
+
+ovr_status ovr_physics_check(const ovr_simulation *sim, ovr_error *err)
+{
+    OVR_EACH_PHYSICS(sim, p, check)
+        if (p->is->check(sim, p->own, err))
+            return OVR_BAD_INPUT;
+    return OVR_OK;
+}

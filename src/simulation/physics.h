@@ -1,0 +1,254 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A physics is a record of functions: what beyond Reynolds' equation, film and
+ * force balance a contact has.  Steady solve, step, observation, checkpoint
+ * and case go through the list of physics (physics_list.c) and name none of
+ * them; a new one is a file with its record and a row in that list.
+ *
+ * Any function may be absent.  A simulation holds those of the list that are
+ * on, in the order of the list, and calls no function of the others.  `own` is
+ * what the physics has made for itself in this simulation.
+ *
+ *     a case      row, form, resolve: its keys, and what they mean
+ *     creation    chosen, prepare, take, influence
+ *     steady      forget, solve, complete, couple, proceed, finish, begin
+ *     a step      check, before_step, operate, history, sides, step, attempt,
+ *                 the ends of its cycles, taken; or step_back
+ *     observed    carried, flow, oil, mean_flow, stress, friction, observe
+ *     checkpoint  visit, restored
+ *
+ * Contributions are sums over the list: to the gap (heights, gap), to the
+ * right-hand side (sides), to the elastic influence, to the shear stress
+ * (friction).  Where the words are "in its own way" the last of the list that
+ * has the function does it, and the ordinary way is not gone.
+ */
+#ifndef OVR_SIMULATION_PHYSICS_H
+#define OVR_SIMULATION_PHYSICS_H
+
+#include "base/parameter.h"
+#include "simulation/internal.h"
+
+/* What a physics is resolved with: the contact and what is known of the run.
+ */
+typedef struct ovr_physics_case {
+    const ovr_contact *contact;
+    const ovr_lubricant *lubricant;
+    ovr_options *options; /* which it may still choose */
+    bool transient;
+} ovr_physics_case;
+
+/* Takes a line of what `check` tells: a name and a text. */
+typedef void ovr_physics_line(void *data, const char *name, const char *text);
+
+/* Takes what is said of a run beside its result. */
+typedef void ovr_physics_say(void *data, bool warning, const char *text);
+
+struct ovr_physics {
+    const char *name;
+    unsigned bit; /* of the quantities that need it; 0: they need nothing */
+
+    /* ------------------------------------------------------------- the case */
+
+    /* Sections, and rows that point into the form; those of one section lie
+     * together.  The form, of so many bytes, begins as zeros. */
+    const ovr_section *section;
+    size_t sections;
+    const ovr_parameter *row;
+    size_t rows;
+    size_t form;
+
+    /* What the form means, in the units of the contact; whether it is on.  An
+     * error is about a key of its rows. */
+    ovr_status (*resolve)(const ovr_physics_case *of, void *form, bool *on,
+                          ovr_error *err);
+
+    /* A line for each number of the form that a user wants to see. */
+    void (*tell)(const ovr_physics_case *of, const void *form,
+                 ovr_physics_line *line, void *data);
+
+    /* ------------------------------------------------------------- creation */
+
+    /* Whether the options choose it. */
+    bool (*chosen)(const ovr_options *options);
+
+    /* What the grids have to know before they are built. */
+    void (*prepare)(ovr_hierarchy *grids);
+
+    /* Memory of the simulation, of which nothing is written yet but pointers:
+     * it may be counted only.  The form is that of the case, NULL where the
+     * options have chosen. */
+    ovr_status (*take)(ovr_simulation *sim, const void *form, void **own,
+                       ovr_error *err);
+
+    /* --------------------------------------------------------------- steady */
+
+    /* Before each attempt: as if it were off. */
+    void (*forget)(ovr_simulation *sim, void *own);
+
+    /* The film from nothing, in its own way. */
+    ovr_defect (*solve)(ovr_simulation *sim, void *own, const ovr_full *how,
+                        int *cycles);
+
+    /* What the film that was found is by this physics, as far as that needs
+     * no more than cycles. */
+    ovr_defect (*complete)(ovr_simulation *sim, void *own, const ovr_full *how,
+                           int *cycles);
+
+    /* Solves film and physics in turn until neither changes; called again
+     * whenever the film has become another one. */
+    void (*couple)(ovr_simulation *sim, void *own, const ovr_full *how,
+                   ovr_outcome *outcome);
+
+    /* Goes on to the film that the one found so far is but the start for;
+     * false where there is none. */
+    bool (*proceed)(ovr_simulation *sim, void *own, const ovr_full *how,
+                    ovr_outcome *outcome);
+
+    /* What is done last. */
+    void (*finish)(ovr_simulation *sim, void *own, const ovr_full *how,
+                   ovr_outcome *outcome);
+
+    /* The steady solution is the past that a run begins from. */
+    void (*begin)(ovr_simulation *sim, void *own);
+
+    /* --------------------------------------------------------------- a step */
+
+    /* Whether a step, or the steady start, may be made at all. */
+    ovr_status (*check)(const ovr_simulation *sim, const void *own,
+                        ovr_error *err);
+
+    /* Before the equation of a step to T is set; of the steady start. */
+    void (*before_step)(ovr_simulation *sim, void *own, double T);
+    void (*before_start)(ovr_simulation *sim, void *own);
+
+    /* Changes the operator of a step of dT; dT = 0: of the steady start. */
+    void (*operate)(const ovr_simulation *sim, const void *own, double dT,
+                    ovr_operator *op);
+
+    /* The history term, in its own way; c weighs the past. */
+    void (*history)(ovr_simulation *sim, void *own, double dT,
+                    const double c[2]);
+
+    /* Adds to the right-hand side at the nodes. */
+    void (*sides)(const ovr_simulation *sim, const void *own, double *F);
+
+    /* The equation of the step of dT is set. */
+    void (*step)(ovr_simulation *sim, void *own, double dT);
+
+    /* The guess that the cycles of an attempt begin from is in place. */
+    void (*attempt)(ovr_simulation *sim, void *own, bool first);
+
+    /* On a path of solutions (continuation.c): keeps what it has on the finest
+     * level of the one that was found last; goes back to that, whose pressure
+     * was P. */
+    void (*keep)(ovr_simulation *sim, void *own);
+    void (*go_back)(ovr_simulation *sim, void *own, const double *P);
+
+    /* The ends of a cycle (ovr_attached in multigrid/cycle.h). */
+    bool (*at_end)(void *own, ovr_hierarchy *grids, ovr_level *level,
+                   ovr_cycle_end end);
+
+    /* The step of dT is taken, and not yet the past. */
+    void (*taken)(ovr_simulation *sim, void *own, double dT);
+
+    /* Back to the last time reached: before its pressure and gap are in place
+     * again, and once they are. */
+    void (*before_back)(ovr_simulation *sim, void *own);
+    void (*step_back)(ovr_simulation *sim, void *own);
+
+    /* ----------------------------------------------------------- the equation
+     */
+
+    /* Adds to the heights of the surfaces at any X, outward positive: the gap
+     * is that of the smooth surfaces less these. */
+    void (*heights)(const ovr_simulation *sim, const void *own, double T,
+                    size_t n, const double *X, double *S);
+
+    /* Adds to the discrete gap at the nodes. */
+    void (*gap)(const ovr_simulation *sim, const void *own, double *gap);
+
+    /* ------------------------------------------------------------- observed */
+
+    /* The content that the film carries along at the half node i + 1/2, which
+     * the scheme takes to be q. */
+    double (*carried)(const ovr_simulation *sim, const void *own, size_t i,
+                      double q);
+
+    /* What flows there beside the film's own: as the scheme has it, or the
+     * mean of both nodes. */
+    double (*flow)(const ovr_simulation *sim, const void *own, size_t i,
+                   bool mean);
+
+    /* By how much rho H^3/eta and the density of the oil at a node differ from
+     * those of its pressure and film. */
+    void (*oil)(const ovr_simulation *sim, const void *own, size_t i,
+                double *eps, double *rho);
+
+    /* Mean mass flow of the film, in its own way. */
+    double (*mean_flow)(const ovr_simulation *sim, const void *own);
+
+    /* Mean shear stress over the film at half nodes, in its own way. */
+    void (*stress)(ovr_simulation *sim, void *own, const ovr_sheared *film,
+                   const ovr_fluid *fluid, double *t);
+
+    /* Adds to it. */
+    void (*friction)(const ovr_simulation *sim, const void *own, double *t);
+
+    /* What is observed; before that, and where the physics is off, what is not
+     * known. */
+    void (*observe)(ovr_simulation *sim, void *own, ovr_observation *o);
+    void (*unknown)(ovr_observation *o);
+
+    /* Extremes over the run, on or off. */
+    void (*extremes)(ovr_statistics *s, const ovr_observation *o, bool first);
+
+    /* Numbers a step that are its own: rows behind those of
+     * observables.c, of members of ovr_observation or of its `more`. */
+    const ovr_observable *quantity;
+    size_t quantities;
+
+    /* After a solve or run. */
+    void (*review)(const ovr_simulation *sim, const void *own,
+                   ovr_physics_say *say, void *data);
+
+    /* ----------------------------------------------------------- checkpoint */
+
+    /* Shows what of it makes up the state between two steps; what follows from
+     * that once it is there, before step_back. */
+    ovr_status (*visit)(ovr_simulation *sim, void *own, ovr_visit *visit,
+                        void *context, ovr_error *err);
+    void (*restored)(ovr_simulation *sim, void *own);
+
+    /* What was observed that does not follow from the state, as it was saved.
+     */
+    void (*recalled)(ovr_observation *o, const ovr_observation *saved);
+};
+
+/* All there are, NULL behind the last.  Its own object in the library, so that
+ * a program may be linked with a list of its own. */
+extern const ovr_physics *const ovr_physics_list[];
+
+/* Those of a simulation that have the function. */
+#define OVR_EACH_PHYSICS(sim, p, function)                                     \
+    for (const ovr_present *p = (sim)->physics; p->is; p++)                    \
+        if (p->is->function)
+
+/* The last of them that has it, or none (is NULL). */
+#define OVR_LAST_PHYSICS(sim, p, function)                                     \
+    const ovr_present *p = &ovr_absent;                                        \
+    OVR_EACH_PHYSICS(sim, each_##p, function)                                  \
+    p = each_##p
+
+extern const ovr_present ovr_absent;
+
+/* Those that the options choose, before the grids are built and once they are;
+ * one more, by its form. */
+void ovr_physics_prepare(ovr_simulation *sim);
+ovr_status ovr_physics_choose(ovr_simulation *sim, ovr_error *err);
+ovr_status ovr_physics_add(ovr_simulation *sim, const ovr_physics *physics,
+                           const void *form, ovr_error *err);
+
+/* Whether a step, or the steady start, may be made at all. */
+ovr_status ovr_physics_check(const ovr_simulation *sim, ovr_error *err);
+
+#endif
