@@ -92,6 +92,12 @@ typedef struct ovr_stress_row {
 } ovr_stress_row;
 OVR_API ovr_stress_row ovr_stress_at(const ovr_stress *stress, size_t depth);
 
+/* The same of the last solve, at every node of the mesh.  Valid until the next
+ * call. */
+OVR_API ovr_status ovr_stress_at_every_node(ovr_stress *stress, size_t depth,
+                                            ovr_stress_row *row,
+                                            ovr_error *err);
+
 /* Stresses made of h, d and tau, residual ones added. */
 typedef enum ovr_stress_field {
     OVR_STRESS_SIGMA_X,

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "run/stress.h"
+#include "stress/cubic.h"
 
 /* Passages move their nodes by less than this, for every level at once. */
 enum { WHOLE = 32 };
@@ -166,7 +167,7 @@ static ovr_status follow_all(pass *p, double alpha, double *smooth,
     return OVR_OK;
 }
 
-/* Onto the finest points, linear between those of the level. */
+/* Onto the finest points, cubic between those of the level. */
 static void spread(const pass *p, const ovr_material *m, double alpha,
                    float *to)
 {
@@ -177,10 +178,10 @@ static void spread(const pass *p, const ovr_material *m, double alpha,
             alpha);
     for (size_t i = 0; i < m->points; i++) {
         double at = (m->start + (double)i * m->step) / step - (double)p->first;
-        size_t k = (size_t)fmax(at, 0);
-        k = k + 2 > p->points ? p->points - 2 : k;
-        double low = p->hydro[k * p->room], high = p->hydro[(k + 1) * p->room];
-        to[i] = (float)(low + (at - (double)k) * (high - low));
+        size_t k = (size_t)fmax(at, 1);
+        k = k + 3 > p->points ? p->points - 3 : k;
+        to[i] = (float)ovr_cubic(p->hydro + k * p->room, (ptrdiff_t)p->room,
+                                 at - (double)k);
     }
 }
 

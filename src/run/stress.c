@@ -17,7 +17,7 @@ typedef struct shown {
     ovr_group_attribute attribute[2];
     int which[FIELDS];
     float *values;
-    size_t stride; /* of nodes */
+    size_t stride; /* of nodes of the mesh */
 } shown;
 
 struct ovr_run_stress {
@@ -47,34 +47,23 @@ static double state_value(const ovr_stress_setup *s, int surface, int which,
                             s->poisson[surface], s->residual_x, s->residual_y);
 }
 
-/* Nodes of the shallowest row at all depths: deeper rows linear between their
- * own, as far apart as they are smooth. */
-static double at_node(const ovr_run_stress *s, int surface, int which,
-                      const ovr_stress_row *row, double X)
-{
-    double t = (X - row->start) / row->step;
-    size_t i = t > 0 ? (size_t)t : 0;
-    double v[2];
-    if (i + 2 > row->count)
-        i = row->count - 2;
-    for (size_t k = 0; k < 2; k++)
-        v[k] = state_value(s->setup->stress, surface, which,
-                           (double)row->mean[2 * (i + k)],
-                           (double)row->shear[2 * (i + k)],
-                           (double)row->shear[2 * (i + k) + 1]);
-    return v[0] + (t - (double)i) * (v[1] - v[0]);
-}
-
-static void fill_field(const ovr_run_stress *s, int surface, int which,
-                       float *to)
+/* At the nodes of the shallowest row. */
+static ovr_status fill_depth(ovr_run_stress *s, int surface, size_t j,
+                             ovr_error *err)
 {
     const shown *f = &s->shown[surface];
-    size_t depths = f->axis[1].count, n = f->axis[2].count;
-    for (size_t j = 0; j < depths; j++) {
-        ovr_stress_row row = ovr_stress_at(s->field, j);
+    size_t n = f->axis[2].count, all = f->axis[1].count * n;
+    ovr_stress_row row;
+    if (ovr_stress_at_every_node(s->field, j, &row, err))
+        return OVR_NO_MEMORY;
+    for (size_t a = 0; a < f->group.arrays; a++)
         for (size_t i = 0; i < n; i++)
-            to[j * n + i] = (float)at_node(s, surface, which, &row, s->x[i]);
-    }
+            f->values[a * all + j * n + i] = (float)state_value(
+                s->setup->stress, surface, f->which[a],
+                (double)row.mean[2 * i * f->stride],
+                (double)row.shear[2 * i * f->stride],
+                (double)row.shear[2 * i * f->stride + 1]);
+    return OVR_OK;
 }
 
 static ovr_status store_fields(ovr_run_stress *s, const ovr_state *state,
@@ -86,11 +75,12 @@ static ovr_status store_fields(ovr_run_stress *s, const ovr_state *state,
         if (!s->follower[k])
             continue;
         ovr_stress_solve(s->field, state->P, s->Q[k], 0, OVR_STRESS_ALL_LEVELS);
-        for (size_t a = 0; a < f->group.arrays; a++)
-            fill_field(s, k, f->which[a], f->values + a * count);
-        ovr_status status = ovr_writer_append(s->writer, &f->group,
-                                              (size_t)s->rows, state->T,
-                                              f->values, count, err);
+        ovr_status status = OVR_OK;
+        for (size_t j = 0; !status && j < f->axis[1].count; j++)
+            status = fill_depth(s, k, j, err);
+        if (!status)
+            status = ovr_writer_append(s->writer, &f->group, (size_t)s->rows,
+                                       state->T, f->values, count, err);
         if (status)
             return status;
     }
@@ -129,6 +119,7 @@ static ovr_status open_fields(ovr_run_stress *s, int surface, ovr_error *err)
     size_t depths = ovr_stress_depths(s->field, &z);
     ovr_stress_row row = ovr_stress_at(s->field, 0);
     size_t n = (size_t)(5.2 / row.step) + 1;
+    f->stride = (size_t)1 << row.level;
     f->axis[0] = (ovr_group_axis){"time", "time", OVR_KIND_TIME, 0, NULL};
     f->axis[1] = (ovr_group_axis){"depth", "depth below the surface",
                                   OVR_KIND_LENGTH, depths, z};

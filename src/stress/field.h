@@ -36,6 +36,8 @@ struct ovr_stress {
     double *z;
     ovr_depth *depth;
     float *p[2], *q[2]; /* spectra of the moment, re and im */
+    size_t loads;       /* of the moment: p, or both */
+    float *fine[2];     /* d, tau and h of one depth at every node; NULL yet */
 };
 
 #endif

@@ -10,6 +10,7 @@
  */
 #include <math.h>
 
+#include "stress/cubic.h"
 #include "stress/passage.h"
 
 /* The rows of one path in order; `pitch` apart. */
@@ -78,12 +79,7 @@ static double between(const ovr_passage *p, const float *nodes, int c, size_t k,
     const float *v = nodes + (floor_of - p->grid[c].first);
     if (nearest)
         return v[t > 0.5];
-    if (t == 0)
-        return v[0];
-    return -t * (t - 1) * (t - 2) / 6 * (double)v[-1] +
-           (t + 1) * (t - 1) * (t - 2) / 2 * (double)v[0] -
-           (t + 1) * t * (t - 2) / 2 * (double)v[1] +
-           (t + 1) * t * (t - 1) / 6 * (double)v[2];
+    return t == 0 ? v[0] : ovr_cubic(v, 1, t);
 }
 
 static void measure_depth(const ovr_passage *p, ovr_measure which, size_t depth,

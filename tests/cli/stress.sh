@@ -71,6 +71,20 @@ smooth = g["circle_radius_smooth"][...].max() / scale
 assert 0.22 < smooth < 0.27, smooth
 assert s["tau_xz"].shape[1:] == (len(s["depth"]), len(s["x"]))
 assert len(s["time"]) == 14, len(s["time"])
+# Between the nodes that deep fields are made at too, sums over point loads:
+# sigma_z = -2/pi sum P D z^3/r^4, whole to e^(-2 pi z/D); floats are stored
+x, X, b = s["x"][...], f["x"][...], f.attrs["scale_length"]
+b = b if f.attrs["scaling"] == b"SI" else 1
+D = (X[1] - X[0]) / b
+for row in (0, 5, len(s["time"]) - 1):
+    k = numpy.argmin(abs(f["time"][...] - s["time"][row]))
+    P = f["pressure"][k] / scale
+    for j in numpy.nonzero(s["depth"][...] > 9 * D * b)[0]:
+        z = s["depth"][j] / b
+        r2 = ((x[:, None] - X[None, :]) / b)**2 + z**2
+        sums = -2 / numpy.pi * (P * D * z**3 / r2**2).sum(axis=1)
+        off = abs(s["sigma_z"][row][j] / scale - sums).max()
+        assert off < 3e-6, (row, z / D, off)
 x = s["sigma_z"][0][0] / scale            # just below the pressure
 P = numpy.interp(s["x"][...], f["x"][...], f["pressure"][0]) / scale
 assert abs(x + P).max() < 0.25, abs(x + P).max()

@@ -230,27 +230,30 @@ static void fields_meet_the_truth(void **state)
     }
 }
 
+/* A node's fields less direct sums. */
+static double off_the_sum(const ovr_stress_row *row, size_t i, const double *P,
+                          const double *Q)
+{
+    double X = row->start + (double)i * row->step;
+    ovr_in_plane a = value(row, i);
+    /* a spline turned is not a sum of points up here */
+    ovr_in_plane b = direct(OVR_ELEMENT_POINT, D8, SNAPSHOT_NODES, P, Q, X + 4,
+                            row->z);
+    return fmax(fabs(a.tau - b.tau), fmax(fabs(a.h - b.h), fabs(a.d - b.d)));
+}
+
 /* Whole fields against direct sums: what the cut transforms lose, with nodes
  * turned by any part of a mesh. */
 static double worst_against_sums(ovr_stress *s, const double *P,
                                  const double *Q, double shift)
 {
     double worst = 0;
-    const double *z;
-    size_t depths = ovr_stress_depths(s, &z);
+    size_t depths = ovr_stress_depths(s, NULL);
     ovr_stress_solve(s, P, Q, shift, OVR_STRESS_ALL_LEVELS);
     for (size_t j = 0; j < depths; j += 3) {
         ovr_stress_row row = ovr_stress_at(s, j);
-        for (size_t i = 1; row.start + (double)i * row.step < 2.6; i += 97) {
-            double X = row.start + (double)i * row.step;
-            ovr_in_plane a = value(&row, i);
-            ovr_in_plane b = direct(OVR_ELEMENT_POINT, D8, SNAPSHOT_NODES, P, Q,
-                                    X + 4, row.z);
-            /* a spline turned is not a sum of points up here */
-            worst = fmax(worst, fabs(a.h - b.h));
-            worst = fmax(worst, fabs(a.d - b.d));
-            worst = fmax(worst, fabs(a.tau - b.tau));
-        }
+        for (size_t i = 1; row.start + (double)i * row.step < 2.6; i += 97)
+            worst = fmax(worst, off_the_sum(&row, i, P, Q));
     }
     return worst;
 }
@@ -275,6 +278,26 @@ static void cut_transforms_are_the_sums(void **state)
     s = made(&o);
     CHECK_NEAR(worst_against_sums(s, snapshot_pressure, NULL, 0.37), 0, 2e-6);
     CHECK_NEAR(worst_against_sums(s, snapshot_pressure, NULL, 29.81), 0, 2e-6);
+    ovr_stress_free(s);
+}
+
+/* Between the nodes that a deep field is kept at it is whole too. */
+static void every_node_is_the_sums(void **state)
+{
+    ovr_stress_options o = level8();
+    double worst = 0;
+    ovr_error err;
+    (void)state;
+    ovr_stress *s = made(&o);
+    ovr_stress_solve(s, snapshot_pressure, NULL, 0, OVR_STRESS_ALL_LEVELS);
+    for (size_t j = 0; j < ovr_stress_depths(s, NULL); j += 2) {
+        ovr_stress_row row;
+        CHECK_OK(ovr_stress_at_every_node(s, j, &row, &err), &err);
+        CHECK_CLOSE(row.step, D8, 1e-12);
+        for (size_t i = 1; row.start + (double)i * D8 < 2.6; i += 31)
+            worst = fmax(worst, off_the_sum(&row, i, snapshot_pressure, NULL));
+    }
+    CHECK_NEAR(worst, 0, 2e-6);
     ovr_stress_free(s);
 }
 
@@ -524,6 +547,7 @@ int main(void)
         cmocka_unit_test(elements_have_their_order),
         cmocka_unit_test(fields_meet_the_truth),
         cmocka_unit_test(cut_transforms_are_the_sums),
+        cmocka_unit_test(every_node_is_the_sums),
         cmocka_unit_test(a_mirrored_pressure_mirrors_the_field),
         cmocka_unit_test(fields_superpose),
         cmocka_unit_test(bits_stay),
