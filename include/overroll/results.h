@@ -274,11 +274,12 @@ typedef struct ovr_result_info {
     double b, ph, height, time;     /* scales, SI; NAN where unknown */
     double M, L, alphabar, lambda;
     double u1_ratio, u2_ratio;
-    double end;       /* time the run is to reach, b/um; NAN unknown */
-    double seconds;   /* of wall time, as far as the run has ended */
-    size_t nodes;     /* stored nodes */
-    size_t snapshots; /* complete rows */
-    size_t steps;     /* rows of history */
+    double end;           /* time the run is to reach, b/um; NAN unknown */
+    double seconds;       /* of wall time, as far as the run has ended */
+    size_t nodes;         /* stored nodes */
+    size_t snapshots;     /* complete rows */
+    size_t steps;         /* rows of history */
+    const char *warnings; /* what was warned of, a line each, or "" */
 } ovr_result_info;
 
 OVR_API ovr_result *ovr_result_open(const char *path,

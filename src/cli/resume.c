@@ -26,6 +26,7 @@ static const cli_option options[] = {
     {"from-start", NULL, "with --force: again, where the checkpoint is lost",
      false},
     {"force", NULL, "replace what is in the file", false},
+    CLI_ESTIMATE_OPTION,
     CLI_CASE_OPTIONS,
     {0}};
 

@@ -67,8 +67,8 @@ static bool count_complete(ovr_result *r, const ovr_dataset *set, size_t *rows)
 /* -------------------------------------------------------------- opening */
 
 /* Texts of strangers reach terminals: what would command one becomes a space,
- * the C1 controls of UTF-8 (0xc2 0x80 to 0xc2 0x9f) with it.  Only a case has
- * lines. */
+ * the C1 controls of UTF-8 (0xc2 0x80 to 0xc2 0x9f) with it.  Only a case
+ * and warnings have lines. */
 static void make_plain(char *text, bool has_lines)
 {
     unsigned char before = 0;
@@ -90,7 +90,8 @@ static const char *text_of(ovr_result *r, uint64_t object, const char *name)
     char *text = found ? ovr_arena_text(&r->arena, found, NULL) : NULL;
     r->starved = r->starved || (found && !text);
     if (text)
-        make_plain(text, strcmp(name, "text") == 0);
+        make_plain(text,
+                   strcmp(name, "text") == 0 || strcmp(name, "warnings") == 0);
     return text;
 }
 
@@ -264,6 +265,7 @@ static void read_attributes(ovr_result *r)
     i->title = or_else(text_of(r, root, "title"), "");
     i->status = or_else(text_of(r, root, "status"), "");
     i->reason = or_else(text_of(r, root, "reason"), "");
+    i->warnings = or_else(text_of(r, root, "warnings"), "");
     i->source = or_else(text_of(r, root, "source"), "");
     i->created = or_else(text_of(r, root, "date_created"), "");
     i->modified = or_else(text_of(r, root, "date_modified"), "");

@@ -53,6 +53,9 @@ const char *ovr_run_where(const ovr_run *run, char room[40]);
 /* Passes on what is said of a run, and keeps the first warnings. */
 ovr_listener ovr_run_message;
 
+/* Keeps warnings, a line each, that were said before the run was stopped. */
+void ovr_run_recall(ovr_run *run, const char *warnings);
+
 /* The numbers of its summary into its file. */
 ovr_status ovr_run_keep_summary(ovr_run *run, ovr_error *err);
 

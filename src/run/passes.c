@@ -288,13 +288,31 @@ ovr_status ovr_passes_go(ovr_run *run, ovr_error *err)
 
 /* ---------------------------------------------------------------- resuming */
 
-static bool is_complete(const char *path)
+/* What the passes before are to the run as a whole. */
+static void recall(ovr_run *run, ovr_result *result)
+{
+    size_t count = 0;
+    const ovr_group_attribute *line = ovr_result_attributes(result, "summary",
+                                                            &count);
+    for (size_t k = 0; k < count; k++) {
+        if (strcmp(line[k].name, "converged") == 0 && line[k].number == 0)
+            run->passes->converged = false;
+        if (strcmp(line[k].name, "steps_marked") == 0)
+            run->info.marked += (long)line[k].number;
+    }
+    ovr_run_recall(run, ovr_result_about(result)->warnings);
+}
+
+/* Whether the pass is complete, and then its share in what is told of all. */
+static bool take_complete(ovr_run *run, const char *path)
 {
     ovr_result *result = access(path, F_OK) == 0
                              ? ovr_result_open(path, NULL, NULL)
                              : NULL;
     bool complete = result &&
                     strcmp(ovr_result_about(result)->status, "complete") == 0;
+    if (complete)
+        recall(run, result);
     ovr_result_close(result);
     return complete;
 }
@@ -309,7 +327,7 @@ ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err)
         file = file_of(run, run->passes->now, err);
         if (!file)
             return OVR_NO_MEMORY;
-        if (!is_complete(file))
+        if (!take_complete(run, file))
             break;
     }
     run->info.output = file;

@@ -291,6 +291,18 @@ void ovr_run_message(void *data, ovr_say kind, const char *text)
         run->how.say(run->how.data, kind, text);
 }
 
+void ovr_run_recall(ovr_run *run, const char *warnings)
+{
+    char line[OVR_MESSAGE_SIZE];
+    while (*warnings) {
+        size_t length = strcspn(warnings, "\n");
+        snprintf(line, sizeof line, "%.*s", (int)length, warnings);
+        if (!was_said(run, line))
+            keep(run, line);
+        warnings += length + (warnings[length] == '\n');
+    }
+}
+
 void ovr_run_review_before(ovr_run *run)
 {
     review r = {run->c, run->setup, ovr_run_message, run};

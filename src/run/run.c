@@ -193,11 +193,18 @@ static ovr_status look(void *data, const ovr_simulation *sim, ovr_error *err)
     return OVR_OK;
 }
 
-/* Errors of discretization are wanted, and can be had. */
+/* Errors of discretization are wanted: not once more of a file that is
+ * complete. */
 static bool estimates(const ovr_run *run)
 {
-    return !run->resumed &&
-           (run->setup->accuracy > 0 || run->how.estimate_error);
+    bool complete = run->resumed && !run->writer;
+    return run->how.estimate_error || (run->setup->accuracy > 0 && !complete);
+}
+
+/* The coarser levels have passes of their own, which no file keeps. */
+static bool passes_are_lost(const ovr_run *run)
+{
+    return run->resumed && run->passes;
 }
 
 static ovr_status solve(ovr_run *run, ovr_error *err)
@@ -215,7 +222,7 @@ static ovr_status solve(ovr_run *run, ovr_error *err)
         observer[how.count++] = ovr_run_stress_observer(run->stress);
     if (run->writer)
         observer[how.count++] = ovr_writer_observer(run->writer);
-    if (run->passes && estimates(run)) {
+    if (run->passes && estimates(run) && !passes_are_lost(run)) {
         ovr_pass_level *own = &run->passes->level[0];
         ovr_pass_level_begin(own, &run->arena.allocator);
         observer[how.count++] = ovr_pass_history_observer(&own->seen);
@@ -324,6 +331,12 @@ static ovr_status estimate(ovr_run *run, ovr_error *err)
 {
     if (!estimates(run))
         return OVR_OK;
+    if (passes_are_lost(run)) {
+        ovr_run_message(run, OVR_SAY_WARNING,
+                        "errors cannot be estimated from here on: the coarser "
+                        "passes before the run was stopped are not kept");
+        return OVR_OK;
+    }
     if (run->setup->accuracy > 0)
         ovr_run_confirm(run);
     else if (run->passes)

@@ -99,6 +99,7 @@ struct ovr_simulation {
     ovr_inflow inflow;
     ovr_arrival arrival;
     bool started;
+    bool restored;     /* the state is a checkpoint's, no step made since */
     bool backward;     /* of what is solved now: um < 0 (mirror.h) */
     bool mirrored;     /* the grids hold the mirror image */
     int strategy;      /* of steady.c, by which the steady solution was found */
@@ -163,6 +164,10 @@ void ovr_simulation_gap(ovr_simulation *sim, double T);
 ovr_smooth ovr_simulation_smooth(const ovr_simulation *sim, double T);
 ovr_status ovr_smooth_check(const ovr_simulation *sim, double T,
                             ovr_error *err);
+
+/* Load, speed and radius of the steady start, at least the least share of load
+ * and speed; films that are foreseen go by them. */
+void ovr_steady_conditions(ovr_simulation *sim);
 
 /* Keeps records of full multigrid (refinement.c). */
 void ovr_refinement_watch(void *data, const ovr_level *level,

@@ -111,12 +111,18 @@ static ovr_status fixed_step(ovr_simulation *sim, const ovr_march *march,
                                   &error, err);
 }
 
-static bool stands_still(ovr_simulation *sim, const ovr_march *march)
+/* Of the step just made, counted before anybody stores its state. */
+static void count_still(ovr_simulation *sim, const ovr_march *march)
 {
     ovr_past *past = &sim->past;
     double rate = march->steady_rate > 0 ? march->steady_rate : still_rate;
     past->still = past->change <= rate * past->dT ? past->still + 1 : 0;
-    return past->still >= STILL;
+}
+
+static bool has_settled(const ovr_simulation *sim, const ovr_march *march)
+{
+    return march->until_steady && sim->past.still >= STILL &&
+           sim->state.T >= march->steady_from;
 }
 
 static double step_of(const ovr_simulation *sim, const ovr_march *march)
@@ -129,27 +135,40 @@ static bool arrived(const ovr_simulation *sim, const ovr_march *march)
     return !(sim->state.T < march->end - 1e-6 * step_of(sim, march));
 }
 
+static bool has_ended(const ovr_simulation *sim, const ovr_march *march)
+{
+    return sim->statistics.settled || arrived(sim, march);
+}
+
 static ovr_status advance(ovr_simulation *sim, const ovr_march *march,
                           bool *more, ovr_error *err)
 {
     double dT = step_of(sim, march);
-    bool still;
     ovr_status status = march->adaptive ? adaptive_step(sim, march, err)
                                         : fixed_step(sim, march, dT, err);
-    if (!status)
+    if (!status) {
+        count_still(sim, march);
+        sim->statistics.settled = has_settled(sim, march);
         status = observe(sim, march, err);
-    still = march->until_steady && stands_still(sim, march) &&
-            sim->state.T >= march->steady_from;
-    sim->statistics.settled = still;
-    *more = !status && !still && !arrived(sim, march);
+    }
+    *more = !status && !has_ended(sim, march);
     return status;
+}
+
+/* A run may have been stopped at its last step. */
+static void look_at_start(ovr_simulation *sim, const ovr_march *march)
+{
+    sim->statistics.settled = sim->restored && has_settled(sim, march);
+    sim->restored = false;
 }
 
 static ovr_status follow(ovr_simulation *sim, const ovr_march *march,
                          ovr_error *err)
 {
-    bool more = !arrived(sim, march);
     ovr_status status = OVR_OK;
+    bool more;
+    look_at_start(sim, march);
+    more = !has_ended(sim, march);
     if (sim->state.step == 0)
         status = observe(sim, march, err);
     while (!status && more)
@@ -173,7 +192,10 @@ ovr_status ovr_simulation_advance(ovr_simulation *sim, const ovr_march *march,
     ovr_status status = ovr_sized_take(&how, sizeof how, march, "ovr_march",
                                        err);
     *more = false;
-    if (status || arrived(sim, &how))
+    if (status)
         return status;
+    look_at_start(sim, &how);
+    if (has_ended(sim, &how))
+        return OVR_OK;
     return advance(sim, &how, more, err);
 }

@@ -54,6 +54,7 @@ static const struct {
              PART("largest_rise_2", statistics.T_2_rise),
              PART("largest_energy_defect", statistics.energy_defect),
              PART("settled", statistics.settled),
+             PART("strategy", strategy),
              PART("inlet", options.inlet),
              PART("outlet", options.outlet),
              PART("level", options.level)};
@@ -118,6 +119,7 @@ void ovr_simulation_restored(ovr_simulation *sim)
                                  .retries = seen.retries,
                                  .converged = seen.converged,
                                  .marked = seen.marked};
+    ovr_steady_conditions(sim);
     sim->grids.fluid = sim->wanted.fluid;
     if (!sim->order) /* version 0.1.0 */
         sim->order = 2;
@@ -129,5 +131,5 @@ void ovr_simulation_restored(ovr_simulation *sim)
     ovr_observe(sim, seen.dT, &outcome);
     OVR_EACH_PHYSICS(sim, p, recalled)
         p->is->recalled(&sim->observation, &seen);
-    sim->started = true;
+    sim->started = sim->restored = true;
 }

@@ -182,10 +182,19 @@ static void begin_history(ovr_simulation *sim)
         p->is->begin(sim, p->own);
 }
 
-/* Load and speed of the start, at least the least share of each. */
-static ovr_status begin_load_and_speed(ovr_simulation *sim, ovr_error *err)
+void ovr_steady_conditions(ovr_simulation *sim)
 {
     const double least = OVR_LEAST_START;
+    ovr_wanted *wanted = &sim->wanted;
+    wanted->Cw = fmax(ovr_history_value(sim->load, 0), least);
+    wanted->Cu = fmax(fabs(ovr_history_value(sim->speed, 0)), least);
+    wanted->c = 1 / ovr_history_value(sim->radius, 0);
+    wanted->force = OVR_NOMINAL_LOAD * wanted->Cw;
+}
+
+/* The conditions of the start, where they are numbers. */
+static ovr_status begin_load_and_speed(ovr_simulation *sim, ovr_error *err)
+{
     double Cw = ovr_history_value(sim->load, 0);
     double Cu = fabs(ovr_history_value(sim->speed, 0));
     if (!(Cw >= 0) || !(Cu >= 0))
@@ -199,10 +208,7 @@ static ovr_status begin_load_and_speed(ovr_simulation *sim, ovr_error *err)
     OVR_EACH_PHYSICS(sim, p, before_start)
         p->is->before_start(sim, p->own);
     ovr_wanted *wanted = &sim->wanted;
-    wanted->Cw = Cw > least ? Cw : least;
-    wanted->Cu = Cu > least ? Cu : least;
-    wanted->c = 1 / ovr_history_value(sim->radius, 0);
-    wanted->force = OVR_NOMINAL_LOAD * wanted->Cw;
+    ovr_steady_conditions(sim);
     ovr_slide(sim, 0);
     wanted->fluid.sliding = sim->grids.fluid.sliding;
     return OVR_OK;

@@ -1,0 +1,205 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A run that is stopped, its last step included, and gone on with says and
+ * holds what one does that was left alone: steps, summary and warnings. */
+#include "support/test.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "overroll/overroll.h"
+
+/* What was said in the end, and the numbers but for the time it took. */
+typedef struct told {
+    long steps;
+    int warnings;
+    char text[8000], summary[16000];
+    long looks, stop; /* how often it was asked whether to stop; when it does */
+    ovr_status status;
+} told;
+
+static bool stop(void *data)
+{
+    told *t = data;
+    return ++t->looks == t->stop;
+}
+
+static void add(char *to, size_t room, const char *text)
+{
+    size_t used = strlen(to);
+    assert_true(used + strlen(text) + 2 < room);
+    snprintf(to + used, room - used, "%s\n", text);
+}
+
+static void take(void *data, const ovr_summary_line *line)
+{
+    static const char *const differ[] = {"seconds", "output", "pass_output",
+                                         "snapshots"};
+    told *t = data;
+    char text[1200];
+    for (size_t k = 0; k < sizeof differ / sizeof *differ; k++)
+        if (!strcmp(line->key, differ[k]))
+            return;
+    snprintf(text, sizeof text, "%s %.17g %.1000s", line->key, line->number,
+             line->text ? line->text : "");
+    add(t->summary, sizeof t->summary, text);
+}
+
+static void keep(told *t, const ovr_run *run)
+{
+    const ovr_run_info *info = ovr_run_about(run);
+    t->steps = ovr_simulation_statistics(info->sim)->steps;
+    t->warnings = info->warnings;
+    for (int k = 0; k < info->warnings; k++)
+        add(t->text, sizeof t->text, info->warning[k]);
+    if (!t->status)
+        ovr_run_summary(info, take, t);
+}
+
+static ovr_run_options options(told *t, const char *path)
+{
+    ovr_run_options how = ovr_run_options_default();
+    how.output = path;
+    how.data = t;
+    how.stop = stop;
+    return how;
+}
+
+static told run(const char *text, const char *path, long stop_at)
+{
+    told t = {.stop = stop_at};
+    ovr_error err = {0};
+    ovr_run_options how = options(&t, path);
+    how.force = true;
+    ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, &err);
+    ovr_run *r = c ? ovr_run_create(c, &how, NULL, &err) : NULL;
+    CHECK_OK(r ? OVR_OK : err.status, &err);
+    t.status = ovr_run_go(r, &err);
+    CHECK_STATUS(t.status, stop_at ? OVR_STOPPED : OVR_OK, &err);
+    keep(&t, r);
+    ovr_run_free(r);
+    ovr_case_free(c);
+    return t;
+}
+
+static told resume(const char *path)
+{
+    told t = {0};
+    ovr_error err = {0};
+    ovr_run_options how = options(&t, NULL);
+    ovr_run *r = ovr_run_resume(path, &how, NULL, &err);
+    CHECK_OK(r ? OVR_OK : err.status, &err);
+    t.status = ovr_run_go(r, &err);
+    CHECK_OK(t.status, &err);
+    keep(&t, r);
+    ovr_run_free(r);
+    return t;
+}
+
+/* The first line of each that the other does not have there. */
+static void same_lines(const char *part, const char *whole, long look,
+                       long looks)
+{
+    while (*part && *part == *whole && *whole) {
+        size_t a = strcspn(part, "\n"), b = strcspn(whole, "\n");
+        if (a != b || strncmp(part, whole, a) != 0)
+            break;
+        part += a + 1;
+        whole += b + 1;
+    }
+    if (*part || *whole)
+        fail_msg("stopped at %ld of %ld: '%.*s', not '%.*s'", look, looks,
+                 (int)strcspn(part, "\n"), part, (int)strcspn(whole, "\n"),
+                 whole);
+}
+
+/* Stopped at the k-th look, counted from the end where k < 0. */
+static void same_end(const char *text, const char *folder, const long *at,
+                     size_t count)
+{
+    char path[600], whole_path[600];
+    snprintf(path, sizeof path, "%s/part.h5", folder);
+    snprintf(whole_path, sizeof whole_path, "%s/whole.h5", folder);
+    told whole = run(text, whole_path, 0);
+    for (size_t k = 0; k < count; k++) {
+        long look = at[k] > 0 ? at[k] : whole.looks + 1 + at[k];
+        run(text, path, look);
+        told part = resume(path);
+        same_lines(part.text, whole.text, look, whole.looks);
+        same_lines(part.summary, whole.summary, look, whole.looks);
+        assert_int_equal(part.steps, whole.steps);
+    }
+}
+
+#define AT(...)                                                                \
+    (const long[]){__VA_ARGS__}, sizeof((long[]){__VA_ARGS__}) / sizeof(long)
+
+#define CONTACT "[contact]\nM = 20\nL = 10\n"
+#define DENT                                                                   \
+    "[feature dent]\nshape = dent\ndepth = 0.1\nwidth = 0.5\nstart = -4.6\n"
+
+/* It ends when nothing changes any more, which its last step shows. */
+static void the_last_step_of_an_automatic_end(void **state)
+{
+    same_end(CONTACT "[domain]\nlevel = 4\n[time]\nend = auto\n" DENT, *state,
+             AT(-1, -2, -19, 3));
+}
+
+/* On a level chosen before, which the run then shows to do worse. */
+static void warnings_of_a_chosen_level(void **state)
+{
+    same_end(CONTACT "[domain]\nlevel = auto\naccuracy = 0.004\n"
+                     "accuracy_of = H_min\n[time]\nend = 1\n"
+                     "[feature bump]\nshape = bump\nheight = 0.02\n"
+                     "width = 0.5\nstart = -1\n",
+             *state, AT(1, 8, -1));
+}
+
+/* Too coarse for its features, with heat and pressures that steel cannot bear.
+ */
+static void warnings_before_and_after(void **state)
+{
+    same_end("[contact]\nradius = 12.7 mm\nviscosity = 8.9 mPa.s\nM = 60\n"
+             "L = 10\nmodulus = 226 GPa\nslide_to_roll = 1\n[domain]\n"
+             "level = 5\n[time]\nend = 2\n[lubricant]\nalpha = 17 1/GPa\n"
+             "rheology = eyring\neyring_stress = 5 MPa\n[heat]\n"
+             "model = lobatto\ntemperature = 80 degC\n[feature bump]\nshape = "
+             "bump\nheight = 0.01\n"
+             "width = 0.2\nstart = -2\n",
+             *state, AT(1, 10, -1));
+}
+
+/* Of corrections that did not converge, with the level that would do. */
+static void warnings_of_the_steady_start(void **state)
+{
+    same_end("[contact]\nM = 400\nL = 6\n[domain]\nlevel = 8\norder = 4\n"
+             "[solver]\nmax_cycles = 4\n[time]\nend = 0.02\n",
+             *state, AT(1, 3));
+}
+
+/* Stopped in each of them. */
+static void warnings_of_several_passes(void **state)
+{
+    same_end(CONTACT "[domain]\nlevel = 4\n[time]\nend = 1\n[cavitation]\n"
+                     "model = conserving\n[passes]\nnumber = 3\nloss = 0.1\n"
+                     "loads = 1, 1.05, 1.1\n[feature dent]\nshape = dent\n"
+                     "depth = 0.1\nwidth = 0.3\nstart = -2.5\n",
+             *state, AT(2, -2, -1));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(the_last_step_of_an_automatic_end,
+                                        test_make_folder, test_remove_folder),
+        cmocka_unit_test_setup_teardown(warnings_of_a_chosen_level,
+                                        test_make_folder, test_remove_folder),
+        cmocka_unit_test_setup_teardown(warnings_before_and_after,
+                                        test_make_folder, test_remove_folder),
+        cmocka_unit_test_setup_teardown(warnings_of_the_steady_start,
+                                        test_make_folder, test_remove_folder),
+        cmocka_unit_test_setup_teardown(warnings_of_several_passes,
+                                        test_make_folder, test_remove_folder),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
