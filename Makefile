@@ -156,21 +156,23 @@ $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(Q)$(COMPILE) -MMD -MP -c -o $@ $<
 
-# The page of `overroll view` as an array: its style and its script go into
-# its text where they are named.
+# What gnuplot runs and the page of `overroll view` as arrays; the page's style
+# and script go into its text where they are named.
 PAGE    := src/pictures/page
 PAGE_JS := $(PAGE)_data.js $(PAGE)_draw.js $(PAGE)_heat.js \
            $(PAGE)_stress.js $(PAGE)_play.js
-$(BUILD)/$(PAGE).c: $(PAGE).html $(PAGE).css $(PAGE_JS)
+CHART   := src/pictures/chart.gp
+# $(call array,NAME): standard input as ovr_NAME_text and ovr_NAME_bytes
+array = { echo 'const char ovr_$(1)_text[] = {' && od -An -v -b | \
+	  sed 's/ \([0-7][0-7]*\)/'"'\\\\\1',"'/g' && echo '};' && \
+	  echo 'const size_t ovr_$(1)_bytes = sizeof ovr_$(1)_text;'; }
+$(BUILD)/$(PAGE).c: $(PAGE).html $(PAGE).css $(PAGE_JS) $(CHART)
 	$(call say,PAGE  $@)
 	@mkdir -p $(@D)
 	@{ echo '#include "pictures/page.h"' && \
-	  echo 'const char ovr_page_text[] = {' && \
 	  sed -e '/^@CSS@$$/{r $(PAGE).css' -e 'd' -e '}' \
 	    -e '/^@JS@$$/{' $(PAGE_JS:%=-e 'r %') -e 'd' -e '}' $(PAGE).html | \
-	  od -An -v -b | sed 's/ \([0-7][0-7]*\)/'"'\\\\\1',"'/g' && \
-	  echo '};' && \
-	  echo 'const size_t ovr_page_bytes = sizeof ovr_page_text;'; } > $@
+	  $(call array,page) && $(call array,template) <$(CHART); } > $@
 $(BUILD)/$(PAGE).o: $(BUILD)/$(PAGE).c src/pictures/page.h $(BUILD)/flags
 	$(Q)$(COMPILE) -c -o $@ $<
 

@@ -61,6 +61,8 @@ typedef struct ovr_picture_options {
                                  titles */
     const char *script; /* also write PATH (suffix .gp) and its data beside it
                            (.dat); NULL: no */
+    const char *template_path; /* gnuplot's program, as overroll-pictures(7) has
+                             it; NULL: the one that is built in */
 } ovr_picture_options;
 OVR_SIZED(ovr_picture_options)
 
@@ -86,6 +88,7 @@ typedef struct ovr_figure_options {
     int width, height;
     const char *title;
     const char *script;
+    const char *template_path; /* as of a picture */
 } ovr_figure_options;
 OVR_SIZED(ovr_figure_options)
 

@@ -92,6 +92,7 @@ int cli_picture_options(const cli_call *call, ovr_picture_options *o)
     o->no_hertz = cli_flag(call, "no-hertz");
     o->no_roughness = cli_flag(call, "no-roughness");
     o->title = cli_value(call, "title");
+    o->template_path = cli_value(call, "template");
     return take_size(call, &o->width, &o->height);
 }
 

@@ -20,6 +20,8 @@
         {"title", "TEXT", "instead of the file's own; '' for none", false},    \
         {"no-hertz", NULL, "leave out the Hertzian pressure", false},          \
         {"no-roughness", NULL, "leave out the roughness", false},              \
+        {"template", "FILE.gp", "gnuplot's program, see overroll-pictures(7)", \
+         false},                                                               \
     {                                                                          \
         "force", NULL, "replace what exists", false                            \
     }

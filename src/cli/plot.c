@@ -157,6 +157,7 @@ static int take_figure(const cli_call *call, ovr_figure_options *f)
     f->force = cli_flag(call, "force");
     f->script = cli_value(call, "script");
     f->title = cli_value(call, "title");
+    f->template_path = shared.template_path;
     f->width = shared.width;
     f->height = shared.height;
     f->y = cli_value(call, "quantity");

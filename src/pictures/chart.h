@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A chart: panels in rows and columns, curves in panels.  From it comes the
- * gnuplot script that draws it, in one style for everything: snapshots,
- * histories, and the figures of the paper.
+ * A chart: panels in rows and columns, curves in panels.  gnuplot draws it by
+ * a template, from its settings and its tables.
  *
  * Labels of axes are written by us, in gnuplot's enhanced text ("p_h");
  * titles, notes and legends may be anybody's, and are drawn as they are.
@@ -55,10 +54,12 @@ typedef struct ovr_image {
     double from, to;      /* of the colours */
     bool above;           /* some values are above `to`, which is marked */
     const char *label;
+    /* lines at these values, "0.1, 0.2": thin white ones, dark ones */
+    const char *contours, *bold_contours;
 } ovr_image;
 
 typedef struct ovr_panel {
-    const char *note; /* inside, at the top left; may be foreign */
+    const char *note; /* above it; may be foreign */
     const char *x_label, *y_label;
     double x_from, x_to, y_from, y_to; /* NAN: from the data */
     bool log_x, log_y;
@@ -72,6 +73,7 @@ typedef struct ovr_panel {
 } ovr_panel;
 
 typedef struct ovr_chart {
+    const char *kind;     /* for templates: "snapshot" */
     const char *title;    /* at the top left; foreign */
     const char *subtitle; /* at the top right; ours, enhanced */
     int width, height;    /* pixels */
@@ -85,12 +87,11 @@ typedef enum ovr_form { OVR_FORM_PNG, OVR_FORM_SVG, OVR_FORM_PDF } ovr_form;
 /* The form that a path's suffix names. */
 ovr_status ovr_form_of(const char *path, ovr_form *form, ovr_error *err);
 
-/* Appends the script, the data within it. */
-void ovr_chart_script(const ovr_chart *chart, ovr_form form, ovr_text *script);
+/* Appends what the template reads: all but the numbers. */
+void ovr_chart_settings(const ovr_chart *chart, ovr_form form, ovr_text *to);
 
-/* The same with its data in another text; the script expects the name of its
- * file in the variable `data`. */
-void ovr_chart_split(const ovr_chart *chart, ovr_form form, ovr_text *script,
-                     ovr_text *data);
+/* Appends the numbers, each written as `digits` says ("%.6g"): a table for each
+ * curve, then one for each image, two blank lines between them. */
+void ovr_chart_tables(const ovr_chart *chart, const char *digits, ovr_text *to);
 
 #endif

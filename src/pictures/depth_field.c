@@ -271,33 +271,20 @@ static double drawn_depth(const ovr_depth_field *f, double z, double factor)
     return f->logarithmic ? log10(z * factor) : z * factor;
 }
 
-/* Contours of the cells in the panel's own numbers. */
-static ovr_status add_lines(ovr_depth_field *f, const ovr_panel *panel,
-                            ovr_series *series, size_t *count, ovr_arena *arena,
-                            ovr_error *err)
+/* Contours every 0.1 or 0.2, and where the smooth contact has its largest. */
+static void put_contours(const ovr_depth_field *f, ovr_image *image, char *thin,
+                         char *bold, size_t room)
 {
-    ovr_cells cells = {OVR_CELLS_X, OVR_CELLS_Z,   f->cells,   panel->x_from,
-                       panel->x_to, panel->y_from, panel->y_to};
-    bool both = panel->image.from < 0;
-    int least = both ? -6 : 1, most = 12;
-    for (int k = least; k <= most && *count < OVR_LINES; k++) {
-        double step = f->high > 0.6 ? 0.2 : 0.1;
-        if (k == 0 || fabs(k * step) > f->high)
-            continue;
-        if (ovr_contour(&cells, k * step, arena, &series[*count], err))
-            return OVR_NO_MEMORY;
-        series[*count].colour = OVR_WHITE;
-        series[(*count)++].width = 0.7;
-    }
-    for (int sign = -1; sign <= 1; sign += 2) {
-        if (sign < 0 && !both)
-            continue;
-        if (ovr_contour(&cells, sign * f->smooth, arena, &series[*count], err))
-            return OVR_NO_MEMORY;
-        series[*count].colour = OVR_INK;
-        series[(*count)++].width = 1.4;
-    }
-    return OVR_OK;
+    bool both = image->from < 0;
+    double step = f->high > 0.6 ? 0.2 : 0.1;
+    size_t used = 0;
+    for (int k = both ? -6 : 1; k <= 12; k++)
+        if (k != 0 && fabs(k * step) <= f->high)
+            used += (size_t)snprintf(thin + used, room - used, "%s%.9g",
+                                     used ? ", " : "", k * step);
+    snprintf(bold, room, both ? "%.9g, -%.9g" : "%.9g", f->smooth, f->smooth);
+    image->contours = thin;
+    image->bold_contours = bold;
 }
 
 static void add_mark(const ovr_panel *panel, double *point, double X, double z,
@@ -363,13 +350,12 @@ static ovr_image image_of(const ovr_depth_field *f, double worst,
 {
     bool both = f->which == OVR_STRESS_TAU_XZ;
     bool pressed = ovr_depth_field_is_pressed(f);
-    ovr_image image = {OVR_CELLS_X,
-                       OVR_CELLS_Z,
-                       f->cells,
-                       both || pressed ? -f->high : 0,
-                       pressed ? 0 : f->high,
-                       false,
-                       label};
+    ovr_image image = {.nx = OVR_CELLS_X,
+                       .ny = OVR_CELLS_Z,
+                       .values = f->cells,
+                       .from = both || pressed ? -f->high : 0,
+                       .to = pressed ? 0 : f->high,
+                       .label = label};
     image.above = fabs(worst) > f->high * (1 + 1e-9);
     return image;
 }
@@ -397,11 +383,13 @@ ovr_status ovr_depth_field_panel(ovr_depth_field *f,
                                  ovr_panel *panel, ovr_arena *arena,
                                  ovr_error *err)
 {
+    enum { ROOM = 400 };
     char *label = ovr_arena_take(arena, 80, 1, err);
     char *depth = ovr_arena_take(arena, 80, 1, err);
+    char *levels = ovr_arena_take(arena, 2 * ROOM, 1, err);
     double *points = ovr_arena_take(arena, 8, sizeof *points, err);
     ovr_axis x;
-    if (!label || !depth || !points ||
+    if (!label || !depth || !levels || !points ||
         ovr_axis_make(OVR_KIND_LENGTH, f->run->result, units, f->x_to, &x, err))
         return OVR_BAD_INPUT;
     fill_cells(f);
@@ -410,8 +398,7 @@ ovr_status ovr_depth_field_panel(ovr_depth_field *f,
     set_axes(f, &x, depth, 80, panel);
     put_label(f, label, 80);
     panel->image = image_of(f, worst->value, label);
-    if (add_lines(f, panel, series, &panel->count, arena, err))
-        return OVR_NO_MEMORY;
+    put_contours(f, &panel->image, levels, levels + ROOM, ROOM);
     add_limit(panel, points + 2, drawn_depth(f, f->least, x.factor), series,
               &panel->count);
     add_mark(panel, points, worst->X * x.factor,

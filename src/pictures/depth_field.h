@@ -5,10 +5,10 @@
 #define OVR_PICTURES_DEPTH_FIELD_H
 
 #include "overroll/case.h"
-#include "pictures/contour.h"
+#include "pictures/chart.h"
 #include "pictures/run.h"
 
-enum { OVR_CELLS_X = 360, OVR_CELLS_Z = 160, OVR_LINES = 24 };
+enum { OVR_CELLS_X = 360, OVR_CELLS_Z = 160 };
 
 /* One scale and one depth axis for a whole run. */
 typedef struct ovr_depth_field {

@@ -9,10 +9,9 @@
 #include <string.h>
 
 #include "overroll/case.h"
-#include "pictures/contour.h"
 #include "pictures/picture.h"
 
-enum { CELLS_X = 420, CELLS_Z = 160, LINES = 12 };
+enum { CELLS_X = 420, CELLS_Z = 160 };
 
 typedef struct history {
     const ovr_drawing *s;
@@ -154,33 +153,31 @@ static double largest_smooth(const history *h)
     return most;
 }
 
-static ovr_status add_lines(const history *h, const ovr_cells *cells,
-                            ovr_panel *panel, ovr_series *series,
-                            ovr_error *err)
+/* Contours every 0.1, the smooth contact's largest, a cross at the worst. */
+static ovr_status add_marks(const history *h, ovr_panel *panel,
+                            ovr_series *series, ovr_error *err)
 {
-    double levels[LINES], smooth = largest_smooth(h);
-    size_t n = 0;
-    for (double v = 0.1; v <= panel->image.to && n < LINES - 2; v += 0.1)
-        levels[n++] = v;
-    levels[n++] = smooth;
-    for (size_t k = 0; k < n; k++) {
-        if (ovr_contour(cells, levels[k], h->s->arena, &series[k], err))
-            return OVR_NO_MEMORY;
-        series[k].colour = k + 1 == n ? OVR_INK : OVR_WHITE;
-        series[k].width = k + 1 == n ? 1.6 : 0.7;
-    }
+    enum { ROOM = 120 };
     double *mark = ovr_arena_take(h->s->arena, 2, sizeof *mark, err);
-    if (!mark)
+    char *thin = ovr_arena_take(h->s->arena, 2 * ROOM, 1, err);
+    size_t used = 0;
+    if (!mark || !thin)
         return OVR_NO_MEMORY;
+    for (int k = 1; k <= 10 && k <= 10 * panel->image.to; k++)
+        used += (size_t)snprintf(thin + used, ROOM - used, "%s%g",
+                                 used ? ", " : "", 0.1 * k);
+    snprintf(thin + ROOM, ROOM, "%.9g", largest_smooth(h));
+    panel->image.contours = thin;
+    panel->image.bold_contours = thin + ROOM;
     mark[0] = h->worst_xi;
     mark[1] = log10(h->worst_z);
-    series[n] = (ovr_series){.n = 1,
-                             .x = mark,
-                             .y = mark + 1,
-                             .mark = OVR_MARK_CROSS,
-                             .colour = OVR_RED,
-                             .width = 3};
-    panel->count = n + 1;
+    *series = (ovr_series){.n = 1,
+                           .x = mark,
+                           .y = mark + 1,
+                           .mark = OVR_MARK_CROSS,
+                           .colour = OVR_RED,
+                           .width = 3};
+    panel->count = 1;
     return OVR_OK;
 }
 
@@ -188,8 +185,7 @@ static ovr_status map_panel(const history *h, ovr_panel *panel, ovr_error *err)
 {
     double *v = ovr_arena_take(h->s->arena, (size_t)CELLS_X * CELLS_Z,
                                sizeof *v, err);
-    ovr_series *series = ovr_arena_take(h->s->arena, LINES + 2, sizeof *series,
-                                        err);
+    ovr_series *series = ovr_arena_take(h->s->arena, 1, sizeof *series, err);
     if (!v || !series)
         return OVR_NO_MEMORY;
     *panel = (ovr_panel){
@@ -209,12 +205,12 @@ static ovr_status map_panel(const history *h, ovr_panel *panel, ovr_error *err)
                                            ((double)r + 0.5) / CELLS_Z;
             v[r * CELLS_X + c] = at_cell(h, xi, pow(10, z));
         }
-    panel->image = (ovr_image){
-        CELLS_X, CELLS_Z,         v, 0, ceil(20 * fmax(h->worst, 0.25)) / 20,
-        false,   "circle R / p_h"};
-    ovr_cells cells = {CELLS_X,     CELLS_Z,       v,          panel->x_from,
-                       panel->x_to, panel->y_from, panel->y_to};
-    return add_lines(h, &cells, panel, series, err);
+    panel->image = (ovr_image){.nx = CELLS_X,
+                               .ny = CELLS_Z,
+                               .values = v,
+                               .to = ceil(20 * fmax(h->worst, 0.25)) / 20,
+                               .label = "circle {/:Italic R} / {/:Italic p}_h"};
+    return add_marks(h, panel, series, err);
 }
 
 static ovr_status line_panel(const history *h, const char *label,

@@ -215,7 +215,7 @@ static void put_plain(char *to, size_t room, const char *name, size_t size)
     for (size_t i = 0; i < size && used + 5 < room; i++) {
         char c = name[i];
         if (c == '_')
-            used += (size_t)snprintf(to + used, room - used, "\\\\_");
+            used += (size_t)snprintf(to + used, room - used, "\\_");
         else if ((c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
                  (c >= 'A' && c <= 'Z') || strchr(" .-/", c))
             to[used++] = c, to[used] = '\0';
@@ -384,7 +384,8 @@ static ovr_status draw(figure *f, ovr_error *err)
     panel.log_y = o->log_y;
     panel.count = 3 * f->lines;
     panel.series = series;
-    return ovr_chart_draw(&chart, o->path, o->script, f->arena, err);
+    return ovr_chart_draw(&chart, o->template_path, o->path, o->script,
+                          f->arena, err);
 }
 
 ovr_status ovr_figure(const ovr_table *table, const ovr_figure_options *given,

@@ -13,6 +13,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include "base/plain.h"
 #include "base/sized.h"
@@ -46,7 +47,7 @@ typedef struct studio {
     ovr_snapshot_chart *chart;
     bool below; /* the stresses too */
     ovr_depth_field field;
-    ovr_text script;
+    ovr_text script, template;
     ovr_gnuplot *gnuplot;
     size_t workers;
     ovr_movie movie;
@@ -165,7 +166,9 @@ static void describe(const studio *s, ovr_text *to)
     if (s->below)
         ovr_text_print(to, "\nstress %s to %.9g%s", s->field.name,
                        s->field.high, s->field.logarithmic ? " log" : "");
-    ovr_text_put(to, "\n");
+    ovr_text_print(to, "\ntemplate %08lx\n",
+                   crc32(0, (const unsigned char *)s->template.data,
+                         (uInt)s->template.length));
 }
 
 static bool same_file(const char *path, const ovr_text *text)
@@ -251,10 +254,10 @@ static ovr_status ask_frame(studio *s, size_t i, ovr_error *err)
                                       &once, err);
     s->script.length = 0;
     if (status == OVR_OK)
-        ovr_chart_script(&s->chart->chart, s->form, &s->script);
+        ovr_chart_script(&s->chart->chart, &s->template, s->form, &s->script);
     if (status == OVR_OK && s->o->scripts)
-        status = ovr_chart_write(&s->chart->chart, path, script,
-                                 &s->arena->allocator, err);
+        status = ovr_chart_write(&s->chart->chart, &s->template, path, script,
+                                 &once, err);
     if (status == OVR_OK)
         status = ovr_gnuplot_ask(worker_of(s, i), &s->script, path, err);
     ovr_arena_release(&once);
@@ -360,6 +363,8 @@ static ovr_status check_form(studio *s, ovr_error *err)
 static ovr_status prepare(studio *s, ovr_result *const *results, ovr_error *err)
 {
     ovr_status status = check_form(s, err);
+    if (status == OVR_OK)
+        status = ovr_template_read(s->each.template_path, &s->template, err);
     s->runs = ovr_arena_take(s->arena, s->count, sizeof *s->runs, err);
     s->shots = ovr_arena_take(s->arena, s->count, sizeof *s->shots, err);
     s->chart = ovr_arena_take(s->arena, 1, sizeof *s->chart, err);
@@ -436,6 +441,7 @@ ovr_status ovr_frames(ovr_result *const *results, size_t count,
     s->made = made ? made : &unasked;
     *s->made = (ovr_frames_made){0, 0};
     s->script = ovr_text_make(&arena);
+    s->template = ovr_text_make(&arena);
     status = prepare(s, results, err);
     if (status == OVR_OK)
         status = make(s, err);

@@ -226,9 +226,13 @@ static ovr_status make_panel(const ovr_drawing *drawing, map *m,
                          .x_to = m->x_to * x.factor,
                          .y_from = m->T_from * T.factor,
                          .y_to = m->T_to * T.factor,
-                         .image = {CELLS_X, CELLS_T, m->values, low * v.factor,
-                                   high * v.factor, highest > high * (1 + 1e-9),
-                                   v.label}};
+                         .image = {.nx = CELLS_X,
+                                   .ny = CELLS_T,
+                                   .values = m->values,
+                                   .from = low * v.factor,
+                                   .to = high * v.factor,
+                                   .above = highest > high * (1 + 1e-9),
+                                   .label = v.label}};
     return OVR_OK;
 }
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The page that plays a run, made when building from page.html, page.css and
- * page_*.js; @TITLE@ and @DATA@ in it are to be replaced. */
+/*
+ * Texts that are built in, as arrays made when building: the page that plays a
+ * run, from page.html, page.css and page_*.js, in which @TITLE@ and @DATA@ are
+ * to be replaced; and chart.gp, the template by which gnuplot draws charts.
+ */
 #ifndef OVR_PICTURES_PAGE_H
 #define OVR_PICTURES_PAGE_H
 
@@ -8,5 +11,7 @@
 
 extern const char ovr_page_text[];
 extern const size_t ovr_page_bytes;
+extern const char ovr_template_text[];
+extern const size_t ovr_template_bytes;
 
 #endif

@@ -108,7 +108,8 @@ static ovr_status draw(const ovr_table *t, const ovr_figure_options *o,
         status = add_lines(t, menisci, 1, OVR_KIND_LENGTH, &panel[1], arena,
                            err);
     return status ? status
-                  : ovr_chart_draw(&chart, o->path, o->script, arena, err);
+                  : ovr_chart_draw(&chart, o->template_path, o->path, o->script,
+                                   arena, err);
 }
 
 ovr_status ovr_figure_passes(const ovr_table *passes,

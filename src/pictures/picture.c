@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One picture: read, chart, gnuplot. */
 #include "pictures/picture.h"
-#include "base/sized.h"
 
 #include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "base/plain.h"
+#include "base/sized.h"
 #include "pictures/gnuplot.h"
+#include "pictures/page.h"
 
 void ovr_picture_options_fill(ovr_picture_options *options)
 {
@@ -28,6 +30,40 @@ ovr_status ovr_may_create(const char *path, bool force, ovr_error *err)
         return ovr_fail(err, OVR_BAD_INPUT, "%s exists; --force replaces it",
                         path);
     return OVR_OK;
+}
+
+/* --------------------------------------------------------------- template */
+
+/* The user's, in which a line "@chart@" stands for the one that is built in. */
+static ovr_status read_template(FILE *file, const char *path, ovr_text *to,
+                                ovr_error *err)
+{
+    char line[4096];
+    while (fgets(line, sizeof line, file))
+        if (strcmp(line, "@chart@\n") == 0)
+            ovr_text_add(to, ovr_template_text, ovr_template_bytes);
+        else
+            ovr_text_put(to, line);
+    if (ferror(file))
+        return ovr_fail(err, OVR_IO, "%s: cannot be read: %s", path,
+                        strerror(errno));
+    return ovr_text_status(to, err);
+}
+
+ovr_status ovr_template_read(const char *path, ovr_text *to, ovr_error *err)
+{
+    ovr_status status;
+    FILE *file = path ? fopen(path, "rb") : NULL;
+    if (path && !file)
+        return ovr_fail(err, OVR_BAD_INPUT, "template %s: cannot be read: %s",
+                        path, strerror(errno));
+    if (!file) {
+        ovr_text_add(to, ovr_template_text, ovr_template_bytes);
+        return ovr_text_status(to, err);
+    }
+    status = read_template(file, path, to, err);
+    fclose(file);
+    return status;
 }
 
 /* ------------------------------------------------------- script and data */
@@ -53,66 +89,65 @@ static const char *base_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
-/* The script draws, in its own folder, a picture of the same name. */
-static ovr_status write_script(const ovr_chart *chart, const char *path,
-                               const char *script, ovr_arena *arena,
-                               ovr_error *err)
+ovr_status ovr_chart_write(const ovr_chart *chart, const ovr_text *template,
+                           const char *path, const char *script,
+                           ovr_arena *arena, ovr_error *err)
 {
-    ovr_text text = ovr_text_make(arena), data = ovr_text_make(arena);
-    ovr_text output = ovr_text_make(arena), input = ovr_text_make(arena);
-    ovr_text all = ovr_text_make(arena);
+    ovr_text all = ovr_text_make(arena), data = ovr_text_make(arena);
     char *data_path = beside(script, ".dat", arena, err);
     ovr_form form;
     ovr_status status = data_path ? ovr_form_of(path, &form, err)
                                   : OVR_NO_MEMORY;
-    if (status == OVR_OK)
-        status = ovr_gnuplot_path(&output, base_name(path), err);
-    if (status == OVR_OK)
-        status = ovr_gnuplot_path(&input, base_name(data_path), err);
-    if (status != OVR_OK)
+    if (status)
         return status;
-    ovr_chart_split(chart, form, &text, &data);
-    ovr_text_put(&all, "# Drawn by overroll; to draw it again: gnuplot THIS\n");
-    ovr_text_print(&all, "data = %.*s\nset output %.*s\n", (int)input.length,
-                   input.data, (int)output.length, output.data);
-    ovr_text_add(&all, text.data, text.length);
-    status = ovr_text_status(&text, err);
-    if (status == OVR_OK)
+    ovr_text_put(&all, "# Drawn by overroll; to draw it again: gnuplot THIS\n"
+                       "set output ");
+    status = ovr_gnuplot_path(&all, base_name(path), err);
+    ovr_text_put(&all, "\ndata = ");
+    if (!status)
+        status = ovr_gnuplot_path(&all, base_name(data_path), err);
+    ovr_text_put(&all, "\n");
+    ovr_chart_settings(chart, form, &all);
+    ovr_text_put(&all, "\n# The template:\n");
+    ovr_text_add(&all, template->data, template->length);
+    ovr_chart_tables(chart, "%.17g", &data);
+    if (!status)
         status = ovr_text_save(&data, data_path, err);
-    if (status == OVR_OK)
-        status = ovr_text_save(&all, script, err);
-    return status;
+    return status ? status : ovr_text_save(&all, script, err);
 }
 
-ovr_status ovr_chart_write(const ovr_chart *chart, const char *path,
-                           const char *script, const ovr_allocator *allocator,
-                           ovr_error *err)
+void ovr_chart_script(const ovr_chart *chart, const ovr_text *template,
+                      ovr_form form, ovr_text *to)
 {
-    ovr_arena arena = ovr_arena_make(allocator);
-    ovr_status status = write_script(chart, path, script, &arena, err);
-    ovr_arena_release(&arena);
-    return status;
+    ovr_text_put(to, "$data << EOD\n");
+    ovr_chart_tables(chart, "%.6g", to);
+    ovr_text_put(to, "EOD\ndata = '$data'\n");
+    ovr_chart_settings(chart, form, to);
+    ovr_text_add(to, template->data, template->length);
 }
 
-ovr_status ovr_chart_draw(const ovr_chart *chart, const char *path,
-                          const char *script, ovr_arena *arena, ovr_error *err)
+ovr_status ovr_chart_draw(const ovr_chart *chart, const char *template_path,
+                          const char *path, const char *script,
+                          ovr_arena *arena, ovr_error *err)
 {
-    ovr_text text = ovr_text_make(arena);
+    ovr_text text = ovr_text_make(arena), template = ovr_text_make(arena);
     ovr_gnuplot *gnuplot = ovr_arena_take(arena, 1, sizeof *gnuplot, err);
     ovr_form form;
     ovr_status status = gnuplot ? ovr_form_of(path, &form, err) : OVR_NO_MEMORY;
-    if (status == OVR_OK && script)
-        status = write_script(chart, path, script, arena, err);
-    if (status == OVR_OK) {
-        ovr_chart_script(chart, form, &text);
+    if (!status)
+        status = ovr_template_read(template_path, &template, err);
+    if (!status && script)
+        status = ovr_chart_write(chart, &template, path, script, arena, err);
+    if (!status) {
+        ovr_chart_script(chart, &template, form, &text);
         status = ovr_text_status(&text, err);
     }
-    if (status == OVR_OK)
+    if (!status)
         status = ovr_gnuplot_start(gnuplot, err);
-    if (status != OVR_OK)
+    if (status)
         return status;
     status = ovr_gnuplot_ask(gnuplot, &text, path, err);
-    if (status == OVR_OK)
+    if (!status)
         status = ovr_gnuplot_wait(gnuplot, err);
     ovr_gnuplot_stop(gnuplot);
     return status;
@@ -125,20 +160,23 @@ typedef ovr_status draw_kind(const ovr_drawing *drawing, ovr_chart *chart,
 
 static ovr_status draw(const ovr_drawing *drawing, ovr_error *err)
 {
-    static draw_kind *const kinds[] = {
-        [OVR_PICTURE_SNAPSHOT] = ovr_draw_snapshots,
-        [OVR_PICTURE_HISTORY] = ovr_draw_history,
-        [OVR_PICTURE_MAP] = ovr_draw_map,
-        [OVR_PICTURE_TRACE] = ovr_draw_trace,
-        [OVR_PICTURE_STRESS] = ovr_draw_stress,
-        [OVR_PICTURE_RISK] = ovr_draw_risk,
-        [OVR_PICTURE_DEPTH] = ovr_draw_depth};
+    static const struct {
+        const char *name;
+        draw_kind *draw;
+    } kinds[] = {[OVR_PICTURE_SNAPSHOT] = {"snapshot", ovr_draw_snapshots},
+                 [OVR_PICTURE_HISTORY] = {"history", ovr_draw_history},
+                 [OVR_PICTURE_MAP] = {"map", ovr_draw_map},
+                 [OVR_PICTURE_TRACE] = {"trace", ovr_draw_trace},
+                 [OVR_PICTURE_STRESS] = {"stress", ovr_draw_stress},
+                 [OVR_PICTURE_RISK] = {"risk", ovr_draw_risk},
+                 [OVR_PICTURE_DEPTH] = {"depth", ovr_draw_depth}};
     const ovr_picture_options *o = drawing->options;
     ovr_chart chart;
-    ovr_status status = kinds[o->kind](drawing, &chart, err);
+    ovr_status status = kinds[o->kind].draw(drawing, &chart, err);
+    chart.kind = kinds[o->kind].name;
     if (status == OVR_OK)
-        status = ovr_chart_draw(&chart, o->path, o->script, drawing->arena,
-                                err);
+        status = ovr_chart_draw(&chart, o->template_path, o->path, o->script,
+                                drawing->arena, err);
     return status;
 }
 

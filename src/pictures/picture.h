@@ -36,15 +36,24 @@ ovr_status ovr_draw_depth(const ovr_drawing *drawing, ovr_chart *chart,
 ovr_status ovr_draw_map(const ovr_drawing *drawing, ovr_chart *chart,
                         ovr_error *err);
 
-/* Draws a chart to a path; when `script` is not NULL, writes it there too,
- * with the data beside it. */
-ovr_status ovr_chart_draw(const ovr_chart *chart, const char *path,
-                          const char *script, ovr_arena *arena, ovr_error *err);
+/* Appends the template of a path; NULL: the one that is built in. */
+ovr_status ovr_template_read(const char *path, ovr_text *to, ovr_error *err);
 
-/* Only the script and its data; what drawing to `path` would take. */
-ovr_status ovr_chart_write(const ovr_chart *chart, const char *path,
-                           const char *script, const ovr_allocator *allocator,
-                           ovr_error *err);
+/* Draws a chart to a path by the template of that path (may be NULL); when
+ * `script` is not NULL, writes it there too, with the data beside it. */
+ovr_status ovr_chart_draw(const ovr_chart *chart, const char *template_path,
+                          const char *path, const char *script,
+                          ovr_arena *arena, ovr_error *err);
+
+/* Appends the script that draws it, the data within. */
+void ovr_chart_script(const ovr_chart *chart, const ovr_text *template,
+                      ovr_form form, ovr_text *to);
+
+/* Writes the script that draws it, in its own folder, to a picture of `path`'s
+ * name, and its data beside. */
+ovr_status ovr_chart_write(const ovr_chart *chart, const ovr_text *template,
+                           const char *path, const char *script,
+                           ovr_arena *arena, ovr_error *err);
 
 /* Refuses to replace a file unless forced. */
 ovr_status ovr_may_create(const char *path, bool force, ovr_error *err);

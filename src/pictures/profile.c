@@ -13,8 +13,11 @@ ovr_status ovr_picture_profile(const ovr_profile_view *view, const char *title,
                           .x_factor = view->scaled_x ? 1 : 1e6,
                           .factor = view->scaled_z ? 1 : 1e6,
                           .width = 1};
-    ovr_panel panel = {.x_label = view->scaled_x ? "x/b" : "x, um",
-                       .y_label = view->scaled_z ? "z R/b^2" : "z, um",
+    ovr_panel panel = {.x_label = view->scaled_x ? "{/:Italic x} / {/:Italic b}"
+                                                 : "{/:Italic x}  [µm]",
+                       .y_label = view->scaled_z
+                                      ? "{/:Italic z R} / {/:Italic b}^2"
+                                      : "{/:Italic z}  [µm]",
                        .x_from = NAN,
                        .x_to = NAN,
                        .y_from = NAN,
@@ -27,7 +30,7 @@ ovr_status ovr_picture_profile(const ovr_profile_view *view, const char *title,
                        .rows = 1,
                        .columns = 1,
                        .panel = &panel};
-    ovr_status status = ovr_chart_draw(&chart, path, NULL, &arena, err);
+    ovr_status status = ovr_chart_draw(&chart, NULL, path, NULL, &arena, err);
     ovr_arena_release(&arena);
     return status;
 }
