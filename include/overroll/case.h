@@ -48,6 +48,8 @@ typedef struct ovr_parameter_info {
     const char *choices[24]; /* words allowed, ends with NULL */
     bool physics;            /* another value is another solution */
     const char *help;
+    char when[240]; /* "history = ramp or step": what must be for it to have an
+                       effect; "" where it always has one */
 } ovr_parameter_info;
 
 OVR_API size_t ovr_parameter_count(void);

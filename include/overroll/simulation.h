@@ -92,7 +92,7 @@ typedef struct ovr_options {
     int cycles;                      /* with OVR_STOP_FIXED; the paper's 2 */
     ovr_stop stop;
     double tolerance;    /* on the residual R and load defect; 0: automatic */
-    int mlmi_order;      /* even, 4..12; 0: from the accuracy needed */
+    int mlmi_order;      /* even, 4..16; 0: from the accuracy needed */
     int mlmi_range;      /* corrections within so many meshes; 0: same */
     double switch_value; /* hybrid: eps/D^2 above which Gauss-Seidel; 3 */
     double relax_seidel; /* under-relaxation, paper 0.5..1; 0.8 */

@@ -55,16 +55,21 @@ typedef struct ovr_parameter {
 } ovr_parameter;
 
 /*
- * When a key has an effect: conditions on other keys, all of which must hold,
- * set apart by "; ".  Each is a key of the same section, or section.key,
- *     "history = ramp | step"   whose value is one of these words,
- *     "time.end"                or which is given.
+ * When a key has an effect: conditions on other keys, set apart by "; ", all of
+ * which must hold; of the alternatives of one, set apart by " or ", any.  Each
+ * is about a key of the same section, or section.key:
+ *     "history = ramp | step"   its value is one of these words,
+ *     "every > 0"               its number is above this one,
+ *     "time.end"                it is given,
+ *     "no refine_level"         it is not given.
  */
 
 /* A section with its rows: a table of parameters is a list of sections. */
 typedef struct ovr_section {
     const char *name;
-    bool named; /* [feature NAME], any number */
+    bool named;     /* [feature NAME], any number */
+    const char *on; /* the key that switches it, or NULL: while it is off, keys
+                       that wait for it are noted, not refused */
     const char *help;
     const ovr_parameter *rows;
     size_t count;

@@ -245,6 +245,16 @@ ovr_case *ovr_case_read_text(const char *text, const char *name,
     return c ? read_source(c, text, name, directory, err) : NULL;
 }
 
+ovr_case *ovr_case_read_stored(const char *text, const char *name,
+                               const char *directory,
+                               const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_case *c = ovr_case_read_text(text, name, directory, allocator, err);
+    if (c)
+        ovr_case_mark_stored(c);
+    return c;
+}
+
 /* A result given in place of its case: what it is good for. */
 static ovr_status refuse_result(const char *path, ovr_error *err)
 {
@@ -406,6 +416,13 @@ void ovr_case_unset(ovr_case *c, const char *where)
         return;
     fresh.replaces = at.slot->replaces ? at.slot->replaces : at.slot->line;
     *at.slot = fresh;
+}
+
+void ovr_case_mark_stored(ovr_case *c)
+{
+    for (ovr_block *b = c->blocks; b; b = b->next)
+        for (size_t k = 0; k < b->count; k++)
+            b->slots[k].stored = b->slots[k].given;
 }
 
 /* ---------------------------------------------------------------- looking */

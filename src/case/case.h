@@ -16,6 +16,7 @@ enum { OVR_NAME_MOST = 48, OVR_LINE_MOST = 190, OVR_CASE_MOST = 1 << 20 };
 typedef struct ovr_slot {
     const char *key;
     bool given;
+    bool stored;        /* by the text in a result file */
     const char *before; /* section it was given in, where it once belonged */
     const char *text;   /* as given or the default; NULL: neither */
     const char *file;   /* or origin */
@@ -73,6 +74,26 @@ const ovr_slot *ovr_block_get(const ovr_block *block, const char *key);
 /* Whether a key has an effect beside the values of the others. */
 bool ovr_key_applies(const ovr_case *c, const ovr_block *block,
                      const ovr_parameter *row);
+
+/* What is said of a key that is given and has no effect. */
+typedef struct ovr_idle {
+    bool said; /* in a note; else it is refused */
+    char text[400];
+} ovr_idle;
+bool ovr_key_idle(const ovr_case *c, const ovr_block *block,
+                  const ovr_slot *slot, ovr_idle *idle);
+
+/* Refuses the first key that is given and has no effect. */
+ovr_status ovr_case_check_idle(const ovr_case *c, ovr_error *err);
+
+/* The case whose text a result file holds: a key without effect, of which an
+ * earlier version said nothing, is no reason to refuse it. */
+ovr_case *ovr_case_read_stored(const char *text, const char *name,
+                               const char *directory,
+                               const ovr_allocator *allocator, ovr_error *err);
+
+/* What is given so far counts as stored. */
+void ovr_case_mark_stored(ovr_case *c);
 
 /* "[feature NAME]" taken apart: section and name (NULL for plain ones). */
 const ovr_section *ovr_section_parse(const char *header, const char **name,

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/sized.h"
+#include "case/condition.h"
 #include "case/keys/keys.h"
 
 static const ovr_section *const sections[] = {
@@ -148,5 +149,6 @@ void ovr_parameter_into(size_t k, ovr_parameter_info *to)
     };
     for (size_t i = 0; row->words && row->words[i].name && i < 23; i++)
         info.choices[i] = row->words[i].name;
+    ovr_when_text(row, info.when, sizeof info.when);
     ovr_sized_give(to, &info, sizeof info);
 }

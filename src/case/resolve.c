@@ -320,16 +320,12 @@ static ovr_status resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
     ovr_settings *v = &r->values;
     ovr_setup *s = &r->setup;
     s->transient = ovr_slot_of(r, "time", "end")->given;
-    if (v->until_steady && !s->transient)
-        return ovr_fail_slot(err, ovr_slot_of(r, "time", "until_steady"),
-                             "needs an end, for when it never "
-                             "gets steady");
     r->march = ovr_march_default();
     r->march.end = s->transient ? v->end : 0;
     r->march.adaptive = v->step == OVR_STEP_ADAPTIVE;
     r->march.dT = r->march.adaptive ? 0 : v->step;
     r->march.error = v->error;
-    r->march.until_steady = v->until_steady;
+    r->march.until_steady = v->until_steady && s->transient;
     if (fill_section(r, "load", err) || fill_section(r, "speed", err))
         return OVR_BAD_INPUT;
     if (ovr_resolve_history(r, "load", &v->load, allocator, &s->load, err))
@@ -462,7 +458,9 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     r->setup.passes = &r->values.passes;
     r->setup.output = &r->values.output;
     r->setup.stress = &r->values.stress;
-    status = resolve_contact(r, err);
+    status = ovr_case_check_idle(c, err);
+    if (!status)
+        status = resolve_contact(r, err);
     if (!status)
         status = ovr_resolve_flow(r, allocator, err);
     if (!status)

@@ -9,41 +9,6 @@
 
 enum { TABLE_MOST = 1000000 }; /* points */
 
-/* Which keys go with which kind: a letter each of c r i s t (sIne). */
-static const struct {
-    const char *key, *kinds;
-} used[] = {
-    {"from", "rs"},    {"to", "rs"},       {"start", "ris"},
-    {"duration", "r"}, {"amplitude", "i"}, {"period", "i"},
-    {"mean", "i"},     {"file", "t"},      {"time_unit", "t"},
-};
-
-static const char *kind_name(int kind)
-{
-    static const char *const names[] = {"constant", "ramp", "sine", "step",
-                                        "table"};
-    return names[kind];
-}
-
-static ovr_status check_keys(const ovr_block *block, const ovr_change *change,
-                             ovr_error *err)
-{
-    for (size_t i = 0; i < sizeof used / sizeof used[0]; i++) {
-        const ovr_parameter *key = ovr_parameter_find(block->section,
-                                                      used[i].key);
-        if (!key) /* mean: of the speed alone */
-            continue;
-        const ovr_slot *slot = ovr_block_get(block, used[i].key);
-        const char *initial = key->initial;
-        bool changed = slot->given &&
-                       (!initial || strcmp(slot->text, initial) != 0);
-        if (changed && !strchr(used[i].kinds, "crist"[change->history]))
-            return ovr_fail_slot(err, slot, "has no meaning with history = %s",
-                                 kind_name(change->history));
-    }
-    return OVR_OK;
-}
-
 static ovr_status missing(ovr_resolved *r, const ovr_block *block,
                           const char *key, ovr_error *err)
 {
@@ -197,8 +162,6 @@ ovr_status ovr_resolve_history(ovr_resolved *r, const char *section,
         of_sliding(r, &form);
     if (strcmp(section, "speed") == 0)
         form.mean = change->mean;
-    if (check_keys(block, change, err))
-        return OVR_BAD_INPUT;
     if (form.kind == OVR_HISTORY_CONSTANT)
         return OVR_OK;
     if (form.kind == OVR_HISTORY_SINE && !ovr_block_get(block, "period")->given)

@@ -5,22 +5,6 @@
 #include "case/resolve.h"
 #include "surface/layer.h"
 
-/* What a flooded contact has no use for. */
-static ovr_status check_flooded(const ovr_resolved *r, ovr_error *err)
-{
-    static const char *const keys[] = {"thickness_1", "thickness_2",
-                                       "profile_1",   "profile_2",
-                                       "history",     "waiting"};
-    for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
-        const ovr_slot *slot = ovr_slot_of(r, "supply", keys[k]);
-        if (slot->given)
-            return ovr_fail_slot(err, slot,
-                                 "has no meaning with model = flooded; a film "
-                                 "arrives with model = film");
-    }
-    return OVR_OK;
-}
-
 static ovr_status check_film(const ovr_resolved *r, ovr_error *err)
 {
     const ovr_slot *model = ovr_slot_of(r, "supply", "model");
@@ -81,26 +65,19 @@ static ovr_status check_bodies(const ovr_resolved *r, ovr_error *err)
 
 static ovr_status check_passes(const ovr_resolved *r, ovr_error *err)
 {
-    static const char *const keys[] = {"split",     "loss",    "side_flow",
-                                       "replenish", "spacing", "recovery",
-                                       "again",     "loads"};
     const ovr_passes_setup *p = &r->values.passes;
-    const ovr_slot *number = ovr_slot_of(r, "passes", "number");
     double left = p->split * fmax(0, r->contact.u1_ratio) +
                   (1 - p->split) * fmax(0, r->contact.u2_ratio);
-    for (size_t k = 0; k < sizeof keys / sizeof *keys; k++)
-        if (ovr_slot_of(r, "passes", keys[k])->given && !number->given)
-            return ovr_fail_slot(err, ovr_slot_of(r, "passes", keys[k]),
-                                 "has no meaning without number in [passes]");
-    if (p->number > 1 &&
-        r->values.options.cavitation != OVR_CAVITATION_CONSERVING)
-        return ovr_fail_slot(err, number,
+    if (p->number == 1)
+        return OVR_OK;
+    if (r->values.options.cavitation != OVR_CAVITATION_CONSERVING)
+        return ovr_fail_slot(err, ovr_slot_of(r, "passes", "number"),
                              "several passes need [cavitation] model = "
                              "conserving");
     if (ovr_slot_of(r, "passes", "loss")->given && isfinite(p->side_flow))
         return ovr_fail_slot(err, ovr_slot_of(r, "passes", "side_flow"),
                              "loss is given too: leave one out");
-    if (p->number > 1 && !(left > 0))
+    if (!(left > 0))
         return ovr_fail_slot(err, ovr_slot_of(r, "passes", "split"),
                              "%g leaves all oil on a surface that does not "
                              "carry it off",
@@ -115,7 +92,7 @@ ovr_status ovr_resolve_supply(ovr_resolved *r, const ovr_allocator *allocator,
     ovr_supply_setup *s = &r->supply;
     ovr_status status;
     s->film = v->supply_model != 0;
-    status = s->film ? check_film(r, err) : check_flooded(r, err);
+    status = s->film ? check_film(r, err) : OVR_OK;
     if (!status)
         status = ovr_resolve_history(r, "supply", &v->supply, allocator,
                                      &s->history, err);

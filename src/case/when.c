@@ -1,61 +1,137 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Whether a key has an effect: the conditions of its row (base/parameter.h). */
+/*
+ * Whether a key has an effect: the conditions of its row (base/parameter.h).
+ * What applies is also what refuses: a key that is given and has no effect is
+ * a mistake of whoever gave it.
+ */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "case/case.h"
+#include "case/condition.h"
 
-static const ovr_slot *slot_of(const ovr_case *c, const ovr_block *block,
-                               const char *where)
+/* One of the alternatives of a condition, taken apart. */
+typedef struct alternative {
+    const ovr_section *section;
+    const ovr_slot *slot;
+    const char *rest; /* behind the key: "= words", "> number" or "" */
+    bool absent;      /* it must not be given */
+} alternative;
+
+static alternative take_apart(const ovr_case *c, const ovr_block *block,
+                              const char *text)
 {
-    const char *point = strchr(where, '.');
-    char section[OVR_NAME_MOST + 1];
-    if (!point)
-        return ovr_block_get(block, where);
-    snprintf(section, sizeof section, "%.*s", (int)(point - where), where);
-    return ovr_block_get(ovr_case_find_block(c, section, NULL), point + 1);
+    alternative a = {.absent = !strncmp(text, "no ", 3)};
+    const char *where = text + 3 * a.absent;
+    char name[2 * OVR_NAME_MOST], *key = name;
+    size_t length = strcspn(where, " ");
+    snprintf(name, sizeof name, "%.*s", (int)length, where);
+    a.rest = where + length + strspn(where + length, " ");
+    if (strchr(name, '.')) {
+        key = strchr(name, '.');
+        *key++ = '\0';
+        block = ovr_case_find_block(c, name, NULL);
+    }
+    a.section = block->section;
+    a.slot = ovr_block_get(block, key);
+    return a;
 }
 
-/* `words` are set apart by " | ". */
-static bool is_one_of(const char *text, const char *words, size_t size)
+static bool is_one_of(const char *text, const char *words)
 {
-    const char *end = words + size;
-    while (words < end) {
-        size_t length = strcspn(words, " ;");
-        if (length == strlen(text) && !memcmp(words, text, length))
+    char word[OVR_NAME_MOST];
+    while (ovr_condition_next(&words, " | ", word, sizeof word))
+        if (!strcmp(word, text))
             return true;
-        words += length;
-        words += strspn(words, " |");
+    return false;
+}
+
+static bool holds(const alternative *a)
+{
+    if (*a->rest == '>')
+        return a->slot->number > strtod(a->rest + 1, NULL);
+    if (*a->rest == '=')
+        return a->slot->text && is_one_of(a->slot->text, a->rest + 2);
+    return a->slot->given != a->absent;
+}
+
+/* Whether any alternative of a condition holds; *off where one of those that
+ * do not is the switch of its section. */
+static bool any_holds(const ovr_case *c, const ovr_block *block,
+                      const char *condition, bool *off)
+{
+    char text[OVR_CONDITION_MOST];
+    *off = false;
+    while (ovr_condition_next(&condition, " or ", text, sizeof text)) {
+        alternative a = take_apart(c, block, text);
+        if (holds(&a))
+            return true;
+        *off = *off || (a.section->on && !strcmp(a.section->on, a.slot->key));
     }
     return false;
 }
 
-/* One condition, `size` characters long. */
-static bool holds(const ovr_case *c, const ovr_block *block, const char *when,
-                  size_t size)
+/* The first condition that does not hold; false: all do. */
+static bool first_failing(const ovr_case *c, const ovr_block *block,
+                          const ovr_parameter *row, char *condition,
+                          size_t room, bool *off)
 {
-    size_t length = strcspn(when, " ;");
-    const char *words = when + length + strspn(when + length, " =");
-    char where[2 * OVR_NAME_MOST];
-    const ovr_slot *slot;
-    snprintf(where, sizeof where, "%.*s", (int)length, when);
-    slot = slot_of(c, block, where);
-    if (length == size)
-        return slot->given;
-    return slot->text &&
-           is_one_of(slot->text, words, (size_t)(when + size - words));
+    const char *when = row->when ? row->when : "";
+    while (ovr_condition_next(&when, "; ", condition, room))
+        if (!any_holds(c, block, condition, off))
+            return true;
+    return false;
 }
 
 bool ovr_key_applies(const ovr_case *c, const ovr_block *block,
                      const ovr_parameter *row)
 {
-    const char *when = row->when;
-    while (when && *when) {
-        size_t size = strcspn(when, ";");
-        if (!holds(c, block, when, size))
-            return false;
-        when += size;
-        when += strspn(when, "; ");
-    }
+    char condition[OVR_CONDITION_MOST];
+    bool off;
+    return !first_failing(c, block, row, condition, sizeof condition, &off);
+}
+
+/* "has no effect with history = constant; it needs history = ramp or step" */
+static void put_idle(const ovr_case *c, const ovr_block *block,
+                     const char *condition, char *text, size_t room)
+{
+    alternative a = take_apart(c, block, condition);
+    bool one = !strstr(condition, " or "), other = a.section != block->section;
+    text[0] = '\0';
+    ovr_condition_add(text, room, "has no effect");
+    if (one && a.absent)
+        ovr_condition_add(text, room, " beside %s", a.slot->key);
+    else if (one && *a.rest && a.slot->text)
+        ovr_condition_add(text, room, " with %s%s%s%s = %.40s; it needs ",
+                          other ? "[" : "", other ? a.section->name : "",
+                          other ? "] " : "", a.slot->key, a.slot->text);
+    else
+        ovr_condition_add(text, room, " without ");
+    if (!one || !a.absent)
+        ovr_condition_text(condition, text, room);
+}
+
+bool ovr_key_idle(const ovr_case *c, const ovr_block *block,
+                  const ovr_slot *slot, ovr_idle *idle)
+{
+    const ovr_parameter *row = &block->section->rows[slot - block->slots];
+    char condition[OVR_CONDITION_MOST];
+    bool off;
+    if (!slot->given ||
+        !first_failing(c, block, row, condition, sizeof condition, &off))
+        return false;
+    idle->said = off || slot->stored;
+    put_idle(c, block, condition, idle->text, sizeof idle->text);
     return true;
+}
+
+ovr_status ovr_case_check_idle(const ovr_case *c, ovr_error *err)
+{
+    ovr_idle idle;
+    for (const ovr_block *b = c->blocks; b; b = b->next)
+        for (size_t k = 0; k < b->count; k++)
+            if (ovr_key_idle(c, b, &b->slots[k], &idle) && !idle.said)
+                return ovr_fail_slot(err, &b->slots[k], "%s", idle.text);
+    return OVR_OK;
 }

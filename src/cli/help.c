@@ -73,7 +73,7 @@ static void put_choices(const ovr_parameter_info *p)
 
 static void put_parameter(const ovr_parameter_info *p)
 {
-    char text[200];
+    char text[300];
     printf("  %-14s ", p->key);
     if (p->initial)
         printf("(%s)", p->initial);
@@ -90,6 +90,10 @@ static void put_parameter(const ovr_parameter_info *p)
     if (*p->units) {
         snprintf(text, sizeof text, "%s: %s",
                  *p->bare ? "or with a unit" : "unit", p->units);
+        put_wrapped(text);
+    }
+    if (*p->when) {
+        snprintf(text, sizeof text, "has an effect with %s", p->when);
         put_wrapped(text);
     }
 }
@@ -172,6 +176,11 @@ static void roff_parameter(const ovr_parameter_info *p)
     if (p->initial) {
         printf("Default: ");
         put_roff(p->initial);
+        puts(".");
+    }
+    if (*p->when) {
+        printf("Has an effect with ");
+        put_roff(p->when);
         puts(".");
     }
 }

@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "case/case.h"
 #include "pictures/axis.h"
 
 static const double least_meshes = 8, deepest = 2.5, shown = 1.5;
@@ -21,8 +22,8 @@ static const double least_meshes = 8, deepest = 2.5, shown = 1.5;
 static void read_body(ovr_depth_field *f, int surface)
 {
     ovr_error err = {0};
-    ovr_case *c = ovr_case_read_text(f->run->info->case_text, "case", NULL,
-                                     NULL, &err);
+    ovr_case *c = ovr_case_read_stored(f->run->info->case_text, "case", NULL,
+                                       NULL, &err);
     ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
     f->poisson = 0.3;
     if (setup) {

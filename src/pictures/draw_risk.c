@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "case/case.h"
 #include "overroll/case.h"
 #include "pictures/picture.h"
 
@@ -42,7 +43,8 @@ static void read_case(history *h, const double *A)
 {
     const ovr_result_info *info = h->s->runs->info;
     ovr_error err = {0};
-    ovr_case *c = ovr_case_read_text(info->case_text, "case", NULL, NULL, &err);
+    ovr_case *c = ovr_case_read_stored(info->case_text, "case", NULL, NULL,
+                                       &err);
     ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
 
     h->least = 8 * (h->s->runs->x[1] - h->s->runs->x[0]);

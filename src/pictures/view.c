@@ -11,6 +11,7 @@
 
 #include "base/plain.h"
 #include "base/sized.h"
+#include "case/case.h"
 #include "pictures/axis.h"
 #include "pictures/gnuplot.h"
 #include "pictures/pack.h"
@@ -299,8 +300,8 @@ static void choose(writer *w)
 static bool has_stress(const ovr_stored *run)
 {
     ovr_error err = {0};
-    ovr_case *c = ovr_case_read_text(run->info->case_text, "case", NULL, NULL,
-                                     &err);
+    ovr_case *c = ovr_case_read_stored(run->info->case_text, "case", NULL, NULL,
+                                       &err);
     ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
     bool asked = setup && setup->stress->surfaces && run->pressure;
     ovr_setup_free(setup);

@@ -11,6 +11,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "case/case.h"
 #include "overroll/version.h"
 #include "results/h5.h"
 #include "results/hdf5read/hdf5read.h"
@@ -305,9 +306,9 @@ ovr_case *ovr_passes_case(const char *path, const ovr_allocator *allocator,
     told t;
     ovr_case *c = NULL;
     if (read_told(path, &arena, &t))
-        c = ovr_case_read_text(t.text, path,
-                               t.folder && *t.folder ? t.folder : NULL,
-                               allocator, err);
+        c = ovr_case_read_stored(t.text, path,
+                                 t.folder && *t.folder ? t.folder : NULL,
+                                 allocator, err);
     else
         ovr_fail(err, OVR_BAD_INPUT, "%s: is no file of passes", path);
     ovr_arena_release(&arena);

@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "case/case.h"
 #include "run/internal.h"
 
 enum { NAME_ROOM = 512 };
@@ -64,6 +65,7 @@ ovr_status ovr_recorded_values(ovr_case *c, const ovr_restart_info *of,
             ovr_case_set(c, name, text, path, err))
             return OVR_BAD_INPUT;
     }
+    ovr_case_mark_stored(c);
     return OVR_OK;
 }
 

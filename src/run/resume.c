@@ -11,6 +11,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "case/case.h"
 #include "results/checkpoint.h"
 #include "run/internal.h"
 #include "run/passes.h"
@@ -45,8 +46,8 @@ static ovr_case *read_result(ovr_run *run, double *complete, ovr_error *err)
     ovr_case *c = NULL;
     *complete = -INFINITY;
     if (about && !run->restart)
-        c = ovr_case_read_text(about->case_text, path, NULL,
-                               &run->arena.allocator, err);
+        c = ovr_case_read_stored(about->case_text, path, NULL,
+                                 &run->arena.allocator, err);
     if (about && strcmp(about->status, "complete") == 0 &&
         (!run->restart ||
          strcmp(ovr_restart_created(run->restart), about->created) == 0))
@@ -68,8 +69,8 @@ static ovr_case *find_case(ovr_run *run, double *complete, ovr_error *err)
         return NULL;
     read_result(run, complete, NULL);
     about = ovr_restart_about(run->restart);
-    return ovr_case_read_text(about->case_text, path, about->case_path,
-                              &run->arena.allocator, err);
+    return ovr_case_read_stored(about->case_text, path, about->case_path,
+                                &run->arena.allocator, err);
 }
 
 /* Without a checkpoint: what is in the file would be computed again. */

@@ -69,6 +69,24 @@ static void say_moved(const review *r)
     }
 }
 
+/* Keys without effect that are no reason to refuse the case. */
+static void say_idle(const review *r)
+{
+    ovr_idle idle;
+    for (const ovr_block *b = r->c->blocks; b; b = b->next)
+        for (size_t k = 0; k < b->count; k++) {
+            const ovr_slot *slot = &b->slots[k];
+            char line[24] = "";
+            if (!ovr_key_idle(r->c, b, slot, &idle) ||
+                (slot->stored && !slot->line))
+                continue;
+            if (slot->line)
+                snprintf(line, sizeof line, ":%ld", slot->line);
+            say(r, OVR_SAY_NOTE, "%s%s: %s %s", slot->file, line, slot->key,
+                idle.text);
+        }
+}
+
 /* A run from rest or from no load starts a little above either. */
 static void warn_of_start(const review *r)
 {
@@ -128,6 +146,21 @@ static void warn_of_features(const review *r, bool transient)
             "feature '%s' starts inside the domain, in the steady solution; "
             "start it left of the inlet X = %.3g, or let it grow",
             inside, options->inlet);
+}
+
+/* In a steady solution nothing passes. */
+static void warn_of_left_out(const review *r)
+{
+    size_t n = ovr_surfaces_count(r->setup->surfaces);
+    for (size_t k = 0; k < n; k++) {
+        ovr_feature_info info = ovr_surfaces_info(r->setup->surfaces, k);
+        if (info.speed == 0)
+            continue;
+        say(r, OVR_SAY_WARNING,
+            "feature '%s' moves, and a steady solution leaves it out: an end "
+            "in [time], such as end = auto, lets it pass",
+            info.name);
+    }
 }
 
 /* A feature with all its copies from `low` to `high` at T. */
@@ -227,6 +260,7 @@ static void say_level(const review *r)
 static void before(const review *r, bool transient)
 {
     say_moved(r);
+    say_idle(r);
     warn_of_start(r);
     warn_of_sliding(r);
     ovr_review_peclet(r->setup, r->say, r->data);
@@ -235,6 +269,8 @@ static void before(const review *r, bool transient)
     ovr_review_supply(r->setup, r->say, r->data);
     if (r->setup->surfaces)
         warn_of_features(r, transient);
+    if (r->setup->surfaces && !r->setup->transient)
+        warn_of_left_out(r);
     if (transient)
         warn_of_time(r);
 }

@@ -128,7 +128,7 @@ static ovr_status read_case(ovr_stored_stress *s, const stored *f,
                             void *data, ovr_error *err)
 {
     const char *text = ovr_result_about(f->result)->case_text;
-    s->c = ovr_case_read_text(text, f->path, NULL, NULL, err);
+    s->c = ovr_case_read_stored(text, f->path, NULL, NULL, err);
     if (!s->c || (change && change(data, s->c, err)))
         return OVR_BAD_INPUT;
     s->setup = ovr_case_resolve(s->c, NULL, err);

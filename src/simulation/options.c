@@ -5,6 +5,7 @@
 #include "base/sized.h"
 #include "contact/starvation.h"
 #include "simulation/internal.h"
+#include "simulation/limits.h"
 #include "simulation/parts.h"
 #include "simulation/refined.h"
 
@@ -126,24 +127,36 @@ static ovr_status check_numbers(const ovr_options *o, ovr_error *err)
         {"stop", (int)o->stop, 0, OVR_STOP_FIXED},
         {"cavitation", (int)o->cavitation, 0, OVR_CAVITATION_CONSERVING},
         {"cycle_index", o->cycle_index, 0, 8},
-        {"sweeps_before", o->sweeps_before, 0, 100},
-        {"sweeps_after", o->sweeps_after, 0, 100},
-        {"max_cycles", o->max_cycles, 0, 1000000},
-        {"cycles", o->cycles, 0, 1000000}};
+        {"sweeps_before", o->sweeps_before, 0, OVR_SWEEPS_MOST},
+        {"sweeps_after", o->sweeps_after, 0, OVR_SWEEPS_MOST},
+        {"max_cycles", o->max_cycles, 0, OVR_MAX_CYCLES_MOST},
+        {"cycles", o->cycles, 1, OVR_CYCLES_MOST}};
     for (size_t k = 0; k < sizeof whole / sizeof *whole; k++)
         if (whole[k].value < whole[k].least || whole[k].value > whole[k].most)
             return ovr_fail_about(
                 err, whole[k].key, "%s %d: %d to %d are possible", whole[k].key,
                 whole[k].value, whole[k].least, whole[k].most);
-    if (!(o->tolerance >= 0 && o->tolerance < 1))
-        return ovr_fail_about(err, "tolerance",
-                              "tolerance %g: above 0 and below 1, or 0, which "
-                              "means automatic",
-                              o->tolerance);
+    if (!(o->tolerance >= 0 && o->tolerance <= OVR_TOLERANCE_MOST))
+        return ovr_fail_about(
+            err, "tolerance",
+            "tolerance %g: above 0 and at most %g, or 0, which "
+            "means automatic",
+            o->tolerance, OVR_TOLERANCE_MOST);
     if (isnan(o->switch_value))
         return ovr_fail_about(err, "switch_value",
                               "switch_value is not a number");
     return OVR_OK;
+}
+
+/* Even, or 0: automatic. */
+static ovr_status check_even(const char *key, int value, int least, int most,
+                             ovr_error *err)
+{
+    if (!value || (value % 2 == 0 && value >= least && value <= most))
+        return OVR_OK;
+    return ovr_fail_about(err, key,
+                          "%s %d: even numbers from %d to %d are possible", key,
+                          value, least, most);
 }
 
 static ovr_status check(const ovr_options *o, ovr_error *err)
@@ -159,26 +172,21 @@ static ovr_status check(const ovr_options *o, ovr_error *err)
             err, "coarsest_level",
             "coarsest level %d: 1 to the level (%d) is possible",
             o->coarsest_level, o->level);
-    if (o->mlmi_order && (o->mlmi_order % 2 || o->mlmi_order < 2 ||
-                          o->mlmi_order > OVR_MLMI_MOST))
-        return ovr_fail_about(
-            err, "mlmi_order",
-            "MLMI order %d: even numbers from 2 to %d are possible",
-            o->mlmi_order, OVR_MLMI_MOST);
-    if (o->mlmi_range && (o->mlmi_range % 2 || o->mlmi_range < 2 ||
-                          o->mlmi_range > 2 * OVR_MLMI_MOST))
-        return ovr_fail_about(
-            err, "mlmi_range",
-            "MLMI range %d: even numbers from 2 to %d are possible",
-            o->mlmi_range, 2 * OVR_MLMI_MOST);
-    bool seidel = o->relax_seidel >= 0.5 && o->relax_seidel <= 1;
-    if (!(o->relax_seidel >= 0.5 && o->relax_seidel <= 1 &&
-          o->relax_dipole >= 0.3 && o->relax_dipole <= 0.6))
+    if (check_even("mlmi_order", o->mlmi_order, OVR_ORDER_LEAST, OVR_ORDER_MOST,
+                   err) ||
+        check_even("mlmi_range", o->mlmi_range, OVR_RANGE_LEAST, OVR_RANGE_MOST,
+                   err))
+        return OVR_BAD_INPUT;
+    bool seidel = o->relax_seidel >= OVR_SEIDEL_LEAST &&
+                  o->relax_seidel <= OVR_SEIDEL_MOST;
+    if (!seidel || !(o->relax_dipole >= OVR_DIPOLE_LEAST &&
+                     o->relax_dipole <= OVR_DIPOLE_MOST))
         return ovr_fail_about(
             err, seidel ? "relax_dipole" : "relax_seidel",
-            "under-relaxation %g and %g: 0.5 to 1 (Gauss-Seidel) "
-            "and 0.3 to 0.6 (dipole) are possible",
-            o->relax_seidel, o->relax_dipole);
+            "under-relaxation %g and %g: %g to %g (Gauss-Seidel) "
+            "and %g to %g (dipole) are possible",
+            o->relax_seidel, o->relax_dipole, OVR_SEIDEL_LEAST, OVR_SEIDEL_MOST,
+            OVR_DIPOLE_LEAST, OVR_DIPOLE_MOST);
     if (!(o->inlet < -1 && o->outlet > 1 && isfinite(o->inlet) &&
           isfinite(o->outlet)))
         return ovr_fail_about(

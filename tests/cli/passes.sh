@@ -272,4 +272,5 @@ refuses 'need a result file' run roller.ini
 rm roller.h5
 refuses 'roller-1.h5: exists already' run roller.ini -o roller.h5
 sed '/number/d' roller.ini >none.ini
-refuses 'loss: has no meaning without number' check none.ini
+expect 0 "$OVERROLL" check none.ini
+contains err 'none.ini:[0-9]*: loss has no effect with number = 1; it needs'

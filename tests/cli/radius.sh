@@ -51,7 +51,7 @@ refuses 'rides: at T = 0 the curvature changes too fast' \
 refuses 'amplitude' --set radius.amplitude=1
 refuses 'must be 0.01 to 100' --set radius.history=ramp --set radius.to=0 \
     --set radius.amplitude=0
-refuses 'has no meaning' --set radius.duration=1
+refuses 'duration: has no effect with' --set radius.duration=1
 printf '0 1\n9 1.1\n12 -1\n' >bad.csv
 grep -v '^amplitude\|^period' tooth.ini >table.ini
 expect 2 "$OVERROLL" check table.ini --set radius.history=table \

@@ -66,7 +66,8 @@ refused() {
     contains err "$expected"
 }
 refused 'eyring_stress is missing' --set lubricant.rheology=eyring
-refused 'no meaning' --set 'lubricant.eyring_stress=5 MPa'
+refused 'eyring_stress: has no effect with rheology = newtonian' \
+    --set 'lubricant.eyring_stress=5 MPa'
 refused 'carreau_stress is missing' --set lubricant.rheology=carreau
 refused "needs 'rheology_file'" --set lubricant.rheology=table
 echo '1, 2' >bare.csv

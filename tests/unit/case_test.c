@@ -111,6 +111,7 @@ static void keys_that_moved(void **state)
     assert_true(
         s->options->smoother == OVR_HYBRID && s->options->cycle_index == 2 &&
         s->options->relax_dipole == 0.4 && s->options->switch_value == 2);
+    ovr_case_unset(c, "paper.switch"); /* of hybrid alone */
     assert_int_equal(
         ovr_case_set(c, "solver.smoother", "dipole", "--set", NULL), OVR_OK);
     assert_int_equal(ovr_case_set(c, "paper.relax_dipole", "0.5", "-", NULL),
@@ -233,7 +234,7 @@ static void contradictions_name_their_line(void **state)
             "t.ini:5: nodes: level is given too");
     refused(join(moes, "[domain]\noutlet = 0.5\n"), "t.ini:5: outlet");
     refused(join(moes, "[load]\nto = 2\n"),
-            "t.ini:5: to: has no meaning with history = constant");
+            "t.ini:5: to: has no effect with history = constant");
     refused(join(moes, "[load]\nhistory = sine\n"), "t.ini:5: history: sine");
     refused(join(moes, "[load]\nhistory = table\nfile = nowhere\n"),
             "t.ini:6: file: cannot read");

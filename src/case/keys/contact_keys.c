@@ -62,7 +62,7 @@ static const ovr_parameter contact_keys[] = {
 };
 
 const ovr_section ovr_contact_section = {
-    "contact", false,
+    "contact", false, NULL,
     "the operating conditions: M and L; or lambda and alphabar; or load (or "
     "hertz_pressure), radius, modulus, viscosity, alpha and speeds",
     ROWS(contact_keys)};
@@ -77,13 +77,13 @@ static const ovr_parameter body_keys[] = {
     {"poisson", PLAIN(0, 0.5), "0.3", offsetof(ovr_body_form, poisson), true,
      ALWAYS, "Poisson's ratio; 0.3 where no material says otherwise"},
     {"conductivity", WITH_UNIT(OVR_CONDUCTIVITY, 1e-3, 1e4), NULL,
-     offsetof(ovr_body_form, thermal.conductivity), true, ALWAYS,
-     "with heat; of its material, else of steel"},
+     offsetof(ovr_body_form, thermal.conductivity), true,
+     "heat.model = lobatto", "with heat; of its material, else of steel"},
     {"heat_capacity", WITH_UNIT(OVR_HEAT_CAPACITY, 1, 1e30), NULL,
-     offsetof(ovr_body_form, thermal.heat_capacity), true, ALWAYS,
-     "with heat; of its material, else of steel"},
+     offsetof(ovr_body_form, thermal.heat_capacity), true,
+     "heat.model = lobatto", "with heat; of its material, else of steel"},
     {"density", WITH_UNIT(OVR_MASS_DENSITY, 100, 1e5), NULL,
-     offsetof(ovr_body_form, thermal.density), true, ALWAYS,
+     offsetof(ovr_body_form, thermal.density), true, "heat.model = lobatto",
      "with heat; of its material, else of steel"},
     {"radius", OVR_NUMBER, OVR_LENGTH, OVR_NOT_HERTZIAN, -1e4, 1e4, false, flat,
      NULL, offsetof(ovr_body_form, radius), true, ALWAYS,
@@ -92,6 +92,6 @@ static const ovr_parameter body_keys[] = {
 };
 
 const ovr_section ovr_body_section = {
-    "body", true,
+    "body", true, NULL,
     "[body 1], [body 2]: the bodies, for what [contact] does not say",
     ROWS(body_keys)};

@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "simulation/limits.h"
+
 static const ovr_word smoothers[] = {{"line", OVR_LINE},
                                      {"hybrid", OVR_HYBRID},
                                      {"gauss-seidel", OVR_GAUSS_SEIDEL},
@@ -35,10 +37,11 @@ static const ovr_parameter domain_keys[] = {
     {"level", WHOLE_OR(auto_zero, 1, 23), "8", AT(options.level), true, ALWAYS,
      "finest grid: 7 2^level + 1 nodes; auto: what brings accuracy_of to "
      "accuracy, 14 at most"},
-    {"accuracy", PLAIN(1e-9, 0.5), "1e-3", AT(accuracy), true, ALWAYS,
-     "with level = auto: relative error of discretization that is wanted"},
-    {"accuracy_of", CHOICE(accuracies), "H_cen", AT(accuracy_of), true, ALWAYS,
-     "with level = auto: of the central film, of the smallest, or of what "
+    {"accuracy", PLAIN(1e-9, 0.5), "1e-3", AT(accuracy), true, "level = auto",
+     "relative error of discretization that is wanted"},
+    {"accuracy_of", CHOICE(accuracies), "H_cen", AT(accuracy_of), true,
+     "level = auto",
+     "of the central film, of the smallest, or of what "
      "the features do to the film"},
     {"nodes", WHOLE(15, 58720257), NULL, AT(nodes), true, ALWAYS,
      "instead of level: 7 2^k + 1"},
@@ -52,21 +55,21 @@ static const ovr_parameter domain_keys[] = {
      "refine = spike",
      "of the finest patch; else as many as refine_change takes"},
     {"refine_change", PLAIN(1e-9, 0.5), "1e-3", AT(options.refine_change), true,
-     "refine = spike",
+     "refine = spike; no refine_level",
      "patches until two levels running change the spike's height by less"},
 };
 
 const ovr_section ovr_domain_section = {
-    "domain", false, "the part of the film that is computed, and its grid",
-    ROWS(domain_keys)};
+    "domain", false, NULL,
+    "the part of the film that is computed, and its grid", ROWS(domain_keys)};
 
 static const ovr_parameter solver_keys[] = {
     {"cycle", CHOICE(cycles), "V", AT(options.cycle_index), true, ALWAYS,
      "multigrid cycle"},
-    {"sweeps_before", WHOLE_OR(auto_zero, 0, 100), "auto",
+    {"sweeps_before", WHOLE_OR(auto_zero, 0, OVR_SWEEPS_MOST), "auto",
      AT(options.sweeps_before), true, ALWAYS,
      "relaxations before the coarse grid"},
-    {"sweeps_after", WHOLE_OR(auto_zero, 0, 100), "auto",
+    {"sweeps_after", WHOLE_OR(auto_zero, 0, OVR_SWEEPS_MOST), "auto",
      AT(options.sweeps_after), true, ALWAYS,
      "relaxations after the coarse grid"},
     {"coarsest_level", WHOLE_OR(auto_zero, 1, 7), "auto",
@@ -75,15 +78,15 @@ static const ovr_parameter solver_keys[] = {
     {"stop", CHOICE(stops), "negligible", AT(options.stop), true, ALWAYS,
      "when a steady solve is done: algebraic error negligible, a fraction of "
      "the discretization error, or a fixed number of cycles"},
-    {"max_cycles", WHOLE_OR(auto_zero, 1, 100000), "auto",
+    {"max_cycles", WHOLE_OR(auto_zero, 1, OVR_MAX_CYCLES_MOST), "auto",
      AT(options.max_cycles), true, ALWAYS, "steady: most cycles on each level"},
-    {"tolerance", PLAIN_OR(auto_zero, 1e-16, 0.1), "auto",
+    {"tolerance", PLAIN_OR(auto_zero, 1e-16, OVR_TOLERANCE_MOST), "auto",
      AT(options.tolerance), true, ALWAYS,
      "on the relative mass-flow imbalance"},
 };
 
 const ovr_section ovr_solver_section = {
-    "solver", false, "multigrid; the defaults do for nearly every case",
+    "solver", false, NULL, "multigrid; the defaults do for nearly every case",
     ROWS(solver_keys)};
 
 static const ovr_parameter paper_keys[] = {
@@ -91,25 +94,28 @@ static const ovr_parameter paper_keys[] = {
      "line: distributive line relaxation; hybrid: the paper's, for steady "
      "solutions"},
     {"switch", PLAIN(1e-9, 1e9), "3", AT(options.switch_value), true,
-     "smoother = hybrid", "hybrid: eps/D^2 above which Gauss-Seidel is used"},
-    {"relax_seidel", PLAIN(0.5, 1), "0.8", AT(options.relax_seidel), true,
-     "smoother = hybrid | gauss-seidel",
-     "hybrid: under-relaxation, Gauss-Seidel"},
-    {"relax_dipole", PLAIN(0.3, 0.6), "0.5", AT(options.relax_dipole), true,
-     "smoother = hybrid | dipole", "hybrid: under-relaxation, dipole"},
+     "smoother = hybrid", "eps/D^2 above which Gauss-Seidel is used"},
+    {"relax_seidel", PLAIN(OVR_SEIDEL_LEAST, OVR_SEIDEL_MOST), "0.8",
+     AT(options.relax_seidel), true, "smoother = hybrid | gauss-seidel",
+     "under-relaxation, Gauss-Seidel"},
+    {"relax_dipole", PLAIN(OVR_DIPOLE_LEAST, OVR_DIPOLE_MOST), "0.5",
+     AT(options.relax_dipole), true, "smoother = hybrid | dipole",
+     "under-relaxation, dipole"},
     {"paper_balance", FLAG, "no", AT(options.paper_balance), true, ALWAYS,
      "force balance by the paper's relaxation of H0 on the coarsest grid "
      "instead of dense Newton steps"},
-    {"cycles", WHOLE(1, 1000), "2", AT(options.cycles), true,
-     "solver.stop = fixed", "with stop = fixed: cycles on each level"},
-    {"mlmi_order", WHOLE_OR(auto_zero, 4, 12), "auto", AT(options.mlmi_order),
-     true, ALWAYS, "order of the transfers in the deformation integrals, even"},
-    {"mlmi_range", WHOLE_OR(auto_zero, 2, 24), "auto", AT(options.mlmi_range),
-     true, ALWAYS, "corrections within so many meshes of the singularity"},
+    {"cycles", WHOLE(1, OVR_CYCLES_MOST), "2", AT(options.cycles), true,
+     "solver.stop = fixed", "cycles on each level"},
+    {"mlmi_order", WHOLE_OR(auto_zero, OVR_ORDER_LEAST, OVR_ORDER_MOST), "auto",
+     AT(options.mlmi_order), true, ALWAYS,
+     "order of the transfers in the deformation integrals, even"},
+    {"mlmi_range", WHOLE_OR(auto_zero, OVR_RANGE_LEAST, OVR_RANGE_MOST), "auto",
+     AT(options.mlmi_range), true, ALWAYS,
+     "corrections within so many meshes of the singularity"},
 };
 
 const ovr_section ovr_paper_section = {
-    "paper", false,
+    "paper", false, NULL,
     "the algorithm of Venner, ten Napel & Bosma (1990), for their tables; "
     "[solver] may hold these keys too, as it once did",
     ROWS(paper_keys)};

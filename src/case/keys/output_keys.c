@@ -14,14 +14,14 @@ static const ovr_parameter output_keys[] = {
     {"file", PATH, NULL, AT(output.file), false, ALWAYS, "result file"},
     {"title", TEXT, NULL, AT(output.title), false, ALWAYS,
      "title in the result file and pictures"},
-    {"every", WHOLE(1, 1000000000), NULL, AT(every), false, ALWAYS,
+    {"every", WHOLE(1, 1000000000), NULL, AT(every), false, "time.end",
      "store every so many steps"},
-    {"interval", SPAN(NULL, 1e6), NULL, AT(output.interval), false, ALWAYS,
+    {"interval", SPAN(NULL, 1e6), NULL, AT(output.interval), false, "time.end",
      "store in steps of this time"},
     {"at", LIST(OVR_DURATION, OVR_IN_TIME, 0, 1e6, NULL), NULL, AT(output.at),
-     false, ALWAYS, "store at these times"},
+     false, "time.end", "store at these times"},
     {"feature_at", LIST(OVR_LENGTH, OVR_IN_B, -1e6, 1e6, NULL), NULL,
-     AT(output.feature_at), false, ALWAYS,
+     AT(output.feature_at), false, "time.end",
      "store when a feature's centre is at these X"},
     {"fields", WORDS(fields), "pressure, film_thickness, roughness",
      AT(output.fields), false, ALWAYS, "what a snapshot holds"},
@@ -41,4 +41,4 @@ static const ovr_parameter output_keys[] = {
 };
 
 const ovr_section ovr_output_section = {
-    "output", false, "what is stored, where and when", ROWS(output_keys)};
+    "output", false, NULL, "what is stored, where and when", ROWS(output_keys)};

@@ -43,7 +43,7 @@ static const ovr_parameter stress_keys[] = {
     {"every", WHOLE(0, 1000000000), "0", AT(stress_every), true, ALWAYS,
      "store stress fields at every so many snapshots; 0: none"},
     {"fields", WORDS(stress_fields), "sigma_x, sigma_z, tau_xz",
-     AT(stress.fields), true, ALWAYS, "stress fields to store"},
+     AT(stress.fields), true, "every > 0", "stress fields to store"},
     {"window", LIST(OVR_LENGTH, OVR_IN_B, -1e6, 1e6, feature_window), "feature",
      AT(window), true, ALWAYS,
      "material whose history is kept, FROM, TO about the first feature's "
@@ -54,7 +54,7 @@ static const ovr_parameter stress_keys[] = {
 };
 
 const ovr_section ovr_stress_section = {
-    "stress", false,
+    "stress", false, NULL,
     "stresses below a surface; without this section there are none",
     ROWS(stress_keys)};
 
@@ -81,7 +81,7 @@ static const ovr_parameter fatigue_keys[] = {
     {"raceway", OVR_NUMBER, OVR_LENGTH, OVR_IN_B, 0, 1e9, false, NULL, "0",
      AT(stress.raceway), false, ALWAYS,
      "length of the raceway, for a ratio of lives; 0: none is given"},
-    {"count", PLAIN(0, 1e9), "1", AT(stress.count), false, ALWAYS,
+    {"count", PLAIN(0, 1e9), "1", AT(stress.count), false, "raceway",
      "how often the features are on that raceway"},
     {"residual_x", STRESS(NULL, -10, 10), "0", AT(stress.residual_x), true,
      ALWAYS, "residual stress along the surface, tension positive"},
@@ -90,5 +90,5 @@ static const ovr_parameter fatigue_keys[] = {
 };
 
 const ovr_section ovr_fatigue_section = {
-    "fatigue", false, "what they do to the material; needs [stress]",
+    "fatigue", false, NULL, "what they do to the material; needs [stress]",
     ROWS(fatigue_keys)};

@@ -20,7 +20,7 @@ static const ovr_parameter cavitation_keys[] = {
 };
 
 const ovr_section ovr_cavitation_section = {
-    "cavitation", false, "what becomes of the film behind its rupture",
+    "cavitation", false, NULL, "what becomes of the film behind its rupture",
     ROWS(cavitation_keys)};
 
 static const ovr_parameter supply_keys[] = {
@@ -31,53 +31,52 @@ static const ovr_parameter supply_keys[] = {
      "film on surface 1 as it arrives"},
     {"thickness_2", HEIGHT, "0", AT(thickness[1]), true, "model = film",
      "film on surface 2 as it arrives"},
-    {"profile_1", PATH, NULL, AT(layer_file[0]), true, ALWAYS,
+    {"profile_1", PATH, NULL, AT(layer_file[0]), true, "model = film",
      "file of thickness along surface 1, whose largest x arrives at T = 0, "
      "instead of thickness_1"},
-    {"profile_2", PATH, NULL, AT(layer_file[1]), true, ALWAYS,
+    {"profile_2", PATH, NULL, AT(layer_file[1]), true, "model = film",
      "the same of surface 2"},
     {"waiting", AREA_OR(endless_oil, 1e9), "0.1", AT(waiting), true,
      "model = film",
      "oil that waits before the inlet at the start, where the contact is "
      "flooded then"},
-    HISTORY(AT(supply), "1", 0, 100, 1, "model = film; time.end"),
+    HISTORY(AT(supply), "1", 0, 100, 1, "model = film"),
 };
 
 const ovr_section ovr_supply_section = {
-    "supply", false,
+    "supply", false, "model",
     "the oil that arrives; its history is relative to the thicknesses",
     ROWS(supply_keys)};
 
 static const ovr_parameter passes_keys[] = {
-    {"number", WHOLE(1, 100000), "1", AT(passes.number), false,
-     "cavitation.model = conserving",
+    {"number", WHOLE(1, 100000), "1", AT(passes.number), false, ALWAYS,
      "how often the surfaces pass, each time with the oil that lies on them "
      "since; needs [cavitation] model = conserving"},
-    {"split", PLAIN(0, 1), "0.5", AT(passes.split), true, "number",
+    {"split", PLAIN(0, 1), "0.5", AT(passes.split), true, "number > 1",
      "share of the thickness leaving that stays on surface 1"},
-    {"loss", PLAIN(0, 1), "0", AT(passes.loss), true, "number",
+    {"loss", PLAIN(0, 1), "0", AT(passes.loss), true, "number > 1",
      "share of each layer that is lost between two passes"},
-    {"side_flow", POSITIVE(100), NULL, AT(passes.side_flow), true, ALWAYS,
+    {"side_flow", POSITIVE(100), NULL, AT(passes.side_flow), true, "number > 1",
      "instead of loss: exponent g of x/(1 + x^g)^(1/g), x the layer over the "
      "one that a flooded contact leaves; some 2 to 5 for point contacts"},
-    {"replenish", HEIGHT, "0", AT(passes.replenish), true, "number",
+    {"replenish", HEIGHT, "0", AT(passes.replenish), true, "number > 1",
      "thickness that comes to each surface between two passes"},
-    {"spacing", LENGTH(1e-3, 1e9), NULL, AT(passes.spacing), true, ALWAYS,
+    {"spacing", LENGTH(1e-3, 1e9), NULL, AT(passes.spacing), true, "number > 1",
      "from one rolling body to the next, along the surfaces"},
     {"recovery", OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, 1e-6, 1e12, false, NULL,
-     NULL, AT(passes.recovery), true, ALWAYS,
+     NULL, AT(passes.recovery), true, "number > 1",
      "time in which a layer regains 1 - 1/e of what lacks to that of a flooded "
      "contact; needs spacing"},
-    {"again", CHOICE(agains), "both", AT(passes.again), true, "number",
+    {"again", CHOICE(agains), "both", AT(passes.again), true, "number > 1",
      "surfaces that come back with their layers; the other is each time "
      "another body of its kind, with the even layer of before the features"},
     {"loads", LIST(OVR_PURE, OVR_NOT_HERTZIAN, 1e-3, 1e3, NULL), NULL,
-     AT(passes.loads), true, ALWAYS,
+     AT(passes.loads), true, "number > 1",
      "load of each pass over that of [contact], as many as passes: a load "
      "zone"},
 };
 
 const ovr_section ovr_passes_section = {
-    "passes", false,
+    "passes", false, "number",
     "several passes: the layers that leave feed the next one where they lie",
     ROWS(passes_keys)};

@@ -36,47 +36,47 @@ static const ovr_parameter time_keys[] = {
      "characteristic in runs with step = grid at constant load and speed, "
      "upstream2 else"},
     {"error", PLAIN(1e-9, 0.1), "1e-3", AT(error), true, "end; step = adaptive",
-     "adaptive: relative error that the steps add to the film on its way "
+     "relative error that the steps add to the film on its way "
      "through the contact"},
-    {"until_steady", FLAG, "no", AT(until_steady), false, ALWAYS,
+    {"until_steady", FLAG, "no", AT(until_steady), false, "end",
      "stop when nothing changes any more"},
 };
 
 const ovr_section ovr_time_section = {
-    "time", false, "the run in time, and the scheme (of steady cases too)",
-    ROWS(time_keys)};
+    "time", false, "end",
+    "the run in time, and the scheme (of steady cases too)", ROWS(time_keys)};
 
 static const ovr_parameter load_keys[] = {
-    HISTORY(AT(load), "1", 0, 100, 1, "time.end"),
+    HISTORY(AT(load), "1", 0, 100, 1, ALWAYS),
 };
 
 const ovr_section ovr_load_section = {
-    "load", false, "load against time, relative to that of [contact]",
+    "load", false, NULL, "load against time, relative to that of [contact]",
     ROWS(load_keys)};
 
 static const ovr_parameter speed_keys[] = {
-    HISTORY(AT(speed), "1", -100, 100, 100, "time.end"),
+    HISTORY(AT(speed), "1", -100, 100, 100, ALWAYS),
     {"mean", PLAIN(-100, 100), "1", IN_CHANGE(AT(speed), mean), true,
-     "history = sine", "sine: what it swings about; 0: it goes to and fro"},
+     "history = sine", "what it swings about; 0: it goes to and fro"},
 };
 
 const ovr_section ovr_speed_section = {
-    "speed", false, "mean speed against time, relative to that of [contact]",
-    ROWS(speed_keys)};
+    "speed", false, NULL,
+    "mean speed against time, relative to that of [contact]", ROWS(speed_keys)};
 
 static const ovr_parameter sliding_keys[] = {
-    HISTORY(AT(sliding), NULL, -1e3, 1e3, 1e3, "time.end"),
+    HISTORY(AT(sliding), NULL, -1e3, 1e3, 1e3, ALWAYS),
 };
 
 const ovr_section ovr_sliding_section = {
-    "sliding", false,
+    "sliding", false, NULL,
     "(u1 - u2)/um against time, over the nominal um, any sign; from and to "
     "are "
     "slide_to_roll unless given",
     ROWS(sliding_keys)};
 
 static const ovr_parameter radius_keys[] = {
-    HISTORY(AT(radius), "1", 0.01, 100, 0.99, "time.end"),
+    HISTORY(AT(radius), "1", 0.01, 100, 0.99, ALWAYS),
     {"curvature", CHOICE(curvatures), "auto", AT(curvature), true,
      "history = ramp | sine | step | table",
      "imposed, or rides with the material that comes by, as on gear teeth and "
@@ -84,17 +84,17 @@ static const ovr_parameter radius_keys[] = {
 };
 
 const ovr_section ovr_radius_section = {
-    "radius", false,
+    "radius", false, NULL,
     "reduced radius against time, relative to that of [contact], which stays "
     "the scale",
     ROWS(radius_keys)};
 
 static const ovr_parameter radius_1_keys[] = {
-    HISTORY(AT(radius_1), "1", -1e3, 1e3, 1e3, "time.end"),
+    HISTORY(AT(radius_1), "1", -1e3, 1e3, 1e3, ALWAYS),
 };
 
 const ovr_section ovr_radius_1_section = {
-    "radius_1", false,
+    "radius_1", false, NULL,
     "radius of surface 1 against time, relative to the reduced one of "
     "[contact], negative: concave; the rest of the curvature is surface 2's; "
     "without it all of it moves at the mean speed",

@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/condition.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+bool ovr_condition_next(const char **text, const char *separator, char *piece,
+                        size_t room)
+{
+    const char *end = strstr(*text, separator);
+    size_t length = end ? (size_t)(end - *text) : strlen(*text);
+    if (!**text)
+        return false;
+    snprintf(piece, room, "%.*s", (int)length, *text);
+    *text += length + (end ? strlen(separator) : 0);
+    return true;
+}
+
+void ovr_condition_add(char *text, size_t room, const char *format, ...)
+{
+    size_t used = strlen(text);
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text + used, room - used, format, args);
+    va_end(args);
+}
+
+/* "ramp | step | sine" as "ramp, step or sine". */
+static void put_words(const char *words, char *text, size_t room)
+{
+    char word[OVR_CONDITION_MOST];
+    for (int k = 0; ovr_condition_next(&words, " | ", word, sizeof word); k++)
+        ovr_condition_add(text, room, "%s%s",
+                          !k       ? ""
+                          : *words ? ", "
+                                   : " or ",
+                          word);
+}
+
+/* "history = ramp, step or sine", "[heat] model = lobatto", "every above 0". */
+static void put_alternative(const char *from, char *text, size_t room)
+{
+    size_t key = strcspn(from, " "), section = strcspn(from, ". ");
+    const char *rest = from + key + strspn(from + key, " ");
+    if (section < key)
+        ovr_condition_add(text, room, "[%.*s] %.*s", (int)section, from,
+                          (int)(key - section - 1), from + section + 1);
+    else
+        ovr_condition_add(text, room, "%.*s", (int)key, from);
+    if (*rest == '>')
+        ovr_condition_add(text, room, " above%s", rest + 1);
+    if (*rest == '=') {
+        ovr_condition_add(text, room, " = ");
+        put_words(rest + 2, text, room);
+    }
+}
+
+void ovr_condition_text(const char *condition, char *text, size_t room)
+{
+    char from[OVR_CONDITION_MOST];
+    for (int k = 0; ovr_condition_next(&condition, " or ", from, sizeof from);
+         k++) {
+        bool absent = !strncmp(from, "no ", 3);
+        ovr_condition_add(text, room, "%s%s", k ? " or " : "",
+                          absent ? "no " : "");
+        put_alternative(from + 3 * absent, text, room);
+    }
+}
+
+void ovr_when_text(const ovr_parameter *row, char *text, size_t room)
+{
+    const char *when = row->when ? row->when : "";
+    char condition[OVR_CONDITION_MOST];
+    text[0] = '\0';
+    while (ovr_condition_next(&when, "; ", condition, sizeof condition)) {
+        ovr_condition_add(text, room, "%s", *text ? " and " : "");
+        ovr_condition_text(condition, text, room);
+    }
+}

@@ -1,0 +1,253 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Keys without effect: refused with a sentence, noted where a section is
+ * switched off and where a result file holds them. */
+#include "support/test.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "case/case.h"
+#include "overroll/overroll.h"
+
+#define MOES "[contact]\nM = 20\nL = 10\n[domain]\nlevel = 5\n"
+#define INDENT                                                                 \
+    "[time]\nend = 1\n[feature d]\nshape = indent\ndepth = 0.1\nwidth = 1\n"
+
+/* ------------------------------------------------- the table as it stands */
+
+static const ovr_parameter *row_of(const ovr_section *section, const char *text,
+                                   size_t length)
+{
+    char name[100], *key = name;
+    snprintf(name, sizeof name, "%.*s", (int)length, text);
+    if (strchr(name, '.')) {
+        key = strchr(name, '.');
+        *key++ = '\0';
+        section = ovr_section_find(name);
+    }
+    return section ? ovr_parameter_find(section, key) : NULL;
+}
+
+static bool has_word(const ovr_parameter *row, const char *word, size_t length)
+{
+    for (const ovr_word *w = row->words; w && w->name; w++)
+        if (strlen(w->name) == length && !memcmp(w->name, word, length))
+            return true;
+    return false;
+}
+
+/* One alternative of a condition: its key is one, its words are the key's. */
+static void check_alternative(const ovr_section *section, const char *text,
+                              size_t length)
+{
+    const char *end = text + length;
+    size_t skip = strncmp(text, "no ", 3) ? 0 : 3, key;
+    const ovr_parameter *row;
+    text += skip;
+    key = strcspn(text, " ;");
+    row = row_of(section, text, key);
+    if (!row)
+        fail_msg("no key '%.*s'", (int)key, text);
+    text += key;
+    if (text >= end)
+        return;
+    assert_true(!strncmp(text, " = ", 3) || !strncmp(text, " > ", 3));
+    for (bool words = text[1] == '='; words && text < end;) {
+        text += 3;
+        key = strcspn(text, " ;");
+        if (!has_word(row, text, key))
+            fail_msg("'%s' has no word '%.*s'", row->key, (int)key, text);
+        text += key;
+    }
+}
+
+static void conditions_are_about_keys(void **state)
+{
+    const ovr_section *section;
+    const ovr_parameter *row;
+    int conditions = 0;
+    (void)state;
+    for (size_t k = 0; (row = ovr_parameter_row(k, &section)); k++) {
+        const char *s = row->when ? row->when : "";
+        while (*s) {
+            const char * or = strstr(s, " or "), *next = strstr(s, "; ");
+            size_t length = next ? (size_t)(next - s) : strlen(s);
+            if (or && or < s + length)
+                length = (size_t)(or -s);
+            check_alternative(section, s, length);
+            s += length;
+            s += !strncmp(s, " or ", 4) ? 4 : !strncmp(s, "; ", 2) ? 2 : 0;
+            conditions++;
+        }
+    }
+    assert_true(conditions > 100);
+    for (size_t k = 0; (section = ovr_section_row(k)); k++)
+        assert_true(!section->on || ovr_parameter_find(section, section->on));
+}
+
+/* --------------------------------------------------------------- refusals */
+
+static ovr_status attempt(ovr_case *c, ovr_error *err)
+{
+    ovr_setup *setup = c ? ovr_case_resolve(c, NULL, err) : NULL;
+    ovr_status status = setup ? OVR_OK : err->status;
+    ovr_setup_free(setup);
+    ovr_case_free(c);
+    return status;
+}
+
+static const struct {
+    const char *text, *message;
+} idle[] = {
+    {MOES INDENT "Rq = 0.1\n",
+     "t.ini:12: Rq: has no effect with shape = indent; it needs shape = "
+     "roughness"},
+    {MOES INDENT "hurst = 0.7\n", "t.ini:12: hurst: has no effect with shape"},
+    {MOES INDENT "file = a.csv\n", "it needs shape = profile"},
+    {MOES INDENT "lambda_c = 1\n", "lambda_c: has no effect"},
+    {MOES INDENT "origin = 1\n",
+     "without shape = wave or texture or extend = periodic or mirror"},
+    {MOES INDENT "copies = 2\n", "copies: has no effect without repeat"},
+    {MOES "[load]\nto = 2\n",
+     "t.ini:7: to: has no effect with history = constant; it needs history = "
+     "ramp or step"},
+    {MOES "[time]\nend = 2\n[speed]\nhistory = ramp\nmean = 0\n",
+     "mean: has no effect with history = ramp; it needs history = sine"},
+    {MOES "[lubricant]\nviscosity_law = barus\nz = 0.6\n",
+     "z: has no effect with viscosity_law = barus; it needs viscosity_law = "
+     "roelands"},
+    {MOES "[lubricant]\nlimiting_shear = 0\ncarreau_n = 0.6\n",
+     "carreau_n: has no effect with rheology = newtonian"},
+    {MOES "[lubricant]\ntait_K0 = 1 GPa\n",
+     "without density_law = tait or viscosity_law = doolittle"},
+    {MOES "accuracy = 1e-3\n",
+     "accuracy: has no effect with level = 5; it needs level = auto"},
+    {MOES "refine = spike\nrefine_level = 9\nrefine_change = 1e-4\n",
+     "refine_change: has no effect beside refine_level"},
+    {MOES "[paper]\ncycles = 3\n",
+     "cycles: has no effect with [solver] stop = negligible; it needs [solver] "
+     "stop = fixed"},
+    {MOES INDENT "[stress]\nfields = sigma_x\n",
+     "fields: has no effect with every = 0; it needs every above 0"},
+};
+
+static void refused_with_a_sentence(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < sizeof idle / sizeof *idle; k++) {
+        ovr_error err = {0};
+        ovr_case *c = ovr_case_read_text(idle[k].text, "t.ini", NULL, NULL,
+                                         &err);
+        if (!attempt(c, &err))
+            fail_msg("not refused: %s", idle[k].text);
+        CHECK_ERROR(&err, OVR_BAD_INPUT, idle[k].message);
+    }
+}
+
+/* The same stand in the files of an earlier version; what is set later is
+ * looked at as ever. */
+static void taken_from_result_files(void **state)
+{
+    ovr_error err = {0};
+    ovr_case *c;
+    (void)state;
+    for (size_t k = 0; k < sizeof idle / sizeof *idle; k++) {
+        c = ovr_case_read_stored(idle[k].text, "t.ini", NULL, NULL, &err);
+        CHECK_OK(attempt(c, &err), &err);
+    }
+    c = ovr_case_read_stored(MOES "[load]\nto = 2\n", "t.ini", NULL, NULL,
+                             &err);
+    assert_int_equal(ovr_case_set(c, "speed.to", "2", "--set", &err), OVR_OK);
+    assert_int_equal(attempt(c, &err), OVR_BAD_INPUT);
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "--set: to: has no effect");
+}
+
+/* ------------------------------------------------------------------ notes */
+
+typedef struct heard {
+    int notes, warnings;
+    char first[OVR_MESSAGE_SIZE], warning[OVR_MESSAGE_SIZE];
+} heard;
+
+static void hear(void *data, ovr_say kind, const char *text)
+{
+    heard *h = data;
+    if (kind == OVR_SAY_WARNING && !h->warnings++)
+        snprintf(h->warning, sizeof h->warning, "%s", text);
+    if (kind == OVR_SAY_NOTE && !h->notes++)
+        snprintf(h->first, sizeof h->first, "%s", text);
+}
+
+static heard review(const char *text)
+{
+    heard h = {0};
+    ovr_error err = {0};
+    ovr_case *c = ovr_case_read_text(text, "t.ini", NULL, NULL, &err);
+    ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
+    ovr_status status = setup ? ovr_setup_prepare(setup, NULL, &err)
+                              : err.status;
+    CHECK_OK(status, &err);
+    ovr_setup_review(setup, hear, &h);
+    ovr_setup_free(setup);
+    ovr_case_free(c);
+    return h;
+}
+
+static void noted_where_switched_off(void **state)
+{
+    static const struct {
+        const char *text, *note;
+        int notes;
+    } off[] = {
+        {MOES "[heat]\nmodel = none\npoints = 7\n",
+         "t.ini:8: points has no effect with model = none; it needs model = "
+         "lobatto",
+         1},
+        {MOES "[lubricant]\nS0 = 1\n",
+         "t.ini:7: S0 has no effect with [heat] model = none", 1},
+        {MOES "[supply]\nthickness_1 = 0.1\nthickness_2 = 0.1\n",
+         "thickness_1 has no effect with model = flooded", 2},
+        {MOES "[passes]\nnumber = 1\nsplit = 0.4\n",
+         "split has no effect with number = 1; it needs number above 1", 1},
+        {MOES "[time]\nstep = 0.1\n", "step has no effect without end", 1},
+        {MOES "[output]\nevery = 2\n", "every has no effect without [time] end",
+         1},
+        {MOES "[heat]\nmodel = none\n", "", 0},
+    };
+    (void)state;
+    for (size_t k = 0; k < sizeof off / sizeof *off; k++) {
+        heard h = review(off[k].text);
+        assert_int_equal(h.notes, off[k].notes);
+        if (!strstr(h.first, off[k].note))
+            fail_msg("'%s' lacks '%s'", h.first, off[k].note);
+    }
+}
+
+/* A steady solution has no room for what passes. */
+static void features_left_out_are_said(void **state)
+{
+    heard h = review("[contact]\nM = 20\nL = 10\n[domain]\nlevel = 8\n"
+                     "[time]\nscheme = upstream2\n[feature d]\nshape = "
+                     "dent\ndepth = 0.1\nwidth = 1\n");
+    (void)state;
+    assert_int_equal(h.warnings, 1);
+    assert_non_null(strstr(h.warning, "'d' moves, and a steady solution leaves "
+                                      "it out: an end in [time]"));
+    h = review(MOES "[feature d]\nshape = ridge\nheight = 0.1\nwidth = 9\n"
+                    "start = 0\n[contact]\nslide_to_roll = 2\n"
+                    "[feature e]\nshape = ridge\nheight = 0.1\nwidth = 9\n"
+                    "start = 0\nsurface = 2\n");
+    assert_null(strstr(h.warning, "'e'")); /* it stands still */
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(conditions_are_about_keys),
+        cmocka_unit_test(refused_with_a_sentence),
+        cmocka_unit_test(taken_from_result_files),
+        cmocka_unit_test(noted_where_switched_off),
+        cmocka_unit_test(features_left_out_are_said),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
