@@ -217,8 +217,9 @@ OVR_API const char *ovr_simulation_strategy(const ovr_simulation *sim);
 
 /* One implicit step of length dT > 0.  A step that does not converge is tried
  * again in several ways, then in halves; if all fail, the state is that of the
- * last time reached.  A step that had to be accepted above its tolerance is
- * marked in the observation and returns OVR_OK. */
+ * last time reached.  A step that had to be accepted above its tolerance, or
+ * whose temperatures are not those of its film, is marked in the observation
+ * and returns OVR_OK. */
 OVR_API ovr_status ovr_simulation_step(ovr_simulation *sim, double dT,
                                        ovr_error *err);
 
@@ -293,7 +294,7 @@ typedef struct ovr_observation {
     int retries;     /* attempts after the first one */
     int maxima;      /* maxima of P that stand out so */
     bool converged;  /* R and load below tolerance */
-    bool marked;     /* accepted above tolerance */
+    bool marked;     /* accepted above tolerance, or with other temperatures */
     /* oil conserved; without it NAN */
     double supply;          /* q that arrives at the inlet */
     double meniscus;        /* X where the film begins; NAN: flooded */
@@ -390,6 +391,7 @@ typedef struct ovr_statistics {
      * energy balance of largest magnitude */
     double T_rise, T_1_rise, T_2_rise, energy_defect;
     bool settled; /* a march until steady ended because it was */
+    long lagging; /* steps marked for temperatures that are not their film's */
 } ovr_statistics;
 OVR_API const ovr_statistics *
 ovr_simulation_statistics(const ovr_simulation *sim);

@@ -106,6 +106,21 @@ static void warn_of_rise(ovr_run *run)
     ovr_run_message(run, OVR_SAY_WARNING, text);
 }
 
+static void warn_of_lag(ovr_run *run)
+{
+    const ovr_statistics *s = ovr_simulation_statistics(run->sim);
+    char text[OVR_MESSAGE_SIZE];
+    if (!s->lagging)
+        return;
+    snprintf(text, sizeof text,
+             "heat: in %ld of %ld steps temperatures are not those of the film "
+             "(they lag behind it, or energy does not close to a tenth of what "
+             "is made): what follows from these steps may be far off; take "
+             "shorter ones, [time] step, or a finer level",
+             s->lagging, s->steps);
+    ovr_run_message(run, OVR_SAY_WARNING, text);
+}
+
 /* The heat flux into a surface near the end of the domain by which it comes in,
  * over the largest. */
 static double flux_at_entry(ovr_run *run, int k, bool at_outlet)
@@ -147,6 +162,7 @@ void ovr_run_review_heat(ovr_run *run)
 {
     if (!run->setup->heat || !ovr_simulation_state(run->sim)->n)
         return;
+    warn_of_lag(run);
     warn_of_rise(run);
     warn_of_domain(run);
 }

@@ -12,6 +12,13 @@
 /* Of the change of temperatures that viscosities take a step. */
 static const double SHARE = 0.5;
 
+/* p_h: where less presses the film it ends, and there temperatures may swing
+ * without being of account. */
+static const double PRESSED = 0.1;
+
+/* At most, of a step's temperatures. */
+enum { PASSES = 6 };
+
 enum { FIELDS = OVR_HEAT_KEPT - OVR_MOST_ACROSS };
 
 /* --------------------------------------------------------------- creation */
@@ -228,6 +235,23 @@ static void hold_guess(ovr_simulation *sim)
     }
 }
 
+/* No thinner than half of what was there or beside it: a guess that is none
+ * may have no film left, and such a one would heat the oil without bounds. */
+static void hold_film(ovr_simulation *sim)
+{
+    const double share = 0.5;
+    const double *before = sim->past.q[0];
+    ovr_solution *now = &sim->now;
+    for (size_t i = 1; i + 1 < now->n; i++) {
+        double least = share *
+                       fmin(before[i], fmin(before[i - 1], before[i + 1]));
+        if (!(now->P[i] > 0) || now->q[i] >= least)
+            continue;
+        now->H[i] = now->H[i] != 0 ? least * now->H[i] / now->q[i] : least;
+        now->q[i] = least;
+    }
+}
+
 /* How fast the guess presses the oil. */
 static void find_P_T(ovr_simulation *sim)
 {
@@ -251,14 +275,13 @@ static void solve_nodes(ovr_simulation *sim)
         h->T[j][entry] = 0;
 }
 
-static void solve(ovr_simulation *sim)
+/* Temperatures by the flow that those `used` give. */
+static void pass(ovr_simulation *sim)
 {
     const ovr_kernels *run = sim->grids.kernels;
     ovr_heated *h = sim->heated;
     ovr_heat_steps *s = h->steps;
     ovr_columns *c = &h->film;
-    find_P_T(sim);
-    swap_trial(h);
     ovr_heat_film(sim);
     c->dT = s->dT;
     c->least_u = 0;
@@ -276,6 +299,51 @@ static void solve(ovr_simulation *sim)
         c->resistance[k] = h->numbers.solid[k] * 4 / 3 * sqrt(s->dT);
     }
     solve_nodes(sim);
+}
+
+/* Moves `used` half the way to where T is `near`, so that both change smoothly
+ * from step to step, where the film is pressed. */
+static void approach(ovr_simulation *sim, double near)
+{
+    const double most = 0.5, least = 10; /* as when relaxed */
+    ovr_heated *h = sim->heated;
+    for (int j = 0; j < h->across.n; j++)
+        for (size_t i = 0; i < sim->now.n; i++) {
+            double *used = &h->used[j][i], d = h->T[j][i] - *used;
+            double way = SHARE * fmax(0, fabs(d) - near / h->film.fall[i]);
+            double limit = most * fabs(*used) + least;
+            if (sim->now.P[i] > PRESSED)
+                *used += copysign(fmin(way, limit), d);
+        }
+}
+
+/* By how much ln of what is made changes by T instead of `used`, at most. */
+static double lag(const ovr_simulation *sim)
+{
+    const ovr_heated *h = sim->heated;
+    double most = 0;
+    for (int j = 0; j < h->across.n; j++)
+        for (size_t i = 0; i < sim->now.n; i++)
+            if (sim->now.P[i] > PRESSED)
+                most = fmax(most,
+                            h->film.fall[i] * fabs(h->T[j][i] - h->used[j][i]));
+    return most;
+}
+
+/* Temperatures of the step; passes until `used` is near to what came out. */
+static void solve(ovr_simulation *sim, int passes)
+{
+    const double enough = 0.2, near = 0.1;
+    ovr_heat_steps *s = sim->heated->steps;
+    find_P_T(sim);
+    swap_trial(sim->heated);
+    pass(sim);
+    s->lag = lag(sim);
+    for (int k = 1; k < passes && s->lag > enough; k++) {
+        approach(sim, near);
+        pass(sim);
+        s->lag = lag(sim);
+    }
     s->stored = ovr_heat_stored(sim);
 }
 
@@ -284,12 +352,34 @@ void ovr_heat_try(ovr_simulation *sim, bool first)
     withdraw(sim);
     ovr_simulation_read(sim);
     hold_guess(sim);
-    solve(sim);
+    hold_film(sim);
+    solve(sim, first ? PASSES : 1);
     if (first)
         ovr_heat_relax(sim, SHARE);
     ovr_heat_apply(sim);
     ovr_level_properties(&sim->grids, sim->finest);
     ovr_level_residual(&sim->grids, sim->finest);
+}
+
+/* -------------------------------------------------------------------- marks */
+
+/* In the last quarter of b/um, or five steps: what the load then pressed is
+ * heated late and by another pressure. */
+static bool load_jumped(const ovr_simulation *sim, double T)
+{
+    const double while_after = 0.25, steps = 5, much = 0.05;
+    double since = T - fmax(while_after, steps * sim->past.dT);
+    double before = ovr_history_value(sim->load, fmax(since, 0));
+    double now = ovr_history_value(sim->load, T);
+    return fabs(now - before) > much * fmax(now, before);
+}
+
+bool ovr_heat_lags(const ovr_simulation *sim)
+{
+    const double far = 0.5, open = 0.1;
+    const ovr_observation *o = &sim->observation;
+    return sim->heated->steps->lag > far ||
+           (fabs(o->energy_defect) > open && !load_jumped(sim, o->T));
 }
 
 /* -------------------------------------------------------------------- saved */

@@ -24,8 +24,20 @@
  *     tau u_z <- tau u_z (1 - gamma (T - T_used)),
  *     gamma = -(d ln eta/dT) tanh(a)/a,  a = |t|/Sigma0
  *
- * so that no film gets hotter by more than 1/gamma in a step, be it Newtonian.
- * It counts as a faster exchange with the foot, which is moved to T_used.
+ * so that no film gets hotter by more than 1/gamma in one solve, be it
+ * Newtonian.  It counts as a faster exchange with the foot, which is moved to
+ * T_used.  At the edge of a feature that moves a mesh a step oil may get 100 K
+ * hotter at once; left colder by dT it is too viscous by e^(gamma dT), powers
+ * of ten, does not let the pressure there go, and the next spike is higher.  So
+ * where gamma |T - T_used| is above 0.2 under pressure, T_used goes half the
+ * way to what is 0.1/gamma off, and flow and heat are solved anew, six times at
+ * most: not by kelvins, of which a film of Eyring's law bears many more.  (The
+ * film knows no instability of its own: speeds are given across it, not
+ * stresses, and what is made falls as it gets hotter.)
+ *
+ * A step is marked where gamma |T - T_used| stays above 0.5, or energy does not
+ * close to a tenth of what is made though the load did not jump just before.
+ *
  * Solved anew in every cycle, film and heat may circle without end where the
  * film ends.
  *
@@ -56,6 +68,7 @@ typedef struct ovr_heat_steps {
     double *P_T;                 /* that the step was heated by */
     ovr_memory memory[2];        /* for steps of dT */
     double meshes[2];            /* that surfaces move in the step */
+    double lag;                  /* of the step's `used` behind its T */
     double stored;               /* power that the oil took up in the step */
 } ovr_heat_steps;
 
@@ -74,6 +87,10 @@ void ovr_heat_taken(ovr_simulation *sim);
  * the guess in place: temperatures, and the film by them. */
 void ovr_heat_step(ovr_simulation *sim, double dT);
 void ovr_heat_try(ovr_simulation *sim, bool first);
+
+/* The step that was observed last has temperatures that are not those of its
+ * film. */
+bool ovr_heat_lags(const ovr_simulation *sim);
 
 /* Back to the last time reached. */
 void ovr_heat_step_back(ovr_simulation *sim);

@@ -263,7 +263,9 @@ static const ovr_observable table[] = {
            "multigrid cycles of the step"),
     NUMBER("retries", NULL, NULL, COUNT, retries, "attempts after the first"),
     NUMBER("converged", NULL, NULL, FLAG, converged, "below tolerance"),
-    NUMBER("marked", NULL, NULL, FLAG, marked, "accepted above tolerance"),
+    NUMBER("marked", NULL, NULL, FLAG, marked,
+           "accepted above tolerance, or with temperatures "
+           "that are not those of the film"),
     OVR_FIELD_ROWS(FIELD)};
 
 const ovr_observable *ovr_observable_at(size_t k)

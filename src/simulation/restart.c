@@ -38,6 +38,7 @@ static const struct {
              PART("total_retries", statistics.retries),
              PART("total_substeps", statistics.substeps),
              PART("total_marked", statistics.marked),
+             PART("total_lagging", statistics.lagging),
              PART("least_film", statistics.H_min),
              PART("least_film_place", statistics.X_H_min),
              PART("least_film_time", statistics.T_H_min),
