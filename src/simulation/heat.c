@@ -441,6 +441,15 @@ static void stress(ovr_simulation *sim, void *own, const ovr_sheared *film,
     ovr_heat_stress(sim, film, fluid, t);
 }
 
+/* Temperatures that are not those of the film. */
+static bool marks(ovr_simulation *sim, void *own)
+{
+    bool lags = ovr_heat_lags(sim);
+    (void)own;
+    sim->statistics.lagging += lags;
+    return lags;
+}
+
 static ovr_status visit(ovr_simulation *sim, void *own, ovr_visit *show,
                         void *context, ovr_error *err)
 {
@@ -469,6 +478,7 @@ const ovr_physics ovr_physics_heat = {.name = "heat",
                                       .stress = stress,
                                       .unknown = unknown,
                                       .observe = observe,
+                                      .marks = marks,
                                       .extremes = extremes,
                                       .visit = visit,
                                       .restored = restored};

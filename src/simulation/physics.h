@@ -14,7 +14,8 @@
  *     steady      forget, solve, complete, couple, proceed, finish, begin
  *     a step      check, before_step, operate, history, sides, step, attempt,
  *                 the ends of its cycles, taken; or step_back
- *     observed    carried, flow, oil, mean_flow, stress, friction, observe
+ *     observed    carried, flow, oil, mean_flow, stress, friction, observe,
+ *                 marks
  *     checkpoint  visit, restored
  *
  * Contributions are sums over the list: to the gap (heights, gap), to the
@@ -198,6 +199,10 @@ struct ovr_physics {
      * known. */
     void (*observe)(ovr_simulation *sim, void *own, ovr_observation *o);
     void (*unknown)(ovr_observation *o);
+
+    /* Whether the step that was observed last is marked: what it found does not
+     * belong together. */
+    bool (*marks)(ovr_simulation *sim, void *own);
 
     /* Extremes over the run, on or off. */
     void (*extremes)(ovr_statistics *s, const ovr_observation *o, bool first);

@@ -176,15 +176,15 @@ void ovr_simulation_step_back(ovr_simulation *sim)
     ovr_simulation_read(sim);
 }
 
-/* Temperatures that are not those of the film are marked as a film that did
- * not converge is. */
-static void mark_heat(ovr_simulation *sim, ovr_outcome *outcome)
+/* What a physics does not stand by is marked as a film that did not converge
+ * is. */
+static void mark(ovr_simulation *sim, ovr_outcome *outcome)
 {
-    if (!sim->heated || !ovr_heat_lags(sim))
-        return;
-    sim->statistics.lagging++;
-    sim->observation.marked = outcome->marked = true;
-    sim->observation.converged = outcome->converged = false;
+    OVR_EACH_PHYSICS(sim, p, marks)
+        if (p->is->marks(sim, p->own)) {
+            sim->observation.marked = outcome->marked = true;
+            sim->observation.converged = outcome->converged = false;
+        }
 }
 
 static void count(ovr_simulation *sim, const ovr_outcome *outcome)
@@ -253,7 +253,7 @@ ovr_status ovr_simulation_attempt(ovr_simulation *sim, double next, bool *taken,
     sim->state.step++;
     sim->state.T = sim->past.T[0] = next;
     ovr_observe(sim, dT, &outcome);
-    mark_heat(sim, &outcome);
+    mark(sim, &outcome);
     count(sim, &outcome);
     return OVR_OK;
 }
