@@ -71,8 +71,8 @@ static INLINE void begin(const film *c, ovr_viscosity_law law, ptrdiff_t start,
         vec by_pressure, rho = dowson_higginson_finish(
                              &c->laws.density, inverse * t, &by_pressure);
         store_film(c, i, rho, by_pressure);
-        store(work->power + i - start, power);
-        store(work->slope + i - start, slope);
+        store(work->power + (i - start), power);
+        store(work->slope + (i - start), slope);
     }
 }
 
@@ -87,8 +87,8 @@ static INLINE void begin_any(const film *c, ovr_viscosity_law law,
         vec power = viscosity_begin(&c->laws, law, P, t, 1 / t, &slope);
         vec rho = density_at(&c->laws, density, P, &by_pressure);
         store_film(c, i, rho, by_pressure);
-        store(work->power + i - start, power);
-        store(work->slope + i - start, slope);
+        store(work->power + (i - start), power);
+        store(work->slope + (i - start), slope);
     }
 }
 
@@ -126,8 +126,8 @@ static INLINE void flow(const film *c, bool other, ptrdiff_t start,
 {
     const ovr_fields *f = &c->f;
     for (ptrdiff_t i = start; i < end; i += VEC) {
-        vec power = load(work->power + i - start);
-        vec slope = load(work->slope + i - start);
+        vec power = load(work->power + (i - start));
+        vec slope = load(work->slope + (i - start));
         vec H = load(f->H + i), q = load(f->q + i);
         if (f->th) {
             vec th = load(f->th + i);
@@ -144,7 +144,7 @@ static INLINE void flow(const film *c, bool other, ptrdiff_t start,
         if (f->deps_dH) {
             vec by_film = 3 * load(f->rho + i);
             if (other)
-                by_film = less(by_film, q, load(work->by_film + i - start));
+                by_film = less(by_film, q, load(work->by_film + (i - start)));
             store(f->deps_dH + i, by_film * factor);
         }
     }

@@ -5,17 +5,22 @@
 
 extern const ovr_stress_loops ovr_stress_loops_base, ovr_stress_loops_plain;
 #ifdef __x86_64__
-extern const ovr_stress_loops ovr_stress_loops_avx2, ovr_stress_loops_avx512;
+extern const ovr_stress_loops ovr_stress_loops_avx2;
+#ifndef OVR_NO_AVX512
+extern const ovr_stress_loops ovr_stress_loops_avx512;
+#endif
 #endif
 
 static bool machine_runs(const ovr_stress_loops *loops)
 {
 #ifdef __x86_64__
     __builtin_cpu_init();
+#ifndef OVR_NO_AVX512
     if (loops == &ovr_stress_loops_avx512)
         return __builtin_cpu_supports("avx512f") &&
                __builtin_cpu_supports("avx512dq") &&
                __builtin_cpu_supports("avx512vl");
+#endif
     if (loops == &ovr_stress_loops_avx2)
         return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 #endif
@@ -26,7 +31,10 @@ const ovr_stress_loops *ovr_stress_loops_choose(const char *name)
 {
     static const ovr_stress_loops *const best_first[] = {
 #ifdef __x86_64__
-        &ovr_stress_loops_avx512, &ovr_stress_loops_avx2,
+#ifndef OVR_NO_AVX512
+        &ovr_stress_loops_avx512,
+#endif
+        &ovr_stress_loops_avx2,
 #endif
         &ovr_stress_loops_base, &ovr_stress_loops_plain};
     for (size_t k = 0; k < sizeof best_first / sizeof *best_first; k++)
