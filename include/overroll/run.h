@@ -100,9 +100,9 @@ typedef struct ovr_run_error {
     const char *key; /* "H_cen", ..., "P_max_overall" */
     ovr_unit_kind kind;
     double value[3]; /* on the finest level first; NAN: not solved */
-    double error;    /* of the first, dimensionless as it */
+    double error;    /* of the first, dimensionless as it; NAN: not known */
     double order;    /* seen between the levels; NAN: not known */
-    bool converges;  /* else a warning says so, and the error says little */
+    bool converges;  /* else a warning says so, and the error is not known */
 } ovr_run_error;
 enum { OVR_RUN_ERRORS = 8 };
 typedef struct ovr_run_errors {

@@ -10,6 +10,8 @@
 
 #include "run/internal.h"
 
+static const char *const names[] = {"H_cen", "H_min", "what the features do"};
+
 static double relative_error(const ovr_run *run)
 {
     const ovr_run_errors *e = &run->error;
@@ -22,28 +24,39 @@ static double relative_error(const ovr_run *run)
     return INFINITY;
 }
 
+static void doubt(ovr_run *run, const char *why)
+{
+    const ovr_setup *s = run->setup;
+    char text[OVR_MESSAGE_SIZE], where[40];
+    snprintf(
+        text, sizeof text,
+        "%slevel %d was chosen for an error of %.2g of %s, which cannot be "
+        "confirmed: %.800s",
+        ovr_run_where(run, where), s->options->level, s->accuracy,
+        names[s->accuracy_of], why);
+    ovr_run_message(run, OVR_SAY_WARNING, text);
+}
+
 void ovr_run_confirm(ovr_run *run)
 {
-    const char *const of[] = {"H_cen", "H_min", "what the features do"};
     const ovr_setup *s = run->setup;
     int level = s->options->level;
     char text[OVR_MESSAGE_SIZE], where[40];
     ovr_error why = {0};
     if (ovr_run_estimate(run, &why)) {
-        snprintf(text, sizeof text,
-                 "%slevel %d was chosen for an error of %.2g, which cannot be "
-                 "confirmed: %.800s",
-                 ovr_run_where(run, where), level, s->accuracy, why.message);
-        ovr_run_message(run, OVR_SAY_WARNING, text);
+        doubt(run, why.message);
         return;
     }
     double error = relative_error(run);
-    if (error <= s->accuracy)
+    if (isnan(error))
+        doubt(run, "coarser levels do not fall to it in a known order");
+    if (isnan(error) || error <= s->accuracy)
         return;
     snprintf(text, sizeof text,
              "%slevel %d was chosen for an error of %.2g of %s; the estimate "
              "after the run is %.2g: level %d would do",
-             ovr_run_where(run, where), level, s->accuracy, of[s->accuracy_of],
-             error, level + (int)ceil(log2(error / s->accuracy) / 2));
+             ovr_run_where(run, where), level, s->accuracy,
+             names[s->accuracy_of], error,
+             level + (int)ceil(log2(error / s->accuracy) / 2));
     ovr_run_message(run, OVR_SAY_WARNING, text);
 }

@@ -52,7 +52,7 @@ class Film(Solution):
     seconds : float
     errors : dict or None
         With `estimate_error`: estimated discretization errors by key, H_min,
-        H_cen, P_max, ...
+        H_cen, P_max, ...; NaN where the levels do not tell.
     """
 
     def __init__(self, core: _RunCore) -> None:

@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "told.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "overroll/run.h"
+#include "random_case.h"
+#include "test.h"
+
+typedef struct tally {
+    int cases, failed, low, numbers, told;
+} tally;
+
+/* With `T`, of another level and to that time. */
+static ovr_run *solved(const char *text, int level, double T, ovr_error *err)
+{
+    char set[64];
+    ovr_run_options how = ovr_run_options_default();
+    ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, err);
+    assert_non_null(c);
+    how.estimate_error = isnan(T);
+    if (!isnan(T)) {
+        snprintf(set, sizeof set, "domain.level=%d", level);
+        CHECK_OK(ovr_case_assign(c, set, "test", err), err);
+        snprintf(set, sizeof set, "time.end=%.17g", T);
+        CHECK_OK(ovr_case_assign(c, set, "test", err), err);
+    }
+    ovr_run *run = ovr_run_create(c, &how, NULL, err);
+    if (run)
+        ovr_run_go(run, err);
+    ovr_case_free(c);
+    return run;
+}
+
+static double value_of(const ovr_run *run, const char *key)
+{
+    const ovr_simulation *sim = ovr_run_about(run)->sim;
+    const ovr_observation *o = ovr_simulation_observation(sim);
+    const ovr_statistics *s = ovr_simulation_statistics(sim);
+    const struct {
+        const char *key;
+        double value;
+    } rows[] = {{"H_min", o->H_min_located},
+                {"H_cen", o->H_cen},
+                {"P_max", o->P_max},
+                {"H_min_overall", s->H_min},
+                {"P_max_overall", s->P_max}};
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
+        if (!strcmp(rows[k].key, key))
+            return rows[k].value;
+    return NAN;
+}
+
+static void compare(tally *t, uint64_t seed, const ovr_run *told,
+                    const ovr_run *truth)
+{
+    const ovr_run_errors *e = ovr_run_about(told)->error;
+    int low = 0;
+    for (size_t k = 0; k < e->count; k++) {
+        const ovr_run_error *of = &e->of[k];
+        double off = fabs(of->value[0] - value_of(truth, of->key));
+        if (isnan(off))
+            continue;
+        t->numbers++;
+        t->told += isfinite(of->error);
+        if (!(of->error < 0.5 * off))
+            continue;
+        low++;
+        print_message("    seed %llu: %s told %.2g, true %.2g; %.5g, %.5g, "
+                      "%.5g\n",
+                      (unsigned long long)seed, of->key,
+                      of->error / fabs(of->value[0]), off / fabs(of->value[0]),
+                      of->value[0], of->value[1], of->value[2]);
+    }
+    t->low += low > 0;
+}
+
+static void take(tally *t, uint64_t seed, const char *text, int level,
+                 int finer)
+{
+    ovr_error err = {0};
+    ovr_run *told = solved(text, level, NAN, &err), *truth = NULL;
+    if (!err.status)
+        truth = solved(text, level + finer,
+                       ovr_simulation_state(ovr_run_about(told)->sim)->T, &err);
+    t->cases += !err.status;
+    t->failed += err.status != OVR_OK;
+    if (!err.status)
+        compare(t, seed, told, truth);
+    ovr_run_free(truth);
+    ovr_run_free(told);
+}
+
+void test_told_case(const char *text, int level, int finer)
+{
+    tally t = {0};
+    take(&t, 0, text, level, finer);
+    assert_int_equal(t.cases, 1);
+    assert_int_equal(t.low, 0);
+}
+
+void test_told_survey(uint64_t seed, int cases, int level, int finer, int most)
+{
+    static test_random_case d;
+    tally t = {0};
+    test_write_points("thinning.csv");
+    for (uint64_t k = seed; t.cases < cases && t.failed < cases; k++) {
+        test_mixed_case(&d, k, level);
+        take(&t, k, d.text, level, finer);
+    }
+    print_message("    seeds %llu on: %d cases (%d more end early), %d with an "
+                  "error told below half of the true one; %d of %d told\n",
+                  (unsigned long long)seed, t.cases, t.failed, t.low, t.told,
+                  t.numbers);
+    assert_int_equal(t.cases, cases);
+    assert_true(t.low <= most);
+    assert_true(3 * t.told >= t.numbers);
+}
