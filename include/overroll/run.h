@@ -246,6 +246,11 @@ ovr_stored_stress_setup(const ovr_stored_stress *stress);
 OVR_API const ovr_stress_report *
 ovr_stored_stress_report(const ovr_stored_stress *stress, int surface);
 
+/* The least depth of the histories that a prepared setup asks for; refused
+ * where its steps cannot give the depths.  NAN: it asks for none. */
+OVR_API ovr_status ovr_setup_stress_depth(const ovr_setup *setup, double *least,
+                                          ovr_error *err);
+
 /* Memory and, per step, seconds of the passages of a prepared setup. */
 OVR_API double ovr_setup_stress_memory(const ovr_setup *setup);
 

@@ -443,10 +443,8 @@ static void put_oil(const ovr_setup *setup)
 static void put_stress(const ovr_setup *setup)
 {
     const ovr_stress_setup *s = setup->stress;
-    double dT = setup->march->dT > 0 ? setup->march->dT : setup->mesh, z;
-    double ph = setup->contact->ph * 1e-6;
-    double least = s->depth_min > 0 ? s->depth_min : 4 * fmax(setup->mesh, dT);
-    if (!s->surfaces)
+    double ph = setup->contact->ph * 1e-6, least, z;
+    if (!s->surfaces || ovr_setup_stress_depth(setup, &least, NULL))
         return;
     printf("# %-28s Z = %.4g to %.4g, %g an octave; %.3g MB, as long as the "
            "run again\n",
@@ -577,12 +575,13 @@ static int run(cli_call *call)
     ovr_setup *setup;
     ovr_error err = {0};
     ovr_rough_film film;
-    double live = 0;
+    double live = 0, depth;
     const ovr_allocator counted = {take, give, &live};
     if (!c)
         return code;
     setup = ovr_case_resolve(c, &counted, &err);
     if (setup && !ovr_setup_prepare(setup, &counted, &err) &&
+        !ovr_setup_stress_depth(setup, &depth, &err) &&
         !ovr_setup_rough_film(setup, NULL, &film, &err)) {
         ovr_setup_review(setup, hear, call);
         report(call, c, setup, &film, live);

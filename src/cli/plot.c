@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll plot OUT.h5 -o PICTURE: one picture. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "cli/picture_options.h"
@@ -68,7 +69,29 @@ static int take_depth(const cli_call *call, ovr_picture_options *o)
     return CLI_DONE;
 }
 
-static int take_instants(const cli_call *call, const ovr_result *result,
+/* Farther from the first or last snapshot than half of what is between it and
+ * its neighbour, another instant would be drawn than the one asked for. */
+static ovr_status check_instant(ovr_result *result, const char *text, double T,
+                                ovr_error *err)
+{
+    size_t count = ovr_result_about(result)->snapshots;
+    double *t = calloc(count + 1, sizeof *t);
+    ovr_status status;
+    if (!t)
+        return ovr_fail(err, OVR_NO_MEMORY, "out of memory: %zu times", count);
+    status = ovr_result_times(result, OVR_HERTZIAN, t, err);
+    double before = count > 1 ? t[1] - t[0] : 0;
+    double after = count > 1 ? t[count - 1] - t[count - 2] : 0;
+    if (!status && count &&
+        (T < t[0] - before / 2 - 1e-9 || T > t[count - 1] + after / 2 + 1e-9))
+        status = ovr_fail(err, OVR_BAD_INPUT,
+                          "%s: there are snapshots from %.6g to %.6g b/um only",
+                          text, t[0], t[count - 1]);
+    free(t);
+    return status;
+}
+
+static int take_instants(const cli_call *call, ovr_result *result,
                          ovr_picture_options *o, double *times)
 {
     const char *text;
@@ -78,9 +101,10 @@ static int take_instants(const cli_call *call, const ovr_result *result,
         if (k >= TIMES)
             return cli_usage(call, "at most %d instants fit into a picture",
                              TIMES);
-        if (ovr_result_number(result, OVR_KIND_TIME, text,
-                              &times[o->time_count++], &err))
+        if (ovr_result_number(result, OVR_KIND_TIME, text, &times[k], &err) ||
+            check_instant(result, text, times[k], &err))
             return cli_usage(call, "--at %s", err.message);
+        o->time_count++;
     }
     return CLI_DONE;
 }

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is followed of a case: depths, material, moments. */
 #include <math.h>
+#include <string.h>
 
+#include "case/resolve.h"
 #include "run/stress.h"
 
 /* Depths above 4 times the way between two moments are missed in part. */
@@ -51,21 +53,35 @@ static void find_material(const ovr_setup *setup, ovr_stress_plan *plan)
     }
 }
 
-static ovr_status refuse(const char *key, double depth, double way,
-                         double every, ovr_error *err)
+/* To three digits, downwards. */
+static double round_down(double value)
 {
-    double wanted = floor(depth / WAY_OF_DEPTH / way * every + 1e-9);
+    double digit = pow(10, floor(log10(value)) - 2);
+    return floor(value / digit * (1 + 1e-12)) * digit;
+}
+
+/* Moments so far apart miss depths that are wanted; said of the step of a run,
+ * and of `every` where stored moments are taken. */
+static ovr_status refuse(const ovr_setup *setup, const char *key, double depth,
+                         const ovr_stress_plan *plan, double every,
+                         ovr_error *err)
+{
+    double dT = setup->march->dT > 0 ? setup->march->dT : setup->mesh;
+    double way = plan->coarsest, share = depth / WAY_OF_DEPTH / way;
+    double wanted = floor(share * every + 1e-9);
     if (wanted >= 1)
         return ovr_fail_about(err, key,
                               "%s = %g: the moments are %g b of way apart, "
                               "which tells of depths from %.3g only; every = "
                               "%.0f would do",
                               key, depth, way, WAY_OF_DEPTH * way, wanted);
-    return ovr_fail_about(err, key,
-                          "%s = %g: steps of %g b of way tell of depths from "
-                          "%.3g only; a step of %.3g would do",
-                          key, depth, way, WAY_OF_DEPTH * way,
-                          depth / WAY_OF_DEPTH / way * way);
+    return ovr_fail_about(err, "step",
+                          "step: %.3g b/um is %.3g b of way, which tells "
+                          "of depths from %.3g b on only, and [%s] %s = %g; a "
+                          "step of %.3g would do",
+                          dT, way, WAY_OF_DEPTH * way,
+                          *key == 'l' ? "fatigue" : "stress", key, depth,
+                          round_down(share * dT * every));
 }
 
 static ovr_status find_depths(const ovr_setup *setup, double every,
@@ -75,23 +91,25 @@ static ovr_status find_depths(const ovr_setup *setup, double every,
     double D = plan->options.mesh, possible = WAY_OF_DEPTH * plan->coarsest;
     double allowed = possible * (1 - 1e-6);
     plan->options.depth_min = s->depth_min;
+    if (s->depth_max < allowed)
+        return refuse(setup, "depth_max", s->depth_max, plan, every, err);
     if (s->depth_min > 0 && s->depth_min < allowed)
-        return refuse("depth_min", s->depth_min, plan->coarsest, every, err);
+        return refuse(setup, "depth_min", s->depth_min, plan, every, err);
     if (!(s->depth_min > 0))
         plan->options.depth_min = fmax(MESHES_OF_DEPTH * D, possible);
     plan->range.least_depth = s->life->least_depth;
     if (s->life->least_depth > 0 && s->life->least_depth < allowed)
-        return refuse("least_depth", s->life->least_depth, plan->coarsest,
-                      every, err);
+        return refuse(setup, "least_depth", s->life->least_depth, plan, every,
+                      err);
     if (!(s->life->least_depth > 0))
         plan->range.least_depth = fmax(fmax(MESHES_OF_LIFE * D, possible),
                                        plan->options.depth_min);
     return OVR_OK;
 }
 
-ovr_status ovr_stress_planned(const ovr_setup *setup, int surface, double inlet,
-                              double mesh, size_t nodes, double every,
-                              ovr_stress_plan *plan, ovr_error *err)
+static ovr_status make_plan(const ovr_setup *setup, int surface, double inlet,
+                            double mesh, size_t nodes, double every,
+                            ovr_stress_plan *plan, ovr_error *err)
 {
     const ovr_stress_setup *s = setup->stress;
     const ovr_contact *c = setup->contact;
@@ -119,6 +137,38 @@ ovr_status ovr_stress_planned(const ovr_setup *setup, int surface, double inlet,
     plan->direction = ovr_stress_direction(setup, plan);
     find_material(setup, plan);
     return find_depths(setup, every, plan, err);
+}
+
+/* An error names the line of its key. */
+ovr_status ovr_stress_planned(const ovr_setup *setup, int surface, double inlet,
+                              double mesh, size_t nodes, double every,
+                              ovr_stress_plan *plan, ovr_error *err)
+{
+    const ovr_resolved *r = (const ovr_resolved *)setup;
+    ovr_error why = {0};
+    if (!make_plan(setup, surface, inlet, mesh, nodes, every, plan, &why))
+        return OVR_OK;
+    return ovr_fail_in(err, r->c, ovr_block_of(r, "stress"),
+                       ovr_block_of(r, why.about && !strcmp(why.about, "step")
+                                           ? "time"
+                                           : "fatigue"),
+                       &why);
+}
+
+ovr_status ovr_setup_stress_depth(const ovr_setup *setup, double *least,
+                                  ovr_error *err)
+{
+    *least = NAN;
+    for (int k = 1; k <= 2; k++) {
+        ovr_stress_plan plan;
+        if (!(setup->stress->surfaces >> (k - 1) & 1))
+            continue;
+        if (ovr_stress_planned(setup, k, setup->options->inlet, setup->mesh,
+                               setup->nodes, 1, &plan, err))
+            return OVR_BAD_INPUT;
+        *least = plan.options.depth_min;
+    }
+    return OVR_OK;
 }
 
 double ovr_setup_stress_memory(const ovr_setup *setup)

@@ -129,6 +129,9 @@ contains us.gp 'x_from.* = \[10\.[],]'
 contains us.gp 'x_to.* = \[30\.[],]'
 refuses "unknown unit 'parsec'; allowed: s, ms, us" plot a.h5 --at 2parsec \
     -o x.png
+refuses '^overroll plot: --at 99: there are snapshots from 0 to' \
+    plot dent.h5 --at 99 -o none.png
+[ ! -e none.png ] || fail 'another instant was drawn'
 refuses 'no physical scales; bare it is in b/um' plot dent.h5 --at 0.2ms \
     -o x.png
 

@@ -203,6 +203,29 @@ if grep -qE '^.(stress|fatigue)' checked.ini; then
     fail 'check prints sections that are not there'
 fi
 
+# A step that spoils the depths is told with its own key and line, by check as
+# by run, with one that does.
+cat >depths.ini <<'END'
+[contact]
+M = 20
+L = 10
+slide_to_roll = -1.8
+[domain]
+level = 5
+[time]
+end = 4
+step = 0.4
+[stress]
+END
+for verb in check run; do
+    refuses '^depths.ini:9: step: 0.4 b.* from 3.04 b on .* 0.328 would do' \
+        $verb depths.ini
+    expect 0 "$OVERROLL" $verb depths.ini --set time.step=0.328 -q
+done
+# The step that is named is another than the one that is given.
+refuses 'step: 0.025 .* depth_min = 0.05; a step of 0.00657 would do' run \
+    depths.ini --set stress.depth_min=0.05 --set time.step=0.025
+
 # Dang Van's second pass has no meaning without time: said before the solve
 grep -v '^end' dent.ini >steady.ini
 refuses 'criterion = dang-van follows the material' run steady.ini \
