@@ -224,7 +224,8 @@ VERIFYSRC := $(wildcard tests/verify/*_test.c)
 VERIFYSH  := $(wildcard tests/verify/*.sh)
 SUPPORT   := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/support/*.c))
 TESTBIN   := $(TESTSRC:%.c=$(BUILD)/%)
-ALONE_TESTS :=
+# With a list of physics of its own.
+ALONE_TESTS := tests/unit/physics_test.c
 
 # A locale with a decimal comma, for the tests alone; empty where it cannot be
 # made, which skips them.
@@ -295,6 +296,8 @@ $(BUILD)/tests/fuzz/main.o: $(BUILD)/src/cli/main.o
 $(BUILD)/tests/fuzz/command_replay $(BUILD)/tests/fuzz/command_fuzz: $(COMMAND)
 $(BUILD)/tests/fuzz/command_replay $(BUILD)/tests/fuzz/command_fuzz: \
   OVR_LIBS := $(LIB) $(OVR_LIBS)
+$(BUILD)/tests/unit/physics_test: $(BUILD)/tests/unit/layer.o $(COMMAND)
+$(BUILD)/tests/unit/physics_test: OVR_LIBS := $(LIB) $(OVR_LIBS)
 
 # What libFuzzer finds stays in $(BUILD)-fuzz; the corpora in the tree are
 # only read.

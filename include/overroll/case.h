@@ -269,6 +269,16 @@ OVR_API ovr_status ovr_setup_prepare(ovr_setup *setup,
  * theirs. */
 OVR_API unsigned ovr_setup_physics(const ovr_setup *setup);
 
+/* Memory that its simulation takes, bytes; INFINITY: more than this process may
+ * address. */
+OVR_API double ovr_setup_memory(const ovr_setup *setup);
+
+/* What the physics of the case come to, a line for each number that its user
+ * wants to see. */
+typedef void ovr_setup_line(void *data, const char *name, const char *text);
+OVR_API void ovr_setup_tell(const ovr_setup *setup, ovr_setup_line *line,
+                            void *data);
+
 OVR_API ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
                                              const ovr_allocator *allocator,
                                              ovr_error *err);

@@ -187,10 +187,6 @@ OVR_API void ovr_simulation_radius(ovr_simulation *sim,
 OVR_API ovr_status ovr_simulation_heat(ovr_simulation *sim,
                                        const ovr_heat *heat, ovr_error *err);
 
-/* Bytes that it takes, beyond ovr_simulation_memory; INFINITY: refused. */
-OVR_API double ovr_simulation_heat_memory(const ovr_options *options,
-                                          const ovr_heat *heat);
-
 /* For a run of fourth order: the heights of what stands still (u_k = 0), fully
  * grown; NULL: the surfaces are smooth but for what moves.  The corrections
  * of a run are those of the steady contact with these alone; without this
@@ -244,6 +240,9 @@ OVR_API const ovr_state *ovr_simulation_state(const ovr_simulation *sim);
 
 /* Half the width, in b, of what the film's roughness is seen in. */
 #define OVR_ROUGH_WINDOW 0.75
+
+/* Numbers a step that have no names here, but a row in the list below. */
+enum { OVR_MORE = 8 };
 
 /* What is observed after a solve or step; definitions in the manual. */
 typedef struct ovr_observation {
@@ -309,6 +308,7 @@ typedef struct ovr_observation {
     /* patches about the spike; without them 0 and NAN */
     int refined_level;   /* of the finest */
     double spike_change; /* of the spike's height by the last level, relative */
+    double more[OVR_MORE]; /* of physics without members of their own */
 } ovr_observation;
 OVR_API const ovr_observation *
 ovr_simulation_observation(const ovr_simulation *sim);

@@ -6,6 +6,7 @@
 #include "base/sized.h"
 #include "case/condition.h"
 #include "case/keys/keys.h"
+#include "simulation/physics.h"
 
 static const ovr_section *const sections[] = {
     &ovr_contact_section, &ovr_lubricant_section, &ovr_heat_section,
@@ -17,36 +18,46 @@ static const ovr_section *const sections[] = {
     &ovr_fatigue_section, &ovr_body_section};
 enum { SECTIONS = sizeof sections / sizeof sections[0] };
 
+/* Behind them the sections of the physics that have one. */
 const ovr_section *ovr_section_row(size_t k)
 {
-    return k < SECTIONS ? sections[k] : NULL;
+    if (k < SECTIONS)
+        return sections[k];
+    k -= SECTIONS;
+    for (int p = 0; ovr_physics_list[p]; p++)
+        if (ovr_physics_list[p]->section && k-- == 0)
+            return ovr_physics_list[p]->section;
+    return NULL;
 }
 
 const ovr_section *ovr_section_find(const char *name)
 {
-    for (size_t k = 0; k < SECTIONS; k++)
-        if (!strcmp(sections[k]->name, name))
-            return sections[k];
-    return NULL;
+    const ovr_section *s;
+    for (size_t k = 0; (s = ovr_section_row(k)); k++)
+        if (!strcmp(s->name, name))
+            break;
+    return s;
 }
 
 size_t ovr_section_first(const ovr_section *section)
 {
+    const ovr_section *s;
     size_t n = 0;
-    for (size_t k = 0; k < SECTIONS && sections[k] != section; k++)
-        n += sections[k]->count;
+    for (size_t k = 0; (s = ovr_section_row(k)) && s != section; k++)
+        n += s->count;
     return n;
 }
 
 const ovr_parameter *ovr_parameter_row(size_t k, const ovr_section **section)
 {
-    for (size_t s = 0; s < SECTIONS; s++) {
-        if (k < sections[s]->count) {
+    const ovr_section *s;
+    for (size_t j = 0; (s = ovr_section_row(j)); j++) {
+        if (k < s->count) {
             if (section)
-                *section = sections[s];
-            return &sections[s]->rows[k];
+                *section = s;
+            return &s->rows[k];
         }
-        k -= sections[s]->count;
+        k -= s->count;
     }
     return NULL;
 }
@@ -88,17 +99,20 @@ size_t ovr_parameter_count(void)
 
 const char *ovr_section_name(size_t k)
 {
-    return k < SECTIONS ? sections[k]->name : NULL;
+    const ovr_section *section = ovr_section_row(k);
+    return section ? section->name : NULL;
 }
 
 bool ovr_section_named(size_t k)
 {
-    return k < SECTIONS && sections[k]->named;
+    const ovr_section *section = ovr_section_row(k);
+    return section && section->named;
 }
 
 const char *ovr_section_help(size_t k)
 {
-    return k < SECTIONS ? sections[k]->help : NULL;
+    const ovr_section *section = ovr_section_row(k);
+    return section ? section->help : NULL;
 }
 
 static const char *type_name(ovr_kind kind)

@@ -470,6 +470,8 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     if (!status)
         status = ovr_resolve_heat(r, err);
     if (!status)
+        status = ovr_resolve_physics(r, err);
+    if (!status)
         status = resolve_features(r, err);
     if (!status)
         status = resolve_output(r, err);

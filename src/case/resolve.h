@@ -5,6 +5,13 @@
 
 #include "case/case.h"
 #include "case/settings.h"
+#include "simulation/physics.h"
+
+/* A physics of the list in a case. */
+typedef struct ovr_resolved_physics {
+    void *form;
+    bool on;
+} ovr_resolved_physics;
 
 /* A setup with the memory behind it; the setup comes first. */
 typedef struct ovr_resolved {
@@ -19,6 +26,7 @@ typedef struct ovr_resolved {
     ovr_march march;
     ovr_flow_law *flow_law;
     ovr_supply_setup supply;
+    ovr_resolved_physics physics[OVR_MOST_PHYSICS]; /* as in the list */
     double inlet_kept; /* X_a, farther out, that a feature before the usual one
                           kept the domain from; 0: none did */
     ovr_arena arena;
@@ -47,6 +55,16 @@ ovr_status ovr_resolve_bodies(ovr_resolved *r, ovr_error *err);
 /* The oil of [lubricant], its tables read: the contact's viscosity and alpha
  * where it gives them. */
 ovr_status ovr_resolve_oil(ovr_resolved *r, ovr_error *err);
+
+/* The physics that have sections of their own; one whose keys stand
+ * elsewhere. */
+ovr_status ovr_resolve_physics(ovr_resolved *r, ovr_error *err);
+void ovr_resolved_turn_on(ovr_resolved *r, const ovr_physics *physics,
+                          void *form);
+
+/* Gives a simulation what the case has turned on. */
+ovr_status ovr_setup_add_physics(const ovr_setup *setup, ovr_simulation *sim,
+                                 ovr_error *err);
 
 /* [heat], and the options that go with it. */
 ovr_status ovr_resolve_heat(ovr_resolved *r, ovr_error *err);

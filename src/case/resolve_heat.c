@@ -51,5 +51,6 @@ ovr_status ovr_resolve_heat(ovr_resolved *r, ovr_error *err)
         return ovr_fail_in(err, r->c, ovr_block_of(r, "heat"),
                            ovr_block_of(r, "lubricant"), &why);
     r->setup.heat = &r->heat;
+    ovr_resolved_turn_on(r, &ovr_physics_heat, &r->heat);
     return OVR_OK;
 }

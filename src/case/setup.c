@@ -29,7 +29,7 @@ static ovr_status check_memory(const ovr_resolved *r, ovr_error *err)
     const ovr_slot *nodes = ovr_block_get(domain, "nodes");
     const ovr_slot *slot = nodes->given ? nodes
                                         : ovr_block_get(domain, "level");
-    double wanted = ovr_simulation_memory(r->setup.options);
+    double wanted = ovr_setup_memory(&r->setup);
     double here = SHARE * memory_here();
     ovr_options fits = *r->setup.options;
     if (wanted <= here)
@@ -231,13 +231,6 @@ static double lying(const ovr_setup *s)
     return both;
 }
 
-unsigned ovr_setup_physics(const ovr_setup *setup)
-{
-    return ovr_options_physics(setup->options) |
-           (setup->heat ? OVR_PHYSICS_HEAT : 0) |
-           (setup->features ? OVR_PHYSICS_FEATURES : 0);
-}
-
 void ovr_setup_feed(ovr_setup *setup, ovr_layer *layer[2], double waiting)
 {
     ovr_supply_setup *supply = &((ovr_resolved *)setup)->supply;
@@ -273,7 +266,7 @@ ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
                                 setup->options, allocator, err);
     if (!sim)
         return NULL;
-    if (setup->heat && ovr_simulation_heat(sim, setup->heat, err)) {
+    if (ovr_setup_add_physics(setup, sim, err)) {
         ovr_simulation_free(sim);
         return NULL;
     }

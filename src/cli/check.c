@@ -75,11 +75,9 @@ static estimate estimate_cost(const ovr_setup *setup, double live)
     estimate cost = {0};
     cost.nodes = (double)setup->nodes;
     cost.mesh = setup->mesh;
-    cost.bytes = live + ovr_simulation_memory(setup->options) +
+    cost.bytes = live + ovr_setup_memory(setup) +
                  ovr_setup_stress_memory(setup) +
                  ovr_setup_output_memory(setup);
-    if (setup->heat)
-        cost.bytes += ovr_simulation_heat_memory(setup->options, setup->heat);
     if (setup->transient)
         cost.steps = ceil(march->end / dT);
     cost.passes = setup->passes->number;
@@ -416,27 +414,10 @@ static void put_cost(const estimate *cost, const ovr_setup *setup, bool ends)
            cost->seconds, cost->bytes / 1e6);
 }
 
-static void put_heat(const ovr_setup *setup)
+static void put_line(void *data, const char *name, const char *text)
 {
-    const ovr_heat *heat = setup->heat;
-    if (!heat)
-        return;
-    printf("# %-28s Theta = %.5g K, Kf = %.5g; %d points across\n", "heat",
-           heat->theta, heat->conduction, heat->points);
-    printf("# %-28s Peclet %.4g and %.4g\n", "surfaces", heat->peclet[0],
-           heat->peclet[1]);
-    printf("# %-28s S0 = %.4g, beta = %.4g 1/K at p = 0\n",
-           "viscosity and temperature", heat->S0, heat->beta);
-}
-
-/* The limits of the model, where its user meets them. */
-static void put_oil(const ovr_setup *setup)
-{
-    if (setup->options->cavitation != OVR_CAVITATION_CONSERVING)
-        return;
-    printf("# %-28s in cavities it moves at the mean speed; an infinitely long "
-           "contact passes all that arrives\n",
-           "oil conserved");
+    (void)data;
+    printf("# %-28s %s\n", name, text);
 }
 
 /* Depths, memory, and the limits in MPa. */
@@ -562,8 +543,7 @@ static void report(const cli_call *call, const ovr_case *c,
     put_features(setup);
     put_rough_film(setup, film);
     put_cost(&cost, setup, !setup->march->until_steady);
-    put_heat(setup);
-    put_oil(setup);
+    ovr_setup_tell(setup, put_line, NULL);
     put_stress(setup);
     put_parameters(c, setup);
 }

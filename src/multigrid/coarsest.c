@@ -64,9 +64,8 @@ void ovr_newton_fill(ovr_hierarchy *grids)
         const ovr_level *level = &grids->level[grids->coarsest + k];
         for (size_t d = 0; d < distances(level); d++) {
             double at = (double)d - (double)(level->grid.n + 2);
-            grids->newton.kernel[k][d] =
-                grids->linear ? ovr_deformation_linear(at, level->grid.D)
-                              : ovr_deformation_kernel(at, level->grid.D);
+            grids->newton.kernel[k][d] = ovr_influence_at(&grids->influence, at,
+                                                          level->grid.D);
         }
     }
 }

@@ -57,7 +57,7 @@ static void correct(ovr_hierarchy *grids, const ovr_correction *c, bool mask)
         .mask = c->mask,
         .F = c->F,
         .gap = c->gap,
-        .linear = grids->linear};
+        .linear = grids->influence.linear};
     if (mask)
         run->fourth_mask(&level->lanes, level->f.P, c->mask);
     run->fourth_order(&level->lanes, &how, &level->f, level->f.w);

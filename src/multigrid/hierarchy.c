@@ -100,7 +100,7 @@ ovr_status ovr_level_build(const ovr_hierarchy *grids, ovr_level *level,
 {
     if (ovr_mlmi_plan(&level->mlmi, level->grid.n, order, range, arena, err))
         return OVR_NO_MEMORY;
-    level->mlmi.linear = grids->linear;
+    level->mlmi.linear = grids->influence.linear;
     set_lanes(level, grids->kernels);
     return take_fields(grids, level, arena, err);
 }
@@ -158,8 +158,7 @@ void ovr_level_fill(const ovr_hierarchy *grids, ovr_level *level,
     ovr_grid_fill(&level->grid);
     ovr_mlmi_fill(&level->mlmi, level->grid.D, like ? &like->mlmi : NULL);
     for (int d = 0; d < 6; d++)
-        level->k[d] = grids->linear ? ovr_deformation_linear(d, level->grid.D)
-                                    : ovr_deformation_kernel(d, level->grid.D);
+        level->k[d] = ovr_influence_at(&grids->influence, d, level->grid.D);
 }
 
 void ovr_hierarchy_fill(ovr_hierarchy *grids)
@@ -201,7 +200,8 @@ void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level)
 
 void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level)
 {
-    grids->kernels->deformation(&level->mlmi, level->f.P, level->f.w);
+    ovr_influence_deform(&grids->influence, grids->kernels, &level->lanes,
+                         &level->mlmi, level->f.P, level->f.w);
     ovr_level_properties(grids, level);
 }
 

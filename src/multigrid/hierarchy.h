@@ -18,6 +18,7 @@
 
 #include "multigrid/deformation.h"
 #include "multigrid/grid.h"
+#include "multigrid/influence.h"
 #include "multigrid/kernels.h"
 #include "multigrid/reynolds.h"
 
@@ -58,7 +59,7 @@ typedef struct ovr_hierarchy {
     /* oil is conserved (content.h): wanted when it was built, at the moment;
      * what arrives is given, and inlets may be closed */
     bool content, conserving, supplied;
-    bool linear; /* pressure between nodes (deformation.h), else constant */
+    ovr_influence influence;
 
     ovr_band band;      /* work arrays of the finest size */
     double *scratch[2]; /* two of them, for as long as a function */

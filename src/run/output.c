@@ -232,7 +232,7 @@ ovr_storage ovr_setup_storage(const ovr_setup *setup)
         if (w.every_time > 0)
             s.snapshots += floor(w.end / w.every_time);
         s.snapshots = fmin(s.snapshots, steps + 1);
-        s.bytes = (steps + 1) * (double)sizeof(ovr_observation);
+        s.bytes = (steps + 1) * 8 * (double)ovr_layout_columns(w.physics, NULL);
     }
     s.bytes += s.snapshots * stored_nodes(setup) * (w.single ? 4 : 8) *
                (double)ovr_layout_fields(w.fields, NULL);

@@ -13,6 +13,7 @@
 #include "run/internal.h"
 #include "run/review_supply.h"
 #include "simulation/internal.h"
+#include "simulation/physics.h"
 
 typedef struct review {
     const ovr_case *c;
@@ -466,6 +467,11 @@ static void warn_of_patches(const review *r, const ovr_observation *o)
             o->spike_change, o->refined_level);
 }
 
+static void say_of_physics(void *data, bool warning, const char *text)
+{
+    say(data, warning ? OVR_SAY_WARNING : OVR_SAY_NOTE, "%s", text);
+}
+
 void ovr_run_review_after(ovr_run *run)
 {
     review r = {run->c, run->setup, ovr_run_message, run};
@@ -487,6 +493,7 @@ void ovr_run_review_after(ovr_run *run)
     warn_of_extremes(&r, ovr_simulation_statistics(sim));
     warn_of_unrest(&r, state->T, ovr_simulation_statistics(sim)->settled);
     ovr_run_review_heat(run);
+    ovr_physics_review(sim, say_of_physics, &r);
     run->info.lambda_ratio = lambda_ratio(run, H_cen);
     if (state->n && H_cen > 0)
         ovr_run_shear(run);

@@ -37,7 +37,8 @@ void ovr_inflow_fill(ovr_simulation *sim)
     if (sim->options.scheme != OVR_CHARACTERISTIC)
         return;
     for (size_t d = 0; d <= n + OVR_GHOSTS; d++)
-        inflow->kernel[d] = ovr_deformation_kernel((double)d, ovr_mesh(sim));
+        inflow->kernel[d] = ovr_influence_at(&sim->grids.influence, (double)d,
+                                             ovr_mesh(sim));
 }
 
 bool ovr_inflow_reaches(const ovr_simulation *sim, double travel)

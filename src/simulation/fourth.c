@@ -52,8 +52,9 @@ static void withdraw(ovr_simulation *sim, const fourth *f)
     memset(f->gap, 0, bytes);
 }
 
-/* Whether one correction holds for the whole run; another physics may have
- * taken fourth order back. */
+/* Whether one correction holds for the whole run, and for all that deforms: it
+ * is that of the half-spaces.  Another physics may have taken fourth order
+ * back. */
 static bool applies(const ovr_simulation *sim)
 {
     bool varies = ovr_history_varies(sim->load) ||
@@ -62,7 +63,8 @@ static bool applies(const ovr_simulation *sim)
                   ovr_history_varies(sim->radius_1) ||
                   (sim->lubricant.rheology != OVR_NEWTONIAN &&
                    ovr_history_varies(sim->sliding));
-    return sim->options.order == 4 && !varies;
+    return sim->options.order == 4 && !varies &&
+           !(sim->grids.influence.compliance != 0);
 }
 
 static void standing_heights(const ovr_simulation *sim, double *S)

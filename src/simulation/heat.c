@@ -8,6 +8,7 @@
 #include "simulation/steady.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "multigrid/field.h"
@@ -375,6 +376,23 @@ const double *ovr_heat_flux(const ovr_simulation *sim, int surface,
 
 /* ----------------------------------------------------------------- physics */
 
+static void tell(const ovr_physics_case *of, const void *form,
+                 ovr_physics_line *line, void *data)
+{
+    const ovr_heat *heat = form;
+    char text[120];
+    (void)of;
+    snprintf(text, sizeof text, "Theta = %.5g K, Kf = %.5g; %d points across",
+             heat->theta, heat->conduction, heat->points);
+    line(data, "heat", text);
+    snprintf(text, sizeof text, "Peclet %.4g and %.4g", heat->peclet[0],
+             heat->peclet[1]);
+    line(data, "surfaces", text);
+    snprintf(text, sizeof text, "S0 = %.4g, beta = %.4g 1/K at p = 0", heat->S0,
+             heat->beta);
+    line(data, "viscosity and temperature", text);
+}
+
 static void forget(ovr_simulation *sim, void *own)
 {
     (void)own;
@@ -465,6 +483,7 @@ static void restored(ovr_simulation *sim, void *own)
 
 const ovr_physics ovr_physics_heat = {.name = "heat",
                                       .bit = OVR_PHYSICS_HEAT,
+                                      .tell = tell,
                                       .take = take_heat,
                                       .forget = forget,
                                       .couple = couple,

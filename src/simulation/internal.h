@@ -122,6 +122,9 @@ struct ovr_simulation {
     ovr_statistics statistics;
 };
 
+/* A set-up that only counts what it takes; NULL: options that are refused. */
+ovr_simulation *ovr_simulation_counted(const ovr_options *options);
+
 /* Fills the automatic options from the contact; OVR_BAD_INPUT names what is
  * out of range.  The domain alone is filled in by the second. */
 ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *options,
@@ -135,6 +138,9 @@ void ovr_options_mlmi(const ovr_options *options, int level, int *order,
 /* Mesh of the finest grid of the whole domain: what steps in time, guesses and
  * tolerances go by. */
 double ovr_mesh(const ovr_simulation *sim);
+
+/* Writes the numbers that follow from grids and elastic influence. */
+void ovr_simulation_fill(ovr_simulation *sim);
 
 /* The solution is that of the nodes of the whole domain's finest grid. */
 void ovr_whole_domain(ovr_simulation *sim);

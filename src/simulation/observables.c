@@ -6,6 +6,7 @@
 #include "simulation/heat.h"
 #include "simulation/internal.h"
 #include "simulation/observables.h"
+#include "simulation/physics.h"
 
 /* ----------------------------------------------------------------- fields */
 
@@ -268,9 +269,19 @@ static const ovr_observable table[] = {
            "that are not those of the film"),
     OVR_FIELD_ROWS(FIELD)};
 
+/* Behind them the numbers that physics bring with them. */
 const ovr_observable *ovr_observable_at(size_t k)
 {
-    return k < sizeof table / sizeof *table ? &table[k] : NULL;
+    const size_t rows = sizeof table / sizeof *table;
+    if (k < rows)
+        return &table[k];
+    k -= rows;
+    for (int p = 0; ovr_physics_list[p]; p++) {
+        if (k < ovr_physics_list[p]->quantities)
+            return &ovr_physics_list[p]->quantity[k];
+        k -= ovr_physics_list[p]->quantities;
+    }
+    return NULL;
 }
 
 const ovr_observable *ovr_observable_field(const char *name)
@@ -284,9 +295,13 @@ const ovr_observable *ovr_observable_field(const char *name)
 
 unsigned ovr_options_physics(const ovr_options *options)
 {
-    bool content = options->cavitation == OVR_CAVITATION_CONSERVING;
-    return (content ? OVR_PHYSICS_CONTENT : 0) |
-           (options->refine != OVR_REFINE_NONE ? OVR_PHYSICS_REFINED : 0);
+    unsigned bits = 0;
+    for (int k = 0; ovr_physics_list[k]; k++) {
+        const ovr_physics *p = ovr_physics_list[k];
+        if (p->chosen && p->chosen(options))
+            bits |= p->bit;
+    }
+    return bits;
 }
 
 double ovr_observable_value(const ovr_observable *which,

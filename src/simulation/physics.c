@@ -44,6 +44,8 @@ static ovr_status add(ovr_simulation *sim, const ovr_physics *physics,
         return ovr_fail(err, OVR_BAD_INPUT, "%d physics are the most",
                         OVR_MOST_PHYSICS);
     *at = (ovr_present){physics, own};
+    if (physics->influence)
+        physics->influence(sim, own, &sim->grids.influence);
     return OVR_OK;
 }
 
@@ -69,7 +71,10 @@ ovr_status ovr_physics_choose(ovr_simulation *sim, ovr_error *err)
 ovr_status ovr_physics_add(ovr_simulation *sim, const ovr_physics *physics,
                            const void *form, ovr_error *err)
 {
-    return add(sim, physics, form, err);
+    ovr_status status = add(sim, physics, form, err);
+    if (!status && physics->influence && !sim->arena.blank)
+        ovr_simulation_fill(sim);
+    return status;
 }
 
 ovr_status ovr_physics_check(const ovr_simulation *sim, ovr_error *err)
@@ -78,4 +83,11 @@ ovr_status ovr_physics_check(const ovr_simulation *sim, ovr_error *err)
         if (p->is->check(sim, p->own, err))
             return OVR_BAD_INPUT;
     return OVR_OK;
+}
+
+void ovr_physics_review(const ovr_simulation *sim, ovr_physics_say *say,
+                        void *data)
+{
+    OVR_EACH_PHYSICS(sim, p, review)
+        p->is->review(sim, p->own, say, data);
 }

@@ -9,7 +9,7 @@
  * on, in the order of the list, and calls no function of the others.  `own` is
  * what the physics has made for itself in this simulation.
  *
- *     a case      row, form, resolve: its keys, and what they mean
+ *     a case      section, form, resolve, tell
  *     creation    chosen, prepare, take, influence
  *     steady      forget, solve, complete, couple, proceed, finish, begin
  *     a step      check, before_step, operate, history, sides, step, attempt,
@@ -50,12 +50,9 @@ struct ovr_physics {
 
     /* ------------------------------------------------------------- the case */
 
-    /* Sections, and rows that point into the form; those of one section lie
-     * together.  The form, of so many bytes, begins as zeros. */
+    /* A section whose rows fill the form, of so many bytes, which begins as
+     * zeros; NULL: its keys stand elsewhere, or it has none. */
     const ovr_section *section;
-    size_t sections;
-    const ovr_parameter *row;
-    size_t rows;
     size_t form;
 
     /* What the form means, in the units of the contact; whether it is on.  An
@@ -80,6 +77,10 @@ struct ovr_physics {
      * options have chosen. */
     ovr_status (*take)(ovr_simulation *sim, const void *form, void **own,
                        ovr_error *err);
+
+    /* Adds to the elastic influence of a pressure. */
+    void (*influence)(const ovr_simulation *sim, const void *own,
+                      ovr_influence *influence);
 
     /* --------------------------------------------------------------- steady */
 
@@ -233,6 +234,9 @@ struct ovr_physics {
  * a program may be linked with a list of its own. */
 extern const ovr_physics *const ovr_physics_list[];
 
+/* One whose keys stand elsewhere in the case; its form is an ovr_heat. */
+extern const ovr_physics ovr_physics_heat;
+
 /* Those of a simulation that have the function. */
 #define OVR_EACH_PHYSICS(sim, p, function)                                     \
     for (const ovr_present *p = (sim)->physics; p->is; p++)                    \
@@ -252,6 +256,10 @@ void ovr_physics_prepare(ovr_simulation *sim);
 ovr_status ovr_physics_choose(ovr_simulation *sim, ovr_error *err);
 ovr_status ovr_physics_add(ovr_simulation *sim, const ovr_physics *physics,
                            const void *form, ovr_error *err);
+
+/* What all of them say after a solve or run. */
+void ovr_physics_review(const ovr_simulation *sim, ovr_physics_say *say,
+                        void *data);
 
 /* Whether a step, or the steady start, may be made at all. */
 ovr_status ovr_physics_check(const ovr_simulation *sim, ovr_error *err);

@@ -32,7 +32,7 @@ static bool chosen(const ovr_options *o)
 /* Patches want a pressure that is linear between the nodes. */
 static void prepare(ovr_hierarchy *grids)
 {
-    grids->linear = true;
+    grids->influence.linear = true;
 }
 
 static ovr_status take(ovr_simulation *sim, const void *form, void **own,

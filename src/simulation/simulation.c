@@ -54,7 +54,7 @@ void ovr_whole_domain(ovr_simulation *sim)
 }
 
 /* The grid is known before anything is solved. */
-static void fill_arrays(ovr_simulation *sim)
+void ovr_simulation_fill(ovr_simulation *sim)
 {
     ovr_hierarchy_fill(&sim->grids);
     ovr_whole_domain(sim);
@@ -187,12 +187,11 @@ ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
     if (!sim)
         return NULL;
     sim->order_left = order_left;
-    fill_arrays(sim);
+    ovr_simulation_fill(sim);
     return sim;
 }
 
-/* A set-up that only counts what it takes. */
-static ovr_simulation *counted(const ovr_options *options)
+ovr_simulation *ovr_simulation_counted(const ovr_options *options)
 {
     const ovr_contact contact = {.size = sizeof contact,
                                  .M = 20, /* of what is automatic */
@@ -214,22 +213,8 @@ static ovr_simulation *counted(const ovr_options *options)
 
 double ovr_simulation_memory(const ovr_options *options)
 {
-    ovr_simulation *sim = counted(options);
+    ovr_simulation *sim = ovr_simulation_counted(options);
     double bytes = sim ? (double)sim->arena.bytes : INFINITY;
-    ovr_simulation_free(sim);
-    return bytes;
-}
-
-double ovr_simulation_heat_memory(const ovr_options *options,
-                                  const ovr_heat *heat)
-{
-    ovr_simulation *sim = counted(options);
-    double bytes = INFINITY;
-    if (sim) {
-        size_t before = sim->arena.bytes;
-        if (!ovr_simulation_heat(sim, heat, NULL))
-            bytes = (double)(sim->arena.bytes - before);
-    }
     ovr_simulation_free(sim);
     return bytes;
 }

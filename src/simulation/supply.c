@@ -312,6 +312,16 @@ static bool chosen(const ovr_options *o)
     return o->cavitation == OVR_CAVITATION_CONSERVING;
 }
 
+/* The limits of the model, where its user meets them. */
+static void tell(const ovr_physics_case *of, const void *form,
+                 ovr_physics_line *line, void *data)
+{
+    (void)of, (void)form;
+    line(data, "oil conserved",
+         "in cavities it moves at the mean speed; an infinitely long contact "
+         "passes all that arrives");
+}
+
 static void prepare(ovr_hierarchy *grids)
 {
     grids->content = true;
@@ -330,6 +340,7 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
 
 const ovr_physics ovr_physics_conserving = {.name = "oil conserved",
                                             .bit = OVR_PHYSICS_CONTENT,
+                                            .tell = tell,
                                             .chosen = chosen,
                                             .prepare = prepare,
                                             .take = take,

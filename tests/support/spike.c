@@ -39,7 +39,7 @@ static ovr_observation uniform(double M, double L, int level)
     o.level = level;
     ovr_simulation *sim = test_simulation(M, L, &o);
     ovr_hierarchy *grids = &sim->grids;
-    grids->linear = true;
+    grids->influence.linear = true;
     for (int l = grids->coarsest; l <= grids->finest; l++)
         grids->level[l].mlmi.linear = true;
     ovr_hierarchy_fill(grids);

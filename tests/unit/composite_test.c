@@ -18,7 +18,7 @@ typedef struct solved {
 
 static void go_linear(ovr_simulation *sim)
 {
-    sim->grids.linear = true;
+    sim->grids.influence.linear = true;
     for (int l = sim->grids.coarsest; l <= sim->grids.finest; l++)
         sim->grids.level[l].mlmi.linear = true;
     ovr_hierarchy_fill(&sim->grids);

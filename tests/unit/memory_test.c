@@ -134,7 +134,11 @@ static void heat_is_announced(void **state)
         const ovr_options *options = ovr_simulation_options(sim);
         double before = faults.bytes;
         CHECK_OK(ovr_simulation_heat(sim, &hot.heat, &err), &err);
-        double announced = ovr_simulation_heat_memory(options, &hot.heat);
+        ovr_simulation *counted = ovr_simulation_counted(options);
+        double announced = -(double)counted->arena.bytes;
+        CHECK_OK(ovr_simulation_heat(counted, &hot.heat, &err), &err);
+        announced += (double)counted->arena.bytes;
+        ovr_simulation_free(counted);
         print_message("%d points: %.0f bytes a node\n", points,
                       announced / (double)ovr_simulation_state(sim)->n);
         assert_true(announced == faults.bytes - before);

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "multigrid/influence.h"
+
+double ovr_influence_at(const ovr_influence *influence, double d, double D)
+{
+    double K = influence->linear ? ovr_deformation_linear(d, D)
+                                 : ovr_deformation_kernel(d, D);
+    return d == 0 ? K - influence->compliance : K;
+}
+
+/* Vectors and their halo, as one array. */
+static void give_way(const ovr_influence *influence, const ovr_kernels *run,
+                     const ovr_lanes *lanes, const double *P, double *w)
+{
+    size_t halo = OVR_HALO * lanes->V, n = lanes->S * lanes->V + 2 * halo;
+    run->combine(n, 1, w - halo, -influence->compliance, P - halo, w - halo);
+}
+
+void ovr_influence_deform(const ovr_influence *influence,
+                          const ovr_kernels *run, const ovr_lanes *lanes,
+                          const ovr_mlmi *mlmi, double *P, double *w)
+{
+    run->deformation(mlmi, P, w);
+    if (influence->compliance != 0)
+        give_way(influence, run, lanes, P, w);
+}

@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A physics that is nowhere but here, to show that a record is all that one
+ * needs: a soft, thin layer on body 1 on a stiff foundation (Winkler), that
+ * wears in under its load.
+ *
+ *     w_i = ... - c P_i        it gives way by its compliance c where pressed
+ *     t_i = ... + f P_i        and drags by its hysteresis f
+ *     ds/dT = k P,  S = ... - s   it is worn where it is pressed
+ *
+ * Its keys stand in [layer], without which it is off.  What it observes is the
+ * largest s; s at the nodes is all of it that makes up the state.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/rows.h"
+#include "simulation/physics.h"
+
+typedef struct layer_form {
+    double compliance, hysteresis, wear;
+} layer_form;
+
+typedef struct layer {
+    layer_form given;
+    double *worn;   /* s of the gap as it is */
+    double *before; /* of the last time reached */
+} layer;
+
+/* --------------------------------------------------------------- the case */
+
+static const ovr_parameter keys[] = {
+    {"compliance", PLAIN(0, 100), "0", offsetof(layer_form, compliance), true,
+     ALWAYS, "by how much of b^2/R it is pressed in by ph; 0: no layer"},
+    {"hysteresis", PLAIN(0, 1), "0", offsetof(layer_form, hysteresis), true,
+     ALWAYS, "its drag over the pressure"},
+    {"wear", PLAIN(0, 1), "0", offsetof(layer_form, wear), true, ALWAYS,
+     "depth that ph wears in b/um"},
+};
+
+static const ovr_section section = {"layer", false, "a soft layer on body 1",
+                                    ROWS(keys)};
+
+static ovr_status resolve(const ovr_physics_case *of, void *form, bool *on,
+                          ovr_error *err)
+{
+    const layer_form *given = form;
+    *on = given->compliance > 0;
+    if (*on && of->options->order == 4)
+        return ovr_fail_about(err, "compliance",
+                              "a layer is of second order: order = 2 does");
+    if (*on)
+        of->options->order = 2;
+    return OVR_OK;
+}
+
+static void tell(const ovr_physics_case *of, const void *form,
+                 ovr_physics_line *line, void *data)
+{
+    const layer_form *given = form;
+    char text[80];
+    (void)of;
+    snprintf(text, sizeof text, "%g b^2/R at ph", given->compliance);
+    line(data, "layer on body 1", text);
+}
+
+/* ----------------------------------------------------------- its simulation */
+
+static ovr_status take(ovr_simulation *sim, const void *form, void **own,
+                       ovr_error *err)
+{
+    layer *l = ovr_arena_take(&sim->arena, 1, sizeof *l, err);
+    size_t n = sim->finest->grid.n;
+    if (!l)
+        return OVR_NO_MEMORY;
+    *own = l;
+    l->given = *(const layer_form *)form;
+    l->worn = ovr_arena_take(&sim->arena, n, sizeof *l->worn, err);
+    l->before = ovr_arena_take(&sim->arena, n, sizeof *l->before, err);
+    return l->worn && l->before ? OVR_OK : OVR_NO_MEMORY;
+}
+
+static void influence(const ovr_simulation *sim, const void *own,
+                      ovr_influence *of)
+{
+    (void)sim;
+    of->compliance += ((const layer *)own)->given.compliance;
+}
+
+/* Linear between the nodes, nothing beyond them. */
+static void heights(const ovr_simulation *sim, const void *own, double T,
+                    size_t n, const double *X, double *S)
+{
+    const double *worn = ((const layer *)own)->worn;
+    const ovr_solution *now = &sim->now;
+    (void)T;
+    for (size_t i = 0; i < n; i++) {
+        size_t after = ovr_node_after(now, X[i]);
+        double part = (X[i] - now->X[after - 1]) / ovr_spacing(now, after);
+        if (part >= 0 && part <= 1)
+            S[i] -= worn[after - 1] + part * (worn[after] - worn[after - 1]);
+    }
+}
+
+static void friction(const ovr_simulation *sim, const void *own, double *t)
+{
+    const double *P = sim->now.P;
+    double hysteresis = ((const layer *)own)->given.hysteresis;
+    for (size_t i = 0; i + 1 < sim->now.n; i++)
+        t[i] += hysteresis * (P[i] + P[i + 1]) / 2;
+}
+
+static void forget(ovr_simulation *sim, void *own)
+{
+    layer *l = own;
+    memset(l->worn, 0, sim->now.n * sizeof *l->worn);
+    memset(l->before, 0, sim->now.n * sizeof *l->before);
+}
+
+/* By the pressure of the last time reached: what is worn at T is known before
+ * the step to it. */
+static void before_step(ovr_simulation *sim, void *own, double T)
+{
+    layer *l = own;
+    double wear = l->given.wear * (T - sim->past.T[0]);
+    for (size_t i = 0; i < sim->now.n; i++)
+        l->worn[i] = l->before[i] + wear * sim->past.P[0][i];
+}
+
+static void taken(ovr_simulation *sim, void *own, double dT)
+{
+    layer *l = own;
+    (void)dT;
+    memcpy(l->before, l->worn, sim->now.n * sizeof *l->worn);
+}
+
+static void before_back(ovr_simulation *sim, void *own)
+{
+    layer *l = own;
+    memcpy(l->worn, l->before, sim->now.n * sizeof *l->worn);
+}
+
+static double deepest(const ovr_simulation *sim, const layer *l)
+{
+    double most = 0;
+    for (size_t i = 0; i < sim->now.n; i++)
+        most = fmax(most, l->worn[i]);
+    return most;
+}
+
+/* ----------------------------------------------------------------- observed */
+
+static const ovr_observable quantities[] = {
+    {sizeof(ovr_observable), "worn_depth", "worn_depth", "worn_depth_m",
+     "largest depth that is worn of the layer", OVR_KIND_HEIGHT, OVR_AT_STEPS,
+     offsetof(ovr_observation, more), NULL, 1u << 20}};
+
+static void unknown(ovr_observation *o)
+{
+    o->more[0] = NAN;
+}
+
+static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
+{
+    o->more[0] = deepest(sim, own);
+}
+
+static void review(const ovr_simulation *sim, const void *own,
+                   ovr_physics_say *say, void *data)
+{
+    double worn = deepest(sim, own);
+    char text[100];
+    if (!(worn > 0))
+        return;
+    snprintf(text, sizeof text, "the layer is worn by %.3g at T = %.3g", worn,
+             sim->state.T);
+    say(data, true, text);
+}
+
+static ovr_status visit(ovr_simulation *sim, void *own, ovr_visit *show,
+                        void *context, ovr_error *err)
+{
+    const layer *l = own;
+    return show(context, "worn", l->before, sim->now.n * sizeof *l->before,
+                err);
+}
+
+const ovr_physics test_layer = {.name = "a layer on body 1",
+                                .bit = 1u << 20,
+                                .section = &section,
+                                .form = sizeof(layer_form),
+                                .resolve = resolve,
+                                .tell = tell,
+                                .take = take,
+                                .influence = influence,
+                                .forget = forget,
+                                .before_step = before_step,
+                                .taken = taken,
+                                .before_back = before_back,
+                                .heights = heights,
+                                .friction = friction,
+                                .unknown = unknown,
+                                .observe = observe,
+                                .quantity = quantities,
+                                .quantities = 1,
+                                .review = review,
+                                .visit = visit};

@@ -1,0 +1,334 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A physics is a file and a row: this program is the library and its command
+ * line, with a list of physics of its own in which a soft layer stands too
+ * (layer.c).  Nothing else knows of the layer, and yet it has keys that are
+ * read, refused and explained, is solved, marches, is observed and summed up,
+ * is counted by `check`, and goes on, to the bit, where it was killed.
+ */
+#include "support/test.h"
+
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "overroll/case.h"
+#include "overroll/overroll.h"
+#include "simulation/physics.h"
+
+extern const ovr_physics test_layer, ovr_physics_reversal, ovr_physics_fourth,
+    ovr_physics_conserving, ovr_physics_patches;
+
+const ovr_physics *const ovr_physics_list[] = {&ovr_physics_reversal,
+                                               &ovr_physics_fourth,
+                                               &ovr_physics_conserving,
+                                               &ovr_physics_heat,
+                                               &ovr_physics_patches,
+                                               &test_layer,
+                                               NULL};
+
+/* main of the program under another name (Makefile). */
+int overroll_main(int argc, char **argv);
+
+static const char contact[] = "[contact]\nM = 20\nL = 10\n"
+                              "[domain]\nlevel = 6\norder = 2\n";
+static const char soft[] = "[layer]\ncompliance = 0.5\n";
+
+/* ------------------------------------------------------------- the program */
+
+enum { WORDS = 16 };
+
+/* A process of its own: "overroll" and these words, what it prints in the file
+ * `said` of the folder. */
+static pid_t begin(const char *folder, const char *const words[])
+{
+    char *argv[WORDS] = {(char *)"overroll"};
+    int count = 1;
+    for (; words[count - 1]; count++)
+        argv[count] = (char *)words[count - 1];
+    fflush(NULL);
+    pid_t child = fork();
+    if (child == 0) {
+        if (chdir(folder) || !freopen("said", "w", stdout) ||
+            dup2(STDOUT_FILENO, STDERR_FILENO) < 0)
+            _exit(99);
+        exit(overroll_main(count, argv));
+    }
+    assert_true(child > 0);
+    return child;
+}
+
+static int end_of(pid_t child)
+{
+    int status;
+    assert_int_equal(waitpid(child, &status, 0), child);
+    return status;
+}
+
+#define RUN(folder, ...) run(folder, (const char *const[]){__VA_ARGS__, NULL})
+static char *run(const char *folder, const char *const words[])
+{
+    int status = end_of(begin(folder, words));
+    char *said = test_read(test_path(folder, "said"), NULL);
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+        print_message("%s\n", said);
+    assert_true(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    return said;
+}
+
+/* The number of a key of JSON. */
+static double number(const char *json, const char *key)
+{
+    char quoted[60];
+    snprintf(quoted, sizeof quoted, "\"%s\": ", key);
+    const char *at = strstr(json, quoted);
+    if (!at)
+        print_message("no %s in:\n%s\n", key, json);
+    assert_non_null(at);
+    return strtod(at + strlen(quoted), NULL);
+}
+
+static void write_case(const char *folder, const char *name, const char *more)
+{
+    char text[1000];
+    snprintf(text, sizeof text, "%s%s", contact, more);
+    test_write_text(test_path(folder, name), text);
+}
+
+/* -------------------------------------------------------------- its equations
+ */
+
+typedef struct solution {
+    ovr_case *c;
+    ovr_setup *setup;
+    ovr_simulation *sim;
+    const ovr_state *state;
+    const ovr_observation *seen;
+} solution;
+
+static solution solve(const char *more)
+{
+    char text[1000];
+    ovr_error err = {0};
+    solution s;
+    snprintf(text, sizeof text, "%s%s", contact, more);
+    s.c = ovr_case_read_text(text, "case", NULL, NULL, &err);
+    assert_non_null(s.c);
+    s.setup = ovr_case_resolve(s.c, NULL, &err);
+    assert_non_null(s.setup);
+    s.sim = ovr_setup_simulation(s.setup, NULL, &err);
+    assert_non_null(s.sim);
+    CHECK_OK(ovr_simulation_steady(s.sim, &err), &err);
+    s.state = ovr_simulation_state(s.sim);
+    s.seen = ovr_simulation_observation(s.sim);
+    return s;
+}
+
+static void release(const solution *s)
+{
+    ovr_simulation_free(s->sim);
+    ovr_setup_free(s->setup);
+    ovr_case_free(s->c);
+}
+
+/* Half-width of the dry contact if its pressure stays a semi-ellipse, 1/a high,
+ * and flattens the gap at X = 0: 1/a^2 + c/a^3 = 1. */
+static double wider(double c)
+{
+    double a = 1;
+    for (int k = 0; k < 50; k++)
+        a = cbrt(a + c);
+    return a;
+}
+
+/* The film is that of half-spaces, summed directly, and c P; the pressure
+ * carries the load, and is lower by what the contact is wider, as far as it is
+ * a semi-ellipse: with the layer it is a little towards a parabola. */
+static void layer_gives_way_where_it_is_pressed(void **state)
+{
+    solution hard = solve(""), s = solve(soft);
+    size_t n = s.state->n;
+    double *w = malloc(n * sizeof *w);
+    (void)state;
+    ovr_deformation_direct(n, s.state->D, s.state->P, w);
+    for (size_t i = 0; i < n; i++) {
+        double X = s.state->X[i], P = s.state->P[i];
+        CHECK_NEAR(s.state->H[i], s.state->H0 + X * X / 2 - w[i] + 0.5 * P,
+                   1e-7);
+    }
+    CHECK_NEAR(s.seen->load_error, 0, 1e-7);
+    CHECK_CLOSE(s.seen->P_cen / hard.seen->P_cen, 1 / wider(0.5), 0.06);
+    free(w);
+    release(&hard);
+    release(&s);
+}
+
+/* Smoothers, coarse grids and Newton know its influence: about as many cycles
+ * as without it. */
+static void cycles_stay_as_many(void **state)
+{
+    solution hard = solve(""), s = solve(soft);
+    (void)state;
+    print_message("%d cycles, without the layer %d\n", s.seen->cycles,
+                  hard.seen->cycles);
+    assert_true(s.seen->cycles <= hard.seen->cycles + 2);
+    assert_string_equal(ovr_simulation_strategy(s.sim), "");
+    release(&hard);
+    release(&s);
+}
+
+/* Without slip its drag is all of the sliding force: f times the load. */
+static void drag_adds_to_friction(void **state)
+{
+    solution s = solve("[layer]\ncompliance = 0.1\nhysteresis = 0.01\n");
+    (void)state;
+    CHECK_CLOSE(s.seen->F_slide, 0.01 * s.seen->load, 1e-6);
+    release(&s);
+}
+
+/* ------------------------------------------------------------------- its case
+ */
+
+static void keys_are_read_and_refused(void **state)
+{
+    static const struct {
+        const char *text, *what;
+    } wrong[] = {
+        {"[layer]\ncompliance = -1\n", "case:8: compliance"},
+        {"[layer]\nstiffness = 1\n", "case:8: unknown key"},
+        {"[domain]\norder = 4\n[layer]\ncompliance = 1\n", "order = 2 does"}};
+    (void)state;
+    for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
+        char text[1000];
+        ovr_error err = {0};
+        snprintf(text, sizeof text, "%s%s%s", "[contact]\nM = 20\nL = 10\n",
+                 k < 2 ? "[domain]\nlevel = 6\norder = 2\n" : "",
+                 wrong[k].text);
+        ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, &err);
+        ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
+        assert_null(setup);
+        CHECK_ERROR(&err, OVR_BAD_INPUT, wrong[k].what);
+        ovr_case_free(c);
+    }
+}
+
+static void help_explains_its_keys(void **state)
+{
+    char *said = RUN(*state, "help", "layer");
+    assert_non_null(strstr(said, "compliance"));
+    assert_non_null(strstr(said, "its drag over the pressure"));
+    free(said);
+}
+
+static void check_counts_it(void **state)
+{
+    static const double n = 7 * 4096 + 1; /* of level 12 */
+    write_case(*state, "soft.ini", soft);
+    char *said = RUN(*state, "check", "soft.ini");
+    assert_non_null(strstr(said, "# layer on body 1"));
+    assert_non_null(strstr(said, "[layer]\ncompliance = 0.5"));
+    free(said);
+    said = RUN(*state, "check", "soft.ini", "--json", "--level", "12");
+    double bytes = number(said, "memory_bytes");
+    free(said);
+    said = RUN(*state, "check", "soft.ini", "--json", "--level", "12", "--set",
+               "layer.compliance=0");
+    bytes -= number(said, "memory_bytes");
+    free(said);
+    assert_true(bytes >= 2 * n * sizeof(double));
+    assert_true(bytes < 2.1 * n * sizeof(double));
+}
+
+/* -------------------------------------------------------------------- its run
+ */
+
+static const char worn[] = "[time]\nend = 4\n"
+                           "[layer]\ncompliance = 0.5\nwear = 0.02\n"
+                           "hysteresis = 0.01\n"
+                           "[output]\nevery = 20\ncheckpoint = 5 ms\n";
+
+/* What is worn at the end is P's integral in time: k T P_max within the change
+ * of P on the way. */
+static void wears_and_tells(void **state)
+{
+    write_case(*state, "worn.ini", worn);
+    char *said = RUN(*state, "run", "worn.ini", "--json", "-o", "worn.h5");
+    double depth = number(said, "worn_depth"), P = number(said, "P_max");
+    assert_true(depth > 0.02 * 4 * 0.9 * P && depth < 0.02 * 4 * 1.3 * P);
+    assert_non_null(strstr(said, "the layer is worn by"));
+    free(said);
+    said = RUN(*state, "info", "worn.h5");
+    assert_non_null(strstr(said, "worn_depth"));
+    free(said);
+}
+
+static void wait_ms(long ms)
+{
+    nanosleep(&(struct timespec){ms / 1000, ms % 1000 * 1000000}, NULL);
+}
+
+/* Some time after its first checkpoint; false when it had ended by then. */
+static bool killed(const char *folder, long after_ms)
+{
+    static const char *const words[] = {"run",      "worn.ini", "-o",
+                                        "again.h5", "--force",  NULL};
+    const char *checkpoint = test_path(folder, "again.h5.restart");
+    pid_t child = begin(folder, words);
+    for (int k = 0; k < 4000 && access(checkpoint, F_OK); k++)
+        wait_ms(5);
+    wait_ms(after_ms);
+    kill(child, SIGKILL);
+    return WIFSIGNALED(end_of(child));
+}
+
+static char *exported(const char *folder, const char *file, const char *what)
+{
+    const char *const words[] = {"export", file, what, "--long", NULL};
+    if (what)
+        return run(folder, words);
+    return RUN(folder, "export", file);
+}
+
+static void goes_on_where_it_was_killed(void **state)
+{
+    bool was = false;
+    write_case(*state, "worn.ini", worn);
+    free(RUN(*state, "run", "worn.ini", "-o", "worn.h5", "--force"));
+    for (long ms = 80; ms > 0 && !was; ms /= 2)
+        was = killed(*state, ms);
+    assert_true(was);
+    char *said = RUN(*state, "resume", "again.h5");
+    assert_non_null(strstr(said, "goes on from T"));
+    free(said);
+    for (int k = 0; k < 2; k++) {
+        char *whole = exported(*state, "worn.h5", k ? "--all" : NULL);
+        char *again = exported(*state, "again.h5", k ? "--all" : NULL);
+        assert_string_equal(whole, again);
+        assert_true(k || strstr(whole, "worn_depth"));
+        free(whole);
+        free(again);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(layer_gives_way_where_it_is_pressed),
+        cmocka_unit_test(cycles_stay_as_many),
+        cmocka_unit_test(drag_adds_to_friction),
+        cmocka_unit_test(keys_are_read_and_refused),
+        cmocka_unit_test_setup_teardown(help_explains_its_keys,
+                                        test_make_folder, test_remove_folder),
+        cmocka_unit_test_setup_teardown(check_counts_it, test_make_folder,
+                                        test_remove_folder),
+        cmocka_unit_test_setup_teardown(wears_and_tells, test_make_folder,
+                                        test_remove_folder),
+        cmocka_unit_test_setup_teardown(goes_on_where_it_was_killed,
+                                        test_make_folder, test_remove_folder)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
