@@ -39,8 +39,8 @@ static const ovr_parameter keys[] = {
      "depth that ph wears in b/um"},
 };
 
-static const ovr_section section = {"layer", false, "a soft layer on body 1",
-                                    ROWS(keys)};
+static const ovr_section section = {
+    .name = "layer", .help = "a soft layer on body 1", ROWS(keys)};
 
 static ovr_status resolve(const ovr_physics_case *of, void *form, bool *on,
                           ovr_error *err)
