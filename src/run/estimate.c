@@ -14,13 +14,12 @@
  * Three levels are no estimate where they do not fall in a known order: d1 and
  * d2 of different sign, or q not between 3/4 and one more than the scheme's
  * (two at least).  Then two of them may agree by chance, or only finer ones see
- * what there is, and e is not a number.  Differences that are both below 3e-4
- * of the value need no order; nor need films, which have no peaks that only
- * finer meshes see, when d2 is below a tenth of them and d1 below 0.4 d2: they
- * may turn or fall faster, and e is d2 then.  Narrow peaks of pressure grow,
- * some of them on finer levels only, where nothing warns of them: of 106 random
- * runs 2 tell of some number less than half of its error, and three quarters of
- * the largest pressures and a fifth of the films have no estimate.
+ * what there is, and e is not a number; nor is it of pressures in time where
+ * there are two levels only.  Differences that are both below 3e-4 of the value
+ * need no order; nor need films of fourth order, where errors of different
+ * orders cancel, when d2 is below a tenth of them and d1 below 0.4 d2: they may
+ * turn or fall faster, and e is d2 then.  Narrow peaks of pressure grow, some
+ * of them on finer levels only, where nothing warns of them.
  *
  * Of several passes each level has its own: what its passes leave feeds its
  * next ones, so that the errors that oil carries from pass to pass are seen.
@@ -37,7 +36,7 @@
  * such that need not fall. */
 static const double NEGLIGIBLE = 1e-6, SMALL = 3e-4;
 static const double LEAST_ORDER = 0.75, SAFETY = 1.25;
-/* of films, which may turn: d2 over the value, d1 over d2 */
+/* of films of fourth order: d2 over the value, d1 over d2 */
 static const double NEAR = 0.1, NEARER = 0.4;
 
 enum { LEVELS = OVR_PASS_LEVELS };
@@ -133,6 +132,7 @@ static ovr_status run_coarser(const ovr_run *run, int down, level_run *r,
 /* What the differences of a value are judged by. */
 typedef struct measure {
     double order, safety;
+    bool in_time, corrected; /* a run; of fourth order */
 } measure;
 
 /* In a known order; d1 and d2 of different sign have `turns`. */
@@ -142,15 +142,24 @@ static bool falls(const measure *m, double d1, double d2, bool turns)
     return !turns && q >= LEAST_ORDER && q <= fmax(m->order, 2) + 1;
 }
 
+/* Not in a known order, and yet near enough. */
+static bool is_near(const measure *m, double size, double d1, double d2)
+{
+    return m->corrected && d2 <= NEAR * size && d1 <= NEARER * d2;
+}
+
 /* v: finest first; NAN at the end where only one coarser level was solved. */
 static ovr_run_error judge(const char *key, ovr_unit_kind kind,
                            const measure *m, const double v[LEVELS])
 {
     ovr_run_error e = {key, kind, {v[0], v[1], v[2]}, NAN, NAN, true};
+    bool film = kind != OVR_KIND_PRESSURE;
     double size = fabs(v[0]), least = NEGLIGIBLE * size, q = fmin(m->order, 1);
     double d1 = fabs(v[0] - v[1]), d2 = fabs(v[1] - v[2]), d = d1;
     bool turns = (v[0] - v[1]) * (v[1] - v[2]) < 0;
-    if (d2 >= 0) {
+    if (isnan(d2))
+        e.converges = film || !m->in_time;
+    else {
         e.order = d1 > least && d2 > least ? log2(d2 / d1) : NAN;
         e.converges = fmax(d1, d2) <= SMALL * size || falls(m, d1, d2, turns);
         q = isnan(e.order) ? m->order : fmax(0.5, fmin(m->order, e.order));
@@ -158,8 +167,10 @@ static ovr_run_error judge(const char *key, ovr_unit_kind kind,
     }
     if (e.converges)
         e.error = m->safety * d / (exp2(q) - 1) + least;
-    else if (kind == OVR_KIND_HEIGHT && d2 <= NEAR * size && d1 <= NEARER * d2)
-        e.converges = true, e.error = m->safety * d2;
+    else if (film && is_near(m, size, d1, d2)) {
+        e.converges = true;
+        e.error = m->safety * d2;
+    }
     return e;
 }
 
@@ -232,8 +243,9 @@ static measure measure_of(const ovr_run *run)
     int scheme = ovr_scheme_record(o->scheme)->order;
     int reached = ovr_simulation_order(run->sim);
     if (run->info.transient)
-        return (measure){1, SAFETY};
-    return (measure){reached > scheme ? reached : scheme, 1};
+        return (measure){1, SAFETY, true, reached == 4};
+    return (measure){reached > scheme ? reached : scheme, 1, false,
+                     reached == 4};
 }
 
 static void warn(ovr_run *run, const ovr_run_error *e, int level)
@@ -241,12 +253,20 @@ static void warn(ovr_run *run, const ovr_run_error *e, int level)
     char text[OVR_MESSAGE_SIZE], where[40];
     if (e->converges)
         return;
-    snprintf(
-        text, sizeof text,
-        "%s%s does not converge with the level: %.4g, %.4g, %.4g at levels "
-        "%d, %d, %d do not fall in a known order, which is no estimate",
-        ovr_run_where(run, where), e->key, e->value[2], e->value[1],
-        e->value[0], level - 2, level - 1, level);
+    ovr_run_where(run, where);
+    if (isnan(e->value[2]))
+        snprintf(text, sizeof text,
+                 "%s%s: %.4g, %.4g at levels %d, %d, and level %d cannot be "
+                 "solved: two levels are no estimate of it",
+                 where, e->key, e->value[1], e->value[0], level - 1, level,
+                 level - 2);
+    else
+        snprintf(text, sizeof text,
+                 "%s%s does not converge with the level: %.4g, %.4g, %.4g at "
+                 "levels %d, %d, %d do not fall in a known order, which is no "
+                 "estimate",
+                 where, e->key, e->value[2], e->value[1], e->value[0],
+                 level - 2, level - 1, level);
     ovr_run_message(run, OVR_SAY_WARNING, text);
 }
 
