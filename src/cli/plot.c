@@ -196,16 +196,30 @@ static int take_figure(const cli_call *call, ovr_figure_options *f)
     return code;
 }
 
+/* "study" of "studies/study.ini" */
+static const char *name_of(const char *path, char *room, size_t size)
+{
+    const char *slash = strrchr(path, '/');
+    snprintf(room, size, "%s", slash ? slash + 1 : path);
+    char *dot = strrchr(room, '.');
+    if (dot && dot > room)
+        *dot = '\0';
+    return room;
+}
+
 static int draw_study(const cli_call *call)
 {
     ovr_figure_options f;
     ovr_error err = {0};
+    char name[200];
     ovr_table *table;
     int code = take_figure(call, &f);
     if (!code && call->arguments > 1)
         code = cli_usage(call, "one study at a time");
     if (code)
         return code;
+    if (!f.title)
+        f.title = name_of(call->argument[0], name, sizeof name);
     table = open_table(call->argument[0], &err);
     if (!table || (of_passes(call, table) ? ovr_figure_passes : ovr_figure)(
                       table, &f, NULL, &err) != OVR_OK)

@@ -288,8 +288,7 @@ ovr_status ovr_draw_risk(const ovr_drawing *drawing, ovr_chart *chart,
         "worst R %.3g p_h at %.3g b, %.3g b deep; smooth %.3g; from %.3g b "
         "down",
         h.worst, h.worst_xi, h.worst_z, largest_smooth(&h), h.least);
-    *chart = (ovr_chart){.title = o->title ? o->title
-                                           : drawing->runs->info->title,
+    *chart = (ovr_chart){.title = ovr_stored_title(drawing->runs, 1, o->title),
                          .subtitle = note,
                          .width = o->width > 0 ? o->width : 1280,
                          .height = o->height > 0 ? o->height : 960,
@@ -369,8 +368,7 @@ ovr_status ovr_draw_depth(const ovr_drawing *drawing, ovr_chart *chart,
     if (!worst)
         return OVR_NO_MEMORY;
     size_t rows = depth_panels(&h, worst, series, panel);
-    *chart = (ovr_chart){.title = o->title ? o->title
-                                           : drawing->runs->info->title,
+    *chart = (ovr_chart){.title = ovr_stored_title(drawing->runs, 1, o->title),
                          .width = o->width > 0 ? o->width : 1280,
                          .height = o->height > 0 ? o->height : 800,
                          .rows = rows,

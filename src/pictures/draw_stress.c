@@ -27,7 +27,7 @@ ovr_status ovr_stress_panel_add(ovr_depth_field *f, const ovr_shot *shot,
                                 ovr_snapshot_chart *to, ovr_arena *arena,
                                 ovr_error *err)
 {
-    enum { NOTE = 200 };
+    enum { NOTE = 400 };
     char *note = ovr_arena_take(arena, NOTE, 1, err);
     ovr_series *series = ovr_arena_take(arena, 2, sizeof *series, err);
     ovr_panel *panel = &to->panel[to->chart.rows];

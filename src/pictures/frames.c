@@ -156,7 +156,7 @@ static void describe(const studio *s, ovr_text *to)
                    l->extent.S_low, l->extent.S_high,
                    o->no_hertz ? " hertz" : "",
                    o->no_roughness ? " roughness" : "");
-    ovr_text_gnuplot(to, o->title ? o->title : s->runs->info->title);
+    ovr_text_gnuplot(to, l->title);
     for (size_t j = 0; j < s->count; j++) {
         ovr_text_put(to, "\nresult ");
         ovr_text_gnuplot(to, s->runs[j].name);

@@ -126,15 +126,15 @@ static ovr_chart chart_of(const ovr_drawing *drawing, const ovr_panel *panels,
     char *heading = ovr_arena_take(drawing->arena, ROOM, 1, err);
     if (heading)
         ovr_heading(drawing->runs, drawing->count, heading, ROOM);
-    return (ovr_chart){.subtitle = heading,
-                       .title = o->title ? o->title
-                                         : drawing->runs->info->title,
-                       .width = o->width > 0 ? o->width : 1280,
-                       .height = o->height > 0 ? o->height : 720,
-                       .rows = rows,
-                       .columns = 1,
-                       .share_x = true,
-                       .panel = panels};
+    return (ovr_chart){
+        .subtitle = heading,
+        .title = ovr_stored_title(drawing->runs, drawing->count, o->title),
+        .width = o->width > 0 ? o->width : 1280,
+        .height = o->height > 0 ? o->height : 720,
+        .rows = rows,
+        .columns = 1,
+        .share_x = true,
+        .panel = panels};
 }
 
 /* One result: both films in a panel; several: each in its own. */

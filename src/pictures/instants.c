@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pictures of snapshots: which instants, their data, the chart. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,43 +23,33 @@ static double centre_of(const ovr_shot *shot)
     return sum > 0 ? moment / sum : NAN;
 }
 
-/* Spread over the run, when nothing better is known. */
-static void choose_evenly(const ovr_stored *run, size_t *chosen)
-{
-    size_t last = run->info->snapshots - 1;
-    for (size_t k = 0; k < CHOSEN; k++)
-        chosen[k] = last * (k + 1) / CHOSEN;
-}
-
-/* The snapshots of largest pressure and smallest film. */
+/* The instants of largest pressure and smallest film over all results, and
+ * whose they are. */
 typedef struct extremes {
     double P, H;
-    size_t at_P, at_H; /* NOWHERE: that field is not stored */
+    double T_P, T_H; /* NAN: that field is not stored */
+    const char *name_P, *name_H;
 } extremes;
-
-static const size_t NOWHERE = (size_t)-1;
 
 static void note_extremes(extremes *e, const ovr_shot *shot)
 {
     for (size_t i = 0; i < shot->run->info->nodes; i++) {
         if (shot->P && shot->P[i] > e->P)
-            e->P = shot->P[i], e->at_P = shot->k;
+            e->P = shot->P[i], e->T_P = shot->T, e->name_P = shot->run->name;
         if (shot->H && shot->H[i] < e->H)
-            e->H = shot->H[i], e->at_H = shot->k;
+            e->H = shot->H[i], e->T_H = shot->T, e->name_H = shot->run->name;
     }
 }
 
-/* The snapshots in which what is on the surface stands ahead of the contact,
- * in it twice, and at its exit; evenly when there is no such passage. */
+/* The instants at which what is on the surface stands ahead of the contact, in
+ * it twice, and at its exit; evenly when there is no such passage. */
 static ovr_status choose_passage(const ovr_stored *run, ovr_shot *shot,
-                                 size_t *chosen, extremes *e, ovr_error *err)
+                                 double *times, extremes *e, ovr_error *err)
 {
     static const double wanted[CHOSEN] = {-1.1, -0.5, 0.15, 0.8};
     double best[CHOSEN] = {INFINITY, INFINITY, INFINITY, INFINITY};
-    size_t found[CHOSEN] = {0};
-    choose_evenly(run, chosen);
-    *e = (extremes){-INFINITY, INFINITY, NOWHERE, NOWHERE};
-    for (size_t k = 0; k < run->info->snapshots; k++) {
+    size_t found[CHOSEN] = {0}, last = run->info->snapshots - 1;
+    for (size_t k = 0; k <= last; k++) {
         ovr_status status = ovr_shot_read(shot, k, err);
         double centre = status == OVR_OK ? centre_of(shot) : NAN;
         if (status != OVR_OK)
@@ -70,85 +61,105 @@ static ovr_status choose_passage(const ovr_stored *run, ovr_shot *shot,
                 found[j] = k;
             }
     }
+    bool passes = last >= CHOSEN;
     for (int j = 0; j < CHOSEN; j++)
-        if (best[j] > 0.2 || (j > 0 && found[j] <= found[j - 1]))
-            return OVR_OK;
-    memcpy(chosen, found, sizeof found);
+        passes &= best[j] <= 0.2 && (j == 0 || found[j] > found[j - 1]);
+    for (size_t j = 0; j < CHOSEN; j++)
+        times[j] = run->times[passes          ? found[j]
+                              : last < CHOSEN ? (j < last ? j : last)
+                                              : last * (j + 1) / CHOSEN];
     return OVR_OK;
 }
 
-/* Row k takes the place of the nearest one that is not `kept`. */
-static void put_among(size_t *chosen, size_t k, size_t kept)
+static ovr_status look_through(const ovr_drawing *drawing, double *times,
+                               extremes *e, ovr_error *err)
+{
+    ovr_status status = OVR_OK;
+    *e = (extremes){-INFINITY, INFINITY, NAN, NAN, "", ""};
+    for (size_t j = 0; status == OVR_OK && j < drawing->count; j++) {
+        const ovr_stored *run = &drawing->runs[j];
+        ovr_shot shot;
+        status = ovr_shot_make(&shot, run, drawing->arena, err);
+        if (status == OVR_OK && j == 0)
+            status = choose_passage(run, &shot, times, e, err);
+        for (size_t k = 0; status == OVR_OK && j && k < run->info->snapshots;
+             k++) {
+            status = ovr_shot_read(&shot, k, err);
+            if (status == OVR_OK)
+                note_extremes(e, &shot);
+        }
+    }
+    return status;
+}
+
+/* T takes the place of the nearest instant that is not `kept`. */
+static void put_among(double *times, double T, double kept)
 {
     size_t best = CHOSEN;
     for (size_t j = 0; j < CHOSEN; j++) {
-        size_t d = chosen[j] > k ? chosen[j] - k : k - chosen[j];
-        size_t least = best == CHOSEN     ? 0
-                       : chosen[best] > k ? chosen[best] - k
-                                          : k - chosen[best];
-        if (chosen[j] == k)
+        if (times[j] == T)
             return;
-        if (chosen[j] != kept && (best == CHOSEN || d < least))
+        if (times[j] != kept &&
+            (best == CHOSEN || fabs(times[j] - T) < fabs(times[best] - T)))
             best = j;
     }
-    if (best < CHOSEN)
-        chosen[best] = k;
+    if (best < CHOSEN && !isnan(T))
+        times[best] = T;
 }
 
 static int in_time(const void *a, const void *b)
 {
-    size_t j = *(const size_t *)a, k = *(const size_t *)b;
-    return (j > k) - (j < k);
+    double s = *(const double *)a, t = *(const double *)b;
+    return (s > t) - (s < t);
 }
 
-static const char *what_is_there(const extremes *e, size_t k)
+/* ": p max" and of several results whose. */
+static const char *what_is_there(const ovr_drawing *drawing, const extremes *e,
+                                 double T, ovr_error *err)
 {
-    if (k == e->at_P && k == e->at_H)
-        return ": p max, h min";
-    return k == e->at_P ? ": p max" : k == e->at_H ? ": h min" : "";
+    const bool is[] = {T == e->T_P, T == e->T_H};
+    const char *const what[] = {"p max", "h min"};
+    const char *const name[] = {e->name_P, e->name_H};
+    bool several = drawing->count > 1;
+    char text[160] = "";
+    for (int k = 0; k < 2; k++)
+        if (is[k])
+            snprintf(text + strlen(text), sizeof text - strlen(text),
+                     "%s %s%s%.40s", *text ? "," : ":", what[k],
+                     several ? " of " : "", several ? name[k] : "");
+    return ovr_arena_text(drawing->arena, text, err);
 }
 
 /* Up to four, fewer where several results share the picture: the largest
  * pressure first. */
-static size_t room_for(const ovr_drawing *drawing)
-{
-    size_t room = OVR_SHOTS / drawing->count;
-    return room < 1 ? 1 : room < CHOSEN ? room : CHOSEN;
-}
-
 static ovr_status choose(const ovr_drawing *drawing, double *times,
                          const char **about, size_t *count, ovr_error *err)
 {
-    const ovr_stored *run = drawing->runs;
-    size_t chosen[CHOSEN], snapshots = run->info->snapshots,
-                           room = room_for(drawing);
+    size_t fit = OVR_SHOTS / drawing->count, n = 0;
+    size_t room = fit < 1 ? 1 : fit < CHOSEN ? fit : CHOSEN;
     extremes e;
-    ovr_shot shot;
-    ovr_status status = ovr_shot_make(&shot, run, drawing->arena, err);
-    if (status == OVR_OK)
-        status = choose_passage(run, &shot, chosen, &e, err);
+    ovr_status status = look_through(drawing, times, &e, err);
     if (status != OVR_OK)
         return status;
-    if (e.at_P != NOWHERE)
-        put_among(chosen, e.at_P, e.at_P);
-    if (e.at_H != NOWHERE)
-        put_among(chosen, e.at_H, e.at_P);
+    put_among(times, e.T_P, e.T_P);
+    put_among(times, e.T_H, e.T_P);
     if (room < CHOSEN) { /* the extremes alone, as far as there is room */
-        chosen[0] = e.at_P != NOWHERE ? e.at_P : e.at_H;
-        chosen[1] = e.at_H != NOWHERE ? e.at_H : e.at_P;
-        if (chosen[0] == NOWHERE)
-            chosen[0] = chosen[1] = snapshots - 1;
+        times[0] = isnan(e.T_P) ? e.T_H : e.T_P;
+        times[1] = isnan(e.T_H) ? e.T_P : e.T_H;
+        for (int j = 0; j < 2; j++)
+            if (isnan(times[j]))
+                times[j] = times[CHOSEN - 1];
     }
-    qsort(chosen, room, sizeof *chosen, in_time);
-    *count = 0;
-    for (size_t k = 0; k < CHOSEN && *count < room; k++) {
-        size_t row = snapshots < CHOSEN ? k : chosen[k];
-        if (row >= snapshots ||
-            (k > 0 && snapshots >= CHOSEN && chosen[k] == chosen[k - 1]))
+    qsort(times, room, sizeof *times, in_time);
+    for (size_t k = 0; k < room; k++) {
+        if (n > 0 && times[k] == times[n - 1])
             continue;
-        about[*count] = what_is_there(&e, row);
-        times[(*count)++] = run->times[row];
+        times[n] = times[k];
+        about[n] = what_is_there(drawing, &e, times[n], err);
+        if (!about[n++])
+            return OVR_NO_MEMORY;
     }
+    *count = n;
     return OVR_OK;
 }
 

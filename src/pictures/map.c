@@ -301,7 +301,7 @@ ovr_status ovr_draw_map(const ovr_drawing *drawing, ovr_chart *chart,
     if (status == OVR_OK)
         status = add_meniscus(drawing, &m, panel, err);
     if (status == OVR_OK)
-        *chart = (ovr_chart){.title = o->title ? o->title : run->info->title,
+        *chart = (ovr_chart){.title = ovr_stored_title(run, 1, o->title),
                              .width = o->width > 0 ? o->width : 1280,
                              .height = o->height > 0 ? o->height : 800,
                              .rows = 1,

@@ -2,6 +2,7 @@
 #include "pictures/run.h"
 
 #include <math.h>
+#include <string.h>
 
 static const char *const temperatures[3] = {"temperature_1", "temperature_2",
                                             "temperature_middle"};
@@ -82,6 +83,15 @@ ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
     if (status == OVR_OK)
         find_hertz(run, arena);
     return status;
+}
+
+const char *ovr_stored_title(const ovr_stored *runs, size_t count,
+                             const char *given)
+{
+    for (size_t k = 1; !given && k < count; k++)
+        if (strcmp(runs[k].info->title, runs->info->title) != 0)
+            return "";
+    return given ? given : runs->info->title;
 }
 
 ovr_status ovr_stored_need_snapshots(const ovr_stored *run, ovr_error *err)

@@ -28,6 +28,11 @@ typedef struct ovr_stored {
 ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
                            const char *name, ovr_arena *arena, ovr_error *err);
 
+/* The title that is given or, where it is NULL, that of all the results; none
+ * where they differ: a legend tells them apart. */
+const char *ovr_stored_title(const ovr_stored *runs, size_t count,
+                             const char *given);
+
 /* Hertz's half width and largest pressure at snapshot k over the nominal. */
 double ovr_stored_hertz_width(const ovr_stored *run, size_t k);
 double ovr_stored_hertz_pressure(const ovr_stored *run, size_t k);

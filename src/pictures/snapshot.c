@@ -68,6 +68,7 @@ ovr_status ovr_snapshot_style_make(ovr_snapshot_style *look,
     memset(look, 0, sizeof *look);
     look->options = o;
     look->extent = *e;
+    look->title = ovr_stored_title(run, count, o->title);
     look->P_to = o->P_to > 0 ? o->P_to : 1.15 * fmax(e->P_high, 1);
     look->H_to = o->H_to > 0 ? o->H_to : 1.6 * e->H_high;
     if (!(look->H_to > 0))
@@ -372,8 +373,7 @@ void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_snapshot_style *look,
     size_t columns = o->overlay ? 1 : instants;
     const char *label[OVR_SHOTS];
     memset(to, 0, sizeof *to);
-    to->chart = (ovr_chart){.title = o->title ? o->title
-                                              : shot->run->info->title,
+    to->chart = (ovr_chart){.title = look->title,
                             .subtitle = look->heading,
                             .width = o->width > 0 ? o->width : 1280,
                             .height = o->height > 0 ? o->height : 720,

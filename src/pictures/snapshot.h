@@ -22,6 +22,7 @@ typedef struct ovr_snapshot_style {
     ovr_extent extent;
     double P_to, H_to; /* Hertzian upper ends */
     double hertz_x[OVR_HERTZ_POINTS], hertz_P[OVR_HERTZ_POINTS];
+    const char *title;
     char heading[240];
 } ovr_snapshot_style;
 
@@ -48,7 +49,7 @@ typedef struct ovr_snapshot_chart {
     ovr_chart chart;
     ovr_panel panel[3 * OVR_SHOTS + 1]; /* one more for what lies below */
     ovr_series series[3 * OVR_SHOTS][3 * OVR_SHOTS + 1];
-    char note[OVR_SHOTS][80], name[OVR_SHOTS][130];
+    char note[OVR_SHOTS][240], name[OVR_SHOTS][300];
 } ovr_snapshot_chart;
 
 /* `instants` times of `runs` runs each: shot[instant * runs + run]; `about`

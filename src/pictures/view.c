@@ -413,6 +413,20 @@ static ovr_status save(const ovr_text *page, const char *path, ovr_error *err)
     return status;
 }
 
+/* The two of a comparison, where they differ. */
+static const char *title_of(const ovr_stored *runs, size_t count,
+                            const char *given, ovr_arena *arena)
+{
+    const char *title = ovr_stored_title(runs, count, given);
+    char two[400];
+    if (*title || given || count < 2)
+        return title;
+    snprintf(two, sizeof two, "%.180s and %.180s", runs[0].info->title,
+             runs[1].info->title);
+    title = ovr_arena_text(arena, two, NULL);
+    return title ? title : "";
+}
+
 static ovr_status view(ovr_result *const *results, size_t count,
                        const ovr_view_options *o, ovr_arena *arena,
                        ovr_error *err)
@@ -431,7 +445,7 @@ static ovr_status view(ovr_result *const *results, size_t count,
     if (status == OVR_OK)
         status = ovr_text_status(&data, err);
     if (status == OVR_OK)
-        status = write_page(&page, o->title ? o->title : runs->info->title,
+        status = write_page(&page, title_of(runs, count, o->title, arena),
                             &data, err);
     if (status == OVR_OK)
         status = save(&page, o->path, err);

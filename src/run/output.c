@@ -272,6 +272,18 @@ static const char *absolute(const char *folder, ovr_arena *arena)
     return found ? ovr_arena_text(arena, found, NULL) : NULL;
 }
 
+/* "roller" of a case "cases/roller.ini"; NULL where it has no file. */
+static const char *title_of(const char *name, ovr_arena *arena)
+{
+    const char *slash = strrchr(name, '/'), *dot = strrchr(name, '.');
+    char *title = ovr_arena_text(arena, slash ? slash + 1 : name, NULL);
+    if (!dot || (strcmp(dot, ".ini") != 0 && strcmp(dot, ".h5") != 0))
+        return NULL;
+    if (title)
+        title[dot - (slash ? slash + 1 : name)] = '\0';
+    return title;
+}
+
 static ovr_status want(wanted *w, ovr_run *run, ovr_error *err)
 {
     w->options = ovr_write_options_default();
@@ -283,6 +295,7 @@ static ovr_status want(wanted *w, ovr_run *run, ovr_error *err)
     w->options.values = w->values;
     w->options.case_text = ovr_case_text(run->c, err);
     w->options.case_path = absolute(ovr_case_directory(run->c), &w->arena);
+    w->options.title = title_of(ovr_case_name(run->c), &w->arena);
     choose(&w->options, run->setup, run->how.no_thread);
     if (!w->values || !w->times)
         return ovr_fail(err, OVR_NO_MEMORY, "out of memory");

@@ -147,6 +147,19 @@ at=$(awk -F, 'NR > 1 && $3 + 0 > m { m = $3 + 0; T = $1 }
     END { printf "%.3f", T }' all.csv)
 contains all.gp "T = $at: p max"
 expect 0 "$OVERROLL" plot a.h5 -o ph.svg --script ph.gp
+
+# Of several results the extremes are those of the worst, by its name; the title
+# is the name of the case, and none where the cases differ.
+contains all.gp "^title = 'dent'"
+sed 's/depth = 0.1/depth = 0.15/' dent.ini >deep.ini
+expect 0 "$OVERROLL" run deep.ini -o deep.h5 -q
+"$OVERROLL" export deep.h5 --all -o deep.csv -q
+at=$(awk -F, 'NR > 1 && $3 + 0 > m { m = $3 + 0; T = $1 }
+    END { printf "%.3f", T }' deep.csv)
+expect 0 "$OVERROLL" plot dent.h5 deep.h5 -o worst.svg --script worst.gp
+contains worst.gp "T = $at: p max of deep.h5"
+contains worst.gp "h min of deep.h5"
+contains worst.gp "^title = ''"
 contains ph.gp '\{/:Italic p\}_h = '
 expect 0 "$OVERROLL" plot dent.h5 --kind map --field pressure --p-max 0.5 \
     -o clip.svg

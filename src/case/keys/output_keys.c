@@ -13,7 +13,7 @@ static const ovr_word fields[] = {OVR_FIELD_ROWS(FIELD){NULL, 0}};
 static const ovr_parameter output_keys[] = {
     {"file", PATH, NULL, AT(output.file), false, ALWAYS, "result file"},
     {"title", TEXT, NULL, AT(output.title), false, ALWAYS,
-     "title in the result file and pictures"},
+     "title in the result file and pictures; else the name of the case file"},
     {"every", WHOLE(1, 1000000000), NULL, AT(every), false, "time.end",
      "store every so many steps"},
     {"interval", SPAN(NULL, 1e6), NULL, AT(output.interval), false, "time.end",
