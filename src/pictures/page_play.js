@@ -238,7 +238,9 @@ async function begin() {
   const made = JSON.parse(byId("data").textContent);
   runs = await Promise.all(made.runs.map(runOf));
   ranges = findRanges();
-  if (runs.length > 1) byId("runs").className = "two";
+  if (runs.length > 1) byId("runs").classList.add("two");
+  if (runs.some((run) => isWarm(run) || run.stress))
+    byId("runs").classList.add("more");
   byId("precision").textContent = made.precision;
   views = runs.map(viewOf);
   connect();

@@ -127,23 +127,30 @@ function drawDepths(c, box, s, u) {
   c.restore();
 }
 
-// The colours and their ends, in a row above the box, with the largest value.
+// The colours and their ends, in a row above the box, with the largest value;
+// less of it where the row would not fit.
 function drawScale(c, box, s, k, u) {
-  const wide = Math.min(110, box.w / 4), y = box.y - 15;
+  const y = box.y - 15, name = s.name.replace(/_/g, " ");
   const said = (v) => digits(v * u.p.f) + (u.p.unit ? " " + u.p.unit : " p_h");
+  const most = said(s.worst[3 * k + 2]);
+  const ends = digits(s.low * u.p.f) + " to " + said(s.high);
+  const looks = [[name + ", largest " + most, 110], [name + " to " + most, 110],
+    [name + " to " + most, 50], [name + " to " + most, 20]];
+  const room = box.w - 30 - c.measureText(ends).width;
+  const [text, wide] = looks.find(([t, bar]) =>
+    c.measureText(t).width + bar <= room) || looks[looks.length - 1];
+  box.free = room - wide - c.measureText(text).width;
   c.textBaseline = "middle";
   c.fillStyle = colour.ink;
   c.textAlign = "left";
-  c.fillText(s.name.replace(/_/g, " ") + ", largest " +
-    said(s.worst[3 * k + 2]), box.x + 4, y + 5);
+  c.fillText(text, box.x + 4, y + 5);
   for (let i = 0; i < wide; i++) {
     c.fillStyle = "rgb(" + shadeOf(i / wide).map(Math.round).join() + ")";
     c.fillRect(box.x + box.w - wide - 4 + i, y, 1.5, 10);
   }
   c.fillStyle = colour.faint;
   c.textAlign = "right";
-  c.fillText(digits(s.low * u.p.f) + " to " + said(s.high), box.x + box.w -
-    wide - 10, y + 5);
+  c.fillText(ends, box.x + box.w - wide - 10, y + 5);
 }
 
 function drawStress(view) {
@@ -176,6 +183,7 @@ function drawStress(view) {
   });
   drawDepths(c, box, s, u);
   drawScale(c, box, s, k, u);
+  view.stress.dataset.free = box.free;
   view.stress.dataset.worst = [...s.worst.slice(3 * k, 3 * k + 3)].join(" ");
 }
 

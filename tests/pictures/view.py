@@ -46,7 +46,7 @@ def box(browser, selector):
 
 def load(browser, page):
     browser.open(f"file://{folder}/{page}")
-    if page == "frame.html":
+    if page.startswith("frame"):
         return
     browser.wait("return document.body.dataset.drawn !== undefined")
     trouble = browser.run("return document.getElementById('trouble').textContent")
@@ -205,6 +205,29 @@ def phone():
         browser.close()
 
 
+def controls_in_view():
+    """Temperatures or stresses below leave the controls on the screen; on a
+    phone the words above the stresses do not meet."""
+    browser = Browser(1300, 900)
+    try:
+        for page in ("page.html", "hot.html", "stress.html", "two.html"):
+            load(browser, page)
+            high = browser.run("return window.innerHeight")
+            assert high <= 900
+            for button in ("#play", "#scrub", "#last"):
+                left, top, width, height = box(browser, button)
+                assert top >= 0 and top + height <= high, (page, button, top)
+        load(browser, "frame-stress.html")
+        browser.call("POST", "/frame", {"id": 0})
+        browser.wait("return document.body.dataset.drawn !== undefined")
+        assert browser.run("return window.innerWidth") == 420
+        free = browser.run("return document.querySelector('canvas.stress')"
+                           ".dataset.free")
+        assert float(free) >= 0, free
+    finally:
+        browser.close()
+
+
 def narrow():
     browser = Browser(500, 900, dark=True)
     try:
@@ -266,6 +289,7 @@ def main():
         browser.close()
     narrow()
     phone()
+    controls_in_view()
 
 
 main()

@@ -77,6 +77,11 @@ done
     printf '<iframe src="page.html" style="width:844px;height:390px;border:0">'
     printf '</iframe></body>\n'
 } >frame.html
+{
+    printf '<!DOCTYPE html><body style="margin:0">'
+    printf '<iframe src="stress.html" style="width:420px;height:900px;">'
+    printf '</iframe></body>\n'
+} >frame-stress.html
 
 need chromium chromedriver
 need_python h5py
