@@ -73,7 +73,7 @@ do for [t=1:1 + rows * columns] {
   lines[t] = strlen(whole) > 0
   begin = 1
   blank = 0
-  do for [k=1:strlen(whole)] {
+  do for [k=1:strlen(whole) > room ? strlen(whole) : 0] {
     if (whole[k:k] eq ' ') { blank = k }
     if (k - begin >= room) {
       if (blank < begin) { blank = k - 1 }
@@ -165,8 +165,8 @@ do for [c=1:columns] {
   unset label
   unset arrow
 
-  # lines of equal value, made before the axes are set
-  if (strlen(contours[p]) || strlen(bold_contours[p])) {
+  # lines of equal value at every other cell, made before the axes are set
+  if (strlen(bold_contours[p])) {
     dx = (x_to[p] - x_from[p]) / cells_x[p]
     dy = (y_to[p] - y_from[p]) / cells_y[p]
     set autoscale
@@ -174,16 +174,13 @@ do for [c=1:columns] {
     set format '%.7g'
     set contour base
     unset surface
-    do for [k=1:2] {
-      levels = k == 1 ? contours[p] : bold_contours[p]
-      if (strlen(levels)) {
-        if (k == 1) { set table $thin } else { set table $bold }
-        eval 'set cntrparam levels discrete '.levels
-        splot data index image[p] matrix using \
-          (x_from[p] + dx / 2 + dx * $1):(y_from[p] + dy / 2 + dy * $2):3
-        unset table
-      }
-    }
+    levels = ''
+    do for [v in contours[p].' '.bold_contours[p]] { levels = levels.', '.v }
+    eval 'set cntrparam levels discrete '.levels[3:*]
+    set table $equal
+    splot data index image[p] matrix every 2:2 using \
+      (x_from[p] + dx / 2 + dx * $1):(y_from[p] + dy / 2 + dy * $2):3
+    unset table
     unset contour
   }
 
@@ -284,11 +281,12 @@ do for [c=1:columns] {
     command = sprintf(', data index %d matrix using \
       (%.9g+%.9g*$1):(%.9g+%.9g*$2):3 with image', \
       image[p], x_from[p] + dx / 2, dx, y_from[p] + dy / 2, dy)
-    if (strlen(contours[p])) {
-      command = command.", $thin with lines lw 0.7 lc rgb '#ffffff'"
-    }
     if (strlen(bold_contours[p])) {
-      command = command.", $bold with lines lw 1.5 lc rgb '#101418'"
+      bold(v) = sum [k=1:words(bold_contours[p])] \
+        (abs(v / word(bold_contours[p], k) - 1) < 1e-6)
+      command = command.", $equal with lines lw 0.7 lc rgb '#ffffff', \
+        $equal using 1:(bold($3) ? $2 : NaN) with lines lw 1.5 \
+        lc rgb '#101418'"
     }
   }
   do for [k=first[p]:last[p]] {

@@ -54,7 +54,7 @@ typedef struct ovr_image {
     double from, to;      /* of the colours */
     bool above;           /* some values are above `to`, which is marked */
     const char *label;
-    /* lines at these values, "0.1, 0.2": thin white ones, dark ones */
+    /* lines at these values, "0.1 0.2": thin white ones, dark ones */
     const char *contours, *bold_contours;
 } ovr_image;
 

@@ -282,8 +282,8 @@ static void put_contours(const ovr_depth_field *f, ovr_image *image, char *thin,
     for (int k = both ? -6 : 1; k <= 12; k++)
         if (k != 0 && fabs(k * step) <= f->high)
             used += (size_t)snprintf(thin + used, room - used, "%s%.9g",
-                                     used ? ", " : "", k * step);
-    snprintf(bold, room, both ? "%.9g, -%.9g" : "%.9g", f->smooth, f->smooth);
+                                     used ? " " : "", k * step);
+    snprintf(bold, room, both ? "%.9g -%.9g" : "%.9g", f->smooth, f->smooth);
     image->contours = thin;
     image->bold_contours = bold;
 }

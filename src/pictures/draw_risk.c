@@ -167,7 +167,7 @@ static ovr_status add_marks(const history *h, ovr_panel *panel,
         return OVR_NO_MEMORY;
     for (int k = 1; k <= 10 && k <= 10 * panel->image.to; k++)
         used += (size_t)snprintf(thin + used, ROOM - used, "%s%g",
-                                 used ? ", " : "", 0.1 * k);
+                                 used ? " " : "", 0.1 * k);
     snprintf(thin + ROOM, ROOM, "%.9g", largest_smooth(h));
     panel->image.contours = thin;
     panel->image.bold_contours = thin + ROOM;

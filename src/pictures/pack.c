@@ -50,7 +50,7 @@ ovr_status ovr_pack_levels(ovr_text *to, uint16_t *level, size_t n, size_t rows,
         planes[i] = (unsigned char)(level[i] & 0xff);
         planes[count + i] = (unsigned char)(level[i] >> 8);
     }
-    if (compress2(small, &packed, planes, (uLong)(2 * count), 9) != Z_OK)
+    if (compress2(small, &packed, planes, (uLong)(2 * count), 6) != Z_OK)
         return ovr_fail(err, OVR_NO_MEMORY, "out of memory (compression)");
     ovr_text_base64(to, small, packed);
     return ovr_text_status(to, err);

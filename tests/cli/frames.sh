@@ -35,6 +35,12 @@ contains out "^all: 1 frames drawn, $((n - 1)) kept"
 [ "$(find all -name '.*.*' | wc -l)" -eq 0 ] ||
     fail "parts are left: $(ls -A all)"
 
+# As many gnuplots as there are cores, or one: the same bytes
+expect 0 "$OVERROLL" frames dent.h5 -o many --size 320x240 --jobs 3
+for file in all/*.png; do
+    cmp "$file" "many/${file#all/}" || fail "$file differs with three gnuplots"
+done
+
 # Other settings are refused, or forced.
 refuses 'other settings; --force' frames dent.h5 -o all --size 400x300
 expect 0 "$OVERROLL" frames dent.h5 -o all --size 400x300 --force

@@ -38,7 +38,9 @@ set linetype 6 linecolor rgb '#444444'
 set grid linecolor rgb '#dddddd' linetype 1 linewidth 0.6
 set border linecolor rgb '#666666' linewidth 0.8
 set tics nomirror
-set key noautotitle samplen 2
+set encoding utf8
+set lmargin 11
+set key noautotitle samplen 2 tmargin center horizontal
 END
         cat
     } | gnuplot
