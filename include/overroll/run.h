@@ -49,8 +49,8 @@ typedef struct ovr_run_options {
     bool force;         /* replace an existing file */
     bool steady;        /* the steady contact alone, its features grown: time
                            and output of the case do not count */
-    bool estimate_error; /* solve again, coarser, each of several passes; not
-                            when resumed */
+    bool estimate_error; /* solve again, coarser, each of several passes; of
+                            these not when resumed */
     void *data;
     ovr_listener *say;
     /* After each step; true: stop, with OVR_STOPPED and a file that can be
@@ -70,6 +70,9 @@ typedef struct ovr_run_options {
     ovr_heights *heights; /* surfaces of one's own, in place of the case's
                              features; no file holds them: resuming has to be
                              given them again */
+    /* Within steady starts and estimates of errors, between two cycles; true:
+     * stop at once, with OVR_STOPPED; a start is begun again later. */
+    bool (*interrupt)(void *data);
 } ovr_run_options;
 
 /* Nothing but the case: the defaults of all above. */

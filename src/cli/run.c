@@ -54,16 +54,23 @@ ovr_run_options cli_run_options(cli_watch *watch)
     ovr_run_options how = ovr_run_options_default();
     how.data = watch;
     how.say = say;
-    how.stop = stop;
+    how.stop = how.interrupt = stop;
     how.progress = progress;
     how.estimate_error = cli_flag(watch->call, "estimate-error");
     return how;
 }
 
-bool cli_has_result(ovr_status status)
+/* There is no film before the steady start is solved. */
+static bool has_begun(const ovr_run *run)
 {
-    return !status || status == OVR_STOPPED || status == OVR_NOT_CONVERGED ||
-           status == OVR_IMPOSSIBLE;
+    const ovr_simulation *sim = ovr_run_about(run)->sim;
+    return sim && ovr_simulation_observation(sim)->H_min != 0;
+}
+
+bool cli_has_result(const ovr_run *run, ovr_status status)
+{
+    return !status || (status == OVR_STOPPED && has_begun(run)) ||
+           status == OVR_NOT_CONVERGED || status == OVR_IMPOSSIBLE;
 }
 
 int cli_run_code(const cli_call *call, const ovr_run *run, ovr_status status,
@@ -71,7 +78,12 @@ int cli_run_code(const cli_call *call, const ovr_run *run, ovr_status status,
 {
     const ovr_run_info *info = ovr_run_about(run);
     if (status == OVR_STOPPED && cli_signal()) {
-        if (call->verbosity >= 0)
+        if (call->verbosity >= 0 && !has_begun(run))
+            fprintf(stderr,
+                    "overroll: stopped by signal %d in the steady "
+                    "start\n",
+                    cli_signal());
+        else if (call->verbosity >= 0)
             fprintf(stderr, "overroll: stopped by signal %d at T = %g\n",
                     cli_signal(), ovr_simulation_state(info->sim)->T);
         return CLI_SIGNAL + cli_signal();
@@ -104,7 +116,7 @@ int cli_finish_run(cli_watch *watch, ovr_run *run, ovr_error *err)
                                          ovr_run_about(run)->fraction);
     status = ovr_run_go(run, err);
     cli_progress_end(&watch->progress);
-    if (cli_has_result(status))
+    if (cli_has_result(run, status))
         cli_report(call, ovr_run_about(run));
     code = cli_run_code(call, run, status, err);
     ovr_run_free(run);

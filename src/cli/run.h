@@ -33,7 +33,7 @@ int cli_run_code(const cli_call *call, const ovr_run *run, ovr_status status,
                  const ovr_error *err);
 
 /* Whether a run that ended so leaves something to report. */
-bool cli_has_result(ovr_status status);
+bool cli_has_result(const ovr_run *run, ovr_status status);
 
 /* HDF5 would complain on stderr when the program ends after a write that
  * failed.  Not in main: a command that writes no result does not wake HDF5,

@@ -26,7 +26,7 @@ static void report_case(void *data, const ovr_run *run, const ovr_error *err,
                         FILE *summary)
 {
     const sweeping *w = data;
-    if (run && cli_has_result(err->status))
+    if (run && cli_has_result(run, err->status))
         cli_report_json(ovr_run_about(run), summary);
     if (run)
         cli_run_code(&w->logged, run, err->status, err);

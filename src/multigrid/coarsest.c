@@ -171,6 +171,8 @@ bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit)
     const ovr_fields *f;
     size_t n = level->grid.n;
     double H;
+    if (ovr_hierarchy_stops(grids))
+        return false;
     ovr_level_residual(grids, level);
     f = ovr_level_ordered(grids, level);
     if (grids->conserving)

@@ -326,5 +326,7 @@ ovr_defect ovr_composite_defect(ovr_composite *c)
     d.centre = ovr_level_centre(base, base->f.H);
     d.imbalance /= fabs(d.centre);
     d.load = fabs(base->force - ovr_level_load(c->grids, base)) / c->force;
+    if (c->grids->stopping.now)
+        d.imbalance = INFINITY;
     return d;
 }

@@ -31,6 +31,9 @@ static void offer(ovr_hierarchy *grids, ovr_level *level,
         ovr_level_refresh(grids, level);
 }
 
+/* From this level on sweeps take tenths of a second. */
+enum { LARGE = 13 };
+
 /* A cycle that leaves film and residual behind P. */
 static void descend(ovr_hierarchy *grids, ovr_level *level,
                     const ovr_cycling *how)
@@ -41,6 +44,8 @@ static void descend(ovr_hierarchy *grids, ovr_level *level,
     }
     ovr_level *coarse = level - 1;
     bool finest = level->number == grids->finest;
+    if (level->number >= LARGE && ovr_hierarchy_stops(grids))
+        return;
     for (int s = 0; s < how->sweeps_before; s++) {
         how->smoothing.relax(grids, level, &how->smoothing);
         ovr_level_refresh(grids, level);
@@ -72,6 +77,8 @@ static void hold_coarse(ovr_hierarchy *grids, const ovr_level *finest)
 
 void ovr_cycle(ovr_hierarchy *grids, ovr_level *level, ovr_cycling how)
 {
+    if (ovr_hierarchy_stops(grids))
+        return;
     if (how.index > 1 && !grids->op.transient)
         hold_coarse(grids, level);
     descend(grids, level, &how);
@@ -86,6 +93,8 @@ ovr_defect ovr_cycle_defect(const ovr_hierarchy *grids, const ovr_level *level)
     d.load = fabs(level->force - ovr_level_load(grids, level)) /
              (level->force > 0 ? level->force : 1);
     d.centre = ovr_level_centre(level, level->f.H);
+    if (grids->stopping.now)
+        d.imbalance = INFINITY;
     return d;
 }
 

@@ -274,3 +274,11 @@ double ovr_level_centre(const ovr_level *level, const double *values)
            (s + 1) * (s - 1) * (s - 2) / 2 * v[1] -
            (s + 1) * s * (s - 2) / 2 * v[2] + (s + 1) * s * (s - 1) / 6 * v[3];
 }
+
+bool ovr_hierarchy_stops(ovr_hierarchy *grids)
+{
+    ovr_stopping *s = &grids->stopping;
+    if (!s->now && s->asked)
+        s->now = s->asked(s->data);
+    return s->now;
+}

@@ -48,6 +48,14 @@ typedef struct ovr_newton {
     double *wet;
 } ovr_newton;
 
+/* Asked between the cycles of a long solve.  Once it is to stop, cycles do
+ * nothing and defects are infinite: whoever iterates gives up by himself. */
+typedef struct ovr_stopping {
+    bool (*asked)(void *data); /* NULL: it goes on */
+    void *data;
+    bool now;
+} ovr_stopping;
+
 typedef struct ovr_hierarchy {
     int coarsest, finest; /* level numbers in use */
     ovr_level level[OVR_LEVELS];
@@ -65,7 +73,11 @@ typedef struct ovr_hierarchy {
     double *scratch[2]; /* two of them, for as long as a function */
     ovr_fields natural; /* fields in the order of the nodes, of `ordered` */
     ovr_newton newton;
+    ovr_stopping stopping;
 } ovr_hierarchy;
+
+/* Asks, until it is to stop. */
+bool ovr_hierarchy_stops(ovr_hierarchy *grids);
 
 /* Builds levels coarsest..finest on [X_a, X_b]; the caller has set
  * kernels, fluid and the options.  MLMI order and range by level: arrays

@@ -400,7 +400,7 @@ ovr_status ovr_writer_close(ovr_writer *w, ovr_run_status run, ovr_error *err)
 {
     ovr_status status = OVR_OK, closed;
     ovr_h5_handler handler;
-    if (w->source.visit_all)
+    if (w->source.visit_all && w->last_step >= 0) /* else none was reached */
         status = ovr_writer_save(w, err);
     if (status == OVR_OK && run != OVR_RUN_STOPPED)
         status = store_last(w, run, err);

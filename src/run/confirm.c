@@ -37,21 +37,24 @@ static void doubt(ovr_run *run, const char *why)
     ovr_run_message(run, OVR_SAY_WARNING, text);
 }
 
-void ovr_run_confirm(ovr_run *run)
+ovr_status ovr_run_confirm(ovr_run *run, ovr_error *err)
 {
     const ovr_setup *s = run->setup;
     int level = s->options->level;
     char text[OVR_MESSAGE_SIZE], where[40];
     ovr_error why = {0};
-    if (ovr_run_estimate(run, &why)) {
+    ovr_status status = ovr_run_estimate(run, &why);
+    if (status == OVR_STOPPED)
+        return ovr_fail(err, OVR_STOPPED, "%s", why.message);
+    if (status) {
         doubt(run, why.message);
-        return;
+        return OVR_OK;
     }
     double error = relative_error(run);
     if (isnan(error))
         doubt(run, "coarser levels do not fall to it in a known order");
     if (isnan(error) || error <= s->accuracy)
-        return;
+        return OVR_OK;
     snprintf(text, sizeof text,
              "%slevel %d was chosen for an error of %.2g of %s; the estimate "
              "after the run is %.2g: level %d would do",
@@ -59,4 +62,5 @@ void ovr_run_confirm(ovr_run *run)
              names[s->accuracy_of], error,
              level + (int)ceil(log2(error / s->accuracy) / 2));
     ovr_run_message(run, OVR_SAY_WARNING, text);
+    return OVR_OK;
 }

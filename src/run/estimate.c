@@ -30,6 +30,7 @@
 #include "case/feed.h"
 #include "run/internal.h"
 #include "run/passes.h"
+#include "simulation/internal.h"
 #include "simulation/scheme.h"
 
 /* Relative differences that are of the solver's tolerances, not of the mesh;
@@ -66,16 +67,30 @@ static double end_of(void *data, double after)
     return r->end > after ? r->end : INFINITY;
 }
 
-/* The coarser run to the same time, whatever would have ended it. */
-static ovr_status solve(ovr_setup *setup, ovr_simulation *coarse, level_run *r,
-                        ovr_pass_level *pass, ovr_error *err)
+/* The last of the observers. */
+static ovr_status may_go_on(void *data, const ovr_simulation *sim,
+                            ovr_error *err)
 {
-    ovr_observer observer[2] = {{keep, end_of, r}};
+    const ovr_run *run = data;
+    if (!run->how.interrupt || !run->how.interrupt(run->how.data))
+        return OVR_OK;
+    return ovr_fail(err, OVR_STOPPED,
+                    "stopped at T = %g of the estimate of errors",
+                    ovr_simulation_state(sim)->T);
+}
+
+/* The coarser run to the same time, whatever would have ended it. */
+static ovr_status solve(ovr_run *run, ovr_setup *setup, ovr_simulation *coarse,
+                        level_run *r, ovr_pass_level *pass, ovr_error *err)
+{
+    ovr_observer observer[3] = {{keep, end_of, r}};
+    ovr_simulation_stop(coarse, run->how.interrupt, run->how.data);
     ovr_march march = *setup->march;
     ovr_status status = ovr_simulation_steady(coarse, err);
+    march.count = 1;
     if (pass)
-        observer[1] = ovr_pass_history_observer(&pass->seen);
-    march.count = pass ? 2 : 1;
+        observer[march.count++] = ovr_pass_history_observer(&pass->seen);
+    observer[march.count++] = (ovr_observer){may_go_on, NULL, run};
     march.observers = observer;
     march.end = r->end;
     march.until_steady = false;
@@ -102,7 +117,7 @@ static ovr_status begin(const ovr_run *run, ovr_setup *setup,
     return status;
 }
 
-static ovr_status run_coarser(const ovr_run *run, int down, level_run *r,
+static ovr_status run_coarser(ovr_run *run, int down, level_run *r,
                               ovr_error *err)
 {
     const ovr_allocator *allocator = &run->arena.allocator;
@@ -118,7 +133,7 @@ static ovr_status run_coarser(const ovr_run *run, int down, level_run *r,
     if (coarse) {
         ovr_run_surface(run, coarse);
         r->end = ovr_simulation_state(run->sim)->T;
-        status = solve(setup, coarse, r, pass, err);
+        status = solve(run, setup, coarse, r, pass, err);
     }
     if (pass && !status)
         status = ovr_pass_level_end(pass, setup, err);
@@ -279,8 +294,7 @@ const char *ovr_run_where(const ovr_run *run, char room[40])
 }
 
 /* The levels below, as far as they can be solved. */
-static ovr_status run_levels(const ovr_run *run, level_run r[LEVELS],
-                             ovr_error *err)
+static ovr_status run_levels(ovr_run *run, level_run r[LEVELS], ovr_error *err)
 {
     ovr_passes *p = run->passes;
     int level = ovr_simulation_options(run->sim)->level;
@@ -292,8 +306,13 @@ static ovr_status run_levels(const ovr_run *run, level_run r[LEVELS],
         status = run_coarser(run, 1, &r[1], err);
     if (status)
         return status;
-    if (level < 3 || (p && p->level[2].lost) ||
-        run_coarser(run, 2, &r[2], &why)) {
+    if (level < 3 || (p && p->level[2].lost))
+        status = OVR_BAD_INPUT;
+    else
+        status = run_coarser(run, 2, &r[2], &why);
+    if (status == OVR_STOPPED)
+        return ovr_fail(err, OVR_STOPPED, "%s", why.message);
+    if (status) {
         r[2].solved = false;
         if (p)
             p->level[2].lost = true;

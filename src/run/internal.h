@@ -60,8 +60,8 @@ void ovr_run_recall(ovr_run *run, const char *warnings);
 ovr_status ovr_run_keep_summary(ovr_run *run, ovr_error *err);
 
 /* Estimates them of a level that was chosen for an accuracy, and says where
- * they are larger, or not known. */
-void ovr_run_confirm(ovr_run *run);
+ * they are larger, or not known; fails only where it is stopped. */
+ovr_status ovr_run_confirm(ovr_run *run, ovr_error *err);
 
 /* What is said before the solve, and after it. */
 void ovr_run_review_before(ovr_run *run);

@@ -7,6 +7,7 @@
 #include "base/sized.h"
 #include "run/internal.h"
 #include "run/passes.h"
+#include "simulation/internal.h"
 
 void ovr_run_options_fill(ovr_run_options *options)
 {
@@ -212,6 +213,7 @@ static ovr_status solve(ovr_run *run, ovr_error *err)
     ovr_march how = *run->setup->march;
     ovr_observer observer[5];
     ovr_status status = OVR_OK;
+    ovr_simulation_stop(run->sim, run->how.interrupt, run->how.data);
     if (!run->restored)
         status = ovr_simulation_steady(run->sim, err);
     if (!status && run->info.output && !run->writer && refines(run))
@@ -238,12 +240,20 @@ static ovr_status solve(ovr_run *run, ovr_error *err)
     return status;
 }
 
+/* A run that is stopped in its steady start has none. */
+static bool has_state(const ovr_run *run, ovr_status status)
+{
+    return !status || (status == OVR_STOPPED && run->sim->started) ||
+           status == OVR_NOT_CONVERGED || status == OVR_IMPOSSIBLE;
+}
+
 /* The passages of a run that ended, or was stopped. */
 static ovr_status finish_stress(ovr_run *run, ovr_status status, ovr_error *err)
 {
     const ovr_state *state = ovr_simulation_state(run->sim);
     ovr_status finished;
-    if (!run->stress || (status && status != OVR_STOPPED))
+    if (!run->stress || (status && status != OVR_STOPPED) ||
+        !has_state(run, status))
         return status;
     ovr_error late = {0};
     finished = ovr_run_stress_finish(run->stress, state, &late);
@@ -304,19 +314,15 @@ static ovr_status close_file(ovr_run *run, ovr_status status, ovr_error *err)
     return closed;
 }
 
-static bool has_state(ovr_status status)
-{
-    return !status || status == OVR_STOPPED || status == OVR_NOT_CONVERGED ||
-           status == OVR_IMPOSSIBLE;
-}
-
 /* Of several passes, those that can be had are no reason to stop. */
-static ovr_status estimate_pass(ovr_run *run)
+static ovr_status estimate_pass(ovr_run *run, ovr_error *err)
 {
     char text[OVR_MESSAGE_SIZE], where[40];
     ovr_error why = {0};
     if (run->passes->level[1].lost || !ovr_run_estimate(run, &why))
         return OVR_OK;
+    if (why.status == OVR_STOPPED)
+        return ovr_fail(err, OVR_STOPPED, "%s", why.message);
     run->passes->level[1].lost = true;
     snprintf(text, sizeof text,
              "%serrors cannot be estimated from here on: %.900s",
@@ -338,12 +344,10 @@ static ovr_status estimate(ovr_run *run, ovr_error *err)
         return OVR_OK;
     }
     if (run->setup->accuracy > 0)
-        ovr_run_confirm(run);
-    else if (run->passes)
-        return estimate_pass(run);
-    else
-        return ovr_run_estimate(run, err);
-    return OVR_OK;
+        return ovr_run_confirm(run, err);
+    if (run->passes)
+        return estimate_pass(run, err);
+    return ovr_run_estimate(run, err);
 }
 
 /* To its end, or to where it was stopped. */
@@ -357,7 +361,7 @@ ovr_status ovr_run_once(ovr_run *run, ovr_error *err)
     if (first)
         ovr_run_review_before(run);
     status = finish_stress(run, solve(run, err), err);
-    if (has_state(status))
+    if (has_state(run, status))
         ovr_run_review_after(run);
     marked = ovr_simulation_statistics(run->sim)->marked;
     run->info.marked += marked;
@@ -367,6 +371,10 @@ ovr_status ovr_run_once(ovr_run *run, ovr_error *err)
     if (status)
         return close_file(run, status, err);
     late = estimate(run, err);
+    if (late == OVR_STOPPED) { /* what is solved stays, and is gone on with */
+        run->info.converged = false;
+        return close_file(run, late, err);
+    }
     if (run->writer)
         ovr_run_keep_summary(run, &own);
     status = close_file(run, OVR_OK, late ? &own : err);

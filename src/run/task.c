@@ -185,6 +185,13 @@ static bool stop(void *data)
     return *w->shared.stop || (w->run.stop && w->run.stop(w->run.data));
 }
 
+static bool interrupt(void *data)
+{
+    const working *w = data;
+    return *w->shared.stop ||
+           (w->run.interrupt && w->run.interrupt(w->run.data));
+}
+
 static void progress(void *data, const ovr_run *run, double fraction)
 {
     const working *w = data;
@@ -234,6 +241,7 @@ static ovr_run *begin(working *w, ovr_case *c, bool resume, ovr_error *err)
     how.data = w;
     how.say = say;
     how.stop = stop;
+    how.interrupt = interrupt;
     how.progress = progress;
     how.observe = observe;
     how.change = change;

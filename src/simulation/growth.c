@@ -114,7 +114,7 @@ ovr_defect ovr_steady_grown(ovr_simulation *sim, const ovr_full *how,
         keep(&g, 0);
     else
         ds = 0;
-    while (g.at < 1 && ds >= least) {
+    while (g.at < 1 && ds >= least && !ovr_hierarchy_stops(&sim->grids)) {
         double s = fmin(1, g.at + ds);
         bool found = found_at(&g, s, how, solve_at(&g, s, how, cycles));
         if (found)

@@ -414,7 +414,8 @@ static void couple(ovr_simulation *sim, void *own, const ovr_full *how,
         ovr_heat_apply(sim);
         outcome->defect = ovr_steady_cycles(sim, how, &outcome->cycles);
         ovr_simulation_read(sim);
-        if (!(outcome->defect.imbalance < 1e6))
+        if (!(outcome->defect.imbalance < 1e6) ||
+            ovr_hierarchy_stops(&sim->grids))
             break;
     }
     if (!(change < enough))

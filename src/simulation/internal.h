@@ -120,7 +120,13 @@ struct ovr_simulation {
     ovr_state state;
     ovr_observation observation;
     ovr_statistics statistics;
+    ovr_stopping stopping; /* of the steady solve */
 };
+
+/* Asked between the cycles of the steady solve, which ends with OVR_STOPPED and
+ * without a state once it is true. */
+void ovr_simulation_stop(ovr_simulation *sim, bool (*stop)(void *data),
+                         void *data);
 
 /* A set-up that only counts what it takes; NULL: options that are refused. */
 ovr_simulation *ovr_simulation_counted(const ovr_options *options);

@@ -270,7 +270,13 @@ static void attempt(ovr_simulation *sim, const ovr_full *how,
         p->is->finish(sim, p->own, how, outcome);
 }
 
-ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
+void ovr_simulation_stop(ovr_simulation *sim, bool (*stop)(void *data),
+                         void *data)
+{
+    sim->stopping = (ovr_stopping){.asked = stop, .data = data};
+}
+
+static ovr_status solve_steady(ovr_simulation *sim, ovr_error *err)
 {
     double tolerance = 0;
     int tried = 0;
@@ -284,6 +290,8 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
         p->is->operate(sim, p->own, 0, &op);
     ovr_hierarchy_operator(&sim->grids, &op);
     for (int k = 0; k < STRATEGIES && !outcome.converged; k++) {
+        if (ovr_hierarchy_stops(&sim->grids))
+            break;
         ovr_full how = full_of(sim, &strategies[k]);
         if ((strategies[k].flow_law && !thins(sim)) ||
             (strategies[k].grown &&
@@ -298,6 +306,8 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
         if (sim->options.stop == OVR_STOP_FIXED || ovr_mesh_too_coarse(sim))
             break;
     }
+    if (!outcome.converged && sim->grids.stopping.now)
+        return ovr_fail(err, OVR_STOPPED, "stopped in the steady start");
     sim->statistics = (ovr_statistics){.size = sizeof sim->statistics,
                                        .cycles = outcome.cycles};
     sim->state = (ovr_state){.size = sizeof sim->state};
@@ -307,4 +317,12 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
     return outcome.converged
                ? OVR_OK
                : ovr_failure_steady(sim, &outcome, tolerance, err);
+}
+
+ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
+{
+    sim->grids.stopping = sim->stopping;
+    ovr_status status = solve_steady(sim, err);
+    sim->grids.stopping = (ovr_stopping){0};
+    return status;
 }

@@ -167,6 +167,20 @@ def test_observers_see_each_step_and_may_end_it(dent):
     assert ovr.open("b.h5").status == "stopped"
 
 
+def test_a_steady_start_is_stopped_too(dent):
+    asked = []
+
+    def enough():
+        asked.append(True)
+        return len(asked) > 2
+    ds = ovr.run(dent, "start.h5", stop=enough)
+    assert ds.status == "stopped" and ds.overroll.history.sizes["step"] == 0
+    assert len(asked) == 3
+    ovr.run(dent, "whole.h5")
+    ovr.resume("start.h5")
+    same_file("start.h5", "whole.h5")
+
+
 def test_own_surface_in_a_file(dent):
     ds = ovr.run(dent, surface=lambda T, X: 0.01 * np.cos(X - T))
     S = ds.roughness.isel(time=0).values

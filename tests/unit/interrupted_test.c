@@ -1,27 +1,47 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A run that is stopped, its last step included, and gone on with says and
- * holds what one does that was left alone: steps, summary and warnings. */
+/* A run that is stopped, in its steady start and at its last step too, and gone
+ * on with says and holds what one does that was left alone: steps, summary and
+ * warnings. */
 #include "support/test.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "overroll/overroll.h"
+
+enum { NEVER = -1 };
 
 /* What was said in the end, and the numbers but for the time it took. */
 typedef struct told {
     long steps;
     int warnings;
     char text[8000], summary[16000];
-    long looks, stop; /* how often it was asked whether to stop; when it does */
+    long looks, asked;    /* observed, and asked on the way */
+    long stop, stop_when; /* at that look; when asked so often */
     ovr_status status;
 } told;
 
 static bool stop(void *data)
 {
     told *t = data;
-    return ++t->looks == t->stop;
+    return t->looks == t->stop;
+}
+
+static bool interrupt(void *data)
+{
+    told *t = data;
+    return ++t->asked == t->stop_when;
+}
+
+static ovr_status look(void *data, const ovr_simulation *sim, ovr_error *err)
+{
+    told *t = data;
+    (void)sim;
+    (void)err;
+    t->looks++;
+    return OVR_OK;
 }
 
 static void add(char *to, size_t room, const char *text)
@@ -62,12 +82,14 @@ static ovr_run_options options(told *t, const char *path)
     how.output = path;
     how.data = t;
     how.stop = stop;
+    how.interrupt = interrupt;
+    how.observe = look;
     return how;
 }
 
-static told run(const char *text, const char *path, long stop_at)
+static told run(const char *text, const char *path, told t)
 {
-    told t = {.stop = stop_at};
+    bool stops = t.stop > 0 || t.stop_when > 0;
     ovr_error err = {0};
     ovr_run_options how = options(&t, path);
     how.force = true;
@@ -75,7 +97,7 @@ static told run(const char *text, const char *path, long stop_at)
     ovr_run *r = c ? ovr_run_create(c, &how, NULL, &err) : NULL;
     CHECK_OK(r ? OVR_OK : err.status, &err);
     t.status = ovr_run_go(r, &err);
-    CHECK_STATUS(t.status, stop_at ? OVR_STOPPED : OVR_OK, &err);
+    CHECK_STATUS(t.status, stops ? OVR_STOPPED : OVR_OK, &err);
     keep(&t, r);
     ovr_run_free(r);
     ovr_case_free(c);
@@ -84,7 +106,7 @@ static told run(const char *text, const char *path, long stop_at)
 
 static told resume(const char *path)
 {
-    told t = {0};
+    told t = {.stop = NEVER};
     ovr_error err = {0};
     ovr_run_options how = options(&t, NULL);
     ovr_run *r = ovr_run_resume(path, &how, NULL, &err);
@@ -113,22 +135,31 @@ static void same_lines(const char *part, const char *whole, long look,
                  whole);
 }
 
-/* Stopped at the k-th look, counted from the end where k < 0. */
-static void same_end(const char *text, const char *folder, const long *at,
-                     size_t count)
+/* Stopped at the k-th look, counted from the end where k < 0; or when asked k
+ * times, before it is looked at. */
+static void same_end_of(bool looked, const char *text, const char *folder,
+                        const long *at, size_t count)
 {
     char path[600], whole_path[600];
     snprintf(path, sizeof path, "%s/part.h5", folder);
     snprintf(whole_path, sizeof whole_path, "%s/whole.h5", folder);
-    told whole = run(text, whole_path, 0);
+    told whole = run(text, whole_path, (told){.stop = NEVER});
     for (size_t k = 0; k < count; k++) {
         long look = at[k] > 0 ? at[k] : whole.looks + 1 + at[k];
-        run(text, path, look);
+        run(text, path,
+            looked ? (told){.stop = look}
+                   : (told){.stop = NEVER, .stop_when = at[k]});
         told part = resume(path);
         same_lines(part.text, whole.text, look, whole.looks);
         same_lines(part.summary, whole.summary, look, whole.looks);
         assert_int_equal(part.steps, whole.steps);
     }
+}
+
+static void same_end(const char *text, const char *folder, const long *at,
+                     size_t count)
+{
+    same_end_of(true, text, folder, at, count);
 }
 
 #define AT(...)                                                                \
@@ -143,6 +174,44 @@ static void the_last_step_of_an_automatic_end(void **state)
 {
     same_end(CONTACT "[domain]\nlevel = 4\n[time]\nend = auto\n" DENT, *state,
              AT(-1, -2, -19, 3));
+}
+
+/* Nothing is kept of it, and it begins again. */
+static void stopped_before_it_begins(void **state)
+{
+    same_end_of(false, CONTACT "[domain]\nlevel = 6\n[time]\nend = 0.1\n" DENT,
+                *state, AT(1, 4, 9));
+}
+
+/* The steady start of a hot, conserved film, some 10 s of CPU, ends within one
+ * of the moment from which it is to. */
+static bool after_a_while(void *data)
+{
+    return (double)clock() / CLOCKS_PER_SEC > *(const double *)data;
+}
+
+static void a_long_start_is_stopped_at_once(void **state)
+{
+    double when = (double)clock() / CLOCKS_PER_SEC + 1;
+    ovr_error err = {0};
+    ovr_run_options how = ovr_run_options_default();
+    ovr_case *c = ovr_case_read_text(
+        "[contact]\nradius = 12.7 mm\nviscosity = 40 mPa.s\nM = 100\n"
+        "L = 12\nmodulus = 226 GPa\nslide_to_roll = 0.5\n[domain]\n"
+        "level = 14\n[lubricant]\nalpha = 17 1/GPa\nrheology = eyring\n"
+        "eyring_stress = 5 MPa\n[heat]\nmodel = lobatto\n"
+        "temperature = 80 degC\n[cavitation]\nmodel = conserving\n",
+        "case", NULL, NULL, &err);
+    how.data = &when;
+    how.interrupt = after_a_while;
+    (void)state;
+    ovr_run *r = c ? ovr_run_create(c, &how, NULL, &err) : NULL;
+    CHECK_OK(r ? OVR_OK : err.status, &err);
+    CHECK_STATUS(ovr_run_go(r, &err), OVR_STOPPED, &err);
+    CHECK_ERROR(&err, OVR_STOPPED, "steady start");
+    assert_true((double)clock() / CLOCKS_PER_SEC < when + 1);
+    ovr_run_free(r);
+    ovr_case_free(c);
 }
 
 /* On a level chosen before, which the run then shows to do worse. */
@@ -192,6 +261,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(the_last_step_of_an_automatic_end,
                                         test_make_folder, test_remove_folder),
+        cmocka_unit_test_setup_teardown(stopped_before_it_begins,
+                                        test_make_folder, test_remove_folder),
+        cmocka_unit_test(a_long_start_is_stopped_at_once),
         cmocka_unit_test_setup_teardown(warnings_of_a_chosen_level,
                                         test_make_folder, test_remove_folder),
         cmocka_unit_test_setup_teardown(warnings_before_and_after,

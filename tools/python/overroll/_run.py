@@ -95,6 +95,13 @@ def _stop(data: Any) -> bool:
     return watch.stopped is not None and bool(watch.stopped())
 
 
+@ffi.callback("bool(void *)", error=True, onerror=remember)
+def _interrupt(data: Any) -> bool:
+    watch = ffi.from_handle(data)()
+    return watch.trouble is not None or (watch.stopped is not None
+                                         and bool(watch.stopped()))
+
+
 @ffi.callback("ovr_status(void *, ovr_case *, ovr_error *)",
               error=lib.OVR_BAD_INPUT, onerror=remember)
 def _change(data: Any, c: Any, err: Any) -> int:
@@ -131,6 +138,7 @@ def options(watch: _Watch, output: Optional[str],
     how.force = force
     how.data = watch.handle
     how.stop = _stop
+    how.interrupt = _interrupt
     if watch.heights is not None:
         how.heights = moving_heights
     if output is None:
@@ -171,7 +179,8 @@ def run(case: Union[Case, Path], output: Optional[Path] = None, *,
         a file that can be gone on with, and so does what it raises, which
         travels on.  `state` is a `Solution`, to be used within the call.
     stop : callable() -> bool, optional
-        Asked as often, in the thread that runs.
+        Asked as often, and between the cycles of the steady start, in the
+        thread that runs.
     **keys
         Keys of the case.
 
