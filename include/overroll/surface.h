@@ -84,6 +84,10 @@ typedef enum ovr_shape {
  * them all. */
 OVR_API const char *ovr_shape_name(int shape);
 
+/* Which keys a shape takes, in words: "needs depth, width; ..."; returns the
+ * room that it wants, as snprintf. */
+OVR_API int ovr_shape_takes(int shape, char *text, size_t room);
+
 /*
  * What a feature is made of.  Lengths in b, heights in b^2/R, times in b/um;
  * NAN: not given.  A field that the shape does not use must stay NAN.

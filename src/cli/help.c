@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll help [TOPIC]: commands, and what may stand in a case file. */
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "cli/cli.h"
 
-enum { WIDTH = 78, INDENT = 17, TOPICS = 300 };
+enum { WIDTH = 78, INDENT = 17, TOPICS = 300, KEYS = 1000 };
 
 /* ------------------------------------------------------------------ lists */
 
@@ -185,13 +188,56 @@ static void roff_parameter(const ovr_parameter_info *p)
     }
 }
 
+static void roff_shape(int shape)
+{
+    char text[500];
+    ovr_shape_takes(shape, text, sizeof text);
+    printf(".TP\n.B %s\n", ovr_shape_name(shape));
+    put_roff(text);
+    puts(".");
+}
+
+/* Of numbers of parameters. */
+static int by_key(const void *a, const void *b)
+{
+    ovr_parameter_info x = ovr_parameter_at(*(const size_t *)a);
+    ovr_parameter_info y = ovr_parameter_at(*(const size_t *)b);
+    int order = strcasecmp(x.key, y.key);
+    return order ? order : strcmp(x.key, y.key);
+}
+
+/* Every key once, with its sections, a paragraph a letter. */
+static void roff_index(void)
+{
+    size_t count = ovr_parameter_count(), number[KEYS];
+    for (size_t k = 0; k < count && k < KEYS; k++)
+        number[k] = k;
+    qsort(number, count, sizeof *number, by_key);
+    puts(".SS Index of keys");
+    const char *before = "";
+    for (size_t k = 0; k < count; k++) {
+        ovr_parameter_info p = ovr_parameter_at(number[k]);
+        bool again = !strcmp(p.key, before);
+        if (tolower(p.key[0]) != tolower(*before))
+            puts(".PP");
+        fputs(again ? "" : ".B ", stdout);
+        put_roff(again ? "" : p.key);
+        printf("%s[%s]\n", again ? "" : "\n", p.section);
+        before = p.key;
+    }
+}
+
 /* The part of overroll-case(5) that is made from the table. */
 static int roff(void)
 {
+    roff_index();
     for (size_t k = 0; ovr_section_name(k); k++) {
         printf(".SS [%s]\n", ovr_section_name(k));
         put_roff(ovr_section_help(k));
         puts(".");
+        for (int i = 0;
+             !strcmp(ovr_section_name(k), "feature") && ovr_shape_name(i); i++)
+            roff_shape(i);
         for (size_t i = 0; i < ovr_parameter_count(); i++) {
             ovr_parameter_info p = ovr_parameter_at(i);
             if (!strcmp(p.section, ovr_section_name(k)))

@@ -10,6 +10,7 @@
 
 #include <math.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 
 static const double TWO_PI = 6.283185307179586476925;
@@ -150,23 +151,25 @@ static const struct rule {
     const char *name;
     formula *height;
     unsigned tall, needed, allowed;
-    double half; /* full width at half depth over the width */
+    double half;      /* full width at half depth over the width */
+    const char *made; /* by this, which is no size; NULL */
 } rules[OVR_SHAPES] = {
-    [OVR_DENT] = {"dent", dent, DEPTH, WIDTH, 0, DENT_HALF},
-    [OVR_BUMP] = {"bump", dent, HEIGHT, WIDTH, 0, DENT_HALF},
+    [OVR_DENT] = {"dent", dent, DEPTH, WIDTH, 0, DENT_HALF, NULL},
+    [OVR_BUMP] = {"bump", dent, HEIGHT, WIDTH, 0, DENT_HALF, NULL},
     [OVR_INDENT] = {"indent", indent, DEPTH, WIDTH,
-                    SHOULDER | SHOULDER_AT | SHOULDER_WIDTH, BELL_HALF},
-    [OVR_RIDGE] = {"ridge", ridge, HEIGHT | DEPTH, WIDTH, 0, BELL_HALF},
-    [OVR_STEP] = {"step", step, HEIGHT | DEPTH, 0, LENGTH | FLANK | RADIUS,
-                  NAN},
-    [OVR_GROOVE] = {"groove", groove, DEPTH | HEIGHT, WIDTH, FLANK | RADIUS, 1},
-    [OVR_WAVE] = {"wave", wave, AMPLITUDE, WAVELENGTH, 0, NAN},
+                    SHOULDER | SHOULDER_AT | SHOULDER_WIDTH, BELL_HALF, NULL},
+    [OVR_RIDGE] = {"ridge", ridge, HEIGHT | DEPTH, WIDTH, 0, BELL_HALF, NULL},
+    [OVR_STEP] = {"step", step, HEIGHT | DEPTH, 0, LENGTH | FLANK | RADIUS, NAN,
+                  NULL},
+    [OVR_GROOVE] = {"groove", groove, DEPTH | HEIGHT, WIDTH, FLANK | RADIUS, 1,
+                    NULL},
+    [OVR_WAVE] = {"wave", wave, AMPLITUDE, WAVELENGTH, 0, NAN, NULL},
     [OVR_CHIRP] = {"chirp", chirp, AMPLITUDE,
-                   WAVELENGTH | WAVELENGTH_END | LENGTH, FLANK, NAN},
+                   WAVELENGTH | WAVELENGTH_END | LENGTH, FLANK, NAN, NULL},
     [OVR_TEXTURE] = {"texture", texture, DEPTH | HEIGHT, WIDTH | WAVELENGTH, 0,
-                     0.5},
-    [OVR_PROFILE] = {"profile", tabulated, 0, 0, 0, NAN},
-    [OVR_ROUGHNESS] = {"roughness", tabulated, 0, 0, 0, NAN},
+                     0.5, NULL},
+    [OVR_PROFILE] = {"profile", tabulated, 0, 0, 0, NAN, "file"},
+    [OVR_ROUGHNESS] = {"roughness", tabulated, 0, 0, 0, NAN, "Rq"},
 };
 
 const char *ovr_shape_name(int shape)
@@ -199,22 +202,58 @@ static ovr_status check_size(const ovr_feature_form *form,
                           size->zero ? "zero or positive" : "positive");
 }
 
-/* "depth or height" */
-static const char *names_of(unsigned set, char *text, size_t room)
+/* "depth or height", with what stands between two. */
+static const char *names_of(unsigned set, const char *between, char *text,
+                            size_t room)
 {
     size_t used = 0;
     text[0] = 0;
     for (int k = 0; k < SIZES; k++)
         if (set & sizes[k].bit && used < room) {
-            size_t left = room - used, name = strlen(sizes[k].name);
-            if (used && left > 4)
-                memcpy(text + used, " or ", 5), used += 4, left -= 4;
-            if (name + 1 > left)
-                break;
-            memcpy(text + used, sizes[k].name, name + 1);
-            used += name;
+            int more = snprintf(text + used, room - used, "%s%s",
+                                used ? between : "", sizes[k].name);
+            used += more > 0 ? (size_t)more : room;
         }
     return text;
+}
+
+/* Parts of a list, those that are there. */
+static void join(char *text, size_t room, const char *const *part, size_t parts)
+{
+    size_t used = 0;
+    text[0] = 0;
+    for (size_t k = 0; k < parts; k++)
+        if (part[k] && *part[k] && used < room) {
+            int more = snprintf(text + used, room - used, "%s%s",
+                                used ? ", " : "", part[k]);
+            used += more > 0 ? (size_t)more : room;
+        }
+}
+
+int ovr_shape_takes(int shape, char *text, size_t room)
+{
+    const struct rule *rule = &rules[shape];
+    unsigned allowed = rule->allowed, edge = FLANK | RADIUS;
+    unsigned ways = WIDTHS &
+                    ~(unsigned)(shape == OVR_INDENT ? WIDTH : WIDTH | RIM);
+    char tall[40], sizes_of[80], flank[40], needed[160], may[160];
+    names_of(rule->tall, " or ", tall, sizeof tall);
+    names_of(rule->needed, ", ", sizes_of, sizeof sizes_of);
+    join(needed, sizeof needed, (const char *[]){tall, sizes_of, rule->made},
+         3);
+    names_of(allowed & ~edge, ", ", sizes_of, sizeof sizes_of);
+    names_of(allowed & edge, " or ", flank, sizeof flank);
+    join(may, sizeof may, (const char *[]){sizes_of, flank}, 2);
+    int used = snprintf(text, room, "needs %s%s%s", needed,
+                        *may ? "; may have " : "", may);
+    if (!(rule->needed & WIDTH))
+        return used;
+    size_t left = (size_t)used < room ? room - (size_t)used : 0;
+    return used + snprintf(left ? text + used : NULL, left,
+                           ".  Instead of width: %s; at half its depth it is "
+                           "%.3g of its width",
+                           names_of(ways, " or ", sizes_of, sizeof sizes_of),
+                           rule->half);
 }
 
 static const char *first_of(unsigned set)
@@ -252,7 +291,8 @@ static ovr_status check_complete(const ovr_feature_form *form, unsigned given,
     if (missing)
         return ovr_fail_about(err, first_of(missing),
                               "feature '%s': a %s needs its %s", form->name,
-                              rule->name, names_of(missing, text, sizeof text));
+                              rule->name,
+                              names_of(missing, " or ", text, sizeof text));
     if (tall & (tall - 1) || (given & (FLANK | RADIUS)) == (FLANK | RADIUS))
         return ovr_fail_about(
             err, tall & (tall - 1) ? "height" : "radius",

@@ -420,10 +420,64 @@ static void mistakes_are_named(void **state)
     f = good, f.shape = OVR_GROOVE, f.radius = 1, refuse(&f, "physical");
 }
 
+static void set_size(ovr_feature_form *form, const char *key, double value)
+{
+    const struct {
+        const char *key;
+        double *to;
+    } sizes[] = {{"depth", &form->depth},
+                 {"height", &form->height},
+                 {"amplitude", &form->amplitude},
+                 {"width", &form->width},
+                 {"wavelength", &form->wavelength},
+                 {"wavelength_end", &form->wavelength_end},
+                 {"length", &form->length}};
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++)
+        if (!strcmp(sizes[k].key, key))
+            *sizes[k].to = value;
+}
+
+static bool is_made(const ovr_contact *c, const ovr_feature_form *form)
+{
+    ovr_error err;
+    ovr_surfaces *s = ovr_surfaces_create(c, NULL, X[1] - X[0], NULL, &err);
+    assert_non_null(s);
+    bool made = ovr_surfaces_add(s, form, &err) == OVR_OK;
+    ovr_surfaces_free(s);
+    return made;
+}
+
+/* The words of the manual are the rules: a feature of what a shape is said to
+ * need is made, and not without the last of it. */
+static void shapes_need_what_is_said(void **state)
+{
+    ovr_contact c = moes(1, 1);
+    (void)state;
+    for (int shape = 0; shape < OVR_PROFILE; shape++) {
+        char text[500], *word, *rest = text + strlen("needs ");
+        ovr_feature_form form = ovr_feature_form_default();
+        assert_true(ovr_shape_takes(shape, text, sizeof text) < 500);
+        assert_int_equal(strncmp(text, "needs ", 6), 0);
+        form.name = "it";
+        form.shape = (ovr_shape)shape;
+        if (shape != OVR_WAVE && shape != OVR_TEXTURE) /* they are endless */
+            form.start = -4.6;
+        text[strcspn(text, ";.")] = '\0';
+        while ((word = strtok_r(rest, ",", &rest))) {
+            word += strspn(word, " ");
+            word[strcspn(word, " ")] = '\0'; /* "depth or height" */
+            assert_false(is_made(&c, &form));
+            set_size(&form, word, strcmp(word, "length") ? 0.3 : 3);
+        }
+        assert_true(is_made(&c, &form));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(dent_and_bump_follow_their_formula),
+        cmocka_unit_test(shapes_need_what_is_said),
         cmocka_unit_test(wave_grows_and_rides),
         cmocka_unit_test(features_add_up),
         cmocka_unit_test(copies_follow),
