@@ -106,6 +106,7 @@ typedef struct ovr_gear_geometry {
     double omega_1, omega_2; /* rad/s, both positive */
     double transverse_force; /* N */
     double normal_force;     /* N */
+    double whole_load;       /* of one pair alone over the face, N/m */
     double mesh_stiffness;   /* c', N/m2 */
     bool iso_applies;        /* its shifts are in the range of ISO's c' */
     double stiffness_sum;    /* mean of c' over all pairs that touch over c' */

@@ -113,6 +113,20 @@ static const struct unit {
     {"mm^2", OVR_AREA, 1, 1e6},
     {"um2", OVR_AREA, 1, 1e12},
     {"um^2", OVR_AREA, 1, 1e12},
+    {"rad", OVR_ANGLE, 1, 1},
+    {"deg", OVR_ANGLE, 0.017453292519943295, 1},
+    {"\302\260", OVR_ANGLE, 0.017453292519943295, 1},
+    {"N.m", OVR_TORQUE, 1, 1},
+    {"Nm", OVR_TORQUE, 1, 1},
+    {"kN.m", OVR_TORQUE, 1e3, 1},
+    {"kNm", OVR_TORQUE, 1e3, 1},
+    {"W", OVR_POWER, 1, 1},
+    {"kW", OVR_POWER, 1e3, 1},
+    {"kg", OVR_MASS, 1, 1},
+    {"g", OVR_MASS, 1, 1e3},
+    {"N/m2", OVR_MESH_STIFFNESS, 1, 1},
+    {"N/mm.um", OVR_MESH_STIFFNESS, 1e9, 1},
+    {"N/(mm.um)", OVR_MESH_STIFFNESS, 1e9, 1},
 };
 enum { UNITS = sizeof units / sizeof units[0] };
 
@@ -140,6 +154,12 @@ const char *ovr_units_allowed(ovr_dimension dimension)
     case OVR_HEAT_CAPACITY: return "J/kg.K, kJ/kg.K";
     case OVR_AREA: return "m2, mm2, um2";
     case OVR_DURATION: return "s, ms, us";
+    case OVR_ANGLE: return "rad, deg";
+    case OVR_TORQUE: return "N.m, kN.m";
+    case OVR_POWER: return "W, kW";
+    case OVR_STIFFNESS: return "N/m, kN/m, N/mm";
+    case OVR_MASS: return "kg, g";
+    case OVR_MESH_STIFFNESS: return "N/m2, N/mm.um";
     }
     return "";
 }
@@ -152,6 +172,8 @@ static bool leads_to(const struct unit *unit, ovr_dimension wanted)
         return is == OVR_LINE_LOAD || is == OVR_FORCE;
     if (wanted == OVR_SURFACE_SPEED)
         return is == OVR_SPEED || is == OVR_ROTATION;
+    if (wanted == OVR_STIFFNESS)
+        return is == OVR_LINE_LOAD; /* the same units */
     if (wanted == OVR_KELVINS)
         return is == OVR_TEMPERATURE && !strcmp(unit->name, "K");
     return is == wanted;
@@ -159,7 +181,7 @@ static bool leads_to(const struct unit *unit, ovr_dimension wanted)
 
 const char *ovr_unit_si(ovr_dimension dimension)
 {
-    if (dimension == OVR_LOAD)
+    if (dimension == OVR_LOAD || dimension == OVR_STIFFNESS)
         dimension = OVR_LINE_LOAD;
     if (dimension == OVR_SURFACE_SPEED)
         dimension = OVR_SPEED;

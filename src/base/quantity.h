@@ -36,7 +36,13 @@ typedef enum ovr_dimension {
     OVR_PER_KELVIN,
     OVR_CONDUCTIVITY,
     OVR_HEAT_CAPACITY,
-    OVR_AREA
+    OVR_AREA,
+    OVR_ANGLE,
+    OVR_TORQUE,
+    OVR_POWER,
+    OVR_STIFFNESS, /* a force per way: in units of line loads */
+    OVR_MASS,
+    OVR_MESH_STIFFNESS /* per width: N/(mm um) */
 } ovr_dimension;
 
 typedef struct ovr_quantity {

@@ -5,6 +5,7 @@
  */
 #include "case/resolve.h"
 #include "case/domain.h"
+#include "case/resolve_element.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -207,7 +208,8 @@ static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
         fill_section(r, "heat", err))
         return OVR_BAD_INPUT;
     r->setup.bearable = r->values.bearable;
-    if (ovr_resolve_bodies(r, err) || ovr_resolve_oil(r, err))
+    if (ovr_resolve_element_keys(r, err) || ovr_resolve_bodies(r, err) ||
+        ovr_resolve_element(r, err) || ovr_resolve_oil(r, err))
         return err ? err->status : OVR_BAD_INPUT;
     numbers = !isnan(given->M) || !isnan(given->L) || !isnan(given->lambda) ||
               !isnan(given->alphabar);
@@ -319,7 +321,7 @@ static ovr_status resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
 {
     ovr_settings *v = &r->values;
     ovr_setup *s = &r->setup;
-    s->transient = ovr_slot_of(r, "time", "end")->given;
+    s->transient = ovr_slot_of(r, "time", "end")->given || ovr_element_moves(r);
     r->march = ovr_march_default();
     r->march.end = s->transient ? v->end : 0;
     r->march.adaptive = v->step == OVR_STEP_ADAPTIVE;
@@ -339,6 +341,8 @@ static ovr_status resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
                             err))
         return err ? err->status : OVR_BAD_INPUT;
     if (resolve_radius(r, allocator, err))
+        return err ? err->status : OVR_BAD_INPUT;
+    if (ovr_resolve_element_histories(r, allocator, err))
         return err ? err->status : OVR_BAD_INPUT;
     s->options->scheme = choose_scheme(r);
     return ovr_resolve_supply(r, allocator, err);
@@ -502,6 +506,7 @@ void ovr_setup_free(ovr_setup *setup)
         ovr_layer_free(setup->supply->layer[k]);
     for (int k = 0; k < 2; k++)
         ovr_law_table_free(((ovr_resolved *)setup)->tables[k]);
+    ovr_resolved_element_free((ovr_resolved *)setup);
     arena = ((ovr_resolved *)setup)->arena;
     ovr_arena_release(&arena);
 }

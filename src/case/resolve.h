@@ -27,6 +27,12 @@ typedef struct ovr_resolved {
     ovr_flow_law *flow_law;
     ovr_supply_setup supply;
     ovr_resolved_physics physics[OVR_MOST_PHYSICS]; /* as in the list */
+    struct {
+        ovr_gear *gear; /* one of them at most */
+        ovr_cam *cam;
+        ovr_bearing *bearing;
+        double end; /* of its histories, b/um */
+    } element;
     double inlet_kept; /* X_a, farther out, that a feature before the usual one
                           kept the domain from; 0: none did */
     ovr_arena arena;

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "case/resolve.h"
+#include "case/resolve_element.h"
 #include "surface/layer.h"
 
 static ovr_status check_film(const ovr_resolved *r, ovr_error *err)
@@ -92,7 +93,9 @@ ovr_status ovr_resolve_supply(ovr_resolved *r, const ovr_allocator *allocator,
     ovr_supply_setup *s = &r->supply;
     ovr_status status;
     s->film = v->supply_model != 0;
-    status = s->film ? check_film(r, err) : OVR_OK;
+    status = ovr_resolve_element_passes(r, err);
+    if (!status)
+        status = s->film ? check_film(r, err) : OVR_OK;
     if (!status)
         status = ovr_resolve_history(r, "supply", &v->supply, allocator,
                                      &s->history, err);

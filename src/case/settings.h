@@ -4,6 +4,7 @@
 #define OVR_CASE_SETTINGS_H
 
 #include "overroll/case.h"
+#include "overroll/elements.h"
 #include "overroll/oil.h"
 
 /* How load or speed change. */
@@ -21,6 +22,26 @@ typedef struct ovr_feature_settings {
     ovr_conditioning conditioning;
     ovr_roughness roughness;
 } ovr_feature_settings;
+
+/* Every value of [gear], [cam] and [roller_bearing]. */
+typedef struct ovr_element_settings {
+    ovr_gear_form gear;
+    double power; /* W; NAN: not given */
+    int sharing;
+    const char *sharing_file;
+    ovr_cam_form cam;
+    int follower, law;
+    const char *lift_file;
+    ovr_bearing_form bearing;
+    int position, passes;
+} ovr_element_settings;
+
+/* Of [roller_bearing] passes. */
+enum {
+    OVR_ROLLER_PASSES_NONE,
+    OVR_ROLLER_PASSES_ZONE,
+    OVR_ROLLER_PASSES_TURNS
+};
 
 /* Every value of a case but the features'. */
 typedef struct ovr_settings {
@@ -55,6 +76,7 @@ typedef struct ovr_settings {
     ovr_life_options life;
     int stress_surface, stress_every, stress_traction, criterion;
     ovr_list window;
+    ovr_element_settings element;
 } ovr_settings;
 
 /* Of [radius] curvature. */

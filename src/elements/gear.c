@@ -289,6 +289,7 @@ static void move(const ovr_gear_form *f, ovr_gear_geometry *g)
     g->omega_2 = g->omega_1 * f->teeth_1 / abs(f->teeth_2);
     g->transverse_force = fabs(f->torque) / g->base_1;
     g->normal_force = g->transverse_force / cos(g->base_helix);
+    g->whole_load = g->normal_force * cos(g->base_helix) / f->face;
     g->duration = (g->R1_E - g->R1_A) / (g->base_1 * g->omega_1);
     double iso = ovr_iso_stiffness(f, g, &g->iso_applies);
     g->mesh_stiffness = isnan(f->mesh_stiffness) ? iso : f->mesh_stiffness;

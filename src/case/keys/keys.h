@@ -30,8 +30,15 @@ extern const ovr_section ovr_paper_section;
 extern const ovr_section ovr_stress_section;
 extern const ovr_section ovr_fatigue_section;
 extern const ovr_section ovr_body_section;
+extern const ovr_section ovr_gear_section;
+extern const ovr_section ovr_cam_section;
+extern const ovr_section ovr_roller_bearing_section;
 
 extern const ovr_word ovr_history_words[], ovr_time_unit_words[];
+
+/* A run in time: it has an end, or an element of a machine with a way of its
+ * own. */
+#define IN_TIME "time.end or gear.teeth_1 or cam.base_radius"
 
 #define IN_CHANGE(base, field) ((base) + offsetof(ovr_change, field))
 

@@ -28,17 +28,18 @@ static const ovr_parameter time_keys[] = {
      "end of the run, which starts at 0; auto: when all features have left, "
      "load and speed do not change any more and the film is steady again; "
      "without an end the case is steady"},
-    {"step", SPAN(steps, 1e3), "grid", AT(step), true, "end",
+    {"step", SPAN(steps, 1e3), "grid", AT(step), true, IN_TIME,
      "time step; grid: the mesh size; adaptive: by the scheme's own error"},
     {"scheme", CHOICE(schemes), "auto", AT(scheme), true, ALWAYS,
      "discretization in X and T: upstream1 with backward Euler, upstream2 "
      "with BDF2, or narrow second order along the characteristic; auto: "
      "characteristic in runs with step = grid at constant load and speed, "
      "upstream2 else"},
-    {"error", PLAIN(1e-9, 0.1), "1e-3", AT(error), true, "end; step = adaptive",
+    {"error", PLAIN(1e-9, 0.1), "1e-3", AT(error), true,
+     IN_TIME "; step = adaptive",
      "relative error that the steps add to the film on its way "
      "through the contact"},
-    {"until_steady", FLAG, "no", AT(until_steady), false, "end",
+    {"until_steady", FLAG, "no", AT(until_steady), false, IN_TIME,
      "stop when nothing changes any more"},
 };
 

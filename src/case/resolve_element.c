@@ -1,0 +1,562 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The nominal contact of an element is that of a gear pair at its pitch point
+ * with the whole load, of a cam at its nose with the largest mean speed and
+ * load of its event, of a bearing at its heaviest roller.  What changes is told
+ * relative to it, by tables of the element's moments: 1601 times, and a point
+ * at every corner.
+ */
+#include "case/resolve_element.h"
+#include "case/two_columns.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { UNIFORM = 1600, CORNERS = 32, POINTS = UNIFORM + 1 + CORNERS };
+
+/* Curvatures of surface 1 below a thousandth of the nominal one are as good as
+ * none, and beyond what a case may say. */
+static const double FLATTEST = 1000;
+
+static const double PI = 3.14159265358979323846;
+
+/* ------------------------------------------------------------ which speaks */
+
+static bool speaks(const ovr_block *block)
+{
+    for (size_t k = 0; block && k < block->count; k++)
+        if (block->slots[k].given)
+            return true;
+    return false;
+}
+
+static const char *const names[] = {"gear", "cam", "roller_bearing"};
+
+/* The section of the element, NULL for none. */
+static const ovr_block *element_block(const ovr_resolved *r)
+{
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+        if (speaks(ovr_block_of(r, names[k])))
+            return ovr_block_of(r, names[k]);
+    return NULL;
+}
+
+static ovr_status check_one(const ovr_resolved *r, const ovr_block *block,
+                            ovr_error *err)
+{
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+        const ovr_block *other = ovr_block_of(r, names[k]);
+        if (other != block && speaks(other))
+            return ovr_fail_at(err, OVR_BAD_INPUT, r->c->name, other->line,
+                               "[%s] and [%s]: one element at most",
+                               block->section->name, other->section->name);
+    }
+    return OVR_OK;
+}
+
+/* What an element says, elsewhere too. */
+static ovr_status check_said(const ovr_resolved *r, const ovr_block *block,
+                             ovr_error *err)
+{
+    static const char *const keys[] = {
+        "M",       "L",       "lambda",     "alphabar",     "radius",
+        "speed_1", "speed_2", "mean_speed", "slide_to_roll"};
+    static const char *const sections[] = {"load", "speed", "sliding", "radius",
+                                           "radius_1"};
+    const char *name = block->section->name;
+    for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
+        const ovr_slot *slot = ovr_slot_of(r, "contact", keys[k]);
+        if (slot->given)
+            return ovr_fail_slot(err, slot, "[%s] says it: leave %s out", name,
+                                 keys[k]);
+    }
+    for (const ovr_block *b = r->c->blocks; b; b = b->next)
+        if (!strcmp(b->section->name, "body") &&
+            ovr_block_get(b, "radius")->given)
+            return ovr_fail_slot(err, ovr_block_get(b, "radius"),
+                                 "[%s] says it: leave radius out", name);
+    for (size_t k = 0; k < sizeof sections / sizeof *sections; k++) {
+        const ovr_block *b = ovr_block_of(r, sections[k]);
+        if (speaks(b))
+            return ovr_fail_at(err, OVR_BAD_INPUT, r->c->name, b->line,
+                               "[%s] says how %s changes: leave [%s] out", name,
+                               k == 0 ? "load" : sections[k], sections[k]);
+    }
+    return OVR_OK;
+}
+
+/* The keys that it cannot do without. */
+static ovr_status check_missing(const ovr_block *block, const char *const *keys,
+                                ovr_error *err)
+{
+    for (; *keys; keys++)
+        if (!ovr_block_get(block, *keys)->given) {
+            for (size_t k = 0; k < block->count; k++)
+                if (block->slots[k].given)
+                    return ovr_fail_slot(err, &block->slots[k], "[%s] needs %s",
+                                         block->section->name, *keys);
+        }
+    return OVR_OK;
+}
+
+static const char *const *needed(const ovr_resolved *r, const ovr_block *block)
+{
+    static const char *const gear[] = {"teeth_1", "teeth_2", "module",
+                                       "face",    "speed",   NULL};
+    static const char *const bearing[] = {"roller", "rollers", "length", "load",
+                                          NULL};
+    static const char *const law[] = {"base_radius", "face", "speed", "spring",
+                                      "preload",     "lift", "rise",  NULL};
+    static const char *const table[] = {
+        "base_radius", "face", "speed", "spring", "preload", "file", NULL};
+    if (!strcmp(block->section->name, "gear"))
+        return gear;
+    if (!strcmp(block->section->name, "roller_bearing"))
+        return bearing;
+    return r->values.element.law == OVR_CAM_TABLE ? table : law;
+}
+
+ovr_status ovr_resolve_element_keys(ovr_resolved *r, ovr_error *err)
+{
+    ovr_element_settings *e = &r->values.element;
+    const ovr_block *block = element_block(r);
+    double *width = &r->values.contact.width;
+    ovr_status status;
+    e->gear = ovr_gear_form_default();
+    e->gear.shift_1 = e->gear.shift_2 = NAN;
+    e->cam = ovr_cam_form_default();
+    e->bearing = ovr_bearing_form_default();
+    e->power = NAN;
+    if (!block)
+        return OVR_OK;
+    if ((status = check_one(r, block, err)) ||
+        (status = check_said(r, block, err)) ||
+        (status = ovr_block_fill(r, block, &r->values, err)) ||
+        (status = check_missing(block, needed(r, block), err)))
+        return status;
+    e->gear.sharing = (ovr_gear_sharing)e->sharing;
+    e->cam.law = (ovr_cam_law)e->law;
+    e->cam.follower = (ovr_cam_follower)e->follower;
+    e->bearing.position = (ovr_bearing_position)e->position;
+    if (!isnan(*width))
+        return ovr_fail_slot(err, ovr_slot_of(r, "contact", "width"),
+                             "[%s] says it: leave width out",
+                             block->section->name);
+    *width = !isnan(e->gear.face)        ? e->gear.face
+             : !isnan(e->cam.face)       ? e->cam.face
+             : !isnan(e->bearing.length) ? e->bearing.length
+                                         : NAN;
+    return OVR_OK;
+}
+
+/* A file of two columns, in units of its own. */
+static ovr_status read_table(ovr_resolved *r, const ovr_block *block,
+                             const char *file, ovr_two_columns *columns,
+                             ovr_error *err)
+{
+    const ovr_slot *slot = ovr_block_get(block, "file");
+    if (!slot->given)
+        return ovr_fail_slot(err, ovr_block_get(block, "sharing"),
+                             "table needs 'file' in [%s]",
+                             block->section->name);
+    return ovr_two_columns_read(columns, file, slot, &r->arena, err);
+}
+
+/* ---------------------------------------------------------- nominal contact */
+
+static void take_nominal(ovr_resolved *r, const ovr_element_moment *m)
+{
+    ovr_conditions *given = &r->values.contact;
+    given->radius = m->R;
+    given->speed_1 = m->u1;
+    given->speed_2 = m->u2;
+    given->load = m->load;
+}
+
+/* Load per width of the nominal contact by [contact], NAN where it does not
+ * say. */
+static double contact_load(const ovr_resolved *r, double R)
+{
+    const ovr_conditions *given = &r->values.contact;
+    if (!isnan(given->load))
+        return given->load;
+    return 2 * PI * R * given->hertz_pressure * given->hertz_pressure /
+           given->modulus;
+}
+
+static ovr_status check_loaded_twice(const ovr_resolved *r, const char *by,
+                                     ovr_error *err)
+{
+    static const char *const keys[] = {"load", "hertz_pressure"};
+    for (int k = 0; k < 2; k++) {
+        const ovr_slot *slot = ovr_slot_of(r, "contact", keys[k]);
+        if (slot->given)
+            return ovr_fail_slot(err, slot, "[%s] says it: leave %s out", by,
+                                 keys[k]);
+    }
+    return OVR_OK;
+}
+
+/* ------------------------------------------------------------------- gears */
+
+static ovr_gear *make_gear(const ovr_resolved *r, const ovr_block *block,
+                           ovr_error *err)
+{
+    ovr_error why = {0};
+    ovr_gear *gear = ovr_gear_create(&r->values.element.gear, NULL, &why);
+    if (!gear)
+        ovr_fail_in(err, r->c, block, NULL, &why);
+    return gear;
+}
+
+/* Shifts that are not given: 0, but for the one that the centre leaves. */
+static void fill_shifts(ovr_gear_form *form)
+{
+    bool follows = !isnan(form->centre);
+    if (isnan(form->shift_1) && !(follows && !isnan(form->shift_2)))
+        form->shift_1 = 0;
+    if (isnan(form->shift_2) && !follows)
+        form->shift_2 = 0;
+}
+
+static ovr_element_moment pitch_point(const ovr_gear *gear)
+{
+    const ovr_gear_geometry *g = ovr_gear_of(gear);
+    ovr_element_moment m = ovr_gear_at(gear, ovr_gear_time(gear, g->R1_C));
+    m.load = g->whole_load;
+    return m;
+}
+
+/* The torque by the load at the pitch point: the gear is made with 1 N m first,
+ * for its geometry does not depend on it. */
+static ovr_status torque_by_load(ovr_resolved *r, const ovr_block *block,
+                                 ovr_error *err)
+{
+    ovr_gear_form *form = &r->values.element.gear;
+    form->torque = 1;
+    ovr_gear *unit = make_gear(r, block, err);
+    if (!unit)
+        return OVR_BAD_INPUT;
+    ovr_element_moment m = pitch_point(unit);
+    ovr_gear_free(unit);
+    form->torque = contact_load(r, m.R) / m.load;
+    if (!isnan(form->torque))
+        return OVR_OK;
+    return ovr_fail_slot(err, ovr_block_get(block, "teeth_1"),
+                         "[gear] needs torque or power, or load or "
+                         "hertz_pressure in [contact]: the whole load at the "
+                         "pitch point");
+}
+
+static ovr_status resolve_gear(ovr_resolved *r, const ovr_block *block,
+                               ovr_error *err)
+{
+    ovr_element_settings *e = &r->values.element;
+    ovr_gear_form *form = &e->gear;
+    ovr_status status = OVR_OK;
+    fill_shifts(form);
+    if (form->sharing == OVR_SHARING_TABLE) {
+        ovr_two_columns table = {
+            .what = "way and share", .most = 1, .of = "", .unit = {1, 1}};
+        status = read_table(r, block, e->sharing_file, &table, err);
+        form->shares = table.count;
+        form->way = table.x;
+        form->share = table.y;
+    }
+    if (!status && (!isnan(form->torque) || !isnan(e->power)))
+        status = check_loaded_twice(r, "gear", err);
+    if (!isnan(e->power))
+        form->torque = e->power / fabs(form->speed);
+    if (!status && isnan(form->torque))
+        status = torque_by_load(r, block, err);
+    bool jumps = form->blend <= 0 && form->sharing != OVR_SHARING_TABLE;
+    if (!status && jumps && form->sharing != OVR_SHARING_STIFFNESS)
+        status = ovr_fail_slot(err, ovr_block_get(block, "blend"),
+                               "0: the load would jump at B and D; sharing = "
+                               "stiffness with relief brings it on");
+    if (status)
+        return status;
+    r->element.gear = make_gear(r, block, err);
+    if (!r->element.gear)
+        return OVR_BAD_INPUT;
+    ovr_element_moment nominal = pitch_point(r->element.gear);
+    take_nominal(r, &nominal);
+    r->values.contact.hertz_pressure = NAN;
+    return OVR_OK;
+}
+
+/* -------------------------------------------------------------------- cams */
+
+static ovr_status resolve_cam(ovr_resolved *r, const ovr_block *block,
+                              ovr_error *err)
+{
+    ovr_element_settings *e = &r->values.element;
+    ovr_error why = {0};
+    ovr_status status = check_loaded_twice(r, "cam", err);
+    if (!status && e->cam.law == OVR_CAM_TABLE) {
+        ovr_two_columns table = {.what = "angle and lift",
+                                 .least = -1e6,
+                                 .most = 1e6,
+                                 .of = " mm",
+                                 .unit = {PI / 180, 1e-3}};
+        status = read_table(r, block, e->lift_file, &table, err);
+        e->cam.points = table.count;
+        e->cam.angle = table.x;
+        e->cam.height = table.y;
+        e->cam.rounding = table.rounding;
+    }
+    if (status)
+        return status;
+    r->element.cam = ovr_cam_create(&e->cam, NULL, &why);
+    if (!r->element.cam)
+        return ovr_fail_in(err, r->c, block, NULL, &why);
+    const ovr_cam_event *event = ovr_cam_of(r->element.cam);
+    ovr_element_moment nominal = ovr_cam_at(
+        r->element.cam, (event->nose - event->from) / e->cam.speed);
+    double fastest = 0;
+    for (int k = 0; k <= UNIFORM; k++) {
+        ovr_element_moment m = ovr_cam_at(r->element.cam,
+                                          event->duration * k / UNIFORM);
+        fastest = fmax(fastest, fabs(m.u1 + m.u2) / 2);
+        nominal.load = fmax(nominal.load, m.load);
+    }
+    nominal.u1 = nominal.u2 = fastest;
+    take_nominal(r, &nominal);
+    return OVR_OK;
+}
+
+/* ---------------------------------------------------------------- bearings */
+
+static ovr_status resolve_bearing(ovr_resolved *r, const ovr_block *block,
+                                  ovr_error *err)
+{
+    ovr_error why = {0};
+    if (check_loaded_twice(r, "roller_bearing", err))
+        return OVR_BAD_INPUT;
+    r->element.bearing = ovr_bearing_create(&r->values.element.bearing, NULL,
+                                            &why);
+    if (!r->element.bearing)
+        return ovr_fail_in(err, r->c, block, NULL, &why);
+    ovr_element_moment nominal = ovr_bearing_contact(
+        r->element.bearing, ovr_bearing_of(r->element.bearing)->heaviest);
+    take_nominal(r, &nominal);
+    return OVR_OK;
+}
+
+ovr_status ovr_resolve_element(ovr_resolved *r, ovr_error *err)
+{
+    const ovr_block *block = element_block(r);
+    if (!block)
+        return OVR_OK;
+    if (!strcmp(block->section->name, "gear"))
+        return resolve_gear(r, block, err);
+    if (!strcmp(block->section->name, "cam"))
+        return resolve_cam(r, block, err);
+    return resolve_bearing(r, block, err);
+}
+
+bool ovr_element_moves(const ovr_resolved *r)
+{
+    return r->element.gear || r->element.cam;
+}
+
+void ovr_resolved_element_free(ovr_resolved *r)
+{
+    ovr_gear_free(r->element.gear);
+    ovr_cam_free(r->element.cam);
+    ovr_bearing_free(r->element.bearing);
+}
+
+/* --------------------------------------------------------------- histories */
+
+typedef struct moments {
+    double t[POINTS];
+    size_t count;
+    double T[POINTS], load[POINTS], speed[POINTS], sliding[POINTS],
+        radius[POINTS], radius_1[POINTS];
+} moments;
+
+static int by_time(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Uniform times from begin to end with corners between them, in order; those
+ * that lie too close to their neighbours for a table are left out. */
+static void order_times(moments *m, double begin, double end,
+                        const double *corner, size_t corners)
+{
+    double least = 1e-7 * (end - begin);
+    for (int k = 0; k <= UNIFORM; k++)
+        m->t[m->count++] = begin + (end - begin) * k / UNIFORM;
+    for (size_t k = 0; k < corners; k++)
+        if (corner[k] > begin && corner[k] < end)
+            m->t[m->count++] = corner[k];
+    qsort(m->t, m->count, sizeof *m->t, by_time);
+    size_t kept = 1;
+    for (size_t k = 1; k < m->count; k++)
+        if (m->t[k] - m->t[kept - 1] > least)
+            m->t[kept++] = m->t[k];
+    m->t[kept - 1] = end;
+    m->count = kept;
+}
+
+/* Ends of the blend about B and D, where the share has its corners. */
+static size_t gear_corners(const ovr_resolved *r, double *corner)
+{
+    const ovr_gear *gear = r->element.gear;
+    const ovr_gear_geometry *g = ovr_gear_of(gear);
+    double half = r->values.element.gear.blend / 2 * g->base_pitch;
+    const double ways[] = {g->R1_B - half, g->R1_B, g->R1_B + half,
+                           g->R1_D - half, g->R1_D, g->R1_D + half,
+                           g->R1_C};
+    size_t n = sizeof ways / sizeof *ways;
+    for (size_t k = 0; k < n; k++)
+        corner[k] = ovr_gear_time(gear, ways[k]);
+    return n;
+}
+
+static size_t cam_corners(const ovr_resolved *r, double *corner)
+{
+    const ovr_cam_event *event = ovr_cam_of(r->element.cam);
+    double speed = r->values.element.cam.speed;
+    size_t n = 0;
+    for (int k = 0; k < 4; k++)
+        corner[n++] = (event->joints[k] - event->from) / speed;
+    for (size_t k = 0; k < event->turns; k++)
+        corner[n++] = (event->turn[k] - event->from) / speed;
+    return n;
+}
+
+static void take_moments(const ovr_resolved *r, moments *m)
+{
+    const ovr_conditions *given = &r->values.contact;
+    double mean = (given->speed_1 + given->speed_2) / 2, corner[CORNERS];
+    bool gear = r->element.gear != NULL;
+    size_t corners = gear ? gear_corners(r, corner) : cam_corners(r, corner);
+    double begin = gear ? ovr_gear_of(r->element.gear)->begin : 0;
+    double end = gear ? ovr_gear_of(r->element.gear)->end
+                      : ovr_cam_of(r->element.cam)->duration;
+    order_times(m, begin, end, corner, corners);
+    for (size_t k = 0; k < m->count; k++) {
+        ovr_element_moment at = gear ? ovr_gear_at(r->element.gear, m->t[k])
+                                     : ovr_cam_at(r->element.cam, m->t[k]);
+        m->T[k] = (m->t[k] - begin) / r->contact.time;
+        m->load[k] = at.load / given->load;
+        m->speed[k] = (at.u1 + at.u2) / 2 / mean;
+        m->sliding[k] = (at.u1 - at.u2) / mean;
+        m->radius[k] = at.R / given->radius;
+        m->radius_1[k] = fmax(-FLATTEST,
+                              fmin(at.R_1 / given->radius, FLATTEST));
+    }
+}
+
+static ovr_status make_history(const moments *m, const double *value,
+                               const ovr_allocator *allocator,
+                               ovr_history **history, ovr_error *err)
+{
+    ovr_history_form form = ovr_history_form_default();
+    form.kind = OVR_HISTORY_TABLE;
+    form.points = m->count;
+    form.T = m->T;
+    form.value = value;
+    *history = ovr_history_create(&form, allocator, err);
+    return *history ? OVR_OK : OVR_BAD_INPUT;
+}
+
+/* The run goes to the end of the way unless it is told to end before. */
+static ovr_status end_of_way(ovr_resolved *r, double end, ovr_error *err)
+{
+    const ovr_slot *slot = ovr_slot_of(r, "time", "end");
+    r->element.end = end;
+    if (slot->given && r->values.end != OVR_END_AUTO) {
+        if (r->values.end <= end * (1 + 1e-12))
+            return OVR_OK;
+        return ovr_fail_slot(err, slot, "%g: [%s] ends at %.4g ms (T = %.4g)",
+                             r->values.end, r->element.gear ? "gear" : "cam",
+                             1e3 * end * r->contact.time, end);
+    }
+    r->values.end = r->march.end = end;
+    return OVR_OK;
+}
+
+ovr_status ovr_resolve_element_histories(ovr_resolved *r,
+                                         const ovr_allocator *allocator,
+                                         ovr_error *err)
+{
+    ovr_setup *s = &r->setup;
+    if (!r->element.gear && !r->element.cam)
+        return OVR_OK;
+    moments *m = ovr_arena_take(&r->arena, 1, sizeof *m, err);
+    if (!m)
+        return OVR_NO_MEMORY;
+    take_moments(r, m);
+    if (make_history(m, m->load, allocator, &s->load, err) ||
+        make_history(m, m->speed, allocator, &s->speed, err) ||
+        make_history(m, m->sliding, allocator, &s->sliding, err) ||
+        make_history(m, m->radius, allocator, &s->radius, err) ||
+        make_history(m, m->radius_1, allocator, &s->radius_1, err))
+        return err ? err->status : OVR_BAD_INPUT;
+    return end_of_way(r, m->T[m->count - 1], err);
+}
+
+/* ------------------------------------------------------------------ passes */
+
+/* The loads in order, over the largest; those below a hundredth are left out.
+ */
+static ovr_status zone_passes(ovr_resolved *r, ovr_error *err)
+{
+    const ovr_bearing *bearing = r->element.bearing;
+    ovr_passes_setup *p = &r->values.passes;
+    double angle[OVR_ROLLERS_MAX], load[OVR_ROLLERS_MAX];
+    size_t n = ovr_bearing_passes(bearing, 0, 0.01, OVR_ROLLERS_MAX, angle,
+                                  load);
+    double *ratio = ovr_arena_take(&r->arena, n, sizeof *ratio, err);
+    if (!ratio)
+        return OVR_NO_MEMORY;
+    for (size_t k = 0; k < n; k++)
+        ratio[k] = load[k] / ovr_bearing_of(bearing)->heaviest;
+    const ovr_slot *number = ovr_slot_of(r, "passes", "number");
+    if (number->given && p->number != (int)n)
+        return ovr_fail_slot(err, number,
+                             "%d: a point of this raceway meets %zu rollers in "
+                             "one crossing of the load; leave it out",
+                             p->number, n);
+    p->number = (int)n;
+    p->loads = (ovr_list){n, ratio};
+    return OVR_OK;
+}
+
+ovr_status ovr_resolve_element_passes(ovr_resolved *r, ovr_error *err)
+{
+    int passes = r->values.element.passes;
+    ovr_passes_setup *p = &r->values.passes;
+    const ovr_block *block = ovr_block_of(r, "roller_bearing");
+    static const char *const said[] = {"loads", "spacing"};
+    ovr_status status = OVR_OK;
+    if (!r->element.bearing || passes == OVR_ROLLER_PASSES_NONE)
+        return OVR_OK;
+    for (int k = 0; k < 2; k++)
+        if (ovr_slot_of(r, "passes", said[k])->given)
+            return ovr_fail_slot(err, ovr_slot_of(r, "passes", said[k]),
+                                 "[roller_bearing] says it: leave %s out",
+                                 said[k]);
+    bool still = ovr_bearing_of(r->element.bearing)->step == 0;
+    if (passes == OVR_ROLLER_PASSES_TURNS && !still)
+        return ovr_fail_slot(err, ovr_block_get(block, "passes"),
+                             "turns: the raceway turns, so its load changes "
+                             "from roller to roller; take zone");
+    if (passes == OVR_ROLLER_PASSES_TURNS && p->number < 2)
+        return ovr_fail_slot(err, ovr_block_get(block, "passes"),
+                             "turns needs [passes] number");
+    if (passes == OVR_ROLLER_PASSES_ZONE && still)
+        return ovr_fail_slot(err, ovr_block_get(block, "passes"),
+                             "zone: the ring stands still, and every roller "
+                             "meets its point with the same load; take turns");
+    if (passes == OVR_ROLLER_PASSES_ZONE)
+        status = zone_passes(r, err);
+    p->spacing = ovr_bearing_of(r->element.bearing)->spacing / r->contact.b;
+    return status;
+}

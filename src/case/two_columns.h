@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Text files of two columns of numbers: histories, lifts of cams, shares of
+ * load.  Columns are set apart by blanks, commas or semicolons; "#" begins a
+ * comment; empty lines do not count. */
+#ifndef OVR_CASE_TWO_COLUMNS_H
+#define OVR_CASE_TWO_COLUMNS_H
+
+#include "base/arena.h"
+#include "case/case.h"
+
+typedef struct ovr_two_columns {
+    const char *what;   /* they are: "time and value" */
+    double least, most; /* of the second */
+    const char *of;     /* what its range is told in, behind it: "" */
+    double unit[2];     /* that the numbers are multiplied by */
+    size_t count;       /* rows that were read */
+    double *x, *y;      /* in the arena */
+    double rounding;    /* smallest decimal of the second as written, times its
+                           unit */
+} ovr_two_columns;
+
+/* The slot is the key that names the file. */
+ovr_status ovr_two_columns_read(ovr_two_columns *columns, const char *file,
+                                const ovr_slot *slot, ovr_arena *arena,
+                                ovr_error *err);
+
+#endif
