@@ -25,10 +25,9 @@ static void solve_bottom(ovr_hierarchy *grids, ovr_level *level,
 static void offer(ovr_hierarchy *grids, ovr_level *level,
                   const ovr_cycling *how, ovr_cycle_end end)
 {
-    const ovr_attached *to = how->attached;
-    if (to && to->at(to->data, grids, level, end) &&
-        end != OVR_AFTER_CORRECTION)
-        ovr_level_refresh(grids, level);
+    for (const ovr_attached *to = how->attached; to; to = to->next)
+        if (to->at(to->data, grids, level, end) && end != OVR_AFTER_CORRECTION)
+            ovr_level_refresh(grids, level);
 }
 
 /* From this level on sweeps take tenths of a second. */

@@ -27,11 +27,12 @@ typedef enum ovr_cycle_end {
 } ovr_cycle_end;
 
 /* Called at the ends of a cycle; true when it has changed the level's P, gap
- * or F: film and residual are then made anew. */
+ * or F: film and residual are then made anew.  Others follow it. */
 typedef struct ovr_attached {
     bool (*at)(void *data, ovr_hierarchy *grids, ovr_level *level,
                ovr_cycle_end end);
     void *data;
+    const struct ovr_attached *next;
 } ovr_attached;
 
 /* How a cycle is done. */

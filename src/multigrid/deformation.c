@@ -53,10 +53,14 @@ static double linear_kernel(double d)
     return log(d) - sum;
 }
 
-/* f(d) of a plan. */
+/* f(d) of a plan, with what stands beside the logarithm. */
 static double kernel_of(const ovr_mlmi *plan, double d)
 {
-    return plan->linear ? linear_kernel(d) : unit_kernel(d);
+    double f = plan->linear ? linear_kernel(d) : unit_kernel(d);
+    for (int k = 0; k < plan->parts; k++)
+        f += plan->part[k].at(plan->part[k].data, d * plan->D, plan->D) *
+             acos(-1.0) / plan->D;
+    return f;
 }
 
 double ovr_deformation_kernel(double d, double D)
@@ -224,6 +228,7 @@ ovr_status ovr_mlmi_plan(ovr_mlmi *plan, size_t n, int order, int range,
 {
     plan->n = n;
     plan->linear = false;
+    plan->parts = 0;
     plan->half_order = order / 2;
     plan->range = range;
     plan->depth = depth_of(n, range);
@@ -236,6 +241,7 @@ ovr_status ovr_mlmi_plan(ovr_mlmi *plan, size_t n, int order, int range,
 void ovr_mlmi_fill(ovr_mlmi *plan, double D, const ovr_mlmi *like)
 {
     const double scale = D / acos(-1.0);
+    plan->D = D;
     if (like && like->half_order == plan->half_order &&
         like->range == plan->range)
         memcpy(plan->weight, like->weight, sizeof plan->weight);

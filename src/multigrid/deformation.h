@@ -38,6 +38,13 @@
 /* BLOCK: vectors that the kernel makes in one go, at most */
 enum { OVR_MLMI_DEPTH = 24, OVR_MLMI_MOST = 16, OVR_MLMI_BLOCK = 8 };
 
+/* A part of the influence beside the logarithm: dw_i/dP_j of nodes X apart on a
+ * mesh D, smooth beyond the range of the corrections. */
+typedef struct ovr_influence_part {
+    double (*at)(const void *data, double X, double D);
+    const void *data;
+} ovr_influence_part;
+
 /* One grid of the transfers; grid 0 is the caller's, u = P and out = w. */
 typedef struct ovr_mlmi_grid {
     double *u;             /* transfers of P */
@@ -49,7 +56,10 @@ typedef struct ovr_mlmi_grid {
 
 typedef struct ovr_mlmi {
     size_t n;
-    bool linear;                  /* P between the nodes; set before the fill */
+    bool linear; /* P between the nodes; set before the fill */
+    const ovr_influence_part *part; /* beside the logarithm, as well */
+    int parts;
+    double D;
     ptrdiff_t half_order;         /* p/2 */
     ptrdiff_t range;              /* m */
     int depth;                    /* coarsenings */

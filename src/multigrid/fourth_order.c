@@ -91,7 +91,7 @@ bool ovr_fourth_solve(ovr_hierarchy *grids, const ovr_correction *c,
 {
     ovr_level *level = finest_of(grids);
     correcting data = {.correction = c};
-    const ovr_attached attached = {correct_after, &data};
+    const ovr_attached attached = {correct_after, &data, how->cycling.attached};
     ovr_full own = *how;
     own.cycling.attached = &attached;
     own.fixed = false;

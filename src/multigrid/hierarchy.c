@@ -156,6 +156,8 @@ void ovr_level_fill(const ovr_hierarchy *grids, ovr_level *level,
                     const ovr_level *like)
 {
     ovr_grid_fill(&level->grid);
+    level->mlmi.part = grids->influence.part;
+    level->mlmi.parts = grids->influence.parts;
     ovr_mlmi_fill(&level->mlmi, level->grid.D, like ? &like->mlmi : NULL);
     for (int d = 0; d < 6; d++)
         level->k[d] = ovr_influence_at(&grids->influence, d, level->grid.D);
@@ -198,10 +200,46 @@ void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level)
         ovr_content_settle(grids, level);
 }
 
-void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level)
+ovr_status ovr_hierarchy_bear(ovr_hierarchy *grids, ovr_arena *arena,
+                              ovr_error *err)
+{
+    ovr_level *finest = &grids->level[grids->finest];
+    if (finest->borne)
+        return OVR_OK;
+    finest->pressed = ovr_mlmi_field(&finest->mlmi, arena, err);
+    if (finest->pressed)
+        finest->borne = ovr_mlmi_field(&finest->mlmi, arena, err);
+    return finest->borne ? OVR_OK : OVR_NO_MEMORY;
+}
+
+static void deform(const ovr_hierarchy *grids, const ovr_level *level,
+                   double *P, double *w)
 {
     ovr_influence_deform(&grids->influence, grids->kernels, &level->lanes,
-                         &level->mlmi, level->f.P, level->f.w);
+                         &level->mlmi, P, w);
+}
+
+void ovr_level_bear(const ovr_hierarchy *grids, const ovr_level *level,
+                    const double *ordered)
+{
+    ovr_level_write(grids, level, ordered, level->borne);
+    deform(grids, level, level->borne, level->pressed);
+}
+
+/* w += what the other pressure presses in, halos included. */
+static void press(const ovr_hierarchy *grids, const ovr_level *level)
+{
+    size_t halo = OVR_HALO * level->lanes.V;
+    size_t n = level->lanes.S * level->lanes.V + 2 * halo;
+    double *w = level->f.w - halo;
+    grids->kernels->combine(n, 1, w, 1, level->pressed - halo, w);
+}
+
+void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level)
+{
+    deform(grids, level, level->f.P, level->f.w);
+    if (level->borne)
+        press(grids, level);
     ovr_level_properties(grids, level);
 }
 
@@ -233,7 +271,10 @@ double ovr_level_imbalance(const ovr_hierarchy *grids, const ovr_level *level)
 
 double ovr_level_load(const ovr_hierarchy *grids, const ovr_level *level)
 {
-    return level->grid.D * grids->kernels->sum(&level->lanes, level->f.P);
+    double sum = grids->kernels->sum(&level->lanes, level->f.P);
+    if (level->borne)
+        sum += grids->kernels->sum(&level->lanes, level->borne);
+    return level->grid.D * sum;
 }
 
 void ovr_level_read(const ovr_hierarchy *grids, const ovr_level *level,

@@ -38,6 +38,9 @@ typedef struct ovr_level {
      * no coarser grid's; its inlet is closed; weights of row 1 when open */
     bool leads, closed;
     double opened[3];
+    /* pressure that the solids feel beside the film's, what it presses them in;
+     * NULL: none */
+    double *borne, *pressed;
 } ovr_level;
 
 typedef struct ovr_newton {
@@ -114,10 +117,20 @@ void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level);
 void ovr_level_residual(const ovr_hierarchy *grids, ovr_level *level);
 void ovr_level_refresh(const ovr_hierarchy *grids, ovr_level *level);
 
+/* Memory for a pressure that the solids feel beside the film's on the finest
+ * level: what bears a part of the load.  It is frozen while a cycle lasts, so
+ * that coarser levels need not know of it. */
+ovr_status ovr_hierarchy_bear(ovr_hierarchy *grids, ovr_arena *arena,
+                              ovr_error *err);
+
+/* Sets it, in the order of the nodes. */
+void ovr_level_bear(const ovr_hierarchy *grids, const ovr_level *level,
+                    const double *ordered);
+
 /* Relative mass-flow imbalance R of a level whose residual is up to date. */
 double ovr_level_imbalance(const ovr_hierarchy *grids, const ovr_level *level);
 
-/* D (sum of P): both ends are zero. */
+/* D (sum of P, and of what else is borne): both ends are zero. */
 double ovr_level_load(const ovr_hierarchy *grids, const ovr_level *level);
 
 /* n values of one of the level's arrays, to or from the order of the nodes. */

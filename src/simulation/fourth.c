@@ -64,7 +64,7 @@ static bool applies(const ovr_simulation *sim)
                   (sim->lubricant.rheology != OVR_NEWTONIAN &&
                    ovr_history_varies(sim->sliding));
     return sim->options.order == 4 && !varies &&
-           !(sim->grids.influence.compliance != 0);
+           !ovr_influence_more(&sim->grids.influence);
 }
 
 static void standing_heights(const ovr_simulation *sim, double *S)

@@ -3,8 +3,10 @@
 #include "simulation/heat_film.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "simulation/heat.h"
+#include "simulation/physics.h"
 
 ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err)
 {
@@ -83,11 +85,28 @@ static void begin(ovr_simulation *sim)
                                       h->log_eta);
 }
 
+/* What others make in the film, evenly across it. */
+static void add_power(ovr_simulation *sim)
+{
+    OVR_LAST_PHYSICS(sim, any, heat);
+    const ovr_heated *h = sim->heated;
+    double *power = sim->scratch[0];
+    if (!any->is)
+        return;
+    memset(power, 0, sim->now.n * sizeof *power);
+    OVR_EACH_PHYSICS(sim, p, heat)
+        p->is->heat(sim, p->own, power);
+    for (int j = 0; j < h->across.n; j++)
+        for (size_t i = 0; i < sim->now.n; i++)
+            h->film.heating[j][i] += power[i];
+}
+
 void ovr_heat_film(ovr_simulation *sim)
 {
     begin(sim);
     fill_oil(sim);
     sim->grids.kernels->flow_across(&sim->heated->film);
+    add_power(sim);
 }
 
 void ovr_heat_film_fields(ovr_simulation *sim)

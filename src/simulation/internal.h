@@ -75,6 +75,7 @@ typedef struct ovr_present {
 struct ovr_simulation {
     ovr_arena arena;
     ovr_present physics[OVR_MOST_PHYSICS + 1];
+    ovr_attached ends, settling; /* of cycles: the physics', steady.c */
     ovr_contact contact;
     ovr_lubricant lubricant;
     ovr_options options;
@@ -107,9 +108,10 @@ struct ovr_simulation {
     int order;         /* reached by it */
     bool order_left;   /* options left it to the library */
     unsigned parts;    /* parts.h, of physics that the options do not know */
-    double largest_error;      /* adaptive: a step with more is not accepted */
-    double *S_past;            /* surface one step ago */
-    double *stress;            /* mean over the film, at half nodes */
+    double largest_error; /* adaptive: a step with more is not accepted */
+    double *S_past;       /* surface one step ago */
+    double *stress;       /* mean over the film, at half nodes */
+    double *borne; /* beside the film's pressure, one step ago; or NULL */
     struct ovr_heated *heated; /* temperatures (heat.h), or NULL */
     size_t most;               /* nodes that a solution may have */
 
@@ -165,6 +167,10 @@ ovr_cycling ovr_simulation_cycling(const ovr_simulation *sim, int finer_bottom);
 /* Height of what is on both surfaces at T: features, and what physics add. */
 void ovr_surface_heights(const ovr_simulation *sim, double T, size_t n,
                          const double *X, double *S);
+
+/* The pressure that the solids feel: the film's, where there is none other;
+ * else in `room`. */
+const double *ovr_solid_pressure(const ovr_simulation *sim, double *room);
 
 /* Whether there is anything but the smooth surfaces. */
 bool ovr_has_heights(const ovr_simulation *sim);

@@ -110,7 +110,17 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
         o->X_spike_located = ovr_vertex(sim->now.X, P, spike,
                                         &o->P_spike_located);
     }
-    o->load = ovr_integral(sim, P);
+    o->load = ovr_integral(sim, ovr_solid_pressure(sim, sim->scratch[1]));
+}
+
+const double *ovr_solid_pressure(const ovr_simulation *sim, double *room)
+{
+    const double *P = sim->now.P;
+    if (!sim->borne)
+        return P;
+    ovr_nodes_read(sim, sim->finest, sim->finest->borne, room);
+    sim->grids.kernels->combine(sim->now.n, 1, room, 1, P, room);
+    return room;
 }
 
 /* 2 E of half node i + 1/2 */

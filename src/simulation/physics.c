@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "simulation/physics.h"
 
+#include <string.h>
+
+#include "simulation/mirror.h"
+
 const ovr_present ovr_absent = {NULL, NULL};
 
 static int place_of(const ovr_physics *physics)
@@ -29,6 +33,66 @@ static ovr_present *place_for(ovr_simulation *sim, const ovr_physics *physics)
     return &all[at];
 }
 
+/* The grids may hold the mirror image (mirror.h). */
+static void bear(ovr_simulation *sim, const double *along_x)
+{
+    if (sim->mirrored) {
+        ovr_mirror(sim->finest->grid.n, along_x, sim->scratch[1]);
+        along_x = sim->scratch[1];
+    }
+    ovr_level_bear(&sim->grids, sim->finest, along_x);
+}
+
+void ovr_physics_unburden(ovr_simulation *sim)
+{
+    double *none = sim->scratch[0];
+    if (!sim->borne)
+        return;
+    memset(none, 0, sim->finest->grid.n * sizeof *none);
+    bear(sim, none);
+}
+
+void ovr_physics_keep_borne(ovr_simulation *sim)
+{
+    if (sim->borne)
+        ovr_nodes_read(sim, sim->finest, sim->finest->borne, sim->borne);
+}
+
+void ovr_physics_borne_back(ovr_simulation *sim)
+{
+    if (sim->borne)
+        bear(sim, sim->borne);
+}
+
+bool ovr_physics_bear(ovr_simulation *sim)
+{
+    OVR_LAST_PHYSICS(sim, any, bear);
+    double *borne = sim->scratch[0], *P = sim->now.P, *H = sim->now.H;
+    ovr_level *finest = sim->finest;
+    if (!any->is)
+        return false;
+    ovr_nodes_read(sim, finest, finest->f.P, P);
+    ovr_nodes_read(sim, finest, finest->f.H, H);
+    memset(borne, 0, finest->grid.n * sizeof *borne);
+    OVR_EACH_PHYSICS(sim, p, bear)
+        p->is->bear(sim, p->own, P, H, borne);
+    bear(sim, borne);
+    return true;
+}
+
+/* Of a cycle on any level, for those that attach to it. */
+static bool at_end(void *data, ovr_hierarchy *grids, ovr_level *level,
+                   ovr_cycle_end end)
+{
+    ovr_simulation *sim = data;
+    bool changed = false;
+    OVR_EACH_PHYSICS(sim, p, at_end)
+        changed |= p->is->at_end(p->own, grids, level, end);
+    if (end == OVR_AFTER_CYCLE && level == sim->finest)
+        changed |= ovr_physics_bear(sim);
+    return changed;
+}
+
 static ovr_status add(ovr_simulation *sim, const ovr_physics *physics,
                       const void *form, ovr_error *err)
 {
@@ -46,6 +110,14 @@ static ovr_status add(ovr_simulation *sim, const ovr_physics *physics,
     *at = (ovr_present){physics, own};
     if (physics->influence)
         physics->influence(sim, own, &sim->grids.influence);
+    if (physics->bear && !sim->borne) {
+        sim->borne = ovr_arena_take(&sim->arena, sim->most, sizeof *sim->borne,
+                                    err);
+        if (!sim->borne || ovr_hierarchy_bear(&sim->grids, &sim->arena, err))
+            return OVR_NO_MEMORY;
+    }
+    if (physics->at_end || physics->bear)
+        sim->ends = (ovr_attached){at_end, sim, NULL};
     return OVR_OK;
 }
 

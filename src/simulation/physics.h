@@ -169,6 +169,12 @@ struct ovr_physics {
     /* Adds to the discrete gap at the nodes. */
     void (*gap)(const ovr_simulation *sim, const void *own, double *gap);
 
+    /* Adds to the pressure at the nodes that the solids feel beside the film's,
+     * as by what touches; of the film as it is, which P, H are.  Set anew
+     * after each cycle; the film carries the rest of the load. */
+    void (*bear)(const ovr_simulation *sim, const void *own, const double *P,
+                 const double *H, double *borne);
+
     /* ------------------------------------------------------------- observed */
 
     /* The content that the film carries along at the half node i + 1/2, which
@@ -193,8 +199,11 @@ struct ovr_physics {
     void (*stress)(ovr_simulation *sim, void *own, const ovr_sheared *film,
                    const ovr_fluid *fluid, double *t);
 
-    /* Adds to it. */
+    /* Adds to it; to the power that is made in the film at the nodes, over
+     * b/R um ph, which heat takes up. */
     void (*friction)(const ovr_simulation *sim, const void *own, double *t);
+
+    void (*heat)(const ovr_simulation *sim, const void *own, double *power);
 
     /* What is observed; before that, and where the physics is off, what is not
      * known. */
@@ -256,6 +265,16 @@ void ovr_physics_prepare(ovr_simulation *sim);
 ovr_status ovr_physics_choose(ovr_simulation *sim, ovr_error *err);
 ovr_status ovr_physics_add(ovr_simulation *sim, const ovr_physics *physics,
                            const void *form, ovr_error *err);
+
+/* Sets the pressure that the solids feel beside the film's, by P and H of the
+ * finest level; whether there is one. */
+bool ovr_physics_bear(ovr_simulation *sim);
+
+/* None of it; that of the finest level becomes the one of the last time
+ * reached; goes back to that. */
+void ovr_physics_unburden(ovr_simulation *sim);
+void ovr_physics_keep_borne(ovr_simulation *sim);
+void ovr_physics_borne_back(ovr_simulation *sim);
 
 /* What all of them say after a solve or run. */
 void ovr_physics_review(const ovr_simulation *sim, ovr_physics_say *say,

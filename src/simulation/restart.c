@@ -101,6 +101,9 @@ ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
     ovr_status status = visit_past(sim, visit, context, err);
     if (!status)
         status = visit_order(sim, visit, context, err);
+    if (!status && sim->borne)
+        status = visit(context, "borne", sim->borne,
+                       sim->now.n * sizeof *sim->borne, err);
     OVR_EACH_PHYSICS(sim, p, visit)
         if (!status)
             status = p->is->visit(sim, p->own, visit, context, err);

@@ -99,8 +99,6 @@ static bool settle_patches(void *data, ovr_hierarchy *grids, ovr_level *level,
     return false; /* film and residual are up to date */
 }
 
-static const ovr_attached settling = {settle_patches, NULL};
-
 int ovr_steady_most_cycles(const ovr_simulation *sim, int unless_given)
 {
     return sim->options.max_cycles ? sim->options.max_cycles : unless_given;
@@ -115,7 +113,8 @@ static ovr_full full_of(ovr_simulation *sim, const strategy *how)
     c.newton_limit = how->newton_limit;
     c.newton_steps = how->newton_steps;
     if (how->grown) {
-        c.attached = &settling;
+        sim->settling = (ovr_attached){settle_patches, NULL, c.attached};
+        c.attached = &sim->settling;
         c.correction = 0.5; /* as in step.c, of isolated nodes */
     }
     if (how->sweeps)
@@ -178,6 +177,7 @@ static void begin_history(ovr_simulation *sim)
     past->dT = past->dT_next = past->change = 0;
     past->still = 0;
     past->steps = 0;
+    ovr_physics_keep_borne(sim);
     OVR_EACH_PHYSICS(sim, p, begin)
         p->is->begin(sim, p->own);
 }
@@ -257,6 +257,7 @@ static void attempt(ovr_simulation *sim, const ovr_full *how,
 {
     OVR_EACH_PHYSICS(sim, p, forget)
         p->is->forget(sim, p->own);
+    ovr_physics_unburden(sim);
     outcome->defect = solve(sim, how, &outcome->cycles);
     OVR_EACH_PHYSICS(sim, p, complete)
         outcome->defect = p->is->complete(sim, p->own, how, &outcome->cycles);

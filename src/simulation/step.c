@@ -94,6 +94,7 @@ static void end_step(ovr_simulation *sim, double dT)
 {
     ovr_past *past = &sim->past;
     ovr_guess_learn(sim, dT);
+    ovr_physics_keep_borne(sim);
     OVR_EACH_PHYSICS(sim, p, taken)
         p->is->taken(sim, p->own, dT);
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
@@ -170,6 +171,7 @@ void ovr_simulation_step_back(ovr_simulation *sim)
     ovr_slide(sim, sim->state.T);
     ovr_nodes_write(sim, sim->finest, sim->past.P[0], sim->finest->f.P);
     ovr_simulation_gap(sim, sim->past.T[0]);
+    ovr_physics_borne_back(sim);
     OVR_EACH_PHYSICS(sim, p, step_back)
         p->is->step_back(sim, p->own);
     ovr_level_refresh(&sim->grids, sim->finest);

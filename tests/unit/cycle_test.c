@@ -49,7 +49,7 @@ static ovr_simulation *solved(void)
 static void ends_come_in_order(void **state)
 {
     watcher w = {0};
-    ovr_attached attached = {watch, &w};
+    ovr_attached attached = {watch, &w, NULL};
     ovr_simulation *sim = solved();
     ovr_cycling how = ovr_simulation_cycling(sim, 0);
     int depth = LEVEL - how.bottom;
@@ -72,7 +72,7 @@ static void ends_come_in_order(void **state)
 static void watching_changes_nothing(void **state)
 {
     watcher w = {0};
-    ovr_attached attached = {watch, &w};
+    ovr_attached attached = {watch, &w, NULL};
     ovr_simulation *a = solved(), *b = solved();
     ovr_cycling how = ovr_simulation_cycling(a, 0);
     (void)state;
@@ -100,7 +100,7 @@ static void heights(void *data, double T, size_t n, const double *X, double *S)
 static void what_is_attached_is_solved_for(void **state)
 {
     watcher w = {.changes = true};
-    ovr_attached attached = {watch, &w};
+    ovr_attached attached = {watch, &w, NULL};
     ovr_error err = {0};
     ovr_simulation *sim = solved();
     ovr_cycling how = ovr_simulation_cycling(sim, 0);

@@ -4,9 +4,11 @@
  * needs: a soft, thin layer on body 1 on a stiff foundation (Winkler), that
  * wears in under its load.
  *
- *     w_i = ... - c P_i        it gives way by its compliance c where pressed
- *     t_i = ... + f P_i        and drags by its hysteresis f
- *     ds/dT = k P,  S = ... - s   it is worn where it is pressed
+ *     w_i = ... - c P_i        it gives way by its compliance c where pressed,
+ *                              or over a length l about it, as e^(-(X/l)^2)
+ *     P + g P                  grit in it bears a share g of the film's
+ * pressure t_i = ... + f P_i        it drags by its hysteresis f, and f P_i
+ * gets warm by that ds/dT = k P,  S = ... - s   it is worn where it is pressed
  *
  * Its keys stand in [layer], without which it is off.  What it observes is the
  * largest s; s at the nodes is all of it that makes up the state.
@@ -19,7 +21,7 @@
 #include "simulation/physics.h"
 
 typedef struct layer_form {
-    double compliance, hysteresis, wear;
+    double compliance, spread, grit, hysteresis, wear;
 } layer_form;
 
 typedef struct layer {
@@ -33,6 +35,10 @@ typedef struct layer {
 static const ovr_parameter keys[] = {
     {"compliance", PLAIN(0, 100), "0", offsetof(layer_form, compliance), true,
      ALWAYS, "by how much of b^2/R it is pressed in by ph; 0: no layer"},
+    {"spread", PLAIN(0, 10), "0", offsetof(layer_form, spread), true, ALWAYS,
+     "length in b over which it gives way about what presses it"},
+    {"grit", PLAIN(0, 0.5), "0", offsetof(layer_form, grit), true, ALWAYS,
+     "pressure that grit in it bears, over that of the film"},
     {"hysteresis", PLAIN(0, 1), "0", offsetof(layer_form, hysteresis), true,
      ALWAYS, "its drag over the pressure"},
     {"wear", PLAIN(0, 1), "0", offsetof(layer_form, wear), true, ALWAYS,
@@ -81,11 +87,32 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
     return l->worn && l->before ? OVR_OK : OVR_NO_MEMORY;
 }
 
+/* Of nodes X apart. */
+static double spread_out(const void *data, double X, double D)
+{
+    const layer_form *given = data;
+    double l = given->spread, x = X / l;
+    return -given->compliance * D * exp(-x * x) / (l * sqrt(acos(-1.0)));
+}
+
 static void influence(const ovr_simulation *sim, const void *own,
                       ovr_influence *of)
 {
+    const layer_form *given = &((const layer *)own)->given;
     (void)sim;
-    of->compliance += ((const layer *)own)->given.compliance;
+    if (given->spread > 0)
+        ovr_influence_add(of, (ovr_influence_part){spread_out, given});
+    else
+        of->compliance += given->compliance;
+}
+
+static void bear(const ovr_simulation *sim, const void *own, const double *P,
+                 const double *H, double *borne)
+{
+    double grit = ((const layer *)own)->given.grit;
+    (void)H;
+    for (size_t i = 0; i < sim->now.n; i++)
+        borne[i] += grit * P[i];
 }
 
 /* Linear between the nodes, nothing beyond them. */
@@ -109,6 +136,13 @@ static void friction(const ovr_simulation *sim, const void *own, double *t)
     double hysteresis = ((const layer *)own)->given.hysteresis;
     for (size_t i = 0; i + 1 < sim->now.n; i++)
         t[i] += hysteresis * (P[i] + P[i + 1]) / 2;
+}
+
+static void warm(const ovr_simulation *sim, const void *own, double *power)
+{
+    double hysteresis = ((const layer *)own)->given.hysteresis;
+    for (size_t i = 0; i < sim->now.n; i++)
+        power[i] += hysteresis * sim->now.P[i];
 }
 
 static void forget(ovr_simulation *sim, void *own)
@@ -199,6 +233,8 @@ const ovr_physics test_layer = {.name = "a layer on body 1",
                                 .taken = taken,
                                 .before_back = before_back,
                                 .heights = heights,
+                                .bear = bear,
+                                .heat = warm,
                                 .friction = friction,
                                 .unknown = unknown,
                                 .observe = observe,
