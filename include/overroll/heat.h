@@ -7,6 +7,7 @@
  *     Kf = k R^2/(rho0 c um b^3)              conduction across the film
  *     N_k = k R b^(-3/2)/sqrt(pi k_k rho_k c_k um)   body k
  *     Pe_k = |u_k| b rho_k c_k/k_k
+ *     kappa_k = k_k/(rho_k c_k um b)          along surface k
  *
  * Viscosity falls with temperature, with x = (T0 - 138 K + T)/(T0 - 138 K) by
  *     Roelands   ln eta = (ln eta(T0) + C) x^(-S0) - C,  C = alpha p0/z
@@ -55,12 +56,13 @@ typedef struct ovr_heat {
     double theta, conduction; /* Theta, Kf */
     double solid[2];          /* N_k with um */
     double peclet[2];
-    double least_peclet; /* to which steady solutions raise them; 5 */
+    double least_peclet; /* of a steady solution's march along x; 0.1 */
     double expansion;    /* 1/K; 0 of an incompressible oil */
     bool density_expands;
-    double S0, C, beta; /* C = 0: not Roelands */
-    double A;           /* 5.9e8 Pa/ph: oil expands by `expansion` times f =
-                           A^2/((A + P)(A + 1.34 P)); 0: the same at all P */
+    double S0, C, beta;  /* C = 0: not Roelands */
+    double A;            /* 5.9e8 Pa/ph: oil expands by `expansion` times f =
+                            A^2/((A + P)(A + 1.34 P)); 0: the same at all P */
+    double diffusion[2]; /* k_k/(rho_k c_k um b): along surface k; 0: none */
 } ovr_heat;
 OVR_SIZED(ovr_heat)
 

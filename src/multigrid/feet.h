@@ -32,11 +32,4 @@ void ovr_feet_cubic(size_t n, const double *v, double meshes, double *at_feet);
 /* v at i - meshes, at the one node. */
 double ovr_foot_linear(size_t n, const double *v, size_t i, double meshes);
 
-/* At all nodes of a surface a v + b q + c before, v at the feet, q and `before`
- * at the nodes. */
-typedef struct ovr_carried {
-    double a, b, c;
-    const double *v, *q, *before;
-} ovr_carried;
-
 #endif

@@ -5,31 +5,21 @@
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
 
-static double one(const ovr_feet *f, const ovr_carried *w, size_t i)
+void OVR_KERNEL(carry_along)(const ovr_feet *f, const double *from, double *to)
 {
-    return w->a * ovr_feet_at(f, w->v, i) + w->b * w->q[i] +
-           w->c * w->before[i];
-}
-
-void OVR_KERNEL(carry_along)(const ovr_feet *f, const ovr_carried *given,
-                             double *to)
-{
-    const ovr_carried w = *given;
-    const double *v = w.v + f->first;
+    const double *v = from + f->first;
     const double c[4] = {f->c[0], f->c[1], f->c[2], f->c[3]};
     size_t i = 0, end = f->to, n = f->n;
     for (; i < f->from; i++)
-        to[i] = one(f, &w, i);
+        to[i] = ovr_feet_at(f, from, i);
     for (; i + VEC <= end; i += VEC) {
         vec sum = c[0] * load(v + i);
         sum = fused(all(c[1]), load(v + i + 1), sum);
         sum = fused(all(c[2]), load(v + i + 2), sum);
-        sum = fused(all(c[3]), load(v + i + 3), sum);
-        sum = fused(all(w.b), load(w.q + i), w.a * sum);
-        store(to + i, fused(all(w.c), load(w.before + i), sum));
+        store(to + i, fused(all(c[3]), load(v + i + 3), sum));
     }
     for (; i < n; i++)
-        to[i] = one(f, &w, i);
+        to[i] = ovr_feet_at(f, from, i);
 }
 
 /* The number of a node that may be outside, from 0 on. */
@@ -58,17 +48,5 @@ void OVR_KERNEL(film_feet)(size_t n, double meshes, const double *u,
         a = choose(in_a, a, all(0));
         b = choose(in_b, b, all(0));
         store(at_feet + i, fused(s, b - a, a));
-    }
-}
-
-void OVR_KERNEL(weighted_sum)(size_t n, size_t count, const double weight[],
-                              const double *const from[], double *sum)
-{
-    for (size_t k = 0; k < n; k += VEC) {
-        size_t i = k + VEC <= n ? k : n - VEC;
-        vec all_of = all(0);
-        for (size_t m = 0; m < count; m++)
-            all_of = fused(all(weight[m]), load(from[m] + i), all_of);
-        store(sum + i, all_of);
     }
 }

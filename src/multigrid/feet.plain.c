@@ -72,11 +72,10 @@ double ovr_foot_linear(size_t n, const double *v, size_t i, double meshes)
            s * value(n, v, first + 1, meshes);
 }
 
-void ovr_carry_along_plain(const ovr_feet *f, const ovr_carried *w, double *to)
+void ovr_carry_along_plain(const ovr_feet *f, const double *v, double *to)
 {
     for (size_t i = 0; i < f->n; i++)
-        to[i] = w->a * ovr_feet_at(f, w->v, i) + w->b * w->q[i] +
-                w->c * w->before[i];
+        to[i] = ovr_feet_at(f, v, i);
 }
 
 void ovr_film_feet_plain(size_t n, double meshes, const double *u,
@@ -84,14 +83,4 @@ void ovr_film_feet_plain(size_t n, double meshes, const double *u,
 {
     for (size_t i = 0; i < n; i++)
         at_feet[i] = ovr_foot_linear(n, v, i, meshes * u[i]);
-}
-
-void ovr_weighted_sum_plain(size_t n, size_t count, const double weight[],
-                            const double *const from[], double *sum)
-{
-    for (size_t i = 0; i < n; i++) {
-        sum[i] = 0;
-        for (size_t k = 0; k < count; k++)
-            sum[i] += weight[k] * from[k][i];
-    }
 }

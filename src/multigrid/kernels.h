@@ -24,7 +24,8 @@ struct ovr_mlmi;
 struct ovr_law;
 struct ovr_columns;
 struct ovr_feet;
-struct ovr_carried;
+struct ovr_modes_step;
+struct ovr_swept;
 
 /* The lubricant with the Reynolds equation's lambda. */
 typedef struct ovr_fluid {
@@ -167,12 +168,16 @@ enum { OVR_FOURTH_MARGIN = 8 };
     K(void, flow_across, (const struct ovr_columns *c)) \
     K(void, heat_across, (const struct ovr_columns *c)) \
     /* what surfaces and film carry along, see feet.h */ \
-    K(void, carry_along, (const struct ovr_feet *f, \
-                          const struct ovr_carried *w, double *to)) \
+    K(void, carry_along, (const struct ovr_feet *f, const double *v, \
+                          double *to)) \
     K(void, film_feet, (size_t n, double meshes, const double *u, \
                         const double *v, double *at_feet)) \
-    K(void, weighted_sum, (size_t n, size_t count, const double weight[], \
-                           const double *const from[], double *sum)) \
+    /* memories of surfaces, see modes.h */ \
+    K(void, sum_modes, (size_t n, const double *weight, const double *psi, \
+                        double q_weight, const double *q, double *sum)) \
+    K(void, sweep_fields, (size_t n, const struct ovr_swept *set, double *v)) \
+    K(void, step_modes, (const struct ovr_modes_step *w, const double *psi, \
+                         double *to)) \
     K(double, deviation, (size_t n, const double e[3], double most, \
                           const double *weights, const double *P, \
                           const double *q, double *const past[3])) \

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where the model of heat ends: surfaces too slow for heat that flows inward
- * only, or that slide too fast for the steps, before a run; films hotter than
- * what laws are measured for and domains that cut off what is warm, after it.
+/* Where the model of heat ends: surfaces that never get a steady temperature,
+ * or slide too fast for the steps, before a run; films hotter than what laws
+ * are measured for and domains that cut off what is warm, after it.
  */
 #include <math.h>
 #include <stdio.h>
 
 #include "case/resolve.h"
 #include "run/internal.h"
+#include "simulation/solids.h"
 
 /* u_k/um0 at T. */
 static double speed_of(const ovr_setup *s, int k, double T)
@@ -18,23 +19,27 @@ static double speed_of(const ovr_setup *s, int k, double T)
     return Cu + (k ? -V : V) / 2;
 }
 
-/* The least Peclet number of a surface, and when. */
-static double least_peclet(const ovr_setup *s, int k, double *T)
+/* A surface that is slow at the start, or for some time. */
+typedef struct slowness {
+    double Pe, u, T; /* the least of the start, or of all times; when */
+    double lasts;    /* so long it is below the least that is modelled */
+} slowness;
+
+static slowness find_slowness(const ovr_setup *s, int k)
 {
     const int times = 500;
-    double nominal = fabs(k ? s->contact->u2_ratio : s->contact->u1_ratio);
-    double of_um = nominal > 0 ? s->heat->peclet[k] / nominal : 0, least;
+    const double least = s->heat->least_peclet, kappa = s->heat->diffusion[k];
     double end = s->transient && isfinite(s->march->end) ? s->march->end : 0;
-    *T = 0;
-    least = of_um * fabs(speed_of(s, k, 0));
-    for (int i = 1; i <= times && end > 0; i++) {
-        double here = of_um * fabs(speed_of(s, k, end * i / times));
-        if (here < least) {
-            least = here;
-            *T = end * i / times;
-        }
+    slowness slow = {.Pe = INFINITY};
+    for (int i = 0; i <= (end > 0 ? times : 0); i++) {
+        double T = end * i / times, u = speed_of(s, k, T);
+        double Pe = fabs(u) / kappa;
+        if (Pe < least)
+            slow.lasts += end / times;
+        if (Pe < slow.Pe)
+            slow = (slowness){Pe, u, T, slow.lasts};
     }
-    return least;
+    return slow;
 }
 
 /* Viscosities follow temperatures a step behind: where surfaces slide very
@@ -63,31 +68,47 @@ static void review_slip(const ovr_setup *s, ovr_listener *listener, void *data)
     listener(data, OVR_SAY_WARNING, text);
 }
 
-/* Below it heat flows along the surface too. */
+/* Where no temperature is steady, or not within what a surface remembers; one
+ * that turns round is not slow for long. */
+static void review_speed(const ovr_setup *s, int k, ovr_listener *listener,
+                         void *data)
+{
+    const double passing = 1, second = s->contact->b / s->contact->um;
+    const double kappa = s->heat->diffusion[k] * s->contact->um * s->contact->b;
+    slowness slow = find_slowness(s, k);
+    double reach = ovr_solid_reach(s->heat, k, slow.u);
+    char text[OVR_MESSAGE_SIZE], when[40] = "";
+    if (!(slow.Pe < s->heat->least_peclet) ||
+        (slow.T > 0 && slow.lasts < passing))
+        return;
+    if (slow.T > 0)
+        snprintf(when, sizeof when, " at T = %.4g", slow.T);
+    if (slow.u == 0)
+        snprintf(text, sizeof text,
+                 "heat: surface %d stands still%s: it has no steady "
+                 "temperature, but gets hotter as the logarithm of time; a "
+                 "steady solution is that after %.3g s, and a contact of the "
+                 "width w is as hot as it gets after about w^2/kappa, %.3g s "
+                 "for 10 mm",
+                 k + 1, when, reach * second, 1e-4 / kappa);
+    else
+        snprintf(text, sizeof text,
+                 "heat: surface %d has the Peclet number %.3g%s: it takes "
+                 "%.3g s until its temperature is steady, of which it "
+                 "remembers %.3g s; below 0.05 it comes out too cold",
+                 k + 1, slow.Pe, when,
+                 20 * kappa / pow(slow.u * s->contact->um, 2), reach * second);
+    listener(data, OVR_SAY_WARNING, text);
+}
+
 void ovr_review_peclet(const ovr_setup *setup, ovr_listener *listener,
                        void *data)
 {
-    char text[OVR_MESSAGE_SIZE];
-    for (int k = 0; setup->heat && listener && k < 2; k++) {
-        double T, Pe = least_peclet(setup, k, &T);
-        double least = setup->heat->least_peclet;
-        if (!(Pe < least))
-            continue;
-        if (setup->transient)
-            snprintf(text, sizeof text,
-                     "heat: surface %d has the Peclet number %.3g at T = %.4g: "
-                     "below %g heat would flow along the surface too, which is "
-                     "left out; a steady start takes it as %g",
-                     k + 1, Pe, T, least, least);
-        else
-            snprintf(text, sizeof text,
-                     "heat: surface %d has the Peclet number %.3g; a steady "
-                     "solution takes it as %g, below which heat would flow "
-                     "along the surface too",
-                     k + 1, Pe, least);
-        listener(data, OVR_SAY_WARNING, text);
-    }
-    if (setup->heat && setup->transient && listener)
+    if (!setup->heat || !listener)
+        return;
+    for (int k = 0; k < 2; k++)
+        review_speed(setup, k, listener, data);
+    if (setup->transient)
         review_slip(setup, listener, data);
 }
 

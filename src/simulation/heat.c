@@ -57,19 +57,6 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
     return OVR_OK;
 }
 
-/* The rates of the memories stay whatever the steps and speeds: they reach
- * from steps of part of a mesh to two passages of the domain. */
-static void remember(ovr_simulation *sim)
-{
-    ovr_heated *h = sim->heated;
-    double D = ovr_mesh(sim), length = (double)(sim->now.n - 1) * D;
-    const double u[2] = {sim->contact.u1_ratio, sim->contact.u2_ratio};
-    for (int k = 0; k < 2; k++) {
-        h->longest[k] = 2 * length / fmax(fabs(u[k]), 0.1);
-        ovr_memory_rates(D / 8, h->longest[k], &h->memory[k]);
-    }
-}
-
 static ovr_status take_heat(ovr_simulation *sim, const void *form, void **own,
                             ovr_error *err)
 {
@@ -97,7 +84,6 @@ static ovr_status take_heat(ovr_simulation *sim, const void *form, void **own,
     if (ovr_heat_film_take(sim, err) || ovr_heat_turns_take(sim, err) ||
         ovr_heat_steps_take(sim, err))
         return OVR_NO_MEMORY;
-    remember(sim);
     return OVR_OK;
 }
 
@@ -129,14 +115,15 @@ void ovr_heat_reset(ovr_simulation *sim)
     ovr_heat_march_columns(sim);
     h->steps->trying = false;
     h->steps->dT = 0;
+    for (int k = 0; k < 2; k++)
+        ovr_heat_surface_reset(sim, k);
     for (size_t i = 0; i < sim->now.n; i++) {
         h->th[i] = 1;
         h->shift[i] = h->turned[i] = 0;
         h->drag[i] = h->swell[i] = 1;
         for (int j = 0; j < h->across.n; j++)
             h->T[j][i] = h->used[j][i] = 0;
-        for (int k = 0; k < 2; k++)
-            h->steps->past[k][i] = h->q[k][i] = 0;
+        h->q[0][i] = h->q[1][i] = 0;
     }
     ovr_heat_give(sim);
 }

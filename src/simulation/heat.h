@@ -4,8 +4,9 @@
  * surfaces by marching along x (across.h, solids.h), and what Reynolds'
  * equation gets of them, in turn with cycles until neither changes.
  *
- * A node is entered from the one upstream, t_j = D/u_j, u_j at least 0.02; a
- * surface of Peclet number below 5 is taken to have 5.  At the inlet the oil
+ * A node is entered from the one upstream, t_j = D/u_j, u_j at least 0.02. Heat
+ * that flows along a slow surface is put right from march to march
+ * (heat_surfaces.h).  At the inlet the oil
  * is at the supply's temperature and the surfaces have taken up nothing.
  *
  * Surfaces that move against each other each come in at an end of their own,
@@ -35,10 +36,10 @@ typedef struct ovr_heated {
     ovr_heat numbers;
     ovr_across across;
     ovr_memory memory[2];
-    double speed[2];            /* |u_k|/um, at least that of Peclet number 5 */
-    int way[2];                 /* along x: 1; against it: -1 */
-    double longest[2];          /* time that a surface remembers */
-    double *T[OVR_MOST_ACROSS]; /* rises at the nodes, by points */
+    double speed[2];               /* |u_k|/um of the march */
+    int way[2];                    /* along x: 1; against it: -1 */
+    double longest[2];             /* time that a surface remembers */
+    double *T[OVR_MOST_ACROSS];    /* rises at the nodes, by points */
     double *used[OVR_MOST_ACROSS]; /* under-relaxed: what the film has */
     double *q[2];                  /* T_zeta/H into the surfaces */
     double *mean;                  /* T_m of T */

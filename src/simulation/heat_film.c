@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "multigrid/expansion.h"
 #include "simulation/heat.h"
 #include "simulation/physics.h"
 
@@ -133,8 +134,10 @@ double ovr_heat_made(const ovr_simulation *sim, double *size)
     for (size_t i = 1; i + 1 < c->n; i++) {
         double P_X = (P[i + 1] - P[i - 1]) / (X[i + 1] - X[i - 1]);
         double P_T = c->P_T ? c->P_T[i] : 0, part = 0;
+        double bT_f = expansion_at(&h->numbers, P[i]);
         for (int j = 0; P[i] > 0 && j < h->across.n; j++) {
-            double beta = ovr_expansion(&h->numbers, P[i], h->used[j][i]);
+            double beta = bT_f *
+                          expansion_lightness(&h->numbers, bT_f, h->used[j][i]);
             part += h->across.w[j] *
                     (c->heating[j][i] + beta * c->H[i] *
                                             (h->numbers.T0 + h->T[j][i]) *

@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "multigrid/feet.h"
 #include "simulation/mirror.h"
 
 /* Of the change of temperatures that viscosities take a step. */
@@ -28,36 +27,34 @@ ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
     ovr_heated *h = sim->heated;
     ovr_heat_steps *s = ovr_arena_take(&sim->arena, 1, sizeof *s, err);
     int points = h->across.n, count = 0;
-    double **all[2 * OVR_MOST_ACROSS + 2 * OVR_MODES + 16];
+    double **all[2 * OVR_MOST_ACROSS + 16];
     if (!s)
         return OVR_NO_MEMORY;
     h->steps = s;
     all[count++] = &s->F;
     all[count++] = &s->P_T;
-    all[count++] = &s->spare;
     for (int j = 0; j < points; j++)
         all[count++] = &s->T_before[j];
     for (int j = 0; j < points + FIELDS; j++)
         all[count++] = &s->kept[j];
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < 2; k++)
         all[count++] = &s->q_before[k];
-        all[count++] = &s->past[k];
-        for (int m = 0; m < OVR_MODES; m++)
-            all[count++] = &s->psi[k][m];
-    }
     for (int a = 0; a < count; a++) {
         *all[a] = ovr_arena_take(&sim->arena, sim->now.n, sizeof **all[a], err);
         if (!*all[a])
             return OVR_NO_MEMORY;
     }
+    for (int k = 0; k < 2; k++)
+        if (ovr_heat_surface_take(sim, k, err))
+            return OVR_NO_MEMORY;
     return OVR_OK;
 }
 
 void ovr_heat_steps_keep(const ovr_simulation *sim, int surface, size_t i,
                          const double *psi)
 {
-    for (int m = 0; m < OVR_MODES; m++)
-        sim->heated->steps->psi[surface][m][i] = psi[m];
+    memcpy(ovr_heat_surface_modes(sim, surface) + i * OVR_MODES, psi,
+           OVR_MODES * sizeof *psi);
 }
 
 /* ------------------------------------------------ the last time reached */
@@ -110,33 +107,15 @@ void ovr_heat_begin(ovr_simulation *sim)
     s->trying = false;
     s->dT = s->stored = 0;
     memset(s->P_T, 0, sim->now.n * sizeof *s->P_T);
-    s->memory[0].dT = s->memory[1].dT = 0;
     keep(sim);
-}
-
-/* Psi and q of a surface a step later, where they are now. */
-static void remember(const ovr_simulation *sim, int k)
-{
-    const ovr_heated *h = sim->heated;
-    ovr_heat_steps *s = h->steps;
-    const ovr_memory *m = &s->memory[k];
-    const ovr_feet feet = ovr_feet_of(sim->now.n, s->meshes[k]);
-    double *before = sim->scratch[0];
-    ovr_carried q = {1, 0, 0, s->q_before[k], s->q_before[k], s->q_before[k]};
-    sim->grids.kernels->carry_along(&feet, &q, before);
-    for (int a = 0; a < OVR_MODES; a++) {
-        const ovr_carried psi = {m->fade[a],   m->now[a], m->before[a],
-                                 s->psi[k][a], h->q[k],   before};
-        sim->grids.kernels->carry_along(&feet, &psi, s->spare);
-        swap(&s->psi[k][a], &s->spare);
-    }
 }
 
 void ovr_heat_taken(ovr_simulation *sim)
 {
+    ovr_heat_steps *s = sim->heated->steps;
     for (int k = 0; k < 2; k++)
-        remember(sim, k);
-    sim->heated->steps->trying = false;
+        ovr_heat_surface_remember(sim, k, sim->heated->q[k]);
+    s->trying = false;
     keep(sim);
 }
 
@@ -148,52 +127,6 @@ void ovr_heat_step_back(ovr_simulation *sim)
 }
 
 /* ----------------------------------------------------------------- a step */
-
-/* The same for steps that differ in rounding alone. */
-static double rounded(double dT)
-{
-    int exponent;
-    double part = frexp(dT, &exponent);
-    return ldexp(nearbyint(ldexp(part, 26)), exponent - 26);
-}
-
-/* Weights of the memories for this length of step, which most often is that
- * of the step before. */
-static void fit_memories(ovr_heated *h)
-{
-    ovr_heat_steps *s = h->steps;
-    double dT = rounded(s->dT);
-    for (int k = 0; k < 2; k++) {
-        if (s->memory[k].dT == dT)
-            continue;
-        memcpy(s->memory[k].rate, h->memory[k].rate, sizeof s->memory[k].rate);
-        ovr_memory_fit(dT, fmax(h->longest[k], 2 * dT), &s->memory[k]);
-    }
-}
-
-/* (h - T_bulk)/N of both surfaces, where they are after the step. */
-static void look_back(ovr_simulation *sim)
-{
-    const ovr_heated *h = sim->heated;
-    const ovr_kernels *run = sim->grids.kernels;
-    ovr_heat_steps *s = h->steps;
-    double *here = sim->scratch[0];
-    for (int k = 0; k < 2; k++) {
-        const ovr_memory *m = &s->memory[k];
-        const ovr_feet feet = ovr_feet_of(sim->now.n, s->meshes[k]);
-        const ovr_carried past = {1, 0, 0, here, here, here};
-        const double *from[OVR_MODES + 1];
-        double weight[OVR_MODES + 1];
-        for (int a = 0; a < OVR_MODES; a++) {
-            from[a] = s->psi[k][a];
-            weight[a] = m->weight[a];
-        }
-        from[OVR_MODES] = h->q[k];
-        weight[OVR_MODES] = 2.0 / 3 * sqrt(m->dT);
-        run->weighted_sum(sim->now.n, OVR_MODES + 1, weight, from, here);
-        run->carry_along(&feet, &past, s->past[k]);
-    }
-}
 
 void ovr_heat_step(ovr_simulation *sim, double dT)
 {
@@ -208,11 +141,11 @@ void ovr_heat_step(ovr_simulation *sim, double dT)
                       : way * (sim->contact.u1_ratio - sim->contact.u2_ratio);
     withdraw(sim);
     s->dT = dT;
-    s->meshes[0] = (way + slip / 2) / D;
-    s->meshes[1] = (way - slip / 2) / D;
     ovr_heat_speeds(sim, T + dT);
-    fit_memories(h);
-    look_back(sim);
+    for (int k = 0; k < 2; k++) {
+        ovr_heat_surface_step(sim, k, dT, (way + (k ? -slip : slip) / 2) / D);
+        ovr_heat_surface_look(sim, k, h->q[k]);
+    }
     ovr_nodes_read(sim, sim->finest, sim->finest->f.F, s->F);
 }
 
@@ -294,7 +227,7 @@ static void pass(ovr_simulation *sim)
         c->T[j] = h->T[j];
     }
     for (int k = 0; k < 2; k++) {
-        c->past[k] = s->past[k];
+        c->past[k] = s->surface[k].past;
         c->into[k] = h->q[k];
         c->resistance[k] = h->numbers.solid[k] * 4 / 3 * sqrt(s->dT);
     }
@@ -393,19 +326,6 @@ static ovr_status visit_array(ovr_simulation *sim, const char *name, int number,
     return visit(context, text, values, sim->now.n * sizeof *values, err);
 }
 
-static ovr_status visit_surface(ovr_simulation *sim, int k, ovr_visit *visit,
-                                void *context, ovr_error *err)
-{
-    static const char *const names[2] = {"memory_1", "memory_2"};
-    ovr_heated *h = sim->heated;
-    ovr_status status = visit_array(sim, "heat_flux", k + 1, h->q[k], visit,
-                                    context, err);
-    for (int m = 0; !status && m < OVR_MODES; m++)
-        status = visit_array(sim, names[k], m + 1, h->steps->psi[k][m], visit,
-                             context, err);
-    return status;
-}
-
 ovr_status ovr_heat_visit(ovr_simulation *sim, ovr_visit *visit, void *context,
                           ovr_error *err)
 {
@@ -421,8 +341,12 @@ ovr_status ovr_heat_visit(ovr_simulation *sim, ovr_visit *visit, void *context,
     for (int k = 0; !status && k < h->across.n + FIELDS; k++)
         status = visit_array(sim, "viscosity_by", k + 1, kept_of(h, k), visit,
                              context, err);
-    for (int k = 0; !status && k < 2; k++)
-        status = visit_surface(sim, k, visit, context, err);
+    for (int k = 0; !status && k < 2; k++) {
+        status = visit_array(sim, "heat_flux", k + 1, h->q[k], visit, context,
+                             err);
+        if (!status)
+            status = ovr_heat_surface_visit(sim, k, visit, context, err);
+    }
     return status;
 }
 

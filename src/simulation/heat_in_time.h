@@ -45,13 +45,14 @@
  * reached and keeps the viscosities `used` then.  Fluxes, memories of the
  * surfaces and `used` move on when a step is taken.
  *
- * Peclet numbers have no least one here: a surface that stands still gets
- * hotter as sqrt(T).
+ * A surface that stands still gets hotter as ln(T), for as long as its memory
+ * reaches (heat_surfaces.h).
  */
 #ifndef OVR_SIMULATION_HEAT_IN_TIME_H
 #define OVR_SIMULATION_HEAT_IN_TIME_H
 
 #include "simulation/heat.h"
+#include "simulation/heat_surfaces.h"
 
 /* The temperatures used, th, shift, drag, turned, swell. */
 enum { OVR_HEAT_KEPT = OVR_MOST_ACROSS + 5 };
@@ -61,15 +62,11 @@ typedef struct ovr_heat_steps {
     bool trying; /* T and q of ovr_heated are of a step not yet taken */
     double *T_before[OVR_MOST_ACROSS], *q_before[2]; /* then: a step ago */
     double *kept[OVR_HEAT_KEPT]; /* of the last time reached */
-    double *psi[2][OVR_MODES];   /* Psi_m of the surfaces at the nodes */
-    double *past[2];             /* (h - T_bulk)/N at the nodes */
-    double *spare;               /* for Psi_m that are carried along */
-    double *F;                   /* history term of Reynolds' equation */
-    double *P_T;                 /* that the step was heated by */
-    ovr_memory memory[2];        /* for steps of dT */
-    double meshes[2];            /* that surfaces move in the step */
-    double lag;                  /* of the step's `used` behind its T */
-    double stored;               /* power that the oil took up in the step */
+    ovr_heat_surface surface[2];
+    double *F;     /* history term of Reynolds' equation */
+    double *P_T;   /* that the step was heated by */
+    double lag;    /* of the step's `used` behind its T */
+    double stored; /* power that the oil took up in the step */
 } ovr_heat_steps;
 
 /* Memory for them, with the rates of the surfaces' memories. */

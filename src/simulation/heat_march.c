@@ -11,14 +11,11 @@ static const double LEAST_SPEED = 0.02;
 void ovr_heat_march_begin(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
-    const ovr_contact *c = &sim->contact;
-    const double ratio[2] = {c->u1_ratio, c->u2_ratio};
     double D = ovr_mesh(sim), length = (double)(sim->now.n - 1) * D;
     ovr_heat_speeds(sim, 0);
     for (int k = 0; k < 2; k++) {
         double u = h->u1 - k * h->V;
-        double at_1 = h->numbers.peclet[k] / fabs(ratio[k]); /* of um */
-        double least = ratio[k] != 0 ? h->numbers.least_peclet / at_1 : 0;
+        double least = h->numbers.least_peclet * h->numbers.diffusion[k];
         h->speed[k] = fmax(fabs(u), fmax(least, LEAST_SPEED));
         h->way[k] = u < 0 || (!(u > 0) && sim->backward) ? -1 : 1;
         ovr_memory_fit(D / h->speed[k],
@@ -43,10 +40,11 @@ typedef struct march {
 static void solve_node(ovr_simulation *sim, size_t i, march *m)
 {
     ovr_heated *h = sim->heated;
+    ovr_heat_surface *s = h->steps->surface;
     for (int k = 0; k < 2; k++)
         if (h->way[k] == m->way)
-            h->steps->past[k][i] = ovr_memory_past(&h->memory[k], m->psi[k],
-                                                   m->q[k]);
+            s[k].past[i] = ovr_memory_past(&h->memory[k], m->psi[k], m->q[k]) +
+                           s[k].along[i];
     ovr_column_heat(&h->film, i);
     for (int k = 0; k < 2; k++) {
         double q = h->q[k][i];
@@ -92,7 +90,7 @@ void ovr_heat_march_columns(ovr_simulation *sim)
     for (int j = 0; j < h->across.n; j++)
         c->foot[j] = c->T[j] = h->T[j];
     for (int k = 0; k < 2; k++) {
-        c->past[k] = h->steps->past[k];
+        c->past[k] = h->steps->surface[k].past;
         c->into[k] = h->q[k];
         c->resistance[k] = h->numbers.solid[k] * 4 / 3 * sqrt(h->memory[k].dT);
     }
@@ -109,4 +107,8 @@ void ovr_heat_march(ovr_simulation *sim)
         along(sim);
         against(sim);
     }
+    for (int k = 0; k < 2; k++)
+        if (ovr_solid_conducts(&sim->heated->numbers, k,
+                               sim->heated->u1 - k * sim->heated->V))
+            ovr_heat_surface_steady(sim, k);
 }

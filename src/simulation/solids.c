@@ -5,6 +5,23 @@
 #include <math.h>
 #include <stdbool.h>
 
+static const double FAST = 50; /* Peclet number */
+
+bool ovr_solid_conducts(const ovr_heat *numbers, int k, double u)
+{
+    double kappa = numbers->diffusion[k];
+    return kappa > 0 && fabs(u) <= FAST * kappa;
+}
+
+double ovr_solid_reach(const ovr_heat *numbers, int k, double u)
+{
+    const double wide = 100, most = 1e5; /* b; b/um */
+    double kappa = numbers->diffusion[k];
+    if (!ovr_solid_conducts(numbers, k, u))
+        return 0;
+    return fmin(most, fmin(20 * kappa / (u * u), wide * wide / kappa));
+}
+
 enum { SAMPLES = 400 };
 
 typedef struct fit {
@@ -94,15 +111,10 @@ void ovr_memory_fit(double dT, double longest, ovr_memory *memory)
     fill(&f, memory, dT, longest);
     solve(&f, modes_alive(memory, dT), weight);
     memory->dT = dT;
-    for (int m = 0; m < OVR_MODES; m++) {
-        double x = memory->rate[m] * dT, e = exp(-x);
-        bool small = x < 1e-3; /* by series */
-        memory->fade[m] = e;
-        memory->weight[m] = weight[m] * e;
-        memory->now[m] = dT * (small ? 0.5 - x / 6 : (x - 1 + e) / (x * x));
-        memory->before[m] = dT *
-                            (small ? 0.5 - x / 3 : (1 - e * (1 + x)) / (x * x));
-    }
+    ovr_modes_integrals(dT, memory->rate, memory->fade, memory->now,
+                        memory->before);
+    for (int m = 0; m < OVR_MODES; m++)
+        memory->weight[m] = weight[m] * memory->fade[m];
 }
 
 double ovr_memory_past(const ovr_memory *memory, const double *psi, double q)

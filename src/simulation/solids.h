@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Temperatures of the surfaces: half-spaces under heat that moves over them
- * fast, so that it flows inward only (Peclet number u b rho c/k above 5).  At
- * a point of the material, which took up q(T) until now,
+ * Temperatures of the surfaces: half-spaces under heat that moves over them.
+ * At a point of the material, which took up q(T) until now,
  *
  *     T_s = T_bulk + N int_0^inf q(T - t)/sqrt(t) dt
  *     N = k_film R b^(-3/2)/sqrt(pi k rho c um),  q = T_zeta/H into the solid
@@ -17,7 +16,14 @@
  *     Psi_m = e^(-x) Psi_m' + a q + b q',  x = s_m dT
  *     a = dT (x - 1 + e^-x)/x^2,  b = dT (1 - e^-x (1 + x))/x^2
  *
- * with ' a step ago.  The rates s_m are geometric, the weights the least
+ * with ' a step ago.  Where heat flows along the surface too, with kappa =
+ * k/(rho c um b), the kernel of each wave number k along x is e^(-kappa k^2
+ * t)/sqrt(t): q of the past spreads, and so do the Psi_m, each alike and
+ * exactly (heat_surfaces.h),
+ *
+ *     Psi_T + u Psi_X = q - s_m Psi + kappa Psi_XX
+ *
+ * The rates s_m are geometric, the weights the least
  * squares of the relative error, in extended precision: with 16 modes below
  * 1e-4 over four decades of time, 5e-4 over five.
  *
@@ -26,7 +32,8 @@
 #ifndef OVR_SIMULATION_SOLIDS_H
 #define OVR_SIMULATION_SOLIDS_H
 
-enum { OVR_MODES = 16 };
+#include "multigrid/modes.h"
+#include "overroll/heat.h"
 
 /* The kernel for one length of step. */
 typedef struct ovr_memory {
@@ -34,6 +41,13 @@ typedef struct ovr_memory {
     double rate[OVR_MODES], weight[OVR_MODES]; /* s_m; w_m e^(-s_m dT) */
     double fade[OVR_MODES], now[OVR_MODES], before[OVR_MODES]; /* e^-x, a, b */
 } ovr_memory;
+
+/* Whether heat along surface k counts at u, over um; how long, over b/um, it
+ * remembers for that: until 20 kappa/u^2, when no more of it is felt, but not
+ * longer than heat takes to spread by 100 b and to leave a line contact, nor
+ * than 1e5. */
+bool ovr_solid_conducts(const ovr_heat *numbers, int k, double u);
+double ovr_solid_reach(const ovr_heat *numbers, int k, double u);
 
 /* Rates for times from `shortest` to `longest`; they stay for a run. */
 void ovr_memory_rates(double shortest, double longest, ovr_memory *memory);

@@ -117,9 +117,25 @@ static void run_carry_along(void *sim)
     ovr_simulation *s = sim;
     ovr_heat_steps *h = s->heated->steps;
     const ovr_feet feet = ovr_feet_of(s->now.n, 1.25);
-    const ovr_carried what = {0.9,          0.1,          0.1,
-                              h->psi[0][0], h->psi[0][1], h->psi[0][2]};
-    s->grids.kernels->carry_along(&feet, &what, h->spare);
+    s->grids.kernels->carry_along(&feet, h->surface[0].past, h->P_T);
+}
+
+/* Of a surface along which heat flows. */
+static void run_step_modes(void *sim)
+{
+    ovr_simulation *s = sim;
+    ovr_heat_steps *h = s->heated->steps;
+    const ovr_feet feet = ovr_feet_of(s->now.n, 1.25);
+    const ovr_memory *m = &h->surface[0].memory;
+    const ovr_spread spread = ovr_spread_of(0.2, 1.25, 0.01, 0.01, m->rate);
+    const ovr_modes_step step = {&feet,
+                                 &spread,
+                                 m->fade,
+                                 m->now,
+                                 m->before,
+                                 h->surface[0].past,
+                                 h->surface[1].past};
+    s->grids.kernels->step_modes(&step, h->surface[0].psi, h->surface[0].next);
 }
 
 /*
@@ -153,7 +169,9 @@ static void run_carry_along(void *sim)
  * heat_across: rows 105, elimination 80, back substitution 25, mean and fluxes
  * 18.  Reads X, P, H, q, P_T, gamma, two pasts, five u, heatings, T and feet;
  * writes five T, the mean, two fluxes.
- * carry_along: a cubic 7, 4 more.  Reads three arrays, writes one.
+ * carry_along: a cubic 7.  Reads an array, writes one.
+ * step_modes, 16 of them: a cubic 7, two sweeps 6, a step 5.  Reads modes and
+ * two arrays, writes and reads what one sweep leaves, writes modes.
  */
 static const struct kernel {
     const char *name;
@@ -172,7 +190,8 @@ static const struct kernel {
                {"correct", run_correct, 3.5, 24, false},
                {"flow_across", run_flow_across, 645, 168, true},
                {"heat_across", run_heat_across, 228, 288, true},
-               {"carry_along", run_carry_along, 11, 32, true}};
+               {"carry_along", run_carry_along, 7, 16, true},
+               {"step_modes", run_step_modes, 288, 528, true}};
 enum { KERNELS = sizeof kernels / sizeof *kernels, ASSEMBLE = 5, SOLVE = 6 };
 
 /*

@@ -12,7 +12,6 @@ static ovr_simulation *solved(double M, double L, double S, int level)
 {
     test_hot hot = test_hot_make(M, L, S, 5e6, NULL);
     ovr_error err = {0};
-    hot.heat.least_peclet = 0; /* as in time */
     ovr_simulation *sim = test_hot_simulation(&hot, level);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     return sim;
@@ -36,11 +35,11 @@ static void stays(double M, double L, double S)
         o->T_max_rise / first.T_max_rise - 1,
         o->T_1_max_rise / first.T_1_max_rise - 1,
         o->T_2_max_rise / first.T_2_max_rise - 1, first.energy_defect);
-    CHECK_CLOSE(o->mu_slide, first.mu_slide, 1e-3);
-    CHECK_CLOSE(o->H_cen, first.H_cen, 1e-3);
-    CHECK_CLOSE(o->T_max_rise, first.T_max_rise, 5e-3);
-    CHECK_CLOSE(o->T_1_max_rise, first.T_1_max_rise, 5e-3);
-    CHECK_CLOSE(o->T_2_max_rise, first.T_2_max_rise, 5e-3);
+    CHECK_CLOSE(o->mu_slide, first.mu_slide, 2e-4);
+    CHECK_CLOSE(o->H_cen, first.H_cen, 2e-4);
+    CHECK_CLOSE(o->T_max_rise, first.T_max_rise, 1e-3);
+    CHECK_CLOSE(o->T_1_max_rise, first.T_1_max_rise, 1e-3);
+    CHECK_CLOSE(o->T_2_max_rise, first.T_2_max_rise, 1e-3);
     CHECK_NEAR(first.energy_defect, 0, 1e-5);
     ovr_simulation_free(sim);
 }
@@ -70,7 +69,7 @@ static void surfaces_swapped(void **state)
 }
 
 /* Beside the contact each surface is the colder one where it comes in, with
- * what hot oil has given it. */
+ * what hot oil has given it and what has come along it from the contact. */
 static void each_comes_in_colder(void **state)
 {
     ovr_simulation *sim = solved(12, 8, 4, 5);
@@ -87,7 +86,7 @@ static void each_comes_in_colder(void **state)
                   "K\n",
                   h->T[0][in], h->T[last][in], h->T[0][out], h->T[last][out]);
     assert_true(h->T[0][in] < 0.6 * h->T[last][in]);
-    assert_true(h->T[last][out] < 0.6 * h->T[0][out]);
+    assert_true(h->T[last][out] < 0.7 * h->T[0][out]);
     ovr_simulation_free(sim);
 }
 

@@ -28,7 +28,6 @@ static ovr_simulation *begin(double slide, int level, ovr_history *speed)
     o.level = level;
     o.outlet = 4;
     o.tolerance = 1e-9;
-    hot.heat.least_peclet = 0; /* as in time */
     ovr_simulation *sim = test_hot_made(&hot, &o);
     ovr_simulation_histories(sim, NULL, speed);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);

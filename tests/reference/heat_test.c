@@ -82,7 +82,8 @@ static const struct truth {
 static test_hot hot_contact(const struct truth *t, const ovr_heat_form *f)
 {
     test_hot made = test_hot_make(t->M, t->L, t->S, t->tau0 * 1e6, f);
-    made.heat.least_peclet = 0; /* as the truth has it */
+    /* the truth's: no heat along the surfaces */
+    made.heat.diffusion[0] = made.heat.diffusion[1] = 0;
     return made;
 }
 
@@ -198,6 +199,54 @@ static void pressed_oil_expands_less(void **state)
         check_change("T_max", now.T_max, before.T_max, c->T_max);
         check_change("T_2", now.T_2, before.T_2, c->T_2);
         print_message("\n");
+    }
+}
+
+/* The same rows by an earlier program with both, expansion that falls with
+ * pressure and heat along the surfaces, each by itself marked as changed: its
+ * five digits, and 1e-3 for how far the past of its surfaces reached. */
+static const struct changed {
+    const char *name;
+    int level;
+    double H_cen, mu, T_max, T_mean, T_1, T_2;
+} changed[] = {
+    {"N", 5, 0.135142, 0.073639, 2.57, 2.4431, 2.1807, 2.2126},
+    {"N", 6, 0.135964, 0.073363, 2.5571, 2.4307, 2.1677, 2.1996},
+    {"A0", 5, 0.083924, 0, 0.1862, 0.1732, 0.1404, 0.1404},
+    {"A2", 5, 0.083581, 0.046539, 12.0627, 11.3267, 9.5087, 10.3695},
+    {"A3", 5, 0.08118, 0.046494, 24.4972, 23.0589, 18.6145, 22.1947},
+    {"B", 5, 0.134946, 0.034643, 2.5831, 2.4843, 2.25, 2.3312},
+    {"F", 5, 0.025761, 0.068176, 34.5351, 29.3108, 20.9394, 21.8964},
+    {"A0", 6, 0.084951, 0, 0.1862, 0.1732, 0.1403, 0.1403},
+    {"A2", 6, 0.084615, 0.046472, 12.071, 11.3257, 9.488, 10.3572},
+    {"A3", 6, 0.082189, 0.046417, 24.5127, 23.0588, 18.5651, 22.1795},
+    {"B", 6, 0.135766, 0.03461, 2.5811, 2.4821, 2.2466, 2.3283},
+    {"F", 6, 0.027369, 0.06763, 35.3567, 29.6887, 20.7573, 21.728},
+};
+
+static void slow_surfaces_and_expansion(void **state)
+{
+    ovr_heat_form f = test_heat_form();
+    (void)state;
+    for (size_t k = 0; k < sizeof changed / sizeof *changed; k++) {
+        const struct changed *t = &changed[k];
+        const struct truth *of = truths;
+        while (strcmp(of->name, t->name) != 0 || of->level != t->level)
+            of++;
+        test_hot c = test_hot_make(of->M, of->L, of->S, of->tau0 * 1e6, &f);
+        ovr_simulation *sim = solved(&c, t->level);
+        const ovr_observation *o = ovr_simulation_observation(sim);
+        print_message("%s%d H_cen %+.1e mu %+.1e T %+.1e %+.1e %+.1e off\n",
+                      t->name, t->level, o->H_cen / t->H_cen - 1,
+                      nodal_mu(sim) - t->mu, o->T_max_rise / t->T_max - 1,
+                      o->T_1_max_rise / t->T_1 - 1,
+                      o->T_2_max_rise / t->T_2 - 1);
+        CHECK_CLOSE(o->H_cen, t->H_cen, 4e-4);
+        CHECK_NEAR(nodal_mu(sim), t->mu, 5e-4 * t->mu + 1e-12);
+        CHECK_NEAR(o->T_max_rise, t->T_max, 1e-3 + 2e-3 * t->T_max);
+        CHECK_NEAR(o->T_1_max_rise, t->T_1, 1e-3 + 2e-3 * t->T_1);
+        CHECK_NEAR(o->T_2_max_rise, t->T_2, 1e-3 + 2e-3 * t->T_2);
+        ovr_simulation_free(sim);
     }
 }
 
@@ -466,6 +515,7 @@ int main(void)
         cmocka_unit_test(order_left_to_the_library),
         cmocka_unit_test(steady_against_truth),
         cmocka_unit_test(pressed_oil_expands_less),
+        cmocka_unit_test(slow_surfaces_and_expansion),
         cmocka_unit_test(surfaces_swapped),
         cmocka_unit_test(carreau_of_one_is_newtonian),
         cmocka_unit_test(points_of_eyring),

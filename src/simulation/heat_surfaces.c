@@ -1,0 +1,211 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Memories of the surfaces (equations in heat_surfaces.h). */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "simulation/heat_in_time.h"
+
+static ovr_status take(ovr_simulation *sim, double **to, size_t count,
+                       ovr_error *err)
+{
+    *to = ovr_arena_take(&sim->arena, count, sizeof **to, err);
+    return *to ? OVR_OK : OVR_NO_MEMORY;
+}
+
+ovr_status ovr_heat_surface_take(ovr_simulation *sim, int k, ovr_error *err)
+{
+    const ovr_contact *c = &sim->contact;
+    ovr_heated *h = sim->heated;
+    ovr_heat_steps *steps = h->steps;
+    ovr_heat_surface *s = &steps->surface[k];
+    double D = ovr_mesh(sim), u = k ? c->u2_ratio : c->u1_ratio;
+    size_t n = sim->now.n, N;
+    s->beyond = (size_t)fmin(4 * sqrt(h->numbers.diffusion[k] / D) + 4,
+                             (double)n);
+    N = n + 2 * s->beyond;
+    h->longest[k] = fmax(2 * (double)(n - 1) * D / fmax(fabs(u), 0.1),
+                         ovr_solid_reach(&h->numbers, k, u));
+    ovr_memory_rates(D / 8, h->longest[k], &h->memory[k]);
+    for (int a = 0; a < OVR_HEAT_ROOMS; a++)
+        if (take(sim, &s->room[a], N, err))
+            return OVR_NO_MEMORY;
+    if (take(sim, &s->psi, N * OVR_MODES, err) ||
+        take(sim, &s->next, N * OVR_MODES, err) ||
+        take(sim, &s->before, N, err) || take(sim, &s->past, n, err) ||
+        take(sim, &s->along, n, err))
+        return OVR_NO_MEMORY;
+    return OVR_OK;
+}
+
+double *ovr_heat_surface_modes(const ovr_simulation *sim, int k)
+{
+    const ovr_heat_surface *s = &sim->heated->steps->surface[k];
+    return s->psi + s->beyond * OVR_MODES;
+}
+
+void ovr_heat_surface_reset(ovr_simulation *sim, int k)
+{
+    ovr_heat_surface *s = &sim->heated->steps->surface[k];
+    size_t n = sim->now.n;
+    memset(s->psi, 0, (n + 2 * s->beyond) * OVR_MODES * sizeof *s->psi);
+    memset(s->past, 0, n * sizeof *s->past);
+    memset(s->along, 0, n * sizeof *s->along);
+}
+
+ovr_status ovr_heat_surface_visit(ovr_simulation *sim, int k, ovr_visit *visit,
+                                  void *context, ovr_error *err)
+{
+    ovr_heat_surface *s = &sim->heated->steps->surface[k];
+    size_t n = sim->now.n, beyond = s->beyond * OVR_MODES * sizeof *s->psi;
+    double *mode = s->room[0];
+    ovr_status status = OVR_OK;
+    char name[40];
+    for (int m = 0; !status && m < OVR_MODES; m++) {
+        double *psi = ovr_heat_surface_modes(sim, k) + m;
+        for (size_t i = 0; i < n; i++)
+            mode[i] = psi[i * OVR_MODES];
+        snprintf(name, sizeof name, "memory_%d_%d", k + 1, m + 1);
+        status = visit(context, name, mode, n * sizeof *mode, err);
+        for (size_t i = 0; i < n; i++)
+            psi[i * OVR_MODES] = mode[i];
+    }
+    snprintf(name, sizeof name, "memory_%d_before", k + 1);
+    if (!status)
+        status = visit(context, name, s->psi, beyond, err);
+    snprintf(name, sizeof name, "memory_%d_after", k + 1);
+    if (!status)
+        status = visit(context, name, s->psi + (s->beyond + n) * OVR_MODES,
+                       beyond, err);
+    return status;
+}
+
+/* The same for steps that differ in rounding alone. */
+static double rounded(double dT)
+{
+    int exponent;
+    double part = frexp(dT, &exponent);
+    return ldexp(nearbyint(ldexp(part, 26)), exponent - 26);
+}
+
+/* Weights for this length of step, which most often is that of the step
+ * before. */
+static void fit(const ovr_heated *h, int k, double length)
+{
+    ovr_memory *m = &h->steps->surface[k].memory;
+    double dT = rounded(length);
+    if (m->dT == dT)
+        return;
+    memcpy(m->rate, h->memory[k].rate, sizeof m->rate);
+    ovr_memory_fit(dT, fmax(h->longest[k], 2 * dT), m);
+}
+
+void ovr_heat_surface_step(ovr_simulation *sim, int k, double dT, double meshes)
+{
+    const ovr_heated *h = sim->heated;
+    ovr_heat_surface *s = &h->steps->surface[k];
+    double D = ovr_mesh(sim), u = meshes * D / dT;
+    s->meshes = meshes;
+    s->spread = ovr_solid_conducts(&h->numbers, k, u)
+                    ? ovr_spread_of(h->numbers.diffusion[k], u, dT, D,
+                                    h->memory[k].rate)
+                    : (ovr_spread){.on = false};
+    fit(h, k, dT);
+}
+
+/* With the nodes beyond both ends, where there is none. */
+static const double *longer(const ovr_simulation *sim, ovr_heat_surface *s,
+                            const double *q, double *room)
+{
+    size_t n = sim->now.n, beyond = s->beyond;
+    memset(room, 0, beyond * sizeof *room);
+    memcpy(room + beyond, q, n * sizeof *room);
+    memset(room + beyond + n, 0, beyond * sizeof *room);
+    return room;
+}
+
+static ovr_feet feet_of(const ovr_simulation *sim, const ovr_heat_surface *s)
+{
+    return ovr_feet_of(sim->now.n + 2 * s->beyond, s->meshes);
+}
+
+/* What the past says, at the nodes; q as it was goes along into `before`. */
+static const double *look(ovr_simulation *sim, ovr_heat_surface *s,
+                          const double *q)
+{
+    const ovr_feet feet = feet_of(sim, s);
+    double *past = s->room[1];
+    const ovr_modes_look look = {.run = sim->grids.kernels,
+                                 .feet = &feet,
+                                 .spread = &s->spread,
+                                 .dT = s->memory.dT,
+                                 .weight = s->memory.weight,
+                                 .psi = s->psi,
+                                 .q = longer(sim, s, q, s->room[0]),
+                                 .room = s->room[2],
+                                 .fields = s->next,
+                                 .past = past,
+                                 .before = s->before};
+    ovr_modes_past(&look);
+    return past + s->beyond;
+}
+
+void ovr_heat_surface_look(ovr_simulation *sim, int k, const double *q)
+{
+    ovr_heat_surface *s = &sim->heated->steps->surface[k];
+    memcpy(s->past, look(sim, s, q), sim->now.n * sizeof *q);
+}
+
+void ovr_heat_surface_remember(ovr_simulation *sim, int k, const double *q)
+{
+    ovr_heat_surface *s = &sim->heated->steps->surface[k];
+    const ovr_feet feet = feet_of(sim, s);
+    const ovr_memory *m = &s->memory;
+    double *psi = s->psi;
+    const ovr_modes_step step = {.feet = &feet,
+                                 .spread = &s->spread,
+                                 .fade = m->fade,
+                                 .now = m->now,
+                                 .before = m->before,
+                                 .q = longer(sim, s, q, s->room[0]),
+                                 .q_before = s->before};
+    sim->grids.kernels->step_modes(&step, psi, s->next);
+    s->psi = s->next;
+    s->next = psi;
+}
+
+/* ------------------------------------------------------------------ steady */
+
+/* along <- along + share (K q - K_march q - along); `past` is of K, without the
+ * part of q itself. */
+static void approach(ovr_simulation *sim, int k, const double *past)
+{
+    const double share = 0.7;
+    const ovr_heated *h = sim->heated;
+    const ovr_heat_surface *s = &h->steps->surface[k];
+    const ovr_memory *march = &h->memory[k];
+    const double *q = h->q[k];
+    double psi[OVR_MODES] = {0}, before = 0;
+    double own = 4.0 / 3 * (sqrt(s->memory.dT) - sqrt(march->dT));
+    size_t n = sim->now.n;
+    for (size_t j = 0; j < n; j++) {
+        size_t i = h->way[k] > 0 ? j : n - 1 - j;
+        double lacks = past[i] + own * q[i] -
+                       ovr_memory_past(march, psi, before);
+        s->along[i] += share * (lacks - s->along[i]);
+        ovr_memory_step(march, before, q[i], psi);
+        before = q[i];
+    }
+}
+
+void ovr_heat_surface_steady(ovr_simulation *sim, int k)
+{
+    const ovr_heated *h = sim->heated;
+    ovr_heat_surface *s = &h->steps->surface[k];
+    double D = ovr_mesh(sim), u = h->u1 - k * h->V;
+    ovr_modes_steady(sim->now.n + 2 * s->beyond, D, h->numbers.diffusion[k],
+                     h->way[k] * fabs(u), h->memory[k].rate,
+                     longer(sim, s, h->q[k], s->room[0]), s->psi);
+    ovr_heat_surface_step(sim, k, D, u);
+    approach(sim, k, look(sim, s, h->q[k]));
+}

@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What both surfaces remember at the nodes (solids.h, multigrid/modes.h): what
+ * it says in a step, what it is a step later, and what it is of a steady
+ * contact.
+ *
+ * Heat flows along a surface too, exactly, where its Peclet number is at most
+ * 50; of faster ones it changes the largest temperature by less than 1e-3 under
+ * the flux of a smooth contact, and by 1 % at the edges of a flux that jumps.
+ *
+ * The memories reach beyond both ends of the domain, by four times the length
+ * sqrt(kappa D) by which heat spreads in a step of D: what a surface takes up
+ * at an end, where it comes in cold under hot oil, is not lost.
+ *
+ * A steady film is marched along x (heat_march.c), which knows upstream alone:
+ * without heat along x, at a Peclet number of at least 0.1.  What T/N lacks by
+ * that is `along`, brought nearer to what steady modes give for the last q,
+ * once a march:
+ *
+ *     along <- along + 0.7 (K q - K_march q - along)
+ *
+ * where K q is what a step of D takes from them, so that a run stays as it
+ * began.  It contracts as |K| <= |K_march| for every wave number, sqrt(pi) over
+ * the roots of |i k u + kappa k^2| and |k| u_march.
+ */
+#ifndef OVR_SIMULATION_HEAT_SURFACES_H
+#define OVR_SIMULATION_HEAT_SURFACES_H
+
+#include "multigrid/modes.h"
+#include "simulation/heat.h"
+
+enum { OVR_HEAT_ROOMS = 3 };
+
+typedef struct ovr_heat_surface {
+    size_t beyond;     /* nodes beyond each end that it remembers too */
+    double *psi;       /* Psi_m at the nodes and beyond */
+    double *past;      /* (h - T_bulk)/N at the nodes */
+    double *along;     /* steady: what heat along x adds to it */
+    ovr_memory memory; /* for steps of dT */
+    double meshes;     /* that it moves in the step */
+    ovr_spread spread; /* in it */
+    double *before;    /* q of the step before, carried along and spread */
+    double *next, *room[OVR_HEAT_ROOMS];
+} ovr_heat_surface;
+
+/* Memory for it, with the rates of its memory: from steps of part of a mesh to
+ * two passages of the domain, or further where it is slow: they stay whatever
+ * steps and speeds. */
+ovr_status ovr_heat_surface_take(ovr_simulation *sim, int k, ovr_error *err);
+
+/* For a step of dT over so many meshes; what the past of surface k then says,
+ * by its modes and the flux q before the step. */
+void ovr_heat_surface_step(ovr_simulation *sim, int k, double dT,
+                           double meshes);
+void ovr_heat_surface_look(ovr_simulation *sim, int k, const double *q);
+
+/* Its modes at the end of the step that was looked back from, by q then. */
+void ovr_heat_surface_remember(ovr_simulation *sim, int k, const double *q);
+
+/* Psi_m of the nodes; of a surface that has taken up nothing; those to save,
+ * each by itself in the order of the nodes. */
+double *ovr_heat_surface_modes(const ovr_simulation *sim, int k);
+void ovr_heat_surface_reset(ovr_simulation *sim, int k);
+ovr_status ovr_heat_surface_visit(ovr_simulation *sim, int k, ovr_visit *visit,
+                                  void *context, ovr_error *err);
+
+/* Its steady modes by the flux q, and `along` brought nearer. */
+void ovr_heat_surface_steady(ovr_simulation *sim, int k);
+
+#endif
