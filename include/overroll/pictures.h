@@ -75,13 +75,15 @@ OVR_API ovr_status ovr_picture(ovr_result *const *results, size_t count,
 /* ---------------------------------------------------------------- studies */
 
 /* A quantity of a study's cases against one of its keys: a line for each value
- * of a second key; over all others (seeds) the mean, in a band from the
- * smallest to the largest. */
+ * of a second key, a panel for each of what else varies; over seeds the mean,
+ * in a band from the smallest to the largest.  Against a seed: a histogram of
+ * the quantity, with its quantiles.  A key may be the name of a [zip]. */
 typedef struct ovr_figure_options {
     size_t size;      /* of this struct, as its user knows it */
     const char *path; /* .png, .svg or .pdf */
     bool force;
-    const char *y;  /* column; NULL: H_min_overall, else H_min */
+    const char *y;  /* column; NULL: H_min_overall_m, else H_min_overall,
+                       min_film_m, H_min */
     const char *x;  /* key; NULL: the first with numbers */
     const char *by; /* key; NULL: the next, but for a seed; "": none */
     bool log_x, log_y;
@@ -89,6 +91,8 @@ typedef struct ovr_figure_options {
     const char *title;
     const char *script;
     const char *template_path; /* as of a picture */
+    const char *panels; /* key; NULL: all that else varies, but for seeds; "":
+                           none */
 } ovr_figure_options;
 OVR_SIZED(ovr_figure_options)
 

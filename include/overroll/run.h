@@ -382,6 +382,7 @@ typedef struct ovr_table_column {
     bool varied;             /* a key of the study */
     const double *number;    /* of each case; NAN: none */
     const char *const *text; /* as written; NULL: numbers alone */
+    const char *zip;         /* of a key of [zip NAME]: NAME; else NULL */
 } ovr_table_column;
 
 /* As the files in the study's folder stand now; or from what ovr_sweep_collect

@@ -23,10 +23,13 @@ static const cli_option options[] = {
     {"depth", "SCALE", "stress: linear (default) or log", false},
     {"script", "FILE.gp", "also write the gnuplot script, and its data beside",
      false},
-    {"quantity", "NAME", "of a study: what is drawn (H_min_overall)", false},
+    {"quantity", "NAME", "of a study: what is drawn (the smallest film)",
+     false},
     {"against", "KEY", "of a study: along x (its first key)", false},
     {"lines", "KEY", "of a study: a line for each value (the next key); none",
      false},
+    {"panels", "KEY",
+     "of a study: a panel for each value (what else varies); none", false},
     {"log", "AXES", "of a study: x, y or xy logarithmic", false},
     CLI_RANGE_OPTIONS,
     {NULL, NULL, NULL, false},
@@ -187,8 +190,11 @@ static int take_figure(const cli_call *call, ovr_figure_options *f)
     f->y = cli_value(call, "quantity");
     f->x = cli_value(call, "against");
     f->by = cli_value(call, "lines");
+    f->panels = cli_value(call, "panels");
     if (f->by && !strcmp(f->by, "none"))
         f->by = "";
+    if (f->panels && !strcmp(f->panels, "none"))
+        f->panels = "";
     if (log && strspn(log, "xy") != strlen(log))
         return cli_usage(call, "--log %s: x, y or xy", log);
     f->log_x = log && strchr(log, 'x');
@@ -277,8 +283,9 @@ const cli_verb cli_plot = {
         "\n"
         "Several result files are drawn over each other (but for a map).\n"
         "A study, or the table of one, gives a figure: a quantity against\n"
-        "a key, a line for each value of a second one, what else varies "
-        "(seeds)\nas a mean in a band.",
+        "a key or the name of a [zip], a line for each value of a second one,\n"
+        "a panel for each of what else varies; seeds as a mean in a band,\n"
+        "and against a seed a histogram with quantiles.",
     .options = options,
     .least = 1,
     .most = CLI_RESULTS,

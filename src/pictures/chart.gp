@@ -59,7 +59,7 @@ letters_across = (1. * width / letter - left - right) / wide
 images = 0
 do for [p=1:rows * columns] { images = images + (image[p] >= 0) }
 gap = share_x ? 0.5 : bottom
-gap_x = share_y ? 1 : left + 0.4
+gap_x = !share_y ? left + 0.4 : share_x ? 1 : 2.4
 column_width = (1 - (left + right) * em - (columns - 1) * gap_x * em) / columns \
   - (images ? scale_room * em : 0)
 
@@ -142,6 +142,7 @@ do for [r=1:rows] {
 }
 
 # ------------------------------------------------------------- axes and tics
+empty(p) = last[p] < first[p] && image[p] < 0
 limit(v) = v == v ? sprintf('%.9g', v) : '*'
 # 1, 2 or 5 times a power of ten, at most `most` of them in a span
 nice(span, most) = (size_ = 10 ** floor(log10(span / most)), \
@@ -153,6 +154,7 @@ set multiplot
 do for [r=1:rows] {
 do for [c=1:columns] {
   p = (r - 1) * columns + c
+  if (empty(p)) { continue }
   x0 = left * em + (c - 1) * (column_width + \
     (gap_x + (images ? scale_room : 0)) * em)
   x1 = x0 + column_width
@@ -161,6 +163,7 @@ do for [c=1:columns] {
   across = (x1 - x0) / em
   up = (y1 - y0) / em_y
   low = !share_x || r == rows
+  if (r < rows) { low = low || empty(p + columns) }
   outer = !share_y || c == 1
   unset label
   unset arrow
@@ -251,7 +254,8 @@ do for [c=1:columns] {
         dash = mark[k] eq 'dashed' ? "'-'" : mark[k] eq 'dotted' ? "'.'" : 'solid'
         eval sprintf("set arrow from screen %.5f,%.5f to screen %.5f,%.5f \
           nohead dt %s lw %.3g lc rgb '%s'", \
-          x, y, x + 1.5 * em, y, dash, weight[k] + 0.5, line(k))
+          x, y, x + 1.5 * em, y, dash, mark[k] eq 'band' ? 9 : weight[k] + 0.5, \
+          mark[k] eq 'band' ? area(k) : line(k))
         set label label[k] noenhanced at screen x + 1.9 * em,y left \
           textcolor rgb text
       }

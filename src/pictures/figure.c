@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The figure of a study: a quantity of its cases against one key, a line for
- * each value of a second one.  Cases that differ in other keys alone (seeds)
- * share a point: their mean, in a band from the smallest to the largest.
+ * each value of a second one, a panel for each value of what else varies.
+ * Cases that differ in seeds alone share a point: their mean, in a band from
+ * the smallest to the largest.  Against a seed the figure is a histogram of the
+ * quantity, with quantiles.
  */
 #include <math.h>
 #include <stdio.h>
@@ -11,10 +13,11 @@
 
 #include "base/plain.h"
 #include "base/sized.h"
+#include "base/text.h"
 #include "pictures/picture.h"
 #include "pictures/snapshot.h"
 
-enum { LINES = 21, LABEL = 200 };
+enum { LINES = 21, PANELS = 12, KEYS = 16, LABEL = 240, ENOUGH = 3000 };
 
 void ovr_figure_options_fill(ovr_figure_options *options)
 {
@@ -23,30 +26,35 @@ void ovr_figure_options_fill(ovr_figure_options *options)
 }
 
 typedef struct sample {
-    size_t line;
+    size_t panel, line;
     double x, y;
 } sample;
+
+/* Keys whose values tell groups of cases apart, and a row of each group. */
+typedef struct groups {
+    const ovr_table_column *key[KEYS];
+    size_t keys, row[LINES], count;
+} groups;
+
+typedef struct axis {
+    double factor;
+    char label[LABEL], unit[40];
+} axis;
 
 typedef struct figure {
     const ovr_figure_options *o;
     const ovr_table *t;
-    const ovr_table_column *x, *y, *by; /* by may be NULL */
-    size_t lines, value[LINES];         /* a row that has the line's value */
+    const ovr_table_column *x, *y;
+    groups lines, panels;
     sample *sample;
     size_t samples;
+    bool banded; /* some points stand for several cases */
+    axis x_axis, y_axis;
+    double x_from, x_to, y_from, y_to; /* drawn */
     ovr_arena *arena;
 } figure;
 
 /* --------------------------------------------------------------- columns */
-
-static const ovr_table_column *named(const ovr_table *t, const char *name)
-{
-    const ovr_table_column *c;
-    for (size_t k = 0; (c = ovr_table_at(t, k)); k++)
-        if (strcmp(c->name, name) == 0)
-            break;
-    return c;
-}
 
 static bool same(const ovr_table_column *c, size_t i, size_t j)
 {
@@ -54,23 +62,49 @@ static bool same(const ovr_table_column *c, size_t i, size_t j)
                    : c->number[i] == c->number[j];
 }
 
-static bool varies(const ovr_table *t, const ovr_table_column *c)
+/* Row k of those that tell: all, or of many some, in no order that the study
+ * could have. */
+static size_t some_row(const ovr_table *t, size_t k)
 {
-    for (size_t i = 1; i < ovr_table_rows(t); i++)
-        if (!same(c, 0, i))
-            return true;
-    return false;
+    size_t rows = ovr_table_rows(t);
+    return rows > ENOUGH ? k * 2654435761u % rows : k;
 }
 
-/* Two keys that change together (zip) are one. */
-static bool together(const ovr_table *t, const ovr_table_column *a,
-                     const ovr_table_column *b)
+/* Rows that agree in `a` agree in `b`: keys of a zip, say.  NULL: all agree. */
+static bool tells(const ovr_table *t, const ovr_table_column *a,
+                  const ovr_table_column *b)
 {
-    for (size_t i = 1; i < ovr_table_rows(t); i++)
-        if (same(a, 0, i) != same(b, 0, i) ||
-            same(a, i - 1, i) != same(b, i - 1, i))
+    for (size_t i = 1; i < ovr_table_rows(t) && i < ENOUGH; i++) {
+        size_t row = some_row(t, i), first = 0;
+        while (a && first < i && !same(a, some_row(t, first), row))
+            first++;
+        if (first < i && !same(b, some_row(t, first), row))
             return false;
+    }
     return true;
+}
+
+static bool of_zip(const ovr_table_column *c, const char *name)
+{
+    return c->zip && strcmp(c->zip, name) == 0;
+}
+
+/* The column of a name; of a [zip NAME] the first key that tells the others. */
+static const ovr_table_column *named(const ovr_table *t, const char *name)
+{
+    const ovr_table_column *c, *other, *best = NULL;
+    for (size_t k = 0; (c = ovr_table_at(t, k)) != NULL; k++)
+        if (strcmp(c->name, name) == 0)
+            return c;
+    for (size_t k = 0; !best && (c = ovr_table_at(t, k)) != NULL; k++) {
+        bool all = of_zip(c, name);
+        for (size_t j = 0; all && (other = ovr_table_at(t, j)) != NULL; j++)
+            all = !of_zip(other, name) || tells(t, c, other);
+        best = all ? c : NULL;
+    }
+    for (size_t k = 0; !best && (c = ovr_table_at(t, k)) != NULL; k++)
+        best = of_zip(c, name) ? c : NULL;
+    return best;
 }
 
 static bool is_seed(const ovr_table_column *c)
@@ -87,32 +121,46 @@ static bool is_numeric(const ovr_table *t, const ovr_table_column *c)
     return true;
 }
 
-/* The first key that varies and is neither a seed nor `x` again. */
-static const ovr_table_column *next_key(const ovr_table *t,
-                                        const ovr_table_column *x, bool numeric)
+static bool is_told(const figure *f, const ovr_table_column *c)
+{
+    bool told = tells(f->t, NULL, c) || (f->x && tells(f->t, f->x, c));
+    for (size_t k = 0; !told && k < f->lines.keys; k++)
+        told = tells(f->t, f->lines.key[k], c);
+    for (size_t k = 0; !told && k < f->panels.keys; k++)
+        told = tells(f->t, f->panels.key[k], c);
+    return told;
+}
+
+/* The first key that varies, by itself; a seed only where it is asked for. */
+static const ovr_table_column *next_key(const figure *f, bool numeric,
+                                        bool seed)
 {
     const ovr_table_column *c;
-    for (size_t k = 0; (c = ovr_table_at(t, k)) != NULL; k++) {
-        bool other = !x || (c != x && !together(t, x, c));
-        if (c->varied && other && !is_seed(c) && varies(t, c) &&
-            (!numeric || is_numeric(t, c)))
+    for (size_t k = 0; (c = ovr_table_at(f->t, k)) != NULL; k++)
+        if (c->varied && is_seed(c) == seed && !is_told(f, c) &&
+            (!numeric || is_numeric(f->t, c)))
             return c;
-    }
     return NULL;
 }
 
-/* What there is, for messages. */
+/* What there is, for messages: names of columns, and of zips for keys. */
 static const char *list(const ovr_table *t, bool varied, char *text,
                         size_t room)
 {
     const ovr_table_column *c;
+    const char *zip = NULL;
     size_t used = 0;
     *text = '\0';
-    for (size_t k = 0; (c = ovr_table_at(t, k)) && used + 80 < room; k++)
-        if (c->varied == varied && strcmp(c->name, "task") != 0 &&
-            strcmp(c->name, "name") != 0 && strcmp(c->name, "status") != 0)
-            used += (size_t)snprintf(text + used, room - used, "%s%.60s",
-                                     used ? ", " : "", c->name);
+    for (size_t k = 0; (c = ovr_table_at(t, k)) && used + 160 < room; k++) {
+        if (c->varied != varied || strcmp(c->name, "task") == 0 ||
+            strcmp(c->name, "name") == 0 || strcmp(c->name, "status") == 0)
+            continue;
+        used += (size_t)snprintf(text + used, room - used, "%s%.60s",
+                                 used ? ", " : "", c->name);
+        if (c->zip && *c->zip && c->zip != zip)
+            used += (size_t)snprintf(text + used, room - used, ", %.60s",
+                                     zip = c->zip);
+    }
     return text;
 }
 
@@ -128,49 +176,93 @@ static ovr_status no_column(const figure *f, const char *name, bool varied,
                     list(f->t, varied, there, sizeof there));
 }
 
-static ovr_status choose_columns(figure *f, ovr_error *err)
+/* The smallest film of a run or, of steady films, the smallest; in metres where
+ * the contact has a size. */
+static const ovr_table_column *usual_quantity(const figure *f)
 {
-    const ovr_figure_options *o = f->o;
-    const char *y = o->y ? o->y : "H_min_overall";
-    f->y = named(f->t, y);
-    if (!f->y && !o->y)
-        f->y = named(f->t, y = "H_min");
-    if (!f->y)
-        return no_column(f, y, false, err);
-    f->x = o->x ? named(f->t, o->x) : next_key(f->t, NULL, true);
+    static const char *const names[] = {"H_min_overall_m", "H_min_overall",
+                                        "min_film_m", "H_min"};
+    const ovr_table_column *c = NULL;
+    for (size_t k = 0; !c && k < sizeof names / sizeof *names; k++)
+        c = named(f->t, names[k]);
+    return c;
+}
+
+/* A key that is asked for, none when "", or the next one that varies. */
+static ovr_status choose_group(const figure *f, const char *asked, groups *to,
+                               ovr_error *err)
+{
+    const ovr_table_column *c = asked && *asked ? named(f->t, asked)
+                                : asked         ? NULL
+                                                : next_key(f, false, false);
+    if (asked && *asked && (!c || !c->varied))
+        return no_column(f, asked, true, err);
+    if (c)
+        to->key[to->keys++] = c;
+    return OVR_OK;
+}
+
+static ovr_status choose_x(figure *f, ovr_error *err)
+{
+    const char *x = f->o->x;
+    f->x = x ? named(f->t, x) : next_key(f, true, false);
+    if (!x && !f->x)
+        f->x = next_key(f, true, true);
+    if (x && (!f->x || !f->x->varied))
+        return no_column(f, x, true, err);
     if (!f->x)
-        return o->x ? no_column(f, o->x, true, err)
-                    : ovr_fail(err, OVR_BAD_INPUT,
-                               "the study varies no key with numbers");
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "the study varies no key with numbers");
     if (!is_numeric(f->t, f->x))
         return ovr_fail(err, OVR_BAD_INPUT, "'%.60s' is not a key of numbers",
                         f->x->name);
-    f->by = !o->by   ? next_key(f->t, f->x, false)
-            : *o->by ? named(f->t, o->by)
-                     : NULL;
-    if (o->by && *o->by && !f->by)
-        return no_column(f, o->by, true, err);
+    return OVR_OK;
+}
+
+static ovr_status choose_columns(figure *f, ovr_error *err)
+{
+    const ovr_figure_options *o = f->o;
+    f->y = o->y ? named(f->t, o->y) : usual_quantity(f);
+    if (!f->y)
+        return no_column(f, o->y ? o->y : "H_min", false, err);
+    if (choose_x(f, err) || choose_group(f, o->by, &f->lines, err) ||
+        choose_group(f, o->panels, &f->panels, err))
+        return OVR_BAD_INPUT;
+    while (!o->panels && f->panels.keys && f->panels.keys < KEYS) {
+        const ovr_table_column *more = next_key(f, false, false);
+        if (!more)
+            break;
+        f->panels.key[f->panels.keys++] = more;
+    }
     return OVR_OK;
 }
 
 /* --------------------------------------------------------------- samples */
 
-static ovr_status find_line(figure *f, size_t row, size_t *line, ovr_error *err)
+static ovr_status find_group(groups *g, size_t row, size_t most,
+                             const char *what, size_t *which, ovr_error *err)
 {
-    for (*line = 0; *line < f->lines; ++*line)
-        if (!f->by || same(f->by, f->value[*line], row))
+    for (*which = 0; *which < g->count; ++*which) {
+        bool all = true;
+        for (size_t k = 0; all && k < g->keys; k++)
+            all = same(g->key[k], g->row[*which], row);
+        if (all)
             return OVR_OK;
-    if (f->lines == LINES)
+    }
+    if (g->count == most)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "'%.60s' has more than %d values: too many lines",
-                        f->by->name, LINES);
-    f->value[f->lines++] = row;
+                        "'%.60s' has more than %zu values: too many %s; "
+                        "--against, --lines and --panels choose keys",
+                        g->key[g->keys - 1]->name, most, what);
+    g->row[g->count++] = row;
     return OVR_OK;
 }
 
 static int in_order(const void *a, const void *b)
 {
     const sample *p = a, *q = b;
+    if (p->panel != q->panel)
+        return p->panel > q->panel ? 1 : -1;
     if (p->line != q->line)
         return p->line > q->line ? 1 : -1;
     return (p->x > q->x) - (p->x < q->x);
@@ -186,7 +278,8 @@ static ovr_status take_samples(figure *f, ovr_error *err)
         sample *s = &f->sample[f->samples];
         if (!isfinite(f->y->number[i]))
             continue;
-        if (find_line(f, i, &s->line, err))
+        if (find_group(&f->lines, i, LINES, "lines", &s->line, err) ||
+            find_group(&f->panels, i, PANELS, "panels", &s->panel, err))
             return OVR_BAD_INPUT;
         s->x = f->x->number[i];
         s->y = f->y->number[i];
@@ -203,11 +296,6 @@ static ovr_status take_samples(figure *f, ovr_error *err)
 
 /* ------------------------------------------------------------------- axes */
 
-typedef struct axis {
-    double factor;
-    char label[LABEL];
-} axis;
-
 /* A name for gnuplot's enhanced text: nothing in it means anything. */
 static void put_plain(char *to, size_t room, const char *name, size_t size)
 {
@@ -217,13 +305,45 @@ static void put_plain(char *to, size_t room, const char *name, size_t size)
         if (c == '_')
             used += (size_t)snprintf(to + used, room - used, "\\_");
         else if ((c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
-                 (c >= 'A' && c <= 'Z') || strchr(" .-/", c))
+                 (c >= 'A' && c <= 'Z') || strchr(" .-/%", c) ||
+                 (unsigned char)c >= 0x80)
             to[used++] = c, to[used] = '\0';
     }
 }
 
-/* SI numbers in the largest unit that leaves a tenth; "H_min_m" is in m. */
-static axis axis_of(const ovr_table_column *c, double largest)
+/* Units are typed in ASCII, and drawn as they are printed. */
+static const char *printed(const char *unit)
+{
+    return strcmp(unit, "um") == 0     ? "µm"
+           : strcmp(unit, "us") == 0   ? "µs"
+           : strcmp(unit, "degC") == 0 ? "°C"
+                                       : unit;
+}
+
+/* The unit that all values of a key were written with ("rpm"), and one of it
+ * in those of the table; NULL: several, none, or no texts. */
+static const char *unit_written(const figure *f, const ovr_table_column *c,
+                                double *size)
+{
+    const char *unit = NULL;
+    for (size_t i = 0; c->text && i < ovr_table_rows(f->t); i++) {
+        const char *at = c->text[i];
+        double value;
+        if (!ovr_read_number(&at, &value))
+            return NULL;
+        at += strspn(at, " ");
+        if (!*at || (unit && strcmp(unit, at) != 0))
+            return NULL;
+        unit = at;
+        if (value != 0)
+            *size = c->number[i] / value;
+    }
+    return unit;
+}
+
+/* SI numbers as they were written, else in the largest unit that leaves a
+ * tenth; "H_min_m" is in m. */
+static axis axis_of(const figure *f, const ovr_table_column *c, double largest)
 {
     static const struct {
         const char *si, *ending;
@@ -231,47 +351,102 @@ static axis axis_of(const ovr_table_column *c, double largest)
             double size;
             const char *name;
         } unit[3];
-    } kinds[] = {{"m", "_m", {{1e-3, "mm"}, {1e-6, "µm"}, {1e-9, "nm"}}},
-                 {"Pa", "_Pa", {{1e9, "GPa"}, {1e6, "MPa"}, {1e3, "kPa"}}},
-                 {"s", "_s", {{1, "s"}, {1e-3, "ms"}, {1e-6, "µs"}}},
-                 {"N/m", "_N_per_m", {{1e3, "kN/m"}, {1, "N/m"}, {1, "N/m"}}}};
-    axis a = {1, ""};
+    } kinds[] = {
+        {"m", "_m", {{1e-3, "mm"}, {1e-6, "µm"}, {1e-9, "nm"}}},
+        {"Pa", "_Pa", {{1e9, "GPa"}, {1e6, "MPa"}, {1e3, "kPa"}}},
+        {"s", "_s", {{1, "s"}, {1e-3, "ms"}, {1e-6, "µs"}}},
+        {"N/m", "_N_per_m", {{1e3, "kN/m"}, {1, "N/m"}, {1, "N/m"}}},
+        {"rad/s",
+         "_rad_per_s",
+         {{0.10471975511965977, "rpm"}, {1, NULL}, {1, NULL}}},
+        {"Pa.s", "_Pa_s", {{1, "Pa.s"}, {1e-3, "mPa.s"}, {1e-3, "mPa.s"}}},
+        {"1/Pa", "_per_Pa", {{1e-9, "1/GPa"}, {1, NULL}, {1, NULL}}}};
+    axis a = {.factor = 1};
     size_t size = strlen(c->name);
-    for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
+    double one = 1;
+    const char *unit = unit_written(f, c, &one);
+    for (size_t k = 0; !unit && k < sizeof kinds / sizeof kinds[0]; k++) {
         size_t ending = strlen(kinds[k].ending);
-        bool ends = !*c->unit && !c->varied && size > ending &&
+        bool ends = !c->varied && size > ending &&
                     !strcmp(c->name + size - ending, kinds[k].ending);
         int u = 0;
         if (!ends && strcmp(c->unit, kinds[k].si) != 0)
             continue;
-        while (u < 2 && !(largest >= 0.1 * kinds[k].unit[u].size))
+        while (u < 2 && kinds[k].unit[u + 1].name &&
+               !(largest >= 0.1 * kinds[k].unit[u].size))
             u++;
-        a.factor = 1 / kinds[k].unit[u].size;
-        put_plain(a.label, LABEL, c->name, ends ? size - ending : size);
-        snprintf(a.label + strlen(a.label), LABEL - strlen(a.label), "  [%s]",
-                 kinds[k].unit[u].name);
-        return a;
+        one = kinds[k].unit[u].size;
+        unit = kinds[k].unit[u].name;
+        size -= ends ? ending : 0;
     }
+    a.factor = 1 / one;
+    snprintf(a.unit, sizeof a.unit, "%s", printed(unit ? unit : c->unit));
     put_plain(a.label, LABEL, c->name, size);
-    if (*c->unit) {
-        char unit[40] = "";
-        put_plain(unit, sizeof unit, c->unit, strlen(c->unit));
-        snprintf(a.label + strlen(a.label), LABEL - strlen(a.label), "  [%s]",
-                 unit);
+    if (*a.unit) {
+        snprintf(a.label + strlen(a.label), LABEL - strlen(a.label), "  [");
+        put_plain(a.label, LABEL, a.unit, strlen(a.unit));
+        snprintf(a.label + strlen(a.label), LABEL - strlen(a.label), "]");
     }
     return a;
 }
 
+static void make_axes(figure *f)
+{
+    double most_x = 0, most_y = 0;
+    for (size_t i = 0; i < f->samples; i++) {
+        most_x = fmax(most_x, fabs(f->sample[i].x));
+        most_y = fmax(most_y, fabs(f->sample[i].y));
+    }
+    f->x_axis = axis_of(f, f->x, most_x);
+    f->y_axis = axis_of(f, f->y, most_y);
+}
+
+/* "Rq = 0.05 µm, level = 8": what a group has. */
+static void name_group(const figure *f, const groups *g, size_t which,
+                       char *text, size_t room)
+{
+    size_t used = 0, row = g->row[which];
+    *text = '\0';
+    for (size_t k = 0; k < g->keys && used + 140 < room; k++) {
+        const ovr_table_column *c = g->key[k];
+        axis a = axis_of(f, c, fabs(c->number[row]));
+        used += (size_t)snprintf(text + used, room - used,
+                                 "%s%.60s = ", used ? ", " : "", c->name);
+        if (isfinite(c->number[row]))
+            used += (size_t)snprintf(text + used, room - used, "%.6g%s%.20s",
+                                     c->number[row] * a.factor,
+                                     *a.unit ? " " : "", a.unit);
+        else
+            used += (size_t)snprintf(text + used, room - used, "%.60s",
+                                     c->text ? c->text[row] : "?");
+    }
+}
+
+/* The samples of a panel and a line: from *first to before the result. */
+static size_t end_of(const figure *f, size_t panel, size_t line, size_t *first)
+{
+    size_t end;
+    while (*first < f->samples && (f->sample[*first].panel < panel ||
+                                   (f->sample[*first].panel == panel &&
+                                    f->sample[*first].line < line)))
+        ++*first;
+    for (end = *first; end < f->samples && f->sample[end].panel == panel &&
+                       f->sample[end].line == line;)
+        end++;
+    return end;
+}
+
 /* ------------------------------------------------------------------ lines */
 
-/* The samples first .. end-1 of a line as points of mean, least, most. */
-static ovr_status add_line(const figure *f, size_t first, size_t end,
-                           ovr_series *series, ovr_error *err)
+/* The samples first .. end-1 as points of mean, least, most: a band, a line
+ * and points. */
+static ovr_status add_line(figure *f, size_t first, size_t end,
+                           ovr_curve_style as, ovr_series *series,
+                           ovr_error *err)
 {
     size_t n = end - first, m = 0;
-    double *block = ovr_arena_take(f->arena, n, 4 * sizeof *block, err);
+    double *block = ovr_arena_take(f->arena, n + 1, 4 * sizeof *block, err);
     double *x = block, *mean, *low, *high;
-    ovr_curve_style as = ovr_curve_style_of(f->sample[first].line);
     if (!block)
         return OVR_NO_MEMORY;
     mean = block + n, low = mean + n, high = low + n;
@@ -285,10 +460,15 @@ static ovr_status add_line(const figure *f, size_t first, size_t end,
             high[m] = fmax(high[m], f->sample[j].y);
         }
         mean[m] /= (double)(j - i);
+        f->banded = f->banded || j - i > 1;
     }
     for (int k = 0; k < 3; k++)
-        series[k] = (ovr_series){
-            .n = m, .x = x, .y = mean, .colour = as.colour};
+        series[k] = (ovr_series){.n = m,
+                                 .x = x,
+                                 .y = mean,
+                                 .x_factor = f->x_axis.factor,
+                                 .factor = f->y_axis.factor,
+                                 .colour = as.colour};
     series[0].y = low;
     series[0].to = high;
     series[0].mark = OVR_MARK_BAND;
@@ -298,92 +478,263 @@ static ovr_status add_line(const figure *f, size_t first, size_t end,
     return OVR_OK;
 }
 
-static const char *line_label(const figure *f, size_t line, ovr_error *err)
+/* What the band is over: the keys that nothing else tells apart. */
+static void name_band(const figure *f, char *text, size_t room)
 {
-    char text[LABEL];
-    size_t row = f->value[line];
-    if (!f->by)
-        return NULL;
-    if (f->by->text)
-        snprintf(text, sizeof text, "%.60s = %.60s", f->by->name,
-                 f->by->text[row]);
-    else
-        snprintf(text, sizeof text, "%.60s = %g%s%.20s", f->by->name,
-                 f->by->number[row], *f->by->unit ? " " : "", f->by->unit);
-    return ovr_arena_text(f->arena, text, err);
+    const ovr_table_column *c;
+    size_t used = (size_t)snprintf(text, room, "band: least to most of");
+    bool any = false;
+    for (size_t k = 0; (c = ovr_table_at(f->t, k)) && used + 70 < room; k++)
+        if (c->varied && !is_told(f, c)) {
+            used += (size_t)snprintf(text + used, room - used, "%s %.60s",
+                                     any ? "," : "", c->name);
+            any = true;
+        }
 }
 
 /* Bands below, lines and points above. */
-static ovr_status add_lines(const figure *f, ovr_series *series, axis *x,
-                            axis *y, ovr_error *err)
+static ovr_status draw_lines(figure *f, size_t panel, ovr_panel *to,
+                             ovr_error *err)
 {
-    size_t lines = f->lines, first = 0;
-    double most_x = 0, most_y = 0;
-    for (size_t i = 0; i < f->samples; i++) {
-        most_x = fmax(most_x, fabs(f->sample[i].x));
-        most_y = fmax(most_y, fabs(f->sample[i].y));
-    }
-    *x = axis_of(f->x, most_x);
-    *y = axis_of(f->y, most_y);
+    size_t lines = f->lines.count, first = 0;
+    ovr_series *series = ovr_arena_take(f->arena, 3 * lines + 1, sizeof *series,
+                                        err);
+    if (!series)
+        return OVR_NO_MEMORY;
     for (size_t k = 0; k < lines; k++) {
         ovr_series three[3];
-        size_t end = first;
-        while (end < f->samples && f->sample[end].line == k)
-            end++;
-        if (add_line(f, first, end, three, err))
+        size_t end = end_of(f, panel, k, &first);
+        char text[LABEL];
+        if (add_line(f, first, end, ovr_curve_style_of(k), three, err))
             return OVR_NO_MEMORY;
-        three[1].label = line_label(f, k, err);
-        for (size_t j = 0; j < 3; j++) {
-            three[j].x_factor = x->factor;
-            three[j].factor = y->factor;
-            series[j * lines + k] = three[j];
+        if (f->lines.keys && panel == 0) {
+            name_group(f, &f->lines, k, text, sizeof text);
+            three[1].label = ovr_arena_text(f->arena, text, err);
         }
-        first = end;
+        for (size_t j = 0; j < 3; j++)
+            series[j * lines + k] = three[j];
+    }
+    if (f->banded && panel == 0) {
+        char text[LABEL];
+        name_band(f, text, sizeof text);
+        series[0].label = ovr_arena_text(f->arena, text, err);
+    }
+    to->series = series;
+    to->count = 3 * lines;
+    return OVR_OK;
+}
+
+/* ------------------------------------------------------------- histograms */
+
+static int by_value(const void *a, const void *b)
+{
+    double s = ((const sample *)a)->y, t = ((const sample *)b)->y;
+    return (s > t) - (s < t);
+}
+
+/* Of sorted samples, linear between them (Hyndman and Fan's type 7). */
+static double quantile(const sample *s, size_t n, double part)
+{
+    double at = part * (double)(n - 1);
+    size_t k = (size_t)at;
+    return k + 1 < n ? s[k].y + (at - (double)k) * (s[k + 1].y - s[k].y)
+                     : s[n - 1].y;
+}
+
+/* A step for each bin, in % of the cases; then three upright lines. */
+static ovr_status add_bins(figure *f, const sample *s, size_t n, size_t bins,
+                           const ovr_panel *in, ovr_curve_style as,
+                           ovr_series *series, ovr_error *err)
+{
+    static const double parts[] = {0.05, 0.5, 0.95};
+    double low = in->x_from, width = (in->x_to - low) / (double)bins;
+    double *x = ovr_arena_take(f->arena, 4 * bins + 14, sizeof *x, err);
+    double *y = x + 2 * bins + 1, *line = y + 2 * bins + 1, most = 0;
+    if (!x)
+        return OVR_NO_MEMORY;
+    for (size_t b = 0, i = 0; b < bins; b++) {
+        double end = low + width * (double)(b + 1), count = 0;
+        for (; i < n && (s[i].y * f->y_axis.factor < end || b + 1 == bins); i++)
+            count++;
+        x[2 * b] = end - width, x[2 * b + 1] = end;
+        y[2 * b] = y[2 * b + 1] = 100 * count / (double)n;
+        most = fmax(most, y[2 * b]);
+    }
+    f->y_to = fmax(f->y_to, 1.08 * most);
+    series[0] = (ovr_series){.n = 2 * bins,
+                             .x = x,
+                             .y = y,
+                             .colour = as.colour,
+                             .mark = f->lines.count > 1 ? as.mark
+                                                        : OVR_MARK_AREA};
+    for (size_t k = 0; k < 3; k++) {
+        double *two = line + 4 * k;
+        two[0] = two[1] = quantile(s, n, parts[k]) * f->y_axis.factor;
+        two[3] = 1e3; /* beyond the axis */
+        series[1 + k] = (ovr_series){.n = 2,
+                                     .x = two,
+                                     .y = two + 2,
+                                     .colour = as.colour,
+                                     .mark = k == 1 ? OVR_MARK_DASHED
+                                                    : OVR_MARK_DOTTED,
+                                     .width = 1.6};
     }
     return OVR_OK;
 }
 
-/* A little room beside the outer points. */
-static void set_range(const figure *f, const axis *x, ovr_panel *panel)
+/* A line's quantiles: in the legend, which the first panel has or, where there
+ * are several panels, in the note of each. */
+static ovr_status label_bins(const figure *f, size_t panel, size_t line,
+                             ovr_panel *to, ovr_series *four, ovr_error *err)
 {
-    double low = INFINITY, high = -INFINITY, room;
-    for (size_t i = 0; i < f->samples; i++) {
-        low = fmin(low, f->sample[i].x * x->factor);
-        high = fmax(high, f->sample[i].x * x->factor);
+    bool alone = f->panels.count == 1;
+    char said[LABEL], name[LABEL], text[3 * LABEL];
+    snprintf(said, sizeof said, "5, 50, 95 %%: %.4g, %.4g, %.4g%s%s",
+             four[1].x[0], four[2].x[0], four[3].x[0],
+             *f->y_axis.unit ? " " : "", f->y_axis.unit);
+    name_group(f, &f->lines, line, name, sizeof name);
+    snprintf(text, sizeof text, "%s%s%s", name, *name && alone ? ": " : "",
+             alone ? said : "");
+    if (*text && f->sample[0].panel == panel)
+        four[0].label = ovr_arena_text(f->arena, text, err);
+    if (alone)
+        return OVR_OK;
+    snprintf(text, sizeof text, "%.220s; %s", to->note, said);
+    to->note = ovr_arena_text(f->arena, text, err);
+    return to->note ? OVR_OK : OVR_NO_MEMORY;
+}
+
+/* The panel's range, and as many bins as give the narrowest group those of
+ * Rice's rule. */
+static size_t count_bins(const figure *f, size_t panel, ovr_panel *to)
+{
+    double low = INFINITY, high = -INFINITY, width = INFINITY;
+    size_t first = 0;
+    for (size_t k = 0; k < f->lines.count; k++) {
+        size_t end = end_of(f, panel, k, &first), n = end - first;
+        sample *s = f->sample + first;
+        if (n == 0)
+            continue;
+        qsort(s, n, sizeof *s, by_value);
+        low = fmin(low, s->y);
+        high = fmax(high, s[n - 1].y);
+        if (s[n - 1].y > s->y)
+            width = fmin(width,
+                         (s[n - 1].y - s->y) / ceil(2 * cbrt((double)n)));
     }
-    if (f->o->log_x && low > 0) {
+    double room = high > low ? 0 : fmax(0.01 * fabs(low), 1e-12);
+    to->x_from = (low - room) * f->y_axis.factor;
+    to->x_to = (high + room) * f->y_axis.factor;
+    return (size_t)fmax(1, fmin(ceil((high - low) / width - 1e-9), 200));
+}
+
+static ovr_status draw_bins(figure *f, size_t panel, ovr_panel *to,
+                            ovr_error *err)
+{
+    size_t lines = f->lines.count, first = 0;
+    size_t bins = count_bins(f, panel, to);
+    ovr_series *series = ovr_arena_take(f->arena, 4 * lines, sizeof *series,
+                                        err);
+    if (!series)
+        return OVR_NO_MEMORY;
+    for (size_t k = 0; k < lines; k++) {
+        ovr_series *four = series + to->count;
+        size_t end = end_of(f, panel, k, &first), n = end - first;
+        if (n == 0)
+            continue;
+        if (add_bins(f, f->sample + first, n, bins, to, ovr_curve_style_of(k),
+                     four, err) ||
+            label_bins(f, panel, k, to, four, err))
+            return OVR_NO_MEMORY;
+        to->count += 4;
+    }
+    to->series = series;
+    return OVR_OK;
+}
+
+/* ----------------------------------------------------------------- figure */
+
+/* From the least to the most, with a little room beside. */
+static void spread(double low, double high, bool logarithmic, double *from,
+                   double *to)
+{
+    double room = 0.04 * (high - low);
+    *from = *to = NAN;
+    if (logarithmic && low > 0 && high > low) {
         room = pow(high / low, 0.04);
-        panel->x_from = low / room;
-        panel->x_to = high * room;
-    } else if (!f->o->log_x && high > low) {
-        room = 0.04 * (high - low);
-        panel->x_from = low - room;
-        panel->x_to = high + room;
+        *from = low / room;
+        *to = high * room;
+    } else if (!logarithmic && high > low) {
+        *from = low - room;
+        *to = high + room;
     }
+}
+
+static void set_ranges(figure *f)
+{
+    double x_low = INFINITY, x_high = -INFINITY;
+    double y_low = INFINITY, y_high = -INFINITY;
+    for (size_t i = 0; i < f->samples; i++) {
+        x_low = fmin(x_low, f->sample[i].x * f->x_axis.factor);
+        x_high = fmax(x_high, f->sample[i].x * f->x_axis.factor);
+        y_low = fmin(y_low, f->sample[i].y * f->y_axis.factor);
+        y_high = fmax(y_high, f->sample[i].y * f->y_axis.factor);
+    }
+    spread(x_low, x_high, f->o->log_x, &f->x_from, &f->x_to);
+    spread(y_low, y_high, f->o->log_y, &f->y_from, &f->y_to);
+}
+
+static ovr_status draw_panels(figure *f, ovr_panel *panel, ovr_error *err)
+{
+    bool bins = is_seed(f->x);
+    if (!bins)
+        set_ranges(f);
+    for (size_t k = 0; k < f->panels.count; k++) {
+        char note[LABEL];
+        name_group(f, &f->panels, k, note, sizeof note);
+        panel[k] = (ovr_panel){.x_label = bins ? f->y_axis.label
+                                               : f->x_axis.label,
+                               .y_label = bins ? "cases  [%]" : f->y_axis.label,
+                               .note = ovr_arena_text(f->arena, note, err),
+                               .log_x = f->o->log_x && !bins,
+                               .log_y = f->o->log_y && !bins};
+        if (!panel[k].note ||
+            (bins ? draw_bins : draw_lines)(f, k, &panel[k], err))
+            return OVR_NO_MEMORY;
+    }
+    for (size_t k = 0; k < f->panels.count; k++) {
+        panel[k].x_from = bins ? panel[k].x_from : f->x_from;
+        panel[k].x_to = bins ? panel[k].x_to : f->x_to;
+        panel[k].y_from = f->y_from;
+        panel[k].y_to = f->y_to;
+    }
+    return OVR_OK;
 }
 
 static ovr_status draw(figure *f, ovr_error *err)
 {
     const ovr_figure_options *o = f->o;
-    ovr_series *series = ovr_arena_take(f->arena, 3 * f->lines, sizeof *series,
-                                        err);
-    axis x, y;
-    ovr_panel panel = {.x_from = NAN, .x_to = NAN, .y_from = NAN, .y_to = NAN};
-    ovr_chart chart = {.title = o->title,
-                       .width = o->width > 0 ? o->width : 960,
-                       .height = o->height > 0 ? o->height : 640,
-                       .rows = 1,
-                       .columns = 1,
-                       .panel = &panel};
-    if (!series || add_lines(f, series, &x, &y, err))
+    size_t n = f->panels.count;
+    size_t columns = n < 4 ? n : n == 4 ? 2 : n < 7 ? 3 : 4;
+    size_t rows = (n + columns - 1) / columns;
+    ovr_panel *panel = ovr_arena_take(f->arena, rows * columns, sizeof *panel,
+                                      err);
+    ovr_chart chart = {.kind = "study",
+                       .title = o->title,
+                       .width = o->width > 0 ? o->width
+                                : n > 1      ? 1280
+                                             : 960,
+                       .height = o->height > 0 ? o->height
+                                 : n > 1       ? 860
+                                               : 640,
+                       .rows = rows,
+                       .columns = columns,
+                       .share_x = !is_seed(f->x),
+                       .share_y = true,
+                       .panel = panel};
+    make_axes(f);
+    if (!panel || draw_panels(f, panel, err))
         return OVR_NO_MEMORY;
-    set_range(f, &x, &panel);
-    panel.x_label = x.label;
-    panel.y_label = y.label;
-    panel.log_x = o->log_x;
-    panel.log_y = o->log_y;
-    panel.count = 3 * f->lines;
-    panel.series = series;
     return ovr_chart_draw(&chart, o->template_path, o->path, o->script,
                           f->arena, err);
 }

@@ -18,6 +18,7 @@ typedef struct reading {
     long line;
     enum section section;
     int zips;
+    const char *zip_name;
     ovr_error *err;
 } reading;
 
@@ -38,7 +39,10 @@ static ovr_status open_section(reading *r, const char *header)
         if (!strcmp(name, names[i])) {
             r->section = (enum section)(i + 1);
             r->zips += r->section == ZIP;
-            return OVR_OK;
+            header += strlen(name);
+            r->zip_name = ovr_arena_text(
+                &r->s->arena, header + strspn(header, " \t"), r->err);
+            return r->zip_name ? OVR_OK : OVR_NO_MEMORY;
         }
     meant = ovr_suggest(name, names, 4);
     if (meant) {
@@ -99,6 +103,7 @@ static ovr_status take_values(reading *r, const char *key, const char *value)
             return fail(r, "'%.60s' is given twice", key);
     *k = (ovr_study_key){.line = r->line, .fixed = r->section == SET};
     k->zip = r->section == ZIP ? r->zips : 0;
+    k->zip_name = r->zip_name;
     k->where = ovr_arena_text(&s->arena, key, r->err);
     if (!k->where)
         return OVR_NO_MEMORY;

@@ -34,9 +34,10 @@ typedef struct ovr_study_key {
     const char *shown; /* what it is called in names and tables */
     char **value;
     size_t count, stride;
-    long line;  /* in the study */
-    int zip;    /* keys of one number change together; 0: alone */
-    bool fixed; /* of [set]: in no name and no table */
+    long line;            /* in the study */
+    int zip;              /* keys of one number change together; 0: alone */
+    const char *zip_name; /* "" for a [zip] without one */
+    bool fixed;           /* of [set]: in no name and no table */
 } ovr_study_key;
 
 struct ovr_study {

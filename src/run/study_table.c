@@ -71,9 +71,12 @@ static ovr_status add_key(ovr_table *t, const ovr_sweep_table *from,
                             strcmp(v->unit, "1") ? v->unit : "",
                             true,
                             number,
-                            text};
+                            text,
+                            NULL};
+    if (v->key->zip)
+        c->zip = ovr_arena_text(&t->arena, v->key->zip_name, err);
     t->columns += c->name != NULL;
-    return c->name ? OVR_OK : OVR_NO_MEMORY;
+    return c->name && (c->zip || !v->key->zip) ? OVR_OK : OVR_NO_MEMORY;
 }
 
 static ovr_status add_number(ovr_table *t, const ovr_sweep_column *from,
@@ -84,7 +87,8 @@ static ovr_status add_number(ovr_table *t, const ovr_sweep_column *from,
     *c = (ovr_table_column){
         sizeof *c, ovr_arena_text(&t->arena, from->name, err),
         "",        false,
-        number,    NULL};
+        number,    NULL,
+        NULL};
     if (!number || !c->name)
         return OVR_NO_MEMORY;
     memcpy(number, from->value, t->rows * sizeof *number);
@@ -163,7 +167,7 @@ static ovr_status read_heads(ovr_table *t, char **at, const char *path,
         if (!number || !text)
             return OVR_NO_MEMORY;
         *c = (ovr_table_column){
-            sizeof *c, next_cell(at, &last), "", false, number, text};
+            sizeof *c, next_cell(at, &last), "", false, number, text, NULL};
         varied = varied && strcmp(c->name, "status") != 0;
         c->varied = varied;
         varied = varied || !strcmp(c->name, "name");
@@ -259,7 +263,8 @@ static bool add_variable(ovr_table *t, ovr_container *c, const ovr_link *link)
                                                             : "",
                              is_place(about),
                              number,
-                             text};
+                             text,
+                             NULL};
     t->columns++;
     return good && to->name && to->unit;
 }

@@ -55,7 +55,7 @@ done
 contains study.gp "x_label.* = \['load  \[kN/m\]'\]"
 contains study.gp "y_label.* = \['H._min'\]"
 for label in 0.05 0.1; do
-    contains study.gp "Rq = $label um"
+    contains study.gp "Rq = $label µm"
 done
 contains study.gp "mark.*'band'"
 
@@ -74,9 +74,10 @@ paste -d' ' wanted drawn | awk '{ for (i = 1; i <= 4; i++)
 
 # Other choices, and what there is not
 expect 0 "$OVERROLL" plot study.ini --quantity min_film_m --against Rq \
-    --lines none --log x -o other.svg --script other.gp
+    --lines none --panels none --log x -o other.svg --script other.gp
 contains other.gp "y_label.* = \['min._film  \[(nm|µm)\]'\]"
 contains other.gp 'log_x.* = \[1\]'
+contains other.gp 'band: least to most of load, seed'
 refuses "no key of the study 'depth'; there are load, Rq, seed" \
     plot study.ini --against depth -o x.svg
 refuses "no quantity 'film'; there are .*H_min" \
@@ -86,3 +87,80 @@ printf 'a,b\n1,2\n' >no.csv
 refuses 'is no table of a study' plot no.csv -o x.svg
 cp no.csv no.nc
 refuses 'not an HDF5 file' plot no.nc -o x.svg
+
+# What the study says itself: its first key in the units it was written in, the
+# film in metres where the contact has a size, the study's name, over what the
+# band is.
+expect 0 "$OVERROLL" plot study.ini -o plain.svg --script plain.gp
+contains plain.gp "^title = 'study'"
+contains plain.gp "y_label.* = \['H._min._overall  \[(nm|µm)\]'"
+contains plain.gp "label.*'band: least to most of seed'"
+
+# Against a seed: a histogram of all cases in %, and quantiles.
+expect 0 "$OVERROLL" plot study.ini --quantity H_min --against seed \
+    --lines Rq --panels none -o seeds.svg --script seeds.gp
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "H_min") c = i }
+    NR > 1 && $4 < 6e-8 { print $c }' table.csv | sort -g |
+    awk '{ v[NR - 1] = $1 } END { n = split("0.05 0.5 0.95", p, " ")
+        for (k = 1; k <= n; k++) { a = p[k] * (NR - 1); i = int(a)
+            printf "%.17g\n", v[i] + (a - i) * (v[i + 1] - v[i]) } }' >wanted
+awk 'BEGIN { RS = ""; FS = "\n" } NR >= 2 && NR <= 4 { split($2, a, " ")
+    print a[1] }' seeds.dat >drawn
+paste wanted drawn | awk '($1 - $2) ^ 2 > 1e-20 * $1 ^ 2 { exit 1 }
+    END { if (NR != 3) exit 1 }' || fail "quantiles: $(cat wanted drawn)"
+awk 'BEGIN { RS = ""; FS = "\n" } NR == 1 { for (i = 2; i < NF; i += 2) {
+    split($i, a, " "); s += a[2] } exit (s - 100) ^ 2 > 1e-6 }' seeds.dat ||
+    fail 'the histogram does not hold all cases'
+sed 's/^feature.rough.seed.*/feature.rough.seed = 1..3/
+    /^contact.load/d; /rough.Rq/d' study.ini >only.ini
+expect 0 "$OVERROLL" sweep only.ini -q
+expect 0 "$OVERROLL" plot only.ini -o only.svg --script only.gp
+contains only.gp "y_label.* = \['cases  \[%\]'\]"
+
+# A [zip NAME] is an axis; a third key makes panels, a fourth too; turning
+# speeds are drawn as they were written, from tables too.
+cat >discs.ini <<'END'
+[contact]
+width = 10 mm
+load = 2000 N
+speed_1 = 1000 rpm
+speed_2 = 1000 rpm
+[body 1]
+material = steel
+radius = 35 mm
+[body 2]
+material = steel
+radius = 35 mm
+[lubricant]
+viscosity = 40 mPa.s
+alpha = 20 1/GPa
+[domain]
+level = 4
+END
+cat >speeds.ini <<'END'
+[study]
+case = discs.ini
+[product]
+lubricant.alpha = 15 1/GPa, 20 1/GPa
+lubricant.viscosity = 20 mPa.s, 40 mPa.s
+[zip turning]
+contact.speed_1 = 1000 rpm, 1000 rpm, 3000 rpm
+contact.speed_2 = 1000 rpm, 2000 rpm, 3000 rpm
+[product]
+domain.level = 4, 5
+END
+expect 0 "$OVERROLL" sweep speeds.ini -q
+expect 0 "$OVERROLL" plot speeds.ini --against turning -o zip.svg \
+    --script zip.gp
+contains zip.gp "x_label.* = \['speed._2  \[rpm\]'"
+contains zip.gp "note.* = \['viscosity = 20 mPa.s, level = 4', "
+contains zip.gp 'x_from.* = \[920\.'
+grep -q 'band:' zip.gp && fail 'a band that no seed makes'
+expect 0 "$OVERROLL" plot speeds.ini --lines turning -o lines.svg
+contains lines.svg 'speed_2 = 3000 rpm'
+expect 0 "$OVERROLL" sweep speeds.ini --collect speeds.nc -q
+expect 0 "$OVERROLL" plot speeds.nc --against speed_1 -o rpm.svg \
+    --script rpm.gp
+contains rpm.gp "x_label.* = \['speed._1  \[rpm\]'"
+refuses "no key of the study 'wheels'; there are .*speed_1, turning, speed_2" \
+    plot speeds.ini --against wheels -o x.svg
