@@ -370,6 +370,10 @@ paper: tests ## the paper's tables, computed and compared
 validation: $(PROGRAM) ## beside published results: build/validation.html
 	@OVERROLL='$(abspath $(PROGRAM))' tools/validation/run $(BUILD)
 
+html: $(PROGRAM) $(CASE_PAGE) ## all that is to be read, as one site: build/html (FAST=1)
+	@OVERROLL='$(abspath $(PROGRAM))' tools/site/run \
+	  $(if $(FAST),--no-examples --fast) $(BUILD)
+
 # tests/bench/*_bench.c: each a program that writes $(BUILD)/bench/NAME.json;
 # FFTW and LAPACK, when there, are for comparison only.
 ifneq ($(filter bench,$(MAKECMDGOALS)),)
@@ -535,7 +539,7 @@ help: ## this list
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  \1\t\2/p' Makefile | expand -t 18
 
 FORCE:
-.PHONY: all tests check fuzz verify coverage demo pictures paper validation bench \
+.PHONY: all tests check fuzz verify coverage demo pictures paper validation html bench \
   format lint lint-format lint-tidy lint-cppcheck lint-analyzer lint-shell need-lint need-cmocka \
   install install-python uninstall deb clean help FORCE
 .SECONDARY:

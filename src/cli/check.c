@@ -310,15 +310,26 @@ static void put_passage(const ovr_setup *setup, size_t k)
         putchar('\n');
 }
 
+/* Speed over the mean one, in words. */
+static const char *motion(double speed, char *text, size_t room)
+{
+    if (speed == 0)
+        return "stands still";
+    if (fabs(speed - 1) < 1e-6)
+        return "moves with the mean speed";
+    snprintf(text, room, "moves at %.4g of the mean speed", speed);
+    return text;
+}
+
 static void put_features(const ovr_setup *setup)
 {
+    char moves[60];
     size_t n = setup->surfaces ? ovr_surfaces_count(setup->surfaces) : 0;
     for (size_t k = 0; k < n; k++) {
         ovr_feature_info info = ovr_surfaces_info(setup->surfaces, k);
-        printf("# feature %s: %s on surface %d, moves at %.4g times the mean "
-               "speed, height %.4g%s, ",
-               info.name, ovr_shape_name((int)info.shape), info.surface,
-               info.speed, info.amplitude,
+        printf("# feature %s: %s on surface %d, %s, height %.4g%s, ", info.name,
+               ovr_shape_name((int)info.shape), info.surface,
+               motion(info.speed, moves, sizeof moves), info.amplitude,
                in_metres(info.amplitude, setup->contact->height).text);
         if (info.diameter > 0)
             printf("diameter at half depth %.4g%s, ", info.diameter,
@@ -343,7 +354,7 @@ static void put_rough_film(const ovr_setup *setup, const ovr_rough_film *film)
     if (!setup->features)
         return;
     if (film->why) {
-        printf("# %-28s not foreseen: %s\n", "film of rough surfaces",
+        printf("# %-28s no estimate: %s\n", "film of rough surfaces",
                film->why);
         return;
     }

@@ -63,7 +63,7 @@ static const char *refusal(const ovr_setup *s)
     if (s->supply->film)
         return "it holds for a flooded inlet";
     if (!(c->M >= 20 && c->M <= 400 && c->L >= 4 && c->L <= 14))
-        return "it was fitted to 20 <= M <= 400, 4 <= L <= 14";
+        return "the formula holds for 20 <= M <= 400, 4 <= L <= 14";
     return NULL;
 }
 
