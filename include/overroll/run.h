@@ -254,9 +254,6 @@ ovr_stored_stress_report(const ovr_stored_stress *stress, int surface);
 OVR_API ovr_status ovr_setup_stress_depth(const ovr_setup *setup, double *least,
                                           ovr_error *err);
 
-/* Memory and, per step, seconds of the passages of a prepared setup. */
-OVR_API double ovr_setup_stress_memory(const ovr_setup *setup);
-
 /* Memory of what writes its result file, bytes. */
 OVR_API double ovr_setup_output_memory(const ovr_setup *setup);
 

@@ -68,6 +68,9 @@ ovr_status ovr_resolve_physics(ovr_resolved *r, ovr_error *err);
 void ovr_resolved_turn_on(ovr_resolved *r, const ovr_physics *physics,
                           void *form);
 
+/* Whether the k-th physics of the list was. */
+bool ovr_setup_turned_on(const ovr_setup *setup, int k);
+
 /* Gives a simulation what the case has turned on. */
 ovr_status ovr_setup_add_physics(const ovr_setup *setup, ovr_simulation *sim,
                                  ovr_error *err);

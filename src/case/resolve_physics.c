@@ -71,12 +71,28 @@ ovr_status ovr_setup_add_physics(const ovr_setup *setup, ovr_simulation *sim,
     return OVR_OK;
 }
 
+bool ovr_setup_turned_on(const ovr_setup *setup, int k)
+{
+    return ((const ovr_resolved *)setup)->physics[k].on;
+}
+
+/* Once the grid is known, of what stands beside the simulation too. */
+static double beside(const ovr_setup *setup)
+{
+    const ovr_resolved *r = (const ovr_resolved *)setup;
+    double bytes = 0;
+    for (int k = 0; setup->nodes && ovr_physics_list[k]; k++)
+        if (r->physics[k].on && ovr_physics_list[k]->memory)
+            bytes += ovr_physics_list[k]->memory(r->physics[k].form);
+    return bytes;
+}
+
 double ovr_setup_memory(const ovr_setup *setup)
 {
     ovr_simulation *sim = ovr_simulation_counted(setup->options);
     double bytes = INFINITY;
     if (sim && !ovr_setup_add_physics(setup, sim, NULL))
-        bytes = (double)sim->arena.bytes;
+        bytes = (double)sim->arena.bytes + beside(setup);
     ovr_simulation_free(sim);
     return bytes;
 }

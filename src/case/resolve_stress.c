@@ -127,6 +127,8 @@ ovr_status ovr_resolve_stress(ovr_resolved *r, ovr_error *err)
         if (resolve_traction(r, block, err))
             return OVR_BAD_INPUT;
     }
+    if (s->surfaces)
+        ovr_resolved_turn_on(r, &ovr_physics_stress, &r->setup);
     if (check_motion(r, err) || resolve_fatigue(r, err))
         return OVR_BAD_INPUT;
     return OVR_OK;

@@ -76,7 +76,6 @@ static estimate estimate_cost(const ovr_setup *setup, double live)
     cost.nodes = (double)setup->nodes;
     cost.mesh = setup->mesh;
     cost.bytes = live + ovr_setup_memory(setup) +
-                 ovr_setup_stress_memory(setup) +
                  ovr_setup_output_memory(setup);
     if (setup->transient)
         cost.steps = ceil(march->end / dT);
@@ -431,33 +430,6 @@ static void put_line(void *data, const char *name, const char *text)
     printf("# %-28s %s\n", name, text);
 }
 
-/* Depths, memory, and the limits in MPa. */
-static void put_stress(const ovr_setup *setup)
-{
-    const ovr_stress_setup *s = setup->stress;
-    double ph = setup->contact->ph * 1e-6, least, z;
-    if (!s->surfaces || ovr_setup_stress_depth(setup, &least, NULL))
-        return;
-    printf("# %-28s Z = %.4g to %.4g, %g an octave; %.3g MB, as long as the "
-           "run again\n",
-           "stresses below", least, s->depth_max, s->per_octave,
-           ovr_setup_stress_memory(setup) / 1e6);
-    printf("# %-28s %s%s\n", "traction",
-           s->traction ? "the film's shear stress" : "none: ",
-           s->traction ? "" : s->no_traction);
-    for (int k = 0; s->fatigue && k < 2; k++) {
-        double hertz = ovr_hertz_criterion(s->criterion, s->alpha,
-                                           s->poisson[k], &z);
-        if (!(s->surfaces >> k & 1))
-            continue;
-        printf("# %-28s %s: limit %.4g ph", "fatigue",
-               ovr_criterion_name(s->criterion), hertz * s->limit_pressure);
-        if (isfinite(ph))
-            printf(" = %.4g MPa", hertz * s->limit_pressure * ph);
-        printf("; smooth %.4g ph at Z = %.3g\n", hertz, z);
-    }
-}
-
 /* ------------------------------------------------------------------- JSON */
 
 static void json_parameters(json_writer *json, const ovr_case *c)
@@ -555,7 +527,6 @@ static void report(const cli_call *call, const ovr_case *c,
     put_rough_film(setup, film);
     put_cost(&cost, setup, !setup->march->until_steady);
     ovr_setup_tell(setup, put_line, NULL);
-    put_stress(setup);
     put_parameters(c, setup);
 }
 

@@ -6,7 +6,9 @@
 #include "base/arena.h"
 #include "overroll/results.h"
 #include "overroll/run.h"
+#include "run/companion.h"
 #include "run/stress.h"
+#include "simulation/physics.h"
 
 typedef struct ovr_passes ovr_passes; /* passes.h */
 
@@ -16,8 +18,8 @@ struct ovr_run {
     ovr_case *c;
     ovr_setup *setup;
     ovr_simulation *sim;
-    ovr_writer *writer;       /* NULL: nothing is stored */
-    ovr_run_stress *stress;   /* NULL: none are wanted */
+    ovr_writer *writer; /* NULL: nothing is stored */
+    ovr_accompanied company[OVR_MOST_PHYSICS + 1];
     ovr_restart *restart;     /* of a run gone on with */
     ovr_passes *passes;       /* NULL: one */
     bool resumed;             /* the case is its own */

@@ -318,9 +318,7 @@ static ovr_status have(ovr_run *run, ovr_writer *writer, ovr_error *err)
             run, OVR_SAY_WARNING,
             "the result's file system has no locks: nothing keeps a "
             "second run from writing the same file");
-    return run->stress
-               ? ovr_run_stress_open(run->stress, writer, run->info.output, err)
-               : OVR_OK;
+    return ovr_companions_open(run, err);
 }
 
 ovr_status ovr_output_open(ovr_run *run, ovr_error *err)
@@ -337,17 +335,15 @@ ovr_status ovr_output_open(ovr_run *run, ovr_error *err)
     return have(run, writer, err);
 }
 
-/* The stresses of a complete run are told once more; with other depths than
- * it was computed with, say, they cannot be. */
-static ovr_status restore_stress(ovr_run *run, double T, bool write,
-                                 ovr_error *err)
+/* What companions have of a complete run is told once more; with other depths
+ * of stresses than it was computed with, say, it cannot be. */
+static ovr_status restore_companions(ovr_run *run, double T, bool write,
+                                     ovr_error *err)
 {
-    ovr_status status = ovr_run_stress_restore(run->stress, run->restart, T,
-                                               err);
+    ovr_status status = ovr_companions_restore(run, T, err);
     if (!status || write)
         return status;
-    ovr_run_stress_free(run->stress);
-    run->stress = NULL;
+    ovr_companions_release(run);
     return OVR_OK;
 }
 
@@ -363,9 +359,8 @@ ovr_status ovr_output_reopen(ovr_run *run, bool write, ovr_error *err)
                                  w.options.value_count, w.values, err);
     if (status == OVR_OK && restart && ovr_restart_about(restart)->has_state)
         status = ovr_restart_load(restart, run->sim, err);
-    if (status == OVR_OK && restart && run->stress &&
-        ovr_restart_about(restart)->has_state)
-        status = restore_stress(run, state->T, write, err);
+    if (status == OVR_OK && restart && ovr_restart_about(restart)->has_state)
+        status = restore_companions(run, state->T, write, err);
     if (status == OVR_OK && write)
         writer = ovr_writer_resume(&w.options, run->setup->contact, state->n,
                                    state->X, restart, &run->arena.allocator,

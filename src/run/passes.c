@@ -223,11 +223,10 @@ ovr_status ovr_passes_begin(ovr_run *run, ovr_error *err)
 /* All of the pass that was. */
 static void forget(ovr_run *run)
 {
-    ovr_run_stress_free(run->stress);
+    ovr_companions_release(run);
     ovr_simulation_free(run->sim);
     ovr_setup_free(run->setup);
     ovr_restart_close(run->restart);
-    run->stress = NULL;
     run->sim = NULL;
     run->setup = NULL;
     run->restart = NULL;

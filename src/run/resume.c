@@ -110,8 +110,8 @@ static ovr_status go_back(ovr_run *run, double complete, ovr_error *err)
     if (!run->restart && begin_again(run, done, err))
         return OVR_BAD_INPUT;
     done = done && run->restart;
-    if (done && run->stress)
-        ovr_run_stress_told_of(run->stress, run->info.output);
+    if (done)
+        ovr_companions_told_of(run);
     if (ovr_output_reopen(run, !done, err))
         return OVR_BAD_INPUT;
     run->restored = run->restart && ovr_restart_about(run->restart)->has_state;

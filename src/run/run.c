@@ -93,14 +93,7 @@ ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
     run->info.sim = run->sim;
     if (ovr_setup_rough_film(run->setup, allocator, &run->foreseen, err))
         return OVR_NO_MEMORY;
-    if (run->setup->stress->surfaces && !run->how.steady) {
-        run->stress = ovr_run_stress_create(run->setup,
-                                            ovr_simulation_state(run->sim),
-                                            run->info.output, allocator, err);
-        if (!run->stress)
-            return OVR_BAD_INPUT;
-    }
-    return OVR_OK;
+    return run->how.steady ? OVR_OK : ovr_companions_make(run, err);
 }
 
 /* Where the result goes: said to be possible before anything large is made. */
@@ -159,7 +152,7 @@ void ovr_run_free(ovr_run *run)
         return;
     if (run->writer)
         ovr_writer_close(run->writer, OVR_RUN_STOPPED, NULL);
-    ovr_run_stress_free(run->stress);
+    ovr_companions_release(run);
     ovr_simulation_free(run->sim);
     ovr_setup_free(run->setup);
     ovr_passes_free(run->passes);
@@ -220,8 +213,9 @@ static ovr_status solve(ovr_run *run, ovr_error *err)
         status = ovr_output_open(run, err);
     how.count = 0;
     how.observers = observer;
-    if (run->stress)
-        observer[how.count++] = ovr_run_stress_observer(run->stress);
+    if (run->company[0].is)
+        observer[how.count++] = (ovr_observer){ovr_companions_observe, NULL,
+                                               run};
     if (run->writer)
         observer[how.count++] = ovr_writer_observer(run->writer);
     if (run->passes && estimates(run) && !passes_are_lost(run)) {
@@ -247,18 +241,14 @@ static bool has_state(const ovr_run *run, ovr_status status)
            status == OVR_NOT_CONVERGED || status == OVR_IMPOSSIBLE;
 }
 
-/* The passages of a run that ended, or was stopped. */
-static ovr_status finish_stress(ovr_run *run, ovr_status status, ovr_error *err)
+/* The companions of a run that ended, or was stopped. */
+static ovr_status finish(ovr_run *run, ovr_status status, ovr_error *err)
 {
-    const ovr_state *state = ovr_simulation_state(run->sim);
-    ovr_status finished;
-    if (!run->stress || (status && status != OVR_STOPPED) ||
-        !has_state(run, status))
-        return status;
     ovr_error late = {0};
-    finished = ovr_run_stress_finish(run->stress, state, &late);
-    for (int k = 0; k < 2; k++)
-        run->info.stress[k] = ovr_run_stress_report(run->stress, k);
+    ovr_status finished;
+    if ((status && status != OVR_STOPPED) || !has_state(run, status))
+        return status;
+    finished = ovr_companions_finish(run, &late);
     if (!finished || status)
         return status;
     *err = late;
@@ -360,7 +350,7 @@ ovr_status ovr_run_once(ovr_run *run, ovr_error *err)
     long marked;
     if (first)
         ovr_run_review_before(run);
-    status = finish_stress(run, solve(run, err), err);
+    status = finish(run, solve(run, err), err);
     if (has_state(run, status))
         ovr_run_review_after(run);
     marked = ovr_simulation_statistics(run->sim)->marked;

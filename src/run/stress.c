@@ -2,6 +2,8 @@
 /* The stresses of a run: an observer of its steps, with a follower for each
  * surface, and fields at some of the snapshots. */
 #include "run/stress.h"
+#include "run/companion.h"
+#include "simulation/physics.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -20,7 +22,7 @@ typedef struct shown {
     size_t stride; /* of nodes of the mesh */
 } shown;
 
-struct ovr_run_stress {
+typedef struct run_stress {
     ovr_arena arena;
     const ovr_setup *setup;
     ovr_stress_plan plan[SURFACES];
@@ -28,6 +30,7 @@ struct ovr_run_stress {
     ovr_stress_report *report[SURFACES];
     ovr_writer *writer;
     ovr_second_pass second;
+    double *P;           /* room for all that the solids feel */
     double *Q[SURFACES]; /* of the last moment; NULL: none */
     ovr_stress *field;   /* NULL: no fields are stored */
     shown shown[SURFACES];
@@ -36,7 +39,7 @@ struct ovr_run_stress {
     double before;    /* T of the step before */
     double rows;      /* of fields, stored */
     double snapshots; /* seen */
-};
+} run_stress;
 
 /* ----------------------------------------------------------------- fields */
 
@@ -48,7 +51,7 @@ static double state_value(const ovr_stress_setup *s, int surface, int which,
 }
 
 /* At the nodes of the shallowest row. */
-static ovr_status fill_depth(ovr_run_stress *s, int surface, size_t j,
+static ovr_status fill_depth(run_stress *s, int surface, size_t j,
                              ovr_error *err)
 {
     const shown *f = &s->shown[surface];
@@ -66,7 +69,7 @@ static ovr_status fill_depth(ovr_run_stress *s, int surface, size_t j,
     return OVR_OK;
 }
 
-static ovr_status store_fields(ovr_run_stress *s, const ovr_state *state,
+static ovr_status store_fields(run_stress *s, const double *P, double T,
                                ovr_error *err)
 {
     for (int k = 0; k < SURFACES; k++) {
@@ -74,13 +77,13 @@ static ovr_status store_fields(ovr_run_stress *s, const ovr_state *state,
         size_t count = f->axis[1].count * f->axis[2].count;
         if (!s->follower[k])
             continue;
-        ovr_stress_solve(s->field, state->P, s->Q[k], 0, OVR_STRESS_ALL_LEVELS);
+        ovr_stress_solve(s->field, P, s->Q[k], 0, OVR_STRESS_ALL_LEVELS);
         ovr_status status = OVR_OK;
         for (size_t j = 0; !status && j < f->axis[1].count; j++)
             status = fill_depth(s, k, j, err);
         if (!status)
-            status = ovr_writer_append(s->writer, &f->group, (size_t)s->rows,
-                                       state->T, f->values, count, err);
+            status = ovr_writer_append(s->writer, &f->group, (size_t)s->rows, T,
+                                       f->values, count, err);
         if (status)
             return status;
     }
@@ -88,7 +91,7 @@ static ovr_status store_fields(ovr_run_stress *s, const ovr_state *state,
     return OVR_OK;
 }
 
-static void name_fields(const ovr_run_stress *s, shown *f)
+static void name_fields(const run_stress *s, shown *f)
 {
     static const char *const texts[FIELDS] = {
         "normal stress along the surface",
@@ -112,7 +115,7 @@ static void name_fields(const ovr_run_stress *s, shown *f)
     }
 }
 
-static ovr_status open_fields(ovr_run_stress *s, int surface, ovr_error *err)
+static ovr_status open_fields(run_stress *s, int surface, ovr_error *err)
 {
     shown *f = &s->shown[surface];
     const double *z;
@@ -167,7 +170,7 @@ static ovr_status visit_passage(ovr_passage *p, int k, ovr_visit *visit,
 static ovr_status visit_state(void *data, ovr_visit *visit, void *context,
                               ovr_error *err)
 {
-    ovr_run_stress *s = data;
+    run_stress *s = data;
     ovr_status status = visit(context, "stress before", &s->before,
                               sizeof s->before, err);
     if (!status)
@@ -189,11 +192,14 @@ static ovr_status visit_state(void *data, ovr_visit *visit, void *context,
 
 /* ------------------------------------------------------------------ making */
 
-static ovr_status make(ovr_run_stress *s, const ovr_state *state,
-                       const ovr_allocator *allocator, ovr_error *err)
+static ovr_status follow(run_stress *s, const ovr_state *state,
+                         const ovr_allocator *allocator, ovr_error *err)
 {
     const ovr_options *o = s->setup->options;
     double mesh = s->setup->mesh;
+    s->P = ovr_arena_take(&s->arena, state->n, sizeof *s->P, err);
+    if (!s->P)
+        return OVR_NO_MEMORY;
     for (int k = 0; k < SURFACES; k++) {
         if (!(s->setup->stress->surfaces >> k & 1))
             continue;
@@ -243,31 +249,9 @@ static ovr_status check_second_pass(const ovr_setup *setup, const char *output,
     return OVR_OK;
 }
 
-ovr_run_stress *ovr_run_stress_create(const ovr_setup *setup,
-                                      const ovr_state *state,
-                                      const char *output,
-                                      const ovr_allocator *allocator,
-                                      ovr_error *err)
+static void release(void *own)
 {
-    ovr_arena arena = ovr_arena_make(allocator);
-    ovr_run_stress *s = NULL;
-    if (!check_second_pass(setup, output, err))
-        s = ovr_arena_take(&arena, 1, sizeof *s, err);
-    if (!s)
-        return NULL;
-    s->arena = arena;
-    s->setup = setup;
-    if (make(s, state, allocator, err)) {
-        ovr_run_stress_free(s);
-        return NULL;
-    }
-    return s;
-}
-
-void ovr_run_stress_free(ovr_run_stress *s)
-{
-    if (!s)
-        return;
+    run_stress *s = own;
     for (int k = 0; k < SURFACES; k++)
         ovr_follower_free(s->follower[k]);
     ovr_stress_free(s->field);
@@ -275,40 +259,63 @@ void ovr_run_stress_free(ovr_run_stress *s)
     ovr_arena_release(&arena);
 }
 
-ovr_status ovr_run_stress_open(ovr_run_stress *s, ovr_writer *writer,
-                               const char *path, ovr_error *err)
+static ovr_status make(const ovr_setup *setup, const ovr_state *state,
+                       const char *output, const ovr_allocator *allocator,
+                       void **own, ovr_error *err)
 {
+    ovr_arena arena = ovr_arena_make(allocator);
+    run_stress *s = NULL;
+    ovr_status status = check_second_pass(setup, output, err);
+    if (!status)
+        s = ovr_arena_take(&arena, 1, sizeof *s, err);
+    if (!s)
+        return status ? status : OVR_NO_MEMORY;
+    s->arena = arena;
+    s->setup = setup;
+    status = follow(s, state, allocator, err);
+    if (status)
+        release(s);
+    else
+        *own = s;
+    return status;
+}
+
+/* That of a run that is complete: told of, not written to. */
+static void told_of(void *own, const char *path)
+{
+    run_stress *s = own;
+    s->second = (ovr_second_pass){path, s->setup};
+}
+
+static ovr_status open_file(void *own, ovr_writer *writer, const char *path,
+                            ovr_error *err)
+{
+    run_stress *s = own;
     ovr_status status = OVR_OK;
     s->writer = writer;
-    s->second = (ovr_second_pass){path, s->setup};
-    ovr_writer_more(writer, visit_state, s);
+    told_of(s, path);
     for (int k = 0; !status && s->field && k < SURFACES; k++)
         if (s->follower[k])
             status = open_fields(s, k, err);
     return status;
 }
 
-void ovr_run_stress_told_of(ovr_run_stress *s, const char *path)
+static ovr_status restored(void *own, double T, ovr_error *err)
 {
-    s->second = (ovr_second_pass){path, s->setup};
-}
-
-ovr_status ovr_run_stress_restore(ovr_run_stress *s, const ovr_restart *restart,
-                                  double T, ovr_error *err)
-{
-    ovr_status status = ovr_restart_more(restart, visit_state, s, err);
-    if (!status && s->before != T)
+    const run_stress *s = own;
+    if (s->before != T)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "the checkpoint at T = %g holds no stresses", T);
-    return status;
+    return OVR_OK;
 }
 
 /* --------------------------------------------------------------- observing */
 
 static ovr_status observe(void *data, const ovr_simulation *sim, ovr_error *err)
 {
-    ovr_run_stress *s = data;
+    run_stress *s = data;
     const ovr_state *state = ovr_simulation_state(sim);
+    const double *P = ovr_solid_pressure(sim, s->P);
     double before = s->before;
     for (int k = 0; k < SURFACES; k++) {
         if (!s->follower[k])
@@ -318,8 +325,8 @@ static ovr_status observe(void *data, const ovr_simulation *sim, ovr_error *err)
         if (s->Q[k])
             ovr_traction_now(&s->plan[k], sim, s->Q[k]);
         ovr_follower_post(s->follower[k],
-                          state->step ? OVR_PART_STEP : OVR_PART_BEGIN,
-                          state->P, s->Q[k], &m);
+                          state->step ? OVR_PART_STEP : OVR_PART_BEGIN, P,
+                          s->Q[k], &m);
     }
     s->before = state->T;
     if (!s->field || !s->writer ||
@@ -327,12 +334,7 @@ static ovr_status observe(void *data, const ovr_simulation *sim, ovr_error *err)
         return OVR_OK;
     bool due = fmod(s->snapshots, (double)s->setup->stress->every) == 0;
     s->snapshots++;
-    return due ? store_fields(s, state, err) : OVR_OK;
-}
-
-ovr_observer ovr_run_stress_observer(ovr_run_stress *s)
-{
-    return (ovr_observer){observe, NULL, s};
+    return due ? store_fields(s, P, state->T, err) : OVR_OK;
 }
 
 /* ------------------------------------------------------------------ the end */
@@ -360,10 +362,11 @@ static void restore(ovr_passage *p, void **saved)
         memcpy(piece[i].memory, saved[i], piece[i].bytes);
 }
 
-static ovr_status finish(ovr_run_stress *s, int k, const ovr_state *state,
-                         ovr_error *err)
+static ovr_status finish_surface(run_stress *s, int k,
+                                 const ovr_simulation *sim, ovr_error *err)
 {
-    ovr_moment m = ovr_stress_moment(s->setup, &s->plan[k], state->T, state->T);
+    double T = ovr_simulation_state(sim)->T;
+    ovr_moment m = ovr_stress_moment(s->setup, &s->plan[k], T, T);
     ovr_passage *passage = ovr_follower_wait(s->follower[k]);
     ovr_arena arena = ovr_arena_make(&s->arena.allocator);
     void **saved = save(passage, &arena, err);
@@ -371,7 +374,7 @@ static ovr_status finish(ovr_run_stress *s, int k, const ovr_state *state,
     if (saved && s->writer && ovr_writer_flush(s->writer, err))
         saved = NULL;
     if (saved) {
-        ovr_passage_end(passage, state->P, s->Q[k], &m);
+        ovr_passage_end(passage, ovr_solid_pressure(sim, s->P), s->Q[k], &m);
         s->report[k] = ovr_stress_report_make(
             s->setup, &s->plan[k], passage,
             s->second.path ? ovr_stress_second_pass : NULL, &s->second,
@@ -385,17 +388,82 @@ static ovr_status finish(ovr_run_stress *s, int k, const ovr_state *state,
                      : OVR_OK;
 }
 
-ovr_status ovr_run_stress_finish(ovr_run_stress *s, const ovr_state *state,
-                                 ovr_error *err)
+/* Closes the passages and writes their groups. */
+static ovr_status finish(void *own, const ovr_simulation *sim,
+                         ovr_run_info *info, ovr_error *err)
 {
+    run_stress *s = own;
     ovr_status status = OVR_OK;
     for (int k = 0; !status && k < SURFACES; k++)
         if (s->follower[k])
-            status = finish(s, k, state, err);
+            status = finish_surface(s, k, sim, err);
+    for (int k = 0; k < SURFACES; k++)
+        info->stress[k] = s->report[k];
     return status;
 }
 
-const ovr_stress_report *ovr_run_stress_report(const ovr_run_stress *s, int k)
+static const ovr_companion companion = {.make = make,
+                                        .release = release,
+                                        .open = open_file,
+                                        .told_of = told_of,
+                                        .observe = observe,
+                                        .visit = visit_state,
+                                        .restored = restored,
+                                        .finish = finish};
+
+/* ------------------------------------------------------------------ its case
+ */
+
+static double memory(const void *form)
 {
-    return s ? s->report[k] : NULL;
+    return ovr_passages_memory(form);
 }
+
+static void tell_limit(const ovr_setup *setup, int k, ovr_physics_line *line,
+                       void *data)
+{
+    const ovr_stress_setup *s = setup->stress;
+    double ph = setup->contact->ph * 1e-6, z;
+    double hertz = ovr_hertz_criterion(s->criterion, s->alpha, s->poisson[k],
+                                       &z);
+    char text[160], megapascals[40] = "";
+    if (isfinite(ph))
+        snprintf(megapascals, sizeof megapascals, " = %.4g MPa",
+                 hertz * s->limit_pressure * ph);
+    snprintf(text, sizeof text,
+             "%s: limit %.4g ph%s; smooth %.4g ph at Z = "
+             "%.3g",
+             ovr_criterion_name(s->criterion), hertz * s->limit_pressure,
+             megapascals, hertz, z);
+    line(data, "fatigue", text);
+}
+
+/* Depths, memory, and the limits in MPa. */
+static void tell(const ovr_physics_case *of, const void *form,
+                 ovr_physics_line *line, void *data)
+{
+    const ovr_setup *setup = form;
+    const ovr_stress_setup *s = setup->stress;
+    char text[160];
+    double least;
+    (void)of;
+    if (ovr_setup_stress_depth(setup, &least, NULL))
+        return;
+    snprintf(text, sizeof text,
+             "Z = %.4g to %.4g, %g an octave; %.3g MB, as long as the run "
+             "again",
+             least, s->depth_max, s->per_octave, memory(setup) / 1e6);
+    line(data, "stresses below", text);
+    snprintf(text, sizeof text, "%s%s",
+             s->traction ? "the film's shear stress" : "none: ",
+             s->traction ? "" : s->no_traction);
+    line(data, "traction", text);
+    for (int k = 0; s->fatigue && k < SURFACES; k++)
+        if (s->surfaces >> k & 1)
+            tell_limit(setup, k, line, data);
+}
+
+const ovr_physics ovr_physics_stress = {.name = "stresses",
+                                        .tell = tell,
+                                        .memory = memory,
+                                        .companion = &companion};

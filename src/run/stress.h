@@ -47,6 +47,9 @@ ovr_moment ovr_stress_moment(const ovr_setup *setup,
                              const ovr_stress_plan *plan, double T,
                              double before);
 
+/* Bytes of the passages of a prepared setup. */
+double ovr_passages_memory(const ovr_setup *setup);
+
 /* ---------------------------------------------------------------- traction */
 
 /* Q of a moment at the plan's nodes: of the state, or of snapshot k of a file.
@@ -97,31 +100,5 @@ ovr_stress_paths ovr_stress_second_pass;
 /* The group fatigue/surface_N of the file. */
 ovr_status ovr_stress_store(ovr_writer *writer, const ovr_setup *setup,
                             const ovr_stress_report *report, ovr_error *err);
-
-/* ------------------------------------------------------------ of one run */
-
-typedef struct ovr_run_stress ovr_run_stress;
-/* `output`: the path of the result file; NULL: there will be none. */
-ovr_run_stress *ovr_run_stress_create(const ovr_setup *setup,
-                                      const ovr_state *state,
-                                      const char *output,
-                                      const ovr_allocator *allocator,
-                                      ovr_error *err);
-void ovr_run_stress_free(ovr_run_stress *s);
-
-/* The file it writes to, and whose checkpoints hold its state. */
-ovr_status ovr_run_stress_open(ovr_run_stress *s, ovr_writer *writer,
-                               const char *path, ovr_error *err);
-/* That of a run that is complete: told of, not written to. */
-void ovr_run_stress_told_of(ovr_run_stress *s, const char *path);
-ovr_status ovr_run_stress_restore(ovr_run_stress *s, const ovr_restart *restart,
-                                  double T, ovr_error *err);
-
-ovr_observer ovr_run_stress_observer(ovr_run_stress *s);
-
-/* The end: closes the passages and writes their groups. */
-ovr_status ovr_run_stress_finish(ovr_run_stress *s, const ovr_state *state,
-                                 ovr_error *err);
-const ovr_stress_report *ovr_run_stress_report(const ovr_run_stress *s, int k);
 
 #endif

@@ -171,7 +171,7 @@ ovr_status ovr_setup_stress_depth(const ovr_setup *setup, double *least,
     return OVR_OK;
 }
 
-double ovr_setup_stress_memory(const ovr_setup *setup)
+double ovr_passages_memory(const ovr_setup *setup)
 {
     double bytes = 0;
     for (int k = 1; k <= 2; k++) {

@@ -64,6 +64,14 @@ struct ovr_physics {
     void (*tell)(const ovr_physics_case *of, const void *form,
                  ovr_physics_line *line, void *data);
 
+    /* Bytes that it takes beside the simulation's, of a case that is prepared.
+     */
+    double (*memory)(const void *form);
+
+    /* What goes along with a run and writes into its file (run/companion.h): a
+     * physics stands on the floor that it needs. */
+    const struct ovr_companion *companion;
+
     /* ------------------------------------------------------------- creation */
 
     /* Whether the options choose it. */
@@ -243,8 +251,9 @@ struct ovr_physics {
  * a program may be linked with a list of its own. */
 extern const ovr_physics *const ovr_physics_list[];
 
-/* One whose keys stand elsewhere in the case; its form is an ovr_heat. */
-extern const ovr_physics ovr_physics_heat;
+/* Those whose keys stand elsewhere in the case; their forms are an ovr_heat and
+ * the ovr_setup. */
+extern const ovr_physics ovr_physics_heat, ovr_physics_stress;
 
 /* Those of a simulation that have the function. */
 #define OVR_EACH_PHYSICS(sim, p, function)                                     \

@@ -29,6 +29,7 @@ const ovr_physics *const ovr_physics_list[] = {&ovr_physics_reversal,
                                                &ovr_physics_conserving,
                                                &ovr_physics_heat,
                                                &ovr_physics_patches,
+                                               &ovr_physics_stress,
                                                &test_layer,
                                                NULL};
 
@@ -343,6 +344,26 @@ static void wears_and_tells(void **state)
     free(said);
 }
 
+/* Largest shear stress below surface 1 over the film's largest pressure. */
+static double stress_of(const char *folder, const char *grit)
+{
+    char *said = RUN(folder, "run", "worn.ini", "--json", "--set",
+                     "stress.surface=1", "--set", "time.end=0.2", "--set",
+                     "layer.spread=0", "--set", grit);
+    double ratio = number(said, "tau_max") / number(said, "P_max_overall");
+    free(said);
+    return ratio;
+}
+
+/* What lies below feels the grit's pressure too: a tenth more, where the shape
+ * of the pressure hardly changes. */
+static void stresses_are_those_of_all_that_is_borne(void **state)
+{
+    write_case(*state, "worn.ini", worn);
+    double film = stress_of(*state, "layer.grit=0");
+    CHECK_CLOSE(stress_of(*state, "layer.grit=0.1"), 1.1 * film, 0.03);
+}
+
 static void wait_ms(long ms)
 {
     nanosleep(&(struct timespec){ms / 1000, ms % 1000 * 1000000}, NULL);
@@ -407,6 +428,8 @@ int main(void)
                                         test_remove_folder),
         cmocka_unit_test_setup_teardown(wears_and_tells, test_make_folder,
                                         test_remove_folder),
+        cmocka_unit_test_setup_teardown(stresses_are_those_of_all_that_is_borne,
+                                        test_make_folder, test_remove_folder),
         cmocka_unit_test_setup_teardown(goes_on_where_it_was_killed,
                                         test_make_folder, test_remove_folder)};
     return cmocka_run_group_tests(tests, NULL, NULL);

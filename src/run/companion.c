@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "run/companion.h"
+
+#include "case/resolve.h"
+#include "run/internal.h"
+
+#define EACH(run, c, function)                                                 \
+    for (ovr_accompanied *c = (run)->company; c->is; c++)                      \
+        if (c->is->function)
+
+ovr_status ovr_companions_make(ovr_run *run, ovr_error *err)
+{
+    const ovr_allocator *allocator = &run->arena.allocator;
+    ovr_accompanied *next = run->company;
+    for (int k = 0; ovr_physics_list[k]; k++) {
+        const ovr_companion *is = ovr_physics_list[k]->companion;
+        if (!is || !ovr_setup_turned_on(run->setup, k))
+            continue;
+        if (is->make(run->setup, ovr_simulation_state(run->sim),
+                     run->info.output, allocator, &next->own, err))
+            return err ? err->status : OVR_BAD_INPUT;
+        next++->is = is;
+    }
+    return OVR_OK;
+}
+
+void ovr_companions_release(ovr_run *run)
+{
+    EACH(run, c, release)
+        c->is->release(c->own);
+    run->company[0] = (ovr_accompanied){NULL, NULL};
+}
+
+static ovr_status visit_all(void *data, ovr_visit *visit, void *context,
+                            ovr_error *err)
+{
+    ovr_run *run = data;
+    ovr_status status = OVR_OK;
+    EACH(run, c, visit)
+        if (!status)
+            status = c->is->visit(c->own, visit, context, err);
+    return status;
+}
+
+ovr_status ovr_companions_open(ovr_run *run, ovr_error *err)
+{
+    if (run->company[0].is)
+        ovr_writer_more(run->writer, visit_all, run);
+    EACH(run, c, open)
+        if (c->is->open(c->own, run->writer, run->info.output, err))
+            return err ? err->status : OVR_IO;
+    return OVR_OK;
+}
+
+void ovr_companions_told_of(ovr_run *run)
+{
+    EACH(run, c, told_of)
+        c->is->told_of(c->own, run->info.output);
+}
+
+ovr_status ovr_companions_restore(ovr_run *run, double T, ovr_error *err)
+{
+    ovr_status status = OVR_OK;
+    if (run->company[0].is)
+        status = ovr_restart_more(run->restart, visit_all, run, err);
+    EACH(run, c, restored)
+        if (!status)
+            status = c->is->restored(c->own, T, err);
+    return status;
+}
+
+ovr_status ovr_companions_observe(void *data, const ovr_simulation *sim,
+                                  ovr_error *err)
+{
+    ovr_run *run = data;
+    ovr_status status = OVR_OK;
+    EACH(run, c, observe)
+        if (!status)
+            status = c->is->observe(c->own, sim, err);
+    return status;
+}
+
+ovr_status ovr_companions_finish(ovr_run *run, ovr_error *err)
+{
+    ovr_status status = OVR_OK;
+    EACH(run, c, finish)
+        if (!status)
+            status = c->is->finish(c->own, run->sim, &run->info, err);
+    return status;
+}

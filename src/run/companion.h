@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What of a physics goes along with a run: it looks on after each step, may
+ * write into the file and has a place in its checkpoints.  A run goes through
+ * its companions, those of the physics that its case has turned on
+ * (simulation/physics.h), and names none of them.  Any function may be absent.
+ */
+#ifndef OVR_RUN_COMPANION_H
+#define OVR_RUN_COMPANION_H
+
+#include "overroll/results.h"
+#include "overroll/run.h"
+
+typedef struct ovr_companion {
+    /* Made for a run whose nodes are known; `output`: the path of its file, or
+     * NULL. */
+    ovr_status (*make)(const ovr_setup *setup, const ovr_state *state,
+                       const char *output, const ovr_allocator *allocator,
+                       void **own, ovr_error *err);
+    void (*release)(void *own);
+
+    /* The file that it writes to; that of a complete run, which it may read
+     * once more. */
+    ovr_status (*open)(void *own, ovr_writer *writer, const char *path,
+                       ovr_error *err);
+    void (*told_of)(void *own, const char *path);
+
+    /* After the steady start and each step. */
+    ovr_status (*observe)(void *own, const ovr_simulation *sim, ovr_error *err);
+
+    /* Its part of a checkpoint; that was read back, of the time T. */
+    ovr_status (*visit)(void *own, ovr_visit *visit, void *context,
+                        ovr_error *err);
+    ovr_status (*restored)(void *own, double T, ovr_error *err);
+
+    /* The end of a run, or a stop on the way: what it has to tell. */
+    ovr_status (*finish)(void *own, const ovr_simulation *sim,
+                         ovr_run_info *info, ovr_error *err);
+} ovr_companion;
+
+/* One of a run; is NULL behind the last. */
+typedef struct ovr_accompanied {
+    const ovr_companion *is;
+    void *own;
+} ovr_accompanied;
+
+/* Those of a run; all functions take it. */
+ovr_status ovr_companions_make(ovr_run *run, ovr_error *err);
+void ovr_companions_release(ovr_run *run);
+ovr_status ovr_companions_open(ovr_run *run, ovr_error *err);
+void ovr_companions_told_of(ovr_run *run);
+ovr_status ovr_companions_restore(ovr_run *run, double T, ovr_error *err);
+ovr_status ovr_companions_observe(void *run, const ovr_simulation *sim,
+                                  ovr_error *err);
+ovr_status ovr_companions_finish(ovr_run *run, ovr_error *err);
+
+#endif
