@@ -56,10 +56,10 @@ extern "C" {
  *   profile  measured, from a file
  *   roughness random, from a seed and a spectrum
  *
- * Instead of its width a shape may be given its diameter, the full width at
- * half its depth (0.2478 width of a dent or bump, 0.3470 of an indent without
- * shoulders or a ridge, 1/2 of a texture's dimple, the width itself of a
- * groove), or half of that, half_width.
+ * Instead of its width a shape may be given width_half (or diameter, the same),
+ * the full width at half its depth or height (0.2478 width of a dent or bump,
+ * 0.3470 of an indent without shoulders or a ridge, 1/2 of a texture's dimple,
+ * the width itself of a groove), or half of that, half_width.
  *
  * A step's or groove's flank may be given by the radius r of its edges
  * instead: flank = sqrt(10/sqrt(3) height r) in metres, since the largest
@@ -88,6 +88,49 @@ OVR_API const char *ovr_shape_name(int shape);
  * room that it wants, as snprintf. */
 OVR_API int ovr_shape_takes(int shape, char *text, size_t room);
 
+/* How wide a shape is at half its height or depth, over its width; an indent
+ * without shoulders; NAN: it has no width. */
+OVR_API double ovr_shape_width_half(int shape);
+
+/* Every size that a shape may have: a height, which may be zero, or a length,
+ * and what it is.  Which shapes have it is the matter of src/surface/shape.c.
+ */
+/* clang-format off */
+#define OVR_FEATURE_SIZES(HEIGHT, LENGTH)                                     \
+    HEIGHT(depth, "depth, a positive number")                                 \
+    HEIGHT(height, "height")                                                  \
+    HEIGHT(amplitude, "amplitude")                                            \
+    LENGTH(width,                                                             \
+           "width in the shape's formula, which is not what it looks "        \
+           "like: width_half says how wide it is at half its height")         \
+    LENGTH(width_half,                                                        \
+           "instead of width: how wide it is at half its depth or "           \
+           "height")                                                          \
+    LENGTH(diameter, "the same as width_half")                                \
+    LENGTH(half_width, "instead of width: half of width_half")                \
+    LENGTH(rim_diameter,                                                      \
+           "instead of width and shoulders: diameter of its rim, crest "      \
+           "to crest; the bowl is a ball's or a hard particle's")             \
+    HEIGHT(rim_height,                                                        \
+           "height of that rim; unless given 0.159 of the depth, as in "      \
+           "hardened steel")                                                  \
+    LENGTH(wavelength,                                                        \
+           "wavelength; of a chirp at its rear; of a texture the "            \
+           "distance of two dimples")                                         \
+    LENGTH(wavelength_end, "wavelength at its leading end")                   \
+    LENGTH(length, "length along x")                                          \
+    HEIGHT(shoulder, "height of its shoulders")                               \
+    LENGTH(shoulder_at,                                                       \
+           "distance of the shoulders from its centre; half the width "       \
+           "unless given")                                                    \
+    LENGTH(shoulder_width,                                                    \
+           "width of the shoulders; half the width unless given")             \
+    LENGTH(flank,                                                             \
+           "width of the flank; of a chirp that of the fades at its "         \
+           "ends")                                                            \
+    LENGTH(radius, "radius of the edges, instead of flank")
+/* clang-format on */
+
 /*
  * What a feature is made of.  Lengths in b, heights in b^2/R, times in b/um;
  * NAN: not given.  A field that the shape does not use must stay NAN.
@@ -109,13 +152,9 @@ typedef struct ovr_feature_form {
     double origin;  /* wave, texture: X of a crest (dimple) at T = 0 */
 
     /* Sizes, as the shape's formula names them. */
-    double depth, height, amplitude;
-    double width, diameter, half_width; /* one of them */
-    double rim_diameter, rim_height;    /* an indent by its rim */
-    double wavelength, wavelength_end, length;
-    double shoulder, shoulder_at, shoulder_width;
-    double flank;
-    double radius; /* of edges; in b, needs a physical contact */
+#define OVR_SIZE(name, help) double name;
+    OVR_FEATURE_SIZES(OVR_SIZE, OVR_SIZE)
+#undef OVR_SIZE
 
     /* In time and along the surface. */
     double grow;      /* grows in place by sigma((T - grow_from)/grow) */

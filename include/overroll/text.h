@@ -17,6 +17,10 @@ extern "C" {
 OVR_API const char *ovr_suggest(const char *wrong, const char *const *names,
                                 size_t n);
 
+/* The k-th unit that a number may have, those of one quantity together, and the
+ * SI unit of what it measures; NULL behind the last. */
+OVR_API const char *ovr_unit_name(size_t k, const char **si);
+
 /* Length of the UTF-8 sequence at s (RFC 3629), 0 when it is none; the NUL at
  * the end is a sequence of length 1. */
 OVR_API int ovr_utf8_sequence(const unsigned char *s);

@@ -2,6 +2,7 @@
 #include "overroll/error.h"
 
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -89,6 +90,18 @@ ovr_status ovr_fail_meant(ovr_error *err, ovr_status status, const char *meant)
     return status;
 }
 
+/* The message; where an option is called as the key it sets ("--L"), without
+ * that key before it. */
+static const char *behind_option(const char *file, const ovr_error *why)
+{
+    size_t key = why->about ? strlen(why->about) : 0;
+    bool same = key && !strncmp(file, "--", 2) && !strcmp(file + 2, why->about);
+    return same && !strncmp(why->message, why->about, key) &&
+                   !strncmp(why->message + key, ": ", 2)
+               ? why->message + key + 2
+               : why->message;
+}
+
 ovr_status ovr_fail_from(ovr_error *err, const ovr_error *why, const char *file,
                          long line)
 {
@@ -100,7 +113,7 @@ ovr_status ovr_fail_from(ovr_error *err, const ovr_error *why, const char *file,
         *err = copy;
         return status;
     }
-    ovr_fail_at(err, status, file, line, "%s", copy.message);
+    ovr_fail_at(err, status, file, line, "%s", behind_option(file, &copy));
     err->about = copy.about;
     err->meant = copy.meant;
     return status;

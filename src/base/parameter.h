@@ -62,7 +62,10 @@ typedef struct ovr_parameter {
  *     "every > 0"               its number is above this one,
  *     "time.end"                it is given,
  *     "no refine_level"         it is not given.
+ * Of a size of a feature its shape decides, in surface/shape.c, where it is
+ * refused too.
  */
+#define OVR_BY_SHAPE "by shape"
 
 /* A section with its rows: a table of parameters is a list of sections. */
 typedef struct ovr_section {

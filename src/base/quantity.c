@@ -193,6 +193,16 @@ const char *ovr_unit_si(ovr_dimension dimension)
     return "";
 }
 
+const char *ovr_unit_name(size_t k, const char **si)
+{
+    if (k >= UNITS)
+        return NULL;
+    *si = ovr_unit_si(units[k].dimension);
+    if (!**si)
+        *si = units[k].name;
+    return units[k].name;
+}
+
 static const struct unit *find_unit(const char *name)
 {
     char room[16];
@@ -252,6 +262,19 @@ static ovr_status no_number(const char *text, ovr_error *err)
     return ovr_fail(err, OVR_BAD_INPUT, "'%.60s' is not a number", text);
 }
 
+/* One that ends like what was written: degC for C. */
+static const char *with_ending(const char *unit, const char *const *names,
+                               size_t n)
+{
+    size_t size = strlen(unit);
+    for (size_t k = 0; k < n; k++) {
+        size_t length = strlen(names[k]);
+        if (size && length > size && !strcmp(names[k] + length - size, unit))
+            return names[k];
+    }
+    return NULL;
+}
+
 /* " did you mean 'MPa'?" and the unit; or nothing, and NULL. */
 static const char *put_hint(const char *unit, ovr_dimension dimension,
                             char *hint, size_t room)
@@ -262,6 +285,8 @@ static const char *put_hint(const char *unit, ovr_dimension dimension,
         if (leads_to(&units[i], dimension))
             names[n++] = units[i].name;
     meant = ovr_suggest(unit, names, n);
+    if (!meant && dimension == OVR_TEMPERATURE)
+        meant = with_ending(unit, names, n);
     *hint = '\0';
     if (meant)
         snprintf(hint, room, " did you mean '%s'?", meant);

@@ -272,3 +272,8 @@ ovr_quoted ovr_quote(ovr_line piece)
     quoted.text[used] = 0;
     return quoted;
 }
+
+const char *ovr_article(const char *word)
+{
+    return *word && strchr("aeiou", *word) ? "an" : "a";
+}

@@ -54,6 +54,9 @@ bool ovr_number(ovr_line piece, bool comma, double *value);
 /* The whole piece is a sign for no value: NaN, BAD, ---, nothing... */
 bool ovr_is_missing(ovr_line piece);
 
+/* "an" before a word that begins with a vowel, else "a". */
+const char *ovr_article(const char *word);
+
 /* "\302\265m" (of any encoding) becomes "um", in `room`. */
 ovr_line ovr_spelled(ovr_line unit, char room[16]);
 

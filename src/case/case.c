@@ -11,6 +11,7 @@
 
 #include "base/entries.h"
 #include "base/text.h"
+#include "overroll/surface.h"
 #include "overroll/text.h"
 
 /* ----------------------------------------------------------------- blocks */
@@ -67,16 +68,50 @@ bool ovr_block_is_feature(const ovr_block *block)
     return !strcmp(block->section->name, "feature");
 }
 
+/* A section that a study has. */
+static bool is_of_study(const char *word)
+{
+    static const char *const names[] = {"study", "set", "product", "zip"};
+    for (int k = 0; k < 4; k++)
+        if (!strcmp(word, names[k]))
+            return true;
+    return false;
+}
+
+static bool is_shape(const char *word)
+{
+    int k = 0;
+    while (ovr_shape_name(k) && strcmp(ovr_shape_name(k), word) != 0)
+        k++;
+    return ovr_shape_name(k) != NULL;
+}
+
 static ovr_status no_section(const char *header, ovr_error *err)
 {
-    const char *names[16], *meant;
-    size_t n = 0, length = strcspn(header, " \t.");
-    char word[OVR_NAME_MOST + 1];
-    while (n < 16 && ovr_section_row(n)) {
-        names[n] = ovr_section_row(n)->name;
-        n++;
+    enum { MOST = 64 };
+    const char *names[MOST], *meant;
+    size_t n = 0, length = strcspn(header, " \t."), used = 0;
+    char word[OVR_NAME_MOST + 1], there[400] = "";
+    for (; n < MOST && ovr_section_row(n); n++) {
+        const ovr_section *s = ovr_section_row(n);
+        names[n] = s->name;
+        if (used < sizeof there)
+            used += (size_t)snprintf(there + used, sizeof there - used,
+                                     "%s%s%s", n ? ", " : "", s->name,
+                                     s->named ? " NAME" : "");
     }
     snprintf(word, sizeof word, "%.*s", (int)length, header);
+    if (is_of_study(word))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "[%s] belongs in a study: this is one, not a case; "
+                        "'overroll sweep' runs its cases",
+                        word);
+    if (is_shape(word)) {
+        ovr_fail(err, OVR_BAD_INPUT,
+                 "unknown section [%s]; did you mean [feature %s]?", word,
+                 word);
+        return ovr_fail_meant(err, OVR_BAD_INPUT, "feature");
+    }
     meant = ovr_suggest(word, names, n);
     if (meant) {
         ovr_fail(err, OVR_BAD_INPUT,
@@ -84,11 +119,8 @@ static ovr_status no_section(const char *header, ovr_error *err)
                  header, meant);
         return ovr_fail_meant(err, OVR_BAD_INPUT, meant);
     }
-    return ovr_fail(err, OVR_BAD_INPUT,
-                    "unknown section [%.*s]; there are contact, lubricant, "
-                    "domain, solver, time, load, speed, feature NAME, output, "
-                    "paper",
-                    OVR_NAME_MOST, header);
+    return ovr_fail(err, OVR_BAD_INPUT, "unknown section [%.*s]; there are %s",
+                    OVR_NAME_MOST, header, there);
 }
 
 /* A name that survives being written as [section NAME]. */

@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "surface/feature.h"
+
 bool ovr_condition_next(const char **text, const char *separator, char *piece,
                         size_t room)
 {
@@ -68,11 +70,26 @@ void ovr_condition_text(const char *condition, char *text, size_t room)
     }
 }
 
+/* "shape = dent | bump": those that have a size. */
+static void put_shapes(const char *size, char *text, size_t room)
+{
+    ovr_condition_add(text, room, "shape = ");
+    for (int k = 0; ovr_shape_name(k); k++)
+        if (ovr_shape_has(k, size))
+            ovr_condition_add(text, room, "%s%s",
+                              text[strlen(text) - 1] == ' ' ? "" : " | ",
+                              ovr_shape_name(k));
+}
+
 void ovr_when_text(const ovr_parameter *row, char *text, size_t room)
 {
     const char *when = row->when ? row->when : "";
-    char condition[OVR_CONDITION_MOST];
+    char condition[OVR_CONDITION_MOST], shapes[OVR_CONDITION_MOST] = "";
     text[0] = '\0';
+    if (!strcmp(when, OVR_BY_SHAPE)) {
+        put_shapes(row->key, shapes, sizeof shapes);
+        when = shapes;
+    }
     while (ovr_condition_next(&when, "; ", condition, sizeof condition)) {
         ovr_condition_add(text, room, "%s", *text ? " and " : "");
         ovr_condition_text(condition, text, room);

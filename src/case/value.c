@@ -113,12 +113,29 @@ static ovr_status check_sign(const ovr_parameter *row, double number,
     return OVR_OK;
 }
 
+/* "0.6 b" is the number that 0.6 is. */
+static const char *without_hertzian(const ovr_parameter *row, const char *text,
+                                    char *room, size_t size)
+{
+    const char *unit = ovr_hertzian_name(row->hertzian), *at = text;
+    double value;
+    if (!*unit || !ovr_read_number(&at, &value))
+        return text;
+    size_t number = (size_t)(at - text);
+    at += strspn(at, " \t");
+    if (strcmp(at, unit) != 0 || number >= size)
+        return text;
+    snprintf(room, size, "%.*s", (int)number, text);
+    return room;
+}
+
 static ovr_status read_quantity(const ovr_parameter *row, const char *text,
                                 ovr_quantity *quantity, ovr_error *err)
 {
     ovr_error why = {0};
     const char *meant;
-    char range[300];
+    char range[300], number[80];
+    text = without_hertzian(row, text, number, sizeof number);
     if (!ovr_quantity_read(text, row->dimension, row->hertzian, quantity, &why))
         return quantity->unit && row->hertzian
                    ? check_sign(row, quantity->value, text, err)

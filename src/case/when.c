@@ -78,6 +78,8 @@ static bool first_failing(const ovr_case *c, const ovr_block *block,
                           size_t room, bool *off)
 {
     const char *when = row->when ? row->when : "";
+    if (!strcmp(when, OVR_BY_SHAPE))
+        return false;
     while (ovr_condition_next(&when, "; ", condition, room))
         if (!any_holds(c, block, condition, off))
             return true;

@@ -52,13 +52,34 @@ static const ovr_variable *wanted_field(const job *j, size_t k)
     return NULL;
 }
 
+static ovr_status no_field(const job *j, const char *name)
+{
+    enum { MOST = 64 };
+    const char *names[MOST], *meant;
+    char there[700] = "";
+    size_t used = 0, n = 0;
+    for (; n < MOST && n < ovr_result_fields(j->result); n++) {
+        names[n] = ovr_result_field(j->result, n)->name;
+        if (used < sizeof there)
+            used += (size_t)snprintf(there + used, sizeof there - used, "%s%s",
+                                     n ? ", " : "", names[n]);
+    }
+    meant = ovr_suggest(name, names, n);
+    if (meant)
+        return ovr_fail(j->err, OVR_BAD_INPUT,
+                        "%s: has no field '%s'; did you mean '%s'?",
+                        j->call->argument[0], name, meant);
+    return ovr_fail(j->err, OVR_BAD_INPUT,
+                    "%s: has no field '%s'; there are %s", j->call->argument[0],
+                    name, there);
+}
+
 static ovr_status check_fields(const job *j)
 {
     const char *name;
     for (int k = 0; (name = cli_value_at(j->call, "field", k)); k++)
         if (!wanted_field(j, (size_t)k))
-            return ovr_fail(j->err, OVR_BAD_INPUT, "%s: has no field '%s'",
-                            j->call->argument[0], name);
+            return no_field(j, name);
     return OVR_OK;
 }
 

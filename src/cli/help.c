@@ -47,7 +47,12 @@ static int list_topics(void)
     }
     puts("\noverroll help units    how numbers and units are written\n"
          "overroll help pairs    what does not go together, and why\n"
-         "overroll help KEY      one key of the case file");
+         "overroll help KEY      one key of the case file\n"
+         "overroll help SHAPE    a shape of feature: what it needs\n");
+    printf("And on");
+    for (size_t k = 0; cli_topic_name(k); k++)
+        printf("%s %s", k ? "," : "", cli_topic_name(k));
+    puts(".");
     return CLI_DONE;
 }
 
@@ -74,6 +79,23 @@ static void put_choices(const ovr_parameter_info *p)
     put_wrapped(text);
 }
 
+/* Of the width of a feature: what each shape has at half its height. */
+static void describe_widths(const ovr_parameter_info *p, char *text,
+                            size_t room)
+{
+    size_t used = 0;
+    text[0] = '\0';
+    if (strcmp(p->section, "feature") != 0 || strcmp(p->key, "width") != 0)
+        return;
+    used = (size_t)snprintf(text, room, "width_half over width:");
+    for (int k = 0; ovr_shape_name(k) && used < room; k++)
+        if (isfinite(ovr_shape_width_half(k)))
+            used += (size_t)snprintf(text + used, room - used, "%s %s %.4g",
+                                     strchr(text, '.') ? "," : "",
+                                     ovr_shape_name(k),
+                                     ovr_shape_width_half(k));
+}
+
 static void put_parameter(const ovr_parameter_info *p)
 {
     char text[300];
@@ -82,6 +104,9 @@ static void put_parameter(const ovr_parameter_info *p)
         printf("(%s)", p->initial);
     putchar('\n');
     put_wrapped(p->help);
+    describe_widths(p, text, sizeof text);
+    if (*text)
+        put_wrapped(text);
     if (!isnan(p->least)) {
         describe_range(p, text, sizeof text);
         put_wrapped(text);
@@ -116,6 +141,33 @@ static bool help_section(const char *name)
             put_parameter(&p);
     }
     return found;
+}
+
+/* The keys that a shape of feature has and others have not. */
+static bool help_shape(const char *shape)
+{
+    char text[500];
+    int k = 0;
+    while (ovr_shape_name(k) && strcmp(ovr_shape_name(k), shape) != 0)
+        k++;
+    if (!ovr_shape_name(k))
+        return false;
+    ovr_shape_takes(k, text, sizeof text);
+    printf("[feature NAME]\nshape = %s\n", shape);
+    put_wrapped(text);
+    putchar('\n');
+    for (size_t i = 0; i < ovr_parameter_count(); i++) {
+        ovr_parameter_info p = ovr_parameter_at(i);
+        const char *at = strncmp(p.when, "shape = ", 8) ? NULL
+                                                        : strstr(p.when, shape);
+        if (strcmp(p.section, "feature") != 0 || !at ||
+            (at[strlen(shape)] && !strchr(", ", at[strlen(shape)])) ||
+            at[-1] != ' ')
+            continue;
+        printf("  %s\n", p.key);
+        put_wrapped(p.help);
+    }
+    return true;
 }
 
 static bool help_key(const char *key)
@@ -153,12 +205,15 @@ static void put_roff(const char *text)
 
 static void roff_parameter(const ovr_parameter_info *p)
 {
-    char text[200];
+    char text[300];
     printf(".TP\n.B ");
     put_roff(p->key);
     putchar('\n');
     put_roff(p->help);
     puts(".");
+    describe_widths(p, text, sizeof text);
+    if (*text)
+        printf("%s.\n", text);
     if (!isnan(p->least)) {
         describe_range(p, text, sizeof text);
         printf("A ");
@@ -279,27 +334,6 @@ static int bash_keys(void)
 
 /* ------------------------------------------------------------------ topics */
 
-static int help_units(void)
-{
-    puts(
-        "Numbers are written with a point; a unit follows its number:\n"
-        "    viscosity = 40 mPa.s    alpha = 22 1/GPa    depth = 1.2 um\n\n"
-        "A length, height or time without a unit is in the contact's own "
-        "units:\n"
-        "    lengths along x in b, heights and films in b^2/R, times in b/um,\n"
-        "    b = sqrt(8 w R/(pi E')) the half width of the dry contact, um the "
-        "mean speed.\n"
-        "With a unit it is physical and needs a physical contact, or, beside "
-        "M and L,\n"
-        "radius and modulus (and viscosity or speeds for times).  Load, "
-        "radius, modulus,\n"
-        "viscosity, alpha, speeds and pressures always carry their unit.\n\n"
-        "Lengths m, mm, um, nm; pressures Pa, kPa, MPa, GPa, N/mm2; 1/Pa, "
-        "1/MPa,\n1/GPa, mm2/N; slide_to_roll bare or in %;\n"
-        "Pa.s, mPa.s, cP; N/m, kN/m, N/mm; m/s, mm/s; s, ms, us.");
-    return CLI_DONE;
-}
-
 static int no_topic(const cli_call *call, const char *topic)
 {
     const char *names[TOPICS], *meant;
@@ -308,6 +342,8 @@ static int no_topic(const cli_call *call, const char *topic)
         names[n++] = (*verb)->name;
     for (size_t k = 0; ovr_section_name(k); k++)
         names[n++] = ovr_section_name(k);
+    for (size_t k = 0; cli_topic_name(k); k++)
+        names[n++] = cli_topic_name(k);
     for (size_t k = 0; k < ovr_parameter_count() && n < TOPICS; k++)
         names[n++] = ovr_parameter_at(k).key;
     meant = ovr_suggest(topic, names, n);
@@ -331,10 +367,11 @@ static int run(cli_call *call)
     if (verb)
         cli_print_help(verb, stdout);
     else if (!strcmp(topic, "units"))
-        return help_units();
+        cli_help_units();
     else if (!strcmp(topic, "pairs"))
         return cli_help_pairs();
-    else if (!help_section(topic) && !help_key(topic))
+    else if (!help_section(topic) && !cli_help_topic(topic) &&
+             !help_shape(topic) && !help_key(topic))
         return no_topic(call, topic);
     return CLI_DONE;
 }

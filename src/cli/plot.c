@@ -213,6 +213,18 @@ static const char *name_of(const char *path, char *room, size_t size)
     return room;
 }
 
+/* Said of a result file they would be passed over. */
+static int refuse_study_options(const cli_call *call)
+{
+    static const char *const names[] = {"quantity", "against", "lines", "log"};
+    for (int k = 0; k < 4; k++)
+        if (cli_value(call, names[k]))
+            return cli_usage(call,
+                             "--%s is of studies: %s is the result of one run",
+                             names[k], call->argument[0]);
+    return CLI_DONE;
+}
+
 static int draw_study(const cli_call *call)
 {
     ovr_figure_options f;
@@ -247,6 +259,9 @@ static int run(cli_call *call)
         return cli_usage(call, "where to? -o PICTURE.png");
     if (is_study(call))
         return draw_study(call);
+    code = refuse_study_options(call);
+    if (code)
+        return code;
     o.overlay = cli_flag(call, "overlay");
     o.field = cli_value(call, "field");
     o.script = cli_value(call, "script");

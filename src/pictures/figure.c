@@ -14,6 +14,7 @@
 #include "base/plain.h"
 #include "base/sized.h"
 #include "base/text.h"
+#include "overroll/text.h"
 #include "pictures/picture.h"
 #include "pictures/snapshot.h"
 
@@ -164,15 +165,30 @@ static const char *list(const ovr_table *t, bool varied, char *text,
     return text;
 }
 
+/* The name that was meant, or NULL. */
+static const char *nearest(const ovr_table *t, bool varied, const char *name)
+{
+    const char *names[256];
+    const ovr_table_column *c;
+    size_t n = 0;
+    for (size_t k = 0; (c = ovr_table_at(t, k)) && n < 256; k++)
+        if (c->varied == varied)
+            names[n++] = c->name;
+    return ovr_suggest(name, names, n);
+}
+
 static ovr_status no_column(const figure *f, const char *name, bool varied,
                             ovr_error *err)
 {
-    char there[700];
+    char there[700], hint[100] = "";
+    const char *meant = nearest(f->t, varied, name);
     if (!varied && !*list(f->t, false, there, sizeof there))
         return ovr_fail(err, OVR_BAD_INPUT,
                         "no case has finished yet: 'overroll sweep' runs them");
-    return ovr_fail(err, OVR_BAD_INPUT, "no %s '%.60s'; there are %s",
-                    varied ? "key of the study" : "quantity", name,
+    if (meant)
+        snprintf(hint, sizeof hint, " did you mean '%.60s'?", meant);
+    return ovr_fail(err, OVR_BAD_INPUT, "no %s '%.60s';%s there are %s",
+                    varied ? "key of the study" : "quantity", name, hint,
                     list(f->t, varied, there, sizeof there));
 }
 

@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "overroll/text.h"
 #include "pictures/axis.h"
 #include "pictures/picture.h"
 
@@ -264,12 +265,22 @@ static ovr_status add_meniscus(const ovr_drawing *s, const map *m,
     return line->y ? OVR_OK : OVR_IO;
 }
 
-static bool known_field(const ovr_stored *run, const char *name)
+static ovr_status check_field(const ovr_stored *run, const char *name,
+                              ovr_error *err)
 {
-    for (size_t k = 0; k < ovr_result_fields(run->result); k++)
-        if (strcmp(ovr_result_field(run->result, k)->name, name) == 0)
-            return true;
-    return false;
+    const char *names[64], *meant;
+    char hint[100] = "";
+    size_t n = 0;
+    for (; n < 64 && n < ovr_result_fields(run->result); n++) {
+        names[n] = ovr_result_field(run->result, n)->name;
+        if (strcmp(names[n], name) == 0)
+            return OVR_OK;
+    }
+    meant = ovr_suggest(name, names, n);
+    if (meant)
+        snprintf(hint, sizeof hint, "; did you mean '%.60s'?", meant);
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "no map of '%s': the file has no such field%s", name, hint);
 }
 
 ovr_status ovr_draw_map(const ovr_drawing *drawing, ovr_chart *chart,
@@ -286,10 +297,8 @@ ovr_status ovr_draw_map(const ovr_drawing *drawing, ovr_chart *chart,
     if (status == OVR_OK && run->info->snapshots < 2)
         status = ovr_fail(err, OVR_BAD_INPUT,
                           "a map needs two snapshots at least");
-    if (status == OVR_OK && !known_field(run, m.field))
-        status = ovr_fail(err, OVR_BAD_INPUT,
-                          "no map of '%s': the file has no such field",
-                          m.field);
+    if (status == OVR_OK)
+        status = check_field(run, m.field, err);
     m.x_from = e.x_from;
     m.x_to = e.x_to;
     m.T_from = isnan(o->T_from) ? run->times[0] : o->T_from;

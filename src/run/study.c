@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/entries.h"
+#include "case/parameters.h"
 #include "overroll/text.h"
 
 enum { LINE_MOST = 65534, STUDY_MOST = 1 << 22 };
@@ -44,6 +45,11 @@ static ovr_status open_section(reading *r, const char *header)
                 &r->s->arena, header + strspn(header, " \t"), r->err);
             return r->zip_name ? OVR_OK : OVR_NO_MEMORY;
         }
+    if (ovr_section_find(name))
+        return fail(r,
+                    "[%s] belongs in a case: this is one, not a study; "
+                    "'overroll run' runs it",
+                    name);
     meant = ovr_suggest(name, names, 4);
     if (meant) {
         ovr_fail_at(r->err, OVR_BAD_INPUT, r->s->path, r->line,
@@ -158,9 +164,10 @@ static ovr_status check_zips(ovr_study *s, ovr_error *err)
         const ovr_study_key *a = &s->key[i - 1], *b = &s->key[i];
         if (b->zip && a->zip == b->zip && a->count != b->count)
             return ovr_fail_at(err, OVR_BAD_INPUT, s->path, b->line,
-                               "%s has %zu values, %s before it %zu: those of "
+                               "%s has %zu value%s, %s before it %zu: those of "
                                "a [zip] go together",
-                               b->where, b->count, a->where, a->count);
+                               b->where, b->count, b->count == 1 ? "" : "s",
+                               a->where, a->count);
     }
     return OVR_OK;
 }

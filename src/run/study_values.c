@@ -163,7 +163,15 @@ static bool is_count(const char *text, range *r)
 ovr_status ovr_study_values(const char *text, ovr_arena *arena, char ***values,
                             size_t *count, ovr_error *err)
 {
+    char from[80], to[80];
+    size_t n;
     range r;
+    if (split_range(text, from, to, sizeof from, &n) &&
+        strncmp(text, "linear ", 7) != 0 && strncmp(text, "log ", 4) != 0)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "'%.80s' is a range: it must begin with linear or log; "
+                        "did you mean 'linear %.80s'?",
+                        text, text);
     if (is_count(text, &r))
         return fill_range(&r, arena, values, count, err);
     if (strncmp(text, "linear ", 7) != 0 && strncmp(text, "log ", 4) != 0)

@@ -60,6 +60,9 @@ ovr_status ovr_feature_place(ovr_feature *feature, const ovr_feature_form *form,
 void ovr_ball_sizes(ovr_feature *f, double rim_diameter, double rim_height);
 double ovr_ball_height(const ovr_feature *f, double s);
 
+/* Whether a shape may have a size, by its name. */
+bool ovr_shape_has(int shape, const char *size);
+
 /* Full width where half its depth or height is left; NAN without a width. */
 double ovr_shape_diameter(const ovr_feature *feature);
 

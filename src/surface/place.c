@@ -2,6 +2,7 @@
 /* Where a feature is at T = 0. */
 #include <math.h>
 
+#include "base/text.h"
 #include "surface/feature.h"
 
 /* Where the centre is at T = 0 when the feature's reference point (start), its
@@ -27,9 +28,10 @@ static ovr_status start_outside(ovr_feature *f, const ovr_feature_form *form,
     if (isnan(inlet) || isnan(outlet))
         return ovr_fail_about(
             err, about,
-            "feature '%s': a %s needs its place at T = 0: start, "
+            "feature '%s': %s %s needs its place at T = 0: start, "
             "centre or edge, or its arrival at X = 0",
-            f->name, ovr_shape_name((int)f->shape));
+            f->name, ovr_article(ovr_shape_name((int)f->shape)),
+            ovr_shape_name((int)f->shape));
     if (f->ratio == 0)
         return ovr_fail_about(
             err, about,
@@ -69,10 +71,11 @@ ovr_status ovr_feature_place(ovr_feature *f, const ovr_feature_form *form,
                               f->name);
     if (ovr_is_endless(f)) {
         if (given)
-            return ovr_fail_about(err, place_of(form),
-                                  "feature '%s': a %s is endless; its place is "
-                                  "given by origin",
-                                  f->name, shape);
+            return ovr_fail_about(
+                err, place_of(form),
+                "feature '%s': %s %s is endless; its place is "
+                "given by origin",
+                f->name, ovr_article(shape), shape);
         f->start = isnan(form->origin) ? 0 : form->origin;
     } else if (!given || form->start == -INFINITY) {
         return start_outside(f, form, inlet, outlet, err);

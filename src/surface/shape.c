@@ -13,6 +13,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/text.h"
+
 static const double TWO_PI = 6.283185307179586476925;
 static const double TEN_LN_10 = 23.02585092994045684018; /* 10^(-10 v^2) */
 static const double VANISHED = 1.35;                 /* 10^(-10 v^2) < 1e-18 */
@@ -89,57 +91,28 @@ static double tabulated(const ovr_feature *f, double s)
 
 /* ------------------------------------------------------------ the table */
 
-/* Sizes a shape may be given, as a set. */
-enum {
-    DEPTH = 1 << 0,
-    HEIGHT = 1 << 1,
-    AMPLITUDE = 1 << 2,
-    WIDTH = 1 << 3,
-    WAVELENGTH = 1 << 4,
-    WAVELENGTH_END = 1 << 5,
-    LENGTH = 1 << 6,
-    SHOULDER = 1 << 7,
-    SHOULDER_AT = 1 << 8,
-    SHOULDER_WIDTH = 1 << 9,
-    FLANK = 1 << 10,
-    RADIUS = 1 << 11,
-    DIAMETER = 1 << 12,
-    HALF_WIDTH = 1 << 13,
-    RIM_DIAMETER = 1 << 14,
-    RIM_HEIGHT = 1 << 15,
-    WIDTHS = WIDTH | DIAMETER | HALF_WIDTH | RIM_DIAMETER,
-    RIM = RIM_DIAMETER | RIM_HEIGHT
-};
+/* Sizes a shape may be given, by number and as a set. */
+#define NUMBER(name, help) SIZE_##name,
+enum { OVR_FEATURE_SIZES(NUMBER, NUMBER) SIZES };
+#define SET(name) (1U << SIZE_##name)
 
 static const struct size {
     const char *name;
-    unsigned bit;
     size_t offset;
     bool zero; /* may be zero */
 } sizes[] = {
-#define SIZE(field, bit, zero)                                                 \
-    {                                                                          \
-#field, bit, offsetof(ovr_feature_form, field), zero                   \
-    }
-    SIZE(depth, DEPTH, true),
-    SIZE(height, HEIGHT, true),
-    SIZE(amplitude, AMPLITUDE, true),
-    SIZE(width, WIDTH, false),
-    SIZE(wavelength, WAVELENGTH, false),
-    SIZE(wavelength_end, WAVELENGTH_END, false),
-    SIZE(length, LENGTH, false),
-    SIZE(shoulder, SHOULDER, true),
-    SIZE(shoulder_at, SHOULDER_AT, false),
-    SIZE(shoulder_width, SHOULDER_WIDTH, false),
-    SIZE(flank, FLANK, false),
-    SIZE(radius, RADIUS, false),
-    SIZE(diameter, DIAMETER, false),
-    SIZE(half_width, HALF_WIDTH, false),
-    SIZE(rim_diameter, RIM_DIAMETER, false),
-    SIZE(rim_height, RIM_HEIGHT, false),
-#undef SIZE
+#define ROW(field, zero) {#field, offsetof(ovr_feature_form, field), zero},
+#define HEIGHT(field, help) ROW(field, true)
+#define LENGTH(field, help) ROW(field, false)
+    OVR_FEATURE_SIZES(HEIGHT, LENGTH)};
+
+enum {
+    HEIGHTS = SET(depth) | SET(height),
+    WIDTHS = SET(width) | SET(width_half) | SET(diameter) | SET(half_width) |
+             SET(rim_diameter),
+    RIM = SET(rim_diameter) | SET(rim_height),
+    EDGES = SET(flank) | SET(radius)
 };
-enum { SIZES = sizeof sizes / sizeof sizes[0] };
 
 /* Full width at half depth over the width in the formula: of 10^(-10 v^2)
  * cos(2 pi v), and 2 sqrt(log10(2)/10). */
@@ -154,23 +127,55 @@ static const struct rule {
     double half;      /* full width at half depth over the width */
     const char *made; /* by this, which is no size; NULL */
 } rules[OVR_SHAPES] = {
-    [OVR_DENT] = {"dent", dent, DEPTH, WIDTH, 0, DENT_HALF, NULL},
-    [OVR_BUMP] = {"bump", dent, HEIGHT, WIDTH, 0, DENT_HALF, NULL},
-    [OVR_INDENT] = {"indent", indent, DEPTH, WIDTH,
-                    SHOULDER | SHOULDER_AT | SHOULDER_WIDTH, BELL_HALF, NULL},
-    [OVR_RIDGE] = {"ridge", ridge, HEIGHT | DEPTH, WIDTH, 0, BELL_HALF, NULL},
-    [OVR_STEP] = {"step", step, HEIGHT | DEPTH, 0, LENGTH | FLANK | RADIUS, NAN,
-                  NULL},
-    [OVR_GROOVE] = {"groove", groove, DEPTH | HEIGHT, WIDTH, FLANK | RADIUS, 1,
-                    NULL},
-    [OVR_WAVE] = {"wave", wave, AMPLITUDE, WAVELENGTH, 0, NAN, NULL},
-    [OVR_CHIRP] = {"chirp", chirp, AMPLITUDE,
-                   WAVELENGTH | WAVELENGTH_END | LENGTH, FLANK, NAN, NULL},
-    [OVR_TEXTURE] = {"texture", texture, DEPTH | HEIGHT, WIDTH | WAVELENGTH, 0,
-                     0.5, NULL},
+    [OVR_DENT] = {"dent", dent, SET(depth), SET(width), 0, DENT_HALF, NULL},
+    [OVR_BUMP] = {"bump", dent, SET(height), SET(width), 0, DENT_HALF, NULL},
+    [OVR_INDENT] = {"indent", indent, SET(depth), SET(width),
+                    SET(shoulder) | SET(shoulder_at) | SET(shoulder_width),
+                    BELL_HALF, NULL},
+    [OVR_RIDGE] = {"ridge", ridge, HEIGHTS, SET(width), 0, BELL_HALF, NULL},
+    [OVR_STEP] = {"step", step, HEIGHTS, 0, SET(length) | EDGES, NAN, NULL},
+    [OVR_GROOVE] = {"groove", groove, HEIGHTS, SET(width), EDGES, 1, NULL},
+    [OVR_WAVE] = {"wave", wave, SET(amplitude), SET(wavelength), 0, NAN, NULL},
+    [OVR_CHIRP] = {"chirp", chirp, SET(amplitude),
+                   SET(wavelength) | SET(wavelength_end) | SET(length),
+                   SET(flank), NAN, NULL},
+    [OVR_TEXTURE] = {"texture", texture, HEIGHTS, SET(width) | SET(wavelength),
+                     0, 0.5, NULL},
     [OVR_PROFILE] = {"profile", tabulated, 0, 0, 0, NAN, "file"},
-    [OVR_ROUGHNESS] = {"roughness", tabulated, 0, 0, 0, NAN, "Rq"},
+    [OVR_ROUGHNESS] = {"roughness", tabulated, 0, 0, 0, NAN, "Rq, length"},
 };
+
+/* With a rim an indent has no width or shoulders of its own. */
+static unsigned allowed_sizes(int shape, bool rim)
+{
+    const struct rule *rule = &rules[shape];
+    unsigned allowed = rule->tall | rule->needed | rule->allowed;
+    if (rim)
+        allowed = SET(depth) | RIM;
+    else if (shape == OVR_INDENT)
+        allowed |= SET(rim_diameter);
+    if (allowed & SET(width))
+        allowed |= WIDTHS & ~(unsigned)RIM;
+    return allowed;
+}
+
+bool ovr_shape_has(int shape, const char *size)
+{
+    unsigned allowed = allowed_sizes(shape, false);
+    if (shape == OVR_INDENT)
+        allowed |= RIM;
+    if (shape == OVR_ROUGHNESS)
+        allowed |= SET(length);
+    for (int k = 0; k < SIZES; k++)
+        if (!strcmp(sizes[k].name, size))
+            return allowed >> k & 1;
+    return false;
+}
+
+double ovr_shape_width_half(int shape)
+{
+    return ovr_shape_name(shape) ? rules[shape].half : NAN;
+}
 
 const char *ovr_shape_name(int shape)
 {
@@ -192,9 +197,10 @@ static ovr_status check_size(const ovr_feature_form *form,
 {
     double value = size_of(form, size);
     const char *shape = rules[form->shape].name;
-    if (!(size->bit & allowed))
-        return ovr_fail_about(err, size->name, "feature '%s': a %s has no %s",
-                              form->name, shape, size->name);
+    if (!(allowed >> (size - sizes) & 1))
+        return ovr_fail_about(err, size->name, "feature '%s': %s %s has no %s",
+                              form->name, ovr_article(shape), shape,
+                              size->name);
     if (isfinite(value) && (value > 0 || (size->zero && value == 0)))
         return OVR_OK;
     return ovr_fail_about(err, size->name, "feature '%s': %s = %g must be %s",
@@ -209,7 +215,7 @@ static const char *names_of(unsigned set, const char *between, char *text,
     size_t used = 0;
     text[0] = 0;
     for (int k = 0; k < SIZES; k++)
-        if (set & sizes[k].bit && used < room) {
+        if (set >> k & 1 && used < room) {
             int more = snprintf(text + used, room - used, "%s%s",
                                 used ? between : "", sizes[k].name);
             used += more > 0 ? (size_t)more : room;
@@ -233,9 +239,10 @@ static void join(char *text, size_t room, const char *const *part, size_t parts)
 int ovr_shape_takes(int shape, char *text, size_t room)
 {
     const struct rule *rule = &rules[shape];
-    unsigned allowed = rule->allowed, edge = FLANK | RADIUS;
+    unsigned allowed = rule->allowed, edge = EDGES;
     unsigned ways = WIDTHS &
-                    ~(unsigned)(shape == OVR_INDENT ? WIDTH : WIDTH | RIM);
+                    ~(unsigned)(shape == OVR_INDENT ? SET(width)
+                                                    : SET(width) | RIM);
     char tall[40], sizes_of[80], flank[40], needed[160], may[160];
     names_of(rule->tall, " or ", tall, sizeof tall);
     names_of(rule->needed, ", ", sizes_of, sizeof sizes_of);
@@ -246,7 +253,7 @@ int ovr_shape_takes(int shape, char *text, size_t room)
     join(may, sizeof may, (const char *[]){sizes_of, flank}, 2);
     int used = snprintf(text, room, "needs %s%s%s", needed,
                         *may ? "; may have " : "", may);
-    if (!(rule->needed & WIDTH))
+    if (!(rule->needed & SET(width)))
         return used;
     size_t left = (size_t)used < room ? room - (size_t)used : 0;
     return used + snprintf(left ? text + used : NULL, left,
@@ -259,23 +266,23 @@ int ovr_shape_takes(int shape, char *text, size_t room)
 static const char *first_of(unsigned set)
 {
     size_t k = 0;
-    while (!(set & sizes[k].bit))
+    while (!(set >> k & 1))
         k++;
     return sizes[k].name;
 }
 
-/* The width may be given in three ways, one at a time. */
+/* One of the ways to give the width. */
 static ovr_status check_width(const ovr_feature_form *form, unsigned given,
                               ovr_error *err)
 {
     unsigned ways = given & WIDTHS;
+    char text[160];
     if (!(ways & (ways - 1)))
         return OVR_OK;
-    return ovr_fail_about(err, first_of(ways & ~(unsigned)WIDTH),
-                          "feature '%s': give one of width, diameter, "
-                          "half_width and (of an indent) rim_diameter, not "
-                          "several",
-                          form->name);
+    return ovr_fail_about(err, first_of(ways & ~SET(width)),
+                          "feature '%s': give one of %s, not several",
+                          form->name,
+                          names_of(ways, " or ", text, sizeof text));
 }
 
 static ovr_status check_complete(const ovr_feature_form *form, unsigned given,
@@ -290,10 +297,10 @@ static ovr_status check_complete(const ovr_feature_form *form, unsigned given,
         missing &= ~(missing - 1); /* one at a time */
     if (missing)
         return ovr_fail_about(err, first_of(missing),
-                              "feature '%s': a %s needs its %s", form->name,
-                              rule->name,
+                              "feature '%s': %s %s needs its %s", form->name,
+                              ovr_article(rule->name), rule->name,
                               names_of(missing, " or ", text, sizeof text));
-    if (tall & (tall - 1) || (given & (FLANK | RADIUS)) == (FLANK | RADIUS))
+    if (tall & (tall - 1) || (given & EDGES) == EDGES)
         return ovr_fail_about(
             err, tall & (tall - 1) ? "height" : "radius",
             "feature '%s': give either %s, not both", form->name,
@@ -315,25 +322,19 @@ static ovr_status check_rim(const ovr_feature_form *form, ovr_error *err)
 
 static ovr_status check_form(const ovr_feature_form *form, ovr_error *err)
 {
-    const struct rule *rule = &rules[form->shape];
-    unsigned allowed = rule->tall | rule->needed | rule->allowed, given = 0;
+    bool rim = form->shape == OVR_INDENT && !isnan(form->rim_diameter);
+    unsigned allowed = allowed_sizes((int)form->shape, rim), given = 0;
     ovr_status status = OVR_OK;
-    if (form->shape == OVR_INDENT && !isnan(form->rim_diameter))
-        allowed = DEPTH | RIM; /* its shoulders follow */
-    else if (form->shape == OVR_INDENT)
-        allowed |= RIM_DIAMETER;
-    if (allowed & WIDTH)
-        allowed |= WIDTHS & ~(unsigned)RIM;
     for (int k = 0; k < SIZES; k++)
         if (!isnan(size_of(form, &sizes[k]))) {
             status = check_size(form, &sizes[k], allowed, err);
             if (status)
                 return status;
-            given |= sizes[k].bit;
+            given |= 1U << k;
         }
     status = check_width(form, given, err);
     if (given & WIDTHS)
-        given |= WIDTH;
+        given |= SET(width);
     if (!status)
         status = check_rim(form, err);
     return status ? status : check_complete(form, given, err);
@@ -371,7 +372,8 @@ static void take_sizes(ovr_feature *f, const ovr_feature_form *form)
 {
     f->A = or_else(form->amplitude, or_else(form->height, -form->depth));
     f->width = or_else(form->width,
-                       or_else(form->diameter, 2 * form->half_width) /
+                       or_else(or_else(form->width_half, form->diameter),
+                               2 * form->half_width) /
                            rules[form->shape].half);
     f->wavelength = form->wavelength;
     f->wavelength_end = form->wavelength_end;

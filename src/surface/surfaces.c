@@ -9,6 +9,7 @@
  * and on both sides when it stands still.
  */
 #include "base/sized.h"
+#include "base/text.h"
 #include "surface/feature.h"
 
 #include <math.h>
@@ -42,23 +43,10 @@ void ovr_feature_form_fill(ovr_feature_form *options)
                                        .edge = NAN,
                                        .arrival = NAN,
                                        .origin = NAN,
-                                       .depth = NAN,
-                                       .height = NAN,
-                                       .amplitude = NAN,
-                                       .width = NAN,
-                                       .diameter = NAN,
-                                       .half_width = NAN,
-                                       .rim_diameter = NAN,
-                                       .rim_height = NAN,
-                                       .wavelength = NAN,
-                                       .wavelength_end = NAN,
-                                       .length = NAN,
-                                       .shoulder = NAN,
-                                       .shoulder_at = NAN,
-                                       .shoulder_width = NAN,
-                                       .flank = NAN,
-                                       .radius = NAN,
-                                       .grow = NAN,
+#define NOT_GIVEN(name, help) .name = NAN,
+                                       OVR_FEATURE_SIZES(NOT_GIVEN, NOT_GIVEN)
+#undef NOT_GIVEN
+                                           .grow = NAN,
                                        .grow_from = 0,
                                        .repeat = NAN,
                                        .copies = 0};
@@ -152,8 +140,9 @@ static ovr_status check_repeat(const ovr_feature *f, ovr_error *err)
         return OVR_OK;
     if (!isfinite(size))
         return ovr_fail_about(
-            err, "repeat", "feature '%s': a %s is endless, it needs no repeat",
-            f->name, ovr_shape_name((int)f->shape));
+            err, "repeat", "feature '%s': %s %s is endless, it needs no repeat",
+            f->name, ovr_article(ovr_shape_name((int)f->shape)),
+            ovr_shape_name((int)f->shape));
     if (!isfinite(f->repeat) || !(f->repeat > size / 100))
         return ovr_fail_about(
             err, "repeat",

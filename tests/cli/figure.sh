@@ -35,6 +35,8 @@ feature.rough.seed = 1, 2, 3
 END
 refuses 'no case has finished yet' plot study.ini -o none.svg
 expect 0 "$OVERROLL" sweep study.ini -q
+refuses "no quantity 'H_mim'; did you mean 'H_min'" \
+    plot study.ini --quantity H_mim -o none.svg
 expect 0 "$OVERROLL" sweep study.ini --collect table.csv -q
 expect 0 "$OVERROLL" plot study.ini --quantity H_min -o study.svg \
     --script study.gp

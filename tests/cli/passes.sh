@@ -273,4 +273,4 @@ rm roller.h5
 refuses 'roller-1.h5: exists already' run roller.ini -o roller.h5
 sed '/number/d' roller.ini >none.ini
 expect 0 "$OVERROLL" check none.ini
-contains err 'none.ini:[0-9]*: loss has no effect with number = 1; it needs'
+contains err 'none.ini:[0-9]*: loss has no effect without number above 1'

@@ -246,11 +246,19 @@ static void diameters_are_at_half_depth(void **state)
         ovr_surfaces_free(s);
         if (k == 4)
             continue;
-        f.width = NAN, f.half_width = diameter / 2;
-        s = with(&c, NULL, &f);
-        assert_true(fabs(ovr_surfaces_info(s, 0).diameter / diameter - 1) <
-                    1e-14);
-        ovr_surfaces_free(s);
+        assert_true(
+            fabs(ovr_shape_width_half((int)shapes[k]) * 0.43 / diameter - 1) <
+            1e-14);
+        for (int way = 0; way < 3; way++) {
+            f.width = NAN;
+            f.half_width = way == 0 ? diameter / 2 : NAN;
+            f.diameter = way == 1 ? diameter : NAN;
+            f.width_half = way == 2 ? diameter : NAN;
+            s = with(&c, NULL, &f);
+            assert_true(fabs(ovr_surfaces_info(s, 0).diameter / diameter - 1) <
+                        1e-14);
+            ovr_surfaces_free(s);
+        }
     }
 }
 
