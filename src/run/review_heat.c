@@ -135,8 +135,8 @@ static void warn_of_lag(ovr_run *run)
         return;
     snprintf(text, sizeof text,
              "heat: in %ld of %ld steps temperatures are not those of the film "
-             "(they lag behind it, or energy does not close to a tenth of what "
-             "is made): what follows from these steps may be far off; take "
+             "(they lag behind it, or energy does not close to a tenth): what "
+             "follows from these steps may be far off; take "
              "shorter ones, [time] step, or a finer level",
              s->lagging, s->steps);
     ovr_run_message(run, OVR_SAY_WARNING, text);

@@ -288,17 +288,18 @@ static void unknown(ovr_observation *o)
 /* Largest rises, flows into the surfaces, defect of the balance. */
 static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
 {
-    const ovr_heated *h = own;
-    double stored, size;
+    ovr_heated *h = own;
+    double stored;
     o->energy_defect = 0;
     observe_temperatures(sim, o);
     o->heat_flow_1 = flow_into(sim, 0);
     o->heat_flow_2 = flow_into(sim, 1);
     stored = h->steps->dT > 0 ? h->steps->stored : ovr_heat_stored(sim);
-    size = fmax(h->made_size, fabs(o->heat_flow_1) + fabs(o->heat_flow_2));
-    if (size > 0)
+    h->balanced = fmax(h->made_size,
+                       fabs(o->heat_flow_1) + fabs(o->heat_flow_2));
+    if (h->balanced > 0)
         o->energy_defect =
-            (h->made - stored - o->heat_flow_1 - o->heat_flow_2) / size;
+            (h->made - stored - o->heat_flow_1 - o->heat_flow_2) / h->balanced;
 }
 
 /* The larger in magnitude; what is not a number counts last. */
@@ -428,6 +429,12 @@ static void attempt(ovr_simulation *sim, void *own, bool first)
     ovr_heat_try(sim, first);
 }
 
+static void anew(ovr_simulation *sim, void *own)
+{
+    (void)own;
+    ovr_heat_anew(sim);
+}
+
 static void taken(ovr_simulation *sim, void *own, double dT)
 {
     (void)own, (void)dT;
@@ -478,6 +485,7 @@ const ovr_physics ovr_physics_heat = {.name = "heat",
                                       .begin = begin,
                                       .step = step,
                                       .attempt = attempt,
+                                      .anew = anew,
                                       .taken = taken,
                                       .step_back = step_back,
                                       .flow = turned,

@@ -49,6 +49,7 @@ typedef struct ovr_heated {
     double V, u1;                  /* now */
     /* by ovr_heat_stress: power that is made, and of its size node by node */
     double made, made_size;
+    double balanced; /* power to which the observed defect is relative */
     struct ovr_heat_turns *turns; /* heat_turns.h */
     struct ovr_heat_steps *steps; /* heat_in_time.h */
     double Sigma0, limit;         /* as in across.h; limit over P */

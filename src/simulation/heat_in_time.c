@@ -16,7 +16,7 @@ static const double SHARE = 0.5;
 static const double PRESSED = 0.1;
 
 /* At most, of a step's temperatures. */
-enum { PASSES = 6 };
+enum { PASSES = 7 };
 
 enum { FIELDS = OVR_HEAT_KEPT - OVR_MOST_ACROSS };
 
@@ -106,6 +106,7 @@ void ovr_heat_begin(ovr_simulation *sim)
     ovr_heat_steps *s = sim->heated->steps;
     s->trying = false;
     s->dT = s->stored = 0;
+    s->most_balanced = sim->heated->balanced;
     memset(s->P_T, 0, sim->now.n * sizeof *s->P_T);
     keep(sim);
 }
@@ -234,22 +235,6 @@ static void pass(ovr_simulation *sim)
     solve_nodes(sim);
 }
 
-/* Moves `used` half the way to where T is `near`, so that both change smoothly
- * from step to step, where the film is pressed. */
-static void approach(ovr_simulation *sim, double near)
-{
-    const double most = 0.5, least = 10; /* as when relaxed */
-    ovr_heated *h = sim->heated;
-    for (int j = 0; j < h->across.n; j++)
-        for (size_t i = 0; i < sim->now.n; i++) {
-            double *used = &h->used[j][i], d = h->T[j][i] - *used;
-            double way = SHARE * fmax(0, fabs(d) - near / h->film.fall[i]);
-            double limit = most * fabs(*used) + least;
-            if (sim->now.P[i] > PRESSED)
-                *used += copysign(fmin(way, limit), d);
-        }
-}
-
 /* By how much ln of what is made changes by T instead of `used`, at most. */
 static double lag(const ovr_simulation *sim)
 {
@@ -263,21 +248,23 @@ static double lag(const ovr_simulation *sim)
     return most;
 }
 
-/* Temperatures of the step; passes until `used` is near to what came out. */
-static void solve(ovr_simulation *sim, int passes)
+/* Temperatures of the step, by the film as it is. */
+static void solve(ovr_simulation *sim)
 {
-    const double enough = 0.2, near = 0.1;
     ovr_heat_steps *s = sim->heated->steps;
+    hold_film(sim);
     find_P_T(sim);
-    swap_trial(sim->heated);
     pass(sim);
     s->lag = lag(sim);
-    for (int k = 1; k < passes && s->lag > enough; k++) {
-        approach(sim, near);
-        pass(sim);
-        s->lag = lag(sim);
-    }
     s->stored = ovr_heat_stored(sim);
+}
+
+/* The film by the temperatures `used`. */
+static void apply(ovr_simulation *sim)
+{
+    ovr_heat_apply(sim);
+    ovr_level_properties(&sim->grids, sim->finest);
+    ovr_level_residual(&sim->grids, sim->finest);
 }
 
 void ovr_heat_try(ovr_simulation *sim, bool first)
@@ -285,13 +272,27 @@ void ovr_heat_try(ovr_simulation *sim, bool first)
     withdraw(sim);
     ovr_simulation_read(sim);
     hold_guess(sim);
-    hold_film(sim);
-    solve(sim, first ? PASSES : 1);
+    swap_trial(sim->heated);
+    solve(sim);
+    sim->heated->steps->passes = first ? PASSES : 1;
     if (first)
         ovr_heat_relax(sim, SHARE);
-    ovr_heat_apply(sim);
-    ovr_level_properties(&sim->grids, sim->finest);
-    ovr_level_residual(&sim->grids, sim->finest);
+    apply(sim);
+}
+
+void ovr_heat_anew(ovr_simulation *sim)
+{
+    const double enough = 0.15;
+    ovr_heat_steps *s = sim->heated->steps;
+    if (s->passes <= 1 || s->lag <= enough)
+        return;
+    s->passes--;
+    ovr_simulation_read(sim);
+    solve(sim);
+    if (s->lag <= enough)
+        return;
+    ovr_heat_relax(sim, SHARE);
+    apply(sim);
 }
 
 /* -------------------------------------------------------------------- marks */
@@ -300,19 +301,22 @@ void ovr_heat_try(ovr_simulation *sim, bool first)
  * heated late and by another pressure. */
 static bool load_jumped(const ovr_simulation *sim, double T)
 {
-    const double while_after = 0.25, steps = 5, much = 0.05;
+    const double while_after = 0.25, steps = 5, much = 0.01;
     double since = T - fmax(while_after, steps * sim->past.dT);
     double before = ovr_history_value(sim->load, fmax(since, 0));
     double now = ovr_history_value(sim->load, T);
     return fabs(now - before) > much * fmax(now, before);
 }
 
-bool ovr_heat_lags(const ovr_simulation *sim)
+bool ovr_heat_lags(ovr_simulation *sim)
 {
-    const double far = 0.5, open = 0.1;
+    const double far = 1, open = 0.1;
     const ovr_observation *o = &sim->observation;
-    return sim->heated->steps->lag > far ||
-           (fabs(o->energy_defect) > open && !load_jumped(sim, o->T));
+    ovr_heat_steps *s = sim->heated->steps;
+    double left = fabs(o->energy_defect) * sim->heated->balanced;
+    s->most_balanced = fmax(s->most_balanced, sim->heated->balanced);
+    return s->lag > far ||
+           (left > open * s->most_balanced && !load_jumped(sim, o->T));
 }
 
 /* -------------------------------------------------------------------- saved */
@@ -332,6 +336,9 @@ ovr_status ovr_heat_visit(ovr_simulation *sim, ovr_visit *visit, void *context,
     ovr_heated *h = sim->heated;
     ovr_status status = visit(context, "heat_stored", &h->steps->stored,
                               sizeof h->steps->stored, err);
+    if (!status)
+        status = visit(context, "heat_most_balanced", &h->steps->most_balanced,
+                       sizeof h->steps->most_balanced, err);
     if (!status)
         status = visit_array(sim, "pressing", 1, h->steps->P_T, visit, context,
                              err);

@@ -29,17 +29,20 @@
  * T_used.  At the edge of a feature that moves a mesh a step oil may get 100 K
  * hotter at once; left colder by dT it is too viscous by e^(gamma dT), powers
  * of ten, does not let the pressure there go, and the next spike is higher.  So
- * where gamma |T - T_used| is above 0.2 under pressure, T_used goes half the
- * way to what is 0.1/gamma off, and flow and heat are solved anew, six times at
- * most: not by kelvins, of which a film of Eyring's law bears many more.  (The
- * film knows no instability of its own: speeds are given across it, not
- * stresses, and what is made falls as it gets hotter.)
+ * where gamma |T - T_used| is above 0.15 under pressure, T_used goes half the
+ * way and heat is solved anew with the film that a cycle makes of it, six times
+ * at most: not by kelvins, of which a film of Eyring's law bears many more.
+ * (The film knows no instability of its own: speeds are given across it, not
+ * stresses, and what is made falls as it gets hotter.)  With the film of the
+ * guess instead, whose pressures do not yet know the temperatures, the same
+ * passes drive rough films, and long steps, apart: 2,100 K for 410.  A film
+ * that is thinner than half of what was there, or none, heats as one of half.
  *
- * A step is marked where gamma |T - T_used| stays above 0.5, or energy does not
- * close to a tenth of what is made though the load did not jump just before.
+ * A step is marked where gamma |T - T_used| stays above 1, where what is made
+ * is off by a factor of e (0.5 to 1 in some steps left friction 0.6 % off), or
+ * where energy does not close to a tenth of the most that was made in the run,
+ * though the load did not jump just before.
  *
- * Solved anew in every cycle, film and heat may circle without end where the
- * film ends.
  *
  * A step that is tried again begins from the temperatures of the last time
  * reached and keeps the viscosities `used` then.  Fluxes, memories of the
@@ -63,10 +66,12 @@ typedef struct ovr_heat_steps {
     double *T_before[OVR_MOST_ACROSS], *q_before[2]; /* then: a step ago */
     double *kept[OVR_HEAT_KEPT]; /* of the last time reached */
     ovr_heat_surface surface[2];
-    double *F;     /* history term of Reynolds' equation */
-    double *P_T;   /* that the step was heated by */
-    double lag;    /* of the step's `used` behind its T */
-    double stored; /* power that the oil took up in the step */
+    double *F;            /* history term of Reynolds' equation */
+    double *P_T;          /* that the step was heated by */
+    double lag;           /* gamma |T - T_used|, at most */
+    int passes;           /* that this try may still make */
+    double most_balanced; /* of ovr_heated in this run */
+    double stored;        /* power that the oil took up in the step */
 } ovr_heat_steps;
 
 /* Memory for them, with the rates of the surfaces' memories. */
@@ -81,13 +86,15 @@ void ovr_heat_begin(ovr_simulation *sim);
 void ovr_heat_taken(ovr_simulation *sim);
 
 /* A step of dT from there, with its history term in place; a try of it, with
- * the guess in place: temperatures, and the film by them. */
+ * the guess in place: temperatures, and the film by them; the same after a
+ * cycle, where they lag. */
 void ovr_heat_step(ovr_simulation *sim, double dT);
 void ovr_heat_try(ovr_simulation *sim, bool first);
+void ovr_heat_anew(ovr_simulation *sim);
 
 /* The step that was observed last has temperatures that are not those of its
  * film. */
-bool ovr_heat_lags(const ovr_simulation *sim);
+bool ovr_heat_lags(ovr_simulation *sim);
 
 /* Back to the last time reached. */
 void ovr_heat_step_back(ovr_simulation *sim);

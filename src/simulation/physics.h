@@ -13,7 +13,7 @@
  *     creation    chosen, prepare, take, influence
  *     steady      forget, solve, complete, couple, proceed, finish, begin
  *     a step      check, before_step, operate, history, sides, step, attempt,
- *                 the ends of its cycles, taken; or step_back
+ *                 anew, the ends of its cycles, taken; or step_back
  *     observed    carried, flow, oil, mean_flow, stress, friction, observe,
  *                 marks
  *     checkpoint  visit, restored
@@ -147,6 +147,10 @@ struct ovr_physics {
 
     /* The guess that the cycles of an attempt begin from is in place. */
     void (*attempt)(ovr_simulation *sim, void *own, bool first);
+
+    /* After a cycle of it: solves itself with the film that this has made,
+     * where it has to, and makes film and residual anew. */
+    void (*anew)(ovr_simulation *sim, void *own);
 
     /* On a path of solutions (continuation.c): keeps what it has on the finest
      * level of the one that was found last; goes back to that, whose pressure

@@ -2,6 +2,7 @@
 #include "simulation/step_cycles.h"
 
 #include "multigrid/film_end.h"
+#include "simulation/physics.h"
 
 /*
  * A twentieth of the steady one: errors of many steps meet in one film.  The
@@ -50,6 +51,8 @@ bool ovr_step_cycles(ovr_simulation *sim, ovr_step_cycling how,
         c.sweeps_after = how.close && cycle < SHORT_CYCLES ? 0 : after;
         ovr_cycle(grids, sim->finest, c);
         settle_ends(grids, sim->finest);
+        OVR_EACH_PHYSICS(sim, p, anew)
+            p->is->anew(sim, p->own);
         outcome->cycles++;
     }
     ovr_simulation_read(sim);
