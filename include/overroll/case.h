@@ -22,6 +22,7 @@
 #include <stddef.h>
 
 #include "overroll/contact.h"
+#include "overroll/elements.h"
 #include "overroll/error.h"
 #include "overroll/memory.h"
 #include "overroll/simulation.h"
@@ -248,6 +249,26 @@ typedef struct ovr_setup {
                         it is known before anything is solved; by
                         ovr_setup_prepare */
 } ovr_setup;
+
+/* A moment of an element of a machine that check and people look at: A to E of
+ * a gear, nose, joints and turns of a cam, each roller that carries of a
+ * bearing. */
+typedef struct ovr_station {
+    char name[24];
+    double T;                  /* b/um from the beginning; NAN: of a bearing */
+    ovr_element_moment moment; /* t: from the beginning of the run */
+    double pressure;           /* Hertzian, Pa */
+    double half_width;         /* m */
+    double central, minimum;   /* film by the fit, m; NAN: beyond it */
+    double flash;              /* K, after Blok with OVR_STATION_FRICTION */
+} ovr_station;
+#define OVR_STATION_FRICTION 0.05
+enum { OVR_STATIONS_MOST = 64 };
+
+/* In the order of time (of rollers: from below the load on), at most
+ * OVR_STATIONS_MOST; returns how many there are: 0 without an element. */
+OVR_API size_t ovr_setup_stations(const ovr_setup *setup,
+                                  ovr_station station[OVR_STATIONS_MOST]);
 
 /* Fails with OVR_BAD_INPUT naming file, line and key; nothing of the size of
  * the grid is allocated. */

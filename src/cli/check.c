@@ -8,6 +8,7 @@
 #include "cli/case_args.h"
 #include "cli/physical.h"
 #include "cli/report.h"
+#include "cli/stations.h"
 
 /* Measured at level 8 on one core: time of a node in a cycle, and cycles of a
  * step. */
@@ -501,6 +502,7 @@ static void report_json(const ovr_case *c, const ovr_setup *setup,
     json_number(&json, "disk_bytes", cost->stored.bytes);
     json_number(&json, "memory_bytes", cost->bytes);
     json_number(&json, "estimated_seconds", cost->seconds);
+    cli_json_stations(&json, setup);
     json_open_array(&json, "warnings");
     ovr_setup_review(setup, hear_json, &json);
     json_close_array(&json);
@@ -519,6 +521,7 @@ static void report(const cli_call *call, const ovr_case *c,
     }
     put_contact(setup->contact);
     put_radius(setup);
+    cli_put_stations(setup);
     put_films(setup->contact);
     put_alpha(setup);
     put_fit(setup);

@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Stations of an element: each moment in its own Hertzian scaling, as a steady
+ * contact, with the film of the fit and Blok's flash temperature.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "case/resolve_element.h"
+#include "contact/curvature.h"
+
+typedef struct listing {
+    const ovr_resolved *r;
+    double begin; /* s, at which the run begins */
+    ovr_station *station;
+    size_t count;
+} listing;
+
+/* Thermal contact coefficient sqrt(k rho c). */
+static double coefficient(const ovr_thermal *body)
+{
+    return sqrt(body->conductivity * body->density * body->heat_capacity);
+}
+
+static void evaluate(const ovr_resolved *r, ovr_station *s)
+{
+    const ovr_contact *contact = &r->contact;
+    const ovr_conditions *given = &r->values.contact;
+    double Cw = s->moment.load / given->load;
+    double Cu = fabs(s->moment.u1 + s->moment.u2) /
+                (given->speed_1 + given->speed_2);
+    double c = given->radius / s->moment.R;
+    ovr_instant own = ovr_instant_of(contact, Cw, Cu, c);
+    double P = sqrt(Cw * c);
+    ovr_film_fit fit = {NAN, NAN};
+    if (r->lubricant.viscosity_law == OVR_ROELANDS)
+        fit = ovr_film_fitted(own.M, own.L, ovr_density(&r->lubricant, P));
+    s->pressure = P * contact->ph;
+    s->half_width = own.s * contact->b;
+    s->central = fit.central * Cw * contact->height;
+    s->minimum = fit.minimum * Cw * contact->height;
+    s->flash = ovr_flash_temperature(
+        &s->moment, s->half_width, OVR_STATION_FRICTION,
+        coefficient(&r->body[0].thermal), coefficient(&r->body[1].thermal));
+}
+
+static void add(listing *l, const char *name, ovr_element_moment moment)
+{
+    if (l->count == OVR_STATIONS_MOST)
+        return;
+    ovr_station *s = &l->station[l->count++];
+    *s = (ovr_station){.moment = moment, .T = NAN};
+    snprintf(s->name, sizeof s->name, "%s", name);
+    if (!l->r->element.bearing) {
+        s->moment.t -= l->begin;
+        s->T = s->moment.t / l->r->contact.time;
+    }
+    evaluate(l->r, s);
+}
+
+static void gear_stations(listing *l)
+{
+    const ovr_gear *gear = l->r->element.gear;
+    const ovr_gear_geometry *g = ovr_gear_of(gear);
+    const struct {
+        const char *name;
+        double way;
+    } points[] = {{"A", g->R1_A},
+                  {"B", g->R1_B},
+                  {"C", g->R1_C},
+                  {"D", g->R1_D},
+                  {"E", g->R1_E}};
+    l->begin = g->begin;
+    for (size_t k = 0; k < sizeof points / sizeof *points; k++) {
+        double t = ovr_gear_time(gear, points[k].way);
+        /* The way that runs may begin later and end earlier. */
+        bool whole = t >= g->begin && t <= g->end;
+        t = fmin(fmax(t, g->begin), g->end);
+        char name[24];
+        snprintf(name, sizeof name, "%s%s", whole ? "" : "nearest ",
+                 points[k].name);
+        add(l, name, ovr_gear_at(gear, t));
+    }
+}
+
+static void cam_stations(listing *l)
+{
+    const ovr_cam *cam = l->r->element.cam;
+    const ovr_cam_event *event = ovr_cam_of(cam);
+    double speed = l->r->values.element.cam.speed;
+    double angle[32] = {event->from, event->to, event->nose};
+    const char *name[32] = {"begin", "end", "nose"};
+    size_t n = 3;
+    for (size_t k = 0; k < event->turns; k++) {
+        name[n] = "turn";
+        angle[n++] = event->turn[k];
+    }
+    for (size_t k = 0; k < n; k++)
+        if (angle[k] >= event->from && angle[k] <= event->to)
+            add(l, name[k], ovr_cam_at(cam, (angle[k] - event->from) / speed));
+}
+
+static void bearing_stations(listing *l)
+{
+    const ovr_bearing *bearing = l->r->element.bearing;
+    int n = l->r->values.element.bearing.rollers;
+    for (int k = -(n - 1) / 2; k <= n / 2; k++) {
+        double Q = ovr_bearing_load(bearing, k);
+        char name[24];
+        snprintf(name, sizeof name, "roller %d", k);
+        if (Q > 0)
+            add(l, name, ovr_bearing_contact(bearing, Q));
+    }
+}
+
+static int by_time(const void *a, const void *b)
+{
+    double x = ((const ovr_station *)a)->T, y = ((const ovr_station *)b)->T;
+    return (x > y) - (x < y);
+}
+
+size_t ovr_setup_stations(const ovr_setup *setup,
+                          ovr_station station[OVR_STATIONS_MOST])
+{
+    const ovr_resolved *r = (const ovr_resolved *)setup;
+    listing l = {.r = r, .station = station};
+    if (!setup)
+        return 0;
+    if (r->element.gear)
+        gear_stations(&l);
+    if (r->element.cam)
+        cam_stations(&l);
+    if (r->element.bearing)
+        bearing_stations(&l);
+    else
+        qsort(station, l.count, sizeof *station, by_time);
+    return l.count;
+}
