@@ -306,7 +306,7 @@ static ovr_status wrong_unit(const char *text, const char *unit,
         return ovr_fail(err, OVR_BAD_INPUT,
                         "'%.60s' must be a number without a unit%s", text,
                         dimension == OVR_SHARE ? ", or in %" : "");
-    meant = put_hint(find_unit(unit) ? "" : unit, dimension, hint, sizeof hint);
+    meant = put_hint(unit, dimension, hint, sizeof hint);
     ovr_fail_about(err, "unit", "'%.60s': %s unit '%.30s';%s allowed: %s", text,
                    find_unit(unit) ? "wrong" : "unknown", unit, hint,
                    ovr_units_allowed(dimension));

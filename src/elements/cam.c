@@ -126,31 +126,39 @@ static double degrees(double angle)
     return angle * 180 / pi;
 }
 
-/* What a flat follower or a roller cannot follow at an angle. */
-static ovr_status check_shape(const ovr_cam *cam, double angle, ovr_error *err)
+/* How much room there is at an angle until the follower cannot follow: of a
+ * flat one the cam's radius of curvature; of a roller what its pitch curve's is
+ * above its own, where it is not hollow. */
+static double room_at(const ovr_cam *cam, double angle)
 {
     const ovr_cam_form *f = &cam->form;
     double lift[3];
     ovr_lift_at(f, cam->bending, angle, lift);
-    if (f->follower == OVR_FOLLOWER_FLAT) {
-        double rho = f->base_radius + lift[0] + lift[2];
-        if (rho > 0)
-            return OVR_OK;
+    if (f->follower == OVR_FOLLOWER_FLAT)
+        return f->base_radius + lift[0] + lift[2];
+    double rho = pitch_radius(f->base_radius + f->roller_radius + lift[0],
+                              lift);
+    return rho < 0 ? INFINITY : rho - f->roller_radius;
+}
+
+static ovr_status check_shape(const ovr_cam *cam, double angle, ovr_error *err)
+{
+    const ovr_cam_form *f = &cam->form;
+    double room = room_at(cam, angle);
+    if (room > 0)
+        return OVR_OK;
+    if (f->follower == OVR_FOLLOWER_FLAT)
         return ovr_fail_about(err, "base_radius",
                               "the cam is concave at %.3g deg: rho = %.3g mm; "
                               "a flat follower cannot follow: base_radius at "
                               "least %.4g mm",
-                              degrees(angle), 1e3 * rho,
-                              1e3 * (f->base_radius - rho) * 1.001);
-    }
-    double r = f->base_radius + f->roller_radius + lift[0];
-    double rho = pitch_radius(r, lift);
-    if (rho < 0 || rho > f->roller_radius)
-        return OVR_OK;
+                              degrees(angle), 1e3 * room,
+                              1e3 * (f->base_radius - room) * 1.001);
     return ovr_fail_about(err, "roller_radius",
                           "undercut at %.3g deg: the pitch curve's radius "
                           "%.3g mm is within the roller's %.3g mm",
-                          degrees(angle), 1e3 * rho, 1e3 * f->roller_radius);
+                          degrees(angle), 1e3 * (room + f->roller_radius),
+                          1e3 * f->roller_radius);
 }
 
 /* ------------------------------------------------------------- the event */
@@ -193,13 +201,16 @@ static void find_turns(ovr_cam *cam)
 static ovr_status check_event(ovr_cam *cam, ovr_error *err)
 {
     ovr_cam_event *e = &cam->event;
-    double gone[2] = {NAN, NAN}, highest = -1;
+    double gone[2] = {NAN, NAN}, highest = -1, tightest = e->from;
     e->least_force = INFINITY;
+    for (int k = 0; k <= LOOKS; k++)
+        if (room_at(cam, look(e, k)) < room_at(cam, tightest))
+            tightest = look(e, k);
+    ovr_status status = check_shape(cam, tightest, err);
+    if (status)
+        return status;
     for (int k = 0; k <= LOOKS; k++) {
         double lift[3], now, angle = look(e, k);
-        ovr_status status = check_shape(cam, angle, err);
-        if (status)
-            return status;
         ovr_lift_at(&cam->form, cam->bending, angle, lift);
         now = force(&cam->form, lift);
         e->least_force = fmin(e->least_force, now);

@@ -275,8 +275,13 @@ static const char *absolute(const char *folder, ovr_arena *arena)
 /* "roller" of a case "cases/roller.ini"; NULL where it has no file. */
 static const char *title_of(const char *name, ovr_arena *arena)
 {
-    const char *slash = strrchr(name, '/'), *dot = strrchr(name, '.');
-    char *title = ovr_arena_text(arena, slash ? slash + 1 : name, NULL);
+    const char *slash = name ? strrchr(name, '/') : NULL;
+    const char *dot = name ? strrchr(name, '.') : NULL;
+    char *title = ovr_arena_text(arena,
+                                 slash  ? slash + 1
+                                 : name ? name
+                                        : "",
+                                 NULL);
     if (!dot || (strcmp(dot, ".ini") != 0 && strcmp(dot, ".h5") != 0))
         return NULL;
     if (title)
