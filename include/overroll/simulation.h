@@ -74,9 +74,9 @@ typedef enum ovr_refine {
 /* Zero or NAN where noted means: the program chooses from M, L and level. */
 typedef struct ovr_options {
     size_t size;          /* of this struct, as its user knows it */
-    double inlet, outlet; /* X_a < 0 < X_b; NAN: automatic; inlet 0: -4, or
+    double inlet, outlet; /* X_a < 0 < X_b; NAN: automatic; 0: -4 and 1.5, or
                              farther out where that would cost more than 0.5 %
-                             of the central film; 0 and 1.5 */
+                             of the central film, or the film ends later */
     int level;            /* finest grid, n = 7 * 2^level + 1 nodes; 8 */
     int coarsest_level;   /* 0: automatic (3: 57 nodes); the paper's is 1 */
     ovr_scheme scheme;    /* OVR_CHARACTERISTIC, for steps of one mesh; for

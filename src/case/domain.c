@@ -5,6 +5,7 @@
 
 #include "contact/curvature.h"
 #include "contact/starvation.h"
+#include "contact/turning.h"
 #include "simulation/internal.h"
 
 /* At which a run is looked at beforehand. */
@@ -26,100 +27,303 @@ double ovr_setup_end(const ovr_setup *s)
     return end;
 }
 
-/* Conditions of the thickest film between T = 0 and the end, in units of b^2/R
- * at nominal load; load and speed from where a run begins (OVR_LEAST_START).
- * The half width then, over b; where the radius varies the largest. */
-static ovr_contact thickest(const ovr_setup *s, double *width)
-{
-    ovr_contact now = *s->contact, most = now;
-    double thick = 0, end = ovr_setup_end(s), widest = 0;
-    for (int k = 0; k <= LOOKS; k++) {
-        double T = end * k / LOOKS;
-        double w = fmax(ovr_history_value(s->load, T), OVR_LEAST_START);
-        double u = fmax(fabs(ovr_history_value(s->speed, T)), OVR_LEAST_START);
-        ovr_instant at = ovr_instant_of(s->contact, w, u,
-                                        1 / ovr_history_value(s->radius, T));
-        now.M = at.M;
-        now.L = at.L;
-        widest = fmax(widest, at.s);
-        if (ovr_film_central_moes(now.M, now.L) * w > thick) {
-            thick = ovr_film_central_moes(now.M, now.L) * w;
-            most = now;
-            *width = at.s;
-        }
-    }
-    if (ovr_history_varies(s->radius))
-        *width = widest;
-    return most;
-}
-
-/* Neither by the case nor by the file of a run that goes on. */
-static const double USUAL_OUTLET = 1.5;
-
-static bool outlet_given(const ovr_setup *s)
-{
-    return ovr_slot_of((const ovr_resolved *)s, "domain", "outlet")->given;
-}
-
-/* An automatic domain is that of the thickest film: b grows as sqrt(Cw R). */
-static void of_histories(ovr_setup *s)
-{
-    ovr_options *o = s->options, farthest = *o;
-    double width = 1;
-    ovr_contact most = thickest(s, &width);
-    ovr_options_domain(&most, &farthest);
-    if (isnan(o->inlet))
-        o->inlet = fmin(width * farthest.inlet, -2);
-    if (isnan(o->outlet))
-        o->outlet = fmax(width * farthest.outlet, USUAL_OUTLET);
-    if (!ovr_history_varies(s->radius))
-        return;
-    if (o->inlet == 0)
-        o->inlet = fmin(width * farthest.inlet, OVR_USUAL_INLET);
-    if (o->outlet == USUAL_OUTLET && !outlet_given(s))
-        o->outlet = fmax(width, 1) * USUAL_OUTLET;
-}
-
-void ovr_setup_domain(ovr_setup *s)
-{
-    const ovr_options *o = s->options;
-    bool chosen = isnan(o->inlet) || isnan(o->outlet) ||
-                  ovr_history_varies(s->radius);
-    if (s->transient && chosen && ovr_setup_varies(s))
-        of_histories(s);
-    ovr_options_domain(s->contact, s->options);
-}
-
 /* -------------------------------------------------------------- curvature */
 
-/* The first time that the cubic would close the gap; NAN: never. */
-static double closes(const ovr_setup *s)
+static bool varies_in_radius(const ovr_setup *s)
+{
+    return ovr_history_varies(s->radius) || ovr_history_varies(s->radius_1);
+}
+
+/* The gap at T if curvature rides with the material. */
+static ovr_smooth smooth_of(const ovr_setup *s, double T)
 {
     const ovr_contact *c = s->contact;
-    const ovr_options *o = s->options;
     const ovr_curving g = {s->radius,
                            s->radius_1,
                            s->speed,
                            s->sliding,
                            {c->u1_ratio, c->u2_ratio},
                            true};
-    double far = fmax(-o->inlet, o->outlet), end = ovr_setup_end(s);
+    return ovr_smooth_of(&g, T);
+}
+
+/* The first time that its cubic would close the gap within |X| < far; NAN:
+ * never. */
+static double closes(const ovr_setup *s, double far)
+{
+    double end = ovr_setup_end(s);
     for (int k = 0; k <= 4 * LOOKS; k++) {
         double T = end * k / (4 * LOOKS);
-        ovr_smooth smooth = ovr_smooth_of(&g, T);
+        ovr_smooth smooth = smooth_of(s, T);
         if (!ovr_smooth_opens(&smooth, far))
             return T;
     }
     return NAN;
 }
 
+/* ------------------------------------------------------------------ extent */
+
+/* Loads of a pass over that of the pass which this setup is of. */
+typedef struct loads {
+    double least, most;
+} loads;
+
+static loads loads_of_passes(const ovr_setup *s)
+{
+    const ovr_list *given = &s->passes->loads;
+    const ovr_resolved *r = (const ovr_resolved *)s;
+    double now = r->pass_load > 0 ? r->pass_load : 1;
+    loads all = {1, 1};
+    for (size_t k = 0; k < given->count; k++) {
+        double other = given->values[k] / now;
+        all.least = k ? fmin(all.least, other) : other;
+        all.most = k ? fmax(all.most, other) : other;
+    }
+    return all;
+}
+
+/* All that a run goes through, its passes too; `width` is the largest dry half
+ * width, in b. */
+typedef struct moments {
+    const ovr_setup *setup;
+    loads loads;
+    double width;
+    int last;    /* of its looks */
+    bool rides;  /* curvature that varies rides with the material */
+    bool strict; /* films vary, and are compared with each other */
+} moments;
+
+/* The first look is at T = 0, the last at the end; the others are spread so
+ * that no period of a history falls in with theirs. */
+static double look(const moments *m, int k)
+{
+    const double golden = 0.6180339887498949;
+    double end = ovr_setup_end(m->setup);
+    double shift = k && k < m->last ? fmod(golden * k, 1) - 0.5 : 0;
+    return k && isfinite(end) ? end * (k + shift) / m->last : 0;
+}
+
+static ovr_instant instant_of(const moments *m, int k, double load)
+{
+    const ovr_setup *s = m->setup;
+    double T = look(m, k);
+    double w = fmax(load * ovr_history_value(s->load, T), OVR_LEAST_START);
+    double u = fmax(fabs(ovr_history_value(s->speed, T)), OVR_LEAST_START);
+    return ovr_instant_of(s->contact, w, u,
+                          1 / ovr_history_value(s->radius, T));
+}
+
+static moments moments_of(const ovr_setup *s)
+{
+    moments m = {.setup = s, .loads = {1, 1}};
+    if (s->transient) {
+        m.loads = loads_of_passes(s);
+        m.last = ovr_setup_varies(s) || s->passes->loads.count ? LOOKS : 0;
+        m.strict = m.last && !ovr_history_turns(s->speed);
+    }
+    for (int k = 0; k <= m.last; k++)
+        m.width = fmax(m.width, instant_of(&m, k, m.loads.most).s);
+    return m;
+}
+
+/* Which share of the film the usual inlet may cost at a moment: less where
+ * films vary, and are compared with each other, than in a steady contact; but
+ * not at moments of little load beside the largest, nor where the speed
+ * reverses and the domain is as long on the other side. */
+static double usual_loss(const moments *m, const ovr_instant *at)
+{
+    const double little = 0.2;
+    bool counts = at->s * at->s >= little * m->width * m->width;
+    return (m->strict && counts ? OVR_VARYING_LOSS : OVR_USUAL_LOSS) /
+           ovr_inlet_uncertainty(at->M);
+}
+
+static double automatic_outlet(const moments *m, const ovr_instant *at)
+{
+    ovr_options own = {.inlet = OVR_USUAL_INLET, .outlet = NAN};
+    ovr_contact now = *m->setup->contact;
+    now.M = at->M;
+    now.L = at->L;
+    ovr_options_domain(&now, &own);
+    return own.outlet;
+}
+
+/* So many times as much is lost where load and radius vary, to first order.
+ * Far out a load that grows squeezes the oil by the approach of the bodies,
+ * 0.6 d(s^2)/dT (dry), and imposed curvature c by c' X^2/2: as much as comes
+ * with the wedge, Cu c X^2/2, times 1.2 (s^2)'/(c Cu |X|) and c' |X|/(3 c Cu),
+ * which lose less and more by a cut at X_a than it does.  Where curvature rides
+ * with the material the gap there is not c X^2/2. */
+static double lost_by_change(const moments *m, int k, double load, double X_a)
+{
+    const ovr_setup *s = m->setup;
+    double T = look(m, k), R = ovr_history_value(s->radius, T), part = 1;
+    double u = fmax(fabs(ovr_history_value(s->speed, T)), OVR_LEAST_START);
+    double width = load * ovr_history_slope(s->load, T) * R; /* of s^2 */
+    double more = 1 + 0.9 * R * fabs(width) / (u * fabs(X_a));
+    if (!varies_in_radius(s))
+        return more;
+    if (!m->rides)
+        return more -
+               0.5 * X_a * fabs(ovr_history_slope(s->radius, T)) / (R * u);
+    ovr_smooth smooth = smooth_of(s, T);
+    part = smooth.half / (smooth.half - smooth.cubic * X_a);
+    return more * fmax(1, part * part);
+}
+
+typedef struct extent {
+    double inlet, outlet;
+} extent;
+
+/* A moment, the share of the film that its inlet may cost, and the room that it
+ * wants behind, in half widths of its own. */
+typedef struct wish {
+    ovr_instant at;
+    double loss, outlet;
+} wish;
+
+/* The inlet farther out where a moment wants it. */
+static double widened(const moments *m, int k, double load, const wish *w,
+                      double inlet)
+{
+    const double step = 1.05, farthest = 4;
+    double s = w->at.s, M = w->at.M, L = w->at.L;
+    double X_a = fmin(inlet, s * OVR_NEAREST_INLET), least;
+    if (ovr_inlet_loss(M, L, X_a / s) > w->loss)
+        X_a = s * ovr_inlet_of_loss(M, L, w->loss, OVR_NEAREST_INLET);
+    least = farthest * X_a;
+    while (m->strict && X_a > least &&
+           lost_by_change(m, k, load, X_a) * ovr_inlet_loss(M, L, X_a / s) >
+               1.001 * w->loss)
+        X_a *= step;
+    return X_a;
+}
+
+static wish usual_wish(const moments *m, const ovr_instant *at)
+{
+    return (wish){*at, usual_loss(m, at),
+                  fmax(ovr_film_end_bound(at->M, at->L), OVR_USUAL_OUTLET)};
+}
+
+static wish automatic_wish(const moments *m, const ovr_instant *at)
+{
+    return (wish){*at, OVR_AUTO_LOSS, automatic_outlet(m, at)};
+}
+
+/* What all moments, of the least and of the largest load, want. */
+static extent domain_of(const moments *m, extent e,
+                        wish (*wish_of)(const moments *, const ovr_instant *))
+{
+    for (int k = 0; k <= 2 * m->last + 1; k++) {
+        double load = k % 2 ? m->loads.most : m->loads.least;
+        ovr_instant at = instant_of(m, k / 2, load);
+        wish w = wish_of(m, &at);
+        e.inlet = widened(m, k / 2, load, &w, e.inlet);
+        e.outlet = fmax(e.outlet, at.s * w.outlet);
+    }
+    return e;
+}
+
+static extent usual_domain(const moments *m)
+{
+    extent nearest = {OVR_USUAL_INLET, OVR_USUAL_OUTLET};
+    return domain_of(m, nearest, usual_wish);
+}
+
+static extent automatic_domain(const moments *m)
+{
+    extent nearest = {0, OVR_USUAL_OUTLET};
+    return domain_of(m, nearest, automatic_wish);
+}
+
+static bool opens(const ovr_setup *s, extent e)
+{
+    return isnan(closes(s, fmax(-e.inlet, e.outlet)));
+}
+
+/* Curvature rides only where it opens the gap to both ends: where it could on a
+ * shorter domain, as far out as it can. */
+static extent chosen_domain(moments *m)
+{
+    enum { HALVINGS = 12 };
+    extent near, far;
+    bool strict = m->strict;
+    if (!varies_in_radius(m->setup))
+        return usual_domain(m);
+    m->strict = false;
+    near = usual_domain(m);
+    m->rides = opens(m->setup, near);
+    m->strict = strict;
+    far = usual_domain(m);
+    if (!m->rides || opens(m->setup, far))
+        return far;
+    for (int k = 0; k < HALVINGS; k++) {
+        extent middle = far;
+        middle.inlet = 0.5 * (near.inlet + far.inlet);
+        *(opens(m->setup, middle) ? &near : &far) = middle;
+    }
+    return near;
+}
+
+ovr_domain_needs ovr_setup_needs(const ovr_setup *s)
+{
+    moments m = moments_of(s);
+    extent usual = chosen_domain(&m);
+    ovr_domain_needs needs = {.width = m.width,
+                              .inlet = usual.inlet,
+                              .outlet = usual.outlet,
+                              .varies = m.last > 0};
+    for (int k = 0; k <= 2 * m.last + 1; k++) {
+        double load = k % 2 ? m.loads.most : m.loads.least;
+        ovr_instant at = instant_of(&m, k / 2, load);
+        double X_a = fmin(s->options->inlet / at.s, -1);
+        needs.loss = fmax(needs.loss, ovr_inlet_loss(at.M, at.L, X_a));
+        needs.film_end = fmax(needs.film_end,
+                              at.s * ovr_film_end_bound(at.M, at.L));
+    }
+    return needs;
+}
+
+/* An end that was given, inside the dry contact where it is widest. */
+static ovr_status refuse(const ovr_resolved *r, const char *key, double end,
+                         double width, double enough, ovr_error *err)
+{
+    const ovr_slot *slot = ovr_slot_of(r, "domain", key);
+    if (!slot->given || slot->word || r->recorded || fabs(end) > width)
+        return OVR_OK;
+    return ovr_fail_slot(err, slot,
+                         "%.4g lies inside the contact, whose half width "
+                         "reaches %.4g b where load times radius is largest; "
+                         "%.4g would do",
+                         end, width, enough);
+}
+
+ovr_status ovr_setup_domain(ovr_resolved *r, ovr_error *err)
+{
+    ovr_options *o = r->setup.options;
+    moments m = moments_of(&r->setup);
+    extent usual = chosen_domain(&m);
+    extent automatic = isnan(o->inlet) || isnan(o->outlet)
+                           ? automatic_domain(&m)
+                           : usual;
+    r->half_width = m.width;
+    if (o->inlet == 0 || isnan(o->inlet))
+        o->inlet = isnan(o->inlet) ? automatic.inlet : usual.inlet;
+    if (o->outlet == 0 || isnan(o->outlet))
+        o->outlet = isnan(o->outlet) ? automatic.outlet : usual.outlet;
+    if (refuse(r, "inlet", o->inlet, m.width, usual.inlet, err) ||
+        refuse(r, "outlet", o->outlet, m.width, usual.outlet, err))
+        return OVR_BAD_INPUT;
+    return OVR_OK;
+}
+
 ovr_status ovr_setup_curvature(ovr_resolved *r, ovr_error *err)
 {
     ovr_setup *s = &r->setup;
-    double T;
-    if (!ovr_history_varies(s->radius) && !ovr_history_varies(s->radius_1))
+    double far = fmax(-s->options->inlet, s->options->outlet), T;
+    if (!varies_in_radius(s))
         return OVR_OK;
-    T = closes(s);
+    T = closes(s, far);
     s->rides = isnan(T) && r->values.curvature != OVR_CURVATURE_IMPOSED;
     if (isnan(T) || r->values.curvature != OVR_CURVATURE_RIDES)
         return OVR_OK;

@@ -11,8 +11,20 @@ bool ovr_setup_varies(const ovr_setup *setup);
 /* The end, as far as it is known before the domain is. */
 double ovr_setup_end(const ovr_setup *setup);
 
-/* The domain, where it is left to the program. */
-void ovr_setup_domain(ovr_setup *setup);
+/* The domain, where it is left to the program; refused where it was given and
+ * cuts the contact. */
+ovr_status ovr_setup_domain(ovr_resolved *r, ovr_error *err);
+
+/* What films of a run, of all its moments and passes, want of its domain. */
+typedef struct ovr_domain_needs {
+    double width;         /* largest dry half width, in b */
+    double inlet, outlet; /* the usual ones, which do */
+    double film_end;      /* no steady film ends farther out */
+    double loss;          /* the largest share of the film that its own inlet
+                             costs */
+    bool varies;          /* there is more than one moment */
+} ovr_domain_needs;
+ovr_domain_needs ovr_setup_needs(const ovr_setup *setup);
 
 /* Whether the curvature rides with the material, on that domain. */
 ovr_status ovr_setup_curvature(ovr_resolved *r, ovr_error *err);

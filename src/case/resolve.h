@@ -35,6 +35,9 @@ typedef struct ovr_resolved {
     } element;
     double inlet_kept; /* X_a, farther out, that a feature before the usual one
                           kept the domain from; 0: none did */
+    double half_width; /* the largest dry one of run and passes, in b */
+    double pass_load;  /* by which a pass's load was scaled; 0: by nothing */
+    bool recorded;     /* its domain is that of a file gone on with */
     ovr_arena arena;
 } ovr_resolved;
 

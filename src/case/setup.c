@@ -82,14 +82,37 @@ static void measure(ovr_setup *s)
               (double)(ovr_level_nodes(s->options->level) - 1);
 }
 
+/* The usual inlet, outside the contact where that is widest. */
+static double nearest_inlet(const ovr_resolved *r)
+{
+    return fmin(OVR_USUAL_INLET, OVR_NEAREST_INLET * r->half_width);
+}
+
 /* Whether something that was to come in from before the usual inlet would
  * begin inside a domain that was made longer. */
-static bool is_overrun(const ovr_setup *s)
+static bool is_overrun(const ovr_resolved *r)
 {
+    const ovr_setup *s = &r->setup;
     const ovr_options *o = s->options;
-    return s->transient && s->surfaces && o->inlet < OVR_USUAL_INLET &&
+    double kept = nearest_inlet(r);
+    return s->transient && s->surfaces && o->inlet < kept &&
            ovr_surfaces_inside(s->surfaces, o->inlet, o->outlet) &&
-           !ovr_surfaces_inside(s->surfaces, OVR_USUAL_INLET, o->outlet);
+           !ovr_surfaces_inside(s->surfaces, kept, o->outlet);
+}
+
+/* The farthest inlet from which on nothing begins inside. */
+static double kept_inlet(const ovr_resolved *r)
+{
+    enum { HALVINGS = 20 };
+    const ovr_setup *s = &r->setup;
+    double near = nearest_inlet(r), far = s->options->inlet;
+    for (int k = 0; k < HALVINGS; k++) {
+        double middle = 0.5 * (near + far);
+        bool inside = ovr_surfaces_inside(s->surfaces, middle,
+                                          s->options->outlet);
+        *(inside ? &far : &near) = middle;
+    }
+    return near;
 }
 
 static ovr_status make_anew(ovr_resolved *r, const ovr_allocator *allocator,
@@ -108,10 +131,11 @@ static ovr_status place_surfaces(ovr_resolved *r, bool usual,
 {
     ovr_setup *s = &r->setup;
     ovr_status status = make_anew(r, allocator, err);
-    if (status || !usual || ovr_history_turns(s->speed) || !is_overrun(s))
+    if (status || !usual || ovr_history_turns(s->speed) || !is_overrun(r))
         return status;
+    double kept = kept_inlet(r);
     r->inlet_kept = s->options->inlet;
-    s->options->inlet = OVR_USUAL_INLET;
+    s->options->inlet = kept;
     return make_anew(r, allocator, err);
 }
 
@@ -172,12 +196,12 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
     const ovr_options *o = setup->options;
     bool inlet = o->inlet < 0, usual = o->inlet == 0;
     bool outlet = ovr_slot_of(r, "domain", "outlet")->given &&
-                  isfinite(o->outlet);
+                  isfinite(o->outlet) && o->outlet != 0;
     ovr_status status;
     if (setup->nodes)
         return OVR_OK;
-    ovr_setup_domain(setup);
-    if (ovr_symmetric_domain(r, inlet, outlet, err) ||
+    if (ovr_setup_domain(r, err) ||
+        ovr_symmetric_domain(r, inlet, outlet, err) ||
         ovr_setup_curvature(r, err))
         return OVR_BAD_INPUT;
     status = setup->options->level ? make_grid(r, usual, allocator, err)
@@ -249,10 +273,11 @@ ovr_status ovr_setup_load(ovr_setup *setup, int pass,
                           const ovr_allocator *allocator, ovr_error *err)
 {
     const ovr_list *loads = &setup->passes->loads;
-    return (size_t)pass > loads->count
-               ? OVR_OK
-               : ovr_history_scale(&setup->load, loads->values[pass - 1],
-                                   allocator, err);
+    if ((size_t)pass > loads->count)
+        return OVR_OK;
+    double load = loads->values[pass - 1];
+    ((ovr_resolved *)setup)->pass_load = load;
+    return ovr_history_scale(&setup->load, load, allocator, err);
 }
 
 ovr_simulation *ovr_setup_simulation(ovr_setup *setup,

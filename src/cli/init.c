@@ -124,7 +124,7 @@ static const char cam_end[] =
     "surface = 2\n"
     "shape = groove\n"
     "depth = 0.05 um\n"
-    "width = 0.4\n"
+    "width = 0.5\n"
     "start = 0\n"
     "grow = 1                     # grows in place from the smooth start\n"
     "\n"

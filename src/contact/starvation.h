@@ -3,11 +3,16 @@
 #ifndef OVR_CONTACT_STARVATION_H
 #define OVR_CONTACT_STARVATION_H
 
-/* The paper's X_a, which is usual; a loss above which the usual inlet lies
- * farther out; the loss by an automatic one. */
+/* The paper's X_a and X_b, which are usual; a loss above which the usual inlet
+ * lies farther out, and one where load, speed or radius vary; the loss by an
+ * automatic one.  No inlet that the program chooses lies nearer than half a
+ * contact width to the contact. */
 #define OVR_USUAL_INLET (-4.0)
+#define OVR_USUAL_OUTLET 1.5
 #define OVR_USUAL_LOSS 5e-3
+#define OVR_VARYING_LOSS 3e-4
 #define OVR_AUTO_LOSS 1e-4
+#define OVR_NEAREST_INLET (-2.0)
 
 /* Hertz's gap outside the contact, at |X| = 1 + d. */
 double ovr_hertz_gap(double d);
@@ -20,7 +25,13 @@ double ovr_inlet_integral(double H, double d, int power);
 /* Share of the central film that a first node at X_a < -1 costs. */
 double ovr_inlet_loss(double M, double L, double X_a);
 
+/* It costs so many times that at most, where that is half a per cent. */
+double ovr_inlet_uncertainty(double M);
+
 /* The X_a that costs this share, but not beyond `least` (-2, say). */
 double ovr_inlet_of_loss(double M, double L, double loss, double least);
+
+/* No steady film ends farther out than this X. */
+double ovr_film_end_bound(double M, double L);
 
 #endif

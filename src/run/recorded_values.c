@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "case/case.h"
+#include "case/resolve.h"
 #include "run/internal.h"
 
 enum { NAME_ROOM = 512 };
@@ -84,6 +85,7 @@ static double inlet_once(const ovr_contact *contact)
 void ovr_recorded_domain(ovr_setup *setup, const ovr_restart_info *of)
 {
     ovr_options *o = setup->options;
+    ((ovr_resolved *)setup)->recorded = true;
     if (!of->has_state)
         return;
     if (of->level > 0) {

@@ -219,32 +219,93 @@ static void warn_of_sliding(const review *r)
             slip);
 }
 
-/* The usual inlet lies farther out, or does not because of a feature. */
-static void say_inlet(const review *r)
+/* "some 0.54 %": the loss is a fit to those up to a fifth. */
+typedef struct share {
+    char text[40];
+} share;
+
+static share share_of(double loss)
 {
-    const ovr_resolved *resolved = (const ovr_resolved *)r->setup;
-    const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
-    const ovr_slot *given = ovr_block_get(domain, "inlet");
+    share s = {"more than a fifth"};
+    if (loss < 0.2)
+        snprintf(s.text, sizeof s.text, "some %.2g %%", 100 * loss);
+    return s;
+}
+
+/* To four digits, farther out and not nearer. */
+static double rounded_out(double X)
+{
+    double digit = pow(10, floor(log10(fabs(X))) - 3);
+    return copysign(ceil(fabs(X) / digit * (1 - 1e-12)) * digit, X);
+}
+
+static bool is_usual(const review *r, const char *key)
+{
+    const ovr_slot *slot = ovr_slot_of((const ovr_resolved *)r->setup, "domain",
+                                       key);
+    return slot->word && slot->number == 0;
+}
+
+static void warn_of_kept_inlet(const review *r, const ovr_domain_needs *needs)
+{
+    say(r, OVR_SAY_WARNING,
+        "a feature starts left of X = %.4g: the inlet stays there, which costs "
+        "%s of the central film; start it left of %.4g to have the inlet there",
+        r->setup->options->inlet, share_of(needs->loss).text,
+        ((const ovr_resolved *)r->setup)->inlet_kept);
+}
+
+/* The usual inlet lies farther out, or does not because of a feature. */
+static void say_usual_inlet(const review *r, const ovr_domain_needs *needs)
+{
     double inlet = r->setup->options->inlet;
     const ovr_contact *contact = r->setup->contact;
-    double loss = 100 * ovr_inlet_loss(contact->M, contact->L, OVR_USUAL_INLET);
-    if (resolved->inlet_kept < 0)
-        say(r, OVR_SAY_WARNING,
-            "a feature starts left of X = -4: the inlet stays there, which "
-            "costs some %.2g %% of the central film; start it left of %.4g to "
-            "have the inlet there",
-            loss, resolved->inlet_kept);
-    else if (inlet < OVR_USUAL_INLET && ovr_history_varies(r->setup->radius) &&
-             given->word && given->number == 0)
+    double loss = ovr_inlet_loss(contact->M, contact->L, OVR_USUAL_INLET);
+    if (inlet < OVR_USUAL_INLET && needs->varies)
         say(r, OVR_SAY_NOTE,
-            "the inlet is at X = %.4g: that far for the widest contact and the "
-            "thickest film that the histories make",
+            "the inlet is at X = %.4g: that far for all films and contacts "
+            "that load, speed and radius make",
             inlet);
-    else if (inlet < OVR_USUAL_INLET && given->word && given->number == 0)
+    else if (inlet < OVR_USUAL_INLET)
         say(r, OVR_SAY_NOTE,
-            "the inlet is at X = %.4g: at -4 it would cost some %.2g %% of the "
-            "central film",
-            inlet, loss);
+            "the inlet is at X = %.4g: at -4 it would cost %s of the central "
+            "film",
+            inlet, share_of(loss).text);
+}
+
+/* Ends that were given, where films are cut by them.  An inlet that oil does
+ * not fill is judged by the meniscus, when there is one (warn_of_inlet). */
+static void warn_of_near_inlet(const review *r, const ovr_domain_needs *needs)
+{
+    if (!r->setup->supply->film && needs->loss > 1.01 * OVR_USUAL_LOSS)
+        say(r, OVR_SAY_WARNING,
+            "the inlet is numerically starved: X = %.4g is so near that it "
+            "costs %s of the film; inlet = %.4g would do",
+            r->setup->options->inlet, share_of(needs->loss).text,
+            rounded_out(needs->inlet));
+}
+
+static void warn_of_near_outlet(const review *r, const ovr_domain_needs *needs)
+{
+    const ovr_options *o = r->setup->options;
+    if (o->outlet < needs->film_end)
+        say(r, OVR_SAY_WARNING,
+            "the outlet X = %.4g is too near: films end as far out as X = "
+            "%.4g, and what is cut off carries load; outlet = %.4g would do",
+            o->outlet, needs->film_end, rounded_out(needs->outlet));
+}
+
+static void say_domain(const review *r)
+{
+    ovr_domain_needs needs = ovr_setup_needs(r->setup);
+    if (((const ovr_resolved *)r->setup)->inlet_kept < 0 &&
+        needs.loss > OVR_USUAL_LOSS)
+        warn_of_kept_inlet(r, &needs);
+    else if (is_usual(r, "inlet"))
+        say_usual_inlet(r, &needs);
+    else
+        warn_of_near_inlet(r, &needs);
+    warn_of_near_outlet(r, &needs);
 }
 
 /* One that was chosen, where it is the finest that may be. */
@@ -265,7 +326,7 @@ static void before(const review *r, bool transient)
     warn_of_start(r);
     warn_of_sliding(r);
     ovr_review_peclet(r->setup, r->say, r->data);
-    say_inlet(r);
+    say_domain(r);
     say_level(r);
     ovr_review_supply(r->setup, r->say, r->data);
     if (r->setup->surfaces)
@@ -347,22 +408,17 @@ void ovr_run_review_before(ovr_run *run)
     before(&r, run->info.transient);
 }
 
-/* The loss is a fit to those up to a fifth. */
+/* Of oil that arrives as a film and fills the inlet all the same. */
 static void warn_of_inlet(const review *r, const ovr_state *state, double H_cen)
 {
-    double c = 1 / ovr_history_value(r->setup->radius, state->T);
-    ovr_instant now = ovr_instant_of(r->setup->contact, 1, 1, c);
-    double loss = ovr_inlet_loss(now.M, now.L, state->X[0] / now.s);
-    char share[40] = "more than a fifth";
-    if (loss <= 1.01 * OVR_USUAL_LOSS)
+    ovr_domain_needs needs = ovr_setup_needs(r->setup);
+    if (needs.loss <= 1.01 * OVR_USUAL_LOSS)
         return;
-    if (loss < 0.2)
-        snprintf(share, sizeof share, "some %.2g %%", 100 * loss);
     say(r, OVR_SAY_WARNING,
         "the inlet is numerically starved: the film at X = %.3g is only %.1f "
-        "central films, which costs %s of the film; move the inlet out or let "
-        "inlet = auto choose it",
-        state->X[0], state->H[0] / H_cen, share);
+        "central films, which costs %s of the film; inlet = %.4g would do",
+        state->X[0], state->H[0] / H_cen, share_of(needs.loss).text,
+        rounded_out(needs.inlet));
 }
 
 /* Order four was taken or wanted, and is not what was reached. */
@@ -485,7 +541,7 @@ void ovr_run_review_after(ovr_run *run)
         say(&r, OVR_SAY_NOTE, "the steady solution took another way: %s",
             strategy);
     ovr_review_meniscus(sim, ovr_run_message, run);
-    if (state->n && H_cen > 0 &&
+    if (state->n && H_cen > 0 && r.setup->supply->film &&
         isnan(ovr_simulation_observation(sim)->meniscus) &&
         ((const ovr_resolved *)r.setup)->inlet_kept >= 0)
         warn_of_inlet(&r, state, H_cen);

@@ -11,8 +11,7 @@
 
 void ovr_options_fill(ovr_options *options)
 {
-    const ovr_options defaults = {.outlet = 1.5,
-                                  .level = 8,
+    const ovr_options defaults = {.level = 8,
                                   .scheme = OVR_CHARACTERISTIC,
                                   .smoother = OVR_LINE,
                                   .cycle_index = 1,
@@ -79,22 +78,27 @@ double ovr_simulation_starvation(const ovr_simulation *sim)
 /* The paper's, where it costs no more than half a per cent. */
 static double usual_inlet(const ovr_contact *contact)
 {
-    return ovr_inlet_of_loss(contact->M, contact->L, OVR_USUAL_LOSS,
-                             OVR_USUAL_INLET);
+    double loss = OVR_USUAL_LOSS / ovr_inlet_uncertainty(contact->M);
+    return ovr_inlet_of_loss(contact->M, contact->L, loss, OVR_USUAL_INLET);
 }
 
-/* No closer than half a contact width to the contact. */
 static double automatic_inlet(const ovr_contact *contact)
 {
-    return ovr_inlet_of_loss(contact->M, contact->L, OVR_AUTO_LOSS, -2);
+    return ovr_inlet_of_loss(contact->M, contact->L, OVR_AUTO_LOSS,
+                             OVR_NEAREST_INLET);
 }
 
-/* A rigid film ruptures at 0.475 sqrt(2 H) (Martin), an elastic one near 1. */
+/* The paper's, where the film ends before it. */
+static double usual_outlet(const ovr_contact *contact)
+{
+    return fmax(ovr_film_end_bound(contact->M, contact->L), OVR_USUAL_OUTLET);
+}
+
+/* Twice as far as a rigid film ends, 0.475 sqrt(2 H) (Martin). */
 static double automatic_outlet(const ovr_contact *contact)
 {
     double H = ovr_film_central_moes(contact->M, contact->L);
-    double X_b = 1 + sqrt(2 * H);
-    return X_b > 1.5 ? X_b : 1.5;
+    return fmax(1 + sqrt(2 * H), OVR_USUAL_OUTLET);
 }
 
 static double meshes_of(int level)
@@ -251,6 +255,8 @@ void ovr_options_domain(const ovr_contact *contact, ovr_options *o)
         o->inlet = usual_inlet(contact);
     if (isnan(o->outlet))
         o->outlet = automatic_outlet(contact);
+    if (o->outlet == 0)
+        o->outlet = usual_outlet(contact);
 }
 
 ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,

@@ -133,7 +133,7 @@ expect 0 "$OVERROLL" steady --M 0.1 --L 0 --level 5 --set domain.inlet=auto
 # The usual inlet lies farther out where -4 would cost too much, and says so;
 # not where a feature would begin inside.
 expect 0 "$OVERROLL" steady --M 3 --L 10 --level 5
-contains err 'the inlet is at X = -7.799: at -4 it would cost some 3.7 % '
+contains err 'the inlet is at X = -8.[0-9]*: at -4 it would cost some 3.7 % '
 ! grep starved err || fail 'the usual inlet is starved'
 cat >kept.ini <<'END'
 [contact]

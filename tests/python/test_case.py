@@ -20,7 +20,7 @@ def test_names_mean_keys():
         "body 1.poisson": "0.25"}
     assert c["domain_level"] == c["level"] == "7"
     assert c["feature_dent_depth"] == c["feature dent.depth"] == "0.1"
-    assert c["outlet"] == "1.5"  # a default
+    assert c["outlet"] == "usual"  # a default
     assert "end" in c and "feature.dent.depth" in c and "radius" not in c
     assert set(c) == set(c.given())
     with pytest.raises(KeyError):

@@ -125,13 +125,33 @@ static double inlet_of(const char *text, double *loss)
     return inlet;
 }
 
+/* Against one four times as far out; 0.2.0 lost 0.69 and 0.61 % of the first
+ * two. */
+static void usual_inlet_costs_half_a_per_cent_at_most(void **state)
+{
+    const double M[] = {2, 5, 1, 3, 10, 20}, L[] = {10, 14, 5, 7, 18, 15};
+    const double most = 5e-3;
+    (void)state;
+    for (int k = 0; k < 6; k++) {
+        char text[80];
+        double loss, X_a;
+        snprintf(text, sizeof text, "[contact]\nM = %g\nL = %g\n", M[k], L[k]);
+        X_a = inlet_of(text, &loss);
+        double near = film(M[k], L[k], X_a, 2.5, 0.02);
+        double far = film(M[k], L[k], 4 * X_a, 2.5, 0.02);
+        printf("M = %g, L = %g, X_a = %.3g: %.2g lost\n", M[k], L[k], X_a,
+               1 - near / far);
+        assert_true(1 - near / far < most);
+    }
+}
+
 static void usual_inlet_is_the_papers_or_farther_out(void **state)
 {
     double loss;
     (void)state;
     assert_true(inlet_of("[contact]\nM = 20\nL = 10\n", &loss) == -4);
     assert_true(inlet_of("[contact]\nM = 5\nL = 10\n", &loss) < -4);
-    CHECK_CLOSE(loss, 5e-3, 1e-5);
+    assert_true(loss < 5e-3);
     assert_true(inlet_of("[contact]\nM = 5\nL = 10\n[domain]\ninlet = -4\n",
                          &loss) == -4);
 }
@@ -180,6 +200,7 @@ int main(void)
         cmocka_unit_test(gap_is_that_of_hertz),
         cmocka_unit_test(loss_is_known_within_half),
         cmocka_unit_test(automatic_inlet_costs_little),
+        cmocka_unit_test(usual_inlet_costs_half_a_per_cent_at_most),
         cmocka_unit_test(usual_inlet_is_the_papers_or_farther_out),
         cmocka_unit_test(what_comes_in_keeps_the_usual_inlet),
         cmocka_unit_test(automatic_inlet_is_that_of_the_thickest_film),

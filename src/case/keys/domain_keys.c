@@ -23,17 +23,20 @@ static const ovr_word stops[] = {{"negligible", OVR_STOP_NEGLIGIBLE},
                                  {"truncation", OVR_STOP_TRUNCATION},
                                  {"fixed", OVR_STOP_FIXED},
                                  {NULL, 0}};
-static const ovr_word auto_nan[] = {{"auto", NAN}, {NULL, 0}};
-static const ovr_word inlets[] = {{"usual", 0}, {"auto", NAN}, {NULL, 0}};
+static const ovr_word ends[] = {{"usual", 0}, {"auto", NAN}, {NULL, 0}};
 static const ovr_word auto_zero[] = {{"auto", 0}, {NULL, 0}};
 
 static const ovr_parameter domain_keys[] = {
-    {"inlet", LENGTH_OR(inlets, -1e6, -1.05), "usual", AT(options.inlet), true,
+    {"inlet", LENGTH_OR(ends, -1e6, -1.05), "usual", AT(options.inlet), true,
      ALWAYS,
      "X of the first node; usual: -4, or farther out where that would cost "
-     "more than 0.5 % of the central film; auto: where it costs 1e-4"},
-    {"outlet", LENGTH_OR(auto_nan, 1.05, 1e6), "1.5", AT(options.outlet), true,
-     ALWAYS, "X of the last node"},
+     "more than 0.5 % of the central film, or 5e-4 of those that load, speed "
+     "and radius make in time; auto: where it costs 1e-4"},
+    {"outlet", LENGTH_OR(ends, 1.05, 1e6), "usual", AT(options.outlet), true,
+     ALWAYS,
+     "X of the last node; usual: 1.5, of the largest load and radius in run "
+     "and passes, or where the film ends later; auto: twice where a rigid "
+     "film ends, if that is farther"},
     {"level", WHOLE_OR(auto_zero, 1, 23), "8", AT(options.level), true, ALWAYS,
      "finest grid: 7 2^level + 1 nodes; auto: what brings accuracy_of to "
      "accuracy, 14 at most"},
