@@ -12,9 +12,10 @@
  * times nominal or a part of it and over 0.6 b/um at least (radius 3), or two
  * passes of such loads with oil enough (a quarter); 3 b/um in steps of 0.05, on
  * meshes below 0.02 b.  Compared on the same nodes: H_cen at every step, to
- * 5e-4 (2e-3 in two of a hundred, where the front of another film passes X = 0,
- * or curvature rides no farther out), and the largest P_max, to 2e-3.  Cases that cannot be solved on either
- * domain, or whose curvature cannot ride on the wide one, are drawn again.
+ * 5e-4 (2e-3 in two of a hundred, where the front of another film passes X = 0
+ * or curvature rides no farther out), and the largest P_max, to 2e-3.  Cases
+ * that cannot be solved on either domain, or whose curvature cannot ride on the
+ * wide one, are drawn again.
  */
 void test_domains_survey(uint64_t seed, int runs);
 
