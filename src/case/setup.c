@@ -100,13 +100,14 @@ static bool is_overrun(const ovr_resolved *r)
            !ovr_surfaces_inside(s->surfaces, kept, o->outlet);
 }
 
-/* The farthest inlet from which on nothing begins inside. */
+/* The paper's; where load, speed or radius vary, for which that may be far too
+ * near, the farthest from which on nothing begins inside. */
 static double kept_inlet(const ovr_resolved *r)
 {
     enum { HALVINGS = 20 };
     const ovr_setup *s = &r->setup;
     double near = nearest_inlet(r), far = s->options->inlet;
-    for (int k = 0; k < HALVINGS; k++) {
+    for (int k = 0; ovr_setup_varies(s) && k < HALVINGS; k++) {
         double middle = 0.5 * (near + far);
         bool inside = ovr_surfaces_inside(s->surfaces, middle,
                                           s->options->outlet);
