@@ -35,7 +35,7 @@ typedef struct ovr_thermal {
 /* What heat needs to be known, SI; NAN: not given. */
 typedef struct ovr_heat_form {
     size_t size;        /* of this struct, as its user knows it */
-    int points;         /* across the film: 5, or 7 */
+    int points;         /* across the film: 5, or 7; 0: by the steady start */
     double temperature; /* of the supplied oil, K */
     double bulk[2];     /* of the bodies, K; NAN: the same */
     ovr_thermal oil, body[2];
@@ -44,13 +44,13 @@ typedef struct ovr_heat_form {
     double S0, beta;      /* one of them; beta in 1/K */
 } ovr_heat_form;
 
-/* 5 points, nothing else given. */
+/* Points by the steady start, nothing else given. */
 OVR_SIZED(ovr_heat_form)
 
 /* The numbers; all zero: no heat. */
 typedef struct ovr_heat {
-    size_t size; /* of this struct */
-    int points;
+    size_t size;              /* of this struct */
+    int points;               /* as in the form */
     double T0;                /* K */
     double bulk[2];           /* rises */
     double theta, conduction; /* Theta, Kf */

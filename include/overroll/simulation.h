@@ -187,6 +187,10 @@ OVR_API void ovr_simulation_radius(ovr_simulation *sim,
 OVR_API ovr_status ovr_simulation_heat(ovr_simulation *sim,
                                        const ovr_heat *heat, ovr_error *err);
 
+/* Points across the film: those asked for, else 5 or, where the steady solution
+ * needs them, 7; 0: no heat. */
+OVR_API int ovr_simulation_heat_points(const ovr_simulation *sim);
+
 /* For a run of fourth order: the heights of what stands still (u_k = 0), fully
  * grown; NULL: the surfaces are smooth but for what moves.  The corrections
  * of a run are those of the steady contact with these alone; without this
@@ -392,6 +396,8 @@ typedef struct ovr_statistics {
     double T_rise, T_1_rise, T_2_rise, energy_defect;
     bool settled; /* a march until steady ended because it was */
     long lagging; /* steps marked for temperatures that are not their film's */
+    double last_across; /* heat: largest Legendre coefficient of the highest
+                           degree across, over the rise; 0: less than 0.05 */
 } ovr_statistics;
 OVR_API const ovr_statistics *
 ovr_simulation_statistics(const ovr_simulation *sim);

@@ -76,7 +76,7 @@ void ovr_heat_form_fill(ovr_heat_form *form)
 {
     const ovr_thermal none = {NAN, NAN, NAN};
     const ovr_heat_form defaults = {.size = sizeof defaults,
-                                    .points = 5,
+                                    .points = 0,
                                     .temperature = NAN,
                                     .bulk = {NAN, NAN},
                                     .oil = none,

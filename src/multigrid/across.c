@@ -71,7 +71,15 @@ static void make_points(int points, ovr_across *a)
 void ovr_across_make(int points, ovr_across *a)
 {
     double D[OVR_MOST_ACROSS][OVR_MOST_ACROSS] = {{0}};
+    double squares = 0;
     make_points(points, a);
+    for (int j = 0; j < points; j++) {
+        double p = legendre(points - 1, a->s[j]);
+        a->last[j] = a->w[j] * p;
+        squares += a->w[j] * p * p;
+    }
+    for (int j = 0; j < points; j++)
+        a->last[j] /= squares;
     for (int i = 0; i < points; i++)
         for (int j = 0; j < points; j++)
             D[i][j] = derivative(a, i, j);
@@ -86,6 +94,16 @@ void ovr_across_make(int points, ovr_across *a)
                                      lagrange(a, j, x);
             }
         }
+}
+
+void ovr_across_move(const ovr_across *from, const double *T,
+                     const ovr_across *to, double *moved)
+{
+    for (int i = 0; i < to->n; i++) {
+        moved[i] = 0;
+        for (int j = 0; j < from->n; j++)
+            moved[i] += lagrange(from, j, to->s[i]) * T[j];
+    }
 }
 
 /* ------------------------------------------------------------------- flow */

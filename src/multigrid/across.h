@@ -68,10 +68,16 @@ typedef struct ovr_across {
     double s[OVR_MOST_ACROSS], w[OVR_MOST_ACROSS]; /* sum w = 1 */
     double K[OVR_MOST_ACROSS][OVR_MOST_ACROSS];
     double integral[OVR_MOST_ACROSS][OVR_MOST_ACROSS]; /* from 0 to zeta_j */
+    double last[OVR_MOST_ACROSS]; /* sum last_j T_j: by Legendre's polynomials,
+                                     the coefficient of the highest degree */
 } ovr_across;
 
 /* Points, weights and matrices: 5 or 7. */
 void ovr_across_make(int points, ovr_across *across);
+
+/* The polynomial through T at other points. */
+void ovr_across_move(const ovr_across *from, const double *T,
+                     const ovr_across *to, double *moved);
 
 /* The film at a node. */
 typedef struct ovr_sheet {

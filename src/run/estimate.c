@@ -28,6 +28,7 @@
 #include <stdio.h>
 
 #include "case/feed.h"
+#include "case/resolve.h"
 #include "run/internal.h"
 #include "run/passes.h"
 #include "simulation/internal.h"
@@ -126,6 +127,8 @@ static ovr_status run_coarser(ovr_run *run, int down, level_run *r,
     ovr_simulation *coarse = NULL;
     ovr_status status = OVR_BAD_INPUT;
     if (setup) {
+        ((ovr_resolved *)setup)->heat.points = ovr_simulation_heat_points(
+            run->sim);
         setup->options->level = ovr_simulation_options(run->sim)->level - down;
         if (!begin(run, setup, pass, err))
             coarse = ovr_setup_simulation(setup, allocator, err);

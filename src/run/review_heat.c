@@ -142,6 +142,22 @@ static void warn_of_lag(ovr_run *run)
     ovr_run_message(run, OVR_SAY_WARNING, text);
 }
 
+/* By heat.h of the simulation: friction, in percent. */
+static void warn_of_points(ovr_run *run)
+{
+    const ovr_statistics *s = ovr_simulation_statistics(run->sim);
+    double off = 400 * s->last_across * s->last_across;
+    char text[OVR_MESSAGE_SIZE];
+    if (!(s->last_across > 0) || ovr_simulation_heat_points(run->sim) != 5)
+        return;
+    snprintf(text, sizeof text,
+             "heat: 5 points across the film leave friction too low by about "
+             "%.1f %%, and temperatures of the surfaces off by up to twice "
+             "that: take points = 7 in [heat]",
+             off);
+    ovr_run_message(run, OVR_SAY_WARNING, text);
+}
+
 /* The heat flux into a surface near the end of the domain by which it comes in,
  * over the largest. */
 static double flux_at_entry(ovr_run *run, int k, bool at_outlet)
@@ -184,6 +200,7 @@ void ovr_run_review_heat(ovr_run *run)
     if (!run->setup->heat || !ovr_simulation_state(run->sim)->n)
         return;
     warn_of_lag(run);
+    warn_of_points(run);
     warn_of_rise(run);
     warn_of_domain(run);
 }

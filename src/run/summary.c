@@ -253,6 +253,8 @@ void ovr_run_summary(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     put_text(&to, "smoother", ovr_smoother_name(options->smoother));
     put_number(&to, "inlet", options->inlet);
     put_number(&to, "outlet", options->outlet);
+    if (s->setup->heat)
+        put_count(&to, "heat_points", ovr_simulation_heat_points(s->sim));
     put_number(&to, "lambda_ratio", s->lambda_ratio);
     put_number(&to, "shear_over_pressure", s->shear_over_pressure);
     put_number(&to, "unbearable_share", s->unbearable_share);

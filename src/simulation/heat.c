@@ -15,6 +15,8 @@
 #include "multigrid/flow.h"
 #include "simulation/mirror.h"
 
+enum { FEWEST_ACROSS = 5 };
+
 /* --------------------------------------------------------------- creation */
 
 static ovr_status check(const ovr_simulation *sim, ovr_error *err)
@@ -76,7 +78,8 @@ static ovr_status take_heat(ovr_simulation *sim, const void *form, void **own,
     h->limit = oil->limiting_shear > 0
                    ? oil->limiting_shear / sim->contact.kappa
                    : INFINITY;
-    ovr_across_make(numbers.points, &h->across);
+    h->chooses = numbers.points == 0;
+    ovr_across_make(h->chooses ? OVR_MOST_ACROSS : numbers.points, &h->across);
     if (take_arrays(sim, h, err))
         return OVR_NO_MEMORY;
     *own = sim->heated = h;
@@ -84,6 +87,8 @@ static ovr_status take_heat(ovr_simulation *sim, const void *form, void **own,
     if (ovr_heat_film_take(sim, err) || ovr_heat_turns_take(sim, err) ||
         ovr_heat_steps_take(sim, err))
         return OVR_NO_MEMORY;
+    if (h->chooses)
+        ovr_across_make(FEWEST_ACROSS, &h->across);
     return OVR_OK;
 }
 
@@ -111,6 +116,8 @@ static void restrict_all(ovr_simulation *sim)
 void ovr_heat_reset(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
+    if (h->chooses)
+        ovr_across_make(FEWEST_ACROSS, &h->across);
     ovr_heat_march_begin(sim);
     ovr_heat_march_columns(sim);
     h->steps->trying = false;
@@ -267,6 +274,40 @@ static void observe_temperatures(const ovr_simulation *sim, ovr_observation *o)
     o->T_2_max = T0 + o->T_2_max_rise;
 }
 
+/* x of heat.h. */
+static double last_across(const ovr_simulation *sim, double rise)
+{
+    const ovr_heated *h = sim->heated;
+    double most = 0;
+    for (size_t i = 0; i < sim->now.n; i++) {
+        double a = 0;
+        for (int j = 0; j < h->across.n; j++)
+            a += h->across.last[j] * h->T[j][i];
+        most = fmax(most, fabs(a));
+    }
+    return rise > 0 ? most / rise : 0;
+}
+
+bool ovr_heat_uneven(double x, double rise)
+{
+    const double much = 0.05, hot = 20; /* K */
+    return x > much && rise > hot;
+}
+
+/* The largest x of a film that is hot enough for it to matter. */
+static void observe_points(ovr_simulation *sim, const ovr_observation *o)
+{
+    ovr_statistics *s = &sim->statistics;
+    double x = last_across(sim, o->T_max_rise);
+    if (ovr_heat_uneven(x, o->T_max_rise))
+        s->last_across = fmax(s->last_across, x);
+}
+
+int ovr_simulation_heat_points(const ovr_simulation *sim)
+{
+    return sim->heated ? sim->heated->across.n : 0;
+}
+
 static double flow_into(const ovr_simulation *sim, int k)
 {
     const ovr_heated *h = sim->heated;
@@ -292,6 +333,7 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
     double stored;
     o->energy_defect = 0;
     observe_temperatures(sim, o);
+    observe_points(sim, o);
     o->heat_flow_1 = flow_into(sim, 0);
     o->heat_flow_2 = flow_into(sim, 1);
     stored = h->steps->dT > 0 ? h->steps->stored : ovr_heat_stored(sim);
@@ -388,13 +430,12 @@ static void forget(ovr_simulation *sim, void *own)
 }
 
 /* From the film for other temperatures, until neither changes. */
-static void couple(ovr_simulation *sim, void *own, const ovr_full *how,
-                   ovr_outcome *outcome)
+static bool take_turns(ovr_simulation *sim, const ovr_full *how,
+                       ovr_outcome *outcome)
 {
     enum { TURNS = 200 };
     const double enough = 3e-5;
     double change = INFINITY;
-    (void)own;
     ovr_heat_turns_begin(sim);
     for (int k = 0; k < TURNS && !(change < enough); k++) {
         ovr_heat_march(sim);
@@ -408,6 +449,51 @@ static void couple(ovr_simulation *sim, void *own, const ovr_full *how,
     }
     if (!(change < enough))
         outcome->defect.imbalance = fmax(outcome->defect.imbalance, change);
+    return change < enough;
+}
+
+/* The same temperatures at more points. */
+static void refine_across(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    const ovr_across few = h->across;
+    ovr_across_make(OVR_MOST_ACROSS, &h->across);
+    for (int field = 0; field < 2; field++) {
+        double **v = field ? h->used : h->T;
+        for (size_t i = 0; i < sim->now.n; i++) {
+            double at[OVR_MOST_ACROSS], moved[OVR_MOST_ACROSS];
+            for (int j = 0; j < few.n; j++)
+                at[j] = v[j][i];
+            ovr_across_move(&few, at, &h->across, moved);
+            for (int j = 0; j < h->across.n; j++)
+                v[j][i] = moved[j];
+        }
+    }
+}
+
+static double largest_rise(const ovr_simulation *sim)
+{
+    const ovr_heated *h = sim->heated;
+    double rise = 0;
+    for (int j = 0; j < h->across.n; j++)
+        for (size_t i = 0; i < sim->now.n; i++)
+            rise = fmax(rise, h->T[j][i]);
+    return rise;
+}
+
+static void couple(ovr_simulation *sim, void *own, const ovr_full *how,
+                   ovr_outcome *outcome)
+{
+    ovr_heated *h = own;
+    double rise;
+    if (!take_turns(sim, how, outcome) || !h->chooses ||
+        h->across.n > FEWEST_ACROSS)
+        return;
+    rise = largest_rise(sim);
+    if (!ovr_heat_uneven(last_across(sim, rise), rise))
+        return;
+    refine_across(sim);
+    take_turns(sim, how, outcome);
 }
 
 static void begin(ovr_simulation *sim, void *own)

@@ -334,8 +334,18 @@ ovr_status ovr_heat_visit(ovr_simulation *sim, ovr_visit *visit, void *context,
                           ovr_error *err)
 {
     ovr_heated *h = sim->heated;
-    ovr_status status = visit(context, "heat_stored", &h->steps->stored,
-                              sizeof h->steps->stored, err);
+    int points = h->across.n;
+    ovr_status status = visit(context, "heat_points", &points, sizeof points,
+                              err);
+    if (!status && points != h->across.n && !h->chooses)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "the state has %d points across the film, this run %d",
+                        points, h->across.n);
+    if (points != h->across.n)
+        ovr_across_make(points, &h->across);
+    if (!status)
+        status = visit(context, "heat_stored", &h->steps->stored,
+                       sizeof h->steps->stored, err);
     if (!status)
         status = visit(context, "heat_most_balanced", &h->steps->most_balanced,
                        sizeof h->steps->most_balanced, err);

@@ -39,6 +39,7 @@ static const struct {
              PART("total_substeps", statistics.substeps),
              PART("total_marked", statistics.marked),
              PART("total_lagging", statistics.lagging),
+             PART("last_across", statistics.last_across),
              PART("least_film", statistics.H_min),
              PART("least_film_place", statistics.X_H_min),
              PART("least_film_time", statistics.T_H_min),

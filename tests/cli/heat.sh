@@ -83,6 +83,25 @@ cmp whole.txt short.txt || fail 'interrupted, it is another run'
 contains whole.txt 'energy_defect'
 contains whole.txt 'temperature_1'
 
+# Points across by the steady start, of which a run that goes on knows
+sed '/rheology/d;/eyring/d' hot.ini >newtonian.ini
+sed 's/slide_to_roll.*/slide_to_roll = 1/' newtonian.ini >seven.ini
+for points in auto 5; do
+    expect 0 "$OVERROLL" steady seven.ini --json --set heat.points=$points
+    contains out "\"heat_points\": $([ $points = 5 ] && echo 5 || echo 7),"
+    grep 'take points = 7' err >told
+    [ -s told ] && [ $points = auto ] && fail 'told what was done'
+    [ -s told ] || [ $points = auto ] || fail '5 points were not warned of'
+done
+printf '[time]\nend = 0.2\n' >>seven.ini
+expect 0 "$OVERROLL" run seven.ini -o seven.h5 -q
+expect 0 "$OVERROLL" run seven.ini -o cut.h5 -q --set time.end=0.1
+expect 0 "$OVERROLL" resume cut.h5 --set time.end=0.2 -q
+for file in seven cut; do
+    "$OVERROLL" export $file.h5 --all >$file.txt
+done
+cmp seven.txt cut.txt || fail 'interrupted, it has other points'
+
 # Starved: the oil is conserved
 expect 0 "$OVERROLL" run run.ini -o starved.h5 --json --set time.end=0.5 \
     --set cavitation.model=conserving --set supply.model=film \
@@ -92,7 +111,6 @@ awk -v d="$(number mass_defect)" -v r="$(number film_ratio)" \
     fail "mass_defect $(number mass_defect), film_ratio $(number film_ratio)"
 
 refuses '4 does not go with \[heat\] model' check hot.ini --set domain.order=4
-sed '/rheology/d;/eyring/d' hot.ini >newtonian.ini
 refuses '4 does not go with .*heat. model' \
     check newtonian.ini --set domain.order=4
 refuses 'given in \[lubricant\] too' check hot.ini \

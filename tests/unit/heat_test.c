@@ -104,6 +104,38 @@ static const ovr_heat oil = {.size = sizeof oil,
                              .C = 0,
                              .beta = 0};
 
+/* The coefficient of P_{n-1}: 1 of that polynomial, 0 of all below; moved to
+ * other points a polynomial of degree 4 is the same. */
+static void last_of_legendre(void **state)
+{
+    ovr_across a, b;
+    (void)state;
+    for (int points = 5; points <= 7; points += 2) {
+        double of[7] = {0}, moved[7];
+        ovr_across_make(points, &a);
+        ovr_across_make(12 - points, &b);
+        for (int j = 0; j < points; j++) {
+            double s = a.s[j], s2 = s * s;
+            double P4 = (35 * s2 * s2 - 30 * s2 + 3) / 8;
+            double P6 = (231 * s2 * s2 * s2 - 315 * s2 * s2 + 105 * s2 - 5) /
+                        16;
+            double T = 2 - s + 3 * s2 + 0.5 * s2 * s;
+            of[0] += a.last[j] * T;
+            of[1] += a.last[j] * (points == 5 ? P4 : P6);
+            of[2] += a.last[j] * P4;
+        }
+        assert_true(fabs(of[0]) < 1e-14);
+        CHECK_CLOSE(of[1], 1, 1e-14);
+        assert_true(fabs(of[2] - (points == 5)) < 1e-14);
+        for (int j = 0; j < points; j++)
+            of[j] = 1 + pow(a.s[j], 3) - 2 * pow(a.s[j], 4);
+        ovr_across_move(&a, of, &b, moved);
+        for (int j = 0; j < b.n; j++)
+            CHECK_CLOSE(moved[j], 1 + pow(b.s[j], 3) - 2 * pow(b.s[j], 4),
+                        1e-13);
+    }
+}
+
 /* A slab between walls held at two temperatures, with uniform heating: a
  * parabola, T = T1 + (T2 - T1) z + Theta Q H z (1 - z)/(2 Kf). */
 static void slab_conduction(void **state)
@@ -231,6 +263,7 @@ int main(void)
         cmocka_unit_test(memory_survives_other_steps),
         cmocka_unit_test(under_a_uniform_source),
         cmocka_unit_test(distance_from_the_full_solution),
+        cmocka_unit_test(last_of_legendre),
         cmocka_unit_test(slab_conduction),
         cmocka_unit_test(adiabatic_couette_heating),
         cmocka_unit_test(what_is_made_flows_out),

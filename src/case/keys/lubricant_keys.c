@@ -18,7 +18,8 @@ static const ovr_word density_laws[] = {
     {"table", OVR_DENSITY_TABLE},
     {NULL, 0}};
 static const ovr_word heats[] = {{"none", 0}, {"lobatto", 1}, {NULL, 0}};
-static const ovr_word heat_points[] = {{"5", 5}, {"7", 7}, {NULL, 0}};
+static const ovr_word heat_points[] = {
+    {"auto", 0}, {"5", 5}, {"7", 7}, {NULL, 0}};
 static const ovr_word rheologies[] = {{"newtonian", OVR_NEWTONIAN},
                                       {"eyring", OVR_EYRING},
                                       {"carreau", OVR_CARREAU},
@@ -140,8 +141,9 @@ const ovr_section ovr_lubricant_section = {
 static const ovr_parameter heat_keys[] = {
     {"model", CHOICE(heats), "none", AT(heat_model), true, ALWAYS,
      "lobatto: temperatures by collocation across the film"},
-    {"points", CHOICE(heat_points), "5", AT(heat.points), true,
-     "model = lobatto", "across the film; 7 as a check"},
+    {"points", CHOICE(heat_points), "auto", AT(heat.points), true,
+     "model = lobatto",
+     "across the film; auto: 5, or 7 where the steady start asks for them"},
     {"temperature", WITH_UNIT(OVR_TEMPERATURE, 150, 800), NULL,
      AT(heat.temperature), true,
      "model = lobatto or lubricant.viscosity_40 or lubricant.iso_vg or "
