@@ -7,45 +7,26 @@
 #include "contact/turning.h"
 #include "simulation/parts.h"
 
-static bool is_given(const ovr_resolved *r, ovr_part part)
+/* Those of the options count where their keys are written; stop, smoother,
+ * refine and the like are nothing unless written. */
+static bool is_given(const ovr_resolved *r, const char *section,
+                     const char *key)
 {
-    ovr_part_info info = ovr_part_at(part);
-    return ovr_slot_of(r, info.section, info.key)->given;
+    return ovr_slot_of(r, section, key)->given;
 }
 
-/* Those of the options whose keys are written; stop, smoother, refine and the
- * like are nothing unless written. */
-static unsigned of_options(const ovr_resolved *r)
-{
-    unsigned on = ovr_parts_of(&r->values.options);
-    for (unsigned part = 0; part < OVR_PARTS; part++)
-        if (on >> part & 1 && !is_given(r, (ovr_part)part))
-            on &= ~(1U << part);
-    return on;
-}
-
+#define BIT(NAME, words, section, key, whole, options, setup)                  \
+    | ovr_part_bit(OVR_PART_##NAME,                                            \
+                   (setup) || ((options) && is_given(r, section, key)))
 static unsigned written(const ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;
-    return of_options(r) | ovr_part_bit(OVR_PART_TIME, s->transient) |
-           ovr_part_bit(OVR_PART_ADAPTIVE, s->march->adaptive) |
-           ovr_part_bit(OVR_PART_LOAD, s->load != NULL) |
-           ovr_part_bit(OVR_PART_SPEED, s->speed != NULL) |
-           ovr_part_bit(OVR_PART_REVERSAL, ovr_history_turns(s->speed)) |
-           ovr_part_bit(OVR_PART_SLIDING, s->sliding != NULL) |
-           ovr_part_bit(OVR_PART_RADIUS, s->radius != NULL) |
-           ovr_part_bit(OVR_PART_FLOW_LAW,
-                        r->lubricant.rheology != OVR_NEWTONIAN) |
-           ovr_part_bit(OVR_PART_HEAT, s->heat != NULL) |
-           ovr_part_bit(OVR_PART_SUPPLY, s->supply->film) |
-           ovr_part_bit(OVR_PART_PASSES, s->passes->number > 1) |
-           ovr_part_bit(OVR_PART_STRESS, s->stress->surfaces != 0) |
-           ovr_part_bit(OVR_PART_FATIGUE, s->stress->fatigue);
+    const ovr_options *o = &r->values.options;
+    return 0U OVR_PART_ROWS(BIT);
 }
 
 /* "[heat] model = lobatto". */
-static void put_name(const ovr_resolved *r, ovr_part part, size_t size,
-                     char text[])
+static void put_name(const ovr_resolved *r, int part, size_t size, char text[])
 {
     ovr_part_info info = ovr_part_at(part);
     const ovr_slot *slot = ovr_slot_of(r, info.section, info.key);

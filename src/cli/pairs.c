@@ -5,12 +5,11 @@
 #include "cli/cli.h"
 
 /* "[domain] order"; of a section that is there or not, its name. */
-static void place(ovr_part part, size_t size, char *text)
+static void place(int part, size_t size, char *text)
 {
     ovr_part_info info = ovr_part_at(part);
-    bool whole = part == OVR_PART_TIME || part == OVR_PART_STRESS;
-    snprintf(text, size, "[%s]%s%s", info.section, whole ? "" : " ",
-             whole ? "" : info.key);
+    snprintf(text, size, "[%s]%s%s", info.section, info.whole ? "" : " ",
+             info.whole ? "" : info.key);
 }
 
 static void put_refusals(bool roff)

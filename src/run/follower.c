@@ -15,7 +15,7 @@
 enum { RING = 32 };
 
 typedef struct posted {
-    ovr_part part;
+    ovr_post part;
     ovr_moment moment;
     double *P, *Q; /* Q NULL: there is none */
 } posted;
@@ -34,9 +34,9 @@ struct ovr_follower {
 
 static void take(ovr_passage *p, const posted *m)
 {
-    if (m->part == OVR_PART_BEGIN)
+    if (m->part == OVR_POST_BEGIN)
         ovr_passage_begin(p, m->P, m->Q, &m->moment);
-    else if (m->part == OVR_PART_STEP)
+    else if (m->part == OVR_POST_STEP)
         ovr_passage_step(p, m->P, m->Q, &m->moment);
     else
         ovr_passage_end(p, m->P, m->Q, &m->moment);
@@ -90,7 +90,7 @@ ovr_follower *ovr_follower_create(const ovr_stress_plan *plan,
     return f;
 }
 
-void ovr_follower_post(ovr_follower *f, ovr_part part, const double *P,
+void ovr_follower_post(ovr_follower *f, ovr_post part, const double *P,
                        const double *Q, const ovr_moment *moment)
 {
     pthread_mutex_lock(&f->mutex);

@@ -325,7 +325,7 @@ static ovr_status observe(void *data, const ovr_simulation *sim, ovr_error *err)
         if (s->Q[k])
             ovr_traction_now(&s->plan[k], sim, s->Q[k]);
         ovr_follower_post(s->follower[k],
-                          state->step ? OVR_PART_STEP : OVR_PART_BEGIN, P,
+                          state->step ? OVR_POST_STEP : OVR_POST_BEGIN, P,
                           s->Q[k], &m);
     }
     s->before = state->T;

@@ -70,8 +70,8 @@ ovr_follower *ovr_follower_create(const ovr_stress_plan *plan,
                                   ovr_error *err);
 void ovr_follower_free(ovr_follower *f);
 
-typedef enum ovr_part { OVR_PART_BEGIN, OVR_PART_STEP, OVR_PART_END } ovr_part;
-void ovr_follower_post(ovr_follower *f, ovr_part part, const double *P,
+typedef enum ovr_post { OVR_POST_BEGIN, OVR_POST_STEP, OVR_POST_END } ovr_post;
+void ovr_follower_post(ovr_follower *f, ovr_post part, const double *P,
                        const double *Q, const ovr_moment *moment);
 
 /* Until all that was posted is taken; then the passage may be looked at. */

@@ -3,31 +3,9 @@
 
 #include <stddef.h>
 
-/* In the order of ovr_part. */
-static const ovr_part_info parts[OVR_PARTS] = {
-    {"a run in time", "time", "end"},
-    {"scheme upstream1", "time", "scheme"},
-    {"scheme upstream2", "time", "scheme"},
-    {"scheme characteristic", "time", "scheme"},
-    {"order 2", "domain", "order"},
-    {"order 4", "domain", "order"},
-    {"a smoother of the paper", "paper", "smoother"},
-    {"the paper's balance", "paper", "paper_balance"},
-    {"a fixed number of cycles", "solver", "stop"},
-    {"adaptive steps", "time", "step"},
-    {"a history of load", "load", "history"},
-    {"a history of speed", "speed", "history"},
-    {"a speed that reverses", "speed", "history"},
-    {"a history of sliding", "sliding", "history"},
-    {"a history of the radius", "radius", "history"},
-    {"a flow law", "lubricant", "rheology"},
-    {"heat", "heat", "model"},
-    {"cavitation that conserves oil", "cavitation", "model"},
-    {"a supply that is a film", "supply", "model"},
-    {"several passes", "passes", "number"},
-    {"stresses", "stress", "surface"},
-    {"fatigue", "fatigue", "criterion"},
-    {"patches", "domain", "refine"}};
+#define INFO(NAME, words, section, key, whole, options, setup)                 \
+    {words, section, key, whole},
+static const ovr_part_info parts[OVR_PARTS] = {OVR_PART_ROWS(INFO)};
 
 static const char separate[] =
     "the filling is carried by a wedge and a squeeze term of their own";
@@ -72,7 +50,7 @@ static const ovr_refusal refusals[] = {
 
 enum { REFUSALS = sizeof refusals / sizeof *refusals };
 
-ovr_part_info ovr_part_at(ovr_part part)
+ovr_part_info ovr_part_at(int part)
 {
     return parts[part];
 }
@@ -82,25 +60,11 @@ const ovr_refusal *ovr_refusal_at(size_t k)
     return k < REFUSALS ? &refusals[k] : NULL;
 }
 
-const ovr_refusal *ovr_parts_refused(ovr_part a, ovr_part b)
-{
-    return ovr_parts_conflict(ovr_part_bit(a, true) | ovr_part_bit(b, true));
-}
-
+#define BIT(NAME, words, section, key, whole, options, setup)                  \
+    | ovr_part_bit(OVR_PART_##NAME, options)
 unsigned ovr_parts_of(const ovr_options *o)
 {
-    return ovr_part_bit(OVR_PART_UPSTREAM1, o->scheme == OVR_UPSTREAM1) |
-           ovr_part_bit(OVR_PART_UPSTREAM2, o->scheme == OVR_UPSTREAM2) |
-           ovr_part_bit(OVR_PART_CHARACTERISTIC,
-                        o->scheme == OVR_CHARACTERISTIC) |
-           ovr_part_bit(OVR_PART_ORDER_2, o->order == 2) |
-           ovr_part_bit(OVR_PART_ORDER_4, o->order == 4) |
-           ovr_part_bit(OVR_PART_PAPER_SMOOTHER, o->smoother != OVR_LINE) |
-           ovr_part_bit(OVR_PART_PAPER_BALANCE, o->paper_balance) |
-           ovr_part_bit(OVR_PART_FIXED_CYCLES, o->stop == OVR_STOP_FIXED) |
-           ovr_part_bit(OVR_PART_CONSERVING,
-                        o->cavitation == OVR_CAVITATION_CONSERVING) |
-           ovr_part_bit(OVR_PART_PATCHES, o->refine != OVR_REFINE_NONE);
+    return 0U OVR_PART_ROWS(BIT);
 }
 
 const ovr_refusal *ovr_parts_conflict(unsigned on)

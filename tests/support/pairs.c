@@ -12,6 +12,7 @@
 #include "support/test.h"
 
 #include "overroll/overroll.h"
+#include "simulation/parts.h"
 
 /* A rolling steel contact with some sliding; 20 steps of one mesh. */
 static const char *const base[] = {
@@ -211,6 +212,11 @@ static ovr_part underneath(ovr_part part)
     return part == OVR_PART_FATIGUE ? OVR_PART_STRESS : part;
 }
 
+static const ovr_refusal *together(ovr_part a, ovr_part b)
+{
+    return ovr_parts_conflict(ovr_part_bit(a, true) | ovr_part_bit(b, true));
+}
+
 /* NULL: both work. */
 static const ovr_refusal *refused(const struct way *a, const struct way *b)
 {
@@ -220,11 +226,11 @@ static const ovr_refusal *refused(const struct way *a, const struct way *b)
         n = 3;
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < i; j++)
-            if (ovr_parts_refused(parts[i], parts[j]))
-                return ovr_parts_refused(parts[i], parts[j]);
+            if (together(parts[i], parts[j]))
+                return together(parts[i], parts[j]);
     for (size_t i = 0; i < 2; i++)
         parts[i] = underneath(parts[i]);
-    return ovr_parts_refused(parts[0], parts[1]);
+    return together(parts[0], parts[1]);
 }
 
 /* Another value of the same key would only replace the first. */
