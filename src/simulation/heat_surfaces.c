@@ -13,20 +13,27 @@ static ovr_status take(ovr_simulation *sim, double **to, size_t count,
     return *to ? OVR_OK : OVR_NO_MEMORY;
 }
 
-ovr_status ovr_heat_surface_take(ovr_simulation *sim, int k, ovr_error *err)
+static void set_rates(ovr_simulation *sim, int k)
 {
     const ovr_contact *c = &sim->contact;
     ovr_heated *h = sim->heated;
-    ovr_heat_steps *steps = h->steps;
-    ovr_heat_surface *s = &steps->surface[k];
-    double D = ovr_mesh(sim), u = k ? c->u2_ratio : c->u1_ratio;
-    size_t n = sim->now.n, N;
-    s->beyond = (size_t)fmin(4 * sqrt(h->numbers.diffusion[k] / D) + 4,
-                             (double)n);
-    N = n + 2 * s->beyond;
-    h->longest[k] = fmax(2 * (double)(n - 1) * D / fmax(fabs(u), 0.1),
+    double D = ovr_mesh(sim), length = (double)(sim->now.n - 1) * D;
+    double u = k ? c->u2_ratio : c->u1_ratio;
+    h->longest[k] = fmax(2 * length / fmax(fabs(u), 0.1),
                          ovr_solid_reach(&h->numbers, k, u));
     ovr_memory_rates(D / 8, h->longest[k], &h->memory[k]);
+}
+
+/* By the numbers alone, which are there where memory is but counted. */
+ovr_status ovr_heat_surface_take(ovr_simulation *sim, int k, ovr_error *err)
+{
+    const ovr_heat *heat = &sim->heated->numbers;
+    ovr_heat_surface *s = &sim->heated->steps->surface[k];
+    double D = ovr_mesh(sim), u = heat->peclet[k] * heat->diffusion[k];
+    size_t n = sim->now.n, N;
+    set_rates(sim, k);
+    s->beyond = (size_t)fmin(ovr_solid_beyond(heat, k, u, D) / D, (double)n);
+    N = n + 2 * s->beyond;
     for (int a = 0; a < OVR_HEAT_ROOMS; a++)
         if (take(sim, &s->room[a], N, err))
             return OVR_NO_MEMORY;
@@ -176,11 +183,9 @@ void ovr_heat_surface_remember(ovr_simulation *sim, int k, const double *q)
 
 /* ------------------------------------------------------------------ steady */
 
-/* along <- along + share (K q - K_march q - along); `past` is of K, without the
- * part of q itself. */
-static void approach(ovr_simulation *sim, int k, const double *past)
+/* along <- K q - K_march q; `past` is of K, without the part of q itself. */
+static void put_along(ovr_simulation *sim, int k, const double *past)
 {
-    const double share = 0.7;
     const ovr_heated *h = sim->heated;
     const ovr_heat_surface *s = &h->steps->surface[k];
     const ovr_memory *march = &h->memory[k];
@@ -190,9 +195,8 @@ static void approach(ovr_simulation *sim, int k, const double *past)
     size_t n = sim->now.n;
     for (size_t j = 0; j < n; j++) {
         size_t i = h->way[k] > 0 ? j : n - 1 - j;
-        double lacks = past[i] + own * q[i] -
-                       ovr_memory_past(march, psi, before);
-        s->along[i] += share * (lacks - s->along[i]);
+        s->along[i] = past[i] + own * q[i] -
+                      ovr_memory_past(march, psi, before);
         ovr_memory_step(march, before, q[i], psi);
         before = q[i];
     }
@@ -207,5 +211,5 @@ void ovr_heat_surface_steady(ovr_simulation *sim, int k)
                      h->way[k] * fabs(u), h->memory[k].rate,
                      longer(sim, s, h->q[k], s->room[0]), s->psi);
     ovr_heat_surface_step(sim, k, D, u);
-    approach(sim, k, look(sim, s, h->q[k]));
+    put_along(sim, k, look(sim, s, h->q[k]));
 }

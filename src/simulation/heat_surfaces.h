@@ -8,20 +8,20 @@
  * 50; of faster ones it changes the largest temperature by less than 1e-3 under
  * the flux of a smooth contact, and by 1 % at the edges of a flux that jumps.
  *
- * The memories reach beyond both ends of the domain, by four times the length
- * sqrt(kappa D) by which heat spreads in a step of D: what a surface takes up
- * at an end, where it comes in cold under hot oil, is not lost.
+ * The memories reach beyond both ends of the domain (ovr_solid_beyond): what a
+ * surface takes up at an end, where it comes in cold under hot oil, is not
+ * lost, and what changes with time does not come back from there too soon.
  *
  * A steady film is marched along x (heat_march.c), which knows upstream alone:
  * without heat along x, at a Peclet number of at least 0.1.  What T/N lacks by
- * that is `along`, brought nearer to what steady modes give for the last q,
- * once a march:
+ * that for the last q is added to the next march:
  *
- *     along <- along + 0.7 (K q - K_march q - along)
+ *     along = K q - K_march q
  *
- * where K q is what a step of D takes from them, so that a run stays as it
- * began.  It contracts as |K| <= |K_march| for every wave number, sqrt(pi) over
- * the roots of |i k u + kappa k^2| and |k| u_march.
+ * where K q is what a step of D takes from steady modes, so that a run stays as
+ * it began.  That contracts, for |K| <= |K_march| for every wave number,
+ * sqrt(pi) over the roots of |i k u + kappa k^2| and |k| u_march, and they are
+ * less than a right angle apart.
  */
 #ifndef OVR_SIMULATION_HEAT_SURFACES_H
 #define OVR_SIMULATION_HEAT_SURFACES_H
@@ -64,7 +64,7 @@ void ovr_heat_surface_reset(ovr_simulation *sim, int k);
 ovr_status ovr_heat_surface_visit(ovr_simulation *sim, int k, ovr_visit *visit,
                                   void *context, ovr_error *err);
 
-/* Its steady modes by the flux q, and `along` brought nearer. */
+/* Its steady modes by the flux q, and `along` by them. */
 void ovr_heat_surface_steady(ovr_simulation *sim, int k);
 
 #endif

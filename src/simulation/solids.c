@@ -22,6 +22,15 @@ double ovr_solid_reach(const ovr_heat *numbers, int k, double u)
     return fmin(most, fmin(20 * kappa / (u * u), wide * wide / kappa));
 }
 
+double ovr_solid_beyond(const ovr_heat *numbers, int k, double u, double D)
+{
+    const double most = 2;
+    double kappa = numbers->diffusion[k], step = 4 * sqrt(kappa * D) + 4 * D;
+    if (!ovr_solid_conducts(numbers, k, u))
+        return step;
+    return step + fmin(most, 2 * kappa / fabs(u));
+}
+
 enum { SAMPLES = 400 };
 
 typedef struct fit {

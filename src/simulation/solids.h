@@ -49,6 +49,11 @@ typedef struct ovr_memory {
 bool ovr_solid_conducts(const ovr_heat *numbers, int k, double u);
 double ovr_solid_reach(const ovr_heat *numbers, int k, double u);
 
+/* How far, over b, it remembers beyond the domain, on a mesh of D: four times
+ * the length sqrt(kappa D) by which heat spreads in a step of D, and where it
+ * is slow so far as it comes against the motion, 2 kappa/u, but at most 2 b. */
+double ovr_solid_beyond(const ovr_heat *numbers, int k, double u, double D);
+
 /* Rates for times from `shortest` to `longest`; they stay for a run. */
 void ovr_memory_rates(double shortest, double longest, ovr_memory *memory);
 
