@@ -248,6 +248,7 @@ static ovr_status ask_frame(studio *s, size_t i, ovr_error *err)
     name_frame(s, i, suffixes[s->form], path);
     name_frame(s, i, "gp", script);
     ovr_snapshot_draw(s->chart, &s->look, s->shots, 1, s->count, NULL);
+    s->chart->chart.kind = s->below ? "stress" : "snapshot";
     ovr_arena once = ovr_arena_make(&s->arena->allocator);
     if (s->below)
         status = ovr_stress_panel_add(&s->field, s->shots, &s->look, s->chart,

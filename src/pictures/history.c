@@ -109,8 +109,7 @@ static ovr_status add_columns(const ovr_drawing *drawing, const column *columns,
         series[k].factor = y.factor;
     panel->y_label = y.label;
     panel->y_from = 0;
-    panel->y_to = (drawing->count > 1 ? 1.3 : 1.08) * high *
-                  y.factor; /* a note */
+    panel->y_to = 1.08 * high * y.factor;
     panel->ground = true;
     panel->series = series;
     panel->count = count * drawing->count;
@@ -188,7 +187,8 @@ static ovr_status roughness_there(const ovr_drawing *drawing, double *S,
     const ovr_stored *run = drawing->runs;
     ovr_shot shot;
     ovr_status status = ovr_shot_make(&shot, run, drawing->arena, err);
-    shot.P = shot.H = NULL; /* not needed: not read */
+    /* What is not needed is not read. */
+    shot = (ovr_shot){.run = run, .S = shot.S};
     for (size_t k = 0; status == OVR_OK && k < run->info->snapshots; k++) {
         status = ovr_shot_read(&shot, k, err);
         if (status == OVR_OK)
