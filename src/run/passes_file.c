@@ -4,16 +4,13 @@
  * whole each time. */
 #include <errno.h>
 #include <fcntl.h>
-#include <hdf5.h>
-#include <hdf5_hl.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "case/case.h"
-#include "overroll/version.h"
-#include "results/h5.h"
+#include "results/flat_table.h"
 #include "results/hdf5read/hdf5read.h"
 #include "results/header.h"
 #include "results/layout.h"
@@ -85,65 +82,27 @@ static const struct {
 
 typedef struct table {
     const ovr_run *run;
-    size_t count;
     double *values;     /* a column */
     const char **texts; /* the same */
-    hid_t file, space, properties, text, scale;
+    ovr_flat rows;
 } table;
-
-static hid_t create(const table *t, const char *name, hid_t type)
-{
-    hid_t set = H5Dcreate2(t->file, name, type, t->space, H5P_DEFAULT,
-                           t->properties, H5P_DEFAULT);
-    if (set >= 0 && t->scale >= 0 && H5DSattach_scale(set, t->scale, 0) < 0) {
-        H5Dclose(set);
-        return -1;
-    }
-    return set;
-}
-
-static bool put_scale(table *t)
-{
-    for (size_t i = 0; i < t->count; i++)
-        t->values[i] = (double)i + 1;
-    t->scale = create(t, "pass", H5T_STD_I32LE);
-    return t->scale >= 0 && H5DSset_scale(t->scale, "pass") >= 0 &&
-           H5Dwrite(t->scale, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                    t->values) >= 0 &&
-           ovr_h5_set_chars(t->scale, "long_name", "number of the pass");
-}
 
 static bool put_numbers(const table *t, ovr_pass_column k)
 {
     const ovr_scales scales = ovr_scales_of(t->run->setup->contact);
     double factor = ovr_factor(&scales, columns[k].kind);
-    hid_t set = create(t, columns[k].name, H5T_IEEE_F64LE);
-    bool good;
-    for (size_t i = 0; i < t->count; i++)
+    for (size_t i = 0; i < t->rows.count; i++)
         t->values[i] = t->run->passes->row[i].value[k] * factor;
-    good = set >= 0 &&
-           H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                    t->values) >= 0 &&
-           ovr_h5_set_chars(set, "units", ovr_unit(&scales, columns[k].kind)) &&
-           ovr_h5_set_chars(set, "long_name", columns[k].long_name);
-    return set >= 0 && H5Dclose(set) >= 0 && good;
-}
-
-static bool put_texts(const table *t, const char *name, const char *about)
-{
-    hid_t set = create(t, name, t->text);
-    bool good = set >= 0 &&
-                H5Dwrite(set, t->text, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                         t->texts) >= 0 &&
-                ovr_h5_set_chars(set, "long_name", about);
-    return set >= 0 && H5Dclose(set) >= 0 && good;
+    return ovr_flat_numbers(&t->rows, columns[k].name,
+                            ovr_unit(&scales, columns[k].kind),
+                            columns[k].long_name, t->values);
 }
 
 /* Errors and lives are columns where they are known. */
 static bool is_wanted(const table *t, ovr_pass_column k)
 {
     bool wanted = k < OVR_PASS_FILM_ERROR;
-    for (size_t i = 0; i < t->count; i++)
+    for (size_t i = 0; i < t->rows.count; i++)
         wanted = wanted || isfinite(t->run->passes->row[i].value[k]);
     return wanted;
 }
@@ -157,74 +116,38 @@ static const char *base_name(const char *path)
 static bool put_names(const table *t)
 {
     const ovr_passes *p = t->run->passes;
-    for (size_t i = 0; i < t->count; i++)
+    for (size_t i = 0; i < t->rows.count; i++)
         t->texts[i] = base_name(p->file[i]);
-    if (!put_texts(t, "file", "result file of the pass"))
+    if (!ovr_flat_texts(&t->rows, "file", "result file of the pass", t->texts))
         return false;
-    for (size_t i = 0; i < t->count; i++)
+    for (size_t i = 0; i < t->rows.count; i++)
         t->texts[i] = p->row[i].status;
-    return put_texts(t, "status", "how that file stands");
+    return ovr_flat_texts(&t->rows, "status", "how that file stands", t->texts);
 }
 
 static bool put_case(const table *t)
 {
     const char *text = ovr_case_text(t->run->c, NULL);
     const char *folder = ovr_case_directory(t->run->c);
-    hid_t group = ovr_header_group(t->file, "case");
+    hid_t group = ovr_header_group(t->rows.file, "case");
     bool good = group >= 0 && text && ovr_h5_set_string(group, "text", text) &&
                 ovr_h5_set_string(group, "path", folder ? folder : "");
     ovr_h5_drop(group);
     return good;
 }
 
-static bool put_all(table *t, const char *status)
+static bool write_part(table *t, const char *part, const char *status,
+                       ovr_arena *arena)
 {
     const char *title = t->run->setup->output->title;
-    bool good = put_scale(t) && put_names(t) && put_case(t) &&
-                ovr_h5_set_chars(t->file, "Conventions", "CF-1.8") &&
-                ovr_h5_set_chars(t->file, "title",
-                                 title ? title : "passes of a line contact") &&
-                ovr_h5_set_chars(t->file, "source",
-                                 "overroll " OVERROLL_VERSION) &&
-                ovr_h5_set_string(t->file, "status", status);
+    bool good = ovr_flat_begin(&t->rows, part, "pass", "number of the pass",
+                               (size_t)t->run->passes->rows, arena) &&
+                put_names(t) && put_case(t) &&
+                ovr_h5_set_string(t->rows.file, "status", status);
     for (ovr_pass_column k = 0; good && k < OVR_PASS_COLUMNS; k++)
         good = !is_wanted(t, k) || put_numbers(t, k);
-    return good;
-}
-
-/* netCDF-4 wants links and attributes in order of creation. */
-static void prepare(table *t, const char *path)
-{
-    const unsigned order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
-    hsize_t count = t->count;
-    hid_t access = ovr_h5_access(), creation = ovr_header_creation();
-    t->file = H5Fcreate(path, H5F_ACC_TRUNC, creation, access);
-    t->space = H5Screate_simple(1, &count, NULL);
-    t->properties = H5Pcreate(H5P_DATASET_CREATE);
-    H5Pset_attr_creation_order(t->properties, order);
-    t->text = H5Tcopy(H5T_C_S1);
-    H5Tset_size(t->text, H5T_VARIABLE);
-    H5Tset_cset(t->text, H5T_CSET_UTF8);
-    ovr_h5_drop(creation);
-    ovr_h5_drop(access);
-}
-
-static bool write_part(table *t, const char *part, const char *status)
-{
-    bool good;
-    int fd;
-    prepare(t, part);
-    good = t->file >= 0 && put_all(t, status);
-    ovr_h5_drop(t->scale);
-    ovr_h5_drop(t->text);
-    ovr_h5_drop(t->properties);
-    ovr_h5_drop(t->space);
-    good = t->file >= 0 && H5Fclose(t->file) >= 0 && good;
-    fd = good ? open(part, O_RDONLY | O_CLOEXEC) : -1;
-    good = fd >= 0 && fsync(fd) == 0;
-    if (fd >= 0)
-        close(fd);
-    return good;
+    return ovr_flat_end(&t->rows, part,
+                        title ? title : "passes of a line contact", good);
 }
 
 ovr_status ovr_passes_write(const ovr_run *run, const char *status,
@@ -232,15 +155,16 @@ ovr_status ovr_passes_write(const ovr_run *run, const char *status,
 {
     const ovr_passes *p = run->passes;
     ovr_arena arena = ovr_arena_make(&run->arena.allocator);
-    table t = {.run = run, .count = (size_t)p->rows, .scale = -1};
+    size_t count = (size_t)p->rows;
+    table t = {.run = run};
     ovr_h5_handler before = ovr_h5_quiet();
     char part[4500];
     bool good;
     errno = 0;
     snprintf(part, sizeof part, "%.4400s.part", p->path);
-    t.values = ovr_arena_take(&arena, t.count, sizeof *t.values, err);
-    t.texts = ovr_arena_take(&arena, t.count, sizeof *t.texts, err);
-    good = t.values && t.texts && write_part(&t, part, status) &&
+    t.values = ovr_arena_take(&arena, count, sizeof *t.values, err);
+    t.texts = ovr_arena_take(&arena, count, sizeof *t.texts, err);
+    good = t.values && t.texts && write_part(&t, part, status, &arena) &&
            rename(part, p->path) == 0;
     if (!good)
         unlink(part);

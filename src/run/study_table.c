@@ -243,6 +243,7 @@ static bool add_variable(ovr_table *t, ovr_container *c, const ovr_link *link)
     ovr_table_column *to = &t->column[t->columns];
     const char *about = ovr_container_text(c, link->object, "long_name");
     const char *unit = ovr_container_text(c, link->object, "units");
+    const char *zip = ovr_container_text(c, link->object, "zip");
     double *number = ovr_arena_take(&t->arena, t->rows, sizeof *number, NULL);
     const char **text = NULL;
     ovr_dataset set;
@@ -264,7 +265,7 @@ static bool add_variable(ovr_table *t, ovr_container *c, const ovr_link *link)
                              is_place(about),
                              number,
                              text,
-                             NULL};
+                             zip ? plain(t, zip) : NULL};
     t->columns++;
     return good && to->name && to->unit;
 }

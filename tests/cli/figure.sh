@@ -163,6 +163,7 @@ contains lines.svg 'speed_2 = 3000 rpm'
 expect 0 "$OVERROLL" sweep speeds.ini --collect speeds.nc -q
 expect 0 "$OVERROLL" plot speeds.nc --against speed_1 -o rpm.svg \
     --script rpm.gp
+expect 0 "$OVERROLL" plot speeds.nc --against turning -o turning.svg
 contains rpm.gp "x_label.* = \['speed._1  \[rpm\]'"
 refuses "no key of the study 'wheels'; there are .*speed_1, turning, speed_2" \
     plot speeds.ini --against wheels -o x.svg
