@@ -264,9 +264,9 @@ static int by_key(const void *a, const void *b)
 /* Every key once, with its sections, a paragraph a letter. */
 static void roff_index(void)
 {
-    size_t count = ovr_parameter_count(), number[KEYS];
-    for (size_t k = 0; k < count && k < KEYS; k++)
-        number[k] = k;
+    size_t count = 0, number[KEYS] = {0};
+    for (; count < ovr_parameter_count() && count < KEYS; count++)
+        number[count] = count;
     qsort(number, count, sizeof *number, by_key);
     puts(".SS Index of keys");
     const char *before = "";
