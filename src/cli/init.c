@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll init [KIND]: a commented case to start from. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "cli/output.h"
@@ -57,80 +58,121 @@ static const char roller_end[] =
     "every = 8                    # steps\n";
 
 static const char gear[] =
-    "# Gear tooth: load comes on while a ground flank slides through.\n"
+    "# Gear pair: a ground flank from the first touch to the last, as its\n"
+    "# drawing says it.  overroll check THIS.ini prints its stations.\n"
+    "\n"
+    "[gear]\n"
+    "teeth_1 = 25                 # gear 1 is surface 1\n"
+    "teeth_2 = 57                 # negative: an internal gear\n"
+    "module = 2.5 mm              # normal\n"
+    "face = 20 mm\n"
+    "speed = 3000 rpm             # of gear 1\n"
+    "torque = 80 N.m              # on gear 1; or power = 25 kW\n"
+    "# centre = 103 mm            # a shift follows from it\n"
+    "# shift_1 = 0.2              # in modules\n"
+    "# helix_angle = 15 deg\n"
     "\n"
     "[contact]\n"
-    "load = 250 N/mm              # along the face\n"
-    "radius = 12 mm\n"
-    "modulus = 226 GPa\n"
-    "mean_speed = 6 m/s\n"
-    "slide_to_roll = 0.3          # (u1 - u2)/um\n";
+    "modulus = 226 GPa            # reduced E' of steel on steel\n";
 
 static const char gear_end[] =
+    "rheology = eyring            # it slides: oils thin with shear\n"
+    "eyring_stress = 5 MPa\n"
     "\n"
     "[domain]\n"
-    "level = 8\n"
+    "level = 7\n"
     "\n"
-    "[time]\n"
-    "end = 17\n"
+    "[time]                       # end left out: the whole way\n"
     "scheme = characteristic      # carries short waves best\n"
-    "\n"
-    "[load]                       # relative to the load above\n"
-    "history = ramp\n"
-    "from = 0.5\n"
-    "to = 1\n"
-    "duration = 3\n"
     "\n"
     "[feature grinding]\n"
     "surface = 1\n"
     "shape = roughness\n"
     "Rq = 0.03 um\n"
-    "length = 4                   # in b\n"
+    "length = 20                  # in b\n"
     "shortest = 0.25\n"
     "seed = 1                     # another seed, another surface\n"
-    "start = -12                  # its leading end, left of the inlet\n"
+    "start = 6                    # its leading end\n"
+    "grow = 1                     # it grows in place at the first touch\n"
     "\n"
     "[output]\n"
     "file = gear.h5\n"
     "every = 8\n";
 
 static const char cam[] =
-    "# Cam and tappet: the mean speed swings and reverses, a scratch stands on "
-    "the\n"
-    "# tappet.\n"
+    "# Cam and flat follower, as the drawing says them.  The mean speed "
+    "passes\n"
+    "# zero where overroll check THIS.ini shows a turn.\n"
+    "\n"
+    "[cam]\n"
+    "follower = flat              # or roller, with roller_radius\n"
+    "base_radius = 26 mm\n"
+    "face = 12 mm\n"
+    "speed = 1000 rpm             # of the cam, surface 1\n"
+    "law = 4567                   # or 345, cycloidal, harmonic, table\n"
+    "lift = 6 mm\n"
+    "rise = 70 deg                # and falls over the same\n"
+    "spring = 30 N/mm\n"
+    "preload = 250 N\n"
+    "mass = 100 g                 # all that moves with the follower\n"
     "\n"
     "[contact]\n"
-    "load = 80 N/mm\n"
-    "radius = 20 mm\n"
-    "modulus = 226 GPa\n"
-    "mean_speed = 2 m/s           # nominal; see [speed]\n"
-    "slide_to_roll = 2            # surface 1 moves, surface 2 stands still\n";
+    "modulus = 226 GPa\n";
 
 static const char cam_end[] =
+    "rheology = eyring\n"
+    "eyring_stress = 5 MPa\n"
     "\n"
     "[domain]\n"
-    "level = 8\n"
+    "level = 7\n"
     "\n"
     "[time]\n"
-    "end = 12\n"
-    "\n"
-    "[speed]                      # relative to mean_speed\n"
-    "history = sine\n"
-    "mean = 0.5\n"
-    "amplitude = 1                # below zero it runs towards -x\n"
-    "period = 6\n"
-    "\n"
-    "[feature scratch]\n"
-    "surface = 2\n"
-    "shape = groove\n"
-    "depth = 0.05 um\n"
-    "width = 0.5\n"
-    "start = 0\n"
-    "grow = 1                     # grows in place from the smooth start\n"
+    "step = adaptive              # the film changes fast at the turns alone\n"
     "\n"
     "[output]\n"
     "file = cam.h5\n"
-    "every = 8\n";
+    "every = 20\n";
+
+static const char bearing[] =
+    "# Roller bearing 209 under 4450 N: the rollers that one point of the "
+    "inner\n"
+    "# ring meets in one crossing of the load roll over a dent there.\n"
+    "\n"
+    "[roller_bearing]\n"
+    "roller = 10 mm               # diameter\n"
+    "rollers = 14\n"
+    "length = 9.6 mm\n"
+    "inner = 54.991 mm            # diameter of the raceway; or pitch\n"
+    "clearance = 41 um\n"
+    "load = 4450 N\n"
+    "speed_inner = 1000 rpm\n"
+    "contact = inner\n"
+    "passes = zone                # [passes] follow from it\n"
+    "\n"
+    "[contact]\n"
+    "modulus = 226 GPa\n";
+
+static const char bearing_end[] =
+    "\n"
+    "[domain]\n"
+    "level = 9\n"
+    "\n"
+    "[cavitation]\n"
+    "model = conserving           # passes feed on what the one before leaves\n"
+    "\n"
+    "[time]\n"
+    "end = 30\n"
+    "\n"
+    "[feature dent]\n"
+    "surface = 1\n"
+    "shape = indent\n"
+    "depth = 0.4 um\n"
+    "width = 2                    # in b\n"
+    "shoulder = 0.05 um\n"
+    "start = -26                  # left of the inlet, as check tells it\n"
+    "\n"
+    "[output]\n"
+    "file = bearing.h5\n";
 
 static const char numbers[] =
     "# A contact given by Moes' numbers: everything is dimensionless.\n"
@@ -262,6 +304,7 @@ static const struct kind {
     {"roller", roller, roller_end, true},
     {"gear", gear, gear_end, true},
     {"cam", cam, cam_end, true},
+    {"bearing", bearing, bearing_end, true},
     {"numbers", numbers, numbers_end, false},
     {"starved", starved, starved_end, true},
     {"discs", discs, NULL, true}, /* with oils of their own */
@@ -293,8 +336,8 @@ static const struct kind *find_kind(const cli_call *call, const char *name)
     }
     meant = ovr_suggest(name, names, KINDS);
     cli_usage(call,
-              "no case '%s'%s%s; there are roller, gear, cam, numbers, "
-              "starved, discs, hot",
+              "no case '%s'%s%s; there are roller, gear, cam, bearing, "
+              "numbers, starved, discs, hot",
               name, meant ? "; did you mean " : "", meant ? meant : "");
     return NULL;
 }
@@ -307,6 +350,103 @@ static const struct oil *find_oil(const cli_call *call, const char *name)
     cli_usage(call, "no oil '%s'; there are paper, vg32, vg68, vg100, vg220",
               name);
     return NULL;
+}
+
+/* ------------------------------------------------------------ values put in
+ */
+
+/* The line of a key in its section: where it begins, or where the section ends
+ * if it has no such line; NULL: there is no such section. */
+static char *find_line(char *text, const char *section, const char *key,
+                       bool *found)
+{
+    char head[90];
+    char *line, *end = NULL;
+    size_t length = strlen(key);
+    snprintf(head, sizeof head, "[%s]", section);
+    *found = false;
+    for (line = text; line && *line; line = strchr(line, '\n') + 1) {
+        if (*line == '[' && end)
+            break;
+        if (!strncmp(line, head, strlen(head)))
+            end = line;
+        else if (end && *line != '\n' && *line != '#')
+            end = line;
+        *found = end && !strncmp(line, key, length) &&
+                 !strncmp(line + length, " =", 2);
+        if (*found)
+            return line;
+        if (!strchr(line, '\n'))
+            break;
+    }
+    return end ? strchr(end, '\n') + 1 : NULL;
+}
+
+/* Puts "section.key=value" into the text of a case: in place of the value that
+ * stands there, before its comment, or as a line of its own. */
+static int put_value(cli_call *call, char **text, const char *setting)
+{
+    char section[80], key[80], line[400];
+    const char *equal = strchr(setting, '=');
+    const char *dot = strchr(setting, '.');
+    if (!equal || !dot || dot > equal)
+        return cli_usage(call, "--set %s: write section.key=value", setting);
+    snprintf(section, sizeof section, "%.*s", (int)(dot - setting), setting);
+    snprintf(key, sizeof key, "%.*s", (int)(equal - dot - 1), dot + 1);
+    bool found;
+    char *at = find_line(*text, section, key, &found);
+    const char *after = at ? at : "";
+    char *comment = found ? strchr(at, '#') : NULL;
+    char *next = found ? strchr(at, '\n') + 1 : at;
+    if (comment && comment > next)
+        comment = NULL;
+    snprintf(line, sizeof line, "%s = %s", key, equal + 1);
+    char *made = NULL;
+    size_t bytes;
+    FILE *to = open_memstream(&made, &bytes);
+    if (!to)
+        return CLI_FAILED;
+    if (!at)
+        fprintf(to, "%s\n[%s]\n%s\n", *text, section, line);
+    else {
+        fprintf(to, "%.*s", (int)(at - *text), *text);
+        if (comment)
+            fprintf(to, "%-28s %.*s", line, (int)(next - comment), comment);
+        else
+            fprintf(to, "%s\n", line);
+        fputs(found ? next : after, to);
+    }
+    if (fclose(to))
+        return CLI_FAILED;
+    free(*text);
+    *text = made;
+    return CLI_DONE;
+}
+
+/* The case with what was set in it, which is tried out first: a key that is
+ * unknown or a value out of its range is told as everywhere. */
+static int make_text(cli_call *call, const struct kind *kind,
+                     const struct oil *oil, char **text)
+{
+    ovr_error err = {0};
+    size_t bytes;
+    int code = CLI_DONE;
+    FILE *to = open_memstream(text, &bytes);
+    if (!to)
+        return CLI_FAILED;
+    put_case(kind, oil, to);
+    if (fclose(to))
+        return CLI_FAILED;
+    ovr_case *tried = ovr_case_create(NULL, &err);
+    const char *setting;
+    for (int k = 0;
+         !code && tried && (setting = cli_value_at(call, "set", k)) != NULL;
+         k++)
+        code = ovr_case_assign(tried, setting, "--set", &err)
+                   ? cli_fail(&err)
+                   : put_value(call, text, setting);
+    ovr_case_free(tried);
+    return code;
 }
 
 static int run(cli_call *call)
@@ -325,28 +465,35 @@ static int run(cli_call *call)
                   kind->name);
         return CLI_USAGE;
     }
-    code = cli_output_open(call, path, &out);
-    if (code != CLI_DONE)
-        return code;
-    put_case(kind, oil, out.to);
-    return cli_output_close(&out, code);
+    char *text = NULL;
+    code = make_text(call, kind, oil, &text);
+    if (code == CLI_DONE)
+        code = cli_output_open(call, path, &out);
+    if (code == CLI_DONE) {
+        fputs(text, out.to);
+        code = cli_output_close(&out, code);
+    }
+    free(text);
+    return code;
 }
 
 static const cli_option options[] = {
     {"oil", "NAME", "paper, vg32, vg68, vg100, vg220", false},
     {"o", "FILE", "write it there, not on standard output", false},
+    {"set", "KEY=VALUE", "put a value in, e.g. gear.module=3mm", true},
     {"force", NULL, "replace an existing file", false},
     {0}};
 
 const cli_verb cli_init = {
     .name = "init",
-    .arguments = "[KIND] [-o FILE]",
+    .arguments = "[KIND] [--set KEY=VALUE]... [-o FILE]",
     .summary = "write a commented case to start from",
     .help =
-        "Kinds: roller (a dented bearing), gear (a tooth with ground flank "
-        "and load\nhistory), cam (a speed that reverses), numbers (M and L), "
-        "starved (several passes "
-        "with little oil), discs (a twin-disc machine).",
+        "Kinds: roller (a dented raceway), gear (a pair of teeth by its "
+        "drawing), cam\n(with a flat follower), bearing (the rollers that one "
+        "point meets), numbers\n(M and L), starved (several passes with "
+        "little oil), discs (a twin-disc\nmachine), hot (the same with heat).\n"
+        "--set puts a value in: init gear --set gear.module=3mm.",
     .options = options,
     .least = 0,
     .most = 1,

@@ -3,7 +3,7 @@
 # init: every kind with every oil is a case that can be checked; each kind runs.
 . "$TOP/tests/support/cli.sh"
 
-for kind in roller gear cam numbers starved; do
+for kind in roller gear cam bearing numbers starved; do
     for oil in paper vg32 vg68 vg100 vg220; do
         expect 0 "$OVERROLL" init $kind --oil $oil
         mv out $kind.ini
@@ -28,3 +28,12 @@ expect 0 "$OVERROLL" init gear -o gear2.ini
 refuses 'gear2.ini: exists already' init gear -o gear2.ini
 refuses "no case 'gaer'; did you mean gear" init gaer
 refuses "no oil 'vg46'" init --oil vg46
+
+# A value put in, with its comment kept; a key that was not there; mistakes.
+expect 0 "$OVERROLL" init gear --set 'gear.module=3 mm' --set gear.shift_1=0.1
+grep -q '^module = 3 mm  *# normal' out || fail "$(cat out)"
+mv out gear3.ini
+expect 0 "$OVERROLL" check gear3.ini
+grep -q '^shift_1 = 0.1' out || fail "no shift: $(cat out)"
+refuses 'modul' init gear --set gear.modul=3mm
+refuses 'unit' init gear --set gear.module=3
