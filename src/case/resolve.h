@@ -71,8 +71,11 @@ ovr_status ovr_resolve_physics(ovr_resolved *r, ovr_error *err);
 void ovr_resolved_turn_on(ovr_resolved *r, const ovr_physics *physics,
                           void *form);
 
-/* Whether the k-th physics of the list was. */
-bool ovr_setup_turned_on(const ovr_setup *setup, int k);
+/* Whether the k-th physics of the list is on, turned on or chosen by the
+ * options; that which makes the nodes of the solution, known once it is solved,
+ * or NULL. */
+bool ovr_setup_has(const ovr_setup *setup, int k);
+const ovr_physics *ovr_setup_makes_nodes(const ovr_setup *setup);
 
 /* Gives a simulation what the case has turned on. */
 ovr_status ovr_setup_add_physics(const ovr_setup *setup, ovr_simulation *sim,

@@ -71,9 +71,17 @@ ovr_status ovr_setup_add_physics(const ovr_setup *setup, ovr_simulation *sim,
     return OVR_OK;
 }
 
-bool ovr_setup_turned_on(const ovr_setup *setup, int k)
+bool ovr_setup_has(const ovr_setup *setup, int k)
 {
-    return ((const ovr_resolved *)setup)->physics[k].on;
+    return is_on((const ovr_resolved *)setup, k);
+}
+
+const ovr_physics *ovr_setup_makes_nodes(const ovr_setup *setup)
+{
+    for (int k = 0; ovr_physics_list[k]; k++)
+        if (ovr_physics_list[k]->makes_nodes && ovr_setup_has(setup, k))
+            return ovr_physics_list[k];
+    return NULL;
 }
 
 /* Once the grid is known, of what stands beside the simulation too. */

@@ -8,13 +8,45 @@
     for (ovr_accompanied *c = (run)->company; c->is; c++)                      \
         if (c->is->function)
 
+static const ovr_companion *companion_of(const ovr_setup *setup, int k)
+{
+    static const ovr_companion none;
+    const ovr_companion *is = ovr_physics_list[k]->companion;
+    return is && ovr_setup_has(setup, k) ? is : &none;
+}
+
+void ovr_companions_foresee(const ovr_setup *setup, ovr_listener *say,
+                            void *data)
+{
+    for (int k = 0; say && ovr_physics_list[k]; k++) {
+        const ovr_companion *c = companion_of(setup, k);
+        if (c->foresee)
+            c->foresee(setup, say, data);
+    }
+}
+
+static void pass_on(void *run, bool warning, const char *text)
+{
+    ovr_run_message(run, warning ? OVR_SAY_WARNING : OVR_SAY_NOTE, text);
+}
+
+void ovr_companions_review(ovr_run *run)
+{
+    ovr_physics_review(run->sim, pass_on, run);
+    for (int k = 0; ovr_physics_list[k]; k++) {
+        const ovr_companion *c = companion_of(run->setup, k);
+        if (c->review)
+            c->review(run);
+    }
+}
+
 ovr_status ovr_companions_make(ovr_run *run, ovr_error *err)
 {
     const ovr_allocator *allocator = &run->arena.allocator;
     ovr_accompanied *next = run->company;
     for (int k = 0; ovr_physics_list[k]; k++) {
-        const ovr_companion *is = ovr_physics_list[k]->companion;
-        if (!is || !ovr_setup_turned_on(run->setup, k))
+        const ovr_companion *is = companion_of(run->setup, k);
+        if (!is->make)
             continue;
         if (is->make(run->setup, ovr_simulation_state(run->sim),
                      run->info.output, allocator, &next->own, err))

@@ -12,6 +12,10 @@
 #include "overroll/run.h"
 
 typedef struct ovr_companion {
+    /* What is said of a case before it is solved; of a run after it. */
+    void (*foresee)(const ovr_setup *setup, ovr_listener *say, void *data);
+    void (*review)(ovr_run *run);
+
     /* Made for a run whose nodes are known; `output`: the path of its file, or
      * NULL. */
     ovr_status (*make)(const ovr_setup *setup, const ovr_state *state,
@@ -43,6 +47,11 @@ typedef struct ovr_accompanied {
     const ovr_companion *is;
     void *own;
 } ovr_accompanied;
+
+/* What all physics of a case, of a run, have to say. */
+void ovr_companions_foresee(const ovr_setup *setup, ovr_listener *say,
+                            void *data);
+void ovr_companions_review(ovr_run *run);
 
 /* Those of a run; all functions take it. */
 ovr_status ovr_companions_make(ovr_run *run, ovr_error *err);

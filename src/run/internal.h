@@ -69,11 +69,6 @@ ovr_status ovr_run_confirm(ovr_run *run, ovr_error *err);
 void ovr_run_review_before(ovr_run *run);
 void ovr_run_review_after(ovr_run *run);
 
-/* Of heat (review_heat.c). */
-void ovr_review_peclet(const ovr_setup *setup, ovr_listener *listener,
-                       void *data);
-void ovr_run_review_heat(ovr_run *run);
-
 /* Fills shear_over_pressure and unbearable_share. */
 void ovr_run_shear(ovr_run *run);
 

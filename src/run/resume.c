@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "case/case.h"
+#include "case/resolve.h"
 #include "results/checkpoint.h"
 #include "run/internal.h"
 #include "run/passes.h"
@@ -142,11 +143,12 @@ static ovr_status prepare(ovr_run *run, const char *path, ovr_error *err)
         return OVR_BAD_INPUT;
     if (ovr_run_set_up(run, err))
         return OVR_BAD_INPUT;
-    if (run->setup->options->refine != OVR_REFINE_NONE)
+    const ovr_physics *maker = ovr_setup_makes_nodes(run->setup);
+    if (maker)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: a solution with patches (refine) is computed in "
-                        "one go: there is nothing to go on with",
-                        path);
+                        "%s: a solution with %s is computed in one go: there "
+                        "is nothing to go on with",
+                        path, maker->name);
     return go_back(run, complete, err);
 }
 

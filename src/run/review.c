@@ -11,9 +11,7 @@
 #include "contact/curvature.h"
 #include "contact/starvation.h"
 #include "run/internal.h"
-#include "run/review_supply.h"
 #include "simulation/internal.h"
-#include "simulation/physics.h"
 
 typedef struct review {
     const ovr_case *c;
@@ -325,10 +323,9 @@ static void before(const review *r, bool transient)
     say_idle(r);
     warn_of_start(r);
     warn_of_sliding(r);
-    ovr_review_peclet(r->setup, r->say, r->data);
     say_domain(r);
     say_level(r);
-    ovr_review_supply(r->setup, r->say, r->data);
+    ovr_companions_foresee(r->setup, r->say, r->data);
     if (r->setup->surfaces)
         warn_of_features(r, transient);
     if (r->setup->surfaces && !r->setup->transient)
@@ -500,34 +497,6 @@ static void warn_of_unrest(const review *r, double T, bool settled)
             march->steady_from, march->end);
 }
 
-/* Patches that did not do what was asked of them. */
-static void warn_of_patches(const review *r, const ovr_observation *o)
-{
-    const ovr_options *wanted = r->setup->options;
-    if (!wanted->refine)
-        return;
-    if (o->refined_level == wanted->level)
-        say(r, OVR_SAY_WARNING,
-            "refine: there is no room for a patch about X = %.4g on this "
-            "domain and level; outlet farther out or a higher level gives it",
-            isfinite(o->X_spike) ? o->X_spike : o->X_cavitation);
-    else if (!isfinite(o->P_spike))
-        say(r, OVR_SAY_NOTE,
-            "refine: the pressure has no spike; its sharpest bend was refined "
-            "to level %d",
-            o->refined_level);
-    else if (!wanted->refine_level && o->spike_change > wanted->refine_change)
-        say(r, OVR_SAY_WARNING,
-            "the spike's height still changes by %.2g at level %d, where the "
-            "patches end",
-            o->spike_change, o->refined_level);
-}
-
-static void say_of_physics(void *data, bool warning, const char *text)
-{
-    say(data, warning ? OVR_SAY_WARNING : OVR_SAY_NOTE, "%s", text);
-}
-
 void ovr_run_review_after(ovr_run *run)
 {
     review r = {run->c, run->setup, ovr_run_message, run};
@@ -540,16 +509,13 @@ void ovr_run_review_after(ovr_run *run)
     if (*strategy)
         say(&r, OVR_SAY_NOTE, "the steady solution took another way: %s",
             strategy);
-    ovr_review_meniscus(sim, ovr_run_message, run);
     if (state->n && H_cen > 0 && r.setup->supply->film &&
         isnan(ovr_simulation_observation(sim)->meniscus) &&
         ((const ovr_resolved *)r.setup)->inlet_kept >= 0)
         warn_of_inlet(&r, state, H_cen);
-    warn_of_patches(&r, ovr_simulation_observation(sim));
+    ovr_companions_review(run);
     warn_of_extremes(&r, ovr_simulation_statistics(sim));
     warn_of_unrest(&r, state->T, ovr_simulation_statistics(sim)->settled);
-    ovr_run_review_heat(run);
-    ovr_physics_review(sim, say_of_physics, &r);
     run->info.lambda_ratio = lambda_ratio(run, H_cen);
     if (state->n && H_cen > 0)
         ovr_run_shear(run);

@@ -101,11 +101,8 @@ static void review_speed(const ovr_setup *s, int k, ovr_listener *listener,
     listener(data, OVR_SAY_WARNING, text);
 }
 
-void ovr_review_peclet(const ovr_setup *setup, ovr_listener *listener,
-                       void *data)
+static void foresee(const ovr_setup *setup, ovr_listener *listener, void *data)
 {
-    if (!setup->heat || !listener)
-        return;
     for (int k = 0; k < 2; k++)
         review_speed(setup, k, listener, data);
     if (setup->transient)
@@ -195,12 +192,14 @@ static void warn_of_domain(ovr_run *run)
     }
 }
 
-void ovr_run_review_heat(ovr_run *run)
+static void review(ovr_run *run)
 {
-    if (!run->setup->heat || !ovr_simulation_state(run->sim)->n)
+    if (!ovr_simulation_state(run->sim)->n)
         return;
     warn_of_lag(run);
     warn_of_points(run);
     warn_of_rise(run);
     warn_of_domain(run);
 }
+
+const ovr_companion ovr_heat_companion = {.foresee = foresee, .review = review};

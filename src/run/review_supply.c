@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "run/review_supply.h"
-
+/* What is said of the oil that arrives, before the solve. */
 #include <math.h>
 #include <stdio.h>
 
 #include "case/feed.h"
-#include "multigrid/grid.h"
+#include "run/companion.h"
+#include "simulation/physics.h"
 
 /* The formulas are not better; incompressible oil flows as its film is thick.
  */
@@ -23,11 +23,12 @@ static double flooded(const ovr_setup *s)
     return ovr_film_central_moes(c->M, c->L);
 }
 
-void ovr_review_supply(const ovr_setup *setup, ovr_listener *say, void *data)
+/* More than a flooded contact takes, by the film formula. */
+static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
 {
     char text[240];
     double arrives, taken = flooded(setup);
-    if (!say || !setup->supply->film || isinf(setup->supply->waiting))
+    if (!setup->supply->film || isinf(setup->supply->waiting))
         return;
     arrives = ovr_setup_arriving(setup, 0);
     if (!(arrives > SURE * taken))
@@ -39,20 +40,4 @@ void ovr_review_supply(const ovr_setup *setup, ovr_listener *say, void *data)
     say(data, OVR_SAY_WARNING, text);
 }
 
-void ovr_review_meniscus(const ovr_simulation *sim, ovr_listener *say,
-                         void *data)
-{
-    static const double meshes = 4;
-    const ovr_options *o = ovr_simulation_options(sim);
-    double X = ovr_simulation_observation(sim)->meniscus;
-    double coarse = (o->outlet - o->inlet) /
-                    (double)(ovr_level_nodes(o->coarsest_level) - 1);
-    char text[240];
-    if (!(X < o->inlet + meshes * coarse))
-        return;
-    snprintf(text, sizeof text,
-             "the film begins at X = %.3g, closer to the inlet at %.3g than "
-             "coarse grids resolve: move it out",
-             X, o->inlet);
-    say(data, OVR_SAY_WARNING, text);
-}
+const ovr_companion ovr_supply_companion = {.foresee = foresee};

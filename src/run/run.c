@@ -5,6 +5,7 @@
 #include <time.h>
 
 #include "base/sized.h"
+#include "case/resolve.h"
 #include "run/internal.h"
 #include "run/passes.h"
 #include "simulation/internal.h"
@@ -111,9 +112,9 @@ static ovr_status choose_output(ovr_run *run, ovr_error *err)
 }
 
 /* Where the nodes are is then known once the contact is solved. */
-static bool refines(const ovr_run *run)
+static bool makes_nodes(const ovr_run *run)
 {
-    return run->setup->options->refine != OVR_REFINE_NONE;
+    return ovr_setup_makes_nodes(run->setup) != NULL;
 }
 
 static ovr_status prepare(ovr_run *run, ovr_error *err)
@@ -127,8 +128,8 @@ static ovr_status prepare(ovr_run *run, ovr_error *err)
         return ovr_passes_begin(run, err);
     if (ovr_run_set_up(run, err))
         return OVR_BAD_INPUT;
-    return run->info.output && !refines(run) ? ovr_output_open(run, err)
-                                             : OVR_OK;
+    return run->info.output && !makes_nodes(run) ? ovr_output_open(run, err)
+                                                 : OVR_OK;
 }
 
 ovr_run *ovr_run_create(ovr_case *c, const ovr_run_options *options,
@@ -209,7 +210,7 @@ static ovr_status solve(ovr_run *run, ovr_error *err)
     ovr_simulation_stop(run->sim, run->how.interrupt, run->how.data);
     if (!run->restored)
         status = ovr_simulation_steady(run->sim, err);
-    if (!status && run->info.output && !run->writer && refines(run))
+    if (!status && run->info.output && !run->writer && makes_nodes(run))
         status = ovr_output_open(run, err);
     how.count = 0;
     how.observers = observer;

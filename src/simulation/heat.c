@@ -383,13 +383,25 @@ static void thin(const ovr_simulation *sim, const void *own, size_t i,
         *rho *= h->swell[i];
 }
 
-/* Absolute, at a point across the film; -1: the mean. */
-const double *ovr_heat_temperature(const ovr_simulation *sim, int j,
-                                   double *room)
+/* Rises at a place across the film. */
+static const double *rises(const ovr_heated *h, ovr_heat_place place)
+{
+    switch (place) {
+    case OVR_HEAT_SURFACE_1: return h->T[0];
+    case OVR_HEAT_SURFACE_2: return h->T[h->across.n - 1];
+    case OVR_HEAT_MIDDLE: return h->T[h->across.n / 2];
+    case OVR_HEAT_MEAN: break;
+    }
+    return h->mean;
+}
+
+const double *ovr_heat_temperature(const ovr_simulation *sim,
+                                   ovr_heat_place place, double *room)
 {
     const ovr_heated *h = sim->heated;
+    const double *T = h ? rises(h, place) : NULL;
     for (size_t i = 0; i < sim->now.n; i++)
-        room[i] = h ? h->numbers.T0 + (j < 0 ? h->mean[i] : h->T[j][i]) : NAN;
+        room[i] = h ? h->numbers.T0 + T[i] : NAN;
     return room;
 }
 
@@ -565,6 +577,7 @@ static void restored(ovr_simulation *sim, void *own)
 const ovr_physics ovr_physics_heat = {.name = "heat",
                                       .bit = OVR_PHYSICS_HEAT,
                                       .tell = tell,
+                                      .companion = &ovr_heat_companion,
                                       .take = take_heat,
                                       .forget = forget,
                                       .couple = couple,

@@ -104,10 +104,16 @@ void ovr_heat_speeds(ovr_simulation *sim, double T);
 void ovr_heat_stress(ovr_simulation *sim, const ovr_sheared *film,
                      const ovr_fluid *fluid, double *t);
 
-/* Temperatures in K at the point j across (-1: the mean), heat fluxes into a
- * surface, at the nodes; NAN without heat. */
-const double *ovr_heat_temperature(const ovr_simulation *sim, int j,
-                                   double *room);
+/* Temperatures in K at a place across the film, heat fluxes into a surface, at
+ * the nodes; NAN without heat. */
+typedef enum ovr_heat_place {
+    OVR_HEAT_SURFACE_1,
+    OVR_HEAT_SURFACE_2,
+    OVR_HEAT_MIDDLE,
+    OVR_HEAT_MEAN
+} ovr_heat_place;
+const double *ovr_heat_temperature(const ovr_simulation *sim,
+                                   ovr_heat_place place, double *room);
 const double *ovr_heat_flux(const ovr_simulation *sim, int surface,
                             double *room);
 

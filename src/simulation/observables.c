@@ -84,24 +84,22 @@ static const double *shear_stress_2(const ovr_simulation *sim, double *room)
 
 static const double *temperature_1(const ovr_simulation *sim, double *room)
 {
-    return ovr_heat_temperature(sim, 0, room);
+    return ovr_heat_temperature(sim, OVR_HEAT_SURFACE_1, room);
 }
 
 static const double *temperature_2(const ovr_simulation *sim, double *room)
 {
-    int n = sim->heated ? sim->heated->across.n : 1;
-    return ovr_heat_temperature(sim, n - 1, room);
+    return ovr_heat_temperature(sim, OVR_HEAT_SURFACE_2, room);
 }
 
 static const double *temperature_mean(const ovr_simulation *sim, double *room)
 {
-    return ovr_heat_temperature(sim, -1, room);
+    return ovr_heat_temperature(sim, OVR_HEAT_MEAN, room);
 }
 
 static const double *temperature_middle(const ovr_simulation *sim, double *room)
 {
-    int n = sim->heated ? sim->heated->across.n : 1;
-    return ovr_heat_temperature(sim, n / 2, room);
+    return ovr_heat_temperature(sim, OVR_HEAT_MIDDLE, room);
 }
 
 static const double *heat_flux_1(const ovr_simulation *sim, double *room)

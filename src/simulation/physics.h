@@ -74,6 +74,10 @@ struct ovr_physics {
 
     /* ------------------------------------------------------------- creation */
 
+    /* The nodes of the steady solution are its own: a file can be opened once
+     * it is solved, and there is nothing to go on with. */
+    bool makes_nodes;
+
     /* Whether the options choose it. */
     bool (*chosen)(const ovr_options *options);
 
@@ -250,6 +254,8 @@ struct ovr_physics {
      */
     void (*recalled)(ovr_observation *o, const ovr_observation *saved);
 };
+
+extern const struct ovr_companion ovr_heat_companion, ovr_supply_companion;
 
 /* All there are, NULL behind the last.  Its own object in the library, so that
  * a program may be linked with a list of its own. */

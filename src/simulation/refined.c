@@ -2,6 +2,7 @@
 #include "simulation/refined.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "simulation/physics.h"
@@ -206,7 +207,38 @@ static void finish(ovr_simulation *sim, void *own, const ovr_full *how,
     read_leaves(sim, r);
 }
 
-const ovr_physics ovr_physics_patches = {.name = "patches",
+/* Patches that did not do what was asked of them. */
+static void review(const ovr_simulation *sim, const void *own,
+                   ovr_physics_say *say, void *data)
+{
+    const ovr_options *wanted = &sim->options;
+    const ovr_observation *o = &sim->observation;
+    double change = ((const ovr_refined *)own)->found.change;
+    char text[200];
+    if (o->refined_level == wanted->level)
+        snprintf(text, sizeof text,
+                 "refine: there is no room for a patch about X = %.4g on this "
+                 "domain and level; outlet farther out or a higher level gives "
+                 "it",
+                 isfinite(o->X_spike) ? o->X_spike : o->X_cavitation);
+    else if (!isfinite(o->P_spike))
+        snprintf(text, sizeof text,
+                 "refine: the pressure has no spike; its sharpest bend was "
+                 "refined to level %d",
+                 o->refined_level);
+    else if (!wanted->refine_level && change > wanted->refine_change)
+        snprintf(text, sizeof text,
+                 "the spike's height still changes by %.2g at level %d, where "
+                 "the patches end",
+                 change, o->refined_level);
+    else
+        return;
+    say(data, o->refined_level == wanted->level || isfinite(o->P_spike), text);
+}
+
+const ovr_physics ovr_physics_patches = {.name = "patches (refine)",
+                                         .makes_nodes = true,
+                                         .review = review,
                                          .bit = OVR_PHYSICS_REFINED,
                                          .chosen = chosen,
                                          .prepare = prepare,

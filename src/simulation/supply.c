@@ -10,6 +10,7 @@
  * may stay slightly negative: a debt, no loss.
  */
 #include <math.h>
+#include <stdio.h>
 
 #include "multigrid/content.h"
 #include "simulation/physics.h"
@@ -307,6 +308,26 @@ static void recalled(ovr_observation *o, const ovr_observation *saved)
     o->mass_defect = saved->mass_defect;
 }
 
+/* A film that begins too close to the inlet. */
+static void review(const ovr_simulation *sim, const void *own,
+                   ovr_physics_say *say, void *data)
+{
+    static const double meshes = 4;
+    const ovr_options *o = &sim->options;
+    double X = sim->observation.meniscus;
+    double coarse = (o->outlet - o->inlet) /
+                    (double)(ovr_level_nodes(o->coarsest_level) - 1);
+    char text[240];
+    (void)own;
+    if (!(X < o->inlet + meshes * coarse))
+        return;
+    snprintf(text, sizeof text,
+             "the film begins at X = %.3g, closer to the inlet at %.3g than "
+             "coarse grids resolve: move it out",
+             X, o->inlet);
+    say(data, true, text);
+}
+
 static bool chosen(const ovr_options *o)
 {
     return o->cavitation == OVR_CAVITATION_CONSERVING;
@@ -341,6 +362,8 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
 const ovr_physics ovr_physics_conserving = {.name = "oil conserved",
                                             .bit = OVR_PHYSICS_CONTENT,
                                             .tell = tell,
+                                            .companion = &ovr_supply_companion,
+                                            .review = review,
                                             .chosen = chosen,
                                             .prepare = prepare,
                                             .take = take,
