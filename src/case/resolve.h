@@ -51,6 +51,10 @@ const ovr_slot *ovr_slot_of(const ovr_resolved *r, const char *section,
 ovr_status ovr_block_fill(ovr_resolved *r, const ovr_block *block, void *into,
                           ovr_error *err);
 
+/* The same of a plain section whose values are the settings'. */
+ovr_status ovr_section_fill(ovr_resolved *r, const char *section,
+                            ovr_error *err);
+
 /* The error `why` with the place of the key it is about before it, given in
  * `block` or the other (or NULL); else that of the block, or of the case. */
 ovr_status ovr_fail_in(ovr_error *err, const ovr_case *c,
@@ -83,6 +87,19 @@ ovr_status ovr_setup_add_physics(const ovr_setup *setup, ovr_simulation *sim,
 
 /* [heat], and the options that go with it. */
 ovr_status ovr_resolve_heat(ovr_resolved *r, ovr_error *err);
+
+/* The options of the simulation, level and scheme as they are given. */
+ovr_status ovr_resolve_options(ovr_resolved *r, ovr_error *err);
+
+/* [time], the histories, and the scheme that goes with them. */
+ovr_status ovr_resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
+                            ovr_error *err);
+
+/* Forms of the features. */
+ovr_status ovr_resolve_features(ovr_resolved *r, ovr_error *err);
+
+/* [output], once heat and cavitation are known. */
+ovr_status ovr_resolve_output(ovr_resolved *r, ovr_error *err);
 
 /* Refuses parts of the case that do not go together. */
 ovr_status ovr_resolve_parts(const ovr_resolved *r, ovr_error *err);
