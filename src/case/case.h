@@ -68,6 +68,9 @@ bool ovr_block_is_feature(const ovr_block *block);
 ovr_slot *ovr_block_slot(const ovr_block *block, const char *key,
                          const ovr_parameter **row, ovr_error *err);
 
+/* Says that a section has no such key, and which one may be meant. */
+void ovr_no_key(const ovr_section *section, const char *key, ovr_error *err);
+
 /* Given and default value of a key that exists. */
 const ovr_slot *ovr_block_get(const ovr_block *block, const char *key);
 
@@ -98,9 +101,6 @@ void ovr_case_mark_stored(ovr_case *c);
 /* "[feature NAME]" taken apart: section and name (NULL for plain ones). */
 const ovr_section *ovr_section_parse(const char *header, const char **name,
                                      ovr_error *err);
-
-/* Reads c->source. */
-ovr_status ovr_case_parse(ovr_case *c, ovr_error *err);
 
 /* OVR_BAD_INPUT about the slot's key: "file:line: key: " (or "origin: key: ")
  * and the message. */

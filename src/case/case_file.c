@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The text of a case: its sections and keys, entry by entry. */
+/* Reading a case: its text, entry by entry, and the file that it stands in. */
+#include <stdio.h>
 #include <string.h>
 
 #include "base/entries.h"
@@ -51,7 +52,7 @@ static ovr_status take_value(ovr_case *c, const ovr_entry *entry,
     return status;
 }
 
-ovr_status ovr_case_parse(ovr_case *c, ovr_error *err)
+static ovr_status parse(ovr_case *c, ovr_error *err)
 {
     ovr_entries all;
     ovr_entry entry;
@@ -70,4 +71,73 @@ ovr_status ovr_case_parse(ovr_case *c, ovr_error *err)
             return ovr_fail_from(err, &why, c->name, entry.line);
     }
     return status;
+}
+
+static ovr_case *read_source(ovr_case *c, const char *text, const char *name,
+                             const char *directory, ovr_error *err)
+{
+    c->name = ovr_arena_text(&c->arena, name, err);
+    c->source = ovr_arena_text(&c->arena, text, err);
+    if (directory)
+        c->directory = ovr_arena_text(&c->arena, directory, err);
+    if (c->name && c->source && (c->directory || !directory) &&
+        parse(c, err) == OVR_OK)
+        return c;
+    ovr_case_free(c);
+    return NULL;
+}
+
+ovr_case *ovr_case_read_text(const char *text, const char *name,
+                             const char *directory,
+                             const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_case *c = ovr_case_create(allocator, err);
+    return c ? read_source(c, text, name, directory, err) : NULL;
+}
+
+ovr_case *ovr_case_read_stored(const char *text, const char *name,
+                               const char *directory,
+                               const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_case *c = ovr_case_read_text(text, name, directory, allocator, err);
+    if (c)
+        ovr_case_mark_stored(c);
+    return c;
+}
+
+/* A result given in place of its case: what it is good for. */
+static ovr_status refuse_result(const char *path, ovr_error *err)
+{
+    static const char magic[] = "\211HDF\r\n\032\n";
+    char head[sizeof magic] = "";
+    FILE *file = fopen(path, "rb");
+    size_t got = file ? fread(head, 1, sizeof head - 1, file) : 0;
+    if (file)
+        fclose(file);
+    if (got != sizeof magic - 1 || memcmp(head, magic, got) != 0)
+        return OVR_OK;
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "%s: is a result file, not a case: 'overroll resume' goes "
+                    "on with it, 'overroll info -v' shows the case it was made "
+                    "from",
+                    path);
+}
+
+ovr_case *ovr_case_read(const char *path, const ovr_allocator *allocator,
+                        ovr_error *err)
+{
+    ovr_arena scratch = ovr_arena_make(allocator);
+    char *folder = ovr_arena_text(&scratch, path, err);
+    const char *text;
+    ovr_case *c = NULL;
+    if (folder && !refuse_result(path, err) &&
+        !ovr_text_file(path, "case", OVR_CASE_MOST, &scratch, &text, err)) {
+        char *slash = strrchr(folder, '/');
+        if (slash)
+            slash[slash == folder] = '\0';
+        c = ovr_case_read_text(text, path, slash ? folder : NULL, allocator,
+                               err);
+    }
+    ovr_arena_release(&scratch);
+    return c;
 }

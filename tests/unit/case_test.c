@@ -333,7 +333,7 @@ static void bad_settings_name_their_origin(void **state)
     ovr_case *c = ovr_case_create(NULL, &err);
     (void)state;
     ovr_case_set(c, "contact.M", "x", "--M", &err);
-    CHECK_ERROR(&err, OVR_BAD_INPUT, "--M: M: 'x' is not a number");
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "--M: 'x' is not a number");
     ovr_case_assign(c, "contact.N=3", "--set", &err);
     CHECK_ERROR(&err, OVR_BAD_INPUT, "--set: unknown key 'N' in [contact]");
     ovr_case_assign(c, "contact", "--set", &err);
