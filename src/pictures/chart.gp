@@ -32,6 +32,8 @@ if (form eq 'pdf') {
 }
 set encoding utf8
 set datafile nofpe_trap
+set clip one
+set clip two
 set border 3 lw 1 lc rgb '#606870'
 set tics out nomirror scale 0.6 textcolor rgb '#303840'
 set minussign

@@ -108,3 +108,9 @@ awk 'FILENAME == "grid.txt" { x0 = $1; dx = ($2 - $1) / $5
     END { print n, worst; exit !(n > 100 && worst < 0.5) }' \
     grid.txt field.txt rings.txt >fit ||
     fail "contours do not lie where the field has their value: $(cat fit)"
+
+# The line that is 8 meshes deep is there, though rounded data has both of its
+# ends outside of the axis.
+expect 0 "$OVERROLL" plot dent.h5 --kind stress --at 2 --hertzian \
+    -x -1.2345678:1.3456789 -o deep.svg
+contains deep.svg "rgb\(255, 255, 255\)' stroke-dasharray"
