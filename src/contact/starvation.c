@@ -67,7 +67,7 @@ double ovr_inlet_loss(double M, double L, double X_a)
 
 double ovr_inlet_uncertainty(double M)
 {
-    return 1.1 + 0.75 / M;
+    return 1.1 + 0.75 / fmax(M, 1);
 }
 
 /* Far out the loss falls as a power of X_a: the line through two points in

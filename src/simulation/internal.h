@@ -220,6 +220,10 @@ bool ovr_surfaces_overlap(const ovr_simulation *sim, const ovr_defect *d);
  * gets. */
 bool ovr_below_rounding(const ovr_simulation *sim, const ovr_defect *defect);
 
+/* Beyond this R the result of a step is no longer near a solution: runs
+ * recover from less. */
+#define OVR_ACCEPTABLE 1e-2
+
 /* How often a step is halved. */
 enum { OVR_HALVINGS = 4 };
 

@@ -45,10 +45,11 @@ double ovr_negligible_tolerance(const ovr_simulation *sim, double D, double H)
 }
 
 /* Keeps the algebraic error under a tenth of the discretization error; ten
- * times as much nearly does. */
+ * times as much nearly does.  However coarse the mesh, it is near a solution. */
 double ovr_truncation_tolerance(const ovr_simulation *sim, double D, double H)
 {
-    double meshes = D / (5.5 / 1792), wanted = 1e-4 * meshes * meshes;
+    double meshes = D / (5.5 / 1792);
+    double wanted = fmin(1e-4 * meshes * meshes, OVR_ACCEPTABLE);
     double least = ovr_negligible_tolerance(sim, D, H);
     return wanted > least ? wanted : least;
 }

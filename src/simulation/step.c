@@ -19,9 +19,6 @@
 #include "simulation/physics.h"
 #include "simulation/step_cycles.h"
 
-/* Beyond this R the result of a step is no longer near a solution: runs
- * recover from less. */
-static const double acceptable = 1e-2;
 
 /* How hard an attempt tries. */
 typedef struct attempt {
@@ -156,7 +153,7 @@ static bool advance(ovr_simulation *sim, double dT, int halvings,
         return advance(sim, dT / 2, halvings + 1, outcome);
     }
     outcome->marked = true;
-    if (!ovr_below(outcome->defect, acceptable) || !ovr_surfaces_apart(sim))
+    if (!ovr_below(outcome->defect, OVR_ACCEPTABLE) || !ovr_surfaces_apart(sim))
         return false;
     end_step(sim, dT);
     return true;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "simulation/step_cycles.h"
 
+#include <math.h>
+
 #include "multigrid/film_end.h"
 #include "simulation/physics.h"
 
@@ -20,6 +22,15 @@ static double tolerance_of(const ovr_simulation *sim, bool relaxed)
     if (sim->options.tolerance > 0)
         return sim->options.tolerance;
     return tolerance > least ? tolerance : least;
+}
+
+/* Of the nominal load, or of the load where that is larger: half of what a run
+ * may be off by (overroll(1)). */
+static bool carries(const ovr_simulation *sim, const ovr_defect *defect)
+{
+    const double most = 5e-5;
+    double ratio = sim->finest->force / OVR_NOMINAL_LOAD;
+    return defect->load * fmin(ratio, 1) <= most;
 }
 
 static void settle_ends(const ovr_hierarchy *grids, ovr_level *finest)
@@ -42,7 +53,7 @@ bool ovr_step_cycles(ovr_simulation *sim, ovr_step_cycling how,
     for (int cycle = 0, after = c.sweeps_after;; cycle++) {
         double wanted = tolerance_of(sim, c.sweeps_after > 0);
         outcome->defect = ovr_cycle_defect(grids, sim->finest);
-        solved = cycle &&
+        solved = cycle && carries(sim, &outcome->defect) &&
                  ovr_below(outcome->defect,
                            wanted > how.tolerance ? wanted : how.tolerance);
         if (solved || cycle == how.most ||
