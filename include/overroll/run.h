@@ -140,6 +140,10 @@ typedef struct ovr_stress_report {
     int direction; /* of the surface's motion, 1 or -1; 0: both ways */
     bool traction; /* with the film's shear stress on the surface */
     const char *no_traction; /* why without */
+    const char *none;        /* why all of its numbers are NAN; or NULL */
+    double length_error; /* of equivalent lengths: how far the risk of points
+                            at the ends of the material is from the smooth
+                            contact's, over its whole length */
 } ovr_stress_report;
 
 /* What amplitude reduction says of rough surfaces that roll through, before

@@ -56,10 +56,23 @@ static void put_lengths(const ovr_stress_report *r)
     puts(" down");
 }
 
+/* Features add to the risk: where it is less than the smooth contact's, what
+ * they do is lost in the error. */
+static bool has_effect(const ovr_stress_report *r)
+{
+    return !(r->life->equivalent_length < 0) && !(r->ratio > 1);
+}
+
 static void put_life(const ovr_stress_report *r, const ovr_setup *setup)
 {
     const ovr_stress_setup *s = setup->stress;
-    if (isfinite(r->life->equivalent_length))
+    if (!has_effect(r))
+        printf("%-17s no effect beyond the error of the method, %.2g b from "
+               "Z = %.3g down\n",
+               "equivalent length",
+               fmax(r->length_error, -r->life->equivalent_length),
+               r->least_depth);
+    else if (isfinite(r->life->equivalent_length))
         put_lengths(r);
     else
         printf("%-17s none: the smooth contact stays below the limit from Z = "
@@ -69,7 +82,7 @@ static void put_life(const ovr_stress_report *r, const ovr_setup *setup)
         printf("%-17s %-12.4g of the limit %.4g ph (%s), from Z = %.3g down\n",
                "utilisation", r->life->utilisation, r->limit,
                ovr_criterion_name(s->criterion), r->least_depth);
-    if (isfinite(r->ratio))
+    if (isfinite(r->ratio) && has_effect(r))
         printf("%-17s %-12.4g of the smooth raceway's, counted from Z = %.3g\n",
                "life", r->ratio, r->least_depth);
     printf("%-17s exponents %.4g, %.4g, %.4g and limit are conventions; "
@@ -89,6 +102,10 @@ void cli_put_stress(const ovr_stress_report *r, const ovr_setup *setup)
     double ph = setup->contact->ph;
     printf("below surface %d, from Z = %.4g (%.3g meshes) down:\n", r->surface,
            r->least_depth, r->least_depth / setup->mesh);
+    if (r->none) {
+        printf("%-17s not told: %s\n", "stresses", r->none);
+        return;
+    }
     put_extreme("largest shear", &r->max_shear, ph);
     put_extreme("von Mises", &r->von_mises, ph);
     put_stress("shear circle R", r->R_max, ph);

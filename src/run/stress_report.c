@@ -104,6 +104,21 @@ static ovr_status find_amplitude(const ovr_setup *setup,
                  r->amplitude_smooth, err);
 }
 
+/* Points at both ends of the material, a tenth of it each, see little of a
+ * feature: what their risk is off by is the method's, of all the others too. */
+static double length_error(const ovr_stress_report *r)
+{
+    const ovr_material *m = &r->material;
+    size_t ends = m->points / 10 + 1, counted = 0;
+    double off = 0;
+    for (size_t k = 0; k < m->points; k++)
+        if (m->complete[k] && (k < ends || k + ends >= m->points)) {
+            off += fabs(r->risk[k] / r->life->smooth_risk - 1);
+            counted++;
+        }
+    return counted ? off / (double)counted * (double)m->points * m->step : NAN;
+}
+
 static ovr_status find_life(const ovr_setup *setup, ovr_stress_report *r,
                             ovr_life_result *result, ovr_error *err)
 {
@@ -118,11 +133,40 @@ static ovr_status find_life(const ovr_setup *setup, ovr_stress_report *r,
     if (ovr_life(&life, &r->material, r->amplitude, r->amplitude_smooth,
                  r->risk, r->length, result, err))
         return OVR_BAD_INPUT;
+    r->length_error = length_error(r);
     r->ratio = NAN;
     if (s->raceway > 0)
         r->ratio = ovr_life_ratio(&life, r->life->equivalent_length, s->raceway,
                                   s->count);
     return OVR_OK;
+}
+
+/* Stresses that no body bears, whatever it is made of: those of a film whose
+ * law has left what oils do (Newtonian, at large sliding and pressure). */
+static bool is_beyond(const ovr_stress_report *r)
+{
+    const double most = 1e3;
+    return !(r->max_shear.value < most && r->von_mises.value < most &&
+             r->R_max < most);
+}
+
+static void withhold(ovr_stress_report *r, ovr_life_result *life)
+{
+    const ovr_stress_extreme none = {NAN, NAN, NAN, NAN};
+    size_t n = r->material.points, depths = r->material.depths;
+    r->none = "the film's shear stress is far above what any oil carries: "
+              "choose a rheology, or traction = no";
+    r->max_shear = r->von_mises = none;
+    r->R_max = r->xi_R_max = r->Z_R_max = r->R_smooth = NAN;
+    for (int m = 0; m < OVR_MEASURES; m++) {
+        for (size_t k = 0; k < n * depths; k++)
+            r->measure[m][k] = NAN;
+        for (size_t j = 0; j < depths; j++)
+            r->smooth[m][j] = NAN;
+    }
+    r->fatigue = false;
+    *life = (ovr_life_result){
+        .size = sizeof *life, .equivalent_length = NAN, .utilisation = NAN};
 }
 
 ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
@@ -162,6 +206,8 @@ ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
     find_worst(r);
     for (size_t k = 0; k < r->material.points; k++)
         r->incomplete += !r->material.complete[k];
+    if (is_beyond(r))
+        withhold(r, life);
     if (r->fatigue && (find_amplitude(setup, plan, paths, data, r, err) ||
                        find_life(setup, r, life, err)))
         return NULL;
