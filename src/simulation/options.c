@@ -45,7 +45,8 @@ double ovr_negligible_tolerance(const ovr_simulation *sim, double D, double H)
 }
 
 /* Keeps the algebraic error under a tenth of the discretization error; ten
- * times as much nearly does.  However coarse the mesh, it is near a solution. */
+ * times as much nearly does.  However coarse the mesh, it is near a solution.
+ */
 double ovr_truncation_tolerance(const ovr_simulation *sim, double D, double H)
 {
     double meshes = D / (5.5 / 1792);
