@@ -116,37 +116,43 @@ static void put_load_and_flow(const ovr_observation *o,
     putchar('\n');
 }
 
-/* Forces in ph b^2/R; coefficients where b/R is known. */
-static void put_coefficients(const ovr_observation *o,
-                             const ovr_contact *contact)
+/* Forces in ph b^2/R; coefficients where b/R is known; forces in N over a
+ * width. */
+static void put_forces(const ovr_observation *o, const ovr_contact *contact,
+                       int wide, const char *between)
 {
+    double scale = ovr_kind_scale(OVR_KIND_FORCE, contact) * contact->width;
     if (isfinite(contact->kappa))
-        printf("%-17s %-12.4g sliding, %.4g rolling; on surface 1 %.4g, on 2 "
-               "%.4g\n",
-               "friction coeff.", o->mu_slide, o->mu_roll, o->mu_1, o->mu_2);
+        printf("%-*.4g sliding, %.4g rolling; on surface 1 %.4g, on 2 %.4g",
+               wide, o->mu_slide, o->mu_roll, o->mu_1, o->mu_2);
     else
-        printf("%-17s %-12.4g sliding, %.4g rolling, in ph b^2/R; "
-               "coefficients need modulus or G\n",
-               "friction", o->F_slide, o->F_roll);
+        printf("%-*.4g sliding, %.4g rolling, in ph b^2/R; coefficients need "
+               "modulus or G",
+               wide, o->F_slide, o->F_roll);
+    if (isfinite(scale))
+        printf("%s%-*.4g N on surface 1, %.4g N on 2, over the width", between,
+               wide, o->F_1 * scale, o->F_2 * scale);
+    putchar('\n');
 }
 
-/* A Newtonian isothermal film's may be no oil's: the film is none the worse. */
+/* A Newtonian isothermal film's may be no oil's, which is the first that is
+ * said of it: the film is none the worse. */
 static void put_friction(const ovr_run_info *s)
 {
     const ovr_observation *o = ovr_simulation_observation(s->sim);
     const ovr_contact *contact = s->setup->contact;
-    double scale = ovr_kind_scale(OVR_KIND_FORCE, contact) * contact->width;
-    put_coefficients(o, contact);
-    if (isfinite(scale))
-        printf("%-17s %-12.4g N on surface 1, %.4g N on 2, over the width\n",
-               "friction force", o->F_1 * scale, o->F_2 * scale);
-    if (s->unbearable_share > 0 && !s->setup->heat &&
-        s->setup->lubricant->rheology == OVR_NEWTONIAN)
-        printf(
-            "%-17s no oil has this friction: a Newtonian film's stress is up "
-            "to %.3g times\n%-17s the pressure, above a tenth of it in %.2g "
-            "%% of the contact; choose a rheology\n",
-            "", s->shear_over_pressure, "", 100 * s->unbearable_share);
+    char between[40];
+    bool absurd = s->unbearable_share > 0 && !s->setup->heat &&
+                  s->setup->lubricant->rheology == OVR_NEWTONIAN;
+    printf("%-17s ", isfinite(contact->kappa) ? "friction coeff." : "friction");
+    if (absurd)
+        printf("no oil has this friction, choose a rheology: a Newtonian "
+               "film's stress is up to %.3g times the pressure, above a tenth "
+               "of it in %.2g %% of the contact; ",
+               s->shear_over_pressure, 100 * s->unbearable_share);
+    snprintf(between, sizeof between, absurd ? "; " : "\n%-17s ",
+             "friction force");
+    put_forces(o, contact, absurd ? 0 : 12, between);
 }
 
 /* Where the film begins, and how much of the flooded one it is; what a flooded

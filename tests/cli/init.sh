@@ -11,6 +11,7 @@ for kind in roller gear cam bearing numbers starved; do
         ! grep -v 'the inlet is at X' err || fail "$kind, $oil: $(cat err)"
     done
     expect 0 "$OVERROLL" run $kind.ini --level 5 --set time.end=0.3
+    ! grep 'no oil has' out || fail "$kind: a friction that no oil has"
     [ -f $kind.h5 ] || fail "no $kind.h5"
 done
 expect 0 "$OVERROLL" init discs
@@ -18,6 +19,10 @@ mv out discs.ini
 expect 0 "$OVERROLL" check discs.ini
 ! grep -v 'the inlet is at X' err || fail "discs: $(cat err)"
 expect 0 "$OVERROLL" steady discs.ini --level 6
+contains out '^friction coeff\. +0\.0'
+# Nor has the demo, of which this is the case.
+expect 0 "$OVERROLL" steady "$TOP/profiles/dent.ini" --level 6
+contains out '^friction coeff\. +0\.0'
 expect 0 "$OVERROLL" init hot
 mv out hot.ini
 expect 0 "$OVERROLL" check hot.ini
