@@ -83,8 +83,6 @@ static const char gear[] =
     "modulus = 226 GPa            # reduced E' of steel on steel\n";
 
 static const char gear_end[] =
-    "rheology = eyring            # it slides: oils thin with shear\n"
-    "eyring_stress = 5 MPa\n"
     "\n"
     "[domain]\n"
     "level = 7\n"
@@ -127,8 +125,6 @@ static const char cam[] =
     "modulus = 226 GPa\n";
 
 static const char cam_end[] =
-    "rheology = eyring\n"
-    "eyring_stress = 5 MPa\n"
     "\n"
     "[domain]\n"
     "level = 7\n"
@@ -307,7 +303,7 @@ static const struct kind {
     {"roller", roller, roller_end, true, false},
     {"gear", gear, gear_end, true, true},
     {"cam", cam, cam_end, true, true},
-    {"bearing", bearing, bearing_end, true, true},
+    {"bearing", bearing, bearing_end, true, false},
     {"numbers", numbers, numbers_end, false, false},
     {"starved", starved, starved_end, true, false},
     {"discs", discs, NULL, true, true}, /* with oils of their own */
