@@ -87,7 +87,8 @@ static inline ovr_status ovr_contact_resolve(const ovr_conditions *given,
                                              ovr_contact *contact,
                                              ovr_error *err)
 {
-    contact->size = sizeof *contact;
+    if (contact)
+        contact->size = sizeof *contact;
     return ovr_contact_resolve_into(given, contact, err);
 }
 
@@ -229,7 +230,8 @@ ovr_lubricant_make(const ovr_contact *contact, ovr_viscosity_law viscosity_law,
                    ovr_density_law density_law, double p0, double z,
                    ovr_lubricant *lubricant, ovr_error *err)
 {
-    lubricant->size = sizeof *lubricant;
+    if (lubricant)
+        lubricant->size = sizeof *lubricant;
     return ovr_lubricant_make_into(contact, viscosity_law, density_law, p0, z,
                                    lubricant, err);
 }

@@ -76,7 +76,8 @@ static inline ovr_status ovr_heat_make(const ovr_heat_form *form,
                                        const ovr_lubricant *lubricant,
                                        ovr_heat *heat, ovr_error *err)
 {
-    heat->size = sizeof *heat;
+    if (heat)
+        heat->size = sizeof *heat;
     return ovr_heat_make_into(form, contact, lubricant, heat, err);
 }
 

@@ -76,7 +76,8 @@ static inline ovr_status ovr_oil_scale(const ovr_oil *oil,
                                        const ovr_contact *contact,
                                        ovr_lubricant *lubricant, ovr_error *err)
 {
-    lubricant->size = sizeof *lubricant;
+    if (lubricant)
+        lubricant->size = sizeof *lubricant;
     return ovr_oil_scale_into(oil, contact, lubricant, err);
 }
 

@@ -168,7 +168,8 @@ static inline ovr_status ovr_profile_measure(const ovr_profile *profile,
                                              ovr_profile_numbers *numbers,
                                              ovr_error *err)
 {
-    numbers->size = sizeof *numbers;
+    if (numbers)
+        numbers->size = sizeof *numbers;
     return ovr_profile_measure_into(profile, numbers, err);
 }
 

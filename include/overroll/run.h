@@ -168,7 +168,8 @@ static inline ovr_status ovr_setup_rough_film(const ovr_setup *setup,
                                               ovr_rough_film *film,
                                               ovr_error *err)
 {
-    film->size = sizeof *film;
+    if (film)
+        film->size = sizeof *film;
     return ovr_setup_rough_film_into(setup, allocator, film, err);
 }
 

@@ -290,7 +290,8 @@ static inline ovr_status ovr_life(const ovr_life_options *options,
                                   double *length, ovr_life_result *result,
                                   ovr_error *err)
 {
-    result->size = sizeof *result;
+    if (result)
+        result->size = sizeof *result;
     return ovr_life_into(options, material, A, smooth, risk, length, result,
                          err);
 }

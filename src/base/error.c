@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/given.h"
+
 const char *ovr_status_name(ovr_status status)
 {
     switch (status) {
@@ -47,7 +49,8 @@ static void put(ovr_error *err, ovr_status status, const char *about,
     else if (file)
         snprintf(end, (size_t)(stop - end), ": ");
     end += strlen(end);
-    vsnprintf(end, (size_t)(stop - end), format, args);
+    if (format)
+        vsnprintf(end, (size_t)(stop - end), format, args);
     one_line(err->message);
 }
 
@@ -105,6 +108,8 @@ static const char *behind_option(const char *file, const ovr_error *why)
 ovr_status ovr_fail_from(ovr_error *err, const ovr_error *why, const char *file,
                          long line)
 {
+    if (!why)
+        return ovr_fail_null(err, __func__);
     ovr_error copy = *why;
     ovr_status status = copy.status;
     if (!err)
@@ -117,4 +122,17 @@ ovr_status ovr_fail_from(ovr_error *err, const ovr_error *why, const char *file,
     err->about = copy.about;
     err->meant = copy.meant;
     return status;
+}
+
+ovr_status ovr_fail_null(ovr_error *err, const char *function)
+{
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "%s: an argument is NULL where there must be one",
+                    function);
+}
+
+void *ovr_null(ovr_error *err, const char *function)
+{
+    ovr_fail_null(err, function);
+    return NULL;
 }

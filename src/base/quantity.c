@@ -195,6 +195,8 @@ const char *ovr_unit_si(ovr_dimension dimension)
 
 const char *ovr_unit_name(size_t k, const char **si)
 {
+    if (!si)
+        return NULL;
     if (k >= UNITS)
         return NULL;
     *si = ovr_unit_si(units[k].dimension);

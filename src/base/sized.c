@@ -15,6 +15,8 @@ static size_t size_of(const void *any)
 
 void ovr_sized_fill(void *to, const void *defaults, size_t size)
 {
+    if (!to)
+        return;
     size_t known = size_of(to);
     memset(to, 0, known);
     memcpy(to, defaults, known < size ? known : size);
@@ -23,7 +25,7 @@ void ovr_sized_fill(void *to, const void *defaults, size_t size)
 
 const void *ovr_sized_whole(void *to, size_t size, const void *from)
 {
-    size_t known = size_of(from);
+    size_t known = from ? size_of(from) : 0;
     if (known == size)
         return from;
     if (known < sizeof known || known > size)
@@ -35,7 +37,9 @@ const void *ovr_sized_whole(void *to, size_t size, const void *from)
 
 ovr_status ovr_sized_check(const void *to, const char *name, ovr_error *err)
 {
-    size_t known = size_of(to);
+    size_t known = to ? size_of(to) : 0;
+    if (!to)
+        return ovr_fail(err, OVR_BAD_INPUT, "no %s to fill is given", name);
     if (known >= sizeof known && known < SIZE_LARGEST)
         return OVR_OK;
     return ovr_fail(err, OVR_BAD_INPUT,
@@ -45,6 +49,8 @@ ovr_status ovr_sized_check(const void *to, const char *name, ovr_error *err)
 
 void ovr_sized_give(void *to, void *made, size_t size)
 {
+    if (!to)
+        return;
     size_t known = size_of(to);
     if (known > size) {
         memset((char *)to + size, 0, known - size);
@@ -57,6 +63,8 @@ void ovr_sized_give(void *to, void *made, size_t size)
 ovr_status ovr_sized_take(void *to, size_t size, const void *from,
                           const char *name, ovr_error *err)
 {
+    if (!from)
+        return ovr_fail(err, OVR_BAD_INPUT, "no %s is given", name);
     size_t known = size_of(from);
     if (known < sizeof known || known > size)
         return ovr_fail(err, OVR_BAD_INPUT,

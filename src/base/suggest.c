@@ -44,6 +44,8 @@ static size_t distance(const char *a, const char *b)
 
 const char *ovr_suggest(const char *wrong, const char *const *names, size_t n)
 {
+    if (!wrong || !names)
+        return NULL;
     size_t allowed = (strlen(wrong) + 2) / 3, best = allowed + 1;
     const char *nearest = NULL;
     for (size_t i = 0; i < n; i++) {

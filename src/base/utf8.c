@@ -3,6 +3,8 @@
 
 int ovr_utf8_sequence(const unsigned char *s)
 {
+    if (!s)
+        return 0;
     int n = s[0] < 0x80 ? 1 : s[0] < 0xe0 ? 2 : s[0] < 0xf0 ? 3 : 4;
     if (n > 1 && (s[0] < 0xc2 || s[0] > 0xf4))
         return 0;

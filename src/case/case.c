@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "base/sized.h"
 #include "base/text.h"
 
@@ -71,6 +72,8 @@ static const char *trimmed(const char *value, ovr_arena *arena, ovr_error *err)
 ovr_status ovr_case_set(ovr_case *c, const char *where, const char *value,
                         const char *origin, ovr_error *err)
 {
+    if (!where)
+        return ovr_fail_null(err, __func__);
     ovr_error why = {0};
     place at = find_place(c, where, &why);
     const ovr_parameter *row = at.row;
@@ -105,6 +108,8 @@ ovr_status ovr_case_set(ovr_case *c, const char *where, const char *value,
 ovr_status ovr_case_assign(ovr_case *c, const char *assignment,
                            const char *origin, ovr_error *err)
 {
+    if (!assignment)
+        return ovr_fail_null(err, __func__);
     const char *equals = strchr(assignment, '=');
     char where[2 * OVR_NAME_MOST + 2], value[OVR_LINE_MOST + 1];
     ovr_line left, right;
@@ -124,6 +129,8 @@ ovr_status ovr_case_assign(ovr_case *c, const char *assignment,
 
 void ovr_case_unset(ovr_case *c, const char *where)
 {
+    if (!where)
+        return;
     place at = find_place(c, where, NULL);
     ovr_slot fresh;
     if (!at.slot)
@@ -140,16 +147,22 @@ void ovr_case_unset(ovr_case *c, const char *where)
 
 const char *ovr_case_name(const ovr_case *c)
 {
+    if (!c)
+        return NULL;
     return c->name;
 }
 
 const char *ovr_case_directory(const ovr_case *c)
 {
+    if (!c)
+        return NULL;
     return c->directory;
 }
 
 size_t ovr_case_entries(const ovr_case *c)
 {
+    if (!c)
+        return 0;
     size_t n = 0;
     for (const ovr_block *b = c->blocks; b; b = b->next)
         n += b->count;
@@ -158,6 +171,8 @@ size_t ovr_case_entries(const ovr_case *c)
 
 void ovr_case_entry_into(const ovr_case *c, size_t k, ovr_case_entry *to)
 {
+    if (!c)
+        return;
     const ovr_block *b = c->blocks;
     ovr_case_entry entry = {0};
     while (b && k >= b->count) {

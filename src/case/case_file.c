@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/entries.h"
+#include "base/given.h"
 #include "case/case.h"
 
 static ovr_status open_section(ovr_case *c, const ovr_entry *entry,
@@ -91,6 +92,8 @@ ovr_case *ovr_case_read_text(const char *text, const char *name,
                              const char *directory,
                              const ovr_allocator *allocator, ovr_error *err)
 {
+    if (!text || !name)
+        return ovr_null(err, __func__);
     ovr_case *c = ovr_case_create(allocator, err);
     return c ? read_source(c, text, name, directory, err) : NULL;
 }
@@ -126,6 +129,8 @@ static ovr_status refuse_result(const char *path, ovr_error *err)
 ovr_case *ovr_case_read(const char *path, const ovr_allocator *allocator,
                         ovr_error *err)
 {
+    if (!path)
+        return ovr_null(err, __func__);
     ovr_arena scratch = ovr_arena_make(allocator);
     char *folder = ovr_arena_text(&scratch, path, err);
     const char *text;

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "case/case.h"
 
 typedef struct growing {
@@ -118,6 +119,8 @@ static size_t room_needed(const ovr_case *c)
 
 const char *ovr_case_text(ovr_case *c, ovr_error *err)
 {
+    if (!c)
+        return ovr_null(err, __func__);
     growing g = {NULL, 0, room_needed(c)};
     g.text = ovr_arena_take(&c->arena, g.room, 1, err);
     if (!g.text)

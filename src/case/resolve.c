@@ -7,6 +7,7 @@
 
 #include <math.h>
 
+#include "base/given.h"
 #include "case/resolve_element.h"
 #include "surface/layer.h"
 
@@ -74,6 +75,8 @@ static void set_sizes(ovr_resolved *r)
 ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
                             ovr_error *err)
 {
+    if (!c)
+        return ovr_null(err, __func__);
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_resolved *r = ovr_arena_take(&arena, 1, sizeof *r, err);
     ovr_status status;

@@ -52,6 +52,8 @@ static bool is_on(const ovr_resolved *r, int k)
 
 unsigned ovr_setup_physics(const ovr_setup *setup)
 {
+    if (!setup)
+        return 0;
     const ovr_resolved *r = (const ovr_resolved *)setup;
     unsigned bits = setup->features ? OVR_PHYSICS_FEATURES : 0;
     for (int k = 0; ovr_physics_list[k]; k++)
@@ -97,6 +99,8 @@ static double beside(const ovr_setup *setup)
 
 double ovr_setup_memory(const ovr_setup *setup)
 {
+    if (!setup)
+        return NAN;
     ovr_simulation *sim = ovr_simulation_counted(setup->options);
     double bytes = INFINITY;
     if (sim && !ovr_setup_add_physics(setup, sim, NULL))
@@ -107,6 +111,10 @@ double ovr_setup_memory(const ovr_setup *setup)
 
 void ovr_setup_tell(const ovr_setup *setup, ovr_setup_line *line, void *data)
 {
+    if (!line)
+        return;
+    if (!setup)
+        return;
     ovr_resolved *r = (ovr_resolved *)setup;
     const ovr_physics_case of = about(r);
     for (int k = 0; ovr_physics_list[k]; k++)

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <unistd.h>
 
+#include "base/given.h"
 #include "case/accuracy.h"
 #include "case/domain.h"
 #include "case/feed.h"
@@ -193,6 +194,8 @@ static ovr_status choose_level(ovr_resolved *r, bool usual,
 ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
                              ovr_error *err)
 {
+    if (!setup)
+        return ovr_fail_null(err, __func__);
     ovr_resolved *r = (ovr_resolved *)setup;
     const ovr_options *o = setup->options;
     bool inlet = o->inlet < 0, usual = o->inlet == 0;
@@ -285,6 +288,8 @@ ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
                                      const ovr_allocator *allocator,
                                      ovr_error *err)
 {
+    if (!setup)
+        return ovr_null(err, __func__);
     ovr_simulation *sim;
     if (ovr_setup_prepare(setup, allocator, err))
         return NULL;

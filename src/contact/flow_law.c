@@ -311,6 +311,9 @@ static ovr_status check_form(const ovr_flow_form *form, ovr_error *err)
 {
     if (form->rheology == OVR_FLOW_TABLE)
         return check_points(form, err);
+    if (form->rheology != OVR_CARREAU && form->rheology != OVR_CARREAU_STRESS)
+        return ovr_fail_about(err, "rheology",
+                              "Newton's and Eyring's laws have no table");
     if (!(form->n >= 0.05 && form->n <= 1))
         return ovr_fail_about(err, "carreau_n",
                               "carreau_n = %g: must be 0.05 to 1", form->n);

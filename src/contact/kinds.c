@@ -35,6 +35,8 @@ const ovr_kind_info *ovr_kind_about(ovr_unit_kind kind)
 
 ovr_unit_kind ovr_kind_named(const char *name)
 {
+    if (!name)
+        return OVR_KINDS;
     ovr_unit_kind kind = OVR_KIND_NUMBER;
     while (kind < OVR_KINDS && strcmp(kinds[kind].name, name) != 0)
         kind++;

@@ -245,12 +245,16 @@ const ovr_bearing_geometry *ovr_bearing_of(const ovr_bearing *bearing)
 
 double ovr_bearing_load(const ovr_bearing *bearing, int k)
 {
+    if (!bearing)
+        return NAN;
     return carried(bearing, bearing->g.displacement,
                    bearing->first + 2 * pi * k / bearing->form.rollers);
 }
 
 ovr_element_moment ovr_bearing_contact(const ovr_bearing *bearing, double load)
 {
+    if (!bearing)
+        return (ovr_element_moment){0};
     const ovr_bearing_form *f = &bearing->form;
     double d = raceway(bearing), D = f->roller;
     double side = f->contact == 1 ? 1 : -1;
@@ -268,6 +272,8 @@ size_t ovr_bearing_passes(const ovr_bearing *bearing, double phase,
                           double least, size_t room, double *angle,
                           double *load)
 {
+    if (!bearing || !angle || !load)
+        return 0;
     double step = bearing->g.step, largest = 0;
     int reach = step != 0 ? (int)floor(pi / fabs(step)) + 1 : 0;
     size_t count = 0;

@@ -312,6 +312,8 @@ const ovr_cam_event *ovr_cam_of(const ovr_cam *cam)
 
 ovr_element_moment ovr_cam_at(const ovr_cam *cam, double t)
 {
+    if (!cam)
+        return (ovr_element_moment){0};
     ovr_element_moment m = contact(cam, cam->event.from + cam->form.speed * t);
     m.t = t;
     return m;
@@ -319,6 +321,8 @@ ovr_element_moment ovr_cam_at(const ovr_cam *cam, double t)
 
 void ovr_cam_lift(const ovr_cam *cam, double t, double lift[3])
 {
+    if (!cam || !lift)
+        return;
     ovr_lift_at(&cam->form, cam->bending, cam->event.from + cam->form.speed * t,
                 lift);
 }

@@ -7,6 +7,8 @@
 double ovr_flash_temperature(const ovr_element_moment *moment, double b,
                              double mu, double B_1, double B_2)
 {
+    if (!moment)
+        return NAN;
     /* Largest value of the integral over the half ellipse, for the whole width
      * 2 b; the uniform source has 2/sqrt(pi) = 1.1284. */
     const double half_ellipse = 1.1115;

@@ -436,6 +436,8 @@ const ovr_gear_geometry *ovr_gear_of(const ovr_gear *gear)
 
 ovr_element_moment ovr_gear_at(const ovr_gear *gear, double t)
 {
+    if (!gear)
+        return (ovr_element_moment){0};
     const ovr_gear_geometry *g = &gear->g;
     double xi = xi_at(gear, t), along = cos(g->base_helix);
     double R1 = g->R1_A + xi * g->base_pitch, R2 = g->line - R1;
@@ -450,6 +452,8 @@ ovr_element_moment ovr_gear_at(const ovr_gear *gear, double t)
 
 double ovr_gear_time(const ovr_gear *gear, double R1)
 {
+    if (!gear)
+        return NAN;
     const ovr_gear_geometry *g = &gear->g;
     double way = gear->form.driving == 1 ? R1 - g->R1_A : g->R1_E - R1;
     return way / (g->base_1 * g->omega_1);

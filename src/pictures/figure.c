@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "base/plain.h"
 #include "base/sized.h"
 #include "base/text.h"
@@ -761,6 +762,8 @@ ovr_status ovr_figure(const ovr_table *table, const ovr_figure_options *given,
     ovr_figure_options own, *options = &own;
     if (OVR_SIZED_TAKE(ovr_figure_options, options, given, err))
         return OVR_BAD_INPUT;
+    if (!table)
+        return ovr_fail_null(err, __func__);
     locale_t before = ovr_plain_begin();
     ovr_arena arena = ovr_arena_make(allocator);
     figure f = {.o = options, .t = table, .arena = &arena};

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "base/plain.h"
 #include "base/sized.h"
 #include "pictures/axis.h"
@@ -117,6 +118,8 @@ ovr_status ovr_figure_passes(const ovr_table *passes,
                              const ovr_figure_options *given,
                              const ovr_allocator *allocator, ovr_error *err)
 {
+    if (!passes)
+        return ovr_fail_null(err, __func__);
     ovr_figure_options own, *options = &own;
     if (OVR_SIZED_TAKE(ovr_figure_options, options, given, err))
         return OVR_BAD_INPUT;

@@ -8,6 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/given.h"
 #include "base/plain.h"
 #include "base/sized.h"
 #include "pictures/gnuplot.h"
@@ -26,6 +27,9 @@ void ovr_picture_options_fill(ovr_picture_options *options)
 
 ovr_status ovr_may_create(const char *path, bool force, ovr_error *err)
 {
+    if (!path)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "a picture needs the name of its file");
     if (!force && access(path, F_OK) == 0)
         return ovr_fail(err, OVR_BAD_INPUT, "%s exists; --force replaces it",
                         path);
@@ -212,6 +216,8 @@ ovr_status ovr_picture(ovr_result *const *results, size_t count,
     ovr_picture_options own, *o = &own;
     if (OVR_SIZED_TAKE(ovr_picture_options, o, options, err))
         return OVR_BAD_INPUT;
+    if (!results)
+        return ovr_fail_null(err, __func__);
     locale_t before = ovr_plain_begin();
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_stored *runs = ovr_arena_take(&arena, count, sizeof *runs, err);

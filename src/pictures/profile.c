@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 
+#include "base/given.h"
 #include "pictures/picture.h"
 
 ovr_status ovr_picture_profile(const ovr_profile_view *view, const char *title,
                                const char *path, ovr_error *err)
 {
+    if (!view || !path)
+        return ovr_fail_null(err, __func__);
     ovr_arena arena = ovr_arena_make(NULL);
     ovr_series heights = {.n = view->n,
                           .x = view->x,

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/given.h"
 #include "base/plain.h"
 #include "base/sized.h"
 #include "case/case.h"
@@ -459,6 +460,8 @@ ovr_status ovr_view(ovr_result *const *results, size_t count,
     ovr_view_options own, *options = &own;
     if (OVR_SIZED_TAKE(ovr_view_options, options, given, err))
         return OVR_BAD_INPUT;
+    if (!results)
+        return ovr_fail_null(err, __func__);
     locale_t before = ovr_plain_begin();
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_error unasked;

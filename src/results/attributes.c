@@ -33,6 +33,8 @@ static ovr_group_attribute *list(ovr_result *r, const char *path, size_t *count)
 const ovr_group_attribute *
 ovr_result_attributes(ovr_result *r, const char *path, size_t *count)
 {
+    if (!r || !path || !count)
+        return NULL;
     int lock = ovr_reader_lock(r);
     ovr_group_attribute *found = NULL;
     *count = 0;

@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "base/sized.h"
 #include "results/h5.h"
 
@@ -26,6 +27,8 @@ void ovr_write_options_fill(ovr_write_options *options)
 long ovr_write_every(const ovr_write_options *o, double end, double dT,
                      size_t nodes)
 {
+    if (!o)
+        return 0;
     size_t stored = nodes / (o->stride ? o->stride : 1) + 1;
     double row = (double)stored * (double)ovr_layout_fields(o->fields, NULL) *
                  (o->single ? 4 : 8);
@@ -375,11 +378,15 @@ static ovr_status store_last(ovr_writer *w, ovr_run_status run, ovr_error *err)
 
 void ovr_writer_reason(ovr_writer *w, const char *reason)
 {
+    if (!w)
+        return;
     snprintf(w->reason, sizeof w->reason, "%s", reason);
 }
 
 void ovr_writer_warnings(ovr_writer *w, const char *warnings)
 {
+    if (!w)
+        return;
     w->warnings = warnings;
 }
 
@@ -398,6 +405,8 @@ static ovr_status end_file(ovr_writer *w, ovr_run_status run, ovr_error *err)
 
 ovr_status ovr_writer_close(ovr_writer *w, ovr_run_status run, ovr_error *err)
 {
+    if (!w)
+        return ovr_fail_null(err, __func__);
     ovr_status status = OVR_OK, closed;
     ovr_h5_handler handler;
     if (w->source.visit_all && w->last_step >= 0) /* else none was reached */

@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "base/sized.h"
 #include "results/h5.h"
 #include "results/writer.h"
@@ -200,6 +201,8 @@ void ovr_group_fill(ovr_group *group)
 ovr_status ovr_writer_group(ovr_writer *w, const ovr_group *given, bool keep,
                             ovr_error *err)
 {
+    if (!w)
+        return ovr_fail_null(err, __func__);
     ovr_group g;
     ovr_status status = OVR_SIZED_TAKE(ovr_group, &g, given, err);
     if (!status)
@@ -265,6 +268,8 @@ ovr_status ovr_writer_append(ovr_writer *w, const ovr_group *given, size_t k,
                              double T, const float *values, size_t count,
                              ovr_error *err)
 {
+    if (!w)
+        return ovr_fail_null(err, __func__);
     ovr_group g;
     ovr_status status = OVR_SIZED_TAKE(ovr_group, &g, given, err);
     if (!status)

@@ -38,6 +38,8 @@ size_t ovr_layout_fields(unsigned set, const ovr_observable **rows)
 
 unsigned ovr_field_bit(const char *name)
 {
+    if (!name)
+        return 0;
     const ovr_observable *row[OVR_FIELDS_MOST];
     size_t count = ovr_layout_fields(~0u, row);
     for (size_t k = 0; k < count; k++)

@@ -2,6 +2,7 @@
 /* Numbers that people ask a result for, with a unit or bare. */
 #include <math.h>
 
+#include "base/given.h"
 #include "base/quantity.h"
 #include "base/text.h"
 #include "overroll/results.h"
@@ -19,12 +20,16 @@ static ovr_dimension dimension_of(ovr_unit_kind kind)
 
 bool ovr_bare_number(const char *text, double *value)
 {
+    if (!text)
+        return false;
     return ovr_read_number(&text, value) && *text == '\0';
 }
 
 ovr_status ovr_result_number(const ovr_result *result, ovr_unit_kind kind,
                              const char *text, double *value, ovr_error *err)
 {
+    if (!result || !text)
+        return ovr_fail_null(err, __func__);
     const ovr_result_info *info = ovr_result_about(result);
     const ovr_contact scales = {.size = sizeof scales,
                                 .b = info->b,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The writer as the observer of a run, and a simulation's state in
  * checkpoints. */
+#include "base/given.h"
 #include "results/writer.h"
 
 static const double *field_of(const void *sim, const ovr_observable *which,
@@ -23,6 +24,8 @@ static ovr_frame frame_of(ovr_writer *w)
 ovr_status ovr_writer_observe(void *writer, const ovr_simulation *sim,
                               ovr_error *err)
 {
+    if (!writer || !sim)
+        return ovr_fail_null(err, __func__);
     ovr_writer *w = writer;
     ovr_frame frame;
     w->observed = sim;
@@ -60,18 +63,24 @@ static ovr_status visit_all(void *writer, ovr_visit *visit, void *context,
 
 void ovr_writer_more(ovr_writer *w, ovr_visited *more, void *object)
 {
+    if (!w)
+        return;
     w->more = (ovr_state_source){more, object};
 }
 
 ovr_status ovr_restart_more(const ovr_restart *restart, ovr_visited *more,
                             void *object, ovr_error *err)
 {
+    if (!restart || !more)
+        return ovr_fail_null(err, __func__);
     ovr_state_source source = {more, object};
     return ovr_restart_load_into(restart, &source, err);
 }
 
 void ovr_writer_checkpoints(ovr_writer *w, ovr_simulation *sim)
 {
+    if (!w)
+        return;
     ovr_state_source source = {visit_all, w};
     w->saved = sim;
     ovr_writer_source(w, source);
@@ -82,6 +91,8 @@ void ovr_writer_checkpoints(ovr_writer *w, ovr_simulation *sim)
 ovr_status ovr_restart_load(const ovr_restart *restart, ovr_simulation *sim,
                             ovr_error *err)
 {
+    if (!restart || !sim)
+        return ovr_fail_null(err, __func__);
     ovr_state_source source = {visit_state, sim};
     const ovr_state *state = ovr_simulation_state(sim);
     ovr_status status = ovr_restart_load_into(restart, &source, err);

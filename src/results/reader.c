@@ -13,6 +13,7 @@
  * the length of the file.
  */
 #include "results/reader.h"
+#include "base/given.h"
 
 #include <math.h>
 #include <string.h>
@@ -21,31 +22,41 @@
 
 const ovr_result_info *ovr_result_about(const ovr_result *r)
 {
-    return &r->info;
+    return !r ? NULL : &r->info;
 }
 
 size_t ovr_result_fields(const ovr_result *r)
 {
+    if (!r)
+        return 0;
     return r->fields;
 }
 
 const ovr_variable *ovr_result_field(const ovr_result *r, size_t k)
 {
+    if (!r)
+        return NULL;
     return k < r->fields ? r->field[k] : NULL;
 }
 
 size_t ovr_result_columns(const ovr_result *r)
 {
+    if (!r)
+        return 0;
     return r->columns;
 }
 
 const ovr_variable *ovr_result_variable(const ovr_result *r, size_t k)
 {
+    if (!r)
+        return NULL;
     return k < r->variables ? &r->variable[k] : NULL;
 }
 
 const ovr_variable *ovr_result_find(const ovr_result *r, const char *path)
 {
+    if (!r || !path)
+        return NULL;
     for (size_t k = 0; k < r->variables; k++)
         if (strcmp(r->variable[k].path, path) == 0)
             return &r->variable[k];
@@ -54,6 +65,8 @@ const ovr_variable *ovr_result_find(const ovr_result *r, const char *path)
 
 const ovr_variable *ovr_result_column(const ovr_result *r, size_t k)
 {
+    if (!r)
+        return NULL;
     return k < r->columns ? r->column[k] : NULL;
 }
 
@@ -151,6 +164,8 @@ static ovr_status read_values(ovr_result *r, const part *what, ovr_units units,
 ovr_status ovr_result_x(ovr_result *r, ovr_units units, double *x,
                         ovr_error *err)
 {
+    if (!r || !x)
+        return ovr_fail_null(err, __func__);
     part what = {r->x, 0, r->info.nodes, false};
     return read_values(r, &what, units, x, err);
 }
@@ -158,6 +173,8 @@ ovr_status ovr_result_x(ovr_result *r, ovr_units units, double *x,
 ovr_status ovr_result_times(ovr_result *r, ovr_units units, double *times,
                             ovr_error *err)
 {
+    if (!r || !times)
+        return ovr_fail_null(err, __func__);
     part what = {r->time, 0, r->info.snapshots, false};
     return read_values(r, &what, units, times, err);
 }
@@ -184,6 +201,8 @@ static ovr_status choose_row(const ovr_result *r, part *what, ovr_error *err)
 ovr_status ovr_result_read(ovr_result *r, const char *path, size_t row,
                            ovr_units units, double *values, ovr_error *err)
 {
+    if (!r || !path)
+        return ovr_fail_null(err, __func__);
     part what = {ovr_result_find(r, path), row, 0, true};
     ovr_status status;
     if (!what.variable)
@@ -195,6 +214,8 @@ ovr_status ovr_result_read(ovr_result *r, const char *path, size_t row,
 ovr_status ovr_result_snapshot(ovr_result *r, const char *field, size_t k,
                                ovr_units units, double *values, ovr_error *err)
 {
+    if (!r || !field)
+        return ovr_fail_null(err, __func__);
     part what = {find(r->field, r->fields, field), k, 0, false};
     ovr_status status;
     if (!what.variable)
@@ -207,6 +228,8 @@ ovr_status ovr_result_snapshot(ovr_result *r, const char *field, size_t k,
 ovr_status ovr_result_history(ovr_result *r, const char *name, ovr_units units,
                               double *values, ovr_error *err)
 {
+    if (!r || !name)
+        return ovr_fail_null(err, __func__);
     part what = {find(r->column, r->columns, name), 0, r->info.steps, true};
     if (!what.variable)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: has no history '%s'", r->path,

@@ -11,6 +11,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "base/given.h"
 #include "results/commit_lock.h"
 #include "results/journal.h"
 
@@ -437,6 +438,8 @@ static ovr_status open_result(ovr_result *r, ovr_error *err)
 ovr_result *ovr_result_open(const char *path, const ovr_allocator *allocator,
                             ovr_error *err)
 {
+    if (!path)
+        return ovr_null(err, __func__);
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_result *r = ovr_arena_take(&arena, 1, sizeof *r, err);
     if (!r)

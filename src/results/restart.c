@@ -9,6 +9,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include "base/given.h"
 #include "overroll/version.h"
 #include "results/checkpoint.h"
 
@@ -258,6 +259,8 @@ static char *path_of(ovr_arena *arena, const char *result_path, ovr_error *err)
 ovr_restart *ovr_restart_open(const char *result_path,
                               const ovr_allocator *allocator, ovr_error *err)
 {
+    if (!result_path)
+        return ovr_null(err, __func__);
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_restart *r = ovr_arena_take(&arena, 1, sizeof *r, err);
     if (!r)
@@ -284,7 +287,7 @@ void ovr_restart_close(ovr_restart *r)
 
 const ovr_restart_info *ovr_restart_about(const ovr_restart *r)
 {
-    return &r->info;
+    return !r ? NULL : &r->info;
 }
 
 const char *ovr_restart_created(const ovr_restart *r)
@@ -337,6 +340,8 @@ ovr_status ovr_values_same(size_t were, const ovr_case_value *was, size_t count,
 ovr_status ovr_restart_check(const ovr_restart *r, size_t count,
                              const ovr_case_value *values, ovr_error *err)
 {
+    if (!r || !values)
+        return ovr_fail_null(err, __func__);
     return ovr_values_same(r->info.value_count, r->values, count, values, err);
 }
 

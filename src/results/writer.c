@@ -16,6 +16,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "base/given.h"
 #include "results/h5.h"
 
 double ovr_now(void)
@@ -86,6 +87,8 @@ bool ovr_writer_due(const ovr_writer *w, long step, double T)
 
 bool ovr_writer_stores(const ovr_writer *w, long step, double T)
 {
+    if (!w)
+        return false;
     return step > w->last_step && ovr_writer_due(w, step, T);
 }
 
@@ -149,6 +152,8 @@ void ovr_frame_fill(ovr_frame *frame)
 ovr_status ovr_writer_record(ovr_writer *w, const ovr_frame *given,
                              ovr_error *err)
 {
+    if (!w)
+        return ovr_fail_null(err, __func__);
     ovr_frame own, *frame = &own;
     const ovr_state *state;
     bool due, flush;
@@ -176,18 +181,24 @@ ovr_status ovr_writer_record(ovr_writer *w, const ovr_frame *given,
 
 ovr_status ovr_writer_flush(ovr_writer *w, ovr_error *err)
 {
+    if (!w)
+        return ovr_fail_null(err, __func__);
     ovr_status status = post(w, true, err);
     return status == OVR_OK ? ovr_queue_wait(&w->queue, err) : status;
 }
 
 double ovr_writer_next_time(void *writer, double T)
 {
+    if (!writer)
+        return NAN;
     const ovr_writer *w = writer;
     return ovr_schedule_next(&w->schedule, T);
 }
 
 size_t ovr_writer_snapshots(const ovr_writer *w)
 {
+    if (!w)
+        return 0;
     return w->snapshots;
 }
 
@@ -243,10 +254,14 @@ ovr_status ovr_writer_save(ovr_writer *w, ovr_error *err)
 
 bool ovr_writer_repaired(const ovr_writer *w)
 {
+    if (!w)
+        return false;
     return w->file.store.repaired;
 }
 
 bool ovr_writer_unlocked(const ovr_writer *w)
 {
+    if (!w)
+        return false;
     return w->file.store.unlocked;
 }

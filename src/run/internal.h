@@ -23,6 +23,7 @@ struct ovr_run {
     ovr_restart *restart;     /* of a run gone on with */
     ovr_passes *passes;       /* NULL: one */
     bool resumed;             /* the case is its own */
+    bool going, gone;         /* ovr_run_go is under way, was called */
     bool restored;            /* the state is a checkpoint's: no steady start */
     ovr_case_value *recorded; /* of a resumed run: what its file says */
     size_t recorded_count;

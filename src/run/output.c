@@ -217,6 +217,8 @@ static double stored_nodes(const ovr_setup *setup)
 
 ovr_storage ovr_setup_storage(const ovr_setup *setup)
 {
+    if (!setup)
+        return (ovr_storage){0};
     ovr_write_options w = ovr_write_options_default();
     ovr_arena arena = ovr_arena_make(NULL);
     double dT = step_length(setup);
@@ -241,6 +243,8 @@ ovr_storage ovr_setup_storage(const ovr_setup *setup)
 
 double ovr_setup_output_memory(const ovr_setup *setup)
 {
+    if (!setup)
+        return NAN;
     ovr_write_options w = ovr_write_options_default();
     ovr_arena arena = ovr_arena_make(NULL);
     double bytes = INFINITY;
@@ -275,13 +279,10 @@ static const char *absolute(const char *folder, ovr_arena *arena)
 /* "roller" of a case "cases/roller.ini"; NULL where it has no file. */
 static const char *title_of(const char *name, ovr_arena *arena)
 {
-    const char *slash = name ? strrchr(name, '/') : NULL;
-    const char *dot = name ? strrchr(name, '.') : NULL;
-    char *title = ovr_arena_text(arena,
-                                 slash  ? slash + 1
-                                 : name ? name
-                                        : "",
-                                 NULL);
+    if (!name)
+        return NULL;
+    const char *slash = strrchr(name, '/'), *dot = strrchr(name, '.');
+    char *title = ovr_arena_text(arena, slash ? slash + 1 : name, NULL);
     if (!dot || (strcmp(dot, ".ini") != 0 && strcmp(dot, ".h5") != 0))
         return NULL;
     if (title)

@@ -11,6 +11,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/given.h"
 #include "case/case.h"
 #include "case/resolve.h"
 #include "results/checkpoint.h"
@@ -196,6 +197,8 @@ static ovr_status prepare_passes(ovr_run *run, const char *path, ovr_error *err)
 ovr_run *ovr_run_resume(const char *path, const ovr_run_options *options,
                         const ovr_allocator *allocator, ovr_error *err)
 {
+    if (!path)
+        return ovr_null(err, __func__);
     ovr_run *run = ovr_run_make(options, allocator, err);
     if (!run)
         return NULL;

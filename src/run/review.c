@@ -337,6 +337,8 @@ static void before(const review *r, bool transient)
 void ovr_setup_review(const ovr_setup *setup, ovr_listener *listener,
                       void *data)
 {
+    if (!setup)
+        return;
     review r = {((const ovr_resolved *)setup)->c, setup, listener, data};
     before(&r, setup->transient);
 }

@@ -14,6 +14,7 @@
 #include <math.h>
 
 #include "base/arena.h"
+#include "base/given.h"
 #include "base/sized.h"
 #include "overroll/run.h"
 #include "surface/amplitude.h"
@@ -147,6 +148,8 @@ ovr_status ovr_setup_rough_film_into(const ovr_setup *setup,
                                      const ovr_allocator *allocator,
                                      ovr_rough_film *to, ovr_error *err)
 {
+    if (!setup)
+        return ovr_fail_null(err, __func__);
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_rough_film film = {.Rq = NAN,
                            .film_Rq = NAN,

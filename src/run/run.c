@@ -4,6 +4,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "base/given.h"
 #include "base/sized.h"
 #include "case/resolve.h"
 #include "run/internal.h"
@@ -135,6 +136,8 @@ static ovr_status prepare(ovr_run *run, ovr_error *err)
 ovr_run *ovr_run_create(ovr_case *c, const ovr_run_options *options,
                         const ovr_allocator *allocator, ovr_error *err)
 {
+    if (!c)
+        return ovr_null(err, __func__);
     ovr_run *run = ovr_run_make(options, allocator, err);
     if (!run)
         return NULL;
@@ -166,7 +169,7 @@ void ovr_run_free(ovr_run *run)
 
 const ovr_run_info *ovr_run_about(const ovr_run *run)
 {
-    return &run->info;
+    return !run ? NULL : &run->info;
 }
 
 /* ----------------------------------------------------------------- solving */
@@ -375,13 +378,22 @@ ovr_status ovr_run_once(ovr_run *run, ovr_error *err)
 
 ovr_status ovr_run_go(ovr_run *run, ovr_error *err)
 {
+    if (!run)
+        return ovr_fail_null(err, __func__);
     double begun = seconds_now();
     ovr_error unasked = {0};
     ovr_status status;
     err = err ? err : &unasked;
-    if (!run->passes)
-        return ovr_run_once(run, err);
-    status = ovr_passes_go(run, err);
-    run->info.seconds = seconds_now() - begun;
+    if (run->gone)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        run->going ? "the run is under way: nobody whom it "
+                                     "calls may start it"
+                                   : "the run was made: another one is wanted "
+                                     "for it to go again");
+    run->going = run->gone = true;
+    status = run->passes ? ovr_passes_go(run, err) : ovr_run_once(run, err);
+    run->going = false;
+    if (run->passes)
+        run->info.seconds = seconds_now() - begun;
     return status;
 }

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "case/resolve.h"
 #include "run/stress.h"
 
@@ -168,6 +169,8 @@ ovr_stored_stress *ovr_stored_stress_create(
     ovr_status (*change)(void *data, ovr_case *c, ovr_error *err), void *data,
     ovr_error *err)
 {
+    if (!path)
+        return ovr_null(err, __func__);
     ovr_arena arena = ovr_arena_make(NULL);
     ovr_stored_stress *s = ovr_arena_take(&arena, 1, sizeof *s, err);
     stored f = {.path = path};
@@ -187,11 +190,15 @@ ovr_stored_stress *ovr_stored_stress_create(
 const ovr_stress_report *ovr_stored_stress_report(const ovr_stored_stress *s,
                                                   int surface)
 {
+    if (!s)
+        return NULL;
     return surface == 1 || surface == 2 ? s->report[surface - 1] : NULL;
 }
 
 const ovr_setup *ovr_stored_stress_setup(const ovr_stored_stress *s)
 {
+    if (!s)
+        return NULL;
     return s->setup;
 }
 

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "case/resolve.h"
 #include "run/stress.h"
 
@@ -158,6 +159,8 @@ ovr_status ovr_stress_planned(const ovr_setup *setup, int surface, double inlet,
 ovr_status ovr_setup_stress_depth(const ovr_setup *setup, double *least,
                                   ovr_error *err)
 {
+    if (!setup || !least)
+        return ovr_fail_null(err, __func__);
     *least = NAN;
     for (int k = 1; k <= 2; k++) {
         ovr_stress_plan plan;
@@ -173,6 +176,8 @@ ovr_status ovr_setup_stress_depth(const ovr_setup *setup, double *least,
 
 double ovr_passages_memory(const ovr_setup *setup)
 {
+    if (!setup)
+        return NAN;
     double bytes = 0;
     for (int k = 1; k <= 2; k++) {
         ovr_stress_plan plan;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/entries.h"
+#include "base/given.h"
 #include "case/parameters.h"
 #include "overroll/text.h"
 
@@ -234,6 +235,8 @@ static ovr_status read_study(ovr_study *s, const char *path, ovr_error *err)
 ovr_study *ovr_study_read(const char *path, const ovr_allocator *allocator,
                           ovr_error *err)
 {
+    if (!path)
+        return ovr_null(err, __func__);
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_study *s = ovr_arena_take(&arena, 1, sizeof *s, err);
     if (!s)
@@ -256,22 +259,30 @@ void ovr_study_free(ovr_study *s)
 
 size_t ovr_study_cases(const ovr_study *s)
 {
+    if (!s)
+        return 0;
     return s->tasks;
 }
 
 const char *ovr_study_name(const ovr_study *s, size_t k)
 {
+    if (!s)
+        return NULL;
     return s->name[k];
 }
 
 const char *ovr_study_output(const ovr_study *s)
 {
+    if (!s)
+        return NULL;
     return s->output;
 }
 
 ovr_status ovr_study_output_set(ovr_study *s, const char *folder,
                                 ovr_error *err)
 {
+    if (!s || !folder)
+        return ovr_fail_null(err, __func__);
     const char *copy = ovr_arena_text(&s->arena, folder, err);
     s->output = copy ? copy : s->output;
     return copy ? OVR_OK : OVR_NO_MEMORY;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "run/study.h"
 
 enum { NAME_MOST = 120 };
@@ -131,6 +132,8 @@ static ovr_status put(const ovr_study *s, const ovr_study_key *k,
 
 ovr_case *ovr_study_case(const ovr_study *s, size_t task, ovr_error *err)
 {
+    if (!s)
+        return ovr_null(err, __func__);
     ovr_case *c = base_case(s, err);
     ovr_status status = OVR_OK;
     for (size_t i = 0; c && !status && i < s->keys; i++)

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "base/entries.h"
+#include "base/given.h"
 #include "base/text.h"
 #include "results/hdf5read/hdf5read.h"
 #include "run/sweep_table.h"
@@ -41,11 +42,15 @@ void ovr_table_free(ovr_table *table)
 
 size_t ovr_table_rows(const ovr_table *table)
 {
+    if (!table)
+        return 0;
     return table->rows;
 }
 
 const ovr_table_column *ovr_table_at(const ovr_table *table, size_t k)
 {
+    if (!table)
+        return NULL;
     return k < table->columns ? &table->column[k] : NULL;
 }
 
@@ -98,6 +103,8 @@ static ovr_status add_number(ovr_table *t, const ovr_sweep_column *from,
 
 ovr_table *ovr_study_table(const ovr_study *study, ovr_error *err)
 {
+    if (!study)
+        return ovr_null(err, __func__);
     ovr_table *t = new_table(err);
     ovr_sweep_table *from = t ? ovr_arena_take(&t->arena, 1, sizeof *from, err)
                               : NULL;
@@ -335,6 +342,8 @@ static bool is_hdf5(const char *path)
 
 ovr_table *ovr_table_read(const char *path, ovr_error *err)
 {
+    if (!path)
+        return ovr_null(err, __func__);
     size_t length = strlen(path);
     const char *end = path + (length > 3 ? length - 3 : 0);
     bool netcdf = strcmp(end, ".nc") == 0 || is_hdf5(path);

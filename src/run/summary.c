@@ -52,6 +52,8 @@ static void put_both(const taker *to, const char *key, const char *key_si,
 void ovr_contact_summary(const ovr_contact *contact, ovr_summary_taker *take,
                          void *data)
 {
+    if (!take)
+        return;
     const taker to = {take, data};
     ovr_contact own = ovr_contact_default();
     const ovr_contact *c = ovr_sized_whole(&own, sizeof own, contact);
@@ -73,6 +75,8 @@ void ovr_rough_film_summary(const ovr_rough_film *film,
                             const ovr_contact *contact, ovr_summary_taker *take,
                             void *data)
 {
+    if (!film || !take)
+        return;
     const taker to = {take, data};
     ovr_contact own = ovr_contact_default();
     const ovr_contact *c = ovr_sized_whole(&own, sizeof own, contact);
@@ -211,6 +215,8 @@ void ovr_stress_summary(const ovr_stress_report *const report[2],
                         const ovr_setup *setup, ovr_summary_taker *take,
                         void *data)
 {
+    if (!report || !setup || !take)
+        return;
     const taker to = {take, data};
     const ovr_stress_report *a = report[0], *b = report[1];
     const ovr_stress_report *shear = a ? a : b, *circle = shear;
@@ -242,6 +248,8 @@ void ovr_stress_summary(const ovr_stress_report *const report[2],
 
 void ovr_run_summary(const ovr_run_info *s, ovr_summary_taker *take, void *data)
 {
+    if (!s || !take)
+        return;
     const taker to = {take, data};
     const ovr_options *options = ovr_simulation_options(s->sim);
     put(&to, "converged", OVR_SUMMARY_FLAG, s->converged);

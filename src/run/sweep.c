@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/given.h"
 #include "base/processors.h"
 #include "base/sized.h"
 #include "run/sweep_table.h"
@@ -117,6 +118,8 @@ static ovr_status run(sweeping *w, ovr_error *err)
 ovr_status ovr_sweep(const ovr_study *study, const ovr_sweep_options *options,
                      ovr_error *err)
 {
+    if (!study)
+        return ovr_fail_null(err, __func__);
     sweeping w = {.s = study};
     ovr_status status = take_options(&w, options, err);
     if (!status)
@@ -170,6 +173,8 @@ ovr_status ovr_sweep_collect(const ovr_study *study, const char *path,
     char manifest[4400];
     ovr_status status =
         totals ? OVR_SIZED_TAKE(ovr_sweep_totals, &asked, totals, err) : OVR_OK;
+    if (!status && !study)
+        status = ovr_fail_null(err, __func__);
     if (!status)
         status = make_folder(study->output, err);
     if (status)

@@ -24,6 +24,8 @@ const char *ovr_sweep_state_name(ovr_sweep_state state)
 
 bool ovr_sweep_wanted(const ovr_sweep_options *how, ovr_sweep_state state)
 {
+    if (!how)
+        return false;
     if (state == OVR_SWEEP_RUNNING)
         return false;
     if (how->redo || state == OVR_SWEEP_WAITING || state == OVR_SWEEP_STOPPED)
@@ -90,6 +92,8 @@ static ovr_sweep_state state_by_files(const ovr_study *s, size_t task)
 
 ovr_sweep_state ovr_sweep_state_of(const ovr_study *s, size_t task)
 {
+    if (!s)
+        return OVR_SWEEP_WAITING;
     ovr_sweep_state state = state_by_files(s, task);
     int fd = open_file(s, task, ".ini", O_RDWR);
     if (fd < 0) /* none: what lies there is not ours */
@@ -105,6 +109,8 @@ ovr_sweep_state ovr_sweep_state_of(const ovr_study *s, size_t task)
 
 void ovr_sweep_message(const ovr_study *s, size_t task, char *text, size_t room)
 {
+    if (!s || !text)
+        return;
     char path[PATH_ROOM];
     FILE *from;
     text[0] = '\0';

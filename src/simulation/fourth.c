@@ -236,6 +236,8 @@ const ovr_physics ovr_physics_fourth = {.name = "fourth order",
 void ovr_simulation_standing(ovr_simulation *sim, ovr_heights *standing,
                              void *data)
 {
+    if (!sim)
+        return;
     sim->standing = standing;
     sim->standing_data = data;
     sim->standing_given = true;
@@ -243,5 +245,7 @@ void ovr_simulation_standing(ovr_simulation *sim, ovr_heights *standing,
 
 int ovr_simulation_order(const ovr_simulation *sim)
 {
+    if (!sim)
+        return 0;
     return sim->order;
 }

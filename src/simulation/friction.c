@@ -25,6 +25,8 @@ double ovr_sliding(const ovr_simulation *sim, double T)
 
 void ovr_simulation_sliding(ovr_simulation *sim, const ovr_history *sliding)
 {
+    if (!sim)
+        return;
     sim->sliding = sliding;
 }
 

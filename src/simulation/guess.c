@@ -323,5 +323,7 @@ bool ovr_guess(ovr_simulation *sim, double dT, bool extrapolated)
 
 void ovr_simulation_moving(ovr_simulation *sim, double speed)
 {
+    if (!sim)
+        return;
     sim->moving = speed;
 }

@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "multigrid/field.h"
 #include "multigrid/flow.h"
 #include "simulation/mirror.h"
@@ -305,6 +306,8 @@ static void observe_points(ovr_simulation *sim, const ovr_observation *o)
 
 int ovr_simulation_heat_points(const ovr_simulation *sim)
 {
+    if (!sim)
+        return 0;
     return sim->heated ? sim->heated->across.n : 0;
 }
 
@@ -600,5 +603,7 @@ const ovr_physics ovr_physics_heat = {.name = "heat",
 ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
                                ovr_error *err)
 {
+    if (!sim)
+        return ovr_fail_null(err, __func__);
     return ovr_physics_add(sim, &ovr_physics_heat, heat, err);
 }

@@ -123,7 +123,14 @@ struct ovr_simulation {
     ovr_observation observation;
     ovr_statistics statistics;
     ovr_stopping stopping; /* of the steady solve */
+    bool busy;             /* is being solved, or marched */
 };
+
+/* Observers and surfaces that are called meanwhile may not solve: begin fails
+ * then, naming what was wanted. */
+ovr_status ovr_simulation_begin(ovr_simulation *sim, const char *what,
+                                ovr_error *err);
+void ovr_simulation_end(ovr_simulation *sim);
 
 /* Asked between the cycles of the steady solve, which ends with OVR_STOPPED and
  * without a state once it is true. */

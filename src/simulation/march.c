@@ -13,6 +13,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "base/given.h"
 #include "base/sized.h"
 #include "simulation/internal.h"
 
@@ -176,26 +177,45 @@ static ovr_status follow(ovr_simulation *sim, const ovr_march *march,
     return status;
 }
 
+static ovr_status take(ovr_march *how, const ovr_march *given, ovr_error *err)
+{
+    *how = ovr_march_default();
+    if (ovr_sized_take(how, sizeof *how, given, "ovr_march", err))
+        return OVR_BAD_INPUT;
+    if (isnan(how->end) || isnan(how->dT) || isnan(how->error))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "end, dT and error of a march must be numbers");
+    if (how->count && !how->observers)
+        return ovr_fail_null(err, __func__);
+    return OVR_OK;
+}
+
 ovr_status ovr_simulation_march(ovr_simulation *sim, const ovr_march *march,
                                 ovr_error *err)
 {
-    ovr_march how = ovr_march_default();
-    ovr_status status = ovr_sized_take(&how, sizeof how, march, "ovr_march",
-                                       err);
-    return status ? status : follow(sim, &how, err);
+    if (!sim)
+        return ovr_fail_null(err, __func__);
+    ovr_march how;
+    if (take(&how, march, err) || ovr_simulation_begin(sim, __func__, err))
+        return OVR_BAD_INPUT;
+    ovr_status status = follow(sim, &how, err);
+    ovr_simulation_end(sim);
+    return status;
 }
 
 ovr_status ovr_simulation_advance(ovr_simulation *sim, const ovr_march *march,
                                   bool *more, ovr_error *err)
 {
-    ovr_march how = ovr_march_default();
-    ovr_status status = ovr_sized_take(&how, sizeof how, march, "ovr_march",
-                                       err);
+    if (!sim || !more)
+        return ovr_fail_null(err, __func__);
+    ovr_march how;
+    ovr_status status = OVR_OK;
     *more = false;
-    if (status)
-        return status;
+    if (take(&how, march, err) || ovr_simulation_begin(sim, __func__, err))
+        return OVR_BAD_INPUT;
     look_at_start(sim, &how);
-    if (has_ended(sim, &how))
-        return OVR_OK;
-    return advance(sim, &how, more, err);
+    if (!has_ended(sim, &how))
+        status = advance(sim, &how, more, err);
+    ovr_simulation_end(sim);
+    return status;
 }

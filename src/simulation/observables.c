@@ -284,6 +284,8 @@ const ovr_observable *ovr_observable_at(size_t k)
 
 const ovr_observable *ovr_observable_field(const char *name)
 {
+    if (!name)
+        return NULL;
     const ovr_observable *o;
     for (size_t k = 0; (o = ovr_observable_at(k)); k++)
         if (o->field && strcmp(o->name, name) == 0)
@@ -293,6 +295,8 @@ const ovr_observable *ovr_observable_field(const char *name)
 
 unsigned ovr_options_physics(const ovr_options *options)
 {
+    if (!options)
+        return 0;
     unsigned bits = 0;
     for (int k = 0; ovr_physics_list[k]; k++) {
         const ovr_physics *p = ovr_physics_list[k];
@@ -305,6 +309,8 @@ unsigned ovr_options_physics(const ovr_options *options)
 double ovr_observable_value(const ovr_observable *which,
                             const ovr_observation *from)
 {
+    if (!which || !from)
+        return NAN;
     const char *at = (const char *)from + which->offset;
     if (which->offset >= from->size)
         return NAN; /* of an older caller, or none */

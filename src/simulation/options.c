@@ -74,6 +74,8 @@ void ovr_options_mlmi(const ovr_options *options, int level, int *order,
 
 double ovr_simulation_starvation(const ovr_simulation *sim)
 {
+    if (!sim)
+        return NAN;
     return ovr_inlet_loss(sim->contact.M, sim->contact.L, sim->options.inlet);
 }
 

@@ -89,6 +89,8 @@ const ovr_extreme *ovr_extreme_at(size_t k)
 
 double ovr_extreme_value(const ovr_extreme *which, const ovr_statistics *from)
 {
+    if (!which || !from)
+        return NAN;
     const char *at = (const char *)from + which->offset;
     if (which->offset >= from->size)
         return NAN; /* of an older caller, or none */

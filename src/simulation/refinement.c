@@ -69,6 +69,8 @@ void ovr_refinement_watch(void *data, const ovr_level *level,
 const ovr_refinement *ovr_simulation_refinements(const ovr_simulation *sim,
                                                  int *count)
 {
+    if (!sim || !count)
+        return NULL;
     *count = sim->refinements;
     return sim->refinement;
 }

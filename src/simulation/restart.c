@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#include "base/given.h"
 #include "simulation/physics.h"
 
 /* The numbers, wherever a simulation has them. */
@@ -99,6 +100,8 @@ static ovr_status visit_order(ovr_simulation *sim, ovr_visit *visit,
 ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
                                 void *context, ovr_error *err)
 {
+    if (!sim || !visit)
+        return ovr_fail_null(err, __func__);
     ovr_status status = visit_past(sim, visit, context, err);
     if (!status)
         status = visit_order(sim, visit, context, err);
@@ -118,6 +121,8 @@ ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
  * these; without a least film so far it is the one of now. */
 void ovr_simulation_restored(ovr_simulation *sim)
 {
+    if (!sim)
+        return;
     const ovr_observation seen = sim->observation;
     const ovr_outcome outcome = {.defect.imbalance = seen.residual,
                                  .cycles = seen.cycles,

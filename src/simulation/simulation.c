@@ -230,12 +230,14 @@ void ovr_simulation_free(ovr_simulation *sim)
 
 const ovr_options *ovr_simulation_options(const ovr_simulation *sim)
 {
-    return &sim->options;
+    return !sim ? NULL : &sim->options;
 }
 
 void ovr_simulation_surface(ovr_simulation *sim, ovr_heights *heights,
                             void *data)
 {
+    if (!sim)
+        return;
     sim->heights = heights;
     sim->heights_data = data;
     if (heights)
@@ -247,6 +249,8 @@ void ovr_simulation_surface(ovr_simulation *sim, ovr_heights *heights,
 void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
                               const ovr_history *speed)
 {
+    if (!sim)
+        return;
     sim->load = load;
     sim->speed = speed;
 }
@@ -254,6 +258,8 @@ void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
 void ovr_simulation_radius(ovr_simulation *sim, const ovr_history *radius,
                            const ovr_history *radius_1, bool rides)
 {
+    if (!sim)
+        return;
     sim->radius = radius;
     sim->radius_1 = radius_1;
     sim->rides = rides;
@@ -324,15 +330,32 @@ void ovr_simulation_gap(ovr_simulation *sim, double T)
 
 const ovr_state *ovr_simulation_state(const ovr_simulation *sim)
 {
-    return &sim->state;
+    return !sim ? NULL : &sim->state;
 }
 
 const ovr_observation *ovr_simulation_observation(const ovr_simulation *sim)
 {
-    return &sim->observation;
+    return !sim ? NULL : &sim->observation;
 }
 
 const ovr_statistics *ovr_simulation_statistics(const ovr_simulation *sim)
 {
-    return &sim->statistics;
+    return !sim ? NULL : &sim->statistics;
+}
+
+ovr_status ovr_simulation_begin(ovr_simulation *sim, const char *what,
+                                ovr_error *err)
+{
+    if (sim->busy)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: the simulation is under way: nobody whom it calls "
+                        "may go on with it",
+                        what);
+    sim->busy = true;
+    return OVR_OK;
+}
+
+void ovr_simulation_end(ovr_simulation *sim)
+{
+    sim->busy = false;
 }

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "multigrid/film_end.h"
 #include "multigrid/starved.h"
 #include "simulation/mirror.h"
@@ -76,6 +77,8 @@ enum { STRATEGIES = sizeof strategies / sizeof *strategies };
 
 const char *ovr_simulation_strategy(const ovr_simulation *sim)
 {
+    if (!sim)
+        return NULL;
     return sim->strategy < STRATEGIES ? strategies[sim->strategy].what : "";
 }
 
@@ -322,8 +325,13 @@ static ovr_status solve_steady(ovr_simulation *sim, ovr_error *err)
 
 ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
 {
+    if (!sim)
+        return ovr_fail_null(err, __func__);
+    if (ovr_simulation_begin(sim, __func__, err))
+        return OVR_BAD_INPUT;
     sim->grids.stopping = sim->stopping;
     ovr_status status = solve_steady(sim, err);
     sim->grids.stopping = (ovr_stopping){0};
+    ovr_simulation_end(sim);
     return status;
 }

@@ -14,6 +14,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "simulation/mirror.h"
 #include "simulation/parts.h"
 #include "simulation/physics.h"
@@ -259,9 +260,15 @@ ovr_status ovr_simulation_attempt(ovr_simulation *sim, double next, bool *taken,
 
 ovr_status ovr_simulation_step(ovr_simulation *sim, double dT, ovr_error *err)
 {
+    if (!sim)
+        return ovr_fail_null(err, __func__);
+    if (ovr_simulation_begin(sim, __func__, err))
+        return OVR_BAD_INPUT;
     bool taken;
     double error;
     sim->largest_error = INFINITY;
-    return ovr_simulation_attempt(sim, sim->past.T[0] + dT, &taken, &error,
-                                  err);
+    ovr_status status = ovr_simulation_attempt(sim, sim->past.T[0] + dT, &taken,
+                                               &error, err);
+    ovr_simulation_end(sim);
+    return status;
 }

@@ -23,6 +23,8 @@ bool ovr_conserves(const ovr_simulation *sim)
 void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
                            double waiting)
 {
+    if (!sim)
+        return;
     ovr_arrival *a = &sim->arrival;
     *a = (ovr_arrival){.supply = supply,
                        .data = data,

@@ -128,6 +128,8 @@ static ovr_circle with_one(size_t n, const float *p, const float *a)
 
 ovr_circle ovr_smallest_circle(size_t n, const float *points)
 {
+    if (!points)
+        return (ovr_circle){0};
     ovr_circle c = {0, 0, 0};
     if (n == 0)
         return c;
@@ -160,6 +162,8 @@ ovr_circle ovr_smallest_circle(size_t n, const float *points)
 double ovr_dang_van(size_t n, const float *points, const float *hydrostatic,
                     double alpha)
 {
+    if (!points || !hydrostatic)
+        return NAN;
     ovr_circle c = ovr_smallest_circle(n, points);
     double most = -INFINITY;
     for (size_t k = 0; k < n; k++) {

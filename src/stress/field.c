@@ -27,6 +27,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "base/sized.h"
 #include "stress/element.h"
 
@@ -239,6 +240,8 @@ double ovr_stress_memory(const ovr_stress_options *given)
 
 size_t ovr_stress_depths(const ovr_stress *s, const double **z)
 {
+    if (!s)
+        return 0;
     if (z)
         *z = s->z;
     return s->depths;
@@ -339,6 +342,8 @@ static void solve_depth(ovr_stress *s, const ovr_depth *depth)
 void ovr_stress_solve(ovr_stress *s, const double *P, const double *Q,
                       double shift, unsigned levels)
 {
+    if (!s || !P)
+        return;
     s->loads = Q && s->options.traction ? 2 : 1;
     s->shift = shift;
     transform(s, P, shift, s->p);
@@ -367,6 +372,8 @@ static ovr_stress_row row_of(const ovr_stress *s, const ovr_depth *depth,
 
 ovr_stress_row ovr_stress_at(const ovr_stress *s, size_t j)
 {
+    if (!s)
+        return (ovr_stress_row){0};
     const ovr_depth *depth = &s->depth[j];
     return row_of(s, depth, depth->level, depth->shear, depth->mean);
 }
@@ -374,6 +381,8 @@ ovr_stress_row ovr_stress_at(const ovr_stress *s, size_t j)
 ovr_status ovr_stress_at_every_node(ovr_stress *s, size_t j,
                                     ovr_stress_row *row, ovr_error *err)
 {
+    if (!s || !row)
+        return ovr_fail_null(err, __func__);
     const ovr_depth *depth = &s->depth[j];
     for (size_t k = 0; k < 2 && depth->level > 0; k++)
         if (!s->fine[k] && !(s->fine[k] = ovr_arena_take(&s->arena, 2 * s->room,

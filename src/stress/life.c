@@ -22,6 +22,7 @@
  */
 #include <math.h>
 
+#include "base/given.h"
 #include "base/sized.h"
 #include "overroll/stress.h"
 
@@ -113,6 +114,8 @@ static void risk_of(const ovr_life_options *o, size_t depths,
 void ovr_risk(const ovr_life_options *options, size_t depths, const double *z,
               const double *A, double *risk)
 {
+    if (!z || !A || !risk)
+        return;
     ovr_life_options own;
     interval of[MOST_DEPTHS];
     if (depths > MOST_DEPTHS ||
@@ -173,6 +176,8 @@ ovr_status ovr_life_into(const ovr_life_options *options, const ovr_material *m,
     if (OVR_SIZED_TAKE(ovr_life_options, o, options, err) ||
         OVR_SIZED_ROOM(ovr_life_result, result, err))
         return OVR_BAD_INPUT;
+    if (!m || !A || !smooth)
+        return ovr_fail_null(err, __func__);
     if (m->depths < 1 || m->depths > MOST_DEPTHS)
         return ovr_fail(err, OVR_BAD_INPUT, "%zu depths: 1 to %d are possible",
                         m->depths, MOST_DEPTHS);

@@ -10,6 +10,7 @@
  */
 #include <math.h>
 
+#include "base/given.h"
 #include "stress/cubic.h"
 #include "stress/passage.h"
 
@@ -98,6 +99,8 @@ static void measure_depth(const ovr_passage *p, ovr_measure which, size_t depth,
 void ovr_passage_measure(const ovr_passage *p, ovr_measure which, float *to,
                          double *smooth)
 {
+    if (!p)
+        return;
     for (size_t j = 0; j < p->stress->depths; j++) {
         if (to)
             measure_depth(p, which, j, p->in_plane, to + j * p->points);
@@ -146,6 +149,10 @@ ovr_status ovr_passage_amplitude(const ovr_passage *p, ovr_criterion criterion,
                                  double alpha, float *A, double *smooth,
                                  ovr_error *err)
 {
+    if (!p || !A || !smooth)
+        return ovr_fail_null(err, __func__);
+    if (isnan(alpha))
+        return ovr_fail(err, OVR_BAD_INPUT, "alpha must be a number");
     if (criterion == OVR_CRITERION_DANG_VAN)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "Dang Van's criterion needs whole paths, not extents");

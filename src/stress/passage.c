@@ -154,6 +154,8 @@ static unsigned levels_due(ovr_passage *p, double dU)
 void ovr_passage_step(ovr_passage *p, const double *P, const double *Q,
                       const ovr_moment *moment)
 {
+    if (!p || !moment)
+        return;
     unsigned due = levels_due(p, moment->dU);
     place at = find_place(p, moment->U);
     if (!due)
@@ -296,6 +298,8 @@ static void look(ovr_passage *p, const double *P, const double *Q,
 void ovr_passage_begin(ovr_passage *p, const double *P, const double *Q,
                        const ovr_moment *moment)
 {
+    if (!p || !P || !moment)
+        return;
     look(p, P, Q, moment);
     close_run(p, P, Q, moment->U, moment->direction > 0, true);
     mark(p, moment, true);
@@ -304,6 +308,8 @@ void ovr_passage_begin(ovr_passage *p, const double *P, const double *Q,
 void ovr_passage_end(ovr_passage *p, const double *P, const double *Q,
                      const ovr_moment *moment)
 {
+    if (!p || !P || !moment)
+        return;
     close_run(p, P, Q, moment->U, moment->direction < 0, false);
     mark(p, moment, false);
 }
@@ -318,21 +324,29 @@ static ovr_stress_extreme root(ovr_stress_extreme of_square)
 
 ovr_stress_extreme ovr_passage_max_shear(const ovr_passage *p)
 {
+    if (!p)
+        return (ovr_stress_extreme){0};
     return root(p->numbers.shear);
 }
 
 ovr_stress_extreme ovr_passage_von_mises(const ovr_passage *p)
 {
+    if (!p)
+        return (ovr_stress_extreme){0};
     return root(p->numbers.von_mises);
 }
 
 double ovr_passage_widest(const ovr_passage *p)
 {
+    if (!p)
+        return NAN;
     return p->numbers.widest;
 }
 
 ovr_material ovr_passage_material(const ovr_passage *p)
 {
+    if (!p)
+        return (ovr_material){0};
     double step = ldexp(p->stress->options.mesh, p->finest);
     return (ovr_material){p->points, p->stress->depths, (double)p->first * step,
                           step,      p->stress->z,      p->complete};
@@ -340,6 +354,8 @@ ovr_material ovr_passage_material(const ovr_passage *p)
 
 size_t ovr_passage_state(ovr_passage *p, const ovr_memory_piece **pieces)
 {
+    if (!pieces)
+        return 0;
     *pieces = p->piece;
     return sizeof p->piece / sizeof p->piece[0];
 }

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "base/sized.h"
 #include "surface/form.h"
 #include "surface/profile.h"
@@ -257,6 +258,8 @@ static void shift(ovr_profile *p, double offset, size_t n)
 ovr_status ovr_profile_condition(ovr_profile *profile,
                                  const ovr_conditioning *given, ovr_error *err)
 {
+    if (!profile)
+        return ovr_fail_null(err, __func__);
     size_t n = profile->view.n;
     double *work = ovr_arena_take(&profile->arena, n, 3 * sizeof *work, err);
     ovr_conditioning own, *how = &own;

@@ -2,6 +2,7 @@
 /* "12 um", "0.3 b" or a bare number: a length of a profile. */
 #include <string.h>
 
+#include "base/given.h"
 #include "base/quantity.h"
 #include "overroll/profile.h"
 
@@ -14,6 +15,8 @@ static bool is_scaled(const char *unit, const char *scaled)
 ovr_status ovr_length_read(const char *text, const char *scaled,
                            ovr_length *length, ovr_error *err)
 {
+    if (!text)
+        return ovr_fail_null(err, __func__);
     size_t digits = strspn(text, " +-0123456789.");
     ovr_line unit;
     double metres;

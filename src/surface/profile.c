@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "base/plain.h"
 
 void ovr_profile_source_fill(ovr_profile_source *options)
@@ -81,7 +82,7 @@ void ovr_profile_free(ovr_profile *profile)
 
 const ovr_profile_view *ovr_profile_look(const ovr_profile *profile)
 {
-    return &profile->view;
+    return !profile ? NULL : &profile->view;
 }
 
 ovr_status ovr_profile_room(ovr_profile *profile, size_t n, ovr_error *err)
@@ -136,11 +137,15 @@ static ovr_piece sized(double value, bool scaled, double metres,
 
 ovr_piece ovr_along(const ovr_profile *profile, double x)
 {
+    if (!profile)
+        return (ovr_piece){0};
     return sized(x, profile->view.scaled_x, profile->b, "b");
 }
 
 ovr_piece ovr_across(const ovr_profile *profile, double z)
 {
+    if (!profile)
+        return (ovr_piece){0};
     return sized(z, profile->view.scaled_z, profile->height, "b^2/R");
 }
 
@@ -233,6 +238,8 @@ ovr_profile *ovr_profile_create(size_t n, const double *x, const double *z,
                                 bool scaled, const ovr_allocator *allocator,
                                 ovr_error *err)
 {
+    if (!x || !z)
+        return ovr_null(err, __func__);
     ovr_profile *profile = ovr_profile_new("profile", allocator, err);
     if (!profile)
         return NULL;
@@ -264,6 +271,8 @@ static int write_points(const ovr_profile_view *view, FILE *out)
 ovr_status ovr_profile_save(const ovr_profile *profile, const char *path,
                             ovr_error *err)
 {
+    if (!profile)
+        return ovr_fail_null(err, __func__);
     FILE *out = fopen(path, "w");
     locale_t before;
     int bad;

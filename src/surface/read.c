@@ -10,6 +10,7 @@
 #include <string.h>
 #include <zlib.h>
 
+#include "base/given.h"
 #include "base/sized.h"
 #include "base/text.h"
 
@@ -139,6 +140,8 @@ ovr_profile *ovr_profile_parse(const ovr_profile_source *source,
                                const void *data, size_t size,
                                const ovr_allocator *allocator, ovr_error *err)
 {
+    if (!data)
+        return ovr_null(err, __func__);
     ovr_profile_source own;
     ovr_bytes content = {data, size};
     if (OVR_SIZED_TAKE(ovr_profile_source, &own, source, err))

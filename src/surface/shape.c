@@ -238,6 +238,8 @@ static void join(char *text, size_t room, const char *const *part, size_t parts)
 
 int ovr_shape_takes(int shape, char *text, size_t room)
 {
+    if (!text)
+        return 0;
     const struct rule *rule = &rules[shape];
     unsigned allowed = rule->allowed, edge = EDGES;
     unsigned ways = WIDTHS &

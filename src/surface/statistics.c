@@ -3,6 +3,7 @@
 #include <gsl/gsl_fft_real.h>
 #include <math.h>
 
+#include "base/given.h"
 #include "base/sized.h"
 #include "surface/condition.h"
 #include "surface/profile.h"
@@ -129,6 +130,8 @@ ovr_status ovr_profile_measure_into(const ovr_profile *profile,
                                     ovr_profile_numbers *numbers,
                                     ovr_error *err)
 {
+    if (!profile)
+        return ovr_fail_null(err, __func__);
     ovr_profile_numbers made = {0};
     ovr_status status = OVR_SIZED_ROOM(ovr_profile_numbers, numbers, err);
     part w;
@@ -231,6 +234,8 @@ ovr_status ovr_profile_waves(const ovr_profile *profile, size_t most,
                              ovr_profile_wave *waves, size_t *found,
                              ovr_error *err)
 {
+    if (!profile || !waves || !found)
+        return ovr_fail_null(err, __func__);
     ovr_arena arena = ovr_arena_make(&profile->arena.allocator);
     spectrum s = {0};
     double total = 0;

@@ -15,6 +15,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "contact/turning.h"
 #include "surface/measured.h"
 
@@ -63,6 +64,10 @@ ovr_surfaces *ovr_surfaces_create(const ovr_contact *contact,
     ovr_surfaces *surfaces;
     if (OVR_SIZED_TAKE(ovr_contact, &of, contact, err))
         return NULL;
+    if (!(mesh > 0)) {
+        ovr_fail(err, OVR_BAD_INPUT, "mesh = %g: must be positive", mesh);
+        return NULL;
+    }
     surfaces = ovr_arena_take(&arena, 1, sizeof *surfaces, err);
     if (!surfaces)
         return NULL;
@@ -77,6 +82,8 @@ ovr_surfaces *ovr_surfaces_create(const ovr_contact *contact,
 
 void ovr_surfaces_sliding(ovr_surfaces *surfaces, const ovr_history *sliding)
 {
+    if (!surfaces)
+        return;
     surfaces->sliding = sliding;
 }
 
@@ -90,6 +97,8 @@ void ovr_surfaces_free(ovr_surfaces *surfaces)
 
 void ovr_surfaces_domain(ovr_surfaces *surfaces, double inlet, double outlet)
 {
+    if (!surfaces)
+        return;
     surfaces->inlet = inlet;
     surfaces->outlet = outlet;
 }
@@ -190,6 +199,8 @@ static ovr_status make(ovr_surfaces *surfaces, const ovr_feature_form *form,
 ovr_status ovr_surfaces_add(ovr_surfaces *surfaces,
                             const ovr_feature_form *form, ovr_error *err)
 {
+    if (!surfaces)
+        return ovr_fail_null(err, __func__);
     entry *added = ovr_arena_take(&surfaces->arena, 1, sizeof *added, err);
     ovr_feature_form own;
     ovr_status status;
@@ -253,6 +264,8 @@ static void add_feature(const ovr_feature *f, double factor, double centre,
 void ovr_surfaces_heights(void *data, double T, size_t n, const double *X,
                           double *S)
 {
+    if (!data || !S)
+        return;
     const ovr_surfaces *surfaces = data;
     for (size_t i = 0; i < n; i++)
         S[i] = 0;
@@ -267,6 +280,8 @@ void ovr_surfaces_heights(void *data, double T, size_t n, const double *X,
 void ovr_surfaces_standing(void *data, double T, size_t n, const double *X,
                            double *S)
 {
+    if (!data || !S)
+        return;
     const ovr_surfaces *surfaces = data;
     (void)T;
     for (size_t i = 0; i < n; i++)
@@ -280,6 +295,8 @@ void ovr_surfaces_standing(void *data, double T, size_t n, const double *X,
 
 size_t ovr_surfaces_count(const ovr_surfaces *surfaces)
 {
+    if (!surfaces)
+        return 0;
     return surfaces->count;
 }
 
@@ -339,6 +356,8 @@ static ovr_feature_info info_of(const ovr_feature *f)
 void ovr_surfaces_info_into(const ovr_surfaces *surfaces, size_t feature,
                             ovr_feature_info *info)
 {
+    if (!surfaces)
+        return;
     const ovr_feature *f = nth(surfaces, feature);
     const ovr_feature_info none = {.name = NULL, .assumed = ""};
     ovr_feature_info made = f ? info_of(f) : none;
@@ -347,6 +366,8 @@ void ovr_surfaces_info_into(const ovr_surfaces *surfaces, size_t feature,
 
 double ovr_surfaces_wavelength(const ovr_surfaces *surfaces)
 {
+    if (!surfaces)
+        return NAN;
     double shortest = INFINITY;
     for (const entry *l = surfaces->first; l; l = l->next)
         shortest = fmin(shortest, l->feature.finest);
@@ -361,6 +382,8 @@ static double slope(const ovr_feature *f)
 
 double ovr_surfaces_speed(const ovr_surfaces *surfaces)
 {
+    if (!surfaces)
+        return NAN;
     double most = -1, speed = NAN;
     if (surfaces->sliding) /* not one */
         return NAN;
@@ -374,6 +397,8 @@ double ovr_surfaces_speed(const ovr_surfaces *surfaces)
 
 double ovr_surfaces_roughness(const ovr_surfaces *surfaces)
 {
+    if (!surfaces)
+        return NAN;
     double Rq = 0;
     for (const entry *l = surfaces->first; l; l = l->next)
         Rq = hypot(Rq, roughness(&l->feature));
@@ -383,6 +408,8 @@ double ovr_surfaces_roughness(const ovr_surfaces *surfaces)
 const char *ovr_surfaces_inside(const ovr_surfaces *surfaces, double inlet,
                                 double outlet)
 {
+    if (!surfaces)
+        return NULL;
     const double trace = 1e-9; /* one that begins at the end is outside */
     for (const entry *l = surfaces->first; l; l = l->next) {
         const ovr_feature *f = &l->feature;
@@ -399,6 +426,8 @@ const char *ovr_surfaces_inside(const ovr_surfaces *surfaces, double inlet,
 double ovr_surfaces_centre(const ovr_surfaces *surfaces, size_t feature,
                            double T)
 {
+    if (!surfaces)
+        return NAN;
     const ovr_feature *f = nth(surfaces, feature);
     return f ? centre_at(surfaces, f, T) : NAN;
 }
@@ -478,6 +507,8 @@ ovr_feature_times ovr_surfaces_times(const ovr_surfaces *surfaces,
                                      size_t feature, double inlet,
                                      double outlet, double until)
 {
+    if (!surfaces)
+        return (ovr_feature_times){0};
     const ovr_feature *f = nth(surfaces, feature);
     ovr_feature_times never = {INFINITY, INFINITY, INFINITY}, times;
     double first, last;
@@ -515,6 +546,8 @@ static double wandering_arrival(const ovr_surfaces *surfaces,
 double ovr_surfaces_arrival(const ovr_surfaces *surfaces, size_t feature,
                             double X, double after, double until)
 {
+    if (!surfaces)
+        return NAN;
     const ovr_feature *f = nth(surfaces, feature);
     double way, apart, k, gone;
     bool both;

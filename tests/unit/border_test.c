@@ -362,13 +362,99 @@ static void test_all_pictures(void **state)
     EACH(ovr_view_options, view, names, whole.path = ".");
 }
 
+/* ----------------------------------------------------- calls within calls */
+
+typedef struct within {
+    ovr_run *run;
+    ovr_simulation *sim;
+    int refused;
+} within;
+
+static ovr_status run_again(void *data, const ovr_simulation *sim,
+                            ovr_error *err)
+{
+    within *w = data;
+    ovr_error own = {0};
+    (void)sim;
+    (void)err;
+    assert_int_equal(ovr_run_go(w->run, &own), OVR_BAD_INPUT);
+    CHECK_ERROR(&own, OVR_BAD_INPUT, "under way");
+    w->refused++;
+    return OVR_OK;
+}
+
+static void test_run_within_its_observer(void **state)
+{
+    within w = {0};
+    ovr_error err = {0};
+    ovr_run_options how = ovr_run_options_default();
+    ovr_case *c = ovr_case_read_text(
+        "[contact]\nM = 20\nL = 10\n[domain]\nlevel = 4\n"
+        "[time]\nend = 0.1\n",
+        "case", NULL, NULL, &err);
+    (void)state;
+    how.data = &w;
+    how.observe = run_again;
+    w.run = ovr_run_create(c, &how, NULL, &err);
+    assert_non_null(w.run);
+    CHECK_OK(ovr_run_go(w.run, &err), &err);
+    assert_true(w.refused > 2);
+    assert_int_equal(ovr_run_go(w.run, &err), OVR_BAD_INPUT);
+    ovr_run_free(w.run);
+    ovr_case_free(c);
+}
+
+static ovr_status step_again(void *data, const ovr_simulation *sim,
+                             ovr_error *err)
+{
+    within *w = data;
+    ovr_march march = ovr_march_default();
+    bool more;
+    (void)sim;
+    (void)err;
+    march.end = 1;
+    assert_int_equal(ovr_simulation_steady(w->sim, NULL), OVR_BAD_INPUT);
+    assert_int_equal(ovr_simulation_step(w->sim, 0.01, NULL), OVR_BAD_INPUT);
+    assert_int_equal(ovr_simulation_march(w->sim, &march, NULL), OVR_BAD_INPUT);
+    assert_int_equal(ovr_simulation_advance(w->sim, &march, &more, NULL),
+                     OVR_BAD_INPUT);
+    w->refused++;
+    return OVR_OK;
+}
+
+static void test_simulation_within_its_observer(void **state)
+{
+    within w = {0};
+    ovr_error err = {0};
+    ovr_options options = ovr_options_default();
+    ovr_observer look = {step_again, NULL, &w};
+    ovr_march march = ovr_march_default();
+    (void)state;
+    options.level = 4;
+    w.sim = simulation(&options, &err);
+    assert_non_null(w.sim);
+    CHECK_OK(ovr_simulation_steady(w.sim, &err), &err);
+    march.end = 0.1;
+    march.count = 1;
+    march.observers = &look;
+    CHECK_OK(ovr_simulation_march(w.sim, &march, &err), &err);
+    assert_true(w.refused > 2);
+    ovr_simulation_free(w.sim);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_options),      cmocka_unit_test(test_march),
-        cmocka_unit_test(test_filled),       cmocka_unit_test(test_all_sizes),
-        cmocka_unit_test(test_all_pictures), cmocka_unit_test(test_totals),
-        cmocka_unit_test(test_made),         cmocka_unit_test(test_told),
+        cmocka_unit_test(test_run_within_its_observer),
+        cmocka_unit_test(test_simulation_within_its_observer),
+        cmocka_unit_test(test_options),
+        cmocka_unit_test(test_march),
+        cmocka_unit_test(test_filled),
+        cmocka_unit_test(test_all_sizes),
+        cmocka_unit_test(test_all_pictures),
+        cmocka_unit_test(test_totals),
+        cmocka_unit_test(test_made),
+        cmocka_unit_test(test_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

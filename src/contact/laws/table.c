@@ -7,6 +7,7 @@
  * less than h^2/16 of the second derivative's jump there.
  */
 #include "contact/laws/table.h"
+#include "base/given.h"
 
 #include <math.h>
 
@@ -139,6 +140,8 @@ ovr_law_table *ovr_law_table_create(ovr_table_of what, size_t n,
                                     const ovr_allocator *allocator,
                                     ovr_error *err)
 {
+    if (!p || !value)
+        return ovr_null(err, __func__);
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_law_table *table;
     if (check_points(n, p, value, err))

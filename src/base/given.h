@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Public functions look at their arguments before they use them: a NULL that
+ * must not be is an error as any other, and where none can be told an answer
+ * that says nothing, NAN, 0 or NULL (tests/source/arguments.sh). */
+#ifndef OVR_BASE_GIVEN_H
+#define OVR_BASE_GIVEN_H
+
+#include "overroll/error.h"
+
+/* OVR_BAD_INPUT, naming the function: `return ovr_fail_null(err, __func__)`. */
+ovr_status ovr_fail_null(ovr_error *err, const char *function);
+
+/* The same of a constructor, which returns NULL. */
+void *ovr_null(ovr_error *err, const char *function);
+
+#endif

@@ -1,0 +1,441 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What arguments.py writes calls with: a good value of each type, each made
+ * anew where a call may take it, and the children that make the calls. */
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <overroll/overroll.h>
+
+enum { REFUSED = 10, TAKEN, SURVIVED, NONE };
+
+typedef struct row {
+    const char *function, *bad;
+    int (*call)(void);
+    int optional; /* NULL or NaN is a value there */
+} row;
+
+/* ------------------------------------------------------------ good values */
+
+enum { NODES = 113, ROOM = 1 << 16 };
+
+/* Zeros that begin with a size. */
+static void *fresh(size_t size)
+{
+    char *room = calloc(ROOM, 1);
+    memcpy(room, &size, sizeof size);
+    return room;
+}
+
+static void *copied(const void *value, size_t size)
+{
+    return memcpy(fresh(0), value, size);
+}
+
+static const char dent[] = "[contact]\nradius = 10 mm\nviscosity = 40 mPa.s\n"
+                           "M = 20\nL = 10\nmodulus = 226 GPa\n"
+                           "slide_to_roll = 0.1\n[domain]\nlevel = 4\n"
+                           "order = 2\n[time]\nend = 0.2\nscheme = upstream2\n"
+                           "[lubricant]\nalpha = 17 1/GPa\n"
+                           "[stress]\nsurface = both\n"
+                           "[feature dent]\nshape = dent\ndepth = 0.1\n"
+                           "width = 0.5\nstart = -1\n";
+static const char study[] = "[study]\ncase = dent.ini\noutput = out\n"
+                            "[product]\ncontact.M = 20, 21\n";
+
+static struct {
+    ovr_case *c;
+    ovr_setup *setup;
+    ovr_simulation *sim;
+    ovr_run *run;
+    ovr_result *result;
+    ovr_restart *restart;
+    ovr_study *study;
+    ovr_table *table;
+    ovr_stored_stress *stored;
+    ovr_stress *stress;
+    ovr_passage *passage;
+    ovr_material material;
+    ovr_profile *profile;
+    ovr_history *history;
+    ovr_flow_law *flow;
+    ovr_law_table *law;
+    ovr_gear *gear;
+    ovr_cam *cam;
+    ovr_bearing *bearing;
+    ovr_heat heat;
+    ovr_error err;
+    double numbers[4096];
+    float singles[4096];
+    ovr_result *results[3];
+    const ovr_stress_report *reports[2];
+} own;
+
+static void write_file(const char *path, const char *text)
+{
+    FILE *to = fopen(path, "w");
+    if (to)
+        fputs(text, to);
+    if (!to || fclose(to)) {
+        printf("%s cannot be written\n", path);
+        exit(1);
+    }
+}
+
+static void *made(void *object, const char *what)
+{
+    if (!object) {
+        printf("%s: %s\n", what, own.err.message);
+        exit(1);
+    }
+    return object;
+}
+
+static ovr_stress_options stress_options(void)
+{
+    ovr_stress_options o = ovr_stress_options_default();
+    o.mesh = 5.5 / (NODES - 1);
+    o.inlet = -4;
+    o.nodes = NODES;
+    return o;
+}
+
+static ovr_material_range material_range(void)
+{
+    ovr_material_range range = ovr_material_range_default();
+    range.from = -1, range.to = 1;
+    return range;
+}
+
+static ovr_gear_form gear_form(void)
+{
+    ovr_gear_form form = ovr_gear_form_default();
+    form.teeth_1 = 23, form.teeth_2 = 57;
+    form.module = 4e-3, form.face = 20e-3;
+    form.speed = 100, form.torque = 100;
+    return form;
+}
+
+static ovr_cam_form cam_form(void)
+{
+    ovr_cam_form form = ovr_cam_form_default();
+    form.base_radius = 40e-3, form.roller_radius = 8e-3, form.face = 10e-3;
+    form.speed = 100, form.lift = 5e-3, form.rise = 1, form.dwell = 0.1;
+    form.spring = 2e4, form.preload = 200, form.mass = 0.1;
+    return form;
+}
+
+static ovr_bearing_form bearing_form(void)
+{
+    ovr_bearing_form form = ovr_bearing_form_default();
+    form.roller = 10e-3, form.rollers = 14, form.length = 10e-3;
+    form.inner = 40e-3, form.clearance = 2e-5, form.load = 1e4;
+    form.speed_inner = 100;
+    return form;
+}
+
+static ovr_history_form history_form(void)
+{
+    ovr_history_form form = ovr_history_form_default();
+    form.kind = OVR_HISTORY_RAMP;
+    form.from = 1, form.to = 1.1, form.duration = 1;
+    return form;
+}
+
+static ovr_flow_form flow_form(void)
+{
+    ovr_flow_form form = ovr_flow_form_default();
+    form.rheology = OVR_CARREAU;
+    form.stress = 5e6;
+    return form;
+}
+
+static ovr_run *new_run(const char *path)
+{
+    ovr_run_options how = ovr_run_options_default();
+    how.output = path;
+    how.force = true;
+    return ovr_run_create(own.c, &how, NULL, &own.err);
+}
+
+static void make_files(void)
+{
+    write_file("dent.ini", dent);
+    write_file("study.ini", study);
+    own.c = made(ovr_case_read("dent.ini", NULL, &own.err), "case");
+    own.run = made(new_run("made.h5"), "run");
+    if (ovr_run_go(own.run, &own.err))
+        made(NULL, "run");
+    own.result = made(ovr_result_open("made.h5", NULL, &own.err), "result");
+    own.results[0] = own.results[1] = own.results[2] = own.result;
+    own.restart = made(ovr_restart_open("made.h5", NULL, &own.err), "restart");
+    own.study = made(ovr_study_read("study.ini", NULL, &own.err), "study");
+    own.table = made(ovr_study_table(own.study, &own.err), "table");
+    own.stored = made(ovr_stored_stress_create("made.h5", NULL, NULL, &own.err),
+                      "stored stress");
+    own.reports[0] = own.reports[1] = ovr_stored_stress_report(own.stored, 1);
+}
+
+static void make_stresses(void)
+{
+    ovr_stress_options o = stress_options();
+    ovr_material_range range = material_range();
+    ovr_moment moment = {.T = 0, .direction = 1};
+    own.stress = made(ovr_stress_create(&o, NULL, &own.err), "stress");
+    own.passage = made(ovr_passage_create(&o, &range, NULL, &own.err),
+                       "passage");
+    ovr_passage_begin(own.passage, own.numbers, NULL, &moment);
+    ovr_passage_end(own.passage, own.numbers, NULL, &moment);
+    own.material = ovr_passage_material(own.passage);
+}
+
+static void make_objects(void)
+{
+    ovr_history_form history = history_form();
+    ovr_flow_form flow = flow_form();
+    ovr_gear_form gear = gear_form();
+    ovr_cam_form cam = cam_form();
+    ovr_bearing_form bearing = bearing_form();
+    ovr_heat_form heat = ovr_heat_form_default();
+    for (int i = 0; i < 4096; i++) {
+        own.numbers[i] = 1 + 0.01 * i;
+        own.singles[i] = (float)own.numbers[i];
+    }
+    own.setup = made(ovr_case_resolve(own.c, NULL, &own.err), "setup");
+    if (ovr_setup_prepare(own.setup, NULL, &own.err))
+        made(NULL, "setup");
+    own.sim = made(ovr_setup_simulation(own.setup, NULL, &own.err), "sim");
+    if (ovr_simulation_steady(own.sim, &own.err))
+        made(NULL, "steady");
+    own.history = made(ovr_history_create(&history, NULL, &own.err), "history");
+    own.flow = made(ovr_flow_law_create(&flow, NULL, &own.err), "flow law");
+    own.law = made(ovr_law_table_create(OVR_TABLE_OF_VISCOSITY, 40, own.numbers,
+                                        own.numbers, NULL, &own.err),
+                   "table of a law");
+    own.profile = made(
+        ovr_profile_create(200, own.numbers, own.numbers, true, NULL, &own.err),
+        "profile");
+    own.gear = made(ovr_gear_create(&gear, NULL, &own.err), "gear");
+    own.cam = made(ovr_cam_create(&cam, NULL, &own.err), "cam");
+    own.bearing = made(ovr_bearing_create(&bearing, NULL, &own.err), "bearing");
+    heat.temperature = 350;
+    ovr_heat_make(&heat, own.setup->contact, own.setup->lubricant, &own.heat,
+                  &own.err);
+    make_stresses();
+}
+
+/* What is freed by a call, or written to, is the child's own copy. */
+static ovr_writer *writer(void)
+{
+    ovr_write_options o = ovr_write_options_default();
+    const ovr_state *state = ovr_simulation_state(own.sim);
+    o.path = "written.h5";
+    o.force = o.no_thread = true;
+    return made(ovr_writer_create(&o, own.setup->contact, state->n, state->X,
+                                  NULL, &own.err),
+                "writer");
+}
+
+static void heights(void *data, double T, size_t n, const double *X, double *S)
+{
+    (void)data, (void)T, (void)X;
+    memset(S, 0, n * sizeof *S);
+}
+
+static double supply(void *data, double T)
+{
+    (void)data, (void)T;
+    return 1;
+}
+
+static void listener(void *data, ovr_say kind, const char *text)
+{
+    (void)data, (void)kind, (void)text;
+}
+
+static const double *no_field(const void *source, const ovr_observable *which,
+                              double *room)
+{
+    (void)source, (void)which, (void)room;
+    return own.numbers;
+}
+
+static ovr_frame frame(void)
+{
+    return (ovr_frame){sizeof(ovr_frame),
+                       ovr_simulation_state(own.sim),
+                       ovr_simulation_observation(own.sim),
+                       no_field,
+                       NULL,
+                       NULL};
+}
+
+static ovr_group group(void)
+{
+    ovr_group made = ovr_group_default();
+    made.path = "of_mine";
+    return made;
+}
+
+static ovr_picture_options picture(void)
+{
+    ovr_picture_options made = ovr_picture_options_default();
+    made.path = "picture.svg";
+    return made;
+}
+
+static const ovr_case_value values[3] = {{.name = "contact.M", .text = "20"},
+                                         {.name = "contact.L", .text = "10"},
+                                         {.name = "time.end", .text = "1"}};
+
+static void line(void *data, const char *name, const char *text)
+{
+    (void)data, (void)name, (void)text;
+}
+
+static void taker(void *data, const ovr_summary_line *one)
+{
+    (void)data, (void)one;
+}
+
+static ovr_status visit(void *context, const char *name, void *memory,
+                        size_t bytes, ovr_error *err)
+{
+    (void)context, (void)name, (void)memory, (void)bytes, (void)err;
+    return OVR_OK;
+}
+
+static ovr_status visited(void *object, ovr_visit *by, void *context,
+                          ovr_error *err)
+{
+    (void)object, (void)by, (void)context, (void)err;
+    return OVR_OK;
+}
+
+static ovr_status change(void *data, ovr_case *c, ovr_error *err)
+{
+    (void)data, (void)c, (void)err;
+    return OVR_OK;
+}
+
+static const char *const words[] = {"dent", "bump", NULL};
+
+#define GOOD_char_to "dent"
+#define GOOD_char_to_const_to words
+#define GOOD_char_to_to words
+#define GOOD_double_to own.numbers
+#define GOOD_float_to own.singles
+#define GOOD_size_t 3
+#define GOOD_void_to fresh(0)
+#define GOOD_unsigned_char_to (const unsigned char *)"dent"
+#define GOOD_ovr_allocator_to NULL
+#define GOOD_ovr_status OVR_IO
+#define GOOD_ovr_error_to (&own.err)
+#define GOOD_ovr_case_to own.c
+#define GOOD_ovr_setup_to own.setup
+#define GOOD_ovr_simulation_to own.sim
+#define GOOD_ovr_run_to own.run
+#define GOOD_ovr_run_info_to ovr_run_about(own.run)
+#define GOOD_ovr_result_to own.result
+#define GOOD_ovr_result_to_const_to own.results
+#define GOOD_ovr_result_to_to own.results
+#define GOOD_ovr_restart_to own.restart
+#define GOOD_ovr_study_to own.study
+#define GOOD_ovr_table_to own.table
+#define GOOD_ovr_stored_stress_to own.stored
+#define GOOD_ovr_stress_report_to_const_to own.reports
+#define GOOD_ovr_stress_report_to_to own.reports
+#define GOOD_ovr_stress_to own.stress
+#define GOOD_ovr_passage_to own.passage
+#define GOOD_ovr_material_to (&own.material)
+#define GOOD_ovr_profile_to own.profile
+#define GOOD_ovr_profile_view_to ovr_profile_look(own.profile)
+#define GOOD_ovr_history_to own.history
+#define GOOD_ovr_flow_law_to own.flow
+#define GOOD_ovr_law_table_to own.law
+#define GOOD_ovr_surfaces_to own.setup->surfaces
+#define GOOD_ovr_gear_to own.gear
+#define GOOD_ovr_cam_to own.cam
+#define GOOD_ovr_bearing_to own.bearing
+#define GOOD_ovr_writer_to writer()
+#define GOOD_ovr_contact_to own.setup->contact
+#define GOOD_ovr_lubricant_to own.setup->lubricant
+#define GOOD_ovr_heat_to (&own.heat)
+#define GOOD_ovr_observation_to ovr_simulation_observation(own.sim)
+#define GOOD_ovr_statistics_to ovr_simulation_statistics(own.sim)
+#define GOOD_ovr_observable_to ovr_observable_at(3)
+#define GOOD_ovr_extreme_to ovr_extreme_at(0)
+#define GOOD_ovr_in_plane ((ovr_in_plane){0})
+#define GOOD_ovr_heights_to heights
+#define GOOD_ovr_supply_to supply
+#define GOOD_ovr_listener_to listener
+#define GOOD_ovr_setup_line_to line
+#define GOOD_ovr_summary_taker_to taker
+#define GOOD_ovr_visit_to visit
+#define GOOD_ovr_visited_to visited
+#define GOOD_ovr_status_to_void_to_data_ovr_case_to_c_ovr_error_to_err change
+#define GOOD_ovr_case_value_to values
+#define GOOD_ovr_frame_to copied(&(ovr_frame[]){frame()}, sizeof(ovr_frame))
+#define GOOD_ovr_group_to copied(&(ovr_group[]){group()}, sizeof(ovr_group))
+#define GOOD_ovr_picture_options_to                                            \
+    copied(&(ovr_picture_options[]){picture()}, sizeof(ovr_picture_options))
+#define GOOD_ovr_history_form_to                                               \
+    copied(&(ovr_history_form[]){history_form()}, sizeof(ovr_history_form))
+#define GOOD_ovr_flow_form_to                                                  \
+    copied(&(ovr_flow_form[]){flow_form()}, sizeof(ovr_flow_form))
+#define GOOD_ovr_gear_form_to                                                  \
+    copied(&(ovr_gear_form[]){gear_form()}, sizeof(ovr_gear_form))
+#define GOOD_ovr_cam_form_to                                                   \
+    copied(&(ovr_cam_form[]){cam_form()}, sizeof(ovr_cam_form))
+#define GOOD_ovr_bearing_form_to                                               \
+    copied(&(ovr_bearing_form[]){bearing_form()}, sizeof(ovr_bearing_form))
+#define GOOD_ovr_stress_options_to                                             \
+    copied(&(ovr_stress_options[]){stress_options()},                          \
+           sizeof(ovr_stress_options))
+#define GOOD_ovr_material_range_to                                             \
+    copied(&(ovr_material_range[]){material_range()},                          \
+           sizeof(ovr_material_range))
+
+/* ------------------------------------------------------------------- calls */
+
+/* How the child ended; above 100: by that signal. */
+static int try_one(const row *r)
+{
+    int how = 0;
+    fflush(stdout);
+    pid_t child = fork();
+    if (child == 0) {
+        alarm(10);
+        own.err = (ovr_error){0};
+        _exit(r->call());
+    }
+    if (child < 0 || waitpid(child, &how, 0) != child)
+        return NONE;
+    return WIFSIGNALED(how) ? 100 + WTERMSIG(how) : WEXITSTATUS(how);
+}
+
+static int try_all(const row *rows, size_t count)
+{
+    int bad = 0;
+    make_files();
+    make_objects();
+    for (size_t k = 0; k < count; k++) {
+        const row *r = &rows[k];
+        int end = try_one(r);
+        int fails = end > SURVIVED || end < REFUSED ||
+                    (end == TAKEN && !r->optional);
+        if (fails)
+            printf("%s with %s: %s %d\n", r->function, r->bad,
+                   end == TAKEN ? "says that all is well"
+                   : end > 100  ? "crashes with signal"
+                                : "ends",
+                   end > 100 ? end - 100 : end);
+        bad += fails;
+    }
+    printf("%zu calls, %d of them go wrong\n", count, bad);
+    return bad > 0;
+}
