@@ -3,6 +3,7 @@
 #include "base/sized.h"
 #include "simulation/heat_in_time.h"
 #include "simulation/heat_turns.h"
+#include "simulation/observables.h"
 #include "simulation/parts.h"
 #include "simulation/physics.h"
 #include "simulation/steady.h"
@@ -577,6 +578,29 @@ static void restored(ovr_simulation *sim, void *own)
     ovr_heat_restored(sim);
 }
 
+#define HEAT(name, key, si, kind, member, text)                                \
+    OVR_NUMBER_ROW(name, key, si, kind, member, OVR_PHYSICS_HEAT, text)
+
+static const ovr_observable quantities[] = {
+    HEAT("max_film_temperature", NULL, NULL, TEMPERATURE, T_film_max,
+         "largest temperature in the film"),
+    HEAT("x_max_film_temperature", "X_T_max", NULL, LENGTH, X_T_film_max,
+         "where the film is hottest"),
+    HEAT("max_surface_temperature_1", NULL, NULL, TEMPERATURE, T_1_max,
+         "largest temperature on surface 1"),
+    HEAT("x_max_surface_temperature_1", "X_T_1_max", NULL, LENGTH, X_T_1_max,
+         "where surface 1 is hottest"),
+    HEAT("max_surface_temperature_2", NULL, NULL, TEMPERATURE, T_2_max,
+         "largest temperature on surface 2"),
+    HEAT("x_max_surface_temperature_2", "X_T_2_max", NULL, LENGTH, X_T_2_max,
+         "where surface 2 is hottest"),
+    HEAT("heat_flow_1", "heat_flow_1", "heat_flow_1_W_per_m", POWER,
+         heat_flow_1, "heat that flows into surface 1"),
+    HEAT("heat_flow_2", "heat_flow_2", "heat_flow_2_W_per_m", POWER,
+         heat_flow_2, "heat that flows into surface 2"),
+    HEAT("energy_defect", "energy_defect", NULL, NUMBER, energy_defect,
+         "heat that neither surfaces nor oil carry away, over what is made")};
+
 const ovr_physics ovr_physics_heat = {.name = "heat",
                                       .bit = OVR_PHYSICS_HEAT,
                                       .tell = tell,
@@ -594,6 +618,9 @@ const ovr_physics ovr_physics_heat = {.name = "heat",
                                       .oil = thin,
                                       .stress = stress,
                                       .unknown = unknown,
+                                      .quantity = quantities,
+                                      .quantities = sizeof quantities /
+                                                    sizeof *quantities,
                                       .observe = observe,
                                       .marks = marks,
                                       .extremes = extremes,

@@ -114,27 +114,9 @@ static const double *heat_flux_2(const ovr_simulation *sim, double *room)
 
 /* ------------------------------------------------------------------- list */
 
-#define ROW_SIZE sizeof(ovr_observable)
-#define NUMBER(name, key, si, kind, member, text)                              \
-    {                                                                          \
-        ROW_SIZE, name, key, si, text, OVR_KIND_##kind, OVR_AT_STEPS,          \
-            offsetof(ovr_observation, member), NULL, 0                         \
-    }
-/* Where oil is conserved. */
-#define OIL(name, key, kind, member, text)                                     \
-    {                                                                          \
-        ROW_SIZE, name, key, NULL, text, OVR_KIND_##kind, OVR_AT_STEPS,        \
-            offsetof(ovr_observation, member), NULL, OVR_PHYSICS_CONTENT       \
-    }
-/* Where there is heat. */
-#define HEAT(name, key, si, kind, member, text)                                \
-    {                                                                          \
-        ROW_SIZE, name, key, si, text, OVR_KIND_##kind, OVR_AT_STEPS,          \
-            offsetof(ovr_observation, member), NULL, OVR_PHYSICS_HEAT          \
-    }
 #define FIELD(name, kind, axes, text)                                          \
-    {ROW_SIZE,        #name,         NULL, NULL, text,                         \
-     OVR_KIND_##kind, OVR_AT_##axes, 0,    name, 0},
+    {sizeof(ovr_observable), #name,         NULL, NULL, text,                  \
+     OVR_KIND_##kind,        OVR_AT_##axes, 0,    name, 0},
 
 /* Columns and fields stand in a file in this order. */
 static const ovr_observable table[] = {
@@ -209,51 +191,13 @@ static const ovr_observable table[] = {
            POWER, power_dissipated, "power dissipated in the film"),
     NUMBER("limiting_share", "limiting_share", NULL, NUMBER, limiting_share,
            "share of the load carried where the shear stress is at its limit"),
-    {ROW_SIZE, "film_roughness", "film_Rq", "film_Rq_m",
+    {sizeof(ovr_observable), "film_roughness", "film_Rq", "film_Rq_m",
      "root mean square of the film about its mean in |x| < 3/4 b",
      OVR_KIND_HEIGHT, OVR_AT_STEPS, offsetof(ovr_observation, film_Rq), NULL,
-     OVR_PHYSICS_FEATURES},
-    HEAT("max_film_temperature", NULL, NULL, TEMPERATURE, T_film_max,
-         "largest temperature in the film"),
-    HEAT("x_max_film_temperature", "X_T_max", NULL, LENGTH, X_T_film_max,
-         "where the film is hottest"),
-    HEAT("max_surface_temperature_1", NULL, NULL, TEMPERATURE, T_1_max,
-         "largest temperature on surface 1"),
-    HEAT("x_max_surface_temperature_1", "X_T_1_max", NULL, LENGTH, X_T_1_max,
-         "where surface 1 is hottest"),
-    HEAT("max_surface_temperature_2", NULL, NULL, TEMPERATURE, T_2_max,
-         "largest temperature on surface 2"),
-    HEAT("x_max_surface_temperature_2", "X_T_2_max", NULL, LENGTH, X_T_2_max,
-         "where surface 2 is hottest"),
-    HEAT("heat_flow_1", "heat_flow_1", "heat_flow_1_W_per_m", POWER,
-         heat_flow_1, "heat that flows into surface 1"),
-    HEAT("heat_flow_2", "heat_flow_2", "heat_flow_2_W_per_m", POWER,
-         heat_flow_2, "heat that flows into surface 2"),
-    HEAT("energy_defect", "energy_defect", NULL, NUMBER, energy_defect,
-         "heat that neither surfaces nor oil carry away, over what is made"),
-    OIL("supply", NULL, HEIGHT, supply, "oil that arrives, rho H at the inlet"),
-    OIL("meniscus", "X_meniscus", LENGTH, meniscus,
-        "where the film begins; none: flooded"),
-    OIL("film_ratio", "film_ratio", NUMBER, film_ratio,
-        "central film over that of the flooded steady contact"),
-    OIL("supply_ratio", "supply_ratio", NUMBER, supply_ratio,
-        "oil that arrives over what the flooded steady contact takes"),
-    OIL("inflow", NULL, FLOW, inflow, "mass flow at the inlet"),
-    OIL("outflow", NULL, FLOW, outflow, "mass flow at the outlet"),
-    OIL("oil_inside", NULL, AREA, oil_inside, "oil between inlet and outlet"),
-    OIL("oil_waiting", NULL, AREA, oil_waiting, "oil before the inlet"),
-    OIL("cavity_length", NULL, LENGTH, cavity_length,
-        "nodes without pressure between the first and the last with"),
-    OIL("mass_defect", NULL, NUMBER, mass_defect,
-        "inflow - outflow - stored change of the scheme, over the central "
-        "film"),
-    {ROW_SIZE, NULL, "refined_level", NULL,
-     "level of the finest patch about the spike", OVR_KIND_COUNT, OVR_AT_STEPS,
-     offsetof(ovr_observation, refined_level), NULL, OVR_PHYSICS_REFINED},
-    {ROW_SIZE, NULL, "spike_change", NULL,
-     "relative change of the spike's height by the last level", OVR_KIND_NUMBER,
-     OVR_AT_STEPS, offsetof(ovr_observation, spike_change), NULL,
-     OVR_PHYSICS_REFINED},
+     OVR_PHYSICS_FEATURES}};
+
+/* Behind those of the physics: how it was solved, and the fields. */
+static const ovr_observable last[] = {
     NUMBER("residual", "residual", NULL, NUMBER, residual,
            "relative mass-flow imbalance"),
     NUMBER("order", "order", NULL, COUNT, order,
@@ -267,7 +211,6 @@ static const ovr_observable table[] = {
            "that are not those of the film"),
     OVR_FIELD_ROWS(FIELD)};
 
-/* Behind them the numbers that physics bring with them. */
 const ovr_observable *ovr_observable_at(size_t k)
 {
     const size_t rows = sizeof table / sizeof *table;
@@ -279,7 +222,7 @@ const ovr_observable *ovr_observable_at(size_t k)
             return &ovr_physics_list[p]->quantity[k];
         k -= ovr_physics_list[p]->quantities;
     }
-    return NULL;
+    return k < sizeof last / sizeof *last ? &last[k] : NULL;
 }
 
 const ovr_observable *ovr_observable_field(const char *name)

@@ -233,8 +233,8 @@ struct ovr_physics {
     /* Extremes over the run, on or off. */
     void (*extremes)(ovr_statistics *s, const ovr_observation *o, bool first);
 
-    /* Numbers a step that are its own: rows behind those of
-     * observables.c, of members of ovr_observation or of its `more`. */
+    /* Numbers a step that are its own: rows behind those of the film
+     * (observables.h), of members of ovr_observation or of its `more`. */
     const ovr_observable *quantity;
     size_t quantities;
 

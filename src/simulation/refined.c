@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "simulation/observables.h"
 #include "simulation/physics.h"
 
 /* Meshes of the parent to each side of the spike: measured, where more change
@@ -236,6 +237,14 @@ static void review(const ovr_simulation *sim, const void *own,
     say(data, o->refined_level == wanted->level || isfinite(o->P_spike), text);
 }
 
+static const ovr_observable quantities[] = {
+    OVR_NUMBER_ROW(NULL, "refined_level", NULL, COUNT, refined_level,
+                   OVR_PHYSICS_REFINED,
+                   "level of the finest patch about the spike"),
+    OVR_NUMBER_ROW(NULL, "spike_change", NULL, NUMBER, spike_change,
+                   OVR_PHYSICS_REFINED,
+                   "relative change of the spike's height by the last level")};
+
 const ovr_physics ovr_physics_patches = {.name = "patches (refine)",
                                          .makes_nodes = true,
                                          .review = review,
@@ -248,4 +257,7 @@ const ovr_physics ovr_physics_patches = {.name = "patches (refine)",
                                          .carried = carried,
                                          .mean_flow = mean_flow,
                                          .unknown = unknown,
+                                         .quantity = quantities,
+                                         .quantities = sizeof quantities /
+                                                       sizeof *quantities,
                                          .observe = observe};

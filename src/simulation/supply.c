@@ -13,6 +13,7 @@
 #include <stdio.h>
 
 #include "multigrid/content.h"
+#include "simulation/observables.h"
 #include "simulation/physics.h"
 
 bool ovr_conserves(const ovr_simulation *sim)
@@ -361,6 +362,27 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
     return a->kept ? OVR_OK : OVR_NO_MEMORY;
 }
 
+#define OIL(name, key, kind, member, text)                                     \
+    OVR_NUMBER_ROW(name, key, NULL, kind, member, OVR_PHYSICS_CONTENT, text)
+
+static const ovr_observable quantities[] = {
+    OIL("supply", NULL, HEIGHT, supply, "oil that arrives, rho H at the inlet"),
+    OIL("meniscus", "X_meniscus", LENGTH, meniscus,
+        "where the film begins; none: flooded"),
+    OIL("film_ratio", "film_ratio", NUMBER, film_ratio,
+        "central film over that of the flooded steady contact"),
+    OIL("supply_ratio", "supply_ratio", NUMBER, supply_ratio,
+        "oil that arrives over what the flooded steady contact takes"),
+    OIL("inflow", NULL, FLOW, inflow, "mass flow at the inlet"),
+    OIL("outflow", NULL, FLOW, outflow, "mass flow at the outlet"),
+    OIL("oil_inside", NULL, AREA, oil_inside, "oil between inlet and outlet"),
+    OIL("oil_waiting", NULL, AREA, oil_waiting, "oil before the inlet"),
+    OIL("cavity_length", NULL, LENGTH, cavity_length,
+        "nodes without pressure between the first and the last with"),
+    OIL("mass_defect", NULL, NUMBER, mass_defect,
+        "inflow - outflow - stored change of the scheme, over the central "
+        "film")};
+
 const ovr_physics ovr_physics_conserving = {.name = "oil conserved",
                                             .bit = OVR_PHYSICS_CONTENT,
                                             .tell = tell,
@@ -382,6 +404,9 @@ const ovr_physics ovr_physics_conserving = {.name = "oil conserved",
                                             .step_back = begin_attempt,
                                             .carried = carried,
                                             .unknown = unknown,
+                                            .quantity = quantities,
+                                            .quantities = sizeof quantities /
+                                                          sizeof *quantities,
                                             .observe = observe,
                                             .visit = visit,
                                             .restored = restored,
