@@ -16,7 +16,7 @@ enum {
     OVR_RANGE_MOST = 2 * OVR_MLMI_MOST
 };
 
-#define OVR_TOLERANCE_MOST 0.1
+#define OVR_TOLERANCE_MOST 1.0
 
 /* Under-relaxation of the paper's smoothers. */
 #define OVR_SEIDEL_LEAST 0.5

@@ -56,8 +56,8 @@ static void wrong_options_are_refused(void **state)
     REFUSED(tolerance, NAN, "tolerance");
     REFUSED(tolerance, -1e-9, "tolerance -1e-09");
     REFUSED(switch_value, NAN, "switch_value");
-    REFUSED(mlmi_order, INT_MAX, "MLMI order");
-    REFUSED(mlmi_range, -2, "MLMI range");
+    REFUSED(mlmi_order, INT_MAX, "mlmi_order");
+    REFUSED(mlmi_range, -2, "mlmi_range");
     REFUSED(relax_dipole, NAN, "under-relaxation");
     REFUSED(inlet, -INFINITY, "domain");
     REFUSED(order, 3, "order = 3");
