@@ -52,6 +52,6 @@
 #define ALWAYS NULL
 
 /* The rows of a section, and how many there are. */
-#define ROWS(table) table, sizeof table / sizeof *table
+#define ROWS(table) (table), sizeof(table) / sizeof *(table)
 
 #endif

@@ -7,22 +7,24 @@
 #include "contact/turning.h"
 #include "simulation/parts.h"
 
-/* Those of the options count where their keys are written; stop, smoother,
- * refine and the like are nothing unless written. */
-static bool is_given(const ovr_resolved *r, const char *section,
-                     const char *key)
+static bool is_given(const ovr_resolved *r, int part)
 {
-    return ovr_slot_of(r, section, key)->given;
+    ovr_part_info info = ovr_part_at(part);
+    return ovr_slot_of(r, info.section, info.key)->given;
 }
 
-#define BIT(NAME, words, section, key, whole, options, setup)                  \
-    | ovr_part_bit(OVR_PART_##NAME,                                            \
-                   (setup) || ((options) && is_given(r, section, key)))
+/* Those of the options count where their keys are written; stop, smoother,
+ * refine and the like are nothing unless written. */
+#define BY_SETUP(NAME, words, section, key, whole, options, setup) setup,
 static unsigned written(const ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;
-    const ovr_options *o = &r->values.options;
-    return 0U OVR_PART_ROWS(BIT);
+    const bool by_setup[] = {OVR_PART_ROWS(BY_SETUP)};
+    unsigned by_options = ovr_parts_of(&r->values.options), on = 0;
+    for (int part = 0; part < OVR_PARTS; part++)
+        if (by_setup[part] || (by_options >> part & 1 && is_given(r, part)))
+            on |= 1U << part;
+    return on;
 }
 
 /* "[heat] model = lobatto". */
