@@ -11,6 +11,7 @@
 #include "contact/curvature.h"
 #include "contact/starvation.h"
 #include "run/internal.h"
+#include "run/review_plausible.h"
 #include "simulation/internal.h"
 
 typedef struct review {
@@ -320,6 +321,7 @@ static void say_level(const review *r)
 static void before(const review *r, bool transient)
 {
     say_moved(r);
+    ovr_review_plausible(r->setup, r->say, r->data);
     say_idle(r);
     warn_of_start(r);
     warn_of_sliding(r);

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "run/review_plausible.h"
+
+#include <math.h>
+#include <stdio.h>
+
+typedef struct usual {
+    const char *what, *unit;
+    double value, scale; /* of the unit */
+    double least, most;  /* in it */
+} usual;
+
+static void judge(const usual *u, ovr_listener *say, void *data)
+{
+    double value = u->value / u->scale;
+    char text[OVR_MESSAGE_SIZE];
+    if (!isfinite(value) || (value >= u->least && value <= u->most))
+        return;
+    snprintf(text, sizeof text,
+             "%s %.4g %s: usual are %g to %g %s; is the unit the one that was "
+             "meant?",
+             u->what, value, u->unit, u->least, u->most, u->unit);
+    say(data, OVR_SAY_WARNING, text);
+}
+
+/* Rubber to tungsten carbide on diamond; wires to rolls of mills; oils from
+ * refrigerants to greases' base. */
+static void review_contact(const ovr_setup *s, ovr_listener *say, void *data)
+{
+    const ovr_contact *c = s->contact;
+    bool stiffens = s->lubricant->viscosity_law != OVR_ISOVISCOUS;
+    const usual all[] = {
+        {"modulus", "GPa", c->modulus, 1e9, 1, 1000},
+        {"radius", "mm", c->radius, 1e-3, 0.1, 2000},
+        {"load", "kN/m", c->load, 1e3, 1, 20000},
+        {"viscosity", "Pa.s", c->viscosity, 1, 1e-4, 20},
+        {"alpha", "1/GPa", stiffens ? c->alpha : NAN, 1e-9, 3, 60}};
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+        judge(&all[k], say, data);
+}
+
+static void review_feature(const ovr_setup *s, const ovr_feature_form *f,
+                           ovr_listener *say, void *data)
+{
+    const double steepest = 0.25;
+    char what[80], text[OVR_MESSAGE_SIZE];
+    double size = isfinite(f->width) ? f->width : f->width_half;
+    double width = size * s->contact->b;
+    double depth = f->depth * s->contact->height;
+    snprintf(what, sizeof what, "feature '%.40s': width", f->name);
+    judge(&(usual){what, "um", width, 1e-6, 0.1, 1e5}, say, data);
+    if (f->shape != OVR_INDENT || !(depth > steepest * width))
+        return;
+    snprintf(text, sizeof text,
+             "feature '%.40s': %.3g um deep and %.3g um wide: indents are less "
+             "deep than a quarter of their width, 0.001 to 0.1 of it as a rule",
+             f->name, depth * 1e6, width * 1e6);
+    say(data, OVR_SAY_WARNING, text);
+}
+
+void ovr_review_plausible(const ovr_setup *setup, ovr_listener *say, void *data)
+{
+    if (!say)
+        return;
+    review_contact(setup, say, data);
+    for (size_t k = 0; k < setup->features; k++)
+        review_feature(setup, setup->feature[k], say, data);
+}
