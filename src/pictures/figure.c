@@ -159,7 +159,7 @@ static const char *list(const ovr_table *t, bool varied, char *text,
             continue;
         used += (size_t)snprintf(text + used, room - used, "%s%.60s",
                                  used ? ", " : "", c->name);
-        if (c->zip && *c->zip && c->zip != zip)
+        if (c->zip && *c->zip && (!zip || strcmp(c->zip, zip) != 0))
             used += (size_t)snprintf(text + used, room - used, ", %.60s",
                                      zip = c->zip);
     }
@@ -308,6 +308,9 @@ static ovr_status take_samples(figure *f, ovr_error *err)
                         "runs them",
                         f->y->name);
     qsort(f->sample, f->samples, sizeof *f->sample, in_order);
+    for (size_t i = 1; i < f->samples; i++)
+        f->banded = f->banded ||
+                    in_order(&f->sample[i - 1], &f->sample[i]) == 0;
     return OVR_OK;
 }
 
@@ -477,7 +480,6 @@ static ovr_status add_line(figure *f, size_t first, size_t end,
             high[m] = fmax(high[m], f->sample[j].y);
         }
         mean[m] /= (double)(j - i);
-        f->banded = f->banded || j - i > 1;
     }
     for (int k = 0; k < 3; k++)
         series[k] = (ovr_series){.n = m,
