@@ -4,9 +4,11 @@
 #include "case/resolve.h"
 #include "run/internal.h"
 
+/* NOLINTBEGIN(bugprone-macro-parentheses): names */
 #define EACH(run, c, function)                                                 \
     for (ovr_accompanied *c = (run)->company; c->is; c++)                      \
         if (c->is->function)
+/* NOLINTEND(bugprone-macro-parentheses) */
 
 static const ovr_companion *companion_of(const ovr_setup *setup, int k)
 {

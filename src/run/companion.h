@@ -53,13 +53,13 @@ void ovr_companions_foresee(const ovr_setup *setup, ovr_listener *say,
                             void *data);
 void ovr_companions_review(ovr_run *run);
 
-/* Those of a run; all functions take it. */
+/* Those of a run; all functions take it (`data` is a run). */
 ovr_status ovr_companions_make(ovr_run *run, ovr_error *err);
 void ovr_companions_release(ovr_run *run);
 ovr_status ovr_companions_open(ovr_run *run, ovr_error *err);
 void ovr_companions_told_of(ovr_run *run);
 ovr_status ovr_companions_restore(ovr_run *run, double T, ovr_error *err);
-ovr_status ovr_companions_observe(void *run, const ovr_simulation *sim,
+ovr_status ovr_companions_observe(void *data, const ovr_simulation *sim,
                                   ovr_error *err);
 ovr_status ovr_companions_finish(ovr_run *run, ovr_error *err);
 

@@ -265,6 +265,8 @@ extern const ovr_physics *const ovr_physics_list[];
  * the ovr_setup. */
 extern const ovr_physics ovr_physics_heat, ovr_physics_stress;
 
+/* NOLINTBEGIN(bugprone-macro-parentheses): names of variables and members */
+
 /* Those of a simulation that have the function. */
 #define OVR_EACH_PHYSICS(sim, p, function)                                     \
     for (const ovr_present *p = (sim)->physics; p->is; p++)                    \
@@ -275,6 +277,8 @@ extern const ovr_physics ovr_physics_heat, ovr_physics_stress;
     const ovr_present *p = &ovr_absent;                                        \
     OVR_EACH_PHYSICS(sim, each_##p, function)                                  \
     p = each_##p
+
+/* NOLINTEND(bugprone-macro-parentheses) */
 
 extern const ovr_present ovr_absent;
 

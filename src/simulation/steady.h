@@ -6,8 +6,9 @@
 
 #include "simulation/internal.h"
 
-/* R and load of a level with film H at X = 0 where it is done. */
-double ovr_steady_tolerance(const void *sim, const ovr_level *level, double H);
+/* R and load of a level with film H at X = 0 where it is done; `data` is the
+ * simulation. */
+double ovr_steady_tolerance(const void *data, const ovr_level *level, double H);
 
 /* The number of cycles given, else that. */
 int ovr_steady_most_cycles(const ovr_simulation *sim, int unless_given);
