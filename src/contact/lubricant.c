@@ -4,7 +4,7 @@
 
 #include "base/sized.h"
 #include "contact/laws/fluid.h"
-#include "overroll/oil.h"
+#include "overroll/contact.h"
 
 void ovr_lubricant_fill(ovr_lubricant *lubricant)
 {
@@ -36,18 +36,4 @@ double ovr_density(const ovr_lubricant *lubricant, double P)
         return NAN;
     fluid_laws_make(oil, &c);
     return density_at(&c, oil->density_law, P, &slope);
-}
-
-ovr_status ovr_lubricant_make_into(const ovr_contact *contact,
-                                   ovr_viscosity_law viscosity_law,
-                                   ovr_density_law density_law, double p0,
-                                   double z, ovr_lubricant *lubricant,
-                                   ovr_error *err)
-{
-    ovr_oil oil = ovr_oil_default();
-    oil.viscosity_law = viscosity_law;
-    oil.density_law = density_law;
-    oil.p0 = p0;
-    oil.z = z;
-    return ovr_oil_scale_into(&oil, contact, lubricant, err);
 }

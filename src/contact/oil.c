@@ -327,6 +327,21 @@ ovr_status ovr_oil_scale_into(const ovr_oil *oil, const ovr_contact *contact,
     return OVR_OK;
 }
 
+/* Of an oil of which no more is known than its laws and Roelands' constants. */
+ovr_status ovr_lubricant_make_into(const ovr_contact *contact,
+                                   ovr_viscosity_law viscosity_law,
+                                   ovr_density_law density_law, double p0,
+                                   double z, ovr_lubricant *lubricant,
+                                   ovr_error *err)
+{
+    ovr_oil oil = ovr_oil_default();
+    oil.viscosity_law = viscosity_law;
+    oil.density_law = density_law;
+    oil.p0 = p0;
+    oil.z = z;
+    return ovr_oil_scale_into(&oil, contact, lubricant, err);
+}
+
 /* Panels of Gauss and Legendre's 5 points, each 1.2 times the one before,
  * until eta is beyond 1e18 or the panels add nothing. */
 double ovr_asymptotic_alphabar(const ovr_lubricant *given)

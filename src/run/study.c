@@ -191,13 +191,6 @@ static ovr_status set_strides(ovr_study *s, ovr_error *err)
     return OVR_OK;
 }
 
-const char *ovr_study_value(const ovr_study *s, const ovr_study_key *key,
-                            size_t task)
-{
-    (void)s;
-    return key->value[(task / key->stride) % key->count];
-}
-
 /* ------------------------------------------------------------------ study */
 
 /* Folder of the study, and results in a folder of its name. */

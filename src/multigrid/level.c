@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One level of a hierarchy that stands: its film, residual and load, and its
+ * fields in the order of the nodes. */
+#include <math.h>
+#include <string.h>
+
+#include "multigrid/content.h"
+#include "multigrid/field.h"
+#include "multigrid/hierarchy.h"
+
+void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level)
+{
+    const ovr_kernels *run = grids->kernels;
+    ovr_fields f = level->f;
+    if (grids->conserving)
+        f.q = f.full;
+    run->film(&grids->fluid, grids->H0, &level->lanes, f.gap, f.w, &f);
+    if (f.flow)
+        run->flow(&grids->fluid, level->grid.D, &level->lanes, &f);
+    if (grids->conserving)
+        ovr_content_settle(grids, level);
+}
+
+static void deform(const ovr_hierarchy *grids, const ovr_level *level,
+                   double *P, double *w)
+{
+    ovr_influence_deform(&grids->influence, grids->kernels, &level->lanes,
+                         &level->mlmi, P, w);
+}
+
+void ovr_level_bear(const ovr_hierarchy *grids, const ovr_level *level,
+                    const double *ordered)
+{
+    ovr_level_write(grids, level, ordered, level->borne);
+    deform(grids, level, level->borne, level->pressed);
+}
+
+/* w += what the other pressure presses in, halos included. */
+static void press(const ovr_hierarchy *grids, const ovr_level *level)
+{
+    size_t halo = OVR_HALO * level->lanes.V;
+    size_t n = level->lanes.S * level->lanes.V + 2 * halo;
+    double *w = level->f.w - halo;
+    grids->kernels->combine(n, 1, w, 1, level->pressed - halo, w);
+}
+
+void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level)
+{
+    deform(grids, level, level->f.P, level->f.w);
+    if (level->borne)
+        press(grids, level);
+    ovr_level_properties(grids, level);
+}
+
+void ovr_level_residual(const ovr_hierarchy *grids, ovr_level *level)
+{
+    if (grids->conserving) {
+        grids->kernels->content_residual(&level->lanes, &level->weights,
+                                         &level->f);
+        return;
+    }
+    grids->kernels->residual(&level->lanes, &level->weights, &level->f);
+}
+
+void ovr_level_refresh(const ovr_hierarchy *grids, ovr_level *level)
+{
+    ovr_level_film(grids, level);
+    ovr_level_residual(grids, level);
+}
+
+double ovr_level_imbalance(const ovr_hierarchy *grids, const ovr_level *level)
+{
+    const ovr_kernels *run = grids->kernels;
+    double sum = grids->conserving
+                     ? run->content_imbalance(&level->lanes, &level->f)
+                     : run->imbalance(&level->lanes, &level->weights,
+                                      &level->f);
+    return sum * level->grid.D / fabs(ovr_level_centre(level, level->f.H));
+}
+
+double ovr_level_load(const ovr_hierarchy *grids, const ovr_level *level)
+{
+    double sum = grids->kernels->sum(&level->lanes, level->f.P);
+    if (level->borne)
+        sum += grids->kernels->sum(&level->lanes, level->borne);
+    return level->grid.D * sum;
+}
+
+void ovr_level_read(const ovr_hierarchy *grids, const ovr_level *level,
+                    const double *values, double *ordered)
+{
+    grids->kernels->unpack(&level->lanes, values, ordered);
+}
+
+void ovr_level_write(const ovr_hierarchy *grids, const ovr_level *level,
+                     const double *ordered, double *values)
+{
+    grids->kernels->pack(&level->lanes, ordered, values);
+}
+
+void ovr_level_clear(const ovr_level *level, double *values)
+{
+    memset(values, 0, level->lanes.S * level->lanes.V * sizeof *values);
+}
+
+const ovr_fields *ovr_level_ordered(const ovr_hierarchy *grids,
+                                    const ovr_level *level)
+{
+    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
+        if (ovr_field_rows[k].ordered && level->f.all[k])
+            ovr_level_read(grids, level, level->f.all[k],
+                           grids->natural.all[k]);
+    return &grids->natural;
+}
+
+double ovr_level_centre(const ovr_level *level, const double *values)
+{
+    double at = -level->grid.X_a / level->grid.D, s, v[4];
+    size_t i = (size_t)at;
+    for (size_t k = 0; k < 4; k++)
+        v[k] = values[ovr_lanes_place(&level->lanes, i + k - 1)];
+    s = at - (double)i;
+    return -s * (s - 1) * (s - 2) / 6 * v[0] +
+           (s + 1) * (s - 1) * (s - 2) / 2 * v[1] -
+           (s + 1) * s * (s - 2) / 2 * v[2] + (s + 1) * s * (s - 1) / 6 * v[3];
+}
+
+bool ovr_hierarchy_stops(ovr_hierarchy *grids)
+{
+    ovr_stopping *s = &grids->stopping;
+    if (!s->now && s->asked)
+        s->now = s->asked(s->data);
+    return s->now;
+}
