@@ -301,7 +301,8 @@ typedef struct ovr_observation {
     /* oil conserved; without it NAN */
     double supply;          /* q that arrives at the inlet */
     double meniscus;        /* X where the film begins; NAN: flooded */
-    double film_ratio;      /* H_cen over that of the flooded start */
+    double film_ratio;      /* H_cen over that of the flooded contact under the
+                               conditions of the moment */
     double supply_ratio;    /* supply over the flow of that */
     double inflow, outflow; /* Cu q less what the pressure drives back */
     double oil_inside;      /* integral of q over the domain */

@@ -159,13 +159,18 @@ static void put_friction(const ovr_run_info *s)
  * contact leaves of the supply. */
 static void put_supply(const ovr_observation *o, const ovr_contact *contact)
 {
-    if (!isfinite(o->film_ratio))
+    if (isnan(o->inflow))
         return;
-    printf("%-17s %-12.6g of the flooded film", "film ratio", o->film_ratio);
+    if (isfinite(o->film_ratio))
+        printf("%-17s %-12.6g of the flooded film", "film ratio",
+               o->film_ratio);
+    else
+        printf("%-17s %-12s the surfaces hardly move", "film ratio", "none:");
     if (isfinite(o->meniscus))
         cli_put_place("; film begins at X", o->meniscus, OVR_KIND_LENGTH,
                       contact);
-    else if (o->supply > 1.01 * o->inflow)
+    else if (o->supply > 1.01 * o->inflow && o->inflow > 0 &&
+             isfinite(o->film_ratio))
         printf("; of what arrives it takes %.2g, the rest waits",
                o->inflow / o->supply);
     putchar('\n');

@@ -12,6 +12,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "contact/curvature.h"
 #include "multigrid/content.h"
 #include "simulation/observables.h"
 #include "simulation/physics.h"
@@ -263,14 +264,38 @@ static void unknown(ovr_observation *o)
     o->oil_inside = o->oil_waiting = o->cavity_length = o->mass_defect = NAN;
 }
 
+/* By the film formula, in units of the nominal contact. */
+static double formula(const ovr_simulation *sim, double T)
+{
+    double Cw = fmax(ovr_history_value(sim->load, T), OVR_LEAST_START);
+    double Cu = fmax(fabs(ovr_history_value(sim->speed, T)), OVR_LEAST_START);
+    ovr_instant at = ovr_instant_of(&sim->contact, Cw, Cu,
+                                    1 / ovr_history_value(sim->radius, T));
+    return Cw * ovr_film_central_moes(at.M, at.L);
+}
+
+/* The flooded film of the conditions at T over that of the start, which was
+ * solved; NAN: the surfaces hardly move, and nothing is drawn in. */
+static double flooded_since(const ovr_simulation *sim, double T)
+{
+    const double least = 0.01;
+    if (!ovr_history_varies(sim->load) && !ovr_history_varies(sim->speed) &&
+        !ovr_history_varies(sim->radius))
+        return 1;
+    return fabs(ovr_history_value(sim->speed, T)) < least
+               ? NAN
+               : formula(sim, T) / formula(sim, 0);
+}
+
 static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
 {
     const ovr_solution *s = &sim->now;
     const ovr_arrival *a = own;
     double Cu = speed_now(sim, o->T);
     o->supply = a->supply ? a->q : NAN;
-    o->film_ratio = o->H_cen / a->flooded;
-    o->supply_ratio = a->flow > 0 ? o->supply / a->flow : NAN;
+    double now = flooded_since(sim, o->T);
+    o->film_ratio = o->H_cen / (a->flooded * now);
+    o->supply_ratio = a->flow > 0 ? o->supply / (a->flow * now) : NAN;
     o->meniscus = meniscus(sim);
     o->inflow = ovr_flux(sim, Cu, 0);
     o->outflow = ovr_flux(sim, Cu, s->n - 2);
@@ -370,9 +395,9 @@ static const ovr_observable quantities[] = {
     OIL("meniscus", "X_meniscus", LENGTH, meniscus,
         "where the film begins; none: flooded"),
     OIL("film_ratio", "film_ratio", NUMBER, film_ratio,
-        "central film over that of the flooded steady contact"),
+        "central film over that of the flooded contact under its conditions"),
     OIL("supply_ratio", "supply_ratio", NUMBER, supply_ratio,
-        "oil that arrives over what the flooded steady contact takes"),
+        "oil that arrives over what the flooded contact takes then"),
     OIL("inflow", NULL, FLOW, inflow, "mass flow at the inlet"),
     OIL("outflow", NULL, FLOW, outflow, "mass flow at the outlet"),
     OIL("oil_inside", NULL, AREA, oil_inside, "oil between inlet and outlet"),

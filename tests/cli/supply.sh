@@ -132,3 +132,38 @@ expect 0 "$OVERROLL" check dent.ini --set supply.model=flooded
 contains err 'dent.ini:11: thickness_1 has no effect with model = flooded; '
 sed '/thickness/d' dent.ini >none.ini
 refuses 'film needs thickness_1' check none.ini
+
+# Ratios are of the flooded film of the moment, not of the start's (0.2.0: 3
+# and more for a film that is flooded), and none where nothing moves.
+cat >moment.ini <<'END'
+[contact]
+M = 20
+L = 10
+[domain]
+level = 6
+[cavitation]
+model = conserving
+[supply]
+model = film
+thickness_1 = 1
+thickness_2 = 1
+[speed]
+history = ramp
+from = 0.1
+to = 1
+duration = 1
+[load]
+history = ramp
+from = 0.1
+to = 1
+duration = 1
+[time]
+end = 6
+step = 0.05
+END
+expect 0 "$OVERROLL" run moment.ini --json
+ratio=$(sed -n 's/^  "film_ratio": \([-0-9.e]*\),*$/\1/p' out)
+awk "BEGIN { exit !($ratio > 0.9 && $ratio < 1.1) }" || fail "film_ratio $ratio"
+expect 0 "$OVERROLL" run moment.ini --set speed.from=1 --set speed.to=0.0001
+contains out '^film ratio +none: +the surfaces hardly move'
+! grep 'it takes -' out || fail "$(grep 'it takes' out)"
