@@ -188,8 +188,8 @@ typedef struct ovr_run_info {
     const ovr_stress_report *stress[2]; /* of surface 1, 2; NULL: none */
     int warnings;                       /* so many were said, for reports */
     const char *const *warning;
-    double lambda_ratio; /* central film at the end over the composite Rq of
-                            both surfaces; NAN: smooth */
+    double lambda_ratio; /* mean film in |X| < 3/4 and over the run, over the
+                            composite Rq of both surfaces; NAN: smooth */
     /* What was said of its film before it. */
     const ovr_rough_film *foreseen;
 

@@ -314,6 +314,7 @@ typedef struct ovr_observation {
     int refined_level;   /* of the finest */
     double spike_change; /* of the spike's height by the last level, relative */
     double more[OVR_MORE]; /* of physics without members of their own */
+    double H_mean; /* in |X| < 3/4, less where the contact is narrower */
 } ovr_observation;
 OVR_API const ovr_observation *
 ovr_simulation_observation(const ovr_simulation *sim);
@@ -399,6 +400,10 @@ typedef struct ovr_statistics {
     long lagging; /* steps marked for temperatures that are not their film's */
     double last_across; /* heat: largest Legendre coefficient of the highest
                            degree across, over the rise; 0: less than 0.05 */
+    /* means over the run, each value for the step that led to it: of the film
+     * in |X| < 3/4, of friction, power put in and largest rises; until when */
+    double H_mean, mu_slide_mean, power_in_mean;
+    double T_rise_mean, T_1_rise_mean, T_2_rise_mean, averaged;
 } ovr_statistics;
 OVR_API const ovr_statistics *
 ovr_simulation_statistics(const ovr_simulation *sim);

@@ -137,13 +137,18 @@ static void put_forces(const ovr_observation *o, const ovr_contact *contact,
 
 /* A Newtonian isothermal film's may be no oil's, which is the first that is
  * said of it: the film is none the worse. */
+static bool absurd_friction(const ovr_run_info *s)
+{
+    return s->unbearable_share > 0 && !s->setup->heat &&
+           s->setup->lubricant->rheology == OVR_NEWTONIAN;
+}
+
 static void put_friction(const ovr_run_info *s)
 {
     const ovr_observation *o = ovr_simulation_observation(s->sim);
     const ovr_contact *contact = s->setup->contact;
     char between[40];
-    bool absurd = s->unbearable_share > 0 && !s->setup->heat &&
-                  s->setup->lubricant->rheology == OVR_NEWTONIAN;
+    bool absurd = absurd_friction(s);
     printf("%-17s ", isfinite(contact->kappa) ? "friction coeff." : "friction");
     if (absurd)
         printf("no oil has this friction, choose a rheology: a Newtonian "
@@ -208,8 +213,8 @@ static void table_observed(const ovr_run_info *s)
     put_friction(s);
     put_heat(s);
     if (isfinite(s->lambda_ratio))
-        printf("%-17s %-12.4g central film over the roughness of both "
-               "surfaces\n",
+        printf("%-17s %-12.4g mean film in |X| < 3/4 and over the run, over "
+               "the roughness of both surfaces\n",
                "lambda ratio", s->lambda_ratio);
     printf("%-17s %-12.3g %s in %d cycle%s\n", "residual", o->residual,
            convergence(s), o->cycles, plural(o->cycles));
@@ -244,6 +249,19 @@ static void put_rough_film(const ovr_run_info *s)
            said->but ? "; less sure here: " : "", said->but ? said->but : "");
 }
 
+/* Means, where they are of the film and not of what no oil has. */
+static void put_means(const ovr_run_info *s)
+{
+    const ovr_statistics *total = ovr_simulation_statistics(s->sim);
+    put_value("mean film", total->H_mean, OVR_KIND_HEIGHT, s->setup->contact);
+    fputs("in |X| < 3/4", stdout);
+    if (isfinite(total->mu_slide_mean) && !absurd_friction(s))
+        printf("; mean friction coeff. %.4g", total->mu_slide_mean);
+    if (s->setup->heat)
+        printf("; mean of the largest rises %.4g K", total->T_rise_mean);
+    putchar('\n');
+}
+
 /* The whole run: what was extreme in it, and what it took. */
 static void table_run(const ovr_run_info *s)
 {
@@ -254,6 +272,7 @@ static void table_run(const ovr_run_info *s)
                 total->X_P_max, total->T_P_max, contact);
     put_extreme("smallest film", total->H_min, OVR_KIND_HEIGHT, total->X_H_min,
                 total->T_H_min, contact);
+    put_means(s);
     put_rough_film(s);
     put_extreme("load error", total->load_error, OVR_KIND_NUMBER, NAN,
                 total->T_load_error, contact);

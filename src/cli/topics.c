@@ -51,8 +51,9 @@ static const struct {
      "The film is reported as H_min (the smallest) and H_cen (at X = 0), in\n"
      "b^2/R and, where the case is physical, in metres; H_min_overall is the "
      "smallest\nof a whole run.  'overroll check' gives it by formulas before "
-     "anything is solved.\nWith roughness, lambda_ratio is the film over the "
-     "composite Rq.  What is\nstored of it: [output] fields; 'overroll plot' "
+     "anything is solved.\nWith roughness, lambda_ratio is the mean film in "
+     "|X| < 3/4, and over the run,\nover the composite Rq of both surfaces on "
+     "the mesh.  What is\nstored of it: [output] fields; 'overroll plot' "
      "draws it."},
     {"life",
      "Stresses below a surface and what they do to the material:\n"

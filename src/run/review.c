@@ -483,11 +483,11 @@ static void warn_of_extremes(const review *r, const ovr_statistics *total)
     warn_of_cycles(r, total);
 }
 
-static double lambda_ratio(const ovr_run *run, double H_cen)
+static double lambda_ratio(const ovr_run *run)
 {
     const ovr_surfaces *surfaces = run->setup->surfaces;
     double Rq = surfaces ? ovr_surfaces_roughness(surfaces) : 0;
-    return Rq > 0 ? H_cen / Rq : NAN;
+    return Rq > 0 ? ovr_simulation_statistics(run->sim)->H_mean / Rq : NAN;
 }
 
 /* end = auto gives up some time after the last has left. */
@@ -520,7 +520,7 @@ void ovr_run_review_after(ovr_run *run)
     ovr_companions_review(run);
     warn_of_extremes(&r, ovr_simulation_statistics(sim));
     warn_of_unrest(&r, state->T, ovr_simulation_statistics(sim)->settled);
-    run->info.lambda_ratio = lambda_ratio(run, H_cen);
+    run->info.lambda_ratio = lambda_ratio(run);
     if (state->n && H_cen > 0)
         ovr_run_shear(run);
 }

@@ -32,6 +32,17 @@ static double film_roughness(const ovr_solution *now, double window)
     return sqrt(squares * width) / density;
 }
 
+static double mean_film(const ovr_solution *now, double window)
+{
+    double width = 0, sum = 0;
+    for (size_t i = 0; i < now->n; i++) {
+        double w = fabs(now->X[i]) < window ? now->weights[i] : 0;
+        width += w;
+        sum += w * now->H[i];
+    }
+    return sum / width;
+}
+
 /* Less than that of the nominal contact where the contact is narrower. */
 static double rough_window(const ovr_simulation *sim)
 {
@@ -51,6 +62,7 @@ static void observe_film(const ovr_simulation *sim, ovr_observation *o)
     o->H_cen = ovr_value_at(&sim->now, H, 0);
     o->film_Rq = sim->heights ? film_roughness(&sim->now, rough_window(sim))
                               : NAN;
+    o->H_mean = mean_film(&sim->now, rough_window(sim));
     o->H0 = sim->grids.H0;
 }
 

@@ -5,6 +5,23 @@
 
 #include "simulation/physics.h"
 
+/* A value counts for the step that led to it, the start until there is one;
+ * one that is observed again, of a run that goes on, does not. */
+static void average(ovr_statistics *s, const ovr_observation *o, bool first)
+{
+    const double now[] = {o->H_mean,     o->mu_slide,     o->power_in,
+                          o->T_max_rise, o->T_1_max_rise, o->T_2_max_rise};
+    double *const mean[] = {&s->H_mean,        &s->mu_slide_mean,
+                            &s->power_in_mean, &s->T_rise_mean,
+                            &s->T_1_rise_mean, &s->T_2_rise_mean};
+    double part = first ? 1 : (o->T - s->averaged) / o->T;
+    for (size_t k = 0; k < sizeof now / sizeof *now; k++)
+        if (part > 0)
+            *mean[k] = part < 1 ? *mean[k] + part * (now[k] - *mean[k])
+                                : now[k];
+    s->averaged = o->T;
+}
+
 void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
                          bool first)
 {
@@ -29,6 +46,7 @@ void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
         s->mu_slide = o->mu_slide;
         s->T_mu_slide = o->T;
     }
+    average(s, o, first);
     for (int k = 0; ovr_physics_list[k]; k++)
         if (ovr_physics_list[k]->extremes)
             ovr_physics_list[k]->extremes(s, o, first);
@@ -71,6 +89,18 @@ static const ovr_extreme table[] = {
         "coefficient of sliding friction of largest magnitude over the run"),
     ROW("T_mu_slide_max", "T_mu_slide_max_s", TIME, false, T_mu_slide,
         "when that was"),
+    ROW("H_mean", "H_mean_m", HEIGHT, true, H_mean,
+        "mean film thickness in |x| < 3/4 b, over the run"),
+    ROW("mu_slide_mean", NULL, NUMBER, false, mu_slide_mean,
+        "mean coefficient of sliding friction over the run"),
+    ROW("power_in_mean", "power_in_mean_W_per_m", POWER, false, power_in_mean,
+        "mean power that the surfaces put in, over the run"),
+    HEAT("T_max_rise_mean", TEMPERATURE, T_rise_mean,
+         "mean over the run of the largest rise in the film"),
+    HEAT("T_1_max_rise_mean", TEMPERATURE, T_1_rise_mean,
+         "mean over the run of the largest rise on surface 1"),
+    HEAT("T_2_max_rise_mean", TEMPERATURE, T_2_rise_mean,
+         "mean over the run of the largest rise on surface 2"),
     HEAT("T_max_rise", TEMPERATURE, T_rise,
          "largest rise of temperature in the film above the supply's, over the "
          "run"),

@@ -71,7 +71,7 @@ amplitude = 0.02
 wavelength = 1
 END
 expect 0 "$OVERROLL" steady rough.ini --json
-awk '/^  "H_cen":/ { H = $2 + 0 } /"lambda_ratio":/ { r = $2 + 0 }
+awk '/^  "H_mean":/ { H = $2 + 0 } /"lambda_ratio":/ { r = $2 + 0 }
     END { d = r*sqrt((0.01*0.01 + 0.02*0.02)/2)/H - 1
         exit !(H > 0 && d < 1e-12 && d > -1e-12) }' out || fail "$(cat out)"
 expect 0 "$OVERROLL" steady rough.ini
