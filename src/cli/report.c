@@ -255,7 +255,7 @@ static void put_means(const ovr_run_info *s)
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
     put_value("mean film", total->H_mean, OVR_KIND_HEIGHT, s->setup->contact);
     fputs("in |X| < 3/4", stdout);
-    if (isfinite(total->mu_slide_mean) && !absurd_friction(s))
+    if (fabs(total->mu_slide_mean) > 0 && !absurd_friction(s))
         printf("; mean friction coeff. %.4g", total->mu_slide_mean);
     if (s->setup->heat)
         printf("; mean of the largest rises %.4g K", total->T_rise_mean);

@@ -25,6 +25,7 @@
  * next ones, so that the errors that oil carries from pass to pass are seen.
  */
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 
 #include "case/feed.h"
@@ -221,7 +222,8 @@ static void judge_end(ovr_run_errors *errors, const level_run *r,
     }
 }
 
-/* Over the whole run; places and times are none. */
+/* Over the whole run; places and times are none, and the error of the mean film
+ * is that of the central one. */
 static void judge_extremes(ovr_run_errors *errors, const level_run *r,
                            const measure *m)
 {
@@ -230,7 +232,8 @@ static void judge_extremes(ovr_run_errors *errors, const level_run *r,
         double v[LEVELS];
         for (int i = 0; i < LEVELS; i++)
             v[i] = r[i].solved ? ovr_extreme_value(row, &r[i].total) : NAN;
-        if (row->kind == OVR_KIND_HEIGHT || row->kind == OVR_KIND_PRESSURE)
+        if ((row->kind == OVR_KIND_HEIGHT || row->kind == OVR_KIND_PRESSURE) &&
+            row->offset != offsetof(ovr_statistics, H_mean))
             add(errors, judge(row->key, row->kind, m, v));
     }
 }
