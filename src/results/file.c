@@ -84,11 +84,6 @@ static bool grow(hid_t set, hsize_t rows, hsize_t nodes)
     return H5Dset_extent(set, size) >= 0;
 }
 
-size_t ovr_file_element(const ovr_file *f, const ovr_observable *which)
-{
-    return which->kind == OVR_KIND_FLAG ? 1 : f->element;
-}
-
 static bool add_chunk(ovr_file *f, size_t k, const void *values)
 {
     hsize_t at[2] = {f->snapshots, 0};

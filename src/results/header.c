@@ -186,6 +186,11 @@ static bool make_time(ovr_file *f, const ovr_scales *scales)
     return set_axis(f->time, "T");
 }
 
+size_t ovr_file_element(const ovr_file *f, const ovr_observable *which)
+{
+    return which->kind == OVR_KIND_FLAG ? 1 : f->element;
+}
+
 static bool make_field(ovr_file *f, const ovr_scales *scales, hid_t x, size_t k)
 {
     const ovr_observable *which = f->which[k];

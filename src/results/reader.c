@@ -53,16 +53,6 @@ const ovr_variable *ovr_result_variable(const ovr_result *r, size_t k)
     return k < r->variables ? &r->variable[k] : NULL;
 }
 
-const ovr_variable *ovr_result_find(const ovr_result *r, const char *path)
-{
-    if (!r || !path)
-        return NULL;
-    for (size_t k = 0; k < r->variables; k++)
-        if (strcmp(r->variable[k].path, path) == 0)
-            return &r->variable[k];
-    return NULL;
-}
-
 const ovr_variable *ovr_result_column(const ovr_result *r, size_t k)
 {
     if (!r)

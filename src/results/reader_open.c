@@ -188,6 +188,16 @@ static ovr_status take_variables(ovr_result *r, ovr_error *err)
     return take_group(r, r->container.root, "", 0, err);
 }
 
+const ovr_variable *ovr_result_find(const ovr_result *r, const char *path)
+{
+    if (!r || !path)
+        return NULL;
+    for (size_t k = 0; k < r->variables; k++)
+        if (strcmp(r->variable[k].path, path) == 0)
+            return &r->variable[k];
+    return NULL;
+}
+
 /* x and time, and the number of rows that both have.  There are no more nodes
  * than positions, and those are in the file. */
 static ovr_status open_axes(ovr_result *r, ovr_error *err)

@@ -49,13 +49,6 @@ void ovr_store_fail(ovr_store *s)
         s->failed = EIO;
 }
 
-static bool note_failure(ovr_store *s, int error)
-{
-    if (error && !s->failed)
-        s->failed = error;
-    return error == 0;
-}
-
 /* ------------------------------------------------------- reading, writing */
 
 static uint64_t least(uint64_t a, uint64_t b)
@@ -68,37 +61,6 @@ static uint64_t most(uint64_t a, uint64_t b)
     return a > b ? a : b;
 }
 
-/* Bytes below this length are changed in memory only. */
-static uint64_t guarded(const ovr_store *s)
-{
-    return s->failed ? UINT64_MAX : s->committed;
-}
-
-/* Calls for the part of [at, at + bytes) that lies in one page. */
-static size_t in_page(uint64_t at, uint64_t bytes)
-{
-    return (size_t)least(bytes, OVR_PAGE - at % OVR_PAGE);
-}
-
-bool ovr_store_read(ovr_store *s, uint64_t at, size_t bytes, void *to)
-{
-    unsigned char *next = to;
-    if (!note_failure(s, ovr_read_all(s->fd, to, bytes, at)))
-        return false;
-    while (bytes > 0) {
-        size_t n = in_page(at, bytes);
-        const ovr_page *page = ovr_pages_find(&s->changed, at / OVR_PAGE);
-        uint64_t guard = guarded(s);
-        if (page && at < guard)
-            memcpy(next, page->data + at % OVR_PAGE,
-                   (size_t)least(n, guard - at));
-        at += n;
-        next += n;
-        bytes -= n;
-    }
-    return true;
-}
-
 /* The page to change, read from the file at its first change. */
 static ovr_page *changed_page(ovr_store *s, uint64_t number)
 {
@@ -108,19 +70,19 @@ static ovr_page *changed_page(ovr_store *s, uint64_t number)
         return page;
     page = ovr_pages_add(&s->changed, number);
     if (!page) {
-        note_failure(s, ENOMEM);
+        ovr_store_note(s, ENOMEM);
         return NULL;
     }
     error = ovr_read_all(s->fd, page->was, OVR_PAGE, number * OVR_PAGE);
     memcpy(page->data, page->was, OVR_PAGE);
-    return note_failure(s, error) ? page : NULL;
+    return ovr_store_note(s, error) ? page : NULL;
 }
 
 static void change_pages(ovr_store *s, uint64_t at, uint64_t bytes,
                          const unsigned char *from)
 {
     while (bytes > 0) {
-        size_t n = in_page(at, bytes);
+        size_t n = ovr_in_page(at, bytes);
         ovr_page *page = changed_page(s, at / OVR_PAGE);
         if (page)
             memcpy(page->data + at % OVR_PAGE, from, n);
@@ -136,7 +98,7 @@ static void write_through(ovr_store *s, uint64_t at, size_t bytes,
                           const unsigned char *from)
 {
     int error = bytes ? ovr_write_all(s->fd, from, bytes, at) : 0;
-    if (!note_failure(s, error))
+    if (!ovr_store_note(s, error))
         change_pages(s, at, bytes, from);
     if (bytes && at + bytes > s->on_disk) /* or part of it */
         s->on_disk = at + bytes;
@@ -145,7 +107,7 @@ static void write_through(ovr_store *s, uint64_t at, size_t bytes,
 void ovr_store_write(ovr_store *s, uint64_t at, size_t bytes, const void *from)
 {
     const unsigned char *next = from;
-    uint64_t guard = guarded(s);
+    uint64_t guard = ovr_store_guarded(s);
     size_t below = at < guard ? (size_t)least(bytes, guard - at) : 0;
     if (at + bytes > s->length)
         s->length = at + bytes;
@@ -161,7 +123,7 @@ void ovr_store_resize(ovr_store *s, uint64_t length)
     s->length = length;
     if (s->failed || to == s->on_disk)
         return;
-    if (note_failure(s, ftruncate(s->fd, (off_t)to) != 0 ? errno : 0))
+    if (ovr_store_note(s, ftruncate(s->fd, (off_t)to) != 0 ? errno : 0))
         s->on_disk = to;
 }
 
@@ -230,7 +192,7 @@ ovr_status ovr_store_commit(ovr_store *s, ovr_error *err)
     int error = s->failed ? s->failed : check_name(s);
     if (error == 0 && s->changed.count > 0)
         error = commit_pages(s);
-    if (!note_failure(s, error))
+    if (!ovr_store_note(s, error))
         return ovr_store_failure(s, err);
     ovr_pages_clear(&s->changed);
     s->committed = most(s->length, s->kept.length);
@@ -239,7 +201,7 @@ ovr_status ovr_store_commit(ovr_store *s, ovr_error *err)
 
 ovr_status ovr_store_sync(ovr_store *s, ovr_error *err)
 {
-    if (!note_failure(s, fsync(s->fd) != 0 ? errno : 0))
+    if (!ovr_store_note(s, fsync(s->fd) != 0 ? errno : 0))
         return ovr_store_failure(s, err);
     s->kept.needed = false;
     return OVR_OK;

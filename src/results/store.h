@@ -94,6 +94,13 @@ ovr_status ovr_store_open(ovr_store *store, ovr_error *err);
 
 /* Reading and writing as HDF5 sees the file; failures are noted. */
 bool ovr_store_read(ovr_store *store, uint64_t at, size_t bytes, void *to);
+
+/* What reading and writing share: keeps the first error, true without one;
+ * bytes below this length are changed in memory only; how much of [at, at +
+ * bytes) lies in one page. */
+bool ovr_store_note(ovr_store *store, int error);
+uint64_t ovr_store_guarded(const ovr_store *store);
+size_t ovr_in_page(uint64_t at, uint64_t bytes);
 void ovr_store_write(ovr_store *store, uint64_t at, size_t bytes,
                      const void *from);
 void ovr_store_resize(ovr_store *store, uint64_t length);
