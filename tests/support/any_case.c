@@ -1,0 +1,252 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "any_case.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "case/parameters.h"
+#include "overroll/run.h"
+#include "test.h"
+
+enum { MOST_KEYS = 12, ROOM = 200, MOST_STEPS = 40 };
+
+typedef struct draw {
+    uint64_t state;
+    char base[800];
+    char key[MOST_KEYS][ROOM], value[MOST_KEYS][ROOM];
+    int keys;
+} draw;
+
+static double between(draw *d, double low, double high)
+{
+    return low * pow(high / low, test_random(&d->state, 0, 1));
+}
+
+static bool chance(draw *d, double share)
+{
+    return test_random(&d->state, 0, 1) < share;
+}
+
+static void contact(draw *d)
+{
+    double wide = chance(d, 0.2) ? 30 : 1; /* extreme */
+    if (chance(d, 0.4))
+        snprintf(d->base, sizeof d->base, "[contact]\nM = %.5g\nL = %.5g\n",
+                 between(d, 3 / wide, 200 * wide),
+                 between(d, 1 / wide, 14 * sqrt(wide)));
+    else
+        snprintf(d->base, sizeof d->base,
+                 "[contact]\nload = %.5g N/m\nradius = %.5g mm\n"
+                 "modulus = %.5g GPa\nmean_speed = %.5g m/s\n"
+                 "viscosity = %.5g Pa.s\nalpha = %.5g 1/GPa\n",
+                 between(d, 3e4 / wide, 1e6 * wide), between(d, 5, 50),
+                 between(d, 150 / wide, 300), between(d, 0.2 / wide, 10 * wide),
+                 between(d, 0.005 / wide, 0.2 * wide), between(d, 10, 25));
+    strcat(d->base, "slide_to_roll = 0.3\n[domain]\nlevel = 5\n");
+    if (chance(d, 0.6))
+        strcat(d->base, "[time]\nend = 0.5\n");
+    if (chance(d, 0.5))
+        strcat(d->base, "[feature f]\nshape = dent\ndepth = 0.01\n"
+                        "width = 0.6\nstart = -2\n");
+    if (chance(d, 0.3))
+        strcat(d->base, "[cavitation]\nmodel = conserving\n");
+    if (chance(d, 0.2))
+        strcat(d->base, "[stress]\n");
+}
+
+/* What takes long, or names files. */
+static bool is_left_out(const ovr_parameter *p, const char *section)
+{
+    static const char *const keys[] = {"level", "nodes",        "end",
+                                       "file",  "refine_level", "number",
+                                       "step",  "accuracy",     "copies"};
+    for (size_t k = 0; k < sizeof keys / sizeof *keys; k++)
+        if (!strcmp(p->key, keys[k]))
+            return true;
+    return p->kind == OVR_TEXT || p->kind == OVR_PATH ||
+           p->kind == OVR_NUMBERS || !strcmp(section, "paper");
+}
+
+/* false: it has a unit, which is the contact's matter. */
+static bool value_of(draw *d, const ovr_parameter *p, char *text)
+{
+    int words = 0;
+    while (p->words && p->words[words].name)
+        words++;
+    if (words &&
+        (p->kind == OVR_CHOICE || p->kind == OVR_WORDS || chance(d, 0.3))) {
+        snprintf(text, ROOM, "%s",
+                 p->words[(int)test_random(&d->state, 0, words)].name);
+        return true;
+    }
+    if (p->kind == OVR_FLAG) {
+        snprintf(text, ROOM, "%s", chance(d, 0.5) ? "yes" : "no");
+        return true;
+    }
+    if (p->dimension != OVR_PURE && p->hertzian == OVR_NOT_HERTZIAN)
+        return false;
+    double low = fmax(p->least, p->least < 0 ? -3 : 1e-3);
+    double high = fmin(p->most, 3);
+    double value = test_random(&d->state, low, fmax(low, high));
+    if (chance(d, 0.2))
+        value = chance(d, 0.5) ? p->least : fmin(p->most, 1e6);
+    if (p->kind == OVR_INTEGER)
+        value = floor(fmin(value + test_random(&d->state, 0, 9), 50));
+    snprintf(text, ROOM, "%.6g", value);
+    return true;
+}
+
+static ovr_case *make(const draw *d, ovr_error *err)
+{
+    ovr_case *c = ovr_case_read_text(d->base, "case", NULL, NULL, err);
+    for (int k = 0; c && k < d->keys; k++)
+        if (ovr_case_set(c, d->key[k], d->value[k], "survey", err)) {
+            ovr_case_free(c);
+            return NULL;
+        }
+    return c;
+}
+
+/* One more key, or none where it is refused. */
+static void add_key(draw *d)
+{
+    const ovr_section *section;
+    size_t k = (size_t)test_random(&d->state, 0, (double)ovr_parameter_count());
+    const ovr_parameter *p = ovr_parameter_row(k, &section);
+    ovr_error err = {0};
+    if (is_left_out(p, section->name) || !value_of(d, p, d->value[d->keys]))
+        return;
+    snprintf(d->key[d->keys], ROOM, section->named ? "%s %s.%s" : "%s%s.%s",
+             section->name, section->named ? "f" : "", p->key);
+    if (!strncmp(section->name, "body", 4))
+        return;
+    d->keys++;
+    ovr_case *c = make(d, &err);
+    ovr_setup *s = c ? ovr_case_resolve(c, NULL, &err) : NULL;
+    if (!s || ovr_setup_prepare(s, NULL, &err))
+        d->keys--;
+    ovr_setup_free(s);
+    ovr_case_free(c);
+}
+
+static void show(const draw *d)
+{
+    print_message("%s", d->base);
+    for (int k = 0; k < d->keys; k++)
+        print_message("--set %s=%s\n", d->key[k], d->value[k]);
+}
+
+typedef struct watch {
+    int steps, words, infinite;
+} watch;
+
+static bool stop(void *data)
+{
+    return ++((watch *)data)->steps > MOST_STEPS;
+}
+
+static bool has_word(const char *text)
+{
+    static const char *const words[] = {" nan", " -nan", " inf ", " -inf"};
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+        if (strstr(text, words[k]))
+            return true;
+    return false;
+}
+
+static void listen(void *data, ovr_say kind, const char *text)
+{
+    (void)kind;
+    if (!has_word(text))
+        return;
+    ((watch *)data)->words++;
+    print_message("    said: %s\n", text);
+}
+
+static void take(void *data, const ovr_summary_line *line)
+{
+    if (line->form != OVR_SUMMARY_NUMBER || !isinf(line->number))
+        return;
+    ((watch *)data)->infinite++;
+    print_message("    %s is infinite\n", line->key);
+}
+
+static int fields_at_fault(const ovr_simulation *sim)
+{
+    const ovr_state *s = ovr_simulation_state(sim);
+    for (size_t i = 0; i < s->n; i++)
+        if (!isfinite(s->P[i]) || !isfinite(s->H[i]) || s->P[i] < 0) {
+            print_message("    P, H = %g, %g at X = %g\n", s->P[i], s->H[i],
+                          s->X[i]);
+            return 1;
+        }
+    return 0;
+}
+
+static int closes(const ovr_run *run)
+{
+    const ovr_simulation *sim = ovr_run_about(run)->sim;
+    const ovr_observation *o = ovr_simulation_observation(sim);
+    const ovr_statistics *all = ovr_simulation_statistics(sim);
+    double load = fabs(all->load_error) / fmax(1, o->load_ratio);
+    bool oil = !isfinite(o->mass_defect) || fabs(o->mass_defect) < 1e-4;
+    if (!ovr_run_about(run)->converged || (load < 1e-4 && oil))
+        return 0;
+    print_message("    load off by %.2g, oil by %.2g\n", load, o->mass_defect);
+    return 1;
+}
+
+/* How many things are wrong with it. */
+static int try(const draw *d, int *solved)
+{
+    watch w = {0};
+    ovr_error err = {0};
+    ovr_run_options how = ovr_run_options_default();
+    ovr_case *c = make(d, &err);
+    how.data = &w;
+    how.stop = stop;
+    how.say = listen;
+    ovr_run *run = c ? ovr_run_create(c, &how, NULL, &err) : NULL;
+    int wrong = 0;
+    if (run) {
+        ovr_status status = ovr_run_go(run, &err);
+        bool done = !status || status == OVR_STOPPED;
+        *solved += done;
+        if (done) {
+            ovr_run_summary(ovr_run_about(run), take, &w);
+            wrong += fields_at_fault(ovr_run_about(run)->sim) + closes(run);
+        }
+    }
+    if (has_word(err.message)) {
+        print_message("    failed: %s\n", err.message);
+        wrong++;
+    }
+    ovr_run_free(run);
+    ovr_case_free(c);
+    return wrong + w.words + w.infinite;
+}
+
+void test_any_case_survey(uint64_t seed, int runs)
+{
+    int wrong = 0, solved = 0;
+    for (int k = 0; k < runs; k++) {
+        static draw d;
+        d = (draw){.state = seed + (uint64_t)k};
+        contact(&d);
+        for (int tries = 0; tries < 40 && d.keys < MOST_KEYS; tries++)
+            add_key(&d);
+        if (getenv("OVERROLL_RUNS"))
+            print_message("  seed %llu\n",
+                          (unsigned long long)seed + (unsigned)k);
+        if (!try(&d, &solved))
+            continue;
+        wrong++;
+        print_message("  seed %llu:\n", (unsigned long long)seed + (unsigned)k);
+        show(&d);
+    }
+    print_message("    %d cases, %d solved, %d at fault\n", runs, solved,
+                  wrong);
+    assert_int_equal(wrong, 0);
+}
