@@ -98,9 +98,9 @@ int cli_run_code(const cli_call *call, const ovr_run *run, ovr_status status,
                 info->marked, ovr_simulation_statistics(info->sim)->steps);
     if (info->marked)
         return CLI_EARLY;
-    return call->verb != &cli_steady || ovr_run_about(run)->converged
-               ? CLI_DONE
-               : CLI_FAILED;
+    if (info->converged)
+        return CLI_DONE;
+    return call->verb == &cli_steady ? CLI_FAILED : CLI_EARLY;
 }
 
 int cli_finish_run(cli_watch *watch, ovr_run *run, ovr_error *err)

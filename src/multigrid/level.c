@@ -113,10 +113,12 @@ const ovr_fields *ovr_level_ordered(const ovr_hierarchy *grids,
     return &grids->natural;
 }
 
+/* A domain may be so long on one side that X = 0 is next to its end. */
 double ovr_level_centre(const ovr_level *level, const double *values)
 {
     double at = -level->grid.X_a / level->grid.D, s, v[4];
-    size_t i = (size_t)at;
+    size_t i = (size_t)at, last = level->grid.n - 3;
+    i = i < 1 ? 1 : i > last ? last : i;
     for (size_t k = 0; k < 4; k++)
         v[k] = values[ovr_lanes_place(&level->lanes, i + k - 1)];
     s = at - (double)i;

@@ -344,6 +344,24 @@ static ovr_status estimate(ovr_run *run, ovr_error *err)
     return ovr_run_estimate(run, err);
 }
 
+/* What is called converged carries its load; a tolerance of one's own may not
+ * see to that. */
+static bool carries_load(ovr_run *run)
+{
+    const double most = 1e-4;
+    double error = ovr_simulation_statistics(run->sim)->load_error;
+    double ratio = ovr_simulation_observation(run->sim)->load_ratio;
+    char text[OVR_MESSAGE_SIZE];
+    if (!(fabs(error) > most * fmax(1, ratio)))
+        return true;
+    snprintf(text, sizeof text,
+             "the load is off by %.2g of the nominal one: this is not called "
+             "converged; a smaller tolerance in [solver] does it",
+             fabs(error));
+    ovr_run_message(run, OVR_SAY_WARNING, text);
+    return false;
+}
+
 /* To its end, or to where it was stopped. */
 ovr_status ovr_run_once(ovr_run *run, ovr_error *err)
 {
@@ -361,7 +379,8 @@ ovr_status ovr_run_once(ovr_run *run, ovr_error *err)
     run->info.marked += marked;
     run->info.seconds = seconds_now() - begun;
     run->info.converged = !status && !marked &&
-                          ovr_simulation_observation(run->sim)->converged;
+                          ovr_simulation_observation(run->sim)->converged &&
+                          carries_load(run);
     if (status)
         return close_file(run, status, err);
     late = estimate(run, err);

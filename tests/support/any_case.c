@@ -59,9 +59,9 @@ static void contact(draw *d)
 /* What takes long, or names files. */
 static bool is_left_out(const ovr_parameter *p, const char *section)
 {
-    static const char *const keys[] = {"level", "nodes",        "end",
-                                       "file",  "refine_level", "number",
-                                       "step",  "accuracy",     "copies"};
+    static const char *const keys[] = {
+        "level",  "nodes", "end",      "file",   "refine_level",
+        "number", "step",  "accuracy", "copies", "tolerance"};
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++)
         if (!strcmp(p->key, keys[k]))
             return true;
@@ -191,7 +191,7 @@ static int closes(const ovr_run *run)
     const ovr_observation *o = ovr_simulation_observation(sim);
     const ovr_statistics *all = ovr_simulation_statistics(sim);
     double load = fabs(all->load_error) / fmax(1, o->load_ratio);
-    bool oil = !isfinite(o->mass_defect) || fabs(o->mass_defect) < 1e-4;
+    bool oil = !isfinite(o->mass_defect) || fabs(o->mass_defect) < 1e-2;
     if (!ovr_run_about(run)->converged || (load < 1e-4 && oil))
         return 0;
     print_message("    load off by %.2g, oil by %.2g\n", load, o->mass_defect);

@@ -12,7 +12,8 @@
  * Steady or 0.5 b/um long, on level 5, of 40 steps at most.  Each is solved or
  * fails in a sentence; the fields of what was solved are finite, its summary
  * holds no infinite number and its messages no word for one; and what is called
- * converged carries its load, and keeps its oil, to 1e-4.
+ * converged carries its load to 1e-4, and keeps its oil to 5e-4, the tolerance
+ * of a step on that level.
  */
 void test_any_case_survey(uint64_t seed, int runs);
 
