@@ -347,6 +347,7 @@ coverage: ## lines and branches that the tests reach (gcovr)
 
 # -------------------------------------------------------- demo, bench, paper
 
+program: $(PROGRAM) ## the program alone
 demo: $(PROGRAM) ## roll a dent through a contact: result file and picture
 	@OVERROLL='$(PROGRAM)' tools/run-demo $(BUILD)/demo
 
@@ -476,6 +477,8 @@ MAN        := $(filter-out src/case/overroll-case.5,$(wildcard src/*/*.[1357])) 
               $(CASE_PAGE)
 SHARE      := $(DESTDIR)$(PREFIX)/share
 COMPDIR    := $(SHARE)/bash-completion/completions
+# What install has put where, without DESTDIR, for uninstall.
+MANIFEST   := $(SHARE)/overroll/manifest
 
 install: all ## into DESTDIR/PREFIX (/usr/local)
 	install -d '$(DESTDIR)$(PREFIX)/bin' '$(DESTDIR)$(LIBDIR)/pkgconfig' \
@@ -492,6 +495,15 @@ install: all ## into DESTDIR/PREFIX (/usr/local)
 	$(foreach m,$(MAN),install -D -m 644 $(m) \
 	  '$(DESTDIR)$(MANDIR)/man$(subst .,,$(suffix $(m)))/$(notdir $(m))' &&) :
 	install -D -m 644 $(COMPLETION) '$(COMPDIR)/overroll'
+	install -d '$(dir $(MANIFEST))'
+	@{ printf '%s\n' '$(PREFIX)/bin/overroll' \
+	     '$(PREFIX)/share/bash-completion/completions/overroll'; \
+	   printf '$(LIBDIR)/%s\n' $(notdir $(LIB) $(SHARED)) \
+	     liboverroll.so.$(SOVER) liboverroll.so pkgconfig/overroll.pc; \
+	   printf '$(PREFIX)/include/overroll/%s\n' $(notdir $(HEADERS)); \
+	   printf '$(MANDIR)/%s\n' $(foreach m,$(MAN),\
+	     man$(subst .,,$(suffix $(m)))/$(notdir $(m))); } > '$(MANIFEST)'
+	$(call say,WROTE $(MANIFEST))
 
 # A Python that has what the package is built with; PYTHON=venv/bin/python puts
 # it there, PIPFLAGS=--user and the like elsewhere.
@@ -504,14 +516,16 @@ install-python: $(SHARED) ## the Python package (PYTHON=venv/bin/python)
 	OVERROLL_LIBRARY='$(abspath $(SHARED))' '$(PYTHON)' -m pip install \
 	  --no-build-isolation --no-index $(PIPFLAGS) ./tools/python
 
-uninstall: ## take it out again
-	rm -f '$(DESTDIR)$(PREFIX)/bin/overroll' '$(COMPDIR)/overroll' \
-	  '$(DESTDIR)$(LIBDIR)/pkgconfig/overroll.pc' \
-	  '$(DESTDIR)$(LIBDIR)'/liboverroll.a \
-	  '$(DESTDIR)$(LIBDIR)'/liboverroll.so*
-	rm -rf '$(DESTDIR)$(PREFIX)/include/overroll'
-	rm -f $(foreach m,$(MAN),\
-	  '$(DESTDIR)$(MANDIR)/man$(subst .,,$(suffix $(m)))/$(notdir $(m))')
+# Another version may have installed other files: only the manifest knows.
+uninstall: ## take out what install has put into PREFIX
+	@[ -f '$(MANIFEST)' ] || \
+	  { echo "nothing is installed in $(DESTDIR)$(PREFIX): no $(MANIFEST);" \
+	    "make uninstall PREFIX=... looks elsewhere" >&2; exit 1; }
+	@while IFS= read -r file; do rm -f "$(DESTDIR)$$file"; done < '$(MANIFEST)'
+	@rm -f '$(MANIFEST)'
+	@for d in '$(dir $(MANIFEST))' '$(DESTDIR)$(PREFIX)/include/overroll'; do \
+	  [ ! -d "$$d" ] || rmdir --ignore-fail-on-non-empty "$$d"; done
+	$(call say,GONE  from $(DESTDIR)$(PREFIX))
 
 # Debian packages in $(BUILD)/deb, from the files that git knows.
 DEB := $(abspath $(BUILD))/deb
@@ -539,7 +553,7 @@ help: ## this list
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  \1\t\2/p' Makefile | expand -t 18
 
 FORCE:
-.PHONY: all tests check fuzz verify coverage demo pictures paper validation html bench \
+.PHONY: all program tests check fuzz verify coverage demo pictures paper validation html bench \
   format lint lint-format lint-tidy lint-cppcheck lint-analyzer lint-shell need-lint need-cmocka \
   install install-python uninstall deb clean help FORCE
 .SECONDARY:

@@ -55,9 +55,18 @@ completed() {
 [ "$(completed overroll sw)" = sweep ] || fail 'sw is not completed to sweep'
 [ "$(completed overroll sweep --col)" = --collect ] || fail '--col'
 
+# What was installed is taken out, whatever this version would install, and
+# nothing else; where nothing is, it says where it looked.
+: >"$prefix/include/overroll/of_mine.h"
+: >"$prefix/include/overroll/of_an_older_version.h"
+echo "$prefix/include/overroll/of_an_older_version.h" \
+    >>"$prefix/share/overroll/manifest"
 for_make uninstall
 find "$prefix" ! -type d >left
-[ ! -s left ] || fail "uninstall leaves $(cat left)"
+[ "$(cat left)" = "$prefix/include/overroll/of_mine.h" ] ||
+    fail "uninstall leaves $(cat left)"
+expect 2 make -C "$TOP" -o all uninstall BUILD="$BUILD" PREFIX="$prefix"
+contains err "nothing is installed in $prefix: .*PREFIX=... looks elsewhere"
 
 # What make bench needs beyond tools/demo it says in a line.
 printf '#!/bin/sh\ncase "$*" in *cmocka*) exit 1 ;; esac\n' >without
