@@ -20,7 +20,6 @@
 #include "simulation/physics.h"
 #include "simulation/step_cycles.h"
 
-
 /* How hard an attempt tries. */
 typedef struct attempt {
     bool extrapolate;

@@ -307,7 +307,7 @@ static void test_totals(void **state)
 
 /* Every other struct of options, whole or of an older caller that ends before
  * `known`; not of a newer one nor without a size. */
-#define EACH(type, function, known, ...)                                       \
+#define OPTIONS(type, function, known, ...)                                    \
     do {                                                                       \
         type whole = type##_default(), *old;                                   \
         __VA_ARGS__;                                                           \
@@ -335,31 +335,31 @@ static void check_sizes(void *whole, size_t size, void *old, const char *says,
 static void test_all_sizes(void **state)
 {
     (void)state;
-    EACH(ovr_conditions, conditions, width, whole.M = 20, whole.L = 10,
-         whole.alpha = 17e-9);
-    EACH(ovr_history_form, history, points, whole.kind = OVR_HISTORY_SINE,
-         whole.amplitude = 0.1);
-    EACH(ovr_profile_source, source, options, whole.file = "it");
-    EACH(ovr_conditioning, conditioning, extend, whole.taper = 0);
-    EACH(ovr_roughness, roughness, seed, whole.Rq = 0.1, whole.length = 8);
-    EACH(ovr_feature_form, feature, roughness, whole.depth = 0.1,
-         whole.width = 1, whole.start = 0);
-    EACH(ovr_oil, oil, density_15, whole.z = 0.6);
-    EACH(ovr_heat_form, heat, beta, whole.temperature = 353, whole.S0 = 1.1);
-    EACH(ovr_stress_options, stress, traction, whole.mesh = 0.05,
-         whole.inlet = -3, whole.nodes = 121);
-    EACH(ovr_material_range, material, least_depth, whole.poisson = 0.25);
-    EACH(ovr_life_options, life, least_depth, whole.limit = 0.1);
+    OPTIONS(ovr_conditions, conditions, width, whole.M = 20, whole.L = 10,
+            whole.alpha = 17e-9);
+    OPTIONS(ovr_history_form, history, points, whole.kind = OVR_HISTORY_SINE,
+            whole.amplitude = 0.1);
+    OPTIONS(ovr_profile_source, source, options, whole.file = "it");
+    OPTIONS(ovr_conditioning, conditioning, extend, whole.taper = 0);
+    OPTIONS(ovr_roughness, roughness, seed, whole.Rq = 0.1, whole.length = 8);
+    OPTIONS(ovr_feature_form, feature, roughness, whole.depth = 0.1,
+            whole.width = 1, whole.start = 0);
+    OPTIONS(ovr_oil, oil, density_15, whole.z = 0.6);
+    OPTIONS(ovr_heat_form, heat, beta, whole.temperature = 353, whole.S0 = 1.1);
+    OPTIONS(ovr_stress_options, stress, traction, whole.mesh = 0.05,
+            whole.inlet = -3, whole.nodes = 121);
+    OPTIONS(ovr_material_range, material, least_depth, whole.poisson = 0.25);
+    OPTIONS(ovr_life_options, life, least_depth, whole.limit = 0.1);
 }
 
 static void test_all_pictures(void **state)
 {
     const ovr_picture_options look = {.size = 0};
     (void)state;
-    EACH(ovr_picture_options, picture, script, whole.path = "none.bmp");
-    EACH(ovr_figure_options, figure, script, whole.path = "none.bmp");
-    EACH(ovr_frames_options, frames, data, whole.look = &look);
-    EACH(ovr_view_options, view, names, whole.path = ".");
+    OPTIONS(ovr_picture_options, picture, script, whole.path = "none.bmp");
+    OPTIONS(ovr_figure_options, figure, script, whole.path = "none.bmp");
+    OPTIONS(ovr_frames_options, frames, data, whole.look = &look);
+    OPTIONS(ovr_view_options, view, names, whole.path = ".");
 }
 
 /* ----------------------------------------------------- calls within calls */
