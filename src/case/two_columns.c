@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { ROWS_MOST = 1000000, LINE_MOST = 256 };
@@ -47,11 +48,8 @@ static int decimals_of(const char *text)
     if (point && *point == '.')
         n = (int)strspn(point + 1, "0123456789");
     const char *power = strpbrk(text, "eE \t,;#\r\n");
-    if (power && (*power == 'e' || *power == 'E')) {
-        int exponent = 0;
-        if (sscanf(power + 1, "%d", &exponent) == 1)
-            n -= exponent;
-    }
+    if (power && (*power == 'e' || *power == 'E'))
+        n -= (int)fmax(-400, fmin((double)strtol(power + 1, NULL, 10), 400));
     return n;
 }
 
