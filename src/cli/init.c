@@ -396,9 +396,11 @@ static int put_value(cli_call *call, char **text, const char *setting)
     snprintf(key, sizeof key, "%.*s", (int)(equal - dot - 1), dot + 1);
     bool found;
     char *at = find_line(*text, section, key, &found);
-    const char *after = at ? at : "";
-    char *comment = found ? strchr(at, '#') : NULL;
-    char *next = found ? strchr(at, '\n') + 1 : at;
+    const char *comment = NULL, *next = at;
+    if (at && found) {
+        comment = strchr(at, '#');
+        next = strchr(at, '\n') + 1;
+    }
     if (comment && comment > next)
         comment = NULL;
     snprintf(line, sizeof line, "%s = %s", key, equal + 1);
@@ -415,7 +417,7 @@ static int put_value(cli_call *call, char **text, const char *setting)
             fprintf(to, "%-28s %.*s", line, (int)(next - comment), comment);
         else
             fprintf(to, "%s\n", line);
-        fputs(found ? next : after, to);
+        fputs(next, to);
     }
     if (fclose(to))
         return CLI_FAILED;

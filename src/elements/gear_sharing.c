@@ -144,7 +144,7 @@ static double by_springs(const ovr_gear_form *form, const ovr_gear_geometry *g,
             last = gap[k] > gap[last] ? k : last;
         }
         deflection = load / sum;
-        if (pairs == 1 || deflection > gap[last])
+        if (pairs <= 1 || deflection > gap[last])
             break;
         pairs--;
         stiff[last] = stiff[pairs];

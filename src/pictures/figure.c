@@ -568,9 +568,9 @@ static ovr_status add_bins(figure *f, const sample *s, size_t n, size_t bins,
     static const double parts[] = {0.05, 0.5, 0.95};
     double low = in->x_from, width = (in->x_to - low) / (double)bins;
     double *x = ovr_arena_take(f->arena, 4 * bins + 14, sizeof *x, err);
-    double *y = x + 2 * bins + 1, *line = y + 2 * bins + 1, most = 0;
     if (!x)
         return OVR_NO_MEMORY;
+    double *y = x + 2 * bins + 1, *line = y + 2 * bins + 1, most = 0;
     for (size_t b = 0, i = 0; b < bins; b++) {
         double end = low + width * (double)(b + 1), count = 0;
         for (; i < n && (s[i].y * f->y_axis.factor < end || b + 1 == bins); i++)

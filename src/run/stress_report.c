@@ -112,7 +112,7 @@ static double length_error(const ovr_stress_report *r)
     size_t ends = m->points / 10 + 1, counted = 0;
     double off = 0;
     for (size_t k = 0; k < m->points; k++)
-        if (m->complete[k] && (k < ends || k + ends >= m->points)) {
+        if ((k < ends || k + ends >= m->points) && m->complete[k]) {
             off += fabs(r->risk[k] / r->life->smooth_risk - 1);
             counted++;
         }

@@ -2,12 +2,14 @@
 /*
  * Gears, cams and roller bearings of an independent program (Python and scipy),
  * copied from truth/elements.json of the project's shared folder: all of them,
- * five moments of each.  SI units and radians; NAN: not given.
+ * some moments of each.  SI units and radians; NAN: not given.
  */
 #ifndef TESTS_REFERENCE_ELEMENTS_TRUTH_H
 #define TESTS_REFERENCE_ELEMENTS_TRUTH_H
 
 #include <math.h>
+
+enum { MOMENTS = 5 }; /* of each */
 
 typedef struct truth_gear {
     int teeth_1, teeth_2;
@@ -20,7 +22,7 @@ typedef struct truth_gear {
     /* t, R, R_1, R_2, u1, u2; then spur: w by rule, by energy, by energy with
      * the blend of 0.05, share with reliefs of 15 and 20 um (NAN: internal);
      * helical: w by energy in the middle, at the slice 0.2 */
-    double points[5][10];
+    double points[MOMENTS][10];
 } truth_gear;
 
 /* clang-format off */
@@ -467,7 +469,7 @@ typedef struct truth_cam {
     double given[12];
     int turns;
     double turn[4];
-    double points[5][9]; /* theta, s, s', s'', R, R_1, u1, u2, load */
+    double points[MOMENTS][9]; /* theta, s, s', s'', R, R_1, u1, u2, load */
 } truth_cam;
 
 /* clang-format off */

@@ -146,9 +146,9 @@ static void same_end_of(bool looked, const char *text, const char *folder,
     told whole = run(text, whole_path, (told){.stop = NEVER});
     for (size_t k = 0; k < count; k++) {
         long look = at[k] > 0 ? at[k] : whole.looks + 1 + at[k];
-        run(text, path,
-            looked ? (told){.stop = look}
-                   : (told){.stop = NEVER, .stop_when = at[k]});
+        told stop = {.stop = looked ? look : NEVER,
+                     .stop_when = looked ? 0 : at[k]};
+        run(text, path, stop);
         told part = resume(path);
         same_lines(part.text, whole.text, look, whole.looks);
         same_lines(part.summary, whole.summary, look, whole.looks);

@@ -7,7 +7,7 @@
 #include "simulation/observables.h"
 
 static const ovr_word precisions[] = {{"f64", 0}, {"f32", 1}, {NULL, 0}};
-#define FIELD(name, kind, axes, text) {#name, 0},
+#define FIELD(name, ...) {#name, 0},
 static const ovr_word fields[] = {OVR_FIELD_ROWS(FIELD){NULL, 0}};
 
 static const ovr_parameter output_keys[] = {
