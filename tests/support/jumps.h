@@ -11,9 +11,9 @@
  * 1.2 of the flow arrives that a flooded film takes; the load jumps once by
  * half or less, up or down; SRR -2 to 2, flow laws (1/2) and heat (0.3); dents,
  * bumps, ridges and roughness on half of them.  No step may fail but
- * where surfaces touch, and none may be marked, but for two in the jump of a
- * hot film, whose temperatures come late (heat_in_time.c says so); a start that
- * is not found is no jump, and rare. */
+ * where surfaces touch, and none may be marked but for the heat of a
+ * jump, which comes late in the first few (heat_in_time.c says so); a start
+ * that is not found is no jump, and rare. */
 void test_jumps_survey(uint64_t seed, int runs);
 
 #endif
