@@ -49,6 +49,11 @@ static void solve(const char *text, const char *level, seen *into)
     CHECK_OK(c ? ovr_case_set(c, "domain.level", level, "test", &err)
                : OVR_BAD_INPUT,
              &err);
+    if (strcmp(level, "auto") != 0) {
+        /* On a level that is given nothing is wanted of it. */
+        ovr_case_unset(c, "domain.accuracy");
+        ovr_case_unset(c, "domain.accuracy_of");
+    }
     into->count = 0;
     into->told = false;
     watched = into;
