@@ -236,7 +236,8 @@ static const ovr_refusal *refused(const struct way *a, const struct way *b)
 /* Another value of the same key would only replace the first. */
 static bool exclude_each_other(const struct way *a, const struct way *b)
 {
-    ovr_part_info one = ovr_part_at(a->part), other = ovr_part_at(b->part);
+    ovr_part_info one = ovr_part_at((int)a->part),
+                  other = ovr_part_at((int)b->part);
     return !strcmp(one.section, other.section) && !strcmp(one.key, other.key);
 }
 
@@ -287,8 +288,8 @@ void test_walk_pairs(const char *folder, int every)
                 continue;
             bool marches = !why && pairs % every == 0;
             ovr_case *c = combine(one, other);
-            print_message("%s, %s%s\n", ovr_part_at(one->part).name,
-                          ovr_part_at(other->part).name,
+            print_message("%s, %s%s\n", ovr_part_at((int)one->part).name,
+                          ovr_part_at((int)other->part).name,
                           why       ? ": refused"
                           : marches ? ": marches"
                                     : "");
