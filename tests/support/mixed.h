@@ -12,7 +12,9 @@
  * third each); a dent, bump or ridge (0.7) and roughness (0.6) on each surface;
  * load (0.7 to 1.4), speed (0.5 to 2) and sliding along ramps, sines and
  * jumps; steps of a mesh, of 0.02 or adaptive; stresses (1/5).  No run may fail
- * but where surfaces touch, which is said, and 3 % at most may be marked. */
+ * but where surfaces touch, which is said, and 3 % at most may be marked;
+ * beside them those hot films whose load jumps, a fifteenth of all, and that
+ * say their heat came late. */
 void test_mixed_survey(uint64_t seed, int runs, int level);
 
 #endif
