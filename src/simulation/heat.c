@@ -446,7 +446,7 @@ static void forget(ovr_simulation *sim, void *own)
 }
 
 /* From the film for other temperatures, until neither changes. */
-static bool take_turns(ovr_simulation *sim, const ovr_full *how,
+static void take_turns(ovr_simulation *sim, const ovr_full *how,
                        ovr_outcome *outcome)
 {
     enum { TURNS = 200 };
@@ -465,7 +465,6 @@ static bool take_turns(ovr_simulation *sim, const ovr_full *how,
     }
     if (!(change < enough))
         outcome->defect.imbalance = fmax(outcome->defect.imbalance, change);
-    return change < enough;
 }
 
 /* The same temperatures at more points. */
@@ -497,13 +496,15 @@ static double largest_rise(const ovr_simulation *sim)
     return rise;
 }
 
+/* Turns that go round with 5 points may end with 7. */
 static void couple(ovr_simulation *sim, void *own, const ovr_full *how,
                    ovr_outcome *outcome)
 {
     ovr_heated *h = own;
     double rise;
-    if (!take_turns(sim, how, outcome) || !h->chooses ||
-        h->across.n > FEWEST_ACROSS)
+    take_turns(sim, how, outcome);
+    if (!h->chooses || h->across.n > FEWEST_ACROSS ||
+        !(outcome->defect.imbalance < 1))
         return;
     rise = largest_rise(sim);
     if (!ovr_heat_uneven(last_across(sim, rise), rise))
