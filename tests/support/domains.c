@@ -83,10 +83,8 @@ static void draw(text *t, uint64_t seed, const char *folder)
     t->length = 0;
     double M = between(t, 5, 200), L = test_random(&t->state, 0, 14);
     bool passes = test_random(&t->state, 0, 1) < 0.25;
-    add(t,
-        "[contact]\nM = %.6g\nL = %.6g\n[time]\nend = %g\nstep = 0.05\n"
-        "[solver]\ntolerance = 1e-6\n",
-        M, L, 0.05 * STEPS);
+    add(t, "[contact]\nM = %.6g\nL = %.6g\n[time]\nend = %g\nstep = 0.05\n", M,
+        L, 0.05 * STEPS);
     if (passes) {
         double first = between(t, 1 / sqrt(5), sqrt(5));
         double second = between(t, 1 / sqrt(5), sqrt(5));
