@@ -19,6 +19,7 @@
 typedef struct fourth {
     ovr_correction correction;
     double *F, *gap; /* what a run keeps of it, by nodes */
+    size_t n; /* of the finest grid of the whole domain, without patches */
 } fourth;
 
 static bool chosen(const ovr_options *o)
@@ -36,6 +37,7 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
         ovr_correction_prepare(&sim->grids, &f->correction, &sim->arena, err))
         return OVR_NO_MEMORY;
     *own = f;
+    f->n = n;
     f->F = ovr_arena_take(&sim->arena, n, sizeof *f->F, err);
     f->gap = ovr_arena_take(&sim->arena, n, sizeof *f->gap, err);
     return f->F && f->gap ? OVR_OK : OVR_NO_MEMORY;
@@ -46,7 +48,7 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
 /* Second order after all. */
 static void withdraw(ovr_simulation *sim, const fourth *f)
 {
-    size_t bytes = sim->now.n * sizeof(double);
+    size_t bytes = f->n * sizeof(double);
     sim->order = sim->scheme->order;
     memset(f->F, 0, bytes);
     memset(f->gap, 0, bytes);
@@ -198,27 +200,30 @@ static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
 
 /* ----------------------------------------------------------------- in a run */
 
-static void add(const ovr_simulation *sim, double *to, const double *what)
+static void add(const ovr_simulation *sim, size_t n, double *to,
+                const double *what)
 {
     if (sim->order == 4)
-        sim->grids.kernels->combine(sim->now.n, 1, to, 1, what, to);
+        sim->grids.kernels->combine(n, 1, to, 1, what, to);
 }
 
 static void add_sides(const ovr_simulation *sim, const void *own, double *F)
 {
-    add(sim, F, ((const fourth *)own)->F);
+    const fourth *f = own;
+    add(sim, f->n, F, f->F);
 }
 
 static void add_gap(const ovr_simulation *sim, const void *own, double *to)
 {
-    add(sim, to, ((const fourth *)own)->gap);
+    const fourth *f = own;
+    add(sim, f->n, to, f->gap);
 }
 
 static ovr_status visit(ovr_simulation *sim, void *own, ovr_visit *show,
                         void *context, ovr_error *err)
 {
     const fourth *f = own;
-    size_t bytes = sim->now.n * sizeof(double);
+    size_t bytes = f->n * sizeof(double);
     if (sim->order != 4)
         return OVR_OK;
     ovr_status status = show(context, "F_fourth", f->F, bytes, err);
