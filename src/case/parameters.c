@@ -146,9 +146,9 @@ const char *ovr_hertzian_name(ovr_hertzian hertzian)
 
 void ovr_parameter_into(size_t k, ovr_parameter_info *to)
 {
-    const ovr_section *section = NULL;
+    const ovr_section *section = sections[0];
     const ovr_parameter *found = ovr_parameter_row(k, &section);
-    const ovr_parameter *row = found ? found : ovr_parameter_row(0, &section);
+    const ovr_parameter *row = found ? found : section->rows;
     ovr_parameter_info info = {
         .section = section->name,
         .key = row->key,

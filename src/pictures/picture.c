@@ -56,16 +56,15 @@ static ovr_status read_template(FILE *file, const char *path, ovr_text *to,
 
 ovr_status ovr_template_read(const char *path, ovr_text *to, ovr_error *err)
 {
-    ovr_status status;
-    FILE *file = path ? fopen(path, "rb") : NULL;
-    if (path && !file)
-        return ovr_fail(err, OVR_BAD_INPUT, "template %s: cannot be read: %s",
-                        path, strerror(errno));
-    if (!file) {
+    if (!path) {
         ovr_text_add(to, ovr_template_text, ovr_template_bytes);
         return ovr_text_status(to, err);
     }
-    status = read_template(file, path, to, err);
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return ovr_fail(err, OVR_BAD_INPUT, "template %s: cannot be read: %s",
+                        path, strerror(errno));
+    ovr_status status = read_template(file, path, to, err);
     fclose(file);
     return status;
 }
