@@ -238,9 +238,11 @@ size_t gauge_as_smd(const gauge *g, char *out)
 static void put_z(buffer *b, double value, const gauge_x3p *how, double step)
 {
     double code = isnan(value) ? (how->mask ? 0 : NAN) : value;
+    /* Whole numbers have no NaN: what is missing there is told by a mask. */
+    int64_t whole = isnan(code) ? 0 : (int64_t)round(code / step);
     switch (how->type) {
-    case 'I': put_bits(b, (uint64_t)(int64_t)round(code / step), 2); break;
-    case 'L': put_bits(b, (uint64_t)(int64_t)round(code / step), 4); break;
+    case 'I': put_bits(b, (uint64_t)whole, 2); break;
+    case 'L': put_bits(b, (uint64_t)whole, 4); break;
     case 'F': put_f32(b, code); break;
     default: put_f64(b, code); break;
     }
