@@ -359,9 +359,7 @@ void gauge_to_x3p(const gauge *g, const gauge_x3p *how, const char *path,
     zip_t *zip = zip_open(path, ZIP_CREATE | ZIP_TRUNCATE, &code);
     buffer data = {out, 0};
     char mask[GAUGE_POINTS * GAUGE_LINES / 8 + 1] = {0};
-    /* Values inside the XML may be missing without a mask, and no whole number
-     * says so: nothing is made of them that is not written. */
-    size_t total = how->inline_data ? 0 : g->n * g->lines;
+    size_t total = g->n * g->lines;
     assert_non_null(zip);
     *step = how->type == 'I'   ? largest(g) / 32000
             : how->type == 'L' ? largest(g) / 2e9
