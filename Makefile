@@ -316,10 +316,12 @@ need-cmocka:
 	@$(PKG_CONFIG) --exists cmocka || \
 	  { echo "missing: cmocka; run tools/install-deps check"; exit 1; }
 
+# The program of a test that runs without the others.
+one = $(BUILD)/$(if $(filter $(1),$(TESTNAMES)),one/)$(1)
 check: need-cmocka all $(LOCALE) $(REPLAYS) \
-  $(if $(ONLY),$(CHECKSRC:%.c=$(BUILD)/one/%),$(CHECKSRC:%.c=$(BUILD)/%)) ## run the tests (FAST=1, SAN=1, ONLY="unit/% ...")
+  $(if $(ONLY),$(foreach t,$(CHECKSRC:%.c=%),$(call one,$(t))),$(CHECKSRC:%.c=$(BUILD)/%)) ## run the tests (FAST=1, SAN=1, ONLY="unit/% ...")
 	@$(TESTENV) tests/support/run -j $(JOBS) -o $(BUILD)/check \
-	  $(if $(ONLY),$(CHECKSRC:%.c=$(BUILD)/one/%),$(CHECKSRC:%.c=$(BUILD)/%)) \
+	  $(if $(ONLY),$(foreach t,$(CHECKSRC:%.c=%),$(call one,$(t))),$(CHECKSRC:%.c=$(BUILD)/%)) \
 	  $(CHECKSH)
 
 verify: need-cmocka all $(LOCALE) $(VERIFYSRC:%.c=$(BUILD)/%) ## what takes longer
@@ -331,7 +333,6 @@ verify: need-cmocka all $(LOCALE) $(VERIFYSRC:%.c=$(BUILD)/%) ## what takes long
 tests/unit/corpus.run: $(REPLAYS)
 
 # A single test: make tests/unit/arena_test.run
-one = $(BUILD)/$(if $(filter $(1),$(TESTNAMES)),one/)$(1)
 %.run: need-cmocka $(LOCALE)
 	@$(MAKE) --no-print-directory all $(if $(wildcard $*.c),$(call one,$*))
 	@$(TESTENV) tests/support/run -j 1 -o $(BUILD)/check \
