@@ -19,6 +19,7 @@
 #include <math.h>
 
 #include "base/arena.h"
+#include "elements/needed.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -85,24 +86,17 @@ static double displaced(const ovr_bearing *bearing, double first)
 
 /* --------------------------------------------------------------- checks */
 
-typedef struct needed {
-    const char *about;
-    double value;
-} needed;
-
 static ovr_status check_form(const ovr_bearing_form *f, ovr_error *err)
 {
-    const needed all[] = {
-        {"roller", f->roller},
-        {"length", f->length},
-        {"load", f->load},
-        {"inner", isnan(f->inner) ? 1 : f->inner},
-        {"pitch", isnan(f->pitch) ? 1 : f->pitch},
-        {"stiffness", isnan(f->stiffness) ? 1 : f->stiffness}};
-    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (!(all[k].value > 0 && isfinite(all[k].value)))
-            return ovr_fail_about(err, all[k].about, "%s: must be positive",
-                                  all[k].about);
+    const ovr_needed all[] = {
+        {"roller", f->roller, false},
+        {"length", f->length, false},
+        {"load", f->load, false},
+        {"inner", isnan(f->inner) ? 1 : f->inner, false},
+        {"pitch", isnan(f->pitch) ? 1 : f->pitch, false},
+        {"stiffness", isnan(f->stiffness) ? 1 : f->stiffness, false}};
+    if (ovr_check_needed(all, sizeof all / sizeof *all, err))
+        return OVR_BAD_INPUT;
     if (isnan(f->inner) == isnan(f->pitch))
         return ovr_fail_about(err, "pitch",
                               isnan(f->inner)

@@ -19,6 +19,7 @@
 
 #include "base/arena.h"
 #include "elements/lift.h"
+#include "elements/needed.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -87,16 +88,10 @@ static ovr_element_moment contact(const ovr_cam *cam, double angle)
 
 /* --------------------------------------------------------------- checks */
 
-typedef struct needed {
-    const char *about;
-    double value;
-    bool zero; /* may be zero */
-} needed;
-
 static ovr_status check_form(const ovr_cam_form *f, ovr_error *err)
 {
     bool laws = f->law != OVR_CAM_TABLE;
-    const needed all[] = {
+    const ovr_needed all[] = {
         {"base_radius", f->base_radius, false},
         {"face", f->face, false},
         {"speed", f->speed, false},
@@ -109,12 +104,8 @@ static ovr_status check_form(const ovr_cam_form *f, ovr_error *err)
         {"rise", laws ? f->rise : 1, false},
         {"dwell", laws ? f->dwell : 1, true},
         {"fall", laws ? f->fall : 1, false}};
-    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (!isfinite(all[k].value) || all[k].value < 0 ||
-            (all[k].value <= 0 && !all[k].zero))
-            return ovr_fail_about(
-                err, all[k].about, "%s: must be %s", all[k].about,
-                all[k].zero ? "zero or positive" : "positive");
+    if (ovr_check_needed(all, sizeof all / sizeof *all, err))
+        return OVR_BAD_INPUT;
     if (!(fabs(f->slip) < 2))
         return ovr_fail_about(err, "slip", "slip = %g: must be below 2",
                               f->slip);
@@ -202,10 +193,15 @@ static ovr_status check_event(ovr_cam *cam, ovr_error *err)
 {
     ovr_cam_event *e = &cam->event;
     double gone[2] = {NAN, NAN}, highest = -1, tightest = e->from;
+    double least = room_at(cam, e->from);
     e->least_force = INFINITY;
-    for (int k = 0; k <= LOOKS; k++)
-        if (room_at(cam, look(e, k)) < room_at(cam, tightest))
+    for (int k = 0; k <= LOOKS; k++) {
+        double room = room_at(cam, look(e, k));
+        if (room < least) {
+            least = room;
             tightest = look(e, k);
+        }
+    }
     ovr_status status = check_shape(cam, tightest, err);
     if (status)
         return status;

@@ -22,6 +22,7 @@
 
 #include "base/arena.h"
 #include "elements/gear_sharing.h"
+#include "elements/needed.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -75,22 +76,15 @@ static double inverse_involute(double value)
 
 /* --------------------------------------------------------------- checks */
 
-typedef struct needed {
-    const char *about;
-    double value;
-} needed;
-
 static ovr_status check_numbers(const ovr_gear_form *f, ovr_error *err)
 {
-    const needed all[] = {{"module", f->module},
-                          {"face", f->face},
-                          {"speed", fabs(f->speed)},
-                          {"torque", fabs(f->torque)},
-                          {"addendum", f->addendum}};
-    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (!(all[k].value > 0 && isfinite(all[k].value)))
-            return ovr_fail_about(err, all[k].about, "%s: must be positive",
-                                  all[k].about);
+    const ovr_needed all[] = {{"module", f->module, false},
+                              {"face", f->face, false},
+                              {"speed", fabs(f->speed), false},
+                              {"torque", fabs(f->torque), false},
+                              {"addendum", f->addendum, false}};
+    if (ovr_check_needed(all, sizeof all / sizeof *all, err))
+        return OVR_BAD_INPUT;
     if (!(f->pressure_angle > 0 && f->pressure_angle < pi / 3))
         return ovr_fail_about(err, "pressure_angle",
                               "pressure_angle: must be between 0 and 60 deg");
