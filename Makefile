@@ -90,6 +90,16 @@ OVR_LIBS   := $(shell $(PKG_CONFIG) --libs-only-L $(HDF5)) \
               -lhdf5 -lhdf5_hl \
               $(shell $(PKG_CONFIG) --libs fftw3 fftw3f $(PKGS)) -lm -lpthread
 MACHINE    := $(shell $(CC) -dumpmachine)
+# The program takes archives where they are: HDF5's shared library brings 30
+# others (by way of curl) that nothing here calls, and starting with them takes
+# longer than a steady solution.  STATIC= takes shared libraries.
+STATIC     ?= $(if $(KIND),,1)
+LIBDIRS    := $(patsubst -L%,%,$(shell $(PKG_CONFIG) --libs-only-L $(HDF5))) \
+              $(shell $(PKG_CONFIG) --variable=libdir gsl)
+archive     = $(firstword $(wildcard $(LIBDIRS:%=%/lib$(1).a)))
+# zlib stays shared, since libzip uses it too.
+ARCHIVES   := $(foreach l,hdf5_hl hdf5 sz aec fftw3 fftw3f gsl gslcblas expat,\
+                $(call archive,$(l)))
 endif
 
 # Kernels (*.kernel.c) are compiled once for each instruction set; the program
@@ -127,9 +137,17 @@ COMPLETION := $(BUILD)/overroll.bash
 
 all: $(PROGRAM) $(LIB) $(SHARED) $(CASE_PAGE) $(COMPLETION) ## the program and both libraries
 
+# An HDF5 that was configured with more than zlib and szip needs libraries that
+# only its shared form names: then all are shared.
+STATIC_LIBS  = $(ARCHIVES) -lzip -lz -lm -lpthread -ldl
+LINKS_STATIC = $(if $(and $(STATIC),$(word 9,$(ARCHIVES))),$(shell \
+  echo 'int H5open(void); int main(void) { return H5open(); }' | \
+  $(LINK) -x c -o $(BUILD)/static - -x none $(STATIC_LIBS) 2>/dev/null && echo y))
+PROGRAM_LIBS = $(if $(LINKS_STATIC),$(STATIC_LIBS),$(OVR_LIBS))
+
 $(PROGRAM): $(CLIOBJ) $(LIB)
 	$(call say,LINK  $@)
-	$(Q)$(LINK) -o $@ $(CLIOBJ) $(LIB) $(OVR_LIBS)
+	$(Q)$(LINK) -o $@ $(CLIOBJ) $(LIB) $(PROGRAM_LIBS)
 
 $(LIB): $(LIBOBJ)
 	$(call say,AR    $@)
@@ -221,6 +239,12 @@ CHECKSH   := $(filter-out $(NOT_TESTS) $(SLOW),$(wildcard tests/*/*.sh))
 ifdef ONLY
 CHECKSRC  := $(filter $(ONLY:%=tests/%.c),$(TESTSRC))
 CHECKSH   := $(filter $(ONLY:%=tests/%.sh),$(wildcard tests/*/*.sh))
+# A name that matches nothing would pass unseen.
+NO_TESTS  := $(foreach o,$(ONLY),$(if $(filter $(o:%=tests/%.c) $(o:%=tests/%.sh),\
+               $(TESTSRC) $(wildcard tests/*/*.sh)),,$(o)))
+ifneq ($(NO_TESTS),)
+$(error ONLY: no test is called $(NO_TESTS); names are as unit/kernels_test, cli/run, unit/%)
+endif
 endif
 VERIFYSRC := $(wildcard tests/verify/*_test.c)
 VERIFYSH  := $(wildcard tests/verify/*.sh)
