@@ -8,4 +8,7 @@
  * the kernel beyond the range.  Lagrange's for 2h > range or h > 6. */
 void ovr_mlmi_weights(size_t h, size_t range, double weight[]);
 
+/* The same by the fit itself, also where a table has its result. */
+void ovr_mlmi_fit_weights(size_t h, size_t range, double weight[]);
+
 #endif
