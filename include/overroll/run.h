@@ -23,6 +23,7 @@
 #include "overroll/case.h"
 #include "overroll/error.h"
 #include "overroll/memory.h"
+#include "overroll/results.h"
 #include "overroll/simulation.h"
 #include "overroll/stress.h"
 
@@ -226,6 +227,15 @@ typedef struct ovr_summary_line {
 typedef void ovr_summary_taker(void *data, const ovr_summary_line *line);
 OVR_API void ovr_run_summary(const ovr_run_info *run, ovr_summary_taker *take,
                              void *data);
+
+/* What a run says of the gear pair, cam or bearing that its case describes, as
+ * lines for people, a name and a text each: from its summary, or from that of
+ * its file.  Nothing without an element. */
+typedef void ovr_answer(void *data, const char *name, const char *text);
+OVR_API void ovr_run_answers(const ovr_run_info *run, ovr_answer *put,
+                             void *data);
+OVR_API void ovr_result_answers(ovr_result *result, ovr_answer *put,
+                                void *data);
 
 /* The part of it about what was foreseen; about the scales of a contact; about
  * the stresses below both surfaces (either may be NULL), which are those of the

@@ -404,6 +404,7 @@ typedef struct ovr_statistics {
      * in |X| < 3/4, of friction, power put in and largest rises; until when */
     double H_mean, mu_slide_mean, power_in_mean;
     double T_rise_mean, T_1_rise_mean, T_2_rise_mean, averaged;
+    double H_mean_at_H_min; /* the film in |X| < 3/4 when H_min was */
 } ovr_statistics;
 OVR_API const ovr_statistics *
 ovr_simulation_statistics(const ovr_simulation *sim);

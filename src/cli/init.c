@@ -383,6 +383,19 @@ static char *find_line(char *text, const char *section, const char *key,
     return end ? strchr(end, '\n') + 1 : NULL;
 }
 
+/* "feature.dent.depth=..." is of [feature dent]; where the key begins. */
+static const char *split(const char *setting, char *section, size_t room)
+{
+    const char *dot = strcspn(setting, "=") + setting;
+    while (dot > setting && *dot != '.')
+        dot--;
+    snprintf(section, room, "%.*s", (int)(dot - setting), setting);
+    char *inner = strchr(section, '.');
+    if (inner)
+        *inner = ' ';
+    return dot + 1;
+}
+
 /* Puts "section.key=value" into the text of a case: in place of the value that
  * stands there, before its comment, or as a line of its own. */
 static int put_value(cli_call *call, char **text, const char *setting)
@@ -392,8 +405,8 @@ static int put_value(cli_call *call, char **text, const char *setting)
     const char *dot = strchr(setting, '.');
     if (!equal || !dot || dot > equal)
         return cli_usage(call, "--set %s: write section.key=value", setting);
-    snprintf(section, sizeof section, "%.*s", (int)(dot - setting), setting);
-    snprintf(key, sizeof key, "%.*s", (int)(equal - dot - 1), dot + 1);
+    const char *name = split(setting, section, sizeof section);
+    snprintf(key, sizeof key, "%.*s", (int)(equal - name), name);
     bool found;
     char *at = find_line(*text, section, key, &found);
     const char *comment = NULL, *next = at;

@@ -361,6 +361,21 @@ static void table_stresses(const ovr_run_info *s)
             cli_put_stress(s->stress[k], s->setup);
 }
 
+static void put_answer(void *begun, const char *name, const char *text)
+{
+    if (!*(bool *)begun)
+        puts("answers:");
+    *(bool *)begun = true;
+    printf("%-17s %s\n", name, text);
+}
+
+/* Of a gear pair, cam or bearing: last, where it is looked for. */
+static void table_answers(const ovr_run_info *s)
+{
+    bool begun = false;
+    ovr_run_answers(s, put_answer, &begun);
+}
+
 static void report_table(const cli_call *call, const ovr_run_info *s)
 {
     const ovr_contact *contact = s->setup->contact;
@@ -388,6 +403,7 @@ static void report_table(const cli_call *call, const ovr_run_info *s)
     if (s->error->level)
         table_error(s->error, contact);
     printf("%-17s %.3g s\n", "time", s->seconds);
+    table_answers(s);
     if (call->verbosity > 0 && !s->transient)
         table_refinements(s);
 }

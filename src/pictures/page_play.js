@@ -151,6 +151,16 @@ function element(parent, name, kind) {
   return e;
 }
 
+// What a gear pair, cam or bearing answers; nothing of another contact.
+function tellAnswers(section, answers) {
+  if (!answers.length) return;
+  const list = element(section, "dl", "answers");
+  for (const answer of answers) {
+    element(list, "dt").textContent = answer.name;
+    element(list, "dd").textContent = answer.text;
+  }
+}
+
 function viewOf(run, number) {
   const section = element(byId("runs"), "section");
   const view = { run };
@@ -166,6 +176,7 @@ function viewOf(run, number) {
       about.append(part);
     });
   }
+  tellAnswers(section, run.made.answers.slice(0, -1));
   view.plot = element(section, "canvas", "plot");
   view.plot.setAttribute("role", "img");
   view.plot.setAttribute("aria-label", "pressure and film against x");

@@ -310,6 +310,23 @@ static bool has_stress(const ovr_stored *run)
     return asked;
 }
 
+static void put_answer(void *writer_, const char *name, const char *text)
+{
+    writer *w = writer_;
+    ovr_text_put(w->to, "{");
+    put_string(w->to, "name", name);
+    put_string(w->to, "text", text);
+    ovr_text_put(w->to, "\"kind\":0},");
+}
+
+/* Of a gear pair, cam or bearing. */
+static void put_answers(writer *w)
+{
+    ovr_text_put(w->to, "\"answers\":[");
+    ovr_result_answers(w->run->result, put_answer, w);
+    ovr_text_put(w->to, "0],");
+}
+
 static ovr_status put_run(writer *w, ovr_error *err)
 {
     double *x, *times;
@@ -326,6 +343,7 @@ static ovr_status put_run(writer *w, ovr_error *err)
     ovr_text_put(w->to, "{");
     put_string(w->to, "name", w->run->name);
     put_about(w);
+    put_answers(w);
     ovr_text_print(w->to, "\"nodes\":%zu,\"snapshots\":%zu,", w->nodes,
                    w->shots);
     put_doubles(w, "x", x, w->nodes);

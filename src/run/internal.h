@@ -59,6 +59,10 @@ ovr_listener ovr_run_message;
 /* Keeps warnings, a line each, that were said before the run was stopped. */
 void ovr_run_recall(ovr_run *run, const char *warnings);
 
+/* Of its summary, what is of a gear pair, cam or bearing. */
+void ovr_element_summary(const ovr_run_info *run, ovr_summary_taker *take,
+                         void *data);
+
 /* The numbers of its summary into its file. */
 ovr_status ovr_run_keep_summary(ovr_run *run, ovr_error *err);
 

@@ -252,6 +252,7 @@ void ovr_run_summary(const ovr_run_info *s, ovr_summary_taker *take, void *data)
         return;
     const taker to = {take, data};
     const ovr_options *options = ovr_simulation_options(s->sim);
+    const ovr_statistics *total = ovr_simulation_statistics(s->sim);
     put(&to, "converged", OVR_SUMMARY_FLAG, s->converged);
     put_text(&to, "way", ovr_simulation_strategy(s->sim));
     ovr_contact_summary(s->setup->contact, take, data);
@@ -264,6 +265,9 @@ void ovr_run_summary(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     if (s->setup->heat)
         put_count(&to, "heat_points", ovr_simulation_heat_points(s->sim));
     put_number(&to, "lambda_ratio", s->lambda_ratio);
+    if (s->transient)
+        put_number(&to, "lambda_ratio_at_H_min",
+                   s->lambda_ratio * total->H_mean_at_H_min / total->H_mean);
     put_number(&to, "shear_over_pressure", s->shear_over_pressure);
     put_number(&to, "unbearable_share", s->unbearable_share);
     if (s->passes)
@@ -276,6 +280,7 @@ void ovr_run_summary(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     put_observed(&to, s);
     put_of_width(&to, s);
     ovr_stress_summary(s->stress, s->setup, take, data);
+    ovr_element_summary(s, take, data);
     if (s->error->level)
         put_errors(&to, s->error);
     put_number(&to, "seconds", s->seconds);

@@ -29,6 +29,7 @@ void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
         s->H_min = o->H_min_located;
         s->X_H_min = o->X_min_located;
         s->T_H_min = o->T;
+        s->H_mean_at_H_min = o->H_mean;
     }
     if (first || o->film_Rq > s->film_Rq)
         s->film_Rq = o->film_Rq;

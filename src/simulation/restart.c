@@ -51,6 +51,7 @@ static const struct {
              PART("least_film", statistics.H_min),
              PART("least_film_place", statistics.X_H_min),
              PART("least_film_time", statistics.T_H_min),
+             PART("mean_film_at_least", statistics.H_mean_at_H_min),
              PART("largest_pressure", statistics.P_max),
              PART("largest_pressure_place", statistics.X_P_max),
              PART("largest_pressure_time", statistics.T_P_max),

@@ -42,3 +42,6 @@ expect 0 "$OVERROLL" check gear3.ini
 grep -q '^shift_1 = 0.1' out || fail "no shift: $(cat out)"
 refuses 'modul' init gear --set gear.modul=3mm
 refuses 'unit' init gear --set gear.module=3
+expect 0 "$OVERROLL" init bearing --set 'feature.dent.depth=0.2 um' -o own.ini
+contains own.ini '^depth = 0.2 um'
+expect 0 "$OVERROLL" check own.ini

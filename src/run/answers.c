@@ -1,0 +1,275 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The page of answers: what its user asks a gear pair, cam or bearing, told
+ * from the numbers of a summary alone, so that a run and its file say the same.
+ * What kind of element it is the numbers tell that it alone has.
+ */
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "run/internal.h"
+
+enum { LINE = 320 };
+
+typedef struct page {
+    const ovr_group_attribute *number;
+    size_t count;
+    ovr_answer *put;
+    void *data;
+    char text[LINE];
+    size_t used;
+} page;
+
+/* NAN: it is not there, or not known. */
+static double of(const page *p, const char *key)
+{
+    for (size_t k = 0; k < p->count; k++)
+        if (!p->number[k].text && !strcmp(p->number[k].name, key))
+            return p->number[k].number;
+    return NAN;
+}
+
+static bool has(const page *p, const char *key)
+{
+    return isfinite(of(p, key));
+}
+
+__attribute__((format(printf, 2, 3))) static void say(page *p,
+                                                      const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    int n = vsnprintf(p->text + p->used, LINE - p->used, format, arguments);
+    va_end(arguments);
+    if (n > 0)
+        p->used += (size_t)n;
+    if (p->used >= LINE)
+        p->used = LINE - 1;
+}
+
+/* Ends the line; one of which nothing is known is none. */
+static void end(page *p, const char *name)
+{
+    if (p->used)
+        p->put(p->data, name, p->text);
+    p->used = 0;
+    p->text[0] = '\0';
+}
+
+static bool of_gear(const page *p)
+{
+    return has(p, "contact_ratio");
+}
+
+static bool of_bearing(const page *p)
+{
+    return has(p, "heaviest_roller_N");
+}
+
+/* " 0.31 mm before the pitch point", " at 41.2 deg", or nothing. */
+static void say_place(page *p, const char *what)
+{
+    char way[40], angle[40];
+    snprintf(way, sizeof way, "way_%s_m", what);
+    snprintf(angle, sizeof angle, "angle_%s_deg", what);
+    double at = of(p, way);
+    if (fabs(at) < 5e-6)
+        say(p, " at the pitch point");
+    else if (isfinite(at))
+        say(p, " %.3g mm %s the pitch point", 1e3 * fabs(at),
+            at < 0 ? "before" : "behind");
+    if (has(p, angle))
+        say(p, " at %.4g deg", of(p, angle));
+    if (of_bearing(p) && has(p, "pass"))
+        say(p, " under roller %.0f", of(p, "pass"));
+}
+
+static void say_drive(page *p)
+{
+    double speed = of(p, "speed_rpm"), torque = of(p, "torque_N_m");
+    if (of_gear(p)) {
+        say(p, "%.4g N.m at %.4g rpm: %.4g kW; contact ratio %.4g", torque,
+            speed, 1e-3 * of(p, "power_W"), of(p, "contact_ratio"));
+        if (of(p, "overlap_ratio") > 0)
+            say(p, ", overlap ratio %.4g", of(p, "overlap_ratio"));
+        end(p, "gear pair");
+    } else if (of_bearing(p)) {
+        say(p,
+            "%.4g N at %.4g rpm: %.0f rollers carry, the heaviest of them "
+            "%.4g N",
+            of(p, "bearing_load_N"), speed, of(p, "rollers_loaded"),
+            of(p, "heaviest_roller_N"));
+        end(p, "bearing");
+    } else {
+        say(p, "%.4g rpm; lifting takes up to %.4g N.m", speed, torque);
+        end(p, "cam");
+    }
+}
+
+/* An isothermal film's friction may be no oil's. */
+static void say_loss(page *p)
+{
+    if (!has(p, "power_loss_W"))
+        return;
+    say(p, "%.4g W, ", of(p, "power_loss_W"));
+    if (of_gear(p))
+        say(p, "mean over the mesh, of the whole face; efficiency %.4g %%",
+            100 * of(p, "efficiency"));
+    else if (of_bearing(p))
+        say(p, "of one roller%s on this raceway",
+            has(p, "pass") ? "" : ", the heaviest,");
+    else
+        say(p, "mean over a turn of the cam");
+    if (of(p, "unbearable_share") > 0 && !has(p, "T_max_rise"))
+        say(p,
+            "; too much: the film's shear stress is up to %.2g of the "
+            "pressure, which no oil bears",
+            of(p, "shear_over_pressure"));
+    end(p, "lost to friction");
+}
+
+static void say_film(page *p)
+{
+    bool run = has(p, "H_min_overall_m");
+    say(p, "%.4g um", 1e6 * of(p, run ? "H_min_overall_m" : "H_min_m"));
+    say_place(p, "H_min");
+    if (has(p, "lambda_ratio_at_H_min"))
+        say(p, "; lambda ratio there %.3g, over the run %.3g",
+            of(p, "lambda_ratio_at_H_min"), of(p, "lambda_ratio"));
+    else if (has(p, "lambda_ratio"))
+        say(p, "; lambda ratio %.3g", of(p, "lambda_ratio"));
+    else
+        say(p, "; smooth surfaces have no lambda ratio");
+    end(p, "smallest film");
+}
+
+static void say_pressure(page *p)
+{
+    bool run = has(p, "P_max_overall_Pa");
+    say(p, "%.4g GPa", 1e-9 * of(p, run ? "P_max_overall_Pa" : "P_max_Pa"));
+    say_place(p, "P_max");
+    end(p, "largest pressure");
+}
+
+static void say_heat(page *p)
+{
+    double T = of(p, "T_supply_K") - 273.15;
+    if (!has(p, "T_max_rise"))
+        return;
+    say(p, "%.4g degC in the film, %.4g and %.4g degC on surfaces 1 and 2",
+        T + of(p, "T_max_rise"), T + of(p, "T_1_max_rise"),
+        T + of(p, "T_2_max_rise"));
+    end(p, "hottest");
+}
+
+/* Of a run with [stress] and [fatigue]. */
+static void say_stress(page *p)
+{
+    if (!has(p, "tau_max_Pa"))
+        return;
+    say(p, "%.4g GPa shear, %.4g GPa von Mises, below surface %.0f",
+        1e-9 * of(p, "tau_max_Pa"), 1e-9 * of(p, "von_mises_max_Pa"),
+        of(p, "surface_tau_max"));
+    end(p, "largest stress");
+    if (has(p, "utilisation"))
+        say(p, "%.3g of the limit is used", of(p, "utilisation"));
+    if (has(p, "risk_smooth"))
+        say(p, "%s%.3g in the smooth contact", p->used ? "; " : "",
+            of(p, "risk_smooth"));
+    end(p, "risk");
+    if (!has(p, "life_ratio"))
+        return;
+    say(p, "%.3g of that without the features", of(p, "life_ratio"));
+    if (has(p, "life_ratio_together"))
+        say(p, ", %.3g with all passes together", of(p, "life_ratio_together"));
+    end(p, "life");
+}
+
+static void tell(page *p)
+{
+    if (!has(p, "speed_rpm") || !has(p, "H_min"))
+        return;
+    say_drive(p);
+    say_loss(p);
+    say_film(p);
+    say_pressure(p);
+    say_heat(p);
+    say_stress(p);
+}
+
+/* ------------------------------------------------------------ from a run */
+
+enum { MOST = 256 };
+
+typedef struct numbers {
+    size_t count;
+    ovr_group_attribute of[MOST];
+} numbers;
+
+/* Keys of a summary are made as they are told: those that are asked for here
+ * are few, and copied. */
+static void collect(void *data, const ovr_summary_line *line)
+{
+    static const char *const asked[] = {"H_min",
+                                        "H_min_m",
+                                        "H_min_overall_m",
+                                        "P_max_Pa",
+                                        "P_max_overall_Pa",
+                                        "lambda_ratio",
+                                        "T_max_rise",
+                                        "T_1_max_rise",
+                                        "T_2_max_rise",
+                                        "tau_max_Pa",
+                                        "von_mises_max_Pa",
+                                        "surface_tau_max",
+                                        "utilisation",
+                                        "risk_smooth",
+                                        "life_ratio",
+                                        "torque_N_m",
+                                        "speed_rpm",
+                                        "power_W",
+                                        "efficiency",
+                                        "power_loss_W",
+                                        "contact_ratio",
+                                        "way_H_min_m",
+                                        "way_P_max_m",
+                                        "overlap_ratio",
+                                        "pass",
+                                        "angle_H_min_deg",
+                                        "angle_P_max_deg",
+                                        "T_supply_K",
+                                        "bearing_load_N",
+                                        "heaviest_roller_N",
+                                        "rollers_loaded",
+                                        "unbearable_share",
+                                        "shear_over_pressure",
+                                        "lambda_ratio_at_H_min",
+                                        "life_ratio_together"};
+    numbers *n = data;
+    for (size_t k = 0; k < sizeof asked / sizeof *asked; k++)
+        if (line->form != OVR_SUMMARY_TEXT && n->count < MOST &&
+            !strcmp(line->key, asked[k]))
+            n->of[n->count++] = (ovr_group_attribute){asked[k], NULL,
+                                                      line->number};
+}
+
+void ovr_run_answers(const ovr_run_info *run, ovr_answer *put, void *data)
+{
+    numbers n = {0, {{NULL, NULL, NAN}}};
+    if (!run || !put)
+        return;
+    ovr_run_summary(run, collect, &n);
+    tell(&(page){.number = n.of, .count = n.count, .put = put, .data = data});
+}
+
+void ovr_result_answers(ovr_result *result, ovr_answer *put, void *data)
+{
+    size_t count = 0;
+    const ovr_group_attribute *number;
+    if (!result || !put)
+        return;
+    number = ovr_result_attributes(result, "summary", &count);
+    tell(&(page){.number = number, .count = count, .put = put, .data = data});
+}
