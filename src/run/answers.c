@@ -208,45 +208,46 @@ typedef struct numbers {
     ovr_group_attribute of[MOST];
 } numbers;
 
-/* Keys of a summary are made as they are told: those that are asked for here
- * are few, and copied. */
+/* What is asked for here of a summary. */
+static const char *const asked[] = {"H_min",
+                                    "H_min_m",
+                                    "H_min_overall_m",
+                                    "P_max_Pa",
+                                    "P_max_overall_Pa",
+                                    "lambda_ratio",
+                                    "T_max_rise",
+                                    "T_1_max_rise",
+                                    "T_2_max_rise",
+                                    "tau_max_Pa",
+                                    "von_mises_max_Pa",
+                                    "surface_tau_max",
+                                    "utilisation",
+                                    "risk_smooth",
+                                    "life_ratio",
+                                    "torque_N_m",
+                                    "speed_rpm",
+                                    "power_W",
+                                    "efficiency",
+                                    "power_loss_W",
+                                    "contact_ratio",
+                                    "way_H_min_m",
+                                    "way_P_max_m",
+                                    "overlap_ratio",
+                                    "pass",
+                                    "angle_H_min_deg",
+                                    "angle_P_max_deg",
+                                    "T_supply_K",
+                                    "bearing_load_N",
+                                    "heaviest_roller_N",
+                                    "rollers_loaded",
+                                    "unbearable_share",
+                                    "shear_over_pressure",
+                                    "lambda_ratio_at_H_min",
+                                    "life_ratio_together"};
+
+/* The texts of keys last as long as the call. */
 static void collect(void *data, const ovr_summary_line *line)
 {
-    static const char *const asked[] = {"H_min",
-                                        "H_min_m",
-                                        "H_min_overall_m",
-                                        "P_max_Pa",
-                                        "P_max_overall_Pa",
-                                        "lambda_ratio",
-                                        "T_max_rise",
-                                        "T_1_max_rise",
-                                        "T_2_max_rise",
-                                        "tau_max_Pa",
-                                        "von_mises_max_Pa",
-                                        "surface_tau_max",
-                                        "utilisation",
-                                        "risk_smooth",
-                                        "life_ratio",
-                                        "torque_N_m",
-                                        "speed_rpm",
-                                        "power_W",
-                                        "efficiency",
-                                        "power_loss_W",
-                                        "contact_ratio",
-                                        "way_H_min_m",
-                                        "way_P_max_m",
-                                        "overlap_ratio",
-                                        "pass",
-                                        "angle_H_min_deg",
-                                        "angle_P_max_deg",
-                                        "T_supply_K",
-                                        "bearing_load_N",
-                                        "heaviest_roller_N",
-                                        "rollers_loaded",
-                                        "unbearable_share",
-                                        "shear_over_pressure",
-                                        "lambda_ratio_at_H_min",
-                                        "life_ratio_together"};
     numbers *n = data;
     for (size_t k = 0; k < sizeof asked / sizeof *asked; k++)
         if (line->form != OVR_SUMMARY_TEXT && n->count < MOST &&
