@@ -176,7 +176,7 @@ expect 0 "$OVERROLL" init bearing --set domain.level=6 --set time.end=8 \
     --set passes.number=3 --set feature.dent.width=0.6 \
     --set feature.dent.start=-6 -o bearing.ini
 expect 0 "$OVERROLL" run bearing.ini -o bearing.h5
-contains out '^bearing +4450 N at 1000 rpm: [35] rollers carry, the heav.* 1967 N'
+contains out '^bearing +4450 N at 1000 rpm: [35] rollers carry, .* 1967 N'
 contains out '^smallest film +.* under roller 3'
 
 # Another contact has none.
