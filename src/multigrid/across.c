@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "base/larger.h"
 #include "contact/flow_law.h"
 #include "multigrid/expansion.h"
 #include "multigrid/flow.h"
@@ -146,7 +147,7 @@ static double eyring(const ovr_across *a, const ovr_sheet *sheet, double Y,
     const double most = 200; /* in powers of e */
     double g = sheet->H * sheet->P_X / (2 * sheet->Sigma0), A = 0, B = 0;
     double b = -sheet->V * Y / sheet->Sigma0, square, root, sinh_a, cosh_a;
-    g = fmax(-most, fmin(g, most));
+    g = ovr_larger(-most, ovr_smaller(most, g));
     for (int j = 0; j < a->n; j++) {
         A += a->w[j] * r[j] * cosh(g * a->s[j]);
         B += a->w[j] * r[j] * sinh(g * a->s[j]);
@@ -182,7 +183,7 @@ static double by_law(const ovr_across *across, const ovr_sheet *sheet, double Y,
 {
     const ovr_curve *f = &sheet->law->f;
     double g = sheet->H * sheet->P_X / (2 * sheet->Sigma0), by_a;
-    g = fmax(-300, fmin(g, 300)); /* as far as tables go */
+    g = ovr_larger(-300, ovr_smaller(300, g)); /* as far as tables go */
     double b = -sheet->V * Y / sheet->Sigma0, uniform = fabs(b) / m[0];
     double high = fabs(g) + uniform, low = -high;
     double a = copysign(ovr_flow_stress(sheet->law, uniform, g), b);
@@ -236,9 +237,9 @@ static void ratios(const ovr_across *a, const ovr_heat *heat,
     for (int j = 0; j < a->n; j++) {
         double ln = log_eta -
                     ovr_heat_log_viscosity(heat, sheet->log_eta, T[j]);
-        r[j] = exp(fmax(-100, fmin(ln, 100)));
+        r[j] = exp(ovr_larger(-100, ovr_smaller(100, ln)));
     }
-    flow->log_eta = fmin(log_eta, 300);
+    flow->log_eta = ovr_smaller(300, log_eta);
 }
 
 void ovr_flow_across_film(const ovr_across *a, const ovr_heat *heat,
@@ -258,9 +259,9 @@ void ovr_flow_across_film(const ovr_across *a, const ovr_heat *heat,
     Y = sheet->lambda * exp(flow->log_eta) / (12 * sheet->H);
     flow->even = uniform(a, sheet, Y, flow->m[0]);
     flow->t = stressed(a, sheet, Y, r, flow->m, rate);
-    most = fmax(sheet->limit - fabs(G), 0);
-    flow->t = fmax(-most, fmin(flow->t, most));
-    flow->even = fmax(-most, fmin(flow->even, most));
+    most = ovr_larger(sheet->limit - fabs(G), 0);
+    flow->t = ovr_larger(-most, ovr_smaller(most, flow->t));
+    flow->even = ovr_larger(-most, ovr_smaller(most, flow->even));
     for (int j = 0; j < a->n; j++) {
         flow->heating[j] = (flow->t + G * a->s[j]) * rate[j];
         flow->u[j] = sheet->u1;

@@ -4,6 +4,7 @@
 
 #include "multigrid/plain.h"
 
+#include "base/larger.h"
 #include "contact/laws/fluid.h"
 #include "contact/laws/law.h"
 #include "multigrid/across.h"
@@ -118,7 +119,7 @@ double ovr_column_travel(const ovr_columns *c, int j, size_t i)
     if (!(c->least_u > 0))
         return c->dT;
     return (i ? c->X[i] - c->X[i - 1] : c->X[1] - c->X[0]) /
-           fmax(c->both_ways ? fabs(u) : u, c->least_u);
+           ovr_larger(c->both_ways ? fabs(u) : u, c->least_u);
 }
 
 void ovr_column_heat(const ovr_columns *c, size_t i)
@@ -130,7 +131,7 @@ void ovr_column_heat(const ovr_columns *c, size_t i)
     int n = c->across->n;
     double cooling = c->heat->theta * c->fall[i] / c->q[i];
     for (int j = 0; j < n; j++) {
-        double rate = fmax(0, cooling * c->heating[j][i]);
+        double rate = ovr_larger(0, cooling * c->heating[j][i]);
         double travel = ovr_column_travel(c, j, i);
         flow.u[j] = c->u[j][i];
         flow.heating[j] = c->heating[j][i];

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Heat in a steady contact (equations in heat.h). */
+#include "base/larger.h"
 #include "base/sized.h"
 #include "simulation/heat_in_time.h"
 #include "simulation/heat_turns.h"
@@ -194,7 +195,7 @@ static void fade(const ovr_simulation *sim, double *turned)
 {
     const double low = 0.005; /* p_h */
     for (size_t i = 0; i < sim->now.n; i++)
-        turned[i] *= fmax(0, fmin(sim->now.P[i] / low, 1));
+        turned[i] *= ovr_larger(0, ovr_smaller(1, sim->now.P[i] / low));
 }
 
 void ovr_heat_apply(ovr_simulation *sim)
@@ -217,9 +218,9 @@ double ovr_heat_relax(ovr_simulation *sim, double share)
         for (size_t i = 0; i < sim->now.n; i++) {
             double d = h->T[j][i] - h->used[j][i];
             double limit = most * fabs(h->used[j][i]) + least;
-            change = fmax(change, fabs(d));
-            rise = fmax(rise, fabs(h->T[j][i]));
-            h->used[j][i] += fmax(-limit, fmin(share * d, limit));
+            change = ovr_larger(change, fabs(d));
+            rise = ovr_larger(rise, fabs(h->T[j][i]));
+            h->used[j][i] += ovr_larger(-limit, ovr_smaller(share * d, limit));
         }
     return change / rise;
 }
@@ -285,7 +286,7 @@ static double last_across(const ovr_simulation *sim, double rise)
         double a = 0;
         for (int j = 0; j < h->across.n; j++)
             a += h->across.last[j] * h->T[j][i];
-        most = fmax(most, fabs(a));
+        most = ovr_larger(most, fabs(a));
     }
     return rise > 0 ? most / rise : 0;
 }
@@ -302,7 +303,7 @@ static void observe_points(ovr_simulation *sim, const ovr_observation *o)
     ovr_statistics *s = &sim->statistics;
     double x = last_across(sim, o->T_max_rise);
     if (ovr_heat_uneven(x, o->T_max_rise))
-        s->last_across = fmax(s->last_across, x);
+        s->last_across = ovr_larger(s->last_across, x);
 }
 
 int ovr_simulation_heat_points(const ovr_simulation *sim)
@@ -341,8 +342,8 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
     o->heat_flow_1 = flow_into(sim, 0);
     o->heat_flow_2 = flow_into(sim, 1);
     stored = h->steps->dT > 0 ? h->steps->stored : ovr_heat_stored(sim);
-    h->balanced = fmax(h->made_size,
-                       fabs(o->heat_flow_1) + fabs(o->heat_flow_2));
+    h->balanced = ovr_larger(h->made_size,
+                             fabs(o->heat_flow_1) + fabs(o->heat_flow_2));
     if (h->balanced > 0)
         o->energy_defect =
             (h->made - stored - o->heat_flow_1 - o->heat_flow_2) / h->balanced;
@@ -464,7 +465,8 @@ static void take_turns(ovr_simulation *sim, const ovr_full *how,
             break;
     }
     if (!(change < enough))
-        outcome->defect.imbalance = fmax(outcome->defect.imbalance, change);
+        outcome->defect.imbalance = ovr_larger(outcome->defect.imbalance,
+                                               change);
 }
 
 /* The same temperatures at more points. */
@@ -492,7 +494,7 @@ static double largest_rise(const ovr_simulation *sim)
     double rise = 0;
     for (int j = 0; j < h->across.n; j++)
         for (size_t i = 0; i < sim->now.n; i++)
-            rise = fmax(rise, h->T[j][i]);
+            rise = ovr_larger(rise, h->T[j][i]);
     return rise;
 }
 

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/larger.h"
 #include "multigrid/expansion.h"
 #include "simulation/heat.h"
 #include "simulation/physics.h"
@@ -49,10 +50,10 @@ static void fill_oil(ovr_simulation *sim)
             continue;
         }
         if (conserves) /* of density 1 */
-            h->content[i] = h->oil[i] = fmax(now->q[i], 1e-6);
+            h->content[i] = h->oil[i] = ovr_larger(1e-6, now->q[i]);
         else if (left < now->q[i]) {
-            h->oil[i] *= fmax(left, 1e-6) / now->q[i];
-            h->content[i] = fmax(left, 1e-6);
+            h->oil[i] *= ovr_larger(1e-6, left) / now->q[i];
+            h->content[i] = ovr_larger(1e-6, left);
         }
     }
 }

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/larger.h"
 #include "simulation/mirror.h"
 
 /* Of the change of temperatures that viscosities take a step. */
@@ -178,7 +179,8 @@ static void hold_film(ovr_simulation *sim)
     ovr_solution *now = &sim->now;
     for (size_t i = 1; i + 1 < now->n; i++) {
         double least = share *
-                       fmin(before[i], fmin(before[i - 1], before[i + 1]));
+                       ovr_smaller(before[i],
+                                   ovr_smaller(before[i - 1], before[i + 1]));
         if (!(now->P[i] > 0) || now->q[i] >= least)
             continue;
         now->H[i] = now->H[i] != 0 ? least * now->H[i] / now->q[i] : least;
@@ -243,8 +245,8 @@ static double lag(const ovr_simulation *sim)
     for (int j = 0; j < h->across.n; j++)
         for (size_t i = 0; i < sim->now.n; i++)
             if (sim->now.P[i] > PRESSED)
-                most = fmax(most,
-                            h->film.fall[i] * fabs(h->T[j][i] - h->used[j][i]));
+                most = ovr_larger(most, h->film.fall[i] *
+                                            fabs(h->T[j][i] - h->used[j][i]));
     return most;
 }
 
@@ -302,10 +304,10 @@ void ovr_heat_anew(ovr_simulation *sim)
 static bool load_jumped(const ovr_simulation *sim, double T)
 {
     const double while_after = 0.25, steps = 5, much = 0.01;
-    double since = T - fmax(while_after, steps * sim->past.dT);
-    double before = ovr_history_value(sim->load, fmax(since, 0));
+    double since = T - ovr_larger(while_after, steps * sim->past.dT);
+    double before = ovr_history_value(sim->load, ovr_larger(since, 0));
     double now = ovr_history_value(sim->load, T);
-    return fabs(now - before) > much * fmax(now, before);
+    return fabs(now - before) > much * ovr_larger(now, before);
 }
 
 bool ovr_heat_lags(ovr_simulation *sim)
@@ -314,7 +316,7 @@ bool ovr_heat_lags(ovr_simulation *sim)
     const ovr_observation *o = &sim->observation;
     ovr_heat_steps *s = sim->heated->steps;
     double left = fabs(o->energy_defect) * sim->heated->balanced;
-    s->most_balanced = fmax(s->most_balanced, sim->heated->balanced);
+    s->most_balanced = ovr_larger(s->most_balanced, sim->heated->balanced);
     return s->lag > far ||
            (left > open * s->most_balanced && !load_jumped(sim, o->T));
 }

@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "base/larger.h"
 #include "simulation/heat.h"
 
 ovr_status ovr_heat_turns_take(ovr_simulation *sim, ovr_error *err)
@@ -114,7 +115,7 @@ static void move(ovr_heated *h, size_t n, const double *g)
             }
             t->u[0][j][i] = u;
             t->r[0][j][i] = r;
-            h->used[j][i] = u + fmax(-limit, fmin(step, limit));
+            h->used[j][i] = u + ovr_larger(-limit, ovr_smaller(step, limit));
         }
 }
 
@@ -125,8 +126,8 @@ static double largest_rest(const ovr_heated *h, size_t n)
     double rest = 0, rise = 1e-300;
     for (int j = 0; j < h->across.n; j++)
         for (size_t i = 0; i < n; i++) {
-            rest = fmax(rest, fabs(h->T[j][i] - h->used[j][i]));
-            rise = fmax(rise, fabs(h->T[j][i]));
+            rest = ovr_larger(rest, fabs(h->T[j][i] - h->used[j][i]));
+            rise = ovr_larger(rise, fabs(h->T[j][i]));
         }
     return rest / rise;
 }
