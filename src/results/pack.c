@@ -4,6 +4,10 @@
 #include <limits.h>
 #include <string.h>
 
+#define ZLIB_CONST /* what is unpacked is not changed */
+#include <zlib.h>
+
+/* For zlib, which unpacks. */
 static voidpf take(voidpf arena, uInt items, uInt size)
 {
     return ovr_arena_take(arena, items, size, NULL);
@@ -19,7 +23,7 @@ static void keep(voidpf arena, voidpf memory)
 ovr_status ovr_packer_prepare(ovr_packer *packer, size_t bytes, int level,
                               ovr_arena *arena, ovr_error *err)
 {
-    packer->ready = false;
+    packer->deflate = NULL;
     packer->bytes = bytes;
     if (level <= 0)
         return OVR_OK;
@@ -30,14 +34,11 @@ ovr_status ovr_packer_prepare(ovr_packer *packer, size_t bytes, int level,
                         bytes);
     packer->shuffled = ovr_arena_take(arena, bytes, 1, err);
     packer->packed = ovr_arena_take(arena, bytes, 1, err);
-    packer->stream.zalloc = take;
-    packer->stream.zfree = keep;
-    packer->stream.opaque = arena;
-    if (!packer->shuffled || !packer->packed ||
-        deflateInit(&packer->stream, level) != Z_OK)
+    if (packer->shuffled && packer->packed)
+        packer->deflate = libdeflate_alloc_compressor(level);
+    if (!packer->deflate)
         return ovr_fail(err, OVR_NO_MEMORY,
                         "out of memory: compression of %zu bytes", bytes);
-    packer->ready = true;
     return OVR_OK;
 }
 
@@ -53,24 +54,19 @@ static void shuffle(unsigned char *to, const unsigned char *from, size_t count,
 size_t ovr_pack(ovr_packer *packer, const void *values, size_t count,
                 size_t size)
 {
-    z_stream *stream = &packer->stream;
     size_t bytes = count * size;
-    if (!packer->ready || bytes < 2 || bytes > packer->bytes)
+    if (!packer->deflate || bytes < 2 || bytes > packer->bytes)
         return 0;
     shuffle(packer->shuffled, values, count, size);
-    deflateReset(stream);
-    stream->next_in = packer->shuffled;
-    stream->avail_in = (uInt)bytes;
-    stream->next_out = packer->packed;
-    stream->avail_out = (uInt)bytes - 1;
-    return deflate(stream, Z_FINISH) == Z_STREAM_END ? stream->total_out : 0;
+    return libdeflate_zlib_compress(packer->deflate, packer->shuffled, bytes,
+                                    packer->packed, bytes - 1);
 }
 
 void ovr_packer_release(ovr_packer *packer)
 {
-    if (packer->ready)
-        deflateEnd(&packer->stream);
-    packer->ready = false;
+    if (packer->deflate) /* older versions do not take NULL */
+        libdeflate_free_compressor(packer->deflate);
+    packer->deflate = NULL;
 }
 
 static bool inflate_all(const unsigned char *chunk, size_t bytes,

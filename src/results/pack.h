@@ -9,19 +9,18 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#define ZLIB_CONST /* what is unpacked is not changed */
-#include <zlib.h>
+#include <libdeflate.h>
 
 #include "base/arena.h"
 
 typedef struct ovr_packer {
-    z_stream stream;
-    bool ready;
+    struct libdeflate_compressor *deflate; /* NULL: nothing is packed */
     unsigned char *shuffled, *packed;
     size_t bytes; /* of one chunk */
 } ovr_packer;
 
-/* All memory that packing will need, zlib's included, comes from the arena. */
+/* The memory that packing will need comes from the arena, but for what
+ * libdeflate takes (some 200 KB), which ovr_packer_release gives back. */
 ovr_status ovr_packer_prepare(ovr_packer *packer, size_t bytes, int level,
                               ovr_arena *arena, ovr_error *err);
 
