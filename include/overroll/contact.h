@@ -119,6 +119,7 @@ typedef struct ovr_kind_info {
     const char *name;     /* "pressure"; in result files */
     const char *si;       /* "Pa" */
     const char *hertzian; /* "ph" */
+    const char *suffix;   /* "_Pa": of JSON keys in SI; "": those have none */
 } ovr_kind_info;
 OVR_API const ovr_kind_info *ovr_kind_about(ovr_unit_kind kind);
 OVR_API ovr_unit_kind ovr_kind_named(const char *name);

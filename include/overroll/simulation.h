@@ -84,7 +84,7 @@ typedef struct ovr_options {
                              OVR_UPSTREAM2; steady solutions are the same */
     int order; /* 2; 4: corrected (fourth_order.h), with second-order schemes,
                   the line smoother and no fixed number of cycles only; 0: 4
-                  where it applies; always 2 where there is a flow law */
+                  where it applies, with a flow law too */
     ovr_smoother smoother;
     int cycle_index;                 /* 1: V, 2: W */
     int sweeps_before, sweeps_after; /* 0, 0: line 1, 1; hybrid 2, 2 */
@@ -314,7 +314,9 @@ typedef struct ovr_observation {
     int refined_level;   /* of the finest */
     double spike_change; /* of the spike's height by the last level, relative */
     double more[OVR_MORE]; /* of physics without members of their own */
-    double H_mean; /* in |X| < 3/4, less where the contact is narrower */
+    double H_mean;       /* in |X| < 3/4, less where the contact is narrower */
+    double lambda_ratio; /* of that over the composite roughness of both
+                            surfaces; NAN: not known, or nothing is rough */
 } ovr_observation;
 OVR_API const ovr_observation *
 ovr_simulation_observation(const ovr_simulation *sim);
@@ -358,9 +360,26 @@ enum {
 };
 OVR_API unsigned ovr_options_physics(const ovr_options *options);
 
-/* One row a quantity: result files, JSON, tables and help are made from this
- * list.  A number a step is a member of ovr_observation; the values of a field
- * are made when they are asked for. */
+/* Which extreme of a number is kept over a run. */
+typedef enum ovr_sense {
+    OVR_NO_EXTREME,
+    OVR_SMALLEST,
+    OVR_LARGEST,
+    OVR_OF_MAGNITUDE /* the value farthest from zero */
+} ovr_sense;
+
+/* Columns that a number has in the file of several passes, as bits. */
+enum {
+    OVR_PASS_MEAN = 1,
+    OVR_PASS_SMALLEST = 2,
+    OVR_PASS_LARGEST = 4,
+    OVR_PASS_END = 8 /* its value at the end */
+};
+
+/* One row a quantity: result files, JSON, reports, tables of passes and
+ * studies, checkpoints and help are made from this list.  A number a step is a
+ * member of ovr_observation; the values of a field are made when they are asked
+ * for. */
 typedef struct ovr_observable {
     size_t size;           /* of this struct */
     const char *name;      /* "min_film_thickness"; NULL: not in files */
@@ -373,7 +392,19 @@ typedef struct ovr_observable {
     /* Of a field: its values now, at all nodes (half nodes: one less); where
      * they lie already, or in `room` for as many values. */
     const double *(*field)(const ovr_simulation *sim, double *room);
-    unsigned needs; /* physics without which it is not known; 0: none */
+    unsigned needs;    /* physics without which it is not known; 0: none */
+    const char *label; /* of its line in reports; NULL: it has none */
+    const char *note;  /* behind the number there; or NULL */
+    size_t place;      /* where it is: another member's offset; 0: nowhere */
+    /* Over a run, of a number that is a double: its extreme, with where and
+     * when that was, and its mean; their JSON keys, NULL: not kept. */
+    ovr_sense extreme;
+    const char *extreme_key, *mean_key;
+    const char *extreme_label, *mean_label; /* in reports, or NULL */
+    const char *saved; /* what the extreme was called in checkpoints of before
+                          0.3.0; NULL: its key */
+    bool steady;       /* these are told of a steady solution too */
+    unsigned pass;     /* columns in the file of several passes */
 } ovr_observable;
 
 /* NULL past the end; a field by name, or NULL. */
@@ -383,47 +414,47 @@ OVR_API const ovr_observable *ovr_observable_field(const char *name);
 OVR_API double ovr_observable_value(const ovr_observable *which,
                                     const ovr_observation *from);
 
-/* Totals and extremes since the steady start, which counts. */
+/* Totals, extremes and means since the steady start, which counts.  Of an
+ * extreme the member that the quantity has in an observation is its value in
+ * `extreme`, its place in `where`, its time in `when`; its mean is in `mean`.
+ * What is not kept is 0. */
 typedef struct ovr_statistics {
     size_t size; /* of this struct */
     long steps, cycles, retries, substeps, marked;
-    double H_min, X_H_min, T_H_min; /* smallest film, located as in the history;
-                                       where and when */
-    double P_max, X_P_max, T_P_max; /* largest pressure at a node */
-    double film_Rq;                 /* largest; NAN: smooth surfaces */
-    double load_error, T_load_error; /* of largest magnitude */
-    double mu_slide, T_mu_slide;
-    /* heat, NAN without: largest rises of film and surfaces, defect of the
-     * energy balance of largest magnitude */
-    double T_rise, T_1_rise, T_2_rise, energy_defect;
-    bool settled; /* a march until steady ended because it was */
-    long lagging; /* steps marked for temperatures that are not their film's */
+    bool settled;       /* a march until steady ended because it was */
+    long lagging;       /* steps marked for temperatures not their film's */
     double last_across; /* heat: largest Legendre coefficient of the highest
                            degree across, over the rise; 0: less than 0.05 */
-    /* means over the run, each value for the step that led to it: of the film
-     * in |X| < 3/4, of friction, power put in and largest rises; until when */
-    double H_mean, mu_slide_mean, power_in_mean;
-    double T_rise_mean, T_1_rise_mean, T_2_rise_mean, averaged;
-    double H_mean_at_H_min; /* the film in |X| < 3/4 when H_min was */
+    double averaged;    /* until when there are means */
+    ovr_observation extreme, where, when, mean;
+    double
+        H_mean_at_H_min; /* the film in |X| < 3/4 when H_min_located was least
+                          */
 } ovr_statistics;
 OVR_API const ovr_statistics *
 ovr_simulation_statistics(const ovr_simulation *sim);
 
-/* One row an extreme: attributes of result files, JSON and tables are made
- * from this list. */
+/* A number that is kept over a run: attributes of result files, JSON and tables
+ * are made from these.  They follow from the rows of the quantities. */
+typedef enum ovr_kept_part {
+    OVR_KEPT_EXTREME,
+    OVR_KEPT_PLACE,
+    OVR_KEPT_TIME,
+    OVR_KEPT_MEAN
+} ovr_kept_part;
 typedef struct ovr_extreme {
-    size_t size;           /* of this struct */
-    const char *key;       /* "P_max_overall"; of JSON, and an attribute */
-    const char *key_si;    /* the same in SI; NULL: a pure number */
-    const char *long_name; /* one line for people */
+    size_t size;         /* of this struct */
+    char key[48];        /* "P_max_overall"; of JSON, and an attribute */
+    char key_si[64];     /* the same in SI; "": a pure number */
+    char long_name[160]; /* one line for people */
+    char saved[48];      /* its name in checkpoints */
     ovr_unit_kind kind;
-    bool steady;    /* told of a steady solution too */
-    size_t offset;  /* in ovr_statistics */
-    unsigned needs; /* physics without which it is not there */
+    ovr_kept_part part;
+    const ovr_observable *of;
 } ovr_extreme;
 
-/* NULL past the end. */
-OVR_API const ovr_extreme *ovr_extreme_at(size_t k);
+/* false past the end, or without `to`. */
+OVR_API bool ovr_extreme_at(size_t k, ovr_extreme *to);
 OVR_API double ovr_extreme_value(const ovr_extreme *which,
                                  const ovr_statistics *from);
 

@@ -249,8 +249,10 @@ OVR_API double ovr_surfaces_wavelength(const ovr_surfaces *surfaces);
  * over its wavelength; NAN: nothing moves.  For ovr_simulation_moving. */
 OVR_API double ovr_surfaces_speed(const ovr_surfaces *surfaces);
 
-/* Composite roughness Rq of both surfaces, b^2/R: the root of the sum of the
- * squares; 0 without any that is rough. */
+/* Composite roughness Rq of both surfaces, b^2/R, before the grid's filter: the
+ * root of the sum of the squares, of each feature the root mean square of what
+ * is left where the mean is taken out of windows of 2 b; 0 without any that is
+ * rough. */
 OVR_API double ovr_surfaces_roughness(const ovr_surfaces *surfaces);
 
 /* Name of the first feature that is in inlet < X < outlet at T = 0 with more

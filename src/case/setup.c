@@ -309,6 +309,7 @@ ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
     if (setup->surfaces) {
         ovr_simulation_surface(sim, ovr_surfaces_heights, setup->surfaces);
         ovr_simulation_moving(sim, ovr_surfaces_speed(setup->surfaces));
+        sim->roughness = ovr_surfaces_roughness(setup->surfaces);
     }
     if (setup->transient)
         ovr_simulation_standing(sim,

@@ -236,7 +236,7 @@ static void put_extreme(const char *name, double value, ovr_unit_kind kind,
 static void put_rough_film(const ovr_run_info *s)
 {
     const ovr_rough_film *said = s->foreseen;
-    double film_Rq = ovr_simulation_statistics(s->sim)->film_Rq;
+    double film_Rq = ovr_simulation_statistics(s->sim)->extreme.film_Rq;
     if (!s->setup->features)
         return;
     put_value("film roughness", film_Rq, OVR_KIND_HEIGHT, s->setup->contact);
@@ -253,12 +253,13 @@ static void put_rough_film(const ovr_run_info *s)
 static void put_means(const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
-    put_value("mean film", total->H_mean, OVR_KIND_HEIGHT, s->setup->contact);
+    put_value("mean film", total->mean.H_mean, OVR_KIND_HEIGHT,
+              s->setup->contact);
     fputs("in |X| < 3/4", stdout);
-    if (fabs(total->mu_slide_mean) > 0 && !absurd_friction(s))
-        printf("; mean friction coeff. %.4g", total->mu_slide_mean);
+    if (fabs(total->mean.mu_slide) > 0 && !absurd_friction(s))
+        printf("; mean friction coeff. %.4g", total->mean.mu_slide);
     if (s->setup->heat)
-        printf("; mean of the largest rises %.4g K", total->T_rise_mean);
+        printf("; mean of the largest rises %.4g K", total->mean.T_max_rise);
     putchar('\n');
 }
 
@@ -268,14 +269,14 @@ static void table_run(const ovr_run_info *s)
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
     const ovr_contact *contact = s->setup->contact;
     puts("over the run:");
-    put_extreme("largest pressure", total->P_max, OVR_KIND_PRESSURE,
-                total->X_P_max, total->T_P_max, contact);
-    put_extreme("smallest film", total->H_min, OVR_KIND_HEIGHT, total->X_H_min,
-                total->T_H_min, contact);
+    put_extreme("largest pressure", total->extreme.P_max, OVR_KIND_PRESSURE,
+                total->where.P_max, total->when.P_max, contact);
+    put_extreme("smallest film", total->extreme.H_min_located, OVR_KIND_HEIGHT,
+                total->where.H_min_located, total->when.H_min_located, contact);
     put_means(s);
     put_rough_film(s);
-    put_extreme("load error", total->load_error, OVR_KIND_NUMBER, NAN,
-                total->T_load_error, contact);
+    put_extreme("load error", total->extreme.load_error, OVR_KIND_NUMBER, NAN,
+                total->when.load_error, contact);
     printf("%-17s %-12ld %ld cycles, %ld retries, %ld marked\n", "steps",
            total->steps, total->cycles, total->retries, total->marked);
     if (s->output)

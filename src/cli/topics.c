@@ -52,9 +52,10 @@ static const struct {
      "b^2/R and, where the case is physical, in metres; H_min_overall is the "
      "smallest\nof a whole run.  'overroll check' gives it by formulas before "
      "anything is solved.\nWith roughness, lambda_ratio is the mean film in "
-     "|X| < 3/4, and over the run,\nover the composite Rq of both surfaces on "
-     "the mesh.  What is\nstored of it: [output] fields; 'overroll plot' "
-     "draws it."},
+     "|X| < 3/4, and over the run,\nover the composite Rq of both surfaces, "
+     "what is longer than "
+     "the contact left\nout; lambda_ratio_min is the smallest.  What is stored "
+     "of it: [output] fields;\n'overroll plot' draws it."},
     {"life",
      "Stresses below a surface and what they do to the material:\n"
      "    [stress]\n    surface = 1\n    [fatigue]\n    criterion = circle\n"

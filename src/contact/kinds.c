@@ -6,27 +6,28 @@
 #include "base/sized.h"
 #include "overroll/contact.h"
 
-#define ROW(name, si, hertzian)                                                \
+#define ROW(name, si, hertzian, suffix)                                        \
     {                                                                          \
-        sizeof(ovr_kind_info), name, si, hertzian                              \
+        sizeof(ovr_kind_info), name, si, hertzian, suffix                      \
     }
 static const ovr_kind_info kinds[OVR_KINDS + 1] = {
-    [OVR_KIND_NUMBER] = ROW("number", "1", "1"),
-    [OVR_KIND_COUNT] = ROW("count", "1", "1"),
-    [OVR_KIND_FLAG] = ROW("flag", "1", "1"),
-    [OVR_KIND_LENGTH] = ROW("length", "m", "b"),
-    [OVR_KIND_HEIGHT] = ROW("height", "m", "b^2/R"),
-    [OVR_KIND_PRESSURE] = ROW("pressure", "Pa", "ph"),
-    [OVR_KIND_TIME] = ROW("time", "s", "b/um"),
-    [OVR_KIND_VISCOSITY] = ROW("viscosity", "Pa s", "eta0"),
-    [OVR_KIND_FLOW] = ROW("flow", "m2 s-1", "um b^2/R"),
-    [OVR_KIND_SHEAR] = ROW("shear stress", "Pa", "ph b/R"),
-    [OVR_KIND_FORCE] = ROW("friction force", "N m-1", "ph b^2/R"),
-    [OVR_KIND_POWER] = ROW("friction power", "W m-1", "um ph b^2/R"),
-    [OVR_KIND_TEMPERATURE] = ROW("temperature", "K", "K"),
-    [OVR_KIND_HEAT] = ROW("heat flux", "W m-2", "um ph b/R"),
-    [OVR_KIND_AREA] = ROW("area", "m2", "b^3/R"),
-    [OVR_KINDS] = ROW("", "1", "1")};
+    [OVR_KIND_NUMBER] = ROW("number", "1", "1", ""),
+    [OVR_KIND_COUNT] = ROW("count", "1", "1", ""),
+    [OVR_KIND_FLAG] = ROW("flag", "1", "1", ""),
+    [OVR_KIND_LENGTH] = ROW("length", "m", "b", "_m"),
+    [OVR_KIND_HEIGHT] = ROW("height", "m", "b^2/R", "_m"),
+    [OVR_KIND_PRESSURE] = ROW("pressure", "Pa", "ph", "_Pa"),
+    [OVR_KIND_TIME] = ROW("time", "s", "b/um", "_s"),
+    [OVR_KIND_VISCOSITY] = ROW("viscosity", "Pa s", "eta0", "_Pa_s"),
+    [OVR_KIND_FLOW] = ROW("flow", "m2 s-1", "um b^2/R", "_m2_per_s"),
+    [OVR_KIND_SHEAR] = ROW("shear stress", "Pa", "ph b/R", "_Pa"),
+    [OVR_KIND_FORCE] = ROW("friction force", "N m-1", "ph b^2/R", "_N_per_m"),
+    [OVR_KIND_POWER] = ROW("friction power", "W m-1", "um ph b^2/R",
+                           "_W_per_m"),
+    [OVR_KIND_TEMPERATURE] = ROW("temperature", "K", "K", ""),
+    [OVR_KIND_HEAT] = ROW("heat flux", "W m-2", "um ph b/R", "_W_per_m2"),
+    [OVR_KIND_AREA] = ROW("area", "m2", "b^3/R", "_m2"),
+    [OVR_KINDS] = ROW("", "1", "1", "")};
 
 const ovr_kind_info *ovr_kind_about(ovr_unit_kind kind)
 {

@@ -302,16 +302,16 @@ static bool set_conventions(hid_t root, const ovr_file_plan *plan)
 bool ovr_header_extremes(hid_t root, const ovr_scales *scales,
                          const ovr_statistics *total)
 {
-    const ovr_extreme *e;
+    ovr_extreme e;
     bool ok = true;
-    for (size_t k = 0; ok && (e = ovr_extreme_at(k)); k++) {
-        double value = total ? ovr_extreme_value(e, total) : NAN;
-        double si = value * ovr_kind_scale(e->kind, &scales->contact);
-        if (e->needs && isnan(value))
+    for (size_t k = 0; ok && ovr_extreme_at(k, &e); k++) {
+        double value = total ? ovr_extreme_value(&e, total) : NAN;
+        double si = value * ovr_kind_scale(e.kind, &scales->contact);
+        if (e.of->needs && isnan(value))
             continue;
-        ok = ovr_h5_put_number(root, e->key, value) &&
-             (!scales->physical || !e->key_si ||
-              ovr_h5_put_number(root, e->key_si, si));
+        ok = ovr_h5_put_number(root, e.key, value) &&
+             (!scales->physical || !*e.key_si ||
+              ovr_h5_put_number(root, e.key_si, si));
     }
     return ok;
 }

@@ -222,19 +222,18 @@ static void judge_end(ovr_run_errors *errors, const level_run *r,
     }
 }
 
-/* Over the whole run; places and times are none, and the error of the mean film
- * is that of the central one. */
+/* Of the extremes of films and pressures over the whole run. */
 static void judge_extremes(ovr_run_errors *errors, const level_run *r,
                            const measure *m)
 {
-    const ovr_extreme *row;
-    for (size_t k = 0; (row = ovr_extreme_at(k)); k++) {
+    ovr_extreme e;
+    for (size_t k = 0; ovr_extreme_at(k, &e); k++) {
         double v[LEVELS];
         for (int i = 0; i < LEVELS; i++)
-            v[i] = r[i].solved ? ovr_extreme_value(row, &r[i].total) : NAN;
-        if ((row->kind == OVR_KIND_HEIGHT || row->kind == OVR_KIND_PRESSURE) &&
-            row->offset != offsetof(ovr_statistics, H_mean))
-            add(errors, judge(row->key, row->kind, m, v));
+            v[i] = r[i].solved ? ovr_extreme_value(&e, &r[i].total) : NAN;
+        if (e.part == OVR_KEPT_EXTREME &&
+            (e.kind == OVR_KIND_HEIGHT || e.kind == OVR_KIND_PRESSURE))
+            add(errors, judge(e.of->extreme_key, e.kind, m, v));
     }
 }
 
@@ -245,14 +244,14 @@ static void judge_means(ovr_run_errors *errors, const ovr_passes *passes,
     static const struct {
         const char *key;
         ovr_unit_kind kind;
-        ovr_pass_column of;
-    } rows[] = {{"H_cen_mean", OVR_KIND_HEIGHT, OVR_PASS_FILM},
-                {"X_meniscus_mean", OVR_KIND_LENGTH, OVR_PASS_MENISCUS}};
+        const char *of;
+    } rows[] = {{"H_cen_mean", OVR_KIND_HEIGHT, "central_film_thickness"},
+                {"X_meniscus_mean", OVR_KIND_LENGTH, "meniscus"}};
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        size_t of = ovr_pass_column_named(rows[k].of);
         double v[LEVELS];
         for (int i = 0; i < LEVELS; i++)
-            v[i] = r[i].solved ? passes->level[i].end.row.value[rows[k].of]
-                               : NAN;
+            v[i] = r[i].solved ? passes->level[i].end.row.value[of] : NAN;
         add(errors, judge(rows[k].key, rows[k].kind, m, v));
     }
 }

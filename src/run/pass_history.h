@@ -1,34 +1,33 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What passes are told by: some columns of a history, dimensionless, read from
- * a result file or taken down while a simulation runs. */
+ * a result file or taken down while a simulation runs.  They are those that the
+ * layers follow from, and those of the columns of passes. */
 #ifndef OVR_RUN_PASS_HISTORY_H
 #define OVR_RUN_PASS_HISTORY_H
 
 #include "base/arena.h"
 #include "overroll/results.h"
+#include "run/pass_columns.h"
 
 typedef enum ovr_pass_quantity {
     OVR_SEEN_TIME,
-    OVR_SEEN_FILM,
-    OVR_SEEN_LEAST,
-    OVR_SEEN_PRESSURE,
-    OVR_SEEN_FILM_RATIO,
-    OVR_SEEN_MENISCUS,
     OVR_SEEN_SUPPLY,
     OVR_SEEN_SUPPLY_RATIO,
-    OVR_SEEN_INFLOW,
     OVR_SEEN_OUTFLOW,
     OVR_SEEN_WAITING,
     OVR_SEEN_SPEED,
-    OVR_SEEN_LOAD,
     OVR_PASS_QUANTITIES
 } ovr_pass_quantity;
 
+enum { OVR_SEEN_MOST = OVR_PASS_QUANTITIES + OVR_PASS_MOST };
+
+/* Behind the ones above the quantity of each column, OVR_PASS_QUANTITIES + k;
+ * those of columns beside the quantities are empty. */
 typedef struct ovr_pass_history {
     ovr_arena arena;
     size_t n, room;
-    double *of[OVR_PASS_QUANTITIES];
-    const ovr_observable *which[OVR_PASS_QUANTITIES];
+    double *of[OVR_SEEN_MOST];
+    const ovr_observable *which[OVR_SEEN_MOST]; /* NULL: empty */
 } ovr_pass_history;
 
 /* Empty; ovr_arena_release(&h.arena) frees it. */

@@ -130,24 +130,26 @@ static double extreme(const ovr_pass_history *h, const double *v, double sign)
     return most;
 }
 
+static double over_pass(const ovr_pass_history *h, const double *v,
+                        unsigned how)
+{
+    switch (how) {
+    case OVR_PASS_SMALLEST: return extreme(h, v, -1);
+    case OVR_PASS_LARGEST: return extreme(h, v, 1);
+    case OVR_PASS_END: return v[h->n - 1];
+    default: return mean(h, v);
+    }
+}
+
 static void fill_row(const ovr_pass_history *h, const double *lost,
                      ovr_pass_row *row)
 {
-    double *to = row->value;
-    to[OVR_PASS_FILM] = mean(h, h->of[OVR_SEEN_FILM]);
-    to[OVR_PASS_LEAST_CENTRAL] = extreme(h, h->of[OVR_SEEN_FILM], -1);
-    to[OVR_PASS_LEAST] = extreme(h, h->of[OVR_SEEN_LEAST], -1);
-    to[OVR_PASS_PRESSURE] = extreme(h, h->of[OVR_SEEN_PRESSURE], 1);
-    to[OVR_PASS_FILM_RATIO] = mean(h, h->of[OVR_SEEN_FILM_RATIO]);
-    to[OVR_PASS_MENISCUS] = mean(h, h->of[OVR_SEEN_MENISCUS]);
-    to[OVR_PASS_SUPPLY] = mean(h, h->of[OVR_SEEN_SUPPLY]);
-    to[OVR_PASS_SUPPLY_RATIO] = mean(h, h->of[OVR_SEEN_SUPPLY_RATIO]);
-    to[OVR_PASS_INFLOW] = mean(h, h->of[OVR_SEEN_INFLOW]);
-    to[OVR_PASS_OUTFLOW] = mean(h, h->of[OVR_SEEN_OUTFLOW]);
-    to[OVR_PASS_LOST] = mean(h, lost);
-    to[OVR_PASS_WAITING] = h->of[OVR_SEEN_WAITING][h->n - 1];
-    to[OVR_PASS_STEPS] = (double)h->n - 1;
-    to[OVR_PASS_LOAD] = mean(h, h->of[OVR_SEEN_LOAD]);
+    ovr_pass_column c;
+    for (size_t k = 0; ovr_pass_column_at(k, &c); k++)
+        row->value[k] =
+            c.of ? over_pass(h, h->of[OVR_PASS_QUANTITIES + k], c.how) : NAN;
+    row->value[OVR_PASS_LOST] = mean(h, lost);
+    row->value[OVR_PASS_STEPS] = (double)h->n - 1;
 }
 
 /* ------------------------------------------------------------------- whole */
@@ -203,7 +205,7 @@ static void read_summary(ovr_result *result, ovr_pass_row *row)
 {
     static const struct {
         const char *key;
-        ovr_pass_column to;
+        ovr_pass_beside to;
     } of[] = {{"H_cen_mean_error", OVR_PASS_FILM_ERROR},
               {"H_min_error", OVR_PASS_LEAST_ERROR},
               {"P_max_error", OVR_PASS_PRESSURE_ERROR},
@@ -216,8 +218,6 @@ static void read_summary(ovr_result *result, ovr_pass_row *row)
     size_t count = 0;
     const ovr_group_attribute *line = ovr_result_attributes(result, "summary",
                                                             &count);
-    for (int c = OVR_PASS_FILM_ERROR; c < OVR_PASS_COLUMNS; c++)
-        row->value[c] = NAN;
     for (size_t k = 0; k < sizeof of / sizeof *of; k++)
         for (size_t i = 0; i < count; i++)
             if (strcmp(line[i].name, of[k].key) == 0)

@@ -26,7 +26,7 @@ static const char *file_of(ovr_run *run, int pass, ovr_error *err)
 
 static void blank(ovr_pass_row *row)
 {
-    for (int k = 0; k < OVR_PASS_COLUMNS; k++)
+    for (size_t k = 0; k < OVR_PASS_MOST; k++)
         row->value[k] = NAN;
     row->status = "waiting";
 }
@@ -127,7 +127,8 @@ ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err)
         return status;
     tell(run);
     for (int pass = 1; pass < p->now; pass++) {
-        if (pass < p->now - 1 && isfinite(p->row[pass - 1].value[0]))
+        if (pass < p->now - 1 &&
+            isfinite(p->row[pass - 1].value[OVR_PASS_STEPS]))
             continue;
         status = learn(run, pass, &end, err);
         if (status)

@@ -10,39 +10,14 @@
 #define OVR_RUN_PASSES_H
 
 #include "run/internal.h"
+#include "run/pass_columns.h"
 #include "run/pass_history.h"
 #include "surface/layer.h"
 
-/* Columns of the file of all passes. */
-typedef enum ovr_pass_column {
-    OVR_PASS_FILM,
-    OVR_PASS_LEAST_CENTRAL,
-    OVR_PASS_LEAST,
-    OVR_PASS_PRESSURE,
-    OVR_PASS_FILM_RATIO,
-    OVR_PASS_MENISCUS,
-    OVR_PASS_SUPPLY,
-    OVR_PASS_SUPPLY_RATIO,
-    OVR_PASS_INFLOW,
-    OVR_PASS_OUTFLOW,
-    OVR_PASS_LOST,
-    OVR_PASS_WAITING,
-    OVR_PASS_STEPS,
-    OVR_PASS_LOAD,
-    OVR_PASS_FILM_ERROR, /* from here on where they are known */
-    OVR_PASS_LEAST_ERROR,
-    OVR_PASS_PRESSURE_ERROR,
-    OVR_PASS_MENISCUS_ERROR,
-    OVR_PASS_LENGTH, /* of the stresses below a surface */
-    OVR_PASS_RISK,
-    OVR_PASS_RATIO,
-    OVR_PASS_TOGETHER,
-    OVR_PASS_COLUMNS
-} ovr_pass_column;
-
 typedef struct ovr_pass_row {
-    double value[OVR_PASS_COLUMNS]; /* dimensionless; NAN: not known */
-    const char *status;             /* of its file; "waiting": none yet */
+    double value[OVR_PASS_MOST]; /* by columns, dimensionless; NAN: not known
+                                  */
+    const char *status;          /* of its file; "waiting": none yet */
 } ovr_pass_row;
 
 /* The two layers as they come to the next pass, and the oil that waits before

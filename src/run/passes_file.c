@@ -16,70 +16,6 @@
 #include "results/layout.h"
 #include "run/passes.h"
 
-static const struct {
-    const char *name, *long_name;
-    ovr_unit_kind kind;
-} columns[OVR_PASS_COLUMNS] = {
-    [OVR_PASS_FILM] = {"central_film_thickness",
-                       "film thickness at the centre, mean over the pass",
-                       OVR_KIND_HEIGHT},
-    [OVR_PASS_LEAST_CENTRAL] = {"least_central_film_thickness",
-                                "the smallest of it", OVR_KIND_HEIGHT},
-    [OVR_PASS_LEAST] = {"min_film_thickness",
-                        "smallest film thickness of the pass", OVR_KIND_HEIGHT},
-    [OVR_PASS_PRESSURE] = {"max_pressure", "largest pressure of the pass",
-                           OVR_KIND_PRESSURE},
-    [OVR_PASS_FILM_RATIO] = {"film_ratio",
-                             "central film over that of the flooded steady "
-                             "contact, mean",
-                             OVR_KIND_NUMBER},
-    [OVR_PASS_MENISCUS] = {"meniscus",
-                           "where the film begins, mean; none: flooded",
-                           OVR_KIND_LENGTH},
-    [OVR_PASS_SUPPLY] = {"supply", "oil that arrives, rho H, mean",
-                         OVR_KIND_HEIGHT},
-    [OVR_PASS_SUPPLY_RATIO] = {"supply_ratio",
-                               "the same over what the flooded steady contact "
-                               "takes",
-                               OVR_KIND_NUMBER},
-    [OVR_PASS_INFLOW] = {"inflow", "mass flow at the inlet, mean",
-                         OVR_KIND_FLOW},
-    [OVR_PASS_OUTFLOW] = {"outflow", "mass flow at the outlet, mean",
-                          OVR_KIND_FLOW},
-    [OVR_PASS_LOST] = {"oil_lost",
-                       "of that, what does not come to the next pass",
-                       OVR_KIND_FLOW},
-    [OVR_PASS_WAITING] = {"oil_waiting", "oil before the inlet at the end",
-                          OVR_KIND_AREA},
-    [OVR_PASS_STEPS] = {"steps", "time steps", OVR_KIND_COUNT},
-    [OVR_PASS_LOAD] = {"load_ratio", "load over the nominal one, mean",
-                       OVR_KIND_NUMBER},
-    [OVR_PASS_FILM_ERROR] = {"central_film_thickness_error",
-                             "its estimated error of discretization",
-                             OVR_KIND_HEIGHT},
-    [OVR_PASS_LEAST_ERROR] = {"min_film_thickness_error",
-                              "its estimated error of discretization",
-                              OVR_KIND_HEIGHT},
-    [OVR_PASS_PRESSURE_ERROR] = {"max_pressure_error",
-                                 "its estimated error of discretization",
-                                 OVR_KIND_PRESSURE},
-    [OVR_PASS_MENISCUS_ERROR] = {"meniscus_error",
-                                 "its estimated error of discretization",
-                                 OVR_KIND_LENGTH},
-    [OVR_PASS_LENGTH] = {"equivalent_length",
-                         "length of smooth raceway with the risk that is added",
-                         OVR_KIND_LENGTH},
-    [OVR_PASS_RISK] = {"risk_smooth", "risk of a length of smooth raceway",
-                       OVR_KIND_NUMBER},
-    [OVR_PASS_RATIO] = {"life_ratio",
-                        "life over that of the smooth raceway, of passes like "
-                        "this one alone",
-                        OVR_KIND_NUMBER},
-    [OVR_PASS_TOGETHER] = {"life_ratio_together",
-                           "the same of all passes up to this one, again and "
-                           "again",
-                           OVR_KIND_NUMBER}};
-
 typedef struct table {
     const ovr_run *run;
     double *values;     /* a column */
@@ -87,24 +23,32 @@ typedef struct table {
     ovr_flat rows;
 } table;
 
-static bool put_numbers(const table *t, ovr_pass_column k)
+static bool put_numbers(const table *t, size_t k, const ovr_pass_column *c)
 {
     const ovr_scales scales = ovr_scales_of(t->run->setup->contact);
-    double factor = ovr_factor(&scales, columns[k].kind);
+    double factor = ovr_factor(&scales, c->kind);
     for (size_t i = 0; i < t->rows.count; i++)
         t->values[i] = t->run->passes->row[i].value[k] * factor;
-    return ovr_flat_numbers(&t->rows, columns[k].name,
-                            ovr_unit(&scales, columns[k].kind),
-                            columns[k].long_name, t->values);
+    return ovr_flat_numbers(&t->rows, c->name, ovr_unit(&scales, c->kind),
+                            c->long_name, t->values);
 }
 
-/* Errors and lives are columns where they are known. */
-static bool is_wanted(const table *t, ovr_pass_column k)
+/* Quantities whose physics is on; errors and lives where they are known. */
+static bool is_wanted(const table *t, size_t k, const ovr_pass_column *c)
 {
-    bool wanted = k < OVR_PASS_FILM_ERROR;
+    bool known = k < OVR_PASS_FILM_ERROR;
     for (size_t i = 0; i < t->rows.count; i++)
-        wanted = wanted || isfinite(t->run->passes->row[i].value[k]);
-    return wanted;
+        known = known || isfinite(t->run->passes->row[i].value[k]);
+    return c->of ? !(c->of->needs & ~ovr_setup_physics(t->run->setup)) : known;
+}
+
+static bool put_columns(const table *t)
+{
+    ovr_pass_column c;
+    bool good = true;
+    for (size_t k = 0; good && ovr_pass_column_at(k, &c); k++)
+        good = !is_wanted(t, k, &c) || put_numbers(t, k, &c);
+    return good;
 }
 
 static const char *base_name(const char *path)
@@ -143,9 +87,8 @@ static bool write_part(table *t, const char *part, const char *status,
     bool good = ovr_flat_begin(&t->rows, part, "pass", "number of the pass",
                                (size_t)t->run->passes->rows, arena) &&
                 put_names(t) && put_case(t) &&
-                ovr_h5_set_string(t->rows.file, "status", status);
-    for (ovr_pass_column k = 0; good && k < OVR_PASS_COLUMNS; k++)
-        good = !is_wanted(t, k) || put_numbers(t, k);
+                ovr_h5_set_string(t->rows.file, "status", status) &&
+                put_columns(t);
     return ovr_flat_end(&t->rows, part,
                         title ? title : "passes of a line contact", good);
 }

@@ -442,25 +442,25 @@ static void warn_of_order(const review *r, const ovr_simulation *sim)
 static void warn_of_pressure(const review *r, const ovr_statistics *total)
 {
     double ph = r->setup->contact->ph, bearable = r->setup->bearable;
-    if (total->P_max * ph > bearable)
+    if (total->extreme.P_max * ph > bearable)
         say(r, OVR_SAY_WARNING,
             "the pressure of %.3g GPa at X = %.4g, T = %.4g is above what the "
             "material bears (bearable_pressure = %.3g GPa): it would yield, "
             "which is not modelled",
-            total->P_max * ph * 1e-9, total->X_P_max, total->T_P_max,
-            bearable * 1e-9);
+            total->extreme.P_max * ph * 1e-9, total->where.P_max,
+            total->when.P_max, bearable * 1e-9);
 }
 
 static void warn_of_roughness(const review *r, const ovr_statistics *total)
 {
     double Rq = r->setup->surfaces ? ovr_surfaces_roughness(r->setup->surfaces)
                                    : 0;
-    if (total->H_min < Rq)
+    if (total->extreme.H_min_located < Rq)
         say(r, OVR_SAY_WARNING,
             "the smallest film H = %.3g, at X = %.4g, T = %.4g, is below the "
-            "roughness on the mesh, Rq = %.3g of both surfaces: what is finer "
-            "than the mesh would touch",
-            total->H_min, total->X_H_min, total->T_H_min, Rq);
+            "roughness Rq = %.3g of both surfaces: they would touch",
+            total->extreme.H_min_located, total->where.H_min_located,
+            total->when.H_min_located, Rq);
 }
 
 /* The ordinary is 3 cycles a step; the steady start has its own. */
@@ -476,18 +476,11 @@ static void warn_of_cycles(const review *r, const ovr_statistics *total)
 
 static void warn_of_extremes(const review *r, const ovr_statistics *total)
 {
-    if (!(total->H_min > 0)) /* nothing was solved */
+    if (!(total->extreme.H_min_located > 0)) /* nothing was solved */
         return;
     warn_of_pressure(r, total);
     warn_of_roughness(r, total);
     warn_of_cycles(r, total);
-}
-
-static double lambda_ratio(const ovr_run *run)
-{
-    const ovr_surfaces *surfaces = run->setup->surfaces;
-    double Rq = surfaces ? ovr_surfaces_roughness(surfaces) : 0;
-    return Rq > 0 ? ovr_simulation_statistics(run->sim)->H_mean / Rq : NAN;
 }
 
 /* end = auto gives up some time after the last has left. */
@@ -520,7 +513,7 @@ void ovr_run_review_after(ovr_run *run)
     ovr_companions_review(run);
     warn_of_extremes(&r, ovr_simulation_statistics(sim));
     warn_of_unrest(&r, state->T, ovr_simulation_statistics(sim)->settled);
-    run->info.lambda_ratio = lambda_ratio(run);
+    run->info.lambda_ratio = ovr_simulation_statistics(sim)->mean.lambda_ratio;
     if (state->n && H_cen > 0)
         ovr_run_shear(run);
 }

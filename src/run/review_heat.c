@@ -113,7 +113,7 @@ static void foresee(const ovr_setup *setup, ovr_listener *listener, void *data)
 static void warn_of_rise(ovr_run *run)
 {
     const double most = 100;
-    double rise = ovr_simulation_statistics(run->sim)->T_rise;
+    double rise = ovr_simulation_statistics(run->sim)->extreme.T_max_rise;
     char text[OVR_MESSAGE_SIZE];
     if (!(rise > most))
         return;

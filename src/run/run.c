@@ -349,7 +349,7 @@ static ovr_status estimate(ovr_run *run, ovr_error *err)
 static bool carries_load(ovr_run *run)
 {
     const double most = 1e-4;
-    double error = ovr_simulation_statistics(run->sim)->load_error;
+    double error = ovr_simulation_statistics(run->sim)->extreme.load_error;
     double ratio = ovr_simulation_observation(run->sim)->load_ratio;
     char text[OVR_MESSAGE_SIZE];
     bool unloaded = ovr_history_value(run->setup->load, 0) < OVR_LEAST_START;

@@ -135,11 +135,12 @@ static void put_extremes(const taker *to, const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
     unsigned physics = ovr_setup_physics(s->setup);
-    const ovr_extreme *e;
-    for (size_t k = 0; (e = ovr_extreme_at(k)); k++)
-        if ((s->transient || e->steady) && !(e->needs & ~physics))
-            put_both(to, e->key, e->key_si, ovr_extreme_value(e, total),
-                     ovr_kind_scale(e->kind, s->setup->contact));
+    ovr_extreme e;
+    for (size_t k = 0; ovr_extreme_at(k, &e); k++)
+        if ((s->transient || e.of->steady) && !(e.of->needs & ~physics))
+            put_both(to, e.key, *e.key_si ? e.key_si : NULL,
+                     ovr_extreme_value(&e, total),
+                     ovr_kind_scale(e.kind, s->setup->contact));
 }
 
 static void put_steps(const taker *to, const ovr_run_info *s)
@@ -264,10 +265,12 @@ void ovr_run_summary(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     put_number(&to, "outlet", options->outlet);
     if (s->setup->heat)
         put_count(&to, "heat_points", ovr_simulation_heat_points(s->sim));
-    put_number(&to, "lambda_ratio", s->lambda_ratio);
+    if (!s->setup->features)
+        put_number(&to, "lambda_ratio", NAN);
     if (s->transient)
         put_number(&to, "lambda_ratio_at_H_min",
-                   s->lambda_ratio * total->H_mean_at_H_min / total->H_mean);
+                   total->mean.lambda_ratio * total->H_mean_at_H_min /
+                       total->mean.H_mean);
     put_number(&to, "shear_over_pressure", s->shear_over_pressure);
     put_number(&to, "unbearable_share", s->unbearable_share);
     if (s->passes)

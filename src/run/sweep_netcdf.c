@@ -27,15 +27,15 @@ static const char *unit_of(const char *name)
 static void explain(const ovr_sweep_table *t, const char *key, char *text,
                     size_t room)
 {
-    const ovr_extreme *e;
+    ovr_extreme e;
     const ovr_observable *o;
     bool run = false;
     for (size_t k = 0; k < t->columns; k++)
         run = run || !strcmp(t->column[k].name, "T_end");
     snprintf(text, room, "%s", key);
-    for (size_t k = 0; (e = ovr_extreme_at(k)); k++)
-        if (!strcmp(e->key, key) || (e->key_si && !strcmp(e->key_si, key)))
-            snprintf(text, room, "%s", e->long_name);
+    for (size_t k = 0; ovr_extreme_at(k, &e); k++)
+        if (!strcmp(e.key, key) || !strcmp(e.key_si, key))
+            snprintf(text, room, "%s", e.long_name);
     for (size_t k = 0; (o = ovr_observable_at(k)); k++)
         if ((o->key && !strcmp(o->key, key)) ||
             (o->key_si && !strcmp(o->key_si, key)))

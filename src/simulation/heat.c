@@ -4,9 +4,10 @@
 #include "base/sized.h"
 #include "simulation/heat_in_time.h"
 #include "simulation/heat_turns.h"
-#include "simulation/observables.h"
+#include "simulation/mirror.h"
 #include "simulation/parts.h"
 #include "simulation/physics.h"
+#include "simulation/quantity_row.h"
 #include "simulation/steady.h"
 
 #include <math.h>
@@ -16,7 +17,6 @@
 #include "base/given.h"
 #include "multigrid/field.h"
 #include "multigrid/flow.h"
-#include "simulation/mirror.h"
 
 enum { FEWEST_ACROSS = 5 };
 
@@ -349,21 +349,6 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
             (h->made - stored - o->heat_flow_1 - o->heat_flow_2) / h->balanced;
 }
 
-/* The larger in magnitude; what is not a number counts last. */
-static void raise(double *most, double value, bool first)
-{
-    if (first || fabs(value) > fabs(*most) || isnan(*most))
-        *most = value;
-}
-
-static void extremes(ovr_statistics *s, const ovr_observation *o, bool first)
-{
-    raise(&s->T_rise, o->T_max_rise, first);
-    raise(&s->T_1_rise, o->T_1_max_rise, first);
-    raise(&s->T_2_rise, o->T_2_max_rise, first);
-    raise(&s->energy_defect, o->energy_defect, first);
-}
-
 /* q D at the half node i + 1/2, as F has it or between the nodes. */
 static double turned(const ovr_simulation *sim, const void *own, size_t i,
                      bool mean)
@@ -581,8 +566,13 @@ static void restored(ovr_simulation *sim, void *own)
     ovr_heat_restored(sim);
 }
 
-#define HEAT(name, key, si, kind, member, text)                                \
-    OVR_NUMBER_ROW(name, key, si, kind, member, OVR_PHYSICS_HEAT, text)
+#define HEAT(name, key, si, kind, member, ...)                                 \
+    OVR_NUMBER_ROW(name, key, si, kind, member, OVR_PHYSICS_HEAT, __VA_ARGS__)
+
+/* The largest rise so far, over the run. */
+#define RISE(member, at, key, was, mean, ...)                                  \
+    HEAT(NULL, NULL, NULL, TEMPERATURE, member, __VA_ARGS__, LARGEST(key),     \
+         SAVED_AS(was), PLACE(at), MEAN(mean), STEADY_TOO)
 
 static const ovr_observable quantities[] = {
     HEAT("max_film_temperature", NULL, NULL, TEMPERATURE, T_film_max,
@@ -597,12 +587,22 @@ static const ovr_observable quantities[] = {
          "largest temperature on surface 2"),
     HEAT("x_max_surface_temperature_2", "X_T_2_max", NULL, LENGTH, X_T_2_max,
          "where surface 2 is hottest"),
+    RISE(T_max_rise, X_T_film_max, "T_max_rise", "largest_rise",
+         "T_max_rise_mean",
+         "largest rise of temperature in the film above the supply's",
+         EXTREME_LABEL("largest rise"), MEAN_LABEL("mean of the rises")),
+    RISE(T_1_max_rise, X_T_1_max, "T_1_max_rise", "largest_rise_1",
+         "T_1_max_rise_mean", "largest rise of temperature on surface 1"),
+    RISE(T_2_max_rise, X_T_2_max, "T_2_max_rise", "largest_rise_2",
+         "T_2_max_rise_mean", "largest rise of temperature on surface 2"),
     HEAT("heat_flow_1", "heat_flow_1", "heat_flow_1_W_per_m", POWER,
          heat_flow_1, "heat that flows into surface 1"),
     HEAT("heat_flow_2", "heat_flow_2", "heat_flow_2_W_per_m", POWER,
          heat_flow_2, "heat that flows into surface 2"),
     HEAT("energy_defect", "energy_defect", NULL, NUMBER, energy_defect,
-         "heat that neither surfaces nor oil carry away, over what is made")};
+         "heat that neither surfaces nor oil carry away, over what is made",
+         OF_MAGNITUDE("energy_defect_max"), SAVED_AS("largest_energy_defect"),
+         STEADY_TOO)};
 
 const ovr_physics ovr_physics_heat = {.name = "heat",
                                       .bit = OVR_PHYSICS_HEAT,
@@ -626,7 +626,6 @@ const ovr_physics ovr_physics_heat = {.name = "heat",
                                                     sizeof *quantities,
                                       .observe = observe,
                                       .marks = marks,
-                                      .extremes = extremes,
                                       .visit = visit,
                                       .restored = restored};
 

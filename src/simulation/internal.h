@@ -90,8 +90,9 @@ struct ovr_simulation {
     bool standing_given;
     const ovr_history *load, *speed, *sliding;
     const ovr_history *radius, *radius_1;
-    bool rides;    /* the curvature, with the material */
-    double moving; /* u_k/um of the features; NAN: nobody told */
+    bool rides;       /* the curvature, with the material */
+    double moving;    /* u_k/um of the features; NAN: nobody told */
+    double roughness; /* composite Rq of both surfaces; 0: not known */
 
     double *S;
     ovr_solution now;
@@ -323,9 +324,12 @@ void ovr_simulation_read(ovr_simulation *sim);
 /* Points the public state at the solution. */
 void ovr_publish_state(ovr_simulation *sim);
 
-/* Takes what is observed into the extremes of the run. */
+/* Takes what is observed into the extremes and means of the run; none of them
+ * is known; where one of them is (overall.c). */
 void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
                          bool first);
+void ovr_statistics_unknown(ovr_statistics *s);
+double *ovr_kept_number(const ovr_extreme *which, ovr_statistics *of);
 
 /* Fills the state's fields and the observation from the finest level. */
 void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome);

@@ -7,6 +7,7 @@
 #include "simulation/internal.h"
 #include "simulation/observables.h"
 #include "simulation/physics.h"
+#include "simulation/quantity_row.h"
 
 /* ----------------------------------------------------------------- fields */
 
@@ -114,27 +115,46 @@ static const double *heat_flux_2(const ovr_simulation *sim, double *room)
 
 /* ------------------------------------------------------------------- list */
 
-#define FIELD(name, kind, axes, text)                                          \
-    {sizeof(ovr_observable), #name,         NULL, NULL, text,                  \
-     OVR_KIND_##kind,        OVR_AT_##axes, 0,    name, 0},
+#define FIELD(of, of_kind, along, text)                                        \
+    {.size = sizeof(ovr_observable),                                           \
+     .name = #of,                                                              \
+     .long_name = (text),                                                      \
+     .kind = OVR_KIND_##of_kind,                                               \
+     .axes = OVR_AT_##along,                                                   \
+     .field = (of)},
+
+/* Where there is something on the surfaces. */
+#define ROUGH(name, key, si, kind, member, ...)                                \
+    OVR_NUMBER_ROW(name, key, si, kind, member, OVR_PHYSICS_FEATURES,          \
+                   __VA_ARGS__)
 
 /* Columns and fields stand in a file in this order. */
 static const ovr_observable table[] = {
     NUMBER("time", NULL, NULL, TIME, T, "time"),
     NUMBER("time_step", NULL, NULL, TIME, dT, "length of the step"),
     NUMBER(NULL, "H_min", "min_film_m", HEIGHT, H_min,
-           "minimum film thickness at a node"),
+           "minimum film thickness at a node", LABEL("minimum film"),
+           PLACE(X_min)),
     NUMBER(NULL, "X_min", NULL, LENGTH, X_min, "where that node is"),
     NUMBER("min_film_thickness", "H_min_located", NULL, HEIGHT, H_min_located,
-           "minimum film thickness, located between nodes"),
+           "minimum film thickness, located between nodes",
+           SMALLEST("H_min_overall"), EXTREME_LABEL("smallest film"),
+           PLACE(X_min_located), SAVED_AS("least_film"), MEAN("H_min_mean"),
+           PASS(SMALLEST)),
     NUMBER("x_min_film_thickness", "X_min_located", NULL, LENGTH, X_min_located,
            "where the film is thinnest"),
     NUMBER("central_film_thickness", "H_cen", "central_film_m", HEIGHT, H_cen,
-           "film thickness at the centre of the contact"),
+           "film thickness at the centre of the contact", LABEL("central film"),
+           MEAN("H_cen_mean"), .pass = OVR_PASS_MEAN | OVR_PASS_SMALLEST),
+    NUMBER("mean_film_thickness", NULL, NULL, HEIGHT, H_mean,
+           "mean film thickness in |x| < 3/4 b", MEAN("H_mean"),
+           MEAN_LABEL("mean film"), NOTE("in |X| < 3/4"), STEADY_TOO),
     NUMBER("central_pressure", "P_cen", NULL, PRESSURE, P_cen,
            "pressure at the centre of the contact"),
     NUMBER("max_pressure", "P_max", "max_pressure_Pa", PRESSURE, P_max,
-           "maximum pressure"),
+           "maximum pressure", LABEL("maximum pressure"), PLACE(X_P_max),
+           LARGEST("P_max_overall"), EXTREME_LABEL("largest pressure"),
+           SAVED_AS("largest_pressure"), PASS(LARGEST)),
     NUMBER("x_max_pressure", "X_P_max", NULL, LENGTH, X_P_max,
            "where the pressure is largest"),
     NUMBER(NULL, "P_max_located", NULL, PRESSURE, P_max_located,
@@ -142,7 +162,8 @@ static const ovr_observable table[] = {
     NUMBER(NULL, "X_P_max_located", NULL, LENGTH, X_P_max_located,
            "where that is"),
     NUMBER(NULL, "P_spike", NULL, PRESSURE, P_spike,
-           "pressure of the spike at a node"),
+           "pressure of the spike at a node", LABEL("pressure spike"),
+           PLACE(X_spike)),
     NUMBER(NULL, "X_spike", NULL, LENGTH, X_spike, "where that node is"),
     NUMBER("spike_pressure", "P_spike_located", NULL, PRESSURE, P_spike_located,
            "pressure of the spike, located between nodes"),
@@ -152,11 +173,14 @@ static const ovr_observable table[] = {
            "maxima of the pressure more than 1e-3 ph above the lowest before"),
     NUMBER("rigid_approach", "H0", NULL, HEIGHT, H0, "H0 of the film equation"),
     NUMBER("load", "load", NULL, NUMBER, load,
-           "integral of P, pi/2 at nominal load"),
+           "integral of P, pi/2 at nominal load", LABEL("load"),
+           NOTE("pi/2 = 1.5708 at nominal load")),
     NUMBER("load_ratio", NULL, NULL, NUMBER, load_ratio,
-           "wanted load over nominal load"),
+           "wanted load over nominal load", PASS(MEAN)),
     NUMBER("load_error", NULL, NULL, NUMBER, load_error,
-           "integral of P less the wanted one, relative to the nominal"),
+           "integral of P less the wanted one, relative to the nominal",
+           OF_MAGNITUDE("load_error_max"), EXTREME_LABEL("load error"),
+           SAVED_AS("largest_load_error"), STEADY_TOO),
     NUMBER("speed_ratio", NULL, NULL, NUMBER, speed_ratio,
            "entrainment speed over nominal speed"),
     NUMBER("sliding_speed", "sliding", NULL, NUMBER, sliding,
@@ -164,7 +188,8 @@ static const ovr_observable table[] = {
     NUMBER("radius_ratio", "radius_ratio", NULL, NUMBER, radius_ratio,
            "reduced radius over the nominal one"),
     NUMBER("mass_flow", "mass_flow", NULL, NUMBER, mass_flow,
-           "mean mass flow rho H - eps dP/dX through the film"),
+           "mean mass flow rho H - eps dP/dX through the film",
+           LABEL("mass flow")),
     NUMBER("mass_balance", "mass_balance", NULL, NUMBER, mass_balance,
            "inflow - outflow - stored change, over the mean size of the flow"),
     NUMBER("x_cavitation", "X_cavitation", NULL, LENGTH, X_cavitation,
@@ -182,19 +207,29 @@ static const ovr_observable table[] = {
     NUMBER("friction_coefficient_2", "mu_2", NULL, NUMBER, mu_2,
            "friction force on surface 2 over the load"),
     NUMBER("sliding_friction_coefficient", "mu_slide", NULL, NUMBER, mu_slide,
-           "sliding force over the load, with the sign of u1 - u2"),
+           "sliding force over the load, with the sign of u1 - u2",
+           OF_MAGNITUDE("mu_slide_max"), EXTREME_LABEL("sliding friction"),
+           SAVED_AS("largest_sliding_friction"), MEAN("mu_slide_mean"),
+           MEAN_LABEL("mean friction")),
     NUMBER("rolling_friction_coefficient", "mu_roll", NULL, NUMBER, mu_roll,
            "rolling force over the load"),
     NUMBER("power_in", "power_in", "power_in_W_per_m", POWER, power_in,
-           "power that the surfaces put into the film"),
+           "power that the surfaces put into the film",
+           OF_MAGNITUDE("power_in_max"), MEAN("power_in_mean")),
     NUMBER("power_dissipated", "power_dissipated", "power_dissipated_W_per_m",
-           POWER, power_dissipated, "power dissipated in the film"),
+           POWER, power_dissipated, "power dissipated in the film",
+           LARGEST("power_dissipated_max"), MEAN("power_dissipated_mean")),
     NUMBER("limiting_share", "limiting_share", NULL, NUMBER, limiting_share,
            "share of the load carried where the shear stress is at its limit"),
-    {sizeof(ovr_observable), "film_roughness", "film_Rq", "film_Rq_m",
-     "root mean square of the film about its mean in |x| < 3/4 b",
-     OVR_KIND_HEIGHT, OVR_AT_STEPS, offsetof(ovr_observation, film_Rq), NULL,
-     OVR_PHYSICS_FEATURES}};
+    ROUGH("film_roughness", "film_Rq", "film_Rq_m", HEIGHT, film_Rq,
+          "root mean square of the film about its mean in |x| < 3/4 b",
+          LARGEST("film_Rq_max"), EXTREME_LABEL("film roughness"),
+          SAVED_AS("largest_film_roughness")),
+    ROUGH("lambda_ratio", NULL, NULL, NUMBER, lambda_ratio,
+          "mean film thickness in |x| < 3/4 b over the composite roughness of "
+          "both surfaces",
+          SMALLEST("lambda_ratio_min"), EXTREME_LABEL("lambda ratio"),
+          MEAN("lambda_ratio"), MEAN_LABEL("mean lambda"), STEADY_TOO)};
 
 /* Behind those of the physics: how it was solved, and the fields. */
 static const ovr_observable last[] = {

@@ -7,16 +7,6 @@
 
 #include "overroll/simulation.h"
 
-/* A number a step that needs these physics, 0: none; its key in JSON and that
- * in SI may be NULL. */
-#define OVR_NUMBER_ROW(name, key, si, kind, member, bits, text)                \
-    {                                                                          \
-        sizeof(ovr_observable), name, key, si, text, OVR_KIND_##kind,          \
-            OVR_AT_STEPS, offsetof(ovr_observation, member), NULL, bits        \
-    }
-#define NUMBER(name, key, si, kind, member, text)                              \
-    OVR_NUMBER_ROW(name, key, si, kind, member, 0, text)
-
 #define OVR_FIELD_ROWS(ROW)                                                    \
     ROW(pressure, PRESSURE, NODES, "pressure")                                 \
     ROW(film_thickness, HEIGHT, NODES, "film thickness")                       \

@@ -63,6 +63,7 @@ static void observe_film(const ovr_simulation *sim, ovr_observation *o)
     o->film_Rq = sim->heights ? film_roughness(&sim->now, rough_window(sim))
                               : NAN;
     o->H_mean = mean_film(&sim->now, rough_window(sim));
+    o->lambda_ratio = sim->roughness > 0 ? o->H_mean / sim->roughness : NAN;
     o->H0 = sim->grids.H0;
 }
 

@@ -1,129 +1,189 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The extremes over a whole run: kept step by step, and their list. */
+/* What is kept of the quantities over a whole run, step by step: extremes, with
+ * where and when, and means.  What is kept of which says its row. */
 #include <math.h>
 #include <stddef.h>
+#include <stdio.h>
+#include <string.h>
 
-#include "simulation/physics.h"
+#include "simulation/internal.h"
+
+/* A member that is a double, of an observation or what has its members. */
+static double *member(ovr_observation *of, size_t offset)
+{
+    return (double *)(void *)((char *)of + offset);
+}
+
+static double number(const ovr_observation *of, size_t offset)
+{
+    return *(const double *)(const void *)((const char *)of + offset);
+}
+
+/* What was not known until now is kept as it is. */
+static bool is_beyond(ovr_sense what, double value, double kept)
+{
+    if (isnan(kept))
+        return !isnan(value);
+    switch (what) {
+    case OVR_SMALLEST: return value < kept;
+    case OVR_LARGEST: return value > kept;
+    default: return fabs(value) > fabs(kept);
+    }
+}
+
+static void take_extreme(ovr_statistics *s, const ovr_observable *row,
+                         const ovr_observation *o, bool first)
+{
+    double value = number(o, row->offset);
+    if (!first &&
+        !is_beyond(row->extreme, value, number(&s->extreme, row->offset)))
+        return;
+    *member(&s->extreme, row->offset) = value;
+    *member(&s->when, row->offset) = o->T;
+    *member(&s->where, row->offset) = row->place ? number(o, row->place) : NAN;
+}
+
+/* `part` of the time up to now is the step's. */
+static void take_mean(ovr_statistics *s, const ovr_observable *row,
+                      const ovr_observation *o, double part)
+{
+    double *mean = member(&s->mean, row->offset);
+    double value = number(o, row->offset);
+    if (part > 0)
+        *mean = part < 1 ? *mean + part * (value - *mean) : value;
+}
 
 /* A value counts for the step that led to it, the start until there is one;
  * one that is observed again, of a run that goes on, does not. */
-static void average(ovr_statistics *s, const ovr_observation *o, bool first)
-{
-    const double now[] = {o->H_mean,     o->mu_slide,     o->power_in,
-                          o->T_max_rise, o->T_1_max_rise, o->T_2_max_rise};
-    double *const mean[] = {&s->H_mean,        &s->mu_slide_mean,
-                            &s->power_in_mean, &s->T_rise_mean,
-                            &s->T_1_rise_mean, &s->T_2_rise_mean};
-    double part = first ? 1 : (o->T - s->averaged) / o->T;
-    for (size_t k = 0; k < sizeof now / sizeof *now; k++)
-        if (part > 0)
-            *mean[k] = part < 1 ? *mean[k] + part * (now[k] - *mean[k])
-                                : now[k];
-    s->averaged = o->T;
-}
-
 void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
                          bool first)
 {
-    if (first || o->H_min_located < s->H_min) {
-        s->H_min = o->H_min_located;
-        s->X_H_min = o->X_min_located;
-        s->T_H_min = o->T;
+    double part = first ? 1 : (o->T - s->averaged) / o->T;
+    const ovr_observable *row;
+    for (size_t k = 0; (row = ovr_observable_at(k)); k++) {
+        if (row->extreme_key)
+            take_extreme(s, row, o, first);
+        if (row->mean_key)
+            take_mean(s, row, o, part);
+    }
+    s->averaged = o->T;
+    if (s->when.H_min_located == o->T)
         s->H_mean_at_H_min = o->H_mean;
-    }
-    if (first || o->film_Rq > s->film_Rq)
-        s->film_Rq = o->film_Rq;
-    if (first || o->P_max > s->P_max) {
-        s->P_max = o->P_max;
-        s->X_P_max = o->X_P_max;
-        s->T_P_max = o->T;
-    }
-    if (first || fabs(o->load_error) > fabs(s->load_error)) {
-        s->load_error = o->load_error;
-        s->T_load_error = o->T;
-    }
-    if (first || fabs(o->mu_slide) > fabs(s->mu_slide) ||
-        (isnan(s->mu_slide) && !isnan(o->mu_slide))) {
-        s->mu_slide = o->mu_slide;
-        s->T_mu_slide = o->T;
-    }
-    average(s, o, first);
-    for (int k = 0; ovr_physics_list[k]; k++)
-        if (ovr_physics_list[k]->extremes)
-            ovr_physics_list[k]->extremes(s, o, first);
 }
 
-#define ROW(key, si, kind, steady, member, text)                               \
-    {                                                                          \
-        sizeof(ovr_extreme), key, si, text, OVR_KIND_##kind, steady,           \
-            offsetof(ovr_statistics, member), 0                                \
-    }
-/* Where there is heat. */
-#define HEAT(key, kind, member, text)                                          \
-    {                                                                          \
-        sizeof(ovr_extreme), key, NULL, text, OVR_KIND_##kind, true,           \
-            offsetof(ovr_statistics, member), OVR_PHYSICS_HEAT                 \
-    }
-
-static const ovr_extreme table[] = {
-    ROW("H_min_overall", "H_min_overall_m", HEIGHT, false, H_min,
-        "smallest film thickness over the run, located between nodes"),
-    ROW("X_H_min_overall", "X_H_min_overall_m", LENGTH, false, X_H_min,
-        "where that was"),
-    ROW("T_H_min", "T_H_min_s", TIME, false, T_H_min, "when that was"),
-    ROW("P_max_overall", "P_max_overall_Pa", PRESSURE, false, P_max,
-        "largest pressure over the run"),
-    ROW("X_P_max_overall", "X_P_max_overall_m", LENGTH, false, X_P_max,
-        "where that was"),
-    ROW("T_P_max", "T_P_max_s", TIME, false, T_P_max, "when that was"),
-    {sizeof(ovr_extreme), "film_Rq_max", "film_Rq_max_m",
-     "largest root mean square of the film about its mean in |x| < 3/4 b, over "
-     "the run",
-     OVR_KIND_HEIGHT, false, offsetof(ovr_statistics, film_Rq),
-     OVR_PHYSICS_FEATURES},
-    ROW("load_error_max", NULL, NUMBER, true, load_error,
-        "load error of largest magnitude over the run, relative to the "
-        "nominal load"),
-    ROW("T_load_error_max", "T_load_error_max_s", TIME, true, T_load_error,
-        "when that was"),
-    ROW("mu_slide_max", NULL, NUMBER, false, mu_slide,
-        "coefficient of sliding friction of largest magnitude over the run"),
-    ROW("T_mu_slide_max", "T_mu_slide_max_s", TIME, false, T_mu_slide,
-        "when that was"),
-    ROW("H_mean", "H_mean_m", HEIGHT, true, H_mean,
-        "mean film thickness in |x| < 3/4 b, over the run"),
-    ROW("mu_slide_mean", NULL, NUMBER, false, mu_slide_mean,
-        "mean coefficient of sliding friction over the run"),
-    ROW("power_in_mean", "power_in_mean_W_per_m", POWER, false, power_in_mean,
-        "mean power that the surfaces put in, over the run"),
-    HEAT("T_max_rise_mean", TEMPERATURE, T_rise_mean,
-         "mean over the run of the largest rise in the film"),
-    HEAT("T_1_max_rise_mean", TEMPERATURE, T_1_rise_mean,
-         "mean over the run of the largest rise on surface 1"),
-    HEAT("T_2_max_rise_mean", TEMPERATURE, T_2_rise_mean,
-         "mean over the run of the largest rise on surface 2"),
-    HEAT("T_max_rise", TEMPERATURE, T_rise,
-         "largest rise of temperature in the film above the supply's, over the "
-         "run"),
-    HEAT("T_1_max_rise", TEMPERATURE, T_1_rise,
-         "largest rise of temperature on surface 1 over the run"),
-    HEAT("T_2_max_rise", TEMPERATURE, T_2_rise,
-         "largest rise of temperature on surface 2 over the run"),
-    HEAT("energy_defect_max", NUMBER, energy_defect,
-         "heat that neither surfaces nor oil carry away, over what is made: of "
-         "largest magnitude over the run")};
-
-const ovr_extreme *ovr_extreme_at(size_t k)
+void ovr_statistics_unknown(ovr_statistics *s)
 {
-    return k < sizeof table / sizeof *table ? &table[k] : NULL;
+    ovr_extreme e;
+    for (size_t k = 0; ovr_extreme_at(k, &e); k++)
+        *ovr_kept_number(&e, s) = NAN;
+}
+
+/* ------------------------------------------------------------------- list */
+
+/* "P_max" of "P_max_overall". */
+static int stem(const char *key)
+{
+    static const char all[] = "_overall";
+    size_t length = strlen(key), end = strlen(all);
+    bool ends = length > end && strcmp(key + length - end, all) == 0;
+    return (int)(ends ? length - end : length);
+}
+
+static void name_extreme(const ovr_observable *row, ovr_extreme *to)
+{
+    static const char *const words[] = {
+        [OVR_SMALLEST] = "smallest",
+        [OVR_LARGEST] = "largest",
+        [OVR_OF_MAGNITUDE] = "of largest magnitude"};
+    snprintf(to->key, sizeof to->key, "%s", row->extreme_key);
+    snprintf(to->saved, sizeof to->saved, "%s",
+             row->saved ? row->saved : to->key);
+    snprintf(to->long_name, sizeof to->long_name, "%s: %s over the run",
+             row->long_name, words[row->extreme]);
+}
+
+static void name_place(const ovr_observable *row, ovr_extreme *to)
+{
+    to->kind = OVR_KIND_LENGTH;
+    snprintf(to->key, sizeof to->key, "X_%s", row->extreme_key);
+    snprintf(to->saved, sizeof to->saved, row->saved ? "%s_place" : "X_%s",
+             row->saved ? row->saved : row->extreme_key);
+    snprintf(to->long_name, sizeof to->long_name, "where %s was",
+             row->extreme_key);
+}
+
+static void name_time(const ovr_observable *row, ovr_extreme *to)
+{
+    to->kind = OVR_KIND_TIME;
+    snprintf(to->key, sizeof to->key, "T_%.*s", stem(row->extreme_key),
+             row->extreme_key);
+    snprintf(to->saved, sizeof to->saved, row->saved ? "%s_time" : "T_%s",
+             row->saved ? row->saved : row->extreme_key);
+    snprintf(to->long_name, sizeof to->long_name, "when %s was",
+             row->extreme_key);
+}
+
+static void name_mean(const ovr_observable *row, ovr_extreme *to)
+{
+    snprintf(to->key, sizeof to->key, "%s", row->mean_key);
+    snprintf(to->saved, sizeof to->saved, "%s", row->mean_key);
+    snprintf(to->long_name, sizeof to->long_name, "%s: mean over the run",
+             row->long_name);
+}
+
+static bool is_kept(const ovr_observable *row, ovr_kept_part part)
+{
+    switch (part) {
+    case OVR_KEPT_PLACE: return row->extreme_key && row->place;
+    case OVR_KEPT_MEAN: return row->mean_key != NULL;
+    default: return row->extreme_key != NULL;
+    }
+}
+
+static void name(const ovr_observable *row, ovr_kept_part part, ovr_extreme *to)
+{
+    static void (*const by[])(const ovr_observable *, ovr_extreme *) = {
+        [OVR_KEPT_EXTREME] = name_extreme,
+        [OVR_KEPT_PLACE] = name_place,
+        [OVR_KEPT_TIME] = name_time,
+        [OVR_KEPT_MEAN] = name_mean};
+    const char *suffix;
+    *to = (ovr_extreme){
+        .size = sizeof *to, .kind = row->kind, .part = part, .of = row};
+    by[part](row, to);
+    suffix = ovr_kind_about(to->kind)->suffix;
+    if (*suffix)
+        snprintf(to->key_si, sizeof to->key_si, "%s%s", to->key, suffix);
+}
+
+bool ovr_extreme_at(size_t k, ovr_extreme *to)
+{
+    const ovr_observable *row;
+    for (size_t r = 0; to && (row = ovr_observable_at(r)); r++)
+        for (int part = OVR_KEPT_EXTREME; part <= OVR_KEPT_MEAN; part++)
+            if (is_kept(row, (ovr_kept_part)part) && k-- == 0) {
+                name(row, (ovr_kept_part)part, to);
+                return true;
+            }
+    return false;
+}
+
+double *ovr_kept_number(const ovr_extreme *which, ovr_statistics *of)
+{
+    ovr_observation *const in[] = {[OVR_KEPT_EXTREME] = &of->extreme,
+                                   [OVR_KEPT_PLACE] = &of->where,
+                                   [OVR_KEPT_TIME] = &of->when,
+                                   [OVR_KEPT_MEAN] = &of->mean};
+    return member(in[which->part], which->of->offset);
 }
 
 double ovr_extreme_value(const ovr_extreme *which, const ovr_statistics *from)
 {
-    if (!which || !from)
+    if (!which || !which->of || !from)
         return NAN;
-    const char *at = (const char *)from + which->offset;
-    if (which->offset >= from->size)
-        return NAN; /* of an older caller, or none */
-    return *(const double *)(const void *)at;
+    const ovr_observation *const in[] = {[OVR_KEPT_EXTREME] = &from->extreme,
+                                         [OVR_KEPT_PLACE] = &from->where,
+                                         [OVR_KEPT_TIME] = &from->when,
+                                         [OVR_KEPT_MEAN] = &from->mean};
+    return number(in[which->part], which->of->offset);
 }

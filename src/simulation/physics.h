@@ -230,9 +230,6 @@ struct ovr_physics {
      * belong together. */
     bool (*marks)(ovr_simulation *sim, void *own);
 
-    /* Extremes over the run, on or off. */
-    void (*extremes)(ovr_statistics *s, const ovr_observation *o, bool first);
-
     /* Numbers a step that are its own: rows behind those of the film
      * (observables.h), of members of ovr_observation or of its `more`. */
     const ovr_observable *quantity;

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "simulation/refined.h"
+#include "simulation/physics.h"
+#include "simulation/quantity_row.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-#include "simulation/observables.h"
-#include "simulation/physics.h"
 
 /* Meshes of the parent to each side of the spike: measured, where more change
  * its height by less than two levels do. */

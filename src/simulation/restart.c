@@ -41,29 +41,8 @@ static const struct {
              PART("total_marked", statistics.marked),
              PART("total_lagging", statistics.lagging),
              PART("last_across", statistics.last_across),
-             PART("mean_film", statistics.H_mean),
-             PART("mean_sliding_friction", statistics.mu_slide_mean),
-             PART("mean_power_in", statistics.power_in_mean),
-             PART("mean_rise", statistics.T_rise_mean),
-             PART("mean_rise_1", statistics.T_1_rise_mean),
-             PART("mean_rise_2", statistics.T_2_rise_mean),
              PART("mean_until", statistics.averaged),
-             PART("least_film", statistics.H_min),
-             PART("least_film_place", statistics.X_H_min),
-             PART("least_film_time", statistics.T_H_min),
              PART("mean_film_at_least", statistics.H_mean_at_H_min),
-             PART("largest_pressure", statistics.P_max),
-             PART("largest_pressure_place", statistics.X_P_max),
-             PART("largest_pressure_time", statistics.T_P_max),
-             PART("largest_film_roughness", statistics.film_Rq),
-             PART("largest_load_error", statistics.load_error),
-             PART("largest_load_error_time", statistics.T_load_error),
-             PART("largest_sliding_friction", statistics.mu_slide),
-             PART("largest_sliding_friction_time", statistics.T_mu_slide),
-             PART("largest_rise", statistics.T_rise),
-             PART("largest_rise_1", statistics.T_1_rise),
-             PART("largest_rise_2", statistics.T_2_rise),
-             PART("largest_energy_defect", statistics.energy_defect),
              PART("settled", statistics.settled),
              PART("strategy", strategy),
              PART("inlet", options.inlet),
@@ -105,6 +84,18 @@ static ovr_status visit_order(ovr_simulation *sim, ovr_visit *visit,
     return status;
 }
 
+/* Extremes and means over the run. */
+static ovr_status visit_kept(ovr_simulation *sim, ovr_visit *visit,
+                             void *context, ovr_error *err)
+{
+    ovr_status status = OVR_OK;
+    ovr_extreme e;
+    for (size_t k = 0; !status && ovr_extreme_at(k, &e); k++)
+        status = visit(context, e.saved, ovr_kept_number(&e, &sim->statistics),
+                       sizeof(double), err);
+    return status;
+}
+
 ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
                                 void *context, ovr_error *err)
 {
@@ -122,11 +113,11 @@ ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
     for (size_t k = 0; !status && k < sizeof parts / sizeof *parts; k++)
         status = visit(context, parts[k].name, (char *)sim + parts[k].offset,
                        parts[k].bytes, err);
-    return status;
+    return status ? status : visit_kept(sim, visit, context, err);
 }
 
 /* Film and properties follow from the pressure, and what is observed from
- * these; without a least film so far it is the one of now. */
+ * these. */
 void ovr_simulation_restored(ovr_simulation *sim)
 {
     if (!sim)
@@ -141,8 +132,6 @@ void ovr_simulation_restored(ovr_simulation *sim)
     sim->grids.fluid = sim->wanted.fluid;
     if (!sim->order) /* version 0.1.0 */
         sim->order = 2;
-    if (!(sim->statistics.H_min > 0))
-        sim->statistics.H_min = INFINITY;
     OVR_EACH_PHYSICS(sim, p, restored)
         p->is->restored(sim, p->own);
     ovr_simulation_step_back(sim);

@@ -152,6 +152,7 @@ static ovr_simulation *set_up(ovr_arena arena, const ovr_contact *contact,
     sim->state.size = sizeof sim->state;
     sim->observation.size = sizeof sim->observation;
     sim->statistics.size = sizeof sim->statistics;
+    ovr_statistics_unknown(&sim->statistics);
     sim->moving = NAN;
     sim->scheme = ovr_scheme_record(sim->options.scheme);
     if (build(sim, err)) {

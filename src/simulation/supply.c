@@ -14,8 +14,8 @@
 
 #include "contact/curvature.h"
 #include "multigrid/content.h"
-#include "simulation/observables.h"
 #include "simulation/physics.h"
+#include "simulation/quantity_row.h"
 
 bool ovr_conserves(const ovr_simulation *sim)
 {
@@ -387,21 +387,26 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
     return a->kept ? OVR_OK : OVR_NO_MEMORY;
 }
 
-#define OIL(name, key, kind, member, text)                                     \
-    OVR_NUMBER_ROW(name, key, NULL, kind, member, OVR_PHYSICS_CONTENT, text)
+#define OIL(name, key, kind, member, ...)                                      \
+    OVR_NUMBER_ROW(name, key, NULL, kind, member, OVR_PHYSICS_CONTENT,         \
+                   __VA_ARGS__)
 
 static const ovr_observable quantities[] = {
-    OIL("supply", NULL, HEIGHT, supply, "oil that arrives, rho H at the inlet"),
+    OIL("supply", NULL, HEIGHT, supply, "oil that arrives, rho H at the inlet",
+        PASS(MEAN)),
     OIL("meniscus", "X_meniscus", LENGTH, meniscus,
-        "where the film begins; none: flooded"),
+        "where the film begins; none: flooded", PASS(MEAN)),
     OIL("film_ratio", "film_ratio", NUMBER, film_ratio,
-        "central film over that of the flooded contact under its conditions"),
+        "central film over that of the flooded contact under its conditions",
+        PASS(MEAN)),
     OIL("supply_ratio", "supply_ratio", NUMBER, supply_ratio,
-        "oil that arrives over what the flooded contact takes then"),
-    OIL("inflow", NULL, FLOW, inflow, "mass flow at the inlet"),
-    OIL("outflow", NULL, FLOW, outflow, "mass flow at the outlet"),
+        "oil that arrives over what the flooded contact takes then",
+        PASS(MEAN)),
+    OIL("inflow", NULL, FLOW, inflow, "mass flow at the inlet", PASS(MEAN)),
+    OIL("outflow", NULL, FLOW, outflow, "mass flow at the outlet", PASS(MEAN)),
     OIL("oil_inside", NULL, AREA, oil_inside, "oil between inlet and outlet"),
-    OIL("oil_waiting", NULL, AREA, oil_waiting, "oil before the inlet"),
+    OIL("oil_waiting", NULL, AREA, oil_waiting, "oil before the inlet",
+        PASS(END)),
     OIL("cavity_length", NULL, LENGTH, cavity_length,
         "nodes without pressure between the first and the last with"),
     OIL("mass_defect", NULL, NUMBER, mass_defect,

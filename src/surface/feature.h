@@ -31,6 +31,8 @@ typedef struct ovr_feature {
     double repeat;          /* NAN: single */
     long copies;            /* 0: endless */
     const ovr_table *table; /* profile, roughness: heights from behind */
+    double local_Rq;        /* of those before the grid's filter, as a contact
+                               sees it (local_roughness.h); else 0 */
 } ovr_feature;
 
 /* sigma(v) = 6 v^5 - 15 v^4 + 10 v^3 between 0 and 1: twice continuously

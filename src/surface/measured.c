@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/sized.h"
+#include "surface/local_roughness.h"
 #include "surface/profile.h"
 #include "surface/resample.h"
 
@@ -116,6 +117,9 @@ static ovr_status fit(ovr_feature *f, const ovr_feature_form *form,
     ovr_ends ends = {how.taper, how.extend, !isnan(form->origin), random};
     if (!status && !random) /* roughness is as it was asked for */
         status = ovr_profile_condition(p, &how, err);
+    if (!status)
+        f->local_Rq = ovr_local_roughness(p->view.n, p->x, p->z,
+                                          OVR_CONTACT_WIDTH);
     if (!status)
         status = ovr_resample(p->view.n, p->x, p->z, mesh, &ends, table, arena,
                               &lost, err);

@@ -11,6 +11,7 @@
 #include "base/sized.h"
 #include "base/text.h"
 #include "surface/feature.h"
+#include "surface/local_roughness.h"
 
 #include <math.h>
 #include <string.h>
@@ -329,6 +330,17 @@ static double roughness(const ovr_feature *f)
     return n ? sqrt(squares / (double)n) : 0;
 }
 
+static double local_roughness(const ovr_feature *f)
+{
+    double to = f->shape == OVR_CHIRP ? f->wavelength_end : f->wavelength;
+    if (f->shape != OVR_WAVE && f->shape != OVR_CHIRP)
+        return f->local_Rq;
+    double a = ovr_local_roughness_of_wave(f->A, f->wavelength,
+                                           OVR_CONTACT_WIDTH);
+    double b = ovr_local_roughness_of_wave(f->A, to, OVR_CONTACT_WIDTH);
+    return sqrt((a * a + b * b) / 2);
+}
+
 static double last_copy(const ovr_feature *f)
 {
     if (isnan(f->repeat))
@@ -401,7 +413,7 @@ double ovr_surfaces_roughness(const ovr_surfaces *surfaces)
         return NAN;
     double Rq = 0;
     for (const entry *l = surfaces->first; l; l = l->next)
-        Rq = hypot(Rq, roughness(&l->feature));
+        Rq = hypot(Rq, local_roughness(&l->feature));
     return Rq;
 }
 

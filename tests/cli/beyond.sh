@@ -77,9 +77,29 @@ awk '/^  "H_mean":/ { H = $2 + 0 } /"lambda_ratio":/ { r = $2 + 0 }
         exit !(H > 0 && d < 1e-12 && d > -1e-12) }' out || fail "$(cat out)"
 expect 0 "$OVERROLL" steady rough.ini
 contains out '^lambda ratio +[0-9.]+ '
+# Of waves longer than the contact what is left in windows of 2 b:
+# A^2/2 (1 - s^2), s = sin(2 pi/l)/(2 pi/l)
+expect 0 "$OVERROLL" steady rough.ini --json --set feature.one.wavelength=4 \
+    --set feature.other.wavelength=5
+awk 'function left(A, l, a) { a = 6.283185307179586/l
+        return A*A/2*(1 - (sin(a)/a)^2) }
+    /^  "H_mean":/ { H = $2 + 0 } /"lambda_ratio":/ { r = $2 + 0 }
+    END { d = r*sqrt(left(0.01, 4) + left(0.02, 5))/H - 1
+        exit !(H > 0 && d < 1e-12 && d > -1e-12) }' out || fail "$(cat out)"
+# A column of the history, and its smallest value over the run
+expect 0 "$OVERROLL" run rough.ini --json --set time.end=0.5 -o rough.h5
+[ "$("$OVERROLL" export rough.h5 | awk -F, 'NR == 1 {
+    for (i = 1; i <= NF; i++) { if ($i ~ /^lambda_ratio/) l = i
+        if ($i ~ /^mean_film_thickness/) h = i }
+    next } { if (least == "" || $l < least) least = $l
+        if (NR > 2 && ($l/$h/first - 1)^2 > 1e-20) bad = 1
+        if (NR == 2) first = $l/$h }
+    END { printf "%.12g %d", least, bad }')" = "$(awk \
+    '/"lambda_ratio_min":/ { printf "%.12g 0", $2 + 0 }' out)" ] ||
+    fail "$(grep lambda_ratio out)"
 expect 0 "$OVERROLL" steady rough.ini --set 'feature.one.amplitude=0.09' \
     --set feature.other.amplitude=0.08 --set feature.other.origin=0.5
-contains err 'is below the roughness on the mesh'
+contains err 'is below the roughness Rq'
 
 # All warnings are shown, a fifth as well
 for k in 1 2 3 4 5 6 7; do

@@ -64,6 +64,23 @@ check max_pressure x_max_pressure 1 P_max_overall X_P_max_overall T_P_max
 check min_film_thickness x_min_film_thickness -1 \
     H_min_overall X_H_min_overall T_H_min
 check load_error '' 0 load_error_max '' T_load_error_max
+check power_in '' 0 power_in_max '' T_power_in_max
+check power_dissipated '' 1 power_dissipated_max '' T_power_dissipated_max
+check film_roughness '' 1 film_Rq_max '' T_film_Rq_max
+
+# mean COLUMN KEY: each value for the step that led to it, by the history alone
+mean() {
+    near "$(value "$2" a.json)" "$(awk -F, -v name="$1" 'NR == 1 {
+            for (i = 1; i <= NF; i++) { sub(/ .*/, "", $i); c[$i] = i }
+            next }
+        { s += ($c["time"] - T)*$c[name]; T = $c["time"] }
+        END { printf "%.17g\n", s/T }' history.csv)" "$2"
+}
+mean central_film_thickness H_cen_mean
+mean min_film_thickness H_min_mean
+mean mean_film_thickness H_mean
+mean power_in power_in_mean
+mean power_dissipated power_dissipated_mean
 
 # The dent has left: the peak is not that of the end
 awk -v all="$(value P_max_overall a.json)" -v end="$(value P_max a.json)" \

@@ -45,8 +45,8 @@ static void keep(one_run *r, const ovr_simulation *sim)
     r->H = malloc(bytes);
     memcpy(r->P, state->P, bytes);
     memcpy(r->H, state->H, bytes);
-    r->H_min = ovr_simulation_statistics(sim)->H_min;
-    r->T_H_min = ovr_simulation_statistics(sim)->T_H_min;
+    r->H_min = ovr_simulation_statistics(sim)->extreme.H_min_located;
+    r->T_H_min = ovr_simulation_statistics(sim)->when.H_min_located;
 }
 
 static ovr_status march(one_run *r, const ovr_setup *setup, ovr_simulation *sim,

@@ -69,6 +69,7 @@ static struct {
     ovr_bearing *bearing;
     ovr_heat heat;
     ovr_error err;
+    ovr_extreme extreme;
     double numbers[4096];
     float singles[4096];
     ovr_result *results[3];
@@ -93,6 +94,12 @@ static void *made(void *object, const char *what)
         exit(1);
     }
     return object;
+}
+
+static ovr_extreme *extreme(void)
+{
+    ovr_extreme_at(0, &own.extreme);
+    return &own.extreme;
 }
 
 static ovr_stress_options stress_options(void)
@@ -368,7 +375,7 @@ static const char *const words[] = {"dent", "bump", NULL};
 #define GOOD_ovr_observation_to ovr_simulation_observation(own.sim)
 #define GOOD_ovr_statistics_to ovr_simulation_statistics(own.sim)
 #define GOOD_ovr_observable_to ovr_observable_at(3)
-#define GOOD_ovr_extreme_to ovr_extreme_at(0)
+#define GOOD_ovr_extreme_to extreme()
 #define GOOD_ovr_in_plane ((ovr_in_plane){0})
 #define GOOD_ovr_heights_to heights
 #define GOOD_ovr_supply_to supply

@@ -37,6 +37,8 @@ BEGIN { count = split(fixed, name, "\n"); for (k in name) listed[name[k]] = 1 }
         rest = $0
         while (match(rest, "[^a-z_]" s "[^a-z_]+[a-z]*")) {
             use = substr(rest, RSTART + 1, RLENGTH - 1)
+            if (use ~ /^ovr_observation extreme/) # of a whole run
+                use = "*"
             before = substr(rest, RSTART - 6, 7)
             rest = substr(rest, RSTART + length(s) + 1)
             if (use !~ /^[a-z_]* *(\*|const)/ && before !~ /(struct|}) ?$/)

@@ -190,7 +190,7 @@ static int closes(const ovr_run *run)
     const ovr_simulation *sim = ovr_run_about(run)->sim;
     const ovr_observation *o = ovr_simulation_observation(sim);
     const ovr_statistics *all = ovr_simulation_statistics(sim);
-    double load = fabs(all->load_error) / fmax(1, o->load_ratio);
+    double load = fabs(all->extreme.load_error) / fmax(1, o->load_ratio);
     bool oil = !isfinite(o->mass_defect) || fabs(o->mass_defect) < 1e-2;
     if (!ovr_run_about(run)->converged || (load < 1e-4 && oil))
         return 0;

@@ -64,7 +64,7 @@ static void solve(const char *text, const char *level, seen *into)
     const ovr_run_info *about = ovr_run_about(run);
     into->level = about->setup->options->level;
     into->mesh = about->setup->mesh;
-    into->H_min = ovr_simulation_statistics(about->sim)->H_min;
+    into->H_min = ovr_simulation_statistics(about->sim)->extreme.H_min_located;
     ovr_run_free(run);
     ovr_case_free(c);
 }

@@ -52,8 +52,8 @@ static void run(test_rough *r, const surface *s)
     if (!r->status) {
         const ovr_statistics *total = ovr_simulation_statistics(
             ovr_run_about(run)->sim);
-        r->film_Rq = total->film_Rq;
-        r->H_min = total->H_min;
+        r->film_Rq = total->extreme.film_Rq;
+        r->H_min = total->extreme.H_min_located;
     }
     ovr_run_free(run);
     ovr_case_free(c);

@@ -45,8 +45,8 @@ static double value_of(const ovr_run *run, const char *key)
     } rows[] = {{"H_min", o->H_min_located},
                 {"H_cen", o->H_cen},
                 {"P_max", o->P_max},
-                {"H_min_overall", s->H_min},
-                {"P_max_overall", s->P_max}};
+                {"H_min_overall", s->extreme.H_min_located},
+                {"P_max_overall", s->extreme.P_max}};
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
         if (!strcmp(rows[k].key, key))
             return rows[k].value;

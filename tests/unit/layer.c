@@ -19,6 +19,7 @@
 
 #include "base/rows.h"
 #include "simulation/physics.h"
+#include "simulation/quantity_row.h"
 
 typedef struct layer_form {
     double compliance, spread, grit, hysteresis, wear;
@@ -185,10 +186,11 @@ static double deepest(const ovr_simulation *sim, const layer *l)
 
 /* ----------------------------------------------------------------- observed */
 
-static const ovr_observable quantities[] = {
-    {sizeof(ovr_observable), "worn_depth", "worn_depth", "worn_depth_m",
-     "largest depth that is worn of the layer", OVR_KIND_HEIGHT, OVR_AT_STEPS,
-     offsetof(ovr_observation, more), NULL, 1u << 20}};
+static const ovr_observable quantities[] = {OVR_NUMBER_ROW(
+    "worn_depth", "worn_depth", "worn_depth_m", HEIGHT, more[0], 1u << 20,
+    "largest depth that is worn of the layer", LABEL("worn depth"),
+    LARGEST("worn_depth_max"), EXTREME_LABEL("worn depth"),
+    MEAN("worn_depth_mean"), PASS(END))};
 
 static void unknown(ovr_observation *o)
 {

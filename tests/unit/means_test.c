@@ -38,8 +38,8 @@ static void means_by_hand(void **state)
     (void)state;
     ovr_simulation_surface(sim, dent, NULL);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
-    CHECK_CLOSE(s->H_mean, film(sim), 1e-12);
-    assert_true(s->mu_slide_mean == o->mu_slide);
+    CHECK_CLOSE(s->mean.H_mean, film(sim), 1e-12);
+    assert_true(s->mean.mu_slide == o->mu_slide);
     for (size_t k = 0; k < sizeof steps / sizeof *steps; k++) {
         CHECK_OK(ovr_simulation_step(sim, steps[k], &err), &err);
         H += steps[k] * film(sim);
@@ -47,10 +47,10 @@ static void means_by_hand(void **state)
         power += steps[k] * o->power_in;
         rise += steps[k] * o->T_1_max_rise;
         T += steps[k];
-        CHECK_CLOSE(s->H_mean, H / T, 1e-12);
-        CHECK_CLOSE(s->mu_slide_mean, mu / T, 1e-12);
-        CHECK_CLOSE(s->power_in_mean, power / T, 1e-12);
-        CHECK_CLOSE(s->T_1_rise_mean, rise / T, 1e-12);
+        CHECK_CLOSE(s->mean.H_mean, H / T, 1e-12);
+        CHECK_CLOSE(s->mean.mu_slide, mu / T, 1e-12);
+        CHECK_CLOSE(s->mean.power_in, power / T, 1e-12);
+        CHECK_CLOSE(s->mean.T_1_max_rise, rise / T, 1e-12);
     }
     ovr_simulation_free(sim);
 }

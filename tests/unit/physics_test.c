@@ -338,6 +338,11 @@ static void wears_and_tells(void **state)
     double depth = number(said, "worn_depth"), P = number(said, "P_max");
     assert_true(depth > 0.02 * 4 * 0.9 * P && depth < 0.02 * 4 * 1.3 * P);
     assert_non_null(strstr(said, "the layer is worn by"));
+    /* its row is all that the extreme and the mean over the run need */
+    assert_true(number(said, "worn_depth_max") == depth);
+    assert_true(number(said, "T_worn_depth_max") >= 4);
+    assert_true(number(said, "worn_depth_mean") > 0.4 * depth &&
+                number(said, "worn_depth_mean") < 0.6 * depth);
     free(said);
     said = RUN(*state, "info", "worn.h5");
     assert_non_null(strstr(said, "worn_depth"));

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "overroll/overroll.h"
+#include "surface/local_roughness.h"
 
 static ovr_roughness good(void)
 {
@@ -111,6 +112,64 @@ static void seeds_make_surfaces(void **state)
     ovr_profile_free(p), ovr_profile_free(q), ovr_profile_free(other);
 }
 
+/* Root of the mean of z^2 less the square of its mean in windows of 2, of a
+ * sum of two waves: A^2/2 (1 - (sin a/a)^2), a = 2 pi/l, of each, over a length
+ * that holds whole periods of both; the points stand unevenly. */
+static void long_waves_are_no_roughness(void **state)
+{
+    static const double l[] = {0.5, 8}, A[] = {0.3, 1};
+    enum { N = 48001 };
+    const double length = 240, pi = acos(-1.0);
+    double *x = calloc(N, sizeof *x), *z = calloc(N, sizeof *z), wanted = 0;
+    (void)state;
+    assert_true(x && z);
+    for (size_t i = 0; i < N; i++) {
+        double even = (double)i / (N - 1);
+        x[i] = length * (even + 0.05 * sin(2 * pi * even) / (2 * pi));
+        for (int k = 0; k < 2; k++)
+            z[i] += A[k] * sin(2 * pi * x[i] / l[k]);
+    }
+    for (int k = 0; k < 2; k++) {
+        double a = 2 * pi / l[k], s = sin(a) / a;
+        wanted += A[k] * A[k] / 2 * (1 - s * s);
+        CHECK_CLOSE(ovr_local_roughness_of_wave(A[k], l[k], 2),
+                    A[k] * sqrt((1 - s * s) / 2), 1e-12);
+    }
+    /* the ends, where windows are missing, and steps of a hundredth of l */
+    CHECK_CLOSE(ovr_local_roughness(N, x, z, 2), sqrt(wanted), 1e-2);
+    CHECK_CLOSE(ovr_local_roughness(101, x, z, 1e3) /
+                    ovr_local_roughness(101, x, z, 2e3),
+                1, 1e-15);
+    free(x);
+    free(z);
+}
+
+/* The lambda ratio's roughness is that of the surface, whatever the grid takes
+ * out of it; that on the mesh is less. */
+static void grid_takes_nothing_from_it(void **state)
+{
+    ovr_contact contact = ovr_contact_default();
+    ovr_roughness rough = good();
+    ovr_feature_form form = ovr_feature_form_default();
+    double Rq[2], on_mesh[2];
+    ovr_error err = {0};
+    (void)state;
+    form.shape = OVR_ROUGHNESS, form.roughness = &rough, form.start = -1;
+    form.name = "rough";
+    contact.u1_ratio = contact.u2_ratio = 1;
+    for (int k = 0; k < 2; k++) {
+        ovr_surfaces *s = ovr_surfaces_create(&contact, NULL, k ? 0.3 : 0.01,
+                                              NULL, &err);
+        assert_non_null(s);
+        CHECK_OK(ovr_surfaces_add(s, &form, &err), &err);
+        Rq[k] = ovr_surfaces_roughness(s);
+        on_mesh[k] = ovr_surfaces_info(s, 0).Rq;
+        ovr_surfaces_free(s);
+    }
+    assert_true(Rq[0] == Rq[1] && Rq[0] > 0.05 && Rq[0] < 0.3);
+    assert_true(on_mesh[1] < 0.99 * on_mesh[0]);
+}
+
 static void mistakes_are_named(void **state)
 {
     static const char *const names[] = {"Rq",       "length", "hurst",
@@ -142,6 +201,8 @@ int main(void)
         cmocka_unit_test(numbers_are_as_asked),
         cmocka_unit_test(spectra_fall_as_asked),
         cmocka_unit_test(seeds_make_surfaces),
+        cmocka_unit_test(long_waves_are_no_roughness),
+        cmocka_unit_test(grid_takes_nothing_from_it),
         cmocka_unit_test(mistakes_are_named),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

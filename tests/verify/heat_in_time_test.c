@@ -37,9 +37,9 @@ static void take(total *t, const ovr_simulation *sim, const ovr_error *err)
     t->cycles += s->cycles;
     t->steps += s->steps;
     t->retries += s->retries;
-    t->least_rise = fmin(t->least_rise, s->T_rise);
-    t->most_rise = fmax(t->most_rise, s->T_rise);
-    t->most_defect = fmax(t->most_defect, fabs(s->energy_defect));
+    t->least_rise = fmin(t->least_rise, s->extreme.T_max_rise);
+    t->most_rise = fmax(t->most_rise, s->extreme.T_max_rise);
+    t->most_defect = fmax(t->most_defect, fabs(s->extreme.energy_defect));
 }
 
 /* One run of 400 steps of two meshes. */
@@ -77,9 +77,9 @@ static void run(uint64_t *seed, total *t)
                   "Peclet %.2g %.2g, %ld marked%s%s\n",
                   c->M, c->L, c->ph * 1e-9,
                   hot.oil.Sigma0 * c->ph * c->kappa * 1e-6, S,
-                  swings ? " swings" : "", s->T_rise, hot.heat.peclet[0],
-                  hot.heat.peclet[1], s->marked, err.status ? ": " : "",
-                  err.status ? err.message : "");
+                  swings ? " swings" : "", s->extreme.T_max_rise,
+                  hot.heat.peclet[0], hot.heat.peclet[1], s->marked,
+                  err.status ? ": " : "", err.status ? err.message : "");
     ovr_simulation_free(sim);
     ovr_history_free(V);
 }

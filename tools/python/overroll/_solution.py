@@ -208,8 +208,13 @@ def _in_si(plain: Any, kind: int) -> Any:
 
 def _show(quantity: Quantity) -> None:
     """Makes a quantity an attribute of all solutions."""
-    at = "_seen" if quantity.struct == "ovr_observation" else "_total"
-    plain = attrgetter(f"{at}.{quantity.member}")
+    of = attrgetter("_total" if quantity.total else "_seen")
+
+    def plain(self: Solution) -> Any:
+        return quantity.value(of(self))
+
+    if quantity.key in _QUANTITIES:  # what is of the run comes first
+        return
     doc = f"{quantity.long_name} (dimensionless)"
     _QUANTITIES[quantity.key] = quantity, False
     if not hasattr(Solution, quantity.key):

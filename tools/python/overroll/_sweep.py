@@ -30,7 +30,7 @@ class _Summary(Solution):
         self._attach(core, info.sim, info.setup)
         self.found = {name: value for name, value in self.numbers().items()
                       if info.transient or name not in extremes()
-                      or extremes()[name].row.steady}
+                      or extremes()[name].row.of.steady}
         self.found["converged"] = bool(info.converged)
         self.found["seconds"] = info.seconds
         self.found["message"] = "; ".join(
@@ -134,7 +134,7 @@ def sweep(case: Union[None, Case, Path] = None, *,
     shape = [len(values) for values in varied.values()]
     ds = xarray.Dataset(coords={key: (key, values, about)
                                 for key, values, about in coordinates})
-    about = {**extremes(), **observables()}
+    about = {**observables(), **extremes()}
     for name in dict.fromkeys(itertools.chain.from_iterable(found)):
         column = [row.get(name, "" if name == "message" else np.nan)
                   for row in found]

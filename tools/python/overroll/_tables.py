@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
+from itertools import count
+from operator import attrgetter
 from typing import Any, Optional
 
 from ._library import BadInput, ORIGIN, ffi, lib, made, rows, suggest, text
@@ -141,38 +143,48 @@ def help(word: Optional[str] = None) -> None:
 
 
 class Quantity:
-    """A number of a solution: its key, kind and scale, and the member of
-    `struct` that it is."""
+    """A number of a solution: its key and kind, and how its value is had of
+    the struct that it is in."""
 
-    __slots__ = ("key", "key_si", "long_name", "row", "kind", "struct",
-                 "member")
+    __slots__ = ("key", "key_si", "long_name", "row", "kind", "total", "value")
 
-    def __init__(self, row: Any, struct: str) -> None:
-        self.row, self.struct = row, struct
-        self.member = next(name for name, at in ffi.typeof(struct).fields
-                           if at.offset == row.offset)
-        self.key = text(row.key) or text(row.name)
-        self.key_si = text(row.key_si)
+    def __init__(self, row: Any, total: bool) -> None:
+        self.row, self.total = row, total
+        self.key = text(row.key) or (None if total else text(row.name))
+        self.key_si = text(row.key_si) or None
         self.long_name = text(row.long_name)
         self.kind = row.kind
+        self.value = partial(lib.ovr_extreme_value, row) if total else \
+            self._member()
+
+    def _member(self) -> Any:
+        """Whole numbers and flags stay what they are."""
+        for name, at in ffi.typeof("ovr_observation").fields:
+            if at.offset == self.row.offset:
+                return attrgetter(name)
+        return partial(lib.ovr_observable_value, self.row)
 
 
 @lru_cache(maxsize=None)
 def observables() -> dict[str, Quantity]:
     """Numbers of a solution as it is now, by their JSON key, or else their
     name in result files."""
-    found = (Quantity(row, "ovr_observation")
+    found = (Quantity(row, False)
              for row in rows(lib.ovr_observable_at)
              if row.axes == lib.OVR_AT_STEPS)
-    return {q.key: q for q in found}
+    return {q.key: q for q in found if q.key}
 
 
 @lru_cache(maxsize=None)
 def extremes() -> dict[str, Quantity]:
-    """Extremes since the steady start, by their JSON key."""
-    found = (Quantity(row, "ovr_statistics")
-             for row in rows(lib.ovr_extreme_at))
-    return {q.key: q for q in found}
+    """Extremes and means since the steady start, by their JSON key."""
+    found = {}
+    for k in count():
+        row = ffi.new("ovr_extreme *")
+        if not lib.ovr_extreme_at(k, row):
+            return found
+        quantity = Quantity(row, True)
+        found[quantity.key] = quantity
 
 
 @lru_cache(maxsize=None)

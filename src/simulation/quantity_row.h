@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The row of a quantity, of a number a step: all that is said of it, once.
+ *
+ *     OVR_NUMBER_ROW("max_pressure", "P_max", "max_pressure_Pa", PRESSURE,
+ *                    P_max, 0, "maximum pressure",
+ *                    LABEL("maximum pressure"), PLACE(X_P_max),
+ *                    LARGEST("P_max_overall"),
+ *                    EXTREME_LABEL("largest pressure"), PASS(LARGEST))
+ *
+ * is a column of the history, two keys of JSON, a line of reports with its
+ * place, the largest of a run with where and when in JSON, reports, attributes
+ * and checkpoints, and a column in the file of several passes.
+ */
+#ifndef OVR_SIMULATION_QUANTITY_ROW_H
+#define OVR_SIMULATION_QUANTITY_ROW_H
+
+#include "overroll/simulation.h"
+
+/* A number a step that needs these physics, 0: none; its key in JSON and that
+ * in SI may be NULL.  Last its name for people, and what else its row says:
+ * how reports, extremes, means and passes have it. */
+#define OVR_NUMBER_ROW(in_files, in_json, in_si, of_kind, member, bits, ...)   \
+    {                                                                          \
+        .size = sizeof(ovr_observable), .name = (in_files), .key = (in_json),  \
+        .key_si = (in_si), .kind = OVR_KIND_##of_kind, .axes = OVR_AT_STEPS,   \
+        .offset = offsetof(ovr_observation, member), .needs = (bits),          \
+        .long_name = __VA_ARGS__                                               \
+    }
+#define NUMBER(name, key, si, kind, member, ...)                               \
+    OVR_NUMBER_ROW(name, key, si, kind, member, 0, __VA_ARGS__)
+
+/* What else a row may say. */
+#define LABEL(text) .label = (text)
+#define NOTE(text) .note = (text)
+#define PLACE(member) .place = offsetof(ovr_observation, member)
+#define SMALLEST(key) .extreme = OVR_SMALLEST, .extreme_key = (key)
+#define LARGEST(key) .extreme = OVR_LARGEST, .extreme_key = (key)
+#define OF_MAGNITUDE(key) .extreme = OVR_OF_MAGNITUDE, .extreme_key = (key)
+#define EXTREME_LABEL(text) .extreme_label = (text)
+#define SAVED_AS(text) .saved = (text)
+#define MEAN(key) .mean_key = (key)
+#define MEAN_LABEL(text) .mean_label = (text)
+#define STEADY_TOO .steady = true
+#define PASS(column) .pass = OVR_PASS_##column
+
+#endif

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Roughness as a contact sees it: of a profile z the root of the mean of
+ *
+ *     <z^2> - <z>^2,    < > the mean over a window as wide as the contact,
+ *
+ * over all windows that lie in the profile.  What is longer than the window
+ * moves the surfaces as a whole and is no roughness: of a wave of amplitude A
+ * and wavelength l this leaves A^2/2 (1 - s^2), s = sin(pi w/l)/(pi w/l).
+ */
+#ifndef OVR_SURFACE_LOCAL_ROUGHNESS_H
+#define OVR_SURFACE_LOCAL_ROUGHNESS_H
+
+#include <stddef.h>
+
+/* Width of the contact, b. */
+#define OVR_CONTACT_WIDTH 2.
+
+/* Of a profile that is linear between its points, x ascending; one that is
+ * shorter is one window. */
+double ovr_local_roughness(size_t n, const double *x, const double *z,
+                           double window);
+
+/* Of a wave. */
+double ovr_local_roughness_of_wave(double amplitude, double wavelength,
+                                   double window);
+
+#endif
