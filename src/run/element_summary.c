@@ -41,7 +41,7 @@ static double mean_power(const answered *a)
     double T = ovr_simulation_state(a->run->sim)->T, end = a->r->element.end;
     if (end > 0 && !(T >= end * (1 - 1e-9)))
         return NAN;
-    return total->power_in_mean *
+    return total->mean.power_in *
            ovr_kind_scale(OVR_KIND_POWER, &a->r->contact);
 }
 
@@ -85,8 +85,8 @@ static void put_gear(const answered *a)
                              : power / (power + loss));
     if (!a->run->transient)
         return;
-    put(a, "way_H_min_m", from_pitch_point(a, total->T_H_min));
-    put(a, "way_P_max_m", from_pitch_point(a, total->T_P_max));
+    put(a, "way_H_min_m", from_pitch_point(a, total->when.H_min_located));
+    put(a, "way_P_max_m", from_pitch_point(a, total->when.P_max));
 }
 
 /* ------------------------------------------------------------------- cams */
@@ -127,8 +127,8 @@ static void put_cam(const answered *a)
     put(a, "power_loss_W", a->run->transient ? loss : NAN);
     if (!a->run->transient)
         return;
-    put(a, "angle_H_min_deg", degrees_at(a, total->T_H_min));
-    put(a, "angle_P_max_deg", degrees_at(a, total->T_P_max));
+    put(a, "angle_H_min_deg", degrees_at(a, total->when.H_min_located));
+    put(a, "angle_P_max_deg", degrees_at(a, total->when.P_max));
 }
 
 /* --------------------------------------------------------------- bearings */

@@ -107,27 +107,39 @@ static void put_observed(const taker *to, const ovr_run_info *s)
     }
 }
 
-/* Forces and powers of the whole width, where it is known: keys as those of a
- * unit width, without "_per_m". */
+/* Times the width; the key as that of a unit width, without "_per_m". */
+static void put_wide(const taker *to, const char *key_si, ovr_unit_kind kind,
+                     double value, const ovr_contact *contact)
+{
+    double scale = ovr_kind_scale(kind, contact) * contact->width;
+    char key[64];
+    if (!*key_si || (kind != OVR_KIND_FORCE && kind != OVR_KIND_POWER))
+        return;
+    snprintf(key, sizeof key, "%.*s", (int)(strlen(key_si) - strlen("_per_m")),
+             key_si);
+    put_number(to, key, value * scale);
+}
+
+/* Forces and powers of the whole width, where it is known. */
 static void put_of_width(const taker *to, const ovr_run_info *s)
 {
     const ovr_observation *seen = ovr_simulation_observation(s->sim);
+    const ovr_statistics *total = ovr_simulation_statistics(s->sim);
     const ovr_contact *contact = s->setup->contact;
     unsigned physics = ovr_setup_physics(s->setup);
     const ovr_observable *o;
-    char key[64];
+    ovr_extreme e;
     if (isnan(contact->width))
         return;
     put_number(to, "load_N", seen->load_ratio * contact->load * contact->width);
-    for (size_t k = 0; (o = ovr_observable_at(k)); k++) {
-        double scale = ovr_kind_scale(o->kind, contact) * contact->width;
-        if (!o->key_si || o->needs & ~physics ||
-            (o->kind != OVR_KIND_FORCE && o->kind != OVR_KIND_POWER))
-            continue;
-        snprintf(key, sizeof key, "%.*s",
-                 (int)(strlen(o->key_si) - strlen("_per_m")), o->key_si);
-        put_number(to, key, ovr_observable_value(o, seen) * scale);
-    }
+    for (size_t k = 0; (o = ovr_observable_at(k)); k++)
+        if (o->key_si && !(o->needs & ~physics))
+            put_wide(to, o->key_si, o->kind, ovr_observable_value(o, seen),
+                     contact);
+    for (size_t k = 0; ovr_extreme_at(k, &e); k++)
+        if ((s->transient || e.of->steady) && !(e.of->needs & ~physics))
+            put_wide(to, e.key_si, e.kind, ovr_extreme_value(&e, total),
+                     contact);
 }
 
 /* Extremes over the whole run. */
