@@ -179,7 +179,7 @@ $(BUILD)/%.o: %.c $(BUILD)/flags
 # and script go into its text where they are named.
 PAGE    := src/pictures/page
 PAGE_JS := $(PAGE)_data.js $(PAGE)_draw.js $(PAGE)_heat.js \
-           $(PAGE)_stress.js $(PAGE)_play.js
+           $(PAGE)_stress.js $(PAGE)_element.js $(PAGE)_play.js
 CHART   := src/pictures/chart.gp
 # $(call array,NAME): standard input as ovr_NAME_text and ovr_NAME_bytes
 array = { echo 'const char ovr_$(1)_text[] = {' && od -An -v -b | \

@@ -250,6 +250,11 @@ typedef struct ovr_setup {
                         ovr_setup_prepare */
 } ovr_setup;
 
+/* The gear pair, cam or bearing of a case; NULL: it has none. */
+OVR_API const ovr_gear *ovr_setup_gear(const ovr_setup *setup);
+OVR_API const ovr_cam *ovr_setup_cam(const ovr_setup *setup);
+OVR_API const ovr_bearing *ovr_setup_bearing(const ovr_setup *setup);
+
 /* A moment of an element of a machine that check and people look at: A to E of
  * a gear, nose, joints and turns of a cam, each roller that carries of a
  * bearing. */

@@ -122,6 +122,7 @@ OVR_API ovr_gear *ovr_gear_create(const ovr_gear_form *form,
                                   ovr_error *err);
 OVR_API void ovr_gear_free(ovr_gear *gear);
 OVR_API const ovr_gear_geometry *ovr_gear_of(const ovr_gear *gear);
+OVR_API const ovr_gear_form *ovr_gear_form_of(const ovr_gear *gear);
 
 /* The contact t seconds after it began at A (driving 2: at E), from 0 to the
  * duration.  Helical teeth: at the slice across the face; the speeds are those
@@ -187,6 +188,7 @@ typedef struct ovr_cam_event {
     double least_force; /* N */
 } ovr_cam_event;
 OVR_API const ovr_cam_event *ovr_cam_of(const ovr_cam *cam);
+OVR_API const ovr_cam_form *ovr_cam_form_of(const ovr_cam *cam);
 
 /* The contact t seconds after `from`. */
 OVR_API ovr_element_moment ovr_cam_at(const ovr_cam *cam, double t);
@@ -245,6 +247,7 @@ OVR_API ovr_bearing *ovr_bearing_create(const ovr_bearing_form *form,
                                         ovr_error *err);
 OVR_API void ovr_bearing_free(ovr_bearing *bearing);
 OVR_API const ovr_bearing_geometry *ovr_bearing_of(const ovr_bearing *bearing);
+OVR_API const ovr_bearing_form *ovr_bearing_form_of(const ovr_bearing *bearing);
 
 /* Load (N) of roller k, counted from the first one that stands below the load
  * or next to it. */

@@ -32,7 +32,9 @@ typedef enum ovr_picture_kind {
     OVR_PICTURE_STRESS, /* pressure, film and the stresses below, at an instant
                          */
     OVR_PICTURE_RISK,   /* what the material went through, place by depth */
-    OVR_PICTURE_DEPTH   /* the same over depth: worst, smooth, length */
+    OVR_PICTURE_DEPTH,  /* the same over depth: worst, smooth, length */
+    OVR_PICTURE_ELEMENT /* the gear pair, cam or bearing of its case, and what
+                           its contact goes through */
 } ovr_picture_kind;
 
 /* Lengths in b, pressures in ph, heights in b^2/R, times in b/um, whatever
@@ -71,6 +73,13 @@ OVR_SIZED(ovr_picture_options)
 OVR_API ovr_status ovr_picture(ovr_result *const *results, size_t count,
                                const ovr_picture_options *options,
                                const ovr_allocator *allocator, ovr_error *err);
+
+/* The gear pair, cam or bearing of a case that need not have run; `kind` does
+ * not count. */
+OVR_API ovr_status ovr_picture_element(const ovr_setup *setup,
+                                       const ovr_picture_options *options,
+                                       const ovr_allocator *allocator,
+                                       ovr_error *err);
 
 /* ---------------------------------------------------------------- studies */
 

@@ -138,3 +138,18 @@ size_t ovr_setup_stations(const ovr_setup *setup,
         qsort(station, l.count, sizeof *station, by_time);
     return l.count;
 }
+
+const ovr_gear *ovr_setup_gear(const ovr_setup *setup)
+{
+    return setup ? ((const ovr_resolved *)setup)->element.gear : NULL;
+}
+
+const ovr_cam *ovr_setup_cam(const ovr_setup *setup)
+{
+    return setup ? ((const ovr_resolved *)setup)->element.cam : NULL;
+}
+
+const ovr_bearing *ovr_setup_bearing(const ovr_setup *setup)
+{
+    return setup ? ((const ovr_resolved *)setup)->element.bearing : NULL;
+}

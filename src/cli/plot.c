@@ -10,7 +10,8 @@ enum { TIMES = 8 };
 static const cli_option options[] = {
     {"o", "PICTURE", "where to: NAME.png, NAME.svg or NAME.pdf", false},
     {"kind", "KIND",
-     "snapshot (default), history, map, trace, stress, risk, depth or passes",
+     "snapshot (default), history, map, trace, stress, risk, depth, passes or "
+     "element",
      false},
     {"at", "T", "snapshot: an instant, like 0.2ms or, in b/um, 1.5", true},
     {"overlay", NULL, "snapshot: all instants in one panel", false},
@@ -37,12 +38,13 @@ static const cli_option options[] = {
 
 static int take_kind(const cli_call *call, ovr_picture_options *o)
 {
-    static const char *const kinds[] = {"snapshot", "history", "map",  "trace",
-                                        "stress",   "risk",    "depth"};
+    static const char *const kinds[] = {"snapshot", "history", "map",
+                                        "trace",    "stress",  "risk",
+                                        "depth",    "element"};
     const char *text = cli_value(call, "kind");
     if (!text)
         return CLI_DONE;
-    for (int k = 0; k < 7; k++)
+    for (int k = 0; k < 8; k++)
         if (strcmp(text, kinds[k]) == 0) {
             o->kind = (ovr_picture_kind)k;
             return CLI_DONE;
@@ -55,7 +57,7 @@ static int take_kind(const cli_call *call, ovr_picture_options *o)
     return cli_usage(
         call,
         "--kind '%s': there are snapshot, history, map, trace, stress, "
-        "risk, depth and passes",
+        "risk, depth, element and passes",
         text);
 }
 
@@ -248,6 +250,35 @@ static int draw_study(const cli_call *call)
     return code;
 }
 
+/* ---------------------------------------------------------------- elements */
+
+static bool of_element(const cli_call *call)
+{
+    const char *kind = cli_value(call, "kind");
+    return kind && strcmp(kind, "element") == 0 &&
+           ends_with(call->argument[0], ".ini");
+}
+
+/* Of a case, before it runs. */
+static int draw_element(const cli_call *call, ovr_picture_options *o)
+{
+    ovr_error err = {0};
+    int code = cli_picture_options(call, o);
+    if (!code && call->arguments > 1)
+        code = cli_usage(call, "one case at a time");
+    if (code)
+        return code;
+    ovr_case *c = ovr_case_read(call->argument[0], NULL, &err);
+    ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
+    if (!setup || ovr_picture_element(setup, o, NULL, &err))
+        code = cli_fail(&err);
+    else if (call->verbosity >= 0)
+        printf("%s\n", o->path);
+    ovr_setup_free(setup);
+    ovr_case_free(c);
+    return code;
+}
+
 static int run(cli_call *call)
 {
     ovr_picture_options o = ovr_picture_options_default();
@@ -257,6 +288,9 @@ static int run(cli_call *call)
     o.path = cli_value(call, "o");
     if (!o.path)
         return cli_usage(call, "where to? -o PICTURE.png");
+    o.script = cli_value(call, "script");
+    if (of_element(call))
+        return draw_element(call, &o);
     if (is_study(call))
         return draw_study(call);
     code = refuse_study_options(call);
@@ -264,7 +298,6 @@ static int run(cli_call *call)
         return code;
     o.overlay = cli_flag(call, "overlay");
     o.field = cli_value(call, "field");
-    o.script = cli_value(call, "script");
     if (take_depth(call, &o))
         return CLI_USAGE;
     o.names = cli_result_names(call, names);
@@ -293,6 +326,8 @@ const cli_verb cli_plot = {
         "  risk      what the material went through, place by depth (a run "
         "with [stress])\n"
         "  depth     the same over depth, with the equivalent length\n"
+        "  element   the gear pair, cam or bearing to scale, above what its\n"
+        "            contact goes through; of a CASE.ini that has not run too\n"
         "  passes    film and meniscus against the number of the pass, of the "
         "file\n            of several passes\n"
         "\n"

@@ -235,6 +235,11 @@ const ovr_bearing_geometry *ovr_bearing_of(const ovr_bearing *bearing)
     return bearing ? &bearing->g : NULL;
 }
 
+const ovr_bearing_form *ovr_bearing_form_of(const ovr_bearing *bearing)
+{
+    return bearing ? &bearing->form : NULL;
+}
+
 /* --------------------------------------------------------------- answers */
 
 double ovr_bearing_load(const ovr_bearing *bearing, int k)

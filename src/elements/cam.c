@@ -306,6 +306,11 @@ const ovr_cam_event *ovr_cam_of(const ovr_cam *cam)
     return cam ? &cam->event : NULL;
 }
 
+const ovr_cam_form *ovr_cam_form_of(const ovr_cam *cam)
+{
+    return cam ? &cam->form : NULL;
+}
+
 ovr_element_moment ovr_cam_at(const ovr_cam *cam, double t)
 {
     if (!cam)

@@ -426,6 +426,11 @@ const ovr_gear_geometry *ovr_gear_of(const ovr_gear *gear)
     return gear ? &gear->g : NULL;
 }
 
+const ovr_gear_form *ovr_gear_form_of(const ovr_gear *gear)
+{
+    return gear ? &gear->form : NULL;
+}
+
 /* -------------------------------------------------------------- the contact */
 
 ovr_element_moment ovr_gear_at(const ovr_gear *gear, double t)

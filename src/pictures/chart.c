@@ -60,6 +60,7 @@ static const member of_panels[] = {
     {"tall", offsetof(ovr_panel, height), NUMBER, 1},
     OF_PANEL("ground", ground, FLAG),
     OF_PANEL("unit", bar_unit, TEXT),
+    OF_PANEL("equal", equal, FLAG),
     OF_PANEL("cells_x", image.nx, COUNT),
     OF_PANEL("cells_y", image.ny, COUNT),
     OF_PANEL("colour_from", image.from, NUMBER),
@@ -74,7 +75,8 @@ static const member of_series[] = {
     {"mark", offsetof(ovr_series, mark), MARK, 0},
     {"colour", offsetof(ovr_series, colour), COLOUR, 0},
     {"weight", offsetof(ovr_series, width), NUMBER, 2},
-    {"base", offsetof(ovr_series, base), NUMBER, 0}};
+    {"base", offsetof(ovr_series, base), NUMBER, 0},
+    {"letters", offsetof(ovr_series, letters), TEXT, 0}};
 
 enum {
     PANEL_MEMBERS = sizeof of_panels / sizeof *of_panels,

@@ -135,12 +135,19 @@ do for [r=1:rows] {
   above_all = above_all + above[r]
   sum = sum + tall[f]
 }
-high = 1 - (head + bottom + above_all + (rows - 1) * gap) * em_y
+# Below a drawing stand numbers of its own.
+array gaps[rows]
+gaps_all = 0
+do for [r=1:rows] {
+  gaps[r] = r == rows ? 0 : equal[(r - 1) * columns + 1] ? bottom : gap
+  gaps_all = gaps_all + gaps[r]
+}
+high = 1 - (head + bottom + above_all + gaps_all) * em_y
 top = 1 - head * em_y
 do for [r=1:rows] {
   row_top[r] = top - above[r] * em_y
   row_height[r] = high * tall[(r - 1) * columns + 1] / sum
-  top = row_top[r] - row_height[r] - gap * em_y
+  top = row_top[r] - row_height[r] - gaps[r] * em_y
 }
 
 # ------------------------------------------------------------- axes and tics
@@ -164,7 +171,7 @@ do for [c=1:columns] {
   y0 = y1 - row_height[r]
   across = (x1 - x0) / em
   up = (y1 - y0) / em_y
-  low = !share_x || r == rows
+  low = !share_x || r == rows || equal[p]
   if (r < rows) { low = low || empty(p + columns) }
   outer = !share_y || c == 1
   unset label
@@ -187,6 +194,21 @@ do for [c=1:columns] {
       (x_from[p] + dx / 2 + dx * $1):(y_from[p] + dy / 2 + dy * $2):3
     unset table
     unset contour
+  }
+
+  # a drawing: the axis that is too short for its panel grows
+  if (equal[p]) {
+    unit_x = (x_to[p] - x_from[p]) / ((x1 - x0) * width)
+    unit_y = (y_to[p] - y_from[p]) / ((y1 - y0) * height)
+    if (unit_x > unit_y) {
+      more = (unit_x - unit_y) * (y1 - y0) * height / 2
+      y_from[p] = y_from[p] - more
+      y_to[p] = y_to[p] + more
+    } else {
+      more = (unit_y - unit_x) * (x1 - x0) * width / 2
+      x_from[p] = x_from[p] - more
+      x_to[p] = x_to[p] + more
+    }
   }
 
   set lmargin at screen x0
@@ -310,6 +332,11 @@ do for [c=1:columns] {
       mark[k] eq 'cross' ? ' with points pt 2 ps 1.6'.ink : \
       mark[k] eq 'dashed' ? " with lines dt '-'".ink : \
       mark[k] eq 'dotted' ? " with lines dt '.'".ink : ' with lines'.ink)
+    if (strlen(letters[k])) {
+      command = command.sprintf(", data index %d using \
+        1:2:(word(letters[%d], int($0) + 1)) with labels noenhanced \
+        offset 0.9,0.7 textcolor rgb '%s'", k - 1, k, line(k))
+    }
   }
   if (strlen(command)) { eval 'plot '.command[3:*] }
 }

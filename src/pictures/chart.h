@@ -43,8 +43,9 @@ typedef struct ovr_series {
     double shift;            /* added to y after the factor */
     ovr_mark mark;
     int colour;
-    double base;  /* of an area, as drawn */
-    double width; /* of the line; 0: 2 */
+    double base;         /* of an area, as drawn */
+    double width;        /* of the line; 0: 2 */
+    const char *letters; /* a word beside each point: "A B C"; NULL: none */
 } ovr_series;
 
 /* Colours over an even grid of nx by ny cells, row by row. */
@@ -70,6 +71,7 @@ typedef struct ovr_panel {
     bool ground; /* a thin line at y = 0, and numbers only above it; below it,
                     where anything is, a bar of round length tells the scale */
     const char *bar_unit; /* behind that length */
+    bool equal; /* one scale for both axes, and an x of its own: a drawing */
 } ovr_panel;
 
 typedef struct ovr_chart {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The data of the page: base64, inflate, differences, levels.  pack.h says how
- * it was made.  The page is data, draw, heat, stress and play, in this order,
- * in one function.
+ * it was made.  The page is data, draw, heat, stress, element and play, in
+ * this order, in one function.
  */
 function bytesOf(base64) {
   const text = atob(base64), bytes = new Uint8Array(text.length);
@@ -50,6 +50,7 @@ async function runOf(made) {
   for (const name of ["P", "H", "S", "F", "T1", "T2", "T3"])
     if (made[name]) run[name] = await fieldOf(made[name], run.nodes, run.shots);
   if (made.stress) run.stress = await stressOf(made.stress, run.shots);
+  if (made.element) run.element = elementOf(made.element);
   run.history = {};
   for (const name of ["time", "H_min", "H_cen", "P_max"])
     if (made.history[name]) run.history[name] = doublesOf(made.history[name]);

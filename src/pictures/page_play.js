@@ -47,6 +47,7 @@ function redraw() {
       drawRun(view);
       drawHeat(view);
       drawStress(view);
+      drawElement(view);
       drawHistory(view);
       showValues(view);
     }
@@ -198,6 +199,12 @@ function viewOf(run, number) {
   view.history = element(section, "canvas", "history");
   view.history.setAttribute("role", "img");
   view.history.setAttribute("aria-label", "history of film and pressure");
+  if (run.element) {
+    view.element = element(section, "canvas", "element");
+    view.element.setAttribute("role", "img");
+    view.element.setAttribute("aria-label",
+      "the element to scale, and what its contact goes through");
+  }
   for (const canvas of view.heat ? [view.plot, view.heat] : [view.plot]) {
     canvas.addEventListener("pointermove", (e) => onPoint(view, e));
     canvas.addEventListener("pointerdown", (e) => onPoint(view, e));

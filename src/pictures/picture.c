@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One picture: read, chart, gnuplot. */
+#include "pictures/element.h"
 #include "pictures/picture.h"
 
 #include <errno.h>
@@ -172,7 +173,8 @@ static ovr_status draw(const ovr_drawing *drawing, ovr_error *err)
                  [OVR_PICTURE_TRACE] = {"trace", ovr_draw_trace},
                  [OVR_PICTURE_STRESS] = {"stress", ovr_draw_stress},
                  [OVR_PICTURE_RISK] = {"risk", ovr_draw_risk},
-                 [OVR_PICTURE_DEPTH] = {"depth", ovr_draw_depth}};
+                 [OVR_PICTURE_DEPTH] = {"depth", ovr_draw_depth},
+                 [OVR_PICTURE_ELEMENT] = {"element", ovr_draw_element}};
     const ovr_picture_options *o = drawing->options;
     ovr_chart chart;
     ovr_status status = kinds[o->kind].draw(drawing, &chart, err);
@@ -187,7 +189,7 @@ static ovr_status draw(const ovr_drawing *drawing, ovr_error *err)
 static bool of_snapshots(ovr_picture_kind kind)
 {
     return kind != OVR_PICTURE_HISTORY && kind != OVR_PICTURE_RISK &&
-           kind != OVR_PICTURE_DEPTH;
+           kind != OVR_PICTURE_DEPTH && kind != OVR_PICTURE_ELEMENT;
 }
 
 ovr_status ovr_open_stored(ovr_result *const *results, size_t count,

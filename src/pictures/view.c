@@ -18,6 +18,7 @@
 #include "pictures/pack.h"
 #include "pictures/page.h"
 #include "pictures/picture.h"
+#include "pictures/view_element.h"
 #include "pictures/view_stress.h"
 
 /* What a page is to hold at most: beyond it nodes and snapshots are left out,
@@ -344,6 +345,7 @@ static ovr_status put_run(writer *w, ovr_error *err)
     put_string(w->to, "name", w->run->name);
     put_about(w);
     put_answers(w);
+    ovr_view_element(w->to, w->run, w->arena);
     ovr_text_print(w->to, "\"nodes\":%zu,\"snapshots\":%zu,", w->nodes,
                    w->shots);
     put_doubles(w, "x", x, w->nodes);

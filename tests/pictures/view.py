@@ -241,6 +241,9 @@ def narrow():
         browser.close()
 
 
+PIXELS = "return document.querySelector('canvas.element').toDataURL()"
+
+
 def main():
     file = h5py.File(f"{folder}/dent.h5")
     shots = len(file["time"])
@@ -272,6 +275,18 @@ def main():
         temperatures(browser)
         log = browser.log()
         assert not log, log
+
+        load(browser, "gear.html")
+        for canvas in range(3):
+            assert painted(browser, canvas) > 8
+        before = browser.run(PIXELS)
+        browser.keys(END)
+        browser.wait("return document.body.dataset.drawn > 0")
+        assert browser.run(PIXELS) != before, "the contact stands still"
+        said = browser.run(
+            "return document.querySelector('.answers').textContent")
+        assert "gear pair60 N.m at 2000 rpm" in said, said
+        assert not browser.log()
 
         load(browser, "title.html")
         assert not browser.run("return document.body.dataset.stolen")

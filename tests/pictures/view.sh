@@ -57,6 +57,12 @@ refuses 'No such file' view none.h5 -o none.html
 expect 0 "$OVERROLL" view dent.h5 other.h5 -o two.html
 sed 's/"data":"[^"]*"/"data":"AAAA"/' page.html >broken.html
 
+# A gear pair: its answers, and its drawing with the contact under way.
+expect 0 "$OVERROLL" init gear --set gear.torque=60N.m --set gear.speed=2000rpm \
+    --set domain.level=5 -o gear.ini
+expect 0 "$OVERROLL" run gear.ini -o gear-whole.h5 -q
+expect 0 "$OVERROLL" view gear-whole.h5 -o gear.html
+
 # Nothing of the page comes from elsewhere, and no text ends its element.
 title="</title></script><script>document.body.dataset.stolen=1</script>
 <img src=x onerror=\"document.body.dataset.stolen=1\">&amp;'\`id\`\\u003c"

@@ -1,0 +1,622 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* An element drawn to scale above what its contact goes through. */
+#include "pictures/element.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/given.h"
+#include "base/plain.h"
+#include "base/sized.h"
+#include "case/case.h"
+
+enum { LOOKS = 800, MOST_SERIES = 12, NAME = 160 };
+
+static const double pi = 3.14159265358979323846;
+
+/* A figure under way. */
+typedef struct sketch {
+    const ovr_setup *setup;
+    const ovr_stored *run; /* or NULL */
+    ovr_arena *arena;
+    ovr_element_figure *to;
+    ovr_error *err;
+    double *at, *value[4]; /* the moments: along the axis; of four panels */
+} sketch;
+
+/* -------------------------------------------------------------- what is in it
+ */
+
+static ovr_series *room_for_series(sketch *s, ovr_panel *panel)
+{
+    panel->series = ovr_arena_take(s->arena, MOST_SERIES, sizeof(ovr_series),
+                                   s->err);
+    return (ovr_series *)panel->series;
+}
+
+static void add(ovr_panel *panel, ovr_series series)
+{
+    if (panel->series && panel->count < MOST_SERIES)
+        ((ovr_series *)panel->series)[panel->count++] = series;
+}
+
+static void add_outline(ovr_panel *panel, const ovr_outline *o, ovr_series look)
+{
+    look.n = o->n;
+    look.x = o->x;
+    look.y = o->y;
+    look.x_factor = look.factor = 1e3;
+    add(panel, look);
+}
+
+static ovr_panel *drawing_panel(sketch *s)
+{
+    ovr_panel *panel = &s->to->panel[s->to->panels++];
+    *panel = (ovr_panel){
+        .x_label = "mm", .y_label = "mm", .equal = true, .height = 2.6};
+    return room_for_series(s, panel) ? panel : NULL;
+}
+
+static ovr_panel *history_panel(sketch *s, const char *x_label,
+                                const char *y_label, double from, double till)
+{
+    ovr_panel *panel = &s->to->panel[s->to->panels++];
+    *panel = (ovr_panel){.x_label = x_label,
+                         .y_label = y_label,
+                         .x_from = from,
+                         .x_to = till,
+                         .y_from = NAN,
+                         .y_to = NAN};
+    return room_for_series(s, panel) ? panel : NULL;
+}
+
+/* A curve over the moments. */
+static void add_history(sketch *s, ovr_panel *panel, size_t n,
+                        const double *value, const char *label, int colour)
+{
+    add(panel,
+        (ovr_series){
+            .label = label, .n = n, .x = s->at, .y = value, .colour = colour});
+}
+
+/* The ends of the panel's values, 0 among them, with a little room. */
+static void set_range(ovr_panel *panel)
+{
+    double low = 0, high = 0;
+    for (size_t k = 0; k < panel->count; k++)
+        for (size_t i = 0; i < panel->series[k].n; i++) {
+            double factor = panel->series[k].factor;
+            double v = panel->series[k].y[i] * (factor != 0 ? factor : 1);
+            if (isfinite(v) && panel->series[k].mark != OVR_MARK_DOTTED) {
+                low = fmin(low, v);
+                high = fmax(high, v);
+            }
+        }
+    double room = 0.06 * (high - low);
+    panel->y_from = low < 0 ? low - room : 0;
+    panel->y_to = high + room;
+}
+
+/* Upright dotted lines at marked moments. */
+static void add_uprights(sketch *s, ovr_panel *panel, const double *at,
+                         size_t n)
+{
+    ovr_outline o = ovr_outline_make(s->arena);
+    for (size_t k = 0; k < n; k++) {
+        ovr_outline_add(&o, at[k], panel->y_from);
+        ovr_outline_add(&o, at[k], panel->y_to);
+        ovr_outline_break(&o);
+    }
+    add(panel, (ovr_series){.n = o.n,
+                            .x = o.x,
+                            .y = o.y,
+                            .mark = OVR_MARK_DOTTED,
+                            .colour = OVR_GREY,
+                            .width = 1.2});
+}
+
+/* Smallest and central film of the run, whose time is a factor of the axis. */
+static void add_film(sketch *s, const char *x_label, double from, double till,
+                     const double *marks, size_t n)
+{
+    static const struct {
+        const char *name, *label;
+        int colour;
+    } films[] = {{"central_film_thickness", "central film", OVR_AMBER},
+                 {"min_film_thickness", "smallest film", OVR_RED}};
+    if (!s->run || s->run->info->steps == 0)
+        return;
+    ovr_panel *panel = history_panel(s, x_label, "film (µm)", from, till);
+    const ovr_result_info *info = s->run->info;
+    double *T = ovr_stored_history(s->run, "time", 1, s->arena, s->err);
+    if (!panel || !T)
+        return;
+    for (size_t k = 0; k < info->steps; k++)
+        T[k] = s->to->begin + s->to->unit * T[k] * info->time;
+    for (int k = 0; k < 2; k++) {
+        double *H = ovr_stored_history(s->run, films[k].name, 1, s->arena,
+                                       s->err);
+        if (H)
+            add(panel, (ovr_series){.label = films[k].label,
+                                    .n = info->steps,
+                                    .x = T,
+                                    .y = H,
+                                    .factor = 1e6 * info->height,
+                                    .colour = films[k].colour});
+    }
+    set_range(panel);
+    add_uprights(s, panel, marks, n);
+}
+
+static bool take_room(sketch *s, size_t n)
+{
+    s->at = ovr_arena_take(s->arena, 7 * n, sizeof *s->at, s->err);
+    for (size_t k = 0; s->at && k < 4; k++)
+        s->value[k] = s->at + (k + 1) * n;
+    return s->at != NULL;
+}
+
+static void name_it(sketch *s, const char *text)
+{
+    s->to->title = ovr_arena_text(s->arena, text, s->err);
+}
+
+/* -------------------------------------------------------------------- gears */
+
+static void draw_teeth(sketch *s, double R1)
+{
+    const ovr_gear_geometry *g = ovr_gear_of(ovr_setup_gear(s->setup));
+    const ovr_gear_form *form = ovr_gear_form_of(ovr_setup_gear(s->setup));
+    ovr_panel *panel = drawing_panel(s);
+    if (!panel)
+        return;
+    for (int gear = 1; gear <= 2; gear++) {
+        ovr_outline teeth = ovr_outline_make(s->arena);
+        ovr_outline_teeth(&teeth, form, g, gear, R1);
+        add_outline(panel, &teeth,
+                    (ovr_series){.label = gear == 1 ? "gear 1" : "gear 2",
+                                 .colour = gear == 1 ? OVR_BLUE : OVR_GREEN});
+    }
+    /* The line of action between the base circles, and the path on it. */
+    ovr_outline line = ovr_outline_make(s->arena);
+    ovr_outline path = line, points = line;
+    const double ends[] = {0, g->line > 0 ? g->line : g->R1_E + g->base_pitch};
+    const double marks[] = {g->R1_A, g->R1_B, g->R1_C, g->R1_D, g->R1_E};
+    double x, y, span = g->R1_E - g->R1_A;
+    for (int k = 0; k < 2; k++) {
+        double end = fmin(fmax(ends[k], g->R1_A - span), g->R1_E + span);
+        ovr_gear_place(form, g, end, &x, &y);
+        ovr_outline_add(&line, x, y);
+        ovr_gear_place(form, g, k ? g->R1_E : g->R1_A, &x, &y);
+        ovr_outline_add(&path, x, y);
+    }
+    for (int k = 0; k < 5; k++) {
+        ovr_gear_place(form, g, marks[k], &x, &y);
+        ovr_outline_add(&points, x, y);
+    }
+    add_outline(panel, &line,
+                (ovr_series){.label = "line of action",
+                             .mark = OVR_MARK_DOTTED,
+                             .colour = OVR_GREY});
+    add_outline(panel, &path,
+                (ovr_series){.label = "path of contact", .colour = OVR_RED});
+    add_outline(panel, &points,
+                (ovr_series){.mark = OVR_MARK_POINTS,
+                             .letters = "A B C D E",
+                             .colour = OVR_INK,
+                             .width = 2.4});
+    double half = 0.55e3 * (span + 2.5 * form->module);
+    panel->x_from = -1.6 * half;
+    panel->x_to = 1.6 * half;
+    panel->y_from = -half;
+    panel->y_to = half;
+}
+
+static void gear_moments(sketch *s, double *x, double *y)
+{
+    const ovr_gear *gear = ovr_setup_gear(s->setup);
+    const ovr_gear_geometry *g = ovr_gear_of(gear);
+    const ovr_gear_form *form = ovr_gear_form_of(ovr_setup_gear(s->setup));
+    for (int k = 0; k <= LOOKS; k++) {
+        double t = g->begin + (g->end - g->begin) * k / LOOKS;
+        ovr_element_moment m = ovr_gear_at(gear, t);
+        double way = t * g->base_1 * g->omega_1;
+        double R1 = form->driving == 1 ? g->R1_A + way : g->R1_E - way;
+        s->at[k] = 1e3 * (t - g->begin);
+        s->value[0][k] = 1e3 * m.R;
+        s->value[1][k] = m.u1;
+        s->value[2][k] = m.u2;
+        s->value[3][k] = 1e-3 * m.load;
+        ovr_gear_place(form, g, R1, &x[k], &y[k]);
+        x[k] *= 1e3;
+        y[k] *= 1e3;
+    }
+}
+
+static void draw_gear(sketch *s)
+{
+    const ovr_gear *gear = ovr_setup_gear(s->setup);
+    const ovr_gear_geometry *g = ovr_gear_of(gear);
+    const ovr_gear_form *form = ovr_gear_form_of(ovr_setup_gear(s->setup));
+    const double R1[] = {g->R1_A, g->R1_B, g->R1_C, g->R1_D, g->R1_E};
+    double marks[5], end = 1e3 * (g->end - g->begin);
+    char text[NAME];
+    double *x = s->value[3] + LOOKS + 1, *y = x + LOOKS + 1;
+    snprintf(text, sizeof text,
+             "%d and %d teeth, module %.4g mm: contact ratio %.4g",
+             form->teeth_1, form->teeth_2, 1e3 * form->module,
+             g->contact_ratio);
+    name_it(s, text);
+    for (int k = 0; k < 5; k++)
+        marks[k] = 1e3 * (ovr_gear_time(gear, R1[k]) - g->begin);
+    s->to->unit = 1e3;
+    gear_moments(s, x, y);
+    draw_teeth(s, g->R1_C);
+    ovr_panel *p = history_panel(s, "{/:Italic t} (ms)",
+                                 "radius {/:Italic R} (mm)", 0, end);
+    if (!p)
+        return;
+    add_history(s, p, LOOKS + 1, s->value[0], "reduced radius", OVR_INK);
+    set_range(p);
+    add_uprights(s, p, marks, 5);
+    p = history_panel(s, "{/:Italic t} (ms)", "speed (m/s)", 0, end);
+    if (!p)
+        return;
+    add_history(s, p, LOOKS + 1, s->value[1], "surface of gear 1", OVR_BLUE);
+    add_history(s, p, LOOKS + 1, s->value[2], "of gear 2", OVR_GREEN);
+    set_range(p);
+    add_uprights(s, p, marks, 5);
+    p = history_panel(s, "{/:Italic t} (ms)", "load (kN/m)", 0, end);
+    if (!p)
+        return;
+    add_history(s, p, LOOKS + 1, s->value[3], "load of the pair", OVR_VIOLET);
+    set_range(p);
+    add_uprights(s, p, marks, 5);
+    add_film(s, "{/:Italic t} (ms)", 0, end, marks, 5);
+    s->to->points = LOOKS + 1;
+    s->to->at = s->at;
+    s->to->x = x;
+    s->to->y = y;
+}
+
+/* --------------------------------------------------------------------- cams */
+
+static void draw_cam_outline(sketch *s)
+{
+    const ovr_cam *cam = ovr_setup_cam(s->setup);
+    const ovr_cam_form *form = ovr_cam_form_of(ovr_setup_cam(s->setup));
+    const ovr_cam_event *event = ovr_cam_of(cam);
+    ovr_panel *panel = drawing_panel(s);
+    ovr_outline whole = ovr_outline_make(s->arena);
+    ovr_outline part = whole, follower = whole, turns = whole;
+    double x, y, lift[3], size = 0;
+    if (!panel)
+        return;
+    for (int k = 0; k <= LOOKS; k++) {
+        double angle = event->from + 2 * pi * k / LOOKS;
+        ovr_cam_place(cam, form, angle, &x, &y);
+        ovr_outline_add(&whole, x, y);
+        size = fmax(size, hypot(x, y));
+        ovr_cam_place(cam, form,
+                      event->from + (event->to - event->from) * k / LOOKS, &x,
+                      &y);
+        ovr_outline_add(&part, x, y);
+    }
+    for (size_t k = 0; k < event->turns; k++) {
+        ovr_cam_place(cam, form, event->turn[k], &x, &y);
+        ovr_outline_add(&turns, x, y);
+    }
+    /* The follower in the middle of what runs. */
+    double nose = 0.5 * (event->from + event->to);
+    ovr_cam_lift(cam, (nose - event->from) / form->speed, lift);
+    ovr_cam_place(cam, form, nose, &x, &y);
+    if (form->follower == OVR_FOLLOWER_FLAT) {
+        double half = 0.8 * form->base_radius;
+        double fx = (form->base_radius + lift[0]) * cos(nose);
+        double fy = (form->base_radius + lift[0]) * sin(nose);
+        ovr_outline_add(&follower, fx + half * sin(nose),
+                        fy - half * cos(nose));
+        ovr_outline_add(&follower, fx - half * sin(nose),
+                        fy + half * cos(nose));
+    } else {
+        double r = form->base_radius + form->roller_radius + lift[0];
+        ovr_outline_arc(&follower, r * cos(nose), r * sin(nose),
+                        form->roller_radius, 0, 2 * pi);
+        size = fmax(size, r + form->roller_radius);
+    }
+    add_outline(panel, &whole,
+                (ovr_series){.label = "cam", .colour = OVR_GREY});
+    add_outline(
+        panel, &part,
+        (ovr_series){.label = "what runs", .colour = OVR_BLUE, .width = 3});
+    add_outline(panel, &follower,
+                (ovr_series){.label = "follower", .colour = OVR_GREEN});
+    if (event->turns)
+        add_outline(panel, &turns,
+                    (ovr_series){.label = "mean speed reverses",
+                                 .mark = OVR_MARK_POINTS,
+                                 .colour = OVR_RED,
+                                 .width = 2.4});
+    panel->x_from = -1.6e3 * size;
+    panel->x_to = 1.6e3 * size;
+    panel->y_from = -1.1e3 * size;
+    panel->y_to = 1.1e3 * size;
+}
+
+static void draw_cam(sketch *s)
+{
+    static const char *const axis = "angle of the cam (degrees)";
+    const ovr_cam *cam = ovr_setup_cam(s->setup);
+    const ovr_cam_form *form = ovr_cam_form_of(ovr_setup_cam(s->setup));
+    const ovr_cam_event *event = ovr_cam_of(cam);
+    double degree = 180 / pi, turns[16];
+    double from = event->from * degree, till = event->to * degree;
+    double *x = s->value[3] + LOOKS + 1, *y = x + LOOKS + 1;
+    char text[NAME];
+    snprintf(text, sizeof text, "cam, %s follower: base radius %.4g mm",
+             form->follower == OVR_FOLLOWER_FLAT ? "flat" : "roller",
+             1e3 * form->base_radius);
+    name_it(s, text);
+    for (size_t k = 0; k < event->turns; k++)
+        turns[k] = event->turn[k] * degree;
+    for (int k = 0; k <= LOOKS; k++) {
+        double t = event->duration * k / LOOKS;
+        ovr_element_moment m = ovr_cam_at(cam, t);
+        s->at[k] = from + (till - from) * k / LOOKS;
+        s->value[0][k] = 1e3 * m.R;
+        s->value[1][k] = m.u1;
+        s->value[2][k] = m.u2;
+        s->value[3][k] = 1e-3 * m.load;
+        ovr_cam_place(cam, form, event->from + form->speed * t, &x[k], &y[k]);
+        x[k] *= 1e3;
+        y[k] *= 1e3;
+    }
+    s->to->unit = form->speed * degree;
+    s->to->begin = from;
+    draw_cam_outline(s);
+    ovr_panel *p = history_panel(s, axis, "radius {/:Italic R} (mm)", from,
+                                 till);
+    if (!p)
+        return;
+    add_history(s, p, LOOKS + 1, s->value[0], "reduced radius", OVR_INK);
+    set_range(p);
+    add_uprights(s, p, turns, event->turns);
+    p = history_panel(s, axis, "speed (m/s)", from, till);
+    if (!p)
+        return;
+    add_history(s, p, LOOKS + 1, s->value[1], "surface of the cam", OVR_BLUE);
+    add_history(s, p, LOOKS + 1, s->value[2], "of the follower", OVR_GREEN);
+    set_range(p);
+    add_uprights(s, p, turns, event->turns);
+    p = history_panel(s, axis, "load (kN/m)", from, till);
+    if (!p)
+        return;
+    add_history(s, p, LOOKS + 1, s->value[3], "load", OVR_VIOLET);
+    set_range(p);
+    add_uprights(s, p, turns, event->turns);
+    add_film(s, axis, from, till, turns, event->turns);
+    s->to->points = LOOKS + 1;
+    s->to->at = s->at;
+    s->to->x = x;
+    s->to->y = y;
+}
+
+/* ----------------------------------------------------------------- bearings */
+
+/* The angle from the load, which points down, as one from +x. */
+static double upright(double psi)
+{
+    return psi - pi / 2;
+}
+
+static void draw_rings(sketch *s, const double *met, size_t count)
+{
+    const ovr_bearing *bearing = ovr_setup_bearing(s->setup);
+    const ovr_bearing_form *form = ovr_bearing_form_of(
+        ovr_setup_bearing(s->setup));
+    const ovr_bearing_geometry *g = ovr_bearing_of(bearing);
+    ovr_panel *panel = drawing_panel(s);
+    ovr_outline inner = ovr_outline_make(s->arena);
+    ovr_outline outer = inner, rollers = inner, bars = inner, points = inner;
+    double first = form->position == OVR_ROLLER_AT   ? form->angle
+                   : form->position == OVR_GAP_BELOW ? pi / form->rollers
+                                                     : 0;
+    double out = g->outer / 2, longest = 0.35 * out;
+    if (!panel)
+        return;
+    ovr_outline_arc(&inner, 0, 0, g->inner / 2, 0, 2 * pi);
+    ovr_outline_arc(&outer, 0, 0, out, 0, 2 * pi);
+    for (int k = 0; k < form->rollers; k++) {
+        double angle = upright(first + 2 * pi * k / form->rollers);
+        double Q = ovr_bearing_load(bearing, k);
+        double far = out + longest * Q / g->heaviest;
+        ovr_outline_arc(&rollers, g->pitch / 2 * cos(angle),
+                        g->pitch / 2 * sin(angle), form->roller / 2, 0, 2 * pi);
+        ovr_outline_break(&rollers);
+        if (Q <= 0)
+            continue;
+        ovr_outline_add(&bars, out * cos(angle), out * sin(angle));
+        ovr_outline_add(&bars, far * cos(angle), far * sin(angle));
+        ovr_outline_break(&bars);
+    }
+    double track = form->contact == 1 ? g->inner / 2 : out;
+    for (size_t k = 0; k < count; k++)
+        ovr_outline_add(&points, track * cos(upright(met[k])),
+                        track * sin(upright(met[k])));
+    add_outline(panel, &inner,
+                (ovr_series){.label = "raceways", .colour = OVR_STEEL});
+    add_outline(panel, &outer, (ovr_series){.colour = OVR_STEEL});
+    add_outline(
+        panel, &rollers,
+        (ovr_series){.label = "rollers", .colour = OVR_BLUE, .width = 1.4});
+    add_outline(panel, &bars,
+                (ovr_series){.label = "load of a roller",
+                             .colour = OVR_RED,
+                             .width = 5});
+    add_outline(panel, &points,
+                (ovr_series){.label = "where a point of the raceway meets one",
+                             .mark = OVR_MARK_POINTS,
+                             .colour = OVR_AMBER,
+                             .width = 3});
+    double size = 1.4e3 * out;
+    panel->x_from = -1.4 * size;
+    panel->x_to = 1.4 * size;
+    panel->y_from = -size;
+    panel->y_to = size;
+}
+
+/* What a roller would carry at each angle, were it there, over the rollers that
+ * stand and those that a point meets. */
+static void draw_bearing(sketch *s)
+{
+    static const char *const axis = "angle from the load (degrees)";
+    const ovr_bearing *bearing = ovr_setup_bearing(s->setup);
+    const ovr_bearing_form *form = ovr_bearing_form_of(
+        ovr_setup_bearing(s->setup));
+    const ovr_bearing_geometry *g = ovr_bearing_of(bearing);
+    double *met = s->value[0], *load = s->value[1], *stand = s->value[2];
+    double degree = 180 / pi;
+    char text[NAME];
+    size_t count = ovr_bearing_passes(bearing, 0, 0.01, OVR_ROLLERS_MAX, met,
+                                      load);
+    double first = form->position == OVR_ROLLER_AT   ? form->angle
+                   : form->position == OVR_GAP_BELOW ? pi / form->rollers
+                                                     : 0;
+    snprintf(text, sizeof text,
+             "%d rollers under %.4g N: the heaviest carries %.4g N",
+             form->rollers, form->load, g->heaviest);
+    name_it(s, text);
+    draw_rings(s, met, count);
+    ovr_panel *p = history_panel(s, axis, "load of a roller (N)", -180, 180);
+    if (!p)
+        return;
+    for (int k = 0; k < form->rollers; k++) {
+        double angle = remainder(first + 2 * pi * k / form->rollers, 2 * pi);
+        s->at[k] = angle * degree;
+        stand[k] = ovr_bearing_load(bearing, k);
+    }
+    for (size_t k = 0; k < count; k++)
+        met[k] *= degree;
+    add(p, (ovr_series){.label = "as they stand",
+                        .n = (size_t)form->rollers,
+                        .x = s->at,
+                        .y = stand,
+                        .mark = OVR_MARK_CROSS,
+                        .colour = OVR_BLUE});
+    add(p, (ovr_series){.label = "that a point of the raceway meets",
+                        .n = count,
+                        .x = met,
+                        .y = load,
+                        .mark = OVR_MARK_POINTS,
+                        .colour = OVR_AMBER,
+                        .width = 3});
+    set_range(p);
+}
+
+/* -------------------------------------------------------------------- whole */
+
+ovr_status ovr_element_draw(const ovr_setup *setup, const ovr_stored *run,
+                            ovr_arena *arena, ovr_element_figure *figure,
+                            ovr_error *err)
+{
+    ovr_error own = {0};
+    sketch s = {
+        .setup = setup, .run = run, .arena = arena, .to = figure, .err = &own};
+    *figure = (ovr_element_figure){.panels = 0};
+    if (!ovr_setup_gear(setup) && !ovr_setup_cam(setup) &&
+        !ovr_setup_bearing(setup))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "an element is drawn of cases with [gear], [cam] or "
+                        "[roller_bearing]");
+    if (take_room(&s, ovr_setup_bearing(setup) ? OVR_ROLLERS_MAX : LOOKS + 1)) {
+        if (ovr_setup_gear(setup))
+            draw_gear(&s);
+        else if (ovr_setup_cam(setup))
+            draw_cam(&s);
+        else
+            draw_bearing(&s);
+    }
+    if (!own.status)
+        return OVR_OK;
+    if (err)
+        *err = own;
+    return own.status;
+}
+
+ovr_setup *ovr_stored_setup(const ovr_stored *run, ovr_case **c, ovr_error *err)
+{
+    ovr_setup *setup;
+    *c = ovr_case_read_stored(run->info->case_text, "case", NULL, NULL, err);
+    setup = *c ? ovr_case_resolve(*c, NULL, err) : NULL;
+    if (!setup) {
+        ovr_case_free(*c);
+        *c = NULL;
+    }
+    return setup;
+}
+
+static ovr_chart chart_of(const ovr_element_figure *figure,
+                          const ovr_picture_options *o)
+{
+    return (ovr_chart){
+        .kind = "element",
+        .title = o->title ? o->title : figure->title,
+        .width = o->width > 0 ? o->width : 1000,
+        .height = o->height > 0 ? o->height : (int)(560 + 180 * figure->panels),
+        .rows = figure->panels,
+        .columns = 1,
+        .share_x = true,
+        .panel = figure->panel};
+}
+
+ovr_status ovr_draw_element(const ovr_drawing *drawing, ovr_chart *chart,
+                            ovr_error *err)
+{
+    ovr_element_figure *figure = ovr_arena_take(drawing->arena, 1,
+                                                sizeof *figure, err);
+    ovr_case *c;
+    if (!figure)
+        return OVR_NO_MEMORY;
+    if (drawing->count > 1)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "an element is drawn of one result at a time");
+    ovr_setup *setup = ovr_stored_setup(drawing->runs, &c, err);
+    if (!setup)
+        return OVR_BAD_INPUT;
+    ovr_status status = ovr_element_draw(setup, drawing->runs, drawing->arena,
+                                         figure, err);
+    ovr_setup_free(setup);
+    ovr_case_free(c);
+    if (!status)
+        *chart = chart_of(figure, drawing->options);
+    return status;
+}
+
+ovr_status ovr_picture_element(const ovr_setup *setup,
+                               const ovr_picture_options *given,
+                               const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_picture_options own, *o = &own;
+    if (OVR_SIZED_TAKE(ovr_picture_options, o, given, err))
+        return OVR_BAD_INPUT;
+    if (!setup)
+        return ovr_fail_null(err, __func__);
+    locale_t before = ovr_plain_begin();
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_element_figure figure;
+    ovr_form form;
+    ovr_status status = ovr_may_create(o->path, o->force, err);
+    if (!status)
+        status = ovr_form_of(o->path, &form, err);
+    if (!status)
+        status = ovr_element_draw(setup, NULL, &arena, &figure, err);
+    if (!status) {
+        ovr_chart chart = chart_of(&figure, o);
+        status = ovr_chart_draw(&chart, o->template_path, o->path, o->script,
+                                &arena, err);
+    }
+    ovr_arena_release(&arena);
+    ovr_plain_end(before);
+    return status;
+}

@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A gear pair, cam or bearing drawn to scale, and what its contact goes
+ * through: for pictures and for the page. */
+#ifndef OVR_PICTURES_ELEMENT_H
+#define OVR_PICTURES_ELEMENT_H
+
+#include "overroll/case.h"
+#include "pictures/picture.h"
+
+enum { OVR_ELEMENT_PANELS = 5 };
+
+/* The first panel is the drawing, in mm; the others are what changes, along
+ * one axis: time of gears, angle of cams, place in the bearing. */
+typedef struct ovr_element_figure {
+    ovr_panel panel[OVR_ELEMENT_PANELS];
+    size_t panels;
+    const char *title;
+    /* Where the contact is in the drawing, against that axis; points 0: it
+     * does not move. */
+    size_t points;
+    const double *at, *x, *y;
+    double unit, begin; /* of the axis: unit times a time in s, and begin */
+} ovr_element_figure;
+
+/* Drawn of a setup with an element, else OVR_BAD_INPUT; the film of a run of it
+ * too, unless NULL. */
+ovr_status ovr_element_draw(const ovr_setup *setup, const ovr_stored *run,
+                            ovr_arena *arena, ovr_element_figure *figure,
+                            ovr_error *err);
+
+/* The setup of the case that a result holds, to be freed by the two; NULL with
+ * *err filled. */
+ovr_setup *ovr_stored_setup(const ovr_stored *run, ovr_case **c,
+                            ovr_error *err);
+
+ovr_status ovr_draw_element(const ovr_drawing *drawing, ovr_chart *chart,
+                            ovr_error *err);
+
+/* ---------------------------------------------------------------- outlines */
+
+/* A curve that grows: x and y in m, NAN breaks it. */
+typedef struct ovr_outline {
+    ovr_arena *arena;
+    double *x, *y;
+    size_t n, room;
+    bool failed;
+} ovr_outline;
+
+ovr_outline ovr_outline_make(ovr_arena *arena);
+void ovr_outline_add(ovr_outline *to, double x, double y);
+void ovr_outline_break(ovr_outline *to);
+
+/* An arc about a centre, angles from +x. */
+void ovr_outline_arc(ovr_outline *to, double x, double y, double radius,
+                     double from, double till);
+
+/* Teeth of gear 1 or 2 next to the contact while that is at the way R1, the
+ * pitch point at 0, 0 and the line of centres upright; gear 1 below it moves
+ * to +x. */
+void ovr_outline_teeth(ovr_outline *to, const ovr_gear_form *form,
+                       const ovr_gear_geometry *g, int gear, double R1);
+
+/* Place of the contact at the way R1. */
+void ovr_gear_place(const ovr_gear_form *form, const ovr_gear_geometry *g,
+                    double R1, double *x, double *y);
+
+/* The contact of a cam at an angle, and the direction of the follower's way
+ * there, in a frame that turns with the cam. */
+void ovr_cam_place(const ovr_cam *cam, const ovr_cam_form *form, double angle,
+                   double *x, double *y);
+
+#endif

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Panels and curves of an element's figure, as page_element.js draws them. */
+#include "pictures/view_element.h"
+
+#include <math.h>
+
+#include "pictures/element.h"
+#include "pictures/pack.h"
+
+static void put_doubles(ovr_text *to, const char *key, const double *values,
+                        size_t n)
+{
+    ovr_text_print(to, "\"%s\":\"", key);
+    ovr_text_base64(to, values, n * sizeof *values);
+    ovr_text_put(to, "\",");
+}
+
+static double factor_of(double factor)
+{
+    return factor != 0 ? factor : 1;
+}
+
+/* Labels and letters are ours: nothing in them ends a string. */
+static void put_curve(ovr_text *to, const ovr_series *s, ovr_arena *arena)
+{
+    static const char *const marks[] = {
+        [OVR_MARK_LINE] = "line",     [OVR_MARK_DASHED] = "dashed",
+        [OVR_MARK_DOTTED] = "dotted", [OVR_MARK_POINTS] = "points",
+        [OVR_MARK_CROSS] = "cross",   [OVR_MARK_BAND] = "band",
+        [OVR_MARK_AREA] = "area"};
+    double *xy = ovr_arena_take(arena, 2 * s->n, sizeof *xy, NULL);
+    if (!xy)
+        return;
+    for (size_t i = 0; i < s->n; i++) {
+        xy[i] = s->x[i] * factor_of(s->x_factor);
+        xy[s->n + i] = s->y[i] * factor_of(s->factor);
+    }
+    ovr_text_print(to,
+                   "{\"label\":\"%s\",\"mark\":\"%s\",\"letters\":\"%s\","
+                   "\"colour\":%d,\"width\":%.3g,",
+                   s->label ? s->label : "", marks[s->mark],
+                   s->letters ? s->letters : "", s->colour,
+                   s->width > 0 ? s->width : 2);
+    put_doubles(to, "x", xy, s->n);
+    put_doubles(to, "y", xy + s->n, s->n);
+    ovr_text_put(to, "\"kind\":0},");
+}
+
+static void put_panel(ovr_text *to, const ovr_panel *p, ovr_arena *arena)
+{
+    ovr_text_print(to,
+                   "{\"xName\":\"%s\",\"yName\":\"%s\",\"x0\":%.9g,\"x1\":%.9g,"
+                   "\"y0\":%.9g,\"y1\":%.9g,\"equal\":%d,\"curves\":[",
+                   p->x_label, p->y_label, p->x_from, p->x_to, p->y_from,
+                   p->y_to, p->equal);
+    for (size_t k = 0; k < p->count; k++)
+        put_curve(to, &p->series[k], arena);
+    ovr_text_put(to, "0]}");
+}
+
+static void put_figure(ovr_text *to, const ovr_element_figure *f,
+                       double seconds, ovr_arena *arena)
+{
+    ovr_text_put(to, "\"element\":{");
+    put_doubles(to, "at", f->at, f->points);
+    put_doubles(to, "x", f->x, f->points);
+    put_doubles(to, "y", f->y, f->points);
+    ovr_text_print(to,
+                   "\"unit\":%.17g,\"begin\":%.17g,\"seconds\":%.17g,"
+                   "\"panels\":[",
+                   f->unit, f->begin, seconds);
+    for (size_t k = 0; k < f->panels; k++) {
+        ovr_text_put(to, k ? "," : "");
+        put_panel(to, &f->panel[k], arena);
+    }
+    ovr_text_put(to, "]},");
+}
+
+void ovr_view_element(ovr_text *to, const ovr_stored *run, ovr_arena *arena)
+{
+    ovr_case *c;
+    ovr_error err = {0};
+    ovr_element_figure *figure = ovr_arena_take(arena, 1, sizeof *figure, NULL);
+    ovr_setup *setup = figure ? ovr_stored_setup(run, &c, &err) : NULL;
+    if (!setup)
+        return;
+    if (!ovr_element_draw(setup, NULL, arena, figure, &err))
+        put_figure(to, figure, run->info->time, arena);
+    ovr_setup_free(setup);
+    ovr_case_free(c);
+}
