@@ -149,6 +149,41 @@ static void add_film(sketch *s, const char *x_label, double from, double till,
     add_uprights(s, panel, marks, n);
 }
 
+/* An axis of moments, with marks on it. */
+typedef struct course {
+    const char *axis;
+    double from, till;
+    const double *mark;
+    size_t marks;
+} course;
+
+static void add_panel(sketch *s, const course *c, const char *y_label,
+                      size_t first, size_t count, const char *const label[],
+                      const int colour[])
+{
+    ovr_panel *panel = history_panel(s, c->axis, y_label, c->from, c->till);
+    for (size_t k = 0; panel && k < count; k++)
+        add_history(s, panel, LOOKS + 1, s->value[first + k], label[k],
+                    colour[k]);
+    if (!panel)
+        return;
+    set_range(panel);
+    add_uprights(s, panel, c->mark, c->marks);
+}
+
+/* Radius, speeds and load, and the film of the run; `of`: what the surfaces
+ * are. */
+static void add_course(sketch *s, const course *c, const char *const of[2])
+{
+    add_panel(s, c, "radius {/:Italic R} (mm)", 0, 1,
+              (const char *const[]){"reduced radius"}, (const int[]){OVR_INK});
+    add_panel(s, c, "speed (m/s)", 1, 2, of,
+              (const int[]){OVR_BLUE, OVR_GREEN});
+    add_panel(s, c, "load (kN/m)", 3, 1, (const char *const[]){"load"},
+              (const int[]){OVR_VIOLET});
+    add_film(s, c->axis, c->from, c->till, c->mark, c->marks);
+}
+
 static bool take_room(sketch *s, size_t n)
 {
     s->at = ovr_arena_take(s->arena, 7 * n, sizeof *s->at, s->err);
@@ -253,27 +288,8 @@ static void draw_gear(sketch *s)
     s->to->unit = 1e3;
     gear_moments(s, x, y);
     draw_teeth(s, g->R1_C);
-    ovr_panel *p = history_panel(s, "{/:Italic t} (ms)",
-                                 "radius {/:Italic R} (mm)", 0, end);
-    if (!p)
-        return;
-    add_history(s, p, LOOKS + 1, s->value[0], "reduced radius", OVR_INK);
-    set_range(p);
-    add_uprights(s, p, marks, 5);
-    p = history_panel(s, "{/:Italic t} (ms)", "speed (m/s)", 0, end);
-    if (!p)
-        return;
-    add_history(s, p, LOOKS + 1, s->value[1], "surface of gear 1", OVR_BLUE);
-    add_history(s, p, LOOKS + 1, s->value[2], "of gear 2", OVR_GREEN);
-    set_range(p);
-    add_uprights(s, p, marks, 5);
-    p = history_panel(s, "{/:Italic t} (ms)", "load (kN/m)", 0, end);
-    if (!p)
-        return;
-    add_history(s, p, LOOKS + 1, s->value[3], "load of the pair", OVR_VIOLET);
-    set_range(p);
-    add_uprights(s, p, marks, 5);
-    add_film(s, "{/:Italic t} (ms)", 0, end, marks, 5);
+    const course c = {"{/:Italic t} (ms)", 0, end, marks, 5};
+    add_course(s, &c, (const char *const[]){"surface of gear 1", "of gear 2"});
     s->to->points = LOOKS + 1;
     s->to->at = s->at;
     s->to->x = x;
@@ -281,6 +297,29 @@ static void draw_gear(sketch *s)
 }
 
 /* --------------------------------------------------------------------- cams */
+
+/* In the middle of what runs; returns how far out it reaches, m. */
+static double draw_follower(sketch *s, ovr_outline *to)
+{
+    const ovr_cam *cam = ovr_setup_cam(s->setup);
+    const ovr_cam_form *form = ovr_cam_form_of(cam);
+    const ovr_cam_event *event = ovr_cam_of(cam);
+    double at = 0.5 * (event->from + event->to), lift[3];
+    ovr_cam_lift(cam, (at - event->from) / form->speed, lift);
+    double r = form->base_radius + lift[0];
+    if (form->follower == OVR_FOLLOWER_FLAT) {
+        double half = 0.8 * form->base_radius;
+        ovr_outline_add(to, r * cos(at) + half * sin(at),
+                        r * sin(at) - half * cos(at));
+        ovr_outline_add(to, r * cos(at) - half * sin(at),
+                        r * sin(at) + half * cos(at));
+        return r;
+    }
+    r += form->roller_radius;
+    ovr_outline_arc(to, r * cos(at), r * sin(at), form->roller_radius, 0,
+                    2 * pi);
+    return r + form->roller_radius;
+}
 
 static void draw_cam_outline(sketch *s)
 {
@@ -290,7 +329,7 @@ static void draw_cam_outline(sketch *s)
     ovr_panel *panel = drawing_panel(s);
     ovr_outline whole = ovr_outline_make(s->arena);
     ovr_outline part = whole, follower = whole, turns = whole;
-    double x, y, lift[3], size = 0;
+    double x, y, size = 0;
     if (!panel)
         return;
     for (int k = 0; k <= LOOKS; k++) {
@@ -307,24 +346,7 @@ static void draw_cam_outline(sketch *s)
         ovr_cam_place(cam, form, event->turn[k], &x, &y);
         ovr_outline_add(&turns, x, y);
     }
-    /* The follower in the middle of what runs. */
-    double nose = 0.5 * (event->from + event->to);
-    ovr_cam_lift(cam, (nose - event->from) / form->speed, lift);
-    ovr_cam_place(cam, form, nose, &x, &y);
-    if (form->follower == OVR_FOLLOWER_FLAT) {
-        double half = 0.8 * form->base_radius;
-        double fx = (form->base_radius + lift[0]) * cos(nose);
-        double fy = (form->base_radius + lift[0]) * sin(nose);
-        ovr_outline_add(&follower, fx + half * sin(nose),
-                        fy - half * cos(nose));
-        ovr_outline_add(&follower, fx - half * sin(nose),
-                        fy + half * cos(nose));
-    } else {
-        double r = form->base_radius + form->roller_radius + lift[0];
-        ovr_outline_arc(&follower, r * cos(nose), r * sin(nose),
-                        form->roller_radius, 0, 2 * pi);
-        size = fmax(size, r + form->roller_radius);
-    }
+    size = fmax(size, draw_follower(s, &follower));
     add_outline(panel, &whole,
                 (ovr_series){.label = "cam", .colour = OVR_GREY});
     add_outline(
@@ -344,9 +366,28 @@ static void draw_cam_outline(sketch *s)
     panel->y_to = 1.1e3 * size;
 }
 
+static void cam_moments(sketch *s, double *x, double *y)
+{
+    const ovr_cam *cam = ovr_setup_cam(s->setup);
+    const ovr_cam_form *form = ovr_cam_form_of(cam);
+    const ovr_cam_event *event = ovr_cam_of(cam);
+    for (int k = 0; k <= LOOKS; k++) {
+        double t = event->duration * k / LOOKS;
+        double angle = event->from + form->speed * t;
+        ovr_element_moment m = ovr_cam_at(cam, t);
+        s->at[k] = angle * 180 / pi;
+        s->value[0][k] = 1e3 * m.R;
+        s->value[1][k] = m.u1;
+        s->value[2][k] = m.u2;
+        s->value[3][k] = 1e-3 * m.load;
+        ovr_cam_place(cam, form, angle, &x[k], &y[k]);
+        x[k] *= 1e3;
+        y[k] *= 1e3;
+    }
+}
+
 static void draw_cam(sketch *s)
 {
-    static const char *const axis = "angle of the cam (degrees)";
     const ovr_cam *cam = ovr_setup_cam(s->setup);
     const ovr_cam_form *form = ovr_cam_form_of(ovr_setup_cam(s->setup));
     const ovr_cam_event *event = ovr_cam_of(cam);
@@ -360,42 +401,14 @@ static void draw_cam(sketch *s)
     name_it(s, text);
     for (size_t k = 0; k < event->turns; k++)
         turns[k] = event->turn[k] * degree;
-    for (int k = 0; k <= LOOKS; k++) {
-        double t = event->duration * k / LOOKS;
-        ovr_element_moment m = ovr_cam_at(cam, t);
-        s->at[k] = from + (till - from) * k / LOOKS;
-        s->value[0][k] = 1e3 * m.R;
-        s->value[1][k] = m.u1;
-        s->value[2][k] = m.u2;
-        s->value[3][k] = 1e-3 * m.load;
-        ovr_cam_place(cam, form, event->from + form->speed * t, &x[k], &y[k]);
-        x[k] *= 1e3;
-        y[k] *= 1e3;
-    }
+    cam_moments(s, x, y);
     s->to->unit = form->speed * degree;
     s->to->begin = from;
     draw_cam_outline(s);
-    ovr_panel *p = history_panel(s, axis, "radius {/:Italic R} (mm)", from,
-                                 till);
-    if (!p)
-        return;
-    add_history(s, p, LOOKS + 1, s->value[0], "reduced radius", OVR_INK);
-    set_range(p);
-    add_uprights(s, p, turns, event->turns);
-    p = history_panel(s, axis, "speed (m/s)", from, till);
-    if (!p)
-        return;
-    add_history(s, p, LOOKS + 1, s->value[1], "surface of the cam", OVR_BLUE);
-    add_history(s, p, LOOKS + 1, s->value[2], "of the follower", OVR_GREEN);
-    set_range(p);
-    add_uprights(s, p, turns, event->turns);
-    p = history_panel(s, axis, "load (kN/m)", from, till);
-    if (!p)
-        return;
-    add_history(s, p, LOOKS + 1, s->value[3], "load", OVR_VIOLET);
-    set_range(p);
-    add_uprights(s, p, turns, event->turns);
-    add_film(s, axis, from, till, turns, event->turns);
+    const course c = {"angle of the cam (degrees)", from, till, turns,
+                      event->turns};
+    add_course(s, &c,
+               (const char *const[]){"surface of the cam", "of the follower"});
     s->to->points = LOOKS + 1;
     s->to->at = s->at;
     s->to->x = x;
@@ -410,6 +423,35 @@ static double upright(double psi)
     return psi - pi / 2;
 }
 
+static double first_angle(const ovr_bearing_form *form)
+{
+    return form->position == OVR_ROLLER_AT   ? form->angle
+           : form->position == OVR_GAP_BELOW ? pi / form->rollers
+                                             : 0;
+}
+
+/* Rollers, and bars as long as what they carry outside of the ring. */
+static void draw_rollers(sketch *s, ovr_outline *rollers, ovr_outline *bars)
+{
+    const ovr_bearing *bearing = ovr_setup_bearing(s->setup);
+    const ovr_bearing_form *form = ovr_bearing_form_of(bearing);
+    const ovr_bearing_geometry *g = ovr_bearing_of(bearing);
+    double out = g->outer / 2, longest = 0.35 * out;
+    for (int k = 0; k < form->rollers; k++) {
+        double angle = upright(first_angle(form) + 2 * pi * k / form->rollers);
+        double Q = ovr_bearing_load(bearing, k);
+        double far = out + longest * Q / g->heaviest;
+        ovr_outline_arc(rollers, g->pitch / 2 * cos(angle),
+                        g->pitch / 2 * sin(angle), form->roller / 2, 0, 2 * pi);
+        ovr_outline_break(rollers);
+        if (Q <= 0)
+            continue;
+        ovr_outline_add(bars, out * cos(angle), out * sin(angle));
+        ovr_outline_add(bars, far * cos(angle), far * sin(angle));
+        ovr_outline_break(bars);
+    }
+}
+
 static void draw_rings(sketch *s, const double *met, size_t count)
 {
     const ovr_bearing *bearing = ovr_setup_bearing(s->setup);
@@ -419,27 +461,12 @@ static void draw_rings(sketch *s, const double *met, size_t count)
     ovr_panel *panel = drawing_panel(s);
     ovr_outline inner = ovr_outline_make(s->arena);
     ovr_outline outer = inner, rollers = inner, bars = inner, points = inner;
-    double first = form->position == OVR_ROLLER_AT   ? form->angle
-                   : form->position == OVR_GAP_BELOW ? pi / form->rollers
-                                                     : 0;
-    double out = g->outer / 2, longest = 0.35 * out;
+    double out = g->outer / 2;
     if (!panel)
         return;
     ovr_outline_arc(&inner, 0, 0, g->inner / 2, 0, 2 * pi);
     ovr_outline_arc(&outer, 0, 0, out, 0, 2 * pi);
-    for (int k = 0; k < form->rollers; k++) {
-        double angle = upright(first + 2 * pi * k / form->rollers);
-        double Q = ovr_bearing_load(bearing, k);
-        double far = out + longest * Q / g->heaviest;
-        ovr_outline_arc(&rollers, g->pitch / 2 * cos(angle),
-                        g->pitch / 2 * sin(angle), form->roller / 2, 0, 2 * pi);
-        ovr_outline_break(&rollers);
-        if (Q <= 0)
-            continue;
-        ovr_outline_add(&bars, out * cos(angle), out * sin(angle));
-        ovr_outline_add(&bars, far * cos(angle), far * sin(angle));
-        ovr_outline_break(&bars);
-    }
+    draw_rollers(s, &rollers, &bars);
     double track = form->contact == 1 ? g->inner / 2 : out;
     for (size_t k = 0; k < count; k++)
         ovr_outline_add(&points, track * cos(upright(met[k])),
@@ -480,9 +507,7 @@ static void draw_bearing(sketch *s)
     char text[NAME];
     size_t count = ovr_bearing_passes(bearing, 0, 0.01, OVR_ROLLERS_MAX, met,
                                       load);
-    double first = form->position == OVR_ROLLER_AT   ? form->angle
-                   : form->position == OVR_GAP_BELOW ? pi / form->rollers
-                                                     : 0;
+    double first = first_angle(form);
     snprintf(text, sizeof text,
              "%d rollers under %.4g N: the heaviest carries %.4g N",
              form->rollers, form->load, g->heaviest);
