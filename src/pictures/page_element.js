@@ -11,9 +11,10 @@ const plain = (label) => label.replace(/\{\/:Italic ([^}]*)\}/g, "$1");
 
 function elementOf(made) {
   const number = (v) => v ? doublesOf(v) : new Float64Array(0);
-  return { ...made, at: number(made.at), x: number(made.x), y: number(made.y),
-    panels: made.panels.map((p) => ({ ...p, curves: p.curves.slice(0, -1)
-      .map((curve) => ({ ...curve, x: number(curve.x), y: number(curve.y) })) })) };
+  const placed = (o) => ({ ...o, x: number(o.x), y: number(o.y) });
+  return { ...placed(made), at: number(made.at),
+    panels: made.panels.map((p) =>
+      ({ ...p, curves: p.curves.slice(0, -1).map(placed) })) };
 }
 
 function drawElementCurve(c, box, curve) {
@@ -47,7 +48,8 @@ function drawElementCurve(c, box, curve) {
 // The shorter axis grows until both have one scale.
 function equalAxes(p, w, h) {
   const ux = (p.x1 - p.x0) / w, uy = (p.y1 - p.y0) / h;
-  const dx = Math.max(0, (uy - ux) * w / 2), dy = Math.max(0, (ux - uy) * h / 2);
+  const dx = Math.max(0, (uy - ux) * w / 2);
+  const dy = Math.max(0, (ux - uy) * h / 2);
   return { ...p, x0: p.x0 - dx, x1: p.x1 + dx, y0: p.y0 - dy, y1: p.y1 + dy };
 }
 

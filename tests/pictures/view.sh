@@ -58,8 +58,8 @@ expect 0 "$OVERROLL" view dent.h5 other.h5 -o two.html
 sed 's/"data":"[^"]*"/"data":"AAAA"/' page.html >broken.html
 
 # A gear pair: its answers, and its drawing with the contact under way.
-expect 0 "$OVERROLL" init gear --set gear.torque=60N.m --set gear.speed=2000rpm \
-    --set domain.level=5 -o gear.ini
+expect 0 "$OVERROLL" init gear --set gear.torque=60N.m \
+    --set gear.speed=2000rpm --set domain.level=5 -o gear.ini
 expect 0 "$OVERROLL" run gear.ini -o gear-whole.h5 -q
 expect 0 "$OVERROLL" view gear-whole.h5 -o gear.html
 
