@@ -6,9 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/given.h"
-#include "base/plain.h"
-#include "base/sized.h"
 #include "case/case.h"
 
 enum { LOOKS = 800, MOST_SERIES = 12, NAME = 160 };
@@ -581,8 +578,8 @@ ovr_setup *ovr_stored_setup(const ovr_stored *run, ovr_case **c, ovr_error *err)
     return setup;
 }
 
-static ovr_chart chart_of(const ovr_element_figure *figure,
-                          const ovr_picture_options *o)
+ovr_chart ovr_element_chart(const ovr_element_figure *figure,
+                            const ovr_picture_options *o)
 {
     return (ovr_chart){
         .kind = "element",
@@ -614,34 +611,6 @@ ovr_status ovr_draw_element(const ovr_drawing *drawing, ovr_chart *chart,
     ovr_setup_free(setup);
     ovr_case_free(c);
     if (!status)
-        *chart = chart_of(figure, drawing->options);
-    return status;
-}
-
-ovr_status ovr_picture_element(const ovr_setup *setup,
-                               const ovr_picture_options *given,
-                               const ovr_allocator *allocator, ovr_error *err)
-{
-    ovr_picture_options own, *o = &own;
-    if (OVR_SIZED_TAKE(ovr_picture_options, o, given, err))
-        return OVR_BAD_INPUT;
-    if (!setup)
-        return ovr_fail_null(err, __func__);
-    locale_t before = ovr_plain_begin();
-    ovr_arena arena = ovr_arena_make(allocator);
-    ovr_element_figure figure;
-    ovr_form form;
-    ovr_status status = ovr_may_create(o->path, o->force, err);
-    if (!status)
-        status = ovr_form_of(o->path, &form, err);
-    if (!status)
-        status = ovr_element_draw(setup, NULL, &arena, &figure, err);
-    if (!status) {
-        ovr_chart chart = chart_of(&figure, o);
-        status = ovr_chart_draw(&chart, o->template_path, o->path, o->script,
-                                &arena, err);
-    }
-    ovr_arena_release(&arena);
-    ovr_plain_end(before);
+        *chart = ovr_element_chart(figure, drawing->options);
     return status;
 }

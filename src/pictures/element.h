@@ -28,6 +28,10 @@ ovr_status ovr_element_draw(const ovr_setup *setup, const ovr_stored *run,
                             ovr_arena *arena, ovr_element_figure *figure,
                             ovr_error *err);
 
+/* The figure as a chart; both go on to be used by it. */
+ovr_chart ovr_element_chart(const ovr_element_figure *figure,
+                            const ovr_picture_options *options);
+
 /* The setup of the case that a result holds, to be freed by the two; NULL with
  * *err filled. */
 ovr_setup *ovr_stored_setup(const ovr_stored *run, ovr_case **c,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One picture: read, chart, gnuplot. */
-#include "pictures/element.h"
 #include "pictures/picture.h"
+#include "pictures/element.h"
 
 #include <errno.h>
 #include <math.h>
@@ -232,6 +232,34 @@ ovr_status ovr_picture(ovr_result *const *results, size_t count,
         status = ovr_open_stored(results, count, o, runs, &arena, err);
     if (status == OVR_OK)
         status = draw(&drawing, err);
+    ovr_arena_release(&arena);
+    ovr_plain_end(before);
+    return status;
+}
+
+ovr_status ovr_picture_element(const ovr_setup *setup,
+                               const ovr_picture_options *given,
+                               const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_picture_options own, *o = &own;
+    if (OVR_SIZED_TAKE(ovr_picture_options, o, given, err))
+        return OVR_BAD_INPUT;
+    if (!setup)
+        return ovr_fail_null(err, __func__);
+    locale_t before = ovr_plain_begin();
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_element_figure figure;
+    ovr_form form;
+    ovr_status status = ovr_may_create(o->path, o->force, err);
+    if (!status)
+        status = ovr_form_of(o->path, &form, err);
+    if (!status)
+        status = ovr_element_draw(setup, NULL, &arena, &figure, err);
+    if (!status) {
+        ovr_chart chart = ovr_element_chart(&figure, o);
+        status = ovr_chart_draw(&chart, o->template_path, o->path, o->script,
+                                &arena, err);
+    }
     ovr_arena_release(&arena);
     ovr_plain_end(before);
     return status;
