@@ -56,6 +56,8 @@ static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
         given->alpha = ALPHA_PAPER;
     if (ovr_contact_resolve(given, &r->contact, &why))
         return ovr_fail_in(err, r->c, contact, lubricant, &why);
+    if (ovr_resolve_stiffness(r, err))
+        return err ? err->status : OVR_BAD_INPUT;
     if (ovr_oil_scale(&r->values.oil, &r->contact, &r->lubricant, &why))
         return ovr_fail_in(err, r->c, contact, lubricant, &why);
     return OVR_OK;

@@ -35,6 +35,7 @@ typedef struct ovr_resolved {
     } element;
     double inlet_kept; /* X_a, farther out, that a feature before the usual one
                           kept the domain from; 0: none did */
+    double substrate;  /* E' of the bodies, which a physics may change */
     double half_width; /* the largest dry one of run and passes, in b */
     double pass_load;  /* by which a pass's load was scaled; 0: by nothing */
     bool recorded;     /* its domain is that of a file gone on with */
@@ -68,6 +69,10 @@ ovr_status ovr_resolve_bodies(ovr_resolved *r, ovr_error *err);
 /* The oil of [lubricant], its tables read: the contact's viscosity and alpha
  * where it gives them. */
 ovr_status ovr_resolve_oil(ovr_resolved *r, ovr_error *err);
+
+/* Where a physics changes how stiff the bodies are, the contact anew with the
+ * modulus that follows. */
+ovr_status ovr_resolve_stiffness(ovr_resolved *r, ovr_error *err);
 
 /* The physics that have sections of their own; one whose keys stand
  * elsewhere. */

@@ -7,25 +7,138 @@
 
 static ovr_physics_case about(ovr_resolved *r)
 {
-    return (ovr_physics_case){&r->contact, &r->lubricant, &r->values.options,
-                              r->setup.transient};
+    ovr_physics_case of = {.contact = &r->contact,
+                           .lubricant = &r->lubricant,
+                           .options = &r->values.options,
+                           .transient = r->setup.transient,
+                           .substrate = r->substrate,
+                           .by_substrate = r->values.scale ==
+                                           OVR_SCALE_SUBSTRATE};
+    for (int k = 0; k < 2; k++)
+        of.body[k] = (ovr_physics_body){r->body[k].modulus, r->body[k].poisson,
+                                        r->body[k].thermal};
+    return of;
+}
+
+/* The block that an error is about: by its name, or the section's. */
+static const ovr_block *blamed(const ovr_resolved *r, const ovr_physics *p,
+                               const ovr_error *why)
+{
+    const ovr_block *named = p->section->named && why->about
+                                 ? ovr_case_find_block(r->c, p->section->name,
+                                                       why->about)
+                                 : NULL;
+    return named ? named : ovr_block_of(r, p->section->name);
+}
+
+/* All blocks of a section with names, each to its place in the form. */
+static ovr_status fill_named(ovr_resolved *r, const ovr_physics *p, void *form,
+                             ovr_error *err)
+{
+    ovr_error why = {0};
+    for (const ovr_block *b = r->c->blocks; b; b = b->next) {
+        void *into;
+        if (b->section != p->section)
+            continue;
+        if (p->block(form, b->name, &into, &why))
+            return ovr_fail_in(err, r->c, b, NULL, &why);
+        if (ovr_block_fill(r, b, into, err))
+            return OVR_BAD_INPUT;
+    }
+    return OVR_OK;
+}
+
+static ovr_status fill(ovr_resolved *r, const ovr_physics *p,
+                       ovr_resolved_physics *to, ovr_error *err)
+{
+    if (!to->form)
+        to->form = ovr_arena_take(&r->arena, 1, p->form, err);
+    if (!to->form)
+        return OVR_NO_MEMORY;
+    return p->section->named
+               ? fill_named(r, p, to->form, err)
+               : ovr_block_fill(r, ovr_block_of(r, p->section->name), to->form,
+                                err);
 }
 
 static ovr_status resolve(ovr_resolved *r, const ovr_physics *p,
                           ovr_resolved_physics *to, ovr_error *err)
 {
     const ovr_physics_case of = about(r);
-    const ovr_block *block = ovr_block_of(r, p->section->name);
     ovr_error why = {0};
-    to->form = ovr_arena_take(&r->arena, 1, p->form, err);
-    if (!to->form)
-        return OVR_NO_MEMORY;
-    if (ovr_block_fill(r, block, to->form, err))
-        return OVR_BAD_INPUT;
+    if (fill(r, p, to, err))
+        return err ? err->status : OVR_BAD_INPUT;
     if (p->resolve(&of, to->form, &to->on, &why))
-        return ovr_fail_in(err, r->c, block, NULL, &why);
+        return ovr_fail_in(err, r->c, blamed(r, p, &why), NULL, &why);
     return OVR_OK;
 }
+
+/* ------------------------------------------------------------ how stiff it is
+ */
+
+/* ln E' of what the physics says at a contact of the modulus E', less ln E'. */
+static ovr_status stiffness_off(ovr_resolved *r, int k, double log_E,
+                                double *off, ovr_error *err)
+{
+    const ovr_physics *p = ovr_physics_list[k];
+    ovr_conditions *given = &r->values.contact;
+    ovr_error why = {0};
+    double ratio = 1;
+    given->modulus = exp(log_E);
+    if (ovr_contact_resolve(given, &r->contact, &why))
+        return ovr_fail_in(err, r->c, ovr_block_of(r, "contact"),
+                           ovr_block_of(r, "lubricant"), &why);
+    if (fill(r, p, &r->physics[k], err))
+        return err ? err->status : OVR_BAD_INPUT;
+    const ovr_physics_case of = about(r);
+    if (p->stiffness(&of, r->physics[k].form, &ratio, &why))
+        return ovr_fail_in(err, r->c, blamed(r, p, &why), NULL, &why);
+    *off = log(ratio * r->substrate) - log_E;
+    return OVR_OK;
+}
+
+/* By secants: the thicker the layer over b, the softer or stiffer the contact,
+ * and the wider or narrower b. */
+static ovr_status settle(ovr_resolved *r, int k, ovr_error *err)
+{
+    enum { STEPS = 40 };
+    const double enough = 1e-11;
+    double x[2] = {log(r->substrate)}, y[2];
+    ovr_status status = stiffness_off(r, k, x[0], &y[0], err);
+    if (status || y[0] == 0)
+        return status;
+    x[1] = x[0] + y[0];
+    status = stiffness_off(r, k, x[1], &y[1], err);
+    for (int step = 0; !status && fabs(y[1]) > enough && step < STEPS; step++) {
+        double slope = y[1] != y[0] ? (y[1] - y[0]) / (x[1] - x[0]) : -1;
+        double to = slope < 0 ? -y[1] / slope : y[1];
+        x[0] = x[1];
+        y[0] = y[1];
+        x[1] += fmin(fmax(to, -1), 1);
+        status = stiffness_off(r, k, x[1], &y[1], err);
+    }
+    return status;
+}
+
+static bool has_block(const ovr_resolved *r, const ovr_physics *p)
+{
+    for (const ovr_block *b = r->c->blocks; b; b = b->next)
+        if (b->section == p->section)
+            return true;
+    return false;
+}
+
+ovr_status ovr_resolve_stiffness(ovr_resolved *r, ovr_error *err)
+{
+    ovr_status status = OVR_OK;
+    r->substrate = r->values.contact.modulus;
+    for (int k = 0; !status && ovr_physics_list[k]; k++)
+        if (ovr_physics_list[k]->stiffness && has_block(r, ovr_physics_list[k]))
+            status = settle(r, k, err);
+    return status;
+}
+
+/* -------------------------------------------------------------- all of them */
 
 ovr_status ovr_resolve_physics(ovr_resolved *r, ovr_error *err)
 {

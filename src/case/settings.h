@@ -47,6 +47,7 @@ enum {
 typedef struct ovr_settings {
     ovr_conditions contact;
     double bearable;
+    int scale;
     int viscosity_law, density_law;
     ovr_oil oil;
     double iso_vg;
@@ -78,6 +79,9 @@ typedef struct ovr_settings {
     ovr_list window;
     ovr_element_settings element;
 } ovr_settings;
+
+/* Of [contact] scale. */
+enum { OVR_SCALE_DRY, OVR_SCALE_SUBSTRATE };
 
 /* Of [radius] curvature. */
 enum { OVR_CURVATURE_AUTO, OVR_CURVATURE_RIDES, OVR_CURVATURE_IMPOSED };

@@ -4,6 +4,7 @@
  * What applies is also what refuses: a key that is given and has no effect is
  * a mistake of whoever gave it.
  */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,9 +20,12 @@ typedef struct alternative {
     bool absent;      /* it must not be given */
 } alternative;
 
-static alternative take_apart(const ovr_case *c, const ovr_block *block,
+static alternative take_apart(const ovr_case *c, const ovr_block *own,
                               const char *text)
 {
+    /* of a section with names that has no block */
+    static const ovr_slot nothing = {.number = NAN};
+    const ovr_block *block = own;
     alternative a = {.absent = !strncmp(text, "no ", 3)};
     const char *where = text + 3 * a.absent;
     char name[2 * OVR_NAME_MOST], *key = name;
@@ -33,8 +37,8 @@ static alternative take_apart(const ovr_case *c, const ovr_block *block,
         *key++ = '\0';
         block = ovr_case_find_block(c, name, NULL);
     }
-    a.section = block->section;
-    a.slot = ovr_block_get(block, key);
+    a.section = block ? block->section : own->section;
+    a.slot = block ? ovr_block_get(block, key) : &nothing;
     return a;
 }
 

@@ -93,6 +93,7 @@ ovr_status ovr_composite_add(ovr_composite *c, size_t first, size_t meshes,
                         err))
         return OVR_NO_MEMORY;
     ovr_patch_fill(c->grids, patch, parent);
+    ovr_composite_film_parent(&c->film, c->grids, parent, patch->near);
     c->patches++;
     return OVR_OK;
 }
@@ -114,7 +115,7 @@ void ovr_composite_start(ovr_composite *c)
     ovr_level *level = patch->level;
     ovr_patch_read(c->grids, parent);
     ovr_patch_begin_from(patch, parent);
-    ovr_patch_outer(&c->film, patch, parent);
+    ovr_patch_outer(&c->film, c->grids, patch, parent);
     ovr_level_write(c->grids, level, patch->rigid, level->f.gap);
     ovr_level_clear(level, level->f.F);
     refresh(c, patch);
@@ -268,7 +269,7 @@ static void correct(ovr_composite *c, ovr_patch *patch, ovr_patch *parent)
             patch->P[i] = fmax(0, patch->P[i] + change);
     }
     ovr_patch_edges(patch, parent);
-    ovr_patch_outer(&c->film, patch, parent);
+    ovr_patch_outer(&c->film, c->grids, patch, parent);
     refresh(c, patch);
 }
 

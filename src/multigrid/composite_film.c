@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "multigrid/composite_film.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* Lagrange's weights of the midpoint of 2 h nodes, by distance. */
@@ -30,17 +31,36 @@ void ovr_composite_film_make(ovr_composite_film *film)
     }
 }
 
+void ovr_composite_film_parent(const ovr_composite_film *film,
+                               const ovr_hierarchy *grids,
+                               const ovr_patch *parent, double *near)
+{
+    const ovr_influence *influence = &grids->influence;
+    double D = parent->level->grid.D, R[2 * (OVR_FILM_NEAR + OVR_FILM_MIDDLE)];
+    for (int t = 0; t < OVR_FILM_NEAR; t++)
+        near[t] = film->near[t];
+    if (!influence->parts)
+        return;
+    for (int d = 0; d < 2 * (OVR_FILM_NEAR + OVR_FILM_MIDDLE); d++)
+        R[d] = ovr_influence_rest(influence, 0.5 * d, D) / D;
+    for (int t = 0; t < OVR_FILM_NEAR; t++) {
+        near[t] += R[2 * t + 1];
+        for (int m = 0; m < OVR_FILM_MIDDLE; m++)
+            near[t] -= film->middle[m] *
+                       (R[2 * abs(t - m)] + R[2 * (t + 1 + m)]);
+    }
+}
+
 /* w beyond the ends of a whole grid, where its patch ends too. */
-static void extend(ovr_patch *parent)
+static void extend(const ovr_influence *influence, ovr_patch *parent)
 {
     const ovr_grid *grid = &parent->level->grid;
     for (size_t k = 1; k <= OVR_FILM_MIDDLE; k++) {
         double before = 0, after = 0;
         for (size_t j = 0; j < grid->n; j++) {
-            before += parent->P[j] *
-                      ovr_deformation_linear((double)(j + k), grid->D);
-            after += parent->P[grid->n - 1 - j] *
-                     ovr_deformation_linear((double)(j + k), grid->D);
+            double K = ovr_influence_at(influence, (double)(j + k), grid->D);
+            before += parent->P[j] * K;
+            after += parent->P[grid->n - 1 - j] * K;
         }
         parent->w[-(ptrdiff_t)k] = before;
         parent->w[grid->n - 1 + k] = after;
@@ -56,20 +76,20 @@ static void add_pairs(size_t count, double c, const double *from, ptrdiff_t out,
         sum[I] += c * (left[I] + right[I]);
 }
 
-void ovr_patch_outer(const ovr_composite_film *film, ovr_patch *patch,
-                     ovr_patch *parent)
+void ovr_patch_outer(const ovr_composite_film *film, const ovr_hierarchy *grids,
+                     ovr_patch *patch, ovr_patch *parent)
 {
     const ovr_grid *grid = &patch->level->grid;
     const double *w = parent->w + grid->first, *P = parent->P + grid->first;
     size_t count = (grid->n - 1) / 2;
     double *middle = patch->q; /* free until it is read again */
     if (!patch->opens || !patch->closes)
-        extend(parent);
+        extend(&grids->influence, parent);
     memset(middle, 0, count * sizeof *middle);
     for (int m = 0; m < OVR_FILM_MIDDLE; m++)
         add_pairs(count, film->middle[m], w, m, middle);
     for (int t = 0; t < OVR_FILM_NEAR; t++)
-        add_pairs(count, parent->level->grid.D * film->near[t], P, t, middle);
+        add_pairs(count, parent->level->grid.D * patch->near[t], P, t, middle);
     for (size_t I = 0; I <= count; I++) {
         patch->outer_w[2 * I] = w[I];
         patch->outer_P[2 * I] = P[I];
@@ -178,7 +198,7 @@ void ovr_base_fourth(const ovr_hierarchy *grids, ovr_patch *base,
     deform(grids, base, second, base->g);
     for (size_t I = 0; I < base->level->grid.n; I++) {
         base->g[I] /= 12;
-        base->rigid[I] += base->g[I] + OVR_FOURTH_LINEAR * D * second[I];
+        base->rigid[I] += base->g[I] + base->level->local * D * second[I];
     }
 }
 

@@ -14,9 +14,9 @@
  *              + sum_{t<18} c_t (P'_{I-t} + P'_{I+1+t})
  *     c_t = k'(t + 1/2) - sum_m a_m [k'(t - m) + k'(t + 1 + m)]
  *
- * a_m Lagrange's weights of the midpoint, k' the parent's kernel; c_t/D' does
- * not depend on the level.  It is exact but for the far terms of c_t, about
- * 1e-13, in every sweep.
+ * a_m Lagrange's weights of the midpoint, k' the parent's kernel; c_t/D' of the
+ * logarithm does not depend on the level.  It is exact but for the far terms of
+ * c_t, about 1e-13, in every sweep.
  *
  * Outside the patch what it adds to its parent, P - I P' and what still finer
  * patches add, V, counts as pressures V' of the parent's nodes with the same
@@ -41,19 +41,24 @@
 
 #include "multigrid/patch.h"
 
-enum { OVR_FILM_NEAR = 18, OVR_FILM_MIDDLE = 5, OVR_DETAIL_MIDDLE = 4 };
+enum { OVR_FILM_MIDDLE = 5, OVR_DETAIL_MIDDLE = 4 };
 
 typedef struct ovr_composite_film {
-    double near[OVR_FILM_NEAR];       /* c_t/D' */
+    double near[OVR_FILM_NEAR];       /* c_t/D', of the logarithm */
     double middle[OVR_FILM_MIDDLE];   /* a_m of w */
     double detail[OVR_DETAIL_MIDDLE]; /* a_m of V */
 } ovr_composite_film;
 
 void ovr_composite_film_make(ovr_composite_film *film);
 
+/* c_t/D' of one parent. */
+void ovr_composite_film_parent(const ovr_composite_film *film,
+                               const ovr_hierarchy *grids,
+                               const ovr_patch *parent, double *near);
+
 /* o and I P' for the parent's w and P, which have been read. */
-void ovr_patch_outer(const ovr_composite_film *film, ovr_patch *patch,
-                     ovr_patch *parent);
+void ovr_patch_outer(const ovr_composite_film *film, const ovr_hierarchy *grids,
+                     ovr_patch *patch, ovr_patch *parent);
 
 /* w of the base, or a patch, for patch->P and what it has of its parent; in
  * its level and read. */

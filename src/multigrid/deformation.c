@@ -58,7 +58,8 @@ static double kernel_of(const ovr_mlmi *plan, double d)
 {
     double f = plan->linear ? linear_kernel(d) : unit_kernel(d);
     for (int k = 0; k < plan->parts; k++)
-        f += plan->part[k].at(plan->part[k].data, d * plan->D, plan->D) *
+        f += ovr_influence_part_at(&plan->part[k], d * plan->D, plan->D,
+                                   plan->linear) *
              acos(-1.0) / plan->D;
     return f;
 }
@@ -98,43 +99,60 @@ void ovr_mlmi_choose(double wanted, int *order, int *range)
     *range = table[k].range;
 }
 
+/* The kernel of one grid at whole distances, as far as its corrections ask. */
+enum { FARTHEST = 4 * OVR_MLMI_MOST };
+
+typedef struct sampled {
+    double at[FARTHEST];
+} sampled;
+
+static void sample(const ovr_mlmi *plan, double spacing, sampled *kernel)
+{
+    ptrdiff_t last = plan->range + 4 * plan->half_order - 2;
+    for (ptrdiff_t d = 0; d <= last; d++)
+        kernel->at[d] = kernel_of(plan, spacing * (double)d);
+}
+
 /* Kernel at distance d of this grid, interpolated from even distances. */
-static double interpolated(const ovr_mlmi *plan, double spacing, double d)
+static double interpolated(const ovr_mlmi *plan, const sampled *kernel,
+                           ptrdiff_t d)
 {
     double sum = 0;
     for (ptrdiff_t k = 0; k < plan->half_order; k++) {
-        double x = 2 * (double)k + 1;
-        sum += plan->weight[k] * (kernel_of(plan, spacing * (d - x)) +
-                                  kernel_of(plan, spacing * (d + x)));
+        ptrdiff_t x = 2 * k + 1;
+        sum += plan->weight[k] *
+               (kernel->at[labs(d - x)] + kernel->at[labs(d + x)]);
     }
     return sum;
 }
 
 /* What the even outputs see at distance d after their corrections. */
-static double effective(const ovr_mlmi *plan, double spacing, ptrdiff_t d)
+static double effective(const ovr_mlmi *plan, const sampled *kernel,
+                        ptrdiff_t d)
 {
     if (d % 2 == 0 || labs(d) <= plan->range)
-        return kernel_of(plan, spacing * (double)d);
-    return interpolated(plan, spacing, (double)d);
+        return kernel->at[labs(d)];
+    return interpolated(plan, kernel, d);
 }
 
 static void plan_corrections(const ovr_mlmi *plan, ovr_mlmi_grid *grid,
                              double spacing, double scale)
 {
+    sampled kernel;
+    sample(plan, spacing, &kernel);
     for (ptrdiff_t k = 0; k < plan->range / 2; k++) {
-        double d = 2 * (double)k + 1;
-        grid->near_even[k] = scale * (kernel_of(plan, spacing * d) -
-                                      interpolated(plan, spacing, d));
+        ptrdiff_t d = 2 * k + 1;
+        grid->near_even[k] = scale *
+                             (kernel.at[d] - interpolated(plan, &kernel, d));
     }
     for (ptrdiff_t k = 0; k <= plan->range; k++) {
         double sum = 0;
         for (ptrdiff_t j = 0; j < plan->half_order; j++) {
             ptrdiff_t x = 2 * j + 1;
-            sum += plan->weight[j] * (effective(plan, spacing, k - x) +
-                                      effective(plan, spacing, k + x));
+            sum += plan->weight[j] * (effective(plan, &kernel, k - x) +
+                                      effective(plan, &kernel, k + x));
         }
-        grid->near_odd[k] = scale *
-                            (kernel_of(plan, spacing * (double)k) - sum);
+        grid->near_odd[k] = scale * (kernel.at[k] - sum);
     }
 }
 

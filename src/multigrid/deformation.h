@@ -39,11 +39,23 @@
 enum { OVR_MLMI_DEPTH = 24, OVR_MLMI_MOST = 16, OVR_MLMI_BLOCK = 8 };
 
 /* A part of the influence beside the logarithm: dw_i/dP_j of nodes X apart on a
- * mesh D, smooth beyond the range of the corrections. */
+ * mesh D, smooth beyond the range of the corrections; where the pressure is
+ * linear between the nodes, the same unless it says otherwise.  Of a wave
+ * e^(ikX) its w over that of the logarithm; where that is not known there are
+ * no corrections to fourth order. */
 typedef struct ovr_influence_part {
     double (*at)(const void *data, double X, double D);
     const void *data;
+    double (*linear)(const void *data, double X, double D);
+    double (*wave)(const void *data, double k);
 } ovr_influence_part;
+
+static inline double ovr_influence_part_at(const ovr_influence_part *part,
+                                           double X, double D, bool linear)
+{
+    return linear && part->linear ? part->linear(part->data, X, D)
+                                  : part->at(part->data, X, D);
+}
 
 /* One grid of the transfers; grid 0 is the caller's, u = P and out = w. */
 typedef struct ovr_mlmi_grid {

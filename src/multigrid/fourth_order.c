@@ -57,7 +57,8 @@ static void correct(ovr_hierarchy *grids, const ovr_correction *c, bool mask)
         .mask = c->mask,
         .F = c->F,
         .gap = c->gap,
-        .linear = grids->influence.linear};
+        .linear = grids->influence.linear,
+        .local = level->local};
     if (mask)
         run->fourth_mask(&level->lanes, level->f.P, c->mask);
     run->fourth_order(&level->lanes, &how, &level->f, level->f.w);

@@ -95,10 +95,9 @@ void OVR_KERNEL(fourth_order)(const ovr_lanes *g, const ovr_fourth *c,
     logarithms(g, f->eps, c->log_eps);
     fluxes(g, c, f);
     double share = c->linear ? 1. / 12 : 1. / 24;
-    double local = c->linear ? OVR_FOURTH_LINEAR : OVR_FOURTH_LOCAL;
     for (ptrdiff_t J = 0; J < S; J++) {
         vec gap = share * second_difference(w, J) +
-                  (local * c->D) * second_difference(f->P, J);
+                  (c->local * c->D) * second_difference(f->P, J);
         put(c->F, J, choose(at(c->mask, J) > 0, -excess(c, f, J), all(0)));
         put(c->gap, J, choose(inside(g, J), gap, all(0)));
     }

@@ -61,10 +61,9 @@ static double second_difference(const double *x)
 void ovr_fourth_order_plain(const ovr_lanes *g, const ovr_fourth *c,
                             const ovr_fields *f, const double *w)
 {
-    double local = c->linear ? OVR_FOURTH_LINEAR : OVR_FOURTH_LOCAL;
     for (ptrdiff_t i = 0; i < (ptrdiff_t)g->n; i++) {
         double gap = second_difference(w + i) / (c->linear ? 12 : 24) +
-                     local * c->D * second_difference(f->P + i);
+                     c->local * c->D * second_difference(f->P + i);
         c->F[i] = c->mask[i] > 0 ? -excess(c, f, i) : 0;
         c->gap[i] = inside(i, g->n) ? gap : 0;
     }

@@ -158,8 +158,8 @@ void ovr_level_fill(const ovr_hierarchy *grids, ovr_level *level,
     level->mlmi.part = grids->influence.part;
     level->mlmi.parts = grids->influence.parts;
     ovr_mlmi_fill(&level->mlmi, level->grid.D, like ? &like->mlmi : NULL);
-    for (int d = 0; d < 6; d++)
-        level->k[d] = ovr_influence_at(&grids->influence, d, level->grid.D);
+    ovr_influence_band(&grids->influence, level->grid.D, level->k);
+    level->local = ovr_influence_local(&grids->influence, level->grid.D);
 }
 
 void ovr_hierarchy_fill(ovr_hierarchy *grids)

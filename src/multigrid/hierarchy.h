@@ -31,6 +31,7 @@ typedef struct ovr_level {
     ovr_fields f;
     double force;      /* wanted value of D sum P on this level */
     double k[6];       /* deformation kernel at 0..5 meshes, over pi */
+    double local;      /* C of fourth_order.h */
     ovr_shares shares; /* of a distributed change */
     ovr_weights weights;
     ovr_mlmi mlmi;

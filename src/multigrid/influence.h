@@ -9,6 +9,15 @@
  * compliance of what gives way only where it is pressed, a thin layer on a
  * foundation (Winkler).  They stand here for all who need a number of the
  * influence: smoothers, the coarsest grids and the ghosts beyond the inlet.
+ *
+ * The line relaxation takes a distributed change to press in its neighbours
+ * only.  For the logarithm what is left out damps; where R falls steeply over a
+ * mesh or two and is flat behind, as that of a soft layer as thick as a mesh
+ * does, its sum changes sign and long waves grow by up to 56 a sweep.  So the
+ * steps g_d = k_(d+1) - k_d of the band alone are held at
+ *     g_d >= c_d g_(d-1),  c = .05, .3, .5, .6
+ * where those of the logarithm fall by .44, .57, .70 and .78; the film and the
+ * coarsest grids have K + R as it is.
  */
 #ifndef OVR_MULTIGRID_INFLUENCE_H
 #define OVR_MULTIGRID_INFLUENCE_H
@@ -31,8 +40,19 @@ bool ovr_influence_add(ovr_influence *influence, ovr_influence_part part);
 /* Whether there is more than the half-spaces. */
 bool ovr_influence_more(const ovr_influence *influence);
 
-/* Of a node on one d meshes away: dw_i/dP_j. */
+/* Of a node on one d meshes away: dw_i/dP_j; R alone. */
 double ovr_influence_at(const ovr_influence *influence, double d, double D);
+double ovr_influence_rest(const ovr_influence *influence, double d, double D);
+
+/* The same at 0..5 meshes, as the line relaxation has it. */
+void ovr_influence_band(const ovr_influence *influence, double D, double k[6]);
+
+/* Whether fourth order knows all of it; C of fourth_order.h, by the waves that
+ * the mesh takes for longer ones,
+ *     C = (1/2 pi^3) sum_n (-1)^(n+1) A(2 pi n/D)/n^3,
+ * of linear pressures (1/4 pi^3) sum_n A(2 pi n/D)/n^3. */
+bool ovr_influence_corrected(const ovr_influence *influence);
+double ovr_influence_local(const ovr_influence *influence, double D);
 
 /* w for the P of a level, in its lanes. */
 void ovr_influence_deform(const ovr_influence *influence,

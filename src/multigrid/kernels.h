@@ -71,6 +71,7 @@ typedef struct ovr_fourth {
     double *mask;           /* 1 where the equation is corrected, else 0 */
     double *F, *gap;        /* what is added to the right-hand sides */
     bool linear;            /* pressure between nodes, else constant */
+    double local;           /* C of fourth_order.h */
 } ovr_fourth;
 
 /* Nodes at both ends that are not corrected; eta(3)/(2 pi^3), the share of D

@@ -22,7 +22,8 @@ enum {
     OVR_PATCH_EDGE = 2,    /* fine meshes from the array's end to J* */
     OVR_PATCH_UNIT = 8,    /* parent meshes: lanes without a rest */
     OVR_PATCH_MARGIN = 16, /* parent nodes to the parent's own end */
-    OVR_PATCH_LEAST = 40   /* parent meshes: fewer leave no room for the next */
+    OVR_PATCH_LEAST = 40,  /* parent meshes: fewer leave no room for the next */
+    OVR_FILM_NEAR = 18     /* parent nodes on each side that make a middle */
 };
 
 typedef struct ovr_patch {
@@ -35,12 +36,13 @@ typedef struct ovr_patch {
     double *entry;       /* P when the cycle came from the finer patch */
     double *rigid, *F;   /* gap and right-hand side where no patch is finer */
     double *g;           /* of rigid: fourth order (composite_film.h) */
-    double *outer_w, *outer_P; /* the parent's deformation and pressure here */
-    double *detail;            /* what finer patches add, as pressures of this
-                                  grid (composite_film.h) */
-    double *detail_w;          /* its deformation */
-    double *wide[2];           /* in lanes, with halos */
-    double added;              /* D sum of P less the parent's: load */
+    double *outer_w, *outer_P;  /* the parent's deformation and pressure here */
+    double *detail;             /* what finer patches add, as pressures of this
+                                   grid (composite_film.h) */
+    double *detail_w;           /* its deformation */
+    double *wide[2];            /* in lanes, with halos */
+    double added;               /* D sum of P less the parent's: load */
+    double near[OVR_FILM_NEAR]; /* c_t/D' of the parent (composite_film.h) */
 } ovr_patch;
 
 /* The base: memory for what it needs beside its level. */

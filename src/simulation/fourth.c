@@ -54,9 +54,8 @@ static void withdraw(ovr_simulation *sim, const fourth *f)
     memset(f->gap, 0, bytes);
 }
 
-/* Whether one correction holds for the whole run, and for all that deforms: it
- * is that of the half-spaces.  Another physics may have taken fourth order
- * back. */
+/* Whether one correction holds for the whole run, and all that deforms is known
+ * to it.  Another physics may have taken fourth order back. */
 static bool applies(const ovr_simulation *sim)
 {
     bool varies = ovr_history_varies(sim->load) ||
@@ -66,7 +65,7 @@ static bool applies(const ovr_simulation *sim)
                   (sim->lubricant.rheology != OVR_NEWTONIAN &&
                    ovr_history_varies(sim->sliding));
     return sim->options.order == 4 && !varies &&
-           !ovr_influence_more(&sim->grids.influence);
+           ovr_influence_corrected(&sim->grids.influence);
 }
 
 static void standing_heights(const ovr_simulation *sim, double *S)

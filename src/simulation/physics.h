@@ -9,7 +9,7 @@
  * on, in the order of the list, and calls no function of the others.  `own` is
  * what the physics has made for itself in this simulation.
  *
- *     a case      section, form, resolve, tell
+ *     a case      section, form, block, stiffness, resolve, tell
  *     creation    chosen, prepare, take, influence
  *     steady      forget, solve, complete, couple, proceed, finish, begin
  *     a step      check, before_step, operate, history, sides, step, attempt,
@@ -27,7 +27,14 @@
 #define OVR_SIMULATION_PHYSICS_H
 
 #include "base/parameter.h"
+#include "overroll/heat.h"
 #include "simulation/internal.h"
+
+/* A body, NAN what is not known of it. */
+typedef struct ovr_physics_body {
+    double modulus, poisson;
+    ovr_thermal thermal;
+} ovr_physics_body;
 
 /* What a physics is resolved with: the contact and what is known of the run.
  */
@@ -36,6 +43,9 @@ typedef struct ovr_physics_case {
     const ovr_lubricant *lubricant;
     ovr_options *options; /* which it may still choose */
     bool transient;
+    ovr_physics_body body[2];
+    double substrate;  /* E' of the bodies as they are given, Pa */
+    bool by_substrate; /* b and ph are those of the bodies without layers */
 } ovr_physics_case;
 
 /* Takes a line of what `check` tells: a name and a text. */
@@ -55,8 +65,20 @@ struct ovr_physics {
     const ovr_section *section;
     size_t form;
 
+    /* Of a section with names: where in the form what a block of this name says
+     * goes, with what holds where it says nothing. */
+    ovr_status (*block)(void *form, const char *name, void **into,
+                        ovr_error *err);
+
+    /* E' of the homogeneous bodies that touch over the same width under the
+     * same load, over that of the bodies as they are given: the contact's b and
+     * ph are those of the former.  The form is in the units of the contact as
+     * it would be with what was found last. */
+    ovr_status (*stiffness)(const ovr_physics_case *of, void *form,
+                            double *ratio, ovr_error *err);
+
     /* What the form means, in the units of the contact; whether it is on.  An
-     * error is about a key of its rows. */
+     * error is about a key of its rows, or about a name of a block. */
     ovr_status (*resolve)(const ovr_physics_case *of, void *form, bool *on,
                           ovr_error *err);
 

@@ -26,7 +26,8 @@ static corrected make(const ovr_kernels *run, size_t n, double from, double to)
                           .flux = band->b[1],
                           .mask = band->b[2],
                           .F = band->b[3],
-                          .gap = band->b[4]};
+                          .gap = band->b[4],
+                          .local = OVR_FOURTH_LOCAL};
     return made;
 }
 
@@ -249,7 +250,8 @@ static void arrays_of(const test_grid *grid, ovr_fourth *c)
                       .flux = grid->band.b[1],
                       .mask = grid->band.b[2],
                       .F = grid->band.b[3],
-                      .gap = grid->band.b[4]};
+                      .gap = grid->band.b[4],
+                      .local = OVR_FOURTH_LOCAL};
 }
 
 /* |a - b| against the largest terms that a row is the difference of. */

@@ -102,7 +102,8 @@ static void influence(const ovr_simulation *sim, const void *own,
     const layer_form *given = &((const layer *)own)->given;
     (void)sim;
     if (given->spread > 0)
-        ovr_influence_add(of, (ovr_influence_part){spread_out, given});
+        ovr_influence_add(
+            of, (ovr_influence_part){.at = spread_out, .data = given});
     else
         of->compliance += given->compliance;
 }

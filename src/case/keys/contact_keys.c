@@ -11,6 +11,8 @@ static const ovr_word materials[] = {{"steel", OVR_STEEL},
                                      {"glass", OVR_GLASS},
                                      {"sapphire", OVR_SAPPHIRE},
                                      {NULL, 0}};
+static const ovr_word scales[] = {
+    {"dry", OVR_SCALE_DRY}, {"substrate", OVR_SCALE_SUBSTRATE}, {NULL, 0}};
 static const ovr_word flat[] = {{"flat", INFINITY}, {NULL, 0}};
 
 static const ovr_parameter contact_keys[] = {
@@ -59,6 +61,9 @@ static const ovr_parameter contact_keys[] = {
     {"bearable_pressure", WITH_UNIT(OVR_PRESSURE, 1, 1e13), "4 GPa",
      AT(bearable), false, ALWAYS,
      "above it a run is warned of: hardened steel yields there"},
+    {"scale", CHOICE(scales), "dry", AT(scale), true, "coating.thickness",
+     "b, ph, M and L by the dry contact of the bodies with "
+     "their layers, or of the substrates alone"},
 };
 
 const ovr_section ovr_contact_section = {

@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Elastic layers on the bodies, bonded, in plane strain.
+ *
+ * A pressure cos(kx) on a body presses its surface in by S_11 cos(kx)/k.  In
+ * each layer Airy's function is f(kz)/k^2 with f = (A + B s) e^-s + (C + D s)
+ * e^s, s = kz, and
+ *     (f, f')   = T1 (A, B) + T2 (C, D),  T1 = [1 0; -1 1],  T2 = [1 0; 1 1]
+ *     k (W, U)  = D1 (A, B) + D2 (C, D)
+ *     D1 = [1 1-2nu; 1 -2(1-nu)]/2G,  D2 = [-1 1-2nu; 1 2(1-nu)]/2G
+ * The half-space below has S = D1 T1^-1; from the last layer up
+ *     R = (D2 - S T2)^-1 (S T1 - D1)                    at its bottom,
+ *     R <- e^-2kt [1 -kt; 0 1] R [1 kt; 0 1]            at its top,
+ *     S = (D1 + D2 R)(T1 + T2 R)^-1
+ * Exponentials only decay, so that no k is too large.
+ *
+ * Of both bodies, over what the substrates alone would have,
+ *     A(k) = (S_11 + S'_11)/(the same of the substrates),  A(0) = 1,
+ *     w(k) = A(k) P(k)/|k|,
+ * which is replaced by A_top and images of the surface at depths a_m,
+ *     A(k) = A_top + sum_m w_m e^(-k a_m),  sum_m w_m = 1 - A_top
+ *     K(X) = A_top ln|X| + sum_m w_m ln|X + i a_m|
+ * The depths are geometric, the weights the least squares of the relative
+ * error, by Householder's reflections; as many as it takes.
+ *
+ * A dry contact with half width 1 has P = sum_j c_j sqrt(1 - s^2) U_2j(s) with
+ *     sum_j c_j (A_top T_2j+1(s) + sum_m w_m Re zeta_m^(2j+1)) = e s,
+ *     zeta = z - sqrt(z^2 - 1), |zeta| < 1, z = s + i a_m
+ * at Chebyshev's points; c_0 = 1, which gives e: the stiffness of homogeneous
+ * bodies that touch over the same width under the same load, over that of the
+ * substrates.
+ */
+#ifndef OVR_CONTACT_LAYERS_H
+#define OVR_CONTACT_LAYERS_H
+
+#include <stdbool.h>
+
+enum { OVR_LAYERS_MOST = 6, OVR_IMAGES_MOST = 64 };
+
+typedef struct ovr_elastic {
+    double modulus, poisson;
+} ovr_elastic;
+
+/* A body: layers from the surface down, and what is below them. */
+typedef struct ovr_layered {
+    int layers;
+    double thickness[OVR_LAYERS_MOST];
+    ovr_elastic layer[OVR_LAYERS_MOST], below;
+} ovr_layered;
+
+/* S_11 of a wave of k, in the unit of 1/thickness. */
+double ovr_layered_compliance(const ovr_layered *body, double k);
+
+/* A(k) of both. */
+double ovr_layers_softness(const ovr_layered body[2], double k);
+
+/* The images; depths in the unit of the thicknesses. */
+typedef struct ovr_images {
+    int count;
+    double top; /* A_top */
+    double weight[OVR_IMAGES_MOST], depth[OVR_IMAGES_MOST];
+    double error; /* largest relative one of A(k) */
+} ovr_images;
+
+void ovr_images_fit(const ovr_layered body[2], ovr_images *images);
+
+/* A(k) by them. */
+double ovr_images_softness(const ovr_images *images, double k);
+
+/* The dry contact of half width a, in the unit of the depths. */
+typedef struct ovr_layered_hertz {
+    double stiffness; /* e */
+    double pressure;  /* at its middle, over that of Hertz at this stiffness */
+} ovr_layered_hertz;
+ovr_layered_hertz ovr_images_dry(const ovr_images *images, double a);
+
+/* Half width of the dry contact whose load gives homogeneous bodies as stiff
+ * as the substrates the half width b, in its unit. */
+double ovr_images_half_width(const ovr_images *images, double b);
+
+#endif

@@ -1,0 +1,313 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Layers on the bodies: [coating 1] is the topmost one of body 1, [coating 1b]
+ * the one below it, and so on.
+ *
+ * What they change of the film is its elastic influence alone: images of the
+ * surface (contact/layers.h), summed as multigrid/images.h says.  b, ph, M and
+ * L are those of homogeneous bodies that touch, dry, over the same width under
+ * the same load, so that the contact is [-1, 1] however soft its layers are.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/rows.h"
+#include "multigrid/images.h"
+#include "simulation/physics.h"
+
+/* Beyond these layers are not calculated: the images do not meet A(k); a layer
+ * that no mesh sees; a contact much wider than its scale; large strains. */
+static const double FIT_MOST = 1e-5, MESH_LEAST = 0.02, WIDTH_MOST = 3,
+                    STRAIN_MOST = 0.1;
+
+typedef struct coat {
+    double thickness; /* b */
+    double modulus, poisson;
+} coat;
+
+typedef struct coating_form {
+    bool there[2][OVR_LAYERS_MOST];
+    coat coat[2][OVR_LAYERS_MOST];
+    ovr_layered body[2]; /* lengths in the first thickness */
+    ovr_images images;
+    double unit;      /* the first thickness, b */
+    double stiffness; /* E' over that of the substrates */
+    double pressure;  /* the dry contact's largest, ph */
+    double width;     /* its half width, b */
+} coating_form;
+
+/* --------------------------------------------------------------- the case */
+
+static const ovr_parameter keys[] = {
+    {"thickness", OVR_NUMBER, OVR_LENGTH, OVR_IN_B, 0, 1e4, true, NULL, NULL,
+     offsetof(coat, thickness), true, ALWAYS, "thickness of the layer"},
+    {"modulus", WITH_UNIT(OVR_PRESSURE, 1e3, 1e13), NULL,
+     offsetof(coat, modulus), true, ALWAYS, "Young's modulus of the layer"},
+    {"poisson", PLAIN(0, 0.5), "0.3", offsetof(coat, poisson), true, ALWAYS,
+     "its Poisson's ratio"},
+};
+
+static const ovr_section section = {
+    .name = "coating",
+    .named = true,
+    .help = "[coating 1], [coating 1b], ... [coating 2], ...: layers on body 1 "
+            "or 2 from the surface down, bonded; both bodies need a modulus",
+    ROWS(keys)};
+
+static ovr_status block(void *form, const char *name, void **into,
+                        ovr_error *err)
+{
+    coating_form *f = form;
+    int body = name[0] - '1';
+    int layer = name[0] && name[1] ? name[1] - 'a' : 0;
+    bool known = (body == 0 || body == 1) && layer >= 0 &&
+                 layer < OVR_LAYERS_MOST && (!name[1] || layer > 0) &&
+                 !(name[1] && name[2]);
+    if (!known)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "[coating %.20s]: the layers of body 1 are [coating "
+                        "1], [coating 1b] to [coating 1%c], from the surface "
+                        "down; those of body 2 alike",
+                        name, 'a' + OVR_LAYERS_MOST - 1);
+    f->there[body][layer] = true;
+    f->coat[body][layer] = (coat){NAN, NAN, NAN};
+    *into = &f->coat[body][layer];
+    return OVR_OK;
+}
+
+/* "1", "1b"; static, for an error is about it. */
+static const char *name_of(int body, int layer)
+{
+    static const char *const names[2][OVR_LAYERS_MOST] = {
+        {"1", "1b", "1c", "1d", "1e", "1f"},
+        {"2", "2b", "2c", "2d", "2e", "2f"}};
+    return names[body][layer];
+}
+
+static ovr_status check_layer(const coating_form *f, int body, int layer,
+                              ovr_error *err)
+{
+    const char *name = name_of(body, layer);
+    const coat *c = &f->coat[body][layer];
+    if (layer > 0 && !f->there[body][layer - 1])
+        return ovr_fail_about(err, name,
+                              "[coating %s] lies below [coating %s], which is "
+                              "missing",
+                              name, name_of(body, layer - 1));
+    if (isnan(c->thickness) || isnan(c->modulus))
+        return ovr_fail_about(err, name, "%s is missing in [coating %s]",
+                              isnan(c->thickness) ? "thickness" : "modulus",
+                              name);
+    return OVR_OK;
+}
+
+static ovr_status check_case(const ovr_physics_case *of, const coating_form *f,
+                             ovr_error *err)
+{
+    for (int k = 0; k < 2; k++)
+        for (int j = 0; j < OVR_LAYERS_MOST; j++)
+            if (f->there[k][j] && check_layer(f, k, j, err))
+                return OVR_BAD_INPUT;
+    for (int k = 0; k < 2; k++)
+        if (isnan(of->body[k].modulus))
+            return ovr_fail(err, OVR_BAD_INPUT,
+                            "[coating] needs the modulus of both bodies: a "
+                            "modulus or material in [body %d]; a reduced one "
+                            "does not say whose it is",
+                            k + 1);
+    return OVR_OK;
+}
+
+/* In the unit of the first thickness; whether it differs from what is there. */
+static bool lay(const ovr_physics_case *of, coating_form *f)
+{
+    ovr_layered now[2] = {{0}};
+    bool other = false;
+    f->unit = f->there[0][0] ? f->coat[0][0].thickness
+                             : f->coat[1][0].thickness;
+    for (int k = 0; k < 2; k++) {
+        const ovr_physics_body *body = &of->body[k];
+        now[k].below = (ovr_elastic){body->modulus, body->poisson};
+        for (int j = 0; j < OVR_LAYERS_MOST && f->there[k][j]; j++) {
+            const coat *c = &f->coat[k][j];
+            now[k].thickness[j] = c->thickness / f->unit;
+            now[k].layer[j] = (ovr_elastic){c->modulus, c->poisson};
+            other |= fabs(now[k].thickness[j] - f->body[k].thickness[j]) >
+                     1e-9 * now[k].thickness[j];
+            now[k].layers++;
+        }
+    }
+    if (other)
+        memcpy(f->body, now, sizeof now);
+    return other;
+}
+
+/* The dry contact, and what follows from it. */
+static void scale(coating_form *f, bool by_substrate)
+{
+    double a = by_substrate ? ovr_images_half_width(&f->images, 1 / f->unit)
+                            : 1 / f->unit;
+    ovr_layered_hertz dry = ovr_images_dry(&f->images, a);
+    f->width = a * f->unit;
+    f->stiffness = by_substrate ? 1 : dry.stiffness;
+    f->pressure = dry.pressure / f->width;
+}
+
+static ovr_status stiffness(const ovr_physics_case *of, void *form,
+                            double *ratio, ovr_error *err)
+{
+    coating_form *f = form;
+    double before = f->unit;
+    bool other;
+    if (check_case(of, f, err))
+        return OVR_BAD_INPUT;
+    other = lay(of, f);
+    if (other)
+        ovr_images_fit(f->body, &f->images);
+    if (f->images.error > FIT_MOST)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "[coating]: images meet the compliance of these layers "
+                        "to %.1g only: moduli or thicknesses differ too much "
+                        "from one layer to the next",
+                        f->images.error);
+    if (other || f->unit != before)
+        scale(f, of->by_substrate);
+    *ratio = f->stiffness;
+    return OVR_OK;
+}
+
+/* How far the surfaces approach each other, b^2/2R, over a thickness, but for
+ * what the layer's modulus does not let it give way. */
+static double strain(const ovr_physics_case *of, const coating_form *f, int k,
+                     int j)
+{
+    const coat *c = &f->coat[k][j];
+    const ovr_contact *contact = of->contact;
+    return fmin(contact->kappa / (2 * c->thickness),
+                f->pressure * contact->ph / c->modulus);
+}
+
+static ovr_status resolve(const ovr_physics_case *of, void *form, bool *on,
+                          ovr_error *err)
+{
+    const coating_form *f = form;
+    *on = f->images.top > 0;
+    if (!*on)
+        return OVR_OK;
+    if (f->width > WIDTH_MOST)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "[coating]: the contact is %.3g times as wide as that "
+                        "of the substrates, by which [contact] scale = "
+                        "substrate measures it: scale = dry does",
+                        f->width);
+    if (of->contact->kappa / 4 > STRAIN_MOST)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "[coating]: ph is %.2g of the modulus E': strains are "
+                        "not small, and no film is calculated for them",
+                        of->contact->kappa / 4);
+    /* what interpolation leaves of an image is not what it was made for */
+    if (!of->options->mlmi_order)
+        of->options->mlmi_order = 12;
+    if (!of->options->mlmi_range)
+        of->options->mlmi_range = 16;
+    return OVR_OK;
+}
+
+static void tell_layer(const ovr_physics_case *of, const coating_form *f, int k,
+                       int j, ovr_physics_line *line, void *data)
+{
+    double t = f->coat[k][j].thickness;
+    const ovr_options *o = of->options;
+    double D = (o->outlet - o->inlet) / (double)(ovr_level_nodes(o->level) - 1);
+    char name[40], text[160];
+    size_t used;
+    snprintf(name, sizeof name, "coating %s", name_of(k, j));
+    used = (size_t)snprintf(text, sizeof text, "%.3g b thick", t);
+    if (o->level > 0 && o->outlet > o->inlet)
+        used += (size_t)snprintf(text + used, sizeof text - used,
+                                 ", %.3g meshes", t / D);
+    if (strain(of, f, k, j) > STRAIN_MOST)
+        snprintf(text + used, sizeof text - used,
+                 "; strains of %.2g are not small", strain(of, f, k, j));
+    line(data, name, text);
+}
+
+static void tell(const ovr_physics_case *of, const void *form,
+                 ovr_physics_line *line, void *data)
+{
+    const coating_form *f = form;
+    char text[200];
+    for (int k = 0; k < 2; k++)
+        for (int j = 0; j < f->body[k].layers; j++)
+            tell_layer(of, f, k, j, line, data);
+    snprintf(text, sizeof text,
+             "E' %.4g GPa, of the substrates %.4g GPa; images to %.1g",
+             of->contact->modulus / 1e9, of->substrate / 1e9, f->images.error);
+    line(data, "layered contact", text);
+    snprintf(text, sizeof text, "half width %.4g b, largest pressure %.4g ph",
+             f->width, f->pressure);
+    line(data, "dry, with its layers", text);
+}
+
+/* ----------------------------------------------------------- its simulation */
+
+typedef struct coating {
+    const coating_form *given;
+    ovr_physics_case of;
+    ovr_image_sum sum;
+} coating;
+
+static ovr_status take(ovr_simulation *sim, const void *form, void **own,
+                       ovr_error *err)
+{
+    coating *c = ovr_arena_take(&sim->arena, 1, sizeof *c, err);
+    if (!c)
+        return OVR_NO_MEMORY;
+    *own = c;
+    c->given = form;
+    return OVR_OK;
+}
+
+/* The table begins where a node of the finest mesh is far, and ends behind all
+ * that is asked: ghosts of the coarsest grids lie a domain's length outside. */
+static void influence(const ovr_simulation *sim, const void *own,
+                      ovr_influence *of)
+{
+    coating *c = (coating *)own;
+    const coating_form *f = c->given;
+    double whole = sim->options.outlet - sim->options.inlet;
+    double D = whole / (double)(sim->finest->grid.n - 1);
+    if (sim->arena.blank)
+        return;
+    ovr_image_sum_make(&c->sum, &f->images, f->stiffness, f->unit, 60 * D,
+                       4 * whole);
+    ovr_influence_add(of, ovr_image_part(&c->sum));
+}
+
+static ovr_status check(const ovr_simulation *sim, const void *own,
+                        ovr_error *err)
+{
+    const coating_form *f = ((const coating *)own)->given;
+    double D = ovr_mesh(sim);
+    for (int k = 0; k < 2; k++)
+        for (int j = 0; j < f->body[k].layers; j++)
+            if (f->coat[k][j].thickness < MESH_LEAST * D)
+                return ovr_fail(err, OVR_BAD_INPUT,
+                                "[coating %s] is %.2g meshes thick: no level "
+                                "that is calculated sees it; leave it out, or "
+                                "take a finer level",
+                                name_of(k, j), f->coat[k][j].thickness / D);
+    return OVR_OK;
+}
+
+const ovr_physics ovr_physics_coating = {.name = "layers on the bodies",
+                                         .section = &section,
+                                         .form = sizeof(coating_form),
+                                         .block = block,
+                                         .stiffness = stiffness,
+                                         .resolve = resolve,
+                                         .tell = tell,
+                                         .take = take,
+                                         .influence = influence,
+                                         .check = check};

@@ -1,0 +1,467 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Elastic layers (contact/layers.h, multigrid/images.h): compliance, kernel and
+ * dry contact against numbers of another solution, limits, sums without
+ * multigrid, and films against the kernel by quadrature, without images. */
+#include "support/test.h"
+
+#include <gsl/gsl_integration.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "contact/layers.h"
+#include "multigrid/images.h"
+#include "overroll/case.h"
+#include "reference/layers_truth.h"
+#include "simulation/internal.h"
+
+enum { CASES = sizeof truth_cases / sizeof *truth_cases };
+static const double pi = 3.14159265358979323846;
+
+static void bodies_of(const layers_truth *t, ovr_layered body[2])
+{
+    memset(body, 0, 2 * sizeof *body);
+    body[0].layers = t->layers;
+    for (int j = 0; j < t->layers; j++) {
+        body[0].thickness[j] = t->thickness[j];
+        body[0].layer[j] = (ovr_elastic){t->E[j], t->nu[j]};
+    }
+    body[0].below = (ovr_elastic){t->below[0], t->below[1]};
+    body[1].below = (ovr_elastic){t->other[0], t->other[1]};
+}
+
+static void softness(void **state)
+{
+    (void)state;
+    for (int c = 0; c < CASES; c++) {
+        const layers_truth *t = &truth_cases[c];
+        ovr_layered body[2];
+        bodies_of(t, body);
+        for (int i = 0; i < TRUTH_WAVES; i++)
+            CHECK_CLOSE(t->A0 * ovr_layers_softness(body, truth_k[i]), t->A[i],
+                        1e-12);
+    }
+}
+
+/* By the images, which say how well they fit; and what is near a node and far
+ * from one, of a mesh that is nothing. */
+static void kernel(void **state)
+{
+    (void)state;
+    for (int c = 0; c < CASES; c++) {
+        const layers_truth *t = &truth_cases[c];
+        ovr_layered body[2];
+        ovr_images images;
+        bodies_of(t, body);
+        ovr_images_fit(body, &images);
+        assert_true(images.error < 1e-8);
+        CHECK_CLOSE(t->A0 * images.top, t->top, 1e-12);
+        for (int i = 0; i < TRUTH_WAVES; i++)
+            CHECK_CLOSE(t->A0 * ovr_images_softness(&images, truth_k[i]),
+                        t->A[i], 1e-8);
+        for (int i = 0; i < TRUTH_POINTS; i++) {
+            double X = truth_X[i], K = images.top * log(X);
+            for (int m = 0; m < images.count; m++)
+                K += images.weight[m] * log(hypot(X, images.depth[m]));
+            CHECK_NEAR(t->A0 * K, t->K[i], 1e-6 * fmax(1, t->top));
+        }
+    }
+}
+
+static void dry_contact(void **state)
+{
+    (void)state;
+    for (int c = 0; c < CASES; c++) {
+        const layers_truth *t = &truth_cases[c];
+        ovr_layered body[2];
+        ovr_images images;
+        bodies_of(t, body);
+        ovr_images_fit(body, &images);
+        double a = t->dry ? 1 : ovr_images_half_width(&images, 1);
+        ovr_layered_hertz dry = ovr_images_dry(&images, a);
+        CHECK_CLOSE(a, t->half_width, 1e-6);
+        CHECK_CLOSE(dry.pressure / a, t->P0, 1e-6);
+        if (t->dry)
+            CHECK_CLOSE(dry.stiffness, t->A0, 1e-6);
+    }
+}
+
+/* A layer on what is 1e5 times stiffer, and so the other body; thin ones give
+ * way as their own limits say, w = 2/3 m a^3/(t R), to the first order in t/a,
+ * and half the thickness halves what is missing. */
+static void rigid_base(void **state)
+{
+    const double E = 1e5;
+    (void)state;
+    for (size_t k = 0; k < sizeof truth_rigid / sizeof *truth_rigid; k++) {
+        double nu = truth_rigid[k].nu, a = truth_rigid[k].a_over_t;
+        ovr_layered body[2] = {{1, {1}, {{1, nu}}, {E, 0.3}},
+                               {0, {0}, {{0, 0}}, {E, 0.3}}};
+        ovr_images images;
+        if (nu == 0.5 && a > 10)
+            continue; /* the substrate of 1e5 is not rigid for that one */
+        ovr_images_fit(body, &images);
+        double whole = E / (1 - 0.09), star = 1 / (1 - nu * nu);
+        double load = pi * a * a * whole *
+                      ovr_images_dry(&images, a).stiffness / (8 * star);
+        CHECK_CLOSE(load, truth_rigid[k].load, nu == 0.5 ? 0.01 : 2e-3);
+    }
+}
+
+static double over_thin_limit(double nu, double a)
+{
+    const double E = 1e5;
+    ovr_layered body[2] = {{1, {1}, {{1, nu}}, {E, 0.3}},
+                           {0, {0}, {{0, 0}}, {E, 0.3}}};
+    ovr_images images;
+    ovr_images_fit(body, &images);
+    double m = (1 - nu) / ((1 + nu) * (1 - 2 * nu));
+    double load = pi * a * a * E / (1 - 0.09) *
+                  ovr_images_dry(&images, a).stiffness / 8;
+    return load / (2. / 3 * m * a * a * a);
+}
+
+static void thin_limit(void **state)
+{
+    (void)state;
+    double ten = over_thin_limit(0.3, 10) - 1,
+           twenty = over_thin_limit(0.3, 20) - 1;
+    CHECK_NEAR(twenty, 0, 0.02);
+    CHECK_NEAR(twenty / ten, 0.5, 0.05);
+}
+
+/* The layer's moduli are the substrate's: no image, and in no number but
+ * rounding. */
+static void nothing_of_nothing(void **state)
+{
+    const ovr_layered body[2] = {
+        {3, {0.1, 0.5, 0.2}, {{1, 0.3}, {1, 0.3}, {1, 0.3}}, {1, 0.3}},
+        {1, {0.02}, {{2.5, 0.22}}, {2.5, 0.22}}};
+    ovr_images images;
+    (void)state;
+    ovr_images_fit(body, &images);
+    assert_int_equal(images.count, 0);
+    CHECK_NEAR(images.top, 1, 1e-15);
+    CHECK_NEAR(ovr_images_dry(&images, 3).stiffness, 1, 1e-13);
+    CHECK_NEAR(ovr_images_half_width(&images, 2), 2, 1e-12);
+}
+
+/* ----------------------------------------------------------------- meshes */
+
+typedef struct layered {
+    ovr_images images;
+    ovr_image_sum sum;
+    ovr_influence influence;
+} layered;
+
+static void make(double E, double nu, double t, double D, layered *l)
+{
+    const ovr_layered body[2] = {{1, {t}, {{E, nu}}, {1, 0.3}},
+                                 {0, {0}, {{0, 0}}, {1, 0.3}}};
+    ovr_images_fit(body, &l->images);
+    ovr_image_sum_make(&l->sum, &l->images, 1, 1, 60 * D, 24);
+    l->influence = (ovr_influence){0};
+    ovr_influence_add(&l->influence, ovr_image_part(&l->sum));
+}
+
+/* ------------------------------------------------- a node by quadrature */
+
+typedef struct node {
+    const ovr_images *of;
+    double X, D;
+    bool linear;
+} node;
+
+/* The logarithm and all images at X + s D, weighed as the pressure is. */
+static double weighed(double s, void *data)
+{
+    const node *n = data;
+    double x = n->X + s * n->D, K = n->of->top * log(fabs(x));
+    for (int m = 0; m < n->of->count; m++)
+        K += n->of->weight[m] * log(hypot(x, n->of->depth[m]));
+    return n->linear ? (1 - fabs(s)) * K : K;
+}
+
+/* At a node, beside it, by the series, by the table. */
+static void influence_by_quadrature(void **state)
+{
+    static const double at[] = {0, 1, 2, 5, 9, 20, 63, 64, 100, 333};
+    const double D = 0.01;
+    layered l;
+    (void)state;
+    make(0.05, 0.4, 0.05, D, &l);
+    gsl_integration_workspace *w = gsl_integration_workspace_alloc(2000);
+    for (int linear = 0; linear < 2; linear++)
+        for (size_t i = 0; i < sizeof at / sizeof *at; i++) {
+            node n = {&l.images, at[i] * D, D, linear};
+            gsl_function f = {weighed, &n};
+            double end = linear ? 1 : 0.5, left, right, error;
+            gsl_integration_qags(&f, -end, 0, 1e-11, 1e-10, 2000, w, &left,
+                                 &error);
+            gsl_integration_qags(&f, 0, end, 1e-11, 1e-10, 2000, w, &right,
+                                 &error);
+            l.influence.linear = linear;
+            CHECK_NEAR(pi / D * ovr_influence_at(&l.influence, at[i], D),
+                       left + right, 1e-8);
+        }
+    gsl_integration_workspace_free(w);
+}
+
+/* MLMI of a rough pressure against the sum, for soft and stiff layers from a
+ * third of a mesh to many. */
+static void sums(void **state)
+{
+    static const double E[] = {0.0146, 0.1, 0.5, 5}, t[] = {0.3, 3, 30, 300};
+    enum { N = 449 };
+    const double D = 5.5 / (N - 1);
+    uint64_t seed = 11;
+    (void)state;
+    for (size_t e = 0; e < 4; e++)
+        for (size_t k = 0; k < 4; k++) {
+            layered l;
+            ovr_error err = {0};
+            ovr_arena arena = ovr_arena_make(NULL);
+            const ovr_kernels *run = ovr_kernels_choose("plain");
+            ovr_mlmi plan = {0};
+            double P[N], most = 0;
+            make(E[e], 0.4, t[k] * D, D, &l);
+            CHECK_OK(ovr_mlmi_plan(&plan, N, 12, 16, &arena, &err), &err);
+            plan.part = l.influence.part;
+            plan.parts = l.influence.parts;
+            ovr_mlmi_fill(&plan, D, NULL);
+            double *in = ovr_mlmi_field(&plan, &arena, &err);
+            double *out = ovr_mlmi_field(&plan, &arena, &err);
+            for (int i = 0; i < N; i++) {
+                double X = -4 + D * i;
+                P[i] = X * X < 1 ? sqrt(1 - X * X) *
+                                       (1 + test_random(&seed, -0.3, 0.3))
+                                 : 0;
+                in[i] = P[i];
+            }
+            run->deformation(&plan, in, out);
+            for (int i = 0; i < N; i++) {
+                double w = 0;
+                for (int j = 0; j < N; j++)
+                    w += ovr_influence_at(&l.influence, i - j, D) * P[j];
+                most = fmax(most, fabs(w - out[i]));
+            }
+            CHECK_NEAR(most, 0, 1e-6);
+            ovr_arena_release(&arena);
+        }
+}
+
+/* ------------------------------------------------------------------- films */
+
+typedef struct film {
+    ovr_case *c;
+    ovr_setup *setup;
+    ovr_simulation *sim;
+    const ovr_state *state;
+    double H_cen;
+} film;
+
+static film solve(const char *text)
+{
+    ovr_error err = {0};
+    film f;
+    f.c = ovr_case_read_text(text, "case", NULL, NULL, &err);
+    if (!f.c)
+        print_message("%s\n", err.message);
+    assert_non_null(f.c);
+    f.setup = ovr_case_resolve(f.c, NULL, &err);
+    if (!f.setup)
+        print_message("%s\n", err.message);
+    assert_non_null(f.setup);
+    f.sim = ovr_setup_simulation(f.setup, NULL, &err);
+    if (!f.sim)
+        print_message("%s\n", err.message);
+    assert_non_null(f.sim);
+    CHECK_OK(ovr_simulation_steady(f.sim, &err), &err);
+    f.state = ovr_simulation_state(f.sim);
+    f.H_cen = ovr_simulation_observation(f.sim)->H_cen;
+    return f;
+}
+
+static void release(film *f)
+{
+    ovr_simulation_free(f->sim);
+    ovr_setup_free(f->setup);
+    ovr_case_free(f->c);
+}
+
+static void write_case(char *text, size_t room, double M, double L, int level,
+                       const char *scale, const char *more)
+{
+    snprintf(text, room,
+             "[contact]\nM = %g\nL = %g\n%s%s\n[domain]\nlevel = %d\n"
+             "inlet = -4\noutlet = 1.5\n[body 1]\nmodulus = 200 GPa\n[body "
+             "2]\nmodulus = 200 GPa\n%s",
+             M, L, strstr(more, "coating") ? "scale = " : "",
+             strstr(more, "coating") ? scale : "", level, more);
+}
+
+/* (1/pi) int K P with K by its waves, P linear between the nodes and corrected
+ * for what that adds to its second moment, at some nodes; less the logarithm's
+ * part, which the images leave alone:
+ *     -(D/pi) int_0 (A - 1)/k (sin(kD/2)/(kD/2))^2 sum_j P_j cos(k (X - X_j))
+ * dk
+ */
+enum { AT = 6 };
+
+static void rest_by_waves(const ovr_layered body[2], const ovr_state *s,
+                          const double *P, const size_t at[AT], double w[AT])
+{
+    const double wide = 0.5;
+    size_t n = s->n;
+    double D = s->X[1] - s->X[0];
+    gsl_integration_glfixed_table *rule = gsl_integration_glfixed_table_alloc(
+        8);
+    memset(w, 0, AT * sizeof *w);
+    for (int panel = 0; panel * wide < 2 * pi / D; panel++)
+        for (size_t q = 0; q < 8; q++) {
+            double k, share, re = 0, im = 0, c = 1, d = 0;
+            gsl_integration_glfixed_point(panel * wide, (panel + 1) * wide, q,
+                                          &k, &share, rule);
+            double turn = cos(k * D), over = sin(k * D), next;
+            for (size_t j = 0; j < n; j++) {
+                re += P[j] * c;
+                im += P[j] * d;
+                next = c * turn - d * over;
+                d = c * over + d * turn;
+                c = next;
+            }
+            double sinc = sin(0.5 * k * D) / (0.5 * k * D);
+            double part = -share * D / pi * sinc * sinc *
+                          (ovr_layers_softness(body, k) - 1) / k;
+            for (int i = 0; i < AT; i++) {
+                double phase = k * D * (double)at[i];
+                w[i] += part * (re * cos(phase) + im * sin(phase));
+            }
+        }
+    gsl_integration_glfixed_table_free(rule);
+}
+
+static void check_film(const char *scale, double M, double L, double E,
+                       double nu, double t, double most)
+{
+    char text[600], more[200];
+    const ovr_layered body[2] = {{1, {t}, {{E, nu}}, {1, 0.3}},
+                                 {0, {0}, {{0, 0}}, {1, 0.3}}};
+    snprintf(more, sizeof more,
+             "[coating 1]\nthickness = %.17g\nmodulus = %.17g GPa\npoisson = "
+             "%g\n",
+             t, 200 * E, nu);
+    write_case(text, sizeof text, M, L, 8, scale, more);
+    film f = solve(text);
+    const ovr_state *s = f.state;
+    ovr_images images;
+    ovr_images_fit(body, &images);
+    double e = strcmp(scale, "dry") ? 1 : ovr_images_dry(&images, 1).stiffness;
+    size_t n = s->n, at[AT];
+    double D = s->X[1] - s->X[0], *P = calloc(n, sizeof *P), w[AT];
+    for (size_t j = 1; j + 1 < n; j++)
+        P[j] = s->P[j] - (s->P[j - 1] - 2 * s->P[j] + s->P[j + 1]) / 12;
+    for (int i = 0; i < AT; i++)
+        at[i] = (size_t)((-1.2 + 0.4 * i + 4) / D);
+    rest_by_waves(body, s, P, at, w);
+    for (int i = 0; i < AT; i++) {
+        double X = s->X[at[i]];
+        for (size_t j = 0; j < n; j++)
+            w[i] += ovr_deformation_linear((double)at[i] - (double)j, D) * P[j];
+        CHECK_NEAR(s->H[at[i]], s->H0 + 0.5 * X * X - e * w[i], most);
+    }
+    free(P);
+    release(&f);
+}
+
+static void film_of_the_waves(void **state)
+{
+    (void)state;
+    check_film("substrate", 20, 10, 0.5, 0.3, 0.05, 2e-6);
+    check_film("substrate", 20, 10, 5, 0.3, 0.1, 2e-6);
+    check_film("dry", 20, 2, 0.0146, 0.4, 0.2, 2e-6);
+    check_film("dry", 20, 2, 0.0146, 0.4, 0.5, 2e-6);
+}
+
+static double central(double M, double L, int level, const char *scale,
+                      const char *more)
+{
+    char text[800];
+    write_case(text, sizeof text, M, L, level, scale, more);
+    film f = solve(text);
+    double H = f.H_cen;
+    release(&f);
+    return H;
+}
+
+/* A layer of the substrate's moduli, whatever else is solved otherwise with
+ * it; one that is nearly nothing; both bodies nothing but layer. */
+static void limits(void **state)
+{
+    const char *plain = "[paper]\nmlmi_order = 12\nmlmi_range = 16\n";
+    double bare = central(20, 10, 7, "dry", plain);
+    (void)state;
+    CHECK_CLOSE(central(20, 10, 7, "dry",
+                        "[coating 1]\nthickness = 0.1\nmodulus = 200 GPa\n"
+                        "[coating 1b]\nthickness = 0.2\nmodulus = 200 GPa\n"
+                        "[coating 2]\nthickness = 1\nmodulus = 200 GPa\n"),
+                bare, 1e-12);
+    CHECK_CLOSE(central(20, 10, 8, "dry",
+                        "[coating 1]\nthickness = 1e-4\nmodulus = 400 GPa\n"),
+                central(20, 10, 8, "dry", plain), 1e-3);
+    CHECK_CLOSE(central(20, 10, 7, "dry",
+                        "[coating 1]\nthickness = 30\nmodulus = 100 GPa\n"
+                        "[coating 2]\nthickness = 30\nmodulus = 100 GPa\n"),
+                bare, 3e-4);
+}
+
+/* Corrected with the layers' own constant; of second order they differ by
+ * some 1e-3. */
+static void fourth_order(void **state)
+{
+    const char *layer = "[coating 1]\nthickness = 0.5\nmodulus = 2.92 GPa\n"
+                        "poisson = 0.4\n";
+    const char *hard = "[coating 1]\nthickness = 0.017\nmodulus = 1000 GPa\n";
+    (void)state;
+    CHECK_CLOSE(central(20, 2, 7, "dry", layer),
+                central(20, 2, 9, "dry", layer), 1e-5);
+    CHECK_CLOSE(central(50, 10, 8, "dry", hard),
+                central(50, 10, 10, "dry", hard), 1e-5);
+}
+
+/* Films of the same equations with another program's images and, on every
+ * grid, MLMI of order 10 alone, which is off by 2e-5 of w for a soft layer. */
+static void films(void **state)
+{
+    (void)state;
+    CHECK_CLOSE(central(20, 10, 8, "substrate",
+                        "[coating 1]\nthickness = 0.05\nmodulus = 100 GPa\n"),
+                0.08373309779498081, 1e-6);
+    CHECK_CLOSE(central(100, 10, 9, "substrate",
+                        "[coating 1]\nthickness = 0.05\nmodulus = 300 GPa\n"),
+                0.01345738592175169, 2e-6);
+    CHECK_CLOSE(central(50, 2, 8, "dry",
+                        "[coating 1]\nthickness = 0.2\nmodulus = 2.92 GPa\n"
+                        "poisson = 0.4\n"),
+                0.012558621025164272, 3e-5);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(softness),
+        cmocka_unit_test(kernel),
+        cmocka_unit_test(dry_contact),
+        cmocka_unit_test(rigid_base),
+        cmocka_unit_test(thin_limit),
+        cmocka_unit_test(nothing_of_nothing),
+        cmocka_unit_test(influence_by_quadrature),
+        cmocka_unit_test(sums),
+        cmocka_unit_test(film_of_the_waves),
+        cmocka_unit_test(limits),
+        cmocka_unit_test(fourth_order),
+        cmocka_unit_test(films),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
