@@ -185,13 +185,25 @@ static bool extend_to(const film *f, ptrdiff_t i)
     return moves;
 }
 
+/* Whether what dry nodes lack is a good part of the whole imbalance R. */
+static bool outweighs(const ovr_hierarchy *grids, const film *f)
+{
+    const double share = 0.1;
+    const ovr_level *l = f->level;
+    double lack = 0, H = fabs(ovr_level_centre(l, l->f.H));
+    for (ptrdiff_t i = 1; i + 1 < (ptrdiff_t)l->grid.n; i++)
+        if (!is_wet(f, i))
+            lack += fmax(0, -value(f, l->f.r, i));
+    return lack * l->grid.D > share * H * ovr_level_imbalance(grids, l);
+}
+
 void ovr_film_ends(const ovr_hierarchy *grids, ovr_level *level)
 {
     const film f = {level, grids->band.b[0], grids->band.b[1],
                     grids->band.b[2]};
     if (!for_free(&f, rises))
         return;
-    if (move_rigid(&f))
+    if (outweighs(grids, &f) && move_rigid(&f))
         ovr_level_refresh(grids, level);
     if (for_free(&f, extend_to))
         ovr_level_refresh(grids, level);

@@ -18,7 +18,10 @@
  *  - beyond the contact, on both sides, as far as eps > 2000 a0 K(0) D^2/pi:
  *    the pressures that move the film there do not deform it, so that the
  *    problem is all there is.  From the contact to the end of the film behind
- *    which it stays dry; patches beyond stay with the sweeps;
+ *    which it stays dry; patches beyond stay with the sweeps.  But only where
+ *    what dry nodes lack is a tenth of R: a long zone is not quite rigid (for m
+ *    meshes a0 (m D/pi)^3 must be small beside eps), and where R is something
+ *    else's, a rough surface's, this solution makes it larger;
  *  - behind each end of a film whose next node wants to rise, for 32 dry nodes
  *    at most and P <= 0.05; wet nodes stay: their film would have to follow.
  *

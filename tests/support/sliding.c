@@ -3,6 +3,8 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "overroll/case.h"
 #include "overroll/simulation.h"
@@ -27,6 +29,20 @@ static ovr_statistics counts_of(const char *text)
     return s;
 }
 
+/* Whether it took more cycles a step than all before. */
+static int count(test_slides *all, const ovr_statistics *s)
+{
+    double cycles = (double)s->cycles / (double)s->steps;
+    int most = cycles > all->largest;
+    all->runs++;
+    all->mean += (cycles - all->mean) / all->runs;
+    if (most)
+        all->largest = cycles;
+    all->steps += s->steps;
+    all->retries += s->retries;
+    return most;
+}
+
 void test_slides_add(test_slides *all, const test_slide *one)
 {
     char text[500];
@@ -42,15 +58,8 @@ void test_slides_add(test_slides *all, const test_slide *one)
              one->slip, one->level, one->width, start, one->scheme,
              one->meshes * D, end);
     ovr_statistics s = counts_of(text);
-    double cycles = (double)s.cycles / (double)s.steps;
-    all->runs++;
-    all->mean += (cycles - all->mean) / all->runs;
-    if (cycles > all->largest) {
-        all->largest = cycles;
+    if (count(all, &s))
         all->worst = *one;
-    }
-    all->steps += s.steps;
-    all->retries += s.retries;
 }
 
 test_slides test_slides_grid(const char *scheme, int level, double meshes,
@@ -72,4 +81,44 @@ test_slides test_slides_grid(const char *scheme, int level, double meshes,
            all.worst.slip, all.retries, all.steps);
     fflush(stdout);
     return all;
+}
+
+static void put_profile(char *text, size_t bytes, int surface,
+                        const char *profile)
+{
+    size_t used = strlen(text);
+    const char *how = strcmp(profile, "scratch")
+                          ? "level = line\nlambda_c = 250 um\n"
+                            "extend = periodic\ntaper = 60 um\n"
+                          : "level = ends\nscale = 0.4\n";
+    snprintf(text + used, bytes - used,
+             "[feature p%d]\nsurface = %d\nshape = profile\n"
+             "file = %s/profiles/%s.csv\nstart = -1.25\n%s",
+             surface, surface, getenv("TOP"), profile, how);
+}
+
+void test_slides_rough(test_slides *all, const test_rough_slide *one)
+{
+    char text[2000];
+    snprintf(text, sizeof text,
+             "[contact]\nload = 3.07e5 N/m\nradius = 10 mm\n"
+             "modulus = 226 GPa\nmean_speed = 1.3 m/s\n"
+             "slide_to_roll = %g\n"
+             "[lubricant]\nviscosity = 40 mPa.s\nalpha = 17 1/GPa\n"
+             "z = 0.68\n"
+             "[domain]\ninlet = -4\noutlet = 1.5\nlevel = %d\n"
+             "[time]\nscheme = %s\nstep = %.17g\nend = %g\n",
+             one->slip, one->level, one->scheme,
+             one->meshes * 5.5 / (7 << one->level), one->end);
+    for (int k = 0; k < 2; k++)
+        if (one->profile[k])
+            put_profile(text, sizeof text, k + 1, one->profile[k]);
+    ovr_statistics s = counts_of(text);
+    count(all, &s);
+    printf("%s, %s: SRR %g, level %d, dT = %g D, %s: %.2f cycles a step, "
+           "%ld retries in %ld steps\n",
+           one->profile[0], one->profile[1] ? one->profile[1] : "smooth",
+           one->slip, one->level, one->meshes, one->scheme,
+           (double)s.cycles / (double)s.steps, s.retries, s.steps);
+    fflush(stdout);
 }

@@ -22,6 +22,19 @@ typedef struct test_slides {
  * it (or standing in its middle) and counts it in. */
 void test_slides_add(test_slides *all, const test_slide *one);
 
+typedef struct test_rough_slide {
+    const char *profile[2]; /* of profiles/, on surface 1 and 2; NULL: smooth */
+    double slip;
+    int level;
+    double meshes; /* dT/D */
+    const char *scheme;
+    double end;
+} test_rough_slide;
+
+/* Rough surfaces, their fronts inside the contact at the start, in the contact
+ * of profiles/ground.ini. */
+void test_slides_rough(test_slides *all, const test_rough_slide *one);
+
 /* Over a grid of widths 0.02 to 0.5 and slips -2 to 2, every `every`-th run. */
 test_slides test_slides_grid(const char *scheme, int level, double meshes,
                              int every);

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What steps of rough surfaces that slide take: no more than three cycles each
+ * (3.6 where they are two meshes long), and a retry in 1,000; one in
+ * these short runs. */
+#include "support/sliding.h"
+#include "support/test.h"
+
+static void costs(const test_rough_slide *one, double most)
+{
+    test_slides all = {0};
+    test_slides_rough(&all, one);
+    assert_true(all.mean <= most);
+    assert_true(1000 * (all.retries - 1) <= all.steps);
+}
+
+static void both_ground(void **state)
+{
+    (void)state;
+    costs(
+        &(test_rough_slide){
+            {"ground", "ground"}, 1, 9, 1, "characteristic", 2.2},
+        3);
+    costs(&(test_rough_slide){{"ground", "ground"}, 1, 9, 1, "upstream2", 2.2},
+          3);
+}
+
+static void scratches(void **state)
+{
+    (void)state;
+    costs(
+        &(test_rough_slide){
+            {"scratch", "scratch"}, 1, 9, 2, "characteristic", 2.2},
+        3.6);
+}
+
+static void two_kinds(void **state)
+{
+    (void)state;
+    costs(
+        &(test_rough_slide){
+            {"ground", "honed"}, 2, 9, 2, "characteristic", 2.2},
+        3.6);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(both_ground),
+        cmocka_unit_test(scratches),
+        cmocka_unit_test(two_kinds),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
