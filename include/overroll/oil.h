@@ -58,10 +58,19 @@ typedef struct ovr_oil {
     double density_15;      /* kg/m3 at 15 degC */
     double viscosity_index; /* instead of nu_100 */
     const ovr_law_table *viscosity_table, *density_table;
+    bool mineral; /* alpha and density_15 that are not given are estimated as
+                     those of a mineral oil */
 } ovr_oil;
 
 /* Roelands and Dowson-Higginson, all numbers NAN. */
 OVR_SIZED(ovr_oil)
+
+/* The index of a mineral oil by its viscosity (Pa s), 1/Pa: Roelands' relation
+ *   alpha = z (ln eta0 + 9.67)/p0,  z = 0.68, p0 = 198 MPa
+ * (Roelands, Vlugter & Waterman, J. Basic Eng. 85 (1963) 601; z of a paraffinic
+ * oil as in Venner, ten Napel & Bosma 1990).  An estimate: measured ones lie at
+ * 0.6 to 1 times it, see overroll-case(5). */
+OVR_API double ovr_estimated_alpha(double viscosity);
 
 /* Sets viscosity and alpha where the law or the data sheet gives them; fails
  * with OVR_BAD_INPUT about what is missing, double or out of range. */

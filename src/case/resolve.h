@@ -33,6 +33,7 @@ typedef struct ovr_resolved {
         ovr_bearing *bearing;
         double end; /* of its histories, b/um */
     } element;
+    bool alpha_estimated; /* from the viscosity */
     double inlet_kept; /* X_a, farther out, that a feature before the usual one
                           kept the domain from; 0: none did */
     double substrate;  /* E' of the bodies, which a physics may change */

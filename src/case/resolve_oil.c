@@ -192,6 +192,7 @@ ovr_status ovr_resolve_oil(ovr_resolved *r, ovr_error *err)
     oil->density_law = (ovr_density_law)v->density_law;
     oil->viscosity = v->contact.viscosity;
     oil->alpha = v->contact.alpha;
+    oil->mineral = v->oil_kind == 1;
     if (!status && oil->viscosity_law == OVR_VISCOSITY_TABLE)
         status = read_table(r, v->viscosity_file, OVR_TABLE_OF_VISCOSITY, err);
     if (!status && oil->density_law == OVR_DENSITY_TABLE)
@@ -200,9 +201,11 @@ ovr_status ovr_resolve_oil(ovr_resolved *r, ovr_error *err)
         return status;
     oil->viscosity_table = r->tables[OVR_TABLE_OF_VISCOSITY];
     oil->density_table = r->tables[OVR_TABLE_OF_DENSITY];
+    bool given = !isnan(oil->alpha);
     if (ovr_oil_complete(oil, &why))
         return ovr_fail_in(err, r->c, ovr_block_of(r, "lubricant"),
                            ovr_block_of(r, "contact"), &why);
+    r->alpha_estimated = oil->mineral && !given;
     v->contact.viscosity = oil->viscosity;
     v->contact.alpha = oil->alpha;
     return OVR_OK;

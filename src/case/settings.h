@@ -48,7 +48,7 @@ typedef struct ovr_settings {
     ovr_conditions contact;
     double bearable;
     int scale;
-    int viscosity_law, density_law;
+    int viscosity_law, density_law, oil_kind;
     ovr_oil oil;
     double iso_vg;
     int heat_model; /* 0: none */

@@ -16,6 +16,9 @@
 static const double P0_PAPER = 1.98e8; /* Pa */
 static const double Z_PAPER = 0.68;
 static const double DENSITY_A = 5.9e8; /* Pa */
+/* Of mineral oils of VG 32 to 68 at 15 degC, middle of the densities in the
+ * table of lubricants of ROSS (github.com/petrobras/ross), kg/m3. */
+static const double DENSITY_MINERAL = 870;
 /* Of mineral oils near 40 degC, 1/K: for densities away from 15 degC. */
 static const double EXPANSION = 6.5e-4;
 
@@ -201,9 +204,36 @@ static ovr_status by_data_sheet(ovr_oil *oil, ovr_error *err)
     return OVR_OK;
 }
 
+double ovr_estimated_alpha(double viscosity)
+{
+    return Z_PAPER * (log(viscosity) + 9.67) / P0_PAPER;
+}
+
+/* What is not given of a mineral oil. */
+static ovr_status estimate(ovr_oil *oil, ovr_error *err)
+{
+    bool slope = oil->viscosity_law == OVR_ROELANDS ||
+                 oil->viscosity_law == OVR_BARUS;
+    if (!oil->mineral || !isnan(oil->alpha) || !slope)
+        return OVR_OK;
+    if (isnan(oil->viscosity))
+        return ovr_fail_about(err, "oil",
+                              "oil = mineral needs iso_vg, viscosity_index and "
+                              "temperature, or viscosity");
+    oil->alpha = ovr_estimated_alpha(oil->viscosity);
+    if (!(oil->alpha > 0))
+        return ovr_fail_about(err, "oil",
+                              "oil = mineral: no estimate of alpha for %g "
+                              "mPa.s; give it",
+                              1e3 * oil->viscosity);
+    return OVR_OK;
+}
+
 static ovr_status complete(ovr_oil *oil, ovr_error *err)
 {
-    if (check_tait(oil, err) || by_data_sheet(oil, err))
+    if (oil->mineral && isnan(oil->density_15))
+        oil->density_15 = DENSITY_MINERAL;
+    if (check_tait(oil, err) || by_data_sheet(oil, err) || estimate(oil, err))
         return OVR_BAD_INPUT;
     if (oil->density_law == OVR_DENSITY_TABLE && !oil->density_table)
         return ovr_fail_about(err, "density_law",

@@ -53,6 +53,19 @@ static void say_assumed(const review *r)
     }
 }
 
+/* Estimated from the viscosity: films go with its square root or so. */
+static void say_estimated(const review *r)
+{
+    const ovr_resolved *resolved = (const ovr_resolved *)r->setup;
+    if (!resolved->values.oil.mineral || !resolved->alpha_estimated)
+        return;
+    say(r, OVR_SAY_NOTE,
+        "alpha = %.3g 1/GPa is an estimate from the viscosity (Roelands' "
+        "relation, z = 0.68): measured ones are 0.6 to 1 times that, the less "
+        "for synthetic oils, and films go with about the square root",
+        1e9 * r->setup->contact->alpha);
+}
+
 /* Keys given where they once belonged. */
 static void say_moved(const review *r)
 {
@@ -321,6 +334,7 @@ static void say_level(const review *r)
 static void before(const review *r, bool transient)
 {
     say_moved(r);
+    say_estimated(r);
     ovr_review_plausible(r->setup, r->say, r->data);
     say_idle(r);
     warn_of_start(r);

@@ -126,3 +126,41 @@ for wrong in 'pressure [MPa] viscosity
         --set lubricant.viscosity_file=eta.txt
     contains err 'eta.txt'
 done
+
+# A mineral oil by grade and index: the viscosity by Walther between 40 and 100
+# degC as before, with 870 kg/m3; alpha by Roelands' relation from it.
+sed '/^viscosity_40/,/^alpha/d' discs.ini >mineral.ini
+printf 'iso_vg = 46\nviscosity_index = 95\noil = mineral\n' >>mineral.ini
+sed '/^viscosity_40/,/^alpha/d' discs.ini >whole.ini
+printf 'iso_vg = 46\nviscosity_index = 95\ndensity_15 = 870 kg/m3\n' >>whole.ini
+printf 'alpha = 20 1/GPa\n' >>whole.ini
+expect 0 "$OVERROLL" check whole.ini --json
+eta=$(number viscosity_Pa_s)
+expect 0 "$OVERROLL" check mineral.ini --json
+near viscosity_Pa_s "$eta" 1e-12
+near alpha_per_Pa "$(awk -v eta="$eta" \
+    'BEGIN { printf "%.17g", 0.68 * (log(eta) + 9.67) / 198e6 }')" 1e-12
+contains err 'alpha = .* is an estimate from the viscosity'
+# What is given is taken, and nothing said.
+printf 'alpha = 20 1/GPa\n' >>mineral.ini
+expect 0 "$OVERROLL" check mineral.ini --json
+near alpha_per_Pa 2e-8 1e-12
+! grep estimate err || fail 'an alpha that was given is called an estimate'
+sed '/iso_vg/d; /viscosity_index/d; /^alpha/d; /^temperature/d' mineral.ini \
+    >none.ini
+refuses 'oil = mineral needs iso_vg' check none.ini
+# VG 68 or 100 at 80 degC, one study: other viscosities, other alphas.
+cat >study.ini <<'END'
+[study]
+case = base.ini
+[product]
+lubricant.iso_vg = 68, 100
+END
+sed '/^alpha/d; s/^temperature.*/temperature = 80 degC/' mineral.ini >base.ini
+printf '[domain]\nlevel = 5\n' >>base.ini
+expect 0 "$OVERROLL" sweep study.ini -o grades -q
+expect 0 "$OVERROLL" sweep study.ini -o grades -q --collect grades.csv
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+    { h[NR] = $at["central_film_m"]; a[NR] = $at["alphabar"] }
+    END { exit !(NR == 3 && h[3] > 1.15 * h[2] && a[3] > 1.02 * a[2]) }' \
+    grades.csv || fail "grades: $(cat grades.csv)"

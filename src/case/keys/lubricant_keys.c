@@ -27,6 +27,7 @@ static const ovr_word rheologies[] = {{"newtonian", OVR_NEWTONIAN},
                                       {NULL, 0}};
 static const ovr_word carreau_forms[] = {
     {"rate", OVR_CARREAU}, {"stress", OVR_CARREAU_STRESS}, {NULL, 0}};
+static const ovr_word oils[] = {{"given", 0}, {"mineral", 1}, {NULL, 0}};
 static const ovr_word auto_nan[] = {{"auto", NAN}, {NULL, 0}};
 
 static const ovr_parameter lubricant_keys[] = {
@@ -34,6 +35,9 @@ static const ovr_parameter lubricant_keys[] = {
      true, ALWAYS, "viscosity against pressure"},
     {"density_law", CHOICE(density_laws), "dowson-higginson", AT(density_law),
      true, ALWAYS, "density against pressure"},
+    {"oil", CHOICE(oils), "given", AT(oil_kind), true, ALWAYS,
+     "mineral: where alpha is not given, an estimate from the viscosity, and "
+     "870 kg/m3 at 15 degC where density_15 is not"},
     {"viscosity", WITH_UNIT(OVR_DYNAMIC_VISCOSITY, 1e-7, 1e7), NULL,
      AT(contact.viscosity), true, ALWAYS, "at ambient pressure, eta0"},
     {"alpha", WITH_UNIT(OVR_PER_PRESSURE, 0, 1e-5), NULL, AT(contact.alpha),
