@@ -215,18 +215,32 @@ typedef enum ovr_summary_form {
     OVR_SUMMARY_NUMBER, /* NAN: not known */
     OVR_SUMMARY_COUNT,
     OVR_SUMMARY_FLAG, /* 0 or 1 */
-    OVR_SUMMARY_TEXT
+    OVR_SUMMARY_TEXT,
+    OVR_SUMMARY_WORDS,       /* for people alone: a label, NULL: a title, and
+                                a text */
+    OVR_SUMMARY_WORDS_BEHIND /* the same with a number before the text */
 } ovr_summary_form;
 typedef struct ovr_summary_line {
-    size_t size; /* of this struct */
-    const char *key;
+    size_t size;     /* of this struct */
+    const char *key; /* NULL: for people alone */
     ovr_summary_form form;
     double number;
     const char *text;
+    const char *label; /* for people */
+    int digits;        /* of the number, for them */
 } ovr_summary_line;
 typedef void ovr_summary_taker(void *data, const ovr_summary_line *line);
 OVR_API void ovr_run_summary(const ovr_run_info *run, ovr_summary_taker *take,
                              void *data);
+
+/* The same with lines for people in between, as reports have them. */
+OVR_API void ovr_run_report(const ovr_run_info *run, ovr_summary_taker *take,
+                            void *data);
+
+/* "12.3 um": films in um, pressures in GPa, times in ms, lengths as they are;
+ * "" where nothing is known in SI. */
+OVR_API ovr_piece ovr_physical(double value, ovr_unit_kind kind,
+                               const ovr_contact *contact);
 
 /* What a run says of the gear pair, cam or bearing that its case describes, as
  * lines for people, a name and a text each: from its summary, or from that of

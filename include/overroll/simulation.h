@@ -395,6 +395,7 @@ typedef struct ovr_observable {
     unsigned needs;    /* physics without which it is not known; 0: none */
     const char *label; /* of its line in reports; NULL: it has none */
     const char *note;  /* behind the number there; or NULL */
+    int digits;        /* of the number there; 0: 6 */
     size_t place;      /* where it is: another member's offset; 0: nowhere */
     /* Over a run, of a number that is a double: its extreme, with where and
      * when that was, and its mean; their JSON keys, NULL: not kept. */

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "cli/case_args.h"
-#include "cli/physical.h"
 #include "cli/report.h"
 #include "cli/stations.h"
 
@@ -276,10 +275,11 @@ static ovr_piece at_time(double T, const ovr_contact *contact)
 {
     const double rounding = 1e-12;
     ovr_piece piece;
-    char text[CLI_PHYSICAL_SIZE];
+    const char *text;
     if (fabs(T) < rounding)
         T = 0;
-    cli_physical(T, OVR_KIND_TIME, contact, text);
+    const ovr_piece si = ovr_physical(T, OVR_KIND_TIME, contact);
+    text = si.text;
     snprintf(piece.text, sizeof piece.text, "T = %.4g%s%.18s%s", T,
              *text ? " (" : "", text, *text ? ")" : "");
     return piece;
@@ -459,7 +459,7 @@ static void json_contact(json_writer *json, const ovr_setup *setup)
 {
     const ovr_contact *contact = setup->contact;
     ovr_film_asymptotes film = ovr_film_asymptotes_moes(contact->M, contact->L);
-    ovr_contact_summary(contact, cli_json_line, json);
+    ovr_contact_summary(contact, cli_put_line, json);
     json_number(json, "radius_m", contact->radius);
     json_number(json, "modulus_Pa", contact->modulus);
     json_number(json, "viscosity_Pa_s", contact->viscosity);
@@ -486,7 +486,7 @@ static void report_json(const ovr_case *c, const ovr_setup *setup,
     json_writer json = json_begin(stdout);
     json_contact(&json, setup);
     if (setup->features)
-        ovr_rough_film_summary(film, setup->contact, cli_json_line, &json);
+        ovr_rough_film_summary(film, setup->contact, cli_put_line, &json);
     json_integer(&json, "level", options->level);
     json_number(&json, "nodes", cost->nodes);
     json_number(&json, "mesh", cost->mesh);

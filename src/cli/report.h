@@ -10,7 +10,8 @@
 void cli_report(const cli_call *call, const ovr_run_info *run);
 void cli_report_json(const ovr_run_info *s, FILE *to);
 
-/* Takes the lines of a summary to a json_writer. */
-ovr_summary_taker cli_json_line;
+/* Prints the lines of a report: those with a key to a json_writer, or, where
+ * that is NULL, those with words as a table. */
+ovr_summary_taker cli_put_line;
 
 #endif

@@ -14,16 +14,14 @@ static void report(const cli_call *call, const ovr_stored_stress *s)
     const ovr_setup *setup = ovr_stored_stress_setup(s);
     const ovr_stress_report *both[] = {ovr_stored_stress_report(s, 1),
                                        ovr_stored_stress_report(s, 2)};
+    json_writer json;
     if (call->json) {
-        json_writer json = json_begin(stdout);
-        ovr_stress_summary(both, setup, cli_json_line, &json);
+        json = json_begin(stdout);
+        ovr_stress_summary(both, setup, cli_put_line, &json);
         cli_json_lengths(&json, both);
         json_end(&json);
-        return;
-    }
-    for (int k = 0; k < 2 && call->verbosity >= 0; k++)
-        if (both[k])
-            cli_put_stress(both[k], setup);
+    } else if (call->verbosity >= 0)
+        ovr_stress_summary(both, setup, cli_put_line, NULL);
 }
 
 static int run(cli_call *call)

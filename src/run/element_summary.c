@@ -16,6 +16,7 @@
 
 #include "case/resolve.h"
 #include "run/internal.h"
+#include "run/lines.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -28,9 +29,8 @@ typedef struct answered {
 
 static void put(const answered *a, const char *key, double number)
 {
-    const ovr_summary_line line = {sizeof line, key, OVR_SUMMARY_NUMBER, number,
-                                   NULL};
-    a->take(a->data, &line);
+    const ovr_told to = {a->take, a->data};
+    ovr_put_number(&to, key, number);
 }
 
 /* Mean power that the surfaces put in, W/m; NAN where the run did not go the

@@ -145,7 +145,8 @@ static const ovr_observable table[] = {
            "where the film is thinnest"),
     NUMBER("central_film_thickness", "H_cen", "central_film_m", HEIGHT, H_cen,
            "film thickness at the centre of the contact", LABEL("central film"),
-           MEAN("H_cen_mean"), .pass = OVR_PASS_MEAN | OVR_PASS_SMALLEST),
+           MEAN("H_cen_mean"), MEAN_LABEL("mean central film"),
+           .pass = OVR_PASS_MEAN | OVR_PASS_SMALLEST),
     NUMBER("mean_film_thickness", NULL, NULL, HEIGHT, H_mean,
            "mean film thickness in |x| < 3/4 b", MEAN("H_mean"),
            MEAN_LABEL("mean film"), NOTE("in |X| < 3/4"), STEADY_TOO),
@@ -224,17 +225,18 @@ static const ovr_observable table[] = {
     ROUGH("film_roughness", "film_Rq", "film_Rq_m", HEIGHT, film_Rq,
           "root mean square of the film about its mean in |x| < 3/4 b",
           LARGEST("film_Rq_max"), EXTREME_LABEL("film roughness"),
-          SAVED_AS("largest_film_roughness")),
+          NOTE("Rq in |X| < 3/4"), SAVED_AS("largest_film_roughness")),
     ROUGH("lambda_ratio", NULL, NULL, NUMBER, lambda_ratio,
           "mean film thickness in |x| < 3/4 b over the composite roughness of "
           "both surfaces",
-          SMALLEST("lambda_ratio_min"), EXTREME_LABEL("lambda ratio"),
-          MEAN("lambda_ratio"), MEAN_LABEL("mean lambda"), STEADY_TOO)};
+          SMALLEST("lambda_ratio_min"), EXTREME_LABEL("smallest lambda"),
+          MEAN("lambda_ratio"), MEAN_LABEL("lambda ratio"), DIGITS(4),
+          NOTE("film in |X| < 3/4 over the roughness"), STEADY_TOO)};
 
 /* Behind those of the physics: how it was solved, and the fields. */
 static const ovr_observable last[] = {
     NUMBER("residual", "residual", NULL, NUMBER, residual,
-           "relative mass-flow imbalance"),
+           "relative mass-flow imbalance", LABEL("residual"), DIGITS(3)),
     NUMBER("order", "order", NULL, COUNT, order,
            "order of the solution that the corrections belong to"),
     NUMBER("cycles", "cycles", NULL, COUNT, cycles,

@@ -33,6 +33,7 @@
 /* What else a row may say. */
 #define LABEL(text) .label = (text)
 #define NOTE(text) .note = (text)
+#define DIGITS(count) .digits = (count)
 #define PLACE(member) .place = offsetof(ovr_observation, member)
 #define SMALLEST(key) .extreme = OVR_SMALLEST, .extreme_key = (key)
 #define LARGEST(key) .extreme = OVR_LARGEST, .extreme_key = (key)

@@ -129,7 +129,7 @@ foreseen=$(sed -n 's/.*"film_Rq_foreseen": \(.*\),/\1/p' out)
 contains out '"not_foreseen": null'
 expect 0 "$OVERROLL" run rough.ini
 contains out '^film roughness +0\.00[0-9]+ '
-contains out "^  foreseen +0\\.00[0-9]+ +of 0\\.003[0-9]+ on the surfaces"
+contains out "^film foreseen +0\\.00[0-9]+ +of 0\\.003[0-9]+ on the surfaces"
 expect 0 "$OVERROLL" run rough.ini --json
 contains out "\"film_Rq_foreseen\": $foreseen"
 own=$(sed -n 's/.*"film_Rq_max": \(.*\),/\1/p' out)

@@ -95,7 +95,7 @@ awk '/^over the run:/ { a = NR } /^largest pressure .*GPa +at X = .*T = .*ms/ {
     b = NR } /^smallest film .*um +at X = .* T = / { c = NR }
     /^load error .*at T = / { d = NR } /^at the end, T = / { e = NR }
     /^maximum pressure/ { f = NR }
-    END { exit !(a && a < b && b < c && c < d && d < e && e < f) }' out ||
+    END { exit !(a && a < c && c < b && b < d && d < e && e < f) }' out ||
     fail "$(cat out)"
 
 # A study's table and its manifest

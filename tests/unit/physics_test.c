@@ -344,6 +344,9 @@ static void wears_and_tells(void **state)
     assert_true(number(said, "worn_depth_mean") > 0.4 * depth &&
                 number(said, "worn_depth_mean") < 0.6 * depth);
     free(said);
+    said = RUN(*state, "run", "worn.ini", "--force", "-o", "worn.h5");
+    assert_non_null(strstr(said, "\nworn depth "));
+    free(said);
     said = RUN(*state, "info", "worn.h5");
     assert_non_null(strstr(said, "worn_depth"));
     free(said);
