@@ -11,6 +11,7 @@ static ovr_physics_case about(ovr_resolved *r)
                            .lubricant = &r->lubricant,
                            .options = &r->values.options,
                            .transient = r->setup.transient,
+        .heat = r->setup.heat != NULL,
                            .substrate = r->substrate,
                            .by_substrate = r->values.scale ==
                                            OVR_SCALE_SUBSTRATE};

@@ -343,3 +343,51 @@ double ovr_images_half_width(const ovr_images *images, double b)
     }
     return exp(x[1]);
 }
+
+/* -------------------------------------------------------------------- heat */
+
+static double effusivity(const ovr_thermal *of)
+{
+    return sqrt(of->conductivity * of->heat_capacity * of->density);
+}
+
+ovr_warmed ovr_warmed_of(int layers, const double *thickness,
+                         const ovr_thermal *layer, const ovr_thermal *below)
+{
+    ovr_warmed body = {.layers = layers};
+    for (int j = 0; j < layers; j++) {
+        const ovr_thermal *of = &layer[j];
+        body.effusivity[j] = effusivity(of);
+        body.tau[j] = thickness[j] * thickness[j] * of->density *
+                      of->heat_capacity / of->conductivity;
+    }
+    body.effusivity[layers] = effusivity(below);
+    return body;
+}
+
+/* Y/sqrt(s) */
+static double complex warmth_of(const ovr_warmed *body, double complex s)
+{
+    double complex root = csqrt(s), Y = 1 / body->effusivity[body->layers];
+    for (int j = body->layers - 1; j >= 0; j--) {
+        double e = body->effusivity[j];
+        double complex E = cexp(-2 * root * sqrt(body->tau[j]));
+        double complex g = (e * Y - 1) / (e * Y + 1) * E;
+        Y = (1 + g) / (1 - g) / e;
+    }
+    return Y / root;
+}
+
+double ovr_warmed_at(const ovr_warmed *body, double t)
+{
+    enum { POINTS = 24 };
+    const double pi = acos(-1.0), r = 2. * POINTS / (5 * t);
+    double all = 0.5 * exp(r * t) * creal(warmth_of(body, r));
+    for (int k = 1; k < POINTS; k++) {
+        double angle = k * pi / POINTS, cot = 1 / tan(angle);
+        double complex s = r * angle * (cot + I);
+        double complex turn = 1 + I * (angle + (angle * cot - 1) * cot);
+        all += creal(cexp(t * s) * warmth_of(body, s) * turn);
+    }
+    return body->effusivity[body->layers] * sqrt(pi * t) * r / POINTS * all;
+}

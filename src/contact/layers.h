@@ -35,6 +35,8 @@
 
 #include <stdbool.h>
 
+#include "overroll/heat.h"
+
 enum { OVR_LAYERS_MOST = 6, OVR_IMAGES_MOST = 64 };
 
 typedef struct ovr_elastic {
@@ -73,6 +75,31 @@ typedef struct ovr_layered_hertz {
     double pressure;  /* at its middle, over that of Hertz at this stiffness */
 } ovr_layered_hertz;
 ovr_layered_hertz ovr_images_dry(const ovr_images *images, double a);
+
+/*
+ * Heat into layers: a unit pulse leaves the surface M(t) times as warm at t as
+ * that of a half-space of what is below them.  With e = sqrt(k rho c) and tau =
+ * d^2 rho c/k of a layer of thickness d, Y = sqrt(s) times the surface's
+ * temperature over the flux, of Laplace's s, from below up
+ *     Y = 1/e_0,
+ *     Y <- (1 + g E)/(e (1 - g E)),  g = (e Y - 1)/(e Y + 1), E = e^(-2 sqrt(s
+ * tau)) M(t) = e_0 sqrt(pi t) L^-1[Y/sqrt(s)](t) inverted along Talbot's
+ * contour.  Of one layer it is (e_0/e)(1 + 2 sum g^n e^(-n^2 tau/t)): early
+ * e_0/e, late 1.
+ *
+ * Source: Carslaw & Jaeger, Conduction of Heat in Solids, 1959, 12.8; J. Abate
+ * & P. P. Valko, Int. J. Numer. Meth. Engng 60 (2004) 979.
+ */
+typedef struct ovr_warmed {
+    int layers;
+    double effusivity[OVR_LAYERS_MOST + 1]; /* the last: of what is below */
+    double tau[OVR_LAYERS_MOST];
+} ovr_warmed;
+
+/* Of thicknesses in m; tau in s. */
+ovr_warmed ovr_warmed_of(int layers, const double *thickness,
+                         const ovr_thermal *layer, const ovr_thermal *below);
+double ovr_warmed_at(const ovr_warmed *body, double t);
 
 /* Half width of the dry contact whose load gives homogeneous bodies as stiff
  * as the substrates the half width b, in its unit. */

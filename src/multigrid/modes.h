@@ -113,6 +113,7 @@ typedef struct ovr_modes_look {
     const ovr_feet *feet;
     const ovr_spread *spread;
     double dT;
+    double more[2]; /* of an own step under layers (simulation/solids.h) */
     const double *weight, *psi, *q;
     double *room, *fields, *past, *before;
 } ovr_modes_look;

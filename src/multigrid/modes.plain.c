@@ -242,9 +242,10 @@ static void take_fields(const ovr_modes_look *l)
     double gain = 4. / 3 * sqrt(l->dT);
     for (size_t i = 0; i < l->feet->n; i++) {
         const double *at = l->fields + i * OVR_SWEPT;
-        double own = at[OWN_BEFORE] / 2 - l->q[i];
+        double own = (1 + l->more[1]) * at[OWN_BEFORE] / 2 -
+                     (1 + l->more[0]) * l->q[i];
         for (int p = 0; p < OVR_OWN_POLES; p++)
-            own += OWN_WEIGHT[p][0] * at[OWN + p];
+            own += (1 + l->more[0]) * OWN_WEIGHT[p][0] * at[OWN + p];
         l->past[i] = at[PAST] + gain * own;
         l->before[i] = at[BEFORE];
     }
@@ -253,7 +254,7 @@ static void take_fields(const ovr_modes_look *l)
 void ovr_modes_past(const ovr_modes_look *l)
 {
     const ovr_spread *s = l->spread;
-    double own = s->on ? 0 : 2.0 / 3 * sqrt(l->dT);
+    double own = s->on ? 0 : 2.0 / 3 * sqrt(l->dT) * (1 + l->more[1]);
     ovr_swept set = {.c = {0}};
     l->run->sum_modes(l->feet->n, l->weight, l->psi, own, l->q, l->room);
     l->run->carry_along(l->feet, l->room, l->past);

@@ -24,6 +24,7 @@ static const double FIT_MOST = 1e-5, MESH_LEAST = 0.02, WIDTH_MOST = 3,
 typedef struct coat {
     double thickness; /* b */
     double modulus, poisson;
+    ovr_thermal thermal;
 } coat;
 
 typedef struct coating_form {
@@ -31,10 +32,11 @@ typedef struct coating_form {
     coat coat[2][OVR_LAYERS_MOST];
     ovr_layered body[2]; /* lengths in the first thickness */
     ovr_images images;
-    double unit;      /* the first thickness, b */
-    double stiffness; /* E' over that of the substrates */
-    double pressure;  /* the dry contact's largest, ph */
-    double width;     /* its half width, b */
+    ovr_warmed warmed[2]; /* times in b/um */
+    double unit;          /* the first thickness, b */
+    double stiffness;     /* E' over that of the substrates */
+    double pressure;      /* the dry contact's largest, ph */
+    double width;         /* its half width, b */
 } coating_form;
 
 /* --------------------------------------------------------------- the case */
@@ -46,6 +48,15 @@ static const ovr_parameter keys[] = {
      offsetof(coat, modulus), true, ALWAYS, "Young's modulus of the layer"},
     {"poisson", PLAIN(0, 0.5), "0.3", offsetof(coat, poisson), true, ALWAYS,
      "its Poisson's ratio"},
+    {"conductivity", WITH_UNIT(OVR_CONDUCTIVITY, 1e-3, 1e4), NULL,
+     offsetof(coat, thermal.conductivity), true, "heat.model = lobatto",
+     "with heat"},
+    {"heat_capacity", WITH_UNIT(OVR_HEAT_CAPACITY, 1, 1e30), NULL,
+     offsetof(coat, thermal.heat_capacity), true, "heat.model = lobatto",
+     "with heat"},
+    {"density", WITH_UNIT(OVR_MASS_DENSITY, 100, 1e5), NULL,
+     offsetof(coat, thermal.density), true, "heat.model = lobatto",
+     "with heat"},
 };
 
 static const ovr_section section = {
@@ -71,7 +82,7 @@ static ovr_status block(void *form, const char *name, void **into,
                         "down; those of body 2 alike",
                         name, 'a' + OVR_LAYERS_MOST - 1);
     f->there[body][layer] = true;
-    f->coat[body][layer] = (coat){NAN, NAN, NAN};
+    f->coat[body][layer] = (coat){NAN, NAN, NAN, {NAN, NAN, NAN}};
     *into = &f->coat[body][layer];
     return OVR_OK;
 }
@@ -188,13 +199,43 @@ static double strain(const ovr_physics_case *of, const coating_form *f, int k,
                 f->pressure * contact->ph / c->modulus);
 }
 
+/* What heat needs of every layer. */
+static ovr_status warm(const ovr_physics_case *of, coating_form *f,
+                       ovr_error *err)
+{
+    for (int k = 0; k < 2; k++) {
+        ovr_thermal all[OVR_LAYERS_MOST];
+        double thickness[OVR_LAYERS_MOST];
+        int layers = f->body[k].layers;
+        for (int j = 0; j < layers; j++) {
+            const ovr_thermal *of_layer = &f->coat[k][j].thermal;
+            const char *name = name_of(k, j);
+            if (isnan(of_layer->conductivity) || isnan(of_layer->density) ||
+                isnan(of_layer->heat_capacity))
+                return ovr_fail_about(err, name,
+                                      "[coating %s] needs conductivity, "
+                                      "heat_capacity and density beside [heat]",
+                                      name);
+            all[j] = *of_layer;
+            thickness[j] = f->coat[k][j].thickness * of->contact->b;
+        }
+        f->warmed[k] = ovr_warmed_of(layers, thickness, all,
+                                     &of->body[k].thermal);
+        for (int j = 0; j < layers; j++)
+            f->warmed[k].tau[j] /= of->contact->time;
+    }
+    return OVR_OK;
+}
+
 static ovr_status resolve(const ovr_physics_case *of, void *form, bool *on,
                           ovr_error *err)
 {
-    const coating_form *f = form;
+    coating_form *f = form;
     *on = f->images.top > 0;
     if (!*on)
         return OVR_OK;
+    if (of->heat && warm(of, f, err))
+        return OVR_BAD_INPUT;
     if (f->width > WIDTH_MOST)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "[coating]: the contact is %.3g times as wide as that "
@@ -285,6 +326,20 @@ static void influence(const ovr_simulation *sim, const void *own,
     ovr_influence_add(of, ovr_image_part(&c->sum));
 }
 
+static double warmth_at(const void *data, double t)
+{
+    return ovr_warmed_at(data, t);
+}
+
+static void warmth(const ovr_simulation *sim, const void *own, int k,
+                   ovr_warmth *to)
+{
+    const coating_form *f = ((const coating *)own)->given;
+    (void)sim;
+    if (f->body[k].layers)
+        *to = (ovr_warmth){warmth_at, &f->warmed[k]};
+}
+
 static ovr_status check(const ovr_simulation *sim, const void *own,
                         ovr_error *err)
 {
@@ -310,4 +365,5 @@ const ovr_physics ovr_physics_coating = {.name = "layers on the bodies",
                                          .tell = tell,
                                          .take = take,
                                          .influence = influence,
+                                         .warmth = warmth,
                                          .check = check};

@@ -54,8 +54,9 @@ ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
 void ovr_heat_steps_keep(const ovr_simulation *sim, int surface, size_t i,
                          const double *psi)
 {
-    memcpy(ovr_heat_surface_modes(sim, surface) + i * OVR_MODES, psi,
-           OVR_MODES * sizeof *psi);
+    for (int b = 0; b < sim->heated->memory[surface].banks; b++)
+        memcpy(ovr_heat_surface_modes(sim, surface, b) + i * OVR_MODES,
+               psi + b * OVR_MODES, OVR_MODES * sizeof *psi);
 }
 
 /* ------------------------------------------------ the last time reached */
@@ -232,7 +233,8 @@ static void pass(ovr_simulation *sim)
     for (int k = 0; k < 2; k++) {
         c->past[k] = s->surface[k].past;
         c->into[k] = h->q[k];
-        c->resistance[k] = h->numbers.solid[k] * 4 / 3 * sqrt(s->dT);
+        c->resistance[k] = h->numbers.solid[k] * 4 / 3 * sqrt(s->dT) *
+                           (1 + s->surface[k].memory.more[0]);
     }
     solve_nodes(sim);
 }

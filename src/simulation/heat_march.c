@@ -32,7 +32,7 @@ static bool opposed(const ovr_heated *h)
 /* What goes from node to node. */
 typedef struct march {
     int way; /* along x, or against it */
-    double psi[2][OVR_MODES], q[2];
+    double psi[2][OVR_MOST_MODES], q[2];
 } march;
 
 /* What a surface that moves the other way brings along is that of the last
@@ -92,7 +92,8 @@ void ovr_heat_march_columns(ovr_simulation *sim)
     for (int k = 0; k < 2; k++) {
         c->past[k] = h->steps->surface[k].past;
         c->into[k] = h->q[k];
-        c->resistance[k] = h->numbers.solid[k] * 4 / 3 * sqrt(h->memory[k].dT);
+        c->resistance[k] = h->numbers.solid[k] * 4 / 3 * sqrt(h->memory[k].dT) *
+                           (1 + h->memory[k].more[0]);
     }
 }
 

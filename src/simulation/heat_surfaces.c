@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "simulation/heat_in_time.h"
+#include "simulation/physics.h"
 
 static ovr_status take(ovr_simulation *sim, double **to, size_t count,
                        ovr_error *err)
@@ -21,7 +22,17 @@ static void set_rates(ovr_simulation *sim, int k)
     double u = k ? c->u2_ratio : c->u1_ratio;
     h->longest[k] = fmax(2 * length / fmax(fabs(u), 0.1),
                          ovr_solid_reach(&h->numbers, k, u));
+    ovr_warmth warmth = {NULL, NULL};
     ovr_memory_rates(D / 8, h->longest[k], &h->memory[k]);
+    OVR_EACH_PHYSICS(sim, p, warmth)
+        p->is->warmth(sim, p->own, k, &warmth);
+    if (warmth.at)
+        ovr_memory_layered(D / 8, h->longest[k], warmth, &h->memory[k]);
+}
+
+static int banks_of(const ovr_simulation *sim, int k)
+{
+    return sim->heated->memory[k].banks;
 }
 
 /* By the numbers alone, which are there where memory is but counted. */
@@ -37,53 +48,80 @@ ovr_status ovr_heat_surface_take(ovr_simulation *sim, int k, ovr_error *err)
     for (int a = 0; a < OVR_HEAT_ROOMS; a++)
         if (take(sim, &s->room[a], N, err))
             return OVR_NO_MEMORY;
-    if (take(sim, &s->psi, N * OVR_MODES, err) ||
-        take(sim, &s->next, N * OVR_MODES, err) ||
+    for (int b = 0; b < banks_of(sim, k); b++)
+        if (take(sim, &s->psi[b], N * OVR_MODES, err))
+            return OVR_NO_MEMORY;
+    if (banks_of(sim, k) > 1 &&
+        (take(sim, &s->none, N, err) || take(sim, &s->bank, N, err) ||
+         take(sim, &s->unused, N, err)))
+        return OVR_NO_MEMORY;
+    if (take(sim, &s->next, N * OVR_MODES, err) ||
         take(sim, &s->before, N, err) || take(sim, &s->past, n, err) ||
         take(sim, &s->along, n, err))
         return OVR_NO_MEMORY;
     return OVR_OK;
 }
 
-double *ovr_heat_surface_modes(const ovr_simulation *sim, int k)
+double *ovr_heat_surface_modes(const ovr_simulation *sim, int k, int bank)
 {
     const ovr_heat_surface *s = &sim->heated->steps->surface[k];
-    return s->psi + s->beyond * OVR_MODES;
+    return s->psi[bank] + s->beyond * OVR_MODES;
 }
 
 void ovr_heat_surface_reset(ovr_simulation *sim, int k)
 {
     ovr_heat_surface *s = &sim->heated->steps->surface[k];
     size_t n = sim->now.n;
-    memset(s->psi, 0, (n + 2 * s->beyond) * OVR_MODES * sizeof *s->psi);
+    for (int b = 0; b < banks_of(sim, k); b++)
+        memset(s->psi[b], 0,
+               (n + 2 * s->beyond) * OVR_MODES * sizeof *s->psi[b]);
     memset(s->past, 0, n * sizeof *s->past);
     memset(s->along, 0, n * sizeof *s->along);
+}
+
+static ovr_status visit_nodes(ovr_simulation *sim, int k, int m,
+                              ovr_visit *visit, void *context, ovr_error *err)
+{
+    double *mode = sim->heated->steps->surface[k].room[0];
+    double *psi = ovr_heat_surface_modes(sim, k, m / OVR_MODES) + m % OVR_MODES;
+    size_t n = sim->now.n;
+    char name[40];
+    for (size_t i = 0; i < n; i++)
+        mode[i] = psi[i * OVR_MODES];
+    snprintf(name, sizeof name, "memory_%d_%d", k + 1, m + 1);
+    ovr_status status = visit(context, name, mode, n * sizeof *mode, err);
+    for (size_t i = 0; i < n; i++)
+        psi[i * OVR_MODES] = mode[i];
+    return status;
+}
+
+static ovr_status visit_ends(ovr_simulation *sim, int k, int bank,
+                             ovr_visit *visit, void *context, ovr_error *err)
+{
+    const ovr_heat_surface *s = &sim->heated->steps->surface[k];
+    double *psi = s->psi[bank];
+    size_t n = sim->now.n, bytes = s->beyond * OVR_MODES * sizeof *psi;
+    const char *second = bank ? "_2" : "";
+    char name[40];
+    snprintf(name, sizeof name, "memory_%d_before%s", k + 1, second);
+    ovr_status status = visit(context, name, psi, bytes, err);
+    snprintf(name, sizeof name, "memory_%d_after%s", k + 1, second);
+    return status ? status
+                  : visit(context, name, psi + (s->beyond + n) * OVR_MODES,
+                          bytes, err);
 }
 
 ovr_status ovr_heat_surface_visit(ovr_simulation *sim, int k, ovr_visit *visit,
                                   void *context, ovr_error *err)
 {
-    ovr_heat_surface *s = &sim->heated->steps->surface[k];
-    size_t n = sim->now.n, beyond = s->beyond * OVR_MODES * sizeof *s->psi;
-    double *mode = s->room[0];
     ovr_status status = OVR_OK;
-    char name[40];
-    for (int m = 0; !status && m < OVR_MODES; m++) {
-        double *psi = ovr_heat_surface_modes(sim, k) + m;
-        for (size_t i = 0; i < n; i++)
-            mode[i] = psi[i * OVR_MODES];
-        snprintf(name, sizeof name, "memory_%d_%d", k + 1, m + 1);
-        status = visit(context, name, mode, n * sizeof *mode, err);
-        for (size_t i = 0; i < n; i++)
-            psi[i * OVR_MODES] = mode[i];
+    for (int b = 0; b < banks_of(sim, k); b++) {
+        for (int m = 0; !status && m < OVR_MODES; m++)
+            status = visit_nodes(sim, k, b * OVR_MODES + m, visit, context,
+                                 err);
+        if (!status)
+            status = visit_ends(sim, k, b, visit, context, err);
     }
-    snprintf(name, sizeof name, "memory_%d_before", k + 1);
-    if (!status)
-        status = visit(context, name, s->psi, beyond, err);
-    snprintf(name, sizeof name, "memory_%d_after", k + 1);
-    if (!status)
-        status = visit(context, name, s->psi + (s->beyond + n) * OVR_MODES,
-                       beyond, err);
     return status;
 }
 
@@ -104,6 +142,8 @@ static void fit(const ovr_heated *h, int k, double length)
     if (m->dT == dT)
         return;
     memcpy(m->rate, h->memory[k].rate, sizeof m->rate);
+    m->warmth = h->memory[k].warmth;
+    m->banks = h->memory[k].banks;
     ovr_memory_fit(dT, fmax(h->longest[k], 2 * dT), m);
 }
 
@@ -113,10 +153,11 @@ void ovr_heat_surface_step(ovr_simulation *sim, int k, double dT, double meshes)
     ovr_heat_surface *s = &h->steps->surface[k];
     double D = ovr_mesh(sim), u = meshes * D / dT;
     s->meshes = meshes;
-    s->spread = ovr_solid_conducts(&h->numbers, k, u)
-                    ? ovr_spread_of(h->numbers.diffusion[k], u, dT, D,
-                                    h->memory[k].rate)
-                    : (ovr_spread){.on = false};
+    for (int b = 0; b < banks_of(sim, k); b++)
+        s->spread[b] = ovr_solid_conducts(&h->numbers, k, u)
+                           ? ovr_spread_of(h->numbers.diffusion[k], u, dT, D,
+                                           h->memory[k].rate + b * OVR_MODES)
+                           : (ovr_spread){.on = false};
     fit(h, k, dT);
 }
 
@@ -136,24 +177,38 @@ static ovr_feet feet_of(const ovr_simulation *sim, const ovr_heat_surface *s)
     return ovr_feet_of(sim->now.n + 2 * s->beyond, s->meshes);
 }
 
-/* What the past says, at the nodes; q as it was goes along into `before`. */
-static const double *look(ovr_simulation *sim, ovr_heat_surface *s,
-                          const double *q)
+static void look_at(ovr_simulation *sim, ovr_heat_surface *s, int bank,
+                    const double *q, double *past, double *before)
 {
     const ovr_feet feet = feet_of(sim, s);
-    double *past = s->room[1];
     const ovr_modes_look look = {.run = sim->grids.kernels,
                                  .feet = &feet,
-                                 .spread = &s->spread,
+                                 .spread = &s->spread[bank],
                                  .dT = s->memory.dT,
-                                 .weight = s->memory.weight,
-                                 .psi = s->psi,
-                                 .q = longer(sim, s, q, s->room[0]),
+                                 .more = {s->memory.more[0], s->memory.more[1]},
+                                 .weight = s->memory.weight + bank * OVR_MODES,
+                                 .psi = s->psi[bank],
+                                 .q = q,
                                  .room = s->room[2],
                                  .fields = s->next,
                                  .past = past,
-                                 .before = s->before};
+                                 .before = before};
     ovr_modes_past(&look);
+}
+
+/* What the past says, at the nodes; q as it was goes along into `before`.  The
+ * second bank adds what its modes say. */
+static const double *look(ovr_simulation *sim, ovr_heat_surface *s,
+                          const double *q)
+{
+    double *past = s->room[1];
+    size_t N = sim->now.n + 2 * s->beyond;
+    look_at(sim, s, 0, longer(sim, s, q, s->room[0]), past, s->before);
+    if (s->memory.banks > 1) {
+        look_at(sim, s, 1, s->none, s->bank, s->unused);
+        for (size_t i = 0; i < N; i++)
+            past[i] += s->bank[i];
+    }
     return past + s->beyond;
 }
 
@@ -168,17 +223,20 @@ void ovr_heat_surface_remember(ovr_simulation *sim, int k, const double *q)
     ovr_heat_surface *s = &sim->heated->steps->surface[k];
     const ovr_feet feet = feet_of(sim, s);
     const ovr_memory *m = &s->memory;
-    double *psi = s->psi;
-    const ovr_modes_step step = {.feet = &feet,
-                                 .spread = &s->spread,
-                                 .fade = m->fade,
-                                 .now = m->now,
-                                 .before = m->before,
-                                 .q = longer(sim, s, q, s->room[0]),
-                                 .q_before = s->before};
-    sim->grids.kernels->step_modes(&step, psi, s->next);
-    s->psi = s->next;
-    s->next = psi;
+    longer(sim, s, q, s->room[0]);
+    for (int b = 0; b < m->banks; b++) {
+        double *psi = s->psi[b];
+        const ovr_modes_step step = {.feet = &feet,
+                                     .spread = &s->spread[b],
+                                     .fade = m->fade + b * OVR_MODES,
+                                     .now = m->now + b * OVR_MODES,
+                                     .before = m->before + b * OVR_MODES,
+                                     .q = s->room[0],
+                                     .q_before = s->before};
+        sim->grids.kernels->step_modes(&step, psi, s->next);
+        s->psi[b] = s->next;
+        s->next = psi;
+    }
 }
 
 /* ------------------------------------------------------------------ steady */
@@ -190,8 +248,10 @@ static void put_along(ovr_simulation *sim, int k, const double *past)
     const ovr_heat_surface *s = &h->steps->surface[k];
     const ovr_memory *march = &h->memory[k];
     const double *q = h->q[k];
-    double psi[OVR_MODES] = {0}, before = 0;
-    double own = 4.0 / 3 * (sqrt(s->memory.dT) - sqrt(march->dT));
+    double psi[OVR_MOST_MODES] = {0}, before = 0;
+    double own = 4.0 / 3 *
+                 (sqrt(s->memory.dT) * (1 + s->memory.more[0]) -
+                  sqrt(march->dT) * (1 + march->more[0]));
     size_t n = sim->now.n;
     for (size_t j = 0; j < n; j++) {
         size_t i = h->way[k] > 0 ? j : n - 1 - j;
@@ -207,9 +267,11 @@ void ovr_heat_surface_steady(ovr_simulation *sim, int k)
     const ovr_heated *h = sim->heated;
     ovr_heat_surface *s = &h->steps->surface[k];
     double D = ovr_mesh(sim), u = h->u1 - k * h->V;
-    ovr_modes_steady(sim->now.n + 2 * s->beyond, D, h->numbers.diffusion[k],
-                     h->way[k] * fabs(u), h->memory[k].rate,
-                     longer(sim, s, h->q[k], s->room[0]), s->psi);
+    longer(sim, s, h->q[k], s->room[0]);
+    for (int b = 0; b < banks_of(sim, k); b++)
+        ovr_modes_steady(sim->now.n + 2 * s->beyond, D, h->numbers.diffusion[k],
+                         h->way[k] * fabs(u), h->memory[k].rate + b * OVR_MODES,
+                         s->room[0], s->psi[b]);
     ovr_heat_surface_step(sim, k, D, u);
     put_along(sim, k, look(sim, s, h->q[k]));
 }

@@ -32,15 +32,16 @@
 enum { OVR_HEAT_ROOMS = 3 };
 
 typedef struct ovr_heat_surface {
-    size_t beyond;     /* nodes beyond each end that it remembers too */
-    double *psi;       /* Psi_m at the nodes and beyond */
-    double *past;      /* (h - T_bulk)/N at the nodes */
-    double *along;     /* steady: what heat along x adds to it */
-    ovr_memory memory; /* for steps of dT */
-    double meshes;     /* that it moves in the step */
-    ovr_spread spread; /* in it */
-    double *before;    /* q of the step before, carried along and spread */
+    size_t beyond;          /* nodes beyond each end that it remembers too */
+    double *psi[OVR_BANKS]; /* Psi_m at the nodes and beyond; or NULL */
+    double *past;           /* (h - T_bulk)/N at the nodes */
+    double *along;          /* steady: what heat along x adds to it */
+    ovr_memory memory;      /* for steps of dT */
+    double meshes;          /* that it moves in the step */
+    ovr_spread spread[OVR_BANKS]; /* in it */
+    double *before; /* q of the step before, carried along and spread */
     double *next, *room[OVR_HEAT_ROOMS];
+    double *none, *bank, *unused; /* of the second bank: no q; what it says */
 } ovr_heat_surface;
 
 /* Memory for it, with the rates of its memory: from steps of part of a mesh to
@@ -57,9 +58,9 @@ void ovr_heat_surface_look(ovr_simulation *sim, int k, const double *q);
 /* Its modes at the end of the step that was looked back from, by q then. */
 void ovr_heat_surface_remember(ovr_simulation *sim, int k, const double *q);
 
-/* Psi_m of the nodes; of a surface that has taken up nothing; those to save,
- * each by itself in the order of the nodes. */
-double *ovr_heat_surface_modes(const ovr_simulation *sim, int k);
+/* Psi_m of the nodes, of a bank; of a surface that has taken up nothing; those
+ * to save, each by itself in the order of the nodes. */
+double *ovr_heat_surface_modes(const ovr_simulation *sim, int k, int bank);
 void ovr_heat_surface_reset(ovr_simulation *sim, int k);
 ovr_status ovr_heat_surface_visit(ovr_simulation *sim, int k, ovr_visit *visit,
                                   void *context, ovr_error *err);

@@ -12,7 +12,7 @@
  * A part in a row: its name and what people call it, where a case has it and
  * whether as a whole section, and when it is on: by the options `o` of a
  * simulation, which count in a case where their key is written, or by the setup
- * `s` of the case (case/resolve_parts.c).
+ * `s` of the case `r` (case/resolve_parts.c).
  */
 #define OVR_PART_ROWS(PART)                                                    \
     PART(TIME, "a run in time", "time", "end", true, false, s->transient)      \
@@ -56,7 +56,9 @@
     PART(FATIGUE, "fatigue", "fatigue", "criterion", false, false,             \
          s->stress->fatigue)                                                   \
     PART(PATCHES, "patches", "domain", "refine", false,                        \
-         o->refine != OVR_REFINE_NONE, false)
+         o->refine != OVR_REFINE_NONE, false)                                  \
+    PART(COATING, "a coating", "coating", "thickness", true, false,            \
+         ovr_case_find_block(r->c, "coating", NULL) != NULL)
 
 #define OVR_PART_NUMBER(NAME, words, section, key, whole, options, setup)      \
     OVR_PART_##NAME,

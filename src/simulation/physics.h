@@ -10,7 +10,7 @@
  * what the physics has made for itself in this simulation.
  *
  *     a case      section, form, block, stiffness, resolve, tell
- *     creation    chosen, prepare, take, influence
+ *     creation    chosen, prepare, take, influence, warmth
  *     steady      forget, solve, complete, couple, proceed, finish, begin
  *     a step      check, before_step, operate, history, sides, step, attempt,
  *                 anew, the ends of its cycles, taken; or step_back
@@ -29,6 +29,7 @@
 #include "base/parameter.h"
 #include "overroll/heat.h"
 #include "simulation/internal.h"
+#include "simulation/solids.h"
 
 /* A body, NAN what is not known of it. */
 typedef struct ovr_physics_body {
@@ -44,6 +45,7 @@ typedef struct ovr_physics_case {
     ovr_options *options; /* which it may still choose */
     bool transient;
     ovr_physics_body body[2];
+    bool heat;
     double substrate;  /* E' of the bodies as they are given, Pa */
     bool by_substrate; /* b and ph are those of the bodies without layers */
 } ovr_physics_case;
@@ -115,6 +117,10 @@ struct ovr_physics {
     /* Adds to the elastic influence of a pressure. */
     void (*influence)(const ovr_simulation *sim, const void *own,
                       ovr_influence *influence);
+
+    /* How warm heat leaves surface k beside what half-spaces would be. */
+    void (*warmth)(const ovr_simulation *sim, const void *own, int k,
+                   ovr_warmth *to);
 
     /* --------------------------------------------------------------- steady */
 

@@ -23,6 +23,9 @@
  *
  *     Psi_T + u Psi_X = q - s_m Psi + kappa Psi_XX
  *
+ * Under layers the kernel is M(t)/sqrt(t), and within the step, t = dT v^2,
+ *     4/3 -> 2 int_0^1 (1 - v^2) M dv,  2/3 -> 2 int_0^1 v^2 M dv
+ *
  * The rates s_m are geometric, the weights the least
  * squares of the relative error, in extended precision: with 16 modes below
  * 1e-4 over four decades of time, 5e-4 over five.
@@ -35,11 +38,25 @@
 #include "multigrid/modes.h"
 #include "overroll/heat.h"
 
+/* How much warmer than a half-space a pulse of heat leaves a surface at t, M(t)
+ * (contact/layers.h). */
+typedef struct ovr_warmth {
+    double (*at)(const void *data, double t);
+    const void *data;
+} ovr_warmth;
+
+/* Modes stand in banks of OVR_MODES: one of a half-space, two under layers. */
+enum { OVR_BANKS = 2, OVR_MOST_MODES = OVR_BANKS * OVR_MODES };
+
 /* The kernel for one length of step. */
 typedef struct ovr_memory {
     double dT;
-    double rate[OVR_MODES], weight[OVR_MODES]; /* s_m; w_m e^(-s_m dT) */
-    double fade[OVR_MODES], now[OVR_MODES], before[OVR_MODES]; /* e^-x, a, b */
+    int banks;
+    ovr_warmth warmth; /* at is NULL: 1 */
+    double more[2];    /* by which 4/3 and 2/3 sqrt(dT) are larger, relative */
+    double rate[OVR_MOST_MODES], weight[OVR_MOST_MODES]; /* s_m; w_m e^-x */
+    double fade[OVR_MOST_MODES];                         /* e^-x */
+    double now[OVR_MOST_MODES], before[OVR_MOST_MODES];  /* a, b */
 } ovr_memory;
 
 /* Whether heat along surface k counts at u, over um; how long, over b/um, it
@@ -54,8 +71,11 @@ double ovr_solid_reach(const ovr_heat *numbers, int k, double u);
  * is slow so far as it comes against the motion, 2 kappa/u, but at most 2 b. */
 double ovr_solid_beyond(const ovr_heat *numbers, int k, double u, double D);
 
-/* Rates for times from `shortest` to `longest`; they stay for a run. */
+/* Rates for times from `shortest` to `longest`, of a half-space; under layers,
+ * warmth not NULL.  They stay for a run. */
 void ovr_memory_rates(double shortest, double longest, ovr_memory *memory);
+void ovr_memory_layered(double shortest, double longest, ovr_warmth warmth,
+                        ovr_memory *memory);
 
 /* Weights for steps of dT; the largest relative error of the kernel then, from
  * dT to `longest`. */

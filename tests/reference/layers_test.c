@@ -15,6 +15,7 @@
 #include "overroll/case.h"
 #include "reference/layers_truth.h"
 #include "simulation/internal.h"
+#include "simulation/solids.h"
 
 enum { CASES = sizeof truth_cases / sizeof *truth_cases };
 static const double pi = 3.14159265358979323846;
@@ -447,6 +448,109 @@ static void films(void **state)
                 0.012558621025164272, 3e-5);
 }
 
+/* -------------------------------------------------------------------- heat */
+
+/* M(t) over that of the layer itself, by the series of one layer; DLC and TiN
+ * of 3 um on steel. */
+static void warmth(void **state)
+{
+    static const struct {
+        double k, rho_c, t, M;
+    } truth[] = {{1.5, 2e6, 1e-7, 1},
+                 {1.5, 2e6, 1e-6, 0.9999906038314934},
+                 {1.5, 2e6, 1e-5, 0.5489973918246815},
+                 {1.5, 2e6, 7.08e-5, 0.14694298733793898},
+                 {1.5, 2e6, 1e-3, 0.13417376125696123},
+                 {20, 3.12e6, 1e-7, 0.9999996108444138},
+                 {20, 3.12e6, 1e-6, 0.8807938525316727},
+                 {20, 3.12e6, 1e-5, 0.6368907062089288},
+                 {20, 3.12e6, 7.08e-5, 0.6121323411765089}};
+    const ovr_thermal steel = {46, 1000, 3666};
+    (void)state;
+    for (size_t i = 0; i < sizeof truth / sizeof *truth; i++) {
+        const ovr_thermal one = {truth[i].k, 1000, truth[i].rho_c / 1000};
+        const ovr_thermal three[] = {one, one, one};
+        const double d = 3e-6, split[] = {1e-6, 1.5e-6, 0.5e-6};
+        ovr_warmed w = ovr_warmed_of(1, &d, &one, &steel);
+        ovr_warmed w3 = ovr_warmed_of(3, split, three, &steel);
+        double M = ovr_warmed_at(&w, truth[i].t);
+        CHECK_NEAR(M * w.effusivity[0] / w.effusivity[1], truth[i].M, 1e-9);
+        CHECK_CLOSE(ovr_warmed_at(&w3, truth[i].t), M, 1e-9);
+    }
+}
+
+static double warmed_at(const void *data, double t)
+{
+    return ovr_warmed_at(data, t);
+}
+
+/* The modes against M(t)/sqrt(t), of thin layers that a step sees through and
+ * of thick ones. */
+static void memory_of_layers(void **state)
+{
+    (void)state;
+    for (double tau = 1e-3; tau < 4; tau *= 3)
+        for (double dT = 0.003; dT < 0.05; dT *= 3) {
+            ovr_warmed w = {1, {1732, 12986}, {tau}};
+            ovr_memory m = {0};
+            const ovr_warmth warm = {warmed_at, &w};
+            ovr_memory_layered(dT / 8, 11, warm, &m);
+            ovr_memory_fit(dT, 11, &m);
+            CHECK_NEAR(ovr_memory_error(&m, 11), 0, 1e-4);
+        }
+}
+
+typedef struct heated {
+    double rise, mu, H;
+} heated;
+
+static heated hot(const char *bodies, const char *coating)
+{
+    char text[1500];
+    snprintf(text, sizeof text,
+             "[contact]\nhertz_pressure = 1 GPa\nradius = 12 mm\nmean_speed = "
+             "3 m/s\nslide_to_roll = 0.2\n[lubricant]\nviscosity = 20 mPa.s\n"
+             "alpha = 18 1/GPa\nrheology = eyring\neyring_stress = 5 MPa\n"
+             "[heat]\nmodel = lobatto\ntemperature = 80 degC\n[domain]\nlevel "
+             "= 6\n[paper]\nmlmi_order = 12\nmlmi_range = 16\n"
+             "[body 1]\n%s[body 2]\n%s%s",
+             bodies, bodies, coating);
+    film f = solve(text);
+    const ovr_observation *o = ovr_simulation_observation(f.sim);
+    heated result = {o->T_1_max_rise, o->mu_slide, o->H_cen};
+    release(&f);
+    return result;
+}
+
+#define STEEL "modulus = 206 GPa\n"
+#define CARBON                                                                 \
+    "conductivity = 1.5 W/m.K\nheat_capacity = 1000 J/kg.K\ndensity = 2000 "   \
+    "kg/m3\n"
+#define SAME                                                                   \
+    "conductivity = 46 W/m.K\nheat_capacity = 460 J/kg.K\ndensity = 7850 "     \
+    "kg/m3\n"
+
+/* A layer of the body's own constants is none; one that no heat passes in time
+ * is the body; one between is between, and the film the more sheared thin. */
+static void hot_layers(void **state)
+{
+    heated bare = hot(STEEL, ""), all = hot(STEEL CARBON, "");
+    (void)state;
+    heated same = hot(STEEL, "[coating 1]\nthickness = 3 um\n" STEEL SAME
+                             "[coating 2]\nthickness = 20 um\n" STEEL SAME);
+    CHECK_CLOSE(same.rise, bare.rise, 1e-4);
+    CHECK_CLOSE(same.H, bare.H, 1e-5);
+    heated thick = hot(STEEL, "[coating 1]\nthickness = 300 um\n" STEEL CARBON
+                              "[coating 2]\nthickness = 300 um\n" STEEL CARBON);
+    CHECK_CLOSE(thick.rise, all.rise, 2e-3);
+    CHECK_CLOSE(thick.mu, all.mu, 1e-3);
+    heated thin = hot(STEEL, "[coating 1]\nthickness = 3 um\n" STEEL CARBON
+                             "[coating 2]\nthickness = 3 um\n" STEEL CARBON);
+    assert_true(thin.rise > 2 * bare.rise && thin.rise < all.rise);
+    assert_true(fabs(thin.mu) < 0.95 * fabs(bare.mu) &&
+                fabs(thin.mu) > fabs(all.mu));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -462,6 +566,9 @@ int main(void)
         cmocka_unit_test(limits),
         cmocka_unit_test(fourth_order),
         cmocka_unit_test(films),
+        cmocka_unit_test(warmth),
+        cmocka_unit_test(memory_of_layers),
+        cmocka_unit_test(hot_layers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,20 +15,25 @@
 #include "simulation/parts.h"
 
 /* A rolling steel contact with some sliding; 20 steps of one mesh. */
-static const char *const base[] = {
-    "contact.load=60 kN/m",    "contact.radius=10 mm",
-    "contact.modulus=226 GPa", "contact.viscosity=0.12 Pa.s",
-    "contact.alpha=18 1/GPa",  "contact.speed_1=5.2 m/s",
-    "contact.speed_2=4.8 m/s", "domain.level=5",
-    "domain.inlet=-5",         "output.checkpoint=1 ms",
-    "solver.tolerance=1e-9"};
+static const char *const base[] = {"contact.load=60 kN/m",
+                                   "contact.radius=10 mm",
+                                   "body 1.modulus=206 GPa",
+                                   "body 2.modulus=206 GPa",
+                                   "contact.viscosity=0.12 Pa.s",
+                                   "contact.alpha=18 1/GPa",
+                                   "contact.speed_1=5.2 m/s",
+                                   "contact.speed_2=4.8 m/s",
+                                   "domain.level=5",
+                                   "domain.inlet=-5",
+                                   "output.checkpoint=1 ms",
+                                   "solver.tolerance=1e-9"};
 
 /* What moves in a run in time. */
 static const char *const moving[] = {
     "time.end=0.58", "feature dent.shape=dent", "feature dent.depth=0.02",
     "feature dent.width=2", "feature dent.start=-5"};
 
-enum { SETTINGS = 7 };
+enum { SETTINGS = 11 };
 
 /* How a case turns a part on; some parts have several ways. */
 static const struct way {
@@ -74,6 +79,12 @@ static const struct way {
     {OVR_PART_FATIGUE,
      {"stress.surface=1", "fatigue.criterion=circle", "fatigue.alpha=0.3"}},
     {OVR_PART_PATCHES, {"domain.refine=spike", "domain.level=6"}},
+    {OVR_PART_COATING,
+     {"coating 1.thickness=3 um", "coating 1.modulus=100 GPa",
+      "coating 1.conductivity=2 W/m.K", "coating 1.heat_capacity=1000 J/kg.K",
+      "coating 1.density=2000 kg/m3", "coating 2.thickness=20 um",
+      "coating 2.modulus=20 GPa", "coating 2.conductivity=20 W/m.K",
+      "coating 2.heat_capacity=500 J/kg.K", "coating 2.density=5000 kg/m3"}},
 };
 enum { WAYS = sizeof ways / sizeof *ways };
 
