@@ -167,6 +167,16 @@ static void take_off_below(double *A, size_t stride, size_t m, size_t c,
         take_off(A + i * stride, 1, top, stride, inverse, PANEL, c, m);
 }
 
+/* Whole vectors reach into the room behind b, where the infinite numbers of a
+ * solve that failed would spoil all later ones: 0 inf is none. */
+static void clear_room(double *A, size_t stride, size_t m)
+{
+    size_t end = (m + VEC) / VEC * VEC;
+    for (size_t i = 0; i < m; i++)
+        for (size_t j = m + 1; j < end; j++)
+            A[i * stride + j] = 0;
+}
+
 /*
  * x of A x = b by Gaussian elimination.  The pivot of a row is its diagonal or
  * a much larger value, so that it is found, and columns are exchanged, without
@@ -176,6 +186,7 @@ static void take_off_below(double *A, size_t stride, size_t m, size_t c,
  */
 bool OVR_KERNEL(dense_solve)(size_t m, size_t stride, double *A, double *x)
 {
+    clear_room(A, stride, m);
     for (size_t c = 0; c < m; c += PANEL) {
         size_t width = m - c < PANEL ? m - c : PANEL;
         double inverse[PANEL];

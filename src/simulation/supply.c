@@ -133,10 +133,16 @@ static void taken(ovr_simulation *sim, void *own, double dT)
 
 /* ------------------------------------------------------------------- steady */
 
+/* Inlets that an attempt has closed are open again: a flooded film begins the
+ * next. */
 static void forget(ovr_simulation *sim, void *own)
 {
+    ovr_hierarchy *grids = &sim->grids;
     (void)own;
-    sim->grids.conserving = false;
+    for (int l = grids->coarsest; l <= grids->finest; l++)
+        if (grids->level[l].closed)
+            ovr_content_open(&grids->level[l]);
+    grids->conserving = false;
 }
 
 /* Flooded, from the film of the Reynolds equation. */
