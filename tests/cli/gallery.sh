@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every case of profiles/ runs to its end (on a coarse grid here) without a
-# warning or a marked step, and its surface says where it is from.
+# warning or a marked step, its surface says where it is from, and its friction
+# is an oil's: none that slides has a coefficient above its limiting shear.
 . "$TOP/tests/support/cli.sh"
 
 for case in "$TOP"/profiles/*.ini; do
@@ -12,6 +13,9 @@ for case in "$TOP"/profiles/*.ini; do
     expect 0 "$OVERROLL" run "$case" -o "$name.h5" --json \
         --set domain.level=6
     contains out '"steps_marked": 0'
+    awk '/"mu_slide_max":/ { mu = $2 + 0; found = 1 }
+        END { exit !(found && mu < 0.08 && mu > -0.08) }' out ||
+        fail "$name: $(grep mu_slide_max out)"
     contains err 'overroll: feature .*: column 1 is x'
     ! grep warning err ||
         fail "$name: $(grep warning err)"
