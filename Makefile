@@ -117,8 +117,8 @@ LINK    = $(CC) $(CFLAGS) $(KIND) $(LDFLAGS)
 # ---------------------------------------------------------- library, program
 
 # A floor may have folders of its own, one deep.
-FLOORS  := base contact elements surface multigrid stress simulation results case run \
-           pictures
+FLOORS  := base mathematics contact elements surface multigrid stress simulation \
+           results case run pictures
 KERNELS := $(wildcard src/*/*.kernel.c src/*/*/*.kernel.c)
 LIBSRC  := $(filter-out $(KERNELS),\
              $(wildcard $(FLOORS:%=src/%/*.c) $(FLOORS:%=src/%/*/*.c)))

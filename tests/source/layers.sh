@@ -6,8 +6,8 @@
 # multigrid nobody knows of a grid with one mesh size.
 set -u
 cd "$TOP" || exit 1
-floors="base contact elements surface multigrid stress simulation results case
-    run pictures cli"
+floors="base mathematics contact elements surface multigrid stress simulation
+    results case run pictures cli"
 
 # "file included" for every #include "..." of the project.
 find src include -name '*.[ch]' -exec grep -HE '^ *# *include *"' {} + |

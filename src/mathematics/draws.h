@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Random numbers by their index: the i-th draw of a key is a function of the
+ * seed, the key's name and i alone, so that any process on any host can make
+ * any of them, in any order, to the same bit.
+ *
+ *   plain  splitmix64 (Steele, Lea & Flood 2014) of seed, FNV-1a of the key,
+ *          and i; 53 bits and a half, so never 0 nor 1
+ *   lhs    (p(i) + u(i))/draws, p a permutation by Fisher and Yates: each of as
+ *          many equal strata has one draw (McKay, Beckman & Conover 1979)
+ *   sobol  GSL's points of Sobol' (directions of Bratley & Fox 1988; point 0 is
+ *          the origin, which GSL leaves out), shifted modulo 1 by a random
+ *          vector for each replicate (Cranley & Patterson 1976): replicates
+ *          are independent, and their spread is the error of the mean
+ */
+#ifndef OVR_MATHEMATICS_DRAWS_H
+#define OVR_MATHEMATICS_DRAWS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/arena.h"
+
+typedef enum ovr_design { OVR_PLAIN, OVR_LHS, OVR_SOBOL } ovr_design;
+
+enum { OVR_SOBOL_MOST = 40 }; /* dimensions that GSL has */
+
+typedef struct ovr_sampling {
+    ovr_design design;
+    uint64_t seed;
+    size_t draws;
+    size_t shifts; /* of sobol; draw i is point i/shifts of replicate i%shifts:
+                      a sample grows without changing what is there */
+} ovr_sampling;
+
+/* FNV-1a, 64 bits (Fowler, Noll & Vo). */
+uint64_t ovr_text_hash(const char *text);
+
+/* The i-th number of (0, 1) of a stream. */
+double ovr_uniform_at(uint64_t seed, uint64_t stream, uint64_t i);
+
+/* u[k * draws + i] for keys k < count: the design's dimension k. */
+ovr_status ovr_draws(const ovr_sampling *how, const char *const *key,
+                     size_t count, double *u, ovr_arena *arena, ovr_error *err);
+
+/* ---------------------------------------------------------- distributions */
+
+typedef enum ovr_law_of_chance {
+    OVR_NORMAL,    /* mean, standard deviation */
+    OVR_LOGNORMAL, /* both of the number itself, not of its logarithm */
+    OVR_UNIFORM,   /* ends */
+    OVR_TRIANGULAR /* least, likeliest, most */
+} ovr_law_of_chance;
+
+typedef struct ovr_distribution {
+    ovr_law_of_chance law;
+    double a, b, c;
+    double low, high; /* cut off here; infinite: not */
+} ovr_distribution;
+
+/* What is wrong with its numbers, or NULL. */
+const char *ovr_distribution_wrong(const ovr_distribution *d);
+
+/* Its value at the probability u, cut ends included. */
+double ovr_distribution_inverse(const ovr_distribution *d, double u);
+
+#endif

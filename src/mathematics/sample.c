@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "mathematics/sample.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_statistics_double.h>
+
+#include "mathematics/draws.h"
+
+enum { AGAIN = 200 };
+static const double TAIL = 0.025;
+
+/* --------------------------------------------------------------- quantiles */
+
+double ovr_quantile(const double *sorted, size_t n, double p)
+{
+    return n ? gsl_stats_quantile_from_sorted_data(sorted, 1, n, p) : NAN;
+}
+
+double ovr_quantile_ranks(size_t n, double p, size_t *l, size_t *u)
+{
+    unsigned most = (unsigned)n;
+    double below, above;
+    *l = 0;
+    *u = n + 1;
+    while (*l < n && gsl_cdf_binomial_P((unsigned)*l, p, most) <= TAIL)
+        ++*l;
+    while (*u > 1 && gsl_cdf_binomial_Q((unsigned)*u - 2, p, most) <= TAIL)
+        --*u;
+    below = *l ? gsl_cdf_binomial_P((unsigned)*l - 1, p, most) : 0;
+    above = *u <= n ? gsl_cdf_binomial_Q((unsigned)*u - 1, p, most) : 0;
+    return 1 - below - above;
+}
+
+ovr_interval ovr_quantile_interval(const double *sorted, size_t n, double p)
+{
+    size_t l, u;
+    ovr_quantile_ranks(n, p, &l, &u);
+    return (ovr_interval){l ? sorted[l - 1] : NAN,
+                          u <= n ? sorted[u - 1] : NAN};
+}
+
+/* Where a cumulative distribution that rises from below `value` has it, by
+ * halving: GSL's own inverses end the program where they do not converge. */
+static double inverse(double (*rising)(double x, double a, double b), double a,
+                      double b, double from, double to, double value)
+{
+    for (double x; x = 0.5 * (from + to), x > from && x < to;)
+        if (rising(x, a, b) < value)
+            from = x;
+        else
+            to = x;
+    return to;
+}
+
+ovr_interval ovr_proportion(size_t k, size_t n)
+{
+    double a = (double)k, b = (double)(n - k);
+    return (ovr_interval){
+        k ? inverse(gsl_cdf_beta_P, a, b + 1, 0, 1, TAIL) : 0,
+        k < n ? inverse(gsl_cdf_beta_P, a + 1, b, 0, 1, 1 - TAIL) : 1};
+}
+
+static double student(double x, double degrees, double unused)
+{
+    (void)unused;
+    return gsl_cdf_tdist_P(x, degrees);
+}
+
+double ovr_student(size_t n)
+{
+    return n > 1 ? inverse(student, (double)n - 1, 0, 0, 100, 1 - TAIL) : NAN;
+}
+
+/* ------------------------------------------------------------------- bins */
+
+typedef struct pair {
+    double x, y;
+} pair;
+
+static int by_x(const void *a, const void *b)
+{
+    const pair *p = a, *q = b;
+    return (p->x > q->x) - (p->x < q->x);
+}
+
+static pair *sorted_pairs(const double *x, const double *y, size_t n,
+                          ovr_arena *arena)
+{
+    pair *p = ovr_arena_take(arena, n, sizeof *p, NULL);
+    for (size_t i = 0; p && i < n; i++)
+        p[i] = (pair){x[i], y[i]};
+    if (p)
+        qsort(p, n, sizeof *p, by_x);
+    return p;
+}
+
+static size_t bins_of(size_t n)
+{
+    return (size_t)lround(sqrt((double)n));
+}
+
+/* Mean and variance (ddof 1) of the y of a bin of sorted pairs. */
+static size_t look_into(const pair *p, size_t n, size_t bin, double *mean,
+                        double *variance)
+{
+    size_t bins = bins_of(n), from = bin * n / bins, to = (bin + 1) * n / bins;
+    size_t count = to - from;
+    double sum = 0, squares = 0;
+    for (size_t i = from; i < to; i++)
+        sum += p[i].y;
+    *mean = sum / (double)count;
+    for (size_t i = from; i < to; i++)
+        squares += pow(p[i].y - *mean, 2);
+    *variance = count > 1 ? squares / (double)(count - 1) : 0;
+    return count;
+}
+
+double ovr_first_order(const double *x, const double *y, size_t n,
+                       ovr_arena *arena)
+{
+    const pair *p = n > 3 ? sorted_pairs(x, y, n, arena) : NULL;
+    size_t bins = bins_of(n);
+    double mean, variance, between = 0, noise = 0;
+    if (!p)
+        return NAN;
+    mean = gsl_stats_mean(y, 1, n);
+    variance = gsl_stats_variance_m(y, 1, n, mean);
+    for (size_t k = 0; k < bins; k++) {
+        double of_bin, within;
+        size_t count = look_into(p, n, k, &of_bin, &within);
+        between += (double)count * pow(of_bin - mean, 2) / (double)n;
+        noise += within / (double)bins;
+    }
+    if (!(variance > 0))
+        return 0;
+    return fmax(0,
+                (between - noise * (double)(bins - 1) / (double)n) / variance);
+}
+
+void ovr_bin_ends(const double *x, const double *y, size_t n, ovr_arena *arena,
+                  double *lowest, double *highest)
+{
+    const pair *p = n > 3 ? sorted_pairs(x, y, n, arena) : NULL;
+    double variance;
+    *lowest = *highest = NAN;
+    if (!p)
+        return;
+    look_into(p, n, 0, lowest, &variance);
+    look_into(p, n, bins_of(n) - 1, highest, &variance);
+}
+
+double ovr_rank_correlation(const double *x, const double *y, size_t n,
+                            ovr_arena *arena)
+{
+    double *work = n > 2 ? ovr_arena_take(arena, 2 * n, sizeof *work, NULL)
+                         : NULL;
+    return work ? gsl_stats_spearman(x, 1, y, 1, n, work) : NAN;
+}
+
+/* --------------------------------------------------------------- bootstrap */
+
+static int by_size(const void *a, const void *b)
+{
+    double p = *(const double *)a, q = *(const double *)b;
+    return (p > q) - (p < q);
+}
+
+ovr_interval ovr_bootstrap(ovr_of_pairs *of, const double *x, const double *y,
+                           size_t n, const ovr_allocator *allocator)
+{
+    const ovr_interval none = {NAN, NAN};
+    ovr_arena arena = ovr_arena_make(allocator);
+    double *drawn = n ? ovr_arena_take(&arena, 2 * n, sizeof *drawn, NULL)
+                      : NULL;
+    double found[AGAIN];
+    for (uint64_t k = 0; drawn && k < AGAIN; k++) {
+        ovr_arena own = ovr_arena_make(allocator);
+        for (size_t i = 0; i < n; i++) {
+            size_t j = (size_t)(ovr_uniform_at(1, k, i) * (double)n);
+            drawn[i] = x[j];
+            drawn[n + i] = y[j];
+        }
+        found[k] = of(drawn, drawn + n, n, &own);
+        ovr_arena_release(&own);
+    }
+    ovr_arena_release(&arena);
+    if (!drawn)
+        return none;
+    qsort(found, AGAIN, sizeof *found, by_size);
+    return (ovr_interval){ovr_quantile(found, AGAIN, TAIL),
+                          ovr_quantile(found, AGAIN, 1 - TAIL)};
+}

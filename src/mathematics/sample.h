@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What a sample says of what it was drawn from: pure functions of n numbers.
+ */
+#ifndef OVR_MATHEMATICS_SAMPLE_H
+#define OVR_MATHEMATICS_SAMPLE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/arena.h"
+
+/* 95 % between two ends. */
+typedef struct ovr_interval {
+    double low, high; /* NAN: no end there */
+} ovr_interval;
+
+/* The quantile p of sorted numbers, by linear interpolation (type 7 of Hyndman
+ * & Fan 1996). */
+double ovr_quantile(const double *sorted, size_t n, double p);
+
+/* Its interval by order statistics, whatever the distribution: the ranks l and
+ * u (from 1; 0 and n + 1: none) between which the quantile lies with the
+ * probability returned, l the largest with P(X <= l - 1) <= 2.5 %, u the
+ * smallest with P(X >= u) <= 2.5 %, X binomial (n, p). */
+double ovr_quantile_ranks(size_t n, double p, size_t *l, size_t *u);
+ovr_interval ovr_quantile_interval(const double *sorted, size_t n, double p);
+
+/* A probability of which k of n were seen (Clopper & Pearson 1934). */
+ovr_interval ovr_proportion(size_t k, size_t n);
+
+/* The factor of a standard error from n values that makes it an interval of
+ * 95 % (Student). */
+double ovr_student(size_t n);
+
+/* How much of the variance of y the input x makes by itself: x sorted into
+ * round(sqrt n) bins of equal counts, the variance of the bins' means, less the
+ * part that their noise makes, over the whole; cut at 0. */
+double ovr_first_order(const double *x, const double *y, size_t n,
+                       ovr_arena *arena);
+
+/* The bins' means in the lowest and the highest. */
+void ovr_bin_ends(const double *x, const double *y, size_t n, ovr_arena *arena,
+                  double *lowest, double *highest);
+
+/* Spearman's rank correlation. */
+double ovr_rank_correlation(const double *x, const double *y, size_t n,
+                            ovr_arena *arena);
+
+/* 95 % of what `of` says of samples drawn again from this one, 200 times
+ * (percentiles; Efron 1979), the same at each call. */
+typedef double ovr_of_pairs(const double *x, const double *y, size_t n,
+                            ovr_arena *arena);
+ovr_interval ovr_bootstrap(ovr_of_pairs *of, const double *x, const double *y,
+                           size_t n, const ovr_allocator *allocator);
+
+#endif

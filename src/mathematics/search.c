@@ -1,0 +1,454 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "mathematics/search.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+enum { ATTEMPTS = 6, STEPS = 200, ABOUT = 5 };
+
+/* A value at x; s is x on the axis that the search goes along. */
+typedef struct point {
+    double s, q;
+} point;
+
+typedef struct searching {
+    const ovr_search *p;
+    ovr_search_result *r;
+    bool geometric;
+    point known[OVR_SEARCH_MOST]; /* in the order of their evaluation */
+    size_t count;
+    ovr_error *err;
+} searching;
+
+/* ------------------------------------------------------------------- axis */
+
+bool ovr_search_geometric(double from, double to)
+{
+    double ratio = fabs(to) > fabs(from) ? to / from : from / to;
+    return from * to > 0 && ratio >= 4;
+}
+
+static double along(const searching *w, double x)
+{
+    if (!w->geometric)
+        return x;
+    return x > 0 ? log(x) : -log(-x);
+}
+
+/* The ends as they were given, to the bit. */
+static double back(const searching *w, double s)
+{
+    const ovr_search *p = w->p;
+    double x = s;
+    if (s == along(w, p->from))
+        return p->from;
+    if (s == along(w, p->to))
+        return p->to;
+    if (w->geometric)
+        x = p->from > 0 ? exp(s) : -exp(-s);
+    return fmin(fmax(x, p->from), p->to);
+}
+
+/* A relative distance at s, along the axis; about x = 0 relative to a hundredth
+ * of the range. */
+static double distance(const searching *w, double s, double relative)
+{
+    if (w->geometric)
+        return relative;
+    return relative * fmax(fabs(s), 0.01 * (w->p->to - w->p->from));
+}
+
+/* On which side of the target: of an inequality, whether it holds. */
+static bool side(const searching *w, double q)
+{
+    return w->p->sense < 0 ? q <= w->p->target : q >= w->p->target;
+}
+
+/* ------------------------------------------------------------- evaluations */
+
+static ovr_status evaluate(searching *w, size_t n, const double *s, double *q)
+{
+    double x[OVR_SEARCH_MOST] = {0};
+    ovr_status status;
+    if (w->count + n > OVR_SEARCH_MOST)
+        return ovr_fail(w->err, OVR_BAD_INPUT, "more than %d evaluations",
+                        OVR_SEARCH_MOST);
+    for (size_t k = 0; k < n; k++) {
+        x[k] = back(w, s[k]);
+        q[k] = NAN;
+    }
+    status = w->p->evaluate(w->p->data, n, x, q, w->err);
+    for (size_t k = 0; !status && k < n; k++)
+        w->known[w->count++] = (point){s[k], q[k]};
+    return status;
+}
+
+/* ------------------------------------------------------------------- scan */
+
+static ovr_status scan(searching *w, point *to, size_t n)
+{
+    double a = along(w, w->p->from), b = along(w, w->p->to);
+    double s[OVR_SEARCH_MOST], q[OVR_SEARCH_MOST];
+    ovr_status status;
+    for (size_t k = 0; k < n; k++)
+        s[k] = k + 1 == n ? b : a + (b - a) * (double)k / (double)(n - 1);
+    status = evaluate(w, n, s, q);
+    for (size_t k = 0; !status && k < n; k++)
+        to[k] = (point){s[k], q[k]};
+    return status;
+}
+
+/* What the scan says of the function: its range, and whether it is monotone but
+ * for a ten-thousandth of that. */
+static void judge(searching *w, const point *p, size_t n)
+{
+    ovr_search_result *r = w->r;
+    double last = NAN, up = 0, down = 0, first = NAN;
+    r->least = INFINITY;
+    r->most = -INFINITY;
+    for (size_t k = 0; k < n; k++) {
+        if (isnan(p[k].q))
+            continue;
+        r->least = fmin(r->least, p[k].q);
+        r->most = fmax(r->most, p[k].q);
+        up = fmax(up, p[k].q - last); /* NAN before the first: no change */
+        down = fmax(down, last - p[k].q);
+        first = isnan(last) ? p[k].q : first;
+        r->from = isnan(last) ? back(w, p[k].s) : r->from;
+        r->to = back(w, p[k].s);
+        last = p[k].q;
+    }
+    r->rises = last > first;
+    r->monotone = fmin(up, down) <= 1e-4 * (r->most - r->least);
+}
+
+/* ------------------------------------------------------------------ bracket */
+
+typedef struct bracket {
+    point a, b; /* on different sides of the target */
+    bool found;
+} bracket;
+
+/* Between the last value and a failed end something may change yet. */
+static ovr_status towards(searching *w, point good, double bad, bracket *found)
+{
+    ovr_status status = OVR_OK;
+    for (int k = 0; !status && k < ATTEMPTS && !found->found; k++) {
+        point m = {(good.s + bad) / 2, NAN};
+        status = evaluate(w, 1, &m.s, &m.q);
+        if (isnan(m.q))
+            bad = m.s;
+        else if (side(w, m.q) == side(w, good.q))
+            good = m;
+        else
+            *found = (bracket){good.s < m.s ? good : m, good.s < m.s ? m : good,
+                               true};
+        if (good.s < bad)
+            w->r->to = back(w, fmax(good.s, along(w, w->r->to)));
+        else
+            w->r->from = back(w, fmin(good.s, along(w, w->r->from)));
+    }
+    return status;
+}
+
+/* All changes between values that are next to each other. */
+static size_t list_changes(searching *w, const point *p, size_t n,
+                           bracket *changes)
+{
+    const point *last = NULL;
+    size_t count = 0;
+    for (size_t k = 0; k < n; k++) {
+        if (isnan(p[k].q))
+            continue;
+        if (last && side(w, last->q) != side(w, p[k].q))
+            changes[count++] = (bracket){*last, p[k], true};
+        last = &p[k];
+    }
+    w->r->places = count < OVR_SEARCH_PLACES ? count : OVR_SEARCH_PLACES;
+    for (size_t k = 0; k < w->r->places; k++) {
+        w->r->place[k][0] = back(w, changes[k].a.s);
+        w->r->place[k][1] = back(w, changes[k].b.s);
+    }
+    return count;
+}
+
+/* Of an inequality the outermost change; its end there must not hold. */
+static bracket outermost(searching *w, const bracket *changes, size_t count)
+{
+    bool largest = w->p->which > 0;
+    bracket c = changes[largest ? count - 1 : 0];
+    c.found = !side(w, largest ? c.b.q : c.a.q);
+    if (!c.found)
+        w->r->end = OVR_SEARCH_BEYOND;
+    return c;
+}
+
+static ovr_status find_bracket(searching *w, const point *p, size_t n,
+                               bracket *found)
+{
+    bracket changes[OVR_SEARCH_MOST];
+    size_t count = list_changes(w, p, n, changes), first = 0, last = n - 1;
+    ovr_status status = OVR_OK;
+    found->found = false;
+    w->r->end = OVR_SEARCH_MISSED;
+    if (count > 1 && !w->p->which)
+        w->r->end = OVR_SEARCH_SEVERAL;
+    else if (count)
+        *found = w->p->which ? outermost(w, changes, count) : changes[0];
+    if (count)
+        return OVR_OK;
+    while (first < n && isnan(p[first].q))
+        first++;
+    while (last > first && isnan(p[last].q))
+        last--;
+    if (first == n) {
+        w->r->end = OVR_SEARCH_NOTHING;
+        return OVR_OK;
+    }
+    if (last + 1 < n)
+        status = towards(w, p[last], p[last + 1].s, found);
+    if (!status && !found->found && first > 0)
+        status = towards(w, p[first], p[first - 1].s, found);
+    if (!status && !found->found && w->p->sense && side(w, p[first].q))
+        w->r->end = OVR_SEARCH_BEYOND;
+    return status;
+}
+
+/* ------------------------------------------------------------------ Brent */
+
+/* Between two good values the one at `bad` is missing: halving towards them in
+ * turn, until a bracket is free of it. */
+static ovr_status around(searching *w, bracket *in, double bad, int *attempts)
+{
+    point near = in->a, far = in->b;
+    ovr_status status = OVR_OK;
+    in->found = false;
+    while (!status && !in->found && (*attempts)++ < ATTEMPTS) {
+        point m = {(near.s + bad) / 2, NAN};
+        status = evaluate(w, 1, &m.s, &m.q);
+        if (isnan(m.q)) {
+            bad = m.s;
+            continue;
+        }
+        if (side(w, m.q) != side(w, near.q)) {
+            *in = (bracket){near, m, true};
+            break;
+        }
+        near = far; /* its turn */
+        far = m;
+    }
+    return status;
+}
+
+/* A least-squares parabola in s - s0, by orthogonal steps of Gauss: its slope
+ * at s0, and the scatter of n values about it with n - 3 degrees of freedom. */
+static void parabola(const point *p, size_t n, double s0, double half,
+                     double *slope, double *scatter)
+{
+    double A[3][4] = {{0}}, c[3], sum = 0;
+    for (size_t k = 0; k < n; k++) {
+        double t = (p[k].s - s0) / half, v[4] = {1, t, t * t, p[k].q - p[0].q};
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 4; j++)
+                A[i][j] += v[i] * v[j];
+    }
+    for (int i = 0; i < 3; i++)
+        for (int j = i + 1; j < 3; j++) {
+            double f = A[j][i] / A[i][i];
+            for (int l = i; l < 4; l++)
+                A[j][l] -= f * A[i][l];
+        }
+    for (int i = 2; i >= 0; i--) {
+        c[i] = A[i][3];
+        for (int j = i + 1; j < 3; j++)
+            c[i] -= A[i][j] * c[j];
+        c[i] /= A[i][i];
+    }
+    for (size_t k = 0; k < n; k++) {
+        double t = (p[k].s - s0) / half;
+        sum += pow(p[k].q - p[0].q - (c[0] + t * (c[1] + t * c[2])), 2);
+    }
+    *slope = c[1] / half;
+    *scatter = sqrt(sum / (double)(n - 3));
+}
+
+/* Values within sqrt(tolerance) of s0: there a parabola misses any smooth
+ * function by less than the tolerance. */
+static size_t list_about(const searching *w, double s0, double half, point *to)
+{
+    size_t n = 0;
+    for (size_t k = 0; k < w->count; k++)
+        if (fabs(w->known[k].s - s0) <= 1.001 * half && !isnan(w->known[k].q))
+            to[n++] = w->known[k];
+    return n;
+}
+
+/* Slope and scatter by what is known about s0; false: too little. */
+static bool judge_about(searching *w, double s0)
+{
+    point p[OVR_SEARCH_MOST];
+    double half = distance(w, s0, sqrt(w->p->tolerance));
+    size_t n = list_about(w, s0, half, p);
+    if (n < ABOUT)
+        return false;
+    parabola(p, n, s0, half, &w->r->slope, &w->r->scatter);
+    w->r->scatters = !w->p->exact &&
+                     w->r->scatter >
+                         fabs(w->r->slope) * distance(w, s0, w->p->tolerance);
+    if (w->geometric) /* dq/ds = x dq/dx */
+        w->r->slope /= fabs(back(w, s0));
+    return isfinite(w->r->slope);
+}
+
+/* Points on both sides of the answer, so that there are enough. */
+static ovr_status probe(searching *w, double s0)
+{
+    static const double at[] = {1, -1, 0.5, -0.5, 0.75, -0.75, 0.25};
+    double half = distance(w, s0, sqrt(w->p->tolerance)), s[ABOUT], q[ABOUT];
+    point p[OVR_SEARCH_MOST];
+    size_t known = list_about(w, s0, half, p), n = 0;
+    for (size_t k = 0; k < sizeof at / sizeof *at && known + n < ABOUT; k++) {
+        double x = s0 + at[k] * half;
+        if (x > along(w, w->p->from) && x < along(w, w->p->to))
+            s[n++] = x;
+    }
+    return n ? evaluate(w, n, s, q) : OVR_OK;
+}
+
+/* The step from b by inverse quadratic interpolation or the secant, or NAN
+ * where halving does better (Brent, 4.2). */
+static double interpolated(point a, point b, point c, double middle, double e)
+{
+    double s = b.q / a.q, p, q, r;
+    if (a.s == c.s) {
+        p = 2 * middle * s;
+        q = 1 - s;
+    } else {
+        q = a.q / c.q;
+        r = b.q / c.q;
+        p = s * (2 * middle * q * (q - r) - (b.s - a.s) * (r - 1));
+        q = (q - 1) * (r - 1) * (s - 1);
+    }
+    if (p > 0)
+        q = -q;
+    else
+        p = -p;
+    return 2 * p < fmin(3 * middle * q, fabs(e * q)) ? p / q : NAN;
+}
+
+/* Brent's method on q - target; *in shrinks to the last bracket, its first end
+ * the better one, and `bad` says where a value was missing. */
+static ovr_status brent(searching *w, bracket *in, double *bad)
+{
+    double target = w->p->target, e, d;
+    point a = in->a, b = in->b, c;
+    ovr_status status = OVR_OK;
+    a.q -= target;
+    b.q -= target;
+    c = a;
+    d = e = b.s - a.s;
+    *bad = NAN;
+    for (int k = 0; !status && k < STEPS; k++) {
+        double close, middle, step;
+        if (side(w, b.q + target) == side(w, c.q + target)) {
+            c = a;
+            d = e = b.s - a.s;
+        }
+        if (fabs(c.q) < fabs(b.q)) {
+            a = b;
+            b = c;
+            c = a;
+        }
+        close = 2 * DBL_EPSILON * fabs(b.s) +
+                0.5 * distance(w, b.s, w->p->tolerance);
+        middle = 0.5 * (c.s - b.s);
+        in->a = (point){b.s, b.q + target};
+        in->b = (point){c.s, c.q + target};
+        if (fabs(middle) <= close ||
+            (!w->p->sense && fabs(b.q) <= 1e-10 * fabs(target)) ||
+            (!w->p->exact && judge_about(w, b.s) && w->r->scatters))
+            break;
+        step = fabs(e) >= close && fabs(a.q) > fabs(b.q)
+                   ? interpolated(a, b, c, middle, e)
+                   : NAN;
+        e = isnan(step) ? middle : d;
+        d = isnan(step) ? middle : step;
+        a = b;
+        b.s += fabs(d) > close ? d : copysign(close, middle);
+        status = evaluate(w, 1, &b.s, &b.q);
+        if (!status && isnan(b.q)) {
+            *bad = b.s;
+            break;
+        }
+        b.q -= target;
+    }
+    return status;
+}
+
+/* ------------------------------------------------------------------ answer */
+
+/* Of an equation the better end; of an inequality the one that holds. */
+static void take_answer(searching *w, const bracket *in)
+{
+    ovr_search_result *r = w->r;
+    bool second = w->p->sense && !side(w, in->a.q);
+    r->end = OVR_SEARCH_FOUND;
+    r->value = back(w, second ? in->b.s : in->a.s);
+    r->at_value = second ? in->b.q : in->a.q;
+    r->low = back(w, fmin(in->a.s, in->b.s));
+    r->high = back(w, fmax(in->a.s, in->b.s));
+}
+
+static ovr_status close_in(searching *w, bracket *in)
+{
+    int attempts = 0;
+    double bad;
+    ovr_status status = brent(w, in, &bad);
+    while (!status && !isnan(bad)) {
+        w->r->end = OVR_SEARCH_BROKEN;
+        status = around(w, in, bad, &attempts);
+        if (status || !in->found)
+            return status;
+        status = brent(w, in, &bad);
+    }
+    if (status)
+        return status;
+    take_answer(w, in);
+    if (!judge_about(w, along(w, w->r->value)) &&
+        (status = probe(w, along(w, w->r->value))) == OVR_OK &&
+        !judge_about(w, along(w, w->r->value))) {
+        w->r->slope = (in->b.q - in->a.q) /
+                      (back(w, in->b.s) - back(w, in->a.s));
+        w->r->scatter = NAN;
+        w->r->scatters = false;
+    }
+    return status;
+}
+
+ovr_status ovr_search_run(const ovr_search *search, ovr_search_result *result,
+                          ovr_error *err)
+{
+    searching w = {.p = search, .r = result, .err = err};
+    point points[OVR_SEARCH_MOST / 2];
+    size_t n = search->scan ? search->scan : OVR_SEARCH_SCAN;
+    bracket in = {.found = false};
+    ovr_status status;
+    *result = (ovr_search_result){.end = OVR_SEARCH_NOTHING,
+                                  .value = NAN,
+                                  .at_value = NAN,
+                                  .low = NAN,
+                                  .high = NAN,
+                                  .slope = NAN,
+                                  .scatter = NAN,
+                                  .from = NAN,
+                                  .to = NAN};
+    w.geometric = ovr_search_geometric(search->from, search->to);
+    n = n > OVR_SEARCH_MOST / 2 ? OVR_SEARCH_MOST / 2 : n < 2 ? 2 : n;
+    status = scan(&w, points, n);
+    if (status)
+        return status;
+    judge(&w, points, n);
+    status = find_bracket(&w, points, n, &in);
+    return !status && in.found ? close_in(&w, &in) : status;
+}
