@@ -13,6 +13,7 @@
 #include "overroll/parts.h"
 #include "overroll/pictures.h"
 #include "overroll/profile.h"
+#include "overroll/questions.h"
 #include "overroll/results.h"
 #include "overroll/run.h"
 #include "overroll/simulation.h"

@@ -454,37 +454,12 @@ static void json_parameters(json_writer *json, const ovr_case *c)
     json_close_array(json);
 }
 
-/* The contact, and films by formula. */
-static void json_contact(json_writer *json, const ovr_setup *setup)
-{
-    const ovr_contact *contact = setup->contact;
-    ovr_film_asymptotes film = ovr_film_asymptotes_moes(contact->M, contact->L);
-    ovr_contact_summary(contact, cli_put_line, json);
-    json_number(json, "radius_m", contact->radius);
-    json_number(json, "modulus_Pa", contact->modulus);
-    json_number(json, "viscosity_Pa_s", contact->viscosity);
-    json_number(json, "alpha_per_Pa", contact->alpha);
-    json_number(json, "alpha_star_per_Pa",
-                ovr_asymptotic_alphabar(setup->lubricant) / contact->ph);
-    json_number(json, "load_N", contact->load * contact->width);
-    json_number(json, "u1_ratio", contact->u1_ratio);
-    json_number(json, "u2_ratio", contact->u2_ratio);
-    json_number(json, "H_cen_moes",
-                ovr_film_central_moes(contact->M, contact->L));
-    json_number(json, "H_cen_fit", fitted(setup).central);
-    json_number(json, "H_min_fit", fitted(setup).minimum);
-    json_number(json, "H_rigid_isoviscous", film.rigid_iso);
-    json_number(json, "H_elastic_isoviscous", film.elastic_iso);
-    json_number(json, "H_rigid_piezoviscous", film.rigid_piezo);
-    json_number(json, "H_elastic_piezoviscous", film.elastic_piezo);
-}
-
 static void report_json(const ovr_case *c, const ovr_setup *setup,
                         const ovr_rough_film *film, const estimate *cost)
 {
     const ovr_options *options = setup->options;
     json_writer json = json_begin(stdout);
-    json_contact(&json, setup);
+    ovr_setup_scales(setup, cli_put_line, &json);
     if (setup->features)
         ovr_rough_film_summary(film, setup->contact, cli_put_line, &json);
     json_integer(&json, "level", options->level);

@@ -98,9 +98,10 @@ static int unknown_option(const cli_call *call, const char *given,
                      call->verb->name);
 }
 
+/* A number below zero is none. */
 static bool is_option(const char *text)
 {
-    return text[0] == '-' && text[1] != '\0';
+    return text[0] == '-' && text[1] != '\0' && !strchr("0123456789.", text[1]);
 }
 
 /* Handles argv[*i]; moves *i on when the value is the next word. */
@@ -144,8 +145,8 @@ static bool same_file(const char *one, const char *other)
 
 int cli_check_outputs(const cli_call *call)
 {
-    static const char *const outputs[] = {"o",       "script",  "movie",
-                                          "collect", "convert", "plot"};
+    static const char *const outputs[] = {
+        "o", "script", "movie", "collect", "convert", "plot", "table"};
     for (size_t k = 0; k < sizeof outputs / sizeof *outputs; k++) {
         const char *path = cli_value(call, outputs[k]);
         for (int i = 0; path && i < call->arguments; i++)

@@ -53,7 +53,7 @@ typedef struct cli_verb {
 
 extern const cli_verb cli_steady, cli_run, cli_resume, cli_check, cli_init;
 extern const cli_verb cli_info, cli_export, cli_profile, cli_help, cli_plot;
-extern const cli_verb cli_frames, cli_view, cli_sweep, cli_stress;
+extern const cli_verb cli_frames, cli_view, cli_sweep, cli_stress, cli_find;
 
 /* The table of main.c; ends with NULL. */
 extern const cli_verb *const cli_verbs[];

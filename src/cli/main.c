@@ -21,6 +21,7 @@ const cli_verb *const cli_verbs[] = {
     &cli_resume,
     &cli_check,
     &cli_info,
+    &cli_find,
     &cli_sweep,
     &cli_stress,
     &cli_export,

@@ -45,6 +45,7 @@ awk -v floors="$floors" -v faces=" $faces" '
         home["oil"] = home["heat"] = "contact"
         home["profile"] = "surface"
         home["parts"] = "simulation"
+        home["questions"] = "run"
         home["overroll"] = "cli"
     }
     !floor($1) { print $1 ": on no floor that this test knows"; bad = 1 }

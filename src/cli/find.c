@@ -1,0 +1,290 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* overroll find CASE KEY between A and B so that QUANTITY is VALUE. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/case_args.h"
+#include "cli/find_report.h"
+#include "cli/json.h"
+#include "cli/report.h"
+#include "cli/run.h"
+#include "cli/signals.h"
+
+enum { ROOM = 600 };
+
+/* The question as it was asked, taken apart. */
+typedef struct question {
+    char words[ROOM]; /* all of them, blanks between */
+    const char *which;
+    char key[ROOM], low[ROOM], high[ROOM], condition[ROOM];
+} question;
+
+/* What stands between two marks of the question, without outer blanks. */
+static bool take_between(const char *from, const char *to, char *text)
+{
+    while (from < to && *from == ' ')
+        from++;
+    while (to > from && to[-1] == ' ')
+        to--;
+    memcpy(text, from, (size_t)(to - from));
+    text[to - from] = '\0';
+    return to > from;
+}
+
+static bool join_words(const cli_call *call, char *words)
+{
+    size_t used = 0;
+    words[0] = '\0';
+    for (int k = 1; k < call->arguments && used < ROOM; k++)
+        used += (size_t)snprintf(words + used, ROOM - used, "%s%s",
+                                 k > 1 ? " " : "", call->argument[k]);
+    return used < ROOM;
+}
+
+static bool parse(question *q)
+{
+    const char *at = q->words, *between, *and, *so;
+    static const char *const whiches[] = {"largest ", "smallest "};
+    for (int k = 0; k < 2; k++)
+        if (!strncmp(at, whiches[k], strlen(whiches[k]))) {
+            q->which = k ? "smallest" : "largest";
+            at += strlen(whiches[k]);
+        }
+    between = strstr(at, " between ");
+    and = between ? strstr(between, " and ") : NULL;
+    so = and? strstr(and, " so that ") : NULL;
+    return so && take_between(at, between, q->key) &&
+           take_between(between + 9, and, q->low) &&
+           take_between(and+5, so, q->high) &&
+           take_between(so + 9, so + strlen(so), q->condition);
+}
+
+/* ----------------------------------------------------------------- options */
+
+static int take_numbers(const cli_call *call, ovr_find_options *how)
+{
+    const char *workers = cli_value(call, "j");
+    const char *tolerance = cli_value(call, "tolerance");
+    char *end;
+    if (workers) {
+        long n = strtol(workers, &end, 10);
+        if (*end || end == workers || n < 1 || n > 64)
+            return cli_usage(
+                call, "-j %s: a whole number from 1 to 64 is wanted", workers);
+        how->workers = (int)n;
+    }
+    if (tolerance) {
+        how->tolerance = strtod(tolerance, &end);
+        if (*end || end == tolerance || !(how->tolerance > 0))
+            return cli_usage(call, "--tolerance %s: a number is wanted",
+                             tolerance);
+    }
+    return CLI_DONE;
+}
+
+static void say(void *data, ovr_say kind, const char *text)
+{
+    const cli_call *call = data;
+    if (call->verbosity >= 0)
+        fprintf(stderr, "overroll: %s%s\n",
+                kind == OVR_SAY_WARNING ? "warning: " : "", text);
+}
+
+static bool stop(void *data)
+{
+    (void)data;
+    return cli_signal() != 0;
+}
+
+/* ------------------------------------------------------------------- report */
+
+/* As many digits as the discretization error leaves. */
+static int digits_of(const ovr_find_info *i)
+{
+    double share = fabs(i->value / i->error);
+    int digits = 1 + (int)ceil(log10(share));
+    if (i->exact || !isfinite(share))
+        return i->exact ? 10 : 4;
+    return digits < 2 ? 2 : digits > 9 ? 9 : digits;
+}
+
+static void put_table(const ovr_find *find, const ovr_find_info *i)
+{
+    printf("\n%-14s %-14s order level  seconds\n", i->key, i->quantity);
+    for (size_t k = 0; k < i->evaluations; k++) {
+        ovr_find_evaluation e = ovr_find_evaluation_at(find, k);
+        printf("%-14.8g %-14.8g ", e.value, e.quantity);
+        if (i->exact)
+            putchar('\n');
+        else
+            printf("%5d %5d %8.3g%s%s\n", e.order, e.level, e.seconds,
+                   e.marked     ? "  marked"
+                   : *e.message ? "  "
+                                : "",
+                   e.message);
+    }
+}
+
+static void report_table(const cli_call *call, const ovr_find *find)
+{
+    const ovr_find_info *i = ovr_find_about(find);
+    int digits = digits_of(i);
+    if (i->end == OVR_FIND_FOUND || i->end == OVR_FIND_SCATTERED) {
+        printf("%s = %.*g%s%s", i->key, digits, i->value, *i->unit ? " " : "",
+               i->unit);
+        printf("    %s is %.6g there\n", i->quantity, i->at_value);
+        if (isfinite(i->error))
+            printf("  discretization +- %.2g %s\n", i->error, i->unit);
+        if (isfinite(i->scatter) && i->end == OVR_FIND_SCATTERED)
+            printf("  scatter        +- %.2g %s\n",
+                   fabs(i->scatter * i->target / i->slope), i->unit);
+        if (isfinite(i->slope))
+            printf("  1 %% of it is %.3g %% of %s\n",
+                   i->slope * i->value / i->at_value, i->quantity);
+    }
+    if (call->verbosity > 0 || (i->end != OVR_FIND_FOUND && !i->exact))
+        put_table(find, i);
+}
+
+void cli_json_find(json_writer *json, const ovr_find *find)
+{
+    const ovr_find_info *i = ovr_find_about(find);
+    bool found = i->end == OVR_FIND_FOUND || i->end == OVR_FIND_SCATTERED;
+    json_text(json, "key", i->key);
+    json_number(json, "value", i->value);
+    json_text(json, "unit", i->unit);
+    json_number(json, "low", i->low);
+    json_number(json, "high", i->high);
+    json_text(json, "quantity", i->quantity);
+    json_text(json, "relation",
+              !i->sense      ? "is"
+              : i->sense > 0 ? "at least"
+                             : "at most");
+    json_text(json, "which", i->which);
+    json_number(json, "target", i->target);
+    json_number(json, "at_value", i->at_value);
+    json_number(json, "slope", i->slope);
+    json_number(json, "key_error_discretization", i->error);
+    json_number(json, "scatter", i->scatter);
+    json_flag(json, "monotone", i->monotone);
+    json_flag(json, "order_pinned", i->pinned);
+    json_flag(json, "found", found);
+    json_text(json, "message", i->message);
+    json_open_array(json, "evaluations");
+    for (size_t k = 0; k < i->evaluations; k++) {
+        ovr_find_evaluation e = ovr_find_evaluation_at(find, k);
+        json_open(json, NULL);
+        json_number(json, "value", e.value);
+        json_number(json, "quantity", e.quantity);
+        json_integer(json, "order", e.order);
+        json_integer(json, "level", e.level);
+        json_flag(json, "converged", e.converged);
+        json_integer(json, "marked", e.marked);
+        json_number(json, "seconds", e.seconds);
+        json_text(json, "message", e.message);
+        json_close(json);
+    }
+    json_close_array(json);
+}
+
+int cli_report_find(const cli_call *call, const ovr_find *find,
+                    ovr_status status, const ovr_error *err)
+{
+    const ovr_find_info *i = ovr_find_about(find);
+    int code = CLI_DONE;
+    if (call->json) {
+        json_writer json = json_begin(stdout);
+        cli_json_find(&json, find);
+        json_end(&json);
+    } else if (call->verbosity >= 0) {
+        report_table(call, find);
+    }
+    if (status == OVR_STOPPED && cli_signal())
+        return CLI_SIGNAL + cli_signal();
+    if (status)
+        code = cli_fail(err);
+    else if (i->end == OVR_FIND_SCATTERED || i->marked)
+        code = CLI_EARLY;
+    return code;
+}
+
+/* --------------------------------------------------------------------- run */
+
+static int ask(cli_call *call, const question *q)
+{
+    int code;
+    ovr_error err = {0};
+    ovr_find_options how = ovr_find_options_default();
+    ovr_case *c;
+    ovr_find *find;
+    how.key = q->key;
+    how.low = q->low;
+    how.high = q->high;
+    how.condition = q->condition;
+    how.which = q->which;
+    how.steady = cli_flag(call, "steady");
+    how.table = cli_value(call, "table");
+    how.data = call;
+    how.say = say;
+    how.stop = stop;
+    code = take_numbers(call, &how);
+    c = code ? NULL : cli_open_case(call, &code);
+    if (!c)
+        return code;
+    find = ovr_find_create(c, &how, &err);
+    if (find) {
+        cli_silence_the_end();
+        cli_catch_signals();
+        ovr_status status = ovr_find_go(find, &err);
+        code = cli_report_find(call, find, status, &err);
+    } else {
+        code = cli_fail(&err);
+    }
+    ovr_find_free(find);
+    ovr_case_free(c);
+    return code;
+}
+
+static int run(cli_call *call)
+{
+    question q = {.which = NULL};
+    if (join_words(call, q.words) && parse(&q))
+        return ask(call, &q);
+    return cli_usage(call,
+                     "'%.80s' must be [largest | smallest] KEY between A and B "
+                     "so that QUANTITY is VALUE (at most, at least)",
+                     q.words);
+}
+
+static const cli_option options[] = {
+    {"j", "N", "so many runs at once where several are known", false},
+    {"tolerance", "NUMBER", "of the key, relative; 1e-3 unless given", false},
+    {"steady", NULL, "the steady contact alone, as 'overroll steady'", false},
+    {"table", "FILE.csv", "the evaluations, a row as soon as it is known",
+     false},
+    CLI_CASE_OPTIONS,
+    {0}};
+
+const cli_verb cli_find = {
+    .name = "find",
+    .arguments =
+        "CASE [largest | smallest] KEY between A and B so that QUANTITY "
+        "is | at most | at least VALUE",
+    .summary = "the value of a key for which a number of the run has a value",
+    .help =
+        "Runs the case at values of KEY from A to B, at both ends and between, "
+        "and closes\nin on the one wanted.  QUANTITY is any number of the "
+        "summary by its name in\n--json; a unit in VALUE picks the one in SI.  "
+        "Scales and formulas of 'check' are\nfound at once.  An answer to at "
+        "most or at least has been run, and holds.\n\n"
+        "  overroll find dent.ini feature.dent.depth between 0.1 um and 2 um "
+        "\\\n"
+        "      so that H_min_overall is 0.05\n"
+        "  overroll find dent.ini largest contact.load between 50 and 500 kN/m "
+        "\\\n      so that P_max_overall at most 2 GPa",
+    .options = options,
+    .least = 2,
+    .most = 40,
+    .run = run,
+};

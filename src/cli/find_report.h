@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef OVR_CLI_FIND_REPORT_H
+#define OVR_CLI_FIND_REPORT_H
+
+#include "cli/cli.h"
+#include "cli/json.h"
+
+/* What a search found, as keys of an object. */
+void cli_json_find(json_writer *json, const ovr_find *find);
+
+/* The answer, or why there is none; the exit code. */
+int cli_report_find(const cli_call *call, const ovr_find *find,
+                    ovr_status status, const ovr_error *err);
+
+#endif

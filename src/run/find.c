@@ -1,0 +1,768 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The value of a key for which a number of the run has a value. */
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/given.h"
+#include "base/quantity.h"
+#include "base/sized.h"
+#include "mathematics/search.h"
+#include "overroll/text.h"
+#include "run/find_table.h"
+#include "run/trials.h"
+
+enum { MOST = 2 * OVR_SEARCH_MOST, NAMES = 400, TEXT_ROOM = 1000 };
+
+struct ovr_find {
+    ovr_arena arena;
+    ovr_find_options how;
+    ovr_case *base;
+    ovr_find_info info;
+    double from, to;
+    const char *suffix; /* " kN/m", or "" */
+    bool checked;       /* the quantity is one of the runs' */
+    ovr_find_evaluation *made;
+    ovr_trial answer;
+    bool answered;
+    ovr_find_table table;
+    char message[TEXT_ROOM];
+};
+
+void ovr_find_options_fill(ovr_find_options *options)
+{
+    const ovr_find_options defaults = {.size = sizeof defaults};
+    ovr_sized_fill(options, &defaults, sizeof defaults);
+}
+
+/* What is to be known beside the answer: said, and kept in its message. */
+OVR_PRINTF(2, 3)
+static void tell(ovr_find *f, const char *format, ...)
+{
+    char text[600];
+    size_t used = strlen(f->message);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    snprintf(f->message + used, sizeof f->message - used, "%s%s",
+             used ? "; " : "", text);
+    if (f->how.say)
+        f->how.say(f->how.data, OVR_SAY_WARNING, text);
+}
+
+/* ---------------------------------------------------------------- reading */
+
+/* A number and the unit behind it, as they stand. */
+static ovr_status read_end(const char *text, double *number, const char **unit,
+                           const char *key, ovr_error *err)
+{
+    const char *at = text + strspn(text, " \t");
+    if (!ovr_read_number(&at, number) || !isfinite(*number))
+        return ovr_fail_about(err, "between",
+                              "%s between '%.60s': a number is wanted", key,
+                              text);
+    *unit = at + strspn(at, " \t");
+    return OVR_OK;
+}
+
+static bool row_of(const char *where, ovr_parameter_info *info)
+{
+    const char *dot = strrchr(where, '.');
+    size_t section = strcspn(where, ". ");
+    for (size_t k = 0; dot && k < ovr_parameter_count(); k++) {
+        *info = ovr_parameter_at(k);
+        if (strlen(info->section) == section &&
+            !strncmp(info->section, where, section) &&
+            !strcmp(info->key, dot + 1))
+            return true;
+    }
+    return false;
+}
+
+/* The key must be one number, and take both ends. */
+static ovr_status take_ends(ovr_find *f, ovr_error *err)
+{
+    const char *unit[2];
+    double end[2];
+    ovr_parameter_info row = {.bare = ""};
+    bool known = row_of(f->info.key, &row);
+    if (known && !strcmp(row.type, "whole number"))
+        return ovr_fail_about(err, "key",
+                              "%s: whole numbers are tried one by one: use a "
+                              "study",
+                              f->info.key);
+    if (known && strcmp(row.type, "number") != 0)
+        return ovr_fail_about(err, "key", "%s is a %s, not a number",
+                              f->info.key, row.type);
+    for (int k = 0; k < 2; k++)
+        if (read_end(k ? f->how.high : f->how.low, &end[k], &unit[k],
+                     f->info.key, err))
+            return OVR_BAD_INPUT;
+    if (*unit[0] && strcmp(unit[0], unit[1]) != 0)
+        return ovr_fail_about(err, "between",
+                              "%s between %s and %s: one unit is wanted",
+                              f->info.key, f->how.low, f->how.high);
+    if (!(fabs(end[0] - end[1]) > 0))
+        return ovr_fail_about(err, "between",
+                              "%s between %s and %s: two numbers are wanted",
+                              f->info.key, f->how.low, f->how.high);
+    f->from = fmin(end[0], end[1]);
+    f->to = fmax(end[0], end[1]);
+    f->info.unit = *unit[1] || !known ? unit[1] : row.bare;
+    char *suffix = ovr_arena_take(&f->arena, strlen(unit[1]) + 2, 1, err);
+    if (!suffix)
+        return OVR_NO_MEMORY;
+    if (*unit[1])
+        sprintf(suffix, " %s", unit[1]);
+    f->suffix = suffix;
+    return OVR_OK;
+}
+
+static ovr_status set_key(ovr_find *f, ovr_case *c, double x, ovr_error *err)
+{
+    char text[120];
+    snprintf(text, sizeof text, "%.17g%.60s", x, f->suffix);
+    return ovr_case_set(c, f->info.key, text, "between", err);
+}
+
+static ovr_status try_ends(ovr_find *f, ovr_error *err)
+{
+    const double ends[] = {f->from, f->to};
+    ovr_case *c = ovr_case_apart(f->base, err);
+    ovr_status status = c ? OVR_OK : OVR_BAD_INPUT;
+    for (int k = 0; k < 2 && !status; k++)
+        status = set_key(f, c, ends[k], err);
+    for (size_t k = 0;
+         c && !f->info.exact && !status && k < ovr_case_entries(c); k++) {
+        ovr_case_entry e = ovr_case_entry_at(c, k);
+        if (!strcmp(e.section, "domain") && !strcmp(e.key, "level") &&
+            e.applies && e.text && !strcmp(e.text, "auto"))
+            status = ovr_fail_about(err, "level",
+                                    "level = auto may differ from run to run: "
+                                    "give a level");
+    }
+    ovr_case_free(c);
+    return status;
+}
+
+/* "at most", "<=" and so on at *text, which moves behind it. */
+static bool read_relation(const char **text, int *sense)
+{
+    static const struct {
+        const char *words;
+        int sense;
+    } forms[] = {{"is ", 0}, {"== ", 0},       {"= ", 0},   {"at least ", 1},
+                 {">= ", 1}, {"at most ", -1}, {"<= ", -1}, {"==", 0},
+                 {"=", 0},   {">=", 1},        {"<=", -1}};
+    *text += strspn(*text, " \t");
+    for (size_t k = 0; k < sizeof forms / sizeof *forms; k++)
+        if (!strncmp(*text, forms[k].words, strlen(forms[k].words))) {
+            *text += strlen(forms[k].words);
+            *sense = forms[k].sense;
+            return true;
+        }
+    return false;
+}
+
+/* The number of runs in SI that a quantity in Hertzian units has beside it;
+ * NULL: none. */
+static const char *twin_of(const char *quantity)
+{
+    const ovr_observable *o;
+    const ovr_extreme *e;
+    for (size_t k = 0; (o = ovr_observable_at(k)); k++)
+        if (o->key && !strcmp(o->key, quantity))
+            return o->key_si;
+    for (size_t k = 0; (e = ovr_extreme_at(k)); k++)
+        if (!strcmp(e->key, quantity))
+            return e->key_si;
+    return NULL;
+}
+
+/* The other way round. */
+static const char *bare_twin(const char *quantity)
+{
+    const ovr_observable *o;
+    const ovr_extreme *e;
+    for (size_t k = 0; (o = ovr_observable_at(k)); k++)
+        if (o->key && o->key_si && !strcmp(o->key_si, quantity))
+            return o->key;
+    for (size_t k = 0; (e = ovr_extreme_at(k)); k++)
+        if (e->key_si && !strcmp(e->key_si, quantity))
+            return e->key;
+    return quantity;
+}
+
+/* "N/m" stands as "_N_per_m" at the end of a key, "1/Pa" as "_per_Pa". */
+static bool ends_in(const char *key, const char *si)
+{
+    char ending[40] = "_";
+    size_t used = 1, size = strlen(key);
+    for (si += !strncmp(si, "1/", 2); *si && used + 6 < sizeof ending; si++)
+        if (*si == '/')
+            used += (size_t)snprintf(ending + used, sizeof ending - used, "%s",
+                                     used > 1 ? "_per_" : "per_");
+        else
+            ending[used++] = *si == '.' ? '_' : *si, ending[used] = '\0';
+    return size > used && !strcmp(key + size - used, ending);
+}
+
+/* A unit makes the target SI, and picks the quantity that is in it. */
+static ovr_status take_target(ovr_find *f, const char *text, ovr_error *err)
+{
+    const char *at = text, *twin = twin_of(f->info.quantity), *si;
+    ovr_quantity q;
+    ovr_dimension dimension;
+    if (!ovr_read_number(&at, &f->info.target))
+        return ovr_fail_about(err, "condition",
+                              "%s: '%.60s' is no number to compare with",
+                              f->info.quantity, text);
+    at += strspn(at, " \t");
+    if (!*at)
+        return OVR_OK;
+    dimension = ovr_unit_dimension(at);
+    if (dimension == OVR_PURE ||
+        ovr_quantity_read(text, dimension, false, &q, NULL))
+        return ovr_fail_about(err, "condition", "%s: unknown unit '%.40s'",
+                              f->info.quantity, at);
+    si = ovr_unit_si(dimension);
+    if (twin && ends_in(twin, si))
+        f->info.quantity = twin;
+    else if (!ends_in(f->info.quantity, si) && strcmp(si, "K") != 0)
+        return ovr_fail_about(err, "condition", "%s is not in %.40s",
+                              f->info.quantity, at);
+    f->info.target = q.value;
+    return OVR_OK;
+}
+
+static ovr_status take_condition(ovr_find *f, ovr_error *err)
+{
+    const char *text = f->how.condition + strspn(f->how.condition, " \t");
+    size_t size = strcspn(text, " \t<=>");
+    char *quantity = ovr_arena_take(&f->arena, size + 1, 1, err);
+    const char *which = f->how.which;
+    if (!quantity)
+        return OVR_NO_MEMORY;
+    memcpy(quantity, text, size);
+    f->info.quantity = quantity;
+    text += size;
+    if (!size || !read_relation(&text, &f->info.sense))
+        return ovr_fail_about(
+            err, "condition",
+            "'%.80s' must be QUANTITY is VALUE, at most VALUE "
+            "or at least VALUE",
+            f->how.condition);
+    if (which && strcmp(which, "largest") != 0 &&
+        strcmp(which, "smallest") != 0)
+        return ovr_fail_about(err, "which",
+                              "'%.40s' must be largest or "
+                              "smallest",
+                              which);
+    if (!f->info.sense != !which)
+        return ovr_fail_about(err, "which",
+                              which ? "the %s %s so that %s is a value: say at "
+                                      "most or at least"
+                                    : "%.0s%s so that %s at most or at least a "
+                                      "value: say largest or smallest",
+                              which ? which : "", f->info.key, quantity);
+    return take_target(f, text + strspn(text, " \t"), err);
+}
+
+/* --------------------------------------------------------------- quantities */
+
+typedef struct names {
+    const char *name[NAMES];
+    size_t count;
+} names;
+
+static void add_name(names *n, const char *name)
+{
+    if (name && n->count < NAMES)
+        n->name[n->count++] = name;
+}
+
+static void add_line(void *data, const ovr_summary_line *line)
+{
+    add_name(data, line->key);
+}
+
+static bool is_there(const names *n, const char *name)
+{
+    for (size_t k = 0; k < n->count; k++)
+        if (!strcmp(n->name[k], name))
+            return true;
+    return false;
+}
+
+static ovr_status no_quantity(const char *quantity, const names *n,
+                              ovr_error *err)
+{
+    const char *meant = ovr_suggest(quantity, n->name, n->count);
+    if (!meant)
+        return ovr_fail_about(err, "condition", "%s: no number of this run",
+                              quantity);
+    ovr_fail_about(err, "condition",
+                   "%s: no number of this run; did you mean %s?", quantity,
+                   meant);
+    return OVR_BAD_INPUT;
+}
+
+/* By formulas alone; or one that runs are known to have; a name near to one of
+ * them is a slip, anything else the first run tells. */
+static ovr_status look_up(ovr_find *f, ovr_error *err)
+{
+    names scales = {.count = 0}, all;
+    const ovr_observable *o;
+    const ovr_extreme *e;
+    ovr_setup *setup = ovr_case_resolve(f->base, NULL, NULL);
+    if (setup)
+        ovr_setup_scales(setup, add_line, &scales);
+    all = scales;
+    for (size_t k = 0; (o = ovr_observable_at(k)); k++)
+        add_name(&all, o->key), add_name(&all, o->key_si);
+    for (size_t k = 0; (e = ovr_extreme_at(k)); k++)
+        add_name(&all, e->key), add_name(&all, e->key_si);
+    f->info.exact = is_there(&scales, f->info.quantity);
+    ovr_setup_free(setup);
+    if (!is_there(&all, f->info.quantity) &&
+        ovr_suggest(f->info.quantity, all.name, all.count) &&
+        !strchr(f->info.quantity, '_'))
+        return no_quantity(f->info.quantity, &all, err);
+    return OVR_OK;
+}
+
+/* The first run says what numbers there are. */
+static ovr_status check_quantity(ovr_find *f, const ovr_trial *t,
+                                 ovr_error *err)
+{
+    names n = {.count = 0};
+    bool known;
+    double value = ovr_trial_number(t, f->info.quantity, &known);
+    f->checked = true;
+    if (known && isfinite(value))
+        return OVR_OK;
+    if (known)
+        return ovr_fail_about(err, "condition",
+                              "%s is not known in this case (null)",
+                              f->info.quantity);
+    for (size_t k = 0; k < t->lines; k++)
+        add_name(&n, t->key[k]);
+    return no_quantity(f->info.quantity, &n, err);
+}
+
+/* -------------------------------------------------------------- evaluations */
+
+static ovr_find_evaluation *made_at(const ovr_find *f, double x)
+{
+    for (size_t k = 0; k < f->info.evaluations; k++)
+        if (f->made[k].value == x)
+            return &f->made[k];
+    return NULL;
+}
+
+static ovr_status keep(ovr_find *f, double x, const ovr_trial *t,
+                       ovr_error *err)
+{
+    ovr_find_evaluation *e = &f->made[f->info.evaluations];
+    double order = ovr_trial_number(t, "order", NULL);
+    double level = ovr_trial_number(t, "level", NULL);
+    double marked = ovr_trial_number(t, "steps_marked", NULL);
+    if (f->info.evaluations == MOST)
+        return ovr_fail(err, OVR_BAD_INPUT, "more than %d evaluations", MOST);
+    *e = (ovr_find_evaluation){.size = sizeof *e, .value = x, .quantity = NAN};
+    e->message = "";
+    if (t->failed)
+        e->message = ovr_arena_text(&f->arena, t->message, err);
+    else
+        e->quantity = ovr_trial_number(t, f->info.quantity, NULL);
+    e->order = isfinite(order) ? (int)order : 0;
+    e->level = isfinite(level) ? (int)level : 0;
+    e->marked = isfinite(marked) ? (long)marked : 0;
+    e->converged = !t->failed && (f->info.exact ||
+                                  ovr_trial_number(t, "converged", NULL) > 0);
+    e->seconds = ovr_trial_number(t, "seconds", NULL);
+    f->info.evaluations++;
+    f->info.marked = f->info.marked || e->marked > 0;
+    return e->message ? ovr_find_table_add(&f->table, e, err) : OVR_NO_MEMORY;
+}
+
+static ovr_trial_plan plan_of(const ovr_find *f)
+{
+    return (ovr_trial_plan){.workers = f->how.workers,
+                            .steady = f->how.steady,
+                            .formulas = f->info.exact,
+                            .data = f->how.data,
+                            .stop = f->how.stop,
+                            .run = f->how.run};
+}
+
+/* Runs of the case at several values. */
+static ovr_trials *trials_at(ovr_find *f, size_t n, const double *x,
+                             const ovr_trial_plan *plan, ovr_error *err)
+{
+    ovr_case *cases[OVR_SEARCH_MOST] = {NULL};
+    ovr_trials *t = NULL;
+    size_t made = 0;
+    bool good = true;
+    while (good && made < n) {
+        cases[made] = ovr_case_apart(f->base, err);
+        good = cases[made] && !set_key(f, cases[made], x[made], err);
+        made += cases[made] != NULL;
+    }
+    if (good)
+        t = ovr_trials_create(n, cases, plan, err);
+    for (size_t k = 0; !t && k < made; k++)
+        ovr_case_free(cases[k]);
+    if (t && ovr_trials_go(t, err)) {
+        ovr_trials_free(t);
+        return NULL;
+    }
+    return t;
+}
+
+static ovr_status evaluate(void *data, size_t n, const double *x, double *q,
+                           ovr_error *err)
+{
+    ovr_find *f = data;
+    const ovr_trial_plan plan = plan_of(f);
+    double missing[OVR_SEARCH_MOST];
+    size_t count = 0;
+    ovr_status status = OVR_OK;
+    for (size_t k = 0; k < n; k++)
+        if (!made_at(f, x[k]))
+            missing[count++] = x[k];
+    if (count) {
+        ovr_error why = {0};
+        ovr_trials *t = trials_at(f, count, missing, &plan, &why);
+        if (!t)
+            return ovr_fail(err, why.status, "%s", why.message);
+        for (size_t k = 0; !status && k < count; k++) {
+            const ovr_trial *one = ovr_trials_at(t, k);
+            if (!one->failed && !f->checked)
+                status = check_quantity(f, one, err);
+            if (!status)
+                status = keep(f, missing[k], one, err);
+        }
+        ovr_trials_free(t);
+    }
+    for (size_t k = 0; !status && k < n; k++)
+        q[k] = made_at(f, x[k])->quantity;
+    return status;
+}
+
+/* ----------------------------------------------------------------- answers */
+
+static const char *first_failure(const ovr_find *f)
+{
+    for (size_t k = 0; k < f->info.evaluations; k++)
+        if (*f->made[k].message)
+            return f->made[k].message;
+    return "";
+}
+
+static ovr_status fail_missed(const ovr_find *f, const ovr_search_result *r,
+                              ovr_error *err)
+{
+    const ovr_find_info *i = &f->info;
+    bool above = i->target > r->most, up = above == r->rises;
+    const char *failure = first_failure(f);
+    char beyond[200] = "";
+    if (r->monotone && (above || i->target < r->least))
+        snprintf(beyond, sizeof beyond, "; it %s with %s: go %s %g%s",
+                 r->rises ? "rises" : "falls", i->key, up ? "beyond" : "below",
+                 up ? r->to : r->from, f->suffix);
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "%s is %.6g to %.6g between %g and %g%s: %.6g is not among "
+                    "them%s%s%.300s",
+                    i->quantity, r->least, r->most, r->from, r->to, f->suffix,
+                    i->target, beyond, *failure ? "; runs failed: " : "",
+                    failure);
+}
+
+static ovr_status fail_several(const ovr_find *f, const ovr_search_result *r,
+                               ovr_error *err)
+{
+    char places[500] = "";
+    size_t used = 0;
+    for (size_t k = 0; k < r->places && used < 400; k++)
+        used += (size_t)snprintf(places + used, sizeof places - used,
+                                 "%s%.4g and %.4g%s", k ? ", " : "",
+                                 r->place[k][0], r->place[k][1], f->suffix);
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "%s is %.6g at %zu places, between %s: give narrower ends, "
+                    "or ask for the largest or smallest",
+                    f->info.quantity, f->info.target, r->places, places);
+}
+
+/* Why there is no answer; OVR_OK: there is one. */
+static ovr_status judge(ovr_find *f, const ovr_search_result *r, ovr_error *err)
+{
+    const ovr_find_info *i = &f->info;
+    switch (r->end) {
+    case OVR_SEARCH_FOUND: return OVR_OK;
+    case OVR_SEARCH_MISSED:
+        f->info.end = OVR_FIND_MISSED;
+        return fail_missed(f, r, err);
+    case OVR_SEARCH_BEYOND:
+        f->info.end = OVR_FIND_MISSED;
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s %s %.6g holds at %g%s itself: go %s", i->quantity,
+                        i->sense > 0 ? "at least" : "at most", i->target,
+                        *i->which == 'l' ? r->to : r->from, f->suffix,
+                        *i->which == 'l' ? "beyond" : "below");
+    case OVR_SEARCH_SEVERAL:
+        f->info.end = OVR_FIND_SEVERAL;
+        return fail_several(f, r, err);
+    default: break;
+    }
+    f->info.end = OVR_FIND_FAILED;
+    return ovr_fail(err, OVR_NOT_CONVERGED, "%s: %.700s",
+                    r->end == OVR_SEARCH_NOTHING
+                        ? "all runs failed"
+                        : "runs failed where the answer lies",
+                    first_failure(f));
+}
+
+static void take_result(ovr_find *f, const ovr_search_result *r)
+{
+    ovr_find_info *i = &f->info;
+    double relative = r->scatter / fabs(i->target);
+    i->value = r->value;
+    i->at_value = r->at_value;
+    i->low = r->low;
+    i->high = r->high;
+    i->slope = r->slope;
+    i->scatter = i->exact ? NAN : relative;
+    i->monotone = r->monotone;
+    if (r->end != OVR_SEARCH_FOUND)
+        return;
+    i->end = r->scatters ? OVR_FIND_SCATTERED : OVR_FIND_FOUND;
+    if (r->from > f->from)
+        tell(f, "below %g%s: %.300s", r->from, f->suffix, first_failure(f));
+    if (r->to < f->to)
+        tell(f, "above %g%s: %.300s", r->to, f->suffix, first_failure(f));
+    if (r->places > 1)
+        for (size_t k = 0; k < r->places; k++)
+            tell(f, "%s passes %g between %.4g and %.4g%s", i->quantity,
+                 i->target, r->place[k][0], r->place[k][1], f->suffix);
+    else if (!r->monotone)
+        tell(f,
+             "%s does not go one way between %g and %g%s: there may be "
+             "other answers",
+             i->quantity, f->from, f->to, f->suffix);
+    if (r->scatters)
+        tell(f, "%s scatters by %.2g %% from mesh to mesh: %s to %.2g %%",
+             i->quantity, 100 * relative, i->key,
+             100 * fabs(r->scatter / (r->slope * r->value)));
+    if (i->marked)
+        tell(f, "some runs have steps accepted above the tolerance");
+}
+
+/* The run at the answer once more, with its discretization error; key by key
+ * in SI it is that of the number in Hertzian units. */
+static ovr_status run_answer(ovr_find *f, ovr_error *err)
+{
+    ovr_find_info *i = &f->info;
+    ovr_trial_plan plan = plan_of(f);
+    char key[80];
+    ovr_trials *t;
+    plan.estimate = !i->exact;
+    t = trials_at(f, 1, &i->value, &plan, err);
+    if (!t)
+        return err ? err->status : OVR_NOT_CONVERGED;
+    f->answer = *ovr_trials_at(t, 0);
+    f->answered = !f->answer.failed;
+    ovr_trials_free(t);
+    snprintf(key, sizeof key, "%.50s_error_relative", bare_twin(i->quantity));
+    i->error = fabs(ovr_trial_number(&f->answer, key, NULL) * i->at_value /
+                    i->slope);
+    if (!i->exact && isnan(i->error))
+        tell(f, "the discretization error of %s is not known", i->quantity);
+    return OVR_OK;
+}
+
+/* Whether the solutions have different orders. */
+static bool orders_differ(const ovr_find *f)
+{
+    int least = 1000, most = 0;
+    for (size_t k = 0; k < f->info.evaluations; k++)
+        if (!isnan(f->made[k].quantity) && f->made[k].order) {
+            least = f->made[k].order < least ? f->made[k].order : least;
+            most = f->made[k].order > most ? f->made[k].order : most;
+        }
+    return least < most;
+}
+
+/* All of order 2 from here on; what is so already stays. */
+static ovr_status pin_order(ovr_find *f, ovr_error *err)
+{
+    size_t kept = 0;
+    f->info.pinned = true;
+    tell(f, "order = auto came to different orders: all again with order = 2");
+    for (size_t k = 0; k < f->info.evaluations; k++)
+        if (f->made[k].order == 2)
+            f->made[kept++] = f->made[k];
+    f->info.evaluations = kept;
+    return ovr_case_set(f->base, "domain.order", "2", "find", err);
+}
+
+static int by_value(const void *a, const void *b)
+{
+    const ovr_find_evaluation *p = a, *q = b;
+    return (p->value > q->value) - (p->value < q->value);
+}
+
+ovr_status ovr_find_go(ovr_find *f, ovr_error *err)
+{
+    ovr_search_result r;
+    ovr_status status;
+    if (!f)
+        return ovr_fail_null(err, __func__);
+    const size_t workers = f->how.workers > 1 ? (size_t)f->how.workers : 1;
+    const ovr_search search = {
+        .from = f->from,
+        .to = f->to,
+        .target = f->info.target,
+        .sense = f->info.sense,
+        .which = !f->info.which          ? 0
+                 : *f->info.which == 'l' ? 1
+                                         : -1,
+        .tolerance = f->info.exact          ? 1e-12
+                     : f->how.tolerance > 0 ? f->how.tolerance
+                                            : 1e-3,
+        .scan = workers > OVR_SEARCH_SCAN ? workers : OVR_SEARCH_SCAN,
+        .exact = f->info.exact,
+        .evaluate = evaluate,
+        .data = f};
+    status = ovr_search_run(&search, &r, err);
+    if (!status && !f->info.pinned && orders_differ(f) &&
+        !(status = pin_order(f, err)))
+        status = ovr_search_run(&search, &r, err);
+    if (!status) {
+        take_result(f, &r);
+        status = judge(f, &r, err);
+        if (!status)
+            status = run_answer(f, err);
+        else if (err)
+            snprintf(f->message, sizeof f->message, "%.*s",
+                     (int)sizeof f->message - 1, err->message);
+    } else {
+        f->info.end = OVR_FIND_FAILED;
+    }
+    qsort(f->made, f->info.evaluations, sizeof *f->made, by_value);
+    return status;
+}
+
+/* ----------------------------------------------------------------- making */
+
+static ovr_status take_options(ovr_find *f, const ovr_find_options *options,
+                               ovr_error *err)
+{
+    ovr_find_options *o = &f->how;
+    const char **const texts[] = {&o->key,       &o->low,   &o->high,
+                                  &o->condition, &o->which, &o->table};
+    if (OVR_SIZED_TAKE(ovr_find_options, o, options, err))
+        return OVR_BAD_INPUT;
+    if (!o->key || !o->low || !o->high || !o->condition)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "find: key, low, high and condition are wanted");
+    if (o->tolerance != 0 && !(o->tolerance >= 1e-9 && o->tolerance <= 0.5))
+        return ovr_fail_about(err, "tolerance",
+                              "tolerance: must be 1e-9 to 0.5");
+    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
+        if (*texts[k] &&
+            !(*texts[k] = ovr_arena_text(&f->arena, *texts[k], err)))
+            return OVR_NO_MEMORY;
+    return OVR_OK;
+}
+
+static ovr_status prepare(ovr_find *f, ovr_case *c,
+                          const ovr_find_options *options, ovr_error *err)
+{
+    ovr_find_info *i = &f->info;
+    ovr_status status = take_options(f, options, err);
+    *i = (ovr_find_info){.size = sizeof *i, .message = f->message};
+    i->value = i->at_value = i->low = i->high = NAN;
+    i->slope = i->error = i->scatter = NAN;
+    i->key = f->how.key;
+    i->which = f->how.which;
+    if (status)
+        return status;
+    f->made = ovr_arena_take(&f->arena, MOST, sizeof *f->made, err);
+    f->base = f->made ? ovr_case_apart(c, err) : NULL;
+    if (!f->base)
+        return OVR_NO_MEMORY;
+    if (take_ends(f, err) || take_condition(f, err) || look_up(f, err) ||
+        try_ends(f, err))
+        return OVR_BAD_INPUT;
+    if (!f->how.table)
+        return OVR_OK;
+    status = ovr_find_table_open(&f->table, f->how.table, f->how.go_on, f->made,
+                                 MOST, &i->evaluations, &f->arena, err);
+    for (size_t k = 0; k < i->evaluations; k++)
+        i->marked = i->marked || f->made[k].marked > 0;
+    return status;
+}
+
+ovr_find *ovr_find_create(ovr_case *c, const ovr_find_options *options,
+                          ovr_error *err)
+{
+    if (!c || !options)
+        return ovr_null(err, __func__);
+    ovr_arena arena = ovr_arena_make(NULL);
+    ovr_find *f = ovr_arena_take(&arena, 1, sizeof *f, err);
+    if (!f)
+        return NULL;
+    f->arena = arena;
+    f->table.file = NULL;
+    if (prepare(f, c, options, err)) {
+        ovr_find_free(f);
+        return NULL;
+    }
+    return f;
+}
+
+void ovr_find_free(ovr_find *find)
+{
+    if (!find)
+        return;
+    ovr_find_table_close(&find->table);
+    ovr_case_free(find->base);
+    ovr_arena arena = find->arena;
+    ovr_arena_release(&arena);
+}
+
+const ovr_find_info *ovr_find_about(const ovr_find *find)
+{
+    if (!find)
+        return NULL;
+    return &find->info;
+}
+
+void ovr_find_evaluation_into(const ovr_find *find, size_t k,
+                              ovr_find_evaluation *evaluation)
+{
+    ovr_find_evaluation none = {.size = sizeof none,
+                                .value = NAN,
+                                .quantity = NAN,
+                                .seconds = NAN,
+                                .message = ""};
+    if (find && k < find->info.evaluations)
+        none = find->made[k];
+    ovr_sized_give(evaluation, &none, sizeof none);
+}
+
+void ovr_find_summary(const ovr_find *find, ovr_summary_taker *take, void *data)
+{
+    if (!find || !take || !find->answered)
+        return;
+    for (size_t k = 0; k < find->answer.lines; k++) {
+        const ovr_summary_line line = {sizeof line, find->answer.key[k],
+                                       OVR_SUMMARY_NUMBER,
+                                       find->answer.number[k], NULL};
+        take(data, &line);
+    }
+}

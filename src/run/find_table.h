@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The evaluations of a search as CSV, a row as soon as it is known: one that
+ * was stopped goes on with them. */
+#ifndef OVR_RUN_FIND_TABLE_H
+#define OVR_RUN_FIND_TABLE_H
+
+#include <stdio.h>
+
+#include "base/arena.h"
+#include "overroll/questions.h"
+
+typedef struct ovr_find_table {
+    FILE *file; /* NULL: none is wanted */
+    const char *path;
+} ovr_find_table;
+
+/* Makes it anew, or reads what it holds and goes on behind it. */
+ovr_status ovr_find_table_open(ovr_find_table *table, const char *path,
+                               bool go_on, ovr_find_evaluation *made,
+                               size_t most, size_t *count, ovr_arena *arena,
+                               ovr_error *err);
+
+/* On the disk when it returns. */
+ovr_status ovr_find_table_add(ovr_find_table *table,
+                              const ovr_find_evaluation *one, ovr_error *err);
+void ovr_find_table_close(ovr_find_table *table);
+
+#endif
