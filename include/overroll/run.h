@@ -314,6 +314,7 @@ OVR_API void ovr_setup_review(const ovr_setup *setup, ovr_listener *say,
  *     ovr_study_free(study);
  */
 typedef struct ovr_study ovr_study;
+struct ovr_find; /* overroll/questions.h */
 
 /* Every key and value is tried on the base case. */
 OVR_API ovr_study *ovr_study_read(const char *path,
@@ -374,6 +375,9 @@ typedef struct ovr_sweep_options {
     void (*progress)(void *data, size_t ended, size_t cases, int running,
                      size_t failed, double fraction);
     bool (*stop)(void *data); /* asked as often */
+    /* As `report`, of a study with [find]. */
+    void (*report_find)(void *data, const struct ovr_find *find,
+                        const ovr_error *err, FILE *summary);
 } ovr_sweep_options;
 OVR_SIZED(ovr_sweep_options)
 

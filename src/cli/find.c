@@ -143,7 +143,8 @@ static void report_table(const cli_call *call, const ovr_find *find)
             printf("  1 %% of it is %.3g %% of %s\n",
                    i->slope * i->value / i->at_value, i->quantity);
     }
-    if (call->verbosity > 0 || (i->end != OVR_FIND_FOUND && !i->exact))
+    if (i->evaluations &&
+        (call->verbosity > 0 || (i->end != OVR_FIND_FOUND && !i->exact)))
         put_table(find, i);
 }
 

@@ -89,6 +89,9 @@ _overroll() {
         _overroll_words $choices
     elif [[ $word == -* ]]; then
         _overroll_words $(_overroll_options "$verb")
+    elif [[ $verb == find ]] && ((COMP_CWORD > 2)); then
+        _overroll_words largest smallest between and so that is at most least \
+            $(_overroll_keys '' | tr -d =)
     elif [[ $verb == help ]]; then
         _overroll_words $(_overroll_commands) contact lubricant domain solver \
             time load speed feature output units

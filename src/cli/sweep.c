@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/find_report.h"
 #include "cli/json.h"
 #include "cli/report.h"
 #include "cli/run.h"
@@ -30,6 +31,25 @@ static void report_case(void *data, const ovr_run *run, const ovr_error *err,
         cli_report_json(ovr_run_about(run), summary);
     if (run)
         cli_run_code(&w->logged, run, err->status, err);
+    else
+        cli_fail(err);
+}
+
+/* The same of what it found. */
+static void report_found(void *data, const ovr_find *find, const ovr_error *err,
+                         FILE *summary)
+{
+    const sweeping *w = data;
+    if (find && !err->status) {
+        json_writer json = json_begin(summary);
+        cli_json_find(&json, find);
+        json_number(&json, ovr_find_about(find)->key,
+                    ovr_find_about(find)->value);
+        ovr_find_summary(find, cli_json_line, &json);
+        json_end(&json);
+    }
+    if (find)
+        cli_report_find(&w->logged, find, err->status, err);
     else
         cli_fail(err);
 }
@@ -254,6 +274,7 @@ static int run(cli_call *call)
     w.how.redo = cli_flag(call, "redo");
     w.how.data = &w;
     w.how.report = report_case;
+    w.how.report_find = report_found;
     w.how.progress = progress;
     w.how.stop = stop;
     w.s = ovr_study_read(call->argument[0], NULL, &err);

@@ -366,7 +366,8 @@ static ovr_status brent(searching *w, bracket *in, double *bad)
         in->a = (point){b.s, b.q + target};
         in->b = (point){c.s, c.q + target};
         if (fabs(middle) <= close ||
-            (!w->p->sense && !w->p->exact && fabs(b.q) <= 1e-10 * fabs(target)) ||
+            (!w->p->sense && !w->p->exact &&
+             fabs(b.q) <= 1e-10 * fabs(target)) ||
             (!w->p->exact && judge_about(w, b.s) && w->r->scatters))
             break;
         step = fabs(e) >= close && fabs(a.q) > fabs(b.q)

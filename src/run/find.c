@@ -11,6 +11,7 @@
 #include "base/sized.h"
 #include "mathematics/search.h"
 #include "overroll/text.h"
+#include "run/comparison.h"
 #include "run/find_table.h"
 #include "run/trials.h"
 
@@ -148,127 +149,30 @@ static ovr_status try_ends(ovr_find *f, ovr_error *err)
     return status;
 }
 
-/* "at most", "<=" and so on at *text, which moves behind it. */
-static bool read_relation(const char **text, int *sense)
-{
-    static const struct {
-        const char *words;
-        int sense;
-    } forms[] = {{"is ", 0}, {"== ", 0},       {"= ", 0},   {"at least ", 1},
-                 {">= ", 1}, {"at most ", -1}, {"<= ", -1}, {"==", 0},
-                 {"=", 0},   {">=", 1},        {"<=", -1}};
-    *text += strspn(*text, " \t");
-    for (size_t k = 0; k < sizeof forms / sizeof *forms; k++)
-        if (!strncmp(*text, forms[k].words, strlen(forms[k].words))) {
-            *text += strlen(forms[k].words);
-            *sense = forms[k].sense;
-            return true;
-        }
-    return false;
-}
-
-/* The number of runs in SI that a quantity in Hertzian units has beside it;
- * NULL: none. */
-static const char *twin_of(const char *quantity)
-{
-    const ovr_observable *o;
-    const ovr_extreme *e;
-    for (size_t k = 0; (o = ovr_observable_at(k)); k++)
-        if (o->key && !strcmp(o->key, quantity))
-            return o->key_si;
-    for (size_t k = 0; (e = ovr_extreme_at(k)); k++)
-        if (!strcmp(e->key, quantity))
-            return e->key_si;
-    return NULL;
-}
-
-/* The other way round. */
-static const char *bare_twin(const char *quantity)
-{
-    const ovr_observable *o;
-    const ovr_extreme *e;
-    for (size_t k = 0; (o = ovr_observable_at(k)); k++)
-        if (o->key && o->key_si && !strcmp(o->key_si, quantity))
-            return o->key;
-    for (size_t k = 0; (e = ovr_extreme_at(k)); k++)
-        if (e->key_si && !strcmp(e->key_si, quantity))
-            return e->key;
-    return quantity;
-}
-
-/* "N/m" stands as "_N_per_m" at the end of a key, "1/Pa" as "_per_Pa". */
-static bool ends_in(const char *key, const char *si)
-{
-    char ending[40] = "_";
-    size_t used = 1, size = strlen(key);
-    for (si += !strncmp(si, "1/", 2); *si && used + 6 < sizeof ending; si++)
-        if (*si == '/')
-            used += (size_t)snprintf(ending + used, sizeof ending - used, "%s",
-                                     used > 1 ? "_per_" : "per_");
-        else
-            ending[used++] = *si == '.' ? '_' : *si, ending[used] = '\0';
-    return size > used && !strcmp(key + size - used, ending);
-}
-
-/* A unit makes the target SI, and picks the quantity that is in it. */
-static ovr_status take_target(ovr_find *f, const char *text, ovr_error *err)
-{
-    const char *at = text, *twin = twin_of(f->info.quantity), *si;
-    ovr_quantity q;
-    ovr_dimension dimension;
-    if (!ovr_read_number(&at, &f->info.target))
-        return ovr_fail_about(err, "condition",
-                              "%s: '%.60s' is no number to compare with",
-                              f->info.quantity, text);
-    at += strspn(at, " \t");
-    if (!*at)
-        return OVR_OK;
-    dimension = ovr_unit_dimension(at);
-    if (dimension == OVR_PURE ||
-        ovr_quantity_read(text, dimension, false, &q, NULL))
-        return ovr_fail_about(err, "condition", "%s: unknown unit '%.40s'",
-                              f->info.quantity, at);
-    si = ovr_unit_si(dimension);
-    if (twin && ends_in(twin, si))
-        f->info.quantity = twin;
-    else if (!ends_in(f->info.quantity, si) && strcmp(si, "K") != 0)
-        return ovr_fail_about(err, "condition", "%s is not in %.40s",
-                              f->info.quantity, at);
-    f->info.target = q.value;
-    return OVR_OK;
-}
-
 static ovr_status take_condition(ovr_find *f, ovr_error *err)
 {
-    const char *text = f->how.condition + strspn(f->how.condition, " \t");
-    size_t size = strcspn(text, " \t<=>");
-    char *quantity = ovr_arena_take(&f->arena, size + 1, 1, err);
     const char *which = f->how.which;
-    if (!quantity)
-        return OVR_NO_MEMORY;
-    memcpy(quantity, text, size);
-    f->info.quantity = quantity;
-    text += size;
-    if (!size || !read_relation(&text, &f->info.sense))
-        return ovr_fail_about(
-            err, "condition",
-            "'%.80s' must be QUANTITY is VALUE, at most VALUE "
-            "or at least VALUE",
-            f->how.condition);
+    ovr_comparison said;
+    if (ovr_comparison_read(f->how.condition, &said, &f->arena, err))
+        return OVR_BAD_INPUT;
+    f->info.quantity = said.quantity;
+    f->info.sense = said.sense;
+    f->info.target = said.target;
     if (which && strcmp(which, "largest") != 0 &&
         strcmp(which, "smallest") != 0)
         return ovr_fail_about(err, "which",
-                              "'%.40s' must be largest or "
-                              "smallest",
-                              which);
-    if (!f->info.sense != !which)
+                              "'%.40s' must be largest or smallest", which);
+    if (which && !said.sense)
         return ovr_fail_about(err, "which",
-                              which ? "the %s %s so that %s is a value: say at "
-                                      "most or at least"
-                                    : "%.0s%s so that %s at most or at least a "
-                                      "value: say largest or smallest",
-                              which ? which : "", f->info.key, quantity);
-    return take_target(f, text + strspn(text, " \t"), err);
+                              "the %s %s so that %s is a value: say at most or "
+                              "at least",
+                              which, f->info.key, said.quantity);
+    if (!which && said.sense)
+        return ovr_fail_about(err, "which",
+                              "%s so that %s is at most or at least a value: "
+                              "say largest or smallest",
+                              f->info.key, said.quantity);
+    return OVR_OK;
 }
 
 /* --------------------------------------------------------------- quantities */
@@ -576,7 +480,8 @@ static ovr_status run_answer(ovr_find *f, ovr_error *err)
     f->answer = *ovr_trials_at(t, 0);
     f->answered = !f->answer.failed;
     ovr_trials_free(t);
-    snprintf(key, sizeof key, "%.50s_error_relative", bare_twin(i->quantity));
+    snprintf(key, sizeof key, "%.50s_error_relative",
+             ovr_quantity_bare(i->quantity));
     i->error = fabs(ovr_trial_number(&f->answer, key, NULL) * i->at_value /
                     i->slope);
     if (!i->exact && isnan(i->error))

@@ -8,12 +8,13 @@
 
 #include "base/entries.h"
 #include "base/given.h"
+#include "base/text.h"
 #include "case/parameters.h"
 #include "overroll/text.h"
 
 enum { LINE_MOST = 65534, STUDY_MOST = 1 << 22 };
 
-enum section { NO_SECTION, STUDY, SET, PRODUCT, ZIP };
+enum section { NO_SECTION, STUDY, SET, PRODUCT, ZIP, FIND, RANDOM, LIMITS };
 
 typedef struct reading {
     ovr_study *s;
@@ -21,6 +22,7 @@ typedef struct reading {
     enum section section;
     int zips;
     const char *zip_name;
+    const char *table; /* of [random file TABLE]; or NULL */
     ovr_error *err;
 } reading;
 
@@ -31,36 +33,6 @@ static ovr_status fail(reading *r, const char *what, const char *about)
 
 /* ------------------------------------------------------------------ lines */
 
-static ovr_status open_section(reading *r, const char *header)
-{
-    static const char *const names[] = {"study", "set", "product", "zip"};
-    char name[64];
-    const char *meant;
-    snprintf(name, sizeof name, "%.*s", (int)strcspn(header, " \t"), header);
-    for (int i = 0; i < 4; i++)
-        if (!strcmp(name, names[i])) {
-            r->section = (enum section)(i + 1);
-            r->zips += r->section == ZIP;
-            header += strlen(name);
-            r->zip_name = ovr_arena_text(
-                &r->s->arena, header + strspn(header, " \t"), r->err);
-            return r->zip_name ? OVR_OK : OVR_NO_MEMORY;
-        }
-    if (ovr_section_find(name))
-        return fail(r,
-                    "[%s] belongs in a case: this is one, not a study; "
-                    "'overroll run' runs it",
-                    name);
-    meant = ovr_suggest(name, names, 4);
-    if (meant) {
-        ovr_fail_at(r->err, OVR_BAD_INPUT, r->s->path, r->line,
-                    "unknown section '%s'; did you mean '%s'?", name, meant);
-        return ovr_fail_meant(r->err, OVR_BAD_INPUT, meant);
-    }
-    return fail(r, "unknown section '%s'; there are study, set, product, zip",
-                name);
-}
-
 /* A path of the study, which starts at its folder. */
 static const char *path_of(reading *r, const char *value)
 {
@@ -69,6 +41,57 @@ static const char *path_of(reading *r, const char *value)
         return ovr_arena_text(&r->s->arena, value, r->err);
     snprintf(path, sizeof path, "%s/%s", r->s->folder, value);
     return ovr_arena_text(&r->s->arena, path, r->err);
+}
+
+/* [random], or [random file TABLE]. */
+static ovr_status open_random(reading *r)
+{
+    const char *rest = r->zip_name;
+    r->table = NULL;
+    if (!*rest)
+        return OVR_OK;
+    if (strncmp(rest, "file ", 5) != 0)
+        return fail(r, "[random %.60s]: must be [random] or [random file FILE]",
+                    rest);
+    rest += 5 + strspn(rest + 5, " \t");
+    return (r->table = path_of(r, rest)) ? OVR_OK : OVR_NO_MEMORY;
+}
+
+static ovr_status open_section(reading *r, const char *header)
+{
+    static const char *const names[] = {"study", "set",    "product", "zip",
+                                        "find",  "random", "limits"};
+    enum { NAMES = sizeof names / sizeof *names };
+    char name[64];
+    const char *meant;
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(header, " \t"), header);
+    for (int i = 0; i < NAMES; i++)
+        if (!strcmp(name, names[i])) {
+            r->section = (enum section)(i + 1);
+            r->zips += r->section == ZIP;
+            header += strlen(name);
+            r->zip_name = ovr_arena_text(
+                &r->s->arena, header + strspn(header, " \t"), r->err);
+            if (!r->zip_name)
+                return OVR_NO_MEMORY;
+            return r->section == RANDOM ? open_random(r) : OVR_OK;
+        }
+    if (ovr_section_find(name))
+        return fail(r,
+                    "[%s] belongs in a case: this is one, not a study; "
+                    "'overroll run' runs it",
+                    name);
+    meant = ovr_suggest(name, names, NAMES);
+    if (meant) {
+        ovr_fail_at(r->err, OVR_BAD_INPUT, r->s->path, r->line,
+                    "unknown section '%s'; did you mean '%s'?", name, meant);
+        return ovr_fail_meant(r->err, OVR_BAD_INPUT, meant);
+    }
+    return fail(
+        r,
+        "unknown section '%s'; there are study, set, product, zip, find, "
+        "random, limits",
+        name);
 }
 
 static ovr_status take_setting(reading *r, const char *key, const char *value)
@@ -128,6 +151,69 @@ static ovr_status take_values(reading *r, const char *key, const char *value)
     return OVR_OK;
 }
 
+/* "A, B" */
+static ovr_status take_ends(reading *r, const char *value)
+{
+    ovr_study_find *f = &r->s->find;
+    char **ends;
+    size_t count = 0;
+    ovr_error why = {0};
+    if (ovr_study_values(value, &r->s->arena, &ends, &count, &why) ||
+        count != 2)
+        return fail(r, "between: '%.60s' must be two numbers, A, B", value);
+    f->low = ends[0];
+    f->high = ends[1];
+    return OVR_OK;
+}
+
+static ovr_status take_find(reading *r, const char *key, const char *value)
+{
+    static const char *const names[] = {"key", "between", "so_that", "which",
+                                        "tolerance"};
+    ovr_study_find *f = &r->s->find;
+    const char *meant, *at = value, **to = NULL;
+    f->line = r->line;
+    if (!strcmp(key, "between"))
+        return take_ends(r, value);
+    if (!strcmp(key, "tolerance"))
+        return ovr_read_number(&at, &f->tolerance) && !*at
+                   ? OVR_OK
+                   : fail(r, "tolerance: '%.40s' must be a number", value);
+    to = !strcmp(key, "key")       ? &f->key
+         : !strcmp(key, "so_that") ? &f->condition
+         : !strcmp(key, "which")   ? &f->which
+                                   : NULL;
+    if (to)
+        return (*to = ovr_arena_text(&r->s->arena, value, r->err))
+                   ? OVR_OK
+                   : OVR_NO_MEMORY;
+    meant = ovr_suggest(key, names, sizeof names / sizeof *names);
+    ovr_fail_at(r->err, OVR_BAD_INPUT, r->s->path, r->line,
+                meant ? "unknown key '%.60s' in [find]; did you mean '%s'?"
+                      : "unknown key '%.60s' in [find]; there are key, "
+                        "between, so_that, which, tolerance",
+                key, meant);
+    return meant ? ovr_fail_meant(r->err, OVR_BAD_INPUT, meant) : OVR_BAD_INPUT;
+}
+
+/* "min_film_m >= 0.2 um": the entry ends its key before the '='. */
+static ovr_status take_limit(reading *r, const char *key, const char *value)
+{
+    char text[400];
+    ovr_error why = {0};
+    ovr_study *s = r->s;
+    size_t size = strlen(key);
+    bool sign = size && strchr("<>", key[size - 1]);
+    snprintf(text, sizeof text, "%.180s%s %.180s", key, sign ? "=" : "", value);
+    if (s->limits == OVR_STUDY_MOST_LIMITS)
+        return fail(r, "'%.60s' is one limit too many: at most 16", key);
+    if (ovr_comparison_read(text, &s->limit[s->limits], &s->arena, &why))
+        return fail(r, "%.300s", why.message);
+    if (!s->limit[s->limits++].sense)
+        return fail(r, "'%.100s': a limit is >= or <= a value", text);
+    return OVR_OK;
+}
+
 static ovr_status take_entry(reading *r, const ovr_entry *entry)
 {
     r->line = entry->line;
@@ -135,8 +221,15 @@ static ovr_status take_entry(reading *r, const ovr_entry *entry)
         return open_section(r, entry->section);
     if (!*entry->value)
         return fail(r, "%.60s: the value is missing", entry->key);
-    return r->section == STUDY ? take_setting(r, entry->key, entry->value)
-                               : take_values(r, entry->key, entry->value);
+    switch (r->section) {
+    case STUDY: return take_setting(r, entry->key, entry->value);
+    case FIND: return take_find(r, entry->key, entry->value);
+    case RANDOM:
+        return ovr_study_take_random(r->s, entry->key, entry->value, r->table,
+                                     r->line, r->err);
+    case LIMITS: return take_limit(r, entry->key, entry->value);
+    default: return take_values(r, entry->key, entry->value);
+    }
 }
 
 static ovr_status read_lines(reading *r)
@@ -213,16 +306,31 @@ static ovr_status set_places(ovr_study *s, ovr_error *err)
     return s->folder && s->output ? OVR_OK : OVR_NO_MEMORY;
 }
 
+/* All of [find] or none of it. */
+static ovr_status check_find(const ovr_study *s, ovr_error *err)
+{
+    const ovr_study_find *f = &s->find;
+    if (!f->line || (f->key && f->low && f->condition))
+        return OVR_OK;
+    return ovr_fail_at(err, OVR_BAD_INPUT, s->path, f->line,
+                       "[find]: %s is missing",
+                       !f->key   ? "key"
+                       : !f->low ? "between"
+                                 : "so_that");
+}
+
 static ovr_status read_study(ovr_study *s, const char *path, ovr_error *err)
 {
     reading r = {.s = s, .err = err};
     s->results = true;
     s->path = ovr_arena_text(&s->arena, path, err);
     if (!s->path || set_places(s, err) || read_lines(&r) ||
+        check_find(s, err) || ovr_study_draw_all(s, r.zips + 1, err) ||
         check_zips(s, err) || set_strides(s, err) ||
         ovr_study_name_tasks(s, err))
         return OVR_BAD_INPUT;
-    return ovr_study_try_values(s, err);
+    return ovr_study_try_values(s, err) ? OVR_BAD_INPUT
+                                        : ovr_study_try_find(s, err);
 }
 
 ovr_study *ovr_study_read(const char *path, const ovr_allocator *allocator,

@@ -13,6 +13,11 @@
  *     [zip loads]
  *     contact.M = 10, 20, 50
  *     contact.L = 5, 7, 9
+ *     [random]
+ *     draws = 200
+ *     contact.load = normal 300 kN/m sd 10 %
+ *     [limits]
+ *     min_film_m >= 0.2 um
  *
  * Cases ("tasks") are counted from 1 in messages and on the command line,
  * from 0 in the code.  The last key of the file changes fastest.
@@ -24,9 +29,15 @@
 #include <stddef.h>
 
 #include "base/arena.h"
+#include "mathematics/draws.h"
 #include "overroll/run.h"
+#include "run/comparison.h"
 
-enum { OVR_STUDY_MOST_KEYS = 64, OVR_STUDY_MOST_TASKS = 1000000 };
+enum {
+    OVR_STUDY_MOST_KEYS = 64,
+    OVR_STUDY_MOST_TASKS = 1000000,
+    OVR_STUDY_MOST_LIMITS = 16
+};
 
 /* One parameter: the value in task i is value[(i / stride) % count]. */
 typedef struct ovr_study_key {
@@ -38,7 +49,32 @@ typedef struct ovr_study_key {
     int zip;              /* keys of one number change together; 0: alone */
     const char *zip_name; /* "" for a [zip] without one */
     bool fixed;           /* of [set]: in no name and no table */
+    bool random;          /* of [random]: values are draws */
+    bool related;         /* drawn together with others, from rows of a file */
 } ovr_study_key;
+
+/* [find]: what each case is to find, in place of a run. */
+typedef struct ovr_study_find {
+    const char *key; /* NULL: there is none */
+    const char *low, *high, *condition, *which;
+    double tolerance;
+    long line;
+} ovr_study_find;
+
+/* [random]: a key as it is written, before it is drawn. */
+typedef struct ovr_study_chance {
+    const char *where, *text;
+    const char *file; /* of [random file FILE]; or NULL */
+    long line;
+} ovr_study_chance;
+
+typedef struct ovr_study_random {
+    ovr_sampling how; /* draws 0: nothing is random */
+    bool grows;       /* shifts were given or are used */
+    long line;
+    ovr_study_chance key[OVR_STUDY_MOST_KEYS];
+    size_t keys;
+} ovr_study_random;
 
 struct ovr_study {
     ovr_arena arena;
@@ -49,6 +85,10 @@ struct ovr_study {
     bool results;          /* a result file for each case */
     ovr_study_key key[OVR_STUDY_MOST_KEYS];
     size_t keys, tasks;
+    ovr_study_find find;
+    ovr_study_random random;
+    ovr_comparison limit[OVR_STUDY_MOST_LIMITS];
+    size_t limits;
     char **name; /* of each task: "depth=0.1_slide_to_roll=0.5" */
 };
 
@@ -59,10 +99,26 @@ const char *ovr_study_value(const ovr_study *s, const ovr_study_key *key,
 void ovr_study_file(const ovr_study *s, size_t task, const char *ending,
                     char *path, size_t room);
 
+/* The draw of a task, from 0; the cases of one draw differ in keys that are not
+ * random. */
+size_t ovr_study_draw(const ovr_study *s, size_t task);
+
+/* A setting or a key of [random], and after all lines the values of its keys,
+ * as one zip behind all others. */
+ovr_status ovr_study_take_random(ovr_study *s, const char *key,
+                                 const char *value, const char *file, long line,
+                                 ovr_error *err);
+ovr_status ovr_study_draw_all(ovr_study *s, int zip, ovr_error *err);
+
 /* Steps of reading: names of all tasks; every value once into the base
  * case, so that what is wrong is known before anything runs. */
 ovr_status ovr_study_name_tasks(ovr_study *s, ovr_error *err);
 ovr_status ovr_study_try_values(const ovr_study *s, ovr_error *err);
+ovr_status ovr_study_try_find(const ovr_study *s, ovr_error *err);
+
+/* What a task does, as text: two that say the same are the same. */
+char *ovr_study_text(const ovr_study *s, ovr_case *c, ovr_arena *arena,
+                     ovr_error *err);
 
 /* "1, 2, 5", "a, b | c, d", "1..8", "linear 1 to 5 in 3", "log 0.1 um to
  * 10 um in 5": the values one by one. */

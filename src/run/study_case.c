@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/given.h"
+#include "overroll/questions.h"
 #include "run/study.h"
 
 enum { NAME_MOST = 120 };
@@ -14,6 +15,11 @@ const char *ovr_study_value(const ovr_study *s, const ovr_study_key *key,
 {
     (void)s;
     return key->value[(task / key->stride) % key->count];
+}
+
+size_t ovr_study_draw(const ovr_study *s, size_t task)
+{
+    return s->random.how.draws ? task % s->random.how.draws : 0;
 }
 
 /* ------------------------------------------------------------------ names */
@@ -73,15 +79,20 @@ static char *task_name(ovr_study *s, size_t task, ovr_error *err)
     name[0] = '\0';
     for (size_t i = 0; i < s->keys && n < sizeof name - 300; i++) {
         char part[300];
-        if (s->key[i].fixed)
+        if (s->key[i].fixed || s->key[i].random)
             continue;
         snprintf(part, sizeof part, "%s%s=%s", n ? "_" : "", s->key[i].shown,
                  ovr_study_value(s, &s->key[i], task));
         n += put_safe(name + n, sizeof name - n, part);
     }
-    if (n > NAME_MOST)
+    if (n > NAME_MOST) {
         snprintf(name + NAME_MOST - 9, 10, "-%08x", hash(name));
-    return ovr_arena_text(&s->arena, n ? name : "case", err);
+        n = NAME_MOST;
+    }
+    if (s->random.how.draws)
+        snprintf(name + n, sizeof name - n, "%sdraw-%04zu", n ? "_" : "",
+                 ovr_study_draw(s, task) + 1);
+    return ovr_arena_text(&s->arena, *name ? name : "case", err);
 }
 
 static int by_name(const void *a, const void *b)
@@ -155,14 +166,73 @@ ovr_case *ovr_study_case(const ovr_study *s, size_t task, ovr_error *err)
     return c;
 }
 
+/* A draw that the case does not take: which, and what may be done. */
+static ovr_status bad_draw(const ovr_study *s, const ovr_study_key *k, size_t v,
+                           const ovr_error *why, ovr_error *err)
+{
+    const char *what = why->message + why->file;
+    what += strspn(what, ":0123456789 ");
+    return ovr_fail_at(err, OVR_BAD_INPUT, s->path, k->line,
+                       "draw %zu of %s is %.60s: %.500s; use lognormal or "
+                       "within",
+                       v + 1, k->where, k->value[v], what);
+}
+
 /* Every value once, so that what is wrong is known before anything runs. */
 ovr_status ovr_study_try_values(const ovr_study *s, ovr_error *err)
 {
     ovr_case *c = base_case(s, err);
     ovr_status status = c ? OVR_OK : OVR_BAD_INPUT;
     for (size_t i = 0; !status && i < s->keys; i++)
-        for (size_t v = 0; !status && v < s->key[i].count; v++)
-            status = put(s, &s->key[i], s->key[i].value[v], c, err);
+        for (size_t v = 0; !status && v < s->key[i].count; v++) {
+            ovr_error why = {0};
+            status = put(s, &s->key[i], s->key[i].value[v], c,
+                         s->key[i].random ? &why : err);
+            if (status && s->key[i].random)
+                bad_draw(s, &s->key[i], v, &why, err);
+        }
     ovr_case_free(c);
     return status;
+}
+
+/* What [find] asks, of the first case. */
+ovr_status ovr_study_try_find(const ovr_study *s, ovr_error *err)
+{
+    const ovr_study_find *f = &s->find;
+    ovr_find_options how = ovr_find_options_default();
+    ovr_error why = {0};
+    ovr_case *c = f->key ? ovr_study_case(s, 0, err) : NULL;
+    ovr_find *find;
+    if (!c)
+        return f->key ? OVR_BAD_INPUT : OVR_OK;
+    how.key = f->key;
+    how.low = f->low;
+    how.high = f->high;
+    how.condition = f->condition;
+    how.which = f->which;
+    how.tolerance = f->tolerance;
+    find = ovr_find_create(c, &how, &why);
+    ovr_find_free(find);
+    ovr_case_free(c);
+    return find ? OVR_OK
+                : ovr_fail_at(err, why.status, s->path, f->line, "%.900s",
+                              why.message);
+}
+
+char *ovr_study_text(const ovr_study *s, ovr_case *c, ovr_arena *arena,
+                     ovr_error *err)
+{
+    const ovr_study_find *f = &s->find;
+    const char *text = ovr_case_text(c, err);
+    size_t room = (text ? strlen(text) : 0) + 2000;
+    char *all = text ? ovr_arena_take(arena, room, 1, err) : NULL;
+    if (all && f->key)
+        snprintf(all, room,
+                 "%s# find %.200s %.300s between %.100s and %.100s so that "
+                 "%.400s, to %g\n",
+                 text, f->which ? f->which : "", f->key, f->low, f->high,
+                 f->condition, f->tolerance);
+    else if (all)
+        strcpy(all, text);
+    return all;
 }

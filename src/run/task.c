@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "base/lock.h"
+#include "overroll/questions.h"
 #include "run/internal.h"
 
 enum { PATH_ROOM = 4400 };
@@ -66,9 +67,9 @@ static bool same_case(const ovr_study *s, size_t task, int fd)
 {
     ovr_error err = {0};
     ovr_case *c = ovr_study_case(s, task, &err);
-    const char *text = c ? ovr_case_text(c, &err) : NULL;
-    size_t length = text ? strlen(text) : 0;
     ovr_arena arena = ovr_arena_make(&s->arena.allocator);
+    const char *text = c ? ovr_study_text(s, c, &arena, &err) : NULL;
+    size_t length = text ? strlen(text) : 0;
     char *found = text ? ovr_arena_take(&arena, length + 2, 1, NULL) : NULL;
     bool same = false;
     if (found) {
@@ -87,7 +88,9 @@ static ovr_sweep_state state_by_files(const ovr_study *s, size_t task)
         return OVR_SWEEP_FINISHED;
     if (exists(s, task, ".failed"))
         return OVR_SWEEP_FAILED;
-    return exists(s, task, ".h5") ? OVR_SWEEP_STOPPED : OVR_SWEEP_WAITING;
+    return exists(s, task, ".h5") || exists(s, task, ".find.csv")
+               ? OVR_SWEEP_STOPPED
+               : OVR_SWEEP_WAITING;
 }
 
 ovr_sweep_state ovr_sweep_state_of(const ovr_study *s, size_t task)
@@ -219,19 +222,23 @@ static ovr_status change(void *data, ovr_case *c, ovr_error *err)
 }
 
 /* The case into the locked file, for those who come later. */
-static bool write_case(int fd, ovr_case *c)
+static bool write_case(const ovr_study *s, int fd, ovr_case *c)
 {
-    const char *text = ovr_case_text(c, NULL);
+    ovr_arena arena = ovr_arena_make(&s->arena.allocator);
+    const char *text = ovr_study_text(s, c, &arena, NULL);
     size_t length = text ? strlen(text) : 0;
-    return text && ftruncate(fd, 0) == 0 &&
-           pwrite(fd, text, length, 0) == (ssize_t)length && fsync(fd) == 0;
+    bool written = text && ftruncate(fd, 0) == 0 &&
+                   pwrite(fd, text, length, 0) == (ssize_t)length &&
+                   fsync(fd) == 0;
+    ovr_arena_release(&arena);
+    return written;
 }
 
 static void start_afresh(const ovr_study *s, size_t task)
 {
     static const char *const endings[] = {".json", ".json.part",  ".failed",
                                           ".h5",   ".h5.journal", ".h5.restart",
-                                          ".log"};
+                                          ".log",  ".find.csv"};
     for (size_t i = 0; i < sizeof endings / sizeof endings[0]; i++)
         discard(s, task, endings[i]);
 }
@@ -278,19 +285,62 @@ static void report(const working *w, const ovr_run *run, const ovr_error *err)
     }
 }
 
+/* What is found in place of a run: the answer's column has the key's name. */
+static void report_find(const working *w, const ovr_find *find,
+                        const ovr_error *err)
+{
+    const ovr_find_info *about = find ? ovr_find_about(find) : NULL;
+    if (w->how->report_find) {
+        w->how->report_find(w->how->data, find, err, w->summary);
+    } else if (about && err->status == OVR_OK) {
+        fprintf(w->summary, "{\n  \"%s\": %.17g,\n", about->key, about->value);
+        ovr_find_summary(find, put_line, w->summary);
+        fputs("  \"finished\": true\n}\n", w->summary);
+    }
+}
+
+/* Evaluations lie in NAME.find.csv as they come: a search that was stopped goes
+ * on with them. */
+static void find_case(working *w, ovr_case *c, ovr_error *err)
+{
+    const ovr_study_find *asked = &w->s->find;
+    ovr_find_options how = ovr_find_options_default();
+    char path[PATH_ROOM];
+    ovr_study_file(w->s, w->task, ".find.csv", path, sizeof path);
+    how.key = asked->key;
+    how.low = asked->low;
+    how.high = asked->high;
+    how.condition = asked->condition;
+    how.which = asked->which;
+    how.tolerance = asked->tolerance;
+    how.table = path;
+    how.go_on = true;
+    how.data = w;
+    how.say = say;
+    how.stop = stop;
+    ovr_find *find = ovr_find_create(c, &how, err);
+    if (find && ovr_find_go(find, err) == OVR_OK)
+        err->status = OVR_OK;
+    report_find(w, find, err);
+    ovr_find_free(find);
+}
+
 /* The run and its summary. */
 static void run_case(working *w, bool resume, int fd, ovr_error *err)
 {
     ovr_case *c = ovr_study_case(w->s, w->task, err);
     ovr_run *run = NULL;
-    if (c && !write_case(fd, c))
+    if (c && !write_case(w->s, fd, c))
         ovr_fail(err, OVR_IO, "%s/%s.h5: its case cannot be written: %s",
                  w->s->output, w->s->name[w->task], strerror(errno));
-    else if (c)
+    else if (c && !w->s->find.key)
         run = begin(w, c, resume, err);
     if (run && ovr_run_go(run, err) == OVR_OK)
         err->status = OVR_OK;
-    report(w, run, err);
+    if (c && w->s->find.key && !err->status)
+        find_case(w, c, err);
+    else
+        report(w, run, err);
     if (err->status == OVR_OK)
         keep_summary(w->s, w->task, w->summary, err);
     ovr_run_free(run);

@@ -34,6 +34,8 @@ if command -v bash >/dev/null; then
     completes 'feature.dent.depth=' overroll run a.ini --set feature.dent.dep
     completes 'upstream1 upstream2' overroll run a.ini --set time.scheme = up
     completes 'yes no' overroll run a.ini --set feature.d.invert =
+    completes 'contact.load' overroll find a.ini contact.lo
+    completes 'between' overroll find a.ini contact.load betw
     completes '--kind' overroll plot a.h5 --ki
 fi
 

@@ -56,6 +56,7 @@ static struct {
     ovr_restart *restart;
     ovr_study *study;
     ovr_table *table;
+    ovr_find *find;
     ovr_stored_stress *stored;
     ovr_stress *stress;
     ovr_passage *passage;
@@ -169,6 +170,15 @@ static ovr_run *new_run(const char *path)
     return ovr_run_create(own.c, &how, NULL, &own.err);
 }
 
+static ovr_find *new_find(void)
+{
+    ovr_find_options how = ovr_find_options_default();
+    how.key = "contact.L";
+    how.low = "5", how.high = "15";
+    how.condition = "H_cen_moes is 0.2";
+    return ovr_find_create(own.c, &how, &own.err);
+}
+
 static void make_files(void)
 {
     write_file("dent.ini", dent);
@@ -182,6 +192,7 @@ static void make_files(void)
     own.restart = made(ovr_restart_open("made.h5", NULL, &own.err), "restart");
     own.study = made(ovr_study_read("study.ini", NULL, &own.err), "study");
     own.table = made(ovr_study_table(own.study, &own.err), "table");
+    own.find = made(new_find(), "search");
     own.stored = made(ovr_stored_stress_create("made.h5", NULL, NULL, &own.err),
                       "stored stress");
     own.reports[0] = own.reports[1] = ovr_stored_stress_report(own.stored, 1);
@@ -353,6 +364,8 @@ static const char *const words[] = {"dent", "bump", NULL};
 #define GOOD_ovr_restart_to own.restart
 #define GOOD_ovr_study_to own.study
 #define GOOD_ovr_table_to own.table
+#define GOOD_ovr_find_to own.find
+#define GOOD_ovr_trials_to NULL
 #define GOOD_ovr_stored_stress_to own.stored
 #define GOOD_ovr_stress_report_to_const_to own.reports
 #define GOOD_ovr_stress_report_to_to own.reports

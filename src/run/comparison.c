@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "run/comparison.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/quantity.h"
+#include "overroll/simulation.h"
+
+/* "at most", "<=" and so on at *text, which moves behind it. */
+static bool read_relation(const char **text, int *sense)
+{
+    static const struct {
+        const char *words;
+        int sense;
+    } forms[] = {{"is ", 0}, {"== ", 0},       {"= ", 0},   {"at least ", 1},
+                 {">= ", 1}, {"at most ", -1}, {"<= ", -1}, {"==", 0},
+                 {"=", 0},   {">=", 1},        {"<=", -1}};
+    *text += strspn(*text, " \t");
+    for (size_t k = 0; k < sizeof forms / sizeof *forms; k++)
+        if (!strncmp(*text, forms[k].words, strlen(forms[k].words))) {
+            *text += strlen(forms[k].words);
+            *sense = forms[k].sense;
+            return true;
+        }
+    return false;
+}
+
+/* The number of runs in SI that a quantity in Hertzian units has beside it;
+ * NULL: none. */
+static const char *twin_of(const char *quantity)
+{
+    const ovr_observable *o;
+    const ovr_extreme *e;
+    for (size_t k = 0; (o = ovr_observable_at(k)); k++)
+        if (o->key && !strcmp(o->key, quantity))
+            return o->key_si;
+    for (size_t k = 0; (e = ovr_extreme_at(k)); k++)
+        if (!strcmp(e->key, quantity))
+            return e->key_si;
+    return NULL;
+}
+
+const char *ovr_quantity_bare(const char *quantity)
+{
+    const ovr_observable *o;
+    const ovr_extreme *e;
+    for (size_t k = 0; (o = ovr_observable_at(k)); k++)
+        if (o->key && o->key_si && !strcmp(o->key_si, quantity))
+            return o->key;
+    for (size_t k = 0; (e = ovr_extreme_at(k)); k++)
+        if (e->key_si && !strcmp(e->key_si, quantity))
+            return e->key;
+    return quantity;
+}
+
+/* "N/m" stands as "_N_per_m" at the end of a key, "1/Pa" as "_per_Pa". */
+static bool ends_in(const char *key, const char *si)
+{
+    char ending[40] = "_";
+    size_t used = 1, size = strlen(key);
+    for (si += !strncmp(si, "1/", 2); *si && used + 6 < sizeof ending; si++)
+        if (*si == '/')
+            used += (size_t)snprintf(ending + used, sizeof ending - used, "%s",
+                                     used > 1 ? "_per_" : "per_");
+        else
+            ending[used++] = *si == '.' ? '_' : *si, ending[used] = '\0';
+    return size > used && !strcmp(key + size - used, ending);
+}
+
+/* A unit makes the target SI, and picks the quantity that is in it. */
+static ovr_status take_target(ovr_comparison *c, const char *text,
+                              ovr_error *err)
+{
+    const char *at = text, *twin = twin_of(c->quantity), *si;
+    ovr_quantity q;
+    ovr_dimension dimension;
+    if (!ovr_read_number(&at, &c->target))
+        return ovr_fail_about(err, "condition",
+                              "%s: '%.60s' is no number to compare with",
+                              c->quantity, text);
+    at += strspn(at, " \t");
+    if (!*at)
+        return OVR_OK;
+    dimension = ovr_unit_dimension(at);
+    if (dimension == OVR_PURE ||
+        ovr_quantity_read(text, dimension, false, &q, NULL))
+        return ovr_fail_about(err, "condition", "%s: unknown unit '%.40s'",
+                              c->quantity, at);
+    si = ovr_unit_si(dimension);
+    if (twin && ends_in(twin, si))
+        c->quantity = twin;
+    else if (!ends_in(c->quantity, si) && strcmp(si, "K") != 0)
+        return ovr_fail_about(err, "condition", "%s is not in %.40s",
+                              c->quantity, at);
+    c->target = q.value;
+    return OVR_OK;
+}
+
+ovr_status ovr_comparison_read(const char *text, ovr_comparison *c,
+                               ovr_arena *arena, ovr_error *err)
+{
+    const char *at = text + strspn(text, " \t");
+    size_t size = strcspn(at, " \t<=>");
+    char *quantity = ovr_arena_take(arena, size + 1, 1, err);
+    if (!quantity)
+        return OVR_NO_MEMORY;
+    memcpy(quantity, at, size);
+    c->quantity = quantity;
+    at += size;
+    if (!size || !read_relation(&at, &c->sense))
+        return ovr_fail_about(
+            err, "condition",
+            "'%.80s' must be QUANTITY is VALUE, at most VALUE "
+            "or at least VALUE",
+            text);
+    return take_target(c, at + strspn(at, " \t"), err);
+}

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* "H_min_overall at least 0.05", "P_max <= 2 GPa": a number of a run and what
+ * it is compared with. */
+#ifndef OVR_RUN_COMPARISON_H
+#define OVR_RUN_COMPARISON_H
+
+#include "base/arena.h"
+
+typedef struct ovr_comparison {
+    const char *quantity; /* the one in SI where the target has a unit */
+    int sense;            /* 0: is; 1: at least; -1: at most */
+    double target;        /* SI, or bare */
+} ovr_comparison;
+
+ovr_status ovr_comparison_read(const char *text, ovr_comparison *c,
+                               ovr_arena *arena, ovr_error *err);
+
+/* The number in Hertzian units that one in SI is beside; itself where there is
+ * none. */
+const char *ovr_quantity_bare(const char *quantity);
+
+#endif

@@ -1,0 +1,524 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* [random] in a study: keys with distributions become lists of values, as many
+ * as there are draws, that change together as those of a [zip] do. */
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/entries.h"
+#include "base/quantity.h"
+#include "overroll/text.h"
+#include "run/study.h"
+
+enum { SHIFTS = 8, CELL = 200, LINES_MOST = 1 << 24 };
+
+/* ---------------------------------------------------------------- settings */
+
+static ovr_status fail(const ovr_study *s, long line, const char *what,
+                       const char *about, ovr_error *err)
+{
+    return ovr_fail_at(err, OVR_BAD_INPUT, s->path, line, what, about);
+}
+
+static bool read_count(const char *text, double most, double *count)
+{
+    const char *at = text;
+    return ovr_read_number(&at, count) && !*at && *count == floor(*count) &&
+           *count >= 0 && *count <= most;
+}
+
+static ovr_status take_setting(ovr_study *s, const char *key, const char *value,
+                               long line, ovr_error *err)
+{
+    static const char *const names[] = {"draws", "seed", "design", "shifts"};
+    static const char *const designs[] = {"plain", "lhs", "sobol"};
+    ovr_sampling *how = &s->random.how;
+    const char *meant;
+    double count;
+    if (!strcmp(key, "draws")) {
+        s->random.line = line;
+        if (!read_count(value, OVR_STUDY_MOST_TASKS, &count) || count < 8)
+            return fail(s, line,
+                        "draws: '%.40s' must be a whole number from 8 "
+                        "to 1000000",
+                        value, err);
+        how->draws = (size_t)count;
+        return OVR_OK;
+    }
+    if (!strcmp(key, "seed")) {
+        if (!read_count(value, 9e15, &count))
+            return fail(s, line, "seed: '%.40s' must be a whole number", value,
+                        err);
+        how->seed = (uint64_t)count;
+        return OVR_OK;
+    }
+    if (!strcmp(key, "shifts")) {
+        if (!read_count(value, 1000, &count) || count < 1)
+            return fail(s, line,
+                        "shifts: '%.40s' must be a whole number from "
+                        "1 to 1000",
+                        value, err);
+        how->shifts = (size_t)count;
+        s->random.grows = true;
+        return OVR_OK;
+    }
+    for (int k = 0; !strcmp(key, "design") && k < 3; k++)
+        if (!strcmp(value, designs[k])) {
+            how->design = (ovr_design)k;
+            return OVR_OK;
+        }
+    if (!strcmp(key, "design"))
+        return fail(s, line, "design: '%.40s' must be plain, lhs or sobol",
+                    value, err);
+    meant = ovr_suggest(key, names, 4);
+    ovr_fail_at(err, OVR_BAD_INPUT, s->path, line,
+                meant ? "unknown key '%.60s' in [random]; did you mean '%s'?"
+                      : "unknown key '%.60s' in [random]; there are draws, "
+                        "seed, design, shifts, and keys of the case",
+                key, meant);
+    return meant ? ovr_fail_meant(err, OVR_BAD_INPUT, meant) : OVR_BAD_INPUT;
+}
+
+ovr_status ovr_study_take_random(ovr_study *s, const char *key,
+                                 const char *value, const char *file, long line,
+                                 ovr_error *err)
+{
+    ovr_study_random *r = &s->random;
+    if (!r->line) {
+        r->line = line;
+        r->how.design = OVR_SOBOL;
+        r->how.seed = 1;
+        r->how.shifts = SHIFTS;
+    }
+    if (!strchr(key, '.') && !file)
+        return take_setting(s, key, value, line, err);
+    if (r->keys == OVR_STUDY_MOST_KEYS)
+        return fail(s, line, "'%.60s' is one key too many: at most 64", key,
+                    err);
+    ovr_study_chance *c = &r->key[r->keys++];
+    *c = (ovr_study_chance){ovr_arena_text(&s->arena, key, err),
+                            ovr_arena_text(&s->arena, value, err), file, line};
+    return c->where && c->text ? OVR_OK : OVR_NO_MEMORY;
+}
+
+/* ----------------------------------------------------------- distributions */
+
+/* A number with a unit, up to `end`. */
+typedef struct amount {
+    double value;
+    char unit[40];
+} amount;
+
+static bool read_amount(const char *from, const char *end, amount *a)
+{
+    char text[120];
+    const char *at = text;
+    size_t size = (size_t)(end - from);
+    if (size >= sizeof text)
+        return false;
+    memcpy(text, from, size);
+    text[size] = '\0';
+    at += strspn(at, " \t");
+    if (!ovr_read_number(&at, &a->value))
+        return false;
+    at += strspn(at, " \t");
+    snprintf(a->unit, sizeof a->unit, "%s", at);
+    for (size_t n = strlen(a->unit); n && strchr(" \t", a->unit[n - 1]);)
+        a->unit[--n] = '\0';
+    return true;
+}
+
+/* In the unit of another; false: they measure different things. */
+static bool convert(amount *a, const char *unit)
+{
+    ovr_dimension d = ovr_unit_dimension(unit);
+    if (!strcmp(a->unit, unit) || !*a->unit)
+        return true;
+    if (d == OVR_PURE || ovr_unit_dimension(a->unit) != d)
+        return false;
+    a->value *= ovr_unit_value(a->unit, d) / ovr_unit_value(unit, d);
+    return isfinite(a->value);
+}
+
+/* "300 kN/m sd 10 %" */
+static bool read_moments(const char *from, const char *end, ovr_distribution *d,
+                         char *unit)
+{
+    const char *sd = strstr(from, " sd ");
+    amount mean, deviation;
+    if (!sd || sd >= end || !read_amount(from, sd, &mean) ||
+        !read_amount(sd + 4, end, &deviation))
+        return false;
+    if (!strcmp(deviation.unit, "%"))
+        deviation = (amount){fabs(mean.value) * deviation.value / 100, ""};
+    strcpy(unit, mean.unit);
+    d->a = mean.value;
+    d->b = deviation.value;
+    if (!convert(&deviation, mean.unit))
+        return false;
+    d->b = deviation.value;
+    return true;
+}
+
+/* "7.9 mm to 8.1 mm", or three with commas: the last unit is that of all that
+ * have none. */
+static bool read_several(const char *from, const char *end, const char *mark,
+                         int count, double *to, char *unit)
+{
+    amount a[3];
+    for (int k = 0; k < count; k++) {
+        const char *next = k + 1 < count ? strstr(from, mark) : end;
+        if (!next || next > end || !read_amount(from, next, &a[k]))
+            return false;
+        from = next + strlen(mark);
+    }
+    strcpy(unit, a[count - 1].unit);
+    for (int k = 0; k < count; k++) {
+        if (!convert(&a[k], unit))
+            return false;
+        to[k] = a[k].value;
+    }
+    return true;
+}
+
+static bool read_distribution(const char *text, ovr_distribution *d, char *unit)
+{
+    static const struct {
+        const char *word;
+        ovr_law_of_chance law;
+    } laws[] = {{"normal ", OVR_NORMAL},
+                {"lognormal ", OVR_LOGNORMAL},
+                {"uniform ", OVR_UNIFORM},
+                {"triangular ", OVR_TRIANGULAR}};
+    const char *within = strstr(text, " within ");
+    const char *end = within ? within : text + strlen(text), *at = NULL;
+    double ends[3] = {0};
+    char other[40];
+    *d = (ovr_distribution){.low = -INFINITY, .high = INFINITY};
+    for (int k = 0; !at && k < 4; k++)
+        if (!strncmp(text, laws[k].word, strlen(laws[k].word))) {
+            d->law = laws[k].law;
+            at = text + strlen(laws[k].word);
+        }
+    if (!at)
+        return false;
+    if (d->law == OVR_NORMAL || d->law == OVR_LOGNORMAL) {
+        if (!read_moments(at, end, d, unit))
+            return false;
+    } else {
+        bool three = d->law == OVR_TRIANGULAR;
+        if (!read_several(at, end, three ? "," : " to ", three ? 3 : 2, ends,
+                          unit))
+            return false;
+        d->a = ends[0];
+        d->b = ends[1];
+        d->c = ends[2];
+    }
+    if (!within)
+        return true;
+    within += 8;
+    if (!read_several(within, within + strlen(within), " to ", 2, ends, other))
+        return false;
+    for (int k = 0; k < 2; k++) {
+        amount a = {ends[k], ""};
+        strcpy(a.unit, other);
+        if (!convert(&a, unit))
+            return false;
+        *(k ? &d->high : &d->low) = a.value;
+    }
+    return true;
+}
+
+/* "1..1000000000" */
+static bool read_range(const char *text, double *from, double *count)
+{
+    char *end;
+    long long a = strtoll(text, &end, 10), b;
+    const char *second = end + 2;
+    if (end == text || strncmp(end, "..", 2) != 0)
+        return false;
+    b = strtoll(second, &end, 10);
+    *from = (double)a;
+    *count = (double)(b - a) + 1;
+    return end != second && !*end && b > a && *count < 9e15;
+}
+
+/* ------------------------------------------------------------------- files */
+
+/* A column of a table with commas, or all lines of a list (column -1). */
+typedef struct rows {
+    char **cell;
+    size_t count;
+} rows;
+
+static const char *in_folder(ovr_study *s, const char *name, ovr_error *err)
+{
+    char path[4096];
+    if (*name == '/' || !strcmp(s->folder, "."))
+        return name;
+    snprintf(path, sizeof path, "%s/%s", s->folder, name);
+    return ovr_arena_text(&s->arena, path, err);
+}
+
+/* The k-th cell of a line, without blanks and quotes. */
+static bool cell_of(const char *line, const char *end, int column, char *to)
+{
+    const char *at = line, *next = end;
+    for (int k = 0; column >= 0 && k <= column; k++) {
+        next = memchr(at, ',', (size_t)(end - at));
+        next = next ? next : end;
+        if (k < column && next == end)
+            return false;
+        at = k < column ? next + 1 : at;
+    }
+    while (at < next && strchr(" \t\"", *at))
+        at++;
+    while (next > at && strchr(" \t\"\r", next[-1]))
+        next--;
+    if (next - at >= CELL)
+        return false;
+    memcpy(to, at, (size_t)(next - at));
+    to[next - at] = '\0';
+    return true;
+}
+
+/* Which column has this name; a unit in brackets behind it is that of its
+ * numbers. */
+static int column_named(const char *line, const char *end, const char *name,
+                        char *unit)
+{
+    char cell[CELL];
+    for (int k = 0; cell_of(line, end, k, cell); k++) {
+        char *bracket = strpbrk(cell, "[(");
+        *unit = '\0';
+        if (bracket) {
+            snprintf(unit, 40, "%.*s", (int)strcspn(bracket + 1, "])"),
+                     bracket + 1);
+            while (bracket > cell && bracket[-1] == ' ')
+                bracket--;
+            *bracket = '\0';
+        }
+        if (!strcmp(cell, name))
+            return k;
+    }
+    return -1;
+}
+
+static const char *line_end(const char *at)
+{
+    return at + strcspn(at, "\n");
+}
+
+static ovr_status read_rows(ovr_study *s, const ovr_study_chance *c,
+                            const char *path, const char *name, rows *to,
+                            ovr_error *err)
+{
+    const char *text, *at, *end;
+    char cell[CELL], whole[CELL + 48], unit[40] = "";
+    int column = -1;
+    size_t lines = 1;
+    ovr_status status = ovr_text_file(path, name ? "table" : "list", LINES_MOST,
+                                      &s->arena, &text, err);
+    if (status)
+        return status;
+    for (at = text; *at; at++)
+        lines += *at == '\n';
+    to->cell = ovr_arena_take(&s->arena, lines, sizeof *to->cell, err);
+    if (!to->cell)
+        return OVR_NO_MEMORY;
+    at = text;
+    if (name) {
+        end = line_end(at);
+        column = column_named(at, end, name, unit);
+        if (column < 0)
+            return ovr_fail_at(err, OVR_BAD_INPUT, s->path, c->line,
+                               "%.200s has no column '%.60s'", path, name);
+        at = end + (*end == '\n');
+    }
+    for (to->count = 0; *at; at = end + (*end == '\n')) {
+        end = line_end(at);
+        if (!cell_of(at, end, column, cell))
+            return ovr_fail_at(err, OVR_BAD_INPUT, s->path, c->line,
+                               "%.200s: a row is too short", path);
+        cell[name ? strlen(cell) : strcspn(cell, "#")] = '\0';
+        if (!*cell)
+            continue;
+        snprintf(whole, sizeof whole, "%s%s%s", cell, *unit ? " " : "", unit);
+        to->cell[to->count] = ovr_arena_text(&s->arena, whole, err);
+        if (!to->cell[to->count++])
+            return OVR_NO_MEMORY;
+    }
+    return to->count ? OVR_OK
+                     : ovr_fail_at(err, OVR_BAD_INPUT, s->path, c->line,
+                                   "%.200s is empty", path);
+}
+
+/* ------------------------------------------------------------------ drawing */
+
+/* The dimension that a key is drawn from: rows of one table share theirs; whole
+ * numbers of a range have none and are drawn plainly. */
+static const char *dimension_of(const ovr_study_chance *c)
+{
+    double from, count;
+    if (read_range(c->text, &from, &count))
+        return NULL;
+    return c->file ? c->file : c->where;
+}
+
+typedef struct dimensions {
+    const char *name[OVR_STUDY_MOST_KEYS];
+    size_t count;
+    double *u;
+} dimensions;
+
+static size_t find_dimension(const dimensions *d, const char *name)
+{
+    size_t k = 0;
+    while (k < d->count && strcmp(d->name[k], name) != 0)
+        k++;
+    return k;
+}
+
+static ovr_status make_dimensions(ovr_study *s, dimensions *d, ovr_error *err)
+{
+    const ovr_study_random *r = &s->random;
+    ovr_error why = {0};
+    for (size_t k = 0; k < r->keys; k++) {
+        const char *name = dimension_of(&r->key[k]);
+        if (name && find_dimension(d, name) == d->count)
+            d->name[d->count++] = name;
+    }
+    d->u = ovr_arena_take(&s->arena, d->count * r->how.draws, sizeof *d->u,
+                          err);
+    if (!d->u)
+        return OVR_NO_MEMORY;
+    if (ovr_draws(&r->how, d->name, d->count, d->u, &s->arena, &why))
+        return ovr_fail_at(err, why.status, s->path, r->line, "%s",
+                           why.message);
+    return OVR_OK;
+}
+
+static ovr_status put_text(ovr_study *s, ovr_study_key *k, size_t i,
+                           const char *text, ovr_error *err)
+{
+    k->value[i] = ovr_arena_text(&s->arena, text, err);
+    return k->value[i] ? OVR_OK : OVR_NO_MEMORY;
+}
+
+/* Of cells, the u-th. */
+static ovr_status draw_cells(ovr_study *s, const ovr_study_chance *c,
+                             ovr_study_key *k, const double *u, ovr_error *err)
+{
+    const char *path = c->file, *name = NULL;
+    rows r = {NULL, 0};
+    if (c->file) {
+        if (strncmp(c->text, "column ", 7) != 0)
+            return fail(s, c->line,
+                        "'%.60s' must be column NAME: keys of [random file "
+                        "FILE] name its columns",
+                        c->text, err);
+        name = c->text + 7 + strspn(c->text + 7, " ");
+    } else {
+        path = in_folder(s, c->text + 5 + strspn(c->text + 5, " "), err);
+    }
+    if (!path || read_rows(s, c, path, name, &r, err))
+        return OVR_BAD_INPUT;
+    for (size_t i = 0; i < k->count; i++)
+        k->value[i] = r.cell[(size_t)(u[i] * (double)r.count)];
+    k->related = c->file != NULL;
+    return OVR_OK;
+}
+
+static ovr_status draw_key(ovr_study *s, const ovr_study_chance *c,
+                           ovr_study_key *k, const double *u, ovr_error *err)
+{
+    char text[120], unit[40] = "";
+    const char *wrong;
+    ovr_distribution d;
+    double from, count;
+    ovr_status status = OVR_OK;
+    if (read_range(c->text, &from, &count)) {
+        uint64_t stream = ovr_text_hash(c->where);
+        for (size_t i = 0; !status && i < k->count; i++) {
+            double drawn = ovr_uniform_at(s->random.how.seed, stream, i);
+            snprintf(text, sizeof text, "%.0f", from + floor(drawn * count));
+            status = put_text(s, k, i, text, err);
+        }
+        return status;
+    }
+    if (c->file || !strncmp(c->text, "file ", 5))
+        return draw_cells(s, c, k, u, err);
+    if (!read_distribution(c->text, &d, unit))
+        return fail(s, c->line,
+                    "'%.80s' must be normal A sd B, lognormal A sd B, uniform "
+                    "A to B, triangular A, B, C, each with 'within A to B' if "
+                    "need be, whole numbers A..B or file NAME",
+                    c->text, err);
+    wrong = ovr_distribution_wrong(&d);
+    if (wrong)
+        return ovr_fail_at(err, OVR_BAD_INPUT, s->path, c->line, "'%.80s': %s",
+                           c->text, wrong);
+    for (size_t i = 0; !status && i < k->count; i++) {
+        snprintf(text, sizeof text, "%.17g%s%s",
+                 ovr_distribution_inverse(&d, u[i]), *unit ? " " : "", unit);
+        status = put_text(s, k, i, text, err);
+    }
+    return status;
+}
+
+static ovr_status check_settings(const ovr_study *s, ovr_error *err)
+{
+    const ovr_study_random *r = &s->random;
+    if (!r->how.draws)
+        return ovr_fail_at(err, OVR_BAD_INPUT, s->path, r->line,
+                           "[random]: draws is missing");
+    if (!r->keys)
+        return ovr_fail_at(err, OVR_BAD_INPUT, s->path, r->line,
+                           "[random]: no key of the case is random");
+    if (r->how.design == OVR_SOBOL && r->how.draws % r->how.shifts)
+        return ovr_fail_at(err, OVR_BAD_INPUT, s->path, r->line,
+                           "draws = %zu must be a multiple of shifts = %zu",
+                           r->how.draws, r->how.shifts);
+    return OVR_OK;
+}
+
+ovr_status ovr_study_draw_all(ovr_study *s, int zip, ovr_error *err)
+{
+    const ovr_study_random *r = &s->random;
+    dimensions d = {.count = 0};
+    ovr_status status = OVR_OK;
+    if (!r->line)
+        return OVR_OK;
+    if (check_settings(s, err))
+        return OVR_BAD_INPUT;
+    status = make_dimensions(s, &d, err);
+    for (size_t n = 0; !status && n < r->keys; n++) {
+        const ovr_study_chance *c = &r->key[n];
+        const char *name = dimension_of(c);
+        ovr_study_key *k = &s->key[s->keys];
+        if (s->keys == OVR_STUDY_MOST_KEYS)
+            return fail(s, c->line, "'%.60s' is one key too many: at most 64",
+                        c->where, err);
+        for (size_t i = 0; i < s->keys; i++)
+            if (!strcmp(s->key[i].where, c->where))
+                return fail(s, c->line, "'%.60s' is given twice", c->where,
+                            err);
+        *k = (ovr_study_key){.where = c->where,
+                             .line = c->line,
+                             .zip = zip,
+                             .zip_name = "random",
+                             .random = true,
+                             .count = r->how.draws};
+        k->value = ovr_arena_take(&s->arena, k->count, sizeof *k->value, err);
+        status = k->value ? draw_key(s, c, k,
+                                     name ? d.u + find_dimension(&d, name) *
+                                                      r->how.draws
+                                          : NULL,
+                                     err)
+                          : OVR_NO_MEMORY;
+        s->keys++;
+    }
+    return status;
+}

@@ -1,0 +1,221 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# find: closed forms to 1e-9 without solving, answers of runs, inequalities
+# that hold, several answers, failed ends, what is refused; in a study, stopped
+# and gone on with.
+. "$TOP/tests/support/cli.sh"
+
+# number KEY: of the JSON in `out`.
+number() {
+    sed -n "s/^  \"$1\": \([-0-9.e+]*\),*\$/\1/p" out
+}
+# close A B TOLERANCE: relative.
+close() {
+    awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN {
+        d = a - b; if (d < 0) d = -d; m = b < 0 ? -b : b
+        exit !(a != "" && b != "" && d <= t * m) }' ||
+        fail "$1 is not $2 to $3: $(cat out)"
+}
+
+cat >contact.ini <<'END'
+[contact]
+load = 300 kN/m
+radius = 8 mm
+modulus = 226 GPa
+mean_speed = 1 m/s
+[lubricant]
+alpha = 20 1/GPa
+viscosity = 40 mPa.s
+[domain]
+level = 5
+END
+cat >dent.ini <<'END'
+[contact]
+M = 20
+L = 10
+slide_to_roll = 0.2
+[domain]
+level = 5
+[time]
+end = 6.4
+[feature dent]
+shape = dent
+depth = 0.1
+width = 0.5
+start = -4.6
+END
+
+# Scales and formulas (w = 2 pi R ph^2/E', lambda and alphabar of M and L by
+# their definitions in SciPy), nothing solved
+closed() { # VALUE UNIT QUESTION...
+    value=$1 unit=$2
+    shift 2
+    expect 0 "$OVERROLL" find "$@" --json
+    contains out '"found": true'
+    contains out '"level": 0'
+    close "$(awk -v v="$(number value)" -v f="$unit" \
+        'BEGIN { printf "%.17g", v * f }')" "$value" 1e-9
+}
+closed 500430.6881824449 1000 contact.ini contact.load between 50 and 800 kN/m \
+    so that hertz_pressure_Pa is 1.5 GPa
+closed 0.010790705141630504 0.001 contact.ini contact.radius between 2 mm \
+    and 50 mm so that hertz_pressure_Pa = 1 GPa
+closed 8.407486824596893 1 dent.ini contact.L between 2 and 30 so that \
+    alphabar is 15
+closed 19.23824745242796 1 dent.ini contact.M between 2 and 50 so that \
+    'lambda=0.01'
+expect 0 "$OVERROLL" find contact.ini largest contact.load between 50 and \
+    800 kN/m so that 'hertz_pressure_Pa <= 1.5 GPa' --json
+close "$(number value)" 500.4306881824449 1e-9
+"$OVERROLL" check contact.ini --set "contact.load=$(number value) kN/m" --json |
+    awk '/"hertz_pressure_Pa"/ { exit !($2 + 0 <= 1.5e9) }' ||
+    fail 'the largest that was told is too large'
+
+# Of runs: what is told has been run, on the right side, and a step farther it
+# does not hold
+H_min_at() { # DEPTH
+    "$OVERROLL" run dent.ini --set "feature.dent.depth=$1" --json |
+        sed -n 's/^  "H_min_overall": \(.*\),/\1/p'
+}
+asked='feature.dent.depth between 0.01 and 0.5 so that H_min_overall'
+# shellcheck disable=SC2086 # words
+expect 0 "$OVERROLL" find dent.ini largest $asked at least 0.05 --json -j 2 \
+    --table made.csv
+at=$(number value)
+close "$(H_min_at "$at")" "$(number at_value)" 1e-15
+[ "$(awk -F, '$2 != ""' made.csv | wc -l)" -ge 7 ] || fail "$(cat made.csv)"
+awk -v a="$(number at_value)" -v b="$(H_min_at "$(number high)")" \
+    'BEGIN { exit !(a >= 0.05 && b < 0.05) }' || fail "$(cat out)"
+# shellcheck disable=SC2086
+expect 0 "$OVERROLL" find dent.ini $asked is 0.05 --json
+close "$(number value)" "$at" 1e-3
+# its slope by two runs
+one=$(H_min_at "$(echo "$at" | awk '{ print $1 * 0.99 }')")
+other=$(H_min_at "$(echo "$at" | awk '{ print $1 * 1.01 }')")
+close "$(number slope)" "$(awk -v a="$one" -v b="$other" -v at="$at" \
+    'BEGIN { print (b - a)/(0.02 * at) }')" 0.1
+# shellcheck disable=SC2086
+expect 0 "$OVERROLL" find dent.ini $asked is 0.05 -v
+contains out '^feature.dent.depth = 0.13.* b.2/R    H_min_overall is 0.0[45]'
+contains out '^feature.dent.depth H_min_overall  order level'
+contains err 'discretization error of H_min_overall is not known'
+
+# Several: refused but with the largest or smallest (P_max rises and falls)
+ask='feature.dent.width between 0.1 and 3 so that P_max_overall'
+# shellcheck disable=SC2086
+expect 2 "$OVERROLL" find dent.ini $ask is 1.8
+contains err 'P_max_overall is 1.8 at [23] places, between .*largest'
+# shellcheck disable=SC2086
+expect 0 "$OVERROLL" find dent.ini largest $ask at least 1.8 --json
+awk -v v="$(number value)" -v a="$(number at_value)" \
+    'BEGIN { exit !(a >= 1.8 && v > 1.05 && v < 1.6) }' || fail "$(cat out)"
+
+# An end that cannot be run is left out, and said
+expect 0 "$OVERROLL" find dent.ini contact.M between 0.001 and 200 so that \
+    H_min is 0.1 --steady
+contains err 'warning: below 0.02[0-9]*: the steady solution did not converge'
+
+# A run that is stopped
+"$OVERROLL" find dent.ini feature.dent.depth between 0.01 and 0.5 so that \
+    H_min_overall is 0.05 --level 9 >out 2>err &
+sleep 1
+kill -INT $!
+wait $!
+[ $? -eq 130 ] || fail "stopped by SIGINT it is no 130: $(cat out err)"
+
+# What is refused, and what would be right
+depth='dent.ini feature.dent.depth between'
+# shellcheck disable=SC2086
+expect 2 "$OVERROLL" find $depth 0.01 and 0.05 so that H_min_overall is 0.05
+contains err '0.05 is not among them; it falls with .*depth: go beyond 0.05'
+# shellcheck disable=SC2086
+expect 2 "$OVERROLL" find $depth 0.2 and 0.5 so that H_min_overall is 0.05
+contains err 'go below 0.2'
+# shellcheck disable=SC2086
+expect 2 "$OVERROLL" find dent.ini largest feature.dent.depth between 0.01 \
+    and 0.05 so that H_min_overall at least 0.05
+contains err 'holds at 0.05 itself: go beyond'
+asks() { # PATTERN QUESTION...
+    pattern=$1
+    shift
+    refuses "$pattern" find "$@"
+}
+H='so that H_min_overall'
+# shellcheck disable=SC2086
+{
+    asks 'no number of this run; did you mean H_min_overall' \
+        $depth 0.01 and 0.5 so that H_min_overal is 0.05
+    asks 'T_max_rise: no number of this run' \
+        $depth 0.01 and 0.5 so that T_max_rise is 4
+    asks 'largest .*say at most or at least' dent.ini largest \
+        feature.dent.depth between 0.1 and 0.5 $H is 0.05
+    asks 'say largest or smallest' $depth 0.1 and 0.5 $H at most 0.05
+    asks 'is not in um' $depth 0.1 and 0.5 so that P_max is 2 um
+    asks 'unknown unit' $depth 0.1 and 0.5 so that P_max is 2 furlongs
+    asks 'two numbers' $depth 0.1 and 0.1 $H is 0.05
+    asks 'a number is wanted' $depth little and much $H is 0.05
+    asks "must be .largest" $depth 0.1 to 0.5 $H is 0.05
+    asks 'is a choice, not a number' dent.ini feature.dent.shape between 1 \
+        and 2 $H is 0.05
+    asks 'use a study' dent.ini domain.level between 4 and 6 $H is 0.05
+    asks 'needs a unit' contact.ini contact.load between 50 and 500 $H is 0.05
+    asks 'one unit' contact.ini contact.load between 50 N/m and 5 kN/m $H is 1
+    asks 'give a level' $depth 0.1 and 0.5 $H is 0.05 --level auto
+    asks 'tolerance: must be' $depth 0.1 and 0.5 $H is 0.05 --tolerance 2
+    asks 'whole number' $depth 0.1 and 0.5 $H is 0.05 -j 0
+    asks "did you mean 'depth'" dent.ini feature.dent.detph between 1 and 2 \
+        $H is 1
+}
+# a number below zero is no option
+expect 2 "$OVERROLL" find dent.ini contact.slide_to_roll between -0.5 and 0.5 \
+    so that H_min is 9 --steady
+contains err '9 is not among them'
+
+# In a study: a curve; the table has a column of the key's name; a case that
+# was stopped goes on with what it has
+cat >curve.ini <<'END'
+[study]
+case = dent.ini
+[product]
+contact.slide_to_roll = 0, 0.2
+[find]
+key = feature.dent.depth
+between = 0.01, 0.5
+so_that = H_min_overall >= 0.05
+which = largest
+END
+expect 0 "$OVERROLL" sweep curve.ini -j 2 -q
+expect 0 "$OVERROLL" sweep curve.ini --collect curve.csv -q
+column() { # NAME TABLE ROW
+    awk -F, -v name="$1" -v row="$3" 'NR == 1 { for (k = 1; k <= NF; k++)
+        if ($k == name) c = k } NR == row + 1 { print $c }' "$2"
+}
+close "$(column feature.dent.depth curve.csv 2)" "$at" 1e-3
+case=curve/slide_to_roll=0.2
+cp "$case.json" whole.json
+rows=$(wc -l <"$case.find.csv")
+rm "$case.json"
+head -n 5 "$case.find.csv" >kept
+cp kept "$case.find.csv"
+printf '0.3,0.0' >>"$case.find.csv" # a row that was being written
+expect 3 "$OVERROLL" sweep curve.ini --collect curve.csv
+contains out '1 stopped'
+expect 0 "$OVERROLL" sweep curve.ini -q
+[ "$(wc -l <"$case.find.csv")" -eq "$rows" ] || fail 'other evaluations'
+head -n 5 "$case.find.csv" | cmp - kept || fail 'evaluations were run again'
+sed '/seconds/d' whole.json >one
+sed '/seconds/d' "$case.json" | cmp - one || fail 'gone on with it differs'
+# another question is another case
+sed 's/>= 0.05/>= 0.04/' curve.ini >other.ini && mv other.ini curve.ini
+expect 3 "$OVERROLL" sweep curve.ini --collect curve.csv
+contains out '2 changed'
+
+wrong() { # PATTERN LINES
+    printf '[study]\ncase = dent.ini\n[find]\n%b' "$2" >wrong.ini
+    refuses "$1" sweep wrong.ini
+}
+wrong 'between is missing' 'key = contact.M\nso_that = H_min is 1\n'
+wrong "did you mean 'so_that'" 'sothat = H_min is 1\n'
+wrong 'two numbers' 'key = contact.M\nbetween = 3\nso_that = H_min is 1\n'
+wrong 'wrong.ini:6: .*say largest' \
+    'key = contact.M\nbetween = 3, 5\nso_that = H_min <= 1\n'
