@@ -45,7 +45,7 @@ static void report_found(void *data, const ovr_find *find, const ovr_error *err,
         cli_json_find(&json, find);
         json_number(&json, ovr_find_about(find)->key,
                     ovr_find_about(find)->value);
-        ovr_find_summary(find, cli_json_line, &json);
+        ovr_find_summary(find, cli_put_line, &json);
         json_end(&json);
     }
     if (find)

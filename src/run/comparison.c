@@ -26,32 +26,35 @@ static bool read_relation(const char **text, int *sense)
     return false;
 }
 
-/* The number of runs in SI that a quantity in Hertzian units has beside it;
- * NULL: none. */
-static const char *twin_of(const char *quantity)
+/* The number of runs in SI that a quantity in Hertzian units has beside it,
+ * into `room`; false: none. */
+static bool twin_of(const char *quantity, char room[OVR_QUANTITY_ROOM])
 {
     const ovr_observable *o;
-    const ovr_extreme *e;
+    ovr_extreme e;
+    *room = '\0';
     for (size_t k = 0; (o = ovr_observable_at(k)); k++)
-        if (o->key && !strcmp(o->key, quantity))
-            return o->key_si;
-    for (size_t k = 0; (e = ovr_extreme_at(k)); k++)
-        if (!strcmp(e->key, quantity))
-            return e->key_si;
-    return NULL;
+        if (o->key && o->key_si && !strcmp(o->key, quantity))
+            snprintf(room, OVR_QUANTITY_ROOM, "%s", o->key_si);
+    for (size_t k = 0; !*room && ovr_extreme_at(k, &e); k++)
+        if (!strcmp(e.key, quantity))
+            snprintf(room, OVR_QUANTITY_ROOM, "%s", e.key_si);
+    return *room;
 }
 
-const char *ovr_quantity_bare(const char *quantity)
+const char *ovr_quantity_bare(const char *quantity,
+                              char room[OVR_QUANTITY_ROOM])
 {
     const ovr_observable *o;
-    const ovr_extreme *e;
+    ovr_extreme e;
+    snprintf(room, OVR_QUANTITY_ROOM, "%.*s", OVR_QUANTITY_ROOM - 1, quantity);
     for (size_t k = 0; (o = ovr_observable_at(k)); k++)
         if (o->key && o->key_si && !strcmp(o->key_si, quantity))
-            return o->key;
-    for (size_t k = 0; (e = ovr_extreme_at(k)); k++)
-        if (e->key_si && !strcmp(e->key_si, quantity))
-            return e->key;
-    return quantity;
+            return snprintf(room, OVR_QUANTITY_ROOM, "%s", o->key), room;
+    for (size_t k = 0; ovr_extreme_at(k, &e); k++)
+        if (*e.key_si && !strcmp(e.key_si, quantity))
+            return snprintf(room, OVR_QUANTITY_ROOM, "%s", e.key), room;
+    return room;
 }
 
 /* "N/m" stands as "_N_per_m" at the end of a key, "1/Pa" as "_per_Pa". */
@@ -70,9 +73,10 @@ static bool ends_in(const char *key, const char *si)
 
 /* A unit makes the target SI, and picks the quantity that is in it. */
 static ovr_status take_target(ovr_comparison *c, const char *text,
-                              ovr_error *err)
+                              ovr_arena *arena, ovr_error *err)
 {
-    const char *at = text, *twin = twin_of(c->quantity), *si;
+    const char *at = text, *si;
+    char twin[OVR_QUANTITY_ROOM];
     ovr_quantity q;
     ovr_dimension dimension;
     if (!ovr_read_number(&at, &c->target))
@@ -88,13 +92,13 @@ static ovr_status take_target(ovr_comparison *c, const char *text,
         return ovr_fail_about(err, "condition", "%s: unknown unit '%.40s'",
                               c->quantity, at);
     si = ovr_unit_si(dimension);
-    if (twin && ends_in(twin, si))
-        c->quantity = twin;
+    if (twin_of(c->quantity, twin) && ends_in(twin, si))
+        c->quantity = ovr_arena_text(arena, twin, err);
     else if (!ends_in(c->quantity, si) && strcmp(si, "K") != 0)
         return ovr_fail_about(err, "condition", "%s is not in %.40s",
                               c->quantity, at);
     c->target = q.value;
-    return OVR_OK;
+    return c->quantity ? OVR_OK : OVR_NO_MEMORY;
 }
 
 ovr_status ovr_comparison_read(const char *text, ovr_comparison *c,
@@ -114,5 +118,5 @@ ovr_status ovr_comparison_read(const char *text, ovr_comparison *c,
             "'%.80s' must be QUANTITY is VALUE, at most VALUE "
             "or at least VALUE",
             text);
-    return take_target(c, at + strspn(at, " \t"), err);
+    return take_target(c, at + strspn(at, " \t"), arena, err);
 }

@@ -220,15 +220,17 @@ static ovr_status look_up(ovr_find *f, ovr_error *err)
 {
     names scales = {.count = 0}, all;
     const ovr_observable *o;
-    const ovr_extreme *e;
+    ovr_extreme e;
     ovr_setup *setup = ovr_case_resolve(f->base, NULL, NULL);
     if (setup)
         ovr_setup_scales(setup, add_line, &scales);
     all = scales;
     for (size_t k = 0; (o = ovr_observable_at(k)); k++)
         add_name(&all, o->key), add_name(&all, o->key_si);
-    for (size_t k = 0; (e = ovr_extreme_at(k)); k++)
-        add_name(&all, e->key), add_name(&all, e->key_si);
+    for (size_t k = 0; ovr_extreme_at(k, &e); k++) {
+        add_name(&all, ovr_arena_text(&f->arena, e.key, NULL));
+        add_name(&all, ovr_arena_text(&f->arena, e.key_si, NULL));
+    }
     f->info.exact = is_there(&scales, f->info.quantity);
     ovr_setup_free(setup);
     if (!is_there(&all, f->info.quantity) &&
@@ -471,7 +473,7 @@ static ovr_status run_answer(ovr_find *f, ovr_error *err)
 {
     ovr_find_info *i = &f->info;
     ovr_trial_plan plan = plan_of(f);
-    char key[80];
+    char key[160], bare[OVR_QUANTITY_ROOM];
     ovr_trials *t;
     plan.estimate = !i->exact;
     t = trials_at(f, 1, &i->value, &plan, err);
@@ -480,8 +482,8 @@ static ovr_status run_answer(ovr_find *f, ovr_error *err)
     f->answer = *ovr_trials_at(t, 0);
     f->answered = !f->answer.failed;
     ovr_trials_free(t);
-    snprintf(key, sizeof key, "%.50s_error_relative",
-             ovr_quantity_bare(i->quantity));
+    snprintf(key, sizeof key, "%s_error_relative",
+             ovr_quantity_bare(i->quantity, bare));
     i->error = fabs(ovr_trial_number(&f->answer, key, NULL) * i->at_value /
                     i->slope);
     if (!i->exact && isnan(i->error))
@@ -665,9 +667,9 @@ void ovr_find_summary(const ovr_find *find, ovr_summary_taker *take, void *data)
     if (!find || !take || !find->answered)
         return;
     for (size_t k = 0; k < find->answer.lines; k++) {
-        const ovr_summary_line line = {sizeof line, find->answer.key[k],
-                                       OVR_SUMMARY_NUMBER,
-                                       find->answer.number[k], NULL};
+        const ovr_summary_line line = {.size = sizeof line,
+                                       .key = find->answer.key[k],
+                                       .number = find->answer.number[k]};
         take(data, &line);
     }
 }

@@ -47,7 +47,7 @@ void ovr_setup_scales(const ovr_setup *setup, ovr_summary_taker *take,
     ovr_contact_summary(c, take, data);
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         const ovr_summary_line line = {
-            sizeof line, rows[k].key, OVR_SUMMARY_NUMBER, rows[k].number, NULL};
+            .size = sizeof line, .key = rows[k].key, .number = rows[k].number};
         take(data, &line);
     }
 }

@@ -153,7 +153,7 @@ typedef struct putting {
 static void put_line(void *data, const ovr_summary_line *line)
 {
     const putting *p = data;
-    if (line->form != OVR_SUMMARY_TEXT)
+    if (line->key && line->form <= OVR_SUMMARY_FLAG)
         ovr_trials_put(p->trials, p->k, line->key, line->number);
 }
 
