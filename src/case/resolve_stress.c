@@ -57,6 +57,16 @@ static ovr_status check_motion(const ovr_resolved *r, ovr_error *err)
     return OVR_OK;
 }
 
+/* Of a bearing it is the circumference. */
+static void resolve_raceway(ovr_resolved *r, const ovr_block *block)
+{
+    const ovr_bearing_geometry *g = ovr_bearing_of(r->element.bearing);
+    if (g && !ovr_block_get(block, "raceway")->given)
+        r->values.stress.raceway = g->spacing *
+                                   r->values.element.bearing.rollers /
+                                   r->contact.b;
+}
+
 static ovr_status resolve_fatigue(ovr_resolved *r, ovr_error *err)
 {
     const ovr_block *block = ovr_block_of(r, "fatigue");
@@ -72,6 +82,7 @@ static ovr_status resolve_fatigue(ovr_resolved *r, ovr_error *err)
     if (ovr_block_fill(r, block, &r->values, err))
         return OVR_BAD_INPUT;
     s->criterion = (ovr_criterion)r->values.criterion;
+    resolve_raceway(r, block);
     return OVR_OK;
 }
 

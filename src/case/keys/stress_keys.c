@@ -80,8 +80,10 @@ static const ovr_parameter fatigue_keys[] = {
      "from which risk and largest values are counted; auto: 8 meshes"},
     {"raceway", OVR_NUMBER, OVR_LENGTH, OVR_IN_B, 0, 1e9, false, NULL, "0",
      AT(stress.raceway), false, ALWAYS,
-     "length of the raceway, for a ratio of lives; 0: none is given"},
-    {"count", PLAIN(0, 1e9), "1", AT(stress.count), false, "raceway",
+     "length of the raceway, for a ratio of lives; 0: none is given; left out "
+     "with [roller_bearing]: its circumference"},
+    {"count", PLAIN(0, 1e9), "1", AT(stress.count), false,
+     "raceway or roller_bearing.rollers",
      "how often the features are on that raceway"},
     {"residual_x", STRESS(NULL, -10, 10), "0", AT(stress.residual_x), true,
      ALWAYS, "residual stress along the surface, tension positive"},
