@@ -54,6 +54,12 @@ typedef enum ovr_stop {
                             difference from the next coarser level */
 } ovr_stop;
 
+/* The flow between two nodes: by a mean of what resists it. */
+typedef enum ovr_faces {
+    OVR_FACES_GAP,       /* harmonic in H^3, arithmetic in rho/eta */
+    OVR_FACES_ARITHMETIC /* of both nodes' rho H^3/eta: the paper's */
+} ovr_faces;
+
 /* What becomes of the film behind its rupture. */
 typedef enum ovr_cavitation {
     OVR_CAVITATION_REYNOLDS,  /* P >= 0 alone: a gap without pressure is full */
@@ -104,6 +110,7 @@ typedef struct ovr_options {
     int refine_level;     /* of the finest patch; 0: until the spike's height
                              has changed less on two levels running than by */
     double refine_change; /* so much, relative; 0: 1e-3 */
+    ovr_faces faces;
 } ovr_options;
 
 OVR_SIZED(ovr_options)

@@ -76,7 +76,8 @@ static void jacobian_row(const ovr_hierarchy *grids, const ovr_level *level,
                          const ovr_fields *f, size_t i, double *row)
 {
     const ovr_weights *w = &level->weights;
-    row_weights c = i == 1 ? row_first(w, f->flow) : row_inner(w, f->flow);
+    row_kind kind = row_kind_of(f);
+    row_weights c = i == 1 ? row_first(w, kind) : row_inner(w, kind);
     size_t n = level->grid.n;
     ptrdiff_t J = (ptrdiff_t)i;
     if (grids->conserving)

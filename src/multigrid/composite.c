@@ -306,8 +306,7 @@ static double imbalance(const ovr_composite *c, int k)
     double *r = c->room[0];
     ovr_level_read(c->grids, part->level, part->level->f.r, r);
     for (size_t i = part->from; i <= part->to; i++) {
-        const double *eps = part->eps + i;
-        double outflow = half * (eps[-1] + 2 * eps[0] + eps[1]) * part->P[i];
+        double outflow = half * ovr_patch_outflow(part, i) * part->P[i];
         if (ovr_composite_leaf(c, k, i))
             sum += r[i] < 0 ? -r[i] : fmin(r[i], outflow);
     }

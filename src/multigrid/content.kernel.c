@@ -87,9 +87,9 @@ static INLINE void residual_vector(const ovr_weights *w, const ovr_fields *f,
 }
 
 static INLINE void residual_vectors(const ovr_weights *w, const ovr_fields *f,
-                                    bool thins, ptrdiff_t S)
+                                    row_kind kind, ptrdiff_t S)
 {
-    row_weights first = row_first(w, thins), rest = row_inner(w, thins);
+    row_weights first = row_first(w, kind), rest = row_inner(w, kind);
     residual_vector(w, f, &rest, 0);
     residual_vector(w, f, &first, 1);
     for (ptrdiff_t J = 2; J < S; J++)
@@ -102,10 +102,10 @@ void OVR_KERNEL(content_residual)(const ovr_lanes *g, const ovr_weights *w,
 {
     const ovr_fields own = *f;
     ptrdiff_t S = (ptrdiff_t)g->S;
-    if (own.flow)
-        residual_vectors(w, &own, true, S);
+    if (own.flow) /* whatever made it */
+        residual_vectors(w, &own, ROW_GAP, S);
     else
-        residual_vectors(w, &own, false, S);
+        residual_vectors(w, &own, ROW_SUMS, S);
     own.r[ovr_lanes_place(g, 1)] -= w->source;
     own.r[0] = 0;
     zero_end(g, own.r);
@@ -125,12 +125,12 @@ double OVR_KERNEL(content_imbalance)(const ovr_lanes *g, const ovr_fields *f)
 
 /* --------------------------------------------------------- line relaxation */
 
-static INLINE void take_sides(const ovr_fields *f, bool thins, vec half,
+static INLINE void take_sides(const ovr_fields *f, bool stored, vec half,
                               ptrdiff_t S)
 {
     for (ptrdiff_t J = 0; J < S; J++) {
         ivec wet = in_set(f->wet, J), falls = row_falls(f, J);
-        ivec rises = row_rises(f, thins, half, J);
+        ivec rises = row_rises(f, stored, half, J);
         put_set(f->wet, J, (wet & ~falls) | (~wet & rises));
     }
 }
@@ -228,15 +228,25 @@ static void hold_row(const ovr_band *band, size_t place)
     band->delta[place] = 0;
 }
 
-static INLINE void assemble(const line *l, ptrdiff_t S, bool thins,
+static INLINE void assemble(const line *l, ptrdiff_t S, row_kind kind,
                             bool transient)
 {
-    row_weights first = row_first(&l->w, thins);
-    row_weights rest = row_inner(&l->w, thins);
+    row_weights first = row_first(&l->w, kind);
+    row_weights rest = row_inner(&l->w, kind);
     assemble_vector(l, &rest, transient, 0);
     assemble_vector(l, &first, transient, 1);
     for (ptrdiff_t J = 2; J < S; J++)
         assemble_vector(l, &rest, transient, J);
+}
+
+static INLINE void assemble_kind(const line *l, ptrdiff_t S, bool transient)
+{
+    switch (row_kind_of(&l->f)) {
+    case ROW_SUMS: assemble(l, S, ROW_SUMS, transient); break;
+    case ROW_GAP: assemble(l, S, ROW_GAP, transient); break;
+    case ROW_THINS: assemble(l, S, ROW_THINS, transient); break;
+    case ROW_GAP_THINS: assemble(l, S, ROW_GAP_THINS, transient); break;
+    }
 }
 
 void OVR_KERNEL(content_assemble)(const ovr_lanes *g, const ovr_weights *w,
@@ -249,12 +259,10 @@ void OVR_KERNEL(content_assemble)(const ovr_lanes *g, const ovr_weights *w,
                     .shares = *shares,
                     .band = *band};
     ptrdiff_t S = (ptrdiff_t)g->S;
-    if (f->flow)
-        assemble(&l, S, true, shares->transient);
-    else if (shares->transient)
-        assemble(&l, S, false, true);
+    if (shares->transient)
+        assemble_kind(&l, S, true);
     else
-        assemble(&l, S, false, false);
+        assemble_kind(&l, S, false);
     hold_row(band, 0);
     for (size_t i = g->n - 1; i <= g->S * VEC; i++)
         hold_row(band, ovr_lanes_place(g, i));

@@ -10,7 +10,8 @@
 static row_weights weights_at(const ovr_fields *f, const ovr_weights *w,
                               ptrdiff_t i)
 {
-    row_weights free = i == 1 ? row_first(w, f->flow) : row_inner(w, f->flow);
+    row_kind kind = row_kind_of(f);
+    row_weights free = i == 1 ? row_first(w, kind) : row_inner(w, kind);
     return row_limited(f, w, &free, i);
 }
 

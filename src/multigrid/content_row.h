@@ -69,11 +69,11 @@ static inline truth row_falls(const ovr_fields *f, ptrdiff_t J)
     return in_set(f->wet, J) & empty & falls;
 }
 
-static inline truth row_rises(const ovr_fields *f, bool thins, num half,
+static inline truth row_rises(const ovr_fields *f, bool stored, num half,
                               ptrdiff_t J)
 {
     truth full = at(f->q, J) >= at(f->full, J);
-    truth rises = at(f->r, J) < -1e-10 * row_outflow(f, thins, half, J);
+    truth rises = at(f->r, J) < -1e-10 * row_outflow(f, stored, half, J);
     return full & rises;
 }
 

@@ -6,7 +6,9 @@
  *
  *     memory   LANES: the nodes, in lanes; WIDE: with the deformation's halos;
  *              NEWTON: on the grids that are solved by Newton's method alone;
- *              FLOW, SENSITIVE: as LANES, NEWTON where there is a flow law;
+ *              GAP: where means at half nodes go by the gap (faces.h);
+ *              LAW: where there is a flow law; FLOW, SENSITIVE: as LANES,
+ *              NEWTON where there is one or the other;
  *              CONTENT: where oil is conserved (content.h) alone
  *     ordered  read node by node too, by what does not run in lanes
  *     carried  full multigrid brings it down to all levels by full weighting
@@ -37,8 +39,9 @@
     FIELD(w,       WIDE,   0, 0, 0, 0, 0) /* deformation */ \
     FIELD(entry,   LANES,  0, 0, 0, 0, 0) /* P when the cycle came to it */ \
     FIELD(flow,    FLOW,   1, 0, 1, 0, 0) /* 2 E at i + 1/2 (flow.h) */ \
-    FIELD(tangent, FLOW,   1, 0, 0, 0, 0) /* 2 T there */ \
-    FIELD(by_eps,  FLOW,   1, 0, 0, 0, 0) /* dE/d eps */ \
+    FIELD(share,   GAP,    1, 0, 0, 0, 0) /* p there (faces.h) */ \
+    FIELD(tangent, LAW,    1, 0, 0, 0, 0) /* 2 T there */ \
+    FIELD(by_eps,  LAW,    1, 0, 0, 0, 0) /* dE/d eps */ \
     FIELD(by_left, SENSITIVE, 1, 0, 0, 0, 0) /* 2 dE/dH_i at fixed P */ \
     FIELD(by_right, SENSITIVE, 1, 0, 0, 0, 0) /* 2 dE/dH_{i+1} */ \
     FIELD(full,    CONTENT, 0, 0, 0, 0, 0) /* rho H, of a gap full of oil */ \
@@ -76,6 +79,8 @@ typedef enum ovr_field_memory {
     OVR_LANES,
     OVR_WIDE,
     OVR_NEWTON,
+    OVR_GAP,
+    OVR_LAW,
     OVR_FLOW,
     OVR_SENSITIVE,
     OVR_CONTENT

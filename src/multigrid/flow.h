@@ -14,12 +14,12 @@
  *     A = 3 (g cosh g - sinh g)/g^3,  B = g/sinh g,  a = -sgn(V) asinh(B c/eps)
  * c has no viscosity in it, and nothing is divided by eps.
  *
- * At i + 1/2, eps and rho H^2 the means of the two nodes, g by the difference
- * of P over D and the mean of H.  What row and Newton need of it:
+ * At i + 1/2, eps and rho H^2 the means of the two nodes (faces.h), g by the
+ * difference of P over D and the mean of H.  What row and Newton need of it:
  *     T = d(E g)/dg at fixed eps, c: E with its change by the gradient
  *       = (3 sinh g/g - 2 A) W - (A^2 B g^2/3) (B c)^2/W
  *     R = dE/d eps = A eps/W
- *     dE/dH_i = R (d eps_i/dH)/2 + (A B^2 c/W) dc/dH_i
+ *     dE/dH_i = R d eps/dH_i + (A B^2 c/W) dc/dH_i
  *               + (T - E)/(H_i + H_{i+1})
  *
  * A, B beyond |g| = 200 are those there.  Without T steep pressures diverge.

@@ -5,6 +5,7 @@
 #include "multigrid/plain.h"
 
 #include "contact/flow_law.h"
+#include "multigrid/faces.h"
 #include "multigrid/flow.h"
 
 typedef struct half {
@@ -40,17 +41,17 @@ static double dragged(const ovr_fields *f, ptrdiff_t i)
 
 /* A cell of a table along s_N or g: cubic between its ends, of which value and
  * slope are known.  Weights of these four, and of the derivative. */
-typedef struct cell {
+typedef struct part {
     int number;
     double b[4], d[4];
-} cell;
+} part;
 
-static cell cell_of(double x)
+static part part_of(double x)
 {
     int octave;
-    double part = 8 * frexp(x, &octave) - 4, w = ldexp(0.25, octave - 1);
-    double t = part - floor(part);
-    return (cell){4 * (octave - 1) + (int)part,
+    double place = 8 * frexp(x, &octave) - 4, w = ldexp(0.25, octave - 1);
+    double t = place - floor(place);
+    return (part){4 * (octave - 1) + (int)place,
                   {(1 + 2 * t) * (1 - t) * (1 - t), w * t * (1 - t) * (1 - t),
                    t * t * (3 - 2 * t), w * t * t * (t - 1)},
                   {6 * t * (t - 1) / w, (1 - t) * (1 - 3 * t),
@@ -67,7 +68,7 @@ static value value_at(const double *table, double s_N, double g)
 {
     double x = fmin(1 + s_N, OVR_LAW_MOST_SLIDE);
     double y = fmin(1 + fabs(g), OVR_LAW_MOST_GRADIENT);
-    cell s = cell_of(x), along = cell_of(y);
+    part s = part_of(x), along = part_of(y);
     double beyond = fmax(s_N / (OVR_LAW_MOST_SLIDE - 1), 1);
     value v = {.s = x - 1, .g = y - 1, .beyond = beyond};
     for (int m = 0; m < 2; m++)
@@ -108,9 +109,39 @@ double ovr_flow_stress(const ovr_flow_law *law, double s_N, double g)
     return s_N * exp(value_at(law->stress, s, g).ln);
 }
 
-static double drag(const ovr_fields *f, ptrdiff_t i)
+/* Two nodes summed: eps or psi_c rho H^2, power 3 or 2 of the film, and its
+ * slopes by it. */
+typedef struct sum {
+    double value, share, by_film[2];
+} sum;
+
+static sum sum_of(bool gap, double power, const double *H, const double *x,
+                  const double *slope)
 {
-    return dragged(f, i) * f->H[i] + dragged(f, i + 1) * f->H[i + 1];
+    double p = !gap ? 1
+                    : (power > 2 ? face_share : face_square_share)(H[0], H[1]);
+    sum s = {p * x[0] + (2 - p) * x[1], p, {slope[0], slope[1]}};
+    if (!gap)
+        return s;
+    s.value = fmax(s.value, 0);
+    s.by_film[0] = face_by_film(power, p, H[0], slope[0], x[0], x[1]);
+    s.by_film[1] = face_by_film(power, 2 - p, H[1], slope[1], x[1], x[0]);
+    return s;
+}
+
+static sum eps_at(const ovr_fields *f, ptrdiff_t i)
+{
+    const double none[2] = {0};
+    return sum_of(f->share, 3, f->H + i, f->eps + i,
+                  f->deps_dH ? f->deps_dH + i : none);
+}
+
+static sum drag_at(const ovr_fields *f, ptrdiff_t i)
+{
+    const double q[2] = {dragged(f, i), dragged(f, i + 1)};
+    const double slope[2] = {2 * q[0], 2 * q[1]};
+    const double drag[2] = {q[0] * f->H[i], q[1] * f->H[i + 1]};
+    return sum_of(f->share, 2, f->H + i, drag, slope);
 }
 
 void ovr_flow_plain(const ovr_fluid *fluid, double D, const ovr_lanes *g,
@@ -120,29 +151,46 @@ void ovr_flow_plain(const ovr_fluid *fluid, double D, const ovr_lanes *g,
     double gradient = ovr_flow_gradient(fluid, D);
     for (ptrdiff_t i = 0; i + 1 < (ptrdiff_t)g->n; i++) {
         double H = f->H[i] + f->H[i + 1];
+        sum eps = eps_at(f, i), drag = drag_at(f, i);
         half h = half_of(fluid, gradient * H * (f->P[i + 1] - f->P[i]),
-                         f->eps[i] + f->eps[i + 1], slide * drag(f, i));
+                         eps.value, slide * drag.value);
         f->flow[i] = h.flow;
         f->tangent[i] = h.tangent;
         f->by_eps[i] = h.R;
+        if (f->share)
+            f->share[i] = eps.share;
         if (!f->by_left)
             continue;
-        double by_g = (h.tangent - h.flow) / H, by_c = 2 * slide * h.by_c;
-        f->by_left[i] = h.R * f->deps_dH[i] + by_c * dragged(f, i) + by_g;
-        f->by_right[i] = h.R * f->deps_dH[i + 1] + by_c * dragged(f, i + 1) +
-                         by_g;
+        double by_g = (h.tangent - h.flow) / H, by_c = slide * h.by_c;
+        f->by_left[i] = h.R * eps.by_film[0] + by_c * drag.by_film[0] + by_g;
+        f->by_right[i] = h.R * eps.by_film[1] + by_c * drag.by_film[1] + by_g;
+    }
+}
+
+void ovr_faces_plain(const ovr_lanes *g, const ovr_fields *f)
+{
+    for (ptrdiff_t i = 0; i + 1 < (ptrdiff_t)g->n; i++) {
+        sum eps = eps_at(f, i);
+        f->share[i] = eps.share;
+        f->flow[i] = eps.value;
+        if (!f->by_left)
+            continue;
+        f->by_left[i] = eps.by_film[0];
+        f->by_right[i] = eps.by_film[1];
     }
 }
 
 double ovr_flow_between(const ovr_fluid *fluid, double dX,
                         const ovr_pair *nodes)
 {
-    const double *H = nodes->H, *q = nodes->q, *eps = nodes->eps;
-    double twice_eps = eps[0] + eps[1];
+    const double *H = nodes->H, *q = nodes->q, none[2] = {0};
+    const double drag[2] = {q[0] * H[0], q[1] * H[1]};
+    bool gap = fluid->faces == OVR_FACES_GAP;
+    double twice_eps = sum_of(gap, 3, H, nodes->eps, none).value;
     if (!ovr_flow_thins(fluid))
         return 0.5 * twice_eps;
     double g = ovr_flow_gradient(fluid, dX) * (H[0] + H[1]) *
                (nodes->P[1] - nodes->P[0]);
-    double c = ovr_flow_slide(fluid) * (q[0] * H[0] + q[1] * H[1]);
+    double c = ovr_flow_slide(fluid) * sum_of(gap, 2, H, drag, none).value;
     return 0.5 * half_of(fluid, g, twice_eps, c).flow;
 }

@@ -62,7 +62,7 @@ static void correct(ovr_hierarchy *grids, const ovr_correction *c, bool mask)
     if (mask)
         run->fourth_mask(&level->lanes, level->f.P, c->mask);
     run->fourth_order(&level->lanes, &how, &level->f, level->f.w);
-    if (level->f.flow)
+    if (level->f.tangent)
         ovr_fourth_thinning(grids, level, c);
     memcpy(level->f.F, c->F, level->lanes.S * level->lanes.V * sizeof(double));
     run->combine(length(level), 1, begin(level, c->gap_only), 1,

@@ -28,8 +28,9 @@
  *     dN  = [27 (f_i - f_{i-1}) - (f_{i+1} - f_{i-2})]/(24 D) - second order
  * eps grows exponentially in the inlet, so for X < 0 the logarithm of eps_{i +
  * 1/2} is the cubic through four nodes; behind it eps itself is, held within
- * 40 % of the mean of the two nodes: at the spike the cubic would leave a limit
- * cycle, and so would a jump to the mean.  A flow law has its own
+ * 40 % of the mean of the two nodes that the equation of second order has
+ * (faces.h): at the spike the cubic would leave a limit cycle, and so would a
+ * jump to the mean.  A flow law has its own
  * (fourth_thinning.c).
  *
  * Wedge, biased upstream, less the second-order one:

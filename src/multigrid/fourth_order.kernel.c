@@ -40,11 +40,18 @@ static void logarithms(const ovr_lanes *g, const double *eps, double *log_eps)
         put(log_eps, J, scaled_log2(&table, at(eps, J)));
 }
 
+/* 2 E of the equation of second order */
+static inline vec through(const ovr_fields *f, ptrdiff_t J)
+{
+    return f->flow ? at(f->flow, J) : at(f->eps, J) + at(f->eps, J + 1);
+}
+
 /* eps at i + 1/2: by logarithms upstream, of nodes, elsewhere */
 static inline vec middle(const table16 *table, const double *log_eps,
-                         const double *eps, ivec upstream, ptrdiff_t J)
+                         const ovr_fields *f, ivec upstream, ptrdiff_t J)
 {
-    vec sum = at(eps, J) + at(eps, J + 1), mean = 0.5 * sum;
+    const double *eps = f->eps;
+    vec sum = at(eps, J) + at(eps, J + 1), mean = 0.5 * through(f, J);
     vec cubic = (9 * sum - at(eps, J - 1) - at(eps, J + 2)) / 16;
     vec power = 9 * (at(log_eps, J) + at(log_eps, J + 1)) - at(log_eps, J - 1) -
                 at(log_eps, J + 2);
@@ -61,7 +68,7 @@ static void fluxes(const ovr_lanes *g, const ovr_fourth *c, const ovr_fields *f)
     for (ptrdiff_t J = 1 - REACH; J < (ptrdiff_t)g->S + REACH - 2; J++) {
         vec slope = 27 * (at(f->P, J + 1) - at(f->P, J)) -
                     (at(f->P, J + 2) - at(f->P, J - 1));
-        vec eps = middle(&table, c->log_eps, f->eps, nodes(g, J) < centre, J);
+        vec eps = middle(&table, c->log_eps, f, nodes(g, J) < centre, J);
         put(c->flux, J, eps * (scale * slope));
     }
 }
@@ -69,11 +76,11 @@ static void fluxes(const ovr_lanes *g, const ovr_fourth *c, const ovr_fields *f)
 /* The equation's left-hand side of fourth order less that of second. */
 static inline vec excess(const ovr_fourth *c, const ovr_fields *f, ptrdiff_t J)
 {
-    vec P = at(f->P, J), e = at(f->eps, J), q = at(f->q, J);
+    vec P = at(f->P, J), q = at(f->q, J);
     vec fourth = 27 * (at(c->flux, J) - at(c->flux, J - 1)) -
                  (at(c->flux, J + 1) - at(c->flux, J - 2));
-    vec second = (at(f->eps, J - 1) + e) * (at(f->P, J - 1) - P) +
-                 (e + at(f->eps, J + 1)) * (at(f->P, J + 1) - P);
+    vec second = through(f, J - 1) * (at(f->P, J - 1) - P) +
+                 through(f, J) * (at(f->P, J + 1) - P);
     vec wedge = 3 * at(f->q, J + 1) - 8 * q + 6 * at(f->q, J - 1) -
                 at(f->q, J - 3);
     return (1 / (24 * c->D)) * fourth - (0.5 / (c->D * c->D)) * second -

@@ -20,10 +20,17 @@ void ovr_fourth_mask_plain(const ovr_lanes *g, double *P, double *mask)
     }
 }
 
-/* eps at i + 1/2 */
-static double middle(const double *eps, bool upstream)
+/* 2 E of the equation of second order */
+static double through(const ovr_fields *f, ptrdiff_t i)
 {
-    double mean = 0.5 * (eps[0] + eps[1]);
+    return f->flow ? f->flow[i] : f->eps[i] + f->eps[i + 1];
+}
+
+/* eps at i + 1/2 */
+static double middle(const ovr_fields *f, ptrdiff_t i, bool upstream)
+{
+    const double *eps = f->eps + i;
+    double mean = 0.5 * through(f, i);
     double cubic = (9 * (eps[0] + eps[1]) - eps[-1] - eps[2]) / 16;
     if (upstream)
         return exp(
@@ -36,18 +43,18 @@ static double flux(const ovr_fourth *c, const ovr_fields *f, ptrdiff_t i)
 {
     const double *P = f->P + i;
     double slope = (27 * (P[1] - P[0]) - (P[2] - P[-1])) / (24 * c->D);
-    return middle(f->eps + i, i < (ptrdiff_t)c->centre) * slope;
+    return middle(f, i, i < (ptrdiff_t)c->centre) * slope;
 }
 
 /* The equation's left-hand side of fourth order less that of second. */
 static double excess(const ovr_fourth *c, const ovr_fields *f, ptrdiff_t i)
 {
-    const double *P = f->P + i, *e = f->eps + i, *q = f->q + i;
+    const double *P = f->P + i, *q = f->q + i;
     double fourth = (27 * (flux(c, f, i) - flux(c, f, i - 1)) -
                      (flux(c, f, i + 1) - flux(c, f, i - 2))) /
                     (24 * c->D);
-    double second = ((e[-1] + e[0]) * (P[-1] - P[0]) +
-                     (e[0] + e[1]) * (P[1] - P[0])) /
+    double second = (through(f, i - 1) * (P[-1] - P[0]) +
+                     through(f, i) * (P[1] - P[0])) /
                     (2 * c->D * c->D);
     double wedge = (3 * q[1] - 8 * q[0] + 6 * q[-1] - q[-3]) / 12;
     return fourth - second - c->Cu * wedge / c->D;

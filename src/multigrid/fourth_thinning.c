@@ -4,8 +4,9 @@
  * flux at a half node is E p, E by the flow law (flow.h) from eps, rho H^2, H
  * and the gradient there, each of fourth order:
  *     x_{i+1/2} = [9 (x_i + x_{i+1}) - x_{i-1} - x_{i+2}]/16
- * eps by its logarithms, held within 40 % of the mean of the two nodes.  A
- * steady solution takes some ten of these: node by node.
+ * eps by its logarithms, held within 40 % of the mean of the two nodes that the
+ * equation of second order has (faces.h).  A steady solution takes some ten of
+ * these: node by node.
  */
 #include <math.h>
 
@@ -17,9 +18,12 @@ static double cubic(const double *x)
     return (9 * (x[0] + x[1]) - x[-1] - x[2]) / 16;
 }
 
-static double middle(const double *eps)
+/* H and eps at x[0], x[1], and beside eps */
+static double middle(const ovr_fluid *fluid, const double *H, const double *eps)
 {
-    double mean = 0.5 * (eps[0] + eps[1]);
+    const ovr_fluid newtonian = {.faces = fluid->faces};
+    const ovr_pair nodes = {.H = {H[0], H[1]}, .eps = {eps[0], eps[1]}};
+    double mean = ovr_flow_between(&newtonian, 1, &nodes);
     double power = 9 * (log(eps[0]) + log(eps[1])) - log(eps[-1]) - log(eps[2]);
     double value = exp(power / 16);
     return fmin(fmax(value, 0.6 * mean), 1.4 * mean);
@@ -31,7 +35,7 @@ static double flux_of_fourth(const ovr_fluid *fluid, double D, const double *P,
                              const double *eps)
 {
     double rise = (27 * (P[1] - P[0]) - (P[2] - P[-1])) / 24;
-    double h = cubic(H), kept = cubic(q), e = middle(eps);
+    double h = cubic(H), kept = cubic(q), e = middle(fluid, H, eps);
     const ovr_pair nodes = {{0, rise}, {h, h}, {kept, kept}, {e, e}};
     return ovr_flow_between(fluid, D, &nodes) * rise / D;
 }

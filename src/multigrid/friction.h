@@ -10,7 +10,8 @@
  *     at a limit: |t| <= max(0, Lambda P/(b/R) - |H P_X|/2)
  *
  *     at i + 1/2:  D P_X = P_{i+1} - P_i
- *                  rho H^2, eps, H, rho: means of the nodes i and i + 1
+ *                  H, rho: means of the nodes i and i + 1; rho H^2/eps by
+ *                  their sums, or by the gap (faces.h)
  *
  * Force on a surface per unit width (ph b^2/R), power (um ph b^2/R):
  *     F_slide = int t dX,  F_roll = int H P_X/2 dX

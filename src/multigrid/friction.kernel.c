@@ -2,6 +2,7 @@
 /* Mean shear stress and friction (equations in friction.h).  Arrays in the
  * order of the nodes, n > VEC: the last vector overlaps the one before. */
 #include "multigrid/eyring.h"
+#include "multigrid/faces.h"
 #include "multigrid/flow.h"
 #include "multigrid/flow_table.h"
 
@@ -37,17 +38,47 @@ static inline vec drag_at(const ovr_sheared *f, size_t i)
                  load(f->q + i + 1) * load(f->H + i + 1));
 }
 
+/* At a half node: rho H^2 psi_c over eps, both up to a factor. */
+typedef struct slid {
+    vec drag, eps;
+} slid;
+
+/* x_i/H_i^power + x_{i+1}/H_{i+1}^power, the power 1 or 3 */
+static inline vec without_gap(const ovr_sheared *f, const double *x, bool cubed,
+                              size_t i)
+{
+    vec H = face_film(load(f->H + i)), G = face_film(load(f->H + i + 1));
+    return load(x + i) / (cubed ? H * H * H : H) +
+           load(x + i + 1) / (cubed ? G * G * G : G);
+}
+
+static inline slid slid_at(const ovr_sheared *f, bool gap, size_t i)
+{
+    if (!gap)
+        return (slid){drag_at(f, i), pair_at(f->eps, i)};
+    vec film = face_sliding(load(f->H + i), load(f->H + i + 1));
+    return (slid){without_gap(f, f->q, false, i),
+                  film * without_gap(f, f->eps, true, i)};
+}
+
+static bool by_gap(const ovr_fluid *fluid)
+{
+    return fluid->faces == OVR_FACES_GAP;
+}
+
 /* D P_X and D */
 static inline vec step_at(const double *x, size_t i)
 {
     return load(x + i + 1) - load(x + i);
 }
 
-static void newtonian(const ovr_sheared *f, double V, double *t)
+static void newtonian(const ovr_sheared *f, const ovr_fluid *fluid, double *t)
 {
+    double V = fluid->sliding;
     for (size_t k = 0; k < f->n - 1; k += VEC) {
         size_t i = start_of(k, f->n - 1);
-        vec stress = (-V / 12) * drag_at(f, i) / pair_at(f->eps, i);
+        slid s = slid_at(f, by_gap(fluid), i);
+        vec stress = (-V / 12) * s.drag / s.eps;
         store(t + i, choose(wet_at(f, i), stress, all(0)));
     }
 }
@@ -67,8 +98,9 @@ static void eyring_stress(const ovr_sheared *f, const ovr_fluid *fluid,
         size_t i = start_of(k, f->n - 1);
         vec g = gradient * pair_at(f->H, i) * step_at(f->P, i) /
                 step_at(f->X, i);
-        vec eps = larger(pair_at(f->eps, i), all(1e-290));
-        vec y = eyring_at(&growth, g).B * (slide * drag_at(f, i)) / eps;
+        slid s = slid_at(f, by_gap(fluid), i);
+        vec eps = larger(s.eps, all(1e-290));
+        vec y = eyring_at(&growth, g).B * (slide * s.drag) / eps;
         store(t + i, choose(wet_at(f, i), arsinh(&ln, scale, y), all(0)));
     }
 }
@@ -88,8 +120,9 @@ static void table_stress(const ovr_sheared *f, const ovr_fluid *fluid,
         size_t i = start_of(k, f->n - 1);
         vec g = gradient * pair_at(f->H, i) * step_at(f->P, i) /
                 step_at(f->X, i);
-        vec eps = larger(pair_at(f->eps, i), all(1e-290));
-        vec s_N = smaller(slide * drag_at(f, i) / eps, all(1e280));
+        slid s = slid_at(f, by_gap(fluid), i);
+        vec eps = larger(s.eps, all(1e-290));
+        vec s_N = smaller(slide * s.drag / eps, all(1e280));
         law_value v = law_at(table, s_N, g);
         vec a = s_N * law_power(&growth, &log, &v);
         store(t + i, choose(wet_at(f, i), scale * a, all(0)));
@@ -105,7 +138,7 @@ void OVR_KERNEL(mean_stress)(const ovr_sheared *f, const ovr_fluid *fluid,
     else if (ovr_flow_thins(fluid) && fluid->sliding != 0)
         table_stress(f, fluid, t);
     else
-        newtonian(f, fluid->sliding, t);
+        newtonian(f, fluid, t);
 }
 
 /* Cuts t off at limit P - |H P_X|/2; the share of the load that is carried

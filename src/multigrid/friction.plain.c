@@ -4,6 +4,7 @@
 
 #include "multigrid/plain.h"
 
+#include "multigrid/faces.h"
 #include "multigrid/flow.h"
 
 static bool wet(const ovr_sheared *f, size_t i)
@@ -29,16 +30,25 @@ static double thinning(const ovr_fluid *fluid, double c, double g)
     return copysign(Sigma0 * asinh(B * c), -fluid->sliding);
 }
 
+/* psi_c rho H^2 over eps */
+static double slid(const ovr_sheared *f, bool gap, size_t i)
+{
+    const double *H = f->H + i, *q = f->q + i, *eps = f->eps + i;
+    if (!gap)
+        return (q[0] * H[0] + q[1] * H[1]) / fmax(eps[0] + eps[1], 1e-290);
+    double phi = eps[0] / pow(H[0], 3) + eps[1] / pow(H[1], 3);
+    return (q[0] / H[0] + q[1] / H[1]) / (phi * face_sliding(H[0], H[1]));
+}
+
 void ovr_mean_stress_plain(const ovr_sheared *f, const ovr_fluid *fluid,
                            double *t)
 {
     double V = fluid->sliding, Sigma0 = fluid->lubricant.Sigma0;
     for (size_t i = 0; i + 1 < f->n; i++) {
-        double drag = f->q[i] * f->H[i] + f->q[i + 1] * f->H[i + 1];
-        double eps = fmax(f->eps[i] + f->eps[i + 1], 1e-290);
-        t[i] = -V / 12 * drag / (f->eps[i] + f->eps[i + 1]);
+        double ratio = slid(f, fluid->faces == OVR_FACES_GAP, i);
+        t[i] = -V / 12 * ratio;
         if (ovr_flow_thins(fluid) && V != 0)
-            t[i] = thinning(fluid, ovr_flow_slide(fluid) * drag / eps,
+            t[i] = thinning(fluid, ovr_flow_slide(fluid) * ratio,
                             slope(f, i) / Sigma0);
         if (!wet(f, i))
             t[i] = 0;

@@ -29,10 +29,13 @@ static bool has(const ovr_hierarchy *grids, ovr_field_memory memory,
                 bool newton)
 {
     bool thins = ovr_flow_thins(&grids->fluid);
+    bool gap = grids->fluid.faces == OVR_FACES_GAP;
     switch (memory) {
     case OVR_NEWTON: return newton;
-    case OVR_FLOW: return thins;
-    case OVR_SENSITIVE: return newton && thins;
+    case OVR_GAP: return gap;
+    case OVR_LAW: return thins;
+    case OVR_FLOW: return gap || thins;
+    case OVR_SENSITIVE: return newton && (gap || thins);
     case OVR_CONTENT: return grids->content;
     default: return true;
     }

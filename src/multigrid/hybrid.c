@@ -14,7 +14,8 @@ typedef struct row {
 static row row_at(const ovr_level *level, const ovr_fields *f, size_t i)
 {
     const ovr_weights *w = &level->weights;
-    row_weights c = i == 1 ? row_first(w, f->flow) : row_inner(w, f->flow);
+    row_kind kind = row_kind_of(f);
+    row_weights c = i == 1 ? row_first(w, kind) : row_inner(w, kind);
     ptrdiff_t J = (ptrdiff_t)i;
     double e[3], A[4] = {0};
     row_by_film(f, &c, J, e);

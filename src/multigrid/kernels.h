@@ -18,6 +18,7 @@
 #include "multigrid/friction.h"
 #include "multigrid/lanes.h"
 #include "overroll/contact.h"
+#include "overroll/simulation.h"
 
 struct ovr_mlmi;
 
@@ -27,12 +28,14 @@ struct ovr_feet;
 struct ovr_modes_step;
 struct ovr_swept;
 
-/* The lubricant with the Reynolds equation's lambda. */
+/* The lubricant with the Reynolds equation's lambda, and how its flow is meant
+ * between two nodes. */
 typedef struct ovr_fluid {
     ovr_lubricant lubricant;
     double lambda;
     const struct ovr_law *law; /* of viscosity, instead of the lubricant's */
     double sliding;            /* V = (u1 - u2)/um */
+    ovr_faces faces;
 } ovr_fluid;
 
 /* eps of a film H at the pressure P. */
@@ -92,8 +95,10 @@ enum { OVR_FOURTH_MARGIN = 8 };
     K(void, deformation, (const struct ovr_mlmi *plan, double *P, double *w)) \
     K(void, film, (const ovr_fluid *fluid, double H0, const ovr_lanes *g, \
                    const double *gap, const double *w, const ovr_fields *f)) \
+    /* at half nodes, where they are stored: of a flow law, and without */ \
     K(void, flow, (const ovr_fluid *fluid, double D, const ovr_lanes *g, \
                    const ovr_fields *f)) \
+    K(void, faces, (const ovr_lanes *g, const ovr_fields *f)) \
     /* and the phase by it */ \
     K(void, residual, (const ovr_lanes *g, const ovr_weights *w, \
                        const ovr_fields *f)) \

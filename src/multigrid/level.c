@@ -15,8 +15,10 @@ void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level)
     if (grids->conserving)
         f.q = f.full;
     run->film(&grids->fluid, grids->H0, &level->lanes, f.gap, f.w, &f);
-    if (f.flow)
+    if (f.tangent)
         run->flow(&grids->fluid, level->grid.D, &level->lanes, &f);
+    else if (f.flow)
+        run->faces(&level->lanes, &f);
     if (grids->conserving)
         ovr_content_settle(grids, level);
 }

@@ -141,10 +141,10 @@ static void end_column(const line *l, const ovr_lanes *g, const row_weights *c)
 }
 
 static INLINE void assemble(const line *l, const ovr_lanes *g,
-                            const ovr_weights *w, bool transient, bool thins)
+                            const ovr_weights *w, bool transient, row_kind kind)
 {
     ptrdiff_t S = (ptrdiff_t)g->S, edge = S < EDGE ? S : EDGE;
-    row_weights first = row_first(w, thins), rest = row_inner(w, thins);
+    row_weights first = row_first(w, kind), rest = row_inner(w, kind);
     assemble_vector(l, &rest, transient, LEFT_END, 0);
     assemble_vector(l, &first, transient, LEFT_END, 1);
     for (ptrdiff_t J = 2; J < edge; J++)
@@ -155,6 +155,17 @@ static INLINE void assemble(const line *l, const ovr_lanes *g,
         end_column(l, g, &rest);
 }
 
+static INLINE void assemble_kind(const line *l, const ovr_lanes *g,
+                                 const ovr_weights *w, bool transient)
+{
+    switch (row_kind_of(&l->f)) {
+    case ROW_SUMS: assemble(l, g, w, transient, ROW_SUMS); break;
+    case ROW_GAP: assemble(l, g, w, transient, ROW_GAP); break;
+    case ROW_THINS: assemble(l, g, w, transient, ROW_THINS); break;
+    case ROW_GAP_THINS: assemble(l, g, w, transient, ROW_GAP_THINS); break;
+    }
+}
+
 void OVR_KERNEL(band_assemble)(const ovr_lanes *g, const ovr_weights *w,
                                const double k[6], const ovr_shares *shares,
                                const ovr_fields *f, const ovr_band *band)
@@ -163,14 +174,10 @@ void OVR_KERNEL(band_assemble)(const ovr_lanes *g, const ovr_weights *w,
                     .k = {k[0], k[1], k[2], k[3], k[4], k[5]},
                     .shares = *shares,
                     .band = *band};
-    if (shares->transient && f->flow)
-        assemble(&l, g, w, true, true);
-    else if (shares->transient)
-        assemble(&l, g, w, true, false);
-    else if (f->flow)
-        assemble(&l, g, w, false, true);
+    if (shares->transient)
+        assemble_kind(&l, g, w, true);
     else
-        assemble(&l, g, w, false, false);
+        assemble_kind(&l, g, w, false);
     hold_row(band, 0);
     for (size_t i = g->n - 1; i <= g->S * VEC; i++)
         hold_row(band, ovr_lanes_place(g, i));

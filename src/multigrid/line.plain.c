@@ -10,7 +10,8 @@
 static void derivatives(const ovr_weights *w, const double *k,
                         const ovr_fields *f, ptrdiff_t i, double A[7])
 {
-    row_weights c = i == 1 ? row_first(w, f->flow) : row_inner(w, f->flow);
+    row_kind kind = row_kind_of(f);
+    row_weights c = i == 1 ? row_first(w, kind) : row_inner(w, kind);
     double e[3];
     row_by_film(f, &c, i, e);
     for (int d = -3; d <= 3; d++)

@@ -11,9 +11,10 @@
 
 static ovr_status take(ovr_patch *p, ovr_arena *arena, ovr_error *err)
 {
-    double **const all[] = {&p->P,       &p->q,       &p->eps,    &p->w,
-                            &p->entry,   &p->rigid,   &p->F,      &p->g,
-                            &p->outer_w, &p->outer_P, &p->detail, &p->detail_w};
+    double **const all[] = {&p->P,       &p->q,       &p->eps,     &p->flow,
+                            &p->w,       &p->entry,   &p->rigid,   &p->F,
+                            &p->g,       &p->outer_w, &p->outer_P, &p->detail,
+                            &p->detail_w};
     size_t room = p->level->grid.n + OVR_MOST_LANES;
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (!(*all[k] = ovr_field(arena, room, err)))
@@ -86,6 +87,23 @@ void ovr_patch_read(const ovr_hierarchy *grids, ovr_patch *patch)
     ovr_level_read(grids, level, level->f.q, patch->q);
     ovr_level_read(grids, level, level->f.eps, patch->eps);
     ovr_level_read(grids, level, level->f.w, patch->w);
+    if (level->f.flow)
+        ovr_level_read(grids, level, level->f.flow, patch->flow);
+}
+
+/* 2 E at i + 1/2 */
+static double through(const ovr_patch *patch, size_t i)
+{
+    return patch->level->f.flow ? patch->flow[i]
+                                : patch->eps[i] + patch->eps[i + 1];
+}
+
+double ovr_patch_outflow(const ovr_patch *patch, size_t i)
+{
+    const double *eps = patch->eps + i;
+    if (patch->level->f.flow)
+        return patch->flow[i - 1] + patch->flow[i];
+    return eps[-1] + 2 * eps[0] + eps[1];
 }
 
 void ovr_patch_write(const ovr_hierarchy *grids, ovr_patch *patch)
@@ -158,8 +176,8 @@ void ovr_patch_relax(ovr_hierarchy *grids, ovr_patch *patch, double limit)
 double ovr_patch_flux(const ovr_hierarchy *grids, const ovr_patch *patch,
                       size_t i)
 {
-    const double *P = patch->P + i, *eps = patch->eps + i, *q = patch->q + i;
+    const double *P = patch->P + i, *q = patch->q + i;
     const double *w = grids->op.w;
-    return 0.5 * (eps[0] + eps[1]) * (P[1] - P[0]) / patch->level->grid.D -
+    return 0.5 * through(patch, i) * (P[1] - P[0]) / patch->level->grid.D -
            (w[0] * q[0] - w[2] * q[-1]);
 }

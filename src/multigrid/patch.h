@@ -32,6 +32,7 @@ typedef struct ovr_patch {
     size_t from, to;     /* first and last unknown */
     bool opens, closes;  /* begins, ends inside the domain */
     double *P, *q, *eps; /* of the level, as last read */
+    double *flow;        /* of it, where it has one */
     double *w;           /* deformation by all pressures */
     double *entry;       /* P when the cycle came from the finer patch */
     double *rigid, *F;   /* gap and right-hand side where no patch is finer */
@@ -67,7 +68,7 @@ static inline size_t ovr_patch_node(const ovr_patch *patch, size_t I)
 size_t ovr_patch_begin(const ovr_patch *patch);
 size_t ovr_patch_end(const ovr_patch *patch);
 
-/* P, q, eps and w in the order of the nodes. */
+/* P, q, eps, w and flow in the order of the nodes. */
 void ovr_patch_read(const ovr_hierarchy *grids, ovr_patch *patch);
 
 /* P, as its edges and the level's lanes have it. */
@@ -86,6 +87,8 @@ void ovr_patch_settle(const ovr_hierarchy *grids, ovr_patch *patch);
 void ovr_patch_relax(ovr_hierarchy *grids, ovr_patch *patch, double limit);
 
 /* Mass flow at i + 1/2 by the equation's own stencil, as last read. */
+/* 2 E of both half nodes beside node i. */
+double ovr_patch_outflow(const ovr_patch *patch, size_t i);
 double ovr_patch_flux(const ovr_hierarchy *grids, const ovr_patch *patch,
                       size_t i);
 

@@ -31,9 +31,9 @@ static inline void put_halo_phase(const ovr_fields *f, ptrdiff_t S)
 }
 
 static INLINE void put_rows(const ovr_lanes *g, const ovr_weights *w,
-                            bool thins, const ovr_fields *f)
+                            row_kind kind, const ovr_fields *f)
 {
-    row_weights first = row_first(w, thins), rest = row_inner(w, thins);
+    row_weights first = row_first(w, kind), rest = row_inner(w, kind);
     put_row(f, &rest, 0);
     put_row(f, &first, 1);
     for (ptrdiff_t J = 2; J < (ptrdiff_t)g->S; J++)
@@ -46,10 +46,10 @@ void OVR_KERNEL(residual)(const ovr_lanes *g, const ovr_weights *w,
 {
     const ovr_fields own = *f; /* a copy that no store can change */
     ptrdiff_t S = (ptrdiff_t)g->S;
-    if (own.flow)
-        put_rows(g, w, true, &own);
+    if (own.flow) /* whatever made it */
+        put_rows(g, w, ROW_GAP, &own);
     else
-        put_rows(g, w, false, &own);
+        put_rows(g, w, ROW_SUMS, &own);
     own.r[0] = 0;
     for (size_t i = g->n - 1; i <= g->S * VEC; i++)
         own.r[ovr_lanes_place(g, i)] = 0;
@@ -68,13 +68,13 @@ void OVR_KERNEL(phase)(const ovr_lanes *g, const ovr_weights *w,
 }
 
 static INLINE double sum_imbalance(const ovr_lanes *g, const ovr_weights *w,
-                                   bool thins, const ovr_fields *f)
+                                   bool stored, const ovr_fields *f)
 {
     const vec half = all(w->half);
     vec sum = all(0);
     for (ptrdiff_t J = 0; J < (ptrdiff_t)g->S; J++) {
         vec r = at(f->r, J);
-        vec fall = smaller(at(f->P, J) * row_outflow(f, thins, half, J), r);
+        vec fall = smaller(at(f->P, J) * row_outflow(f, stored, half, J), r);
         sum += choose(r < 0, -r, fall);
     }
     return sum_of_lanes(sum);

@@ -17,7 +17,8 @@ void ovr_residual_plain(const ovr_lanes *g, const ovr_weights *w,
 {
     ptrdiff_t last = (ptrdiff_t)g->n - 1;
     for (ptrdiff_t i = 1; i < last; i++) {
-        row_weights c = i == 1 ? row_first(w, f->flow) : row_inner(w, f->flow);
+        row_kind kind = row_kind_of(f);
+        row_weights c = i == 1 ? row_first(w, kind) : row_inner(w, kind);
         f->r[i] = row_residual(f, &c, i);
         put_phase(f, w, i);
     }

@@ -8,8 +8,10 @@
  *     N = [before up + after down]/(2 D^2) - a0 q_i - a1 q_{i-1} - a2 q_{i-2}
  *     up = P_{i-1} - P_i       before = eps_{i-1} + eps_i
  *     down = P_{i+1} - P_i     after = eps_i + eps_{i+1}
- * With a flow law (flow.h) before and after are 2 E of the half nodes; below,
- * the sums become 2 T, and eps'_k counts by the R of the half node.
+ * Where 2 E of the half nodes is stored, by the gap (faces.h) or with a flow
+ * law (flow.h), it stands for before and after; below, eps'_k counts by its
+ * share in the half node, and with a flow law the sums become 2 T and eps'_k
+ * counts by the R of the half node besides.
  *
  * dN_i/dP_{i+d} at fixed film, eps' = d eps/dP:
  *     d = -2:  -a2 rho'_{i-2} H_{i-2}
@@ -30,26 +32,38 @@
 #include "base/scalar.h"
 #endif
 
-/* The weights of a row: of q_i, q_{i-1}, q_{i-2}, and 1/(2 D^2); whether there
- * is a flow law, a constant for the compiler in kernels. */
+/* What rows read at half nodes, a constant for the compiler in kernels. */
+typedef enum row_kind {
+    ROW_SUMS = 0,  /* nothing: sums of eps */
+    ROW_GAP = 1,   /* shares by the gap, 2 E */
+    ROW_THINS = 2, /* what a flow law makes of it: 2 E, 2 T, R */
+    ROW_GAP_THINS = 3
+} row_kind;
+
+static inline row_kind row_kind_of(const ovr_fields *f)
+{
+    return (f->share ? ROW_GAP : 0) | (f->tangent ? ROW_THINS : 0);
+}
+
+/* The weights of a row: of q_i, q_{i-1}, q_{i-2}, and 1/(2 D^2). */
 typedef struct row_weights {
     num a[3], half, hold;
-    bool thins;
+    row_kind kind;
 } row_weights;
 
-static inline row_weights row_inner(const ovr_weights *w, bool thins)
+static inline row_weights row_inner(const ovr_weights *w, row_kind kind)
 {
     return (row_weights){{all(w->a[0]), all(w->a[1]), all(w->a[2])},
                          all(w->half),
                          all(w->hold),
-                         thins};
+                         kind};
 }
 
 /* Row 1, the first of its vector, has no q_{-1}: its wedge is of first
  * order. */
-static inline row_weights row_first(const ovr_weights *w, bool thins)
+static inline row_weights row_first(const ovr_weights *w, row_kind kind)
 {
-    row_weights c = row_inner(w, thins);
+    row_weights c = row_inner(w, kind);
     for (int m = 0; m < 3; m++)
         c.a[m] = with_first(c.a[m], w->first[m]);
     return c;
@@ -60,12 +74,12 @@ typedef struct row_faces {
     num up, down, before, after;
 } row_faces;
 
-static inline row_faces row_faces_at(const ovr_fields *f, bool thins,
+static inline row_faces row_faces_at(const ovr_fields *f, bool stored,
                                      ptrdiff_t J)
 {
     num P = at(f->P, J);
     row_faces s = {.up = at(f->P, J - 1) - P, .down = at(f->P, J + 1) - P};
-    if (thins) {
+    if (stored) {
         s.before = at(f->flow, J - 1);
         s.after = at(f->flow, J);
     } else {
@@ -80,7 +94,7 @@ static inline row_faces row_faces_at(const ovr_fields *f, bool thins,
 static inline num row_residual(const ovr_fields *f, const row_weights *c,
                                ptrdiff_t J)
 {
-    row_faces s = row_faces_at(f, c->thins, J);
+    row_faces s = row_faces_at(f, c->kind, J);
     num N = c->half * (s.before * s.up + s.after * s.down) -
             c->a[0] * at(f->q, J) - c->a[1] * at(f->q, J - 1) -
             c->a[2] * at(f->q, J - 2);
@@ -88,10 +102,10 @@ static inline num row_residual(const ovr_fields *f, const row_weights *c,
 }
 
 /* What flows out of a node by its own pressure: d of reynolds.h. */
-static inline num row_outflow(const ovr_fields *f, bool thins, num half,
+static inline num row_outflow(const ovr_fields *f, bool stored, num half,
                               ptrdiff_t J)
 {
-    row_faces s = row_faces_at(f, thins, J);
+    row_faces s = row_faces_at(f, stored, J);
     return half * (s.before + s.after);
 }
 
@@ -123,8 +137,8 @@ static inline void row_by_film(const ovr_fields *f, const row_weights *c,
 static inline void row_flow_by_film(const ovr_fields *f, const row_weights *c,
                                     ptrdiff_t J, num e[4])
 {
-    row_faces s = row_faces_at(f, c->thins, J);
-    if (c->thins) {
+    row_faces s = row_faces_at(f, c->kind, J);
+    if (c->kind) {
         e[1] = less(e[1], c->half * at(f->by_left, J - 1), s.up);
         e[2] = less(
             e[2], c->half,
@@ -144,19 +158,32 @@ static inline num row_elastic(const num e[3], const double *k, int d)
                  fused(e[1], all(k[abs(d + 1)]), e[0] * k[abs(d + 2)]));
 }
 
-/* The same where there is a flow law. */
-static inline void row_thins(const ovr_fields *f, const row_weights *c,
-                             ptrdiff_t J, num A[4])
+/* The same where 2 E is stored. */
+static inline void row_by_stored(const ovr_fields *f, const row_weights *c,
+                                 ptrdiff_t J, num A[4])
 {
     row_faces s = row_faces_at(f, true, J);
-    num before = at(f->tangent, J - 1), after = at(f->tangent, J);
-    num up = at(f->by_eps, J - 1) * s.up, down = at(f->by_eps, J) * s.down;
+    num before = s.before, after = s.after, up = s.up, down = s.down;
+    num up_here = up, down_here = down;
+    if (c->kind & ROW_THINS) {
+        before = at(f->tangent, J - 1);
+        after = at(f->tangent, J);
+        up_here = up = at(f->by_eps, J - 1) * up;
+        down_here = down = at(f->by_eps, J) * down;
+    }
+    if (c->kind & ROW_GAP) {
+        num left = at(f->share, J - 1), right = at(f->share, J);
+        up_here = (2 - left) * up;
+        up = left * up;
+        down_here = right * down;
+        down = (2 - right) * down;
+    }
     A[0] = less(A[0], c->a[2], at(f->dq, J - 2));
     A[1] = less(fused(c->half, fused(at(f->deps, J - 1), up, before), A[1]),
                 c->a[1], at(f->dq, J - 1));
-    A[2] = less(
-        less(A[2], c->half, less(before + after, at(f->deps, J), up + down)),
-        c->a[0], at(f->dq, J));
+    A[2] = less(less(A[2], c->half,
+                     less(before + after, at(f->deps, J), up_here + down_here)),
+                c->a[0], at(f->dq, J));
     A[3] = fused(c->half, fused(at(f->deps, J + 1), down, after), A[3]);
 }
 
@@ -164,8 +191,8 @@ static inline void row_thins(const ovr_fields *f, const row_weights *c,
 static inline void row_by_pressure(const ovr_fields *f, const row_weights *c,
                                    ptrdiff_t J, num A[4])
 {
-    if (c->thins) {
-        row_thins(f, c, J, A);
+    if (c->kind) {
+        row_by_stored(f, c, J, A);
         return;
     }
     row_faces s = row_faces_at(f, false, J);

@@ -17,7 +17,9 @@ enum { NAME_ROOM = 512 };
 /* What the program did before it had a key. */
 static const struct {
     const char *name, *text;
-} once[] = {{"domain.order", "2"}, {"time.scheme", "upstream2"}};
+} once[] = {{"domain.order", "2"},
+            {"time.scheme", "upstream2"},
+            {"domain.faces", "arithmetic"}};
 
 /* The first section is that of the key today; it may be recorded under the one
  * it once belonged to. */

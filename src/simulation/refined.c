@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "simulation/refined.h"
+#include "multigrid/flow.h"
 #include "simulation/physics.h"
 #include "simulation/quantity_row.h"
 
@@ -119,6 +120,17 @@ static void weigh(ovr_solution *now)
     }
 }
 
+/* 2 E between the leaves, where solutions show it. */
+static void join(ovr_simulation *sim)
+{
+    const ovr_solution *now = &sim->now;
+    for (size_t i = 0; now->flow && i + 1 < now->n; i++) {
+        const ovr_pair nodes = {.H = {now->H[i], now->H[i + 1]},
+                                .eps = {now->eps[i], now->eps[i + 1]}};
+        now->flow[i] = 2 * ovr_flow_between(&sim->grids.fluid, 1, &nodes);
+    }
+}
+
 static void read_leaves(ovr_simulation *sim, ovr_refined *r)
 {
     for (int k = 0; k <= r->composite.patches; k++)
@@ -128,6 +140,7 @@ static void read_leaves(ovr_simulation *sim, ovr_refined *r)
     sim->now.D = r->found.D;
     take_leaves(sim, r, 0, 0, sim->finest->grid.n - 1);
     weigh(&sim->now);
+    join(sim);
     ovr_surface_heights(sim, 0, sim->now.n, r->X, sim->S);
 }
 

@@ -113,7 +113,8 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
     grids->kernels = ovr_kernels_choose(NULL);
     grids->fluid = (ovr_fluid){.lubricant = sim->lubricant,
                                .lambda = sim->contact.lambda,
-                               .sliding = ovr_sliding(sim, 0)};
+                               .sliding = ovr_sliding(sim, 0),
+                               .faces = o->faces};
     sim->wanted = (ovr_wanted){.M = sim->contact.M,
                                .L = sim->contact.L,
                                .c = 1,

@@ -29,13 +29,18 @@ static double *take(test_grid *grid)
     return field;
 }
 
+static bool at_half_nodes(ovr_field_memory memory)
+{
+    return memory == OVR_FLOW || memory == OVR_SENSITIVE || memory == OVR_LAW ||
+           memory == OVR_GAP;
+}
+
 static void take_fields(test_grid *grid)
 {
     double *band[BAND];
     ovr_error err = {0};
     for (int k = 0; k < OVR_FIELD_COUNT; k++)
-        if (ovr_field_rows[k].memory != OVR_FLOW &&
-            ovr_field_rows[k].memory != OVR_SENSITIVE)
+        if (!at_half_nodes(ovr_field_rows[k].memory))
             grid->f.all[k] = take(grid);
     ovr_fields *f = &grid->f;
     unsigned char **const sets[] = {&f->wet,   &f->held, &f->dried, &f->limited,
@@ -63,7 +68,8 @@ test_grid test_grid_make(const ovr_kernels *run, size_t n)
                       .n = n,
                       .D = D,
                       .fluid = {.lubricant = contact.lubricant,
-                                .lambda = contact.contact.lambda},
+                                .lambda = contact.contact.lambda,
+                                .faces = OVR_FACES_ARITHMETIC},
                       .weights = {{1.5 / D + 2, -2 / D, 0.5 / D},
                                   {1 / D + 2, -1 / D, 0},
                                   0.5 / (D * D),
@@ -78,14 +84,35 @@ test_grid test_grid_make(const ovr_kernels *run, size_t n)
     return grid;
 }
 
-void test_grid_thin(test_grid *grid, double Sigma0, double sliding)
+/* Those at half nodes, but the ones for this alone. */
+static void take_half_nodes(test_grid *grid, ovr_field_memory without)
 {
     for (int k = 0; k < OVR_FIELD_COUNT; k++)
-        if (!grid->f.all[k])
+        if (!grid->f.all[k] && ovr_field_rows[k].memory != without)
             grid->f.all[k] = take(grid);
+}
+
+void test_grid_gap(test_grid *grid)
+{
+    take_half_nodes(grid, OVR_LAW);
+    grid->fluid.faces = OVR_FACES_GAP;
+}
+
+void test_grid_thin(test_grid *grid, double Sigma0, double sliding)
+{
+    take_half_nodes(grid, OVR_GAP);
     grid->fluid.lubricant.rheology = OVR_EYRING;
     grid->fluid.lubricant.Sigma0 = Sigma0;
     grid->fluid.sliding = sliding;
+}
+
+void test_grid_film(const test_grid *grid, const ovr_fields *f)
+{
+    grid->run->film(&grid->fluid, 0, &grid->lanes, grid->gap, grid->w, f);
+    if (f->tangent)
+        grid->run->flow(&grid->fluid, grid->D, &grid->lanes, f);
+    else if (f->flow)
+        grid->run->faces(&grid->lanes, f);
 }
 
 void test_grid_fill(const test_grid *grid, uint64_t seed)
@@ -103,9 +130,7 @@ void test_grid_fill(const test_grid *grid, uint64_t seed)
         f->F[i] = test_random(&seed, -1, 1);
     }
     f->P[0] = f->P[n - 1] = 0;
-    grid->run->film(&grid->fluid, 0, &grid->lanes, grid->gap, grid->w, f);
-    if (f->flow)
-        grid->run->flow(&grid->fluid, grid->D, &grid->lanes, f);
+    test_grid_film(grid, f);
     grid->run->residual(&grid->lanes, &grid->weights, f);
     grid->run->phase(&grid->lanes, &grid->weights, f);
 }

@@ -29,8 +29,15 @@ typedef struct test_grid {
 
 test_grid test_grid_make(const ovr_kernels *run, size_t n);
 
+/* Means between nodes by the gap, else they are arithmetic. */
+void test_grid_gap(test_grid *grid);
+
 /* Gives it a flow law, Eyring's. */
 void test_grid_thin(test_grid *grid, double Sigma0, double sliding);
+
+/* Film and properties, what stands at half nodes too, of its gap, deformation
+ * and the pressure of the fields. */
+void test_grid_film(const test_grid *grid, const ovr_fields *f);
 
 /* A pressure with a wet part, a dry end and a small disturbance, a film without
  * deformation, a right-hand side; the properties and the residual that belong

@@ -22,10 +22,14 @@ static void compare(const test_grid *of, const double *x, const double *plain,
 
 typedef void check(const test_grid *plain, const test_grid *other);
 
-static void on_set(const ovr_kernels *run, bool thin, check *agree)
+static void on_set(const ovr_kernels *run, bool gap, bool thin, check *agree)
 {
     test_grid plain = test_grid_make(test_kernels(0), N);
     test_grid other = test_grid_make(run, N);
+    if (gap) {
+        test_grid_gap(&plain);
+        test_grid_gap(&other);
+    }
     if (thin) {
         test_grid_thin(&plain, 0.2, 0.4);
         test_grid_thin(&other, 0.2, 0.4);
@@ -37,14 +41,14 @@ static void on_set(const ovr_kernels *run, bool thin, check *agree)
     ovr_arena_release(&other.arena);
 }
 
-/* The check on every set of vectors, from filled fields, without and with a
- * flow law. */
+/* The check on every set of vectors, from filled fields, with means of either
+ * kind, without and with a flow law. */
 static void on_every_set(check *agree)
 {
     const ovr_kernels *run;
     for (int k = 1; (run = test_kernels(k)); k++) {
-        on_set(run, false, agree);
-        on_set(run, true, agree);
+        for (int kind = 0; kind < 4; kind++)
+            on_set(run, kind & 1, kind & 2, agree);
     }
 }
 

@@ -70,7 +70,7 @@ static void move(const test_grid *b, const nudge *c, double s,
     memcpy(f->P, b->f.P, N * sizeof(double));
     for (size_t m = 0; m < 3; m++)
         f->P[c->j + m - 1] += s * c->by[m];
-    b->run->film(&b->fluid, 0, &b->lanes, b->gap, b->w, f);
+    test_grid_film(b, f);
     for (size_t i = c->j > 4 ? c->j - 4 : 0; i < N && i <= c->j + 2; i++)
         for (size_t m = 0; m < 3; m++) {
             size_t at = c->j + m - 1, d = i < at ? at - i : i - at;
@@ -170,14 +170,18 @@ static void check_change(const test_grid *b, const ovr_shares *s, double limit,
     CHECK_NEAR(P[i], stays ? 0 : fmax(0, b->f.P[i] + change), 1e-15);
 }
 
-/* The rows of the system and the use of its solution. */
-static void line_is_as_defined(void **state)
+/* The rows of the system and the use of its solution, with means between nodes
+ * by the gap or arithmetic. */
+static void line_is_as(bool gap)
 {
     static const ovr_shares shares[] = {
         {-1, 0, false}, {-0.7, -0.3, true}, {-0.5, -0.5, true}};
     static double P[N];
-    (void)state;
     test_grid b = make(), work = make();
+    if (gap) {
+        test_grid_gap(&b);
+        test_grid_gap(&work);
+    }
     for (const ovr_shares *s = shares; s < shares + 3; s++) {
         int dry = 0;
         test_grid_fill(&b, 10);
@@ -198,6 +202,13 @@ static void line_is_as_defined(void **state)
     }
     ovr_arena_release(&b.arena);
     ovr_arena_release(&work.arena);
+}
+
+static void line_is_as_defined(void **state)
+{
+    (void)state;
+    line_is_as(false);
+    line_is_as(true);
 }
 
 /* Three wet nodes, then a dry one between wet ones. */

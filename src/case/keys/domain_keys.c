@@ -12,6 +12,8 @@ static const ovr_word smoothers[] = {{"line", OVR_LINE},
                                      {"dipole", OVR_DIPOLE},
                                      {NULL, 0}};
 static const ovr_word orders[] = {{"auto", 0}, {"2", 2}, {"4", 4}, {NULL, 0}};
+static const ovr_word faces[] = {
+    {"gap", OVR_FACES_GAP}, {"arithmetic", OVR_FACES_ARITHMETIC}, {NULL, 0}};
 static const ovr_word refines[] = {
     {"none", OVR_REFINE_NONE}, {"spike", OVR_REFINE_SPIKE}, {NULL, 0}};
 static const ovr_word accuracies[] = {{"H_cen", OVR_ACCURACY_H_CEN},
@@ -51,6 +53,10 @@ static const ovr_parameter domain_keys[] = {
     {"order", CHOICE(orders), "auto", AT(options.order), true, ALWAYS,
      "of the steady solution, and of what a run keeps of it: 4 corrects film, "
      "Poiseuille flow and wedge on the finest grid; auto: 4 where it applies"},
+    {"faces", CHOICE(faces), "gap", AT(options.faces), true, ALWAYS,
+     "mean of rho H^3/eta between two nodes: by the gap, harmonic in H^3, or "
+     "of both as it is, as in the paper, which leaks through what is narrower "
+     "than a mesh"},
     {"refine", CHOICE(refines), "none", AT(options.refine), true, ALWAYS,
      "spike: patches of ever finer mesh about the pressure spike, the first "
      "three to behind the rupture of the film; of steady contacts only"},
