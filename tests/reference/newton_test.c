@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The multigrid solver against the dense Newton solution of the same discrete
- * equations: steady, with a feature, and some time steps. */
+ * equations: steady, with a feature, and some time steps; with means between
+ * nodes by the gap and arithmetic. */
 #include "support/contact.h"
 #include "support/newton.h"
 
@@ -13,9 +14,11 @@
 
 enum { LEVEL = 4 };
 
-static ovr_simulation *solver(double M, double L, ovr_scheme scheme)
+static ovr_simulation *solver(double M, double L, ovr_scheme scheme,
+                              ovr_faces faces)
 {
     ovr_options o = test_options();
+    o.faces = faces;
     o.level = LEVEL;
     o.coarsest_level = 3;
     o.scheme = scheme;
@@ -24,6 +27,15 @@ static ovr_simulation *solver(double M, double L, ovr_scheme scheme)
     o.mlmi_range = 24;
     return test_simulation(M, L, &o);
 }
+
+static dense *reference(double M, double L, ovr_scheme scheme, ovr_faces faces)
+{
+    dense *d = dense_make(M, L, LEVEL, scheme);
+    d->in_line = faces == OVR_FACES_GAP;
+    return d;
+}
+
+static const ovr_faces both[] = {OVR_FACES_GAP, OVR_FACES_ARITHMETIC};
 
 static void compare(const ovr_simulation *sim, const dense *d)
 {
@@ -52,11 +64,12 @@ static void steady_smooth(void **state)
     const double loads[][2] = {{5, 10}, {10, 2.5}, {20, 10}, {5, 0}};
     (void)state;
     for (int c = 0; c < 4; c++)
-        for (int s = 0; s < 2; s++) {
+        for (int s = 0; s < 4; s++) {
             ovr_error err;
-            ovr_scheme scheme = s ? OVR_UPSTREAM2 : OVR_UPSTREAM1;
-            dense *d = dense_make(loads[c][0], loads[c][1], LEVEL, scheme);
-            ovr_simulation *sim = solver(loads[c][0], loads[c][1], scheme);
+            ovr_scheme scheme = s % 2 ? OVR_UPSTREAM2 : OVR_UPSTREAM1;
+            double M = loads[c][0], L = loads[c][1];
+            dense *d = reference(M, L, scheme, both[s / 2]);
+            ovr_simulation *sim = solver(M, L, scheme, both[s / 2]);
             CHECK_OK(ovr_simulation_steady(sim, &err), &err);
             start_near(d, sim);
             dense_solve(d);
@@ -91,13 +104,12 @@ static void thick_at(const ovr_law *law, const ovr_law_nodes *nodes)
     }
 }
 
-static void a_law_of_its_own(void **state)
+static void oil_of_its_own(ovr_faces faces)
 {
     ovr_error err;
-    dense *d = dense_make(5, 5, LEVEL, OVR_UPSTREAM2);
-    ovr_simulation *sim = solver(5, 5, OVR_UPSTREAM2);
+    dense *d = reference(5, 5, OVR_UPSTREAM2, faces);
+    ovr_simulation *sim = solver(5, 5, OVR_UPSTREAM2, faces);
     thick_oil thick = {{thick_at}, &d->contact.lubricant};
-    (void)state;
     sim->wanted.fluid.law = sim->grids.fluid.law = &thick.law;
     d->thickening = thickening;
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
@@ -108,14 +120,20 @@ static void a_law_of_its_own(void **state)
     ovr_simulation_free(sim);
 }
 
-static void steady_with_a_dent(void **state)
+static void a_law_of_its_own(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 2; k++)
+        oil_of_its_own(both[k]);
+}
+
+static void steady_dent(ovr_faces faces)
 {
     ovr_error err;
     test_feature dent = {'l', -0.05, 0.8, -0.2, 0, 0};
     double S[128];
-    dense *d = dense_make(10, 10, LEVEL, OVR_UPSTREAM2);
-    ovr_simulation *sim = solver(10, 10, OVR_UPSTREAM2);
-    (void)state;
+    dense *d = reference(10, 10, OVR_UPSTREAM2, faces);
+    ovr_simulation *sim = solver(10, 10, OVR_UPSTREAM2, faces);
     ovr_simulation_surface(sim, test_feature_heights, &dent);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     test_feature_heights(&dent, 0, d->n, d->X, S);
@@ -124,6 +142,13 @@ static void steady_with_a_dent(void **state)
     compare(sim, d);
     ovr_simulation_free(sim);
     dense_free(d);
+}
+
+static void steady_with_a_dent(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 2; k++)
+        steady_dent(both[k]);
 }
 
 /* Coefficients of q^k and q^{k-1} in F, times dT, and cT dT. */
@@ -154,15 +179,15 @@ static double ghost(const dense *d, int g)
     return d->H0 + 0.5 * X * X - w;
 }
 
-static void time_steps(ovr_scheme scheme)
+static void steps_of(ovr_scheme scheme, ovr_faces faces)
 {
     enum { STEPS = 4 };
     ovr_error err;
     double S[128], q1[128], q2[128], in1, in2[2];
     test_feature dent = {'l', -0.08, 0.8, -1.3, 1, 0};
     ovr_scheme steady = scheme == OVR_UPSTREAM1 ? scheme : OVR_UPSTREAM2;
-    dense *d = dense_make(10, 10, LEVEL, steady);
-    ovr_simulation *sim = solver(10, 10, scheme);
+    dense *d = reference(10, 10, steady, faces);
+    ovr_simulation *sim = solver(10, 10, scheme, faces);
     ovr_simulation_surface(sim, test_feature_heights, &dent);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     test_feature_heights(&dent, 0, d->n, d->X, S);
@@ -189,6 +214,12 @@ static void time_steps(ovr_scheme scheme)
     }
     ovr_simulation_free(sim);
     dense_free(d);
+}
+
+static void time_steps(ovr_scheme scheme)
+{
+    for (int k = 0; k < 2; k++)
+        steps_of(scheme, both[k]);
 }
 
 static void backward_euler(void **state)

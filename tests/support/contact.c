@@ -61,5 +61,6 @@ ovr_options test_options(void)
     o.inlet = -4, o.outlet = 1.5;
     o.order = 2;
     o.scheme = OVR_UPSTREAM2;
+    o.faces = OVR_FACES_ARITHMETIC;
     return o;
 }

@@ -96,6 +96,14 @@ static double eps(const dense *d, size_t i)
     return d->q[i] * d->H[i] * d->H[i] / (eta * c->contact.lambda);
 }
 
+/* Between nodes i and i + 1. */
+static double conductance(const dense *d, size_t i)
+{
+    double a = pow(d->H[i], 3), b = pow(d->H[i + 1], 3);
+    double f = eps(d, i), g = eps(d, i + 1);
+    return d->in_line ? (f / a + g / b) / (1 / a + 1 / b) : 0.5 * (f + g);
+}
+
 /* What the mean speed carries out of cell i less in, over D; towards -x what
  * comes from the right. */
 static double wedge_of(const dense *d, size_t i)
@@ -112,9 +120,9 @@ static double wedge_of(const dense *d, size_t i)
 /* Flow in less flow out of cell i, less the stored change: N_i - F_i. */
 static double equation(const dense *d, size_t i)
 {
-    double e = eps(d, i), D = d->D;
-    double in = 0.5 * (eps(d, i - 1) + e) * (d->P[i - 1] - d->P[i]) / D;
-    double out = 0.5 * (e + eps(d, i + 1)) * (d->P[i] - d->P[i + 1]) / D;
+    double D = d->D;
+    double in = conductance(d, i - 1) * (d->P[i - 1] - d->P[i]) / D;
+    double out = conductance(d, i) * (d->P[i] - d->P[i + 1]) / D;
     return (in - out - wedge_of(d, i)) / D - d->cT * d->q[i] - d->F[i];
 }
 
