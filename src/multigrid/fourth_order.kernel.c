@@ -99,6 +99,8 @@ void OVR_KERNEL(fourth_order)(const ovr_lanes *g, const ovr_fourth *c,
     repeat_ends(f->P, S, REACH);
     repeat_ends(f->eps, S, REACH);
     repeat_ends(f->q, S, REACH);
+    if (f->flow)
+        repeat_ends(f->flow, S, REACH);
     logarithms(g, f->eps, c->log_eps);
     fluxes(g, c, f);
     double share = c->linear ? 1. / 12 : 1. / 24;

@@ -517,6 +517,12 @@ void ovr_run_review_after(ovr_run *run)
     const char *strategy = ovr_simulation_strategy(sim);
     if (run->setup->options->order == 4 && ovr_simulation_order(sim) != 4)
         warn_of_order(&r, sim);
+    if (ovr_mesh_too_coarse(sim))
+        say(&r, OVR_SAY_WARNING,
+            "the film is too thin for the mesh: the pressure builds up within "
+            "a mesh or two, and the film may be off by tens of per cent; level "
+            "= %d would do",
+            ovr_level_resolving(sim));
     if (*strategy)
         say(&r, OVR_SAY_NOTE, "the steady solution took another way: %s",
             strategy);

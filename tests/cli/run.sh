@@ -155,7 +155,7 @@ expect 0 "$OVERROLL" run unloaded.ini
 contains err 'starts without load'
 
 # Of a physical case every Hertzian number has its physical one beside it (with
-# this inlet the levels 2 to 4 fall in order).
+# this inlet and mean the levels 2 to 4 fall in order).
 cat >physical.ini <<'END'
 [contact]
 load = 100 kN/m
@@ -169,6 +169,7 @@ alpha = 20 1/GPa
 [domain]
 inlet = -5.25
 level = 4
+faces = arithmetic
 [time]
 end = 0.2
 END

@@ -11,6 +11,7 @@ L = 10
 [domain]
 inlet = -4
 level = 5
+faces = arithmetic
 [cavitation]
 model = conserving
 [supply]
@@ -129,7 +130,7 @@ refuses 'model: film needs \[cavitation\] model = conserving' \
     check dent.ini --set cavitation.model=reynolds
 # A study over supply.model goes on: what is switched off is said, not refused.
 expect 0 "$OVERROLL" check dent.ini --set supply.model=flooded
-contains err 'dent.ini:11: thickness_1 has no effect with model = flooded; '
+contains err 'dent.ini:12: thickness_1 has no effect with model = flooded; '
 sed '/thickness/d' dent.ini >none.ini
 refuses 'film needs thickness_1' check none.ini
 
