@@ -12,6 +12,8 @@
 typedef double num;
 typedef bool truth;
 
+#define INLINE inline
+
 static inline num all(double x)
 {
     return x;

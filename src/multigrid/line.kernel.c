@@ -39,7 +39,7 @@ static inline void column_shares(const ovr_shares *shares, bool transient,
 
 /* A[d + 3] = dN_i/dP_{i+d}, d = -3..3: elastic band and local part, without
  * d eps/dH */
-static inline void derivatives(const line *l, const row_weights *c, ptrdiff_t J,
+static INLINE void derivatives(const line *l, const row_weights *c, ptrdiff_t J,
                                vec A[7])
 {
     vec e[3];

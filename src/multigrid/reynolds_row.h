@@ -159,7 +159,7 @@ static inline num row_elastic(const num e[3], const double *k, int d)
 }
 
 /* The same where 2 E is stored. */
-static inline void row_by_stored(const ovr_fields *f, const row_weights *c,
+static INLINE void row_by_stored(const ovr_fields *f, const row_weights *c,
                                  ptrdiff_t J, num A[4])
 {
     row_faces s = row_faces_at(f, true, J);
@@ -188,7 +188,7 @@ static inline void row_by_stored(const ovr_fields *f, const row_weights *c,
 }
 
 /* A[d + 2] takes in dN_i/dP_{i+d} at fixed film, d = -2..1. */
-static inline void row_by_pressure(const ovr_fields *f, const row_weights *c,
+static INLINE void row_by_pressure(const ovr_fields *f, const row_weights *c,
                                    ptrdiff_t J, num A[4])
 {
     if (c->kind) {
