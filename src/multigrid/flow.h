@@ -56,6 +56,18 @@ static inline bool ovr_flow_thins(const ovr_fluid *fluid)
     return fluid->lubricant.rheology != OVR_NEWTONIAN;
 }
 
+/* What a level, or a part of it, stores at half nodes, of film and properties
+ * that are up to date. */
+static inline void ovr_flow_store(const ovr_kernels *run,
+                                  const ovr_fluid *fluid, double D,
+                                  const ovr_lanes *g, const ovr_fields *f)
+{
+    if (f->tangent)
+        run->flow(fluid, D, g, f);
+    else if (f->flow)
+        run->faces(g, f);
+}
+
 /* E at the middle of two nodes that are dX apart. */
 typedef struct ovr_pair {
     double P[2], H[2], q[2], eps[2];

@@ -6,6 +6,7 @@
 
 #include "multigrid/content.h"
 #include "multigrid/field.h"
+#include "multigrid/flow.h"
 #include "multigrid/hierarchy.h"
 
 void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level)
@@ -15,10 +16,7 @@ void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level)
     if (grids->conserving)
         f.q = f.full;
     run->film(&grids->fluid, grids->H0, &level->lanes, f.gap, f.w, &f);
-    if (f.tangent)
-        run->flow(&grids->fluid, level->grid.D, &level->lanes, &f);
-    else if (f.flow)
-        run->faces(&level->lanes, &f);
+    ovr_flow_store(run, &grids->fluid, level->grid.D, &level->lanes, &f);
     if (grids->conserving)
         ovr_content_settle(grids, level);
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "multigrid/flow.h"
 #include "multigrid/reynolds_row.h"
 
 enum {
@@ -147,8 +148,7 @@ static void properties(window *w)
     memcpy(film, w->gap, sizeof film);
     follow(w, w->change, 0, film);
     w->plain->film(&w->grids->fluid, 0, &one, film, none, &w->f);
-    if (w->f.flow)
-        w->plain->flow(&w->grids->fluid, w->D, &one, &w->f);
+    ovr_flow_store(w->plain, &w->grids->fluid, w->D, &one, &w->f);
 }
 
 static bool is_held(const window *w, ptrdiff_t J, double r)
@@ -234,21 +234,31 @@ static bool solve(window *w)
 
 /* -------------------------------------------------------------- the level */
 
+/* What Newton's method needs besides what the level has. */
+static bool has(const ovr_fields *f, size_t k)
+{
+    switch (ovr_field_rows[k].memory) {
+    case OVR_NEWTON: return true;
+    case OVR_SENSITIVE: return f->flow;
+    case OVR_CONTENT: return false;
+    default: return f->all[k];
+    }
+}
+
 static void begin(window *w, const ovr_hierarchy *grids, const ovr_level *level,
                   double kernel[2 * REACH + 1])
 {
-    *w = (window){.grids = grids,
-                  .plain = ovr_kernels_choose("plain"),
-                  .k = kernel + REACH,
-                  .D = level->grid.D,
-                  .weights = row_inner(&level->weights, level->f.flow)};
+    *w = (window){
+        .grids = grids,
+        .plain = ovr_kernels_choose("plain"),
+        .k = kernel + REACH,
+        .D = level->grid.D,
+        .weights = row_inner(&level->weights, row_kind_of(&level->f))};
     for (int d = 0; d <= REACH; d++)
         kernel[REACH - d] = kernel[REACH + d] = ovr_influence_at(
             &grids->influence, d, level->grid.D);
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++) {
-        ovr_field_memory memory = ovr_field_rows[k].memory;
-        bool thins = memory == OVR_FLOW || memory == OVR_SENSITIVE;
-        if (memory != OVR_CONTENT && (!thins || level->f.flow))
+        if (has(&level->f, k))
             w->f.all[k] = w->values[k];
     }
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "multigrid/field.h"
+#include "multigrid/flow.h"
 #include "support/contact.h"
 #include "support/test.h"
 
@@ -109,10 +110,7 @@ void test_grid_thin(test_grid *grid, double Sigma0, double sliding)
 void test_grid_film(const test_grid *grid, const ovr_fields *f)
 {
     grid->run->film(&grid->fluid, 0, &grid->lanes, grid->gap, grid->w, f);
-    if (f->tangent)
-        grid->run->flow(&grid->fluid, grid->D, &grid->lanes, f);
-    else if (f->flow)
-        grid->run->faces(&grid->lanes, f);
+    ovr_flow_store(grid->run, &grid->fluid, grid->D, &grid->lanes, f);
 }
 
 void test_grid_fill(const test_grid *grid, uint64_t seed)
