@@ -185,7 +185,7 @@ double ovr_flow_between(const ovr_fluid *fluid, double dX,
 {
     const double *H = nodes->H, *q = nodes->q, none[2] = {0};
     const double drag[2] = {q[0] * H[0], q[1] * H[1]};
-    bool gap = fluid->faces == OVR_FACES_GAP;
+    bool gap = fluid->by_gap;
     double twice_eps = sum_of(gap, 3, H, nodes->eps, none).value;
     if (!ovr_flow_thins(fluid))
         return 0.5 * twice_eps;

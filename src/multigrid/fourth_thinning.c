@@ -21,7 +21,7 @@ static double cubic(const double *x)
 /* H and eps at x[0], x[1], and beside eps */
 static double middle(const ovr_fluid *fluid, const double *H, const double *eps)
 {
-    const ovr_fluid newtonian = {.faces = fluid->faces};
+    const ovr_fluid newtonian = {.by_gap = fluid->by_gap};
     const ovr_pair nodes = {.H = {H[0], H[1]}, .eps = {eps[0], eps[1]}};
     double mean = ovr_flow_between(&newtonian, 1, &nodes);
     double power = 9 * (log(eps[0]) + log(eps[1])) - log(eps[-1]) - log(eps[2]);

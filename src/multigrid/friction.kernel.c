@@ -61,11 +61,6 @@ static inline slid slid_at(const ovr_sheared *f, bool gap, size_t i)
                   film * without_gap(f, f->eps, true, i)};
 }
 
-static bool by_gap(const ovr_fluid *fluid)
-{
-    return fluid->faces == OVR_FACES_GAP;
-}
-
 /* D P_X and D */
 static inline vec step_at(const double *x, size_t i)
 {
@@ -77,7 +72,7 @@ static void newtonian(const ovr_sheared *f, const ovr_fluid *fluid, double *t)
     double V = fluid->sliding;
     for (size_t k = 0; k < f->n - 1; k += VEC) {
         size_t i = start_of(k, f->n - 1);
-        slid s = slid_at(f, by_gap(fluid), i);
+        slid s = slid_at(f, fluid->by_gap, i);
         vec stress = (-V / 12) * s.drag / s.eps;
         store(t + i, choose(wet_at(f, i), stress, all(0)));
     }
@@ -98,7 +93,7 @@ static void eyring_stress(const ovr_sheared *f, const ovr_fluid *fluid,
         size_t i = start_of(k, f->n - 1);
         vec g = gradient * pair_at(f->H, i) * step_at(f->P, i) /
                 step_at(f->X, i);
-        slid s = slid_at(f, by_gap(fluid), i);
+        slid s = slid_at(f, fluid->by_gap, i);
         vec eps = larger(s.eps, all(1e-290));
         vec y = eyring_at(&growth, g).B * (slide * s.drag) / eps;
         store(t + i, choose(wet_at(f, i), arsinh(&ln, scale, y), all(0)));
@@ -120,7 +115,7 @@ static void table_stress(const ovr_sheared *f, const ovr_fluid *fluid,
         size_t i = start_of(k, f->n - 1);
         vec g = gradient * pair_at(f->H, i) * step_at(f->P, i) /
                 step_at(f->X, i);
-        slid s = slid_at(f, by_gap(fluid), i);
+        slid s = slid_at(f, fluid->by_gap, i);
         vec eps = larger(s.eps, all(1e-290));
         vec s_N = smaller(slide * s.drag / eps, all(1e280));
         law_value v = law_at(table, s_N, g);

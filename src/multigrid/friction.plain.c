@@ -45,7 +45,7 @@ void ovr_mean_stress_plain(const ovr_sheared *f, const ovr_fluid *fluid,
 {
     double V = fluid->sliding, Sigma0 = fluid->lubricant.Sigma0;
     for (size_t i = 0; i + 1 < f->n; i++) {
-        double ratio = slid(f, fluid->faces == OVR_FACES_GAP, i);
+        double ratio = slid(f, fluid->by_gap, i);
         t[i] = -V / 12 * ratio;
         if (ovr_flow_thins(fluid) && V != 0)
             t[i] = thinning(fluid, ovr_flow_slide(fluid) * ratio,

@@ -29,7 +29,7 @@ static bool has(const ovr_hierarchy *grids, ovr_field_memory memory,
                 bool newton)
 {
     bool thins = ovr_flow_thins(&grids->fluid);
-    bool gap = grids->fluid.faces == OVR_FACES_GAP;
+    bool gap = grids->fluid.by_gap;
     switch (memory) {
     case OVR_NEWTON: return newton;
     case OVR_GAP: return gap;

@@ -18,7 +18,6 @@
 #include "multigrid/friction.h"
 #include "multigrid/lanes.h"
 #include "overroll/contact.h"
-#include "overroll/simulation.h"
 
 struct ovr_mlmi;
 
@@ -35,7 +34,7 @@ typedef struct ovr_fluid {
     double lambda;
     const struct ovr_law *law; /* of viscosity, instead of the lubricant's */
     double sliding;            /* V = (u1 - u2)/um */
-    ovr_faces faces;
+    bool by_gap;               /* faces.h */
 } ovr_fluid;
 
 /* eps of a film H at the pressure P. */

@@ -114,7 +114,7 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
     grids->fluid = (ovr_fluid){.lubricant = sim->lubricant,
                                .lambda = sim->contact.lambda,
                                .sliding = ovr_sliding(sim, 0),
-                               .faces = o->faces};
+                               .by_gap = o->faces == OVR_FACES_GAP};
     sim->wanted = (ovr_wanted){.M = sim->contact.M,
                                .L = sim->contact.L,
                                .c = 1,

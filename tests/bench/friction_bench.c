@@ -9,6 +9,7 @@
 #include <stdio.h>
 
 #include "bench.h"
+#include "multigrid/flow.h"
 #include "simulation/internal.h"
 #include "support/test.h"
 
@@ -58,9 +59,8 @@ static void flow(void *data)
 {
     ovr_simulation *sim = data;
     const ovr_level *l = sim->finest;
-    if (l->f.flow)
-        sim->grids.kernels->flow(&sim->grids.fluid, l->grid.D, &l->lanes,
-                                 &l->f);
+    ovr_flow_store(sim->grids.kernels, &sim->grids.fluid, l->grid.D, &l->lanes,
+                   &l->f);
 }
 
 static void print(const char *set, const struct law *law,

@@ -69,8 +69,7 @@ test_grid test_grid_make(const ovr_kernels *run, size_t n)
                       .n = n,
                       .D = D,
                       .fluid = {.lubricant = contact.lubricant,
-                                .lambda = contact.contact.lambda,
-                                .faces = OVR_FACES_ARITHMETIC},
+                                .lambda = contact.contact.lambda},
                       .weights = {{1.5 / D + 2, -2 / D, 0.5 / D},
                                   {1 / D + 2, -1 / D, 0},
                                   0.5 / (D * D),
@@ -96,7 +95,7 @@ static void take_half_nodes(test_grid *grid, ovr_field_memory without)
 void test_grid_gap(test_grid *grid)
 {
     take_half_nodes(grid, OVR_LAW);
-    grid->fluid.faces = OVR_FACES_GAP;
+    grid->fluid.by_gap = true;
 }
 
 void test_grid_thin(test_grid *grid, double Sigma0, double sliding)

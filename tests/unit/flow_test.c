@@ -73,7 +73,6 @@ static void flow_is_the_integral(void **state)
 static void thick_films_are_newtonian(void **state)
 {
     ovr_fluid fluid = eyring(1e12, 0.5), none = {.sliding = 0.5};
-    fluid.faces = none.faces = OVR_FACES_ARITHMETIC;
     ovr_pair nodes = {{0.5, 0.7}, {0.2, 0.1}, {0.25, 0.1}, {1e-3, 3e-3}};
     (void)state;
     CHECK_CLOSE(ovr_flow_between(&fluid, 0.01, &nodes), 2e-3, 1e-14);
@@ -89,7 +88,7 @@ typedef struct pair {
 
 static void evaluate(const ovr_fluid *fluid, pair *p)
 {
-    bool gap = fluid->faces == OVR_FACES_GAP;
+    bool gap = fluid->by_gap;
     const ovr_fields f = {.P = p->P,
                           .H = p->H,
                           .q = p->q,
@@ -156,11 +155,11 @@ static void check_slopes(const ovr_fluid *fluid)
 
 static void slopes_are_differences(void **state)
 {
-    ovr_fluid newtonian = {.sliding = 1}, thin = eyring(0.3, -0.5);
+    ovr_fluid newtonian = {.by_gap = true}, thin = eyring(0.3, -0.5);
     (void)state;
     check_slopes(&newtonian);
     check_slopes(&thin);
-    thin.faces = OVR_FACES_ARITHMETIC;
+    thin.by_gap = true;
     check_slopes(&thin);
 }
 
@@ -170,9 +169,10 @@ static void slopes_are_differences(void **state)
 static void gaps_are_in_line(void **state)
 {
     const double f = 1e-3, rho = 1.2;
-    ovr_fluid none = {.sliding = 0.5}, thin = eyring(1, 12e6);
+    ovr_fluid none = {.by_gap = true}, thin = eyring(1, 12e6);
     ovr_pair nodes = {{0.5, 0.5}, {1, 0.5}, {rho, rho / 2}, {f, f / 8}};
     (void)state;
+    thin.by_gap = true;
     CHECK_CLOSE(ovr_flow_between(&none, 0.01, &nodes), f * 2 / 9, 1e-14);
     CHECK_CLOSE(ovr_flow_between(&thin, 0.01, &nodes), 1e6 * rho * 2 / 5,
                 1e-12);

@@ -59,8 +59,7 @@ static void kernels_agree(void **state)
             film f;
             ovr_sheared sheared = make(&f, n, &seed);
             ovr_fluid fluid = {.sliding = test_random(&seed, -3, 3),
-                               .faces = n % 2 ? OVR_FACES_GAP
-                                              : OVR_FACES_ARITHMETIC};
+                               .by_gap = n % 2};
             compare(run, &sheared, &fluid);
             sheared.flow = f.flow;
             fluid.lubricant.rheology = OVR_EYRING;
@@ -109,7 +108,7 @@ static void plain_by_hand(void **state)
 static void slopes_slide_by_their_mean(void **state)
 {
     const double V = 2, ends[] = {0.02, 0.999}, most[] = {0.06, 1e-9};
-    const ovr_fluid fluid = {.sliding = V};
+    const ovr_fluid fluid = {.sliding = V, .by_gap = true};
     (void)state;
     for (int k = 0; k < 2; k++) {
         double G = ends[k], X[] = {0, 1}, P[] = {1, 1}, H[] = {1, G}, t;
