@@ -43,10 +43,11 @@ static bool carries(const ovr_simulation *sim, const ovr_defect *defect)
  */
 static double tolerance_by_guess(const ovr_simulation *sim, double guess)
 {
-    const double share = 1e-4, most = 300;
+    const double share = 1e-4, most = 300, on_any_mesh = 1e-3;
     if (sim->options.tolerance > 0)
         return 0;
-    return fmin(share * guess, most * tolerance_of(sim, true));
+    return fmin(fmin(share * guess, on_any_mesh),
+                most * tolerance_of(sim, true));
 }
 
 /* Where a guess is far off, or the first cycle has left it so. */
