@@ -493,6 +493,9 @@ ovr_status ovr_resolve_element_histories(ovr_resolved *r,
     if (!m)
         return OVR_NO_MEMORY;
     take_moments(r, m);
+    /* Where the law's curvature jumps, no material can carry it along. */
+    if (r->element.cam && ovr_cam_of(r->element.cam)->jumps)
+        r->values.curvature = OVR_CURVATURE_IMPOSED;
     if (make_history(m, m->load, allocator, &s->load, err) ||
         make_history(m, m->speed, allocator, &s->speed, err) ||
         make_history(m, m->sliding, allocator, &s->sliding, err) ||

@@ -133,6 +133,8 @@ static void say_loss(page *p)
 static void say_film(page *p)
 {
     bool run = has(p, "H_min_overall_m");
+    if (!run && !has(p, "H_min_m"))
+        return; /* nothing was solved */
     say(p, "%.4g um", 1e6 * of(p, run ? "H_min_overall_m" : "H_min_m"));
     say_place(p, "H_min");
     if (has(p, "lambda_ratio_at_H_min"))
@@ -148,6 +150,8 @@ static void say_film(page *p)
 static void say_pressure(page *p)
 {
     bool run = has(p, "P_max_overall_Pa");
+    if (!run && !has(p, "P_max_Pa"))
+        return;
     say(p, "%.4g GPa", 1e-9 * of(p, run ? "P_max_overall_Pa" : "P_max_Pa"));
     say_place(p, "P_max");
     end(p, "largest pressure");
