@@ -145,6 +145,11 @@ typedef struct ovr_stress_report {
     double length_error; /* of equivalent lengths: how far the risk of points
                             at the ends of the material is from the smooth
                             contact's, over its whole length */
+    /* Of layers, NAN where there are none: von Mises stress in any of them,
+     * shear and tension on an interface, tension along the surface, at the
+     * shallowest depth. */
+    ovr_stress_extreme layer_von_mises, interface_shear, interface_tension,
+        surface_tension;
 } ovr_stress_report;
 
 /* What amplitude reduction says of rough surfaces that roll through, before

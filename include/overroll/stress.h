@@ -47,6 +47,7 @@ typedef enum ovr_element {
     OVR_ELEMENT_SPLINE /* cardinal cubic splines, order 4 */
 } ovr_element;
 
+struct ovr_layered;
 typedef struct ovr_stress_options {
     size_t size;       /* of this struct, as its user knows it */
     double mesh;       /* D */
@@ -57,7 +58,8 @@ typedef struct ovr_stress_options {
     double depth_max;  /* 2.5 */
     double per_octave; /* depths; 5 */
     ovr_element element;
-    bool traction; /* Q is given */
+    bool traction;                    /* Q is given */
+    const struct ovr_layered *layers; /* on the body, in b; NULL: none */
 } ovr_stress_options;
 OVR_SIZED(ovr_stress_options)
 
@@ -142,6 +144,9 @@ typedef struct ovr_material_range {
     double residual_x; /* stresses already there, p_h, tension positive */
     double residual_y;
     double least_depth; /* extremes are looked for from here; 0: 8 D */
+    /* Of the layers of ovr_stress_options, along x and across, borrowed; NULL:
+     * none.  What is above is that of the body below them. */
+    const double *layer_residual; /* two of each */
 } ovr_material_range;
 OVR_SIZED(ovr_material_range)
 

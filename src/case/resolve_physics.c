@@ -3,6 +3,7 @@
  * forms, and what those mean says which are on. */
 #include <math.h>
 
+#include "case/coats.h"
 #include "case/resolve.h"
 
 static ovr_physics_case about(ovr_resolved *r)
@@ -11,7 +12,7 @@ static ovr_physics_case about(ovr_resolved *r)
                            .lubricant = &r->lubricant,
                            .options = &r->values.options,
                            .transient = r->setup.transient,
-        .heat = r->setup.heat != NULL,
+                           .heat = r->setup.heat != NULL,
                            .substrate = r->substrate,
                            .by_substrate = r->values.scale ==
                                            OVR_SCALE_SUBSTRATE};
@@ -185,6 +186,16 @@ ovr_status ovr_setup_add_physics(const ovr_setup *setup, ovr_simulation *sim,
             ovr_physics_add(sim, ovr_physics_list[k], r->physics[k].form, err))
             return err ? err->status : OVR_BAD_INPUT;
     return OVR_OK;
+}
+
+const ovr_coated *ovr_setup_layers(const ovr_setup *setup, int body)
+{
+    const ovr_resolved *r = (const ovr_resolved *)setup;
+    const ovr_coated *layers = NULL;
+    for (int k = 0; !layers && ovr_physics_list[k]; k++)
+        if (r->physics[k].on && ovr_physics_list[k]->layers)
+            layers = ovr_physics_list[k]->layers(r->physics[k].form, body);
+    return layers;
 }
 
 bool ovr_setup_has(const ovr_setup *setup, int k)

@@ -39,22 +39,36 @@ static matrix displaced(ovr_elastic of, double which)
                     which * 2 * (1 - nu) / two_G};
 }
 
-/* S at the top of a layer above what has S. */
-static matrix add_layer(matrix S, ovr_elastic of, double kt)
+/* S at the top of a layer above what has S; R there. */
+static matrix add_layer(matrix S, ovr_elastic of, double kt, matrix *reflection)
 {
     const matrix D1 = displaced(of, -1), D2 = displaced(of, 1);
     double e = exp(-2 * kt);
     matrix R = times(inverse(sum(D2, times(S, T2), -1)),
                      sum(times(S, T1), D1, -1));
     R = times((matrix){e, -e * kt, 0, e}, times(R, (matrix){1, kt, 0, 1}));
+    *reflection = R;
     return times(sum(D1, times(D2, R), 1), inverse(sum(T1, times(T2, R), 1)));
+}
+
+void ovr_layered_reflections(const ovr_layered *body, double k,
+                             double to[OVR_LAYERS_MOST + 1][4])
+{
+    matrix S = times(displaced(body->below, -1), inverse(T1)), R;
+    for (int j = body->layers - 1; j >= 0; j--) {
+        S = add_layer(S, body->layer[j], k * body->thickness[j], &R);
+        to[j][0] = R.a;
+        to[j][1] = R.b;
+        to[j][2] = R.c;
+        to[j][3] = R.d;
+    }
 }
 
 double ovr_layered_compliance(const ovr_layered *body, double k)
 {
-    matrix S = times(displaced(body->below, -1), inverse(T1));
+    matrix S = times(displaced(body->below, -1), inverse(T1)), R;
     for (int j = body->layers - 1; j >= 0; j--)
-        S = add_layer(S, body->layer[j], k * body->thickness[j]);
+        S = add_layer(S, body->layer[j], k * body->thickness[j], &R);
     return S.a;
 }
 

@@ -50,8 +50,19 @@ typedef struct ovr_layered {
     ovr_elastic layer[OVR_LAYERS_MOST], below;
 } ovr_layered;
 
+/* The same with the stresses that are in the layers without load, along x and
+ * across. */
+typedef struct ovr_coated {
+    ovr_layered body;
+    double residual[2 * OVR_LAYERS_MOST];
+} ovr_coated;
+
 /* S_11 of a wave of k, in the unit of 1/thickness. */
 double ovr_layered_compliance(const ovr_layered *body, double k);
+
+/* R at the top of each layer, by rows; below them it is 0. */
+void ovr_layered_reflections(const ovr_layered *body, double k,
+                             double R[OVR_LAYERS_MOST + 1][4]);
 
 /* A(k) of both. */
 double ovr_layers_softness(const ovr_layered body[2], double k);

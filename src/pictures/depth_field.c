@@ -12,7 +12,9 @@
 #include <string.h>
 
 #include "case/case.h"
+#include "case/coats.h"
 #include "pictures/axis.h"
+#include "stress/layered.h"
 
 static const double least_meshes = 8, deepest = 2.5, shown = 1.5;
 
@@ -27,6 +29,9 @@ static void read_body(ovr_depth_field *f, int surface)
     ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
     f->poisson = 0.3;
     if (setup) {
+        const ovr_coated *coated = ovr_setup_layers(setup, surface - 1);
+        if (coated)
+            f->coated = *coated;
         f->poisson = setup->stress->poisson[surface - 1];
         f->residual_x = setup->stress->residual_x;
         f->residual_y = setup->stress->residual_y;
@@ -60,8 +65,8 @@ static double value_at(const ovr_depth_field *f, const ovr_stress_row *row,
 {
     ovr_in_plane s = {(double)row->mean[2 * i], (double)row->shear[2 * i],
                       (double)row->shear[2 * i + 1]};
-    return ovr_stress_value(f->which, s, f->poisson, f->residual_x,
-                            f->residual_y);
+    const ovr_at_rest at = ovr_layered_rest(&f->options, &f->range, row->z);
+    return ovr_stress_value(f->which, s, at.poisson, at.x, at.y);
 }
 
 /* Nodes at the first distance of the file's, those of patches (refine) left
@@ -189,6 +194,14 @@ ovr_status ovr_depth_field_make(ovr_depth_field *f, const ovr_stored *run,
     o.depth_min = f->mesh / 2;
     o.depth_max = deepest;
     o.traction = f->traction != 0;
+    if (f->coated.body.layers)
+        o.layers = &f->coated.body;
+    f->options = o;
+    f->range = ovr_material_range_default();
+    f->range.poisson = f->poisson;
+    f->range.residual_x = f->residual_x;
+    f->range.residual_y = f->residual_y;
+    f->range.layer_residual = f->coated.residual;
     size_t room = f->nodes > info->nodes ? f->nodes : info->nodes;
     f->P = ovr_arena_take(arena, room, sizeof *f->P, err);
     f->Q = ovr_arena_take(arena, room, sizeof *f->Q, err);
@@ -242,7 +255,7 @@ double ovr_depth_field_at(const ovr_depth_field *f, double X, double z)
 {
     const double *depth;
     size_t n = ovr_stress_depths(f->stress, &depth), j = 0;
-    if (z < depth[0] && f->traction != 0)
+    if (z < depth[0] && (f->traction != 0 || f->options.layers))
         return along_row(f, 0, X);
     if (z < depth[0]) {
         double top = at_surface(f, X);

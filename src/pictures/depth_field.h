@@ -4,6 +4,7 @@
 #ifndef OVR_PICTURES_DEPTH_FIELD_H
 #define OVR_PICTURES_DEPTH_FIELD_H
 
+#include "contact/layers.h"
 #include "overroll/case.h"
 #include "pictures/chart.h"
 #include "pictures/run.h"
@@ -17,6 +18,9 @@ typedef struct ovr_depth_field {
     ovr_stress_field which;
     const char *name;
     double poisson, residual_x, residual_y;
+    ovr_coated coated; /* layers on the body; none: their number is 0 */
+    ovr_stress_options options;
+    ovr_material_range range;
     double traction;   /* Q over the stored shear stress; 0: there is none */
     const char *shear; /* its name in the file */
     double *P, *Q;

@@ -10,6 +10,7 @@
 
 #include "run/stress.h"
 #include "stress/cubic.h"
+#include "stress/layered.h"
 
 /* Passages move their nodes by less than this, for every level at once. */
 enum { WHOLE = 32 };
@@ -30,8 +31,9 @@ typedef struct pass {
 
 static double hydrostatic(const pass *p, double h)
 {
-    const ovr_material_range *r = &p->plan->range;
-    return (r->residual_x + r->residual_y) / 3 - 2. / 3 * (1 + r->poisson) * h;
+    ovr_at_rest at = ovr_layered_rest(&p->plan->options, &p->plan->range,
+                                      ovr_stress_at(p->stress, 0).z);
+    return (at.x + at.y) / 3 - 2. / 3 * (1 + at.poisson) * h;
 }
 
 static void keep(pass *p, size_t k, const ovr_stress_row *row, size_t i)

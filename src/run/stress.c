@@ -4,6 +4,7 @@
 #include "run/stress.h"
 #include "run/companion.h"
 #include "simulation/physics.h"
+#include "stress/layered.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -16,7 +17,7 @@ typedef struct shown {
     ovr_group group;
     ovr_group_axis axis[3]; /* time, depth, x */
     ovr_group_array array[FIELDS];
-    ovr_group_attribute attribute[2];
+    ovr_group_attribute attribute[3];
     int which[FIELDS];
     float *values;
     size_t stride; /* of nodes of the mesh */
@@ -30,9 +31,9 @@ typedef struct run_stress {
     ovr_stress_report *report[SURFACES];
     ovr_writer *writer;
     ovr_second_pass second;
-    double *P;           /* room for all that the solids feel */
-    double *Q[SURFACES]; /* of the last moment; NULL: none */
-    ovr_stress *field;   /* NULL: no fields are stored */
+    double *P;                   /* room for all that the solids feel */
+    double *Q[SURFACES];         /* of the last moment; NULL: none */
+    ovr_stress *field[SURFACES]; /* NULL: no fields are stored */
     shown shown[SURFACES];
     double *x;
     /* the state */
@@ -43,11 +44,11 @@ typedef struct run_stress {
 
 /* ----------------------------------------------------------------- fields */
 
-static double state_value(const ovr_stress_setup *s, int surface, int which,
-                          double h, double d, double tau)
+static double state_value(const ovr_at_rest *at, int which, double h, double d,
+                          double tau)
 {
     return ovr_stress_value((ovr_stress_field)which, (ovr_in_plane){h, d, tau},
-                            s->poisson[surface], s->residual_x, s->residual_y);
+                            at->poisson, at->x, at->y);
 }
 
 /* At the nodes of the shallowest row. */
@@ -57,13 +58,14 @@ static ovr_status fill_depth(run_stress *s, int surface, size_t j,
     const shown *f = &s->shown[surface];
     size_t n = f->axis[2].count, all = f->axis[1].count * n;
     ovr_stress_row row;
-    if (ovr_stress_at_every_node(s->field, j, &row, err))
+    if (ovr_stress_at_every_node(s->field[surface], j, &row, err))
         return OVR_NO_MEMORY;
+    const ovr_at_rest at = ovr_layered_rest(&s->plan[surface].options,
+                                            &s->plan[surface].range, row.z);
     for (size_t a = 0; a < f->group.arrays; a++)
         for (size_t i = 0; i < n; i++)
             f->values[a * all + j * n + i] = (float)state_value(
-                s->setup->stress, surface, f->which[a],
-                (double)row.mean[2 * i * f->stride],
+                &at, f->which[a], (double)row.mean[2 * i * f->stride],
                 (double)row.shear[2 * i * f->stride],
                 (double)row.shear[2 * i * f->stride + 1]);
     return OVR_OK;
@@ -77,7 +79,7 @@ static ovr_status store_fields(run_stress *s, const double *P, double T,
         size_t count = f->axis[1].count * f->axis[2].count;
         if (!s->follower[k])
             continue;
-        ovr_stress_solve(s->field, P, s->Q[k], 0, OVR_STRESS_ALL_LEVELS);
+        ovr_stress_solve(s->field[k], P, s->Q[k], 0, OVR_STRESS_ALL_LEVELS);
         ovr_status status = OVR_OK;
         for (size_t j = 0; !status && j < f->axis[1].count; j++)
             status = fill_depth(s, k, j, err);
@@ -119,8 +121,8 @@ static ovr_status open_fields(run_stress *s, int surface, ovr_error *err)
 {
     shown *f = &s->shown[surface];
     const double *z;
-    size_t depths = ovr_stress_depths(s->field, &z);
-    ovr_stress_row row = ovr_stress_at(s->field, 0);
+    size_t depths = ovr_stress_depths(s->field[surface], &z);
+    ovr_stress_row row = ovr_stress_at(s->field[surface], 0);
     size_t n = (size_t)(5.2 / row.step) + 1;
     f->stride = (size_t)1 << row.level;
     f->axis[0] = (ovr_group_axis){"time", "time", OVR_KIND_TIME, 0, NULL};
@@ -143,6 +145,10 @@ static ovr_status open_fields(run_stress *s, int surface, ovr_error *err)
                                             s->setup->stress->poisson[surface]};
     f->attribute[1] = (ovr_group_attribute){
         "traction", NULL, s->plan[surface].options.traction ? 1 : 0};
+    const ovr_layered *layers = s->plan[surface].options.layers;
+    if (layers)
+        f->attribute[f->group.attributes++] = (ovr_group_attribute){
+            "layers_end", NULL, ovr_layered_bottom(layers, layers->layers - 1)};
     name_fields(s, f);
     f->values = ovr_arena_take(&s->arena, f->group.arrays * depths * n,
                                sizeof *f->values, err);
@@ -192,6 +198,19 @@ static ovr_status visit_state(void *data, ovr_visit *visit, void *context,
 
 /* ------------------------------------------------------------------ making */
 
+/* Both surfaces have the same, but for layers. */
+static ovr_status make_field(run_stress *s, int k,
+                             const ovr_allocator *allocator, ovr_error *err)
+{
+    const ovr_layered *none = s->plan[0].options.layers;
+    if (k && s->field[0] && !none && !s->plan[k].options.layers) {
+        s->field[k] = s->field[0];
+        return OVR_OK;
+    }
+    s->field[k] = ovr_stress_create(&s->plan[k].options, allocator, err);
+    return s->field[k] ? OVR_OK : OVR_NO_MEMORY;
+}
+
 static ovr_status follow(run_stress *s, const ovr_state *state,
                          const ovr_allocator *allocator, ovr_error *err)
 {
@@ -211,9 +230,7 @@ static ovr_status follow(run_stress *s, const ovr_state *state,
             s->Q[k] = ovr_arena_take(&s->arena, state->n, sizeof(double), err);
         if (!s->follower[k] || (s->plan[k].options.traction && !s->Q[k]))
             return OVR_NO_MEMORY;
-        if (s->setup->stress->every && !s->field)
-            s->field = ovr_stress_create(&s->plan[k].options, allocator, err);
-        if (s->setup->stress->every && !s->field)
+        if (s->setup->stress->every && make_field(s, k, allocator, err))
             return OVR_NO_MEMORY;
     }
     return OVR_OK;
@@ -254,7 +271,9 @@ static void release(void *own)
     run_stress *s = own;
     for (int k = 0; k < SURFACES; k++)
         ovr_follower_free(s->follower[k]);
-    ovr_stress_free(s->field);
+    if (s->field[1] != s->field[0])
+        ovr_stress_free(s->field[1]);
+    ovr_stress_free(s->field[0]);
     ovr_arena arena = s->arena;
     ovr_arena_release(&arena);
 }
@@ -294,8 +313,8 @@ static ovr_status open_file(void *own, ovr_writer *writer, const char *path,
     ovr_status status = OVR_OK;
     s->writer = writer;
     told_of(s, path);
-    for (int k = 0; !status && s->field && k < SURFACES; k++)
-        if (s->follower[k])
+    for (int k = 0; !status && k < SURFACES; k++)
+        if (s->field[k])
             status = open_fields(s, k, err);
     return status;
 }
@@ -329,7 +348,7 @@ static ovr_status observe(void *data, const ovr_simulation *sim, ovr_error *err)
                           s->Q[k], &m);
     }
     s->before = state->T;
-    if (!s->field || !s->writer ||
+    if (!(s->field[0] || s->field[1]) || !s->writer ||
         !ovr_writer_stores(s->writer, state->step, state->T))
         return OVR_OK;
     bool due = fmod(s->snapshots, (double)s->setup->stress->every) == 0;

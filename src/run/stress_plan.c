@@ -4,8 +4,10 @@
 #include <string.h>
 
 #include "base/given.h"
+#include "case/coats.h"
 #include "case/resolve.h"
 #include "run/stress.h"
+#include "stress/layered.h"
 
 /* Depths above 4 times the way between two moments are missed in part. */
 static const double WAY_OF_DEPTH = 4, MESHES_OF_DEPTH = 4, MESHES_OF_LIFE = 8;
@@ -85,6 +87,15 @@ static ovr_status refuse(const ovr_setup *setup, const char *key, double depth,
                           round_down(share * dT * every));
 }
 
+/* Exponents and limits are those of the body, below its layers. */
+static double below_layers(const ovr_stress_plan *plan)
+{
+    const ovr_layered *layers = plan->options.layers;
+    return layers ? ovr_layered_bottom(layers, layers->layers - 1) *
+                        (1 + OVR_BESIDE / 2)
+                  : 0;
+}
+
 static ovr_status find_depths(const ovr_setup *setup, double every,
                               ovr_stress_plan *plan, ovr_error *err)
 {
@@ -105,7 +116,18 @@ static ovr_status find_depths(const ovr_setup *setup, double every,
     if (!(s->life->least_depth > 0))
         plan->range.least_depth = fmax(fmax(MESHES_OF_LIFE * D, possible),
                                        plan->options.depth_min);
+    plan->range.least_depth = fmax(plan->range.least_depth, below_layers(plan));
     return OVR_OK;
+}
+
+/* Depths, moduli and residual stresses of the layers on the surface. */
+static void add_layers(const ovr_setup *setup, ovr_stress_plan *plan)
+{
+    const ovr_coated *coated = ovr_setup_layers(setup, plan->surface - 1);
+    if (!coated)
+        return;
+    plan->options.layers = &coated->body;
+    plan->range.layer_residual = coated->residual;
 }
 
 static ovr_status make_plan(const ovr_setup *setup, int surface, double inlet,
@@ -119,15 +141,16 @@ static ovr_status make_plan(const ovr_setup *setup, int surface, double inlet,
     *plan = (ovr_stress_plan){.surface = surface};
     plan->ratio = surface == 1 ? c->u1_ratio : c->u2_ratio;
     plan->options = ovr_stress_options_default();
+    plan->range = ovr_material_range_default();
     plan->options.mesh = mesh;
     plan->options.inlet = inlet;
     plan->options.nodes = nodes;
     plan->options.depth_max = s->depth_max;
     plan->options.per_octave = s->per_octave;
     plan->options.traction = s->traction;
+    add_layers(setup, plan);
     plan->traction = surface == 1 ? c->kappa : -c->kappa;
     plan->no_traction = s->no_traction;
-    plan->range = ovr_material_range_default();
     plan->range.poisson = s->poisson[surface - 1];
     plan->range.residual_x = s->residual_x;
     plan->range.residual_y = s->residual_y;

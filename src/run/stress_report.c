@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "run/stress.h"
+#include "stress/passage.h"
 
 /* ------------------------------------------------------------------ telling */
 
@@ -150,13 +151,33 @@ static bool is_beyond(const ovr_stress_report *r)
              r->R_max < most);
 }
 
+static const ovr_stress_extreme none = {NAN, NAN, NAN, NAN};
+
+static void find_layers(const ovr_stress_plan *plan, const ovr_passage *passage,
+                        ovr_stress_report *r)
+{
+    const ovr_layer_extremes of = ovr_passage_layers(passage);
+    const ovr_layered *layers = plan->options.layers;
+    r->layer_von_mises = r->interface_shear = r->interface_tension = none;
+    r->surface_tension = none;
+    if (!layers)
+        return;
+    r->layer_von_mises = of.von_mises[0];
+    for (int j = 1; j < layers->layers; j++)
+        if (of.von_mises[j].value > r->layer_von_mises.value)
+            r->layer_von_mises = of.von_mises[j];
+    r->interface_shear = of.shear;
+    r->interface_tension = of.tension;
+    r->surface_tension = of.surface;
+}
+
 static void withhold(ovr_stress_report *r, ovr_life_result *life)
 {
-    const ovr_stress_extreme none = {NAN, NAN, NAN, NAN};
     size_t n = r->material.points, depths = r->material.depths;
     r->none = "the film's shear stress is far above what any oil carries: "
               "choose a rheology, or traction = no";
-    r->max_shear = r->von_mises = none;
+    r->max_shear = r->von_mises = r->layer_von_mises = none;
+    r->interface_shear = r->interface_tension = r->surface_tension = none;
     r->R_max = r->xi_R_max = r->Z_R_max = r->R_smooth = NAN;
     for (int m = 0; m < OVR_MEASURES; m++) {
         for (size_t k = 0; k < n * depths; k++)
@@ -203,6 +224,7 @@ ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
                             r->smooth[m]);
     r->max_shear = ovr_passage_max_shear(passage);
     r->von_mises = ovr_passage_von_mises(passage);
+    find_layers(plan, passage, r);
     find_worst(r);
     for (size_t k = 0; k < r->material.points; k++)
         r->incomplete += !r->material.complete[k];
@@ -309,6 +331,12 @@ static void add_attributes(storage *s, const ovr_setup *setup,
     add_number(s, "residual_x", o->residual_x);
     add_number(s, "residual_y", o->residual_y);
     add_number(s, "least_depth", r->least_depth);
+    if (!isnan(r->layer_von_mises.value)) {
+        add_number(s, "layer_von_mises_max", r->layer_von_mises.value);
+        add_number(s, "interface_shear_max", r->interface_shear.value);
+        add_number(s, "interface_tension_max", r->interface_tension.value);
+        add_number(s, "surface_tension_max", r->surface_tension.value);
+    }
     add_number(s, "tau_max", r->max_shear.value);
     add_number(s, "von_mises_max", r->von_mises.value);
     add_number(s, "R_max", r->R_max);

@@ -118,6 +118,12 @@ void ovr_say_stress(const ovr_told *to, const ovr_stress_report *r,
     }
     say_extreme(to, "largest shear", &r->max_shear, ph);
     say_extreme(to, "von Mises", &r->von_mises, ph);
+    if (!isnan(r->layer_von_mises.value)) {
+        say_extreme(to, "von Mises in a layer", &r->layer_von_mises, ph);
+        say_extreme(to, "shear of an interface", &r->interface_shear, ph);
+        say_extreme(to, "tension across one", &r->interface_tension, ph);
+        say_extreme(to, "tension at the top", &r->surface_tension, ph);
+    }
     say_circle(to, r, ph);
     ovr_tell(to, "traction", "%s%s",
              r->traction ? "the film's shear stress" : "none: ",

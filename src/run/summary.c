@@ -252,6 +252,21 @@ static void put_life(const ovr_told *to, const ovr_stress_report *r,
     ovr_put_number(to, "risk_smooth", r->life->smooth_risk);
 }
 
+/* Of the surface whose layers bear more. */
+static void put_layers(const ovr_told *to, const ovr_stress_report *a,
+                       const ovr_stress_report *b, double ph)
+{
+    const ovr_stress_report *of = a ? a : b;
+    if (a && b && !(a->layer_von_mises.value > b->layer_von_mises.value))
+        of = isnan(b->layer_von_mises.value) ? a : b;
+    if (isnan(of->layer_von_mises.value))
+        return;
+    put_place(to, "layer_von_mises_max", &of->layer_von_mises, ph);
+    put_place(to, "interface_shear_max", &of->interface_shear, ph);
+    put_place(to, "interface_tension_max", &of->interface_tension, ph);
+    put_place(to, "surface_tension_max", &of->surface_tension, ph);
+}
+
 void ovr_stress_summary(const ovr_stress_report *const report[2],
                         const ovr_setup *setup, ovr_summary_taker *take,
                         void *data)
@@ -273,6 +288,7 @@ void ovr_stress_summary(const ovr_stress_report *const report[2],
         circle = b;
     put_place(&to, "tau_max", &shear->max_shear, ph);
     put_place(&to, "von_mises_max", &shear->von_mises, ph);
+    put_layers(&to, a, b, ph);
     ovr_put_count(&to, "surface_tau_max", shear->surface);
     ovr_put_number(&to, "R_max", circle->R_max);
     ovr_put_number(&to, "xi_R_max", circle->xi_R_max);

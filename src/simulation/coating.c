@@ -25,6 +25,7 @@ typedef struct coat {
     double thickness; /* b */
     double modulus, poisson;
     ovr_thermal thermal;
+    double residual[2]; /* ph */
 } coat;
 
 typedef struct coating_form {
@@ -33,6 +34,7 @@ typedef struct coating_form {
     ovr_layered body[2]; /* lengths in the first thickness */
     ovr_images images;
     ovr_warmed warmed[2]; /* times in b/um */
+    ovr_coated coated[2]; /* lengths in b */
     double unit;          /* the first thickness, b */
     double stiffness;     /* E' over that of the substrates */
     double pressure;      /* the dry contact's largest, ph */
@@ -57,6 +59,11 @@ static const ovr_parameter keys[] = {
     {"density", WITH_UNIT(OVR_MASS_DENSITY, 100, 1e5), NULL,
      offsetof(coat, thermal.density), true, "heat.model = lobatto",
      "with heat"},
+    {"residual_x", STRESS(NULL, -100, 100), "0", offsetof(coat, residual[0]),
+     true, "stress.surface",
+     "stress in the layer without load, along the surface, tension positive"},
+    {"residual_y", STRESS(NULL, -100, 100), "0", offsetof(coat, residual[1]),
+     true, "stress.surface", "and across"},
 };
 
 static const ovr_section section = {
@@ -82,7 +89,7 @@ static ovr_status block(void *form, const char *name, void **into,
                         "down; those of body 2 alike",
                         name, 'a' + OVR_LAYERS_MOST - 1);
     f->there[body][layer] = true;
-    f->coat[body][layer] = (coat){NAN, NAN, NAN, {NAN, NAN, NAN}};
+    f->coat[body][layer] = (coat){NAN, NAN, NAN, {NAN, NAN, NAN}, {0, 0}};
     *into = &f->coat[body][layer];
     return OVR_OK;
 }
@@ -227,6 +234,25 @@ static ovr_status warm(const ovr_physics_case *of, coating_form *f,
     return OVR_OK;
 }
 
+static void measure(coating_form *f)
+{
+    for (int k = 0; k < 2; k++) {
+        f->coated[k].body = f->body[k];
+        for (int j = 0; j < f->body[k].layers; j++) {
+            f->coated[k].body.thickness[j] = f->coat[k][j].thickness;
+            for (int along = 0; along < 2; along++)
+                f->coated[k].residual[2 * j + along] =
+                    f->coat[k][j].residual[along];
+        }
+    }
+}
+
+static const ovr_coated *layers(const void *form, int body)
+{
+    const ovr_coated *coated = &((const coating_form *)form)->coated[body];
+    return coated->body.layers ? coated : NULL;
+}
+
 static ovr_status resolve(const ovr_physics_case *of, void *form, bool *on,
                           ovr_error *err)
 {
@@ -234,6 +260,7 @@ static ovr_status resolve(const ovr_physics_case *of, void *form, bool *on,
     *on = f->images.top > 0;
     if (!*on)
         return OVR_OK;
+    measure(f);
     if (of->heat && warm(of, f, err))
         return OVR_BAD_INPUT;
     if (f->width > WIDTH_MOST)
@@ -362,6 +389,7 @@ const ovr_physics ovr_physics_coating = {.name = "layers on the bodies",
                                          .block = block,
                                          .stiffness = stiffness,
                                          .resolve = resolve,
+                                         .layers = layers,
                                          .tell = tell,
                                          .take = take,
                                          .influence = influence,

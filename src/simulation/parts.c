@@ -46,9 +46,7 @@ static const ovr_refusal refusals[] = {
     {OVR_PART_FLOW_LAW, OVR_PART_PATCHES, "newtonian", on_patches},
     {OVR_PART_HEAT, OVR_PART_PATCHES, "none", on_patches},
     {OVR_PART_CONSERVING, OVR_PART_PATCHES, "reynolds", on_patches},
-    {OVR_PART_STRESS, OVR_PART_PATCHES, "no [stress]", on_patches},
-    {OVR_PART_STRESS, OVR_PART_COATING, "no [stress]",
-     "stresses are those of half-spaces"}};
+    {OVR_PART_STRESS, OVR_PART_PATCHES, "no [stress]", on_patches}};
 
 enum { REFUSALS = sizeof refusals / sizeof *refusals };
 

@@ -9,7 +9,8 @@
  * on, in the order of the list, and calls no function of the others.  `own` is
  * what the physics has made for itself in this simulation.
  *
- *     a case      section, form, block, stiffness, resolve, tell
+ *     a case      section, form, block, stiffness, resolve, layers,
+ *                 tell
  *     creation    chosen, prepare, take, influence, warmth
  *     steady      forget, solve, complete, couple, proceed, finish, begin
  *     a step      check, before_step, operate, history, sides, step, attempt,
@@ -83,6 +84,9 @@ struct ovr_physics {
      * error is about a key of its rows, or about a name of a block. */
     ovr_status (*resolve)(const ovr_physics_case *of, void *form, bool *on,
                           ovr_error *err);
+
+    /* The layers on a body, in b and ph; NULL: none. */
+    const struct ovr_coated *(*layers)(const void *form, int body);
 
     /* A line for each number of the form that a user wants to see. */
     void (*tell)(const ovr_physics_case *of, const void *form,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "stress/depths.h"
 #include "base/sized.h"
+#include "stress/layered.h"
 
 #include <math.h>
 
@@ -23,13 +24,44 @@ static double least(const ovr_stress_options *o)
     return o->depth_min > 0 ? o->depth_min : 4 * o->mesh;
 }
 
+/* Puts z among the others, which are in order; unless it is not wanted. */
+static size_t put_depth(const ovr_stress_options *o, double depth, size_t count,
+                        double *z)
+{
+    size_t j = count;
+    if (depth <= least(o) || depth >= o->depth_max)
+        return count;
+    for (; z && j > 0 && z[j - 1] > depth; j--)
+        z[j] = z[j - 1];
+    if (z)
+        z[j] = depth;
+    return count + 1;
+}
+
+/* Both sides of each interface, and some depths inside each layer. */
+static size_t put_layers(const ovr_stress_options *o, size_t count, double *z)
+{
+    enum { INSIDE = 4 };
+    double top = 0;
+    for (int k = 0; o->layers && k < o->layers->layers; k++) {
+        double bottom = ovr_layered_bottom(o->layers, k);
+        for (int i = 1; i < INSIDE; i++)
+            count = put_depth(o, top + (bottom - top) * i / INSIDE * 1.0001,
+                              count, z);
+        count = put_depth(o, bottom * (1 - OVR_BESIDE), count, z);
+        count = put_depth(o, bottom * (1 + OVR_BESIDE), count, z);
+        top = bottom;
+    }
+    return count;
+}
+
 size_t ovr_depths(const ovr_stress_options *o, double *z)
 {
     double octaves = log2(o->depth_max / least(o));
     size_t count = 1 + (size_t)floor(octaves * o->per_octave + 1e-9);
     for (size_t j = 0; z && j < count; j++)
         z[j] = least(o) * exp2((double)j / o->per_octave);
-    return count;
+    return put_layers(o, count, z);
 }
 
 int ovr_depth_level(const ovr_stress_options *o, double z)

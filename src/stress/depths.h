@@ -12,8 +12,8 @@
 
 enum { OVR_STRESS_LEVELS = 6 };
 
-/* Geometric from options->depth_min; writes z and returns how many (z NULL:
- * only that). */
+/* Geometric from options->depth_min, and what layers ask for; writes z and
+ * returns how many (z NULL: only that). */
 size_t ovr_depths(const ovr_stress_options *options, double *z);
 
 /* c of a depth. */

@@ -30,6 +30,7 @@
 #include "base/given.h"
 #include "base/sized.h"
 #include "stress/element.h"
+#include "stress/layered.h"
 
 static const double two_pi = 6.28318530717958647693;
 
@@ -82,15 +83,72 @@ static void evaluate(double z, bool traction, size_t lags,
     }
 }
 
+/* Room for what layers add: of four times the length, so that it has died away
+ * where it begins anew. */
+enum { WIDER = 4 };
+typedef struct layer_room {
+    size_t n;
+    fftw_complex *bins[3];
+    double *values;
+    fftw_plan plan;
+} layer_room;
+
+static ovr_status take_layer_room(ovr_arena *scratch, size_t N, layer_room *r,
+                                  ovr_error *err)
+{
+    r->n = WIDER * N;
+    for (int w = 0; w < 3; w++) {
+        r->bins[w] = ovr_arena_take(scratch, r->n / 2 + 1, sizeof **r->bins,
+                                    err);
+        if (!r->bins[w])
+            return OVR_NO_MEMORY;
+    }
+    r->values = ovr_arena_take(scratch, r->n, sizeof *r->values, err);
+    if (!r->values)
+        return OVR_NO_MEMORY;
+    return ovr_fourier_real(r->n, r->bins[0], r->values, &r->plan, err);
+}
+
+/* What layers add to the lags at a depth. */
+static void add_layers(const ovr_stress *s, const ovr_depth *depth,
+                       bool traction, long first, size_t lags, double *lag,
+                       const layer_room *r)
+{
+    const ovr_stress_options *o = &s->options;
+    double D = o->mesh;
+    const ovr_layered_depth of = ovr_layered_depth_of(
+        o->layers, depth->z, D, traction, o->element == OVR_ELEMENT_HAT);
+    for (size_t m = 0; m <= r->n / 2; m++) {
+        double to[3][2];
+        ovr_layered_bin(&of, m, r->n, D * (double)first, to);
+        for (int w = 0; w < 3; w++)
+            memcpy(r->bins[w][m], to[w], sizeof to[w]);
+    }
+    for (size_t which = 0; which < 3; which++) {
+        fftw_execute_dft_c2r(r->plan, r->bins[which], r->values);
+        for (size_t k = 0; k < lags; k++)
+            lag[which * lags + k] += r->values[k];
+    }
+    for (size_t k = 0; k < lags; k++) {
+        double to[3] = {0};
+        ovr_layered_near(&of, D * (double)(first + (long)k), to);
+        for (size_t which = 0; which < 3; which++)
+            lag[which * lags + k] += to[which];
+    }
+}
+
 /* One density's three kernels at one depth, from its line of lags, the seam's
  * before the first; lag k stands at index k - nodes + 1. */
 static ovr_status tabulate(ovr_stress *s, const ovr_depth *depth, bool traction,
-                           const ovr_potential *line, double *lag,
-                           ovr_depth_table *table, ovr_error *err)
+                           long first, const ovr_potential *line, double *lag,
+                           const layer_room *layers, ovr_depth_table *table,
+                           ovr_error *err)
 {
     size_t N = s->room, before = s->options.nodes - 1, lags = N + s->seam;
     ovr_bins *kept[] = {&table->h, &table->d, &table->tau};
     evaluate(depth->z, traction, lags, line, lag);
+    if (layers->plan)
+        add_layers(s, depth, traction, first, lags, lag, layers);
     for (size_t which = 0; which < 3; which++) {
         const double *own = lag + which * lags + s->seam;
         for (size_t k = 0; k < N; k++)
@@ -109,7 +167,9 @@ static ovr_status tabulate_all(ovr_stress *s, ovr_arena *scratch,
     size_t lags = s->room + s->seam;
     ovr_potential *line = ovr_arena_take(scratch, lags, sizeof *line, err);
     double *lag = ovr_arena_take(scratch, 3 * lags, sizeof *lag, err);
-    if (!line || !lag)
+    layer_room layers = {.plan = NULL};
+    if (!line || !lag ||
+        (o->layers && take_layer_room(scratch, s->room, &layers, err)))
         return OVR_NO_MEMORY;
     long first = lround((s->start - o->inlet) / o->mesh) -
                  (long)(o->nodes - 1 + s->seam);
@@ -117,10 +177,13 @@ static ovr_status tabulate_all(ovr_stress *s, ovr_arena *scratch,
     for (size_t j = 0; !status && j < s->depths; j++) {
         ovr_depth *depth = &s->depth[j];
         ovr_element_line(o->element, o->mesh, depth->z, first, lags, line);
-        status = tabulate(s, depth, false, line, lag, &depth->p, err);
+        status = tabulate(s, depth, false, first, line, lag, &layers, &depth->p,
+                          err);
         if (!status && o->traction)
-            status = tabulate(s, depth, true, line, lag, &depth->q, err);
+            status = tabulate(s, depth, true, first, line, lag, &layers,
+                              &depth->q, err);
     }
+    ovr_fourier_forget(layers.plan);
     return status;
 }
 

@@ -28,6 +28,25 @@ ovr_status ovr_fourier_plan(ovr_fourier *f, ovr_error *err)
     return OVR_OK;
 }
 
+ovr_status ovr_fourier_real(size_t n, fftw_complex *bins, double *values,
+                            fftw_plan *plan, ovr_error *err)
+{
+    pthread_mutex_lock(&planning);
+    *plan = fftw_plan_dft_c2r_1d((int)n, bins, values, FFTW_ESTIMATE);
+    pthread_mutex_unlock(&planning);
+    return *plan ? OVR_OK
+                 : ovr_fail(err, OVR_NO_MEMORY, "no memory to plan transforms");
+}
+
+void ovr_fourier_forget(fftw_plan plan)
+{
+    if (!plan)
+        return;
+    pthread_mutex_lock(&planning);
+    fftw_destroy_plan(plan);
+    pthread_mutex_unlock(&planning);
+}
+
 void ovr_fourier_drop(ovr_fourier *f)
 {
     pthread_mutex_lock(&planning);

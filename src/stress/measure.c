@@ -47,13 +47,16 @@ static int worst_direction(path p)
     return worst;
 }
 
-static double hydrostatic(const ovr_material_range *range, double h)
+/* Of the layer that the depth lies in, or of the body. */
+static double hydrostatic(const ovr_passage *p, size_t depth, double h)
 {
-    return (range->residual_x + range->residual_y) / 3 -
-           2. / 3 * (1 + range->poisson) * h;
+    ovr_at_rest at = ovr_layered_rest(&p->stress->options, &p->range,
+                                      p->stress->z[depth]);
+    return (at.x + at.y) / 3 - 2. / 3 * (1 + at.poisson) * h;
 }
 
-static double measure(const ovr_passage *p, ovr_measure which, path at)
+static double measure(const ovr_passage *p, ovr_measure which, size_t depth,
+                      path at)
 {
     switch (which) {
     case OVR_MEASURE_CIRCLE: return circle(p, at);
@@ -64,8 +67,8 @@ static double measure(const ovr_passage *p, ovr_measure which, path at)
     case OVR_MEASURE_VON_MISES: return sqrt(value(at, OVR_ROW_VON_MISES));
     case OVR_MEASURE_TRESCA: return value(at, OVR_ROW_TRESCA);
     case OVR_MEASURE_HYDRO_MAX:
-        return hydrostatic(&p->range, value(at, OVR_ROW_H_MIN));
-    default: return hydrostatic(&p->range, value(at, OVR_ROW_H_MAX));
+        return hydrostatic(p, depth, value(at, OVR_ROW_H_MIN));
+    default: return hydrostatic(p, depth, value(at, OVR_ROW_H_MAX));
     }
 }
 
@@ -91,7 +94,8 @@ static void measure_depth(const ovr_passage *p, ovr_measure which, size_t depth,
     if (which == OVR_MEASURE_CIRCLE)
         p->stress->loops->circles(points, p->row[depth], points, nodes);
     for (size_t k = 0; k < points && which != OVR_MEASURE_CIRCLE; k++)
-        nodes[k] = (float)measure(p, which, (path){p->row[depth] + k, points});
+        nodes[k] = (float)measure(p, which, depth,
+                                  (path){p->row[depth] + k, points});
     for (size_t k = 0; k < p->points; k++)
         to[k] = (float)between(p, nodes, c, k, which == OVR_MEASURE_ANGLE);
 }
@@ -105,7 +109,8 @@ void ovr_passage_measure(const ovr_passage *p, ovr_measure which, float *to,
         if (to)
             measure_depth(p, which, j, p->in_plane, to + j * p->points);
         if (smooth)
-            smooth[j] = measure(p, which, (path){p->smooth + j * OVR_ROWS, 1});
+            smooth[j] = measure(p, which, j,
+                                (path){p->smooth + j * OVR_ROWS, 1});
     }
 }
 
@@ -136,12 +141,12 @@ static void add_tension(const ovr_passage *p, double alpha, float *A,
         int c = p->stress->depth[j].level;
         const float *h = p->row[j] + OVR_ROW_H_MIN * p->grid[c].points;
         for (size_t k = 0; A && k < p->points; k++) {
-            double tension = hydrostatic(&p->range, between(p, h, c, k, false));
+            double tension = hydrostatic(p, j, between(p, h, c, k, false));
             A[j * p->points + k] += (float)(alpha * fmax(tension, 0));
         }
         double h_min = p->smooth[j * OVR_ROWS + OVR_ROW_H_MIN];
         if (smooth)
-            smooth[j] += alpha * fmax(hydrostatic(&p->range, h_min), 0);
+            smooth[j] += alpha * fmax(hydrostatic(p, j, h_min), 0);
     }
 }
 

@@ -69,7 +69,7 @@ static void find_states(ovr_passage *p, const ovr_stress_row *row, size_t first,
     const ovr_node_states to = {p->d,        p->tau,       p->h,
                                 p->in_plane, p->von_mises, p->tresca};
     p->stress->loops->states(n, row->shear + 2 * first, row->mean + 2 * first,
-                             &p->constants, &to);
+                             &p->constants[ovr_passage_layer(p, row->z)], &to);
 }
 
 static void note_extreme(const ovr_stress_loops *loops, size_t n,
@@ -86,10 +86,52 @@ static void note_extreme(const ovr_stress_loops *loops, size_t n,
     *extreme = (ovr_stress_extreme){most, X, row->z, T};
 }
 
+typedef enum noted { SHEAR, ACROSS, ALONG } noted;
+
+/* |tau|, sigma_z = -d - h, or sigma_x = d - h with what is there without load.
+ */
+static void note_value(const ovr_passage *p, size_t n,
+                       const ovr_stress_row *row, size_t first, double T,
+                       noted which, ovr_stress_extreme *extreme)
+{
+    const ovr_state_constants *c = &p->constants[ovr_passage_layer(p, row->z)];
+    for (size_t i = 0; i < n; i++) {
+        double d = (double)p->d[i], h = (double)p->h[i], value;
+        double X = row->start + (double)(first + i) * row->step;
+        value = which == SHEAR    ? fabs((double)p->tau[i])
+                : which == ACROSS ? -d - h
+                                  : d - h + (double)c->half + (double)c->mean;
+        if (value > extreme->value)
+            *extreme = (ovr_stress_extreme){value, X, row->z, T};
+    }
+}
+
+/* Of layers: below them all is that of the body. */
+static void note_layers(ovr_passage *p, const ovr_stress_row *row, size_t first,
+                        size_t n, double T)
+{
+    const ovr_layered *layers = p->stress->options.layers;
+    ovr_layer_extremes *of = &p->layers;
+    int layer = ovr_passage_layer(p, row->z);
+    if (row->z == p->stress->z[0])
+        note_value(p, n, row, first, T, ALONG, &of->surface);
+    if (layer == layers->layers)
+        return;
+    note_extreme(p->stress->loops, n, p->von_mises, row, first, T,
+                 &of->von_mises[layer]);
+    double bottom = ovr_layered_bottom(layers, layer);
+    if (row->z < bottom * (1 - 2 * OVR_BESIDE))
+        return;
+    note_value(p, n, row, first, T, SHEAR, &of->shear);
+    note_value(p, n, row, first, T, ACROSS, &of->tension);
+}
+
 static void note_extremes(ovr_passage *p, const ovr_stress_row *row,
                           size_t first, size_t n, double T)
 {
     const ovr_stress_loops *loops = p->stress->loops;
+    if (p->stress->options.layers)
+        note_layers(p, row, first, n, T);
     if (row->z < p->range.least_depth * (1 - 1e-9))
         return;
     note_extreme(loops, n, p->in_plane, row, first, T, &p->numbers.shear);
@@ -225,7 +267,9 @@ static float sweep_row(const ovr_passage *p, size_t depth, int r, float *v,
     long first = k > 0 ? k : 0, last = k + (long)n;
     float *row = p->row[depth] + (size_t)r * (size_t)points;
     bool low = is_low(r);
-    float all = run_through(v, n, p->rest[r], low, upward);
+    float all = run_through(
+        v, n, p->rest[ovr_passage_layer(p, p->stress->z[depth])][r], low,
+        upward);
     take_in(p, row, first, last < points ? last : points, v, k, low);
     long from = upward ? (last > 0 ? last : 0) : 0, to = upward ? points : k;
     for (long at = from; at < to && at < points; at++)
@@ -322,6 +366,14 @@ static ovr_stress_extreme root(ovr_stress_extreme of_square)
     return of_square;
 }
 
+ovr_layer_extremes ovr_passage_layers(const ovr_passage *p)
+{
+    ovr_layer_extremes of = p->layers;
+    for (int j = 0; j < OVR_LAYERS_MOST; j++)
+        of.von_mises[j] = root(of.von_mises[j]);
+    return of;
+}
+
 ovr_stress_extreme ovr_passage_max_shear(const ovr_passage *p)
 {
     if (!p)
@@ -357,5 +409,5 @@ size_t ovr_passage_state(ovr_passage *p, const ovr_memory_piece **pieces)
     if (!pieces)
         return 0;
     *pieces = p->piece;
-    return sizeof p->piece / sizeof p->piece[0];
+    return p->pieces;
 }

@@ -5,6 +5,7 @@
 
 #include "stress/circle.h"
 #include "stress/field.h"
+#include "stress/layered.h"
 
 /* What is kept of the path of a material point at a depth. */
 enum {
@@ -16,6 +17,13 @@ enum {
     OVR_ROW_H_MIN,
     OVR_ROWS
 };
+
+/* What a run showed of layers: the largest von Mises stress of each, shear and
+ * tension on interfaces, tension along the surface. */
+typedef struct ovr_layer_extremes {
+    ovr_stress_extreme von_mises[OVR_LAYERS_MOST];
+    ovr_stress_extreme shear, tension, surface;
+} ovr_layer_extremes;
 
 /* Where the material points of a level lie: xi = (first + k) 2^c D. */
 typedef struct ovr_material_grid {
@@ -35,19 +43,32 @@ struct ovr_passage {
     ovr_arena arena;
     ovr_stress *stress;
     ovr_material_range range;
-    ovr_state_constants constants;
+    /* of each layer, and of the body below them */
+    ovr_state_constants constants[OVR_LAYERS_MOST + 1];
+    float rest[OVR_LAYERS_MOST + 1][OVR_ROWS]; /* of material before all */
     ovr_material_grid grid[OVR_STRESS_LEVELS];
     int finest; /* level of the shallowest depth */
     long first; /* finest material points, without margins */
     size_t points;
     float **row; /* of a depth: OVR_ROWS times its points */
     float cosine[OVR_HALF_DIRECTIONS], sine[OVR_HALF_DIRECTIONS];
-    float rest[OVR_ROWS]; /* of the material before all */
-    float *smooth;        /* OVR_ROWS of each depth */
+    float *smooth; /* OVR_ROWS of each depth */
     unsigned char *complete;
     ovr_passage_numbers numbers;
+    ovr_layer_extremes layers;
     float *d, *tau, *h, *in_plane, *von_mises, *tresca; /* one depth's */
-    ovr_memory_piece piece[4];
+    ovr_memory_piece piece[5];
+    size_t pieces;
 };
+
+/* Of a passage with layers. */
+ovr_layer_extremes ovr_passage_layers(const ovr_passage *p);
+
+/* The layer of a depth, from 0; their number below them, or 0 without any. */
+static inline int ovr_passage_layer(const ovr_passage *p, double z)
+{
+    const ovr_layered *layers = p->stress->options.layers;
+    return layers ? ovr_layered_at(layers, z) : 0;
+}
 
 #endif

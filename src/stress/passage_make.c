@@ -38,27 +38,35 @@ static void find_grids(ovr_passage *p)
 static void find_rest(ovr_passage *p)
 {
     const ovr_material_range *range = &p->range;
-    float zero[2] = {0, 0}, d, tau, h, in_plane;
-    p->constants = (ovr_state_constants){
-        (float)range->poisson, (float)(range->residual_x / 2),
-        (float)(range->residual_x / 2), (float)range->residual_y};
-    ovr_node_states to = {&d,
-                          &tau,
-                          &h,
-                          &in_plane,
-                          &p->rest[OVR_ROW_VON_MISES],
-                          &p->rest[OVR_ROW_TRESCA]};
-    p->stress->loops->states(1, zero, zero, &p->constants, &to);
+    const ovr_layered *layers = p->stress->options.layers;
+    int last = layers ? layers->layers : 0;
+    for (int m = 0; m <= last; m++) {
+        double z = m < last ? ovr_layered_bottom(layers, m) * (1 - OVR_BESIDE)
+                            : INFINITY;
+        ovr_at_rest at = ovr_layered_rest(&p->stress->options, range, z);
+        float zero[2] = {0, 0}, d, tau, h, in_plane;
+        p->constants[m] = (ovr_state_constants){(float)at.poisson,
+                                                (float)(at.x / 2),
+                                                (float)(at.x / 2), (float)at.y};
+        ovr_node_states to = {&d,
+                              &tau,
+                              &h,
+                              &in_plane,
+                              &p->rest[m][OVR_ROW_VON_MISES],
+                              &p->rest[m][OVR_ROW_TRESCA]};
+        p->stress->loops->states(1, zero, zero, &p->constants[m], &to);
+    }
 }
 
 static void start_at_rest(ovr_passage *p)
 {
     for (size_t j = 0; j < p->stress->depths; j++) {
         size_t points = p->grid[p->stress->depth[j].level].points;
+        const float *rest = p->rest[ovr_passage_layer(p, p->stress->z[j])];
         for (size_t r = 0; r < OVR_ROWS; r++) {
-            p->smooth[j * OVR_ROWS + r] = p->rest[r];
+            p->smooth[j * OVR_ROWS + r] = rest[r];
             for (size_t k = 0; k < points; k++)
-                p->row[j][r * points + k] = p->rest[r];
+                p->row[j][r * points + k] = rest[r];
         }
     }
     memset(p->complete, 1, p->points);
@@ -110,8 +118,10 @@ static ovr_status take_arrays(ovr_passage *p, ovr_error *err)
         {"passage", rows, all * sizeof *rows},
         {"passage smooth", p->smooth, depths * OVR_ROWS * sizeof(float)},
         {"passage complete", p->complete, p->points},
-        {"passage numbers", &p->numbers, sizeof p->numbers}};
+        {"passage numbers", &p->numbers, sizeof p->numbers},
+        {"passage layers", &p->layers, sizeof p->layers}};
     memcpy(p->piece, pieces, sizeof pieces);
+    p->pieces = p->stress->options.layers ? 5 : 4;
     return OVR_OK;
 }
 
