@@ -136,6 +136,64 @@ static inline ovr_find_evaluation ovr_find_evaluation_at(const ovr_find *find,
 OVR_API void ovr_find_summary(const ovr_find *find, ovr_summary_taker *take,
                               void *data);
 
+/* ----------------------------------------------------------------- random */
+
+/* What the draws of a study with [random] say of a quantity, for each
+ * combination of its other keys. */
+typedef struct ovr_sample ovr_sample;
+
+enum { OVR_SAMPLE_QUANTILES = 7, OVR_SAMPLE_LIMITS = 4 };
+
+typedef struct ovr_sample_row {
+    size_t size;       /* of this struct */
+    const char *group; /* "slide_to_roll=0.5"; "": nothing else varies */
+    const char *quantity;
+    size_t draws, finished, failed, marked;
+    size_t known; /* finished, with a number: what follows is of these */
+    int order[2], level[2]; /* least and most of their solutions */
+    double mean, sd;
+    double error;  /* standard error of the mean; NAN: the design tells none */
+    double factor; /* of that for 95 % */
+    /* 95 % intervals; NAN: there is no end */
+    double p[OVR_SAMPLE_QUANTILES], quantile[OVR_SAMPLE_QUANTILES];
+    double low[OVR_SAMPLE_QUANTILES], high[OVR_SAMPLE_QUANTILES];
+    size_t limits;
+    int sense[OVR_SAMPLE_LIMITS]; /* 1: at least; -1: at most */
+    double limit[OVR_SAMPLE_LIMITS];
+    /* That it holds: its share, and 95 %, in which every failed draw may be
+     * either. */
+    double P[OVR_SAMPLE_LIMITS], P_low[OVR_SAMPLE_LIMITS];
+    double P_high[OVR_SAMPLE_LIMITS];
+    size_t inputs;
+} ovr_sample_row;
+
+/* A random key and a quantity; with 95 % intervals. */
+typedef struct ovr_sample_input {
+    size_t size; /* of this struct */
+    const char *key;
+    bool related; /* drawn together with others: no share of the variance */
+    double share, share_low, share_high; /* of the variance, by it alone */
+    double rho, rho_low, rho_high;       /* Spearman's, with its sign */
+    double lowest, highest; /* mean of the quantity where the key is so */
+} ovr_sample_input;
+
+/* Of the files as they stand.  Quantities with commas between; NULL: those of
+ * [limits], the key of [find], smallest film and largest pressure. */
+OVR_API ovr_sample *ovr_study_sample(const ovr_study *study,
+                                     const char *quantities, ovr_error *err);
+OVR_API void ovr_sample_free(ovr_sample *sample);
+OVR_API size_t ovr_sample_rows(const ovr_sample *sample);
+OVR_API const ovr_sample_row *ovr_sample_at(const ovr_sample *sample, size_t k);
+OVR_API const ovr_sample_input *ovr_sample_input_at(const ovr_sample *sample,
+                                                    size_t row, size_t k);
+
+/* As CSV, a line for each row. */
+OVR_API ovr_status ovr_sample_write(const ovr_sample *sample, const char *path,
+                                    ovr_error *err);
+
+/* Whether a study has [random]. */
+OVR_API bool ovr_study_random(const ovr_study *study);
+
 #ifdef __cplusplus
 }
 #endif

@@ -7,6 +7,7 @@
 #include "cli/json.h"
 #include "cli/report.h"
 #include "cli/run.h"
+#include "cli/sample.h"
 #include "cli/signals.h"
 
 typedef struct sweeping {
@@ -153,6 +154,38 @@ static void report_table(const sweeping *w, const ovr_sweep_totals *t)
         puts("--redo runs all again from their beginning");
 }
 
+/* What its draws say, into summary.csv too. */
+static int tell_sample(const sweeping *w, json_writer *json)
+{
+    char path[4400];
+    ovr_error err = {0};
+    int code = CLI_DONE;
+    ovr_sample *sample = ovr_study_sample(w->s, cli_value(w->call, "quantity"),
+                                          &err);
+    snprintf(path, sizeof path, "%.4300s/summary.csv", ovr_study_output(w->s));
+    if (!sample || ovr_sample_write(sample, path, &err))
+        code = cli_fail(&err);
+    else if (json)
+        cli_json_sample(json, sample);
+    else if (w->call->verbosity >= 0)
+        cli_put_sample(sample);
+    ovr_sample_free(sample);
+    return code;
+}
+
+/* --statistics alone. */
+static int show_sample(const sweeping *w)
+{
+    json_writer json;
+    int code;
+    if (!w->call->json)
+        return tell_sample(w, NULL);
+    json = json_begin(stdout);
+    code = tell_sample(w, &json);
+    json_end(&json);
+    return code;
+}
+
 /* Manifest, table, report; the exit code. */
 static int finish(sweeping *w)
 {
@@ -164,6 +197,9 @@ static int finish(sweeping *w)
         report_json(w, &totals);
     else if (w->call->verbosity >= 0)
         report_table(w, &totals);
+    if (ovr_study_random(w->s) && totals.count[OVR_SWEEP_FINISHED] &&
+        !w->call->json && tell_sample(w, NULL))
+        return CLI_FAILED;
     if (totals.count[OVR_SWEEP_FAILED])
         return CLI_FAILED;
     return totals.count[OVR_SWEEP_FINISHED] < ovr_study_cases(w->s) ||
@@ -252,6 +288,8 @@ static int do_what_is_asked(sweeping *w)
         print_list(w);
     else if (cli_flag(call, "task"))
         return run_task(w, task - 1);
+    else if (cli_flag(call, "statistics"))
+        return show_sample(w);
     else
         return cli_flag(call, "collect") ? finish(w) : run_all(w);
     return CLI_DONE;
@@ -292,6 +330,9 @@ static const cli_option options[] = {
     {"list", NULL, "print the commands of the cases still to be run", false},
     {"task", "I", "only case I, from 1: for job arrays", false},
     {"collect", "FILE", "gather the summaries into FILE.csv or FILE.nc", false},
+    {"statistics", NULL, "what the draws of [random] say; runs nothing", false},
+    {"quantity", "NAME,...", "of the statistics: numbers of the summary",
+     false},
     {"retry", NULL, "failed cases again", false},
     {"redo", NULL, "all cases again from their beginning", false},
     {0}};

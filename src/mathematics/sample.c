@@ -176,7 +176,7 @@ ovr_interval ovr_bootstrap(ovr_of_pairs *of, const double *x, const double *y,
     ovr_arena arena = ovr_arena_make(allocator);
     double *drawn = n ? ovr_arena_take(&arena, 2 * n, sizeof *drawn, NULL)
                       : NULL;
-    double found[AGAIN];
+    double found[AGAIN], shift;
     for (uint64_t k = 0; drawn && k < AGAIN; k++) {
         ovr_arena own = ovr_arena_make(allocator);
         for (size_t i = 0; i < n; i++) {
@@ -187,10 +187,11 @@ ovr_interval ovr_bootstrap(ovr_of_pairs *of, const double *x, const double *y,
         found[k] = of(drawn, drawn + n, n, &own);
         ovr_arena_release(&own);
     }
-    ovr_arena_release(&arena);
     if (!drawn)
         return none;
     qsort(found, AGAIN, sizeof *found, by_size);
-    return (ovr_interval){ovr_quantile(found, AGAIN, TAIL),
-                          ovr_quantile(found, AGAIN, 1 - TAIL)};
+    shift = of(x, y, n, &arena) - ovr_quantile(found, AGAIN, 0.5);
+    ovr_arena_release(&arena);
+    return (ovr_interval){ovr_quantile(found, AGAIN, TAIL) + shift,
+                          ovr_quantile(found, AGAIN, 1 - TAIL) + shift};
 }

@@ -68,13 +68,13 @@ typedef struct ovr_study_chance {
     long line;
 } ovr_study_chance;
 
-typedef struct ovr_study_random {
+typedef struct ovr_study_chances {
     ovr_sampling how; /* draws 0: nothing is random */
     bool grows;       /* shifts were given or are used */
     long line;
     ovr_study_chance key[OVR_STUDY_MOST_KEYS];
     size_t keys;
-} ovr_study_random;
+} ovr_study_chances;
 
 struct ovr_study {
     ovr_arena arena;
@@ -86,7 +86,7 @@ struct ovr_study {
     ovr_study_key key[OVR_STUDY_MOST_KEYS];
     size_t keys, tasks;
     ovr_study_find find;
-    ovr_study_random random;
+    ovr_study_chances random;
     ovr_comparison limit[OVR_STUDY_MOST_LIMITS];
     size_t limits;
     char **name; /* of each task: "depth=0.1_slide_to_roll=0.5" */

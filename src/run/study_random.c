@@ -85,7 +85,7 @@ ovr_status ovr_study_take_random(ovr_study *s, const char *key,
                                  const char *value, const char *file, long line,
                                  ovr_error *err)
 {
-    ovr_study_random *r = &s->random;
+    ovr_study_chances *r = &s->random;
     if (!r->line) {
         r->line = line;
         r->how.design = OVR_SOBOL;
@@ -383,7 +383,7 @@ static size_t find_dimension(const dimensions *d, const char *name)
 
 static ovr_status make_dimensions(ovr_study *s, dimensions *d, ovr_error *err)
 {
-    const ovr_study_random *r = &s->random;
+    const ovr_study_chances *r = &s->random;
     ovr_error why = {0};
     for (size_t k = 0; k < r->keys; k++) {
         const char *name = dimension_of(&r->key[k]);
@@ -470,7 +470,7 @@ static ovr_status draw_key(ovr_study *s, const ovr_study_chance *c,
 
 static ovr_status check_settings(const ovr_study *s, ovr_error *err)
 {
-    const ovr_study_random *r = &s->random;
+    const ovr_study_chances *r = &s->random;
     if (!r->how.draws)
         return ovr_fail_at(err, OVR_BAD_INPUT, s->path, r->line,
                            "[random]: draws is missing");
@@ -486,7 +486,7 @@ static ovr_status check_settings(const ovr_study *s, ovr_error *err)
 
 ovr_status ovr_study_draw_all(ovr_study *s, int zip, ovr_error *err)
 {
-    const ovr_study_random *r = &s->random;
+    const ovr_study_chances *r = &s->random;
     dimensions d = {.count = 0};
     ovr_status status = OVR_OK;
     if (!r->line)

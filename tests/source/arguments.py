@@ -25,6 +25,7 @@ MAY_BE = {
     "ovr_run_create": {"options"},
     "ovr_run_resume": {"options"},
     "ovr_surfaces_create": {"speed"},
+    "ovr_study_sample": {"quantities"},
     "ovr_sweep": {"options"},
     "ovr_sweep_collect": {"path"},
 }

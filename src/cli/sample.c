@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the draws of a study say, for people and for programs. */
+#include "cli/sample.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { FEW = 200 }; /* draws, below which indices have one digit */
+
+/* -------------------------------------------------------------------- JSON */
+
+static void json_quantiles(json_writer *json, const ovr_sample_row *r)
+{
+    json_open_array(json, "quantiles");
+    for (int k = 0; k < OVR_SAMPLE_QUANTILES; k++) {
+        json_open(json, NULL);
+        json_number(json, "p", r->p[k]);
+        json_number(json, "value", r->quantile[k]);
+        json_number(json, "low", r->low[k]);
+        json_number(json, "high", r->high[k]);
+        json_close(json);
+    }
+    json_close_array(json);
+}
+
+static void json_limits(json_writer *json, const ovr_sample_row *r)
+{
+    json_open_array(json, "limits");
+    for (size_t k = 0; k < r->limits; k++) {
+        json_open(json, NULL);
+        json_text(json, "relation", r->sense[k] > 0 ? "at least" : "at most");
+        json_number(json, "limit", r->limit[k]);
+        json_number(json, "P", r->P[k]);
+        json_number(json, "P_low", r->P_low[k]);
+        json_number(json, "P_high", r->P_high[k]);
+        json_close(json);
+    }
+    json_close_array(json);
+}
+
+static void json_inputs(json_writer *json, const ovr_sample *sample, size_t row)
+{
+    const ovr_sample_input *in;
+    json_open_array(json, "inputs");
+    for (size_t k = 0; (in = ovr_sample_input_at(sample, row, k)); k++) {
+        json_open(json, NULL);
+        json_text(json, "key", in->key);
+        json_number(json, "share", in->share);
+        json_number(json, "share_low", in->share_low);
+        json_number(json, "share_high", in->share_high);
+        json_number(json, "rho", in->rho);
+        json_number(json, "rho_low", in->rho_low);
+        json_number(json, "rho_high", in->rho_high);
+        json_number(json, "lowest", in->lowest);
+        json_number(json, "highest", in->highest);
+        json_close(json);
+    }
+    json_close_array(json);
+}
+
+void cli_json_sample(json_writer *json, const ovr_sample *sample)
+{
+    const ovr_sample_row *r;
+    json_open_array(json, "statistics");
+    for (size_t k = 0; (r = ovr_sample_at(sample, k)); k++) {
+        json_open(json, NULL);
+        json_text(json, "group", r->group);
+        json_text(json, "quantity", r->quantity);
+        json_integer(json, "draws", (long long)r->draws);
+        json_integer(json, "finished", (long long)r->finished);
+        json_integer(json, "failed", (long long)r->failed);
+        json_integer(json, "marked", (long long)r->marked);
+        json_integer(json, "known", (long long)r->known);
+        json_integer(json, "order_least", r->order[0]);
+        json_integer(json, "order_most", r->order[1]);
+        json_number(json, "mean", r->mean);
+        json_number(json, "mean_error", r->error);
+        json_number(json, "sd", r->sd);
+        json_quantiles(json, r);
+        json_limits(json, r);
+        json_inputs(json, sample, k);
+        json_close(json);
+    }
+    json_close_array(json);
+}
+
+/* ------------------------------------------------------------------- tables */
+
+static void put_range(const char *name, const int range[2])
+{
+    if (range[0] == range[1] && range[0])
+        printf(", %s %d", name, range[0]);
+    else if (range[1])
+        printf(", %ss %d to %d", name, range[0], range[1]);
+}
+
+/* First of all how many there are, and how many not. */
+static void put_counts(const ovr_sample_row *r)
+{
+    printf("%s%s%zu draws: %zu finished, %zu failed, %zu marked", r->group,
+           *r->group ? ": " : "", r->draws, r->finished, r->failed, r->marked);
+    put_range("order", r->order);
+    put_range("level", r->level);
+    putchar('\n');
+    if ((double)r->failed > 0.01 * (double)r->draws)
+        printf("  %.2g %% of the draws failed: what they have in common is not "
+               "in the numbers\n",
+               100 * (double)r->failed / (double)r->draws);
+    if (r->order[0] != r->order[1])
+        puts("  solutions of different order are in it: domain.order = 2 in "
+             "[set] makes them alike");
+}
+
+static void put_end(double value, const char *word)
+{
+    if (isfinite(value))
+        printf("%s%.4g", word, value);
+    else
+        printf("%snot known", word);
+}
+
+static void put_moments(const ovr_sample_row *r)
+{
+    printf("%s: mean %.5g", r->quantity, r->mean);
+    if (isfinite(r->error))
+        printf(" +- %.2g (95 %%)", r->factor * r->error);
+    printf(", sd %.4g\n", r->sd);
+    for (int k = 0; k < OVR_SAMPLE_QUANTILES; k++) {
+        printf("  %2.0f %%  %-11.5g", 100 * r->p[k], r->quantile[k]);
+        if (isnan(r->low[k]) && isfinite(r->high[k]))
+            printf("< %.4g", r->high[k]);
+        else if (isnan(r->high[k]) && isfinite(r->low[k]))
+            printf("> %.4g", r->low[k]);
+        else {
+            put_end(r->low[k], "");
+            put_end(r->high[k], " to ");
+        }
+        putchar('\n');
+    }
+}
+
+static void put_limits(const ovr_sample_row *r)
+{
+    for (size_t k = 0; k < r->limits; k++) {
+        printf("  %s %.6g: P = %.4g, ",
+               r->sense[k] > 0 ? "at least" : "at most", r->limit[k], r->P[k]);
+        if (r->P_low[k] <= 0)
+            printf("< %.3g\n", r->P_high[k]);
+        else
+            printf("%.4g to %.4g\n", r->P_low[k], r->P_high[k]);
+    }
+}
+
+static void put_inputs(const ovr_sample *sample, size_t row, size_t known)
+{
+    const ovr_sample_input *in;
+    int digits = known < FEW ? 1 : 2;
+    for (size_t k = 0; (in = ovr_sample_input_at(sample, row, k)); k++) {
+        printf("  %-22s ", in->key);
+        if (!in->related)
+            printf("share %.*f (%.*f to %.*f)  ", digits, in->share, digits,
+                   in->share_low, digits, in->share_high);
+        printf("rho %+.*f (%+.*f to %+.*f)\n", digits, in->rho, digits,
+               in->rho_low, digits, in->rho_high);
+    }
+}
+
+void cli_put_sample(const ovr_sample *sample)
+{
+    const ovr_sample_row *r;
+    const char *group = NULL;
+    for (size_t k = 0; (r = ovr_sample_at(sample, k)); k++) {
+        if (!group || strcmp(group, r->group) != 0)
+            put_counts(r);
+        group = r->group;
+        if (!r->known)
+            continue;
+        put_moments(r);
+        put_limits(r);
+        put_inputs(sample, k, r->known);
+    }
+}

@@ -1,0 +1,466 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the draws of a study say: from its table, group by group. */
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/given.h"
+#include "base/text.h"
+#include "mathematics/sample.h"
+#include "overroll/questions.h"
+#include "overroll/text.h"
+#include "run/sweep_table.h"
+
+enum { QUANTITIES = 32, NAME_ROOM = 400 };
+
+struct ovr_sample {
+    ovr_arena arena;
+    ovr_sample_row *row;
+    ovr_sample_input **input; /* of each row */
+    size_t rows;
+};
+
+typedef struct sampling {
+    ovr_sample *to;
+    const ovr_study *s;
+    ovr_sweep_table *t;
+    const ovr_sweep_column *quantity[QUANTITIES];
+    size_t quantities;
+    ovr_error *err;
+} sampling;
+
+bool ovr_study_random(const ovr_study *study)
+{
+    return study && study->random.how.draws > 0;
+}
+
+/* --------------------------------------------------------------- quantities */
+
+static const ovr_sweep_column *column_named(const ovr_sweep_table *t,
+                                            const char *name)
+{
+    for (size_t k = 0; k < t->columns; k++)
+        if (!strcmp(t->column[k].name, name))
+            return &t->column[k];
+    return NULL;
+}
+
+static bool add_quantity(sampling *w, const char *name)
+{
+    const ovr_sweep_column *c = column_named(w->t, name);
+    for (size_t k = 0; k < w->quantities; k++)
+        if (w->quantity[k] == c)
+            return true;
+    if (c && w->quantities < QUANTITIES)
+        w->quantity[w->quantities++] = c;
+    return c != NULL;
+}
+
+static ovr_status no_quantity(const sampling *w, const char *name)
+{
+    const char *names[OVR_SWEEP_MOST_NUMBERS], *meant;
+    for (size_t k = 0; k < w->t->columns; k++)
+        names[k] = w->t->column[k].name;
+    meant = ovr_suggest(name, names, w->t->columns);
+    if (!w->t->columns)
+        return ovr_fail(w->err, OVR_BAD_INPUT,
+                        "no case has finished yet: 'overroll sweep' runs them");
+    if (!meant)
+        return ovr_fail(w->err, OVR_BAD_INPUT, "no quantity '%.60s'", name);
+    ovr_fail(w->err, OVR_BAD_INPUT, "no quantity '%.60s'; did you mean '%s'?",
+             name, meant);
+    return OVR_BAD_INPUT;
+}
+
+static ovr_status take_asked(sampling *w, const char *names)
+{
+    while (*names) {
+        char name[NAME_ROOM];
+        size_t size = strcspn(names, ",");
+        ovr_line one = {names, size, 0};
+        one = ovr_trim(one);
+        snprintf(name, sizeof name, "%.*s", (int)one.size, one.text);
+        if (*name && !add_quantity(w, name))
+            return no_quantity(w, name);
+        names += size + (names[size] == ',');
+    }
+    return OVR_OK;
+}
+
+/* Smallest film and largest pressure, in SI where they are; with what [limits]
+ * and [find] are about. */
+static ovr_status take_usual(sampling *w)
+{
+    static const char *const films[] = {"H_min_overall_m", "H_min_overall",
+                                        "min_film_m", "H_min"};
+    static const char *const pressures[] = {"P_max_overall_Pa", "P_max_overall",
+                                            "max_pressure_Pa", "P_max"};
+    const ovr_study *s = w->s;
+    for (size_t k = 0; k < s->limits; k++)
+        if (!add_quantity(w, s->limit[k].quantity))
+            return no_quantity(w, s->limit[k].quantity);
+    if (s->find.key)
+        add_quantity(w, s->find.key);
+    for (size_t k = 0; k < 4 && !add_quantity(w, films[k]); k++)
+        ;
+    for (size_t k = 0; k < 4 && !add_quantity(w, pressures[k]); k++)
+        ;
+    return w->quantities ? OVR_OK : no_quantity(w, "H_min");
+}
+
+/* --------------------------------------------------------------------- rows */
+
+static int by_size(const void *a, const void *b)
+{
+    double p = *(const double *)a, q = *(const double *)b;
+    return (p > q) - (p < q);
+}
+
+static void take_range(const sampling *w, size_t from, const char *name,
+                       int range[2])
+{
+    const ovr_sweep_column *c = column_named(w->t, name);
+    range[0] = range[1] = 0;
+    for (size_t i = 0; c && i < w->s->random.how.draws; i++) {
+        double v = c->value[from + i];
+        if (isnan(v))
+            continue;
+        if (!range[1] || (int)v < range[0])
+            range[0] = (int)v;
+        if ((int)v > range[1])
+            range[1] = (int)v;
+    }
+}
+
+/* A steady solution above its tolerance is no number of the case; of a run the
+ * steps that were are marked. */
+static bool is_number(const sampling *w, size_t task, double value)
+{
+    const ovr_sweep_column *converged = column_named(w->t, "converged");
+    const ovr_sweep_column *steps = column_named(w->t, "steps");
+    bool marched = steps && isfinite(steps->value[task]);
+    return isfinite(value) &&
+           (marched || !converged || !(converged->value[task] <= 0));
+}
+
+static void count_states(const sampling *w, size_t from, ovr_sample_row *r)
+{
+    const ovr_sweep_column *marked = column_named(w->t, "steps_marked");
+    for (size_t i = from; i < from + r->draws; i++) {
+        r->finished += w->t->state[i] == OVR_SWEEP_FINISHED;
+        r->failed += w->t->state[i] == OVR_SWEEP_FAILED;
+        r->marked += marked && marked->value[i] > 0;
+    }
+    take_range(w, from, "order", r->order);
+    take_range(w, from, "level", r->level);
+}
+
+/* Standard error of the mean: plain, that of independent draws; shifted points,
+ * that of the means of the replicates, which are independent. */
+static void take_error(const sampling *w, const double *value,
+                       ovr_sample_row *r)
+{
+    const ovr_sampling *how = &w->s->random.how;
+    double mean = 0, squares = 0, n = (double)how->shifts;
+    r->error = r->factor = NAN;
+    if (how->design == OVR_PLAIN) {
+        r->error = r->sd / sqrt((double)r->known);
+        r->factor = ovr_student(r->known);
+    }
+    if (how->design != OVR_SOBOL || how->shifts < 2)
+        return;
+    for (size_t k = 0; k < how->shifts; k++) {
+        double sum = 0, count = 0;
+        for (size_t i = k; i < how->draws; i += how->shifts)
+            if (isfinite(value[i]))
+                sum += value[i], count++;
+        mean += sum / count / n;
+        squares += pow(sum / count, 2) / n;
+    }
+    r->error = sqrt(fmax(0, squares - mean * mean) / (n - 1));
+    r->factor = ovr_student(how->shifts);
+}
+
+/* Moments about the first value: films of a lognormal sample are near to each
+ * other. */
+static void take_moments(const double *known, ovr_sample_row *r)
+{
+    double n = (double)r->known, sum = 0, squares = 0;
+    for (size_t i = 0; i < r->known; i++)
+        sum += known[i] - known[0];
+    r->mean = known[0] + sum / n;
+    for (size_t i = 0; i < r->known; i++)
+        squares += pow(known[i] - r->mean, 2);
+    r->sd = sqrt(squares / (n - 1));
+}
+
+static void take_quantiles(const double *sorted, ovr_sample_row *r)
+{
+    static const double p[OVR_SAMPLE_QUANTILES] = {0.01, 0.05, 0.1, 0.5,
+                                                   0.9,  0.95, 0.99};
+    for (int k = 0; k < OVR_SAMPLE_QUANTILES; k++) {
+        ovr_interval i = ovr_quantile_interval(sorted, r->known, p[k]);
+        r->p[k] = p[k];
+        r->quantile[k] = ovr_quantile(sorted, r->known, p[k]);
+        r->low[k] = i.low;
+        r->high[k] = i.high;
+    }
+}
+
+static void take_limits(const sampling *w, const double *known,
+                        ovr_sample_row *r)
+{
+    size_t unknown = r->failed;
+    for (size_t j = 0; j < w->s->limits; j++) {
+        const ovr_comparison *c = &w->s->limit[j];
+        size_t k = r->limits, held = 0, n = r->known + unknown;
+        if (strcmp(c->quantity, r->quantity) != 0 || k == OVR_SAMPLE_LIMITS)
+            continue;
+        for (size_t i = 0; i < r->known; i++)
+            held += c->sense > 0 ? known[i] >= c->target
+                                 : known[i] <= c->target;
+        r->sense[k] = c->sense;
+        r->limit[k] = c->target;
+        r->P[k] = (double)held / (double)r->known;
+        r->P_low[k] = ovr_proportion(held, n).low;
+        r->P_high[k] = ovr_proportion(held + unknown, n).high;
+        r->limits++;
+    }
+}
+
+/* Below 50 draws nothing is said of the inputs. */
+static ovr_status take_inputs(sampling *w, size_t from, const double *value,
+                              size_t row)
+{
+    enum { ENOUGH = 50 };
+    ovr_sample_row *r = &w->to->row[row];
+    ovr_arena arena = ovr_arena_make(&w->s->arena.allocator);
+    double *x = ovr_arena_take(&arena, r->draws, sizeof *x, w->err);
+    double *y = ovr_arena_take(&arena, r->draws, sizeof *y, w->err);
+    ovr_sample_input *input = ovr_arena_take(&w->to->arena, w->t->keys,
+                                             sizeof *input, w->err);
+    w->to->input[row] = input;
+    for (size_t k = 0; x && y && input && r->known >= ENOUGH && k < w->t->keys;
+         k++) {
+        const ovr_sweep_values *v = &w->t->values[k];
+        ovr_sample_input *in = &input[r->inputs];
+        ovr_interval i = {NAN, NAN};
+        size_t n = 0;
+        if (!v->key->random || !v->numeric)
+            continue;
+        for (size_t d = 0; d < r->draws; d++)
+            if (isfinite(value[d])) {
+                x[n] = v->number[from + d];
+                y[n++] = value[d];
+            }
+        *in = (ovr_sample_input){
+            .size = sizeof *in,
+            .key = ovr_arena_text(&w->to->arena, v->key->shown, w->err),
+            .related = v->key->related,
+            .share = NAN};
+        if (!in->related) {
+            in->share = ovr_first_order(x, y, n, &arena);
+            i = ovr_bootstrap(ovr_first_order, x, y, n, &arena.allocator);
+        }
+        in->share_low = i.low > 0 || isnan(i.low) ? i.low : 0;
+        in->share_high = i.high;
+        in->rho = ovr_rank_correlation(x, y, n, &arena);
+        i = ovr_bootstrap(ovr_rank_correlation, x, y, n, &arena.allocator);
+        in->rho_low = i.low;
+        in->rho_high = i.high;
+        ovr_bin_ends(x, y, n, &arena, &in->lowest, &in->highest);
+        r->inputs += in->key != NULL;
+    }
+    ovr_arena_release(&arena);
+    return x && y && input ? OVR_OK : OVR_NO_MEMORY;
+}
+
+/* What the names of a group's tasks begin with. */
+static const char *group_name(sampling *w, size_t from)
+{
+    char *name = ovr_arena_text(&w->to->arena, w->s->name[from], w->err);
+    char *draw = name ? strstr(name, "draw-") : NULL;
+    if (draw)
+        draw[draw > name ? -1 : 0] = '\0';
+    return name;
+}
+
+static ovr_status take_row(sampling *w, size_t row, size_t group,
+                           const ovr_sweep_column *of)
+{
+    size_t draws = w->s->random.how.draws, from = group * draws;
+    ovr_arena arena = ovr_arena_make(&w->s->arena.allocator);
+    double *known = ovr_arena_take(&arena, draws, sizeof *known, w->err);
+    double *value = ovr_arena_take(&arena, draws, sizeof *value, w->err);
+    ovr_sample_row *r = &w->to->row[row];
+    ovr_status status = known && value ? OVR_OK : OVR_NO_MEMORY;
+    *r = (ovr_sample_row){.size = sizeof *r, .draws = draws};
+    r->mean = r->sd = r->error = r->factor = NAN;
+    r->group = group_name(w, from);
+    r->quantity = ovr_arena_text(&w->to->arena, of->name, w->err);
+    if (!r->group || !r->quantity)
+        status = OVR_NO_MEMORY;
+    if (!status) {
+        count_states(w, from, r);
+        for (size_t i = 0; i < draws; i++) {
+            double v = of->value[from + i];
+            value[i] = is_number(w, from + i, v) ? v : NAN;
+            if (isfinite(value[i]))
+                known[r->known++] = value[i];
+        }
+        r->failed += r->finished - r->known;
+        r->finished = r->known;
+        if (r->known)
+            take_moments(known, r);
+        take_error(w, value, r);
+        qsort(known, r->known, sizeof *known, by_size);
+        take_quantiles(known, r);
+        if (r->known)
+            take_limits(w, known, r);
+        status = take_inputs(w, from, value, row);
+    }
+    ovr_arena_release(&arena);
+    return status;
+}
+
+static ovr_status take_rows(sampling *w)
+{
+    ovr_sample *to = w->to;
+    size_t groups = w->s->tasks / w->s->random.how.draws;
+    ovr_status status = OVR_OK;
+    to->rows = groups * w->quantities;
+    to->row = ovr_arena_take(&to->arena, to->rows, sizeof *to->row, w->err);
+    to->input = ovr_arena_take(&to->arena, to->rows, sizeof *to->input, w->err);
+    if (!to->row || !to->input)
+        return OVR_NO_MEMORY;
+    for (size_t k = 0; !status && k < to->rows; k++)
+        status = take_row(w, k, k / w->quantities,
+                          w->quantity[k % w->quantities]);
+    return status;
+}
+
+/* ------------------------------------------------------------------- making */
+
+ovr_sample *ovr_study_sample(const ovr_study *study, const char *quantities,
+                             ovr_error *err)
+{
+    if (!study)
+        return ovr_null(err, __func__);
+    ovr_arena arena = ovr_arena_make(NULL), own = ovr_arena_make(NULL);
+    ovr_sample *to = ovr_arena_take(&arena, 1, sizeof *to, err);
+    ovr_sweep_table *t = ovr_arena_take(&own, 1, sizeof *t, err);
+    sampling w = {.to = to, .s = study, .t = t, .err = err};
+    ovr_status status = to && t ? OVR_OK : OVR_NO_MEMORY;
+    if (to)
+        to->arena = arena;
+    if (!status && !ovr_study_random(study))
+        status = ovr_fail(err, OVR_BAD_INPUT,
+                          "%s: has no [random]: statistics are of draws",
+                          study->path);
+    if (!status && !(status = ovr_sweep_gather(study, t, err))) {
+        status = quantities ? take_asked(&w, quantities) : take_usual(&w);
+        if (!status)
+            status = take_rows(&w);
+        ovr_sweep_table_free(t);
+    }
+    ovr_arena_release(&own);
+    if (!status)
+        return to;
+    ovr_sample_free(to);
+    return NULL;
+}
+
+void ovr_sample_free(ovr_sample *sample)
+{
+    if (sample) {
+        ovr_arena arena = sample->arena;
+        ovr_arena_release(&arena);
+    }
+}
+
+size_t ovr_sample_rows(const ovr_sample *sample)
+{
+    if (!sample)
+        return 0;
+    return sample->rows;
+}
+
+const ovr_sample_row *ovr_sample_at(const ovr_sample *sample, size_t k)
+{
+    if (!sample || k >= sample->rows)
+        return NULL;
+    return &sample->row[k];
+}
+
+const ovr_sample_input *ovr_sample_input_at(const ovr_sample *sample,
+                                            size_t row, size_t k)
+{
+    if (!sample || row >= sample->rows || k >= sample->row[row].inputs)
+        return NULL;
+    return &sample->input[row][k];
+}
+
+/* ------------------------------------------------------------------ writing */
+
+static void put(FILE *to, double value)
+{
+    fputc(',', to);
+    if (isfinite(value))
+        fprintf(to, "%.17g", value);
+}
+
+static void put_row(const ovr_sample *s, size_t k, FILE *to)
+{
+    const ovr_sample_row *r = &s->row[k];
+    fprintf(to, "%s,%s,%zu,%zu,%zu,%zu", r->group, r->quantity, r->draws,
+            r->finished, r->failed, r->marked);
+    put(to, r->mean);
+    put(to, r->error);
+    put(to, r->sd);
+    for (int i = 0; i < OVR_SAMPLE_QUANTILES; i++) {
+        put(to, r->quantile[i]);
+        put(to, r->low[i]);
+        put(to, r->high[i]);
+    }
+    put(to, r->limits ? r->limit[0] : NAN);
+    put(to, r->limits ? r->P[0] : NAN);
+    put(to, r->limits ? r->P_low[0] : NAN);
+    put(to, r->limits ? r->P_high[0] : NAN);
+    for (size_t i = 0; i < r->inputs; i++) {
+        put(to, s->input[k][i].share);
+        put(to, s->input[k][i].rho);
+    }
+    fputc('\n', to);
+}
+
+ovr_status ovr_sample_write(const ovr_sample *sample, const char *path,
+                            ovr_error *err)
+{
+    FILE *to;
+    bool good;
+    if (!sample || !path)
+        return ovr_fail_null(err, __func__);
+    to = fopen(path, "w");
+    if (!to)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be written: %s", path,
+                        strerror(errno));
+    fputs("group,quantity,draws,finished,failed,marked,mean,mean_error,sd", to);
+    for (int i = 0; sample->rows && i < OVR_SAMPLE_QUANTILES; i++) {
+        int percent = (int)lround(100 * sample->row[0].p[i]);
+        fprintf(to, ",q%02d,q%02d_low,q%02d_high", percent, percent, percent);
+    }
+    fputs(",limit,P,P_low,P_high", to);
+    for (size_t i = 0; sample->rows && i < sample->row[0].inputs; i++)
+        fprintf(to, ",share_%s,rho_%s", sample->input[0][i].key,
+                sample->input[0][i].key);
+    fputc('\n', to);
+    for (size_t k = 0; k < sample->rows; k++)
+        put_row(sample, k, to);
+    good = !ferror(to);
+    good = fclose(to) == 0 && good;
+    return good ? OVR_OK
+                : ovr_fail(err, OVR_IO, "%s: cannot be written: %s", path,
+                           strerror(errno));
+}
