@@ -207,10 +207,11 @@ static ovr_status take_limit(reading *r, const char *key, const char *value)
     snprintf(text, sizeof text, "%.180s%s %.180s", key, sign ? "=" : "", value);
     if (s->limits == OVR_STUDY_MOST_LIMITS)
         return fail(r, "'%.60s' is one limit too many: at most 16", key);
+    if (!sign && strncmp(value, "at ", 3) != 0)
+        return fail(r, "'%.100s': a limit is >= or <= a value", key);
     if (ovr_comparison_read(text, &s->limit[s->limits], &s->arena, &why))
         return fail(r, "%.300s", why.message);
-    if (!s->limit[s->limits++].sense)
-        return fail(r, "'%.100s': a limit is >= or <= a value", text);
+    s->limits++;
     return OVR_OK;
 }
 
