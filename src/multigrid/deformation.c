@@ -209,6 +209,11 @@ static ovr_status take_grids(ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
     plan->grid[0].right = 2;
     for (int s = 0; s <= plan->depth; s++) {
         ovr_mlmi_grid *grid = &plan->grid[s];
+        grid->near_even = ovr_arena_take(arena, 3 * OVR_MLMI_MOST + 1,
+                                         sizeof *grid->near_even, err);
+        if (!grid->near_even)
+            return OVR_NO_MEMORY;
+        grid->near_odd = grid->near_even + OVR_MLMI_MOST;
         if (s) {
             count_ghosts(plan, &plan->grid[s - 1], grid);
             grid->u = take(plan, s, arena, err);

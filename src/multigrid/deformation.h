@@ -62,8 +62,8 @@ typedef struct ovr_mlmi_grid {
     double *u;             /* transfers of P */
     double *out;           /* results */
     ptrdiff_t left, right; /* ghost nodes before the first and from the last */
-    double near_even[OVR_MLMI_MOST];        /* odd distances 1, 3, ... */
-    double near_odd[2 * OVR_MLMI_MOST + 1]; /* distances 0, 1, ..., m */
+    double *near_even;     /* OVR_MLMI_MOST, of odd distances 1, 3, ... */
+    double *near_odd;      /* twice that and 1, of distances 0, 1, ..., m */
 } ovr_mlmi_grid;
 
 typedef struct ovr_mlmi {
