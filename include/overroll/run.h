@@ -256,14 +256,8 @@ OVR_API void ovr_run_answers(const ovr_run_info *run, ovr_answer *put,
 OVR_API void ovr_result_answers(ovr_result *result, ovr_answer *put,
                                 void *data);
 
-/* The part of it about what was foreseen; about the scales of a contact; about
- * the stresses below both surfaces (either may be NULL), which are those of the
- * worse one. */
-OVR_API void ovr_rough_film_summary(const ovr_rough_film *film,
-                                    const ovr_contact *contact,
-                                    ovr_summary_taker *take, void *data);
-OVR_API void ovr_contact_summary(const ovr_contact *contact,
-                                 ovr_summary_taker *take, void *data);
+/* About the stresses below both surfaces (either may be NULL); by key those of
+ * the worse one. */
 OVR_API void ovr_stress_summary(const ovr_stress_report *const report[2],
                                 const ovr_setup *setup, ovr_summary_taker *take,
                                 void *data);
@@ -288,8 +282,12 @@ ovr_stored_stress_report(const ovr_stored_stress *stress, int surface);
 OVR_API ovr_status ovr_setup_stress_depth(const ovr_setup *setup, double *least,
                                           ovr_error *err);
 
-/* Memory of what writes its result file, bytes. */
-OVR_API double ovr_setup_output_memory(const ovr_setup *setup);
+/* What a prepared setup means before it is solved, as lines of a summary: its
+ * contact, films by formula, features, grid and cost.  `live`: bytes that the
+ * setup itself has taken, which count as memory of the run. */
+OVR_API ovr_status ovr_setup_report(const ovr_setup *setup, double live,
+                                    ovr_summary_taker *take, void *data,
+                                    ovr_error *err);
 
 /* What a prepared setup would store: snapshots (the instants of the largest
  * pressure and the smallest film may come on top), and bytes on the disk before

@@ -43,6 +43,12 @@ void ovr_put_text(const ovr_told *to, const char *key, const char *text)
                                  .text = text});
 }
 
+void ovr_put_keyed(void *told, const ovr_summary_line *line)
+{
+    if (line->key)
+        give(told, line);
+}
+
 void ovr_put_both(const ovr_told *to, const char *key, const char *key_si,
                   double value, double scale)
 {

@@ -19,6 +19,9 @@ void ovr_put_number(const ovr_told *to, const char *key, double value);
 void ovr_put_count(const ovr_told *to, const char *key, double value);
 void ovr_put_text(const ovr_told *to, const char *key, const char *text);
 
+/* Takes lines for an ovr_told, which has those with a key alone. */
+ovr_summary_taker ovr_put_keyed;
+
 /* A number, and in SI where there is a key for it. */
 void ovr_put_both(const ovr_told *to, const char *key, const char *key_si,
                   double value, double scale);
@@ -31,6 +34,13 @@ void ovr_tell_title(const ovr_told *to, const char *format, ...)
     OVR_PRINTF(2, 3);
 void ovr_tell_number(const ovr_told *to, const char *label, int digits,
                      double value, const char *format, ...) OVR_PRINTF(5, 6);
+
+/* The numbers of a contact, before it is solved with words for people; what was
+ * foreseen of a film of rough surfaces, by key. */
+void ovr_put_contact(const ovr_told *to, const ovr_contact *contact,
+                     bool before);
+void ovr_put_rough_film(const ovr_told *to, const ovr_rough_film *film,
+                        const ovr_contact *contact);
 
 /* Words that grow. */
 typedef struct ovr_words {

@@ -14,6 +14,7 @@
 #include "results/checkpoint.h"
 #include "results/layout.h"
 #include "results/writer.h"
+#include "run/cost.h"
 #include "run/internal.h"
 
 enum { NAME_ROOM = 128, TIMES_MOST = 100000 };

@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/sized.h"
 #include "run/internal.h"
 #include "run/lines.h"
 #include "run/report_words.h"
@@ -14,47 +13,22 @@
 
 /* --------------------------------------------------------------- its parts */
 
-void ovr_contact_summary(const ovr_contact *contact, ovr_summary_taker *take,
-                         void *data)
+void ovr_put_rough_film(const ovr_told *to, const ovr_rough_film *film,
+                        const ovr_contact *contact)
 {
-    if (!take)
-        return;
-    const ovr_told to = {take, data};
-    ovr_contact own = ovr_contact_default();
-    const ovr_contact *c = ovr_sized_whole(&own, sizeof own, contact);
-    if (!c)
-        return;
-    ovr_put_number(&to, "M", c->M);
-    ovr_put_number(&to, "L", c->L);
-    ovr_put_number(&to, "alphabar", c->alphabar);
-    ovr_put_number(&to, "lambda", c->lambda);
-    ovr_put_number(&to, "hertz_pressure_Pa", c->ph);
-    ovr_put_number(&to, "half_width_m", c->b);
-    ovr_put_number(&to, "film_scale_m", c->height);
-    ovr_put_number(&to, "time_scale_s", c->time);
-    ovr_put_number(&to, "load_N_per_m", c->load);
-    ovr_put_number(&to, "mean_speed_m_per_s", c->um);
+    ovr_put_both(to, "surface_Rq", "surface_Rq_m", film->Rq, contact->height);
+    ovr_put_both(to, "film_Rq_foreseen", "film_Rq_foreseen_m", film->film_Rq,
+                 contact->height);
+    ovr_put_both(to, "H_min_foreseen", "H_min_foreseen_m", film->H_min,
+                 contact->height);
+    ovr_put_text(to, "not_foreseen", film->why ? film->why : film->but);
 }
 
-void ovr_rough_film_summary(const ovr_rough_film *film,
-                            const ovr_contact *contact, ovr_summary_taker *take,
-                            void *data)
+/* Beside what came of it. */
+static void say_foreseen(const ovr_told *to, const ovr_rough_film *film)
 {
-    if (!film || !take)
-        return;
-    const ovr_told to = {take, data};
-    ovr_contact own = ovr_contact_default();
-    const ovr_contact *c = ovr_sized_whole(&own, sizeof own, contact);
-    if (!c)
-        return;
-    ovr_put_both(&to, "surface_Rq", "surface_Rq_m", film->Rq, c->height);
-    ovr_put_both(&to, "film_Rq_foreseen", "film_Rq_foreseen_m", film->film_Rq,
-                 c->height);
-    ovr_put_both(&to, "H_min_foreseen", "H_min_foreseen_m", film->H_min,
-                 c->height);
-    ovr_put_text(&to, "not_foreseen", film->why ? film->why : film->but);
     if (!film->why)
-        ovr_tell_number(&to, "film foreseen", 4, film->film_Rq,
+        ovr_tell_number(to, "film foreseen", 4, film->film_Rq,
                         "of %.4g on the surfaces, and a smallest film of "
                         "%.4g%s%s",
                         film->Rq, film->H_min,
@@ -329,9 +303,10 @@ static void put_rough_film(const ovr_told *to, const ovr_run_info *s)
         ovr_put_number(to, "lambda_ratio_at_H_min",
                        total->mean.lambda_ratio * total->H_mean_at_H_min /
                            total->mean.H_mean);
-    if (s->setup->features)
-        ovr_rough_film_summary(s->foreseen, s->setup->contact, to->take,
-                               to->data);
+    if (s->setup->features) {
+        ovr_put_rough_film(to, s->foreseen, s->setup->contact);
+        say_foreseen(to, s->foreseen);
+    }
 }
 
 /* In the order of reports: the run, then its end. */
@@ -342,7 +317,7 @@ void ovr_run_report(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     const ovr_told to = {take, data};
     ovr_put(&to, "converged", OVR_SUMMARY_FLAG, s->converged);
     ovr_put_text(&to, "way", ovr_simulation_strategy(s->sim));
-    ovr_contact_summary(s->setup->contact, take, data);
+    ovr_put_contact(&to, s->setup->contact, false);
     put_options(&to, s);
     ovr_put_number(&to, "shear_over_pressure", s->shear_over_pressure);
     ovr_put_number(&to, "unbearable_share", s->unbearable_share);
@@ -372,19 +347,11 @@ void ovr_run_report(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     ovr_tell_number(&to, "time", 3, s->seconds, "s");
 }
 
-/* Those of its lines that have a key. */
-static void pass_on(void *data, const ovr_summary_line *line)
-{
-    const ovr_told *to = data;
-    if (line->key)
-        to->take(to->data, line);
-}
-
 void ovr_run_summary(const ovr_run_info *s, ovr_summary_taker *take, void *data)
 {
     ovr_told to = {take, data};
     if (take)
-        ovr_run_report(s, pass_on, &to);
+        ovr_run_report(s, ovr_put_keyed, &to);
 }
 
 /* ------------------------------------------------------------ in its file */
