@@ -11,6 +11,7 @@
 #include "contact/curvature.h"
 #include "contact/starvation.h"
 #include "run/internal.h"
+#include "run/review_element.h"
 #include "run/review_plausible.h"
 #include "simulation/internal.h"
 
@@ -336,6 +337,7 @@ static void before(const review *r, bool transient)
     say_moved(r);
     say_estimated(r);
     ovr_review_plausible(r->setup, r->say, r->data);
+    ovr_review_element(r->setup, r->say, r->data);
     say_idle(r);
     warn_of_start(r);
     warn_of_sliding(r);
@@ -532,6 +534,9 @@ void ovr_run_review_after(ovr_run *run)
         warn_of_inlet(&r, state, H_cen);
     ovr_companions_review(run);
     warn_of_extremes(&r, ovr_simulation_statistics(sim));
+    if (run->info.transient && ovr_simulation_statistics(sim)->steps > 0)
+        ovr_review_element_after(r.setup, ovr_simulation_statistics(sim),
+                                 ovr_run_message, run);
     warn_of_unrest(&r, state->T, ovr_simulation_statistics(sim)->settled);
     run->info.lambda_ratio = ovr_simulation_statistics(sim)->mean.lambda_ratio;
     if (state->n && H_cen > 0)

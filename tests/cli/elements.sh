@@ -1,12 +1,18 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Gears, cams and bearings as the case says them: their contact and way, what
-# they refuse.
+# Gears, cams and bearings as the case says them: their contact and way, what is
+# warned of, and each of their refusals.
 . "$TOP/tests/support/cli.sh"
 
-cat >gear.ini <<'END'
-[contact]
-modulus = 226 GPa
+# write NAME: the section on standard input, and what all three share.
+write() {
+    {
+        cat
+        printf '[contact]\nmodulus = 226 GPa\n[lubricant]\n'
+        printf 'viscosity = 10 mPa.s\nalpha = 16 1/GPa\n[domain]\nlevel = 5\n'
+    } >"$1.ini"
+}
+write gear <<'END'
 [gear]
 module = 3 mm
 teeth_1 = 20
@@ -15,15 +21,8 @@ centre = 90 mm
 face = 20 mm
 speed = 3000 rpm
 torque = 100 N.m
-[lubricant]
-viscosity = 10 mPa.s
-alpha = 16 1/GPa
-[domain]
-level = 5
 END
-cat >cam.ini <<'END'
-[contact]
-modulus = 226 GPa
+write cam <<'END'
 [cam]
 base_radius = 20 mm
 face = 12 mm
@@ -34,15 +33,8 @@ spring = 30 N/mm
 preload = 250 N
 mass = 100 g
 to = 30 deg
-[lubricant]
-viscosity = 10 mPa.s
-alpha = 16 1/GPa
-[domain]
-level = 5
 END
-cat >bearing.ini <<'END'
-[contact]
-modulus = 226 GPa
+write bearing <<'END'
 [roller_bearing]
 roller = 10 mm
 rollers = 14
@@ -52,13 +44,10 @@ clearance = 41 um
 load = 4450 N
 speed_inner = 1000 rpm
 passes = zone
+END
+cat >>bearing.ini <<'END'
 [cavitation]
 model = conserving
-[lubricant]
-viscosity = 10 mPa.s
-alpha = 16 1/GPa
-[domain]
-level = 6
 [time]
 end = 4
 [feature d]
@@ -94,55 +83,150 @@ sed -n '/"load_N_per_m"/p' out | cmp - torque.txt ||
 
 expect 0 "$OVERROLL" run cam.ini -o cam.h5 -q
 # Three rollers meet a point of the inner ring: 309, 1967 and 309 N.
-expect 0 "$OVERROLL" run bearing.ini -o bearing.h5 -q
+expect 0 "$OVERROLL" run bearing.ini -o bearing.h5 -q \
+    --set domain.level=6
 expect 0 "$OVERROLL" info bearing.h5
 says 'pass'
 
-# refuses FILE LINE WORDS: one line on stderr, with the words, exit code 2.
-refuses() {
-    printf '%s\n' "$2" >>"$1"
-    expect 2 "$OVERROLL" check "$1"
-    grep -q "$3" err || {
-        cat err
-        fail "not said: $3"
-    }
+# ---------------------------------------------------------------- refusals
+
+# no FILE WORDS SETTING...: refused with the words, in one line.
+no() {
+    file=$1 words=$2
+    shift 2
+    for setting; do
+        set -- "$@" --set "$setting"
+        shift
+    done
+    refuses "$words" check "$file.ini" "$@"
+}
+# without FILE KEY: the case without a key.
+without() {
+    sed "/^$2 = /d" "$1.ini" >less.ini
 }
 
-with() {
-    cp "$1.ini" case.ini
-    refuses case.ini "$2" "$3"
-}
+# What an element says stands nowhere else.
+for key in 'radius=8 mm' 'mean_speed=2 m/s' 'speed_1=2 m/s' 'speed_2=2 m/s' \
+    slide_to_roll=0.1 M=20 L=10 lambda=0.1 alphabar=16 'width=9 mm'; do
+    no gear "says it: leave ${key%%=*} out" "contact.$key"
+done
+for kind in gear cam; do
+    no $kind 'says it: leave radius out' 'body 1.radius=8 mm'
+    no $kind "says it: leave load out" 'contact.load=100 kN/m'
+    for of in load speed sliding radius radius_1; do
+        no $kind "says how $of changes: leave \\[$of\\] out" "$of.history=sine"
+    done
+done
+no gear 'leave hertz_pressure out' 'contact.hertz_pressure=1 GPa'
+no bearing 'leave load out' 'contact.load=100 kN/m'
+no gear 'one element at most' 'cam.base_radius=3 mm'
+no cam 'one element at most' roller_bearing.rollers=14
 
-with gear '[contact]
-radius = 8 mm' '\[gear\] says it: leave radius out'
-with gear '[contact]
-mean_speed = 2 m/s' '\[gear\] says it: leave mean_speed out'
-with gear '[contact]
-load = 100 kN/m' '\[gear\] says it: leave load out'
-with gear '[load]
-history = sine' '\[gear\] says how load changes: leave \[load\] out'
-with gear '[cam]
-base_radius = 3 mm' 'one element at most'
-with gear '[time]
-end = 99' '\[gear\] ends at 1.635 ms (T = 45.08)'
-with gear '[gear]
-shift_1 = 0
-shift_2 = 0' 'shift_1, shift_2 and centre: leave one out'
-with gear '[gear]
-blend = 0' 'the load would jump'
-with gear '[gear]
-sharing = table' "needs 'file'"
-sed '/face/d' gear.ini >less.ini
-with less '' '\[gear\] needs face'
-sed '/torque/d' gear.ini >less.ini
-with less '' '\[gear\] needs torque or power'
-sed 's/base_radius = 20/base_radius = 17/; s/to = 30/to = 60/' cam.ini >less.ini
-with less '[cam]
-from = 0 deg' 'a flat follower cannot follow'
-with bearing '[passes]
-spacing = 9' '\[roller_bearing\] says it: leave spacing out'
-with bearing '[passes]
-number = 7' 'meets 3 rollers'
-sed 's/zone/turns/' bearing.ini >less.ini
-with less '' 'take zone'
+# What it needs, its end.
+for key in teeth_1 teeth_2 module face speed; do
+    without gear $key
+    no less "\\[gear\\] needs $key"
+done
+for key in face speed spring preload lift rise; do
+    without cam $key
+    no less "\\[cam\\] needs $key"
+done
+for key in roller length load; do
+    without bearing $key
+    no less "\\[roller_bearing\\] needs $key"
+done
+without cam base_radius
+no less 'has no effect without base_radius'
+without bearing rollers
+no less 'has no effect without rollers'
+without gear torque
+no less '\[gear\] needs torque or power'
+no gear '\[gear\] ends at 1.635 ms \(T = 45.08\)' time.end=99
+no cam '\[cam\] ends at' time.end=99999
+
+# Geometry of gears
+no gear 'shift_1, shift_2 and centre: leave one out' gear.shift_1=0 \
+    gear.shift_2=0
+no gear 'centre must be above 84.5' 'gear.centre=80 mm'
+no gear 'contact ratio 0.7[0-9]*: there are moments when no tooth touches' \
+    gear.addendum=0.4
+without gear centre
+no less 'tip of gear 2 reaches below the base circle of gear 1' \
+    gear.teeth_1=8
+no gear 'tip_1 = .* is inside the base circle' 'gear.tip_1=50 mm'
+no gear 'tip_2 = .* is inside the base circle' 'gear.tip_2=90 mm'
+no less 'needs at least 8 teeth more' gear.teeth_1=24 gear.teeth_2=-30
+no less 'the internal gear is gear 2' gear.teeth_1=-20
+no less 'must be 5 or more' gear.teeth_1=3
+# The load that pairs share
+no gear 'the load would jump at B and D' gear.blend=0
+no gear "needs 'file'" gear.sharing=table
+no gear 'has no effect' 'gear.relief_1=10 um'
+no less 'of helical teeth only elastic is known' 'gear.helix_angle=15 deg' \
+    gear.sharing=rule
+no less 'above 2, where never one pair is alone' gear.addendum=1.5 \
+    gear.teeth_1=60 gear.teeth_2=80
+printf '0 0.3\n0.5 1.4\n1.7 0.3\n' >shares.txt
+no gear '1.4' gear.sharing=table gear.file=shares.txt
+printf '0 0.3\n1.7 0.3\n0.5 1\n' >shares.txt
+no gear 'must increase' gear.sharing=table gear.file=shares.txt
+
+# Cams
+no cam 'a flat follower cannot follow: base_radius' 'cam.base_radius=17 mm' \
+    'cam.to=60 deg' cam.from=0deg
+no cam 'undercut' cam.follower=roller 'cam.roller_radius=40 mm' 'cam.to=60 deg'
+no cam 'leaves the cam' 'cam.preload=1 N' 'cam.spring=0 N/mm' \
+    'cam.speed=3000 rpm' 'cam.to=60 deg' 'cam.base_radius=60 mm'
+awk 'BEGIN { for (k = 0; k <= 120; k++)
+    printf "%d %.3f\n", k, 4 * (1 - cos(3 * k * atan2(0, -1) / 180)) }' \
+    >lifts.txt
+sed '/^lift/d; /^rise/d; /^to/d' cam.ini >less.ini
+no less 'lifts are rounded to 1 um' cam.law=table cam.file=lifts.txt
+no less 'needs file' cam.law=table
+
+# Bearings
+no bearing 'do not fit on a pitch circle' 'roller_bearing.roller=20 mm'
+no bearing 'inner and pitch: leave one out' 'roller_bearing.pitch=65 mm'
+without bearing inner
+no less 'inner or pitch: one of them is needed'
+no bearing 'turn as one' 'roller_bearing.speed_outer=1000 rpm'
+no bearing 'both 0' 'roller_bearing.speed_inner=0 rpm'
+no bearing 'says it: leave spacing out' passes.spacing=9
+no bearing 'says it: leave loads out' passes.loads=1,2
+no bearing 'meets 3 rollers' passes.number=7
+no bearing 'take zone' roller_bearing.passes=turns
+no bearing 'take turns' roller_bearing.contact=outer
+no bearing 'turns needs \[passes\] number' roller_bearing.contact=outer \
+    roller_bearing.passes=turns
+
+# ---------------------------------------------------------------- warnings
+
+warns() { # warns WORDS COMMAND...
+    words=$1
+    shift
+    expect 0 "$OVERROLL" "$@"
+    contains err "warning: .*$words"
+}
+quiet() {
+    expect 0 "$OVERROLL" "$@"
+    ! grep -E "blend|ends on its way|would touch" err || fail "warned: $*"
+}
+# A to B are 0.635 base pitches.
+warns 'more than a third of the 0.635 from A to B' check gear.ini \
+    --set gear.blend=0.22
+quiet check gear.ini --set gear.blend=0.21
+warns 'the run ends on its way, which goes to 45.08' check gear.ini \
+    --set time.end=20
+quiet check gear.ini --set time.end=auto
+{
+    cat gear.ini
+    printf '[feature r]\nsurface = 1\nshape = roughness\nRq = 0.3 um\n'
+    printf 'length = 20\nshortest = 1\nseed = 1\nstart = 2\ngrow = 1\n'
+} >rough.ini
+warns 'at A the smallest film is 0.1[0-9]* um by the fit, below .*, Rq = ' \
+    check rough.ini
+quiet check rough.ini --set feature.r.Rq=0.03um
+# The load that comes on in 0.9 mm: its pressure peaks there.
+warns 'the largest pressure, .* stands .* mm from B' run gear.ini \
+    --set gear.blend=0.1
 exit 0

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "run/review_element.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "case/resolve.h"
+
+/* The load of spur gears comes on about B and leaves about D within the blend,
+ * where shares are those of no rule. */
+static bool blends(const ovr_gear_form *f, const ovr_gear_geometry *g)
+{
+    return f->blend > 0 && !(g->overlap_ratio > 0) &&
+           (f->sharing == OVR_SHARING_RULE ||
+            f->sharing == OVR_SHARING_ELASTIC);
+}
+
+static void review_blend(const ovr_setup *setup, ovr_listener *say, void *data)
+{
+    const ovr_gear *gear = ovr_setup_gear(setup);
+    const ovr_gear_form *f = ovr_gear_form_of(gear);
+    const ovr_gear_geometry *g = ovr_gear_of(gear);
+    char text[OVR_MESSAGE_SIZE];
+    if (!gear || !blends(f, g) || f->blend <= (g->contact_ratio - 1) / 3)
+        return;
+    snprintf(
+        text, sizeof text,
+        "[gear] blend: the load comes on over %.3g base pitches, more than "
+        "a third of the %.3g from A to B: shares there are the blend's",
+        f->blend, g->contact_ratio - 1);
+    say(data, OVR_SAY_WARNING, text);
+}
+
+static void review_end(const ovr_setup *setup, ovr_listener *say, void *data)
+{
+    const ovr_resolved *r = (const ovr_resolved *)setup;
+    double way = r->element.end, end = setup->march->end;
+    char text[OVR_MESSAGE_SIZE];
+    if (!(way > 0) || !setup->transient || end >= way * (1 - 1e-9))
+        return;
+    snprintf(text, sizeof text,
+             "[time] end = %.4g: the run ends on its way, which goes to %.4g "
+             "(%.4g ms)",
+             end, way, 1e3 * way * setup->contact->time);
+    say(data, OVR_SAY_WARNING, text);
+}
+
+/* By the film of the fit, where that is least. */
+static void review_film(const ovr_setup *setup, ovr_listener *say, void *data)
+{
+    ovr_station station[OVR_STATIONS_MOST];
+    size_t n = ovr_setup_stations(setup, station), least = 0;
+    double Rq = setup->surfaces ? ovr_surfaces_roughness(setup->surfaces) *
+                                      setup->contact->height
+                                : 0;
+    char text[OVR_MESSAGE_SIZE];
+    for (size_t k = 1; k < n; k++)
+        if (station[k].minimum < station[least].minimum)
+            least = k;
+    if (n == 0 || !(station[least].minimum < Rq))
+        return;
+    snprintf(text, sizeof text,
+             "at %s the smallest film is %.3g um by the fit, below the "
+             "roughness of both surfaces, Rq = %.3g um: they would touch there",
+             station[least].name, 1e6 * station[least].minimum, 1e6 * Rq);
+    say(data, OVR_SAY_WARNING, text);
+}
+
+void ovr_review_element(const ovr_setup *setup, ovr_listener *say, void *data)
+{
+    if (!say)
+        return;
+    review_blend(setup, say, data);
+    review_end(setup, say, data);
+    review_film(setup, say, data);
+}
+
+void ovr_review_element_after(const ovr_setup *setup,
+                              const ovr_statistics *total, ovr_listener *say,
+                              void *data)
+{
+    const ovr_gear *gear = ovr_setup_gear(setup);
+    const ovr_gear_form *f = ovr_gear_form_of(gear);
+    const ovr_gear_geometry *g = ovr_gear_of(gear);
+    char text[OVR_MESSAGE_SIZE];
+    if (!gear || !say || !blends(f, g) || !setup->transient)
+        return;
+    const double way[] = {g->R1_B, g->R1_D};
+    double t = g->begin + total->when.P_max * setup->contact->time;
+    double v = g->base_1 * g->omega_1, most = f->blend * g->base_pitch;
+    for (int k = 0; k < 2; k++) {
+        double off = fabs(t - ovr_gear_time(gear, way[k])) * v;
+        if (!(off <= most))
+            continue;
+        snprintf(
+            text, sizeof text,
+            "the largest pressure, %.4g GPa, stands %.2g mm from %c, where "
+            "the load comes on or leaves within %.2g mm: it is made by how "
+            "suddenly it does ([gear] blend), more than by the contact",
+            1e-9 * total->extreme.P_max * setup->contact->ph, 1e3 * off,
+            "BD"[k], 1e3 * most);
+        say(data, OVR_SAY_WARNING, text);
+        return;
+    }
+}
