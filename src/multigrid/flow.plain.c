@@ -66,7 +66,8 @@ typedef struct value {
 
 static value value_at(const double *table, double s_N, double g)
 {
-    double x = fmin(1 + s_N, OVR_LAW_MOST_SLIDE);
+    /* no film that was given up, crossed or without numbers, leads outside */
+    double x = fmin(1 + fmax(s_N, 0), OVR_LAW_MOST_SLIDE);
     double y = fmin(1 + fabs(g), OVR_LAW_MOST_GRADIENT);
     part s = part_of(x), along = part_of(y);
     double beyond = fmax(s_N / (OVR_LAW_MOST_SLIDE - 1), 1);

@@ -66,7 +66,8 @@ typedef struct law_value {
 
 static inline law_value law_at(const double *table, vec s_N, vec g)
 {
-    vec x = smaller(s_N + 1, all(OVR_LAW_MOST_SLIDE));
+    /* no film that was given up, crossed or without numbers, leads outside */
+    vec x = smaller(larger(s_N, all(0)) + 1, all(OVR_LAW_MOST_SLIDE));
     vec y = smaller(larger(g, -g) + 1, all(OVR_LAW_MOST_GRADIENT));
     law_cell by_s = law_cell_of(x), by_g = law_cell_of(y);
     uvec row = (by_s.number << 5) + by_s.number + by_g.number;

@@ -255,6 +255,38 @@ static void tables_agree(void **state)
     ovr_flow_law_free(law);
 }
 
+/* Films that a solve has given up: crossed, or without numbers.  What comes out
+ * is worth nothing, and comes out. */
+static void nonsense_stays_in_the_table(void **state)
+{
+    static const double worst[] = {-1, -1e-300, 1e300, INFINITY, NAN};
+    ovr_flow_form form = ovr_flow_form_default();
+    ovr_error err = {0};
+    const ovr_kernels *run;
+    (void)state;
+    form.rheology = OVR_CARREAU;
+    ovr_flow_law *law = ovr_flow_law_create(&form, NULL, &err);
+    CHECK_OK(err.status, &err);
+    for (int k = 0; (run = test_kernels(k)); k++)
+        for (size_t j = 0; j < 5; j++) {
+            test_grid plain = test_grid_make(test_kernels(0), 225);
+            test_grid g = test_grid_make(run, 225);
+            test_grid_thin(&plain, 0.3, false);
+            test_grid_thin(&g, 0.3, false);
+            plain.fluid.lubricant.rheology = OVR_CARREAU;
+            plain.fluid.lubricant.flow_law = law;
+            g.fluid = plain.fluid;
+            test_grid_fill(&plain, 9);
+            test_grid_copy(&plain, &g);
+            for (size_t i = 10; i < 200; i++)
+                g.f.q[i] *= worst[j];
+            run->flow(&g.fluid, 0.01, &g.lanes, &g.f);
+            ovr_arena_release(&plain.arena);
+            ovr_arena_release(&g.arena);
+        }
+    ovr_flow_law_free(law);
+}
+
 /* x (1 + x^2)^(1/2), n = 1/2, a = 2; moments over the film with it. */
 static double carreau_moment(double a, double g, int m)
 {
@@ -323,6 +355,7 @@ int main(void)
         cmocka_unit_test(gaps_are_in_line),
         cmocka_unit_test(kernels_agree),
         cmocka_unit_test(tables_agree),
+        cmocka_unit_test(nonsense_stays_in_the_table),
         cmocka_unit_test(table_is_the_law)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
