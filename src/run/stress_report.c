@@ -160,7 +160,8 @@ static void find_layers(const ovr_stress_plan *plan, const ovr_passage *passage,
     const ovr_layered *layers = plan->options.layers;
     r->layer_von_mises = r->interface_shear = r->interface_tension = none;
     r->surface_tension = none;
-    if (!layers)
+    /* moments too far apart tell of no depth in the topmost layer */
+    if (!layers || plan->options.depth_min >= layers->thickness[0])
         return;
     r->layer_von_mises = of.von_mises[0];
     for (int j = 1; j < layers->layers; j++)

@@ -253,6 +253,20 @@ static const ovr_coated *layers(const void *form, int body)
     return coated->body.layers ? coated : NULL;
 }
 
+/* A stiff layer on a soft one hands its load on as a plate does: what a level
+ * makes of waves as long as that only a finer coarsest grid puts right. */
+static void refine_coarsest(const ovr_physics_case *of, const coating_form *f)
+{
+    const double like_a_plate = 3, highly_loaded = 90;
+    ovr_options *o = of->options;
+    int finer = of->contact->M >= highly_loaded ? 6 : 5;
+    double most = 0;
+    for (double k = 1e-2; k < 1e2; k *= 1.3)
+        most = fmax(most, ovr_images_softness(&f->images, k));
+    if (most > like_a_plate * f->images.top && !o->coarsest_level)
+        o->coarsest_level = o->level && o->level < finer ? o->level : finer;
+}
+
 static ovr_status resolve(const ovr_physics_case *of, void *form, bool *on,
                           ovr_error *err)
 {
@@ -279,6 +293,7 @@ static ovr_status resolve(const ovr_physics_case *of, void *form, bool *on,
         of->options->mlmi_order = 12;
     if (!of->options->mlmi_range)
         of->options->mlmi_range = 16;
+    refine_coarsest(of, f);
     return OVR_OK;
 }
 

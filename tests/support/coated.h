@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Random contacts with layers, soft thin ones among them: solved, and dents
+ * marched through them beside the same dents without layers. */
+#ifndef OVR_TESTS_COATED_H
+#define OVR_TESTS_COATED_H
+
+void test_coated_steady(int contacts);
+void test_coated_dents(int dents);
+
+#endif
