@@ -17,6 +17,8 @@ from typing import TYPE_CHECKING, Any
 from ._case import Case
 from ._library import (BadInput, Impossible, InputOutput, NoMemory,
                        NotConverged, OverrollError, OverrollWarning, Stopped)
+from ._find import Found, find
+from ._random import random
 from ._run import State, resume, run
 from ._simulation import Film, Simulation, steady
 from ._solution import Solution
@@ -27,12 +29,12 @@ from ._version import VERSION as __version__
 if TYPE_CHECKING:
     from ._xarray import open
 
-# Without open and help, which Python has too.
+# Without open, help and random, which Python has too.
 __all__ = [
-    "BadInput", "Case", "Film", "Impossible", "InputOutput", "NoMemory",
-    "NotConverged", "OverrollError", "OverrollWarning", "Parameter",
-    "Simulation", "Solution", "State", "Stopped", "parameters", "resume",
-    "run", "steady", "sweep", "__version__"]
+    "BadInput", "Case", "Film", "Found", "Impossible", "InputOutput",
+    "NoMemory", "NotConverged", "OverrollError", "OverrollWarning",
+    "Parameter", "Simulation", "Solution", "State", "Stopped", "find",
+    "parameters", "resume", "run", "steady", "sweep", "__version__"]
 
 
 def __getattr__(name: str) -> Any:

@@ -4,54 +4,18 @@ from __future__ import annotations
 
 import itertools
 import os
-import threading
-from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional, Union
 
 import numpy as np
 
+from . import _workers
 from ._case import Case, Path, case_of, value_text
-from ._library import OverrollError, error_of, ffi, lib, new_error, text
+from ._library import text
 from ._progress import Progress, Teller
-from ._run import _Watch, go, options
-from ._simulation import _RunCore
-from ._solution import Solution
 from ._tables import extremes, observables, parameters, place
 
 if TYPE_CHECKING:
     import xarray
-
-
-class _Summary(Solution):
-    """The numbers of a finished run."""
-
-    def __init__(self, core: _RunCore) -> None:
-        info = lib.ovr_run_about(core.run)
-        self._attach(core, info.sim, info.setup)
-        self.found = {name: value for name, value in self.numbers().items()
-                      if info.transient or name not in extremes()
-                      or extremes()[name].row.of.steady}
-        self.found["converged"] = bool(info.converged)
-        self.found["seconds"] = info.seconds
-        self.found["message"] = "; ".join(
-            text(info.warning[k]) for k in range(info.warnings))
-
-
-def _run_one(c: Case, output: Optional[str], force: bool,
-             stop: threading.Event) -> dict[str, Any]:
-    watch = _Watch(False, None, None, stop.is_set)
-    how, _path = options(watch, output, force)
-    how.no_thread = True
-    err = new_error()
-    try:
-        run = lib.ovr_run_create(c._share(), how, ffi.NULL, err)
-        if run == ffi.NULL:
-            raise error_of(err)
-        core = _RunCore(run, c._c)
-        go(core, watch)
-    except OverrollError as error:
-        return {"converged": False, "message": str(error)}
-    return _Summary(core).found
 
 
 def _name(keys: list[str], values: tuple[Any, ...]) -> str:
@@ -59,8 +23,10 @@ def _name(keys: list[str], values: tuple[Any, ...]) -> str:
     return "_".join(parts).replace("/", "per").replace(" ", "")
 
 
-def _coordinate(c: Case, key: str, values: list[Any]) -> tuple[str, Any, dict]:
-    """Numbers in SI or bare, where all values are numbers; else texts."""
+def coordinate(c: Case, key: str, values: list[Any],
+               repeated: bool = False) -> tuple[str, Any, dict]:
+    """Numbers in SI or bare, where all values are numbers, and different ones
+    unless they may be `repeated`; else texts."""
     numbers, unit = [], ""
     where = place(key).replace(" ", ".")
     for value in values:
@@ -71,16 +37,18 @@ def _coordinate(c: Case, key: str, values: list[Any]) -> tuple[str, Any, dict]:
         kind = parameters()[entry.parameter].type
         numbers.append(entry.number if kind.endswith("number") else np.nan)
         unit = text(entry.unit) or unit
-    if np.isfinite(numbers).all() and len(set(numbers)) == len(values):
+    if np.isfinite(numbers).all() and (repeated or
+                                       len(set(numbers)) == len(values)):
         return key, np.array(numbers), {"units": unit or "1"}
     return key, np.array([value_text(v) for v in values], dtype=object), {}
 
 
 def sweep(case: Union[None, Case, Path] = None, *,
-          workers: Optional[int] = None, output: Optional[Path] = None,
+          workers: _workers.Workers = None, output: Optional[Path] = None,
           force: bool = False, progress: Progress = None,
           **keys: Any) -> "xarray.Dataset":
-    """Runs a case for each combination of some of its keys, in threads.
+    """Runs a case for each combination of some of its keys, in threads or by
+    an executor.
 
     >>> table = overroll.sweep(c, feature_dent_depth=[0.05, 0.1],
     ...                        slide_to_roll=[0, 0.5], workers=2)
@@ -89,13 +57,17 @@ def sweep(case: Union[None, Case, Path] = None, *,
     Parameters
     ----------
     case : Case or path, optional
-    workers : int, optional
-        At once; the processors there are unless given.
+    workers : int or executor, optional
+        So many threads, as many as there are processors unless given; or any
+        executor of concurrent.futures: processes, those of mpi4py, ipyparallel
+        or dask (`client.get_executor()`), to which the text of each case
+        travels.  It is not shut down; Ctrl-C takes back what has not begun.
     output : path, optional
-        A folder for the result files, named by the values; without it none
-        are kept.
+        A folder for the result files, named by the values, which workers
+        elsewhere must share; without it none are kept.  What is there and
+        whole is read, what was stopped is gone on with.
     force : bool
-        Replace files that are there.
+        Run all again, and replace files that are there.
     progress : bool or callable(fraction), optional
     **keys
         A list for each key to be varied, one value for all others.
@@ -116,56 +88,44 @@ def sweep(case: Union[None, Case, Path] = None, *,
     KeyboardInterrupt
         After the steps at work.
     """
-    import xarray
+    _workers.check(workers)
     varied = {key: list(value) for key, value in keys.items()
               if isinstance(value, (list, tuple, range, np.ndarray))}
     base = case_of(case, {k: v for k, v in keys.items() if k not in varied})
     base = base.copy() if base is case else base
     base["output.file"] = None
-    coordinates = [_coordinate(base, *item) for item in varied.items()]
+    coordinates = [coordinate(base, *item) for item in varied.items()]
     points = list(itertools.product(*varied.values()))
     cases = [base.copy().set(**dict(zip(varied, point))) for point in points]
     paths: list[Optional[str]] = [None] * len(points)
     if output is not None:
         os.makedirs(output, exist_ok=True)
-        paths = [os.path.join(output, _name(list(varied), point) + ".h5")
+        paths = [os.path.join(os.path.abspath(output),
+                              _name(list(varied), point) + ".h5")
                  for point in points]
-    found = _run_all(cases, paths, workers, force, Teller(progress))
-    shape = [len(values) for values in varied.values()]
-    ds = xarray.Dataset(coords={key: (key, values, about)
-                                for key, values, about in coordinates})
-    about = {**observables(), **extremes()}
+    found = _workers.run_all(cases, paths, workers, force, Teller(progress))
+    return dataset(found, {key: numbers for key, numbers, _ in coordinates},
+                   {key: (key, numbers, about)
+                    for key, numbers, about in coordinates})
+
+
+def dataset(found: list[dict[str, Any]], dims: Mapping[str, Iterable[Any]],
+            coordinates: Mapping[str, Any]) -> "xarray.Dataset":
+    """What was found over dimensions, in their order, with coordinates."""
+    import xarray
+    shape = [len(list(values)) for values in dims.values()]
+    ds = xarray.Dataset(coords={**{name: list(values)
+                                   for name, values in dims.items()
+                                   if name not in coordinates},
+                                **coordinates})
+    about = {**extremes(), **observables()}
     for name in dict.fromkeys(itertools.chain.from_iterable(found)):
+        if name == "failed" or name in ds.coords:
+            continue
         column = [row.get(name, "" if name == "message" else np.nan)
                   for row in found]
         kind = object if name == "message" else \
             bool if name == "converged" else float
         attrs = {"long_name": about[name].long_name} if name in about else {}
-        ds[name] = (list(varied), np.array(column, kind).reshape(shape), attrs)
+        ds[name] = (list(dims), np.array(column, kind).reshape(shape), attrs)
     return ds
-
-
-def _run_all(cases: list[Case], paths: list[Optional[str]],
-             workers: Optional[int], force: bool,
-             teller: Teller) -> list[dict[str, Any]]:
-    stop = threading.Event()
-    count = workers or len(os.sched_getaffinity(0))
-    with ThreadPoolExecutor(count) as pool:
-        waiting = {pool.submit(_run_one, c, path, force, stop): k
-                   for k, (c, path) in enumerate(zip(cases, paths))}
-        left = set(waiting)
-        try:
-            while left:
-                done, left = wait(left, 0.2, FIRST_COMPLETED)
-                teller.tell(1 - len(left) / len(cases),
-                            f"{len(cases) - len(left)} of {len(cases)}")
-        except BaseException:
-            stop.set()
-            pool.shutdown(cancel_futures=True)
-            raise
-        finally:
-            teller.end()
-    results: list[dict[str, Any]] = [{}] * len(cases)
-    for future, k in waiting.items():
-        results[k] = future.result()
-    return results
