@@ -74,6 +74,9 @@ typedef struct ovr_run_options {
     /* Within steady starts and estimates of errors, between two cycles; true:
      * stop at once, with OVR_STOPPED; a start is begun again later. */
     bool (*interrupt)(void *data);
+    /* Of a steady run of a gear pair or cam: where it stands, "A" to "E",
+     * "nose", an angle or a time; NULL: pitch point, nose. */
+    const char *at;
 } ovr_run_options;
 
 /* Nothing but the case: the defaults of all above. */

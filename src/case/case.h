@@ -44,6 +44,9 @@ struct ovr_case {
     const char *directory; /* NULL: the working directory */
     const char *source;    /* text read, or NULL */
     ovr_block *blocks;     /* in the order of the sections, then features */
+    const char *standing;  /* of a steady solve of an element: a station's name,
+                              an angle or a time, "" the nominal; NULL: it runs
+                              its way */
 };
 
 /* Understands `text`; the error is about the key, which begins it. */

@@ -31,7 +31,8 @@ typedef struct ovr_resolved {
         ovr_gear *gear; /* one of them at most */
         ovr_cam *cam;
         ovr_bearing *bearing;
-        double end; /* of its histories, b/um */
+        double end;  /* of its histories, b/um */
+        bool stands; /* a steady solve at one of its moments */
     } element;
     bool alpha_estimated; /* from the viscosity */
     double inlet_kept; /* X_a, farther out, that a feature before the usual one

@@ -13,6 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/quantity.h"
+
 enum { UNIFORM = 1600, CORNERS = 32, POINTS = UNIFORM + 1 + CORNERS };
 
 /* Curvatures of surface 1 below a thousandth of the nominal one are as good as
@@ -249,6 +251,80 @@ static ovr_status torque_by_load(ovr_resolved *r, const ovr_block *block,
                          "pitch point");
 }
 
+/* ------------------------------------------------------ where it stands */
+
+/* Seconds since the beginning of the way, by a time. */
+static ovr_status time_of(const char *text, double way, double *t,
+                          ovr_error *err)
+{
+    ovr_error why = {0};
+    ovr_quantity q;
+    if (ovr_quantity_read(text, OVR_DURATION, false, &q, &why))
+        return ovr_fail(
+            err, OVR_BAD_INPUT,
+            "--at %s: a station (A to E of gears, nose of cams), an "
+            "angle of the cam or a time: %s",
+            text, why.message);
+    if (!(q.value >= 0 && q.value <= way))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "--at %s: the way goes from 0 to %.4g ms", text,
+                        1e3 * way);
+    *t = q.value;
+    return OVR_OK;
+}
+
+/* At A to E, or at a time; nowhere else: at the pitch point. */
+static ovr_status stand_gear(ovr_resolved *r, ovr_element_moment *m,
+                             ovr_error *err)
+{
+    const ovr_gear_geometry *g = ovr_gear_of(r->element.gear);
+    const double ways[] = {g->R1_A, g->R1_B, g->R1_C, g->R1_D, g->R1_E};
+    const char *at = r->c->standing;
+    double t;
+    r->element.stands = true;
+    if (!*at)
+        return OVR_OK;
+    if (strchr("ABCDE", *at) && !at[1]) {
+        t = ovr_gear_time(r->element.gear, ways[*at - 'A']);
+        t = fmin(fmax(t, g->begin), g->end);
+    } else if (time_of(at, g->end - g->begin, &t, err)) {
+        return OVR_BAD_INPUT;
+    } else {
+        t += g->begin;
+    }
+    *m = ovr_gear_at(r->element.gear, t);
+    return OVR_OK;
+}
+
+/* At an angle or a time; nowhere else: at the nose.  A mean speed that goes
+ * the other way is the same contact seen from the other side. */
+static ovr_status stand_cam(ovr_resolved *r, ovr_element_moment *m,
+                            ovr_error *err)
+{
+    const ovr_cam_event *event = ovr_cam_of(r->element.cam);
+    const char *at = r->c->standing;
+    double speed = r->values.element.cam.speed, t;
+    ovr_error why = {0};
+    ovr_quantity q;
+    r->element.stands = true;
+    if (!*at || !strcmp(at, "nose"))
+        t = (event->nose - event->from) / speed;
+    else if (!ovr_quantity_read(at, OVR_ANGLE, false, &q, &why))
+        t = (q.value - event->from) / speed;
+    else if (time_of(at, event->duration, &t, err))
+        return OVR_BAD_INPUT;
+    if (!(t >= 0 && t <= event->duration))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "--at %s: the event goes from %.4g to %.4g deg", at,
+                        event->from * 180 / PI, event->to * 180 / PI);
+    *m = ovr_cam_at(r->element.cam, t);
+    if (m->u1 + m->u2 < 0) {
+        m->u1 = -m->u1;
+        m->u2 = -m->u2;
+    }
+    return OVR_OK;
+}
+
 static ovr_status resolve_gear(ovr_resolved *r, const ovr_block *block,
                                ovr_error *err)
 {
@@ -281,6 +357,9 @@ static ovr_status resolve_gear(ovr_resolved *r, const ovr_block *block,
     if (!r->element.gear)
         return OVR_BAD_INPUT;
     ovr_element_moment nominal = pitch_point(r->element.gear);
+    status = r->c->standing ? stand_gear(r, &nominal, err) : OVR_OK;
+    if (status)
+        return status;
     take_nominal(r, &nominal);
     r->values.contact.hertz_pressure = NAN;
     return OVR_OK;
@@ -322,8 +401,9 @@ static ovr_status resolve_cam(ovr_resolved *r, const ovr_block *block,
         nominal.load = fmax(nominal.load, m.load);
     }
     nominal.u1 = nominal.u2 = fastest;
+    status = r->c->standing ? stand_cam(r, &nominal, err) : OVR_OK;
     take_nominal(r, &nominal);
-    return OVR_OK;
+    return status;
 }
 
 /* ---------------------------------------------------------------- bearings */
@@ -347,6 +427,11 @@ static ovr_status resolve_bearing(ovr_resolved *r, const ovr_block *block,
 ovr_status ovr_resolve_element(ovr_resolved *r, ovr_error *err)
 {
     const ovr_block *block = element_block(r);
+    bool moves = block && strcmp(block->section->name, "roller_bearing") != 0;
+    if (r->c->standing && *r->c->standing && !moves)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "--at %s: is of cases with [gear] or [cam]",
+                        r->c->standing);
     if (!block)
         return OVR_OK;
     if (!strcmp(block->section->name, "gear"))
@@ -358,7 +443,7 @@ ovr_status ovr_resolve_element(ovr_resolved *r, ovr_error *err)
 
 bool ovr_element_moves(const ovr_resolved *r)
 {
-    return r->element.gear || r->element.cam;
+    return (r->element.gear || r->element.cam) && !r->element.stands;
 }
 
 void ovr_resolved_element_free(ovr_resolved *r)
@@ -487,7 +572,7 @@ ovr_status ovr_resolve_element_histories(ovr_resolved *r,
                                          ovr_error *err)
 {
     ovr_setup *s = &r->setup;
-    if (!r->element.gear && !r->element.cam)
+    if (!ovr_element_moves(r))
         return OVR_OK;
     moments *m = ovr_arena_take(&r->arena, 1, sizeof *m, err);
     if (!m)

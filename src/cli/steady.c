@@ -13,13 +13,20 @@ static int run(cli_call *call)
     if (!c)
         return code;
     how.steady = true;
+    how.at = cli_value(call, "at");
     code = cli_finish_run(&watch, ovr_run_create(c, &how, NULL, &err), &err);
     ovr_case_free(c);
     return code;
 }
 
 static const cli_option options[] = {
-    CLI_ESTIMATE_OPTION, CLI_CASE_OPTIONS, {0}};
+    {"at", "STATION",
+     "of [gear] or [cam]: A to E, nose, an angle or a time; the pitch point or "
+     "the nose unless given",
+     false},
+    CLI_ESTIMATE_OPTION,
+    CLI_CASE_OPTIONS,
+    {0}};
 
 const cli_verb cli_steady = {
     .name = "steady",

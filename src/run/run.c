@@ -120,6 +120,7 @@ static bool makes_nodes(const ovr_run *run)
 
 static ovr_status prepare(ovr_run *run, ovr_error *err)
 {
+    run->c->standing = !run->how.steady ? NULL : run->how.at ? run->how.at : "";
     if (run->how.steady)
         stop_growing(run->c);
     run->setup = ovr_case_resolve(run->c, &run->arena.allocator, err);

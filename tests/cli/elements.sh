@@ -199,6 +199,35 @@ no bearing 'take turns' roller_bearing.contact=outer
 no bearing 'turns needs \[passes\] number' roller_bearing.contact=outer \
     roller_bearing.passes=turns
 
+# ------------------------------------------------------------ where it stands
+
+# Steady at its stations, of smooth surfaces: the load and radius of check's
+# table, films as the fit's to its own 2.6 % and what fourth order adds.
+value() { # value KEY, of the JSON in `out`
+    sed -n "s/^ *\"$1\": \(.*[^,]\),*\$/\1/p" out | head -n 1
+}
+expect 0 "$OVERROLL" check gear.ini --json
+sed -n '/"stations"/,/\]/s/^ *"\(name\|load_N_per_m\|h_min_m\)": \(.*\),/\2/p' \
+    out | tr -d '"' | paste -d ' ' - - - >stations
+while read -r name load film; do
+    expect 0 "$OVERROLL" steady gear.ini --at "$name" --json --level 8
+    awk -v name="$name" -v load="$load" -v film="$film" \
+        -v w="$(value load_N_per_m)" -v h="$(value min_film_m)" 'BEGIN {
+        exit !((w / load - 1) ^ 2 < 1e-18 && (h / film - 1) ^ 2 < 9e-4) }' ||
+        fail "at $name: $(value load_N_per_m) N/m, $(value min_film_m) m"
+done <stations
+# Nothing said: the pitch point; a time; another kind of case.
+expect 0 "$OVERROLL" steady gear.ini --json
+pitch=$(value min_film_m)
+expect 0 "$OVERROLL" steady gear.ini --json --at 0.85676681188388171ms
+awk -v a="$pitch" -v b="$(value min_film_m)" \
+    'BEGIN { exit !((a / b - 1) ^ 2 < 1e-14) }' || fail 'not the pitch point'
+expect 0 "$OVERROLL" steady cam.ini --at '12 deg' --json
+refuses 'a station .A to E' steady gear.ini --at Z
+refuses 'the way goes from 0 to 1.635 ms' steady gear.ini --at 2ms
+refuses 'the event goes from 0 to 30 deg' steady cam.ini --at '40 deg'
+refuses 'is of cases with .gear. or .cam.' steady bearing.ini --at A
+
 # ---------------------------------------------------------------- warnings
 
 warns() { # warns WORDS COMMAND...
