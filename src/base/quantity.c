@@ -127,6 +127,8 @@ static const struct unit {
     {"N/m2", OVR_MESH_STIFFNESS, 1, 1},
     {"N/mm.um", OVR_MESH_STIFFNESS, 1e9, 1},
     {"N/(mm.um)", OVR_MESH_STIFFNESS, 1e9, 1},
+    {"1/s", OVR_SHEAR_RATE, 1, 1},
+    {"s^-1", OVR_SHEAR_RATE, 1, 1},
 };
 enum { UNITS = sizeof units / sizeof units[0] };
 
@@ -160,6 +162,7 @@ const char *ovr_units_allowed(ovr_dimension dimension)
     case OVR_STIFFNESS: return "N/m, kN/m, N/mm";
     case OVR_MASS: return "kg, g";
     case OVR_MESH_STIFFNESS: return "N/m2, N/mm.um";
+    case OVR_SHEAR_RATE: return "1/s";
     }
     return "";
 }

@@ -42,7 +42,8 @@ typedef enum ovr_dimension {
     OVR_POWER,
     OVR_STIFFNESS, /* a force per way: in units of line loads */
     OVR_MASS,
-    OVR_MESH_STIFFNESS /* per width: N/(mm um) */
+    OVR_MESH_STIFFNESS, /* per width: N/(mm um) */
+    OVR_SHEAR_RATE
 } ovr_dimension;
 
 typedef struct ovr_quantity {

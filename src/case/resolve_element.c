@@ -334,7 +334,7 @@ static ovr_status resolve_gear(ovr_resolved *r, const ovr_block *block,
     fill_shifts(form);
     if (form->sharing == OVR_SHARING_TABLE) {
         ovr_two_columns table = {
-            .what = "way and share", .most = 1, .of = "", .unit = {1, 1}};
+            .name = {"way", "share"}, .most = 1, .of = "", .unit = {1, 1}};
         status = read_table(r, block, e->sharing_file, &table, err);
         form->shares = table.count;
         form->way = table.x;
@@ -374,7 +374,7 @@ static ovr_status resolve_cam(ovr_resolved *r, const ovr_block *block,
     ovr_error why = {0};
     ovr_status status = check_loaded_twice(r, "cam", err);
     if (!status && e->cam.law == OVR_CAM_TABLE) {
-        ovr_two_columns table = {.what = "angle and lift",
+        ovr_two_columns table = {.name = {"angle", "lift"},
                                  .least = -1e6,
                                  .most = 1e6,
                                  .of = " mm",

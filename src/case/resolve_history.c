@@ -35,7 +35,7 @@ static ovr_status load_table(ovr_resolved *r, const ovr_block *block,
                              ovr_error *err)
 {
     const ovr_parameter *to = ovr_parameter_find(block->section, "to");
-    ovr_two_columns p = {.what = "time and value",
+    ovr_two_columns p = {.name = {"time", "value"},
                          .least = to->least,
                          .most = to->most,
                          .of = " (of the nominal one)",

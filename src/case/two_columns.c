@@ -13,7 +13,9 @@ typedef struct reading {
     ovr_two_columns *to;
     const char *file;
     size_t room;
-    int decimals; /* of the second column, the most of all rows */
+    bool headed;  /* its header was read */
+    bool swapped; /* the second column comes first */
+    int decimals; /* of the second, the most of all rows */
     ovr_arena *arena;
 } reading;
 
@@ -53,24 +55,92 @@ static int decimals_of(const char *text)
     return n;
 }
 
+/* ------------------------------------------------------------------ header */
+
+/* The next word of a header: blanks, brackets and separators part them. */
+static bool next_word(const char **at, char *word, size_t room)
+{
+    static const char *const parting = " \t,;()[]#=_:\r\n";
+    *at += strspn(*at, parting);
+    size_t length = strcspn(*at, parting);
+    snprintf(word, room, "%.*s", (int)length, *at);
+    *at += length;
+    return length > 0;
+}
+
+/* The units of a line in their order; false: they are not those of both. */
+static bool read_units(reading *r, const char *text)
+{
+    ovr_two_columns *c = r->to;
+    char word[32];
+    bool found[2] = {false, false};
+    while (!(found[0] && found[1]) && next_word(&text, word, sizeof word))
+        for (int k = 0; k < 2; k++) {
+            double unit = ovr_unit_value(word, c->header[k]);
+            if (isnan(unit))
+                continue;
+            if (found[k])
+                return false;
+            r->swapped = found[1] || (k == 1 && !found[0]);
+            c->unit[k] = unit;
+            found[k] = true;
+        }
+    return found[0] && found[1];
+}
+
+static ovr_status read_header(reading *r, long line, char *text, ovr_error *err)
+{
+    const ovr_two_columns *c = r->to;
+    char word[32];
+    const char *s = text;
+    if (!next_word(&s, word, sizeof word)) /* an empty line */
+        return OVR_OK;
+    r->headed = read_units(r, text);
+    if (r->headed)
+        return OVR_OK;
+    return ovr_fail_at(err, OVR_BAD_INPUT, r->file, line,
+                       "the first line must name the units of two columns, %s "
+                       "(%s) and %s (%s), such as '%s'",
+                       c->name[0], ovr_units_allowed(c->header[0]), c->name[1],
+                       ovr_units_allowed(c->header[1]), c->example);
+}
+
+/* -------------------------------------------------------------------- rows */
+
+/* Two numbers and nothing else, and where the second of them stands. */
+static bool read_pair(const reading *r, const char *text, double pair[2],
+                      const char **second)
+{
+    for (int k = 0; k < 2; k++) {
+        const char *s = skip_separators(text);
+        if (k && s == text)
+            return false;
+        if ((k == 0) == r->swapped)
+            *second = s;
+        text = s;
+        if (!ovr_read_number(&text, &pair[r->swapped ? 1 - k : k]))
+            return false;
+    }
+    return !*skip_separators(text);
+}
+
 /* Two numbers, or nothing (a comment or an empty line), or an error. */
 static ovr_status read_line(reading *r, long line, char *text, ovr_error *err)
 {
     ovr_two_columns *c = r->to;
-    const char *s = skip_separators(text), *second;
-    double x, y;
+    const char *second = text;
+    double pair[2];
     text[strcspn(text, "#\r\n")] = '\0';
-    if (!*s)
+    if (!*skip_separators(text))
         return OVR_OK;
-    if (!ovr_read_number(&s, &x) || s == skip_separators(s) ||
-        (second = s = skip_separators(s), !ovr_read_number(&s, &y)) ||
-        *skip_separators(s))
+    if (!read_pair(r, text, pair, &second))
         return ovr_fail_at(err, OVR_BAD_INPUT, r->file, line,
-                           "must be two numbers, %s", c->what);
-    if (y < c->least || y > c->most)
+                           "must be two numbers, %s and %s",
+                           c->name[r->swapped], c->name[!r->swapped]);
+    if (c->least < c->most && (pair[1] < c->least || pair[1] > c->most))
         return ovr_fail_at(err, OVR_BAD_INPUT, r->file, line,
-                           "value %g must be %g to %g%s", y, c->least, c->most,
-                           c->of);
+                           "value %g must be %g to %g%s", pair[1], c->least,
+                           c->most, c->of);
     if (c->count == ROWS_MOST)
         return ovr_fail_at(err, OVR_BAD_INPUT, r->file, line,
                            "more than %d points", ROWS_MOST);
@@ -78,8 +148,8 @@ static ovr_status read_line(reading *r, long line, char *text, ovr_error *err)
         return OVR_NO_MEMORY;
     if (decimals_of(second) > r->decimals)
         r->decimals = decimals_of(second);
-    c->x[c->count] = x * c->unit[0];
-    c->y[c->count++] = y * c->unit[1];
+    c->x[c->count] = pair[0] * c->unit[0];
+    c->y[c->count++] = pair[1] * c->unit[1];
     return OVR_OK;
 }
 
@@ -87,7 +157,10 @@ ovr_status ovr_two_columns_read(ovr_two_columns *columns, const char *file,
                                 const ovr_slot *slot, ovr_arena *arena,
                                 ovr_error *err)
 {
-    reading r = {columns, file, 0, 0, arena};
+    reading r = {.to = columns,
+                 .file = file,
+                 .headed = columns->header[0] == OVR_PURE,
+                 .arena = arena};
     FILE *in = fopen(file, "r");
     ovr_status status = OVR_OK;
     char text[LINE_MOST];
@@ -100,7 +173,7 @@ ovr_status ovr_two_columns_read(ovr_two_columns *columns, const char *file,
             status = ovr_fail_at(err, OVR_BAD_INPUT, file, line,
                                  "the line is too long");
         else
-            status = read_line(&r, line, text, err);
+            status = (r.headed ? read_line : read_header)(&r, line, text, err);
     }
     if (!status && ferror(in))
         status = ovr_fail_slot(err, slot, "cannot read '%s'", file);

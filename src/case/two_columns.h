@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Text files of two columns of numbers: histories, lifts of cams, shares of
- * load.  Columns are set apart by blanks, commas or semicolons; "#" begins a
- * comment; empty lines do not count. */
+ * load, measured viscosities, densities and flow curves.  Columns are set apart
+ * by blanks, commas or semicolons; "#" begins a comment; empty lines do not
+ * count.  The first line may have to name the units, in the order of the
+ * columns, whichever that is: "pressure [MPa], density [kg/m3]". */
 #ifndef OVR_CASE_TWO_COLUMNS_H
 #define OVR_CASE_TWO_COLUMNS_H
 
@@ -9,14 +11,18 @@
 #include "case/case.h"
 
 typedef struct ovr_two_columns {
-    const char *what;   /* they are: "time and value" */
-    double least, most; /* of the second */
-    const char *of;     /* what its range is told in, behind it: "" */
-    double unit[2];     /* that the numbers are multiplied by */
-    size_t count;       /* rows that were read */
-    double *x, *y;      /* in the arena */
-    double rounding;    /* smallest decimal of the second as written, times its
-                           unit */
+    const char *name[2]; /* "time", "value" */
+    double least, most;  /* of the second, as it is written; 0, 0: any */
+    const char *of;      /* what its range is told in, behind it: "" */
+    double unit[2];      /* that the numbers are multiplied by */
+    /* What the units of the header measure, and one that would do; OVR_PURE,
+     * NULL: there is no header. */
+    ovr_dimension header[2];
+    const char *example;
+    size_t count;    /* rows that were read */
+    double *x, *y;   /* in the arena */
+    double rounding; /* smallest decimal of the second as written, times its
+                        unit */
 } ovr_two_columns;
 
 /* The slot is the key that names the file. */

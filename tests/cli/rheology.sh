@@ -76,3 +76,23 @@ refused 'bare.csv:1: the first line must name the units' \
 printf 'rate [1/s], stress [MPa]\n1, 2\n2, 1\n' >falls.csv
 refused 'must be positive and increase' \
     --set lubricant.rheology=table --set lubricant.rheology_file=falls.csv
+refused 'rheology_file: cannot read' \
+    --set lubricant.rheology=table --set lubricant.rheology_file=no.csv
+
+# The same points with the columns the other way round, other units, a comment
+# behind them and an empty line before: one file like the other.
+awk 'BEGIN {
+    print "rate [1/s]; stress [MPa]" >"one.csv"
+    printf "\nstress (kPa), rate (s^-1)\n" >"other.csv"
+    for (k = 1; k <= 12; k++) {
+        rate = 1e4*2^k; stress = 4*log(rate/1e6 + sqrt((rate/1e6)^2 + 1))
+        printf "%.17g; %.17g\n", rate, stress >"one.csv"
+        printf "%.17g %.17g  # point %d\n", stress*1000, rate, k >"other.csv"
+    } }'
+for name in one other; do
+    run --set lubricant.rheology=table --set lubricant.rheology_file=$name.csv \
+        >$name.out 2>err || fail "$name: $(cat err)"
+done
+echo "$(value mu_slide one.out) $(value mu_slide other.out)" |
+    awk '{ exit !($1 > 0 && ($1/$2 - 1)^2 < 1e-20) }' ||
+    fail "$(value mu_slide one.out) is not $(value mu_slide other.out)"
