@@ -296,6 +296,47 @@ static const char traction_hot[] =
     "fields = pressure, film_thickness, temperature_1, temperature_2, "
     "temperature_middle\n";
 
+/* The same with a hard coating that keeps the heat in the film. */
+static const char coated[] =
+    "# Two discs of steel that slip, one with a coating of DLC: friction, film "
+    "and\n"
+    "# temperatures, and the stresses in the coating and below.\n"
+    "[contact]\n"
+    "load = 300 kN/m\n"
+    "mean_speed = 5 m/s\n"
+    "slide_to_roll = 0.2\n"
+    "\n"
+    "[body 1]\n"
+    "material = steel\n"
+    "radius = 35 mm\n"
+    "\n"
+    "[body 2]\n"
+    "material = steel\n"
+    "radius = 35 mm\n"
+    "\n"
+    "[coating 1]                  # on body 1; [coating 1b] below it, "
+    "[coating 2]\n"
+    "material = dlc               # or modulus, poisson, conductivity, ...\n"
+    "thickness = 3 um\n"
+    "residual_x = -1 GPa          # without load, along and across\n"
+    "residual_y = -1 GPa\n"
+    "\n"
+    "[lubricant]\n"
+    "temperature = 60 degC        # of the supply, and of the bodies\n"
+    "iso_vg = 68\n"
+    "viscosity_index = 98\n"
+    "density_15 = 880 kg/m3\n"
+    "alpha = 20 1/GPa             # at that temperature\n" THINS "\n"
+    "[heat]\n"
+    "model = lobatto\n"
+    "\n"
+    "[domain]\n"
+    "level = 8\n"
+    "\n"
+    "[stress]\n"
+    "surface = 1\n"
+    "depth_min = 0.005            # in b: into the coating\n";
+
 static const struct kind {
     const char *name, *head, *tail;
     bool physical, slides;
@@ -308,6 +349,7 @@ static const struct kind {
     {"starved", starved, starved_end, true, false},
     {"discs", discs, NULL, true, true}, /* with oils of their own */
     {"hot", traction_hot, NULL, true, true},
+    {"coated", coated, NULL, true, true},
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
@@ -338,7 +380,7 @@ static const struct kind *find_kind(const cli_call *call, const char *name)
     meant = ovr_suggest(name, names, KINDS);
     cli_usage(call,
               "no case '%s'%s%s; there are roller, gear, cam, bearing, "
-              "numbers, starved, discs, hot",
+              "numbers, starved, discs, hot, coated",
               name, meant ? "; did you mean " : "", meant ? meant : "");
     return NULL;
 }

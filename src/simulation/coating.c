@@ -22,6 +22,7 @@ static const double FIT_MOST = 1e-5, MESH_LEAST = 0.02, WIDTH_MOST = 3,
                     STRAIN_MOST = 0.1;
 
 typedef struct coat {
+    int material;
     double thickness; /* b */
     double modulus, poisson;
     ovr_thermal thermal;
@@ -43,13 +44,35 @@ typedef struct coating_form {
 
 /* --------------------------------------------------------------- the case */
 
+/*
+ * Materials, NAN where no source says.  DLC, hydrogenated (a-C:H, 20 at% H):
+ * modulus and density Nat. Commun. 12 (2021), s41467-021-24766-6, table 1;
+ * conductivity 0.3 to 1 W/m.K, Morath et al., J. Appl. Phys. 1994 (picosecond
+ * optics), 1 of hard hydrogenated carbon, Shamsa et al., Appl. Phys. Lett. 2006
+ * (3 omega); capacity Moelle et al., Diamond Relat. Mater. 7 (1998) 499.
+ * Babbitt: MakeItFrom.com, Grade 1 (L13910) Tin-Base Babbitt Metal.  PTFE:
+ * NETZSCH Analyzing & Testing, Polymers: PTFE, the middles of its ranges.
+ */
+enum { DLC = 1, BABBITT, PTFE };
+
+static const ovr_word material_words[] = {
+    {"dlc", DLC}, {"babbitt", BABBITT}, {"ptfe", PTFE}, {NULL, 0}};
+
+static const coat materials[] = {
+    [DLC] = {.modulus = 259e9, .poisson = NAN, .thermal = {1, 1040, 2070}},
+    [BABBITT] = {.modulus = 53e9, .poisson = 0.35, .thermal = {45, 230, 7300}},
+    [PTFE] = {.modulus = 575e6, .poisson = NAN, .thermal = {0.24, 1000, 2180}},
+};
+
 static const ovr_parameter keys[] = {
+    {"material", CHOICE(material_words), NULL, offsetof(coat, material), true,
+     ALWAYS, "gives its constants; those that are given count"},
     {"thickness", OVR_NUMBER, OVR_LENGTH, OVR_IN_B, 0, 1e4, true, NULL, NULL,
      offsetof(coat, thickness), true, ALWAYS, "thickness of the layer"},
     {"modulus", WITH_UNIT(OVR_PRESSURE, 1e3, 1e13), NULL,
      offsetof(coat, modulus), true, ALWAYS, "Young's modulus of the layer"},
-    {"poisson", PLAIN(0, 0.5), "0.3", offsetof(coat, poisson), true, ALWAYS,
-     "its Poisson's ratio"},
+    {"poisson", PLAIN(0, 0.5), NULL, offsetof(coat, poisson), true, ALWAYS,
+     "its Poisson's ratio; 0.3 where no material says otherwise"},
     {"conductivity", WITH_UNIT(OVR_CONDUCTIVITY, 1e-3, 1e4), NULL,
      offsetof(coat, thermal.conductivity), true, "heat.model = lobatto",
      "with heat"},
@@ -89,7 +112,7 @@ static ovr_status block(void *form, const char *name, void **into,
                         "down; those of body 2 alike",
                         name, 'a' + OVR_LAYERS_MOST - 1);
     f->there[body][layer] = true;
-    f->coat[body][layer] = (coat){NAN, NAN, NAN, {NAN, NAN, NAN}, {0, 0}};
+    f->coat[body][layer] = (coat){0, NAN, NAN, NAN, {NAN, NAN, NAN}, {0, 0}};
     *into = &f->coat[body][layer];
     return OVR_OK;
 }
@@ -101,6 +124,34 @@ static const char *name_of(int body, int layer)
         {"1", "1b", "1c", "1d", "1e", "1f"},
         {"2", "2b", "2c", "2d", "2e", "2f"}};
     return names[body][layer];
+}
+
+static void fill(double *value, double otherwise)
+{
+    if (isnan(*value))
+        *value = otherwise;
+}
+
+/* What its material says of what is not given. */
+static void complete(coat *c)
+{
+    const coat *of = &materials[c->material];
+    if (c->material) {
+        fill(&c->modulus, of->modulus);
+        fill(&c->poisson, of->poisson);
+        fill(&c->thermal.conductivity, of->thermal.conductivity);
+        fill(&c->thermal.heat_capacity, of->thermal.heat_capacity);
+        fill(&c->thermal.density, of->thermal.density);
+    }
+    fill(&c->poisson, 0.3);
+}
+
+static void complete_all(coating_form *f)
+{
+    for (int k = 0; k < 2; k++)
+        for (int j = 0; j < OVR_LAYERS_MOST; j++)
+            if (f->there[k][j])
+                complete(&f->coat[k][j]);
 }
 
 static ovr_status check_layer(const coating_form *f, int body, int layer,
@@ -120,9 +171,10 @@ static ovr_status check_layer(const coating_form *f, int body, int layer,
     return OVR_OK;
 }
 
-static ovr_status check_case(const ovr_physics_case *of, const coating_form *f,
+static ovr_status check_case(const ovr_physics_case *of, coating_form *f,
                              ovr_error *err)
 {
+    complete_all(f);
     for (int k = 0; k < 2; k++)
         for (int j = 0; j < OVR_LAYERS_MOST; j++)
             if (f->there[k][j] && check_layer(f, k, j, err))
@@ -274,6 +326,7 @@ static ovr_status resolve(const ovr_physics_case *of, void *form, bool *on,
     *on = f->images.top > 0;
     if (!*on)
         return OVR_OK;
+    complete_all(f);
     measure(f);
     if (of->heat && warm(of, f, err))
         return OVR_BAD_INPUT;

@@ -28,6 +28,13 @@ mv out hot.ini
 expect 0 "$OVERROLL" check hot.ini
 ! grep -v 'the inlet is at X' err || fail "hot: $(cat err)"
 expect 0 "$OVERROLL" run hot.ini --level 5 -o hot.h5
+expect 0 "$OVERROLL" init coated
+mv out coated.ini
+expect 0 "$OVERROLL" check coated.ini
+contains out '^# coating 1 +0\.01[0-9]+ b thick'
+! grep -v 'the inlet is at X' err || fail "coated: $(cat err)"
+expect 0 "$OVERROLL" run coated.ini --level 7 -o coated.h5
+contains out '^von Mises in a layer '
 refuses "'discs' has an oil of its own" init discs --oil vg32
 expect 0 "$OVERROLL" init gear -o gear2.ini
 refuses 'gear2.ini: exists already' init gear -o gear2.ini
