@@ -136,6 +136,50 @@ static inline ovr_find_evaluation ovr_find_evaluation_at(const ovr_find *find,
 OVR_API void ovr_find_summary(const ovr_find *find, ovr_summary_taker *take,
                               void *data);
 
+/* ------------------------------------------------------------ sensitivity */
+
+/* What a per cent of a key makes of a number of the run: elasticities,
+ * d ln Q/d ln x, by central differences of 2 and of 1 %, whose difference is
+ * their doubt.  Steps as large as these carry the rupture and the spike over
+ * several meshes; smaller ones would tell of the mesh. */
+typedef struct ovr_sensitivity_options {
+    size_t size;      /* of this struct, as its user knows it */
+    const char *keys; /* "contact.load, feature.dent.depth"; NULL: the numbers
+                         given of the contact, its oil, its bodies, and sizes of
+                         features */
+    int workers;      /* at once; 0: 1 */
+    bool steady;      /* the steady contact alone */
+    bool estimate;    /* the same one level coarser */
+    void *data;
+    ovr_listener *say;
+    bool (*stop)(void *data);
+    ovr_trial_runner *run; /* NULL: here */
+} ovr_sensitivity_options;
+OVR_SIZED(ovr_sensitivity_options)
+
+typedef struct ovr_sensitivity_row {
+    size_t size; /* of this struct */
+    const char *key, *quantity;
+    const char *unit;     /* of an absolute slope: per this; NULL: relative */
+    double step;          /* the larger one, relative or in that unit */
+    double slope;         /* by the smaller one */
+    double doubt;         /* what the larger one makes of it */
+    double coarser;       /* one level coarser; NAN: not asked for */
+    const char *why_none; /* it is not to be used; or NULL */
+} ovr_sensitivity_row;
+
+typedef struct ovr_sensitivity ovr_sensitivity;
+
+/* Runs it all. */
+OVR_API ovr_sensitivity *
+ovr_sensitivity_create(ovr_case *c, const ovr_sensitivity_options *options,
+                       ovr_error *err);
+OVR_API void ovr_sensitivity_free(ovr_sensitivity *sensitivity);
+
+/* Key by key, of each its quantities; NULL behind the last. */
+OVR_API const ovr_sensitivity_row *
+ovr_sensitivity_at(const ovr_sensitivity *sensitivity, size_t k);
+
 /* ----------------------------------------------------------------- random */
 
 /* What the draws of a study with [random] say of a quantity, for each

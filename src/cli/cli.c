@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 static const cli_option common[] = {
     {"q", NULL, "no messages but errors", false},
@@ -126,6 +127,10 @@ static int take_option(cli_call *call, int argc, char **argv, int *i)
                          (int)(name - given + (long)length), given);
     if (option->argument && equals) {
         slot->value = equals + 1;
+    } else if (option->argument && *option->argument == '[') {
+        if (*i + 1 < argc && !is_option(argv[*i + 1]) &&
+            access(argv[*i + 1], F_OK) != 0)
+            slot->value = argv[++*i];
     } else if (option->argument) {
         if (*i + 1 >= argc)
             return cli_usage(call, "option '%s' needs a value: %s", given,

@@ -34,7 +34,8 @@ enum {
  * or -o VALUE. */
 typedef struct cli_option {
     const char *name;
-    const char *argument; /* what follows, for help; NULL: a flag */
+    const char *argument; /* what follows, for help; NULL: a flag; in brackets:
+                             it may, unless it is a file */
     const char *help;
     bool repeats; /* may be given more than once */
 } cli_option;

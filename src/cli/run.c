@@ -6,6 +6,7 @@
 
 #include "cli/case_args.h"
 #include "cli/report.h"
+#include "cli/sensitivity.h"
 #include "cli/signals.h"
 
 void cli_silence_the_end(void)
@@ -132,6 +133,11 @@ static int run(cli_call *call)
     ovr_run_options how = cli_run_options(&watch);
     if (!c)
         return code;
+    if (cli_flag(call, "sensitivity")) {
+        code = cli_sensitivity(call, c, false);
+        ovr_case_free(c);
+        return code;
+    }
     how.output = cli_value(call, "o");
     how.force = cli_flag(call, "force");
     cli_silence_the_end();
@@ -144,6 +150,7 @@ static const cli_option options[] = {
     {"o", "OUT.h5", "result file, instead of [output] file", false},
     {"force", NULL, "replace an existing result file", false},
     CLI_ESTIMATE_OPTION,
+    CLI_SENSITIVITY_OPTIONS,
     CLI_CASE_OPTIONS,
     {0}};
 

@@ -2,6 +2,7 @@
 /* overroll steady [CASE]: one steady contact. */
 #include "cli/case_args.h"
 #include "cli/run.h"
+#include "cli/sensitivity.h"
 
 static int run(cli_call *call)
 {
@@ -12,6 +13,11 @@ static int run(cli_call *call)
     ovr_run_options how = cli_run_options(&watch);
     if (!c)
         return code;
+    if (cli_flag(call, "sensitivity")) {
+        code = cli_sensitivity(call, c, true);
+        ovr_case_free(c);
+        return code;
+    }
     how.steady = true;
     how.at = cli_value(call, "at");
     code = cli_finish_run(&watch, ovr_run_create(c, &how, NULL, &err), &err);
@@ -25,6 +31,7 @@ static const cli_option options[] = {
      "the nose unless given",
      false},
     CLI_ESTIMATE_OPTION,
+    CLI_SENSITIVITY_OPTIONS,
     CLI_CASE_OPTIONS,
     {0}};
 

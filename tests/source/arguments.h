@@ -366,6 +366,7 @@ static const char *const words[] = {"dent", "bump", NULL};
 #define GOOD_ovr_table_to own.table
 #define GOOD_ovr_find_to own.find
 #define GOOD_ovr_sample_to NULL
+#define GOOD_ovr_sensitivity_to NULL
 #define GOOD_ovr_trials_to NULL
 #define GOOD_ovr_stored_stress_to own.stored
 #define GOOD_ovr_stress_report_to_const_to own.reports

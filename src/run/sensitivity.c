@@ -1,0 +1,420 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Elasticities e = ln(Q(x(1 + h))/Q(x(1 - h)))/ln((1 + h)/(1 - h)) for h = 2 %
+ * and 1 %; about x = 0, and of temperatures, slopes by steps of a fixed size.
+ * The derivative of the discrete solution itself (an adjoint's) is not what is
+ * wanted: within a mesh it is that of the mesh.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/given.h"
+#include "base/sized.h"
+#include "base/text.h"
+#include "run/trials.h"
+
+enum { KEYS = 64, QUANTITIES = 3, STEPS = 4, LEVELS = 2 };
+
+/* A key and the steps it takes. */
+typedef struct moved {
+    char *where;
+    const char *suffix; /* " kN/m", or "" */
+    double value, step; /* relative, or absolute */
+    bool absolute;
+} moved;
+
+struct ovr_sensitivity {
+    ovr_arena arena;
+    ovr_sensitivity_row *row;
+    size_t rows;
+};
+
+typedef struct working {
+    ovr_sensitivity *to;
+    ovr_sensitivity_options how;
+    ovr_case *base;
+    moved key[KEYS];
+    size_t keys;
+    int level; /* of the case; 0: not known */
+    ovr_error *err;
+} working;
+
+void ovr_sensitivity_options_fill(ovr_sensitivity_options *options)
+{
+    const ovr_sensitivity_options defaults = {.size = sizeof defaults};
+    ovr_sized_fill(options, &defaults, sizeof defaults);
+}
+
+/* ------------------------------------------------------------------- keys */
+
+static bool is_size(const char *key)
+{
+    static const char *const sizes[] = {"depth",     "height",     "width",
+                                        "amplitude", "wavelength", "Rq"};
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++)
+        if (!strcmp(sizes[k], key))
+            return true;
+    return false;
+}
+
+/* Whether a number given is one that everybody asks about. */
+static bool is_usual(const ovr_case_entry *e)
+{
+    if (!strcmp(e->section, "contact") || !strcmp(e->section, "lubricant") ||
+        !strcmp(e->section, "body"))
+        return e->number != 0;
+    return !strcmp(e->section, "feature") && is_size(e->key) && e->number != 0;
+}
+
+static ovr_status add_key(working *w, const ovr_case_entry *e)
+{
+    moved *m = &w->key[w->keys];
+    const char *text = e->text, *unit;
+    char *suffix, where[300];
+    if (w->keys == KEYS || !ovr_read_number(&text, &m->value))
+        return OVR_OK;
+    unit = text + strspn(text, " \t");
+    suffix = ovr_arena_take(&w->to->arena, strlen(unit) + 2, 1, w->err);
+    snprintf(where, sizeof where, "%s%s%s.%s", e->section, e->name ? "." : "",
+             e->name ? e->name : "", e->key);
+    m->where = ovr_arena_text(&w->to->arena, where, w->err);
+    if (!suffix || !m->where)
+        return OVR_NO_MEMORY;
+    if (*unit) {
+        suffix[0] = ' ';
+        strcpy(suffix + 1, unit);
+    }
+    m->suffix = suffix;
+    m->absolute = !(fabs(m->value) > 0) || !strcmp(e->key, "slide_to_roll") ||
+                  !strcmp(unit, "degC");
+    m->step = !strcmp(unit, "degC") ? 2 : 0.02;
+    w->keys++;
+    return OVR_OK;
+}
+
+/* "feature.dent.depth" of "feature dent.depth", whatever was written. */
+static bool is_named(const ovr_case_entry *e, ovr_line asked)
+{
+    char name[300];
+    snprintf(name, sizeof name, "%s%s%s.%s", e->section, e->name ? "." : "",
+             e->name ? e->name : "", e->key);
+    if (strlen(name) != asked.size)
+        return false;
+    for (size_t k = 0; k < asked.size; k++)
+        if (name[k] != (asked.text[k] == ' ' ? '.' : asked.text[k]))
+            return false;
+    return true;
+}
+
+static ovr_status take_asked(working *w, ovr_line asked)
+{
+    for (size_t k = 0; k < ovr_case_entries(w->base); k++) {
+        ovr_case_entry e = ovr_case_entry_at(w->base, k);
+        ovr_parameter_info row = ovr_parameter_at(e.parameter);
+        if (!is_named(&e, asked))
+            continue;
+        if (!e.text || strcmp(row.type, "number") != 0 || !isfinite(e.number))
+            return ovr_fail_about(w->err, "sensitivity",
+                                  "%.*s: is not given as a number in this case",
+                                  (int)asked.size, asked.text);
+        return add_key(w, &e);
+    }
+    return ovr_fail_about(w->err, "sensitivity",
+                          "%.*s: no key of this case; they are section.key",
+                          (int)asked.size, asked.text);
+}
+
+static ovr_status take_keys(working *w)
+{
+    const char *list = w->how.keys;
+    ovr_status status = OVR_OK;
+    while (list && *list && !status) {
+        size_t size = strcspn(list, ",");
+        ovr_line one = ovr_trim((ovr_line){list, size, 0});
+        status = one.size ? take_asked(w, one) : OVR_OK;
+        list += size + (list[size] == ',');
+    }
+    for (size_t k = 0; !w->how.keys && !status && k < ovr_case_entries(w->base);
+         k++) {
+        ovr_case_entry e = ovr_case_entry_at(w->base, k);
+        if (e.given && e.applies && isfinite(e.number) && is_usual(&e) &&
+            !strcmp(ovr_parameter_at(e.parameter).type, "number"))
+            status = add_key(w, &e);
+    }
+    if (!status && !w->keys)
+        status = ovr_fail_about(w->err, "sensitivity",
+                                "no number of the contact is given that could "
+                                "be varied");
+    return status;
+}
+
+/* ------------------------------------------------------------------- runs */
+
+/* The value after step s: 2 % up and down, 1 % up and down. */
+static double value_at(const moved *m, int s)
+{
+    double step = (s % 2 ? -1 : 1) * m->step / (s / 2 + 1);
+    return m->absolute ? m->value + step : m->value * (1 + step);
+}
+
+static ovr_case *case_at(const working *w, const moved *m, int s, int coarser)
+{
+    char text[120];
+    ovr_case *c = ovr_case_apart(w->base, w->err);
+    ovr_status status = OVR_OK;
+    snprintf(text, sizeof text, "%.17g%.60s", value_at(m, s), m->suffix);
+    if (c)
+        status = ovr_case_set(c, m->where, text, "sensitivity", w->err);
+    snprintf(text, sizeof text, "%d", w->level - 1);
+    if (c && !status && coarser)
+        status = ovr_case_set(c, "domain.level", text, "sensitivity", w->err);
+    if (!status)
+        return c;
+    ovr_case_free(c);
+    return NULL;
+}
+
+/* Trials in the order of keys, levels and steps. */
+static size_t place_of(const working *w, size_t key, int coarser, int s)
+{
+    size_t levels = w->how.estimate ? LEVELS : 1;
+    return (key * levels + (size_t)coarser) * STEPS + (size_t)s;
+}
+
+static ovr_trials *run_all(working *w)
+{
+    const ovr_trial_plan plan = {.workers = w->how.workers,
+                                 .steady = w->how.steady,
+                                 .data = w->how.data,
+                                 .stop = w->how.stop,
+                                 .run = w->how.run};
+    size_t count = place_of(w, w->keys, 0, 0), made = 0;
+    ovr_arena arena = ovr_arena_make(NULL);
+    ovr_case **cases = ovr_arena_take(&arena, count, sizeof *cases, w->err);
+    ovr_trials *t = NULL;
+    for (bool good = cases; good && made < count; made += good) {
+        int s = (int)(made % STEPS);
+        int coarser = w->how.estimate && made / STEPS % LEVELS;
+        size_t key = made / place_of(w, 1, 0, 0);
+        cases[made] = case_at(w, &w->key[key], s, coarser);
+        good = cases[made] != NULL;
+    }
+    if (cases && made == count)
+        t = ovr_trials_create(count, cases, &plan, w->err);
+    for (size_t k = 0; !t && k < made; k++)
+        ovr_case_free(cases[k]);
+    ovr_arena_release(&arena);
+    if (t && ovr_trials_go(t, w->err)) {
+        ovr_trials_free(t);
+        t = NULL;
+    }
+    return t;
+}
+
+static bool orders_differ(const ovr_trials *t)
+{
+    double least = INFINITY, most = 0;
+    for (size_t k = 0; k < ovr_trials_count(t); k++) {
+        double order = ovr_trial_number(ovr_trials_at(t, k), "order", NULL);
+        least = fmin(least, order); /* NAN: passed over */
+        most = fmax(most, order);
+    }
+    return least < most;
+}
+
+/* All of one order: where automatic ones differ, of the second. */
+static ovr_trials *run_alike(working *w)
+{
+    ovr_trials *t = run_all(w);
+    if (!t || !orders_differ(t))
+        return t;
+    if (w->how.say)
+        w->how.say(w->how.data, OVR_SAY_WARNING,
+                   "order = auto came to different orders: all again with "
+                   "order = 2");
+    ovr_trials_free(t);
+    return ovr_case_set(w->base, "domain.order", "2", "sensitivity", w->err)
+               ? NULL
+               : run_all(w);
+}
+
+/* ------------------------------------------------------------------- slopes */
+
+/* The located minimum has no key in SI; its scale varies with the key too. */
+static const char located[] = "H_min_located_m";
+static double number_of(const ovr_trial *t, const char *quantity)
+{
+    if (t->failed)
+        return NAN;
+    if (quantity != located)
+        return ovr_trial_number(t, quantity, NULL);
+    return ovr_trial_number(t, "H_min_located", NULL) *
+           ovr_trial_number(t, "film_scale_m", NULL);
+}
+
+/* By the larger (0) or the smaller step (1). */
+static double slope(const working *w, const ovr_trials *t, size_t key,
+                    int coarser, int smaller, const char *quantity)
+{
+    const moved *m = &w->key[key];
+    double q[2], x[2];
+    for (int side = 0; side < 2; side++) {
+        int s = 2 * smaller + side;
+        q[side] = number_of(ovr_trials_at(t, place_of(w, key, coarser, s)),
+                            quantity);
+        x[side] = value_at(m, s);
+    }
+    if (m->absolute)
+        return (q[0] - q[1]) / (x[0] - x[1]);
+    return log(q[0] / q[1]) / log(x[0] / x[1]);
+}
+
+static const char *failure(const working *w, const ovr_trials *t, size_t key)
+{
+    for (int s = 0; s < STEPS; s++) {
+        const ovr_trial *one = ovr_trials_at(t, place_of(w, key, 0, s));
+        if (one->failed)
+            return ovr_arena_text(&w->to->arena, one->message, NULL);
+    }
+    return "not known in this case";
+}
+
+static void fill_row(working *w, const ovr_trials *t, size_t key,
+                     const char *quantity)
+{
+    const moved *m = &w->key[key];
+    ovr_sensitivity_row *r = &w->to->row[w->to->rows++];
+    double coarse = slope(w, t, key, 0, 0, quantity);
+    *r = (ovr_sensitivity_row){.size = sizeof *r,
+                               .key = m->where,
+                               .quantity = quantity,
+                               .unit = m->absolute ? m->suffix + !!*m->suffix
+                                                   : NULL,
+                               .step = m->step};
+    r->slope = slope(w, t, key, 0, 1, quantity);
+    r->doubt = fabs(r->slope - coarse);
+    r->coarser = w->how.estimate ? slope(w, t, key, 1, 1, quantity) : NAN;
+    double scale = m->absolute ? 0 : 0.02;
+    if (isnan(r->doubt))
+        r->why_none = failure(w, t, key);
+    else if (r->doubt > scale + 0.1 * fabs(r->slope) && fabs(r->slope) > 0)
+        r->why_none = "two steps disagree: it is of the mesh, refine";
+    else if (isfinite(r->coarser) && fabs(r->slope) > scale &&
+             !(r->coarser / r->slope > 1 / 1.5 && r->coarser / r->slope < 1.5))
+        r->why_none = "two levels disagree: refine";
+}
+
+/* Of a physical contact what is in SI: its film's scale varies with the key. */
+static size_t choose(const ovr_trials *t, bool transient,
+                     const char *chosen[QUANTITIES])
+{
+    static const char *const names[2][QUANTITIES][2] = {
+        {{"H_min_located", located},
+         {"H_cen", "central_film_m"},
+         {"P_max", "max_pressure_Pa"}},
+        {{"H_min_overall", "H_min_overall_m"},
+         {"P_max_overall", "P_max_overall_Pa"},
+         {"mu_slide_max", "mu_slide_max"}}};
+    size_t count = 0;
+    bool physical = false;
+    for (size_t k = 0; k < ovr_trials_count(t); k++)
+        physical = physical || isfinite(ovr_trial_number(ovr_trials_at(t, k),
+                                                         "film_scale_m", NULL));
+    for (int q = 0; q < QUANTITIES; q++) {
+        double v = NAN;
+        for (size_t k = 0; k < ovr_trials_count(t) && isnan(v); k++)
+            v = number_of(ovr_trials_at(t, k), names[transient][q][physical]);
+        if (isfinite(v) && v != 0)
+            chosen[count++] = names[transient][q][physical];
+    }
+    return count;
+}
+
+static ovr_status work(working *w)
+{
+    const char *quantity[QUANTITIES];
+    size_t quantities;
+    bool transient = false;
+    ovr_trials *t = run_alike(w);
+    if (!t)
+        return OVR_BAD_INPUT;
+    for (size_t k = 0; k < ovr_trials_count(t); k++)
+        transient = transient || isfinite(ovr_trial_number(ovr_trials_at(t, k),
+                                                           "steps", NULL));
+    quantities = choose(t, transient, quantity);
+    w->to->row = ovr_arena_take(&w->to->arena, w->keys * QUANTITIES,
+                                sizeof *w->to->row, w->err);
+    for (size_t k = 0; w->to->row && k < w->keys; k++)
+        for (size_t q = 0; q < quantities; q++)
+            fill_row(w, t, k, quantity[q]);
+    ovr_status status = w->to->row ? OVR_OK : OVR_NO_MEMORY;
+    if (!status && !quantities)
+        status = ovr_fail(w->err, OVR_NOT_CONVERGED, "all runs failed: %.600s",
+                          failure(w, t, 0));
+    ovr_trials_free(t);
+    return status;
+}
+
+/* A level that can be one coarser. */
+static ovr_status take_level(working *w)
+{
+    double level = NAN;
+    for (size_t k = 0; k < ovr_case_entries(w->base); k++) {
+        ovr_case_entry e = ovr_case_entry_at(w->base, k);
+        if (!strcmp(e.section, "domain") && !strcmp(e.key, "level") &&
+            e.applies)
+            level = e.number;
+    }
+    w->level = level > 2 ? (int)level : 0;
+    if (w->how.estimate && !w->level)
+        return ovr_fail_about(w->err, "level",
+                              "one level coarser: give a level above 2");
+    return OVR_OK;
+}
+
+ovr_sensitivity *ovr_sensitivity_create(ovr_case *c,
+                                        const ovr_sensitivity_options *options,
+                                        ovr_error *err)
+{
+    if (!c || !options)
+        return ovr_null(err, __func__);
+    ovr_arena arena = ovr_arena_make(NULL);
+    ovr_sensitivity *to = ovr_arena_take(&arena, 1, sizeof *to, err);
+    working w = {.to = to, .err = err};
+    ovr_status status = OVR_NO_MEMORY;
+    if (!to)
+        return NULL;
+    to->arena = arena;
+    status = OVR_SIZED_TAKE(ovr_sensitivity_options, &w.how, options, err);
+    w.base = status ? NULL : ovr_case_apart(c, err);
+    if (!w.base)
+        status = OVR_NO_MEMORY;
+    if (!status)
+        status = take_keys(&w);
+    if (!status)
+        status = take_level(&w);
+    if (!status)
+        status = work(&w);
+    ovr_case_free(w.base);
+    if (!status)
+        return to;
+    ovr_sensitivity_free(to);
+    return NULL;
+}
+
+void ovr_sensitivity_free(ovr_sensitivity *sensitivity)
+{
+    if (sensitivity) {
+        ovr_arena arena = sensitivity->arena;
+        ovr_arena_release(&arena);
+    }
+}
+
+const ovr_sensitivity_row *
+ovr_sensitivity_at(const ovr_sensitivity *sensitivity, size_t k)
+{
+    if (!sensitivity || k >= sensitivity->rows)
+        return NULL;
+    return &sensitivity->row[k];
+}
