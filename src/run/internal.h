@@ -66,6 +66,9 @@ void ovr_element_summary(const ovr_run_info *run, ovr_summary_taker *take,
 /* The numbers of its summary into its file. */
 ovr_status ovr_run_keep_summary(ovr_run *run, ovr_error *err);
 
+/* What a gear pair's or cam's contact goes through, as the group `element`. */
+ovr_status ovr_run_keep_element(ovr_run *run, ovr_error *err);
+
 /* Estimates them of a level that was chosen for an accuracy, and says where
  * they are larger, or not known; fails only where it is stopped. */
 ovr_status ovr_run_confirm(ovr_run *run, ovr_error *err);

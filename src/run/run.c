@@ -393,6 +393,8 @@ ovr_status ovr_run_once(ovr_run *run, ovr_error *err)
     }
     if (run->writer)
         ovr_run_keep_summary(run, &own);
+    if (run->writer && run->info.transient)
+        ovr_run_keep_element(run, &own);
     status = close_file(run, OVR_OK, late ? &own : err);
     run->info.converged = run->info.converged && !status;
     return late ? late : status;
