@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "multigrid/content.h"
 
+#include <math.h>
 #include <string.h>
 
 /* ------------------------------------------------------------ sets of nodes */
@@ -81,13 +82,15 @@ void ovr_content_by_pressure(const ovr_hierarchy *grids, ovr_level *level)
     }
 }
 
-/* What lies behind the last node, and no row asks for: what flows there. */
+/* What lies behind the last node, and no row asks for: what flows there, as far
+ * as it has room. */
 static void extend_content(const ovr_level *level)
 {
     size_t last = level->grid.n - 1;
     const ovr_lanes *g = &level->lanes;
-    double *q = level->f.q;
-    q[ovr_lanes_place(g, last)] = q[ovr_lanes_place(g, last - 1)];
+    size_t here = ovr_lanes_place(g, last),
+           before = ovr_lanes_place(g, last - 1);
+    level->f.q[here] = fmin(level->f.q[before], level->f.full[here]);
 }
 
 static void settle(const ovr_hierarchy *grids, const ovr_level *level)

@@ -50,11 +50,15 @@ static const double *cavitated(const ovr_simulation *sim, double *room)
     return room;
 }
 
+/* Where P = 0 the density is that of the oil's temperature. */
 static const double *filling(const ovr_simulation *sim, double *room)
 {
     for (size_t i = 0; i < sim->state.n; i++) {
-        double P = sim->now.P[i], full = sim->now.H[i];
-        room[i] = P > 0 ? 1 : sim->now.q[i] / full;
+        double thinner = 1, lighter = 1;
+        OVR_EACH_PHYSICS(sim, p, oil)
+            p->is->oil(sim, p->own, i, &thinner, &lighter);
+        double full = lighter * sim->now.H[i];
+        room[i] = sim->now.P[i] > 0 ? 1 : sim->now.q[i] / full;
     }
     return room;
 }
