@@ -160,6 +160,18 @@ static size_t count_lines(const char *text)
     return n;
 }
 
+/* "load [N/m]": cut to the name, and the unit; "" where it has none. */
+static const char *cut_unit(char *head)
+{
+    size_t length = strlen(head);
+    char *from = strstr(head, " [");
+    if (!from || head[length - 1] != ']')
+        return "";
+    head[length - 1] = '\0';
+    *from = '\0';
+    return from + 2;
+}
+
 /* Names; the columns between `name` and `status` are the study's keys. */
 static ovr_status read_heads(ovr_table *t, char **at, const char *path,
                              ovr_error *err)
@@ -173,8 +185,10 @@ static ovr_status read_heads(ovr_table *t, char **at, const char *path,
                                            err);
         if (!number || !text)
             return OVR_NO_MEMORY;
-        *c = (ovr_table_column){
-            sizeof *c, next_cell(at, &last), "", false, number, text, NULL};
+        char *head = next_cell(at, &last);
+        const char *unit = cut_unit(head);
+        *c = (ovr_table_column){sizeof *c, head, unit, false,
+                                number,    text, NULL};
         varied = varied && strcmp(c->name, "status") != 0;
         c->varied = varied;
         varied = varied || !strcmp(c->name, "name");

@@ -260,12 +260,22 @@ static bool is_main(const ovr_sweep_table *t, const char *name)
     return false;
 }
 
+/* With the unit of its numbers; the manifest's values have their own. */
+static void put_key(const ovr_sweep_values *v, FILE *to, bool manifest)
+{
+    char head[200];
+    bool pure = manifest || !v->numeric || !strcmp(v->unit, "1");
+    snprintf(head, sizeof head, "%.140s%s%s%s", v->key->shown, pure ? "" : " [",
+             pure ? "" : v->unit, pure ? "" : "]");
+    put_text(to, head);
+}
+
 static void put_heads(const ovr_sweep_table *t, FILE *to, bool manifest)
 {
     fputs("task,name", to);
     for (size_t k = 0; k < t->keys; k++) {
         fputc(',', to);
-        put_text(to, t->values[k].key->shown);
+        put_key(&t->values[k], to, manifest);
     }
     fputs(manifest ? ",status,output,summary" : ",status", to);
     for (size_t k = 0; k < t->columns; k++)

@@ -73,7 +73,8 @@ for name, c, powers in [
                 for i, v in enumerate(values))
     assert worst*math.sqrt(500) < 1.36, worst  # Kolmogorov, 5 %
     for r in rows:  # each by the formula, from its inputs in the table
-        w, R, E = (float(r[k]) for k in ("load", "radius", "modulus"))
+        w, R, E = (float(r[k]) for k in
+               ("load [N/m]", "radius [m]", "modulus [Pa]"))
         ph = math.sqrt(w*E/(2*math.pi*R))
         exact = ph if name[0] == "h" and name[1] == "e" else 4*R*ph/E
         assert abs(float(r[name])/exact - 1) < 1e-9
@@ -144,11 +145,11 @@ for n, row in enumerate(rows):
     i = n % 40
     assert row["name"].endswith(f"draw-{i + 1:04d}"), row["name"]
     load = law.inv_cdf(a + u(7, "contact.load", i)*(b - a))
-    assert abs(float(row["load"])/load - 1) < 1e-12, (row, load)
+    assert abs(float(row["load [N/m]"])/load - 1) < 1e-12, (row, load)
     v = u(7, "lubricant.viscosity", i)
     oil = 10 + math.sqrt(v*40*30) if v < .75 else \
         50 - math.sqrt((1 - v)*40*10)
-    assert abs(float(row["viscosity"])/(oil*1e-3) - 1) < 1e-12, (row, oil)
+    assert abs(float(row["viscosity [Pa.s]"])/(oil*1e-3) - 1) < 1e-12, (row, oil)
 END
 "$PYTHON" draws.py || fail 'other draws'
 # a sample that grows keeps what it had; another seed is another sample
@@ -230,10 +231,10 @@ expect 3 "$OVERROLL" sweep files.ini --collect files.csv -q
 import csv
 from collections import Counter
 rows = list(csv.DictReader(open("files.csv")))
-pairs = Counter((float(r["load"]), float(r["radius"])) for r in rows)
+pairs = Counter((float(r["load [N/m]"]), float(r["radius [m]"])) for r in rows)
 assert set(pairs) == {(1e5, 5e-3), (2e5, 6e-3), (3e5, 7e-3)}, pairs
 assert all(13 <= n <= 14 for n in pairs.values()), pairs  # strata
-assert set(float(r["modulus"]) for r in rows) == {210e9, 220e9, 230e9}
+assert set(float(r["modulus [Pa]"]) for r in rows) == {210e9, 220e9, 230e9}
 seeds = [int(r["seed"]) for r in rows]
 assert len(set(seeds)) == 40 and min(seeds) >= 1 and max(seeds) <= 10**9
 END
