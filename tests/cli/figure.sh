@@ -45,7 +45,8 @@ expect 0 "$OVERROLL" plot table.csv --quantity H_min -o table.png \
 contains table.csv '^task,name,load \[N/m\],Rq \[m\],seed,status,'
 contains table.gp "x_label.* = \['load  \[kN/m\]'\]"
 grep -v '^#' table.dat >from_csv
-grep -v '^#' study.dat | cmp from_csv - || fail 'the CSV table draws another thing'
+grep -v '^#' study.dat | cmp from_csv - ||
+    fail 'the CSV table draws another thing'
 expect 0 "$OVERROLL" sweep study.ini --collect table.nc -q
 expect 0 "$OVERROLL" plot table.nc --quantity H_min -o netcdf.svg \
     --script netcdf.gp

@@ -149,7 +149,8 @@ for n, row in enumerate(rows):
     v = u(7, "lubricant.viscosity", i)
     oil = 10 + math.sqrt(v*40*30) if v < .75 else \
         50 - math.sqrt((1 - v)*40*10)
-    assert abs(float(row["viscosity [Pa.s]"])/(oil*1e-3) - 1) < 1e-12, (row, oil)
+    told = float(row["viscosity [Pa.s]"])
+    assert abs(told/(oil*1e-3) - 1) < 1e-12, (row, oil)
 END
 "$PYTHON" draws.py || fail 'other draws'
 # a sample that grows keeps what it had; another seed is another sample
