@@ -9,6 +9,7 @@
  * (measured on 2,000 random contacts).
  */
 #include <math.h>
+#include <stdio.h>
 
 #include "simulation/internal.h"
 
@@ -104,6 +105,24 @@ static ovr_status too_few_cycles(const ovr_simulation *sim, ovr_error *err)
                     sim->options.cycles, last->algebraic, last->difference);
 }
 
+/* Where a solve ended, in words; beyond all numbers where it diverged. */
+typedef struct ending {
+    char words[96];
+} ending;
+
+static ending ending_of(const ovr_defect *d)
+{
+    ending e;
+    if (isfinite(d->imbalance) && isfinite(d->load))
+        snprintf(e.words, sizeof e.words,
+                 "relative mass-flow imbalance %.1e, load off by %.1e",
+                 d->imbalance, d->load);
+    else
+        snprintf(e.words, sizeof e.words,
+                 "it diverged, mass-flow imbalance beyond all numbers");
+    return e;
+}
+
 ovr_status ovr_failure_steady(const ovr_simulation *sim,
                               const ovr_outcome *outcome, double tolerance,
                               ovr_error *err)
@@ -119,10 +138,9 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
         return touching(sim, 0, err);
     return ovr_fail(err, OVR_NOT_CONVERGED,
                     "the steady solution did not converge in any of %d ways: "
-                    "relative mass-flow imbalance %.1e (wanted %.1e), load off "
-                    "by %.1e after %d cycles%s",
-                    outcome->retries + 1, outcome->defect.imbalance, tolerance,
-                    outcome->defect.load, outcome->cycles,
+                    "%s after %d cycles (wanted %.1e)%s",
+                    outcome->retries + 1, ending_of(&outcome->defect).words,
+                    outcome->cycles, tolerance,
                     sim->heights ? "; features that start left of the inlet, "
                                    "or grow in time, need no such start"
                                  : "");
@@ -136,7 +154,7 @@ ovr_status ovr_failure_step(const ovr_simulation *sim,
         return touching(sim, T, err);
     return ovr_fail(err, OVR_NOT_CONVERGED,
                     "step %ld to T = %g did not converge, nor did parts of it "
-                    "down to the mesh/%d: relative mass-flow imbalance %.1e",
+                    "down to the mesh/%d: %s",
                     sim->state.step + 1, T, 1 << OVR_HALVINGS,
-                    outcome->defect.imbalance);
+                    ending_of(&outcome->defect).words);
 }
