@@ -216,7 +216,8 @@ class Accessor:
 
         Parameters
         ----------
-        kind : "snapshot", "history", "map", "trace", "stress", "risk", "depth"
+        kind : "snapshot", "history", "map", "trace", "stress", "risk", "depth",
+            "element"
         path : path, optional
             Where to keep it: .png, .svg or .pdf.
         **look
