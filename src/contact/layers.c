@@ -189,6 +189,15 @@ static void weigh(fit *f, int n, ovr_images *to)
     to->count = n;
 }
 
+void ovr_images_scale(ovr_images *images, double stiffness, double unit)
+{
+    images->top *= stiffness;
+    for (int m = 0; m < images->count; m++) {
+        images->weight[m] *= stiffness;
+        images->depth[m] *= unit;
+    }
+}
+
 double ovr_images_softness(const ovr_images *images, double k)
 {
     double A = images->top;

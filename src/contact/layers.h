@@ -50,13 +50,6 @@ typedef struct ovr_layered {
     ovr_elastic layer[OVR_LAYERS_MOST], below;
 } ovr_layered;
 
-/* The same with the stresses that are in the layers without load, along x and
- * across. */
-typedef struct ovr_coated {
-    ovr_layered body;
-    double residual[2 * OVR_LAYERS_MOST];
-} ovr_coated;
-
 /* S_11 of a wave of k, in the unit of 1/thickness. */
 double ovr_layered_compliance(const ovr_layered *body, double k);
 
@@ -75,7 +68,21 @@ typedef struct ovr_images {
     double error; /* largest relative one of A(k) */
 } ovr_images;
 
+/* A body in a contact: stresses that are in its layers without load, along x
+ * and across, in ph; and of both bodies their images, in b and with A as the
+ * contact has it, E' over that of the substrates, the dry contact's half width
+ * and largest pressure, and the largest strain of a layer. */
+typedef struct ovr_coated {
+    ovr_layered body;
+    double residual[2 * OVR_LAYERS_MOST];
+    ovr_images images;
+    double stiffness, width, pressure, strain;
+} ovr_coated;
+
 void ovr_images_fit(const ovr_layered body[2], ovr_images *images);
+
+/* A times the stiffness, lengths times the unit. */
+void ovr_images_scale(ovr_images *images, double stiffness, double unit);
 
 /* A(k) by them. */
 double ovr_images_softness(const ovr_images *images, double k);

@@ -154,11 +154,7 @@ void ovr_image_sum_make(ovr_image_sum *sum, const ovr_images *images,
                         double most)
 {
     sum->images = *images;
-    sum->images.top *= stiffness;
-    for (int m = 0; m < images->count; m++) {
-        sum->images.weight[m] *= stiffness;
-        sum->images.depth[m] *= unit;
-    }
+    ovr_images_scale(&sum->images, stiffness, unit);
     sum->least = least;
     sum->octaves = 0;
     while (images->count && sum->octaves < OVR_IMAGE_OCTAVES &&

@@ -286,10 +286,26 @@ static ovr_status warm(const ovr_physics_case *of, coating_form *f,
     return OVR_OK;
 }
 
-static void measure(coating_form *f)
+static double largest_strain(const ovr_physics_case *of, const coating_form *f)
 {
+    double most = 0;
+    for (int k = 0; k < 2; k++)
+        for (int j = 0; j < f->body[k].layers; j++)
+            most = fmax(most, strain(of, f, k, j));
+    return most;
+}
+
+static void measure(const ovr_physics_case *of, coating_form *f)
+{
+    double most = largest_strain(of, f);
     for (int k = 0; k < 2; k++) {
-        f->coated[k].body = f->body[k];
+        f->coated[k] = (ovr_coated){.body = f->body[k],
+                                    .images = f->images,
+                                    .stiffness = f->stiffness,
+                                    .width = f->width,
+                                    .pressure = f->pressure,
+                                    .strain = most};
+        ovr_images_scale(&f->coated[k].images, f->stiffness, f->unit);
         for (int j = 0; j < f->body[k].layers; j++) {
             f->coated[k].body.thickness[j] = f->coat[k][j].thickness;
             for (int along = 0; along < 2; along++)
@@ -327,7 +343,7 @@ static ovr_status resolve(const ovr_physics_case *of, void *form, bool *on,
     if (!*on)
         return OVR_OK;
     complete_all(f);
-    measure(f);
+    measure(of, f);
     if (of->heat && warm(of, f, err))
         return OVR_BAD_INPUT;
     if (f->width > WIDTH_MOST)
@@ -458,6 +474,7 @@ const ovr_physics ovr_physics_coating = {.name = "layers on the bodies",
                                          .stiffness = stiffness,
                                          .resolve = resolve,
                                          .layers = layers,
+                                         .companion = &ovr_coating_companion,
                                          .tell = tell,
                                          .take = take,
                                          .influence = influence,

@@ -284,7 +284,8 @@ struct ovr_physics {
     void (*recalled)(ovr_observation *o, const ovr_observation *saved);
 };
 
-extern const struct ovr_companion ovr_heat_companion, ovr_supply_companion;
+extern const struct ovr_companion ovr_heat_companion, ovr_supply_companion,
+    ovr_coating_companion;
 
 /* All there are, NULL behind the last.  Its own object in the library, so that
  * a program may be linked with a list of its own. */
