@@ -231,12 +231,12 @@ static void make_version_1(const char *path)
     assert_true(H5Fclose(file) >= 0);
 }
 
-/* Kinds that version 1 did not have. */
+/* Kinds and columns that version 1 did not have. */
 static bool of_version_1(const char *name)
 {
     return strcmp(name, "order") != 0 && !strstr(name, "_force") &&
            !strstr(name, "power_") && !strstr(name, "temperature") &&
-           !strstr(name, "heat_");
+           !strstr(name, "heat_") && strcmp(name, "mean_film_thickness") != 0;
 }
 
 static size_t kinds_of(const char *path, ovr_unit_kind *kinds)
