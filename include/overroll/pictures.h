@@ -116,6 +116,14 @@ OVR_API ovr_status ovr_figure_passes(const ovr_table *passes,
                                      const ovr_allocator *allocator,
                                      ovr_error *err);
 
+/* What the draws of a study with [random] say of `y` (of what
+ * ovr_study_sample says first, unless given): histogram, distribution, and the
+ * effect of each input; x, by, panels and the logarithms do not count. */
+OVR_API ovr_status ovr_figure_distribution(const ovr_study *study,
+                                           const ovr_figure_options *options,
+                                           const ovr_allocator *allocator,
+                                           ovr_error *err);
+
 /* ------------------------------------------------------ frames and movies */
 
 typedef struct ovr_frames_options {

@@ -42,7 +42,8 @@ _overroll_words() {
 # Words that may follow an option.
 _overroll_choices() {
     case $1:$2 in
-    *:--kind) echo 'snapshot history map trace stress risk depth passes element' ;;
+    *:--kind) echo 'snapshot history map trace stress risk depth passes' \
+        element distribution ;;
     export:--field | plot:--field) echo 'pressure film_thickness roughness' ;;
     *:--units) echo 'stored hertzian si' ;;
     *:--format) echo 'csv gnuplot matlab' ;;

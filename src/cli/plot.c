@@ -227,8 +227,25 @@ static int refuse_study_options(const cli_call *call)
     return CLI_DONE;
 }
 
+/* Of the study itself: limits and draws are not in its table. */
+static int draw_distribution(const cli_call *call, const ovr_figure_options *f)
+{
+    ovr_error err = {0};
+    int code = CLI_DONE;
+    if (!ends_with(call->argument[0], ".ini"))
+        return cli_usage(call, "--kind distribution is of STUDY.ini");
+    ovr_study *study = ovr_study_read(call->argument[0], NULL, &err);
+    if (!study || ovr_figure_distribution(study, f, NULL, &err))
+        code = cli_fail(&err);
+    else if (call->verbosity >= 0)
+        printf("%s\n", f->path);
+    ovr_study_free(study);
+    return code;
+}
+
 static int draw_study(const cli_call *call)
 {
+    const char *kind = cli_value(call, "kind");
     ovr_figure_options f;
     ovr_error err = {0};
     char name[200];
@@ -240,6 +257,8 @@ static int draw_study(const cli_call *call)
         return code;
     if (!f.title)
         f.title = name_of(call->argument[0], name, sizeof name);
+    if (kind && !strcmp(kind, "distribution"))
+        return draw_distribution(call, &f);
     table = open_table(call->argument[0], &err);
     if (!table || (of_passes(call, table) ? ovr_figure_passes : ovr_figure)(
                       table, &f, NULL, &err) != OVR_OK)
@@ -335,7 +354,9 @@ const cli_verb cli_plot = {
         "A study, or the table of one, gives a figure: a quantity against\n"
         "a key or the name of a [zip], a line for each value of a second one,\n"
         "a panel for each of what else varies; seeds as a mean in a band,\n"
-        "and against a seed a histogram with quantiles.",
+        "and against a seed a histogram with quantiles.  With --kind\n"
+        "distribution, a study with [random] gives histogram, distribution\n"
+        "and the effect of each input.",
     .options = options,
     .least = 1,
     .most = CLI_RESULTS,

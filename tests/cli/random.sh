@@ -94,6 +94,16 @@ END
 "$PYTHON" check.py || fail 'not the exact distribution'
 refuses "did you mean 'hertz_pressure_Pa'" sweep lognormal.ini --statistics \
     --quantity hertz_presure_Pa
+# The same in a figure, by the numbers that gnuplot is given
+if command -v gnuplot >/dev/null; then
+    expect 0 "$OVERROLL" plot lognormal.ini --kind distribution -o d.svg \
+        --quantity hertz_pressure_Pa --script d.gp -q
+    contains d.svg 'load, rho \+0.9'
+    contains d.svg 'share of the variance'
+    contains d.dat '^1\.1(0*1)? 0'
+    refuses 'is of STUDY.ini' plot table.csv --kind distribution -o e.svg
+    refuses 'd.svg' plot lognormal.ini --kind distribution -o d.svg
+fi
 
 # Draws by their index: splitmix64 and FNV-1a written down again
 cat >plain.ini <<'END'

@@ -1,0 +1,336 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What the draws of a study say, in four panels: histogram with quantiles and
+ * limits, empirical distribution; and for each input how far the quantity goes
+ * from its lowest to its highest values, and its share of the variance.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/given.h"
+#include "base/plain.h"
+#include "base/sized.h"
+#include "overroll/questions.h"
+#include "pictures/picture.h"
+
+enum { GROUPS = 6, INPUTS = 12, BINS = 60, LABEL = 200 };
+
+typedef struct drawing {
+    const ovr_figure_options *o;
+    const ovr_sample *sample;
+    const ovr_table_column *values; /* of all tasks */
+    const ovr_sample_row *row[GROUPS];
+    size_t of[GROUPS]; /* rows of the sample */
+    size_t rows;
+    double factor, low, high; /* all as drawn */
+    char label[LABEL];
+    ovr_arena *arena;
+    ovr_error *err;
+} drawing;
+
+/* ----------------------------------------------------------------- choosing */
+
+/* Numbers in SI in the unit that people use; '_' means nothing. */
+static void choose_axis(drawing *d)
+{
+    const char *name = d->row[0]->quantity, *unit = "";
+    size_t size = strlen(name), used = 0;
+    d->factor = 1;
+    if (size > 2 && !strcmp(name + size - 2, "_m")) {
+        d->factor = 1e6;
+        unit = "  [µm]";
+        size -= 2;
+    } else if (size > 3 && !strcmp(name + size - 3, "_Pa")) {
+        d->factor = 1e-9;
+        unit = "  [GPa]";
+        size -= 3;
+    }
+    for (size_t k = 0; k < size && used + 20 < LABEL; k++) {
+        if (name[k] == '_')
+            d->label[used++] = '\\';
+        d->label[used++] = name[k];
+    }
+    snprintf(d->label + used, LABEL - used, "%s", unit);
+}
+
+/* The rows of the quantity, a group each. */
+static ovr_status choose_rows(drawing *d, const ovr_table *table)
+{
+    const ovr_sample_row *first = ovr_sample_at(d->sample, 0), *r;
+    for (size_t k = 0; (r = ovr_sample_at(d->sample, k)); k++)
+        if (!strcmp(r->quantity, first->quantity) && r->known > 1 &&
+            d->rows < GROUPS) {
+            d->of[d->rows] = k;
+            d->row[d->rows++] = r;
+        }
+    const ovr_table_column *c;
+    for (size_t k = 0; first && (c = ovr_table_at(table, k)); k++)
+        if (!strcmp(c->name, first->quantity))
+            d->values = c;
+    if (!d->rows || !d->values)
+        return ovr_fail(d->err, OVR_BAD_INPUT,
+                        "no draw has finished yet: 'overroll sweep' runs them");
+    return OVR_OK;
+}
+
+static int by_size(const void *a, const void *b)
+{
+    double p = *(const double *)a, q = *(const double *)b;
+    return (p > q) - (p < q);
+}
+
+/* The values of a group, sorted, as drawn. */
+static double *sorted_values(const drawing *d, size_t group, size_t *count)
+{
+    const ovr_sample_row *r = d->row[group];
+    size_t groups = 0, first = 0;
+    const ovr_sample_row *other;
+    double *v = ovr_arena_take(d->arena, r->draws, sizeof *v, d->err);
+    for (size_t k = 0; (other = ovr_sample_at(d->sample, k)); k++)
+        if (!strcmp(other->quantity, r->quantity)) {
+            if (other == r)
+                first = groups * r->draws;
+            groups++;
+        }
+    *count = 0;
+    for (size_t i = 0; v && i < r->draws; i++)
+        if (isfinite(d->values->number[first + i]))
+            v[(*count)++] = d->values->number[first + i] * d->factor;
+    if (v)
+        qsort(v, *count, sizeof *v, by_size);
+    return v;
+}
+
+/* ------------------------------------------------------------------- panels */
+
+static ovr_status add_line(const drawing *d, ovr_series *s, double x0,
+                           double x1, double y0, double y1)
+{
+    double *p = ovr_arena_take(d->arena, 4, sizeof *p, d->err);
+    if (!p)
+        return OVR_NO_MEMORY;
+    p[0] = x0, p[1] = x1, p[2] = y0, p[3] = y1;
+    *s = (ovr_series){.n = 2, .x = p, .y = p + 2};
+    return OVR_OK;
+}
+
+static const int colours[] = {OVR_BLUE,  OVR_AMBER,  OVR_GREEN, OVR_RED,
+                              OVR_STEEL, OVR_VIOLET, OVR_GREY};
+static int colour(size_t k)
+{
+    return colours[k % (sizeof colours / sizeof *colours)];
+}
+
+/* Steps of a histogram in % of the draws, and the empirical distribution. */
+static ovr_status add_group(drawing *d, size_t group, ovr_series *steps,
+                            ovr_series *rises, double *most)
+{
+    size_t n, bins, i = 0;
+    double *v = sorted_values(d, group, &n);
+    if (!v)
+        return OVR_NO_MEMORY;
+    bins = (size_t)ceil(2 * cbrt((double)n)); /* Rice */
+    bins = bins > BINS ? BINS : bins;
+    double *x = ovr_arena_take(d->arena, 4 * bins + 4 * n, sizeof *x, d->err);
+    double width = (v[n - 1] - v[0]) / (double)bins;
+    if (!x)
+        return OVR_NO_MEMORY;
+    double *y = x + 2 * bins, *at = y + 2 * bins, *part = at + 2 * n;
+    for (size_t b = 0; b < bins; b++) {
+        double end = v[0] + width * (double)(b + 1), count = 0;
+        for (; i < n && (v[i] < end || b + 1 == bins); i++)
+            count++;
+        x[2 * b] = end - width, x[2 * b + 1] = end;
+        y[2 * b] = y[2 * b + 1] = 100 * count / (double)n;
+        *most = fmax(*most, y[2 * b]);
+    }
+    for (size_t k = 0; k < n; k++) {
+        at[2 * k] = at[2 * k + 1] = v[k];
+        part[2 * k] = 100 * (double)k / (double)n;
+        part[2 * k + 1] = 100 * (double)(k + 1) / (double)n;
+    }
+    const char *label = d->rows > 1 ? d->row[group]->group : NULL;
+    *steps = (ovr_series){.label = label,
+                          .n = 2 * bins,
+                          .x = x,
+                          .y = y,
+                          .colour = colour(group),
+                          .mark = d->rows > 1 ? OVR_MARK_LINE : OVR_MARK_AREA};
+    *rises = (ovr_series){
+        .n = 2 * n, .x = at, .y = part, .colour = colour(group)};
+    d->low = fmin(d->low, v[0]);
+    d->high = fmax(d->high, v[n - 1]);
+    return OVR_OK;
+}
+
+/* Upright lines: quantiles of a group, dotted, the median dashed; limits. */
+static ovr_status add_uprights(drawing *d, size_t group, ovr_series *to,
+                               size_t *count)
+{
+    static const int shown[] = {1, 3, 5}; /* 5, 50, 95 % */
+    const ovr_sample_row *r = d->row[group];
+    for (int k = 0; k < 3; k++) {
+        double q = r->quantile[shown[k]] * d->factor;
+        ovr_series *s = &to[*count];
+        if (add_line(d, s, q, q, 0, 1e3))
+            return OVR_NO_MEMORY;
+        s->colour = colour(group);
+        s->mark = k == 1 ? OVR_MARK_DASHED : OVR_MARK_DOTTED;
+        s->width = 1.6;
+        ++*count;
+    }
+    for (size_t k = 0; group == 0 && k < r->limits; k++) {
+        double limit = r->limit[k] * d->factor;
+        if (add_line(d, &to[*count], limit, limit, 0, 1e3))
+            return OVR_NO_MEMORY;
+        to[*count].colour = OVR_RED;
+        to[*count].label = "limit";
+        d->low = fmin(d->low, limit);
+        d->high = fmax(d->high, limit);
+        ++*count;
+    }
+    return OVR_OK;
+}
+
+/* Inputs of the first group in the order of their effects. */
+static size_t list_inputs(const drawing *d, const ovr_sample_input **to)
+{
+    const ovr_sample_input *in;
+    size_t n = 0;
+    for (size_t k = 0;
+         n < INPUTS && (in = ovr_sample_input_at(d->sample, d->of[0], k));
+         k++) {
+        size_t j = n++;
+        for (; j > 0 && fabs(to[j - 1]->highest - to[j - 1]->lowest) <
+                            fabs(in->highest - in->lowest);
+             j--)
+            to[j] = to[j - 1];
+        to[j] = in;
+    }
+    return n;
+}
+
+static ovr_status add_inputs(drawing *d, ovr_panel *tornado, ovr_panel *shares)
+{
+    const ovr_sample_input *in[INPUTS];
+    size_t n = list_inputs(d, in);
+    ovr_series *bars = ovr_arena_take(d->arena, n, sizeof *bars, d->err);
+    ovr_series *marks = ovr_arena_take(d->arena, 2 * n, sizeof *marks, d->err);
+    if (!bars || !marks)
+        return OVR_NO_MEMORY;
+    for (size_t k = 0; k < n; k++) {
+        double y = (double)(n - k);
+        char *label = ovr_arena_take(d->arena, LABEL, 1, d->err);
+        if (!label ||
+            add_line(d, &bars[k], in[k]->lowest * d->factor,
+                     in[k]->highest * d->factor, y, y) ||
+            add_line(d, &marks[2 * k], in[k]->share_low, in[k]->share_high, y,
+                     y) ||
+            add_line(d, &marks[2 * k + 1], in[k]->share, in[k]->share, y, y))
+            return OVR_NO_MEMORY;
+        snprintf(label, LABEL, "%.120s, rho %+.2f", in[k]->key, in[k]->rho);
+        bars[k].label = label;
+        bars[k].width = 8;
+        bars[k].colour = marks[2 * k].colour = colour(k);
+        marks[2 * k + 1].colour = colour(k);
+        marks[2 * k + 1].mark = OVR_MARK_POINTS;
+        marks[2 * k + 1].width = 4;
+    }
+    tornado->count = n;
+    tornado->series = bars;
+    shares->count = 2 * n;
+    shares->series = marks;
+    for (int k = 0; k < 2; k++) {
+        ovr_panel *p = k ? shares : tornado;
+        p->y_from = 0.4;
+        p->y_to = (double)n + 0.6;
+        p->y_label = "";
+    }
+    return OVR_OK;
+}
+
+static ovr_status draw(drawing *d)
+{
+    const ovr_figure_options *o = d->o;
+    ovr_panel panel[4];
+    size_t room = (size_t)GROUPS * 5 + OVR_SAMPLE_LIMITS, count = d->rows;
+    ovr_series *steps = ovr_arena_take(d->arena, room, sizeof *steps, d->err);
+    ovr_series *rises = ovr_arena_take(d->arena, d->rows, sizeof *rises,
+                                       d->err);
+    double most = 0;
+    ovr_status status = steps && rises ? OVR_OK : OVR_NO_MEMORY;
+    choose_axis(d);
+    d->low = INFINITY;
+    d->high = -INFINITY;
+    for (size_t k = 0; !status && k < d->rows; k++)
+        status = add_group(d, k, &steps[k], &rises[k], &most);
+    for (size_t k = 0; !status && k < d->rows; k++)
+        status = add_uprights(d, k, steps, &count);
+    if (status)
+        return status;
+    double margin = 0.03 * (d->high - d->low);
+    for (int k = 0; k < 4; k++)
+        panel[k] = (ovr_panel){.x_label = d->label,
+                               .y_label = "% of the draws",
+                               .x_from = d->low - margin,
+                               .x_to = d->high + margin,
+                               .y_from = 0,
+                               .y_to = k ? 100 : 1.08 * most};
+    panel[0].series = steps;
+    panel[0].count = count;
+    panel[1].series = rises;
+    panel[1].count = d->rows;
+    panel[1].y_label = "% below";
+    panel[2].note = "mean where the input is lowest and highest";
+    panel[3].note = "share of the variance, with 95 %";
+    panel[3].x_label = "share";
+    panel[3].x_from = 0;
+    panel[3].x_to = 1;
+    status = add_inputs(d, &panel[2], &panel[3]);
+    ovr_chart chart = {.kind = "distribution",
+                       .title = o->title ? o->title : "",
+                       .width = o->width > 0 ? o->width : 1280,
+                       .height = o->height > 0 ? o->height : 800,
+                       .rows = panel[2].count ? 2 : 1,
+                       .columns = 2,
+                       .panel = panel};
+    return status ? status
+                  : ovr_chart_draw(&chart, o->template_path, o->path, o->script,
+                                   d->arena, d->err);
+}
+
+ovr_status ovr_figure_distribution(const ovr_study *study,
+                                   const ovr_figure_options *given,
+                                   const ovr_allocator *allocator,
+                                   ovr_error *err)
+{
+    if (!study)
+        return ovr_fail_null(err, __func__);
+    ovr_figure_options own;
+    if (OVR_SIZED_TAKE(ovr_figure_options, &own, given, err))
+        return OVR_BAD_INPUT;
+    locale_t before = ovr_plain_begin();
+    ovr_arena arena = ovr_arena_make(allocator);
+    drawing d = {.o = &own, .arena = &arena, .err = err};
+    ovr_sample *sample = NULL;
+    ovr_table *table = NULL;
+    ovr_form form;
+    ovr_status status = ovr_may_create(own.path, own.force, err);
+    if (!status)
+        status = ovr_form_of(own.path, &form, err);
+    if (!status && (!(sample = ovr_study_sample(study, own.y, err)) ||
+                    !(table = ovr_study_table(study, err))))
+        status = OVR_BAD_INPUT;
+    d.sample = sample;
+    if (!status)
+        status = choose_rows(&d, table);
+    if (!status)
+        status = draw(&d);
+    ovr_sample_free(sample);
+    ovr_table_free(table);
+    ovr_arena_release(&arena);
+    ovr_plain_end(before);
+    return status;
+}
