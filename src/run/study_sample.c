@@ -230,6 +230,13 @@ static void take_limits(const sampling *w, const double *known,
     }
 }
 
+/* A seed has no high and low. */
+static bool is_seed(const char *where)
+{
+    size_t size = strlen(where);
+    return size > 5 && !strcmp(where + size - 5, ".seed");
+}
+
 /* Below 50 draws nothing is said of the inputs. */
 static ovr_status take_inputs(sampling *w, size_t from, const double *value,
                               size_t row)
@@ -248,7 +255,7 @@ static ovr_status take_inputs(sampling *w, size_t from, const double *value,
         ovr_sample_input *in = &input[r->inputs];
         ovr_interval i = {NAN, NAN};
         size_t n = 0;
-        if (!v->key->random || !v->numeric)
+        if (!v->key->random || !v->numeric || is_seed(v->key->where))
             continue;
         for (size_t d = 0; d < r->draws; d++)
             if (isfinite(value[d])) {

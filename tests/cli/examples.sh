@@ -3,7 +3,7 @@
 # The studies and cases of tools/examples can be read; `make verify` runs them.
 . "$TOP/tests/support/cli.sh"
 for file in "$TOP"/tools/examples/*.ini; do
-    if grep -q '^\[product\]\|^\[zip' "$file"; then
+    if grep -q '^\[product\]\|^\[zip\|^\[random' "$file"; then
         expect 0 "$OVERROLL" sweep "$file" -o here --list
         [ "$(wc -l <out)" -ge 2 ] || fail "$file: $(cat out)"
     else
