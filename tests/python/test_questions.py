@@ -92,7 +92,8 @@ def test_random_is_the_study_of_the_program(program):
     subprocess.run([program, "sweep", "study.ini", "-q", "--collect", "t.csv"],
                    check=True)
     told = np.genfromtxt("t.csv", delimiter=",", names=True)
-    np.testing.assert_array_equal(table.load_N_per_m, told["load"])
+    load = next(name for name in told.dtype.names if name.startswith("load"))
+    np.testing.assert_array_equal(table.load_N_per_m, told[load])
     for name in ("H_min", "hertz_pressure_Pa", "half_width_m", "P_max"):
         np.testing.assert_array_equal(table[name], told[name], name)
     assert dict(table.sizes) == {"draw": 32} and table.converged.all()
