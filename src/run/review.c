@@ -301,7 +301,7 @@ static void warn_of_near_inlet(const review *r, const ovr_domain_needs *needs)
 static void warn_of_near_outlet(const review *r, const ovr_domain_needs *needs)
 {
     const ovr_options *o = r->setup->options;
-    if (o->outlet < needs->film_end)
+    if (!is_usual(r, "outlet") && o->outlet < needs->film_end)
         say(r, OVR_SAY_WARNING,
             "the outlet X = %.4g is too near: films end as far out as X = "
             "%.4g, and what is cut off carries load; outlet = %.4g would do",

@@ -102,7 +102,8 @@ start = 0.630109
 [cavitation]
 model = conserving
 END
-expect 0 "$OVERROLL" run content.ini -o content.h5 -q
+expect 0 "$OVERROLL" run content.ini -o content.h5
+! grep 'too near' err || fail 'the outlet that was chosen is warned of'
 expect 0 "$OVERROLL" export content.h5 --all --long --field filling
 awk -F, '/^[-0-9]/ && $NF > 1 + 1e-9 { exit 1 }' out ||
     fail 'more oil than the gap holds'
