@@ -2,6 +2,7 @@
 #include "mixed.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "overroll/run.h"
 #include "random_case.h"
@@ -10,17 +11,27 @@
 typedef struct tally {
     int runs, failed, touching, refused;
     long steps, cycles, retries, marked, late;
+    long varying; /* hot films that may be late */
 } tally;
 
-static void take(tally *t, const ovr_run *run)
+/* A hot film whose load, speed or sliding varies: what it makes of heat may
+ * change by much in a step, where they jump and where the sliding reverses. */
+static bool heat_varies(const char *text)
+{
+    return strstr(text, "[heat]") && strstr(text, "history = ");
+}
+
+static void take(tally *t, const ovr_run *run, const char *text)
 {
     const ovr_statistics *s = ovr_simulation_statistics(
         ovr_run_about(run)->sim);
     t->steps += s->steps;
     t->cycles += s->cycles;
     t->retries += s->retries;
-    t->marked += s->marked > s->lagging;
-    t->late += s->lagging > 0; /* heat in a jump, which is said */
+    bool varies = heat_varies(text);
+    t->varying += varies;
+    t->late += varies && s->lagging > 0;
+    t->marked += s->marked > (varies ? s->lagging : 0);
 }
 
 static void try(tally *t, uint64_t seed, int level)
@@ -35,7 +46,7 @@ static void try(tally *t, uint64_t seed, int level)
     t->refused += run == NULL;
     if (run) {
         ovr_run_go(run, &err);
-        take(t, run);
+        take(t, run, d.text);
     }
     t->touching += run && err.status == OVR_IMPOSSIBLE;
     t->failed += run && err.status && err.status != OVR_IMPOSSIBLE;
@@ -56,13 +67,13 @@ void test_mixed_survey(uint64_t seed, int runs, int level)
         try(&t, seed + (uint64_t)k, level + k % 2);
     print_message("    seeds %llu on: %d runs, %d failed, %d refused, %d where "
                   "surfaces touch; %ld with marked steps, %ld whose "
-                  "heat came late; %ld steps, %.2f "
+                  "heat came late, of %ld; %ld steps, %.2f "
                   "cycles each, %ld retries\n",
                   (unsigned long long)seed, t.runs, t.failed, t.refused,
-                  t.touching, t.marked, t.late, t.steps,
+                  t.touching, t.marked, t.late, t.varying, t.steps,
                   (double)t.cycles / (double)t.steps, t.retries);
     assert_int_equal(t.failed, 0);
     assert_int_equal(t.refused, 0);
     assert_true(100 * t.marked <= 3 * runs);
-    assert_true(100 * t.late <= 10 * runs);
+    assert_true(10 * t.late <= t.varying);
 }

@@ -13,8 +13,9 @@
  * load (0.7 to 1.4), speed (0.5 to 2) and sliding along ramps, sines and
  * jumps; steps of a mesh, of 0.02 or adaptive; stresses (1/5).  No run may fail
  * but where surfaces touch, which is said, and 3 % at most may be marked;
- * beside them those hot films whose load jumps, a fifteenth of all, and that
- * say their heat came late. */
+ * beside them a tenth of the hot films whose load, speed or sliding varies, if
+ * they say that their heat came late: where a load jumps, or sliding jumps or
+ * passes through zero, it changes by much in a step. */
 void test_mixed_survey(uint64_t seed, int runs, int level);
 
 #endif
