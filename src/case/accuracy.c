@@ -29,7 +29,7 @@
 /* The order that a solution reaches where nothing goes wrong. */
 static int order_of(const ovr_setup *s)
 {
-    if (s->options->order == 4 && !(s->transient && ovr_setup_varies(s)))
+    if (ovr_setup_corrected(s))
         return 4;
     return ovr_scheme_record(s->options->scheme)->order;
 }

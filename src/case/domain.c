@@ -17,6 +17,15 @@ bool ovr_setup_varies(const ovr_setup *s)
            ovr_history_varies(s->radius) || ovr_history_varies(s->radius_1);
 }
 
+bool ovr_setup_corrected(const ovr_setup *s)
+{
+    if (s->options->order != 4)
+        return false;
+    return !s->transient || !ovr_setup_varies(s) ||
+           (s->options->scheme == OVR_CHARACTERISTIC &&
+            !ovr_history_turns(s->speed));
+}
+
 double ovr_setup_end(const ovr_setup *s)
 {
     double end = s->march->end;

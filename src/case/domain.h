@@ -8,6 +8,11 @@
 /* Load, speed or radius vary: other films at other times. */
 bool ovr_setup_varies(const ovr_setup *setup);
 
+/* Whether it is of fourth order where nothing goes wrong: along the
+ * characteristic corrections follow what varies, but for a speed that reverses
+ * (simulation/fourth.c). */
+bool ovr_setup_corrected(const ovr_setup *setup);
+
 /* The end, as far as it is known before the domain is. */
 double ovr_setup_end(const ovr_setup *setup);
 

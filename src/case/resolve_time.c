@@ -4,9 +4,11 @@
 
 #include "case/domain.h"
 #include "case/resolve_element.h"
+#include "contact/turning.h"
 
-/* Steps of one mesh along the characteristic carry what moves without error;
- * with others, and under histories, the separate terms do better. */
+/* Steps of one mesh along the characteristic carry what moves without error,
+ * and there corrections of fourth order follow histories; with others, with
+ * heat under histories and where the speed reverses the separate terms do. */
 static ovr_scheme choose_scheme(const ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;
@@ -15,7 +17,9 @@ static ovr_scheme choose_scheme(const ovr_resolved *r)
         return (ovr_scheme)r->values.scheme;
     if (r->values.options.cavitation == OVR_CAVITATION_CONSERVING)
         return OVR_UPSTREAM2;
-    return grid && !ovr_setup_varies(s) ? OVR_CHARACTERISTIC : OVR_UPSTREAM2;
+    bool follows = !r->values.heat_model && !ovr_history_turns(s->speed);
+    return grid && (follows || !ovr_setup_varies(s)) ? OVR_CHARACTERISTIC
+                                                     : OVR_UPSTREAM2;
 }
 
 static ovr_status resolve_radius(ovr_resolved *r,

@@ -42,15 +42,14 @@ static double *begin(const ovr_level *level, double *values)
     return values - OVR_HALO * (ptrdiff_t)level->lanes.V;
 }
 
-/* The correction by the solution so far, and with it the right-hand sides,
- * film and residual; the deformation is that of P already. */
-static void correct(ovr_hierarchy *grids, const ovr_correction *c, bool mask)
+static void evaluate(const ovr_hierarchy *grids, const ovr_correction *c,
+                     double Cu, bool mask)
 {
     const ovr_kernels *run = grids->kernels;
-    ovr_level *level = finest_of(grids);
+    const ovr_level *level = finest_of(grids);
     const ovr_fourth how = {
         .D = level->grid.D,
-        .Cu = grids->op.speed,
+        .Cu = Cu,
         .centre = (size_t)ceil(-level->grid.X[0] / level->grid.D),
         .log_eps = grids->band.b[0],
         .flux = grids->band.b[1],
@@ -63,10 +62,24 @@ static void correct(ovr_hierarchy *grids, const ovr_correction *c, bool mask)
         run->fourth_mask(&level->lanes, level->f.P, c->mask);
     run->fourth_order(&level->lanes, &how, &level->f, level->f.w);
     if (level->f.tangent)
-        ovr_fourth_thinning(grids, level, c);
+        ovr_fourth_thinning(grids, level, c, Cu);
+}
+
+void ovr_fourth_evaluate(const ovr_hierarchy *grids, const ovr_correction *c,
+                         double Cu)
+{
+    evaluate(grids, c, Cu, true);
+}
+
+/* The correction by the solution so far, and with it the right-hand sides,
+ * film and residual; the deformation is that of P already. */
+static void correct(ovr_hierarchy *grids, const ovr_correction *c, bool mask)
+{
+    ovr_level *level = finest_of(grids);
+    evaluate(grids, c, grids->op.speed, mask);
     memcpy(level->f.F, c->F, level->lanes.S * level->lanes.V * sizeof(double));
-    run->combine(length(level), 1, begin(level, c->gap_only), 1,
-                 begin(level, c->gap), begin(level, level->f.gap));
+    grids->kernels->combine(length(level), 1, begin(level, c->gap_only), 1,
+                            begin(level, c->gap), begin(level, level->f.gap));
     ovr_level_properties(grids, level);
     ovr_level_residual(grids, level);
 }

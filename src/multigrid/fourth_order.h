@@ -59,7 +59,12 @@ ovr_status ovr_correction_prepare(ovr_hierarchy *grids, ovr_correction *c,
 
 /* F alone, with a flow law, from film and properties as they are. */
 void ovr_fourth_thinning(const ovr_hierarchy *grids, const ovr_level *level,
-                         const ovr_correction *c);
+                         const ovr_correction *c, double Cu);
+
+/* F and gap of the film as it is, with the mask of its pressures: Poiseuille
+ * flow and, for Cu > 0, the wedge. */
+void ovr_fourth_evaluate(const ovr_hierarchy *grids, const ovr_correction *c,
+                         double Cu);
 
 /*
  * From a solution of second order on the finest grid, F = 0, to one of fourth:

@@ -50,7 +50,7 @@ static double flux_of_second(const ovr_fluid *fluid, double D, const double *P,
 }
 
 void ovr_fourth_thinning(const ovr_hierarchy *grids, const ovr_level *level,
-                         const ovr_correction *c)
+                         const ovr_correction *c, double Cu)
 {
     const double *fields[] = {level->f.P, level->f.H, level->f.q, level->f.eps,
                               c->mask};
@@ -73,9 +73,7 @@ void ovr_fourth_thinning(const ovr_hierarchy *grids, const ovr_level *level,
         double wedge = (3 * q[1] - 8 * q[0] + 6 * q[-1] - q[-3]) / 12;
         double diffusion = (27 * (f[0] - f[-1]) - (f[1] - f[-2])) / 24;
         if (x[4][i] > 0)
-            F[i] = (second[i] - second[i - 1] - diffusion +
-                    grids->op.speed * wedge) /
-                   D;
+            F[i] = (second[i] - second[i - 1] - diffusion + Cu * wedge) / D;
     }
     ovr_level_write(grids, level, F, c->F);
 }

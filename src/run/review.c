@@ -443,7 +443,7 @@ static void warn_of_order(const review *r, const ovr_simulation *sim)
 {
     const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
     int most = r->setup->options->max_cycles;
-    if (!ovr_setup_varies(r->setup))
+    if (ovr_setup_corrected(r->setup))
         say(r, OVR_SAY_WARNING,
             "the solution is of second order: the corrections of fourth order "
             "did not converge on this mesh%s; level = %d would do",
@@ -451,7 +451,8 @@ static void warn_of_order(const review *r, const ovr_simulation *sim)
     else if (ovr_block_get(domain, "order")->given)
         say(r, OVR_SAY_WARNING,
             "the solution is of second order: corrections of fourth order hold "
-            "for one load, speed and radius");
+            "for one load, speed and radius, or with scheme = characteristic "
+            "where the speed does not reverse");
 }
 
 /* Of a steady solution the first of these is the only state. */

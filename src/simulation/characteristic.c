@@ -82,29 +82,33 @@ static void lagrange(double at, double weight[POINTS])
     }
 }
 
-/* F_i += c q(X_i - a) */
-static void add_foot(ovr_simulation *sim, int past, double c, double a,
-                     double *F)
+/* How far a foot is: in whole nodes, rounded up where it is between two. */
+typedef struct way {
+    double meshes;
+    size_t shift;
+    bool on_node, back; /* what follows is then of the mirror image */
+} way;
+
+static way way_of(const ovr_simulation *sim, double a)
 {
-    ovr_inflow *inflow = &sim->inflow;
-    double *q = inflow->extended, weight[POINTS];
-    size_t n = sim->now.n;
-    bool back = a < 0; /* what follows is then of the mirror image */
     double meshes = fabs(a) / ovr_mesh(sim), whole = nearbyint(meshes);
     bool on_node = fabs(meshes - whole) < 1e-9;
     if (!on_node)
         whole = ceil(meshes);
-    size_t shift = (size_t)whole;
-    size_t ghosts = shift + (on_node ? 0 : BEFORE);
-    ghost_film(sim, past, ghosts, back);
-    if (back)
-        ovr_mirror(n, sim->past.q[past], q + OVR_GHOSTS);
-    else
-        memcpy(q + OVR_GHOSTS, sim->past.q[past], n * sizeof(double));
-    const double *foot = q + OVR_GHOSTS - shift;
-    if (on_node) {
+    return (way){meshes, (size_t)whole, on_node, a < 0};
+}
+
+/* F_i += c q(X_i - a), q behind the ghosts in `extended` */
+static void add_at_feet(const ovr_simulation *sim, const way *to, double c,
+                        double *F)
+{
+    const double *q = sim->inflow.extended;
+    double weight[POINTS];
+    size_t n = sim->now.n;
+    const double *foot = q + OVR_GHOSTS - to->shift;
+    if (to->on_node) {
         for (size_t i = 0; i < n; i++)
-            F[back ? n - 1 - i : i] += c * foot[i];
+            F[to->back ? n - 1 - i : i] += c * foot[i];
         return;
     }
     for (size_t i = 0; i < n; i++) {
@@ -113,11 +117,38 @@ static void add_foot(ovr_simulation *sim, int past, double c, double a,
         size_t inward = first > last ? (size_t)(first - last) : 0;
         double sum = 0;
         if (i == 0 || inward)
-            lagrange(BEFORE + (double)inward + (whole - meshes), weight);
+            lagrange(BEFORE + (double)inward + ((double)to->shift - to->meshes),
+                     weight);
         for (int k = 0; k < POINTS; k++)
             sum += weight[k] * *(first - inward + k);
-        F[back ? n - 1 - i : i] += c * sum;
+        F[to->back ? n - 1 - i : i] += c * sum;
     }
+}
+
+/* F_i += c q(X_i - a) */
+static void add_foot(ovr_simulation *sim, int past, double c, double a,
+                     double *F)
+{
+    double *q = sim->inflow.extended;
+    size_t n = sim->now.n;
+    const way to = way_of(sim, a);
+    ghost_film(sim, past, to.shift + (to.on_node ? 0 : BEFORE), to.back);
+    if (to.back)
+        ovr_mirror(n, sim->past.q[past], q + OVR_GHOSTS);
+    else
+        memcpy(q + OVR_GHOSTS, sim->past.q[past], n * sizeof(double));
+    add_at_feet(sim, &to, c, F);
+}
+
+size_t ovr_inflow_foot(const ovr_simulation *sim, const double *q, double c,
+                       double a, double *F)
+{
+    double *extended = sim->inflow.extended;
+    const way to = way_of(sim, a);
+    memset(extended, 0, OVR_GHOSTS * sizeof *extended);
+    memcpy(extended + OVR_GHOSTS, q, sim->now.n * sizeof *q);
+    add_at_feet(sim, &to, c, F);
+    return to.shift + BEFORE;
 }
 
 void ovr_inflow_history(ovr_simulation *sim, const double c[2],
@@ -140,4 +171,30 @@ double *ovr_inflow_prediction(ovr_simulation *sim, double T, const double e[3])
     for (int k = 0; k < 3; k++)
         add_foot(sim, k, e[k], ovr_travel_since(sim, k, T), q);
     return q;
+}
+
+bool ovr_inflow_third(ovr_simulation *sim, double T, double dT, double *third)
+{
+    const ovr_past *past = &sim->past;
+    size_t n = sim->now.n;
+    double t[4] = {T}, weight[4];
+    for (int k = 1; k < 4; k++) {
+        bool known = past->T[k - 1] < t[k - 1];
+        t[k] = known ? past->T[k - 1] : t[k - 1] - dT;
+    }
+    for (int k = 0; k < 4; k++) {
+        weight[k] = 1;
+        for (int j = 0; j < 4; j++)
+            if (j != k)
+                weight[k] /= t[k] - t[j];
+    }
+    double now = ovr_history_integral(sim->speed, T);
+    if (!ovr_inflow_reaches(sim, now - ovr_history_integral(sim->speed, t[3])))
+        return false;
+    for (size_t i = 0; i < n; i++)
+        third[i] = weight[0] * sim->now.q[i];
+    for (int k = 1; k < 4; k++)
+        add_foot(sim, k - 1, weight[k],
+                 now - ovr_history_integral(sim->speed, t[k]), third);
+    return true;
 }

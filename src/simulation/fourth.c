@@ -1,17 +1,35 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Fourth order of the steady solution, and what a run keeps of it.
+ * Fourth order of the steady solution, and of a run.
  *
- * A run adds the corrections of its steady start to the right-hand sides of
- * every step: they take the background's error of second order away, that of
- * what moves stays.  So they must not hold what moves: they are those of the
- * smooth surfaces with what stands still, fully grown.  They are right for
- * one load, speed and radius, with a flow law one sliding speed; where these
- * vary, start and run are of second order.
+ * Along the characteristic the corrections of a step are those of the solution
+ * before it: what Poiseuille flow and film lack in space, evaluated anew after
+ * each step (multigrid/fourth_order.h), and what BDF2 lacks in time along the
+ * characteristic,
+ *     F_i = m_i { -dN_Poiseuille + dT (dT + dT_old) q[t, t-1, t-2, t-3] },
+ * the third divided difference of q as a particle sees it: with equal steps
+ * (q - 3 q_1 + 3 q_2 - q_3)/(3 dT), the term by which BDF3 differs.  It is zero
+ * for what is only carried and the steady wedge's error for what stands, at any
+ * step and speed.  m_i is 1 where P > 0 at i - 3..i + 3, and fades over eight
+ * nodes to the film's end, so that nothing jumps as the end crosses nodes.  A
+ * step that fails is tried again without F.
+ *
+ * Where load, speed and radius are constant, the steady start solves the steps'
+ * equations too, of any length: F takes in what the steady film q_s lacks,
+ *     R_i = F_s + Cu (1.5 q_i - 2 q_{i-1} + 0.5 q_{i-2})/D - BDF2(q_s) -
+ * F(q_s), its own correction F_s and wedge less what a step makes of it.
+ *
+ * With upstream2 a run adds the corrections of its steady start to the
+ * right-hand sides of every step: they take the background's error of second
+ * order away, that of what moves stays.  So they must not hold what moves: they
+ * are those of the smooth surfaces with what stands still, fully grown.  They
+ * are right for one load, speed and radius, with a flow law one sliding speed;
+ * where these vary, start and run are of second order.
  */
 #include <math.h>
 #include <string.h>
 
+#include "contact/turning.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
 #include "simulation/steady.h"
@@ -20,6 +38,19 @@ typedef struct fourth {
     ovr_correction correction;
     double *F, *gap; /* what a run keeps of it, by nodes */
     size_t n; /* of the finest grid of the whole domain, without patches */
+    /* along the characteristic: whether they follow the solution; the third
+     * divided difference, and by what a step counts it; a step's second attempt
+     * does without F */
+    int follows;
+    double *third, factor;
+    bool without;
+    double *next; /* the gap's correction of the step to come; the last step's,
+                     which its film was solved with, stays in `gap` */
+    bool ahead;   /* the step to come is being solved */
+    /* constant conditions: q_s; R but for what depends on the step; m, negative
+     * where R is left out; R of a step of rest_dT */
+    int rests;
+    double *start, *constant, *mask, *rest, rest_dT;
 } fourth;
 
 static bool chosen(const ovr_options *o)
@@ -40,6 +71,11 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
     f->n = n;
     f->F = ovr_arena_take(&sim->arena, n, sizeof *f->F, err);
     f->gap = ovr_arena_take(&sim->arena, n, sizeof *f->gap, err);
+    double **const follow[] = {&f->third,    &f->next, &f->start,
+                               &f->constant, &f->mask, &f->rest};
+    for (size_t k = 0; k < sizeof follow / sizeof *follow; k++)
+        if (!(*follow[k] = ovr_arena_take(&sim->arena, n, sizeof(double), err)))
+            return OVR_NO_MEMORY;
     return f->F && f->gap ? OVR_OK : OVR_NO_MEMORY;
 }
 
@@ -52,19 +88,25 @@ static void withdraw(ovr_simulation *sim, const fourth *f)
     sim->order = sim->scheme->order;
     memset(f->F, 0, bytes);
     memset(f->gap, 0, bytes);
+    memset(f->third, 0, bytes);
 }
 
-/* Whether one correction holds for the whole run, and all that deforms is known
- * to it.  Another physics may have taken fourth order back. */
+static bool varies(const ovr_simulation *sim)
+{
+    return ovr_history_varies(sim->load) || ovr_history_varies(sim->speed) ||
+           ovr_history_varies(sim->radius) ||
+           ovr_history_varies(sim->radius_1) ||
+           (sim->lubricant.rheology != OVR_NEWTONIAN &&
+            ovr_history_varies(sim->sliding));
+}
+
+/* Whether corrections hold for the whole run, and all that deforms is known to
+ * them.  Another physics may have taken fourth order back. */
 static bool applies(const ovr_simulation *sim)
 {
-    bool varies = ovr_history_varies(sim->load) ||
-                  ovr_history_varies(sim->speed) ||
-                  ovr_history_varies(sim->radius) ||
-                  ovr_history_varies(sim->radius_1) ||
-                  (sim->lubricant.rheology != OVR_NEWTONIAN &&
-                   ovr_history_varies(sim->sliding));
-    return sim->options.order == 4 && !varies &&
+    return sim->options.order == 4 &&
+           (!varies(sim) || sim->scheme->characteristic) &&
+           !ovr_history_turns(sim->speed) &&
            ovr_influence_corrected(&sim->grids.influence);
 }
 
@@ -199,41 +241,198 @@ static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
 
 /* ----------------------------------------------------------------- in a run */
 
-static void add(const ovr_simulation *sim, size_t n, double *to,
+/* What m leaves of F and of the third difference; m where it is asked for. */
+static void fade(const ovr_simulation *sim, fourth *f, double *mask)
+{
+    enum { WET = 3, SHARP = 4, OVER = 8 };
+    const double *P = sim->now.P;
+    size_t n = f->n, end = n - 1, since = 0;
+    while (end > 1 && !(P[end - 1] > 0))
+        end--;
+    for (size_t i = 0; i < n; i++) {
+        bool inside = i >= OVR_FOURTH_MARGIN && i + OVR_FOURTH_MARGIN < n;
+        double far = ((double)end - (double)i - SHARP) / OVER, m = 0;
+        since = i + WET < n && P[i + WET] > 0 ? since + 1 : 0;
+        if (inside && since > 2 * WET)
+            m = fmin(fmax(far, 0), 1);
+        f->F[i] *= m;
+        f->third[i] *= m;
+        if (mask)
+            mask[i] = inside && since > 2 * WET ? m : -1;
+    }
+}
+
+/* The corrections of the newest solution, at T; the step before it. */
+static void evaluate(ovr_simulation *sim, fourth *f, double T, double dT,
+                     double *mask)
+{
+    const ovr_correction *c = &f->correction;
+    ovr_fourth_evaluate(&sim->grids, c, 0);
+    ovr_nodes_read(sim, sim->finest, c->F, f->F);
+    ovr_nodes_read(sim, sim->finest, c->gap, f->next);
+    if (!ovr_inflow_third(sim, T, dT, f->third))
+        memset(f->third, 0, f->n * sizeof *f->third);
+    fade(sim, f, mask);
+}
+
+/* Before the first step all was steady: what steps of a mesh would have seen.
+ */
+static void begin(ovr_simulation *sim, void *own)
+{
+    fourth *f = own;
+    double D = ovr_mesh(sim), Cu = fabs(ovr_history_value(sim->speed, 0));
+    const double *q = sim->now.q;
+    f->follows = sim->order == 4 && sim->scheme->characteristic;
+    f->ahead = false;
+    f->rests = f->follows && !varies(sim) && !stands_apart(sim);
+    f->rest_dT = 0;
+    if (!f->follows)
+        return;
+    memcpy(f->start, q, f->n * sizeof *q);
+    for (size_t i = 2; i < f->n; i++)
+        f->constant[i] = f->F[i] +
+                         Cu * (1.5 * q[i] - 2 * q[i - 1] + 0.5 * q[i - 2]) / D;
+    evaluate(sim, f, 0, D / fmax(Cu, OVR_LEAST_START), f->mask);
+    for (size_t i = 2; i < f->n; i++)
+        f->constant[i] -= f->F[i];
+}
+
+/* R of a step of dT. */
+static void rest(ovr_simulation *sim, fourth *f, double dT)
+{
+    static const double bdf2[] = {1.5, -2, 0.5, 0},
+                        third[] = {1. / 3, -1, 1, -1. / 3};
+    double a = fabs(ovr_history_value(sim->speed, 0)) * dT;
+    double *more = sim->scratch[1];
+    size_t from = 0, n = f->n;
+    memset(more, 0, n * sizeof *more);
+    memcpy(f->rest, f->constant, n * sizeof *more);
+    for (int k = 0; k < 4; k++) {
+        ovr_inflow_foot(sim, f->start, -bdf2[k] / dT, k * a, f->rest);
+        from = ovr_inflow_foot(sim, f->start, -third[k] / dT, k * a, more);
+    }
+    for (size_t i = 0; i < n; i++) {
+        bool used = i >= from && f->mask[i] >= 0;
+        f->rest[i] = used ? f->rest[i] + f->mask[i] * more[i] : 0;
+    }
+    f->rest_dT = dT;
+}
+
+static void before_step(ovr_simulation *sim, void *own, double T)
+{
+    fourth *f = own;
+    double dT = T - sim->past.T[0], old = sim->past.dT;
+    bool reaches = ovr_inflow_reaches(sim, 3 * dT);
+    f->without = false;
+    f->ahead = f->follows;
+    f->factor = dT * (dT + (old > 0 ? old : dT));
+    if (f->rests && reaches && fabs(dT - f->rest_dT) > 1e-9 * dT)
+        rest(sim, f, dT);
+    else if (f->rests && !reaches)
+        memset(f->rest, 0, f->n * sizeof *f->rest);
+}
+
+static void taken(ovr_simulation *sim, void *own, double dT)
+{
+    fourth *f = own;
+    if (!f->follows)
+        return;
+    memcpy(f->gap, f->next, f->n * sizeof *f->gap);
+    f->ahead = false;
+    evaluate(sim, f, sim->past.T[0] + dT, dT, NULL);
+}
+
+static void add(const ovr_simulation *sim, size_t n, double *to, double factor,
                 const double *what)
 {
     if (sim->order == 4)
-        sim->grids.kernels->combine(n, 1, to, 1, what, to);
+        sim->grids.kernels->combine(n, 1, to, factor, what, to);
+}
+
+static void add_all(const ovr_simulation *sim, const fourth *f, double sign,
+                    double *F)
+{
+    add(sim, f->n, F, sign, f->F);
+    if (f->follows)
+        add(sim, f->n, F, sign * f->factor, f->third);
+    if (f->rests)
+        add(sim, f->n, F, sign, f->rest);
 }
 
 static void add_sides(const ovr_simulation *sim, const void *own, double *F)
 {
-    const fourth *f = own;
-    add(sim, f->n, F, f->F);
+    add_all(sim, own, 1, F);
+}
+
+/* A step that fails may fail by its corrections, made of a film that was
+ * another. */
+static void attempt(ovr_simulation *sim, void *own, bool first)
+{
+    fourth *f = own;
+    double *F = sim->scratch[0];
+    if (first || f->without || !f->follows)
+        return;
+    f->without = true;
+    ovr_nodes_read(sim, sim->finest, sim->finest->f.F, F);
+    add_all(sim, f, -1, F);
+    ovr_nodes_write(sim, sim->finest, F, sim->finest->f.F);
+}
+
+static void before_back(ovr_simulation *sim, void *own)
+{
+    fourth *f = own;
+    (void)sim;
+    f->ahead = false;
 }
 
 static void add_gap(const ovr_simulation *sim, const void *own, double *to)
 {
     const fourth *f = own;
-    add(sim, f->n, to, f->gap);
+    add(sim, f->n, to, 1, f->ahead ? f->next : f->gap);
 }
 
 static ovr_status visit(ovr_simulation *sim, void *own, ovr_visit *show,
                         void *context, ovr_error *err)
 {
-    const fourth *f = own;
+    fourth *f = own;
     size_t bytes = f->n * sizeof(double);
     if (sim->order != 4)
         return OVR_OK;
     ovr_status status = show(context, "F_fourth", f->F, bytes, err);
-    return status ? status : show(context, "gap_fourth", f->gap, bytes, err);
+    if (!status)
+        status = show(context, "gap_fourth", f->gap, bytes, err);
+    if (!status) /* not in files of 0.2.0, whose runs go on as they began */
+        status = show(context, "follows_fourth", &f->follows, sizeof f->follows,
+                      err);
+    if (!status && f->follows)
+        status = show(context, "third_fourth", f->third, bytes, err);
+    if (!status && f->follows)
+        status = show(context, "gap_next", f->next, bytes, err);
+    if (!status)
+        status = show(context, "rests_fourth", &f->rests, sizeof f->rests, err);
+    if (!status && f->rests)
+        status = show(context, "rest_start", f->start, bytes, err);
+    if (!status && f->rests)
+        status = show(context, "rest_constant", f->constant, bytes, err);
+    if (!status && f->rests)
+        status = show(context, "rest_mask", f->mask, bytes, err);
+    if (!status && f->rests) /* of a step as long but for rounding */
+        status = show(context, "rest", f->rest, bytes, err);
+    if (!status && f->rests)
+        status = show(context, "rest_dT", &f->rest_dT, sizeof f->rest_dT, err);
+    return status;
 }
 
 const ovr_physics ovr_physics_fourth = {.name = "fourth order",
                                         .chosen = chosen,
                                         .take = take,
                                         .solve = solve,
+                                        .begin = begin,
+                                        .before_step = before_step,
                                         .sides = add_sides,
+                                        .attempt = attempt,
+                                        .taken = taken,
+                                        .before_back = before_back,
                                         .gap = add_gap,
                                         .visit = visit};
 

@@ -269,6 +269,17 @@ void ovr_inflow_history(ovr_simulation *sim, const double c[2],
  */
 double *ovr_inflow_prediction(ovr_simulation *sim, double T, const double e[3]);
 
+/* F_i += c q(X_i - a) of any q; worth nothing before the node returned, whose
+ * foot is inside. */
+size_t ovr_inflow_foot(const ovr_simulation *sim, const double *q, double c,
+                       double a, double *F);
+
+/* q[t, t-1, t-2, t-3] of the newest solution, at T, and the past before it: the
+ * third divided difference along the characteristics, at the nodes.  What is
+ * before the start is a step of dT before what follows it.  False, and nothing
+ * done, if that is further than the ghosts reach. */
+bool ovr_inflow_third(ovr_simulation *sim, double T, double dT, double *third);
+
 /* How far a particle has come since the k-th time of the past, at T. */
 double ovr_travel_since(const ovr_simulation *sim, int past, double T);
 

@@ -106,7 +106,7 @@ void test_slides_rough(test_slides *all, const test_rough_slide *one)
              "slide_to_roll = %g\n"
              "[lubricant]\nviscosity = 40 mPa.s\nalpha = 17 1/GPa\n"
              "z = 0.68\n"
-             "[domain]\ninlet = -4\noutlet = 1.5\nlevel = %d\n"
+             "[domain]\ninlet = -4\noutlet = 1.5\nlevel = %d\norder = 2\n"
              "[time]\nscheme = %s\nstep = %.17g\nend = %g\n",
              one->slip, one->level, one->scheme,
              one->meshes * 5.5 / (7 << one->level), one->end);

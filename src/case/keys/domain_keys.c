@@ -51,8 +51,10 @@ static const ovr_parameter domain_keys[] = {
     {"nodes", WHOLE(15, 58720257), NULL, AT(nodes), true, ALWAYS,
      "instead of level: 7 2^k + 1"},
     {"order", CHOICE(orders), "auto", AT(options.order), true, ALWAYS,
-     "of the steady solution, and of what a run keeps of it: 4 corrects film, "
-     "Poiseuille flow and wedge on the finest grid; auto: 4 where it applies"},
+     "of the steady solution and of a run: 4 corrects film, Poiseuille flow "
+     "and wedge on the finest grid, anew after each step along the "
+     "characteristic (with upstream2 a run keeps those of its start, while "
+     "load, speed and radius are constant); auto: 4 where it applies"},
     {"faces", CHOICE(faces), "gap", AT(options.faces), true, ALWAYS,
      "mean of rho H^3/eta between two nodes: by the gap, harmonic in H^3, or "
      "of both as it is, as in the paper, which leaks through what is narrower "
