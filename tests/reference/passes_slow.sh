@@ -20,9 +20,11 @@ L = 10
 inlet = -4
 outlet = 1.5
 order = 2
+faces = arithmetic
 level = 7
 [time]
 end = 6.5
+scheme = upstream2
 [cavitation]
 model = conserving
 [passes]

@@ -59,5 +59,6 @@ const char *test_block_name(const char *section)
 {
     if (!strcmp(section, "feature"))
         return " f";
-    return strcmp(section, "body") ? "" : " 1";
+    bool of_body = !strcmp(section, "body") || !strcmp(section, "coating");
+    return of_body ? " 1" : "";
 }
