@@ -406,7 +406,7 @@ ovr_material ovr_passage_material(const ovr_passage *p)
 
 size_t ovr_passage_state(ovr_passage *p, const ovr_memory_piece **pieces)
 {
-    if (!pieces)
+    if (!p || !pieces)
         return 0;
     *pieces = p->piece;
     return p->pieces;
