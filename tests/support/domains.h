@@ -15,7 +15,8 @@
  * 5e-4 (2e-3 in two of a hundred, where the front of another film passes X = 0
  * or curvature rides no farther out), and the largest P_max, to 2e-3.  Cases
  * that cannot be solved on either domain, or whose curvature cannot ride on the
- * wide one, are drawn again.
+ * wide one, are drawn again.  Jumps are not among them: the oil that they
+ * squeeze out behind goes beyond the usual outlet (overroll-theory(7)).
  */
 void test_domains_survey(uint64_t seed, int runs);
 
