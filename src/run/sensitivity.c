@@ -154,7 +154,7 @@ static ovr_status take_keys(working *w)
 /* The value after step s: 2 % up and down, 1 % up and down. */
 static double value_at(const moved *m, int s)
 {
-    double step = (s % 2 ? -1 : 1) * m->step / (s / 2 + 1);
+    double step = (s % 2 ? -1 : 1) * m->step / (s < 2 ? 1 : 2);
     return m->absolute ? m->value + step : m->value * (1 + step);
 }
 

@@ -271,11 +271,11 @@ wrong 'in order' 'draws = 16\ncontact.load = triangular 3 N/m, 1 N/m, 2 N/m\n'
 wrong 'wrong.ini:5: draw [0-9]* of contact.load is -.*use lognormal or within' \
     'draws = 16\ncontact.load = normal 1 kN/m sd 5 kN/m\n'
 wrong 'given twice' "draws = 16\n$load$load"
-wrong 'given twice' "draws = 16\n$load[product]\ncontact.load = 1 N/m\n"
+wrong 'given twice' "draws = 16\n${load}[product]\ncontact.load = 1 N/m\n"
 wrong "unknown key 'lod'|did you mean" \
     'draws = 16\ncontact.lod = normal 1 N/m sd 1 %\n'
 wrong 'shape' 'draws = 16\nfeature.a.shape = normal 1 sd 2\n'
 wrong "has no column 'w'" \
     'draws = 16\n[random file measured.csv]\ncontact.load = column w\n'
 wrong 'must be .random. or' 'draws = 16\n[random numbers]\n'
-wrong 'a limit is >= or <=' "draws = 16\n$load[limits]\nH_min = 3\n"
+wrong 'a limit is >= or <=' "draws = 16\n${load}[limits]\nH_min = 3\n"
