@@ -184,6 +184,10 @@ static worst compare(const seen *a, const seen *b)
     return w;
 }
 
+/* So that what steps leave of R, 7e-4 of a film, is not taken for the domain's.
+ */
+#define CLOSE "[solver]\ntolerance = 1e-7\n"
+
 /* Nodes of the wide domain that are in the other are nodes of it. */
 static bool try(text *t, const char *folder, worst *w)
 {
@@ -194,7 +198,8 @@ static bool try(text *t, const char *folder, worst *w)
     if (!solve(t->all, &near, &d, folder, false, &err))
         return false;
     int level = level_of(d.outlet - d.inlet);
-    snprintf(words, sizeof words, "%s[domain]\nlevel = %d\n", t->all, level);
+    snprintf(words, sizeof words, "%s[domain]\nlevel = %d\n" CLOSE, t->all,
+             level);
     if (!solve(words, &near, &d, folder, true, &err)) {
         print_message("    %s\n", err.message);
         return false;
@@ -202,8 +207,8 @@ static bool try(text *t, const char *folder, worst *w)
     int before = (int)ceil(-d.inlet / d.mesh), all = 7 << (level + 1);
     double inlet = d.inlet - before * d.mesh;
     snprintf(words, sizeof words,
-             "%s[domain]\nlevel = %d\ninlet = %.17g\noutlet = %.17g\n", t->all,
-             level + 1, inlet, inlet + all * d.mesh);
+             "%s[domain]\nlevel = %d\ninlet = %.17g\noutlet = %.17g\n" CLOSE,
+             t->all, level + 1, inlet, inlet + all * d.mesh);
     if (!solve(words, &far, &wide, folder, true, &err)) {
         print_message("    twice as wide: %s\n", err.message);
         return false;

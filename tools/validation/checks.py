@@ -236,7 +236,7 @@ def paper_table(levels=(6, 8, 10)):
         "(scheme = upstream1, order = 2). All of it: tools/paper.")
     for level in levels:
         film = steady(20, 10, "time.scheme=upstream1", "domain.order=2",
-                      level=level)
+                      "domain.faces=arithmetic", level=level)
         H, P = table[level]
         s.rows.append(Comparison(
             f"level {level}: minimum film", H, film["H_min"], (-4e-3, 2e-3),

@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "support/ground.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "support/test.h"
+
+static const double pi = 3.14159265358979323846;
+
+typedef struct surface {
+    double shortest;
+    int seed;
+} surface;
+
+/* Of a spectrum q^(-1 - 2h) between two wavelengths: its slope over Rq. */
+static double slope_of(double longest, double shortest)
+{
+    const double h = 0.8;
+    double a = 2 * pi / longest, b = 2 * pi / shortest;
+    double heights = (pow(a, -2 * h) - pow(b, -2 * h)) / (2 * h);
+    double slopes = (pow(b, 2 - 2 * h) - pow(a, 2 - 2 * h)) / (2 - 2 * h);
+    return sqrt(slopes / heights);
+}
+
+/* The longest wave, by bisection of ln: 300 um at most. */
+static double longest_of(double slope, double shortest)
+{
+    double low = 1.1 * shortest, high = 300;
+    for (int k = 0; k < 60; k++) {
+        double middle = sqrt(low * high);
+        if (slope_of(middle, shortest) > slope)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+static ovr_case *make_case(const test_ground *g, const surface s[2],
+                           double speed, bool hot)
+{
+    char text[2000], law[80] = "";
+    ovr_error err = {0};
+    if (g->stress > 0)
+        snprintf(law, sizeof law, "rheology = eyring\neyring_stress = %g MPa\n",
+                 g->stress);
+    int used = snprintf(
+        text, sizeof text,
+        "[contact]\nhertz_pressure = %g GPa\nradius = 6.84 mm\n"
+        "modulus = 226 GPa\nmean_speed = %.9g m/s\nslide_to_roll = %g\n"
+        "[lubricant]\nviscosity = 11 mPa.s\nalpha = 16 1/GPa\n%s%s"
+        "[domain]\nlevel = %d\n[time]\nend = %g\nscheme = characteristic\n"
+        "step = grid\n",
+        g->ph, speed, g->slide, law,
+        hot ? "[heat]\nmodel = lobatto\ntemperature = 60 degC\n" : "", g->level,
+        5.5 / (1 - fabs(g->slide) / 2));
+    for (int k = 0; k < 2; k++)
+        used += snprintf(text + used, sizeof text - (size_t)used,
+                         "[feature f%d]\nsurface = %d\nshape = roughness\n"
+                         "Rq = %.9g um\nlength = 12\nhurst = 0.8\n"
+                         "rolloff = %.9g um\nshortest = %.9g um\nseed = %d\n"
+                         "start = inlet\n",
+                         k + 1, k + 1, g->Rq[k], g->longest[k], s[k].shortest,
+                         s[k].seed);
+    return ovr_case_read_text(text, "ground.ini", NULL, NULL, &err);
+}
+
+/* Central film of Moes in um at this speed. */
+static double film_at(test_ground *g, const surface s[2], double speed)
+{
+    double h = NAN;
+    ovr_case *c = make_case(g, s, speed, false);
+    ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &g->err) : NULL;
+    if (setup)
+        h = 1e6 * setup->contact->height *
+            ovr_film_central_moes(setup->contact->M, setup->contact->L);
+    ovr_setup_free(setup);
+    ovr_case_free(c);
+    return h;
+}
+
+static void run(test_ground *g, const surface s[2], double speed, bool hot)
+{
+    ovr_case *c = make_case(g, s, speed, hot);
+    ovr_run_options how = ovr_run_options_default();
+    ovr_run *run = c ? ovr_run_create(c, &how, NULL, &g->err) : NULL;
+    g->status = run ? ovr_run_go(run, &g->err) : OVR_BAD_INPUT;
+    if (run) {
+        const ovr_simulation *sim = ovr_run_about(run)->sim;
+        const ovr_statistics *total = ovr_simulation_statistics(sim);
+        g->H_min = total->extreme.H_min_located;
+        g->P_max = total->extreme.P_max;
+        g->steps = (int)total->steps;
+        g->cycles = (int)total->cycles;
+        g->retries = (int)total->retries;
+        g->marked = (int)total->marked;
+        g->T = ovr_simulation_state(sim)->T;
+    }
+    ovr_run_free(run);
+    ovr_case_free(c);
+}
+
+test_ground test_ground_run(uint64_t seed, double lambda, bool eyring, bool hot,
+                            int level)
+{
+    uint64_t state = seed;
+    test_ground g = {.lambda = lambda, .level = level, .status = OVR_BAD_INPUT};
+    surface s[2];
+    double Rq, speed = 1;
+    g.ph = eyring ? test_random(&state, 0.5, 1.5)
+                  : test_random(&state, 0.4, 0.7);
+    g.stress = eyring ? test_random(&state, 3, 8) : 0;
+    g.slide = test_random(&state, -1, 1);
+    for (int k = 0; k < 2; k++) {
+        g.Rq[k] = 0.05 * pow(8, test_random(&state, 0, 1));
+        g.slope[k] = 0.01 * pow(8, test_random(&state, 0, 1));
+        s[k] = (surface){test_random(&state, 2.5, 10), (int)(2 * seed) + k};
+        g.longest[k] = longest_of(g.slope[k] / g.Rq[k], s[k].shortest);
+    }
+    Rq = sqrt(g.Rq[0] * g.Rq[0] + g.Rq[1] * g.Rq[1]);
+    for (int k = 0; k < 20; k++) /* h goes with about u^0.7 */
+        speed *= pow(lambda * Rq / film_at(&g, s, speed), 1 / 0.7);
+    run(&g, s, speed, hot);
+    return g;
+}
