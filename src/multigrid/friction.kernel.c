@@ -57,8 +57,9 @@ static inline slid slid_at(const ovr_sheared *f, bool gap, size_t i)
     if (!gap)
         return (slid){drag_at(f, i), pair_at(f->eps, i)};
     vec film = face_sliding(load(f->H + i), load(f->H + i + 1));
-    return (slid){without_gap(f, f->q, false, i),
-                  film * without_gap(f, f->eps, true, i)};
+    /* a film that was not solved may overlap */
+    return (slid){larger(without_gap(f, f->q, false, i), all(0)),
+                  larger(film * without_gap(f, f->eps, true, i), all(1e-290))};
 }
 
 /* D P_X and D */

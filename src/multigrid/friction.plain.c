@@ -36,8 +36,10 @@ static double slid(const ovr_sheared *f, bool gap, size_t i)
     const double *H = f->H + i, *q = f->q + i, *eps = f->eps + i;
     if (!gap)
         return (q[0] * H[0] + q[1] * H[1]) / fmax(eps[0] + eps[1], 1e-290);
-    double phi = eps[0] / pow(H[0], 3) + eps[1] / pow(H[1], 3);
-    return (q[0] / H[0] + q[1] / H[1]) / (phi * face_sliding(H[0], H[1]));
+    double a = face_film(H[0]), b = face_film(H[1]); /* or they overlap */
+    double phi = eps[0] / (a * a * a) + eps[1] / (b * b * b);
+    return fmax(q[0] / a + q[1] / b, 0) /
+           fmax(phi * face_sliding(a, b), 1e-290);
 }
 
 void ovr_mean_stress_plain(const ovr_sheared *f, const ovr_fluid *fluid,

@@ -52,7 +52,6 @@ says 'slide_to_roll 3 is beyond' 'contact.slide_to_roll=3' 'time.end=20'
 says '[0-9]+ cycles for [0-9]+ steps, where 3 a step are ordinary' \
     'contact.M=600' 'contact.L=3' 'load.history=sine' 'load.amplitude=0.95' \
     'load.period=1' 'time.end=0.15' 'domain.level=6' 'domain.outlet=1.5' \
-    'domain.faces=arithmetic' \
     'feature.dent.depth=0.01'
 
 # Rough: the ratio of film to roughness by hand

@@ -38,7 +38,7 @@ static double longest_of(double slope, double shortest)
 }
 
 static ovr_case *make_case(const test_ground *g, const surface s[2],
-                           double speed, bool hot)
+                           double speed)
 {
     char text[2000], law[80] = "";
     ovr_error err = {0};
@@ -50,11 +50,12 @@ static ovr_case *make_case(const test_ground *g, const surface s[2],
         "[contact]\nhertz_pressure = %g GPa\nradius = 6.84 mm\n"
         "modulus = 226 GPa\nmean_speed = %.9g m/s\nslide_to_roll = %g\n"
         "[lubricant]\nviscosity = 11 mPa.s\nalpha = 16 1/GPa\n%s%s"
-        "[domain]\nlevel = %d\n[time]\nend = %g\nscheme = characteristic\n"
+        "[domain]\noutlet = 2.5\nlevel = %d\n[time]\nend = %g\nscheme = "
+        "characteristic\n"
         "step = grid\n",
         g->ph, speed, g->slide, law,
-        hot ? "[heat]\nmodel = lobatto\ntemperature = 60 degC\n" : "", g->level,
-        5.5 / (1 - fabs(g->slide) / 2));
+        g->hot ? "[heat]\nmodel = lobatto\ntemperature = 60 degC\n" : "",
+        g->level, 5.5 / (1 - fabs(g->slide) / 2));
     for (int k = 0; k < 2; k++)
         used += snprintf(text + used, sizeof text - (size_t)used,
                          "[feature f%d]\nsurface = %d\nshape = roughness\n"
@@ -70,7 +71,7 @@ static ovr_case *make_case(const test_ground *g, const surface s[2],
 static double film_at(test_ground *g, const surface s[2], double speed)
 {
     double h = NAN;
-    ovr_case *c = make_case(g, s, speed, false);
+    ovr_case *c = make_case(g, s, speed);
     ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &g->err) : NULL;
     if (setup)
         h = 1e6 * setup->contact->height *
@@ -80,9 +81,9 @@ static double film_at(test_ground *g, const surface s[2], double speed)
     return h;
 }
 
-static void run(test_ground *g, const surface s[2], double speed, bool hot)
+static void run(test_ground *g, const surface s[2], double speed)
 {
-    ovr_case *c = make_case(g, s, speed, hot);
+    ovr_case *c = make_case(g, s, speed);
     ovr_run_options how = ovr_run_options_default();
     ovr_run *run = c ? ovr_run_create(c, &how, NULL, &g->err) : NULL;
     g->status = run ? ovr_run_go(run, &g->err) : OVR_BAD_INPUT;
@@ -101,11 +102,16 @@ static void run(test_ground *g, const surface s[2], double speed, bool hot)
     ovr_case_free(c);
 }
 
-test_ground test_ground_run(uint64_t seed, double lambda, bool eyring, bool hot,
-                            int level)
+test_ground test_ground_run(uint64_t seed, double from, double to, int level)
 {
     uint64_t state = seed;
-    test_ground g = {.lambda = lambda, .level = level, .status = OVR_BAD_INPUT};
+    bool eyring = seed % 2;
+    test_ground g = {.level = level,
+                     .status = OVR_BAD_INPUT,
+                     .hot = seed % 10 == 9,
+                     .lambda = from *
+                               pow(to / from, test_random(&state, 0, 1))};
+    state = seed;
     surface s[2];
     double Rq, speed = 1;
     g.ph = eyring ? test_random(&state, 0.5, 1.5)
@@ -120,7 +126,7 @@ test_ground test_ground_run(uint64_t seed, double lambda, bool eyring, bool hot,
     }
     Rq = sqrt(g.Rq[0] * g.Rq[0] + g.Rq[1] * g.Rq[1]);
     for (int k = 0; k < 20; k++) /* h goes with about u^0.7 */
-        speed *= pow(lambda * Rq / film_at(&g, s, speed), 1 / 0.7);
-    run(&g, s, speed, hot);
+        speed *= pow(g.lambda * Rq / film_at(&g, s, speed), 1 / 0.7);
+    run(&g, s, speed);
     return g;
 }
