@@ -260,12 +260,14 @@ $(LOCALE):
 	@mkdir -p $(@D)
 	@localedef -i de_DE -f UTF-8 $@ >/dev/null 2>&1 || mkdir -p $@
 
-# What scripts are told.
+# What scripts are told.  Memory that there is not is an error of the library's
+# own, instrumented too.
 TESTENV = OVERROLL='$(abspath $(PROGRAM))' BUILD='$(abspath $(BUILD))' \
   LIB='$(abspath $(LIB))' SHARED='$(abspath $(SHARED))' TOP='$(CURDIR)' \
   CC='$(CC)' TEST_CFLAGS='$(OVR_CFLAGS)' INSTRUMENTED='$(KIND)' \
   TEST_LOCALES='$(abspath $(BUILD)/locale)' \
-  UBSAN_OPTIONS=print_stacktrace=1 MAKEFLAGS= MAKELEVEL=
+  UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=allocator_may_return_null=1 \
+  MAKEFLAGS= MAKELEVEL=
 
 $(BUILD)/tests/%.o: OVR_CFLAGS += -Itests
 
