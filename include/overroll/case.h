@@ -250,11 +250,6 @@ typedef struct ovr_setup {
                         ovr_setup_prepare */
 } ovr_setup;
 
-/* The gear pair, cam or bearing of a case; NULL: it has none. */
-OVR_API const ovr_gear *ovr_setup_gear(const ovr_setup *setup);
-OVR_API const ovr_cam *ovr_setup_cam(const ovr_setup *setup);
-OVR_API const ovr_bearing *ovr_setup_bearing(const ovr_setup *setup);
-
 /* A moment of an element of a machine that check and people look at: A to E of
  * a gear, nose, joints and turns of a cam, each roller that carries of a
  * bearing. */
@@ -291,9 +286,6 @@ OVR_API ovr_status ovr_setup_prepare(ovr_setup *setup,
 
 /* The simulation with surfaces and histories in place, which the setup keeps:
  * setup and case must live as long.  Prepares what is not prepared. */
-/* The physics of its runs, as bits: quantities that need others are none of
- * theirs. */
-OVR_API unsigned ovr_setup_physics(const ovr_setup *setup);
 
 /* Memory that its simulation takes, bytes; INFINITY: more than this process may
  * address. */

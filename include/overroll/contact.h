@@ -253,21 +253,7 @@ typedef struct ovr_flow_form {
 } ovr_flow_form;
 OVR_SIZED(ovr_flow_form)
 
-/* The table of Carreau's law or that of points; a second's tenth of work.
- * NULL: *err says why. */
-OVR_API ovr_flow_law *ovr_flow_law_create(const ovr_flow_form *form,
-                                          const ovr_allocator *allocator,
-                                          ovr_error *err);
-OVR_API void ovr_flow_law_free(ovr_flow_law *law);
-
-/* Gives the lubricant a flow law.  Fails if a stress in Pa is given and b/R or
- * ph is not known, or both or neither of the two. */
-OVR_API ovr_status ovr_lubricant_flow(const ovr_contact *contact,
-                                      const ovr_flow_form *form,
-                                      ovr_lubricant *lubricant, ovr_error *err);
-
-/* Relative viscosity and density at one dimensionless pressure. */
-OVR_API double ovr_viscosity(const ovr_lubricant *lubricant, double P);
+/* Relative density at one dimensionless pressure. */
 OVR_API double ovr_density(const ovr_lubricant *lubricant, double P);
 
 /* ---------------------------------------------- load and speed histories */
@@ -297,39 +283,11 @@ typedef struct ovr_history_form {
 /* Value 1 at all times. */
 OVR_SIZED(ovr_history_form)
 
-OVR_API ovr_history *ovr_history_create(const ovr_history_form *form,
-                                        const ovr_allocator *allocator,
-                                        ovr_error *err);
-OVR_API void ovr_history_free(ovr_history *history);
-
 /* Value at T (a NULL history is 1). */
 OVR_API double ovr_history_value(const ovr_history *history, double T);
 
-/* Its slope at T, of a sine and a table at their ends the one inside; 0 where
- * it jumps. */
-OVR_API double ovr_history_slope(const ovr_history *history, double T);
-
 /* Whether it is ever another than at T = 0. */
 OVR_API bool ovr_history_varies(const ovr_history *history);
-
-/* From when on it does not change any more; INFINITY: it never ends. */
-OVR_API double ovr_history_end(const ovr_history *history);
-
-/* Integral of the value from 0 to T, exact for the analytic kinds: how far
- * the mean surface has moved when the history is the speed ratio Cu. */
-OVR_API double ovr_history_integral(const ovr_history *history, double T);
-
-/* How fast a surface moves, over um0; arguments as below. */
-OVR_API double ovr_surface_speed(const ovr_history *speed,
-                                 const ovr_history *sliding, double ratio,
-                                 int surface, double T);
-
-/* How far a surface has moved from 0 to T, in b: ratio = u_k/um of the nominal
- * speeds times the integral of Cu; with a history of the sliding V = (u1 -
- * u2)/um0 the integral of Cu +- V/2. */
-OVR_API double ovr_surface_way(const ovr_history *speed,
-                               const ovr_history *sliding, double ratio,
-                               int surface, double T);
 
 #ifdef __cplusplus
 }

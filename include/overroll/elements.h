@@ -32,15 +32,6 @@ typedef struct ovr_element_moment {
     double load;        /* N/m */
 } ovr_element_moment;
 
-/* Blok's flash temperature (K) above that of the bodies, for a half-elliptic
- * pressure over the width 2 b, friction mu, and thermal contact coefficients
- * B = sqrt(k rho c) in W s^(1/2)/(m2 K):
- *     T = 1.1115 mu w |u1 - u2|/((B_1 sqrt u1 + B_2 sqrt u2) sqrt(2 b))
- * Blok, Proc. Gen. Disc. Lubrication, IMechE, London 1937, vol. 2, p. 222; the
- * constant for the half ellipse is the largest value of its integral. */
-OVR_API double ovr_flash_temperature(const ovr_element_moment *moment, double b,
-                                     double mu, double B_1, double B_2);
-
 /* ----------------------------------------------------------------- gears */
 
 typedef enum ovr_gear_sharing {
@@ -84,10 +75,6 @@ typedef struct ovr_gear_form {
     const double *way, *share; /* base pitches from A, and the share */
 } ovr_gear_form;
 
-/* Spur gears of 20 degrees by elastic sharing; numbers of teeth, module, face,
- * speed and torque are still missing. */
-OVR_API ovr_gear_form ovr_gear_form_default(void);
-
 /* What follows from a form.  Ways R1_* are distances from the base circle of
  * gear 1 along the line of action, in the transverse plane: A where contact
  * begins with gear 1 driving, E where it ends, B and D where a second pair
@@ -116,21 +103,6 @@ typedef struct ovr_gear_geometry {
 } ovr_gear_geometry;
 
 typedef struct ovr_gear ovr_gear;
-
-OVR_API ovr_gear *ovr_gear_create(const ovr_gear_form *form,
-                                  const ovr_allocator *allocator,
-                                  ovr_error *err);
-OVR_API void ovr_gear_free(ovr_gear *gear);
-OVR_API const ovr_gear_geometry *ovr_gear_of(const ovr_gear *gear);
-OVR_API const ovr_gear_form *ovr_gear_form_of(const ovr_gear *gear);
-
-/* The contact t seconds after it began at A (driving 2: at E), from 0 to the
- * duration.  Helical teeth: at the slice across the face; the speeds are those
- * in the transverse plane, radii and load those across the contact line. */
-OVR_API ovr_element_moment ovr_gear_at(const ovr_gear *gear, double t);
-
-/* The moment at which the contact passes the point R1 of the path. */
-OVR_API double ovr_gear_time(const ovr_gear *gear, double R1);
 
 /* ------------------------------------------------------------------ cams */
 
@@ -168,13 +140,7 @@ typedef struct ovr_cam_form {
                                      exact */
 } ovr_cam_form;
 
-OVR_API ovr_cam_form ovr_cam_form_default(void);
-
 typedef struct ovr_cam ovr_cam;
-
-OVR_API ovr_cam *ovr_cam_create(const ovr_cam_form *form,
-                                const ovr_allocator *allocator, ovr_error *err);
-OVR_API void ovr_cam_free(ovr_cam *cam);
 
 /* What a cam does over its event, or the part of it that was asked for. */
 typedef struct ovr_cam_event {
@@ -187,14 +153,6 @@ typedef struct ovr_cam_event {
     bool jumps;         /* the law's acceleration jumps at its ends */
     double least_force; /* N */
 } ovr_cam_event;
-OVR_API const ovr_cam_event *ovr_cam_of(const ovr_cam *cam);
-OVR_API const ovr_cam_form *ovr_cam_form_of(const ovr_cam *cam);
-
-/* The contact t seconds after `from`. */
-OVR_API ovr_element_moment ovr_cam_at(const ovr_cam *cam, double t);
-
-/* Lift (m) and its first two derivatives by the angle at t. */
-OVR_API void ovr_cam_lift(const ovr_cam *cam, double t, double lift[3]);
 
 /* -------------------------------------------------------------- bearings */
 
@@ -221,8 +179,6 @@ typedef struct ovr_bearing_form {
                          Q = K d^(10/9), N/m^(10/9); NAN: after Palmgren */
 } ovr_bearing_form;
 
-OVR_API ovr_bearing_form ovr_bearing_form_default(void);
-
 enum { OVR_ROLLERS_MAX = 1024 };
 
 typedef struct ovr_bearing_geometry {
@@ -241,30 +197,6 @@ typedef struct ovr_bearing_geometry {
 } ovr_bearing_geometry;
 
 typedef struct ovr_bearing ovr_bearing;
-
-OVR_API ovr_bearing *ovr_bearing_create(const ovr_bearing_form *form,
-                                        const ovr_allocator *allocator,
-                                        ovr_error *err);
-OVR_API void ovr_bearing_free(ovr_bearing *bearing);
-OVR_API const ovr_bearing_geometry *ovr_bearing_of(const ovr_bearing *bearing);
-OVR_API const ovr_bearing_form *ovr_bearing_form_of(const ovr_bearing *bearing);
-
-/* Load (N) of roller k, counted from the first one that stands below the load
- * or next to it. */
-OVR_API double ovr_bearing_load(const ovr_bearing *bearing, int k);
-
-/* The contact of a roller that carries `load` (N). */
-OVR_API ovr_element_moment ovr_bearing_contact(const ovr_bearing *bearing,
-                                               double load);
-
-/* The rollers that one point of the raceway meets in one crossing of the load
- * zone, one of them at the angle `phase` from the load: at most `room` angles
- * and loads (N), in the order in which they come; returns how many there are.
- * Loads below `least` times the largest are left out.  Of a ring that stands
- * still, one: it is met by every roller alike. */
-OVR_API size_t ovr_bearing_passes(const ovr_bearing *bearing, double phase,
-                                  double least, size_t room, double *angle,
-                                  double *load);
 
 #ifdef __cplusplus
 }

@@ -79,24 +79,6 @@ OVR_API const char *ovr_status_name(ovr_status status);
 OVR_API ovr_status ovr_fail(ovr_error *err, ovr_status status,
                             const char *format, ...) OVR_PRINTF(3, 4);
 
-/* The same for trouble in a text file: the message starts "file:line: "
- * (line <= 0: "file: "). */
-OVR_API ovr_status ovr_fail_at(ovr_error *err, ovr_status status,
-                               const char *file, long line, const char *format,
-                               ...) OVR_PRINTF(5, 6);
-
-/* OVR_BAD_INPUT about a key, which the message names too. */
-OVR_API ovr_status ovr_fail_about(ovr_error *err, const char *about,
-                                  const char *format, ...) OVR_PRINTF(3, 4);
-
-/* Adds the word that the message proposes; returns `status`. */
-OVR_API ovr_status ovr_fail_meant(ovr_error *err, ovr_status status,
-                                  const char *meant);
-
-/* The error `why` with its place before it (file NULL: none). */
-OVR_API ovr_status ovr_fail_from(ovr_error *err, const ovr_error *why,
-                                 const char *file, long line);
-
 #ifdef __cplusplus
 }
 #endif

@@ -66,29 +66,6 @@ typedef struct ovr_heat {
 } ovr_heat;
 OVR_SIZED(ovr_heat)
 
-/* Fails with OVR_BAD_INPUT about what is missing. */
-OVR_API ovr_status ovr_heat_make_into(const ovr_heat_form *form,
-                                      const ovr_contact *contact,
-                                      const ovr_lubricant *lubricant,
-                                      ovr_heat *heat, ovr_error *err);
-static inline ovr_status ovr_heat_make(const ovr_heat_form *form,
-                                       const ovr_contact *contact,
-                                       const ovr_lubricant *lubricant,
-                                       ovr_heat *heat, ovr_error *err)
-{
-    if (heat)
-        heat->size = sizeof *heat;
-    return ovr_heat_make_into(form, contact, lubricant, heat, err);
-}
-
-/* ln(eta/eta0) at the rise T from that at T0 and the same pressure. */
-OVR_API double ovr_heat_log_viscosity(const ovr_heat *heat, double log_eta,
-                                      double T);
-
-/* -d ln eta/dT there. */
-OVR_API double ovr_heat_viscosity_fall(const ovr_heat *heat, double log_eta,
-                                       double T);
-
 #ifdef __cplusplus
 }
 #endif

@@ -60,20 +60,11 @@ typedef struct ovr_profile_source {
 
 OVR_SIZED(ovr_profile_source)
 
-/* Reads source->file, or the same content from memory (source->file is then
- * only its name in messages). */
+/* Reads source->file. */
 OVR_API ovr_profile *ovr_profile_read(const ovr_profile_source *source,
                                       const ovr_allocator *allocator,
                                       ovr_error *err);
-OVR_API ovr_profile *ovr_profile_parse(const ovr_profile_source *source,
-                                       const void *data, size_t size,
-                                       const ovr_allocator *allocator,
-                                       ovr_error *err);
 /* From n points in metres (scaled: in b and b^2/R); copied. */
-OVR_API ovr_profile *ovr_profile_create(size_t n, const double *x,
-                                        const double *z, bool scaled,
-                                        const ovr_allocator *allocator,
-                                        ovr_error *err);
 OVR_API void ovr_profile_free(ovr_profile *profile);
 OVR_API const ovr_profile_view *ovr_profile_look(const ovr_profile *profile);
 
@@ -240,11 +231,6 @@ typedef struct ovr_roughness {
 } ovr_roughness;
 
 OVR_SIZED(ovr_roughness)
-
-/* One period of it, in b and b^2/R, the first point again at its end. */
-OVR_API ovr_profile *ovr_profile_random(const ovr_roughness *form,
-                                        const ovr_allocator *allocator,
-                                        ovr_error *err);
 
 #ifdef __cplusplus
 }

@@ -22,9 +22,8 @@ extern "C" {
 
 enum { OVR_MOST_RANK = 4 }; /* dimensions of what is in a file */
 
-/* What a snapshot holds: a bit for each field of the observables, ored; 0 for
- * a name that is none.  Pressure, film thickness and roughness. */
-OVR_API unsigned ovr_field_bit(const char *name);
+/* The fields of a snapshot unless others are asked for, as bits: pressure, film
+ * thickness and roughness. */
 enum { OVR_FIELDS_DEFAULT = 7 };
 
 /* One parameter of the case, stored as an attribute of the group `case`. */
@@ -65,22 +64,7 @@ typedef struct ovr_write_options {
 } ovr_write_options;
 OVR_SIZED(ovr_write_options)
 
-/* Steps between snapshots such that a run to `end` keeps about 250 of them,
- * fewer when they would take more than 64 MB as they lie in memory. */
-OVR_API long ovr_write_every(const ovr_write_options *options, double end,
-                             double dT, size_t nodes);
-
 typedef struct ovr_writer ovr_writer;
-
-/* Creates the file (under a temporary name until its headers are on disk) for
- * a run on the nodes X[0..n-1].  Everything is allocated here.  An existing
- * file without `force`, an unwritable place or a file that another process
- * writes give OVR_BAD_INPUT. */
-OVR_API ovr_writer *ovr_writer_create(const ovr_write_options *options,
-                                      const ovr_contact *contact, size_t n,
-                                      const double *X,
-                                      const ovr_allocator *allocator,
-                                      ovr_error *err);
 
 /* What a writer records.  `field` is asked at snapshots only, for the fields
  * that are stored: values as in ovr_observable, where they lie or in `room`. */
@@ -94,21 +78,6 @@ typedef struct ovr_frame {
     const ovr_statistics *total; /* extremes of the run; or NULL */
 } ovr_frame;
 OVR_SIZED(ovr_frame)
-OVR_API ovr_status ovr_writer_record(ovr_writer *writer, const ovr_frame *frame,
-                                     ovr_error *err);
-
-/* The writer as an observer of a march, and what it does. */
-OVR_API ovr_observer ovr_writer_observer(ovr_writer *writer);
-OVR_API ovr_status ovr_writer_observe(void *writer, const ovr_simulation *sim,
-                                      ovr_error *err);
-/* Whether the state of this step at T will be stored. */
-OVR_API bool ovr_writer_stores(const ovr_writer *writer, long step, double T);
-OVR_API double ovr_writer_next_time(void *writer, double T);
-
-/* Writes out what is buffered and makes it visible to readers. */
-OVR_API ovr_status ovr_writer_flush(ovr_writer *writer, ovr_error *err);
-
-OVR_API size_t ovr_writer_snapshots(const ovr_writer *writer);
 
 /* How a run ended: the file's attribute `status`. */
 typedef enum ovr_run_status {
@@ -117,20 +86,6 @@ typedef enum ovr_run_status {
     OVR_RUN_STOPPED,
     OVR_RUN_FAILED
 } ovr_run_status;
-
-/* Why the run failed, for the file's attribute `reason`; copied. */
-OVR_API void ovr_writer_reason(ovr_writer *writer, const char *reason);
-
-/* What was warned of, lines ended by '\n', for the attribute `warnings`;
- * borrowed until the writer is closed. */
-OVR_API void ovr_writer_warnings(ovr_writer *writer, const char *warnings);
-
-/* Ends the file and frees the writer, also when it returns an error.  A
- * complete run gets its last state as a snapshot, whatever the schedule.  So
- * does a failed one, for inspection: the state of the last time reached, or
- * what a steady start ended with (its row of the history has converged 0). */
-OVR_API ovr_status ovr_writer_close(ovr_writer *writer, ovr_run_status status,
-                                    ovr_error *err);
 
 /* --------------------------------------------------------------- restart */
 
@@ -161,42 +116,6 @@ typedef struct ovr_restart_info {
     size_t value_count; /* parameters of the run; name, text, physics */
     const ovr_case_value *values;
 } ovr_restart_info;
-
-/* The checkpoint beside a result file; one that belongs to another run, is
- * damaged or was written by another version is OVR_BAD_INPUT. */
-OVR_API ovr_restart *ovr_restart_open(const char *result_path,
-                                      const ovr_allocator *allocator,
-                                      ovr_error *err);
-OVR_API void ovr_restart_close(ovr_restart *restart);
-OVR_API const ovr_restart_info *ovr_restart_about(const ovr_restart *restart);
-
-/* OVR_BAD_INPUT naming the first parameter of physics that differs. */
-OVR_API ovr_status ovr_restart_check(const ovr_restart *restart, size_t count,
-                                     const ovr_case_value *values,
-                                     ovr_error *err);
-
-/* Puts the state into a simulation created alike. */
-OVR_API ovr_status ovr_restart_load(const ovr_restart *restart,
-                                    ovr_simulation *sim, ovr_error *err);
-
-/* The simulation whose state the writer's checkpoints hold: from now on
- * every checkpoint_interval, and at the end.  Borrowed. */
-OVR_API void ovr_writer_checkpoints(ovr_writer *writer, ovr_simulation *sim);
-
-/* Goes on with options->path: a cut last write is finished, rows behind the
- * checkpoint are dropped and will be written again.  `restart` NULL, or one
- * without a state: all rows are dropped.  What is stored may be chosen anew,
- * but for precision and nodes, which the file has already. */
-OVR_API ovr_writer *
-ovr_writer_resume(const ovr_write_options *options, const ovr_contact *contact,
-                  size_t n, const double *X, const ovr_restart *restart,
-                  const ovr_allocator *allocator, ovr_error *err);
-
-/* Whether resuming had to finish a cut write. */
-OVR_API bool ovr_writer_repaired(const ovr_writer *writer);
-
-/* Whether its file system has no locks: nothing keeps a second writer out. */
-OVR_API bool ovr_writer_unlocked(const ovr_writer *writer);
 
 /* A group of its own below the root, "fatigue/surface_1": what is not along
  * the nodes of the film.  Dimensionless values; the file has them in its units.
@@ -234,24 +153,9 @@ typedef struct ovr_group {
 } ovr_group;
 OVR_SIZED(ovr_group)
 
-/* Makes the group, in place of one that is there; `keep`: that one stays. */
-OVR_API ovr_status ovr_writer_group(ovr_writer *writer, const ovr_group *group,
-                                    bool keep, ovr_error *err);
-
-/* Row k of the arrays along time: each `count` floats, one array after the
- * other.  Rows behind it are dropped. */
-OVR_API ovr_status ovr_writer_append(ovr_writer *writer, const ovr_group *group,
-                                     size_t k, double T, const float *values,
-                                     size_t count, ovr_error *err);
-
-/* More state for checkpoints, and back from one. */
+/* Visits the state of an object, for checkpoints. */
 typedef ovr_status ovr_visited(void *object, ovr_visit *visit, void *context,
                                ovr_error *err);
-OVR_API void ovr_writer_more(ovr_writer *writer, ovr_visited *more,
-                             void *object);
-OVR_API ovr_status ovr_restart_more(const ovr_restart *restart,
-                                    ovr_visited *more, void *object,
-                                    ovr_error *err);
 
 /* ---------------------------------------------------------------- reader */
 
@@ -301,9 +205,7 @@ typedef struct ovr_variable {
     size_t shape[OVR_MOST_RANK]; /* first those rows that are complete */
 } ovr_variable;
 
-/* All variables: the k-th, or by path; NULL: there is none. */
-OVR_API const ovr_variable *ovr_result_variable(const ovr_result *result,
-                                                size_t k);
+/* A variable by its path; NULL: there is none. */
 OVR_API const ovr_variable *ovr_result_find(const ovr_result *result,
                                             const char *path);
 
@@ -325,11 +227,6 @@ OVR_API size_t ovr_result_columns(const ovr_result *result);
 OVR_API const ovr_variable *ovr_result_column(const ovr_result *result,
                                               size_t k);
 
-/* Attributes of a group that are numbers, in their order: "summary".  Owned by
- * the result; NULL: no such group. */
-OVR_API const ovr_group_attribute *
-ovr_result_attributes(ovr_result *result, const char *path, size_t *count);
-
 /* Units of a read: as stored, dimensionless, or SI (which fails with
  * OVR_BAD_INPUT when the file does not know the scale). */
 typedef enum ovr_units { OVR_AS_STORED, OVR_HERTZIAN, OVR_SI } ovr_units;
@@ -344,11 +241,6 @@ OVR_API ovr_status ovr_result_times(ovr_result *result, ovr_units units,
 OVR_API ovr_status ovr_result_snapshot(ovr_result *result, const char *field,
                                        size_t k, ovr_units units,
                                        double *values, ovr_error *err);
-/* Any variable by its path: all of it when it has one dimension, else row
- * `row`, the product of the other lengths. */
-OVR_API ovr_status ovr_result_read(ovr_result *result, const char *path,
-                                   size_t row, ovr_units units, double *values,
-                                   ovr_error *err);
 OVR_API ovr_status ovr_result_history(ovr_result *result, const char *name,
                                       ovr_units units, double *values,
                                       ovr_error *err);

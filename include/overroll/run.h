@@ -238,8 +238,6 @@ typedef struct ovr_summary_line {
     int digits;        /* of the number, for them */
 } ovr_summary_line;
 typedef void ovr_summary_taker(void *data, const ovr_summary_line *line);
-OVR_API void ovr_run_summary(const ovr_run_info *run, ovr_summary_taker *take,
-                             void *data);
 
 /* The same with lines for people in between, as reports have them. */
 OVR_API void ovr_run_report(const ovr_run_info *run, ovr_summary_taker *take,
@@ -251,13 +249,11 @@ OVR_API ovr_piece ovr_physical(double value, ovr_unit_kind kind,
                                const ovr_contact *contact);
 
 /* What a run says of the gear pair, cam or bearing that its case describes, as
- * lines for people, a name and a text each: from its summary, or from that of
- * its file.  Nothing without an element. */
+ * lines for people, a name and a text each, from its summary.  Nothing without
+ * an element. */
 typedef void ovr_answer(void *data, const char *name, const char *text);
 OVR_API void ovr_run_answers(const ovr_run_info *run, ovr_answer *put,
                              void *data);
-OVR_API void ovr_result_answers(ovr_result *result, ovr_answer *put,
-                                void *data);
 
 /* About the stresses below both surfaces (either may be NULL); by key those of
  * the worse one. */
@@ -328,11 +324,9 @@ OVR_API ovr_study *ovr_study_read(const char *path,
                                   ovr_error *err);
 OVR_API void ovr_study_free(ovr_study *study);
 
-/* The number of cases; the name of one; its case, to be freed. */
+/* The number of cases; the name of one. */
 OVR_API size_t ovr_study_cases(const ovr_study *study);
 OVR_API const char *ovr_study_name(const ovr_study *study, size_t k);
-OVR_API ovr_case *ovr_study_case(const ovr_study *study, size_t k,
-                                 ovr_error *err);
 
 /* The folder of the results; another one, copied. */
 OVR_API const char *ovr_study_output(const ovr_study *study);

@@ -131,72 +131,18 @@ OVR_API ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
                                               ovr_error *err);
 OVR_API void ovr_simulation_free(ovr_simulation *sim);
 
-/* Memory that ovr_simulation_create would take, bytes: counted in the same
- * set-up, which takes none here.  Where options are left automatic those of a
- * moderate contact count.  INFINITY: options that are refused, or more than
- * this process may address. */
-OVR_API double ovr_simulation_memory(const ovr_options *options);
-
 /* The options after resolution (domain, coarsest level, tolerance, ...). */
 OVR_API const ovr_options *ovr_simulation_options(const ovr_simulation *sim);
-
-/* Numerical starvation: the share of the central film that the inlet's place
- * costs, estimated from M and L (within a factor of 1.5 for M = 1 to 1000, L up
- * to 15).  An automatic inlet costs 1e-4 or less by it, 3e-4 as measured. */
-OVR_API double ovr_simulation_starvation(const ovr_simulation *sim);
 
 /* Roughness and histories; borrowed, must outlive the simulation.  Default:
  * smooth, constant. */
 OVR_API void ovr_simulation_surface(ovr_simulation *sim, ovr_heights *heights,
                                     void *data);
-/* With OVR_CAVITATION_CONSERVING: the oil q = rho H that arrives at the inlet
- * at time T >= 0 (before, what arrives at T = 0), as a film on the surfaces; of
- * layers h1, h2 it is (u1 h1 + u2 h2)/um.  What the contact does not take waits
- * before the inlet; `waiting` of it, in b^3/R, is there at the start.  When it
- * is used up only the film arrives.  INFINITY: the contact is flooded whatever
- * comes.  Borrowed; NULL, the default: flooded. */
-typedef double ovr_supply(void *data, double T);
-OVR_API void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply,
-                                   void *data, double waiting);
 
 /* How fast what is on the surfaces moves, u_k/um of the surface whose features
  * are the steepest: the steps then begin from a guess that moves along, and
  * take fewer cycles.  Default: NAN, not known; ovr_surfaces_speed tells it. */
 OVR_API void ovr_simulation_moving(ovr_simulation *sim, double speed);
-
-/* Load and speed in time.  Borrowed; NULL: 1.  A speed below zero wants a
- * domain that is symmetric, and cavitation by Reynolds. */
-OVR_API void ovr_simulation_histories(ovr_simulation *sim,
-                                      const ovr_history *load,
-                                      const ovr_history *speed);
-
-/* V = (u1 - u2)/um0 in time, any sign, instead of Cu times that of the contact;
- * u_k/um0 = Cu +- V/2.  Borrowed; NULL: none. */
-OVR_API void ovr_simulation_sliding(ovr_simulation *sim,
-                                    const ovr_history *sliding);
-
-/* R over the nominal one in time: the gap of the smooth surfaces is then
- * R0/R X^2/2, all else in units of the nominal contact.  `rides`: what varies
- * is the curvature of the material that comes by, as on an involute or a cam,
- * which a cubic term tells from one that is imposed (overroll-theory(7)); of
- * surface 1 alone radius_1 = R_1/R0 (negative: concave) where that is known,
- * else NULL.  Not where the surfaces stand: a step is refused where the cubic
- * would close the gap within the domain.  Borrowed; NULL: 1. */
-OVR_API void ovr_simulation_radius(ovr_simulation *sim,
-                                   const ovr_history *radius,
-                                   const ovr_history *radius_1, bool rides);
-
-/* Heat in solutions of second order, steady and in time: temperatures of film
- * and surfaces, and the viscosity by them.  To be called before anything is
- * solved; OVR_BAD_INPUT where options do not go with it.  An order that was
- * left to the library (0) is 2 from then on, as ovr_simulation_options tells.
- */
-OVR_API ovr_status ovr_simulation_heat(ovr_simulation *sim,
-                                       const ovr_heat *heat, ovr_error *err);
-
-/* Points across the film: those asked for, else 5 or, where the steady solution
- * needs them, 7; 0: no heat. */
-OVR_API int ovr_simulation_heat_points(const ovr_simulation *sim);
 
 /* For a run of fourth order: the heights of what stands still (u_k = 0), fully
  * grown; NULL: the surfaces are smooth but for what moves.  The corrections
@@ -205,11 +151,6 @@ OVR_API int ovr_simulation_heat_points(const ovr_simulation *sim);
 OVR_API void ovr_simulation_standing(ovr_simulation *sim, ovr_heights *standing,
                                      void *data);
 
-/* Order of the last steady solution, and of what a run keeps of it: 4, 2 (also
- * where 4 was wanted but its corrections did not converge, or load, speed or
- * radius vary), or 1. */
-OVR_API int ovr_simulation_order(const ovr_simulation *sim);
-
 /* Solves the steady problem at T = 0 (surface and histories as they are
  * there) by full multigrid; also the start of every run.  A contact at rest
  * has no film and one without load no end of it: a run from rest or from no
@@ -217,10 +158,6 @@ OVR_API int ovr_simulation_order(const ovr_simulation *sim);
  * load, and takes the histories as they are from there on. */
 #define OVR_LEAST_START 0.01
 OVR_API ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err);
-
-/* What the last steady solve had to do beyond the ordinary, in words; "" when
- * its first attempt succeeded. */
-OVR_API const char *ovr_simulation_strategy(const ovr_simulation *sim);
 
 /* One implicit step of length dT > 0.  A step that does not converge is tried
  * again in several ways, then in halves; if all fail, the state is that of the
@@ -365,7 +302,6 @@ enum {
     OVR_PHYSICS_REFINED = 4, /* there are patches of finer mesh */
     OVR_PHYSICS_FEATURES = 8 /* there is something on the surfaces */
 };
-OVR_API unsigned ovr_options_physics(const ovr_options *options);
 
 /* Which extreme of a number is kept over a run. */
 typedef enum ovr_sense {
@@ -415,9 +351,8 @@ typedef struct ovr_observable {
     unsigned pass;     /* columns in the file of several passes */
 } ovr_observable;
 
-/* NULL past the end; a field by name, or NULL. */
+/* NULL past the end. */
 OVR_API const ovr_observable *ovr_observable_at(size_t k);
-OVR_API const ovr_observable *ovr_observable_field(const char *name);
 
 OVR_API double ovr_observable_value(const ovr_observable *which,
                                     const ovr_observation *from);
@@ -466,17 +401,9 @@ OVR_API bool ovr_extreme_at(size_t k, ovr_extreme *to);
 OVR_API double ovr_extreme_value(const ovr_extreme *which,
                                  const ovr_statistics *from);
 
-/* Calls visit(context, name, address, size in bytes) for every piece of
- * memory that makes up the state between two steps: writing them all and
- * reading them back, by name, into a simulation created alike continues bit for
- * bit.  A number (8 bytes at most) that is not written back has its default.
- * Stops at the first status that is not OVR_OK and returns it. */
+/* A piece of memory that is part of a state: its name, address and bytes. */
 typedef ovr_status ovr_visit(void *context, const char *name, void *memory,
                              size_t bytes, ovr_error *err);
-OVR_API ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
-                                        void *context, ovr_error *err);
-/* To be called after a visit that wrote into the simulation. */
-OVR_API void ovr_simulation_restored(ovr_simulation *sim);
 
 /* ---------------------------------------------------------- time loop */
 

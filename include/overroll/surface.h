@@ -174,30 +174,6 @@ OVR_SIZED(ovr_feature_form)
 
 typedef struct ovr_surfaces ovr_surfaces;
 
-/* Two smooth surfaces of a contact; `speed` (may be NULL: constant) is
- * borrowed; mesh is the grid's D, for anti-alias filtering of profiles. */
-OVR_API ovr_surfaces *ovr_surfaces_create(const ovr_contact *contact,
-                                          const ovr_history *speed, double mesh,
-                                          const ovr_allocator *allocator,
-                                          ovr_error *err);
-OVR_API void ovr_surfaces_free(ovr_surfaces *surfaces);
-
-/* V = (u1 - u2)/um0 in time, borrowed: surfaces then move at Cu +- V/2.  Before
- * features are put on. */
-OVR_API void ovr_surfaces_sliding(ovr_surfaces *surfaces,
-                                  const ovr_history *sliding);
-
-/* Where the film begins and ends: a feature without a place starts just
- * outside, on the side that it comes from. */
-OVR_API void ovr_surfaces_domain(ovr_surfaces *surfaces, double inlet,
-                                 double outlet);
-
-/* Puts one more feature on; reads its file when it has one.  On failure the
- * surfaces are as before. */
-OVR_API ovr_status ovr_surfaces_add(ovr_surfaces *surfaces,
-                                    const ovr_feature_form *form,
-                                    ovr_error *err);
-
 /* S at time T at the n increasing positions X; an ovr_heights of
  * simulation.h with the ovr_surfaces as its data.  Allocates nothing. */
 OVR_API void ovr_surfaces_heights(void *surfaces, double T, size_t n,
@@ -242,28 +218,9 @@ static inline ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces,
     return info;
 }
 
-/* Shortest wavelength of all features, b; INFINITY on smooth surfaces. */
-OVR_API double ovr_surfaces_wavelength(const ovr_surfaces *surfaces);
-
 /* u_k/um of the surface with the steepest feature that moves, by its height
  * over its wavelength; NAN: nothing moves.  For ovr_simulation_moving. */
 OVR_API double ovr_surfaces_speed(const ovr_surfaces *surfaces);
-
-/* Composite roughness Rq of both surfaces, b^2/R, before the grid's filter: the
- * root of the sum of the squares, of each feature the root mean square of what
- * is left where the mean is taken out of windows of 2 b; 0 without any that is
- * rough. */
-OVR_API double ovr_surfaces_roughness(const ovr_surfaces *surfaces);
-
-/* Name of the first feature that is in inlet < X < outlet at T = 0 with more
- * than a trace of its height, or NULL; those that grow, or that are endless,
- * do not count. */
-OVR_API const char *ovr_surfaces_inside(const ovr_surfaces *surfaces,
-                                        double inlet, double outlet);
-
-/* X of a feature's centre (wave: of the crest first at `origin`) at T. */
-OVR_API double ovr_surfaces_centre(const ovr_surfaces *surfaces, size_t feature,
-                                   double T);
 
 /* When a feature's first end comes into the film between inlet and outlet,
  * when its centre (of the first of its copies) is at X = 0, and when its last
@@ -275,13 +232,6 @@ typedef struct ovr_feature_times {
 OVR_API ovr_feature_times ovr_surfaces_times(const ovr_surfaces *surfaces,
                                              size_t feature, double inlet,
                                              double outlet, double until);
-
-/* First T >= 0 at which a feature's centre, or that of one of its copies
- * when `copies` is set, comes to X after time `after`; INFINITY: never
- * (searched up to `until`). */
-OVR_API double ovr_surfaces_arrival(const ovr_surfaces *surfaces,
-                                    size_t feature, double X, double after,
-                                    double until);
 
 #ifdef __cplusplus
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "base/text.h"
 
 ovr_status ovr_entries_open(ovr_entries *e, const char *text, const char *file,

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "overroll/text.h"
 
 /* Factors are kept as times/over, one of them 1, so that 17 1/GPa is the

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "base/plain.h"
 
 /* -------------------------------------------------------------- encoding */

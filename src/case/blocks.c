@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "case/case.h"
 #include "overroll/surface.h"
 #include "overroll/text.h"

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "base/given.h"
 #include "base/sized.h"
 #include "base/text.h"

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/entries.h"
+#include "base/error.h"
 #include "base/given.h"
 #include "case/case.h"
 

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "contact/contact.h"
 #include "contact/curvature.h"
 #include "contact/starvation.h"
 #include "contact/turning.h"

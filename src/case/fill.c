@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "case/resolve.h"
 
 /* ----------------------------------------------------- where errors belong */

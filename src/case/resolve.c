@@ -9,7 +9,10 @@
 
 #include "base/given.h"
 #include "case/resolve_element.h"
+#include "contact/contact.h"
+#include "contact/oil.h"
 #include "surface/layer.h"
+#include "surface/surfaces.h"
 
 static const double ALPHA_PAPER = 1.7e-8; /* 1/Pa */
 

@@ -18,6 +18,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "case/resolve.h"
 
 static const struct {

@@ -7,7 +7,10 @@
  * at every corner.
  */
 #include "case/resolve_element.h"
+#include "base/error.h"
 #include "case/two_columns.h"
+#include "contact/contact.h"
+#include "elements/elements.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -10,6 +10,7 @@
 #include <math.h>
 
 #include "case/resolve.h"
+#include "contact/contact.h"
 
 static const double LATEST = 1e5; /* b/um, as of a given end */
 

@@ -2,6 +2,7 @@
 /* [feature NAME], in the order of the case. */
 #include <math.h>
 
+#include "base/error.h"
 #include "case/resolve.h"
 
 static ovr_status fill_feature(ovr_resolved *r, const ovr_block *block,

@@ -2,6 +2,7 @@
 /* The flow law of [lubricant]; its points from a file. */
 #include "case/resolve.h"
 #include "case/two_columns.h"
+#include "contact/contact.h"
 
 /* The stress that scales it: where the film has thinned to 0.7 of what it was
  * (the last one if it never does), that the law's table is fine there. */

@@ -5,6 +5,7 @@
 
 #include "case/resolve.h"
 #include "case/two_columns.h"
+#include "contact/contact.h"
 
 static ovr_status missing(ovr_resolved *r, const ovr_block *block,
                           const char *key, ovr_error *err)

@@ -2,8 +2,12 @@
 /* [lubricant]: the oil, and its tables from their files. */
 #include <math.h>
 
+#include "base/entries.h"
+#include "base/error.h"
+#include "base/text.h"
 #include "case/resolve.h"
 #include "case/two_columns.h"
+#include "contact/oil.h"
 
 /* A file of measured values over the pressure, of the key that names it. */
 static ovr_status read_table(ovr_resolved *r, const char *key, const char *file,

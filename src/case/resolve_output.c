@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "case/resolve.h"
-#include "overroll/results.h"
+#include "results/results.h"
 
 /* What the physics that is on adds to the fields where none are given. */
 static unsigned fields_of_physics(const ovr_resolved *r)

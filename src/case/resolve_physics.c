@@ -5,6 +5,7 @@
 
 #include "case/coats.h"
 #include "case/resolve.h"
+#include "case/setup.h"
 
 static ovr_physics_case about(ovr_resolved *r)
 {

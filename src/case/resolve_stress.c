@@ -2,8 +2,10 @@
 /* [stress] and [fatigue]. */
 #include <math.h>
 
+#include "base/error.h"
 #include "case/resolve.h"
-#include "overroll/results.h"
+#include "elements/elements.h"
+#include "results/results.h"
 
 /* A section is there when its header is, or any of its keys. */
 static bool is_there(const ovr_block *block)

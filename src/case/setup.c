@@ -7,12 +7,15 @@
 #include "case/accuracy.h"
 #include "case/domain.h"
 #include "case/feed.h"
+#include "contact/contact.h"
 #include "contact/scaled_history.h"
 #include "contact/starvation.h"
 #include "contact/turning.h"
 #include "simulation/internal.h"
 #include "simulation/refined.h"
+#include "simulation/simulation.h"
 #include "surface/layer.h"
+#include "surface/surfaces.h"
 
 static double memory_here(void)
 {

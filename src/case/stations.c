@@ -9,7 +9,9 @@
 #include <string.h>
 
 #include "case/resolve_element.h"
+#include "case/setup.h"
 #include "contact/curvature.h"
+#include "elements/elements.h"
 
 typedef struct listing {
     const ovr_resolved *r;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/two_columns.h"
+#include "base/error.h"
 
 #include <errno.h>
 #include <math.h>

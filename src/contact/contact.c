@@ -9,6 +9,7 @@
  * Every error is about a field, a given one where it can be.
  */
 #include "overroll/contact.h"
+#include "base/error.h"
 #include "base/sized.h"
 
 #include <math.h>

@@ -12,6 +12,7 @@
  * A change without duration has no slope: it is imposed.
  */
 #include "contact/curvature.h"
+#include "contact/contact.h"
 
 #include <math.h>
 

@@ -7,7 +7,9 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "base/error.h"
 #include "base/sized.h"
+#include "contact/contact.h"
 
 static const double LEAST = OVR_CURVE_LEAST, STEP = OVR_CURVE_STEP;
 enum { GAUSS = 64, POINTS = OVR_CURVE_POINTS };

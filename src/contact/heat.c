@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers of heat (equations in overroll/heat.h). */
-#include "overroll/heat.h"
+#include "contact/heat.h"
 
 #include <math.h>
 
+#include "base/error.h"
 #include "base/sized.h"
 
 static const double PI = 3.14159265358979323846;

@@ -16,12 +16,13 @@
  * is checked before, for the others it is switched off.
  */
 #include "base/sized.h"
-#include "overroll/contact.h"
+#include "contact/contact.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>
 
 #include "base/arena.h"
+#include "base/error.h"
 #include "base/interpolation.h"
 #include "contact/scaled_history.h"
 #include "contact/turning.h"

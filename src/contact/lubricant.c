@@ -3,8 +3,8 @@
 #include <math.h>
 
 #include "base/sized.h"
+#include "contact/contact.h"
 #include "contact/laws/fluid.h"
-#include "overroll/contact.h"
 
 void ovr_lubricant_fill(ovr_lubricant *lubricant)
 {

@@ -6,11 +6,13 @@
  *     Yasutomi   alpha = ln 10 C1 C2/(C2 + u0)^2 (A1 A2 - b1 b2 u0),
  *                eta0 = eta_g 10^(-C1 u0/(C2 + u0)), u0 = T - Tg0
  */
-#include "overroll/oil.h"
+#include "contact/oil.h"
 
 #include <math.h>
 
+#include "base/error.h"
 #include "base/sized.h"
+#include "contact/contact.h"
 #include "contact/laws/table.h"
 
 static const double P0_PAPER = 1.98e8; /* Pa */

@@ -2,8 +2,9 @@
 /* The flow law of a lubricant. */
 #include <math.h>
 
-#include "overroll/contact.h"
+#include "contact/contact.h"
 
+#include "base/error.h"
 #include "base/sized.h"
 
 void ovr_flow_form_fill(ovr_flow_form *form)

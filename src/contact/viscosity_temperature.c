@@ -14,7 +14,7 @@
  */
 #include <math.h>
 
-#include "overroll/oil.h"
+#include "contact/oil.h"
 
 static const double CELSIUS = 273.15, MM2 = 1e-6, MOST = 2000; /* mm2/s */
 

@@ -14,11 +14,12 @@
  * |omega_k - cage|) further on: that position of all rollers decides what the
  * roller carries then.
  */
-#include "overroll/elements.h"
+#include "elements/elements.h"
 
 #include <math.h>
 
 #include "base/arena.h"
+#include "base/error.h"
 #include "elements/needed.h"
 
 static const double pi = 3.14159265358979323846;

@@ -13,11 +13,12 @@
  * is that of its pitch point less the roller's part).  A flat follower's mean
  * speed omega (rb + s + 2 s'')/2 may pass zero, a roller's never does.
  */
-#include "overroll/elements.h"
+#include "elements/elements.h"
 
 #include <math.h>
 
 #include "base/arena.h"
+#include "base/error.h"
 #include "elements/lift.h"
 #include "elements/needed.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Blok's flash temperature; the formula and its source stand in the header. */
-#include "overroll/elements.h"
+#include "elements/elements.h"
 
 #include <math.h>
 

@@ -15,12 +15,13 @@
  * bb to the axes: what moves across such a line is the transverse speed, and
  * radii across it are the transverse ones over cos bb.
  */
-#include "overroll/elements.h"
+#include "elements/elements.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "base/arena.h"
+#include "base/error.h"
 #include "elements/gear_sharing.h"
 #include "elements/needed.h"
 

@@ -10,6 +10,7 @@
  * largest row sum of the inverse, 2, times the difference quotient's 6).
  */
 #include "elements/lift.h"
+#include "base/error.h"
 
 #include <math.h>
 

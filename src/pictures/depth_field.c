@@ -15,6 +15,7 @@
 #include "case/coats.h"
 #include "pictures/axis.h"
 #include "stress/layered.h"
+#include "stress/stress.h"
 
 static const double least_meshes = 8, deepest = 2.5, shown = 1.5;
 

@@ -11,6 +11,9 @@
 #include "case/case.h"
 #include "overroll/case.h"
 #include "pictures/picture.h"
+#include "results/results.h"
+#include "stress/stress.h"
+#include "surface/surfaces.h"
 
 enum { CELLS_X = 420, CELLS_Z = 160 };
 

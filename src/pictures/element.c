@@ -7,6 +7,8 @@
 #include <string.h>
 
 #include "case/case.h"
+#include "case/setup.h"
+#include "elements/elements.h"
 
 enum { LOOKS = 800, MOST_SERIES = 12, NAME = 160 };
 

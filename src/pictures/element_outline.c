@@ -17,6 +17,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "elements/elements.h"
 #include "pictures/element.h"
 
 static const double pi = 3.14159265358979323846;

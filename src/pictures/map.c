@@ -12,6 +12,7 @@
 #include "overroll/text.h"
 #include "pictures/axis.h"
 #include "pictures/picture.h"
+#include "simulation/simulation.h"
 
 enum { CELLS_X = 700, CELLS_T = 450 };
 

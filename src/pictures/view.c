@@ -20,6 +20,7 @@
 #include "pictures/picture.h"
 #include "pictures/view_element.h"
 #include "pictures/view_stress.h"
+#include "run/run.h"
 
 /* What a page is to hold at most: beyond it nodes and snapshots are left out,
  * evenly. */

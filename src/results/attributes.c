@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Attributes of the groups of a result file. */
 #include "results/reader.h"
+#include "results/results.h"
 
 /* Copies what is found, as the file's own memory goes with each look. */
 static ovr_group_attribute *copy(ovr_result *r, const ovr_named_number *from,

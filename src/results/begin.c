@@ -11,6 +11,7 @@
 #include "base/given.h"
 #include "base/sized.h"
 #include "results/h5.h"
+#include "results/results.h"
 
 void ovr_write_options_fill(ovr_write_options *options)
 {

@@ -11,6 +11,7 @@
 #include "base/given.h"
 #include "base/sized.h"
 #include "results/h5.h"
+#include "results/results.h"
 #include "results/writer.h"
 
 static ovr_status failed(ovr_writer *w, ovr_error *err)

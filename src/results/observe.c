@@ -2,7 +2,9 @@
 /* The writer as the observer of a run, and a simulation's state in
  * checkpoints. */
 #include "base/given.h"
+#include "results/results.h"
 #include "results/writer.h"
+#include "simulation/simulation.h"
 
 static const double *field_of(const void *sim, const ovr_observable *which,
                               double *room)

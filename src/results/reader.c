@@ -14,6 +14,7 @@
  */
 #include "results/reader.h"
 #include "base/given.h"
+#include "results/results.h"
 
 #include <math.h>
 #include <string.h>

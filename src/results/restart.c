@@ -12,6 +12,7 @@
 #include "base/given.h"
 #include "overroll/version.h"
 #include "results/checkpoint.h"
+#include "results/results.h"
 
 struct ovr_restart {
     ovr_arena arena;

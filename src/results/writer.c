@@ -18,6 +18,7 @@
 
 #include "base/given.h"
 #include "results/h5.h"
+#include "results/results.h"
 
 double ovr_now(void)
 {

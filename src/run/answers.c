@@ -9,7 +9,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "results/results.h"
 #include "run/internal.h"
+#include "run/run.h"
 
 enum { LINE = 320 };
 

@@ -2,6 +2,7 @@
 /* What a run says of layers on its bodies, and what its file keeps of them: the
  * images that stood for them, and how well. */
 #include "case/coats.h"
+#include "results/results.h"
 #include "run/internal.h"
 
 static const ovr_coated *coated_of(const ovr_setup *setup)

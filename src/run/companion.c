@@ -2,6 +2,7 @@
 #include "run/companion.h"
 
 #include "case/resolve.h"
+#include "results/results.h"
 #include "run/internal.h"
 
 /* NOLINTBEGIN(bugprone-macro-parentheses): names */

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "base/quantity.h"
 #include "overroll/simulation.h"
 

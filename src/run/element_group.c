@@ -3,6 +3,9 @@
  * goes through, as its element says it and not as the run's splines have it. */
 #include <math.h>
 
+#include "case/setup.h"
+#include "elements/elements.h"
+#include "results/results.h"
 #include "run/internal.h"
 
 enum { LOOKS = 401, ARRAYS = 7 };

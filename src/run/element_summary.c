@@ -15,6 +15,7 @@
 #include <math.h>
 
 #include "case/resolve.h"
+#include "elements/elements.h"
 #include "run/internal.h"
 #include "run/lines.h"
 

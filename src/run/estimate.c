@@ -34,6 +34,7 @@
 #include "run/passes.h"
 #include "simulation/internal.h"
 #include "simulation/scheme.h"
+#include "simulation/simulation.h"
 
 /* Relative differences that are of the solver's tolerances, not of the mesh;
  * such that need not fall. */

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "base/given.h"
 #include "base/quantity.h"
 #include "base/sized.h"

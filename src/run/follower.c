@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "run/stress.h"
+#include "stress/stress.h"
 
 enum { RING = 32 };
 

@@ -11,11 +11,14 @@
 #include <unistd.h>
 
 #include "base/processors.h"
+#include "case/setup.h"
 #include "results/checkpoint.h"
 #include "results/layout.h"
+#include "results/results.h"
 #include "results/writer.h"
 #include "run/cost.h"
 #include "run/internal.h"
+#include "surface/surfaces.h"
 
 enum { NAME_ROOM = 128, TIMES_MOST = 100000 };
 

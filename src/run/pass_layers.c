@@ -28,6 +28,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "contact/contact.h"
+#include "results/results.h"
 #include "run/passes.h"
 
 /* ------------------------------------------------------------------ layers */

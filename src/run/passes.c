@@ -6,7 +6,9 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/error.h"
 #include "case/feed.h"
+#include "results/results.h"
 
 /* ------------------------------------------------------------------- names */
 

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "case/case.h"
+#include "case/setup.h"
 #include "results/flat_table.h"
 #include "results/hdf5read/hdf5read.h"
 #include "results/header.h"

@@ -15,6 +15,7 @@
 #include "case/case.h"
 #include "case/resolve.h"
 #include "results/checkpoint.h"
+#include "results/results.h"
 #include "run/internal.h"
 #include "run/passes.h"
 

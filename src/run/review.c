@@ -14,6 +14,8 @@
 #include "run/review_element.h"
 #include "run/review_plausible.h"
 #include "simulation/internal.h"
+#include "simulation/simulation.h"
+#include "surface/surfaces.h"
 
 typedef struct review {
     const ovr_case *c;

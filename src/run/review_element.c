@@ -5,6 +5,9 @@
 #include <stdio.h>
 
 #include "case/resolve.h"
+#include "case/setup.h"
+#include "elements/elements.h"
+#include "surface/surfaces.h"
 
 /* The load of spur gears comes on about B and leaves about D within the blend,
  * where shares are those of no rule. */

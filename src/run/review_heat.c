@@ -8,6 +8,7 @@
 
 #include "case/resolve.h"
 #include "run/internal.h"
+#include "simulation/simulation.h"
 #include "simulation/solids.h"
 
 /* u_k/um0 at T. */

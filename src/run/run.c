@@ -7,6 +7,7 @@
 #include "base/given.h"
 #include "base/sized.h"
 #include "case/resolve.h"
+#include "results/results.h"
 #include "run/internal.h"
 #include "run/passes.h"
 #include "simulation/internal.h"

@@ -8,9 +8,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "run/stress.h"
 #include "stress/cubic.h"
 #include "stress/layered.h"
+#include "stress/stress.h"
 
 /* Passages move their nodes by less than this, for every level at once. */
 enum { WHOLE = 32 };

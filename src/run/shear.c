@@ -10,6 +10,7 @@
 #include <math.h>
 
 #include "run/internal.h"
+#include "simulation/simulation.h"
 
 static const double CARRIED = 0.1, CARRIES = 0.2;
 

@@ -4,9 +4,11 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "base/given.h"
 #include "case/resolve.h"
 #include "run/stress.h"
+#include "stress/stress.h"
 
 struct ovr_stored_stress {
     ovr_arena arena;

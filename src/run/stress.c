@@ -2,9 +2,12 @@
 /* The stresses of a run: an observer of its steps, with a follower for each
  * surface, and fields at some of the snapshots. */
 #include "run/stress.h"
+#include "base/error.h"
+#include "results/results.h"
 #include "run/companion.h"
 #include "simulation/physics.h"
 #include "stress/layered.h"
+#include "stress/stress.h"
 
 #include <math.h>
 #include <stdio.h>

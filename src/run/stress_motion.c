@@ -9,8 +9,10 @@
  */
 #include <math.h>
 
+#include "contact/contact.h"
 #include "contact/turning.h"
 #include "run/stress.h"
+#include "surface/surfaces.h"
 
 /* A motion is looked at in so many moments. */
 enum { LOOKS = 2000 };

@@ -3,11 +3,15 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "base/given.h"
 #include "case/coats.h"
 #include "case/resolve.h"
+#include "contact/contact.h"
 #include "run/stress.h"
 #include "stress/layered.h"
+#include "stress/stress.h"
+#include "surface/surfaces.h"
 
 /* Depths above 4 times the way between two moments are missed in part. */
 static const double WAY_OF_DEPTH = 4, MESHES_OF_DEPTH = 4, MESHES_OF_LIFE = 8;

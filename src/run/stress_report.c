@@ -5,8 +5,11 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/error.h"
+#include "results/results.h"
 #include "run/stress.h"
 #include "stress/passage.h"
+#include "stress/stress.h"
 
 /* ------------------------------------------------------------------ telling */
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "run/stress_words.h"
+#include "stress/stress.h"
 
 #include <math.h>
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/entries.h"
+#include "base/error.h"
 #include "base/given.h"
 #include "base/text.h"
 #include "case/parameters.h"

@@ -4,8 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "base/given.h"
 #include "overroll/questions.h"
+#include "run/run.h"
 #include "run/study.h"
 
 enum { NAME_MOST = 120 };

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/entries.h"
+#include "base/error.h"
 #include "base/quantity.h"
 #include "overroll/text.h"
 #include "run/study.h"

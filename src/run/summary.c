@@ -6,10 +6,15 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "case/setup.h"
+#include "results/results.h"
 #include "run/internal.h"
 #include "run/lines.h"
 #include "run/report_words.h"
+#include "run/run.h"
 #include "run/stress_words.h"
+#include "simulation/simulation.h"
+#include "stress/stress.h"
 
 /* --------------------------------------------------------------- its parts */
 

@@ -9,7 +9,8 @@
 #include <unistd.h>
 
 #include "base/text.h"
-#include "overroll/results.h"
+#include "results/results.h"
+#include "run/run.h"
 
 enum { PATH_ROOM = 4400 };
 

@@ -13,6 +13,7 @@
 #include "base/lock.h"
 #include "overroll/questions.h"
 #include "run/internal.h"
+#include "run/run.h"
 
 enum { PATH_ROOM = 4400 };
 

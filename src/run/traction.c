@@ -17,6 +17,7 @@
 #include <string.h>
 
 #include "run/stress.h"
+#include "simulation/simulation.h"
 
 static const char *name_of(const ovr_stress_plan *plan)
 {

@@ -10,6 +10,7 @@
 
 #include "base/given.h"
 #include "run/pool.h"
+#include "run/run.h"
 
 struct ovr_trials {
     ovr_arena arena;

@@ -10,6 +10,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "contact/contact.h"
 #include "multigrid/field.h"
 #include "simulation/mirror.h"
 

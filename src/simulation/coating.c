@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "base/rows.h"
 #include "multigrid/images.h"
 #include "simulation/physics.h"

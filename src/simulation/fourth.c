@@ -32,6 +32,7 @@
 #include "contact/turning.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
+#include "simulation/simulation.h"
 #include "simulation/steady.h"
 
 typedef struct fourth {

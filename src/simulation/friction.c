@@ -14,6 +14,7 @@
 #include <math.h>
 
 #include "simulation/physics.h"
+#include "simulation/simulation.h"
 
 double ovr_sliding(const ovr_simulation *sim, double T)
 {

@@ -17,6 +17,7 @@
 #include "base/given.h"
 #include "multigrid/field.h"
 #include "multigrid/flow.h"
+#include "simulation/simulation.h"
 
 enum { FEWEST_ACROSS = 5 };
 

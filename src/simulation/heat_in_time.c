@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/larger.h"
+#include "contact/contact.h"
 #include "simulation/mirror.h"
 
 /* Of the change of temperatures that viscosities take a step. */

@@ -9,8 +9,8 @@
 #include "multigrid/full.h"
 #include "multigrid/spike.h"
 #include "multigrid/starved.h"
-#include "overroll/simulation.h"
 #include "simulation/scheme.h"
+#include "simulation/simulation.h"
 #include "simulation/solution.h"
 
 /* Integral of P at nominal load: pi/2 in Hertz's scaling. */

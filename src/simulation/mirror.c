@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "base/error.h"
 #include "contact/turning.h"
 #include "simulation/parts.h"
 #include "simulation/physics.h"

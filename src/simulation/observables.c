@@ -3,11 +3,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "contact/contact.h"
 #include "simulation/heat.h"
 #include "simulation/internal.h"
 #include "simulation/observables.h"
 #include "simulation/physics.h"
 #include "simulation/quantity_row.h"
+#include "simulation/simulation.h"
 
 /* ----------------------------------------------------------------- fields */
 

@@ -2,12 +2,14 @@
 /* Options: defaults, and what the program chooses itself. */
 #include <math.h>
 
+#include "base/error.h"
 #include "base/sized.h"
 #include "contact/starvation.h"
 #include "simulation/internal.h"
 #include "simulation/limits.h"
 #include "simulation/parts.h"
 #include "simulation/refined.h"
+#include "simulation/simulation.h"
 
 void ovr_options_fill(ovr_options *options)
 {

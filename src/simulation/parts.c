@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "simulation/parts.h"
+#include "base/error.h"
 
 #include <stddef.h>
 

@@ -9,6 +9,7 @@
 
 #include "base/given.h"
 #include "simulation/physics.h"
+#include "simulation/simulation.h"
 
 /* The numbers, wherever a simulation has them. */
 #define PART(name, member)                                                     \

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Creation, release and access; the work is in steady.c and step.c. */
-#include "overroll/simulation.h"
+#include "simulation/simulation.h"
 
 #include <math.h>
 #include <string.h>

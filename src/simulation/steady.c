@@ -11,6 +11,7 @@
 #include "multigrid/starved.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
+#include "simulation/simulation.h"
 #include "simulation/steady.h"
 #include "simulation/step_cycles.h"
 

@@ -12,10 +12,12 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "contact/contact.h"
 #include "contact/curvature.h"
 #include "multigrid/content.h"
 #include "simulation/physics.h"
 #include "simulation/quantity_row.h"
+#include "simulation/simulation.h"
 
 bool ovr_conserves(const ovr_simulation *sim)
 {

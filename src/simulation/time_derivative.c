@@ -15,6 +15,7 @@
  */
 #include <math.h>
 
+#include "contact/contact.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
 

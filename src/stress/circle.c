@@ -19,7 +19,7 @@
 
 #include <math.h>
 
-#include "overroll/stress.h"
+#include "stress/stress.h"
 
 enum { M = 2 * OVR_HALF_DIRECTIONS };
 static const double pi = 3.14159265358979323846;

@@ -17,6 +17,7 @@
  * with D^4 (hats with D^2, and they lose sinc^2(k D/2) of every wave).
  */
 #include "stress/element.h"
+#include "stress/stress.h"
 
 #include <math.h>
 #include <stdlib.h>

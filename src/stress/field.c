@@ -31,6 +31,7 @@
 #include "base/sized.h"
 #include "stress/element.h"
 #include "stress/layered.h"
+#include "stress/stress.h"
 
 static const double two_pi = 6.28318530717958647693;
 

@@ -13,6 +13,7 @@
 #include <math.h>
 
 #include "stress/element.h"
+#include "stress/stress.h"
 
 ovr_in_plane ovr_hertz_stress(double p, double q, double x, double z)
 {

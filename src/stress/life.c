@@ -24,7 +24,7 @@
 
 #include "base/given.h"
 #include "base/sized.h"
-#include "overroll/stress.h"
+#include "stress/stress.h"
 
 enum { PARTS = 5, MOST_DEPTHS = 1024 };
 

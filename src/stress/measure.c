@@ -13,6 +13,7 @@
 #include "base/given.h"
 #include "stress/cubic.h"
 #include "stress/passage.h"
+#include "stress/stress.h"
 
 /* The rows of one path in order; `pitch` apart. */
 typedef struct path {

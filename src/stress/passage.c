@@ -18,6 +18,7 @@
  */
 #include "stress/passage.h"
 #include "base/sized.h"
+#include "stress/stress.h"
 
 #include <math.h>
 #include <string.h>

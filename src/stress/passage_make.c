@@ -5,6 +5,7 @@
 
 #include "base/sized.h"
 #include "stress/passage.h"
+#include "stress/stress.h"
 
 static double least_depth(const ovr_stress_options *o,
                           const ovr_material_range *range)

@@ -2,7 +2,7 @@
 /* Stresses made of h, d and tau: plane strain, residual stresses added. */
 #include <math.h>
 
-#include "overroll/stress.h"
+#include "stress/stress.h"
 
 const char *ovr_stress_field_name(ovr_stress_field field)
 {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/columns.h"
+#include "base/error.h"
 
 #include <stdio.h>
 #include <string.h>

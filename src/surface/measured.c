@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "base/sized.h"
 #include "surface/local_roughness.h"
 #include "surface/profile.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/order.h"
+#include "base/error.h"
 
 #include <math.h>
 

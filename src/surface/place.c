@@ -2,6 +2,7 @@
 /* Where a feature is at T = 0. */
 #include <math.h>
 
+#include "base/error.h"
 #include "base/text.h"
 #include "surface/feature.h"
 

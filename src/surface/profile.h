@@ -67,4 +67,18 @@ ovr_status ovr_profile_choose_line(ovr_profile *profile,
 void ovr_profile_regular(ovr_profile *profile, size_t n, double first,
                          double spacing);
 
+/* As ovr_profile_read, from memory; source->file is then only its name in
+ * messages. */
+ovr_profile *ovr_profile_parse(const ovr_profile_source *source,
+                               const void *data, size_t size,
+                               const ovr_allocator *allocator, ovr_error *err);
+
+ovr_profile *ovr_profile_create(size_t n, const double *x, const double *z,
+                                bool scaled, const ovr_allocator *allocator,
+                                ovr_error *err);
+
+/* One period of it, in b and b^2/R, the first point again at its end. */
+ovr_profile *ovr_profile_random(const ovr_roughness *form,
+                                const ovr_allocator *allocator, ovr_error *err);
+
 #endif

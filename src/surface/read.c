@@ -10,6 +10,7 @@
 #include <string.h>
 #include <zlib.h>
 
+#include "base/error.h"
 #include "base/given.h"
 #include "base/sized.h"
 #include "base/text.h"

@@ -13,6 +13,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "base/quantity.h"
 #include "surface/profile.h"
 

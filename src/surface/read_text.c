@@ -10,6 +10,7 @@
  *   3. Rows become points; rows run backwards, x repeated by rounding and
  *      missing heights are put right or marked, and said.
  */
+#include "base/error.h"
 #include "surface/columns.h"
 #include "surface/order.h"
 

@@ -10,6 +10,7 @@
 #include <string.h>
 #include <zip.h>
 
+#include "base/error.h"
 #include "base/text.h"
 #include "surface/binary.h"
 #include "surface/x3p.h"

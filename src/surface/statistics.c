@@ -3,6 +3,7 @@
 #include <gsl/gsl_fft_real.h>
 #include <math.h>
 
+#include "base/error.h"
 #include "base/given.h"
 #include "base/sized.h"
 #include "surface/condition.h"

@@ -16,9 +16,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "base/given.h"
+#include "contact/contact.h"
 #include "contact/turning.h"
 #include "surface/measured.h"
+#include "surface/surfaces.h"
 
 typedef struct entry {
     ovr_feature feature;

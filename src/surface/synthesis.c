@@ -25,6 +25,7 @@
 #include <gsl/gsl_sort.h>
 #include <math.h>
 
+#include "base/error.h"
 #include "base/sized.h"
 #include "surface/profile.h"
 

@@ -9,6 +9,7 @@
 #include <stdio.h>
 
 #include "bench.h"
+#include "contact/contact.h"
 #include "multigrid/flow.h"
 #include "simulation/internal.h"
 #include "support/test.h"

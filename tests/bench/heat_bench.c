@@ -9,6 +9,7 @@
 
 #include "bench.h"
 #include "simulation/internal.h"
+#include "simulation/simulation.h"
 #include "support/hot.h"
 #include "support/test.h"
 

@@ -10,6 +10,7 @@
 
 #include "bench.h"
 #include "simulation/internal.h"
+#include "simulation/simulation.h"
 #include "support/test.h"
 
 enum { KINDS = 3, STEPS = 200, ROUNDS = 3, LEVEL = 8 };

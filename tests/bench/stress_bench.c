@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "bench/bench.h"
-#include "overroll/stress.h"
+#include "stress/stress.h"
 
 typedef struct stage {
     size_t room;

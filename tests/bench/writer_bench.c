@@ -18,6 +18,7 @@
 #include <unistd.h>
 
 #include "overroll/overroll.h"
+#include "results/results.h"
 #include "support/contact.h"
 
 enum { LEVEL = 8, TURNS = 5 };

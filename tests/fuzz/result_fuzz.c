@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "overroll/overroll.h"
+#include "results/results.h"
 
 /* Of any rank, in any group: what says that it is not too large. */
 static void read_all(ovr_result *r)

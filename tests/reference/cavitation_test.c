@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "cavitation_truth.h"
+#include "contact/contact.h"
+#include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/test.h"
 

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "overroll/case.h"
-#include "overroll/elements.h"
+#include "case/setup.h"
+#include "elements/elements.h"
 #include "reference/elements_truth.h"
 #include "support/test.h"
 

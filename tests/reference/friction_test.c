@@ -6,6 +6,8 @@
 
 #include <string.h>
 
+#include "contact/contact.h"
+#include "simulation/simulation.h"
 #include "support/test.h"
 
 /* Of M = 20 or so at a slide-to-roll ratio, with a flow law. */

@@ -7,7 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "contact/contact.h"
 #include "simulation/heat_in_time.h"
+#include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/copied.h"
 #include "support/hot.h"

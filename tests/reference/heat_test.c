@@ -5,8 +5,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "overroll/simulation.h"
+#include "contact/contact.h"
+#include "contact/heat.h"
 #include "simulation/heat.h"
+#include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/hot.h"
 #include "support/test.h"

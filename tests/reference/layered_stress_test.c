@@ -8,9 +8,9 @@
 #include <string.h>
 
 #include "contact/layers.h"
-#include "overroll/stress.h"
 #include "reference/layers_truth.h"
 #include "stress/layered.h"
+#include "stress/stress.h"
 
 static const double pi = 3.14159265358979323846;
 

@@ -9,6 +9,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "contact/contact.h"
+#include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/starved.h"
 #include "support/test.h"

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "contact/contact.h"
 #include "contact/laws/law.h"
 #include "simulation/internal.h"
 #include "support/test.h"

@@ -9,8 +9,8 @@
 #include <stdlib.h>
 
 #include "overroll/case.h"
-#include "overroll/stress.h"
 #include "reference/stress_truth.h"
+#include "stress/stress.h"
 #include "support/test.h"
 
 static const char dent[] =

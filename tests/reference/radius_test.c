@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A radius that varies in time: at an instant, slowly, and its balances. */
-#include "overroll/simulation.h"
+#include "simulation/simulation.h"
 
 #include <math.h>
 #include <string.h>
 
+#include "contact/contact.h"
 #include "support/contact.h"
 #include "support/test.h"
 

@@ -3,6 +3,8 @@
  * what holds of any of them, and where they meet what is known. */
 #include <math.h>
 
+#include "contact/contact.h"
+#include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/test.h"
 

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "overroll/case.h"
-#include "overroll/results.h"
+#include "results/results.h"
 #include "support/test.h"
 
 enum { RUNS = 6, ROUNDS = 2 };

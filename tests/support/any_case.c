@@ -7,7 +7,8 @@
 #include <string.h>
 
 #include "case/parameters.h"
-#include "overroll/run.h"
+#include "run/run.h"
+#include "simulation/simulation.h"
 #include "test.h"
 
 enum { MOST_KEYS = 12, ROOM = 200, MOST_STEPS = 40 };

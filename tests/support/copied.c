@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "simulation/simulation.h"
 #include "support/test.h"
 
 typedef struct pieces {

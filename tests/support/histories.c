@@ -5,7 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "contact/contact.h"
 #include "newton.h"
+#include "simulation/simulation.h"
 #include "test.h"
 
 typedef struct run {

@@ -3,6 +3,9 @@
 
 #include <math.h>
 
+#include "contact/contact.h"
+#include "contact/heat.h"
+#include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/test.h"
 

@@ -2,8 +2,8 @@
 #include "jumps.h"
 
 #include "overroll/case.h"
-#include "overroll/simulation.h"
 #include "random_case.h"
+#include "simulation/simulation.h"
 #include "test.h"
 
 typedef struct tally {

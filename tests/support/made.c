@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "support/made.h"
 
+#include "results/results.h"
 #include "support/dent.h"
 #include "support/test.h"
 

@@ -5,9 +5,9 @@
 #include <string.h>
 #include <time.h>
 
-#include "overroll/surface.h"
 #include "support/contact.h"
 #include "support/test.h"
+#include "surface/surfaces.h"
 
 static double now(void)
 {

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "contact/contact.h"
 #include "test.h"
 
 static double *take(size_t n)

@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "contact.h"
+#include "contact/contact.h"
 #include "test.h"
 
 typedef struct draw {

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "contact/contact.h"
+#include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/test.h"
 

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "overroll/overroll.h"
+#include "simulation/simulation.h"
 
 static char text[65536];
 

@@ -9,7 +9,13 @@
 
 #include "support/test.h"
 
+#include "contact/contact.h"
+#include "contact/heat.h"
+#include "contact/oil.h"
 #include "overroll/overroll.h"
+#include "stress/stress.h"
+#include "surface/profile.h"
+#include "surface/surfaces.h"
 
 /* The front of a struct, so many bytes; nonsense behind. */
 static void *front(const void *whole, size_t size)

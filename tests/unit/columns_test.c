@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "contact/contact.h"
 #include "contact/flow_law.h"
 #include "contact/laws/law.h"
 #include "multigrid/across.h"

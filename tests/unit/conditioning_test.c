@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "overroll/overroll.h"
+#include "surface/profile.h"
 
 enum { MOST = 4001 };
 static double x[MOST], z[MOST];

@@ -12,7 +12,7 @@
 #include <cmocka.h>
 #include <gsl/gsl_integration.h>
 
-#include "overroll/contact.h"
+#include "contact/contact.h"
 
 static const double PI = 3.14159265358979323846;
 

@@ -10,8 +10,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "overroll/results.h"
 #include "results/hdf5read/hdf5read.h"
+#include "results/results.h"
 #include "support/dent.h"
 
 enum { NODES = 37 };

@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "contact/contact.h"
 #include "contact/scaled_history.h"
 #include "contact/turning.h"
 #include "support/test.h"

@@ -4,6 +4,8 @@
  * unit of its rows. */
 #include <string.h>
 
+#include "contact/contact.h"
+#include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/test.h"
 

@@ -5,8 +5,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "contact/contact.h"
+#include "contact/oil.h"
 #include "multigrid/field.h"
-#include "overroll/oil.h"
 #include "support/kernels.h"
 #include "support/test.h"
 

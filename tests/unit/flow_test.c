@@ -4,6 +4,7 @@
 #include <gsl/gsl_integration.h>
 #include <math.h>
 
+#include "contact/contact.h"
 #include "multigrid/flow.h"
 #include "support/kernels.h"
 #include "support/test.h"

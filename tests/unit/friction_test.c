@@ -3,6 +3,7 @@
  * that by hand. */
 #include <math.h>
 
+#include "contact/contact.h"
 #include "support/kernels.h"
 #include "support/test.h"
 

@@ -16,7 +16,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "contact/contact.h"
 #include "overroll/overroll.h"
+#include "results/results.h"
 #include "support/dent.h"
 
 enum { ROUNDS = 20, NODES = 225 };

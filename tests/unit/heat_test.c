@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "contact/heat.h"
 #include "multigrid/across.h"
 #include "simulation/solids.h"
 #include "support/test.h"

@@ -10,6 +10,7 @@
 #include <time.h>
 
 #include "overroll/overroll.h"
+#include "run/run.h"
 
 enum { NEVER = -1 };
 

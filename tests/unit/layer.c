@@ -17,6 +17,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "base/rows.h"
 #include "simulation/physics.h"
 #include "simulation/quantity_row.h"

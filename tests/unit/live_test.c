@@ -9,7 +9,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "overroll/results.h"
+#include "results/results.h"
 #include "support/dent.h"
 
 enum { NODES = 225, STEPS = 1500, EVERY = 2 };

@@ -10,6 +10,7 @@
 
 #include "overroll/overroll.h"
 #include "support/made.h"
+#include "surface/profile.h"
 
 static const char *const names[] = {"profile.csv", "page.html", "picture.gp",
                                     "picture.dat"};

@@ -2,11 +2,12 @@
 /* Memory of a simulation: taken once, little of it, and as announced. */
 #include <math.h>
 
-#include "overroll/surface.h"
 #include "simulation/internal.h"
+#include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/hot.h"
 #include "support/test.h"
+#include "surface/surfaces.h"
 
 typedef struct kind {
     int level;

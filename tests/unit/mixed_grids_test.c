@@ -12,6 +12,8 @@
 #include <string.h>
 
 #include "overroll/overroll.h"
+#include "surface/profile.h"
+#include "surface/surfaces.h"
 
 enum { MOST = 20001, N = 897 };
 static double x[MOST], z[MOST], X[N], S[N];

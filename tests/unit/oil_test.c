@@ -5,7 +5,8 @@
 #include <gsl/gsl_spline.h>
 #include <math.h>
 
-#include "overroll/oil.h"
+#include "contact/contact.h"
+#include "contact/oil.h"
 #include "support/test.h"
 
 /* An ester at 1 GPa of Hertzian pressure, made up. */

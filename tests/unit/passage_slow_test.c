@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "overroll/stress.h"
 #include "reference/stress_truth.h"
 #include "stress/circle.h"
+#include "stress/stress.h"
 #include "support/test.h"
 
 #define ROWS(table) (sizeof(table) / sizeof(table)[0])

@@ -20,6 +20,7 @@
 #include "overroll/case.h"
 #include "overroll/overroll.h"
 #include "simulation/physics.h"
+#include "simulation/simulation.h"
 
 extern const ovr_physics test_layer, ovr_physics_reversal, ovr_physics_fourth,
     ovr_physics_conserving, ovr_physics_patches;

@@ -13,6 +13,7 @@
 
 #include "overroll/overroll.h"
 #include "support/gauges.h"
+#include "surface/profile.h"
 
 static gauge g;
 static char bytes[GAUGE_BYTES];

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "overroll/overroll.h"
+#include "surface/profile.h"
 
 static ovr_profile_source source;
 static ovr_profile *profile;

@@ -11,8 +11,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "overroll/results.h"
-#include "overroll/simulation.h"
+#include "results/results.h"
+#include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/dent.h"
 

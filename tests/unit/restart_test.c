@@ -12,6 +12,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include "results/results.h"
 #include "results/writer.h"
 #include "support/dent.h"
 

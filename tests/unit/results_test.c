@@ -9,7 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "overroll/results.h"
+#include "results/results.h"
 #include "support/dent.h"
 
 enum { NODES = 225, STEPS = 40 };

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "overroll/overroll.h"
+#include "results/results.h"
 
 enum { LEVEL = 4, NEVER = -1 };
 static const double END = 3;

@@ -9,6 +9,8 @@
 
 #include "overroll/overroll.h"
 #include "surface/local_roughness.h"
+#include "surface/profile.h"
+#include "surface/surfaces.h"
 
 static ovr_roughness good(void)
 {

@@ -5,12 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "overroll/stress.h"
 #include "reference/stress_snapshot.h"
 #include "reference/stress_truth.h"
 #include "stress/circle.h"
 #include "stress/element.h"
 #include "stress/loops.h"
+#include "stress/stress.h"
 #include "support/test.h"
 
 #define ROWS(table) (sizeof(table) / sizeof(table)[0])

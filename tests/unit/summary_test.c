@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include "overroll/overroll.h"
+#include "results/results.h"
+#include "run/run.h"
 #include "support/test.h"
 
 static const char text[] = "[contact]\nM = 20\nL = 10\nalpha = 20 1/GPa\n"

@@ -10,7 +10,9 @@
 
 #include <cmocka.h>
 
+#include "contact/contact.h"
 #include "overroll/overroll.h"
+#include "surface/surfaces.h"
 
 enum { N = 897 };
 static double X[N], S[N];

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "overroll/stress.h"
+#include "stress/stress.h"
 #include "support/test.h"
 
 enum { NODES = 1793 };

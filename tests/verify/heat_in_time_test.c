@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "contact/contact.h"
+#include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/hot.h"
 #include "support/test.h"

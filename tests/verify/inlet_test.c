@@ -9,6 +9,7 @@
 #include "../support/test.h"
 #include "contact/starvation.h"
 #include "overroll/contact.h"
+#include "simulation/simulation.h"
 
 static const double loads[] = {1, 2, 3, 5, 10, 20, 50, 100, 300, 1000};
 static const double materials[] = {0, 1, 2.5, 5, 10, 15};

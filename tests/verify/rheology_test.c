@@ -3,6 +3,8 @@
  * runs drawn at random. */
 #include <stdlib.h>
 
+#include "contact/contact.h"
+#include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/test.h"
 #include "support/thinning.h"

@@ -11,7 +11,9 @@
 #include <string.h>
 #include <time.h>
 
+#include "contact/contact.h"
 #include "reference/truth.h"
+#include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/test.h"
 

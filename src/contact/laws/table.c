@@ -8,6 +8,7 @@
  */
 #include "contact/laws/table.h"
 #include "base/given.h"
+#include "contact/oil.h"
 
 #include <math.h>
 

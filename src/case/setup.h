@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the floors above ask a setup. */
+#ifndef OVR_CASE_SETUP_H
+#define OVR_CASE_SETUP_H
+
+#include "overroll/case.h"
+
+/* The gear pair, cam or bearing of a case; NULL: it has none. */
+const ovr_gear *ovr_setup_gear(const ovr_setup *setup);
+const ovr_cam *ovr_setup_cam(const ovr_setup *setup);
+const ovr_bearing *ovr_setup_bearing(const ovr_setup *setup);
+
+/* The physics of its runs, as bits: quantities that need others are none of
+ * theirs. */
+unsigned ovr_setup_physics(const ovr_setup *setup);
+
+#endif

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Lubricants from the constants of an oil. */
+#ifndef OVR_CONTACT_OIL_H
+#define OVR_CONTACT_OIL_H
+
+#include "overroll/oil.h"
+
+/* From n >= 2 points: p in Pa, increasing, the first from 0 to 1 MPa; values
+ * positive, none below the one before.  Between the points ln(eta), or rho,
+ * follows Steffen's monotone spline over p, sampled at 1024 meshes; beyond the
+ * ends it goes straight on. */
+ovr_law_table *ovr_law_table_create(ovr_table_of what, size_t n,
+                                    const double *p, const double *value,
+                                    const ovr_allocator *allocator,
+                                    ovr_error *err);
+void ovr_law_table_free(ovr_law_table *table);
+
+/* The index of a mineral oil by its viscosity (Pa s), 1/Pa: Roelands' relation
+ *   alpha = z (ln eta0 + 9.67)/p0,  z = 0.68, p0 = 198 MPa
+ * (Roelands, Vlugter & Waterman, J. Basic Eng. 85 (1963) 601; z of a paraffinic
+ * oil as in Venner, ten Napel & Bosma 1990).  An estimate: measured ones lie at
+ * 0.6 to 1 times it, see overroll-case(5). */
+double ovr_estimated_alpha(double viscosity);
+
+/* Sets viscosity and alpha where the law or the data sheet gives them; fails
+ * with OVR_BAD_INPUT about what is missing, double or out of range. */
+ovr_status ovr_oil_complete(ovr_oil *oil, ovr_error *err);
+
+/* The oil in a contact's scaling.  Its tables must live as long.  With L = 0
+ * the film is isoviscous and incompressible whatever the laws. */
+ovr_status ovr_oil_scale_into(const ovr_oil *oil, const ovr_contact *contact,
+                              ovr_lubricant *lubricant, ovr_error *err);
+static inline ovr_status ovr_oil_scale(const ovr_oil *oil,
+                                       const ovr_contact *contact,
+                                       ovr_lubricant *lubricant, ovr_error *err)
+{
+    if (lubricant)
+        lubricant->size = sizeof *lubricant;
+    return ovr_oil_scale_into(oil, contact, lubricant, err);
+}
+
+/* Kinematic viscosity at T (K) by Walther's form of ASTM D341,
+ *   log10 log10(nu + 0.7) = A - B log10 T,  nu in mm2/s
+ * through the values at 40 and 100 degC; all in m2/s. */
+double ovr_walther(double nu_40, double nu_100, double T);
+
+/* Viscosity index by ASTM D2270 (ISO 2909), viscosities in m2/s, that at 100
+ * degC from 2 mm2/s on, else NAN; and back: the viscosity at 100 degC. */
+double ovr_viscosity_index(double nu_40, double nu_100);
+double ovr_viscosity_at_100(double nu_40, double index);
+
+#endif

@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The writer of result files, their checkpoints, and what only the library
+ * reads. */
+#ifndef OVR_RESULTS_RESULTS_H
+#define OVR_RESULTS_RESULTS_H
+
+#include "overroll/results.h"
+
+/* What a snapshot holds: a bit for each field of the observables, ored; 0 for
+ * a name that is none. */
+unsigned ovr_field_bit(const char *name);
+
+/* Steps between snapshots such that a run to `end` keeps about 250 of them,
+ * fewer when they would take more than 64 MB as they lie in memory. */
+long ovr_write_every(const ovr_write_options *options, double end, double dT,
+                     size_t nodes);
+
+/* Creates the file (under a temporary name until its headers are on disk) for
+ * a run on the nodes X[0..n-1].  Everything is allocated here.  An existing
+ * file without `force`, an unwritable place or a file that another process
+ * writes give OVR_BAD_INPUT. */
+ovr_writer *ovr_writer_create(const ovr_write_options *options,
+                              const ovr_contact *contact, size_t n,
+                              const double *X, const ovr_allocator *allocator,
+                              ovr_error *err);
+
+/* Records a moment. */
+ovr_status ovr_writer_record(ovr_writer *writer, const ovr_frame *frame,
+                             ovr_error *err);
+
+/* The writer as an observer of a march, and what it does. */
+ovr_observer ovr_writer_observer(ovr_writer *writer);
+ovr_status ovr_writer_observe(void *writer, const ovr_simulation *sim,
+                              ovr_error *err);
+/* Whether the state of this step at T will be stored. */
+bool ovr_writer_stores(const ovr_writer *writer, long step, double T);
+double ovr_writer_next_time(void *writer, double T);
+
+/* Writes out what is buffered and makes it visible to readers. */
+ovr_status ovr_writer_flush(ovr_writer *writer, ovr_error *err);
+
+size_t ovr_writer_snapshots(const ovr_writer *writer);
+
+/* Why the run failed, for the file's attribute `reason`; copied. */
+void ovr_writer_reason(ovr_writer *writer, const char *reason);
+
+/* What was warned of, lines ended by '\n', for the attribute `warnings`;
+ * borrowed until the writer is closed. */
+void ovr_writer_warnings(ovr_writer *writer, const char *warnings);
+
+/* Ends the file and frees the writer, also when it returns an error.  A
+ * complete run gets its last state as a snapshot, whatever the schedule.  So
+ * does a failed one, for inspection: the state of the last time reached, or
+ * what a steady start ended with (its row of the history has converged 0). */
+ovr_status ovr_writer_close(ovr_writer *writer, ovr_run_status status,
+                            ovr_error *err);
+
+/* The checkpoint beside a result file; one that belongs to another run, is
+ * damaged or was written by another version is OVR_BAD_INPUT. */
+ovr_restart *ovr_restart_open(const char *result_path,
+                              const ovr_allocator *allocator, ovr_error *err);
+void ovr_restart_close(ovr_restart *restart);
+const ovr_restart_info *ovr_restart_about(const ovr_restart *restart);
+
+/* OVR_BAD_INPUT naming the first parameter of physics that differs. */
+ovr_status ovr_restart_check(const ovr_restart *restart, size_t count,
+                             const ovr_case_value *values, ovr_error *err);
+
+/* Puts the state into a simulation created alike. */
+ovr_status ovr_restart_load(const ovr_restart *restart, ovr_simulation *sim,
+                            ovr_error *err);
+
+/* The simulation whose state the writer's checkpoints hold: from now on
+ * every checkpoint_interval, and at the end.  Borrowed. */
+void ovr_writer_checkpoints(ovr_writer *writer, ovr_simulation *sim);
+
+/* Goes on with options->path: a cut last write is finished, rows behind the
+ * checkpoint are dropped and will be written again.  `restart` NULL, or one
+ * without a state: all rows are dropped.  What is stored may be chosen anew,
+ * but for precision and nodes, which the file has already. */
+ovr_writer *ovr_writer_resume(const ovr_write_options *options,
+                              const ovr_contact *contact, size_t n,
+                              const double *X, const ovr_restart *restart,
+                              const ovr_allocator *allocator, ovr_error *err);
+
+/* Whether resuming had to finish a cut write. */
+bool ovr_writer_repaired(const ovr_writer *writer);
+
+/* Whether its file system has no locks: nothing keeps a second writer out. */
+bool ovr_writer_unlocked(const ovr_writer *writer);
+
+/* Makes the group, in place of one that is there; `keep`: that one stays. */
+ovr_status ovr_writer_group(ovr_writer *writer, const ovr_group *group,
+                            bool keep, ovr_error *err);
+
+/* Row k of the arrays along time: each `count` floats, one array after the
+ * other.  Rows behind it are dropped. */
+ovr_status ovr_writer_append(ovr_writer *writer, const ovr_group *group,
+                             size_t k, double T, const float *values,
+                             size_t count, ovr_error *err);
+
+/* More state for checkpoints, and back from one. */
+void ovr_writer_more(ovr_writer *writer, ovr_visited *more, void *object);
+ovr_status ovr_restart_more(const ovr_restart *restart, ovr_visited *more,
+                            void *object, ovr_error *err);
+
+/* The k-th variable of all; NULL behind the last. */
+const ovr_variable *ovr_result_variable(const ovr_result *result, size_t k);
+
+/* Attributes of a group that are numbers, in their order: "summary".  Owned by
+ * the result; NULL: no such group. */
+const ovr_group_attribute *
+ovr_result_attributes(ovr_result *result, const char *path, size_t *count);
+
+/* Any variable by its path: all of it when it has one dimension, else row
+ * `row`, the product of the other lengths. */
+ovr_status ovr_result_read(ovr_result *result, const char *path, size_t row,
+                           ovr_units units, double *values, ovr_error *err);
+
+#endif

@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What only the library tells a simulation and asks it. */
+#ifndef OVR_SIMULATION_SIMULATION_H
+#define OVR_SIMULATION_SIMULATION_H
+
+#include "overroll/simulation.h"
+
+/* Memory that ovr_simulation_create would take, bytes: counted in the same
+ * set-up, which takes none here.  Where options are left automatic those of a
+ * moderate contact count.  INFINITY: options that are refused, or more than
+ * this process may address. */
+double ovr_simulation_memory(const ovr_options *options);
+
+/* Numerical starvation: the share of the central film that the inlet's place
+ * costs, estimated from M and L (within a factor of 1.5 for M = 1 to 1000, L up
+ * to 15).  An automatic inlet costs 1e-4 or less by it, 3e-4 as measured. */
+double ovr_simulation_starvation(const ovr_simulation *sim);
+
+/* With OVR_CAVITATION_CONSERVING: the oil q = rho H that arrives at the inlet
+ * at time T >= 0 (before, what arrives at T = 0), as a film on the surfaces; of
+ * layers h1, h2 it is (u1 h1 + u2 h2)/um.  What the contact does not take waits
+ * before the inlet; `waiting` of it, in b^3/R, is there at the start.  When it
+ * is used up only the film arrives.  INFINITY: the contact is flooded whatever
+ * comes.  Borrowed; NULL, the default: flooded. */
+typedef double ovr_supply(void *data, double T);
+void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
+                           double waiting);
+
+/* Load and speed in time.  Borrowed; NULL: 1.  A speed below zero wants a
+ * domain that is symmetric, and cavitation by Reynolds. */
+void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
+                              const ovr_history *speed);
+
+/* V = (u1 - u2)/um0 in time, any sign, instead of Cu times that of the contact;
+ * u_k/um0 = Cu +- V/2.  Borrowed; NULL: none. */
+void ovr_simulation_sliding(ovr_simulation *sim, const ovr_history *sliding);
+
+/* R over the nominal one in time: the gap of the smooth surfaces is then
+ * R0/R X^2/2, all else in units of the nominal contact.  `rides`: what varies
+ * is the curvature of the material that comes by, as on an involute or a cam,
+ * which a cubic term tells from one that is imposed (overroll-theory(7)); of
+ * surface 1 alone radius_1 = R_1/R0 (negative: concave) where that is known,
+ * else NULL.  Not where the surfaces stand: a step is refused where the cubic
+ * would close the gap within the domain.  Borrowed; NULL: 1. */
+void ovr_simulation_radius(ovr_simulation *sim, const ovr_history *radius,
+                           const ovr_history *radius_1, bool rides);
+
+/* Heat in solutions of second order, steady and in time: temperatures of film
+ * and surfaces, and the viscosity by them.  To be called before anything is
+ * solved; OVR_BAD_INPUT where options do not go with it.  An order that was
+ * left to the library (0) is 2 from then on, as ovr_simulation_options tells.
+ */
+ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
+                               ovr_error *err);
+
+/* Points across the film: those asked for, else 5 or, where the steady solution
+ * needs them, 7; 0: no heat. */
+int ovr_simulation_heat_points(const ovr_simulation *sim);
+
+/* Order of the last steady solution, and of what a run keeps of it: 4, 2 (also
+ * where 4 was wanted but its corrections did not converge, or load, speed or
+ * radius vary), or 1. */
+int ovr_simulation_order(const ovr_simulation *sim);
+
+/* What the last steady solve had to do beyond the ordinary, in words; "" when
+ * its first attempt succeeded. */
+const char *ovr_simulation_strategy(const ovr_simulation *sim);
+
+/* The physics of a simulation with these options, as bits. */
+unsigned ovr_options_physics(const ovr_options *options);
+
+/* A field by name, or NULL. */
+const ovr_observable *ovr_observable_field(const char *name);
+
+/* Calls visit(context, name, address, size in bytes) for every piece of
+ * memory that makes up the state between two steps: writing them all and
+ * reading them back, by name, into a simulation created alike continues bit for
+ * bit.  A number (8 bytes at most) that is not written back has its default.
+ * Stops at the first status that is not OVR_OK and returns it. */
+ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
+                                void *context, ovr_error *err);
+/* To be called after a visit that wrote into the simulation. */
+void ovr_simulation_restored(ovr_simulation *sim);
+
+#endif

@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Stresses below a surface, passages of material, and lives. */
+#ifndef OVR_STRESS_STRESS_H
+#define OVR_STRESS_STRESS_H
+
+#include "overroll/stress.h"
+
+/* Closed forms of every depth, transformed once. */
+ovr_stress *ovr_stress_create(const ovr_stress_options *options,
+                              const ovr_allocator *allocator, ovr_error *err);
+void ovr_stress_free(ovr_stress *stress);
+
+/* Memory that ovr_stress_create would take, bytes; NAN when refused. */
+double ovr_stress_memory(const ovr_stress_options *options);
+
+size_t ovr_stress_depths(const ovr_stress *stress, const double **z);
+
+void ovr_stress_solve(ovr_stress *stress, const double *P, const double *Q,
+                      double shift, unsigned levels);
+
+/* One depth; valid until the next solve. */
+ovr_stress_row ovr_stress_at(const ovr_stress *stress, size_t depth);
+
+/* The same of the last solve, at every node of the mesh.  Valid until the next
+ * call. */
+ovr_status ovr_stress_at_every_node(ovr_stress *stress, size_t depth,
+                                    ovr_stress_row *row, ovr_error *err);
+
+/* "sigma_x", ... */
+const char *ovr_stress_field_name(ovr_stress_field field);
+double ovr_stress_value(ovr_stress_field field, ovr_in_plane state,
+                        double poisson, double residual_x, double residual_y);
+
+/* At (x, z) below one element of height 1 at x = 0, mesh D, loaded by
+ * pressure p and traction q. */
+ovr_in_plane ovr_element_stress(ovr_element element, double D, double p,
+                                double q, double x, double z);
+
+/* Smooth dry contact, P = p sqrt(1 - X^2), Q = q sqrt(1 - X^2). */
+ovr_in_plane ovr_hertz_stress(double p, double q, double x, double z);
+
+ovr_passage *ovr_passage_create(const ovr_stress_options *options,
+                                const ovr_material_range *range,
+                                const ovr_allocator *allocator, ovr_error *err);
+void ovr_passage_free(ovr_passage *passage);
+double ovr_passage_memory(const ovr_stress_options *options,
+                          const ovr_material_range *range);
+
+/* What lies before the first and after the last moment is a steady contact
+ * like the one of that moment. */
+void ovr_passage_begin(ovr_passage *passage, const double *P, const double *Q,
+                       const ovr_moment *moment);
+void ovr_passage_step(ovr_passage *passage, const double *P, const double *Q,
+                      const ovr_moment *moment);
+void ovr_passage_end(ovr_passage *passage, const double *P, const double *Q,
+                     const ovr_moment *moment);
+
+/* Pieces of memory that make up the state between two steps. */
+size_t ovr_passage_state(ovr_passage *passage, const ovr_memory_piece **pieces);
+
+/* The material points of a passage. */
+ovr_material ovr_passage_material(const ovr_passage *passage);
+
+/* Largest values that a moment's fields showed from least_depth down. */
+ovr_stress_extreme ovr_passage_max_shear(const ovr_passage *passage);
+ovr_stress_extreme ovr_passage_von_mises(const ovr_passage *passage);
+
+/* The largest way between two moments of a path that was followed: depths
+ * above 4 times this are missed in part. */
+double ovr_passage_widest(const ovr_passage *passage);
+
+/* Fills value[depth * points + k], and smooth[depth] with the steady contact
+ * before the run; either may be NULL. */
+void ovr_passage_measure(const ovr_passage *passage, ovr_measure measure,
+                         float *value, double *smooth);
+
+/* "circle", ... */
+const char *ovr_criterion_name(ovr_criterion criterion);
+
+/* The criterion's largest value in a smooth dry contact, per p_h, and where:
+ * what turns a limit given as a Hertz pressure into a stress. */
+double ovr_hertz_criterion(ovr_criterion criterion, double alpha,
+                           double poisson, double *z);
+
+/* Fills A as ovr_passage_measure does; OVR_CRITERION_DANG_VAN needs paths
+ * (ovr_dang_van) and is refused. */
+ovr_status ovr_passage_amplitude(const ovr_passage *passage,
+                                 ovr_criterion criterion, double alpha,
+                                 float *A, double *smooth, ovr_error *err);
+
+/* NAN where the options have no size or depths are more than 1024, the most
+ * here and below.  Risk per length i = int <A - A_u>^c z^-h
+ * dz from z[j] downward, j = 0 ... depths - 1. */
+void ovr_risk(const ovr_life_options *options, size_t depths, const double *z,
+              const double *A, double *risk);
+
+/* risk[points]: from the least depth down; length[depths]: the equivalent
+ * length lambda = int (i - i_0) dxi / i_0 counted from z[j] down.  Either may
+ * be NULL. */
+ovr_status ovr_life_into(const ovr_life_options *options,
+                         const ovr_material *material, const float *A,
+                         const double *smooth, double *risk, double *length,
+                         ovr_life_result *result, ovr_error *err);
+static inline ovr_status ovr_life(const ovr_life_options *options,
+                                  const ovr_material *material, const float *A,
+                                  const double *smooth, double *risk,
+                                  double *length, ovr_life_result *result,
+                                  ovr_error *err)
+{
+    if (result)
+        result->size = sizeof *result;
+    return ovr_life_into(options, material, A, smooth, risk, length, result,
+                         err);
+}
+
+/* Life over that of the smooth raceway of this length with so many of the
+ * features: (1 + count lambda / raceway)^(-1/e). */
+double ovr_life_ratio(const ovr_life_options *options, double equivalent_length,
+                      double raceway, double count);
+
+/* The smallest circle round n points (d, tau), exactly. */
+ovr_circle ovr_smallest_circle(size_t n, const float *points);
+
+/* Largest |s - c| + alpha sigma_h on a path of n points (d, tau) with
+ * hydrostatic stresses. */
+double ovr_dang_van(size_t n, const float *points, const float *hydrostatic,
+                    double alpha);
+
+#endif

@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Surfaces as the library puts them together and asks them. */
+#ifndef OVR_SURFACE_SURFACES_H
+#define OVR_SURFACE_SURFACES_H
+
+#include "overroll/surface.h"
+
+/* Two smooth surfaces of a contact; `speed` (may be NULL: constant) is
+ * borrowed; mesh is the grid's D, for anti-alias filtering of profiles. */
+ovr_surfaces *ovr_surfaces_create(const ovr_contact *contact,
+                                  const ovr_history *speed, double mesh,
+                                  const ovr_allocator *allocator,
+                                  ovr_error *err);
+void ovr_surfaces_free(ovr_surfaces *surfaces);
+
+/* V = (u1 - u2)/um0 in time, borrowed: surfaces then move at Cu +- V/2.  Before
+ * features are put on. */
+void ovr_surfaces_sliding(ovr_surfaces *surfaces, const ovr_history *sliding);
+
+/* Where the film begins and ends: a feature without a place starts just
+ * outside, on the side that it comes from. */
+void ovr_surfaces_domain(ovr_surfaces *surfaces, double inlet, double outlet);
+
+/* Puts one more feature on; reads its file when it has one.  On failure the
+ * surfaces are as before. */
+ovr_status ovr_surfaces_add(ovr_surfaces *surfaces,
+                            const ovr_feature_form *form, ovr_error *err);
+
+/* Shortest wavelength of all features, b; INFINITY on smooth surfaces. */
+double ovr_surfaces_wavelength(const ovr_surfaces *surfaces);
+
+/* Composite roughness Rq of both surfaces, b^2/R, before the grid's filter: the
+ * root of the sum of the squares, of each feature the root mean square of what
+ * is left where the mean is taken out of windows of 2 b; 0 without any that is
+ * rough. */
+double ovr_surfaces_roughness(const ovr_surfaces *surfaces);
+
+/* Name of the first feature that is in inlet < X < outlet at T = 0 with more
+ * than a trace of its height, or NULL; those that grow, or that are endless,
+ * do not count. */
+const char *ovr_surfaces_inside(const ovr_surfaces *surfaces, double inlet,
+                                double outlet);
+
+/* X of a feature's centre (wave: of the crest first at `origin`) at T. */
+double ovr_surfaces_centre(const ovr_surfaces *surfaces, size_t feature,
+                           double T);
+
+/* First T >= 0 at which a feature's centre, or that of one of its copies
+ * when `copies` is set, comes to X after time `after`; INFINITY: never
+ * (searched up to `until`). */
+double ovr_surfaces_arrival(const ovr_surfaces *surfaces, size_t feature,
+                            double X, double after, double until);
+
+#endif
