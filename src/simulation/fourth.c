@@ -11,8 +11,9 @@
  * (q - 3 q_1 + 3 q_2 - q_3)/(3 dT), the term by which BDF3 differs.  It is zero
  * for what is only carried and the steady wedge's error for what stands, at any
  * step and speed.  m_i is 1 where P > 0 at i - 3..i + 3, and fades over eight
- * nodes to the film's end, so that nothing jumps as the end crosses nodes.  A
- * step that fails is tried again without F.
+ * nodes to the film's end, so that nothing jumps as the end crosses nodes; it
+ * is 0 about ridges where a mesh halves the film.  A step that fails is tried
+ * again without F.
  *
  * Where load, speed and radius are constant, the steady start solves the steps'
  * equations too, of any length: F takes in what the steady film q_s lacks,
@@ -242,18 +243,27 @@ static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
 
 /* ----------------------------------------------------------------- in a run */
 
+/* A ridge that the mesh does not resolve: what is left of a film there would be
+ * corrected away. */
+static bool jumps(double H, double next)
+{
+    return H > 2 * next || next > 2 * H;
+}
+
 /* What m leaves of F and of the third difference; m where it is asked for. */
 static void fade(const ovr_simulation *sim, fourth *f, double *mask)
 {
     enum { WET = 3, SHARP = 4, OVER = 8 };
-    const double *P = sim->now.P;
+    const double *P = sim->now.P, *H = sim->now.H;
     size_t n = f->n, end = n - 1, since = 0;
     while (end > 1 && !(P[end - 1] > 0))
         end--;
     for (size_t i = 0; i < n; i++) {
         bool inside = i >= OVR_FOURTH_MARGIN && i + OVR_FOURTH_MARGIN < n;
         double far = ((double)end - (double)i - SHARP) / OVER, m = 0;
-        since = i + WET < n && P[i + WET] > 0 ? since + 1 : 0;
+        size_t ahead = i + WET;
+        bool wet = ahead < n && P[ahead] > 0;
+        since = wet && !jumps(H[ahead - 1], H[ahead]) ? since + 1 : 0;
         if (inside && since > 2 * WET)
             m = fmin(fmax(far, 0), 1);
         f->F[i] *= m;
