@@ -468,6 +468,32 @@ static void take_result(ovr_find *f, const ovr_search_result *r)
         tell(f, "some runs have steps accepted above the tolerance");
 }
 
+/* Where no order of convergence is seen, or nobody looks for one: the
+ * difference that one level coarser makes. */
+static double coarser_error(ovr_find *f)
+{
+    const ovr_trial_plan plan = plan_of(f);
+    double level = ovr_trial_number(&f->answer, "level", NULL), q = NAN;
+    char text[20];
+    ovr_trials *t = NULL;
+    if (!(level > 2))
+        return NAN;
+    snprintf(text, sizeof text, "%d", (int)level - 1);
+    if (!ovr_case_set(f->base, "domain.level", text, "find", NULL))
+        t = trials_at(f, 1, &f->info.value, &plan, NULL);
+    if (t && !ovr_trials_at(t, 0)->failed)
+        q = ovr_trial_number(ovr_trials_at(t, 0), f->info.quantity, NULL);
+    ovr_trials_free(t);
+    snprintf(text, sizeof text, "%d", (int)level);
+    ovr_case_set(f->base, "domain.level", text, "find", NULL);
+    if (isfinite(q))
+        tell(f,
+             "%s falls in no known order with the level: its error is what "
+             "one level coarser makes",
+             f->info.quantity);
+    return fabs((q - f->info.at_value) / f->info.slope);
+}
+
 /* The run at the answer once more, with its discretization error; key by key
  * in SI it is that of the number in Hertzian units. */
 static ovr_status run_answer(ovr_find *f, ovr_error *err)
@@ -487,6 +513,8 @@ static ovr_status run_answer(ovr_find *f, ovr_error *err)
              ovr_quantity_bare(i->quantity, bare));
     i->error = fabs(ovr_trial_number(&f->answer, key, NULL) * i->at_value /
                     i->slope);
+    if (!i->exact && isnan(i->error))
+        i->error = coarser_error(f);
     if (!i->exact && isnan(i->error))
         tell(f, "the discretization error of %s is not known", i->quantity);
     return OVR_OK;
