@@ -245,15 +245,24 @@ static void what_it_makes_warms_the_film(void **state)
     CHECK_NEAR(defect[1], 0, 2 * fabs(defect[0]) + 1e-3);
 }
 
+static int cycles_on_the_finest(const solution *s)
+{
+    int count;
+    const ovr_refinement *r = ovr_simulation_refinements(s->sim, &count);
+    return count ? r[count - 1].cycles : 0;
+}
+
 /* Smoothers, coarse grids and Newton know its influence: about as many cycles
- * as without it. */
+ * as without it.  (On the way up it takes more: the first guess is a contact of
+ * half-spaces, whose film by the gap's mean is come to by steps in load.) */
 static void cycles_stay_as_many(void **state)
 {
     solution hard = solve(""), s = solve(soft);
     (void)state;
-    print_message("%d cycles, without the layer %d\n", s.seen->cycles,
-                  hard.seen->cycles);
-    assert_true(s.seen->cycles <= hard.seen->cycles + 2);
+    print_message("%d cycles, without the layer %d\n", cycles_on_the_finest(&s),
+                  cycles_on_the_finest(&hard));
+    assert_true(cycles_on_the_finest(&hard) > 0);
+    assert_true(cycles_on_the_finest(&s) <= cycles_on_the_finest(&hard) + 2);
     assert_string_equal(ovr_simulation_strategy(s.sim), "");
     release(&hard);
     release(&s);
