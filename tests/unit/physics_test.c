@@ -415,10 +415,10 @@ static void goes_on_where_it_was_killed(void **state)
     char text[600];
     /* Much longer than the wait: however busy the machine, some wait ends
      * before the run does. */
-    snprintf(text, sizeof text, "%s[time]\nend = 60\n", strchr(worn, '[') + 15);
+    snprintf(text, sizeof text, "%s[time]\nend = 30\n", strchr(worn, '[') + 15);
     write_case(*state, "worn.ini", text);
     free(RUN(*state, "run", "worn.ini", "-o", "worn.h5", "--force"));
-    for (long ms = 80; ms > 0 && !was; ms /= 2)
+    for (long ms = 20; ms > 0 && !was; ms /= 2)
         was = killed(*state, ms);
     assert_true(was);
     char *said = RUN(*state, "resume", "again.h5");
