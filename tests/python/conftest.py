@@ -13,7 +13,7 @@ TOP = Path(os.environ["TOP"])
 #: The contact of the reference values, whatever the defaults are.
 REFERENCE = {"M": 20, "L": 10, "alpha": "17 1/GPa", "p0": "198 MPa",
              "z": 0.68, "inlet": -4, "outlet": 1.5, "order": 2,
-             "scheme": "upstream2"}
+             "faces": "arithmetic", "scheme": "upstream2"}
 
 
 def truth(name):
