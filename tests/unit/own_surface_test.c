@@ -56,7 +56,8 @@ static void sections_that_have_names(void **state)
     size_t k = 0;
     (void)state;
     for (; (name = ovr_section_name(k)); k++) {
-        bool named = !strcmp(name, "feature") || !strcmp(name, "body");
+        bool named = !strcmp(name, "feature") || !strcmp(name, "body") ||
+                     !strcmp(name, "coating");
         assert_int_equal(ovr_section_named(k), named);
     }
     assert_false(ovr_section_named(k));
