@@ -274,6 +274,41 @@ static void make_filtered(hid_t file, const char *name)
     H5Pclose(how);
 }
 
+/* A header that cannot grow where it is goes on elsewhere, and HDF5 moves a
+ * message there to make room: attributes are listed as they were made. */
+static void lists_attributes_in_order(void **state)
+{
+    const char *path = test_path(*state, "order.h5");
+    enum { COUNT = 100 };
+    hid_t file = make_file(path), how = H5Pcreate(H5P_GROUP_CREATE), group;
+    look l;
+    uint64_t object;
+    size_t count;
+    H5Pset_attr_creation_order(how, H5P_CRT_ORDER_TRACKED);
+    H5Pset_attr_phase_change(how, 512, 256);
+    group = H5Gcreate2(file, "many", H5P_DEFAULT, how, H5P_DEFAULT);
+    for (int k = 0; k < COUNT; k++) {
+        double value = k;
+        char name[64];
+        snprintf(name, sizeof name, "n%0*d", 3 + 7 * k % 40, k);
+        set_attribute(group, name, H5T_NATIVE_DOUBLE, &value);
+        snprintf(name, sizeof name, "beside%d", k);
+        if (k % 10 == 0)
+            make_rows(file, name, 1, true, H5T_IEEE_F64LE, 7, false);
+    }
+    H5Gclose(group);
+    H5Pclose(how);
+    H5Fclose(file);
+    assert_int_equal(open_file(&l, path), OVR_FOUND_CONTAINER);
+    assert_true(ovr_container_find(&l.c, l.c.root, "many", &object));
+    const ovr_named_number *found = ovr_container_numbers(&l.c, object, &count);
+    assert_non_null(found);
+    assert_int_equal(count, COUNT);
+    for (size_t k = 0; k < count; k++)
+        CHECK_NEAR(found[k].value, (double)k, 0);
+    close_file(&l);
+}
+
 /* Nothing of another file is read, whatever way the library HDF5 knows to name
  * one; and nothing that this program would not write. */
 static void stays_in_the_file(void **state)
@@ -440,8 +475,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(reads_datasets),       TEST(reads_attributes),
-        TEST(lists_links_in_order), TEST(stays_in_the_file),
-        TEST(believes_no_size),     TEST(bounds_a_look),
-        TEST(bears_changed_bytes)};
+        TEST(lists_links_in_order), TEST(lists_attributes_in_order),
+        TEST(stays_in_the_file),    TEST(believes_no_size),
+        TEST(bounds_a_look),        TEST(bears_changed_bytes)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Attributes: numbers and texts that an object carries by name. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "results/hdf5read/elements.h"
@@ -98,6 +99,13 @@ double ovr_container_number(ovr_container *c, uint64_t object, const char *name)
     return value;
 }
 
+static int by_order(const void *a, const void *b)
+{
+    const ovr_named_number *first = a, *second = b;
+    return (first->order > second->order) - (first->order < second->order);
+}
+
+/* Where a message lies says nothing: HDF5 moves them as headers grow. */
 ovr_named_number *ovr_container_numbers(ovr_container *c, uint64_t object,
                                         size_t *count)
 {
@@ -118,8 +126,11 @@ ovr_named_number *ovr_container_numbers(ovr_container *c, uint64_t object,
             a.name.left > sizeof to->name)
             continue;
         memcpy(to->name, a.name.at, a.name.left);
+        to->order = items.order ? items.order[k] : k;
         ovr_element_values(&element, a.value.at, 1, &to->value);
         (*count)++;
     }
+    if (found)
+        qsort(found, *count, sizeof *found, by_order);
     return found;
 }

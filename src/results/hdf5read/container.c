@@ -80,6 +80,7 @@ typedef struct header {
     ovr_piece block;
     bool first;   /* of version 1: no letters, no checksums */
     bool ordered; /* messages are numbered */
+    size_t order; /* of the last one, among those of its kind */
     bool damaged;
     uint64_t at[MOST_BLOCKS], size[MOST_BLOCKS];
     size_t blocks, read;
@@ -159,7 +160,7 @@ static bool next_message(header *h, unsigned *kind, ovr_piece *body)
         *kind = (unsigned)ovr_take(&h->block, h->first ? 2 : 1);
         size = ovr_take(&h->block, 2);
         flags = ovr_take(&h->block, 1);
-        ovr_take(&h->block, least - (h->first ? 5 : 4));
+        h->order = (size_t)ovr_take(&h->block, least - (h->first ? 5 : 4));
         *body = ovr_cut(&h->block, size);
         h->damaged = !body->good || flags & 0x02;
         if (!h->damaged && *kind == CONTINUATION)
@@ -220,18 +221,20 @@ bool ovr_object_items(ovr_source *source, uint64_t object, unsigned wanted,
 {
     unsigned info = wanted == OVR_ITEM_LINK ? LINK_INFO : ATTRIBUTE_INFO, kind;
     size_t room = count_messages(source, object, wanted), count = 0;
-    ovr_items apart = {NULL, 0};
+    ovr_items apart = {NULL, NULL, 0};
     ovr_piece body;
     header h;
     items->item = ovr_arena_take(source->arena, room, sizeof body, NULL);
-    source->starved = source->starved || !items->item;
-    if (!items->item)
+    items->order = ovr_arena_take(source->arena, room, sizeof room, NULL);
+    source->starved = source->starved || !items->item || !items->order;
+    if (!items->item || !items->order)
         return false;
     open_header(&h, source, object);
     while (next_message(&h, &kind, &body))
-        if (kind == wanted && count < room)
+        if (kind == wanted && count < room) {
+            items->order[count] = h.ordered ? h.order : count;
             items->item[count++] = body;
-        else if (kind == info && !stored_apart(source, info, body, &apart))
+        } else if (kind == info && !stored_apart(source, info, body, &apart))
             return false;
     items->count = count;
     if (count == 0)

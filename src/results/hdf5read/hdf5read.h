@@ -73,9 +73,11 @@ char *ovr_container_text(ovr_container *container, uint64_t object,
 double ovr_container_number(ovr_container *container, uint64_t object,
                             const char *name);
 
-/* All attributes that are one number and have a plain name; NULL: damaged. */
+/* All attributes that are one number and have a plain name, in the order of
+ * their making; NULL: damaged. */
 typedef struct ovr_named_number {
     char name[64];
+    size_t order;
     double value;
 } ovr_named_number;
 ovr_named_number *ovr_container_numbers(ovr_container *container,

@@ -14,6 +14,7 @@ enum { OVR_MOST_ITEMS = 4096 };
 
 typedef struct ovr_items {
     ovr_piece *item;
+    size_t *order; /* of their making; NULL: as they come */
     size_t count;
 } ovr_items;
 
