@@ -5,7 +5,7 @@
  * function left unset be used.  Here the failing calls have the value of the
  * status they are given.
  */
-#include "overroll/error.h"
+#include "base/error.h"
 
 #define ovr_fail(err, status, ...)                                             \
     ((void)(ovr_fail)(err, status, __VA_ARGS__), (status))

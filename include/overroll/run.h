@@ -239,6 +239,9 @@ typedef struct ovr_summary_line {
 } ovr_summary_line;
 typedef void ovr_summary_taker(void *data, const ovr_summary_line *line);
 
+OVR_API void ovr_run_summary(const ovr_run_info *run, ovr_summary_taker *take,
+                             void *data);
+
 /* The same with lines for people in between, as reports have them. */
 OVR_API void ovr_run_report(const ovr_run_info *run, ovr_summary_taker *take,
                             void *data);
@@ -324,9 +327,11 @@ OVR_API ovr_study *ovr_study_read(const char *path,
                                   ovr_error *err);
 OVR_API void ovr_study_free(ovr_study *study);
 
-/* The number of cases; the name of one. */
+/* The number of cases; the name of one; its case, to be freed. */
 OVR_API size_t ovr_study_cases(const ovr_study *study);
 OVR_API const char *ovr_study_name(const ovr_study *study, size_t k);
+OVR_API ovr_case *ovr_study_case(const ovr_study *study, size_t k,
+                                 ovr_error *err);
 
 /* The folder of the results; another one, copied. */
 OVR_API const char *ovr_study_output(const ovr_study *study);
