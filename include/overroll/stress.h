@@ -180,6 +180,11 @@ typedef struct ovr_life_options {
     double depth_exponent; /* h; 7/3 */
     double weibull;        /* e; 9/8 */
     double least_depth;    /* of risk and utilisation */
+    /* A_u against the depth, of hardened bodies, instead of the limit: depths
+     * that rise, linear between them, the ends' values beyond. */
+    size_t limits;         /* 0: there are none */
+    const double *limit_z; /* [limits] */
+    const double *limit_A; /* [limits], above 0 */
 } ovr_life_options;
 OVR_SIZED(ovr_life_options)
 
@@ -190,8 +195,9 @@ typedef struct ovr_life_result {
     double least_depth;       /* the row it was counted from */
     double worst_amplitude;   /* largest A from there down */
     double worst_xi, worst_z;
-    double utilisation; /* worst_amplitude / A_u; NAN without a limit */
+    double utilisation; /* largest A / A_u from there; NAN without a limit */
     size_t counted;     /* complete points */
+    double used_xi, used_z, used_limit; /* where that is, and A_u there */
 } ovr_life_result;
 
 /* ------------------------------------------------------- circle of a path */

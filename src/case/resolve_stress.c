@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "case/resolve.h"
+#include "case/two_columns.h"
 #include "elements/elements.h"
 #include "results/results.h"
 
@@ -69,6 +70,51 @@ static void resolve_raceway(ovr_resolved *r, const ovr_block *block)
                                    r->contact.b;
 }
 
+static ovr_status check_limits(const ovr_two_columns *c, const char *file,
+                               ovr_error *err)
+{
+    if (!c->count)
+        return ovr_fail_at(err, OVR_BAD_INPUT, file, 0, "has no points");
+    for (size_t k = 0; k < c->count; k++)
+        if (!(c->y[k] > 0) || !(c->x[k] >= 0) ||
+            (k && !(c->x[k] > c->x[k - 1])))
+            return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
+                               "point %zu: depths must be at least 0 and rise, "
+                               "limits be above 0",
+                               k + 1);
+    return OVR_OK;
+}
+
+/* Limits against the depth, in p_h and b. */
+static ovr_status resolve_limits(ovr_resolved *r, const ovr_block *block,
+                                 ovr_error *err)
+{
+    const char *file = r->values.limit_table;
+    const ovr_slot *slot = ovr_block_get(block, "limit_table");
+    ovr_two_columns c = {.name = {"depth", "limit"},
+                         .header = {OVR_LENGTH, OVR_PRESSURE},
+                         .example = "depth [um], limit [MPa]"};
+    if (!file)
+        return OVR_OK;
+    if (ovr_block_get(block, "limit_pressure")->given)
+        return ovr_fail_slot(err, slot,
+                             "limit_pressure is given too: leave one out");
+    if (!isfinite(r->contact.b) || !isfinite(r->contact.ph))
+        return ovr_fail_slot(err, slot,
+                             "needs a case with units: b and ph are not known");
+    ovr_status status = ovr_two_columns_read(&c, file, slot, &r->arena, err);
+    if (!status)
+        status = check_limits(&c, file, err);
+    for (size_t k = 0; !status && k < c.count; k++) {
+        c.x[k] /= r->contact.b;
+        c.y[k] /= r->contact.ph;
+    }
+    r->values.life.limits = c.count;
+    r->values.life.limit_z = c.x;
+    r->values.life.limit_A = c.y;
+    return status;
+}
+
 static ovr_status resolve_fatigue(ovr_resolved *r, ovr_error *err)
 {
     const ovr_block *block = ovr_block_of(r, "fatigue");
@@ -84,6 +130,8 @@ static ovr_status resolve_fatigue(ovr_resolved *r, ovr_error *err)
     if (ovr_block_fill(r, block, &r->values, err))
         return OVR_BAD_INPUT;
     s->criterion = (ovr_criterion)r->values.criterion;
+    if (resolve_limits(r, block, err))
+        return OVR_BAD_INPUT;
     resolve_raceway(r, block);
     return OVR_OK;
 }

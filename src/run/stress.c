@@ -449,6 +449,19 @@ static void tell_limit(const ovr_setup *setup, int k, ovr_physics_line *line,
     double hertz = ovr_hertz_criterion(s->criterion, s->alpha, s->poisson[k],
                                        &z);
     char text[160], megapascals[40] = "";
+    if (s->life->limits) {
+        snprintf(text, sizeof text,
+                 "%s: limit by depth, %.4g MPa at %.3g um to %.4g MPa at %.3g "
+                 "um; smooth %.4g ph at Z = %.3g",
+                 ovr_criterion_name(s->criterion), s->life->limit_A[0] * ph,
+                 s->life->limit_z[0] * setup->contact->b * 1e6,
+                 s->life->limit_A[s->life->limits - 1] * ph,
+                 s->life->limit_z[s->life->limits - 1] * setup->contact->b *
+                     1e6,
+                 hertz, z);
+        line(data, "fatigue", text);
+        return;
+    }
     if (isfinite(ph))
         snprintf(megapascals, sizeof megapascals, " = %.4g MPa",
                  hertz * s->limit_pressure * ph);

@@ -137,6 +137,8 @@ static ovr_status find_life(const ovr_setup *setup, ovr_stress_report *r,
     if (ovr_life(&life, &r->material, r->amplitude, r->amplitude_smooth,
                  r->risk, r->length, result, err))
         return OVR_BAD_INPUT;
+    if (life.limits)
+        r->limit = result->used_limit;
     r->length_error = length_error(r);
     r->ratio = NAN;
     if (s->raceway > 0)
@@ -363,6 +365,8 @@ static void add_attributes(storage *s, const ovr_setup *setup,
     add_number(s, "worst_xi", r->life->worst_xi);
     add_number(s, "worst_depth", r->life->worst_z);
     add_number(s, "utilisation", r->life->utilisation);
+    add_number(s, "used_xi", r->life->used_xi);
+    add_number(s, "used_depth", r->life->used_z);
     add_number(s, "raceway", o->raceway);
     add_number(s, "count", o->count);
     add_number(s, "life_ratio", r->ratio);

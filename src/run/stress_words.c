@@ -94,9 +94,10 @@ static void say_life(const ovr_told *to, const ovr_stress_report *r,
                  r->least_depth);
     if (isfinite(r->life->utilisation))
         ovr_tell_number(to, "utilisation", 4, r->life->utilisation,
-                        "of the limit %.4g ph (%s), from Z = %.3g down",
+                        "of the limit %.4g ph (%s), from Z = %.3g down; at "
+                        "Z = %.3g",
                         r->limit, ovr_criterion_name(s->criterion),
-                        r->least_depth);
+                        r->least_depth, r->life->used_z);
     if (isfinite(r->ratio) && has_effect(r))
         ovr_tell_number(to, "life", 4, r->ratio,
                         "of the smooth raceway's, counted from Z = %.3g",

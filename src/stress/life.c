@@ -44,10 +44,26 @@ void ovr_life_options_fill(ovr_life_options *options)
 }
 
 /* What the depths alone decide, once for all points: of the interval from z[j]
- * its width in ln z, and z^(1-h) times Gauss's weights. */
+ * its width in ln z, z^(1-h) times Gauss's weights, and the limits there. */
 typedef struct interval {
     double width, weight[PARTS];
+    double limit[PARTS], least_limit;
 } interval;
+
+static double limit_at(const ovr_life_options *o, double z)
+{
+    size_t k = 1;
+    if (!o->limits)
+        return o->limit;
+    if (z <= o->limit_z[0])
+        return o->limit_A[0];
+    while (k < o->limits && o->limit_z[k] < z)
+        k++;
+    if (k == o->limits)
+        return o->limit_A[k - 1];
+    double t = (z - o->limit_z[k - 1]) / (o->limit_z[k] - o->limit_z[k - 1]);
+    return o->limit_A[k - 1] + t * (o->limit_A[k] - o->limit_A[k - 1]);
+}
 
 static void find_intervals(const ovr_life_options *o, size_t depths,
                            const double *z, interval *of)
@@ -56,9 +72,13 @@ static void find_intervals(const ovr_life_options *o, size_t depths,
     for (size_t j = 0; j + 1 < depths; j++) {
         double width = log(z[j + 1] / z[j]), start = pow(z[j], power);
         of[j].width = width;
-        for (int k = 0; k < PARTS; k++)
+        of[j].least_limit = INFINITY;
+        for (int k = 0; k < PARTS; k++) {
             of[j].weight[k] = gauss_weight[k] * width * start *
                               exp(power * width * gauss_at[k]);
+            of[j].limit[k] = limit_at(o, z[j] * exp(width * gauss_at[k]));
+            of[j].least_limit = fmin(of[j].least_limit, of[j].limit[k]);
+        }
     }
 }
 
@@ -88,14 +108,14 @@ static double of_interval(const ovr_life_options *o, size_t n,
 {
     double width = of[j].width, sum = 0;
     double m0 = slope(n, of, A, j) * width, m1 = slope(n, of, A, j + 1) * width;
-    if (fmax(A[j], A[j + 1]) <= o->limit)
+    if (fmax(A[j], A[j + 1]) <= of[j].least_limit)
         return 0;
     for (int k = 0; k < PARTS; k++) {
         double t = gauss_at[k], s = 1 - t;
         double a = s * s * (1 + 2 * t) * A[j] + s * s * t * m0 +
                    t * t * (1 + 2 * s) * A[j + 1] - t * t * s * m1;
-        if (a > o->limit)
-            sum += of[j].weight[k] * pow(a - o->limit, o->exponent);
+        if (a > of[j].limit[k])
+            sum += of[j].weight[k] * pow(a - of[j].limit[k], o->exponent);
     }
     return sum;
 }
@@ -119,7 +139,8 @@ void ovr_risk(const ovr_life_options *options, size_t depths, const double *z,
     ovr_life_options own;
     interval of[MOST_DEPTHS];
     if (depths > MOST_DEPTHS ||
-        OVR_SIZED_TAKE(ovr_life_options, &own, options, NULL)) {
+        OVR_SIZED_TAKE(ovr_life_options, &own, options, NULL) ||
+        (own.limits && !(own.limit_z && own.limit_A))) {
         for (size_t j = 0; j < depths; j++)
             risk[j] = NAN;
         return;
@@ -147,6 +168,26 @@ static void find_worst(const ovr_material *m, const float *A, size_t from,
                 r->worst_xi = m->start + (double)k * m->step;
                 r->worst_z = m->z[j];
             }
+}
+
+/* The largest share of the limit, which with limits by depth need not be where
+ * the largest amplitude is. */
+static void find_used(const ovr_life_options *o, const ovr_material *m,
+                      const float *A, size_t from, ovr_life_result *r)
+{
+    r->utilisation = r->used_xi = r->used_z = r->used_limit = NAN;
+    for (size_t j = from; j < m->depths; j++) {
+        double limit = limit_at(o, m->z[j]);
+        for (size_t k = 0; limit > 0 && k < m->points; k++) {
+            double used = (double)A[j * m->points + k] / limit;
+            if (!m->complete[k] || used <= r->utilisation)
+                continue;
+            r->utilisation = used;
+            r->used_xi = m->start + (double)k * m->step;
+            r->used_z = m->z[j];
+            r->used_limit = limit;
+        }
+    }
 }
 
 /* One point's amplitudes and risks, added to lambda's sums. */
@@ -178,6 +219,8 @@ ovr_status ovr_life_into(const ovr_life_options *options, const ovr_material *m,
         return OVR_BAD_INPUT;
     if (!m || !A || !smooth)
         return ovr_fail_null(err, __func__);
+    if (o->limits && !(o->limit_z && o->limit_A))
+        return ovr_fail_null(err, __func__);
     if (m->depths < 1 || m->depths > MOST_DEPTHS)
         return ovr_fail(err, OVR_BAD_INPUT, "%zu depths: 1 to %d are possible",
                         m->depths, MOST_DEPTHS);
@@ -198,7 +241,7 @@ ovr_status ovr_life_into(const ovr_life_options *options, const ovr_material *m,
     find_worst(m, A, from, &made);
     made.smooth_risk = i_0[from];
     made.equivalent_length = lambda[from];
-    made.utilisation = o->limit > 0 ? made.worst_amplitude / o->limit : NAN;
+    find_used(o, m, A, from, &made);
     ovr_sized_give(result, &made, sizeof made);
     return OVR_OK;
 }

@@ -483,6 +483,33 @@ static void refuses(ovr_stress_options o, const char *part)
     assert_true(isnan(ovr_stress_memory(&o)));
 }
 
+/* int (A - A_u) dz with A_u = A_0 + s z, which is a polynomial. */
+static void limits_by_depth_enter_the_risk(void **state)
+{
+    const double at[] = {0.1, 2}, limits[] = {0.1, 0.29};
+    double z[21], A[21], risk[21];
+    ovr_life_options life = ovr_life_options_default();
+    (void)state;
+    life.exponent = 1;
+    life.depth_exponent = 0;
+    life.limits = 2;
+    life.limit_z = at;
+    life.limit_A = limits;
+    for (int j = 0; j < 21; j++) {
+        z[j] = 0.1 * exp2(0.2 * j);
+        A[j] = 0.5;
+    }
+    ovr_risk(&life, 21, z, A, risk);
+    CHECK_CLOSE(risk[0], 0.41 * (z[20] - 0.1) - 0.05 * (z[20] * z[20] - 0.01),
+                1e-12);
+    life.limits = 1; /* one: the same at all depths */
+    ovr_risk(&life, 21, z, A, risk);
+    CHECK_CLOSE(risk[0], 0.4 * (z[20] - 0.1), 1e-12);
+    life.limit_A = NULL;
+    ovr_risk(&life, 21, z, A, risk);
+    assert_true(isnan(risk[0]));
+}
+
 static void nonsense_is_refused(void **state)
 {
     ovr_stress_options o = level8();
@@ -552,6 +579,7 @@ int main(void)
         cmocka_unit_test(fields_superpose),
         cmocka_unit_test(bits_stay),
         cmocka_unit_test(every_instruction_set_agrees),
+        cmocka_unit_test(limits_by_depth_enter_the_risk),
         cmocka_unit_test(nonsense_is_refused),
         cmocka_unit_test(memory_may_run_out),
         cmocka_unit_test(memory_is_foretold),

@@ -69,6 +69,10 @@ static const ovr_parameter fatigue_keys[] = {
     {"limit_pressure", STRESS(no_limit, 0, 1e3), "1.5 GPa",
      AT(stress.limit_pressure), false, ALWAYS,
      "Hertz pressure of a smooth contact below which amplitudes do no harm"},
+    {"limit_table", PATH, NULL, AT(limit_table), true, ALWAYS,
+     "file of depth and limiting amplitude, of hardened bodies, instead of "
+     "limit_pressure; its first line names the units, 'depth [um], limit "
+     "[MPa]'"},
     {"exponent", PLAIN_OR(risk_exponents, 1, 100), "31/3", AT(life.exponent),
      false, ALWAYS, "c of the amplitude in the risk"},
     {"depth_exponent", PLAIN_OR(depth_exponents, 0, 10), "7/3",
