@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A tenth of tests/verify/told_test.c: of ten random cases at level 5 one at
- * most tells less than half of its true error (support/told.h). */
+ * most tells less than half of its true error (support/told.h), as of 100 three
+ * may. */
 #include "support/test.h"
 #include "support/told.h"
 

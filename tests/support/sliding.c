@@ -97,6 +97,7 @@ static void put_profile(char *text, size_t bytes, int surface,
              surface, surface, getenv("TOP"), profile, how);
 }
 
+/* Of second order, both schemes: what steps cost, not what corrections do. */
 void test_slides_rough(test_slides *all, const test_rough_slide *one)
 {
     char text[2000];
