@@ -135,7 +135,8 @@ static void run_step_modes(void *sim)
                                  m->before,
                                  h->surface[0].past,
                                  h->surface[1].past};
-    s->grids.kernels->step_modes(&step, h->surface[0].psi, h->surface[0].next);
+    s->grids.kernels->step_modes(&step, h->surface[0].psi[0],
+                                 h->surface[0].next);
 }
 
 /*
