@@ -153,6 +153,9 @@ typedef struct ovr_stress_report {
      * shallowest depth. */
     ovr_stress_extreme layer_von_mises, interface_shear, interface_tension,
         surface_tension;
+    /* Largest von Mises stress of a layer over its own yield; NAN: no layer
+     * has one. */
+    double layer_utilisation;
 } ovr_stress_report;
 
 /* What amplitude reduction says of rough surfaces that roll through, before

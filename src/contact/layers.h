@@ -48,6 +48,7 @@ typedef struct ovr_layered {
     int layers;
     double thickness[OVR_LAYERS_MOST];
     ovr_elastic layer[OVR_LAYERS_MOST], below;
+    double yield[OVR_LAYERS_MOST]; /* of each layer, ph; 0: not told */
 } ovr_layered;
 
 /* S_11 of a wave of k, in the unit of 1/thickness. */

@@ -165,6 +165,7 @@ static void find_layers(const ovr_stress_plan *plan, const ovr_passage *passage,
     const ovr_layered *layers = plan->options.layers;
     r->layer_von_mises = r->interface_shear = r->interface_tension = none;
     r->surface_tension = none;
+    r->layer_utilisation = NAN;
     /* moments too far apart tell of no depth in the topmost layer */
     if (!layers || plan->options.depth_min >= layers->thickness[0])
         return;
@@ -172,6 +173,10 @@ static void find_layers(const ovr_stress_plan *plan, const ovr_passage *passage,
     for (int j = 1; j < layers->layers; j++)
         if (of.von_mises[j].value > r->layer_von_mises.value)
             r->layer_von_mises = of.von_mises[j];
+    for (int j = 0; j < layers->layers; j++)
+        if (layers->yield[j] > 0)
+            r->layer_utilisation = fmax(
+                r->layer_utilisation, of.von_mises[j].value / layers->yield[j]);
     r->interface_shear = of.shear;
     r->interface_tension = of.tension;
     r->surface_tension = of.surface;
@@ -184,6 +189,7 @@ static void withhold(ovr_stress_report *r, ovr_life_result *life)
               "choose a rheology, or traction = no";
     r->max_shear = r->von_mises = r->layer_von_mises = none;
     r->interface_shear = r->interface_tension = r->surface_tension = none;
+    r->layer_utilisation = NAN;
     r->R_max = r->xi_R_max = r->Z_R_max = r->R_smooth = NAN;
     for (int m = 0; m < OVR_MEASURES; m++) {
         for (size_t k = 0; k < n * depths; k++)
@@ -342,6 +348,7 @@ static void add_attributes(storage *s, const ovr_setup *setup,
         add_number(s, "interface_shear_max", r->interface_shear.value);
         add_number(s, "interface_tension_max", r->interface_tension.value);
         add_number(s, "surface_tension_max", r->surface_tension.value);
+        add_number(s, "layer_utilisation", r->layer_utilisation);
     }
     add_number(s, "tau_max", r->max_shear.value);
     add_number(s, "von_mises_max", r->von_mises.value);

@@ -125,6 +125,9 @@ void ovr_say_stress(const ovr_told *to, const ovr_stress_report *r,
         say_extreme(to, "shear of an interface", &r->interface_shear, ph);
         say_extreme(to, "tension across one", &r->interface_tension, ph);
         say_extreme(to, "tension at the top", &r->surface_tension, ph);
+        if (!isnan(r->layer_utilisation))
+            ovr_tell_number(to, "layers use", 4, r->layer_utilisation,
+                            "of their own yield, at most");
     }
     say_circle(to, r, ph);
     ovr_tell(to, "traction", "%s%s",

@@ -244,6 +244,10 @@ static void put_layers(const ovr_told *to, const ovr_stress_report *a,
     put_place(to, "interface_shear_max", &of->interface_shear, ph);
     put_place(to, "interface_tension_max", &of->interface_tension, ph);
     put_place(to, "surface_tension_max", &of->surface_tension, ph);
+    double used = fmax(a ? a->layer_utilisation : NAN,
+                       b ? b->layer_utilisation : NAN);
+    if (!isnan(used))
+        ovr_put_number(to, "layer_utilisation", used);
 }
 
 void ovr_stress_summary(const ovr_stress_report *const report[2],

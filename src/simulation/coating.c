@@ -28,6 +28,7 @@ typedef struct coat {
     double modulus, poisson;
     ovr_thermal thermal;
     double residual[2]; /* ph */
+    double yield;       /* ph; 0: not told */
 } coat;
 
 typedef struct coating_form {
@@ -65,6 +66,8 @@ static const coat materials[] = {
     [PTFE] = {.modulus = 575e6, .poisson = NAN, .thermal = {0.24, 1000, 2180}},
 };
 
+static const ovr_word no_yield[] = {{"none", 0}, {NULL, 0}};
+
 static const ovr_parameter keys[] = {
     {"material", CHOICE(material_words), NULL, offsetof(coat, material), true,
      ALWAYS, "gives its constants; those that are given count"},
@@ -88,6 +91,9 @@ static const ovr_parameter keys[] = {
      "stress in the layer without load, along the surface, tension positive"},
     {"residual_y", STRESS(NULL, -100, 100), "0", offsetof(coat, residual[1]),
      true, "stress.surface", "and across"},
+    {"yield", STRESS(no_yield, 0, 1e4), "none", offsetof(coat, yield), false,
+     "stress.surface",
+     "von Mises stress that the layer bears; its share that is used is told"},
 };
 
 static const ovr_section section = {
@@ -113,7 +119,7 @@ static ovr_status block(void *form, const char *name, void **into,
                         "down; those of body 2 alike",
                         name, 'a' + OVR_LAYERS_MOST - 1);
     f->there[body][layer] = true;
-    f->coat[body][layer] = (coat){0, NAN, NAN, NAN, {NAN, NAN, NAN}, {0, 0}};
+    f->coat[body][layer] = (coat){0, NAN, NAN, NAN, {NAN, NAN, NAN}, {0, 0}, 0};
     *into = &f->coat[body][layer];
     return OVR_OK;
 }
@@ -309,6 +315,7 @@ static void measure(const ovr_physics_case *of, coating_form *f)
         ovr_images_scale(&f->coated[k].images, f->stiffness, f->unit);
         for (int j = 0; j < f->body[k].layers; j++) {
             f->coated[k].body.thickness[j] = f->coat[k][j].thickness;
+            f->coated[k].body.yield[j] = f->coat[k][j].yield;
             for (int along = 0; along < 2; along++)
                 f->coated[k].residual[2 * j + along] =
                     f->coat[k][j].residual[along];

@@ -1,0 +1,64 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What layers use of their own yield: of one layer its largest von Mises stress
+# over it; of two the larger share, whichever layer that is.
+. "$TOP/tests/support/cli.sh"
+need_python json
+
+cat >case.ini <<'END'
+[contact]
+load = 300 kN/m
+radius = 8 mm
+speed_1 = 3.0 m/s
+speed_2 = 3.0 m/s
+[body 1]
+modulus = 206 GPa
+[body 2]
+modulus = 206 GPa
+[coating 1]
+thickness = 0.3
+modulus = 400 GPa
+[coating 1b]
+thickness = 0.3
+modulus = 120 GPa
+[lubricant]
+viscosity = 40 mPa.s
+alpha = 17 1/GPa
+[domain]
+level = 6
+[time]
+end = 6.5
+[feature dent]
+shape = dent
+depth = 0.1
+width = 0.5
+start = -4
+[output]
+every = 1
+[stress]
+surface = 1
+END
+expect 0 "$OVERROLL" run case.ini -o none.h5 --json
+cp out none.json
+for upper in none '3 GPa'; do
+    for lower in none '0.4 GPa'; do
+        expect 0 "$OVERROLL" run case.ini -o both.h5 --json --force \
+            --set "coating 1.yield=$upper" --set "coating 1b.yield=$lower"
+        cp out "$upper-$lower.json"
+    done
+done
+expect 0 "$OVERROLL" run case.ini -o words.h5 --set 'coating 1.yield=3 GPa'
+contains out '^layers use .* of their own yield'
+expect 0 "$PYTHON" - <<'END'
+import json
+def of(name):
+    return json.load(open(name + ".json"))
+none = of("none-none")
+assert "layer_utilisation" not in none
+largest = none["layer_von_mises_max_Pa"]
+upper = of("3 GPa-none")["layer_utilisation"]
+lower = of("none-0.4 GPa")["layer_utilisation"]
+both = of("3 GPa-0.4 GPa")["layer_utilisation"]
+assert abs(max(upper * 3e9, lower * 0.4e9) / largest - 1) < 1e-9
+assert lower > upper and both == lower, (upper, lower, both)
+END
