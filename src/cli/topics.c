@@ -47,6 +47,15 @@ static const struct {
      "Each key of [product] is an axis; those of a [zip] go together; [set] "
      "changes\nthe case for all.  'overroll plot STUDY.ini' draws what came "
      "out.  More in\noverroll-study(5)."},
+    {"random",
+     "Random draws are a section of a study: keys with a distribution each.\n"
+     "    [study]\n    case = dent.ini\n    [random]\n    draws = 64\n"
+     "    contact.mean_speed = normal 3 m/s sd 0.3 m/s\n"
+     "    feature.rough.seed = 1..64\n"
+     "    [limits]\n    H_min_overall = at least 0.1 um\n"
+     "'overroll sweep STUDY.ini' runs them, with --statistics it tells means,\n"
+     "quantiles and the probability of each limit.  More in "
+     "overroll-study(5)."},
     {"film",
      "The film is reported as H_min (the smallest) and H_cen (at X = 0), in\n"
      "b^2/R and, where the case is physical, in metres; H_min_overall is the "
