@@ -103,9 +103,9 @@ static bool stop(void *data)
 static int digits_of(const ovr_find_info *i)
 {
     double share = fabs(i->value / i->error);
-    int digits = 1 + (int)ceil(log10(share));
-    if (i->exact || !isfinite(share))
+    if (i->exact || !isfinite(share) || !(share > 0))
         return i->exact ? 10 : 4;
+    int digits = 1 + (int)ceil(log10(share));
     return digits < 2 ? 2 : digits > 9 ? 9 : digits;
 }
 

@@ -7,7 +7,7 @@
 
 /* The table of Carreau's law or that of points; a second's tenth of work.
  * NULL: *err says why. */
-ovr_flow_law *ovr_flow_law_create(const ovr_flow_form *form,
+ovr_flow_law *ovr_flow_law_create(const ovr_flow_form *given,
                                   const ovr_allocator *allocator,
                                   ovr_error *err);
 void ovr_flow_law_free(ovr_flow_law *law);
@@ -15,13 +15,13 @@ void ovr_flow_law_free(ovr_flow_law *law);
 /* Gives the lubricant a flow law.  Fails if a stress in Pa is given and b/R or
  * ph is not known, or both or neither of the two. */
 ovr_status ovr_lubricant_flow(const ovr_contact *contact,
-                              const ovr_flow_form *form,
+                              const ovr_flow_form *given,
                               ovr_lubricant *lubricant, ovr_error *err);
 
 /* Relative viscosity at one dimensionless pressure. */
 double ovr_viscosity(const ovr_lubricant *lubricant, double P);
 
-ovr_history *ovr_history_create(const ovr_history_form *form,
+ovr_history *ovr_history_create(const ovr_history_form *given,
                                 const ovr_allocator *allocator, ovr_error *err);
 void ovr_history_free(ovr_history *history);
 

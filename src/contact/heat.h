@@ -21,9 +21,9 @@ static inline ovr_status ovr_heat_make(const ovr_heat_form *form,
 }
 
 /* ln(eta/eta0) at the rise T from that at T0 and the same pressure. */
-double ovr_heat_log_viscosity(const ovr_heat *heat, double log_eta, double T);
+double ovr_heat_log_viscosity(const ovr_heat *given, double log_eta, double T);
 
 /* -d ln eta/dT there. */
-double ovr_heat_viscosity_fall(const ovr_heat *heat, double log_eta, double T);
+double ovr_heat_viscosity_fall(const ovr_heat *given, double log_eta, double T);
 
 #endif

@@ -329,7 +329,7 @@ ovr_layered_hertz ovr_images_dry(const ovr_images *images, double a)
     const double pi = acos(-1.0);
     double thin = images->count ? images->depth[0] / 0.3 : a, middle = 0;
     int n = 12 + (int)fmin(4 * a / thin, MOST - 12);
-    system of;
+    system of = {.row = {{0}}};
     for (int i = 0; i < n; i++) {
         double s = cos((2 * i + 1) * pi / (4 * n));
         slopes(images, a, s, n, of.row[i]);

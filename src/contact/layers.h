@@ -54,9 +54,9 @@ typedef struct ovr_layered {
 /* S_11 of a wave of k, in the unit of 1/thickness. */
 double ovr_layered_compliance(const ovr_layered *body, double k);
 
-/* R at the top of each layer, by rows; below them it is 0. */
+/* To: R at the top of each layer, by rows; below them it is 0. */
 void ovr_layered_reflections(const ovr_layered *body, double k,
-                             double R[OVR_LAYERS_MOST + 1][4]);
+                             double to[OVR_LAYERS_MOST + 1][4]);
 
 /* A(k) of both. */
 double ovr_layers_softness(const ovr_layered body[2], double k);

@@ -25,7 +25,7 @@ ovr_writer *ovr_writer_create(const ovr_write_options *options,
                               ovr_error *err);
 
 /* Records a moment. */
-ovr_status ovr_writer_record(ovr_writer *writer, const ovr_frame *frame,
+ovr_status ovr_writer_record(ovr_writer *writer, const ovr_frame *given,
                              ovr_error *err);
 
 /* The writer as an observer of a march, and what it does. */
@@ -52,7 +52,7 @@ void ovr_writer_warnings(ovr_writer *writer, const char *warnings);
  * complete run gets its last state as a snapshot, whatever the schedule.  So
  * does a failed one, for inspection: the state of the last time reached, or
  * what a steady start ended with (its row of the history has converged 0). */
-ovr_status ovr_writer_close(ovr_writer *writer, ovr_run_status status,
+ovr_status ovr_writer_close(ovr_writer *writer, ovr_run_status run,
                             ovr_error *err);
 
 /* The checkpoint beside a result file; one that belongs to another run, is
@@ -90,12 +90,12 @@ bool ovr_writer_repaired(const ovr_writer *writer);
 bool ovr_writer_unlocked(const ovr_writer *writer);
 
 /* Makes the group, in place of one that is there; `keep`: that one stays. */
-ovr_status ovr_writer_group(ovr_writer *writer, const ovr_group *group,
+ovr_status ovr_writer_group(ovr_writer *writer, const ovr_group *given,
                             bool keep, ovr_error *err);
 
 /* Row k of the arrays along time: each `count` floats, one array after the
  * other.  Rows behind it are dropped. */
-ovr_status ovr_writer_append(ovr_writer *writer, const ovr_group *group,
+ovr_status ovr_writer_append(ovr_writer *writer, const ovr_group *given,
                              size_t k, double T, const float *values,
                              size_t count, ovr_error *err);
 

@@ -11,7 +11,7 @@ ovr_stress *ovr_stress_create(const ovr_stress_options *options,
 void ovr_stress_free(ovr_stress *stress);
 
 /* Memory that ovr_stress_create would take, bytes; NAN when refused. */
-double ovr_stress_memory(const ovr_stress_options *options);
+double ovr_stress_memory(const ovr_stress_options *given);
 
 size_t ovr_stress_depths(const ovr_stress *stress, const double **z);
 
@@ -19,11 +19,11 @@ void ovr_stress_solve(ovr_stress *stress, const double *P, const double *Q,
                       double shift, unsigned levels);
 
 /* One depth; valid until the next solve. */
-ovr_stress_row ovr_stress_at(const ovr_stress *stress, size_t depth);
+ovr_stress_row ovr_stress_at(const ovr_stress *stress, size_t j);
 
 /* The same of the last solve, at every node of the mesh.  Valid until the next
  * call. */
-ovr_status ovr_stress_at_every_node(ovr_stress *stress, size_t depth,
+ovr_status ovr_stress_at_every_node(ovr_stress *stress, size_t j,
                                     ovr_stress_row *row, ovr_error *err);
 
 /* "sigma_x", ... */
@@ -39,11 +39,11 @@ ovr_in_plane ovr_element_stress(ovr_element element, double D, double p,
 /* Smooth dry contact, P = p sqrt(1 - X^2), Q = q sqrt(1 - X^2). */
 ovr_in_plane ovr_hertz_stress(double p, double q, double x, double z);
 
-ovr_passage *ovr_passage_create(const ovr_stress_options *options,
+ovr_passage *ovr_passage_create(const ovr_stress_options *given,
                                 const ovr_material_range *range,
                                 const ovr_allocator *allocator, ovr_error *err);
 void ovr_passage_free(ovr_passage *passage);
-double ovr_passage_memory(const ovr_stress_options *options,
+double ovr_passage_memory(const ovr_stress_options *given,
                           const ovr_material_range *range);
 
 /* What lies before the first and after the last moment is a steady contact
@@ -71,8 +71,8 @@ double ovr_passage_widest(const ovr_passage *passage);
 
 /* Fills value[depth * points + k], and smooth[depth] with the steady contact
  * before the run; either may be NULL. */
-void ovr_passage_measure(const ovr_passage *passage, ovr_measure measure,
-                         float *value, double *smooth);
+void ovr_passage_measure(const ovr_passage *passage, ovr_measure which,
+                         float *to, double *smooth);
 
 /* "circle", ... */
 const char *ovr_criterion_name(ovr_criterion criterion);
