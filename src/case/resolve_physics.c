@@ -106,7 +106,7 @@ static ovr_status settle(ovr_resolved *r, int k, ovr_error *err)
 {
     enum { STEPS = 40 };
     const double enough = 1e-11;
-    double x[2] = {log(r->substrate)}, y[2];
+    double x[2] = {log(r->substrate)}, y[2] = {0, 0};
     ovr_status status = stiffness_off(r, k, x[0], &y[0], err);
     if (status || y[0] == 0)
         return status;

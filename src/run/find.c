@@ -270,6 +270,12 @@ static ovr_find_evaluation *made_at(const ovr_find *f, double x)
     return NULL;
 }
 
+static double quantity_at(const ovr_find *f, double x)
+{
+    const ovr_find_evaluation *made = made_at(f, x);
+    return made ? made->quantity : NAN;
+}
+
 static ovr_status keep(ovr_find *f, double x, const ovr_trial *t,
                        ovr_error *err)
 {
@@ -356,7 +362,7 @@ static ovr_status evaluate(void *data, size_t n, const double *x, double *q,
         ovr_trials_free(t);
     }
     for (size_t k = 0; !status && k < n; k++)
-        q[k] = made_at(f, x[k])->quantity;
+        q[k] = quantity_at(f, x[k]);
     return status;
 }
 

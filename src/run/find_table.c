@@ -24,7 +24,7 @@ static bool read_cell(const char **text, double *value)
 /* A whole line; the last one may be cut. */
 static bool read_row(char *line, ovr_find_evaluation *e, ovr_arena *arena)
 {
-    double cell[7];
+    double cell[7] = {0};
     const char *at = line;
     size_t size = strcspn(line, "\n");
     if (!line[size])

@@ -79,7 +79,7 @@ BEGIN {
     printf "%.17g %.17g %.17g %.17g\n", R0, um / 1e3, 1e3 * t, \
         1e3 * (pitch - from) / v
 }' CONVFMT=%.17g >nominal.txt
-read -r radius speed end pitch <nominal.txt
+read -r radius speed end _ <nominal.txt
 awk '{ exit !($1 - 6.8404 < 1e-3 && 6.8404 - $1 < 1e-3 &&
     $3 - 1.6352 < 1e-3 && 1.6352 - $3 < 1e-3) }' nominal.txt ||
     fail "nominal: $(cat nominal.txt)"
