@@ -168,7 +168,7 @@ static bool read_moments(const char *from, const char *end, ovr_distribution *d,
 static bool read_several(const char *from, const char *end, const char *mark,
                          int count, double *to, char *unit)
 {
-    amount a[3];
+    amount a[3] = {{0}};
     for (int k = 0; k < count; k++) {
         const char *next = k + 1 < count ? strstr(from, mark) : end;
         if (!next || next > end || !read_amount(from, next, &a[k]))

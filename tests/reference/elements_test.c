@@ -625,6 +625,8 @@ static void splines_follow_the_element(void **state)
     ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
     (void)state;
     CHECK_OK(err.status, &err);
+    if (!setup) /* which the check has seen to */
+        return;
     const ovr_gear *made = ovr_setup_gear(setup);
     const ovr_gear_geometry *g = ovr_gear_of(made);
     const ovr_contact *contact = setup->contact;

@@ -32,7 +32,7 @@ static double dry(int k, double s)
     double P = 0, theta;
     if (fabs(s) >= 1)
         return 0;
-    theta = acos(s);
+    theta = atan2(sqrt(1 - s * s), s);
     for (int j = 0; j < TRUTH_SERIES; j++)
         P += truth_series[k][j] * sin((2 * j + 1) * theta);
     return P;
