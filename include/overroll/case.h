@@ -106,6 +106,15 @@ OVR_API void ovr_case_unset(ovr_case *c, const char *where);
 /* The text of the case with later settings worked in; reading it in the same
  * directory gives this case again.  Owned by the case. */
 OVR_API const char *ovr_case_text(ovr_case *c, ovr_error *err);
+
+/* The text of a case of an earlier version in today's words, line by line: keys
+ * that have moved stand where they belong, keys that have no effect, which are
+ * refused today, are comments with the reason, and where a default has changed
+ * a comment has the value of then. */
+typedef void ovr_case_line(void *data, const char *text);
+OVR_API ovr_status ovr_case_rewrite(const ovr_case *c, ovr_case_line *put,
+                                    void *data, ovr_error *err);
+
 OVR_API const char *ovr_case_name(const ovr_case *c);
 OVR_API const char *ovr_case_directory(const ovr_case *c);
 

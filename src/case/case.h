@@ -77,6 +77,10 @@ void ovr_no_key(const ovr_section *section, const char *key, ovr_error *err);
 /* Given and default value of a key that exists. */
 const ovr_slot *ovr_block_get(const ovr_block *block, const char *key);
 
+/* Whether conditions hold that are written as those of a row are. */
+bool ovr_conditions_hold(const ovr_case *c, const ovr_block *block,
+                         const char *when);
+
 /* Whether a key has an effect beside the values of the others. */
 bool ovr_key_applies(const ovr_case *c, const ovr_block *block,
                      const ovr_parameter *row);

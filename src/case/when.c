@@ -78,11 +78,10 @@ static bool any_holds(const ovr_case *c, const ovr_block *block,
 
 /* The first condition that does not hold; false: all do. */
 static bool first_failing(const ovr_case *c, const ovr_block *block,
-                          const ovr_parameter *row, char *condition,
-                          size_t room, bool *off)
+                          const char *when, char *condition, size_t room,
+                          bool *off)
 {
-    const char *when = row->when ? row->when : "";
-    if (!strcmp(when, OVR_BY_SHAPE))
+    if (!when || !strcmp(when, OVR_BY_SHAPE))
         return false;
     while (ovr_condition_next(&when, "; ", condition, room))
         if (!any_holds(c, block, condition, off))
@@ -90,12 +89,18 @@ static bool first_failing(const ovr_case *c, const ovr_block *block,
     return false;
 }
 
-bool ovr_key_applies(const ovr_case *c, const ovr_block *block,
-                     const ovr_parameter *row)
+bool ovr_conditions_hold(const ovr_case *c, const ovr_block *block,
+                         const char *when)
 {
     char condition[OVR_CONDITION_MOST];
     bool off;
-    return !first_failing(c, block, row, condition, sizeof condition, &off);
+    return !first_failing(c, block, when, condition, sizeof condition, &off);
+}
+
+bool ovr_key_applies(const ovr_case *c, const ovr_block *block,
+                     const ovr_parameter *row)
+{
+    return ovr_conditions_hold(c, block, row->when);
 }
 
 /* "has no effect with history = constant; it needs history = ramp or step" */
@@ -125,7 +130,7 @@ bool ovr_key_idle(const ovr_case *c, const ovr_block *block,
     char condition[OVR_CONDITION_MOST];
     bool off;
     if (!slot->given ||
-        !first_failing(c, block, row, condition, sizeof condition, &off))
+        !first_failing(c, block, row->when, condition, sizeof condition, &off))
         return false;
     idle->said = off || slot->stored;
     put_idle(c, block, condition, idle->text, sizeof idle->text);

@@ -172,6 +172,11 @@ static void line(void *data, const char *name, const char *text)
     (void)data, (void)name, (void)text;
 }
 
+static void written(void *data, const char *text)
+{
+    (void)data, (void)text;
+}
+
 static void taker(void *data, const ovr_summary_line *one)
 {
     (void)data, (void)one;
@@ -227,6 +232,7 @@ static const char *const words[] = {"dent", "bump", NULL};
 #define GOOD_ovr_heights_to heights
 #define GOOD_ovr_listener_to listener
 #define GOOD_ovr_setup_line_to line
+#define GOOD_ovr_case_line_to written
 #define GOOD_ovr_summary_taker_to taker
 #define GOOD_ovr_status_to_void_to_data_ovr_case_to_c_ovr_error_to_err change
 #define GOOD_ovr_case_value_to values
