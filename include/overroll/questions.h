@@ -62,6 +62,9 @@ typedef struct ovr_find_options {
     bool steady;            /* the steady contact alone */
     const char *table;      /* CSV of the evaluations, as they come; or NULL */
     bool go_on;             /* those that it holds are not run again */
+    const char *results;    /* folder of the result files of all runs; one that
+                               holds some of the same question goes on with
+                               them; NULL: none are written */
     void *data;
     ovr_listener *say;
     bool (*stop)(void *data);

@@ -226,6 +226,7 @@ static int ask(cli_call *call, const question *q)
     how.which = q->which;
     how.steady = cli_flag(call, "steady");
     how.table = cli_value(call, "table");
+    how.results = cli_value(call, "results");
     how.data = call;
     how.say = say;
     how.stop = stop;
@@ -263,6 +264,10 @@ static const cli_option options[] = {
     {"tolerance", "NUMBER", "of the key, relative; 1e-3 unless given", false},
     {"steady", NULL, "the steady contact alone, as 'overroll steady'", false},
     {"table", "FILE.csv", "the evaluations, a row as soon as it is known",
+     false},
+    {"results", "FOLDER",
+     "the result files of all runs; asked again, what is there is not run "
+     "again",
      false},
     CLI_CASE_OPTIONS,
     {0}};

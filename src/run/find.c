@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The value of a key for which a number of the run has a value. */
+#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include "base/entries.h"
 #include "base/error.h"
 #include "base/given.h"
 #include "base/quantity.h"
@@ -16,7 +20,12 @@
 #include "run/find_table.h"
 #include "run/trials.h"
 
-enum { MOST = 2 * OVR_SEARCH_MOST, NAMES = 400, TEXT_ROOM = 1000 };
+enum {
+    MOST = 2 * OVR_SEARCH_MOST,
+    NAMES = 400,
+    TEXT_ROOM = 1000,
+    QUESTION_MOST = 1 << 20
+};
 
 struct ovr_find {
     ovr_arena arena;
@@ -25,6 +34,7 @@ struct ovr_find {
     ovr_find_info info;
     double from, to;
     const char *suffix; /* " kN/m", or "" */
+    char variant[40];   /* of result files: what differs from the case */
     bool checked;       /* the quantity is one of the runs' */
     ovr_find_evaluation *made;
     ovr_trial answer;
@@ -312,14 +322,52 @@ static ovr_trial_plan plan_of(const ovr_find *f)
                             .run = f->how.run};
 }
 
+/* As few digits as give the number back. */
+static void put_exact(char *text, size_t room, double x)
+{
+    for (int digits = 6; digits <= 17; digits++) {
+        snprintf(text, room, "%.*g", digits, x);
+        if (strtod(text, NULL) == x)
+            return;
+    }
+}
+
+/* "FOLDER/depth=0.25~um.h5" of a run at x; the level stands in it where it is
+ * another one than the case's. */
+static const char *result_path(ovr_find *f, double x, ovr_error *err)
+{
+    const char *dot = strrchr(f->info.key, '.');
+    size_t room = strlen(f->how.results) + 300;
+    char *path = ovr_arena_take(&f->arena, room, 1, err);
+    char unit[80], number[40];
+    if (!path)
+        return NULL;
+    put_exact(number, sizeof number, x);
+    snprintf(unit, sizeof unit, "%s", *f->suffix ? f->suffix + 1 : "");
+    for (char *c = unit; *c; c++)
+        if (strchr("/ .*^", *c))
+            *c = '~';
+    snprintf(path, room, "%s/%.60s=%s%s%s.h5", f->how.results,
+             dot ? dot + 1 : f->info.key, number, unit, f->variant);
+    return path;
+}
+
 /* Runs of the case at several values. */
 static ovr_trials *trials_at(ovr_find *f, size_t n, const double *x,
-                             const ovr_trial_plan *plan, ovr_error *err)
+                             const ovr_trial_plan *as_planned, ovr_error *err)
 {
     ovr_case *cases[OVR_SEARCH_MOST] = {NULL};
+    const char *files[OVR_SEARCH_MOST];
+    ovr_trial_plan with_files = *as_planned, *plan = &with_files;
     ovr_trials *t = NULL;
     size_t made = 0;
     bool good = true;
+    for (size_t k = 0; f->how.results && !plan->formulas && k < n; k++) {
+        files[k] = result_path(f, x[k], err);
+        plan->files = files;
+        if (!files[k])
+            return NULL;
+    }
     while (good && made < n) {
         cases[made] = ovr_case_apart(f->base, err);
         good = cases[made] && !set_key(f, cases[made], x[made], err);
@@ -485,11 +533,14 @@ static double coarser_error(ovr_find *f)
     if (!(level > 2))
         return NAN;
     snprintf(text, sizeof text, "%d", (int)level - 1);
+    snprintf(f->variant, sizeof f->variant, "_level%s", text);
     if (!ovr_case_set(f->base, "domain.level", text, "find", NULL))
         t = trials_at(f, 1, &f->info.value, &plan, NULL);
     if (t && !ovr_trials_at(t, 0)->failed)
         q = ovr_trial_number(ovr_trials_at(t, 0), f->info.quantity, NULL);
     ovr_trials_free(t);
+    snprintf(f->variant, sizeof f->variant, "%s",
+             f->info.pinned ? "_order2" : "");
     snprintf(text, sizeof text, "%d", (int)level);
     ovr_case_set(f->base, "domain.level", text, "find", NULL);
     if (isfinite(q))
@@ -548,6 +599,7 @@ static ovr_status pin_order(ovr_find *f, ovr_error *err)
         if (f->made[k].order == 2)
             f->made[kept++] = f->made[k];
     f->info.evaluations = kept;
+    snprintf(f->variant, sizeof f->variant, "_order2");
     return ovr_case_set(f->base, "domain.order", "2", "find", err);
 }
 
@@ -605,7 +657,8 @@ static ovr_status take_options(ovr_find *f, const ovr_find_options *options,
 {
     ovr_find_options *o = &f->how;
     const char **const texts[] = {&o->key,       &o->low,   &o->high,
-                                  &o->condition, &o->which, &o->table};
+                                  &o->condition, &o->which, &o->table,
+                                  &o->results};
     if (OVR_SIZED_TAKE(ovr_find_options, o, options, err))
         return OVR_BAD_INPUT;
     if (!o->key || !o->low || !o->high || !o->condition)
@@ -618,6 +671,63 @@ static ovr_status take_options(ovr_find *f, const ovr_find_options *options,
         if (*texts[k] &&
             !(*texts[k] = ovr_arena_text(&f->arena, *texts[k], err)))
             return OVR_NO_MEMORY;
+    return OVR_OK;
+}
+
+/* The case and what is asked, as it lies beside the results. */
+static char *question_of(ovr_find *f, ovr_error *err)
+{
+    const ovr_find_options *o = &f->how;
+    const char *text = ovr_case_text(f->base, err);
+    size_t room = (text ? strlen(text) : 0) + 2000;
+    char *all = text ? ovr_arena_take(&f->arena, room, 1, err) : NULL;
+    if (all)
+        snprintf(all, room,
+                 "%s# find %.20s %.300s between %.100s and %.100s so that "
+                 "%.400s%s\n",
+                 text, o->which ? o->which : "", o->key, o->low, o->high,
+                 o->condition, o->steady ? ", steady" : "");
+    return all;
+}
+
+/* The folder of results, which holds those of one question only. */
+static ovr_status open_results(ovr_find *f, ovr_error *err)
+{
+    const char *folder = f->how.results;
+    size_t room = strlen(folder) + 40;
+    char *path = ovr_arena_take(&f->arena, room, 1, err);
+    char *table = ovr_arena_take(&f->arena, room, 1, err);
+    char *asked = path && table ? question_of(f, err) : NULL;
+    const char *found = NULL;
+    if (!asked)
+        return OVR_NO_MEMORY;
+    snprintf(path, room, "%s/question.ini", folder);
+    snprintf(table, room, "%s/find.csv", folder);
+    if (mkdir(folder, 0777) != 0 && errno != EEXIST)
+        return ovr_fail_about(err, "results", "%s: cannot be made: %s", folder,
+                              strerror(errno));
+    if (access(path, F_OK) == 0) {
+        if (ovr_text_file(path, "question", QUESTION_MOST, &f->arena, &found,
+                          err))
+            return OVR_BAD_INPUT;
+        if (strcmp(found, asked) != 0)
+            return ovr_fail_about(err, "results",
+                                  "%s: holds the results of another question "
+                                  "or case (question.ini): give another folder",
+                                  folder);
+    } else {
+        FILE *to = fopen(path, "w");
+        bool good = to && fputs(asked, to) >= 0;
+        if (to && fclose(to) != 0)
+            good = false;
+        if (!good)
+            return ovr_fail_about(err, "results", "%s: cannot be written: %s",
+                                  path, strerror(errno));
+    }
+    if (!f->how.table) {
+        f->how.table = table;
+        f->how.go_on = true;
+    }
     return OVR_OK;
 }
 
@@ -639,6 +749,8 @@ static ovr_status prepare(ovr_find *f, ovr_case *c,
         return OVR_NO_MEMORY;
     if (take_ends(f, err) || take_condition(f, err) || look_up(f, err) ||
         try_ends(f, err))
+        return OVR_BAD_INPUT;
+    if (f->how.results && open_results(f, err))
         return OVR_BAD_INPUT;
     if (!f->how.table)
         return OVR_OK;

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include "base/given.h"
 #include "run/pool.h"
@@ -165,6 +166,26 @@ static bool stop(void *data)
     return (a->stop && *a->stop) || (plan->stop && plan->stop(plan->data));
 }
 
+/* The run of a trial: what lies in its file is gone on with; one that is whole
+ * and has no checkpoint beside it says nothing of its extremes, and is made
+ * again. */
+static ovr_run *open_run(const ovr_trials *t, size_t k, ovr_run_options *how,
+                         ovr_error *err)
+{
+    ovr_run *run = NULL;
+    if (t->plan.files) {
+        how->output = t->plan.files[k];
+        how->force = how->from_start = true;
+        if (access(how->output, F_OK) == 0)
+            run = ovr_run_resume(how->output, how, NULL, err);
+        if (run || err->status == OVR_STOPPED)
+            return run;
+        *err = (ovr_error){0};
+        how->from_start = false;
+    }
+    return ovr_run_create(t->cases[k], how, NULL, err);
+}
+
 /* A steady solution above its tolerance is no number of the case; a run with
  * marked steps is, and says so. */
 static ovr_status run_one(ovr_trials *t, size_t k, const asking *asked)
@@ -177,7 +198,7 @@ static ovr_status run_one(ovr_trials *t, size_t k, const asking *asked)
     how.no_thread = true;
     how.data = (void *)asked;
     how.stop = how.interrupt = stop;
-    ovr_run *run = ovr_run_create(t->cases[k], &how, NULL, &err);
+    ovr_run *run = open_run(t, k, &how, &err);
     if (run && ovr_run_go(run, &err) == OVR_OK) {
         const ovr_run_info *about = ovr_run_about(run);
         ovr_run_summary(about, put_line, &to);

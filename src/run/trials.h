@@ -22,6 +22,8 @@ typedef struct ovr_trial {
 typedef struct ovr_trial_plan {
     int workers;
     bool steady, estimate, formulas;
+    const char *const *files; /* results of each: what lies there is resumed, or
+                                 read where it is complete; NULL: none */
     void *data;
     bool (*stop)(void *data);
     ovr_trial_runner *run;

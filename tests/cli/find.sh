@@ -122,6 +122,36 @@ kill -INT $!
 wait $!
 [ $? -eq 130 ] || fail "stopped by SIGINT it is no 130: $(cat out err)"
 
+# With a folder the results are kept; stopped in the middle of a run and asked
+# again, what is there is not run again, and the answer is the same
+ask='feature.dent.depth between 0.02 and 0.3 so that H_min_overall is 0.05'
+# shellcheck disable=SC2086
+expect 0 "$OVERROLL" find dent.ini $ask --json --level 7
+sed '/seconds/d' out >alone
+# shellcheck disable=SC2086
+"$OVERROLL" find dent.ini $ask --level 7 --results kept.d >out 2>err &
+for _ in $(seq 1000); do
+    [ -e kept.d/depth=0.0393597934253086.h5.restart ] && break
+    sleep 0.01
+done
+kill -INT $!
+wait $!
+# shellcheck disable=SC2086
+expect 0 "$OVERROLL" find dent.ini $ask --json --level 7 --results kept.d
+sed '/seconds/d' out | cmp - alone || fail 'found in two goes it is another'
+[ "$(find kept.d -name '*.h5' | wc -l)" -gt 6 ] || fail "$(ls kept.d)"
+expect 0 "$OVERROLL" info kept.d/depth=0.02.h5
+rows=$(wc -l <kept.d/find.csv)
+stamp=$(cksum kept.d/*.h5)
+# shellcheck disable=SC2086
+expect 0 "$OVERROLL" find dent.ini $ask --json --level 7 --results kept.d
+sed '/seconds/d' out | cmp - alone || fail 'found twice it is another'
+[ "$(wc -l <kept.d/find.csv)" -eq "$rows" ] || fail 'runs were made again'
+[ "$(cksum kept.d/*.h5)" = "$stamp" ] || fail 'results were written again'
+# shellcheck disable=SC2086
+refuses 'kept.d: holds the results of another question' \
+    find dent.ini $ask --level 6 --results kept.d
+
 # What is refused, and what would be right
 depth='dent.ini feature.dent.depth between'
 # shellcheck disable=SC2086
