@@ -6,7 +6,8 @@
 static void chosen_domains_are_wide_enough(void **state)
 {
     (void)state;
-    test_domains_survey(28000, 10);
+    test_domains_survey(28000, 10, false);
+    test_domains_survey(281000, 10, true);
 }
 
 int main(void)

@@ -9,12 +9,20 @@ static void chosen_domains_are_wide_enough(void **state)
 {
     const char *told = getenv("OVERROLL_RUNS");
     (void)state;
-    test_domains_survey(28000, told ? atoi(told) : 100);
+    test_domains_survey(28000, told ? atoi(told) : 100, false);
+}
+
+static void and_where_loads_jump(void **state)
+{
+    const char *told = getenv("OVERROLL_RUNS");
+    (void)state;
+    test_domains_survey(281000, told ? atoi(told) : 100, true);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(chosen_domains_are_wide_enough)};
+        cmocka_unit_test(chosen_domains_are_wide_enough),
+        cmocka_unit_test(and_where_loads_jump)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -37,8 +37,8 @@ static const ovr_parameter domain_keys[] = {
     {"outlet", LENGTH_OR(ends, 1.05, 1e6), "usual", AT(options.outlet), true,
      ALWAYS,
      "X of the last node; usual: 1.5, of the largest load and radius in run "
-     "and passes, or where the film ends later; auto: twice where a rigid "
-     "film ends, if that is farther"},
+     "and passes, or where the film ends later, and up to 4.5 where they jump; "
+     "auto: twice where a rigid film ends, if that is farther"},
     {"level", WHOLE_OR(auto_zero, 1, 23), "8", AT(options.level), true, ALWAYS,
      "finest grid: 7 2^level + 1 nodes; auto: what brings accuracy_of to "
      "accuracy, 14 at most"},
