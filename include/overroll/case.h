@@ -188,6 +188,7 @@ typedef struct ovr_stress_setup {
     double residual_x, residual_y;
     bool traction;           /* the film's shear stress is a load too */
     const char *no_traction; /* why not; NULL where it is */
+    double yield[2];         /* of each body, von Mises, p_h; 0: not told */
 } ovr_stress_setup;
 
 /* Of what level = auto brings the error down. */

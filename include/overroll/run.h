@@ -156,6 +156,16 @@ typedef struct ovr_stress_report {
     /* Largest von Mises stress of a layer over its own yield; NAN: no layer
      * has one. */
     double layer_utilisation;
+    /* Of a body that yields at `yield`, p_h; NAN: that is not told.  Value f/Y
+     * of `yield_ratio`: the largest von Mises stress over Y, less 1; of
+     * `strip`: the largest (P - P around)/(2.97 Y), Z its width.  Share of the
+     * complete material points from least_depth down that go beyond Y; the
+     * deepest of all that do, 0: none.  p_h over that of the smooth contact's
+     * first yield, and over the limit of its shakedown. */
+    double yield;
+    ovr_stress_extreme yield_ratio, strip;
+    double yielding_share, yielding_depth;
+    double of_first_yield, of_shakedown;
 } ovr_stress_report;
 
 /* What amplitude reduction says of rough surfaces that roll through, before

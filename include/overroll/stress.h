@@ -113,6 +113,7 @@ typedef struct ovr_material_range {
     /* Of the layers of ovr_stress_options, along x and across, borrowed; NULL:
      * none.  What is above is that of the body below them. */
     const double *layer_residual; /* two of each */
+    double yield;                 /* von Mises, of the body; 0: not told */
 } ovr_material_range;
 OVR_SIZED(ovr_material_range)
 

@@ -64,6 +64,8 @@ static ovr_status scale(const ovr_resolved *r, const ovr_parameter *row,
     ovr_error why = {0};
     if (!slot->unit || !row->hertzian)
         return OVR_OK;
+    if (unit == 0) /* of what makes the contact: it is not known yet */
+        return OVR_OK;
     if (isnan(unit))
         return no_scale(row, slot, err);
     *number /= unit;

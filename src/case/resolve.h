@@ -68,6 +68,9 @@ ovr_status ovr_fail_in(ovr_error *err, const ovr_case *c,
  * contact: its radius and modulus, speeds from rotations. */
 ovr_status ovr_resolve_bodies(ovr_resolved *r, ovr_error *err);
 
+/* Their yield, when the contact is known. */
+ovr_status ovr_resolve_yield(ovr_resolved *r, ovr_error *err);
+
 /* The oil of [lubricant], its tables read: the contact's viscosity and alpha
  * where it gives them. */
 ovr_status ovr_resolve_oil(ovr_resolved *r, ovr_error *err);

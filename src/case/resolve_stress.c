@@ -178,8 +178,12 @@ ovr_status ovr_resolve_stress(ovr_resolved *r, ovr_error *err)
     const ovr_block *block = ovr_block_of(r, "stress");
     ovr_stress_setup *s = &r->values.stress;
     r->values.stress_surface = 1;
-    for (int k = 0; k < 2; k++)
+    if (ovr_resolve_yield(r, err))
+        return OVR_BAD_INPUT;
+    for (int k = 0; k < 2; k++) {
         s->poisson[k] = r->body[k].poisson;
+        s->yield[k] = r->body[k].yield;
+    }
     if (is_there(block)) {
         if (ovr_block_fill(r, block, &r->values, err) || resolve_window(r, err))
             return OVR_BAD_INPUT;

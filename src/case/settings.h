@@ -104,6 +104,7 @@ typedef enum ovr_material_name {
 typedef struct ovr_body_form {
     int material; /* ovr_material_name */
     double modulus, poisson, radius;
+    double yield; /* Mises, in p_h as soon as the contact is known; 0: none */
     ovr_thermal thermal;
 } ovr_body_form;
 

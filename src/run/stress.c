@@ -473,6 +473,24 @@ static void tell_limit(const ovr_setup *setup, int k, ovr_physics_line *line,
     line(data, "fatigue", text);
 }
 
+static void tell_yield(const ovr_setup *setup, int k, ovr_physics_line *line,
+                       void *data)
+{
+    double Y = setup->stress->yield[k], ph = setup->contact->ph * 1e-6;
+    double first = ovr_first_yield(setup->stress->poisson[k]) * Y;
+    double shakedown = ovr_shakedown_limit() * Y;
+    char text[200], megapascals[80] = "";
+    if (isfinite(ph))
+        snprintf(megapascals, sizeof megapascals,
+                 " (%.4g MPa: %.4g and %.4g MPa)", Y * ph, first * ph,
+                 shakedown * ph);
+    snprintf(text, sizeof text,
+             "surface %d at Y = %.4g ph; the smooth contact first at %.4g ph, "
+             "no shakedown above %.4g ph%s",
+             k + 1, Y, first, shakedown, megapascals);
+    line(data, "yield", text);
+}
+
 /* Depths, memory, and the limits in MPa. */
 static void tell(const ovr_physics_case *of, const void *form,
                  ovr_physics_line *line, void *data)
@@ -493,6 +511,9 @@ static void tell(const ovr_physics_case *of, const void *form,
              s->traction ? "the film's shear stress" : "none: ",
              s->traction ? "" : s->no_traction);
     line(data, "traction", text);
+    for (int k = 0; k < SURFACES; k++)
+        if ((s->surfaces >> k & 1) && s->yield[k] > 0)
+            tell_yield(setup, k, line, data);
     for (int k = 0; s->fatigue && k < SURFACES; k++)
         if (s->surfaces >> k & 1)
             tell_limit(setup, k, line, data);

@@ -182,6 +182,45 @@ static void find_layers(const ovr_stress_plan *plan, const ovr_passage *passage,
     r->surface_tension = of.surface;
 }
 
+/* Points beyond yield: how many of those from the least depth down, and how
+ * deep any are. */
+static void count_yielding(ovr_stress_report *r)
+{
+    const ovr_material *m = &r->material;
+    const float *von_mises = r->measure[OVR_MEASURE_VON_MISES];
+    size_t counted = 0, beyond = 0;
+    r->yielding_depth = 0;
+    for (size_t j = 0; j < m->depths; j++) {
+        bool counts = m->z[j] >= r->least_depth * (1 - 1e-9);
+        for (size_t k = 0; k < m->points; k++) {
+            if (!m->complete[k])
+                continue;
+            bool yields = (double)von_mises[j * m->points + k] > r->yield;
+            counted += counts;
+            beyond += counts && yields;
+            if (yields)
+                r->yielding_depth = m->z[j];
+        }
+    }
+    r->yielding_share = counted ? (double)beyond / (double)counted : NAN;
+}
+
+static void find_yield(const ovr_stress_plan *plan, const ovr_passage *passage,
+                       ovr_stress_report *r)
+{
+    double Y = plan->range.yield > 0 ? plan->range.yield : NAN;
+    r->yield = Y;
+    r->yield_ratio = r->von_mises;
+    r->yield_ratio.value = r->von_mises.value / Y - 1;
+    r->strip = ovr_passage_strip(passage);
+    r->strip.value /= ovr_strip_collapse() * Y;
+    r->of_first_yield = 1 / (ovr_first_yield(plan->range.poisson) * Y);
+    r->of_shakedown = 1 / (ovr_shakedown_limit() * Y);
+    r->yielding_share = r->yielding_depth = NAN;
+    if (!isnan(Y))
+        count_yielding(r);
+}
+
 static void withhold(ovr_stress_report *r, ovr_life_result *life)
 {
     size_t n = r->material.points, depths = r->material.depths;
@@ -189,7 +228,8 @@ static void withhold(ovr_stress_report *r, ovr_life_result *life)
               "choose a rheology, or traction = no";
     r->max_shear = r->von_mises = r->layer_von_mises = none;
     r->interface_shear = r->interface_tension = r->surface_tension = none;
-    r->layer_utilisation = NAN;
+    r->layer_utilisation = r->yielding_share = r->yielding_depth = NAN;
+    r->yield_ratio = none;
     r->R_max = r->xi_R_max = r->Z_R_max = r->R_smooth = NAN;
     for (int m = 0; m < OVR_MEASURES; m++) {
         for (size_t k = 0; k < n * depths; k++)
@@ -237,6 +277,7 @@ ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
     r->max_shear = ovr_passage_max_shear(passage);
     r->von_mises = ovr_passage_von_mises(passage);
     find_layers(plan, passage, r);
+    find_yield(plan, passage, r);
     find_worst(r);
     for (size_t k = 0; k < r->material.points; k++)
         r->incomplete += !r->material.complete[k];
@@ -254,7 +295,7 @@ typedef struct storage {
     ovr_group group;
     ovr_group_axis axis[2];
     ovr_group_array array[OVR_MEASURES + 8];
-    ovr_group_attribute attribute[40];
+    ovr_group_attribute attribute[56];
 } storage;
 
 enum { DEPTH, MATERIAL };
@@ -349,6 +390,15 @@ static void add_attributes(storage *s, const ovr_setup *setup,
         add_number(s, "interface_tension_max", r->interface_tension.value);
         add_number(s, "surface_tension_max", r->surface_tension.value);
         add_number(s, "layer_utilisation", r->layer_utilisation);
+    }
+    if (!isnan(r->yield)) {
+        add_number(s, "yield", r->yield);
+        add_number(s, "yield_ratio_max", r->yield_ratio.value);
+        add_number(s, "yielding_share", r->yielding_share);
+        add_number(s, "yielding_depth", r->yielding_depth);
+        add_number(s, "strip_pressure_max", r->strip.value);
+        add_number(s, "ph_over_first_yield", r->of_first_yield);
+        add_number(s, "ph_over_shakedown", r->of_shakedown);
     }
     add_number(s, "tau_max", r->max_shear.value);
     add_number(s, "von_mises_max", r->von_mises.value);

@@ -108,6 +108,69 @@ static void say_life(const ovr_told *to, const ovr_stress_report *r,
              s->life->exponent, s->life->depth_exponent, s->life->weibull);
 }
 
+/* What counts is how deep the material yields, not how far above Y its largest
+ * stress is: a skin thinner than this moves nanometres, hardened or not. */
+static const double SKIN = 0.02;
+
+static void say_whether(const ovr_told *to, const ovr_stress_report *r,
+                        bool rough)
+{
+    if (r->of_shakedown > 1)
+        ovr_tell(to, "",
+                 "plastic strain matters: the smooth contact is above its "
+                 "shakedown limit, and flows at every pass");
+    else if (r->of_first_yield > 1)
+        ovr_tell(to, "",
+                 "plastic strain matters: the smooth contact yields by itself, "
+                 "and shakes down in its first passes");
+    else if (r->yielding_depth >= SKIN)
+        ovr_tell(to, "",
+                 "plastic strain matters: the material is beyond yield down to "
+                 "Z = %.3g",
+                 r->yielding_depth);
+    else if (r->yielding_depth > 0)
+        ovr_tell(to, "",
+                 "plastic strain does not matter: only a skin of Z = %.3g is "
+                 "beyond yield",
+                 r->yielding_depth);
+    else if (rough && r->material.z[0] > SKIN)
+        ovr_tell(to, "",
+                 "plastic strain matters in a skin at most, which a finer mesh "
+                 "tells: nothing is beyond yield from Z = %.3g down",
+                 r->material.z[0]);
+    else
+        ovr_tell(to, "",
+                 "plastic strain does not matter: nothing is beyond yield from "
+                 "Z = %.3g down",
+                 r->material.z[0]);
+}
+
+static void say_yield(const ovr_told *to, const ovr_stress_report *r,
+                      const ovr_setup *setup)
+{
+    double ph = setup->contact->ph;
+    const ovr_stress_extreme *f = &r->yield_ratio, *strip = &r->strip;
+    ovr_words Y = {""};
+    ovr_words_add(&Y, "%.4g ph", r->yield);
+    if (isfinite(ph))
+        ovr_words_add(&Y, " = %.4g MPa", r->yield * ph * 1e-6);
+    ovr_tell_number(to, "beyond yield", 4, f->value,
+                    "f/Y: von Mises over Y = %s, less 1; at X = %.4g, "
+                    "Z = %.4g, T = %.4g",
+                    Y.text, f->X, f->Z, f->T);
+    ovr_tell_number(to, "yielding", 3, 100 * r->yielding_share,
+                    "%% of the material points from Z = %.4g down",
+                    r->least_depth);
+    ovr_tell_number(to, "strip of pressure", 4, strip->value,
+                    "(P - P around)/(2.97 Y), %.3g b wide at X = %.4g, "
+                    "T = %.4g",
+                    strip->Z, strip->X, strip->T);
+    ovr_tell_number(to, "smooth contact", 4, r->of_first_yield,
+                    "of the ph of first yield, %.4g of that of shakedown",
+                    r->of_shakedown);
+    say_whether(to, r, setup->features > 0);
+}
+
 void ovr_say_stress(const ovr_told *to, const ovr_stress_report *r,
                     const ovr_setup *setup)
 {
@@ -135,7 +198,9 @@ void ovr_say_stress(const ovr_told *to, const ovr_stress_report *r,
              r->traction ? "" : r->no_traction);
     if (r->fatigue)
         say_life(to, r, setup->stress);
-    if (r->von_mises.value * ph > YIELD)
+    if (!isnan(r->yield))
+        say_yield(to, r, setup);
+    else if (r->von_mises.value * ph > YIELD)
         ovr_tell(
             to, "",
             "von Mises above %.2g GPa is beyond yield of bearing steel: it "

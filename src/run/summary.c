@@ -250,6 +250,40 @@ static void put_layers(const ovr_told *to, const ovr_stress_report *a,
         ovr_put_number(to, "layer_utilisation", used);
 }
 
+/* A number without a unit, and where and when. */
+static void put_moment(const ovr_told *to, const char *name,
+                       const ovr_stress_extreme *e, const char *depth)
+{
+    char key[64];
+    ovr_put_number(to, name, e->value);
+    snprintf(key, sizeof key, "X_%s", name);
+    ovr_put_number(to, key, e->X);
+    snprintf(key, sizeof key, "%s_%s", depth, name);
+    ovr_put_number(to, key, e->Z);
+    snprintf(key, sizeof key, "T_%s", name);
+    ovr_put_number(to, key, e->T);
+}
+
+/* Of the surface that is farther beyond its yield, if either has one. */
+static void put_yield(const ovr_told *to, const ovr_stress_report *a,
+                      const ovr_stress_report *b, const ovr_contact *contact)
+{
+    const ovr_stress_report *of = a ? a : b;
+    if (a && b && !(a->yield_ratio.value > b->yield_ratio.value))
+        of = isnan(b->yield) ? a : b;
+    if (isnan(of->yield))
+        return;
+    ovr_put_count(to, "surface_yield", of->surface);
+    ovr_put_both(to, "yield", "yield_Pa", of->yield, contact->ph);
+    put_moment(to, "yield_ratio_max", &of->yield_ratio, "Z");
+    ovr_put_number(to, "yielding_share", of->yielding_share);
+    ovr_put_both(to, "yielding_depth", "yielding_depth_m", of->yielding_depth,
+                 contact->b);
+    put_moment(to, "strip_pressure_max", &of->strip, "width");
+    ovr_put_number(to, "ph_over_first_yield", of->of_first_yield);
+    ovr_put_number(to, "ph_over_shakedown", of->of_shakedown);
+}
+
 void ovr_stress_summary(const ovr_stress_report *const report[2],
                         const ovr_setup *setup, ovr_summary_taker *take,
                         void *data)
@@ -272,6 +306,7 @@ void ovr_stress_summary(const ovr_stress_report *const report[2],
     put_place(&to, "tau_max", &shear->max_shear, ph);
     put_place(&to, "von_mises_max", &shear->von_mises, ph);
     put_layers(&to, a, b, ph);
+    put_yield(&to, a, b, setup->contact);
     ovr_put_count(&to, "surface_tau_max", shear->surface);
     ovr_put_number(&to, "R_max", circle->R_max);
     ovr_put_number(&to, "xi_R_max", circle->xi_R_max);

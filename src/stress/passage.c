@@ -139,6 +139,22 @@ static void note_extremes(ovr_passage *p, const ovr_stress_row *row,
     note_extreme(loops, n, p->von_mises, row, first, T, &p->numbers.von_mises);
 }
 
+/* ------------------------------------------------------ strips of pressure */
+
+/* As wide as two contacts: that of the whole one is among them. */
+static const double widest_strip = 4;
+
+static void note_strip(ovr_passage *p, const double *P, double T)
+{
+    double D = p->stress->options.mesh;
+    ovr_strip worst = {.excess = p->strip.value};
+    if (p->sums.sum && ovr_strip_find(&p->sums, P, p->range.least_depth / D,
+                                      widest_strip / D, &worst))
+        p->strip = (ovr_stress_extreme){
+            worst.excess, p->stress->options.inlet + worst.middle * D,
+            worst.width * D, T};
+}
+
 /* --------------------------------------------------- a step of the passage */
 
 static void widen(ovr_passage *p, size_t depth, size_t from, size_t to,
@@ -199,6 +215,7 @@ void ovr_passage_step(ovr_passage *p, const double *P, const double *Q,
 {
     if (!p || !moment)
         return;
+    note_strip(p, P, moment->T);
     unsigned due = levels_due(p, moment->dU);
     place at = find_place(p, moment->U);
     if (!due)
@@ -345,6 +362,7 @@ void ovr_passage_begin(ovr_passage *p, const double *P, const double *Q,
 {
     if (!p || !P || !moment)
         return;
+    note_strip(p, P, moment->T);
     look(p, P, Q, moment);
     close_run(p, P, Q, moment->U, moment->direction > 0, true);
     mark(p, moment, true);
@@ -387,6 +405,13 @@ ovr_stress_extreme ovr_passage_von_mises(const ovr_passage *p)
     if (!p)
         return (ovr_stress_extreme){0};
     return root(p->numbers.von_mises);
+}
+
+ovr_stress_extreme ovr_passage_strip(const ovr_passage *p)
+{
+    if (!p || !p->sums.sum)
+        return (ovr_stress_extreme){NAN, NAN, NAN, NAN};
+    return p->strip;
 }
 
 double ovr_passage_widest(const ovr_passage *p)

@@ -6,6 +6,7 @@
 #include "stress/circle.h"
 #include "stress/field.h"
 #include "stress/layered.h"
+#include "stress/yield.h"
 
 /* What is kept of the path of a material point at a depth. */
 enum {
@@ -56,8 +57,10 @@ struct ovr_passage {
     unsigned char *complete;
     ovr_passage_numbers numbers;
     ovr_layer_extremes layers;
+    ovr_stress_extreme strip; /* of pressure above that around it */
+    ovr_pressure_sums sums;
     float *d, *tau, *h, *in_plane, *von_mises, *tresca; /* one depth's */
-    ovr_memory_piece piece[5];
+    ovr_memory_piece piece[6];
     size_t pieces;
 };
 

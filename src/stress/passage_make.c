@@ -101,6 +101,19 @@ static bool take_scratch(ovr_passage *p, ovr_error *err)
     return true;
 }
 
+/* Of strips of pressure, where the body yields. */
+static ovr_status take_sums(ovr_passage *p, ovr_error *err)
+{
+    size_t n = p->stress->options.nodes;
+    if (!(p->range.yield > 0))
+        return OVR_OK;
+    p->sums.nodes = n;
+    p->sums.sum = ovr_arena_take(&p->arena, n + 1, sizeof(double), err);
+    p->piece[p->pieces++] = (ovr_memory_piece){"passage strip", &p->strip,
+                                               sizeof p->strip};
+    return p->sums.sum ? OVR_OK : OVR_NO_MEMORY;
+}
+
 static ovr_status take_arrays(ovr_passage *p, ovr_error *err)
 {
     size_t depths = p->stress->depths, all = values_of_all(p);
@@ -120,10 +133,13 @@ static ovr_status take_arrays(ovr_passage *p, ovr_error *err)
         {"passage smooth", p->smooth, depths * OVR_ROWS * sizeof(float)},
         {"passage complete", p->complete, p->points},
         {"passage numbers", &p->numbers, sizeof p->numbers},
-        {"passage layers", &p->layers, sizeof p->layers}};
+    };
     memcpy(p->piece, pieces, sizeof pieces);
-    p->pieces = p->stress->options.layers ? 5 : 4;
-    return OVR_OK;
+    p->pieces = sizeof pieces / sizeof *pieces;
+    if (p->stress->options.layers)
+        p->piece[p->pieces++] = (ovr_memory_piece){"passage layers", &p->layers,
+                                                   sizeof p->layers};
+    return take_sums(p, err);
 }
 
 static ovr_status check(const ovr_stress_options *o,
@@ -219,5 +235,7 @@ double ovr_passage_memory(const ovr_stress_options *given,
         bytes += 4 * OVR_ROWS * points;
         scratch = fmax(scratch, points);
     }
+    if (range->yield > 0)
+        bytes += 8 * ((double)o->nodes + 1);
     return bytes + 24 * scratch;
 }

@@ -65,6 +65,10 @@ ovr_material ovr_passage_material(const ovr_passage *passage);
 ovr_stress_extreme ovr_passage_max_shear(const ovr_passage *passage);
 ovr_stress_extreme ovr_passage_von_mises(const ovr_passage *passage);
 
+/* The largest mean pressure of a strip, at least least_depth wide, above that
+ * around it (yield.c), at its middle, Z its width; all NAN without a yield. */
+ovr_stress_extreme ovr_passage_strip(const ovr_passage *passage);
+
 /* The largest way between two moments of a path that was followed: depths
  * above 4 times this are missed in part. */
 double ovr_passage_widest(const ovr_passage *passage);
@@ -81,6 +85,13 @@ const char *ovr_criterion_name(ovr_criterion criterion);
  * what turns a limit given as a Hertz pressure into a stress. */
 double ovr_hertz_criterion(ovr_criterion criterion, double alpha,
                            double poisson, double *z);
+
+/* Of a body that yields at a von Mises stress of 1: p_h of the smooth dry
+ * contact at its first yield, and above which it never shakes down in rolling;
+ * what a strip of uniform pressure bears above the pressure around it. */
+double ovr_first_yield(double poisson);
+double ovr_shakedown_limit(void);
+double ovr_strip_collapse(void);
 
 /* Fills A as ovr_passage_measure does; OVR_CRITERION_DANG_VAN needs paths
  * (ovr_dang_van) and is refused. */

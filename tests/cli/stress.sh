@@ -24,6 +24,8 @@ every = 1
 END
 cp dent.ini plain.ini
 cat >>dent.ini <<'END'
+[body 1]
+yield = 0.6
 [stress]
 every = 40
 [fatigue]
@@ -39,6 +41,8 @@ for group in sys.argv[3:]:
         f[group].visititems(
             lambda n, o: names.append(n) if hasattr(o, "shape") else None)
     assert x == y and x, (group, x, y)
+    for n, value in a[group].attrs.items():
+        assert numpy.array_equal(value, b[group].attrs[n]), n
     for n in x:
         same = numpy.array_equal(a[group][n][...], b[group][n][...],
                                  equal_nan=True)

@@ -13,6 +13,7 @@ static const ovr_word materials[] = {{"steel", OVR_STEEL},
                                      {NULL, 0}};
 static const ovr_word scales[] = {
     {"dry", OVR_SCALE_DRY}, {"substrate", OVR_SCALE_SUBSTRATE}, {NULL, 0}};
+static const ovr_word no_yield[] = {{"none", 0}, {NULL, 0}};
 static const ovr_word flat[] = {{"flat", INFINITY}, {NULL, 0}};
 
 static const ovr_parameter contact_keys[] = {
@@ -90,6 +91,11 @@ static const ovr_parameter body_keys[] = {
     {"density", WITH_UNIT(OVR_MASS_DENSITY, 100, 1e5), NULL,
      offsetof(ovr_body_form, thermal.density), true, "heat.model = lobatto",
      "with heat; of its material, else of steel"},
+    {"yield", STRESS(no_yield, 0, 1e4), NULL, offsetof(ovr_body_form, yield),
+     false, ALWAYS,
+     "with [stress], von Mises stress at which plastic strain begins: largest "
+     "stresses are "
+     "told over it; of its material, else none"},
     {"radius", OVR_NUMBER, OVR_LENGTH, OVR_NOT_HERTZIAN, -1e4, 1e4, false, flat,
      NULL, offsetof(ovr_body_form, radius), true, ALWAYS,
      "radius at the contact, negative where it is concave, or flat; both "

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Strips of pressure that a body which yields does not bear. */
+#ifndef OVR_STRESS_YIELD_H
+#define OVR_STRESS_YIELD_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Room for sums of nodes + 1 pressures, the first of them 0. */
+typedef struct ovr_pressure_sums {
+    size_t nodes;
+    double *sum;
+} ovr_pressure_sums;
+
+/* The pressure of a strip of `width` nodes above that around it; its middle, in
+ * nodes from the first. */
+typedef struct ovr_strip {
+    double excess, middle, width;
+} ovr_strip;
+
+/* Puts the strip of `least` to `most` nodes with the largest excess where that
+ * is above the one of *worst; whether it is. */
+bool ovr_strip_find(ovr_pressure_sums *s, const double *P, double least,
+                    double most, ovr_strip *worst);
+
+#endif
