@@ -19,7 +19,8 @@
  * need no order; nor need films of fourth order, where errors of different
  * orders cancel, when d2 is below a tenth of them and d1 below 0.4 d2: they may
  * turn or fall faster, and e is d2 then.  Narrow peaks of pressure grow, some
- * of them on finer levels only, where nothing warns of them.
+ * of them on finer levels only, where nothing warns of them: of pressures in
+ * time q is 1/2, as of the height of a spike, whatever two differences show.
  *
  * Of several passes each level has its own: what its passes leave feeds its
  * next ones, so that the errors that oil carries from pass to pass are seen.
@@ -40,6 +41,7 @@
  * such that need not fall. */
 static const double NEGLIGIBLE = 1e-6, SMALL = 3e-4;
 static const double LEAST_ORDER = 0.75, SAFETY = 1.25;
+static const double PEAK_ORDER = 0.5;
 /* of films of fourth order: d2 over the value, d1 over d2 */
 static const double NEAR = 0.1, NEARER = 0.4;
 
@@ -185,6 +187,8 @@ static ovr_run_error judge(const char *key, ovr_unit_kind kind,
         q = isnan(e.order) ? m->order : fmax(0.5, fmin(m->order, e.order));
         d = fmax(d1, d2 * exp2(-m->order));
     }
+    if (!film && m->in_time)
+        q = PEAK_ORDER;
     if (e.converges)
         e.error = m->safety * d / (exp2(q) - 1) + least;
     else if (film && is_near(m, size, d1, d2)) {

@@ -408,14 +408,15 @@ typedef struct kept {
     ovr_group_attribute line[MOST_LINES];
 } kept;
 
-/* Numbers alone; how many snapshots there are and how long it took the file
- * says elsewhere. */
+/* Numbers that are known alone; how many snapshots there are and how long it
+ * took the file says elsewhere. */
 static void keep(void *data, const ovr_summary_line *line)
 {
     kept *k = data;
     const char *key;
-    if (line->form == OVR_SUMMARY_TEXT || !strcmp(line->key, "snapshots") ||
-        !strcmp(line->key, "seconds") || k->count == MOST_LINES)
+    if (line->form == OVR_SUMMARY_TEXT || !isfinite(line->number) ||
+        !strcmp(line->key, "snapshots") || !strcmp(line->key, "seconds") ||
+        k->count == MOST_LINES)
         return;
     key = ovr_arena_text(k->arena, line->key, NULL);
     if (key)
