@@ -21,13 +21,13 @@ typedef struct held {
     size_t count, matched, numbers;
 } held;
 
-/* Every number but two is there, and is the same. */
+/* Every number that is known but two is there, and is the same. */
 static void compare(void *data, const ovr_summary_line *line)
 {
     held *h = data;
     bool elsewhere = !strcmp(line->key, "snapshots") ||
                      !strcmp(line->key, "seconds");
-    if (line->form == OVR_SUMMARY_TEXT || elsewhere)
+    if (line->form == OVR_SUMMARY_TEXT || elsewhere || !isfinite(line->number))
         return;
     h->numbers++;
     for (size_t k = 0; k < h->count; k++)
