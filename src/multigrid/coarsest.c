@@ -6,6 +6,7 @@
 
 #include "multigrid/content.h"
 #include "multigrid/field.h"
+#include "multigrid/touching.h"
 
 #include "multigrid/content_row.h"
 
@@ -92,6 +93,8 @@ static void jacobian_row(const ovr_hierarchy *grids, const ovr_level *level,
         row_by_film(f, &c, J, e);
     row_flow_by_film(f, &c, J, e);
     row_by_pressure(f, &c, J, local);
+    if (grids->touch.at)
+        ovr_touch_wet_row(grids, level, i, e, local);
     grids->kernels->dense_row(n, e, k, row);
     for (size_t d = i == 1; d < 4; d++)
         row[i + d - 2] += local[d];
@@ -106,6 +109,21 @@ static void hold(size_t n, size_t i, double *row)
     row[i] = 1;
 }
 
+/* What a dry node bears is zero, or by the law of what touches. */
+static void dry_row(const ovr_hierarchy *grids, const ovr_level *level,
+                    size_t i, double *row)
+{
+    size_t n = level->grid.n;
+    bool inside = i > 0 && i + 1 < n;
+    if (grids->touch.at && inside)
+        ovr_touch_dry_row(
+            grids, level, i,
+            grids->newton.kernel[level->number - grids->coarsest] + n + 2 - i,
+            row);
+    else
+        hold(n, i, row);
+}
+
 /* Rows 0..n-1 pressures, row n the force; right-hand side in column n + 1. */
 static void assemble(const ovr_hierarchy *grids, const ovr_level *level,
                      const ovr_fields *f)
@@ -117,7 +135,7 @@ static void assemble(const ovr_hierarchy *grids, const ovr_level *level,
         if (!grids->conserving)
             held |= ovr_lanes_has(&level->lanes, level->f.held, i);
         if (held) {
-            hold(n, i, row);
+            dry_row(grids, level, i, row);
             continue;
         }
         jacobian_row(grids, level, f, i, row);
@@ -178,10 +196,16 @@ bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit)
     f = ovr_level_ordered(grids, level);
     if (grids->conserving)
         order_states(grids, level, f);
+    if (grids->touch.at)
+        ovr_touch_prepare(grids, level, f);
     assemble(grids, level, f);
     if (!grids->kernels->dense_solve(n + 1, stride_of(n), newton->matrix,
                                      newton->change))
         return false;
+    if (grids->touch.at) {
+        ovr_touch_advance(grids, level, f, limit);
+        return isfinite(grids->H0);
+    }
     advance(grids, level, f, limit);
     /* in proportion where the film is thick: rigid contacts */
     H = fabs(ovr_level_centre(level, level->f.H));

@@ -200,3 +200,15 @@ ovr_status ovr_hierarchy_bear(ovr_hierarchy *grids, ovr_arena *arena,
         finest->borne = ovr_mlmi_field(&finest->mlmi, arena, err);
     return finest->borne ? OVR_OK : OVR_NO_MEMORY;
 }
+
+ovr_status ovr_hierarchy_touch(ovr_hierarchy *grids, ovr_arena *arena,
+                               ovr_error *err)
+{
+    ovr_touch *touch = &grids->touch;
+    size_t n = grids->level[grids->finest].grid.n;
+    double **const all[] = {&touch->A, &touch->g, &touch->whole};
+    if (take(all, sizeof all / sizeof *all, n, arena, err))
+        return OVR_NO_MEMORY;
+    touch->dry = ovr_set(arena, n, err);
+    return touch->dry ? ovr_hierarchy_bear(grids, arena, err) : OVR_NO_MEMORY;
+}

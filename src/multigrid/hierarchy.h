@@ -52,6 +52,17 @@ typedef struct ovr_newton {
     double *wet;
 } ovr_newton;
 
+/* Pressure that surfaces bear where they touch (touching.h). */
+typedef struct ovr_touch {
+    /* A >= 0 and -dA/dH >= 0 of a film H; NULL: they do not touch */
+    void (*at)(const void *law, double H, double *A, double *slope);
+    const void *law;
+    double share; /* of it that counts, on the way to the whole */
+    /* of Newton's method, by node: A, -dA/dH, the whole pressure, dry or not */
+    double *A, *g, *whole;
+    unsigned char *dry;
+} ovr_touch;
+
 /* Asked between the cycles of a long solve.  Once it is to stop, cycles do
  * nothing and defects are infinite: whoever iterates gives up by himself. */
 typedef struct ovr_stopping {
@@ -77,6 +88,7 @@ typedef struct ovr_hierarchy {
     double *scratch[2]; /* two of them, for as long as a function */
     ovr_fields natural; /* fields in the order of the nodes, of `ordered` */
     ovr_newton newton;
+    ovr_touch touch;
     ovr_stopping stopping;
 } ovr_hierarchy;
 
@@ -123,6 +135,10 @@ void ovr_level_refresh(const ovr_hierarchy *grids, ovr_level *level);
  * that coarser levels need not know of it. */
 ovr_status ovr_hierarchy_bear(ovr_hierarchy *grids, ovr_arena *arena,
                               ovr_error *err);
+
+/* Memory for what bears it by a law of the film; the caller sets that. */
+ovr_status ovr_hierarchy_touch(ovr_hierarchy *grids, ovr_arena *arena,
+                               ovr_error *err);
 
 /* Sets it, in the order of the nodes. */
 void ovr_level_bear(const ovr_hierarchy *grids, const ovr_level *level,

@@ -8,6 +8,7 @@
 #include "multigrid/field.h"
 #include "multigrid/flow.h"
 #include "multigrid/hierarchy.h"
+#include "multigrid/touching.h"
 
 void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level)
 {
@@ -15,6 +16,8 @@ void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level)
     ovr_fields f = level->f;
     if (grids->conserving)
         f.q = f.full;
+    if (grids->touch.at)
+        ovr_touch_split(grids, level);
     run->film(&grids->fluid, grids->H0, &level->lanes, f.gap, f.w, &f);
     ovr_flow_store(run, &grids->fluid, level->grid.D, &level->lanes, &f);
     if (grids->conserving)
@@ -46,9 +49,13 @@ static void press(const ovr_hierarchy *grids, const ovr_level *level)
 
 void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level)
 {
-    deform(grids, level, level->f.P, level->f.w);
-    if (level->borne)
-        press(grids, level);
+    if (grids->touch.at) {
+        ovr_touch_deform(grids, level);
+    } else {
+        deform(grids, level, level->f.P, level->f.w);
+        if (level->borne)
+            press(grids, level);
+    }
     ovr_level_properties(grids, level);
 }
 
@@ -75,6 +82,8 @@ double ovr_level_imbalance(const ovr_hierarchy *grids, const ovr_level *level)
                      ? run->content_imbalance(&level->lanes, &level->f)
                      : run->imbalance(&level->lanes, &level->weights,
                                       &level->f);
+    if (grids->touch.at)
+        sum += ovr_touch_defect(grids, level) / level->grid.D;
     return sum * level->grid.D / fabs(ovr_level_centre(level, level->f.H));
 }
 

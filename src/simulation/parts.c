@@ -19,7 +19,20 @@ static const char base_row[] =
     "patches know the second-order row and the line smoother only";
 static const char on_patches[] = "it has no form on composite grids";
 
+static const char one_grid[] =
+    "surfaces that touch are solved by Newton's method on one grid";
+static const char kinks[] = "the law of touching surfaces kinks at the rupture";
+static const char two_unknowns[] =
+    "a dry node where surfaces touch has a filling and a pressure";
+
 static const ovr_refusal refusals[] = {
+    {OVR_PART_ORDER_4, OVR_PART_BOUNDARY, "2", kinks},
+    {OVR_PART_PAPER_SMOOTHER, OVR_PART_BOUNDARY, "line", one_grid},
+    {OVR_PART_PAPER_BALANCE, OVR_PART_BOUNDARY, "no", one_grid},
+    {OVR_PART_FIXED_CYCLES, OVR_PART_BOUNDARY, "negligible or truncation",
+     one_grid},
+    {OVR_PART_CONSERVING, OVR_PART_BOUNDARY, "reynolds", two_unknowns},
+    {OVR_PART_PATCHES, OVR_PART_BOUNDARY, "none", one_grid},
     {OVR_PART_ORDER_4, OVR_PART_UPSTREAM1, "2", corrected},
     {OVR_PART_ORDER_4, OVR_PART_PAPER_SMOOTHER, "2", corrected},
     {OVR_PART_ORDER_4, OVR_PART_PAPER_BALANCE, "2", corrected},

@@ -58,7 +58,9 @@
     PART(PATCHES, "patches", "domain", "refine", false,                        \
          o->refine != OVR_REFINE_NONE, false)                                  \
     PART(COATING, "a coating", "coating", "thickness", true, false,            \
-         ovr_case_find_block(r->c, "coating", NULL) != NULL)
+         ovr_case_find_block(r->c, "coating", NULL) != NULL)                   \
+    PART(BOUNDARY, "surfaces that touch", "boundary", "law", true, false,      \
+         ovr_case_find_block(r->c, "boundary", NULL) != NULL)
 
 #define OVR_PART_NUMBER(NAME, words, section, key, whole, options, setup)      \
     OVR_PART_##NAME,

@@ -54,7 +54,7 @@ static double tolerance_by_guess(const ovr_simulation *sim, double guess)
 static void settle_spots(const ovr_hierarchy *grids, ovr_level *finest,
                          int times)
 {
-    while (times-- > 0 && ovr_spots(grids, finest))
+    while (!grids->touch.at && times-- > 0 && ovr_spots(grids, finest))
         continue;
 }
 

@@ -85,6 +85,9 @@ static const struct way {
       "coating 1.density=2000 kg/m3", "coating 2.thickness=20 um",
       "coating 2.modulus=20 GPa", "coating 2.conductivity=20 W/m.K",
       "coating 2.heat_capacity=500 J/kg.K", "coating 2.density=5000 kg/m3"}},
+    {OVR_PART_BOUNDARY,
+     {"boundary.law=exponential", "boundary.Rq=150 nm", "boundary.slope=0.03",
+      "boundary.layer=3 nm", "boundary.friction=0.11"}},
 };
 enum { WAYS = sizeof ways / sizeof *ways };
 

@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "multigrid/touching.h"
+
+#include <math.h>
+#include <string.h>
+
+/* In lanes, the node in the halo included. */
+static size_t places(const ovr_level *level)
+{
+    return level->lanes.S * level->lanes.V + level->lanes.V;
+}
+
+/* A and g of a node's film. */
+static void law_at(const ovr_hierarchy *grids, double H, double *A, double *g)
+{
+    const ovr_touch *touch = &grids->touch;
+    touch->at(touch->law, H, A, g);
+    *A *= touch->share;
+    *g *= touch->share;
+    if (!(*A >= OVR_TOUCH_LEAST))
+        *A = *g = 0;
+}
+
+void ovr_touch_deform(const ovr_hierarchy *grids, const ovr_level *level)
+{
+    double *whole = level->pressed;
+    for (size_t J = 0; J < places(level); J++)
+        whole[J] = level->f.P[J] + level->borne[J];
+    ovr_influence_deform(&grids->influence, grids->kernels, &level->lanes,
+                         &level->mlmi, whole, level->f.w);
+}
+
+/* What lanes repeat of each other follows. */
+static void repeat(const ovr_hierarchy *grids, const ovr_level *level,
+                   double *values)
+{
+    double *room = grids->scratch[0];
+    ovr_level_read(grids, level, values, room);
+    ovr_level_write(grids, level, room, values);
+}
+
+void ovr_touch_split(const ovr_hierarchy *grids, const ovr_level *level)
+{
+    double *P = level->f.P, *borne = level->borne;
+    for (size_t J = 0; J < level->lanes.S * level->lanes.V; J++) {
+        double whole = P[J] + borne[J], A, g;
+        if (!(P[J] > 0))
+            continue;
+        law_at(grids, grids->H0 + level->f.gap[J] - level->f.w[J], &A, &g);
+        P[J] = fmax(whole - A, 0);
+        borne[J] = whole - P[J];
+    }
+    repeat(grids, level, P);
+    repeat(grids, level, borne);
+}
+
+double ovr_touch_defect(const ovr_hierarchy *grids, const ovr_level *level)
+{
+    double sum = 0, A, g;
+    for (size_t i = 1; i + 1 < level->grid.n; i++) {
+        size_t J = ovr_lanes_place(&level->lanes, i);
+        if (level->f.P[J] > 0)
+            continue;
+        law_at(grids, level->f.H[J], &A, &g);
+        sum += fabs(level->borne[J] - A);
+    }
+    return level->grid.D * sum;
+}
+
+void ovr_touch_prepare(const ovr_hierarchy *grids, const ovr_level *level,
+                       const ovr_fields *f)
+{
+    const ovr_touch *touch = &grids->touch;
+    ovr_level_read(grids, level, level->borne, touch->whole);
+    for (size_t i = 0; i < level->grid.n; i++) {
+        touch->whole[i] += f->P[i];
+        law_at(grids, f->H[i], &touch->A[i], &touch->g[i]);
+        touch->dry[i] = ovr_lanes_has(&level->lanes, level->f.held, i);
+    }
+}
+
+void ovr_touch_wet_row(const ovr_hierarchy *grids, const ovr_level *level,
+                       size_t i, double e[4], double local[4])
+{
+    const ovr_touch *touch = &grids->touch;
+    for (size_t m = 0; m < 4; m++) {
+        size_t node = i + m - 2;
+        if (i + m < 2 || node == 0 || node + 1 >= level->grid.n)
+            continue;
+        if (touch->dry[node])
+            local[m] = 0;
+        e[m] -= local[m] * touch->g[node];
+    }
+}
+
+void ovr_touch_dry_row(const ovr_hierarchy *grids, const ovr_level *level,
+                       size_t i, const double *k, double *row)
+{
+    const ovr_touch *touch = &grids->touch;
+    size_t n = level->grid.n;
+    double g = touch->g[i];
+    double scale = 1 / (1 + g * fabs(level->k[0]) * (double)n);
+    for (size_t j = 0; j < n; j++)
+        row[j] = -scale * g * k[j];
+    row[i] += scale;
+    row[n] = scale * g;
+    row[n + 1] = scale * (touch->A[i] - touch->whole[i]);
+}
+
+/* The part of the step by which no A grows more than it may. */
+static double part_of(const ovr_hierarchy *grids, const ovr_level *level,
+                      const double *dP, double dH0)
+{
+    const ovr_touch *touch = &grids->touch;
+    const double least = 0.05, doubled = log(2);
+    double part = 1, *w = level->f.w, *room = grids->scratch[0];
+    ovr_level_write(grids, level, dP, level->pressed);
+    ovr_influence_deform(&grids->influence, grids->kernels, &level->lanes,
+                         &level->mlmi, level->pressed, w);
+    ovr_level_read(grids, level, w, room);
+    for (size_t i = 1; i + 1 < level->grid.n; i++) {
+        double A = touch->A[i], falls = room[i] - dH0, most;
+        if (!(touch->g[i] > 0) || !(falls > 0))
+            continue;
+        most = fmax(doubled, log(least / A)) * A / touch->g[i];
+        part = fmin(part, most / falls);
+    }
+    return part;
+}
+
+void ovr_touch_advance(ovr_hierarchy *grids, const ovr_level *level,
+                       const ovr_fields *f, double limit)
+{
+    const ovr_touch *touch = &grids->touch;
+    size_t n = level->grid.n;
+    double *dP = grids->newton.change, dH0 = dP[n], part;
+    double *P = f->P, *borne = touch->whole;
+    for (size_t i = 0; i < n; i++)
+        dP[i] = fmax(fmin(dP[i], limit), -limit);
+    dH0 = fmax(fmin(dH0, limit * 2 / 3), -limit * 2 / 3);
+    dP[0] = dP[n - 1] = 0;
+    part = part_of(grids, level, dP, dH0);
+    for (size_t i = 1; i + 1 < n; i++) {
+        double whole = fmax(touch->whole[i] + part * dP[i], 0);
+        P[i] = touch->dry[i] ? 0 : whole;
+        borne[i] = touch->dry[i] ? whole : 0;
+    }
+    P[0] = P[n - 1] = borne[0] = borne[n - 1] = 0;
+    grids->H0 += part * dH0;
+    ovr_level_write(grids, level, P, level->f.P);
+    ovr_level_write(grids, level, borne, level->borne);
+}

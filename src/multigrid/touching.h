@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Surfaces that touch through their film: P = P_f + A(H).
+ *
+ *     H = H0 + gap - w(P)      the solids feel the whole pressure P
+ *     Reynolds' equation in P_f, its oil's properties those of P_f
+ *     P_f > 0: wet; else P_f = 0, and the row is P - A(H) = 0: dry contact
+ *     D sum P = force
+ *
+ * A law A(H) >= 0 falls with H: what summits finer than the mesh, or a layer
+ * of boundary lubricant, bear at the mean gap H.  A level has P_f in its field
+ * P, and P - P_f in `borne`: in a wet node A(H), in a dry one what the last
+ * correction left there, A(H) when it is solved.
+ *
+ * Newton's method with all derivatives, g = -dA/dH, k the elastic influence:
+ *     dH = dH0 - k dP,   dP_f = dP + g dH in wet nodes, 0 in dry ones
+ *     wet row i:  t_e = dN_i/dP_f of node e at fixed film; what stands for
+ *                 -dN_i/dH_e is less by t_e g_e
+ *     dry row i:  dP_i + g_i (dH0 - sum_j k dP_j) = A_i - P_i,  over
+ *                 1 + g_i |k(0)| n
+ * The step is shortened so that no node's A grows beyond twice itself, or a
+ * twentieth of ph where it was less: A is an exponential, about, and its
+ * tangent knows nothing of that.  A node that is dry stays so until its row of
+ * Reynolds' equation, with P_f = 0, wants to rise: judged by the sign of
+ * P - A it would flip by rounding.
+ *
+ * It is solved on one grid, by Newton's method alone (coarsest.h): O(n^3).
+ * Where there is no law nothing of this is called.
+ */
+#ifndef OVR_MULTIGRID_TOUCHING_H
+#define OVR_MULTIGRID_TOUCHING_H
+
+#include "multigrid/hierarchy.h"
+
+/* Pressures below this are none: an exponential never ends. */
+#define OVR_TOUCH_LEAST 1e-9
+
+/* The deformation of a level by the whole pressure; P_f and what is borne
+ * beside it by the film that this makes. */
+void ovr_touch_deform(const ovr_hierarchy *grids, const ovr_level *level);
+void ovr_touch_split(const ovr_hierarchy *grids, const ovr_level *level);
+
+/* D sum |P - A| of dry nodes. */
+double ovr_touch_defect(const ovr_hierarchy *grids, const ovr_level *level);
+
+/* For Newton's method, in the order of the nodes: A, g and the whole pressure
+ * of a level whose film is up to date. */
+void ovr_touch_prepare(const ovr_hierarchy *grids, const ovr_level *level,
+                       const ovr_fields *f);
+
+/* Takes a wet row's t_e off e_m, m = -2..1, and out of the columns of dry
+ * nodes. */
+void ovr_touch_wet_row(const ovr_hierarchy *grids, const ovr_level *level,
+                       size_t i, double e[4], double local[4]);
+
+/* A dry node's row: n pressures, H0, the right-hand side. */
+void ovr_touch_dry_row(const ovr_hierarchy *grids, const ovr_level *level,
+                       size_t i, const double *k, double *row);
+
+/* The next P and H0, from a change of them; `limit` on that of a pressure. */
+void ovr_touch_advance(ovr_hierarchy *grids, const ovr_level *level,
+                       const ovr_fields *f, double limit);
+
+#endif

@@ -1,0 +1,277 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Surfaces that touch through their film, P = P_f + A(H).
+ *
+ * Truth: dense Newton's method on the same discrete equations with P as its
+ * unknown and its own active set, in another language; residual below 1e-11;
+ * copied from truth/contact.json of the project's shared folder.  M, L,
+ * [-4, 1.5], A = exp(-H/s), arithmetic means.
+ */
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "support/test.h"
+
+#include "overroll/overroll.h"
+
+typedef struct touching {
+    double H0, H_cen, H_min, P_max, share, area, load;
+    double mu, mu_film, mu_boundary;
+    int cycles;
+} touching;
+
+enum { SHARE, AREA, A_MAX, H_CONTACT, MU_FILM, MU_BOUNDARY };
+
+static const char *const paper[] = {
+    "lubricant.alpha=17 1/GPa", "lubricant.p0=198 MPa",
+    "lubricant.z=0.68",         "domain.inlet=-4",
+    "domain.outlet=1.5",        "domain.order=2",
+    "time.scheme=upstream2",    "domain.faces=arithmetic",
+    "solver.tolerance=1e-9",    NULL};
+
+/* 1 GPa, Eyring's oil, both surfaces ground. */
+static const char *const gear[] = {"contact.hertz_pressure=1 GPa",
+                                   "contact.radius=6.84 mm",
+                                   "contact.modulus=227 GPa",
+                                   "contact.slide_to_roll=0.3",
+                                   "contact.viscosity=10 mPa.s",
+                                   "contact.alpha=20 1/GPa",
+                                   "lubricant.rheology=eyring",
+                                   "lubricant.eyring_stress=5 MPa",
+                                   "domain.level=5",
+                                   "domain.order=2",
+                                   NULL};
+
+static const char *const newtonian[] = {
+    "contact.hertz_pressure=1 GPa", "contact.radius=6.84 mm",
+    "contact.modulus=227 GPa",      "contact.mean_speed=3 m/s",
+    "contact.slide_to_roll=0.3",    "contact.viscosity=10 mPa.s",
+    "contact.alpha=20 1/GPa",       NULL};
+
+static void assign(ovr_case *c, const char *setting)
+{
+    ovr_error err = {0};
+    CHECK_OK(ovr_case_assign(c, setting, "test", &err), &err);
+}
+
+static void assignf(ovr_case *c, const char *form, ...)
+{
+    char text[100];
+    va_list values;
+    va_start(values, form);
+    vsnprintf(text, sizeof text, form, values);
+    va_end(values);
+    assign(c, text);
+}
+
+static ovr_case *begin(const char *const *settings)
+{
+    ovr_error err = {0};
+    ovr_case *c = ovr_case_create(NULL, &err);
+    assert_non_null(c);
+    for (; *settings; settings++)
+        assign(c, *settings);
+    return c;
+}
+
+static touching seen(const ovr_run *run)
+{
+    const ovr_simulation *sim = ovr_run_about(run)->sim;
+    const ovr_observation *o = ovr_simulation_observation(sim);
+    assert_true(o->converged);
+    return (touching){.H0 = o->H0,
+                      .H_cen = o->H_cen,
+                      .H_min = o->H_min,
+                      .P_max = o->P_max,
+                      .share = o->more[SHARE],
+                      .area = o->more[AREA],
+                      .load = o->load,
+                      .mu = o->mu_slide,
+                      .mu_film = o->more[MU_FILM],
+                      .mu_boundary = o->more[MU_BOUNDARY],
+                      .cycles = o->cycles};
+}
+
+/* Frees the case. */
+static touching solved(ovr_case *c)
+{
+    ovr_error err = {0};
+    ovr_run_options how = ovr_run_options_default();
+    ovr_run *run = ovr_run_create(c, &how, NULL, &err);
+    CHECK_OK(run ? OVR_OK : err.status, &err);
+    CHECK_OK(ovr_run_go(run, &err), &err);
+    touching t = seen(run);
+    ovr_run_free(run);
+    ovr_case_free(c);
+    return t;
+}
+
+static ovr_case *by_moes(double M, double L, int level)
+{
+    ovr_case *c = begin(paper);
+    assignf(c, "contact.M=%g", M);
+    assignf(c, "contact.L=%g", L);
+    assignf(c, "domain.level=%d", level);
+    return c;
+}
+
+static void bears(ovr_case *c, double amplitude, double decay)
+{
+    assign(c, "boundary.law=exponential");
+    assignf(c, "boundary.amplitude=%g", amplitude);
+    assignf(c, "boundary.decay=%g", decay);
+}
+
+/* At its last node, where A is A(H) and not zero, the truth has half a weight
+ * of it, the program none: what is allowed beside 1e-8 is that node's A, some
+ * 0.3 long of it pressing from there. */
+static void films_are_those_of_the_dense_newton(void **state)
+{
+    static const struct {
+        double M, L, s;
+        int level;
+        double H0, H_min, share, at_end;
+    } of[] = {{20, 10, 0.021, 6, -0.5045047684956058, 0.07383886806124174,
+               0.023200437491556335, 0},
+              {20, 10, 0.042, 6, -0.4979971444670354, 0.07789693551756383,
+               0.1637149445174704, 2.1e-5},
+              {20, 10, 0.084, 6, -0.4749623175222994, 0.08710472173439182,
+               0.42143755674029904, 3.3e-3},
+              {20, 10, 0.042, 7, -0.4978047374747527, 0.07808855724845748,
+               0.16290654848066233, 2.1e-5},
+              {5, 5, 0.1, 6, -0.2493603147602965, 0.24742928350999083,
+               0.07200559119284872, 7e-4},
+              {50, 10, 0.012, 7, -0.5632758996973974, 0.027529062043276015,
+               0.10064704662698547, 0}};
+    (void)state;
+    for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
+        ovr_case *c = by_moes(of[k].M, of[k].L, of[k].level);
+        double D = 5.5 / (7 << of[k].level), end = of[k].at_end * D;
+        bears(c, 1, of[k].s);
+        touching t = solved(c);
+        print_message("s %g: H0 %+.1e, H_min %+.1e, share %+.1e, %d cycles\n",
+                      of[k].s, t.H0 - of[k].H0, t.H_min - of[k].H_min,
+                      t.share - of[k].share, t.cycles);
+        CHECK_NEAR(t.H0, of[k].H0, 1e-8 + end);
+        CHECK_NEAR(t.H_min, of[k].H_min, 1e-8 + end);
+        CHECK_NEAR(t.share, of[k].share, 1e-8 + end);
+        CHECK_NEAR(t.load, acos(-1.0) / 2, 1e-9);
+    }
+}
+
+/* The mesh is read off the shares alone. */
+static void share_is_of_second_order(void **state)
+{
+    double share[3];
+    (void)state;
+    for (int l = 0; l < 3; l++) {
+        ovr_case *c = by_moes(20, 10, 5 + l);
+        bears(c, 1, 0.042);
+        share[l] = solved(c).share;
+    }
+    CHECK_NEAR((share[0] - share[1]) / (share[1] - share[2]), 4, 0.5);
+}
+
+/* Summits that reach a sixth of the film bear nothing; an amplitude of zero is
+ * no law at all. */
+static void thick_films_do_not_know_of_it(void **state)
+{
+    touching none = solved(by_moes(20, 10, 6)), thick;
+    (void)state;
+    ovr_case *c = by_moes(20, 10, 6);
+    bears(c, 1, 0.084 / 6 / 2.15);
+    thick = solved(c);
+    CHECK_NEAR(thick.H_cen, none.H_cen, 1e-6);
+    c = by_moes(20, 10, 6);
+    bears(c, 0, 0.042);
+    touching off = solved(c);
+    assert_true(off.H0 == none.H0 && off.H_min == none.H_min);
+    assert_true(off.P_max == none.P_max);
+}
+
+/* From a film to bodies that touch dry: Stribeck's curve. */
+static void contact_takes_over_as_it_slows(void **state)
+{
+    static const double speed[] = {30, 10, 3, 1, 0.3, 0.1, 0.03, 0.01};
+    enum { SPEEDS = sizeof speed / sizeof *speed };
+    touching last = {0};
+    (void)state;
+    for (int k = 0; k < SPEEDS; k++) {
+        ovr_case *c = begin(gear);
+        assignf(c, "contact.mean_speed=%g m/s", speed[k]);
+        assign(c, "boundary.law=exponential");
+        assign(c, "boundary.Rq=194 nm");
+        assign(c, "boundary.slope=0.03");
+        assign(c, "boundary.friction=0.11");
+        touching t = solved(c);
+        print_message("%5g m/s: share %.4f, mu %.4f = %.4f + %.4f, %d cycles\n",
+                      speed[k], t.share, t.mu, t.mu_film, t.mu_boundary,
+                      t.cycles);
+        assert_true(t.share > last.share && t.share < 1);
+        CHECK_NEAR(t.mu_film + t.mu_boundary, fabs(t.mu), 1e-12);
+        CHECK_NEAR(t.mu_boundary, 0.11 * t.share, 1e-9);
+        last = t;
+    }
+    assert_true(last.share > 0.99);
+    CHECK_NEAR(fabs(last.mu), 0.11, 1e-3);
+}
+
+/* A layer of a few nm has a pole at no gap: the film stays open. */
+static void layer_keeps_the_film_open(void **state)
+{
+    (void)state;
+    ovr_case *c = begin(gear);
+    assign(c, "contact.mean_speed=5 mm/s");
+    assign(c, "boundary.law=layer");
+    assign(c, "boundary.layer=3 nm");
+    assign(c, "boundary.layer_decay=1 nm");
+    touching t = solved(c);
+    assert_true(t.H_min > 0 && t.share > 0.1 && t.share < 1);
+}
+
+/* A case that is refused, and by what. */
+static void check_refused(ovr_case *c, const char *words)
+{
+    ovr_error err = {0};
+    assert_null(ovr_run_create(c, NULL, NULL, &err));
+    CHECK_ERROR(&err, OVR_BAD_INPUT, words);
+    ovr_case_free(c);
+}
+
+static void what_has_no_answer_is_refused(void **state)
+{
+    (void)state;
+    ovr_case *c = begin(gear);
+    assign(c, "boundary.law=exponential");
+    check_refused(c, "mean_speed");
+    c = begin(gear);
+    assign(c, "contact.mean_speed=3 m/s");
+    assign(c, "boundary.law=exponential");
+    check_refused(c, "wants Rq");
+    c = begin(gear);
+    assign(c, "contact.mean_speed=3 m/s");
+    assign(c, "boundary.law=layer");
+    check_refused(c, "wants layer");
+    c = begin(newtonian);
+    assign(c, "boundary.law=exponential");
+    assign(c, "boundary.Rq=194 nm");
+    assign(c, "boundary.slope=0.03");
+    check_refused(c, "shears thin");
+    c = by_moes(20, 10, 10);
+    bears(c, 1, 0.042);
+    check_refused(c, "one grid");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(films_are_those_of_the_dense_newton),
+        cmocka_unit_test(share_is_of_second_order),
+        cmocka_unit_test(thick_films_do_not_know_of_it),
+        cmocka_unit_test(contact_takes_over_as_it_slows),
+        cmocka_unit_test(layer_keeps_the_film_open),
+        cmocka_unit_test(what_has_no_answer_is_refused)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
