@@ -195,7 +195,8 @@ static ovr_status resolve_options(const ovr_physics_case *of,
                         "[domain] level = %d or less is possible",
                         FINEST);
     o->coarsest_level = o->level;
-    o->order = 2;
+    if (!o->order) /* 4 is refused by the table of pairs */
+        o->order = 2;
     return OVR_OK;
 }
 
@@ -346,6 +347,15 @@ static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
     if (from < 1)
         d.imbalance = INFINITY;
     return d;
+}
+
+/* Each attempt begins with what was borne at the last time reached, the
+ * grids' side of it where the speed has turned since. */
+static void attempt(ovr_simulation *sim, void *own, bool first)
+{
+    (void)own;
+    (void)first;
+    ovr_physics_borne_back(sim);
 }
 
 /* ---------------------------------------------------------------- observed */
@@ -502,6 +512,7 @@ const ovr_physics ovr_physics_boundary = {.name = "surfaces that touch",
                                           .take = take,
                                           .forget = forget,
                                           .solve = solve,
+                                          .attempt = attempt,
                                           .friction = friction,
                                           .heat = heat,
                                           .unknown = unknown,
