@@ -297,9 +297,9 @@ typedef enum ovr_axes {
 
 /* Physics that a quantity belongs to, as bits. */
 enum {
-    OVR_PHYSICS_CONTENT = 1, /* oil is conserved */
-    OVR_PHYSICS_HEAT = 2,    /* there are temperatures */
-    OVR_PHYSICS_REFINED = 4, /* there are patches of finer mesh */
+    OVR_PHYSICS_CONTENT = 1,  /* oil is conserved */
+    OVR_PHYSICS_HEAT = 2,     /* there are temperatures */
+    OVR_PHYSICS_REFINED = 4,  /* there are patches of finer mesh */
     OVR_PHYSICS_FEATURES = 8, /* there is something on the surfaces */
     OVR_PHYSICS_BOUNDARY = 16 /* surfaces touch through their film */
 };
