@@ -1,49 +1,87 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The parent holds the reading end of a pipe to each worker, which nobody
- * writes to: it ends when the worker does, and to wait for that takes no
- * signal of the caller's.  What workers have done, and that they are to stop,
- * is in memory shared with them.
+ * Workers take the next task as they end one, so that a process is made for
+ * many short ones: the place in the list is in memory shared with them, beside
+ * the task that each is at, what it has done of it, and that they are to stop.
+ * The parent holds the reading end of a pipe to each worker, which says by it
+ * what ended and how; the pipe ends when the worker does, and to wait for that
+ * takes no signal of the caller's.  One that dies takes its task with it alone:
+ * another is started in its place.
  */
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 #include "run/pool.h"
 
 #include <poll.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-typedef struct worker {
-    pid_t process; /* 0: free */
+/* What a worker tells of a task that it ended. */
+typedef struct ending {
     size_t task;
-} worker;
+    int code;
+} ending;
+
+/* Of each worker, shared with it. */
+typedef struct place {
+    double done;          /* of its task */
+    volatile size_t task; /* number in the list, from 1; 0: none */
+} place;
+
+/* Shared by all. */
+typedef struct board {
+    atomic_size_t next; /* number in the list */
+    volatile int stop;
+    place at[];
+} board;
 
 typedef struct pool {
     const ovr_pool_job *job;
-    worker *worker;
-    struct pollfd *end; /* of each; fd -1: free */
-    double *done;       /* of each, shared; behind them the stop */
-    volatile int *stop;
-    size_t next, ended;
+    pid_t *process; /* of each worker; 0: free */
+    struct pollfd *end;
+    board *board;
+    size_t ended;
     int running;
 } pool;
 
+/* Tasks until there are no more, in the worker. */
+static void work_through(const pool *p, int slot, int to)
+{
+    const ovr_pool_job *job = p->job;
+    place *at = &p->board->at[slot];
+    const ovr_shared shared = {&at->done, &p->board->stop};
+    /* a signal may be the worker's alone, or come to it first */
+    while (!p->board->stop && !job->stop(job->data)) {
+        size_t next = atomic_fetch_add(&p->board->next, 1);
+        if (next >= job->count)
+            break;
+        at->done = 0;
+        at->task = next + 1;
+        ending told = {job->task[next],
+                       job->work(job->data, job->task[next], shared)};
+        fflush(NULL);
+        at->task = 0;
+        if (write(to, &told, sizeof told) != (ssize_t)sizeof told)
+            _exit(1);
+    }
+    _exit(0);
+}
+
 static int start_one(pool *p, int slot)
 {
-    size_t task = p->job->task[p->next];
-    ovr_shared shared = {&p->done[slot], p->stop};
     int ends[2];
     pid_t process;
     if (pipe(ends) != 0)
         return -1;
     fflush(NULL);
-    p->done[slot] = 0;
+    p->board->at[slot] = (place){0};
     process = fork();
     if (process == 0) {
         close(ends[0]);
-        _exit(p->job->work(p->job->data, task, shared));
+        work_through(p, slot, ends[1]);
     }
     close(ends[1]);
     if (process < 0) {
@@ -51,41 +89,57 @@ static int start_one(pool *p, int slot)
         return -1;
     }
     p->end[slot] = (struct pollfd){ends[0], POLLIN, 0};
-    p->worker[slot] = (worker){process, task};
+    p->process[slot] = process;
     p->running++;
-    p->next++;
     return 0;
 }
 
 static int fill(pool *p)
 {
     for (int slot = 0; slot < p->job->workers; slot++)
-        if (!*p->stop && !p->worker[slot].process && p->next < p->job->count &&
+        if (!p->board->stop && !p->process[slot] &&
+            atomic_load(&p->board->next) < p->job->count &&
             start_one(p, slot) != 0)
             return -1;
     return 0;
 }
 
+/* A worker that ended with a task on its hands died of it. */
 static void reap(pool *p, int slot)
 {
     int status = 0;
-    waitpid(p->worker[slot].process, &status, 0);
+    size_t task = p->board->at[slot].task;
+    waitpid(p->process[slot], &status, 0);
     close(p->end[slot].fd);
     p->end[slot] = (struct pollfd){.fd = -1};
-    p->worker[slot].process = 0;
+    p->process[slot] = 0;
     p->running--;
+    if (!task)
+        return;
     p->ended++;
-    p->job->ended(p->job->data, p->worker[slot].task,
+    p->job->ended(p->job->data, p->job->task[task - 1],
                   WIFEXITED(status) ? WEXITSTATUS(status) : 0,
                   WIFSIGNALED(status) ? WTERMSIG(status) : 0);
+}
+
+/* What a worker says, or its end. */
+static void hear(pool *p, int slot)
+{
+    ending told;
+    if (read(p->end[slot].fd, &told, sizeof told) != (ssize_t)sizeof told) {
+        reap(p, slot);
+        return;
+    }
+    p->ended++;
+    p->job->ended(p->job->data, told.task, told.code, 0);
 }
 
 static void tick(const pool *p)
 {
     double done = (double)p->ended;
     for (int slot = 0; slot < p->job->workers; slot++)
-        if (p->worker[slot].process)
-            done += p->done[slot];
+        if (p->process[slot] && p->board->at[slot].task)
+            done += p->board->at[slot].done;
     p->job->tick(p->job->data, p->ended, p->running, done);
 }
 
@@ -103,27 +157,27 @@ static int run(pool *p)
         if (poll(p->end, (nfds_t)p->job->workers, pause) > 0)
             for (int slot = 0; slot < p->job->workers; slot++)
                 if (p->end[slot].revents)
-                    reap(p, slot);
+                    hear(p, slot);
         if (p->job->stop(p->job->data))
-            *p->stop = 1;
+            p->board->stop = 1;
     }
     tick(p);
-    return trouble ? -1 : *p->stop;
+    return trouble ? -1 : p->board->stop;
 }
 
 int ovr_pool_run(const ovr_pool_job *job)
 {
-    size_t n = (size_t)job->workers, bytes = (n + 1) * sizeof(double);
+    size_t n = (size_t)job->workers;
+    size_t bytes = sizeof(board) + n * sizeof(place);
     void *shared = mmap(NULL, bytes, PROT_READ | PROT_WRITE,
                         MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     ovr_arena arena = ovr_arena_make(job->allocator);
     pool p = {.job = job,
-              .worker = ovr_arena_take(&arena, n, sizeof *p.worker, NULL),
+              .process = ovr_arena_take(&arena, n, sizeof *p.process, NULL),
               .end = ovr_arena_take(&arena, n, sizeof *p.end, NULL)};
     int code = -1;
-    if (p.worker && p.end && shared != MAP_FAILED) {
-        p.done = shared;
-        p.stop = (int *)(void *)(p.done + n);
+    if (p.process && p.end && shared != MAP_FAILED) {
+        p.board = shared;
         code = run(&p);
     }
     if (shared != MAP_FAILED)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Worker processes, one for each task, so many at once. */
+/* Worker processes, so many at once, that take one task after the other. */
 #ifndef OVR_RUN_POOL_H
 #define OVR_RUN_POOL_H
 
@@ -18,14 +18,16 @@ typedef struct ovr_pool_job {
     size_t count;
     const size_t *task;
     int workers;
-    /* In the worker: does the task, returns the code it exits with. */
+    /* In a worker: does the task, returns the code that it ends with. */
     int (*work)(void *data, size_t task, ovr_shared shared);
     /* In the parent: a task ended, with a code or by a signal. */
     void (*ended)(void *data, size_t task, int code, int signal);
     /* In the parent, a few times a second: how many ended, how many run, and
      * the tasks done, parts of running ones included. */
     void (*tick)(void *data, size_t ended, int running, double done);
-    bool (*stop)(void *data); /* asked as often; then nothing new is begun */
+    /* Asked as often, and by workers between two tasks; then nothing new is
+     * begun. */
+    bool (*stop)(void *data);
     void *data;
     const ovr_allocator *allocator;
 } ovr_pool_job;

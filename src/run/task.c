@@ -180,6 +180,7 @@ typedef struct working {
     ovr_run_options run; /* the caller's */
     ovr_shared shared;
     FILE *summary;
+    int output, error; /* those of the process, put back afterwards */
 } working;
 
 static void say(void *data, ovr_say kind, const char *text)
@@ -348,6 +349,29 @@ static void run_case(working *w, bool resume, int fd, ovr_error *err)
     ovr_case_free(c);
 }
 
+/* Output and error of the process, which may have other tasks after this. */
+static void keep_streams(working *w)
+{
+    fflush(NULL);
+    w->output = dup(STDOUT_FILENO);
+    w->error = dup(STDERR_FILENO);
+}
+
+static void put_back(int kept, int stream)
+{
+    if (kept < 0)
+        return;
+    dup2(kept, stream);
+    close(kept);
+}
+
+static void put_streams_back(working *w)
+{
+    fflush(NULL);
+    put_back(w->output, STDOUT_FILENO);
+    put_back(w->error, STDERR_FILENO);
+}
+
 /* Standard output and error to the log, the summary to its file. */
 static bool open_files(working *w)
 {
@@ -374,12 +398,16 @@ static void work_locked(working *w, int fd, ovr_error *err)
         start_afresh(s, w->task);
         state = OVR_SWEEP_WAITING;
     }
-    if (!open_files(w)) {
+    keep_streams(w);
+    if (open_files(w)) {
+        run_case(w, state == OVR_SWEEP_STOPPED && s->results, fd, err);
+        fclose(w->summary);
+    } else {
         err->status = OVR_IO;
-        return;
     }
-    run_case(w, state == OVR_SWEEP_STOPPED && s->results, fd, err);
-    fclose(w->summary);
+    put_streams_back(w);
+    if (!w->summary)
+        return;
     if (err->status)
         discard(s, w->task, ".json.part");
     if (err->status && err->status != OVR_STOPPED)
@@ -407,7 +435,7 @@ static bool lock(working *w, int fd)
 ovr_status ovr_task_work(const ovr_study *s, size_t task,
                          const ovr_sweep_options *how, ovr_shared shared)
 {
-    working w = {s, task, how, {0}, shared, NULL};
+    working w = {s, task, how, {0}, shared, NULL, -1, -1};
     int fd = open_file(s, task, ".ini", O_RDWR | O_CREAT);
     ovr_error err = {0};
     if (fd < 0) {

@@ -16,7 +16,7 @@
 #include "run/study.h"
 
 /* Runs or resumes a task in this process, whose standard output and error go
- * to its log; returns the status it ended with. */
+ * to its log meanwhile; returns the status it ended with. */
 ovr_status ovr_task_work(const ovr_study *s, size_t task,
                          const ovr_sweep_options *how, ovr_shared shared);
 

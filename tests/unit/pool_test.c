@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Workers: each takes task after task, one that dies takes its task alone. */
+#define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
+#include <signal.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include "run/pool.h"
+#include "support/test.h"
+
+enum { TASKS = 40, WORKERS = 2 };
+
+/* Shared with the workers. */
+typedef struct seen {
+    atomic_int times[TASKS]; /* done in a worker */
+    pid_t by[TASKS];
+    int told[TASKS], code[TASKS], signal[TASKS];
+    int killed;  /* the task whose worker dies; -1: none */
+    int stop_at; /* tasks told of until it is to stop; 0: never */
+    int ended;
+} seen;
+
+static int work(void *data, size_t task, ovr_shared shared)
+{
+    seen *s = data;
+    s->by[task] = getpid();
+    atomic_fetch_add(&s->times[task], 1);
+    *shared.done = 0.5;
+    if ((int)task == s->killed)
+        raise(SIGKILL);
+    return (int)(task % 3);
+}
+
+static void ended(void *data, size_t task, int code, int number)
+{
+    seen *s = data;
+    s->told[task]++;
+    s->code[task] = code;
+    s->signal[task] = number;
+    s->ended++;
+}
+
+static void tick(void *data, size_t count, int running, double done)
+{
+    (void)data;
+    assert_true(running <= WORKERS && done <= TASKS && count <= TASKS);
+}
+
+static bool stop(void *data)
+{
+    const seen *s = data;
+    return s->stop_at && s->ended >= s->stop_at;
+}
+
+static int run(seen *s)
+{
+    size_t task[TASKS];
+    ovr_pool_job job = {TASKS, task, WORKERS, work, ended, tick, stop, s, NULL};
+    for (size_t k = 0; k < TASKS; k++)
+        task[k] = TASKS - 1 - k; /* names, not places in the list */
+    return ovr_pool_run(&job);
+}
+
+static seen *make(int killed)
+{
+    seen *s = mmap(NULL, sizeof *s, PROT_READ | PROT_WRITE,
+                   MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    assert_true(s != MAP_FAILED);
+    s->killed = killed;
+    return s;
+}
+
+static int processes(const seen *s)
+{
+    int count = 0;
+    for (int i = 0; i < TASKS; i++) {
+        int before = 0;
+        for (int k = 0; k < i; k++)
+            before += s->by[k] == s->by[i];
+        count += s->by[i] && !before;
+    }
+    return count;
+}
+
+/* Every task once, by as many processes as there are workers. */
+static void many_by_few(void **state)
+{
+    seen *s = make(-1);
+    (void)state;
+    assert_int_equal(run(s), 0);
+    for (int k = 0; k < TASKS; k++) {
+        assert_int_equal(s->times[k], 1);
+        assert_int_equal(s->told[k], 1);
+        assert_int_equal(s->code[k], k % 3);
+        assert_int_equal(s->signal[k], 0);
+    }
+    assert_true(processes(s) <= WORKERS);
+    munmap(s, sizeof *s);
+}
+
+static void one_that_dies(void **state)
+{
+    seen *s = make(25);
+    (void)state;
+    assert_int_equal(run(s), 0);
+    for (int k = 0; k < TASKS; k++) {
+        assert_int_equal(s->times[k], 1);
+        assert_int_equal(s->told[k], 1);
+        assert_int_equal(s->signal[k], k == 25 ? SIGKILL : 0);
+    }
+    assert_true(processes(s) <= WORKERS + 1);
+    munmap(s, sizeof *s);
+}
+
+/* What is under way ends, and is told of; the rest is left. */
+static void stopped(void **state)
+{
+    seen *s = make(-1);
+    int done = 0;
+    (void)state;
+    s->stop_at = 1;
+    assert_int_equal(run(s), 1);
+    for (int k = 0; k < TASKS; k++) {
+        assert_int_equal(s->times[k], s->told[k]);
+        done += s->told[k];
+    }
+    assert_true(done >= 1);
+    munmap(s, sizeof *s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(many_by_few),
+                                       cmocka_unit_test(one_that_dies),
+                                       cmocka_unit_test(stopped)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
