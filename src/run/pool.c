@@ -15,6 +15,9 @@
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -47,12 +50,23 @@ typedef struct pool {
     int running;
 } pool;
 
+/* What a task gives back the next one takes: without it each would have its
+ * pages from the system anew, a fifth of a short task. */
+static void keep_memory(void)
+{
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 1 << 25);
+    mallopt(M_TRIM_THRESHOLD, 1 << 28);
+#endif
+}
+
 /* Tasks until there are no more, in the worker. */
 static void work_through(const pool *p, int slot, int to)
 {
     const ovr_pool_job *job = p->job;
     place *at = &p->board->at[slot];
     const ovr_shared shared = {&at->done, &p->board->stop};
+    keep_memory();
     /* a signal may be the worker's alone, or come to it first */
     while (!p->board->stop && !job->stop(job->data)) {
         size_t next = atomic_fetch_add(&p->board->next, 1);
