@@ -61,7 +61,8 @@ typedef struct ovr_parameter {
  *     "history = ramp | step"   its value is one of these words,
  *     "every > 0"               its number is above this one,
  *     "time.end"                it is given,
- *     "no refine_level"         it is not given.
+ *     "no refine_level"         it is not given,
+ *     "[stress]"                that section is there.
  * Of a size of a feature its shape decides, in surface/shape.c, where it is
  * refused too.
  */

@@ -43,7 +43,8 @@ static void put_words(const char *words, char *text, size_t room)
 /* "history = ramp, step or sine", "[heat] model = lobatto", "every above 0". */
 static void put_alternative(const char *from, char *text, size_t room)
 {
-    size_t key = strcspn(from, " "), section = strcspn(from, ". ");
+    size_t key = *from == '[' ? strlen(from) : strcspn(from, " ");
+    size_t section = strcspn(from, ". ");
     const char *rest = from + key + strspn(from + key, " ");
     if (section < key)
         ovr_condition_add(text, room, "[%.*s] %.*s", (int)section, from,

@@ -20,9 +20,33 @@ typedef struct alternative {
     bool absent;      /* it must not be given */
 } alternative;
 
+/* Whether a section stands in the case, be it empty. */
+static bool is_there(const ovr_block *block)
+{
+    bool given = block && block->line > 0;
+    for (size_t k = 0; block && !given && k < block->count; k++)
+        given = block->slots[k].given;
+    return given;
+}
+
+/* "[stress]": the section, as a key that is given or not. */
+static alternative take_section(const ovr_case *c, const ovr_block *own,
+                                const char *text)
+{
+    static const ovr_slot there = {.given = true}, missing = {.number = NAN};
+    char name[OVR_NAME_MOST];
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(text + 1, "]"), text + 1);
+    const ovr_block *block = ovr_case_find_block(c, name, NULL);
+    return (alternative){.section = own->section,
+                         .slot = is_there(block) ? &there : &missing,
+                         .rest = ""};
+}
+
 static alternative take_apart(const ovr_case *c, const ovr_block *own,
                               const char *text)
 {
+    if (*text == '[')
+        return take_section(c, own, text);
     /* of a section with names that has no block */
     static const ovr_slot nothing = {.number = NAN};
     const ovr_block *block = own;
@@ -71,7 +95,8 @@ static bool any_holds(const ovr_case *c, const ovr_block *block,
         alternative a = take_apart(c, block, text);
         if (holds(&a))
             return true;
-        *off = *off || (a.section->on && !strcmp(a.section->on, a.slot->key));
+        *off = *off || (a.section->on && a.slot->key &&
+                        !strcmp(a.section->on, a.slot->key));
     }
     return false;
 }

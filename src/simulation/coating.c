@@ -87,12 +87,12 @@ static const ovr_parameter keys[] = {
      offsetof(coat, thermal.density), true, "heat.model = lobatto",
      "with heat"},
     {"residual_x", STRESS(NULL, -100, 100), "0", offsetof(coat, residual[0]),
-     true, "stress.surface",
+     true, "[stress]",
      "stress in the layer without load, along the surface, tension positive"},
     {"residual_y", STRESS(NULL, -100, 100), "0", offsetof(coat, residual[1]),
-     true, "stress.surface", "and across"},
+     true, "[stress]", "and across"},
     {"yield", STRESS(no_yield, 0, 1e4), "none", offsetof(coat, yield), false,
-     "stress.surface",
+     "[stress]",
      "von Mises stress that the layer bears; its share that is used is told"},
 };
 

@@ -62,3 +62,10 @@ both = of("3 GPa-0.4 GPa")["layer_utilisation"]
 assert abs(max(upper * 3e9, lower * 0.4e9) / largest - 1) < 1e-9
 assert lower > upper and both == lower, (upper, lower, both)
 END
+
+# Of an empty [stress] too; without it the keys have no effect, which is said
+sed '/^surface = 1/d' case.ini >bare.ini
+expect 0 "$OVERROLL" check bare.ini --set 'coating 1.yield=3 GPa'
+sed '/^\[stress\]/d' bare.ini >without.ini
+refuses 'yield: has no effect without \[stress\]' \
+    check without.ini --set 'coating 1.yield=3 GPa'
