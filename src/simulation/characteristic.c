@@ -47,12 +47,22 @@ bool ovr_inflow_reaches(const ovr_simulation *sim, double travel)
     return fabs(travel) / ovr_mesh(sim) < OVR_GHOSTS - POINTS;
 }
 
+/* From the inlet on; room is where q will be. */
+static const double *pressure_of(const ovr_simulation *sim, int past, bool back)
+{
+    double *room = sim->inflow.extended + OVR_GHOSTS;
+    if (!back)
+        return sim->past.P[past];
+    ovr_mirror(sim->now.n, sim->past.P[past], room);
+    return room;
+}
+
 /* q at the ghosts nearest the inlet, which is on the right where `back`,
  * written before extended[OVR_GHOSTS]. */
 static void ghost_film(ovr_simulation *sim, int past, size_t ghosts, bool back)
 {
     const ovr_inflow *inflow = &sim->inflow;
-    const double *P = sim->past.P[past];
+    const double *P = pressure_of(sim, past, back);
     const ovr_smooth smooth = ovr_simulation_smooth(sim, sim->past.T[past]);
     size_t n = sim->now.n;
     double out = back ? ovr_mesh(sim) : -ovr_mesh(sim);
@@ -62,10 +72,8 @@ static void ghost_film(ovr_simulation *sim, int past, size_t ghosts, bool back)
         ovr_surface_heights(sim, sim->past.T[past], ghosts, inflow->X,
                             inflow->S);
     for (size_t g = 0; g < ghosts; g++) {
-        const double *k = inflow->kernel + g + 1;
-        double w = 0, X = inflow->X[g];
-        for (size_t j = 0; j < n; j++)
-            w += k[j] * P[back ? n - 1 - j : j];
+        double X = inflow->X[g];
+        double w = sim->grids.kernels->gain(n, inflow->kernel + g + 1, P, NULL);
         inflow->extended[OVR_GHOSTS - 1 - g] = sim->past.H0[past] +
                                                ovr_smooth_at(&smooth, X) -
                                                inflow->S[g] - w;
@@ -99,6 +107,13 @@ static way way_of(const ovr_simulation *sim, double a)
     return (way){meshes, (size_t)whole, on_node, a < 0};
 }
 
+static void add(size_t n, double c, const double *restrict x,
+                double *restrict F)
+{
+    for (size_t i = 0; i < n; i++)
+        F[i] += c * x[i];
+}
+
 /* F_i += c q(X_i - a), q behind the ghosts in `extended` */
 static void add_at_feet(const ovr_simulation *sim, const way *to, double c,
                         double *F)
@@ -107,9 +122,13 @@ static void add_at_feet(const ovr_simulation *sim, const way *to, double c,
     double weight[POINTS];
     size_t n = sim->now.n;
     const double *foot = q + OVR_GHOSTS - to->shift;
+    if (to->on_node && !to->back) {
+        add(n, c, foot, F);
+        return;
+    }
     if (to->on_node) {
         for (size_t i = 0; i < n; i++)
-            F[to->back ? n - 1 - i : i] += c * foot[i];
+            F[n - 1 - i] += c * foot[i];
         return;
     }
     for (size_t i = 0; i < n; i++) {

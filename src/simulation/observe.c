@@ -11,34 +11,44 @@ double ovr_integral(const ovr_simulation *sim, const double *f)
     return sim->grids.kernels->gain(sim->now.n, sim->now.weights, f, NULL);
 }
 
+/* The nodes in a window, from `first` to before `behind`. */
+typedef struct inside {
+    size_t first, behind;
+} inside;
+
+static inside nodes_inside(const ovr_solution *now, double window)
+{
+    inside in = {0, now->n};
+    while (in.first < in.behind && !(fabs(now->X[in.first]) < window))
+        in.first++;
+    while (in.behind > in.first && !(fabs(now->X[in.behind - 1]) < window))
+        in.behind--;
+    return in;
+}
+
 /* The root mean square of rho H, which neither compresses nor flows there, in
  * the window about its mean, over the mean density. */
-static double film_roughness(const ovr_solution *now, double window)
+static double film_roughness(const ovr_solution *now, inside in)
 {
     double width = 0, content = 0, squares = 0, density = 0, mean;
-    for (size_t i = 0; i < now->n; i++) {
+    for (size_t i = in.first; i < in.behind; i++) {
         double w = now->weights[i], q = now->q[i];
-        if (!(fabs(now->X[i]) < window))
-            continue;
         width += w;
         content += w * q;
         density += w * q / now->H[i];
     }
     mean = content / width;
-    for (size_t i = 0; i < now->n; i++)
-        if (fabs(now->X[i]) < window)
-            squares += now->weights[i] * (now->q[i] - mean) *
-                       (now->q[i] - mean);
+    for (size_t i = in.first; i < in.behind; i++)
+        squares += now->weights[i] * (now->q[i] - mean) * (now->q[i] - mean);
     return sqrt(squares * width) / density;
 }
 
-static double mean_film(const ovr_solution *now, double window)
+static double mean_film(const ovr_solution *now, inside in)
 {
     double width = 0, sum = 0;
-    for (size_t i = 0; i < now->n; i++) {
-        double w = fabs(now->X[i]) < window ? now->weights[i] : 0;
-        width += w;
-        sum += w * now->H[i];
+    for (size_t i = in.first; i < in.behind; i++) {
+        width += now->weights[i];
+        sum += now->weights[i] * now->H[i];
     }
     return sum / width;
 }
@@ -55,14 +65,14 @@ static double rough_window(const ovr_simulation *sim)
 static void observe_film(const ovr_simulation *sim, ovr_observation *o)
 {
     const double *H = sim->now.H;
+    const inside in = nodes_inside(&sim->now, rough_window(sim));
     size_t low = 1 + sim->grids.kernels->extreme(sim->now.n - 2, 1, H + 1);
     o->H_min = H[low];
     o->X_min = sim->now.X[low];
     o->X_min_located = ovr_vertex(sim->now.X, H, low, &o->H_min_located);
     o->H_cen = ovr_value_at(&sim->now, H, 0);
-    o->film_Rq = sim->heights ? film_roughness(&sim->now, rough_window(sim))
-                              : NAN;
-    o->H_mean = mean_film(&sim->now, rough_window(sim));
+    o->film_Rq = sim->heights ? film_roughness(&sim->now, in) : NAN;
+    o->H_mean = mean_film(&sim->now, in);
     o->lambda_ratio = sim->roughness > 0 ? o->H_mean / sim->roughness : NAN;
     o->H0 = sim->grids.H0;
 }
