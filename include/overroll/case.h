@@ -186,6 +186,8 @@ typedef struct ovr_stress_setup {
     const ovr_life_options *life; /* its limit follows from limit_pressure */
     double raceway, count;        /* raceway 0: not given */
     double residual_x, residual_y;
+    size_t residuals; /* by depth in place of both: depths, stresses */
+    const double *residual_z, *residual_s;
     bool traction;           /* the film's shear stress is a load too */
     const char *no_traction; /* why not; NULL where it is */
     double yield[2];         /* of each body, von Mises, p_h; 0: not told */

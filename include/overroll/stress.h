@@ -109,6 +109,8 @@ typedef struct ovr_material_range {
     double poisson;    /* 0.3 */
     double residual_x; /* stresses already there, p_h, tension positive */
     double residual_y;
+    size_t residuals; /* by depth in place of both, along and across alike: */
+    const double *residual_z, *residual_s; /* depths, b, which rise; stresses */
     double least_depth; /* extremes are looked for from here; 0: 8 D */
     /* Of the layers of ovr_stress_options, along x and across, borrowed; NULL:
      * none.  What is above is that of the body below them. */

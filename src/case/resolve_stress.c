@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* [stress] and [fatigue]. */
 #include <math.h>
+#include <string.h>
 
 #include "base/error.h"
 #include "case/resolve.h"
@@ -70,22 +71,57 @@ static void resolve_raceway(ovr_resolved *r, const ovr_block *block)
                                    r->contact.b;
 }
 
-static ovr_status check_limits(const ovr_two_columns *c, const char *file,
-                               ovr_error *err)
+static ovr_status check_depths(const ovr_two_columns *c, const char *file,
+                               bool limits, ovr_error *err)
 {
     if (!c->count)
         return ovr_fail_at(err, OVR_BAD_INPUT, file, 0, "has no points");
     for (size_t k = 0; k < c->count; k++)
-        if (!(c->y[k] > 0) || !(c->x[k] >= 0) ||
+        if ((limits && !(c->y[k] > 0)) || !(c->x[k] >= 0) ||
             (k && !(c->x[k] > c->x[k - 1])))
-            return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
-                               "point %zu: depths must be at least 0 and rise, "
-                               "limits be above 0",
-                               k + 1);
+            return ovr_fail_at(
+                err, OVR_BAD_INPUT, file, 0,
+                "point %zu: depths must be at least 0 and rise%s", k + 1,
+                limits ? ", limits be above 0" : "");
     return OVR_OK;
 }
 
-/* Limits against the depth, in p_h and b. */
+/* A table against the depth, in p_h and b. */
+static ovr_status read_depths(ovr_resolved *r, const ovr_slot *slot,
+                              const char *file, ovr_two_columns *c,
+                              ovr_error *err)
+{
+    bool limits = !strcmp(c->name[1], "limit");
+    if (!isfinite(r->contact.b) || !isfinite(r->contact.ph))
+        return ovr_fail_slot(err, slot,
+                             "needs a case with units: b and ph are not known");
+    ovr_status status = ovr_two_columns_read(c, file, slot, &r->arena, err);
+    if (!status)
+        status = check_depths(c, file, limits, err);
+    for (size_t k = 0; !status && k < c->count; k++) {
+        c->x[k] /= r->contact.b;
+        c->y[k] /= r->contact.ph;
+    }
+    return status;
+}
+
+static ovr_status resolve_residual(ovr_resolved *r, const ovr_block *block,
+                                   ovr_error *err)
+{
+    const char *file = r->values.residual_table;
+    ovr_two_columns c = {.name = {"depth", "stress"},
+                         .header = {OVR_LENGTH, OVR_PRESSURE},
+                         .example = "depth [um], stress [MPa]"};
+    if (!file)
+        return OVR_OK;
+    ovr_status status = read_depths(r, ovr_block_get(block, "residual_table"),
+                                    file, &c, err);
+    r->values.stress.residuals = c.count;
+    r->values.stress.residual_z = c.x;
+    r->values.stress.residual_s = c.y;
+    return status;
+}
+
 static ovr_status resolve_limits(ovr_resolved *r, const ovr_block *block,
                                  ovr_error *err)
 {
@@ -99,16 +135,7 @@ static ovr_status resolve_limits(ovr_resolved *r, const ovr_block *block,
     if (ovr_block_get(block, "limit_pressure")->given)
         return ovr_fail_slot(err, slot,
                              "limit_pressure is given too: leave one out");
-    if (!isfinite(r->contact.b) || !isfinite(r->contact.ph))
-        return ovr_fail_slot(err, slot,
-                             "needs a case with units: b and ph are not known");
-    ovr_status status = ovr_two_columns_read(&c, file, slot, &r->arena, err);
-    if (!status)
-        status = check_limits(&c, file, err);
-    for (size_t k = 0; !status && k < c.count; k++) {
-        c.x[k] /= r->contact.b;
-        c.y[k] /= r->contact.ph;
-    }
+    ovr_status status = read_depths(r, slot, file, &c, err);
     r->values.life.limits = c.count;
     r->values.life.limit_z = c.x;
     r->values.life.limit_A = c.y;
@@ -130,7 +157,7 @@ static ovr_status resolve_fatigue(ovr_resolved *r, ovr_error *err)
     if (ovr_block_fill(r, block, &r->values, err))
         return OVR_BAD_INPUT;
     s->criterion = (ovr_criterion)r->values.criterion;
-    if (resolve_limits(r, block, err))
+    if (resolve_limits(r, block, err) || resolve_residual(r, block, err))
         return OVR_BAD_INPUT;
     resolve_raceway(r, block);
     return OVR_OK;

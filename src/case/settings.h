@@ -54,7 +54,7 @@ typedef struct ovr_settings {
     int heat_model; /* 0: none */
     ovr_heat_form heat;
     const char *viscosity_file, *density_file;
-    const char *limit_table;
+    const char *limit_table, *residual_table;
     ovr_flow_form flow;
     int rheology, carreau_form;
     const char *rheology_file;

@@ -22,7 +22,22 @@ static const double least_meshes = 8, deepest = 2.5, shown = 1.5;
 /* ------------------------------------------------------------------- making */
 
 /* What the run's own case says of the body. */
-static void read_body(ovr_depth_field *f, int surface)
+/* The table of the case, which ends with its setup. */
+static void take_residuals(ovr_depth_field *f, const ovr_stress_setup *s,
+                           ovr_arena *arena)
+{
+    size_t n = s->residuals;
+    double *z = n ? ovr_arena_take(arena, 2 * n, sizeof *z, NULL) : NULL;
+    if (!z)
+        return;
+    memcpy(z, s->residual_z, n * sizeof *z);
+    memcpy(z + n, s->residual_s, n * sizeof *z);
+    f->residuals = n;
+    f->residual_z = z;
+    f->residual_s = z + n;
+}
+
+static void read_body(ovr_depth_field *f, int surface, ovr_arena *arena)
 {
     ovr_error err = {0};
     ovr_case *c = ovr_case_read_stored(f->run->info->case_text, "case", NULL,
@@ -36,6 +51,7 @@ static void read_body(ovr_depth_field *f, int surface)
         f->poisson = setup->stress->poisson[surface - 1];
         f->residual_x = setup->stress->residual_x;
         f->residual_y = setup->stress->residual_y;
+        take_residuals(f, setup->stress, arena);
         f->shear = surface == 1 ? "shear_stress_1" : "shear_stress_2";
         if (setup->stress->traction &&
             ovr_result_find(f->run->result, f->shear))
@@ -180,7 +196,7 @@ ovr_status ovr_depth_field_make(ovr_depth_field *f, const ovr_stored *run,
         return OVR_BAD_INPUT;
     if (!run->pressure || info->nodes < 3)
         return ovr_fail(err, OVR_BAD_INPUT, "the file holds no pressure");
-    read_body(f, surface);
+    read_body(f, surface, arena);
     if (choose_nodes(f, arena, err))
         return OVR_NO_MEMORY;
     f->least = least_meshes * f->mesh;
@@ -202,6 +218,9 @@ ovr_status ovr_depth_field_make(ovr_depth_field *f, const ovr_stored *run,
     f->range.poisson = f->poisson;
     f->range.residual_x = f->residual_x;
     f->range.residual_y = f->residual_y;
+    f->range.residuals = f->residuals;
+    f->range.residual_z = f->residual_z;
+    f->range.residual_s = f->residual_s;
     f->range.layer_residual = f->coated.residual;
     size_t room = f->nodes > info->nodes ? f->nodes : info->nodes;
     f->P = ovr_arena_take(arena, room, sizeof *f->P, err);
@@ -248,8 +267,8 @@ static double at_surface(const ovr_depth_field *f, double X)
     ovr_stress_row row = ovr_stress_at(f->stress, 0);
     size_t i = (size_t)fmax((X - row.start) / row.step, 0);
     ovr_in_plane s = {(double)row.mean[2 * (i < row.count ? i : 0)], 0, 0};
-    return ovr_stress_value(f->which, s, f->poisson, f->residual_x,
-                            f->residual_y);
+    const ovr_at_rest at = ovr_layered_rest(&f->options, &f->range, 0);
+    return ovr_stress_value(f->which, s, at.poisson, at.x, at.y);
 }
 
 double ovr_depth_field_at(const ovr_depth_field *f, double X, double z)

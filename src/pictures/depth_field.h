@@ -18,6 +18,8 @@ typedef struct ovr_depth_field {
     ovr_stress_field which;
     const char *name;
     double poisson, residual_x, residual_y;
+    size_t residuals; /* by depth, in place of both */
+    const double *residual_z, *residual_s;
     ovr_coated coated; /* layers on the body; none: their number is 0 */
     ovr_stress_options options;
     ovr_material_range range;

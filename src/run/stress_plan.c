@@ -158,6 +158,9 @@ static ovr_status make_plan(const ovr_setup *setup, int surface, double inlet,
     plan->range.poisson = s->poisson[surface - 1];
     plan->range.residual_x = s->residual_x;
     plan->range.residual_y = s->residual_y;
+    plan->range.residuals = s->residuals;
+    plan->range.residual_z = s->residual_z;
+    plan->range.residual_s = s->residual_s;
     plan->range.yield = s->yield[surface - 1];
     if (dang_van && (double)setup->output->every > every)
         every = (double)setup->output->every; /* its paths are stored ones */

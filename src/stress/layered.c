@@ -4,6 +4,8 @@
 #include <complex.h>
 #include <math.h>
 
+#include "stress/by_depth.h"
+
 static const double pi = 3.14159265358979323846;
 
 /* Waves that are nothing at a depth. */
@@ -30,9 +32,13 @@ ovr_at_rest ovr_layered_rest(const ovr_stress_options *o,
 {
     int j = o->layers ? ovr_layered_at(o->layers, z) : 0;
     const double *own = range->layer_residual;
-    if (!o->layers || j == o->layers->layers)
-        return (ovr_at_rest){range->poisson, range->residual_x,
-                             range->residual_y};
+    if (!o->layers || j == o->layers->layers) {
+        ovr_at_rest at = {range->poisson, range->residual_x, range->residual_y};
+        if (range->residuals)
+            at.x = at.y = ovr_by_depth(range->residuals, range->residual_z,
+                                       range->residual_s, z);
+        return at;
+    }
     return (ovr_at_rest){o->layers->layer[j].poisson, own ? own[2 * j] : 0,
                          own ? own[2 * j + 1] : 0};
 }

@@ -24,6 +24,7 @@
 
 #include "base/given.h"
 #include "base/sized.h"
+#include "stress/by_depth.h"
 #include "stress/stress.h"
 
 enum { PARTS = 5, MOST_DEPTHS = 1024 };
@@ -52,17 +53,8 @@ typedef struct interval {
 
 static double limit_at(const ovr_life_options *o, double z)
 {
-    size_t k = 1;
-    if (!o->limits)
-        return o->limit;
-    if (z <= o->limit_z[0])
-        return o->limit_A[0];
-    while (k < o->limits && o->limit_z[k] < z)
-        k++;
-    if (k == o->limits)
-        return o->limit_A[k - 1];
-    double t = (z - o->limit_z[k - 1]) / (o->limit_z[k] - o->limit_z[k - 1]);
-    return o->limit_A[k - 1] + t * (o->limit_A[k] - o->limit_A[k - 1]);
+    return o->limits ? ovr_by_depth(o->limits, o->limit_z, o->limit_A, z)
+                     : o->limit;
 }
 
 static void find_intervals(const ovr_life_options *o, size_t depths,

@@ -87,3 +87,43 @@ refused 'has no points' --set fatigue.limit_table=empty.csv
 refused 'limit_table: cannot read' --set fatigue.limit_table=no.csv
 refused 'limit_pressure is given too' --set fatigue.limit_table=same.csv \
     --set fatigue.limit_pressure='1 GPa'
+
+# Residual stresses by depth: the same at all depths is residual_x = residual_y;
+# Dang Van's amplitude with alpha is more by alpha times their hydrostatic part,
+# 2/3 of the table's stress there
+printf 'depth [um], stress [MPa]\n10, -300\n900, -300\n' >even.csv
+printf 'depth [um], stress [MPa]\n0, 400\n200, 100\n900, 50\n' >deep.csv
+vary() { # NAME SET...
+    name=$1
+    shift
+    expect 0 "$OVERROLL" run case.ini -o "$name.h5" --json --force \
+        --set fatigue.criterion=dang-van --set fatigue.alpha=0.3 "$@"
+    cp out "$name.json"
+}
+vary without
+vary both --set fatigue.residual_x='-300 MPa' \
+    --set fatigue.residual_y='-300 MPa'
+vary even --set fatigue.residual_table=even.csv
+vary deep --set fatigue.residual_table=deep.csv
+cat >residual.py <<'END'
+import h5py, numpy
+def of(name):
+    g = h5py.File(name + ".h5", "r")["fatigue/surface_1"]
+    return g["depth"][...], g["amplitude"][...]
+both, even = of("both")[1], of("even")[1]
+assert numpy.abs(both - even).max() <= 1e-6 * numpy.abs(both).max()
+z, without = of("without")
+z, deep = of("deep")
+wanted = 0.3 * 2 / 3 * numpy.interp(z * 1e6, [0, 200, 900], [400, 100, 50])
+more = (deep - without) / 1e6
+assert numpy.abs(both - without).max() > 40e6
+kept = without > 0.02e9
+assert numpy.abs(more - wanted[:, None])[kept].max() < 0.02, \
+    numpy.abs(more - wanted[:, None])[kept].max()
+END
+expect 0 "$PYTHON" residual.py
+expect 2 "$OVERROLL" check case.ini --set fatigue.residual_table=deep.csv \
+    --set fatigue.residual_x='1 GPa'
+contains err 'residual_x: has no effect beside residual_table'
+printf 'depth [um], stress [MPa]\n20, 250\n20, 240\n' >twice.csv
+refused 'must be at least 0 and rise' --set fatigue.residual_table=twice.csv

@@ -90,9 +90,14 @@ static const ovr_parameter fatigue_keys[] = {
      "raceway or roller_bearing.rollers",
      "how often the features are on that raceway"},
     {"residual_x", STRESS(NULL, -10, 10), "0", AT(stress.residual_x), true,
-     ALWAYS, "residual stress along the surface, tension positive"},
+     "no residual_table",
+     "residual stress along the surface, tension positive"},
     {"residual_y", STRESS(NULL, -10, 10), "0", AT(stress.residual_y), true,
-     ALWAYS, "residual stress across"},
+     "no residual_table", "residual stress across"},
+    {"residual_table", PATH, NULL, AT(residual_table), true, ALWAYS,
+     "file of depth and residual stress, along and across alike, of hardened "
+     "bodies, below their layers; its first line names the units, 'depth [um], "
+     "stress [MPa]'"},
 };
 
 const ovr_section ovr_fatigue_section = {
