@@ -35,7 +35,8 @@ void ovr_level_bear(const ovr_hierarchy *grids, const ovr_level *level,
                     const double *ordered)
 {
     ovr_level_write(grids, level, ordered, level->borne);
-    deform(grids, level, level->borne, level->pressed);
+    if (!grids->touch.at) /* there `pressed` is the whole pressure */
+        deform(grids, level, level->borne, level->pressed);
 }
 
 /* w += what the other pressure presses in, halos included. */

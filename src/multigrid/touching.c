@@ -4,7 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-/* In lanes, the node in the halo included. */
+/* In lanes, the node in the halo included.  What lies beyond the ends of the
+ * grid is zero in `pressed`, which never holds a deformation. */
 static size_t places(const ovr_level *level)
 {
     return level->lanes.S * level->lanes.V + level->lanes.V;

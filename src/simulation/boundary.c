@@ -281,11 +281,12 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
     if (!b)
         return OVR_NO_MEMORY;
     *own = b;
-    double **const all[] = {&b->A, &b->saved, &b->bears, &sim->borne};
+    double **const all[] = {&b->A, &b->saved, &b->bears};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (!(*all[k] = ovr_arena_take(&sim->arena, n, sizeof **all[k], err)))
             return OVR_NO_MEMORY;
-    if (ovr_hierarchy_touch(&sim->grids, &sim->arena, err))
+    if (ovr_physics_take_borne(sim, err) ||
+        ovr_hierarchy_touch(&sim->grids, &sim->arena, err))
         return OVR_NO_MEMORY;
     b->given = form;
     b->grids = &sim->grids;

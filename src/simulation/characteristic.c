@@ -47,13 +47,19 @@ bool ovr_inflow_reaches(const ovr_simulation *sim, double travel)
     return fabs(travel) / ovr_mesh(sim) < OVR_GHOSTS - POINTS;
 }
 
-/* From the inlet on; room is where q will be. */
+/* That the solids feel, from the inlet on; room is where q will be. */
 static const double *pressure_of(const ovr_simulation *sim, int past, bool back)
 {
     double *room = sim->inflow.extended + OVR_GHOSTS;
-    if (!back)
-        return sim->past.P[past];
-    ovr_mirror(sim->now.n, sim->past.P[past], room);
+    const double *P = sim->past.P[past];
+    const double *borne = past ? sim->borne_before[past - 1] : sim->borne;
+    size_t n = sim->now.n;
+    if (!back && !borne)
+        return P;
+    for (size_t i = 0; i < n; i++) {
+        size_t from = back ? n - 1 - i : i;
+        room[i] = P[from] + (borne ? borne[from] : 0);
+    }
     return room;
 }
 

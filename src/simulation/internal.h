@@ -112,7 +112,8 @@ struct ovr_simulation {
     double largest_error; /* adaptive: a step with more is not accepted */
     double *S_past;       /* surface one step ago */
     double *stress;       /* mean over the film, at half nodes */
-    double *borne; /* beside the film's pressure, one step ago; or NULL */
+    /* beside the film's pressure, one, two and three steps ago; or NULL */
+    double *borne, *borne_before[2];
     struct ovr_heated *heated; /* temperatures (heat.h), or NULL */
     size_t most;               /* nodes that a solution may have */
 

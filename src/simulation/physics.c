@@ -54,8 +54,12 @@ void ovr_physics_unburden(ovr_simulation *sim)
 
 void ovr_physics_keep_borne(ovr_simulation *sim)
 {
-    if (sim->borne)
-        ovr_nodes_read(sim, sim->finest, sim->finest->borne, sim->borne);
+    size_t bytes = sim->now.n * sizeof *sim->borne;
+    if (!sim->borne)
+        return;
+    memcpy(sim->borne_before[1], sim->borne_before[0], bytes);
+    memcpy(sim->borne_before[0], sim->borne, bytes);
+    ovr_nodes_read(sim, sim->finest, sim->finest->borne, sim->borne);
 }
 
 void ovr_physics_borne_back(ovr_simulation *sim)
@@ -93,6 +97,17 @@ static bool at_end(void *data, ovr_hierarchy *grids, ovr_level *level,
     return changed;
 }
 
+ovr_status ovr_physics_take_borne(ovr_simulation *sim, ovr_error *err)
+{
+    double **const all[] = {&sim->borne, &sim->borne_before[0],
+                            &sim->borne_before[1]};
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+        if (!(*all[k] = ovr_arena_take(&sim->arena, sim->most, sizeof **all[k],
+                                       err)))
+            return OVR_NO_MEMORY;
+    return OVR_OK;
+}
+
 static ovr_status add(ovr_simulation *sim, const ovr_physics *physics,
                       const void *form, ovr_error *err)
 {
@@ -111,9 +126,8 @@ static ovr_status add(ovr_simulation *sim, const ovr_physics *physics,
     if (physics->influence)
         physics->influence(sim, own, &sim->grids.influence);
     if (physics->bear && !sim->borne) {
-        sim->borne = ovr_arena_take(&sim->arena, sim->most, sizeof *sim->borne,
-                                    err);
-        if (!sim->borne || ovr_hierarchy_bear(&sim->grids, &sim->arena, err))
+        if (ovr_physics_take_borne(sim, err) ||
+            ovr_hierarchy_bear(&sim->grids, &sim->arena, err))
             return OVR_NO_MEMORY;
     }
     if (physics->at_end || physics->bear)

@@ -323,6 +323,9 @@ ovr_status ovr_physics_add(ovr_simulation *sim, const ovr_physics *physics,
  * finest level; whether there is one. */
 bool ovr_physics_bear(ovr_simulation *sim);
 
+/* Memory for that of the past. */
+ovr_status ovr_physics_take_borne(ovr_simulation *sim, ovr_error *err);
+
 /* None of it; that of the finest level becomes the one of the last time
  * reached; goes back to that. */
 void ovr_physics_unburden(ovr_simulation *sim);

@@ -97,6 +97,18 @@ static ovr_status visit_kept(ovr_simulation *sim, ovr_visit *visit,
     return status;
 }
 
+static ovr_status visit_borne(ovr_simulation *sim, ovr_visit *visit,
+                              void *context, ovr_error *err)
+{
+    size_t bytes = sim->now.n * sizeof *sim->borne;
+    ovr_status status = visit(context, "borne", sim->borne, bytes, err);
+    if (!status)
+        status = visit(context, "borne_1", sim->borne_before[0], bytes, err);
+    if (!status)
+        status = visit(context, "borne_2", sim->borne_before[1], bytes, err);
+    return status;
+}
+
 ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
                                 void *context, ovr_error *err)
 {
@@ -106,8 +118,7 @@ ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
     if (!status)
         status = visit_order(sim, visit, context, err);
     if (!status && sim->borne)
-        status = visit(context, "borne", sim->borne,
-                       sim->now.n * sizeof *sim->borne, err);
+        status = visit_borne(sim, visit, context, err);
     OVR_EACH_PHYSICS(sim, p, visit)
         if (!status)
             status = p->is->visit(sim, p->own, visit, context, err);

@@ -181,7 +181,8 @@ static void begin_history(ovr_simulation *sim)
     past->dT = past->dT_next = past->change = 0;
     past->still = 0;
     past->steps = 0;
-    ovr_physics_keep_borne(sim);
+    for (int ago = 0; ago < 3; ago++)
+        ovr_physics_keep_borne(sim);
     OVR_EACH_PHYSICS(sim, p, begin)
         p->is->begin(sim, p->own);
 }
