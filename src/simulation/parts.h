@@ -60,7 +60,8 @@
     PART(COATING, "a coating", "coating", "thickness", true, false,            \
          ovr_case_find_block(r->c, "coating", NULL) != NULL)                   \
     PART(BOUNDARY, "surfaces that touch", "boundary", "law", true, false,      \
-         ovr_slot_of(r, "boundary", "law")->given)
+         ovr_case_find_block(r->c, "boundary", NULL) &&                        \
+             ovr_slot_of(r, "boundary", "law")->given)
 
 #define OVR_PART_NUMBER(NAME, words, section, key, whole, options, setup)      \
     OVR_PART_##NAME,
