@@ -92,9 +92,8 @@ static const ovr_parameter body_keys[] = {
      offsetof(ovr_body_form, thermal.density), true, "heat.model = lobatto",
      "with heat; of its material, else of steel"},
     {"yield", STRESS(no_yield, 0, 1e4), NULL, offsetof(ovr_body_form, yield),
-     false, ALWAYS,
-     "with [stress], von Mises stress at which plastic strain begins: largest "
-     "stresses are "
+     false, "[stress]",
+     "von Mises stress at which plastic strain begins: largest stresses are "
      "told over it; of its material, else none"},
     {"radius", OVR_NUMBER, OVR_LENGTH, OVR_NOT_HERTZIAN, -1e4, 1e4, false, flat,
      NULL, offsetof(ovr_body_form, radius), true, ALWAYS,
