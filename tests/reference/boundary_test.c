@@ -262,6 +262,52 @@ static void contact_takes_over_as_it_slows(void **state)
     CHECK_NEAR(fabs(last.mu), 0.11, 1e-3);
 }
 
+/* With temperatures: what summits drag warms film and bodies, and all of it is
+ * found again. */
+static void energy_closes_with_what_summits_drag(void **state)
+{
+    static const char *const warm[] = {"contact.load=60 kN/m",
+                                       "contact.radius=10 mm",
+                                       "contact.speed_1=1.2 m/s",
+                                       "contact.speed_2=0.8 m/s",
+                                       "contact.viscosity=20 mPa.s",
+                                       "contact.alpha=18 1/GPa",
+                                       "body 1.modulus=206 GPa",
+                                       "body 2.modulus=206 GPa",
+                                       "heat.model=lobatto",
+                                       "heat.temperature=60 degC",
+                                       "domain.level=6",
+                                       "boundary.law=exponential",
+                                       "boundary.Rq=150 nm",
+                                       "boundary.slope=0.03",
+                                       NULL};
+    ovr_error err = {0};
+    double flow[2];
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        ovr_case *c = begin(warm);
+        assign(c, k ? "boundary.friction=0.11" : "boundary.friction=0");
+        ovr_run *run = ovr_run_create(c, NULL, NULL, &err);
+        CHECK_OK(run ? OVR_OK : err.status, &err);
+        CHECK_OK(ovr_run_go(run, &err), &err);
+        const ovr_observation *o = ovr_simulation_observation(
+            ovr_run_about(run)->sim);
+        CHECK_NEAR(o->energy_defect, 0, 1e-5);
+        flow[k] = o->heat_flow_1 + o->heat_flow_2;
+        if (k) {
+            double made = fabs(o->sliding * o->more[MU_BOUNDARY]) * o->load /
+                          ovr_run_about(run)->setup->contact->kappa;
+            print_message("summits make %.4f, the bodies take %.4f more\n",
+                          made, flow[1] - flow[0]);
+            /* a warmer film drags less */
+            assert_true(flow[1] - flow[0] > 0.8 * made);
+            assert_true(flow[1] - flow[0] < 1.02 * made);
+        }
+        ovr_run_free(run);
+        ovr_case_free(c);
+    }
+}
+
 /* A layer of a few nm has a pole at no gap: the film stays open. */
 static void layer_keeps_the_film_open(void **state)
 {
@@ -317,6 +363,7 @@ int main(void)
         cmocka_unit_test(share_is_of_second_order),
         cmocka_unit_test(thick_films_do_not_know_of_it),
         cmocka_unit_test(contact_takes_over_as_it_slows),
+        cmocka_unit_test(energy_closes_with_what_summits_drag),
         cmocka_unit_test(layer_keeps_the_film_open),
         cmocka_unit_test(what_has_no_answer_is_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
