@@ -166,6 +166,9 @@ typedef struct ovr_stress_report {
     ovr_stress_extreme yield_ratio, strip;
     double yielding_share, yielding_depth;
     double of_first_yield, of_shakedown;
+    /* Largest shear stress of an interface over its strength; NAN: none has
+     * one. */
+    double interface_utilisation;
 } ovr_stress_report;
 
 /* What amplitude reduction says of rough surfaces that roll through, before

@@ -49,6 +49,8 @@ typedef struct ovr_layered {
     double thickness[OVR_LAYERS_MOST];
     ovr_elastic layer[OVR_LAYERS_MOST], below;
     double yield[OVR_LAYERS_MOST]; /* of each layer, ph; 0: not told */
+    /* shear that the interface below each bears, ph; 0: not told */
+    double strength[OVR_LAYERS_MOST];
 } ovr_layered;
 
 /* S_11 of a wave of k, in the unit of 1/thickness. */

@@ -336,16 +336,17 @@ static void add_mark(const ovr_panel *panel, double *point, double X, double z,
                                       .width = 3};
 }
 
-/* A dotted line where the mesh begins to be seen. */
-static void add_limit(const ovr_panel *panel, double *line, double z,
-                      ovr_series *series, size_t *count)
+/* A line at a depth: dotted where the mesh begins to be seen, else at an
+ * interface. */
+static void add_line(const ovr_panel *panel, double *line, double z,
+                     ovr_mark mark, ovr_series *series, size_t *count)
 {
     line[0] = panel->x_from, line[1] = panel->x_to;
     line[2] = line[3] = z;
     series[(*count)++] = (ovr_series){.n = 2,
                                       .x = line,
                                       .y = line + 2,
-                                      .mark = OVR_MARK_DOTTED,
+                                      .mark = mark,
                                       .colour = OVR_WHITE,
                                       .width = 1.2};
 }
@@ -421,7 +422,8 @@ ovr_status ovr_depth_field_panel(ovr_depth_field *f,
     char *label = ovr_arena_take(arena, 80, 1, err);
     char *depth = ovr_arena_take(arena, 80, 1, err);
     char *levels = ovr_arena_take(arena, 2 * ROOM, 1, err);
-    double *points = ovr_arena_take(arena, 8, sizeof *points, err);
+    double *points = ovr_arena_take(arena, 6 + 4 * OVR_LAYERS_MOST,
+                                    sizeof *points, err);
     ovr_axis x;
     if (!label || !depth || !levels || !points ||
         ovr_axis_make(OVR_KIND_LENGTH, f->run->result, units, f->x_to, &x, err))
@@ -433,8 +435,14 @@ ovr_status ovr_depth_field_panel(ovr_depth_field *f,
     put_label(f, label, 80);
     panel->image = image_of(f, worst->value, label);
     put_contours(f, &panel->image, levels, levels + ROOM, ROOM);
-    add_limit(panel, points + 2, drawn_depth(f, f->least, x.factor), series,
-              &panel->count);
+    add_line(panel, points + 2, drawn_depth(f, f->least, x.factor),
+             OVR_MARK_DOTTED, series, &panel->count);
+    for (int j = 0; j < f->coated.body.layers; j++) {
+        double z = ovr_layered_bottom(&f->coated.body, j);
+        if (z < f->z_to && !(f->logarithmic && z < f->mesh))
+            add_line(panel, points + 6 + 4 * j, drawn_depth(f, z, x.factor),
+                     OVR_MARK_LINE, series, &panel->count);
+    }
     add_mark(panel, points, worst->X * x.factor,
              drawn_depth(f, worst->Z, x.factor), series, &panel->count);
     return OVR_OK;

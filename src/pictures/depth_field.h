@@ -11,6 +11,9 @@
 
 enum { OVR_CELLS_X = 360, OVR_CELLS_Z = 160 };
 
+/* Of a panel: its mark, where its mesh begins to be seen, interfaces. */
+enum { OVR_DEPTH_SERIES = 2 + OVR_LAYERS_MOST };
+
 /* One scale and one depth axis for a whole run. */
 typedef struct ovr_depth_field {
     const ovr_stored *run;

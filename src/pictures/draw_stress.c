@@ -29,7 +29,8 @@ ovr_status ovr_stress_panel_add(ovr_depth_field *f, const ovr_shot *shot,
 {
     enum { NOTE = 400 };
     char *note = ovr_arena_take(arena, NOTE, 1, err);
-    ovr_series *series = ovr_arena_take(arena, 2, sizeof *series, err);
+    ovr_series *series = ovr_arena_take(arena, OVR_DEPTH_SERIES, sizeof *series,
+                                        err);
     ovr_panel *panel = &to->panel[to->chart.rows];
     ovr_stress_extreme worst;
     if (!note || !series)

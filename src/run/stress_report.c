@@ -165,7 +165,7 @@ static void find_layers(const ovr_stress_plan *plan, const ovr_passage *passage,
     const ovr_layered *layers = plan->options.layers;
     r->layer_von_mises = r->interface_shear = r->interface_tension = none;
     r->surface_tension = none;
-    r->layer_utilisation = NAN;
+    r->layer_utilisation = r->interface_utilisation = NAN;
     /* moments too far apart tell of no depth in the topmost layer */
     if (!layers || plan->options.depth_min >= layers->thickness[0])
         return;
@@ -173,11 +173,19 @@ static void find_layers(const ovr_stress_plan *plan, const ovr_passage *passage,
     for (int j = 1; j < layers->layers; j++)
         if (of.von_mises[j].value > r->layer_von_mises.value)
             r->layer_von_mises = of.von_mises[j];
-    for (int j = 0; j < layers->layers; j++)
+    for (int j = 0; j < layers->layers; j++) {
         if (layers->yield[j] > 0)
             r->layer_utilisation = fmax(
                 r->layer_utilisation, of.von_mises[j].value / layers->yield[j]);
-    r->interface_shear = of.shear;
+        if (layers->strength[j] > 0)
+            r->interface_utilisation = fmax(r->interface_utilisation,
+                                            of.shear[j].value /
+                                                layers->strength[j]);
+    }
+    r->interface_shear = of.shear[0];
+    for (int j = 1; j < layers->layers; j++)
+        if (of.shear[j].value > r->interface_shear.value)
+            r->interface_shear = of.shear[j];
     r->interface_tension = of.tension;
     r->surface_tension = of.surface;
 }
@@ -228,7 +236,8 @@ static void withhold(ovr_stress_report *r, ovr_life_result *life)
               "choose a rheology, or traction = no";
     r->max_shear = r->von_mises = r->layer_von_mises = none;
     r->interface_shear = r->interface_tension = r->surface_tension = none;
-    r->layer_utilisation = r->yielding_share = r->yielding_depth = NAN;
+    r->layer_utilisation = r->interface_utilisation = NAN;
+    r->yielding_share = r->yielding_depth = NAN;
     r->yield_ratio = none;
     r->R_max = r->xi_R_max = r->Z_R_max = r->R_smooth = NAN;
     for (int m = 0; m < OVR_MEASURES; m++) {
@@ -390,6 +399,7 @@ static void add_attributes(storage *s, const ovr_setup *setup,
         add_number(s, "interface_tension_max", r->interface_tension.value);
         add_number(s, "surface_tension_max", r->surface_tension.value);
         add_number(s, "layer_utilisation", r->layer_utilisation);
+        add_number(s, "interface_utilisation", r->interface_utilisation);
     }
     if (!isnan(r->yield)) {
         add_number(s, "yield", r->yield);

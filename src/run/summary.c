@@ -248,6 +248,10 @@ static void put_layers(const ovr_told *to, const ovr_stress_report *a,
                        b ? b->layer_utilisation : NAN);
     if (!isnan(used))
         ovr_put_number(to, "layer_utilisation", used);
+    used = fmax(a ? a->interface_utilisation : NAN,
+                b ? b->interface_utilisation : NAN);
+    if (!isnan(used))
+        ovr_put_number(to, "interface_utilisation", used);
 }
 
 /* A number without a unit, and where and when. */

@@ -123,7 +123,7 @@ static void note_layers(ovr_passage *p, const ovr_stress_row *row, size_t first,
     double bottom = ovr_layered_bottom(layers, layer);
     if (row->z < bottom * (1 - 2 * OVR_BESIDE))
         return;
-    note_value(p, n, row, first, T, SHEAR, &of->shear);
+    note_value(p, n, row, first, T, SHEAR, &of->shear[layer]);
     note_value(p, n, row, first, T, ACROSS, &of->tension);
 }
 

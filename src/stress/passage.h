@@ -23,7 +23,8 @@ enum {
  * tension on interfaces, tension along the surface. */
 typedef struct ovr_layer_extremes {
     ovr_stress_extreme von_mises[OVR_LAYERS_MOST];
-    ovr_stress_extreme shear, tension, surface;
+    ovr_stress_extreme shear[OVR_LAYERS_MOST]; /* below each */
+    ovr_stress_extreme tension, surface;
 } ovr_layer_extremes;
 
 /* Where the material points of a level lie: xi = (first + k) 2^c D. */

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What layers use of their own yield: of one layer its largest von Mises stress
+# What layers use of their own yield and interfaces of their strength: of one layer its largest von Mises stress
 # over it; of two the larger share, whichever layer that is.
 . "$TOP/tests/support/cli.sh"
 need_python json
@@ -49,6 +49,19 @@ for upper in none '3 GPa'; do
 done
 expect 0 "$OVERROLL" run case.ini -o words.h5 --set 'coating 1.yield=3 GPa'
 contains out '^layers use .* of their own yield'
+expect 0 "$OVERROLL" run case.ini -o strong.h5 --json \
+    --set 'coating 1.interface_strength=0.5 GPa' \
+    --set 'coating 1b.interface_strength=0.5 GPa'
+cp out strong.json
+expect 0 "$OVERROLL" run case.ini -o upper.h5 --json \
+    --set 'coating 1.interface_strength=0.5 GPa'
+cp out upper.json
+expect 0 "$OVERROLL" run case.ini -o lower.h5 --json \
+    --set 'coating 1b.interface_strength=0.1 GPa'
+cp out lower.json
+expect 0 "$OVERROLL" run case.ini -o words.h5 --force \
+    --set 'coating 1.interface_strength=0.5 GPa'
+contains out '^interfaces use .* of their strength'
 expect 0 "$PYTHON" - <<'END'
 import json
 def of(name):
@@ -61,6 +74,15 @@ lower = of("none-0.4 GPa")["layer_utilisation"]
 both = of("3 GPa-0.4 GPa")["layer_utilisation"]
 assert abs(max(upper * 3e9, lower * 0.4e9) / largest - 1) < 1e-9
 assert lower > upper and both == lower, (upper, lower, both)
+strong, upper, lower = (of(name) for name in ("strong", "upper", "lower"))
+used = strong["interface_utilisation"]
+assert "interface_utilisation" not in none
+assert abs(used * 0.5e9 / none["interface_shear_max_Pa"] - 1) < 1e-9
+# One of the two has the larger shear; the other's is its own, and smaller.
+of_each = (upper["interface_utilisation"] * 0.5,
+           lower["interface_utilisation"] * 0.1)
+assert abs(max(of_each) / (used * 0.5) - 1) < 1e-9, (used, of_each)
+assert 0 < min(of_each) < 0.98 * max(of_each), of_each
 END
 
 # Of an empty [stress] too; without it the keys have no effect, which is said
