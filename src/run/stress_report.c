@@ -382,6 +382,18 @@ static void add_life(storage *s, const ovr_stress_report *r)
              OVR_KIND_LENGTH, DEPTH, r->length, NULL);
 }
 
+static void add_layers(storage *s, const ovr_stress_report *r)
+{
+    if (isnan(r->layer_von_mises.value))
+        return;
+    add_number(s, "layer_von_mises_max", r->layer_von_mises.value);
+    add_number(s, "interface_shear_max", r->interface_shear.value);
+    add_number(s, "interface_tension_max", r->interface_tension.value);
+    add_number(s, "surface_tension_max", r->surface_tension.value);
+    add_number(s, "layer_utilisation", r->layer_utilisation);
+    add_number(s, "interface_utilisation", r->interface_utilisation);
+}
+
 static void add_attributes(storage *s, const ovr_setup *setup,
                            const ovr_stress_report *r)
 {
@@ -393,14 +405,7 @@ static void add_attributes(storage *s, const ovr_setup *setup,
     add_number(s, "residual_x", o->residual_x);
     add_number(s, "residual_y", o->residual_y);
     add_number(s, "least_depth", r->least_depth);
-    if (!isnan(r->layer_von_mises.value)) {
-        add_number(s, "layer_von_mises_max", r->layer_von_mises.value);
-        add_number(s, "interface_shear_max", r->interface_shear.value);
-        add_number(s, "interface_tension_max", r->interface_tension.value);
-        add_number(s, "surface_tension_max", r->surface_tension.value);
-        add_number(s, "layer_utilisation", r->layer_utilisation);
-        add_number(s, "interface_utilisation", r->interface_utilisation);
-    }
+    add_layers(s, r);
     if (!isnan(r->yield)) {
         add_number(s, "yield", r->yield);
         add_number(s, "yield_ratio_max", r->yield_ratio.value);
