@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What layers use of their own yield and interfaces of their strength: of one layer its largest von Mises stress
-# over it; of two the larger share, whichever layer that is.
+# What layers use of their own yield and interfaces of their strength: of one
+# layer its largest von Mises stress over it; of two the larger share, whichever
+# layer that is.
 . "$TOP/tests/support/cli.sh"
 need_python json
 
