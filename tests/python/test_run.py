@@ -249,3 +249,40 @@ def test_passes():
     assert list(ds.file.values) == ["out-1.h5", "out-2.h5", "out-3.h5"]
     third = ovr.open(ds.file.values[2], group="history")
     assert third.meniscus[0] == ds.meniscus[2]
+
+
+def test_layers_of_a_body(program):
+    """Keys of [coating 1] and [coating 1b], and what a run says of them."""
+    case = ovr.Case(**{"load": "300 kN/m", "radius": "8 mm",
+                       "mean_speed": "3 m/s", "viscosity": "40 mPa.s",
+                       "alpha": "17 1/GPa", "level": 6,
+                       "body 1.modulus": "206 GPa",
+                       "body 2.modulus": "206 GPa", "stress.surface": 1,
+                       "coating 1.thickness": "50 um",
+                       "coating 1.modulus": "400 GPa",
+                       "coating 1.yield": "3 GPa",
+                       "coating 1b.thickness": "50 um",
+                       "coating 1b.modulus": "120 GPa"})
+    stiff = ovr.steady(case)
+    bare = ovr.steady(case, **{"coating 1.modulus": "206 GPa",
+                               "coating 1b.modulus": "206 GPa"})
+    plain = ovr.steady(load="300 kN/m", radius="8 mm", mean_speed="3 m/s",
+                       viscosity="40 mPa.s", alpha="17 1/GPa", level=6,
+                       **{"body 1.modulus": "206 GPa",
+                          "body 2.modulus": "206 GPa"})
+    assert abs(bare.H_cen / plain.H_cen - 1) < 1e-6
+    assert abs(stiff.H_cen / plain.H_cen - 1) > 1e-4
+    case.feature("dent", depth=0.1, width=0.5, start=-2).set(end=2)
+    case.save("layers.ini")
+    subprocess.run([program, "run", "layers.ini", "-q", "-o", "c.h5"],
+                   check=True)
+    ds = ovr.run(case, "python.h5")
+    same_file("c.h5", "python.h5")
+    said = ovr.open("python.h5", group="summary").attrs
+    upper = said["layer_utilisation"] * 3e9 / said["layer_von_mises_max_Pa"]
+    assert 0 < upper <= 1 + 1e-9
+    table = ovr.sweep(case, **{"coating 1.thickness": ["20 um", "50 um"],
+                               "workers": 2})
+    assert float(table.layer_von_mises_max_Pa[1]) == \
+        said["layer_von_mises_max_Pa"]
+    assert table.layer_von_mises_max_Pa[0] != table.layer_von_mises_max_Pa[1]
