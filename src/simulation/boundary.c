@@ -44,7 +44,6 @@ typedef struct boundary_form {
 
 typedef struct boundary {
     const boundary_form *given;
-    ovr_hierarchy *grids;
     double *A;             /* at the nodes, as observed last */
     double *saved, *bears; /* a film to go back to */
     double wet_force;      /* of boundary friction where there is a film */
@@ -289,7 +288,6 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
         ovr_hierarchy_touch(&sim->grids, &sim->arena, err))
         return OVR_NO_MEMORY;
     b->given = form;
-    b->grids = &sim->grids;
     sim->grids.touch.at = law_at;
     sim->grids.touch.law = form;
     sim->grids.touch.share = 1;
