@@ -29,14 +29,16 @@ ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
     ovr_heated *h = sim->heated;
     ovr_heat_steps *s = ovr_arena_take(&sim->arena, 1, sizeof *s, err);
     int points = h->across.n, count = 0;
-    double **all[2 * OVR_MOST_ACROSS + 16];
+    double **all[3 * OVR_MOST_ACROSS + 16];
     if (!s)
         return OVR_NO_MEMORY;
     h->steps = s;
     all[count++] = &s->F;
     all[count++] = &s->P_T;
-    for (int j = 0; j < points; j++)
+    for (int j = 0; j < points; j++) {
         all[count++] = &s->T_before[j];
+        all[count++] = &s->change[j];
+    }
     for (int j = 0; j < points + FIELDS; j++)
         all[count++] = &s->kept[j];
     for (int k = 0; k < 2; k++)
@@ -111,6 +113,8 @@ void ovr_heat_begin(ovr_simulation *sim)
     s->dT = s->stored = 0;
     s->most_balanced = sim->heated->balanced;
     memset(s->P_T, 0, sim->now.n * sizeof *s->P_T);
+    for (int j = 0; j < sim->heated->across.n; j++)
+        memset(s->change[j], 0, sim->now.n * sizeof *s->change[j]);
     keep(sim);
 }
 
@@ -119,6 +123,9 @@ void ovr_heat_taken(ovr_simulation *sim)
     ovr_heat_steps *s = sim->heated->steps;
     for (int k = 0; k < 2; k++)
         ovr_heat_surface_remember(sim, k, sim->heated->q[k]);
+    for (int j = 0; j < sim->heated->across.n; j++)
+        sim->grids.kernels->combine(sim->now.n, 1, sim->heated->T[j], -1,
+                                    s->T_before[j], s->change[j]);
     s->trying = false;
     keep(sim);
 }
@@ -272,6 +279,20 @@ static void apply(ovr_simulation *sim)
     ovr_level_residual(&sim->grids, sim->finest);
 }
 
+/* Temperatures used go on as temperatures went in the step before. */
+static void foresee(ovr_simulation *sim)
+{
+    const double most = 0.15;
+    ovr_heated *h = sim->heated;
+    double old = sim->past.dT, factor = old > 0 ? h->steps->dT / old : 0;
+    for (int j = 0; j < h->across.n; j++)
+        for (size_t i = 0; i < sim->now.n; i++) {
+            double change = factor * h->steps->change[j][i];
+            double fall = h->film.fall[i] * fabs(change);
+            h->used[j][i] += fall > most ? change * most / fall : change;
+        }
+}
+
 void ovr_heat_try(ovr_simulation *sim, bool first)
 {
     withdraw(sim);
@@ -280,8 +301,10 @@ void ovr_heat_try(ovr_simulation *sim, bool first)
     swap_trial(sim->heated);
     solve(sim);
     sim->heated->steps->passes = first ? PASSES : 1;
-    if (first)
+    if (first) {
+        foresee(sim);
         ovr_heat_relax(sim, SHARE);
+    }
     apply(sim);
 }
 
@@ -360,6 +383,9 @@ ovr_status ovr_heat_visit(ovr_simulation *sim, ovr_visit *visit, void *context,
     for (int j = 0; !status && j < h->across.n; j++)
         status = visit_array(sim, "temperature", j + 1, h->T[j], visit, context,
                              err);
+    for (int j = 0; !status && j < h->across.n; j++)
+        status = visit_array(sim, "temperature_change", j + 1,
+                             h->steps->change[j], visit, context, err);
     for (int k = 0; !status && k < h->across.n + FIELDS; k++)
         status = visit_array(sim, "viscosity_by", k + 1, kept_of(h, k), visit,
                              context, err);

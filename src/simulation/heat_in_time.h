@@ -17,9 +17,17 @@
  * a slip of um went to 1e5 K so, and in 10 cycles a step instead of 4.  What
  * passes in steps of D does not come near the limit.
  *
- * Viscosities are those of temperatures `used` that go half the way to the new
- * ones; the flow is that by those before the step, so that it lags behind by a
- * step or two, O(dT).  What is made falls as the film gets hotter:
+ * Viscosities are those of temperatures `used`: they go on as temperatures went
+ * in the step before, and then half the way to the new ones,
+ *
+ *     T_used += (T' - T'') dT/dT' + (T - T_used)/2,
+ *
+ * where the first term makes no more than gamma |dT| = 0.15, for an edge that
+ * has passed a node comes not again.  What is left to relax is a second
+ * difference: T_used lags by O(dT^2).  (Half of the new change alone leaves it
+ * behind by a step, O(dT); all of the new change is a loop that swings.)  The
+ * flow that heats is that by T_used before the step.  What is made falls as
+ * the film gets hotter:
  *
  *     tau u_z <- tau u_z (1 - gamma (T - T_used)),
  *     gamma = -(d ln eta/dT) tanh(a)/a,  a = |t|/Sigma0
@@ -43,7 +51,6 @@
  * where energy does not close to a tenth of the most that was made in the run,
  * though the load did not jump just before.
  *
- *
  * A step that is tried again begins from the temperatures of the last time
  * reached and keeps the viscosities `used` then.  Fluxes, memories of the
  * surfaces and `used` move on when a step is taken.
@@ -64,7 +71,8 @@ typedef struct ovr_heat_steps {
     double dT;
     bool trying; /* T and q of ovr_heated are of a step not yet taken */
     double *T_before[OVR_MOST_ACROSS], *q_before[2]; /* then: a step ago */
-    double *kept[OVR_HEAT_KEPT]; /* of the last time reached */
+    double *change[OVR_MOST_ACROSS]; /* of T, in the last step taken */
+    double *kept[OVR_HEAT_KEPT];     /* of the last time reached */
     ovr_heat_surface surface[2];
     double *F;            /* history term of Reynolds' equation */
     double *P_T;          /* that the step was heated by */

@@ -1,0 +1,55 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A dent rolls through a hot film of Eyring's law.  Viscosities follow
+# temperatures with a lag of second order in dT: with half the step the smallest
+# film changes by a quarter of what it changed by before (by half where they lag
+# by a step, as in version 0.2.0: 1.9).  The bound is halfway between both
+# orders, sqrt(2 * 4).
+. "$TOP/tests/support/cli.sh"
+
+cat >dent.ini <<'END'
+[contact]
+load = 300 kN/m
+radius = 8 mm
+modulus = 226 GPa
+speed_1 = 3.3 m/s
+speed_2 = 2.7 m/s
+[lubricant]
+viscosity = 40 mPa.s
+alpha = 17 1/GPa
+p0 = 198 MPa
+z = 0.68
+rheology = eyring
+eyring_stress = 5 MPa
+[heat]
+model = lobatto
+temperature = 80 degC
+[domain]
+inlet = -4
+outlet = 1.5
+level = 6
+[feature dent]
+surface = 1
+shape = indent
+depth = 0.4 um
+width = 0.5
+start = -4.6
+[time]
+scheme = characteristic
+end = 4.6651785714285714
+END
+
+# film STEPS: the smallest film at the end, in steps of D/(STEPS/380)
+film() {
+    expect 0 "$OVERROLL" run dent.ini --json \
+        --set time.step="$(awk -v n="$1" 'BEGIN { printf "%.17g", 4.6651785714285714 / n }')"
+    sed -n 's/^  "H_min": \([-0-9.e+]*\),*$/\1/p' out
+}
+whole=$(film 380)
+half=$(film 760)
+quarter=$(film 1520)
+awk -v a="$whole" -v b="$half" -v c="$quarter" 'BEGIN {
+    r = (a - b) / (b - c)
+    printf "H_min %s, %s, %s: ratio %.2f\n", a, b, c, r
+    exit !(c > 0 && r > 2.83 && r < 5.66)
+}' || fail "H_min $whole, $half, $quarter: not of second order in the step"
