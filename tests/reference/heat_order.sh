@@ -41,8 +41,8 @@ END
 
 # film STEPS: the smallest film at the end, in steps of D/(STEPS/380)
 film() {
-    expect 0 "$OVERROLL" run dent.ini --json \
-        --set time.step="$(awk -v n="$1" 'BEGIN { printf "%.17g", 4.6651785714285714 / n }')"
+    step=$(awk -v n="$1" 'BEGIN { printf "%.17g", 4.6651785714285714 / n }')
+    expect 0 "$OVERROLL" run dent.ini --json --set time.step="$step"
     sed -n 's/^  "H_min": \([-0-9.e+]*\),*$/\1/p' out
 }
 whole=$(film 380)
