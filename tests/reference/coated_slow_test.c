@@ -13,7 +13,7 @@ static void steady(void **state)
 static void dents(void **state)
 {
     (void)state;
-    test_coated_dents(4);
+    test_coated_dents(4, 4);
 }
 
 int main(void)

@@ -5,6 +5,6 @@
 #define OVR_TESTS_COATED_H
 
 void test_coated_steady(int contacts);
-void test_coated_dents(int dents);
+void test_coated_dents(int dents, int order);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random contacts with layers (tests/support/coated.h).. */
+/* Random contacts with layers (tests/support/coated.h). */
 #include "support/coated.h"
 #include "support/test.h"
 
@@ -12,7 +12,8 @@ static void steady(void **state)
 static void dents(void **state)
 {
     (void)state;
-    test_coated_dents(60);
+    test_coated_dents(60, 2);
+    test_coated_dents(60, 4);
 }
 
 int main(void)
