@@ -96,31 +96,9 @@ double ovr_level_load(const ovr_hierarchy *grids, const ovr_level *level)
     return level->grid.D * sum;
 }
 
-void ovr_level_read(const ovr_hierarchy *grids, const ovr_level *level,
-                    const double *values, double *ordered)
-{
-    grids->kernels->unpack(&level->lanes, values, ordered);
-}
-
-void ovr_level_write(const ovr_hierarchy *grids, const ovr_level *level,
-                     const double *ordered, double *values)
-{
-    grids->kernels->pack(&level->lanes, ordered, values);
-}
-
 void ovr_level_clear(const ovr_level *level, double *values)
 {
     memset(values, 0, level->lanes.S * level->lanes.V * sizeof *values);
-}
-
-const ovr_fields *ovr_level_ordered(const ovr_hierarchy *grids,
-                                    const ovr_level *level)
-{
-    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
-        if (ovr_field_rows[k].ordered && level->f.all[k])
-            ovr_level_read(grids, level, level->f.all[k],
-                           grids->natural.all[k]);
-    return &grids->natural;
 }
 
 /* A domain may be so long on one side that X = 0 is next to its end. */

@@ -31,6 +31,7 @@
 
 #include "case/feed.h"
 #include "case/resolve.h"
+#include "case/setup.h"
 #include "run/internal.h"
 #include "run/passes.h"
 #include "simulation/internal.h"
@@ -227,16 +228,17 @@ static void judge_end(ovr_run_errors *errors, const level_run *r,
     }
 }
 
-/* Of the extremes of films and pressures over the whole run. */
+/* Of the extremes of films and pressures over the whole run, of physics that
+ * are on. */
 static void judge_extremes(ovr_run_errors *errors, const level_run *r,
-                           const measure *m)
+                           const measure *m, unsigned physics)
 {
     ovr_extreme e;
     for (size_t k = 0; ovr_extreme_at(k, &e); k++) {
         double v[LEVELS];
         for (int i = 0; i < LEVELS; i++)
             v[i] = r[i].solved ? ovr_extreme_value(&e, &r[i].total) : NAN;
-        if (e.part == OVR_KEPT_EXTREME &&
+        if (e.part == OVR_KEPT_EXTREME && !(e.of->needs & ~physics) &&
             (e.kind == OVR_KIND_HEIGHT || e.kind == OVR_KIND_PRESSURE))
             add(errors, judge(e.of->extreme_key, e.kind, m, v));
     }
@@ -343,7 +345,7 @@ ovr_status ovr_run_estimate(ovr_run *run, ovr_error *err)
     const measure m = measure_of(run);
     judge_end(errors, r, &m);
     if (run->info.transient)
-        judge_extremes(errors, r, &m);
+        judge_extremes(errors, r, &m, ovr_setup_physics(run->info.setup));
     if (run->passes)
         judge_means(errors, run->passes, r, &m);
     for (size_t k = 0; k < errors->count; k++)

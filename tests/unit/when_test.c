@@ -46,6 +46,12 @@ static void check_alternative(const ovr_section *section, const char *text,
     const ovr_parameter *row;
     text += skip;
     key = strcspn(text, " ;");
+    if (*text == '[') { /* a section that is there */
+        char name[40];
+        snprintf(name, sizeof name, "%.*s", (int)key - 2, text + 1);
+        assert_non_null(ovr_section_find(name));
+        return;
+    }
     row = row_of(section, text, key);
     if (!row)
         fail_msg("no key '%.*s'", (int)key, text);
