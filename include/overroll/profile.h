@@ -150,6 +150,9 @@ typedef struct ovr_profile_numbers {
     double t;      /* peak to valley over all sections */
     double sk, ku; /* skewness, kurtosis (3: Gaussian); NAN when q = 0 */
     double dq;     /* root mean square slope */
+    double k, pk, vk; /* depth of the core of the material ratio curve, heights
+                         of the peaks above it and of the valleys below */
+    double mr1, mr2;  /* material ratios where the core begins and ends, 0..1 */
 } ovr_profile_numbers;
 
 OVR_API ovr_status ovr_profile_measure_into(const ovr_profile *profile,

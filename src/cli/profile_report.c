@@ -80,6 +80,11 @@ static void print_kind(const profile_report *r, const ovr_profile_numbers *n)
     }
     printf("%cdq        %-14.4g root mean square slope%s\n", kind, n->dq,
            r->view->scaled_x ? ", (b^2/R)/b" : "");
+    printf("%ck         %-14s depth of the core\n", kind, across(r, n->k));
+    printf("%cpk        %-14s peaks above it, %.1f %% of the length\n", kind,
+           across(r, n->pk), 100 * n->mr1);
+    printf("%cvk        %-14s valleys below it, %.1f %%\n", kind,
+           across(r, n->vk), 100 * (1 - n->mr2));
 }
 
 static void print_sections(const profile_report *r)
@@ -198,7 +203,12 @@ static void put_kind(json_writer *json, const profile_report *r, char kind,
                                              .t = NAN,
                                              .sk = NAN,
                                              .ku = NAN,
-                                             .dq = NAN};
+                                             .dq = NAN,
+                                             .k = NAN,
+                                             .pk = NAN,
+                                             .vk = NAN,
+                                             .mr1 = NAN,
+                                             .mr2 = NAN};
     row rows[HEIGHTS];
     char name[8];
     n = n->kind ? n : &none;
@@ -210,6 +220,11 @@ static void put_kind(json_writer *json, const profile_report *r, char kind,
     json_number(json, kind == 'P' ? "Psk" : "Rsk", n->sk);
     json_number(json, kind == 'P' ? "Pku" : "Rku", n->ku);
     json_number(json, kind == 'P' ? "Pdq" : "Rdq", n->dq);
+    put(json, r, kind == 'P' ? "Pk" : "Rk", n->k, true);
+    put(json, r, kind == 'P' ? "Ppk" : "Rpk", n->pk, true);
+    put(json, r, kind == 'P' ? "Pvk" : "Rvk", n->vk, true);
+    json_number(json, kind == 'P' ? "Pmrk1" : "Rmrk1", n->mr1);
+    json_number(json, kind == 'P' ? "Pmrk2" : "Rmrk2", n->mr2);
 }
 
 static void put_waves(json_writer *json, const profile_report *r)

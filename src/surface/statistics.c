@@ -7,6 +7,7 @@
 #include "base/given.h"
 #include "base/sized.h"
 #include "surface/condition.h"
+#include "surface/material_ratio.h"
 #include "surface/profile.h"
 #include "surface/spline.h"
 
@@ -127,6 +128,26 @@ static double rms_slope(const part *w)
     return sqrt(sum / (w->x[w->n - 1] - w->x[0]));
 }
 
+static ovr_status measure_core(const part *w, const ovr_allocator *allocator,
+                               ovr_profile_numbers *r, ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_height *heights = ovr_arena_take(&arena, w->n, sizeof *heights, err);
+    ovr_core core;
+    if (!heights)
+        return OVR_NO_MEMORY;
+    for (size_t i = 0; i < w->n; i++)
+        heights[i] = (ovr_height){w->z[i], ovr_share(w->n, w->x, i)};
+    core = ovr_material_ratio(w->n, heights);
+    r->k = core.k;
+    r->pk = core.pk;
+    r->vk = core.vk;
+    r->mr1 = core.mr1;
+    r->mr2 = core.mr2;
+    ovr_arena_release(&arena);
+    return OVR_OK;
+}
+
 ovr_status ovr_profile_measure_into(const ovr_profile *profile,
                                     ovr_profile_numbers *numbers,
                                     ovr_error *err)
@@ -145,6 +166,7 @@ ovr_status ovr_profile_measure_into(const ovr_profile *profile,
         measure_heights(&w, &made);
         measure_peaks(&w, &made);
         made.dq = rms_slope(&w);
+        status = measure_core(&w, &profile->arena.allocator, &made, err);
     }
     ovr_sized_give(numbers, &made, sizeof made);
     return status;

@@ -11,7 +11,7 @@ contains out '^understood column 1 is x, column 2 is z, of 2'
 contains out 'x in um \(header: "X_\(microns\)"\)'
 contains out 'levelled: line'
 contains out '^points +641, from x = 0 m to 0\.32 mm'
-for number in Pa Pq Pz Pp Pv Psk Pku Pdq; do
+for number in Pa Pq Pz Pp Pv Psk Pku Pdq Pk Ppk Pvk; do
     contains out "^$number  *-?[0-9]"
 done
 ! grep -q '^R[aqz]' out || fail 'R-parameters of what is not filtered'
@@ -25,7 +25,7 @@ for key in file format understood points missing filled uniform length_m \
 done
 contains out '"Rz_m": null'
 expect 0 "$OVERROLL" profile "$dent" --lambda-c '60 um'
-for number in Pa Pz Ra Rq Rz Rt Rsk Rku Rdq; do
+for number in Pa Pz Ra Rq Rz Rt Rsk Rku Rdq Rk Rpk Rvk; do
     contains out "^$number  *-?[0-9]"
 done
 contains out 'lambda_c = 60 um, 5 sections of 60 um'

@@ -403,6 +403,71 @@ static void statistics_of_a_cosine(void **state)
     ovr_profile_free(p);
 }
 
+/* Heights in an order of their own: of ratio (i + 1/2)/n, by a curve. */
+static ovr_profile_numbers of_curve(double (*curve)(double))
+{
+    enum { N = 4000, STRIDE = 1777 };
+    ovr_profile *p;
+    ovr_profile_numbers r;
+    ovr_error err;
+    lay_out(N, 10, NULL);
+    for (size_t i = 0; i < N; i++)
+        z[i] = curve(((double)((i * STRIDE + N / 2) % N) + 0.5) / N);
+    p = make(N);
+    CHECK_OK(ovr_profile_measure(p, &r, &err), &err);
+    ovr_profile_free(p);
+    return r;
+}
+
+static double even(double ratio)
+{
+    return 3 - 2 * ratio;
+}
+
+static double plateau(double ratio)
+{
+    return ratio < 0.9 ? 1 - ratio / 0.9 : -100 * (ratio - 0.9);
+}
+
+/* By bisection of erfc. */
+static double gaussian(double ratio)
+{
+    double low = -6, high = 6;
+    for (int k = 0; k < 60; k++) {
+        double at = (low + high) / 2;
+        if (erfc(at / sqrt(2)) / 2 > ratio)
+            low = at;
+        else
+            high = at;
+    }
+    return low;
+}
+
+/* Even heights are all core; a plateau with valleys has a triangle below; of
+ * normal heights the central line is the one of least squares from 30 to 70 %,
+ * its slope, areas and ratios by quadrature of the normal distribution.  The
+ * two outer points stand for half a length: 1/N of a ratio, which is 5e-4 here.
+ */
+static void core_stands_between_peaks_and_valleys(void **state)
+{
+    ovr_profile_numbers r = of_curve(even);
+    (void)state;
+    CHECK_CLOSE(r.k, 2, 5e-4);
+    CHECK_NEAR(r.pk, 0, 1e-3);
+    CHECK_NEAR(r.vk, 0, 1e-3);
+    r = of_curve(plateau);
+    CHECK_CLOSE(r.k, 1 / 0.9, 5e-4);
+    CHECK_NEAR(r.pk, 0, 1e-3);
+    CHECK_CLOSE(r.vk, 10 - 1 / 9., 2e-3);
+    CHECK_NEAR(r.mr2, 0.9 + 1 / 900., 5e-4);
+    r = of_curve(gaussian);
+    CHECK_CLOSE(r.k, 2.57396, 5e-4);
+    CHECK_CLOSE(r.pk, 0.94503, 1e-3);
+    CHECK_CLOSE(r.vk, r.pk, 1e-3);
+    CHECK_NEAR(r.mr1, 0.09905, 5e-4);
+    CHECK_NEAR(r.mr2, 1 - r.mr1, 5e-4);
+}
+
 /* The numbers of a trace of n points, spacing 1, after lambda_c. */
 static ovr_profile_numbers filtered(size_t n, double lambda_c)
 {
@@ -508,6 +573,7 @@ int main(void)
         cmocka_unit_test(window_scale_and_direction),
         cmocka_unit_test(wrong_settings_are_named),
         cmocka_unit_test(statistics_of_a_cosine),
+        cmocka_unit_test(core_stands_between_peaks_and_valleys),
         cmocka_unit_test(Rz_is_the_mean_of_five_sampling_lengths),
         cmocka_unit_test(cutoffs_follow_from_the_length),
         cmocka_unit_test(waves_are_found),
