@@ -6,6 +6,30 @@
 #include "case/coats.h"
 #include "case/resolve.h"
 #include "case/setup.h"
+#include "case/two_columns.h"
+
+/* Where a physics reads files from: its section. */
+typedef struct reader {
+    ovr_resolved *r;
+    const ovr_physics *physics;
+} reader;
+
+static ovr_status read_columns(void *data, const char *key, const char *file,
+                               ovr_physics_columns *to, ovr_error *err)
+{
+    const reader *from = data;
+    const ovr_block *block = ovr_block_of(from->r,
+                                          from->physics->section->name);
+    ovr_two_columns c = {.name = {to->name[0], to->name[1]},
+                         .header = {to->of[0], to->of[1]},
+                         .example = to->example};
+    ovr_status status = ovr_two_columns_read(
+        &c, file, ovr_block_get(block, key), &from->r->arena, err);
+    to->count = c.count;
+    to->x = c.x;
+    to->y = c.y;
+    return status;
+}
 
 static ovr_physics_case about(ovr_resolved *r)
 {
@@ -16,7 +40,8 @@ static ovr_physics_case about(ovr_resolved *r)
                            .heat = r->setup.heat != NULL,
                            .substrate = r->substrate,
                            .by_substrate = r->values.scale ==
-                                           OVR_SCALE_SUBSTRATE};
+                                           OVR_SCALE_SUBSTRATE,
+                           .arena = &r->arena};
     for (int k = 0; k < 2; k++)
         of.body[k] = (ovr_physics_body){r->body[k].modulus, r->body[k].poisson,
                                         r->body[k].thermal};
@@ -67,8 +92,11 @@ static ovr_status fill(ovr_resolved *r, const ovr_physics *p,
 static ovr_status resolve(ovr_resolved *r, const ovr_physics *p,
                           ovr_resolved_physics *to, ovr_error *err)
 {
-    const ovr_physics_case of = about(r);
+    reader from = {r, p};
+    ovr_physics_case of = about(r);
     ovr_error why = {0};
+    of.read = read_columns;
+    of.data = &from;
     if (fill(r, p, to, err))
         return err ? err->status : OVR_BAD_INPUT;
     if (p->resolve(&of, to->form, &to->on, &why))

@@ -4,13 +4,13 @@
  * roughness of both surfaces, none of which is on the mesh, and layers of
  * boundary lubricant bear at the mean gap H (multigrid/touching.h).
  *
- *     rough    a1 exp(-H/s),  s = Rq/2.15,  a1 = 0.38 (E'/2) slope/ph
- *     layer    e/(exp(H/d) - 1),  e = exp(h/d): ph at H = h, no film below 0
+ *     a1 exp(-H/s),  s = Rq/2.15,  a1 = 0.38 (E'/2) slope/ph
  *
- * The form is Persson's (u0 of about Rq/2), his constants those of dry contact
- * of self-affine profiles in plane strain, pressed by 0.003 to 0.2 of E* slope:
- * the gap is then off by less than 0.2 Rq.  The share that is in contact,
- * 2.5 A ph/(E* slope), is 0.95 A/a1.
+ * unless another law is given (contact/touch_law.h).  The form is Persson's (u0
+ * of about Rq/2), his constants those of dry contact of self-affine profiles in
+ * plane strain, pressed by 0.003 to 0.2 of E* slope: the gap is then off by
+ * less than 0.2 Rq.  The share that is in contact, 2.5 A ph/(E* slope), is 0.95
+ * A/a1.
  *
  * Boundary friction is mu_b A over the film's own shear stress, which acts on
  * the rest of the surface:
@@ -25,6 +25,7 @@
 
 #include "base/error.h"
 #include "base/rows.h"
+#include "contact/touch_law.h"
 #include "multigrid/friction.h"
 #include "multigrid/touching.h"
 #include "simulation/mirror.h"
@@ -32,14 +33,17 @@
 #include "simulation/quantity_row.h"
 #include "simulation/steady.h"
 
-enum { EXPONENTIAL = 1, LAYER };
+enum { EXPONENTIAL = 1, LAYER, GREENWOOD_TRIPP, TABLE };
 
 typedef struct boundary_form {
     int law;
     double Rq, slope;        /* of both surfaces: b^2/R, a pure number */
     double amplitude, decay; /* a1, s; NAN: by those two */
     double layer, layer_decay;
-    double friction; /* NAN: not told */
+    double friction;           /* NAN: not told */
+    double summits, sharpness; /* n beta sigma, sigma/beta */
+    const char *file;          /* of a table */
+    ovr_touch_law bears;       /* what all this comes to */
 } boundary_form;
 
 typedef struct boundary {
@@ -49,66 +53,26 @@ typedef struct boundary {
     double wet_force;      /* of boundary friction where there is a film */
 } boundary;
 
-/* ----------------------------------------------------------------- the law */
-
-/* Beyond exp(25) of ph no film is calculated: a start may ask. */
-static double bounded_exp(double x)
-{
-    return exp(fmin(x, 25));
-}
-
-static double rough_at(const boundary_form *f, double H, double *slope)
-{
-    double A = f->amplitude * bounded_exp(-H / f->decay);
-    *slope = A / f->decay;
-    return A;
-}
-
-/* Below a thousandth of its decay length the layer goes on as its tangent: a
- * gap below zero on the way to a solution is pressed open. */
-static double layer_at(const boundary_form *f, double H, double *slope)
-{
-    const double least = 1e-3;
-    double d = f->layer_decay, x = fmax(H / d, least);
-    double e = exp(f->layer / d), rest = expm1(fmin(x, 500));
-    double A = e / rest;
-    *slope = A * (1 + 1 / rest) / d;
-    return A + *slope * fmax(least * d - H, 0);
-}
-
-static void law_at(const void *law, double H, double *A, double *slope)
-{
-    const boundary_form *f = law;
-    double steep = 0;
-    *A = *slope = 0;
-    if (f->amplitude > 0)
-        *A = rough_at(f, H, slope);
-    if (f->layer > 0) {
-        *A += layer_at(f, H, &steep);
-        *slope += steep;
-    }
-}
-
-/* The share of the surface that is in contact. */
-static double contact_at(const boundary_form *f, double A)
-{
-    return fmin(1, f->amplitude > 0 ? 0.95 * A / f->amplitude : A);
-}
-
 /* ---------------------------------------------------------------- the case */
 
-static const ovr_word laws[] = {
-    {"exponential", EXPONENTIAL}, {"layer", LAYER}, {NULL, 0}};
+static const ovr_word laws[] = {{"exponential", EXPONENTIAL},
+                                {"layer", LAYER},
+                                {"greenwood-tripp", GREENWOOD_TRIPP},
+                                {"table", TABLE},
+                                {NULL, 0}};
 
 static const ovr_word none[] = {{"none", NAN}, {NULL, 0}};
 
 static const char rough[] = "law = exponential";
+static const char with_Rq[] = "law = exponential | greenwood-tripp";
+static const char summits[] = "law = greenwood-tripp";
 
 static const ovr_parameter keys[] = {
     {"law", CHOICE(laws), NULL, offsetof(boundary_form, law), true, ALWAYS,
      "what surfaces bear where they touch, of the mean film: exponential, of "
-     "roughness that is not on the mesh, and of a layer; or of a layer alone"},
-    {"Rq", HEIGHT, "0", offsetof(boundary_form, Rq), true, rough,
+     "roughness that is not on the mesh, greenwood-tripp, of its summits, or a "
+     "table, each with a layer beside it; or a layer alone"},
+    {"Rq", HEIGHT, "0", offsetof(boundary_form, Rq), true, with_Rq,
      "root mean square height of both surfaces together"},
     {"slope", PLAIN(0, 1), "0", offsetof(boundary_form, slope), true, rough,
      "root mean square slope of both together, a pure number"},
@@ -124,7 +88,16 @@ static const ovr_parameter keys[] = {
      "layer > 0", "film over which that falls by e; 0: a third of it"},
     {"friction", PLAIN_OR(none, 0, 2), "none",
      offsetof(boundary_form, friction), true, "law",
-     "friction of what touches over the pressure it bears"}};
+     "friction of what touches over the pressure it bears"},
+    {"summits", PLAIN(0, 1), "0.05", offsetof(boundary_form, summits), true,
+     summits,
+     "summits an area times their radius times Rq, n beta sigma: measured "
+     "0.03 to 0.06"},
+    {"sharpness", PLAIN(0, 1), "0.01", offsetof(boundary_form, sharpness), true,
+     summits, "Rq over the radius of summits, sigma/beta: 0.0001 to 0.01"},
+    {"file", PATH, NULL, offsetof(boundary_form, file), true, "law = table",
+     "pressure over the mean gap, two columns under a header like 'gap [nm], "
+     "pressure [MPa]'"}};
 
 static const ovr_section section = {
     .name = "boundary",
@@ -133,8 +106,8 @@ static const ovr_section section = {
     ROWS(keys)};
 
 /* What the roughness is given by. */
-static ovr_status resolve_rough(const ovr_physics_case *of, boundary_form *f,
-                                ovr_error *err)
+static ovr_status resolve_exponential(const ovr_physics_case *of,
+                                      boundary_form *f, ovr_error *err)
 {
     double kappa = of->contact->kappa;
     if (isnan(f->decay))
@@ -157,6 +130,108 @@ static ovr_status resolve_rough(const ovr_physics_case *of, boundary_form *f,
     return OVR_OK;
 }
 
+/* E* = E'/2 in ph is 2/kappa. */
+static ovr_status resolve_summits(const ovr_physics_case *of, boundary_form *f,
+                                  ovr_error *err)
+{
+    double kappa = of->contact->kappa;
+    if (!(f->Rq > 0))
+        return ovr_fail_about(err, "Rq",
+                              "law = greenwood-tripp wants Rq, of both "
+                              "surfaces together, above 0");
+    if (!(f->summits > 0 && f->sharpness > 0))
+        return ovr_fail_about(err, f->summits > 0 ? "sharpness" : "summits",
+                              "law = greenwood-tripp wants it above 0");
+    if (!(kappa > 0))
+        return ovr_fail_about(err, "law",
+                              "greenwood-tripp becomes a pressure by the "
+                              "modulus, which is not known");
+    return ovr_touch_greenwood_tripp(&f->bears.table, f->Rq, f->summits,
+                                     f->sharpness, 2 / kappa, of->arena, err);
+}
+
+/* Where it bears what it bears at no gap, all is in contact, by the rule of the
+ * exponential. */
+static ovr_status take_points(const ovr_physics_case *of,
+                              const ovr_physics_columns *c, boundary_form *f,
+                              ovr_error *err)
+{
+    ovr_touch_table *t = &f->bears.table;
+    double most, slope;
+    for (size_t k = 0; k < c->count; k++)
+        if (!(c->y[k] > 0) ||
+            (k && !(c->x[k] > c->x[k - 1] && c->y[k] < c->y[k - 1])))
+            return ovr_fail_at(err, OVR_BAD_INPUT, f->file, 0,
+                               "point %zu: gaps must rise, pressures fall and "
+                               "be above 0",
+                               k + 1);
+    if (c->count < 2)
+        return ovr_fail_at(err, OVR_BAD_INPUT, f->file, 0,
+                           "has %zu points: two are the least", c->count);
+    if (ovr_touch_table_take(t, c->count, of->arena, err))
+        return OVR_NO_MEMORY;
+    for (size_t k = 0; k < c->count; k++) {
+        t->H[k] = c->x[k] / of->contact->height;
+        t->ln_A[k] = log(c->y[k] / of->contact->ph);
+    }
+    ovr_touch_table_slopes(t);
+    ovr_touch_law_at(&f->bears, 0, &most, &slope);
+    for (size_t k = 0; k < c->count; k++)
+        t->area[k] = fmin(1, 0.95 * exp(t->ln_A[k]) / most);
+    return OVR_OK;
+}
+
+static ovr_status resolve_table(const ovr_physics_case *of, boundary_form *f,
+                                ovr_error *err)
+{
+    ovr_physics_columns c = {.name = {"gap", "pressure"},
+                             .of = {OVR_LENGTH, OVR_PRESSURE},
+                             .example = "gap [nm], pressure [MPa]"};
+    if (!f->file)
+        return ovr_fail_about(err, "file", "law = table wants file");
+    if (!(of->contact->height > 0 && of->contact->ph > 0))
+        return ovr_fail_about(err, "file",
+                              "a table in metres and pascals needs a physical "
+                              "contact: radius and modulus beside alpha");
+    if (of->read(of->data, "file", f->file, &c, err))
+        return err->status;
+    return take_points(of, &c, f, err);
+}
+
+static ovr_status resolve_layer(boundary_form *f, ovr_error *err)
+{
+    if (f->law == LAYER && !(f->layer > 0))
+        return ovr_fail_about(err, "layer",
+                              "law = layer wants layer, its film, above 0");
+    if (!(f->layer_decay > 0))
+        f->layer_decay = f->layer / 3;
+    f->bears.layer = f->layer;
+    f->bears.layer_decay = f->layer_decay;
+    return OVR_OK;
+}
+
+static ovr_status resolve_law(const ovr_physics_case *of, boundary_form *f,
+                              ovr_error *err)
+{
+    f->bears = (ovr_touch_law){0};
+    if (f->law == EXPONENTIAL && resolve_exponential(of, f, err))
+        return OVR_BAD_INPUT;
+    if (f->law == EXPONENTIAL) {
+        f->bears.amplitude = f->amplitude;
+        f->bears.decay = f->decay;
+    }
+    if (f->law == GREENWOOD_TRIPP && resolve_summits(of, f, err))
+        return err->status;
+    if (f->law == TABLE && resolve_table(of, f, err))
+        return err->status;
+    return resolve_layer(f, err);
+}
+
+static bool bears(const boundary_form *f)
+{
+    return f->bears.amplitude > 0 || f->bears.layer > 0 || f->bears.table.n;
+}
+
 static double unloaded(double X)
 {
     double root = sqrt(X * X - 1);
@@ -170,7 +245,7 @@ static double ends_at(const boundary_form *f)
     double X = 1, A = 1, slope;
     while (A > enough && X < farthest) {
         X += 0.05;
-        law_at(f, unloaded(X), &A, &slope);
+        ovr_touch_law_at(&f->bears, unloaded(X), &A, &slope);
     }
     return X;
 }
@@ -208,17 +283,9 @@ static ovr_status resolve(const ovr_physics_case *of, void *form, bool *on,
     *on = f->law != 0;
     if (!*on)
         return OVR_OK;
-    if (f->law == EXPONENTIAL && resolve_rough(of, f, err))
-        return OVR_BAD_INPUT;
-    if (f->law == LAYER) {
-        f->amplitude = 0;
-        if (!(f->layer > 0))
-            return ovr_fail_about(err, "layer",
-                                  "law = layer wants layer, its film, above 0");
-    }
-    if (!(f->layer_decay > 0))
-        f->layer_decay = f->layer / 3;
-    *on = f->amplitude > 0 || f->layer > 0;
+    if (resolve_law(of, f, err))
+        return err->status;
+    *on = bears(f);
     if (!*on)
         return OVR_OK;
     if (of->contact->ph > high && V > slides &&
@@ -238,7 +305,7 @@ static double share_foreseen(const ovr_physics_case *of, const boundary_form *f)
     enum { NODES = 200 };
     double H = ovr_film_central_moes(of->contact->M, of->contact->L), A, slope;
     double sum = 0;
-    law_at(f, H, &A, &slope);
+    ovr_touch_law_at(&f->bears, H, &A, &slope);
     for (int i = 0; i < NODES; i++) {
         double X = (i + 0.5) / NODES;
         sum += fmin(sqrt(1 - X * X), A) / NODES;
@@ -251,10 +318,18 @@ static void tell(const ovr_physics_case *of, const void *form,
 {
     const boundary_form *f = form;
     char text[160];
-    if (f->amplitude > 0) {
+    if (f->bears.amplitude > 0) {
         snprintf(text, sizeof text,
                  "%.4g ph at no gap, falls by e in %.4g b^2/R", f->amplitude,
                  f->decay);
+        line(data, "roughness bears", text);
+    }
+    if (f->bears.table.n) {
+        double A, slope;
+        ovr_touch_law_at(&f->bears, 0, &A, &slope);
+        snprintf(text, sizeof text,
+                 "%.4g ph at no gap, falls by e in %.4g b^2/R there", A,
+                 A / slope);
         line(data, "roughness bears", text);
     }
     if (f->layer > 0) {
@@ -288,8 +363,8 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
         ovr_hierarchy_touch(&sim->grids, &sim->arena, err))
         return OVR_NO_MEMORY;
     b->given = form;
-    sim->grids.touch.at = law_at;
-    sim->grids.touch.law = form;
+    sim->grids.touch.at = ovr_touch_law_at;
+    sim->grids.touch.law = &b->given->bears;
     sim->grids.touch.share = 1;
     return OVR_OK;
 }
@@ -382,8 +457,8 @@ static void friction(const ovr_simulation *sim, const void *own, double *t)
     b->wet_force = 0;
     for (size_t i = 0; i + 1 < sim->now.n; i++) {
         double drag = drag_at(sim, b, i);
-        double A = 0.5 * (b->A[i] + b->A[i + 1]);
-        t[i] = (1 - contact_at(b->given, A)) * t[i] + drag;
+        double H = 0.5 * (sim->now.H[i] + sim->now.H[i + 1]);
+        t[i] = (1 - ovr_touch_law_area(&b->given->bears, H)) * t[i] + drag;
         if (P[i] > 0 || P[i + 1] > 0)
             b->wet_force += drag * (X[i + 1] - X[i]);
     }
@@ -468,7 +543,7 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
     for (size_t i = 0; i < sim->now.n; i++) {
         double w = sim->now.weights[i], A = b->A[i];
         borne += w * A;
-        area += w * contact_at(b->given, A);
+        area += w * ovr_touch_law_area(&b->given->bears, sim->now.H[i]);
         most = fmax(most, A);
         if (A > touches)
             least = fmin(least, sim->now.H[i]);
@@ -488,7 +563,7 @@ static void review(const ovr_simulation *sim, const void *own,
     const ovr_solution *now = &sim->now;
     double A, slope;
     char text[160];
-    law_at(b->given, now->H[now->n - 1], &A, &slope);
+    ovr_touch_law_at(&b->given->bears, now->H[now->n - 1], &A, &slope);
     if (A > enough) {
         snprintf(text, sizeof text,
                  "surfaces touch at the outlet, with %.2g ph: a larger "

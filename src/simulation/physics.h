@@ -38,6 +38,16 @@ typedef struct ovr_physics_body {
     ovr_thermal thermal;
 } ovr_physics_body;
 
+/* A text file of two columns, in SI by the units that its header names: what
+ * they measure, and a header that would do. */
+typedef struct ovr_physics_columns {
+    const char *name[2];
+    ovr_dimension of[2];
+    const char *example;
+    size_t count;
+    double *x, *y;
+} ovr_physics_columns;
+
 /* What a physics is resolved with: the contact and what is known of the run.
  */
 typedef struct ovr_physics_case {
@@ -49,6 +59,12 @@ typedef struct ovr_physics_case {
     bool heat;
     double substrate;  /* E' of the bodies as they are given, Pa */
     bool by_substrate; /* b and ph are those of the bodies without layers */
+    ovr_arena *arena;  /* lives as long as the form */
+
+    /* Reads the file that a key of the physics' section names. */
+    ovr_status (*read)(void *data, const char *key, const char *file,
+                       ovr_physics_columns *columns, ovr_error *err);
+    void *data;
 } ovr_physics_case;
 
 /* Takes a line of what `check` tells: a name and a text. */

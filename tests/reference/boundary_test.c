@@ -10,7 +10,9 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "support/test.h"
 
@@ -321,6 +323,61 @@ static void layer_keeps_the_film_open(void **state)
     assert_true(t.H_min > 0 && t.share > 0.1 && t.share < 1);
 }
 
+/* A table of what an exponential bears, in nm and MPa, is that exponential. */
+static void table_is_the_law_that_it_was_made_of(void **state)
+{
+    touching t[2];
+    char path[] = "/tmp/overroll-table-XXXXXX";
+    FILE *f = fdopen(mkstemp(path), "w");
+    (void)state;
+    assert_non_null(f);
+    fputs("gap [nm], pressure [MPa]\n", f);
+    for (double gap = 0; gap < 900; gap += 45)
+        fprintf(f, "%.17g, %.17g\n", gap, 1288 * exp(-gap / 90));
+    fclose(f);
+    for (int k = 0; k < 2; k++) {
+        ovr_case *c = begin(gear);
+        assign(c, "contact.mean_speed=3.22 m/s");
+        assign(c, "boundary.friction=0.1");
+        assign(c, k ? "boundary.law=table" : "boundary.law=exponential");
+        if (k) {
+            assignf(c, "boundary.file=%s", path);
+        } else {
+            assign(c, "boundary.amplitude=1.288 GPa");
+            assign(c, "boundary.decay=90 nm");
+        }
+        t[k] = solved(c);
+    }
+    unlink(path);
+    CHECK_NEAR(t[1].share, t[0].share, 1e-9);
+    CHECK_NEAR(t[1].H_min, t[0].H_min, 1e-9);
+    CHECK_NEAR(t[1].area, t[0].area, 1e-4);
+    CHECK_NEAR(t[1].mu, t[0].mu, 1e-5);
+}
+
+/* The usual constants of summits carry 1.9 % at W 1e-4, U 1e-11, G 4500, s/R
+ * 2e-5: by the dense Newton, of which two digits are known, and not what
+ * oil it had beside G. */
+static void summits_carry_little(void **state)
+{
+    static const char *const by_W_U_G[] = {"contact.load=226 kN/m",
+                                           "contact.radius=10 mm",
+                                           "contact.modulus=226 GPa",
+                                           "contact.viscosity=10 mPa.s",
+                                           "contact.alpha=19.912 1/GPa",
+                                           "contact.mean_speed=2.26 m/s",
+                                           "domain.level=6",
+                                           "domain.order=2",
+                                           NULL};
+    (void)state;
+    ovr_case *c = begin(by_W_U_G);
+    assign(c, "boundary.law=greenwood-tripp");
+    assign(c, "boundary.Rq=200 nm");
+    touching t = solved(c);
+    print_message("share %.4f\n", t.share);
+    CHECK_NEAR(t.share, 0.019, 1e-3);
+}
+
 /* A case that is refused, and by what. */
 static void check_refused(ovr_case *c, const char *words)
 {
@@ -365,6 +422,8 @@ int main(void)
         cmocka_unit_test(contact_takes_over_as_it_slows),
         cmocka_unit_test(energy_closes_with_what_summits_drag),
         cmocka_unit_test(layer_keeps_the_film_open),
+        cmocka_unit_test(table_is_the_law_that_it_was_made_of),
+        cmocka_unit_test(summits_carry_little),
         cmocka_unit_test(what_has_no_answer_is_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What surfaces bear by their mean gap. */
+#include <math.h>
+
+#include "support/test.h"
+
+#include "contact/touch_law.h"
+
+static ovr_arena arena;
+
+static ovr_touch_law greenwood_tripp(double sigma)
+{
+    ovr_error err = {0};
+    ovr_touch_law law = {0};
+    arena = ovr_arena_make(NULL);
+    /* 113 GPa in GPa: A is in GPa */
+    CHECK_OK(ovr_touch_greenwood_tripp(&law.table, sigma, 0.05, 0.01, 113,
+                                       &arena, &err),
+             &err);
+    return law;
+}
+
+/* F_5/2 as Greenwood & Tripp's table has it, to its five decimals; 83 MPa at no
+ * gap with n beta sigma 0.05, sigma/beta 0.01 and E* 113 GPa. */
+static void summits_bear_what_their_table_says(void **state)
+{
+    static const double of[][2] = {
+        {0, 0.61664}, {0.5, 0.24040}, {1, 0.08056}, {1.5, 0.02286},
+        {2, 0.00542}, {2.5, 0.00106}, {3, 0.00017}};
+    const double sigma = 0.02, pi = acos(-1.0);
+    double scale = 16 * sqrt(2) * pi / 15 * 0.05 * 0.05 * 0.1 * 113, A, slope;
+    ovr_touch_law law = greenwood_tripp(sigma);
+    (void)state;
+    for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
+        ovr_touch_law_at(&law, sigma * of[k][0], &A, &slope);
+        CHECK_NEAR(A / scale, of[k][1], 6e-6);
+    }
+    ovr_touch_law_at(&law, 0, &A, &slope);
+    CHECK_NEAR(A, 0.083, 5e-4);
+    /* F_2(0) = 1/2 */
+    CHECK_CLOSE(ovr_touch_law_area(&law, 0), pi * pi * 0.0025 / 2, 1e-9);
+    ovr_arena_release(&arena);
+}
+
+/* Between the points and beyond them, by differences. */
+static void slopes_are_those_of_the_pressures(void **state)
+{
+    const double step = 1e-6;
+    ovr_touch_law law = greenwood_tripp(1);
+    (void)state;
+    law.layer = 0.3;
+    law.layer_decay = 0.1;
+    for (double H = -3.51; H < 8; H += 0.037) {
+        double one, other, slope, A;
+        if (fabs(H - 1e-4) < 2 * step) /* the layer's tangent begins */
+            continue;
+        ovr_touch_law_at(&law, H - step, &one, &slope);
+        ovr_touch_law_at(&law, H + step, &other, &slope);
+        ovr_touch_law_at(&law, H, &A, &slope);
+        CHECK_CLOSE(slope, (one - other) / (2 * step), 1e-5);
+        assert_true(A > 0 && slope > 0);
+    }
+    ovr_arena_release(&arena);
+}
+
+/* Points of exp(-H): the slopes are -1, and so it goes on everywhere; points of
+ * exp(-H^3) are met, and nowhere does it rise. */
+static void tables_go_through_their_points(void **state)
+{
+    ovr_touch_law law = {0};
+    ovr_error err = {0};
+    double A, slope, last = INFINITY;
+    (void)state;
+    arena = ovr_arena_make(NULL);
+    CHECK_OK(ovr_touch_table_take(&law.table, 5, &arena, &err), &err);
+    for (size_t k = 0; k < 5; k++) {
+        law.table.H[k] = 0.3 * (double)(k * k);
+        law.table.ln_A[k] = -law.table.H[k];
+    }
+    ovr_touch_table_slopes(&law.table);
+    for (double H = -2; H < 9; H += 0.1) {
+        ovr_touch_law_at(&law, H, &A, &slope);
+        CHECK_CLOSE(A, exp(-H), 1e-12);
+    }
+    for (size_t k = 0; k < 5; k++)
+        law.table.ln_A[k] = -pow(law.table.H[k], 3);
+    ovr_touch_table_slopes(&law.table);
+    for (size_t k = 0; k < 5; k++) {
+        ovr_touch_law_at(&law, law.table.H[k], &A, &slope);
+        CHECK_CLOSE(A, exp(law.table.ln_A[k]), 1e-12);
+    }
+    for (double H = -1; H < 6; H += 0.01, last = A) {
+        ovr_touch_law_at(&law, H, &A, &slope);
+        assert_true(A <= last && slope >= 0);
+    }
+    ovr_arena_release(&arena);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(summits_bear_what_their_table_says),
+        cmocka_unit_test(slopes_are_those_of_the_pressures),
+        cmocka_unit_test(tables_go_through_their_points)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
