@@ -18,7 +18,7 @@
  * moment; none of these before the first checkpoint.  Who reads takes the
  * pieces by name: one that he does not know he leaves, a number (8 bytes at
  * most) that is not there keeps its value of before, and an array must be
- * there.
+ * there, unless its name begins with OVR_YOUNGER.
  *
  * It is written as OUT.h5.restart.part, synced, and renamed over the one
  * before, and the folder is synced: there is always a whole one.  What it says
@@ -64,7 +64,7 @@ ovr_status ovr_checkpoint_write(const ovr_checkpoint *checkpoint,
                                 ovr_error *err);
 
 /* Puts a checkpoint's state into any source. */
-ovr_status ovr_restart_load_into(const ovr_restart *restart,
+ovr_status ovr_restart_load_into(ovr_restart *restart,
                                  const ovr_state_source *source,
                                  ovr_error *err);
 

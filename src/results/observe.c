@@ -70,7 +70,7 @@ void ovr_writer_more(ovr_writer *w, ovr_visited *more, void *object)
     w->more = (ovr_state_source){more, object};
 }
 
-ovr_status ovr_restart_more(const ovr_restart *restart, ovr_visited *more,
+ovr_status ovr_restart_more(ovr_restart *restart, ovr_visited *more,
                             void *object, ovr_error *err)
 {
     if (!restart || !more)
@@ -90,7 +90,7 @@ void ovr_writer_checkpoints(ovr_writer *w, ovr_simulation *sim)
     w->frame_of = frame_of;
 }
 
-ovr_status ovr_restart_load(const ovr_restart *restart, ovr_simulation *sim,
+ovr_status ovr_restart_load(ovr_restart *restart, ovr_simulation *sim,
                             ovr_error *err)
 {
     if (!restart || !sim)

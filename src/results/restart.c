@@ -13,6 +13,7 @@
 #include "overroll/version.h"
 #include "results/checkpoint.h"
 #include "results/results.h"
+#include "simulation/simulation.h"
 
 struct ovr_restart {
     ovr_arena arena;
@@ -25,6 +26,7 @@ struct ovr_restart {
     uint64_t number, format;
     ovr_restart_info info;
     ovr_case_value *values;
+    const char *lacks; /* the version before; NULL: nothing */
 };
 
 /* A piece in the file's memory. */
@@ -296,6 +298,11 @@ const char *ovr_restart_created(const ovr_restart *r)
     return r->created;
 }
 
+const char *ovr_restart_lacks(const ovr_restart *r)
+{
+    return r->lacks;
+}
+
 const ovr_counts *ovr_restart_counts(const ovr_restart *r)
 {
     return &r->counts;
@@ -347,11 +354,12 @@ ovr_status ovr_restart_check(const ovr_restart *r, size_t count,
 }
 
 typedef struct getting {
-    const ovr_restart *restart;
+    ovr_restart *restart;
     bool write; /* else only look whether all fits */
 } getting;
 
-/* A number that the checkpoint does not know stays what it is. */
+/* A number that the checkpoint does not know stays what it is, and so does an
+ * array that versions before did not have (OVR_YOUNGER). */
 static ovr_status get_state(void *context, const char *name, void *memory,
                             size_t bytes, ovr_error *err)
 {
@@ -360,6 +368,16 @@ static ovr_status get_state(void *context, const char *name, void *memory,
     bool found = find_state(get->restart, name, &p);
     if (!found && bytes <= sizeof(double))
         return OVR_OK;
+    if (!found && name[0] == OVR_YOUNGER[0]) {
+        get->restart->lacks = get->restart->version;
+        return OVR_OK;
+    }
+    if (!found && strcmp(get->restart->version, OVERROLL_VERSION))
+        return ovr_fail(
+            err, OVR_BAD_INPUT,
+            "%s: overroll %s, which wrote it, did not keep all that "
+            "%s goes on from (here '%s'): run the case again",
+            get->restart->path, get->restart->version, OVERROLL_VERSION, name);
     if (!found || p.bytes != bytes)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: does not fit this simulation (its '%s')",
@@ -370,8 +388,8 @@ static ovr_status get_state(void *context, const char *name, void *memory,
 }
 
 /* First a look, so that nothing is half loaded. */
-ovr_status ovr_restart_load_into(const ovr_restart *r,
-                                 const ovr_state_source *source, ovr_error *err)
+ovr_status ovr_restart_load_into(ovr_restart *r, const ovr_state_source *source,
+                                 ovr_error *err)
 {
     getting look = {r, false}, take = {r, true};
     ovr_status status = source->visit_all(source->object, get_state, &look,

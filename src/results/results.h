@@ -67,8 +67,12 @@ ovr_status ovr_restart_check(const ovr_restart *restart, size_t count,
                              const ovr_case_value *values, ovr_error *err);
 
 /* Puts the state into a simulation created alike. */
-ovr_status ovr_restart_load(const ovr_restart *restart, ovr_simulation *sim,
+ovr_status ovr_restart_load(ovr_restart *restart, ovr_simulation *sim,
                             ovr_error *err);
+
+/* The version that wrote the loaded state, where that lacks arrays that it did
+ * not have (OVR_YOUNGER); else NULL. */
+const char *ovr_restart_lacks(const ovr_restart *restart);
 
 /* The simulation whose state the writer's checkpoints hold: from now on
  * every checkpoint_interval, and at the end.  Borrowed. */
@@ -101,7 +105,7 @@ ovr_status ovr_writer_append(ovr_writer *writer, const ovr_group *given,
 
 /* More state for checkpoints, and back from one. */
 void ovr_writer_more(ovr_writer *writer, ovr_visited *more, void *object);
-ovr_status ovr_restart_more(const ovr_restart *restart, ovr_visited *more,
+ovr_status ovr_restart_more(ovr_restart *restart, ovr_visited *more,
                             void *object, ovr_error *err);
 
 /* The k-th variable of all; NULL behind the last. */

@@ -360,7 +360,7 @@ static ovr_status restore_companions(ovr_run *run, double T, bool write,
 ovr_status ovr_output_reopen(ovr_run *run, bool write, ovr_error *err)
 {
     const ovr_state *state = ovr_simulation_state(run->sim);
-    const ovr_restart *restart = run->restart;
+    ovr_restart *restart = run->restart;
     wanted w;
     ovr_writer *writer = NULL;
     ovr_status status = want(&w, run, err);

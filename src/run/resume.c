@@ -102,6 +102,11 @@ static void report_state(ovr_run *run, bool done)
         say(run, "goes on from T = %g, step %ld", state->T, state->step);
     else
         say(run, "has no checkpoint: the run begins again");
+    if (run->restored && ovr_restart_lacks(run->restart))
+        say(run,
+            "overroll %s kept less of the last step than is kept today: what "
+            "it lacks begins at zero",
+            ovr_restart_lacks(run->restart));
     if (run->restored && run->info.transient)
         run->info.fraction = state->T / run->setup->march->end;
 }

@@ -384,7 +384,7 @@ ovr_status ovr_heat_visit(ovr_simulation *sim, ovr_visit *visit, void *context,
         status = visit_array(sim, "temperature", j + 1, h->T[j], visit, context,
                              err);
     for (int j = 0; !status && j < h->across.n; j++)
-        status = visit_array(sim, "temperature_change", j + 1,
+        status = visit_array(sim, OVR_YOUNGER "temperature_change", j + 1,
                              h->steps->change[j], visit, context, err);
     for (int k = 0; !status && k < h->across.n + FIELDS; k++)
         status = visit_array(sim, "viscosity_by", k + 1, kept_of(h, k), visit,

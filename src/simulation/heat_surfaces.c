@@ -14,14 +14,23 @@ static ovr_status take(ovr_simulation *sim, double **to, size_t count,
     return *to ? OVR_OK : OVR_NO_MEMORY;
 }
 
+static double speed_of(const ovr_simulation *sim, int k)
+{
+    return k ? sim->contact.u2_ratio : sim->contact.u1_ratio;
+}
+
+/* How long two passages of the domain take. */
+static double passages(const ovr_simulation *sim, double u)
+{
+    double length = (double)(sim->now.n - 1) * ovr_mesh(sim);
+    return 2 * length / fmax(fabs(u), 0.1);
+}
+
 static void set_rates(ovr_simulation *sim, int k)
 {
-    const ovr_contact *c = &sim->contact;
     ovr_heated *h = sim->heated;
-    double D = ovr_mesh(sim), length = (double)(sim->now.n - 1) * D;
-    double u = k ? c->u2_ratio : c->u1_ratio;
-    h->longest[k] = fmax(2 * length / fmax(fabs(u), 0.1),
-                         ovr_solid_reach(&h->numbers, k, u));
+    double D = ovr_mesh(sim), u = speed_of(sim, k);
+    h->longest[k] = fmax(passages(sim, u), ovr_solid_reach(&h->numbers, k, u));
     ovr_warmth warmth = {NULL, NULL};
     ovr_memory_rates(D / 8, h->longest[k], &h->memory[k]);
     OVR_EACH_PHYSICS(sim, p, warmth)
@@ -95,17 +104,25 @@ static ovr_status visit_nodes(ovr_simulation *sim, int k, int m,
     return status;
 }
 
+/* 0.2.0 had nothing beyond the ends, and other modes where these remember more
+ * than two passages: those are not gone on from. */
+static const char *younger(const ovr_simulation *sim, int k)
+{
+    bool longer = sim->heated->longest[k] > passages(sim, speed_of(sim, k));
+    return longer ? "" : OVR_YOUNGER;
+}
+
 static ovr_status visit_ends(ovr_simulation *sim, int k, int bank,
                              ovr_visit *visit, void *context, ovr_error *err)
 {
     const ovr_heat_surface *s = &sim->heated->steps->surface[k];
     double *psi = s->psi[bank];
     size_t n = sim->now.n, bytes = s->beyond * OVR_MODES * sizeof *psi;
-    const char *second = bank ? "_2" : "";
+    const char *second = bank ? "_2" : "", *young = younger(sim, k);
     char name[40];
-    snprintf(name, sizeof name, "memory_%d_before%s", k + 1, second);
+    snprintf(name, sizeof name, "%smemory_%d_before%s", young, k + 1, second);
     ovr_status status = visit(context, name, psi, bytes, err);
-    snprintf(name, sizeof name, "memory_%d_after%s", k + 1, second);
+    snprintf(name, sizeof name, "%smemory_%d_after%s", young, k + 1, second);
     return status ? status
                   : visit(context, name, psi + (s->beyond + n) * OVR_MODES,
                           bytes, err);
