@@ -129,11 +129,11 @@ static double squared_width(const ovr_setup *s, double T)
     return ovr_history_value(s->load, T) * ovr_history_value(s->radius, T);
 }
 
-/* By how much the square of the dry half width grows, or falls by more than
- * twice, within a moment; over its largest value. */
+/* By how much the square of the dry half width grows within a moment, or .7 of
+ * by how much it falls; over its largest value. */
 static double jump_of(const ovr_setup *s)
 {
-    const double moment = 0.035, fall = 0.4;
+    const double moment = 0.035, fall = 0.7;
     double end = ovr_setup_end(s), most = 0, jump = 0, last;
     if (!s->transient || !isfinite(end) ||
         !(ovr_history_varies(s->load) || ovr_history_varies(s->radius)))
@@ -154,10 +154,11 @@ static double jump_of(const ovr_setup *s)
  * and pressure builds up as far as the domain goes.  Cut at X_b, 1.2 j
  * (1.5/X_b)^3.2 % of the central film is lost a little later; fitted to jumps
  * and ramps of .1 to .5 b/um between loads of 1 to 5, M 5 to 100, L 2 to 10,
- * within a factor of 2, for 4e-4. */
+ * within a factor of 2, for half as much as a domain may lose: the inlet loses
+ * the rest. */
 static double outlet_of_jump(double jump)
 {
-    return OVR_USUAL_OUTLET * pow(45 * jump, 0.31);
+    return OVR_USUAL_OUTLET * pow(90 * jump, 0.31);
 }
 
 static moments moments_of(const ovr_setup *s)

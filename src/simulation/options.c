@@ -34,7 +34,7 @@ static double discretization_error(int level)
 
 /*
  * R cannot fall below the rounding of the residual.  eps P is of the size of
- * X_a^4/24 whatever the load, its second difference is divided by D^2, and R
+ * Cu X_a^4/24 whatever the load, its second difference is divided by D^2, and R
  * by H_cen: 4.3e-10/H_cen measured at D = 5.5/7168, X_a = -4 for M = 20 to
  * 200; here four times that.  An R above 1e-3 is no solution, whatever the
  * rounding: from level 19 on there is none to be had in double precision.
@@ -42,7 +42,8 @@ static double discretization_error(int level)
 double ovr_negligible_tolerance(const ovr_simulation *sim, double D, double H)
 {
     double meshes = 5.5 / 7168 / D, inlet = sim->options.inlet / 4;
-    double floor = 1.7e-9 * meshes * meshes * pow(inlet, 4) / fabs(H);
+    double Cu = fmax(1, fabs(ovr_history_value(sim->speed, sim->state.T)));
+    double floor = 1.7e-9 * Cu * meshes * meshes * pow(inlet, 4) / fabs(H);
     return floor < 1e-9 ? 1e-9 : floor < 1e-3 ? floor : 1e-3;
 }
 

@@ -110,6 +110,7 @@ static void draw(text *t, uint64_t seed, bool jumps, const char *folder)
 
 typedef struct seen {
     int count;
+    long halved;
     double T[MOST], H_cen[MOST], P_max[MOST];
 } seen;
 
@@ -122,6 +123,7 @@ static ovr_status observe(void *data, const ovr_simulation *sim, ovr_error *err)
     s->T[s->count] = ovr_simulation_state(sim)->T;
     s->H_cen[s->count] = o->H_cen;
     s->P_max[s->count++] = o->P_max;
+    s->halved = ovr_simulation_statistics(sim)->substeps;
     return OVR_OK;
 }
 
@@ -148,6 +150,7 @@ static bool solve(const char *words, seen *s, domain *d, const char *folder,
                       setup->mesh, setup->options->level, setup->rides};
     }
     s->count = 0;
+    s->halved = 0;
     bool done = run && (!go || !ovr_run_go(run, err));
     ovr_run_free(run);
     ovr_case_free(c);
@@ -196,7 +199,9 @@ static worst compare(const seen *a, const seen *b)
  */
 #define CLOSE "[solver]\ntolerance = 1e-7\n"
 
-/* Nodes of the wide domain that are in the other are nodes of it. */
+/* Nodes of the wide domain that are in the other are nodes of it.  Steps that
+ * one of them halves are other steps in time, which jumps tell by up to half a
+ * film. */
 static bool try(text *t, const char *folder, worst *w)
 {
     static seen near, far;
@@ -223,6 +228,11 @@ static bool try(text *t, const char *folder, worst *w)
     }
     if (d.rides && !wide.rides) {
         print_message("    curvature does not ride on twice the domain\n");
+        return false;
+    }
+    if (near.halved || far.halved) {
+        print_message("    %ld and %ld steps were halved\n", near.halved,
+                      far.halved);
         return false;
     }
     *w = compare(&near, &far);
@@ -260,8 +270,8 @@ void test_domains_survey(uint64_t seed, int runs, bool jumps)
                   "most, %d beyond\n",
                   runs, again, all.H_cen, all.P_max, missed);
     if (jumps) {
-        assert_true(all.H_cen < 1e-2 && all.P_max < 5e-3);
-        assert_true(5 * missed <= runs);
+        assert_true(all.H_cen < 2e-3 && all.P_max < 5e-3);
+        assert_true(10 * missed <= runs);
         return;
     }
     assert_int_equal(far, 0);

@@ -114,12 +114,47 @@ static void a_tolerance_below_rounding(void **state)
     ovr_simulation_free(sim);
 }
 
+/* Rounding grows with the speed, and is no reason to halve a step. */
+static void a_tolerance_below_rounding_at_speed(void **state)
+{
+    ovr_history_form ramp = ovr_history_form_default(), light = ramp;
+    ovr_options o = test_options();
+    ovr_error err = {0};
+    (void)state;
+    o.scheme = OVR_UPSTREAM2;
+    o.order = 2;
+    ramp.kind = OVR_HISTORY_RAMP;
+    ramp.from = 0.8;
+    ramp.to = 2.4;
+    ramp.start = 0;
+    ramp.duration = 0.6;
+    light.from = light.to = 0.6;
+    o.level = 9;
+    o.inlet = -43.38;
+    o.outlet = 3.148;
+    o.tolerance = 1e-7;
+    light.kind = OVR_HISTORY_STEP;
+    ovr_history *load = made(light), *speed = made(ramp);
+    ovr_simulation *sim = test_simulation(5.086, 6.279, &o);
+    ovr_simulation_histories(sim, load, speed);
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    ovr_march march = ovr_march_default();
+    march.end = 0.9;
+    march.dT = 0.05;
+    CHECK_OK(ovr_simulation_march(sim, &march, &err), &err);
+    assert_int_equal(ovr_simulation_statistics(sim)->substeps, 0);
+    ovr_simulation_free(sim);
+    ovr_history_free(load);
+    ovr_history_free(speed);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(loads_that_failed),
         cmocka_unit_test(loads_that_jump),
         cmocka_unit_test(a_tolerance_below_rounding),
+        cmocka_unit_test(a_tolerance_below_rounding_at_speed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
