@@ -110,9 +110,9 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     if (!status)
         status = ovr_resolve_heat(r, err);
     if (!status)
-        status = ovr_resolve_physics(r, err);
-    if (!status)
         status = ovr_resolve_features(r, err);
+    if (!status)
+        status = ovr_resolve_physics(r, err);
     if (!status)
         status = ovr_resolve_output(r, err);
     if (!status)

@@ -27,6 +27,8 @@ typedef struct ovr_resolved {
     ovr_flow_law *flow_law;
     ovr_supply_setup supply;
     ovr_resolved_physics physics[OVR_MOST_PHYSICS]; /* as in the list */
+    size_t features; /* all there are, on the mesh (the setup's) or not */
+    const ovr_feature_form *const *feature;
     struct {
         ovr_gear *gear; /* one of them at most */
         ovr_cam *cam;

@@ -44,8 +44,8 @@ ovr_status ovr_resolve_features(ovr_resolved *r, ovr_error *err)
     form = ovr_arena_take(&r->arena, n, sizeof *form, err);
     if (!settings || !form)
         return OVR_NO_MEMORY;
-    r->setup.feature = form;
-    r->setup.features = n;
+    r->feature = form;
+    r->features = n;
     for (const ovr_block *b = r->c->blocks; b; b = b->next)
         if (ovr_block_is_feature(b)) {
             ovr_status status = fill_feature(r, b, settings, err);

@@ -13,6 +13,16 @@ static bool is_given(const ovr_resolved *r, int part)
     return ovr_slot_of(r, info.section, info.key)->given;
 }
 
+/* Whether a feature on the mesh is rough. */
+static bool has_roughness(const ovr_resolved *r)
+{
+    for (size_t k = 0; k < r->setup.features; k++)
+        if (r->setup.feature[k]->shape == OVR_PROFILE ||
+            r->setup.feature[k]->shape == OVR_ROUGHNESS)
+            return true;
+    return false;
+}
+
 /* Those of the options count where their keys are written; stop, smoother,
  * refine and the like are nothing unless written. */
 #define BY_SETUP(NAME, words, section, key, whole, options, setup) setup,

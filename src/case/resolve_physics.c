@@ -41,7 +41,9 @@ static ovr_physics_case about(ovr_resolved *r)
                            .substrate = r->substrate,
                            .by_substrate = r->values.scale ==
                                            OVR_SCALE_SUBSTRATE,
-                           .arena = &r->arena};
+                           .arena = &r->arena,
+                           .features = r->features,
+                           .feature = r->feature};
     for (int k = 0; k < 2; k++)
         of.body[k] = (ovr_physics_body){r->body[k].modulus, r->body[k].poisson,
                                         r->body[k].thermal};
@@ -171,13 +173,37 @@ ovr_status ovr_resolve_stiffness(ovr_resolved *r, ovr_error *err)
 
 /* -------------------------------------------------------------- all of them */
 
+static bool is_kept(const ovr_resolved *r, const ovr_feature_form *feature)
+{
+    for (int k = 0; ovr_physics_list[k]; k++)
+        if (r->physics[k].on && ovr_physics_list[k]->keeps &&
+            ovr_physics_list[k]->keeps(r->physics[k].form, feature))
+            return true;
+    return false;
+}
+
+/* Those that no physics has for itself are on the mesh. */
+static ovr_status choose_features(ovr_resolved *r, ovr_error *err)
+{
+    const ovr_feature_form **on_mesh = ovr_arena_take(&r->arena, r->features,
+                                                      sizeof *on_mesh, err);
+    if (!on_mesh)
+        return OVR_NO_MEMORY;
+    r->setup.feature = on_mesh;
+    r->setup.features = 0;
+    for (size_t k = 0; k < r->features; k++)
+        if (!is_kept(r, r->feature[k]))
+            on_mesh[r->setup.features++] = r->feature[k];
+    return OVR_OK;
+}
+
 ovr_status ovr_resolve_physics(ovr_resolved *r, ovr_error *err)
 {
     ovr_status status = OVR_OK;
     for (int k = 0; !status && ovr_physics_list[k]; k++)
         if (ovr_physics_list[k]->section)
             status = resolve(r, ovr_physics_list[k], &r->physics[k], err);
-    return status;
+    return status ? status : choose_features(r, err);
 }
 
 void ovr_resolved_turn_on(ovr_resolved *r, const ovr_physics *physics,

@@ -48,13 +48,13 @@ static ovr_status check_memory(const ovr_resolved *r, ovr_error *err)
 
 static ovr_status add_features(ovr_resolved *r, ovr_error *err)
 {
-    const ovr_block *block = r->c->blocks;
-    for (size_t k = 0; k < r->setup.features; k++, block = block->next) {
+    for (size_t k = 0; k < r->setup.features; k++) {
+        const ovr_feature_form *form = r->setup.feature[k];
         ovr_error why = {0};
-        while (!ovr_block_is_feature(block))
-            block = block->next;
-        if (ovr_surfaces_add(r->setup.surfaces, r->setup.feature[k], &why))
-            return ovr_fail_in(err, r->c, block, NULL, &why);
+        if (ovr_surfaces_add(r->setup.surfaces, form, &why))
+            return ovr_fail_in(err, r->c,
+                               ovr_case_find_block(r->c, "feature", form->name),
+                               NULL, &why);
     }
     return OVR_OK;
 }

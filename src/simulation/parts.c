@@ -25,7 +25,10 @@ static const char kinks[] = "the law of touching surfaces kinks at the rupture";
 static const char two_unknowns[] =
     "a dry node where surfaces touch has a filling and a pressure";
 
+static const char once[] = "on the mesh it would count a second time";
+
 static const ovr_refusal refusals[] = {
+    {OVR_PART_MEAN_FILM, OVR_PART_ROUGHNESS, "unresolved", once},
     {OVR_PART_ORDER_4, OVR_PART_BOUNDARY, "2", kinks},
     {OVR_PART_PAPER_SMOOTHER, OVR_PART_BOUNDARY, "line", one_grid},
     {OVR_PART_PAPER_BALANCE, OVR_PART_BOUNDARY, "no", one_grid},

@@ -61,7 +61,13 @@
          ovr_case_find_block(r->c, "coating", NULL) != NULL)                   \
     PART(BOUNDARY, "surfaces that touch", "boundary", "law", true, false,      \
          ovr_case_find_block(r->c, "boundary", NULL) &&                        \
-             ovr_slot_of(r, "boundary", "law")->given)
+             ovr_slot_of(r, "boundary", "law")->given)                         \
+    PART(MEAN_FILM, "a law of all roughness", "boundary", "of", false, false,  \
+         ovr_case_find_block(r->c, "boundary", NULL) &&                        \
+             ovr_slot_of(r, "boundary", "law")->given &&                       \
+             ovr_slot_of(r, "boundary", "of")->number == 0)                    \
+    PART(ROUGHNESS, "roughness on the mesh", "feature", "shape", false, false, \
+         has_roughness(r))
 
 #define OVR_PART_NUMBER(NAME, words, section, key, whole, options, setup)      \
     OVR_PART_##NAME,

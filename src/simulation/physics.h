@@ -9,7 +9,7 @@
  * on, in the order of the list, and calls no function of the others.  `own` is
  * what the physics has made for itself in this simulation.
  *
- *     a case      section, form, block, stiffness, resolve, layers,
+ *     a case      section, form, block, stiffness, resolve, keeps, layers,
  *                 tell
  *     creation    chosen, prepare, take, influence, warmth
  *     steady      forget, solve, complete, couple, proceed, finish, begin
@@ -60,6 +60,8 @@ typedef struct ovr_physics_case {
     double substrate;  /* E' of the bodies as they are given, Pa */
     bool by_substrate; /* b and ph are those of the bodies without layers */
     ovr_arena *arena;  /* lives as long as the form */
+    size_t features;   /* of both surfaces, on the mesh or not */
+    const struct ovr_feature_form *const *feature;
 
     /* Reads the file that a key of the physics' section names. */
     ovr_status (*read)(void *data, const char *key, const char *file,
@@ -100,6 +102,9 @@ struct ovr_physics {
      * error is about a key of its rows, or about a name of a block. */
     ovr_status (*resolve)(const ovr_physics_case *of, void *form, bool *on,
                           ovr_error *err);
+
+    /* Whether it has a feature for itself, which is then not on the mesh. */
+    bool (*keeps)(const void *form, const struct ovr_feature_form *feature);
 
     /* The layers on a body, in b and ph; NULL: none. */
     const struct ovr_coated *(*layers)(const void *form, int body);

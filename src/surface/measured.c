@@ -103,6 +103,29 @@ static void set_extents(ovr_feature *f, const ovr_table *t)
     f->table = t;
 }
 
+/* As it was read and conditioned; roughness is as it was asked for. */
+ovr_profile *ovr_measured_profile(const ovr_feature_form *form,
+                                  const ovr_contact *contact,
+                                  const ovr_allocator *allocator,
+                                  ovr_error *err)
+{
+    const ovr_roughness none = ovr_roughness_default();
+    bool random = form->shape == OVR_ROUGHNESS;
+    ovr_conditioning how = ovr_conditioning_default();
+    ovr_profile *p;
+    if (form->conditioning &&
+        OVR_SIZED_TAKE(ovr_conditioning, &how, form->conditioning, err))
+        return NULL;
+    p = random ? ovr_profile_random(form->roughness ? form->roughness : &none,
+                                    allocator, err)
+               : read(form, contact, allocator, err);
+    if (p && !random && ovr_profile_condition(p, &how, err)) {
+        ovr_profile_free(p);
+        return NULL;
+    }
+    return p;
+}
+
 static ovr_status fit(ovr_feature *f, const ovr_feature_form *form,
                       ovr_profile *p, double mesh, ovr_arena *arena,
                       ovr_error *err)
@@ -116,14 +139,12 @@ static ovr_status fit(ovr_feature *f, const ovr_feature_form *form,
         status = OVR_SIZED_TAKE(ovr_conditioning, &how, form->conditioning,
                                 err);
     ovr_ends ends = {how.taper, how.extend, !isnan(form->origin), random};
-    if (!status && !random) /* roughness is as it was asked for */
-        status = ovr_profile_condition(p, &how, err);
-    if (!status)
+    if (!status) {
         f->local_Rq = ovr_local_roughness(p->view.n, p->x, p->z,
                                           OVR_CONTACT_WIDTH);
-    if (!status)
         status = ovr_resample(p->view.n, p->x, p->z, mesh, &ends, table, arena,
                               &lost, err);
+    }
     if (status)
         return status;
     describe(p, table, mesh, lost);
@@ -145,11 +166,7 @@ ovr_status ovr_measured_make(ovr_feature *feature, const ovr_feature_form *form,
                         feature->name);
     if (!err)
         err = &local;
-    const ovr_roughness none = ovr_roughness_default();
-    const ovr_roughness *roughness = form->roughness ? form->roughness : &none;
-    p = form->shape == OVR_PROFILE
-            ? read(form, contact, &arena->allocator, err)
-            : ovr_profile_random(roughness, &arena->allocator, err);
+    p = ovr_measured_profile(form, contact, &arena->allocator, err);
     status = p ? fit(feature, form, p, mesh, arena, err) : err->status;
     if (status && !err->about && form->shape == OVR_PROFILE)
         err->about = "file"; /* what is wrong stands in it */

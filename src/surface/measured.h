@@ -14,4 +14,10 @@ ovr_status ovr_measured_make(ovr_feature *feature, const ovr_feature_form *form,
                              const ovr_contact *contact, double mesh,
                              ovr_arena *arena, ovr_error *err);
 
+/* Its heights alone, in b and b^2/R. */
+ovr_profile *ovr_measured_profile(const ovr_feature_form *form,
+                                  const ovr_contact *contact,
+                                  const ovr_allocator *allocator,
+                                  ovr_error *err);
+
 #endif

@@ -378,6 +378,42 @@ static void summits_carry_little(void **state)
     CHECK_NEAR(t.share, 0.019, 1e-3);
 }
 
+static void put_roughness(ovr_case *c, int surface)
+{
+    assignf(c, "feature rough %d.shape=roughness", surface);
+    assignf(c, "feature rough %d.surface=%d", surface, surface);
+    assignf(c, "feature rough %d.Rq=137 nm", surface);
+    assignf(c, "feature rough %d.length=1 mm", surface);
+    assignf(c, "feature rough %d.shortest=8 um", surface);
+    assignf(c, "feature rough %d.seed=%d", surface, surface);
+}
+
+/* The law of two self-affine surfaces by their own dry contact beside the
+ * exponential of their Rq and slope, 0.0184 by their spectrum, off by 0.2 Rq in
+ * the gap: by exp(0.2 2.15) = 1.5 in what is borne; none of them is on the
+ * mesh. */
+static void profiles_bear_as_they_do_dry(void **state)
+{
+    touching t[2];
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        ovr_case *c = begin(gear);
+        assign(c, "contact.mean_speed=3.22 m/s");
+        assign(c, k ? "boundary.law=profile" : "boundary.law=exponential");
+        if (k) {
+            put_roughness(c, 1);
+            put_roughness(c, 2);
+        } else {
+            assign(c, "boundary.Rq=194 nm");
+            assign(c, "boundary.slope=0.0184");
+        }
+        t[k] = solved(c);
+        print_message("share %.4f, H_min %.4f\n", t[k].share, t[k].H_min);
+    }
+    assert_true(t[1].share > t[0].share / 1.5);
+    assert_true(t[1].share < t[0].share * 1.5);
+}
+
 /* A case that is refused, and by what. */
 static void check_refused(ovr_case *c, const char *words)
 {
@@ -409,6 +445,24 @@ static void what_has_no_answer_is_refused(void **state)
     c = by_moes(20, 10, 10);
     bears(c, 1, 0.042);
     check_refused(c, "one grid");
+    c = begin(gear);
+    assign(c, "contact.mean_speed=3 m/s");
+    assign(c, "boundary.law=profile");
+    check_refused(c, "wants a [feature]");
+    c = begin(gear);
+    assign(c, "contact.mean_speed=3 m/s");
+    assign(c, "boundary.law=profile");
+    put_roughness(c, 1);
+    put_roughness(c, 2);
+    assign(c, "feature rough 2.surface=1");
+    check_refused(c, "one profile of a surface");
+    c = begin(gear);
+    assign(c, "contact.mean_speed=3 m/s");
+    assign(c, "boundary.law=exponential");
+    assign(c, "boundary.Rq=194 nm");
+    assign(c, "boundary.slope=0.03");
+    put_roughness(c, 1);
+    check_refused(c, "unresolved");
 }
 
 int main(void)
@@ -424,6 +478,7 @@ int main(void)
         cmocka_unit_test(layer_keeps_the_film_open),
         cmocka_unit_test(table_is_the_law_that_it_was_made_of),
         cmocka_unit_test(summits_carry_little),
+        cmocka_unit_test(profiles_bear_as_they_do_dry),
         cmocka_unit_test(what_has_no_answer_is_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -87,7 +87,14 @@ static const struct way {
       "coating 2.heat_capacity=500 J/kg.K", "coating 2.density=5000 kg/m3"}},
     {OVR_PART_BOUNDARY,
      {"boundary.law=exponential", "boundary.Rq=150 nm", "boundary.slope=0.03",
-      "boundary.layer=3 nm", "boundary.friction=0.11"}},
+      "boundary.layer=3 nm", "boundary.friction=0.11",
+      "boundary.of=unresolved"}},
+    {OVR_PART_MEAN_FILM,
+     {"boundary.law=exponential", "boundary.Rq=150 nm", "boundary.slope=0.03",
+      "boundary.of=all"}},
+    {OVR_PART_ROUGHNESS,
+     {"feature rough.shape=roughness", "feature rough.Rq=10 nm",
+      "feature rough.length=4", "feature rough.start=-5"}},
 };
 enum { WAYS = sizeof ways / sizeof *ways };
 
@@ -223,6 +230,8 @@ static ovr_part underneath(ovr_part part)
 {
     if (part == OVR_PART_SUPPLY || part == OVR_PART_PASSES)
         return OVR_PART_CONSERVING;
+    if (part == OVR_PART_MEAN_FILM)
+        return OVR_PART_BOUNDARY;
     return part == OVR_PART_FATIGUE ? OVR_PART_STRESS : part;
 }
 

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a case says of surfaces that touch (boundary.c). */
+#ifndef OVR_SIMULATION_BOUNDARY_H
+#define OVR_SIMULATION_BOUNDARY_H
+
+#include "contact/touch_law.h"
+#include "simulation/physics.h"
+#include "surface/rough_pair.h"
+
+typedef enum ovr_boundary_law {
+    OVR_BOUNDARY_NONE,
+    OVR_BOUNDARY_EXPONENTIAL,
+    OVR_BOUNDARY_LAYER,
+    OVR_BOUNDARY_GREENWOOD_TRIPP,
+    OVR_BOUNDARY_TABLE,
+    OVR_BOUNDARY_PROFILE
+} ovr_boundary_law;
+
+typedef struct ovr_boundary_form {
+    int law;
+    int unresolved;          /* the law is of what the mesh has not */
+    double Rq, slope;        /* of both surfaces: b^2/R, a pure number */
+    double amplitude, decay; /* a1, s; NAN: by those two */
+    double layer, layer_decay;
+    double friction;           /* NAN: not told */
+    double summits, sharpness; /* n beta sigma, sigma/beta */
+    const char *file;          /* of a table */
+    ovr_rough_pair pair;       /* of profiles */
+    ovr_touch_law bears;       /* what all this comes to */
+} ovr_boundary_form;
+
+extern const ovr_section ovr_boundary_section;
+
+/* As the functions of a physics (physics.h). */
+ovr_status ovr_boundary_resolve(const ovr_physics_case *of, void *form,
+                                bool *on, ovr_error *err);
+bool ovr_boundary_keeps(const void *form, const ovr_feature_form *feature);
+void ovr_boundary_tell(const ovr_physics_case *of, const void *form,
+                       ovr_physics_line *line, void *data);
+
+#endif

@@ -1,0 +1,372 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The section [boundary]: which law surfaces bear by, and what that comes to.
+ * The exponential's form is Persson's (u0 of about Rq/2), its constants those
+ * of dry contact of self-affine profiles in plane strain, pressed by 0.003 to
+ * 0.2 of E* slope: the gap is then off by less than 0.2 Rq,
+ *
+ *     s = Rq/2.15,  a1 = 0.38 (E'/2) slope/ph
+ *
+ * The share that is in contact, 2.5 A ph/(E* slope), is 0.95 A/a1.  Profiles
+ * have laws of their own (surface/rough_pair.h).
+ */
+#include "simulation/boundary.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "base/error.h"
+#include "base/rows.h"
+
+static const ovr_word laws[] = {
+    {"exponential", OVR_BOUNDARY_EXPONENTIAL},
+    {"layer", OVR_BOUNDARY_LAYER},
+    {"greenwood-tripp", OVR_BOUNDARY_GREENWOOD_TRIPP},
+    {"table", OVR_BOUNDARY_TABLE},
+    {"profile", OVR_BOUNDARY_PROFILE},
+    {NULL, 0}};
+
+static const ovr_word of_what[] = {{"all", 0}, {"unresolved", 1}, {NULL, 0}};
+static const ovr_word none[] = {{"none", NAN}, {NULL, 0}};
+
+static const char rough[] = "law = exponential";
+static const char with_Rq[] = "law = exponential | greenwood-tripp";
+static const char summits[] = "law = greenwood-tripp";
+
+static const ovr_parameter keys[] = {
+    {"law", CHOICE(laws), NULL, offsetof(ovr_boundary_form, law), true, ALWAYS,
+     "what surfaces bear where they touch, by their mean gap: profile, of the "
+     "features that are profiles or roughness, pressed together dry; "
+     "exponential, of Rq and slope; greenwood-tripp, of summits; a table; each "
+     "with a layer beside it; or a layer alone"},
+    {"of", CHOICE(of_what), "all", offsetof(ovr_boundary_form, unresolved),
+     true, "law",
+     "all: of all roughness, none of which is on the mesh, so that H is the "
+     "mean film; unresolved: of what is finer than the roughness on the mesh"},
+    {"Rq", HEIGHT, "0", offsetof(ovr_boundary_form, Rq), true, with_Rq,
+     "root mean square height of both surfaces together"},
+    {"slope", PLAIN(0, 1), "0", offsetof(ovr_boundary_form, slope), true, rough,
+     "root mean square slope of both together, a pure number"},
+    {"amplitude", STRESS(none, 0, 1e6), "none",
+     offsetof(ovr_boundary_form, amplitude), true, rough,
+     "pressure at no gap, instead of one by the slope"},
+    {"decay", OVR_NUMBER, OVR_LENGTH, OVR_IN_HEIGHT, 0, 1e3, false, none,
+     "none", offsetof(ovr_boundary_form, decay), true, rough,
+     "gap over which it falls by e, instead of Rq/2.15"},
+    {"layer", HEIGHT, "0", offsetof(ovr_boundary_form, layer), true, "law",
+     "film at which a layer of boundary lubricant bears ph; 0: none"},
+    {"layer_decay", HEIGHT, "0", offsetof(ovr_boundary_form, layer_decay), true,
+     "layer > 0", "film over which that falls by e; 0: a third of it"},
+    {"friction", PLAIN_OR(none, 0, 2), "none",
+     offsetof(ovr_boundary_form, friction), true, "law",
+     "friction of what touches over the pressure it bears"},
+    {"summits", PLAIN(0, 1), "0.05", offsetof(ovr_boundary_form, summits), true,
+     summits,
+     "summits an area times their radius times Rq, n beta sigma: measured "
+     "0.03 to 0.06"},
+    {"sharpness", PLAIN(0, 1), "0.01", offsetof(ovr_boundary_form, sharpness),
+     true, summits,
+     "Rq over the radius of summits, sigma/beta: 0.0001 to 0.01"},
+    {"file", PATH, NULL, offsetof(ovr_boundary_form, file), true, "law = table",
+     "pressure over the mean gap, two columns under a header like 'gap [nm], "
+     "pressure [MPa]'"}};
+
+const ovr_section ovr_boundary_section = {
+    .name = "boundary",
+    .on = "law",
+    .help = "mixed lubrication: surfaces that touch through their film",
+    ROWS(keys)};
+
+/* What the roughness is given by. */
+static ovr_status resolve_exponential(const ovr_physics_case *of,
+                                      ovr_boundary_form *f, ovr_error *err)
+{
+    double kappa = of->contact->kappa;
+    if (isnan(f->decay))
+        f->decay = f->Rq / 2.15;
+    if (!(f->decay > 0))
+        return ovr_fail_about(err, "Rq",
+                              "law = exponential wants Rq, of both surfaces "
+                              "together, or decay; above 0");
+    if (!isnan(f->amplitude))
+        return OVR_OK;
+    if (!(f->slope > 0))
+        return ovr_fail_about(err, "slope",
+                              "law = exponential wants slope, the root mean "
+                              "square one, or amplitude; above 0");
+    if (!(kappa > 0))
+        return ovr_fail_about(err, "slope",
+                              "slope becomes a pressure by the modulus, which "
+                              "is not known; give amplitude in ph");
+    f->amplitude = 0.38 * f->slope * 2 / kappa;
+    return OVR_OK;
+}
+
+/* E* = E'/2 in ph is 2/kappa. */
+static ovr_status resolve_summits(const ovr_physics_case *of,
+                                  ovr_boundary_form *f, ovr_error *err)
+{
+    double kappa = of->contact->kappa;
+    if (!(f->Rq > 0))
+        return ovr_fail_about(err, "Rq",
+                              "law = greenwood-tripp wants Rq, of both "
+                              "surfaces together, above 0");
+    if (!(f->summits > 0 && f->sharpness > 0))
+        return ovr_fail_about(err, f->summits > 0 ? "sharpness" : "summits",
+                              "law = greenwood-tripp wants it above 0");
+    if (!(kappa > 0))
+        return ovr_fail_about(err, "law",
+                              "greenwood-tripp becomes a pressure by the "
+                              "modulus, which is not known");
+    return ovr_touch_greenwood_tripp(&f->bears.table, f->Rq, f->summits,
+                                     f->sharpness, 2 / kappa, of->arena, err);
+}
+
+/* Where it bears what it bears at no gap, all is in contact, by the rule of the
+ * exponential. */
+static ovr_status take_points(const ovr_physics_case *of,
+                              const ovr_physics_columns *c,
+                              ovr_boundary_form *f, ovr_error *err)
+{
+    ovr_touch_table *t = &f->bears.table;
+    double most, slope;
+    for (size_t k = 0; k < c->count; k++)
+        if (!(c->y[k] > 0) ||
+            (k && !(c->x[k] > c->x[k - 1] && c->y[k] < c->y[k - 1])))
+            return ovr_fail_at(err, OVR_BAD_INPUT, f->file, 0,
+                               "point %zu: gaps must rise, pressures fall and "
+                               "be above 0",
+                               k + 1);
+    if (c->count < 2)
+        return ovr_fail_at(err, OVR_BAD_INPUT, f->file, 0,
+                           "has %zu points: two are the least", c->count);
+    if (ovr_touch_table_take(t, c->count, of->arena, err))
+        return OVR_NO_MEMORY;
+    for (size_t k = 0; k < c->count; k++) {
+        t->H[k] = c->x[k] / of->contact->height;
+        t->ln_A[k] = log(c->y[k] / of->contact->ph);
+    }
+    ovr_touch_table_slopes(t);
+    ovr_touch_law_at(&f->bears, 0, &most, &slope);
+    for (size_t k = 0; k < c->count; k++)
+        t->area[k] = fmin(1, 0.95 * exp(t->ln_A[k]) / most);
+    return OVR_OK;
+}
+
+static ovr_status resolve_table(const ovr_physics_case *of,
+                                ovr_boundary_form *f, ovr_error *err)
+{
+    ovr_physics_columns c = {.name = {"gap", "pressure"},
+                             .of = {OVR_LENGTH, OVR_PRESSURE},
+                             .example = "gap [nm], pressure [MPa]"};
+    if (!f->file)
+        return ovr_fail_about(err, "file", "law = table wants file");
+    if (!(of->contact->height > 0 && of->contact->ph > 0))
+        return ovr_fail_about(err, "file",
+                              "a table in metres and pascals needs a physical "
+                              "contact: radius and modulus beside alpha");
+    if (of->read(of->data, "file", f->file, &c, err))
+        return err->status;
+    return take_points(of, &c, f, err);
+}
+
+static bool is_rough(const ovr_feature_form *feature)
+{
+    return feature->shape == OVR_PROFILE || feature->shape == OVR_ROUGHNESS;
+}
+
+static ovr_status resolve_profiles(const ovr_physics_case *of,
+                                   ovr_boundary_form *f, ovr_error *err)
+{
+    const ovr_feature_form *form[2] = {NULL, NULL};
+    for (size_t k = 0; k < of->features; k++) {
+        const ovr_feature_form **place = &form[of->feature[k]->surface == 2];
+        if (!is_rough(of->feature[k]))
+            continue;
+        if (*place)
+            return ovr_fail_about(err, "law",
+                                  "law = profile takes one profile of a "
+                                  "surface: '%s' and '%s' are on the same",
+                                  (*place)->name, of->feature[k]->name);
+        *place = of->feature[k];
+    }
+    if (!form[0] && !form[1])
+        return ovr_fail_about(err, "law",
+                              "law = profile wants a [feature] that is a "
+                              "profile, or roughness");
+    if (f->unresolved)
+        return ovr_fail_about(err, "of",
+                              "law = profile is one of = all; of what the mesh "
+                              "has not, exponential is, by Rq and slope");
+    if (ovr_rough_pair_make(&f->pair, form, of->contact, of->arena, err) ||
+        ovr_rough_pair_law(&f->pair, &f->bears.table, of->arena, err))
+        return err->status;
+    f->Rq = f->pair.Rq;
+    f->slope = f->pair.slope * of->contact->kappa;
+    return OVR_OK;
+}
+
+static ovr_status resolve_layer(ovr_boundary_form *f, ovr_error *err)
+{
+    if (f->law == OVR_BOUNDARY_LAYER && !(f->layer > 0))
+        return ovr_fail_about(err, "layer",
+                              "law = layer wants layer, its film, above 0");
+    if (!(f->layer_decay > 0))
+        f->layer_decay = f->layer / 3;
+    f->bears.layer = f->layer;
+    f->bears.layer_decay = f->layer_decay;
+    return OVR_OK;
+}
+
+static ovr_status resolve_law(const ovr_physics_case *of, ovr_boundary_form *f,
+                              ovr_error *err)
+{
+    f->bears = (ovr_touch_law){0};
+    if (f->law == OVR_BOUNDARY_EXPONENTIAL && resolve_exponential(of, f, err))
+        return OVR_BAD_INPUT;
+    if (f->law == OVR_BOUNDARY_EXPONENTIAL) {
+        f->bears.amplitude = f->amplitude;
+        f->bears.decay = f->decay;
+    }
+    if (f->law == OVR_BOUNDARY_GREENWOOD_TRIPP && resolve_summits(of, f, err))
+        return err->status;
+    if (f->law == OVR_BOUNDARY_TABLE && resolve_table(of, f, err))
+        return err->status;
+    if (f->law == OVR_BOUNDARY_PROFILE && resolve_profiles(of, f, err))
+        return err->status;
+    return resolve_layer(f, err);
+}
+
+bool ovr_boundary_keeps(const void *form, const ovr_feature_form *feature)
+{
+    const ovr_boundary_form *f = form;
+    return f->law == OVR_BOUNDARY_PROFILE && is_rough(feature);
+}
+
+static bool bears(const ovr_boundary_form *f)
+{
+    return f->bears.amplitude > 0 || f->bears.layer > 0 || f->bears.table.n;
+}
+
+static double unloaded(double X)
+{
+    double root = sqrt(X * X - 1);
+    return 0.5 * (X * root - log(X + root));
+}
+
+/* Beyond what |X| the gap of the dry contact bears less than this. */
+static double ends_at(const ovr_boundary_form *f)
+{
+    const double enough = 1e-5, farthest = 20;
+    double X = 1, A = 1, slope;
+    while (A > enough && X < farthest) {
+        X += 0.05;
+        ovr_touch_law_at(&f->bears, unloaded(X), &A, &slope);
+    }
+    return X;
+}
+
+/* The domain goes out as far as surfaces touch, where it is not given; on one
+ * grid, of second order. */
+static ovr_status resolve_options(const ovr_physics_case *of,
+                                  const ovr_boundary_form *f, ovr_error *err)
+{
+    enum { FINEST = 9 };
+    ovr_options *o = of->options, with = *o;
+    double end = ends_at(f);
+    ovr_options_domain(of->contact, &with);
+    if (o->outlet == 0 || isnan(o->outlet))
+        o->outlet = fmax(with.outlet, end);
+    if (o->inlet == 0 || isnan(o->inlet))
+        o->inlet = fmin(with.inlet, -end);
+    if (o->level > FINEST || o->level == 0)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "[boundary] is solved by Newton's method on one grid: "
+                        "[domain] level = %d or less is possible",
+                        FINEST);
+    o->coarsest_level = o->level;
+    if (!o->order) /* 4 is refused by the table of pairs */
+        o->order = 2;
+    return OVR_OK;
+}
+
+ovr_status ovr_boundary_resolve(const ovr_physics_case *of, void *form,
+                                bool *on, ovr_error *err)
+{
+    const double high = 0.7e9, slides = 0.05;
+    ovr_boundary_form *f = form;
+    double V = fabs(of->contact->u1_ratio - of->contact->u2_ratio);
+    *on = f->law != 0;
+    if (!*on)
+        return OVR_OK;
+    if (resolve_law(of, f, err))
+        return err->status;
+    *on = bears(f);
+    if (!*on)
+        return OVR_OK;
+    if (of->contact->ph > high && V > slides &&
+        of->lubricant->rheology == OVR_NEWTONIAN)
+        return ovr_fail_about(
+            err, "law",
+            "surfaces that touch at ph = %.2g GPa and slide by %.2g of the "
+            "mean speed want an oil that shears thin: [lubricant] rheology = "
+            "eyring does",
+            of->contact->ph / 1e9, V);
+    return resolve_options(of, f, err);
+}
+
+/* What the film that smooth surfaces have would bear, of Hertz's pressure. */
+static double share_foreseen(const ovr_physics_case *of,
+                             const ovr_boundary_form *f)
+{
+    enum { NODES = 200 };
+    double H = ovr_film_central_moes(of->contact->M, of->contact->L), A, slope;
+    double sum = 0;
+    ovr_touch_law_at(&f->bears, H, &A, &slope);
+    for (int i = 0; i < NODES; i++) {
+        double X = (i + 0.5) / NODES;
+        sum += fmin(sqrt(1 - X * X), A) / NODES;
+    }
+    return sum * 4 / acos(-1.0);
+}
+
+void ovr_boundary_tell(const ovr_physics_case *of, const void *form,
+                       ovr_physics_line *line, void *data)
+{
+    const ovr_boundary_form *f = form;
+    char text[160];
+    if (f->bears.amplitude > 0) {
+        snprintf(text, sizeof text,
+                 "%.4g ph at no gap, falls by e in %.4g b^2/R", f->amplitude,
+                 f->decay);
+        line(data, "roughness bears", text);
+    }
+    if (f->bears.table.n) {
+        double A, slope;
+        ovr_touch_law_at(&f->bears, 0, &A, &slope);
+        snprintf(text, sizeof text,
+                 "%.4g ph at no gap, falls by e in %.4g b^2/R there", A,
+                 A / slope);
+        line(data, "roughness bears", text);
+    }
+    if (f->law == OVR_BOUNDARY_PROFILE) {
+        snprintf(text, sizeof text,
+                 "Rq %.4g b^2/R, slope %.4g, %d of their pressures up to %.4g "
+                 "ph%s",
+                 f->Rq, f->slope, (int)f->bears.table.n,
+                 exp(f->bears.table.ln_A[0]),
+                 f->pair.cut ? "; the longer one cut to the shorter" : "");
+        line(data, "both profiles", text);
+    }
+    if (f->layer > 0) {
+        snprintf(text, sizeof text,
+                 "ph at a film of %.4g b^2/R, falls by e in %.4g", f->layer,
+                 f->layer_decay);
+        line(data, "a layer bears", text);
+    }
+    snprintf(text, sizeof text,
+             "some %.2g of the load, by the film of smooth surfaces; no oil is "
+             "trapped: an upper bound",
+             share_foreseen(of, f));
+    line(data, "surfaces that touch", text);
+}

@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "surface/dry_contact.h"
+
+#include <gsl/gsl_fft_halfcomplex.h>
+#include <gsl/gsl_fft_real.h>
+#include <math.h>
+#include <string.h>
+
+ovr_status ovr_dry_contact_take(ovr_dry_contact *of, size_t n, ovr_arena *arena,
+                                ovr_error *err)
+{
+    of->n = n;
+    of->room = ovr_arena_take(arena, 3 * n, sizeof *of->room, err);
+    return of->room ? OVR_OK : OVR_NO_MEMORY;
+}
+
+/* w of p; its mean is nothing. */
+static void deform(const ovr_dry_contact *of, const double *p, double *w)
+{
+    const double unit = 6.283185307179586 / of->length;
+    size_t n = of->n, half = n / 2;
+    memcpy(w, p, n * sizeof *w);
+    gsl_fft_real_radix2_transform(w, 1, n);
+    w[0] = 0;
+    for (size_t k = 1; k < half; k++) {
+        double soft = 2 / (of->modulus * unit * (double)k);
+        w[k] *= soft;
+        w[n - k] *= soft;
+    }
+    w[half] *= 2 / (of->modulus * unit * (double)half);
+    gsl_fft_halfcomplex_radix2_inverse(w, 1, n);
+}
+
+/* Takes its mean over the nodes that touch from a function; that mean. */
+static double centre(size_t n, const double *p, double *f)
+{
+    double sum = 0, count = 0;
+    for (size_t i = 0; i < n; i++)
+        if (p[i] > 0) {
+            sum += f[i];
+            count++;
+        }
+    for (size_t i = 0; i < n; i++)
+        f[i] -= sum / count;
+    return sum / count;
+}
+
+static void scale_to(size_t n, double *p, double mean)
+{
+    double sum = 0;
+    for (size_t i = 0; i < n; i++)
+        sum += p[i];
+    for (size_t i = 0; i < n; i++)
+        p[i] *= mean * (double)n / sum;
+}
+
+/* The gap, zero in the mean of the nodes that touch. */
+static void find_gap(const ovr_dry_contact *of, const double *z,
+                     const double *p, double *gap)
+{
+    deform(of, p, gap);
+    for (size_t i = 0; i < of->n; i++)
+        gap[i] -= z[i];
+    centre(of->n, p, gap);
+}
+
+typedef struct search {
+    double *gap, *along, *curve; /* direction, and what it does */
+    double norm;                 /* of the gap at the last step; 0: none */
+} search;
+
+/* The next direction, and how far along it. */
+static double aim(const ovr_dry_contact *of, const double *p, search *s,
+                  bool begins)
+{
+    double norm = 0, falls = 0, bends = 0;
+    for (size_t i = 0; i < of->n; i++)
+        norm += p[i] > 0 ? s->gap[i] * s->gap[i] : 0;
+    double keeps = begins || !(s->norm > 0) ? 0 : norm / s->norm;
+    for (size_t i = 0; i < of->n; i++)
+        s->along[i] = p[i] > 0 ? s->gap[i] + keeps * s->along[i] : 0;
+    s->norm = norm;
+    deform(of, s->along, s->curve);
+    centre(of->n, p, s->curve);
+    for (size_t i = 0; i < of->n; i++)
+        if (p[i] > 0) {
+            falls += s->gap[i] * s->along[i];
+            bends += s->curve[i] * s->along[i];
+        }
+    return bends > 0 ? falls / bends : 0;
+}
+
+/* Takes the step; whether a node began to touch, in which case the next
+ * direction is a new one. */
+static bool take_step(const ovr_dry_contact *of, double far, const search *s,
+                      double *p)
+{
+    bool grown = false;
+    for (size_t i = 0; i < of->n; i++) {
+        bool touched = p[i] > 0;
+        if (touched)
+            p[i] = fmax(p[i] - far * s->along[i], 0);
+        if (p[i] == 0 && s->gap[i] < 0) {
+            grown = true;
+            p[i] -= far * s->gap[i];
+        }
+    }
+    return grown;
+}
+
+/* How far pressures and gaps are from excluding each other, over the heights'
+ * range; the state. */
+static double judge(const ovr_dry_contact *of, const double *z, const double *p,
+                    const double *gap, ovr_dry_state *state)
+{
+    double worst = 0, sum = 0, high = z[0], low = z[0];
+    size_t count = 0;
+    for (size_t i = 0; i < of->n; i++) {
+        bool touches = p[i] > 0;
+        worst = fmax(worst, touches ? fabs(gap[i]) : -gap[i]);
+        sum += gap[i];
+        count += touches;
+        high = fmax(high, z[i]);
+        low = fmin(low, z[i]);
+    }
+    state->gap = sum / (double)of->n;
+    state->area = (double)count / (double)of->n;
+    return high > low ? worst / (high - low) : 0;
+}
+
+ovr_dry_state ovr_dry_contact_solve(const ovr_dry_contact *of, const double *z,
+                                    double mean, double *p)
+{
+    enum { MOST = 2000 };
+    const double enough = 1e-9;
+    size_t n = of->n;
+    search s = {of->room, of->room + n, of->room + 2 * n, 0};
+    ovr_dry_state state = {0};
+    bool begins = true;
+    scale_to(n, p, mean);
+    for (; state.steps < MOST; state.steps++) {
+        find_gap(of, z, p, s.gap);
+        state.found = judge(of, z, p, s.gap, &state) < enough;
+        if (state.found)
+            break;
+        double far = aim(of, p, &s, begins);
+        begins = take_step(of, far, &s, p);
+        scale_to(n, p, mean);
+    }
+    return state;
+}

@@ -1,0 +1,351 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "surface/rough_pair.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/error.h"
+#include "base/sized.h"
+#include "surface/dry_contact.h"
+#include "surface/measured.h"
+#include "surface/profile.h"
+#include "surface/resample.h"
+
+enum { LEAST = 256, MOST = 2048, PLACES = 4, A_DECADE = 5, DECADES = 6 };
+
+/* ------------------------------------------------------------------ heights
+ */
+
+typedef struct source {
+    ovr_profile *profile;
+    ovr_ends ends;
+} source;
+
+static double length_of(const ovr_profile *p)
+{
+    return p->x[p->view.n - 1] - p->x[0];
+}
+
+static ovr_status read(const ovr_feature_form *form, const ovr_contact *contact,
+                       const ovr_allocator *allocator, source *s,
+                       ovr_error *err)
+{
+    ovr_conditioning how = ovr_conditioning_default();
+    if (form->conditioning &&
+        OVR_SIZED_TAKE(ovr_conditioning, &how, form->conditioning, err))
+        return OVR_BAD_INPUT;
+    s->profile = ovr_measured_profile(form, contact, allocator, err);
+    s->ends = (ovr_ends){how.taper,
+                         how.extend == OVR_EXTEND_MIRROR ? OVR_EXTEND_MIRROR
+                                                         : OVR_EXTEND_PERIODIC,
+                         true, form->shape == OVR_ROUGHNESS};
+    return s->profile ? OVR_OK : err->status;
+}
+
+/* Both of one length, that of the shorter one; closed ends are no longer so
+ * where one is cut, or where the other's are blended. */
+static void make_alike(source s[2], ovr_rough_pair *pair)
+{
+    const double rounding = 1e-6;
+    double length = INFINITY;
+    bool closed = true, mirror = true;
+    for (int k = 0; k < 2; k++)
+        if (s[k].profile) {
+            length = fmin(length, length_of(s[k].profile));
+            closed = closed && s[k].ends.closed;
+            mirror = mirror && s[k].ends.extend == OVR_EXTEND_MIRROR;
+        }
+    for (int k = 0; k < 2; k++) {
+        ovr_profile *p = s[k].profile;
+        if (!p)
+            continue;
+        if (length_of(p) > length * (1 + rounding))
+            pair->cut = true;
+        while (p->view.n > 2 && length_of(p) > length * (1 + rounding))
+            p->view.n--;
+        s[k].ends.closed = closed && !pair->cut;
+        s[k].ends.extend = mirror ? OVR_EXTEND_MIRROR : OVR_EXTEND_PERIODIC;
+    }
+}
+
+static size_t nodes_of(const source s[2])
+{
+    size_t most = LEAST, n = LEAST;
+    for (int k = 0; k < 2; k++)
+        if (s[k].profile && s[k].profile->view.n > most)
+            most = s[k].profile->view.n;
+    while (n < most && n < MOST)
+        n *= 2;
+    return n;
+}
+
+static ovr_status sample(const source *s, ovr_rough_pair *pair, double *z,
+                         ovr_error *err)
+{
+    const ovr_profile *p = s->profile;
+    ovr_arena scratch = ovr_arena_make(&p->arena.allocator);
+    ovr_table table = {0};
+    double mesh = length_of(p) / (double)pair->n, lost;
+    ovr_status status = ovr_resample(p->view.n, p->x, p->z, mesh, &s->ends,
+                                     &table, &scratch, &lost, err);
+    if (!status) {
+        pair->length = ovr_table_length(&table);
+        for (size_t i = 0; i < pair->n; i++)
+            z[i] = ovr_table_height(&table,
+                                    pair->length * (double)i / (double)pair->n);
+    }
+    ovr_arena_release(&scratch);
+    return status;
+}
+
+ovr_status ovr_rough_pair_make(ovr_rough_pair *pair,
+                               const ovr_feature_form *const form[2],
+                               const ovr_contact *contact, ovr_arena *arena,
+                               ovr_error *err)
+{
+    source s[2] = {{0}, {0}};
+    ovr_status status = OVR_OK;
+    *pair = (ovr_rough_pair){0};
+    for (int k = 0; !status && k < 2; k++)
+        if (form[k])
+            status = read(form[k], contact, &arena->allocator, &s[k], err);
+    if (!status) {
+        make_alike(s, pair);
+        pair->n = nodes_of(s);
+    }
+    for (int k = 0; !status && k < 2; k++) {
+        if (!s[k].profile)
+            continue;
+        pair->z[k] = ovr_arena_take(arena, pair->n, sizeof **pair->z, err);
+        status = pair->z[k] ? sample(&s[k], pair, pair->z[k], err)
+                            : OVR_NO_MEMORY;
+    }
+    for (int k = 0; k < 2; k++)
+        ovr_profile_free(s[k].profile);
+    return status;
+}
+
+ovr_status ovr_rough_pair_take(ovr_rough_pair *pair, size_t n, double length,
+                               const double *const z[2], ovr_arena *arena,
+                               ovr_error *err)
+{
+    *pair = (ovr_rough_pair){.n = n, .length = length};
+    for (int k = 0; k < 2; k++) {
+        if (!z[k])
+            continue;
+        pair->z[k] = ovr_arena_take(arena, n, sizeof **pair->z, err);
+        if (!pair->z[k])
+            return OVR_NO_MEMORY;
+        memcpy(pair->z[k], z[k], n * sizeof *z[k]);
+    }
+    return OVR_OK;
+}
+
+/* ---------------------------------------------------------------------- law
+ */
+
+/* Of each surface's own, squared and summed. */
+static void measure(ovr_rough_pair *pair)
+{
+    size_t n = pair->n;
+    double heights = 0, slopes = 0, step = pair->length / (double)n;
+    for (int k = 0; k < 2; k++) {
+        const double *z = pair->z[k];
+        double mean = 0;
+        for (size_t i = 0; z && i < n; i++)
+            mean += z[i] / (double)n;
+        for (size_t i = 0; z && i < n; i++) {
+            double rise = (z[(i + 1) % n] - z[i]) / step;
+            heights += (z[i] - mean) * (z[i] - mean) / (double)n;
+            slopes += rise * rise / (double)n;
+        }
+    }
+    pair->Rq = sqrt(heights);
+    pair->slope = sqrt(slopes);
+}
+
+static int places_of(const ovr_rough_pair *pair)
+{
+    return pair->z[0] && pair->z[1] ? PLACES : 1;
+}
+
+/* By how many nodes the second is moved. */
+static size_t place(const ovr_rough_pair *pair, int k)
+{
+    return places_of(pair) == 1 ? 0
+                                : pair->n * (2 * (size_t)k + 1) / (2 * PLACES);
+}
+
+static void lay_over(const ovr_rough_pair *pair, size_t shift, double *z)
+{
+    double mean = 0;
+    for (size_t i = 0; i < pair->n; i++) {
+        z[i] = pair->z[0] ? pair->z[0][i] : 0;
+        if (pair->z[1])
+            z[i] += pair->z[1][(i + shift) % pair->n];
+        mean += z[i] / (double)pair->n;
+    }
+    for (size_t i = 0; i < pair->n; i++)
+        z[i] -= mean;
+}
+
+/* A part of the pressures of a place, at each surface's own x. */
+static void put_pressures(ovr_rough_pair *pair, size_t j, size_t shift,
+                          double part, const double *p)
+{
+    size_t n = pair->n;
+    for (size_t i = 0; i < n; i++) {
+        if (pair->z[0])
+            pair->pressure[0][j * n + i] += part * p[i];
+        if (pair->z[1])
+            pair->pressure[1][j * n + (i + shift) % n] += part * p[i];
+    }
+}
+
+/* All pressures of a place, from the highest down. */
+static ovr_status press(ovr_rough_pair *pair, const ovr_dry_contact *dry, int k,
+                        double *z, ovr_touch_table *t, ovr_error *err)
+{
+    size_t n = pair->n, shift = place(pair, k);
+    double part = 1. / places_of(pair), *p = z + n;
+    lay_over(pair, shift, z);
+    for (size_t i = 0; i < n; i++)
+        p[i] = 1;
+    for (size_t j = pair->points; j-- > 0;) {
+        size_t i = pair->points - 1 - j; /* the gap rises */
+        ovr_dry_state s = ovr_dry_contact_solve(dry, z, pair->p[j], p);
+        if (!s.found)
+            return ovr_fail(err, OVR_NOT_CONVERGED,
+                            "the dry contact of the profiles was not found at "
+                            "%.3g ph",
+                            pair->p[j]);
+        t->H[i] += part * s.gap;
+        t->area[i] += part * s.area;
+        put_pressures(pair, j, shift, part, p);
+    }
+    return OVR_OK;
+}
+
+static ovr_status take_law(ovr_rough_pair *pair, ovr_touch_table *t,
+                           ovr_arena *arena, ovr_error *err)
+{
+    pair->points = A_DECADE * DECADES + A_DECADE / 2;
+    pair->p = ovr_arena_take(arena, pair->points, sizeof *pair->p, err);
+    if (!pair->p || ovr_touch_table_take(t, pair->points, arena, err))
+        return OVR_NO_MEMORY;
+    for (int k = 0; k < 2; k++) {
+        if (!pair->z[k])
+            continue;
+        pair->pressure[k] = ovr_arena_take(arena, pair->points * pair->n,
+                                           sizeof **pair->pressure, err);
+        if (!pair->pressure[k])
+            return OVR_NO_MEMORY;
+    }
+    return OVR_OK;
+}
+
+static void clear(ovr_rough_pair *pair, ovr_touch_table *t)
+{
+    t->n = pair->points;
+    memset(t->H, 0, t->n * sizeof *t->H);
+    memset(t->area, 0, t->n * sizeof *t->area);
+    for (int k = 0; k < 2; k++)
+        if (pair->z[k])
+            memset(pair->pressure[k], 0,
+                   pair->points * pair->n * sizeof *pair->pressure[k]);
+}
+
+/* The points of full contact, where the gap is none, leave the table. */
+static void shorten(const ovr_rough_pair *pair, ovr_touch_table *t)
+{
+    const double least = 1e-3 * pair->Rq;
+    size_t kept = 0;
+    for (size_t i = 0; i < pair->points; i++) {
+        if (t->H[i] < least || (kept && !(t->H[i] > t->H[kept - 1])))
+            continue;
+        t->H[kept] = t->H[i];
+        t->area[kept] = t->area[i];
+        t->ln_A[kept++] = log(pair->p[pair->points - 1 - i]);
+    }
+    t->n = kept;
+}
+
+ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_touch_table *t,
+                              ovr_arena *arena, ovr_error *err)
+{
+    ovr_arena scratch = ovr_arena_make(&arena->allocator);
+    ovr_dry_contact dry = {.length = pair->length, .modulus = 2};
+    ovr_status status = pair->p ? OVR_OK : take_law(pair, t, arena, err);
+    double *room = ovr_arena_take(&scratch, 2 * pair->n, sizeof *room, err);
+    measure(pair);
+    if (!status && !room)
+        status = OVR_NO_MEMORY;
+    if (!status && !(pair->slope > 0))
+        status = ovr_fail(err, OVR_BAD_INPUT, "the profiles are smooth");
+    if (!status)
+        status = ovr_dry_contact_take(&dry, pair->n, &scratch, err);
+    if (!status) {
+        clear(pair, t);
+        for (size_t j = 0; j < pair->points; j++)
+            pair->p[j] = 2 * pair->slope *
+                         pow(10, (double)j / A_DECADE - DECADES);
+    }
+    for (int k = 0; !status && k < places_of(pair); k++)
+        status = press(pair, &dry, k, room, t, err);
+    ovr_arena_release(&scratch);
+    if (status)
+        return status;
+    shorten(pair, t);
+    ovr_touch_table_slopes(t);
+    return OVR_OK;
+}
+
+/* --------------------------------------------------------------------- wear
+ */
+
+void ovr_rough_pair_weigh(const ovr_rough_pair *pair, double A, double dX,
+                          double *w)
+{
+    const double *p = pair->p;
+    size_t last = pair->points - 1, j = 0;
+    if (A <= p[0]) {
+        w[0] += dX * A / p[0];
+        return;
+    }
+    if (A >= p[last]) {
+        w[last] += dX * A / p[last];
+        return;
+    }
+    while (p[j + 1] < A)
+        j++;
+    double v = (A - p[j]) / (p[j + 1] - p[j]);
+    w[j] += dX * (1 - v);
+    w[j + 1] += dX * v;
+}
+
+static double depth(const ovr_rough_pair *pair, int k, const double *w,
+                    size_t i)
+{
+    double sum = 0;
+    for (size_t j = 0; j < pair->points; j++)
+        sum += w[j] * pair->pressure[k][j * pair->n + i];
+    return sum;
+}
+
+void ovr_rough_pair_wear(ovr_rough_pair *pair, const double c[2],
+                         const double *w)
+{
+    for (int k = 0; k < 2; k++)
+        for (size_t i = 0; pair->z[k] && c[k] > 0 && i < pair->n; i++)
+            pair->z[k][i] -= c[k] * depth(pair, k, w, i);
+}
+
+double ovr_rough_pair_deepest(const ovr_rough_pair *pair, const double c[2],
+                              const double *w)
+{
+    double most = 0;
+    for (int k = 0; k < 2; k++)
+        for (size_t i = 0; pair->z[k] && c[k] > 0 && i < pair->n; i++)
+            most = fmax(most, c[k] * depth(pair, k, w, i));
+    return most;
+}
