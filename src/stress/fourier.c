@@ -38,6 +38,16 @@ ovr_status ovr_fourier_real(size_t n, fftw_complex *bins, double *values,
                  : ovr_fail(err, OVR_NO_MEMORY, "no memory to plan transforms");
 }
 
+ovr_status ovr_fourier_bins(size_t n, double *values, fftw_complex *bins,
+                            fftw_plan *plan, ovr_error *err)
+{
+    pthread_mutex_lock(&planning);
+    *plan = fftw_plan_dft_r2c_1d((int)n, values, bins, FFTW_ESTIMATE);
+    pthread_mutex_unlock(&planning);
+    return *plan ? OVR_OK
+                 : ovr_fail(err, OVR_NO_MEMORY, "no memory to plan transforms");
+}
+
 void ovr_fourier_forget(fftw_plan plan)
 {
     if (!plan)

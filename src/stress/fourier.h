@@ -33,9 +33,15 @@ typedef struct ovr_fourier {
 ovr_status ovr_fourier_plan(ovr_fourier *f, ovr_error *err);
 void ovr_fourier_drop(ovr_fourier *f);
 
-/* One from n/2 + 1 bins to n real values, without their 1/n; its end. */
+/* One from n/2 + 1 bins to n real values, without their 1/n. */
 ovr_status ovr_fourier_real(size_t n, fftw_complex *bins, double *values,
                             fftw_plan *plan, ovr_error *err);
+
+/* The way there. */
+ovr_status ovr_fourier_bins(size_t n, double *values, fftw_complex *bins,
+                            fftw_plan *plan, ovr_error *err);
+
+/* The end of either. */
 void ovr_fourier_forget(fftw_plan plan);
 
 /* From waves[] to another array of N / 2^c complex values, equally aligned. */

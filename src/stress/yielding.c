@@ -1,0 +1,431 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Plastic strains of a window in layers, and the stresses that they leave:
+ *
+ *     s^(k) = A(k) e^(k),  mean over the receiving layer   (plastic.c)
+ *     w^(k) = B(k) e^(k),  k > 0
+ *
+ * A(k) is a matrix of 3 stresses times layers by 3 strains times layers for
+ * each wave of the period, made once; stresses always follow from the strains
+ * as they are, not from their changes, so that strains alone make up the state.
+ * Layers farther apart than e^-36 of a wave are not joined.  sigma_y is local:
+ * sy = nu (sx + sz) + (1 - nu^2)(e_x + e_z).
+ */
+#include <math.h>
+#include <string.h>
+
+#include "base/arena.h"
+#include "stress/fourier.h"
+#include "stress/plastic.h"
+#include "stress/yielding.h"
+
+enum { PARTS = 3, STATE = 4 };
+static const double farthest = 36, enough = 1e-3;
+
+struct ovr_yielding {
+    ovr_arena arena;
+    ovr_yielding_options options;
+    size_t waves;      /* points/2 + 1 */
+    double **table;    /* of each wave: source, its part, receiver, its part */
+    double **sinking;  /* of each wave: source, its part */
+    unsigned *reach;   /* of each wave and source: first receiver, one behind */
+    double **strain;   /* of each layer: x, z, xz, all */
+    double **residual; /* of each layer: x, z, xz */
+    bool *strained;
+    double *w;
+    ovr_layer_load *load;
+    fftw_plan forward, back;
+    double *values;      /* of one transform */
+    fftw_complex *bins;  /* of one */
+    fftw_complex *e, *s; /* of all layers */
+    double *sum;         /* of one wave */
+};
+
+void ovr_yielding_layers(size_t layers, double first, double depth,
+                         double *edge)
+{
+    double low = 1, high = 4, n = (double)layers;
+    for (int step = 0; step < 60; step++) {
+        double r = (low + high) / 2;
+        double whole = first * (r > 1 ? (pow(r, n) - 1) / (r - 1) : n);
+        *(whole < depth ? &low : &high) = r;
+    }
+    edge[0] = 0;
+    for (size_t j = 0; j < layers; j++)
+        edge[j + 1] = edge[j] + first * pow(low, (double)j);
+    for (size_t j = 1; j <= layers; j++)
+        edge[j] *= depth / edge[layers];
+}
+
+static double wave_number(const ovr_yielding_options *o, size_t m)
+{
+    return 2 * acos(-1.0) * (double)m / ((double)o->points * o->mesh);
+}
+
+static ovr_strained_layer layer_at(const ovr_yielding_options *o, size_t j)
+{
+    return (ovr_strained_layer){o->edge[j], o->edge[j + 1]};
+}
+
+/* First layer that a strain of layer j reaches, and the one behind the last. */
+static void find_reach(const ovr_yielding_options *o, double k, size_t j,
+                       unsigned reach[2])
+{
+    size_t from = j, to = j + 1;
+    while (from > 0 && k * (o->edge[j] - o->edge[from]) < farthest)
+        from--;
+    while (to < o->layers && k * (o->edge[to] - o->edge[j + 1]) < farthest)
+        to++;
+    reach[0] = (unsigned)from;
+    reach[1] = (unsigned)to;
+}
+
+/* ------------------------------------------------------------------ tables */
+
+static const ovr_plastic_strain unit[PARTS] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+/* Rows of a source behind one another: those that it reaches alone. */
+static ovr_status make_wave(ovr_yielding *y, size_t m, ovr_error *err)
+{
+    const ovr_yielding_options *o = &y->options;
+    unsigned *reach = y->reach + 2 * m * o->layers;
+    double k = wave_number(o, m), *to;
+    size_t values = 0;
+    for (size_t j = 0; j < o->layers; j++) {
+        find_reach(o, k, j, reach + 2 * j);
+        values += PARTS * PARTS * (reach[2 * j + 1] - reach[2 * j]);
+    }
+    y->table[m] = to = ovr_arena_take(&y->arena, values, sizeof *to, err);
+    y->sinking[m] = ovr_arena_take(&y->arena, PARTS * o->layers,
+                                   sizeof **y->sinking, err);
+    if (!to || !y->sinking[m])
+        return OVR_NO_MEMORY;
+    for (size_t j = 0; j < o->layers; j++) {
+        ovr_strained_layer source = layer_at(o, j);
+        for (int c = 0; c < PARTS; c++) {
+            y->sinking[m][PARTS * j + (size_t)c] =
+                m == 0 ? 0
+                       : ovr_plastic_sinking(k, o->poisson, source, unit[c]);
+            for (size_t r = reach[2 * j]; r < reach[2 * j + 1]; r++) {
+                ovr_residual_stress s = ovr_residual_mean(
+                    k, o->poisson, source, unit[c], layer_at(o, r));
+                *to++ = s.x;
+                *to++ = s.z;
+                *to++ = s.xz;
+            }
+        }
+    }
+    return OVR_OK;
+}
+
+static ovr_status make_tables(ovr_yielding *y, ovr_error *err)
+{
+    size_t layers = y->options.layers;
+    y->table = ovr_arena_take(&y->arena, y->waves, sizeof *y->table, err);
+    y->sinking = ovr_arena_take(&y->arena, y->waves, sizeof *y->sinking, err);
+    y->reach = ovr_arena_take(&y->arena, 2 * layers * y->waves,
+                              sizeof *y->reach, err);
+    ovr_status status = y->table && y->sinking && y->reach ? OVR_OK
+                                                           : OVR_NO_MEMORY;
+    for (size_t m = 0; !status && m < y->waves; m++)
+        status = make_wave(y, m, err);
+    return status;
+}
+
+/* ------------------------------------------------------------- the making */
+
+static ovr_status take_layer(ovr_yielding *y, size_t j, ovr_error *err)
+{
+    size_t n = y->options.points;
+    ovr_layer_load *load = &y->load[j];
+    y->strain[j] = ovr_arena_take(&y->arena, STATE * n, sizeof(double), err);
+    y->residual[j] = ovr_arena_take(&y->arena, PARTS * n, sizeof(double), err);
+    load->h = ovr_arena_take(&y->arena, n, sizeof(float), err);
+    load->d = ovr_arena_take(&y->arena, n, sizeof(float), err);
+    load->tau = ovr_arena_take(&y->arena, n, sizeof(float), err);
+    return y->strain[j] && y->residual[j] && load->h && load->d && load->tau
+               ? OVR_OK
+               : OVR_NO_MEMORY;
+}
+
+static ovr_status take_arrays(ovr_yielding *y, ovr_error *err)
+{
+    size_t layers = y->options.layers, n = y->options.points;
+    size_t bins = PARTS * layers * y->waves;
+    y->strain = ovr_arena_take(&y->arena, layers, sizeof *y->strain, err);
+    y->residual = ovr_arena_take(&y->arena, layers, sizeof *y->residual, err);
+    y->strained = ovr_arena_take(&y->arena, layers, sizeof *y->strained, err);
+    y->load = ovr_arena_take(&y->arena, layers, sizeof *y->load, err);
+    y->w = ovr_arena_take(&y->arena, n, sizeof *y->w, err);
+    y->values = ovr_arena_take(&y->arena, n, sizeof *y->values, err);
+    y->bins = ovr_arena_take(&y->arena, y->waves, sizeof *y->bins, err);
+    y->e = ovr_arena_take(&y->arena, bins, sizeof *y->e, err);
+    y->s = ovr_arena_take(&y->arena, bins, sizeof *y->s, err);
+    y->sum = ovr_arena_take(&y->arena, 2 * PARTS * layers, sizeof *y->sum, err);
+    bool whole = y->strain && y->residual && y->strained && y->load && y->w &&
+                 y->values && y->bins && y->e && y->s && y->sum;
+    for (size_t j = 0; whole && j < layers; j++)
+        whole = !take_layer(y, j, err);
+    return whole ? OVR_OK : OVR_NO_MEMORY;
+}
+
+ovr_yielding *ovr_yielding_create(const ovr_yielding_options *options,
+                                  const ovr_allocator *allocator,
+                                  ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_yielding *y = ovr_arena_take(&arena, 1, sizeof *y, err);
+    if (!y)
+        return NULL;
+    y->arena = arena;
+    y->options = *options;
+    if (!(options->enough > 0))
+        y->options.enough = enough;
+    y->waves = options->points / 2 + 1;
+    double *edge = ovr_arena_take(&y->arena, options->layers + 1, sizeof *edge,
+                                  err);
+    if (edge)
+        memcpy(edge, options->edge, (options->layers + 1) * sizeof *edge);
+    y->options.edge = edge;
+    if (edge && !take_arrays(y, err) &&
+        !ovr_fourier_real(options->points, y->bins, y->values, &y->back, err) &&
+        !ovr_fourier_bins(options->points, y->values, y->bins, &y->forward,
+                          err) &&
+        !make_tables(y, err))
+        return y;
+    ovr_yielding_free(y);
+    return NULL;
+}
+
+void ovr_yielding_free(ovr_yielding *y)
+{
+    if (!y)
+        return;
+    ovr_fourier_forget(y->forward);
+    ovr_fourier_forget(y->back);
+    ovr_arena arena = y->arena;
+    ovr_arena_release(&arena);
+}
+
+double ovr_yielding_memory(const ovr_yielding_options *o)
+{
+    double n = (double)o->points, layers = (double)o->layers, bytes = 0;
+    bytes += layers * n * ((STATE + PARTS) * 8 + 3 * 4);
+    bytes += 2 * PARTS * layers * (n / 2 + 1) * 16;
+    for (size_t m = 0; m <= o->points / 2; m++)
+        for (size_t j = 0; j < o->layers; j++) {
+            unsigned reach[2];
+            find_reach(o, wave_number(o, m), j, reach);
+            bytes += PARTS * PARTS * 8. * (reach[1] - reach[0]);
+        }
+    return bytes;
+}
+
+/* ------------------------------------------------------------ equilibrium */
+
+/* The waves of a layer's strains, over the number of points. */
+static void transform_layer(ovr_yielding *y, size_t j)
+{
+    size_t n = y->options.points;
+    double share = 1 / (double)n;
+    for (size_t c = 0; c < PARTS; c++) {
+        fftw_complex *to = y->e + (PARTS * j + c) * y->waves;
+        memcpy(y->values, y->strain[j] + c * n, n * sizeof *y->values);
+        fftw_execute_dft_r2c(y->forward, y->values, y->bins);
+        for (size_t m = 0; m < y->waves; m++) {
+            to[m][0] = share * y->bins[m][0];
+            to[m][1] = share * y->bins[m][1];
+        }
+    }
+}
+
+/* Adds what a row of the table makes of an amplitude. */
+static void join(size_t n, const double *row, double re, double im,
+                 double *restrict sum_re, double *restrict sum_im)
+{
+    for (size_t i = 0; i < n; i++) {
+        sum_re[i] += row[i] * re;
+        sum_im[i] += row[i] * im;
+    }
+}
+
+/* One wave: e_xz = -i s, tau = i t. */
+static void solve_wave(ovr_yielding *y, size_t m)
+{
+    const ovr_yielding_options *o = &y->options;
+    const unsigned *reach = y->reach + 2 * m * o->layers;
+    const double *table = y->table[m], *sinks = y->sinking[m];
+    size_t rows = PARTS * o->layers;
+    double *re = y->sum, *im = y->sum + rows, w[2] = {0, 0};
+    memset(y->sum, 0, 2 * rows * sizeof *y->sum);
+    for (size_t j = 0; j < o->layers; j++) {
+        size_t n = PARTS * (reach[2 * j + 1] - reach[2 * j]);
+        size_t at = PARTS * (size_t)reach[2 * j];
+        for (size_t c = 0; y->strained[j] && c < PARTS; c++) {
+            const double *e = y->e[(PARTS * j + c) * y->waves + m];
+            double a = c == 2 ? -e[1] : e[0], b = c == 2 ? e[0] : e[1];
+            join(n, table + c * n, a, b, re + at, im + at);
+            w[0] += sinks[PARTS * j + c] * a;
+            w[1] += sinks[PARTS * j + c] * b;
+        }
+        table += PARTS * n;
+    }
+    for (size_t r = 0; r < rows; r++) {
+        double *s = y->s[r * y->waves + m];
+        s[0] = r % PARTS == 2 ? -im[r] : re[r];
+        s[1] = r % PARTS == 2 ? re[r] : im[r];
+    }
+    y->bins[m][0] = w[0];
+    y->bins[m][1] = w[1];
+}
+
+/* The surface, which at the ends of its window is as it was. */
+static void sink(ovr_yielding *y)
+{
+    fftw_execute_dft_c2r(y->back, y->bins, y->values);
+    for (size_t i = 0; i < y->options.points; i++)
+        y->w[i] = y->values[i] - y->values[0];
+}
+
+static void equilibrate(ovr_yielding *y)
+{
+    size_t n = y->options.points;
+    for (size_t j = 0; j < y->options.layers; j++)
+        if (y->strained[j])
+            transform_layer(y, j);
+    for (size_t m = 0; m < y->waves; m++)
+        solve_wave(y, m);
+    sink(y);
+    for (size_t r = 0; r < PARTS * y->options.layers; r++) {
+        memcpy(y->bins, y->s + r * y->waves, y->waves * sizeof *y->bins);
+        fftw_execute_dft_c2r(y->back, y->bins, y->values);
+        memcpy(y->residual[r / PARTS] + r % PARTS * n, y->values,
+               n * sizeof *y->values);
+    }
+}
+
+/* -------------------------------------------------------------------- flow */
+
+ovr_layer_load *ovr_yielding_load(ovr_yielding *y, size_t layer)
+{
+    return &y->load[layer];
+}
+
+ovr_strained ovr_yielding_strain(const ovr_yielding *y, size_t layer, size_t i)
+{
+    size_t n = y->options.points;
+    const double *e = y->strain[layer] + i;
+    return (ovr_strained){e[0], e[n], e[2 * n], e[3 * n]};
+}
+
+ovr_stressed ovr_yielding_residual(const ovr_yielding *y, size_t layer,
+                                   size_t i)
+{
+    size_t n = y->options.points;
+    double nu = y->options.poisson;
+    const double *s = y->residual[layer] + i, *e = y->strain[layer] + i;
+    return (ovr_stressed){s[0],
+                          nu * (s[0] + s[n]) + (1 - nu * nu) * (e[0] + e[n]),
+                          s[n], s[2 * n]};
+}
+
+const double *ovr_yielding_sinking(const ovr_yielding *y)
+{
+    return y->w;
+}
+
+static ovr_stressed loaded(const ovr_yielding *y, size_t layer, size_t i,
+                           ovr_in_plane elastic)
+{
+    ovr_stressed s = ovr_yielding_residual(y, layer, i);
+    s.x += elastic.d - elastic.h;
+    s.y -= 2 * y->options.poisson * elastic.h;
+    s.z -= elastic.d + elastic.h;
+    s.xz += elastic.tau;
+    return s;
+}
+
+double ovr_yielding_excess(const ovr_yielding *y, size_t layer, size_t i,
+                           ovr_in_plane elastic, double *yield)
+{
+    const ovr_hardening *h = &y->options.hardening;
+    ovr_strained e = ovr_yielding_strain(y, layer, i);
+    double slope;
+    *yield = ovr_yield_stress(h, e.all, &slope);
+    return ovr_beyond_yield(h, e, loaded(y, layer, i, elastic));
+}
+
+static bool flow_layer(ovr_yielding *y, size_t j, ovr_flowed *flowed)
+{
+    const ovr_yielding_options *o = &y->options;
+    const ovr_layer_load *load = &y->load[j];
+    double *to = y->strain[j], area = o->mesh * (o->edge[j + 1] - o->edge[j]);
+    size_t n = o->points;
+    double work = 0, slope;
+    bool any = false;
+    for (size_t i = 0; i < n; i++) {
+        const ovr_in_plane elastic = {(double)load->h[i], (double)load->d[i],
+                                      (double)load->tau[i]};
+        ovr_strained e = ovr_yielding_strain(y, j, i), was = e;
+        ovr_stressed s = loaded(y, j, i, elastic);
+        double flow = ovr_plastic_flow(&o->hardening, o->poisson, s, &e, &work);
+        if (!(flow > 0))
+            continue;
+        double Y = ovr_yield_stress(&o->hardening, was.all, &slope);
+        double f = ovr_beyond_yield(&o->hardening, was, s);
+        to[i] = e.x;
+        to[n + i] = e.z;
+        to[2 * n + i] = e.xz;
+        to[3 * n + i] = e.all;
+        flowed->left = fmax(flowed->left, f / Y);
+        flowed->most = fmax(flowed->most, flow);
+        flowed->points += flowed->iterations == 0;
+        any = true;
+    }
+    flowed->work += work * area;
+    y->strained[j] = y->strained[j] || any;
+    return any;
+}
+
+ovr_flowed ovr_yielding_flow(ovr_yielding *y)
+{
+    ovr_flowed flowed = {0};
+    for (int k = 0; k < y->options.iterations; k++) {
+        bool any = false;
+        flowed.left = 0;
+        for (size_t j = 0; j < y->options.layers; j++)
+            if (!y->load[j].idle)
+                any = flow_layer(y, j, &flowed) || any;
+        if (!any)
+            break;
+        flowed.iterations++;
+        equilibrate(y);
+        if (flowed.left < y->options.enough)
+            break;
+    }
+    return flowed;
+}
+
+double *ovr_yielding_strains(ovr_yielding *y, size_t layer)
+{
+    return y->strain[layer];
+}
+
+void ovr_yielding_settle(ovr_yielding *y)
+{
+    size_t n = y->options.points;
+    bool any = false;
+    for (size_t j = 0; j < y->options.layers; j++) {
+        y->strained[j] = false;
+        for (size_t i = 0; i < PARTS * n && !y->strained[j]; i++)
+            y->strained[j] = y->strain[j][i] != 0;
+        any = any || y->strained[j];
+    }
+    if (any) {
+        equilibrate(y);
+        return;
+    }
+    memset(y->w, 0, n * sizeof *y->w);
+    for (size_t j = 0; j < y->options.layers; j++)
+        memset(y->residual[j], 0, PARTS * n * sizeof **y->residual);
+}

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A window of material that yields: points along x, again and again with their
+ * period, in layers of depth. */
+#ifndef OVR_STRESS_YIELDING_H
+#define OVR_STRESS_YIELDING_H
+
+#include "overroll/memory.h"
+#include "overroll/stress.h"
+#include "stress/hardening.h"
+
+typedef struct ovr_yielding_options {
+    size_t points; /* a power of two */
+    double mesh;   /* between them, b */
+    size_t layers;
+    const double *edge; /* layers + 1 depths that rise from 0, borrowed */
+    double poisson;
+    ovr_hardening hardening;
+    int iterations;
+    double enough; /* f/Y at which they end; 0: 1e-3 */
+} ovr_yielding_options;
+
+typedef struct ovr_yielding ovr_yielding;
+
+ovr_yielding *ovr_yielding_create(const ovr_yielding_options *options,
+                                  const ovr_allocator *allocator,
+                                  ovr_error *err);
+void ovr_yielding_free(ovr_yielding *y);
+double ovr_yielding_memory(const ovr_yielding_options *options);
+
+/* Depths of `layers` layers, the first so thick, that grow to `depth`. */
+void ovr_yielding_layers(size_t layers, double first, double depth,
+                         double *edge);
+
+/* The elastic stresses of a moment in the middle of a layer at every point, to
+ * be filled; idle: nothing yields there, whatever they are. */
+typedef struct ovr_layer_load {
+    float *h, *d, *tau;
+    bool idle;
+} ovr_layer_load;
+ovr_layer_load *ovr_yielding_load(ovr_yielding *y, size_t layer);
+
+/* How far a point would be beyond yield under an elastic stress; Y there. */
+double ovr_yielding_excess(const ovr_yielding *y, size_t layer, size_t i,
+                           ovr_in_plane elastic, double *yield);
+
+/* Flows until nothing is `enough` beyond yield, so many times at most. */
+typedef struct ovr_flowed {
+    int iterations; /* that flowed; 0: nothing did */
+    size_t points;  /* that flowed in the first of them */
+    double left;    /* f/Y before the last, at most */
+    double most;    /* largest flow of a point, p_h/E* */
+    double work;    /* b^2 p_h^2/E* along the line */
+} ovr_flowed;
+ovr_flowed ovr_yielding_flow(ovr_yielding *y);
+
+/* What it has become: strains, and residual stresses, of a layer's point; how
+ * far each point of the surface has moved into the body, b p_h/E*, 0 at the
+ * ends of the window. */
+ovr_strained ovr_yielding_strain(const ovr_yielding *y, size_t layer, size_t i);
+ovr_stressed ovr_yielding_residual(const ovr_yielding *y, size_t layer,
+                                   size_t i);
+const double *ovr_yielding_sinking(const ovr_yielding *y);
+
+/* Strains of a layer from outside: `points` each of x, z, xz and all.  Once all
+ * are set, settle makes stresses and surface of them. */
+double *ovr_yielding_strains(ovr_yielding *y, size_t layer);
+void ovr_yielding_settle(ovr_yielding *y);
+
+#endif
