@@ -186,6 +186,14 @@ OVR_API ovr_status ovr_picture_profile(const ovr_profile_view *view,
                                        const char *title, const char *path,
                                        ovr_error *err);
 
+/* Draws what it bears (ovr_profile_contact): pressure over gap, with the
+ * exponential of Rq and slope beside it, and what touches over pressure. */
+OVR_API ovr_status ovr_picture_contact(const ovr_profile_view *view,
+                                       const ovr_profile_numbers *numbers,
+                                       const ovr_dry_point *points,
+                                       size_t count, const char *title,
+                                       const char *path, ovr_error *err);
+
 #ifdef __cplusplus
 }
 #endif

@@ -189,6 +189,18 @@ OVR_API ovr_status ovr_profile_waves(const ovr_profile *profile, size_t most,
  * rolling, wavelength in b (src/surface/amplitude.c).  0 for L = 0. */
 OVR_API double ovr_wave_reduction(double M, double L, double wavelength);
 
+/* What it bears pressed against a smooth surface, dry and elastic, in plane
+ * strain: the mean pressure, over E* = E'/2 (of a profile in b and b^2/R in
+ * ph), and the mean gap and the part of its length that touches, then. */
+typedef struct ovr_dry_point {
+    double pressure, gap, area;
+} ovr_dry_point;
+
+/* Up to `most` points, the lightest first; *found says how many. */
+OVR_API ovr_status ovr_profile_contact(const ovr_profile *profile, size_t most,
+                                       ovr_dry_point *points, size_t *found,
+                                       ovr_error *err);
+
 /* A length as people write it: "12 um", "0.3 b", "5".  `scaled` is the unit of
  * a dimensionless one, "b" or "b^2/R"; the message does not name what it is
  * of. */

@@ -15,6 +15,12 @@ static int check_output(const cli_call *call, const char *option)
     return CLI_DONE;
 }
 
+/* Of the profile as it is pressed. */
+static const ovr_profile_numbers *numbers_of(const profile_report *r)
+{
+    return r->filtered.kind ? &r->filtered : &r->numbers;
+}
+
 static int write_outputs(const cli_call *call, const profile_report *r)
 {
     const char *copy = cli_value(call, "convert");
@@ -22,7 +28,12 @@ static int write_outputs(const cli_call *call, const profile_report *r)
     ovr_error err;
     if (copy && ovr_profile_save(r->profile, copy, &err))
         return cli_fail(&err);
-    if (picture && ovr_picture_profile(r->view, r->file, picture, &err))
+    if (picture && r->points &&
+        ovr_picture_contact(r->view, numbers_of(r), r->bears, r->points,
+                            r->file, picture, &err))
+        return cli_fail(&err);
+    if (picture && !r->points &&
+        ovr_picture_profile(r->view, r->file, picture, &err))
         return cli_fail(&err);
     return CLI_DONE;
 }
@@ -90,7 +101,10 @@ static int report_profile(const cli_call *call,
                                          r->contact, &how);
     if (code)
         return code;
-    if (measure(source, &how, r, &err))
+    if (measure(source, &how, r, &err) ||
+        (cli_flag(call, "contact") &&
+         ovr_profile_contact(r->profile, PROFILE_POINTS, r->bears, &r->points,
+                             &err)))
         return cli_fail(&err);
     code = write_outputs(call, r);
     if (!code && call->json)
@@ -160,8 +174,13 @@ static const cli_option options[] = {
     {"invert", NULL, "peaks become valleys", false},
     {"reverse", NULL, "x runs the other way", false},
     {"case", "CASE", "how its waves fare in the contact of this case", false},
+    {"contact", NULL,
+     "press it against a smooth surface, dry: pressure, gap, what touches",
+     false},
     {"convert", "OUT.csv", "write it, conditioned, as clean text", false},
-    {"plot", "OUT.png", "draw it (png, svg or pdf; gnuplot)", false},
+    {"plot", "OUT.png",
+     "draw it, or what it bears with --contact (png, svg or pdf; gnuplot)",
+     false},
     {"force", NULL, "overwrite what is there", false},
     {NULL, NULL, NULL, false}};
 

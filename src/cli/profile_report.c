@@ -166,6 +166,45 @@ static void print_waves(const profile_report *r)
     }
 }
 
+/* E* in the unit of the pressures: p over this is what they are told over. */
+static double modulus(const profile_report *r)
+{
+    return r->view->scaled_x ? 2 : 1;
+}
+
+static const ovr_profile_numbers *pressed(const profile_report *r)
+{
+    return r->filtered.kind ? &r->filtered : &r->numbers;
+}
+
+/* E* of the case, Pa; NAN: none. */
+static double E_star(const profile_report *r)
+{
+    return r->contact && r->contact->kappa > 0 && !r->view->scaled_x
+               ? 2 * r->contact->ph / r->contact->kappa
+               : NAN;
+}
+
+static void print_contact(const profile_report *r)
+{
+    const ovr_profile_numbers *n = pressed(r);
+    double E = E_star(r);
+    puts(
+        "\ncontact    pressed against a smooth surface, dry, elastic, in plane "
+        "strain;\n           E* = E'/2, exponential: 0.38 exp(-2.15 gap/Rq)");
+    printf("           %-14s %-14s %-12s %-12s%s\n", "p/(E* slope)", "mean gap",
+           "touches", "exponential", isnan(E) ? "" : " p");
+    for (size_t k = 0; k < r->points; k += 2) {
+        const ovr_dry_point *at = &r->bears[k];
+        printf("           %-14.4g %-14s %-12.4g %-12.4g",
+               at->pressure / modulus(r) / n->dq, across(r, at->gap), at->area,
+               0.38 * exp(-2.15 * at->gap / n->q));
+        if (!isnan(E))
+            printf(" %.4g MPa", at->pressure * E * 1e-6);
+        putchar('\n');
+    }
+}
+
 void profile_print_text(const profile_report *r)
 {
     const char *note = r->view->notes;
@@ -179,6 +218,8 @@ void profile_print_text(const profile_report *r)
     print_points(r);
     print_heights(r);
     print_waves(r);
+    if (r->points)
+        print_contact(r);
 }
 
 /* ------------------------------------------------------------------- JSON */
@@ -245,6 +286,24 @@ static void put_waves(json_writer *json, const profile_report *r)
     json_close_array(json);
 }
 
+static void put_contact(json_writer *json, const profile_report *r)
+{
+    json_open_array(json, "contact");
+    for (size_t k = 0; k < r->points; k++) {
+        const ovr_dry_point *at = &r->bears[k];
+        json_open(json, NULL);
+        json_number(json,
+                    r->view->scaled_x ? "pressure" : "pressure_over_E_star",
+                    at->pressure);
+        put(json, r, "mean_gap", at->gap, true);
+        json_number(json, "area", at->area);
+        if (!isnan(E_star(r)))
+            json_number(json, "pressure_Pa", at->pressure * E_star(r));
+        json_close(json);
+    }
+    json_close_array(json);
+}
+
 void profile_print_json(const profile_report *r)
 {
     const ovr_profile_numbers *n = &r->numbers;
@@ -266,5 +325,7 @@ void profile_print_json(const profile_report *r)
     put_kind(&json, r, 'P', &r->numbers);
     put_kind(&json, r, 'R', &r->filtered);
     put_waves(&json, r);
+    if (r->points)
+        put_contact(&json, r);
     json_end(&json);
 }

@@ -5,7 +5,7 @@
 
 #include "overroll/overroll.h"
 
-enum { PROFILE_WAVES = 5 };
+enum { PROFILE_WAVES = 5, PROFILE_POINTS = 64 };
 
 typedef struct profile_report {
     const char *file;
@@ -15,6 +15,8 @@ typedef struct profile_report {
     ovr_profile_numbers filtered; /* after it; kind 0: there is none */
     ovr_profile_wave wave[PROFILE_WAVES];
     size_t waves;
+    ovr_dry_point bears[PROFILE_POINTS]; /* --contact */
+    size_t points;
     size_t missing;             /* heights, as read */
     const ovr_contact *contact; /* of --case, or NULL */
 } profile_report;

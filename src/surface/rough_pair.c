@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/error.h"
+#include "base/given.h"
 #include "base/sized.h"
 #include "surface/dry_contact.h"
 #include "surface/measured.h"
@@ -105,7 +106,7 @@ ovr_status ovr_rough_pair_make(ovr_rough_pair *pair,
 {
     source s[2] = {{0}, {0}};
     ovr_status status = OVR_OK;
-    *pair = (ovr_rough_pair){0};
+    *pair = (ovr_rough_pair){.modulus = 2};
     for (int k = 0; !status && k < 2; k++)
         if (form[k])
             status = read(form[k], contact, &arena->allocator, &s[k], err);
@@ -125,11 +126,26 @@ ovr_status ovr_rough_pair_make(ovr_rough_pair *pair,
     return status;
 }
 
+ovr_status ovr_rough_pair_of(ovr_rough_pair *pair, const ovr_profile *profile,
+                             ovr_arena *arena, ovr_error *err)
+{
+    const ovr_profile_view *v = &profile->view;
+    source s[2] = {
+        {(ovr_profile *)profile, {NAN, OVR_EXTEND_PERIODIC, true, false}}, {0}};
+    *pair = (ovr_rough_pair){.modulus = v->scaled_x ? 2 : 1, .n = nodes_of(s)};
+    if (v->scaled_x != v->scaled_z)
+        return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
+                           "x and z must both be in metres, or in b and b^2/R, "
+                           "for what it bears");
+    pair->z[0] = ovr_arena_take(arena, pair->n, sizeof **pair->z, err);
+    return pair->z[0] ? sample(&s[0], pair, pair->z[0], err) : OVR_NO_MEMORY;
+}
+
 ovr_status ovr_rough_pair_take(ovr_rough_pair *pair, size_t n, double length,
                                const double *const z[2], ovr_arena *arena,
                                ovr_error *err)
 {
-    *pair = (ovr_rough_pair){.n = n, .length = length};
+    *pair = (ovr_rough_pair){.n = n, .length = length, .modulus = 2};
     for (int k = 0; k < 2; k++) {
         if (!z[k])
             continue;
@@ -274,7 +290,7 @@ ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_touch_table *t,
                               ovr_arena *arena, ovr_error *err)
 {
     ovr_arena scratch = ovr_arena_make(&arena->allocator);
-    ovr_dry_contact dry = {.length = pair->length, .modulus = 2};
+    ovr_dry_contact dry = {.length = pair->length, .modulus = pair->modulus};
     ovr_status status = pair->p ? OVR_OK : take_law(pair, t, arena, err);
     double *room = ovr_arena_take(&scratch, 2 * pair->n, sizeof *room, err);
     measure(pair);
@@ -287,7 +303,7 @@ ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_touch_table *t,
     if (!status) {
         clear(pair, t);
         for (size_t j = 0; j < pair->points; j++)
-            pair->p[j] = 2 * pair->slope *
+            pair->p[j] = pair->modulus * pair->slope *
                          pow(10, (double)j / A_DECADE - DECADES);
     }
     for (int k = 0; !status && k < places_of(pair); k++)
@@ -298,6 +314,25 @@ ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_touch_table *t,
     shorten(pair, t);
     ovr_touch_table_slopes(t);
     return OVR_OK;
+}
+
+ovr_status ovr_profile_contact(const ovr_profile *profile, size_t most,
+                               ovr_dry_point *points, size_t *found,
+                               ovr_error *err)
+{
+    if (!profile || !points || !found)
+        return ovr_fail_null(err, __func__);
+    ovr_arena arena = ovr_arena_make(&profile->arena.allocator);
+    ovr_rough_pair pair;
+    ovr_touch_table t = {0};
+    ovr_status status = ovr_rough_pair_of(&pair, profile, &arena, err);
+    if (!status)
+        status = ovr_rough_pair_law(&pair, &t, &arena, err);
+    *found = 0;
+    for (size_t k = t.n; !status && k-- > 0 && *found < most;)
+        points[(*found)++] = (ovr_dry_point){exp(t.ln_A[k]), t.H[k], t.area[k]};
+    ovr_arena_release(&arena);
+    return status;
 }
 
 /* --------------------------------------------------------------------- wear

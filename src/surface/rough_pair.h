@@ -27,10 +27,11 @@
 #include "overroll/surface.h"
 
 typedef struct ovr_rough_pair {
-    size_t n;      /* a power of two */
-    double length; /* of the period */
-    double *z[2];  /* NULL: smooth */
-    bool cut;      /* one was longer than the other */
+    size_t n;       /* a power of two */
+    double length;  /* of the period */
+    double *z[2];   /* NULL: smooth */
+    double modulus; /* E* in its units */
+    bool cut;       /* one was longer than the other */
 
     /* Of both together, by ovr_rough_pair_law. */
     double Rq, slope;
@@ -45,6 +46,11 @@ ovr_status ovr_rough_pair_make(ovr_rough_pair *pair,
                                const ovr_feature_form *const form[2],
                                const ovr_contact *contact, ovr_arena *arena,
                                ovr_error *err);
+
+/* Of one profile against a smooth surface, in metres, p over E*; or in b and
+ * b^2/R, p in ph. */
+ovr_status ovr_rough_pair_of(ovr_rough_pair *pair, const ovr_profile *profile,
+                             ovr_arena *arena, ovr_error *err);
 
 /* The same of n heights that are there, a period; copied. */
 ovr_status ovr_rough_pair_take(ovr_rough_pair *pair, size_t n, double length,

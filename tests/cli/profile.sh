@@ -30,6 +30,20 @@ for number in Pa Pz Ra Rq Rz Rt Rsk Rku Rdq Rk Rpk Rvk; do
 done
 contains out 'lambda_c = 60 um, 5 sections of 60 um'
 
+# What it bears, pressed dry
+expect 0 "$OVERROLL" profile "$dent" --contact
+contains out '^contact  '
+contains out 'p/\(E\* slope\) +mean gap +touches'
+expect 0 "$OVERROLL" profile "$dent" --contact --json --case \
+    "$TOP/profiles/dent.ini"
+for key in pressure_over_E_star mean_gap_m area pressure_Pa; do
+    contains out "^ *\"$key\": "
+done
+if command -v gnuplot >/dev/null; then
+    expect 0 "$OVERROLL" profile "$dent" --contact --plot bears.svg
+    [ -s bears.svg ] || fail 'no picture of what it bears'
+fi
+
 # In the contact of a case: b is 186 um
 expect 0 "$OVERROLL" profile "$dent" --case "$TOP/profiles/dent.ini"
 contains out '130\.1|0\.1301 mm .* 0\.[67][0-9]* .* \(x 0\.[67]'
