@@ -39,15 +39,76 @@ ovr_status ovr_picture_profile(const ovr_profile_view *view, const char *title,
     return status;
 }
 
-/* The exponential of Rq and slope (simulation/boundary_case.c) at the gaps. */
-static double *exponential(const ovr_profile_numbers *n, double modulus,
-                           const ovr_dry_point *points, size_t count,
-                           ovr_arena *arena, ovr_error *err)
+/* What the two panels draw. */
+typedef struct bearing {
+    double *pressure, *gap, *area, *exponential;
+} bearing;
+
+/* The exponential of Rq and slope is that of simulation/boundary_case.c. */
+static ovr_status lay_out(const ovr_profile_numbers *n, double modulus,
+                          const ovr_dry_point *points, size_t count, bearing *b,
+                          ovr_arena *arena, ovr_error *err)
 {
-    double *y = ovr_arena_take(arena, count, sizeof *y, err);
-    for (size_t k = 0; y && k < count; k++)
-        y[k] = 0.38 * modulus * n->dq * exp(-2.15 * points[k].gap / n->q);
-    return y;
+    double **const all[] = {&b->pressure, &b->gap, &b->area, &b->exponential};
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+        if (!(*all[k] = ovr_arena_take(arena, count, sizeof **all[k], err)))
+            return OVR_NO_MEMORY;
+    for (size_t i = 0; i < count; i++) {
+        b->pressure[i] = points[i].pressure;
+        b->gap[i] = points[i].gap;
+        b->area[i] = points[i].area;
+        b->exponential[i] = 0.38 * modulus * n->dq *
+                            exp(-2.15 * points[i].gap / n->q);
+    }
+    return OVR_OK;
+}
+
+static ovr_panel logarithmic(const char *x_label, const char *y_label,
+                             size_t count, const ovr_series *series)
+{
+    return (ovr_panel){.x_label = x_label,
+                       .y_label = y_label,
+                       .x_from = NAN,
+                       .x_to = NAN,
+                       .y_from = NAN,
+                       .y_to = NAN,
+                       .log_y = true,
+                       .count = count,
+                       .series = series};
+}
+
+static ovr_status draw_bearing(const ovr_profile_view *view, const bearing *b,
+                               size_t count, const char *title,
+                               const char *path, ovr_arena *arena,
+                               ovr_error *err)
+{
+    const char *pressure = view->scaled_x ? "{/:Italic p} / {/:Italic p}_h"
+                                          : "{/:Italic p} / {/:Italic E}^*";
+    const char *gap = view->scaled_z ? "mean gap {/:Italic R} / {/:Italic b}^2"
+                                     : "mean gap  [nm]";
+    const ovr_series dry = {.label = "the profile, pressed dry",
+                            .n = count,
+                            .x = b->gap,
+                            .y = b->pressure,
+                            .x_factor = view->scaled_z ? 1 : 1e9};
+    ovr_series law[] = {dry, dry};
+    const ovr_series area = {
+        .n = count, .x = b->pressure, .y = b->area, .colour = OVR_STEEL};
+    law[1].label = "exponential of Rq and slope";
+    law[1].y = b->exponential;
+    law[1].mark = OVR_MARK_DASHED;
+    law[1].colour = OVR_AMBER;
+    ovr_panel panel[] = {logarithmic(gap, pressure, 2, law),
+                         logarithmic(pressure, "part that touches", 1, &area)};
+    panel[1].log_x = true;
+    ovr_chart chart = {.kind = "contact",
+                       .title = title,
+                       .width = 1200,
+                       .height = 500,
+                       .rows = 1,
+                       .columns = 2,
+                       .panel = panel};
+    return ovr_chart_draw(&chart, NULL, path, NULL, arena, err);
 }
 
 ovr_status ovr_picture_contact(const ovr_profile_view *view,
@@ -59,65 +120,11 @@ ovr_status ovr_picture_contact(const ovr_profile_view *view,
     if (!view || !numbers || !points || !path)
         return ovr_fail_null(err, __func__);
     ovr_arena arena = ovr_arena_make(NULL);
-    double *column[3], to_height = view->scaled_z ? 1 : 1e9;
-    const char *pressure = view->scaled_x ? "{/:Italic p} / {/:Italic p}_h"
-                                          : "{/:Italic p} / {/:Italic E}^*";
-    for (int k = 0; k < 3; k++) {
-        column[k] = ovr_arena_take(&arena, count, sizeof **column, err);
-        for (size_t i = 0; column[k] && i < count; i++)
-            column[k][i] = k == 0   ? points[i].pressure
-                           : k == 1 ? points[i].gap
-                                    : points[i].area;
-    }
-    double *law = exponential(numbers, view->scaled_x ? 2 : 1, points, count,
-                              &arena, err);
-    if (!column[0] || !column[1] || !column[2] || !law) {
-        ovr_arena_release(&arena);
-        return OVR_NO_MEMORY;
-    }
-    const ovr_series over_gap[] = {{.label = "the profile, pressed dry",
-                                    .n = count,
-                                    .x = column[1],
-                                    .y = column[0],
-                                    .x_factor = to_height},
-                                   {.label = "exponential of Rq and slope",
-                                    .n = count,
-                                    .x = column[1],
-                                    .y = law,
-                                    .x_factor = to_height,
-                                    .mark = OVR_MARK_DASHED,
-                                    .colour = OVR_AMBER}};
-    const ovr_series area = {
-        .n = count, .x = column[0], .y = column[2], .colour = OVR_STEEL};
-    ovr_panel panel[] = {
-        {.x_label = view->scaled_z ? "mean gap {/:Italic R} / {/:Italic b}^2"
-                                   : "mean gap  [nm]",
-         .y_label = pressure,
-         .x_from = NAN,
-         .x_to = NAN,
-         .y_from = NAN,
-         .y_to = NAN,
-         .log_y = true,
-         .count = 2,
-         .series = over_gap},
-        {.x_label = pressure,
-         .y_label = "part that touches",
-         .x_from = NAN,
-         .x_to = NAN,
-         .y_from = NAN,
-         .y_to = NAN,
-         .log_x = true,
-         .log_y = true,
-         .count = 1,
-         .series = &area}};
-    ovr_chart chart = {.kind = "contact",
-                       .title = title,
-                       .width = 1200,
-                       .height = 500,
-                       .rows = 1,
-                       .columns = 2,
-                       .panel = panel};
-    ovr_status status = ovr_chart_draw(&chart, NULL, path, NULL, &arena, err);
+    bearing b;
+    ovr_status status = lay_out(numbers, view->scaled_x ? 2 : 1, points, count,
+                                &b, &arena, err);
+    if (!status)
+        status = draw_bearing(view, &b, count, title, path, &arena, err);
     ovr_arena_release(&arena);
     return status;
 }
