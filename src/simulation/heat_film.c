@@ -33,6 +33,20 @@ ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err)
     return OVR_OK;
 }
 
+/* What flows from a wet node to the dry one downstream of it, over the speed:
+ * the wet node's own content would jump by O(D) with the node that is the last,
+ * and turns of film and heat go round for ever between two of them. */
+static double let_through(const ovr_simulation *sim, size_t wet)
+{
+    const double least = 0.5, most = 1.5;
+    const ovr_heated *h = sim->heated;
+    double q = sim->now.q[wet], Cu = h->u1 - h->V / 2, flow;
+    if (wet == 0 || wet + 1 == sim->now.n || !(fabs(Cu) > OVR_LEAST_START))
+        return q;
+    flow = ovr_flux(sim, Cu, sim->backward ? wet - 1 : wet) / Cu;
+    return ovr_larger(least * q, ovr_smaller(flow, most * q));
+}
+
 /* Thickness and content of what is there. */
 static void fill_oil(ovr_simulation *sim)
 {
@@ -43,12 +57,13 @@ static void fill_oil(ovr_simulation *sim)
     double left = now->q[sim->backward ? last : 0];
     for (size_t k = 0; k <= last; k++) {
         size_t i = sim->backward ? last - k : k;
+        size_t before = sim->backward ? i + 1 : i - 1;
         h->oil[i] = now->H[i];
         h->content[i] = now->q[i];
-        if (now->P[i] > 0) {
-            left = now->q[i];
+        if (now->P[i] > 0)
             continue;
-        }
+        if (k > 0 && now->P[before] > 0)
+            left = let_through(sim, before);
         if (conserves) /* of density 1 */
             h->content[i] = h->oil[i] = ovr_larger(1e-6, now->q[i]);
         else if (left < now->q[i]) {

@@ -551,6 +551,27 @@ static void points_by_the_steady_start(void **state)
     }
 }
 
+/* The film ends a node later from some contact of this row on: none between is
+ * without a solution because what the last wet node lets through jumps. */
+static void the_end_moves_on(void **state)
+{
+    enum { CONTACTS = 21 };
+    double first = NAN;
+    int ends = 0;
+    (void)state;
+    for (int k = 0; k < CONTACTS; k++) {
+        test_hot c = test_hot_make(31.17, 9.862 + 0.001 * k, -1.37, 6.37e6,
+                                   NULL);
+        ovr_simulation *sim = solved(&c, 7);
+        double end = ovr_simulation_observation(sim)->X_cavitation;
+        assert_string_equal(ovr_simulation_strategy(sim), "");
+        ends += end != first;
+        first = end;
+        ovr_simulation_free(sim);
+    }
+    assert_true(ends >= 2);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -567,6 +588,7 @@ int main(void)
         cmocka_unit_test(incompressible_oil_is_not_heated),
         cmocka_unit_test(seven_points_check_five),
         cmocka_unit_test(points_by_the_steady_start),
+        cmocka_unit_test(the_end_moves_on),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
