@@ -20,7 +20,8 @@ done
 for file in src/*/*.[ch] src/*/*/*.[ch] include/overroll/*.h \
     tests/*/*.[ch] tests/*/*.sh tests/support/run \
     tools/* tools/examples/* .ci/run Makefile \
-    tests/python/*.py tests/bench/*.py tests/verify/*.py tools/python/*.py \
+    tests/python/*.py tests/bench/*.py tests/verify/*.py \
+    tests/reference/*.py tools/python/*.py \
     tools/python/*/*.py; do
     [ -f "$file" ] || continue
     head -n 2 "$file" | grep -q 'SPDX-License-Identifier: GPL-3.0-or-later' || {

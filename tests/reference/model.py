@@ -1,0 +1,479 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""An independent model of the contact in time: dense Newton, small grids.
+
+It shares with overroll what overroll-theory(7) says of the discrete equations
+(and of conserved oil the comment of src/multigrid/content.h), so that both have
+the same solution and may be compared to what rounding and stopping leave; from
+that text it was written, not from the sources.  Its own are all else:
+
+  - the deformation is a full matrix, no multigrid;
+  - a film that shears thin is integrated across by Gauss's quadrature of the
+    stress over the film, not by closed forms or tables;
+  - layers are solved as a boundary value problem for each wave number, and
+    brought to X by quadrature, not by images;
+  - what is wet or dry is one unknown, x: P = max(x, 0), and max(-x, 0) is the
+    oil that lacks, or the excess of Reynolds' equation (a semismooth Newton
+    method), no sets, no sweeps;
+  - the whole matrix of derivatives comes by complex steps;
+  - steps follow the times that the run took, with a past of its own.
+"""
+import math
+
+import numpy as np
+
+POINTS, WEIGHTS = np.polynomial.legendre.leggauss(48)
+
+
+def smoothstep(y):
+    y = min(1.0, max(0.0, y))
+    return y**3 * (10 - 15 * y + 6 * y * y)
+
+
+def smoothstep_integral(y):
+    if y <= 0:
+        return 0.0
+    if y >= 1:
+        return 0.5 + (y - 1)
+    return y**6 - 3 * y**5 + 2.5 * y**4
+
+
+class Constant:
+    def __init__(self, value):
+        self.value = value
+
+    def at(self, T):
+        return self.value
+
+    def slope(self, T):
+        return 0.0
+
+    def way(self, T):
+        return self.value * T
+
+    def lines(self):
+        return ""
+
+
+class Ramp:
+    def __init__(self, start, end, begin, duration):
+        self.start, self.end = start, end
+        self.begin, self.duration = begin, duration
+
+    def at(self, T):
+        y = (T - self.begin) / self.duration
+        return self.start + (self.end - self.start) * smoothstep(y)
+
+    def slope(self, T):
+        y = min(1.0, max(0.0, (T - self.begin) / self.duration))
+        return (self.end - self.start) * 30 * (y * (1 - y))**2 / self.duration
+
+    def way(self, T):
+        def whole(t):
+            return (self.end - self.start) * self.duration * \
+                smoothstep_integral((t - self.begin) / self.duration)
+        return self.start * T + whole(T) - whole(0)
+
+    def lines(self):
+        return (f"history = ramp\nfrom = {self.start!r}\nto = {self.end!r}\n"
+                f"start = {self.begin!r}\nduration = {self.duration!r}\n")
+
+
+class Layer:
+    """A(k) of one bonded layer of thickness d, plane strain, over that of the
+    substrate: Airy's function (a + b z) exp(-kz) + (c + d z) exp(kz) in the
+    layer and (e + f z) exp(-kz) below, for a unit wave of pressure."""
+
+    def __init__(self, d, E, nu, E_below, nu_below):
+        self.d = d
+        self.top = self.compliance(E, nu) / self.compliance(E_below, nu_below)
+        self.E, self.nu = (E, E_below), (nu, nu_below)
+
+    @staticmethod
+    def compliance(E, nu):
+        return 2 * (1 - nu * nu) / E
+
+    def parts(self, k, z, body, kind):
+        """sigma_z, tau, u, w of z^n exp(s k z) cos(kx), in units that share
+        sin and cos; strains by Hooke's law of plane strain."""
+        s, n = kind
+        E, nu = self.E[body], self.nu[body]
+        e = math.exp(s * k * (z - (self.d if s > 0 else 0)))
+        f = (z if n else 1) * e
+        f1 = ((1 if n else 0) + s * k * (z if n else 1)) * e
+        f2 = (2 * s * k * (1 if n else 0) + k * k * (z if n else 1)) * e
+        f3 = (3 * k * k * (1 if n else 0) +
+              s * k**3 * (z if n else 1)) * e
+        sz, sx, t = -k * k * f, f2, k * f1    # cos, cos, sin
+        a, b = (1 - nu * nu) / E, nu * (1 + nu) / E
+        u = (a * sx - b * sz) / k             # sin
+        # w' = a sz - b sx, and  tau (2 (1 + nu)/E) = u_z + w_x, w = W cos
+        u1 = (a * f3 - b * (-k * k * f1)) / k
+        W = (u1 - 2 * (1 + nu) / E * t) / k
+        return sz, t, u, W
+
+    def ratio(self, k):
+        if k * self.d > 40:
+            return self.top
+        layer = [(-1, 0), (-1, 1), (1, 0), (1, 1)]
+        below = [(-1, 0), (-1, 1)]
+        A, r = np.zeros((6, 6)), np.zeros(6)
+        for c, kind in enumerate(layer):
+            at_top = self.parts(k, 0.0, 0, kind)
+            A[0, c], A[1, c] = at_top[0], at_top[1]
+            A[2:, c] = self.parts(k, self.d, 0, kind)
+        for c, kind in enumerate(below):
+            A[2:, 4 + c] = [-v for v in self.parts(k, self.d, 1, kind)]
+        r[0] = -1
+        scale = np.abs(A).max(axis=0)
+        rows = np.abs(A / scale).max(axis=1)
+        x = np.linalg.solve(A / scale / rows[:, None], r / rows) / scale
+        W = sum(x[c] * self.parts(k, 0.0, 0, kind)[3]
+                for c, kind in enumerate(layer))
+        return abs(W) * k / self.compliance(self.E[1], self.nu[1])
+
+
+def logarithms(d):
+    """Of |d|^n meshes' boxes: (d + 1/2)(ln|d + 1/2| - 1) less the other."""
+    def half(y):
+        return y * (np.log(np.abs(y)) - 1)
+    return half(d + 0.5) - half(d - 0.5)
+
+
+def kernel(n, D, layers=None):
+    """int K over the box of a mesh, at 0 ... n - 1 meshes; layers: of body 1
+    and 2, (share of the compliance, Layer), lengths in b."""
+    d = np.arange(n, dtype=float)
+    K = D * (logarithms(d) + math.log(D))
+    for share, layer in layers or []:
+        # A - top - (1 - top) exp(-k a), over k: smooth, and gone by k d = 40
+        a, top = layer.d, layer.top
+        edges = np.concatenate([np.linspace(0, 4, 4001),
+                                np.linspace(4, 42, 6001)[1:]]) / layer.d
+        k, step = (edges[1:] + edges[:-1]) / 2, np.diff(edges)
+        rest = np.array([layer.ratio(v) for v in k]) - top - \
+            (1 - top) * np.exp(-k * a)
+        X = d * D
+        box = np.sinc(k * D / (2 * np.pi)) * D
+        smooth = -np.cos(np.outer(X, k)) @ (rest * box / k * step)
+        s, w = POINTS / 2 * D, WEIGHTS / 2 * D
+        image = np.log(np.hypot(X[:, None] + s, a)) @ w
+        K += share * ((top - 1) * D * (logarithms(d) + math.log(D)) +
+                      (1 - top) * image + smooth)
+    return K
+
+
+class Model:
+    """The discrete equations of a case; `case` has its numbers."""
+
+    def __init__(self, case):
+        self.c = case
+        n = self.n = 7 * 2**case["level"] + 1
+        self.X_a, self.X_b = case.get("inlet", -4.0), case.get("outlet", 1.5)
+        self.D = (self.X_b - self.X_a) / (n - 1)
+        self.X = self.X_a + self.D * np.arange(n)
+        M, L = case["M"], case["L"]
+        self.lam = 3 * math.pi**2 / (8 * M * M)
+        self.alphabar = L * math.sqrt(M / (2 * math.pi))
+        self.ph = self.alphabar / 17e-9
+        K = kernel(n, self.D, case.get("layers"))
+        i = np.arange(n)
+        self.K = K[np.abs(i[:, None] - i)] / math.pi
+        self.carreau = case.get("carreau")  # Sigma0, n; a = 2, stress form
+        self.Sigma0 = case.get("eyring") or self.carreau and self.carreau[0]
+        self.conserving = bool(case.get("conserving"))
+        self.closed = "film" in case
+        self.first_order = case.get("scheme") == "upstream1"
+        self.half = 0.0 if self.first_order else 0.5  # row 1: q_1 - q_0
+        self.wall = case.get("boundary")
+        one = Constant(1.0)
+        self.load = case.get("load", one)
+        self.speed = case.get("speed", one)
+        self.sliding = case.get("sliding")
+        self.radius = case.get("radius", one)
+
+    # ------------------------------------------------------ what is given
+
+    def V(self, T):
+        if self.sliding:
+            return self.sliding.at(T)
+        return self.c.get("slide", 0.0) * self.speed.at(T)
+
+    def slid(self, T):
+        if self.sliding:
+            return self.sliding.way(T)
+        return self.c.get("slide", 0.0) * self.speed.way(T)
+
+    def gap(self, T):
+        kappa = 1 / self.radius.at(T)
+        gap = kappa * self.X**2 / 2
+        if self.c.get("rides"):
+            rate = -self.radius.slope(T) * kappa**2
+            gap -= rate * self.X**3 / (6 * self.speed.at(T))
+        for f in self.c.get("features", []):
+            sign = 0.5 if f["surface"] == 1 else -0.5
+            at = f["start"] + self.speed.way(T) + sign * self.slid(T)
+            v = (self.X - at) / f["width"]
+            gap += f["depth"] * 10.0**(-10 * v * v) * np.cos(2 * np.pi * v)
+        return gap
+
+    def arrives(self, T):
+        """q of the film (u1 h1 + u2 h2)/um; before T = 0 as at 0."""
+        h1, h2 = self.c["film"]
+        Cu, V = self.speed.at(max(T, 0)), self.V(max(T, 0))
+        return h1 * (1 + V / (2 * Cu)) + h2 * (1 - V / (2 * Cu))
+
+    # --------------------------------------------------------- properties
+
+    def rho(self, P):
+        a = 5.9e8 / self.ph
+        return (a + 1.34 * P) / (a + P)
+
+    def ln_eta(self, P):
+        p0, z = 1.98e8 / self.ph, 0.68
+        return self.alphabar * p0 / z * ((1 + P / p0)**z - 1)
+
+    def conductances(self, P, H, V):
+        """E at the half nodes."""
+        phi = self.rho(P) * np.exp(-self.ln_eta(P)) / self.lam
+
+        def mean(f, power):
+            a, b = H[:-1]**power, H[1:]**power
+            return (f[:-1] + f[1:]) / 2 * 2 * a * b / (a + b)
+        eps = mean(phi, 3)
+        if not self.Sigma0:
+            return eps
+        c = abs(V) / (12 * self.Sigma0) * mean(self.rho(P), 2)
+        g = (H[:-1] + H[1:]) / 2 * np.diff(P) / self.D / (2 * self.Sigma0)
+        over = np.where(g == 0, 1, g)
+        if self.carreau:
+            return eps * self.thinning(c / eps, over)
+        even = np.cosh(g[:, None] * POINTS) @ WEIGHTS / 2
+        odd = np.sinh(over[:, None] * POINTS) @ (WEIGHTS * POINTS) * 1.5
+        odd = np.where(g == 0, 1, odd / over)
+        return odd * np.sqrt(eps**2 + (c / even)**2)
+
+    def thinning(self, slid, g):
+        """E/eps of gamma = x (1 + x^2)^((1/n - 1)/2): the mean stress a that
+        makes the film slide so, then what flows, both by quadrature."""
+        power = (1 / self.carreau[1] - 1) / 2
+
+        def law(x):
+            return x * (1 + x * x)**power
+
+        def slope(x):
+            return (1 + x * x)**power * (1 + 2 * power * x * x / (1 + x * x))
+        half = WEIGHTS / 2
+        # convex: from above, downward
+        a = np.minimum(slid.real, slid.real**self.carreau[1]) + np.abs(g.real)
+        for turn in range(80):
+            if turn == 76:
+                a = a + 0j * slid
+            x = a[:, None] + g[:, None] * POINTS if turn >= 76 else \
+                a[:, None] + g.real[:, None] * POINTS
+            wanted = slid if turn >= 76 else slid.real
+            a = a - (law(x) @ half - wanted) / (slope(x) @ half)
+        x = a[:, None] + g[:, None] * POINTS
+        flows = law(x) @ (1.5 * WEIGHTS * POINTS) / g
+        return flows if np.iscomplexobj(slid + g) else flows.real
+
+    # ---------------------------------------------------------- equations
+
+    def outflow(self, q, dry):
+        """Q at i + 1/2, i = 0 ... n - 2, of oil that goes to +x."""
+        if self.first_order:
+            return q[:-1]
+        before = np.concatenate([[q[0]], q[:-1]])
+        Q = 1.5 * q - 0.5 * before
+        Q[0] = q[0]
+        if self.conserving:
+            Q = np.where(dry & (Q.real < q.real / 2), q / 2, Q)
+        return Q[:-1]
+
+    def wedge(self, q, dry, Cu, T):
+        """Cu (Q_{i+1/2} - Q_{i-1/2}) of nodes 1 ... n - 2."""
+        if Cu < 0:
+            Q = self.outflow(q[::-1], dry[::-1])
+            out, into = Q[1:], Q[:-1].copy()
+            into[0] = q[-1] + self.half * (q[-2] - q[-1])
+            return -Cu * (out - into)[::-1]
+        Q = self.outflow(q, dry)
+        out, into = Q[1:], Q[:-1].copy()
+        into[0] = q[0] + self.half * (q[1] - q[0])
+        if self.closed:
+            into[0] = self.arrives(T - self.D / (2 * Cu))
+        return Cu * (out - into)
+
+    def stored(self, q, past, step, dry):
+        """(A - B)/dT at nodes 1 ... n - 2; past: q before and before that."""
+        if step is None:
+            return 0
+        dT, s = step
+        if self.first_order:
+            return (q - past[0][0])[1:-1] / dT
+        kappa, b2 = s / (1 + s), s * s / (1 + s)
+        (q1, dry1), (q2, _) = past
+        A = (1 + kappa) * q - kappa * q1
+        B = (1 + b2) * q1 - b2 * q2
+        if self.conserving:
+            A = np.where(dry & (A.real < q.real / 2), q / 2, A)
+            B = np.where(dry1 & (B < q1 / 2), q1 / 2, B)
+        return ((A - B) / dT)[1:-1]
+
+    def rows(self, P, H, q, dry, T, past, step):
+        flux = self.conductances(P, H, self.V(T)) * np.diff(P) / self.D
+        if self.closed:
+            flux = np.concatenate([[0], flux[1:]])
+        return ((flux[1:] - flux[:-1] -
+                 self.wedge(q, dry, self.speed.at(T), T)) / self.D -
+                self.stored(q, past, step, dry))
+
+    def touching(self, H):
+        if not self.wall:
+            return 0 * H
+        a1, s, h, d = self.wall
+        A = a1 * np.exp(-H / s)
+        if h > 0:
+            A = A + np.exp((h - H) / d) / (1 - np.exp(-H / d))
+        return A
+
+    # --------------------------------------------------------------- Newton
+
+    def state(self, u, T):
+        """Of the unknowns: x at 1 ... n - 2, what touches there, H0."""
+        m = self.n - 2
+        P, lack, bears = (np.zeros(self.n) for _ in range(3))
+        P[1:-1], lack[1:-1] = np.maximum(u[:m], 0), np.maximum(-u[:m], 0)
+        if self.wall:
+            bears[1:-1] = u[m:2 * m]
+        H = u[-1] + self.gap(T) - self.K @ (P + bears)
+        q = self.rho(P) * H
+        if self.conserving:
+            q = q - lack
+            if self.closed:
+                q[0] = self.arrives(T)
+        return P, bears, H, q, lack
+
+    def defects(self, u, T, past, step):
+        P, bears, H, q, lack = self.state(u, T)
+        dry = lack > 0
+        dry[0] = self.closed
+        r = self.rows(P, H, q, dry, T, past, step)
+        if not self.conserving:
+            r = r + lack[1:-1]
+        out = [r]
+        if self.wall:
+            out.append(bears[1:-1] - self.touching(H)[1:-1])
+        load = math.pi / 2 * self.load.at(T) - self.D * (P + bears).sum()
+        return np.concatenate(out + [[load]])
+
+    def matrix(self, u, T, past, step):
+        """By complex steps in P, H and q, of every fifth node at once."""
+        n, m, h = self.n, self.n - 2, 1e-200
+        P, bears, H, q, lack = self.state(u, T)
+        dry = lack > 0
+        dry[0] = self.closed
+        by = {}
+        for name in "PHq":
+            J = np.zeros((m, n))
+            for colour in range(5):
+                v = {"P": P.astype(complex), "H": H.astype(complex),
+                     "q": q.astype(complex)}
+                v[name][colour::5] += 1j * h
+                d = self.rows(v["P"], v["H"], v["q"], dry, T, past,
+                              step).imag / h
+                for i in range(1, n - 1):
+                    for j in range(max(0, i - 2), min(n, i + 3)):
+                        if j % 5 == colour:
+                            J[i - 1, j] = d[i - 1]
+            by[name] = J
+        rho1 = self.rho(P + 1j * h).imag / h
+        rho = self.rho(P)
+        wet = u[:m] > 0
+        to_P = np.zeros((n, m))                   # dP/dx
+        to_P[1:-1] = np.diag(wet.astype(float))
+        to_lack = np.zeros((n, m))
+        to_lack[1:-1] = np.diag(-(~wet).astype(float))
+        own = np.ones(n)
+        if self.closed:
+            own[0] = 0                            # q there is given
+
+        def film(dH):
+            return by["H"] @ dH + by["q"] @ (own[:, None] * rho[:, None] * dH)
+        Jx = by["P"] @ to_P + film(-self.K @ to_P) + \
+            by["q"] @ (own[:, None] * (rho1 * H)[:, None] * to_P)
+        if self.conserving:
+            Jx -= by["q"] @ to_lack
+        else:
+            Jx += to_lack[1:-1]
+        J0 = film(np.ones((n, 1)))
+        if not self.wall:
+            last = np.concatenate([-self.D * to_P.sum(axis=0), [0]])
+            return np.vstack([np.hstack([Jx, J0]), last])
+        to_b = np.zeros((n, m))
+        to_b[1:-1] = np.eye(m)
+        slope = (self.touching(H + 1j * h).imag / h)[1:-1, None]
+        inner = self.K[1:-1]
+        return np.vstack([
+            np.hstack([Jx, film(-self.K @ to_b), J0]),
+            np.hstack([slope * (inner @ to_P),
+                       np.eye(m) + slope * (inner @ to_b), -slope]),
+            np.concatenate([-self.D * to_P.sum(axis=0),
+                            -self.D * np.ones(m), [0]])])
+
+    def solve(self, u, T, past=None, step=None, most=100):
+        """Newton's method; no pressure and no film moves on by more than a
+        fifth of p_h."""
+        m = self.n - 2
+        change = math.inf
+        for _ in range(most):
+            r = self.defects(u, T, past, step)
+            J = self.matrix(u, T, past, step)
+            rows = np.abs(J).max(axis=1)
+            d = np.linalg.solve(J / rows[:, None], -r / rows)
+            moved = np.maximum(u + d, 0) - np.maximum(u, 0)
+            moved[m:] = d[m:]
+            change = np.abs(moved).max()
+            new = u + d * min(1.0, 0.2 / max(change, 1e-300))
+            same = (new[:m] > 0) == (u[:m] > 0)
+            u = new
+            if change < 1e-12 and same.all():
+                return u
+        raise ArithmeticError(f"Newton's method left {change:.1e} at T = {T}")
+
+    def about(self, u, T, past, step):
+        """Of pressures that are a guess, what lacks by their own film."""
+        if self.conserving:
+            return u
+        m = self.n - 2
+        P, _, H, q, lack = self.state(u, T)
+        r = self.rows(P, H, q, lack > 0, T, past, step)
+        return np.concatenate([np.where(u[:m] > 0, u[:m], np.minimum(r, 0)),
+                               u[m:]])
+
+    def march(self, guesses, times):
+        """P, what touches, H, q and what lacks at the times, of which the
+        first is the steady start; guesses: unknowns for each time, which are
+        used for the first, and where the model's own past leads nowhere."""
+        u = self.solve(guesses(0), times[0])
+        state = self.state(u, times[0])
+        yield state
+        past = [(state[3], state[4] > 0)] * 2
+        old, before = None, u
+        for k in range(1, len(times)):
+            dT = times[k] - times[k - 1]
+            s = dT / old if old else 1.0
+            new = None
+            for guess in (lambda: u + (u - before) * s, lambda: u,
+                          lambda: guesses(k)):
+                first = self.about(guess(), times[k], past, (dT, s))
+                try:
+                    new = self.solve(first, times[k], past, (dT, s), 25)
+                    break
+                except (ArithmeticError, np.linalg.LinAlgError) as why:
+                    failed = why
+            if new is None:
+                raise failed
+            before, u, old = u, new, dT
+            state = self.state(u, times[k])
+            past = [(state[3], state[4] > 0), past[0]]
+            yield state
