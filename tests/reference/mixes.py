@@ -11,9 +11,9 @@ steps, of P in p_h, and of H over H, or over H_cen where H is less.
 Both have the same discrete equations, so that what is left are the stopping
 tolerance (1e-11 of the flow), rounding, and what the program alone
 approximates: elastic layers by images (those of one layer fit to 1e-9 of A and
-better, `check` tells it), Carreau's law by its table (1e-3 of the flow at most).  The
-deformation integrals are taken with order 16 and range 32, with which they are
-exact on these grids.
+better, `check` tells it), and Carreau's law by its table (1e-3 of the flow at
+most).  The deformation integrals are taken with order 16 and range 32, with
+which they are exact on these grids.
 """
 import math
 import os
