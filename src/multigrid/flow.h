@@ -56,16 +56,25 @@ static inline bool ovr_flow_thins(const ovr_fluid *fluid)
     return fluid->lubricant.rheology != OVR_NEWTONIAN;
 }
 
+/* By the flow factor of rough surfaces (contact/flow_factor.h) at the half
+ * nodes' mean gap, phi: 2 E and all that follows from it,
+ *     E <- phi E,  dE/dH_i <- phi dE/dH_i + phi' E/2
+ * Stresses and the oil's properties know nothing of it. */
+void ovr_flow_through(const ovr_fluid *fluid, const ovr_lanes *g,
+                      const ovr_fields *f);
+
 /* What a level, or a part of it, stores at half nodes, of film and properties
  * that are up to date. */
 static inline void ovr_flow_store(const ovr_kernels *run,
                                   const ovr_fluid *fluid, double D,
                                   const ovr_lanes *g, const ovr_fields *f)
 {
-    if (f->tangent)
+    if (f->tangent && ovr_flow_thins(fluid))
         run->flow(fluid, D, g, f);
     else if (f->flow)
         run->faces(g, f);
+    if (fluid->factor)
+        ovr_flow_through(fluid, g, f);
 }
 
 /* E at the middle of two nodes that are dX apart. */

@@ -4,6 +4,7 @@
 
 #include "multigrid/plain.h"
 
+#include "contact/flow_factor.h"
 #include "contact/flow_law.h"
 #include "multigrid/faces.h"
 #include "multigrid/flow.h"
@@ -181,6 +182,28 @@ void ovr_faces_plain(const ovr_lanes *g, const ovr_fields *f)
     }
 }
 
+void ovr_flow_through(const ovr_fluid *fluid, const ovr_lanes *g,
+                      const ovr_fields *f)
+{
+    bool thins = ovr_flow_thins(fluid);
+    bool lanes = g->V > 1; /* else there are no halos */
+    ptrdiff_t V = (ptrdiff_t)g->V, first = lanes ? -OVR_HALO * V : 0;
+    ptrdiff_t end = lanes ? (ptrdiff_t)g->S * V : (ptrdiff_t)g->n - 1;
+    for (ptrdiff_t m = first; m < end; m++) {
+        double H = 0.5 * (f->H[m] + f->H[m + V]), slope, flow = f->flow[m];
+        double phi = ovr_flow_factor_at(fluid->factor, H, &slope);
+        f->flow[m] = phi * flow;
+        if (f->tangent) {
+            f->tangent[m] = phi * (thins ? f->tangent[m] : flow);
+            f->by_eps[m] = phi * (thins ? f->by_eps[m] : 1);
+        }
+        if (f->by_left) {
+            f->by_left[m] = phi * f->by_left[m] + 0.5 * slope * flow;
+            f->by_right[m] = phi * f->by_right[m] + 0.5 * slope * flow;
+        }
+    }
+}
+
 double ovr_flow_between(const ovr_fluid *fluid, double dX,
                         const ovr_pair *nodes)
 {
@@ -188,10 +211,14 @@ double ovr_flow_between(const ovr_fluid *fluid, double dX,
     const double drag[2] = {q[0] * H[0], q[1] * H[1]};
     bool gap = fluid->by_gap;
     double twice_eps = sum_of(gap, 3, H, nodes->eps, none).value;
+    double slope, phi = fluid->factor
+                            ? ovr_flow_factor_at(fluid->factor,
+                                                 0.5 * (H[0] + H[1]), &slope)
+                            : 1;
     if (!ovr_flow_thins(fluid))
-        return 0.5 * twice_eps;
+        return 0.5 * phi * twice_eps;
     double g = ovr_flow_gradient(fluid, dX) * (H[0] + H[1]) *
                (nodes->P[1] - nodes->P[0]);
     double c = ovr_flow_slide(fluid) * sum_of(gap, 2, H, drag, none).value;
-    return 0.5 * half_of(fluid, g, twice_eps, c).flow;
+    return 0.5 * phi * half_of(fluid, g, twice_eps, c).flow;
 }

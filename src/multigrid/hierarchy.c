@@ -212,3 +212,27 @@ ovr_status ovr_hierarchy_touch(ovr_hierarchy *grids, ovr_arena *arena,
     touch->dry = ovr_set(arena, n, err);
     return touch->dry ? ovr_hierarchy_bear(grids, arena, err) : OVR_NO_MEMORY;
 }
+
+/* What rows read at half nodes where E is more than a sum (reynolds_row.h). */
+static ovr_status take_through(ovr_fields *f, size_t room, ovr_arena *arena,
+                               ovr_error *err)
+{
+    if (f->tangent)
+        return OVR_OK;
+    f->tangent = ovr_field(arena, room, err);
+    f->by_eps = ovr_field(arena, room, err);
+    return f->tangent && f->by_eps ? OVR_OK : OVR_NO_MEMORY;
+}
+
+ovr_status ovr_hierarchy_factor(ovr_hierarchy *grids,
+                                const struct ovr_flow_factor *factor,
+                                ovr_arena *arena, ovr_error *err)
+{
+    grids->fluid.factor = factor;
+    for (int l = grids->coarsest; l <= grids->finest; l++)
+        if (take_through(&grids->level[l].f, room_of(&grids->level[l]), arena,
+                         err))
+            return OVR_NO_MEMORY;
+    return take_through(&grids->natural, grids->level[grids->ordered].grid.n,
+                        arena, err);
+}

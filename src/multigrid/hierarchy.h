@@ -136,6 +136,12 @@ void ovr_level_refresh(const ovr_hierarchy *grids, ovr_level *level);
 ovr_status ovr_hierarchy_bear(ovr_hierarchy *grids, ovr_arena *arena,
                               ovr_error *err);
 
+/* The flow factor of rough surfaces, and memory for it where means go by the
+ * gap (flow.h). */
+ovr_status ovr_hierarchy_factor(ovr_hierarchy *grids,
+                                const struct ovr_flow_factor *factor,
+                                ovr_arena *arena, ovr_error *err);
+
 /* Memory for what bears it by a law of the film; the caller sets that. */
 ovr_status ovr_hierarchy_touch(ovr_hierarchy *grids, ovr_arena *arena,
                                ovr_error *err);

@@ -35,6 +35,7 @@ typedef struct ovr_fluid {
     const struct ovr_law *law; /* of viscosity, instead of the lubricant's */
     double sliding;            /* V = (u1 - u2)/um */
     bool by_gap;               /* faces.h */
+    const struct ovr_flow_factor *factor; /* of rough surfaces; NULL: 1 */
 } ovr_fluid;
 
 /* eps of a film H at the pressure P. */

@@ -49,6 +49,10 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
         ovr_hierarchy_touch(&sim->grids, &sim->arena, err))
         return OVR_NO_MEMORY;
     b->given = form;
+    if (b->given->ridges &&
+        ovr_hierarchy_factor(&sim->grids, &b->given->factor, &sim->arena, err))
+        return OVR_NO_MEMORY;
+    sim->wanted.fluid.factor = sim->grids.fluid.factor;
     sim->grids.touch.at = ovr_touch_law_at;
     sim->grids.touch.law = &b->given->bears;
     sim->grids.touch.share = 1;
@@ -161,7 +165,7 @@ static void heat(const ovr_simulation *sim, const void *own, double *power)
         power[i] += mu * b->A[i] * V / sim->contact.kappa;
 }
 
-enum { SHARE, AREA, A_MAX, H_CONTACT, MU_FILM, MU_BOUNDARY };
+enum { SHARE, AREA, A_MAX, H_CONTACT, MU_FILM, MU_BOUNDARY, LAMBDA, ESTIMATE };
 
 static const ovr_observable quantities[] = {
     OVR_NUMBER_ROW("contact_share", "contact_share", NULL, NUMBER, more[SHARE],
@@ -190,7 +194,18 @@ static const ovr_observable quantities[] = {
     OVR_NUMBER_ROW("mu_boundary", "mu_boundary", NULL, NUMBER,
                    more[MU_BOUNDARY], OVR_PHYSICS_BOUNDARY,
                    "coefficient of friction of the surfaces' share",
-                   LABEL("boundary friction"), MEAN("mu_boundary_mean"))};
+                   LABEL("boundary friction"), MEAN("mu_boundary_mean")),
+    OVR_NUMBER_ROW("contact_lambda", "contact_lambda", NULL, NUMBER,
+                   more[LAMBDA], OVR_PHYSICS_BOUNDARY,
+                   "lambda by the mean gap: central film over the Rq of both "
+                   "surfaces in the law",
+                   LABEL("lambda"), NOTE("mean gap in the centre over Rq"),
+                   MEAN("contact_lambda_mean")),
+    OVR_NUMBER_ROW("contact_share_estimate", "contact_share_estimate", NULL,
+                   NUMBER, more[ESTIMATE], OVR_PHYSICS_BOUNDARY,
+                   "contact share by the film formula of smooth surfaces, "
+                   "before anything is solved",
+                   LABEL("  as estimated"))};
 
 static void unknown(ovr_observation *o)
 {
@@ -238,6 +253,10 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
     o->more[AREA] = area;
     o->more[A_MAX] = most;
     o->more[H_CONTACT] = least;
+    o->more[ESTIMATE] = b->given->estimate;
+    o->more[LAMBDA] = b->given->factor.sigma > 0
+                          ? o->H_cen / b->given->factor.sigma
+                          : NAN;
     observe_friction(sim, b, o);
 }
 

@@ -3,6 +3,7 @@
 #ifndef OVR_SIMULATION_BOUNDARY_H
 #define OVR_SIMULATION_BOUNDARY_H
 
+#include "contact/flow_factor.h"
 #include "contact/touch_law.h"
 #include "simulation/physics.h"
 #include "surface/rough_pair.h"
@@ -18,6 +19,7 @@ typedef enum ovr_boundary_law {
 
 typedef struct ovr_boundary_form {
     int law;
+    int ridges;              /* ovr_ridges */
     int unresolved;          /* the law is of what the mesh has not */
     double Rq, slope;        /* of both surfaces: b^2/R, a pure number */
     double amplitude, decay; /* a1, s; NAN: by those two */
@@ -25,6 +27,8 @@ typedef struct ovr_boundary_form {
     double friction;           /* NAN: not told */
     double summits, sharpness; /* n beta sigma, sigma/beta */
     const char *file;          /* of a table */
+    ovr_flow_factor factor;    /* of a mean film */
+    double estimate;           /* of the share, before it is solved */
     ovr_rough_pair pair;       /* of profiles */
     ovr_touch_law bears;       /* what all this comes to */
 } ovr_boundary_form;

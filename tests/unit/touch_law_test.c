@@ -4,6 +4,7 @@
 
 #include "support/test.h"
 
+#include "contact/flow_factor.h"
 #include "contact/touch_law.h"
 
 static ovr_arena arena;
@@ -96,11 +97,37 @@ static void tables_go_through_their_points(void **state)
     ovr_arena_release(&arena);
 }
 
+/* Patir and Cheng's at lambda 3, by hand; slopes by differences; films of thick
+ * gaps are those of smooth surfaces. */
+static void flow_factors_and_their_slopes(void **state)
+{
+    const double step = 1e-6;
+    (void)state;
+    ovr_flow_factor f = {OVR_RIDGES_ISOTROPIC, 0.5};
+    double slope, one, other;
+    CHECK_NEAR(ovr_flow_factor_at(&f, 1.5, &slope), 0.8323, 5e-5);
+    f.ridges = OVR_RIDGES_TRANSVERSE;
+    CHECK_NEAR(ovr_flow_factor_at(&f, 1.5, &slope), 0.5802, 5e-5);
+    f.ridges = OVR_RIDGES_LONGITUDINAL;
+    CHECK_NEAR(ovr_flow_factor_at(&f, 1.5, &slope), 1.1674, 5e-5);
+    for (int k = OVR_RIDGES_NONE; k <= OVR_RIDGES_LONGITUDINAL; k++) {
+        f.ridges = (ovr_ridges)k;
+        for (double h = 0.013; h < 4; h += 0.11) {
+            one = ovr_flow_factor_at(&f, h + step, &slope);
+            other = ovr_flow_factor_at(&f, h - step, &slope);
+            assert_true(ovr_flow_factor_at(&f, h, &slope) > 0);
+            CHECK_NEAR(slope, (one - other) / (2 * step), 1e-8);
+        }
+        CHECK_NEAR(ovr_flow_factor_film(&f, 100), 1, 1e-3);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(summits_bear_what_their_table_says),
         cmocka_unit_test(slopes_are_those_of_the_pressures),
-        cmocka_unit_test(tables_go_through_their_points)};
+        cmocka_unit_test(tables_go_through_their_points),
+        cmocka_unit_test(flow_factors_and_their_slopes)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
