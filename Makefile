@@ -356,6 +356,10 @@ verify: need-cmocka all $(LOCALE) $(VERIFYSRC:%.c=$(BUILD)/%) ## what takes long
 	  TEST_SECONDS=36000 tests/support/run -j $(JOBS) \
 	  -o $(BUILD)/verify $(VERIFYSRC:%.c=$(BUILD)/%) $(VERIFYSH)
 
+HOURS ?= 24
+soak: $(PROGRAM) ## random cases for HOURS=24 of CPU (JOBS, SEED=...)
+	@OVERROLL='$(PROGRAM)' tests/soak/run $(BUILD)/soak $(HOURS) $(JOBS) $(SEED)
+
 tests/unit/corpus.run: $(REPLAYS)
 
 # A single test: make tests/unit/arena_test.run
@@ -582,7 +586,7 @@ help: ## this list
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  \1\t\2/p' Makefile | expand -t 18
 
 FORCE:
-.PHONY: all program tests check fuzz verify coverage demo pictures paper validation html bench \
+.PHONY: all program tests check fuzz verify soak coverage demo pictures paper validation html bench \
   format lint lint-format lint-tidy lint-cppcheck lint-analyzer lint-shell need-lint need-cmocka \
   install install-python uninstall deb clean help FORCE
 .SECONDARY:

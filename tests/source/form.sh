@@ -18,7 +18,7 @@ for file in *; do
     esac
 done
 for file in src/*/*.[ch] src/*/*/*.[ch] include/overroll/*.h \
-    tests/*/*.[ch] tests/*/*.sh tests/support/run \
+    tests/*/*.[ch] tests/*/*.sh tests/support/run tests/soak/run \
     tools/* tools/examples/* .ci/run Makefile \
     tests/python/*.py tests/bench/*.py tests/verify/*.py \
     tests/reference/*.py tools/python/*.py \
