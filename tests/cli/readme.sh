@@ -52,10 +52,12 @@ done
     done
 ) >missing
 [ ! -s missing ] || fail "proofs.md names what is not there: $(cat missing)"
-# Two tables of ten rows, of accuracy and of speed; a page to be read
+# Tables of accuracy and of speed, each of some ten rows; a page to be read
 for table in 'compared with' 'before'; do
-    [ "$(sed -n "/^| what | .*$table/,/^\$/p" "$TOP/README.md" |
-        grep -c '^|')" -eq 12 ] || fail "not ten rows: $table"
+    rows=$(sed -n "/^| what | .*$table/,/^\$/p" "$TOP/README.md" |
+        grep -c '^|')
+    { [ "$rows" -ge 12 ] && [ "$rows" -le 14 ]; } ||
+        fail "not ten to twelve rows: $table"
 done
 [ "$(wc -l <"$TOP/README.md")" -le 215 ] || fail 'README.md is too long'
 sed -n 1,12p "$TOP/README.md" | grep -q Venner || fail 'the paper is not named'
