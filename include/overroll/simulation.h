@@ -261,6 +261,12 @@ typedef struct ovr_observation {
     double H_mean;       /* in |X| < 3/4, less where the contact is narrower */
     double lambda_ratio; /* of that over the composite roughness of both
                             surfaces; NAN: not known, or nothing is rough */
+    /* bodies that yield; without them NAN */
+    double plastic_strain;   /* the largest so far */
+    double profile_change;   /* the largest so far, into the body */
+    double shoulder_leading; /* highest points before and behind the middle of
+                                the feature, in the way it goes */
+    double shoulder_trailing;
 } ovr_observation;
 OVR_API const ovr_observation *
 ovr_simulation_observation(const ovr_simulation *sim);
@@ -297,11 +303,12 @@ typedef enum ovr_axes {
 
 /* Physics that a quantity belongs to, as bits. */
 enum {
-    OVR_PHYSICS_CONTENT = 1,  /* oil is conserved */
-    OVR_PHYSICS_HEAT = 2,     /* there are temperatures */
-    OVR_PHYSICS_REFINED = 4,  /* there are patches of finer mesh */
-    OVR_PHYSICS_FEATURES = 8, /* there is something on the surfaces */
-    OVR_PHYSICS_BOUNDARY = 16 /* surfaces touch through their film */
+    OVR_PHYSICS_CONTENT = 1,   /* oil is conserved */
+    OVR_PHYSICS_HEAT = 2,      /* there are temperatures */
+    OVR_PHYSICS_REFINED = 4,   /* there are patches of finer mesh */
+    OVR_PHYSICS_FEATURES = 8,  /* there is something on the surfaces */
+    OVR_PHYSICS_BOUNDARY = 16, /* surfaces touch through their film */
+    OVR_PHYSICS_PLASTIC = 32   /* a body yields */
 };
 
 /* Which extreme of a number is kept over a run. */

@@ -118,7 +118,11 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     if (!status)
         status = ovr_resolve_stress(r, err);
     if (!status)
+        status = ovr_resolve_plastic(r, err);
+    if (!status)
         status = ovr_resolve_parts(r, err);
+    if (!status)
+        status = ovr_resolve_plastic_time(r, err);
     if (!status)
         return &r->setup;
     ovr_setup_free(&r->setup);

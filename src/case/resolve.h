@@ -126,6 +126,10 @@ ovr_status ovr_resolve_supply(ovr_resolved *r, const ovr_allocator *allocator,
 /* [stress] and [fatigue]. */
 ovr_status ovr_resolve_stress(ovr_resolved *r, ovr_error *err);
 
+/* [plastic], once [stress] is known; it wants a run in time. */
+ovr_status ovr_resolve_plastic(ovr_resolved *r, ovr_error *err);
+ovr_status ovr_resolve_plastic_time(const ovr_resolved *r, ovr_error *err);
+
 /* end = auto, the surfaces being made. */
 ovr_status ovr_resolve_end(ovr_resolved *r, ovr_error *err);
 

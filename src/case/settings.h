@@ -3,6 +3,7 @@
 #ifndef OVR_CASE_SETTINGS_H
 #define OVR_CASE_SETTINGS_H
 
+#include "case/plastic.h"
 #include "overroll/case.h"
 #include "overroll/elements.h"
 #include "overroll/oil.h"
@@ -78,6 +79,7 @@ typedef struct ovr_settings {
     ovr_life_options life;
     int stress_surface, stress_every, stress_traction, criterion;
     ovr_list window;
+    ovr_plastic_setup plastic;
     ovr_element_settings element;
 } ovr_settings;
 

@@ -63,6 +63,11 @@ static const ovr_refusal refusals[] = {
     {OVR_PART_FLOW_LAW, OVR_PART_PATCHES, "newtonian", on_patches},
     {OVR_PART_HEAT, OVR_PART_PATCHES, "none", on_patches},
     {OVR_PART_CONSERVING, OVR_PART_PATCHES, "reynolds", on_patches},
+    {OVR_PART_PAPER_SMOOTHER, OVR_PART_PLASTIC, "line", in_time},
+    {OVR_PART_PAPER_BALANCE, OVR_PART_PLASTIC, "no", in_time},
+    {OVR_PART_PLASTIC, OVR_PART_PATCHES, "no [plastic]", on_patches},
+    {OVR_PART_PLASTIC, OVR_PART_COATING, "no [plastic]",
+     "residual stresses are those of one material"},
     {OVR_PART_STRESS, OVR_PART_PATCHES, "no [stress]", on_patches}};
 
 enum { REFUSALS = sizeof refusals / sizeof *refusals };

@@ -55,6 +55,8 @@
          s->stress->surfaces != 0)                                             \
     PART(FATIGUE, "fatigue", "fatigue", "criterion", false, false,             \
          s->stress->fatigue)                                                   \
+    PART(PLASTIC, "a body that yields", "plastic", "surface", true, false,     \
+         r->values.plastic.surfaces != 0)                                      \
     PART(PATCHES, "patches", "domain", "refine", false,                        \
          o->refine != OVR_REFINE_NONE, false)                                  \
     PART(COATING, "a coating", "coating", "thickness", true, false,            \

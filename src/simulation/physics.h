@@ -11,7 +11,7 @@
  *
  *     a case      section, form, block, stiffness, resolve, keeps, layers,
  *                 tell
- *     creation    chosen, prepare, take, influence, warmth
+ *     creation    chosen, prepare, take, influence, warmth; release
  *     steady      forget, solve, complete, couple, proceed, finish, begin
  *     a step      check, before_step, operate, history, sides, step, attempt,
  *                 anew, the ends of its cycles, taken; or step_back
@@ -138,6 +138,9 @@ struct ovr_physics {
      * options have chosen. */
     ovr_status (*take)(ovr_simulation *sim, const void *form, void **own,
                        ovr_error *err);
+
+    /* Frees what is not of the simulation's memory. */
+    void (*release)(void *own);
 
     /* Adds to the elastic influence of a pressure. */
     void (*influence)(const ovr_simulation *sim, const void *own,

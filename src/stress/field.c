@@ -234,17 +234,22 @@ static bool take_arrays(ovr_stress *s, ovr_error *err)
     return whole;
 }
 
-static ovr_status prepare(ovr_stress *s, ovr_error *err)
+/* At the given depths, or (z NULL) those of the options. */
+static ovr_status prepare(ovr_stress *s, size_t depths, const double *z,
+                          ovr_error *err)
 {
     const ovr_stress_options *o = &s->options;
     s->room = ovr_stress_room(o);
-    s->depths = ovr_depths(o, NULL);
+    s->depths = z ? depths : ovr_depths(o, NULL);
     s->start = o->inlet + ceil((o->from - o->inlet) / o->mesh - 1e-9) * o->mesh;
     s->seam = s->room - o->nodes - ovr_stress_nodes(o);
     s->loops = ovr_stress_loops_choose(NULL);
     if (!take_arrays(s, err))
         return OVR_NO_MEMORY;
-    ovr_depths(o, s->z);
+    if (z)
+        memcpy(s->z, z, depths * sizeof *z);
+    else
+        ovr_depths(o, s->z);
     ovr_status status = ovr_fourier_plan(&s->fourier, err);
     for (size_t j = 0; !status && j < s->depths; j++)
         status = take_depth(s, j, err);
@@ -259,6 +264,13 @@ static ovr_status prepare(ovr_stress *s, ovr_error *err)
 ovr_stress *ovr_stress_create(const ovr_stress_options *options,
                               const ovr_allocator *allocator, ovr_error *err)
 {
+    return ovr_stress_create_at(options, 0, NULL, allocator, err);
+}
+
+ovr_stress *ovr_stress_create_at(const ovr_stress_options *options,
+                                 size_t depths, const double *z,
+                                 const ovr_allocator *allocator, ovr_error *err)
+{
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_stress_options own;
     if (OVR_SIZED_TAKE(ovr_stress_options, &own, options, err) ||
@@ -269,7 +281,7 @@ ovr_stress *ovr_stress_create(const ovr_stress_options *options,
         return NULL;
     s->arena = arena;
     s->options = own;
-    if (prepare(s, err)) {
+    if (prepare(s, depths, z, err)) {
         ovr_stress_free(s);
         return NULL;
     }

@@ -8,6 +8,12 @@
 /* Closed forms of every depth, transformed once. */
 ovr_stress *ovr_stress_create(const ovr_stress_options *options,
                               const ovr_allocator *allocator, ovr_error *err);
+
+/* At depths of one's own, which rise. */
+ovr_stress *ovr_stress_create_at(const ovr_stress_options *options,
+                                 size_t depths, const double *z,
+                                 const ovr_allocator *allocator,
+                                 ovr_error *err);
 void ovr_stress_free(ovr_stress *stress);
 
 /* Memory that ovr_stress_create would take, bytes; NAN when refused. */

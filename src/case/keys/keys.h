@@ -29,6 +29,7 @@ extern const ovr_section ovr_output_section;
 extern const ovr_section ovr_paper_section;
 extern const ovr_section ovr_stress_section;
 extern const ovr_section ovr_fatigue_section;
+extern const ovr_section ovr_plastic_section;
 extern const ovr_section ovr_body_section;
 extern const ovr_section ovr_gear_section;
 extern const ovr_section ovr_cam_section;

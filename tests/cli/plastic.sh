@@ -1,0 +1,152 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A body that yields: nothing changes where nothing flows; what flows presses a
+# shoulder down, is stored, and goes on in a later run; a run that is killed
+# goes on to the same digits; what is refused.
+. "$TOP/tests/support/cli.sh"
+need_python h5py numpy
+
+cat >dent.ini <<'END'
+[contact]
+load = 300 kN/m
+radius = 8 mm
+speed_1 = 3.0 m/s
+speed_2 = 3.0 m/s
+[body 1]
+modulus = 206 GPa
+[body 2]
+modulus = 206 GPa
+[lubricant]
+viscosity = 40 mPa.s
+alpha = 17 1/GPa
+p0 = 198 MPa
+z = 0.68
+[domain]
+level = 6
+order = 2
+[time]
+end = 3.6
+[feature dent]
+shape = indent
+depth = 1.5 um
+shoulder = 0.25 um
+width = 0.6
+start = -1.8
+[output]
+every = 100
+checkpoint = 10 ms
+[stress]
+depth_max = 0.5
+END
+cat >soft.ini <<'END'
+[plastic]
+hardening = linear
+yield = 0.75
+modulus = 4.5 GPa
+layers = 12
+depth_max = 0.2
+END
+cat dent.ini soft.ini >plastic.ini
+
+# Nothing flows: the elastic run, to the bit.
+expect 0 "$OVERROLL" run dent.ini -o elastic.h5 -q
+expect 0 "$OVERROLL" run plastic.ini -o hard.h5 -q --set plastic.yield=50
+expect 0 "$OVERROLL" run plastic.ini -o soft.h5 -q --json
+cp out soft.json
+expect 0 "$PYTHON" - <<'END'
+import h5py, json, numpy as np
+e, h, s = (h5py.File(n + ".h5") for n in ("elastic", "hard", "soft"))
+for name in ("pressure", "film_thickness"):
+    a, b = e[name][...], h[name][...]
+    assert a.dtype == b.dtype and (a == b).all(), name
+g = h["plastic/surface_1"]
+assert g["cumulative"][...].max() == 0 and g["residual_x"][...].max() == 0
+assert (g["profile_before"][...] == g["profile_after"][...]).all()
+
+# What flowed: incompressible work above 0, less shoulder, tension and pressure
+# left behind, no stress on the surface, and balanced on each section.
+g = s["plastic/surface_1"]
+d = json.load(open("soft.json"))
+a = g.attrs
+assert a["work"] > 0 and a["plastic_strain_max"] > 1e-3
+assert abs(a["plastic_strain_max"] / d["plastic_strain_max"] - 1) < 1e-6
+lost = a["shoulder_before_trailing"] - a["shoulder_height_trailing"]
+assert 0.002 < lost / a["shoulder_before_trailing"] < 0.05, lost
+assert abs(a["shoulder_before_leading"] / a["shoulder_height_leading"] - 1) \
+    < 2e-3
+x, z = g["residual_x"][...], g["residual_z"][...]
+assert x.min() < 0 < x.max()
+assert abs(z[0]).max() < 0.05 * abs(x).max()
+assert (e["film_thickness"][-1] != s["film_thickness"][-1]).any()
+e_x, e_z = g["plastic_strain_x"][...], g["plastic_strain_z"][...]
+assert (e_x[0] * e_z[0]).min() < 0
+assert g["profile_after"].shape == g["material"].shape
+END
+
+# It goes on where another run ended: less flows than did at first.
+expect 0 "$OVERROLL" run plastic.ini -o next.h5 -q --set plastic.initial=soft.h5
+expect 0 "$PYTHON" - <<'END'
+import h5py
+a, b = (h5py.File(n + ".h5")["plastic/surface_1"] for n in ("soft", "next"))
+first, both = a.attrs["plastic_strain_max"], b.attrs["plastic_strain_max"]
+assert first < both < 2 * first, (first, both)
+assert b.attrs["work"] < a.attrs["work"]
+assert (b["cumulative"][...] >= a["cumulative"][...]).all()
+END
+expect 2 "$OVERROLL" run plastic.ini -o bad.h5 -q \
+    --set plastic.initial=elastic.h5
+contains err 'holds no strains of surface 1'
+expect 2 "$OVERROLL" run plastic.ini -o bad.h5 -q --set domain.level=5 \
+    --set plastic.initial=soft.h5
+contains err 'its window or layers are others'
+
+# Killed and gone on with: the same end.
+for more in 'plastic.coupling=step' 'plastic.initial=soft.h5'; do
+    rm -f part.h5 part.h5.restart
+    expect 0 "$OVERROLL" run plastic.ini --force -o whole.h5 -q --set "$more"
+    "$OVERROLL" run plastic.ini -o part.h5 -q --set "$more" &
+    pid=$!
+    tries=0
+    while { [ ! -e part.h5 ] || [ ! -e part.h5.restart ]; } &&
+        [ "$tries" -lt 500 ]; do
+        sleep 0.01
+        tries=$((tries + 1))
+    done
+    sleep 0.1
+    kill -9 "$pid" 2>/dev/null || :
+    wait "$pid" 2>/dev/null || :
+    expect 0 "$OVERROLL" resume part.h5 -q
+    content whole.h5 >1.txt
+    content part.h5 >2.txt
+    cmp 1.txt 2.txt || fail "resumed run differs: $more"
+done
+
+# What the case says, and what is refused.
+expect 0 "$OVERROLL" check plastic.ini
+contains out 'surface 1 at Y = 0.75 ph'
+contains out 'no shakedown above 1.732 ph'
+contains out '12 layers down to 0.2 b'
+refused() {
+    pattern=$1
+    shift
+    expect 2 "$OVERROLL" check plastic.ini "$@"
+    contains err "$pattern"
+}
+refused 'above the shakedown limit' --set plastic.yield=0.4
+expect 0 "$OVERROLL" check plastic.ini --set plastic.yield=0.4 \
+    --set plastic.anyway=yes
+grep -v '^modulus = 4.5' plastic.ini >perfect.ini
+expect 2 "$OVERROLL" check perfect.ini --set plastic.hardening=none \
+    --set plastic.yield=0.45
+contains err 'comes to rest too slowly'
+refused 'surface 2 yields, and needs \[stress\]' --set plastic.surface=2
+expect 2 "$OVERROLL" check perfect.ini --set plastic.hardening=swift \
+    --set plastic.swift=945
+contains err 'must be B, C, n'
+refused 'wants a modulus' --set plastic.modulus=0
+sed '/^\[time\]/,/^end/d' plastic.ini >steady.ini
+expect 2 "$OVERROLL" check steady.ini
+contains err 'give \[time\] an end'
+grep -v '^\[stress\]\|^depth_max = 0.5' plastic.ini >none.ini
+expect 2 "$OVERROLL" check none.ini
+contains err 'needs \[stress\]'
