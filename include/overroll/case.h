@@ -37,7 +37,6 @@ extern "C" {
 
 /* One parameter as people see it. */
 typedef struct ovr_parameter_info {
-    size_t size; /* of this struct */
     const char *section, *key;
     const char *type;    /* "number", "whole number", "choice", ... */
     const char *units;   /* allowed units, "" for none */
@@ -54,14 +53,7 @@ typedef struct ovr_parameter_info {
 } ovr_parameter_info;
 
 OVR_API size_t ovr_parameter_count(void);
-OVR_API void ovr_parameter_into(size_t k, ovr_parameter_info *info);
-static inline ovr_parameter_info ovr_parameter_at(size_t k)
-{
-    ovr_parameter_info info;
-    info.size = sizeof info;
-    ovr_parameter_into(k, &info);
-    return info;
-}
+OVR_API ovr_parameter_info ovr_parameter_at(size_t k);
 
 /* Sections in order: name and a line of help, NULL behind the last; and
  * whether there may be several, each with a name of its own: [feature NAME]. */
@@ -120,7 +112,6 @@ OVR_API const char *ovr_case_directory(const ovr_case *c);
 
 /* Every parameter of every section present, in the order of the table. */
 typedef struct ovr_case_entry {
-    size_t size;         /* of this struct */
     const char *section; /* "contact", "feature" */
     const char *name;    /* of a feature, else NULL */
     const char *key;
@@ -137,15 +128,7 @@ typedef struct ovr_case_entry {
                            profile where there is none */
 } ovr_case_entry;
 OVR_API size_t ovr_case_entries(const ovr_case *c);
-OVR_API void ovr_case_entry_into(const ovr_case *c, size_t k,
-                                 ovr_case_entry *entry);
-static inline ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k)
-{
-    ovr_case_entry entry;
-    entry.size = sizeof entry;
-    ovr_case_entry_into(c, k, &entry);
-    return entry;
-}
+OVR_API ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k);
 
 /* ---------------------------------------------------- what it resolves to */
 
@@ -156,7 +139,6 @@ typedef struct ovr_list {
 
 /* What is to be stored; all times in b/um, lengths in b. */
 typedef struct ovr_output {
-    size_t size;         /* of this struct */
     const char *file;    /* relative to the working directory; or NULL */
     const char *title;   /* or NULL */
     long every;          /* steps; 0: not by steps */
@@ -173,7 +155,6 @@ typedef struct ovr_output {
 
 /* Of [stress] and [fatigue]: lengths in b, stresses in p_h. */
 typedef struct ovr_stress_setup {
-    size_t size;       /* of this struct */
     unsigned surfaces; /* 1, 2, 3: both; 0: no stresses are wanted */
     double poisson[2];
     double depth_min, depth_max, per_octave; /* depth_min 0: 4 D */
@@ -204,7 +185,6 @@ typedef enum ovr_accuracy {
  * oil waiting at the start, in b^3/R. */
 struct ovr_layer;
 typedef struct ovr_supply_setup {
-    size_t size;                /* of this struct */
     bool film;                  /* else flooded */
     struct ovr_layer *layer[2]; /* along the surfaces; NULL: constant */
     double thickness[2], waiting;
@@ -215,7 +195,6 @@ typedef struct ovr_supply_setup {
 
 /* What becomes of the layers between two passes; in b^2/R. */
 typedef struct ovr_passes_setup {
-    size_t size;      /* of this struct */
     int number;       /* 1: the ordinary run */
     double split;     /* share of the thickness that is surface 1's */
     double loss;      /* share that is lost */
@@ -232,7 +211,6 @@ typedef struct ovr_passes_setup {
 /* All that a case describes, ready to be run. */
 
 typedef struct ovr_setup {
-    size_t size; /* of this struct */
     const ovr_contact *contact;
     const ovr_lubricant *lubricant;
     ovr_options *options;
@@ -298,10 +276,6 @@ OVR_API ovr_status ovr_setup_prepare(ovr_setup *setup,
 
 /* The simulation with surfaces and histories in place, which the setup keeps:
  * setup and case must live as long.  Prepares what is not prepared. */
-
-/* Memory that its simulation takes, bytes; INFINITY: more than this process may
- * address. */
-OVR_API double ovr_setup_memory(const ovr_setup *setup);
 
 /* What the physics of the case come to, a line for each number that its user
  * wants to see. */

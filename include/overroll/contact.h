@@ -40,7 +40,6 @@ extern "C" {
  * and modulus then set b = 4 R ph/E', and viscosity the speed; modulus, or G,
  * alone sets b/R, by which friction becomes a coefficient. */
 typedef struct ovr_conditions {
-    size_t size; /* of this struct, as its user knows it */
     double M, L;
     double lambda, alphabar;
     double load;             /* w, N/m */
@@ -57,12 +56,11 @@ typedef struct ovr_conditions {
 } ovr_conditions;
 
 /* All fields NAN. */
-OVR_SIZED(ovr_conditions)
+OVR_API ovr_conditions ovr_conditions_default(void);
 
 /* The resolved contact.  Dimensionless numbers are always set; a physical
  * scale that does not follow from what was given is NAN. */
 typedef struct ovr_contact {
-    size_t size; /* of this struct */
     double M, L, lambda, alphabar;
     double u1_ratio, u2_ratio; /* u1/um, u2/um */
     double ph;                 /* Pa */
@@ -75,22 +73,10 @@ typedef struct ovr_contact {
     double width;                                 /* m */
 } ovr_contact;
 
-/* All fields NAN but the two ratios, which are 1. */
-OVR_SIZED(ovr_contact)
-
 /* Resolves the conditions; fails with OVR_BAD_INPUT naming the quantity that
  * is missing, contradictory or out of range. */
-OVR_API ovr_status ovr_contact_resolve_into(const ovr_conditions *given,
-                                            ovr_contact *contact,
-                                            ovr_error *err);
-static inline ovr_status ovr_contact_resolve(const ovr_conditions *given,
-                                             ovr_contact *contact,
-                                             ovr_error *err)
-{
-    if (contact)
-        contact->size = sizeof *contact;
-    return ovr_contact_resolve_into(given, contact, err);
-}
+OVR_API ovr_status ovr_contact_resolve(const ovr_conditions *given,
+                                       ovr_contact *contact, ovr_error *err);
 
 /* ---------------------------------------------------------------- kinds */
 
@@ -115,7 +101,6 @@ typedef enum ovr_unit_kind {
 } ovr_unit_kind;
 
 typedef struct ovr_kind_info {
-    size_t size;          /* of this struct */
     const char *name;     /* "pressure"; in result files */
     const char *si;       /* "Pa" */
     const char *hertzian; /* "ph" */
@@ -127,26 +112,6 @@ OVR_API ovr_unit_kind ovr_kind_named(const char *name);
 /* SI value of the dimensionless 1; NAN where it is not known, 1 for what the
  * contact does not scale. */
 OVR_API double ovr_kind_scale(ovr_unit_kind kind, const ovr_contact *contact);
-
-/* Central film thickness of Moes' line-contact formula, as H = h R/b^2
- * (incompressible film; Moes number times pi/(8 M)). */
-OVR_API double ovr_film_central_moes(double M, double L);
-
-/* The four asymptotes in the same scaling: rigid-isoviscous,
- * elastic-isoviscous, rigid-piezoviscous, elastic-piezoviscous. */
-typedef struct ovr_film_asymptotes {
-    double rigid_iso, elastic_iso, rigid_piezo, elastic_piezo;
-} ovr_film_asymptotes;
-OVR_API ovr_film_asymptotes ovr_film_asymptotes_moes(double M, double L);
-
-/* The program's own films of a steady flooded contact with a compressible oil
- * (Roelands' viscosity, `density` that of Dowson and Higginson at ph), fitted
- * to its solutions; NAN outside 2 <= M <= 1000, 0.3 <= L <= 25, which they
- * cover, to 2.6 and 1.7 % (film_fit.c). */
-typedef struct ovr_film_fit {
-    double central, minimum;
-} ovr_film_fit;
-OVR_API ovr_film_fit ovr_film_fitted(double M, double L, double density);
 
 /* ------------------------------------------------------------ lubricant */
 
@@ -193,9 +158,8 @@ typedef struct ovr_flow_law ovr_flow_law;
  *   Tait      rho0/rho = 1 - ln(1 + P (1 + K')/K)/(1 + K'), K = K0/ph
  *   Doolittle eta/eta0 = exp(B R0 (1/(rho0/rho - R0) - 1/(1 - R0))), by Tait
  *   Yasutomi  see ovr_yasutomi
- *   tables    see overroll/oil.h, which makes all of these */
+ *   tables    of measured values, by pressure */
 typedef struct ovr_lubricant {
-    size_t size; /* of this struct */
     ovr_viscosity_law viscosity_law;
     ovr_density_law density_law;
     double alphabar;
@@ -213,48 +177,15 @@ typedef struct ovr_lubricant {
     const ovr_flow_law *flow_law; /* of all but Eyring's; borrowed */
 } ovr_lubricant;
 
-/* All 0: Roelands' law without pressure in it. */
-OVR_SIZED(ovr_lubricant)
-
 /* p0 in Pa (paper: 1.98e8); z dimensionless, NAN: 0.68, or from alpha and a
  * physical viscosity by Roelands' relation z = alpha p0/(ln eta0 + 9.67).
  * With L = 0 both laws become isoviscous and incompressible.  Fails if a law
  * needs ph and the contact has none. */
-OVR_API ovr_status ovr_lubricant_make_into(const ovr_contact *contact,
-                                           ovr_viscosity_law viscosity_law,
-                                           ovr_density_law density_law,
-                                           double p0, double z,
-                                           ovr_lubricant *lubricant,
-                                           ovr_error *err);
-static inline ovr_status
-ovr_lubricant_make(const ovr_contact *contact, ovr_viscosity_law viscosity_law,
-                   ovr_density_law density_law, double p0, double z,
-                   ovr_lubricant *lubricant, ovr_error *err)
-{
-    if (lubricant)
-        lubricant->size = sizeof *lubricant;
-    return ovr_lubricant_make_into(contact, viscosity_law, density_law, p0, z,
-                                   lubricant, err);
-}
-
-/* A flow law: its stress in Pa, or as a number, the other one NAN. */
-typedef struct ovr_flow_form {
-    size_t size; /* of this struct, as its user knows it */
-    ovr_rheology rheology;
-    double stress;         /* tau0, Pa */
-    double number;         /* Sigma0 = tau0/(ph b/R) */
-    double limiting_shear; /* of the mean shear stress, for friction */
-    double n, a;           /* Carreau-Yasuda: exponents, 0.5 and 2 */
-    /* Points of a table, both increasing, the stress no faster than the rate;
-     * borrowed.  Its stress, which is but a scale, in the units of `shear`. */
-    size_t points;
-    const double *rate, *shear;
-    const ovr_flow_law *law; /* of all but Newtonian and Eyring */
-} ovr_flow_form;
-OVR_SIZED(ovr_flow_form)
-
-/* Relative density at one dimensionless pressure. */
-OVR_API double ovr_density(const ovr_lubricant *lubricant, double P);
+OVR_API ovr_status ovr_lubricant_make(const ovr_contact *contact,
+                                      ovr_viscosity_law viscosity_law,
+                                      ovr_density_law density_law, double p0,
+                                      double z, ovr_lubricant *lubricant,
+                                      ovr_error *err);
 
 /* ---------------------------------------------- load and speed histories */
 
@@ -267,27 +198,6 @@ typedef enum ovr_history_kind {
 } ovr_history_kind;
 
 typedef struct ovr_history ovr_history;
-
-/* What a history is made of; times in b/um, values relative to nominal. */
-typedef struct ovr_history_form {
-    size_t size; /* of this struct, as its user knows it */
-    ovr_history_kind kind;
-    double from, to;          /* ramp, step: value before and after */
-    double start, duration;   /* ramp (quintic smoothstep), step: duration 0 */
-    double amplitude, period; /* sine */
-    size_t points;            /* table */
-    const double *T, *value;  /* table, T increasing; copied */
-    double mean;              /* sine: what it is about, and before start; 1 */
-} ovr_history_form;
-
-/* Value 1 at all times. */
-OVR_SIZED(ovr_history_form)
-
-/* Value at T (a NULL history is 1). */
-OVR_API double ovr_history_value(const ovr_history *history, double T);
-
-/* Whether it is ever another than at T = 0. */
-OVR_API bool ovr_history_varies(const ovr_history *history);
 
 #ifdef __cplusplus
 }

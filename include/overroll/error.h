@@ -28,24 +28,10 @@ extern "C" {
 #define OVR_API
 #endif
 
-/* Structs begin with their size as their user's compiler knows it, so that a
- * program or binding made before a field was added at their end goes on
- * working.  Of what the library reads, the fields that its user does not know
- * have their defaults: NAME_default() sets size and all, or NAME_fill where no
- * C header is included and `size` is set by hand.  What it makes for its user
- * is cut to the size that `size` says: a function NAME_into of a struct whose
- * size is set; its inline NAME sets it.  What it shows by a pointer is its own:
- * `size` says how much is there.  The few structs without one stay as they are
- * (tools/CONTRIBUTING.md lists them). */
-#define OVR_SIZED(name)                                                        \
-    OVR_API void name##_fill(name *options); /* NOLINT(*-parentheses) */       \
-    static inline name name##_default(void)                                    \
-    {                                                                          \
-        name options;                                                          \
-        options.size = sizeof options;                                         \
-        name##_fill(&options);                                                 \
-        return options;                                                        \
-    }
+/* Structs of options begin as {0} or, where NAME_default() is declared, with
+ * what it returns; what is not set has its default.  Fields are added from one
+ * minor version to the next, and the soname with them: programs are compiled
+ * again. */
 
 typedef enum ovr_status {
     OVR_OK = 0,

@@ -32,24 +32,8 @@ typedef struct ovr_thermal {
     double conductivity, heat_capacity, density; /* W/m.K, J/kg.K, kg/m3 */
 } ovr_thermal;
 
-/* What heat needs to be known, SI; NAN: not given. */
-typedef struct ovr_heat_form {
-    size_t size;        /* of this struct, as its user knows it */
-    int points;         /* across the film: 5, or 7; 0: by the steady start */
-    double temperature; /* of the supplied oil, K */
-    double bulk[2];     /* of the bodies, K; NAN: the same */
-    ovr_thermal oil, body[2];
-    double expansion;     /* of the oil by volume at p = 0, 1/K */
-    bool density_expands; /* else it heats where it is compressed, alone */
-    double S0, beta;      /* one of them; beta in 1/K */
-} ovr_heat_form;
-
-/* Points by the steady start, nothing else given. */
-OVR_SIZED(ovr_heat_form)
-
 /* The numbers; all zero: no heat. */
 typedef struct ovr_heat {
-    size_t size;              /* of this struct */
     int points;               /* as in the form */
     double T0;                /* K */
     double bulk[2];           /* rises */
@@ -64,7 +48,6 @@ typedef struct ovr_heat {
                             A^2/((A + P)(A + 1.34 P)); 0: the same at all P */
     double diffusion[2]; /* k_k/(rho_k c_k um b): along surface k; 0: none */
 } ovr_heat;
-OVR_SIZED(ovr_heat)
 
 #ifdef __cplusplus
 }

@@ -9,7 +9,6 @@
 #include "overroll/error.h"
 #include "overroll/heat.h"
 #include "overroll/memory.h"
-#include "overroll/oil.h"
 #include "overroll/parts.h"
 #include "overroll/pictures.h"
 #include "overroll/profile.h"

@@ -40,7 +40,6 @@ typedef enum ovr_picture_kind {
 /* Lengths in b, pressures in ph, heights in b^2/R, times in b/um, whatever
  * the units drawn; NAN or 0: chosen from the data. */
 typedef struct ovr_picture_options {
-    size_t size; /* of this struct, as its user knows it */
     ovr_picture_kind kind;
     const char *path; /* its suffix is the form: .png, .svg or .pdf */
     bool force;       /* replace an existing file */
@@ -66,7 +65,7 @@ typedef struct ovr_picture_options {
     const char *template_path; /* gnuplot's program, as overroll-pictures(7) has
                              it; NULL: the one that is built in */
 } ovr_picture_options;
-OVR_SIZED(ovr_picture_options)
+OVR_API ovr_picture_options ovr_picture_options_default(void);
 
 /* Draws one picture of `count` results (more than one: laid over each other;
  * a map takes one).  The file appears whole or not at all. */
@@ -88,7 +87,6 @@ OVR_API ovr_status ovr_picture_element(const ovr_setup *setup,
  * in a band from the smallest to the largest.  Against a seed: a histogram of
  * the quantity, with its quantiles.  A key may be the name of a [zip]. */
 typedef struct ovr_figure_options {
-    size_t size;      /* of this struct, as its user knows it */
     const char *path; /* .png, .svg or .pdf */
     bool force;
     const char *y;  /* column; NULL: H_min_overall_m, else H_min_overall,
@@ -103,7 +101,6 @@ typedef struct ovr_figure_options {
     const char *panels; /* key; NULL: all that else varies, but for seeds; "":
                            none */
 } ovr_figure_options;
-OVR_SIZED(ovr_figure_options)
 
 OVR_API ovr_status ovr_figure(const ovr_table *table,
                               const ovr_figure_options *options,
@@ -127,7 +124,6 @@ OVR_API ovr_status ovr_figure_distribution(const ovr_study *study,
 /* ------------------------------------------------------ frames and movies */
 
 typedef struct ovr_frames_options {
-    size_t size;                     /* of this struct, as its user knows it */
     const ovr_picture_options *look; /* of each; NULL: the defaults; path and
                                         times are not used; kind:
                                         OVR_PICTURE_STRESS, else a snapshot */
@@ -142,7 +138,6 @@ typedef struct ovr_frames_options {
     bool (*progress)(void *data, size_t done, size_t count);
     void *data;
 } ovr_frames_options;
-OVR_SIZED(ovr_frames_options)
 
 typedef struct ovr_frames_made {
     size_t drawn, kept; /* kept: were there from a run before */
@@ -165,7 +160,6 @@ OVR_API ovr_status ovr_frames(ovr_result *const *results, size_t count,
 /* -------------------------------------------------------------------- page */
 
 typedef struct ovr_view_options {
-    size_t size;              /* of this struct, as its user knows it */
     const char *path;         /* PAGE.html */
     bool force;               /* replace an existing file */
     const char *title;        /* NULL: the first file's own */
@@ -173,7 +167,6 @@ typedef struct ovr_view_options {
     const char *stress; /* the stresses below the film: "max_shear", ...; NULL:
                            max_shear of runs whose case has [stress] */
 } ovr_view_options;
-OVR_SIZED(ovr_view_options)
 
 /* One HTML page, with all it needs in it, that plays one run, or two side by
  * side. */

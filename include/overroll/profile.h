@@ -30,7 +30,6 @@ typedef struct ovr_profile ovr_profile;
 
 /* What a profile is now; owned by it, valid until it is conditioned. */
 typedef struct ovr_profile_view {
-    size_t size; /* of this struct */
     size_t n;
     const double *x, *z; /* x increasing; z NAN where missing */
     bool scaled_x;       /* x in b, else in metres */
@@ -45,7 +44,6 @@ typedef struct ovr_profile_view {
 
 /* What to read, and what the file may not say itself. */
 typedef struct ovr_profile_source {
-    size_t size; /* of this struct, as its user knows it */
     const char *file;
     const char *unit_x;  /* "um", "mm", ..., "b"; NULL: the file says it */
     const char *unit_z;  /* "um", "nm", ..., "b^2/R"; NULL: the file says it */
@@ -58,7 +56,7 @@ typedef struct ovr_profile_source {
                      of keys of a case (unit_x) */
 } ovr_profile_source;
 
-OVR_SIZED(ovr_profile_source)
+OVR_API ovr_profile_source ovr_profile_source_default(void);
 
 /* Reads source->file. */
 OVR_API ovr_profile *ovr_profile_read(const ovr_profile_source *source,
@@ -96,7 +94,6 @@ typedef enum ovr_extension {
  * lambda_s, offset, anti-alias, taper.  Lengths are in the profile's x unit,
  * heights in its z unit; NAN: not wanted. */
 typedef struct ovr_conditioning {
-    size_t size;          /* of this struct, as its user knows it */
     double from, to;      /* window in x */
     double scale;         /* of heights, 1 */
     bool invert;          /* heights change sign */
@@ -117,7 +114,7 @@ typedef struct ovr_conditioning {
     ovr_extension extend; /* none */
 } ovr_conditioning;
 
-OVR_SIZED(ovr_conditioning)
+OVR_API ovr_conditioning ovr_conditioning_default(void);
 
 /* All of it but anti-aliasing, taper and extension, which belong to a grid.
  * What was done is added to the notes. */
@@ -136,7 +133,6 @@ OVR_API ovr_status ovr_profile_condition(ovr_profile *profile,
  * the profile's z unit, lengths in its x unit.  A profile with gaps has none.
  */
 typedef struct ovr_profile_numbers {
-    size_t size; /* of this struct */
     size_t n;
     double length, spacing, spacing_least, spacing_most;
     char kind;      /* 'P' or 'R': a is Pa or Ra, and so on */
@@ -155,17 +151,9 @@ typedef struct ovr_profile_numbers {
     double mr1, mr2;  /* material ratios where the core begins and ends, 0..1 */
 } ovr_profile_numbers;
 
-OVR_API ovr_status ovr_profile_measure_into(const ovr_profile *profile,
-                                            ovr_profile_numbers *numbers,
-                                            ovr_error *err);
-static inline ovr_status ovr_profile_measure(const ovr_profile *profile,
-                                             ovr_profile_numbers *numbers,
-                                             ovr_error *err)
-{
-    if (numbers)
-        numbers->size = sizeof *numbers;
-    return ovr_profile_measure_into(profile, numbers, err);
-}
+OVR_API ovr_status ovr_profile_measure(const ovr_profile *profile,
+                                       ovr_profile_numbers *numbers,
+                                       ovr_error *err);
 
 /* The cut-off lambda_c of ISO 21920-3 (0.08, 0.25, 0.8, 2.5, 8 mm) that a
  * trace of so many metres allows: the longest of which five fit.  NAN: the
@@ -232,7 +220,6 @@ typedef enum ovr_spectrum { OVR_SELF_AFFINE, OVR_EXPONENTIAL } ovr_spectrum;
  * and heights of the given skewness and kurtosis.
  */
 typedef struct ovr_roughness {
-    size_t size;   /* of this struct, as its user knows it */
     double Rq;     /* root mean square height */
     double length; /* of one realization; it is periodic */
     ovr_spectrum spectrum;
@@ -244,8 +231,6 @@ typedef struct ovr_roughness {
     double kurtosis;    /* NAN: 3 + 1.5 skewness^2; both NAN: Gaussian */
     int seed;           /* 1 */
 } ovr_roughness;
-
-OVR_SIZED(ovr_roughness)
 
 #ifdef __cplusplus
 }

@@ -3,7 +3,7 @@
  * Questions whose answer takes several runs: the value of a key for which a
  * number of the run has a value; see overroll(1).
  *
- *     ovr_find_options how = ovr_find_options_default();
+ *     ovr_find_options how = {0};
  *     how.key = "feature.dent.depth";
  *     how.low = "0.01", how.high = "0.5";
  *     how.condition = "H_min_overall at least 0.05";
@@ -52,7 +52,6 @@ OVR_API void ovr_setup_scales(const ovr_setup *setup, ovr_summary_taker *take,
 /* ------------------------------------------------------------------- find */
 
 typedef struct ovr_find_options {
-    size_t size;            /* of this struct, as its user knows it */
     const char *key;        /* "contact.load" */
     const char *low, *high; /* "50 kN/m"; one unit may stand for both */
     const char *condition;  /* "H_min is 0.3", "P_max_overall at most 2 GPa" */
@@ -70,7 +69,6 @@ typedef struct ovr_find_options {
     bool (*stop)(void *data);
     ovr_trial_runner *run; /* NULL: here */
 } ovr_find_options;
-OVR_SIZED(ovr_find_options)
 
 typedef enum ovr_find_end {
     OVR_FIND_FOUND,
@@ -84,7 +82,6 @@ typedef struct ovr_find ovr_find;
 
 /* In the unit of the key as `low` and `high` have it. */
 typedef struct ovr_find_info {
-    size_t size; /* of this struct */
     const char *key, *quantity;
     const char *unit; /* of the values; of a bare number "b", ...; "" */
     const char *which;
@@ -104,7 +101,6 @@ typedef struct ovr_find_info {
 } ovr_find_info;
 
 typedef struct ovr_find_evaluation {
-    size_t size;            /* of this struct */
     double value, quantity; /* NAN: it failed */
     int order, level;
     bool converged;
@@ -124,16 +120,8 @@ OVR_API void ovr_find_free(ovr_find *find);
 OVR_API const ovr_find_info *ovr_find_about(const ovr_find *find);
 
 /* Evaluations in the order of the values. */
-OVR_API void ovr_find_evaluation_into(const ovr_find *find, size_t k,
-                                      ovr_find_evaluation *evaluation);
-static inline ovr_find_evaluation ovr_find_evaluation_at(const ovr_find *find,
-                                                         size_t k)
-{
-    ovr_find_evaluation evaluation;
-    evaluation.size = sizeof evaluation;
-    ovr_find_evaluation_into(find, k, &evaluation);
-    return evaluation;
-}
+OVR_API ovr_find_evaluation ovr_find_evaluation_at(const ovr_find *find,
+                                                   size_t k);
 
 /* The numbers of the run at the answer. */
 OVR_API void ovr_find_summary(const ovr_find *find, ovr_summary_taker *take,
@@ -146,7 +134,6 @@ OVR_API void ovr_find_summary(const ovr_find *find, ovr_summary_taker *take,
  * their doubt.  Steps as large as these carry the rupture and the spike over
  * several meshes; smaller ones would tell of the mesh. */
 typedef struct ovr_sensitivity_options {
-    size_t size;      /* of this struct, as its user knows it */
     const char *keys; /* "contact.load, feature.dent.depth"; NULL: the numbers
                          given of the contact, its oil, its bodies, and sizes of
                          features */
@@ -158,10 +145,8 @@ typedef struct ovr_sensitivity_options {
     bool (*stop)(void *data);
     ovr_trial_runner *run; /* NULL: here */
 } ovr_sensitivity_options;
-OVR_SIZED(ovr_sensitivity_options)
 
 typedef struct ovr_sensitivity_row {
-    size_t size; /* of this struct */
     const char *key, *quantity;
     const char *unit;     /* of an absolute slope: per this; NULL: relative */
     double step;          /* the larger one, relative or in that unit */
@@ -192,7 +177,6 @@ typedef struct ovr_sample ovr_sample;
 enum { OVR_SAMPLE_QUANTILES = 7, OVR_SAMPLE_LIMITS = 4 };
 
 typedef struct ovr_sample_row {
-    size_t size;       /* of this struct */
     const char *group; /* "slide_to_roll=0.5"; "": nothing else varies */
     const char *quantity;
     size_t draws, finished, failed, marked;
@@ -216,7 +200,6 @@ typedef struct ovr_sample_row {
 
 /* A random key and a quantity; with 95 % intervals. */
 typedef struct ovr_sample_input {
-    size_t size; /* of this struct */
     const char *key;
     bool related; /* drawn together with others: no share of the variance */
     double share, share_low, share_high; /* of the variance, by it alone */
@@ -229,7 +212,6 @@ typedef struct ovr_sample_input {
 OVR_API ovr_sample *ovr_study_sample(const ovr_study *study,
                                      const char *quantities, ovr_error *err);
 OVR_API void ovr_sample_free(ovr_sample *sample);
-OVR_API size_t ovr_sample_rows(const ovr_sample *sample);
 OVR_API const ovr_sample_row *ovr_sample_at(const ovr_sample *sample, size_t k);
 OVR_API const ovr_sample_input *ovr_sample_input_at(const ovr_sample *sample,
                                                     size_t row, size_t k);

@@ -35,49 +35,7 @@ typedef struct ovr_case_value {
     bool physics;     /* another value is another solution: resume refuses */
 } ovr_case_value;
 
-/* What is written, and when.  A snapshot is stored at every moment that any
- * of the three schedules names; `times` (and multiples of every_time) are hit
- * exactly when the march asks ovr_writer_next_time. */
-typedef struct ovr_write_options {
-    size_t size;       /* of this struct, as its user knows it */
-    const char *path;  /* OUT.h5 */
-    bool force;        /* replace an existing file */
-    long every_steps;  /* 0: not by steps */
-    double every_time; /* b/um; 0: not by time */
-    size_t time_count; /* given times, any order, b/um; copied */
-    const double *times;
-    unsigned fields;            /* of ovr_field_bit */
-    bool single;                /* f32 instead of f64 */
-    double x_from, x_to;        /* window in X; NAN: the whole domain */
-    size_t stride;              /* every so many nodes; 1 */
-    int deflate;                /* 0 (no filters) to 9; 1 */
-    double flush_interval;      /* s between flushes at the least; 0.5 */
-    double checkpoint_interval; /* s; <= 0: none on the way; 30 */
-    bool no_thread;             /* compress and write in the caller's thread */
-    double end;                 /* when the run will end, b/um; NAN unknown */
-    const char *title;          /* NULL: a general one */
-    const char *case_text;      /* NULL: none */
-    const char *case_path;      /* where the case's relative paths start */
-    size_t value_count;
-    const ovr_case_value *values;
-    unsigned physics; /* of ovr_setup_physics: columns of the history */
-} ovr_write_options;
-OVR_SIZED(ovr_write_options)
-
 typedef struct ovr_writer ovr_writer;
-
-/* What a writer records.  `field` is asked at snapshots only, for the fields
- * that are stored: values as in ovr_observable, where they lie or in `room`. */
-typedef struct ovr_frame {
-    size_t size; /* of this struct */
-    const ovr_state *state;
-    const ovr_observation *seen;
-    const double *(*field)(const void *source, const ovr_observable *which,
-                           double *room);
-    const void *source;
-    const ovr_statistics *total; /* extremes of the run; or NULL */
-} ovr_frame;
-OVR_SIZED(ovr_frame)
 
 /* How a run ended: the file's attribute `status`. */
 typedef enum ovr_run_status {
@@ -105,7 +63,6 @@ typedef enum ovr_run_status {
 typedef struct ovr_restart ovr_restart;
 
 typedef struct ovr_restart_info {
-    size_t size;    /* of this struct */
     bool has_state; /* false: the run ended before its first checkpoint */
     long step;      /* of the checkpoint, and its time */
     double T;
@@ -143,16 +100,6 @@ typedef struct ovr_group_attribute {
     double number;
 } ovr_group_attribute;
 
-typedef struct ovr_group {
-    size_t size; /* of this struct */
-    const char *path;
-    size_t axes, arrays, attributes;
-    const ovr_group_axis *axis;
-    const ovr_group_array *array;
-    const ovr_group_attribute *attribute;
-} ovr_group;
-OVR_SIZED(ovr_group)
-
 /* Visits the state of an object, for checkpoints. */
 typedef ovr_status ovr_visited(void *object, ovr_visit *visit, void *context,
                                ovr_error *err);
@@ -168,7 +115,6 @@ typedef struct ovr_result ovr_result;
 
 /* What is in a file.  Texts are owned by the result. */
 typedef struct ovr_result_info {
-    size_t size;                    /* of this struct */
     const char *title, *status;     /* running, complete, stopped, failed */
     const char *reason;             /* why it failed, or "" */
     const char *source;             /* program and version */
@@ -195,7 +141,6 @@ OVR_API const ovr_result_info *ovr_result_about(const ovr_result *result);
 /* A variable of the file: x, time, a field of the snapshots, a column of the
  * history, or what another program version stores in groups of its own. */
 typedef struct ovr_variable {
-    size_t size; /* of this struct */
     const char *name, *long_name;
     const char *unit;   /* as stored; "1": dimensionless */
     double scale;       /* SI value of the dimensionless 1; NAN unknown */

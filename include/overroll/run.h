@@ -2,7 +2,7 @@
 /*
  * A run, from a case to a finished result file; and studies: many runs.
  *
- *     ovr_run_options how = ovr_run_options_default();
+ *     ovr_run_options how = {0};
  *     how.output = "dent.h5";
  *     ovr_case *c = ovr_case_read("dent.ini", NULL, &err);
  *     ovr_run *run = c ? ovr_run_create(c, &how, NULL, &err) : NULL;
@@ -45,7 +45,6 @@ typedef enum ovr_say {
 typedef void ovr_listener(void *data, ovr_say kind, const char *text);
 
 typedef struct ovr_run_options {
-    size_t size;        /* of this struct, as its user knows it */
     const char *output; /* result file; NULL: where the case says, if it does */
     bool force;         /* replace an existing file */
     bool steady;        /* the steady contact alone, its features grown: time
@@ -79,9 +78,6 @@ typedef struct ovr_run_options {
     const char *at;
 } ovr_run_options;
 
-/* Nothing but the case: the defaults of all above. */
-OVR_SIZED(ovr_run_options)
-
 /* All that can be refused is refused here, before anything is solved.  A case
  * with several [passes] is one run, whose time begins again with each; its
  * result file has a row for each, theirs are OUT-1.h5 and so on.  The case
@@ -113,7 +109,6 @@ typedef struct ovr_run_error {
 } ovr_run_error;
 enum { OVR_RUN_ERRORS = 8 };
 typedef struct ovr_run_errors {
-    size_t size;  /* of this struct */
     int level;    /* one coarser; 0: none was made */
     size_t count; /* the end state first, then the extremes of a run */
     ovr_run_error of[OVR_RUN_ERRORS];
@@ -122,7 +117,6 @@ typedef struct ovr_run_errors {
 /* Stresses below a surface, as a run or a stored one leaves them: lengths in
  * b, stresses in p_h, maps value[depth * points + point]. */
 typedef struct ovr_stress_report {
-    size_t size; /* of this struct */
     int surface;
     const char *feature; /* xi counts from its centre at T = 0, or NULL */
     ovr_material material;
@@ -175,7 +169,6 @@ typedef struct ovr_stress_report {
  * anything is solved: heights in b^2/R, NAN where it says nothing.  Rq is the
  * largest in a window of |X| < OVR_ROUGH_WINDOW of all that comes through. */
 typedef struct ovr_rough_film {
-    size_t size;     /* of this struct */
     double Rq;       /* of the unloaded surfaces */
     double film_Rq;  /* of the film under the contact */
     double H_min;    /* the smallest film; 0: what is left is as high as it */
@@ -183,24 +176,8 @@ typedef struct ovr_rough_film {
     const char *but; /* it is less sure than overroll(1) says; or NULL */
 } ovr_rough_film;
 
-/* Of a prepared setup, in milliseconds. */
-OVR_API ovr_status ovr_setup_rough_film_into(const ovr_setup *setup,
-                                             const ovr_allocator *allocator,
-                                             ovr_rough_film *film,
-                                             ovr_error *err);
-static inline ovr_status ovr_setup_rough_film(const ovr_setup *setup,
-                                              const ovr_allocator *allocator,
-                                              ovr_rough_film *film,
-                                              ovr_error *err)
-{
-    if (film)
-        film->size = sizeof *film;
-    return ovr_setup_rough_film_into(setup, allocator, film, err);
-}
-
 /* Of a run at any moment. */
 typedef struct ovr_run_info {
-    size_t size; /* of this struct */
     const ovr_setup *setup;
     const ovr_simulation *sim;
     const char *output; /* result file or NULL */
@@ -245,7 +222,6 @@ typedef enum ovr_summary_form {
     OVR_SUMMARY_WORDS_BEHIND /* the same with a number before the text */
 } ovr_summary_form;
 typedef struct ovr_summary_line {
-    size_t size;     /* of this struct */
     const char *key; /* NULL: for people alone */
     ovr_summary_form form;
     double number;
@@ -261,11 +237,6 @@ OVR_API void ovr_run_summary(const ovr_run_info *run, ovr_summary_taker *take,
 /* The same with lines for people in between, as reports have them. */
 OVR_API void ovr_run_report(const ovr_run_info *run, ovr_summary_taker *take,
                             void *data);
-
-/* "12.3 um": films in um, pressures in GPa, times in ms, lengths as they are;
- * "" where nothing is known in SI. */
-OVR_API ovr_piece ovr_physical(double value, ovr_unit_kind kind,
-                               const ovr_contact *contact);
 
 /* What a run says of the gear pair, cam or bearing that its case describes, as
  * lines for people, a name and a text each, from its summary.  Nothing without
@@ -307,14 +278,6 @@ OVR_API ovr_status ovr_setup_report(const ovr_setup *setup, double live,
                                     ovr_summary_taker *take, void *data,
                                     ovr_error *err);
 
-/* What a prepared setup would store: snapshots (the instants of the largest
- * pressure and the smallest film may come on top), and bytes on the disk before
- * they are compressed. */
-typedef struct ovr_storage {
-    double snapshots, bytes;
-} ovr_storage;
-OVR_API ovr_storage ovr_setup_storage(const ovr_setup *setup);
-
 /* What can be said of a prepared setup before it is solved: a grid too coarse
  * for its features, one of them inside from the start or never in the contact,
  * a start from rest, an end within the first step, too much sliding. */
@@ -328,8 +291,8 @@ OVR_API void ovr_setup_review(const ovr_setup *setup, ovr_listener *say,
  * overroll-study(5).  Cases are counted from 0.
  *
  *     ovr_study *study = ovr_study_read("loads.ini", NULL, &err);
- *     ovr_sweep_options how = ovr_sweep_options_default();
- *     ovr_sweep_totals totals = ovr_sweep_totals_default();
+ *     ovr_sweep_options how = {0};
+ *     ovr_sweep_totals totals = {0};
  *     if (study && !ovr_sweep(study, &how, &err))
  *         ovr_sweep_collect(study, "loads.csv", &totals, &err);
  *     ovr_study_free(study);
@@ -377,7 +340,6 @@ enum { OVR_SWEEP_MOST_WORKERS = 1024 };
  * output and error are its NAME.log: the callbacks of `run` and `report` are
  * called there. */
 typedef struct ovr_sweep_options {
-    size_t size; /* of this struct, as its user knows it */
     int workers; /* at once; 0: one a processor */
     bool retry;  /* failed cases again */
     bool redo;   /* all again, from their beginning */
@@ -400,7 +362,6 @@ typedef struct ovr_sweep_options {
     void (*report_find)(void *data, const struct ovr_find *find,
                         const ovr_error *err, FILE *summary);
 } ovr_sweep_options;
-OVR_SIZED(ovr_sweep_options)
 
 /* Whether a case that stands so is one to work on. */
 OVR_API bool ovr_sweep_wanted(const ovr_sweep_options *options,
@@ -412,11 +373,9 @@ OVR_API ovr_status ovr_sweep(const ovr_study *study,
                              const ovr_sweep_options *options, ovr_error *err);
 
 typedef struct ovr_sweep_totals {
-    size_t size;     /* of this struct, as its user knows it */
     size_t count[8]; /* by state */
     size_t marked;   /* cases with steps accepted above the tolerance */
 } ovr_sweep_totals;
-OVR_SIZED(ovr_sweep_totals)
 
 /* Writes manifest.csv in the folder and, unless NULL, the table of all cases
  * to `path`, which ends with .csv, .nc or .h5. */
@@ -427,7 +386,6 @@ OVR_API ovr_status ovr_sweep_collect(const ovr_study *study, const char *path,
 typedef struct ovr_table ovr_table;
 
 typedef struct ovr_table_column {
-    size_t size; /* of this struct */
     const char *name;
     const char *unit;        /* SI; "": none, or not known */
     bool varied;             /* a key of the study */

@@ -43,9 +43,6 @@ typedef enum ovr_smoother {
     OVR_DIPOLE
 } ovr_smoother;
 
-/* "line", ...: the words of solver.smoother. */
-OVR_API const char *ovr_smoother_name(ovr_smoother smoother);
-
 typedef enum ovr_stop {
     OVR_STOP_NEGLIGIBLE, /* algebraic error negligible beside 1e-6 of H */
     OVR_STOP_TRUNCATION, /* a fraction of the discretization error */
@@ -79,7 +76,6 @@ typedef enum ovr_refine {
 
 /* Zero or NAN where noted means: the program chooses from M, L and level. */
 typedef struct ovr_options {
-    size_t size;          /* of this struct, as its user knows it */
     double inlet, outlet; /* X_a < 0 < X_b; NAN: automatic; 0: -4 and 1.5, or
                              farther out where that would cost more than 0.5 %
                              of the central film, or the film ends later */
@@ -113,7 +109,7 @@ typedef struct ovr_options {
     ovr_faces faces;
 } ovr_options;
 
-OVR_SIZED(ovr_options)
+OVR_API ovr_options ovr_options_default(void);
 
 typedef struct ovr_simulation ovr_simulation;
 
@@ -170,7 +166,6 @@ OVR_API ovr_status ovr_simulation_step(ovr_simulation *sim, double dT,
 /* The solution now.  Arrays of n values, owned by the simulation, valid until
  * the next call that changes it. */
 typedef struct ovr_state {
-    size_t size; /* of this struct */
     long step;
     double T;
     size_t n;
@@ -194,7 +189,6 @@ enum { OVR_MORE = 8 };
 
 /* What is observed after a solve or step; definitions in the manual. */
 typedef struct ovr_observation {
-    size_t size; /* of this struct */
     double T, dT;
     double H_min, X_min;                 /* nodal */
     double H_min_located, X_min_located; /* parabola through three nodes */
@@ -276,7 +270,6 @@ ovr_simulation_observation(const ovr_simulation *sim);
  * Levels where the load was still being raised are left out.  Differences of
  * pressure as D sum |dP| / (pi/2). */
 typedef struct ovr_refinement {
-    size_t size; /* of this struct */
     int level;
     size_t nodes;
     int cycles;
@@ -332,7 +325,6 @@ enum {
  * member of ovr_observation; the values of a field are made when they are asked
  * for. */
 typedef struct ovr_observable {
-    size_t size;           /* of this struct */
     const char *name;      /* "min_film_thickness"; NULL: not in files */
     const char *key;       /* "H_min_located", of JSON; NULL: not there */
     const char *key_si;    /* the same in SI; NULL: not there */
@@ -370,7 +362,6 @@ OVR_API double ovr_observable_value(const ovr_observable *which,
  * `extreme`, its place in `where`, its time in `when`; its mean is in `mean`.
  * What is not kept is 0. */
 typedef struct ovr_statistics {
-    size_t size; /* of this struct */
     long steps, cycles, retries, substeps, marked;
     bool settled;       /* a march until steady ended because it was */
     long lagging;       /* steps marked for temperatures not their film's */
@@ -394,7 +385,6 @@ typedef enum ovr_kept_part {
     OVR_KEPT_MEAN
 } ovr_kept_part;
 typedef struct ovr_extreme {
-    size_t size;         /* of this struct */
     char key[48];        /* "P_max_overall"; of JSON, and an attribute */
     char key_si[64];     /* the same in SI; "": a pure number */
     char long_name[160]; /* one line for people */
@@ -427,7 +417,6 @@ typedef struct ovr_observer {
 } ovr_observer;
 
 typedef struct ovr_march {
-    size_t size;       /* of this struct, as its user knows it */
     double end;        /* last time */
     double dT;         /* step; 0: the mesh size */
     bool adaptive;     /* step from the scheme's own error estimate */
@@ -439,7 +428,6 @@ typedef struct ovr_march {
     double steady_from; /* until_steady: not before this time */
     double steady_rate; /* and when P and S change less a b/um; 0: 1e-8 */
 } ovr_march;
-OVR_SIZED(ovr_march)
 
 /* From the state now (steady start or restored) to the end.  With a fixed dT
  * the k-th time is exactly k dT. */

@@ -47,22 +47,6 @@ typedef enum ovr_element {
     OVR_ELEMENT_SPLINE /* cardinal cubic splines, order 4 */
 } ovr_element;
 
-struct ovr_layered;
-typedef struct ovr_stress_options {
-    size_t size;       /* of this struct, as its user knows it */
-    double mesh;       /* D */
-    double inlet;      /* X of the first node */
-    size_t nodes;      /* of P and Q */
-    double from, to;   /* where fields are wanted; -2.6 and 2.6 */
-    double depth_min;  /* 0: 4 D; not above D/2 */
-    double depth_max;  /* 2.5 */
-    double per_octave; /* depths; 5 */
-    ovr_element element;
-    bool traction;                    /* Q is given */
-    const struct ovr_layered *layers; /* on the body, in b; NULL: none */
-} ovr_stress_options;
-OVR_SIZED(ovr_stress_options)
-
 typedef struct ovr_stress ovr_stress;
 
 /* Fields of P and Q (nodes values each; Q NULL: none), their nodes moved by
@@ -100,24 +84,6 @@ typedef struct ovr_in_plane {
 /* ------------------------------------------------------ exact references */
 
 /* -------------------------------------------------------------- passages */
-
-typedef struct ovr_material_range {
-    size_t size;       /* of this struct, as its user knows it */
-    double reference;  /* X where xi = 0 is at U = 0 */
-    double from, to;   /* xi, b; fixed in the material */
-    double reach;      /* paths are followed through |X| <= reach; 2.5 */
-    double poisson;    /* 0.3 */
-    double residual_x; /* stresses already there, p_h, tension positive */
-    double residual_y;
-    size_t residuals; /* by depth in place of both, along and across alike: */
-    const double *residual_z, *residual_s; /* depths, b, which rise; stresses */
-    double least_depth; /* extremes are looked for from here; 0: 8 D */
-    /* Of the layers of ovr_stress_options, along x and across, borrowed; NULL:
-     * none.  What is above is that of the body below them. */
-    const double *layer_residual; /* two of each */
-    double yield;                 /* von Mises, of the body; 0: not told */
-} ovr_material_range;
-OVR_SIZED(ovr_material_range)
 
 /* One moment of a run. */
 typedef struct ovr_moment {
@@ -177,7 +143,6 @@ typedef enum ovr_criterion {
 } ovr_criterion;
 
 typedef struct ovr_life_options {
-    size_t size;           /* of this struct, as its user knows it */
     double limit;          /* A_u: amplitudes below it do no harm, p_h */
     double exponent;       /* c; 31/3 */
     double depth_exponent; /* h; 7/3 */
@@ -189,10 +154,8 @@ typedef struct ovr_life_options {
     const double *limit_z; /* [limits] */
     const double *limit_A; /* [limits], above 0 */
 } ovr_life_options;
-OVR_SIZED(ovr_life_options)
 
 typedef struct ovr_life_result {
-    size_t size;              /* of this struct */
     double smooth_risk;       /* i_0 from least_depth down */
     double equivalent_length; /* from least_depth down; NAN where i_0 = 0 */
     double least_depth;       /* the row it was counted from */

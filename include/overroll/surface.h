@@ -136,7 +136,6 @@ OVR_API double ovr_shape_width_half(int shape);
  * NAN: not given.  A field that the shape does not use must stay NAN.
  */
 typedef struct ovr_feature_form {
-    size_t size;      /* of this struct, as its user knows it */
     const char *name; /* for messages: the section's [feature NAME] */
     int surface;      /* 1 rides at u1, 2 at u2 */
     ovr_shape shape;
@@ -170,7 +169,6 @@ typedef struct ovr_feature_form {
 } ovr_feature_form;
 
 /* Surface 1, everything else not given. */
-OVR_SIZED(ovr_feature_form)
 
 typedef struct ovr_surfaces ovr_surfaces;
 
@@ -185,53 +183,9 @@ OVR_API void ovr_surfaces_standing(void *surfaces, double T, size_t n,
 
 /* ------------------------------------------------- what is on the surfaces */
 
-typedef struct ovr_feature_info {
-    size_t size; /* of this struct */
-    const char *name;
-    int surface;
-    ovr_shape shape;
-    double speed;         /* u_k/um */
-    double amplitude;     /* largest |S| */
-    double wavelength;    /* the shortest that matters, b: a grid needs several
-                             nodes in it; of local shapes the feature's width */
-    double diameter;      /* full width at half depth or height, b; NAN of
-                             shapes without a width */
-    double behind, ahead; /* extent about its centre, b (may be infinite) */
-    bool grows;           /* starts from nothing */
-    double Rq;            /* of what is rough (profiles, roughness, wave,
-                             chirp), b^2/R; 0: a single shape */
-    double last;          /* its last copy is so far behind it, b; 0 without
-                             copies, infinite when they have no end */
-    const char *assumed;  /* profiles: what the reader assumed and what was
-                             done, lines ended by '\n'; else "" */
-} ovr_feature_info;
-
-OVR_API size_t ovr_surfaces_count(const ovr_surfaces *surfaces);
-OVR_API void ovr_surfaces_info_into(const ovr_surfaces *surfaces,
-                                    size_t feature, ovr_feature_info *info);
-static inline ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces,
-                                                 size_t feature)
-{
-    ovr_feature_info info;
-    info.size = sizeof info;
-    ovr_surfaces_info_into(surfaces, feature, &info);
-    return info;
-}
-
 /* u_k/um of the surface with the steepest feature that moves, by its height
  * over its wavelength; NAN: nothing moves.  For ovr_simulation_moving. */
 OVR_API double ovr_surfaces_speed(const ovr_surfaces *surfaces);
-
-/* When a feature's first end comes into the film between inlet and outlet,
- * when its centre (of the first of its copies) is at X = 0, and when its last
- * end, that of the last copy, has left: 0 where that is over at T = 0, INFINITY
- * where it never comes to pass up to `until`. */
-typedef struct ovr_feature_times {
-    double enters, centre, leaves;
-} ovr_feature_times;
-OVR_API ovr_feature_times ovr_surfaces_times(const ovr_surfaces *surfaces,
-                                             size_t feature, double inlet,
-                                             double outlet, double until);
 
 #ifdef __cplusplus
 }

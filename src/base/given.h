@@ -13,4 +13,14 @@ ovr_status ovr_fail_null(ovr_error *err, const char *function);
 /* The same of a constructor, which returns NULL. */
 void *ovr_null(ovr_error *err, const char *function);
 
+/* A copy of the struct that a caller gives; OVR_BAD_INPUT, "no NAME is given",
+ * where he gives none: `to` stays as it is. */
+ovr_status ovr_given(void *to, size_t size, const void *from, const char *name,
+                     ovr_error *err);
+#define OVR_TAKE(type, to, from, err)                                          \
+    ovr_given(to, sizeof(type), from, #type, err)
+
+/* Whether there is a struct to fill. */
+ovr_status ovr_room(const void *to, const char *name, ovr_error *err);
+
 #endif

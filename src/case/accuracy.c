@@ -23,8 +23,11 @@
 #include <math.h>
 
 #include "case/domain.h"
+#include "contact/contact.h"
 #include "contact/curvature.h"
+#include "contact/film_formula.h"
 #include "simulation/scheme.h"
+#include "surface/surfaces.h"
 
 /* The order that a solution reaches where nothing goes wrong. */
 static int order_of(const ovr_setup *s)

@@ -9,7 +9,6 @@
 
 #include "base/error.h"
 #include "base/given.h"
-#include "base/sized.h"
 #include "base/text.h"
 
 /* --------------------------------------------------------------- settings */
@@ -170,12 +169,10 @@ size_t ovr_case_entries(const ovr_case *c)
     return n;
 }
 
-void ovr_case_entry_into(const ovr_case *c, size_t k, ovr_case_entry *to)
+ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k)
 {
-    if (!c)
-        return;
-    const ovr_block *b = c->blocks;
     ovr_case_entry entry = {0};
+    const ovr_block *b = c ? c->blocks : NULL;
     while (b && k >= b->count) {
         k -= b->count;
         b = b->next;
@@ -197,5 +194,5 @@ void ovr_case_entry_into(const ovr_case *c, size_t k, ovr_case_entry *to)
         entry.parameter = ovr_section_first(b->section) + k;
         entry.applies = ovr_key_applies(c, b, row);
     }
-    ovr_sized_give(to, &entry, sizeof entry);
+    return entry;
 }

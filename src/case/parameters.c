@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "base/sized.h"
+#include "base/given.h"
 #include "case/condition.h"
 #include "case/keys/keys.h"
 #include "simulation/physics.h"
@@ -144,7 +144,7 @@ const char *ovr_hertzian_name(ovr_hertzian hertzian)
     return "";
 }
 
-void ovr_parameter_into(size_t k, ovr_parameter_info *to)
+ovr_parameter_info ovr_parameter_at(size_t k)
 {
     const ovr_section *section = sections[0];
     const ovr_parameter *found = ovr_parameter_row(k, &section);
@@ -165,5 +165,5 @@ void ovr_parameter_into(size_t k, ovr_parameter_info *to)
     for (size_t i = 0; row->words && row->words[i].name && i < 23; i++)
         info.choices[i] = row->words[i].name;
     ovr_when_text(row, info.when, sizeof info.when);
-    ovr_sized_give(to, &info, sizeof info);
+    return info;
 }

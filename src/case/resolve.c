@@ -10,6 +10,8 @@
 #include "base/given.h"
 #include "case/resolve_element.h"
 #include "contact/contact.h"
+#include "contact/flow_law.h"
+#include "contact/heat.h"
 #include "contact/oil.h"
 #include "surface/layer.h"
 #include "surface/surfaces.h"
@@ -68,15 +70,6 @@ static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
 
 /* -------------------------------------------------------------- all of it */
 
-static void set_sizes(ovr_resolved *r)
-{
-    r->setup.size = sizeof r->setup;
-    r->supply.size = sizeof r->supply;
-    r->values.passes.size = sizeof r->values.passes;
-    r->values.output.size = sizeof r->values.output;
-    r->values.stress.size = sizeof r->values.stress;
-}
-
 ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
                             ovr_error *err)
 {
@@ -89,7 +82,6 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
         return NULL;
     r->arena = arena;
     r->c = c;
-    set_sizes(r);
     r->setup.contact = &r->contact;
     r->setup.lubricant = &r->lubricant;
     r->setup.options = &r->values.options;

@@ -11,6 +11,7 @@
 
 #include "case/resolve.h"
 #include "contact/contact.h"
+#include "surface/surfaces.h"
 
 static const double LATEST = 1e5; /* b/um, as of a given end */
 

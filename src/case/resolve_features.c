@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "case/resolve.h"
+#include "surface/surfaces.h"
 
 static ovr_status fill_feature(ovr_resolved *r, const ovr_block *block,
                                ovr_feature_settings *to, ovr_error *err)

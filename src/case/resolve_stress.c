@@ -6,8 +6,10 @@
 #include "base/error.h"
 #include "case/resolve.h"
 #include "case/two_columns.h"
+#include "contact/contact.h"
 #include "elements/elements.h"
 #include "results/results.h"
+#include "stress/stress.h"
 
 /* A section is there when its header is, or any of its keys. */
 static bool is_there(const ovr_block *block)

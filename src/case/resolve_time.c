@@ -43,7 +43,7 @@ ovr_status ovr_resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
     ovr_settings *v = &r->values;
     ovr_setup *s = &r->setup;
     s->transient = ovr_slot_of(r, "time", "end")->given || ovr_element_moves(r);
-    r->march = ovr_march_default();
+    r->march = (ovr_march){0};
     r->march.end = s->transient ? v->end : 0;
     r->march.adaptive = v->step == OVR_STEP_ADAPTIVE;
     r->march.dT = r->march.adaptive ? 0 : v->step;

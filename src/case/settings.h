@@ -4,9 +4,11 @@
 #define OVR_CASE_SETTINGS_H
 
 #include "case/plastic.h"
+#include "contact/contact.h"
+#include "contact/heat.h"
+#include "contact/oil.h"
 #include "overroll/case.h"
 #include "overroll/elements.h"
-#include "overroll/oil.h"
 
 /* How load or speed change. */
 typedef struct ovr_change {

@@ -7,6 +7,7 @@
 #include "case/accuracy.h"
 #include "case/domain.h"
 #include "case/feed.h"
+#include "case/setup.h"
 #include "contact/contact.h"
 #include "contact/scaled_history.h"
 #include "contact/starvation.h"

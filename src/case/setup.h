@@ -14,4 +14,8 @@ const ovr_bearing *ovr_setup_bearing(const ovr_setup *setup);
  * theirs. */
 unsigned ovr_setup_physics(const ovr_setup *setup);
 
+/* Memory that its simulation takes, bytes; INFINITY: more than this process may
+ * address. */
+double ovr_setup_memory(const ovr_setup *setup);
+
 #endif

@@ -10,7 +10,9 @@
 
 #include "case/resolve_element.h"
 #include "case/setup.h"
+#include "contact/contact.h"
 #include "contact/curvature.h"
+#include "contact/film_formula.h"
 #include "elements/elements.h"
 
 typedef struct listing {

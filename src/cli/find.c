@@ -216,7 +216,7 @@ static int ask(cli_call *call, const question *q)
 {
     int code;
     ovr_error err = {0};
-    ovr_find_options how = ovr_find_options_default();
+    ovr_find_options how = {0};
     ovr_case *c;
     ovr_find *find;
     how.key = q->key;

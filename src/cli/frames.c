@@ -126,7 +126,7 @@ static int draw(const cli_call *call, const ovr_frames_options *given,
 
 static int run(cli_call *call)
 {
-    ovr_frames_options o = ovr_frames_options_default();
+    ovr_frames_options o = {0};
     ovr_picture_options look = ovr_picture_options_default();
     const char *names[CLI_RESULTS];
     int code = take_options(call, &o, &look);

@@ -181,7 +181,7 @@ static int take_figure(const cli_call *call, ovr_figure_options *f)
     ovr_picture_options shared = ovr_picture_options_default();
     const char *log = cli_value(call, "log");
     int code = cli_picture_options(call, &shared);
-    *f = ovr_figure_options_default();
+    *f = (ovr_figure_options){0};
     f->path = cli_value(call, "o");
     f->force = cli_flag(call, "force");
     f->script = cli_value(call, "script");

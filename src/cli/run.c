@@ -52,7 +52,7 @@ static void progress(void *data, const ovr_run *run, double fraction)
 
 ovr_run_options cli_run_options(cli_watch *watch)
 {
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     how.data = watch;
     how.say = say;
     how.stop = how.interrupt = stop;

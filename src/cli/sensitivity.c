@@ -70,7 +70,7 @@ int cli_sensitivity(const cli_call *call, ovr_case *c, bool steady)
 {
     const char *keys = cli_value(call, "sensitivity");
     const char *workers = cli_value(call, "j");
-    ovr_sensitivity_options how = ovr_sensitivity_options_default();
+    ovr_sensitivity_options how = {0};
     ovr_sensitivity *found;
     ovr_error err = {0};
     char *end = NULL;

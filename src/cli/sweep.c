@@ -189,7 +189,7 @@ static int show_sample(const sweeping *w)
 /* Manifest, table, report; the exit code. */
 static int finish(sweeping *w)
 {
-    ovr_sweep_totals totals = ovr_sweep_totals_default();
+    ovr_sweep_totals totals = {0};
     ovr_error err = {0};
     if (ovr_sweep_collect(w->s, cli_value(w->call, "collect"), &totals, &err))
         return cli_fail(&err);
@@ -298,7 +298,7 @@ static int do_what_is_asked(sweeping *w)
 static int run(cli_call *call)
 {
     sweeping w = {.call = call,
-                  .how = ovr_sweep_options_default(),
+                  .how = (ovr_sweep_options){0},
                   .logged = *call,
                   .begun = cli_seconds()};
     ovr_error err = {0};

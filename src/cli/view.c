@@ -15,7 +15,7 @@ static const cli_option options[] = {
 
 static int run(cli_call *call)
 {
-    ovr_view_options o = ovr_view_options_default();
+    ovr_view_options o = {0};
     ovr_result *results[CLI_RESULTS];
     const char *names[CLI_RESULTS];
     ovr_error err = {0};

@@ -10,7 +10,8 @@
  */
 #include "overroll/contact.h"
 #include "base/error.h"
-#include "base/sized.h"
+#include "base/given.h"
+#include "contact/contact.h"
 
 #include <math.h>
 
@@ -21,7 +22,7 @@ static const double M_LEAST = 1e-3, M_MOST = 1e6, L_MOST = 1e3;
 /* Redundant values may differ by their own rounding, no more. */
 static const double AGREE = 1e-6;
 
-void ovr_conditions_fill(ovr_conditions *options)
+ovr_conditions ovr_conditions_default(void)
 {
     const ovr_conditions defaults = {.M = NAN,
                                      .L = NAN,
@@ -39,7 +40,7 @@ void ovr_conditions_fill(ovr_conditions *options)
                                      .slide_to_roll = NAN,
                                      .G = NAN,
                                      .width = NAN};
-    ovr_sized_fill(options, &defaults, sizeof defaults);
+    return defaults;
 }
 
 static bool known(double value)
@@ -321,7 +322,7 @@ static ovr_status resolve(const ovr_conditions *given, ovr_contact *contact,
     return OVR_OK;
 }
 
-void ovr_contact_fill(ovr_contact *contact)
+ovr_contact ovr_contact_default(void)
 {
     const ovr_contact defaults = {.M = NAN,
                                   .L = NAN,
@@ -341,17 +342,17 @@ void ovr_contact_fill(ovr_contact *contact)
                                   .alpha = NAN,
                                   .um = NAN,
                                   .width = NAN};
-    ovr_sized_fill(contact, &defaults, sizeof defaults);
+    return defaults;
 }
 
-ovr_status ovr_contact_resolve_into(const ovr_conditions *given,
-                                    ovr_contact *contact, ovr_error *err)
+ovr_status ovr_contact_resolve(const ovr_conditions *given,
+                               ovr_contact *contact, ovr_error *err)
 {
     ovr_conditions own;
     ovr_contact made;
-    if (OVR_SIZED_TAKE(ovr_conditions, &own, given, err) ||
-        OVR_SIZED_ROOM(ovr_contact, contact, err) || resolve(&own, &made, err))
+    if (OVR_TAKE(ovr_conditions, &own, given, err) ||
+        ovr_room(contact, "ovr_contact", err) || resolve(&own, &made, err))
         return OVR_BAD_INPUT;
-    ovr_sized_give(contact, &made, sizeof made);
+    *contact = made;
     return OVR_OK;
 }

@@ -5,6 +5,31 @@
 
 #include "overroll/contact.h"
 
+/* A flow law: its stress in Pa, or as a number, the other one NAN. */
+typedef struct ovr_flow_form {
+    ovr_rheology rheology;
+    double stress;         /* tau0, Pa */
+    double number;         /* Sigma0 = tau0/(ph b/R) */
+    double limiting_shear; /* of the mean shear stress, for friction */
+    double n, a;           /* Carreau-Yasuda: exponents, 0.5 and 2 */
+    /* Points of a table, both increasing, the stress no faster than the rate;
+     * borrowed.  Its stress, which is but a scale, in the units of `shear`. */
+    size_t points;
+    const double *rate, *shear;
+    const ovr_flow_law *law; /* of all but Newtonian and Eyring */
+} ovr_flow_form;
+
+/* What a history is made of; times in b/um, values relative to nominal. */
+typedef struct ovr_history_form {
+    ovr_history_kind kind;
+    double from, to;          /* ramp, step: value before and after */
+    double start, duration;   /* ramp (quintic smoothstep), step: duration 0 */
+    double amplitude, period; /* sine */
+    size_t points;            /* table */
+    const double *T, *value;  /* table, T increasing; copied */
+    double mean;              /* sine: what it is about, and before start; 1 */
+} ovr_history_form;
+
 /* The table of Carreau's law or that of points; a second's tenth of work.
  * NULL: *err says why. */
 ovr_flow_law *ovr_flow_law_create(const ovr_flow_form *given,
@@ -45,5 +70,21 @@ double ovr_surface_speed(const ovr_history *speed, const ovr_history *sliding,
  * u2)/um0 the integral of Cu +- V/2. */
 double ovr_surface_way(const ovr_history *speed, const ovr_history *sliding,
                        double ratio, int surface, double T);
+
+/* All fields NAN but the two ratios, which are 1. */
+ovr_contact ovr_contact_default(void);
+
+/* Value 1 at all times. */
+ovr_history_form ovr_history_form_default(void);
+ovr_flow_form ovr_flow_form_default(void);
+
+/* Relative density at one dimensionless pressure. */
+double ovr_density(const ovr_lubricant *lubricant, double P);
+
+/* Value at T (a NULL history is 1). */
+double ovr_history_value(const ovr_history *history, double T);
+
+/* Whether it is ever another than at T = 0. */
+bool ovr_history_varies(const ovr_history *history);
 
 #endif

@@ -21,6 +21,7 @@
 #include <math.h>
 
 #include "contact/film_fit.h"
+#include "contact/film_formula.h"
 
 const ovr_film_constants ovr_central_film = {{2.691, -0.2099, 1.321, 1.254,
                                               -0.1201, 0.7429, 2.013, 5.559,

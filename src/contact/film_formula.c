@@ -8,6 +8,7 @@
  *     H = [(H_RI^(7/3) + H_EI^(7/3))^(3s/7)
  *          + (H_RP^(-7/2) + H_EP^(-7/2))^(-2s/7)]^(1/s)
  */
+#include "contact/film_formula.h"
 #include "overroll/contact.h"
 
 #include <math.h>

@@ -8,7 +8,7 @@
 
 #include "base/arena.h"
 #include "base/error.h"
-#include "base/sized.h"
+#include "base/given.h"
 #include "contact/contact.h"
 
 static const double LEAST = OVR_CURVE_LEAST, STEP = OVR_CURVE_STEP;
@@ -333,8 +333,7 @@ ovr_flow_law *ovr_flow_law_create(const ovr_flow_form *given,
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_flow_law *made;
     splines *of;
-    if (OVR_SIZED_TAKE(ovr_flow_form, &form, given, err) ||
-        check_form(&form, err))
+    if (OVR_TAKE(ovr_flow_form, &form, given, err) || check_form(&form, err))
         return NULL;
     made = ovr_arena_take(&arena, 1, sizeof *made, err);
     of = made ? ovr_arena_take(&arena, 1, sizeof *of, err) : NULL;

@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "base/error.h"
-#include "base/sized.h"
+#include "base/given.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -73,11 +73,10 @@ static void make_numbers(const ovr_heat_form *form, const ovr_contact *c,
     }
 }
 
-void ovr_heat_form_fill(ovr_heat_form *form)
+ovr_heat_form ovr_heat_form_default(void)
 {
     const ovr_thermal none = {NAN, NAN, NAN};
-    const ovr_heat_form defaults = {.size = sizeof defaults,
-                                    .points = 0,
+    const ovr_heat_form defaults = {.points = 0,
                                     .temperature = NAN,
                                     .bulk = {NAN, NAN},
                                     .oil = none,
@@ -85,35 +84,28 @@ void ovr_heat_form_fill(ovr_heat_form *form)
                                     .expansion = 0,
                                     .S0 = NAN,
                                     .beta = NAN};
-    ovr_sized_fill(form, &defaults, sizeof defaults);
+    return defaults;
 }
 
-void ovr_heat_fill(ovr_heat *heat)
-{
-    const ovr_heat none = {.points = 0};
-    ovr_sized_fill(heat, &none, sizeof none);
-}
-
-ovr_status ovr_heat_make_into(const ovr_heat_form *form,
-                              const ovr_contact *contact,
-                              const ovr_lubricant *lubricant, ovr_heat *heat,
-                              ovr_error *err)
+ovr_status ovr_heat_make(const ovr_heat_form *form, const ovr_contact *contact,
+                         const ovr_lubricant *lubricant, ovr_heat *heat,
+                         ovr_error *err)
 {
     ovr_heat_form whole;
     ovr_contact of;
     ovr_lubricant oil;
     ovr_heat made = {0};
-    if (OVR_SIZED_TAKE(ovr_heat_form, &whole, form, err) ||
-        OVR_SIZED_TAKE(ovr_contact, &of, contact, err) ||
-        OVR_SIZED_TAKE(ovr_lubricant, &oil, lubricant, err) ||
-        OVR_SIZED_ROOM(ovr_heat, heat, err))
+    if (OVR_TAKE(ovr_heat_form, &whole, form, err) ||
+        OVR_TAKE(ovr_contact, &of, contact, err) ||
+        OVR_TAKE(ovr_lubricant, &oil, lubricant, err) ||
+        ovr_room(heat, "ovr_heat", err))
         return OVR_BAD_INPUT;
     if (isnan(whole.temperature))
         return missing("temperature", err);
     if (check_contact(&of, err) || viscosity(&whole, &oil, &made, err))
         return OVR_BAD_INPUT;
     make_numbers(&whole, &of, oil.density_law != OVR_INCOMPRESSIBLE, &made);
-    ovr_sized_give(heat, &made, sizeof made);
+    *heat = made;
     return OVR_OK;
 }
 
@@ -125,8 +117,7 @@ static double warmth(const ovr_heat *heat, double T)
 
 double ovr_heat_log_viscosity(const ovr_heat *given, double log_eta, double T)
 {
-    ovr_heat own = {0};
-    const ovr_heat *heat = ovr_sized_whole(&own, sizeof own, given);
+    const ovr_heat *heat = given;
     if (!heat)
         return NAN;
     if (heat->C == 0)
@@ -136,8 +127,7 @@ double ovr_heat_log_viscosity(const ovr_heat *given, double log_eta, double T)
 
 double ovr_heat_viscosity_fall(const ovr_heat *given, double log_eta, double T)
 {
-    ovr_heat own = {0};
-    const ovr_heat *heat = ovr_sized_whole(&own, sizeof own, given);
+    const ovr_heat *heat = given;
     double x;
     if (!heat)
         return NAN;

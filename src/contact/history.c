@@ -15,7 +15,7 @@
  * spline, where the points do not increase, and where malloc fails: the first
  * is checked before, for the others it is switched off.
  */
-#include "base/sized.h"
+#include "base/given.h"
 #include "contact/contact.h"
 
 #include <gsl/gsl_errno.h>
@@ -36,14 +36,14 @@ struct ovr_history {
     ovr_arena arena;
 };
 
-void ovr_history_form_fill(ovr_history_form *options)
+ovr_history_form ovr_history_form_default(void)
 {
     const ovr_history_form defaults = {.kind = OVR_HISTORY_CONSTANT,
                                        .from = 1,
                                        .to = 1,
                                        .period = 1,
                                        .mean = 1};
-    ovr_sized_fill(options, &defaults, sizeof defaults);
+    return defaults;
 }
 
 /* --------------------------------------------------------------- checks */
@@ -153,8 +153,7 @@ ovr_history *ovr_history_create(const ovr_history_form *given,
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_history *history;
     ovr_history_form own, *form = &own;
-    if (OVR_SIZED_TAKE(ovr_history_form, form, given, err) ||
-        check_form(form, err))
+    if (OVR_TAKE(ovr_history_form, form, given, err) || check_form(form, err))
         return NULL;
     history = ovr_arena_take(&arena, 1, sizeof *history, err);
     if (!history)

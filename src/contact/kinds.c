@@ -3,12 +3,12 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/sized.h"
+#include "base/given.h"
 #include "overroll/contact.h"
 
 #define ROW(name, si, hertzian, suffix)                                        \
     {                                                                          \
-        sizeof(ovr_kind_info), name, si, hertzian, suffix                      \
+        name, si, hertzian, suffix                                             \
     }
 static const ovr_kind_info kinds[OVR_KINDS + 1] = {
     [OVR_KIND_NUMBER] = ROW("number", "1", "1", ""),
@@ -46,8 +46,7 @@ ovr_unit_kind ovr_kind_named(const char *name)
 
 double ovr_kind_scale(ovr_unit_kind kind, const ovr_contact *contact)
 {
-    ovr_contact own = ovr_contact_default();
-    const ovr_contact *c = ovr_sized_whole(&own, sizeof own, contact);
+    const ovr_contact *c = contact;
     if (!c)
         return NAN;
     switch (kind) {

@@ -2,20 +2,13 @@
 /* The laws of a lubricant (contact/laws) at one pressure. */
 #include <math.h>
 
-#include "base/sized.h"
+#include "base/given.h"
 #include "contact/contact.h"
 #include "contact/laws/fluid.h"
 
-void ovr_lubricant_fill(ovr_lubricant *lubricant)
-{
-    const ovr_lubricant defaults = {.alphabar = 0};
-    ovr_sized_fill(lubricant, &defaults, sizeof defaults);
-}
-
 double ovr_viscosity(const ovr_lubricant *lubricant, double P)
 {
-    ovr_lubricant own = ovr_lubricant_default();
-    const ovr_lubricant *oil = ovr_sized_whole(&own, sizeof own, lubricant);
+    const ovr_lubricant *oil = lubricant;
     fluid_laws c = {0};
     if (!oil)
         return NAN;
@@ -28,8 +21,7 @@ double ovr_viscosity(const ovr_lubricant *lubricant, double P)
 
 double ovr_density(const ovr_lubricant *lubricant, double P)
 {
-    ovr_lubricant own = ovr_lubricant_default();
-    const ovr_lubricant *oil = ovr_sized_whole(&own, sizeof own, lubricant);
+    const ovr_lubricant *oil = lubricant;
     fluid_laws c = {0};
     double slope;
     if (!oil)

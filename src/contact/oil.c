@@ -11,7 +11,7 @@
 #include <math.h>
 
 #include "base/error.h"
-#include "base/sized.h"
+#include "base/given.h"
 #include "contact/contact.h"
 #include "contact/laws/table.h"
 
@@ -24,10 +24,9 @@ static const double DENSITY_MINERAL = 870;
 /* Of mineral oils near 40 degC, 1/K: for densities away from 15 degC. */
 static const double EXPANSION = 6.5e-4;
 
-void ovr_oil_fill(ovr_oil *to)
+ovr_oil ovr_oil_default(void)
 {
-    ovr_oil oil = {.size = sizeof oil,
-                   .viscosity_law = OVR_ROELANDS,
+    ovr_oil oil = {.viscosity_law = OVR_ROELANDS,
                    .density_law = OVR_DOWSON_HIGGINSON};
     double *const numbers[] = {&oil.temperature,
                                &oil.viscosity,
@@ -53,7 +52,7 @@ void ovr_oil_fill(ovr_oil *to)
                                &oil.viscosity_index};
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
         *numbers[i] = NAN;
-    ovr_sized_fill(to, &oil, sizeof oil);
+    return oil;
 }
 
 /* ---------------------------------------------------------- what is given */
@@ -246,11 +245,11 @@ static ovr_status complete(ovr_oil *oil, ovr_error *err)
 ovr_status ovr_oil_complete(ovr_oil *oil, ovr_error *err)
 {
     ovr_oil whole;
-    ovr_status status = OVR_SIZED_TAKE(ovr_oil, &whole, oil, err);
+    ovr_status status = OVR_TAKE(ovr_oil, &whole, oil, err);
     if (!status)
         status = complete(&whole, err);
     if (!status)
-        ovr_sized_fill(oil, &whole, sizeof whole);
+        *oil = whole;
     return status;
 }
 
@@ -344,42 +343,39 @@ static ovr_status scale(const ovr_oil *oil, const ovr_contact *contact,
     return OVR_OK;
 }
 
-ovr_status ovr_oil_scale_into(const ovr_oil *oil, const ovr_contact *contact,
-                              ovr_lubricant *lubricant, ovr_error *err)
+ovr_status ovr_oil_scale(const ovr_oil *oil, const ovr_contact *contact,
+                         ovr_lubricant *lubricant, ovr_error *err)
 {
     ovr_oil whole;
     ovr_contact of;
     ovr_lubricant made;
-    if (OVR_SIZED_TAKE(ovr_oil, &whole, oil, err) ||
-        OVR_SIZED_TAKE(ovr_contact, &of, contact, err) ||
-        OVR_SIZED_ROOM(ovr_lubricant, lubricant, err) ||
+    if (OVR_TAKE(ovr_oil, &whole, oil, err) ||
+        OVR_TAKE(ovr_contact, &of, contact, err) ||
+        ovr_room(lubricant, "ovr_lubricant", err) ||
         scale(&whole, &of, &made, err))
         return OVR_BAD_INPUT;
-    ovr_sized_give(lubricant, &made, sizeof made);
+    *lubricant = made;
     return OVR_OK;
 }
 
 /* Of an oil of which no more is known than its laws and Roelands' constants. */
-ovr_status ovr_lubricant_make_into(const ovr_contact *contact,
-                                   ovr_viscosity_law viscosity_law,
-                                   ovr_density_law density_law, double p0,
-                                   double z, ovr_lubricant *lubricant,
-                                   ovr_error *err)
+ovr_status ovr_lubricant_make(const ovr_contact *contact,
+                              ovr_viscosity_law viscosity_law,
+                              ovr_density_law density_law, double p0, double z,
+                              ovr_lubricant *lubricant, ovr_error *err)
 {
     ovr_oil oil = ovr_oil_default();
     oil.viscosity_law = viscosity_law;
     oil.density_law = density_law;
     oil.p0 = p0;
     oil.z = z;
-    return ovr_oil_scale_into(&oil, contact, lubricant, err);
+    return ovr_oil_scale(&oil, contact, lubricant, err);
 }
 
 /* Panels of Gauss and Legendre's 5 points, each 1.2 times the one before,
  * until eta is beyond 1e18 or the panels add nothing. */
-double ovr_asymptotic_alphabar(const ovr_lubricant *given)
+double ovr_asymptotic_alphabar(const ovr_lubricant *lubricant)
 {
-    ovr_lubricant own = ovr_lubricant_default();
-    const ovr_lubricant *lubricant = ovr_sized_whole(&own, sizeof own, given);
     static const double x[] = {0, 0.5384693101056831, 0.9061798459386640};
     static const double w[] = {0.5688888888888889, 0.4786286704993665,
                                0.2369268850561891};

@@ -1,9 +1,46 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Lubricants from the constants of an oil. */
+/*
+ * An oil in SI: the constants of its laws, viscosity against temperature as
+ * data sheets give it, and tables of measured values.
+ *
+ * The law of viscosity, and where it is given in the oil's own constants its
+ * viscosity eta0 and index alpha too, hold at the case's temperature:
+ *   Doolittle alpha = B R0/((1 - R0)^2 K0)
+ *   Yasutomi  eta0 and alpha at the temperature T
+ *   table     eta0 and alpha of its first point
+ * alpha is the slope of ln eta at p = 0.
+ */
 #ifndef OVR_CONTACT_OIL_H
 #define OVR_CONTACT_OIL_H
 
-#include "overroll/oil.h"
+#include "overroll/contact.h"
+
+typedef struct ovr_law_table ovr_law_table;
+
+typedef enum ovr_table_of {
+    OVR_TABLE_OF_VISCOSITY, /* Pa s */
+    OVR_TABLE_OF_DENSITY    /* kg/m3, or any unit: ratios count */
+} ovr_table_of;
+
+/* NAN: not given. */
+typedef struct ovr_oil {
+    ovr_viscosity_law viscosity_law;
+    ovr_density_law density_law;
+    double temperature;            /* K */
+    double viscosity;              /* eta0 at that temperature, Pa s */
+    double alpha;                  /* 1/Pa */
+    double p0, z;                  /* Roelands: Pa; bare */
+    double tait_K0, tait_K0_slope; /* at that temperature: Pa; bare */
+    double doolittle_B, doolittle_R0;
+    ovr_yasutomi yasutomi;  /* A2, b1 in 1/Pa; T is the temperature */
+    double glass_viscosity; /* Yasutomi: at the glass transition, Pa s */
+    double nu_40, nu_100;   /* kinematic viscosities, m2/s */
+    double density_15;      /* kg/m3 at 15 degC */
+    double viscosity_index; /* instead of nu_100 */
+    const ovr_law_table *viscosity_table, *density_table;
+    bool mineral; /* alpha and density_15 that are not given are estimated as
+                     those of a mineral oil */
+} ovr_oil;
 
 /* From n >= 2 points: p in Pa, increasing, the first from 0 to 1 MPa; values
  * positive, none below the one before.  Between the points ln(eta), or rho,
@@ -28,16 +65,8 @@ ovr_status ovr_oil_complete(ovr_oil *oil, ovr_error *err);
 
 /* The oil in a contact's scaling.  Its tables must live as long.  With L = 0
  * the film is isoviscous and incompressible whatever the laws. */
-ovr_status ovr_oil_scale_into(const ovr_oil *oil, const ovr_contact *contact,
-                              ovr_lubricant *lubricant, ovr_error *err);
-static inline ovr_status ovr_oil_scale(const ovr_oil *oil,
-                                       const ovr_contact *contact,
-                                       ovr_lubricant *lubricant, ovr_error *err)
-{
-    if (lubricant)
-        lubricant->size = sizeof *lubricant;
-    return ovr_oil_scale_into(oil, contact, lubricant, err);
-}
+ovr_status ovr_oil_scale(const ovr_oil *oil, const ovr_contact *contact,
+                         ovr_lubricant *lubricant, ovr_error *err);
 
 /* Kinematic viscosity at T (K) by Walther's form of ASTM D341,
  *   log10 log10(nu + 0.7) = A - B log10 T,  nu in mm2/s
@@ -48,5 +77,13 @@ double ovr_walther(double nu_40, double nu_100, double T);
  * degC from 2 mm2/s on, else NAN; and back: the viscosity at 100 degC. */
 double ovr_viscosity_index(double nu_40, double nu_100);
 double ovr_viscosity_at_100(double nu_40, double index);
+
+/* Roelands and Dowson-Higginson, all numbers NAN. */
+ovr_oil ovr_oil_default(void);
+
+/* Blok's reciprocal asymptotic isoviscous pressure coefficient times ph:
+ * 1/(integral from 0 to infinity of dP/eta(P)), eta relative; NAN where the
+ * viscosity does not rise. */
+double ovr_asymptotic_alphabar(const ovr_lubricant *lubricant);
 
 #endif

@@ -5,13 +5,13 @@
 #include "contact/contact.h"
 
 #include "base/error.h"
-#include "base/sized.h"
+#include "base/given.h"
 
-void ovr_flow_form_fill(ovr_flow_form *form)
+ovr_flow_form ovr_flow_form_default(void)
 {
     const ovr_flow_form defaults = {
         .stress = NAN, .number = NAN, .n = 0.5, .a = 2};
-    ovr_sized_fill(form, &defaults, sizeof defaults);
+    return defaults;
 }
 
 /* Keys of the stress: in Pa, and as a number. */
@@ -71,9 +71,9 @@ ovr_status ovr_lubricant_flow(const ovr_contact *contact,
     ovr_contact of;
     ovr_lubricant oil;
     double Sigma0 = 0;
-    if (OVR_SIZED_TAKE(ovr_flow_form, &form, given, err) ||
-        OVR_SIZED_TAKE(ovr_contact, &of, contact, err) ||
-        OVR_SIZED_TAKE(ovr_lubricant, &oil, lubricant, err) ||
+    if (OVR_TAKE(ovr_flow_form, &form, given, err) ||
+        OVR_TAKE(ovr_contact, &of, contact, err) ||
+        OVR_TAKE(ovr_lubricant, &oil, lubricant, err) ||
         check_form(&of, &form, err))
         return OVR_BAD_INPUT;
     if (form.rheology != OVR_NEWTONIAN &&
@@ -83,6 +83,7 @@ ovr_status ovr_lubricant_flow(const ovr_contact *contact,
     oil.Sigma0 = Sigma0;
     oil.limiting_shear = form.limiting_shear;
     oil.flow_law = form.law;
-    ovr_sized_give(lubricant, &oil, sizeof oil);
+    if (lubricant)
+        *lubricant = oil;
     return OVR_OK;
 }

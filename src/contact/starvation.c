@@ -23,6 +23,7 @@
 
 #include <math.h>
 
+#include "contact/film_formula.h"
 #include "overroll/contact.h"
 
 static const double pi = 3.14159265358979323846;

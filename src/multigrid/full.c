@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "contact/film_formula.h"
 #include "multigrid/coarsest.h"
 #include "multigrid/fas.h"
 

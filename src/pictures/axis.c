@@ -36,8 +36,7 @@ static const quantity quantities[] = {
 
 static double scale_of(const ovr_result_info *info, ovr_unit_kind kind)
 {
-    const ovr_contact contact = {.size = sizeof contact,
-                                 .b = info->b,
+    const ovr_contact contact = {.b = info->b,
                                  .ph = info->ph,
                                  .height = info->height,
                                  .time = info->time};

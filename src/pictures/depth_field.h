@@ -8,6 +8,7 @@
 #include "overroll/case.h"
 #include "pictures/chart.h"
 #include "pictures/run.h"
+#include "stress/stress.h"
 
 enum { OVR_CELLS_X = 360, OVR_CELLS_Z = 160 };
 

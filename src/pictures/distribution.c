@@ -11,7 +11,6 @@
 
 #include "base/given.h"
 #include "base/plain.h"
-#include "base/sized.h"
 #include "overroll/questions.h"
 #include "pictures/picture.h"
 
@@ -309,7 +308,7 @@ ovr_status ovr_figure_distribution(const ovr_study *study,
     if (!study)
         return ovr_fail_null(err, __func__);
     ovr_figure_options own;
-    if (OVR_SIZED_TAKE(ovr_figure_options, &own, given, err))
+    if (OVR_TAKE(ovr_figure_options, &own, given, err))
         return OVR_BAD_INPUT;
     locale_t before = ovr_plain_begin();
     ovr_arena arena = ovr_arena_make(allocator);

@@ -13,19 +13,12 @@
 
 #include "base/given.h"
 #include "base/plain.h"
-#include "base/sized.h"
 #include "base/text.h"
 #include "overroll/text.h"
 #include "pictures/picture.h"
 #include "pictures/snapshot.h"
 
 enum { LINES = 21, PANELS = 12, KEYS = 16, LABEL = 240, ENOUGH = 3000 };
-
-void ovr_figure_options_fill(ovr_figure_options *options)
-{
-    const ovr_figure_options defaults = {.force = false};
-    ovr_sized_fill(options, &defaults, sizeof defaults);
-}
 
 typedef struct sample {
     size_t panel, line;
@@ -762,7 +755,7 @@ ovr_status ovr_figure(const ovr_table *table, const ovr_figure_options *given,
                       const ovr_allocator *allocator, ovr_error *err)
 {
     ovr_figure_options own, *options = &own;
-    if (OVR_SIZED_TAKE(ovr_figure_options, options, given, err))
+    if (OVR_TAKE(ovr_figure_options, options, given, err))
         return OVR_BAD_INPUT;
     if (!table)
         return ovr_fail_null(err, __func__);

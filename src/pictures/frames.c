@@ -15,8 +15,8 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include "base/given.h"
 #include "base/plain.h"
-#include "base/sized.h"
 #include "pictures/depth_field.h"
 #include "pictures/gnuplot.h"
 #include "pictures/movie.h"
@@ -24,12 +24,6 @@
 #include "pictures/snapshot.h"
 
 enum { WORKERS = 32 };
-
-void ovr_frames_options_fill(ovr_frames_options *options)
-{
-    const ovr_frames_options defaults = {.look = NULL};
-    ovr_sized_fill(options, &defaults, sizeof defaults);
-}
 
 typedef struct studio {
     const ovr_frames_options *o;
@@ -408,11 +402,10 @@ static ovr_status make(studio *s, ovr_error *err)
 static ovr_status take_options(studio *s, const ovr_frames_options *given,
                                ovr_error *err)
 {
-    ovr_status status = OVR_SIZED_TAKE(ovr_frames_options, &s->own, given, err);
+    ovr_status status = OVR_TAKE(ovr_frames_options, &s->own, given, err);
     s->each = ovr_picture_options_default();
     if (!status && s->own.look)
-        status = OVR_SIZED_TAKE(ovr_picture_options, &s->each, s->own.look,
-                                err);
+        status = OVR_TAKE(ovr_picture_options, &s->each, s->own.look, err);
     s->own.look = &s->each;
     s->o = &s->own;
     return status;

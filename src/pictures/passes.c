@@ -6,7 +6,6 @@
 
 #include "base/given.h"
 #include "base/plain.h"
-#include "base/sized.h"
 #include "pictures/axis.h"
 #include "pictures/picture.h"
 
@@ -121,7 +120,7 @@ ovr_status ovr_figure_passes(const ovr_table *passes,
     if (!passes)
         return ovr_fail_null(err, __func__);
     ovr_figure_options own, *options = &own;
-    if (OVR_SIZED_TAKE(ovr_figure_options, options, given, err))
+    if (OVR_TAKE(ovr_figure_options, options, given, err))
         return OVR_BAD_INPUT;
     locale_t before = ovr_plain_begin();
     ovr_arena arena = ovr_arena_make(allocator);

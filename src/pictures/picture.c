@@ -11,11 +11,10 @@
 
 #include "base/given.h"
 #include "base/plain.h"
-#include "base/sized.h"
 #include "pictures/gnuplot.h"
 #include "pictures/page.h"
 
-void ovr_picture_options_fill(ovr_picture_options *options)
+ovr_picture_options ovr_picture_options_default(void)
 {
     const ovr_picture_options defaults = {.x_from = NAN,
                                           .x_to = NAN,
@@ -23,7 +22,7 @@ void ovr_picture_options_fill(ovr_picture_options *options)
                                           .H_to = NAN,
                                           .T_from = NAN,
                                           .T_to = NAN};
-    ovr_sized_fill(options, &defaults, sizeof defaults);
+    return defaults;
 }
 
 ovr_status ovr_may_create(const char *path, bool force, ovr_error *err)
@@ -215,7 +214,7 @@ ovr_status ovr_picture(ovr_result *const *results, size_t count,
                        const ovr_allocator *allocator, ovr_error *err)
 {
     ovr_picture_options own, *o = &own;
-    if (OVR_SIZED_TAKE(ovr_picture_options, o, options, err))
+    if (OVR_TAKE(ovr_picture_options, o, options, err))
         return OVR_BAD_INPUT;
     if (!results)
         return ovr_fail_null(err, __func__);
@@ -242,7 +241,7 @@ ovr_status ovr_picture_element(const ovr_setup *setup,
                                const ovr_allocator *allocator, ovr_error *err)
 {
     ovr_picture_options own, *o = &own;
-    if (OVR_SIZED_TAKE(ovr_picture_options, o, given, err))
+    if (OVR_TAKE(ovr_picture_options, o, given, err))
         return OVR_BAD_INPUT;
     if (!setup)
         return ovr_fail_null(err, __func__);

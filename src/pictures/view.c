@@ -11,7 +11,6 @@
 
 #include "base/given.h"
 #include "base/plain.h"
-#include "base/sized.h"
 #include "case/case.h"
 #include "pictures/axis.h"
 #include "pictures/gnuplot.h"
@@ -25,12 +24,6 @@
 /* What a page is to hold at most: beyond it nodes and snapshots are left out,
  * evenly. */
 enum { MOST_NODES = 4000, MOST_STEPS = 4000, MOST_VALUES = 4000000 };
-
-void ovr_view_options_fill(ovr_view_options *options)
-{
-    const ovr_view_options defaults = {.force = false};
-    ovr_sized_fill(options, &defaults, sizeof defaults);
-}
 
 typedef struct writer {
     const char *stress; /* field wanted, or NULL */
@@ -479,7 +472,7 @@ ovr_status ovr_view(ovr_result *const *results, size_t count,
                     const ovr_allocator *allocator, ovr_error *err)
 {
     ovr_view_options own, *options = &own;
-    if (OVR_SIZED_TAKE(ovr_view_options, options, given, err))
+    if (OVR_TAKE(ovr_view_options, options, given, err))
         return OVR_BAD_INPUT;
     if (!results)
         return ovr_fail_null(err, __func__);

@@ -9,11 +9,10 @@
 #include <string.h>
 
 #include "base/given.h"
-#include "base/sized.h"
 #include "results/h5.h"
 #include "results/results.h"
 
-void ovr_write_options_fill(ovr_write_options *options)
+ovr_write_options ovr_write_options_default(void)
 {
     ovr_write_options o = {0};
     o.fields = OVR_FIELDS_DEFAULT;
@@ -22,7 +21,7 @@ void ovr_write_options_fill(ovr_write_options *options)
     o.deflate = 1;
     o.flush_interval = 0.5;
     o.checkpoint_interval = 30;
-    ovr_sized_fill(options, &o, sizeof o);
+    return o;
 }
 
 long ovr_write_every(const ovr_write_options *o, double end, double dT,
@@ -222,8 +221,8 @@ static ovr_writer *begin(const ovr_write_options *options,
     ovr_writer *w = NULL;
     ovr_write_options known;
     ovr_contact of;
-    if (!OVR_SIZED_TAKE(ovr_write_options, &known, options, err) &&
-        !OVR_SIZED_TAKE(ovr_contact, &of, contact, err) &&
+    if (!OVR_TAKE(ovr_write_options, &known, options, err) &&
+        !OVR_TAKE(ovr_contact, &of, contact, err) &&
         room_for_hdf5(&arena.allocator, err) == OVR_OK)
         w = ovr_arena_take(&arena, 1, sizeof *w, err);
     if (!w)

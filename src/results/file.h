@@ -15,6 +15,7 @@
 #include "overroll/results.h"
 #include "results/layout.h"
 #include "results/pack.h"
+#include "results/results.h"
 #include "results/store.h"
 
 /* Rows in a chunk of a history column or of `time`.  These chunks have no

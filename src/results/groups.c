@@ -9,7 +9,6 @@
 #include <string.h>
 
 #include "base/given.h"
-#include "base/sized.h"
 #include "results/h5.h"
 #include "results/results.h"
 #include "results/writer.h"
@@ -193,19 +192,13 @@ static bool make_group(ovr_writer *w, const ovr_group *g, bool keep)
     return ok;
 }
 
-void ovr_group_fill(ovr_group *group)
-{
-    const ovr_group none = {.path = NULL};
-    ovr_sized_fill(group, &none, sizeof none);
-}
-
 ovr_status ovr_writer_group(ovr_writer *w, const ovr_group *given, bool keep,
                             ovr_error *err)
 {
     if (!w)
         return ovr_fail_null(err, __func__);
     ovr_group g;
-    ovr_status status = OVR_SIZED_TAKE(ovr_group, &g, given, err);
+    ovr_status status = OVR_TAKE(ovr_group, &g, given, err);
     if (!status)
         status = ovr_queue_wait(&w->queue, err);
     if (status)
@@ -272,7 +265,7 @@ ovr_status ovr_writer_append(ovr_writer *w, const ovr_group *given, size_t k,
     if (!w)
         return ovr_fail_null(err, __func__);
     ovr_group g;
-    ovr_status status = OVR_SIZED_TAKE(ovr_group, &g, given, err);
+    ovr_status status = OVR_TAKE(ovr_group, &g, given, err);
     if (!status)
         status = ovr_queue_wait(&w->queue, err);
     if (status)

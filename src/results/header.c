@@ -9,6 +9,7 @@
 
 #include "overroll/version.h"
 #include "results/h5.h"
+#include "results/results.h"
 
 typedef ovr_new_dataset dataset;
 

@@ -31,8 +31,7 @@ ovr_status ovr_result_number(const ovr_result *result, ovr_unit_kind kind,
     if (!result || !text)
         return ovr_fail_null(err, __func__);
     const ovr_result_info *info = ovr_result_about(result);
-    const ovr_contact scales = {.size = sizeof scales,
-                                .b = info->b,
+    const ovr_contact scales = {.b = info->b,
                                 .ph = info->ph,
                                 .height = info->height,
                                 .time = info->time};

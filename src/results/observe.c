@@ -15,11 +15,8 @@ static const double *field_of(const void *sim, const ovr_observable *which,
 static ovr_frame frame_of(ovr_writer *w)
 {
     const ovr_simulation *sim = w->observed;
-    return (ovr_frame){sizeof(ovr_frame),
-                       ovr_simulation_state(sim),
-                       ovr_simulation_observation(sim),
-                       field_of,
-                       sim,
+    return (ovr_frame){ovr_simulation_state(sim),
+                       ovr_simulation_observation(sim), field_of, sim,
                        ovr_simulation_statistics(sim)};
 }
 

@@ -115,7 +115,6 @@ static void describe(ovr_result *r, uint64_t object, const char *path,
 {
     ovr_variable *v = &r->variable[r->variables];
     const char *slash = strrchr(path, '/');
-    v->size = sizeof *v;
     v->path = ovr_arena_text(&r->arena, path, NULL);
     r->starved = r->starved || !v->path;
     if (!v->path)
@@ -209,7 +208,6 @@ static ovr_status open_axes(ovr_result *r, ovr_error *err)
         !ovr_reader_dataset(r, "time", &time) || x.rank != 1 ||
         x.shape[0] == 0 || time.rank != 1)
         return damaged(r, "no x or no time", err);
-    r->info.size = sizeof r->info;
     r->info.nodes = (size_t)x.shape[0];
     r->info.snapshots = (size_t)time.shape[0];
     if (!count_complete(r, &time, &r->info.snapshots))

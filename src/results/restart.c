@@ -222,7 +222,6 @@ static ovr_status take_pieces(ovr_restart *r, ovr_error *err)
         if (!take_piece(r, &p, err))
             return OVR_NO_MEMORY;
     r->first_state = at;
-    r->info.size = sizeof r->info;
     r->info.has_state = piece_at(r, at, &p);
     take_domain(r);
     r->info.values = r->values;

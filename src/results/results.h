@@ -6,6 +6,52 @@
 
 #include "overroll/results.h"
 
+/* What is written, and when.  A snapshot is stored at every moment that any
+ * of the three schedules names; `times` (and multiples of every_time) are hit
+ * exactly when the march asks ovr_writer_next_time. */
+typedef struct ovr_write_options {
+    const char *path;  /* OUT.h5 */
+    bool force;        /* replace an existing file */
+    long every_steps;  /* 0: not by steps */
+    double every_time; /* b/um; 0: not by time */
+    size_t time_count; /* given times, any order, b/um; copied */
+    const double *times;
+    unsigned fields;            /* of ovr_field_bit */
+    bool single;                /* f32 instead of f64 */
+    double x_from, x_to;        /* window in X; NAN: the whole domain */
+    size_t stride;              /* every so many nodes; 1 */
+    int deflate;                /* 0 (no filters) to 9; 1 */
+    double flush_interval;      /* s between flushes at the least; 0.5 */
+    double checkpoint_interval; /* s; <= 0: none on the way; 30 */
+    bool no_thread;             /* compress and write in the caller's thread */
+    double end;                 /* when the run will end, b/um; NAN unknown */
+    const char *title;          /* NULL: a general one */
+    const char *case_text;      /* NULL: none */
+    const char *case_path;      /* where the case's relative paths start */
+    size_t value_count;
+    const ovr_case_value *values;
+    unsigned physics; /* of ovr_setup_physics: columns of the history */
+} ovr_write_options;
+
+/* What a writer records.  `field` is asked at snapshots only, for the fields
+ * that are stored: values as in ovr_observable, where they lie or in `room`. */
+typedef struct ovr_frame {
+    const ovr_state *state;
+    const ovr_observation *seen;
+    const double *(*field)(const void *source, const ovr_observable *which,
+                           double *room);
+    const void *source;
+    const ovr_statistics *total; /* extremes of the run; or NULL */
+} ovr_frame;
+
+typedef struct ovr_group {
+    const char *path;
+    size_t axes, arrays, attributes;
+    const ovr_group_axis *axis;
+    const ovr_group_array *array;
+    const ovr_group_attribute *attribute;
+} ovr_group;
+
 /* What a snapshot holds: a bit for each field of the observables, ored; 0 for
  * a name that is none. */
 unsigned ovr_field_bit(const char *name);
@@ -120,5 +166,7 @@ ovr_result_attributes(ovr_result *result, const char *path, size_t *count);
  * `row`, the product of the other lengths. */
 ovr_status ovr_result_read(ovr_result *result, const char *path, size_t row,
                            ovr_units units, double *values, ovr_error *err);
+
+ovr_write_options ovr_write_options_default(void);
 
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A state becomes the row of a snapshot: scaled, windowed, thinned. */
+#include "results/results.h"
 #include "results/writer.h"
 
 /* At half nodes: the mean of the two that a node is between. */

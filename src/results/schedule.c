@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results/schedule.h"
+#include "results/results.h"
 
 #include <math.h>
 #include <stdlib.h>

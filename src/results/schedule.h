@@ -15,6 +15,7 @@
 
 #include "base/arena.h"
 #include "overroll/results.h"
+#include "results/results.h"
 
 typedef struct ovr_schedule {
     long every_steps;

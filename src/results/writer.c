@@ -9,14 +9,13 @@
  * the step.
  */
 #include "results/writer.h"
-#include "base/sized.h"
+#include "base/given.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
 
-#include "base/given.h"
 #include "results/h5.h"
 #include "results/results.h"
 
@@ -144,12 +143,6 @@ static ovr_status check_frame(const ovr_writer *w, const ovr_frame *frame,
     return OVR_OK;
 }
 
-void ovr_frame_fill(ovr_frame *frame)
-{
-    const ovr_frame none = {.state = NULL};
-    ovr_sized_fill(frame, &none, sizeof none);
-}
-
 ovr_status ovr_writer_record(ovr_writer *w, const ovr_frame *given,
                              ovr_error *err)
 {
@@ -158,7 +151,7 @@ ovr_status ovr_writer_record(ovr_writer *w, const ovr_frame *given,
     ovr_frame own, *frame = &own;
     const ovr_state *state;
     bool due, flush;
-    if (OVR_SIZED_TAKE(ovr_frame, frame, given, err))
+    if (OVR_TAKE(ovr_frame, frame, given, err))
         return OVR_BAD_INPUT;
     state = frame->state;
     due = ovr_writer_due(w, state->step, state->T);

@@ -7,6 +7,7 @@
 #include "results/file.h"
 #include "results/header.h"
 #include "results/queue.h"
+#include "results/results.h"
 #include "results/schedule.h"
 
 struct ovr_writer {

@@ -4,10 +4,15 @@
 #include <math.h>
 #include <string.h>
 
-#include "overroll/oil.h"
+#include "contact/contact.h"
+#include "contact/film_formula.h"
+#include "contact/oil.h"
 #include "overroll/questions.h"
 #include "run/cost.h"
 #include "run/lines.h"
+#include "run/run.h"
+#include "simulation/simulation.h"
+#include "surface/surfaces.h"
 
 /* " (1.2 um)", or nothing where the scale is not known. */
 static ovr_piece in_metres(double value, double scale)

@@ -60,8 +60,8 @@ static ovr_status open_file(void *own, ovr_writer *writer, const char *path,
         {"dry_pressure", NULL, of->pressure}};
     size_t some = images->count > 0;
     const ovr_group group = {
-        sizeof group, "coating", some, some, sizeof about / sizeof *about,
-        &depth,       &weight,   about};
+        "coating", some,    some, sizeof about / sizeof *about,
+        &depth,    &weight, about};
     (void)path;
     return ovr_writer_group(writer, &group, true, err);
 }

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "run/cost.h"
+#include "case/setup.h"
+#include "run/run.h"
 
 #include <math.h>
 

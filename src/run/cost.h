@@ -4,6 +4,7 @@
 #define OVR_RUN_COST_H
 
 #include "overroll/run.h"
+#include "run/run.h"
 
 typedef struct ovr_cost {
     double nodes, mesh, steps, passes;

@@ -80,8 +80,7 @@ ovr_status ovr_run_keep_element(ovr_run *run, ovr_error *err)
     }
     const ovr_group_axis axis = {"moment", "time from the beginning of the way",
                                  OVR_KIND_TIME, LOOKS, column[0]};
-    const ovr_group group = {.size = sizeof group,
-                             .path = "element",
+    const ovr_group group = {.path = "element",
                              .axes = 1,
                              .arrays = ARRAYS,
                              .axis = &axis,

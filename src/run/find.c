@@ -13,7 +13,6 @@
 #include "base/error.h"
 #include "base/given.h"
 #include "base/quantity.h"
-#include "base/sized.h"
 #include "mathematics/search.h"
 #include "overroll/text.h"
 #include "run/comparison.h"
@@ -42,12 +41,6 @@ struct ovr_find {
     ovr_find_table table;
     char message[TEXT_ROOM];
 };
-
-void ovr_find_options_fill(ovr_find_options *options)
-{
-    const ovr_find_options defaults = {.size = sizeof defaults};
-    ovr_sized_fill(options, &defaults, sizeof defaults);
-}
 
 /* What is to be known beside the answer: said, and kept in its message. */
 OVR_PRINTF(2, 3)
@@ -295,7 +288,7 @@ static ovr_status keep(ovr_find *f, double x, const ovr_trial *t,
     double marked = ovr_trial_number(t, "steps_marked", NULL);
     if (f->info.evaluations == MOST)
         return ovr_fail(err, OVR_BAD_INPUT, "more than %d evaluations", MOST);
-    *e = (ovr_find_evaluation){.size = sizeof *e, .value = x, .quantity = NAN};
+    *e = (ovr_find_evaluation){.value = x, .quantity = NAN};
     e->message = "";
     if (t->failed)
         e->message = ovr_arena_text(&f->arena, t->message, err);
@@ -659,7 +652,7 @@ static ovr_status take_options(ovr_find *f, const ovr_find_options *options,
     const char **const texts[] = {&o->key,       &o->low,   &o->high,
                                   &o->condition, &o->which, &o->table,
                                   &o->results};
-    if (OVR_SIZED_TAKE(ovr_find_options, o, options, err))
+    if (OVR_TAKE(ovr_find_options, o, options, err))
         return OVR_BAD_INPUT;
     if (!o->key || !o->low || !o->high || !o->condition)
         return ovr_fail(err, OVR_BAD_INPUT,
@@ -736,7 +729,7 @@ static ovr_status prepare(ovr_find *f, ovr_case *c,
 {
     ovr_find_info *i = &f->info;
     ovr_status status = take_options(f, options, err);
-    *i = (ovr_find_info){.size = sizeof *i, .message = f->message};
+    *i = (ovr_find_info){.message = f->message};
     i->value = i->at_value = i->low = i->high = NAN;
     i->slope = i->error = i->scatter = NAN;
     i->key = f->how.key;
@@ -796,17 +789,11 @@ const ovr_find_info *ovr_find_about(const ovr_find *find)
     return &find->info;
 }
 
-void ovr_find_evaluation_into(const ovr_find *find, size_t k,
-                              ovr_find_evaluation *evaluation)
+ovr_find_evaluation ovr_find_evaluation_at(const ovr_find *find, size_t k)
 {
-    ovr_find_evaluation none = {.size = sizeof none,
-                                .value = NAN,
-                                .quantity = NAN,
-                                .seconds = NAN,
-                                .message = ""};
-    if (find && k < find->info.evaluations)
-        none = find->made[k];
-    ovr_sized_give(evaluation, &none, sizeof none);
+    const ovr_find_evaluation none = {
+        .value = NAN, .quantity = NAN, .seconds = NAN, .message = ""};
+    return find && k < find->info.evaluations ? find->made[k] : none;
 }
 
 void ovr_find_summary(const ovr_find *find, ovr_summary_taker *take, void *data)
@@ -814,8 +801,7 @@ void ovr_find_summary(const ovr_find *find, ovr_summary_taker *take, void *data)
     if (!find || !take || !find->answered)
         return;
     for (size_t k = 0; k < find->answer.lines; k++) {
-        const ovr_summary_line line = {.size = sizeof line,
-                                       .key = find->answer.key[k],
+        const ovr_summary_line line = {.key = find->answer.key[k],
                                        .number = find->answer.number[k]};
         take(data, &line);
     }

@@ -33,10 +33,10 @@ static bool read_row(char *line, ovr_find_evaluation *e, ovr_arena *arena)
     for (int k = 0; k < 7; k++)
         if (!read_cell(&at, &cell[k]))
             return false;
-    *e = (ovr_find_evaluation){
-        sizeof *e,     cell[0],      cell[1],
-        (int)cell[2],  (int)cell[3], cell[4] > 0,
-        (long)cell[5], cell[6],      ovr_arena_text(arena, at, NULL)};
+    *e = (ovr_find_evaluation){cell[0],      cell[1],
+                               (int)cell[2], (int)cell[3],
+                               cell[4] > 0,  (long)cell[5],
+                               cell[6],      ovr_arena_text(arena, at, NULL)};
     return isfinite(e->value) && e->message;
 }
 

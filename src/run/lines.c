@@ -18,10 +18,7 @@ static void give(const ovr_told *to, const ovr_summary_line *line)
 void ovr_put(const ovr_told *to, const char *key, ovr_summary_form form,
              double value)
 {
-    give(to, &(ovr_summary_line){.size = sizeof(ovr_summary_line),
-                                 .key = key,
-                                 .form = form,
-                                 .number = value});
+    give(to, &(ovr_summary_line){.key = key, .form = form, .number = value});
 }
 
 void ovr_put_number(const ovr_told *to, const char *key, double value)
@@ -36,8 +33,7 @@ void ovr_put_count(const ovr_told *to, const char *key, double value)
 
 void ovr_put_text(const ovr_told *to, const char *key, const char *text)
 {
-    give(to, &(ovr_summary_line){.size = sizeof(ovr_summary_line),
-                                 .key = key,
+    give(to, &(ovr_summary_line){.key = key,
                                  .form = OVR_SUMMARY_TEXT,
                                  .number = NAN,
                                  .text = text});
@@ -62,8 +58,7 @@ void ovr_put_both(const ovr_told *to, const char *key, const char *key_si,
 static void say(const ovr_told *to, const char *label, int digits, double value,
                 const char *text)
 {
-    give(to, &(ovr_summary_line){.size = sizeof(ovr_summary_line),
-                                 .form = digits ? OVR_SUMMARY_WORDS_BEHIND
+    give(to, &(ovr_summary_line){.form = digits ? OVR_SUMMARY_WORDS_BEHIND
                                                 : OVR_SUMMARY_WORDS,
                                  .number = value,
                                  .text = text,

@@ -18,6 +18,7 @@
 #include "results/writer.h"
 #include "run/cost.h"
 #include "run/internal.h"
+#include "run/run.h"
 #include "surface/surfaces.h"
 
 enum { NAME_ROOM = 128, TIMES_MOST = 100000 };

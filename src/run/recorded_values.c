@@ -10,6 +10,7 @@
 
 #include "case/case.h"
 #include "case/resolve.h"
+#include "contact/film_formula.h"
 #include "run/internal.h"
 
 enum { NAME_ROOM = 512 };

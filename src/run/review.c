@@ -8,6 +8,7 @@
 
 #include "case/domain.h"
 #include "case/resolve.h"
+#include "contact/contact.h"
 #include "contact/curvature.h"
 #include "contact/starvation.h"
 #include "run/internal.h"

@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #include "case/resolve.h"
+#include "contact/contact.h"
 #include "run/internal.h"
 #include "simulation/simulation.h"
 #include "simulation/solids.h"

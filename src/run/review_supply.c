@@ -4,6 +4,8 @@
 #include <stdio.h>
 
 #include "case/feed.h"
+#include "contact/contact.h"
+#include "contact/film_formula.h"
 #include "run/companion.h"
 #include "simulation/physics.h"
 

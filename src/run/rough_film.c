@@ -15,9 +15,12 @@
 
 #include "base/arena.h"
 #include "base/given.h"
-#include "base/sized.h"
+#include "contact/contact.h"
+#include "contact/film_formula.h"
 #include "overroll/run.h"
+#include "run/run.h"
 #include "surface/amplitude.h"
+#include "surface/surfaces.h"
 
 /* Samples of the surface: those before `first` and from `end` on lead up to
  * what comes through. */
@@ -144,9 +147,9 @@ static ovr_status predict(const ovr_setup *s, ovr_arena *arena,
     return OVR_OK;
 }
 
-ovr_status ovr_setup_rough_film_into(const ovr_setup *setup,
-                                     const ovr_allocator *allocator,
-                                     ovr_rough_film *to, ovr_error *err)
+ovr_status ovr_setup_rough_film(const ovr_setup *setup,
+                                const ovr_allocator *allocator,
+                                ovr_rough_film *to, ovr_error *err)
 {
     if (!setup)
         return ovr_fail_null(err, __func__);
@@ -155,13 +158,13 @@ ovr_status ovr_setup_rough_film_into(const ovr_setup *setup,
                            .film_Rq = NAN,
                            .H_min = NAN,
                            .why = "the surfaces are smooth"};
-    ovr_status status = OVR_SIZED_ROOM(ovr_rough_film, to, err);
+    ovr_status status = ovr_room(to, "ovr_rough_film", err);
     if (setup->surfaces)
         film.why = refusal(setup);
     if (!status && !film.why)
         status = predict(setup, &arena, &film, err);
     if (!status)
-        ovr_sized_give(to, &film, sizeof film);
+        *to = film;
     ovr_arena_release(&arena);
     return status;
 }

@@ -5,18 +5,13 @@
 #include <time.h>
 
 #include "base/given.h"
-#include "base/sized.h"
 #include "case/resolve.h"
+#include "contact/contact.h"
 #include "results/results.h"
 #include "run/internal.h"
 #include "run/passes.h"
+#include "run/run.h"
 #include "simulation/internal.h"
-
-void ovr_run_options_fill(ovr_run_options *options)
-{
-    const ovr_run_options defaults = {.size = sizeof defaults};
-    ovr_sized_fill(options, &defaults, sizeof defaults);
-}
 
 static double seconds_now(void)
 {
@@ -35,16 +30,10 @@ ovr_run *ovr_run_make(const ovr_run_options *options,
     if (!run)
         return NULL;
     run->arena = arena;
-    run->info.size = sizeof run->info;
     run->info.error = &run->error;
     run->info.foreseen = &run->foreseen;
-    run->error.size = sizeof run->error;
-    run->how = ovr_run_options_default();
-    if (options && ovr_sized_take(&run->how, sizeof run->how, options,
-                                  "ovr_run_options", err)) {
-        ovr_run_free(run);
-        return NULL;
-    }
+    if (options)
+        run->how = *options;
     return run;
 }
 

@@ -11,7 +11,6 @@
 
 #include "base/error.h"
 #include "base/given.h"
-#include "base/sized.h"
 #include "base/text.h"
 #include "run/trials.h"
 
@@ -40,12 +39,6 @@ typedef struct working {
     int level; /* of the case; 0: not known */
     ovr_error *err;
 } working;
-
-void ovr_sensitivity_options_fill(ovr_sensitivity_options *options)
-{
-    const ovr_sensitivity_options defaults = {.size = sizeof defaults};
-    ovr_sized_fill(options, &defaults, sizeof defaults);
-}
 
 /* ------------------------------------------------------------------- keys */
 
@@ -287,8 +280,7 @@ static void fill_row(working *w, const ovr_trials *t, size_t key,
     const moved *m = &w->key[key];
     ovr_sensitivity_row *r = &w->to->row[w->to->rows++];
     double coarse = slope(w, t, key, 0, 0, quantity);
-    *r = (ovr_sensitivity_row){.size = sizeof *r,
-                               .key = m->where,
+    *r = (ovr_sensitivity_row){.key = m->where,
                                .quantity = quantity,
                                .unit = m->absolute ? m->suffix + !!*m->suffix
                                                    : NULL,
@@ -387,7 +379,7 @@ ovr_sensitivity *ovr_sensitivity_create(ovr_case *c,
     if (!to)
         return NULL;
     to->arena = arena;
-    status = OVR_SIZED_TAKE(ovr_sensitivity_options, &w.how, options, err);
+    status = OVR_TAKE(ovr_sensitivity_options, &w.how, options, err);
     w.base = status ? NULL : ovr_case_apart(c, err);
     if (!w.base)
         status = OVR_NO_MEMORY;

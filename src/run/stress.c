@@ -136,8 +136,7 @@ static ovr_status open_fields(run_stress *s, int surface, ovr_error *err)
         s->x[i] = row.start + (double)i * row.step;
     f->axis[2] = (ovr_group_axis){"x", "position along the contact",
                                   OVR_KIND_LENGTH, n, s->x};
-    f->group = (ovr_group){sizeof f->group,
-                           surface ? "stress/surface_2" : "stress/surface_1",
+    f->group = (ovr_group){surface ? "stress/surface_2" : "stress/surface_1",
                            3,
                            0,
                            2,

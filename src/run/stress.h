@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "overroll/results.h"
 #include "overroll/run.h"
+#include "stress/stress.h"
 
 /* -------------------------------------------------------------------- plan */
 

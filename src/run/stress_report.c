@@ -247,8 +247,7 @@ static void withhold(ovr_stress_report *r, ovr_life_result *life)
             r->smooth[m][j] = NAN;
     }
     r->fatigue = false;
-    *life = (ovr_life_result){
-        .size = sizeof *life, .equivalent_length = NAN, .utilisation = NAN};
+    *life = (ovr_life_result){.equivalent_length = NAN, .utilisation = NAN};
 }
 
 ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
@@ -261,8 +260,6 @@ ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
     ovr_life_result *life = ovr_arena_take(arena, 1, sizeof *life, err);
     if (!r || !life)
         return NULL;
-    r->size = sizeof *r;
-    life->size = sizeof *life;
     life->equivalent_length = NAN;
     r->life = life;
     r->surface = plan->surface;
@@ -456,7 +453,6 @@ ovr_status ovr_stress_store(ovr_writer *writer, const ovr_setup *setup,
         xi[k] = m->start + (double)k * m->step;
     s.group.path = r->surface == 1 ? "fatigue/surface_1" : "fatigue/surface_2";
     s.group.axis = s.axis;
-    s.group.size = sizeof s.group;
     s.group.array = s.array;
     s.group.attribute = s.attribute;
     s.axis[DEPTH] = (ovr_group_axis){"depth", "depth below the surface",

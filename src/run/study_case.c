@@ -201,7 +201,7 @@ ovr_status ovr_study_try_values(const ovr_study *s, ovr_error *err)
 ovr_status ovr_study_try_find(const ovr_study *s, ovr_error *err)
 {
     const ovr_study_find *f = &s->find;
-    ovr_find_options how = ovr_find_options_default();
+    ovr_find_options how = {0};
     ovr_error why = {0};
     ovr_case *c = f->key ? ovr_study_case(s, 0, err) : NULL;
     ovr_find *find;

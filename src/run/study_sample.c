@@ -263,7 +263,6 @@ static ovr_status take_inputs(sampling *w, size_t from, const double *value,
                 y[n++] = value[d];
             }
         *in = (ovr_sample_input){
-            .size = sizeof *in,
             .key = ovr_arena_text(&w->to->arena, v->key->shown, w->err),
             .related = v->key->related,
             .share = NAN};
@@ -303,7 +302,7 @@ static ovr_status take_row(sampling *w, size_t row, size_t group,
     double *value = ovr_arena_take(&arena, draws, sizeof *value, w->err);
     ovr_sample_row *r = &w->to->row[row];
     ovr_status status = known && value ? OVR_OK : OVR_NO_MEMORY;
-    *r = (ovr_sample_row){.size = sizeof *r, .draws = draws};
+    *r = (ovr_sample_row){.draws = draws};
     r->mean = r->sd = r->error = r->factor = NAN;
     r->group = group_name(w, from);
     r->quantity = ovr_arena_text(&w->to->arena, of->name, w->err);

@@ -71,8 +71,7 @@ static ovr_status add_key(ovr_table *t, const ovr_sweep_table *from,
         if (!text[i])
             return OVR_NO_MEMORY;
     }
-    *c = (ovr_table_column){sizeof *c,
-                            ovr_arena_text(&t->arena, v->key->shown, err),
+    *c = (ovr_table_column){ovr_arena_text(&t->arena, v->key->shown, err),
                             strcmp(v->unit, "1") ? v->unit : "",
                             true,
                             number,
@@ -89,11 +88,12 @@ static ovr_status add_number(ovr_table *t, const ovr_sweep_column *from,
 {
     ovr_table_column *c = &t->column[t->columns];
     double *number = ovr_arena_take(&t->arena, t->rows, sizeof *number, err);
-    *c = (ovr_table_column){
-        sizeof *c, ovr_arena_text(&t->arena, from->name, err),
-        "",        false,
-        number,    NULL,
-        NULL};
+    *c = (ovr_table_column){ovr_arena_text(&t->arena, from->name, err),
+                            "",
+                            false,
+                            number,
+                            NULL,
+                            NULL};
     if (!number || !c->name)
         return OVR_NO_MEMORY;
     memcpy(number, from->value, t->rows * sizeof *number);
@@ -187,8 +187,7 @@ static ovr_status read_heads(ovr_table *t, char **at, const char *path,
             return OVR_NO_MEMORY;
         char *head = next_cell(at, &last);
         const char *unit = cut_unit(head);
-        *c = (ovr_table_column){sizeof *c, head, unit, false,
-                                number,    text, NULL};
+        *c = (ovr_table_column){head, unit, false, number, text, NULL};
         varied = varied && strcmp(c->name, "status") != 0;
         c->varied = varied;
         varied = varied || !strcmp(c->name, "name");
@@ -279,8 +278,7 @@ static bool add_variable(ovr_table *t, ovr_container *c, const ovr_link *link)
         for (size_t i = 0; good && i < rows; i++)
             number[i] = NAN;
     }
-    *to = (ovr_table_column){sizeof *c,
-                             ovr_arena_text(&t->arena, link->name, NULL),
+    *to = (ovr_table_column){ovr_arena_text(&t->arena, link->name, NULL),
                              unit && strcmp(unit, "1") != 0 ? plain(t, unit)
                                                             : "",
                              is_place(about),

@@ -430,7 +430,7 @@ static void keep(void *data, const ovr_summary_line *line)
 ovr_status ovr_run_keep_summary(ovr_run *run, ovr_error *err)
 {
     kept *k = ovr_arena_take(&run->arena, 1, sizeof *k, err);
-    ovr_group group = {.size = sizeof group, .path = "summary"};
+    ovr_group group = {.path = "summary"};
     if (!k)
         return OVR_NO_MEMORY;
     k->arena = &run->arena;

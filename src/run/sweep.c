@@ -7,7 +7,6 @@
 
 #include "base/given.h"
 #include "base/processors.h"
-#include "base/sized.h"
 #include "run/sweep_table.h"
 #include "run/task.h"
 
@@ -19,12 +18,6 @@ typedef struct sweeping {
     size_t *task; /* those to work on */
     size_t tasks, failed;
 } sweeping;
-
-void ovr_sweep_options_fill(ovr_sweep_options *options)
-{
-    const ovr_sweep_options defaults = {.size = sizeof defaults};
-    ovr_sized_fill(options, &defaults, sizeof defaults);
-}
 
 /* ------------------------------------------------------------------- tasks */
 
@@ -79,19 +72,15 @@ static ovr_status make_folder(const char *path, ovr_error *err)
                     strerror(errno));
 }
 
-static ovr_status take_options(sweeping *w, const ovr_sweep_options *options,
-                               ovr_error *err)
+static void take_options(sweeping *w, const ovr_sweep_options *options)
 {
-    w->how = ovr_sweep_options_default();
-    w->run = ovr_run_options_default();
-    if (options && ovr_sized_take(&w->how, sizeof w->how, options,
-                                  "ovr_sweep_options", err))
-        return OVR_BAD_INPUT;
-    if (w->how.run && ovr_sized_take(&w->run, sizeof w->run, w->how.run,
-                                     "ovr_run_options", err))
-        return OVR_BAD_INPUT;
+    w->how = (ovr_sweep_options){0};
+    w->run = (ovr_run_options){0};
+    if (options)
+        w->how = *options;
+    if (w->how.run)
+        w->run = *w->how.run;
     w->how.run = &w->run;
-    return OVR_OK;
 }
 
 static int workers_of(const sweeping *w)
@@ -121,9 +110,8 @@ ovr_status ovr_sweep(const ovr_study *study, const ovr_sweep_options *options,
     if (!study)
         return ovr_fail_null(err, __func__);
     sweeping w = {.s = study};
-    ovr_status status = take_options(&w, options, err);
-    if (!status)
-        status = make_folder(study->output, err);
+    take_options(&w, options);
+    ovr_status status = make_folder(study->output, err);
     if (status)
         return status;
     w.arena = ovr_arena_make(&study->arena.allocator);
@@ -148,35 +136,24 @@ static ovr_status write_table(const ovr_sweep_table *t, const char *path,
                     "%s: its name must end with .csv, .nc or .h5", path);
 }
 
-void ovr_sweep_totals_fill(ovr_sweep_totals *totals)
-{
-    const ovr_sweep_totals none = {.size = sizeof none};
-    ovr_sized_fill(totals, &none, sizeof none);
-}
-
 static void count(const ovr_sweep_table *t, ovr_sweep_totals *totals)
 {
-    ovr_sweep_totals all = ovr_sweep_totals_default();
+    ovr_sweep_totals all = {0};
     memcpy(all.count, t->count, sizeof t->count);
     for (size_t k = 0; k < t->columns; k++)
         for (size_t i = 0; i < t->s->tasks; i++)
             all.marked += !strcmp(t->column[k].name, "steps_marked") &&
                           t->column[k].value[i] > 0;
-    ovr_sized_fill(totals, &all, sizeof all);
+    *totals = all;
 }
 
 ovr_status ovr_sweep_collect(const ovr_study *study, const char *path,
                              ovr_sweep_totals *totals, ovr_error *err)
 {
-    ovr_sweep_totals asked;
     ovr_sweep_table t;
     char manifest[4400];
-    ovr_status status =
-        totals ? OVR_SIZED_TAKE(ovr_sweep_totals, &asked, totals, err) : OVR_OK;
-    if (!status && !study)
-        status = ovr_fail_null(err, __func__);
-    if (!status)
-        status = make_folder(study->output, err);
+    ovr_status status = study ? make_folder(study->output, err)
+                              : ovr_fail_null(err, __func__);
     if (status)
         return status;
     snprintf(manifest, sizeof manifest, "%s/manifest.csv", study->output);

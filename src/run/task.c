@@ -306,7 +306,7 @@ static void report_find(const working *w, const ovr_find *find,
 static void find_case(working *w, ovr_case *c, ovr_error *err)
 {
     const ovr_study_find *asked = &w->s->find;
-    ovr_find_options how = ovr_find_options_default();
+    ovr_find_options how = {0};
     char path[PATH_ROOM];
     ovr_study_file(w->s, w->task, ".find.csv", path, sizeof path);
     how.key = asked->key;

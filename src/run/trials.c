@@ -191,7 +191,7 @@ static ovr_run *open_run(const ovr_trials *t, size_t k, ovr_run_options *how,
 static ovr_status run_one(ovr_trials *t, size_t k, const asking *asked)
 {
     putting to = {t, k};
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     ovr_error err = {0};
     how.steady = t->plan.steady;
     how.estimate_error = t->plan.estimate;

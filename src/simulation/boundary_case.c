@@ -18,6 +18,7 @@
 #include "base/error.h"
 #include "base/rows.h"
 #include "contact/contact.h"
+#include "contact/film_formula.h"
 
 static const ovr_word laws[] = {
     {"exponential", OVR_BOUNDARY_EXPONENTIAL},

@@ -11,6 +11,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "contact/film_formula.h"
 #include "simulation/internal.h"
 
 static const double resolved = 0.3, too_coarse = 0.7;

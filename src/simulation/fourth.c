@@ -30,6 +30,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "contact/contact.h"
 #include "contact/turning.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"

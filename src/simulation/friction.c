@@ -13,6 +13,7 @@
  */
 #include <math.h>
 
+#include "contact/contact.h"
 #include "simulation/physics.h"
 #include "simulation/simulation.h"
 

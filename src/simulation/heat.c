@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Heat in a steady contact (equations in heat.h). */
+#include "base/given.h"
 #include "base/larger.h"
-#include "base/sized.h"
 #include "simulation/heat_in_time.h"
 #include "simulation/heat_turns.h"
 #include "simulation/mirror.h"
@@ -14,7 +14,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/given.h"
+#include "contact/contact.h"
 #include "multigrid/field.h"
 #include "multigrid/flow.h"
 #include "simulation/simulation.h"
@@ -72,7 +72,7 @@ static ovr_status take_heat(ovr_simulation *sim, const void *form, void **own,
     ovr_heat numbers;
     if (sim->order_left)
         sim->options.order = 2;
-    if (OVR_SIZED_TAKE(ovr_heat, &numbers, heat, err) || check(sim, err))
+    if (OVR_TAKE(ovr_heat, &numbers, heat, err) || check(sim, err))
         return OVR_BAD_INPUT;
     h = ovr_arena_take(&sim->arena, 1, sizeof *h, err);
     if (!h)

@@ -14,14 +14,7 @@
 #include <math.h>
 
 #include "base/given.h"
-#include "base/sized.h"
 #include "simulation/internal.h"
-
-void ovr_march_fill(ovr_march *march)
-{
-    const ovr_march defaults = {.size = sizeof defaults};
-    ovr_sized_fill(march, &defaults, sizeof defaults);
-}
 
 /* Nothing changes any more: neither P nor S by more than this times dT, so
  * many steps in a row.  The contact forgets within a few b/um, so P is that
@@ -179,8 +172,7 @@ static ovr_status follow(ovr_simulation *sim, const ovr_march *march,
 
 static ovr_status take(ovr_march *how, const ovr_march *given, ovr_error *err)
 {
-    *how = ovr_march_default();
-    if (ovr_sized_take(how, sizeof *how, given, "ovr_march", err))
+    if (OVR_TAKE(ovr_march, how, given, err))
         return OVR_BAD_INPUT;
     if (isnan(how->end) || isnan(how->dT) || isnan(how->error))
         return ovr_fail(err, OVR_BAD_INPUT,

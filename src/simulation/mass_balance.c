@@ -19,6 +19,7 @@
  */
 #include <math.h>
 
+#include "contact/contact.h"
 #include "contact/turning.h"
 #include "multigrid/flow.h"
 #include "simulation/physics.h"

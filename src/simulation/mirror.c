@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/error.h"
+#include "contact/contact.h"
 #include "contact/turning.h"
 #include "simulation/parts.h"
 #include "simulation/physics.h"

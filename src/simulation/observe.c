@@ -2,6 +2,7 @@
 /* What is observed after a solve or step. */
 #include <math.h>
 
+#include "contact/contact.h"
 #include "simulation/extremes.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
@@ -249,7 +250,7 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
     ovr_observation *o = &sim->observation;
     const ovr_state *state = &sim->state;
     ovr_publish_state(sim);
-    *o = (ovr_observation){.size = sizeof *o, .T = state->T, .dT = dT};
+    *o = (ovr_observation){.T = state->T, .dT = dT};
     for (int k = 0; ovr_physics_list[k]; k++)
         if (ovr_physics_list[k]->unknown)
             ovr_physics_list[k]->unknown(o);

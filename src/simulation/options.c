@@ -3,7 +3,9 @@
 #include <math.h>
 
 #include "base/error.h"
-#include "base/sized.h"
+#include "base/given.h"
+#include "contact/contact.h"
+#include "contact/film_formula.h"
 #include "contact/starvation.h"
 #include "simulation/internal.h"
 #include "simulation/limits.h"
@@ -11,7 +13,7 @@
 #include "simulation/refined.h"
 #include "simulation/simulation.h"
 
-void ovr_options_fill(ovr_options *options)
+ovr_options ovr_options_default(void)
 {
     const ovr_options defaults = {.level = 8,
                                   .scheme = OVR_CHARACTERISTIC,
@@ -22,7 +24,7 @@ void ovr_options_fill(ovr_options *options)
                                   .switch_value = 3,
                                   .relax_seidel = 0.8,
                                   .relax_dipole = 0.5};
-    ovr_sized_fill(options, &defaults, sizeof defaults);
+    return defaults;
 }
 
 /* H0's error with the second-order wedge at M = 20, L = 10, measured: 2.6e-5

@@ -148,8 +148,7 @@ static void name(const ovr_observable *row, ovr_kept_part part, ovr_extreme *to)
         [OVR_KEPT_TIME] = name_time,
         [OVR_KEPT_MEAN] = name_mean};
     const char *suffix;
-    *to = (ovr_extreme){
-        .size = sizeof *to, .kind = row->kind, .part = part, .of = row};
+    *to = (ovr_extreme){.kind = row->kind, .part = part, .of = row};
     by[part](row, to);
     suffix = ovr_kind_about(to->kind)->suffix;
     if (*suffix)

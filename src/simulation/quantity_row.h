@@ -22,8 +22,8 @@
  * how reports, extremes, means and passes have it. */
 #define OVR_NUMBER_ROW(in_files, in_json, in_si, of_kind, member, bits, ...)   \
     {                                                                          \
-        .size = sizeof(ovr_observable), .name = (in_files), .key = (in_json),  \
-        .key_si = (in_si), .kind = OVR_KIND_##of_kind, .axes = OVR_AT_STEPS,   \
+        .name = (in_files), .key = (in_json), .key_si = (in_si),               \
+        .kind = OVR_KIND_##of_kind, .axes = OVR_AT_STEPS,                      \
         .offset = offsetof(ovr_observation, member), .needs = (bits),          \
         .long_name = __VA_ARGS__                                               \
     }

@@ -35,8 +35,7 @@ static void note(ovr_simulation *sim, const ovr_level *level,
     ovr_refinement *to = &sim->refinement[sim->refinements++];
     double *now = sim->scratch[0], *before = sim->scratch[1];
     double q = status->factor < 0.95 ? status->factor : 0.95;
-    *to = (ovr_refinement){.size = sizeof *to,
-                           .level = level->number,
+    *to = (ovr_refinement){.level = level->number,
                            .nodes = level->grid.n,
                            .cycles = status->cycles,
                            .residual = status->defect.imbalance,

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "simulation/scheme.h"
+#include "simulation/simulation.h"
 
 static const ovr_discretization records[] = {
     [OVR_UPSTREAM1] = {"upstream1",

@@ -5,7 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/sized.h"
+#include "base/given.h"
+#include "contact/contact.h"
 #include "multigrid/field.h"
 #include "multigrid/hybrid.h"
 #include "multigrid/line.h"
@@ -150,9 +151,6 @@ static ovr_simulation *set_up(ovr_arena arena, const ovr_contact *contact,
     sim->contact = *contact;
     sim->lubricant = *lubricant;
     sim->options = *options;
-    sim->state.size = sizeof sim->state;
-    sim->observation.size = sizeof sim->observation;
-    sim->statistics.size = sizeof sim->statistics;
     ovr_statistics_unknown(&sim->statistics);
     sim->moving = NAN;
     sim->scheme = ovr_scheme_record(sim->options.scheme);
@@ -174,9 +172,9 @@ ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
     ovr_lubricant oil;
     ovr_simulation *sim;
     bool order_left;
-    if (OVR_SIZED_TAKE(ovr_options, &resolved, options, err) ||
-        OVR_SIZED_TAKE(ovr_contact, &of, contact, err) ||
-        OVR_SIZED_TAKE(ovr_lubricant, &oil, lubricant, err))
+    if (OVR_TAKE(ovr_options, &resolved, options, err) ||
+        OVR_TAKE(ovr_contact, &of, contact, err) ||
+        OVR_TAKE(ovr_lubricant, &oil, lubricant, err))
         return NULL;
     order_left = !resolved.order;
     if (ovr_options_resolve(&of, &resolved, err))
@@ -196,14 +194,13 @@ ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
 
 ovr_simulation *ovr_simulation_counted(const ovr_options *options)
 {
-    const ovr_contact contact = {.size = sizeof contact,
-                                 .M = 20, /* of what is automatic */
+    const ovr_contact contact = {.M = 20, /* of what is automatic */
                                  .L = 10};
-    const ovr_lubricant lubricant = {.size = sizeof lubricant};
+    const ovr_lubricant lubricant = {0};
     ovr_options o = ovr_options_default();
     ovr_simulation *sim;
     bool order_left;
-    if (ovr_sized_take(&o, sizeof o, options, "ovr_options", NULL))
+    if (OVR_TAKE(ovr_options, &o, options, NULL))
         return NULL;
     order_left = !o.order;
     if (ovr_options_resolve(&contact, &o, NULL))

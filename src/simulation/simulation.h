@@ -86,4 +86,7 @@ ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
 /* To be called after a visit that wrote into the simulation. */
 void ovr_simulation_restored(ovr_simulation *sim);
 
+/* "line", ...: the words of solver.smoother. */
+const char *ovr_smoother_name(ovr_smoother smoother);
+
 #endif

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/given.h"
+#include "contact/contact.h"
 #include "multigrid/film_end.h"
 #include "multigrid/starved.h"
 #include "simulation/mirror.h"
@@ -314,9 +315,8 @@ static ovr_status solve_steady(ovr_simulation *sim, ovr_error *err)
     }
     if (!outcome.converged && sim->grids.stopping.now)
         return ovr_fail(err, OVR_STOPPED, "stopped in the steady start");
-    sim->statistics = (ovr_statistics){.size = sizeof sim->statistics,
-                                       .cycles = outcome.cycles};
-    sim->state = (ovr_state){.size = sizeof sim->state};
+    sim->statistics = (ovr_statistics){.cycles = outcome.cycles};
+    sim->state = (ovr_state){0};
     ovr_observe(sim, 0, &outcome);
     begin_history(sim);
     sim->started = outcome.converged;

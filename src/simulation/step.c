@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "base/given.h"
+#include "contact/contact.h"
 #include "simulation/mirror.h"
 #include "simulation/parts.h"
 #include "simulation/physics.h"

@@ -14,6 +14,7 @@
 
 #include "contact/contact.h"
 #include "contact/curvature.h"
+#include "contact/film_formula.h"
 #include "multigrid/content.h"
 #include "simulation/physics.h"
 #include "simulation/quantity_row.h"

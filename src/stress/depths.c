@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "stress/depths.h"
-#include "base/sized.h"
+#include "base/given.h"
 #include "stress/layered.h"
+#include "stress/stress.h"
 
 #include <math.h>
 
@@ -9,14 +10,14 @@
  * for the seam of the lags. */
 enum { SHIFT_ROOM = 2 << (OVR_STRESS_LEVELS - 1), LEAST_SEAM = 128 };
 
-void ovr_stress_options_fill(ovr_stress_options *options)
+ovr_stress_options ovr_stress_options_default(void)
 {
     const ovr_stress_options defaults = {.from = -2.6,
                                          .to = 2.6,
                                          .depth_max = 2.5,
                                          .per_octave = 5,
                                          .element = OVR_ELEMENT_AUTO};
-    ovr_sized_fill(options, &defaults, sizeof defaults);
+    return defaults;
 }
 
 static double least(const ovr_stress_options *o)

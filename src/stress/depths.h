@@ -9,6 +9,7 @@
 #define OVR_STRESS_DEPTHS_H
 
 #include "overroll/stress.h"
+#include "stress/stress.h"
 
 enum { OVR_STRESS_LEVELS = 6 };
 

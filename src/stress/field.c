@@ -28,7 +28,6 @@
 #include <string.h>
 
 #include "base/given.h"
-#include "base/sized.h"
 #include "stress/element.h"
 #include "stress/layered.h"
 #include "stress/stress.h"
@@ -273,7 +272,7 @@ ovr_stress *ovr_stress_create_at(const ovr_stress_options *options,
 {
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_stress_options own;
-    if (OVR_SIZED_TAKE(ovr_stress_options, &own, options, err) ||
+    if (OVR_TAKE(ovr_stress_options, &own, options, err) ||
         ovr_stress_check(&own, err))
         return NULL;
     ovr_stress *s = ovr_arena_take(&arena, 1, sizeof *s, err);
@@ -300,7 +299,7 @@ void ovr_stress_free(ovr_stress *s)
 double ovr_stress_memory(const ovr_stress_options *given)
 {
     ovr_stress_options own, *o = &own;
-    if (OVR_SIZED_TAKE(ovr_stress_options, o, given, NULL) ||
+    if (OVR_TAKE(ovr_stress_options, o, given, NULL) ||
         ovr_stress_check(o, NULL))
         return NAN;
     double N = (double)ovr_stress_room(o), bytes = N * (8 + 8 + 8 + 8 + 8 + 8);

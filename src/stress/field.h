@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "stress/fourier.h"
 #include "stress/loops.h"
+#include "stress/stress.h"
 
 /* Spectra of one depth's elements, divided by N. */
 typedef struct ovr_depth_table {

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "stress/by_depth.h"
+#include "stress/stress.h"
 
 static const double pi = 3.14159265358979323846;
 

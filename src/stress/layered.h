@@ -28,6 +28,7 @@
 
 #include "contact/layers.h"
 #include "overroll/stress.h"
+#include "stress/stress.h"
 
 /* How far beside an interface, of its depth, its two sides are looked at. */
 #define OVR_BESIDE 1e-6

@@ -23,7 +23,6 @@
 #include <math.h>
 
 #include "base/given.h"
-#include "base/sized.h"
 #include "stress/by_depth.h"
 #include "stress/stress.h"
 
@@ -37,11 +36,11 @@ static const double gauss_weight[PARTS] = {
     0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
     0.23931433524968324, 0.11846344252809454};
 
-void ovr_life_options_fill(ovr_life_options *options)
+ovr_life_options ovr_life_options_default(void)
 {
     const ovr_life_options defaults = {
         .exponent = 31. / 3, .depth_exponent = 7. / 3, .weibull = 9. / 8};
-    ovr_sized_fill(options, &defaults, sizeof defaults);
+    return defaults;
 }
 
 /* What the depths alone decide, once for all points: of the interval from z[j]
@@ -131,7 +130,7 @@ void ovr_risk(const ovr_life_options *options, size_t depths, const double *z,
     ovr_life_options own;
     interval of[MOST_DEPTHS];
     if (depths > MOST_DEPTHS ||
-        OVR_SIZED_TAKE(ovr_life_options, &own, options, NULL) ||
+        OVR_TAKE(ovr_life_options, &own, options, NULL) ||
         (own.limits && !(own.limit_z && own.limit_A))) {
         for (size_t j = 0; j < depths; j++)
             risk[j] = NAN;
@@ -195,10 +194,9 @@ static void count_point(const ovr_life_options *o, const ovr_material *m,
         length[j] += (i[j] - i_0[j]) / i_0[j] * m->step;
 }
 
-ovr_status ovr_life_into(const ovr_life_options *options, const ovr_material *m,
-                         const float *A, const double *smooth, double *risk,
-                         double *length, ovr_life_result *result,
-                         ovr_error *err)
+ovr_status ovr_life(const ovr_life_options *options, const ovr_material *m,
+                    const float *A, const double *smooth, double *risk,
+                    double *length, ovr_life_result *result, ovr_error *err)
 {
     double column[MOST_DEPTHS] = {0}, i[MOST_DEPTHS] = {0};
     double i_0[MOST_DEPTHS] = {0};
@@ -206,8 +204,8 @@ ovr_status ovr_life_into(const ovr_life_options *options, const ovr_material *m,
     interval of[MOST_DEPTHS];
     ovr_life_options own, *o = &own;
     ovr_life_result made;
-    if (OVR_SIZED_TAKE(ovr_life_options, o, options, err) ||
-        OVR_SIZED_ROOM(ovr_life_result, result, err))
+    if (OVR_TAKE(ovr_life_options, o, options, err) ||
+        ovr_room(result, "ovr_life_result", err))
         return OVR_BAD_INPUT;
     if (!m || !A || !smooth)
         return ovr_fail_null(err, __func__);
@@ -234,7 +232,7 @@ ovr_status ovr_life_into(const ovr_life_options *options, const ovr_material *m,
     made.smooth_risk = i_0[from];
     made.equivalent_length = lambda[from];
     find_used(o, m, A, from, &made);
-    ovr_sized_give(result, &made, sizeof made);
+    *result = made;
     return OVR_OK;
 }
 
@@ -243,7 +241,7 @@ double ovr_life_ratio(const ovr_life_options *options, double equivalent_length,
 {
     double added = 1 + count * equivalent_length / raceway;
     ovr_life_options own;
-    if (OVR_SIZED_TAKE(ovr_life_options, &own, options, NULL) || !(added > 0))
+    if (OVR_TAKE(ovr_life_options, &own, options, NULL) || !(added > 0))
         return NAN;
     return pow(added, -1 / own.weibull);
 }

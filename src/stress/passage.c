@@ -17,7 +17,7 @@
  * it is then: the fields of that moment at all earlier, or later, places.
  */
 #include "stress/passage.h"
-#include "base/sized.h"
+#include "base/given.h"
 #include "stress/stress.h"
 
 #include <math.h>
@@ -28,11 +28,11 @@ static const double samples_of_depth = 64;
 static const double near_contact = 2;
 enum { WHOLE = 1 << (OVR_STRESS_LEVELS - 1) };
 
-void ovr_material_range_fill(ovr_material_range *options)
+ovr_material_range ovr_material_range_default(void)
 {
     const ovr_material_range defaults = {
         .from = -2, .to = 2, .reach = 2.5, .poisson = 0.3};
-    ovr_sized_fill(options, &defaults, sizeof defaults);
+    return defaults;
 }
 
 /* ------------------------------------------------------------ one moment */

@@ -6,6 +6,7 @@
 #include "stress/circle.h"
 #include "stress/field.h"
 #include "stress/layered.h"
+#include "stress/stress.h"
 #include "stress/yield.h"
 
 /* What is kept of the path of a material point at a depth. */

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/sized.h"
+#include "base/given.h"
 #include "stress/passage.h"
 #include "stress/stress.h"
 
@@ -179,9 +179,8 @@ static ovr_status take(const ovr_stress_options *o,
                        const ovr_material_range *range, ovr_stress_options *to,
                        ovr_material_range *to_range, ovr_error *err)
 {
-    ovr_status status = OVR_SIZED_TAKE(ovr_stress_options, to, o, err);
-    return status ? status
-                  : OVR_SIZED_TAKE(ovr_material_range, to_range, range, err);
+    ovr_status status = OVR_TAKE(ovr_stress_options, to, o, err);
+    return status ? status : OVR_TAKE(ovr_material_range, to_range, range, err);
 }
 
 ovr_passage *ovr_passage_create(const ovr_stress_options *given,

@@ -5,6 +5,36 @@
 
 #include "overroll/stress.h"
 
+struct ovr_layered;
+typedef struct ovr_stress_options {
+    double mesh;       /* D */
+    double inlet;      /* X of the first node */
+    size_t nodes;      /* of P and Q */
+    double from, to;   /* where fields are wanted; -2.6 and 2.6 */
+    double depth_min;  /* 0: 4 D; not above D/2 */
+    double depth_max;  /* 2.5 */
+    double per_octave; /* depths; 5 */
+    ovr_element element;
+    bool traction;                    /* Q is given */
+    const struct ovr_layered *layers; /* on the body, in b; NULL: none */
+} ovr_stress_options;
+
+typedef struct ovr_material_range {
+    double reference;  /* X where xi = 0 is at U = 0 */
+    double from, to;   /* xi, b; fixed in the material */
+    double reach;      /* paths are followed through |X| <= reach; 2.5 */
+    double poisson;    /* 0.3 */
+    double residual_x; /* stresses already there, p_h, tension positive */
+    double residual_y;
+    size_t residuals; /* by depth in place of both, along and across alike: */
+    const double *residual_z, *residual_s; /* depths, b, which rise; stresses */
+    double least_depth; /* extremes are looked for from here; 0: 8 D */
+    /* Of the layers of ovr_stress_options, along x and across, borrowed; NULL:
+     * none.  What is above is that of the body below them. */
+    const double *layer_residual; /* two of each */
+    double yield;                 /* von Mises, of the body; 0: not told */
+} ovr_material_range;
+
 /* Closed forms of every depth, transformed once. */
 ovr_stress *ovr_stress_create(const ovr_stress_options *options,
                               const ovr_allocator *allocator, ovr_error *err);
@@ -114,21 +144,10 @@ void ovr_risk(const ovr_life_options *options, size_t depths, const double *z,
 /* risk[points]: from the least depth down; length[depths]: the equivalent
  * length lambda = int (i - i_0) dxi / i_0 counted from z[j] down.  Either may
  * be NULL. */
-ovr_status ovr_life_into(const ovr_life_options *options,
-                         const ovr_material *material, const float *A,
-                         const double *smooth, double *risk, double *length,
-                         ovr_life_result *result, ovr_error *err);
-static inline ovr_status ovr_life(const ovr_life_options *options,
-                                  const ovr_material *material, const float *A,
-                                  const double *smooth, double *risk,
-                                  double *length, ovr_life_result *result,
-                                  ovr_error *err)
-{
-    if (result)
-        result->size = sizeof *result;
-    return ovr_life_into(options, material, A, smooth, risk, length, result,
-                         err);
-}
+ovr_status ovr_life(const ovr_life_options *options,
+                    const ovr_material *material, const float *A,
+                    const double *smooth, double *risk, double *length,
+                    ovr_life_result *result, ovr_error *err);
 
 /* Life over that of the smooth raceway of this length with so many of the
  * features: (1 + count lambda / raceway)^(-1/e). */
@@ -142,5 +161,11 @@ ovr_circle ovr_smallest_circle(size_t n, const float *points);
  * hydrostatic stresses. */
 double ovr_dang_van(size_t n, const float *points, const float *hydrostatic,
                     double alpha);
+
+ovr_stress_options ovr_stress_options_default(void);
+
+ovr_material_range ovr_material_range_default(void);
+
+ovr_life_options ovr_life_options_default(void);
 
 #endif

@@ -9,7 +9,6 @@
 
 #include "base/error.h"
 #include "base/given.h"
-#include "base/sized.h"
 #include "surface/form.h"
 #include "surface/profile.h"
 
@@ -264,7 +263,7 @@ ovr_status ovr_profile_condition(ovr_profile *profile,
     size_t n = profile->view.n;
     double *work = ovr_arena_take(&profile->arena, n, 3 * sizeof *work, err);
     ovr_conditioning own, *how = &own;
-    ovr_status status = work ? OVR_SIZED_TAKE(ovr_conditioning, how, given, err)
+    ovr_status status = work ? OVR_TAKE(ovr_conditioning, how, given, err)
                              : OVR_NO_MEMORY;
     if (!status)
         status = check(profile, how, err);

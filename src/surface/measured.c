@@ -6,10 +6,11 @@
 #include <string.h>
 
 #include "base/error.h"
-#include "base/sized.h"
+#include "base/given.h"
 #include "surface/local_roughness.h"
 #include "surface/profile.h"
 #include "surface/resample.h"
+#include "surface/surfaces.h"
 
 /* --------------------------------------------------------- into b, b^2/R */
 
@@ -47,7 +48,7 @@ static ovr_profile *read(const ovr_feature_form *form, const ovr_contact *c,
         ovr_fail(err, OVR_BAD_INPUT, "a profile needs its file");
         return NULL;
     }
-    if (OVR_SIZED_TAKE(ovr_profile_source, &source, form->source, err))
+    if (OVR_TAKE(ovr_profile_source, &source, form->source, err))
         return NULL;
     source.spacing_scaled = !(c->b > 0);
     if (c->b > 0)
@@ -114,7 +115,7 @@ ovr_profile *ovr_measured_profile(const ovr_feature_form *form,
     ovr_conditioning how = ovr_conditioning_default();
     ovr_profile *p;
     if (form->conditioning &&
-        OVR_SIZED_TAKE(ovr_conditioning, &how, form->conditioning, err))
+        OVR_TAKE(ovr_conditioning, &how, form->conditioning, err))
         return NULL;
     p = random ? ovr_profile_random(form->roughness ? form->roughness : &none,
                                     allocator, err)
@@ -136,8 +137,7 @@ static ovr_status fit(ovr_feature *f, const ovr_feature_form *form,
     double lost = 0;
     ovr_status status = table ? OVR_OK : OVR_NO_MEMORY;
     if (!status && form->conditioning)
-        status = OVR_SIZED_TAKE(ovr_conditioning, &how, form->conditioning,
-                                err);
+        status = OVR_TAKE(ovr_conditioning, &how, form->conditioning, err);
     ovr_ends ends = {how.taper, how.extend, !isnan(form->origin), random};
     if (!status) {
         f->local_Rq = ovr_local_roughness(p->view.n, p->x, p->z,

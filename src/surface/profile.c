@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The life of a profile: created, read, looked at, saved, freed. */
 #include "surface/profile.h"
-#include "base/sized.h"
+#include "base/given.h"
 
 #include <errno.h>
 #include <math.h>
@@ -10,16 +10,16 @@
 #include <string.h>
 
 #include "base/error.h"
-#include "base/given.h"
 #include "base/plain.h"
+#include "surface/surfaces.h"
 
-void ovr_profile_source_fill(ovr_profile_source *options)
+ovr_profile_source ovr_profile_source_default(void)
 {
     const ovr_profile_source defaults = {.spacing = NAN};
-    ovr_sized_fill(options, &defaults, sizeof defaults);
+    return defaults;
 }
 
-void ovr_conditioning_fill(ovr_conditioning *options)
+ovr_conditioning ovr_conditioning_default(void)
 {
     const ovr_conditioning defaults = {.from = NAN,
                                        .to = NAN,
@@ -35,10 +35,10 @@ void ovr_conditioning_fill(ovr_conditioning *options)
                                        .offset = 0,
                                        .taper = NAN,
                                        .extend = OVR_EXTEND_NONE};
-    ovr_sized_fill(options, &defaults, sizeof defaults);
+    return defaults;
 }
 
-void ovr_roughness_fill(ovr_roughness *options)
+ovr_roughness ovr_roughness_default(void)
 {
     const ovr_roughness defaults = {.Rq = NAN,
                                     .length = NAN,
@@ -50,7 +50,7 @@ void ovr_roughness_fill(ovr_roughness *options)
                                     .skewness = NAN,
                                     .kurtosis = NAN,
                                     .seed = 1};
-    ovr_sized_fill(options, &defaults, sizeof defaults);
+    return defaults;
 }
 
 /* -------------------------------------------------------------- building */
@@ -207,7 +207,6 @@ ovr_status ovr_profile_finish(ovr_profile *profile, size_t n, ovr_error *err)
         return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
                            "a profile needs two points, there %s %zu",
                            n == 1 ? "is" : "are", n);
-    view->size = sizeof *view;
     view->n = n;
     view->x = profile->x;
     view->z = profile->z;

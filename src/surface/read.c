@@ -12,7 +12,6 @@
 
 #include "base/error.h"
 #include "base/given.h"
-#include "base/sized.h"
 #include "base/text.h"
 
 /* ----------------------------------------------------------- the content */
@@ -145,7 +144,7 @@ ovr_profile *ovr_profile_parse(const ovr_profile_source *source,
         return ovr_null(err, __func__);
     ovr_profile_source own;
     ovr_bytes content = {data, size};
-    if (OVR_SIZED_TAKE(ovr_profile_source, &own, source, err))
+    if (OVR_TAKE(ovr_profile_source, &own, source, err))
         return NULL;
     return parse(&own, content, allocator, err);
 }
@@ -157,7 +156,7 @@ ovr_profile *ovr_profile_read(const ovr_profile_source *source,
     ovr_profile *profile = NULL;
     ovr_bytes content = {NULL, 0};
     ovr_profile_source own;
-    if (OVR_SIZED_TAKE(ovr_profile_source, &own, source, err))
+    if (OVR_TAKE(ovr_profile_source, &own, source, err))
         return NULL;
     if (!own.file || !*own.file)
         ovr_fail(err, OVR_BAD_INPUT, "a profile needs its file");

@@ -6,7 +6,6 @@
 
 #include "base/error.h"
 #include "base/given.h"
-#include "base/sized.h"
 #include "surface/dry_contact.h"
 #include "surface/measured.h"
 #include "surface/profile.h"
@@ -33,7 +32,7 @@ static ovr_status read(const ovr_feature_form *form, const ovr_contact *contact,
 {
     ovr_conditioning how = ovr_conditioning_default();
     if (form->conditioning &&
-        OVR_SIZED_TAKE(ovr_conditioning, &how, form->conditioning, err))
+        OVR_TAKE(ovr_conditioning, &how, form->conditioning, err))
         return OVR_BAD_INPUT;
     s->profile = ovr_measured_profile(form, contact, allocator, err);
     s->ends = (ovr_ends){how.taper,

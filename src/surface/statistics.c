@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "base/given.h"
-#include "base/sized.h"
 #include "surface/condition.h"
 #include "surface/material_ratio.h"
 #include "surface/profile.h"
@@ -148,14 +147,13 @@ static ovr_status measure_core(const part *w, const ovr_allocator *allocator,
     return OVR_OK;
 }
 
-ovr_status ovr_profile_measure_into(const ovr_profile *profile,
-                                    ovr_profile_numbers *numbers,
-                                    ovr_error *err)
+ovr_status ovr_profile_measure(const ovr_profile *profile,
+                               ovr_profile_numbers *numbers, ovr_error *err)
 {
     if (!profile)
         return ovr_fail_null(err, __func__);
     ovr_profile_numbers made = {0};
-    ovr_status status = OVR_SIZED_ROOM(ovr_profile_numbers, numbers, err);
+    ovr_status status = ovr_room(numbers, "ovr_profile_numbers", err);
     part w;
     if (status)
         return status;
@@ -168,7 +166,7 @@ ovr_status ovr_profile_measure_into(const ovr_profile *profile,
         made.dq = rms_slope(&w);
         status = measure_core(&w, &profile->arena.allocator, &made, err);
     }
-    ovr_sized_give(numbers, &made, sizeof made);
+    *numbers = made;
     return status;
 }
 

@@ -8,7 +8,7 @@
  * Copies of a repeated feature follow it: they are on the side it comes from,
  * and on both sides when it stands still.
  */
-#include "base/sized.h"
+#include "base/given.h"
 #include "base/text.h"
 #include "surface/feature.h"
 #include "surface/local_roughness.h"
@@ -17,7 +17,6 @@
 #include <string.h>
 
 #include "base/error.h"
-#include "base/given.h"
 #include "contact/contact.h"
 #include "contact/turning.h"
 #include "surface/measured.h"
@@ -38,7 +37,7 @@ struct ovr_surfaces {
     entry *first, **last;
 };
 
-void ovr_feature_form_fill(ovr_feature_form *options)
+ovr_feature_form ovr_feature_form_default(void)
 {
     const ovr_feature_form defaults = {.name = "",
                                        .surface = 1,
@@ -55,7 +54,7 @@ void ovr_feature_form_fill(ovr_feature_form *options)
                                        .grow_from = 0,
                                        .repeat = NAN,
                                        .copies = 0};
-    ovr_sized_fill(options, &defaults, sizeof defaults);
+    return defaults;
 }
 
 ovr_surfaces *ovr_surfaces_create(const ovr_contact *contact,
@@ -66,7 +65,7 @@ ovr_surfaces *ovr_surfaces_create(const ovr_contact *contact,
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_contact of;
     ovr_surfaces *surfaces;
-    if (OVR_SIZED_TAKE(ovr_contact, &of, contact, err))
+    if (OVR_TAKE(ovr_contact, &of, contact, err))
         return NULL;
     if (!(mesh > 0)) {
         ovr_fail(err, OVR_BAD_INPUT, "mesh = %g: must be positive", mesh);
@@ -210,7 +209,7 @@ ovr_status ovr_surfaces_add(ovr_surfaces *surfaces,
     ovr_status status;
     if (!added)
         return OVR_NO_MEMORY;
-    status = OVR_SIZED_TAKE(ovr_feature_form, &own, form, err);
+    status = OVR_TAKE(ovr_feature_form, &own, form, err);
     if (!status)
         status = make(surfaces, &own, &added->feature, err);
     if (status)
@@ -368,15 +367,11 @@ static ovr_feature_info info_of(const ovr_feature *f)
                               .assumed = f->assumed};
 }
 
-void ovr_surfaces_info_into(const ovr_surfaces *surfaces, size_t feature,
-                            ovr_feature_info *info)
+ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces, size_t feature)
 {
-    if (!surfaces)
-        return;
-    const ovr_feature *f = nth(surfaces, feature);
     const ovr_feature_info none = {.name = NULL, .assumed = ""};
-    ovr_feature_info made = f ? info_of(f) : none;
-    ovr_sized_give(info, &made, sizeof made);
+    const ovr_feature *f = surfaces ? nth(surfaces, feature) : NULL;
+    return f ? info_of(f) : none;
 }
 
 double ovr_surfaces_wavelength(const ovr_surfaces *surfaces)

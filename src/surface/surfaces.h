@@ -5,6 +5,26 @@
 
 #include "overroll/surface.h"
 
+typedef struct ovr_feature_info {
+    const char *name;
+    int surface;
+    ovr_shape shape;
+    double speed;         /* u_k/um */
+    double amplitude;     /* largest |S| */
+    double wavelength;    /* the shortest that matters, b: a grid needs several
+                             nodes in it; of local shapes the feature's width */
+    double diameter;      /* full width at half depth or height, b; NAN of
+                             shapes without a width */
+    double behind, ahead; /* extent about its centre, b (may be infinite) */
+    bool grows;           /* starts from nothing */
+    double Rq;            /* of what is rough (profiles, roughness, wave,
+                             chirp), b^2/R; 0: a single shape */
+    double last;          /* its last copy is so far behind it, b; 0 without
+                             copies, infinite when they have no end */
+    const char *assumed;  /* profiles: what the reader assumed and what was
+                             done, lines ended by '\n'; else "" */
+} ovr_feature_info;
+
 /* Two smooth surfaces of a contact; `speed` (may be NULL: constant) is
  * borrowed; mesh is the grid's D, for anti-alias filtering of profiles. */
 ovr_surfaces *ovr_surfaces_create(const ovr_contact *contact,
@@ -50,5 +70,24 @@ double ovr_surfaces_centre(const ovr_surfaces *surfaces, size_t feature,
  * (searched up to `until`). */
 double ovr_surfaces_arrival(const ovr_surfaces *surfaces, size_t feature,
                             double X, double after, double until);
+
+ovr_feature_form ovr_feature_form_default(void);
+
+ovr_roughness ovr_roughness_default(void);
+
+size_t ovr_surfaces_count(const ovr_surfaces *surfaces);
+ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces,
+                                   size_t feature);
+
+/* When a feature's first end comes into the film between inlet and outlet,
+ * when its centre (of the first of its copies) is at X = 0, and when its last
+ * end, that of the last copy, has left: 0 where that is over at T = 0, INFINITY
+ * where it never comes to pass up to `until`. */
+typedef struct ovr_feature_times {
+    double enters, centre, leaves;
+} ovr_feature_times;
+ovr_feature_times ovr_surfaces_times(const ovr_surfaces *surfaces,
+                                     size_t feature, double inlet,
+                                     double outlet, double until);
 
 #endif

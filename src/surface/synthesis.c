@@ -26,7 +26,7 @@
 #include <math.h>
 
 #include "base/error.h"
-#include "base/sized.h"
+#include "base/given.h"
 #include "surface/profile.h"
 
 enum { MOST = 1 << 20, ITERATIONS = 25 };
@@ -281,7 +281,7 @@ ovr_profile *ovr_profile_random(const ovr_roughness *form,
     ovr_roughness own;
     random_surface s = {.form = &own};
     ovr_profile *p;
-    if (OVR_SIZED_TAKE(ovr_roughness, &own, form, err) || check(&s, err))
+    if (OVR_TAKE(ovr_roughness, &own, form, err) || check(&s, err))
         return NULL;
     p = ovr_profile_new("roughness", allocator, err);
     if (p && !synthesize(&s, p, err))

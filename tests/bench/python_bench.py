@@ -44,8 +44,6 @@ def steady_in_c():
                            (b"domain.level", b"%d" % LEVEL)):
             assert not lib.ovr_case_set(c, key, value, b"bench", err)
         how = ffi.new("ovr_run_options *")
-        how.size = ffi.sizeof("ovr_run_options")
-        lib.ovr_run_options_fill(how)
         how.steady = True
         run = lib.ovr_run_create(c, how, ffi.NULL, err)
         assert not lib.ovr_run_go(run, err)

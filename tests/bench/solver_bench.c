@@ -167,7 +167,7 @@ static void roll(void *sim)
 {
     static bench_dent dent = {-4.6};
     ovr_error err;
-    ovr_march march = {.size = sizeof march, .end = 6};
+    ovr_march march = {.end = 6};
     ovr_simulation_surface(sim, bench_dent_heights, &dent);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     CHECK_OK(ovr_simulation_march(sim, &march, &err), &err);

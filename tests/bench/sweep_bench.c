@@ -73,7 +73,7 @@ static void report(void *data, const ovr_run *run, const ovr_error *err,
 static double sweep_once(int workers)
 {
     ovr_error err = {0};
-    ovr_sweep_options how = ovr_sweep_options_default();
+    ovr_sweep_options how = {0};
     ovr_study *study = ovr_study_read("study.ini", NULL, &err);
     double began = now();
     if (!study || ovr_study_cases(study) != CASES)

@@ -114,7 +114,7 @@ static ovr_writer *make_writer(const variant *v, const ovr_contact *contact,
 static void march(const variant *v, const ovr_contact *contact,
                   ovr_simulation *sim, const char *path)
 {
-    ovr_march how = {.size = sizeof how, .end = 6};
+    ovr_march how = {.end = 6};
     ovr_writer *writer = NULL;
     ovr_observer look;
     ovr_error err = {0};

@@ -256,7 +256,7 @@ static ovr_status view_with(void *data, const ovr_allocator *allocator,
                             ovr_error *err)
 {
     ovr_result *r = data;
-    ovr_view_options o = ovr_view_options_default();
+    ovr_view_options o = {0};
     o.path = "view.html";
     o.force = true;
     return ovr_view(&r, 1, &o, allocator, err);
@@ -281,7 +281,7 @@ static ovr_status frames_with(void *data, const ovr_allocator *allocator,
                               ovr_error *err)
 {
     ovr_result *r = data;
-    ovr_frames_options o = ovr_frames_options_default();
+    ovr_frames_options o = {0};
     ovr_picture_options look = ovr_picture_options_default();
     ovr_error missing;
     look.force = true;
@@ -321,7 +321,7 @@ static bool stop_at_five(void *data, size_t done, size_t count)
 static void frames_go_on(void **state)
 {
     const char *path = test_path(*state, "made.h5");
-    ovr_frames_options o = ovr_frames_options_default();
+    ovr_frames_options o = {0};
     ovr_picture_options look = ovr_picture_options_default();
     ovr_frames_made made;
     size_t count = 0;

@@ -100,7 +100,7 @@ static touching seen(const ovr_run *run)
 static touching solved(ovr_case *c)
 {
     ovr_error err = {0};
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     ovr_run *run = ovr_run_create(c, &how, NULL, &err);
     CHECK_OK(run ? OVR_OK : err.status, &err);
     CHECK_OK(ovr_run_go(run, &err), &err);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "case/setup.h"
+#include "contact/contact.h"
 #include "elements/elements.h"
 #include "reference/elements_truth.h"
 #include "support/test.h"

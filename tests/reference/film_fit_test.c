@@ -3,6 +3,7 @@
  * from (tests/verify/film_fit_test.c), to the errors that check states. */
 #include <math.h>
 
+#include "contact/film_formula.h"
 #include "overroll/contact.h"
 #include "support/films.h"
 #include "support/test.h"

@@ -14,7 +14,7 @@ typedef struct ending {
 
 static ending run_to_end(const char *text, bool steady)
 {
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     ovr_error err = {0};
     how.steady = steady;
     ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, &err);

@@ -53,7 +53,7 @@ static double film_after_ramp(ovr_scheme scheme, double meshes)
     double D = 5.5 / 448;
     ovr_history *load = ramp(1, 1.2, 1);
     ovr_simulation *sim = started(6, scheme, 1e-8, NULL, load, NULL);
-    ovr_march march = {.size = sizeof march, .end = 80 * D, .dT = meshes * D};
+    ovr_march march = {.end = 80 * D, .dT = meshes * D};
     go(sim, &march);
     double film = ovr_simulation_observation(sim)->H_cen;
     ovr_simulation_free(sim);
@@ -129,10 +129,8 @@ static void adaptive_steps_keep_the_error(void **state)
     (void)state;
     for (int k = 0; k < 3; k++) {
         ovr_simulation *sim = started(7, OVR_UPSTREAM2, 1e-6, NULL, load, NULL);
-        ovr_march march = {.size = sizeof march,
-                           .end = 3,
-                           .adaptive = k < 2,
-                           .error = k ? 3e-4 : 1e-2};
+        ovr_march march = {
+            .end = 3, .adaptive = k < 2, .error = k ? 3e-4 : 1e-2};
         go(sim, &march);
         film[k] = ovr_simulation_observation(sim)->H_cen;
         steps[k] = ovr_simulation_statistics(sim)->steps;
@@ -177,11 +175,8 @@ static void times_are_hit_exactly(void **state)
         asked a = {0, 0};
         ovr_simulation *sim = started(6, OVR_UPSTREAM2, 0, NULL, NULL, NULL);
         ovr_observer look = {count_hits, next_wanted, &a};
-        ovr_march march = {.size = sizeof march,
-                           .end = 1,
-                           .adaptive = adaptive,
-                           .count = 1,
-                           .observers = &look};
+        ovr_march march = {
+            .end = 1, .adaptive = adaptive, .count = 1, .observers = &look};
         go(sim, &march);
         assert_int_equal(a.hit, 4);
         ovr_simulation_free(sim);
@@ -199,8 +194,7 @@ static void standing_dent_ends_steady(void **state)
         ovr_simulation *sim = started(7, scheme[s], 0, &dent, NULL, NULL);
         size_t n = ovr_simulation_state(sim)->n;
         double *P = malloc(n * sizeof *P);
-        ovr_march march = {
-            .size = sizeof march, .end = 60, .until_steady = true};
+        ovr_march march = {.end = 60, .until_steady = true};
         dent.grow = 1;
         go(sim, &march);
         assert_true(ovr_simulation_state(sim)->T < 20);
@@ -220,7 +214,7 @@ static void standing_dent_ends_steady(void **state)
 static void stops_and_starts(void **state)
 {
     ovr_history *stop = ramp(1, 0, 1), *start = ramp(0, 1, 1);
-    ovr_march march = {.size = sizeof march, .end = 2};
+    ovr_march march = {.end = 2};
     (void)state;
     ovr_simulation *sim = started(7, OVR_UPSTREAM2, 0, NULL, NULL, stop);
     double moving = ovr_simulation_observation(sim)->H_min;
@@ -242,7 +236,7 @@ static void stops_and_starts(void **state)
 static void load_comes_at_once(void **state)
 {
     ovr_history *load = ramp(0, 1, 0.1);
-    ovr_march march = {.size = sizeof march, .end = 6};
+    ovr_march march = {.end = 6};
     (void)state;
     ovr_simulation *sim = started(7, OVR_UPSTREAM2, 0, NULL, load, NULL);
     go(sim, &march);

@@ -134,7 +134,7 @@ static void lag(double period, bool rides, ovr_scheme scheme, int level,
     ovr_history *then = history(OVR_HISTORY_STEP, r, 1);
     ovr_simulation *still = test_simulation(20, 10, &o);
     ovr_simulation *sim = test_simulation(20, 10, &o);
-    ovr_march march = ovr_march_default();
+    ovr_march march = {0};
     march.end = end;
     march.dT = end / 200;
     ovr_simulation_radius(sim, swing, NULL, rides);

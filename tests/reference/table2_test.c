@@ -3,6 +3,7 @@
  * (M = 20, L = 10), and against grid-converged values. */
 #include <math.h>
 
+#include "contact/film_formula.h"
 #include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/test.h"

@@ -114,8 +114,7 @@ static watch march(const run *r, int level, double tolerance,
     test_feature feature = r->feature;
     watch w = {.truth = r->truth};
     ovr_observer look = {observe, NULL, &w};
-    ovr_march m = {
-        .size = sizeof m, .end = r->end, .count = 1, .observers = &look};
+    ovr_march m = {.end = r->end, .count = 1, .observers = &look};
     o.level = level;
     o.scheme = r->scheme;
     o.tolerance = tolerance;

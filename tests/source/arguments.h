@@ -23,17 +23,14 @@ typedef struct row {
 
 enum { NODES = 113, ROOM = 1 << 16 };
 
-/* Zeros that begin with a size. */
-static void *fresh(size_t size)
+static void *fresh(void)
 {
-    char *room = calloc(ROOM, 1);
-    memcpy(room, &size, sizeof size);
-    return room;
+    return calloc(ROOM, 1);
 }
 
 static void *copied(const void *value, size_t size)
 {
-    return memcpy(fresh(0), value, size);
+    return memcpy(fresh(), value, size);
 }
 
 static const char dent[] = "[contact]\nradius = 10 mm\nviscosity = 40 mPa.s\n"
@@ -94,7 +91,7 @@ static ovr_extreme *extreme(void)
 
 static ovr_run *new_run(const char *path)
 {
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     how.output = path;
     how.force = true;
     return ovr_run_create(own.c, &how, NULL, &own.err);
@@ -102,7 +99,7 @@ static ovr_run *new_run(const char *path)
 
 static ovr_find *new_find(void)
 {
-    ovr_find_options how = ovr_find_options_default();
+    ovr_find_options how = {0};
     how.key = "contact.L";
     how.low = "5", how.high = "15";
     how.condition = "H_cen_moes is 0.2";
@@ -196,7 +193,7 @@ static const char *const words[] = {"dent", "bump", NULL};
 #define GOOD_double_to own.numbers
 #define GOOD_float_to own.singles
 #define GOOD_size_t 3
-#define GOOD_void_to fresh(0)
+#define GOOD_void_to fresh()
 #define GOOD_unsigned_char_to (const unsigned char *)"dent"
 #define GOOD_ovr_allocator_to NULL
 #define GOOD_ovr_status OVR_IO

@@ -19,9 +19,7 @@ MAY_BE = {
     "ovr_fail_about": {"about"},
     "ovr_fail_meant": {"meant"},
     "ovr_life": {"risk", "length"},
-    "ovr_life_into": {"risk", "length"},
     "ovr_lubricant_make": {"p0", "z"},
-    "ovr_lubricant_make_into": {"p0", "z"},
     "ovr_run_create": {"options"},
     "ovr_run_resume": {"options"},
     "ovr_surfaces_create": {"speed"},
@@ -91,9 +89,7 @@ def otherwise(kind, filled):
     if target in filled:
         return f"copied(&(const {target}[]){{{target}_default()}}, " \
                f"sizeof({target}))"
-    if "(*" in kind or target.startswith("ovr_") and "*" not in target:
-        return f"fresh({'0' if '(*' in kind else f'sizeof({target})'})"
-    return "fresh(0)"
+    return "fresh()"
 
 
 def call(function, arguments):
@@ -128,7 +124,8 @@ def body(returns, made):
 def main():
     text = open(sys.argv[1]).read()
     all_of = list(functions(text))
-    filled = {name[:-5] for _, name, _ in all_of if name.endswith("_fill")}
+    filled = {name[:-8] for _, name, _ in all_of
+              if name.endswith("_default")}
     print('#include "arguments.h"\n')
     for kind in sorted({kind for _, _, given in all_of
                         for kind, _ in given if kind != "..."}):

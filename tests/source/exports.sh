@@ -1,7 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The shared library exports what the public headers declare with OVR_API, no
-# more and no less; every global name of the static one begins with ovr_.
+# more and no less; at most 160 functions, each of them called by the program,
+# by Python or by the example of the manual; every global name of the static one
+# begins with ovr_.
 set -u
 if [ -n "$INSTRUMENTED" ]; then
     echo "instrumented libraries carry symbols of their own"
@@ -24,5 +26,14 @@ nm -g --defined-only "$LIB" | awk 'NF == 3 { print $3 }' | sort -u >global
 comm -13 declared exported | sed 's/$/ is exported but not declared/' >wrong
 comm -23 declared exported | sed 's/$/ is declared but not defined/' >>wrong
 grep -v '^ovr_' global | sed 's/$/ is global without ovr_ before it/' >>wrong
+nm -D --defined-only "$SHARED" | awk '$2 == "T" { print $3 }' |
+    grep -vxE '_init|_fini' >functions
+count=$(wc -l <functions)
+[ "$count" -le 160 ] || echo "$count functions are exported" >>wrong
+cat "$TOP"/src/cli/*.[ch] "$TOP"/src/*/overroll-library.3 \
+    "$TOP"/tools/python/overroll/*.py >users
+while read -r name; do
+    grep -qw "$name" users || echo "$name is exported, and has no use" >>wrong
+done <functions
 cat wrong
 [ ! -s wrong ] && [ -s declared ]

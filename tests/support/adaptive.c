@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "contact/film_formula.h"
 #include "overroll/contact.h"
 #include "series.h"
 #include "test.h"

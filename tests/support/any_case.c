@@ -274,7 +274,7 @@ static double film_on(const draw *d, const char *level, int *order,
 {
     watch w = {0};
     ovr_error err = {0};
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     ovr_case *c = make(d, &err);
     double film = NAN;
     how.data = &w;
@@ -327,7 +327,7 @@ static int try(const draw *d, int *solved)
 {
     watch w = {0};
     ovr_error err = {0};
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     ovr_case *c = make(d, &err);
     how.data = &w;
     how.stop = stop;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "support/dent.h"
+#include "results/results.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -39,8 +40,7 @@ void test_dent_init(test_dent *d, size_t n, double dT)
     d->flow = block + 6 * n;
     for (size_t i = 0; i < n; i++)
         d->X[i] = -4 + d->D * (double)i;
-    d->frame = (ovr_frame){sizeof d->frame, &d->state, &d->seen,
-                           field_of,        d,         NULL};
+    d->frame = (ovr_frame){&d->state, &d->seen, field_of, d, NULL};
     test_dent_move(d, 0);
 }
 
@@ -66,8 +66,7 @@ void test_dent_move(test_dent *d, long step)
     double T = d->dT * (double)step;
     for (size_t i = 0; i < d->n; i++)
         fill_node(d, i, T);
-    d->state = (ovr_state){.size = sizeof d->state,
-                           .step = step,
+    d->state = (ovr_state){.step = step,
                            .T = T,
                            .n = d->n,
                            .D = d->D,
@@ -76,8 +75,7 @@ void test_dent_move(test_dent *d, long step)
                            .H = d->H,
                            .S = d->S,
                            .H0 = -0.5};
-    d->seen = (ovr_observation){.size = sizeof d->seen,
-                                .T = T,
+    d->seen = (ovr_observation){.T = T,
                                 .dT = d->dT,
                                 .H_min = 0.05 + 0.001 * cos(T),
                                 .X_min = 0.9,
@@ -100,8 +98,7 @@ void test_dent_move(test_dent *d, long step)
 
 ovr_contact test_contact_bare(void)
 {
-    return (ovr_contact){.size = sizeof(ovr_contact),
-                         .M = 20,
+    return (ovr_contact){.M = 20,
                          .L = 10,
                          .lambda = 0.00925,
                          .alphabar = 17.84,

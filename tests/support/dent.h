@@ -10,6 +10,7 @@
 #include <stddef.h>
 
 #include "overroll/results.h"
+#include "results/results.h"
 
 typedef struct test_dent {
     size_t n;

@@ -137,7 +137,7 @@ typedef struct domain {
 static bool solve(const char *words, seen *s, domain *d, const char *folder,
                   bool go, ovr_error *err)
 {
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     ovr_case *c = ovr_case_read_text(words, "case", NULL, NULL, err);
     how.data = s;
     how.observe = observe;

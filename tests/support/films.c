@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "contact/contact.h"
+#include "contact/film_formula.h"
 #include "overroll/simulation.h"
 
 /* The i-th number of van der Corput's sequence, 0 to 1. */

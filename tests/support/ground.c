@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "contact/film_formula.h"
 #include "support/test.h"
 
 static const double pi = 3.14159265358979323846;
@@ -84,7 +85,7 @@ static double film_at(test_ground *g, const surface s[2], double speed)
 static void run(test_ground *g, const surface s[2], double speed)
 {
     ovr_case *c = make_case(g, s, speed);
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     ovr_run *run = c ? ovr_run_create(c, &how, NULL, &g->err) : NULL;
     g->status = run ? ovr_run_go(run, &g->err) : OVR_BAD_INPUT;
     if (run) {

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "contact/contact.h"
+#include "contact/film_formula.h"
 #include "newton.h"
 #include "simulation/simulation.h"
 #include "test.h"

@@ -13,8 +13,7 @@ ovr_heat_form test_heat_form(void)
 {
     static const ovr_thermal steel = {46, 460, 7850},
                              mineral = {.14, 2000, 870};
-    return (ovr_heat_form){.size = sizeof(ovr_heat_form),
-                           .points = 5,
+    return (ovr_heat_form){.points = 5,
                            .temperature = 353,
                            .bulk = {NAN, NAN},
                            .oil = mineral,

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "contact/film_formula.h"
 #include "overroll/case.h"
 #include "overroll/run.h"
 #include "test.h"
@@ -45,7 +46,7 @@ static void solve(const char *text, const char *level, seen *into)
 {
     ovr_error err = {0};
     ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, &err);
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     CHECK_OK(c ? ovr_case_set(c, "domain.level", level, "test", &err)
                : OVR_BAD_INPUT,
              &err);

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "contact/film_formula.h"
 #include "support/contact.h"
 #include "support/test.h"
 #include "surface/surfaces.h"
@@ -129,7 +130,7 @@ static double end_of(const ovr_feature_form *f, double speed, double outlet)
 
 static void march(ovr_simulation *sim, double T, test_ending *end)
 {
-    ovr_march march = {.size = sizeof march, .end = T};
+    ovr_march march = {.end = T};
     end->err.status = ovr_simulation_steady(sim, &end->err);
     if (!end->err.status)
         end->err.status = ovr_simulation_march(sim, &march, &end->err);

@@ -37,7 +37,7 @@ static void take(tally *t, const ovr_run *run, const char *text)
 static void try(tally *t, uint64_t seed, int level)
 {
     static test_random_case d;
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     ovr_error err = {0};
     test_mixed_case(&d, seed, level);
     ovr_case *c = ovr_case_read_text(d.text, "case", NULL, NULL, &err);

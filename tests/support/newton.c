@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "contact/contact.h"
+#include "contact/film_formula.h"
 #include "test.h"
 
 static double *take(size_t n)

@@ -6,6 +6,7 @@
 
 #include "contact.h"
 #include "contact/contact.h"
+#include "contact/film_formula.h"
 #include "test.h"
 
 typedef struct draw {

@@ -197,7 +197,7 @@ static void run_killed(ovr_case *c, const char *path)
     int how_it_ended = 0;
     if (child == 0) {
         int calls = 0;
-        ovr_run_options how = ovr_run_options_default();
+        ovr_run_options how = {0};
         how.output = path;
         how.force = true;
         how.data = &calls;
@@ -213,7 +213,7 @@ static void run_killed(ovr_case *c, const char *path)
 
 static void check_resumed(ovr_case *c, const char *path, const ending *whole)
 {
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     ovr_error err = {0};
     run_killed(c, path);
     ovr_run *run = ovr_run_resume(path, &how, NULL, &err);
@@ -280,7 +280,7 @@ static void check_refused(ovr_case *c, const ovr_refusal *why)
 
 static void check_works(ovr_case *c, const char *path, bool marches)
 {
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     ovr_error err = {0};
     how.output = path;
     how.force = true;

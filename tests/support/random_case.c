@@ -5,6 +5,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "contact/film_formula.h"
 #include "overroll/case.h"
 #include "overroll/simulation.h"
 #include "test.h"

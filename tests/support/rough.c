@@ -4,6 +4,9 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "contact/contact.h"
+#include "contact/film_formula.h"
+#include "run/run.h"
 #include "support/test.h"
 
 typedef struct surface {
@@ -46,7 +49,7 @@ static int foresee(test_rough *r, const surface *s)
 static void run(test_rough *r, const surface *s)
 {
     ovr_case *c = make_case(r, s);
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     ovr_run *run = c ? ovr_run_create(c, &how, NULL, &r->err) : NULL;
     r->status = run ? ovr_run_go(run, &r->err) : OVR_BAD_INPUT;
     if (!r->status) {

@@ -145,7 +145,7 @@ test_starved_run test_starved(uint64_t seed, int level)
     ovr_simulation_histories(sim, load, speed);
     ovr_simulation_surface(sim, heights, &s);
     ovr_simulation_moving(sim, u);
-    ovr_march march = {.size = sizeof march, .end = 4};
+    ovr_march march = {.end = 4};
     run.status = ovr_simulation_steady(sim, &run.err);
     if (!run.status)
         run.status = ovr_simulation_march(sim, &march, &run.err);

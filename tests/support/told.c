@@ -17,7 +17,7 @@ typedef struct tally {
 static ovr_run *solved(const char *text, int level, double T, ovr_error *err)
 {
     char set[64];
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, err);
     assert_non_null(c);
     how.estimate_error = isnan(T);

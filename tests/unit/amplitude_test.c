@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "overroll/overroll.h"
+#include "run/run.h"
 #include "support/rough.h"
 #include "support/test.h"
 #include "surface/amplitude.h"

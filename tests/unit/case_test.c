@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "case/parameters.h"
+#include "contact/contact.h"
 #include "overroll/overroll.h"
 
 static const char *const moes = "[contact]\nM = 20\nL = 10\n";

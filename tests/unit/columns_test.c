@@ -55,8 +55,7 @@ static void fill(films *f, size_t n, int points, uint64_t *seed)
     ovr_columns *c = &f->c;
     ovr_across_make(points, &f->across);
     *c = (ovr_columns){.across = &f->across, .heat = &f->heat, .n = n};
-    f->heat = (ovr_heat){.size = sizeof(ovr_heat),
-                         .points = points,
+    f->heat = (ovr_heat){.points = points,
                          .T0 = test_random(seed, 280, 400),
                          .theta = test_random(seed, 100, 1000),
                          .conduction = pow(10, test_random(seed, -1, 1.5)),
@@ -429,8 +428,7 @@ static void fill_at(films *f, double T, const double *P)
 static void pressed_oil_gets_denser(void **state)
 {
     static films f;
-    ovr_lubricant dh = {
-        .size = sizeof dh, .density_law = OVR_DOWSON_HIGGINSON, .A = 0.59};
+    ovr_lubricant dh = {.density_law = OVR_DOWSON_HIGGINSON, .A = 0.59};
     const double h = 1e-4, T = 50;
     double P[MOST];
     (void)state;
@@ -458,8 +456,7 @@ static void expand(const ovr_kernels *run, double T, const double *P, double *v,
 {
     static films f;
     double pressed[MOST];
-    ovr_lubricant dh = {
-        .size = sizeof dh, .density_law = OVR_DOWSON_HIGGINSON, .A = 0.59};
+    ovr_lubricant dh = {.density_law = OVR_DOWSON_HIGGINSON, .A = 0.59};
     fill_at(&f, T, P);
     f.heat.conduction = 1e-20;
     f.c.V = 0;

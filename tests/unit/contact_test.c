@@ -13,6 +13,7 @@
 #include <gsl/gsl_integration.h>
 
 #include "contact/contact.h"
+#include "contact/film_formula.h"
 
 static const double PI = 3.14159265358979323846;
 

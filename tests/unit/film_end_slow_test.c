@@ -52,7 +52,7 @@ static void run(const swing *w, double most_cycles, long most_retries)
     ovr_simulation_histories(sim, load, speed);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     ovr_statistics start = *ovr_simulation_statistics(sim);
-    ovr_march march = ovr_march_default();
+    ovr_march march = {0};
     march.end = w->end;
     CHECK_OK(ovr_simulation_march(sim, &march, &err), &err);
     ovr_statistics end = *ovr_simulation_statistics(sim);
@@ -138,7 +138,7 @@ static void a_tolerance_below_rounding_at_speed(void **state)
     ovr_simulation *sim = test_simulation(5.086, 6.279, &o);
     ovr_simulation_histories(sim, load, speed);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
-    ovr_march march = ovr_march_default();
+    ovr_march march = {0};
     march.end = 0.9;
     march.dT = 0.05;
     CHECK_OK(ovr_simulation_march(sim, &march, &err), &err);

@@ -37,11 +37,11 @@ static oil make(void)
 static void fill(oil *o, uint64_t *seed, double most_z)
 {
     double ph = test_random(seed, 0.2, 3);
-    o->fluid = (ovr_fluid){
-        {sizeof(ovr_lubricant), OVR_ROELANDS, OVR_DOWSON_HIGGINSON,
-         .alphabar = test_random(seed, 8, 30) * ph,
-         .z = test_random(seed, 0.2, most_z), .P0 = 0.198 / ph, .A = 0.59 / ph},
-        .lambda = test_random(seed, 1e-3, 1)};
+    o->fluid = (ovr_fluid){{OVR_ROELANDS, OVR_DOWSON_HIGGINSON,
+                            .alphabar = test_random(seed, 8, 30) * ph,
+                            .z = test_random(seed, 0.2, most_z),
+                            .P0 = 0.198 / ph, .A = 0.59 / ph},
+                           .lambda = test_random(seed, 1e-3, 1)};
     for (int i = 0; i < N; i++) {
         double small = pow(10, test_random(seed, -9, 0));
         o->f.P[i] = test_random(seed, 0, 2.5) * (i % 2 ? small : 1);

@@ -328,10 +328,8 @@ static void table_is_the_law(void **state)
     form.rheology = OVR_CARREAU_STRESS;
     ovr_flow_law *law = ovr_flow_law_create(&form, NULL, &err);
     CHECK_OK(err.status, &err);
-    fluid.lubricant = (ovr_lubricant){.size = sizeof(ovr_lubricant),
-                                      .rheology = OVR_CARREAU_STRESS,
-                                      .Sigma0 = 0.3,
-                                      .flow_law = law};
+    fluid.lubricant = (ovr_lubricant){
+        .rheology = OVR_CARREAU_STRESS, .Sigma0 = 0.3, .flow_law = law};
     for (int k = 0; k < 400; k++) {
         double s_N = exp(test_random(&seed, log(1e-3), log(3e8)));
         double g = exp(test_random(&seed, log(1e-2), log(200)));

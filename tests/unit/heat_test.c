@@ -97,13 +97,8 @@ static void distance_from_the_full_solution(void **state)
 
 /* ------------------------------------------------------------------- film */
 
-static const ovr_heat oil = {.size = sizeof oil,
-                             .points = 5,
-                             .T0 = 350,
-                             .theta = 400,
-                             .conduction = 3,
-                             .C = 0,
-                             .beta = 0};
+static const ovr_heat oil = {
+    .points = 5, .T0 = 350, .theta = 400, .conduction = 3, .C = 0, .beta = 0};
 
 /* The coefficient of P_{n-1}: 1 of that polynomial, 0 of all below; moved to
  * other points a polynomial of degree 4 is the same. */
@@ -245,9 +240,8 @@ static void what_is_made_flows_out(void **state)
 
 static void viscosity_falls_with_temperature(void **state)
 {
-    ovr_heat roelands = {
-        .size = sizeof roelands, .T0 = 353, .C = 6.4, .S0 = 1.1};
-    ovr_heat barus = {.size = sizeof barus, .T0 = 353, .beta = 0.033};
+    ovr_heat roelands = {.T0 = 353, .C = 6.4, .S0 = 1.1};
+    ovr_heat barus = {.T0 = 353, .beta = 0.033};
     (void)state;
     /* the slope at ambient pressure is beta = S0 C/(T0 - 138) */
     CHECK_CLOSE(-ovr_heat_log_viscosity(&roelands, 0, 1e-4) / 1e-4,

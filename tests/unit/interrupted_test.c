@@ -79,7 +79,7 @@ static void keep(told *t, const ovr_run *run)
 
 static ovr_run_options options(told *t, const char *path)
 {
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     how.output = path;
     how.data = t;
     how.stop = stop;
@@ -195,7 +195,7 @@ static void a_long_start_is_stopped_at_once(void **state)
 {
     double when = (double)clock() / CLOCKS_PER_SEC + 1;
     ovr_error err = {0};
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     ovr_case *c = ovr_case_read_text(
         "[contact]\nradius = 12.7 mm\nviscosity = 40 mPa.s\nM = 100\n"
         "L = 12\nmodulus = 226 GPa\nslide_to_roll = 0.5\n[domain]\n"

@@ -20,7 +20,7 @@ static void random_jumps_go_through(void **state)
 static ovr_status run_with(const char *text, double M, ovr_error *err)
 {
     char number[40];
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, err);
     assert_non_null(c);
     snprintf(number, sizeof number, "%.17g", M);

@@ -31,7 +31,7 @@ static void save_pictures(const char *made, const char *page,
 {
     ovr_error err = {0};
     ovr_result *r = ovr_result_open(made, NULL, &err);
-    ovr_view_options view = ovr_view_options_default();
+    ovr_view_options view = {0};
     ovr_picture_options look = ovr_picture_options_default();
     assert_non_null(r);
     view.path = page;

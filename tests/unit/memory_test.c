@@ -2,6 +2,7 @@
 /* Memory of a simulation: taken once, little of it, and as announced. */
 #include <math.h>
 
+#include "contact/heat.h"
 #include "simulation/internal.h"
 #include "simulation/simulation.h"
 #include "support/contact.h"
@@ -70,8 +71,7 @@ static void nothing_is_allocated_after_set_up(void **state)
         test_faults_init(&faults);
         ovr_simulation *sim = create(&kinds[k], &faults.hook);
         ovr_surfaces *surfaces = rough(sim, &faults.hook);
-        ovr_march march = {.size = sizeof march,
-                           .end = 30 * sim->finest->grid.D,
+        ovr_march march = {.end = 30 * sim->finest->grid.D,
                            .adaptive = kinds[k].adaptive};
         long calls = faults.calls;
         ovr_simulation_surface(sim, ovr_surfaces_heights, surfaces);

@@ -23,8 +23,7 @@ static const char *path;
 
 static ovr_contact still(void)
 {
-    ovr_contact c = {.size = sizeof c,
-                     .M = 20,
+    ovr_contact c = {.M = 20,
                      .L = 10,
                      .u1_ratio = 0,
                      .u2_ratio = 2,
@@ -234,8 +233,7 @@ static void endless_profiles_have_a_front(void **state)
 
 static void profiles_need_scales_and_places(void **state)
 {
-    ovr_contact c = {.size = sizeof c,
-                     .M = 20,
+    ovr_contact c = {.M = 20,
                      .L = 10,
                      .u1_ratio = 1,
                      .u2_ratio = 1,

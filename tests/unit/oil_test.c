@@ -33,8 +33,7 @@ static ovr_oil an_oil(ovr_viscosity_law law, ovr_density_law density)
 
 static ovr_contact a_contact(double alpha)
 {
-    ovr_contact c = {.size = sizeof c,
-                     .M = 20,
+    ovr_contact c = {.M = 20,
                      .L = 10,
                      .ph = 1e9,
                      .alpha = alpha,
@@ -46,7 +45,7 @@ static ovr_contact a_contact(double alpha)
 static ovr_lubricant scaled(ovr_oil *oil)
 {
     ovr_error err = {0};
-    ovr_lubricant made = {.size = sizeof made};
+    ovr_lubricant made = {0};
     ovr_contact contact;
     if (isnan(oil->alpha) && ovr_oil_complete(oil, &err))
         fail_msg("%s", err.message);

@@ -25,7 +25,7 @@ static void a_run_is_on_the_heights_given(void **state)
     int calls[2] = {0};
     ovr_error err = {0};
     ovr_case *c = ovr_case_read_text(wave, "wave.ini", NULL, NULL, &err);
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     (void)state;
     how.heights = heights;
     how.data = &calls[0];

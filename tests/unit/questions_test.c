@@ -75,7 +75,7 @@ static ovr_case *some_case(void)
 static ovr_find *ask(made_up *u, const char *condition, const char *which)
 {
     ovr_case *c = some_case();
-    ovr_find_options how = ovr_find_options_default();
+    ovr_find_options how = {0};
     ovr_error err = {0};
     how.key = "contact.M";
     how.low = "4", how.high = "100";
@@ -172,7 +172,7 @@ static void elasticities(void **state)
 {
     made_up u = {.of = power, .odd = 20};
     ovr_case *c = some_case();
-    ovr_sensitivity_options how = ovr_sensitivity_options_default();
+    ovr_sensitivity_options how = {0};
     ovr_error err = {0};
     (void)state;
     how.data = &u;

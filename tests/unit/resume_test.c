@@ -90,8 +90,7 @@ static void finish(bench *b)
 {
     ovr_error err = {0};
     ovr_observer look = {watch, NULL, b};
-    ovr_march march = {
-        .size = sizeof march, .end = b->end, .count = 1, .observers = &look};
+    ovr_march march = {.end = b->end, .count = 1, .observers = &look};
     bool stops = b->stop != NEVER;
     ovr_status status;
     ovr_writer_checkpoints(b->writer, b->sim);

@@ -92,7 +92,7 @@ static void what_cannot_be_is_taken_back(void **state)
 {
     ovr_error err = {0};
     ovr_options o = test_options();
-    ovr_march march = {.size = sizeof march, .end = 4};
+    ovr_march march = {.end = 4};
     (void)state;
     o.level = 5;
     ovr_simulation *sim = test_simulation(20, 10, &o);

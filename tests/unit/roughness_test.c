@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "contact/contact.h"
 #include "overroll/overroll.h"
 #include "surface/local_roughness.h"
 #include "surface/profile.h"

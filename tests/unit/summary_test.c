@@ -40,7 +40,7 @@ static void a_file_holds_its_summary(void **state)
 {
     const char *path = test_path(*state, "a.h5");
     ovr_error err = {0};
-    ovr_run_options how = ovr_run_options_default();
+    ovr_run_options how = {0};
     ovr_case *c = ovr_case_read_text(text, "a.ini", NULL, NULL, &err);
     held h = {0};
     how.output = path;
@@ -84,7 +84,7 @@ static void check_study(const char *folder, const char *name, bool results)
     const char *path = test_path(folder, name);
     char of_study[256], file[80];
     ovr_error err = {0};
-    ovr_sweep_options how = ovr_sweep_options_default();
+    ovr_sweep_options how = {0};
     test_write_text(test_path(folder, "base.ini"), text);
     snprintf(of_study, sizeof of_study,
              "[study]\ncase = base.ini\nresults = %s\n[product]\n"

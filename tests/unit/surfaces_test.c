@@ -20,8 +20,7 @@ static const double PI = 3.14159265358979323846;
 
 static ovr_contact moes(double u1, double u2)
 {
-    ovr_contact c = {.size = sizeof c,
-                     .M = 20,
+    ovr_contact c = {.M = 20,
                      .L = 10,
                      .u1_ratio = u1,
                      .u2_ratio = u2,

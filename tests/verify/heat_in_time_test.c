@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "contact/contact.h"
+#include "contact/film_formula.h"
 #include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/hot.h"

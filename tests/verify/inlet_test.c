@@ -7,6 +7,7 @@
 
 #include "../support/contact.h"
 #include "../support/test.h"
+#include "contact/film_formula.h"
 #include "contact/starvation.h"
 #include "overroll/contact.h"
 #include "simulation/simulation.h"

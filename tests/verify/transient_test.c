@@ -12,6 +12,7 @@
 #include <time.h>
 
 #include "contact/contact.h"
+#include "contact/film_formula.h"
 #include "reference/truth.h"
 #include "simulation/simulation.h"
 #include "support/contact.h"
@@ -84,8 +85,7 @@ static double amplitude_ratio(double M, double L, double wavelength, int level,
         end = 5 + periods * wavelength;
     fundamental f = {wavelength, end - periods * wavelength, end, 0, 0, 0};
     ovr_observer look = {accumulate, NULL, &f};
-    ovr_march march = {
-        .size = sizeof march, .end = end, .count = 1, .observers = &look};
+    ovr_march march = {.end = end, .count = 1, .observers = &look};
     if (M == 20 && L == 10)
         wave.A = 0.02105;
     ovr_simulation *sim = begin(M, L, level, scheme, &wave, NULL);
@@ -173,8 +173,7 @@ static void sliding_disturbances_arrive_twice(void **state)
     test_feature dent = {'l', -0.05, 0.4, -3, 0.5, 0};
     arrivals a = {0};
     ovr_observer look = {note_peaks, NULL, &a};
-    ovr_march march = {
-        .size = sizeof march, .end = 8, .count = 1, .observers = &look};
+    ovr_march march = {.end = 8, .count = 1, .observers = &look};
     bool fluid = false, own = false;
     (void)state;
     ovr_simulation *sim = begin(20, 10, 8, OVR_UPSTREAM2, &dent, NULL);
@@ -266,8 +265,7 @@ static watch follow(const run *r, int level, ovr_scheme scheme)
     test_feature feature = r->feature;
     watch w = {.truth = r->truth};
     ovr_observer look = {compare, NULL, &w};
-    ovr_march march = {
-        .size = sizeof march, .end = r->end, .count = 1, .observers = &look};
+    ovr_march march = {.end = r->end, .count = 1, .observers = &look};
     if (r->load) {
         form.kind = OVR_HISTORY_RAMP;
         form.from = 1;
@@ -354,7 +352,7 @@ static void orders_in_the_mesh(void **state)
         for (int k = 0; k < 4; k++) {
             ovr_error err;
             test_feature dent = {'s', -0.02, 2, -0.5, 1, 1};
-            ovr_march march = {.size = sizeof march, .end = 128 * D0};
+            ovr_march march = {.end = 128 * D0};
             ovr_simulation *sim = begin(20, 10, 6 + k, (ovr_scheme)s, &dent,
                                         NULL);
             CHECK_OK(ovr_simulation_march(sim, &march, &err), &err);

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Iterator, Optional, Union
 
 import numpy as np
 
-from ._library import ORIGIN, check, encoded, error_of, ffi, lib, made
+from ._library import ORIGIN, check, encoded, error_of, ffi, lib
 from ._library import new_error, text
 from ._tables import place
 
@@ -152,7 +152,7 @@ class Case:
 
     def _entries(self) -> Iterator[tuple[str, Any]]:
         for k in range(lib.ovr_case_entries(self._c)):
-            entry = made("ovr_case_entry", lib.ovr_case_entry_into, self._c, k)
+            entry = lib.ovr_case_entry_at(self._c, k)
             section = text(entry.section)
             if entry.name != ffi.NULL:
                 section = f"{section} {text(entry.name)}"

@@ -10,7 +10,7 @@ import numpy as np
 from . import _workers
 from ._case import Case, Path, case_of, value_text
 from ._library import (ORIGIN, BadInput, encoded, error_of, ffi,
-                       lib, made, new_error, text)
+                       lib, new_error, text)
 from ._progress import Progress, Teller
 from ._tables import place
 from ._task import _take
@@ -149,8 +149,6 @@ def find(case: Union[None, Case, Path], key: str, *,
     base = case_of(case, keys)
     asked = _Asked(workers, progress)
     how = ffi.new("ovr_find_options *")
-    how.size = ffi.sizeof("ovr_find_options")
-    lib.ovr_find_options_fill(how)
     texts = {"key": place(key), "low": value_text(between[0]),
              "high": value_text(between[1]),
              "condition": _condition(quantity, equals, at_least, at_most)}
@@ -184,7 +182,7 @@ def _found(search: Any) -> Found:
     info = lib.ovr_find_about(search)
     evaluations = []
     for k in range(info.evaluations):
-        e = made("ovr_find_evaluation", lib.ovr_find_evaluation_into, search, k)
+        e = lib.ovr_find_evaluation_at(search, k)
         evaluations.append({
             "value": e.value, "quantity": e.quantity, "order": e.order,
             "level": e.level, "converged": bool(e.converged),

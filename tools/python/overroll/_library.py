@@ -131,14 +131,6 @@ def rows(at: Any, *arguments: Any) -> Iterator[Any]:
         k += 1
 
 
-def made(kind: str, function: Any, *arguments: Any) -> Any:
-    """A struct that the library fills, as much as this package knows of it."""
-    struct = ffi.new(kind + " *")
-    struct.size = ffi.sizeof(kind)
-    function(*arguments, struct)
-    return struct
-
-
 def suggest(wrong: str, names: list[str]) -> Optional[str]:
     """The name that was probably meant."""
     keep = [ffi.new("char[]", encoded(name)) for name in names]
@@ -154,10 +146,7 @@ def options_of(kind: str, given: dict[str, Any]) -> tuple[Any, list[Any]]:
     list of numbers a pointer with its count before it.
     """
     how = ffi.new(kind + " *")
-    if "size" in dict(ffi.typeof(kind).fields):
-        how.size = ffi.sizeof(kind)
-        getattr(lib, kind + "_fill")(how)
-    else:
+    if hasattr(lib, kind + "_default"):  # the others' defaults are zero
         how[0] = getattr(lib, kind + "_default")()
     keep: list[Any] = [how]
     for name, value in given.items():
@@ -203,4 +192,4 @@ def fields_of(struct: Any) -> dict[str, Any]:
     otherwise."""
     return {name + "_" * iskeyword(name): getattr(struct, name)
             for name, field in ffi.typeof(struct[0]).fields
-            if field.type.kind == "primitive" and name != "size"}
+            if field.type.kind == "primitive"}

@@ -133,8 +133,6 @@ def go(core: _RunCore, watch: _Watch) -> int:
 def options(watch: _Watch, output: Optional[str],
             force: bool) -> tuple[Any, Any]:
     how = ffi.new("ovr_run_options *")
-    how.size = ffi.sizeof("ovr_run_options")
-    lib.ovr_run_options_fill(how)
     how.force = force
     how.data = watch.handle
     how.stop = _stop

@@ -102,8 +102,6 @@ def warn(core: _RunCore) -> None:
 
 
 _STEADY = ffi.new("ovr_run_options *")
-_STEADY.size = ffi.sizeof("ovr_run_options")
-lib.ovr_run_options_fill(_STEADY)
 _STEADY.steady = True
 _ESTIMATED = ffi.new("ovr_run_options *", _STEADY[0])
 _ESTIMATED.estimate_error = True

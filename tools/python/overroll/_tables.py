@@ -8,7 +8,7 @@ from itertools import count
 from operator import attrgetter
 from typing import Any, Optional
 
-from ._library import BadInput, ORIGIN, ffi, lib, made, rows, suggest, text
+from ._library import BadInput, ORIGIN, ffi, lib, rows, suggest, text
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ def parameters() -> tuple[Parameter, ...]:
              for k, name in enumerate(rows(lib.ovr_section_name))}
     table = []
     for k in range(lib.ovr_parameter_count()):
-        p = made("ovr_parameter_info", lib.ovr_parameter_into, k)
+        p = lib.ovr_parameter_at(k)
         choices = [text(c) for c in p.choices if c != ffi.NULL]
         table.append(Parameter(
             text(p.section), text(p.key), text(p.type), text(p.units),

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Film thickness by formulas: Moes' and the program's own. */
+#ifndef OVR_CONTACT_FILM_FORMULA_H
+#define OVR_CONTACT_FILM_FORMULA_H
+
+#include "overroll/contact.h"
+
+/* The four asymptotes in the same scaling: rigid-isoviscous,
+ * elastic-isoviscous, rigid-piezoviscous, elastic-piezoviscous. */
+typedef struct ovr_film_asymptotes {
+    double rigid_iso, elastic_iso, rigid_piezo, elastic_piezo;
+} ovr_film_asymptotes;
+ovr_film_asymptotes ovr_film_asymptotes_moes(double M, double L);
+
+/* Central film thickness of Moes' line-contact formula, as H = h R/b^2
+ * (incompressible film; Moes number times pi/(8 M)). */
+double ovr_film_central_moes(double M, double L);
+
+/* The program's own films of a steady flooded contact with a compressible oil
+ * (Roelands' viscosity, `density` that of Dowson and Higginson at ph), fitted
+ * to its solutions; NAN outside 2 <= M <= 1000, 0.3 <= L <= 25, which they
+ * cover, to 2.6 and 1.7 % (film_fit.c). */
+typedef struct ovr_film_fit {
+    double central, minimum;
+} ovr_film_fit;
+ovr_film_fit ovr_film_fitted(double M, double L, double density);
+
+#endif
