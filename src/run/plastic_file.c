@@ -101,7 +101,7 @@ static ovr_status store_body(ovr_writer *writer, const ovr_plastic *p,
     ovr_arena arena = ovr_arena_make(NULL);
     double *maps = ovr_arena_take(&arena, MAPS * layers * n, sizeof *maps, err);
     double *lines = ovr_arena_take(&arena, 2 * n, sizeof *lines, err);
-    storage s = {.group = {.size = sizeof s.group, .axes = 2}};
+    storage s = {.group = {.axes = 2}};
     ovr_status status = OVR_NO_MEMORY;
     if (maps && lines) {
         double *xi = lines, *after = lines + n;
