@@ -207,6 +207,7 @@ typedef struct ovr_run_info {
     long marked; /* steps accepted above the tolerance, of all passes */
     double life_together; /* ratio of lives of a raceway that sees all passes
                              again and again; NAN: not known */
+    bool shaken_down; /* the last pass of bodies that yield changed nothing */
 } ovr_run_info;
 OVR_API const ovr_run_info *ovr_run_about(const ovr_run *run);
 

@@ -10,6 +10,13 @@
  * from now on.  `waiting`: oil before the inlet, b^3/R. */
 void ovr_setup_feed(ovr_setup *setup, ovr_layer *layer[2], double waiting);
 
+/* Whether passes are fed so: those of [passes], not of [plastic] alone. */
+bool ovr_setup_carries_oil(const ovr_setup *setup);
+
+/* Bodies that yield begin with the strains of that file, borrowed; nothing
+ * where none does. */
+void ovr_setup_go_on(ovr_setup *setup, const char *file);
+
 /* In place of the load: that of a pass, times its history. */
 ovr_status ovr_setup_load(ovr_setup *setup, int pass,
                           const ovr_allocator *allocator, ovr_error *err);

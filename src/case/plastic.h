@@ -28,7 +28,8 @@ typedef struct ovr_plastic_setup {
     int once;            /* the profile changes between passes alone */
     const char *initial; /* a result file; NULL: none */
     bool anyway;
-    int surface; /* as given */
+    bool flooded; /* passes are its own: no oil goes from one to the next */
+    int surface;  /* as given */
 } ovr_plastic_setup;
 
 /* NULL: nothing yields. */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/error.h"
+#include "case/feed.h"
 #include "case/plastic.h"
 #include "case/resolve.h"
 #include "case/setup.h"
@@ -195,6 +196,7 @@ ovr_status ovr_resolve_plastic(ovr_resolved *r, ovr_error *err)
             return OVR_BAD_INPUT;
     }
     p->surfaces = (unsigned)p->surface;
+    p->flooded = r->values.passes.number == 1;
     if (r->values.passes.number < p->passes)
         r->values.passes.number = p->passes;
     ovr_resolved_turn_on(r, &ovr_physics_plastic, &r->setup);
@@ -205,4 +207,14 @@ const ovr_plastic_setup *ovr_setup_plastic(const ovr_setup *setup)
 {
     const ovr_resolved *r = (const ovr_resolved *)setup;
     return r->values.plastic.surfaces ? &r->values.plastic : NULL;
+}
+
+bool ovr_setup_carries_oil(const ovr_setup *setup)
+{
+    return !((const ovr_resolved *)setup)->values.plastic.flooded;
+}
+
+void ovr_setup_go_on(ovr_setup *setup, const char *file)
+{
+    ((ovr_resolved *)setup)->values.plastic.initial = file;
 }

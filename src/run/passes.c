@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "case/feed.h"
+#include "case/plastic.h"
 #include "results/results.h"
 
 /* ------------------------------------------------------------------- names */
@@ -115,6 +116,16 @@ static ovr_status learn(ovr_run *run, int pass, ovr_pass_end *end,
     return OVR_OK;
 }
 
+/* Layers of oil, unless each begins flooded; strains. */
+static void feed(const ovr_run *run, const char *file, ovr_pass_end *end)
+{
+    if (ovr_setup_carries_oil(run->setup)) {
+        ovr_setup_feed(run->setup, end->layer, end->waiting);
+        end->layer[0] = end->layer[1] = NULL;
+    }
+    ovr_setup_go_on(run->setup, file);
+}
+
 ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err)
 {
     ovr_passes *p = run->passes;
@@ -135,13 +146,33 @@ ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err)
         status = learn(run, pass, &end, err);
         if (status)
             return status;
-        if (pass == p->now - 1) {
-            ovr_setup_feed(run->setup, end.layer, end.waiting);
-            continue;
-        }
+        if (pass == p->now - 1)
+            feed(run, p->file[pass - 1], &end);
         ovr_pass_end_free(&end);
     }
     return OVR_OK;
+}
+
+/* ----------------------------------------------------------------- at rest */
+
+static bool is_near(const ovr_run *run, const char *column, double most)
+{
+    size_t k = ovr_pass_column_named(column);
+    const ovr_passes *p = run->passes;
+    double now = p->row[p->now - 1].value[k];
+    double before = p->row[p->now - 2].value[k];
+    return isnan(now) || fabs(now - before) <= most * fabs(now);
+}
+
+/* Whether bodies that yield have shaken down, by what is left of the shoulders
+ * and by the risk: a spike that the mesh does not resolve goes on and on. */
+static bool is_at_rest(const ovr_run *run)
+{
+    const double height = 1e-4, risk = 1e-3;
+    return ovr_setup_plastic(run->setup) && run->passes->now > 1 &&
+           is_near(run, "shoulder_height_leading", height) &&
+           is_near(run, "shoulder_height_trailing", height) &&
+           is_near(run, "equivalent_length", risk);
 }
 
 /* --------------------------------------------------------- coarser passes */
@@ -272,6 +303,9 @@ ovr_status ovr_passes_go(ovr_run *run, ovr_error *err)
             status = ovr_run_once(run, err);
         if (!status)
             status = end_pass(run, err);
+        run->info.shaken_down = !status && is_at_rest(run);
+        if (run->info.shaken_down)
+            run->info.passes = p->rows = p->now; /* no more are wanted */
         more = p->now < p->rows;
         if (!status && more)
             status = next(run, err);

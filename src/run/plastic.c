@@ -192,9 +192,11 @@ static void go_back(ovr_plastic *p, int k, bool profile)
         show(p, k);
 }
 
+/* NOLINTBEGIN(bugprone-macro-parentheses): a name of a variable */
 #define EACH_BODY(p, k)                                                        \
     for (int k = 0; k < BODIES; k++)                                           \
         if ((p)->body[k].y)
+/* NOLINTEND(bugprone-macro-parentheses) */
 
 static ovr_status make_ready(ovr_plastic *p, const ovr_simulation *sim,
                              ovr_error *err)
@@ -609,14 +611,15 @@ static void tell_body(const ovr_setup *setup, int k, ovr_physics_line *line,
     line(data, "yields", text);
     if (!setup->nodes || ovr_plastic_planned(setup, k, &plan, NULL))
         return;
-    snprintf(
-        text, sizeof text,
-        "%zu points from %.3g to %.3g b about %s, %zu layers down to %.3g "
-        "b; %.3g MB; some %.2g ms where it flows, an iteration",
-        plan.points, plan.first, plan.first + (double)plan.points * plan.mesh,
-        plan.stress.feature ? plan.stress.feature : "the middle", plan.layers,
-        how->depth, memory_of(setup, k) / 1e6,
-        2.5 * (double)plan.points / 1024 * pow((double)plan.layers / 24, 2));
+    snprintf(text, sizeof text,
+             "%zu points from %.3g to %.3g b about %s, %zu layers down to %.3g "
+             "b; %.3g MB; some %.2g ms where it flows, an iteration",
+             plan.points, plan.first,
+             plan.first + (double)plan.points * plan.mesh,
+             plan.stress.feature ? plan.stress.feature : "the middle",
+             plan.layers, how->depth, memory_of(setup, k) / 1e6,
+             2.5 * (double)plan.points / 1024 *
+                 pow((double)(double)plan.layers / 24, 2));
     line(data, "window", text);
 }
 

@@ -185,7 +185,8 @@ static ovr_status begin_pass(ovr_run *run, ovr_error *err)
     run->setup = ovr_case_resolve(run->c, &run->arena.allocator, err);
     if (!run->setup)
         return OVR_BAD_INPUT;
-    if (p->now > run->setup->passes->number)
+    if (p->now > run->setup->passes->number ||
+        ovr_passes_file_complete(p->path)) /* they came to rest before */
         return all_are_there(run, err);
     return ovr_run_set_up(run, err) ? OVR_BAD_INPUT : ovr_output_open(run, err);
 }

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "case/plastic.h"
 #include "case/setup.h"
 #include "results/results.h"
 #include "run/internal.h"
@@ -184,6 +185,8 @@ static void put_passes(const ovr_told *to, const ovr_run_info *s)
     ovr_put_text(to, "pass_output", s->output);
     if (isfinite(s->life_together))
         ovr_put_number(to, "life_ratio_together", s->life_together);
+    if (ovr_setup_plastic(s->setup))
+        ovr_put(to, "shaken_down", OVR_SUMMARY_FLAG, s->shaken_down);
     if (!s->transient)
         ovr_put_text(to, "output", s->passes_file);
 }

@@ -47,6 +47,7 @@ layers = 12
 depth_max = 0.2
 END
 cat dent.ini soft.ini >plastic.ini
+grep -v '^modulus = 4.5' plastic.ini >perfect.ini
 
 # Nothing flows: the elastic run, to the bit.
 expect 0 "$OVERROLL" run dent.ini -o elastic.h5 -q
@@ -121,6 +122,51 @@ for more in 'plastic.coupling=step' 'plastic.initial=soft.h5'; do
     cmp 1.txt 2.txt || fail "resumed run differs: $more"
 done
 
+# Overrollings: each begins where the one before ended, from the same steady
+# contact; killed between two of them, the same end.
+expect 0 "$OVERROLL" run plastic.ini -o passes.h5 -q --set plastic.passes=3
+expect 0 "$OVERROLL" info passes.h5
+contains out 'trailing'
+expect 0 "$PYTHON" - <<'END'
+import h5py
+g = [h5py.File(n)["plastic/surface_1"] for n in
+     ("soft.h5", "next.h5", "passes-1.h5", "passes-2.h5", "passes-3.h5")]
+soft, following, one, two, three = g
+for name in ("cumulative", "plastic_strain_xz", "residual_x", "profile_after"):
+    assert (soft[name][...] == one[name][...]).all(), name
+    assert (following[name][...] == two[name][...]).all(), name
+assert (three["cumulative"][...] >= two["cumulative"][...]).all()
+h = [a.attrs["shoulder_height_trailing"] for a in (one, two, three)]
+assert h[0] > h[1] > h[2], h
+assert h[1] - h[2] < h[0] - h[1], h
+P = [h5py.File("passes-%d.h5" % k)["pressure"][0] for k in (1, 2)]
+assert (P[0] == P[1]).all()
+END
+"$OVERROLL" run plastic.ini -o cut.h5 -q --set plastic.passes=3 &
+pid=$!
+tries=0
+while [ ! -e cut-2.h5.restart ] && [ "$tries" -lt 500 ]; do
+    sleep 0.01
+    tries=$((tries + 1))
+done
+kill -9 "$pid" 2>/dev/null || :
+wait "$pid" 2>/dev/null || :
+"$OVERROLL" resume cut.h5 -q >out 2>err || contains err 'is complete'
+for k in 1 2 3; do
+    content passes-$k.h5 >1.txt
+    content cut-$k.h5 >2.txt
+    cmp 1.txt 2.txt || fail "pass $k of the resumed run differs"
+done
+
+# What has shaken down ends: bearing steel does, in two.
+expect 0 "$OVERROLL" run perfect.ini -o steel.h5 -q --json \
+    --set plastic.passes=6 --set plastic.hardening=swift \
+    --set plastic.yield=1.1
+contains out '"shaken_down": true'
+contains out '"passes": [23]'
+expect 0 "$OVERROLL" resume steel.h5 -q
+contains err 'is complete'
+
 # What the case says, and what is refused.
 expect 0 "$OVERROLL" check plastic.ini
 contains out 'surface 1 at Y = 0.75 ph'
@@ -135,7 +181,6 @@ refused() {
 refused 'above the shakedown limit' --set plastic.yield=0.4
 expect 0 "$OVERROLL" check plastic.ini --set plastic.yield=0.4 \
     --set plastic.anyway=yes
-grep -v '^modulus = 4.5' plastic.ini >perfect.ini
 expect 2 "$OVERROLL" check perfect.ini --set plastic.hardening=none \
     --set plastic.yield=0.45
 contains err 'comes to rest too slowly'
