@@ -155,24 +155,25 @@ ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err)
 
 /* ----------------------------------------------------------------- at rest */
 
-static bool is_near(const ovr_run *run, const char *column, double most)
+static bool is_near(const ovr_run *run, int pass, const char *column,
+                    double most)
 {
     size_t k = ovr_pass_column_named(column);
     const ovr_passes *p = run->passes;
-    double now = p->row[p->now - 1].value[k];
-    double before = p->row[p->now - 2].value[k];
+    double now = p->row[pass - 1].value[k];
+    double before = p->row[pass - 2].value[k];
     return isnan(now) || fabs(now - before) <= most * fabs(now);
 }
 
 /* Whether bodies that yield have shaken down, by what is left of the shoulders
  * and by the risk: a spike that the mesh does not resolve goes on and on. */
-static bool is_at_rest(const ovr_run *run)
+bool ovr_passes_at_rest(const ovr_run *run, int pass)
 {
     const double height = 1e-4, risk = 1e-3;
-    return ovr_setup_plastic(run->setup) && run->passes->now > 1 &&
-           is_near(run, "shoulder_height_leading", height) &&
-           is_near(run, "shoulder_height_trailing", height) &&
-           is_near(run, "equivalent_length", risk);
+    return ovr_setup_plastic(run->setup) && pass > 1 &&
+           is_near(run, pass, "shoulder_height_leading", height) &&
+           is_near(run, pass, "shoulder_height_trailing", height) &&
+           is_near(run, pass, "equivalent_length", risk);
 }
 
 /* --------------------------------------------------------- coarser passes */
@@ -303,7 +304,7 @@ ovr_status ovr_passes_go(ovr_run *run, ovr_error *err)
             status = ovr_run_once(run, err);
         if (!status)
             status = end_pass(run, err);
-        run->info.shaken_down = !status && is_at_rest(run);
+        run->info.shaken_down = !status && ovr_passes_at_rest(run, p->now);
         if (run->info.shaken_down)
             run->info.passes = p->rows = p->now; /* no more are wanted */
         more = p->now < p->rows;
@@ -371,11 +372,12 @@ ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err)
     return OVR_OK;
 }
 
-ovr_status ovr_passes_finish(ovr_run *run, ovr_error *err)
+ovr_status ovr_passes_finish(ovr_run *run, int last, ovr_error *err)
 {
-    run->passes->now = run->setup->passes->number;
+    run->passes->now = last;
     ovr_status status = ovr_passes_feed(run, err);
     if (!status)
         status = end_pass(run, err);
+    run->passes->rows = last;
     return status ? status : ovr_passes_write(run, "complete", err);
 }

@@ -91,6 +91,9 @@ ovr_status ovr_passes_go(ovr_run *run, ovr_error *err);
 ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err);
 
 /* The rows of all passes, whose files are complete, into the file of them. */
-ovr_status ovr_passes_finish(ovr_run *run, ovr_error *err);
+ovr_status ovr_passes_finish(ovr_run *run, int last, ovr_error *err);
+
+/* Whether bodies that yield have shaken down with this pass. */
+bool ovr_passes_at_rest(const ovr_run *run, int pass);
 
 #endif

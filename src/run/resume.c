@@ -161,11 +161,11 @@ static ovr_status prepare(ovr_run *run, const char *path, ovr_error *err)
 
 /* Each pass has its file, but one that was killed as the last of them ended
  * may not have its row yet. */
-static ovr_status all_are_there(ovr_run *run, ovr_error *err)
+static ovr_status all_are_there(ovr_run *run, int last, ovr_error *err)
 {
     const char *path = run->passes->path;
     bool whole = ovr_passes_file_complete(path);
-    if (!whole && ovr_passes_finish(run, err))
+    if (!whole && ovr_passes_finish(run, last, err))
         return OVR_BAD_INPUT;
     ovr_fail(err, OVR_OK,
              whole ? "%s: is complete: nothing to do"
@@ -185,10 +185,13 @@ static ovr_status begin_pass(ovr_run *run, ovr_error *err)
     run->setup = ovr_case_resolve(run->c, &run->arena.allocator, err);
     if (!run->setup)
         return OVR_BAD_INPUT;
-    if (p->now > run->setup->passes->number ||
-        ovr_passes_file_complete(p->path)) /* they came to rest before */
-        return all_are_there(run, err);
-    return ovr_run_set_up(run, err) ? OVR_BAD_INPUT : ovr_output_open(run, err);
+    if (p->now > run->setup->passes->number)
+        return all_are_there(run, run->setup->passes->number, err);
+    if (ovr_run_set_up(run, err))
+        return OVR_BAD_INPUT;
+    if (ovr_passes_at_rest(run, p->now - 1))
+        return all_are_there(run, p->now - 1, err);
+    return ovr_output_open(run, err);
 }
 
 /* Where the first pass ended that is not complete. */
