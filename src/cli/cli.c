@@ -214,12 +214,11 @@ void cli_free(cli_call *call)
 
 /* ------------------------------------------------------------------- help */
 
-const cli_verb *cli_find_verb(const char *name)
+const cli_verb *cli_find_verb(const cli_verb *const *verbs, const char *name)
 {
-    for (const cli_verb *const *verb = cli_verbs; *verb; verb++)
-        if (!strcmp((*verb)->name, name))
-            return *verb;
-    return NULL;
+    while (*verbs && strcmp((*verbs)->name, name) != 0)
+        verbs++;
+    return *verbs;
 }
 
 static void print_options(const cli_option *option, FILE *to)

@@ -50,14 +50,13 @@ typedef struct cli_verb {
     const cli_option *options; /* ends with name NULL; may be NULL */
     int least, most;           /* positional arguments */
     int (*run)(cli_call *call);
+    bool steady; /* does not march: signals end it, and what has not converged
+                    has failed */
 } cli_verb;
 
 extern const cli_verb cli_steady, cli_run, cli_resume, cli_check, cli_init;
 extern const cli_verb cli_info, cli_export, cli_profile, cli_help, cli_plot;
 extern const cli_verb cli_frames, cli_view, cli_sweep, cli_stress, cli_find;
-
-/* The table of main.c; ends with NULL. */
-extern const cli_verb *const cli_verbs[];
 
 typedef struct cli_given {
     const cli_option *option;
@@ -66,6 +65,7 @@ typedef struct cli_given {
 
 /* A parsed command line. */
 struct cli_call {
+    const cli_verb *const *verbs; /* all; ends with NULL */
     const cli_verb *verb;
     int verbosity; /* -1 quiet, 0, 1 verbose */
     bool json;
@@ -98,7 +98,8 @@ int cli_check_outputs(const cli_call *call);
 int cli_parse(cli_call *call, const cli_verb *verb, int argc, char **argv);
 void cli_free(cli_call *call);
 
-const cli_verb *cli_find_verb(const char *name);
+/* NULL: none of the verbs has this name. */
+const cli_verb *cli_find_verb(const cli_verb *const *verbs, const char *name);
 
 /* Help of one verb: usage, summary, options. */
 void cli_print_help(const cli_verb *verb, FILE *to);

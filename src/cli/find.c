@@ -8,8 +8,8 @@
 #include "cli/find_report.h"
 #include "cli/json.h"
 #include "cli/report.h"
-#include "cli/run.h"
 #include "cli/signals.h"
+#include "cli/watch.h"
 
 enum { ROOM = 600 };
 

@@ -33,10 +33,10 @@ static void put_wrapped(const char *text)
     putchar('\n');
 }
 
-static int list_topics(void)
+static int list_topics(const cli_call *call)
 {
     puts("overroll COMMAND ...: transient rough EHL line contacts\n");
-    for (const cli_verb *const *verb = cli_verbs; *verb; verb++)
+    for (const cli_verb *const *verb = call->verbs; *verb; verb++)
         printf("  %-9s %-26s %s\n", (*verb)->name, (*verb)->arguments,
                (*verb)->summary);
     puts("\nCommon options: -q quiet, -v say more, --json, --help, --version\n"
@@ -304,9 +304,9 @@ static int roff(void)
 }
 
 /* The part of overroll.bash that is made from the tables. */
-static int bash(void)
+static int bash(const cli_call *call)
 {
-    for (const cli_verb *const *verb = cli_verbs; *verb; verb++) {
+    for (const cli_verb *const *verb = call->verbs; *verb; verb++) {
         const cli_option *option = (*verb)->options;
         printf("    %s) echo '", (*verb)->name);
         for (; option && option->name; option++) {
@@ -338,7 +338,7 @@ static int no_topic(const cli_call *call, const char *topic)
 {
     const char *names[TOPICS], *meant;
     size_t n = 0;
-    for (const cli_verb *const *verb = cli_verbs; *verb; verb++)
+    for (const cli_verb *const *verb = call->verbs; *verb; verb++)
         names[n++] = (*verb)->name;
     for (size_t k = 0; ovr_section_name(k); k++)
         names[n++] = ovr_section_name(k);
@@ -360,10 +360,10 @@ static int run(cli_call *call)
     if (cli_flag(call, "roff"))
         return roff();
     if (cli_flag(call, "bash"))
-        return topic && !strcmp(topic, "keys") ? bash_keys() : bash();
+        return topic && !strcmp(topic, "keys") ? bash_keys() : bash(call);
     if (call->arguments == 0)
-        return list_topics();
-    verb = cli_find_verb(topic);
+        return list_topics(call);
+    verb = cli_find_verb(call->verbs, topic);
     if (verb)
         cli_print_help(verb, stdout);
     else if (!strcmp(topic, "units"))

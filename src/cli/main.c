@@ -15,7 +15,7 @@
 
 /* a row each */
 /* clang-format off */
-const cli_verb *const cli_verbs[] = {
+static const cli_verb *const verbs[] = {
     &cli_steady,
     &cli_run,
     &cli_resume,
@@ -55,7 +55,7 @@ static void print_short_help(void)
         "  overroll steady --M 20 --L 10 --level 9   solve one contact\n"
         "  overroll run dent.ini -o dent.h5          roll a dent through it\n");
     fputs("Commands:", stdout);
-    for (const cli_verb *const *verb = cli_verbs; *verb; verb++)
+    for (const cli_verb *const *verb = verbs; *verb; verb++)
         printf(" %s", (*verb)->name);
     puts("\n"
          "overroll help          says in a line what each does\n"
@@ -68,7 +68,7 @@ static int no_such_verb(const char *name)
     const char *names[64];
     const char *meant;
     size_t n = 0;
-    for (const cli_verb *const *verb = cli_verbs; *verb && n < 64; verb++)
+    for (const cli_verb *const *verb = verbs; *verb && n < 64; verb++)
         names[n++] = (*verb)->name;
     meant = ovr_suggest(name, names, n);
     if (meant)
@@ -85,6 +85,7 @@ static int run_verb(const cli_verb *verb, int argc, char **argv)
 {
     cli_call call;
     int code = cli_parse(&call, verb, argc, argv);
+    call.verbs = verbs;
     if (code == CLI_DONE && cli_flag(&call, "help"))
         cli_print_help(verb, stdout);
     else if (code == CLI_DONE && (code = cli_check_outputs(&call)) == CLI_DONE)
@@ -128,7 +129,7 @@ int main(int argc, char **argv)
     if (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-h"))
         verb = &cli_help;
     else
-        verb = cli_find_verb(argv[1]);
+        verb = cli_find_verb(verbs, argv[1]);
     if (!verb)
         return no_such_verb(argv[1]);
     return close_stdout(run_verb(verb, argc - 2, argv + 2));

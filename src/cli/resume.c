@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll resume OUT.h5: goes on where a run ended. */
 #include "cli/case_args.h"
-#include "cli/run.h"
+#include "cli/watch.h"
 
 static ovr_status change(void *data, ovr_case *c, ovr_error *err)
 {

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 
 #include "cli/json.h"
-#include "cli/run.h"
 #include "cli/signals.h"
+#include "cli/watch.h"
 
 static void say(void *data, ovr_say kind, const char *text)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll steady [CASE]: one steady contact. */
 #include "cli/case_args.h"
-#include "cli/run.h"
 #include "cli/sensitivity.h"
+#include "cli/watch.h"
 
 static int run(cli_call *call)
 {
@@ -45,4 +45,5 @@ const cli_verb cli_steady = {
     .least = 0,
     .most = 1,
     .run = run,
+    .steady = true,
 };

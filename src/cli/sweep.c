@@ -6,9 +6,9 @@
 #include "cli/find_report.h"
 #include "cli/json.h"
 #include "cli/report.h"
-#include "cli/run.h"
 #include "cli/sample.h"
 #include "cli/signals.h"
+#include "cli/watch.h"
 
 typedef struct sweeping {
     const cli_call *call;

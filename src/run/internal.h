@@ -44,6 +44,9 @@ void ovr_run_surface(const ovr_run *run, ovr_simulation *sim);
 /* The simulation of its case, which is resolved if it was not. */
 ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err);
 
+/* Seconds, from any moment on. */
+double ovr_run_clock(void);
+
 /* Solves what is set up to its end, and closes its file. */
 ovr_status ovr_run_once(ovr_run *run, ovr_error *err);
 

@@ -7,50 +7,8 @@
 #include <unistd.h>
 
 #include "base/error.h"
-#include "case/feed.h"
 #include "case/plastic.h"
 #include "results/results.h"
-
-/* ------------------------------------------------------------------- names */
-
-/* OUT.h5 -> OUT-3.h5. */
-static const char *file_of(ovr_run *run, int pass, ovr_error *err)
-{
-    const char *path = run->passes->path, *dot = strrchr(path, '.');
-    size_t stem, room = strlen(path) + 16;
-    char *name = ovr_arena_take(&run->arena, room, 1, err);
-    if (!dot || strchr(dot, '/'))
-        dot = path + strlen(path);
-    stem = (size_t)(dot - path);
-    if (name)
-        snprintf(name, room, "%.*s-%d%s", (int)stem, path, pass, dot);
-    return name;
-}
-
-static void blank(ovr_pass_row *row)
-{
-    for (size_t k = 0; k < OVR_PASS_MOST; k++)
-        row->value[k] = NAN;
-    row->status = "waiting";
-}
-
-/* Rows and names for so many. */
-static ovr_status make_rows(ovr_run *run, int number, ovr_error *err)
-{
-    ovr_passes *p = run->passes;
-    p->rows = number;
-    p->file = ovr_arena_take(&run->arena, (size_t)number, sizeof *p->file, err);
-    p->row = ovr_arena_take(&run->arena, (size_t)number, sizeof *p->row, err);
-    if (!p->file || !p->row)
-        return OVR_NO_MEMORY;
-    for (int k = 0; k < number; k++) {
-        blank(&p->row[k]);
-        p->file[k] = file_of(run, k + 1, err);
-        if (!p->file[k])
-            return OVR_NO_MEMORY;
-    }
-    return OVR_OK;
-}
 
 static ovr_status make(ovr_run *run, const char *path, ovr_error *err)
 {
@@ -63,151 +21,6 @@ static ovr_status make(ovr_run *run, const char *path, ovr_error *err)
     p->converged = true;
     p->path = ovr_arena_text(&run->arena, path, err);
     return p->path ? OVR_OK : OVR_NO_MEMORY;
-}
-
-static void tell(ovr_run *run)
-{
-    run->info.pass = run->passes->now;
-    run->info.passes = run->passes->rows;
-    run->info.passes_file = run->passes->path;
-    run->info.output = run->passes->file[run->passes->now - 1];
-}
-
-/* ----------------------------------------------------------------- feeding */
-
-/*
- * Life of a raceway under all passes up to this one, again and again, over that
- * without features.  By the rule of Palmgren and Miner the shares of life add,
- * each pass's by its risk I of the whole raceway l, (I/ln(1/S))^(1/e) (life.c):
- *
- *     ratio = sum_k i_k^(1/e) / sum_k (i_k (1 + count lambda_k/l))^(1/e)
- *
- * i the smooth risk per length, lambda the equivalent length, of one surface.
- */
-static double life_together(const ovr_run *run, int passes)
-{
-    const ovr_stress_setup *s = run->setup->stress;
-    double smooth = 0, real = 0;
-    if (!(s->raceway > 0) || s->surfaces == 3)
-        return NAN;
-    for (int k = 0; k < passes; k++) {
-        const double *v = run->passes->row[k].value;
-        double part = pow(v[OVR_PASS_RISK], 1 / s->life->weibull);
-        smooth += part;
-        real += part / v[OVR_PASS_RATIO];
-    }
-    return smooth / real;
-}
-
-static ovr_status learn(ovr_run *run, int pass, ovr_pass_end *end,
-                        ovr_error *err)
-{
-    ovr_passes *p = run->passes;
-    ovr_status status = ovr_pass_read(p->file[pass - 1], run->setup,
-                                      p->oil_flooded, end,
-                                      &run->arena.allocator, err);
-    if (status)
-        return status;
-    end->row.status = "complete";
-    p->row[pass - 1] = end->row;
-    run->info.life_together = life_together(run, pass);
-    p->row[pass - 1].value[OVR_PASS_TOGETHER] = run->info.life_together;
-    p->oil_flooded = end->flooded;
-    return OVR_OK;
-}
-
-/* Layers of oil, unless each begins flooded; strains. */
-static void feed(const ovr_run *run, const char *file, ovr_pass_end *end)
-{
-    if (ovr_setup_carries_oil(run->setup)) {
-        ovr_setup_feed(run->setup, end->layer, end->waiting);
-        end->layer[0] = end->layer[1] = NULL;
-    }
-    ovr_setup_go_on(run->setup, file);
-}
-
-ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err)
-{
-    ovr_passes *p = run->passes;
-    ovr_pass_end end;
-    const ovr_allocator *allocator = &run->arena.allocator;
-    ovr_status status = ovr_setup_load(run->setup, p->now, allocator, err);
-    if (!status)
-        status = ovr_setup_prepare(run->setup, allocator, err);
-    if (!status && !p->file)
-        status = make_rows(run, run->setup->passes->number, err);
-    if (status)
-        return status;
-    tell(run);
-    for (int pass = 1; pass < p->now; pass++) {
-        if (pass < p->now - 1 &&
-            isfinite(p->row[pass - 1].value[OVR_PASS_STEPS]))
-            continue;
-        status = learn(run, pass, &end, err);
-        if (status)
-            return status;
-        if (pass == p->now - 1)
-            feed(run, p->file[pass - 1], &end);
-        ovr_pass_end_free(&end);
-    }
-    return OVR_OK;
-}
-
-/* ----------------------------------------------------------------- at rest */
-
-static bool is_near(const ovr_run *run, int pass, const char *column,
-                    double most)
-{
-    size_t k = ovr_pass_column_named(column);
-    const ovr_passes *p = run->passes;
-    double now = p->row[pass - 1].value[k];
-    double before = p->row[pass - 2].value[k];
-    return isnan(now) || fabs(now - before) <= most * fabs(now);
-}
-
-/* Whether bodies that yield have shaken down, by what is left of the shoulders
- * and by the risk: a spike that the mesh does not resolve goes on and on. */
-bool ovr_passes_at_rest(const ovr_run *run, int pass)
-{
-    const double height = 1e-4, risk = 1e-3;
-    return ovr_setup_plastic(run->setup) && pass > 1 &&
-           is_near(run, pass, "shoulder_height_leading", height) &&
-           is_near(run, pass, "shoulder_height_trailing", height) &&
-           is_near(run, pass, "equivalent_length", risk);
-}
-
-/* --------------------------------------------------------- coarser passes */
-
-void ovr_pass_level_feed(ovr_pass_level *of, ovr_setup *setup)
-{
-    if (of->end.layer[0])
-        ovr_setup_feed(setup, of->end.layer, of->end.waiting);
-    of->end.layer[0] = of->end.layer[1] = NULL;
-}
-
-void ovr_pass_level_begin(ovr_pass_level *of, const ovr_allocator *allocator)
-{
-    ovr_arena_release(&of->seen.arena);
-    of->seen = ovr_pass_history_make(allocator);
-}
-
-ovr_status ovr_pass_level_end(ovr_pass_level *of, const ovr_setup *setup,
-                              ovr_error *err)
-{
-    double flooded = of->end.row.status ? of->end.flooded : NAN;
-    ovr_pass_end_free(&of->end);
-    ovr_status status = ovr_pass_end_make(setup, &of->seen, flooded, &of->end,
-                                          &of->seen.arena.allocator, err);
-    of->end.row.status = "complete";
-    return status;
-}
-
-void ovr_passes_free(ovr_passes *passes)
-{
-    for (int k = 0; passes && k < OVR_PASS_LEVELS; k++) {
-        ovr_pass_end_free(&passes->level[k].end);
-        ovr_arena_release(&passes->level[k].seen.arena);
-    }
 }
 
 /* ---------------------------------------------------------------- a new run */
@@ -242,7 +55,7 @@ ovr_status ovr_passes_begin(ovr_run *run, ovr_error *err)
                               "or file in [output]");
     status = make(run, run->info.output, err);
     if (!status)
-        status = make_rows(run, run->setup->passes->number, err);
+        status = ovr_passes_make_rows(run, run->setup->passes->number, err);
     if (!status)
         status = clear(run, err);
     if (!status)
@@ -285,7 +98,7 @@ static ovr_status end_pass(ovr_run *run, ovr_error *err)
 {
     ovr_passes *p = run->passes;
     ovr_pass_end end;
-    ovr_status status = learn(run, p->now, &end, err);
+    ovr_status status = ovr_passes_learn(run, p->now, &end, err);
     if (status)
         return status;
     ovr_pass_end_free(&end);
@@ -361,7 +174,7 @@ ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err)
     if (status)
         return status;
     for (run->passes->now = 1;; run->passes->now++) {
-        file = file_of(run, run->passes->now, err);
+        file = ovr_passes_file_of(run, run->passes->now, err);
         if (!file)
             return OVR_NO_MEMORY;
         if (!take_complete(run, file))

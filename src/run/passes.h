@@ -61,6 +61,14 @@ struct ovr_passes {
     ovr_pass_level level[OVR_PASS_LEVELS];
 };
 
+/* OUT.h5 -> OUT-3.h5, in the run's memory; rows and names for so many. */
+const char *ovr_passes_file_of(ovr_run *run, int pass, ovr_error *err);
+ovr_status ovr_passes_make_rows(ovr_run *run, int number, ovr_error *err);
+
+/* The row of a pass that ended, from its file, and what it left. */
+ovr_status ovr_passes_learn(ovr_run *run, int pass, ovr_pass_end *end,
+                            ovr_error *err);
+
 /* What a pass before left, into the setup of this one, a level coarser; what
  * was seen of it, before it begins and when it ended. */
 void ovr_pass_level_feed(ovr_pass_level *of, ovr_setup *setup);

@@ -27,7 +27,7 @@
 
 extern const ovr_physics ovr_physics_plastic;
 
-enum { BODIES = 2, STATE = 4 };
+enum { BODIES = 2, STATE = OVR_PLASTIC_STATE };
 
 /* Elastic stresses are looked at so far from the middle of the contact. */
 static const double reach = 2;
@@ -402,34 +402,6 @@ const ovr_plastic *ovr_plastic_of(const ovr_simulation *sim)
         if (p->is == &ovr_physics_plastic)
             found = p->own;
     return found;
-}
-
-double ovr_plastic_most(const ovr_plastic *p, const ovr_yielding_body *b)
-{
-    double most = 0;
-    for (size_t j = 0; j < b->layers; j++)
-        for (size_t i = 0; i < b->points; i++)
-            most = fmax(most, b->kept[(STATE * j + STATE - 1) * b->points + i]);
-    return most * p->how->body[b == p->body ? 0 : 1].strain;
-}
-
-double ovr_plastic_deepest(const ovr_yielding_body *b)
-{
-    double most = 0;
-    for (size_t i = 0; i < b->points; i++)
-        most = fmax(most, b->shown[i]);
-    return most;
-}
-
-double ovr_plastic_shoulder(const ovr_yielding_body *b, int side, bool yielded)
-{
-    double most = -INFINITY, way = b->plan.direction < 0 ? -1 : 1;
-    for (size_t i = 0; i < b->points; i++) {
-        double xi = b->first + (double)i * b->mesh;
-        if (xi * way * side >= 0)
-            most = fmax(most, b->shape[i] - (yielded ? b->shown[i] : 0));
-    }
-    return most;
 }
 
 static void unknown(ovr_observation *o)

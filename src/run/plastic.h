@@ -10,6 +10,9 @@
 #include "simulation/physics.h"
 #include "stress/yielding.h"
 
+/* Numbers of a material point. */
+enum { OVR_PLASTIC_STATE = 4 };
+
 /* One of them; its window is material of its surface. */
 typedef struct ovr_yielding_body {
     ovr_yielding *y; /* NULL: this body does not yield */

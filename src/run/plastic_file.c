@@ -10,7 +10,7 @@
 #include "results/results.h"
 #include "run/plastic.h"
 
-enum { STATE = 4, STRESSES = 4, MAPS = STATE + STRESSES };
+enum { STATE = OVR_PLASTIC_STATE, STRESSES = 4, MAPS = STATE + STRESSES };
 enum { DEPTH, MATERIAL };
 
 static const char *const map_names[MAPS][2] = {

@@ -364,63 +364,6 @@ void ovr_setup_review(const ovr_setup *setup, ovr_listener *listener,
     before(&r, setup->transient);
 }
 
-/* Room for twice as many; those that memory is lacking for are still said. */
-static bool has_room(ovr_run *run)
-{
-    size_t count = (size_t)run->info.warnings;
-    const char **more;
-    if (count < run->warnings_room)
-        return true;
-    more = ovr_arena_take(&run->arena, 2 * count + 8, sizeof *more, NULL);
-    for (size_t k = 0; more && k < count; k++)
-        more[k] = run->warning[k];
-    if (!more)
-        return false;
-    run->warning = more;
-    run->warnings_room = 2 * count + 8;
-    run->info.warning = more;
-    return true;
-}
-
-static void keep(ovr_run *run, const char *text)
-{
-    char *copy = has_room(run) ? ovr_arena_text(&run->arena, text, NULL) : NULL;
-    if (copy)
-        run->warning[run->info.warnings++] = copy;
-}
-
-/* One of several passes says again what another said. */
-static bool was_said(const ovr_run *run, const char *text)
-{
-    for (int k = 0; run->passes && k < run->info.warnings; k++)
-        if (strcmp(run->warning[k], text) == 0)
-            return true;
-    return false;
-}
-
-void ovr_run_message(void *data, ovr_say kind, const char *text)
-{
-    ovr_run *run = data;
-    if (kind == OVR_SAY_WARNING && was_said(run, text))
-        return;
-    if (kind == OVR_SAY_WARNING)
-        keep(run, text);
-    if (run->how.say)
-        run->how.say(run->how.data, kind, text);
-}
-
-void ovr_run_recall(ovr_run *run, const char *warnings)
-{
-    char line[OVR_MESSAGE_SIZE];
-    while (*warnings) {
-        size_t length = strcspn(warnings, "\n");
-        snprintf(line, sizeof line, "%.*s", (int)length, warnings);
-        if (!was_said(run, line))
-            keep(run, line);
-        warnings += length + (warnings[length] == '\n');
-    }
-}
-
 void ovr_run_review_before(ovr_run *run)
 {
     review r = {run->c, run->setup, ovr_run_message, run};

@@ -13,15 +13,6 @@
 #include "run/run.h"
 #include "simulation/internal.h"
 
-static double seconds_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-/* ------------------------------------------------------------------ making */
-
 ovr_run *ovr_run_make(const ovr_run_options *options,
                       const ovr_allocator *allocator, ovr_error *err)
 {
@@ -50,44 +41,6 @@ static void stop_growing(ovr_case *c)
     }
 }
 
-void ovr_run_surface(const ovr_run *run, ovr_simulation *sim)
-{
-    if (!run->how.heights)
-        return;
-    ovr_simulation_surface(sim, run->how.heights, run->how.data);
-    ovr_simulation_moving(sim, NAN);
-}
-
-ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
-{
-    const ovr_allocator *allocator = &run->arena.allocator;
-    if (!run->setup)
-        run->setup = ovr_case_resolve(run->c, allocator, err);
-    if (!run->setup)
-        return OVR_BAD_INPUT;
-    if (run->restart)
-        ovr_recorded_domain(run->setup, ovr_restart_about(run->restart));
-    if (run->resumed && !run->passes && run->setup->passes->number > 1)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: is one of several passes; 'overroll resume' goes "
-                        "on with the file of all of them",
-                        run->info.output);
-    if (run->passes && ovr_passes_feed(run, err))
-        return OVR_BAD_INPUT;
-    run->sim = ovr_setup_simulation(run->setup, allocator, err);
-    if (!run->sim)
-        return OVR_BAD_INPUT;
-    ovr_run_surface(run, run->sim);
-    run->info.transient = run->setup->transient && !run->how.steady;
-    run->info.setup = run->setup;
-    run->info.lambda_ratio = run->info.life_together = NAN;
-    run->info.shear_over_pressure = run->info.unbearable_share = NAN;
-    run->info.sim = run->sim;
-    if (ovr_setup_rough_film(run->setup, allocator, &run->foreseen, err))
-        return OVR_NO_MEMORY;
-    return run->how.steady ? OVR_OK : ovr_companions_make(run, err);
-}
-
 /* Where the result goes: said to be possible before anything large is made. */
 static ovr_status choose_output(ovr_run *run, ovr_error *err)
 {
@@ -102,12 +55,6 @@ static ovr_status choose_output(ovr_run *run, ovr_error *err)
                : OVR_NO_MEMORY;
 }
 
-/* Where the nodes are is then known once the contact is solved. */
-static bool makes_nodes(const ovr_run *run)
-{
-    return ovr_setup_makes_nodes(run->setup) != NULL;
-}
-
 static ovr_status prepare(ovr_run *run, ovr_error *err)
 {
     run->c->standing = !run->how.steady ? NULL : run->how.at ? run->how.at : "";
@@ -120,8 +67,9 @@ static ovr_status prepare(ovr_run *run, ovr_error *err)
         return ovr_passes_begin(run, err);
     if (ovr_run_set_up(run, err))
         return OVR_BAD_INPUT;
-    return run->info.output && !makes_nodes(run) ? ovr_output_open(run, err)
-                                                 : OVR_OK;
+    return run->info.output && !ovr_setup_makes_nodes(run->setup)
+               ? ovr_output_open(run, err)
+               : OVR_OK;
 }
 
 ovr_run *ovr_run_create(ovr_case *c, const ovr_run_options *options,
@@ -163,238 +111,11 @@ const ovr_run_info *ovr_run_about(const ovr_run *run)
     return !run ? NULL : &run->info;
 }
 
-/* ----------------------------------------------------------------- solving */
-
-/* The last of the observers: says how far the run is, and may end it. */
-static ovr_status look(void *data, const ovr_simulation *sim, ovr_error *err)
-{
-    ovr_run *run = data;
-    const ovr_run_options *how = &run->how;
-    double T = ovr_simulation_state(sim)->T;
-    run->info.fraction = run->info.transient ? T / run->setup->march->end : 1;
-    if (run->passes)
-        run->info.fraction = (run->passes->now - 1 + run->info.fraction) /
-                             run->passes->rows;
-    if (how->progress && run->info.transient)
-        how->progress(how->data, run, run->info.fraction);
-    if (how->stop && how->stop(how->data))
-        return ovr_fail(err, OVR_STOPPED, "stopped at T = %g", T);
-    return OVR_OK;
-}
-
-/* Errors of discretization are wanted: not once more of a file that is
- * complete. */
-static bool estimates(const ovr_run *run)
-{
-    bool complete = run->resumed && !run->writer;
-    return run->how.estimate_error || (run->setup->accuracy > 0 && !complete);
-}
-
-/* The coarser levels have passes of their own, which no file keeps. */
-static bool passes_are_lost(const ovr_run *run)
-{
-    return run->resumed && run->passes;
-}
-
-static ovr_status solve(ovr_run *run, ovr_error *err)
-{
-    ovr_march how = *run->setup->march;
-    ovr_observer observer[5];
-    ovr_status status = OVR_OK;
-    ovr_simulation_stop(run->sim, run->how.interrupt, run->how.data);
-    if (!run->restored)
-        status = ovr_simulation_steady(run->sim, err);
-    if (!status && run->info.output && !run->writer && makes_nodes(run))
-        status = ovr_output_open(run, err);
-    how.count = 0;
-    how.observers = observer;
-    if (run->company[0].is)
-        observer[how.count++] = (ovr_observer){ovr_companions_observe, NULL,
-                                               run};
-    if (run->writer)
-        observer[how.count++] = ovr_writer_observer(run->writer);
-    if (run->passes && estimates(run) && !passes_are_lost(run)) {
-        ovr_pass_level *own = &run->passes->level[0];
-        ovr_pass_level_begin(own, &run->arena.allocator);
-        observer[how.count++] = ovr_pass_history_observer(&own->seen);
-    }
-    if (run->how.observe)
-        observer[how.count++] = (ovr_observer){run->how.observe, NULL,
-                                               run->how.data};
-    observer[how.count++] = (ovr_observer){look, NULL, run};
-    if (!status && run->info.transient)
-        return ovr_simulation_march(run->sim, &how, err);
-    for (size_t k = 0; !status && k < how.count; k++)
-        status = observer[k].observe(observer[k].data, run->sim, err);
-    return status;
-}
-
-/* A run that is stopped in its steady start has none. */
-static bool has_state(const ovr_run *run, ovr_status status)
-{
-    return !status || (status == OVR_STOPPED && run->sim->started) ||
-           status == OVR_NOT_CONVERGED || status == OVR_IMPOSSIBLE;
-}
-
-/* The companions of a run that ended, or was stopped. */
-static ovr_status finish(ovr_run *run, ovr_status status, ovr_error *err)
-{
-    ovr_error late = {0};
-    ovr_status finished;
-    if ((status && status != OVR_STOPPED) || !has_state(run, status))
-        return status;
-    finished = ovr_companions_finish(run, &late);
-    if (!finished || status)
-        return status;
-    *err = late;
-    return finished;
-}
-
-static ovr_run_status ending(ovr_status status)
-{
-    if (status == OVR_OK)
-        return OVR_RUN_COMPLETE;
-    return status == OVR_STOPPED ? OVR_RUN_STOPPED : OVR_RUN_FAILED;
-}
-
-static size_t count_snapshots(const char *path)
-{
-    ovr_result *result = ovr_result_open(path, NULL, NULL);
-    size_t n = result ? ovr_result_about(result)->snapshots : 0;
-    ovr_result_close(result);
-    return n;
-}
-
-/* All warnings, a line each; NULL without memory. */
-static const char *warnings_text(ovr_run *run)
-{
-    const ovr_run_info *info = &run->info;
-    size_t room = 1, used = 0;
-    char *text;
-    for (int k = 0; k < info->warnings; k++)
-        room += strlen(info->warning[k]) + 1;
-    text = ovr_arena_take(&run->arena, room, 1, NULL);
-    for (int k = 0; text && k < info->warnings; k++)
-        used += (size_t)snprintf(text + used, room - used, "%s%s",
-                                 k ? "\n" : "", info->warning[k]);
-    return text;
-}
-
-/* Closes the file whatever happened; the first error is the one told. */
-static ovr_status close_file(ovr_run *run, ovr_status status, ovr_error *err)
-{
-    ovr_error late = {0};
-    ovr_status closed;
-    if (!run->writer)
-        return status;
-    ovr_writer_warnings(run->writer, warnings_text(run));
-    if (ending(status) == OVR_RUN_FAILED)
-        ovr_writer_reason(run->writer, err->message);
-    closed = ovr_writer_close(run->writer, ending(status), &late);
-    run->writer = NULL;
-    run->info.snapshots = count_snapshots(run->info.output);
-    if (status || !closed)
-        return status;
-    *err = late;
-    return closed;
-}
-
-/* Of several passes, those that can be had are no reason to stop. */
-static ovr_status estimate_pass(ovr_run *run, ovr_error *err)
-{
-    char text[OVR_MESSAGE_SIZE], where[40];
-    ovr_error why = {0};
-    if (run->passes->level[1].lost || !ovr_run_estimate(run, &why))
-        return OVR_OK;
-    if (why.status == OVR_STOPPED)
-        return ovr_fail(err, OVR_STOPPED, "%s", why.message);
-    run->passes->level[1].lost = true;
-    snprintf(text, sizeof text,
-             "%serrors cannot be estimated from here on: %.900s",
-             ovr_run_where(run, where), why.message);
-    ovr_run_message(run, OVR_SAY_WARNING, text);
-    return OVR_OK;
-}
-
-/* The discretization errors, where they are wanted; before the file is closed,
- * which keeps them. */
-static ovr_status estimate(ovr_run *run, ovr_error *err)
-{
-    if (!estimates(run))
-        return OVR_OK;
-    if (passes_are_lost(run)) {
-        ovr_run_message(run, OVR_SAY_WARNING,
-                        "errors cannot be estimated from here on: the coarser "
-                        "passes before the run was stopped are not kept");
-        return OVR_OK;
-    }
-    if (run->setup->accuracy > 0)
-        return ovr_run_confirm(run, err);
-    if (run->passes)
-        return estimate_pass(run, err);
-    return ovr_run_estimate(run, err);
-}
-
-/* What is called converged carries its load; a tolerance of one's own may not
- * see to that.  A start without load has that of OVR_LEAST_START. */
-static bool carries_load(ovr_run *run)
-{
-    const double most = 1e-4;
-    double error = ovr_simulation_statistics(run->sim)->extreme.load_error;
-    double ratio = ovr_simulation_observation(run->sim)->load_ratio;
-    char text[OVR_MESSAGE_SIZE];
-    bool unloaded = ovr_history_value(run->setup->load, 0) < OVR_LEAST_START;
-    double given = unloaded ? OVR_LEAST_START : 0;
-    if (!(fabs(error) > given + most * fmax(1, ratio)))
-        return true;
-    snprintf(text, sizeof text,
-             "the load is off by %.2g of the nominal one: this is not called "
-             "converged; a smaller tolerance in [solver] does it",
-             fabs(error));
-    ovr_run_message(run, OVR_SAY_WARNING, text);
-    return false;
-}
-
-/* To its end, or to where it was stopped. */
-ovr_status ovr_run_once(ovr_run *run, ovr_error *err)
-{
-    double begun = seconds_now();
-    bool first = !run->passes || run->passes->now == 1;
-    ovr_error own = {0};
-    ovr_status status, late;
-    long marked;
-    if (first)
-        ovr_run_review_before(run);
-    status = finish(run, solve(run, err), err);
-    if (has_state(run, status))
-        ovr_run_review_after(run);
-    marked = ovr_simulation_statistics(run->sim)->marked;
-    run->info.marked += marked;
-    run->info.seconds = seconds_now() - begun;
-    run->info.converged = !status && !marked &&
-                          ovr_simulation_observation(run->sim)->converged &&
-                          carries_load(run);
-    if (status)
-        return close_file(run, status, err);
-    late = estimate(run, err);
-    if (late == OVR_STOPPED) { /* what is solved stays, and is gone on with */
-        run->info.converged = false;
-        return close_file(run, late, err);
-    }
-    if (run->writer)
-        ovr_run_keep_summary(run, &own);
-    if (run->writer && run->info.transient)
-        ovr_run_keep_element(run, &own);
-    status = close_file(run, OVR_OK, late ? &own : err);
-    run->info.converged = run->info.converged && !status;
-    return late ? late : status;
-}
-
 ovr_status ovr_run_go(ovr_run *run, ovr_error *err)
 {
     if (!run)
         return ovr_fail_null(err, __func__);
-    double begun = seconds_now();
+    double begun = ovr_run_clock();
     ovr_error unasked = {0};
     ovr_status status;
     err = err ? err : &unasked;
@@ -408,6 +129,6 @@ ovr_status ovr_run_go(ovr_run *run, ovr_error *err)
     status = run->passes ? ovr_passes_go(run, err) : ovr_run_once(run, err);
     run->going = false;
     if (run->passes)
-        run->info.seconds = seconds_now() - begun;
+        run->info.seconds = ovr_run_clock() - begun;
     return status;
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the commands that solve share: how a run is listened to, and how it
  * ends. */
-#ifndef OVR_CLI_RUN_H
-#define OVR_CLI_RUN_H
+#ifndef OVR_CLI_WATCH_H
+#define OVR_CLI_WATCH_H
 
 #include "cli/cli.h"
 #include "cli/progress.h"

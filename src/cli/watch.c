@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* How a run is listened to, and how it ends. */
+#include "cli/watch.h"
+
+#include <hdf5.h>
+
+#include "cli/report.h"
+#include "cli/signals.h"
+
+void cli_silence_the_end(void)
+{
+    H5dont_atexit();
+}
+
+static void say(void *data, ovr_say kind, const char *text)
+{
+    static const char *const before[] = {
+        "overroll: warning: ", "overroll: ", ""};
+    cli_watch *watch = data;
+    if (watch->call->verbosity < 0)
+        return;
+    cli_progress_end(&watch->progress);
+    fprintf(stderr, "%s%s\n", before[kind], text);
+}
+
+static bool stop(void *data)
+{
+    (void)data;
+    return cli_signal() != 0;
+}
+
+static void progress(void *data, const ovr_run *run, double fraction)
+{
+    cli_watch *watch = data;
+    const ovr_simulation *sim = ovr_run_about(run)->sim;
+    const ovr_state *state = ovr_simulation_state(sim);
+    char what[120];
+    if (watch->progress.begun == 0) /* in a sweep, on the case's log */
+        watch->progress = cli_progress_begin(watch->call->verbosity, fraction);
+    const ovr_run_info *info = ovr_run_about(run);
+    int used = info->passes ? snprintf(what, sizeof what, "pass %d of %d  ",
+                                       info->pass, info->passes)
+                            : 0;
+    snprintf(what + used, sizeof what - (size_t)used,
+             "T = %.3f of %g  step %ld  residual %.1e", state->T,
+             info->setup->march->end, state->step,
+             ovr_simulation_observation(sim)->residual);
+    cli_progress_show(&watch->progress, fraction, what);
+}
+
+ovr_run_options cli_run_options(cli_watch *watch)
+{
+    ovr_run_options how = {0};
+    how.data = watch;
+    how.say = say;
+    how.stop = how.interrupt = stop;
+    how.progress = progress;
+    how.estimate_error = cli_flag(watch->call, "estimate-error");
+    return how;
+}
+
+/* There is no film before the steady start is solved. */
+static bool has_begun(const ovr_run *run)
+{
+    const ovr_simulation *sim = ovr_run_about(run)->sim;
+    return sim && ovr_simulation_observation(sim)->H_min != 0;
+}
+
+bool cli_has_result(const ovr_run *run, ovr_status status)
+{
+    return !status || (status == OVR_STOPPED && has_begun(run)) ||
+           status == OVR_NOT_CONVERGED || status == OVR_IMPOSSIBLE;
+}
+
+int cli_run_code(const cli_call *call, const ovr_run *run, ovr_status status,
+                 const ovr_error *err)
+{
+    const ovr_run_info *info = ovr_run_about(run);
+    if (status == OVR_STOPPED && cli_signal()) {
+        if (call->verbosity >= 0 && !has_begun(run))
+            fprintf(stderr,
+                    "overroll: stopped by signal %d in the steady "
+                    "start\n",
+                    cli_signal());
+        else if (call->verbosity >= 0)
+            fprintf(stderr, "overroll: stopped by signal %d at T = %g\n",
+                    cli_signal(), ovr_simulation_state(info->sim)->T);
+        return CLI_SIGNAL + cli_signal();
+    }
+    if (status)
+        return cli_fail(err);
+    if (info->marked && call->verbosity >= 0)
+        fprintf(stderr,
+                "overroll: %ld of %ld steps were accepted above the "
+                "tolerance, or too hot or cold for their film; they are marked "
+                "in the history\n",
+                info->marked, ovr_simulation_statistics(info->sim)->steps);
+    if (info->marked)
+        return CLI_EARLY;
+    if (info->converged)
+        return CLI_DONE;
+    return call->verb->steady ? CLI_FAILED : CLI_EARLY;
+}
+
+int cli_finish_run(cli_watch *watch, ovr_run *run, ovr_error *err)
+{
+    const cli_call *call = watch->call;
+    ovr_status status;
+    int code;
+    if (!run)
+        return err->status || call->verbosity >= 0 ? cli_fail(err) : CLI_DONE;
+    if (!call->verb->steady)
+        cli_catch_signals();
+    watch->progress = cli_progress_begin(call->verbosity,
+                                         ovr_run_about(run)->fraction);
+    status = ovr_run_go(run, err);
+    cli_progress_end(&watch->progress);
+    if (cli_has_result(run, status))
+        cli_report(call, ovr_run_about(run));
+    code = cli_run_code(call, run, status, err);
+    ovr_run_free(run);
+    return code;
+}
