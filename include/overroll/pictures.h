@@ -29,12 +29,13 @@ typedef enum ovr_picture_kind {
     OVR_PICTURE_MAP,      /* colour over x and time */
     OVR_PICTURE_TRACE,    /* film in the middle of the contact, with the
                            roughness that passes there, against time */
-    OVR_PICTURE_STRESS, /* pressure, film and the stresses below, at an instant
-                         */
-    OVR_PICTURE_RISK,   /* what the material went through, place by depth */
-    OVR_PICTURE_DEPTH,  /* the same over depth: worst, smooth, length */
-    OVR_PICTURE_ELEMENT /* the gear pair, cam or bearing of its case, and what
+    OVR_PICTURE_STRESS,  /* pressure, film and the stresses below, at an instant
+                          */
+    OVR_PICTURE_RISK,    /* what the material went through, place by depth */
+    OVR_PICTURE_DEPTH,   /* the same over depth: worst, smooth, length */
+    OVR_PICTURE_ELEMENT, /* the gear pair, cam or bearing of its case, and what
                            its contact goes through */
+    OVR_PICTURE_PLASTIC  /* what has yielded: profile, strain, stresses left */
 } ovr_picture_kind;
 
 /* Lengths in b, pressures in ph, heights in b^2/R, times in b/um, whatever

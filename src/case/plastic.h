@@ -25,8 +25,9 @@ typedef struct ovr_plastic_setup {
     double from, to; /* b; NAN: about the features */
     int layers, iterations;
     double depth;
-    int once;            /* the profile changes between passes alone */
-    const char *initial; /* a result file; NULL: none */
+    int once;             /* the profile changes between passes alone */
+    const char *initial;  /* a result file; NULL: none */
+    const char *profiles; /* NULL: no files of them */
     bool anyway;
     bool flooded; /* passes are its own: no oil goes from one to the next */
     int surface;  /* as given */

@@ -337,6 +337,40 @@ static const char coated[] =
     "surface = 1\n"
     "depth_min = 0.005            # in b: into the coating\n";
 
+/* The roller's raceway, softer than bearing steel, after a deep dent. */
+static const char indented_end[] =
+    "\n"
+    "[domain]\n"
+    "level = 8\n"
+    "\n"
+    "[time]\n"
+    "end = 12                     # the dent has left by then\n"
+    "\n"
+    "[feature dent]\n"
+    "surface = 1\n"
+    "shape = indent\n"
+    "depth = 1.5 um\n"
+    "width = 0.6                  # in b\n"
+    "shoulder = 0.25 um           # what is rolled down\n"
+    "start = -9                   # left of the inlet, as check tells it\n"
+    "\n"
+    "[stress]                     # elastic stresses, of which it yields\n"
+    "surface = 1\n"
+    "\n"
+    "[fatigue]\n"
+    "limit_pressure = none        # before and after: compare the passes\n"
+    "\n"
+    "[plastic]\n"
+    "surface = 1\n"
+    "hardening = linear           # none, kinematic; swift: bearing steel\n"
+    "yield = 0.87 GPa             # von Mises; 1.36 GPa: bearing steel\n"
+    "modulus = 4.5 GPa            # stress over plastic strain\n"
+    "passes = 3                   # ends before, once it has shaken down\n"
+    "\n"
+    "[output]\n"
+    "file = indented.h5           # indented-1.h5, ... of the passes\n"
+    "every = 8\n";
+
 static const struct kind {
     const char *name, *head, *tail;
     bool physical, slides;
@@ -345,6 +379,7 @@ static const struct kind {
     {"gear", gear, gear_end, true, true},
     {"cam", cam, cam_end, true, true},
     {"bearing", bearing, bearing_end, true, false},
+    {"indented", roller, indented_end, true, false},
     {"numbers", numbers, numbers_end, false, false},
     {"starved", starved, starved_end, true, false},
     {"discs", discs, NULL, true, true}, /* with oils of their own */
@@ -380,7 +415,7 @@ static const struct kind *find_kind(const cli_call *call, const char *name)
     meant = ovr_suggest(name, names, KINDS);
     cli_usage(call,
               "no case '%s'%s%s; there are roller, gear, cam, bearing, "
-              "numbers, starved, discs, hot, coated",
+              "indented, numbers, starved, discs, hot, coated",
               name, meant ? "; did you mean " : "", meant ? meant : "");
     return NULL;
 }
@@ -549,7 +584,8 @@ const cli_verb cli_init = {
     .help =
         "Kinds: roller (a dented raceway), gear (a pair of teeth by its "
         "drawing), cam\n(with a flat follower), bearing (the rollers that one "
-        "point meets), numbers\n(M and L), starved (several passes with "
+        "point meets), indented (a\nraceway that yields), numbers (M and L), "
+        "starved (several passes with "
         "little oil), discs (a twin-disc\nmachine), hot (the same with heat).\n"
         "--set puts a value in: init gear --set gear.module=3mm.",
     .options = options,

@@ -43,7 +43,7 @@ _overroll_words() {
 _overroll_choices() {
     case $1:$2 in
     *:--kind) echo 'snapshot history map trace stress risk depth passes' \
-        element distribution ;;
+        element plastic distribution ;;
     export:--field | plot:--field) echo 'pressure film_thickness roughness' ;;
     *:--units) echo 'stored hertzian si' ;;
     *:--format) echo 'csv gnuplot matlab' ;;

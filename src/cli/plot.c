@@ -40,11 +40,11 @@ static int take_kind(const cli_call *call, ovr_picture_options *o)
 {
     static const char *const kinds[] = {"snapshot", "history", "map",
                                         "trace",    "stress",  "risk",
-                                        "depth",    "element"};
+                                        "depth",    "element", "plastic"};
     const char *text = cli_value(call, "kind");
     if (!text)
         return CLI_DONE;
-    for (int k = 0; k < 8; k++)
+    for (int k = 0; k < 9; k++)
         if (strcmp(text, kinds[k]) == 0) {
             o->kind = (ovr_picture_kind)k;
             return CLI_DONE;
@@ -57,7 +57,7 @@ static int take_kind(const cli_call *call, ovr_picture_options *o)
     return cli_usage(
         call,
         "--kind '%s': there are snapshot, history, map, trace, stress, "
-        "risk, depth, element and passes",
+        "risk, depth, element, plastic and passes",
         text);
 }
 

@@ -173,7 +173,8 @@ static ovr_status draw(const ovr_drawing *drawing, ovr_error *err)
                  [OVR_PICTURE_STRESS] = {"stress", ovr_draw_stress},
                  [OVR_PICTURE_RISK] = {"risk", ovr_draw_risk},
                  [OVR_PICTURE_DEPTH] = {"depth", ovr_draw_depth},
-                 [OVR_PICTURE_ELEMENT] = {"element", ovr_draw_element}};
+                 [OVR_PICTURE_ELEMENT] = {"element", ovr_draw_element},
+                 [OVR_PICTURE_PLASTIC] = {"plastic", ovr_draw_plastic}};
     const ovr_picture_options *o = drawing->options;
     ovr_chart chart;
     ovr_status status = kinds[o->kind].draw(drawing, &chart, err);
@@ -188,7 +189,8 @@ static ovr_status draw(const ovr_drawing *drawing, ovr_error *err)
 static bool of_snapshots(ovr_picture_kind kind)
 {
     return kind != OVR_PICTURE_HISTORY && kind != OVR_PICTURE_RISK &&
-           kind != OVR_PICTURE_DEPTH && kind != OVR_PICTURE_ELEMENT;
+           kind != OVR_PICTURE_DEPTH && kind != OVR_PICTURE_ELEMENT &&
+           kind != OVR_PICTURE_PLASTIC;
 }
 
 ovr_status ovr_open_stored(ovr_result *const *results, size_t count,

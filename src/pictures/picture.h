@@ -33,6 +33,8 @@ ovr_status ovr_draw_risk(const ovr_drawing *drawing, ovr_chart *chart,
                          ovr_error *err);
 ovr_status ovr_draw_depth(const ovr_drawing *drawing, ovr_chart *chart,
                           ovr_error *err);
+ovr_status ovr_draw_plastic(const ovr_drawing *drawing, ovr_chart *chart,
+                            ovr_error *err);
 ovr_status ovr_draw_map(const ovr_drawing *drawing, ovr_chart *chart,
                         ovr_error *err);
 

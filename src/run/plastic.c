@@ -646,9 +646,11 @@ static ovr_status finish(void *own, const ovr_simulation *sim,
                          ovr_run_info *info, ovr_error *err)
 {
     const run_plastic *r = own;
+    const ovr_plastic *p = ovr_plastic_of(sim);
     (void)info;
-    return r->writer ? ovr_plastic_store(r->writer, ovr_plastic_of(sim), err)
-                     : OVR_OK;
+    if (r->writer && ovr_plastic_store(r->writer, p, err))
+        return err->status;
+    return p->how->profiles ? ovr_plastic_write_profiles(p, err) : OVR_OK;
 }
 
 static const ovr_companion companion = {

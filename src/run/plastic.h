@@ -62,9 +62,13 @@ double ovr_plastic_shoulder(const ovr_yielding_body *b, int side, bool yielded);
 double ovr_plastic_most(const ovr_plastic *p, const ovr_yielding_body *b);
 double ovr_plastic_deepest(const ovr_yielding_body *b);
 
-/* Into the group plastic/surface_N of the file; from one. */
+/* Into the group plastic/surface_N of the file, and from one. */
 ovr_status ovr_plastic_store(ovr_writer *writer, const ovr_plastic *p,
                              ovr_error *err);
+
+/* Both profiles as files of text, of the first body that yields. */
+ovr_status ovr_plastic_write_profiles(const ovr_plastic *p, ovr_error *err);
+
 ovr_status ovr_plastic_read(const char *file, const ovr_plastic *p,
                             ovr_yielding_body *b, ovr_error *err);
 

@@ -2,6 +2,7 @@
 /* What a run's file keeps of a body that yields, and what a later run takes of
  * it: strains, as shares of 1 where p_h/E* is known, residual stresses, the
  * profile before and after. */
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -146,6 +147,40 @@ ovr_status ovr_plastic_store(ovr_writer *writer, const ovr_plastic *p,
         if (p->body[k].y)
             status = store_body(writer, p, &p->body[k], err);
     return status;
+}
+
+/* ---------------------------------------------------------------- profiles */
+
+/* x from the reference, in um where b is known. */
+static ovr_status write_profile(const ovr_plastic *p,
+                                const ovr_yielding_body *b, const char *end,
+                                bool after, ovr_error *err)
+{
+    const ovr_contact *c = p->setup->contact;
+    bool metres = isfinite(c->b) && isfinite(c->height);
+    double length = metres ? c->b * 1e6 : 1;
+    double height = metres ? c->height * 1e6 : 1;
+    char path[4500];
+    snprintf(path, sizeof path, "%.4400s-%s.csv", p->how->profiles, end);
+    FILE *to = fopen(path, "w");
+    if (!to)
+        return ovr_fail(err, OVR_IO, "%s: cannot be written: %s", path,
+                        strerror(errno));
+    fputs(metres ? "x [um], z [um]\n" : "# x in b, z in b^2/R\n", to);
+    for (size_t i = 0; i < b->points; i++)
+        fprintf(to, "%.9g, %.9g\n", length * (b->first + (double)i * b->mesh),
+                height * (b->shape[i] - (after ? b->shown[i] : 0)));
+    bool good = !ferror(to);
+    if (fclose(to) == 0 && good)
+        return OVR_OK;
+    return ovr_fail(err, OVR_IO, "%s: cannot be written", path);
+}
+
+ovr_status ovr_plastic_write_profiles(const ovr_plastic *p, ovr_error *err)
+{
+    const ovr_yielding_body *b = &p->body[p->body[0].y ? 0 : 1];
+    ovr_status status = write_profile(p, b, "before", false, err);
+    return status ? status : write_profile(p, b, "after", true, err);
 }
 
 /* ----------------------------------------------------------------- reading */

@@ -3,7 +3,7 @@
 # init: every kind with every oil is a case that can be checked; each kind runs.
 . "$TOP/tests/support/cli.sh"
 
-for kind in roller gear cam bearing numbers starved; do
+for kind in roller gear cam bearing indented numbers starved; do
     for oil in paper vg32 vg68 vg100 vg220; do
         expect 0 "$OVERROLL" init $kind --oil $oil
         mv out $kind.ini

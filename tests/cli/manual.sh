@@ -26,7 +26,7 @@ if command -v bash >/dev/null; then
         [ "$got" = "$wanted" ] || fail "'$*' completes to '$got'"
     }
     completes 'map' overroll plot a.h5 --kind m
-    kinds='snapshot history map trace stress risk depth passes element'
+    kinds='snapshot history map trace stress risk depth passes element plastic'
     completes "$kinds distribution" \
         overroll plot a.h5 --kind ''
     completes 'csv' overroll export a.h5 --format c

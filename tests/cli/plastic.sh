@@ -122,6 +122,40 @@ for more in 'plastic.coupling=step' 'plastic.initial=soft.h5'; do
     cmp 1.txt 2.txt || fail "resumed run differs: $more"
 done
 
+# The profiles as files: that from before is the dent, that from after is what
+# [feature] shape = profile reads, with less of its shoulder.
+expect 0 "$OVERROLL" run plastic.ini -o again.h5 -q --set plastic.profiles=left
+expect 0 "$PYTHON" - <<'END'
+import h5py, numpy as np
+g = h5py.File("again.h5")["plastic/surface_1"]
+for name in ("before", "after"):
+    x, z = np.loadtxt("left-%s.csv" % name, delimiter=",", skiprows=1).T
+    assert abs(x * 1e-6 - g["material"][...]).max() < 1e-12
+    assert abs(z * 1e-6 - g["profile_" + name][...]).max() < 1e-14
+END
+sed -e '/^shape = /,/^width/d' dent.ini >file.ini
+for name in before after; do
+    expect 0 "$OVERROLL" run file.ini -o "$name.h5" -q --json \
+        --set feature.dent.shape=profile --set feature.dent.level=none \
+        --set feature.dent.file="left-$name.csv"
+    cp out "$name.json"
+done
+expect 0 "$OVERROLL" run dent.ini -o shape.h5 -q --json
+expect 0 "$PYTHON" - out before.json after.json <<'END'
+import json, sys
+dent, before, after = (json.load(open(n))["P_max_overall"]
+                       for n in sys.argv[1:])
+assert abs(before / dent - 1) < 1e-4 and after < dent * 0.998
+END
+
+# A picture of it; of a run without there is none.
+expect 2 "$OVERROLL" plot elastic.h5 --kind plastic -o none.png
+contains err 'has no plastic/surface_1'
+if command -v gnuplot >/dev/null; then
+    expect 0 "$OVERROLL" plot soft.h5 --kind plastic -o soft.png
+    [ -s soft.png ] || fail 'no soft.png'
+fi
+
 # Overrollings: each begins where the one before ended, from the same steady
 # contact; killed between two of them, the same end.
 expect 0 "$OVERROLL" run plastic.ini -o passes.h5 -q --set plastic.passes=3

@@ -48,6 +48,9 @@ static const ovr_parameter plastic_keys[] = {
     {"initial", PATH, NULL, AT(plastic.initial), true, ALWAYS,
      "result file of an earlier run, whose strains and hardening it begins "
      "with"},
+    {"profiles", PATH, NULL, AT(plastic.profiles), false, ALWAYS,
+     "STEM: the profile as it came and as it is left, in STEM-before.csv and "
+     "STEM-after.csv, which [feature] shape = profile reads"},
     {"anyway", FLAG, "no", AT(plastic.anyway), false, ALWAYS,
      "go on where the smooth contact never shakes down"},
 };
