@@ -185,7 +185,7 @@ OVR_API const ovr_state *ovr_simulation_state(const ovr_simulation *sim);
 #define OVR_ROUGH_WINDOW 0.75
 
 /* Numbers a step that have no names here, but a row in the list below. */
-enum { OVR_MORE = 8 };
+enum { OVR_MORE = 16 };
 
 /* What is observed after a solve or step; definitions in the manual. */
 typedef struct ovr_observation {
@@ -301,7 +301,8 @@ enum {
     OVR_PHYSICS_REFINED = 4,   /* there are patches of finer mesh */
     OVR_PHYSICS_FEATURES = 8,  /* there is something on the surfaces */
     OVR_PHYSICS_BOUNDARY = 16, /* surfaces touch through their film */
-    OVR_PHYSICS_PLASTIC = 32   /* a body yields */
+    OVR_PHYSICS_PLASTIC = 32,  /* a body yields */
+    OVR_PHYSICS_WEAR = 64      /* surfaces that touch wear */
 };
 
 /* Which extreme of a number is kept over a run. */

@@ -68,6 +68,9 @@ static const struct unit {
     {"mm2/N", OVR_PER_PRESSURE, 1, 1e6},
     {"mm^2/N", OVR_PER_PRESSURE, 1, 1e6},
     {"mm\302\262/N", OVR_PER_PRESSURE, 1, 1e6},
+    {"mm3/Nm", OVR_PER_PRESSURE, 1, 1e9}, /* wear */
+    {"mm3/N.m", OVR_PER_PRESSURE, 1, 1e9},
+    {"mm^3/Nm", OVR_PER_PRESSURE, 1, 1e9},
     {"Pa.s", OVR_DYNAMIC_VISCOSITY, 1, 1},
     {"Pa s", OVR_DYNAMIC_VISCOSITY, 1, 1},
     {"Pa*s", OVR_DYNAMIC_VISCOSITY, 1, 1},
@@ -140,7 +143,7 @@ const char *ovr_units_allowed(ovr_dimension dimension)
     case OVR_SHARE: break;
     case OVR_LENGTH: return "m, mm, um, nm";
     case OVR_PRESSURE: return "Pa, kPa, MPa, GPa, N/mm2";
-    case OVR_PER_PRESSURE: return "1/Pa, 1/MPa, 1/GPa, mm2/N";
+    case OVR_PER_PRESSURE: return "1/Pa, 1/MPa, 1/GPa, mm2/N, mm3/Nm";
     case OVR_DYNAMIC_VISCOSITY: return "Pa.s, mPa.s, cP";
     case OVR_LINE_LOAD: return "N/m, kN/m, N/mm";
     case OVR_LOAD: return "N/m, kN/m, N/mm; N, kN with a width";

@@ -13,6 +13,13 @@ static bool is_given(const ovr_resolved *r, int part)
     return ovr_slot_of(r, info.section, info.key)->given;
 }
 
+/* Whether surfaces that touch wear. */
+static bool runs_in(const ovr_resolved *r)
+{
+    return ovr_case_find_block(r->c, "boundary", NULL) &&
+           ovr_slot_of(r, "boundary", "passes")->number > 0;
+}
+
 /* Whether a feature on the mesh is rough. */
 static bool has_roughness(const ovr_resolved *r)
 {

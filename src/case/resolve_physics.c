@@ -226,9 +226,13 @@ unsigned ovr_setup_physics(const ovr_setup *setup)
         return 0;
     const ovr_resolved *r = (const ovr_resolved *)setup;
     unsigned bits = setup->features ? OVR_PHYSICS_FEATURES : 0;
-    for (int k = 0; ovr_physics_list[k]; k++)
+    for (int k = 0; ovr_physics_list[k]; k++) {
+        const ovr_physics *p = ovr_physics_list[k];
         if (is_on(r, k))
-            bits |= ovr_physics_list[k]->bit;
+            bits |= p->bit;
+        if (r->physics[k].on && p->bits)
+            bits |= p->bits(r->physics[k].form);
+    }
     return bits;
 }
 

@@ -5,6 +5,7 @@
 #include "case/domain.h"
 #include "case/resolve_element.h"
 #include "contact/turning.h"
+#include "simulation/wear.h"
 
 /* Steps of one mesh along the characteristic carry what moves without error,
  * and there corrections of fourth order follow histories; with others, with
@@ -37,6 +38,23 @@ static ovr_status resolve_radius(ovr_resolved *r,
                                &s->radius_1, err);
 }
 
+/* Running-in of surfaces that wear goes in long steps of a time of its own
+ * (simulation/wear.h). */
+static bool wears(const ovr_resolved *r)
+{
+    return ovr_case_find_block(r->c, "boundary", NULL) &&
+           ovr_slot_of(r, "boundary", "passes")->number > 0;
+}
+
+static void take_running_in(ovr_resolved *r)
+{
+    r->setup.transient = true;
+    r->march.end = OVR_WEAR_STEP * OVR_WEAR_MOST;
+    r->march.dT = OVR_WEAR_STEP;
+    if (r->values.scheme < 0)
+        r->values.scheme = OVR_UPSTREAM1;
+}
+
 ovr_status ovr_resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
                             ovr_error *err)
 {
@@ -49,6 +67,8 @@ ovr_status ovr_resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
     r->march.dT = r->march.adaptive ? 0 : v->step;
     r->march.error = v->error;
     r->march.until_steady = v->until_steady && s->transient;
+    if (wears(r) && !r->c->standing)
+        take_running_in(r);
     if (ovr_section_fill(r, "load", err) || ovr_section_fill(r, "speed", err))
         return OVR_BAD_INPUT;
     if (ovr_resolve_history(r, "load", &v->load, allocator, &s->load, err))

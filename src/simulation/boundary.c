@@ -23,12 +23,15 @@
 #include "simulation/mirror.h"
 #include "simulation/quantity_row.h"
 #include "simulation/steady.h"
+#include "simulation/wear.h"
 
 typedef struct boundary {
     const ovr_boundary_form *given;
-    double *A;             /* at the nodes, as observed last */
-    double *saved, *bears; /* a film to go back to */
-    double wet_force;      /* of boundary friction where there is a film */
+    double *A;                /* at the nodes, as observed last */
+    double *saved, *bears;    /* a film to go back to */
+    double wet_force;         /* of boundary friction where there is a film */
+    const ovr_touch_law *law; /* as it is now */
+    ovr_wear *wear;           /* NULL: none */
 } boundary;
 
 /* ----------------------------------------------------------- its simulation */
@@ -53,8 +56,16 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
         ovr_hierarchy_factor(&sim->grids, &b->given->factor, &sim->arena, err))
         return OVR_NO_MEMORY;
     sim->wanted.fluid.factor = sim->grids.fluid.factor;
+    b->law = &b->given->bears;
+    if (b->given->passes > 0) {
+        b->wear = ovr_arena_take(&sim->arena, 1, sizeof *b->wear, err);
+        if (!b->wear ||
+            ovr_wear_take(b->wear, b->given, &sim->contact, &sim->arena, err))
+            return OVR_NO_MEMORY;
+        b->law = &b->wear->bears;
+    }
     sim->grids.touch.at = ovr_touch_law_at;
-    sim->grids.touch.law = &b->given->bears;
+    sim->grids.touch.law = b->law;
     sim->grids.touch.share = 1;
     return OVR_OK;
 }
@@ -64,6 +75,8 @@ static void forget(ovr_simulation *sim, void *own)
     boundary *b = own;
     memset(b->A, 0, sim->now.n * sizeof *b->A);
     sim->grids.touch.share = 0;
+    if (b->wear)
+        ovr_wear_begin(b->wear);
 }
 
 /* The film by a share of the law; from where it was, if there is none. */
@@ -122,12 +135,94 @@ static void attempt(ovr_simulation *sim, void *own, bool first)
     ovr_physics_borne_back(sim);
 }
 
-/* ---------------------------------------------------------------- observed */
+/* ---------------------------------------------------------------- running-in
+ */
 
 static void read_borne(ovr_simulation *sim, boundary *b)
 {
     ovr_nodes_read(sim, sim->finest, sim->finest->borne, b->A);
 }
+
+static double share_of(const ovr_simulation *sim, const boundary *b)
+{
+    double borne = 0;
+    for (size_t i = 0; i < sim->now.n; i++)
+        borne += sim->now.weights[i] * b->A[i];
+    return borne / OVR_NOMINAL_LOAD;
+}
+
+static void see(ovr_simulation *sim, boundary *b)
+{
+    read_borne(sim, b);
+    ovr_wear_see(b->wear, sim->now.n, b->A, sim->now.weights, share_of(sim, b));
+}
+
+static void begin(ovr_simulation *sim, void *own)
+{
+    boundary *b = own;
+    if (b->wear)
+        see(sim, b);
+}
+
+static void before_step(ovr_simulation *sim, void *own, double T)
+{
+    boundary *b = own;
+    if (b->wear)
+        ovr_wear_step(b->wear, (T - sim->past.T[0]) / OVR_WEAR_STEP);
+}
+
+static void taken(ovr_simulation *sim, void *own, double dT)
+{
+    boundary *b = own;
+    (void)dT;
+    if (!b->wear)
+        return;
+    ovr_wear_taken(b->wear);
+    see(sim, b);
+}
+
+static bool over(const ovr_simulation *sim, const void *own)
+{
+    const boundary *b = own;
+    (void)sim;
+    return b->wear && ovr_wear_over(b->wear);
+}
+
+static void before_back(ovr_simulation *sim, void *own)
+{
+    boundary *b = own;
+    (void)sim;
+    if (b->wear)
+        ovr_wear_back(b->wear);
+}
+
+static ovr_status visit(ovr_simulation *sim, void *own, ovr_visit *show,
+                        void *context, ovr_error *err)
+{
+    boundary *b = own;
+    (void)sim;
+    return b->wear ? ovr_wear_visit(b->wear, show, context, err) : OVR_OK;
+}
+
+static void restored(ovr_simulation *sim, void *own)
+{
+    boundary *b = own;
+    (void)sim;
+    if (!b->wear)
+        return;
+    b->wear->now.passes = NAN; /* it is another state */
+    ovr_wear_back(b->wear);
+}
+
+const ovr_wear *ovr_wear_of(const ovr_simulation *sim)
+{
+    OVR_EACH_PHYSICS(sim, p, visit)
+        if (p->is->bit == OVR_PHYSICS_BOUNDARY)
+            return ((const boundary *)p->own)->wear;
+    return NULL;
+}
+
+/* ---------------------------------------------------------------- observed */
 
 /* -sgn(V) mu_b A/kappa at the half node i + 1/2. */
 static double drag_at(const ovr_simulation *sim, const boundary *b, size_t i)
@@ -148,7 +243,7 @@ static void friction(const ovr_simulation *sim, const void *own, double *t)
     for (size_t i = 0; i + 1 < sim->now.n; i++) {
         double drag = drag_at(sim, b, i);
         double H = 0.5 * (sim->now.H[i] + sim->now.H[i + 1]);
-        t[i] = (1 - ovr_touch_law_area(&b->given->bears, H)) * t[i] + drag;
+        t[i] = (1 - ovr_touch_law_area(b->law, H)) * t[i] + drag;
         if (P[i] > 0 || P[i + 1] > 0)
             b->wet_force += drag * (X[i + 1] - X[i]);
     }
@@ -165,7 +260,23 @@ static void heat(const ovr_simulation *sim, const void *own, double *power)
         power[i] += mu * b->A[i] * V / sim->contact.kappa;
 }
 
-enum { SHARE, AREA, A_MAX, H_CONTACT, MU_FILM, MU_BOUNDARY, LAMBDA, ESTIMATE };
+enum {
+    SHARE,
+    AREA,
+    A_MAX,
+    H_CONTACT,
+    MU_FILM,
+    MU_BOUNDARY,
+    LAMBDA,
+    ESTIMATE,
+    PASSES,
+    WEAR_1,
+    WEAR_2,
+    PEAKS_1,
+    PEAKS_2,
+    VALLEYS_1,
+    VALLEYS_2
+};
 
 static const ovr_observable quantities[] = {
     OVR_NUMBER_ROW("contact_share", "contact_share", NULL, NUMBER, more[SHARE],
@@ -205,7 +316,36 @@ static const ovr_observable quantities[] = {
                    NUMBER, more[ESTIMATE], OVR_PHYSICS_BOUNDARY,
                    "contact share by the film formula of smooth surfaces, "
                    "before anything is solved",
-                   LABEL("  as estimated"))};
+                   LABEL("  as estimated")),
+    OVR_NUMBER_ROW("passes", "passes", NULL, NUMBER, more[PASSES],
+                   OVR_PHYSICS_WEAR,
+                   "passes that the surfaces have gone "
+                   "through",
+                   LABEL("passes")),
+    OVR_NUMBER_ROW("wear_1", "wear_1", "wear_1_m", HEIGHT, more[WEAR_1],
+                   OVR_PHYSICS_WEAR,
+                   "mean depth that surface 1 has lost: volume over area",
+                   LABEL("worn off surface 1")),
+    OVR_NUMBER_ROW("wear_2", "wear_2", "wear_2_m", HEIGHT, more[WEAR_2],
+                   OVR_PHYSICS_WEAR,
+                   "mean depth that surface 2 has lost: volume over area",
+                   LABEL("worn off surface 2")),
+    OVR_NUMBER_ROW("Rpk_1", "Rpk_1", "Rpk_1_m", HEIGHT, more[PEAKS_1],
+                   OVR_PHYSICS_WEAR,
+                   "height of the peaks of surface 1 above its core",
+                   LABEL("Rpk of surface 1")),
+    OVR_NUMBER_ROW("Rpk_2", "Rpk_2", "Rpk_2_m", HEIGHT, more[PEAKS_2],
+                   OVR_PHYSICS_WEAR,
+                   "height of the peaks of surface 2 above its core",
+                   LABEL("Rpk of surface 2")),
+    OVR_NUMBER_ROW("Rvk_1", "Rvk_1", "Rvk_1_m", HEIGHT, more[VALLEYS_1],
+                   OVR_PHYSICS_WEAR,
+                   "depth of the valleys of surface 1 below its core",
+                   LABEL("Rvk of surface 1")),
+    OVR_NUMBER_ROW("Rvk_2", "Rvk_2", "Rvk_2_m", HEIGHT, more[VALLEYS_2],
+                   OVR_PHYSICS_WEAR,
+                   "depth of the valleys of surface 2 below its core",
+                   LABEL("Rvk of surface 2"))};
 
 static void unknown(ovr_observation *o)
 {
@@ -235,6 +375,21 @@ static void observe_friction(const ovr_simulation *sim, const boundary *b,
         o->more[MU_BOUNDARY] = o->mu_1 = o->mu_2 = o->mu_slide = NAN;
 }
 
+static void observe_wear(const boundary *b, ovr_observation *o)
+{
+    for (int k = PASSES; k <= VALLEYS_2; k++)
+        o->more[k] = NAN;
+    if (!b->wear)
+        return;
+    o->more[PASSES] = b->wear->now.passes;
+    for (int k = 0; k < 2; k++) {
+        o->more[WEAR_1 + k] = b->wear->now.depth[k];
+        ovr_core core = ovr_wear_core(b->wear, k, false);
+        o->more[PEAKS_1 + k] = core.pk;
+        o->more[VALLEYS_1 + k] = core.vk;
+    }
+}
+
 static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
 {
     const double touches = 1e-3;
@@ -244,7 +399,7 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
     for (size_t i = 0; i < sim->now.n; i++) {
         double w = sim->now.weights[i], A = b->A[i];
         borne += w * A;
-        area += w * ovr_touch_law_area(&b->given->bears, sim->now.H[i]);
+        area += w * ovr_touch_law_area(b->law, sim->now.H[i]);
         most = fmax(most, A);
         if (A > touches)
             least = fmin(least, sim->now.H[i]);
@@ -253,11 +408,42 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
     o->more[AREA] = area;
     o->more[A_MAX] = most;
     o->more[H_CONTACT] = least;
+    observe_wear(b, o);
     o->more[ESTIMATE] = b->given->estimate;
     o->more[LAMBDA] = b->given->factor.sigma > 0
                           ? o->H_cen / b->given->factor.sigma
                           : NAN;
     observe_friction(sim, b, o);
+}
+
+/* Both before and after. */
+static void review_wear(const ovr_simulation *sim, const ovr_wear *wear,
+                        ovr_physics_say *say, void *data)
+{
+    const double nm = sim->contact.height * 1e9;
+    char text[240];
+    for (int k = 0; k < 2; k++) {
+        ovr_core was = ovr_wear_core(wear, k, true);
+        ovr_core is = ovr_wear_core(wear, k, false);
+        if (isnan(is.pk))
+            continue;
+        snprintf(text, sizeof text,
+                 "surface %d: Rpk %.3g nm, Rk %.3g nm, Rvk %.3g nm before; "
+                 "%.3g, %.3g, %.3g nm after %.3g passes",
+                 k + 1, nm * was.pk, nm * was.k, nm * was.vk, nm * is.pk,
+                 nm * is.k, nm * is.vk, wear->now.passes);
+        say(data, false, text);
+    }
+    if (wear->lost)
+        say(data, true,
+            "the law of the worn profiles was not found at times: the last one "
+            "was kept");
+    if (!ovr_wear_over(wear)) {
+        snprintf(text, sizeof text,
+                 "%.3g of %.3g passes were made: give a longer jump",
+                 wear->now.passes, wear->given->passes);
+        say(data, true, text);
+    }
 }
 
 static void review(const ovr_simulation *sim, const void *own,
@@ -268,7 +454,7 @@ static void review(const ovr_simulation *sim, const void *own,
     const ovr_solution *now = &sim->now;
     double A, slope;
     char text[160];
-    ovr_touch_law_at(&b->given->bears, now->H[now->n - 1], &A, &slope);
+    ovr_touch_law_at(b->law, now->H[now->n - 1], &A, &slope);
     if (A > enough) {
         snprintf(text, sizeof text,
                  "surfaces touch at the outlet, with %.2g ph: a larger "
@@ -280,6 +466,14 @@ static void review(const ovr_simulation *sim, const void *own,
         say(data, false,
             "friction is not known where surfaces touch, until [boundary] "
             "friction says what theirs is");
+    if (b->wear && sim->state.step > 0)
+        review_wear(sim, b->wear, say, data);
+}
+
+static unsigned bits(const void *form)
+{
+    const ovr_boundary_form *f = form;
+    return f->passes > 0 ? OVR_PHYSICS_WEAR : 0;
 }
 
 const ovr_physics ovr_physics_boundary = {.name = "surfaces that touch",
@@ -287,7 +481,9 @@ const ovr_physics ovr_physics_boundary = {.name = "surfaces that touch",
                                           .section = &ovr_boundary_section,
                                           .form = sizeof(ovr_boundary_form),
                                           .resolve = ovr_boundary_resolve,
+                                          .bits = bits,
                                           .keeps = ovr_boundary_keeps,
+                                          .companion = &ovr_wear_companion,
                                           .tell = ovr_boundary_tell,
                                           .take = take,
                                           .forget = forget,
@@ -296,6 +492,13 @@ const ovr_physics ovr_physics_boundary = {.name = "surfaces that touch",
                                           .friction = friction,
                                           .heat = heat,
                                           .unknown = unknown,
+                                          .begin = begin,
+                                          .before_step = before_step,
+                                          .taken = taken,
+                                          .over = over,
+                                          .before_back = before_back,
+                                          .visit = visit,
+                                          .restored = restored,
                                           .observe = observe,
                                           .quantity = quantities,
                                           .quantities = sizeof quantities /

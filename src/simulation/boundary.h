@@ -27,6 +27,10 @@ typedef struct ovr_boundary_form {
     double friction;           /* NAN: not told */
     double summits, sharpness; /* n beta sigma, sigma/beta */
     const char *file;          /* of a table */
+    double wear[2];            /* K over hardness, 1/Pa */
+    double passes;             /* 0: no wear */
+    double jump;               /* passes of a step; 0: as many as go */
+    double settled;            /* change of the share that ends it; 0: none */
     ovr_flow_factor factor;    /* of a mean film */
     double estimate;           /* of the share, before it is solved */
     ovr_rough_pair pair;       /* of profiles */

@@ -34,10 +34,13 @@ static const ovr_word factors[] = {{"none", OVR_RIDGES_NONE},
                                    {"transverse", OVR_RIDGES_TRANSVERSE},
                                    {"longitudinal", OVR_RIDGES_LONGITUDINAL},
                                    {NULL, 0}};
+static const ovr_word no_wear[] = {{"none", 0}, {NULL, 0}};
+static const ovr_word auto_zero[] = {{"auto", 0}, {NULL, 0}};
 static const ovr_word none[] = {{"none", NAN}, {NULL, 0}};
 
 static const char rough[] = "law = exponential";
 static const char with_Rq[] = "law = exponential | greenwood-tripp | table";
+static const char by_profile[] = "law = profile";
 static const char summits[] = "law = greenwood-tripp";
 
 static const ovr_parameter keys[] = {
@@ -79,6 +82,25 @@ static const ovr_parameter keys[] = {
     {"sharpness", PLAIN(0, 1), "0.01", offsetof(ovr_boundary_form, sharpness),
      true, summits,
      "Rq over the radius of summits, sigma/beta: 0.0001 to 0.01"},
+    {"wear_1", OVR_NUMBER, OVR_PER_PRESSURE, OVR_NOT_HERTZIAN, 0, 1, false,
+     no_wear, "none", offsetof(ovr_boundary_form, wear[0]), true, by_profile,
+     "what surface 1 wears, volume over load and way of sliding, like 1e-8 "
+     "mm3/Nm (mild)"},
+    {"wear_2", OVR_NUMBER, OVR_PER_PRESSURE, OVR_NOT_HERTZIAN, 0, 1, false,
+     no_wear, "none", offsetof(ovr_boundary_form, wear[1]), true, by_profile,
+     "what surface 2 wears"},
+    {"passes", PLAIN(0, 1e15), "0", offsetof(ovr_boundary_form, passes), true,
+     by_profile,
+     "running-in: so often both surfaces roll through the contact, which stays "
+     "as it is, and wear; 0: never"},
+    {"jump", PLAIN_OR(auto_zero, 0, 1e15), "auto",
+     offsetof(ovr_boundary_form, jump), true, "passes > 0",
+     "how many passes one that is calculated stands for; auto: so many that no "
+     "place wears by more than 2 % of Rq"},
+    {"settled", PLAIN(0, 1), "0", offsetof(ovr_boundary_form, settled), true,
+     "passes > 0",
+     "a jump that changes the contact share by less than this part of it is "
+     "the last; 0: all passes are made"},
     {"file", PATH, NULL, offsetof(ovr_boundary_form, file), true, "law = table",
      "pressure over the mean gap, two columns under a header like 'gap [nm], "
      "pressure [MPa]'"}};
@@ -272,6 +294,27 @@ static ovr_status resolve_factor(const ovr_physics_case *of,
     return OVR_OK;
 }
 
+/* A surface that stands has no passes. */
+static ovr_status resolve_wear(const ovr_physics_case *of,
+                               const ovr_boundary_form *f, ovr_error *err)
+{
+    const double u[2] = {of->contact->u1_ratio, of->contact->u2_ratio};
+    if (!(f->passes > 0))
+        return f->wear[0] > 0 || f->wear[1] > 0
+                   ? ovr_fail_about(err, "passes",
+                                    "wear wants passes, like passes = 1e6")
+                   : OVR_OK;
+    if (!(of->contact->ph > 0 && of->contact->kappa > 0))
+        return ovr_fail_about(err, "passes",
+                              "wear wants a physical contact: radius and "
+                              "modulus beside alpha");
+    for (int k = 0; k < 2; k++)
+        if (f->wear[k] > 0 && !(fabs(u[k]) > 1e-9))
+            return ovr_fail_about(err, k ? "wear_2" : "wear_1",
+                                  "surface %d stands: it has no passes", k + 1);
+    return OVR_OK;
+}
+
 static bool bears(const ovr_boundary_form *f)
 {
     return f->bears.amplitude > 0 || f->bears.layer > 0 || f->bears.table.n;
@@ -373,7 +416,7 @@ ovr_status ovr_boundary_resolve(const ovr_physics_case *of, void *form,
             "mean speed want an oil that shears thin: [lubricant] rheology = "
             "eyring does",
             of->contact->ph / 1e9, V);
-    if (resolve_factor(of, f, err))
+    if (resolve_factor(of, f, err) || resolve_wear(of, f, err))
         return OVR_BAD_INPUT;
     f->estimate = share_with(f, smooth_film(of), f->factor.ridges);
     return resolve_options(of, f, err);

@@ -14,7 +14,7 @@
 #include <math.h>
 
 #include "base/given.h"
-#include "simulation/internal.h"
+#include "simulation/physics.h"
 
 /* Nothing changes any more: neither P nor S by more than this times dT, so
  * many steps in a row.  The contact forgets within a few b/um, so P is that
@@ -115,6 +115,9 @@ static void count_still(ovr_simulation *sim, const ovr_march *march)
 
 static bool has_settled(const ovr_simulation *sim, const ovr_march *march)
 {
+    OVR_EACH_PHYSICS(sim, p, over)
+        if (p->is->over(sim, p->own))
+            return true;
     return march->until_steady && sim->past.still >= STILL &&
            sim->state.T >= march->steady_from;
 }

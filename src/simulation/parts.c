@@ -25,10 +25,28 @@ static const char kinks[] = "the law of touching surfaces kinks at the rupture";
 static const char two_unknowns[] =
     "a dry node where surfaces touch has a filling and a pressure";
 
+static const char stays[] = "running-in is of a contact that stays as it is";
+static const char long_steps[] =
+    "running-in goes in steps in which the film settles";
+static const char summits[] = "summits would yield first";
 static const char once[] = "on the mesh it would count a second time";
 
 static const ovr_refusal refusals[] = {
     {OVR_PART_MEAN_FILM, OVR_PART_ROUGHNESS, "unresolved", once},
+    {OVR_PART_WEAR, OVR_PART_TIME, "0", stays},
+    {OVR_PART_WEAR, OVR_PART_LOAD, "0", stays},
+    {OVR_PART_WEAR, OVR_PART_REVERSAL, "0", stays},
+    {OVR_PART_WEAR, OVR_PART_SPEED, "0", stays},
+    {OVR_PART_WEAR, OVR_PART_SLIDING, "0", stays},
+    {OVR_PART_WEAR, OVR_PART_RADIUS, "0", stays},
+    {OVR_PART_ADAPTIVE, OVR_PART_WEAR, "no step", long_steps},
+    {OVR_PART_UPSTREAM2, OVR_PART_WEAR, "upstream1", long_steps},
+    {OVR_PART_CHARACTERISTIC, OVR_PART_WEAR, "upstream1", long_steps},
+    {OVR_PART_HEAT, OVR_PART_WEAR, "none", long_steps},
+    {OVR_PART_PLASTIC, OVR_PART_BOUNDARY, "no [plastic]", summits},
+    {OVR_PART_STRESS, OVR_PART_WEAR, "no [stress]", long_steps},
+    {OVR_PART_SUPPLY, OVR_PART_BOUNDARY, "flooded", two_unknowns},
+    {OVR_PART_PASSES, OVR_PART_BOUNDARY, "1", two_unknowns},
     {OVR_PART_ORDER_4, OVR_PART_BOUNDARY, "2", kinks},
     {OVR_PART_PAPER_SMOOTHER, OVR_PART_BOUNDARY, "line", one_grid},
     {OVR_PART_PAPER_BALANCE, OVR_PART_BOUNDARY, "no", one_grid},

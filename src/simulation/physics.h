@@ -9,12 +9,12 @@
  * on, in the order of the list, and calls no function of the others.  `own` is
  * what the physics has made for itself in this simulation.
  *
- *     a case      section, form, block, stiffness, resolve, keeps, layers,
- *                 tell
+ *     a case      section, form, block, stiffness, resolve, bits, keeps,
+ *                 layers, tell
  *     creation    chosen, prepare, take, influence, warmth; release
  *     steady      forget, solve, complete, couple, proceed, finish, begin
  *     a step      check, before_step, operate, history, sides, step, attempt,
- *                 anew, the ends of its cycles, taken; or step_back
+ *                 anew, the ends of its cycles, taken, over; or step_back
  *     observed    carried, flow, oil, mean_flow, stress, friction, observe,
  *                 marks
  *     checkpoint  visit, restored
@@ -102,6 +102,9 @@ struct ovr_physics {
      * error is about a key of its rows, or about a name of a block. */
     ovr_status (*resolve)(const ovr_physics_case *of, void *form, bool *on,
                           ovr_error *err);
+
+    /* Bits beside its own, by what the form says. */
+    unsigned (*bits)(const void *form);
 
     /* Whether it has a feature for itself, which is then not on the mesh. */
     bool (*keeps)(const void *form, const struct ovr_feature_form *feature);
@@ -225,6 +228,9 @@ struct ovr_physics {
     /* The step of dT is taken, and not yet the past. */
     void (*taken)(ovr_simulation *sim, void *own, double dT);
 
+    /* Whether nothing is left that a run would be for. */
+    bool (*over)(const ovr_simulation *sim, const void *own);
+
     /* Back to the last time reached: before its pressure and gap are in place
      * again, and once they are. */
     void (*before_back)(ovr_simulation *sim, void *own);
@@ -309,7 +315,7 @@ struct ovr_physics {
 };
 
 extern const struct ovr_companion ovr_heat_companion, ovr_supply_companion,
-    ovr_coating_companion;
+    ovr_coating_companion, ovr_wear_companion;
 
 /* All there are, NULL behind the last.  Its own object in the library, so that
  * a program may be linked with a list of its own. */

@@ -69,6 +69,15 @@ typedef struct search {
     double norm;                 /* of the gap at the last step; 0: none */
 } search;
 
+/* How far where a node touches alone, whose gap is nothing: what its own
+ * pressure over its own deformation is. */
+static double alone(const ovr_dry_contact *of)
+{
+    const double euler = 0.5772, pi = 3.14159265358979323846;
+    double waves = log((double)of->n / 2) + euler;
+    return of->modulus * pi * (double)of->n / (2 * of->length * waves);
+}
+
 /* The next direction, and how far along it. */
 static double aim(const ovr_dry_contact *of, const double *p, search *s,
                   bool begins)
@@ -87,7 +96,7 @@ static double aim(const ovr_dry_contact *of, const double *p, search *s,
             falls += s->gap[i] * s->along[i];
             bends += s->curve[i] * s->along[i];
         }
-    return bends > 0 ? falls / bends : 0;
+    return bends > 0 ? falls / bends : alone(of);
 }
 
 /* Takes the step; whether a node began to touch, in which case the next
@@ -132,7 +141,7 @@ ovr_dry_state ovr_dry_contact_solve(const ovr_dry_contact *of, const double *z,
                                     double mean, double *p)
 {
     enum { MOST = 2000 };
-    const double enough = 1e-9;
+    const double enough = of->enough > 0 ? of->enough : 1e-9;
     size_t n = of->n;
     search s = {of->room, of->room + n, of->room + 2 * n, 0};
     ovr_dry_state state = {0};

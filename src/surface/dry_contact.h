@@ -20,6 +20,8 @@ typedef struct ovr_dry_contact {
     size_t n;       /* a power of two */
     double length;  /* of the period */
     double modulus; /* E* */
+    double enough;  /* gaps and pressures exclude each other to this, over the
+                       range of heights; 0: 1e-9 */
     double *room;   /* 3 n */
 } ovr_dry_contact;
 

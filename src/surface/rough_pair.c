@@ -11,7 +11,7 @@
 #include "surface/profile.h"
 #include "surface/resample.h"
 
-enum { LEAST = 256, MOST = 2048, PLACES = 4, A_DECADE = 5, DECADES = 6 };
+enum { LEAST = 256, MOST = 2048, PLACES = 6, A_DECADE = 4, DECADES = 5 };
 
 /* ------------------------------------------------------------------ heights
  */
@@ -217,9 +217,10 @@ static void put_pressures(ovr_rough_pair *pair, size_t j, size_t shift,
     }
 }
 
-/* All pressures of a place, from the highest down. */
-static ovr_status press(ovr_rough_pair *pair, const ovr_dry_contact *dry, int k,
-                        double *z, ovr_touch_table *t, ovr_error *err)
+/* All pressures of a place, from the highest down; *least rises to the first
+ * below which they are not all found. */
+static void press(ovr_rough_pair *pair, const ovr_dry_contact *dry, int k,
+                  double *z, ovr_touch_table *t, size_t *least)
 {
     size_t n = pair->n, shift = place(pair, k);
     double part = 1. / places_of(pair), *p = z + n;
@@ -229,24 +230,24 @@ static ovr_status press(ovr_rough_pair *pair, const ovr_dry_contact *dry, int k,
     for (size_t j = pair->points; j-- > 0;) {
         size_t i = pair->points - 1 - j; /* the gap rises */
         ovr_dry_state s = ovr_dry_contact_solve(dry, z, pair->p[j], p);
-        if (!s.found)
-            return ovr_fail(err, OVR_NOT_CONVERGED,
-                            "the dry contact of the profiles was not found at "
-                            "%.3g ph",
-                            pair->p[j]);
+        if (!s.found && j >= *least)
+            *least = j + 1;
         t->H[i] += part * s.gap;
         t->area[i] += part * s.area;
         put_pressures(pair, j, shift, part, p);
     }
-    return OVR_OK;
 }
 
-static ovr_status take_law(ovr_rough_pair *pair, ovr_touch_table *t,
-                           ovr_arena *arena, ovr_error *err)
+ovr_status ovr_rough_pair_room(ovr_rough_pair *pair, ovr_touch_table *t,
+                               ovr_arena *arena, ovr_error *err)
 {
+    if (pair->p)
+        return OVR_OK;
     pair->points = A_DECADE * DECADES + A_DECADE / 2;
     pair->p = ovr_arena_take(arena, pair->points, sizeof *pair->p, err);
-    if (!pair->p || ovr_touch_table_take(t, pair->points, arena, err))
+    pair->room = ovr_arena_take(arena, 5 * pair->n, sizeof *pair->room, err);
+    if (!pair->p || !pair->room ||
+        ovr_touch_table_take(t, pair->points, arena, err))
         return OVR_NO_MEMORY;
     for (int k = 0; k < 2; k++) {
         if (!pair->z[k])
@@ -270,12 +271,14 @@ static void clear(ovr_rough_pair *pair, ovr_touch_table *t)
                    pair->points * pair->n * sizeof *pair->pressure[k]);
 }
 
-/* The points of full contact, where the gap is none, leave the table. */
-static void shorten(const ovr_rough_pair *pair, ovr_touch_table *t)
+/* The points of full contact, where the gap is none, and those that were not
+ * found leave the table. */
+static void shorten(const ovr_rough_pair *pair, size_t lightest,
+                    ovr_touch_table *t)
 {
     const double least = 1e-3 * pair->Rq;
     size_t kept = 0;
-    for (size_t i = 0; i < pair->points; i++) {
+    for (size_t i = 0; i + lightest < pair->points; i++) {
         if (t->H[i] < least || (kept && !(t->H[i] > t->H[kept - 1])))
             continue;
         t->H[kept] = t->H[i];
@@ -288,29 +291,30 @@ static void shorten(const ovr_rough_pair *pair, ovr_touch_table *t)
 ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_touch_table *t,
                               ovr_arena *arena, ovr_error *err)
 {
-    ovr_arena scratch = ovr_arena_make(&arena->allocator);
-    ovr_dry_contact dry = {.length = pair->length, .modulus = pair->modulus};
-    ovr_status status = pair->p ? OVR_OK : take_law(pair, t, arena, err);
-    double *room = ovr_arena_take(&scratch, 2 * pair->n, sizeof *room, err);
-    measure(pair);
-    if (!status && !room)
-        status = OVR_NO_MEMORY;
-    if (!status && !(pair->slope > 0))
-        status = ovr_fail(err, OVR_BAD_INPUT, "the profiles are smooth");
-    if (!status)
-        status = ovr_dry_contact_take(&dry, pair->n, &scratch, err);
-    if (!status) {
-        clear(pair, t);
-        for (size_t j = 0; j < pair->points; j++)
-            pair->p[j] = pair->modulus * pair->slope *
-                         pow(10, (double)j / A_DECADE - DECADES);
-    }
-    for (int k = 0; !status && k < places_of(pair); k++)
-        status = press(pair, &dry, k, room, t, err);
-    ovr_arena_release(&scratch);
+    size_t lightest = 0;
+    ovr_status status = ovr_rough_pair_room(pair, t, arena, err);
     if (status)
         return status;
-    shorten(pair, t);
+    const ovr_dry_contact dry = {.n = pair->n,
+                                 .length = pair->length,
+                                 .modulus = pair->modulus,
+                                 .enough = 1e-6,
+                                 .room = pair->room + 2 * pair->n};
+    measure(pair);
+    if (!(pair->slope > 0))
+        return ovr_fail(err, OVR_BAD_INPUT, "the profiles are smooth");
+    clear(pair, t);
+    for (size_t j = 0; j < pair->points; j++)
+        pair->p[j] = pair->modulus * pair->slope *
+                     pow(10, (double)j / A_DECADE - DECADES);
+    for (int k = 0; k < places_of(pair); k++)
+        press(pair, &dry, k, pair->room, t, &lightest);
+    if (2 * lightest > pair->points)
+        return ovr_fail(err, OVR_NOT_CONVERGED,
+                        "the dry contact of the profiles was not found below "
+                        "%.3g ph",
+                        pair->p[lightest - 1]);
+    shorten(pair, lightest, t);
     ovr_touch_table_slopes(t);
     return OVR_OK;
 }

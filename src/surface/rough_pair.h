@@ -38,6 +38,7 @@ typedef struct ovr_rough_pair {
     size_t points;
     double *p;           /* rising */
     double *pressure[2]; /* P_sj, j by j; NULL: smooth */
+    double *room;        /* 5 n */
 } ovr_rough_pair;
 
 /* Of features that are profiles or random roughness, one a surface; at least
@@ -57,8 +58,11 @@ ovr_status ovr_rough_pair_take(ovr_rough_pair *pair, size_t n, double length,
                                const double *const z[2], ovr_arena *arena,
                                ovr_error *err);
 
-/* The law of its heights as they are; the room that the table takes is this
- * pair's, the next law's too. */
+/* Room for its laws and their table, unless it has it. */
+ovr_status ovr_rough_pair_room(ovr_rough_pair *pair, ovr_touch_table *table,
+                               ovr_arena *arena, ovr_error *err);
+
+/* The law of its heights as they are; takes room where there is none. */
 ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_touch_table *table,
                               ovr_arena *arena, ovr_error *err);
 

@@ -96,6 +96,11 @@ static const struct way {
     {OVR_PART_MEAN_FILM,
      {"boundary.law=exponential", "boundary.Rq=150 nm", "boundary.slope=0.03",
       "boundary.of=all"}},
+    {OVR_PART_WEAR,
+     {"boundary.law=profile", "feature rough.shape=roughness",
+      "feature rough.Rq=150 nm", "feature rough.length=4",
+      "boundary.wear_1=1e-7 mm3/Nm", "boundary.passes=8000",
+      "boundary.jump=1000"}},
     {OVR_PART_ROUGHNESS,
      {"feature rough.shape=roughness", "feature rough.Rq=10 nm",
       "feature rough.length=4", "feature rough.start=-5"}},
@@ -104,7 +109,8 @@ enum { WAYS = sizeof ways / sizeof *ways };
 
 static bool in_time(const struct way *w)
 {
-    return w->part != OVR_PART_PATCHES && w->part != OVR_PART_PAPER_SMOOTHER &&
+    return w->part != OVR_PART_WEAR && w->part != OVR_PART_PATCHES &&
+           w->part != OVR_PART_PAPER_SMOOTHER &&
            w->part != OVR_PART_PAPER_BALANCE;
 }
 
@@ -234,7 +240,7 @@ static ovr_part underneath(ovr_part part)
 {
     if (part == OVR_PART_SUPPLY || part == OVR_PART_PASSES)
         return OVR_PART_CONSERVING;
-    if (part == OVR_PART_MEAN_FILM)
+    if (part == OVR_PART_MEAN_FILM || part == OVR_PART_WEAR)
         return OVR_PART_BOUNDARY;
     return part == OVR_PART_FATIGUE ? OVR_PART_STRESS : part;
 }
@@ -255,8 +261,12 @@ static const ovr_refusal *refused(const struct way *a, const struct way *b)
         for (size_t j = 0; j < i; j++)
             if (together(parts[i], parts[j]))
                 return together(parts[i], parts[j]);
+    const ovr_part under[2] = {underneath(parts[0]), underneath(parts[1])};
     for (size_t i = 0; i < 2; i++)
-        parts[i] = underneath(parts[i]);
+        if (together(under[i], parts[1 - i]))
+            return together(under[i], parts[1 - i]);
+    for (size_t i = 0; i < 2; i++)
+        parts[i] = under[i];
     return together(parts[0], parts[1]);
 }
 
@@ -265,7 +275,10 @@ static bool exclude_each_other(const struct way *a, const struct way *b)
 {
     ovr_part_info one = ovr_part_at((int)a->part),
                   other = ovr_part_at((int)b->part);
-    return !strcmp(one.section, other.section) && !strcmp(one.key, other.key);
+    bool same = !strcmp(one.section, other.section);
+    if (a->part == OVR_PART_WEAR || b->part == OVR_PART_WEAR)
+        return same; /* it has a law of its own */
+    return same && !strcmp(one.key, other.key);
 }
 
 static void check_refused(ovr_case *c, const ovr_refusal *why)
