@@ -260,15 +260,14 @@ static bool nodes_within(const ovr_yielding_body *b, const ovr_stress_row *row,
 /* Whether any point of the layer comes near yield. */
 static bool comes_near(const ovr_yielding_body *b, size_t j, place at)
 {
-    const double near = 0.05;
+    const double near = 0.95;
     ovr_stress_row row = ovr_stress_at(b->field, j);
     size_t first, last;
     if (!nodes_within(b, &row, at, &first, &last))
         return false;
     for (size_t i = first; i <= last; i++) {
         size_t point = (size_t)((long)(i << row.level) - at.off);
-        double Y, f = ovr_yielding_excess(b->y, j, point, at_node(&row, i), &Y);
-        if (f > -near * Y)
+        if (ovr_yielding_is_near(b->y, j, point, at_node(&row, i), near))
             return true;
     }
     return false;
@@ -292,6 +291,27 @@ static ovr_status load_layer(const ovr_yielding_body *b, size_t j, place at,
         load->tau[point] = row.shear[2 * i + 1];
     }
     return OVR_OK;
+}
+
+/* Pressures between 0 and P_max without traction make no shear stress in the
+ * plane above P_max/pi (theirs is a quarter turn of the half plane), no mean
+ * stress above P_max, and so no von Mises stress above
+ * P_max sqrt(3/pi^2 + (1 - 2 nu)^2). */
+static bool yields_by(const ovr_plastic *p, int k, double most)
+{
+    const ovr_yielding_body *b = &p->body[k];
+    double nu = b->plan.range.poisson, pi = acos(-1.0);
+    double bound = sqrt(3 / (pi * pi) + (1 - 2 * nu) * (1 - 2 * nu));
+    return b->Q || ovr_yielding_has_flowed(b->y) ||
+           most * bound > p->how->body[k].hardening.yield;
+}
+
+static double largest(const ovr_plastic *p, size_t n)
+{
+    double most = 0;
+    for (size_t i = 0; i < n; i++)
+        most = p->P[i] > most ? p->P[i] : most;
+    return most;
 }
 
 /* By the pressure of the time T. */
@@ -336,7 +356,8 @@ static void before_step(ovr_simulation *sim, void *own, double T)
         return;
     find_pressure(sim, p);
     EACH_BODY(p, k)
-    flow(p, k, sim->past.T[0]);
+    if (yields_by(p, k, largest(p, sim->now.n)))
+        flow(p, k, sim->past.T[0]);
     p->fresh = true;
 }
 

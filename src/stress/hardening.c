@@ -40,7 +40,7 @@ static double along_strain(const ovr_hardening *h)
     return h->law == OVR_HARDENS_KINEMATIC ? h->modulus : 0;
 }
 
-/* dev s - a; its von Mises stress is returned. */
+/* dev s - a; the square of its von Mises stress is returned. */
 static double driving(const ovr_hardening *h, ovr_strained e, ovr_stressed s,
                       ovr_stressed *by)
 {
@@ -48,15 +48,25 @@ static double driving(const ovr_hardening *h, ovr_strained e, ovr_stressed s,
     *by = (ovr_stressed){s.x - mean - back * e.x,
                          s.y - mean + back * (e.x + e.z),
                          s.z - mean - back * e.z, s.xz - back * e.xz};
-    return sqrt(1.5 * (by->x * by->x + by->y * by->y + by->z * by->z +
-                       2 * by->xz * by->xz));
+    return 1.5 * (by->x * by->x + by->y * by->y + by->z * by->z +
+                  2 * by->xz * by->xz);
 }
 
 double ovr_beyond_yield(const ovr_hardening *h, ovr_strained e, ovr_stressed s)
 {
     ovr_stressed by;
     double slope;
-    return driving(h, e, s, &by) - ovr_yield_stress(h, e.all, &slope);
+    return sqrt(driving(h, e, s, &by)) - ovr_yield_stress(h, e.all, &slope);
+}
+
+bool ovr_near_yield(const ovr_hardening *h, ovr_strained e, ovr_stressed s,
+                    double share)
+{
+    ovr_stressed by;
+    double square = driving(h, e, s, &by), least = share * h->yield, slope;
+    if (square < least * least)
+        return false;
+    return sqrt(square) > share * ovr_yield_stress(h, e.all, &slope);
 }
 
 double ovr_plastic_flow(const ovr_hardening *h, double poisson, ovr_stressed s,
@@ -64,8 +74,11 @@ double ovr_plastic_flow(const ovr_hardening *h, double poisson, ovr_stressed s,
 {
     const double least = 1e-6;
     ovr_stressed by;
-    double slope, Y = ovr_yield_stress(h, e->all, &slope);
-    double mises = driving(h, *e, s, &by), f = mises - Y;
+    double slope, square = driving(h, *e, s, &by);
+    if (!(square > h->yield * h->yield)) /* below what flow only raises */
+        return 0;
+    double Y = ovr_yield_stress(h, e->all, &slope);
+    double mises = sqrt(square), f = mises - Y;
     if (!(f > least * Y))
         return 0;
     double flow = f / (1.5 * (1 - poisson) + slope + along_strain(h));

@@ -3,6 +3,8 @@
 #ifndef OVR_STRESS_HARDENING_H
 #define OVR_STRESS_HARDENING_H
 
+#include <stdbool.h>
+
 typedef enum ovr_hardening_law {
     OVR_HARDENS_NOT,
     OVR_HARDENS_LINEAR,
@@ -13,7 +15,7 @@ typedef enum ovr_hardening_law {
 /* Stresses in p_h, strains over p_h/E*. */
 typedef struct ovr_hardening {
     int law;
-    double yield;   /* von Mises stress at no plastic strain */
+    double yield; /* von Mises stress at no plastic strain: Y(0) of all laws */
     double modulus; /* of linear and kinematic hardening, stress per strain */
     double strength, offset, power; /* Swift's B, C (microstrain) and n */
     double microstrain;             /* of a strain of 1: 1e6 p_h/E* */
@@ -33,6 +35,10 @@ double ovr_yield_stress(const ovr_hardening *h, double all, double *slope);
 
 /* How far the stress is beyond yield. */
 double ovr_beyond_yield(const ovr_hardening *h, ovr_strained e, ovr_stressed s);
+
+/* Whether it is above this share of yield. */
+bool ovr_near_yield(const ovr_hardening *h, ovr_strained e, ovr_stressed s,
+                    double share);
 
 /* One step of the return: flows by what would bring the stress back where the
  * body held it as stiffly as it can; returns what it flows, 0 within yield, and

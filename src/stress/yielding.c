@@ -250,7 +250,7 @@ static void join(size_t n, const double *row, double re, double im,
 }
 
 /* One wave: e_xz = -i s, tau = i t. */
-static void solve_wave(ovr_yielding *y, size_t m)
+static void solve_wave(ovr_yielding *y, size_t m, size_t layers)
 {
     const ovr_yielding_options *o = &y->options;
     const unsigned *reach = y->reach + 2 * m * o->layers;
@@ -260,17 +260,18 @@ static void solve_wave(ovr_yielding *y, size_t m)
     memset(y->sum, 0, 2 * rows * sizeof *y->sum);
     for (size_t j = 0; j < o->layers; j++) {
         size_t n = PARTS * (reach[2 * j + 1] - reach[2 * j]);
-        size_t at = PARTS * (size_t)reach[2 * j];
+        size_t at = PARTS * (size_t)reach[2 * j], most = PARTS * layers;
+        size_t some = at >= most ? 0 : at + n > most ? most - at : n;
         for (size_t c = 0; y->strained[j] && c < PARTS; c++) {
             const double *e = y->e[(PARTS * j + c) * y->waves + m];
             double a = c == 2 ? -e[1] : e[0], b = c == 2 ? e[0] : e[1];
-            join(n, table + c * n, a, b, re + at, im + at);
+            join(some, table + c * n, a, b, re + at, im + at);
             w[0] += sinks[PARTS * j + c] * a;
             w[1] += sinks[PARTS * j + c] * b;
         }
         table += PARTS * n;
     }
-    for (size_t r = 0; r < rows; r++) {
+    for (size_t r = 0; r < PARTS * layers; r++) {
         double *s = y->s[r * y->waves + m];
         s[0] = r % PARTS == 2 ? -im[r] : re[r];
         s[1] = r % PARTS == 2 ? re[r] : im[r];
@@ -287,16 +288,17 @@ static void sink(ovr_yielding *y)
         y->w[i] = y->values[i] - y->values[0];
 }
 
-static void equilibrate(ovr_yielding *y)
+/* In so many layers from the first. */
+static void equilibrate(ovr_yielding *y, size_t layers)
 {
     size_t n = y->options.points;
     for (size_t j = 0; j < y->options.layers; j++)
         if (y->strained[j])
             transform_layer(y, j);
     for (size_t m = 0; m < y->waves; m++)
-        solve_wave(y, m);
+        solve_wave(y, m, layers);
     sink(y);
-    for (size_t r = 0; r < PARTS * y->options.layers; r++) {
+    for (size_t r = 0; r < PARTS * layers; r++) {
         memcpy(y->bins, y->s + r * y->waves, y->waves * sizeof *y->bins);
         fftw_execute_dft_c2r(y->back, y->bins, y->values);
         memcpy(y->residual[r / PARTS] + r % PARTS * n, y->values,
@@ -345,14 +347,20 @@ static ovr_stressed loaded(const ovr_yielding *y, size_t layer, size_t i,
     return s;
 }
 
-double ovr_yielding_excess(const ovr_yielding *y, size_t layer, size_t i,
-                           ovr_in_plane elastic, double *yield)
+bool ovr_yielding_is_near(const ovr_yielding *y, size_t layer, size_t i,
+                          ovr_in_plane elastic, double share)
 {
-    const ovr_hardening *h = &y->options.hardening;
-    ovr_strained e = ovr_yielding_strain(y, layer, i);
-    double slope;
-    *yield = ovr_yield_stress(h, e.all, &slope);
-    return ovr_beyond_yield(h, e, loaded(y, layer, i, elastic));
+    return ovr_near_yield(&y->options.hardening,
+                          ovr_yielding_strain(y, layer, i),
+                          loaded(y, layer, i, elastic), share);
+}
+
+bool ovr_yielding_has_flowed(const ovr_yielding *y)
+{
+    bool any = false;
+    for (size_t j = 0; j < y->options.layers; j++)
+        any = any || y->strained[j];
+    return any;
 }
 
 static bool flow_layer(ovr_yielding *y, size_t j, ovr_flowed *flowed)
@@ -387,9 +395,19 @@ static bool flow_layer(ovr_yielding *y, size_t j, ovr_flowed *flowed)
     return any;
 }
 
+/* Layers that may flow: those behind them matter once all is done. */
+static size_t layers_loaded(const ovr_yielding *y)
+{
+    size_t layers = y->options.layers;
+    while (layers > 0 && y->load[layers - 1].idle)
+        layers--;
+    return layers;
+}
+
 ovr_flowed ovr_yielding_flow(ovr_yielding *y)
 {
     ovr_flowed flowed = {0};
+    size_t some = layers_loaded(y);
     for (int k = 0; k < y->options.iterations; k++) {
         bool any = false;
         flowed.left = 0;
@@ -399,10 +417,13 @@ ovr_flowed ovr_yielding_flow(ovr_yielding *y)
         if (!any)
             break;
         flowed.iterations++;
-        equilibrate(y);
         if (flowed.left < y->options.enough)
             break;
+        if (k + 1 < y->options.iterations)
+            equilibrate(y, some);
     }
+    if (flowed.iterations)
+        equilibrate(y, y->options.layers);
     return flowed;
 }
 
@@ -422,7 +443,7 @@ void ovr_yielding_settle(ovr_yielding *y)
         any = any || y->strained[j];
     }
     if (any) {
-        equilibrate(y);
+        equilibrate(y, y->options.layers);
         return;
     }
     memset(y->w, 0, n * sizeof *y->w);

@@ -39,9 +39,11 @@ typedef struct ovr_layer_load {
 } ovr_layer_load;
 ovr_layer_load *ovr_yielding_load(ovr_yielding *y, size_t layer);
 
-/* How far a point would be beyond yield under an elastic stress; Y there. */
-double ovr_yielding_excess(const ovr_yielding *y, size_t layer, size_t i,
-                           ovr_in_plane elastic, double *yield);
+/* Whether a point is above this share of its yield under an elastic stress;
+ * whether anything has flowed. */
+bool ovr_yielding_is_near(const ovr_yielding *y, size_t layer, size_t i,
+                          ovr_in_plane elastic, double share);
+bool ovr_yielding_has_flowed(const ovr_yielding *y);
 
 /* Flows until nothing is `enough` beyond yield, so many times at most. */
 typedef struct ovr_flowed {
