@@ -36,9 +36,27 @@ static const char *in_list(const ovr_restart_info *of, const char *name)
     return NULL;
 }
 
+/* What `auto` chose until 0.2.0, which knew no other mean between nodes: under
+ * histories the separate terms. */
+static const char *scheme_once(const ovr_restart_info *of)
+{
+    static const char *const histories[] = {
+        "load.history", "speed.history", "radius.history", "radius_1.history"};
+    const char *text = in_list(of, "time.scheme");
+    if (!text || strcmp(text, "auto") != 0 || in_list(of, "domain.faces"))
+        return text;
+    for (size_t k = 0; k < sizeof histories / sizeof *histories; k++) {
+        const char *history = in_list(of, histories[k]);
+        if (history && strcmp(history, "constant") != 0)
+            return "upstream2";
+    }
+    return text;
+}
+
 static const char *recorded(const ovr_restart_info *of, const char *name)
 {
-    const char *text = in_list(of, name);
+    const char *text = strcmp(name, "time.scheme") ? in_list(of, name)
+                                                   : scheme_once(of);
     for (size_t k = 0; !text && k < sizeof sections / sizeof *sections; k++) {
         size_t length = strlen(sections[k].now);
         char before[NAME_ROOM];

@@ -46,6 +46,14 @@ contains out '"scheme": "upstream2"'
 ends H_cen 0.053027349211237348 1e-4
 ends mu_slide 0.047226470429812366 1e-4
 
+# `scheme = auto` was another one under histories.
+stopped 0.2.0-histories
+opens 0.2.0
+expect 0 "$OVERROLL" resume old.h5 --set time.end=2 --json
+contains out '"scheme": "upstream2"'
+ends H_min 0.10534899354765581 1e-4
+ends H_cen 0.15755984956194394 1e-4
+
 # Hot films of 0.2.0 lagged by a step, by 3.5e-4 of H at level 7 and first order
 # in D: on this mesh of level 3 by up to 16 times that.  Ours was said to begin
 # without what 0.2.0 did not keep.
