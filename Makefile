@@ -434,6 +434,7 @@ bench: $(BENCHBIN) $(PROGRAM) $(SHARED) ## how fast it is, on this machine
 	@for b in $(BENCHBIN); do \
 	  OVERROLL='$(PROGRAM)' $$b $(BUILD)/bench/$$(basename $$b _bench).json \
 	    || exit 1; done
+	@OVERROLL='$(PROGRAM)' tests/bench/users_bench.py $(BUILD)/bench
 	@$(if $(PYTHON),OVERROLL_LIBRARY='$(abspath $(SHARED))' $(PYTHON) \
 	  tools/python/setup.py -q build_py --build-lib '$(abspath $(BUILD))/python' \
 	  >/dev/null 2>&1 && PYTHONPATH='$(BUILD)/python' $(PYTHON) -B \
