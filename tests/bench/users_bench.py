@@ -120,7 +120,7 @@ CASES = {  # text, levels, the truth above the last of them
         "[supply]\nmodel = film\nthickness_1 = 0.15 um\n"
         "thickness_2 = 0.15 um\n[time]\nend = 5\n", range(6, 10), 2),
     "gear": (GEAR + OIL, range(5, 9), 2),
-    "cam": (CAM + OIL, range(4, 8), 1),
+    "cam": (CAM + OIL, range(5, 8), 1),
     "bearing": (BEARING + OIL, range(6, 9), 2),
     "coated, dent": (
         STEEL.format(slip=0.2).replace("modulus = 226 GPa\n", "") + DENT +
@@ -130,7 +130,7 @@ CASES = {  # text, levels, the truth above the last of them
     "mixed friction": (
         STEEL.format(slip=0.2).replace("3 m/s", "0.3 m/s") +
         "[boundary]\nlaw = exponential\nRq = 0.1 um\nslope = 0.05\n"
-        "friction = 0.12\n", range(4, 7), 2),
+        "friction = 0.12\n", range(5, 8), 1),
 }
 
 # Columns of the history; of a steady contact keys of its summary.
@@ -215,7 +215,11 @@ def measure(name):
         _, T_true, true = solve(text, finest, folder)
         points = []
         for level in levels:
-            took, T, series = solve(text, level, folder)
+            try:
+                took, T, series = solve(text, level, folder)
+            except SystemExit as why:  # a film too thin for the mesh, say
+                print(f"    level {level}: {why}", flush=True)
+                continue
             points.append({"level": level, "seconds": took, **{
                 what: error(T, series[what], T_true, true[what])
                 for what in true if what in series and any(true[what])}})
