@@ -114,6 +114,15 @@ OVR_API ovr_status ovr_figure_passes(const ovr_table *passes,
                                      const ovr_allocator *allocator,
                                      ovr_error *err);
 
+/* Stribeck's curve of a study over contact.mean_speed (or x) whose case has
+ * [boundary]: friction, that of the film, and the share of the load on metal; a
+ * line for each value of `by`, or of the next key; y and panels do not count.
+ */
+OVR_API ovr_status ovr_figure_stribeck(const ovr_table *table,
+                                       const ovr_figure_options *options,
+                                       const ovr_allocator *allocator,
+                                       ovr_error *err);
+
 /* What the draws of a study with [random] say of `y` (of what
  * ovr_study_sample says first, unless given): histogram, distribution, and the
  * effect of each input; x, by, panels and the logarithms do not count. */

@@ -11,7 +11,7 @@ static const cli_option options[] = {
     {"o", "PICTURE", "where to: NAME.png, NAME.svg or NAME.pdf", false},
     {"kind", "KIND",
      "snapshot (default), history, map, trace, stress, risk, depth, passes or "
-     "element",
+     "element; of a study stribeck",
      false},
     {"at", "T", "snapshot: an instant, like 0.2ms or, in b/um, 1.5", true},
     {"overlay", NULL, "snapshot: all instants in one panel", false},
@@ -260,8 +260,11 @@ static int draw_study(const cli_call *call)
     if (kind && !strcmp(kind, "distribution"))
         return draw_distribution(call, &f);
     table = open_table(call->argument[0], &err);
-    if (!table || (of_passes(call, table) ? ovr_figure_passes : ovr_figure)(
-                      table, &f, NULL, &err) != OVR_OK)
+    bool stribeck = kind && !strcmp(kind, "stribeck");
+    if (!table || (stribeck ? ovr_figure_stribeck
+                   : of_passes(call, table)
+                       ? ovr_figure_passes
+                       : ovr_figure)(table, &f, NULL, &err) != OVR_OK)
         code = cli_fail(&err);
     else if (call->verbosity >= 0)
         printf("%s\n", f.path);

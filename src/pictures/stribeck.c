@@ -1,0 +1,217 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Stribeck's curve of a study over speed: the coefficient of friction, that of
+ * the film's share dashed, and the share of the load that surfaces bear where
+ * they touch, a line for each value of a second key.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/error.h"
+#include "base/given.h"
+#include "base/plain.h"
+#include "pictures/picture.h"
+
+enum { LINES = 8, LABEL = 120 };
+
+typedef struct curves {
+    const ovr_table *t;
+    const ovr_table_column *speed, *by, *mu, *film, *share;
+    size_t row[LINES], lines; /* one of each line's */
+    char label[LINES][LABEL];
+} curves;
+
+/* By its name, or the end of it behind a dot. */
+static const ovr_table_column *named(const ovr_table *t, const char *name)
+{
+    const ovr_table_column *c;
+    for (size_t k = 0; (c = ovr_table_at(t, k)); k++) {
+        const char *dot = strrchr(c->name, '.');
+        if (!strcmp(c->name, name) || (dot && !strcmp(dot + 1, name)))
+            return c;
+    }
+    return NULL;
+}
+
+static ovr_status choose_speed(curves *of, const char *asked, ovr_error *err)
+{
+    static const char *const speeds[] = {"mean_speed", "speed_1", "speed_2",
+                                         "mean_speed_m_per_s"};
+    of->speed = asked ? named(of->t, asked) : NULL;
+    for (size_t k = 0; !asked && !of->speed && k < 4; k++)
+        of->speed = named(of->t, speeds[k]);
+    if (of->speed)
+        return OVR_OK;
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "a Stribeck curve wants a study over contact.mean_speed, "
+                    "or another key with --against");
+}
+
+static ovr_status choose(curves *of, const ovr_figure_options *o,
+                         ovr_error *err)
+{
+    const ovr_table_column *c;
+    ovr_status status = choose_speed(of, o->x, err);
+    if (status)
+        return status;
+    of->mu = named(of->t, "mu_slide");
+    of->film = named(of->t, "mu_film");
+    of->share = named(of->t, "contact_share");
+    if (!of->mu || !of->film || !of->share)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "no contact_share and mu_film in it: its case has no "
+                        "[boundary]");
+    if (o->by && *o->by)
+        of->by = named(of->t, o->by);
+    if (o->by && *o->by && !of->by)
+        return ovr_fail(err, OVR_BAD_INPUT, "no column '%s'", o->by);
+    for (size_t k = 0; !o->by && !of->by && (c = ovr_table_at(of->t, k)); k++)
+        if (c->varied && c != of->speed)
+            of->by = c;
+    return OVR_OK;
+}
+
+static bool same(const ovr_table_column *c, size_t i, size_t j)
+{
+    return c->text ? !strcmp(c->text[i], c->text[j])
+                   : c->number[i] == c->number[j];
+}
+
+/* "Rq = 50 nm". */
+static void name_line(const ovr_table_column *by, size_t row, char label[LABEL])
+{
+    double value = by->number[row];
+    bool nm = !strcmp(by->unit, "m") && fabs(value) < 1e-5;
+    if (isfinite(value))
+        snprintf(label, LABEL, "%.40s = %.4g %.20s", by->name,
+                 nm ? value * 1e9 : value, nm ? "nm" : by->unit);
+    else
+        snprintf(label, LABEL, "%.40s = %.60s", by->name,
+                 by->text ? by->text[row] : "?");
+}
+
+static ovr_status find_lines(curves *of, ovr_error *err)
+{
+    for (size_t i = 0; i < ovr_table_rows(of->t); i++) {
+        size_t l = 0;
+        while (l < of->lines && of->by && !same(of->by, i, of->row[l]))
+            l++;
+        if (l < of->lines)
+            continue;
+        if (l == LINES)
+            return ovr_fail(err, OVR_BAD_INPUT,
+                            "%s has more than %d values: --lines none, or "
+                            "another key",
+                            of->by->name, LINES);
+        of->row[of->lines++] = i;
+        if (!of->by)
+            continue;
+        name_line(of->by, i, of->label[l]);
+    }
+    return OVR_OK;
+}
+
+/* By insertion: a line has some dozens of points. */
+static void sort(size_t n, size_t *at, const double *speed)
+{
+    for (size_t k = 1; k < n; k++) {
+        size_t now = at[k], j = k;
+        for (; j && speed[at[j - 1]] > speed[now]; j--)
+            at[j] = at[j - 1];
+        at[j] = now;
+    }
+}
+
+/* A line's quantity over the speed. */
+static ovr_status draw_line(const curves *of, size_t line,
+                            const ovr_table_column *c, ovr_series *to,
+                            ovr_arena *arena, ovr_error *err)
+{
+    size_t rows = ovr_table_rows(of->t), n = 0;
+    double *x = ovr_arena_take(arena, rows, sizeof *x, err);
+    double *y = ovr_arena_take(arena, rows, sizeof *y, err);
+    size_t *at = ovr_arena_take(arena, rows, sizeof *at, err);
+    if (!x || !y || !at)
+        return OVR_NO_MEMORY;
+    for (size_t i = 0; i < rows; i++)
+        if ((!of->by || same(of->by, i, of->row[line])) &&
+            isfinite(c->number[i]) && of->speed->number[i] > 0)
+            at[n++] = i;
+    sort(n, at, of->speed->number);
+    for (size_t k = 0; k < n; k++) {
+        x[k] = of->speed->number[at[k]];
+        y[k] = fabs(c->number[at[k]]);
+    }
+    *to = (ovr_series){
+        .n = n, .x = x, .y = y, .colour = (int)(line % (OVR_GREY + 1))};
+    return OVR_OK;
+}
+
+static ovr_status draw(const curves *of, const ovr_figure_options *o,
+                       ovr_arena *arena, ovr_error *err)
+{
+    ovr_series top[2 * LINES], below[LINES];
+    ovr_status status = OVR_OK;
+    for (size_t l = 0; !status && l < of->lines; l++) {
+        status = draw_line(of, l, of->mu, &top[l], arena, err);
+        if (!status)
+            status = draw_line(of, l, of->film, &top[of->lines + l], arena,
+                               err);
+        if (!status)
+            status = draw_line(of, l, of->share, &below[l], arena, err);
+        top[l].label = of->by ? of->label[l] : "friction";
+        top[of->lines + l].mark = OVR_MARK_DASHED;
+        top[of->lines + l].label = l ? NULL : "of the film alone";
+    }
+    if (status)
+        return status;
+    ovr_panel panel[] = {{.y_label = "coefficient of friction",
+                          .count = 2 * of->lines,
+                          .series = top},
+                         {.y_label = "share of the load on metal",
+                          .count = of->lines,
+                          .series = below}};
+    for (int k = 0; k < 2; k++) {
+        panel[k].x_label = "mean speed  [m/s]";
+        panel[k].x_from = panel[k].x_to = panel[k].y_to = NAN;
+        panel[k].log_x = true;
+    }
+    ovr_chart chart = {.kind = "stribeck",
+                       .title = o->title ? o->title : "",
+                       .width = o->width > 0 ? o->width : 960,
+                       .height = o->height > 0 ? o->height : 760,
+                       .rows = 2,
+                       .columns = 1,
+                       .share_x = true,
+                       .panel = panel};
+    return ovr_chart_draw(&chart, o->template_path, o->path, o->script, arena,
+                          err);
+}
+
+ovr_status ovr_figure_stribeck(const ovr_table *table,
+                               const ovr_figure_options *given,
+                               const ovr_allocator *allocator, ovr_error *err)
+{
+    if (!table)
+        return ovr_fail_null(err, __func__);
+    ovr_figure_options own, *options = &own;
+    if (OVR_TAKE(ovr_figure_options, options, given, err))
+        return OVR_BAD_INPUT;
+    locale_t before = ovr_plain_begin();
+    ovr_arena arena = ovr_arena_make(allocator);
+    curves of = {.t = table};
+    ovr_form form;
+    ovr_status status = ovr_may_create(options->path, options->force, err);
+    if (!status)
+        status = ovr_form_of(options->path, &form, err);
+    if (!status)
+        status = choose(&of, options, err);
+    if (!status)
+        status = find_lines(&of, err);
+    if (!status)
+        status = draw(&of, options, &arena, err);
+    ovr_arena_release(&arena);
+    ovr_plain_end(before);
+    return status;
+}
