@@ -71,6 +71,38 @@ static double closes(const ovr_setup *s, double far)
     return NAN;
 }
 
+static double mean_size_of_speeds(const ovr_setup *s, double T)
+{
+    const double ratio[] = {s->contact->u1_ratio, s->contact->u2_ratio};
+    double sum = 0;
+    for (int k = 0; k < 2; k++)
+        sum += fabs(
+            ovr_surface_speed(s->speed, s->sliding, ratio[k], k + 1, T));
+    return sum / 2;
+}
+
+/* Whether the cubic changes so fast that the gap at |X| = far opens or closes
+ * by more than twice what the surfaces' wedge brings there.  The cubic is that
+ * of the material in the contact; where its curvature has a kink, as the cam of
+ * a law whose jerk jumps, it jumps over the whole domain at once and squeezes
+ * oil that the material leaves alone.  (Pairs of gears came to 1.4; cams of law
+ * 345, of which some broke off so, to 5 and more.) */
+static bool jolts(const ovr_setup *s, double far)
+{
+    const double share = 2;
+    double end = ovr_setup_end(s), dT = end / (4 * LOOKS);
+    ovr_smooth before = smooth_of(s, 0);
+    for (int k = 1; k <= 4 * LOOKS; k++) {
+        double T = end * k / (4 * LOOKS);
+        ovr_smooth now = smooth_of(s, T);
+        double wedge = 2 * now.half * mean_size_of_speeds(s, T) * dT;
+        if (fabs(now.cubic - before.cubic) * far * far > share * wedge)
+            return true;
+        before = now;
+    }
+    return false;
+}
+
 /* ------------------------------------------------------------------ extent */
 
 /* Loads of a pass over that of the pass which this setup is of. */
@@ -287,11 +319,12 @@ static extent automatic_domain(const moments *m)
 
 static bool opens(const ovr_setup *s, extent e)
 {
-    return isnan(closes(s, fmax(-e.inlet, e.outlet)));
+    double far = fmax(-e.inlet, e.outlet);
+    return isnan(closes(s, far)) && !jolts(s, far);
 }
 
-/* Curvature rides only where it opens the gap to both ends: where it could on a
- * shorter domain, as far out as it can. */
+/* Curvature rides only where it opens the gap to both ends, without jolts:
+ * where it could on a shorter domain, as far out as it can. */
 static extent chosen_domain(moments *m)
 {
     enum { HALVINGS = 12 };
@@ -373,7 +406,8 @@ ovr_status ovr_setup_curvature(ovr_resolved *r, ovr_error *err)
     if (!varies_in_radius(s))
         return OVR_OK;
     T = closes(s, far);
-    s->rides = isnan(T) && r->values.curvature != OVR_CURVATURE_IMPOSED;
+    s->rides = isnan(T) && r->values.curvature != OVR_CURVATURE_IMPOSED &&
+               (r->values.curvature == OVR_CURVATURE_RIDES || !jolts(s, far));
     if (isnan(T) || r->values.curvature != OVR_CURVATURE_RIDES)
         return OVR_OK;
     return ovr_fail_slot(

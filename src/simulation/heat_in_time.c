@@ -8,6 +8,7 @@
 
 #include "base/larger.h"
 #include "contact/contact.h"
+#include "multigrid/expansion.h"
 #include "simulation/mirror.h"
 
 /* Of the change of temperatures that viscosities take a step. */
@@ -115,18 +116,6 @@ void ovr_heat_begin(ovr_simulation *sim)
     memset(s->P_T, 0, sim->now.n * sizeof *s->P_T);
     for (int j = 0; j < sim->heated->across.n; j++)
         memset(s->change[j], 0, sim->now.n * sizeof *s->change[j]);
-    keep(sim);
-}
-
-void ovr_heat_taken(ovr_simulation *sim)
-{
-    ovr_heat_steps *s = sim->heated->steps;
-    for (int k = 0; k < 2; k++)
-        ovr_heat_surface_remember(sim, k, sim->heated->q[k]);
-    for (int j = 0; j < sim->heated->across.n; j++)
-        sim->grids.kernels->combine(sim->now.n, 1, sim->heated->T[j], -1,
-                                    s->T_before[j], s->change[j]);
-    s->trying = false;
     keep(sim);
 }
 
@@ -261,14 +250,20 @@ static double lag(const ovr_simulation *sim)
 }
 
 /* Temperatures of the step, by the film as it is. */
-static void solve(ovr_simulation *sim)
+static void heat(ovr_simulation *sim)
 {
     ovr_heat_steps *s = sim->heated->steps;
-    hold_film(sim);
     find_P_T(sim);
     pass(sim);
     s->lag = lag(sim);
     s->stored = ovr_heat_stored(sim);
+}
+
+/* By a guess. */
+static void solve(ovr_simulation *sim)
+{
+    hold_film(sim);
+    heat(sim);
 }
 
 /* The film by the temperatures `used`. */
@@ -321,6 +316,37 @@ void ovr_heat_anew(ovr_simulation *sim)
         return;
     ovr_heat_relax(sim, SHARE);
     apply(sim);
+}
+
+/* By a film that ended far from the guess that was heated: oil was pressed, and
+ * so heated, by this share of all power more or less than it should. */
+static bool pressed_otherwise(const ovr_simulation *sim)
+{
+    const double share = 0.02;
+    const ovr_heated *h = sim->heated;
+    const ovr_heat_steps *s = h->steps;
+    const ovr_solution *now = &sim->now;
+    const double *before = sim->past.P[0];
+    double power = 0;
+    for (size_t i = 1; sim->past.steps && i + 1 < now->n; i++)
+        power += now->weights[i] * now->H[i] *
+                 fabs((now->P[i] - before[i]) / s->dT - s->P_T[i]) *
+                 expansion_at(&h->numbers, now->P[i]);
+    return h->numbers.T0 * power > share * s->most_balanced;
+}
+
+void ovr_heat_taken(ovr_simulation *sim)
+{
+    ovr_heat_steps *s = sim->heated->steps;
+    if (pressed_otherwise(sim))
+        heat(sim);
+    for (int k = 0; k < 2; k++)
+        ovr_heat_surface_remember(sim, k, sim->heated->q[k]);
+    for (int j = 0; j < sim->heated->across.n; j++)
+        sim->grids.kernels->combine(sim->now.n, 1, sim->heated->T[j], -1,
+                                    s->T_before[j], s->change[j]);
+    s->trying = false;
+    keep(sim);
 }
 
 /* -------------------------------------------------------------------- marks */

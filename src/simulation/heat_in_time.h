@@ -46,6 +46,10 @@
  * passes drive rough films, and long steps, apart: 2,100 K for 410.  A film
  * that is thinner than half of what was there, or none, heats as one of half.
  *
+ * Where the film ends so far from the guess that the oil was pressed by 2 % of
+ * all power more, or less, temperatures are found once more by that film: films
+ * whose curvature jumps were heated by a pressure that they never had.
+ *
  * A step is marked where gamma |T - T_used| stays above 1, where what is made
  * is off by a factor of e (0.5 to 1 in some steps left friction 0.6 % off), or
  * where energy does not close to a tenth of the most that was made in the run,

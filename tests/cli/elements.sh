@@ -70,7 +70,7 @@ expect 0 "$OVERROLL" check gear.ini
 says 'reduced radius R  *6.8404 mm'
 says 'mean speed um  *3.22346 m/s'
 expect 0 "$OVERROLL" run gear.ini -o gear.h5 -q --json
-says '"T_end": 45.0'
+says '"T_end": 45\.[01]' # the first step beyond 45.07
 expect 0 "$OVERROLL" info gear.h5
 
 # Given by the load at the pitch point, or by power, it is the same gear.

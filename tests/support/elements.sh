@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=sh
 # Random gears, cams and bearings, those of tests/reference/elements_truth.h
-# (bearings under a fifth of their load, 90 % of the cams' events), marched at
-# level 6 from first to last touch: march_elements EVERY takes each EVERY-th.
-# Gears also with heat and Eyring's oil, with conserved oil, rough on both sides
-# at a lambda ratio of 2 and more; some are stopped and gone on with.
+# (90 % of the cams' events), marched at level 6 from first to last touch:
+# march_elements EVERY takes each EVERY-th.  All of them also with heat and
+# Eyring's oil, then rough on both sides too at a lambda ratio of 2 and more,
+# gears and bearings with conserved oil; some are stopped and gone on with.
 elements() {
     cat <<'END'
 gear 7 30 101 4709 94.9 0 20 0.074 centre 461.626
@@ -29,14 +29,14 @@ cam cycloidal flat 3.45 56.1 12.5 56.5 32.72 2126 258 41.661 53 9.6 112.59
 cam harmonic roller 4.14 81.9 0 63.3 18.52 450 370 27.859 144 15.9 131 10.84 0
 cam 345 flat 4.2 71.6 0 80 33.88 2012 163 19.058 167 14.5 136.44
 cam 345 roller 5.36 82.7 0 58.1 38.32 2612 195 28.141 144 18.9 126.72 8.26 0.02
-bearing 34.2 12 31.4 54812 3719 405 0 inner 141.8
-bearing 11.5 16 11.6 3602 4070 0 57 pitch 72.7
-bearing 21.2 13 26 16186 2637 0 34 inner 92.5
-bearing 6.4 16 7.8 2491 2491 0 -3 pitch 40.5
-bearing 32.7 20 47.8 77876 5178 129 30 inner 269
-bearing 11.7 28 17.1 6086.8 5477 0 47 pitch 153
-bearing 19.2 20 26.6 28971 4615 0 -5 inner 157.5
-bearing 17 25 25.9 35812 5426 0 56 pitch 163.1
+bearing 34.2 12 31.4 274060 3719 405 0 inner 141.8
+bearing 11.5 16 11.6 18010 4070 0 57 pitch 72.7
+bearing 21.2 13 26 80930 2637 0 34 inner 92.5
+bearing 6.4 16 7.8 12455 2491 0 -3 pitch 40.5
+bearing 32.7 20 47.8 389380 5178 129 30 inner 269
+bearing 11.7 28 17.1 30434 5477 0 47 pitch 153
+bearing 19.2 20 26.6 144855 4615 0 -5 inner 157.5
+bearing 17 25 25.9 179060 5426 0 56 pitch 163.1
 END
 }
 
@@ -97,67 +97,71 @@ marched() {
     ran=$((ran + 1))
 }
 
-# The least film of the stations over 2.5 times the roughness of two surfaces.
+# The smallest film of a run over 2.5 times the roughness of two surfaces, in um.
 roughness() {
-    expect 0 "$OVERROLL" check "$1" --json -q
-    sed -n 's/^ *"h_min_m": \(.*\),/\1/p' out | awk '
-        NR == 1 || $1 < least { least = $1 }
-        END { printf "%.4g", 1e6 * least / 2.5 / sqrt(2) }'
+    sed -n 's/^ *"H_min_overall_m": \(.*\),/\1/p' "$1" | awk '
+        { printf "%.4g", 1e6 * $1 / 2.5 / sqrt(2) }'
 }
 
 # What is summed up of a run, but for what depends on the clock and its name.
 told() {
-    grep -vE '"seconds"|"output"|"snapshots"' "$1"
+    grep -vE '"seconds"|output"|"snapshots"' "$1"
+}
+
+# rough_case FILE KIND RQ: that of one.ini between rough surfaces with heat.
+rough_case() {
+    {
+        cat one.ini
+        [ "$2" != gear ] || printf '[cavitation]\nmodel = conserving\n'
+        for k in 1 2; do
+            printf '[feature %d]\nsurface = %d\nshape = roughness\n' $k $k
+            printf 'Rq = %s um\nlength = 20\nshortest = 0.4\n' "$3"
+            printf 'seed = %d\nstart = 16\ngrow = 1\n' $k
+        done
+    } >"$1"
+}
+
+# interrupted WHAT FILE OPTION...: stopped on the way and gone on with, the same
+# to the last digit as whole.json.
+interrupted() {
+    what=$1 file=$2
+    shift 2
+    code=0
+    rm -f cut.h5 # of another run, which this one may not come to replace
+    timeout -s TERM 0.3 "$OVERROLL" run "$file" -q --force -o cut.h5 "$@" \
+        >out 2>err </dev/null || code=$?
+    [ $code -eq 0 ] || [ $code -eq 124 ] || [ $code -eq 143 ] ||
+        fail "$what, stopped: $code, $(cat err)"
+    [ $code -ne 0 ] && [ -e cut.h5 ] || return 0
+    expect 0 "$OVERROLL" resume cut.h5 -q --json
+    told whole.json >a
+    told out >b
+    cmp -s a b || fail "$what: gone on with, another run"
+    resumed=$((${resumed:-0} + 1))
 }
 
 march_elements() {
     elements >elements.list
-    number=0 ran=0
+    number=0 ran=0 every=$1
     while read -r line; do
         kind=${line%% *}
         number=$((number + 1))
-        [ $(((number - 1) % $1)) -eq 0 ] || continue
+        [ $(((number - 1) % every)) -eq 0 ] || continue
         write_case one.ini "$kind" "$line"
         marched "$kind $number" one.ini -o one.h5 --force
-        [ "$kind" = gear ] || continue
-        marched "gear $number, conserved oil" one.ini \
+        [ "$kind" != gear ] || marched "gear $number, conserved oil" one.ini \
             --set cavitation.model=conserving
-        marched "gear $number, heat" one.ini --set lubricant.rheology=eyring \
+        set -- --set lubricant.rheology=eyring \
             --set lubricant.eyring_stress=5MPa --set heat.model=lobatto \
             --set heat.temperature=90degC
-        Rq=$(roughness one.ini)
-        {
-            cat one.ini
-            printf '[cavitation]\nmodel = conserving\n[heat]\nmodel = lobatto\n'
-            printf 'temperature = 90 degC\n'
-            for k in 1 2; do
-                printf '[feature %d]\nsurface = %d\nshape = roughness\n' $k $k
-                printf 'Rq = %s um\nlength = 20\nshortest = 0.4\n' "$Rq"
-                printf 'seed = %d\nstart = 16\ngrow = 1\n' $k
-            done
-        } >rough.ini
-        every=$1
-        set -- --set lubricant.rheology=eyring \
-            --set lubricant.eyring_stress=5MPa
-        marched "gear $number, all" rough.ini --force -o rough.h5 "$@"
+        marched "$kind $number, heat" one.ini --force -o one.h5 "$@"
+        rough_case rough.ini "$kind" "$(roughness out)"
+        marched "$kind $number, all" rough.ini --force -o rough.h5 "$@"
         cp out whole.json
         lambda=$(sed -n 's/^ *"lambda_ratio": \(.*\),/\1/p' whole.json)
         awk -v lambda="$lambda" 'BEGIN { exit !(lambda >= 2) }' ||
-            fail "gear $number: lambda ratio $lambda"
-        # Stopped on the way and gone on with, the same to the last digit.
-        code=0
-        timeout -s TERM 0.3 "$OVERROLL" run rough.ini -q --force -o cut.h5 \
-            "$@" >out 2>err </dev/null || code=$?
-        [ $code -eq 0 ] || [ $code -eq 124 ] || [ $code -eq 143 ] ||
-            fail "gear $number, stopped: $code, $(cat err)"
-        if [ $code -ne 0 ]; then
-            expect 0 "$OVERROLL" resume cut.h5 -q --json
-            told whole.json >a
-            told out >b
-            cmp -s a b || fail "gear $number: gone on with, another run"
-            resumed=$((${resumed:-0} + 1))
-        fi
-        set -- "$every"
+            fail "$kind $number: lambda ratio $lambda"
+        interrupted "$kind $number" rough.ini "$@"
     done <elements.list
     echo "$ran runs, ${resumed:-0} stopped and gone on with"
 }

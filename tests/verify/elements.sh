@@ -5,5 +5,5 @@
 . "$TOP/tests/support/cli.sh"
 . "$TOP/tests/support/elements.sh"
 march_elements 1
-[ "$ran" -eq 66 ] || fail "only $ran runs"
+[ "$ran" -eq 102 ] || fail "only $ran runs"
 [ "${resumed:-0}" -ge 6 ] || fail "only ${resumed:-0} were stopped on the way"

@@ -81,7 +81,8 @@ static const ovr_parameter radius_keys[] = {
     {"curvature", CHOICE(curvatures), "auto", AT(curvature), true,
      "history = ramp | sine | step | table",
      "imposed, or rides with the material that comes by, as on gear teeth and "
-     "cams; auto: rides where the surfaces move fast enough for it"},
+     "cams; auto: rides where the surfaces move fast enough for it and it "
+     "changes without jolts"},
 };
 
 const ovr_section ovr_radius_section = {
