@@ -97,7 +97,7 @@ marched() {
     ran=$((ran + 1))
 }
 
-# The smallest film of a run over 2.5 times the roughness of two surfaces, in um.
+# Of two surfaces, in um: 2.5 of both together are the smallest film of a run.
 roughness() {
     sed -n 's/^ *"H_min_overall_m": \(.*\),/\1/p' "$1" | awk '
         { printf "%.4g", 1e6 * $1 / 2.5 / sqrt(2) }'
