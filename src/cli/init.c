@@ -342,6 +342,7 @@ static const char indented_end[] =
     "\n"
     "[domain]\n"
     "level = 8\n"
+    "order = 2                    # shoulders come out nearer than by order 4\n"
     "\n"
     "[time]\n"
     "end = 12                     # the dent has left by then\n"

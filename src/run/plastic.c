@@ -62,7 +62,7 @@ ovr_status ovr_plastic_planned(const ovr_setup *setup, int k,
                               length, most_points);
     plan->mesh = D;
     plan->layers = (size_t)fmax(1, fmin(how->layers, floor(how->depth / D)));
-    plan->first = (round(middle / D) - (double)(plan->points / 2)) * D;
+    plan->first = (round(middle / D) - (double)plan->points / 2) * D;
     return OVR_OK;
 }
 
@@ -669,6 +669,8 @@ static ovr_status finish(void *own, const ovr_simulation *sim,
     const run_plastic *r = own;
     const ovr_plastic *p = ovr_plastic_of(sim);
     (void)info;
+    EACH_BODY(p, k)
+    show(p, k); /* what the next pass begins with */
     if (r->writer && ovr_plastic_store(r->writer, p, err))
         return err->status;
     return p->how->profiles ? ovr_plastic_write_profiles(p, err) : OVR_OK;

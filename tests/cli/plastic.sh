@@ -122,6 +122,21 @@ for more in 'plastic.coupling=step' 'plastic.initial=soft.h5'; do
     cmp 1.txt 2.txt || fail "resumed run differs: $more"
 done
 
+# What a pass does to a profile that it does not feel is near what it does to
+# one that it does, while that changes by little of the film; the film is the
+# elastic one.
+expect 0 "$OVERROLL" run plastic.ini -o once.h5 -q --set plastic.coupling=pass
+expect 0 "$PYTHON" - <<'END'
+import h5py
+once, soft, elastic = (h5py.File(n + ".h5") for n in ("once", "soft", "elastic"))
+assert (once["pressure"][...] == elastic["pressure"][...]).all()
+a, b = (f["plastic/surface_1"].attrs for f in (once, soft))
+lost = [v["shoulder_before_trailing"] - v["shoulder_height_trailing"]
+        for v in (a, b)]
+assert 0.5 < lost[0] / lost[1] < 2, lost
+assert a["plastic_strain_max"] > b["plastic_strain_max"]
+END
+
 # The profiles as files: that from before is the dent, that from after is what
 # [feature] shape = profile reads, with less of its shoulder.
 expect 0 "$OVERROLL" run plastic.ini -o again.h5 -q --set plastic.profiles=left
