@@ -128,7 +128,8 @@ done
 expect 0 "$OVERROLL" run plastic.ini -o once.h5 -q --set plastic.coupling=pass
 expect 0 "$PYTHON" - <<'END'
 import h5py
-once, soft, elastic = (h5py.File(n + ".h5") for n in ("once", "soft", "elastic"))
+once, soft, elastic = (h5py.File(n + ".h5")
+                       for n in ("once", "soft", "elastic"))
 assert (once["pressure"][...] == elastic["pressure"][...]).all()
 a, b = (f["plastic/surface_1"].attrs for f in (once, soft))
 lost = [v["shoulder_before_trailing"] - v["shoulder_height_trailing"]
