@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "case/resolve.h"
+#include "case/setup.h"
 #include "results/results.h"
 
 /* What the physics that is on adds to the fields where none are given. */
@@ -15,6 +16,8 @@ static unsigned fields_of_physics(const ovr_resolved *r)
         fields |= ovr_field_bit("temperature_1") |
                   ovr_field_bit("temperature_2") |
                   ovr_field_bit("temperature_middle");
+    if (ovr_setup_physics(&r->setup) & OVR_PHYSICS_BOUNDARY)
+        fields |= ovr_field_bit("contact_pressure");
     return fields;
 }
 

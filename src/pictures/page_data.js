@@ -47,7 +47,7 @@ async function runOf(made) {
   run.x = doublesOf(made.x);
   run.time = doublesOf(made.time);
   if (made.hertz) run.hertz = doublesOf(made.hertz);
-  for (const name of ["P", "H", "S", "F", "T1", "T2", "T3"])
+  for (const name of ["P", "H", "S", "F", "T1", "T2", "T3", "C"])
     if (made[name]) run[name] = await fieldOf(made[name], run.nodes, run.shots);
   if (made.stress) run.stress = await stressOf(made.stress, run.shots);
   if (made.element) run.element = elementOf(made.element);

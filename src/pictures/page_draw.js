@@ -300,6 +300,17 @@ function layout(view, width, height) {
     lower: boxOf(left, 22 + upper + 24, inner, tall - upper, H) };
 }
 
+// What surfaces bear where they touch, and a mark at each node that does.
+function drawContact(c, box, run, a, b, k, u) {
+  const least = 1e-3;
+  drawCurve(c, box, run, a, b, u.x.f, (i) => run.C.at(k, i) * u.p.f,
+    { area: "transparent", line: colour.film, base: 0, width: 1.5 });
+  c.fillStyle = colour.film;
+  for (let i = a; i <= b; i++)
+    if (run.C.at(k, i) > least)
+      c.fillRect(box.X(run.x[i] * u.x.f) - 1, box.Y(0) - 4, 2, 4);
+}
+
 function drawRun(view) {
   const { c, width, height } = prepare(view.plot);
   const run = view.run, k = shotOf(run), l = layout(view, width, height);
@@ -313,6 +324,7 @@ function drawRun(view) {
         { area: colour["pressure-area"], line: colour.pressure, base: 0,
           width: 2 });
     drawHertz(c, upper, u, run, k);
+    if (run.C) drawContact(c, upper, run, a, b, k, u);
   });
   clipped(c, lower, () => {
     const oil = run.H && run.F;
@@ -337,7 +349,8 @@ function drawRun(view) {
   const rough = run.S && l.bottom < 0;
   if (rough) drawBar(c, lower, l);
   drawLegend(c, upper, [["pressure", colour.pressure],
-    ["Hertzian", colour.hertz, true]]);
+    ["Hertzian", colour.hertz, true]].concat(
+    run.C ? [["where surfaces touch", colour.film, false, "touch"]] : []));
   drawLegend(c, lower, [[run.F ? "film, its oil shaded" : "film", colour.film,
     false, "film"]].concat(
     rough ? [["roughness (undeformed)", colour.rough, false, "roughness"]]

@@ -74,6 +74,7 @@ ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
         return OVR_NO_MEMORY;
     run->pressure = ovr_result_find(result, "pressure") != NULL;
     run->film = ovr_result_find(result, "film_thickness") != NULL;
+    run->touches = ovr_result_find(result, "contact_pressure") != NULL;
     run->filling = run->film && ovr_result_find(result, "filling") != NULL;
     run->roughness = ovr_result_find(result, "roughness") != NULL;
     for (int k = 0; k < 3; k++)

@@ -18,7 +18,7 @@ typedef struct ovr_stored {
     /* of Hertz's contact at the load and radius of each snapshot, over the
      * nominal one's; NULL: it is that */
     double *hertz_width, *hertz_P;
-    bool film, pressure, roughness, filling;
+    bool film, pressure, roughness, filling, touches;
     bool hot[3]; /* temperatures of surface 1, surface 2, middle of the film */
     struct {
         double x, film, pressure, time;

@@ -164,11 +164,12 @@ static ovr_status put_fields(writer *w, ovr_error *err)
         {"T1", "temperature_1", FROM_LOWEST},
         {"T2", "temperature_2", FROM_LOWEST},
         {"T3", "temperature_middle", FROM_LOWEST},
+        {"C", "contact_pressure", FROM_ZERO},
     };
     const ovr_stored *run = w->run;
     const bool there[] = {run->pressure, run->film,   run->roughness,
                           run->filling,  run->hot[0], run->hot[1],
-                          run->hot[2]};
+                          run->hot[2],   run->touches};
     ovr_status status = OVR_OK;
     for (size_t k = 0; !status && k < sizeof fields / sizeof *fields; k++)
         if (there[k])

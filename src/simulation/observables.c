@@ -6,6 +6,7 @@
 #include "contact/contact.h"
 #include "simulation/heat.h"
 #include "simulation/internal.h"
+#include "simulation/mirror.h"
 #include "simulation/observables.h"
 #include "simulation/physics.h"
 #include "simulation/quantity_row.h"
@@ -62,6 +63,15 @@ static const double *filling(const ovr_simulation *sim, double *room)
         double full = lighter * sim->now.H[i];
         room[i] = sim->now.P[i] > 0 ? 1 : sim->now.q[i] / full;
     }
+    return room;
+}
+
+static const double *contact_pressure(const ovr_simulation *sim, double *room)
+{
+    const double *borne = sim->finest->borne;
+    memset(room, 0, sim->state.n * sizeof *room);
+    if (borne)
+        ovr_nodes_read(sim, sim->finest, borne, room);
     return room;
 }
 

@@ -41,3 +41,36 @@ refuses 'wants a study over contact.mean_speed' plot study.ini \
 sed '/^boundary/d' study.ini >bare.ini
 expect 0 "$OVERROLL" sweep bare.ini -q
 refuses 'no contact_share' plot bare.ini --kind stribeck -o none.svg
+
+# what touches, node by node: its integral is the share of pi/2
+cat >touch.ini <<'END'
+[contact]
+hertz_pressure = 1 GPa
+radius = 6.84 mm
+modulus = 227 GPa
+slide_to_roll = 0.3
+mean_speed = 2 m/s
+viscosity = 10 mPa.s
+alpha = 20 1/GPa
+[lubricant]
+rheology = eyring
+eyring_stress = 5 MPa
+[domain]
+level = 4
+[time]
+end = 0.1
+[boundary]
+law = exponential
+Rq = 194 nm
+slope = 0.03
+friction = 0.11
+END
+expect 0 "$OVERROLL" run touch.ini -o touch.h5 -q --json
+share=$(sed -n 's/.*"contact_share": \([^,]*\).*/\1/p' out)
+expect 0 "$OVERROLL" export touch.h5 --snapshot last --units hertzian \
+    --field contact_pressure
+awk -F, -v share="$share" 'NR > 1 { if (NR > 2) sum += ($2 + last) / 2 * \
+    ($1 - x); x = $1; last = $2 } END { off = sum / (atan2(0, -1) / 2) / share
+    exit !(off > 0.999 && off < 1.001) }' out || fail "no share of $share"
+expect 0 "$OVERROLL" view touch.h5 -o touch.html
+grep -q '"C":{"levels"' touch.html || fail 'the page does not mark what touches'
