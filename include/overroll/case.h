@@ -137,7 +137,7 @@ typedef struct ovr_list {
     const double *values;
 } ovr_list;
 
-/* What is to be stored; all times in b/um, lengths in b. */
+/* This says which results are stored; times are in b/um, lengths in b. */
 typedef struct ovr_output {
     const char *file;    /* relative to the working directory; or NULL */
     const char *title;   /* or NULL */
@@ -153,7 +153,7 @@ typedef struct ovr_output {
     double checkpoint; /* s of wall-clock time */
 } ovr_output;
 
-/* Of [stress] and [fatigue]: lengths in b, stresses in p_h. */
+/* The settings of [stress] and [fatigue]: lengths in b, stresses in p_h. */
 typedef struct ovr_stress_setup {
     unsigned surfaces; /* 1, 2, 3: both; 0: no stresses are wanted */
     double poisson[2];
@@ -174,7 +174,7 @@ typedef struct ovr_stress_setup {
     double yield[2];         /* of each body, von Mises, p_h; 0: not told */
 } ovr_stress_setup;
 
-/* Of what level = auto brings the error down. */
+/* The quantity whose error level = auto brings down. */
 typedef enum ovr_accuracy {
     OVR_ACCURACY_H_CEN,
     OVR_ACCURACY_H_MIN,
@@ -193,7 +193,7 @@ typedef struct ovr_supply_setup {
                    */
 } ovr_supply_setup;
 
-/* What becomes of the layers between two passes; in b^2/R. */
+/* Layers of oil change between two passes by these rules; in b^2/R. */
 typedef struct ovr_passes_setup {
     int number;       /* 1: the ordinary run */
     double split;     /* share of the thickness that is surface 1's */
@@ -277,7 +277,7 @@ OVR_API ovr_status ovr_setup_prepare(ovr_setup *setup,
 /* The simulation with surfaces and histories in place, which the setup keeps:
  * setup and case must live as long.  Prepares what is not prepared. */
 
-/* What the physics of the case come to, a line for each number that its user
+/* Each physics of the case tells its numbers, a line for each that its user
  * wants to see. */
 typedef void ovr_setup_line(void *data, const char *name, const char *text);
 OVR_API void ovr_setup_tell(const ovr_setup *setup, ovr_setup_line *line,

@@ -30,7 +30,7 @@ extern "C" {
 
 /* ------------------------------------------------- operating conditions */
 
-/* What is known of the contact; NAN where it is not given.  Exactly one of
+/* The contact as it is given; NAN is what is not.  Exactly one of
  * these must be complete:
  *   Moes      M, L                             (L = 0: isoviscous)
  *   Hertzian  lambda, alphabar
@@ -80,7 +80,7 @@ OVR_API ovr_status ovr_contact_resolve(const ovr_conditions *given,
 
 /* ---------------------------------------------------------------- kinds */
 
-/* What a number measures: its scale and its units follow from that. */
+/* The kind of quantity that a number is: its scale and units follow from it. */
 typedef enum ovr_unit_kind {
     OVR_KIND_NUMBER,      /* a pure number */
     OVR_KIND_COUNT,       /* a whole one */
@@ -138,7 +138,8 @@ typedef struct ovr_yasutomi {
 } ovr_yasutomi;
 
 struct ovr_law_table;
-/* How shear stress depends on shear rate: gamma = (tau0/eta) f(tau/tau0). */
+/* The law of shear stress against shear rate: gamma = (tau0/eta) f(tau/tau0).
+ */
 typedef enum ovr_rheology {
     OVR_NEWTONIAN,
     OVR_EYRING,         /* f = sinh */

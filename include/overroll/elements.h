@@ -75,11 +75,11 @@ typedef struct ovr_gear_form {
     const double *way, *share; /* base pitches from A, and the share */
 } ovr_gear_form;
 
-/* What follows from a form.  Ways R1_* are distances from the base circle of
- * gear 1 along the line of action, in the transverse plane: A where contact
- * begins with gear 1 driving, E where it ends, B and D where a second pair
- * leaves and comes, C the pitch point.  Of an internal gear, d_2, base_2 and
- * line are negative. */
+/* The geometry that follows from a form.  Ways R1_* are distances from the base
+ * circle of gear 1 along the line of action, in the transverse plane: A where
+ * contact begins with gear 1 driving, E where it ends, B and D where a second
+ * pair leaves and comes, C the pitch point.  Of an internal gear, d_2, base_2
+ * and line are negative. */
 typedef struct ovr_gear_geometry {
     double centre, working_angle, shift_1, shift_2, shortening;
     double d_1, d_2;       /* reference diameters, m */
@@ -142,7 +142,7 @@ typedef struct ovr_cam_form {
 
 typedef struct ovr_cam ovr_cam;
 
-/* What a cam does over its event, or the part of it that was asked for. */
+/* The motion of a cam over its event, or the part of it that was asked for. */
 typedef struct ovr_cam_event {
     double from, to;    /* angles */
     double duration;    /* s */

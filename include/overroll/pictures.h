@@ -123,7 +123,7 @@ OVR_API ovr_status ovr_figure_stribeck(const ovr_table *table,
                                        const ovr_allocator *allocator,
                                        ovr_error *err);
 
-/* What the draws of a study with [random] say of `y` (of what
+/* Draws the distribution of `y` over a study with [random] (of what
  * ovr_study_sample says first, unless given): histogram, distribution, and the
  * effect of each input; x, by, panels and the logarithms do not count. */
 OVR_API ovr_status ovr_figure_distribution(const ovr_study *study,

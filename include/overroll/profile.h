@@ -28,7 +28,7 @@ extern "C" {
 
 typedef struct ovr_profile ovr_profile;
 
-/* What a profile is now; owned by it, valid until it is conditioned. */
+/* A profile as it is now; owned by it, valid until it is conditioned. */
 typedef struct ovr_profile_view {
     size_t n;
     const double *x, *z; /* x increasing; z NAN where missing */
@@ -42,7 +42,7 @@ typedef struct ovr_profile_view {
     double lambda_c;     /* the high-pass filter it went through; NAN: none */
 } ovr_profile_view;
 
-/* What to read, and what the file may not say itself. */
+/* The file to read, and what it may not say itself. */
 typedef struct ovr_profile_source {
     const char *file;
     const char *unit_x;  /* "um", "mm", ..., "b"; NULL: the file says it */
@@ -83,7 +83,7 @@ typedef enum ovr_levelling {
                          which one stands in the notes */
 } ovr_levelling;
 
-/* What happens beyond the ends of a profile. */
+/* A profile goes on beyond its ends in one of these ways. */
 typedef enum ovr_extension {
     OVR_EXTEND_NONE,     /* smooth surface; blended over `taper` */
     OVR_EXTEND_PERIODIC, /* the profile again, blended over `taper` */
@@ -177,9 +177,10 @@ OVR_API ovr_status ovr_profile_waves(const ovr_profile *profile, size_t most,
  * rolling, wavelength in b (src/surface/amplitude.c).  0 for L = 0. */
 OVR_API double ovr_wave_reduction(double M, double L, double wavelength);
 
-/* What it bears pressed against a smooth surface, dry and elastic, in plane
- * strain: the mean pressure, over E* = E'/2 (of a profile in b and b^2/R in
- * ph), and the mean gap and the part of its length that touches, then. */
+/* A profile bears this load pressed against a smooth surface, dry and elastic,
+ * in plane strain: the mean pressure, over E* = E'/2 (of a profile in b and
+ * b^2/R in ph), and the mean gap and the part of its length that touches, then.
+ */
 typedef struct ovr_dry_point {
     double pressure, gap, area;
 } ovr_dry_point;

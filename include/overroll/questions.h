@@ -45,7 +45,8 @@ OVR_API void ovr_trials_put(ovr_trials *trials, size_t k, const char *key,
                             double number);
 OVR_API void ovr_trials_fail(ovr_trials *trials, size_t k, const char *message);
 
-/* What follows from a case by formulas alone, by the keys of `check --json`. */
+/* These numbers follow from a case by formulas alone; keys of `check --json`.
+ */
 OVR_API void ovr_setup_scales(const ovr_setup *setup, ovr_summary_taker *take,
                               void *data);
 
@@ -129,7 +130,7 @@ OVR_API void ovr_find_summary(const ovr_find *find, ovr_summary_taker *take,
 
 /* ------------------------------------------------------------ sensitivity */
 
-/* What a per cent of a key makes of a number of the run: elasticities,
+/* The effect of a per cent of a key on a number of the run: elasticities,
  * d ln Q/d ln x, by central differences of 2 and of 1 %, whose difference is
  * their doubt.  Steps as large as these carry the rupture and the spike over
  * several meshes; smaller ones would tell of the mesh. */
@@ -170,7 +171,7 @@ ovr_sensitivity_at(const ovr_sensitivity *sensitivity, size_t k);
 
 /* ----------------------------------------------------------------- random */
 
-/* What the draws of a study with [random] say of a quantity, for each
+/* The distribution of a quantity over a study with [random], for each
  * combination of its other keys. */
 typedef struct ovr_sample ovr_sample;
 
@@ -207,8 +208,9 @@ typedef struct ovr_sample_input {
     double lowest, highest; /* mean of the quantity where the key is so */
 } ovr_sample_input;
 
-/* Of the files as they stand.  Quantities with commas between; NULL: those of
- * [limits], the key of [find], smallest film and largest pressure. */
+/* The sample is taken of the files as they stand.  Quantities with commas
+ * between; NULL: those of [limits], the key of [find], smallest film and
+ * largest pressure. */
 OVR_API ovr_sample *ovr_study_sample(const ovr_study *study,
                                      const char *quantities, ovr_error *err);
 OVR_API void ovr_sample_free(ovr_sample *sample);
@@ -220,7 +222,7 @@ OVR_API const ovr_sample_input *ovr_sample_input_at(const ovr_sample *sample,
 OVR_API ovr_status ovr_sample_write(const ovr_sample *sample, const char *path,
                                     ovr_error *err);
 
-/* Whether a study has [random]. */
+/* True of a study with [random]. */
 OVR_API bool ovr_study_random(const ovr_study *study);
 
 #ifdef __cplusplus

@@ -37,7 +37,7 @@ typedef struct ovr_case_value {
 
 typedef struct ovr_writer ovr_writer;
 
-/* How a run ended: the file's attribute `status`. */
+/* The end of a run: the file's attribute `status`. */
 typedef enum ovr_run_status {
     OVR_RUN_RUNNING,
     OVR_RUN_COMPLETE,
@@ -113,7 +113,7 @@ typedef ovr_status ovr_visited(void *object, ovr_visit *visit, void *context,
  */
 typedef struct ovr_result ovr_result;
 
-/* What is in a file.  Texts are owned by the result. */
+/* The contents of a file.  Texts are owned by the result. */
 typedef struct ovr_result_info {
     const char *title, *status;     /* running, complete, stopped, failed */
     const char *reason;             /* why it failed, or "" */

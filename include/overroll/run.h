@@ -73,7 +73,7 @@ typedef struct ovr_run_options {
     /* Within steady starts and estimates of errors, between two cycles; true:
      * stop at once, with OVR_STOPPED; a start is begun again later. */
     bool (*interrupt)(void *data);
-    /* Of a steady run of a gear pair or cam: where it stands, "A" to "E",
+    /* A steady run of a gear pair or cam stands here: "A" to "E",
      * "nose", an angle or a time; NULL: pitch point, nose. */
     const char *at;
 } ovr_run_options;
@@ -142,7 +142,7 @@ typedef struct ovr_stress_report {
     double length_error; /* of equivalent lengths: how far the risk of points
                             at the ends of the material is from the smooth
                             contact's, over its whole length */
-    /* Of layers, NAN where there are none: von Mises stress in any of them,
+    /* Layers, NAN where there are none: von Mises stress in any of them,
      * shear and tension on an interface, tension along the surface, at the
      * shallowest depth. */
     ovr_stress_extreme layer_von_mises, interface_shear, interface_tension,
@@ -150,7 +150,7 @@ typedef struct ovr_stress_report {
     /* Largest von Mises stress of a layer over its own yield; NAN: no layer
      * has one. */
     double layer_utilisation;
-    /* Of a body that yields at `yield`, p_h; NAN: that is not told.  Value f/Y
+    /* A body that yields at `yield`, p_h; NAN: that is not told.  Value f/Y
      * of `yield_ratio`: the largest von Mises stress over Y, less 1; of
      * `strip`: the largest (P - P around)/(2.97 Y), Z its width.  Share of the
      * complete material points from least_depth down that go beyond Y; the
@@ -165,9 +165,10 @@ typedef struct ovr_stress_report {
     double interface_utilisation;
 } ovr_stress_report;
 
-/* What amplitude reduction says of rough surfaces that roll through, before
- * anything is solved: heights in b^2/R, NAN where it says nothing.  Rq is the
- * largest in a window of |X| < OVR_ROUGH_WINDOW of all that comes through. */
+/* The prediction of amplitude reduction for rough surfaces that roll through,
+ * before anything is solved: heights in b^2/R, NAN where it says nothing.  Rq
+ * is the largest in a window of |X| < OVR_ROUGH_WINDOW of all that comes
+ * through. */
 typedef struct ovr_rough_film {
     double Rq;       /* of the unloaded surfaces */
     double film_Rq;  /* of the film under the contact */
@@ -176,7 +177,7 @@ typedef struct ovr_rough_film {
     const char *but; /* it is less sure than overroll(1) says; or NULL */
 } ovr_rough_film;
 
-/* Of a run at any moment. */
+/* The state of a run at any moment. */
 typedef struct ovr_run_info {
     const ovr_setup *setup;
     const ovr_simulation *sim;
@@ -192,7 +193,7 @@ typedef struct ovr_run_info {
     const char *const *warning;
     double lambda_ratio; /* mean film in |X| < 3/4 and over the run, over the
                             composite Rq of both surfaces; NAN: smooth */
-    /* What was said of its film before it. */
+    /* The prediction of its rough film. */
     const ovr_rough_film *foreseen;
 
     double shear_over_pressure; /* the film's largest shear stress over its
@@ -211,7 +212,7 @@ typedef struct ovr_run_info {
 } ovr_run_info;
 OVR_API const ovr_run_info *ovr_run_about(const ovr_run *run);
 
-/* What sums a run up, line by line: the keys of `--json`, of the group
+/* A run is summed up line by line: the keys of `--json`, of the group
  * `summary` of its file and of a study's table. */
 typedef enum ovr_summary_form {
     OVR_SUMMARY_NUMBER, /* NAN: not known */
@@ -239,7 +240,7 @@ OVR_API void ovr_run_summary(const ovr_run_info *run, ovr_summary_taker *take,
 OVR_API void ovr_run_report(const ovr_run_info *run, ovr_summary_taker *take,
                             void *data);
 
-/* What a run says of the gear pair, cam or bearing that its case describes, as
+/* The answers about the gear pair, cam or bearing that a case describes, as
  * lines for people, a name and a text each, from its summary.  Nothing without
  * an element. */
 typedef void ovr_answer(void *data, const char *name, const char *text);
@@ -263,7 +264,7 @@ OVR_API ovr_stored_stress *ovr_stored_stress_create(
 OVR_API void ovr_stored_stress_free(ovr_stored_stress *stress);
 OVR_API const ovr_setup *
 ovr_stored_stress_setup(const ovr_stored_stress *stress);
-/* Of surface 1 or 2; NULL: not asked for. */
+/* The report on surface 1 or 2; NULL: not asked for. */
 OVR_API const ovr_stress_report *
 ovr_stored_stress_report(const ovr_stored_stress *stress, int surface);
 
@@ -272,14 +273,14 @@ ovr_stored_stress_report(const ovr_stored_stress *stress, int surface);
 OVR_API ovr_status ovr_setup_stress_depth(const ovr_setup *setup, double *least,
                                           ovr_error *err);
 
-/* What a prepared setup means before it is solved, as lines of a summary: its
+/* A prepared setup is described before it is solved by lines of a summary: its
  * contact, films by formula, features, grid and cost.  `live`: bytes that the
  * setup itself has taken, which count as memory of the run. */
 OVR_API ovr_status ovr_setup_report(const ovr_setup *setup, double live,
                                     ovr_summary_taker *take, void *data,
                                     ovr_error *err);
 
-/* What can be said of a prepared setup before it is solved: a grid too coarse
+/* A prepared setup is reviewed before it is solved: a grid too coarse
  * for its features, one of them inside from the start or never in the contact,
  * a start from rest, an end within the first step, too much sliding. */
 OVR_API void ovr_setup_review(const ovr_setup *setup, ovr_listener *say,
@@ -318,7 +319,7 @@ OVR_API const char *ovr_study_output(const ovr_study *study);
 OVR_API ovr_status ovr_study_output_set(ovr_study *study, const char *folder,
                                         ovr_error *err);
 
-/* How a case stands, told by the files in the folder alone. */
+/* The state of a case, told by the files in the folder alone. */
 typedef enum ovr_sweep_state {
     OVR_SWEEP_WAITING,  /* nothing there */
     OVR_SWEEP_STOPPED,  /* began; its result file can be gone on with */
@@ -364,7 +365,7 @@ typedef struct ovr_sweep_options {
                         const ovr_error *err, FILE *summary);
 } ovr_sweep_options;
 
-/* Whether a case that stands so is one to work on. */
+/* True of a state in which a case is one to work on. */
 OVR_API bool ovr_sweep_wanted(const ovr_sweep_options *options,
                               ovr_sweep_state state);
 

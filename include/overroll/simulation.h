@@ -57,7 +57,7 @@ typedef enum ovr_faces {
     OVR_FACES_ARITHMETIC /* of both nodes' rho H^3/eta: the paper's */
 } ovr_faces;
 
-/* What becomes of the film behind its rupture. */
+/* The model of the film behind its rupture. */
 typedef enum ovr_cavitation {
     OVR_CAVITATION_REYNOLDS,  /* P >= 0 alone: a gap without pressure is full */
     OVR_CAVITATION_CONSERVING /* it keeps the oil that came, and no more;
@@ -135,7 +135,7 @@ OVR_API const ovr_options *ovr_simulation_options(const ovr_simulation *sim);
 OVR_API void ovr_simulation_surface(ovr_simulation *sim, ovr_heights *heights,
                                     void *data);
 
-/* How fast what is on the surfaces moves, u_k/um of the surface whose features
+/* The speed of what is on the surfaces, u_k/um of the surface whose features
  * are the steepest: the steps then begin from a guess that moves along, and
  * take fewer cycles.  Default: NAN, not known; ovr_surfaces_speed tells it. */
 OVR_API void ovr_simulation_moving(ovr_simulation *sim, double speed);
@@ -187,7 +187,7 @@ OVR_API const ovr_state *ovr_simulation_state(const ovr_simulation *sim);
 /* Numbers a step that have no names here, but a row in the list below. */
 enum { OVR_MORE = 16 };
 
-/* What is observed after a solve or step; definitions in the manual. */
+/* Quantities observed after a solve or step; definitions in the manual. */
 typedef struct ovr_observation {
     double T, dT;
     double H_min, X_min;                 /* nodal */
@@ -333,7 +333,7 @@ typedef struct ovr_observable {
     ovr_unit_kind kind;
     ovr_axes axes;
     size_t offset; /* of a number: in ovr_observation */
-    /* Of a field: its values now, at all nodes (half nodes: one less); where
+    /* The values of a field now, at all nodes (half nodes: one less); where
      * they lie already, or in `room` for as many values. */
     const double *(*field)(const ovr_simulation *sim, double *room);
     unsigned needs;    /* physics without which it is not known; 0: none */

@@ -39,7 +39,7 @@ extern "C" {
 
 /* ------------------------------------------------- fields of a snapshot */
 
-/* What stands for the pressure between two nodes. */
+/* The shape of the pressure between two nodes. */
 typedef enum ovr_element {
     OVR_ELEMENT_AUTO,  /* points from 4 D downward, splines above */
     OVR_ELEMENT_POINT, /* line loads: exact from 4 D downward */
@@ -117,7 +117,7 @@ typedef struct ovr_stress_extreme {
     double value, X, Z, T;
 } ovr_stress_extreme;
 
-/* What happened to a material point at a depth. */
+/* The history of a material point at a depth. */
 typedef enum ovr_measure {
     OVR_MEASURE_CIRCLE,     /* radius of the smallest circle round the path */
     OVR_MEASURE_ORTHOGONAL, /* half range of tau_xz */

@@ -88,7 +88,7 @@ OVR_API const char *ovr_shape_name(int shape);
  * room that it wants, as snprintf. */
 OVR_API int ovr_shape_takes(int shape, char *text, size_t room);
 
-/* How wide a shape is at half its height or depth, over its width; an indent
+/* The width of a shape at half its height or depth, over its width; an indent
  * without shoulders; NAN: it has no width. */
 OVR_API double ovr_shape_width_half(int shape);
 
