@@ -49,6 +49,17 @@ static double flux_of_second(const ovr_fluid *fluid, double D, const double *P,
     return ovr_flow_between(fluid, D, &nodes) * (P[1] - P[0]) / D;
 }
 
+/* The content as it counts where a film with temperatures slides (fields.h). */
+static void drag(const ovr_hierarchy *grids, const ovr_level *level, double *q,
+                 double *room)
+{
+    if (!level->f.drag)
+        return;
+    ovr_level_read(grids, level, level->f.drag, room);
+    for (size_t i = 0; i < level->grid.n; i++)
+        q[i] *= room[i];
+}
+
 void ovr_fourth_thinning(const ovr_hierarchy *grids, const ovr_level *level,
                          const ovr_correction *c, double Cu)
 {
@@ -60,12 +71,14 @@ void ovr_fourth_thinning(const ovr_hierarchy *grids, const ovr_level *level,
     size_t n = level->grid.n;
     for (int k = 0; k < 5; k++)
         ovr_level_read(grids, level, fields[k], x[k]);
+    drag(grids, level, x[2], x[5]);
     for (size_t i = 1; i + 2 < n; i++) {
         fourth[i] = flux_of_fourth(fluid, D, x[0] + i, x[1] + i, x[2] + i,
                                    x[3] + i);
         second[i] = flux_of_second(fluid, D, x[0] + i, x[1] + i, x[2] + i,
                                    x[3] + i);
     }
+    ovr_level_read(grids, level, level->f.q, x[2]);
     for (size_t i = 0; i < n; i++)
         F[i] = 0;
     for (size_t i = OVR_FOURTH_MARGIN; i + OVR_FOURTH_MARGIN < n; i++) {

@@ -13,7 +13,9 @@
  * step and speed.  m_i is 1 where P > 0 at i - 3..i + 3, and fades over eight
  * nodes to the film's end, so that nothing jumps as the end crosses nodes; it
  * is 0 about ridges where a mesh halves the film.  A step that fails is tried
- * again without F.
+ * again without F.  With temperatures the corrections of the steady film are
+ * made anew after each of their turns; turns that do not end so are of second
+ * order.
  *
  * Where load, speed and radius are constant, the steady start solves the steps'
  * equations too, of any length: F takes in what the steady film q_s lacks,
@@ -32,6 +34,7 @@
 
 #include "contact/contact.h"
 #include "contact/turning.h"
+#include "simulation/heat_in_time.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
 #include "simulation/simulation.h"
@@ -222,12 +225,35 @@ static ovr_defect solve_corrected(ovr_simulation *sim, const fourth *f,
     return fall_back(sim, f, how, &second, cycles);
 }
 
+/* The corrections of a film whose temperatures are others. */
+static void renew(ovr_simulation *sim, void *own)
+{
+    fourth *f = own;
+    const ovr_correction *c = &f->correction;
+    if (sim->order != 4)
+        return;
+    ovr_fourth_evaluate(&sim->grids, c, sim->grids.op.speed);
+    ovr_nodes_read(sim, sim->finest, c->F, f->F);
+    ovr_nodes_read(sim, sim->finest, c->gap, f->gap);
+    ovr_simulation_gap(sim, 0);
+}
+
+static bool give_up(ovr_simulation *sim, void *own)
+{
+    if (sim->order != 4)
+        return false;
+    withdraw(sim, own);
+    ovr_simulation_gap(sim, 0);
+    return true;
+}
+
 /* Of the surfaces as they are at T = 0. */
 static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
                         int *cycles)
 {
-    const fourth *f = own;
+    fourth *f = own;
     withdraw(sim, f);
+    f->follows = f->rests = f->ahead = false;
     if (applies(sim))
         sim->order = 4;
     if (sim->order == 4 && stands_apart(sim)) {
@@ -388,6 +414,8 @@ static void attempt(ovr_simulation *sim, void *own, bool first)
     ovr_nodes_read(sim, sim->finest, sim->finest->f.F, F);
     add_all(sim, f, -1, F);
     ovr_nodes_write(sim, sim->finest, F, sim->finest->f.F);
+    if (sim->heated) /* which adds its own to what it read */
+        add_all(sim, f, -1, sim->heated->steps->F);
 }
 
 static void before_back(ovr_simulation *sim, void *own)
@@ -439,6 +467,8 @@ const ovr_physics ovr_physics_fourth = {.name = "fourth order",
                                         .chosen = chosen,
                                         .take = take,
                                         .solve = solve,
+                                        .renew = renew,
+                                        .give_up = give_up,
                                         .begin = begin,
                                         .before_step = before_step,
                                         .sides = add_sides,

@@ -158,7 +158,21 @@ static double wedge_from_right(const ovr_simulation *sim, const ovr_weights *w,
     return sum;
 }
 
-/* F of N = F: the wedge of q D, and in time what the past gives. */
+/* What others give, and in time the past. */
+static void sides(const ovr_simulation *sim, double *F)
+{
+    const ovr_heat_steps *s = sim->heated->steps;
+    size_t n = sim->now.n;
+    if (s->dT > 0) {
+        memcpy(F, s->F, n * sizeof *F);
+        return;
+    }
+    memset(F, 0, n * sizeof *F);
+    OVR_EACH_PHYSICS(sim, p, sides)
+        p->is->sides(sim, p->own, F);
+}
+
+/* F of N = F: that, and the wedge of q D. */
 static void put_turned(ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
@@ -168,9 +182,9 @@ static void put_turned(ovr_simulation *sim)
     ovr_weights w;
     ovr_reynolds_wedge(&op, sim->scheme->order == 2, 1);
     w = ovr_reynolds_weights(&op, D);
+    sides(sim, F);
     for (size_t i = 0; i < sim->now.n; i++) {
         const double *a = i == 1 ? w.first : w.a;
-        F[i] = h->steps->dT > 0 ? h->steps->F[i] : 0;
         if (sim->backward) {
             F[i] += wedge_from_right(sim, &w, v, i);
             continue;
@@ -436,13 +450,16 @@ static void forget(ovr_simulation *sim, void *own)
 static void take_turns(ovr_simulation *sim, const ovr_full *how,
                        ovr_outcome *outcome)
 {
-    enum { TURNS = 200 };
+    enum { TURNS = 200, RENEWED = 30 };
     const double enough = 3e-5;
     double change = INFINITY;
     ovr_heat_turns_begin(sim);
     for (int k = 0; k < TURNS && !(change < enough); k++) {
         ovr_heat_march(sim);
         change = ovr_heat_turn(sim);
+        if (k < RENEWED) /* for ever they could go round with the turns */
+            OVR_EACH_PHYSICS(sim, p, renew)
+                p->is->renew(sim, p->own);
         ovr_heat_apply(sim);
         outcome->defect = ovr_steady_cycles(sim, how, &outcome->cycles);
         ovr_simulation_read(sim);
@@ -453,6 +470,19 @@ static void take_turns(ovr_simulation *sim, const ovr_full *how,
     if (!(change < enough))
         outcome->defect.imbalance = ovr_larger(outcome->defect.imbalance,
                                                change);
+}
+
+static void turns(ovr_simulation *sim, const ovr_full *how,
+                  ovr_outcome *outcome)
+{
+    bool others = false;
+    take_turns(sim, how, outcome);
+    if (ovr_steady_found(sim, outcome))
+        return;
+    OVR_EACH_PHYSICS(sim, p, give_up)
+        others |= p->is->give_up(sim, p->own);
+    if (others)
+        take_turns(sim, how, outcome);
 }
 
 /* The same temperatures at more points. */
@@ -490,7 +520,7 @@ static void couple(ovr_simulation *sim, void *own, const ovr_full *how,
 {
     ovr_heated *h = own;
     double rise;
-    take_turns(sim, how, outcome);
+    turns(sim, how, outcome);
     if (!h->chooses || h->across.n > FEWEST_ACROSS ||
         !(outcome->defect.imbalance < 1))
         return;
@@ -498,7 +528,7 @@ static void couple(ovr_simulation *sim, void *own, const ovr_full *how,
     if (!ovr_heat_uneven(last_across(sim, rise), rise))
         return;
     refine_across(sim);
-    take_turns(sim, how, outcome);
+    turns(sim, how, outcome);
 }
 
 static void begin(ovr_simulation *sim, void *own)

@@ -60,7 +60,6 @@ static const ovr_refusal refusals[] = {
     {OVR_PART_ORDER_4, OVR_PART_FIXED_CYCLES, "2", corrected},
     {OVR_PART_ORDER_4, OVR_PART_CONSERVING, "2",
      "at a meniscus the film is of second order at most"},
-    {OVR_PART_ORDER_4, OVR_PART_HEAT, "2", "temperatures are of second order"},
     {OVR_PART_CHARACTERISTIC, OVR_PART_CONSERVING, "upstream2 or upstream1",
      separate},
     {OVR_PART_PAPER_SMOOTHER, OVR_PART_CONSERVING, "line", flooded},

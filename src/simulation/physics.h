@@ -162,6 +162,12 @@ struct ovr_physics {
     ovr_defect (*solve)(ovr_simulation *sim, void *own, const ovr_full *how,
                         int *cycles);
 
+    /* What it adds to right-hand side and gap made anew of a steady film that
+     * another physics has changed; left out where that did not converge, true
+     * if there was anything. */
+    void (*renew)(ovr_simulation *sim, void *own);
+    bool (*give_up)(ovr_simulation *sim, void *own);
+
     /* What the film that was found is by this physics, as far as that needs
      * no more than cycles. */
     ovr_defect (*complete)(ovr_simulation *sim, void *own, const ovr_full *how,

@@ -53,3 +53,26 @@ awk -v a="$whole" -v b="$half" -v c="$quarter" 'BEGIN {
     printf "H_min %s, %s, %s: ratio %.2f\n", a, b, c, r
     exit !(c > 0 && r > 2.83 && r < 5.66)
 }' || fail "H_min $whole, $half, $quarter: not of second order in the step"
+
+# Corrections of fourth order beside the temperatures, at the steps of level 6:
+# series LEVEL ORDER EVERY FILE, H_cen after each EVERY-th step.
+series() {
+    expect 0 "$OVERROLL" run dent.ini -q --force -o d.h5 \
+        --set domain.level="$1" --set domain.order="$2"
+    expect 0 "$OVERROLL" export d.h5 -q --force -o d.csv
+    awk -F, -v every="$3" '
+        NR == 1 { for (k = 1; k <= NF; k++)
+                      if ($k ~ /^central_film_thickness/) column = k }
+        NR > 1 && (NR - 2) % every == 0 { print $column }' d.csv >"$4"
+}
+series 6 2 1 second
+series 6 4 1 fourth
+series 8 2 4 truth
+off() {
+    paste "$1" truth | awk 'NF == 2 { e = $1 / $2 - 1; sum += e * e; n++ }
+        END { printf "%.3g", sqrt(sum / n) }'
+}
+second=$(off second) fourth=$(off fourth)
+echo "H_cen of level 6 off by $second of second order, $fourth of fourth"
+awk -v a="$second" -v b="$fourth" 'BEGIN { exit !(b > 0 && b < 0.4 * a) }' ||
+    fail "fourth order leaves $fourth of $second"
