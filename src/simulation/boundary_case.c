@@ -462,6 +462,23 @@ static void tell_estimate(const ovr_physics_case *of,
     }
 }
 
+static void tell_wear(const ovr_boundary_form *f, ovr_physics_line *line,
+                      void *data)
+{
+    char text[160];
+    if (f->jump > 0)
+        snprintf(text, sizeof text,
+                 "%.4g passes in jumps of %.4g; each finds the profiles' law "
+                 "anew, for about a second",
+                 f->passes, f->jump);
+    else
+        snprintf(text, sizeof text,
+                 "%.4g passes in jumps by at most 2 %% of Rq; each finds the "
+                 "profiles' law anew, for about a second",
+                 f->passes);
+    line(data, "running-in", text);
+}
+
 void ovr_boundary_tell(const ovr_physics_case *of, const void *form,
                        ovr_physics_line *line, void *data)
 {
@@ -497,4 +514,6 @@ void ovr_boundary_tell(const ovr_physics_case *of, const void *form,
         line(data, "a layer bears", text);
     }
     tell_estimate(of, f, line, data);
+    if (f->passes > 0)
+        tell_wear(f, line, data);
 }
