@@ -72,7 +72,7 @@ void ovr_newton_fill(ovr_hierarchy *grids)
 }
 
 /* Row i of the Jacobian: elastic terms through dH at i-2..i+1, then the local
- * ones; the last column is dN_i/dH0. */
+ * ones; then dN_i/dH0 and the right-hand side. */
 static void jacobian_row(const ovr_hierarchy *grids, const ovr_level *level,
                          const ovr_fields *f, size_t i, double *row)
 {
@@ -86,7 +86,7 @@ static void jacobian_row(const ovr_hierarchy *grids, const ovr_level *level,
     /* dH_{i+d}/dP_j = -k(j - i - d) for d = -2, -1, 0, 1 */
     const double *k = grids->newton.kernel[level->number - grids->coarsest] +
                       n + 2 - i; /* k[j] = k(j - i) */
-    double e[4] = {0}, local[4] = {0};
+    double e[4] = {0}, local[4] = {0}, r = f->r[i];
     if (grids->conserving)
         row_content_by_film(f, &c, J, e);
     else
@@ -94,11 +94,12 @@ static void jacobian_row(const ovr_hierarchy *grids, const ovr_level *level,
     row_flow_by_film(f, &c, J, e);
     row_by_pressure(f, &c, J, local);
     if (grids->touch.at)
-        ovr_touch_wet_row(grids, level, i, e, local);
+        ovr_touch_wet_row(grids, level, i, e, local, &r);
     grids->kernels->dense_row(n, e, k, row);
     for (size_t d = i == 1; d < 4; d++)
         row[i + d - 2] += local[d];
     row[n] = -(e[0] + e[1] + e[2] + e[3]);
+    row[n + 1] = r;
     if (grids->conserving)
         content_columns(grids, f, &c, n, i, row);
 }
@@ -139,7 +140,6 @@ static void assemble(const ovr_hierarchy *grids, const ovr_level *level,
             continue;
         }
         jacobian_row(grids, level, f, i, row);
-        row[n + 1] = f->r[i];
     }
     for (size_t j = 0; j < n; j++)
         row[j] = level->grid.D * (grids->conserving ? grids->newton.wet[j] : 1);

@@ -206,7 +206,8 @@ ovr_status ovr_hierarchy_touch(ovr_hierarchy *grids, ovr_arena *arena,
 {
     ovr_touch *touch = &grids->touch;
     size_t n = grids->level[grids->finest].grid.n;
-    double **const all[] = {&touch->A, &touch->g, &touch->whole};
+    double **const all[] = {&touch->A, &touch->g, &touch->whole,
+                            &touch->excess};
     if (take(all, sizeof all / sizeof *all, n, arena, err))
         return OVR_NO_MEMORY;
     touch->dry = ovr_set(arena, n, err);

@@ -58,8 +58,9 @@ typedef struct ovr_touch {
     void (*at)(const void *law, double H, double *A, double *slope);
     const void *law;
     double share; /* of it that counts, on the way to the whole */
-    /* of Newton's method, by node: A, -dA/dH, the whole pressure, dry or not */
-    double *A, *g, *whole;
+    /* of Newton's method, by node: A, -dA/dH, the whole pressure, what that is
+     * above P_f + A, dry or not */
+    double *A, *g, *whole, *excess;
     unsigned char *dry;
 } ovr_touch;
 

@@ -76,12 +76,13 @@ void ovr_touch_prepare(const ovr_hierarchy *grids, const ovr_level *level,
     for (size_t i = 0; i < level->grid.n; i++) {
         touch->whole[i] += f->P[i];
         law_at(grids, f->H[i], &touch->A[i], &touch->g[i]);
+        touch->excess[i] = touch->whole[i] - touch->A[i] - f->P[i];
         touch->dry[i] = ovr_lanes_has(&level->lanes, level->f.held, i);
     }
 }
 
 void ovr_touch_wet_row(const ovr_hierarchy *grids, const ovr_level *level,
-                       size_t i, double e[4], double local[4])
+                       size_t i, double e[4], double local[4], double *r)
 {
     const ovr_touch *touch = &grids->touch;
     for (size_t m = 0; m < 4; m++) {
@@ -91,6 +92,7 @@ void ovr_touch_wet_row(const ovr_hierarchy *grids, const ovr_level *level,
         if (touch->dry[node])
             local[m] = 0;
         e[m] -= local[m] * touch->g[node];
+        *r -= local[m] * touch->excess[node];
     }
 }
 

@@ -16,6 +16,9 @@
  *     dH = dH0 - k dP,   dP_f = dP + g dH in wet nodes, 0 in dry ones
  *     wet row i:  t_e = dN_i/dP_f of node e at fixed film; what stands for
  *                 -dN_i/dH_e is less by t_e g_e
+ *                 a node that has just turned wet has P < P_f + A, as its
+ *                 state was another: the right-hand side is less by t_e
+ *                 (P - A - P_f)_e, or it would go there by steps
  *     dry row i:  dP_i + g_i (dH0 - sum_j k dP_j) = A_i - P_i,  over
  *                 1 + g_i |k(0)| n
  * The step is shortened so that no node's A grows beyond twice itself, or a
@@ -49,9 +52,10 @@ void ovr_touch_prepare(const ovr_hierarchy *grids, const ovr_level *level,
                        const ovr_fields *f);
 
 /* Takes a wet row's t_e off e_m, m = -2..1, and out of the columns of dry
- * nodes. */
+ * nodes; its right-hand side gets t_e times what nodes that have just turned
+ * wet lack. */
 void ovr_touch_wet_row(const ovr_hierarchy *grids, const ovr_level *level,
-                       size_t i, double e[4], double local[4]);
+                       size_t i, double e[4], double local[4], double *r);
 
 /* A dry node's row: n pressures, H0, the right-hand side. */
 void ovr_touch_dry_row(const ovr_hierarchy *grids, const ovr_level *level,
