@@ -41,8 +41,10 @@ typedef struct ovr_resolved {
                           kept the domain from; 0: none did */
     double substrate;  /* E' of the bodies, which a physics may change */
     double half_width; /* the largest dry one of run and passes, in b */
-    double pass_load;  /* by which a pass's load was scaled; 0: by nothing */
-    bool recorded;     /* its domain is that of a file gone on with */
+    const char
+        *step_reason; /* of step = auto, why a step is one mesh; or NULL */
+    double pass_load; /* by which a pass's load was scaled; 0: by nothing */
+    bool recorded;    /* its domain is that of a file gone on with */
     ovr_arena arena;
 } ovr_resolved;
 
@@ -130,7 +132,10 @@ ovr_status ovr_resolve_stress(ovr_resolved *r, ovr_error *err);
 ovr_status ovr_resolve_plastic(ovr_resolved *r, ovr_error *err);
 ovr_status ovr_resolve_plastic_time(const ovr_resolved *r, ovr_error *err);
 
-/* end = auto, the surfaces being made. */
+/* step = auto, the surfaces being made. */
+void ovr_resolve_step(ovr_resolved *r);
+
+/* end = auto, likewise. */
 ovr_status ovr_resolve_end(ovr_resolved *r, ovr_error *err);
 
 /* The flow law of [lubricant], for a contact that is resolved. */

@@ -7,9 +7,10 @@
 #include "contact/turning.h"
 #include "simulation/wear.h"
 
-/* Steps of one mesh along the characteristic carry what moves without error,
- * and there corrections of fourth order follow histories; with others, with
- * heat under histories and where the speed reverses the separate terms do. */
+/* Steps of whole meshes along the characteristic carry what moves without
+ * error, and there corrections of fourth order follow histories; with others,
+ * with heat under histories and where the speed reverses the separate terms do.
+ */
 static ovr_scheme choose_scheme(const ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;
@@ -64,7 +65,7 @@ ovr_status ovr_resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
     r->march = (ovr_march){0};
     r->march.end = s->transient ? v->end : 0;
     r->march.adaptive = v->step == OVR_STEP_ADAPTIVE;
-    r->march.dT = r->march.adaptive ? 0 : v->step;
+    r->march.dT = fmax(v->step, 0); /* of auto: once the mesh is known */
     r->march.error = v->error;
     r->march.until_steady = v->until_steady && s->transient;
     if (wears(r) && !r->c->standing)

@@ -31,6 +31,8 @@ static const changed_default changed_defaults[] = {
      "L = 10)"},
     {"0.3.0", "heat", "points", "5", "model = lobatto",
      "7 where they are needed: 1.5 % of the film, .8 % of friction at 1.2 GPa"},
+    {"0.3.0", "time", "step", "grid", "end",
+     "steps of two meshes where they cost no accuracy: .6 of the time"},
     {"0.3.0", "time", "scheme", "upstream2",
      "load.history = ramp | step | sine | table or speed.history = ramp | step "
      "| sine | table or radius.history = ramp | step | sine | table",

@@ -115,7 +115,8 @@ typedef struct ovr_body_form {
 /* Value of `end = auto`. */
 #define OVR_END_AUTO INFINITY
 
-/* Value of `step = adaptive`. */
+/* Values of `step = adaptive` and `auto`. */
 #define OVR_STEP_ADAPTIVE (-1.0)
+#define OVR_STEP_AUTO (-2.0)
 
 #endif

@@ -214,8 +214,10 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
         return OVR_BAD_INPUT;
     status = setup->options->level ? make_grid(r, usual, allocator, err)
                                    : choose_level(r, usual, allocator, err);
-    if (!status)
+    if (!status) {
+        ovr_resolve_step(r);
         status = ovr_resolve_end(r, err);
+    }
     if (!status)
         setup->nodes = ovr_level_nodes(setup->options->level);
     return status;

@@ -10,6 +10,12 @@ const ovr_gear *ovr_setup_gear(const ovr_setup *setup);
 const ovr_cam *ovr_setup_cam(const ovr_setup *setup);
 const ovr_bearing *ovr_setup_bearing(const ovr_setup *setup);
 
+/* The length of its steps, b/um, where they are not adaptive. */
+double ovr_setup_step(const ovr_setup *setup);
+
+/* Of step = auto: why a step is one mesh; NULL: it is longer, or given. */
+const char *ovr_setup_step_reason(const ovr_setup *setup);
+
 /* The physics of its runs, as bits: quantities that need others are none of
  * theirs. */
 unsigned ovr_setup_physics(const ovr_setup *setup);

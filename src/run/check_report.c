@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "case/setup.h"
 #include "contact/contact.h"
 #include "contact/film_formula.h"
 #include "contact/oil.h"
@@ -274,6 +275,20 @@ static void say_grid(const ovr_told *to, const ovr_setup *setup,
              setup->expected, of[setup->accuracy_of]);
 }
 
+/* Its length, and where the program chose it, why. */
+static void say_step(const ovr_told *to, const ovr_setup *setup)
+{
+    double dT = ovr_setup_step(setup), meshes = dT / setup->mesh;
+    const char *why = ovr_setup_step_reason(setup);
+    if (setup->march->adaptive)
+        ovr_tell(to, "time step", "by the error of the steps, %g wanted",
+                 setup->march->error);
+    else
+        ovr_tell(to, "time step", "%.6g, %.3g %s%s%s", dT, meshes,
+                 meshes == 1 ? "mesh" : "meshes", why ? ": " : "",
+                 why ? why : "");
+}
+
 static void say_cost(const ovr_told *to, const ovr_setup *setup,
                      const ovr_cost *cost)
 {
@@ -285,6 +300,7 @@ static void say_cost(const ovr_told *to, const ovr_setup *setup,
         say_bodies(to, setup);
     }
     if (cost->steps > 0) {
+        say_step(to, setup);
         ovr_tell(to, "steps", "%s%.0f",
                  setup->march->until_steady ? "at most " : "", cost->steps);
         ovr_tell(to, "snapshots", "%.0f, at most %.3g MB on the disk",
@@ -308,6 +324,10 @@ static void put_cost(const ovr_told *to, const ovr_setup *setup,
     ovr_put_text(to, "smoother", ovr_smoother_name(options->smoother));
     ovr_put(to, "transient", OVR_SUMMARY_FLAG, setup->transient);
     ovr_put_number(to, "passes", cost->passes);
+    ovr_put_number(to, "time_step",
+                   setup->transient && !setup->march->adaptive
+                       ? ovr_setup_step(setup)
+                       : NAN);
     ovr_put_number(to, "steps", cost->steps);
     ovr_put_number(to, "snapshots", cost->stored.snapshots);
     ovr_put_number(to, "disk_bytes", cost->stored.bytes);

@@ -25,7 +25,7 @@ static double refine_seconds(const ovr_options *o, double nodes)
 ovr_cost ovr_setup_cost(const ovr_setup *setup, double live)
 {
     const ovr_march *march = setup->march;
-    double dT = march->dT > 0 ? march->dT : setup->mesh;
+    double dT = ovr_setup_step(setup);
     ovr_cost cost = {0};
     cost.nodes = (double)setup->nodes;
     cost.mesh = setup->mesh;

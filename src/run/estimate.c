@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Discretization errors on request: the same case one and two levels coarser,
- * to the same time.  Of a value v on levels l, l - 1, l - 2, with the
- * differences d1 = |v_l - v_{l-1}| and d2 = |v_{l-1} - v_{l-2}|, the order seen
- * is q = log2(d2/d1), and the error, that of Richardson's extrapolation,
+ * in steps as many times longer, to the same time.  Of a value v on levels l, l
+ * - 1, l - 2, with the differences d1 = |v_l - v_{l-1}| and d2 = |v_{l-1} -
+ * v_{l-2}|, the order seen is q = log2(d2/d1), and the error, that of
+ * Richardson's extrapolation,
  *
  *     e = max(d1, d2 2^-p)/(2^min(p, q) - 1),    q no less than 1/2:
  *
@@ -107,6 +108,14 @@ static ovr_status solve(ovr_run *run, ovr_setup *setup, ovr_simulation *coarse,
     return status;
 }
 
+/* Steps of as many meshes as on the finest level. */
+static void take_steps(const ovr_run *run, ovr_setup *setup)
+{
+    ovr_march *march = &((ovr_resolved *)setup)->march;
+    double dT = run->setup->march->dT;
+    march->dT = dT > 0 ? dT * setup->mesh / run->setup->mesh : 0;
+}
+
 /* Its pass, of several, before it begins. */
 static ovr_status begin(const ovr_run *run, ovr_setup *setup,
                         ovr_pass_level *pass, ovr_error *err)
@@ -116,6 +125,8 @@ static ovr_status begin(const ovr_run *run, ovr_setup *setup,
         pass ? ovr_setup_load(setup, run->passes->now, allocator, err) : OVR_OK;
     if (!status)
         status = ovr_setup_prepare(setup, allocator, err);
+    if (!status)
+        take_steps(run, setup);
     if (pass && !status) {
         ovr_pass_level_feed(pass, setup);
         ovr_pass_level_begin(pass, allocator);

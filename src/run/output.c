@@ -183,15 +183,10 @@ static double *make_times(const ovr_setup *setup, ovr_arena *arena,
 
 /* ----------------------------------------------------------------- writer */
 
-static double step_length(const ovr_setup *setup)
-{
-    return setup->march->dT > 0 ? setup->march->dT : setup->mesh;
-}
-
 static void choose(ovr_write_options *w, const ovr_setup *setup, bool no_thread)
 {
     const ovr_output *out = setup->output;
-    double dT = step_length(setup);
+    double dT = ovr_setup_step(setup);
     w->every_steps = out->every;
     w->every_time = out->interval;
     w->fields = out->fields;
@@ -226,7 +221,7 @@ ovr_storage ovr_setup_storage(const ovr_setup *setup)
         return (ovr_storage){0};
     ovr_write_options w = ovr_write_options_default();
     ovr_arena arena = ovr_arena_make(NULL);
-    double dT = step_length(setup);
+    double dT = ovr_setup_step(setup);
     ovr_storage s = {1, 0};
     make_times(setup, &arena, &w.time_count);
     ovr_arena_release(&arena);

@@ -8,6 +8,7 @@
 
 #include "case/domain.h"
 #include "case/resolve.h"
+#include "case/setup.h"
 #include "contact/contact.h"
 #include "contact/curvature.h"
 #include "contact/starvation.h"
@@ -215,7 +216,7 @@ static void warn_of_time(const review *r)
 {
     const ovr_march *march = r->setup->march;
     const ovr_surfaces *surfaces = r->setup->surfaces;
-    double dT = march->dT > 0 ? march->dT : r->setup->mesh;
+    double dT = ovr_setup_step(r->setup);
     size_t n = surfaces ? ovr_surfaces_count(surfaces) : 0;
     if (march->end < 0.999 * dT)
         say(r, OVR_SAY_WARNING,

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/given.h"
 #include "case/resolve.h"
+#include "case/setup.h"
 #include "run/stress.h"
 #include "stress/stress.h"
 
@@ -158,7 +159,7 @@ static ovr_status work(ovr_stored_stress *s, stored *f,
         status = read_case(s, f, change, data, err);
     if (status)
         return status;
-    dT = s->setup->march->dT > 0 ? s->setup->march->dT : s->setup->mesh;
+    dT = ovr_setup_step(s->setup);
     s->every = f->longest > 0 ? f->longest / dT : 1;
     for (int k = 0; !status && k < 2; k++)
         if (s->setup->stress->surfaces >> k & 1)

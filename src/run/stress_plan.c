@@ -7,6 +7,7 @@
 #include "base/given.h"
 #include "case/coats.h"
 #include "case/resolve.h"
+#include "case/setup.h"
 #include "contact/contact.h"
 #include "run/stress.h"
 #include "stress/layered.h"
@@ -73,7 +74,7 @@ static ovr_status refuse(const ovr_setup *setup, const char *key, double depth,
                          const ovr_stress_plan *plan, double every,
                          ovr_error *err)
 {
-    double dT = setup->march->dT > 0 ? setup->march->dT : setup->mesh;
+    double dT = ovr_setup_step(setup);
     double way = plan->coarsest, share = depth / WAY_OF_DEPTH / way;
     double wanted = floor(share * every + 1e-9);
     if (wanted >= 1)
@@ -140,7 +141,7 @@ static ovr_status make_plan(const ovr_setup *setup, int surface, double inlet,
 {
     const ovr_stress_setup *s = setup->stress;
     const ovr_contact *c = setup->contact;
-    double dT = setup->march->dT > 0 ? setup->march->dT : setup->mesh;
+    double dT = ovr_setup_step(setup);
     bool dang_van = s->fatigue && s->criterion == OVR_CRITERION_DANG_VAN;
     *plan = (ovr_stress_plan){.surface = surface};
     plan->ratio = surface == 1 ? c->u1_ratio : c->u2_ratio;

@@ -15,8 +15,10 @@ static const ovr_word schemes[] = {{"auto", -1},
                                    {"upstream2", OVR_UPSTREAM2},
                                    {"characteristic", OVR_CHARACTERISTIC},
                                    {NULL, 0}};
-static const ovr_word steps[] = {
-    {"grid", 0}, {"adaptive", OVR_STEP_ADAPTIVE}, {NULL, 0}};
+static const ovr_word steps[] = {{"auto", OVR_STEP_AUTO},
+                                 {"grid", 0},
+                                 {"adaptive", OVR_STEP_ADAPTIVE},
+                                 {NULL, 0}};
 static const ovr_word curvatures[] = {{"auto", OVR_CURVATURE_AUTO},
                                       {"rides", OVR_CURVATURE_RIDES},
                                       {"imposed", OVR_CURVATURE_IMPOSED},
@@ -28,12 +30,15 @@ static const ovr_parameter time_keys[] = {
      "end of the run, which starts at 0; auto: when all features have left, "
      "load and speed do not change any more and the film is steady again; "
      "without an end the case is steady"},
-    {"step", SPAN(steps, 1e3), "grid", AT(step), true, IN_TIME,
-     "time step; grid: the mesh size; adaptive: by the scheme's own error"},
+    {"step", SPAN(steps, 1e3), "auto", AT(step), true, IN_TIME,
+     "time step; grid: the mesh size; auto: twice that where it costs no "
+     "accuracy (order 4 along the characteristic), the mesh size else; "
+     "adaptive: by the scheme's own error"},
     {"scheme", CHOICE(schemes), "auto", AT(scheme), true, ALWAYS,
      "discretization in X and T: upstream1 with backward Euler, upstream2 "
      "with BDF2, or narrow second order along the characteristic; auto: "
-     "characteristic in runs with step = grid, unless the speed reverses or "
+     "characteristic in runs with step = auto or grid, unless the speed "
+     "reverses or "
      "varies beside heat; upstream2 else"},
     {"error", PLAIN(1e-9, 0.1), "1e-3", AT(error), true,
      IN_TIME "; step = adaptive",

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * time.step = auto.  Along the characteristic, with corrections of fourth order
+ * that follow the solution, steps of two meshes lose nothing that the mesh
+ * keeps (rms of a run, level 7 and 8: dents .5 and .3 b wide, rough surfaces,
+ * ramps of load and speed), and cost .6.  They do lose it where the film's
+ * inlet is short beside the mesh (M = 100: H_cen a factor 6 to 9), where a
+ * feature is narrow (its flanks pass in few steps), behind a jump, where nobody
+ * has an order, and where no correction takes the wedge of the step away: there
+ * a step is a mesh.
+ */
+#include <math.h>
+
+#include "case/domain.h"
+#include "case/resolve.h"
+#include "case/setup.h"
+#include "contact/contact.h"
+#include "contact/curvature.h"
+#include "surface/surfaces.h"
+
+static const double HEAVY = 100; /* M from which on inlets are short */
+static const double NARROW = 30; /* meshes a feature, below which it is */
+enum { LONG_STEP = 2, LOOKS = 64 };
+
+/* The largest M that the run goes through. */
+static double heaviest(const ovr_setup *s)
+{
+    double most = s->contact->M, end = ovr_setup_end(s);
+    if (!ovr_setup_varies(s) || !isfinite(end))
+        return most;
+    for (int k = 0; k <= LOOKS; k++) {
+        double T = end * k / LOOKS;
+        double w = fmax(ovr_history_value(s->load, T), OVR_LEAST_START);
+        double u = fmax(fabs(ovr_history_value(s->speed, T)), OVR_LEAST_START);
+        double c = 1 / ovr_history_value(s->radius, T);
+        most = fmax(most, ovr_instant_of(s->contact, w, u, c).M);
+    }
+    return most;
+}
+
+static bool has_narrow(const ovr_setup *s)
+{
+    size_t n = s->surfaces ? ovr_surfaces_count(s->surfaces) : 0;
+    for (size_t k = 0; k < n; k++) {
+        ovr_feature_info f = ovr_surfaces_info(s->surfaces, k);
+        bool moves = f.speed != 0 || s->sliding;
+        if (f.Rq == 0 && moves && f.wavelength < NARROW * s->mesh)
+            return true;
+    }
+    return false;
+}
+
+static bool jumps(const ovr_settings *v)
+{
+    return v->load.history == OVR_HISTORY_STEP ||
+           v->speed.history == OVR_HISTORY_STEP ||
+           v->sliding.history == OVR_HISTORY_STEP ||
+           v->radius.history == OVR_HISTORY_STEP;
+}
+
+/* Why a step is one mesh; NULL: it may be longer. */
+static const char *reason_of(const ovr_resolved *r)
+{
+    const ovr_setup *s = &r->setup;
+    if (s->options->scheme != OVR_CHARACTERISTIC)
+        return "as upstream schemes take it";
+    if (!ovr_setup_corrected(s))
+        return "without corrections of fourth order";
+    if (s->stress->surfaces || r->values.plastic.surfaces)
+        return "as the moments of the material below are steps";
+    if (jumps(&r->values))
+        return "beside a jump";
+    if (heaviest(s) >= HEAVY)
+        return "for M of 100 and more";
+    return has_narrow(s) ? "for a feature narrower than 30 meshes" : NULL;
+}
+
+void ovr_resolve_step(ovr_resolved *r)
+{
+    const ovr_setup *s = &r->setup;
+    if (!s->transient || r->values.step != OVR_STEP_AUTO)
+        return;
+    r->step_reason = reason_of(r);
+    r->march.dT = r->step_reason ? 0 : LONG_STEP * s->mesh;
+}
+
+double ovr_setup_step(const ovr_setup *setup)
+{
+    return setup->march->dT > 0 ? setup->march->dT : setup->mesh;
+}
+
+const char *ovr_setup_step_reason(const ovr_setup *setup)
+{
+    return ((const ovr_resolved *)setup)->step_reason;
+}
