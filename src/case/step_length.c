@@ -66,8 +66,8 @@ static const char *reason_of(const ovr_resolved *r)
         return "as upstream schemes take it";
     if (!ovr_setup_corrected(s))
         return "without corrections of fourth order";
-    if (s->stress->surfaces || r->values.plastic.surfaces)
-        return "as the moments of the material below are steps";
+    if (r->values.plastic.surfaces)
+        return "as strains grow from step to step";
     if (jumps(&r->values))
         return "beside a jump";
     if (heaviest(s) >= HEAVY)

@@ -249,7 +249,9 @@ void ovr_say_errors(const ovr_told *to, const ovr_run_info *s)
             label = "";
         }
     }
-    ovr_tell(to, label, "relative, from level %d%s", e->level,
+    bool steps = s->transient && !s->setup->march->adaptive;
+    ovr_tell(to, label, "relative, from level %d%s%s", e->level,
              e->count && isfinite(e->of[0].value[2]) ? " and the one below it"
-                                                     : "");
+                                                     : "",
+             steps ? ", steps longer with the mesh" : "");
 }
