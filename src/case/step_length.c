@@ -7,7 +7,7 @@
  * inlet is short beside the mesh (M = 100: H_cen a factor 6 to 9), where a
  * feature is narrow (its flanks pass in few steps), behind a jump, where nobody
  * has an order, and where no correction takes the wedge of the step away: there
- * a step is a mesh.
+ * a step is a mesh.  So it is on coarse meshes, whose runs take no time.
  */
 #include <math.h>
 
@@ -18,8 +18,9 @@
 #include "contact/curvature.h"
 #include "surface/surfaces.h"
 
-static const double HEAVY = 100; /* M from which on inlets are short */
-static const double NARROW = 30; /* meshes a feature, below which it is */
+static const double HEAVY = 100;   /* M from which on inlets are short */
+static const double NARROW = 30;   /* meshes a feature, below which it is */
+static const double COARSE = 0.01; /* b: level 6 and below, as a rule */
 enum { LONG_STEP = 2, LOOKS = 64 };
 
 /* The largest M that the run goes through. */
@@ -68,6 +69,8 @@ static const char *reason_of(const ovr_resolved *r)
         return "without corrections of fourth order";
     if (r->values.plastic.surfaces)
         return "as strains grow from step to step";
+    if (s->mesh > COARSE)
+        return "on a mesh above 0.01 b";
     if (jumps(&r->values))
         return "beside a jump";
     if (heaviest(s) >= HEAVY)

@@ -38,7 +38,6 @@ slide_to_roll = 0.2
 level = 5
 [time]
 end = 6.4
-step = grid
 [feature dent]
 shape = dent
 depth = 0.1

@@ -12,7 +12,6 @@ L = 10
 level = 5
 [time]
 end = 0.5
-step = grid
 [feature dent]
 shape = dent
 depth = 0.1
