@@ -182,7 +182,7 @@ contains out '^mass flow .* mm2/s'
 contains out '^smallest film .* um  at X = .* um\), T = [0-9.]+ \([0-9.]+ ms\)$'
 contains out '^estimated errors  minimum film [0-9.]+ % \([0-9.]+ nm\)'
 contains out '^ +largest pressure [0-9.]+ % \([0-9.]+ MPa\)$'
-contains out '^ +relative, from level 3 and the one below it$'
+contains out '^ +relative, from level 3 and the one below it, steps longer'
 expect 0 "$OVERROLL" info physical.h5
 contains out 't = 0 to 0\.02[0-9]+ ms$'
 contains out ' at t, ms '

@@ -1,0 +1,71 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Steps of two meshes, the default: a dent rolls through in half the steps of
+# one mesh each, and the film differs from that on twice as many nodes in steps
+# of a mesh by no more than 5e-5 in the middle and 1e-3 at its smallest (rms of
+# the passage; steps of one mesh without corrections that follow, version
+# 0.2.0: 1.1e-4 in the middle).  Why a step is one mesh `check` says.
+. "$TOP/tests/support/cli.sh"
+
+cat >dent.ini <<'END'
+[contact]
+M = 20
+L = 10
+[domain]
+level = 7
+inlet = -4
+outlet = 1.5
+[time]
+end = 5.5
+[feature dent]
+shape = dent
+depth = 0.1
+width = 0.5
+start = -4.6
+[output]
+every = 1000000
+END
+
+history() {
+    expect 0 "$OVERROLL" run dent.ini -o "$1.h5" --json -q --set domain.level="$2" "$3"
+    awk -F: '$1 ~ /"steps"/ { print $2 + 0 }' out >"$1.steps"
+    expect 0 "$OVERROLL" export "$1.h5" -o "$1.csv"
+}
+history auto 7 --set=output.compression=0
+history fine 8 --set=time.step=grid
+steps=$(cat auto.steps) fine=$(cat fine.steps)
+[ $((4 * steps)) -le $((fine + 4)) ] ||
+    fail "$steps steps of two meshes, $fine of half a mesh"
+awk -F, '
+    FNR == 1 { for (k = 1; k <= NF; k++) { sub(/ .*/, "", $k); at[$k] = k }; next }
+    { T = sprintf("%.6f", $at["time"]) }
+    FILENAME ~ /fine/ {
+        cen[T] = $at["central_film_thickness"]
+        min[T] = $at["min_film_thickness"]; next }
+    !(T in cen) { exit n = 0 }
+    { n++
+      c += ($at["central_film_thickness"] / cen[T] - 1) ^ 2
+      m += ($at["min_film_thickness"] / min[T] - 1) ^ 2 }
+    END {
+        printf "%d moments: rms H_cen %g, H_min %g\n", n, sqrt(c / n), sqrt(m / n)
+        exit !(n > 400 && sqrt(c / n) < 5e-5 && sqrt(m / n) < 1e-3) }
+' fine.csv auto.csv >said || fail "$(cat said)"
+
+# What check says of the step
+why() {
+    said=$1
+    shift
+    expect 0 "$OVERROLL" check dent.ini "$@"
+    contains out "time step +$said"
+}
+why '0.0122768, 2 meshes$'
+why '0.00613839, 1 mesh$' --set time.step=grid
+why '0.1, 16.3 meshes$' --set time.step=0.1
+why '0.00613839, 1 mesh: as upstream' --set time.scheme=upstream2
+why '0.00613839, 1 mesh: without corrections' --set domain.order=2
+why '0.00613839, 1 mesh: for M of 100' --set contact.M=100
+why '0.0122768, 1 mesh: on a mesh above 0.01 b' --set domain.level=6
+why '0.00613839, 1 mesh: for a feature narrower' --set feature.dent.width=0.18
+why '0.00613839, 1 mesh: beside a jump' --set load.history=step \
+    --set load.to=1.1 --set load.start=1
+why 'by the error of the steps, 0.001 wanted' --set time.step=adaptive
