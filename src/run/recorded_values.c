@@ -23,14 +23,6 @@ static const struct {
             {"time.step", "grid"},
             {"domain.faces", "arithmetic"}};
 
-/* Where scheme = auto was upstream2, before there were `faces`. */
-static const char *const upstream_once[] = {
-    "load.history = ramp | step | sine | table",
-    "speed.history = ramp | step | sine | table",
-    "radius.history = ramp | step | sine | table",
-    "radius_1.history = ramp | step | sine | table",
-    "[gear] or [cam] or [roller_bearing]"};
-
 /* The first section is that of the key today; it may be recorded under the one
  * it once belonged to. */
 static const struct {
@@ -81,33 +73,17 @@ static const char *recorded(const ovr_restart_info *of, const char *name)
     return text;
 }
 
-/* The scheme of a run of then whose scheme was auto. */
-static const char *scheme_once(const ovr_case *c, const ovr_restart_info *of,
-                               const char *text)
-{
-    const ovr_block *time = ovr_case_find_block(c, "time", NULL);
-    if (strcmp(text, "auto") != 0 || in_list(of, "domain.faces"))
-        return text;
-    for (size_t k = 0; k < sizeof upstream_once / sizeof *upstream_once; k++)
-        if (ovr_conditions_hold(c, time, upstream_once[k]))
-            return "upstream2";
-    return text;
-}
-
 ovr_status ovr_recorded_values(ovr_case *c, const ovr_restart_info *of,
                                const char *path, ovr_error *err)
 {
     for (size_t k = 0; k < ovr_case_entries(c); k++) {
         ovr_case_entry e = ovr_case_entry_at(c, k);
         char name[NAME_ROOM];
+        if (e.given)
+            continue;
         snprintf(name, sizeof name, e.name ? "%s %s.%s" : "%s%s.%s", e.section,
                  e.name ? e.name : "", e.key);
-        bool scheme = !strcmp(name, "time.scheme"); /* a given auto too */
-        if (e.given && !scheme)
-            continue;
         const char *text = recorded(of, name);
-        if (text && scheme)
-            text = scheme_once(c, of, text);
         if (text && (!e.text || strcmp(text, e.text) != 0) &&
             ovr_case_set(c, name, text, path, err))
             return OVR_BAD_INPUT;
