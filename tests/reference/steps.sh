@@ -27,7 +27,8 @@ every = 1000000
 END
 
 history() {
-    expect 0 "$OVERROLL" run dent.ini -o "$1.h5" --json -q --set domain.level="$2" "$3"
+    expect 0 "$OVERROLL" run dent.ini -o "$1.h5" --json -q \
+        --set domain.level="$2" "$3"
     awk -F: '$1 ~ /"steps"/ { print $2 + 0 }' out >"$1.steps"
     expect 0 "$OVERROLL" export "$1.h5" -o "$1.csv"
 }
@@ -37,7 +38,12 @@ steps=$(cat auto.steps) fine=$(cat fine.steps)
 [ $((4 * steps)) -le $((fine + 4)) ] ||
     fail "$steps steps of two meshes, $fine of half a mesh"
 awk -F, '
-    FNR == 1 { for (k = 1; k <= NF; k++) { sub(/ .*/, "", $k); at[$k] = k }; next }
+    FNR == 1 {
+        for (k = 1; k <= NF; k++) {
+            sub(/ .*/, "", $k)
+            at[$k] = k
+        }
+        next }
     { T = sprintf("%.6f", $at["time"]) }
     FILENAME ~ /fine/ {
         cen[T] = $at["central_film_thickness"]
@@ -47,7 +53,8 @@ awk -F, '
       c += ($at["central_film_thickness"] / cen[T] - 1) ^ 2
       m += ($at["min_film_thickness"] / min[T] - 1) ^ 2 }
     END {
-        printf "%d moments: rms H_cen %g, H_min %g\n", n, sqrt(c / n), sqrt(m / n)
+        printf "%d moments: rms H_cen %g, H_min %g\n", n, sqrt(c / n),
+            sqrt(m / n)
         exit !(n > 400 && sqrt(c / n) < 5e-5 && sqrt(m / n) < 1e-3) }
 ' fine.csv auto.csv >said || fail "$(cat said)"
 
