@@ -669,6 +669,8 @@ static ovr_status finish(void *own, const ovr_simulation *sim,
     const run_plastic *r = own;
     const ovr_plastic *p = ovr_plastic_of(sim);
     (void)info;
+    if (!p)
+        return OVR_OK;
     EACH_BODY(p, k)
     show(p, k); /* what the next pass begins with */
     if (r->writer && ovr_plastic_store(r->writer, p, err))

@@ -45,9 +45,9 @@ void ovr_yielding_layers(size_t layers, double first, double depth,
                          double *edge)
 {
     double low = 1, high = 4, n = (double)layers;
-    for (int step = 0; step < 60; step++) {
+    for (int step = 0; step < 40; step++) {
         double r = (low + high) / 2;
-        double whole = first * (r > 1 ? (pow(r, n) - 1) / (r - 1) : n);
+        double whole = first * (pow(r, n) - 1) / (r - 1);
         *(whole < depth ? &low : &high) = r;
     }
     edge[0] = 0;

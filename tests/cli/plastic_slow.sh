@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A dent rolled over, against an independent program of another scheme (its
 # shoulders on level 8: Y = 0.75 p_h 241.0 and 238.5 nm after one and two
-# overrollings, levels 7 to 9 within 0.4 %; bearing steel 245.3 nm, 0.2 nm gone);
-# steps that are no whole node.
+# overrollings, levels 7 to 9 within 0.4 %; bearing steel 245.3 nm, 0.2 nm
+# gone); steps that are no whole node.
 . "$TOP/tests/support/cli.sh"
 need_python json h5py
 
