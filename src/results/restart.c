@@ -371,7 +371,7 @@ static ovr_status get_state(void *context, const char *name, void *memory,
         get->restart->lacks = get->restart->version;
         return OVR_OK;
     }
-    if (!found && strcmp(get->restart->version, OVERROLL_VERSION))
+    if (!found && strcmp(get->restart->version, OVERROLL_VERSION) != 0)
         return ovr_fail(
             err, OVR_BAD_INPUT,
             "%s: overroll %s, which wrote it, did not keep all that "

@@ -62,7 +62,7 @@ ovr_status ovr_plastic_planned(const ovr_setup *setup, int k,
                               length, most_points);
     plan->mesh = D;
     plan->layers = (size_t)fmax(1, fmin(how->layers, floor(how->depth / D)));
-    plan->first = (round(middle / D) - (double)plan->points / 2) * D;
+    plan->first = (round(middle / D) - 0.5 * (double)plan->points) * D;
     return OVR_OK;
 }
 

@@ -11,7 +11,7 @@ void ovr_result_answers(ovr_result *result, ovr_answer *put, void *data);
 /* Of a prepared setup, in milliseconds. */
 ovr_status ovr_setup_rough_film(const ovr_setup *setup,
                                 const ovr_allocator *allocator,
-                                ovr_rough_film *film, ovr_error *err);
+                                ovr_rough_film *to, ovr_error *err);
 
 /* What a prepared setup would store: snapshots (the instants of the largest
  * pressure and the smallest film may come on top), and bytes on the disk before

@@ -281,7 +281,7 @@ static ovr_status resolve_factor(const ovr_physics_case *of,
                                  ovr_boundary_form *f, ovr_error *err)
 {
     f->factor = (ovr_flow_factor){(ovr_ridges)f->ridges, f->Rq};
-    if (!f->Rq && f->decay > 0)
+    if (f->Rq == 0 && f->decay > 0)
         f->factor.sigma = 2.15 * f->decay;
     if (f->ridges && !(f->factor.sigma > 0))
         return ovr_fail_about(err, "flow_factor",

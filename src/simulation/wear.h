@@ -18,7 +18,7 @@
 #include "surface/material_ratio.h"
 
 /* A step, b/um; at most so many of them. */
-#define OVR_WEAR_STEP 1000.
+#define OVR_WEAR_STEP 1e3
 enum { OVR_WEAR_MOST = 4000 };
 
 /* What is worn so far: of the state that was reached last, or of the step that
