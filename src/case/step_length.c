@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * time.step = auto.  Along the characteristic, with corrections of fourth order
- * that follow the solution, steps of two meshes lose nothing that the mesh
- * keeps (rms of a run, level 7 and 8: dents .5 and .3 b wide, rough surfaces,
- * ramps of load and speed), and cost .6.  They do lose it where the film's
+ * that follow the solution, steps of two meshes keep central films to 1e-4 and
+ * smallest ones to 1e-3 (rms of a run, level 7: dents .5 b wide, ramps of load
+ * and speed), and cost .6 of steps of one.  They lose more where the film's
  * inlet is short beside the mesh (M = 100: H_cen a factor 6 to 9), where a
- * feature is narrow (its flanks pass in few steps), behind a jump, where nobody
- * has an order, and where no correction takes the wedge of the step away: there
- * a step is a mesh.  So it is on coarse meshes, whose runs take no time.
+ * feature is narrow or a change quick (they pass in few steps), and where no
+ * correction takes the wedge of the step away: there a step is a mesh.  So it
+ * is on coarse meshes, whose runs take no time.
  */
 #include <math.h>
 
@@ -19,7 +19,7 @@
 #include "surface/surfaces.h"
 
 static const double HEAVY = 100;   /* M from which on inlets are short */
-static const double NARROW = 30;   /* meshes a feature, below which it is */
+static const double NARROW = 30;   /* meshes of a feature, or of a change */
 static const double COARSE = 0.01; /* b: level 6 and below, as a rule */
 enum { LONG_STEP = 2, LOOKS = 64 };
 
@@ -51,12 +51,27 @@ static bool has_narrow(const ovr_setup *s)
     return false;
 }
 
-static bool jumps(const ovr_settings *v)
+/* Within so little time that steps see few moments of it; of a table it is not
+ * asked. */
+static bool is_quick(const ovr_change *c, double least)
 {
-    return v->load.history == OVR_HISTORY_STEP ||
-           v->speed.history == OVR_HISTORY_STEP ||
-           v->sliding.history == OVR_HISTORY_STEP ||
-           v->radius.history == OVR_HISTORY_STEP;
+    switch (c->history) {
+    case OVR_HISTORY_STEP: return true;
+    case OVR_HISTORY_RAMP: return c->duration < least;
+    case OVR_HISTORY_SINE: return c->period < least;
+    default: return false;
+    }
+}
+
+static bool changes_quickly(const ovr_resolved *r)
+{
+    const ovr_settings *v = &r->values;
+    const ovr_change *const all[] = {&v->load, &v->speed, &v->sliding,
+                                     &v->radius, &v->radius_1};
+    bool quick = false;
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+        quick = quick || is_quick(all[k], NARROW * r->setup.mesh);
+    return quick;
 }
 
 /* Why a step is one mesh; NULL: it may be longer. */
@@ -71,8 +86,8 @@ static const char *reason_of(const ovr_resolved *r)
         return "as strains grow from step to step";
     if (s->mesh > COARSE)
         return "on a mesh above 0.01 b";
-    if (jumps(&r->values))
-        return "beside a jump";
+    if (changes_quickly(r))
+        return "for a change within 30 meshes";
     if (heaviest(s) >= HEAVY)
         return "for M of 100 and more";
     return has_narrow(s) ? "for a feature narrower than 30 meshes" : NULL;

@@ -422,6 +422,7 @@ alpha = 22 1/GPa
 level = {level}
 [time]
 end = {end}
+step = grid
 [feature wave]
 shape = wave
 amplitude = {A}
