@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A tenth of the contacts of verify/touches_test. */
+#include "../support/test.h"
+#include "../support/touches.h"
+
+static void surfaces_that_touch_have_a_film(void **state)
+{
+    (void)state;
+    test_touches_survey(33000, 10);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(surfaces_that_touch_have_a_film)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

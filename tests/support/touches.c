@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "touches.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "contact/film_formula.h"
+#include "overroll/run.h"
+#include "test.h"
+
+typedef struct tally {
+    int runs, failed, most;
+    long cycles;
+    double least, largest; /* shares */
+} tally;
+
+static double logarithmic(uint64_t *state, double low, double high)
+{
+    return exp(test_random(state, log(low), log(high)));
+}
+
+static void write_case(char *text, size_t size, uint64_t seed)
+{
+    static const double amplitude[] = {0.3, 1, 3};
+    uint64_t state = seed;
+    double M = logarithmic(&state, 5, 200), L = test_random(&state, 5, 14);
+    double lambda = logarithmic(&state, 0.1, 6);
+    double a1 = amplitude[(int)test_random(&state, 0, 2.999)];
+    double decay = ovr_film_central_moes(M, L) / lambda / 2.15;
+    snprintf(text, size,
+             "[contact]\nM = %.6g\nL = %.6g\n[lubricant]\nalpha = 17 1/GPa\n"
+             "[domain]\nlevel = %d\n"
+             "[boundary]\nlaw = exponential\namplitude = %g\ndecay = %.6g\n",
+             M, L, M < 60 ? 5 : 6, a1, decay);
+}
+
+static void try(tally *t, uint64_t seed)
+{
+    enum { SHARE = 0 };
+    char text[400];
+    ovr_error err = {0};
+    write_case(text, sizeof text, seed);
+    ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, &err);
+    ovr_run *run = c ? ovr_run_create(c, NULL, NULL, &err) : NULL;
+    CHECK_OK(run ? OVR_OK : err.status, &err);
+    ovr_run_go(run, &err);
+    const ovr_observation *o = ovr_simulation_observation(
+        ovr_run_about(run)->sim);
+    bool failed = err.status || !o->converged;
+    t->runs++;
+    t->failed += failed;
+    t->cycles += o->cycles;
+    t->most = o->cycles > t->most ? o->cycles : t->most;
+    t->least = fmin(t->least, o->more[SHARE]);
+    t->largest = fmax(t->largest, o->more[SHARE]);
+    if (failed)
+        print_message("    seed %llu: %s\n%s\n", (unsigned long long)seed,
+                      err.message, text);
+    else
+        CHECK_NEAR(o->load, acos(-1.0) / 2, 1e-9);
+    ovr_run_free(run);
+    ovr_case_free(c);
+}
+
+void test_touches_survey(uint64_t seed, int runs)
+{
+    enum { ATTEMPT = 60 };
+    tally t = {.least = 1};
+    for (int k = 0; k < runs; k++)
+        try(&t, seed + (uint64_t)k);
+    print_message("    seeds %llu on: %d runs, %d failed; shares %.5f to %.5f; "
+                  "%.1f steps of Newton's method each, %d at most\n",
+                  (unsigned long long)seed, t.runs, t.failed, t.least,
+                  t.largest, (double)t.cycles / t.runs, t.most);
+    assert_int_equal(t.failed, 0);
+    assert_true(2 * t.cycles <= (long)ATTEMPT * t.runs);
+}
