@@ -51,7 +51,7 @@ static void take_running_in(ovr_resolved *r)
 {
     r->setup.transient = true;
     r->march.end = OVR_WEAR_STEP * OVR_WEAR_MOST;
-    r->march.dT = OVR_WEAR_STEP;
+    r->march.dT = r->values.step = OVR_WEAR_STEP;
     if (r->values.scheme < 0)
         r->values.scheme = OVR_UPSTREAM1;
 }

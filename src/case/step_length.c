@@ -21,7 +21,7 @@
 static const double HEAVY = 100;   /* M from which on inlets are short */
 static const double NARROW = 30;   /* meshes of a feature, or of a change */
 static const double COARSE = 0.01; /* b: level 6 and below, as a rule */
-enum { LONG_STEP = 2, LOOKS = 64 };
+enum { LONG_STEP = 2, LOOKS = 64, INSTANTS = 1 << 14 };
 
 /* The largest M that the run goes through. */
 static double heaviest(const ovr_setup *s)
@@ -51,8 +51,40 @@ static bool has_narrow(const ovr_setup *s)
     return false;
 }
 
-/* Within so little time that steps see few moments of it; of a table it is not
- * asked. */
+/* Whether the second difference of a table over long steps, which is what a
+ * step takes for a straight line, is ever more than 1e-3 of the nominal value.
+ */
+static bool swings(const ovr_history *history, double end, double h)
+{
+    const double most = 1e-3;
+    double before = ovr_history_value(history, 0), now = before;
+    double count = isfinite(end) ? fmin(ceil(end / h), INSTANTS) : 0;
+    for (int k = 1; k <= (int)count; k++) {
+        double next = ovr_history_value(history, k * h);
+        if (fabs(next - 2 * now + before) > most)
+            return true;
+        before = now;
+        now = next;
+    }
+    return false;
+}
+
+static bool tables_swing(const ovr_resolved *r)
+{
+    const ovr_setup *s = &r->setup;
+    const ovr_settings *v = &r->values;
+    const ovr_history *const all[] = {s->load, s->speed, s->sliding, s->radius,
+                                      s->radius_1};
+    const ovr_change *const of[] = {&v->load, &v->speed, &v->sliding,
+                                    &v->radius, &v->radius_1};
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+        if (of[k]->history == OVR_HISTORY_TABLE &&
+            swings(all[k], ovr_setup_end(s), LONG_STEP * s->mesh))
+            return true;
+    return false;
+}
+
+/* Within so little time that steps see few moments of it. */
 static bool is_quick(const ovr_change *c, double least)
 {
     switch (c->history) {
@@ -68,7 +100,7 @@ static bool changes_quickly(const ovr_resolved *r)
     const ovr_settings *v = &r->values;
     const ovr_change *const all[] = {&v->load, &v->speed, &v->sliding,
                                      &v->radius, &v->radius_1};
-    bool quick = false;
+    bool quick = tables_swing(r);
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         quick = quick || is_quick(all[k], NARROW * r->setup.mesh);
     return quick;
