@@ -11,11 +11,12 @@
  * (q - 3 q_1 + 3 q_2 - q_3)/(3 dT), the term by which BDF3 differs.  It is zero
  * for what is only carried and the steady wedge's error for what stands, at any
  * step and speed.  m_i is 1 where P > 0 at i - 3..i + 3, and fades over eight
- * nodes to the film's end, so that nothing jumps as the end crosses nodes; it
- * is 0 about ridges where a mesh halves the film.  A step that fails is tried
- * again without F.  With temperatures the corrections of the steady film are
- * made anew after each of their turns; turns that do not end so are of second
- * order.
+ * nodes to the film's end, wherever that is between two nodes, so that nothing
+ * jumps as the end crosses one: a spike close to it would answer each jump with
+ * another.  It is 0 about ridges where a mesh halves the film.  A step that
+ * fails is tried again without F.  With temperatures the
+ * corrections of the steady film are made anew after each of their turns; turns
+ * that do not end so are of second order.
  *
  * Where load, speed and radius are constant, the steady start solves the steps'
  * equations too, of any length: F takes in what the steady film q_s lacks,
@@ -277,17 +278,29 @@ static bool jumps(double H, double next)
     return H > 2 * next || next > 2 * H;
 }
 
+/* Where the film ends, in meshes: behind the last node e with a pressure by
+ * P_e/(P_{e-1} - 2 P_e), from 0 where e gets wet to 1 where the next one does,
+ * whose second difference is then P_e. */
+static double film_end(const double *P, size_t n)
+{
+    size_t dry = n - 1;
+    while (dry > 2 && !(P[dry - 1] > 0))
+        dry--;
+    double last = P[dry - 1], bend = P[dry - 2] - 2 * last;
+    return (double)dry - 1 + (bend > last ? last / bend : 1);
+}
+
 /* What m leaves of F and of the third difference; m where it is asked for. */
 static void fade(const ovr_simulation *sim, fourth *f, double *mask)
 {
-    enum { WET = 3, SHARP = 4, OVER = 8 };
+    enum { WET = 3, OVER = 8 };
+    const double sharp = 3.5;
     const double *P = sim->now.P, *H = sim->now.H;
-    size_t n = f->n, end = n - 1, since = 0;
-    while (end > 1 && !(P[end - 1] > 0))
-        end--;
+    size_t n = f->n, since = 0;
+    const double end = film_end(P, n);
     for (size_t i = 0; i < n; i++) {
         bool inside = i >= OVR_FOURTH_MARGIN && i + OVR_FOURTH_MARGIN < n;
-        double far = ((double)end - (double)i - SHARP) / OVER, m = 0;
+        double far = (end - (double)i - sharp) / OVER, m = 0;
         size_t ahead = i + WET;
         bool wet = ahead < n && P[ahead] > 0;
         since = wet && !jumps(H[ahead - 1], H[ahead]) ? since + 1 : 0;

@@ -112,13 +112,14 @@ static double march(const char *text, int *marked)
 
 /* Rolling and sliding: no more cycles than without layers by 10 %, and no step
  * that does not belong together.  Of second order that holds for each of them.
- * Of fourth the corrections follow the solution a step behind; at a spike about
- * a mesh wide that went on for ever in one of sixty, by .008 ph to and fro (on
- * this mesh, on none beside it), so that nine of ten are asked for, and the
- * mean. */
+ * Of fourth two of sixty are above, one by its steady start, one by steps that
+ * fail at a spike a mesh wide, and a limit cycle of the corrections would
+ * double them: 1.25 for each.
+ */
 void test_coated_dents(int dents, int order)
 {
     static const double slides[] = {0, 0, 0.5, -1};
+    const double limit = order == 2 ? 1.1 : 1.25;
     uint64_t seed = 7;
     double all = 0;
     int off = 0;
@@ -137,7 +138,7 @@ void test_coated_dents(int dents, int order)
         double coated = march(text, &marked);
         off += coated > 1.1 * bare;
         all += coated / bare / dents;
-        if (marked > bare_marked || (order == 2 && coated > 1.1 * bare)) {
+        if (marked > bare_marked || coated > limit * bare) {
             print_message("%d marked, %.3f of the cycles\n%s\n", marked,
                           coated / bare, text);
             fail();
@@ -146,5 +147,5 @@ void test_coated_dents(int dents, int order)
     print_message("%d dents of order %d, %.3f of the cycles, %d above by a "
                   "tenth\n",
                   dents, order, all, off);
-    assert_true(off <= dents / 10 && all < 1.1);
+    assert_true(off <= dents / 20 && all < 1.1);
 }
