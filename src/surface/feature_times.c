@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * When a feature, one of its copies or an end of it comes to a place: the
+ * inverse of X_k(T) = start + (u_k/um) I(T), I the integral of Cu, and of a
+ * way that turns where the speed does or where the sliding has a history.
+ */
+#include <math.h>
+
+#include "contact/contact.h"
+#include "contact/turning.h"
+#include "surface/features.h"
+#include "surface/surfaces.h"
+
+double ovr_surfaces_centre(const ovr_surfaces *surfaces, size_t feature,
+                           double T)
+{
+    if (!surfaces)
+        return NAN;
+    const ovr_feature *f = ovr_surfaces_feature(surfaces, feature);
+    return f ? ovr_feature_centre(surfaces, f, T) : NAN;
+}
+
+/* Whether what has come may go back. */
+static bool wanders(const ovr_surfaces *surfaces)
+{
+    return surfaces->sliding || ovr_history_turns(surfaces->speed);
+}
+
+/* The first T in [after, until] at which a feature has come as far as `far`,
+ * where it may go back; to a twentieth of b/um, then by halving. */
+static double wandering_time_of(const ovr_surfaces *surfaces,
+                                const ovr_feature *f, double far, double after,
+                                double until)
+{
+    const double step = 0.05;
+    enum { MOST = 100000 };
+    bool above = ovr_feature_moved(surfaces, f, after) > far;
+    double low = after;
+    for (int k = 0; k < MOST && low < until; k++) {
+        double high = fmin(low + step, until);
+        if ((ovr_feature_moved(surfaces, f, high) > far) == above) {
+            low = high;
+            continue;
+        }
+        for (int m = 0; m < 60; m++) {
+            double middle = 0.5 * (low + high);
+            if ((ovr_feature_moved(surfaces, f, middle) > far) == above)
+                low = middle;
+            else
+                high = middle;
+        }
+        return high;
+    }
+    return INFINITY;
+}
+
+/* T in [after, until] with I(T) = way: I does not decrease. */
+static double time_of(const ovr_surfaces *surfaces, const ovr_feature *f,
+                      double way, double after, double until)
+{
+    const ovr_history *speed = surfaces->speed;
+    double low = after, high = until;
+    if (wanders(surfaces))
+        return wandering_time_of(surfaces, f, f->ratio * way, after, until);
+    if (!speed)
+        return way > after && way <= until ? way : INFINITY;
+    if (!(ovr_history_integral(speed, low) < way) ||
+        ovr_history_integral(speed, high) < way)
+        return INFINITY;
+    for (int k = 0; k < 200 && high - low > 1e-15 * high; k++) {
+        double middle = low + 0.5 * (high - low);
+        if (ovr_history_integral(speed, middle) < way)
+            low = middle;
+        else
+            high = middle;
+    }
+    return high;
+}
+
+/* When the point at `offset` from the centre comes to X. */
+static double time_at(const ovr_surfaces *surfaces, const ovr_feature *f,
+                      double offset, double X, double until)
+{
+    double far = X - f->start - offset, way = far / f->ratio;
+    if (wanders(surfaces) && !isnan(far))
+        return (f->back ? far >= 0 : far <= 0)
+                   ? 0
+                   : wandering_time_of(surfaces, f, far, 0, until);
+    if (f->ratio == 0 || isnan(way))
+        return INFINITY;
+    return way <= 0 ? 0 : time_of(surfaces, f, way, 0, until);
+}
+
+ovr_feature_times ovr_surfaces_times(const ovr_surfaces *surfaces,
+                                     size_t feature, double inlet,
+                                     double outlet, double until)
+{
+    if (!surfaces)
+        return (ovr_feature_times){0};
+    const ovr_feature *f = ovr_surfaces_feature(surfaces, feature);
+    ovr_feature_times never = {INFINITY, INFINITY, INFINITY}, times;
+    double first, last;
+    bool back;
+    if (!f)
+        return never;
+    back = f->back;
+    first = back ? -f->behind : f->ahead;
+    last = back ? f->ahead + ovr_feature_last_copy(f)
+                : -f->behind - ovr_feature_last_copy(f);
+    times.enters = time_at(surfaces, f, first, back ? outlet : inlet, until);
+    times.centre = time_at(surfaces, f, 0, 0, until);
+    times.leaves = time_at(surfaces, f, last, back ? inlet : outlet, until);
+    return times;
+}
+
+/* Where the motion reverses, the copies on both sides of X may come to it
+ * first; a feature without copies is searched alone. */
+static double wandering_arrival(const ovr_surfaces *surfaces,
+                                const ovr_feature *f, double X, double after,
+                                double until)
+{
+    bool both = ovr_is_endless(f) && f->wavelength > 0;
+    double p = both ? f->wavelength : f->back ? -f->repeat : f->repeat;
+    double far = X - f->start, here = ovr_feature_moved(surfaces, f, after),
+           T = INFINITY;
+    if (isnan(p))
+        return wandering_time_of(surfaces, f, far, after, until);
+    double next = floor((here - far) / p);
+    for (double k = next - 1; k <= next + 2; k++)
+        if (both || (k >= 0 && (!f->copies || k < (double)f->copies)))
+            T = fmin(T,
+                     wandering_time_of(surfaces, f, far + k * p, after, until));
+    return T;
+}
+
+double ovr_surfaces_arrival(const ovr_surfaces *surfaces, size_t feature,
+                            double X, double after, double until)
+{
+    if (!surfaces)
+        return NAN;
+    const ovr_feature *f = ovr_surfaces_feature(surfaces, feature);
+    double way, apart, k, gone;
+    bool both;
+    if (!f || f->ratio == 0)
+        return INFINITY;
+    if (ovr_history_turns(surfaces->speed))
+        return wandering_arrival(surfaces, f, X, after, until);
+    way = (X - f->start) / f->ratio;
+    both = ovr_is_endless(f) && f->wavelength > 0;
+    apart = (both ? f->wavelength : f->repeat) / fabs(f->ratio);
+    gone = ovr_feature_moved(surfaces, f, after) / f->ratio;
+    if (apart > 0) { /* the first copy that has not gone by */
+        k = floor((gone - way) / apart + 1e-9) + 1;
+        if (!both && k < 0)
+            k = 0;
+        if (f->copies && k > (double)(f->copies - 1))
+            return INFINITY;
+        way += k * apart;
+    }
+    return time_of(surfaces, f, way, after, until);
+}

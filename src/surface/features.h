@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The features of two surfaces, one after the other as they were put on, and
+ * how far each has come. */
+#ifndef OVR_SURFACE_FEATURES_H
+#define OVR_SURFACE_FEATURES_H
+
+#include <math.h>
+#include <stddef.h>
+
+#include "base/arena.h"
+#include "contact/contact.h"
+#include "overroll/surface.h"
+#include "surface/feature.h"
+
+typedef struct ovr_placed_feature {
+    ovr_feature feature;
+    struct ovr_placed_feature *next;
+} ovr_placed_feature;
+
+struct ovr_surfaces {
+    ovr_arena arena;
+    ovr_contact contact;
+    const ovr_history *speed, *sliding;
+    double mesh;
+    double inlet, outlet; /* NAN: not known */
+    size_t count;
+    ovr_placed_feature *first, **last;
+};
+
+/* The k-th feature, or NULL. */
+static inline const ovr_feature *
+ovr_surfaces_feature(const ovr_surfaces *surfaces, size_t k)
+{
+    const ovr_placed_feature *l = surfaces->first;
+    while (l && k--)
+        l = l->next;
+    return l ? &l->feature : NULL;
+}
+
+/* How far a feature has come between 0 and T, b. */
+double ovr_feature_moved(const ovr_surfaces *surfaces,
+                         const ovr_feature *feature, double T);
+
+/* X of its centre. */
+static inline double ovr_feature_centre(const ovr_surfaces *surfaces,
+                                        const ovr_feature *feature, double T)
+{
+    return feature->start + ovr_feature_moved(surfaces, feature, T);
+}
+
+/* How far behind it its last copy is, b: 0 without copies, INFINITY where they
+ * have no end. */
+static inline double ovr_feature_last_copy(const ovr_feature *feature)
+{
+    if (isnan(feature->repeat))
+        return 0;
+    return feature->copies ? feature->repeat * (double)(feature->copies - 1)
+                           : INFINITY;
+}
+
+#endif
