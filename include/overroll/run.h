@@ -208,6 +208,9 @@ typedef struct ovr_run_info {
     long marked; /* steps accepted above the tolerance, of all passes */
     double life_together; /* ratio of lives of a raceway that sees all passes
                              again and again; NAN: not known */
+    double elastic_length, elastic_ratio; /* equivalent length, b, and life over
+                             that of the smooth raceway of the pass in which
+                             nothing yields; NAN: there is none */
     bool shaken_down; /* the last pass of bodies that yield changed nothing */
 } ovr_run_info;
 OVR_API const ovr_run_info *ovr_run_about(const ovr_run *run);

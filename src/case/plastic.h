@@ -29,6 +29,8 @@ typedef struct ovr_plastic_setup {
     const char *initial;  /* a result file; NULL: none */
     const char *profiles; /* NULL: no files of them */
     bool anyway;
+    bool elastic; /* nothing yields in the first pass, to compare with */
+    bool rests;   /* this is that pass */
     bool flooded; /* passes are its own: no oil goes from one to the next */
     int surface;  /* as given */
 } ovr_plastic_setup;

@@ -199,6 +199,12 @@ ovr_status ovr_resolve_plastic(ovr_resolved *r, ovr_error *err)
     p->flooded = r->values.passes.number == 1;
     if (r->values.passes.number < p->passes)
         r->values.passes.number = p->passes;
+    if (p->elastic && r->values.passes.loads.count)
+        return ovr_fail_slot(err, slot_of(r, "elastic"),
+                             "the pass in which nothing yields would take the "
+                             "first of [passes] loads: compare with a run "
+                             "without [plastic]");
+    r->values.passes.number += p->elastic;
     ovr_resolved_turn_on(r, &ovr_physics_plastic, &r->setup);
     return OVR_OK;
 }

@@ -367,6 +367,8 @@ static const char indented_end[] =
     "yield = 0.87 GPa             # von Mises; 1.36 GPa: bearing steel\n"
     "modulus = 4.5 GPa            # stress over plastic strain\n"
     "passes = 3                   # ends before, once it has shaken down\n"
+    "elastic = yes                # one pass before them, to compare lives "
+    "with\n"
     "\n"
     "[output]\n"
     "file = indented.h5           # indented-1.h5, ... of the passes\n"

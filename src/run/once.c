@@ -170,16 +170,41 @@ static ovr_status estimate_pass(ovr_run *run, ovr_error *err)
     return OVR_OK;
 }
 
+/* Strains that a body begins with are of this level's points alone: the coarser
+ * levels would begin with steel that never yielded. */
+static bool strains_are_lost(const ovr_run *run)
+{
+    const ovr_plastic_setup *plastic = ovr_setup_plastic(run->setup);
+    return plastic && plastic->initial;
+}
+
+static void say_strains_are_lost(ovr_run *run)
+{
+    if (run->passes && run->passes->level[1].lost)
+        return;
+    if (run->passes)
+        run->passes->level[1].lost = true;
+    ovr_run_message(run, OVR_SAY_WARNING,
+                    "errors cannot be estimated from here on: bodies begin "
+                    "with plastic strains, which the coarser levels do not "
+                    "have; run the first pass alone on another level");
+}
+
 /* The discretization errors, where they are wanted; before the file is closed,
  * which keeps them. */
 static ovr_status estimate(ovr_run *run, ovr_error *err)
 {
+    run->error = (ovr_run_errors){0}; /* not those of the pass before */
     if (!estimates(run))
         return OVR_OK;
     if (passes_are_lost(run)) {
         ovr_run_message(run, OVR_SAY_WARNING,
                         "errors cannot be estimated from here on: the coarser "
                         "passes before the run was stopped are not kept");
+        return OVR_OK;
+    }
+    if (strains_are_lost(run)) {
+        say_strains_are_lost(run);
         return OVR_OK;
     }
     if (run->setup->accuracy > 0)

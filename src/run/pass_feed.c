@@ -93,6 +93,11 @@ ovr_status ovr_passes_learn(ovr_run *run, int pass, ovr_pass_end *end,
     run->info.life_together = life_together(run, pass);
     p->row[pass - 1].value[OVR_PASS_TOGETHER] = run->info.life_together;
     p->oil_flooded = end->flooded;
+    const ovr_plastic_setup *plastic = ovr_setup_plastic(run->setup);
+    if (plastic && plastic->elastic) {
+        run->info.elastic_length = p->row[0].value[OVR_PASS_LENGTH];
+        run->info.elastic_ratio = p->row[0].value[OVR_PASS_RATIO];
+    }
     return OVR_OK;
 }
 

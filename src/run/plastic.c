@@ -352,7 +352,7 @@ static void before_step(ovr_simulation *sim, void *own, double T)
 {
     ovr_plastic *p = own;
     (void)T;
-    if (p->fresh)
+    if (p->fresh || p->how->rests)
         return;
     find_pressure(sim, p);
     EACH_BODY(p, k)

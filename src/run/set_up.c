@@ -40,6 +40,7 @@ ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
     run->info.transient = run->setup->transient && !run->how.steady;
     run->info.setup = run->setup;
     run->info.lambda_ratio = run->info.life_together = NAN;
+    run->info.elastic_length = run->info.elastic_ratio = NAN;
     run->info.shear_over_pressure = run->info.unbearable_share = NAN;
     run->info.sim = run->sim;
     if (ovr_setup_rough_film(run->setup, allocator, &run->foreseen, err))

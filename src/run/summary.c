@@ -185,10 +185,31 @@ static void put_passes(const ovr_told *to, const ovr_run_info *s)
     ovr_put_text(to, "pass_output", s->output);
     if (isfinite(s->life_together))
         ovr_put_number(to, "life_ratio_together", s->life_together);
+    if (isfinite(s->elastic_length)) {
+        ovr_put_both(to, "equivalent_length_elastic",
+                     "equivalent_length_elastic_m", s->elastic_length,
+                     s->setup->contact->b);
+        ovr_put_number(to, "life_ratio_elastic", s->elastic_ratio);
+    }
     if (ovr_setup_plastic(s->setup))
         ovr_put(to, "shaken_down", OVR_SUMMARY_FLAG, s->shaken_down);
     if (!s->transient)
         ovr_put_text(to, "output", s->passes_file);
+}
+
+/* The harm that elastic stresses foretold, beside that of the last pass above
+ * it. */
+static void say_elastic(const ovr_told *to, const ovr_run_info *s)
+{
+    ovr_words life = {""};
+    if (!isfinite(s->elastic_length))
+        return;
+    if (isfinite(s->elastic_ratio))
+        ovr_words_add(&life, ", life %.4g of the smooth raceway's",
+                      s->elastic_ratio);
+    ovr_tell(to, "elastic",
+             "equivalent length %.4g b%s: pass 1, in which nothing yields",
+             s->elastic_length, life.text);
 }
 
 /* Estimated discretization errors, dimensionless and relative. */
@@ -381,6 +402,7 @@ void ovr_run_report(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     if (s->transient) {
         put_steps(&to, s);
         ovr_stress_summary(s->stress, s->setup, take, data);
+        say_elastic(&to, s);
         ovr_say_end(&to, s);
     }
     put_observed(&to, s);

@@ -246,3 +246,70 @@ contains err 'give \[time\] an end'
 grep -v '^\[stress\]\|^depth_max = 0.5' plastic.ini >none.ini
 expect 2 "$OVERROLL" check none.ini
 contains err 'needs \[stress\]'
+
+# A pass before the others in which nothing yields: what elastic stresses
+# foretell, to the digits of the run that cannot yield; the passes behind it are
+# those of the run without it.
+cat plastic.ini - >passes.ini <<'END'
+passes = 2
+[fatigue]
+limit_pressure = none
+raceway = 20 mm
+END
+expect 0 "$OVERROLL" run passes.ini -o with.h5 -q --json \
+    --set plastic.elastic=yes
+cp out with.json
+expect 0 "$OVERROLL" run passes.ini -o without.h5 -q --json
+cp out without.json
+expect 0 "$OVERROLL" run passes.ini -o stiff.h5 -q --json \
+    --set plastic.passes=1 --set plastic.yield=50
+cp out stiff.json
+expect 0 "$PYTHON" - <<'END'
+import h5py, json
+a, b, c = (json.load(open(n + ".json")) for n in ("with", "without", "stiff"))
+assert a["passes"] == 3 and b["passes"] == 2
+for key in ("equivalent_length", "life_ratio", "plastic_strain_max",
+            "shoulder_height_trailing"):
+    assert a[key] == b[key], key
+for key in ("equivalent_length", "life_ratio"):
+    assert a[key + "_elastic"] == c[key] != a[key], key
+assert "life_ratio_elastic" not in b
+last, end = (h5py.File(n + ".h5")["film_thickness"][-1]
+             for n in ("with-3", "without-2"))
+assert (last == end).all()
+first, end = (h5py.File(n + ".h5")["film_thickness"][-1]
+              for n in ("with-1", "stiff"))
+assert (first == end).all()
+END
+expect 2 "$OVERROLL" check passes.ini --set plastic.elastic=yes \
+    --set cavitation.model=conserving --set passes.number=2 \
+    --set passes.loads='1, 0.9'
+contains err 'the first of \[passes\] loads'
+
+# Coarser levels begin no pass with strains of their own: no errors are told
+# from the second pass on.
+expect 0 "$OVERROLL" run passes.ini -o told.h5 --force --estimate-error
+contains err 'errors cannot be estimated from here on: bodies begin'
+expect 0 "$PYTHON" - <<'END'
+import h5py, numpy as np
+e = h5py.File("told.h5")["central_film_thickness_error"][...]
+assert e[0] > 0 and np.isnan(e[1]), e
+END
+
+# A study over the hardness of the raceway: the softer, the less is left.
+cat >study.ini <<'END'
+[study]
+case = plastic.ini
+[product]
+plastic.yield = 0.7, 0.8, 50
+END
+expect 0 "$OVERROLL" sweep study.ini -q
+expect 0 "$PYTHON" - <<'END'
+import csv
+rows = list(csv.reader(open("study.csv")))
+head = [name.split(" [")[0] for name in rows[0]]
+column = lambda key: [float(r[head.index(key)]) for r in rows[1:]]
+left, strain = column("shoulder_height_trailing"), column("plastic_strain_max")
+assert left[0] < left[1] < left[2], left
+assert strain[0] > strain[1] > strain[2] == 0, strain
+END

@@ -286,3 +286,34 @@ def test_layers_of_a_body(program):
     assert float(table.layer_von_mises_max_Pa[1]) == \
         said["layer_von_mises_max_Pa"]
     assert table.layer_von_mises_max_Pa[0] != table.layer_von_mises_max_Pa[1]
+
+
+def test_a_body_that_yields(program):
+    """The program's file to the digit, in a study by its hardness, and
+    continued: less flows than at first."""
+    case = ovr.Case(load="300 kN/m", radius="8 mm", mean_speed="3 m/s",
+                    viscosity="40 mPa.s", alpha="17 1/GPa", level=5, order=2,
+                    end=3.6, inlet=-4,
+                    **{"body 1.modulus": "206 GPa",
+                       "body 2.modulus": "206 GPa", "stress.surface": 1,
+                       "plastic.hardening": "linear", "plastic.yield": 0.7,
+                       "plastic.modulus": "4.5 GPa", "plastic.layers": 8,
+                       "plastic.depth_max": 0.2})
+    case.feature("dent", shape="indent", depth="1.5 um", shoulder="0.25 um",
+                 width=0.6, start=-1.8)
+    case.save("soft.ini")
+    subprocess.run([program, "run", "soft.ini", "-q", "-o", "c.h5"], check=True)
+    first = ovr.run(case, "python.h5")
+    same_file("c.h5", "python.h5")
+    group = ovr.open("python.h5", group="plastic/surface_1")
+    assert group.attrs["plastic_strain_max"] == \
+        pytest.approx(first.attrs["plastic_strain_max"], rel=1e-6)
+    assert 0 < first.attrs["plastic_strain_max"]
+    again = ovr.run(case, "again.h5", **{"plastic.initial": "python.h5"})
+    assert first.attrs["plastic_strain_max"] < \
+        again.attrs["plastic_strain_max"] < \
+        2 * first.attrs["plastic_strain_max"]
+    table = ovr.sweep(case, **{"plastic.yield": [0.7, 50], "workers": 2})
+    assert float(table.plastic_strain_max[0]) == \
+        first.attrs["plastic_strain_max"]
+    assert float(table.plastic_strain_max[1]) == 0

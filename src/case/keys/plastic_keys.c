@@ -52,6 +52,9 @@ static const ovr_parameter plastic_keys[] = {
     {"profiles", PATH, NULL, AT(plastic.profiles), false, "[plastic]",
      "STEM: the profile as it came and as it is left, in STEM-before.csv and "
      "STEM-after.csv, which [feature] shape = profile reads"},
+    {"elastic", FLAG, "no", AT(plastic.elastic), true, "[plastic]",
+     "one pass more, before the others, in which nothing yields: the report "
+     "has its equivalent length and life beside those of the last"},
     {"anyway", FLAG, "no", AT(plastic.anyway), false, "[plastic]",
      "go on where the smooth contact never shakes down"},
 };
