@@ -50,6 +50,7 @@ async function runOf(made) {
   for (const name of ["P", "H", "S", "F", "T1", "T2", "T3", "C"])
     if (made[name]) run[name] = await fieldOf(made[name], run.nodes, run.shots);
   if (made.stress) run.stress = await stressOf(made.stress, run.shots);
+  if (made.material) run.material = materialOf(made.material);
   if (made.element) run.element = elementOf(made.element);
   run.history = {};
   for (const name of ["time", "H_min", "H_cen", "P_max"])

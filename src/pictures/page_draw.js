@@ -7,6 +7,7 @@ const byId = (id) => document.getElementById(id);
 const state = {
   shot: 0, playing: false, speed: 1, loop: true, zoom: "contact", units: 0,
   depth: "linear",
+  below: 0, // the stress; then what yielding left behind
   pointed: null, // { run, x } in Hertzian units
 };
 let runs = [], views = [], ranges = null, colour = {};

@@ -113,6 +113,7 @@ const keys = {
   u: () => choose("units", 1),
   l: () => byId("loop").click(),
   d: () => choose("depth", 1),
+  f: () => choose("below", 1),
 };
 
 function onKey(event) {
@@ -186,6 +187,15 @@ function viewOf(run, number) {
     view.heat.setAttribute("role", "img");
     view.heat.setAttribute("aria-label", "temperatures against x");
   }
+  if (run.stress && run.material && !byId("below").options.length) {
+    for (const name of [run.stress.name.replace(/_/g, " "),
+      ...run.material.fields.map((field) => field.name)]) {
+      const option = element(byId("below"), "option");
+      option.value = byId("below").options.length - 1;
+      option.textContent = name;
+    }
+    byId("belows").hidden = false;
+  }
   if (run.stress) {
     view.stress = element(section, "canvas", "stress");
     view.stress.setAttribute("role", "img");
@@ -241,6 +251,10 @@ function connect() {
   byId("loop").onchange = (e) => { state.loop = e.target.checked; };
   byId("speed").onchange = (e) => { state.speed = Number(e.target.value); };
   byId("depth").onchange = (e) => { state.depth = e.target.value; redraw(); };
+  byId("below").onchange = (e) => {
+    state.below = Number(e.target.value);
+    redraw();
+  };
   byId("zoom").onchange = (e) => { state.zoom = e.target.value; redraw(); };
   byId("units").onchange = (e) => {
     state.units = Number(e.target.value);

@@ -15,6 +15,23 @@ async function stressOf(made, shots) {
     worst: doublesOf(made.worst) };
 }
 
+// What yielding left in the material at the end of the run, which moves with
+// its surface.
+function materialOf(made) {
+  return { ...made, z: doublesOf(made.z), place: doublesOf(made.place),
+    fields: made.fields.map((f) => ({ ...f, data: doublesOf(f.data) })) };
+}
+
+// What is drawn below snapshot k: the stress, or a map of the material where
+// that is now.
+function sheetOf(run, k) {
+  const m = run.material, f = m && m.fields[state.below - 1];
+  if (!f) return run.stress;
+  return { columns: m.columns, rows: m.rows, x0: m.place[k] + m.x0,
+    x1: m.place[k] + m.x1, z: m.z, name: f.name, pure: f.pure, low: f.low,
+    high: f.high, step: (f.high - f.low) / 8, at: (shot, i) => f.data[i] };
+}
+
 function shadeOf(part) {
   const p = Math.max(0, Math.min(1, part)) * (palette.length - 1);
   const k = Math.min(palette.length - 2, Math.floor(p)), t = p - k;
@@ -131,9 +148,11 @@ function drawDepths(c, box, s, u) {
 // less of it where the row would not fit.
 function drawScale(c, box, s, k, u) {
   const y = box.y - 15, name = s.name.replace(/_/g, " ");
-  const said = (v) => digits(v * u.p.f) + (u.p.unit ? " " + u.p.unit : " p_h");
-  const most = said(s.worst[3 * k + 2]);
-  const ends = digits(s.low * u.p.f) + " to " + said(s.high);
+  const f = s.pure ? 1 : u.p.f;
+  const unit = s.pure ? "" : " " + (u.p.unit || "p_h");
+  const said = (v) => digits(v * f) + unit;
+  const most = said(s.worst ? s.worst[3 * k + 2] : s.high);
+  const ends = digits(s.low * f) + " to " + said(s.high);
   const looks = [[name + ", largest " + most, 110], [name + " to " + most, 110],
     [name + " to " + most, 50], [name + " to " + most, 20]];
   const room = box.w - 30 - c.measureText(ends).width;
@@ -156,7 +175,8 @@ function drawScale(c, box, s, k, u) {
 function drawStress(view) {
   if (!view.stress) return;
   const { c, width, height } = prepare(view.stress);
-  const run = view.run, s = run.stress, k = shotOf(run), { u, w } = view.layout;
+  const run = view.run, k = shotOf(run), s = sheetOf(run, k);
+  const { u, w } = view.layout;
   const box = { x: 58, y: 22, w: width - 68, h: height - 30 };
   box.X = (x) => box.x + box.w * (x - w.x0) / (w.x1 - w.x0);
   box.xAt = (v) => w.x0 + (v - box.x) / box.w * (w.x1 - w.x0);
@@ -164,12 +184,14 @@ function drawStress(view) {
   view.below = box;
   clipped(c, box, () => {
     paintField(c, box, s, k);
-    const step = Math.max(s.high, -s.low) > 0.6 ? 0.2 : 0.1;
+    const step = !s.worst ? s.step
+      : Math.max(s.high, -s.low) > 0.6 ? 0.2 : 0.1;
     for (let v = step; v < 12 * step; v += step)
       for (const sign of s.low < 0 ? [-1, 1] : [1])
         if (v <= Math.max(s.high, -s.low))
           drawContour(c, box, s, k, sign * v,
             { line: "rgba(255, 255, 255, .8)", width: 0.7 });
+    if (!s.worst) return;
     for (const sign of s.low < 0 && s.high > 0 ? [-1, 1] : [s.low < 0 ? -1 : 1])
       drawContour(c, box, s, k, sign * s.smooth, { line: "#101418", width: 1.6 });
     c.strokeStyle = "#ffffff";
@@ -184,17 +206,18 @@ function drawStress(view) {
   drawDepths(c, box, s, u);
   drawScale(c, box, s, k, u);
   view.stress.dataset.free = box.free;
-  view.stress.dataset.worst = [...s.worst.slice(3 * k, 3 * k + 3)].join(" ");
+  view.stress.dataset.below = s.name;
+  if (s.worst) view.stress.dataset.worst = [...s.worst.slice(3 * k, 3 * k + 3)].join(" ");
 }
 
 function onStress(view, event) {
-  const box = view.below, s = view.run.stress, { u } = view.layout;
-  const edge = view.stress.getBoundingClientRect(), k = shotOf(view.run);
+  const box = view.below, k = shotOf(view.run), s = sheetOf(view.run, k);
+  const edge = view.stress.getBoundingClientRect(), { u } = view.layout;
   const x = box.xAt(event.clientX - edge.left);
   const z = box.Z(event.clientY - edge.top), v = stressAt(s, k, x, z);
   if (isNaN(v) || z < 0) return;
   view.stress.dataset.pointed = [x, z, v].join(" ");
   view.values.textContent = "x = " + written(x, u.x) + "   depth = " +
     written(z, u.x) + "   " + s.name.replace(/_/g, " ") + " = " +
-    written(v, u.p);
+    (s.pure ? digits(v) : written(v, u.p));
 }

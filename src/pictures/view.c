@@ -18,6 +18,7 @@
 #include "pictures/page.h"
 #include "pictures/picture.h"
 #include "pictures/view_element.h"
+#include "pictures/view_material.h"
 #include "pictures/view_stress.h"
 #include "run/run.h"
 
@@ -350,6 +351,9 @@ static ovr_status put_run(writer *w, ovr_error *err)
     if (status == OVR_OK && (w->stress || has_stress(w->run)))
         status = ovr_view_stress(w->to, w->run, w->stress, w->shots, w->every,
                                  w->arena, err);
+    if (status == OVR_OK)
+        status = ovr_view_material(w->to, w->run, w->shots, w->every, w->arena,
+                                   err);
     if (status == OVR_OK)
         status = put_history(w, err);
     if (status == OVR_OK)

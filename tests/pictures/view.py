@@ -136,6 +136,48 @@ def stresses(browser):
         assert abs(worst / most - 1) < 0.02, (shot, worst, most)
 
 
+def yielded(browser):
+    """Below the film stands what yielding left, where the material is now; it
+    moves with the surface."""
+    file = h5py.File(f"{folder}/yields.h5")
+    group = file["plastic/surface_1"]
+    b = file.attrs["scale_length"]
+    xi, z = group["material"][:] / b, group["depth"][:] / b
+    names = browser.run("return [...document.getElementById('below').options]"
+                        ".map((o) => o.textContent)")
+    assert names == ["max shear", "plastic strain", "residual stress along x",
+                     "residual stress along z", "residual shear stress"], names
+    choose(browser, "depth", "log")
+    for below, name, unit in ((1, "cumulative", 1),
+                              (2, "residual_x", file.attrs["scale_pressure"])):
+        choose(browser, "below", str(below))
+        values = group[name][:] / unit
+        assert abs(values).max() > 0
+        for T in (1.6, 2.0):
+            shot = int(np.argmin(abs(file["time"][:] /
+                                     file.attrs["scale_time"] - T)))
+            now = file["time"][shot] / file.attrs["scale_time"]
+            browser.run("""const s = document.getElementById("scrub");
+                s.value = arguments[0];
+                s.dispatchEvent(new Event("input"));""", shot)
+            browser.wait(f"return document.body.dataset.drawn == {shot}")
+            time.sleep(0.2)
+            left, top, width, height = box(browser, "canvas.stress")
+            browser.pointer(left + 0.55 * width, top + 0.5 * height)
+            time.sleep(0.1)
+            X, Z, v = map(float, browser.run(
+                "return document.querySelector('canvas.stress')"
+                ".dataset.pointed").split())
+            at = X - (-1.8 + 1.4 / 1.3 * now)
+            near = abs(xi - at) < 0.06
+            rows = (z > Z / 1.6) & (z < Z * 1.6)
+            field = values[np.ix_(rows, near)]
+            assert field.size, (X, Z)
+            assert field.min() - 1e-12 <= v <= field.max() + 1e-12, \
+                (name, T, X, Z, v, field.min(), field.max())
+    choose(browser, "below", "0")
+
+
 def temperatures(browser):
     """Three curves under the film; what is said of them is in the file."""
     file = h5py.File(f"{folder}/hot.h5")
@@ -268,6 +310,11 @@ def main():
 
         load(browser, "stress.html")
         stresses(browser)
+        log = browser.log()
+        assert not log, log
+
+        load(browser, "yields.html")
+        yielded(browser)
         log = browser.log()
         assert not log, log
 

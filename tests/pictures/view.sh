@@ -37,6 +37,17 @@ fields = max_shear
 END
 expect 0 "$OVERROLL" run stress.ini -o stress.h5 -q --set domain.level=6
 
+# A dent whose material yields: maps of what stays, where the dent is.
+cat stress.ini - >yields.ini <<'END'
+[plastic]
+hardening = none
+yield = 0.7
+anyway = yes
+layers = 8
+END
+expect 0 "$OVERROLL" run yields.ini -o yields.h5 -q
+expect 0 "$OVERROLL" view yields.h5 -o yields.html
+
 {
     sed 's/^alpha = .*/&\nrheology = eyring\neyring_stress = 5 MPa/' dent.ini
     printf '[heat]\nmodel = lobatto\ntemperature = 80 degC\n'

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What has yielded below a surface, as a page's data. */
+#ifndef OVR_PICTURES_VIEW_MATERIAL_H
+#define OVR_PICTURES_VIEW_MATERIAL_H
+
+#include "pictures/run.h"
+#include "pictures/text.h"
+
+/* Adds `"material":{...},` of the first body that yielded, as the run left it,
+ * with the place of its reference at each of `shots` snapshots, each `every`-th
+ * of the run; nothing for a run without [plastic] or without a feature. */
+ovr_status ovr_view_material(ovr_text *to, const ovr_stored *run, size_t shots,
+                             size_t every, ovr_arena *arena, ovr_error *err);
+
+#endif
