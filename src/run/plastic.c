@@ -474,12 +474,21 @@ static const ovr_observable quantities[] = {
 static void review(const ovr_simulation *sim, const void *own,
                    ovr_physics_say *say, void *data)
 {
-    const double enough = 0.02;
+    const double enough = 0.02, small = 0.05;
     const ovr_plastic *p = own;
-    char text[200];
+    char text[240];
     (void)sim;
     EACH_BODY(p, k)
     {
+        double most = ovr_plastic_most(p, &p->body[k]);
+        if (!isnan(p->how->body[k].strain) && most > small) {
+            snprintf(text, sizeof text,
+                     "plastic strain of surface %d reaches %.2g %%, the model "
+                     "is of small strains: shoulder heights are trusted, the "
+                     "strain itself is not",
+                     k + 1, 100 * most);
+            say(data, true, text);
+        }
         if (!(p->body[k].left > enough))
             continue;
         snprintf(text, sizeof text,

@@ -296,6 +296,14 @@ e = h5py.File("told.h5")["central_film_thickness_error"][...]
 assert e[0] > 0 and np.isnan(e[1]), e
 END
 
+# Strains that are not small are said to be beyond the model.
+expect 0 "$OVERROLL" run perfect.ini -o thin.h5 --set plastic.yield=0.5 \
+    --set plastic.hardening=none --set plastic.anyway=yes \
+    --set plastic.iterations=100 --set feature.dent.shoulder='1.2 um'
+contains err 'the model is of small strains'
+expect 0 "$OVERROLL" run plastic.ini -o soft.h5 --force
+[ "$(grep -c 'small strains' err)" -eq 0 ] || fail 'small strains are not small'
+
 # A study over the hardness of the raceway: the softer, the less is left.
 cat >study.ini <<'END'
 [study]
@@ -312,4 +320,38 @@ column = lambda key: [float(r[head.index(key)]) for r in rows[1:]]
 left, strain = column("shoulder_height_trailing"), column("plastic_strain_max")
 assert left[0] < left[1] < left[2], left
 assert strain[0] > strain[1] > strain[2] == 0, strain
+END
+
+# Bodies exchanged, in sliding under traction: the same film, strains and
+# stresses to the bit.  Rolling alike and without traction both bodies feel the
+# same pressure, so that both yield alike.
+expect 0 "$OVERROLL" run plastic.ini -o upper.h5 -q --set plastic.yield=0.62 \
+    --set lubricant.rheology=eyring --set lubricant.eyring_stress=5MPa \
+    --set contact.speed_1=3.4m/s --set contact.speed_2=2.6m/s
+expect 0 "$OVERROLL" run plastic.ini -o lower.h5 -q --set plastic.yield=0.62 \
+    --set lubricant.rheology=eyring --set lubricant.eyring_stress=5MPa \
+    --set contact.speed_1=2.6m/s --set contact.speed_2=3.4m/s \
+    --set feature.dent.surface=2 --set stress.surface=2 \
+    --set plastic.surface=2
+expect 0 "$OVERROLL" run plastic.ini -o both.h5 -q --set stress.surface=both \
+    --set plastic.surface=both
+expect 0 "$PYTHON" - <<'END'
+import h5py
+u, l, b, s = (h5py.File(n + ".h5") for n in ("upper", "lower", "both", "soft"))
+for name in ("pressure", "film_thickness"):
+    assert (u[name][...] == l[name][...]).all(), name
+one, two = u["plastic/surface_1"], l["plastic/surface_2"]
+assert one.attrs["plastic_strain_max"] > 1e-4
+names = ("plastic_strain_x", "plastic_strain_z", "plastic_strain_xz",
+         "cumulative", "residual_x", "residual_z", "residual_xz",
+         "profile_after")
+for name in names:
+    assert (one[name][...] == two[name][...]).all(), name
+assert abs(one["plastic_strain_xz"][...]).max() > 0
+one, two = b["plastic/surface_1"], b["plastic/surface_2"]
+assert one.attrs["plastic_strain_max"] > 1e-3
+for name in names[:-1]:
+    assert (one[name][...] == two[name][...]).all(), name
+# Two bodies share what one alone would bear: each flows less.
+assert one.attrs["work"] < s["plastic/surface_1"].attrs["work"]
 END
