@@ -407,9 +407,11 @@ static void heights(const ovr_simulation *sim, const void *own, double T,
         double X0 = b->plan.range.reference + b->first +
                     ovr_stress_way(p->setup, &b->plan, T);
         for (size_t i = 0; i < n; i++) {
-            double t = (X[i] - X0) / b->mesh, whole = floor(t + 1e-9);
-            if (t > -2 && t < (double)b->points + 1)
-                S[i] -= sunk_at(b, (long)whole, fmax(0, t - whole));
+            double t = (X[i] - X0) / b->mesh;
+            if (t <= -2 || t >= (double)b->points + 1)
+                continue;
+            double whole = floor(t + 1e-9);
+            S[i] -= sunk_at(b, (long)whole, t > whole ? t - whole : 0);
         }
     }
 }
