@@ -281,6 +281,16 @@ static double beside(const ovr_setup *setup)
     return bytes;
 }
 
+double ovr_setup_seconds_beside(const ovr_setup *setup)
+{
+    const ovr_resolved *r = (const ovr_resolved *)setup;
+    double seconds = 0;
+    for (int k = 0; setup->nodes && ovr_physics_list[k]; k++)
+        if (r->physics[k].on && ovr_physics_list[k]->seconds)
+            seconds += ovr_physics_list[k]->seconds(r->physics[k].form);
+    return seconds;
+}
+
 double ovr_setup_memory(const ovr_setup *setup)
 {
     if (!setup)

@@ -24,4 +24,7 @@ unsigned ovr_setup_physics(const ovr_setup *setup);
  * address. */
 double ovr_setup_memory(const ovr_setup *setup);
 
+/* Seconds that its physics take a pass beside the cycles, about. */
+double ovr_setup_seconds_beside(const ovr_setup *setup);
+
 #endif

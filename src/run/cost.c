@@ -39,5 +39,6 @@ ovr_cost ovr_setup_cost(const ovr_setup *setup, double live)
     cost.seconds = cost.passes * cost.nodes * SECONDS_A_NODE *
                    (2 * CYCLES_STEADY + cost.steps * CYCLES_A_STEP);
     cost.seconds += refine_seconds(setup->options, cost.nodes);
+    cost.seconds += cost.passes * ovr_setup_seconds_beside(setup);
     return cost;
 }

@@ -120,6 +120,9 @@ struct ovr_physics {
      */
     double (*memory)(const void *form);
 
+    /* Seconds of one core that a pass takes beside the simulation's, about. */
+    double (*seconds)(const void *form);
+
     /* What goes along with a run and writes into its file (run/companion.h): a
      * physics stands on the floor that it needs. */
     const struct ovr_companion *companion;

@@ -39,6 +39,8 @@ struct ovr_yielding {
     fftw_complex *bins;  /* of one */
     fftw_complex *e, *s; /* of all layers */
     double *sum;         /* of one wave */
+    double reserve;      /* ovr_yielding_reserve */
+    bool reserve_known;
 };
 
 void ovr_yielding_layers(size_t layers, double first, double depth,
@@ -355,12 +357,21 @@ bool ovr_yielding_is_near(const ovr_yielding *y, size_t layer, size_t i,
                           loaded(y, layer, i, elastic), share);
 }
 
-bool ovr_yielding_has_flowed(const ovr_yielding *y)
+double ovr_yielding_reserve(ovr_yielding *y)
 {
-    bool any = false;
+    if (y->reserve_known)
+        return y->reserve;
+    double most = -INFINITY;
     for (size_t j = 0; j < y->options.layers; j++)
-        any = any || y->strained[j];
-    return any;
+        for (size_t i = 0; i < y->options.points; i++) {
+            double f = ovr_beyond_yield(&y->options.hardening,
+                                        ovr_yielding_strain(y, j, i),
+                                        ovr_yielding_residual(y, j, i));
+            most = f > most ? f : most;
+        }
+    y->reserve = -most;
+    y->reserve_known = true;
+    return y->reserve;
 }
 
 static bool flow_layer(ovr_yielding *y, size_t j, ovr_flowed *flowed)
@@ -424,6 +435,7 @@ ovr_flowed ovr_yielding_flow(ovr_yielding *y)
     }
     if (flowed.iterations)
         equilibrate(y, y->options.layers);
+    y->reserve_known = y->reserve_known && !flowed.iterations;
     return flowed;
 }
 
@@ -436,6 +448,7 @@ void ovr_yielding_settle(ovr_yielding *y)
 {
     size_t n = y->options.points;
     bool any = false;
+    y->reserve_known = false;
     for (size_t j = 0; j < y->options.layers; j++) {
         y->strained[j] = false;
         for (size_t i = 0; i < PARTS * n && !y->strained[j]; i++)

@@ -39,11 +39,14 @@ typedef struct ovr_layer_load {
 } ovr_layer_load;
 ovr_layer_load *ovr_yielding_load(ovr_yielding *y, size_t layer);
 
-/* Whether a point is above this share of its yield under an elastic stress;
- * whether anything has flowed. */
+/* Whether a point is above this share of its yield under an elastic stress. */
 bool ovr_yielding_is_near(const ovr_yielding *y, size_t layer, size_t i,
                           ovr_in_plane elastic, double share);
-bool ovr_yielding_has_flowed(const ovr_yielding *y);
+
+/* The least von Mises stress that has to be added anywhere before anything
+ * flows: yield less what is already borne, at the point nearest to it.  Kept
+ * until strains change. */
+double ovr_yielding_reserve(ovr_yielding *y);
 
 /* Flows until nothing is `enough` beyond yield, so many times at most. */
 typedef struct ovr_flowed {
