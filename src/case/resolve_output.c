@@ -17,7 +17,8 @@ static unsigned fields_of_physics(const ovr_resolved *r)
                   ovr_field_bit("temperature_2") |
                   ovr_field_bit("temperature_middle");
     if (ovr_setup_physics(&r->setup) & OVR_PHYSICS_BOUNDARY)
-        fields |= ovr_field_bit("contact_pressure");
+        fields |= ovr_field_bit("contact_pressure") |
+                  ovr_field_bit("fluid_pressure");
     return fields;
 }
 

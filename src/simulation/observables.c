@@ -75,6 +75,13 @@ static const double *contact_pressure(const ovr_simulation *sim, double *room)
     return room;
 }
 
+/* `pressure` by the name that it has beside contact_pressure. */
+static const double *fluid_pressure(const ovr_simulation *sim, double *room)
+{
+    (void)room;
+    return sim->now.P;
+}
+
 static const double *oil_content(const ovr_simulation *sim, double *room)
 {
     (void)room;

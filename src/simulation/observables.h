@@ -30,6 +30,8 @@
     ROW(filling, NUMBER, NODES, "share of the gap that is full of oil")        \
     ROW(oil_content, HEIGHT, NODES, "oil rho H theta over ambient density")    \
     ROW(contact_pressure, PRESSURE, NODES,                                     \
-        "pressure that surfaces bear where they touch, beside the oil's")
+        "pressure that surfaces bear where they touch, beside the oil's")      \
+    ROW(fluid_pressure, PRESSURE, NODES,                                       \
+        "pressure of the oil, beside what surfaces bear where they touch")
 
 #endif

@@ -72,5 +72,16 @@ expect 0 "$OVERROLL" export touch.h5 --snapshot last --units hertzian \
 awk -F, -v share="$share" 'NR > 1 { if (NR > 2) sum += ($2 + last) / 2 * \
     ($1 - x); x = $1; last = $2 } END { off = sum / (atan2(0, -1) / 2) / share
     exit !(off > 0.999 && off < 1.001) }' out || fail "no share of $share"
+# What the oil carries and what metal bears are the load.
+expect 0 "$OVERROLL" export touch.h5 --snapshot last --units hertzian \
+    --field fluid_pressure
+mv out fluid.csv
+expect 0 "$OVERROLL" export touch.h5 --snapshot last --units hertzian \
+    --field contact_pressure
+paste -d, fluid.csv out | awk -F, 'NR > 1 { P = $2 + $4
+    if (NR > 2) sum += (P + last) / 2 * ($1 - x); x = $1; last = P }
+    END { off = sum / (atan2(0, -1) / 2) - 1
+        exit !(off > -1e-5 && off < 1e-5) }' ||
+    fail 'oil and metal do not carry the load'
 expect 0 "$OVERROLL" view touch.h5 -o touch.html
 grep -q '"C":{"levels"' touch.html || fail 'the page does not mark what touches'
