@@ -24,11 +24,6 @@
  *    else's, a rough surface's, this solution makes it larger;
  *  - behind each end of a film whose next node wants to rise, for 32 dry nodes
  *    at most and P <= 0.05; wet nodes stay: their film would have to follow.
- *
- * Steady rough surfaces leave patches of film behind the contact, whose ends
- * the sweeps leave where they are in a limit cycle.  There nodes within eight
- * of an end, with P <= 1e-3, are relaxed one by one with the film as it is, P_i
- * = max(0, P_i - r_i/G_i),  r following by L, U, a1 and a2.
  */
 #ifndef OVR_MULTIGRID_FILM_END_H
 #define OVR_MULTIGRID_FILM_END_H
@@ -38,8 +33,5 @@
 /* On a level whose film and residual are up to date; so they are when it is
  * done. */
 void ovr_film_ends(const ovr_hierarchy *grids, ovr_level *level);
-
-/* The same for patches of a steady film. */
-void ovr_film_patches(const ovr_hierarchy *grids, ovr_level *level);
 
 #endif

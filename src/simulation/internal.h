@@ -75,7 +75,7 @@ typedef struct ovr_present {
 struct ovr_simulation {
     ovr_arena arena;
     ovr_present physics[OVR_MOST_PHYSICS + 1];
-    ovr_attached ends, settling; /* of cycles: the physics', steady.c */
+    ovr_attached ends; /* of cycles: the physics' */
     ovr_contact contact;
     ovr_lubricant lubricant;
     ovr_options options;

@@ -21,35 +21,11 @@ double ovr_film_expected(const ovr_simulation *sim, double fraction)
     return ovr_wanted_film(&sim->wanted, fraction);
 }
 
-/*
- * Of a level with film H at X = 0 so far.  On the way up a level need not be
- * better solved than its mesh is fine: fifty times the tolerance is most often
- * one cycle, and leaves less than the discretization error there.  The finest
- * level ends in the same place (algebraic over discretization error at M = 20,
- * L = 10, levels 8, 10 and 12: 0.020, 0.022, 0.006 after two cycles on it,
- * 0.015, 0.017, 0.000 when all levels had two), a fifth sooner.
- */
-double ovr_steady_tolerance(const void *data, const ovr_level *level, double H)
-{
-    const ovr_simulation *sim = data;
-    const double on_the_way = 50;
-    const ovr_options *o = &sim->options;
-    double truncation = ovr_truncation_tolerance(
-        sim, ovr_grid_mesh(&level->grid), H);
-    if (level != sim->finest)
-        return on_the_way * truncation;
-    if (o->tolerance > 0)
-        return o->tolerance;
-    return o->stop == OVR_STOP_TRUNCATION
-               ? truncation
-               : ovr_negligible_tolerance(sim, ovr_grid_mesh(&level->grid), H);
-}
-
-/* What a solve tries in turn until it converges: first the ordinary; with a
- * flow law then more sweeps, then the Newtonian film first; then smaller steps
- * in load on a finer level, then also a finer coarsest grid, more sweeps and
- * stronger damping; last, features that grow out of smooth surfaces, unless
- * surfaces touched. */
+/* What a solve tries in turn until it converges: first the ordinary; then, if
+ * there are any, features that grow out of smooth surfaces; with a flow law
+ * more sweeps, then the Newtonian film first; then smaller steps in load on a
+ * finer level, last also a finer coarsest grid, more sweeps and stronger
+ * damping. */
 typedef struct strategy {
     bool flow_law;      /* for flow laws alone */
     bool thin_last;     /* of these */
@@ -63,6 +39,8 @@ typedef struct strategy {
 
 static const strategy strategies[] = {
     {false, false, 1.6, 0.3, 0, 1, 0, 0.1, 0.3, "", false},
+    {false, false, 1.6, 0.3, 0, 1, 0, 0.1, 0.3,
+     "smooth surfaces first, then the features grew", true},
     {true, false, 1.6, 0.3, 2, 1, 1, 0.1, 0.3,
      "with a finer coarsest grid and more sweeps", false},
     {true, true, 1.6, 0.3, 0, 1, 0, 0.1, 0.3,
@@ -72,10 +50,35 @@ static const strategy strategies[] = {
     {false, true, 1.25, 0.15, 2, 2, 1, 0.03, 0.1,
      "the load was raised in smaller steps on a finer level, with a finer "
      "coarsest grid, more sweeps and stronger damping",
-     false},
-    {false, true, 1.6, 0.3, 2, 1, 0, 0.2, 0.3,
-     "smooth surfaces first, then the features grew", true}};
+     false}};
 enum { STRATEGIES = sizeof strategies / sizeof *strategies };
+
+/*
+ * Of a level with film H at X = 0 so far.  On the way up a level need not be
+ * better solved than its mesh is fine: fifty times the tolerance is most often
+ * one cycle, and leaves less than the discretization error there.  The finest
+ * level ends in the same place (algebraic over discretization error at M = 20,
+ * L = 10, levels 8, 10 and 12: 0.020, 0.022, 0.006 after two cycles on it,
+ * 0.015, 0.017, 0.000 when all levels had two), a fifth sooner.  Rough
+ * surfaces have waves of a few meshes: what is negligible beside the mesh's
+ * error of a smooth film is far below that of theirs.
+ */
+double ovr_steady_tolerance(const void *data, const ovr_level *level, double H)
+{
+    const ovr_simulation *sim = data;
+    const double on_the_way = 50, rough = 1e-6;
+    const ovr_options *o = &sim->options;
+    double truncation = ovr_truncation_tolerance(
+        sim, ovr_grid_mesh(&level->grid), H);
+    if (level != sim->finest)
+        return on_the_way * truncation;
+    if (o->tolerance > 0)
+        return o->tolerance;
+    if (o->stop == OVR_STOP_TRUNCATION)
+        return truncation;
+    return fmax(strategies[sim->strategy].grown ? rough : 0,
+                ovr_negligible_tolerance(sim, ovr_grid_mesh(&level->grid), H));
+}
 
 const char *ovr_simulation_strategy(const ovr_simulation *sim)
 {
@@ -94,16 +97,6 @@ static bool thin_last(const ovr_simulation *sim, const strategy *how)
     return thins(sim) && how->thin_last;
 }
 
-/* Patches of film as rough surfaces have them. */
-static bool settle_patches(void *data, ovr_hierarchy *grids, ovr_level *level,
-                           ovr_cycle_end end)
-{
-    (void)data;
-    if (end == OVR_AFTER_CYCLE)
-        ovr_film_patches(grids, level);
-    return false; /* film and residual are up to date */
-}
-
 int ovr_steady_most_cycles(const ovr_simulation *sim, int unless_given)
 {
     return sim->options.max_cycles ? sim->options.max_cycles : unless_given;
@@ -117,11 +110,6 @@ static ovr_full full_of(ovr_simulation *sim, const strategy *how)
     c.smoothing.limit = how->limit;
     c.newton_limit = how->newton_limit;
     c.newton_steps = how->newton_steps;
-    if (how->grown) {
-        sim->settling = (ovr_attached){settle_patches, NULL, c.attached};
-        c.attached = &sim->settling;
-        c.correction = 0.5; /* as in step.c, of isolated nodes */
-    }
     if (how->sweeps)
         c.sweeps_before = c.sweeps_after = how->sweeps;
     return (ovr_full){.cycling = c,
@@ -142,6 +130,8 @@ ovr_defect ovr_steady_cycles(ovr_simulation *sim, const ovr_full *how,
 {
     ovr_full last = *how;
     last.fixed = false;
+    if (strategies[sim->strategy].grown)
+        return ovr_steady_settled(sim, how, cycles);
     if (sim->grids.conserving)
         return ovr_content_cycles(&sim->grids, &last, sim->finest, cycles);
     ovr_level_refresh(&sim->grids, sim->finest);
@@ -283,10 +273,39 @@ void ovr_simulation_stop(ovr_simulation *sim, bool (*stop)(void *data),
     sim->stopping = (ovr_stopping){.asked = stop, .data = data};
 }
 
-static ovr_status solve_steady(ovr_simulation *sim, ovr_error *err)
+/* By one strategy; returns the tolerance. */
+static double try_strategy(ovr_simulation *sim, int k, ovr_outcome *outcome)
+{
+    ovr_full how = full_of(sim, &strategies[k]);
+    double tolerance;
+    sim->strategy = k;
+    sim->refinements = 0;
+    attempt(sim, &how, outcome);
+    tolerance = tolerance_of(sim, outcome);
+    outcome->converged = finished(sim, outcome, tolerance);
+    return tolerance;
+}
+
+/* By one after the other. */
+static double search(ovr_simulation *sim, ovr_outcome *outcome)
 {
     double tolerance = 0;
-    int tried = 0;
+    for (int k = 0, tried = 0; k < STRATEGIES && !outcome->converged; k++) {
+        if (ovr_hierarchy_stops(&sim->grids))
+            break;
+        if ((strategies[k].flow_law && !thins(sim)) ||
+            (strategies[k].grown && !sim->heights))
+            continue;
+        outcome->retries = tried++;
+        tolerance = try_strategy(sim, k, outcome);
+        if (sim->options.stop == OVR_STOP_FIXED || ovr_mesh_too_coarse(sim))
+            break;
+    }
+    return tolerance;
+}
+
+static ovr_status solve_steady(ovr_simulation *sim, ovr_error *err)
+{
     ovr_outcome outcome = {0};
     sim->started = false;
     if (begin_load_and_speed(sim, err) || ovr_smooth_check(sim, 0, err))
@@ -296,23 +315,7 @@ static ovr_status solve_steady(ovr_simulation *sim, ovr_error *err)
     OVR_EACH_PHYSICS(sim, p, operate)
         p->is->operate(sim, p->own, 0, &op);
     ovr_hierarchy_operator(&sim->grids, &op);
-    for (int k = 0; k < STRATEGIES && !outcome.converged; k++) {
-        if (ovr_hierarchy_stops(&sim->grids))
-            break;
-        ovr_full how = full_of(sim, &strategies[k]);
-        if ((strategies[k].flow_law && !thins(sim)) ||
-            (strategies[k].grown &&
-             (!sim->heights || ovr_surfaces_overlap(sim, &outcome.defect))))
-            continue;
-        outcome.retries = tried++;
-        sim->strategy = k;
-        sim->refinements = 0;
-        attempt(sim, &how, &outcome);
-        tolerance = tolerance_of(sim, &outcome);
-        outcome.converged = finished(sim, &outcome, tolerance);
-        if (sim->options.stop == OVR_STOP_FIXED || ovr_mesh_too_coarse(sim))
-            break;
-    }
+    double tolerance = search(sim, &outcome);
     if (!outcome.converged && sim->grids.stopping.now)
         return ovr_fail(err, OVR_STOPPED, "stopped in the steady start");
     sim->statistics = (ovr_statistics){.cycles = outcome.cycles};

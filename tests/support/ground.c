@@ -56,15 +56,15 @@ static ovr_case *make_case(const test_ground *g, const surface s[2],
         "step = grid\n",
         g->ph, speed, g->slide, law,
         g->hot ? "[heat]\nmodel = lobatto\ntemperature = 60 degC\n" : "",
-        g->level, 5.5 / (1 - fabs(g->slide) / 2));
+        g->level, g->inside ? 1e-3 : 5.5 / (1 - fabs(g->slide) / 2));
     for (int k = 0; k < 2; k++)
         used += snprintf(text + used, sizeof text - (size_t)used,
                          "[feature f%d]\nsurface = %d\nshape = roughness\n"
                          "Rq = %.9g um\nlength = 12\nhurst = 0.8\n"
                          "rolloff = %.9g um\nshortest = %.9g um\nseed = %d\n"
-                         "start = inlet\n",
+                         "start = %s\n",
                          k + 1, k + 1, g->Rq[k], g->longest[k], s[k].shortest,
-                         s[k].seed);
+                         s[k].seed, g->inside ? "2.6" : "inlet");
     return ovr_case_read_text(text, "ground.ini", NULL, NULL, &err);
 }
 
@@ -103,13 +103,15 @@ static void run(test_ground *g, const surface s[2], double speed)
     ovr_case_free(c);
 }
 
-test_ground test_ground_run(uint64_t seed, double from, double to, int level)
+static test_ground go(uint64_t seed, double from, double to, int level,
+                      bool inside)
 {
     uint64_t state = seed;
     bool eyring = seed % 2;
     test_ground g = {.level = level,
                      .status = OVR_BAD_INPUT,
                      .hot = seed % 10 == 9,
+                     .inside = inside,
                      .lambda = from *
                                pow(to / from, test_random(&state, 0, 1))};
     state = seed;
@@ -130,4 +132,14 @@ test_ground test_ground_run(uint64_t seed, double from, double to, int level)
         speed *= pow(g.lambda * Rq / film_at(&g, s, speed), 1 / 0.7);
     run(&g, s, speed);
     return g;
+}
+
+test_ground test_ground_run(uint64_t seed, double from, double to, int level)
+{
+    return go(seed, from, to, level, false);
+}
+
+test_ground test_ground_start(uint64_t seed, double from, double to, int level)
+{
+    return go(seed, from, to, level, true);
 }

@@ -8,7 +8,7 @@
 #include "overroll/run.h"
 
 typedef struct test_ground {
-    bool hot;
+    bool hot, inside;                   /* at T = 0 under the whole film */
     double ph, slide, stress, lambda;   /* GPa, SRR, MPa or 0, film over Rq */
     double Rq[2], slope[2], longest[2]; /* um, 1, um */
     double H_min, P_max, T;             /* of the run, where it ended */
@@ -27,5 +27,8 @@ typedef struct test_ground {
  * surface has filled the contact.
  */
 test_ground test_ground_run(uint64_t seed, double from, double to, int level);
+
+/* The same pairs under the whole film of the steady start, and a step. */
+test_ground test_ground_start(uint64_t seed, double from, double to, int level);
 
 #endif

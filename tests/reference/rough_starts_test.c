@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Steady starts with ground surfaces under the whole film, of the kind that
+ * verify/rough_start_test.c has 100 of: flow laws and heat among them. */
+#include "support/ground.h"
+#include "support/test.h"
+
+static void start(uint64_t seed, int level)
+{
+    test_ground g = test_ground_start(seed, 1, 5, level);
+    print_message("seed %d level %d lambda %.2f tau0 %.1f MPa%s: H_min %.1e\n",
+                  (int)seed, level, g.lambda, g.stress, g.hot ? ", hot" : "",
+                  g.H_min);
+    CHECK_OK(g.status, &g.err);
+    assert_true(g.H_min > 0);
+}
+
+static void rough_starts_are_found(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 33050; seed < 33060; seed++)
+        start(seed, 8);
+    start(33060, 9);
+    start(33065, 9);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rough_starts_are_found)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

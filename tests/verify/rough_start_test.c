@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Steady starts with a pair of ground surfaces under the whole film
+ * (support/ground.h), lambda 1 to 5: on level 8 100 of them, on levels 9 and 10
+ * every fifth and every tenth.  0.2.0 refuses 98 of the 100.  Two still are:
+ * with Eyring's law on steep slopes, at pressures of 12 ph, where even steps of
+ * a tenth of a mesh are found by few cycles at times; of the hot one
+ * temperatures and film do not meet.
+ */
+#include "support/ground.h"
+#include "support/test.h"
+
+static int refused(int level, uint64_t every)
+{
+    int ended = 0, count = 0;
+    for (uint64_t k = 33000; k < 33100; k += every, count++) {
+        test_ground g = test_ground_start(k, 1, 5, level);
+        ended += g.status != OVR_OK;
+        print_message("# seed %d level %d lambda %.2f tau0 %.1f MPa%s ph %.2f "
+                      "SRR %+.2f Rq %.2f %.2f slopes %.3f %.3f: H_min %.1e, "
+                      "P %.1f, %d marked%s%s\n",
+                      (int)k, level, g.lambda, g.stress, g.hot ? ", hot" : "",
+                      g.ph, g.slide, g.Rq[0], g.Rq[1], g.slope[0], g.slope[1],
+                      g.H_min, g.P_max, g.marked, g.status ? "\n#    " : "",
+                      g.status ? g.err.message : "");
+    }
+    print_message("# level %d: %d of %d are refused\n", level, ended, count);
+    return ended;
+}
+
+static void rough_starts_are_found(void **state)
+{
+    (void)state;
+    int ended = refused(8, 1) + refused(9, 5) + refused(10, 10);
+    assert_true(ended <= 2);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rough_starts_are_found)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
