@@ -150,6 +150,9 @@ typedef struct ovr_stress_report {
     /* Largest von Mises stress of a layer over its own yield; NAN: no layer
      * has one. */
     double layer_utilisation;
+    /* Largest amplitude in a layer over that of its own limit_pressure; NAN:
+     * no layer has one. */
+    double layer_fatigue;
     /* A body that yields at `yield`, p_h; NAN: that is not told.  Value f/Y
      * of `yield_ratio`: the largest von Mises stress over Y, less 1; of
      * `strip`: the largest (P - P around)/(2.97 Y), Z its width.  Share of the

@@ -49,6 +49,8 @@ typedef struct ovr_layered {
     double thickness[OVR_LAYERS_MOST];
     ovr_elastic layer[OVR_LAYERS_MOST], below;
     double yield[OVR_LAYERS_MOST]; /* of each layer, ph; 0: not told */
+    /* Hertzian pressure of each one's fatigue limit, ph; 0: not told */
+    double limit[OVR_LAYERS_MOST];
     /* shear that the interface below each bears, ph; 0: not told */
     double strength[OVR_LAYERS_MOST];
 } ovr_layered;

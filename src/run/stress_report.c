@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "results/results.h"
 #include "run/stress.h"
+#include "stress/layered.h"
 #include "stress/passage.h"
 #include "stress/stress.h"
 
@@ -165,7 +166,7 @@ static void find_layers(const ovr_stress_plan *plan, const ovr_passage *passage,
     const ovr_layered *layers = plan->options.layers;
     r->layer_von_mises = r->interface_shear = r->interface_tension = none;
     r->surface_tension = none;
-    r->layer_utilisation = r->interface_utilisation = NAN;
+    r->layer_utilisation = r->interface_utilisation = r->layer_fatigue = NAN;
     /* moments too far apart tell of no depth in the topmost layer */
     if (!layers || plan->options.depth_min >= layers->thickness[0])
         return;
@@ -188,6 +189,40 @@ static void find_layers(const ovr_stress_plan *plan, const ovr_passage *passage,
             r->interface_shear = of.shear[j];
     r->interface_tension = of.tension;
     r->surface_tension = of.surface;
+}
+
+/* The largest amplitude of complete points at the depths of a layer. */
+static double layer_amplitude(const ovr_layered *layers, int layer,
+                              const ovr_stress_report *r)
+{
+    const ovr_material *m = &r->material;
+    double most = 0;
+    for (size_t j = 0; j < m->depths; j++)
+        for (size_t k = 0;
+             ovr_layered_at(layers, m->z[j]) == layer && k < m->points; k++)
+            if (m->complete[k])
+                most = fmax(most, (double)r->amplitude[j * m->points + k]);
+    return most;
+}
+
+/* What layers use of limits of their own: the amplitude over that of a smooth
+ * dry contact of their material at the limiting pressure. */
+static void find_layer_fatigue(const ovr_setup *setup,
+                               const ovr_stress_plan *plan,
+                               ovr_stress_report *r)
+{
+    const ovr_layered *layers = plan->options.layers;
+    const ovr_stress_setup *s = setup->stress;
+    if (isnan(r->layer_von_mises.value))
+        return;
+    for (int j = 0; j < layers->layers; j++) {
+        double z, hertz = ovr_hertz_criterion(s->criterion, s->alpha,
+                                              layers->layer[j].poisson, &z);
+        if (layers->limit[j] > 0)
+            r->layer_fatigue = fmax(r->layer_fatigue,
+                                    layer_amplitude(layers, j, r) /
+                                        (hertz * layers->limit[j]));
+    }
 }
 
 /* Points beyond yield: how many of those from the least depth down, and how
@@ -236,7 +271,7 @@ static void withhold(ovr_stress_report *r, ovr_life_result *life)
               "choose a rheology, or traction = no";
     r->max_shear = r->von_mises = r->layer_von_mises = none;
     r->interface_shear = r->interface_tension = r->surface_tension = none;
-    r->layer_utilisation = r->interface_utilisation = NAN;
+    r->layer_utilisation = r->interface_utilisation = r->layer_fatigue = NAN;
     r->yielding_share = r->yielding_depth = NAN;
     r->yield_ratio = none;
     r->R_max = r->xi_R_max = r->Z_R_max = r->R_smooth = NAN;
@@ -292,6 +327,8 @@ ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
     if (r->fatigue && (find_amplitude(setup, plan, paths, data, r, err) ||
                        find_life(setup, r, life, err)))
         return NULL;
+    if (r->fatigue)
+        find_layer_fatigue(setup, plan, r);
     return r;
 }
 
@@ -301,7 +338,7 @@ typedef struct storage {
     ovr_group group;
     ovr_group_axis axis[2];
     ovr_group_array array[OVR_MEASURES + 8];
-    ovr_group_attribute attribute[56];
+    ovr_group_attribute attribute[57];
 } storage;
 
 enum { DEPTH, MATERIAL };
@@ -388,6 +425,7 @@ static void add_layers(storage *s, const ovr_stress_report *r)
     add_number(s, "interface_tension_max", r->interface_tension.value);
     add_number(s, "surface_tension_max", r->surface_tension.value);
     add_number(s, "layer_utilisation", r->layer_utilisation);
+    add_number(s, "layer_fatigue", r->layer_fatigue);
     add_number(s, "interface_utilisation", r->interface_utilisation);
 }
 

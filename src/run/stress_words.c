@@ -191,6 +191,9 @@ void ovr_say_stress(const ovr_told *to, const ovr_stress_report *r,
         if (!isnan(r->layer_utilisation))
             ovr_tell_number(to, "layers use", 4, r->layer_utilisation,
                             "of their own yield, at most");
+        if (!isnan(r->layer_fatigue))
+            ovr_tell_number(to, "layers use", 4, r->layer_fatigue,
+                            "of their own fatigue limit, at most");
         if (!isnan(r->interface_utilisation))
             ovr_tell_number(to, "interfaces use", 4, r->interface_utilisation,
                             "of their strength, at most");

@@ -272,6 +272,9 @@ static void put_layers(const ovr_told *to, const ovr_stress_report *a,
                        b ? b->layer_utilisation : NAN);
     if (!isnan(used))
         ovr_put_number(to, "layer_utilisation", used);
+    used = fmax(a ? a->layer_fatigue : NAN, b ? b->layer_fatigue : NAN);
+    if (!isnan(used))
+        ovr_put_number(to, "layer_fatigue", used);
     used = fmax(a ? a->interface_utilisation : NAN,
                 b ? b->interface_utilisation : NAN);
     if (!isnan(used))

@@ -29,6 +29,7 @@ typedef struct coat {
     ovr_thermal thermal;
     double residual[2]; /* ph */
     double yield;       /* ph; 0: not told */
+    double limit;       /* of fatigue, as a Hertzian pressure, alike */
     double strength;    /* of the interface below it, alike */
 } coat;
 
@@ -95,6 +96,10 @@ static const ovr_parameter keys[] = {
     {"yield", STRESS(no_yield, 0, 1e4), "none", offsetof(coat, yield), false,
      "[stress]",
      "von Mises stress that the layer bears; its share that is used is told"},
+    {"limit_pressure", STRESS(no_yield, 0, 1e3), "none", offsetof(coat, limit),
+     false, "[fatigue]",
+     "Hertz pressure of a smooth contact below which amplitudes do no harm to "
+     "the layer; the share of it that is used is told"},
     {"interface_strength", STRESS(no_yield, 0, 1e4), "none",
      offsetof(coat, strength), false, "[stress]",
      "shear stress that the interface below the layer bears; the same"},
@@ -123,8 +128,10 @@ static ovr_status block(void *form, const char *name, void **into,
                         "down; those of body 2 alike",
                         name, 'a' + OVR_LAYERS_MOST - 1);
     f->there[body][layer] = true;
-    f->coat[body][layer] = (coat){0,      NAN, NAN, NAN, {NAN, NAN, NAN},
-                                  {0, 0}, 0,   0};
+    f->coat[body][layer] = (coat){.thickness = NAN,
+                                  .modulus = NAN,
+                                  .poisson = NAN,
+                                  .thermal = {NAN, NAN, NAN}};
     *into = &f->coat[body][layer];
     return OVR_OK;
 }
@@ -321,6 +328,7 @@ static void measure(const ovr_physics_case *of, coating_form *f)
         for (int j = 0; j < f->body[k].layers; j++) {
             f->coated[k].body.thickness[j] = f->coat[k][j].thickness;
             f->coated[k].body.yield[j] = f->coat[k][j].yield;
+            f->coated[k].body.limit[j] = f->coat[k][j].limit;
             f->coated[k].body.strength[j] = f->coat[k][j].strength;
             for (int along = 0; along < 2; along++)
                 f->coated[k].residual[2 * j + along] =

@@ -50,6 +50,16 @@ for upper in none '3 GPa'; do
 done
 expect 0 "$OVERROLL" run case.ini -o words.h5 --set 'coating 1.yield=3 GPa'
 contains out '^layers use .* of their own yield'
+for limit in upper:1:'2 GPa' lower:1b:'0.5 GPa'; do
+    coat=${limit#*:}
+    expect 0 "$OVERROLL" run case.ini -o "${limit%%:*}_limit.h5" --json \
+        --set "coating ${coat%%:*}.limit_pressure=${limit##*:}" \
+        --set 'fatigue.criterion=von-mises'
+    cp out "${limit%%:*}_limit.json"
+done
+expect 0 "$OVERROLL" run case.ini -o words.h5 --force \
+    --set 'coating 1.limit_pressure=2 GPa' --set 'fatigue.alpha=0.3'
+contains out '^layers use .* of their own fatigue limit'
 expect 0 "$OVERROLL" run case.ini -o strong.h5 --json \
     --set 'coating 1.interface_strength=0.5 GPa' \
     --set 'coating 1b.interface_strength=0.5 GPa'
@@ -79,6 +89,15 @@ strong, upper, lower = (of(name) for name in ("strong", "upper", "lower"))
 used = strong["interface_utilisation"]
 assert "interface_utilisation" not in none
 assert abs(used * 0.5e9 / none["interface_shear_max_Pa"] - 1) < 1e-9
+# By von Mises' criterion the limit is 0.558 of the limiting pressure, Poisson's
+# ratio 0.3 (Johnson, Contact Mechanics, 4.3), and what is used of it what is used
+# of such a yield, but for points at the ends of the material.
+assert "layer_fatigue" not in none
+for which, yields, limit, Y in (("upper", "3 GPa-none", 2.0, 3.0),
+                                ("lower", "none-0.4 GPa", 0.5, 0.4)):
+    ratio = (of(which + "_limit")["layer_fatigue"] * limit * 0.558 /
+             (of(yields)["layer_utilisation"] * Y))
+    assert abs(ratio - 1) < 5e-3, (which, ratio)
 # One of the two has the larger shear; the other's is its own, and smaller.
 of_each = (upper["interface_utilisation"] * 0.5,
            lower["interface_utilisation"] * 0.1)
