@@ -13,6 +13,8 @@ discrete film of model.py, no more.  Its own are:
   - the memory of a surface is the integral of its flux over 1/sqrt(time ago)
     along the material's path, taken from the fluxes of all steps (overroll:
     fields that fade and ride along);
+  - under a layer that memory is the one of Carslaw and Jaeger's images,
+    integrated by quadrature (overroll: the inverted impedance, fitted);
   - a step's film and temperatures are solved in turn until both stay
     (overroll: viscosities follow by what temperatures did before).
 
@@ -82,6 +84,13 @@ class Physical:
         self.Kf = k * R**2 / (rho0 * c * um * self.b**3)
         self.N = [k * R * self.b**-1.5 / math.sqrt(math.pi * k1 * c1 * r1 * um)
                   for k1, c1, r1 in given["body"]]
+        # of each body's layer: its effusivity over the body's, d^2 rho c/k
+        self.coat = [None, None]
+        for body, (d, k1, c1, r1) in given.get("coat", {}).items():
+            below = given["body"][body - 1]
+            self.coat[body - 1] = (
+                math.sqrt(k1 * c1 * r1 / math.prod(below)),
+                d * d * c1 * r1 / k1 / (self.b / um))
 
 
 class Hot(Model):
@@ -103,6 +112,7 @@ class Hot(Model):
         self.Iz = np.zeros_like(Ds)
         self.Iz[1:, 1:] = inner / 2
         self.to_gauss = between(self.s, POINTS)
+        self.known = {}
         self.at_temperature(np.zeros((17, self.n)), np.zeros(self.n))
 
     # -------------------------------------------------------- the oil
@@ -225,17 +235,36 @@ class Hot(Model):
     def fluxes(self, T, H):
         return [(self.Dz[0] @ T) / H, -(self.Dz[-1] @ T) / H]
 
-    @staticmethod
-    def weights(count, dt):
-        """Of q at 0, dt, ... ago, linear between, in int q/sqrt(t) dt."""
+    def lasting(self, k, t):
+        """How much warmer than a half space a pulse leaves surface k."""
+        if not self.p.coat[k]:
+            return np.ones_like(t)
+        e, tau = self.p.coat[k]
+        g = (e - 1) / (e + 1)
+        n = np.arange(1, 400).reshape(-1, *[1] * t.ndim)
+        return (1 + 2 * (g**n * np.exp(-n * n * tau / t)).sum(axis=0)) / e
+
+    def weights(self, k, count, dt):
+        """Of q at 0, dt, ... ago, linear between, in int q M/sqrt(t) dt."""
         t = dt * np.arange(count + 1)
         root = np.sqrt(t)
-        whole = 2 * np.diff(root)                    # int 1/sqrt
-        first = 2 / 3 * np.diff(root**3)             # int t/sqrt
+        half = np.diff(root) / 2
+        v = root[:-1, None] + half[:, None] * (1 + POINTS)
+        M = self.lasting(k, v * v) * 2 * half[:, None] * WEIGHTS
+        whole, first = M.sum(axis=1), (M * v * v).sum(axis=1)
         later = (first - t[:-1] * whole) / dt
         w = np.zeros(count + 1)
         w[:-1] += whole - later
         w[1:] += later
+        return w
+
+    def kept(self, k, count, dt):
+        """The same, calculated once."""
+        most = count + 50
+        key = (k, round(dt, 12))
+        if len(self.known.get(key, ())) <= count:
+            self.known[key] = self.weights(k, most, dt)
+        w = self.known[key][:count + 1].copy()
         return w
 
     def steady_heat(self, P, q):
@@ -246,7 +275,7 @@ class Hot(Model):
         T = np.zeros((17, self.n))
         flux = np.zeros((2, self.n))
         v = [Cu + V / 2, Cu - V / 2]
-        w = [self.weights(self.n, self.D / x) for x in v]
+        w = [self.kept(k, self.n, self.D / x) for k, x in enumerate(v)]
         for i in range(1, self.n):
             past = [self.p.N[k] * (w[k][1:i + 1] @ flux[k, i - 1::-1])
                     for k in range(2)]
@@ -271,7 +300,7 @@ class Hot(Model):
         v = self.speed.at(T) + (0.5, -0.5)[k] * self.V(T)
         steps = len(self.history)
         count = steps + int((self.X[-1] - self.X[0]) / (v * dT)) + 2
-        w = self.weights(count, dT)
+        w = self.kept(k, count, dT)
         whole = np.zeros(self.n)
         for l in range(1, count + 1):
             q = self.history[max(steps - l, 0)][k]
@@ -285,7 +314,7 @@ class Hot(Model):
         A += (q / dT)[:, None, None] * np.eye(17)
         b += (q / dT * foot).T
         self.walls(A, b, H, past,
-                   [N * 4 / 3 * math.sqrt(dT) for N in self.p.N])
+                   [self.p.N[k] * self.kept(k, 1, dT)[0] for k in range(2)])
         new = np.linalg.solve(A, b[:, :, None])[:, :, 0].T
         new[:, 0] = 0
         return new, self.fluxes(new, H)

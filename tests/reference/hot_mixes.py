@@ -35,6 +35,7 @@ from model import Ramp
 
 OVERROLL = os.environ.get("OVERROLL", "build/overroll")
 INLET, OUTLET = -4.0, 1.5
+E_STEEL = 206e9 / (1 - 0.3**2)     # E' of two alike
 STEEL = (46.0, 460.0, 7850.0)
 OIL = (0.14, 2000.0, 870.0)
 
@@ -52,7 +53,8 @@ def text_of(case, folder):
     given = case["physical"]
     lines = ["[contact]", f"load = {given['load']!r} N/m",
              f"radius = {given['radius']!r} m",
-             f"modulus = {given['modulus']!r} Pa",
+             *([] if "coat" in given else
+               [f"modulus = {given['modulus']!r} Pa"]),
              f"viscosity = {given['viscosity']!r} Pa.s",
              f"alpha = {given['alpha']!r} 1/Pa",
              f"speed_1 = {given['speed_1']!r} m/s",
@@ -70,6 +72,15 @@ def text_of(case, folder):
              "[output]", f"file = {folder}/a.h5", "every = 1",
              "fields = pressure, film_thickness, oil_content, "
              "temperature_1, temperature_2, temperature_middle"]
+    if "coat" in given:
+        lines += ["[contact]", "scale = substrate"]
+        for body in (1, 2):
+            lines += [f"[body {body}]", "modulus = 206 GPa", "poisson = 0.3"]
+    for body, (d, k, c, rho) in given.get("coat", {}).items():
+        lines += [f"[coating {body}]",
+                  f"thickness = {d!r} m", "modulus = 206 GPa", "poisson = 0.3",
+                  f"conductivity = {k!r} W/m.K",
+                  f"heat_capacity = {c!r} J/kg.K", f"density = {rho!r} kg/m3"]
     if "arriving" in case:
         lines += ["[supply]", "model = film",
                   f"thickness_1 = {case['arriving'][0]!r} m",
@@ -150,6 +161,12 @@ FIXED = {
     "heat, eyring, starved, load, dent on the slower surface": dict(
         BASE, arriving=(200e-9, 300e-9), load=Ramp(1.0, 1.3, 0.1, 0.9),
         features=[dent(2, 0.02, 0.8, -1.5)]),
+    "heat in a layer, eyring, starved, dent": dict(
+        BASE, physical=dict(
+            BASE["physical"], modulus=E_STEEL,
+            coat={1: (2e-6, 1.5, 1000.0, 2000.0),
+                  2: (5e-6, 5.0, 800.0, 5000.0)}),
+        arriving=(300e-9, 250e-9), features=[dent(1, 0.02, 0.8, -1.5)]),
     "heat, eyring, flooded, load, dent": dict(
         BASE, load=Ramp(1.0, 0.8, 0.1, 0.9),
         features=[dent(1, 0.02, 0.8, -1.5)]),
