@@ -118,6 +118,7 @@ static void interfaces(void **state)
                               {{4, 0.2}, {0.02, 0.49}, {2, 0.3}},
                               {1, 0.25},
                               {0},
+                              {0},
                               {0}};
     (void)state;
     for (int q = 0; q < 2; q++)
@@ -143,8 +144,8 @@ static void interfaces(void **state)
 /* Layers of the substrate's moduli add nothing. */
 static void nothing_of_nothing(void **state)
 {
-    const ovr_layered body = {2,        {0.1, 0.3}, {{1, 0.3}, {1, 0.3}},
-                              {1, 0.3}, {0},        {0}};
+    const ovr_layered body = {
+        2, {0.1, 0.3}, {{1, 0.3}, {1, 0.3}}, {1, 0.3}, {0}, {0}, {0}};
     (void)state;
     for (int q = 0; q < 2; q++)
         for (double k = 0.01; k < 60; k *= 2)

@@ -97,8 +97,8 @@ static void rigid_base(void **state)
     (void)state;
     for (size_t k = 0; k < sizeof truth_rigid / sizeof *truth_rigid; k++) {
         double nu = truth_rigid[k].nu, a = truth_rigid[k].a_over_t;
-        ovr_layered body[2] = {{1, {1}, {{1, nu}}, {E, 0.3}, {0}, {0}},
-                               {0, {0}, {{0, 0}}, {E, 0.3}, {0}, {0}}};
+        ovr_layered body[2] = {{1, {1}, {{1, nu}}, {E, 0.3}, {0}, {0}, {0}},
+                               {0, {0}, {{0, 0}}, {E, 0.3}, {0}, {0}, {0}}};
         ovr_images images;
         if (nu == 0.5 && a > 10)
             continue; /* the substrate of 1e5 is not rigid for that one */
@@ -113,8 +113,8 @@ static void rigid_base(void **state)
 static double over_thin_limit(double nu, double a)
 {
     const double E = 1e5;
-    ovr_layered body[2] = {{1, {1}, {{1, nu}}, {E, 0.3}, {0}, {0}},
-                           {0, {0}, {{0, 0}}, {E, 0.3}, {0}, {0}}};
+    ovr_layered body[2] = {{1, {1}, {{1, nu}}, {E, 0.3}, {0}, {0}, {0}},
+                           {0, {0}, {{0, 0}}, {E, 0.3}, {0}, {0}, {0}}};
     ovr_images images;
     ovr_images_fit(body, &images);
     double m = (1 - nu) / ((1 + nu) * (1 - 2 * nu));
@@ -142,8 +142,9 @@ static void nothing_of_nothing(void **state)
          {{1, 0.3}, {1, 0.3}, {1, 0.3}},
          {1, 0.3},
          {0},
+         {0},
          {0}},
-        {1, {0.02}, {{2.5, 0.22}}, {2.5, 0.22}, {0}, {0}}};
+        {1, {0.02}, {{2.5, 0.22}}, {2.5, 0.22}, {0}, {0}, {0}}};
     ovr_images images;
     (void)state;
     ovr_images_fit(body, &images);
@@ -163,8 +164,8 @@ typedef struct layered {
 
 static void make(double E, double nu, double t, double D, layered *l)
 {
-    const ovr_layered body[2] = {{1, {t}, {{E, nu}}, {1, 0.3}, {0}, {0}},
-                                 {0, {0}, {{0, 0}}, {1, 0.3}, {0}, {0}}};
+    const ovr_layered body[2] = {{1, {t}, {{E, nu}}, {1, 0.3}, {0}, {0}, {0}},
+                                 {0, {0}, {{0, 0}}, {1, 0.3}, {0}, {0}, {0}}};
     ovr_images_fit(body, &l->images);
     ovr_image_sum_make(&l->sum, &l->images, 1, 1, 60 * D, 24);
     l->influence = (ovr_influence){0};
@@ -352,8 +353,8 @@ static void check_film(const char *scale, double M, double L, double E,
                        double nu, double t, double most)
 {
     char text[600], more[200];
-    const ovr_layered body[2] = {{1, {t}, {{E, nu}}, {1, 0.3}, {0}, {0}},
-                                 {0, {0}, {{0, 0}}, {1, 0.3}, {0}, {0}}};
+    const ovr_layered body[2] = {{1, {t}, {{E, nu}}, {1, 0.3}, {0}, {0}, {0}},
+                                 {0, {0}, {{0, 0}}, {1, 0.3}, {0}, {0}, {0}}};
     snprintf(more, sizeof more,
              "[coating 1]\nthickness = %.17g\nmodulus = %.17g GPa\npoisson = "
              "%g\n",
