@@ -90,8 +90,8 @@ used = strong["interface_utilisation"]
 assert "interface_utilisation" not in none
 assert abs(used * 0.5e9 / none["interface_shear_max_Pa"] - 1) < 1e-9
 # By von Mises' criterion the limit is 0.558 of the limiting pressure, Poisson's
-# ratio 0.3 (Johnson, Contact Mechanics, 4.3), and what is used of it what is used
-# of such a yield, but for points at the ends of the material.
+# ratio 0.3 (Johnson, Contact Mechanics, 4.3), and what is used of it what is
+# used of such a yield, but for points at the ends of the material.
 assert "layer_fatigue" not in none
 for which, yields, limit, Y in (("upper", "3 GPa-none", 2.0, 3.0),
                                 ("lower", "none-0.4 GPa", 0.5, 0.4)):
