@@ -7,6 +7,7 @@
 #include "multigrid/content.h"
 #include "multigrid/field.h"
 #include "multigrid/touching.h"
+#include "multigrid/tripoles.h"
 
 #include "multigrid/content_row.h"
 
@@ -71,37 +72,55 @@ void ovr_newton_fill(ovr_hierarchy *grids)
     }
 }
 
-/* Row i of the Jacobian: elastic terms through dH at i-2..i+1, then the local
- * ones; then dN_i/dH0 and the right-hand side. */
-static void jacobian_row(const ovr_hierarchy *grids, const ovr_level *level,
-                         const ovr_fields *f, size_t i, double *row)
+static row_weights weights_of(const ovr_hierarchy *grids,
+                              const ovr_level *level, const ovr_fields *f,
+                              size_t i)
 {
     const ovr_weights *w = &level->weights;
     row_kind kind = row_kind_of(f);
     row_weights c = i == 1 ? row_first(w, kind) : row_inner(w, kind);
-    size_t n = level->grid.n;
+    return grids->conserving ? row_limited(f, w, &c, (ptrdiff_t)i) : c;
+}
+
+/* Row i by films at i-2..i+1 and by pressures there. */
+static ovr_newton_row local_row(const ovr_hierarchy *grids,
+                                const ovr_level *level, const ovr_fields *f,
+                                const row_weights *c, size_t i)
+{
+    ovr_newton_row row = {.r = f->r[i]};
     ptrdiff_t J = (ptrdiff_t)i;
     if (grids->conserving)
-        c = row_limited(f, w, &c, J);
-    /* dH_{i+d}/dP_j = -k(j - i - d) for d = -2, -1, 0, 1 */
-    const double *k = grids->newton.kernel[level->number - grids->coarsest] +
-                      n + 2 - i; /* k[j] = k(j - i) */
-    double e[4] = {0}, local[4] = {0}, r = f->r[i];
-    if (grids->conserving)
-        row_content_by_film(f, &c, J, e);
+        row_content_by_film(f, c, J, row.e);
     else
-        row_by_film(f, &c, J, e);
-    row_flow_by_film(f, &c, J, e);
-    row_by_pressure(f, &c, J, local);
+        row_by_film(f, c, J, row.e);
+    row_flow_by_film(f, c, J, row.e);
+    row_by_pressure(f, c, J, row.local);
     if (grids->touch.at)
-        ovr_touch_wet_row(grids, level, i, e, local, &r);
-    grids->kernels->dense_row(n, e, k, row);
+        ovr_touch_wet_row(grids, level, i, &row);
+    return row;
+}
+
+/* k(0) of a level, k(d) d further. */
+static const double *kernel_of(const ovr_hierarchy *grids,
+                               const ovr_level *level)
+{
+    return grids->newton.kernel[level->number - grids->coarsest] +
+           level->grid.n + 2;
+}
+
+/* Row i of the Jacobian: elastic terms through dH at i-2..i+1,
+ * dH_{i+d}/dP_j = -k(j - i - d), then the local ones; then dN_i/dH0 and the
+ * right-hand side. */
+static void full_row(const ovr_hierarchy *grids, const ovr_level *level,
+                     const ovr_newton_row *of, size_t i, double *row)
+{
+    size_t n = level->grid.n;
+    const double *e = of->e;
+    grids->kernels->dense_row(n, e, kernel_of(grids, level) - i, row);
     for (size_t d = i == 1; d < 4; d++)
-        row[i + d - 2] += local[d];
+        row[i + d - 2] += of->local[d];
     row[n] = -(e[0] + e[1] + e[2] + e[3]);
-    row[n + 1] = r;
-    if (grids->conserving)
-        content_columns(grids, f, &c, n, i, row);
+    row[n + 1] = of->r;
 }
 
 static void hold(size_t n, size_t i, double *row)
@@ -111,18 +130,18 @@ static void hold(size_t n, size_t i, double *row)
 }
 
 /* What a dry node bears is zero, or by the law of what touches. */
-static void dry_row(const ovr_hierarchy *grids, const ovr_level *level,
-                    size_t i, double *row)
+static bool is_touching(const ovr_hierarchy *grids, const ovr_level *level,
+                        size_t i)
 {
-    size_t n = level->grid.n;
-    bool inside = i > 0 && i + 1 < n;
-    if (grids->touch.at && inside)
-        ovr_touch_dry_row(
-            grids, level, i,
-            grids->newton.kernel[level->number - grids->coarsest] + n + 2 - i,
-            row);
-    else
-        hold(n, i, row);
+    return grids->touch.at && i > 0 && i + 1 < level->grid.n;
+}
+
+static bool is_held(const ovr_hierarchy *grids, const ovr_level *level,
+                    size_t i)
+{
+    if (i == 0 || i == level->grid.n - 1)
+        return true;
+    return !grids->conserving && ovr_lanes_has(&level->lanes, level->f.held, i);
 }
 
 /* Rows 0..n-1 pressures, row n the force; right-hand side in column n + 1. */
@@ -132,19 +151,59 @@ static void assemble(const ovr_hierarchy *grids, const ovr_level *level,
     size_t n = level->grid.n, stride = stride_of(n);
     double *row = grids->newton.matrix;
     for (size_t i = 0; i < n; i++, row += stride) {
-        bool held = i == 0 || i == n - 1;
-        if (!grids->conserving)
-            held |= ovr_lanes_has(&level->lanes, level->f.held, i);
-        if (held) {
-            dry_row(grids, level, i, row);
+        bool held = is_held(grids, level, i);
+        row_weights c;
+        ovr_newton_row of;
+        if (held && !is_touching(grids, level, i)) {
+            hold(n, i, row);
             continue;
         }
-        jacobian_row(grids, level, f, i, row);
+        c = weights_of(grids, level, f, i);
+        of = held ? ovr_touch_dry_row(grids, level, i)
+                  : local_row(grids, level, f, &c, i);
+        full_row(grids, level, &of, i, row);
+        if (grids->conserving)
+            content_columns(grids, f, &c, n, i, row);
     }
     for (size_t j = 0; j < n; j++)
         row[j] = level->grid.D * (grids->conserving ? grids->newton.wet[j] : 1);
     row[n] = 0;
     row[n + 1] = level->force - ovr_level_load(grids, level);
+}
+
+static bool solve_dense(const ovr_hierarchy *grids, const ovr_level *level,
+                        const ovr_fields *f)
+{
+    const ovr_newton *newton = &grids->newton;
+    size_t n = level->grid.n;
+    assemble(grids, level, f);
+    return grids->kernels->dense_solve(n + 1, stride_of(n), newton->matrix,
+                                       newton->change);
+}
+
+/* The same system by tripoles, once for all but films whose end walks. */
+static bool solve_touching(ovr_hierarchy *grids, const ovr_level *level,
+                           const ovr_fields *f)
+{
+    enum { TURNS = 5 };
+    const ovr_touch *touch = &grids->touch;
+    double *step = grids->newton.change;
+    double missing = level->force - ovr_level_load(grids, level);
+    ovr_touch_open(grids, level, f);
+    for (int turn = 0; turn < TURNS; turn++) {
+        for (size_t i = 1; i + 1 < level->grid.n; i++) {
+            row_weights c = weights_of(grids, level, f, i);
+            touch->tripoles->row[i] = touch->dry[i]
+                                          ? ovr_touch_dry_row(grids, level, i)
+                                          : local_row(grids, level, f, &c, i);
+        }
+        if (!ovr_tripoles_solve(grids, level, touch->tripoles,
+                                kernel_of(grids, level), missing, step))
+            return false;
+        if (!ovr_touch_close(grids, level, step))
+            break;
+    }
+    return true;
 }
 
 static double clipped(double x, double limit)
@@ -196,16 +255,15 @@ bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit)
     f = ovr_level_ordered(grids, level);
     if (grids->conserving)
         order_states(grids, level, f);
-    if (grids->touch.at)
-        ovr_touch_prepare(grids, level, f);
-    assemble(grids, level, f);
-    if (!grids->kernels->dense_solve(n + 1, stride_of(n), newton->matrix,
-                                     newton->change))
-        return false;
     if (grids->touch.at) {
+        ovr_touch_prepare(grids, level, f);
+        if (!solve_touching(grids, level, f))
+            return false;
         ovr_touch_advance(grids, level, f, limit);
         return isfinite(grids->H0);
     }
+    if (!solve_dense(grids, level, f))
+        return false;
     advance(grids, level, f, limit);
     /* in proportion where the film is thick: rigid contacts */
     H = fabs(ovr_level_centre(level, level->f.H));

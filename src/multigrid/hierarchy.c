@@ -7,6 +7,7 @@
 #include "multigrid/coarsest.h"
 #include "multigrid/field.h"
 #include "multigrid/flow.h"
+#include "multigrid/tripoles.h"
 
 /* Nodes of the lanes and beyond, for any machine's kernels. */
 static size_t room_of(const ovr_level *level)
@@ -211,7 +212,13 @@ ovr_status ovr_hierarchy_touch(ovr_hierarchy *grids, ovr_arena *arena,
     if (take(all, sizeof all / sizeof *all, n, arena, err))
         return OVR_NO_MEMORY;
     touch->dry = ovr_set(arena, n, err);
-    return touch->dry ? ovr_hierarchy_bear(grids, arena, err) : OVR_NO_MEMORY;
+    touch->opened = touch->dry ? ovr_set(arena, n, err) : NULL;
+    if (touch->opened)
+        touch->tripoles = ovr_arena_take(arena, 1, sizeof *touch->tripoles,
+                                         err);
+    if (!touch->tripoles || ovr_tripoles_take(touch->tripoles, n, arena, err))
+        return OVR_NO_MEMORY;
+    return ovr_hierarchy_bear(grids, arena, err);
 }
 
 /* What rows read at half nodes where E is more than a sum (reynolds_row.h). */

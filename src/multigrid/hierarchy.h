@@ -61,7 +61,9 @@ typedef struct ovr_touch {
     /* of Newton's method, by node: A, -dA/dH, the whole pressure, what that is
      * above P_f + A, dry or not */
     double *A, *g, *whole, *excess;
-    unsigned char *dry;
+    unsigned char *dry, *opened; /* held, but taken for wet on trial */
+    int rising; /* steps in a row in which dry nodes wanted to rise */
+    struct ovr_tripoles *tripoles;
 } ovr_touch;
 
 /* Asked between the cycles of a long solve.  Once it is to stop, cycles do

@@ -82,7 +82,7 @@ void ovr_touch_prepare(const ovr_hierarchy *grids, const ovr_level *level,
 }
 
 void ovr_touch_wet_row(const ovr_hierarchy *grids, const ovr_level *level,
-                       size_t i, double e[4], double local[4], double *r)
+                       size_t i, ovr_newton_row *row)
 {
     const ovr_touch *touch = &grids->touch;
     for (size_t m = 0; m < 4; m++) {
@@ -90,24 +90,85 @@ void ovr_touch_wet_row(const ovr_hierarchy *grids, const ovr_level *level,
         if (i + m < 2 || node == 0 || node + 1 >= level->grid.n)
             continue;
         if (touch->dry[node])
-            local[m] = 0;
-        e[m] -= local[m] * touch->g[node];
-        *r -= local[m] * touch->excess[node];
+            row->local[m] = 0;
+        row->e[m] -= row->local[m] * touch->g[node];
+        row->r -= row->local[m] * touch->excess[node];
     }
 }
 
-void ovr_touch_dry_row(const ovr_hierarchy *grids, const ovr_level *level,
-                       size_t i, const double *k, double *row)
+/* The dry nodes about one. */
+static void open_about(const ovr_touch *touch, size_t n, size_t i, size_t reach)
+{
+    size_t from = i > reach ? i - reach : 1;
+    size_t to = i + reach + 1 < n ? i + reach + 1 : n - 1;
+    for (size_t j = from; j < to; j++) {
+        touch->opened[j] |= touch->dry[j];
+        touch->dry[j] = 0;
+    }
+}
+
+void ovr_touch_open(ovr_hierarchy *grids, const ovr_level *level,
+                    const ovr_fields *f)
+{
+    enum { PATIENCE = 2, MOST = 7 };
+    ovr_touch *touch = &grids->touch;
+    size_t n = level->grid.n;
+    bool any = false;
+    int doublings = touch->rising - PATIENCE + 2;
+    memset(touch->opened, 0, n);
+    for (size_t i = 1; i + 1 < n; i++) {
+        bool rises = !(f->P[i] > 0) && !touch->dry[i] && !touch->opened[i];
+        any |= rises;
+        if (rises && touch->rising >= PATIENCE)
+            open_about(touch, n, i,
+                       (size_t)1 << (doublings < MOST ? doublings : MOST));
+    }
+    touch->rising = any ? touch->rising + 1 : 0;
+}
+
+/* How much the solids give way to a step, without H0, in the order of the
+ * nodes. */
+static const double *given_way(const ovr_hierarchy *grids,
+                               const ovr_level *level, const double *dP)
+{
+    double *w = level->f.w, *room = grids->scratch[0];
+    ovr_level_write(grids, level, dP, level->pressed);
+    ovr_influence_deform(&grids->influence, grids->kernels, &level->lanes,
+                         &level->mlmi, level->pressed, w);
+    ovr_level_read(grids, level, w, room);
+    return room;
+}
+
+bool ovr_touch_close(const ovr_hierarchy *grids, const ovr_level *level,
+                     const double *step)
 {
     const ovr_touch *touch = &grids->touch;
     size_t n = level->grid.n;
+    const double *w;
+    bool any = false;
+    if (!memchr(touch->opened, 1, n))
+        return false;
+    w = given_way(grids, level, step);
+    for (size_t i = 1; i + 1 < n; i++) {
+        double rises = touch->excess[i] + step[i] +
+                       touch->g[i] * (step[n] - w[i]);
+        if (!touch->opened[i] || touch->dry[i] || rises >= 0)
+            continue;
+        touch->dry[i] = 1;
+        any = true;
+    }
+    return any;
+}
+
+ovr_newton_row ovr_touch_dry_row(const ovr_hierarchy *grids,
+                                 const ovr_level *level, size_t i)
+{
+    const ovr_touch *touch = &grids->touch;
     double g = touch->g[i];
-    double scale = 1 / (1 + g * fabs(level->k[0]) * (double)n);
-    for (size_t j = 0; j < n; j++)
-        row[j] = -scale * g * k[j];
-    row[i] += scale;
-    row[n] = scale * g;
-    row[n + 1] = scale * (touch->A[i] - touch->whole[i]);
+    double scale = 1 / (1 + g * fabs(level->k[0]) * (double)level->grid.n);
+    return (ovr_newton_row){.e[2] = -scale * g,
+                            .local[2] = scale,
+                            .r = scale * (touch->A[i] - touch->whole[i])};
 }
 
 /* The part of the step by which no A grows more than it may. */
@@ -116,11 +177,8 @@ static double part_of(const ovr_hierarchy *grids, const ovr_level *level,
 {
     const ovr_touch *touch = &grids->touch;
     const double least = 0.05, doubled = log(2);
-    double part = 1, *w = level->f.w, *room = grids->scratch[0];
-    ovr_level_write(grids, level, dP, level->pressed);
-    ovr_influence_deform(&grids->influence, grids->kernels, &level->lanes,
-                         &level->mlmi, level->pressed, w);
-    ovr_level_read(grids, level, w, room);
+    const double *room = given_way(grids, level, dP);
+    double part = 1;
     for (size_t i = 1; i + 1 < level->grid.n; i++) {
         double A = touch->A[i], falls = room[i] - dH0, most;
         if (!(touch->g[i] > 0) || !(falls > 0))

@@ -33,7 +33,7 @@
 #ifndef OVR_MULTIGRID_TOUCHING_H
 #define OVR_MULTIGRID_TOUCHING_H
 
-#include "multigrid/hierarchy.h"
+#include "multigrid/tripoles.h"
 
 /* Pressures below this are none: an exponential never ends. */
 #define OVR_TOUCH_LEAST 1e-9
@@ -51,15 +51,25 @@ double ovr_touch_defect(const ovr_hierarchy *grids, const ovr_level *level);
 void ovr_touch_prepare(const ovr_hierarchy *grids, const ovr_level *level,
                        const ovr_fields *f);
 
-/* Takes a wet row's t_e off e_m, m = -2..1, and out of the columns of dry
- * nodes; its right-hand side gets t_e times what nodes that have just turned
- * wet lack. */
+/* Takes a wet row's t_e, its l_m, off e_m, m = -2..1, and out of the columns of
+ * dry nodes; its right-hand side gets t_e times what nodes that have just
+ * turned wet lack. */
 void ovr_touch_wet_row(const ovr_hierarchy *grids, const ovr_level *level,
-                       size_t i, double e[4], double local[4], double *r);
+                       size_t i, ovr_newton_row *row);
 
-/* A dry node's row: n pressures, H0, the right-hand side. */
-void ovr_touch_dry_row(const ovr_hierarchy *grids, const ovr_level *level,
-                       size_t i, const double *k, double *row);
+/* Where dry nodes want to rise in step after step, as the film ends elsewhere:
+ * up to 128 on either side of them are taken for wet. */
+void ovr_touch_open(ovr_hierarchy *grids, const ovr_level *level,
+                    const ovr_fields *f);
+
+/* Those that a step would press below zero are dry; whether there were any, so
+ * that the step is to be found again. */
+bool ovr_touch_close(const ovr_hierarchy *grids, const ovr_level *level,
+                     const double *step);
+
+/* A dry node's row. */
+ovr_newton_row ovr_touch_dry_row(const ovr_hierarchy *grids,
+                                 const ovr_level *level, size_t i);
 
 /* The next P and H0, from a change of them; `limit` on that of a pressure. */
 void ovr_touch_advance(ovr_hierarchy *grids, const ovr_level *level,

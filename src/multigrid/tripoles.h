@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A step of Newton's method on a fine grid without its full matrix.
+ *
+ *     row i:  sum_m e_m (w_{i+m} - dH0) + sum_m l_m dP_{i+m} = r_i, m = -2..1
+ *     D sum_j dP_j = missing force,   w = k * dP,  dP = 0 at both ends
+ *
+ * w is summed by MLMI, so that a product takes O(n).  The system is solved by
+ * GMRES (Saad and Schultz 1986), preconditioned from the right: unknowns are
+ * tripoles, dP_j = q_j - (q_{j-1} + q_{j+1})/2, whose deformation falls with
+ * the square of the distance; what of it is beyond OVR_BAND meshes is left out,
+ * and the band is factored.  H0 and the force border it.  Rows are in
+ * proportion to their largest part.
+ */
+#ifndef OVR_MULTIGRID_TRIPOLES_H
+#define OVR_MULTIGRID_TRIPOLES_H
+
+#include "multigrid/banded.h"
+#include "multigrid/hierarchy.h"
+
+enum { OVR_TRIPOLE_PRODUCTS = 60 };
+
+/* A row of Newton's method. */
+typedef struct ovr_newton_row {
+    double e[4], local[4], r;
+} ovr_newton_row;
+
+typedef struct ovr_tripoles {
+    ovr_newton_row *row; /* of a node, to be written */
+    ovr_banded band;
+    double *basis;  /* of the subspace, one behind the other */
+    double *column; /* what the band makes of H0 */
+    double *q, *w;
+    double triangle[OVR_TRIPOLE_PRODUCTS][OVR_TRIPOLE_PRODUCTS + 1];
+} ovr_tripoles;
+
+ovr_status ovr_tripoles_take(ovr_tripoles *t, size_t n, ovr_arena *arena,
+                             ovr_error *err);
+
+/* The step from its rows: dP of all nodes and dH0 behind it; k at distance d is
+ * kernel[d].  The level's w is not kept.  False: it was not found. */
+bool ovr_tripoles_solve(const ovr_hierarchy *grids, const ovr_level *level,
+                        ovr_tripoles *t, const double *kernel, double missing,
+                        double *step);
+
+#endif
