@@ -12,9 +12,14 @@
 #include "multigrid/content_row.h"
 
 /* K/pi of a level is known at distances -(n + 1) .. n + 2, 0 at index n + 2. */
-static size_t distances(const ovr_level *level)
+static size_t distances(size_t n)
 {
-    return 2 * level->grid.n + 5;
+    return 2 * n + 5;
+}
+
+double *ovr_newton_kernel(size_t n, ovr_arena *arena, ovr_error *err)
+{
+    return ovr_field(arena, distances(n), err);
 }
 
 /* Values of a row: n + 1 unknowns, the right-hand side, whole vectors. */
@@ -40,7 +45,8 @@ ovr_status ovr_newton_prepare(ovr_hierarchy *grids, ovr_arena *arena,
     newton->matrix = ovr_field(arena, m * stride_of(top->grid.n), err);
     newton->change = ovr_field(arena, m, err);
     for (int k = 0; k < newton->levels; k++)
-        if (!(newton->kernel[k] = ovr_field(arena, distances(level + k), err)))
+        if (!(newton->kernel[k] = ovr_newton_kernel((level + k)->grid.n, arena,
+                                                    err)))
             return OVR_NO_MEMORY;
     if (grids->content && !(newton->wet = ovr_field(arena, m, err)))
         return OVR_NO_MEMORY;
@@ -60,16 +66,22 @@ static void content_columns(const ovr_hierarchy *grids, const ovr_fields *f,
             row[i - m] = -c->a[m];
 }
 
+static void fill_kernel(const ovr_hierarchy *grids, const ovr_level *level,
+                        double *kernel)
+{
+    for (size_t d = 0; d < distances(level->grid.n); d++) {
+        double at = (double)d - (double)(level->grid.n + 2);
+        kernel[d] = ovr_influence_at(&grids->influence, at, level->grid.D);
+    }
+}
+
 void ovr_newton_fill(ovr_hierarchy *grids)
 {
-    for (int k = 0; k < grids->newton.levels; k++) {
-        const ovr_level *level = &grids->level[grids->coarsest + k];
-        for (size_t d = 0; d < distances(level); d++) {
-            double at = (double)d - (double)(level->grid.n + 2);
-            grids->newton.kernel[k][d] = ovr_influence_at(&grids->influence, at,
-                                                          level->grid.D);
-        }
-    }
+    for (int k = 0; k < grids->newton.levels; k++)
+        fill_kernel(grids, &grids->level[grids->coarsest + k],
+                    grids->newton.kernel[k]);
+    if (grids->touch.kernel)
+        fill_kernel(grids, &grids->level[grids->finest], grids->touch.kernel);
 }
 
 static row_weights weights_of(const ovr_hierarchy *grids,
@@ -129,13 +141,6 @@ static void hold(size_t n, size_t i, double *row)
     row[i] = 1;
 }
 
-/* What a dry node bears is zero, or by the law of what touches. */
-static bool is_touching(const ovr_hierarchy *grids, const ovr_level *level,
-                        size_t i)
-{
-    return grids->touch.at && i > 0 && i + 1 < level->grid.n;
-}
-
 static bool is_held(const ovr_hierarchy *grids, const ovr_level *level,
                     size_t i)
 {
@@ -151,16 +156,14 @@ static void assemble(const ovr_hierarchy *grids, const ovr_level *level,
     size_t n = level->grid.n, stride = stride_of(n);
     double *row = grids->newton.matrix;
     for (size_t i = 0; i < n; i++, row += stride) {
-        bool held = is_held(grids, level, i);
         row_weights c;
         ovr_newton_row of;
-        if (held && !is_touching(grids, level, i)) {
+        if (is_held(grids, level, i)) {
             hold(n, i, row);
             continue;
         }
         c = weights_of(grids, level, f, i);
-        of = held ? ovr_touch_dry_row(grids, level, i)
-                  : local_row(grids, level, f, &c, i);
+        of = local_row(grids, level, f, &c, i);
         full_row(grids, level, &of, i, row);
         if (grids->conserving)
             content_columns(grids, f, &c, n, i, row);
@@ -187,7 +190,7 @@ static bool solve_touching(ovr_hierarchy *grids, const ovr_level *level,
 {
     enum { TURNS = 5 };
     const ovr_touch *touch = &grids->touch;
-    double *step = grids->newton.change;
+    double *step = touch->step;
     double missing = level->force - ovr_level_load(grids, level);
     ovr_touch_open(grids, level, f);
     for (int turn = 0; turn < TURNS; turn++) {
@@ -198,7 +201,8 @@ static bool solve_touching(ovr_hierarchy *grids, const ovr_level *level,
                                           : local_row(grids, level, f, &c, i);
         }
         if (!ovr_tripoles_solve(grids, level, touch->tripoles,
-                                kernel_of(grids, level), missing, step))
+                                touch->kernel + level->grid.n + 2, missing,
+                                step))
             return false;
         if (!ovr_touch_close(grids, level, step))
             break;

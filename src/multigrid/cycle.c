@@ -78,6 +78,8 @@ void ovr_cycle(ovr_hierarchy *grids, ovr_level *level, ovr_cycling how)
 {
     if (ovr_hierarchy_stops(grids))
         return;
+    if (grids->touch.at)
+        how.bottom = level->number;
     if (how.index > 1 && !grids->op.transient)
         hold_coarse(grids, level);
     descend(grids, level, &how);

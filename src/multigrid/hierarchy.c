@@ -202,21 +202,38 @@ ovr_status ovr_hierarchy_bear(ovr_hierarchy *grids, ovr_arena *arena,
     return finest->borne ? OVR_OK : OVR_NO_MEMORY;
 }
 
+/* What Newton's method reads of the finest level that is not there. */
+static ovr_status take_newton(ovr_hierarchy *grids, ovr_arena *arena,
+                              ovr_error *err)
+{
+    ovr_level *finest = &grids->level[grids->finest];
+    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
+        if (!finest->f.all[k] && has(grids, ovr_field_rows[k].memory, true) &&
+            !(finest->f.all[k] = ovr_field(arena, room_of(finest), err)))
+            return OVR_NO_MEMORY;
+    if (grids->ordered == grids->finest)
+        return OVR_OK;
+    grids->ordered = grids->finest;
+    return take_natural(grids, finest->grid.n, arena, err);
+}
+
 ovr_status ovr_hierarchy_touch(ovr_hierarchy *grids, ovr_arena *arena,
                                ovr_error *err)
 {
     ovr_touch *touch = &grids->touch;
     size_t n = grids->level[grids->finest].grid.n;
-    double **const all[] = {&touch->A, &touch->g, &touch->whole,
-                            &touch->excess};
-    if (take(all, sizeof all / sizeof *all, n, arena, err))
+    double **const all[] = {&touch->A, &touch->g, &touch->whole, &touch->excess,
+                            &touch->step};
+    if (take(all, sizeof all / sizeof *all, n + 1, arena, err))
         return OVR_NO_MEMORY;
-    touch->dry = ovr_set(arena, n, err);
+    touch->kernel = ovr_newton_kernel(n, arena, err);
+    touch->dry = touch->kernel ? ovr_set(arena, n, err) : NULL;
     touch->opened = touch->dry ? ovr_set(arena, n, err) : NULL;
     if (touch->opened)
         touch->tripoles = ovr_arena_take(arena, 1, sizeof *touch->tripoles,
                                          err);
-    if (!touch->tripoles || ovr_tripoles_take(touch->tripoles, n, arena, err))
+    if (!touch->tripoles || ovr_tripoles_take(touch->tripoles, n, arena, err) ||
+        take_newton(grids, arena, err))
         return OVR_NO_MEMORY;
     return ovr_hierarchy_bear(grids, arena, err);
 }

@@ -64,6 +64,7 @@ typedef struct ovr_touch {
     unsigned char *dry, *opened; /* held, but taken for wet on trial */
     int rising; /* steps in a row in which dry nodes wanted to rise */
     struct ovr_tripoles *tripoles;
+    double *kernel, *step; /* as those of ovr_newton, of the finest level */
 } ovr_touch;
 
 /* Asked between the cycles of a long solve.  Once it is to stop, cycles do
@@ -145,7 +146,8 @@ ovr_status ovr_hierarchy_factor(ovr_hierarchy *grids,
                                 const struct ovr_flow_factor *factor,
                                 ovr_arena *arena, ovr_error *err);
 
-/* Memory for what bears it by a law of the film; the caller sets that. */
+/* Memory for what bears it by a law of the film; the caller sets that.  The
+ * finest level is solved by Newton's method then. */
 ovr_status ovr_hierarchy_touch(ovr_hierarchy *grids, ovr_arena *arena,
                                ovr_error *err);
 

@@ -194,7 +194,7 @@ void ovr_touch_advance(ovr_hierarchy *grids, const ovr_level *level,
 {
     const ovr_touch *touch = &grids->touch;
     size_t n = level->grid.n;
-    double *dP = grids->newton.change, dH0 = dP[n], part;
+    double *dP = touch->step, dH0 = dP[n], part;
     double *P = f->P, *borne = touch->whole;
     for (size_t i = 0; i < n; i++)
         dP[i] = fmax(fmin(dP[i], limit), -limit);

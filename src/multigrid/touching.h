@@ -27,7 +27,12 @@
  * Reynolds' equation, with P_f = 0, wants to rise: judged by the sign of
  * P - A it would flip by rounding.
  *
- * It is solved on one grid, by Newton's method alone (coarsest.h): O(n^3).
+ * The finest grid is solved by Newton's method alone (coarsest.h, tripoles.h),
+ * in O(n log n) a step; its film begins with that of surfaces apart, by full
+ * multigrid.  Where the film ends nodes turn wet one by one, so once some have
+ * wanted to rise in three steps running, 2, 4, ... 128 on either side of them
+ * are taken for wet; those that come out below zero are dry, and the same step
+ * is found again.
  * Where there is no law nothing of this is called.
  */
 #ifndef OVR_MULTIGRID_TOUCHING_H

@@ -170,11 +170,12 @@ static void rotate(double *column, int k, double *cosine, double *sine,
 }
 
 /* The basis grows until what is left is small beside the right-hand side; how
- * many vectors count, 0: it did not become so. */
+ * many vectors count, 0: they are of no use.  Where rounding or many products
+ * end it before, Newton's next step goes on with what is left. */
 static int grow(const ovr_hierarchy *grids, const ovr_level *level,
                 ovr_tripoles *t, double *step, double *g)
 {
-    const double enough = 1e-4;
+    const double enough = 1e-4, some = 0.5;
     double cosine[OVR_TRIPOLE_PRODUCTS], sine[OVR_TRIPOLE_PRODUCTS];
     size_t n = level->grid.n, m = size_of(n);
     double first = fabs(g[0]);
@@ -196,7 +197,8 @@ static int grow(const ovr_hierarchy *grids, const ovr_level *level,
             return k + 1;
         scale(next, 1 / length, m);
     }
-    return 0;
+    return fabs(g[OVR_TRIPOLE_PRODUCTS]) <= some * first ? OVR_TRIPOLE_PRODUCTS
+                                                         : 0;
 }
 
 /* The sum of basis vectors that the triangle says. */

@@ -103,17 +103,39 @@ static bool reach(ovr_simulation *sim, boundary *b, double share,
     return false;
 }
 
+/* The film of surfaces that do not touch: by full multigrid, as if there were
+ * no law, or by Newton's method on the finest level alone, from Hertz's
+ * pressure. */
+static ovr_defect solve_apart(ovr_simulation *sim, boundary *b, bool by_levels,
+                              const ovr_full *how, int *cycles)
+{
+    ovr_hierarchy *grids = &sim->grids;
+    ovr_full on_finest = *how;
+    ovr_defect d;
+    on_finest.cycling.bottom = grids->finest;
+    grids->touch.share = 0;
+    memset(b->A, 0, sim->now.n * sizeof *b->A);
+    if (by_levels)
+        grids->touch.at = NULL;
+    ovr_level_bear(grids, sim->finest, b->A);
+    d = ovr_steady_film(sim, by_levels ? how : &on_finest, cycles);
+    grids->touch.at = ovr_touch_law_at;
+    sim->refinements = 0; /* those were of another film */
+    return d;
+}
+
 /* First the film of surfaces that do not touch; then of the law at once, or
  * share by share. */
-static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
-                        int *cycles)
+static ovr_defect solve_from(ovr_simulation *sim, boundary *b, bool by_levels,
+                             const ovr_full *how, int *cycles)
 {
-    const double begins = 1e-8, smallest = 1.05;
-    boundary *b = own;
-    ovr_defect d;
+    const double begins = 1e-8, smallest = 1.05, found = 1e-2;
     double factor = 1 / begins, from = begins;
+    ovr_defect d;
     ovr_simulation_gap(sim, 0);
-    d = ovr_steady_film(sim, how, cycles);
+    d = solve_apart(sim, b, by_levels, how, cycles);
+    if (by_levels && !ovr_below(d, found))
+        from = 1;
     while (from < 1 && factor > smallest) {
         double to = fmin(from * factor, 1);
         if (reach(sim, b, to, how, &d, cycles))
@@ -121,8 +143,17 @@ static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
         else
             factor = sqrt(factor);
     }
-    if (from < 1)
+    if (sim->grids.touch.share < 1)
         d.imbalance = INFINITY;
+    return d;
+}
+
+static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
+                        int *cycles)
+{
+    ovr_defect d = solve_from(sim, own, true, how, cycles);
+    if (d.imbalance == INFINITY)
+        d = solve_from(sim, own, false, how, cycles);
     return d;
 }
 

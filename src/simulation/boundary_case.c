@@ -338,12 +338,11 @@ static double ends_at(const ovr_boundary_form *f)
     return X;
 }
 
-/* The domain goes out as far as surfaces touch, where it is not given; on one
- * grid, of second order. */
-static ovr_status resolve_options(const ovr_physics_case *of,
-                                  const ovr_boundary_form *f, ovr_error *err)
+/* The domain goes out as far as surfaces touch, where it is not given; of
+ * second order. */
+static void resolve_options(const ovr_physics_case *of,
+                            const ovr_boundary_form *f)
 {
-    enum { FINEST = 9 };
     ovr_options *o = of->options, with = *o;
     double end = ends_at(f);
     ovr_options_domain(of->contact, &with);
@@ -351,15 +350,8 @@ static ovr_status resolve_options(const ovr_physics_case *of,
         o->outlet = fmax(with.outlet, end);
     if (o->inlet == 0 || isnan(o->inlet))
         o->inlet = fmin(with.inlet, -end);
-    if (o->level > FINEST || o->level == 0)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "[boundary] is solved by Newton's method on one grid: "
-                        "[domain] level = %d or less is possible",
-                        FINEST);
-    o->coarsest_level = o->level;
     if (!o->order) /* 4 is refused by the table of pairs */
         o->order = 2;
-    return OVR_OK;
 }
 
 /* The film that smooth surfaces have, by the fit where it holds. */
@@ -419,7 +411,8 @@ ovr_status ovr_boundary_resolve(const ovr_physics_case *of, void *form,
     if (resolve_factor(of, f, err) || resolve_wear(of, f, err))
         return OVR_BAD_INPUT;
     f->estimate = share_with(f, smooth_film(of), f->factor.ridges);
-    return resolve_options(of, f, err);
+    resolve_options(of, f);
+    return OVR_OK;
 }
 
 static void tell_estimate(const ovr_physics_case *of,

@@ -20,7 +20,7 @@ static const char base_row[] =
 static const char on_patches[] = "it has no form on composite grids";
 
 static const char one_grid[] =
-    "surfaces that touch are solved by Newton's method on one grid";
+    "surfaces that touch are solved by Newton's method on the finest grid";
 static const char kinks[] = "the law of touching surfaces kinks at the rupture";
 static const char two_unknowns[] =
     "a dry node where surfaces touch has a filling and a pressure";

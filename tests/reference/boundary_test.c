@@ -207,17 +207,22 @@ static void film_in_time_is_that_of_the_dense_newton(void **state)
     CHECK_NEAR(t.share, 0.05188013198307721, 2e-7);
 }
 
-/* The mesh is read off the shares alone. */
+/* The mesh is read off the shares alone, to levels that have no full matrix. */
 static void share_is_of_second_order(void **state)
 {
-    double share[3];
+    enum { LEVELS = 5 };
+    double share[LEVELS];
     (void)state;
-    for (int l = 0; l < 3; l++) {
+    for (int l = 0; l < LEVELS; l++) {
         ovr_case *c = by_moes(20, 10, 5 + l);
         bears(c, 1, 0.042);
+        assign(c, "solver.tolerance=1e-7");
         share[l] = solved(c).share;
+        if (l > 1)
+            CHECK_NEAR((share[l - 2] - share[l - 1]) /
+                           (share[l - 1] - share[l]),
+                       4, 0.5);
     }
-    CHECK_NEAR((share[0] - share[1]) / (share[1] - share[2]), 4, 0.5);
 }
 
 /* Summits that reach a sixth of the film bear nothing; an amplitude of zero is
@@ -472,9 +477,6 @@ static void what_has_no_answer_is_refused(void **state)
     assign(c, "boundary.Rq=194 nm");
     assign(c, "boundary.slope=0.03");
     check_refused(c, "shears thin");
-    c = by_moes(20, 10, 10);
-    bears(c, 1, 0.042);
-    check_refused(c, "one grid");
     c = begin(gear);
     assign(c, "contact.mean_speed=3 m/s");
     assign(c, "boundary.law=profile");
