@@ -132,14 +132,13 @@ static void warn_of_smearing(const review *r)
     for (size_t k = 0; k < n; k++) {
         ovr_feature_info info = ovr_surfaces_info(s->surfaces, k);
         double nodes = info.wavelength / s->mesh;
-        bool conserving = s->options->cavitation == OVR_CAVITATION_CONSERVING;
         if (info.speed == 0 || !(nodes < enough))
             continue;
         say(r, OVR_SAY_WARNING,
             "feature '%s' moves on %.0f nodes a width, on which an upstream "
-            "scheme smears it out: take %slevel %d",
+            "scheme smears it out: take scheme = characteristic with step = "
+            "grid, or level %d",
             info.name, nodes,
-            conserving ? "" : "scheme = characteristic with step = grid, or ",
             s->options->level + (int)ceil(log2(enough / nodes)));
         return;
     }

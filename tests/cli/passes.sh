@@ -203,7 +203,7 @@ contains out '"error_level": [0-9]'
 expect 0 "$OVERROLL" run errors.ini -o auto.h5 --force \
     --set domain.level=auto --set domain.accuracy=0.1 \
     --set domain.accuracy_of=H_min --set passes.loss=0.9 \
-    --set time.end=2 --set feature.d.start=-1.5
+    --set domain.faces=gap --set time.end=2 --set feature.d.start=-1.5
 contains err 'pass 2: level [0-9]+ was chosen for an error of 0.1 of H_min'
 
 # With a flow law, heat, stress, and a halt: all go, and oil is kept
