@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Refuses the parts of a case that do not go together: of those that are
  * written, as what is not gives way. */
+#include <math.h>
 #include <stdio.h>
 
+#include "case/coats.h"
 #include "case/resolve.h"
 #include "contact/turning.h"
 #include "simulation/parts.h"
@@ -18,6 +20,23 @@ static bool runs_in(const ovr_resolved *r)
 {
     return ovr_case_find_block(r->c, "boundary", NULL) &&
            ovr_slot_of(r, "boundary", "passes")->number > 0;
+}
+
+/* Whether a layer has other elastic constants than what is below it. */
+static bool layers_differ(const ovr_setup *s)
+{
+    const double same = 1e-9;
+    for (int body = 0; body < 2; body++) {
+        const ovr_coated *of = ovr_setup_layers(s, body);
+        for (int j = 0; of && j < of->body.layers; j++) {
+            const ovr_elastic *layer = &of->body.layer[j];
+            const ovr_elastic *below = &of->body.below;
+            if (fabs(layer->modulus / below->modulus - 1) > same ||
+                fabs(layer->poisson - below->poisson) > same)
+                return true;
+        }
+    }
+    return false;
 }
 
 /* Whether a feature on the mesh is rough. */

@@ -79,8 +79,9 @@ static const ovr_refusal refusals[] = {
     {OVR_PART_PAPER_SMOOTHER, OVR_PART_PLASTIC, "line", in_time},
     {OVR_PART_PAPER_BALANCE, OVR_PART_PLASTIC, "no", in_time},
     {OVR_PART_PLASTIC, OVR_PART_PATCHES, "no [plastic]", on_patches},
-    {OVR_PART_PLASTIC, OVR_PART_COATING, "no [plastic]",
-     "residual stresses are those of one material"},
+    {OVR_PART_PLASTIC, OVR_PART_OTHER_MODULI, "no [plastic]",
+     "residual stresses are those of one material; a coating that has the "
+     "body's moduli goes"},
     {OVR_PART_STRESS, OVR_PART_PATCHES, "no [stress]", on_patches}};
 
 enum { REFUSALS = sizeof refusals / sizeof *refusals };
