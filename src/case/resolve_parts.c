@@ -22,23 +22,6 @@ static bool runs_in(const ovr_resolved *r)
            ovr_slot_of(r, "boundary", "passes")->number > 0;
 }
 
-/* Whether a layer has other elastic constants than what is below it. */
-static bool layers_differ(const ovr_setup *s)
-{
-    const double same = 1e-9;
-    for (int body = 0; body < 2; body++) {
-        const ovr_coated *of = ovr_setup_layers(s, body);
-        for (int j = 0; of && j < of->body.layers; j++) {
-            const ovr_elastic *layer = &of->body.layer[j];
-            const ovr_elastic *below = &of->body.below;
-            if (fabs(layer->modulus / below->modulus - 1) > same ||
-                fabs(layer->poisson - below->poisson) > same)
-                return true;
-        }
-    }
-    return false;
-}
-
 /* Whether a feature on the mesh is rough. */
 static bool has_roughness(const ovr_resolved *r)
 {
@@ -46,6 +29,23 @@ static bool has_roughness(const ovr_resolved *r)
         if (r->setup.feature[k]->shape == OVR_PROFILE ||
             r->setup.feature[k]->shape == OVR_ROUGHNESS)
             return true;
+    return false;
+}
+
+/* Whether a body that yields has a layer of other moduli than its own. */
+static bool yields_below_others(const ovr_resolved *r)
+{
+    const double same = 1e-9;
+    for (int k = 0; k < 2; k++) {
+        const ovr_coated *on = ovr_setup_layers(&r->setup, k);
+        if (!on || !(r->values.plastic.surfaces >> k & 1))
+            continue;
+        const ovr_elastic *below = &on->body.below;
+        for (int j = 0; j < on->body.layers; j++)
+            if (fabs(on->body.layer[j].modulus / below->modulus - 1) > same ||
+                fabs(on->body.layer[j].poisson - below->poisson) > same)
+                return true;
+    }
     return false;
 }
 
