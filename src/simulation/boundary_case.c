@@ -19,6 +19,7 @@
 #include "base/rows.h"
 #include "contact/contact.h"
 #include "contact/film_formula.h"
+#include "contact/flow_law.h"
 
 static const ovr_word laws[] = {
     {"exponential", OVR_BOUNDARY_EXPONENTIAL},
@@ -376,14 +377,59 @@ static double share_of(const ovr_boundary_form *f, double H)
     return sum * 4 / acos(-1.0);
 }
 
-/* With a flow factor; NAN where no Rq is known. */
-static double share_with(const ovr_boundary_form *f, double H,
-                         ovr_ridges ridges)
+/* The film with a flow factor; NAN where no Rq is known. */
+static double film_with(const ovr_boundary_form *f, double H, ovr_ridges ridges)
 {
     ovr_flow_factor factor = {ridges, f->factor.sigma};
     if (!(factor.sigma > 0))
-        return ridges ? NAN : share_of(f, H);
-    return share_of(f, H * ovr_flow_factor_film(&factor, H / factor.sigma));
+        return ridges ? NAN : H;
+    return H * ovr_flow_factor_film(&factor, H / factor.sigma);
+}
+
+static double share_with(const ovr_boundary_form *f, double H,
+                         ovr_ridges ridges)
+{
+    return share_of(f, film_with(f, H, ridges));
+}
+
+/* The mean shear stress over tau0 of a film without a pressure gradient, whose
+ * Newtonian one is x: f(y) = x, by bisection of ln y where it has no closed
+ * form. */
+static double thinned(const ovr_lubricant *oil, double x)
+{
+    double low = log(1e-6), high = log(fmax(x, 1e-6)), slope;
+    if (oil->rheology == OVR_EYRING || !oil->flow_law)
+        return asinh(x);
+    for (int k = 0; k < 60; k++) {
+        double middle = 0.5 * (low + high);
+        if (ovr_curve_at(&oil->flow_law->f, exp(middle), &slope) > x)
+            high = middle;
+        else
+            low = middle;
+    }
+    return exp(high);
+}
+
+/* What such a film of what Hertz's pressure leaves to it would add to the
+ * coefficient of friction, at the supply's temperature. */
+static double film_friction(const ovr_physics_case *of,
+                            const ovr_boundary_form *f, double H)
+{
+    enum { NODES = 200 };
+    const ovr_lubricant *oil = of->lubricant;
+    const ovr_contact *c = of->contact;
+    double V = fabs(c->u1_ratio - c->u2_ratio), A, slope, sum = 0;
+    ovr_touch_law_at(&f->bears, H, &A, &slope);
+    for (int i = 0; i < NODES; i++) {
+        double X = (i + 0.5) / NODES, P = fmax(sqrt(1 - X * X) - A, 0);
+        double t = c->lambda / 12 * V * ovr_viscosity(oil, P) / H;
+        t = oil->Sigma0 * thinned(oil, t / oil->Sigma0);
+        if (oil->limiting_shear > 0)
+            t = fmin(t, oil->limiting_shear * P / c->kappa);
+        sum += t / NODES;
+    }
+    return (1 - ovr_touch_law_area(&f->bears, H)) * c->kappa * sum * 4 /
+           acos(-1.0);
 }
 
 ovr_status ovr_boundary_resolve(const ovr_physics_case *of, void *form,
@@ -415,11 +461,43 @@ ovr_status ovr_boundary_resolve(const ovr_physics_case *of, void *form,
     return OVR_OK;
 }
 
+/* Of all bounds of the share: what metal, the film and both add to mu. */
+static void tell_friction(const ovr_physics_case *of,
+                          const ovr_boundary_form *f, double H,
+                          const double share[3], ovr_physics_line *line,
+                          void *data)
+{
+    double least[3] = {NAN, NAN, NAN}, most[3] = {NAN, NAN, NAN};
+    bool known = of->lubricant->rheology != OVR_NEWTONIAN &&
+                 of->contact->kappa > 0;
+    char text[240];
+    for (int k = 0; k < 3; k++) {
+        double film = film_friction(of, f, film_with(f, H, (ovr_ridges)k));
+        const double part[3] = {f->friction * share[k], film,
+                                f->friction * share[k] + film};
+        for (int j = 0; j < 3; j++) {
+            least[j] = fmin(least[j], part[j]);
+            most[j] = fmax(most[j], part[j]);
+        }
+    }
+    if (known)
+        snprintf(text, sizeof text,
+                 "%.2g to %.2g by these shares: boundary friction %.2g to "
+                 "%.2g, the film's %.2g to %.2g at the supply's temperature",
+                 least[2], most[2], least[0], most[0], least[1], most[1]);
+    else
+        snprintf(text, sizeof text,
+                 "boundary friction %.2g to %.2g by these shares, beside the "
+                 "film's, which wants a flow law",
+                 least[0], most[0]);
+    line(data, "  mu", text);
+}
+
 static void tell_estimate(const ovr_physics_case *of,
                           const ovr_boundary_form *f, ovr_physics_line *line,
                           void *data)
 {
-    double H = smooth_film(of), low = NAN, high = NAN, share[3];
+    double H = smooth_film(of), share[3];
     char text[240];
     if (f->factor.sigma > 0) {
         snprintf(text, sizeof text,
@@ -428,11 +506,8 @@ static void tell_estimate(const ovr_physics_case *of,
                  H / f->factor.sigma);
         line(data, "lambda", text);
     }
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         share[k] = share_with(f, H, (ovr_ridges)k);
-        low = fmin(low, share[k]);
-        high = fmax(high, share[k]);
-    }
     snprintf(text, sizeof text,
              "about %.2g of the load by the smooth film (to 8 %% down to "
              "lambda 1, too much below), no oil being trapped: an upper bound",
@@ -446,13 +521,8 @@ static void tell_estimate(const ovr_physics_case *of,
                  share[1], share[2]);
         line(data, "  other bounds", text);
     }
-    if (!isnan(f->friction)) {
-        snprintf(text, sizeof text,
-                 "boundary friction %.2g to %.2g by these shares, beside the "
-                 "film's",
-                 f->friction * low, f->friction * high);
-        line(data, "  of mu", text);
-    }
+    if (!isnan(f->friction))
+        tell_friction(of, f, H, share, line, data);
 }
 
 static void tell_wear(const ovr_boundary_form *f, ovr_physics_line *line,
