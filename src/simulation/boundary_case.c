@@ -210,10 +210,11 @@ static bool is_rough(const ovr_feature_form *feature)
     return feature->shape == OVR_PROFILE || feature->shape == OVR_ROUGHNESS;
 }
 
-static ovr_status resolve_profiles(const ovr_physics_case *of,
-                                   ovr_boundary_form *f, ovr_error *err)
+/* The profile of each surface, one at most. */
+static ovr_status profiles_of(const ovr_physics_case *of,
+                              const ovr_feature_form *form[2], ovr_error *err)
 {
-    const ovr_feature_form *form[2] = {NULL, NULL};
+    form[0] = form[1] = NULL;
     for (size_t k = 0; k < of->features; k++) {
         const ovr_feature_form **place = &form[of->feature[k]->surface == 2];
         if (!is_rough(of->feature[k]))
@@ -229,11 +230,17 @@ static ovr_status resolve_profiles(const ovr_physics_case *of,
         return ovr_fail_about(err, "law",
                               "law = profile wants a [feature] that is a "
                               "profile, or roughness");
-    if (f->unresolved)
-        return ovr_fail_about(err, "of",
-                              "law = profile is one of = all; of what the mesh "
-                              "has not, exponential is, by Rq and slope");
-    if (ovr_rough_pair_make(&f->pair, form, of->contact, of->arena, err) ||
+    return OVR_OK;
+}
+
+/* Of all that the profiles have: where the mesh has part of them, what they
+ * bear at most (on_mesh). */
+static ovr_status resolve_profiles(const ovr_physics_case *of,
+                                   ovr_boundary_form *f, ovr_error *err)
+{
+    const ovr_feature_form *form[2];
+    if (profiles_of(of, form, err) ||
+        ovr_rough_pair_make(&f->pair, form, of->contact, of->arena, err) ||
         ovr_rough_pair_law(&f->pair, &f->bears.table, of->arena, err))
         return err->status;
     f->Rq = f->pair.Rq;
@@ -275,7 +282,8 @@ static ovr_status resolve_law(const ovr_physics_case *of, ovr_boundary_form *f,
 bool ovr_boundary_keeps(const void *form, const ovr_feature_form *feature)
 {
     const ovr_boundary_form *f = form;
-    return f->law == OVR_BOUNDARY_PROFILE && is_rough(feature);
+    return f->law == OVR_BOUNDARY_PROFILE && !f->unresolved &&
+           is_rough(feature);
 }
 
 static ovr_status resolve_factor(const ovr_physics_case *of,
@@ -305,6 +313,9 @@ static ovr_status resolve_wear(const ovr_physics_case *of,
                    ? ovr_fail_about(err, "passes",
                                     "wear wants passes, like passes = 1e6")
                    : OVR_OK;
+    if (f->unresolved)
+        return ovr_fail_about(err, "passes",
+                              "running-in is of all roughness: of = all");
     if (!(of->contact->ph > 0 && of->contact->kappa > 0))
         return ovr_fail_about(err, "passes",
                               "wear wants a physical contact: radius and "
@@ -461,6 +472,33 @@ ovr_status ovr_boundary_resolve(const ovr_physics_case *of, void *form,
     return OVR_OK;
 }
 
+ovr_status ovr_boundary_on_mesh(const ovr_physics_case *of, void *form,
+                                double mesh, ovr_error *err)
+{
+    ovr_boundary_form *f = form;
+    const ovr_feature_form *profile[2];
+    if (f->law != OVR_BOUNDARY_PROFILE || !f->unresolved)
+        return OVR_OK;
+    if (profiles_of(of, profile, err) ||
+        ovr_rough_pair_rest(&f->pair, profile, mesh, of->contact, of->arena,
+                            err))
+        return err->status;
+    f->bears.table = (ovr_touch_table){0};
+    if (ovr_rough_pair_law(&f->pair, &f->bears.table, of->arena, err)) {
+        f->bears.table.n = 0;
+        if (!(f->layer > 0))
+            return ovr_fail_about(err, "of",
+                                  "the mesh has all of the profiles: give "
+                                  "layer for what bears where oil is gone, or "
+                                  "take a coarser level");
+    }
+    f->Rq = f->pair.Rq;
+    f->slope = f->pair.slope * of->contact->kappa;
+    f->factor.sigma = 0; /* H is no mean gap of theirs */
+    f->estimate = share_with(f, smooth_film(of), OVR_RIDGES_NONE);
+    return OVR_OK;
+}
+
 /* Of all bounds of the share: what metal, the film and both add to mu. */
 static void tell_friction(const ovr_physics_case *of,
                           const ovr_boundary_form *f, double H,
@@ -561,13 +599,17 @@ void ovr_boundary_tell(const ovr_physics_case *of, const void *form,
                  A / slope);
         line(data, "roughness bears", text);
     }
-    if (f->law == OVR_BOUNDARY_PROFILE) {
+    if (f->law == OVR_BOUNDARY_PROFILE && !f->bears.table.n)
+        line(data, "both profiles", "the mesh has all of them");
+    if (f->law == OVR_BOUNDARY_PROFILE && f->bears.table.n) {
         snprintf(text, sizeof text,
                  "Rq %.4g b^2/R, slope %.4g, %d of their pressures up to %.4g "
                  "ph%s",
                  f->Rq, f->slope, (int)f->bears.table.n,
                  exp(f->bears.table.ln_A[0]),
-                 f->pair.cut ? "; the longer one cut to the shorter" : "");
+                 f->unresolved ? "; of what the mesh leaves out"
+                 : f->pair.cut ? "; the longer one cut to the shorter"
+                               : "");
         line(data, "both profiles", text);
     }
     if (f->layer > 0) {
