@@ -397,8 +397,8 @@ static void warn_of_order(const review *r, const ovr_simulation *sim)
     else if (ovr_block_get(domain, "order")->given)
         say(r, OVR_SAY_WARNING,
             "the solution is of second order: corrections of fourth order hold "
-            "for one load, speed and radius, or with scheme = characteristic "
-            "where the speed does not reverse");
+            "for one load, speed and radius of a film by Reynolds, or with "
+            "scheme = characteristic where the speed does not reverse");
 }
 
 /* Of a steady solution the first of these is the only state. */

@@ -54,8 +54,11 @@ ovr_status ovr_carriage_take(ovr_simulation *sim, ovr_error *err)
         return OVR_OK;
     c->came = ovr_field(&sim->arena, n, err);
     c->coming = ovr_field(&sim->arena, n, err);
+    c->coming_twice = ovr_field(&sim->arena, n, err);
     c->extended = ovr_field(&sim->arena, n + OVR_GHOSTS, err);
-    return c->came && c->coming && c->extended ? OVR_OK : OVR_NO_MEMORY;
+    return c->came && c->coming && c->coming_twice && c->extended
+               ? OVR_OK
+               : OVR_NO_MEMORY;
 }
 
 /* ------------------------------------------------------------------ carried */
@@ -226,6 +229,8 @@ void ovr_carriage_history(ovr_simulation *sim, double dT, const double c[2])
     fill_ghosts(sim, &m, &old, q, B);
     fill_nodes(sim, &m, q, B);
     carry(sim, &m, q, own->coming, own->crossing);
+    if (sim->order == 4)
+        carry(sim, &m, B, own->coming_twice, across);
     weigh(sim, m.whole + SIDE + 1, b2, q, B);
     carry(sim, &m, B, F, across);
     own->closes = ovr_arrival_closes(sim);
@@ -243,6 +248,16 @@ void ovr_carriage_history(ovr_simulation *sim, double dT, const double c[2])
     }
     ovr_nodes_write(sim, sim->finest, kept, sim->finest->f.kept);
     ovr_history_term(sim, F);
+}
+
+void ovr_carriage_move(ovr_simulation *sim, double T, const double *x,
+                       double *to)
+{
+    const move m = move_of(sim, ovr_travel_since(sim, 0, T));
+    double *extended = sim->inflow.extended, across[2];
+    memset(extended, 0, OVR_GHOSTS * sizeof *x);
+    memcpy(extended + OVR_GHOSTS, x, sim->now.n * sizeof *x);
+    carry(sim, &m, extended + OVR_GHOSTS, to, across);
 }
 
 void ovr_carriage_taken(ovr_simulation *sim)

@@ -52,8 +52,9 @@ typedef struct ovr_inflow {
 
 /* Oil that is carried along the characteristic (content_feet.c). */
 typedef struct ovr_carriage {
-    double *came;     /* at the nodes now: the content of a step ago there, */
-    double *coming;   /* and that of now, in a step's time */
+    double *came;   /* at the nodes now: the content of a step ago there, */
+    double *coming; /* and that of now, in a step's time; two steps ago */
+    double *coming_twice;
     double *extended; /* the history with ghosts before it */
     /* cells across the first and the last face, a step ago and in this one;
      * whether the inlet was closed then */
@@ -269,6 +270,12 @@ void ovr_history_term(ovr_simulation *sim, double *F);
 /* Whether oil is conserved (multigrid/content.h). */
 bool ovr_conserves(const ovr_simulation *sim);
 
+/* The steady film where oil is conserved, corrected where that applies; one
+ * without corrections again. */
+ovr_defect ovr_fourth_conserved(ovr_simulation *sim, const ovr_full *how,
+                                ovr_defect found, int *cycles);
+void ovr_fourth_leave(ovr_simulation *sim);
+
 /* The history term where oil is conserved (content_history.c). */
 void ovr_content_history(ovr_simulation *sim, double dT, const double c[2]);
 
@@ -277,6 +284,11 @@ void ovr_content_history(ovr_simulation *sim, double dT, const double c[2]);
 ovr_status ovr_carriage_take(ovr_simulation *sim, ovr_error *err);
 void ovr_carriage_history(ovr_simulation *sim, double dT, const double c[2]);
 void ovr_carriage_taken(ovr_simulation *sim);
+
+/* x at the feet, from the last time reached to T; nothing is before the inlet.
+ */
+void ovr_carriage_move(ovr_simulation *sim, double T, const double *x,
+                       double *to);
 ovr_status ovr_carriage_visit(ovr_simulation *sim, ovr_visit *show,
                               void *context, ovr_error *err);
 

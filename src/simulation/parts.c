@@ -56,8 +56,6 @@ static const ovr_refusal refusals[] = {
     {OVR_PART_ORDER_4, OVR_PART_PAPER_SMOOTHER, "2", corrected},
     {OVR_PART_ORDER_4, OVR_PART_PAPER_BALANCE, "2", corrected},
     {OVR_PART_ORDER_4, OVR_PART_FIXED_CYCLES, "2", corrected},
-    {OVR_PART_ORDER_4, OVR_PART_CONSERVING, "2",
-     "at a meniscus the film is of second order at most"},
     {OVR_PART_PAPER_SMOOTHER, OVR_PART_CONSERVING, "line", flooded},
     {OVR_PART_PAPER_BALANCE, OVR_PART_CONSERVING, "no", flooded},
     {OVR_PART_FIXED_CYCLES, OVR_PART_CONSERVING, "negligible or truncation",

@@ -209,7 +209,8 @@ static ovr_defect complete(ovr_simulation *sim, void *own, const ovr_full *how,
     a->waiting = a->before;
     a->closed = false;
     ovr_level_clear(sim->finest, sim->finest->f.kept);
-    return ovr_flooded(&sim->grids, how, cycles);
+    ovr_defect d = ovr_flooded(&sim->grids, how, cycles);
+    return ovr_fourth_conserved(sim, how, d, cycles);
 }
 
 /* Whether less arrives than the flooded contact takes. */
@@ -231,7 +232,9 @@ static bool starve(ovr_simulation *sim, void *own, const ovr_full *how,
     ovr_arrival *a = own;
     if (!lacks(sim, a))
         return false;
-    outcome->defect = ovr_starve(&sim->grids, how, a->q, &outcome->cycles);
+    ovr_fourth_leave(sim);
+    ovr_defect d = ovr_starve(&sim->grids, how, a->q, &outcome->cycles);
+    outcome->defect = ovr_fourth_conserved(sim, how, d, &outcome->cycles);
     a->closed = sim->finest->closed;
     return true;
 }
