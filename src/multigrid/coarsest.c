@@ -247,6 +247,26 @@ static void advance(const ovr_hierarchy *grids, const ovr_level *level,
         ovr_level_write(grids, level, f->q, level->f.q);
 }
 
+/* A step that makes much more of the residual is taken in part. */
+static void advance_touching(ovr_hierarchy *grids, ovr_level *level,
+                             const ovr_fields *f, double limit)
+{
+    enum { PARTS = 6 };
+    const double worse = 30;
+    const ovr_touch *touch = &grids->touch;
+    double H0 = grids->H0, part = 1;
+    double most = worse * fmax(ovr_level_imbalance(grids, level), 1);
+    ovr_touch_limit(touch, level->grid.n, limit);
+    for (int k = 0; k < PARTS; k++, part /= 4) {
+        grids->H0 = H0 + part * touch->step[level->grid.n];
+        ovr_touch_advance(grids, level, f, part);
+        ovr_level_properties(grids, level);
+        ovr_level_residual(grids, level);
+        if (ovr_level_imbalance(grids, level) < most)
+            return;
+    }
+}
+
 bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit)
 {
     const ovr_newton *newton = &grids->newton;
@@ -263,7 +283,7 @@ bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit)
         ovr_touch_prepare(grids, level, f);
         if (!solve_touching(grids, level, f))
             return false;
-        ovr_touch_advance(grids, level, f, limit);
+        advance_touching(grids, level, f, limit);
         return isfinite(grids->H0);
     }
     if (!solve_dense(grids, level, f))

@@ -226,7 +226,11 @@ ovr_status ovr_hierarchy_touch(ovr_hierarchy *grids, ovr_arena *arena,
                             &touch->step};
     if (take(all, sizeof all / sizeof *all, n + 1, arena, err))
         return OVR_NO_MEMORY;
-    touch->kernel = ovr_newton_kernel(n, arena, err);
+    touch->lift = ovr_field(arena, n, err);
+    if (touch->lift)
+        touch->gap = ovr_field(arena, room_of(&grids->level[grids->finest]),
+                               err);
+    touch->kernel = touch->gap ? ovr_newton_kernel(n, arena, err) : NULL;
     touch->dry = touch->kernel ? ovr_set(arena, n, err) : NULL;
     touch->opened = touch->dry ? ovr_set(arena, n, err) : NULL;
     if (touch->opened)

@@ -64,6 +64,8 @@ typedef struct ovr_touch {
     unsigned char *dry, *opened; /* held, but taken for wet on trial */
     int rising; /* steps in a row in which dry nodes wanted to rise */
     struct ovr_tripoles *tripoles;
+    bool lifted; /* some film is above that of its pressures (touching.h) */
+    double *lift, *gap;    /* by how much; the gap with it, in lanes */
     double *kernel, *step; /* as those of ovr_newton, of the finest level */
 } ovr_touch;
 

@@ -14,11 +14,14 @@ void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level)
 {
     const ovr_kernels *run = grids->kernels;
     ovr_fields f = level->f;
+    const double *gap = f.gap;
     if (grids->conserving)
         f.q = f.full;
-    if (grids->touch.at)
+    if (grids->touch.at) {
         ovr_touch_split(grids, level);
-    run->film(&grids->fluid, grids->H0, &level->lanes, f.gap, f.w, &f);
+        gap = ovr_touch_gap(grids, level);
+    }
+    run->film(&grids->fluid, grids->H0, &level->lanes, gap, f.w, &f);
     ovr_flow_store(run, &grids->fluid, level->grid.D, &level->lanes, &f);
     if (grids->conserving)
         ovr_content_settle(grids, level);

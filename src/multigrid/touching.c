@@ -40,14 +40,29 @@ static void repeat(const ovr_hierarchy *grids, const ovr_level *level,
     ovr_level_write(grids, level, room, values);
 }
 
+const double *ovr_touch_gap(const ovr_hierarchy *grids, const ovr_level *level)
+{
+    return grids->touch.lifted ? grids->touch.gap : level->f.gap;
+}
+
+void ovr_touch_settle(ovr_hierarchy *grids)
+{
+    ovr_touch *touch = &grids->touch;
+    touch->lifted = false;
+    touch->rising = 0;
+    memset(touch->lift, 0,
+           grids->level[grids->finest].grid.n * sizeof *touch->lift);
+}
+
 void ovr_touch_split(const ovr_hierarchy *grids, const ovr_level *level)
 {
     double *P = level->f.P, *borne = level->borne;
+    const double *gap = ovr_touch_gap(grids, level);
     for (size_t J = 0; J < level->lanes.S * level->lanes.V; J++) {
         double whole = P[J] + borne[J], A, g;
         if (!(P[J] > 0))
             continue;
-        law_at(grids, grids->H0 + level->f.gap[J] - level->f.w[J], &A, &g);
+        law_at(grids, grids->H0 + gap[J] - level->f.w[J], &A, &g);
         P[J] = fmax(whole - A, 0);
         borne[J] = whole - P[J];
     }
@@ -60,6 +75,8 @@ double ovr_touch_defect(const ovr_hierarchy *grids, const ovr_level *level)
     double sum = 0, A, g;
     for (size_t i = 1; i + 1 < level->grid.n; i++) {
         size_t J = ovr_lanes_place(&level->lanes, i);
+        if (grids->touch.lifted)
+            sum += fabs(grids->touch.lift[i]) / level->f.H[J];
         if (level->f.P[J] > 0)
             continue;
         law_at(grids, level->f.H[J], &A, &g);
@@ -92,6 +109,7 @@ void ovr_touch_wet_row(const ovr_hierarchy *grids, const ovr_level *level,
         if (touch->dry[node])
             row->local[m] = 0;
         row->e[m] -= row->local[m] * touch->g[node];
+        row->r -= row->e[m] * touch->lift[node];
         row->r -= row->local[m] * touch->excess[node];
     }
 }
@@ -151,7 +169,7 @@ bool ovr_touch_close(const ovr_hierarchy *grids, const ovr_level *level,
     w = given_way(grids, level, step);
     for (size_t i = 1; i + 1 < n; i++) {
         double rises = touch->excess[i] + step[i] +
-                       touch->g[i] * (step[n] - w[i]);
+                       touch->g[i] * (step[n] - w[i] - touch->lift[i]);
         if (!touch->opened[i] || touch->dry[i] || rises >= 0)
             continue;
         touch->dry[i] = 1;
@@ -166,48 +184,71 @@ ovr_newton_row ovr_touch_dry_row(const ovr_hierarchy *grids,
     const ovr_touch *touch = &grids->touch;
     double g = touch->g[i];
     double scale = 1 / (1 + g * fabs(level->k[0]) * (double)level->grid.n);
-    return (ovr_newton_row){.e[2] = -scale * g,
-                            .local[2] = scale,
-                            .r = scale * (touch->A[i] - touch->whole[i])};
+    return (ovr_newton_row){
+        .e[2] = -scale * g,
+        .local[2] = scale,
+        .r = scale * (touch->A[i] - touch->whole[i] + g * touch->lift[i])};
 }
 
-/* The part of the step by which no A grows more than it may. */
-static double part_of(const ovr_hierarchy *grids, const ovr_level *level,
-                      const double *dP, double dH0)
+/* The film nearest to H that a step may make of the film it was made for. */
+static double allowed(const ovr_touch *touch, size_t i, double was, double H)
 {
-    const ovr_touch *touch = &grids->touch;
-    const double least = 0.05, doubled = log(2);
-    const double *room = given_way(grids, level, dP);
-    double part = 1;
-    for (size_t i = 1; i + 1 < level->grid.n; i++) {
-        double A = touch->A[i], falls = room[i] - dH0, most;
-        if (!(touch->g[i] > 0) || !(falls > 0))
-            continue;
-        most = fmax(doubled, log(least / A)) * A / touch->g[i];
-        part = fmin(part, most / falls);
+    const double least = 0.05, doubled = log(2), thin = 0.2, thick = 5;
+    double A = touch->A[i], bottom = thin * was;
+    if (!(was > 0))
+        return H;
+    if (touch->g[i] > 0)
+        bottom = fmax(bottom,
+                      was - fmax(doubled, log(least / A)) * A / touch->g[i]);
+    return fmin(fmax(H, bottom), thick * was);
+}
+
+/* Node by node, what films are above those of their pressures. */
+static void lift(ovr_hierarchy *grids, const ovr_level *level,
+                 const double *was)
+{
+    ovr_touch *touch = &grids->touch;
+    double *w = grids->scratch[0], *gap = grids->scratch[1];
+    ovr_level_read(grids, level, level->f.w, w);
+    ovr_level_read(grids, level, level->f.gap, gap);
+    touch->lifted = false;
+    for (size_t i = 0; i < level->grid.n; i++) {
+        double H = grids->H0 + gap[i] - w[i];
+        touch->lift[i] = allowed(touch, i, was[i], H) - H;
+        touch->lifted |= touch->lift[i] != 0;
+        gap[i] += touch->lift[i];
     }
-    return part;
+    ovr_level_write(grids, level, gap, touch->gap);
 }
 
-void ovr_touch_advance(ovr_hierarchy *grids, const ovr_level *level,
-                       const ovr_fields *f, double limit)
+/* The pressures after a part of the step, where they were `whole`. */
+static void put(ovr_hierarchy *grids, const ovr_level *level, double part)
 {
     const ovr_touch *touch = &grids->touch;
+    double *P = grids->scratch[0], *borne = grids->scratch[1];
     size_t n = level->grid.n;
-    double *dP = touch->step, dH0 = dP[n], part;
-    double *P = f->P, *borne = touch->whole;
-    for (size_t i = 0; i < n; i++)
-        dP[i] = fmax(fmin(dP[i], limit), -limit);
-    dH0 = fmax(fmin(dH0, limit * 2 / 3), -limit * 2 / 3);
-    dP[0] = dP[n - 1] = 0;
-    part = part_of(grids, level, dP, dH0);
     for (size_t i = 1; i + 1 < n; i++) {
-        double whole = fmax(touch->whole[i] + part * dP[i], 0);
+        double whole = fmax(touch->whole[i] + part * touch->step[i], 0);
         P[i] = touch->dry[i] ? 0 : whole;
         borne[i] = touch->dry[i] ? whole : 0;
     }
     P[0] = P[n - 1] = borne[0] = borne[n - 1] = 0;
-    grids->H0 += part * dH0;
     ovr_level_write(grids, level, P, level->f.P);
     ovr_level_write(grids, level, borne, level->borne);
+}
+
+void ovr_touch_limit(const ovr_touch *touch, size_t n, double limit)
+{
+    double *step = touch->step;
+    for (size_t i = 0; i < n; i++)
+        step[i] = fmax(fmin(step[i], limit), -limit);
+    step[n] = fmax(fmin(step[n], limit * 2 / 3), -limit * 2 / 3);
+}
+
+void ovr_touch_advance(ovr_hierarchy *grids, const ovr_level *level,
+                       const ovr_fields *f, double part)
+{
+    put(grids, level, part);
+    ovr_touch_deform(grids, level);
+    lift(grids, level, f->H);
 }

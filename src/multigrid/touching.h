@@ -21,11 +21,14 @@
  *                 (P - A - P_f)_e, or it would go there by steps
  *     dry row i:  dP_i + g_i (dH0 - sum_j k dP_j) = A_i - P_i,  over
  *                 1 + g_i |k(0)| n
- * The step is shortened so that no node's A grows beyond twice itself, or a
- * twentieth of ph where it was less: A is an exponential, about, and its
- * tangent knows nothing of that.  A node that is dry stays so until its row of
- * Reynolds' equation, with P_f = 0, wants to rise: judged by the sign of
- * P - A it would flip by rounding.
+ * In the iteration a film is an unknown of its own: it falls to no less than a
+ * fifth in a step, nor so far that its A, an exponential, about, of which a
+ * tangent knows nothing, grows beyond twice itself, or a twentieth of ph where
+ * it was less.  What it is then above H0 + gap - w is its lift, which the next
+ * step takes back: dH = dH0 - k dP - lift.  A step that makes much more of the
+ * residual is taken to a quarter, as those of Eyring's sinh may.  A node that
+ * is dry stays so until its row of Reynolds' equation, with P_f = 0, wants to
+ * rise: judged by the sign of P - A it would flip by rounding.
  *
  * The finest grid is solved by Newton's method alone (coarsest.h, tripoles.h),
  * in O(n log n) a step; its film begins with that of surfaces apart, by full
@@ -48,7 +51,11 @@
 void ovr_touch_deform(const ovr_hierarchy *grids, const ovr_level *level);
 void ovr_touch_split(const ovr_hierarchy *grids, const ovr_level *level);
 
-/* D sum |P - A| of dry nodes. */
+/* The undeformed gap of a level with its films' lift; no lift from now on. */
+const double *ovr_touch_gap(const ovr_hierarchy *grids, const ovr_level *level);
+void ovr_touch_settle(ovr_hierarchy *grids);
+
+/* D sum |P - A| of dry nodes, and of |lift|/H. */
 double ovr_touch_defect(const ovr_hierarchy *grids, const ovr_level *level);
 
 /* For Newton's method, in the order of the nodes: A, g and the whole pressure
@@ -76,8 +83,12 @@ bool ovr_touch_close(const ovr_hierarchy *grids, const ovr_level *level,
 ovr_newton_row ovr_touch_dry_row(const ovr_hierarchy *grids,
                                  const ovr_level *level, size_t i);
 
-/* The next P and H0, from a change of them; `limit` on that of a pressure. */
+/* No change of a pressure in the step beyond a limit. */
+void ovr_touch_limit(const ovr_touch *touch, size_t n, double limit);
+
+/* The pressures after a part of the step, and by them, its H0 being set, w and
+ * lift; f as it was before the step. */
 void ovr_touch_advance(ovr_hierarchy *grids, const ovr_level *level,
-                       const ovr_fields *f, double limit);
+                       const ovr_fields *f, double part);
 
 #endif

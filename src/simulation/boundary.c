@@ -87,6 +87,7 @@ static bool reach(ovr_simulation *sim, boundary *b, double share,
     ovr_hierarchy *grids = &sim->grids;
     ovr_level *finest = sim->finest;
     ovr_defect was = *d;
+    ovr_touch_settle(grids);
     double H0 = grids->H0, old = grids->touch.share;
     ovr_level_read(grids, finest, finest->f.P, b->saved);
     ovr_level_read(grids, finest, finest->borne, b->bears);
@@ -97,6 +98,7 @@ static bool reach(ovr_simulation *sim, boundary *b, double share,
     *d = was;
     grids->H0 = H0;
     grids->touch.share = old;
+    ovr_touch_settle(grids);
     ovr_level_write(grids, finest, b->saved, finest->f.P);
     ovr_level_write(grids, finest, b->bears, finest->borne);
     ovr_level_refresh(grids, finest);
@@ -114,6 +116,7 @@ static ovr_defect solve_apart(ovr_simulation *sim, boundary *b, bool by_levels,
     ovr_defect d;
     on_finest.cycling.bottom = grids->finest;
     grids->touch.share = 0;
+    ovr_touch_settle(grids);
     memset(b->A, 0, sim->now.n * sizeof *b->A);
     if (by_levels)
         grids->touch.at = NULL;
@@ -163,6 +166,7 @@ static void attempt(ovr_simulation *sim, void *own, bool first)
 {
     (void)own;
     (void)first;
+    ovr_touch_settle(&sim->grids);
     ovr_physics_borne_back(sim);
 }
 
@@ -222,7 +226,7 @@ static bool over(const ovr_simulation *sim, const void *own)
 static void before_back(ovr_simulation *sim, void *own)
 {
     boundary *b = own;
-    (void)sim;
+    ovr_touch_settle(&sim->grids);
     if (b->wear)
         ovr_wear_back(b->wear);
 }
@@ -512,7 +516,6 @@ const ovr_physics ovr_physics_boundary = {.name = "surfaces that touch",
                                           .section = &ovr_boundary_section,
                                           .form = sizeof(ovr_boundary_form),
                                           .resolve = ovr_boundary_resolve,
-                                          .on_mesh = ovr_boundary_on_mesh,
                                           .bits = bits,
                                           .keeps = ovr_boundary_keeps,
                                           .companion = &ovr_wear_companion,

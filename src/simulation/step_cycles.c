@@ -60,7 +60,7 @@ static void settle_spots(const ovr_hierarchy *grids, ovr_level *finest,
 
 static void settle_ends(const ovr_hierarchy *grids, ovr_level *finest)
 {
-    if (!grids->conserving)
+    if (!grids->conserving && !grids->touch.at)
         ovr_film_ends(grids, finest);
 }
 

@@ -41,11 +41,16 @@ static double longest_of(double slope, double shortest)
 static ovr_case *make_case(const test_ground *g, const surface s[2],
                            double speed)
 {
-    char text[2000], law[80] = "";
+    char text[2400], law[80] = "", layer[120] = "";
     ovr_error err = {0};
     if (g->stress > 0)
         snprintf(law, sizeof law, "rheology = eyring\neyring_stress = %g MPa\n",
                  g->stress);
+    if (g->layer > 0)
+        snprintf(layer, sizeof layer,
+                 "[boundary]\nlaw = layer\nof = unresolved\nlayer = %g nm\n"
+                 "layer_decay = %g nm\nfriction = 0.1\n",
+                 g->layer, g->layer / 3);
     int used = snprintf(
         text, sizeof text,
         "[contact]\nhertz_pressure = %g GPa\nradius = 6.84 mm\n"
@@ -53,10 +58,10 @@ static ovr_case *make_case(const test_ground *g, const surface s[2],
         "[lubricant]\nviscosity = 11 mPa.s\nalpha = 16 1/GPa\n%s%s"
         "[domain]\noutlet = 2.5\nlevel = %d\n[time]\nend = %g\nscheme = "
         "characteristic\n"
-        "step = grid\n",
+        "step = grid\n%s",
         g->ph, speed, g->slide, law,
         g->hot ? "[heat]\nmodel = lobatto\ntemperature = 60 degC\n" : "",
-        g->level, g->inside ? 1e-3 : 5.5 / (1 - fabs(g->slide) / 2));
+        g->level, g->inside ? 1e-3 : 5.5 / (1 - fabs(g->slide) / 2), layer);
     for (int k = 0; k < 2; k++)
         used += snprintf(text + used, sizeof text - (size_t)used,
                          "[feature f%d]\nsurface = %d\nshape = roughness\n"
@@ -85,12 +90,14 @@ static double film_at(test_ground *g, const surface s[2], double speed)
 static void run(test_ground *g, const surface s[2], double speed)
 {
     ovr_case *c = make_case(g, s, speed);
+    enum { SHARE = 0 };
     ovr_run_options how = {0};
     ovr_run *run = c ? ovr_run_create(c, &how, NULL, &g->err) : NULL;
     g->status = run ? ovr_run_go(run, &g->err) : OVR_BAD_INPUT;
     if (run) {
         const ovr_simulation *sim = ovr_run_about(run)->sim;
         const ovr_statistics *total = ovr_simulation_statistics(sim);
+        g->share = g->layer > 0 ? total->mean.more[SHARE] : 0;
         g->H_min = total->extreme.H_min_located;
         g->P_max = total->extreme.P_max;
         g->steps = (int)total->steps;
@@ -104,7 +111,7 @@ static void run(test_ground *g, const surface s[2], double speed)
 }
 
 static test_ground go(uint64_t seed, double from, double to, int level,
-                      bool inside)
+                      bool inside, double layer)
 {
     uint64_t state = seed;
     bool eyring = seed % 2;
@@ -112,6 +119,7 @@ static test_ground go(uint64_t seed, double from, double to, int level,
                      .status = OVR_BAD_INPUT,
                      .hot = seed % 10 == 9,
                      .inside = inside,
+                     .layer = layer,
                      .lambda = from *
                                pow(to / from, test_random(&state, 0, 1))};
     state = seed;
@@ -136,10 +144,54 @@ static test_ground go(uint64_t seed, double from, double to, int level,
 
 test_ground test_ground_run(uint64_t seed, double from, double to, int level)
 {
-    return go(seed, from, to, level, false);
+    return go(seed, from, to, level, false, 0);
 }
 
 test_ground test_ground_start(uint64_t seed, double from, double to, int level)
 {
-    return go(seed, from, to, level, true);
+    return go(seed, from, to, level, true, 0);
+}
+
+test_ground test_ground_touching(uint64_t seed, double from, double to,
+                                 int level, double layer)
+{
+    return go(2 * seed + 1, from, to, level, false, layer);
+}
+
+static void print(uint64_t seed, const test_ground *g)
+{
+    print_message("    seed %d lambda %.2f tau0 %.1f MPa%s ph %.2f SRR %+.2f "
+                  "Rq %.2f %.2f slopes %.3f %.3f: to T %.2f, %d steps, %d "
+                  "cycles, %d retries, %d marked, H_min %.1e, P %.1f, share "
+                  "%.1e%s%s\n",
+                  (int)seed, g->lambda, g->stress, g->hot ? ", hot" : "", g->ph,
+                  g->slide, g->Rq[0], g->Rq[1], g->slope[0], g->slope[1], g->T,
+                  g->steps, g->cycles, g->retries, g->marked, g->H_min,
+                  g->P_max, g->share, g->status ? "\n    " : "",
+                  g->status ? g->err.message : "");
+}
+
+test_ground_tally test_ground_survey(uint64_t seed, int runs, double from,
+                                     double to, int level, double layer)
+{
+    test_ground_tally all = {0};
+    long steps = 0, cycles = 0;
+    for (uint64_t k = seed; k < seed + (uint64_t)runs; k++) {
+        test_ground g = test_ground_touching(k, from, to, level, layer);
+        double each = (double)g.cycles / fmax(g.steps, 1);
+        print(k, &g);
+        all.broken += g.status != OVR_OK;
+        all.most_cycles = fmax(all.most_cycles, each);
+        if (g.retries > all.most_retries)
+            all.most_retries = g.retries;
+        steps += g.steps;
+        cycles += g.cycles;
+    }
+    all.cycles = (double)cycles / fmax((double)steps, 1);
+    print_message("    seeds %d on, level %d, lambda %g to %g, a layer of %g "
+                  "nm: %d of %d break off; %.2f steps of Newton's method a "
+                  "time step, %.2f in the worst run\n",
+                  (int)seed, level, from, to, layer, all.broken, runs,
+                  all.cycles, all.most_cycles);
+    return all;
 }

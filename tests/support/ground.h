@@ -12,6 +12,7 @@ typedef struct test_ground {
     double ph, slide, stress, lambda;   /* GPa, SRR, MPa or 0, film over Rq */
     double Rq[2], slope[2], longest[2]; /* um, 1, um */
     double H_min, P_max, T;             /* of the run, where it ended */
+    double layer, share;                /* nm, 0: none; of the load, the mean */
     int level, steps, cycles, retries, marked;
     ovr_status status;
     ovr_error err;
@@ -30,5 +31,20 @@ test_ground test_ground_run(uint64_t seed, double from, double to, int level);
 
 /* The same pairs under the whole film of the steady start, and a step. */
 test_ground test_ground_start(uint64_t seed, double from, double to, int level);
+
+/* Those by Eyring's law, with a layer of so many nm that falls by e in a third
+ * of them. */
+test_ground test_ground_touching(uint64_t seed, double from, double to,
+                                 int level, double layer);
+
+/* What becomes of many of them, printed run by run. */
+typedef struct test_ground_tally {
+    int broken;         /* off before their end */
+    int most_retries;   /* of a run */
+    double cycles;      /* Newton's steps a time step, the mean of all */
+    double most_cycles; /* of a run, the mean of its steps */
+} test_ground_tally;
+test_ground_tally test_ground_survey(uint64_t seed, int runs, double from,
+                                     double to, int level, double layer);
 
 #endif
