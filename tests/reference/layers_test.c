@@ -88,6 +88,20 @@ static void dry_contact(void **state)
     }
 }
 
+/* Different layers on both bodies. */
+static void dry_contact_of_two(void **state)
+{
+    const ovr_layered body[2] = {
+        {1, {0.1}, {{0.5, 0.3}}, {1, 0.3}, {0}, {0}, {0}},
+        {1, {0.05}, {{2, 0.25}}, {1, 0.3}, {0}, {0}, {0}}};
+    ovr_images images;
+    (void)state;
+    ovr_images_fit(body, &images);
+    double a = ovr_images_half_width(&images, 1);
+    CHECK_CLOSE(a, 1.0228925262612, 1e-6);
+    CHECK_CLOSE(ovr_images_dry(&images, a).pressure / a, 0.9892346362, 1e-6);
+}
+
 /* A layer on what is 1e5 times stiffer, and so the other body; thin ones give
  * way as their own limits say, w = 2/3 m a^3/(t R), to the first order in t/a,
  * and half the thickness halves what is missing. */
@@ -349,16 +363,33 @@ static void rest_by_waves(const ovr_layered body[2], const ovr_state *s,
     gsl_integration_glfixed_table_free(rule);
 }
 
-static void check_film(const char *scale, double M, double L, double E,
-                       double nu, double t, double most)
+static void put_coating(const char *name, const ovr_layered *body, char *text,
+                        size_t room)
 {
-    char text[600], more[200];
-    const ovr_layered body[2] = {{1, {t}, {{E, nu}}, {1, 0.3}, {0}, {0}, {0}},
-                                 {0, {0}, {{0, 0}}, {1, 0.3}, {0}, {0}, {0}}};
-    snprintf(more, sizeof more,
-             "[coating 1]\nthickness = %.17g\nmodulus = %.17g GPa\npoisson = "
+    if (!body->layers)
+        return;
+    size_t used = strlen(text);
+    snprintf(text + used, room - used,
+             "[coating %s]\nthickness = %.17g\nmodulus = %.17g GPa\npoisson = "
              "%g\n",
-             t, 200 * E, nu);
+             name, body->thickness[0], 200 * body->layer[0].modulus,
+             body->layer[0].poisson);
+}
+
+static ovr_layered one_layer(double t, double E, double nu)
+{
+    return (ovr_layered){1, {t}, {{E, nu}}, {1, 0.3}, {0}, {0}, {0}};
+}
+
+static const ovr_layered none = {0, {0}, {{0, 0}}, {1, 0.3}, {0}, {0}, {0}};
+
+static void check_film(const char *scale, double M, double L, ovr_layered first,
+                       ovr_layered second, double most)
+{
+    char text[800], more[400] = "";
+    const ovr_layered body[2] = {first, second};
+    put_coating("1", &first, more, sizeof more);
+    put_coating("2", &second, more, sizeof more);
     write_case(text, sizeof text, M, L, 8, scale, more);
     film f = solve(text);
     const ovr_state *s = f.state;
@@ -385,10 +416,14 @@ static void check_film(const char *scale, double M, double L, double E,
 static void film_of_the_waves(void **state)
 {
     (void)state;
-    check_film("substrate", 20, 10, 0.5, 0.3, 0.05, 2e-6);
-    check_film("substrate", 20, 10, 5, 0.3, 0.1, 2e-6);
-    check_film("dry", 20, 2, 0.0146, 0.4, 0.2, 2e-6);
-    check_film("dry", 20, 2, 0.0146, 0.4, 0.5, 2e-6);
+    check_film("substrate", 20, 10, one_layer(0.05, 0.5, 0.3), none, 2e-6);
+    check_film("substrate", 20, 10, one_layer(0.1, 5, 0.3), none, 2e-6);
+    check_film("substrate", 20, 10, one_layer(0.1, 0.5, 0.3),
+               one_layer(0.05, 2, 0.25), 2e-6);
+    check_film("dry", 20, 2, one_layer(0.2, 0.0146, 0.4), none, 2e-6);
+    check_film("dry", 20, 2, one_layer(0.5, 0.0146, 0.4), none, 2e-6);
+    check_film("dry", 20, 2, one_layer(0.5, 0.0146, 0.4),
+               one_layer(0.1, 3, 0.2), 2e-6);
 }
 
 static double central(double M, double L, int level, const char *scale,
@@ -452,6 +487,71 @@ static void films(void **state)
                         "[coating 1]\nthickness = 0.2\nmodulus = 2.92 GPa\n"
                         "poisson = 0.4\n"),
                 0.012558621025164272, 3e-5);
+}
+
+static const char liner[] = "[coating 1]\nthickness = 0.5\nmodulus = 2.92 "
+                            "GPa\npoisson = 0.4\n";
+
+static ovr_observation observed(double M, double L, const char *scale,
+                                int level, const char *more)
+{
+    char text[800];
+    write_case(text, sizeof text, M, L, level, scale, more);
+    film f = solve(text);
+    ovr_observation seen = *ovr_simulation_observation(f.sim);
+    release(&f);
+    return seen;
+}
+
+/* Highly loaded, a contact is the dry one, but for what the film takes. */
+static void nearly_dry(void **state)
+{
+    const layers_truth *t = &truth_cases[3];
+    (void)state;
+    assert_string_equal(t->name, "liner");
+    double at_100 = t->P0 - observed(100, 2, "dry", 8, liner).P_max;
+    double at_400 = t->P0 - observed(400, 2, "dry", 8, liner).P_max;
+    CHECK_NEAR(at_400 / t->P0, 0, 3e-4);
+    assert_true(at_100 > 0 && at_400 < at_100 / 4);
+}
+
+/* The line smoother's band is cured for layers; that of the paper knows no
+ * band, and solves the same equations of second order. */
+static void by_another_smoother(void **state)
+{
+    static const char *const name[] = {"line", "hybrid"};
+    double H[2], P[2];
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        char more[400];
+        snprintf(more, sizeof more,
+                 "%s[domain]\norder = 2\n[paper]\nsmoother = "
+                 "%s\n[solver]\ntolerance = "
+                 "1e-9\nstop = negligible\n",
+                 liner, name[k]);
+        ovr_observation o = observed(20, 2, "dry", 7, more);
+        H[k] = o.H_cen;
+        P[k] = o.P_max;
+    }
+    CHECK_CLOSE(H[1], H[0], 1e-8);
+    CHECK_CLOSE(P[1], P[0], 1e-8);
+}
+
+/* Patches about the spike, of second order, beside the uniform grid of the
+ * finest of them. */
+static void patches(void **state)
+{
+    const char *layer = "[coating 1]\nthickness = 0.017\nmodulus = 1000 GPa\n";
+    char more[400];
+    (void)state;
+    snprintf(more, sizeof more,
+             "%s[domain]\nrefine = spike\nrefine_level = 14\n", layer);
+    ovr_observation patched = observed(20, 10, "substrate", 8, more);
+    snprintf(more, sizeof more, "%s[domain]\norder = 2\n", layer);
+    ovr_observation uniform = observed(20, 10, "substrate", 14, more);
+    CHECK_CLOSE(patched.P_spike, uniform.P_spike, 1e-4);
+    CHECK_CLOSE(patched.H_cen, uniform.H_cen, 1e-6);
+    CHECK_NEAR(patched.X_spike, uniform.X_spike, 1e-5);
 }
 
 /* -------------------------------------------------------------------- heat */
@@ -563,6 +663,7 @@ int main(void)
         cmocka_unit_test(softness),
         cmocka_unit_test(kernel),
         cmocka_unit_test(dry_contact),
+        cmocka_unit_test(dry_contact_of_two),
         cmocka_unit_test(rigid_base),
         cmocka_unit_test(thin_limit),
         cmocka_unit_test(nothing_of_nothing),
@@ -572,6 +673,9 @@ int main(void)
         cmocka_unit_test(limits),
         cmocka_unit_test(fourth_order),
         cmocka_unit_test(films),
+        cmocka_unit_test(nearly_dry),
+        cmocka_unit_test(by_another_smoother),
+        cmocka_unit_test(patches),
         cmocka_unit_test(warmth),
         cmocka_unit_test(memory_of_layers),
         cmocka_unit_test(hot_layers),
