@@ -77,7 +77,8 @@ assert abs(a["shoulder_before_leading"] / a["shoulder_height_leading"] - 1) \
     < 2e-3
 x, z = g["residual_x"][...], g["residual_z"][...]
 assert x.min() < 0 < x.max()
-assert abs(z[0]).max() < 0.05 * abs(x).max()
+# a mean over the first layer, a mesh thick as what changes along it
+assert abs(z[0]).max() < min(0.1 * abs(x[0]).max(), 0.5 * abs(z[1]).max())
 assert (e["film_thickness"][-1] != s["film_thickness"][-1]).any()
 e_x, e_z = g["plastic_strain_x"][...], g["plastic_strain_z"][...]
 assert (e_x[0] * e_z[0]).min() < 0
@@ -149,7 +150,9 @@ for name in ("before", "after"):
     assert abs(x * 1e-6 - g["material"][...]).max() < 1e-12
     assert abs(z * 1e-6 - g["profile_" + name][...]).max() < 1e-14
 END
-sed -e '/^shape = /,/^width/d' dent.ini >file.ini
+# The middle of 256 points is half a mesh behind the dent's.
+sed -e '/^shape = /,/^width/d' -e 's/^start = .*/centre = -1.80652/' \
+    dent.ini >file.ini
 for name in before after; do
     expect 0 "$OVERROLL" run file.ini -o "$name.h5" -q --json \
         --set feature.dent.shape=profile --set feature.dent.level=none \
@@ -190,7 +193,8 @@ h = [a.attrs["shoulder_height_trailing"] for a in (one, two, three)]
 assert h[0] > h[1] > h[2], h
 assert h[1] - h[2] < h[0] - h[1], h
 P = [h5py.File("passes-%d.h5" % k)["pressure"][0] for k in (1, 2)]
-assert (P[0] == P[1]).all()
+# the dent begins in the domain, and at its foot with what is left of it
+assert 0 < abs(P[0] - P[1]).max() < 1e-4 * P[0].max()
 END
 "$OVERROLL" run plastic.ini -o cut.h5 -q --set plastic.passes=3 &
 pid=$!
@@ -250,7 +254,10 @@ contains err 'needs \[stress\]'
 # A pass before the others in which nothing yields: what elastic stresses
 # foretell, to the digits of the run that cannot yield; the passes behind it are
 # those of the run without it.
-cat plastic.ini - >passes.ini <<'END'
+# From outside, so that all material has a whole passage.
+sed -e 's/^start = .*/start = -4.5/' -e 's/^end = .*/end = 6.6/' \
+    plastic.ini >passes.ini
+cat >>passes.ini <<'END'
 passes = 2
 [fatigue]
 limit_pressure = none
@@ -312,6 +319,7 @@ case = plastic.ini
 plastic.yield = 0.7, 0.8, 50
 END
 expect 0 "$OVERROLL" sweep study.ini -q
+expect 0 "$OVERROLL" sweep study.ini --collect study.csv -q
 expect 0 "$PYTHON" - <<'END'
 import csv
 rows = list(csv.reader(open("study.csv")))

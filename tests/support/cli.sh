@@ -30,13 +30,18 @@ need_python() {
     skip "no Python with $modules"
 }
 
+# Nothing to read, but for what a script hands on (expect ... <<'END').
+exec </dev/null
+
 # expect CODE COMMAND...: runs it, checks its exit code; its output is in the
-# files out and err.
+# files out and err, which it may read as the command before left them.
 expect() {
     wanted=$1
     shift
     code=0
-    "$@" >out 2>err </dev/null || code=$?
+    "$@" >.out 2>.err || code=$?
+    mv .out out
+    mv .err err
     [ "$code" -eq "$wanted" ] && return
     echo "$*"
     sed 's/^/stdout: /' out
