@@ -391,6 +391,7 @@ static ovr_status finish_surface(run_stress *s, int k,
     ovr_passage *passage = ovr_follower_wait(s->follower[k]);
     ovr_arena arena = ovr_arena_make(&s->arena.allocator);
     void **saved = save(passage, &arena, err);
+    s->plan[k].range.reference = ovr_passage_reference(passage);
     /* the second pass reads what is stored */
     if (saved && s->writer && ovr_writer_flush(s->writer, err))
         saved = NULL;

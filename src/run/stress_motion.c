@@ -102,13 +102,13 @@ static double struck_in_sliding(const ovr_setup *setup,
 double ovr_stress_struck(const ovr_setup *setup, const ovr_stress_plan *plan,
                          size_t feature)
 {
-    double end = ovr_history_integral(setup->speed, setup->march->end);
     double speed = ovr_surfaces_info(setup->surfaces, feature).speed;
     double centre = ovr_surfaces_centre(setup->surfaces, feature, 0);
-    double way = speed != 0 ? -centre / speed : end / 2;
+    double end = ovr_history_integral(setup->speed, setup->march->end);
+    double way = speed != 0 ? fmax(-centre / speed, 0) : end / 2;
     if (ovr_stress_wanders(setup))
         return struck_in_sliding(setup, plan, feature);
-    return -plan->ratio * fmin(fmax(way, 0), end);
+    return -plan->ratio * way;
 }
 
 /* A feature where pressure is: from 1 b before the contact to its exit. */

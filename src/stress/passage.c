@@ -430,6 +430,11 @@ ovr_material ovr_passage_material(const ovr_passage *p)
                           step,      p->stress->z,      p->complete};
 }
 
+double ovr_passage_reference(const ovr_passage *p)
+{
+    return p->range.reference;
+}
+
 size_t ovr_passage_state(ovr_passage *p, const ovr_memory_piece **pieces)
 {
     if (!p || !pieces)

@@ -62,7 +62,7 @@ struct ovr_passage {
     ovr_stress_extreme strip; /* of pressure above that around it */
     ovr_pressure_sums sums;
     float *d, *tau, *h, *in_plane, *von_mises, *tresca; /* one depth's */
-    ovr_memory_piece piece[6];
+    ovr_memory_piece piece[7];
     size_t pieces;
 };
 

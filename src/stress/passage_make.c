@@ -133,6 +133,8 @@ static ovr_status take_arrays(ovr_passage *p, ovr_error *err)
         {"passage smooth", p->smooth, depths * OVR_ROWS * sizeof(float)},
         {"passage complete", p->complete, p->points},
         {"passage numbers", &p->numbers, sizeof p->numbers},
+        /* a run that goes on to another end would choose another */
+        {"passage reference", &p->range.reference, sizeof p->range.reference},
     };
     memcpy(p->piece, pieces, sizeof pieces);
     p->pieces = sizeof pieces / sizeof *pieces;

@@ -94,6 +94,9 @@ void ovr_passage_end(ovr_passage *passage, const double *P, const double *Q,
 /* Pieces of memory that make up the state between two steps. */
 size_t ovr_passage_state(ovr_passage *passage, const ovr_memory_piece **pieces);
 
+/* X where xi = 0 is at U = 0. */
+double ovr_passage_reference(const ovr_passage *passage);
+
 /* The material points of a passage. */
 ovr_material ovr_passage_material(const ovr_passage *passage);
 
