@@ -22,6 +22,8 @@ bool ovr_setup_corrected(const ovr_setup *s)
 {
     if (s->options->order != 4)
         return false;
+    if (s->options->cavitation == OVR_CAVITATION_CONSERVING)
+        return s->options->scheme == OVR_CHARACTERISTIC;
     return !s->transient || !ovr_setup_varies(s) ||
            (s->options->scheme == OVR_CHARACTERISTIC &&
             !ovr_history_turns(s->speed));

@@ -86,6 +86,9 @@ ovr_status ovr_resolve_stiffness(ovr_resolved *r, ovr_error *err);
 /* The physics that have sections of their own; one whose keys stand
  * elsewhere. */
 ovr_status ovr_resolve_physics(ovr_resolved *r, ovr_error *err);
+
+/* What the physics mean on the mesh that was found. */
+ovr_status ovr_resolve_on_mesh(ovr_resolved *r, ovr_error *err);
 void ovr_resolved_turn_on(ovr_resolved *r, const ovr_physics *physics,
                           void *form);
 

@@ -206,6 +206,19 @@ ovr_status ovr_resolve_physics(ovr_resolved *r, ovr_error *err)
     return status ? status : choose_features(r, err);
 }
 
+ovr_status ovr_resolve_on_mesh(ovr_resolved *r, ovr_error *err)
+{
+    const ovr_physics_case of = about(r);
+    for (int k = 0; ovr_physics_list[k]; k++) {
+        const ovr_physics *p = ovr_physics_list[k];
+        ovr_error why = {0};
+        if (r->physics[k].on && p->on_mesh &&
+            p->on_mesh(&of, r->physics[k].form, r->setup.mesh, &why))
+            return ovr_fail_in(err, r->c, blamed(r, p, &why), NULL, &why);
+    }
+    return OVR_OK;
+}
+
 void ovr_resolved_turn_on(ovr_resolved *r, const ovr_physics *physics,
                           void *form)
 {

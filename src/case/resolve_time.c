@@ -17,8 +17,9 @@ static ovr_scheme choose_scheme(const ovr_resolved *r)
     bool grid = s->transient && !s->march->adaptive && s->march->dT == 0;
     if (r->values.scheme >= 0)
         return (ovr_scheme)r->values.scheme;
-    if (r->values.options.cavitation == OVR_CAVITATION_CONSERVING)
-        return OVR_UPSTREAM2;
+    if (!s->transient &&
+        r->values.options.cavitation == OVR_CAVITATION_CONSERVING)
+        return OVR_CHARACTERISTIC; /* its order is 4 */
     bool follows = !r->values.heat_model && !ovr_history_turns(s->speed);
     return grid && (follows || !ovr_setup_varies(s)) ? OVR_CHARACTERISTIC
                                                      : OVR_UPSTREAM2;

@@ -219,6 +219,8 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
         status = ovr_resolve_end(r, err);
     }
     if (!status)
+        status = ovr_resolve_on_mesh(r, err);
+    if (!status)
         setup->nodes = ovr_level_nodes(setup->options->level);
     return status;
 }

@@ -68,6 +68,8 @@ static double second_difference(const double *x)
 void ovr_fourth_order_plain(const ovr_lanes *g, const ovr_fourth *c,
                             const ovr_fields *f, const double *w)
 {
+    for (ptrdiff_t i = 1; i + 2 < (ptrdiff_t)g->n; i++)
+        c->flux[i] = flux(c, f, i);
     for (ptrdiff_t i = 0; i < (ptrdiff_t)g->n; i++) {
         double gap = second_difference(w + i) / (c->linear ? 12 : 24) +
                      c->local * c->D * second_difference(f->P + i);

@@ -132,14 +132,13 @@ static void warn_of_smearing(const review *r)
     for (size_t k = 0; k < n; k++) {
         ovr_feature_info info = ovr_surfaces_info(s->surfaces, k);
         double nodes = info.wavelength / s->mesh;
-        bool conserving = s->options->cavitation == OVR_CAVITATION_CONSERVING;
         if (info.speed == 0 || !(nodes < enough))
             continue;
         say(r, OVR_SAY_WARNING,
             "feature '%s' moves on %.0f nodes a width, on which an upstream "
-            "scheme smears it out: take %slevel %d",
+            "scheme smears it out: take scheme = characteristic with step = "
+            "grid, or level %d",
             info.name, nodes,
-            conserving ? "" : "scheme = characteristic with step = grid, or ",
             s->options->level + (int)ceil(log2(enough / nodes)));
         return;
     }
@@ -398,8 +397,8 @@ static void warn_of_order(const review *r, const ovr_simulation *sim)
     else if (ovr_block_get(domain, "order")->given)
         say(r, OVR_SAY_WARNING,
             "the solution is of second order: corrections of fourth order hold "
-            "for one load, speed and radius, or with scheme = characteristic "
-            "where the speed does not reverse");
+            "for one load, speed and radius of a film by Reynolds, or with "
+            "scheme = characteristic where the speed does not reverse");
 }
 
 /* Of a steady solution the first of these is the only state. */

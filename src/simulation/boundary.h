@@ -42,6 +42,8 @@ extern const ovr_section ovr_boundary_section;
 /* As the functions of a physics (physics.h). */
 ovr_status ovr_boundary_resolve(const ovr_physics_case *of, void *form,
                                 bool *on, ovr_error *err);
+ovr_status ovr_boundary_on_mesh(const ovr_physics_case *of, void *form,
+                                double mesh, ovr_error *err);
 bool ovr_boundary_keeps(const void *form, const ovr_feature_form *feature);
 void ovr_boundary_tell(const ovr_physics_case *of, const void *form,
                        ovr_physics_line *line, void *data);

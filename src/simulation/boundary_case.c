@@ -19,6 +19,7 @@
 #include "base/rows.h"
 #include "contact/contact.h"
 #include "contact/film_formula.h"
+#include "contact/flow_law.h"
 
 static const ovr_word laws[] = {
     {"exponential", OVR_BOUNDARY_EXPONENTIAL},
@@ -209,10 +210,11 @@ static bool is_rough(const ovr_feature_form *feature)
     return feature->shape == OVR_PROFILE || feature->shape == OVR_ROUGHNESS;
 }
 
-static ovr_status resolve_profiles(const ovr_physics_case *of,
-                                   ovr_boundary_form *f, ovr_error *err)
+/* The profile of each surface, one at most. */
+static ovr_status profiles_of(const ovr_physics_case *of,
+                              const ovr_feature_form *form[2], ovr_error *err)
 {
-    const ovr_feature_form *form[2] = {NULL, NULL};
+    form[0] = form[1] = NULL;
     for (size_t k = 0; k < of->features; k++) {
         const ovr_feature_form **place = &form[of->feature[k]->surface == 2];
         if (!is_rough(of->feature[k]))
@@ -228,11 +230,17 @@ static ovr_status resolve_profiles(const ovr_physics_case *of,
         return ovr_fail_about(err, "law",
                               "law = profile wants a [feature] that is a "
                               "profile, or roughness");
-    if (f->unresolved)
-        return ovr_fail_about(err, "of",
-                              "law = profile is one of = all; of what the mesh "
-                              "has not, exponential is, by Rq and slope");
-    if (ovr_rough_pair_make(&f->pair, form, of->contact, of->arena, err) ||
+    return OVR_OK;
+}
+
+/* Of all that the profiles have: where the mesh has part of them, what they
+ * bear at most (on_mesh). */
+static ovr_status resolve_profiles(const ovr_physics_case *of,
+                                   ovr_boundary_form *f, ovr_error *err)
+{
+    const ovr_feature_form *form[2];
+    if (profiles_of(of, form, err) ||
+        ovr_rough_pair_make(&f->pair, form, of->contact, of->arena, err) ||
         ovr_rough_pair_law(&f->pair, &f->bears.table, of->arena, err))
         return err->status;
     f->Rq = f->pair.Rq;
@@ -274,7 +282,8 @@ static ovr_status resolve_law(const ovr_physics_case *of, ovr_boundary_form *f,
 bool ovr_boundary_keeps(const void *form, const ovr_feature_form *feature)
 {
     const ovr_boundary_form *f = form;
-    return f->law == OVR_BOUNDARY_PROFILE && is_rough(feature);
+    return f->law == OVR_BOUNDARY_PROFILE && !f->unresolved &&
+           is_rough(feature);
 }
 
 static ovr_status resolve_factor(const ovr_physics_case *of,
@@ -304,6 +313,9 @@ static ovr_status resolve_wear(const ovr_physics_case *of,
                    ? ovr_fail_about(err, "passes",
                                     "wear wants passes, like passes = 1e6")
                    : OVR_OK;
+    if (f->unresolved)
+        return ovr_fail_about(err, "passes",
+                              "running-in is of all roughness: of = all");
     if (!(of->contact->ph > 0 && of->contact->kappa > 0))
         return ovr_fail_about(err, "passes",
                               "wear wants a physical contact: radius and "
@@ -376,14 +388,59 @@ static double share_of(const ovr_boundary_form *f, double H)
     return sum * 4 / acos(-1.0);
 }
 
-/* With a flow factor; NAN where no Rq is known. */
-static double share_with(const ovr_boundary_form *f, double H,
-                         ovr_ridges ridges)
+/* The film with a flow factor; NAN where no Rq is known. */
+static double film_with(const ovr_boundary_form *f, double H, ovr_ridges ridges)
 {
     ovr_flow_factor factor = {ridges, f->factor.sigma};
     if (!(factor.sigma > 0))
-        return ridges ? NAN : share_of(f, H);
-    return share_of(f, H * ovr_flow_factor_film(&factor, H / factor.sigma));
+        return ridges ? NAN : H;
+    return H * ovr_flow_factor_film(&factor, H / factor.sigma);
+}
+
+static double share_with(const ovr_boundary_form *f, double H,
+                         ovr_ridges ridges)
+{
+    return share_of(f, film_with(f, H, ridges));
+}
+
+/* The mean shear stress over tau0 of a film without a pressure gradient, whose
+ * Newtonian one is x: f(y) = x, by bisection of ln y where it has no closed
+ * form. */
+static double thinned(const ovr_lubricant *oil, double x)
+{
+    double low = log(1e-6), high = log(fmax(x, 1e-6)), slope;
+    if (oil->rheology == OVR_EYRING || !oil->flow_law)
+        return asinh(x);
+    for (int k = 0; k < 60; k++) {
+        double middle = 0.5 * (low + high);
+        if (ovr_curve_at(&oil->flow_law->f, exp(middle), &slope) > x)
+            high = middle;
+        else
+            low = middle;
+    }
+    return exp(high);
+}
+
+/* What such a film of what Hertz's pressure leaves to it would add to the
+ * coefficient of friction, at the supply's temperature. */
+static double film_friction(const ovr_physics_case *of,
+                            const ovr_boundary_form *f, double H)
+{
+    enum { NODES = 200 };
+    const ovr_lubricant *oil = of->lubricant;
+    const ovr_contact *c = of->contact;
+    double V = fabs(c->u1_ratio - c->u2_ratio), A, slope, sum = 0;
+    ovr_touch_law_at(&f->bears, H, &A, &slope);
+    for (int i = 0; i < NODES; i++) {
+        double X = (i + 0.5) / NODES, P = fmax(sqrt(1 - X * X) - A, 0);
+        double t = c->lambda / 12 * V * ovr_viscosity(oil, P) / H;
+        t = oil->Sigma0 * thinned(oil, t / oil->Sigma0);
+        if (oil->limiting_shear > 0)
+            t = fmin(t, oil->limiting_shear * P / c->kappa);
+        sum += t / NODES;
+    }
+    return (1 - ovr_touch_law_area(&f->bears, H)) * c->kappa * sum * 4 /
+           acos(-1.0);
 }
 
 ovr_status ovr_boundary_resolve(const ovr_physics_case *of, void *form,
@@ -415,11 +472,70 @@ ovr_status ovr_boundary_resolve(const ovr_physics_case *of, void *form,
     return OVR_OK;
 }
 
+ovr_status ovr_boundary_on_mesh(const ovr_physics_case *of, void *form,
+                                double mesh, ovr_error *err)
+{
+    ovr_boundary_form *f = form;
+    const ovr_feature_form *profile[2];
+    if (f->law != OVR_BOUNDARY_PROFILE || !f->unresolved)
+        return OVR_OK;
+    if (profiles_of(of, profile, err) ||
+        ovr_rough_pair_rest(&f->pair, profile, mesh, of->contact, of->arena,
+                            err))
+        return err->status;
+    f->bears.table = (ovr_touch_table){0};
+    if (ovr_rough_pair_law(&f->pair, &f->bears.table, of->arena, err)) {
+        f->bears.table.n = 0;
+        if (!(f->layer > 0))
+            return ovr_fail_about(err, "of",
+                                  "the mesh has all of the profiles: give "
+                                  "layer for what bears where oil is gone, or "
+                                  "take a coarser level");
+    }
+    f->Rq = f->pair.Rq;
+    f->slope = f->pair.slope * of->contact->kappa;
+    f->factor.sigma = 0; /* H is no mean gap of theirs */
+    f->estimate = share_with(f, smooth_film(of), OVR_RIDGES_NONE);
+    return OVR_OK;
+}
+
+/* Of all bounds of the share: what metal, the film and both add to mu. */
+static void tell_friction(const ovr_physics_case *of,
+                          const ovr_boundary_form *f, double H,
+                          const double share[3], ovr_physics_line *line,
+                          void *data)
+{
+    double least[3] = {NAN, NAN, NAN}, most[3] = {NAN, NAN, NAN};
+    bool known = of->lubricant->rheology != OVR_NEWTONIAN &&
+                 of->contact->kappa > 0;
+    char text[240];
+    for (int k = 0; k < 3; k++) {
+        double film = film_friction(of, f, film_with(f, H, (ovr_ridges)k));
+        const double part[3] = {f->friction * share[k], film,
+                                f->friction * share[k] + film};
+        for (int j = 0; j < 3; j++) {
+            least[j] = fmin(least[j], part[j]);
+            most[j] = fmax(most[j], part[j]);
+        }
+    }
+    if (known)
+        snprintf(text, sizeof text,
+                 "%.2g to %.2g by these shares: boundary friction %.2g to "
+                 "%.2g, the film's %.2g to %.2g at the supply's temperature",
+                 least[2], most[2], least[0], most[0], least[1], most[1]);
+    else
+        snprintf(text, sizeof text,
+                 "boundary friction %.2g to %.2g by these shares, beside the "
+                 "film's, which wants a flow law",
+                 least[0], most[0]);
+    line(data, "  mu", text);
+}
+
 static void tell_estimate(const ovr_physics_case *of,
                           const ovr_boundary_form *f, ovr_physics_line *line,
                           void *data)
 {
-    double H = smooth_film(of), low = NAN, high = NAN, share[3];
+    double H = smooth_film(of), share[3];
     char text[240];
     if (f->factor.sigma > 0) {
         snprintf(text, sizeof text,
@@ -428,11 +544,8 @@ static void tell_estimate(const ovr_physics_case *of,
                  H / f->factor.sigma);
         line(data, "lambda", text);
     }
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         share[k] = share_with(f, H, (ovr_ridges)k);
-        low = fmin(low, share[k]);
-        high = fmax(high, share[k]);
-    }
     snprintf(text, sizeof text,
              "about %.2g of the load by the smooth film (to 8 %% down to "
              "lambda 1, too much below), no oil being trapped: an upper bound",
@@ -446,13 +559,8 @@ static void tell_estimate(const ovr_physics_case *of,
                  share[1], share[2]);
         line(data, "  other bounds", text);
     }
-    if (!isnan(f->friction)) {
-        snprintf(text, sizeof text,
-                 "boundary friction %.2g to %.2g by these shares, beside the "
-                 "film's",
-                 f->friction * low, f->friction * high);
-        line(data, "  of mu", text);
-    }
+    if (!isnan(f->friction))
+        tell_friction(of, f, H, share, line, data);
 }
 
 static void tell_wear(const ovr_boundary_form *f, ovr_physics_line *line,
@@ -491,13 +599,17 @@ void ovr_boundary_tell(const ovr_physics_case *of, const void *form,
                  A / slope);
         line(data, "roughness bears", text);
     }
-    if (f->law == OVR_BOUNDARY_PROFILE) {
+    if (f->law == OVR_BOUNDARY_PROFILE && !f->bears.table.n)
+        line(data, "both profiles", "the mesh has all of them");
+    if (f->law == OVR_BOUNDARY_PROFILE && f->bears.table.n) {
         snprintf(text, sizeof text,
                  "Rq %.4g b^2/R, slope %.4g, %d of their pressures up to %.4g "
                  "ph%s",
                  f->Rq, f->slope, (int)f->bears.table.n,
                  exp(f->bears.table.ln_A[0]),
-                 f->pair.cut ? "; the longer one cut to the shorter" : "");
+                 f->unresolved ? "; of what the mesh leaves out"
+                 : f->pair.cut ? "; the longer one cut to the shorter"
+                               : "");
         line(data, "both profiles", text);
     }
     if (f->layer > 0) {

@@ -72,6 +72,11 @@ static void ghost_film(ovr_simulation *sim, int past, size_t ghosts, bool back)
     const ovr_smooth smooth = ovr_simulation_smooth(sim, sim->past.T[past]);
     size_t n = sim->now.n;
     double out = back ? ovr_mesh(sim) : -ovr_mesh(sim);
+    if (ovr_conserves(sim) && ovr_arrival_closes(sim)) {
+        ovr_arrival_ghosts(sim, sim->past.T[past], ghosts,
+                           inflow->extended + OVR_GHOSTS - 1);
+        return;
+    }
     for (size_t g = 0; g < ghosts; g++)
         inflow->X[g] = sim->now.X[back ? n - 1 : 0] + (double)(g + 1) * out;
     if (ovr_has_heights(sim))
@@ -86,8 +91,12 @@ static void ghost_film(ovr_simulation *sim, int past, size_t ghosts, bool back)
     }
 }
 
-/* Weights at s in [0, 1) between the points BEFORE and BEFORE + 1 of 0..5 */
-static void lagrange(double at, double weight[POINTS])
+void ovr_inflow_ghosts(ovr_simulation *sim, int past, size_t ghosts)
+{
+    ghost_film(sim, past, ghosts, false);
+}
+
+void ovr_lagrange(double at, double weight[POINTS])
 {
     for (int k = 0; k < POINTS; k++) {
         weight[k] = 1;
@@ -143,8 +152,9 @@ static void add_at_feet(const ovr_simulation *sim, const way *to, double c,
         size_t inward = first > last ? (size_t)(first - last) : 0;
         double sum = 0;
         if (i == 0 || inward)
-            lagrange(BEFORE + (double)inward + ((double)to->shift - to->meshes),
-                     weight);
+            ovr_lagrange(BEFORE + (double)inward +
+                             ((double)to->shift - to->meshes),
+                         weight);
         for (int k = 0; k < POINTS; k++)
             sum += weight[k] * *(first - inward + k);
         F[to->back ? n - 1 - i : i] += c * sum;

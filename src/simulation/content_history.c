@@ -16,6 +16,10 @@ void ovr_content_history(ovr_simulation *sim, double dT, const double c[2])
     const double *const *q = (const double *const *)sim->past.q;
     const double *P = sim->past.P[0];
     double *F = sim->scratch[0], *kept = sim->scratch[1];
+    if (sim->scheme->characteristic) {
+        ovr_carriage_history(sim, dT, c);
+        return;
+    }
     double b2 = c[1] * dT, kappa = -c[0] * dT - 1 - b2;
     if (sim->scheme->order == 1)
         kappa = 0;

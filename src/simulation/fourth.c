@@ -35,11 +35,16 @@
 
 #include "contact/contact.h"
 #include "contact/turning.h"
+#include "multigrid/content.h"
+#include "multigrid/starved.h"
+#include "simulation/fourth_content.h"
 #include "simulation/heat_in_time.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
 #include "simulation/simulation.h"
 #include "simulation/steady.h"
+
+extern const ovr_physics ovr_physics_fourth;
 
 typedef struct fourth {
     ovr_correction correction;
@@ -58,6 +63,7 @@ typedef struct fourth {
      * where R is left out; R of a step of rest_dT */
     int rests;
     double *start, *constant, *mask, *rest, rest_dT;
+    ovr_fourth_content content; /* where oil is conserved */
 } fourth;
 
 static bool chosen(const ovr_options *o)
@@ -83,7 +89,10 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
     for (size_t k = 0; k < sizeof follow / sizeof *follow; k++)
         if (!(*follow[k] = ovr_arena_take(&sim->arena, n, sizeof(double), err)))
             return OVR_NO_MEMORY;
-    return f->F && f->gap ? OVR_OK : OVR_NO_MEMORY;
+    if (!f->F || !f->gap)
+        return OVR_NO_MEMORY;
+    return ovr_conserves(sim) ? ovr_fourth_content_take(sim, &f->content, err)
+                              : OVR_OK;
 }
 
 /* ------------------------------------------------------------------- steady */
@@ -111,8 +120,8 @@ static bool varies(const ovr_simulation *sim)
  * them.  Another physics may have taken fourth order back. */
 static bool applies(const ovr_simulation *sim)
 {
-    return sim->options.order == 4 &&
-           (!varies(sim) || sim->scheme->characteristic) &&
+    bool fixed = !varies(sim) && !ovr_conserves(sim);
+    return sim->options.order == 4 && (fixed || sim->scheme->characteristic) &&
            !ovr_history_turns(sim->speed) &&
            ovr_influence_corrected(&sim->grids.influence);
 }
@@ -226,6 +235,100 @@ static ovr_defect solve_corrected(ovr_simulation *sim, const fourth *f,
     return fall_back(sim, f, how, &second, cycles);
 }
 
+/* ----------------------------------------------------- steady, oil conserved
+ */
+
+static void evaluate_content(ovr_simulation *sim, fourth *f)
+{
+    ovr_simulation_read(sim);
+    ovr_fourth_content_evaluate(sim, &f->content, &f->correction,
+                                sim->grids.op.speed, f->F, f->gap);
+}
+
+/* F of the finest level with those of the film instead of what they were; film
+ * and residual by them. */
+static void correct_content(ovr_simulation *sim, fourth *f)
+{
+    const ovr_kernels *run = sim->grids.kernels;
+    double *F = f->rest; /* of no use here */
+    ovr_nodes_read(sim, sim->finest, sim->finest->f.F, F);
+    run->combine(f->n, 1, F, -1, f->F, F);
+    evaluate_content(sim, f);
+    run->combine(f->n, 1, F, 1, f->F, F);
+    ovr_nodes_write(sim, sim->finest, F, sim->finest->f.F);
+    ovr_simulation_gap(sim, 0);
+    ovr_level_properties(&sim->grids, sim->finest);
+    ovr_level_residual(&sim->grids, sim->finest);
+}
+
+typedef struct correcting {
+    ovr_simulation *sim;
+    fourth *own;
+} correcting;
+
+static bool correct_after(void *data, ovr_hierarchy *grids, ovr_level *level,
+                          ovr_cycle_end end)
+{
+    correcting *c = data;
+    (void)grids, (void)level;
+    if (end == OVR_AFTER_CYCLE)
+        correct_content(c->sim, c->own);
+    return false; /* film and residual are up to date */
+}
+
+static fourth *fourth_of(const ovr_simulation *sim)
+{
+    for (const ovr_present *p = sim->physics; p->is; p++)
+        if (p->is == &ovr_physics_fourth)
+            return p->own;
+    return NULL;
+}
+
+void ovr_fourth_leave(ovr_simulation *sim)
+{
+    fourth *f = fourth_of(sim);
+    double *F = sim->scratch[0];
+    if (!f || sim->order != 4)
+        return;
+    ovr_nodes_read(sim, sim->finest, sim->finest->f.F, F);
+    sim->grids.kernels->combine(f->n, 1, F, -1, f->F, F);
+    ovr_nodes_write(sim, sim->finest, F, sim->finest->f.F);
+    withdraw(sim, f);
+    ovr_simulation_gap(sim, 0);
+    ovr_level_refresh(&sim->grids, sim->finest);
+}
+
+/* Cycles that are corrected each; where they do not end, the film that was. */
+ovr_defect ovr_fourth_conserved(ovr_simulation *sim, const ovr_full *how,
+                                ovr_defect solved, int *cycles)
+{
+    fourth *f = fourth_of(sim);
+    ovr_level *level = sim->finest;
+    if (!f || !applies(sim) ||
+        !ovr_below(solved, ovr_steady_tolerance(sim, level, solved.centre)))
+        return solved;
+    correcting data = {sim, f};
+    const ovr_attached attached = {correct_after, &data, how->cycling.attached};
+    ovr_full own = *how;
+    double H0 = sim->grids.H0;
+    own.cycling.attached = &attached;
+    ovr_nodes_read(sim, level, level->f.P, sim->saved);
+    ovr_nodes_read(sim, level, level->f.q, f->start);
+    withdraw(sim, f);
+    sim->order = 4;
+    correct_content(sim, f);
+    ovr_defect d = ovr_content_cycles(&sim->grids, &own, level, cycles);
+    if (ovr_below(d, ovr_steady_tolerance(sim, level, d.centre)))
+        return d;
+    ovr_fourth_leave(sim);
+    sim->grids.H0 = H0;
+    ovr_nodes_write(sim, level, sim->saved, level->f.P);
+    ovr_nodes_write(sim, level, f->start, level->f.q);
+    ovr_content_wet(level, sim->saved);
+    ovr_content_mark(level, level->f.wet, 0, !level->closed);
+    return ovr_content_cycles(&sim->grids, how, level, cycles);
+}
+
 /* The corrections of a film whose temperatures are others. */
 static void renew(ovr_simulation *sim, void *own)
 {
@@ -233,6 +336,11 @@ static void renew(ovr_simulation *sim, void *own)
     const ovr_correction *c = &f->correction;
     if (sim->order != 4)
         return;
+    if (ovr_conserves(sim)) {
+        evaluate_content(sim, f);
+        ovr_simulation_gap(sim, 0);
+        return;
+    }
     ovr_fourth_evaluate(&sim->grids, c, sim->grids.op.speed);
     ovr_nodes_read(sim, sim->finest, c->F, f->F);
     ovr_nodes_read(sim, sim->finest, c->gap, f->gap);
@@ -255,7 +363,7 @@ static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
     fourth *f = own;
     withdraw(sim, f);
     f->follows = f->rests = f->ahead = false;
-    if (applies(sim))
+    if (applies(sim) && !ovr_conserves(sim)) /* then once it is conserved */
         sim->order = 4;
     if (sim->order == 4 && stands_apart(sim)) {
         standing_gap(sim);
@@ -318,6 +426,12 @@ static void evaluate(ovr_simulation *sim, fourth *f, double T, double dT,
                      double *mask)
 {
     const ovr_correction *c = &f->correction;
+    if (ovr_conserves(sim)) {
+        ovr_fourth_content_evaluate(sim, &f->content, c, 0, f->F, f->next);
+        if (T > 0)
+            ovr_fourth_content_third(sim, &f->content, T, dT, f->third);
+        return;
+    }
     ovr_fourth_evaluate(&sim->grids, c, 0);
     ovr_nodes_read(sim, sim->finest, c->F, f->F);
     ovr_nodes_read(sim, sim->finest, c->gap, f->next);
@@ -335,7 +449,8 @@ static void begin(ovr_simulation *sim, void *own)
     const double *q = sim->now.q;
     f->follows = sim->order == 4 && sim->scheme->characteristic;
     f->ahead = false;
-    f->rests = f->follows && !varies(sim) && !stands_apart(sim);
+    f->rests = f->follows && !varies(sim) && !stands_apart(sim) &&
+               !ovr_conserves(sim);
     f->rest_dT = 0;
     if (!f->follows)
         return;
@@ -377,6 +492,8 @@ static void before_step(ovr_simulation *sim, void *own, double T)
     f->without = false;
     f->ahead = f->follows;
     f->factor = dT * (dT + (old > 0 ? old : dT));
+    if (f->follows && ovr_conserves(sim) && !(old > 0))
+        ovr_fourth_content_begin(sim, &f->content, dT, f->third);
     if (f->rests && reaches && fabs(dT - f->rest_dT) > 1e-9 * dT)
         rest(sim, f, dT);
     else if (f->rests && !reaches)
@@ -461,6 +578,8 @@ static ovr_status visit(ovr_simulation *sim, void *own, ovr_visit *show,
         status = show(context, "third_fourth", f->third, bytes, err);
     if (!status && f->follows)
         status = show(context, "gap_next", f->next, bytes, err);
+    if (!status && f->follows && ovr_conserves(sim))
+        status = show(context, "bend_fourth", f->content.bend, bytes, err);
     if (!status)
         status = show(context, "rests_fourth", &f->rests, sizeof f->rests, err);
     if (!status && f->rests)

@@ -50,6 +50,20 @@ typedef struct ovr_inflow {
     double *extended; /* q with ghosts before it */
 } ovr_inflow;
 
+/* Oil that is carried along the characteristic (content_feet.c). */
+typedef struct ovr_carriage {
+    double *came;   /* at the nodes now: the content of a step ago there, */
+    double *coming; /* and that of now, in a step's time; two steps ago */
+    double *coming_twice;
+    double *extended; /* the history with ghosts before it */
+    /* cells across the first and the last face, a step ago and in this one;
+     * whether the inlet was closed then */
+    double crossed[2], crossing[2];
+    bool closed, closes;
+    double flow[2]; /* there, in a time */
+    double arrives; /* would flow in, of the film that is supplied */
+} ovr_carriage;
+
 /* The film that arrives (supply.c). */
 typedef struct ovr_arrival {
     ovr_supply *supply; /* NULL: flooded */
@@ -62,6 +76,7 @@ typedef struct ovr_arrival {
     double q, face; /* of this step: at X_a, half a mesh further */
     double *kept;   /* contents of a solution on a path, and its inlet */
     bool closed_kept;
+    ovr_carriage carriage;
 } ovr_arrival;
 
 /* A physics (physics.h) of a simulation; is NULL behind the last. */
@@ -255,8 +270,33 @@ void ovr_history_term(ovr_simulation *sim, double *F);
 /* Whether oil is conserved (multigrid/content.h). */
 bool ovr_conserves(const ovr_simulation *sim);
 
+/* The steady film where oil is conserved, corrected where that applies; one
+ * without corrections again. */
+ovr_defect ovr_fourth_conserved(ovr_simulation *sim, const ovr_full *how,
+                                ovr_defect found, int *cycles);
+void ovr_fourth_leave(ovr_simulation *sim);
+
 /* The history term where oil is conserved (content_history.c). */
 void ovr_content_history(ovr_simulation *sim, double dT, const double c[2]);
+
+/* The same along the characteristic (content_feet.c): memory, the history term,
+ * a step that is taken, its checkpoint. */
+ovr_status ovr_carriage_take(ovr_simulation *sim, ovr_error *err);
+void ovr_carriage_history(ovr_simulation *sim, double dT, const double c[2]);
+void ovr_carriage_taken(ovr_simulation *sim);
+
+/* x at the feet, from the last time reached to T; nothing is before the inlet.
+ */
+void ovr_carriage_move(ovr_simulation *sim, double T, const double *x,
+                       double *to);
+ovr_status ovr_carriage_visit(ovr_simulation *sim, ovr_visit *show,
+                              void *context, ovr_error *err);
+
+/* Whether only what arrives enters in the step to come; q at X_a - D, X_a - 2
+ * D, ... at T, of what arrives later, written downwards from `last`. */
+bool ovr_arrival_closes(const ovr_simulation *sim);
+void ovr_arrival_ghosts(const ovr_simulation *sim, double T, size_t ghosts,
+                        double *last);
 
 /* Memory for the characteristic scheme, and its history term
  *     F_i = c1 q^k(X_i - a1) + c2 q^{k-1}(X_i - a2). */
@@ -264,6 +304,12 @@ ovr_status ovr_inflow_take(ovr_simulation *sim, ovr_error *err);
 void ovr_inflow_fill(ovr_simulation *sim);
 void ovr_inflow_history(ovr_simulation *sim, const double c[2],
                         const double a[2]);
+
+/* q of a past time at so many ghosts before the inlet, in extended[]. */
+void ovr_inflow_ghosts(ovr_simulation *sim, int past, size_t ghosts);
+
+/* Weights of six points at the place `at` among them, counted from 0. */
+void ovr_lagrange(double at, double weight[6]);
 
 /* q at T as the past predicts it along the characteristics: the sum of e_k
  * q^{k}(X_i - a_k), in scratch; NULL if that is further than the ghosts reach.

@@ -215,6 +215,9 @@ static bool corrects(const ovr_options *o)
     ovr_options with = *o;
     with.order = 4;
     with.refine = OVR_REFINE_NONE;
+    if (o->cavitation == OVR_CAVITATION_CONSERVING &&
+        o->scheme != OVR_CHARACTERISTIC)
+        return false;
     return !ovr_parts_conflict(ovr_parts_of(&with));
 }
 

@@ -8,8 +8,6 @@
     {words, section, key, whole},
 static const ovr_part_info parts[OVR_PARTS] = {OVR_PART_ROWS(INFO)};
 
-static const char separate[] =
-    "the filling is carried by a wedge and a squeeze term of their own";
 static const char corrected[] =
     "its corrections are those of the line smoother's second-order row";
 static const char flooded[] = "the paper's own means know no cavities";
@@ -58,10 +56,6 @@ static const ovr_refusal refusals[] = {
     {OVR_PART_ORDER_4, OVR_PART_PAPER_SMOOTHER, "2", corrected},
     {OVR_PART_ORDER_4, OVR_PART_PAPER_BALANCE, "2", corrected},
     {OVR_PART_ORDER_4, OVR_PART_FIXED_CYCLES, "2", corrected},
-    {OVR_PART_ORDER_4, OVR_PART_CONSERVING, "2",
-     "at a meniscus the film is of second order at most"},
-    {OVR_PART_CHARACTERISTIC, OVR_PART_CONSERVING, "upstream2 or upstream1",
-     separate},
     {OVR_PART_PAPER_SMOOTHER, OVR_PART_CONSERVING, "line", flooded},
     {OVR_PART_PAPER_BALANCE, OVR_PART_CONSERVING, "no", flooded},
     {OVR_PART_FIXED_CYCLES, OVR_PART_CONSERVING, "negligible or truncation",
@@ -83,8 +77,9 @@ static const ovr_refusal refusals[] = {
     {OVR_PART_PAPER_SMOOTHER, OVR_PART_PLASTIC, "line", in_time},
     {OVR_PART_PAPER_BALANCE, OVR_PART_PLASTIC, "no", in_time},
     {OVR_PART_PLASTIC, OVR_PART_PATCHES, "no [plastic]", on_patches},
-    {OVR_PART_PLASTIC, OVR_PART_COATING, "no [plastic]",
-     "residual stresses are those of one material"},
+    {OVR_PART_PLASTIC, OVR_PART_OTHER_MODULI, "no [plastic]",
+     "residual stresses are those of one material; a coating that has the "
+     "body's moduli goes"},
     {OVR_PART_STRESS, OVR_PART_PATCHES, "no [stress]", on_patches}};
 
 enum { REFUSALS = sizeof refusals / sizeof *refusals };

@@ -63,6 +63,8 @@
          o->refine != OVR_REFINE_NONE, false)                                  \
     PART(COATING, "a coating", "coating", "thickness", true, false,            \
          ovr_case_find_block(r->c, "coating", NULL) != NULL)                   \
+    PART(OTHER_MODULI, "a layer of other moduli on that body", "coating",      \
+         "modulus", false, false, yields_below_others(r))                      \
     PART(BOUNDARY, "surfaces that touch", "boundary", "law", true, false,      \
          ovr_case_find_block(r->c, "boundary", NULL) &&                        \
              ovr_slot_of(r, "boundary", "law")->given)                         \

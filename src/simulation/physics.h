@@ -103,6 +103,10 @@ struct ovr_physics {
     ovr_status (*resolve)(const ovr_physics_case *of, void *form, bool *on,
                           ovr_error *err);
 
+    /* What it means on a mesh of that size, once the domain is known. */
+    ovr_status (*on_mesh)(const ovr_physics_case *of, void *form, double mesh,
+                          ovr_error *err);
+
     /* Bits beside its own, by what the form says. */
     unsigned (*bits)(const void *form);
 

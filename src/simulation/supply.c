@@ -35,7 +35,8 @@ void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
                        .data = data,
                        .before = waiting,
                        .waiting = waiting,
-                       .kept = a->kept};
+                       .kept = a->kept,
+                       .carriage = a->carriage};
 }
 
 /* ------------------------------------------------------------------- a step */
@@ -58,6 +59,42 @@ static double time_of_entry(const ovr_simulation *sim, double T)
     return 0.5 * (low + high);
 }
 
+/* When what is `way` before the inlet at T comes to it; while all stands, some
+ * time later. */
+static double time_of_arrival(const ovr_simulation *sim, double T, double way)
+{
+    enum { DOUBLINGS = 10, HALVINGS = 50 };
+    double to = ovr_history_integral(sim->speed, T) + way;
+    double low = T, high = T + way, Cu = ovr_history_value(sim->speed, T);
+    if (!ovr_history_varies(sim->speed))
+        return T + way / Cu;
+    for (int k = 0; k < DOUBLINGS; k++)
+        if (ovr_history_integral(sim->speed, high) < to)
+            high = T + 2 * (high - T);
+    for (int k = 0; k < HALVINGS; k++) {
+        double middle = 0.5 * (low + high);
+        *(ovr_history_integral(sim->speed, middle) < to ? &low
+                                                        : &high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+bool ovr_arrival_closes(const ovr_simulation *sim)
+{
+    const ovr_arrival *a = &sim->arrival;
+    return a->supply && (a->closed || a->waiting < 0);
+}
+
+void ovr_arrival_ghosts(const ovr_simulation *sim, double T, size_t ghosts,
+                        double *last)
+{
+    const ovr_arrival *a = &sim->arrival;
+    for (size_t g = 0; g < ghosts; g++) {
+        double way = (double)(g + 1) * ovr_mesh(sim);
+        last[-(ptrdiff_t)g] = a->supply(a->data, time_of_arrival(sim, T, way));
+    }
+}
+
 static void step(ovr_simulation *sim, void *own, double dT)
 {
     ovr_arrival *a = own;
@@ -68,18 +105,25 @@ static void step(ovr_simulation *sim, void *own, double dT)
     a->face = a->supply(a->data, time_of_entry(sim, T));
 }
 
+/* Of the inlet's row: what arrives has come along the characteristic already.
+ */
+static double source(const ovr_simulation *sim, const ovr_arrival *a)
+{
+    const ovr_operator *op = &sim->grids.op;
+    return op->characteristic ? 0 : op->speed * a->face / sim->now.weights[1];
+}
+
 /* Contents and states by the pressure, and the inlet: those of a solution. */
 static void restore(ovr_simulation *sim, const ovr_arrival *a, const double *P,
                     const double *q, bool closed)
 {
     ovr_level *level = sim->finest;
-    double source = sim->grids.op.speed * a->face / sim->now.weights[1];
     sim->grids.conserving = level->leads = true;
     sim->grids.supplied = a->supply != NULL;
     ovr_level_write(&sim->grids, level, q, level->f.q);
     ovr_content_wet(level, P);
     if (closed)
-        ovr_content_close(level, source, a->q);
+        ovr_content_close(level, source(sim, a), a->q);
     else
         ovr_content_open(level);
 }
@@ -90,8 +134,7 @@ static void begin_attempt(ovr_simulation *sim, void *own)
     const ovr_arrival *a = own;
     ovr_level *level = sim->finest;
     bool closing = a->supply && !a->closed && a->waiting < 0;
-    restore(sim, a, sim->past.P[0], sim->past.q[0],
-            a->supply && (a->closed || closing));
+    restore(sim, a, sim->past.P[0], sim->past.q[0], ovr_arrival_closes(sim));
     if (closing) {
         ovr_content_mark(level, level->f.wet, 1, false);
         ovr_content_mark(level, level->f.dried, 1, true);
@@ -118,19 +161,29 @@ static void go_back(ovr_simulation *sim, void *own, const double *P)
     restore(sim, a, P, a->kept, a->closed_kept);
 }
 
-static double speed_now(const ovr_simulation *sim, double T)
+/* What flows across half node i + 1/2 of the first or the last row at T, after
+ * a step: along the characteristic the content that crossed it. */
+static double flow_at(const ovr_simulation *sim, size_t i, double T)
 {
-    return ovr_history_value(sim->speed, T);
+    const ovr_carriage *c = &sim->arrival.carriage;
+    if (!sim->scheme->characteristic || !(T > 0))
+        return ovr_flux(sim, ovr_history_value(sim->speed, T), i);
+    return ovr_flux(sim, 0, i) + c->flow[i > 0];
 }
 
 /* The inlet's account. */
 static void taken(ovr_simulation *sim, void *own, double dT)
 {
     ovr_arrival *a = own;
-    double Cu = speed_now(sim, sim->past.T[0] + dT);
+    double T = sim->past.T[0] + dT;
+    bool along = sim->scheme->characteristic;
+    if (along)
+        ovr_carriage_taken(sim);
     if (!a->supply)
         return;
-    a->waiting += dT * (Cu * a->face - ovr_flux(sim, Cu, 0));
+    double arrives = along ? a->carriage.arrives
+                           : ovr_history_value(sim->speed, T) * a->face;
+    a->waiting += dT * (arrives - flow_at(sim, 0, T));
     a->closed = sim->finest->closed;
 }
 
@@ -156,7 +209,8 @@ static ovr_defect complete(ovr_simulation *sim, void *own, const ovr_full *how,
     a->waiting = a->before;
     a->closed = false;
     ovr_level_clear(sim->finest, sim->finest->f.kept);
-    return ovr_flooded(&sim->grids, how, cycles);
+    ovr_defect d = ovr_flooded(&sim->grids, how, cycles);
+    return ovr_fourth_conserved(sim, how, d, cycles);
 }
 
 /* Whether less arrives than the flooded contact takes. */
@@ -178,7 +232,9 @@ static bool starve(ovr_simulation *sim, void *own, const ovr_full *how,
     ovr_arrival *a = own;
     if (!lacks(sim, a))
         return false;
-    outcome->defect = ovr_starve(&sim->grids, how, a->q, &outcome->cycles);
+    ovr_fourth_leave(sim);
+    ovr_defect d = ovr_starve(&sim->grids, how, a->q, &outcome->cycles);
+    outcome->defect = ovr_fourth_conserved(sim, how, d, &outcome->cycles);
     a->closed = sim->finest->closed;
     return true;
 }
@@ -186,14 +242,16 @@ static bool starve(ovr_simulation *sim, void *own, const ovr_full *how,
 /* --------------------------------------------------------------- the equation
  */
 
-/* Of second order, outflow and time derivative are limited where it is dry. */
+/* Of second order, outflow and time derivative are limited where it is dry;
+ * along the characteristic nothing flows out. */
 static void operate(const ovr_simulation *sim, const void *own, double dT,
                     ovr_operator *op)
 {
     (void)own;
     if (sim->scheme->order != 2)
         return;
-    op->limited[0] = op->speed;
+    if (!op->characteristic)
+        op->limited[0] = op->speed;
     if (dT > 0)
         op->limited[1] = 0.5 / dT - op->cT;
 }
@@ -300,14 +358,13 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
 {
     const ovr_solution *s = &sim->now;
     const ovr_arrival *a = own;
-    double Cu = speed_now(sim, o->T);
     o->supply = a->supply ? a->q : NAN;
     double now = flooded_since(sim, o->T);
     o->film_ratio = o->H_cen / (a->flooded * now);
     o->supply_ratio = a->flow > 0 ? o->supply / (a->flow * now) : NAN;
     o->meniscus = meniscus(sim);
-    o->inflow = ovr_flux(sim, Cu, 0);
-    o->outflow = ovr_flux(sim, Cu, s->n - 2);
+    o->inflow = flow_at(sim, 0, o->T);
+    o->outflow = flow_at(sim, s->n - 2, o->T);
     o->oil_inside = ovr_integral(sim, s->q);
     o->oil_waiting = a->supply ? a->waiting : NAN;
     o->cavity_length = cavity_length(s);
@@ -331,6 +388,8 @@ static ovr_status visit(ovr_simulation *sim, void *own, ovr_visit *show,
                       err);
     if (!status)
         status = show(context, "flooded_flow", &a->flow, sizeof a->flow, err);
+    if (!status)
+        status = ovr_carriage_visit(sim, show, context, err);
     return status ? status
                   : show(context, "mass_defect", defect, sizeof *defect, err);
 }
@@ -393,7 +452,7 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
     *own = a;
     a->kept = ovr_arena_take(&sim->arena, sim->finest->grid.n, sizeof *a->kept,
                              err);
-    return a->kept ? OVR_OK : OVR_NO_MEMORY;
+    return a->kept ? ovr_carriage_take(sim, err) : OVR_NO_MEMORY;
 }
 
 #define OIL(name, key, kind, member, ...)                                      \

@@ -79,22 +79,83 @@ static size_t nodes_of(const source s[2])
     return n;
 }
 
-static ovr_status sample(const source *s, ovr_rough_pair *pair, double *z,
-                         ovr_error *err)
+/* Adds the part of what a grid of that mesh carries of it. */
+static ovr_status add(const source *s, double mesh, double part,
+                      ovr_rough_pair *pair, double *z, ovr_error *err)
 {
     const ovr_profile *p = s->profile;
     ovr_arena scratch = ovr_arena_make(&p->arena.allocator);
     ovr_table table = {0};
-    double mesh = length_of(p) / (double)pair->n, lost;
+    double lost;
     ovr_status status = ovr_resample(p->view.n, p->x, p->z, mesh, &s->ends,
                                      &table, &scratch, &lost, err);
-    if (!status) {
+    if (!status && part > 0)
         pair->length = ovr_table_length(&table);
-        for (size_t i = 0; i < pair->n; i++)
-            z[i] = ovr_table_height(&table,
-                                    pair->length * (double)i / (double)pair->n);
-    }
+    for (size_t i = 0; !status && i < pair->n; i++)
+        z[i] += part * ovr_table_height(&table, pair->length * (double)i /
+                                                    (double)pair->n);
     ovr_arena_release(&scratch);
+    return status;
+}
+
+/* Its heights, or those that a grid of that mesh leaves out. */
+static ovr_status sample(const source *s, double left_by, ovr_rough_pair *pair,
+                         double *z, ovr_error *err)
+{
+    double mesh = length_of(s->profile) / (double)pair->n;
+    ovr_status status;
+    for (size_t i = 0; i < pair->n; i++)
+        z[i] = 0;
+    pair->length = length_of(s->profile);
+    if (left_by > 0 && left_by <= mesh)
+        return OVR_OK; /* it carries all of them */
+    status = add(s, mesh, 1, pair, z, err);
+    if (status || left_by == 0)
+        return status;
+    return add(s, left_by, -1, pair, z, err);
+}
+
+/* A stretch of which MOST points have a profile's own spacing, or an eighth of
+ * the mesh where that is wider. */
+static void shorten_to(source *s, double mesh)
+{
+    ovr_profile *p = s->profile;
+    size_t n = p->view.n;
+    double spacing = length_of(p) / (double)(n - 1);
+    double most = fmax(spacing, mesh / 8) * MOST;
+    while (p->view.n > 2 && length_of(p) > most)
+        p->view.n--;
+    if (p->view.n < n)
+        s->ends.closed = false;
+}
+
+static ovr_status make(ovr_rough_pair *pair,
+                       const ovr_feature_form *const form[2], double left_by,
+                       const ovr_contact *contact, ovr_arena *arena,
+                       ovr_error *err)
+{
+    source s[2] = {{0}, {0}};
+    ovr_status status = OVR_OK;
+    *pair = (ovr_rough_pair){.modulus = 2};
+    for (int k = 0; !status && k < 2; k++)
+        if (form[k]) {
+            status = read(form[k], contact, &arena->allocator, &s[k], err);
+            if (!status && left_by > 0)
+                shorten_to(&s[k], left_by);
+        }
+    if (!status) {
+        make_alike(s, pair);
+        pair->n = left_by > 0 ? MOST : nodes_of(s);
+    }
+    for (int k = 0; !status && k < 2; k++) {
+        if (!s[k].profile)
+            continue;
+        pair->z[k] = ovr_arena_take(arena, pair->n, sizeof **pair->z, err);
+        status = pair->z[k] ? sample(&s[k], left_by, pair, pair->z[k], err)
+                            : OVR_NO_MEMORY;
+    }
+    for (int k = 0; k < 2; k++)
+        ovr_profile_free(s[k].profile);
     return status;
 }
 
@@ -103,26 +164,15 @@ ovr_status ovr_rough_pair_make(ovr_rough_pair *pair,
                                const ovr_contact *contact, ovr_arena *arena,
                                ovr_error *err)
 {
-    source s[2] = {{0}, {0}};
-    ovr_status status = OVR_OK;
-    *pair = (ovr_rough_pair){.modulus = 2};
-    for (int k = 0; !status && k < 2; k++)
-        if (form[k])
-            status = read(form[k], contact, &arena->allocator, &s[k], err);
-    if (!status) {
-        make_alike(s, pair);
-        pair->n = nodes_of(s);
-    }
-    for (int k = 0; !status && k < 2; k++) {
-        if (!s[k].profile)
-            continue;
-        pair->z[k] = ovr_arena_take(arena, pair->n, sizeof **pair->z, err);
-        status = pair->z[k] ? sample(&s[k], pair, pair->z[k], err)
-                            : OVR_NO_MEMORY;
-    }
-    for (int k = 0; k < 2; k++)
-        ovr_profile_free(s[k].profile);
-    return status;
+    return make(pair, form, 0, contact, arena, err);
+}
+
+ovr_status ovr_rough_pair_rest(ovr_rough_pair *pair,
+                               const ovr_feature_form *const form[2],
+                               double mesh, const ovr_contact *contact,
+                               ovr_arena *arena, ovr_error *err)
+{
+    return make(pair, form, mesh, contact, arena, err);
 }
 
 ovr_status ovr_rough_pair_of(ovr_rough_pair *pair, const ovr_profile *profile,
@@ -137,7 +187,7 @@ ovr_status ovr_rough_pair_of(ovr_rough_pair *pair, const ovr_profile *profile,
                            "x and z must both be in metres, or in b and b^2/R, "
                            "for what it bears");
     pair->z[0] = ovr_arena_take(arena, pair->n, sizeof **pair->z, err);
-    return pair->z[0] ? sample(&s[0], pair, pair->z[0], err) : OVR_NO_MEMORY;
+    return pair->z[0] ? sample(&s[0], 0, pair, pair->z[0], err) : OVR_NO_MEMORY;
 }
 
 ovr_status ovr_rough_pair_take(ovr_rough_pair *pair, size_t n, double length,

@@ -48,6 +48,13 @@ ovr_status ovr_rough_pair_make(ovr_rough_pair *pair,
                                const ovr_contact *contact, ovr_arena *arena,
                                ovr_error *err);
 
+/* What a grid of that mesh leaves out of them (resample.h), on a stretch of
+ * both that has points enough for it. */
+ovr_status ovr_rough_pair_rest(ovr_rough_pair *pair,
+                               const ovr_feature_form *const form[2],
+                               double mesh, const ovr_contact *contact,
+                               ovr_arena *arena, ovr_error *err);
+
 /* Of one profile against a smooth surface, in metres, p over E*; or in b and
  * b^2/R, p in ph. */
 ovr_status ovr_rough_pair_of(ovr_rough_pair *pair, const ovr_profile *profile,

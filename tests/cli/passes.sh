@@ -163,9 +163,9 @@ fi
 
 # Errors: those of the first pass are those of the run by itself, in its file
 # and in the row; the true one (beside level 6) is no more than thrice told (by
-# this mean levels 2 to 4 fall in order)
+# this mean and order levels 2 to 4 fall in order)
 sed 's/number = 4/number = 2/; s/end = 8/end = 6.5/
-    s/level = 5/level = 4\nfaces = arithmetic/' dent.ini >errors.ini
+    s/level = 5/level = 4\nfaces = arithmetic\norder = 2/' dent.ini >errors.ini
 expect 0 "$OVERROLL" run errors.ini -o errors.h5 --estimate-error --json -q
 contains out '"X_meniscus_mean_error": [0-9.e-]+,'
 contains out '"H_cen_mean_error_relative": [0-9.e-]+,'
@@ -203,7 +203,7 @@ contains out '"error_level": [0-9]'
 expect 0 "$OVERROLL" run errors.ini -o auto.h5 --force \
     --set domain.level=auto --set domain.accuracy=0.1 \
     --set domain.accuracy_of=H_min --set passes.loss=0.9 \
-    --set time.end=2 --set feature.d.start=-1.5
+    --set domain.faces=gap --set time.end=2 --set feature.d.start=-1.5
 contains err 'pass 2: level [0-9]+ was chosen for an error of 0.1 of H_min'
 
 # With a flow law, heat, stress, and a halt: all go, and oil is kept

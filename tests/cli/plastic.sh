@@ -363,3 +363,28 @@ for name in names[:-1]:
 # Two bodies share what one alone would bear: each flows less.
 assert one.attrs["work"] < s["plastic/surface_1"].attrs["work"]
 END
+
+# Layers of the body's own moduli yield as it does; on the other body a layer
+# of a hundred half widths is that body; others on what yields are refused.
+expect 0 "$OVERROLL" run plastic.ini -o alike.h5 -q --json \
+    --set 'coating 1.thickness=20 um' --set 'coating 1.modulus=206 GPa' \
+    --set 'coating 1.residual_x=-1 GPa'
+cp out alike.json
+expect 0 "$OVERROLL" run plastic.ini -o deep.h5 -q --json \
+    --set 'coating 2.thickness=20 mm' --set 'coating 2.modulus=100 GPa'
+cp out deep.json
+expect 0 "$OVERROLL" run plastic.ini -o half.h5 -q --json \
+    --set 'body 2.modulus=100 GPa'
+cp out half.json
+refuses 'a body that yields does not go with .*coating.* modulus = 205 GPa' \
+    check plastic.ini --set 'coating 1.thickness=20 um' \
+    --set 'coating 1.modulus=205 GPa'
+expect 0 "$PYTHON" - <<'END'
+import json
+soft, alike, deep, half = (json.load(open(n + ".json"))
+                           for n in ("soft", "alike", "deep", "half"))
+for a, b, most in ((soft, alike, 1e-6), (half, deep, 1e-4)):
+    assert a["plastic_strain_max"] > 1e-3
+    for key in ("plastic_strain_max", "shoulder_height_trailing", "H_min"):
+        assert abs(b[key] / a[key] - 1) < most, (key, a[key], b[key])
+END

@@ -85,3 +85,18 @@ paste -d, fluid.csv out | awk -F, 'NR > 1 { P = $2 + $4
     fail 'oil and metal do not carry the load'
 expect 0 "$OVERROLL" view touch.h5 -o touch.html
 grep -q '"C":{"levels"' touch.html || fail 'the page does not mark what touches'
+
+# What check foretells of the friction holds the run between its bounds, and is
+# next to it where little touches.
+for speed in 2 4 8; do
+    expect 0 "$OVERROLL" check touch.ini --set "contact.mean_speed=$speed m/s"
+    # shellcheck disable=SC2046 # two words
+    set -- $(sed -n 's/^#  *mu  *\([0-9.e-]*\) to \([0-9.e-]*\) by.*/\1 \2/p' \
+        out)
+    expect 0 "$OVERROLL" steady touch.ini --json \
+        --set "contact.mean_speed=$speed m/s" --set domain.level=6
+    mu=$(sed -n 's/.*"mu_slide": \([^,]*\).*/\1/p' out)
+    awk -v low="$1" -v high="$2" -v mu="$mu" 'BEGIN {
+        exit !(mu > 0.93 * low && mu < 1.05 * high) }' ||
+        fail "$speed m/s: mu $mu, foretold $1 to $2"
+done

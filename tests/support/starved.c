@@ -8,9 +8,12 @@
 #include "support/contact.h"
 #include "support/test.h"
 
-static ovr_simulation *make(double M, double L, int level, double tolerance)
+static ovr_simulation *make(double M, double L, int level, double tolerance,
+                            ovr_scheme scheme, int order)
 {
     ovr_options o = test_options();
+    o.scheme = scheme;
+    o.order = order;
     o.level = level;
     o.tolerance = tolerance;
     o.cavitation = OVR_CAVITATION_CONSERVING;
@@ -20,7 +23,7 @@ static ovr_simulation *make(double M, double L, int level, double tolerance)
 test_flooded test_flood(double M, double L, int level)
 {
     ovr_error err = {0};
-    ovr_simulation *sim = make(M, L, level, 0);
+    ovr_simulation *sim = make(M, L, level, 0, OVR_UPSTREAM2, 2);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     const ovr_observation *o = ovr_simulation_observation(sim);
     test_flooded f = {o->H_cen, o->outflow};
@@ -38,7 +41,7 @@ ovr_status test_starve(double M, double L, int level, double share, int *ways,
                        ovr_error *err)
 {
     double q = share * test_flood(M, L, level).flow;
-    ovr_simulation *sim = make(M, L, level, 0);
+    ovr_simulation *sim = make(M, L, level, 0, OVR_UPSTREAM2, 2);
     ovr_simulation_supply(sim, constant, &q, 0);
     ovr_status status = ovr_simulation_steady(sim, err);
     *ways = 1 + ovr_simulation_observation(sim)->retries;
@@ -131,7 +134,8 @@ static ovr_history *sine(uint64_t *seed, double most)
     return varies ? ovr_history_create(&form, NULL, NULL) : NULL;
 }
 
-test_starved_run test_starved(uint64_t seed, int level)
+test_starved_run test_starved(uint64_t seed, int level, ovr_scheme scheme,
+                              int order)
 {
     uint64_t random = seed;
     test_starved_run run = {.M = 5 * pow(40, pick(&random, 0, 1)),
@@ -140,7 +144,7 @@ test_starved_run test_starved(uint64_t seed, int level)
     scene s;
     make_scene(&s, &random, test_flood(run.M, run.L, level), u);
     ovr_history *load = sine(&random, 0.9), *speed = sine(&random, 0.95);
-    ovr_simulation *sim = make(run.M, run.L, level, 1e-5);
+    ovr_simulation *sim = make(run.M, run.L, level, 1e-5, scheme, order);
     ovr_simulation_supply(sim, supply, &s, 0.1);
     ovr_simulation_histories(sim, load, speed);
     ovr_simulation_surface(sim, heights, &s);

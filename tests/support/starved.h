@@ -27,6 +27,7 @@ typedef struct test_starved_run {
     double M, L, cycles; /* a step */
     long retries, substeps, marked;
 } test_starved_run;
-test_starved_run test_starved(uint64_t seed, int level);
+test_starved_run test_starved(uint64_t seed, int level, ovr_scheme scheme,
+                              int order);
 
 #endif

@@ -8,12 +8,15 @@
 #include "support/test.h"
 
 /* Surfaces that touch are no failure of the solver. */
-static void survey(int runs, int level, uint64_t seed)
+static void survey(int runs, int level, uint64_t seed, ovr_scheme scheme,
+                   int order)
 {
+    long retries = 0;
     int plain = 0, retried = 0, halved = 0, touching = 0;
     double cycles = 0;
     for (int k = 0; k < runs; k++) {
-        test_starved_run r = test_starved(seed + (uint64_t)k, level);
+        test_starved_run r = test_starved(seed + (uint64_t)k, level, scheme,
+                                          order);
         cycles += r.cycles / runs;
         touching += r.status == OVR_IMPOSSIBLE;
         if (r.status && r.status != OVR_IMPOSSIBLE)
@@ -21,25 +24,32 @@ static void survey(int runs, int level, uint64_t seed)
                    r.err.message);
         assert_true(!r.status || r.status == OVR_IMPOSSIBLE);
         assert_true(r.marked == 0);
+        retries += r.retries;
         plain += r.retries == 0;
         retried += r.retries > 0 && r.substeps == 0;
         halved += r.substeps > 0;
     }
-    printf("level %d, seeds %d on: %d runs, %d without retries, %d retried, %d "
-           "with halved steps, %d touching; %.2f cycles a step\n",
-           level, (int)seed, runs, plain, retried, halved, touching, cycles);
+    printf(
+        "level %d, %s, order %d, seeds %d on: %d runs, %d without retries, %d "
+        "retried (%ld), %d with halved steps, %d touching; %.2f cycles a "
+        "step\n",
+        level, ovr_scheme_name(scheme), order, (int)seed, runs, plain, retried,
+        retries, halved, touching, cycles);
 }
 
 static void random_runs(void **state)
 {
     (void)state;
-    survey(200, 7, 1000);
+    survey(200, 7, 1000, OVR_UPSTREAM2, 2);
+    survey(200, 7, 1000, OVR_CHARACTERISTIC, 2);
+    survey(200, 7, 1000, OVR_CHARACTERISTIC, 4);
 }
 
 static void random_runs_finer(void **state)
 {
     (void)state;
-    survey(40, 8, 2000);
+    survey(40, 8, 2000, OVR_UPSTREAM2, 2);
+    survey(40, 8, 2000, OVR_CHARACTERISTIC, 4);
 }
 
 /* Each M and L at these shares of its flooded flow: all are solved. */

@@ -54,7 +54,8 @@ static const ovr_parameter domain_keys[] = {
      "of the steady solution and of a run: 4 corrects film, Poiseuille flow "
      "and wedge on the finest grid, anew after each step along the "
      "characteristic (with upstream2 a run keeps those of its start, while "
-     "load, speed and radius are constant); auto: 4 where it applies, with "
+     "load, speed and radius are constant and oil is not conserved); auto: 4 "
+     "where it applies, with "
      "heat 2"},
     {"faces", CHOICE(faces), "gap", AT(options.faces), true, ALWAYS,
      "mean of rho H^3/eta between two nodes: by the gap, harmonic in H^3, or "

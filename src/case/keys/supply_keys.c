@@ -16,7 +16,7 @@ static const ovr_parameter cavitation_keys[] = {
     {"model", CHOICE(cavitations), "reynolds", AT(options.cavitation), true,
      ALWAYS,
      "reynolds: a gap without pressure counts as full; conserving: it holds "
-     "the oil that came, with upstream2 or upstream1 and order 2"},
+     "the oil that came; order 4 is along the characteristic only"},
 };
 
 const ovr_section ovr_cavitation_section = {

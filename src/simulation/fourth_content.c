@@ -1,0 +1,174 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "simulation/fourth_content.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "contact/contact.h"
+#include "simulation/mirror.h"
+
+ovr_status ovr_fourth_content_take(ovr_simulation *sim, ovr_fourth_content *of,
+                                   ovr_error *err)
+{
+    double **const all[] = {&of->mask, &of->flux,    &of->excess,
+                            &of->bend, &of->room[0], &of->room[1]};
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+        if (!(*all[k] = ovr_arena_take(&sim->arena, sim->finest->grid.n,
+                                       sizeof(double), err)))
+            return OVR_NO_MEMORY;
+    return OVR_OK;
+}
+
+/* ------------------------------------------------------------- inside the film
+ */
+
+/* Where the film begins and ends, in meshes: between nodes, so that nothing
+ * jumps as it takes or leaves one. */
+typedef struct film {
+    double begin, end;
+} film;
+
+/* The cell before the first wet node is filled in part, on its downstream
+ * side. */
+static double beginning(const ovr_solution *s, size_t first)
+{
+    if (first <= 1)
+        return -INFINITY;
+    double before = first > 2 ? s->q[first - 2] : 0;
+    double room = s->H[first - 1] - before;
+    double part = room > 0 ? (s->q[first - 1] - before) / room : 1;
+    return (double)first - 0.5 - fmin(fmax(part, 0), 1);
+}
+
+/* As film_end of fourth.c has it. */
+static double ending(const ovr_solution *s, size_t last)
+{
+    const double *P = s->P + last;
+    double bend = P[-1] - 2 * P[0];
+    return (double)last + (bend > P[0] ? P[0] / bend : 1);
+}
+
+/* That of the largest pressure. */
+static film film_of(const ovr_simulation *sim)
+{
+    const ovr_solution *s = &sim->now;
+    size_t first = sim->grids.kernels->extreme(s->n, -1, s->P), last = first;
+    while (first > 0 && s->P[first - 1] > 0)
+        first--;
+    while (last + 1 < s->n && s->P[last + 1] > 0)
+        last++;
+    return (film){beginning(s, first), ending(s, last)};
+}
+
+/* From 0 within three meshes of an end to 1 over so many. */
+static double away(double meshes, double over)
+{
+    const double sharp = 3;
+    return fmin(fmax((meshes - sharp) / over, 0), 1);
+}
+
+static void fade(const ovr_simulation *sim, double *m)
+{
+    const double begins = 8, ends = 4;
+    const film f = film_of(sim);
+    size_t n = sim->now.n;
+    for (size_t i = 0; i < n; i++) {
+        bool inside = i >= OVR_FOURTH_MARGIN && i + OVR_FOURTH_MARGIN < n;
+        m[i] = inside ? fmin(away((double)i - f.begin, begins),
+                             away(f.end - (double)i, ends))
+                      : 0;
+    }
+}
+
+/* ------------------------------------------------------------------- corrected
+ */
+
+/* f and f2 of fourth_content.h, at half nodes. */
+static const double *flows(ovr_simulation *sim, ovr_fourth_content *of,
+                           const ovr_correction *c, const double **second)
+{
+    const ovr_solution *s = &sim->now;
+    if (sim->finest->f.tangent) {
+        *second = c->work[6];
+        return c->work[5];
+    }
+    ovr_nodes_read(sim, sim->finest, sim->grids.band.b[1], of->flux);
+    for (size_t i = 0; i + 1 < s->n; i++) {
+        double twice = s->flow ? s->flow[i] : s->eps[i] + s->eps[i + 1];
+        of->room[0][i] = twice * (s->P[i + 1] - s->P[i]) / (2 * s->D);
+    }
+    *second = of->room[0];
+    return of->flux;
+}
+
+void ovr_fourth_content_evaluate(ovr_simulation *sim, ovr_fourth_content *of,
+                                 const ovr_correction *c, double Cu, double *F,
+                                 double *gap)
+{
+    const double *q = sim->now.q, *m = of->mask, *second;
+    size_t n = sim->now.n;
+    ovr_fourth_evaluate(&sim->grids, c, 0);
+    const double *f = flows(sim, of, c, &second);
+    double *phi = of->excess;
+    fade(sim, of->mask);
+    memset(phi, 0, n * sizeof *phi);
+    for (size_t i = OVR_FOURTH_MARGIN; i + OVR_FOURTH_MARGIN < n; i++) {
+        double least = fmin(m[i], m[i + 1]);
+        double wedge = (3 * q[i + 1] - 5 * q[i] + q[i - 1] + q[i - 2]) / 12;
+        double pressed = (26 * f[i] - f[i + 1] - f[i - 1]) / 24 - second[i];
+        if (least > 0)
+            phi[i] = least * (pressed - Cu * wedge);
+    }
+    F[0] = 0;
+    for (size_t i = 1; i < n; i++)
+        F[i] = -(phi[i] - phi[i - 1]) / sim->now.D;
+    ovr_nodes_read(sim, sim->finest, c->gap, gap);
+}
+
+/* G, of what was at the feet one and two steps before, h1 and h2 ago; what it
+ * was goes to `before`. */
+static void bend(ovr_simulation *sim, ovr_fourth_content *of,
+                 const double *const came[2], const double h[2], double *before)
+{
+    const double *q = sim->now.q;
+    for (size_t i = 0; i < sim->now.n; i++) {
+        double late = (q[i] - came[0][i]) / h[0];
+        double early = (came[0][i] - came[1][i]) / h[1];
+        double m = of->mask[i];
+        before[i] = of->bend[i];
+        of->bend[i] = m > 0 ? m * (late - early) / (h[0] + h[1]) : 0;
+    }
+}
+
+void ovr_fourth_content_third(ovr_simulation *sim, ovr_fourth_content *of,
+                              double T, double dT, double *third)
+{
+    const ovr_carriage *c = &sim->arrival.carriage;
+    const double *const came[2] = {c->coming, c->coming_twice};
+    const double *past = sim->past.T;
+    double h[3] = {dT, dT, dT};
+    for (int k = 1; k < 3; k++)
+        h[k] = past[k] < past[k - 1] ? past[k - 1] - past[k] : h[k - 1];
+    bend(sim, of, came, h, of->room[0]);
+    ovr_carriage_move(sim, T, of->room[0], of->room[1]);
+    for (size_t i = 0; i < sim->now.n; i++)
+        third[i] = (of->bend[i] - of->room[1][i]) / (h[0] + h[1] + h[2]);
+}
+
+void ovr_fourth_content_begin(ovr_simulation *sim, ovr_fourth_content *of,
+                              double dT, double *third)
+{
+    const double *const came[2] = {of->room[0], of->room[1]};
+    const double h[2] = {dT, dT};
+    double T = sim->past.T[0] + dT, a = ovr_travel_since(sim, 0, T);
+    size_t unknown = OVR_FOURTH_MARGIN + 2 * (size_t)ceil(a / ovr_mesh(sim)) +
+                     4;
+    fade(sim, of->mask);
+    ovr_carriage_move(sim, T, sim->now.q, of->room[0]);
+    ovr_carriage_move(sim, T, of->room[0], of->room[1]);
+    bend(sim, of, came, h, third);
+    memset(of->bend, 0, unknown * sizeof *of->bend);
+    ovr_carriage_move(sim, T, of->bend, of->room[0]);
+    for (size_t i = 0; i < sim->now.n; i++)
+        third[i] = (of->bend[i] - of->room[0][i]) / (3 * dT);
+}
