@@ -38,7 +38,7 @@ static const char *in_list(const ovr_restart_info *of, const char *name)
 }
 
 /* What `auto` chose until 0.2.0, which knew no other mean between nodes: under
- * histories the separate terms. */
+ * histories, and where oil is conserved, the separate terms. */
 static const char *scheme_once(const ovr_restart_info *of)
 {
     static const char *const histories[] = {
@@ -46,6 +46,9 @@ static const char *scheme_once(const ovr_restart_info *of)
     const char *text = in_list(of, "time.scheme");
     if (!text || strcmp(text, "auto") != 0 || in_list(of, "domain.faces"))
         return text;
+    const char *cavitation = in_list(of, "cavitation.model");
+    if (cavitation && !strcmp(cavitation, "conserving"))
+        return "upstream2";
     for (size_t k = 0; k < sizeof histories / sizeof *histories; k++) {
         const char *history = in_list(of, histories[k]);
         if (history && strcmp(history, "constant") != 0)

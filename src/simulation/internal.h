@@ -273,7 +273,7 @@ bool ovr_conserves(const ovr_simulation *sim);
 /* The steady film where oil is conserved, corrected where that applies; one
  * without corrections again. */
 ovr_defect ovr_fourth_conserved(ovr_simulation *sim, const ovr_full *how,
-                                ovr_defect found, int *cycles);
+                                ovr_defect solved, int *cycles);
 void ovr_fourth_leave(ovr_simulation *sim);
 
 /* The history term where oil is conserved (content_history.c). */
