@@ -2,7 +2,8 @@
 /*
  * 100 random pairs of ground surfaces (support/ground.h) by Eyring's law, one
  * in five hot, that touch through a layer of 3 nm, at each of lambda 0.7 to 3
- * and 0.3 to 0.7, level 7.  Of the former none breaks off.
+ * and 0.3 to 0.7, level 7.   Of the former none breaks off, of the
+ * latter five at most.
  */
 #include "support/ground.h"
 #include "support/test.h"
@@ -19,7 +20,7 @@ static void thin_films_go_through(void **state)
 {
     (void)state;
     test_ground_tally t = test_ground_survey(33100, 100, 0.3, 0.7, 7, 3);
-    assert_true(t.broken <= 15);
+    assert_true(t.broken <= 5);
 }
 
 int main(void)

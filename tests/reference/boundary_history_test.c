@@ -1,0 +1,230 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Surfaces that touch through a mean film whose speed changes: it stops to
+ * rest, starts from there, turns; a cam and a gear over their whole way.
+ *
+ * Truth at rest, P = A(H), A = exp(-H/0.02) on [-1.5, 1.5], 449 nodes: dense
+ * Newton's method in another language, without any oil; residual 4e-14; copied
+ * from truth/contact.json of the project's shared folder.
+ */
+#include <math.h>
+#include <stdio.h>
+
+#include "support/test.h"
+
+#include "overroll/overroll.h"
+
+enum { SHARE, AREA, A_MAX };
+
+static const char *const rest[] = {"contact.M=100",
+                                   "contact.L=1",
+                                   "lubricant.alpha=17 1/GPa",
+                                   "domain.inlet=-1.5",
+                                   "domain.outlet=1.5",
+                                   "domain.level=6",
+                                   "time.end=20000",
+                                   "time.step=20",
+                                   "time.scheme=upstream2",
+                                   "speed.history=ramp",
+                                   "speed.from=1",
+                                   "speed.to=0",
+                                   "speed.duration=1",
+                                   "boundary.amplitude=1",
+                                   "boundary.decay=0.02",
+                                   "output.every=100000",
+                                   NULL};
+
+/* 1 GPa, Eyring's oil; lambda 1 at its mean speed. */
+static const char *const ground[] = {"contact.hertz_pressure=1 GPa",
+                                     "contact.radius=6.84 mm",
+                                     "contact.modulus=227 GPa",
+                                     "contact.mean_speed=3.22 m/s",
+                                     "contact.slide_to_roll=0.3",
+                                     "contact.viscosity=10 mPa.s",
+                                     "contact.alpha=20 1/GPa",
+                                     "lubricant.rheology=eyring",
+                                     "lubricant.eyring_stress=5 MPa",
+                                     "domain.level=5",
+                                     "domain.outlet=4",
+                                     "domain.inlet=-4",
+                                     "boundary.Rq=194 nm",
+                                     "boundary.slope=0.03",
+                                     "boundary.friction=0.11",
+                                     NULL};
+
+/* A whole event, its speed turning four times; of the pitch line. */
+static const char *const cam[] = {"cam.follower=flat",
+                                  "cam.base_radius=26 mm",
+                                  "cam.face=12 mm",
+                                  "cam.speed=1000 rpm",
+                                  "cam.law=4567",
+                                  "cam.lift=6 mm",
+                                  "cam.rise=70 deg",
+                                  "cam.spring=30 N/mm",
+                                  "cam.preload=250 N",
+                                  "cam.mass=100 g",
+                                  "contact.modulus=226 GPa",
+                                  "lubricant.viscosity=10 mPa.s",
+                                  "lubricant.alpha=15 1/GPa",
+                                  "lubricant.rheology=eyring",
+                                  "domain.level=5",
+                                  "lubricant.eyring_stress=5 MPa",
+                                  "boundary.Rq=200 nm",
+                                  "boundary.slope=0.03",
+                                  "boundary.friction=0.1",
+                                  NULL};
+
+static const char *const gear[] = {"gear.module=3 mm",
+                                   "gear.teeth_1=20",
+                                   "gear.teeth_2=40",
+                                   "gear.centre=90 mm",
+                                   "gear.face=20 mm",
+                                   "gear.speed=1000 rpm",
+                                   "gear.sharing=rule",
+                                   "gear.blend=0.0451651",
+                                   "contact.modulus=226 GPa",
+                                   "contact.hertz_pressure=1 GPa",
+                                   "lubricant.viscosity=11 mPa.s",
+                                   "lubricant.alpha=16 1/GPa",
+                                   "domain.level=5",
+                                   "lubricant.rheology=eyring",
+                                   "lubricant.eyring_stress=5 MPa",
+                                   "boundary.Rq=300 nm",
+                                   "boundary.slope=0.03",
+                                   "boundary.friction=0.1",
+                                   NULL};
+
+static void assign(ovr_case *c, const char *setting)
+{
+    ovr_error err = {0};
+    CHECK_OK(ovr_case_assign(c, setting, "test", &err), &err);
+}
+
+static ovr_case *begin(const char *const *settings)
+{
+    ovr_error err = {0};
+    ovr_case *c = ovr_case_create(NULL, &err);
+    assert_non_null(c);
+    for (; *settings; settings++)
+        assign(c, *settings);
+    assign(c, "boundary.law=exponential");
+    return c;
+}
+
+/* To its end, and the case away. */
+static ovr_run *gone(ovr_case *c)
+{
+    ovr_error err = {0};
+    ovr_run_options how = {0};
+    ovr_run *run = ovr_run_create(c, &how, NULL, &err);
+    CHECK_OK(run ? OVR_OK : err.status, &err);
+    CHECK_OK(ovr_run_go(run, &err), &err);
+    ovr_case_free(c);
+    return run;
+}
+
+static const ovr_observation *end_of(const ovr_run *run)
+{
+    return ovr_simulation_observation(ovr_run_about(run)->sim);
+}
+
+static void at_rest_metal_bears_all(void **state)
+{
+    (void)state;
+    ovr_run *run = gone(begin(rest));
+    const ovr_observation *o = end_of(run);
+    print_message("at rest: H0 %+.1e, H_min %+.1e, P %+.1e, share 1 %+.1e\n",
+                  o->H0 + 0.5825764670328836, o->H_min - 0.0003995540592388602,
+                  o->more[A_MAX] - 0.9802205290775604, o->more[SHARE] - 1);
+    CHECK_NEAR(o->more[SHARE], 1, 1e-9);
+    CHECK_NEAR(o->H0, -0.5825764670328836, 1e-8);
+    CHECK_NEAR(o->H_min, 0.0003995540592388602, 1e-8);
+    CHECK_NEAR(o->more[A_MAX], 0.9802205290775604, 1e-8);
+    ovr_run_free(run);
+}
+
+/* After a stop what the film bears is squeezed out: metal bears more and more,
+ * and nothing of it is lost. */
+static void a_stop_squeezes_the_film_out(void **state)
+{
+    double last = 0;
+    (void)state;
+    for (int k = 0; k < 3; k++) {
+        static const char *const ends[] = {"time.end=4", "time.end=12",
+                                           "time.end=36"};
+        ovr_case *c = begin(ground);
+        assign(c, "speed.history=ramp");
+        assign(c, "speed.from=1");
+        assign(c, "speed.to=0");
+        assign(c, "speed.duration=4");
+        assign(c, ends[k]);
+        ovr_run *run = gone(c);
+        const ovr_observation *o = end_of(run);
+        print_message("%s: share %.4f\n", ends[k], o->more[SHARE]);
+        CHECK_NEAR(o->load, acos(-1.0) / 2, 1e-7);
+        assert_true(o->more[SHARE] > last + 0.02 && o->more[SHARE] < 1);
+        last = o->more[SHARE];
+        ovr_run_free(run);
+    }
+}
+
+/* Started from rest, or turned, the film becomes the steady one, after a turn
+ * its mirror image. */
+static void after_a_turn_it_is_the_steady_film(void **state)
+{
+    (void)state;
+    ovr_run *run = gone(begin(ground));
+    double share = end_of(run)->more[SHARE], H = end_of(run)->H_cen;
+    ovr_run_free(run);
+    for (int turns = 0; turns < 2; turns++) {
+        ovr_case *c = begin(ground);
+        assign(c, "speed.history=ramp");
+        assign(c, turns ? "speed.from=1" : "speed.from=0");
+        assign(c, turns ? "speed.to=-1" : "speed.to=1");
+        assign(c, "speed.duration=4");
+        assign(c, "time.end=20");
+        run = gone(c);
+        const ovr_observation *o = end_of(run);
+        double most = ovr_simulation_statistics(ovr_run_about(run)->sim)
+                          ->extreme.more[SHARE];
+        print_message("%s: share %.4f at most, %.6f at the end, %.6f steady\n",
+                      turns ? "turned" : "from rest", most, o->more[SHARE],
+                      share);
+        assert_true(most > 1.2 * share);
+        CHECK_CLOSE(o->more[SHARE], share, 1e-4);
+        CHECK_CLOSE(o->H_cen, H, 1e-5);
+        ovr_run_free(run);
+    }
+}
+
+static void go_through(const char *const *settings, const char *name)
+{
+    ovr_run *run = gone(begin(settings));
+    const ovr_statistics *s = ovr_simulation_statistics(
+        ovr_run_about(run)->sim);
+    print_message("%s: %ld steps, %.2f of Newton's method each, %ld retries, "
+                  "share %.4f in the mean, %.4f at most\n",
+                  name, s->steps, (double)s->cycles / (double)s->steps,
+                  s->retries, s->mean.more[SHARE], s->extreme.more[SHARE]);
+    assert_int_equal(s->marked, 0);
+    assert_true(s->mean.more[SHARE] > 0.01);
+    assert_true(s->extreme.more[SHARE] < 1);
+    ovr_run_free(run);
+}
+
+static void cams_and_gears_go_through(void **state)
+{
+    (void)state;
+    go_through(cam, "cam");
+    go_through(gear, "gear");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(at_rest_metal_bears_all),
+        cmocka_unit_test(a_stop_squeezes_the_film_out),
+        cmocka_unit_test(after_a_turn_it_is_the_steady_film),
+        cmocka_unit_test(cams_and_gears_go_through)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
