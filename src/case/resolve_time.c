@@ -8,9 +8,8 @@
 #include "simulation/wear.h"
 
 /* Steps of whole meshes along the characteristic carry what moves without
- * error, and there corrections of fourth order follow histories; with others,
- * with heat under histories and where the speed reverses the separate terms do.
- */
+ * error, and there corrections of fourth order follow histories; with others
+ * and where the speed reverses the separate terms do. */
 static ovr_scheme choose_scheme(const ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;
@@ -20,9 +19,8 @@ static ovr_scheme choose_scheme(const ovr_resolved *r)
     if (!s->transient &&
         r->values.options.cavitation == OVR_CAVITATION_CONSERVING)
         return OVR_CHARACTERISTIC; /* its order is 4 */
-    bool follows = !r->values.heat_model && !ovr_history_turns(s->speed);
-    return grid && (follows || !ovr_setup_varies(s)) ? OVR_CHARACTERISTIC
-                                                     : OVR_UPSTREAM2;
+    return grid && !ovr_history_turns(s->speed) ? OVR_CHARACTERISTIC
+                                                : OVR_UPSTREAM2;
 }
 
 static ovr_status resolve_radius(ovr_resolved *r,

@@ -37,17 +37,40 @@ static const char *in_list(const ovr_restart_info *of, const char *name)
     return NULL;
 }
 
-/* What `auto` chose until 0.2.0, which knew no other mean between nodes: under
- * histories, and where oil is conserved, the separate terms. */
+static bool is_in_list(const ovr_restart_info *of, const char *name,
+                       const char *text)
+{
+    const char *found = in_list(of, name);
+    return found && !strcmp(found, text);
+}
+
+/* Whether a key was left to a version that knew no other mean between nodes
+ * than the arithmetic one: 0.2.0 or before. */
+static bool was_auto(const ovr_restart_info *of, const char *name)
+{
+    return is_in_list(of, name, "auto") && !in_list(of, "domain.faces");
+}
+
+/* What `auto` chose then: with heat or conserved oil second order, */
+static const char *order_once(const ovr_restart_info *of)
+{
+    if (was_auto(of, "domain.order") &&
+        (is_in_list(of, "heat.model", "lobatto") ||
+         is_in_list(of, "cavitation.model", "conserving")))
+        return "2";
+    return in_list(of, "domain.order");
+}
+
+/* and under histories, with heat or conserved oil the separate terms. */
 static const char *scheme_once(const ovr_restart_info *of)
 {
     static const char *const histories[] = {
         "load.history", "speed.history", "radius.history", "radius_1.history"};
     const char *text = in_list(of, "time.scheme");
-    if (!text || strcmp(text, "auto") != 0 || in_list(of, "domain.faces"))
+    if (!was_auto(of, "time.scheme"))
         return text;
-    const char *cavitation = in_list(of, "cavitation.model");
-    if (cavitation && !strcmp(cavitation, "conserving"))
+    if (is_in_list(of, "heat.model", "lobatto") ||
+        is_in_list(of, "cavitation.model", "conserving"))
         return "upstream2";
     for (size_t k = 0; k < sizeof histories / sizeof *histories; k++) {
         const char *history = in_list(of, histories[k]);
@@ -59,8 +82,9 @@ static const char *scheme_once(const ovr_restart_info *of)
 
 static const char *recorded(const ovr_restart_info *of, const char *name)
 {
-    const char *text = strcmp(name, "time.scheme") ? in_list(of, name)
-                                                   : scheme_once(of);
+    const char *text = !strcmp(name, "time.scheme")    ? scheme_once(of)
+                       : !strcmp(name, "domain.order") ? order_once(of)
+                                                       : in_list(of, name);
     for (size_t k = 0; !text && k < sizeof sections / sizeof *sections; k++) {
         size_t length = strlen(sections[k].now);
         char before[NAME_ROOM];

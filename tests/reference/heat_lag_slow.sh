@@ -63,7 +63,7 @@ eyring_stress = 5 MPa'
 {
     contact 300000 8 226 3 0.02 ''
     echo "${jump}2"
-    printf '[domain]\ninlet = -6\noutlet = 4\n'
+    printf '[domain]\ninlet = -6\noutlet = 4\norder = 2\n'
 } >far.ini
 
 # run CODE CASE LEVEL END SETTING...: its numbers to `out`
@@ -71,7 +71,8 @@ run() {
     code=$1 case=$2 level=$3 end=$4
     shift 4
     expect "$code" "$OVERROLL" run "$case.ini" --json -o run.h5 --force \
-        --set domain.level="$level" --set time.end="$end" "$@"
+        --set domain.level="$level" --set time.end="$end" \
+        --set time.scheme=upstream2 "$@"
 }
 value() {
     sed -n "s/^  \"$1\": \([-0-9.e+]*\),*\$/\1/p" out

@@ -28,6 +28,7 @@ temperature = 80 degC
 inlet = -4
 outlet = 1.5
 level = 6
+order = 2
 [feature dent]
 surface = 1
 shape = indent
