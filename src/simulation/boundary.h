@@ -48,4 +48,11 @@ bool ovr_boundary_keeps(const void *form, const ovr_feature_form *feature);
 void ovr_boundary_tell(const ovr_physics_case *of, const void *form,
                        ovr_physics_line *line, void *data);
 
+/* What to say where the roughness S on the mesh was too much for a film H under
+ * a law: its lambda, down to which such pairs hold, and what the mean film
+ * makes of it; nothing where there is no roughness. */
+void ovr_boundary_instead(const ovr_touch_law *law, double H, size_t n,
+                          const double *X, const double *S, size_t size,
+                          char *text);
+
 #endif

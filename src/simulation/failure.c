@@ -12,6 +12,7 @@
 #include <stdio.h>
 
 #include "contact/film_formula.h"
+#include "simulation/boundary.h"
 #include "simulation/internal.h"
 
 static const double resolved = 0.3, too_coarse = 0.7;
@@ -147,15 +148,27 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
                                  : "");
 }
 
+/* Of the contact at nominal load and speed. */
+static void instead(const ovr_simulation *sim, size_t size, char *text)
+{
+    double H = ovr_film_central_moes(sim->contact.M, sim->contact.L);
+    text[0] = '\0';
+    if (sim->grids.touch.at && sim->heights)
+        ovr_boundary_instead(sim->grids.touch.law, H, sim->now.n, sim->now.X,
+                             sim->S, size, text);
+}
+
 ovr_status ovr_failure_step(const ovr_simulation *sim,
                             const ovr_outcome *outcome, double T,
                             ovr_error *err)
 {
-    if (ovr_surfaces_overlap(sim, &outcome->defect))
+    char text[400];
+    instead(sim, sizeof text, text);
+    if (!sim->grids.touch.at && ovr_surfaces_overlap(sim, &outcome->defect))
         return touching(sim, T, err);
     return ovr_fail(err, OVR_NOT_CONVERGED,
                     "step %ld to T = %g did not converge, nor did parts of it "
-                    "down to the mesh/%d: %s",
+                    "down to the mesh/%d: %s%s",
                     sim->state.step + 1, T, 1 << OVR_HALVINGS,
-                    ending_of(&outcome->defect).words);
+                    ending_of(&outcome->defect).words, text);
 }

@@ -9,9 +9,11 @@
  */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "support/test.h"
 
+#include "contact/film_formula.h"
 #include "overroll/overroll.h"
 
 enum { SHARE, AREA, A_MAX };
@@ -219,12 +221,69 @@ static void cams_and_gears_go_through(void **state)
     go_through(gear, "gear");
 }
 
+/* A layer that is a wall, under ridges that slide, at lambda 0.08. */
+static const char *const sealed[] = {"contact.hertz_pressure=0.69 GPa",
+                                     "contact.radius=6.84 mm",
+                                     "contact.modulus=226 GPa",
+                                     "contact.mean_speed=0.05 m/s",
+                                     "contact.slide_to_roll=1.9",
+                                     "contact.viscosity=11 mPa.s",
+                                     "contact.alpha=16 1/GPa",
+                                     "domain.level=5",
+                                     "domain.outlet=2.5",
+                                     "time.end=3",
+                                     "time.scheme=characteristic",
+                                     "time.step=grid",
+                                     "boundary.of=unresolved",
+                                     "boundary.layer=3 nm",
+                                     "boundary.layer_decay=0.05 nm",
+                                     "feature f.shape=roughness",
+                                     "feature f.Rq=0.2 um",
+                                     "feature f.length=12",
+                                     "feature f.shortest=8 um",
+                                     "feature f.rolloff=40 um",
+                                     "feature f.seed=3",
+                                     "feature f.start=inlet",
+                                     NULL};
+
+static double film_over(const ovr_run *run, double Rq)
+{
+    const ovr_contact *of = ovr_run_about(run)->setup->contact;
+    return of->height * ovr_film_central_moes(of->M, of->L) / Rq;
+}
+
+/* What breaks off says its lambda, down to which it would hold, and what the
+ * mean film makes of it. */
+static void what_breaks_off_says_what_holds(void **state)
+{
+    ovr_error err = {0};
+    ovr_run_options how = {0};
+    double lambda = NAN;
+    (void)state;
+    ovr_case *c = begin(sealed);
+    assign(c, "boundary.law=layer");
+    ovr_run *run = ovr_run_create(c, &how, NULL, &err);
+    CHECK_OK(run ? OVR_OK : err.status, &err);
+    assert_int_equal(ovr_run_go(run, &err), OVR_NOT_CONVERGED);
+    print_message("%s\n", err.message);
+    const char *told = strstr(err.message, "lambda is ");
+    assert_non_null(told);
+    assert_int_equal(sscanf(told, "lambda is %lf", &lambda), 1);
+    /* the film formula over 0.2 um, of which waves of 1 b see some 0.9 */
+    CHECK_CLOSE(lambda, film_over(run, 0.2e-6), 0.2);
+    assert_non_null(strstr(err.message, "0.3"));
+    assert_non_null(strstr(err.message, "of = all"));
+    ovr_run_free(run);
+    ovr_case_free(c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(at_rest_metal_bears_all),
         cmocka_unit_test(a_stop_squeezes_the_film_out),
         cmocka_unit_test(after_a_turn_it_is_the_steady_film),
-        cmocka_unit_test(cams_and_gears_go_through)};
+        cmocka_unit_test(cams_and_gears_go_through),
+        cmocka_unit_test(what_breaks_off_says_what_holds)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

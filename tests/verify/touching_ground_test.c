@@ -2,8 +2,8 @@
 /*
  * 100 random pairs of ground surfaces (support/ground.h) by Eyring's law, one
  * in five hot, that touch through a layer of 3 nm, at each of lambda 0.7 to 3
- * and 0.3 to 0.7, level 7.   Of the former none breaks off, of the
- * latter five at most.
+ * and 0.3 to 0.7, level 7.  Of the former none breaks off, of the latter five
+ * at most.
  */
 #include "support/ground.h"
 #include "support/test.h"
