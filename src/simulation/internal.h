@@ -64,6 +64,12 @@ typedef struct ovr_carriage {
     double arrives; /* would flow in, of the film that is supplied */
 } ovr_carriage;
 
+/* What last_newton.c has of the finest level, while it is not there. */
+typedef struct ovr_last_newton {
+    bool taken, mine[OVR_FIELD_COUNT];
+    double *field[OVR_FIELD_COUNT], *borne, *pressed;
+} ovr_last_newton;
+
 /* The film that arrives (supply.c). */
 typedef struct ovr_arrival {
     ovr_supply *supply; /* NULL: flooded */
@@ -115,6 +121,7 @@ struct ovr_simulation {
     ovr_past past;
     ovr_inflow inflow;
     ovr_arrival arrival;
+    ovr_last_newton last_newton;
     bool started;
     bool restored;     /* the state is a checkpoint's, no step made since */
     bool backward;     /* of what is solved now: um < 0 (mirror.h) */

@@ -27,16 +27,18 @@ typedef struct attempt {
     int sweeps, newton_steps, finer_bottom, most_cycles;
     double limit, newton_limit, correction;
     bool continued; /* from the last solution, by continuation */
+    bool newton;    /* by Newton's method on the finest grid */
 } attempt;
 
 static const attempt attempts[] = {
-    {true, 0, 1, 0, 20, 0.2, 0.3, 1, false},
-    {false, 0, 1, 0, 40, 0.2, 0.3, 1, false},
-    {false, 2, 2, 1, 80, 0.05, 0.3, 1, false},
+    {true, 0, 1, 0, 20, 0.2, 0.3, 1, false, false},
+    {false, 0, 1, 0, 40, 0.2, 0.3, 1, false, false},
+    {false, 2, 2, 1, 80, 0.05, 0.3, 1, false, false},
     /* half corrections into the finest level break a two-cycle at an isolated
      * dry node that coarse grids cannot see */
-    {false, 0, 1, 0, 80, 0.2, 0.3, 0.5, false},
-    {false, 2, 1, 0, 0, 0.2, 0.3, 1, true},
+    {false, 0, 1, 0, 80, 0.2, 0.3, 0.5, false, false},
+    {false, 2, 1, 0, 0, 0.2, 0.3, 1, true, false},
+    {false, 0, 1, 0, 0, 0.2, 1, 1, false, true},
 };
 enum { ATTEMPTS = sizeof attempts / sizeof *attempts };
 
@@ -72,6 +74,8 @@ static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
         p->is->attempt(sim, p->own, how == attempts);
     if (how->continued)
         return ovr_step_continued(sim, &c, outcome);
+    if (how->newton)
+        return ovr_step_newton(sim, &c, outcome);
     ovr_step_cycling cycling = {c, close, how->most_cycles, 1e6, 0};
     if (sim->grids.touch.at) {
         cycling.most = touching.most_cycles;

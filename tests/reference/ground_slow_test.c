@@ -25,9 +25,18 @@ static void ground_pairs_go_through(void **state)
     }
 }
 
+/* A film by Eyring's law that cycles do not find, and Newton's method with
+ * films of their own does. */
+static void newton_goes_through(void **state)
+{
+    (void)state;
+    goes_through(32003, 0.3, 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ground_pairs_go_through)};
+        cmocka_unit_test(ground_pairs_go_through),
+        cmocka_unit_test(newton_goes_through)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
