@@ -259,7 +259,7 @@ void ovr_images_fit(const ovr_layered body[2], ovr_images *images)
 
 /* ------------------------------------------------------------ dry contact */
 
-enum { MOST = 80 };
+enum { MOST = 48 };
 
 typedef struct system {
     double row[MOST][MOST + 1];

@@ -427,10 +427,12 @@ static void tell(const ovr_physics_case *of, const void *form,
                  ovr_physics_line *line, void *data)
 {
     const ovr_heat *heat = form;
-    char text[120];
+    char text[120], points[20] = "5 or 7";
     (void)of;
-    snprintf(text, sizeof text, "Theta = %.5g K, Kf = %.5g; %d points across",
-             heat->theta, heat->conduction, heat->points);
+    if (heat->points)
+        snprintf(points, sizeof points, "%d", heat->points);
+    snprintf(text, sizeof text, "Theta = %.5g K, Kf = %.5g; %s points across",
+             heat->theta, heat->conduction, points);
     line(data, "heat", text);
     snprintf(text, sizeof text, "Peclet %.4g and %.4g", heat->peclet[0],
              heat->peclet[1]);

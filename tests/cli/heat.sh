@@ -31,7 +31,7 @@ number() {
     sed -n "s/^  \"$1\": \([-0-9.e+]*\),*\$/\1/p" out
 }
 expect 0 "$OVERROLL" check hot.ini
-contains out '^# heat +Theta = '
+contains out '^# heat +Theta = .*; 5 or 7 points across'
 contains out '^# surfaces +Peclet '
 expect 0 "$OVERROLL" run hot.ini --json
 for key in T_max_rise T_1_max_rise T_2_max_rise; do
