@@ -88,7 +88,10 @@ void ovr_when_text(const ovr_parameter *row, char *text, size_t room)
     char condition[OVR_CONDITION_MOST], shapes[OVR_CONDITION_MOST] = "";
     text[0] = '\0';
     if (!strcmp(when, OVR_BY_SHAPE)) {
+        const char *of = ovr_size_of_what(row->key);
         put_shapes(row->key, shapes, sizeof shapes);
+        ovr_condition_add(shapes, sizeof shapes, "%s%s", of ? "; " : "",
+                          of ? of : "");
         when = shapes;
     }
     while (ovr_condition_next(&when, "; ", condition, sizeof condition)) {

@@ -11,6 +11,7 @@
 
 #include "case/case.h"
 #include "case/condition.h"
+#include "surface/feature.h"
 
 /* One of the alternatives of a condition, taken apart. */
 typedef struct alternative {
@@ -106,9 +107,7 @@ static bool first_failing(const ovr_case *c, const ovr_block *block,
                           const char *when, char *condition, size_t room,
                           bool *off)
 {
-    if (!when || !strcmp(when, OVR_BY_SHAPE))
-        return false;
-    while (ovr_condition_next(&when, "; ", condition, room))
+    while (when && ovr_condition_next(&when, "; ", condition, room))
         if (!any_holds(c, block, condition, off))
             return true;
     return false;
@@ -122,13 +121,21 @@ bool ovr_conditions_hold(const ovr_case *c, const ovr_block *block,
     return !first_failing(c, block, when, condition, sizeof condition, &off);
 }
 
+/* Which sizes a shape has its own table knows, and refuses the others. */
+static const char *conditions_of(const ovr_parameter *row)
+{
+    bool shape = row->when && !strcmp(row->when, OVR_BY_SHAPE);
+    return shape ? ovr_size_of_what(row->key) : row->when;
+}
+
 bool ovr_key_applies(const ovr_case *c, const ovr_block *block,
                      const ovr_parameter *row)
 {
-    return ovr_conditions_hold(c, block, row->when);
+    return ovr_conditions_hold(c, block, conditions_of(row));
 }
 
-/* "has no effect with history = constant; it needs history = ramp or step" */
+/* "has no effect with history = constant; it needs history = ramp or step",
+ * "has no effect beside [contact] modulus without [stress]" */
 static void put_idle(const ovr_case *c, const ovr_block *block,
                      const char *condition, char *text, size_t room)
 {
@@ -136,16 +143,21 @@ static void put_idle(const ovr_case *c, const ovr_block *block,
     bool one = !strstr(condition, " or "), other = a.section != block->section;
     text[0] = '\0';
     ovr_condition_add(text, room, "has no effect");
-    if (one && a.absent)
-        ovr_condition_add(text, room, " beside %s", a.slot->key);
-    else if (one && *a.rest && a.slot->text)
+    if (a.absent)
+        ovr_condition_add(text, room, " beside %s%s%s%s", other ? "[" : "",
+                          other ? a.section->name : "", other ? "] " : "",
+                          a.slot->key);
+    if (a.absent && !one)
+        condition = strstr(condition, " or ") + 4;
+    if (a.absent && one)
+        return;
+    if (one && *a.rest && a.slot->text)
         ovr_condition_add(text, room, " with %s%s%s%s = %.40s; it needs ",
                           other ? "[" : "", other ? a.section->name : "",
                           other ? "] " : "", a.slot->key, a.slot->text);
     else
         ovr_condition_add(text, room, " without ");
-    if (!one || !a.absent)
-        ovr_condition_text(condition, text, room);
+    ovr_condition_text(condition, text, room);
 }
 
 bool ovr_key_idle(const ovr_case *c, const ovr_block *block,
@@ -154,8 +166,8 @@ bool ovr_key_idle(const ovr_case *c, const ovr_block *block,
     const ovr_parameter *row = &block->section->rows[slot - block->slots];
     char condition[OVR_CONDITION_MOST];
     bool off;
-    if (!slot->given ||
-        !first_failing(c, block, row->when, condition, sizeof condition, &off))
+    if (!slot->given || !first_failing(c, block, conditions_of(row), condition,
+                                       sizeof condition, &off))
         return false;
     idle->said = off || slot->stored;
     put_idle(c, block, condition, idle->text, sizeof idle->text);

@@ -65,6 +65,9 @@ double ovr_ball_height(const ovr_feature *f, double s);
 /* Whether a shape may have a size, by its name. */
 bool ovr_shape_has(int shape, const char *size);
 
+/* The size that another is about, and does nothing without; NULL: of none. */
+const char *ovr_size_of_what(const char *size);
+
 /* Full width where half its depth or height is left; NAN without a width. */
 double ovr_shape_diameter(const ovr_feature *feature);
 

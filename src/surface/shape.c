@@ -173,6 +173,13 @@ bool ovr_shape_has(int shape, const char *size)
     return false;
 }
 
+const char *ovr_size_of_what(const char *size)
+{
+    bool shoulder = !strcmp(size, "shoulder_at") ||
+                    !strcmp(size, "shoulder_width");
+    return shoulder ? "shoulder" : NULL;
+}
+
 double ovr_shape_width_half(int shape)
 {
     return ovr_shape_name(shape) ? rules[shape].half : NAN;

@@ -122,6 +122,17 @@ static const struct {
     {MOES INDENT "origin = 1\n",
      "without shape = wave or texture or extend = periodic or mirror"},
     {MOES INDENT "copies = 2\n", "copies: has no effect without repeat"},
+    {MOES INDENT "shoulder_at = 1\n",
+     "t.ini:12: shoulder_at: has no effect without shoulder"},
+    {"[contact]\nM = 20\nL = 10\nradius = 10 mm\n",
+     "t.ini:4: radius: has no effect without modulus or G or load or [body]"},
+    {"[contact]\nM = 20\nL = 10\nmodulus = 226 GPa\n[body 1]\n"
+     "poisson = 0.3\n",
+     "t.ini:6: poisson: has no effect beside [contact] modulus without "
+     "[stress]"},
+    {MOES "[lubricant]\nalpha = 17 1/GPa\noil = mineral\n",
+     "t.ini:8: oil: has no effect beside alpha without iso_vg or "
+     "viscosity_40"},
     {MOES "[load]\nto = 2\n",
      "t.ini:7: to: has no effect with history = constant; it needs history = "
      "ramp or step"},
@@ -216,6 +227,11 @@ static void noted_where_switched_off(void **state)
         {MOES "[heat]\nmodel = none\npoints = 7\n",
          "t.ini:8: points has no effect with model = none; it needs model = "
          "lobatto",
+         1},
+        {"[contact]\nM = 20\nL = 10\nmodulus = 226 GPa\n[body 1]\n"
+         "material = steel\n",
+         "t.ini:6: material has no effect beside [contact] modulus without "
+         "[stress] or [heat] model = lobatto",
          1},
         {MOES "[lubricant]\nS0 = 1\n",
          "t.ini:7: S0 has no effect with [heat] model = none", 1},

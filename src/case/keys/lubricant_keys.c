@@ -35,7 +35,9 @@ static const ovr_parameter lubricant_keys[] = {
      true, ALWAYS, "viscosity against pressure"},
     {"density_law", CHOICE(density_laws), "dowson-higginson", AT(density_law),
      true, ALWAYS, "density against pressure"},
-    {"oil", CHOICE(oils), "given", AT(oil_kind), true, ALWAYS,
+    {"oil", CHOICE(oils), "given", AT(oil_kind), true,
+     "no alpha or iso_vg or viscosity_40; "
+     "no contact.alpha or iso_vg or viscosity_40",
      "mineral: where alpha is not given, an estimate from the viscosity, and "
      "870 kg/m3 at 15 degC where density_15 is not"},
     {"viscosity", WITH_UNIT(OVR_DYNAMIC_VISCOSITY, 1e-7, 1e7), NULL,
