@@ -176,8 +176,9 @@ ovr_status ovr_profile_choose_line(ovr_profile *profile,
     if (asked < 0 || (asked > 0 && (size_t)asked > lines))
         return ovr_about(err, "line",
                          ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
-                                     "%s = %d: the file has the lines 1 to %zu",
+                                     "%s = %d: the file has %s%zu",
                                      ovr_named(profile, "line").text, asked,
+                                     lines > 1 ? "the lines 1 to " : "line ",
                                      lines));
     *line = asked > 0 ? (size_t)asked - 1 : 0;
     if (lines > 1 && asked)

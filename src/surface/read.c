@@ -112,6 +112,23 @@ static ovr_reader *reader_of(ovr_bytes content)
 
 /* ------------------------------------------------------------ both doors */
 
+/* Columns are those of text, which holds one line; others have lines. */
+static ovr_status check_idle(ovr_profile *profile,
+                             const ovr_profile_source *source, bool text,
+                             ovr_error *err)
+{
+    size_t line;
+    const char *key = source->column_x ? "column_x" : "column_z";
+    if (text)
+        return ovr_profile_choose_line(profile, source, 1, &line, err);
+    if (!source->column_x && !source->column_z)
+        return OVR_OK;
+    return ovr_about(err, key,
+                     ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
+                                 "%s: has no effect, columns are those of text",
+                                 ovr_named(profile, key).text));
+}
+
 static ovr_profile *understand(ovr_profile *profile,
                                const ovr_profile_source *source,
                                ovr_bytes content, ovr_error *err)
@@ -121,8 +138,12 @@ static ovr_profile *understand(ovr_profile *profile,
     if (content.size == 0)
         status = ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
                              "the file is empty");
-    else
-        status = reader_of(content)(profile, source, content, err);
+    else {
+        ovr_reader *reader = reader_of(content);
+        status = check_idle(profile, source, reader == ovr_read_text, err);
+        if (!status)
+            status = reader(profile, source, content, err);
+    }
     if (!status)
         return profile;
     ovr_profile_free(profile);

@@ -289,6 +289,25 @@ static void samples_of_real_files(void **state)
     check_point(0, 0, 4e-6);
 }
 
+/* Columns are those of text, which holds one line. */
+static void of_another_kind_of_file(void **state)
+{
+    static const char text[] = "x um,z um\n1,2\n2,3\n",
+                      areal[] = "aISO-1.0\nNumPoints=2\nNumProfiles=2\n"
+                                "Xscale=1e-6\nZscale=1e-6\n*\n1 2\n4 5\n*\n";
+    ovr_error err = {0};
+    (void)state;
+    source.line = 2;
+    assert_null(ovr_profile_parse(&source, text, sizeof text - 1, NULL, &err));
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "line = 2: the file has line 1");
+    source.line = 0;
+    source.column_z = 2;
+    assert_null(
+        ovr_profile_parse(&source, areal, sizeof areal - 1, NULL, &err));
+    CHECK_ERROR(&err, OVR_BAD_INPUT,
+                "column_z: has no effect, columns are those of text");
+}
+
 #define TEST(name) cmocka_unit_test_setup_teardown(name, begin, end)
 
 int main(void)
@@ -309,6 +328,7 @@ int main(void)
         TEST(locale_does_not_matter),
         TEST(exponents_of_fortran_too),
         TEST(samples_of_real_files),
+        TEST(of_another_kind_of_file),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
