@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll info OUT.h5: what is in a result file. */
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -71,17 +72,52 @@ static double sum(const report *r)
 
 /* ------------------------------------------------------------------- text */
 
+/* Numbers of the contact: their line of the table, the words and the format
+ * there, whether they are known in SI alone, and their key in JSON. */
+#define OF(member) offsetof(ovr_result_info, member)
+static const struct fact {
+    const char *line, *words;
+    int digits;
+    const char *unit;
+    bool physical;
+    const char *key;
+    size_t offset;
+} facts[] = {
+    {"contact", "M", 6, "", false, "M", OF(M)},
+    {"contact", "L", 6, "", false, "L", OF(L)},
+    {"contact", "alphabar", 5, "", false, "alphabar", OF(alphabar)},
+    {"contact", "lambda", 5, "", false, "lambda", OF(lambda)},
+    {"speeds", "u1/um", 6, "", false, "u1_over_um", OF(u1_ratio)},
+    {"speeds", "u2/um", 6, "", false, "u2_over_um", OF(u2_ratio)},
+    {"scales", "b", 5, " m", true, "half_width_m", OF(b)},
+    {"scales", "ph", 5, " Pa", true, "hertz_pressure_Pa", OF(ph)},
+    {"scales", "b^2/R", 5, " m", true, "film_scale_m", OF(height)},
+    {"scales", "b/um", 5, " s", true, "time_scale_s", OF(time)},
+};
+enum { FACTS = sizeof facts / sizeof *facts };
+
+static double value_of(const struct fact *f, const ovr_result_info *a)
+{
+    double value;
+    memcpy(&value, (const char *)a + f->offset, sizeof value);
+    return value;
+}
+
 static void print_contact(const ovr_result_info *a)
 {
-    printf("contact    M = %g, L = %g, alphabar = %.5g, lambda = %.5g\n", a->M,
-           a->L, a->alphabar, a->lambda);
-    printf("speeds     u1/um = %g, u2/um = %g\n", a->u1_ratio, a->u2_ratio);
-    if (a->physical)
-        printf("scales     b = %.5g m, ph = %.5g Pa, b^2/R = %.5g m, "
-               "b/um = %.5g s\n",
-               a->b, a->ph, a->height, a->time);
-    else
-        puts("scales     dimensionless");
+    const char *line = "";
+    for (const struct fact *f = facts; f < facts + FACTS; f++) {
+        bool begins = strcmp(line, f->line) != 0;
+        if (begins)
+            printf("%s%-10s ", *line ? "\n" : "", f->line);
+        line = f->line;
+        if (!f->physical || a->physical)
+            printf("%s%s = %.*g%s", begins ? "" : ", ", f->words, f->digits,
+                   value_of(f, a), f->unit);
+        else if (begins)
+            printf("dimensionless");
+    }
+    putchar('\n');
 }
 
 static void print_sizes(report *r)
@@ -159,17 +195,11 @@ static void print_text(report *r, bool verbose)
 
 static void json_contact(json_writer *j, const ovr_result_info *a)
 {
-    json_number(j, "M", a->M);
-    json_number(j, "L", a->L);
-    json_number(j, "alphabar", a->alphabar);
-    json_number(j, "lambda", a->lambda);
-    json_number(j, "u1_over_um", a->u1_ratio);
-    json_number(j, "u2_over_um", a->u2_ratio);
-    json_flag(j, "physical", a->physical);
-    json_number(j, "half_width_m", a->b);
-    json_number(j, "hertz_pressure_Pa", a->ph);
-    json_number(j, "film_scale_m", a->height);
-    json_number(j, "time_scale_s", a->time);
+    for (const struct fact *f = facts; f < facts + FACTS; f++) {
+        if (f->physical && !f[-1].physical)
+            json_flag(j, "physical", a->physical);
+        json_number(j, f->key, value_of(f, a));
+    }
 }
 
 static void json_sizes(json_writer *j, const report *r)
