@@ -115,15 +115,6 @@ void json_text(json_writer *json, const char *key, const char *value)
         fputs("null", json->to);
 }
 
-void json_numbers(json_writer *json, const char *key, size_t n,
-                  const double *values)
-{
-    json_open_array(json, key);
-    for (size_t i = 0; i < n; i++)
-        json_number(json, NULL, values[i]);
-    json_close_array(json);
-}
-
 void json_open(json_writer *json, const char *key)
 {
     open_with(json, key, '{');

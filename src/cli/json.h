@@ -31,8 +31,6 @@ void json_integer(json_writer *json, const char *key, long long value);
 void json_flag(json_writer *json, const char *key, bool value);
 /* NULL becomes null. */
 void json_text(json_writer *json, const char *key, const char *value);
-void json_numbers(json_writer *json, const char *key, size_t n,
-                  const double *values);
 
 /* A nested object. */
 void json_open(json_writer *json, const char *key);

@@ -17,8 +17,6 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* Beyond these a number is a slip of the pen, not a contact. */
-static const double M_LEAST = 1e-3, M_MOST = 1e6, L_MOST = 1e3;
 /* Redundant values may differ by their own rounding, no more. */
 static const double AGREE = 1e-6;
 
@@ -280,12 +278,12 @@ static ovr_status check_range(const ovr_contact *to, bool physical,
                               ovr_error *err)
 {
     const char *from = physical ? " (from the physical conditions)" : "";
-    if (!(to->M >= M_LEAST && to->M <= M_MOST))
+    if (!(to->M >= OVR_M_LEAST && to->M <= OVR_M_MOST))
         return ovr_fail_about(err, "M", "M = %g%s: must be %g to %g", to->M,
-                              from, M_LEAST, M_MOST);
-    if (!(to->L >= 0 && to->L <= L_MOST))
+                              from, OVR_M_LEAST, OVR_M_MOST);
+    if (!(to->L >= 0 && to->L <= OVR_L_MOST))
         return ovr_fail_about(err, "L", "L = %g%s: must be 0 to %g", to->L,
-                              from, L_MOST);
+                              from, OVR_L_MOST);
     if (isinf(to->b) || isinf(to->ph) || isinf(to->um) || isinf(to->load) ||
         to->b <= 0 || to->ph <= 0 || to->um <= 0 || to->load <= 0)
         return refuse(err, "radius",

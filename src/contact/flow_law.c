@@ -316,12 +316,14 @@ static ovr_status check_form(const ovr_flow_form *form, ovr_error *err)
     if (form->rheology != OVR_CARREAU && form->rheology != OVR_CARREAU_STRESS)
         return ovr_fail_about(err, "rheology",
                               "Newton's and Eyring's laws have no table");
-    if (!(form->n >= 0.05 && form->n <= 1))
+    if (!(form->n >= OVR_CARREAU_N_LEAST && form->n <= 1))
         return ovr_fail_about(err, "carreau_n",
-                              "carreau_n = %g: must be 0.05 to 1", form->n);
-    if (!(form->a >= 0.1 && form->a <= 10))
+                              "carreau_n = %g: must be %g to 1", form->n,
+                              OVR_CARREAU_N_LEAST);
+    if (!(form->a >= OVR_CARREAU_A_LEAST && form->a <= OVR_CARREAU_A_MOST))
         return ovr_fail_about(err, "carreau_a",
-                              "carreau_a = %g: must be 0.1 to 10", form->a);
+                              "carreau_a = %g: must be %g to %g", form->a,
+                              OVR_CARREAU_A_LEAST, OVR_CARREAU_A_MOST);
     return OVR_OK;
 }
 

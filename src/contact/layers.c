@@ -64,7 +64,8 @@ void ovr_layered_reflections(const ovr_layered *body, double k,
     }
 }
 
-double ovr_layered_compliance(const ovr_layered *body, double k)
+/* S_11 of a wave of k, in the unit of 1/thickness. */
+static double compliance_of(const ovr_layered *body, double k)
 {
     matrix S = times(displaced(body->below, -1), inverse(T1)), R;
     for (int j = body->layers - 1; j >= 0; j--)
@@ -93,8 +94,7 @@ static double softness_of_top(const ovr_layered body[2])
 
 double ovr_layers_softness(const ovr_layered body[2], double k)
 {
-    return (ovr_layered_compliance(&body[0], k) +
-            ovr_layered_compliance(&body[1], k)) /
+    return (compliance_of(&body[0], k) + compliance_of(&body[1], k)) /
            substrates(body);
 }
 

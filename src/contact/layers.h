@@ -55,9 +55,6 @@ typedef struct ovr_layered {
     double strength[OVR_LAYERS_MOST];
 } ovr_layered;
 
-/* S_11 of a wave of k, in the unit of 1/thickness. */
-double ovr_layered_compliance(const ovr_layered *body, double k);
-
 /* To: R at the top of each layer, by rows; below them it is 0. */
 void ovr_layered_reflections(const ovr_layered *body, double k,
                              double to[OVR_LAYERS_MOST + 1][4]);

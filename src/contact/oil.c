@@ -205,7 +205,12 @@ static ovr_status by_data_sheet(ovr_oil *oil, ovr_error *err)
     return OVR_OK;
 }
 
-double ovr_estimated_alpha(double viscosity)
+/* The index of a mineral oil by its viscosity (Pa s), 1/Pa: Roelands' relation
+ *   alpha = z (ln eta0 + 9.67)/p0,  z = 0.68, p0 = 198 MPa
+ * (Roelands, Vlugter & Waterman, J. Basic Eng. 85 (1963) 601; z of a paraffinic
+ * oil as in Venner, ten Napel & Bosma 1990).  An estimate: measured ones lie at
+ * 0.6 to 1 times it, see overroll-case(5). */
+static double estimated_alpha(double viscosity)
 {
     return Z_PAPER * (log(viscosity) + 9.67) / P0_PAPER;
 }
@@ -221,7 +226,7 @@ static ovr_status estimate(ovr_oil *oil, ovr_error *err)
         return ovr_fail_about(err, "oil",
                               "oil = mineral needs iso_vg, viscosity_index and "
                               "temperature, or viscosity");
-    oil->alpha = ovr_estimated_alpha(oil->viscosity);
+    oil->alpha = estimated_alpha(oil->viscosity);
     if (!(oil->alpha > 0))
         return ovr_fail_about(err, "oil",
                               "oil = mineral: no estimate of alpha for %g "

@@ -52,13 +52,6 @@ ovr_law_table *ovr_law_table_create(ovr_table_of what, size_t n,
                                     ovr_error *err);
 void ovr_law_table_free(ovr_law_table *table);
 
-/* The index of a mineral oil by its viscosity (Pa s), 1/Pa: Roelands' relation
- *   alpha = z (ln eta0 + 9.67)/p0,  z = 0.68, p0 = 198 MPa
- * (Roelands, Vlugter & Waterman, J. Basic Eng. 85 (1963) 601; z of a paraffinic
- * oil as in Venner, ten Napel & Bosma 1990).  An estimate: measured ones lie at
- * 0.6 to 1 times it, see overroll-case(5). */
-double ovr_estimated_alpha(double viscosity);
-
 /* Sets viscosity and alpha where the law or the data sheet gives them; fails
  * with OVR_BAD_INPUT about what is missing, double or out of range. */
 ovr_status ovr_oil_complete(ovr_oil *oil, ovr_error *err);

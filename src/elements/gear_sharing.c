@@ -31,7 +31,9 @@ static double unit_stiffness(double e, double xi)
     return cos(b0 * (xi - e / 2));
 }
 
-double ovr_pair_stiffness(const ovr_gear_geometry *g, double xi)
+/* Compliance of a pair in the middle over that at xi: 1 there, less elsewhere
+ * (Pedrero, Pleguezuelos, Artes & Antona, Mech. Mach. Theory 45 (2010) 780). */
+static double stiffness_at(const ovr_gear_geometry *g, double xi)
 {
     double e = g->contact_ratio;
     return xi < -slack || xi > e + slack ? 0 : unit_stiffness(e, xi);
@@ -96,7 +98,7 @@ static double by_energy(const ovr_gear_form *form, const ovr_gear_geometry *g,
     }
     double sum = 0;
     for (int j = -(int)xi - 1; xi + j <= e + slack; j++)
-        sum += ovr_pair_stiffness(g, xi + j);
+        sum += stiffness_at(g, xi + j);
     return own / sum;
 }
 
@@ -129,7 +131,7 @@ static double by_springs(const ovr_gear_form *form, const ovr_gear_geometry *g,
     double stiff[PAIRS], gap[PAIRS], deflection = 0;
     int pairs = 0;
     for (int j = -(int)xi - 1; xi + j <= e + slack && pairs < PAIRS; j++) {
-        stiff[pairs] = c * ovr_pair_stiffness(g, xi + j);
+        stiff[pairs] = c * stiffness_at(g, xi + j);
         gap[pairs] = clearance(form, g, xi + j);
         pairs += stiff[pairs] > 0;
     }
@@ -150,7 +152,7 @@ static double by_springs(const ovr_gear_form *form, const ovr_gear_geometry *g,
         stiff[last] = stiff[pairs];
         gap[last] = gap[pairs];
     }
-    return c * ovr_pair_stiffness(g, xi) * fmax(0, deflection - own) / whole;
+    return c * stiffness_at(g, xi) * fmax(0, deflection - own) / whole;
 }
 
 /* ---------------------------------------------------------------- table */
@@ -193,8 +195,7 @@ double ovr_gear_load(const ovr_gear_form *form, const ovr_gear_geometry *g,
     double whole = g->transverse_force / form->face;
     xi = fmin(fmax(xi, 0), g->contact_ratio);
     if (g->overlap_ratio > 0)
-        return g->normal_force * ovr_pair_stiffness(g, xi) /
-               along_lines(form, g, xi);
+        return g->normal_force * stiffness_at(g, xi) / along_lines(form, g, xi);
     switch (form->sharing) {
     case OVR_SHARING_RULE: return whole * by_rule(form, g, xi);
     case OVR_SHARING_ELASTIC: return whole * by_energy(form, g, xi);

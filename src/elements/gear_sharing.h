@@ -10,10 +10,6 @@
 double ovr_gear_load(const ovr_gear_form *form, const ovr_gear_geometry *g,
                      double xi);
 
-/* Compliance of a pair in the middle over that at xi: 1 there, less elsewhere
- * (Pedrero, Pleguezuelos, Artes & Antona, Mech. Mach. Theory 45 (2010) 780). */
-double ovr_pair_stiffness(const ovr_gear_geometry *g, double xi);
-
 /* c' of ISO 6336-1 in N/m2; *applies: its shifts are in the standard's range.
  */
 double ovr_iso_stiffness(const ovr_gear_form *form, const ovr_gear_geometry *g,

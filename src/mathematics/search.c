@@ -23,7 +23,8 @@ typedef struct searching {
 
 /* ------------------------------------------------------------------- axis */
 
-bool ovr_search_geometric(double from, double to)
+/* Whether points between the ends are at equal ratios. */
+static bool is_geometric(double from, double to)
 {
     double ratio = fabs(to) > fabs(from) ? to / from : from / to;
     return from * to > 0 && ratio >= 4;
@@ -444,7 +445,7 @@ ovr_status ovr_search_run(const ovr_search *search, ovr_search_result *result,
                                   .scatter = NAN,
                                   .from = NAN,
                                   .to = NAN};
-    w.geometric = ovr_search_geometric(search->from, search->to);
+    w.geometric = is_geometric(search->from, search->to);
     n = n > OVR_SEARCH_MOST / 2 ? OVR_SEARCH_MOST / 2 : n < 2 ? 2 : n;
     status = scan(&w, points, n);
     if (status)

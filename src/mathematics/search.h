@@ -61,9 +61,6 @@ typedef struct ovr_search_result {
     double place[OVR_SEARCH_PLACES][2];
 } ovr_search_result;
 
-/* Whether points between the ends are at equal ratios. */
-bool ovr_search_geometric(double from, double to);
-
 /* The status of `evaluate`; how the search ended stands in the result. */
 ovr_status ovr_search_run(const ovr_search *search, ovr_search_result *result,
                           ovr_error *err);

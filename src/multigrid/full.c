@@ -62,7 +62,7 @@ double ovr_wanted_film(const ovr_wanted *wanted, double fraction)
 }
 
 /* ph goes with the root of the load. */
-ovr_fluid ovr_wanted_fluid(const ovr_wanted *wanted, double fraction)
+static ovr_fluid wanted_fluid(const ovr_wanted *wanted, double fraction)
 {
     double ratio = 1 / fraction, root = sqrt(ratio);
     ovr_fluid fluid = wanted->fluid;
@@ -88,7 +88,7 @@ static ovr_fluid newtonian(ovr_fluid fluid)
 /* The fluid on the way up. */
 static ovr_fluid fluid_at(const nested *a, double fraction)
 {
-    ovr_fluid fluid = ovr_wanted_fluid(a->wanted, fraction);
+    ovr_fluid fluid = wanted_fluid(a->wanted, fraction);
     return a->how->thin_last ? newtonian(fluid) : fluid;
 }
 
@@ -276,7 +276,7 @@ static double solve_easy_load(const nested *a, ovr_level *level)
            ovr_wanted_film(a->wanted, fraction) < pow(level->grid.D, 1.5))
         fraction *= 0.9;
     for (;; fraction *= 0.7) {
-        ovr_fluid fluid = ovr_wanted_fluid(a->wanted, fraction);
+        ovr_fluid fluid = wanted_fluid(a->wanted, fraction);
         a->grids->fluid = thins(a) ? newtonian(fluid) : fluid;
         hertzian_start(a, level, fraction);
         ovr_defect d = solve_coarsest(a, level);
@@ -321,7 +321,7 @@ ovr_defect ovr_full_multigrid(ovr_hierarchy *grids, const ovr_wanted *wanted,
     if (level->number < grids->finest)
         d = refine_to(&a, level, grids->finest);
     if (how.thin_last)
-        d = thin_out(&a, &grids->level[grids->finest],
-                     ovr_wanted_fluid(wanted, 1), false);
+        d = thin_out(&a, &grids->level[grids->finest], wanted_fluid(wanted, 1),
+                     false);
     return d;
 }

@@ -25,9 +25,6 @@ typedef struct ovr_wanted {
 
 /* Film thickness by formula, and the fluid, at a fraction of the load. */
 double ovr_wanted_film(const ovr_wanted *wanted, double fraction);
-/* At the fraction tau0 over ph b/R is larger: ph b goes with the load. */
-ovr_fluid ovr_wanted_fluid(const ovr_wanted *wanted, double fraction);
-
 /* Reported of each level that carries the whole load. */
 typedef enum ovr_full_event {
     OVR_FULL_BEGINS, /* the level below is solved */

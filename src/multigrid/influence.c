@@ -78,11 +78,6 @@ bool ovr_influence_add(ovr_influence *influence, ovr_influence_part part)
     return true;
 }
 
-bool ovr_influence_more(const ovr_influence *influence)
-{
-    return influence->parts > 0 || influence->compliance != 0;
-}
-
 /* Vectors and their halo, as one array. */
 static void give_way(const ovr_influence *influence, const ovr_kernels *run,
                      const ovr_lanes *lanes, const double *P, double *w)

@@ -37,9 +37,6 @@ typedef struct ovr_influence {
 /* Another part of R; false: there is no room for it. */
 bool ovr_influence_add(ovr_influence *influence, ovr_influence_part part);
 
-/* Whether there is more than the half-spaces. */
-bool ovr_influence_more(const ovr_influence *influence);
-
 /* Of a node on one d meshes away: dw_i/dP_j; R alone. */
 double ovr_influence_at(const ovr_influence *influence, double d, double D);
 double ovr_influence_rest(const ovr_influence *influence, double d, double D);

@@ -7,21 +7,21 @@
 ovr_levels ovr_levels_even(double low, double high)
 {
     double span = high > low ? high - low : 1;
-    return (ovr_levels){low, span / (OVR_LEVELS - 1), 0};
+    return (ovr_levels){low, span / (OVR_PACKED_LEVELS - 1), 0};
 }
 
 ovr_levels ovr_levels_bent(double small, double high)
 {
     double bend = small > 0 ? small : 1;
-    return (ovr_levels){0, asinh(fmax(high / bend, 1)) / (OVR_LEVELS - 1),
-                        bend};
+    return (ovr_levels){
+        0, asinh(fmax(high / bend, 1)) / (OVR_PACKED_LEVELS - 1), bend};
 }
 
 uint16_t ovr_level_of(const ovr_levels *l, double value)
 {
     double at = l->bend != 0 ? asinh(value / l->bend) / l->step
                              : (value - l->from) / l->step;
-    return (uint16_t)(at > 0 ? fmin(at + 0.5, OVR_LEVELS - 1) : 0);
+    return (uint16_t)(at > 0 ? fmin(at + 0.5, OVR_PACKED_LEVELS - 1) : 0);
 }
 
 /* From the end, so that the neighbours are still themselves. */

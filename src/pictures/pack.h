@@ -2,9 +2,9 @@
 /*
  * Fields made small for a page, to be undone by page_data.js:
  *
- * 1. Values become levels 0..OVR_LEVELS-1: evenly spaced, or, with a bend,
- *    value = bend sinh(level step), which is even relative to the value where
- *    it is large (film outside of the contact) and fine where it is small.
+ * 1. Values become levels 0..OVR_PACKED_LEVELS-1: evenly spaced, or, with a
+ * bend, value = bend sinh(level step), which is even relative to the value
+ * where it is large (film outside of the contact) and fine where it is small.
  * 2. Each level less what its neighbours foretell, left + before - (left,
  *    before): next to nothing where a pattern travels or stands.
  * 3. Zigzag (0, -1, 1, -2, ...), low bytes first and then high ones, deflate,
@@ -17,7 +17,7 @@
 
 #include "pictures/text.h"
 
-enum { OVR_LEVELS = 16384 };
+enum { OVR_PACKED_LEVELS = 16384 };
 
 typedef struct ovr_levels {
     double from, step, bend; /* bend 0: even */

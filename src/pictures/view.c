@@ -129,7 +129,7 @@ static ovr_status put_levels(writer *w, const field *f, const ovr_levels *l,
     ovr_text_print(w->to,
                    "\"%s\":{\"levels\":%d,\"from\":%.17g,\"step\":%.17g,"
                    "\"bend\":%.17g,\"data\":\"",
-                   f->key, OVR_LEVELS, l->from, l->step, l->bend);
+                   f->key, OVR_PACKED_LEVELS, l->from, l->step, l->bend);
     status = ovr_pack_levels(w->to, level, w->nodes, w->shots, w->arena, err);
     ovr_text_put(w->to, "\"},");
     return status;
@@ -378,7 +378,7 @@ static ovr_status put_data(ovr_text *to, const ovr_stored *runs, size_t count,
                    "pressure, roughness and temperatures to 1/%d of their "
                    "range, film thickness to 0.02 %%. The result file has them "
                    "all",
-                   2 * OVR_LEVELS);
+                   2 * OVR_PACKED_LEVELS);
     if (w.stride > 1 || w.every > 1)
         ovr_text_print(to,
                        "; here is every node of %zu and every snapshot of %zu",

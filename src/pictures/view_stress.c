@@ -37,7 +37,7 @@ static ovr_status prepare(sheet *s, ovr_arena *arena, ovr_error *err)
     /* levels fine beside the colours, and far beyond them */
     s->levels = ovr_levels_even(0, 1);
     s->levels.step = s->field.high / STEPS;
-    s->levels.from = -s->levels.step * OVR_LEVELS / 2;
+    s->levels.from = -s->levels.step * OVR_PACKED_LEVELS / 2;
     s->worst = ovr_arena_take(arena, 3 * s->shots, sizeof *s->worst, err);
     s->level = ovr_arena_take(arena, ROWS * s->columns * s->shots,
                               sizeof *s->level, err);
@@ -90,7 +90,7 @@ static ovr_status put(ovr_text *to, const sheet *s, ovr_arena *arena,
     ovr_text_print(to,
                    "\"levels\":%d,\"from\":%.17g,\"step\":%.17g,\"bend\":0,"
                    "\"data\":\"",
-                   OVR_LEVELS, s->levels.from, s->levels.step);
+                   OVR_PACKED_LEVELS, s->levels.from, s->levels.step);
     status = ovr_pack_levels(to, s->level, ROWS * s->columns, s->shots, arena,
                              err);
     ovr_text_put(to, "\"},");

@@ -85,8 +85,6 @@ double ovr_writer_next_time(void *writer, double T);
 /* Writes out what is buffered and makes it visible to readers. */
 ovr_status ovr_writer_flush(ovr_writer *writer, ovr_error *err);
 
-size_t ovr_writer_snapshots(const ovr_writer *writer);
-
 /* Why the run failed, for the file's attribute `reason`; copied. */
 void ovr_writer_reason(ovr_writer *writer, const char *reason);
 

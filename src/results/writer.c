@@ -80,7 +80,8 @@ ovr_status ovr_writer_drain(void *writer, const ovr_parcel *parcel,
 
 /* ----------------------------------------------------- the solver's side */
 
-bool ovr_writer_due(const ovr_writer *w, long step, double T)
+/* Will the state of this step at T be stored? */
+static bool is_due(const ovr_writer *w, long step, double T)
 {
     return ovr_schedule_due(&w->schedule, step, w->last_T, T);
 }
@@ -89,7 +90,7 @@ bool ovr_writer_stores(const ovr_writer *w, long step, double T)
 {
     if (!w)
         return false;
-    return step > w->last_step && ovr_writer_due(w, step, T);
+    return step > w->last_step && is_due(w, step, T);
 }
 
 void ovr_writer_note(ovr_writer *w, const ovr_frame *frame)
@@ -154,7 +155,7 @@ ovr_status ovr_writer_record(ovr_writer *w, const ovr_frame *given,
     if (OVR_TAKE(ovr_frame, frame, given, err))
         return OVR_BAD_INPUT;
     state = frame->state;
-    due = ovr_writer_due(w, state->step, state->T);
+    due = is_due(w, state->step, state->T);
     if (state->step <= w->last_step) /* the state a resumed run starts from */
         return OVR_OK;
     if (due && check_frame(w, frame, err) != OVR_OK)
@@ -187,13 +188,6 @@ double ovr_writer_next_time(void *writer, double T)
         return NAN;
     const ovr_writer *w = writer;
     return ovr_schedule_next(&w->schedule, T);
-}
-
-size_t ovr_writer_snapshots(const ovr_writer *w)
-{
-    if (!w)
-        return 0;
-    return w->snapshots;
 }
 
 /* ------------------------------------------------------------ checkpoints */

@@ -73,9 +73,6 @@ ovr_status ovr_writer_checkpoint(ovr_writer *writer, uint64_t number,
 /* Flushes, syncs and writes a checkpoint. */
 ovr_status ovr_writer_save(ovr_writer *writer, ovr_error *err);
 
-/* Will the state of this step at T be stored? */
-bool ovr_writer_due(const ovr_writer *writer, long step, double T);
-
 /* Puts the frame's fields into rows, scaled, windowed, as they are stored. */
 void ovr_writer_fill(const ovr_writer *writer, const ovr_frame *frame,
                      unsigned char *rows);

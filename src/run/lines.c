@@ -103,7 +103,9 @@ void ovr_words_add(ovr_words *to, const char *format, ...)
 
 /* ------------------------------------------------------------------ in SI */
 
-ovr_piece ovr_physical(double value, ovr_unit_kind kind,
+/* "12.3 um": films in um, pressures in GPa, times in ms, lengths as they are;
+ * "" where nothing is known in SI. */
+static ovr_piece in_si(double value, ovr_unit_kind kind,
                        const ovr_contact *contact)
 {
     double si = value * ovr_kind_scale(kind, contact);
@@ -130,7 +132,7 @@ ovr_piece ovr_physical(double value, ovr_unit_kind kind,
 void ovr_words_place(ovr_words *to, const char *name, double value,
                      ovr_unit_kind kind, const ovr_contact *contact)
 {
-    ovr_piece si = ovr_physical(value, kind, contact);
+    ovr_piece si = in_si(value, kind, contact);
     ovr_words_add(to, "%s = %.4g", name, value);
     if (*si.text)
         ovr_words_add(to, " (%s)", si.text);
@@ -140,7 +142,7 @@ ovr_words ovr_words_behind(double value, ovr_unit_kind kind, double X, double T,
                            const char *note, const ovr_contact *contact)
 {
     ovr_words w = {""};
-    ovr_piece si = ovr_physical(value, kind, contact);
+    ovr_piece si = in_si(value, kind, contact);
     bool placed = isfinite(X) || isfinite(T);
     ovr_words_add(&w, "%s%s", si.text,
                   *si.text && (placed || note) ? "  " : "");

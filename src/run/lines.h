@@ -57,9 +57,4 @@ void ovr_words_place(ovr_words *to, const char *name, double value,
 ovr_words ovr_words_behind(double value, ovr_unit_kind kind, double X, double T,
                            const char *note, const ovr_contact *contact);
 
-/* "12.3 um": films in um, pressures in GPa, times in ms, lengths as they are;
- * "" where nothing is known in SI. */
-ovr_piece ovr_physical(double value, ovr_unit_kind kind,
-                       const ovr_contact *contact);
-
 #endif

@@ -37,8 +37,8 @@ static const double reach = 2;
 
 static const double margin = 1, least_window = 3, most_points = 65536;
 
-ovr_status ovr_plastic_planned(const ovr_setup *setup, int k,
-                               ovr_plastic_plan *plan, ovr_error *err)
+static ovr_status make_plan(const ovr_setup *setup, int k,
+                            ovr_plastic_plan *plan, ovr_error *err)
 {
     const ovr_plastic_setup *how = ovr_setup_plastic(setup);
     ovr_stress_plan *s = &plan->stress;
@@ -111,7 +111,7 @@ static ovr_status make_body(ovr_plastic *p, int k, const ovr_simulation *sim,
     ovr_yielding_body *b = &p->body[k];
     const ovr_allocator *allocator = &sim->arena.allocator;
     ovr_plastic_plan plan;
-    if (ovr_plastic_planned(p->setup, k, &plan, err))
+    if (make_plan(p->setup, k, &plan, err))
         return OVR_BAD_INPUT;
     size_t n = plan.points, layers = plan.layers;
     b->plan = plan.stress;
@@ -419,7 +419,8 @@ static void heights(const ovr_simulation *sim, const void *own, double T,
 
 /* ---------------------------------------------------------------- observed */
 
-const ovr_plastic *ovr_plastic_of(const ovr_simulation *sim)
+/* That of a simulation; NULL: nothing yields. */
+static const ovr_plastic *plastic_of(const ovr_simulation *sim)
 {
     const ovr_plastic *found = NULL;
     for (const ovr_present *p = sim->physics; p->is; p++)
@@ -577,7 +578,7 @@ static double memory_of(const ovr_setup *setup, int k)
     double bytes = 0;
     double *edge = ovr_arena_take(&arena, (size_t)how->layers + 1, sizeof *edge,
                                   NULL);
-    if (edge && !ovr_plastic_planned(setup, k, &plan, NULL)) {
+    if (edge && !make_plan(setup, k, &plan, NULL)) {
         fill_edges(how, &plan, edge);
         const ovr_yielding_options o = options_of(how, k, &plan, edge);
         bytes = ovr_yielding_memory(&o) +
@@ -614,8 +615,7 @@ static double seconds(const void *form)
     double all = 0, dT = ovr_setup_step(setup);
     ovr_plastic_plan plan;
     for (int k = 0; k < BODIES; k++) {
-        if (!(how->surfaces >> k & 1) ||
-            ovr_plastic_planned(setup, k, &plan, NULL))
+        if (!(how->surfaces >> k & 1) || make_plan(setup, k, &plan, NULL))
             continue;
         double way = (double)plan.points * plan.mesh + 2 * reach;
         double steps = fmin(way, setup->march->end) / dT;
@@ -644,7 +644,7 @@ static void tell_body(const ovr_setup *setup, int k, ovr_physics_line *line,
              k + 1, Y, megapascals, ovr_first_yield(nu) * Y,
              ovr_shakedown_limit() * Y, strain);
     line(data, "yields", text);
-    if (!setup->nodes || ovr_plastic_planned(setup, k, &plan, NULL))
+    if (!setup->nodes || make_plan(setup, k, &plan, NULL))
         return;
     snprintf(
         text, sizeof text,
@@ -707,7 +707,7 @@ static ovr_status finish(void *own, const ovr_simulation *sim,
                          ovr_run_info *info, ovr_error *err)
 {
     const run_plastic *r = own;
-    const ovr_plastic *p = ovr_plastic_of(sim);
+    const ovr_plastic *p = plastic_of(sim);
     (void)info;
     if (!p)
         return OVR_OK;

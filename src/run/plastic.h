@@ -46,12 +46,6 @@ typedef struct ovr_plastic_plan {
     size_t points, layers;
     double first, mesh;
 } ovr_plastic_plan;
-ovr_status ovr_plastic_planned(const ovr_setup *setup, int k,
-                               ovr_plastic_plan *plan, ovr_error *err);
-
-/* That of a simulation; NULL: nothing yields. */
-const ovr_plastic *ovr_plastic_of(const ovr_simulation *sim);
-
 /* Highest points of the profile as it is, before (1) or behind (-1) the middle
  * of the features, in the way that they go; as it came, without what yielded.
  */

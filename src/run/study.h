@@ -99,10 +99,6 @@ const char *ovr_study_value(const ovr_study *s, const ovr_study_key *key,
 void ovr_study_file(const ovr_study *s, size_t task, const char *ending,
                     char *path, size_t room);
 
-/* The draw of a task, from 0; the cases of one draw differ in keys that are not
- * random. */
-size_t ovr_study_draw(const ovr_study *s, size_t task);
-
 /* A setting or a key of [random], and after all lines the values of its keys,
  * as one zip behind all others. */
 ovr_status ovr_study_take_random(ovr_study *s, const char *key,

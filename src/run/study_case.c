@@ -19,7 +19,9 @@ const char *ovr_study_value(const ovr_study *s, const ovr_study_key *key,
     return key->value[(task / key->stride) % key->count];
 }
 
-size_t ovr_study_draw(const ovr_study *s, size_t task)
+/* The draw of a task, from 0; the cases of one draw differ in keys that are not
+ * random. */
+static size_t draw_of(const ovr_study *s, size_t task)
 {
     return s->random.how.draws ? task % s->random.how.draws : 0;
 }
@@ -93,7 +95,7 @@ static char *task_name(ovr_study *s, size_t task, ovr_error *err)
     }
     if (s->random.how.draws)
         snprintf(name + n, sizeof name - n, "%sdraw-%04zu", n ? "_" : "",
-                 ovr_study_draw(s, task) + 1);
+                 draw_of(s, task) + 1);
     return ovr_arena_text(&s->arena, *name ? name : "case", err);
 }
 

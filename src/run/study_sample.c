@@ -386,13 +386,6 @@ void ovr_sample_free(ovr_sample *sample)
     }
 }
 
-size_t ovr_sample_rows(const ovr_sample *sample)
-{
-    if (!sample)
-        return 0;
-    return sample->rows;
-}
-
 const ovr_sample_row *ovr_sample_at(const ovr_sample *sample, size_t k)
 {
     if (!sample || k >= sample->rows)

@@ -17,7 +17,7 @@
 
 static const double resolved = 0.3, too_coarse = 0.7;
 
-double ovr_inlet_rise(const ovr_simulation *sim)
+static double inlet_rise(const ovr_simulation *sim)
 {
     return pow(ovr_film_expected(sim, 1), 2. / 3);
 }
@@ -30,7 +30,7 @@ static double inlet_mesh(const ovr_simulation *sim)
 
 bool ovr_mesh_too_coarse(const ovr_simulation *sim)
 {
-    return inlet_mesh(sim) > too_coarse * ovr_inlet_rise(sim);
+    return inlet_mesh(sim) > too_coarse * inlet_rise(sim);
 }
 
 bool ovr_surfaces_apart(const ovr_simulation *sim)
@@ -58,13 +58,13 @@ static ovr_status rounding(const ovr_simulation *sim, const ovr_defect *defect,
 
 int ovr_level_resolving(const ovr_simulation *sim)
 {
-    double share = inlet_mesh(sim) / ovr_inlet_rise(sim);
+    double share = inlet_mesh(sim) / inlet_rise(sim);
     return sim->finest->number + (int)fmax(1, ceil(log2(share / resolved)));
 }
 
 static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
 {
-    double rise = ovr_inlet_rise(sim), D = inlet_mesh(sim);
+    double rise = inlet_rise(sim), D = inlet_mesh(sim);
     return ovr_fail(err, OVR_IMPOSSIBLE,
                     "the film is too thin for the mesh: H = %.1e by the film "
                     "formula, so that the pressure builds up within %.1e of b, "
@@ -76,7 +76,7 @@ static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
 /* R was 1e-5 to 20 where surfaces touch, 1e6 where a solve had diverged.  No
  * deeper than what stands up there and a film of nominal load and
  * speed: beyond, it diverged too. */
-bool ovr_surfaces_overlap(const ovr_simulation *sim, const ovr_defect *d)
+static bool surfaces_overlap(const ovr_simulation *sim, const ovr_defect *d)
 {
     size_t low = sim->grids.kernels->extreme(sim->now.n, 1, sim->now.H);
     double deep = -sim->now.H[low];
@@ -134,9 +134,9 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
         return too_few_cycles(sim, err);
     if (ovr_below_rounding(sim, &outcome->defect))
         return rounding(sim, &outcome->defect, err);
-    if (inlet_mesh(sim) > resolved * ovr_inlet_rise(sim))
+    if (inlet_mesh(sim) > resolved * inlet_rise(sim))
         return too_thin(sim, err);
-    if (ovr_surfaces_overlap(sim, &outcome->defect))
+    if (surfaces_overlap(sim, &outcome->defect))
         return touching(sim, 0, err);
     return ovr_fail(err, OVR_NOT_CONVERGED,
                     "the steady solution did not converge in any of %d ways: "
@@ -164,7 +164,7 @@ ovr_status ovr_failure_step(const ovr_simulation *sim,
 {
     char text[400];
     instead(sim, sizeof text, text);
-    if (!sim->grids.touch.at && ovr_surfaces_overlap(sim, &outcome->defect))
+    if (!sim->grids.touch.at && surfaces_overlap(sim, &outcome->defect))
         return touching(sim, T, err);
     return ovr_fail(err, OVR_NOT_CONVERGED,
                     "step %ld to T = %g did not converge, nor did parts of it "

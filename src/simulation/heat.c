@@ -117,7 +117,8 @@ static void restrict_all(ovr_simulation *sim)
     }
 }
 
-void ovr_heat_reset(ovr_simulation *sim)
+/* Isothermal again. */
+static void reset(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
     if (h->chooses)
@@ -244,8 +245,8 @@ double ovr_heat_relax(ovr_simulation *sim, double share)
 
 /* The isothermal film's stress with the viscosities of this one, as Reynolds'
  * equation has them, and what their profile does beyond (across.h). */
-void ovr_heat_stress(ovr_simulation *sim, const ovr_sheared *film,
-                     const ovr_fluid *fluid, double *t)
+static void find_stress(ovr_simulation *sim, const ovr_sheared *film,
+                        const ovr_fluid *fluid, double *t)
 {
     ovr_heated *h = sim->heated;
     ovr_sheared dragged = *film;
@@ -306,7 +307,9 @@ static double last_across(const ovr_simulation *sim, double rise)
     return rise > 0 ? most / rise : 0;
 }
 
-bool ovr_heat_uneven(double x, double rise)
+/* Whether temperatures across the film ask for more points than 5: by x of
+ * heat.h, and the largest rise. */
+static bool is_uneven(double x, double rise)
 {
     const double much = 0.05, hot = 20; /* K */
     return x > much && rise > hot;
@@ -317,7 +320,7 @@ static void observe_points(ovr_simulation *sim, const ovr_observation *o)
 {
     ovr_statistics *s = &sim->statistics;
     double x = last_across(sim, o->T_max_rise);
-    if (ovr_heat_uneven(x, o->T_max_rise))
+    if (is_uneven(x, o->T_max_rise))
         s->last_across = ovr_larger(s->last_across, x);
 }
 
@@ -445,7 +448,7 @@ static void tell(const ovr_physics_case *of, const void *form,
 static void forget(ovr_simulation *sim, void *own)
 {
     (void)own;
-    ovr_heat_reset(sim);
+    reset(sim);
 }
 
 /* From the film for other temperatures, until neither changes. */
@@ -527,7 +530,7 @@ static void couple(ovr_simulation *sim, void *own, const ovr_full *how,
         !(outcome->defect.imbalance < 1))
         return;
     rise = largest_rise(sim);
-    if (!ovr_heat_uneven(last_across(sim, rise), rise))
+    if (!is_uneven(last_across(sim, rise), rise))
         return;
     refine_across(sim);
     turns(sim, how, outcome);
@@ -574,7 +577,7 @@ static void stress(ovr_simulation *sim, void *own, const ovr_sheared *film,
                    const ovr_fluid *fluid, double *t)
 {
     (void)own;
-    ovr_heat_stress(sim, film, fluid, t);
+    find_stress(sim, film, fluid, t);
 }
 
 /* Temperatures that are not those of the film. */

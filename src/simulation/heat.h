@@ -58,7 +58,7 @@ typedef struct ovr_heated {
     double *turned, *drag;         /* q V/2 m_1/m_0; psi_c */
     double *th, *shift, *swell;    /* in the order of the nodes */
     double V, u1;                  /* now */
-    /* by ovr_heat_stress: power that is made, and of its size node by node */
+    /* by find_stress: power that is made, and of its size node by node */
     double made, made_size;
     double balanced; /* power to which the observed defect is relative */
     struct ovr_heat_turns *turns; /* heat_turns.h */
@@ -69,9 +69,6 @@ typedef struct ovr_heated {
     double *oil, *content;         /* H and q of what is there (heat_film.h) */
     double *foot[OVR_MOST_ACROSS]; /* T at the feet of a step */
 } ovr_heated;
-
-/* Isothermal again. */
-void ovr_heat_reset(ovr_simulation *sim);
 
 /* Speeds of the surfaces at T = 0, and their memories from node to node. */
 void ovr_heat_march_begin(ovr_simulation *sim);
@@ -87,10 +84,6 @@ void ovr_heat_march(ovr_simulation *sim);
  * largest rise. */
 double ovr_heat_relax(ovr_simulation *sim, double share);
 
-/* Whether temperatures across the film ask for more points than 5: by x above,
- * and the largest rise. */
-bool ovr_heat_uneven(double x, double rise);
-
 /* Gives film and finest F of all grids what `used` means for the film that was
  * read last; what was found last. */
 void ovr_heat_apply(ovr_simulation *sim);
@@ -98,11 +91,6 @@ void ovr_heat_give(ovr_simulation *sim);
 
 /* Takes V and u1 of the time T. */
 void ovr_heat_speeds(ovr_simulation *sim, double T);
-
-/* Mean shear stress at half nodes of the film as it is sheared by a fluid; and
- * what all nodes make. */
-void ovr_heat_stress(ovr_simulation *sim, const ovr_sheared *film,
-                     const ovr_fluid *fluid, double *t);
 
 /* Temperatures in K at a place across the film, heat fluxes into a surface, at
  * the nodes; NAN without heat. */

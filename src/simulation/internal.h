@@ -233,8 +233,6 @@ typedef struct ovr_outcome {
 /* The film formula at a fraction of the load of the start; the length over
  * which the pressure builds up before the contact. */
 double ovr_film_expected(const ovr_simulation *sim, double fraction);
-double ovr_inlet_rise(const ovr_simulation *sim);
-
 /* The mesh is too coarse for the film for any way of solving. */
 bool ovr_mesh_too_coarse(const ovr_simulation *sim);
 
@@ -243,9 +241,6 @@ int ovr_level_resolving(const ovr_simulation *sim);
 
 /* H > 0 at every node of what was read last. */
 bool ovr_surfaces_apart(const ovr_simulation *sim);
-
-/* Not far from a solution, whose film is negative somewhere. */
-bool ovr_surfaces_overlap(const ovr_simulation *sim, const ovr_defect *d);
 
 /* The tolerance asked for is below the rounding of R, and R as small as it
  * gets. */

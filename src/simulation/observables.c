@@ -295,19 +295,6 @@ const ovr_observable *ovr_observable_field(const char *name)
     return o;
 }
 
-unsigned ovr_options_physics(const ovr_options *options)
-{
-    if (!options)
-        return 0;
-    unsigned bits = 0;
-    for (int k = 0; ovr_physics_list[k]; k++) {
-        const ovr_physics *p = ovr_physics_list[k];
-        if (p->chosen && p->chosen(options))
-            bits |= p->bit;
-    }
-    return bits;
-}
-
 double ovr_observable_value(const ovr_observable *which,
                             const ovr_observation *from)
 {

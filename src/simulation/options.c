@@ -77,13 +77,6 @@ void ovr_options_mlmi(const ovr_options *options, int level, int *order,
         *range = *order > 6 ? 24 : 16;
 }
 
-double ovr_simulation_starvation(const ovr_simulation *sim)
-{
-    if (!sim)
-        return NAN;
-    return ovr_inlet_loss(sim->contact.M, sim->contact.L, sim->options.inlet);
-}
-
 /* The paper's, where it costs no more than half a per cent. */
 static double usual_inlet(const ovr_contact *contact)
 {

@@ -11,11 +11,6 @@
  * this process may address. */
 double ovr_simulation_memory(const ovr_options *options);
 
-/* Numerical starvation: the share of the central film that the inlet's place
- * costs, estimated from M and L (within a factor of 1.5 for M = 1 to 1000, L up
- * to 15).  An automatic inlet costs 1e-4 or less by it, 3e-4 as measured. */
-double ovr_simulation_starvation(const ovr_simulation *sim);
-
 /* With OVR_CAVITATION_CONSERVING: the oil q = rho H that arrives at the inlet
  * at time T >= 0 (before, what arrives at T = 0), as a film on the surfaces; of
  * layers h1, h2 it is (u1 h1 + u2 h2)/um.  What the contact does not take waits
@@ -65,9 +60,6 @@ int ovr_simulation_order(const ovr_simulation *sim);
 /* What the last steady solve had to do beyond the ordinary, in words; "" when
  * its first attempt succeeded. */
 const char *ovr_simulation_strategy(const ovr_simulation *sim);
-
-/* The physics of a simulation with these options, as bits. */
-unsigned ovr_options_physics(const ovr_options *options);
 
 /* A field by name, or NULL. */
 const ovr_observable *ovr_observable_field(const char *name);

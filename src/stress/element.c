@@ -98,19 +98,21 @@ static ovr_potential spline(double x, double z)
     return cardinal(B + SPLINE_TAIL);
 }
 
-ovr_element ovr_element_at(ovr_element element, double D, double z)
+/* The element that stands for a density at this depth. */
+static ovr_element element_at(ovr_element element, double D, double z)
 {
     if (element != OVR_ELEMENT_AUTO)
         return element;
     return z >= 4 * D * (1 - 1e-9) ? OVR_ELEMENT_POINT : OVR_ELEMENT_SPLINE;
 }
 
-ovr_potential ovr_element_potential(ovr_element element, double D, double x,
-                                    double z)
+/* The density is one element of height 1 at x = 0; z > 0. */
+static ovr_potential potential_of(ovr_element element, double D, double x,
+                                  double z)
 {
     ovr_potential result;
     x /= D, z /= D;
-    switch (ovr_element_at(element, 1, z)) {
+    switch (element_at(element, 1, z)) {
     case OVR_ELEMENT_HAT:
         hat((long double)x + I * (long double)z, &result);
         break;
@@ -137,7 +139,7 @@ void ovr_element_line(ovr_element element, double D, double z, long first,
                       size_t count, ovr_potential *out)
 {
     ovr_potential near[2 * SPLINE_REACH + 1] = {{0, 0}};
-    bool splines = ovr_element_at(element, D, z) == OVR_ELEMENT_SPLINE;
+    bool splines = element_at(element, D, z) == OVR_ELEMENT_SPLINE;
     if (splines)
         spline_line(z / D, near);
     for (size_t k = 0; k < count; k++) {
@@ -146,7 +148,7 @@ void ovr_element_line(ovr_element element, double D, double z, long first,
             out[k] = near[lag + SPLINE_REACH];
             out[k].dC /= D;
         } else {
-            out[k] = ovr_element_potential(element, D, (double)lag * D, z);
+            out[k] = potential_of(element, D, (double)lag * D, z);
         }
     }
 }
@@ -168,6 +170,6 @@ ovr_in_plane ovr_stress_of_both(double z, ovr_potential one, double p, double q)
 ovr_in_plane ovr_element_stress(ovr_element element, double D, double p,
                                 double q, double x, double z)
 {
-    ovr_potential one = ovr_element_potential(element, D, x, z);
+    ovr_potential one = potential_of(element, D, x, z);
     return ovr_stress_of_both(z, one, p, q);
 }

@@ -24,16 +24,9 @@ typedef struct ovr_potential {
     double complex C, dC;
 } ovr_potential;
 
-/* The density is one element of height 1 at x = 0; z > 0. */
-ovr_potential ovr_element_potential(ovr_element element, double D, double x,
-                                    double z);
-
 /* The same at x = (first + k) D, k = 0 ... count - 1. */
 void ovr_element_line(ovr_element element, double D, double z, long first,
                       size_t count, ovr_potential *out);
-
-/* The element that stands for a density at this depth. */
-ovr_element ovr_element_at(ovr_element element, double D, double z);
 
 /* Stresses of p times one density and q times another. */
 ovr_in_plane ovr_stress_of(double z, ovr_potential p, ovr_potential q);

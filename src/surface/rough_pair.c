@@ -175,8 +175,10 @@ ovr_status ovr_rough_pair_rest(ovr_rough_pair *pair,
     return make(pair, form, mesh, contact, arena, err);
 }
 
-ovr_status ovr_rough_pair_of(ovr_rough_pair *pair, const ovr_profile *profile,
-                             ovr_arena *arena, ovr_error *err)
+/* Of one profile against a smooth surface, in metres, p over E*; or in b and
+ * b^2/R, p in ph. */
+static ovr_status pair_of(ovr_rough_pair *pair, const ovr_profile *profile,
+                          ovr_arena *arena, ovr_error *err)
 {
     const ovr_profile_view *v = &profile->view;
     source s[2] = {
@@ -378,7 +380,7 @@ ovr_status ovr_profile_contact(const ovr_profile *profile, size_t most,
     ovr_arena arena = ovr_arena_make(&profile->arena.allocator);
     ovr_rough_pair pair;
     ovr_touch_table t = {0};
-    ovr_status status = ovr_rough_pair_of(&pair, profile, &arena, err);
+    ovr_status status = pair_of(&pair, profile, &arena, err);
     if (!status)
         status = ovr_rough_pair_law(&pair, &t, &arena, err);
     *found = 0;

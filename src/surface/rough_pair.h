@@ -55,11 +55,6 @@ ovr_status ovr_rough_pair_rest(ovr_rough_pair *pair,
                                double mesh, const ovr_contact *contact,
                                ovr_arena *arena, ovr_error *err);
 
-/* Of one profile against a smooth surface, in metres, p over E*; or in b and
- * b^2/R, p in ph. */
-ovr_status ovr_rough_pair_of(ovr_rough_pair *pair, const ovr_profile *profile,
-                             ovr_arena *arena, ovr_error *err);
-
 /* The same of n heights that are there, a period; copied. */
 ovr_status ovr_rough_pair_take(ovr_rough_pair *pair, size_t n, double length,
                                const double *const z[2], ovr_arena *arena,

@@ -4,7 +4,9 @@
 
 #include <math.h>
 
+#include "multigrid/hierarchy.h"
 #include "simulation/limits.h"
+#include "simulation/refined.h"
 
 static const ovr_word smoothers[] = {{"line", OVR_LINE},
                                      {"hybrid", OVR_HYBRID},
@@ -39,7 +41,8 @@ static const ovr_parameter domain_keys[] = {
      "X of the last node; usual: 1.5, of the largest load and radius in run "
      "and passes, or where the film ends later, and up to 4.5 where they jump; "
      "auto: twice where a rigid film ends, if that is farther"},
-    {"level", WHOLE_OR(auto_zero, 1, 23), "8", AT(options.level), true, ALWAYS,
+    {"level", WHOLE_OR(auto_zero, 1, OVR_LEVELS - 1), "8", AT(options.level),
+     true, ALWAYS,
      "finest grid: 7 2^level + 1 nodes; auto: what brings accuracy_of to "
      "accuracy, 14 at most"},
     {"accuracy", PLAIN(1e-9, 0.5), "1e-3", AT(accuracy), true, "level = auto",
@@ -48,8 +51,8 @@ static const ovr_parameter domain_keys[] = {
      "level = auto",
      "of the central film, of the smallest, or of what "
      "the features do to the film"},
-    {"nodes", WHOLE(15, 58720257), NULL, AT(nodes), true, ALWAYS,
-     "instead of level: 7 2^k + 1"},
+    {"nodes", WHOLE(15, (7 << (OVR_LEVELS - 1)) + 1), NULL, AT(nodes), true,
+     ALWAYS, "instead of level: 7 2^k + 1"},
     {"order", CHOICE(orders), "auto", AT(options.order), true, ALWAYS,
      "of the steady solution and of a run: 4 corrects film, Poiseuille flow "
      "and wedge on the finest grid, anew after each step along the "
@@ -63,8 +66,8 @@ static const ovr_parameter domain_keys[] = {
     {"refine", CHOICE(refines), "none", AT(options.refine), true, ALWAYS,
      "spike: patches of ever finer mesh about the pressure spike, the first "
      "three to behind the rupture of the film; of steady contacts only"},
-    {"refine_level", WHOLE(7, 22), NULL, AT(options.refine_level), true,
-     "refine = spike",
+    {"refine_level", WHOLE(OVR_LEAST_REFINED + 1, OVR_MOST_REFINED), NULL,
+     AT(options.refine_level), true, "refine = spike",
      "of the finest patch; else as many as refine_change takes"},
     {"refine_change", PLAIN(1e-9, 0.5), "1e-3", AT(options.refine_change), true,
      "refine = spike; no refine_level",

@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "contact/contact.h"
+
 static const ovr_word viscosity_laws[] = {{"roelands", OVR_ROELANDS},
                                           {"barus", OVR_BARUS},
                                           {"isoviscous", OVR_ISOVISCOUS},
@@ -62,10 +64,10 @@ static const ovr_parameter lubricant_keys[] = {
      "tau0 (G), where the film shears thin"},
     {"carreau_number", POSITIVE(1e12), NULL, AT(carreau_number), true,
      "rheology = carreau", "tau0 over ph b/R, instead of carreau_stress"},
-    {"carreau_n", PLAIN(0.05, 1), "0.5", AT(flow.n), true, "rheology = carreau",
-     "exponent at high rates, of the stress"},
-    {"carreau_a", PLAIN(0.1, 10), "2", AT(flow.a), true, "rheology = carreau",
-     "Yasuda's exponent of the change"},
+    {"carreau_n", PLAIN(OVR_CARREAU_N_LEAST, 1), "0.5", AT(flow.n), true,
+     "rheology = carreau", "exponent at high rates, of the stress"},
+    {"carreau_a", PLAIN(OVR_CARREAU_A_LEAST, OVR_CARREAU_A_MOST), "2",
+     AT(flow.a), true, "rheology = carreau", "Yasuda's exponent of the change"},
     {"carreau_form", CHOICE(carreau_forms), "rate", AT(carreau_form), true,
      "rheology = carreau",
      "stress by the rate, as in textbooks, or rate by the stress"},
