@@ -12,7 +12,6 @@
 #include <string.h>
 
 #include "base/given.h"
-#include "base/plain.h"
 #include "base/text.h"
 #include "overroll/text.h"
 #include "pictures/picture.h"
@@ -751,28 +750,21 @@ static ovr_status draw(figure *f, ovr_error *err)
                           f->arena, err);
 }
 
+static ovr_status draw_table(const ovr_table *table,
+                             const ovr_figure_options *o, ovr_arena *arena,
+                             ovr_error *err)
+{
+    figure f = {.o = o, .t = table, .arena = arena};
+    ovr_status status = choose_columns(&f, err);
+    if (!status)
+        status = take_samples(&f, err);
+    return status ? status : draw(&f, err);
+}
+
 ovr_status ovr_figure(const ovr_table *table, const ovr_figure_options *given,
                       const ovr_allocator *allocator, ovr_error *err)
 {
-    ovr_figure_options own, *options = &own;
-    if (OVR_TAKE(ovr_figure_options, options, given, err))
-        return OVR_BAD_INPUT;
     if (!table)
         return ovr_fail_null(err, __func__);
-    locale_t before = ovr_plain_begin();
-    ovr_arena arena = ovr_arena_make(allocator);
-    figure f = {.o = options, .t = table, .arena = &arena};
-    ovr_form form;
-    ovr_status status = ovr_may_create(options->path, options->force, err);
-    if (!status)
-        status = ovr_form_of(options->path, &form, err);
-    if (!status)
-        status = choose_columns(&f, err);
-    if (!status)
-        status = take_samples(&f, err);
-    if (!status)
-        status = draw(&f, err);
-    ovr_arena_release(&arena);
-    ovr_plain_end(before);
-    return status;
+    return ovr_figure_of(table, given, allocator, draw_table, err);
 }

@@ -2,10 +2,8 @@
 /* Several passes: film above, meniscus below, against the number of the pass.
  */
 #include <math.h>
-#include <string.h>
 
 #include "base/given.h"
-#include "base/plain.h"
 #include "pictures/axis.h"
 #include "pictures/picture.h"
 
@@ -13,15 +11,6 @@ typedef struct line {
     const char *name, *label;
     int colour;
 } line;
-
-static const ovr_table_column *named(const ovr_table *t, const char *name)
-{
-    const ovr_table_column *c;
-    for (size_t k = 0; (c = ovr_table_at(t, k)); k++)
-        if (strcmp(c->name, name) == 0)
-            break;
-    return c;
-}
 
 static double largest(const ovr_table *t, const ovr_table_column *c)
 {
@@ -36,13 +25,13 @@ static ovr_status add_lines(const ovr_table *t, const line *lines, size_t count,
                             ovr_unit_kind kind, ovr_panel *panel,
                             ovr_arena *arena, ovr_error *err)
 {
-    const ovr_table_column *pass = named(t, "pass");
+    const ovr_table_column *pass = ovr_table_named(t, "pass");
     ovr_series *series = ovr_arena_take(arena, 2 * count, sizeof *series, err);
     ovr_axis axis = {0};
     if (!series)
         return OVR_NO_MEMORY;
     for (size_t k = 0; k < count; k++) {
-        const ovr_table_column *c = named(t, lines[k].name);
+        const ovr_table_column *c = ovr_table_named(t, lines[k].name);
         if (!pass || !c)
             return ovr_fail(err, OVR_BAD_INPUT,
                             "no '%s' in it: it is no file of several passes",
@@ -69,8 +58,9 @@ static ovr_status add_lines(const ovr_table *t, const line *lines, size_t count,
 /* Nothing passed: the least film is the mean one. */
 static bool is_steady(const ovr_table *t)
 {
-    const ovr_table_column *least = named(t, "least_central_film_thickness");
-    const ovr_table_column *mean = named(t, "central_film_thickness");
+    const ovr_table_column *least = ovr_table_named(
+        t, "least_central_film_thickness");
+    const ovr_table_column *mean = ovr_table_named(t, "central_film_thickness");
     for (size_t i = 0; least && mean && i < ovr_table_rows(t); i++)
         if (least->number[i] < (1 - 1e-6) * mean->number[i])
             return false;
@@ -119,18 +109,5 @@ ovr_status ovr_figure_passes(const ovr_table *passes,
 {
     if (!passes)
         return ovr_fail_null(err, __func__);
-    ovr_figure_options own, *options = &own;
-    if (OVR_TAKE(ovr_figure_options, options, given, err))
-        return OVR_BAD_INPUT;
-    locale_t before = ovr_plain_begin();
-    ovr_arena arena = ovr_arena_make(allocator);
-    ovr_form form;
-    ovr_status status = ovr_may_create(options->path, options->force, err);
-    if (!status)
-        status = ovr_form_of(options->path, &form, err);
-    if (!status)
-        status = draw(passes, options, &arena, err);
-    ovr_arena_release(&arena);
-    ovr_plain_end(before);
-    return status;
+    return ovr_figure_of(passes, given, allocator, draw, err);
 }

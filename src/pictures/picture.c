@@ -265,3 +265,37 @@ ovr_status ovr_picture_element(const ovr_setup *setup,
     ovr_plain_end(before);
     return status;
 }
+
+/* --------------------------------------------------------------- of a table */
+
+const ovr_table_column *ovr_table_named(const ovr_table *t, const char *name)
+{
+    const ovr_table_column *c;
+    for (size_t k = 0; (c = ovr_table_at(t, k)); k++) {
+        const char *dot = strrchr(c->name, '.');
+        if (!strcmp(c->name, name) || (dot && !strcmp(dot + 1, name)))
+            break;
+    }
+    return c;
+}
+
+ovr_status ovr_figure_of(const ovr_table *table,
+                         const ovr_figure_options *given,
+                         const ovr_allocator *allocator, ovr_table_draw *how,
+                         ovr_error *err)
+{
+    ovr_figure_options own;
+    if (OVR_TAKE(ovr_figure_options, &own, given, err))
+        return OVR_BAD_INPUT;
+    locale_t before = ovr_plain_begin();
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_form form;
+    ovr_status status = ovr_may_create(own.path, own.force, err);
+    if (!status)
+        status = ovr_form_of(own.path, &form, err);
+    if (!status)
+        status = how(table, &own, &arena, err);
+    ovr_arena_release(&arena);
+    ovr_plain_end(before);
+    return status;
+}

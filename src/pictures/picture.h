@@ -60,4 +60,17 @@ ovr_status ovr_chart_write(const ovr_chart *chart, const ovr_text *template,
 /* Refuses to replace a file unless forced. */
 ovr_status ovr_may_create(const char *path, bool force, ovr_error *err);
 
+/* A picture of a table, by what draws it with its options filled. */
+typedef ovr_status ovr_table_draw(const ovr_table *table,
+                                  const ovr_figure_options *o, ovr_arena *arena,
+                                  ovr_error *err);
+ovr_status ovr_figure_of(const ovr_table *table,
+                         const ovr_figure_options *given,
+                         const ovr_allocator *allocator, ovr_table_draw *how,
+                         ovr_error *err);
+
+/* A column by its name, or the end of it behind a dot; or NULL. */
+const ovr_table_column *ovr_table_named(const ovr_table *table,
+                                        const char *name);
+
 #endif

@@ -10,7 +10,6 @@
 
 #include "base/error.h"
 #include "base/given.h"
-#include "base/plain.h"
 #include "pictures/picture.h"
 
 enum { LINES = 8, LABEL = 120 };
@@ -22,25 +21,13 @@ typedef struct curves {
     char label[LINES][LABEL];
 } curves;
 
-/* By its name, or the end of it behind a dot. */
-static const ovr_table_column *named(const ovr_table *t, const char *name)
-{
-    const ovr_table_column *c;
-    for (size_t k = 0; (c = ovr_table_at(t, k)); k++) {
-        const char *dot = strrchr(c->name, '.');
-        if (!strcmp(c->name, name) || (dot && !strcmp(dot + 1, name)))
-            return c;
-    }
-    return NULL;
-}
-
 static ovr_status choose_speed(curves *of, const char *asked, ovr_error *err)
 {
     static const char *const speeds[] = {"mean_speed", "speed_1", "speed_2",
                                          "mean_speed_m_per_s"};
-    of->speed = asked ? named(of->t, asked) : NULL;
+    of->speed = asked ? ovr_table_named(of->t, asked) : NULL;
     for (size_t k = 0; !asked && !of->speed && k < 4; k++)
-        of->speed = named(of->t, speeds[k]);
+        of->speed = ovr_table_named(of->t, speeds[k]);
     if (of->speed)
         return OVR_OK;
     return ovr_fail(err, OVR_BAD_INPUT,
@@ -55,15 +42,15 @@ static ovr_status choose(curves *of, const ovr_figure_options *o,
     ovr_status status = choose_speed(of, o->x, err);
     if (status)
         return status;
-    of->mu = named(of->t, "mu_slide");
-    of->film = named(of->t, "mu_film");
-    of->share = named(of->t, "contact_share");
+    of->mu = ovr_table_named(of->t, "mu_slide");
+    of->film = ovr_table_named(of->t, "mu_film");
+    of->share = ovr_table_named(of->t, "contact_share");
     if (!of->mu || !of->film || !of->share)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "no contact_share and mu_film in it: its case has no "
                         "[boundary]");
     if (o->by && *o->by)
-        of->by = named(of->t, o->by);
+        of->by = ovr_table_named(of->t, o->by);
     if (o->by && *o->by && !of->by)
         return ovr_fail(err, OVR_BAD_INPUT, "no column '%s'", o->by);
     for (size_t k = 0; !o->by && !of->by && (c = ovr_table_at(of->t, k)); k++)
@@ -148,8 +135,8 @@ static ovr_status draw_line(const curves *of, size_t line,
     return OVR_OK;
 }
 
-static ovr_status draw(const curves *of, const ovr_figure_options *o,
-                       ovr_arena *arena, ovr_error *err)
+static ovr_status draw_curves(const curves *of, const ovr_figure_options *o,
+                              ovr_arena *arena, ovr_error *err)
 {
     ovr_series top[2 * LINES], below[LINES];
     ovr_status status = OVR_OK;
@@ -189,29 +176,21 @@ static ovr_status draw(const curves *of, const ovr_figure_options *o,
                           err);
 }
 
+static ovr_status draw(const ovr_table *table, const ovr_figure_options *o,
+                       ovr_arena *arena, ovr_error *err)
+{
+    curves of = {.t = table};
+    ovr_status status = choose(&of, o, err);
+    if (!status)
+        status = find_lines(&of, err);
+    return status ? status : draw_curves(&of, o, arena, err);
+}
+
 ovr_status ovr_figure_stribeck(const ovr_table *table,
                                const ovr_figure_options *given,
                                const ovr_allocator *allocator, ovr_error *err)
 {
     if (!table)
         return ovr_fail_null(err, __func__);
-    ovr_figure_options own, *options = &own;
-    if (OVR_TAKE(ovr_figure_options, options, given, err))
-        return OVR_BAD_INPUT;
-    locale_t before = ovr_plain_begin();
-    ovr_arena arena = ovr_arena_make(allocator);
-    curves of = {.t = table};
-    ovr_form form;
-    ovr_status status = ovr_may_create(options->path, options->force, err);
-    if (!status)
-        status = ovr_form_of(options->path, &form, err);
-    if (!status)
-        status = choose(&of, options, err);
-    if (!status)
-        status = find_lines(&of, err);
-    if (!status)
-        status = draw(&of, options, &arena, err);
-    ovr_arena_release(&arena);
-    ovr_plain_end(before);
-    return status;
+    return ovr_figure_of(table, given, allocator, draw, err);
 }
