@@ -180,6 +180,22 @@ static void warn_of_left_out(const review *r)
     }
 }
 
+/* Nor does anything vary in it. */
+static void warn_of_histories(const review *r)
+{
+    static const char *const sections[] = {"load",   "speed",    "sliding",
+                                           "radius", "radius_1", "supply"};
+    for (size_t k = 0; k < sizeof sections / sizeof *sections; k++) {
+        const ovr_block *block = ovr_case_find_block(r->c, sections[k], NULL);
+        const ovr_slot *how = block ? ovr_block_get(block, "history") : NULL;
+        if (how && how->given && strcmp(how->text, "constant") != 0)
+            say(r, OVR_SAY_WARNING,
+                "[%s] history = %s: a steady solution takes its value at T = 0 "
+                "alone; an end in [time] lets it vary",
+                sections[k], how->text);
+    }
+}
+
 /* A feature with all its copies from `low` to `high` at T. */
 static void reach(const ovr_surfaces *surfaces, size_t k, double T, double *low,
                   double *high)
@@ -351,6 +367,8 @@ static void before(const review *r, bool transient)
         warn_of_features(r, transient);
     if (r->setup->surfaces && !r->setup->transient)
         warn_of_left_out(r);
+    if (!r->setup->transient)
+        warn_of_histories(r);
     if (transient)
         warn_of_time(r);
 }

@@ -254,6 +254,18 @@ static void noted_where_switched_off(void **state)
     }
 }
 
+/* Nor for what varies. */
+static void histories_of_steady_contacts_are_said(void **state)
+{
+    heard h = review(MOES "[load]\nhistory = ramp\nto = 2\n");
+    (void)state;
+    assert_int_equal(h.warnings, 1);
+    assert_non_null(strstr(h.warning, "[load] history = ramp: a steady "
+                                      "solution takes its value at T = 0"));
+    h = review(MOES "[time]\nend = 1\n[load]\nhistory = ramp\nto = 2\n");
+    assert_int_equal(h.warnings, 0);
+}
+
 /* A steady solution has no room for what passes. */
 static void features_left_out_are_said(void **state)
 {
@@ -278,6 +290,7 @@ int main(void)
         cmocka_unit_test(refused_with_a_sentence),
         cmocka_unit_test(taken_from_result_files),
         cmocka_unit_test(noted_where_switched_off),
+        cmocka_unit_test(histories_of_steady_contacts_are_said),
         cmocka_unit_test(features_left_out_are_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
