@@ -41,7 +41,7 @@ def text_of(case, folder):
              f"outlet = {case.get('outlet', 1.5)!r}",
              "[time]", f"scheme = {case.get('scheme', 'upstream2')}",
              f"end = {case['end']!r}", f"step = {case['step']!r}",
-             "[solver]", "tolerance = 1e-11",
+             "[solver]", f"tolerance = {case.get('tolerance', 1e-11)!r}",
              "[paper]", "mlmi_order = 16", "mlmi_range = 32",
              "[output]", f"file = {folder}/a.h5", "every = 1",
              "fields = pressure, film_thickness"

@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Random mixes of physics against an independent model, another seed each day:
-# see reference/mixes.py, hot_mixes.py.  OVERROLL_SEED and OVERROLL_RUNS choose
-# others, of hot films a tenth.
+# see reference/mixes.py, hot_mixes.py, metal_mixes.py.  OVERROLL_SEED and
+# OVERROLL_RUNS choose others, of hot films a tenth, of bodies that yield a
+# twentieth.
 . "$TOP/tests/support/cli.sh"
 need_python numpy h5py
 
@@ -12,4 +13,6 @@ runs=${OVERROLL_RUNS:-60}
 "$PYTHON" "$TOP/tests/reference/mixes.py" random "$seed" "$runs" || failed=1
 "$PYTHON" "$TOP/tests/reference/hot_mixes.py" random "$seed" \
     $(((runs + 9) / 10)) || failed=1
+"$PYTHON" "$TOP/tests/reference/metal_mixes.py" random "$seed" \
+    $(((runs + 19) / 20)) || failed=1
 exit ${failed:-0}

@@ -1,0 +1,293 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bodies that yield, mixed with other physics, against model.py and metal.py.
+
+usage: metal_mixes.py fixed | random SEED COUNT
+
+Each case is run by $OVERROLL, every step stored, and gone through by the model,
+whose metal is an own discretization, on elements of 1.4 and of 0.7 meshes of
+the film.  As long as no stress comes near yield films and pressures are the
+same to what stopping leaves.  For the whole run are told, of the finer model,
+
+    P           largest difference over nodes and steps, p_h
+    H           of H over H, or over H_cen where H is less
+    profile     largest difference of what the surface has sunk, over the most
+    cumulative  of all that has flowed, in the mean square over its own
+    residual_x, _y  of residual stresses, likewise
+
+(maps from 2 D down: at a surface above steep strains no mesh of these resolves
+them) and what the two models differ by, which is the most that is allowed.
+Errors are of second order in the mesh and the layers, but of constants of their
+own: of such an error e D^2 the models differ by 1.5 e D^2, of which the finer
+one has 0.5 and overroll, whose layers are a mesh thick, about e D^2.
+"""
+import math
+import os
+import random
+import subprocess
+import sys
+import tempfile
+import time
+
+import h5py
+import numpy as np
+
+from metal import Law, Metal
+from mixes import band, dent, text_of, unknowns
+from model import Layer, Model, Ramp
+
+OVERROLL = os.environ.get("OVERROLL", "build/overroll")
+E_BODY, NU = 206.0, 0.3
+WINDOW = 1.6
+COARSE, FINE = 1.4, 0.7    # elements over the mesh of the film
+NEAR = 0.8                 # share of yield below which all is elastic
+
+
+class Yielding(Model):
+    """A contact whose gap has what its metals have sunk."""
+
+    def __init__(self, case, metals):
+        super().__init__(case)
+        self.metals = metals
+
+    def at(self, surface, T):
+        """Where the material's origin is, its first feature's centre."""
+        sign = 0.5 if surface == 1 else -0.5
+        start = next(f["start"] for f in self.c["features"]
+                     if f["surface"] == surface)
+        return start + self.speed.way(T) + sign * self.slid(T)
+
+    def gap(self, T):
+        gap = super().gap(T)
+        for surface, metal in self.metals.items():
+            gap += metal.sinking(self.X - self.at(surface, T))
+        return gap
+
+    def flow(self, P, T):
+        return max(metal.flow(P, self.X, self.at(surface, T))
+                   for surface, metal in self.metals.items())
+
+
+def plastic(case):
+    """Lines of the case."""
+    y = case["yields"]
+    bodies = [] if "coats" in case else [
+        f"[body {body}]\nmodulus = {E_BODY!r} GPa\npoisson = {NU!r}"
+        for body in (1, 2)]
+    lines = bodies + ["[stress]", f"surface = {y['surface']}", "traction = no",
+              "[plastic]", f"surface = {y['surface']}",
+              f"hardening = {y['law']}", f"yield = {y['Y']!r}",
+              f"depth_max = {y['depth']!r}", "layers = 200",
+              f"window = {-WINDOW!r}, {WINDOW!r}", "iterations = 1000"]
+    if y["law"] == "swift":
+        return lines + ["swift = 945 MPa, 20, 0.121"]
+    return lines + [f"modulus = {y['modulus']!r}"]
+
+
+def law_of(y, unit):
+    """In the units of the model; unit: the strain p_h/E*."""
+    if y["law"] != "swift":
+        return Law(y["law"], y["Y"], y["modulus"] * unit)
+    # of Y = B (C + microstrain)^n at no strain
+    C, n = 20e-6 / unit, 0.121
+    return Law("swift", y["Y"], swift=(y["Y"] / C**n, C, n))
+
+
+def run(case):
+    """Snapshots by name, and what each surface has become, by its number."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "a.ini")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text_of(dict(case, more=plastic(case)), folder))
+        done = subprocess.run([OVERROLL, "run", path, "-q"], text=True,
+                              capture_output=True)
+        if done.returncode:
+            raise RuntimeError(f"exit code {done.returncode}: "
+                               f"{done.stderr.strip()[-400:]}")
+        with h5py.File(os.path.join(folder, "a.h5")) as f:
+            g = f["snapshots"] if "snapshots" in f else f
+            out = {name: np.array(g[name], dtype=float) for name in g
+                   if isinstance(g[name], h5py.Dataset)}
+            for name, g in f["plastic"].items():
+                out[int(name[-1])] = {key: np.array(g[key]) for key in g} | \
+                    dict(g.attrs)
+    return out
+
+
+def metals(case, out, share):
+    """Of elements that are that share of a mesh of the film."""
+    y = case["yields"]
+    D = (case.get("outlet", 1.5) - case.get("inlet", -4)) / \
+        (7 * 2**case["level"])
+    return {surface: Metal(NU, law_of(y, float(out[surface]["strain_unit"])),
+                           share * D, 0.8 * share * D, 1 + 0.1 * share,
+                           y["half_width"], y["depth"])
+            for surface in (1, 2) if surface in out}
+
+
+def march(case, out, share):
+    """P, H of all steps, how many came nowhere near yield, and the metals."""
+    if "coats" in case:
+        case = dict(case, layers=[(0.5, Layer(d, E, nu, E_BODY, NU))
+                                  for d, E, nu in case["coats"].values()])
+    model = Yielding(case, metals(case, out, share))
+    P_all, H_all, near = [], [], []
+    for k, state in enumerate(model.march(
+            lambda k: unknowns(model, out, k), out["time"])):
+        P, bears, H = state[:3]
+        P_all.append(P)
+        H_all.append(H)
+        near.append(model.flow(P + bears, out["time"][k]))
+    if max(near) < 1:
+        raise RuntimeError("nothing flows")
+    elastic = next(k for k, share in enumerate(near) if share > NEAR)
+    return np.array(P_all), np.array(H_all), elastic, model.metals
+
+
+def over_film(a, H):
+    """a over H, or over H_cen where H is less."""
+    return np.abs(a) / np.maximum(H, H[:, [H.shape[1] // 2]])
+
+
+def laid(theirs, name, metal):
+    """A map of the program at the middles of the elements."""
+    xi, z = theirs["material"], theirs["depth"]
+    rows = np.array([np.interp(metal.mid, xi, row) for row in theirs[name]])
+    return np.array([np.interp(metal.depth, z, column)
+                     for column in rows.T]).T
+
+
+def maps(metal, unit):
+    """What flowed and the residual stresses, as they are named in files."""
+    s = metal.whole(metal.residual(metal.e), metal.e)
+    return {"cumulative": metal.all * unit, "residual_x": s[..., 0],
+            "residual_y": s[..., 1]}
+
+
+def apart(a, b, metal, from_depth):
+    """In the mean square over b's, from a depth down."""
+    area = np.where(metal.depth > from_depth, metal.thick, 0)[:, None]
+    return math.sqrt(((a - b)**2 * area).sum() / (b * b * area).sum())
+
+
+def between(coarse, fine, name, unit):
+    """The coarse metal's map at the fine one's elements."""
+    a = {"material": coarse.mid, "depth": coarse.depth,
+         name: maps(coarse, unit)[name]}
+    return laid(a, name, fine)
+
+
+def compared(case):
+    """By name: how far the program is from the finer model, and the models
+    from each other; before anything flows, by what they differ."""
+    out = run(case)
+    P, H = out["pressure"], out["film_thickness"]
+    P1, H1, _, coarse = march(case, out, COARSE)
+    P2, H2, first, fine = march(case, out, FINE)
+    start = slice(0, first + 1)
+    elastic = max(np.abs(P - P2)[start].max(),
+                  over_film(H - H2, H2)[start].max())
+    found = {"P": (np.abs(P - P2).max(), np.abs(P1 - P2).max()),
+             "H": (over_film(H - H2, H2).max(), over_film(H1 - H2, H2).max())}
+    # what the uppermost layers have is resolved by neither
+    shallow = 2 * fine[next(iter(fine))].h / FINE
+    for surface, metal in fine.items():
+        theirs, other = out[surface], coarse[surface]
+        unit = float(theirs["strain_unit"])
+        xi = theirs["material"]
+        w = metal.sinking(xi)
+        sunk = theirs["profile_before"] - theirs["profile_after"]
+        most = np.abs(w).max()
+        found[f"profile {surface}"] = (
+            np.abs(sunk - w).max() / most,
+            np.abs(other.sinking(xi) - w).max() / most)
+        for name, a in maps(metal, unit).items():
+            found[f"{name} {surface}"] = (
+                apart(laid(theirs, name, metal), a, metal, shallow),
+                apart(between(other, metal, name, unit), a, metal, shallow))
+    return elastic, found
+
+
+BASE = dict(M=20.0, L=10.0, level=5, step=0.05, end=1.6, tolerance=3e-10,
+            features=[dent(1, -0.15, 0.8, -1.4)])
+LINEAR = dict(surface=1, law="linear", Y=0.6, modulus=5.0, depth=0.55,
+              half_width=0.75)
+FIXED = {
+    "linear hardening, eyring, slip, load": dict(
+        BASE, slide=0.3, eyring=0.3, load=Ramp(1.0, 1.15, 0.1, 0.9),
+        yields=LINEAR),
+    "kinematic hardening of surface 2, conserved oil, speed": dict(
+        BASE, slide=-0.3, conserving=True, speed=Ramp(1.0, 0.8, 0.2, 0.9),
+        features=[dent(2, -0.15, 0.8, -1.4)],
+        yields=dict(LINEAR, surface=2, law="kinematic")),
+    "both yield by swift's law, radius": dict(
+        BASE, radius=Ramp(1.0, 1.1, 0.1, 0.9),
+        features=[dent(1, -0.1, 0.8, -1.4), dent(2, -0.07, 0.8, -1.3)],
+        yields=dict(LINEAR, surface="both", law="swift")),
+    "swift's law below a body with a layer, starved": dict(
+        BASE, coats={2: (0.2, 120.0, 0.35)}, conserving=True,
+        film=(0.04, 0.03), yields=dict(LINEAR, law="swift")),
+}
+
+
+def drawn(seed):
+    """A mix at random."""
+    r = random.Random(seed)
+
+    def ramp(low, high, first=1.0):
+        return Ramp(first, r.uniform(low, high), r.uniform(0, 0.3),
+                    r.uniform(0.4, 0.9))
+    surface = r.choice([1, 2])
+    width = r.uniform(0.7, 1.0)
+    case = dict(BASE, M=math.exp(r.uniform(math.log(15), math.log(50))),
+                L=r.uniform(8, 12), slide=r.uniform(-0.4, 0.4))
+    # what presses a bump flat is 2 pi/width of its height
+    case["features"] = [dent(surface, -r.uniform(0.9, 1.2) * width / 6, width,
+                             -1.4)]
+    case["yields"] = dict(LINEAR, surface=surface, Y=r.uniform(0.55, 0.75),
+                          law=r.choice(["linear", "kinematic", "swift"]),
+                          modulus=r.uniform(4, 12))
+    if r.random() < 0.6:
+        case["eyring"] = math.exp(r.uniform(math.log(0.1), 0))
+    if r.random() < 0.3:
+        case["conserving"] = True
+    if r.random() < 0.4:
+        case["load"] = ramp(0.9, 1.2)
+    if r.random() < 0.3:
+        case["speed"] = ramp(0.8, 1.2)
+    if r.random() < 0.3:
+        case["radius"] = ramp(0.9, 1.2)
+    return case
+
+
+def told(name, case):
+    """Whether it is right; said."""
+    begun = time.process_time()
+    try:
+        elastic, found = compared(case)
+        right = elastic < band(case) and \
+            all(off < most for off, most in found.values())
+        text = f"elastic {elastic:.0e}, " + ", ".join(
+            f"{'' if off < most else '! '}{key} {off:.1e} of {most:.1e}"
+            for key, (off, most) in found.items())
+    except (RuntimeError, ArithmeticError) as why:
+        text, right = str(why), False
+    print(f"{'  ' if right else '! '}{name}: {text} "
+          f"({time.process_time() - begun:.0f} s)", flush=True)
+    return right
+
+
+def main(arguments):
+    if arguments[:1] == ["random"]:
+        seed, count = int(arguments[1]), int(arguments[2])
+        print(f"seeds {seed} to {seed + count - 1}")
+        mixes = {f"seed {s}": drawn(s) for s in range(seed, seed + count)}
+    else:
+        mixes = FIXED
+    wrong = [name for name, case in mixes.items() if not told(name, case)]
+    if wrong:
+        raise SystemExit(f"{len(wrong)} of {len(mixes)} differ")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
