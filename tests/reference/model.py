@@ -381,43 +381,47 @@ class Model:
                 v[name][colour::5] += 1j * h
                 d = self.rows(v["P"], v["H"], v["q"], dry, T, past,
                               step).imag / h
-                for i in range(1, n - 1):
-                    for j in range(max(0, i - 2), min(n, i + 3)):
-                        if j % 5 == colour:
-                            J[i - 1, j] = d[i - 1]
+                i = np.arange(1, n - 1)
+                j = i - 2 + (colour - i + 2) % 5     # of this colour, near i
+                there = (j >= 0) & (j < n)
+                J[(i - 1)[there], j[there]] = d[there]
             by[name] = J
         rho1 = self.rho(P + 1j * h).imag / h
         rho = self.rho(P)
         wet = u[:m] > 0
-        to_P = np.zeros((n, m))                   # dP/dx
-        to_P[1:-1] = np.diag(wet.astype(float))
         to_lack = np.zeros((n, m))
         to_lack[1:-1] = np.diag(-(~wet).astype(float))
         own = np.ones(n)
         if self.closed:
             own[0] = 0                            # q there is given
 
+        by_film = by["H"] + by["q"] * (own * rho)
+        K = self.K[:, 1:-1]
+
         def film(dH):
-            return by["H"] @ dH + by["q"] @ (own[:, None] * rho[:, None] * dH)
-        Jx = by["P"] @ to_P + film(-self.K @ to_P) + \
-            by["q"] @ (own[:, None] * (rho1 * H)[:, None] * to_P)
+            """Of five diagonals."""
+            out = np.zeros((m, dH.shape[1]))
+            for d in range(-2, 3):
+                i = np.arange(max(0, -d - 1), min(m, n - 1 - d))
+                out[i] += by_film[i, i + 1 + d][:, None] * dH[i + 1 + d]
+            return out
+        Jx = (by["P"] + by["q"] * (own * rho1 * H))[:, 1:-1] * wet + \
+            film(-K * wet)
         if self.conserving:
             Jx -= by["q"] @ to_lack
         else:
             Jx += to_lack[1:-1]
         J0 = film(np.ones((n, 1)))
         if not self.wall:
-            last = np.concatenate([-self.D * to_P.sum(axis=0), [0]])
+            last = np.concatenate([-self.D * wet, [0]])
             return np.vstack([np.hstack([Jx, J0]), last])
-        to_b = np.zeros((n, m))
-        to_b[1:-1] = np.eye(m)
         slope = (self.touching(H + 1j * h).imag / h)[1:-1, None]
-        inner = self.K[1:-1]
+        inner = K[1:-1]
         return np.vstack([
-            np.hstack([Jx, film(-self.K @ to_b), J0]),
-            np.hstack([slope * (inner @ to_P),
-                       np.eye(m) + slope * (inner @ to_b), -slope]),
-            np.concatenate([-self.D * to_P.sum(axis=0),
+            np.hstack([Jx, film(-K), J0]),
+            np.hstack([slope * inner * wet, np.eye(m) + slope * inner,
+                       -slope]),
+            np.concatenate([-self.D * wet,
                             -self.D * np.ones(m), [0]])])
 
     def solve(self, u, T, past=None, step=None, most=100):
