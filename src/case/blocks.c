@@ -51,6 +51,14 @@ const ovr_block *ovr_case_find_block(const ovr_case *c, const char *section,
     return NULL;
 }
 
+bool ovr_block_is_there(const ovr_block *block)
+{
+    bool there = block && block->line > 0;
+    for (size_t k = 0; block && !there && k < block->count; k++)
+        there = block->slots[k].given;
+    return there;
+}
+
 ovr_block *ovr_case_block(ovr_case *c, const ovr_section *section,
                           const char *name, ovr_error *err)
 {

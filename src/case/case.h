@@ -74,6 +74,9 @@ ovr_slot *ovr_block_slot(const ovr_block *block, const char *key,
 /* Says that a section has no such key, and which one may be meant. */
 void ovr_no_key(const ovr_section *section, const char *key, ovr_error *err);
 
+/* Whether a section stands in the case, be it empty; NULL: no. */
+bool ovr_block_is_there(const ovr_block *block);
+
 /* Given and default value of a key that exists. */
 const ovr_slot *ovr_block_get(const ovr_block *block, const char *key);
 

@@ -53,6 +53,9 @@ const ovr_block *ovr_block_of(const ovr_resolved *r, const char *section);
 const ovr_slot *ovr_slot_of(const ovr_resolved *r, const char *section,
                             const char *key);
 
+/* Whether surfaces that touch run in: they wear. */
+bool ovr_runs_in(const ovr_resolved *r);
+
 /* Puts the values of a block into the struct its rows point into, physical
  * numbers scaled by the contact. */
 ovr_status ovr_block_fill(ovr_resolved *r, const ovr_block *block, void *into,

@@ -16,6 +16,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_sort.h>
+
 #include "base/quantity.h"
 
 enum { UNIFORM = 1600, CORNERS = 32, POINTS = UNIFORM + 1 + CORNERS };
@@ -465,12 +467,6 @@ typedef struct moments {
         radius[POINTS], radius_1[POINTS];
 } moments;
 
-static int by_time(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Uniform times from begin to end with corners between them, in order; those
  * that lie too close to their neighbours for a table are left out. */
 static void order_times(moments *m, double begin, double end,
@@ -482,7 +478,7 @@ static void order_times(moments *m, double begin, double end,
     for (size_t k = 0; k < corners; k++)
         if (corner[k] > begin && corner[k] < end)
             m->t[m->count++] = corner[k];
-    qsort(m->t, m->count, sizeof *m->t, by_time);
+    gsl_sort(m->t, 1, m->count);
     size_t kept = 1;
     for (size_t k = 1; k < m->count; k++)
         if (m->t[k] - m->t[kept - 1] > least)

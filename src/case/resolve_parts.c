@@ -9,17 +9,16 @@
 #include "contact/turning.h"
 #include "simulation/parts.h"
 
+bool ovr_runs_in(const ovr_resolved *r)
+{
+    return ovr_case_find_block(r->c, "boundary", NULL) &&
+           ovr_slot_of(r, "boundary", "passes")->number > 0;
+}
+
 static bool is_given(const ovr_resolved *r, int part)
 {
     ovr_part_info info = ovr_part_at(part);
     return ovr_slot_of(r, info.section, info.key)->given;
-}
-
-/* Whether surfaces that touch wear. */
-static bool runs_in(const ovr_resolved *r)
-{
-    return ovr_case_find_block(r->c, "boundary", NULL) &&
-           ovr_slot_of(r, "boundary", "passes")->number > 0;
 }
 
 /* Whether a feature on the mesh is rough. */

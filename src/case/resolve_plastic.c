@@ -19,14 +19,6 @@ static const ovr_slot *slot_of(const ovr_resolved *r, const char *key)
     return ovr_block_get(ovr_block_of(r, section), key);
 }
 
-static bool is_there(const ovr_block *block)
-{
-    bool given = block->line > 0;
-    for (size_t k = 0; k < block->count; k++)
-        given = given || block->slots[k].given;
-    return given;
-}
-
 /* "945 MPa, 20, 0.121" */
 static ovr_status read_swift(const ovr_resolved *r, ovr_hardening *h,
                              ovr_error *err)
@@ -179,7 +171,7 @@ ovr_status ovr_resolve_plastic(ovr_resolved *r, ovr_error *err)
 {
     ovr_plastic_setup *p = &r->values.plastic;
     const ovr_block *block = ovr_block_of(r, section);
-    if (!is_there(block))
+    if (!ovr_block_is_there(block))
         return OVR_OK;
     p->surface = 1;
     if (ovr_block_fill(r, block, &r->values, err) || resolve_window(r, err) ||

@@ -11,15 +11,6 @@
 #include "results/results.h"
 #include "stress/stress.h"
 
-/* A section is there when its header is, or any of its keys. */
-static bool is_there(const ovr_block *block)
-{
-    bool given = block->line > 0;
-    for (size_t k = 0; k < block->count; k++)
-        given = given || block->slots[k].given;
-    return given;
-}
-
 static ovr_status resolve_window(ovr_resolved *r, ovr_error *err)
 {
     ovr_stress_setup *s = &r->values.stress;
@@ -148,7 +139,7 @@ static ovr_status resolve_fatigue(ovr_resolved *r, ovr_error *err)
 {
     const ovr_block *block = ovr_block_of(r, "fatigue");
     ovr_stress_setup *s = &r->values.stress;
-    s->fatigue = is_there(block);
+    s->fatigue = ovr_block_is_there(block);
     r->values.life = ovr_life_options_default();
     s->life = &r->values.life;
     if (!s->fatigue)
@@ -213,7 +204,7 @@ ovr_status ovr_resolve_stress(ovr_resolved *r, ovr_error *err)
         s->poisson[k] = r->body[k].poisson;
         s->yield[k] = r->body[k].yield;
     }
-    if (is_there(block)) {
+    if (ovr_block_is_there(block)) {
         if (ovr_block_fill(r, block, &r->values, err) || resolve_window(r, err))
             return OVR_BAD_INPUT;
         s->surfaces = (unsigned)r->values.stress_surface;

@@ -40,12 +40,6 @@ static ovr_status resolve_radius(ovr_resolved *r,
 
 /* Running-in of surfaces that wear goes in long steps of a time of its own
  * (simulation/wear.h). */
-static bool wears(const ovr_resolved *r)
-{
-    return ovr_case_find_block(r->c, "boundary", NULL) &&
-           ovr_slot_of(r, "boundary", "passes")->number > 0;
-}
-
 static void take_running_in(ovr_resolved *r)
 {
     r->setup.transient = true;
@@ -67,7 +61,7 @@ ovr_status ovr_resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
     r->march.dT = fmax(v->step, 0); /* of auto: once the mesh is known */
     r->march.error = v->error;
     r->march.until_steady = v->until_steady && s->transient;
-    if (wears(r) && !r->c->standing)
+    if (ovr_runs_in(r) && !r->c->standing)
         take_running_in(r);
     if (ovr_section_fill(r, "load", err) || ovr_section_fill(r, "speed", err))
         return OVR_BAD_INPUT;

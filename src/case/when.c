@@ -21,15 +21,6 @@ typedef struct alternative {
     bool absent;      /* it must not be given */
 } alternative;
 
-/* Whether a section stands in the case, be it empty. */
-static bool is_there(const ovr_block *block)
-{
-    bool given = block && block->line > 0;
-    for (size_t k = 0; block && !given && k < block->count; k++)
-        given = block->slots[k].given;
-    return given;
-}
-
 /* "[stress]": the section, as a key that is given or not. */
 static alternative take_section(const ovr_case *c, const ovr_block *own,
                                 const char *text)
@@ -39,7 +30,7 @@ static alternative take_section(const ovr_case *c, const ovr_block *own,
     snprintf(name, sizeof name, "%.*s", (int)strcspn(text + 1, "]"), text + 1);
     const ovr_block *block = ovr_case_find_block(c, name, NULL);
     return (alternative){.section = own->section,
-                         .slot = is_there(block) ? &there : &missing,
+                         .slot = ovr_block_is_there(block) ? &there : &missing,
                          .rest = ""};
 }
 

@@ -9,14 +9,6 @@
 #include "cli/report.h"
 #include "cli/stations.h"
 
-static void hear(void *data, ovr_say kind, const char *text)
-{
-    const cli_call *call = data;
-    if (call->verbosity >= 0)
-        fprintf(stderr, "overroll: %s%s\n",
-                kind == OVR_SAY_WARNING ? "warning: " : "", text);
-}
-
 static void hear_json(void *data, ovr_say kind, const char *text)
 {
     if (kind == OVR_SAY_WARNING)
@@ -204,7 +196,7 @@ static int run(cli_call *call)
     setup = ovr_case_resolve(c, &counted, &err);
     if (setup && !ovr_setup_prepare(setup, &counted, &err) &&
         !ovr_setup_stress_depth(setup, &depth, &err)) {
-        ovr_setup_review(setup, hear, call);
+        ovr_setup_review(setup, cli_say, (void *)call);
         if (report(call, c, setup, live, &err))
             code = cli_fail(&err);
     } else {

@@ -18,6 +18,14 @@ static const cli_option common[] = {
 
 /* -------------------------------------------------------------- messages */
 
+void cli_say(void *data, ovr_say kind, const char *text)
+{
+    const cli_call *call = data;
+    if (call->verbosity >= 0)
+        fprintf(stderr, "overroll: %s%s\n",
+                kind == OVR_SAY_WARNING ? "warning: " : "", text);
+}
+
 int cli_fail(const ovr_error *err)
 {
     fprintf(stderr, "%s\n", err->message);

@@ -86,6 +86,9 @@ const char *cli_value_at(const cli_call *call, const char *name, int k);
  * belongs to its status. */
 int cli_fail(const ovr_error *err);
 
+/* A listener (`data`: the call): notes and warnings on stderr, unless -q. */
+void cli_say(void *data, ovr_say kind, const char *text);
+
 /* "overroll VERB: message", exit code 2. */
 int cli_usage(const cli_call *call, const char *format, ...) OVR_PRINTF(2, 3);
 

@@ -83,20 +83,6 @@ static int take_numbers(const cli_call *call, ovr_find_options *how)
     return CLI_DONE;
 }
 
-static void say(void *data, ovr_say kind, const char *text)
-{
-    const cli_call *call = data;
-    if (call->verbosity >= 0)
-        fprintf(stderr, "overroll: %s%s\n",
-                kind == OVR_SAY_WARNING ? "warning: " : "", text);
-}
-
-static bool stop(void *data)
-{
-    (void)data;
-    return cli_signal() != 0;
-}
-
 /* ------------------------------------------------------------------- report */
 
 /* As many digits as the discretization error leaves. */
@@ -228,8 +214,8 @@ static int ask(cli_call *call, const question *q)
     how.table = cli_value(call, "table");
     how.results = cli_value(call, "results");
     how.data = call;
-    how.say = say;
-    how.stop = stop;
+    how.say = cli_say;
+    how.stop = cli_stop;
     code = take_numbers(call, &how);
     c = code ? NULL : cli_open_case(call, &code);
     if (!c)

@@ -17,12 +17,6 @@ static void say(void *data, ovr_say kind, const char *text)
         fprintf(stderr, "overroll: warning: %s\n", text);
 }
 
-static bool stop(void *data)
-{
-    (void)data;
-    return cli_signal() != 0;
-}
-
 static void report_json(const ovr_sensitivity *found)
 {
     json_writer json = json_begin(stdout);
@@ -84,7 +78,7 @@ int cli_sensitivity(const cli_call *call, ovr_case *c, bool steady)
     how.estimate = cli_flag(call, "estimate-error");
     how.data = (void *)call;
     how.say = say;
-    how.stop = stop;
+    how.stop = cli_stop;
     cli_silence_the_end();
     cli_catch_signals();
     found = ovr_sensitivity_create(c, &how, &err);

@@ -28,3 +28,9 @@ int cli_signal(void)
 {
     return asked;
 }
+
+bool cli_stop(void *nothing)
+{
+    (void)nothing;
+    return asked != 0;
+}

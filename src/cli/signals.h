@@ -4,10 +4,15 @@
 #ifndef OVR_CLI_SIGNALS_H
 #define OVR_CLI_SIGNALS_H
 
+#include <stdbool.h>
+
 /* From now on they only ask. */
 void cli_catch_signals(void);
 
 /* The signal that asked, or 0. */
 int cli_signal(void);
+
+/* The same as an answer to the library's `stop`. */
+bool cli_stop(void *nothing);
 
 #endif

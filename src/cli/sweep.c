@@ -65,12 +65,6 @@ static void progress(void *data, size_t ended, size_t cases, int running,
     cli_progress_show(&w->progress, fraction, what);
 }
 
-static bool stop(void *data)
-{
-    (void)data;
-    return cli_signal() != 0;
-}
-
 /* --------------------------------------------------------------- the list */
 
 /* A path for the shell: in quotes, quotes inside broken out of. */
@@ -314,7 +308,7 @@ static int run(cli_call *call)
     w.how.report = report_case;
     w.how.report_find = report_found;
     w.how.progress = progress;
-    w.how.stop = stop;
+    w.how.stop = cli_stop;
     w.s = ovr_study_read(call->argument[0], NULL, &err);
     if (!w.s || (folder && ovr_study_output_set(w.s, folder, &err)))
         code = cli_fail(&err);

@@ -23,12 +23,6 @@ static void say(void *data, ovr_say kind, const char *text)
     fprintf(stderr, "%s%s\n", before[kind], text);
 }
 
-static bool stop(void *data)
-{
-    (void)data;
-    return cli_signal() != 0;
-}
-
 static void progress(void *data, const ovr_run *run, double fraction)
 {
     cli_watch *watch = data;
@@ -53,7 +47,7 @@ ovr_run_options cli_run_options(cli_watch *watch)
     ovr_run_options how = {0};
     how.data = watch;
     how.say = say;
-    how.stop = how.interrupt = stop;
+    how.stop = how.interrupt = cli_stop;
     how.progress = progress;
     how.estimate_error = cli_flag(watch->call, "estimate-error");
     return how;

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
 
 #include "mathematics/draws.h"
@@ -163,12 +164,6 @@ double ovr_rank_correlation(const double *x, const double *y, size_t n,
 
 /* --------------------------------------------------------------- bootstrap */
 
-static int by_size(const void *a, const void *b)
-{
-    double p = *(const double *)a, q = *(const double *)b;
-    return (p > q) - (p < q);
-}
-
 ovr_interval ovr_bootstrap(ovr_of_pairs *of, const double *x, const double *y,
                            size_t n, const ovr_allocator *allocator)
 {
@@ -189,7 +184,7 @@ ovr_interval ovr_bootstrap(ovr_of_pairs *of, const double *x, const double *y,
     }
     if (!drawn)
         return none;
-    qsort(found, AGAIN, sizeof *found, by_size);
+    gsl_sort(found, 1, AGAIN);
     shift = of(x, y, n, &arena) - ovr_quantile(found, AGAIN, 0.5);
     ovr_arena_release(&arena);
     return (ovr_interval){ovr_quantile(found, AGAIN, TAIL) + shift,

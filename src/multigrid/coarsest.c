@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/larger.h"
 #include "multigrid/content.h"
 #include "multigrid/field.h"
 #include "multigrid/touching.h"
@@ -210,11 +211,6 @@ static bool solve_touching(ovr_hierarchy *grids, const ovr_level *level,
     return true;
 }
 
-static double clipped(double x, double limit)
-{
-    return x > limit ? limit : x < -limit ? -limit : x;
-}
-
 /* The states of the nodes, once those on the kink have taken sides. */
 static void order_states(const ovr_hierarchy *grids, const ovr_level *level,
                          const ovr_fields *f)
@@ -234,7 +230,7 @@ static void advance(const ovr_hierarchy *grids, const ovr_level *level,
     const double *change = grids->newton.change;
     for (size_t i = 1; i + 1 < level->grid.n; i++) {
         if (!grids->conserving || f->wet[i])
-            f->P[i] = fmax(0, f->P[i] + clipped(change[i], limit));
+            f->P[i] = fmax(0, f->P[i] + ovr_clipped(change[i], limit));
         else
             f->q[i] = fmax(0, f->q[i] + change[i]);
         if (!grids->conserving || !f->wet[i] || f->P[i] > 0)
@@ -291,6 +287,7 @@ bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit)
     advance(grids, level, f, limit);
     /* in proportion where the film is thick: rigid contacts */
     H = fabs(ovr_level_centre(level, level->f.H));
-    grids->H0 += clipped(newton->change[n], limit * 2 / 3 * (H > 1 ? H : 1));
+    grids->H0 += ovr_clipped(newton->change[n],
+                             limit * 2 / 3 * (H > 1 ? H : 1));
     return isfinite(grids->H0);
 }

@@ -32,4 +32,13 @@ void ovr_feet_cubic(size_t n, const double *v, double meshes, double *at_feet);
 /* v at i - meshes, at the one node. */
 double ovr_foot_linear(size_t n, const double *v, size_t i, double meshes);
 
+/* Lagrange's cubic at s in [0, 1) of the middle of four nodes. */
+static inline void ovr_cubic_weights(double s, double c[4])
+{
+    c[0] = -s * (s - 1) * (s - 2) / 6;
+    c[1] = (s + 1) * (s - 1) * (s - 2) / 2;
+    c[2] = -(s + 1) * s * (s - 2) / 2;
+    c[3] = (s + 1) * s * (s - 1) / 6;
+}
+
 #endif

@@ -16,15 +16,6 @@ static double value(size_t n, const double *v, ptrdiff_t i, double meshes)
     return v[i < 0 ? 0 : n - 1];
 }
 
-/* Lagrange's cubic at s in [0, 1) of the middle of four nodes. */
-static void cubic(double s, double c[4])
-{
-    c[0] = -s * (s - 1) * (s - 2) / 6;
-    c[1] = (s + 1) * (s - 1) * (s - 2) / 2;
-    c[2] = -(s + 1) * s * (s - 2) / 2;
-    c[3] = (s + 1) * s * (s - 1) / 6;
-}
-
 /* No foot is farther away than this many domains. */
 static double bounded(size_t n, double meshes)
 {
@@ -43,7 +34,7 @@ ovr_feet ovr_feet_of(size_t n, double meshes)
     f.first = first;
     f.from = (size_t)from;
     f.to = (size_t)to;
-    cubic(-f.meshes - whole, f.c);
+    ovr_cubic_weights(-f.meshes - whole, f.c);
     return f;
 }
 

@@ -6,20 +6,6 @@
 #include "multigrid/flow.h"
 #include "multigrid/flow_table.h"
 
-/* Where the vector of half nodes at i begins. */
-static inline size_t start_of(size_t i, size_t halves)
-{
-    return i + VEC <= halves ? i : halves - VEC;
-}
-
-static inline ivec new_elements(size_t i, size_t halves)
-{
-    ivec lane;
-    for (int l = 0; l < VEC; l++)
-        lane[l] = l;
-    return lane >= (int64_t)(i - start_of(i, halves)) - (ivec){0};
-}
-
 /* x_i + x_{i+1} */
 static inline vec pair_at(const double *x, size_t i)
 {

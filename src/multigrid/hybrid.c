@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "multigrid/hybrid.h"
 
+#include "base/larger.h"
 #include "multigrid/reynolds_row.h"
 
 /* Row i with film and properties as they are, P as it is now: the residual,
@@ -27,11 +28,6 @@ static row row_at(const ovr_level *level, const ovr_fields *f, size_t i)
                  .own = A[2],
                  .before = A[1],
                  .held = row_holds(f, r, w->hold, J)};
-}
-
-static double clipped(double x, double limit)
-{
-    return x > limit ? limit : x < -limit ? -limit : x;
 }
 
 static void seidel(const ovr_smoothing *how, const ovr_fields *f, size_t i,
@@ -113,8 +109,8 @@ void ovr_relax_hybrid(ovr_hierarchy *grids, ovr_level *level,
         if (0.5 * row_outflow(f, f->flow, 0.5, (ptrdiff_t)i) > bound)
             seidel(how, f, i, s);
         else
-            delta[i] = clipped(how->relax_dipole * s.r / (s.own - s.before),
-                               how->limit);
+            delta[i] = ovr_clipped(how->relax_dipole * s.r / (s.own - s.before),
+                                   how->limit);
     }
     delta[n - 1] = 0;
     for (size_t i = 1; i + 1 < n; i++) {

@@ -6,20 +6,6 @@
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
 
-/* Where the vector at i begins, and the elements of it that are new. */
-static inline size_t start_of(size_t i, size_t n)
-{
-    return i + VEC <= n ? i : n - VEC;
-}
-
-static inline ivec new_elements(size_t i, size_t n)
-{
-    ivec lane;
-    for (int l = 0; l < VEC; l++)
-        lane[l] = l;
-    return lane >= (int64_t)(i - start_of(i, n)) - (ivec){0};
-}
-
 static inline double least_lane(vec x)
 {
     double least = x[0];

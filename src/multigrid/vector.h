@@ -315,4 +315,20 @@ static inline vec smaller(vec a, vec b)
 #endif
 }
 
+/* Arrays of n >= VEC in the order of the nodes, where the last vector overlaps
+ * the one before: where the vector at i begins, and its elements that are new.
+ */
+static inline size_t start_of(size_t i, size_t n)
+{
+    return i + VEC <= n ? i : n - VEC;
+}
+
+static inline ivec new_elements(size_t i, size_t n)
+{
+    ivec lane;
+    for (int l = 0; l < VEC; l++)
+        lane[l] = l;
+    return lane >= (int64_t)(i - start_of(i, n)) - (ivec){0};
+}
+
 #endif

@@ -9,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_sort.h>
+
 #include "base/given.h"
 #include "base/plain.h"
 #include "overroll/questions.h"
@@ -74,12 +76,6 @@ static ovr_status choose_rows(drawing *d, const ovr_table *table)
     return OVR_OK;
 }
 
-static int by_size(const void *a, const void *b)
-{
-    double p = *(const double *)a, q = *(const double *)b;
-    return (p > q) - (p < q);
-}
-
 /* The values of a group, sorted, as drawn. */
 static double *sorted_values(const drawing *d, size_t group, size_t *count)
 {
@@ -98,7 +94,7 @@ static double *sorted_values(const drawing *d, size_t group, size_t *count)
         if (isfinite(d->values->number[first + i]))
             v[(*count)++] = d->values->number[first + i] * d->factor;
     if (v)
-        qsort(v, *count, sizeof *v, by_size);
+        gsl_sort(v, 1, *count);
     return v;
 }
 

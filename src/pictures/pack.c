@@ -71,3 +71,11 @@ void ovr_text_base64(ovr_text *to, const void *data, size_t bytes)
         ovr_text_add(to, four, 4);
     }
 }
+
+void ovr_text_doubles(ovr_text *to, const char *key, const double *values,
+                      size_t n)
+{
+    ovr_text_print(to, "\"%s\":\"", key);
+    ovr_text_base64(to, values, n * sizeof *values);
+    ovr_text_put(to, "\",");
+}

@@ -62,14 +62,6 @@ static void put_string(ovr_text *to, const char *key, const char *foreign)
     ovr_text_put(to, "\",");
 }
 
-static void put_doubles(writer *w, const char *key, const double *values,
-                        size_t n)
-{
-    ovr_text_print(w->to, "\"%s\":\"", key);
-    ovr_text_base64(w->to, values, n * sizeof *values);
-    ovr_text_put(w->to, "\",");
-}
-
 /* ----------------------------------------------------------------- fields */
 
 /* Smallest positive, smallest and largest value, of what is kept. */
@@ -205,7 +197,7 @@ static void put_hertz(writer *w)
         two[2 * k] = w->run->hertz_width[k * w->every];
         two[2 * k + 1] = w->run->hertz_P[k * w->every];
     }
-    put_doubles(w, "hertz", two, 2 * w->shots);
+    ovr_text_doubles(w->to, "hertz", two, 2 * w->shots);
 }
 
 static ovr_status put_history(writer *w, ovr_error *err)
@@ -224,7 +216,8 @@ static ovr_status put_history(writer *w, ovr_error *err)
                                        err);
         if (!v)
             return err->status;
-        put_doubles(w, columns[k].key, v, thin(v, n, bucket, columns[k].keep));
+        ovr_text_doubles(w->to, columns[k].key, v,
+                         thin(v, n, bucket, columns[k].keep));
     }
     ovr_text_put(w->to, "\"steps\":0},");
     return OVR_OK;
@@ -344,8 +337,8 @@ static ovr_status put_run(writer *w, ovr_error *err)
     ovr_view_element(w->to, w->run, w->arena);
     ovr_text_print(w->to, "\"nodes\":%zu,\"snapshots\":%zu,", w->nodes,
                    w->shots);
-    put_doubles(w, "x", x, w->nodes);
-    put_doubles(w, "time", times, w->shots);
+    ovr_text_doubles(w->to, "x", x, w->nodes);
+    ovr_text_doubles(w->to, "time", times, w->shots);
     put_hertz(w);
     status = put_fields(w, err);
     if (status == OVR_OK && (w->stress || has_stress(w->run)))

@@ -7,14 +7,6 @@
 #include "pictures/element.h"
 #include "pictures/pack.h"
 
-static void put_doubles(ovr_text *to, const char *key, const double *values,
-                        size_t n)
-{
-    ovr_text_print(to, "\"%s\":\"", key);
-    ovr_text_base64(to, values, n * sizeof *values);
-    ovr_text_put(to, "\",");
-}
-
 static double factor_of(double factor)
 {
     return factor != 0 ? factor : 1;
@@ -41,8 +33,8 @@ static void put_curve(ovr_text *to, const ovr_series *s, ovr_arena *arena)
                    s->label ? s->label : "", marks[s->mark],
                    s->letters ? s->letters : "", s->colour,
                    s->width > 0 ? s->width : 2);
-    put_doubles(to, "x", xy, s->n);
-    put_doubles(to, "y", xy + s->n, s->n);
+    ovr_text_doubles(to, "x", xy, s->n);
+    ovr_text_doubles(to, "y", xy + s->n, s->n);
     ovr_text_put(to, "\"kind\":0},");
 }
 
@@ -62,9 +54,9 @@ static void put_figure(ovr_text *to, const ovr_element_figure *f,
                        double seconds, ovr_arena *arena)
 {
     ovr_text_put(to, "\"element\":{");
-    put_doubles(to, "at", f->at, f->points);
-    put_doubles(to, "x", f->x, f->points);
-    put_doubles(to, "y", f->y, f->points);
+    ovr_text_doubles(to, "at", f->at, f->points);
+    ovr_text_doubles(to, "x", f->x, f->points);
+    ovr_text_doubles(to, "y", f->y, f->points);
     ovr_text_print(to,
                    "\"unit\":%.17g,\"begin\":%.17g,\"seconds\":%.17g,"
                    "\"panels\":[",

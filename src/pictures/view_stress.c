@@ -63,14 +63,6 @@ static ovr_status fill(sheet *s, size_t shot, ovr_error *err)
     return OVR_OK;
 }
 
-static void put_doubles(ovr_text *to, const char *key, const double *values,
-                        size_t n)
-{
-    ovr_text_print(to, "\"%s\":\"", key);
-    ovr_text_base64(to, values, n * sizeof *values);
-    ovr_text_put(to, "\",");
-}
-
 static ovr_status put(ovr_text *to, const sheet *s, ovr_arena *arena,
                       ovr_error *err)
 {
@@ -85,8 +77,8 @@ static ovr_status put(ovr_text *to, const sheet *s, ovr_arena *arena,
                    f->name, s->columns, ROWS, f->x_from, f->x_to,
                    both || pressed ? -f->high : 0, pressed ? 0 : f->high,
                    f->smooth, f->least);
-    put_doubles(to, "z", s->z, ROWS);
-    put_doubles(to, "worst", s->worst, 3 * s->shots);
+    ovr_text_doubles(to, "z", s->z, ROWS);
+    ovr_text_doubles(to, "worst", s->worst, 3 * s->shots);
     ovr_text_print(to,
                    "\"levels\":%d,\"from\":%.17g,\"step\":%.17g,\"bend\":0,"
                    "\"data\":\"",

@@ -6,16 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_sort.h>
+
 /* Two times nearer than this are one. */
 static double slack(double T)
 {
     return 1e-10 * fmax(1, fabs(T));
-}
-
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
 }
 
 ovr_status ovr_schedule_make(ovr_schedule *s, const ovr_write_options *o,
@@ -39,7 +35,7 @@ ovr_status ovr_schedule_make(ovr_schedule *s, const ovr_write_options *o,
         return OVR_NO_MEMORY;
     if (s->count) {
         memcpy(s->times, o->times, s->count * sizeof *s->times);
-        qsort(s->times, s->count, sizeof *s->times, by_value);
+        gsl_sort(s->times, 1, s->count);
     }
     return OVR_OK;
 }

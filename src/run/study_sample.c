@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_sort.h>
+
 #include "base/given.h"
 #include "base/text.h"
 #include "mathematics/sample.h"
@@ -111,12 +113,6 @@ static ovr_status take_usual(sampling *w)
 }
 
 /* --------------------------------------------------------------------- rows */
-
-static int by_size(const void *a, const void *b)
-{
-    double p = *(const double *)a, q = *(const double *)b;
-    return (p > q) - (p < q);
-}
 
 static void take_range(const sampling *w, size_t from, const char *name,
                        int range[2])
@@ -321,7 +317,7 @@ static ovr_status take_row(sampling *w, size_t row, size_t group,
         if (r->known)
             take_moments(known, r);
         take_error(w, value, r);
-        qsort(known, r->known, sizeof *known, by_size);
+        gsl_sort(known, 1, r->known);
         take_quantiles(known, r);
         if (r->known)
             take_limits(w, known, r);

@@ -22,6 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "multigrid/feet.h"
 #include "simulation/mirror.h"
 
 /* Steps beyond this many meshes begin better from the last state. */
@@ -133,15 +134,6 @@ static void extrapolate(const ovr_simulation *sim, const formula *how,
                                     weight, from, guess + margin);
 }
 
-/* Weights of Lagrange's cubic at s in [0, 1) of the middle of four nodes. */
-static void cubic(double s, double c[4])
-{
-    c[0] = -s * (s - 1) * (s - 2) / 6;
-    c[1] = (s + 1) * (s - 1) * (s - 2) / 2;
-    c[2] = -(s + 1) * s * (s - 2) / 2;
-    c[3] = (s + 1) * s * (s - 1) / 6;
-}
-
 /* Two terms, by any shift. */
 static void carry(const ovr_simulation *sim, const formula *how,
                   ptrdiff_t margin, double *const past[OVR_PAST], double *guess)
@@ -152,7 +144,7 @@ static void carry(const ovr_simulation *sim, const formula *how,
                                   past[how->term[1].ago] + first,
                                   past[how->term[2].ago] + first - how->film};
     size_t n = sim->now.n - 2 * (size_t)margin;
-    cubic(-how->meshes - whole, c);
+    ovr_cubic_weights(-how->meshes - whole, c);
     sim->grids.kernels->carry(n, c, from, guess + margin);
     if (how->film) { /* nodes that are dry now stay so */
         const double *const wet[] = {past[0] + margin, guess + margin};

@@ -29,22 +29,17 @@ static ovr_status check(const ovr_simulation *sim, ovr_error *err)
         ovr_parts_of(&sim->options) | ovr_part_bit(OVR_PART_HEAT, true), err);
 }
 
-static ovr_status take(ovr_simulation *sim, double **to, ovr_error *err)
-{
-    *to = ovr_arena_take(&sim->arena, sim->now.n, sizeof **to, err);
-    return *to ? OVR_OK : OVR_NO_MEMORY;
-}
-
 static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
                               ovr_error *err)
 {
     double **const all[] = {&h->q[0],   &h->q[1], &h->mean,  &h->t,    &h->drag,
                             &h->turned, &h->th,   &h->shift, &h->swell};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (take(sim, all[k], err))
+        if (ovr_simulation_take(sim, all[k], err))
             return OVR_NO_MEMORY;
     for (int j = 0; j < h->across.n; j++)
-        if (take(sim, &h->T[j], err) || take(sim, &h->used[j], err))
+        if (ovr_simulation_take(sim, &h->T[j], err) ||
+            ovr_simulation_take(sim, &h->used[j], err))
             return OVR_NO_MEMORY;
     for (int l = sim->grids.coarsest; l <= sim->grids.finest; l++) {
         ovr_level *level = &sim->grids.level[l];

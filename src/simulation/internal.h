@@ -394,4 +394,8 @@ double *ovr_kept_number(const ovr_extreme *which, ovr_statistics *of);
 /* Fills the state's fields and the observation from the finest level. */
 void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome);
 
+/* A field of the finest grid's size in the simulation's memory. */
+ovr_status ovr_simulation_take(ovr_simulation *sim, double **to,
+                               ovr_error *err);
+
 #endif

@@ -17,7 +17,7 @@
 #define OVR_PART_ROWS(PART)                                                    \
     PART(TIME, "a run in time", "time", "end", true, false,                    \
          s->transient &&                                                       \
-             (!runs_in(r) || ovr_slot_of(r, "time", "end")->given))            \
+             (!ovr_runs_in(r) || ovr_slot_of(r, "time", "end")->given))        \
     PART(UPSTREAM1, "scheme upstream1", "time", "scheme", false,               \
          o->scheme == OVR_UPSTREAM1, false)                                    \
     PART(UPSTREAM2, "scheme upstream2", "time", "scheme", false,               \
@@ -72,7 +72,8 @@
          ovr_case_find_block(r->c, "boundary", NULL) &&                        \
              ovr_slot_of(r, "boundary", "law")->given &&                       \
              ovr_slot_of(r, "boundary", "of")->number == 0)                    \
-    PART(WEAR, "running-in", "boundary", "passes", false, false, runs_in(r))   \
+    PART(WEAR, "running-in", "boundary", "passes", false, false,               \
+         ovr_runs_in(r))                                                       \
     PART(ROUGHNESS, "roughness on the mesh", "feature", "shape", false, false, \
          has_roughness(r))
 

@@ -14,7 +14,7 @@
 #include "simulation/parts.h"
 #include "simulation/physics.h"
 
-static ovr_status take(ovr_simulation *sim, double **to, ovr_error *err)
+ovr_status ovr_simulation_take(ovr_simulation *sim, double **to, ovr_error *err)
 {
     *to = ovr_arena_take(&sim->arena, sim->now.n, sizeof **to, err);
     return *to ? OVR_OK : OVR_NO_MEMORY;
@@ -24,10 +24,10 @@ static ovr_status take_fields(ovr_simulation *sim, ovr_error *err)
 {
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++) {
         if (ovr_field_rows[k].shown && sim->finest->f.all[k] &&
-            take(sim, &sim->now.all[k], err))
+            ovr_simulation_take(sim, &sim->now.all[k], err))
             return OVR_NO_MEMORY;
         for (int ago = 0; ago < ovr_field_rows[k].past; ago++)
-            if (take(sim, &sim->past.all[k][ago], err))
+            if (ovr_simulation_take(sim, &sim->past.all[k][ago], err))
                 return OVR_NO_MEMORY;
     }
     return OVR_OK;
@@ -39,7 +39,7 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
         &sim->now.weights,  &sim->S,       &sim->S_past, &sim->saved,
         &sim->saved_before, &sim->lacking, &sim->stress};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (take(sim, all[k], err))
+        if (ovr_simulation_take(sim, all[k], err))
             return OVR_NO_MEMORY;
     if (take_fields(sim, err))
         return OVR_NO_MEMORY;
