@@ -41,12 +41,6 @@ ovr_status ovr_resolve_heat(ovr_resolved *r, ovr_error *err)
     ovr_error why = {0};
     if (!v->heat_model)
         return OVR_OK;
-    if (v->options.cavitation == OVR_CAVITATION_CONSERVING) {
-        if (!v->options.order) /* both together are not measured */
-            v->options.order = 2;
-        if (v->scheme < 0)
-            v->options.scheme = OVR_UPSTREAM2;
-    }
     form->temperature = v->oil.temperature;
     complete(r, form);
     for (int k = 0; k < 2; k++)

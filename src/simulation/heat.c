@@ -65,8 +65,6 @@ static ovr_status take_heat(ovr_simulation *sim, const void *form, void **own,
     const ovr_lubricant *oil = &sim->lubricant;
     ovr_heated *h;
     ovr_heat numbers;
-    if (sim->order_left && sim->grids.conserving) /* not measured together */
-        sim->options.order = 2;
     if (OVR_TAKE(ovr_heat, &numbers, heat, err) || check(sim, err))
         return OVR_BAD_INPUT;
     h = ovr_arena_take(&sim->arena, 1, sizeof *h, err);

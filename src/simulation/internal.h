@@ -129,7 +129,6 @@ struct ovr_simulation {
     int strategy;      /* of steady.c, by which the steady solution was found */
     ovr_wanted wanted; /* the steady start */
     int order;         /* reached by it */
-    bool order_left;   /* options left it to the library */
     unsigned parts;    /* parts.h, of physics that the options do not know */
     double largest_error; /* adaptive: a step with more is not accepted */
     double *S_past;       /* surface one step ago */

@@ -171,12 +171,10 @@ ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
     ovr_contact of;
     ovr_lubricant oil;
     ovr_simulation *sim;
-    bool order_left;
     if (OVR_TAKE(ovr_options, &resolved, options, err) ||
         OVR_TAKE(ovr_contact, &of, contact, err) ||
         OVR_TAKE(ovr_lubricant, &oil, lubricant, err))
         return NULL;
-    order_left = !resolved.order;
     if (ovr_options_resolve(&of, &resolved, err))
         return NULL;
     if (ovr_parts_check(
@@ -187,7 +185,6 @@ ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
     sim = set_up(ovr_arena_make(allocator), &of, &oil, &resolved, err);
     if (!sim)
         return NULL;
-    sim->order_left = order_left;
     ovr_simulation_fill(sim);
     return sim;
 }
@@ -198,17 +195,11 @@ ovr_simulation *ovr_simulation_counted(const ovr_options *options)
                                  .L = 10};
     const ovr_lubricant lubricant = {0};
     ovr_options o = ovr_options_default();
-    ovr_simulation *sim;
-    bool order_left;
     if (OVR_TAKE(ovr_options, &o, options, NULL))
         return NULL;
-    order_left = !o.order;
     if (ovr_options_resolve(&contact, &o, NULL))
         return NULL;
-    sim = set_up(ovr_arena_counting(), &contact, &lubricant, &o, NULL);
-    if (sim)
-        sim->order_left = order_left;
-    return sim;
+    return set_up(ovr_arena_counting(), &contact, &lubricant, &o, NULL);
 }
 
 double ovr_simulation_memory(const ovr_options *options)

@@ -58,7 +58,7 @@ static const ovr_parameter domain_keys[] = {
      "and wedge on the finest grid, anew after each step along the "
      "characteristic (with upstream2 a run keeps those of its start, while "
      "load, speed and radius are constant and oil is not conserved); auto: 4 "
-     "where it applies; 2 with heat beside conserved oil"},
+     "where it applies"},
     {"faces", CHOICE(faces), "gap", AT(options.faces), true, ALWAYS,
      "mean of rho H^3/eta between two nodes: by the gap, harmonic in H^3, or "
      "of both as it is, as in the paper, which leaks through what is narrower "

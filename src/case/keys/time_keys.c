@@ -38,7 +38,7 @@ static const ovr_parameter time_keys[] = {
      "discretization in X and T: upstream1 with backward Euler, upstream2 "
      "with BDF2, or narrow second order along the characteristic; auto: "
      "characteristic in runs with step = auto or grid, unless the speed "
-     "reverses or oil is conserved beside heat; upstream2 else"},
+     "reverses; upstream2 else"},
     {"error", PLAIN(1e-9, 0.1), "1e-3", AT(error), true,
      IN_TIME "; step = adaptive",
      "relative error that the steps add to the film on its way "
