@@ -25,8 +25,7 @@ bool ovr_setup_corrected(const ovr_setup *s)
     if (s->options->cavitation == OVR_CAVITATION_CONSERVING)
         return s->options->scheme == OVR_CHARACTERISTIC;
     return !s->transient || !ovr_setup_varies(s) ||
-           (s->options->scheme == OVR_CHARACTERISTIC &&
-            !ovr_history_turns(s->speed));
+           s->options->scheme == OVR_CHARACTERISTIC;
 }
 
 double ovr_setup_end(const ovr_setup *s)

@@ -9,8 +9,7 @@
 bool ovr_setup_varies(const ovr_setup *setup);
 
 /* Whether it is of fourth order where nothing goes wrong: along the
- * characteristic corrections follow what varies, but for a speed that reverses
- * (simulation/fourth.c). */
+ * characteristic corrections follow what varies (simulation/fourth.c). */
 bool ovr_setup_corrected(const ovr_setup *setup);
 
 /* The end, as far as it is known before the domain is. */

@@ -4,12 +4,11 @@
 
 #include "case/domain.h"
 #include "case/resolve_element.h"
-#include "contact/turning.h"
 #include "simulation/wear.h"
 
 /* Steps of whole meshes along the characteristic carry what moves without
  * error, and there corrections of fourth order follow histories; with others
- * and where the speed reverses the separate terms do. */
+ * the separate terms do. */
 static ovr_scheme choose_scheme(const ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;
@@ -19,8 +18,7 @@ static ovr_scheme choose_scheme(const ovr_resolved *r)
     if (!s->transient &&
         r->values.options.cavitation == OVR_CAVITATION_CONSERVING)
         return OVR_CHARACTERISTIC; /* its order is 4 */
-    return grid && !ovr_history_turns(s->speed) ? OVR_CHARACTERISTIC
-                                                : OVR_UPSTREAM2;
+    return grid ? OVR_CHARACTERISTIC : OVR_UPSTREAM2;
 }
 
 static ovr_status resolve_radius(ovr_resolved *r,

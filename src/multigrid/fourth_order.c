@@ -43,14 +43,17 @@ static double *begin(const ovr_level *level, double *values)
 }
 
 static void evaluate(const ovr_hierarchy *grids, const ovr_correction *c,
-                     double Cu, bool mask)
+                     double Cu, bool backward, bool mask)
 {
     const ovr_kernels *run = grids->kernels;
     const ovr_level *level = finest_of(grids);
+    const ptrdiff_t ends = (ptrdiff_t)level->grid.n + OVR_HALO,
+                    centre = (ptrdiff_t)ceil(-level->grid.X[0] / level->grid.D);
     const ovr_fourth how = {
         .D = level->grid.D,
         .Cu = Cu,
-        .centre = (size_t)ceil(-level->grid.X[0] / level->grid.D),
+        .first = backward ? (ptrdiff_t)level->grid.n - 1 - centre : -ends,
+        .behind = backward ? ends : centre,
         .log_eps = grids->band.b[0],
         .flux = grids->band.b[1],
         .mask = c->mask,
@@ -66,9 +69,9 @@ static void evaluate(const ovr_hierarchy *grids, const ovr_correction *c,
 }
 
 void ovr_fourth_evaluate(const ovr_hierarchy *grids, const ovr_correction *c,
-                         double Cu)
+                         double Cu, bool backward)
 {
-    evaluate(grids, c, Cu, true);
+    evaluate(grids, c, Cu, backward, true);
 }
 
 /* The correction by the solution so far, and with it the right-hand sides,
@@ -76,7 +79,7 @@ void ovr_fourth_evaluate(const ovr_hierarchy *grids, const ovr_correction *c,
 static void correct(ovr_hierarchy *grids, const ovr_correction *c, bool mask)
 {
     ovr_level *level = finest_of(grids);
-    evaluate(grids, c, grids->op.speed, mask);
+    evaluate(grids, c, grids->op.speed, false, mask);
     memcpy(level->f.F, c->F, level->lanes.S * level->lanes.V * sizeof(double));
     grids->kernels->combine(length(level), 1, begin(level, c->gap_only), 1,
                             begin(level, c->gap), begin(level, level->f.gap));

@@ -62,9 +62,10 @@ void ovr_fourth_thinning(const ovr_hierarchy *grids, const ovr_level *level,
                          const ovr_correction *c, double Cu);
 
 /* F and gap of the film as it is, with the mask of its pressures: Poiseuille
- * flow and, for Cu > 0, the wedge. */
+ * flow and, for Cu > 0, the wedge.  The inlet is on the right where `backward`.
+ */
 void ovr_fourth_evaluate(const ovr_hierarchy *grids, const ovr_correction *c,
-                         double Cu);
+                         double Cu, bool backward);
 
 /*
  * From a solution of second order on the finest grid, F = 0, to one of fourth:

@@ -61,14 +61,14 @@ static inline vec middle(const table16 *table, const double *log_eps,
 
 static void fluxes(const ovr_lanes *g, const ovr_fourth *c, const ovr_fields *f)
 {
-    ptrdiff_t centre = (ptrdiff_t)c->centre;
     double scale = 1 / (24 * c->D);
     table16 table;
     make_exp_table(1, &table);
     for (ptrdiff_t J = 1 - REACH; J < (ptrdiff_t)g->S + REACH - 2; J++) {
         vec slope = 27 * (at(f->P, J + 1) - at(f->P, J)) -
                     (at(f->P, J + 2) - at(f->P, J - 1));
-        vec eps = middle(&table, c->log_eps, f, nodes(g, J) < centre, J);
+        ivec i = nodes(g, J), upstream = (i >= c->first) & (i < c->behind);
+        vec eps = middle(&table, c->log_eps, f, upstream, J);
         put(c->flux, J, eps * (scale * slope));
     }
 }

@@ -43,7 +43,7 @@ static double flux(const ovr_fourth *c, const ovr_fields *f, ptrdiff_t i)
 {
     const double *P = f->P + i;
     double slope = (27 * (P[1] - P[0]) - (P[2] - P[-1])) / (24 * c->D);
-    return middle(f, i, i < (ptrdiff_t)c->centre) * slope;
+    return middle(f, i, i >= c->first && i < c->behind) * slope;
 }
 
 /* The equation's left-hand side of fourth order less that of second. */

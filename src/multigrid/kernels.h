@@ -69,7 +69,8 @@ typedef struct ovr_shares {
 /* The correction to fourth order of one grid (fourth_order.h). */
 typedef struct ovr_fourth {
     double D, Cu;
-    size_t centre;          /* the first node with X >= 0 */
+    ptrdiff_t first,
+        behind; /* half nodes of the inlet's side: first <= i < behind */
     double *log_eps, *flux; /* work arrays */
     double *mask;           /* 1 where the equation is corrected, else 0 */
     double *F, *gap;        /* what is added to the right-hand sides */

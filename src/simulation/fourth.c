@@ -34,7 +34,6 @@
 #include <string.h>
 
 #include "contact/contact.h"
-#include "contact/turning.h"
 #include "multigrid/content.h"
 #include "multigrid/starved.h"
 #include "simulation/fourth_content.h"
@@ -122,7 +121,6 @@ static bool applies(const ovr_simulation *sim)
 {
     bool fixed = !varies(sim) && !ovr_conserves(sim);
     return sim->options.order == 4 && (fixed || sim->scheme->characteristic) &&
-           !ovr_history_turns(sim->speed) &&
            ovr_influence_corrected(&sim->grids.influence);
 }
 
@@ -341,7 +339,7 @@ static void renew(ovr_simulation *sim, void *own)
         ovr_simulation_gap(sim, 0);
         return;
     }
-    ovr_fourth_evaluate(&sim->grids, c, sim->grids.op.speed);
+    ovr_fourth_evaluate(&sim->grids, c, sim->grids.op.speed, false);
     ovr_nodes_read(sim, sim->finest, c->F, f->F);
     ovr_nodes_read(sim, sim->finest, c->gap, f->gap);
     ovr_simulation_gap(sim, 0);
@@ -398,18 +396,24 @@ static double film_end(const double *P, size_t n)
     return (double)dry - 1 + (bend > last ? last / bend : 1);
 }
 
-/* What m leaves of F and of the third difference; m where it is asked for. */
+/* What m leaves of F and of the third difference; m where it is asked for.
+ * Where the speed is reversed the film ends on the left. */
 static void fade(const ovr_simulation *sim, fourth *f, double *mask)
 {
     enum { WET = 3, OVER = 8 };
     const double sharp = 3.5;
     const double *P = sim->now.P, *H = sim->now.H;
     size_t n = f->n, since = 0;
+    if (sim->backward) {
+        ovr_mirror(n, P, sim->scratch[0]);
+        P = sim->scratch[0];
+    }
     const double end = film_end(P, n);
+    P = sim->now.P;
     for (size_t i = 0; i < n; i++) {
         bool inside = i >= OVR_FOURTH_MARGIN && i + OVR_FOURTH_MARGIN < n;
-        double far = (end - (double)i - sharp) / OVER, m = 0;
-        size_t ahead = i + WET;
+        size_t along = sim->backward ? n - 1 - i : i, ahead = i + WET;
+        double far = (end - (double)along - sharp) / OVER, m = 0;
         bool wet = ahead < n && P[ahead] > 0;
         since = wet && !jumps(H[ahead - 1], H[ahead]) ? since + 1 : 0;
         if (inside && since > 2 * WET)
@@ -432,7 +436,7 @@ static void evaluate(ovr_simulation *sim, fourth *f, double T, double dT,
             ovr_fourth_content_third(sim, &f->content, T, dT, f->third);
         return;
     }
-    ovr_fourth_evaluate(&sim->grids, c, 0);
+    ovr_fourth_evaluate(&sim->grids, c, 0, sim->backward && !sim->mirrored);
     ovr_nodes_read(sim, sim->finest, c->F, f->F);
     ovr_nodes_read(sim, sim->finest, c->gap, f->next);
     if (!ovr_inflow_third(sim, T, dT, f->third))

@@ -107,7 +107,7 @@ void ovr_fourth_content_evaluate(ovr_simulation *sim, ovr_fourth_content *of,
 {
     const double *q = sim->now.q, *m = of->mask, *second;
     size_t n = sim->now.n;
-    ovr_fourth_evaluate(&sim->grids, c, 0);
+    ovr_fourth_evaluate(&sim->grids, c, 0, false);
     const double *f = flows(sim, of, c, &second);
     double *phi = of->excess;
     fade(sim, of->mask);

@@ -67,6 +67,8 @@ static ovr_simulation *make(run *r, ovr_error *err)
     o.outlet = 4;
     o.level = r->of->level;
     o.scheme = r->of->scheme;
+    if (r->of->order)
+        o.order = r->of->order;
     o.tolerance = r->of->tolerance;
     if (r->of->eyring > 0) {
         c.lubricant.rheology = OVR_EYRING;

@@ -14,6 +14,7 @@ typedef struct test_reversal {
     int level;
     double steps_of_mesh; /* 0: one mesh */
     ovr_scheme scheme;
+    int order;            /* 0: second */
     double tolerance;     /* 0: automatic */
     double eyring, slide; /* Sigma0, 0: Newtonian; V, 0: none */
     test_feature feature;

@@ -116,7 +116,7 @@ static errors poiseuille(const ovr_kernels *run, size_t n, bool upstream,
     const test_grid *g = &of.grid;
     double D = of.c.D, F[2 * N];
     errors e = {0};
-    of.c.centre = upstream ? n : 0;
+    of.c.first = 0, of.c.behind = upstream ? (ptrdiff_t)n : 0;
     fill(g, g->f.P, pressure, -1, D);
     fill(g, g->f.eps, coefficient, -1, D);
     fill(g, g->f.q, NULL, -1, D);
@@ -276,7 +276,8 @@ static void arrays_of(const test_grid *grid, ovr_fourth *c)
 {
     *c = (ovr_fourth){.D = grid->D,
                       .Cu = 0.7,
-                      .centre = (size_t)ceil(4 / grid->D),
+                      .first = 0,
+                      .behind = (ptrdiff_t)ceil(4 / grid->D),
                       .log_eps = grid->band.b[0],
                       .flux = grid->band.b[1],
                       .mask = grid->band.b[2],
