@@ -138,9 +138,7 @@ def march(case, out, share):
         P_all.append(P)
         H_all.append(H)
         near.append(model.flow(P + bears, out["time"][k]))
-    if max(near) < 1:
-        raise RuntimeError("nothing flows")
-    elastic = next(k for k, share in enumerate(near) if share > NEAR)
+    elastic = next((k for k, share in enumerate(near) if share > NEAR), -1)
     return np.array(P_all), np.array(H_all), elastic, model.metals
 
 
@@ -193,6 +191,8 @@ def compared(case):
     shallow = 2 * fine[next(iter(fine))].h / FINE
     for surface, metal in fine.items():
         theirs, other = out[surface], coarse[surface]
+        if not metal.all.any() or not other.all.any():
+            raise RuntimeError(f"too little flows in surface {surface}")
         unit = float(theirs["strain_unit"])
         xi = theirs["material"]
         w = metal.sinking(xi)
@@ -219,7 +219,7 @@ FIXED = {
     "kinematic hardening of surface 2, conserved oil, speed": dict(
         BASE, slide=-0.3, conserving=True, speed=Ramp(1.0, 0.8, 0.2, 0.9),
         features=[dent(2, -0.15, 0.8, -1.4)],
-        yields=dict(LINEAR, surface=2, law="kinematic")),
+        yields=dict(LINEAR, surface=2, law="kinematic", modulus=60.0)),
     "both yield by swift's law, radius": dict(
         BASE, radius=Ramp(1.0, 1.1, 0.1, 0.9),
         features=[dent(1, -0.1, 0.8, -1.4), dent(2, -0.07, 0.8, -1.3)],
@@ -231,7 +231,8 @@ FIXED = {
 
 
 def drawn(seed):
-    """A mix at random."""
+    """A mix at random.  Bumps flow and the smooth contact, from 0.56 p_h on,
+    does not: elements are where the bump is."""
     r = random.Random(seed)
 
     def ramp(low, high, first=1.0):
@@ -242,11 +243,11 @@ def drawn(seed):
     case = dict(BASE, M=math.exp(r.uniform(math.log(15), math.log(50))),
                 L=r.uniform(8, 12), slide=r.uniform(-0.4, 0.4))
     # what presses a bump flat is 2 pi/width of its height
-    case["features"] = [dent(surface, -r.uniform(0.9, 1.2) * width / 6, width,
+    case["features"] = [dent(surface, -r.uniform(1.0, 1.3) * width / 6, width,
                              -1.4)]
-    case["yields"] = dict(LINEAR, surface=surface, Y=r.uniform(0.55, 0.75),
+    case["yields"] = dict(LINEAR, surface=surface, Y=r.uniform(0.6, 0.7),
                           law=r.choice(["linear", "kinematic", "swift"]),
-                          modulus=r.uniform(4, 12))
+                          modulus=math.exp(r.uniform(1.4, 4.1)))
     if r.random() < 0.6:
         case["eyring"] = math.exp(r.uniform(math.log(0.1), 0))
     if r.random() < 0.3:
