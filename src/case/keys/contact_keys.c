@@ -30,7 +30,7 @@ static const ovr_parameter contact_keys[] = {
     {"load", WITH_UNIT(OVR_LOAD, 1e-6, 1e10), NULL, AT(contact.load), true,
      ALWAYS, "load per unit width, w; as a force with width given"},
     {"width", WITH_UNIT(OVR_LENGTH, 1e-7, 1e4), NULL, AT(contact.width), false,
-     ALWAYS,
+     "modulus or G or load or [body]",
      "length of the contact along the rollers' axes: for a load in N, and for "
      "forces in N"},
     {"hertz_pressure", WITH_UNIT(OVR_PRESSURE, 1e2, 1e12), NULL,

@@ -1,0 +1,221 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A key that is given and has no effect is refused, or noted: each key of the
+ * table is given to each of some cases, with value after value, and those that
+ * are taken in silence must change something that is told of the case or its
+ * run.  What each row says of itself (`when`) is not asked.
+ */
+#include "support/test.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "case/setup.h"
+#include "overroll/overroll.h"
+
+#define CONTACT                                                                \
+    "[contact]\nload = 3e5 N/m\nradius = 10 mm\nmodulus = 226 GPa\n"           \
+    "viscosity = 40 mPa.s\nalpha = 17 1/GPa\nspeed_1 = 1.4 m/s\n"              \
+    "speed_2 = 1.2 m/s\n[domain]\nlevel = 4\n"
+#define THINS "[lubricant]\nrheology = eyring\neyring_stress = 5 MPa\n"
+#define INDENT                                                                 \
+    "[time]\nend = 0.2\n[feature d]\nshape = indent\ndepth = 0.2 um\n"         \
+    "width = 0.5\nstart = -0.5\n"
+
+static const struct {
+    const char *name, *text;
+} cases[] = {
+    {"steady", CONTACT},
+    {"numbers", "[contact]\nM = 20\nL = 10\n[domain]\nlevel = 4\n"},
+    {"indent", CONTACT INDENT},
+    {"stress", CONTACT INDENT "[stress]\nsurface = 1\n"
+                              "[fatigue]\nlimit_pressure = none\n"},
+    {"heat", CONTACT THINS INDENT "[heat]\nmodel = lobatto\n"
+                                  "temperature = 80 degC\n"},
+    {"ramp", CONTACT INDENT "[load]\nhistory = ramp\nto = 1.2\n"
+                            "duration = 0.1\n"},
+    {"touching", CONTACT THINS "[boundary]\nlaw = exponential\nRq = 0.3 um\n"
+                               "slope = 0.1\nfriction = 0.1\n"},
+};
+
+/* Taken in silence, and why: what they set is of files that none of these runs
+ * writes; comes later than their ends (a steady film, the whole passage of the
+ * indent, its yielding); is of finer grids; or is a history that goes from 1 to
+ * 1 as long as nothing else is given of it. */
+static const char *const later[] = {
+    "output.",           "stress.every",     "stress.fields",
+    "time.until_steady", "fatigue.alpha",    "fatigue.weibull",
+    "fatigue.raceway",   "plastic.",         "paper.mlmi_",
+    "load.history",      "speed.history",    "sliding.history",
+    "radius.history",    "radius_1.history", NULL};
+
+static bool is_later(const char *where)
+{
+    for (size_t k = 0; later[k]; k++)
+        if (!strncmp(where, later[k], strlen(later[k])))
+            return true;
+    return false;
+}
+
+/* -------------------------------------------------- what is told of a case */
+
+typedef struct told {
+    uint64_t sum; /* FNV-1a of all that is told */
+    bool noted;   /* that a key has no effect */
+} told;
+
+static void add(told *t, const char *text)
+{
+    for (; text && *text; text++)
+        t->sum = (t->sum ^ (unsigned char)*text) * UINT64_C(1099511628211);
+}
+
+static void hear(void *data, ovr_say kind, const char *text)
+{
+    told *t = data;
+    (void)kind;
+    t->noted = t->noted || strstr(text, "no effect");
+    add(t, text);
+}
+
+/* But for what differs between two runs of one case. */
+static void take(void *data, const ovr_summary_line *line)
+{
+    char number[40];
+    if (!line->key || strstr(line->key, "seconds") ||
+        strstr(line->key, "memory"))
+        return;
+    snprintf(number, sizeof number, "%.17g", line->number);
+    add(data, line->key);
+    add(data, number);
+    add(data, line->text);
+}
+
+static void take_answer(void *data, const char *name, const char *text)
+{
+    add(data, name);
+    add(data, text);
+}
+
+/* Runs the case as it was set; false where it is refused, or breaks off. */
+static bool run(ovr_case *c, told *t)
+{
+    ovr_error err = {0};
+    ovr_run_options how = {.say = hear, .data = t};
+    *t = (told){.sum = UINT64_C(14695981039346656037)};
+    ovr_run *r = ovr_run_create(c, &how, NULL, &err);
+    bool good = r && !ovr_run_go(r, &err);
+    if (good) {
+        const ovr_run_info *info = ovr_run_about(r);
+        ovr_run_summary(info, take, t);
+        ovr_setup_tell(info->setup, take_answer, t);
+        good = !ovr_setup_report(info->setup, 0, take, t, &err);
+    }
+    ovr_run_free(r);
+    return good;
+}
+
+/* ------------------------------------------------------------- one key each */
+
+static const char *name_of(const char *section)
+{
+    return !strcmp(section, "feature")                               ? ".d"
+           : !strcmp(section, "body") || !strcmp(section, "coating") ? ".1"
+                                                                     : "";
+}
+
+/* The k-th value to try; NULL behind the last. */
+static const char *value_of(const ovr_parameter_info *p, size_t k,
+                            char text[80])
+{
+    static const double tried[] = {0.05, 1, 1e-6, 2, 0.1, 0.5, 0.3, 3,
+                                   4,    8, 0.9,  9, -1,  20,  1.1};
+    enum { TRIED = sizeof tried / sizeof *tried, ENDS = 3 };
+    bool number = isfinite(p->least);
+    size_t words = 0;
+    while (p->choices[words])
+        words++;
+    if (k < words)
+        return p->choices[k];
+    k -= words;
+    if (!number)
+        return words || k > 1 ? NULL : k ? "yes" : "no";
+    double v = k < TRIED ? tried[k] : NAN, least = p->least, most = p->most;
+    for (size_t e = 0; e < ENDS && k >= TRIED; e++)
+        if (k == TRIED + e)
+            v = least > 0 ? least * pow(most / least, 0.25 * (double)(e + 1))
+                          : least + (most - least) * 0.25 * (double)(e + 1);
+    if (k >= TRIED + ENDS)
+        return NULL;
+    const char *unit = *p->units && !*p->bare ? p->units : "";
+    snprintf(text, 80, "%.6g %.*s", v, (int)strcspn(unit, ", "), unit);
+    return text;
+}
+
+/* Whether a key is taken in silence, and nothing comes of it. */
+static bool is_idle(const char *source, const ovr_parameter_info *p,
+                    const told *base)
+{
+    char where[120], text[80];
+    const char *value;
+    int same = 0, other = 0;
+    told first = *base;
+    snprintf(where, sizeof where, "%s%s.%s", p->section, name_of(p->section),
+             p->key);
+    if (is_later(where))
+        return false;
+    for (size_t k = 0; same < 5 && (value = value_of(p, k, text)); k++) {
+        ovr_error err = {0};
+        told now;
+        if (p->initial && !strcmp(value, p->initial))
+            continue;
+        ovr_case *c = ovr_case_read_text(source, "t.ini", NULL, NULL, &err);
+        bool taken = c && !ovr_case_set(c, where, value, "--set", &err) &&
+                     run(c, &now);
+        ovr_case_free(c);
+        if (!taken)
+            continue;
+        if (now.noted)
+            return false;
+        other += now.sum != first.sum && same + other > 0;
+        if (other)
+            return false;
+        first = now;
+        same++;
+    }
+    return same > 1;
+}
+
+static void keys_have_effects_or_are_refused(void **state)
+{
+    size_t idle = 0;
+    (void)state;
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        ovr_error err = {0};
+        told base;
+        ovr_case *c = ovr_case_read_text(cases[k].text, "t.ini", NULL, NULL,
+                                         &err);
+        assert_non_null(c);
+        if (!run(c, &base))
+            fail_msg("%s does not run", cases[k].name);
+        ovr_case_free(c);
+        for (size_t i = 0; i < ovr_parameter_count(); i++) {
+            ovr_parameter_info p = ovr_parameter_at(i);
+            if (!is_idle(cases[k].text, &p, &base))
+                continue;
+            fprintf(stderr, "%s: [%s] %s is taken and has no effect\n",
+                    cases[k].name, p.section, p.key);
+            idle++;
+        }
+    }
+    assert_int_equal(idle, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(keys_have_effects_or_are_refused)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
