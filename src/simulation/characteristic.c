@@ -194,7 +194,6 @@ void ovr_inflow_history(ovr_simulation *sim, const double c[2],
     memset(F, 0, sim->now.n * sizeof *F);
     add_foot(sim, 0, c[0], a[0], F);
     add_foot(sim, 1, c[1], a[1], F);
-    ovr_history_term(sim, F);
 }
 
 double *ovr_inflow_prediction(ovr_simulation *sim, double T, const double e[3])
@@ -233,4 +232,14 @@ bool ovr_inflow_third(ovr_simulation *sim, double T, double dT, double *third)
         add_foot(sim, k - 1, weight[k],
                  now - ovr_history_integral(sim->speed, t[k]), third);
     return true;
+}
+
+/* Before the first step the past is as long as the step. */
+double ovr_travel_since(const ovr_simulation *sim, int past, double T)
+{
+    const ovr_past *known = &sim->past;
+    double since = past == 0 || known->dT > 0 ? known->T[past]
+                                              : 2 * known->T[0] - T;
+    return ovr_history_integral(sim->speed, T) -
+           ovr_history_integral(sim->speed, since);
 }

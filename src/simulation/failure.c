@@ -172,3 +172,8 @@ ovr_status ovr_failure_step(const ovr_simulation *sim,
                     sim->state.step + 1, T, 1 << OVR_HALVINGS,
                     ending_of(&outcome->defect).words, text);
 }
+
+double ovr_film_expected(const ovr_simulation *sim, double fraction)
+{
+    return ovr_wanted_film(&sim->wanted, fraction);
+}

@@ -55,14 +55,6 @@ ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
     return OVR_OK;
 }
 
-void ovr_heat_steps_keep(const ovr_simulation *sim, int surface, size_t i,
-                         const double *psi)
-{
-    for (int b = 0; b < sim->heated->memory[surface].banks; b++)
-        memcpy(ovr_heat_surface_modes(sim, surface, b) + i * OVR_MODES,
-               psi + b * OVR_MODES, OVR_MODES * sizeof *psi);
-}
-
 /* ------------------------------------------------ the last time reached */
 
 /* What is `kept` of, by number. */

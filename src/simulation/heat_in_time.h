@@ -89,10 +89,6 @@ typedef struct ovr_heat_steps {
 /* Memory for them, with the rates of the surfaces' memories. */
 ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err);
 
-/* What a steady march leaves of a surface at a node. */
-void ovr_heat_steps_keep(const ovr_simulation *sim, int surface, size_t i,
-                         const double *psi);
-
 /* The steady solution, or a step just made, is the last time reached. */
 void ovr_heat_begin(ovr_simulation *sim);
 void ovr_heat_taken(ovr_simulation *sim);

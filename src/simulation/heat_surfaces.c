@@ -292,3 +292,11 @@ void ovr_heat_surface_steady(ovr_simulation *sim, int k)
     ovr_heat_surface_step(sim, k, D, u);
     put_along(sim, k, look(sim, s, h->q[k]));
 }
+
+void ovr_heat_steps_keep(const ovr_simulation *sim, int surface, size_t i,
+                         const double *psi)
+{
+    for (int b = 0; b < sim->heated->memory[surface].banks; b++)
+        memcpy(ovr_heat_surface_modes(sim, surface, b) + i * OVR_MODES,
+               psi + b * OVR_MODES, OVR_MODES * sizeof *psi);
+}

@@ -68,4 +68,8 @@ ovr_status ovr_heat_surface_visit(ovr_simulation *sim, int k, ovr_visit *visit,
 /* Its steady modes by the flux q, and `along` by them. */
 void ovr_heat_surface_steady(ovr_simulation *sim, int k);
 
+/* What a steady march leaves of a surface at a node. */
+void ovr_heat_steps_keep(const ovr_simulation *sim, int surface, size_t i,
+                         const double *psi);
+
 #endif

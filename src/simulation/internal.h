@@ -95,8 +95,9 @@ typedef struct ovr_present {
 
 struct ovr_simulation {
     ovr_arena arena;
-    ovr_present physics[OVR_MOST_PHYSICS + 1];
-    ovr_attached ends; /* of cycles: the physics' */
+    const ovr_physics *const *list; /* all there are, NULL behind the last */
+    ovr_present physics[OVR_MOST_PHYSICS + 1]; /* those that are on */
+    ovr_attached ends;                         /* of cycles: the physics' */
     ovr_contact contact;
     ovr_lubricant lubricant;
     ovr_options options;
@@ -127,6 +128,7 @@ struct ovr_simulation {
     bool backward;     /* of what is solved now: um < 0 (mirror.h) */
     bool mirrored;     /* the grids hold the mirror image */
     int strategy;      /* of steady.c, by which the steady solution was found */
+    bool grown;        /* by it features grow (growth.c) */
     ovr_wanted wanted; /* the steady start */
     int order;         /* reached by it */
     unsigned parts;    /* parts.h, of physics that the options do not know */
@@ -299,7 +301,7 @@ bool ovr_arrival_closes(const ovr_simulation *sim);
 void ovr_arrival_ghosts(const ovr_simulation *sim, double T, size_t ghosts,
                         double *last);
 
-/* Memory for the characteristic scheme, and its history term
+/* Memory for the characteristic scheme, and its history term, in scratch[0]:
  *     F_i = c1 q^k(X_i - a1) + c2 q^{k-1}(X_i - a2). */
 ovr_status ovr_inflow_take(ovr_simulation *sim, ovr_error *err);
 void ovr_inflow_fill(ovr_simulation *sim);

@@ -7,11 +7,6 @@
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
 
-double ovr_integral(const ovr_simulation *sim, const double *f)
-{
-    return sim->grids.kernels->gain(sim->now.n, sim->now.weights, f, NULL);
-}
-
 /* The nodes in a window, from `first` to before `behind`. */
 typedef struct inside {
     size_t first, behind;
@@ -137,61 +132,6 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
     o->load = ovr_integral(sim, ovr_solid_pressure(sim, sim->scratch[1]));
 }
 
-const double *ovr_solid_pressure(const ovr_simulation *sim, double *room)
-{
-    const double *P = sim->now.P;
-    if (!sim->borne)
-        return P;
-    ovr_nodes_read(sim, sim->finest, sim->finest->borne, room);
-    sim->grids.kernels->combine(sim->now.n, 1, room, 1, P, room);
-    return room;
-}
-
-/* 2 E of half node i + 1/2 */
-static double twice_flow(const ovr_solution *now, size_t i)
-{
-    return now->flow ? now->flow[i] : now->eps[i] + now->eps[i + 1];
-}
-
-double ovr_upstream(const ovr_simulation *sim, const double *q, size_t i)
-{
-    const double *u = sim->scheme->upstream;
-    if (sim->backward && i + 2 == sim->now.n)
-        return sim->scheme->order == 2 ? 0.5 * (q[i] + q[i + 1]) : q[i + 1];
-    if (sim->backward)
-        return u[0] * q[i + 1] + u[1] * q[i + 2];
-    if (i == 0)
-        return sim->scheme->order == 2 ? 0.5 * (q[0] + q[1]) : q[0];
-    return u[0] * q[i] + u[1] * q[i - 1];
-}
-
-/* Content that the film carries along at half node i + 1/2. */
-static double carried(const ovr_simulation *sim, size_t i)
-{
-    double q = ovr_upstream(sim, sim->now.q, i);
-    OVR_EACH_PHYSICS(sim, p, carried)
-        q = p->is->carried(sim, p->own, i, q);
-    return q;
-}
-
-double ovr_flow_beside(const ovr_simulation *sim, size_t i, bool mean)
-{
-    double flow = 0;
-    OVR_EACH_PHYSICS(sim, p, flow)
-        flow += p->is->flow(sim, p->own, i, mean);
-    return flow;
-}
-
-/* The scheme's own flux at half node i + 1/2: upstream wedge and Poiseuille
- * flow. */
-double ovr_flux(const ovr_simulation *sim, double Cu, size_t i)
-{
-    const double *P = sim->now.P, *X = sim->now.X;
-    return Cu * carried(sim, i) + ovr_flow_beside(sim, i, false) -
-           0.5 * twice_flow(&sim->now, i) * (P[i + 1] - P[i]) /
-               (X[i + 1] - X[i]);
-}
-
 /* Node by node, with what flows beside the film's own; either way. */
 static double mean_flow_by_nodes(const ovr_simulation *sim, double Cu)
 {
@@ -222,38 +162,15 @@ static double mean_flow(const ovr_simulation *sim)
                                          sim->now.flow);
 }
 
-void ovr_simulation_read(ovr_simulation *sim)
-{
-    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
-        if (ovr_field_rows[k].shown && sim->finest->f.all[k])
-            ovr_nodes_read(sim, sim->finest, sim->finest->f.all[k],
-                           sim->now.all[k]);
-}
-
-void ovr_publish_state(ovr_simulation *sim)
-{
-    ovr_state *state = &sim->state;
-    state->n = sim->now.n;
-    state->D = sim->now.D;
-    state->X = sim->now.X;
-    state->weights = sim->now.weights;
-    state->q = sim->now.q;
-    state->eps = sim->now.eps;
-    state->P = sim->now.P;
-    state->H = sim->now.H;
-    state->S = sim->S;
-    state->H0 = sim->grids.H0;
-}
-
 void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
 {
     ovr_observation *o = &sim->observation;
     const ovr_state *state = &sim->state;
     ovr_publish_state(sim);
     *o = (ovr_observation){.T = state->T, .dT = dT};
-    for (int k = 0; ovr_physics_list[k]; k++)
-        if (ovr_physics_list[k]->unknown)
-            ovr_physics_list[k]->unknown(o);
+    for (int k = 0; sim->list[k]; k++)
+        if (sim->list[k]->unknown)
+            sim->list[k]->unknown(o);
     observe_film(sim, o);
     observe_pressure(sim, o);
     o->load_ratio = ovr_history_value(sim->load, state->T);

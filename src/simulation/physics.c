@@ -5,12 +5,10 @@
 
 #include "simulation/mirror.h"
 
-const ovr_present ovr_absent = {NULL, NULL};
-
-static int place_of(const ovr_physics *physics)
+static int place_of(const ovr_simulation *sim, const ovr_physics *physics)
 {
     int k = 0;
-    while (ovr_physics_list[k] && ovr_physics_list[k] != physics)
+    while (sim->list[k] && sim->list[k] != physics)
         k++;
     return k;
 }
@@ -20,7 +18,7 @@ static ovr_present *place_for(ovr_simulation *sim, const ovr_physics *physics)
 {
     ovr_present *all = sim->physics;
     int at = 0, last;
-    while (all[at].is && place_of(all[at].is) < place_of(physics))
+    while (all[at].is && place_of(sim, all[at].is) < place_of(sim, physics))
         at++;
     if (all[at].is == physics)
         return &all[at];
@@ -137,8 +135,8 @@ static ovr_status add(ovr_simulation *sim, const ovr_physics *physics,
 
 void ovr_physics_prepare(ovr_simulation *sim)
 {
-    for (int k = 0; ovr_physics_list[k]; k++) {
-        const ovr_physics *p = ovr_physics_list[k];
+    for (int k = 0; sim->list[k]; k++) {
+        const ovr_physics *p = sim->list[k];
         if (p->chosen && p->chosen(&sim->options) && p->prepare)
             p->prepare(&sim->grids);
     }
@@ -146,8 +144,8 @@ void ovr_physics_prepare(ovr_simulation *sim)
 
 ovr_status ovr_physics_choose(ovr_simulation *sim, ovr_error *err)
 {
-    for (int k = 0; ovr_physics_list[k]; k++) {
-        const ovr_physics *p = ovr_physics_list[k];
+    for (int k = 0; sim->list[k]; k++) {
+        const ovr_physics *p = sim->list[k];
         if (p->chosen && p->chosen(&sim->options) && add(sim, p, NULL, err))
             return OVR_NO_MEMORY;
     }

@@ -347,13 +347,11 @@ extern const ovr_physics ovr_physics_heat, ovr_physics_stress;
 
 /* The last of them that has it, or none (is NULL). */
 #define OVR_LAST_PHYSICS(sim, p, function)                                     \
-    const ovr_present *p = &ovr_absent;                                        \
+    const ovr_present *p = &(sim)->physics[OVR_MOST_PHYSICS];                  \
     OVR_EACH_PHYSICS(sim, each_##p, function)                                  \
     p = each_##p
 
 /* NOLINTEND(bugprone-macro-parentheses) */
-
-extern const ovr_present ovr_absent;
 
 /* Those that the options choose, before the grids are built and once they are;
  * one more, by its form. */

@@ -6,19 +6,11 @@
 #include <string.h>
 
 #include "base/given.h"
-#include "contact/contact.h"
 #include "multigrid/field.h"
 #include "multigrid/hybrid.h"
 #include "multigrid/line.h"
-#include "simulation/mirror.h"
 #include "simulation/parts.h"
 #include "simulation/physics.h"
-
-ovr_status ovr_simulation_take(ovr_simulation *sim, double **to, ovr_error *err)
-{
-    *to = ovr_arena_take(&sim->arena, sim->now.n, sizeof **to, err);
-    return *to ? OVR_OK : OVR_NO_MEMORY;
-}
 
 static ovr_status take_fields(ovr_simulation *sim, ovr_error *err)
 {
@@ -44,28 +36,6 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
     if (take_fields(sim, err))
         return OVR_NO_MEMORY;
     return ovr_inflow_take(sim, err);
-}
-
-void ovr_whole_domain(ovr_simulation *sim)
-{
-    sim->now.n = sim->finest->grid.n;
-    sim->now.D = ovr_mesh(sim);
-    sim->now.X = sim->finest->grid.X;
-    ovr_grid_weights(&sim->finest->grid, sim->now.weights);
-}
-
-/* The grid is known before anything is solved. */
-void ovr_simulation_fill(ovr_simulation *sim)
-{
-    ovr_hierarchy_fill(&sim->grids);
-    ovr_whole_domain(sim);
-    ovr_inflow_fill(sim);
-    ovr_publish_state(sim);
-}
-
-double ovr_mesh(const ovr_simulation *sim)
-{
-    return ovr_grid_mesh(&sim->finest->grid);
 }
 
 ovr_cycling ovr_simulation_cycling(const ovr_simulation *sim, int finer_bottom)
@@ -152,6 +122,7 @@ static ovr_simulation *set_up(ovr_arena arena, const ovr_contact *contact,
     sim->lubricant = *lubricant;
     sim->options = *options;
     ovr_statistics_unknown(&sim->statistics);
+    sim->list = ovr_physics_list;
     sim->moving = NAN;
     sim->scheme = ovr_scheme_record(sim->options.scheme);
     if (build(sim, err)) {
@@ -255,69 +226,6 @@ void ovr_simulation_radius(ovr_simulation *sim, const ovr_history *radius,
     sim->radius = radius;
     sim->radius_1 = radius_1;
     sim->rides = rides;
-}
-
-ovr_smooth ovr_simulation_smooth(const ovr_simulation *sim, double T)
-{
-    const ovr_contact *c = &sim->contact;
-    return ovr_smooth_of(&(ovr_curving){sim->radius,
-                                        sim->radius_1,
-                                        sim->speed,
-                                        sim->sliding,
-                                        {c->u1_ratio, c->u2_ratio},
-                                        sim->rides},
-                         T);
-}
-
-ovr_status ovr_smooth_check(const ovr_simulation *sim, double T, ovr_error *err)
-{
-    const ovr_options *o = &sim->options;
-    ovr_smooth smooth = ovr_simulation_smooth(sim, T);
-    if (ovr_smooth_opens(&smooth, fmax(-o->inlet, o->outlet)))
-        return OVR_OK;
-    if (!(ovr_history_value(sim->radius, T) > 0))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "radius ratio %g at T = %g: must be positive",
-                        ovr_history_value(sim->radius, T), T);
-    return ovr_fail(err, OVR_BAD_INPUT,
-                    "the curvature at T = %g changes too fast, or a surface "
-                    "moves too slowly, for it to ride with the material all "
-                    "over the domain",
-                    T);
-}
-
-void ovr_surface_heights(const ovr_simulation *sim, double T, size_t n,
-                         const double *X, double *S)
-{
-    if (sim->heights)
-        sim->heights(sim->heights_data, T, n, X, S);
-    else
-        memset(S, 0, n * sizeof *S);
-    OVR_EACH_PHYSICS(sim, p, heights)
-        p->is->heights(sim, p->own, T, n, X, S);
-}
-
-bool ovr_has_heights(const ovr_simulation *sim)
-{
-    OVR_LAST_PHYSICS(sim, p, heights);
-    return sim->heights || p->is;
-}
-
-void ovr_simulation_gap(ovr_simulation *sim, double T)
-{
-    const ovr_smooth smooth = ovr_simulation_smooth(sim, T);
-    double *restrict gap = sim->scratch[0];
-    const double *restrict X = sim->now.X, *restrict S = sim->S;
-    size_t n = sim->now.n;
-    if (ovr_has_heights(sim)) {
-        memcpy(sim->S_past, S, n * sizeof *S);
-        ovr_surface_heights(sim, T, n, X, sim->S);
-    }
-    for (size_t i = 0; i < n; i++)
-        gap[i] = ovr_smooth_at(&smooth, X[i]) - S[i];
-    OVR_EACH_PHYSICS(sim, p, gap)
-        p->is->gap(sim, p->own, gap);
-    ovr_nodes_write(sim, sim->finest, gap, sim->finest->f.gap);
 }
 
 const ovr_state *ovr_simulation_state(const ovr_simulation *sim)

@@ -8,18 +8,10 @@
 
 #include "base/given.h"
 #include "contact/contact.h"
-#include "multigrid/film_end.h"
-#include "multigrid/starved.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
 #include "simulation/simulation.h"
 #include "simulation/steady.h"
-#include "simulation/step_cycles.h"
-
-double ovr_film_expected(const ovr_simulation *sim, double fraction)
-{
-    return ovr_wanted_film(&sim->wanted, fraction);
-}
 
 /* What a solve tries in turn until it converges: first the ordinary; then, if
  * there are any, features that grow out of smooth surfaces; with a flow law
@@ -53,33 +45,6 @@ static const strategy strategies[] = {
      false}};
 enum { STRATEGIES = sizeof strategies / sizeof *strategies };
 
-/*
- * Of a level with film H at X = 0 so far.  On the way up a level need not be
- * better solved than its mesh is fine: fifty times the tolerance is most often
- * one cycle, and leaves less than the discretization error there.  The finest
- * level ends in the same place (algebraic over discretization error at M = 20,
- * L = 10, levels 8, 10 and 12: 0.020, 0.022, 0.006 after two cycles on it,
- * 0.015, 0.017, 0.000 when all levels had two), a fifth sooner.  Rough
- * surfaces have waves of a few meshes: what is negligible beside the mesh's
- * error of a smooth film is far below that of theirs.
- */
-double ovr_steady_tolerance(const void *data, const ovr_level *level, double H)
-{
-    const ovr_simulation *sim = data;
-    const double on_the_way = 50, rough = 1e-6;
-    const ovr_options *o = &sim->options;
-    double truncation = ovr_truncation_tolerance(
-        sim, ovr_grid_mesh(&level->grid), H);
-    if (level != sim->finest)
-        return on_the_way * truncation;
-    if (o->tolerance > 0)
-        return o->tolerance;
-    if (o->stop == OVR_STOP_TRUNCATION)
-        return truncation;
-    return fmax(strategies[sim->strategy].grown ? rough : 0,
-                ovr_negligible_tolerance(sim, ovr_grid_mesh(&level->grid), H));
-}
-
 const char *ovr_simulation_strategy(const ovr_simulation *sim)
 {
     if (!sim)
@@ -95,11 +60,6 @@ static bool thins(const ovr_simulation *sim)
 static bool thin_last(const ovr_simulation *sim, const strategy *how)
 {
     return thins(sim) && how->thin_last;
-}
-
-int ovr_steady_most_cycles(const ovr_simulation *sim, int unless_given)
-{
-    return sim->options.max_cycles ? sim->options.max_cycles : unless_given;
 }
 
 static ovr_full full_of(ovr_simulation *sim, const strategy *how)
@@ -123,27 +83,6 @@ static ovr_full full_of(ovr_simulation *sim, const strategy *how)
                       .watch = ovr_refinement_watch,
                       .data = sim,
                       .saved = sim->saved};
-}
-
-ovr_defect ovr_steady_cycles(ovr_simulation *sim, const ovr_full *how,
-                             int *cycles)
-{
-    ovr_full last = *how;
-    last.fixed = false;
-    if (strategies[sim->strategy].grown)
-        return ovr_steady_settled(sim, how, cycles);
-    if (sim->grids.conserving)
-        return ovr_content_cycles(&sim->grids, &last, sim->finest, cycles);
-    ovr_level_refresh(&sim->grids, sim->finest);
-    return ovr_full_cycles(&sim->grids, sim->finest, &last, cycles);
-}
-
-ovr_defect ovr_steady_film(ovr_simulation *sim, const ovr_full *how,
-                           int *cycles)
-{
-    if (strategies[sim->strategy].grown)
-        return ovr_steady_grown(sim, how, cycles);
-    return ovr_full_multigrid(&sim->grids, &sim->wanted, *how, cycles);
 }
 
 /* Of the surfaces as they are at T = 0. */
@@ -210,30 +149,6 @@ static ovr_status begin_load_and_speed(ovr_simulation *sim, ovr_error *err)
     return OVR_OK;
 }
 
-/* A fixed number of cycles has to reach the discretization error. */
-static bool finished(const ovr_simulation *sim, const ovr_outcome *outcome,
-                     double tolerance)
-{
-    int done = sim->refinements;
-    if (!ovr_surfaces_apart(sim))
-        return false;
-    if (sim->options.stop == OVR_STOP_FIXED && done)
-        return sim->refinement[done - 1].algebraic <=
-               sim->refinement[done - 1].difference;
-    return ovr_below(outcome->defect, tolerance);
-}
-
-static double tolerance_of(const ovr_simulation *sim,
-                           const ovr_outcome *outcome)
-{
-    return ovr_steady_tolerance(sim, sim->finest, outcome->defect.centre);
-}
-
-bool ovr_steady_found(const ovr_simulation *sim, const ovr_outcome *outcome)
-{
-    return finished(sim, outcome, tolerance_of(sim, outcome));
-}
-
 /* The film as it is now, with the physics that are solved in turn with it. */
 static bool found_with_all(ovr_simulation *sim, const ovr_full *how,
                            ovr_outcome *outcome)
@@ -277,13 +192,12 @@ void ovr_simulation_stop(ovr_simulation *sim, bool (*stop)(void *data),
 static double try_strategy(ovr_simulation *sim, int k, ovr_outcome *outcome)
 {
     ovr_full how = full_of(sim, &strategies[k]);
-    double tolerance;
     sim->strategy = k;
+    sim->grown = strategies[k].grown;
     sim->refinements = 0;
     attempt(sim, &how, outcome);
-    tolerance = tolerance_of(sim, outcome);
-    outcome->converged = finished(sim, outcome, tolerance);
-    return tolerance;
+    outcome->converged = ovr_steady_found(sim, outcome);
+    return ovr_steady_tolerance(sim, sim->finest, outcome->defect.centre);
 }
 
 /* By one after the other. */

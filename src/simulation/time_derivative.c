@@ -51,21 +51,12 @@ void ovr_history_at_nodes(ovr_simulation *sim, const double c[2], double T)
     ovr_history_term(sim, F);
 }
 
-/* Before the first step the past is as long as the step. */
-double ovr_travel_since(const ovr_simulation *sim, int past, double T)
-{
-    const ovr_past *known = &sim->past;
-    double since = past == 0 || known->dT > 0 ? known->T[past]
-                                              : 2 * known->T[0] - T;
-    return ovr_history_integral(sim->speed, T) -
-           ovr_history_integral(sim->speed, since);
-}
-
 void ovr_history_at_feet(ovr_simulation *sim, const double c[2], double T)
 {
     const double a[2] = {ovr_travel_since(sim, 0, T),
                          ovr_travel_since(sim, 1, T)};
     ovr_inflow_history(sim, c, a);
+    ovr_history_term(sim, sim->scratch[0]);
 }
 
 void ovr_time_derivative(ovr_simulation *sim, double dT)

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The mesh, and what is on it before anything is solved: the smooth surfaces
+ * at T, the heights on them, the gap. */
+#include <math.h>
+#include <string.h>
+
+#include "contact/contact.h"
+#include "simulation/mirror.h"
+#include "simulation/physics.h"
+
+double ovr_mesh(const ovr_simulation *sim)
+{
+    return ovr_grid_mesh(&sim->finest->grid);
+}
+
+ovr_smooth ovr_simulation_smooth(const ovr_simulation *sim, double T)
+{
+    const ovr_contact *c = &sim->contact;
+    return ovr_smooth_of(&(ovr_curving){sim->radius,
+                                        sim->radius_1,
+                                        sim->speed,
+                                        sim->sliding,
+                                        {c->u1_ratio, c->u2_ratio},
+                                        sim->rides},
+                         T);
+}
+
+ovr_status ovr_smooth_check(const ovr_simulation *sim, double T, ovr_error *err)
+{
+    const ovr_options *o = &sim->options;
+    ovr_smooth smooth = ovr_simulation_smooth(sim, T);
+    if (ovr_smooth_opens(&smooth, fmax(-o->inlet, o->outlet)))
+        return OVR_OK;
+    if (!(ovr_history_value(sim->radius, T) > 0))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "radius ratio %g at T = %g: must be positive",
+                        ovr_history_value(sim->radius, T), T);
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "the curvature at T = %g changes too fast, or a surface "
+                    "moves too slowly, for it to ride with the material all "
+                    "over the domain",
+                    T);
+}
+
+void ovr_surface_heights(const ovr_simulation *sim, double T, size_t n,
+                         const double *X, double *S)
+{
+    if (sim->heights)
+        sim->heights(sim->heights_data, T, n, X, S);
+    else
+        memset(S, 0, n * sizeof *S);
+    OVR_EACH_PHYSICS(sim, p, heights)
+        p->is->heights(sim, p->own, T, n, X, S);
+}
+
+bool ovr_has_heights(const ovr_simulation *sim)
+{
+    OVR_LAST_PHYSICS(sim, p, heights);
+    return sim->heights || p->is;
+}
+
+void ovr_simulation_gap(ovr_simulation *sim, double T)
+{
+    const ovr_smooth smooth = ovr_simulation_smooth(sim, T);
+    double *restrict gap = sim->scratch[0];
+    const double *restrict X = sim->now.X, *restrict S = sim->S;
+    size_t n = sim->now.n;
+    if (ovr_has_heights(sim)) {
+        memcpy(sim->S_past, S, n * sizeof *S);
+        ovr_surface_heights(sim, T, n, X, sim->S);
+    }
+    for (size_t i = 0; i < n; i++)
+        gap[i] = ovr_smooth_at(&smooth, X[i]) - S[i];
+    OVR_EACH_PHYSICS(sim, p, gap)
+        p->is->gap(sim, p->own, gap);
+    ovr_nodes_write(sim, sim->finest, gap, sim->finest->f.gap);
+}

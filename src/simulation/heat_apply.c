@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What temperatures are to the film: the fields of Reynolds' equation (heat.h),
+ * and how far they move on at once. */
+#include <math.h>
+#include <string.h>
+
+#include "base/larger.h"
+#include "contact/contact.h"
+#include "simulation/heat_in_time.h"
+#include "simulation/mirror.h"
+#include "simulation/physics.h"
+
+void ovr_heat_speeds(ovr_simulation *sim, double T)
+{
+    ovr_heated *h = sim->heated;
+    h->V = ovr_sliding(sim, T);
+    h->u1 = ovr_history_value(sim->speed, T) + h->V / 2;
+}
+
+/* Injection of all to all grids. */
+static void restrict_all(ovr_simulation *sim)
+{
+    const ovr_heated *h = sim->heated;
+    const double *const from[] = {h->th, h->shift, h->drag, h->swell};
+    double *room = sim->scratch[0];
+    for (int l = sim->grids.finest; l >= sim->grids.coarsest; l--) {
+        ovr_level *level = &sim->grids.level[l];
+        double *const to[] = {level->f.th, level->f.shift, level->f.drag,
+                              level->f.swell};
+        size_t every = (size_t)1 << (sim->grids.finest - l);
+        for (int k = 0; k < 4 && to[k]; k++) {
+            for (size_t i = 0; i < level->grid.n; i++)
+                room[i] = from[k][i * every];
+            ovr_nodes_write(sim, level, room, to[k]);
+        }
+    }
+}
+
+/* Upstream difference of v along x, the flow coming from the right. */
+static double wedge_from_right(const ovr_simulation *sim, const ovr_weights *w,
+                               const double *v, size_t i)
+{
+    size_t last = sim->now.n - 1;
+    const double *a = i + 1 == last ? w->first : w->a;
+    double sum = 0;
+    for (size_t m = 0; m < 3 && i + m <= last; m++)
+        sum -= a[m] * v[i + m];
+    return sum;
+}
+
+/* What others give, and in time the past. */
+static void sides(const ovr_simulation *sim, double *F)
+{
+    const ovr_heat_steps *s = sim->heated->steps;
+    size_t n = sim->now.n;
+    if (s->dT > 0) {
+        memcpy(F, s->F, n * sizeof *F);
+        return;
+    }
+    memset(F, 0, n * sizeof *F);
+    OVR_EACH_PHYSICS(sim, p, sides)
+        p->is->sides(sim, p->own, F);
+}
+
+/* F of N = F: that, and the wedge of q D. */
+static void put_turned(ovr_simulation *sim)
+{
+    const ovr_heated *h = sim->heated;
+    const double *v = h->turned, D = ovr_mesh(sim);
+    double *F = sim->scratch[0];
+    ovr_operator op = {0};
+    ovr_weights w;
+    ovr_reynolds_wedge(&op, sim->scheme->order == 2, 1);
+    w = ovr_reynolds_weights(&op, D);
+    sides(sim, F);
+    for (size_t i = 0; i < sim->now.n; i++) {
+        const double *a = i == 1 ? w.first : w.a;
+        if (sim->backward) {
+            F[i] += wedge_from_right(sim, &w, v, i);
+            continue;
+        }
+        if (i > 0)
+            F[i] += a[0] * v[i] + a[1] * v[i - 1];
+        if (i > 1)
+            F[i] += a[2] * v[i - 2];
+    }
+    ovr_nodes_write(sim, sim->finest, F, sim->finest->f.F);
+}
+
+void ovr_heat_give(ovr_simulation *sim)
+{
+    restrict_all(sim);
+    put_turned(sim);
+}
+
+/* What a cavity holds moves with the surfaces.  The flow that temperatures turn
+ * fades out over the last pressures before it: a node that is wet in one turn
+ * and dry in the next then changes nothing. */
+static void fade(const ovr_simulation *sim, double *turned)
+{
+    const double low = 0.005; /* p_h */
+    for (size_t i = 0; i < sim->now.n; i++)
+        turned[i] *= ovr_larger(0, ovr_smaller(1, sim->now.P[i] / low));
+}
+
+void ovr_heat_apply(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    ovr_heat_film_fields(sim);
+    if (ovr_conserves(sim))
+        fade(sim, h->turned);
+    ovr_heat_give(sim);
+}
+
+/* No temperature moves on by more than this share of itself and some kelvins:
+ * the first are those of an isothermal film, which may be absurd. */
+double ovr_heat_relax(ovr_simulation *sim, double share)
+{
+    const double most = 0.5, least = 10;
+    ovr_heated *h = sim->heated;
+    double change = 0, rise = 1e-300;
+    for (int j = 0; j < h->across.n; j++)
+        for (size_t i = 0; i < sim->now.n; i++) {
+            double d = h->T[j][i] - h->used[j][i];
+            double limit = most * fabs(h->used[j][i]) + least;
+            change = ovr_larger(change, fabs(d));
+            rise = ovr_larger(rise, fabs(h->T[j][i]));
+            h->used[j][i] += ovr_larger(-limit, ovr_smaller(share * d, limit));
+        }
+    return change / rise;
+}
