@@ -2,7 +2,8 @@
 /*
  * The stresses below the film: colours of one scale for the whole run, white
  * lines every 0.1 p_h, a dark one at the largest value of the smooth contact, a
- * cross at the largest of the snapshot, dots where the mesh begins to be seen.
+ * cross at the largest of the snapshot, dots where the mesh begins to be seen,
+ * straight lines where one layer ends and the next begins.
  */
 const palette = [[27, 16, 68], [59, 58, 140], [42, 122, 152], [69, 168, 130],
   [201, 207, 82], [255, 243, 176]];
@@ -12,7 +13,8 @@ async function stressOf(made, shots) {
   const n = made.columns * made.rows;
   const field = await fieldOf(made, n, shots);
   return { ...made, at: field.at, z: doublesOf(made.z),
-    worst: doublesOf(made.worst) };
+    worst: doublesOf(made.worst),
+    layers: made.layers ? doublesOf(made.layers) : [] };
 }
 
 // What yielding left in the material at the end of the run, which moves with
@@ -119,6 +121,17 @@ function drawWorst(c, box, s, k) {
   c.stroke();
 }
 
+function drawLayers(c, box, depths) {
+  c.strokeStyle = "#ffffff";
+  c.lineWidth = 2;
+  c.beginPath();
+  for (const z of depths) {
+    c.moveTo(box.x, box.Y(z));
+    c.lineTo(box.x + box.w, box.Y(z));
+  }
+  c.stroke();
+}
+
 function drawDepths(c, box, s, u) {
   const log = state.depth === "log", ticks = [];
   if (log)
@@ -191,6 +204,7 @@ function drawStress(view) {
         if (v <= Math.max(s.high, -s.low))
           drawContour(c, box, s, k, sign * v,
             { line: "rgba(255, 255, 255, .8)", width: 0.7 });
+    drawLayers(c, box, run.stress.layers);
     if (!s.worst) return;
     for (const sign of s.low < 0 && s.high > 0 ? [-1, 1] : [s.low < 0 ? -1 : 1])
       drawContour(c, box, s, k, sign * s.smooth, { line: "#101418", width: 1.6 });
@@ -207,6 +221,7 @@ function drawStress(view) {
   drawScale(c, box, s, k, u);
   view.stress.dataset.free = box.free;
   view.stress.dataset.below = s.name;
+  view.stress.dataset.layers = [...run.stress.layers].map(box.Y).join(" ");
   if (s.worst) view.stress.dataset.worst = [...s.worst.slice(3 * k, 3 * k + 3)].join(" ");
 }
 

@@ -11,6 +11,7 @@
 
 #include "pictures/depth_field.h"
 #include "pictures/pack.h"
+#include "stress/layered.h"
 
 enum { ROWS = 40, MOST_COLUMNS = 180, LEAST_COLUMNS = 60 };
 enum { MOST_VALUES = 2000000, STEPS = 1000 };
@@ -63,6 +64,16 @@ static ovr_status fill(sheet *s, size_t shot, ovr_error *err)
     return OVR_OK;
 }
 
+/* Depths of the interfaces, where the body has layers. */
+static void put_layers(ovr_text *to, const ovr_layered *body)
+{
+    double bottom[OVR_LAYERS_MOST];
+    for (int j = 0; j < body->layers; j++)
+        bottom[j] = ovr_layered_bottom(body, j);
+    if (body->layers)
+        ovr_text_doubles(to, "layers", bottom, (size_t)body->layers);
+}
+
 static ovr_status put(ovr_text *to, const sheet *s, ovr_arena *arena,
                       ovr_error *err)
 {
@@ -79,6 +90,7 @@ static ovr_status put(ovr_text *to, const sheet *s, ovr_arena *arena,
                    f->smooth, f->least);
     ovr_text_doubles(to, "z", s->z, ROWS);
     ovr_text_doubles(to, "worst", s->worst, 3 * s->shots);
+    put_layers(to, &f->coated.body);
     ovr_text_print(to,
                    "\"levels\":%d,\"from\":%.17g,\"step\":%.17g,\"bend\":0,"
                    "\"data\":\"",

@@ -26,6 +26,15 @@ static void say_extreme(const ovr_told *to, const char *label,
     say_stress(to, label, e->value, ph, at.text);
 }
 
+static void say_tension(const ovr_told *to, const char *label,
+                        const ovr_stress_extreme *e, double ph)
+{
+    if (e->value > 0)
+        say_extreme(to, label, e, ph);
+    else
+        ovr_tell(to, label, "none, it is pressed together everywhere");
+}
+
 /* The row from which at least `z` is counted. */
 static size_t row_from(const ovr_material *m, double z)
 {
@@ -186,8 +195,8 @@ void ovr_say_stress(const ovr_told *to, const ovr_stress_report *r,
     if (!isnan(r->layer_von_mises.value)) {
         say_extreme(to, "von Mises in a layer", &r->layer_von_mises, ph);
         say_extreme(to, "shear of an interface", &r->interface_shear, ph);
-        say_extreme(to, "tension across one", &r->interface_tension, ph);
-        say_extreme(to, "tension at the top", &r->surface_tension, ph);
+        say_tension(to, "tension across one", &r->interface_tension, ph);
+        say_tension(to, "tension at the top", &r->surface_tension, ph);
         if (!isnan(r->layer_utilisation))
             ovr_tell_number(to, "layers use", 4, r->layer_utilisation,
                             "of their own yield, at most");

@@ -50,6 +50,8 @@ for upper in none '3 GPa'; do
 done
 expect 0 "$OVERROLL" run case.ini -o words.h5 --set 'coating 1.yield=3 GPa'
 contains out '^layers use .* of their own yield'
+contains out '^tension across one +[0-9.e-]+ .* at X'
+contains out '^tension at the top +none'
 for limit in upper:1:'2 GPa' lower:1b:'0.5 GPa'; do
     coat=${limit#*:}
     expect 0 "$OVERROLL" run case.ini -o "${limit%%:*}_limit.h5" --json \

@@ -136,6 +136,38 @@ def stresses(browser):
         assert abs(worst / most - 1) < 0.02, (shot, worst, most)
 
 
+def layered(browser):
+    """White lines where one layer ends and the next begins, on both scales."""
+    lines = []
+    for scale in ("linear", "log"):
+        choose(browser, "depth", scale)
+        time.sleep(0.2)
+        left, top, width, _ = box(browser, "canvas.stress")
+        lines = [float(y) for y in browser.run(
+            "return document.querySelector('canvas.stress')"
+            ".dataset.layers").split()]
+        assert len(lines) == 2, lines
+        for y, Z in zip(lines, (0.3, 0.5)):
+            browser.pointer(left + 0.4 * width, top + y)
+            time.sleep(0.1)
+            pointed = float(browser.run(
+                "return document.querySelector('canvas.stress')"
+                ".dataset.pointed").split()[1])
+            assert abs(pointed / Z - 1) < 0.05, (scale, y, pointed, Z)
+    white = browser.run("""
+        const c = document.querySelector("canvas.stress");
+        const f = c.height / c.getBoundingClientRect().height, w = c.width;
+        const d = c.getContext("2d").getImageData(0, 0, w, c.height).data;
+        return arguments[0].map((y) => {
+          let n = 0;
+          for (let x = w >> 2; x < w >> 1; x++) {
+            const i = 4 * (Math.round(y * f) * w + x);
+            if (Math.min(d[i], d[i + 1], d[i + 2]) > 200) n++;
+          }
+          return n / ((w >> 1) - (w >> 2)); });""", lines)
+    assert min(white) > 0.9, white
+
+
 def yielded(browser):
     """Below the film stands what yielding left, where the material is now; it
     moves with the surface."""
@@ -313,6 +345,8 @@ def main():
         log = browser.log()
         assert not log, log
 
+        load(browser, "coated.html")
+        layered(browser)
         load(browser, "yields.html")
         yielded(browser)
         log = browser.log()

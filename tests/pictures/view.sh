@@ -48,6 +48,16 @@ END
 expect 0 "$OVERROLL" run yields.ini -o yields.h5 -q
 expect 0 "$OVERROLL" view yields.h5 -o yields.html
 
+# Two layers on the body below.
+{
+    sed '/^modulus/d' stress.ini
+    printf '[body %s]\nmodulus = 206 GPa\n' 1 2
+    printf '[coating 1]\nthickness = 0.3\nmodulus = 350 GPa\n'
+    printf '[coating 1b]\nthickness = 0.2\nmodulus = 120 GPa\n'
+} >coated.ini
+expect 0 "$OVERROLL" run coated.ini -o coated.h5 -q --set domain.level=6
+expect 0 "$OVERROLL" view coated.h5 -o coated.html
+
 {
     sed 's/^alpha = .*/&\nrheology = eyring\neyring_stress = 5 MPa/' dent.ini
     printf '[heat]\nmodel = lobatto\ntemperature = 80 degC\n'
@@ -61,6 +71,7 @@ expect 0 "$OVERROLL" view dent.h5 -o shear.html --stress tau_xz
 grep -q '"stress":{"name":"tau_xz"' shear.html || fail 'no tau_xz in the page'
 grep -q '"T1":' page.html && fail 'temperatures of a run without heat'
 grep -q '"stress":' page.html && fail 'stresses that nobody asked for'
+grep -q '"layers":' stress.html && fail 'layers of a body that has none'
 refuses 'no stress .high.' view dent.h5 -o none.html --stress high
 refuses 'exists; --force' view dent.h5 -o page.html
 refuses 'where to' view dent.h5
