@@ -29,6 +29,7 @@
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "case/feed.h"
 #include "case/resolve.h"
@@ -217,25 +218,28 @@ static void add(ovr_run_errors *errors, ovr_run_error e)
         errors->of[errors->count++] = e;
 }
 
+static const ovr_observable *observable_of(const char *key)
+{
+    const ovr_observable *o;
+    for (size_t k = 0; (o = ovr_observable_at(k)); k++)
+        if (o->key && !strcmp(o->key, key))
+            break;
+    return o;
+}
+
 /* At the end of the run. */
 static void judge_end(ovr_run_errors *errors, const level_run *r,
                       const measure *m)
 {
-    static const struct {
-        const char *key;
-        ovr_unit_kind kind;
-        size_t offset;
-    } rows[] = {
-        {"H_min", OVR_KIND_HEIGHT, offsetof(ovr_observation, H_min_located)},
-        {"H_cen", OVR_KIND_HEIGHT, offsetof(ovr_observation, H_cen)},
-        {"P_max", OVR_KIND_PRESSURE, offsetof(ovr_observation, P_max)}};
+    /* the smallest film where it is, not at the nearest node */
+    static const char *const rows[][2] = {
+        {"H_min", "H_min_located"}, {"H_cen", "H_cen"}, {"P_max", "P_max"}};
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        const ovr_observable *o = observable_of(rows[k][1]);
         double v[LEVELS];
-        for (int i = 0; i < LEVELS; i++) {
-            const char *seen = (const char *)&r[i].seen + rows[k].offset;
-            v[i] = r[i].solved ? *(const double *)(const void *)seen : NAN;
-        }
-        add(errors, judge(rows[k].key, rows[k].kind, m, v));
+        for (int i = 0; i < LEVELS; i++)
+            v[i] = r[i].solved ? ovr_observable_value(o, &r[i].seen) : NAN;
+        add(errors, judge(rows[k][0], o->kind, m, v));
     }
 }
 
