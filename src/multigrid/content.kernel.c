@@ -220,14 +220,6 @@ static INLINE void assemble_vector(const line *l, const row_weights *free,
     put(band->delta, J, at(l->f.r, J));
 }
 
-/* Rows that say delta = 0: the ends of the grid. */
-static void hold_row(const ovr_band *band, size_t place)
-{
-    for (size_t d = 0; d < 5; d++)
-        band->b[d][place] = d == 2;
-    band->delta[place] = 0;
-}
-
 static INLINE void assemble(const line *l, ptrdiff_t S, row_kind kind,
                             bool transient)
 {
@@ -263,9 +255,9 @@ void OVR_KERNEL(content_assemble)(const ovr_lanes *g, const ovr_weights *w,
         assemble_kind(&l, S, true);
     else
         assemble_kind(&l, S, false);
-    hold_row(band, 0);
+    ovr_band_hold(band, 0);
     for (size_t i = g->n - 1; i <= g->S * VEC; i++)
-        hold_row(band, ovr_lanes_place(g, i));
+        ovr_band_hold(band, ovr_lanes_place(g, i));
 }
 
 /* P + clipped change where wet, which is dried at zero; q + delta where dry. */

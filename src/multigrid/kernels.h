@@ -59,6 +59,14 @@ typedef struct ovr_band {
     double reach;  /* (X/4)^2 of the far end, 1 at least: band.kernel.c */
 } ovr_band;
 
+/* A row that says delta = 0: the ends of the grid. */
+static inline void ovr_band_hold(const ovr_band *band, size_t place)
+{
+    for (size_t d = 0; d < 5; d++)
+        band->b[d][place] = d == 2;
+    band->delta[place] = 0;
+}
+
 /* How a change delta_j of the line relaxation is shared with P_{j-1} and
  * P_{j+1}; in time by dry nodes too. */
 typedef struct ovr_shares {

@@ -116,14 +116,6 @@ static INLINE void assemble_vector(const line *l, const row_weights *c,
     put(band->delta, J, choose(held, all(0), at(l->f.r, J)));
 }
 
-/* Rows that say delta = 0: the ends of the grid. */
-static void hold_row(const ovr_band *band, size_t place)
-{
-    for (size_t d = 0; d < 5; d++)
-        band->b[d][place] = d == 2;
-    band->delta[place] = 0;
-}
-
 /* Column n - 2 has no share at node n - 1, which stays zero: rows n - 4 to n -
  * 2 as they are without it, where a film fills the outlet (line.h). */
 static void end_column(const line *l, const ovr_lanes *g, const row_weights *c)
@@ -178,9 +170,9 @@ void OVR_KERNEL(band_assemble)(const ovr_lanes *g, const ovr_weights *w,
         assemble_kind(&l, g, w, true);
     else
         assemble_kind(&l, g, w, false);
-    hold_row(band, 0);
+    ovr_band_hold(band, 0);
     for (size_t i = g->n - 1; i <= g->S * VEC; i++)
-        hold_row(band, ovr_lanes_place(g, i));
+        ovr_band_hold(band, ovr_lanes_place(g, i));
 }
 
 /* P_J <- max(0, P_J + change), |change| <= limit; in time a node held dry stays

@@ -71,20 +71,13 @@ static void keep(const ovr_simulation *sim)
         memcpy(h->steps->kept[k], kept_of(h, k), sim->now.n * sizeof(double));
 }
 
-static void swap(double **a, double **b)
-{
-    double *kept = *a;
-    *a = *b;
-    *b = kept;
-}
-
 static void swap_trial(ovr_heated *h)
 {
     ovr_heat_steps *s = h->steps;
     for (int j = 0; j < h->across.n; j++)
-        swap(&h->T[j], &s->T_before[j]);
+        ovr_swap(&h->T[j], &s->T_before[j]);
     for (int k = 0; k < 2; k++)
-        swap(&h->q[k], &s->q_before[k]);
+        ovr_swap(&h->q[k], &s->q_before[k]);
     s->trying = !s->trying;
 }
 

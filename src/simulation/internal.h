@@ -399,4 +399,11 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome);
 ovr_status ovr_simulation_take(ovr_simulation *sim, double **to,
                                ovr_error *err);
 
+static inline void ovr_swap(double **a, double **b)
+{
+    double *kept = *a;
+    *a = *b;
+    *b = kept;
+}
+
 #endif

@@ -31,13 +31,6 @@ static bool can(ovr_simulation *sim)
            !sim->options.paper_balance;
 }
 
-static void swap(double **a, double **b)
-{
-    double *kept = *a;
-    *a = *b;
-    *b = kept;
-}
-
 /* What the finest level has only meanwhile: puts it in, or takes it out. */
 static void exchange(ovr_simulation *sim)
 {
@@ -45,9 +38,9 @@ static void exchange(ovr_simulation *sim)
     ovr_level *level = sim->finest;
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (own->mine[k])
-            swap(&level->f.all[k], &own->field[k]);
-    swap(&level->borne, &own->borne);
-    swap(&level->pressed, &own->pressed);
+            ovr_swap(&level->f.all[k], &own->field[k]);
+    ovr_swap(&level->borne, &own->borne);
+    ovr_swap(&level->pressed, &own->pressed);
 }
 
 /* Leaves all of it in the level. */
