@@ -38,6 +38,11 @@ void ovr_reader_unlock(int lock);
  * milliseconds.  Where nobody writes the file stays as it is. */
 bool ovr_reader_again(const ovr_result *result, int attempt, bool locked);
 
+/* Its datasets and attributes, of the file that is open; that it is none of
+ * ours. */
+ovr_status ovr_reader_content(ovr_result *result, ovr_error *err);
+ovr_status ovr_reader_not_ours(ovr_result *result, ovr_error *err);
+
 /* An object by its path, "stress/surface_1". */
 bool ovr_reader_object(ovr_result *result, const char *path, uint64_t *object);
 

@@ -1,0 +1,363 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a page has of its runs. */
+#include "pictures/view_data.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "case/case.h"
+#include "pictures/axis.h"
+#include "pictures/pack.h"
+#include "pictures/picture.h"
+#include "pictures/view_element.h"
+#include "pictures/view_material.h"
+#include "pictures/view_stress.h"
+#include "run/run.h"
+
+/* What a page is to hold at most: beyond it nodes and snapshots are left out,
+ * evenly. */
+enum { MOST_NODES = 4000, MOST_STEPS = 4000, MOST_VALUES = 4000000 };
+
+typedef struct writer {
+    const char *stress; /* field wanted, or NULL */
+    ovr_text *to;
+    ovr_arena *arena;
+    const ovr_stored *run;
+    size_t stride, every, nodes, shots; /* what is left of the run */
+} writer;
+
+/* --------------------------------------------------------------- escaping */
+
+static void put_json(ovr_text *to, const char *character, int bytes)
+{
+    if (bytes == 1 && strchr("<>&\"'\\", *character))
+        ovr_text_print(to, "\\u%04x", (unsigned)*character);
+    else
+        ovr_text_add(to, character, (size_t)bytes);
+}
+
+static void put_string(ovr_text *to, const char *key, const char *foreign)
+{
+    ovr_text_print(to, "\"%s\":\"", key);
+    ovr_text_foreign(to, foreign, put_json);
+    ovr_text_put(to, "\",");
+}
+
+/* ----------------------------------------------------------------- fields */
+
+/* Smallest positive, smallest and largest value, of what is kept. */
+typedef struct span {
+    double positive, low, high;
+} span;
+
+/* How the levels of a field lie. */
+typedef enum lie { FROM_ZERO, BENT, FROM_LOWEST } lie;
+
+typedef struct field {
+    const char *key, *name;
+    lie lie;
+} field;
+
+static ovr_status read_row(const writer *w, const char *name, size_t row,
+                           double *values, ovr_error *err)
+{
+    ovr_status status = ovr_result_snapshot(
+        w->run->result, name, row * w->every, OVR_HERTZIAN, values, err);
+    for (size_t i = 0; status == OVR_OK && i < w->nodes; i++)
+        values[i] = values[i * w->stride];
+    return status;
+}
+
+static ovr_status find_span(const writer *w, const char *name, double *values,
+                            span *s, ovr_error *err)
+{
+    *s = (span){INFINITY, INFINITY, -INFINITY};
+    for (size_t k = 0; k < w->shots; k++) {
+        ovr_status status = read_row(w, name, k, values, err);
+        if (status != OVR_OK)
+            return status;
+        for (size_t i = 0; i < w->nodes; i++) {
+            s->low = fmin(s->low, values[i]);
+            s->high = fmax(s->high, values[i]);
+            if (values[i] > 0)
+                s->positive = fmin(s->positive, values[i]);
+        }
+    }
+    return OVR_OK;
+}
+
+static ovr_status put_levels(writer *w, const field *f, const ovr_levels *l,
+                             double *values, ovr_error *err)
+{
+    uint16_t *level = ovr_arena_take(w->arena, w->nodes * w->shots,
+                                     sizeof *level, err);
+    ovr_status status = level ? OVR_OK : OVR_NO_MEMORY;
+    for (size_t k = 0; status == OVR_OK && k < w->shots; k++) {
+        status = read_row(w, f->name, k, values, err);
+        for (size_t i = 0; status == OVR_OK && i < w->nodes; i++)
+            level[k * w->nodes + i] = ovr_level_of(l, values[i]);
+    }
+    if (status != OVR_OK)
+        return status;
+    ovr_text_print(w->to,
+                   "\"%s\":{\"levels\":%d,\"from\":%.17g,\"step\":%.17g,"
+                   "\"bend\":%.17g,\"data\":\"",
+                   f->key, OVR_PACKED_LEVELS, l->from, l->step, l->bend);
+    status = ovr_pack_levels(w->to, level, w->nodes, w->shots, w->arena, err);
+    ovr_text_put(w->to, "\"},");
+    return status;
+}
+
+static ovr_status put_field(writer *w, const field *f, ovr_error *err)
+{
+    double *values = ovr_arena_take(w->arena, w->run->info->nodes,
+                                    sizeof *values, err);
+    ovr_levels levels;
+    ovr_status status;
+    span s;
+    if (!values)
+        return OVR_NO_MEMORY;
+    status = find_span(w, f->name, values, &s, err);
+    if (status != OVR_OK)
+        return status;
+    if (f->lie == BENT)
+        levels = ovr_levels_bent(0.5 * s.positive, s.high);
+    else
+        levels = ovr_levels_even(f->lie == FROM_ZERO ? fmin(s.low, 0) : s.low,
+                                 s.high);
+    return put_levels(w, f, &levels, values, err);
+}
+
+static ovr_status put_fields(writer *w, ovr_error *err)
+{
+    static const field fields[] = {
+        {"P", "pressure", FROM_ZERO},
+        {"H", "film_thickness", BENT},
+        {"S", "roughness", FROM_ZERO},
+        {"F", "filling", FROM_ZERO},
+        {"T1", "temperature_1", FROM_LOWEST},
+        {"T2", "temperature_2", FROM_LOWEST},
+        {"T3", "temperature_middle", FROM_LOWEST},
+        {"C", "contact_pressure", FROM_ZERO},
+    };
+    const ovr_stored *run = w->run;
+    const bool there[] = {run->pressure, run->film,   run->roughness,
+                          run->filling,  run->hot[0], run->hot[1],
+                          run->hot[2],   run->touches};
+    ovr_status status = OVR_OK;
+    for (size_t k = 0; !status && k < sizeof fields / sizeof *fields; k++)
+        if (there[k])
+            status = put_field(w, &fields[k], err);
+    return status;
+}
+
+/* ---------------------------------------------------------------- history */
+
+/* One value for each bucket of steps: the first, the smallest, the largest. */
+static size_t thin(double *values, size_t n, size_t bucket, char keep)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < n; i += bucket) {
+        double value = values[i];
+        for (size_t j = i; j < n && j < i + bucket; j++)
+            if ((keep == '<' && values[j] < value) ||
+                (keep == '>' && values[j] > value))
+                value = values[j];
+        values[count++] = value;
+    }
+    return count;
+}
+
+/* Half width and pressure of Hertz's contact, snapshot by snapshot. */
+static void put_hertz(writer *w)
+{
+    double *two = ovr_arena_take(w->arena, 2 * w->shots, sizeof *two, NULL);
+    if (!w->run->hertz_P || !two)
+        return;
+    for (size_t k = 0; k < w->shots; k++) {
+        two[2 * k] = w->run->hertz_width[k * w->every];
+        two[2 * k + 1] = w->run->hertz_P[k * w->every];
+    }
+    ovr_text_doubles(w->to, "hertz", two, 2 * w->shots);
+}
+
+static ovr_status put_history(writer *w, ovr_error *err)
+{
+    static const struct {
+        const char *key, *name;
+        char keep;
+    } columns[] = {{"time", "time", '.'},
+                   {"H_min", "min_film_thickness", '<'},
+                   {"H_cen", "central_film_thickness", '.'},
+                   {"P_max", "max_pressure", '>'}};
+    size_t n = w->run->info->steps, bucket = n / MOST_STEPS + 1;
+    ovr_text_put(w->to, "\"history\":{");
+    for (int k = 0; n > 0 && k < 4; k++) {
+        double *v = ovr_stored_history(w->run, columns[k].name, 1, w->arena,
+                                       err);
+        if (!v)
+            return err->status;
+        ovr_text_doubles(w->to, columns[k].key, v,
+                         thin(v, n, bucket, columns[k].keep));
+    }
+    ovr_text_put(w->to, "\"steps\":0},");
+    return OVR_OK;
+}
+
+/* ------------------------------------------------------------------ units */
+
+static ovr_status put_axes(writer *w, ovr_units units, ovr_error *err)
+{
+    const ovr_stored *run = w->run;
+    const struct {
+        char key;
+        ovr_unit_kind kind;
+        double largest;
+    } axes[] = {{'x', OVR_KIND_LENGTH, 1.5},
+                {'p', OVR_KIND_PRESSURE, 1},
+                {'h', OVR_KIND_HEIGHT, 0.1},
+                {'t', OVR_KIND_TIME, run->times[run->info->snapshots - 1]}};
+    ovr_text_put(w->to, "{");
+    for (int k = 0; k < 4; k++) {
+        ovr_axis a;
+        ovr_status status = ovr_axis_make(axes[k].kind, run->result, units,
+                                          axes[k].largest, &a, err);
+        if (status != OVR_OK)
+            return status;
+        ovr_text_print(w->to, "\"%c\":{\"f\":%.17g,", axes[k].key, a.factor);
+        put_string(w->to, "unit", a.unit);
+        put_string(w->to, "name", a.plain);
+        ovr_text_put(w->to, "\"kind\":0},");
+    }
+    ovr_text_put(w->to, "\"end\":0}");
+    return OVR_OK;
+}
+
+static ovr_status put_units(writer *w, ovr_error *err)
+{
+    const ovr_result_info *i = w->run->info;
+    bool scales = i->b > 0 && i->ph > 0 && i->height > 0 && i->time > 0;
+    ovr_status status;
+    ovr_text_put(w->to, "\"units\":[");
+    status = put_axes(w, OVR_HERTZIAN, err);
+    if (status == OVR_OK && scales) {
+        ovr_text_put(w->to, ",");
+        status = put_axes(w, OVR_SI, err);
+    }
+    ovr_text_put(w->to, "]}");
+    return status;
+}
+
+/* ------------------------------------------------------------------- runs */
+
+static void put_about(writer *w)
+{
+    const ovr_result_info *i = w->run->info;
+    ovr_text_print(w->to, "\"about\":\"M = %.4g, L = %.4g", i->M, i->L);
+    if (i->ph > 0)
+        ovr_text_print(w->to, ", p_h = %.3g GPa", i->ph * 1e-9);
+    ovr_text_put(w->to, "\",");
+}
+
+static void choose(writer *w)
+{
+    const ovr_result_info *i = w->run->info;
+    w->stride = (i->nodes - 1) / MOST_NODES + 1;
+    w->nodes = (i->nodes - 1) / w->stride + 1;
+    w->every = w->nodes * i->snapshots / MOST_VALUES + 1;
+    w->shots = (i->snapshots - 1) / w->every + 1;
+}
+
+/* Its case asked for stresses. */
+static bool has_stress(const ovr_stored *run)
+{
+    ovr_error err = {0};
+    ovr_case *c = ovr_case_read_stored(run->info->case_text, "case", NULL, NULL,
+                                       &err);
+    ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
+    bool asked = setup && setup->stress->surfaces && run->pressure;
+    ovr_setup_free(setup);
+    ovr_case_free(c);
+    return asked;
+}
+
+static void put_answer(void *writer_, const char *name, const char *text)
+{
+    writer *w = writer_;
+    ovr_text_put(w->to, "{");
+    put_string(w->to, "name", name);
+    put_string(w->to, "text", text);
+    ovr_text_put(w->to, "\"kind\":0},");
+}
+
+/* Of a gear pair, cam or bearing. */
+static void put_answers(writer *w)
+{
+    ovr_text_put(w->to, "\"answers\":[");
+    ovr_result_answers(w->run->result, put_answer, w);
+    ovr_text_put(w->to, "0],");
+}
+
+static ovr_status put_run(writer *w, ovr_error *err)
+{
+    double *x, *times;
+    ovr_status status;
+    choose(w);
+    x = ovr_arena_take(w->arena, w->nodes, sizeof *x, err);
+    times = ovr_arena_take(w->arena, w->shots, sizeof *times, err);
+    if (!x || !times)
+        return OVR_NO_MEMORY;
+    for (size_t i = 0; i < w->nodes; i++)
+        x[i] = w->run->x[i * w->stride];
+    for (size_t k = 0; k < w->shots; k++)
+        times[k] = w->run->times[k * w->every];
+    ovr_text_put(w->to, "{");
+    put_string(w->to, "name", w->run->name);
+    put_about(w);
+    put_answers(w);
+    ovr_view_element(w->to, w->run, w->arena);
+    ovr_text_print(w->to, "\"nodes\":%zu,\"snapshots\":%zu,", w->nodes,
+                   w->shots);
+    ovr_text_doubles(w->to, "x", x, w->nodes);
+    ovr_text_doubles(w->to, "time", times, w->shots);
+    put_hertz(w);
+    status = put_fields(w, err);
+    if (status == OVR_OK && (w->stress || has_stress(w->run)))
+        status = ovr_view_stress(w->to, w->run, w->stress, w->shots, w->every,
+                                 w->arena, err);
+    if (status == OVR_OK)
+        status = ovr_view_material(w->to, w->run, w->shots, w->every, w->arena,
+                                   err);
+    if (status == OVR_OK)
+        status = put_history(w, err);
+    if (status == OVR_OK)
+        status = put_units(w, err);
+    return status;
+}
+
+ovr_status ovr_view_data(ovr_text *to, const ovr_stored *runs, size_t count,
+                         const char *stress, ovr_arena *arena, ovr_error *err)
+{
+    writer w = {stress, to, arena, NULL, 1, 1, 0, 0};
+    ovr_status status = OVR_OK;
+    ovr_text_put(to, "{\"runs\":[");
+    for (size_t k = 0; status == OVR_OK && k < count; k++) {
+        if (k > 0)
+            ovr_text_put(to, ",");
+        w.run = &runs[k];
+        status = put_run(&w, err);
+    }
+    ovr_text_print(to,
+                   "],\"precision\":\"Values in this page are rounded: "
+                   "pressure, roughness and temperatures to 1/%d of their "
+                   "range, film thickness to 0.02 %%. The result file has them "
+                   "all",
+                   2 * OVR_PACKED_LEVELS);
+    if (w.stride > 1 || w.every > 1)
+        ovr_text_print(to,
+                       "; here is every node of %zu and every snapshot of %zu",
+                       w.stride, w.every);
+    ovr_text_put(to, ".\"}");
+    return status;
+}

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What is said of a run beside its result. */
+#ifndef OVR_RUN_REVIEW_H
+#define OVR_RUN_REVIEW_H
+
+#include "overroll/run.h"
+#include "simulation/internal.h"
+
+typedef struct ovr_review {
+    const ovr_case *c;
+    const ovr_setup *setup;
+    ovr_listener *say;
+    void *data;
+} ovr_review;
+
+void ovr_review_say(const ovr_review *r, ovr_say kind, const char *format, ...)
+    OVR_PRINTF(3, 4);
+
+/* Of its ends: those that were chosen, that are kept, that are too near. */
+void ovr_review_domain(const ovr_review *r);
+
+/* Of oil that arrives as a film and fills the inlet all the same. */
+void ovr_review_inlet(const ovr_review *r, const ovr_state *state,
+                      double H_cen);
+
+#endif

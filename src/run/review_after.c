@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What is said of a run that has been made. */
+#include <math.h>
+
+#include "case/domain.h"
+#include "case/resolve.h"
+#include "run/internal.h"
+#include "run/review.h"
+#include "run/review_element.h"
+#include "simulation/simulation.h"
+#include "surface/surfaces.h"
+
+/* Order four was taken or wanted, and is not what was reached. */
+static void warn_of_order(const ovr_review *r, const ovr_simulation *sim)
+{
+    const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
+    int most = r->setup->options->max_cycles;
+    if (ovr_setup_corrected(r->setup))
+        ovr_review_say(
+            r, OVR_SAY_WARNING,
+            "the solution is of second order: the corrections of fourth order "
+            "did not converge on this mesh%s; level = %d would do",
+            most ? " in the max_cycles given" : "", ovr_level_resolving(sim));
+    else if (ovr_block_get(domain, "order")->given)
+        ovr_review_say(
+            r, OVR_SAY_WARNING,
+            "the solution is of second order: corrections of fourth order hold "
+            "for one load, speed and radius of a film by Reynolds, or with "
+            "scheme = characteristic where the speed does not reverse");
+}
+
+/* Of a steady solution the first of these is the only state. */
+static void warn_of_pressure(const ovr_review *r, const ovr_statistics *total)
+{
+    double ph = r->setup->contact->ph, bearable = r->setup->bearable;
+    if (total->extreme.P_max * ph > bearable)
+        ovr_review_say(
+            r, OVR_SAY_WARNING,
+            "the pressure of %.3g GPa at X = %.4g, T = %.4g is above what the "
+            "material bears (bearable_pressure = %.3g GPa): it would yield, "
+            "which is not modelled",
+            total->extreme.P_max * ph * 1e-9, total->where.P_max,
+            total->when.P_max, bearable * 1e-9);
+}
+
+static void warn_of_roughness(const ovr_review *r, const ovr_statistics *total)
+{
+    double Rq = r->setup->surfaces ? ovr_surfaces_roughness(r->setup->surfaces)
+                                   : 0;
+    if (total->extreme.H_min_located < Rq)
+        ovr_review_say(
+            r, OVR_SAY_WARNING,
+            "the smallest film H = %.3g, at X = %.4g, T = %.4g, is below the "
+            "roughness Rq = %.3g of both surfaces: they would touch",
+            total->extreme.H_min_located, total->where.H_min_located,
+            total->when.H_min_located, Rq);
+}
+
+/* The ordinary is 3 cycles a step; the steady start has its own. */
+static void warn_of_cycles(const ovr_review *r, const ovr_statistics *total)
+{
+    const long far = 20, start = 500;
+    if (total->steps > 0 && total->cycles > far * total->steps + start)
+        ovr_review_say(
+            r, OVR_SAY_WARNING,
+            "%ld cycles for %ld steps, where 3 a step are ordinary: the run is "
+            "at the border of what can be solved on this mesh",
+            total->cycles, total->steps);
+}
+
+static void warn_of_extremes(const ovr_review *r, const ovr_statistics *total)
+{
+    if (!(total->extreme.H_min_located > 0)) /* nothing was solved */
+        return;
+    warn_of_pressure(r, total);
+    warn_of_roughness(r, total);
+    warn_of_cycles(r, total);
+}
+
+/* end = auto gives up some time after the last has left. */
+static void warn_of_unrest(const ovr_review *r, double T, bool settled)
+{
+    const ovr_march *march = r->setup->march;
+    if (march->steady_from > 0 && !settled && T > 0.999 * march->end)
+        ovr_review_say(
+            r, OVR_SAY_WARNING,
+            "all that passes had left at T = %.4g, but the film is not steady "
+            "again at T = %.4g, where end = auto gives up",
+            march->steady_from, march->end);
+}
+
+void ovr_run_review_after(ovr_run *run)
+{
+    ovr_review r = {run->c, run->setup, ovr_run_message, run};
+    const ovr_simulation *sim = run->sim;
+    const ovr_state *state = ovr_simulation_state(sim);
+    double H_cen = ovr_simulation_observation(sim)->H_cen;
+    const char *strategy = ovr_simulation_strategy(sim);
+    if (run->setup->options->order == 4 && ovr_simulation_order(sim) != 4)
+        warn_of_order(&r, sim);
+    if (ovr_mesh_too_coarse(sim))
+        ovr_review_say(
+            &r, OVR_SAY_WARNING,
+            "the film is too thin for the mesh: the pressure builds up within "
+            "a mesh or two, and the film may be off by tens of per cent; level "
+            "= %d would do",
+            ovr_level_resolving(sim));
+    if (*strategy)
+        ovr_review_say(&r, OVR_SAY_NOTE,
+                       "the steady solution took another way: %s", strategy);
+    if (state->n && H_cen > 0 && r.setup->supply->film &&
+        isnan(ovr_simulation_observation(sim)->meniscus) &&
+        ((const ovr_resolved *)r.setup)->inlet_kept >= 0)
+        ovr_review_inlet(&r, state, H_cen);
+    ovr_companions_review(run);
+    warn_of_extremes(&r, ovr_simulation_statistics(sim));
+    if (run->info.transient && ovr_simulation_statistics(sim)->steps > 0)
+        ovr_review_element_after(r.setup, ovr_simulation_statistics(sim),
+                                 ovr_run_message, run);
+    warn_of_unrest(&r, state->T, ovr_simulation_statistics(sim)->settled);
+    run->info.lambda_ratio = ovr_simulation_statistics(sim)->mean.lambda_ratio;
+    if (state->n && H_cen > 0)
+        ovr_run_shear(run);
+}
