@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is said of a run, passed on, and its warnings kept. */
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "run/internal.h"
+#include "run/review.h"
 
 /* Room for twice as many; those that memory is lacking for are still said. */
 static bool has_room(ovr_run *run)
@@ -60,4 +62,15 @@ void ovr_run_recall(ovr_run *run, const char *warnings)
             keep(run, line);
         warnings += length + (warnings[length] == '\n');
     }
+}
+
+void ovr_review_say(const ovr_review *r, ovr_say kind, const char *format, ...)
+{
+    char text[OVR_MESSAGE_SIZE];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    if (r->say)
+        r->say(r->data, kind, text);
 }

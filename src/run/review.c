@@ -2,7 +2,6 @@
 /* What is said of a run before the solve, of a grid too coarse for its features
  * and the like. */
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -15,17 +14,6 @@
 #include "run/review_element.h"
 #include "run/review_plausible.h"
 #include "surface/surfaces.h"
-
-void ovr_review_say(const ovr_review *r, ovr_say kind, const char *format, ...)
-{
-    char text[OVR_MESSAGE_SIZE];
-    va_list args;
-    va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
-    va_end(args);
-    if (r->say)
-        r->say(r->data, kind, text);
-}
 
 /* Second-order schemes carry a wave of eight meshes with a few per cent lost
  * (0.25 b at level 6 is 20 meshes, 3.6 %). */
