@@ -13,7 +13,7 @@
 #include "base/error.h"
 #include "base/given.h"
 #include "contact/contact.h"
-#include "contact/laws/table.h"
+#include "contact/laws/law_table.h"
 
 static const double P0_PAPER = 1.98e8; /* Pa */
 static const double Z_PAPER = 0.68;

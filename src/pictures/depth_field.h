@@ -7,7 +7,7 @@
 #include "contact/layers.h"
 #include "overroll/case.h"
 #include "pictures/chart.h"
-#include "pictures/run.h"
+#include "pictures/stored.h"
 #include "stress/stress.h"
 
 enum { OVR_CELLS_X = 360, OVR_CELLS_Z = 160 };

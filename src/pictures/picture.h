@@ -6,7 +6,7 @@
 
 #include "overroll/pictures.h"
 #include "pictures/chart.h"
-#include "pictures/run.h"
+#include "pictures/stored.h"
 
 typedef struct ovr_drawing {
     const ovr_picture_options *options;

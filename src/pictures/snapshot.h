@@ -11,7 +11,7 @@
 #include "overroll/pictures.h"
 #include "pictures/axis.h"
 #include "pictures/chart.h"
-#include "pictures/run.h"
+#include "pictures/stored.h"
 
 enum { OVR_SHOTS = 8, OVR_HERTZ_POINTS = 121 };
 

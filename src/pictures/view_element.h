@@ -3,7 +3,7 @@
 #ifndef OVR_PICTURES_VIEW_ELEMENT_H
 #define OVR_PICTURES_VIEW_ELEMENT_H
 
-#include "pictures/run.h"
+#include "pictures/stored.h"
 #include "pictures/text.h"
 
 /* Appends "element":{...}, where the case of the run has one. */

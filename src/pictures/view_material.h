@@ -3,7 +3,7 @@
 #ifndef OVR_PICTURES_VIEW_MATERIAL_H
 #define OVR_PICTURES_VIEW_MATERIAL_H
 
-#include "pictures/run.h"
+#include "pictures/stored.h"
 #include "pictures/text.h"
 
 /* Adds `"material":{...},` of the first body that yielded, as the run left it,

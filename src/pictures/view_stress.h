@@ -3,7 +3,7 @@
 #ifndef OVR_PICTURES_VIEW_STRESS_H
 #define OVR_PICTURES_VIEW_STRESS_H
 
-#include "pictures/run.h"
+#include "pictures/stored.h"
 #include "pictures/text.h"
 
 /* Adds `"stress":{...},` of `shots` snapshots, each `every`-th of the run;

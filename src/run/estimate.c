@@ -35,7 +35,7 @@
 #include "case/resolve.h"
 #include "case/setup.h"
 #include "run/internal.h"
-#include "run/passes.h"
+#include "run/pass_series.h"
 #include "simulation/internal.h"
 #include "simulation/scheme.h"
 #include "simulation/simulation.h"

@@ -10,7 +10,7 @@
 #include "run/stress.h"
 #include "simulation/physics.h"
 
-typedef struct ovr_passes ovr_passes; /* passes.h */
+typedef struct ovr_passes ovr_passes; /* pass_series.h */
 
 struct ovr_run {
     ovr_arena arena;

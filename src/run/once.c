@@ -8,7 +8,7 @@
 #include "contact/contact.h"
 #include "results/results.h"
 #include "run/internal.h"
-#include "run/passes.h"
+#include "run/pass_series.h"
 #include "simulation/internal.h"
 
 double ovr_run_clock(void)

@@ -7,7 +7,7 @@
 #include "case/feed.h"
 #include "case/plastic.h"
 #include "results/results.h"
-#include "run/passes.h"
+#include "run/pass_series.h"
 
 /* OUT.h5 -> OUT-3.h5. */
 const char *ovr_passes_file_of(ovr_run *run, int pass, ovr_error *err)

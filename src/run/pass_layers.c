@@ -30,7 +30,7 @@
 
 #include "contact/contact.h"
 #include "results/results.h"
-#include "run/passes.h"
+#include "run/pass_series.h"
 
 /* ------------------------------------------------------------------ layers */
 

@@ -15,7 +15,7 @@
 #include "results/hdf5read/hdf5read.h"
 #include "results/header.h"
 #include "results/layout.h"
-#include "run/passes.h"
+#include "run/pass_series.h"
 
 typedef struct table {
     const ovr_run *run;

@@ -17,7 +17,7 @@
 #include "results/checkpoint.h"
 #include "results/results.h"
 #include "run/internal.h"
-#include "run/passes.h"
+#include "run/pass_series.h"
 
 static void say(ovr_run *run, const char *format, ...) OVR_PRINTF(2, 3);
 static void say(ovr_run *run, const char *format, ...)

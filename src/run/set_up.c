@@ -6,7 +6,7 @@
 #include "case/resolve.h"
 #include "results/results.h"
 #include "run/internal.h"
-#include "run/passes.h"
+#include "run/pass_series.h"
 #include "run/run.h"
 
 void ovr_run_surface(const ovr_run *run, ovr_simulation *sim)

@@ -10,7 +10,7 @@
 
 #include "base/arena.h"
 #include "overroll/surface.h"
-#include "surface/table.h"
+#include "surface/profile_table.h"
 
 typedef struct ovr_feature {
     const char *name, *assumed;

@@ -4,7 +4,7 @@
 #define OVR_SURFACE_RESAMPLE_H
 
 #include "overroll/profile.h"
-#include "surface/table.h"
+#include "surface/profile_table.h"
 
 /* What is done at and beyond the ends. */
 typedef struct ovr_ends {

@@ -11,7 +11,7 @@
 #ifndef OVR_CONTACT_LAWS_TABULATED_H
 #define OVR_CONTACT_LAWS_TABULATED_H
 
-#include "contact/laws/table.h"
+#include "contact/laws/law_table.h"
 #ifndef VEC /* or vector.h and power.h came before */
 #include "base/scalar.h"
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "surface/table.h"
+#include "surface/profile_table.h"
 
 #include <math.h>
 

@@ -4,8 +4,8 @@
  * in Hertzian units; of several, whose axes are physical, in those of the
  * first: values of another are multiplied by its own unit over the first's.
  */
-#ifndef OVR_PICTURES_RUN_H
-#define OVR_PICTURES_RUN_H
+#ifndef OVR_PICTURES_STORED_H
+#define OVR_PICTURES_STORED_H
 
 #include "base/arena.h"
 #include "overroll/results.h"

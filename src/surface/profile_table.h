@@ -9,8 +9,8 @@
  * GSL finds z''; the evaluation is here so that it needs no search, no
  * allocation and no error handler.
  */
-#ifndef OVR_SURFACE_TABLE_H
-#define OVR_SURFACE_TABLE_H
+#ifndef OVR_SURFACE_PROFILE_TABLE_H
+#define OVR_SURFACE_PROFILE_TABLE_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -6,7 +6,7 @@
  * mesh without a point the cubic is the spline itself; with one it differs by
  * less than h^2/16 of the second derivative's jump there.
  */
-#include "contact/laws/table.h"
+#include "contact/laws/law_table.h"
 #include "base/given.h"
 #include "contact/oil.h"
 

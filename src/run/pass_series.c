@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "run/passes.h"
+#include "run/pass_series.h"
 
 #include <math.h>
 #include <stdio.h>

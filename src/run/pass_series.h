@@ -6,8 +6,8 @@
  * follow from the files OUT-1.h5, ... alone, so that a run that goes on later
  * is the one that was never stopped.
  */
-#ifndef OVR_RUN_PASSES_H
-#define OVR_RUN_PASSES_H
+#ifndef OVR_RUN_PASS_SERIES_H
+#define OVR_RUN_PASS_SERIES_H
 
 #include "run/internal.h"
 #include "run/pass_columns.h"

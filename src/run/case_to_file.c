@@ -9,7 +9,7 @@
 #include "contact/contact.h"
 #include "results/results.h"
 #include "run/internal.h"
-#include "run/passes.h"
+#include "run/pass_series.h"
 #include "run/run.h"
 #include "simulation/internal.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "pictures/run.h"
+#include "pictures/stored.h"
 #include "results/results.h"
 
 #include <math.h>
