@@ -11,7 +11,7 @@
 #include "case/resolve_element.h"
 #include "contact/contact.h"
 #include "contact/flow_law.h"
-#include "contact/heat.h"
+#include "contact/heat_numbers.h"
 #include "contact/oil.h"
 #include "surface/layer.h"
 #include "surface/surfaces.h"

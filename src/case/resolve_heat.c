@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "case/resolve.h"
-#include "contact/heat.h"
+#include "contact/heat_numbers.h"
 #include "contact/oil.h"
 
 static const double S0_USUAL = 1.1; /* of mineral oils */

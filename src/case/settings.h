@@ -5,7 +5,7 @@
 
 #include "case/plastic.h"
 #include "contact/contact.h"
-#include "contact/heat.h"
+#include "contact/heat_numbers.h"
 #include "contact/oil.h"
 #include "overroll/case.h"
 #include "overroll/elements.h"

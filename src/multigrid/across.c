@@ -6,7 +6,7 @@
 
 #include "base/larger.h"
 #include "contact/flow_law.h"
-#include "contact/heat.h"
+#include "contact/heat_numbers.h"
 #include "multigrid/expansion.h"
 #include "multigrid/flow.h"
 

@@ -5,7 +5,7 @@
 #include "multigrid/plain.h"
 
 #include "base/larger.h"
-#include "contact/heat.h"
+#include "contact/heat_numbers.h"
 #include "contact/laws/fluid.h"
 #include "contact/laws/law.h"
 #include "multigrid/across.h"

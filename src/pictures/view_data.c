@@ -8,7 +8,7 @@
 
 #include "case/case.h"
 #include "pictures/axis.h"
-#include "pictures/pack.h"
+#include "pictures/pack_levels.h"
 #include "pictures/picture.h"
 #include "pictures/view_element.h"
 #include "pictures/view_material.h"

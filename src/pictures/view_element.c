@@ -4,8 +4,8 @@
 
 #include <math.h>
 
-#include "pictures/element.h"
-#include "pictures/pack.h"
+#include "pictures/draw_element.h"
+#include "pictures/pack_levels.h"
 
 static double factor_of(double factor)
 {

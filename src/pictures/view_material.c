@@ -10,8 +10,8 @@
 #include <stdio.h>
 
 #include "overroll/case.h"
-#include "pictures/element.h"
-#include "pictures/pack.h"
+#include "pictures/draw_element.h"
+#include "pictures/pack_levels.h"
 #include "results/results.h"
 #include "surface/surfaces.h"
 

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "pictures/depth_field.h"
-#include "pictures/pack.h"
+#include "pictures/pack_levels.h"
 #include "stress/layered.h"
 
 enum { ROWS = 40, MOST_COLUMNS = 180, LEAST_COLUMNS = 60 };

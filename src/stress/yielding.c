@@ -16,7 +16,7 @@
 
 #include "base/arena.h"
 #include "stress/fourier.h"
-#include "stress/plastic.h"
+#include "stress/plastic_waves.h"
 #include "stress/yielding.h"
 
 enum { PARTS = 3, STATE = 4 };

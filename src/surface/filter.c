@@ -14,7 +14,7 @@
  * recurrence (Forsythe 1957), p_(k+1) = (t - a_k) p_k - b_k p_(k-1), t in
  * [-1, 1]; each degree is subtracted as it is found.
  */
-#include "surface/condition.h"
+#include "surface/conditioning.h"
 
 #include <math.h>
 

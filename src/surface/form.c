@@ -28,7 +28,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "surface/condition.h"
+#include "surface/conditioning.h"
 
 /* ----------------------------------------------------------------- circle */
 

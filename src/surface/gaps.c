@@ -6,7 +6,7 @@
  * neighbours; |r_i| > limit sigma with sigma = 1.4826 median |r|, which is the
  * standard deviation of Gaussian heights and does not feel the outliers.
  */
-#include "surface/condition.h"
+#include "surface/conditioning.h"
 
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>

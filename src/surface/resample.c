@@ -25,7 +25,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "surface/condition.h"
+#include "surface/conditioning.h"
 #include "surface/feature.h"
 #include "surface/profile.h"
 #include "surface/spline.h"

@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "base/given.h"
-#include "surface/condition.h"
+#include "surface/conditioning.h"
 #include "surface/material_ratio.h"
 #include "surface/profile.h"
 #include "surface/spline.h"

@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 #include "bench.h"
-#include "contact/heat.h"
+#include "contact/heat_numbers.h"
 #include "simulation/internal.h"
 #include "simulation/simulation.h"
 #include "support/hot.h"

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "contact/contact.h"
-#include "contact/heat.h"
+#include "contact/heat_numbers.h"
 #include "simulation/heat_in_time.h"
 #include "simulation/simulation.h"
 #include "support/contact.h"

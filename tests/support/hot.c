@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "contact/contact.h"
-#include "contact/heat.h"
+#include "contact/heat_numbers.h"
 #include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/test.h"

@@ -3,7 +3,7 @@
 #ifndef TESTS_SUPPORT_HOT_H
 #define TESTS_SUPPORT_HOT_H
 
-#include "contact/heat.h"
+#include "contact/heat_numbers.h"
 #include "overroll/simulation.h"
 
 typedef struct test_hot {

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "contact/heat.h"
+#include "contact/heat_numbers.h"
 #include "multigrid/across.h"
 #include "simulation/solids.h"
 #include "support/test.h"

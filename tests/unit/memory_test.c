@@ -2,7 +2,7 @@
 /* Memory of a simulation: taken once, little of it, and as announced. */
 #include <math.h>
 
-#include "contact/heat.h"
+#include "contact/heat_numbers.h"
 #include "simulation/internal.h"
 #include "simulation/simulation.h"
 #include "support/contact.h"

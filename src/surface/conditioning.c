@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Conditioning in the order that profile.h tells; each step says what it did.
  */
-#include "surface/condition.h"
+#include "surface/conditioning.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers of heat (equations in overroll/heat.h). */
-#include "contact/heat.h"
+#include "contact/heat_numbers.h"
 
 #include <math.h>
 

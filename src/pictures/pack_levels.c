@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "pictures/pack.h"
+#include "pictures/pack_levels.h"
 
 #include <math.h>
 #include <zlib.h>

@@ -26,7 +26,7 @@
  */
 #include <math.h>
 
-#include "stress/plastic.h"
+#include "stress/plastic_waves.h"
 
 /* Derivative -2 ... 3 of g over k^(order - 3), at a = k d of either sign; what
  * is linear in d of the antiderivatives is left in, constants are not. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stresses that plastic strains leave behind below a free surface, wave by
  * wave. */
-#ifndef OVR_STRESS_PLASTIC_H
-#define OVR_STRESS_PLASTIC_H
+#ifndef OVR_STRESS_PLASTIC_WAVES_H
+#define OVR_STRESS_PLASTIC_WAVES_H
 
 /* A layer of constant plastic strain; depths in b. */
 typedef struct ovr_strained_layer {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Heat as the library makes and asks it. */
-#ifndef OVR_CONTACT_HEAT_H
-#define OVR_CONTACT_HEAT_H
+#ifndef OVR_CONTACT_HEAT_NUMBERS_H
+#define OVR_CONTACT_HEAT_NUMBERS_H
 
 #include "overroll/heat.h"
 

@@ -3,8 +3,8 @@
  * The parts of conditioning.  All work on n points (x, z), x increasing; z
  * without gaps unless said.
  */
-#ifndef OVR_SURFACE_CONDITION_H
-#define OVR_SURFACE_CONDITION_H
+#ifndef OVR_SURFACE_CONDITIONING_H
+#define OVR_SURFACE_CONDITIONING_H
 
 #include <stdbool.h>
 #include <stddef.h>

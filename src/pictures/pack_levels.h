@@ -10,8 +10,8 @@
  * 3. Zigzag (0, -1, 1, -2, ...), low bytes first and then high ones, deflate,
  *    base64.
  */
-#ifndef OVR_PICTURES_PACK_H
-#define OVR_PICTURES_PACK_H
+#ifndef OVR_PICTURES_PACK_LEVELS_H
+#define OVR_PICTURES_PACK_LEVELS_H
 
 #include <stdint.h>
 
