@@ -6,9 +6,14 @@
 /* Beyond exp(25) of ph no film is calculated: a start may ask. */
 static const double HIGHEST = 25;
 
+/* exp(-60) = 1e-26 of ph is nothing, and most of a film is as thick: nothing is
+ * calculated of it. */
+static const double LOWEST = -60;
+
 static double exponential_at(const ovr_touch_law *law, double H, double *slope)
 {
-    double A = law->amplitude * exp(fmin(-H / law->decay, HIGHEST));
+    double power = -H / law->decay;
+    double A = power < LOWEST ? 0 : law->amplitude * exp(fmin(power, HIGHEST));
     *slope = A / law->decay;
     return A;
 }
@@ -19,6 +24,8 @@ static double layer_at(const ovr_touch_law *law, double H, double *slope)
 {
     const double least = 1e-3;
     double d = law->layer_decay, x = fmax(H / d, least);
+    if (law->layer / d - x < LOWEST)
+        return *slope = 0;
     double e = exp(law->layer / d), rest = expm1(fmin(x, 500));
     double A = e / rest;
     *slope = A * (1 + 1 / rest) / d;
@@ -67,7 +74,7 @@ static double ln_at(const ovr_touch_table *t, double H, double *slope)
 static double table_at(const ovr_touch_table *t, double H, double *slope)
 {
     double by, ln_A = ln_at(t, H, &by);
-    double A = exp(fmin(ln_A, HIGHEST));
+    double A = ln_A < LOWEST ? 0 : exp(fmin(ln_A, HIGHEST));
     *slope = -by * A;
     return A;
 }

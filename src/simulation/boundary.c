@@ -262,11 +262,12 @@ const ovr_wear *ovr_wear_of(const ovr_simulation *sim)
 /* -sgn(V) mu_b A/kappa at the half node i + 1/2. */
 static double drag_at(const ovr_simulation *sim, const boundary *b, size_t i)
 {
-    double V = ovr_sliding(sim, sim->state.T), mu = b->given->friction;
-    double side = V > 0 ? -1 : V < 0 ? 1 : 0;
-    if (isnan(mu) || side == 0)
+    double borne = 0.5 * (b->A[i] + b->A[i + 1]), mu = b->given->friction;
+    if (isnan(mu) || !(borne > 0))
         return 0;
-    return side * mu * 0.5 * (b->A[i] + b->A[i + 1]) / sim->contact.kappa;
+    double V = ovr_sliding(sim, sim->state.T);
+    double side = V > 0 ? -1 : V < 0 ? 1 : 0;
+    return side * mu * borne / sim->contact.kappa;
 }
 
 static void friction(const ovr_simulation *sim, const void *own, double *t)

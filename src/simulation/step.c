@@ -16,6 +16,7 @@
 
 #include "base/given.h"
 #include "contact/contact.h"
+#include "multigrid/touching.h"
 #include "simulation/mirror.h"
 #include "simulation/parts.h"
 #include "simulation/physics.h"
@@ -64,7 +65,34 @@ static ovr_cycling cycling_of(const ovr_simulation *sim, const attempt *how)
     return c;
 }
 
-static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
+static bool is_borne(double A)
+{
+    return A > OVR_TOUCH_LEAST;
+}
+
+/* Whether surfaces that may touch bore nothing in the step before. */
+static bool were_apart(const ovr_simulation *sim)
+{
+    for (size_t i = 0; i < sim->now.n; i++)
+        if (is_borne(sim->borne[i]))
+            return false;
+    return true;
+}
+
+/* Whether their law bears nothing by the film as it is. */
+static bool are_apart(const ovr_simulation *sim)
+{
+    const ovr_touch *touch = &sim->grids.touch;
+    for (size_t i = 0; i < sim->now.n; i++) {
+        double A, slope;
+        touch->at(touch->law, sim->now.H[i], &A, &slope);
+        if (is_borne(A))
+            return false;
+    }
+    return true;
+}
+
+static bool try_with(ovr_simulation *sim, double dT, const attempt *how,
                      ovr_outcome *outcome)
 {
     ovr_cycling c = cycling_of(sim, how);
@@ -82,6 +110,22 @@ static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
         cycling.hopeless = touching.hopeless;
     }
     return ovr_step_cycles(sim, cycling, outcome);
+}
+
+/* Surfaces that are apart cost what those without a law do: cycles know nothing
+ * of it, and the next attempt does if it bears something after all. */
+static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
+                     ovr_outcome *outcome)
+{
+    ovr_touch *touch = &sim->grids.touch;
+    const ovr_touch law = *touch;
+    if (!law.at || how != attempts || !were_apart(sim))
+        return try_with(sim, dT, how, outcome);
+    memset(sim->borne, 0, sim->now.n * sizeof *sim->borne);
+    touch->at = NULL;
+    bool solved = try_with(sim, dT, how, outcome);
+    touch->at = law.at;
+    return solved && are_apart(sim);
 }
 
 static void begin_step(ovr_simulation *sim, double dT)
