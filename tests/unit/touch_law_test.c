@@ -64,8 +64,9 @@ static void slopes_are_those_of_the_pressures(void **state)
     ovr_arena_release(&arena);
 }
 
-/* Points of exp(-H): the slopes are -1, and so it goes on everywhere; points of
- * exp(-H^3) are met, and nowhere does it rise. */
+/* Points of exp(-H): the slopes are -1, and so it goes on everywhere, until
+ * exp(-60), below which there is nothing; points of exp(-H^3/2) are met, and
+ * nowhere does it rise. */
 static void tables_go_through_their_points(void **state)
 {
     ovr_touch_law law = {0};
@@ -83,8 +84,12 @@ static void tables_go_through_their_points(void **state)
         ovr_touch_law_at(&law, H, &A, &slope);
         CHECK_CLOSE(A, exp(-H), 1e-12);
     }
+    ovr_touch_law_at(&law, 59, &A, &slope);
+    CHECK_CLOSE(A, exp(-59), 1e-12);
+    ovr_touch_law_at(&law, 61, &A, &slope);
+    assert_true(A == 0 && slope == 0);
     for (size_t k = 0; k < 5; k++)
-        law.table.ln_A[k] = -pow(law.table.H[k], 3);
+        law.table.ln_A[k] = -pow(law.table.H[k], 3) / 2;
     ovr_touch_table_slopes(&law.table);
     for (size_t k = 0; k < 5; k++) {
         ovr_touch_law_at(&law, law.table.H[k], &A, &slope);
