@@ -3,8 +3,8 @@
  * Surfaces that touch through a mean film whose speed changes: it stops to
  * rest, starts from there, turns; a cam and a gear over their whole way.
  *
- * Truth at rest, P = A(H), A = exp(-H/0.02) on [-1.5, 1.5], 449 nodes: dense
- * Newton's method in another language, without any oil; residual 4e-14; copied
+ * Truth at rest, P = A(H), A = exp(-H/s) on [-1.5, 1.5], 449 nodes: dense
+ * Newton's method in another language, without any oil; residual 2e-13; copied
  * from truth/contact.json of the project's shared folder.
  */
 #include <math.h>
@@ -32,7 +32,6 @@ static const char *const rest[] = {"contact.M=100",
                                    "speed.to=0",
                                    "speed.duration=1",
                                    "boundary.amplitude=1",
-                                   "boundary.decay=0.02",
                                    "output.every=100000",
                                    NULL};
 
@@ -130,19 +129,35 @@ static const ovr_observation *end_of(const ovr_run *run)
     return ovr_simulation_observation(ovr_run_about(run)->sim);
 }
 
+/* By a soft law and by a stiff one.  At the last node, where A is not zero, the
+ * truth has half a weight of it, the program none: what is allowed beside 1e-8
+ * is that node's A, by the gap of dry bodies 0.36 and what the law adds. */
 static void at_rest_metal_bears_all(void **state)
 {
+    static const struct {
+        const char *decay;
+        double H0, H_min, P_max, at_end;
+    } of[] = {{"boundary.decay=0.05", -0.5610922412647029,
+               0.0024836008987852987, 0.9515414618212708, 3.9e-4},
+              {"boundary.decay=0.02", -0.5825764670328836,
+               0.0003995540592388602, 0.9802205290775604, 0}};
     (void)state;
-    ovr_run *run = gone(begin(rest));
-    const ovr_observation *o = end_of(run);
-    print_message("at rest: H0 %+.1e, H_min %+.1e, P %+.1e, share 1 %+.1e\n",
-                  o->H0 + 0.5825764670328836, o->H_min - 0.0003995540592388602,
-                  o->more[A_MAX] - 0.9802205290775604, o->more[SHARE] - 1);
-    CHECK_NEAR(o->more[SHARE], 1, 1e-9);
-    CHECK_NEAR(o->H0, -0.5825764670328836, 1e-8);
-    CHECK_NEAR(o->H_min, 0.0003995540592388602, 1e-8);
-    CHECK_NEAR(o->more[A_MAX], 0.9802205290775604, 1e-8);
-    ovr_run_free(run);
+    for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
+        ovr_case *c = begin(rest);
+        assign(c, of[k].decay);
+        ovr_run *run = gone(c);
+        const ovr_observation *o = end_of(run);
+        double near = 1e-8 + of[k].at_end * 3 / 448;
+        print_message("at rest: H0 %+.1e, H_min %+.1e, P %+.1e, share 1 "
+                      "%+.1e\n",
+                      o->H0 - of[k].H0, o->H_min - of[k].H_min,
+                      o->more[A_MAX] - of[k].P_max, o->more[SHARE] - 1);
+        CHECK_NEAR(o->more[SHARE], 1, 1e-9);
+        CHECK_NEAR(o->H0, of[k].H0, near);
+        CHECK_NEAR(o->H_min, of[k].H_min, near);
+        CHECK_NEAR(o->more[A_MAX], of[k].P_max, near);
+        ovr_run_free(run);
+    }
 }
 
 /* After a stop what the film bears is squeezed out: metal bears more and more,
