@@ -12,8 +12,11 @@
  * that are alike the factor of the shear flow is nothing.
  *
  * Source: Patir & Cheng, J. Lubr. Technol. 100 (1978) 12; 101 (1979) 220.
- * Their h is the distance of the mean planes, here it is the mean gap, which is
- * another one where many summits are pressed flat.
+ * Another program's fits to the same tables, R. Boman's (rboman/progs,
+ * apps/EHD/EHD/ehd_flow_factors.c), give 0.897 and 0.560, 1.481 and 0.421,
+ * 0.861 and 1.5 at gamma 1, 1/9 and 9. Their h is the distance of the mean
+ * planes, here it is the mean gap, which is another one where many summits are
+ * pressed flat.
  */
 #ifndef OVR_CONTACT_FLOW_FACTOR_H
 #define OVR_CONTACT_FLOW_FACTOR_H
