@@ -270,12 +270,25 @@ static double drag_at(const ovr_simulation *sim, const boundary *b, size_t i)
     return side * mu * borne / sim->contact.kappa;
 }
 
+/* Whether the law, which falls with the film, knows nothing of the thinnest:
+ * then nothing is borne, and less than rounding in contact, anywhere. */
+static bool is_apart(const ovr_simulation *sim, const boundary *b)
+{
+    const double nothing = 1e-17, *H = sim->now.H;
+    double A, slope;
+    size_t low = sim->grids.kernels->extreme(sim->now.n, 1, H);
+    ovr_touch_law_at(b->law, H[low], &A, &slope);
+    return A < nothing && ovr_touch_law_area(b->law, H[low]) < nothing;
+}
+
 static void friction(const ovr_simulation *sim, const void *own, double *t)
 {
     boundary *b = (boundary *)own;
     const double *P = sim->now.P, *X = sim->now.X;
-    read_borne((ovr_simulation *)sim, b);
     b->wet_force = 0;
+    if (is_apart(sim, b))
+        return;
+    read_borne((ovr_simulation *)sim, b);
     for (size_t i = 0; i + 1 < sim->now.n; i++) {
         double drag = drag_at(sim, b, i);
         double H = 0.5 * (sim->now.H[i] + sim->now.H[i + 1]);
@@ -395,7 +408,7 @@ static void observe_friction(const ovr_simulation *sim, const boundary *b,
     const double *X = sim->now.X;
     double load = OVR_NOMINAL_LOAD * o->load_ratio, V = o->sliding, drag = 0;
     double coefficient = load > 0 ? sim->contact.kappa / load : NAN;
-    for (size_t i = 0; i + 1 < sim->now.n; i++)
+    for (size_t i = 0; i + 1 < sim->now.n && o->more[A_MAX] > 0; i++)
         drag += drag_at(sim, b, i) * (X[i + 1] - X[i]);
     o->more[MU_FILM] = coefficient * fabs(o->F_slide - b->wet_force);
     o->more[MU_BOUNDARY] = coefficient * fabs(drag);
@@ -431,8 +444,9 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
     const double touches = 1e-3;
     boundary *b = own;
     double borne = 0, area = 0, most = 0, least = NAN;
+    size_t n = is_apart(sim, b) ? 0 : sim->now.n;
     read_borne(sim, b);
-    for (size_t i = 0; i < sim->now.n; i++) {
+    for (size_t i = 0; i < n; i++) {
         double w = sim->now.weights[i], A = b->A[i];
         borne += w * A;
         area += w * ovr_touch_law_area(b->law, sim->now.H[i]);

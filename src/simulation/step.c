@@ -79,17 +79,16 @@ static bool were_apart(const ovr_simulation *sim)
     return true;
 }
 
-/* Whether their law bears nothing by the film as it is. */
+/* Whether their law, which falls with the film, bears nothing by the thinnest.
+ */
 static bool are_apart(const ovr_simulation *sim)
 {
     const ovr_touch *touch = &sim->grids.touch;
-    for (size_t i = 0; i < sim->now.n; i++) {
-        double A, slope;
-        touch->at(touch->law, sim->now.H[i], &A, &slope);
-        if (is_borne(A))
-            return false;
-    }
-    return true;
+    const double *H = sim->now.H;
+    double A, slope;
+    size_t low = sim->grids.kernels->extreme(sim->now.n, 1, H);
+    touch->at(touch->law, H[low], &A, &slope);
+    return !is_borne(A);
 }
 
 static bool try_with(ovr_simulation *sim, double dT, const attempt *how,
