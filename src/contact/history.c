@@ -31,8 +31,9 @@ struct ovr_history {
     ovr_history_form form;
     gsl_interp *interp; /* table only */
     double *T, *value;
-    double least; /* of all values before they are scaled */
-    double scale; /* on all values */
+    double *integral; /* table only: from the first point to each */
+    double least;     /* of all values before they are scaled */
+    double scale;     /* on all values */
     ovr_arena arena;
 };
 
@@ -108,13 +109,24 @@ static ovr_status probe_memory(const ovr_history *history, ovr_error *err)
     return got ? OVR_OK : OVR_NO_MEMORY;
 }
 
+/* The integral from point k to T, which lies before point k + 1 or on it. */
+static double beyond_point(const ovr_history *history, size_t k, double T)
+{
+    double sum = 0;
+    gsl_interp_eval_integ_e(history->interp, history->T, history->value,
+                            history->T[k], T, NULL, &sum);
+    return sum;
+}
+
 static ovr_status make_table(ovr_history *history, const ovr_history_form *form,
                              ovr_error *err)
 {
     size_t n = form->points;
     history->T = ovr_arena_take(&history->arena, n, sizeof(double), err);
     history->value = ovr_arena_take(&history->arena, n, sizeof(double), err);
-    if (!history->T || !history->value || probe_memory(history, err))
+    history->integral = ovr_arena_take(&history->arena, n, sizeof(double), err);
+    if (!history->T || !history->value || !history->integral ||
+        probe_memory(history, err))
         return OVR_NO_MEMORY;
     for (size_t i = 0; i < n; i++) {
         history->T[i] = form->T[i];
@@ -123,7 +135,13 @@ static ovr_status make_table(ovr_history *history, const ovr_history_form *form,
     history->interp = ovr_interpolation(n < 3 ? gsl_interp_linear
                                               : gsl_interp_steffen,
                                         n, history->T, history->value, err);
-    return history->interp ? OVR_OK : OVR_NO_MEMORY;
+    if (!history->interp)
+        return OVR_NO_MEMORY;
+    history->integral[0] = 0;
+    for (size_t i = 1; i < n; i++)
+        history->integral[i] = history->integral[i - 1] +
+                               beyond_point(history, i - 1, history->T[i]);
+    return OVR_OK;
 }
 
 static double table_least(const ovr_history *history)
@@ -367,12 +385,13 @@ static double sine_integral(const ovr_history_form *form, double T)
 static double table_integral(const ovr_history *history, double T)
 {
     size_t n = history->form.points;
-    double first = history->T[0], last = history->T[n - 1], inside = 0;
+    double first = history->T[0], last = history->T[n - 1];
     if (T <= first)
         return (T - first) * history->value[0];
-    gsl_interp_eval_integ_e(history->interp, history->T, history->value, first,
-                            T < last ? T : last, NULL, &inside);
-    return T > last ? inside + (T - last) * history->value[n - 1] : inside;
+    if (T >= last)
+        return history->integral[n - 1] + (T - last) * history->value[n - 1];
+    size_t k = gsl_interp_bsearch(history->T, T, 0, n - 1);
+    return history->integral[k] + beyond_point(history, k, T);
 }
 
 static double unscaled_integral(const ovr_history *history, double T)
