@@ -3,7 +3,8 @@
 # Every source file names its licence in its first two lines, is at most 80
 # columns wide, and has neither tabs nor blanks at line ends.  Nothing else
 # stands in the top folder.  How long functions are is told and fails nothing: a
-# function is as long as its one idea.
+# function is as long as its one idea.  Comments are whole sentences: how many
+# of sources and public headers begin as fragments is told, and may only fall.
 set -u
 cd "$TOP" || exit 1
 status=0
@@ -51,4 +52,14 @@ awk 'FNR == 1 { open = 0 }
         print NR " functions, median " middle[1] " lines; the longest:"
         for (k = NR - 4; k <= NR; k++) print "  " all[k]
     }'
+# Comments that begin as fragments.
+limit=640
+fragments=$(find src include -name '*.[ch]' | sort |
+    xargs awk -f tests/source/fragments.awk)
+count=$(echo "$fragments" | grep -c .)
+echo "$count comments begin as fragments, of at most $limit"
+[ "$count" -le "$limit" ] || {
+    echo "$fragments"
+    status=1
+}
 exit $status
