@@ -69,12 +69,12 @@ typedef struct ovr_case ovr_case;
 OVR_API ovr_case *ovr_case_create(const ovr_allocator *allocator,
                                   ovr_error *err);
 
-/* From a file; relative paths inside it start at its directory. */
+/* Reads a case from a file; relative paths inside it start at its directory. */
 OVR_API ovr_case *ovr_case_read(const char *path,
                                 const ovr_allocator *allocator, ovr_error *err);
 
-/* From text; `name` stands in messages, relative paths start at `directory`
- * (NULL: the working directory). */
+/* Reads a case from text; `name` stands in messages, relative paths start at
+ * `directory` (NULL: the working directory). */
 OVR_API ovr_case *ovr_case_read_text(const char *text, const char *name,
                                      const char *directory,
                                      const ovr_allocator *allocator,
@@ -255,8 +255,9 @@ typedef struct ovr_station {
 #define OVR_STATION_FRICTION 0.05
 enum { OVR_STATIONS_MOST = 64 };
 
-/* In the order of time (of rollers: from below the load on), at most
- * OVR_STATIONS_MOST; returns how many there are: 0 without an element. */
+/* Fills in the moments in the order of time (of rollers: from below the load
+ * on), at most OVR_STATIONS_MOST; returns how many there are: 0 without an
+ * element. */
 OVR_API size_t ovr_setup_stations(const ovr_setup *setup,
                                   ovr_station station[OVR_STATIONS_MOST]);
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What goes with what: the parts that a simulation is put together from, and
- * the pairs of them that are refused.  Every pair that is not refused works:
- * it marches, is resumed to the same bits and keeps mass and load
+ * The parts that a simulation is put together from, and the pairs of them that
+ * are refused.  Every pair that is not refused works: it marches,
+ * is resumed to the same bits and keeps mass and load
  * (tests/cli/pairs_slow_test.c walks them all).
  */
 #ifndef OVERROLL_PARTS_H

@@ -62,7 +62,8 @@ OVR_API ovr_profile_source ovr_profile_source_default(void);
 OVR_API ovr_profile *ovr_profile_read(const ovr_profile_source *source,
                                       const ovr_allocator *allocator,
                                       ovr_error *err);
-/* From n points in metres (scaled: in b and b^2/R); copied. */
+/* Makes a profile of n points in metres (scaled: in b and b^2/R), which are
+ * copied. */
 OVR_API void ovr_profile_free(ovr_profile *profile);
 OVR_API const ovr_profile_view *ovr_profile_look(const ovr_profile *profile);
 
@@ -90,9 +91,9 @@ typedef enum ovr_extension {
     OVR_EXTEND_MIRROR    /* forwards and backwards by turns */
 } ovr_extension;
 
-/* In this order: window, scale and invert, gaps, outliers, level, lambda_c,
- * lambda_s, offset, anti-alias, taper.  Lengths are in the profile's x unit,
- * heights in its z unit; NAN: not wanted. */
+/* The steps are taken in this order: window, scale and invert, gaps, outliers,
+ * level, lambda_c, lambda_s, offset, anti-alias, taper.  Lengths are in the
+ * profile's x unit, heights in its z unit; NAN: not wanted. */
 typedef struct ovr_conditioning {
     double from, to;      /* window in x */
     double scale;         /* of heights, 1 */

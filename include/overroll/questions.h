@@ -38,7 +38,7 @@ typedef ovr_status ovr_trial_runner(void *data, ovr_trials *trials,
 
 OVR_API size_t ovr_trials_count(const ovr_trials *trials);
 OVR_API ovr_case *ovr_trials_case(const ovr_trials *trials, size_t k);
-/* As of ovr_run_options. */
+/* These mean what those of ovr_run_options mean. */
 OVR_API bool ovr_trials_steady(const ovr_trials *trials);
 OVR_API bool ovr_trials_estimate(const ovr_trials *trials);
 OVR_API void ovr_trials_put(ovr_trials *trials, size_t k, const char *key,
@@ -192,8 +192,8 @@ typedef struct ovr_sample_row {
     size_t limits;
     int sense[OVR_SAMPLE_LIMITS]; /* 1: at least; -1: at most */
     double limit[OVR_SAMPLE_LIMITS];
-    /* That it holds: its share, and 95 %, in which every failed draw may be
-     * either. */
+    /* The probability that the limit holds: its share, and 95 % bounds, in
+     * which every failed draw may count as either. */
     double P[OVR_SAMPLE_LIMITS], P_low[OVR_SAMPLE_LIMITS];
     double P_high[OVR_SAMPLE_LIMITS];
     size_t inputs;
@@ -218,7 +218,7 @@ OVR_API const ovr_sample_row *ovr_sample_at(const ovr_sample *sample, size_t k);
 OVR_API const ovr_sample_input *ovr_sample_input_at(const ovr_sample *sample,
                                                     size_t row, size_t k);
 
-/* As CSV, a line for each row. */
+/* Writes CSV, a line for each row. */
 OVR_API ovr_status ovr_sample_write(const ovr_sample *sample, const char *path,
                                     ovr_error *err);
 

@@ -53,12 +53,13 @@ typedef struct ovr_run_options {
                             these not when resumed */
     void *data;
     ovr_listener *say;
-    /* After each step; true: stop, with OVR_STOPPED and a file that can be
-     * gone on with. */
+    /* Called after each step; true stops the run with OVR_STOPPED and a file
+     * that can be resumed. */
     bool (*stop)(void *data);
     /* After each step of a run in time. */
     void (*progress)(void *data, const ovr_run *run, double fraction);
-    /* After the steady start and each step, the file written. */
+    /* Called after the steady start and after each step, once the file is
+     * written. */
     ovr_status (*observe)(void *data, const ovr_simulation *sim,
                           ovr_error *err);
     /* Resuming: settings for the case (its end, what is stored). */
@@ -366,7 +367,7 @@ typedef struct ovr_sweep_options {
     void (*progress)(void *data, size_t ended, size_t cases, int running,
                      size_t failed, double fraction);
     bool (*stop)(void *data); /* asked as often */
-    /* As `report`, of a study with [find]. */
+    /* Does what `report` does, of a study with [find]. */
     void (*report_find)(void *data, const struct ovr_find *find,
                         const ovr_error *err, FILE *summary);
 } ovr_sweep_options;

@@ -285,7 +285,7 @@ ovr_simulation_refinements(const ovr_simulation *sim, int *count);
 
 /* ----------------------------------------------------------- quantities */
 
-/* Over what a quantity is spread. */
+/* The axes that a quantity is spread over. */
 typedef enum ovr_axes {
     OVR_AT_STEPS,   /* one number a step: a column of the history */
     OVR_AT_NODES,   /* along x */

@@ -84,8 +84,8 @@ typedef enum ovr_shape {
  * them all. */
 OVR_API const char *ovr_shape_name(int shape);
 
-/* Which keys a shape takes, in words: "needs depth, width; ..."; returns the
- * room that it wants, as snprintf. */
+/* Says in words which keys a shape takes: "needs depth, width; ..."; returns
+ * the length that the text needs, as snprintf does. */
 OVR_API int ovr_shape_takes(int shape, char *text, size_t room);
 
 /* The width of a shape at half its height or depth, over its width; an indent
@@ -132,17 +132,17 @@ OVR_API double ovr_shape_width_half(int shape);
 /* clang-format on */
 
 /*
- * What a feature is made of.  Lengths in b, heights in b^2/R, times in b/um;
- * NAN: not given.  A field that the shape does not use must stay NAN.
+ * A feature as its user gives it.  Lengths in b, heights in b^2/R, times in
+ * b/um; NAN: not given.  A field that the shape does not use must stay NAN.
  */
 typedef struct ovr_feature_form {
     const char *name; /* for messages: the section's [feature NAME] */
     int surface;      /* 1 rides at u1, 2 at u2 */
     ovr_shape shape;
 
-    /* Where: at most one of these (wave and texture: origin or none).  With
-     * none a feature comes in from the end of the film, where that is known
-     * (ovr_surfaces_domain), as with start = -INFINITY. */
+    /* The place, by at most one of these (wave and texture: origin or none).
+     * With none a feature comes in from the end of the film, where that is
+     * known (ovr_surfaces_domain), as with start = -INFINITY. */
     double start;   /* X at T = 0 of its centre (step: its edge); of profile
                        and roughness: of their leading, largest-x end */
     double centre;  /* X of its centre at T = 0, profiles included */
@@ -155,7 +155,7 @@ typedef struct ovr_feature_form {
     OVR_FEATURE_SIZES(OVR_SIZE, OVR_SIZE)
 #undef OVR_SIZE
 
-    /* In time and along the surface. */
+    /* Changes in time and along the surface. */
     double grow;      /* grows in place by sigma((T - grow_from)/grow) */
     double grow_from; /* 0 */
     double repeat;    /* copies at this distance behind it (both ways when it

@@ -20,7 +20,7 @@ ovr_status ovr_given(void *to, size_t size, const void *from, const char *name,
 #define OVR_TAKE(type, to, from, err)                                          \
     ovr_given(to, sizeof(type), from, #type, err)
 
-/* Whether there is a struct to fill. */
+/* Fails unless there is a struct to fill. */
 ovr_status ovr_room(const void *to, const char *name, ovr_error *err);
 
 #endif

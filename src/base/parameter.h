@@ -24,7 +24,7 @@ typedef enum ovr_kind {
     OVR_WORDS    /* unsigned, bit k for the k-th word */
 } ovr_kind;
 
-/* What a bare number is measured in. */
+/* The Hertzian quantity that a bare number is measured in. */
 typedef enum ovr_hertzian {
     OVR_NOT_HERTZIAN,
     OVR_IN_B,        /* length along x */
@@ -55,9 +55,10 @@ typedef struct ovr_parameter {
 } ovr_parameter;
 
 /*
- * When a key has an effect: conditions on other keys, set apart by "; ", all of
- * which must hold; of the alternatives of one, set apart by " or ", any.  Each
- * is about a key of the same section, or section.key:
+ * The conditions under which a key has an effect.  They are about other keys
+ * and set apart by "; ", and all of them must hold; of the alternatives of one,
+ * set apart by " or ", any suffices.  Each is about a key of the same section,
+ * or section.key:
  *     "history = ramp | step"   its value is one of these words,
  *     "every > 0"               its number is above this one,
  *     "time.end"                it is given,

@@ -57,7 +57,7 @@ typedef struct ovr_quantity {
 ovr_status ovr_quantity_read(const char *text, ovr_dimension dimension,
                              bool bare, ovr_quantity *quantity, ovr_error *err);
 
-/* What a known unit measures; OVR_PURE: it is none. */
+/* The dimension that a known unit measures; OVR_PURE: it is none. */
 ovr_dimension ovr_unit_dimension(const char *unit);
 
 /* SI value of 1 `unit`, if it is one of the dimension; else NAN. */

@@ -48,7 +48,7 @@
 #define LIST(dimension, hertzian, least, most, words)                          \
     OVR_NUMBERS, dimension, hertzian, least, most, false, words
 
-/* Of a key that has an effect beside any others. */
+/* The key has an effect whatever the others are. */
 #define ALWAYS NULL
 
 /* The rows of a section, and how many there are. */

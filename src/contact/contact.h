@@ -28,7 +28,7 @@ typedef struct ovr_flow_form {
     const ovr_flow_law *law; /* of all but Newtonian and Eyring */
 } ovr_flow_form;
 
-/* What a history is made of; times in b/um, values relative to nominal. */
+/* A history as its user gives it; times in b/um, values relative to nominal. */
 typedef struct ovr_history_form {
     ovr_history_kind kind;
     double from, to;          /* ramp, step: value before and after */
@@ -63,20 +63,21 @@ void ovr_history_free(ovr_history *history);
  * it jumps. */
 double ovr_history_slope(const ovr_history *history, double T);
 
-/* From when on it does not change any more; INFINITY: it never ends. */
+/* The time from which on it does not change any more; INFINITY: it never
+ * ends. */
 double ovr_history_end(const ovr_history *history);
 
 /* Integral of the value from 0 to T, exact for the analytic kinds: how far
  * the mean surface has moved when the history is the speed ratio Cu. */
 double ovr_history_integral(const ovr_history *history, double T);
 
-/* How fast a surface moves, over um0; arguments as below. */
+/* The speed of a surface, over um0; */
 double ovr_surface_speed(const ovr_history *speed, const ovr_history *sliding,
                          double ratio, int surface, double T);
 
-/* How far a surface has moved from 0 to T, in b: ratio = u_k/um of the nominal
- * speeds times the integral of Cu; with a history of the sliding V = (u1 -
- * u2)/um0 the integral of Cu +- V/2. */
+/* The distance that a surface has moved from 0 to T, in b: ratio = u_k/um of
+ * the nominal speeds times the integral of Cu; with a history of the sliding V
+ * = (u1 - u2)/um0 the integral of Cu +- V/2. */
 double ovr_surface_way(const ovr_history *speed, const ovr_history *sliding,
                        double ratio, int surface, double T);
 
@@ -93,7 +94,7 @@ double ovr_density(const ovr_lubricant *lubricant, double P);
 /* Value at T (a NULL history is 1). */
 double ovr_history_value(const ovr_history *history, double T);
 
-/* Whether it is ever another than at T = 0. */
+/* True if its value is ever another than at T = 0. */
 bool ovr_history_varies(const ovr_history *history);
 
 #endif

@@ -28,7 +28,8 @@ static double rate(const ovr_history *radius, double T)
     return -c * c * ovr_history_slope(radius, T);
 }
 
-/* Of both surfaces' curvature; c_2 = c - c_1. */
+/* The cubic of both surfaces together, from the rates of their curvature; c_2 =
+ * c - c_1. */
 static double cubic(const ovr_curving *g, double T)
 {
     double all = rate(g->radius, T), one;

@@ -47,8 +47,8 @@ static double by_rate(const ovr_flow_form *form, double u)
     return v;
 }
 
-/* What was measured, straight between the points in logarithms of stress and
- * rate, and beyond them; where rates are low a Newtonian film. */
+/* The measured points are joined by straight lines in the logarithms of stress
+ * and rate, which go on beyond them; where rates are low a Newtonian film. */
 static double by_points(const ovr_flow_form *form, double u)
 {
     size_t n = form->points, k = 0;
@@ -77,7 +77,7 @@ static void make_curve(const ovr_flow_form *form, ovr_curve *f)
     }
 }
 
-/* At x >= 0. */
+/* Needs x >= 0. */
 static double curve_at(const ovr_curve *f, double x, double *by_x)
 {
     double place = (log(x) - LEAST) / STEP;
@@ -185,8 +185,9 @@ static double node(int k)
 
 /* ---------------------------------------------------------------- splines */
 
-/* In place: values at n + 1 nodes, `apart` from each other, the first behind
- * one place; even about the first, straight beyond the last. */
+/* Turns values at n + 1 nodes, `apart` from each other and the first behind one
+ * place, into coefficients of the spline; even about the first, straight beyond
+ * the last. */
 static void to_spline(double *v, int n, int apart)
 {
     double pivot[SLIDES + 1];
@@ -241,8 +242,8 @@ static void solve(splines *to, const ovr_curve *f)
 
 /* ------------------------------------------------------------------ table */
 
-/* Along s_N or g, where x = 2^k (1 + m/4) is 1 + s: the spline's interval, its
- * weights and their derivatives by s. */
+/* A place along s_N or g, where x = 2^k (1 + m/4) is 1 + s: the spline's
+ * interval, its weights and their derivatives by s. */
 typedef struct place {
     int interval;
     double b[4], d[4];

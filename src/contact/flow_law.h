@@ -49,8 +49,8 @@ typedef struct ovr_curve {
 /* f and its derivative at any x. */
 double ovr_curve_at(const ovr_curve *f, double x, double *by_x);
 
-/* At node (i, j), from 4 (i OVR_LAW_ROW + j): value, slope by s_N, by g, by
- * both. */
+/* Node (i, j) begins at 4 (i OVR_LAW_ROW + j) with its value, then come slopes
+ * by s_N, by g and by both. */
 struct ovr_flow_law {
     ovr_arena arena;
     double flow[OVR_LAW_SIZE];   /* of ln Phi */

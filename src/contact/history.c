@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * How load and speed change in time, relative to nominal.
+ * Load and speed change in time, relative to nominal.
  *
  * Ramps follow the quintic smoothstep s(y) = 6 y^5 - 15 y^4 + 10 y^3, whose
  * first and second derivatives vanish at both ends, so that second-order time

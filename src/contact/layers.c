@@ -206,7 +206,7 @@ double ovr_images_softness(const ovr_images *images, double k)
     return A;
 }
 
-/* Between the samples, where the fit did not look. */
+/* Asks between the samples, where the fit did not look. */
 static double error_of(const ovr_images *images, const fit *f,
                        const ovr_layered body[2])
 {
@@ -323,7 +323,7 @@ static void eliminate(system *of, int n)
     }
 }
 
-/* By right sides s: e = c_0, and all c_j over it. */
+/* Solves for the right sides s: e = c_0, and all c_j over it. */
 ovr_layered_hertz ovr_images_dry(const ovr_images *images, double a)
 {
     const double pi = acos(-1.0);

@@ -55,7 +55,8 @@ typedef struct ovr_layered {
     double strength[OVR_LAYERS_MOST];
 } ovr_layered;
 
-/* To: R at the top of each layer, by rows; below them it is 0. */
+/* Writes R at the top of each layer into `to`, by rows; below the layers R is
+ * 0. */
 void ovr_layered_reflections(const ovr_layered *body, double k,
                              double to[OVR_LAYERS_MOST + 1][4]);
 
@@ -116,7 +117,7 @@ typedef struct ovr_warmed {
     double tau[OVR_LAYERS_MOST];
 } ovr_warmed;
 
-/* Of thicknesses in m; tau in s. */
+/* Takes thicknesses in m; tau comes in s. */
 ovr_warmed ovr_warmed_of(int layers, const double *thickness,
                          const ovr_thermal *layer, const ovr_thermal *below);
 double ovr_warmed_at(const ovr_warmed *body, double t);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * From what is known of an oil to the laws of a contact.  Where a law has
+ * Makes the laws of a contact from what is known of an oil.  Where a law has
  * constants of its own, alpha is the slope of ln eta at p = 0:
  *     Doolittle  alpha = B R0/((1 - R0)^2 K0)
  *     Yasutomi   alpha = ln 10 C1 C2/(C2 + u0)^2 (A1 A2 - b1 b2 u0),
@@ -18,10 +18,12 @@
 static const double P0_PAPER = 1.98e8; /* Pa */
 static const double Z_PAPER = 0.68;
 static const double DENSITY_A = 5.9e8; /* Pa */
-/* Of mineral oils of VG 32 to 68 at 15 degC, middle of the densities in the
- * table of lubricants of ROSS (github.com/petrobras/ross), kg/m3. */
+/* The density of mineral oils of VG 32 to 68 at 15 degC is the middle of the
+ * densities in the table of lubricants of ROSS (github.com/petrobras/ross),
+ * kg/m3. */
 static const double DENSITY_MINERAL = 870;
-/* Of mineral oils near 40 degC, 1/K: for densities away from 15 degC. */
+/* The expansion of mineral oils near 40 degC, 1/K, takes their density to other
+ * temperatures than 15 degC. */
 static const double EXPANSION = 6.5e-4;
 
 ovr_oil ovr_oil_default(void)
@@ -136,7 +138,7 @@ static ovr_status by_table(ovr_oil *oil, ovr_error *err)
     return OVR_OK;
 }
 
-/* Where the law has no alpha of its own. */
+/* Takes the slope at p = 0 where the law has no alpha of its own. */
 static ovr_status by_its_law(ovr_oil *oil, ovr_error *err)
 {
     bool own = oil->viscosity_law == OVR_DOOLITTLE ||
@@ -215,7 +217,7 @@ static double estimated_alpha(double viscosity)
     return Z_PAPER * (log(viscosity) + 9.67) / P0_PAPER;
 }
 
-/* What is not given of a mineral oil. */
+/* Estimates of a mineral oil what is not given. */
 static ovr_status estimate(ovr_oil *oil, ovr_error *err)
 {
     bool slope = oil->viscosity_law == OVR_ROELANDS ||
@@ -363,7 +365,8 @@ ovr_status ovr_oil_scale(const ovr_oil *oil, const ovr_contact *contact,
     return OVR_OK;
 }
 
-/* Of an oil of which no more is known than its laws and Roelands' constants. */
+/* Makes an oil of which no more is known than its laws and Roelands'
+ * constants. */
 ovr_status ovr_lubricant_make(const ovr_contact *contact,
                               ovr_viscosity_law viscosity_law,
                               ovr_density_law density_law, double p0, double z,

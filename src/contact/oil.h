@@ -42,10 +42,10 @@ typedef struct ovr_oil {
                      those of a mineral oil */
 } ovr_oil;
 
-/* From n >= 2 points: p in Pa, increasing, the first from 0 to 1 MPa; values
- * positive, none below the one before.  Between the points ln(eta), or rho,
- * follows Steffen's monotone spline over p, sampled at 1024 meshes; beyond the
- * ends it goes straight on. */
+/* Makes a table from n >= 2 points: p in Pa, increasing, the first from 0 to 1
+ * MPa; values positive, none below the one before.  Between the points ln(eta),
+ * or rho, follows Steffen's monotone spline over p, sampled at 1024 meshes;
+ * beyond the ends it goes straight on. */
 ovr_law_table *ovr_law_table_create(ovr_table_of what, size_t n,
                                     const double *p, const double *value,
                                     const ovr_allocator *allocator,

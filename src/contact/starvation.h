@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a domain that begins too close to the contact costs of the film. */
+/* A domain that begins too close to the contact makes the film thinner; these
+ * formulas say by how much. */
 #ifndef OVR_CONTACT_STARVATION_H
 #define OVR_CONTACT_STARVATION_H
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What surfaces bear where they touch, by their mean gap H: A(H) in ph, H in
- * b^2/R, roughness and layers of boundary lubricant together.
+ * A touch law gives the pressure that surfaces bear where they touch, by their
+ * mean gap H: A(H) in ph, H in b^2/R.  It stands for roughness and layers of
+ * boundary lubricant together.
  *
  *     exponential    a1 exp(-H/s)
  *     layer          e/(exp(H/d) - 1), e = exp(h/d): ph at H = h, no film below

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which way a history goes: a mean speed below zero runs towards -x. */
+/* A history with a mean speed below zero runs towards -x. */
 #ifndef OVR_CONTACT_TURNING_H
 #define OVR_CONTACT_TURNING_H
 
@@ -8,10 +8,10 @@
 /* The least value that it ever takes. */
 double ovr_history_least(const ovr_history *history);
 
-/* Whether it is ever below zero. */
+/* True if it is ever below zero. */
 bool ovr_history_turns(const ovr_history *history);
 
-/* Whether it begins below zero, or goes there from zero at T = 0. */
+/* True if it begins below zero, or goes there from zero at T = 0. */
 bool ovr_history_begins_backward(const ovr_history *history);
 
 #endif

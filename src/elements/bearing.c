@@ -45,7 +45,7 @@ ovr_bearing_form ovr_bearing_form_default(void)
 
 /* ---------------------------------------------------- load distribution */
 
-/* What a roller at psi carries at the displacement d. */
+/* The load that a roller at psi carries at the displacement d. */
 static double carried(const ovr_bearing *bearing, double d, double psi)
 {
     double approach = d * cos(psi) - bearing->form.clearance / 2;

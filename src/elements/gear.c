@@ -315,7 +315,8 @@ static bool runs(const ovr_gear *gear, double t)
     return ovr_gear_load(f, g, xi) > f->least_share * whole;
 }
 
-/* Between a time at which it runs and one at which it does not. */
+/* Finds the edge between a time at which it runs and one at which it does
+ * not. */
 static double edge(const ovr_gear *gear, double in, double out)
 {
     for (int k = 0; k < 60; k++) {

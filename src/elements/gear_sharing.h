@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How much of the load the pair of teeth at one point of the path carries. */
+/* The pair of teeth at one point of the path carries a share of the load, which
+ * is given here. */
 #ifndef OVR_ELEMENTS_GEAR_SHARING_H
 #define OVR_ELEMENTS_GEAR_SHARING_H
 

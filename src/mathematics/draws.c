@@ -88,7 +88,7 @@ static ovr_status fill_sobol(const ovr_sampling *how, const char *const *key,
                         "%zu random keys: the points of Sobol' have %d "
                         "dimensions; design = lhs",
                         count, OVR_SOBOL_MOST);
-    /* Without gsl_qrng_alloc, which ends the program where memory does. */
+    /* gsl_qrng_alloc is not called: it ends the program where memory ends. */
     state = ovr_arena_take(arena, 1, sobol->state_size((unsigned)count), err);
     if (!state)
         return OVR_NO_MEMORY;
@@ -138,8 +138,8 @@ const char *ovr_distribution_wrong(const ovr_distribution *d)
     return NULL;
 }
 
-/* Of a lognormal number with this mean and deviation: those of its logarithm
- * are mu = ln mean - sigma^2/2, sigma^2 = ln(1 + (sd/mean)^2). */
+/* A lognormal number with this mean and deviation has a logarithm with mu = ln
+ * mean - sigma^2/2, sigma^2 = ln(1 + (sd/mean)^2). */
 static double log_sigma(const ovr_distribution *d)
 {
     return sqrt(log1p(pow(d->b / d->a, 2)));

@@ -58,7 +58,7 @@ typedef struct ovr_distribution {
     double low, high; /* cut off here; infinite: not */
 } ovr_distribution;
 
-/* What is wrong with its numbers, or NULL. */
+/* Says what is wrong with its numbers, or NULL. */
 const char *ovr_distribution_wrong(const ovr_distribution *d);
 
 /* Its value at the probability u, cut ends included. */

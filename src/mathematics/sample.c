@@ -44,8 +44,9 @@ ovr_interval ovr_quantile_interval(const double *sorted, size_t n, double p)
                           u <= n ? sorted[u - 1] : NAN};
 }
 
-/* Where a cumulative distribution that rises from below `value` has it, by
- * halving: GSL's own inverses end the program where they do not converge. */
+/* Finds by halving where a cumulative distribution that rises from below
+ * `value` reaches it: GSL's own inverses end the program where they do not
+ * converge. */
 static double inverse(double (*rising)(double x, double a, double b), double a,
                       double b, double from, double to, double value)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What a sample says of what it was drawn from: pure functions of n numbers.
+ * A sample is summed up by pure functions of n numbers.
  */
 #ifndef OVR_MATHEMATICS_SAMPLE_H
 #define OVR_MATHEMATICS_SAMPLE_H
@@ -33,9 +33,9 @@ ovr_interval ovr_proportion(size_t k, size_t n);
  * 95 % (Student). */
 double ovr_student(size_t n);
 
-/* How much of the variance of y the input x makes by itself: x sorted into
- * round(sqrt n) bins of equal counts, the variance of the bins' means, less the
- * part that their noise makes, over the whole; cut at 0. */
+/* The share of the variance of y that the input x makes by itself: x is sorted
+ * into round(sqrt n) bins of equal counts, and the variance of the bins' means,
+ * less the part that their noise makes, is taken over the whole; cut at 0. */
 double ovr_first_order(const double *x, const double *y, size_t n,
                        ovr_arena *arena);
 

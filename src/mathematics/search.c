@@ -60,7 +60,7 @@ static double distance(const searching *w, double s, double relative)
     return relative * fmax(fabs(s), 0.01 * (w->p->to - w->p->from));
 }
 
-/* On which side of the target: of an inequality, whether it holds. */
+/* True above the target; of an inequality, true where it holds. */
 static bool side(const searching *w, double q)
 {
     return w->p->sense < 0 ? q <= w->p->target : q >= w->p->target;
@@ -100,8 +100,8 @@ static ovr_status scan(searching *w, point *to, size_t n)
     return status;
 }
 
-/* What the scan says of the function: its range, and whether it is monotone but
- * for a ten-thousandth of that. */
+/* Tells from the scan the range of the function, and if it is monotone but for
+ * a ten-thousandth of that. */
 static void judge(searching *w, const point *p, size_t n)
 {
     ovr_search_result *r = w->r;
@@ -174,7 +174,7 @@ static size_t list_changes(searching *w, const point *p, size_t n,
     return count;
 }
 
-/* Of an inequality the outermost change; its end there must not hold. */
+/* Takes the outermost change of an inequality; its end there must not hold. */
 static bracket outermost(searching *w, const bracket *changes, size_t count)
 {
     bool largest = w->p->which > 0;

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Where a function of one number has a value, when each of its values is the
- * outcome of a long computation that may fail and that scatters a little: a
- * scan, several points at a time; then Brent's method in the scan's bracket
- * (R. P. Brent, Algorithms for Minimization without Derivatives, 1973, ch. 4);
- * at the end a parabola through what lies about the answer, for slope and
- * scatter.
+ * Finds where a function of one number has a value, when each of its values is
+ * the outcome of a long computation that may fail and that scatters a little:
+ * first comes a scan, several points at a time; then Brent's method in the
+ * scan's bracket (R. P. Brent, Algorithms for Minimization without Derivatives,
+ * 1973, ch. 4); at the end a parabola through what lies about the answer, for
+ * slope and scatter.
  *
  * Brent's own form is written out here and not taken from GSL's
  * gsl_root_fsolver_brent: that one evaluates its ends again, ends the program

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a table says of a depth. */
+/* A table by depth gives its numbers at any depth. */
 #ifndef OVR_STRESS_BY_DEPTH_H
 #define OVR_STRESS_BY_DEPTH_H
 

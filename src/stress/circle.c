@@ -89,7 +89,7 @@ static ovr_circle of_two(const float *a, const float *b)
     return (ovr_circle){d, t, hypot(a[0] - d, a[1] - t)};
 }
 
-/* Through three points; on one line: round the two outermost. */
+/* The circle through three points; on one line: round the two outermost. */
 static ovr_circle of_three(const float *a, const float *b, const float *c)
 {
     double bx = (double)b[0] - a[0], by = (double)b[1] - a[1];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the extents of a path in the plane of (d, tau) say about it. */
+/* A path in the plane of (d, tau) is judged by its extents. */
 #ifndef OVR_STRESS_CIRCLE_H
 #define OVR_STRESS_CIRCLE_H
 

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Between points of a level: Lagrange's cubic. */
+/* Points of a level are joined by Lagrange's cubic. */
 #ifndef OVR_STRESS_CUBIC_H
 #define OVR_STRESS_CUBIC_H
 
 #include <stddef.h>
 
-/* Through four values `stride` apart, at t from v[0] towards the next. */
+/* Goes through four values `stride` apart, at t from v[0] towards the next. */
 static inline double ovr_cubic(const float *v, ptrdiff_t stride, double t)
 {
     return -t * (t - 1) * (t - 2) / 6 * (double)v[-stride] +

@@ -41,7 +41,7 @@ static precise differences(precise w, int size, const int *c, int power)
     return sum;
 }
 
-/* By conj(w)/|w|^2: w is far from where that could overflow. */
+/* Multiplies by conj(w)/|w|^2. */
 static ovr_potential point(double complex w)
 {
     double x = creal(w), z = cimag(w), scale = 1 / (x * x + z * z);
@@ -75,8 +75,8 @@ static double cardinal_weight(int m)
     return sqrt(3) * pow(sqrt(3) - 2, abs(m));
 }
 
-/* From the B-splines at w - m, m = -SPLINE_TAIL ... SPLINE_TAIL, the one at
- * w - m at `B[-m]`. */
+/* Sums the B-splines at w - m, m = -SPLINE_TAIL ... SPLINE_TAIL; the one at w -
+ * m stands at `B[-m]`. */
 static ovr_potential cardinal(const ovr_potential *B)
 {
     ovr_potential sum = {0, 0};

@@ -31,7 +31,7 @@ void ovr_element_line(ovr_element element, double D, double z, long first,
 /* Stresses of p times one density and q times another. */
 ovr_in_plane ovr_stress_of(double z, ovr_potential p, ovr_potential q);
 
-/* Of p and q times the same density. */
+/* Adds the stresses of p and of q times the same density. */
 ovr_in_plane ovr_stress_of_both(double z, ovr_potential one, double p,
                                 double q);
 

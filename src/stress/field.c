@@ -109,7 +109,7 @@ static ovr_status take_layer_room(ovr_arena *scratch, size_t N, layer_room *r,
     return ovr_fourier_real(r->n, r->bins[0], r->values, &r->plan, err);
 }
 
-/* What layers add to the lags at a depth. */
+/* Adds what layers make of the lags at a depth. */
 static void add_layers(const ovr_stress *s, const ovr_depth *depth,
                        bool traction, long first, size_t lags, double *lag,
                        const layer_room *r)
@@ -233,7 +233,7 @@ static bool take_arrays(ovr_stress *s, ovr_error *err)
     return whole;
 }
 
-/* At the given depths, or (z NULL) those of the options. */
+/* Takes the given depths, or (z NULL) those of the options. */
 static ovr_status prepare(ovr_stress *s, size_t depths, const double *z,
                           ovr_error *err)
 {

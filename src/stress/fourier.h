@@ -44,7 +44,8 @@ ovr_status ovr_fourier_bins(size_t n, double *values, fftw_complex *bins,
 /* The end of either. */
 void ovr_fourier_forget(fftw_plan plan);
 
-/* From waves[] to another array of N / 2^c complex values, equally aligned. */
+/* Transforms waves[] back into another array of N / 2^c complex values, equally
+ * aligned. */
 void ovr_fourier_back(ovr_fourier *f, int c, float *values);
 
 #endif

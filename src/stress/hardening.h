@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* When and where to a point of a metal flows. */
+/* A point of a metal flows by this law: when its stress reaches yield, and
+ * where to. */
 #ifndef OVR_STRESS_HARDENING_H
 #define OVR_STRESS_HARDENING_H
 

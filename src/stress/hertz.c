@@ -47,7 +47,7 @@ static double distance(const moment *m, double x)
 
 typedef double curve(const void *data, double x);
 
-/* Between left and right, f having one maximum there, to the last digits. */
+/* Seeks between left and right, where f has one maximum, to the last digits. */
 static double golden(curve *f, const void *data, double left, double right,
                      double *where)
 {

@@ -30,7 +30,8 @@
 #include "overroll/stress.h"
 #include "stress/stress.h"
 
-/* How far beside an interface, of its depth, its two sides are looked at. */
+/* An interface has two sides, which are looked at this far from it, of its
+ * depth. */
 #define OVR_BESIDE 1e-6
 
 /* sigma_x, sigma_z and tau of a wave under p or q, as above without cos and
@@ -41,8 +42,8 @@ void ovr_layered_wave(const ovr_layered *body, double k, double z, bool q,
 /* The layer of a depth, from 0; their number: below them. */
 int ovr_layered_at(const ovr_layered *body, double z);
 
-/* What is there without load at a depth of a body with the layers of `options`,
- * or none, and Poisson's ratio. */
+/* The stress that is there without load at a depth of a body with the layers of
+ * `options`, or none, and Poisson's ratio. */
 typedef struct ovr_at_rest {
     double poisson, x, y;
 } ovr_at_rest;
@@ -52,7 +53,7 @@ ovr_at_rest ovr_layered_rest(const ovr_stress_options *options,
 /* Bottom of layer j. */
 double ovr_layered_bottom(const ovr_layered *body, int j);
 
-/* What is added at one depth: g and a, for h, d and tau. */
+/* The layers add this at one depth: g and a, for h, d and tau. */
 typedef struct ovr_layered_depth {
     const ovr_layered *body;
     double z, a, D;

@@ -43,8 +43,9 @@ ovr_life_options ovr_life_options_default(void)
     return defaults;
 }
 
-/* What the depths alone decide, once for all points: of the interval from z[j]
- * its width in ln z, z^(1-h) times Gauss's weights, and the limits there. */
+/* The depths alone decide these numbers, once for all points: of the interval
+ * from z[j] its width in ln z, z^(1-h) times Gauss's weights, and the limits
+ * there. */
 typedef struct interval {
     double width, weight[PARTS];
     double limit[PARTS], least_limit;
@@ -93,7 +94,7 @@ static double slope(size_t n, const interval *of, const double *A, size_t j)
     return j == 0 || j + 1 == n ? left : inner_slope(left, right, dl, dr);
 }
 
-/* Between z[j] and z[j + 1]. */
+/* The integral between z[j] and z[j + 1]. */
 static double of_interval(const ovr_life_options *o, size_t n,
                           const interval *of, const double *A, size_t j)
 {

@@ -18,7 +18,7 @@ typedef struct ovr_load_bins {
     ovr_bins P, A, B;
 } ovr_load_bins;
 
-/* What turns (h, d, tau) into equivalent stresses. */
+/* The constants that turn (h, d, tau) into equivalent stresses. */
 typedef struct ovr_state_constants {
     float poisson;
     float mean, half; /* of the residual stresses: residual_x / 2, both */
@@ -58,7 +58,8 @@ typedef struct ovr_stress_loops {
     void (*circles)(size_t n, const float *rows, size_t pitch, float *radius);
 } ovr_stress_loops;
 
-/* By name ("plain", "base", ...); NULL: the best this machine runs. */
+/* Takes the loops of a name ("plain", "base", ...); NULL: the best this machine
+ * runs. */
 const ovr_stress_loops *ovr_stress_loops_choose(const char *name);
 
 #endif

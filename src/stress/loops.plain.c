@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the loops compute, in the shortest C that says it. */
+/* The loops, in the shortest C that says what they compute. */
 #include <complex.h>
 #include <math.h>
 

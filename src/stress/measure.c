@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What the kept rows say of a path.
+ * Damage measures of a path, from the rows that are kept of it.
  *
  * tau on a plane at the angle phi to the surface is tau cos 2 phi - d sin 2
  * phi = u . s, u = (-sin 2 phi, cos 2 phi): half the extent along it is the
@@ -48,7 +48,7 @@ static int worst_direction(path p)
     return worst;
 }
 
-/* Of the layer that the depth lies in, or of the body. */
+/* The value of the layer that the depth lies in, or of the body. */
 static double hydrostatic(const ovr_passage *p, size_t depth, double h)
 {
     ovr_at_rest at = ovr_layered_rest(&p->stress->options, &p->range,
@@ -73,8 +73,8 @@ static double measure(const ovr_passage *p, ovr_measure which, size_t depth,
     }
 }
 
-/* Between the points of level c: cubic through four, the angle of the nearest;
- * `nodes` are the level's. */
+/* Interpolates between the points of level c: cubic through four, the angle of
+ * the nearest; `nodes` are the level's. */
 static double between(const ovr_passage *p, const float *nodes, int c, size_t k,
                       bool nearest)
 {

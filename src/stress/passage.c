@@ -37,7 +37,7 @@ ovr_material_range ovr_material_range_default(void)
 
 /* ------------------------------------------------------------ one moment */
 
-/* Where the nodes stand among the material: node i of level c is material
+/* The place of the nodes among the material: node i of level c is material
  * point i - meshes 2^(5-c) of it, when the nodes are moved by `shift`. */
 typedef struct place {
     double shift;
@@ -107,7 +107,7 @@ static void note_value(const ovr_passage *p, size_t n,
     }
 }
 
-/* Of layers: below them all is that of the body. */
+/* Notes the extremes of the layers; below all of them the row is the body's. */
 static void note_layers(ovr_passage *p, const ovr_stress_row *row, size_t first,
                         size_t n, double T)
 {
@@ -141,7 +141,8 @@ static void note_extremes(ovr_passage *p, const ovr_stress_row *row,
 
 /* ------------------------------------------------------ strips of pressure */
 
-/* As wide as two contacts: that of the whole one is among them. */
+/* Strips are at most as wide as two contacts: that of the whole one is among
+ * them. */
 static const double widest_strip = 4;
 
 static void note_strip(ovr_passage *p, const double *P, double T)

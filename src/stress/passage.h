@@ -9,7 +9,7 @@
 #include "stress/stress.h"
 #include "stress/yield.h"
 
-/* What is kept of the path of a material point at a depth. */
+/* These rows are kept of the path of a material point at a depth. */
 enum {
     OVR_ROW_HIGH,                                /* extents along u_m */
     OVR_ROW_LOW = OVR_HALF_DIRECTIONS,           /* and against it */
@@ -20,15 +20,15 @@ enum {
     OVR_ROWS
 };
 
-/* What a run showed of layers: the largest von Mises stress of each, shear and
- * tension on interfaces, tension along the surface. */
+/* The extremes of layers over a run: the largest von Mises stress of each,
+ * shear and tension on interfaces, tension along the surface. */
 typedef struct ovr_layer_extremes {
     ovr_stress_extreme von_mises[OVR_LAYERS_MOST];
     ovr_stress_extreme shear[OVR_LAYERS_MOST]; /* below each */
     ovr_stress_extreme tension, surface;
 } ovr_layer_extremes;
 
-/* Where the material points of a level lie: xi = (first + k) 2^c D. */
+/* Material points of a level lie at these places: xi = (first + k) 2^c D. */
 typedef struct ovr_material_grid {
     long first;
     size_t points;
@@ -66,7 +66,7 @@ struct ovr_passage {
     size_t pieces;
 };
 
-/* Of a passage with layers. */
+/* Gives the extremes of a passage with layers. */
 ovr_layer_extremes ovr_passage_layers(const ovr_passage *p);
 
 /* The layer of a depth, from 0; their number below them, or 0 without any. */

@@ -101,7 +101,7 @@ static bool take_scratch(ovr_passage *p, ovr_error *err)
     return true;
 }
 
-/* Of strips of pressure, where the body yields. */
+/* Takes memory for the sums of strips of pressure, where the body yields. */
 static ovr_status take_sums(ovr_passage *p, ovr_error *err)
 {
     size_t n = p->stress->options.nodes;

@@ -19,8 +19,8 @@ typedef struct ovr_residual_stress {
     double x, y, z, xz;
 } ovr_residual_stress;
 
-/* At depth z, from the strain of one layer; k = 0 is a strain that is the same
- * everywhere along x. */
+/* The stress at depth z from the strain of one layer; k = 0 is a strain that is
+ * the same everywhere along x. */
 ovr_residual_stress ovr_residual_at(double k, double poisson,
                                     ovr_strained_layer source,
                                     ovr_plastic_strain strain, double z);
@@ -31,7 +31,7 @@ ovr_residual_stress ovr_residual_mean(double k, double poisson,
                                       ovr_plastic_strain strain,
                                       ovr_strained_layer receiver);
 
-/* How far the surface moves into the body, in b p_h/E*; k > 0. */
+/* The distance by which the surface moves into the body, in b p_h/E*; k > 0. */
 double ovr_plastic_sinking(double k, double poisson, ovr_strained_layer source,
                            ovr_plastic_strain strain);
 

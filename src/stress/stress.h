@@ -29,8 +29,9 @@ typedef struct ovr_material_range {
     size_t residuals; /* by depth in place of both, along and across alike: */
     const double *residual_z, *residual_s; /* depths, b, which rise; stresses */
     double least_depth; /* extremes are looked for from here; 0: 8 D */
-    /* Of the layers of ovr_stress_options, along x and across, borrowed; NULL:
-     * none.  What is above is that of the body below them. */
+    /* Residual stresses of the layers of ovr_stress_options, along x and along
+     * the line, borrowed; NULL: none.  What is above is that of the body below
+     * them. */
     const double *layer_residual; /* two of each */
     double yield;                 /* von Mises, of the body; 0: not told */
 } ovr_material_range;
@@ -39,7 +40,7 @@ typedef struct ovr_material_range {
 ovr_stress *ovr_stress_create(const ovr_stress_options *options,
                               const ovr_allocator *allocator, ovr_error *err);
 
-/* At depths of one's own, which rise. */
+/* Takes depths of one's own, which rise. */
 ovr_stress *ovr_stress_create_at(const ovr_stress_options *options,
                                  size_t depths, const double *z,
                                  const ovr_allocator *allocator,
@@ -67,8 +68,8 @@ const char *ovr_stress_field_name(ovr_stress_field field);
 double ovr_stress_value(ovr_stress_field field, ovr_in_plane state,
                         double poisson, double residual_x, double residual_y);
 
-/* At (x, z) below one element of height 1 at x = 0, mesh D, loaded by
- * pressure p and traction q. */
+/* The stress at (x, z) below one element of height 1 at x = 0, mesh D, loaded
+ * by pressure p and traction q. */
 ovr_in_plane ovr_element_stress(ovr_element element, double D, double p,
                                 double q, double x, double z);
 
@@ -82,8 +83,8 @@ void ovr_passage_free(ovr_passage *passage);
 double ovr_passage_memory(const ovr_stress_options *given,
                           const ovr_material_range *range);
 
-/* What lies before the first and after the last moment is a steady contact
- * like the one of that moment. */
+/* The contact is steady before the first moment and after the last, as it is at
+ * that moment. */
 void ovr_passage_begin(ovr_passage *passage, const double *P, const double *Q,
                        const ovr_moment *moment);
 void ovr_passage_step(ovr_passage *passage, const double *P, const double *Q,
@@ -125,9 +126,10 @@ const char *ovr_criterion_name(ovr_criterion criterion);
 double ovr_hertz_criterion(ovr_criterion criterion, double alpha,
                            double poisson, double *z);
 
-/* Of a body that yields at a von Mises stress of 1: p_h of the smooth dry
- * contact at its first yield, and above which it never shakes down in rolling;
- * what a strip of uniform pressure bears above the pressure around it. */
+/* Limits of a body that yields at a von Mises stress of 1: p_h of the smooth
+ * dry contact at its first yield, and above which it never shakes down in
+ * rolling; what a strip of uniform pressure bears above the pressure around
+ * it. */
 double ovr_first_yield(double poisson);
 double ovr_shakedown_limit(void);
 double ovr_strip_collapse(void);

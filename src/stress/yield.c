@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What an elastic pressure says of a body that yields at a von Mises stress Y.
+ * The limits of a body that yields at a von Mises stress Y.
  *
  * First yield of the smooth dry contact: the p_h at which its largest von Mises
  * stress is Y.  Shakedown in free rolling: p_h = 4 k, k = Y/sqrt 3, above which

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What is left of a wave's amplitude under a rolling line contact: long waves
- * are pressed flat, short ones pass as they are.  One curve of one number,
+ * The share of a wave's amplitude that is left under a rolling line contact:
+ * long waves are pressed flat, short ones pass as they are.  One curve of one
+ * number,
  *     Ad/Ai = (1 + (N/4.52)^2.38)^-0.514,
  *     N = (wavelength/b) M^0.78 L^-0.28,
  * fitted to 64 runs of this program with waves of 1/8 to 4 b and of small

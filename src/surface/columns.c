@@ -35,8 +35,8 @@ static bool spaced(const ovr_text_table *t)
     return t->source->spacing > 0 || t->header.spacing > 0;
 }
 
-/* By name, by place, by the caller; what is then still -1 is not known, or
- * is a spacing. */
+/* Columns are found by name, by place, or as the caller says; one that is then
+ * still -1 is not known, or is a spacing. */
 ovr_status ovr_find_columns(ovr_text_table *t, ovr_error *err)
 {
     const ovr_profile_source *s = t->source;

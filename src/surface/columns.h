@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which columns of a text hold x and z, and in which units. */
+/* Finds the columns of a text that hold x and z, and their units. */
 #ifndef OVR_SURFACE_COLUMNS_H
 #define OVR_SURFACE_COLUMNS_H
 
@@ -19,7 +19,7 @@ typedef struct ovr_text_table {
     long *number;   /* line of each point */
 } ovr_text_table;
 
-/* By name, by place, by the caller: sets x and z. */
+/* Sets x and z by name, by place, or as the caller says. */
 ovr_status ovr_find_columns(ovr_text_table *table, ovr_error *err);
 
 /* All that nobody says, in one error that says what to give: columns,

@@ -69,8 +69,8 @@ typedef struct search {
     double norm;                 /* of the gap at the last step; 0: none */
 } search;
 
-/* How far where a node touches alone, whose gap is nothing: what its own
- * pressure over its own deformation is. */
+/* A node that touches alone has no gap to lead it: its step is its own pressure
+ * over its own deformation. */
 static double alone(const ovr_dry_contact *of)
 {
     const double euler = 0.5772, pi = 3.14159265358979323846;
@@ -117,8 +117,8 @@ static bool take_step(const ovr_dry_contact *of, double far, const search *s,
     return grown;
 }
 
-/* How far pressures and gaps are from excluding each other, over the heights'
- * range; the state. */
+/* Tells how far pressures and gaps are from excluding each other, over the
+ * heights' range; the state. */
 static double judge(const ovr_dry_contact *of, const double *z, const double *p,
                     const double *gap, ovr_dry_state *state)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is on the surfaces: heights, wavelengths, roughness, extents. */
+/* Tells what is on the surfaces: heights, wavelengths, roughness, extents. */
 #include <math.h>
 
 #include "surface/features.h"

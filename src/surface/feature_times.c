@@ -77,7 +77,7 @@ static double time_of(const ovr_surfaces *surfaces, const ovr_feature *f,
     return high;
 }
 
-/* When the point at `offset` from the centre comes to X. */
+/* The time when the point at `offset` from the centre comes to X. */
 static double time_at(const ovr_surfaces *surfaces, const ovr_feature *f,
                       double offset, double X, double until)
 {

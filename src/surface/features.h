@@ -48,8 +48,8 @@ static inline double ovr_feature_centre(const ovr_surfaces *surfaces,
     return feature->start + ovr_feature_moved(surfaces, feature, T);
 }
 
-/* How far behind it its last copy is, b: 0 without copies, INFINITY where they
- * have no end. */
+/* The distance of its last copy behind it, b: 0 without copies, INFINITY where
+ * they have no end. */
 static inline double ovr_feature_last_copy(const ovr_feature *feature)
 {
     if (isnan(feature->repeat))

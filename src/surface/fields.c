@@ -196,7 +196,8 @@ static void learn(ovr_column *column, ovr_column now)
     }
 }
 
-/* What "unit_x = um", "Z unit: nm", "units mm", "spacing = 0.5 um" say. */
+/* A statement in a header, such as "unit_x = um", "Z unit: nm", "units mm" or
+ * "spacing = 0.5 um". */
 typedef struct statement {
     bool unit, spacing;
     char axis;
@@ -280,8 +281,9 @@ static void read_words(ovr_header *header, ovr_line line)
     }
 }
 
-/* As many fields as columns; or fewer, when the line ends with a separator
- * (the columns behind have no name); or more, when those are empty. */
+/* True if there are as many fields as columns; or fewer, when the line ends
+ * with a separator (the columns behind have no name); or more, when those are
+ * empty. */
 static bool fits(const ovr_fields *fields, size_t columns)
 {
     size_t named = fields->count;
@@ -304,7 +306,7 @@ static bool split_as(const ovr_header *header, ovr_line line, char separator,
     return false;
 }
 
-/* Of a single column the line just above the data names it. */
+/* Reads the name of a single column from the line just above the data. */
 static void read_single(ovr_header *header, ovr_line line)
 {
     if (read_statement(header, line))

@@ -24,7 +24,7 @@ bool ovr_split(ovr_line line, char separator, ovr_fields *fields);
 /* All fields are numbers or missing values, at least one is a number. */
 bool ovr_all_numbers(const ovr_fields *fields, bool comma);
 
-/* What the header says of one column. */
+/* The header says this of one column. */
 typedef struct ovr_column {
     char axis;        /* 'x', 'y', 'z', or 0 */
     bool scaled;      /* unit b (x) or b^2/R (z) */

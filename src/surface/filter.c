@@ -50,7 +50,7 @@ static void subtract(const basis *b, const double *x, double *z, double norm)
         z[i] -= c * b->p[i];
 }
 
-/* From degree k to k + 1. */
+/* Goes from degree k to k + 1. */
 static void raise(basis *b, const double *x, double norm, double norm_older)
 {
     double a = 0, c = norm_older > 0 ? norm / norm_older : 0;

@@ -16,12 +16,12 @@
 /* Width of the contact, b. */
 #define OVR_CONTACT_WIDTH 2.
 
-/* Of a profile that is linear between its points, x ascending; one that is
+/* Takes a profile that is linear between its points, x ascending; one that is
  * shorter is one window. */
 double ovr_local_roughness(size_t n, const double *x, const double *z,
                            double window);
 
-/* Of a wave. */
+/* Does the same for a wave. */
 double ovr_local_roughness_of_wave(double amplitude, double wavelength,
                                    double window);
 

@@ -59,7 +59,7 @@ static double ratio_at(size_t n, const ovr_height *at, double z)
 
 static const double CENTRAL = 0.4;
 
-/* Where the flattest secant begins. */
+/* Finds where the flattest secant begins. */
 static double flattest(size_t n, const ovr_height *at)
 {
     double best = INFINITY, from = 0;

@@ -24,7 +24,7 @@ typedef struct ovr_core {
     double k, pk, vk, mr1, mr2;
 } ovr_core;
 
-/* Of n >= 1 heights, which are sorted, the highest first. */
+/* Takes n >= 1 heights, which are sorted, the highest first. */
 ovr_core ovr_material_ratio(size_t n, ovr_height *heights);
 
 #endif

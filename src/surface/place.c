@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where a feature is at T = 0. */
+/* Finds where a feature is at T = 0. */
 #include <math.h>
 
 #include "base/error.h"
 #include "base/text.h"
 #include "surface/feature.h"
 
-/* Where the centre is at T = 0 when the feature's reference point (start), its
- * centre, its leading edge or its arrival at X = 0 was given. */
+/* Finds where the centre is at T = 0 when the feature's reference point
+ * (start), its centre, its leading edge or its arrival at X = 0 was given. */
 static double centre_at_start(double way, const ovr_feature_form *form,
                               const ovr_feature *f)
 {

@@ -57,8 +57,7 @@ static inline ovr_status ovr_about(ovr_error *err, const char *key,
  * every reader and of conditioning. */
 ovr_status ovr_profile_finish(ovr_profile *profile, size_t n, ovr_error *err);
 
-/* Which of an areal file's lines, from 0; without a choice the first, which is
- * said. */
+/* Chooses one of an areal file's lines, from 0; */
 ovr_status ovr_profile_choose_line(ovr_profile *profile,
                                    const ovr_profile_source *source,
                                    size_t lines, size_t *line, ovr_error *err);
@@ -67,8 +66,8 @@ ovr_status ovr_profile_choose_line(ovr_profile *profile,
 void ovr_profile_regular(ovr_profile *profile, size_t n, double first,
                          double spacing);
 
-/* As ovr_profile_read, from memory; source->file is then only its name in
- * messages. */
+/* Does what ovr_profile_read does, from memory; source->file is then only its
+ * name in messages. */
 ovr_profile *ovr_profile_parse(const ovr_profile_source *source,
                                const void *data, size_t size,
                                const ovr_allocator *allocator, ovr_error *err);

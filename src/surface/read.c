@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * From a file to its reader: the content is taken into memory (gzip undone on
+ * Finds the reader of a file: the content is taken into memory (gzip undone on
  * the way, size bounded) and told apart by what it holds, not by its name.
  */
 #include "surface/profile.h"

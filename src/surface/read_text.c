@@ -185,7 +185,8 @@ static void drop_count(ovr_text_table *t, size_t *n)
                          t->counted, *n);
 }
 
-/* Without a column x: the caller's spacing, or the header's. */
+/* Lays out points without a column x, by the caller's spacing or the header's.
+ */
 static ovr_status lay_out(ovr_text_table *t, size_t n, ovr_error *err)
 {
     const ovr_profile_source *s = t->source;

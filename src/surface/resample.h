@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* From a conditioned profile to the table that a grid evaluates. */
+/* Makes the table that a grid evaluates from a conditioned profile. */
 #ifndef OVR_SURFACE_RESAMPLE_H
 #define OVR_SURFACE_RESAMPLE_H
 

@@ -175,8 +175,8 @@ ovr_status ovr_rough_pair_rest(ovr_rough_pair *pair,
     return make(pair, form, mesh, contact, arena, err);
 }
 
-/* Of one profile against a smooth surface, in metres, p over E*; or in b and
- * b^2/R, p in ph. */
+/* Takes one profile against a smooth surface, in metres with p over E*, or in b
+ * and b^2/R with p in ph. */
 static ovr_status pair_of(ovr_rough_pair *pair, const ovr_profile *profile,
                           ovr_arena *arena, ovr_error *err)
 {
@@ -211,7 +211,7 @@ ovr_status ovr_rough_pair_take(ovr_rough_pair *pair, size_t n, double length,
 /* ---------------------------------------------------------------------- law
  */
 
-/* Of each surface's own, squared and summed. */
+/* Squares and sums each surface's own numbers. */
 static void measure(ovr_rough_pair *pair)
 {
     size_t n = pair->n;
@@ -236,7 +236,7 @@ static int places_of(const ovr_rough_pair *pair)
     return pair->z[0] && pair->z[1] ? PLACES : 1;
 }
 
-/* By how many nodes the second is moved. */
+/* The number of nodes by which the second is moved. */
 static size_t place(const ovr_rough_pair *pair, int k)
 {
     return places_of(pair) == 1 ? 0

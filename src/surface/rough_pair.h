@@ -33,7 +33,7 @@ typedef struct ovr_rough_pair {
     double modulus; /* E* in its units */
     bool cut;       /* one was longer than the other */
 
-    /* Of both together, by ovr_rough_pair_law. */
+    /* Numbers of both together, which ovr_rough_pair_law fills. */
     double Rq, slope;
     size_t points;
     double *p;           /* rising */
@@ -41,15 +41,14 @@ typedef struct ovr_rough_pair {
     double *room;        /* 5 n */
 } ovr_rough_pair;
 
-/* Of features that are profiles or random roughness, one a surface; at least
- * one. */
+/* Takes features that are profiles or random roughness, one a surface and at
+ * least one. */
 ovr_status ovr_rough_pair_make(ovr_rough_pair *pair,
                                const ovr_feature_form *const form[2],
                                const ovr_contact *contact, ovr_arena *arena,
                                ovr_error *err);
 
-/* What a grid of that mesh leaves out of them (resample.h), on a stretch of
- * both that has points enough for it. */
+/* Tells what a grid of that mesh leaves out of them (resample.h), */
 ovr_status ovr_rough_pair_rest(ovr_rough_pair *pair,
                                const ovr_feature_form *const form[2],
                                double mesh, const ovr_contact *contact,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a profile measures: heights, slopes, waves. */
+/* A profile is measured: its heights, slopes and waves. */
 #include <gsl/gsl_fft_real.h>
 #include <math.h>
 

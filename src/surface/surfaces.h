@@ -37,7 +37,7 @@ void ovr_surfaces_free(ovr_surfaces *surfaces);
  * features are put on. */
 void ovr_surfaces_sliding(ovr_surfaces *surfaces, const ovr_history *sliding);
 
-/* Where the film begins and ends: a feature without a place starts just
+/* Tells where the film begins and ends: a feature without a place starts just
  * outside, on the side that it comes from. */
 void ovr_surfaces_domain(ovr_surfaces *surfaces, double inlet, double outlet);
 

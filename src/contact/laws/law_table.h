@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a table of a law (contact/oil.h) is inside: ln(eta/eta0) or rho/rho0
- * at pressures k h, k = 0..cells, and a point more that is never reached. */
+/* A table of a law (contact/oil.h) holds ln(eta/eta0) or rho/rho0 at pressures
+ * k h, k = 0..cells, and a point more that is never reached. */
 #ifndef OVR_CONTACT_LAWS_LAW_TABLE_H
 #define OVR_CONTACT_LAWS_LAW_TABLE_H
 
