@@ -71,7 +71,7 @@ double ovr_history_end(const ovr_history *history);
  * the mean surface has moved when the history is the speed ratio Cu. */
 double ovr_history_integral(const ovr_history *history, double T);
 
-/* The speed of a surface, over um0; */
+/* The speed of a surface, over um0; arguments as below. */
 double ovr_surface_speed(const ovr_history *speed, const ovr_history *sliding,
                          double ratio, int surface, double T);
 

@@ -177,8 +177,8 @@ static double slid(const ovr_across *across, const ovr_curve *f,
     return sum;
 }
 
-/* From the stress of a film of the same mean fluidity: Newton's method between
- * bounds, as f(x) >= x where a film thins. */
+/* Finds the rate by Newton's method between bounds, from the stress of a film
+ * of the same mean fluidity: f(x) >= x where a film thins. */
 static double by_law(const ovr_across *across, const ovr_sheet *sheet, double Y,
                      const double *r, const double m[3], double *rate)
 {

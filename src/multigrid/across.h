@@ -90,7 +90,7 @@ typedef struct ovr_sheet {
     const ovr_flow_law *law; /* by table; NULL: Newtonian or Eyring */
 } ovr_sheet;
 
-/* What flows in it, for temperatures T. */
+/* The flow in the film, for temperatures T. */
 typedef struct ovr_flow_across {
     double m[3], mean;               /* m_k; T_m */
     double log_eta;                  /* at T_m */
@@ -105,7 +105,7 @@ void ovr_flow_across_film(const ovr_across *a, const ovr_heat *heat,
                           const ovr_sheet *sheet, const double *T,
                           ovr_flow_across *flow);
 
-/* What a surface says: T = h + resistance q. */
+/* The relation that a surface sets: T = h + resistance q. */
 typedef struct ovr_wall {
     double h, resistance; /* N (4/3) sqrt(dT) */
 } ovr_wall;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What flows across the film, in columns of 5 or 7 points (equations in
+ * Sums up the flow in columns of 5 or 7 points through the film (equations in
  * across.h).  Arrays in the order of the nodes, of more than VEC + 1: vectors
  * begin at node 1, the last one overlaps the one before; the two ends are dry
  * and by themselves.
@@ -35,7 +35,7 @@ static INLINE void by_fluid(const fluid_laws *c, ovr_viscosity_law law,
     }
 }
 
-/* By the fluid's own law. */
+/* Takes the fluid's own law. */
 static void by_object(const ovr_fluid *fluid, size_t n, const double *P,
                       const double *H, double *log_eta)
 {
@@ -68,7 +68,7 @@ void OVR_KERNEL(log_viscosity)(size_t n, const ovr_fluid *fluid,
 
 /* -------------------------------------------------------------------- flow */
 
-/* What all nodes share. */
+/* Numbers that all nodes share. */
 typedef struct shared {
     ovr_columns c; /* a copy that no store can change */
     ovr_across across;
@@ -215,14 +215,14 @@ static vec curve_at(const shared *s, vec x, vec *by_x)
     return choose(x < 0, -value, value);
 }
 
-/* That of a film of the same mean fluidity. */
+/* Begins with the stress of a film of the same mean fluidity. */
 static vec first_stress(const shared *s, vec uniform, vec g)
 {
     law_value v = law_at(s->c.law->stress, smaller(uniform, all(1e280)), g);
     return uniform * law_power(&s->growth, &s->log2, &v);
 }
 
-/* What slides less what should, and its slope. */
+/* The sliding beyond what it should be, and its slope. */
 static vec too_much(const shared *s, const nodes *v, vec a, vec g, vec b,
                     vec *by_a)
 {
@@ -313,7 +313,7 @@ static INLINE vec softer(const shared *s, vec t)
     return choose(a > 1e-3, (up - 1) / ((up + 1) * a), all(1));
 }
 
-/* What Reynolds' equation gets. */
+/* Stores what Reynolds' equation needs. */
 static INLINE void store_fields(const shared *s, bool by_power, const nodes *v,
                                 size_t i)
 {

@@ -62,7 +62,7 @@ static double fall(const ovr_columns *c, double log_eta,
            (a > 1e-3 ? tanh(a) / a : 1);
 }
 
-/* What Reynolds' equation gets. */
+/* Stores what Reynolds' equation needs. */
 static void put_fields(const ovr_columns *c, const ovr_flow_across *flow,
                        size_t i)
 {

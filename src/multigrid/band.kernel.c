@@ -125,7 +125,7 @@ typedef struct block {
     double xx, xy, yx, yy;
 } block;
 
-/* Of the unknowns k and k + 1 of partition s. */
+/* The block of the unknowns k and k + 1 of partition s. */
 static block block_of(double m[4][2][VEC], size_t k, size_t s)
 {
     return (block){m[k][0][s], m[k][1][s], m[k + 1][0][s], m[k + 1][1][s]};

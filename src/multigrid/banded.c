@@ -35,7 +35,7 @@ static size_t largest_in(const ovr_banded *A, size_t n, size_t c)
     return best;
 }
 
-/* From column c on. */
+/* Exchanges rows from column c on. */
 static void exchange(const ovr_banded *A, size_t c, size_t other, size_t count)
 {
     double *a = at(A, c, c), *b = at(A, other, c);

@@ -24,7 +24,8 @@ static void to_chunk(void *context, void *memory)
     (void)memory;
 }
 
-/* What patches of so many nodes take; most are as large as the one before. */
+/* Counts the memory of patches of so many nodes; most are as large as the one
+ * before. */
 static ovr_status count_bytes(const ovr_composite *c, const size_t *most,
                               int patches, size_t *bytes, ovr_error *err)
 {
@@ -227,8 +228,8 @@ static void settle(const ovr_composite *c, ovr_patch *part)
         ovr_patch_settle(c->grids, part);
 }
 
-/* To the parent; film and residual of the patch are up to date, then those of
- * the parent are. */
+/* Restricts to the parent; film and residual of the patch are up to date, then
+ * those of the parent are. */
 static void restrict_to(ovr_composite *c, ovr_patch *patch, ovr_patch *parent)
 {
     const ovr_hierarchy *grids = c->grids;

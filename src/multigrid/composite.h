@@ -71,7 +71,7 @@ void ovr_composite_cycle(ovr_composite *c, const ovr_cycling *how);
  * of the whole solution. */
 ovr_defect ovr_composite_defect(ovr_composite *c);
 
-/* Whether node i of a part is a leaf. */
+/* True if node i of a part is a leaf. */
 bool ovr_composite_leaf(const ovr_composite *c, int part, size_t i);
 
 #endif

@@ -55,8 +55,8 @@
 /* Halo of sets, in vectors: what the band reaches. */
 enum { OVR_CONTENT_HALO = 3 };
 
-/* From the pressure alone: wet where P > 0, elsewhere dry with the content
- * that is there. */
+/* Decides states by the pressure alone: wet where P > 0, elsewhere dry with the
+ * content that is there. */
 void ovr_content_by_pressure(const ovr_hierarchy *grids, ovr_level *level);
 
 /* Opens or closes the inlet of a level; a closed one takes `source` = Cu q_f/D
@@ -64,8 +64,8 @@ void ovr_content_by_pressure(const ovr_hierarchy *grids, ovr_level *level);
 void ovr_content_open(ovr_level *level);
 void ovr_content_close(ovr_level *level, double source, double supply);
 
-/* After the film: content and state of the nodes; on the finest level of a run
- * an inlet opens when its first node is wet, and limits are set anew. */
+/* Follows the film: content and state of the nodes; on the finest level of a
+ * run an inlet opens when its first node is wet, and limits are set anew. */
 void ovr_content_settle(const ovr_hierarchy *grids, ovr_level *level);
 
 /* Contents, states and the weighted residual of the level above. */

@@ -177,8 +177,8 @@ static INLINE void derivatives(const line *l, const row_weights *c, ptrdiff_t J,
     row_by_pressure(&l->f, c, J, A + 1);
 }
 
-/* What columns of wet nodes put into a row; when steady the shares are -1, 0
- * and additions are cheaper. */
+/* The columns of wet nodes put this into a row; when steady the shares are -1,
+ * 0 and additions are cheaper. */
 static inline vec wet_column(const line *l, bool transient, ptrdiff_t d,
                              ptrdiff_t J, const vec A[7])
 {

@@ -17,9 +17,10 @@
 
 #include "multigrid/smoother.h"
 
-/* On each level that restricts: before it does, film and residual up to date;
- * when it has been corrected, before they are made anew.  On the level of the
- * cycle alone: when it is done, film and residual up to date. */
+/* The ends of a cycle.  On each level that restricts: before it does, film and
+ * residual up to date; when it has been corrected, before they are made anew.
+ * On the level of the cycle alone: when it is done, film and residual up to
+ * date. */
 typedef enum ovr_cycle_end {
     OVR_BEFORE_RESTRICTION,
     OVR_AFTER_CORRECTION,
@@ -35,7 +36,7 @@ typedef struct ovr_attached {
     const struct ovr_attached *next;
 } ovr_attached;
 
-/* How a cycle is done. */
+/* The way in which a cycle is done. */
 typedef struct ovr_cycling {
     ovr_smoothing smoothing;
     int sweeps_before, sweeps_after;
@@ -52,7 +53,7 @@ typedef struct ovr_cycling {
  * properties and residual are up to date. */
 void ovr_cycle(ovr_hierarchy *grids, ovr_level *level, ovr_cycling how);
 
-/* How far a level is from solved. */
+/* The measures of how far a level is from solved. */
 typedef struct ovr_defect {
     double imbalance; /* R of reynolds.h */
     double load;      /* relative: (force - D sum P)/force */

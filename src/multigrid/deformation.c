@@ -126,7 +126,8 @@ static double interpolated(const ovr_mlmi *plan, const sampled *kernel,
     return sum;
 }
 
-/* What the even outputs see at distance d after their corrections. */
+/* The kernel as the even outputs see it at distance d after their
+ * corrections. */
 static double effective(const ovr_mlmi *plan, const sampled *kernel,
                         ptrdiff_t d)
 {

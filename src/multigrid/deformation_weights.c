@@ -133,7 +133,7 @@ void ovr_mlmi_fit_weights(size_t h, size_t range, double weight[])
     weight[0] = (double)first;
 }
 
-/* What the fit gives for the pairs that ovr_mlmi_choose knows: it takes as long
+/* The fit's results for the pairs that ovr_mlmi_choose knows: it takes as long
  * as a fifth of a steady solution at level 8. */
 static const struct {
     size_t h, range;

@@ -24,7 +24,7 @@ void OVR_KERNEL(dense_row)(size_t n, const double c[4], const double *k,
  * takes together: chains of operations enough to keep the machine busy. */
 enum { PANEL = 4, TOGETHER = 4 };
 
-/* Whether one of x_from .. x_{to-1} is more than ten times x_from. */
+/* True if one of x_from .. x_{to-1} is more than ten times x_from. */
 static bool has_larger(const double *x, size_t from, size_t to)
 {
     vec bound = all(10 * fabs(x[from]));

@@ -13,7 +13,7 @@
 
 #include <stddef.h>
 
-/* Where the feet of a surface are: node i takes c[0..3] of the nodes from i +
+/* The departure points of a surface: node i takes c[0..3] of the nodes from i +
  * first on, all of them there for `from` <= i < `to`. */
 typedef struct ovr_feet {
     size_t n, from, to;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is carried along with surfaces and film (feet.h).  Arrays in the order
- * of the nodes, of more than VEC; near the ends node by node. */
+/* Carries values along with surfaces and film (feet.h).  Arrays in the order of
+ * the nodes, of more than VEC; near the ends node by node. */
 #include "multigrid/feet.h"
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"

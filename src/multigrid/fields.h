@@ -64,14 +64,14 @@ typedef struct ovr_fields {
      * too; held dry, not wanting to rise (reynolds_row.h).  What is in neither
      * is free: dry, and about to rise. */
     unsigned char *wet, *held;
-    /* Of a film with temperatures, in lanes, else NULL: log2(1/eta) is th times
-     * that of the supply's temperature, plus shift; drag: psi_c, by which rho
-     * H^2 counts where the film slides (flow.h); swell: by which density is
+    /* Known in a film with temperatures, in lanes, else NULL: log2(1/eta) is th
+     * times that of the supply's temperature, plus shift; drag: psi_c, by which
+     * rho H^2 counts where the film slides (flow.h); swell: by which density is
      * less, or NULL. */
     double *th, *shift, *drag, *swell;
-    /* Where oil is conserved (content.h): dried in this sweep; outflow, time
-     * derivative limited; wet columns that share with the node before, after
-     * them. */
+    /* Known where oil is conserved (content.h): dried in this sweep; outflow,
+     * time derivative limited; wet columns that share with the node before,
+     * after them. */
     unsigned char *dried, *limited, *spent, *left, *right;
 } ovr_fields;
 

@@ -31,7 +31,7 @@
 
 enum { BLOCK = 192 };
 
-/* What one pass leaves for the next: what the law begins with, then
+/* One pass leaves this for the next: what the law begins with, then
  * log2(1/eta); the slopes of ln eta. */
 typedef struct block {
     _Alignas(64) double power[BLOCK];

@@ -185,7 +185,7 @@ static bool extend_to(const film *f, ptrdiff_t i)
     return moves;
 }
 
-/* Whether what dry nodes lack is a good part of the whole imbalance R. */
+/* True if what dry nodes lack is a good part of the whole imbalance R. */
 static bool outweighs(const ovr_hierarchy *grids, const film *f)
 {
     const double share = 0.1;

@@ -30,7 +30,7 @@
 
 #include "multigrid/hierarchy.h"
 
-/* On a level whose film and residual are up to date; so they are when it is
+/* Takes a level whose film and residual are up to date; so they are when it is
  * done. */
 void ovr_film_ends(const ovr_hierarchy *grids, ovr_level *level);
 

@@ -50,21 +50,21 @@ static inline double ovr_flow_gradient(const ovr_fluid *fluid, double D)
     return 0.25 / (D * fluid->lubricant.Sigma0);
 }
 
-/* Whether the fluid has a flow law. */
+/* True if the fluid has a flow law. */
 static inline bool ovr_flow_thins(const ovr_fluid *fluid)
 {
     return fluid->lubricant.rheology != OVR_NEWTONIAN;
 }
 
-/* By the flow factor of rough surfaces (contact/flow_factor.h) at the half
- * nodes' mean gap, phi: 2 E and all that follows from it,
+/* Multiplies by the flow factor of rough surfaces (contact/flow_factor.h) at
+ * the half nodes' mean gap, phi: 2 E and all that follows from it,
  *     E <- phi E,  dE/dH_i <- phi dE/dH_i + phi' E/2
  * Stresses and the oil's properties know nothing of it. */
 void ovr_flow_through(const ovr_fluid *fluid, const ovr_lanes *g,
                       const ovr_fields *f);
 
-/* What a level, or a part of it, stores at half nodes, of film and properties
- * that are up to date. */
+/* Stores at half nodes what a level, or a part of it, needs of film and
+ * properties that are up to date. */
 static inline void ovr_flow_store(const ovr_kernels *run,
                                   const ovr_fluid *fluid, double D,
                                   const ovr_lanes *g, const ovr_fields *f)

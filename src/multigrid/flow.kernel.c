@@ -6,8 +6,8 @@
 #include "multigrid/faces.h"
 #include "multigrid/flow_table.h"
 
-/* Of both nodes, summed: eps, c, B c; 2 W and 1/(2 W); by the gap, the shares
- * of the node before in eps and c. */
+/* Sums over both nodes: eps, c, B c; 2 W and 1/(2 W); by the gap, the shares of
+ * the node before in eps and c. */
 typedef struct half {
     vec eps, c, bc, W, inv_W, share, square;
 } half;
@@ -181,7 +181,7 @@ static INLINE void by_gap(const ovr_lanes *g, const ovr_fields *f, bool film)
     }
 }
 
-/* Without a flow law, by the gap. */
+/* Stores faces by the gap, without a flow law. */
 void OVR_KERNEL(faces)(const ovr_lanes *g, const ovr_fields *f)
 {
     if (f->by_left)

@@ -46,7 +46,7 @@
 
 #include "multigrid/full.h"
 
-/* What is added to the finest grid's right-hand sides, in lanes. */
+/* The correction is added to the finest grid's right-hand sides, in lanes. */
 typedef struct ovr_correction {
     double *F, *gap;
     double *mask;     /* m */
@@ -68,14 +68,14 @@ void ovr_fourth_evaluate(const ovr_hierarchy *grids, const ovr_correction *c,
                          double Cu, bool backward);
 
 /*
- * From a solution of second order on the finest grid, F = 0, to one of fourth:
- * cycle, correct, cycle, ...  The mask is set by the first three corrections
- * and stays (set again by each it can leave a limit cycle).  The residual falls
- * by a third a cycle, as the wedge at the shortest wave is corrected by 4/3.
- * False when eight corrections do not gain a third (so a limit cycle does not,
- * while D/H^(2/3) above 0.3 may fall by as little as 0.9 a cycle), or the
- * tolerance is not reached: F, gap and the pressures are then worth nothing.
- * Adds to the number of cycles.
+ * Goes from a solution of second order on the finest grid, F = 0, to one of
+ * fourth: cycle, correct, cycle, ...  The mask is set by the first three
+ * corrections and stays (set again by each it can leave a limit cycle).  The
+ * residual falls by a third a cycle, as the wedge at the shortest wave is
+ * corrected by 4/3. False when eight corrections do not gain a third (so a
+ * limit cycle does not, while D/H^(2/3) above 0.3 may fall by as little as 0.9
+ * a cycle), or the tolerance is not reached: F, gap and the pressures are then
+ * worth nothing. Adds to the number of cycles.
  */
 bool ovr_fourth_solve(ovr_hierarchy *grids, const ovr_correction *c,
                       const ovr_full *how, ovr_defect *d, int *cycles);

@@ -24,7 +24,7 @@ static inline vec drag_at(const ovr_sheared *f, size_t i)
                  load(f->q + i + 1) * load(f->H + i + 1));
 }
 
-/* At a half node: rho H^2 psi_c over eps, both up to a factor. */
+/* Numbers of a half node: rho H^2 psi_c over eps, both up to a factor. */
 typedef struct slid {
     vec drag, eps;
 } slid;

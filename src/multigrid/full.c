@@ -28,7 +28,8 @@ static void coarsen(const ovr_level *fine, size_t field, double *g)
     g[last] = g[2 * last];
 }
 
-/* From the finest level to all others, so that none aliases roughness. */
+/* Carries a field from the finest level to all others, so that none aliases
+ * roughness. */
 static void carry_down(ovr_hierarchy *grids, size_t field)
 {
     double *g = grids->scratch[0];
@@ -148,7 +149,8 @@ typedef struct progress {
     double before, now;
 } progress;
 
-/* After each cycle; in a limit cycle R is often small, its largest is not. */
+/* Judges after each cycle; in a limit cycle R is often small, its largest is
+ * not. */
 static bool gains(progress *p, const ovr_full_status *c, int trial)
 {
     p->now = fmax(p->now, c->defect.imbalance);
@@ -192,7 +194,7 @@ ovr_defect ovr_full_cycles(ovr_hierarchy *grids, ovr_level *level,
     return cycle_until_done(&a, level).defect;
 }
 
-/* From a solved level to the given one. */
+/* Refines a solved level to the given one. */
 static ovr_defect refine_to(const nested *a, ovr_level *level, int top)
 {
     ovr_full_status c = {.defect = ovr_cycle_defect(a->grids, level)};
@@ -237,8 +239,8 @@ static ovr_defect raise_load(const nested *a, ovr_level *level, double from)
 }
 
 /*
- * From the Newtonian solution to that of the flow law on one level: at once,
- * or stress by stress, in steps by which ln tau0 halves where they fail.
+ * Goes on one level from the Newtonian solution to that of the flow law: at
+ * once, or stress by stress, in steps by which ln tau0 halves where they fail.
  */
 static ovr_defect thin_out(const nested *a, ovr_level *level, ovr_fluid fluid,
                            bool newton)

@@ -38,7 +38,7 @@ typedef struct ovr_full_status {
     ovr_defect defect;
 } ovr_full_status;
 
-/* How full multigrid goes, and who watches it and judges. */
+/* Options of full multigrid, with who watches it and judges. */
 typedef struct ovr_full {
     ovr_cycling cycling;
     double load_factor; /* largest step of the continuation in load */

@@ -25,7 +25,7 @@ static ovr_status take(double **const to[], size_t count, size_t room,
     return OVR_OK;
 }
 
-/* Whether a level has the field. */
+/* True if a level has the field. */
 static bool has(const ovr_hierarchy *grids, ovr_field_memory memory,
                 bool newton)
 {
@@ -202,7 +202,8 @@ ovr_status ovr_hierarchy_bear(ovr_hierarchy *grids, ovr_arena *arena,
     return finest->borne ? OVR_OK : OVR_NO_MEMORY;
 }
 
-/* What Newton's method reads of the finest level that is not there. */
+/* Takes memory for what Newton's method reads of the finest level and is not
+ * there yet. */
 static ovr_status take_newton(ovr_hierarchy *grids, ovr_arena *arena,
                               ovr_error *err)
 {
@@ -242,7 +243,8 @@ ovr_status ovr_hierarchy_touch(ovr_hierarchy *grids, ovr_arena *arena,
     return ovr_hierarchy_bear(grids, arena, err);
 }
 
-/* What rows read at half nodes where E is more than a sum (reynolds_row.h). */
+/* Takes memory for what rows read at half nodes where E is more than a sum
+ * (reynolds_row.h). */
 static ovr_status take_through(ovr_fields *f, size_t room, ovr_arena *arena,
                                ovr_error *err)
 {

@@ -35,8 +35,8 @@ typedef struct ovr_image_sum {
     double octave[OVR_IMAGE_OCTAVES][OVR_IMAGE_DEGREE];
 } ovr_image_sum;
 
-/* Of images in units of the bodies: A times the stiffness, depths times b; the
- * table from `least` to `most`. */
+/* Makes the sum of images in units of the bodies: A times the stiffness, depths
+ * times b; the table from `least` to `most`. */
 void ovr_image_sum_make(ovr_image_sum *sum, const ovr_images *images,
                         double stiffness, double unit, double least,
                         double most);

@@ -37,14 +37,14 @@ typedef struct ovr_influence {
 /* Another part of R; false: there is no room for it. */
 bool ovr_influence_add(ovr_influence *influence, ovr_influence_part part);
 
-/* Of a node on one d meshes away: dw_i/dP_j; R alone. */
+/* The influence of a node on one d meshes away: dw_i/dP_j; R alone. */
 double ovr_influence_at(const ovr_influence *influence, double d, double D);
 double ovr_influence_rest(const ovr_influence *influence, double d, double D);
 
 /* The same at 0..5 meshes, as the line relaxation has it. */
 void ovr_influence_band(const ovr_influence *influence, double D, double k[6]);
 
-/* Whether fourth order knows all of it; C of fourth_order.h, by the waves that
+/* True if fourth order knows all of it; C of fourth_order.h, by the waves that
  * the mesh takes for longer ones,
  *     C = (1/2 pi^3) sum_n (-1)^(n+1) A(2 pi n/D)/n^3,
  * of linear pressures (1/4 pi^3) sum_n A(2 pi n/D)/n^3. */

@@ -67,8 +67,8 @@ static inline void ovr_band_hold(const ovr_band *band, size_t place)
     band->delta[place] = 0;
 }
 
-/* How a change delta_j of the line relaxation is shared with P_{j-1} and
- * P_{j+1}; in time by dry nodes too. */
+/* A change delta_j of the line relaxation is shared in these parts with P_{j-1}
+ * and P_{j+1}; in time by dry nodes too. */
 typedef struct ovr_shares {
     double minus, plus;
     bool transient;

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * How the nodes of a grid lie in memory: in lanes, one for each element of the
- * machine's vectors.  With V lanes of S nodes node i = s S + J is element s
- * of vector J, at J V + s:
+ * The nodes of a grid lie in memory in lanes, one for each element of the
+ * machine's vectors.
+ * With V lanes of S nodes node i = s S + J is element s of vector J, at J V +
+ * s:
  *
  *     vector   -2 -1 | 0    1    ... S-1  | S    S+1
  *     lane 0    .  . | 0    1    ... S-1  | S    S+1
@@ -35,7 +36,7 @@ typedef struct ovr_lanes {
  * OVR_MOST_LANES: of any machine. */
 enum { OVR_HALO = 2, OVR_MOST_LANES = 8 };
 
-/* Where node i is. */
+/* The place of node i. */
 static inline size_t ovr_lanes_place(const ovr_lanes *lanes, size_t i)
 {
     /* NOLINTNEXTLINE(clang-analyzer-core.DivideZero): no lane is empty */
@@ -45,7 +46,7 @@ static inline size_t ovr_lanes_place(const ovr_lanes *lanes, size_t i)
     return (i - lane * lanes->S) * lanes->V + lane;
 }
 
-/* Whether node i is in a set of nodes: bit s of byte J is element s of vector
+/* True if node i is in a set of nodes: bit s of byte J is element s of vector
  * J. */
 static inline bool ovr_lanes_has(const ovr_lanes *lanes,
                                  const unsigned char *set, size_t i)

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* From the order of the nodes to lanes (lanes.h) and back: tiles of V x V
- * values are transposed in registers. */
+/* Copies from the order of the nodes to lanes (lanes.h) and back: tiles of V x
+ * V values are transposed in registers. */
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
 
-/* Where the tile at J begins: the last one overlaps the one before.  Lanes
+/* The tile at J begins here: the last one overlaps the one before.  Lanes
  * shorter than a vector have one tile, of which a part is used. */
 static inline size_t tile_start(size_t J, size_t S)
 {

@@ -8,7 +8,7 @@
 
 #include "multigrid/reynolds_row.h"
 
-/* What the rows of a grid are made of: copies, that no store can change. */
+/* The rows of a grid are made of these: copies, that no store can change. */
 typedef struct line {
     ovr_fields f;
     double k[6];
@@ -16,7 +16,8 @@ typedef struct line {
     ovr_band band;
 } line;
 
-/* Where vector J is: the first ones have columns that reach node 1. */
+/* Vectors of columns lie in two stretches: the first ones have columns that
+ * reach node 1. */
 typedef enum stretch { LEFT_END, INSIDE } stretch;
 enum { EDGE = 5 };
 

@@ -134,7 +134,7 @@ void ovr_modes_steady(size_t n, double D, double kappa, double u,
     integrate(n, D, up, gain, u < 0 ? 1 : -1, q, psi);
 }
 
-/* What is left of the end's so many nodes beyond it. */
+/* The value so many nodes beyond an end, from which on it decays. */
 static double far(const ovr_feet *f, const ovr_spread *s, const double *psi,
                   int m, int side, double nodes)
 {

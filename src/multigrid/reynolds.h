@@ -36,7 +36,8 @@
 
 #include "multigrid/kernels.h"
 
-/* What the wedge and the time derivative are made of, on every grid. */
+/* The wedge and the time derivative are made of these numbers, on every
+ * grid. */
 typedef struct ovr_operator {
     double w[3];       /* wedge weights times Cu */
     double w_first[2]; /* in row 1 */
@@ -54,10 +55,10 @@ void ovr_reynolds_wedge(ovr_operator *op, bool second_order, double Cu);
 /* Weights on a grid of mesh size D. */
 ovr_weights ovr_reynolds_weights(const ovr_operator *op, double D);
 
-/* How a change delta_j of the line relaxation is shared with the neighbours
- * P_{j-1} and P_{j+1}: (minus, 1, plus).  theta = 1/(1 + (tau/0.2)^2), tau =
- * cT D/Cu: a dipole (-1, 1, 0) when steady, a tripole (-1/2, 1, -1/2) when
- * the time term rules, and along the characteristic. */
+/* A change delta_j of the line relaxation is shared with the neighbours P_{j-1}
+ * and P_{j+1} in these parts: (minus, 1, plus).  theta = 1/(1 + (tau/0.2)^2),
+ * tau = cT D/Cu: a dipole (-1, 1, 0) when steady, a tripole (-1/2, 1, -1/2)
+ * when the time term rules, and along the characteristic. */
 ovr_shares ovr_reynolds_shares(const ovr_operator *op, double D);
 
 #endif

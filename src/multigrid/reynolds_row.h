@@ -32,7 +32,7 @@
 #include "base/scalar.h"
 #endif
 
-/* What rows read at half nodes, a constant for the compiler in kernels. */
+/* Rows read this at half nodes, a constant for the compiler in kernels. */
 typedef enum row_kind {
     ROW_SUMS = 0,  /* nothing: sums of eps */
     ROW_GAP = 1,   /* shares by the gap, 2 E */
@@ -69,7 +69,7 @@ static inline row_weights row_first(const ovr_weights *w, row_kind kind)
     return c;
 }
 
-/* What flows into the cell, through its faces at i - 1/2 and i + 1/2. */
+/* The flow into the cell, through its faces at i - 1/2 and i + 1/2. */
 typedef struct row_faces {
     num up, down, before, after;
 } row_faces;
@@ -101,7 +101,7 @@ static inline num row_residual(const ovr_fields *f, const row_weights *c,
     return at(f->F, J) - N;
 }
 
-/* What flows out of a node by its own pressure: d of reynolds.h. */
+/* The flow out of a node by its own pressure: d of reynolds.h. */
 static inline num row_outflow(const ovr_fields *f, bool stored, num half,
                               ptrdiff_t J)
 {
@@ -110,7 +110,7 @@ static inline num row_outflow(const ovr_fields *f, bool stored, num half,
 }
 
 /*
- * Whether a node is held dry: P = 0, and the row does not want it to rise.
+ * True if a node is held dry: P = 0, and the row does not want it to rise.
  * With room for rounding, which is some 1e-16 of the row's largest term, a0 q:
  * on coarse grids the residual of a dry node is nothing else, and its sign
  * would pick wet or dry at random (1e-14 to 1e-10 all work).  A coarse grid

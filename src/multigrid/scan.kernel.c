@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What is looked for along the nodes after every step.  Arrays in the order
+ * These are looked for along the nodes after every step.  Arrays in the order
  * of the nodes, n >= VEC: the last vector overlaps the one before.
  */
 #include "multigrid/kernels.h"
@@ -27,7 +27,7 @@ size_t OVR_KERNEL(extreme)(size_t n, double sign, const double *x)
     return i;
 }
 
-/* Whether all are positive; what is not a number is not. */
+/* True if all are positive; what is not a number is not. */
 bool OVR_KERNEL(positive)(size_t n, const double *x)
 {
     ivec failed = {0};
@@ -48,8 +48,8 @@ double OVR_KERNEL(difference)(size_t n, const double *a, const double *b)
     return -least_lane(-most);
 }
 
-/* How many of x_1..x_{n-2} are above the one before and not below the next;
- * *last is the index of the last of them. */
+/* Counts those of x_1..x_{n-2} that are above the one before and not below the
+ * next; *last is the index of the last of them. */
 int OVR_KERNEL(peaks)(size_t n, const double *x, size_t *last)
 {
     int count = 0;

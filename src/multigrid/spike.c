@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-/* How many patches reach to behind the rupture; the longest way there from the
- * spike that they have room for; meshes that they go beyond it. */
+/* EXITS patches reach to behind the rupture: they have room for a way there of
+ * EXIT_LENGTH from the spike, and go BEYOND meshes further. */
 #define EXIT_LENGTH 0.8
 enum { EXITS = 3, BEYOND = 12 };
 
@@ -21,7 +21,7 @@ typedef struct spike {
     double P, X;
 } spike;
 
-/* Of the last part, read. */
+/* Reads the spike of the last part. */
 static spike find(const ovr_patch *part)
 {
     const double *P = part->P, *X = part->level->grid.X;
@@ -104,7 +104,7 @@ static ovr_status add(ovr_composite *c, const ovr_spike_search *how, window w,
     return OVR_OK;
 }
 
-/* Whether another level is wanted after the last one changed the spike from
+/* True if another level is needed after the last one changed the spike from
  * `before`; *small counts how often it changed little. */
 static bool go_on(const ovr_composite *c, const ovr_spike_search *how,
                   spike before, ovr_spike_found *found, int *small)

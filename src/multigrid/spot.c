@@ -99,7 +99,7 @@ static void read_nodes(const ovr_level *level, const double *from,
             from[ovr_lanes_place(&level->lanes, (size_t)(first - MARGIN + i))];
 }
 
-/* Whether oil that is conserved fills all of it, with nothing limited. */
+/* True if oil that is conserved fills all of it, with nothing limited. */
 static bool is_full(const ovr_level *level, ptrdiff_t first)
 {
     const ovr_fields *f = &level->f;
@@ -234,7 +234,7 @@ static bool solve(window *w)
 
 /* -------------------------------------------------------------- the level */
 
-/* What Newton's method needs besides what the level has. */
+/* True of the fields that a window takes memory for, as the level has none. */
 static bool has(const ovr_fields *f, size_t k)
 {
     switch (ovr_field_rows[k].memory) {

@@ -24,8 +24,8 @@
 
 #include "multigrid/hierarchy.h"
 
-/* On a level whose film and residual are up to date; so they are when it
- * returns.  Whether any window was solved. */
+/* Solves windows of a level whose film and residual are up to date; so they are
+ * when it returns.  True if any window was solved. */
 bool ovr_spots(const ovr_hierarchy *grids, ovr_level *level);
 
 #endif

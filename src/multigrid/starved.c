@@ -17,7 +17,8 @@ double ovr_content_leaving(const ovr_level *level)
     return level->f.q[place(level, level->grid.n - 2)];
 }
 
-/* Where cycles stall: twice the sweeps, then also a finer coarsest grid. */
+/* Helps cycles that stall: twice the sweeps, then also a finer coarsest
+ * grid. */
 static void try_harder(const ovr_hierarchy *grids, const ovr_level *level,
                        ovr_cycling *c)
 {
@@ -56,7 +57,7 @@ ovr_defect ovr_content_cycles(ovr_hierarchy *grids, const ovr_full *how,
     return d;
 }
 
-/* What the film at X = 0 carries. */
+/* The flow that the film at X = 0 carries. */
 static double central_flow(const ovr_level *level)
 {
     return ovr_level_centre(level, level->f.q);
@@ -70,7 +71,7 @@ static void fill_dry(const ovr_level *level, double q)
             level->f.q[place(level, i)] = q;
 }
 
-/* From the pressure of the Reynolds equation. */
+/* Begins with the pressure of the Reynolds equation. */
 static void conserve(ovr_hierarchy *grids, ovr_level *level)
 {
     double q = central_flow(level);
@@ -186,7 +187,7 @@ static bool step(ovr_hierarchy *grids, ovr_level *level, double limit,
     return false;
 }
 
-/* From the supply *q to the one wanted, by steps of this factor at most,
+/* Goes from the supply *q to the target by steps of this factor at most,
  * smaller where one fails. */
 static bool travel(ovr_hierarchy *grids, ovr_level *level, double limit,
                    double *q, double wanted, double factor)
@@ -225,8 +226,8 @@ static double supply_of(const shares *s, const ovr_level *level, int finest)
     return s->q * (1 - error);
 }
 
-/* By nested iteration from the start level, where the flooded solution is found
- * anew. */
+/* Solves by nested iteration from the start level, where the flooded solution
+ * is found anew. */
 static ovr_defect nested(ovr_hierarchy *grids, const ovr_full *how, double q,
                          double flow, int *cycles)
 {
@@ -290,10 +291,10 @@ static void put_back(ovr_hierarchy *grids, ovr_level *level, const double *P,
     close_inlet(grids, level, q);
 }
 
-/* From nine tenths of it, by a part of what lacks to the flooded flow each
- * time, half of it from the last solution where that fails: the meniscus of
- * almost all of it is far out in a gap that hardly narrows, and moves by many
- * meshes for a little supply. */
+/* Goes on from nine tenths of the flooded flow, each time by a part of what
+ * lacks to it, half of it from the last solution where that fails: the meniscus
+ * of almost all of it is far out in a gap that hardly narrows, and moves by
+ * many meshes for a little supply. */
 static ovr_defect approach(ovr_hierarchy *grids, const ovr_full *how,
                            double wanted, double flow, int *cycles)
 {

@@ -23,15 +23,16 @@
 ovr_defect ovr_content_cycles(ovr_hierarchy *grids, const ovr_full *how,
                               ovr_level *level, int *cycles);
 
-/* From the flooded pressure of the Reynolds equation on the finest level: its
- * contents, and cycles until it is solved. */
+/* Begins with the flooded pressure of the Reynolds equation on the finest
+ * level: makes its contents, and cycles until it is solved. */
 ovr_defect ovr_flooded(ovr_hierarchy *grids, const ovr_full *how, int *cycles);
 
-/* What passes the contact: q of the last node, where nothing but Cu moves. */
+/* The flow that passes the contact: q of the last node, where nothing but Cu
+ * moves. */
 double ovr_content_leaving(const ovr_level *level);
 
-/* From the flooded solution on the finest level to that of the supply q < what
- * leaves now. */
+/* Goes from the flooded solution on the finest level to that of the supply q <
+ * what leaves now. */
 ovr_defect ovr_starve(ovr_hierarchy *grids, const ovr_full *how, double q,
                       int *cycles);
 

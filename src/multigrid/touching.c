@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-/* In lanes, the node in the halo included.  What lies beyond the ends of the
- * grid is zero in `pressed`, which never holds a deformation. */
+/* Counts places in lanes, the node in the halo included.  What lies beyond the
+ * ends of the grid is zero in `pressed`, which never holds a deformation. */
 static size_t places(const ovr_level *level)
 {
     return level->lanes.S * level->lanes.V + level->lanes.V;
@@ -31,7 +31,7 @@ void ovr_touch_deform(const ovr_hierarchy *grids, const ovr_level *level)
                          &level->mlmi, whole, level->f.w);
 }
 
-/* What lanes repeat of each other follows. */
+/* Nodes that lanes repeat of each other get their values anew. */
 static void repeat(const ovr_hierarchy *grids, const ovr_level *level,
                    double *values)
 {
@@ -144,8 +144,8 @@ void ovr_touch_open(ovr_hierarchy *grids, const ovr_level *level,
     touch->rising = any ? touch->rising + 1 : 0;
 }
 
-/* How much the solids give way to a step, without H0, in the order of the
- * nodes. */
+/* The distance by which the solids give way to a step, without H0, in the order
+ * of the nodes. */
 static const double *given_way(const ovr_hierarchy *grids,
                                const ovr_level *level, const double *dP)
 {

@@ -211,11 +211,11 @@ static inline vec shifted(const double c[4], const double *x)
 }
 
 /*
- * What moved by a part of a mesh goes on: from[0] + S from[1] - S from[2],
+ * Carries on what moved by a part of a mesh: from[0] + S from[1] - S from[2],
  * where the first is wet, clipped at zero; (S x)_i the cubic c through
  * x_i..x_{i+3}.  It stays in [low - r, high + r], low and high of the first
- * two, r = 0.1 (high - low) + 0.02, so
- * that no pairs of spikes are thrown.  In the order of the nodes, n >= VEC.
+ * two, r = 0.1 (high - low) + 0.02, so that no pairs of spikes are thrown.  In
+ * the order of the nodes, n >= VEC.
  */
 void OVR_KERNEL(carry)(size_t n, const double c[4], const double *const from[3],
                        double *P)

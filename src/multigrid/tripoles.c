@@ -38,7 +38,7 @@ static void proportion(ovr_newton_row *row, double k0)
         row->r /= most;
 }
 
-/* Of a tripole, d meshes away. */
+/* The influence of a tripole, d meshes away. */
 static double pressed(const double *kernel, ptrdiff_t d)
 {
     return kernel[d] - 0.5 * (kernel[d - 1] + kernel[d + 1]);
@@ -106,7 +106,7 @@ static void precondition(const ovr_tripoles *t, size_t n, double D,
     step[n] = H0;
 }
 
-/* What a step changes in all rows. */
+/* Multiplies a step by the matrix: the change of all rows. */
 static void multiply(const ovr_hierarchy *grids, const ovr_level *level,
                      const ovr_tripoles *t, const double *step, double *v)
 {

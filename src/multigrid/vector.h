@@ -62,7 +62,7 @@ static inline vec choose(ivec mask, vec a, vec b)
     return (vec)((mask & (ivec)a) | (~mask & (ivec)b));
 }
 
-/* Whether a comparison held anywhere. */
+/* True if a comparison held anywhere. */
 static inline bool any(ivec mask)
 {
 #if defined(__AVX512F__)
@@ -266,7 +266,7 @@ static inline void repeat_ends(double *x, ptrdiff_t S, ptrdiff_t halo)
         put(x, J, lanes_down(at(x, J - S), at(x, J)));
 }
 
-/* What is unrolled for constant arguments at its callers. */
+/* INLINE unrolls functions for constant arguments at their callers. */
 #define INLINE inline __attribute__((always_inline))
 
 /* Loops of few constant passes, unrolled. */

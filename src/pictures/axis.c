@@ -56,7 +56,7 @@ bool ovr_axis_has(ovr_unit_kind kind)
     return find(kind) != NULL;
 }
 
-/* From a tenth of the unit on: 0.3 mm rather than 300 um. */
+/* A prefix serves from a tenth of its unit on: 0.3 mm rather than 300 um. */
 static ovr_axis with_unit(const quantity *q, double scale, double largest)
 {
     int k = 0;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What an axis is drawn in: a Hertzian scale, or a unit whose prefix suits
- * the numbers.
+ * An axis is drawn in a Hertzian scale, or in a unit whose prefix suits the
+ * numbers.
  */
 #ifndef OVR_PICTURES_AXIS_H
 #define OVR_PICTURES_AXIS_H
@@ -18,8 +18,8 @@ typedef struct ovr_axis {
 /* Kinds that have a symbol: length, pressure, height and time. */
 bool ovr_axis_has(ovr_unit_kind kind);
 
-/* Of one of these.  `largest` is the largest Hertzian
- * number that the axis will show. */
+/* Makes an axis of one of these.  `largest` is the largest Hertzian number that
+ * the axis will show. */
 ovr_status ovr_axis_make(ovr_unit_kind kind, ovr_result *result,
                          ovr_units units, double largest, ovr_axis *axis,
                          ovr_error *err);

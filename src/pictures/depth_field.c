@@ -21,7 +21,7 @@ static const double least_meshes = 8, deepest = 2.5, shown = 1.5;
 
 /* ------------------------------------------------------------------- making */
 
-/* What the run's own case says of the body. */
+/* Takes what the run's own case says of the body. */
 /* The table of the case, which ends with its setup. */
 static void take_residuals(ovr_depth_field *f, const ovr_stress_setup *s,
                            ovr_arena *arena)
@@ -261,7 +261,7 @@ static double depth_of(const ovr_depth_field *f, double row)
     return f->mesh * exp(part * log(f->z_to / f->mesh));
 }
 
-/* At the surface: sigma_x = sigma_z = -p, no shear. */
+/* The stress at the surface: sigma_x = sigma_z = -p, no shear. */
 static double at_surface(const ovr_depth_field *f, double X)
 {
     ovr_stress_row row = ovr_stress_at(f->stress, 0);

@@ -12,7 +12,8 @@
 
 enum { OVR_CELLS_X = 360, OVR_CELLS_Z = 160 };
 
-/* Of a panel: its mark, where its mesh begins to be seen, interfaces. */
+/* The curves of a panel: its mark, where its mesh begins to be seen,
+ * interfaces. */
 enum { OVR_DEPTH_SERIES = 2 + OVR_LAYERS_MOST };
 
 /* One scale and one depth axis for a whole run. */
@@ -55,7 +56,7 @@ ovr_status ovr_depth_field_solve(ovr_depth_field *f, size_t k,
 /* Its value below X at a depth z, of the snapshot solved last. */
 double ovr_depth_field_at(const ovr_depth_field *f, double X, double z);
 
-/* Of those that are pressures: negative below a contact. */
+/* True of those that are pressures: negative below a contact. */
 bool ovr_depth_field_is_pressed(const ovr_depth_field *f);
 
 /* The panel of the snapshot solved last: colours, contours every 0.1 ph, the

@@ -297,7 +297,8 @@ static void draw_gear(sketch *s)
 
 /* --------------------------------------------------------------------- cams */
 
-/* In the middle of what runs; returns how far out it reaches, m. */
+/* Draws a follower in the middle of what runs; returns how far out it reaches,
+ * m. */
 static double draw_follower(sketch *s, ovr_outline *to)
 {
     const ovr_cam *cam = ovr_setup_cam(s->setup);

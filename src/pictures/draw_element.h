@@ -15,7 +15,7 @@ typedef struct ovr_element_figure {
     ovr_panel panel[OVR_ELEMENT_PANELS];
     size_t panels;
     const char *title;
-    /* Where the contact is in the drawing, against that axis; points 0: it
+    /* The place of the contact in the drawing, against that axis; points 0: it
      * does not move. */
     size_t points;
     const double *at, *x, *y;

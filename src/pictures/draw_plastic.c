@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What has yielded below a surface: its profile before and after, the strain
- * that has flowed and the stress that stays, place by depth. */
+/* Draws what has yielded below a surface: its profile before and after, the
+ * strain that has flowed and the stress that stays, place by depth. */
 #include <math.h>
 #include <stdio.h>
 
@@ -30,7 +30,8 @@ static double *read_all(const yielded *y, const char *what, size_t rows,
     return v;
 }
 
-/* Where anything flowed, with as much again on both sides; else all. */
+/* The range is where anything flowed, with as much again on both sides; else
+ * all. */
 static void find_range(yielded *y)
 {
     double low = INFINITY, high = -INFINITY;

@@ -39,7 +39,7 @@ ovr_status ovr_picture_profile(const ovr_profile_view *view, const char *title,
     return status;
 }
 
-/* What the two panels draw. */
+/* The two panels draw these. */
 typedef struct bearing {
     double *pressure, *gap, *area, *exponential;
 } bearing;

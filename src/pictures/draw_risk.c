@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What the material of a surface went through: the radius of the circle over
- * place and depth with the feature above it and the risk below; and the same
- * over depth alone.
+ * Draws what the material of a surface went through: the radius of the circle
+ * over place and depth with the feature above it and the risk below; and the
+ * same over depth alone.
  */
 #include <math.h>
 #include <stdio.h>

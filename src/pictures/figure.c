@@ -137,7 +137,7 @@ static const ovr_table_column *next_key(const figure *f, bool numeric,
     return NULL;
 }
 
-/* What there is, for messages: names of columns, and of zips for keys. */
+/* Lists for messages what there is: names of columns, and of zips for keys. */
 static const char *list(const ovr_table *t, bool varied, char *text,
                         size_t room)
 {
@@ -489,7 +489,8 @@ static ovr_status add_line(figure *f, size_t first, size_t end,
     return OVR_OK;
 }
 
-/* What the band is over: the keys that nothing else tells apart. */
+/* Names the keys that the band is over: those that nothing else tells
+ * apart. */
 static void name_band(const figure *f, char *text, size_t room)
 {
     const ovr_table_column *c;
@@ -543,7 +544,8 @@ static int by_value(const void *a, const void *b)
     return (s > t) - (s < t);
 }
 
-/* Of sorted samples, linear between them (Hyndman and Fan's type 7). */
+/* Takes a quantile of sorted samples, linear between them (Hyndman and Fan's
+ * type 7). */
 static double quantile(const sample *s, size_t n, double part)
 {
     double at = part * (double)(n - 1);
@@ -665,7 +667,7 @@ static ovr_status draw_bins(figure *f, size_t panel, ovr_panel *to,
 
 /* ----------------------------------------------------------------- figure */
 
-/* From the least to the most, with a little room beside. */
+/* The axis goes from the minimum to the maximum, with a little room beside. */
 static void spread(double low, double high, bool logarithmic, double *from,
                    double *to)
 {

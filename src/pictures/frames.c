@@ -129,7 +129,7 @@ static void name_frame(const studio *s, size_t i, const char *suffix,
              suffix);
 }
 
-/* What a frame looks like depends on this and on the snapshot alone. */
+/* A frame looks as this and the snapshot alone say. */
 static void describe(const studio *s, ovr_text *to)
 {
     const ovr_snapshot_style *l = &s->look;
@@ -179,8 +179,8 @@ static bool same_file(const char *path, const ovr_text *text)
     return c == EOF && i == text->length;
 }
 
-/* Whether frames of these settings are kept in the folder; an error when
- * those there are made with others. */
+/* True if frames of these settings are kept in the folder; an error when those
+ * there are made with others. */
 static ovr_status open_folder(studio *s, bool *keep, ovr_error *err)
 {
     char path[OVR_PATH_SIZE], first[OVR_PATH_SIZE];
@@ -210,7 +210,7 @@ static ovr_status open_folder(studio *s, bool *keep, ovr_error *err)
     return status;
 }
 
-/* For a movie without frames: a folder beside it, emptied as it goes. */
+/* Serves a movie without frames: a folder beside it, emptied as it goes. */
 static ovr_status make_temporary(studio *s, const char *movie, ovr_error *err)
 {
     const char *slash = strrchr(movie, '/');

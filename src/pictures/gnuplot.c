@@ -58,9 +58,9 @@ static bool make_anew(const char *path)
     return file >= 0 && close(file) == 0;
 }
 
-/* On the same file system as the path, and no picture by its suffix.  That
- * it cannot be created is better known now: gnuplot would go on, and draw to
- * its standard output. */
+/* The part lies on the same file system as the path, and has no picture's
+ * suffix.  That it cannot be created is better known now: gnuplot would go on,
+ * and draw to its standard output. */
 ovr_status ovr_part_make(char *part, const char *path, ovr_error *err)
 {
     if (name_beside(part, path, ".part", err) != OVR_OK)

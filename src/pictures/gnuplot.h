@@ -13,7 +13,8 @@ enum { OVR_PATH_SIZE = 4096 };
 
 typedef struct ovr_gnuplot {
     ovr_process process;
-    /* Of the picture asked for: its name, the file being made, the script. */
+    /* The picture asked for has these files: its name, the file being made, the
+     * script. */
     char path[OVR_PATH_SIZE], made[OVR_PATH_SIZE], script[OVR_PATH_SIZE];
 } ovr_gnuplot;
 

@@ -10,8 +10,8 @@
 
 enum { CHOSEN = 4 };
 
-/* Where the roughness is: the mean position weighted with S^4, so that a dent
- * outweighs the texture around it; NAN on a smooth surface. */
+/* The place of the roughness: the mean position weighted with S^4, so that a
+ * dent outweighs the texture around it; NAN on a smooth surface. */
 static double centre_of(const ovr_shot *shot)
 {
     double sum = 0, moment = 0;

@@ -182,7 +182,7 @@ static ovr_status degrees(const ovr_drawing *drawing, const map *m,
     return OVR_OK;
 }
 
-/* What the colours mean. */
+/* Labels what the colours mean. */
 static ovr_status colour_axis(const ovr_drawing *drawing, const map *m,
                               double largest, ovr_axis *axis, ovr_error *err)
 {

@@ -169,8 +169,8 @@ static ovr_panel panel_of(const ovr_snapshot_style *look, ovr_series *series,
                        .series = series};
 }
 
-/* How a shot is told from the others of its panel; named in the legend of
- * the pressure, which stands above both. */
+/* The label by which a shot is told from the others of its panel; named in the
+ * legend of the pressure, which stands above both. */
 typedef struct labelled {
     const char *label;
     ovr_curve_style as;

@@ -15,7 +15,8 @@
 
 enum { OVR_SHOTS = 8, OVR_HERTZ_POINTS = 121 };
 
-/* How: axes and ranges, the same for all pictures of a run. */
+/* The style of a snapshot: axes and ranges, the same for all pictures of a
+ * run. */
 typedef struct ovr_snapshot_style {
     const ovr_picture_options *options;
     ovr_axis x, P, H, T;

@@ -78,7 +78,7 @@ size_t ovr_stored_nearest(const ovr_stored *run, double T);
 double *ovr_stored_history(const ovr_stored *run, const char *name, double by,
                            ovr_arena *arena, ovr_error *err);
 
-/* What the axes must show. */
+/* The axes must show at least this. */
 typedef struct ovr_extent {
     double x_from, x_to;
     double P_high;            /* largest pressure */

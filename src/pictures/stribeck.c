@@ -99,7 +99,7 @@ static ovr_status find_lines(curves *of, ovr_error *err)
     return OVR_OK;
 }
 
-/* By insertion: a line has some dozens of points. */
+/* Sorts by insertion: a line has some dozens of points. */
 static void sort(size_t n, size_t *at, const double *speed)
 {
     for (size_t k = 1; k < n; k++) {

@@ -31,7 +31,7 @@ ovr_status ovr_text_status(const ovr_text *text, ovr_error *err);
 typedef void ovr_text_rule(ovr_text *text, const char *character, int bytes);
 void ovr_text_foreign(ovr_text *text, const char *foreign, ovr_text_rule *put);
 
-/* As a string of gnuplot, quotes included, in which nothing is expanded. */
+/* Writes a string of gnuplot, quotes included, in which nothing is expanded. */
 void ovr_text_gnuplot(ovr_text *text, const char *foreign);
 
 /* Writes the text as a file; a message names the path. */

@@ -51,7 +51,7 @@ typedef struct span {
     double positive, low, high;
 } span;
 
-/* How the levels of a field lie. */
+/* The levels of a field lie in one of these ways. */
 typedef enum lie { FROM_ZERO, BENT, FROM_LOWEST } lie;
 
 typedef struct field {
@@ -291,7 +291,7 @@ static void put_answer(void *writer_, const char *name, const char *text)
     ovr_text_put(w->to, "\"kind\":0},");
 }
 
-/* Of a gear pair, cam or bearing. */
+/* Writes the numbers of a gear pair, cam or bearing. */
 static void put_answers(writer *w)
 {
     ovr_text_put(w->to, "\"answers\":[");

@@ -5,7 +5,8 @@
 
 #include "pictures/picture.h"
 
-/* With the field of stresses that is wanted, or NULL. */
+/* Writes the field of stresses that is chosen too, or none where `stress` is
+ * NULL. */
 ovr_status ovr_view_data(ovr_text *to, const ovr_stored *runs, size_t count,
                          const char *stress, ovr_arena *arena, ovr_error *err);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What has yielded below a surface, as a page's data. */
+/* Writes as a page's data what has yielded below a surface. */
 #ifndef OVR_PICTURES_VIEW_MATERIAL_H
 #define OVR_PICTURES_VIEW_MATERIAL_H
 

@@ -41,7 +41,7 @@ static precise differences(precise w, int size, const int *c, int power)
     return sum;
 }
 
-/* Multiplies by conj(w)/|w|^2. */
+/* Multiplies by conj(w)/|w|^2: w is far from where that could overflow. */
 static ovr_potential point(double complex w)
 {
     double x = creal(w), z = cimag(w), scale = 1 / (x * x + z * z);

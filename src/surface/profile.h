@@ -57,7 +57,8 @@ static inline ovr_status ovr_about(ovr_error *err, const char *key,
  * every reader and of conditioning. */
 ovr_status ovr_profile_finish(ovr_profile *profile, size_t n, ovr_error *err);
 
-/* Chooses one of an areal file's lines, from 0; */
+/* Chooses one of an areal file's lines, from 0; without a choice the first,
+ * which is said. */
 ovr_status ovr_profile_choose_line(ovr_profile *profile,
                                    const ovr_profile_source *source,
                                    size_t lines, size_t *line, ovr_error *err);

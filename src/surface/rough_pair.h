@@ -48,7 +48,8 @@ ovr_status ovr_rough_pair_make(ovr_rough_pair *pair,
                                const ovr_contact *contact, ovr_arena *arena,
                                ovr_error *err);
 
-/* Tells what a grid of that mesh leaves out of them (resample.h), */
+/* Tells what a grid of that mesh leaves out of them (resample.h), on a
+ * stretch of both that has points enough for it. */
 ovr_status ovr_rough_pair_rest(ovr_rough_pair *pair,
                                const ovr_feature_form *const form[2],
                                double mesh, const ovr_contact *contact,

@@ -5,7 +5,10 @@
 # words that begin a clause.  Prints them with their places.
 function judge(first, count, k, words, verbs, clauses, before, word) {
     sub(/^[ *]+/, "", text)
-    if (match(text, /[^A-Z0-9][.:;]( |$)/)) text = substr(text, 1, RSTART + 1)
+    if (match(text, /([^A-Z]\.|[:;])( |$)/)) {
+        if (substr(text, RSTART + 1, 1) == ".") RSTART++
+        text = substr(text, 1, RSTART)
+    }
     count = split(text, words, /[ ,.:;()]+/)
     first = words[1]
     if (!(first in opens)) return
