@@ -409,19 +409,24 @@ static void fade(const ovr_simulation *sim, fourth *f, double *mask)
         P = sim->scratch[0];
     }
     const double end = film_end(P, n);
+    /* Almost all nodes lie before this one and keep what they have. */
+    const double fades = end - sharp - OVER - 1;
     P = sim->now.P;
     for (size_t i = 0; i < n; i++) {
         bool inside = i >= OVR_FOURTH_MARGIN && i + OVR_FOURTH_MARGIN < n;
         size_t along = sim->backward ? n - 1 - i : i, ahead = i + WET;
-        double far = (end - (double)along - sharp) / OVER, m = 0;
         bool wet = ahead < n && P[ahead] > 0;
         since = wet && !jumps(H[ahead - 1], H[ahead]) ? since + 1 : 0;
-        if (inside && since > 2 * WET)
-            m = fmin(fmax(far, 0), 1);
-        f->F[i] *= m;
-        f->third[i] *= m;
+        bool within = inside && since > 2 * WET;
+        double m = within ? 1 : 0;
+        if (within && (double)along > fades)
+            m = fmin(fmax((end - (double)along - sharp) / OVER, 0), 1);
+        if (m < 1) {
+            f->F[i] *= m;
+            f->third[i] *= m;
+        }
         if (mask)
-            mask[i] = inside && since > 2 * WET ? m : -1;
+            mask[i] = within ? m : -1;
     }
 }
 
