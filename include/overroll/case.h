@@ -100,9 +100,9 @@ OVR_API void ovr_case_unset(ovr_case *c, const char *where);
 OVR_API const char *ovr_case_text(ovr_case *c, ovr_error *err);
 
 /* The text of a case of an earlier version in today's words, line by line: keys
- * that have moved stand where they belong, keys that have no effect, which are
- * refused today, are comments with the reason, and where a default has changed
- * a comment has the value of then. */
+ * that have moved stand where they belong, those with another name have it,
+ * keys that have no effect, which are refused today, are comments with the
+ * reason, and where a default has changed a comment has the value of then. */
 typedef void ovr_case_line(void *data, const char *text);
 OVR_API ovr_status ovr_case_rewrite(const ovr_case *c, ovr_case_line *put,
                                     void *data, ovr_error *err);
@@ -121,6 +121,8 @@ typedef struct ovr_case_entry {
     long line;          /* 0: no line */
     const char *before; /* section it was given in, to which it belonged in
                            earlier versions; NULL: its own */
+    const char *once;   /* name it was given by, its own in earlier versions;
+                           NULL: the one of today */
     double number;      /* SI, or bare; NAN: no number */
     const char *unit;   /* SI unit of the number when it is physical */
     size_t parameter;   /* its row in the table */

@@ -67,10 +67,10 @@ typedef struct ovr_gear_form {
     double mesh_stiffness;     /* c', N/m2; NAN: of ISO 6336-1 */
     double slice;              /* helical: where across the face, 0 to 1; 0 is
                                   the end that touches first */
-    double least_share;        /* the way begins and ends where the share of the
-                                  load passes it */
-    double least_radius;       /* external: and where R_1 or R_2 passes this
-                                  share of the line of action */
+    double min_share;          /* the way begins and ends where the share of the
+                                    load passes it */
+    double min_radius;         /* external: and where R_1 or R_2 passes this
+                                    share of the line of action */
     size_t shares;             /* table: points of */
     const double *way, *share; /* base pitches from A, and the share */
 } ovr_gear_form;
@@ -99,7 +99,7 @@ typedef struct ovr_gear_geometry {
     double stiffness_sum;    /* mean of c' over all pairs that touch over c' */
     double duration;         /* A to E, s */
     double begin, end;       /* s from the first touch: the way that is left by
-                                least_share and least_radius */
+                                min_share and min_radius */
 } ovr_gear_geometry;
 
 typedef struct ovr_gear ovr_gear;

@@ -2,7 +2,9 @@
 /*
  * Short forms for rows of parameters (base/parameter.h): each stands for kind,
  * dimension, unit of a bare number, least and most, whether the least itself is
- * refused, and words.  Included only by files that hold rows.
+ * refused, and words.  Words are designated, for compilers take it then that a
+ * row leaves out on purpose what it has not: a former name (`once`).  Included
+ * only by files that hold rows.
  */
 #ifndef OVR_BASE_ROWS_H
 #define OVR_BASE_ROWS_H
@@ -12,41 +14,46 @@
 #include "base/parameter.h"
 
 #define PLAIN(least, most)                                                     \
-    OVR_NUMBER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, NULL
-#define PLAIN_OR(words, least, most)                                           \
-    OVR_NUMBER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, words
+    OVR_NUMBER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, .words = NULL
+#define PLAIN_OR(list, least, most)                                            \
+    OVR_NUMBER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, .words = list
 #define POSITIVE(most)                                                         \
-    OVR_NUMBER, OVR_PURE, OVR_NOT_HERTZIAN, 0, most, true, NULL
+    OVR_NUMBER, OVR_PURE, OVR_NOT_HERTZIAN, 0, most, true, .words = NULL
 #define WITH_UNIT(dimension, least, most)                                      \
-    OVR_NUMBER, dimension, OVR_NOT_HERTZIAN, least, most, false, NULL
+    OVR_NUMBER, dimension, OVR_NOT_HERTZIAN, least, most, false, .words = NULL
 #define LENGTH(least, most)                                                    \
-    OVR_NUMBER, OVR_LENGTH, OVR_IN_B, least, most, false, NULL
-#define LENGTH_OR(words, least, most)                                          \
-    OVR_NUMBER, OVR_LENGTH, OVR_IN_B, least, most, false, words
-#define SIZE OVR_NUMBER, OVR_LENGTH, OVR_IN_B, 1e-6, 1e4, false, NULL
-#define HEIGHT OVR_NUMBER, OVR_LENGTH, OVR_IN_HEIGHT, 0, 1e3, false, NULL
-#define SHIFT OVR_NUMBER, OVR_LENGTH, OVR_IN_HEIGHT, -1e3, 1e3, false, NULL
+    OVR_NUMBER, OVR_LENGTH, OVR_IN_B, least, most, false, .words = NULL
+#define LENGTH_OR(list, least, most)                                           \
+    OVR_NUMBER, OVR_LENGTH, OVR_IN_B, least, most, false, .words = list
+#define SIZE OVR_NUMBER, OVR_LENGTH, OVR_IN_B, 1e-6, 1e4, false, .words = NULL
+#define HEIGHT                                                                 \
+    OVR_NUMBER, OVR_LENGTH, OVR_IN_HEIGHT, 0, 1e3, false, .words = NULL
+#define SHIFT                                                                  \
+    OVR_NUMBER, OVR_LENGTH, OVR_IN_HEIGHT, -1e3, 1e3, false, .words = NULL
 #define TIME(least, most)                                                      \
-    OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, least, most, false, NULL
-#define SPAN(words, most)                                                      \
-    OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, 1e-6, most, false, words
-#define STRESS(words, least, most)                                             \
-    OVR_NUMBER, OVR_PRESSURE, OVR_IN_PRESSURE, least, most, false, words
-#define AREA_OR(words, most)                                                   \
-    OVR_NUMBER, OVR_AREA, OVR_IN_AREA, 0, most, false, words
+    OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, least, most, false, .words = NULL
+#define SPAN(list, most)                                                       \
+    OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, 1e-6, most, false, .words = list
+#define STRESS(list, least, most)                                              \
+    OVR_NUMBER, OVR_PRESSURE, OVR_IN_PRESSURE, least, most, false, .words = list
+#define AREA_OR(list, most)                                                    \
+    OVR_NUMBER, OVR_AREA, OVR_IN_AREA, 0, most, false, .words = list
 #define WHOLE(least, most)                                                     \
-    OVR_INTEGER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, NULL
-#define WHOLE_OR(words, least, most)                                           \
-    OVR_INTEGER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, words
-#define CHOICE(words)                                                          \
-    OVR_CHOICE, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, words
-#define WORDS(words)                                                           \
-    OVR_WORDS, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, words
-#define FLAG OVR_FLAG, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, NULL
-#define TEXT OVR_TEXT, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, NULL
-#define PATH OVR_PATH, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, NULL
-#define LIST(dimension, hertzian, least, most, words)                          \
-    OVR_NUMBERS, dimension, hertzian, least, most, false, words
+    OVR_INTEGER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, .words = NULL
+#define WHOLE_OR(list, least, most)                                            \
+    OVR_INTEGER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, .words = list
+#define CHOICE(list)                                                           \
+    OVR_CHOICE, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, .words = list
+#define WORDS(list)                                                            \
+    OVR_WORDS, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, .words = list
+#define FLAG                                                                   \
+    OVR_FLAG, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, .words = NULL
+#define TEXT                                                                   \
+    OVR_TEXT, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, .words = NULL
+#define PATH                                                                   \
+    OVR_PATH, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, .words = NULL
+#define LIST(dimension, hertzian, least, most, list)                           \
+    OVR_NUMBERS, dimension, hertzian, least, most, false, .words = list
 
 /* The key has an effect whatever the others are. */
 #define ALWAYS NULL

@@ -18,6 +18,7 @@ typedef struct place {
     ovr_slot *slot; /* NULL: there is none */
     const ovr_parameter *row;
     const char *before; /* section named, where the key no longer belongs */
+    const char *once;   /* key named, where it has another name today */
 } place;
 
 static place find_place(ovr_case *c, const char *where, ovr_error *err)
@@ -45,6 +46,7 @@ static place find_place(ovr_case *c, const char *where, ovr_error *err)
     if (block)
         at.slot = ovr_block_slot(block, point + 1, &at.row, err);
     at.before = section == named ? NULL : named->name;
+    at.once = at.slot ? ovr_slot_once(at.row, point + 1) : NULL;
     return at;
 }
 
@@ -96,6 +98,7 @@ ovr_status ovr_case_set(ovr_case *c, const char *where, const char *value,
         return ovr_fail_from(err, &why, origin, 0);
     fresh.given = true;
     fresh.before = at.before;
+    fresh.once = at.once;
     fresh.line = 0;
     fresh.file = ovr_arena_text(&c->arena, origin, err);
     if (!fresh.file)
@@ -186,6 +189,7 @@ ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k)
         entry.text = slot->text;
         entry.given = slot->given;
         entry.before = slot->before;
+        entry.once = slot->once;
         entry.file = slot->file;
         entry.line = slot->line;
         entry.number = slot->number;
@@ -195,4 +199,30 @@ ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k)
         entry.applies = ovr_key_applies(c, b, row);
     }
     return entry;
+}
+
+/* Points and blanks part names alike. */
+static bool is_same(const char *name, const char *where, size_t length)
+{
+    if (strlen(name) != length)
+        return false;
+    for (size_t k = 0; k < length; k++)
+        if (name[k] != (where[k] == ' ' ? '.' : where[k]))
+            return false;
+    return true;
+}
+
+bool ovr_entry_is(const ovr_case_entry *entry, const char *where, size_t length)
+{
+    const ovr_parameter *row = ovr_parameter_row(entry->parameter, NULL);
+    const char *const keys[] = {entry->key, row->once};
+    for (int k = 0; k < 2 && keys[k]; k++) {
+        char name[300];
+        snprintf(name, sizeof name, "%s%s%s.%s", entry->section,
+                 entry->name ? "." : "", entry->name ? entry->name : "",
+                 keys[k]);
+        if (is_same(name, where, length))
+            return true;
+    }
+    return false;
 }

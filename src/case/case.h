@@ -18,6 +18,7 @@ typedef struct ovr_slot {
     bool given;
     bool stored;        /* by the text in a result file */
     const char *before; /* section it was given in, where it once belonged */
+    const char *once;   /* former name that it was given by; NULL: its own */
     const char *text;   /* as given or the default; NULL: neither */
     const char *file;   /* or origin */
     long line;          /* 0: not from a file */
@@ -57,6 +58,14 @@ ovr_status ovr_slot_read(const ovr_parameter *row, const char *text,
  * SI where `unit`, else bare. */
 ovr_status ovr_range_check(const ovr_parameter *row, double number,
                            const char *text, ovr_error *err);
+
+/* The former name of the row, if `key` is that; else NULL. */
+const char *ovr_slot_once(const ovr_parameter *row, const char *key);
+
+/* True if `where` names an entry: "contact.M", "feature.dent.depth" or
+ * "feature dent.depth", by the name of its key or by the former one. */
+bool ovr_entry_is(const ovr_case_entry *entry, const char *where,
+                  size_t length);
 
 /* The block of a section; feature blocks by name, made when absent. */
 ovr_block *ovr_case_block(ovr_case *c, const ovr_section *section,

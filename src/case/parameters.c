@@ -79,11 +79,16 @@ const ovr_section *ovr_section_now(const ovr_section *before, const char *key)
     return before;
 }
 
+bool ovr_parameter_is(const ovr_parameter *row, const char *key)
+{
+    return !strcmp(row->key, key) || (row->once && !strcmp(row->once, key));
+}
+
 const ovr_parameter *ovr_parameter_find(const ovr_section *section,
                                         const char *key)
 {
     for (size_t k = 0; k < section->count; k++)
-        if (!strcmp(section->rows[k].key, key))
+        if (ovr_parameter_is(&section->rows[k], key))
             return &section->rows[k];
     return NULL;
 }

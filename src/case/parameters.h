@@ -27,6 +27,9 @@ const char *ovr_hertzian_name(ovr_hertzian hertzian);
  * has moved since. */
 const ovr_section *ovr_section_now(const ovr_section *before, const char *key);
 
+/* True if a key is that of a row, by its name or by its former one. */
+bool ovr_parameter_is(const ovr_parameter *row, const char *key);
+
 /* The row of a key in a section, or NULL. */
 const ovr_parameter *ovr_parameter_find(const ovr_section *section,
                                         const char *key);

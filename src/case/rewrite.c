@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * A case of an earlier version in today's words: every line stays, but for keys
- * that have moved to another section and keys that are refused today because
- * they have no effect.  Defaults that have changed are added as comments with
- * the value that they had, so that who wants the numbers of then has to take
- * away a sign only.
+ * that have moved to another section or have another name, and keys that are
+ * refused today because they have no effect.  Defaults that have changed are
+ * added as comments with the value that they had, so that who wants the numbers
+ * of then has to take away a sign only.
  */
 #include <stdarg.h>
 #include <stdio.h>
@@ -122,6 +122,16 @@ static size_t put_changed(const lines *to, const ovr_case *c,
     return changed;
 }
 
+/* The key is the first word of its line; what follows stays as it is. */
+static void put_renamed(const lines *to, const ovr_slot *slot, const char *text,
+                        int length)
+{
+    int blanks = (int)strspn(text, " \t");
+    int after = blanks + (int)strlen(slot->once);
+    write_line(to, "%.*s%s%.*s    # was called %s", blanks, text, slot->key,
+               length - after, text + after, slot->once);
+}
+
 /* A line of the file as it would be written today. */
 static void put_line(const lines *to, const ovr_case *c, long number,
                      const char *text, int length)
@@ -132,6 +142,8 @@ static void put_line(const lines *to, const ovr_case *c, long number,
     if (slot && slot->before)
         write_line(to, "# %.*s    # stands in [%s] now", length, text,
                    b->section->name);
+    else if (slot && slot->once)
+        put_renamed(to, slot, text, length);
     else if (slot && ovr_key_idle(c, b, slot, &idle) && !idle.said)
         write_line(to, "# %.*s    # %s", length, text, idle.text);
     else

@@ -51,8 +51,8 @@ ovr_gear_form ovr_gear_form_default(void)
                            .relief_length_2 = NAN,
                            .mesh_stiffness = NAN,
                            .slice = 0.5,
-                           .least_share = 0.02,
-                           .least_radius = 0.05};
+                           .min_share = 0.02,
+                           .min_radius = 0.05};
 }
 
 static double involute(double angle)
@@ -309,10 +309,10 @@ static bool runs(const ovr_gear *gear, double t)
     const ovr_gear_form *f = &gear->form;
     const ovr_gear_geometry *g = &gear->g;
     double xi = xi_at(gear, t), whole = g->transverse_force / f->face;
-    double R1 = g->R1_A + xi * g->base_pitch, least = f->least_radius * g->line;
+    double R1 = g->R1_A + xi * g->base_pitch, least = f->min_radius * g->line;
     if (f->teeth_2 > 0 && (R1 < least || g->line - R1 < least))
         return false;
-    return ovr_gear_load(f, g, xi) > f->least_share * whole;
+    return ovr_gear_load(f, g, xi) > f->min_share * whole;
 }
 
 /* Finds the edge between a time at which it runs and one at which it does
@@ -339,10 +339,10 @@ static ovr_status clip(ovr_gear *gear, ovr_error *err)
     while (last > first && !runs(gear, last * g->duration / LOOKS))
         last--;
     if (last <= first)
-        return ovr_fail_about(err, "least_share",
+        return ovr_fail_about(err, "min_share",
                               "no part of the path carries more than "
-                              "least_share = %g of the load",
-                              gear->form.least_share);
+                              "min_share = %g of the load",
+                              gear->form.min_share);
     g->begin = first ? edge(gear, first * g->duration / LOOKS,
                             (first - 1) * g->duration / LOOKS)
                      : 0;

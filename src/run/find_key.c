@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/given.h"
 #include "base/quantity.h"
+#include "case/parameters.h"
 #include "mathematics/search.h"
 #include "overroll/text.h"
 #include "run/comparison.h"
@@ -81,7 +82,7 @@ static bool row_of(const char *where, ovr_parameter_info *info)
         *info = ovr_parameter_at(k);
         if (strlen(info->section) == section &&
             !strncmp(info->section, where, section) &&
-            !strcmp(info->key, dot + 1))
+            ovr_parameter_is(ovr_parameter_row(k, NULL), dot + 1))
             return true;
     }
     return false;

@@ -80,7 +80,8 @@ static const char *scheme_once(const ovr_restart_info *of)
     return text;
 }
 
-static const char *recorded(const ovr_restart_info *of, const char *name)
+static const char *recorded(const ovr_restart_info *of, const char *name,
+                            const char *former)
 {
     const char *text = !strcmp(name, "time.scheme")    ? scheme_once(of)
                        : !strcmp(name, "domain.order") ? order_once(of)
@@ -94,10 +95,19 @@ static const char *recorded(const ovr_restart_info *of, const char *name)
                             name + length);
         text = room < NAME_ROOM ? in_list(of, before) : NULL;
     }
+    if (!text && former)
+        text = in_list(of, former);
     for (size_t k = 0; !text && k < sizeof once / sizeof *once; k++)
         if (!strcmp(name, once[k].name))
             text = once[k].text;
     return text;
+}
+
+static void put_name(const ovr_case_entry *e, const char *key,
+                     char name[NAME_ROOM])
+{
+    snprintf(name, NAME_ROOM, e->name ? "%s %s.%s" : "%s%s.%s", e->section,
+             e->name ? e->name : "", key);
 }
 
 ovr_status ovr_recorded_values(ovr_case *c, const ovr_restart_info *of,
@@ -105,12 +115,13 @@ ovr_status ovr_recorded_values(ovr_case *c, const ovr_restart_info *of,
 {
     for (size_t k = 0; k < ovr_case_entries(c); k++) {
         ovr_case_entry e = ovr_case_entry_at(c, k);
-        char name[NAME_ROOM];
+        const char *old = ovr_parameter_row(e.parameter, NULL)->once;
+        char name[NAME_ROOM], former[NAME_ROOM];
         if (e.given)
             continue;
-        snprintf(name, sizeof name, e.name ? "%s %s.%s" : "%s%s.%s", e.section,
-                 e.name ? e.name : "", e.key);
-        const char *text = recorded(of, name);
+        put_name(&e, e.key, name);
+        put_name(&e, old ? old : e.key, former);
+        const char *text = recorded(of, name, old ? former : NULL);
         if (text && (!e.text || strcmp(text, e.text) != 0) &&
             ovr_case_set(c, name, text, path, err))
             return OVR_BAD_INPUT;

@@ -49,7 +49,19 @@ static void say_estimated(const ovr_review *r)
         1e9 * r->setup->contact->alpha);
 }
 
-/* Keys given where they once belonged. */
+/* A key given by the name that it once had. */
+static void say_renamed(const ovr_review *r, const ovr_case_entry *e)
+{
+    char line[24] = "";
+    if (e->line)
+        snprintf(line, sizeof line, ":%ld", e->line);
+    ovr_review_say(r, OVR_SAY_NOTE,
+                   "%s%s: '%s' in [%s] is called '%s' now; the old name is "
+                   "taken",
+                   e->file, line, e->once, e->section, e->key);
+}
+
+/* Keys given where they once belonged, or by a former name. */
 static void say_moved(const ovr_review *r)
 {
     for (size_t k = 0; k < ovr_case_entries(r->c); k++) {
@@ -63,6 +75,8 @@ static void say_moved(const ovr_review *r)
             ovr_review_say(r, OVR_SAY_NOTE,
                            "%s: '%s.%s' is '%s.%s' now; it is taken", e.file,
                            e.before, e.key, e.section, e.key);
+        else if (e.once)
+            say_renamed(r, &e);
     }
 }
 

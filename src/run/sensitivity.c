@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/given.h"
 #include "base/text.h"
+#include "case/case.h"
 #include "run/trials.h"
 
 enum { KEYS = 64, QUANTITIES = 3, STEPS = 4, LEVELS = 2 };
@@ -87,26 +88,12 @@ static ovr_status add_key(working *w, const ovr_case_entry *e)
     return OVR_OK;
 }
 
-/* "feature.dent.depth" of "feature dent.depth", whatever was written. */
-static bool is_named(const ovr_case_entry *e, ovr_line asked)
-{
-    char name[300];
-    snprintf(name, sizeof name, "%s%s%s.%s", e->section, e->name ? "." : "",
-             e->name ? e->name : "", e->key);
-    if (strlen(name) != asked.size)
-        return false;
-    for (size_t k = 0; k < asked.size; k++)
-        if (name[k] != (asked.text[k] == ' ' ? '.' : asked.text[k]))
-            return false;
-    return true;
-}
-
 static ovr_status take_asked(working *w, ovr_line asked)
 {
     for (size_t k = 0; k < ovr_case_entries(w->base); k++) {
         ovr_case_entry e = ovr_case_entry_at(w->base, k);
         ovr_parameter_info row = ovr_parameter_at(e.parameter);
-        if (!is_named(&e, asked))
+        if (!ovr_entry_is(&e, asked.text, asked.size))
             continue;
         if (!e.text || strcmp(row.type, "number") != 0 || !isfinite(e.number))
             return ovr_fail_about(w->err, "sensitivity",

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "base/text.h"
+#include "case/case.h"
 #include "results/results.h"
 #include "run/run.h"
 
@@ -136,28 +137,12 @@ static void drop_columns(ovr_sweep_table *t)
 
 /* ----------------------------------------------------------------- values */
 
-/* The entry of a case that `where` names ("feature.dent.depth" or "feature
- * dent.depth"). */
-static bool is_entry(const ovr_case_entry *e, const char *where)
-{
-    char name[256];
-    if (!e->name) {
-        snprintf(name, sizeof name, "%s.%s", e->section, e->key);
-        return !strcmp(name, where);
-    }
-    snprintf(name, sizeof name, "%s.%s.%s", e->section, e->name, e->key);
-    return strlen(name) == strlen(where) &&
-           !strncmp(name, where, strlen(e->section)) &&
-           !strcmp(name + strlen(e->section) + 1,
-                   where + strlen(e->section) + 1);
-}
-
 static void take_value(ovr_sweep_values *v, const ovr_case *c, size_t task)
 {
     for (size_t k = 0; k < ovr_case_entries(c); k++) {
         ovr_case_entry e = ovr_case_entry_at(c, k);
         ovr_parameter_info info;
-        if (!is_entry(&e, v->key->where))
+        if (!ovr_entry_is(&e, v->key->where, strlen(v->key->where)))
             continue;
         info = ovr_parameter_at(e.parameter);
         v->number[task] = e.number;

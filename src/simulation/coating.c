@@ -73,8 +73,8 @@ static const ovr_word no_yield[] = {{"none", 0}, {NULL, 0}};
 static const ovr_parameter keys[] = {
     {"material", CHOICE(material_words), NULL, offsetof(coat, material), true,
      ALWAYS, "gives its constants; those that are given count"},
-    {"thickness", OVR_NUMBER, OVR_LENGTH, OVR_IN_B, 0, 1e4, true, NULL, NULL,
-     offsetof(coat, thickness), true, ALWAYS, "thickness of the layer"},
+    {"thickness", OVR_NUMBER, OVR_LENGTH, OVR_IN_B, 0, 1e4, true, .words = NULL,
+     NULL, offsetof(coat, thickness), true, ALWAYS, "thickness of the layer"},
     {"modulus", WITH_UNIT(OVR_PRESSURE, 1e3, 1e13), NULL,
      offsetof(coat, modulus), true, ALWAYS, "Young's modulus of the layer"},
     {"poisson", PLAIN(0, 0.5), NULL, offsetof(coat, poisson), true, ALWAYS,

@@ -142,6 +142,32 @@ static void keys_that_moved(void **state)
     refused(join(moes, "[paper]\ncycle = W\n"), "it belongs in [solver]");
 }
 
+/* A key by the name that it had before: the text that a file stores has the one
+ * of today once it is set anew. */
+static void keys_that_were_renamed(void **state)
+{
+    static const char old[] = "[gear]\nleast_share = 0.03\n";
+    ovr_case *c = ovr_case_read_text(old, "t.ini", NULL, NULL, NULL);
+    int found = 0;
+    (void)state;
+    assert_non_null(c);
+    for (size_t k = 0; k < ovr_case_entries(c); k++) {
+        ovr_case_entry e = ovr_case_entry_at(c, k);
+        if (!e.once)
+            continue;
+        found++;
+        assert_string_equal(e.key, "min_share");
+        assert_string_equal(e.once, "least_share");
+        assert_true(e.given && e.number == 0.03);
+    }
+    assert_int_equal(found, 1);
+    assert_string_equal(ovr_case_text(c, NULL), old);
+    assert_int_equal(ovr_case_set(c, "gear.least_share", "0.04", "--set", NULL),
+                     OVR_OK);
+    assert_string_equal(ovr_case_text(c, NULL), "[gear]\nmin_share = 0.04\n");
+    ovr_case_free(c);
+}
+
 static void words_of_schemes(void **state)
 {
     (void)state;
@@ -445,6 +471,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values_and_defaults),
         cmocka_unit_test(keys_that_moved),
+        cmocka_unit_test(keys_that_were_renamed),
         cmocka_unit_test(words_of_schemes),
         cmocka_unit_test(oddities_of_text),
         cmocka_unit_test(bad_text_is_refused),

@@ -98,8 +98,8 @@ static const ovr_parameter body_keys[] = {
      false, "[stress]",
      "von Mises stress at which plastic strain begins: largest stresses are "
      "told over it; of its material, else none"},
-    {"radius", OVR_NUMBER, OVR_LENGTH, OVR_NOT_HERTZIAN, -1e4, 1e4, false, flat,
-     NULL, offsetof(ovr_body_form, radius), true, ALWAYS,
+    {"radius", OVR_NUMBER, OVR_LENGTH, OVR_NOT_HERTZIAN, -1e4, 1e4, false,
+     .words = flat, NULL, offsetof(ovr_body_form, radius), true, ALWAYS,
      "radius at the contact, negative where it is concave, or flat; both "
      "bodies' give the reduced one"},
 };

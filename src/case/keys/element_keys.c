@@ -82,11 +82,12 @@ static const ovr_parameter gear_keys[] = {
      "c' of one pair per width; left out: of ISO 6336-1"},
     {"slice", PLAIN(0, 1), "0.5", GEAR(slice), true, "helix_angle; teeth_1",
      "where across the face; 0: the end that touches first"},
-    {"least_share", PLAIN(0, 0.5), "0.02", GEAR(least_share), true, "teeth_1",
-     "the run begins and ends where the pair's share of the load passes it"},
-    {"least_radius", PLAIN(0, 0.4), "0.05", GEAR(least_radius), true, "teeth_1",
-     "and where the radius of a flank passes this share of the line of "
-     "action"},
+    {"min_share", PLAIN(0, 0.5), "0.02", GEAR(min_share), true, "teeth_1",
+     "the run begins and ends where the pair's share of the load passes it",
+     .once = "least_share"},
+    {"min_radius", PLAIN(0, 0.4), "0.05", GEAR(min_radius), true, "teeth_1",
+     "and where the radius of a flank passes this share of the line of action",
+     .once = "least_radius"},
 };
 
 const ovr_section ovr_gear_section = {

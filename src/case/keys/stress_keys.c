@@ -82,8 +82,8 @@ static const ovr_parameter fatigue_keys[] = {
     {"least_depth", LENGTH_OR(auto_zero, 1e-9, 1e3), "auto",
      AT(life.least_depth), true, ALWAYS,
      "from which risk and largest values are counted; auto: 8 meshes"},
-    {"raceway", OVR_NUMBER, OVR_LENGTH, OVR_IN_B, 0, 1e9, false, NULL, "0",
-     AT(stress.raceway), false, ALWAYS,
+    {"raceway", OVR_NUMBER, OVR_LENGTH, OVR_IN_B, 0, 1e9, false, .words = NULL,
+     "0", AT(stress.raceway), false, ALWAYS,
      "length of the raceway, for a ratio of lives; 0: none is given; left out "
      "with [roller_bearing]: its circumference"},
     {"count", PLAIN(0, 1e9), "1", AT(stress.count), false,

@@ -68,8 +68,9 @@ static const ovr_parameter passes_keys[] = {
     {"spacing", LENGTH(1e-3, 1e9), NULL, AT(passes.spacing), true,
      "number > 1 or roller_bearing.passes",
      "from one rolling body to the next, along the surfaces"},
-    {"recovery", OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, 1e-6, 1e12, false, NULL,
-     NULL, AT(passes.recovery), true, "number > 1 or roller_bearing.passes",
+    {"recovery", OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, 1e-6, 1e12, false,
+     .words = NULL, NULL, AT(passes.recovery), true,
+     "number > 1 or roller_bearing.passes",
      "time in which a layer regains 1 - 1/e of what lacks to that of a flooded "
      "contact; needs spacing"},
     {"again", CHOICE(agains), "both", AT(passes.again), true,
