@@ -298,7 +298,7 @@ static void eliminate(int n, double A[][OVR_MOST_ACROSS], double *b)
 
 void ovr_across_solve(const ovr_across *a, const ovr_heat *heat,
                       const ovr_sheet *sheet, const ovr_flow_across *flow,
-                      const double *foot, const double *travel,
+                      const double *departure, const double *travel,
                       const ovr_wall wall[2], double *T)
 {
     double A[OVR_MOST_ACROSS][OVR_MOST_ACROSS] = {{0}};
@@ -314,7 +314,7 @@ void ovr_across_solve(const ovr_across *a, const ovr_heat *heat,
         for (int l = 0; l < a->n; l++)
             A[j][l] = conduction * a->K[j][l];
         A[j][j] += stored - pressing;
-        T[j] = stored * foot[j] + pressing * heat->T0 +
+        T[j] = stored * departure[j] + pressing * heat->T0 +
                a->w[j] * heat->theta * flow->heating[j];
         if (j == 0 || j == last) {
             const ovr_wall *side = &wall[j == last];

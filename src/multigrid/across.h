@@ -8,8 +8,8 @@
  *                           + Theta (tau u_z + beta (T0 + T) H (P_T + u P_X))
  *
  * in the weak form, whose wall fluxes are conservative: with w_j the weights,
- * of sum 1, K = D^T w D of the derivative D by zeta, T_j' at the foot of the
- * path a time t_j ago,
+ * of sum 1, K = D^T w D of the derivative D by zeta, T_j' at the departure
+ * point of the path a time t_j ago,
  *
  *     w_j rho H (T_j - T_j')/t_j + (Kf/H) sum_l K_jl T_l
  *         - w_j Theta beta_j H (P_T + u_j P_X) (T0 + T_j)
@@ -110,10 +110,10 @@ typedef struct ovr_wall {
     double h, resistance; /* N (4/3) sqrt(dT) */
 } ovr_wall;
 
-/* Solves for T; `foot` and `travel` are T_j' and t_j. */
+/* Solves for T; `departure` and `travel` are T_j' and t_j. */
 void ovr_across_solve(const ovr_across *a, const ovr_heat *heat,
                       const ovr_sheet *sheet, const ovr_flow_across *flow,
-                      const double *foot, const double *travel,
+                      const double *departure, const double *travel,
                       const ovr_wall wall[2], double *T);
 
 /*
@@ -141,20 +141,20 @@ typedef struct ovr_columns {
     /* what Reynolds' equation gets (fields.h); V/2 m_1/m_0 q.  Where they have
      * a place, they alone are made. */
     double *th, *shift, *drag, *swell, *turned;
-    /* a step dT from T at the feet with P_T (NULL: 0), between surfaces of
-     * which (h - T_bulk)/N is `past` */
+    /* a step dT from T at the departure points with P_T (NULL: 0), between
+     * surfaces of which (h - T_bulk)/N is `past` */
     double dT;
     double least_u; /* steady: a node is entered from the one upstream, with
                      * at least this speed (plain only); 0: in time */
     bool both_ways; /* steady: layers that move against x from the next node */
     bool back;      /* steady: all from the next node, at -u */
-    const double *P_T, *foot[OVR_MOST_ACROSS], *past[2];
+    const double *P_T, *departure[OVR_MOST_ACROSS], *past[2];
     double resistance[2];
     double *T[OVR_MOST_ACROSS], *mean, *into[2]; /* T, T_m, q */
 } ovr_columns;
 
 /* T of layer j where it was before it came to node i, and how long ago. */
-double ovr_column_foot(const ovr_columns *columns, int j, size_t i);
+double ovr_column_departure(const ovr_columns *columns, int j, size_t i);
 double ovr_column_travel(const ovr_columns *columns, int j, size_t i);
 
 /* The expansion beta at a pressure and a rise. */

@@ -108,10 +108,10 @@ static size_t upstream(const ovr_columns *c, int j, size_t i)
     return c->back || (c->both_ways && c->u[j][i] < 0) ? i + 1 : i - 1;
 }
 
-double ovr_column_foot(const ovr_columns *c, int j, size_t i)
+double ovr_column_departure(const ovr_columns *c, int j, size_t i)
 {
     size_t from = c->least_u > 0 ? upstream(c, j, i) : i;
-    return from < c->n ? c->foot[j][from] : 0;
+    return from < c->n ? c->departure[j][from] : 0;
 }
 
 double ovr_column_travel(const ovr_columns *c, int j, size_t i)
@@ -125,7 +125,8 @@ double ovr_column_travel(const ovr_columns *c, int j, size_t i)
 
 void ovr_column_heat(const ovr_columns *c, size_t i)
 {
-    double foot[OVR_MOST_ACROSS], stay[OVR_MOST_ACROSS], T[OVR_MOST_ACROSS];
+    double departure[OVR_MOST_ACROSS], stay[OVR_MOST_ACROSS],
+        T[OVR_MOST_ACROSS];
     ovr_sheet sheet = sheet_at(c, i);
     ovr_flow_across flow;
     ovr_wall wall[2];
@@ -138,14 +139,16 @@ void ovr_column_heat(const ovr_columns *c, size_t i)
         flow.heating[j] = c->heating[j][i];
         flow.beta[j] = ovr_expansion(c->heat, c->P[i], c->used[j][i]);
         stay[j] = 1 / (1 / travel + rate);
-        foot[j] = (ovr_column_foot(c, j, i) / travel + rate * c->used[j][i]) *
-                  stay[j];
+        departure[j] = (ovr_column_departure(c, j, i) / travel +
+                        rate * c->used[j][i]) *
+                       stay[j];
     }
     for (int k = 0; k < 2; k++)
         wall[k] = (ovr_wall){c->heat->bulk[k] +
                                  c->heat->solid[k] * c->past[k][i],
                              c->resistance[k]};
-    ovr_across_solve(c->across, c->heat, &sheet, &flow, foot, stay, wall, T);
+    ovr_across_solve(c->across, c->heat, &sheet, &flow, departure, stay, wall,
+                     T);
     c->mean[i] = 0;
     for (int j = 0; j < n; j++) {
         c->T[j][i] = T[j];

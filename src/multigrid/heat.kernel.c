@@ -46,7 +46,7 @@ static INLINE void assemble(const ovr_columns *c, const ovr_across *across,
             m->A[j][l] = conduction * across->K[j][l];
         m->A[j][j] += stored + less_made - press;
         m->b[j] = fused(less_made, used, made);
-        m->b[j] = fused(stored, load(c->foot[j] + i), m->b[j]);
+        m->b[j] = fused(stored, load(c->departure[j] + i), m->b[j]);
         m->b[j] = fused(press, all(heat->T0), m->b[j]);
     }
     for (int k = 0; k < 2; k++) {

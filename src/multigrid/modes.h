@@ -4,10 +4,10 @@
  * (simulation/solids.h), and what a step makes of them.  They stand side by
  * side, those of node i from i OVR_MODES on, so that vectors hold modes.
  *
- * A surface carries them along (feet.h), and where heat flows along it too they
- * spread, each alike: v_T = kappa v_XX, in a step by e^(-x) for the wave number
- * k of x = kappa k^2 dT.  With E the shift by a node, kappa k^2 is that of (2 -
- * E - 1/E)/D^2, and for e^(-x) stands
+ * A surface carries them along (departures.h), and where heat flows along it
+ * too they spread, each alike: v_T = kappa v_XX, in a step by e^(-x) for the
+ * wave number k of x = kappa k^2 dT.  With E the shift by a node, kappa k^2 is
+ * that of (2 - E - 1/E)/D^2, and for e^(-x) stands
  *
  *     1/(1 + x + x^2/2),  positive, at most 0.07 off, of second order in dT
  *
@@ -37,10 +37,10 @@
  *
  * by f = e^(-mu D) from node to node, so that the sweeps begin with what they
  * would bring along from there: on the left y_-l = A f^l, A = c v_0/(1 - b0 f +
- * b1 f^2), on the right z of y that is A' f^j + Re(B a^j) there.  A foot beyond
- * an end finds v there times e^(-mu |X|).  Cut off instead, the domain would
- * cool the surface: by 16 % at a Peclet number of 0.1.  Nothing may be taken up
- * near the ends, within what spreads in a step.
+ * b1 f^2), on the right z of y that is A' f^j + Re(B a^j) there.  A departure
+ * point beyond an end finds v there times e^(-mu |X|).  Cut off instead, the
+ * domain would cool the surface: by 16 % at a Peclet number of 0.1.  Nothing
+ * may be taken up near the ends, within what spreads in a step.
  *
  * Steady ones, with q linear between the nodes and nothing beyond them, are
  *
@@ -58,7 +58,7 @@
 
 #include <stdbool.h>
 
-#include "multigrid/feet.h"
+#include "multigrid/departures.h"
 
 enum { OVR_MODES = 16 };
 
@@ -92,8 +92,9 @@ void ovr_modes_integrals(double dT, const double *rate, double *fade, double *a,
 void ovr_modes_steady(size_t n, double D, double kappa, double u,
                       const double *rate, const double *q, double *psi);
 
-/* Psi_m at the foot of node i, wherever that is, carried along alone. */
-double ovr_mode_at(const ovr_feet *feet, const ovr_spread *spread,
+/* Psi_m at the departure point of node i, wherever that is, carried along
+ * alone. */
+double ovr_mode_at(const ovr_departures *departures, const ovr_spread *spread,
                    const double *psi, int m, size_t i);
 
 /* Fields side by side, each with sweeps of its own: coefficients; y_-1 and
@@ -110,7 +111,7 @@ typedef struct ovr_swept {
 struct ovr_kernels;
 typedef struct ovr_modes_look {
     const struct ovr_kernels *run;
-    const ovr_feet *feet;
+    const ovr_departures *departures;
     const ovr_spread *spread;
     double dT;
     double more[2]; /* of an own step under layers (simulation/solids.h) */
@@ -122,7 +123,7 @@ void ovr_modes_past(const ovr_modes_look *look);
 /* A step: Psi_m <- fade Psi_m + now q + before q', Psi_m and q' carried along
  * and spread, q of now. */
 typedef struct ovr_modes_step {
-    const ovr_feet *feet;
+    const ovr_departures *departures;
     const ovr_spread *spread;
     const double *fade, *now, *before; /* by modes */
     const double *q, *q_before;        /* at the nodes */

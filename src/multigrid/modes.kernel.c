@@ -27,7 +27,7 @@ void OVR_KERNEL(sum_modes)(size_t n, const double *weight, const double *psi,
 }
 
 /* Modes of node i where they came from. */
-static INLINE void carried(const ovr_modes_step *w, const ovr_feet *f,
+static INLINE void carried(const ovr_modes_step *w, const ovr_departures *f,
                            const double *psi, size_t i, vec *v)
 {
     const double *at = psi + ((ptrdiff_t)i + f->first) * OVR_MODES;
@@ -89,7 +89,7 @@ static INLINE void beyond(const double gain[2][OVR_MODES], const vec *v, vec *x,
 static INLINE void forth(const ovr_modes_step *w, const double *psi, double *to,
                          vec *z, vec *after)
 {
-    const ovr_feet f = *w->feet;
+    const ovr_departures f = *w->departures;
     const ovr_sweeps s = w->spread->past;
     vec y[VECTORS], before[VECTORS], v[VECTORS];
     carried(w, &f, psi, 0, v);
@@ -112,7 +112,7 @@ static INLINE void back(const ovr_modes_step *w, double *to, vec *z, vec *after)
 {
     const ovr_sweeps s = w->spread->past;
     vec y[VECTORS];
-    for (size_t i = w->feet->n; i-- > 0;) {
+    for (size_t i = w->departures->n; i-- > 0;) {
         UNROLL
         for (int k = 0; k < VECTORS; k++)
             y[k] = load(to + i * OVR_MODES + k * VEC);
@@ -131,8 +131,8 @@ void OVR_KERNEL(step_modes)(const ovr_modes_step *given, const double *psi,
         back(&w, to, v, after);
         return;
     }
-    for (size_t i = 0; i < w.feet->n; i++) {
-        carried(&w, w.feet, psi, i, v);
+    for (size_t i = 0; i < w.departures->n; i++) {
+        carried(&w, w.departures, psi, i, v);
         later(&w, i, v, to);
     }
 }

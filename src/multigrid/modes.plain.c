@@ -135,16 +135,16 @@ void ovr_modes_steady(size_t n, double D, double kappa, double u,
 }
 
 /* The value so many nodes beyond an end, from which on it decays. */
-static double far(const ovr_feet *f, const ovr_spread *s, const double *psi,
-                  int m, int side, double nodes)
+static double far(const ovr_departures *f, const ovr_spread *s,
+                  const double *psi, int m, int side, double nodes)
 {
     double end = psi[(side ? (f->n - 1) * OVR_MODES : 0) + (size_t)m];
     return end * exp(s->logarithm[side][m] * nodes);
 }
 
 /* At node i, which may be beyond an end. */
-static double value(const ovr_feet *f, const ovr_spread *s, const double *psi,
-                    int m, ptrdiff_t i)
+static double value(const ovr_departures *f, const ovr_spread *s,
+                    const double *psi, int m, ptrdiff_t i)
 {
     ptrdiff_t last = (ptrdiff_t)f->n - 1;
     bool after = i > last;
@@ -152,13 +152,13 @@ static double value(const ovr_feet *f, const ovr_spread *s, const double *psi,
         return psi[i * OVR_MODES + m];
     if (s->on)
         return far(f, s, psi, m, after, (double)(after ? i - last : -i));
-    return after == (f->meshes >= 0) /* as ovr_feet_at has it */
+    return after == (f->meshes >= 0) /* as ovr_departures_at has it */
                ? psi[(after ? last * OVR_MODES : 0) + m]
                : 0;
 }
 
-double ovr_mode_at(const ovr_feet *f, const ovr_spread *s, const double *psi,
-                   int m, size_t i)
+double ovr_mode_at(const ovr_departures *f, const ovr_spread *s,
+                   const double *psi, int m, size_t i)
 {
     ptrdiff_t first = (ptrdiff_t)i + f->first;
     double at = (double)i - f->meshes, last = (double)f->n - 1, sum = 0;
@@ -174,7 +174,7 @@ double ovr_mode_at(const ovr_feet *f, const ovr_spread *s, const double *psi,
 /* sum w_m Psi_m at nodes that came from beyond the ends. */
 static void put_ends(const ovr_modes_look *l, double *sum)
 {
-    const ovr_feet *f = l->feet;
+    const ovr_departures *f = l->departures;
     for (size_t i = 0; i < f->n; i++) {
         if (i >= f->from && i < f->to)
             continue;
@@ -216,9 +216,9 @@ static void put_set(const ovr_modes_look *l, ovr_swept *set)
         put_sweeps(&pole, OWN + p, set);
     }
     for (int m = 0; m < OVR_MODES; m++) {
-        size_t last = l->feet->n - 1;
-        double v_0 = ovr_mode_at(l->feet, s, l->psi, m, 0);
-        double v_n = ovr_mode_at(l->feet, s, l->psi, m, last);
+        size_t last = l->departures->n - 1;
+        double v_0 = ovr_mode_at(l->departures, s, l->psi, m, 0);
+        double v_n = ovr_mode_at(l->departures, s, l->psi, m, last);
         for (int k = 0; k < 2; k++) {
             set->begin[k][PAST] += l->weight[m] * s->left[k][m] * v_0;
             set->after[k][PAST] += l->weight[m] * s->right[k][m] * v_n;
@@ -228,7 +228,7 @@ static void put_set(const ovr_modes_look *l, ovr_swept *set)
 
 static void put_fields(const ovr_modes_look *l)
 {
-    for (size_t i = 0; i < l->feet->n; i++) {
+    for (size_t i = 0; i < l->departures->n; i++) {
         double *at = l->fields + i * OVR_SWEPT;
         at[PAST] = l->past[i];
         at[OWN_BEFORE] = at[BEFORE] = l->before[i];
@@ -240,7 +240,7 @@ static void put_fields(const ovr_modes_look *l)
 static void take_fields(const ovr_modes_look *l)
 {
     double gain = 4. / 3 * sqrt(l->dT);
-    for (size_t i = 0; i < l->feet->n; i++) {
+    for (size_t i = 0; i < l->departures->n; i++) {
         const double *at = l->fields + i * OVR_SWEPT;
         double own = (1 + l->more[1]) * at[OWN_BEFORE] / 2 -
                      (1 + l->more[0]) * l->q[i];
@@ -256,15 +256,15 @@ void ovr_modes_past(const ovr_modes_look *l)
     const ovr_spread *s = l->spread;
     double own = s->on ? 0 : 2.0 / 3 * sqrt(l->dT) * (1 + l->more[1]);
     ovr_swept set = {.c = {0}};
-    l->run->sum_modes(l->feet->n, l->weight, l->psi, own, l->q, l->room);
-    l->run->carry_along(l->feet, l->room, l->past);
-    l->run->carry_along(l->feet, l->q, l->before);
+    l->run->sum_modes(l->departures->n, l->weight, l->psi, own, l->q, l->room);
+    l->run->carry_along(l->departures, l->room, l->past);
+    l->run->carry_along(l->departures, l->q, l->before);
     if (!s->on)
         return;
     put_ends(l, l->past);
     put_set(l, &set);
     put_fields(l);
-    l->run->sweep_fields(l->feet->n, &set, l->fields);
+    l->run->sweep_fields(l->departures->n, &set, l->fields);
     take_fields(l);
 }
 
@@ -317,10 +317,10 @@ void ovr_sweep_fields_plain(size_t n, const ovr_swept *set, double *v)
 static void spread_mode(const ovr_modes_step *w, int m, double *mode)
 {
     const ovr_spread *s = w->spread;
-    double first = mode[0], last = mode[(w->feet->n - 1) * OVR_MODES];
+    double first = mode[0], last = mode[(w->departures->n - 1) * OVR_MODES];
     const double begin[2] = {s->left[0][m] * first, s->left[1][m] * first};
     const double after[2] = {s->right[0][m] * last, s->right[1][m] * last};
-    sweep(w->feet->n, OVR_MODES, &s->past, begin, after, mode);
+    sweep(w->departures->n, OVR_MODES, &s->past, begin, after, mode);
 }
 
 void ovr_step_modes_plain(const ovr_modes_step *w, const double *psi,
@@ -328,11 +328,12 @@ void ovr_step_modes_plain(const ovr_modes_step *w, const double *psi,
 {
     for (int m = 0; m < OVR_MODES; m++) {
         double *mode = to + m;
-        for (size_t i = 0; i < w->feet->n; i++)
-            mode[i * OVR_MODES] = ovr_mode_at(w->feet, w->spread, psi, m, i);
+        for (size_t i = 0; i < w->departures->n; i++)
+            mode[i * OVR_MODES] = ovr_mode_at(w->departures, w->spread, psi, m,
+                                              i);
         if (w->spread->on)
             spread_mode(w, m, mode);
-        for (size_t i = 0; i < w->feet->n; i++)
+        for (size_t i = 0; i < w->departures->n; i++)
             mode[i * OVR_MODES] = w->fade[m] * mode[i * OVR_MODES] +
                                   w->now[m] * w->q[i] +
                                   w->before[m] * w->q_before[i];

@@ -11,8 +11,8 @@
  *     scheme          w             cT        F (history, finest grid)
  *     upstream1       1, -1, 0      1/dT      -q^{k-1}/dT
  *     upstream2       1.5, -2, 0.5  b0/dT     (b1 q^{k-1} + b2 q^{k-2})/dT
- *     characteristic  0, 0, 0       b0/dT     the same at the feet of the
- *                                             characteristic
+ *     characteristic  0, 0, 0       b0/dT     the same at the departure points
+ * of the characteristic
  *
  * Steady is cT = 0, F = 0.  Row 1 has no q_{-1}: its wedge is first order.
  * BDF2 with steps dT after dT_old, s = dT/dT_old: b0 = (1 + 2s)/(1 + s),

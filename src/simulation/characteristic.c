@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * q = rho H of past times at the feet of the characteristic.
+ * q = rho H of past times at the departure points of the characteristic.
  *
  * Between nodes: Lagrange interpolation on six nodes (order 6, well above the
  * scheme's 2), shifted at the outlet to stay on the grid.  Beyond the inlet:
@@ -106,7 +106,8 @@ void ovr_lagrange(double at, double weight[POINTS])
     }
 }
 
-/* How far a foot is: in whole nodes, rounded up where it is between two. */
+/* How far a departure point is: in whole nodes, rounded up where it is between
+ * two. */
 typedef struct way {
     double meshes;
     size_t shift;
@@ -130,24 +131,24 @@ static void add(size_t n, double c, const double *restrict x,
 }
 
 /* F_i += c q(X_i - a), q behind the ghosts in `extended` */
-static void add_at_feet(const ovr_simulation *sim, const way *to, double c,
-                        double *F)
+static void add_at_departures(const ovr_simulation *sim, const way *to,
+                              double c, double *F)
 {
     const double *q = sim->inflow.extended;
     double weight[POINTS];
     size_t n = sim->now.n;
-    const double *foot = q + OVR_GHOSTS - to->shift;
+    const double *departure = q + OVR_GHOSTS - to->shift;
     if (to->on_node && !to->back) {
-        add(n, c, foot, F);
+        add(n, c, departure, F);
         return;
     }
     if (to->on_node) {
         for (size_t i = 0; i < n; i++)
-            F[n - 1 - i] += c * foot[i];
+            F[n - 1 - i] += c * departure[i];
         return;
     }
     for (size_t i = 0; i < n; i++) {
-        const double *first = foot + i - BEFORE;
+        const double *first = departure + i - BEFORE;
         const double *last = q + OVR_GHOSTS + n - POINTS;
         size_t inward = first > last ? (size_t)(first - last) : 0;
         double sum = 0;
@@ -162,8 +163,8 @@ static void add_at_feet(const ovr_simulation *sim, const way *to, double c,
 }
 
 /* F_i += c q(X_i - a) */
-static void add_foot(ovr_simulation *sim, int past, double c, double a,
-                     double *F)
+static void add_departure(ovr_simulation *sim, int past, double c, double a,
+                          double *F)
 {
     double *q = sim->inflow.extended;
     size_t n = sim->now.n;
@@ -173,17 +174,17 @@ static void add_foot(ovr_simulation *sim, int past, double c, double a,
         ovr_mirror(n, sim->past.q[past], q + OVR_GHOSTS);
     else
         memcpy(q + OVR_GHOSTS, sim->past.q[past], n * sizeof(double));
-    add_at_feet(sim, &to, c, F);
+    add_at_departures(sim, &to, c, F);
 }
 
-size_t ovr_inflow_foot(const ovr_simulation *sim, const double *q, double c,
-                       double a, double *F)
+size_t ovr_inflow_departure(const ovr_simulation *sim, const double *q,
+                            double c, double a, double *F)
 {
     double *extended = sim->inflow.extended;
     const way to = way_of(sim, a);
     memset(extended, 0, OVR_GHOSTS * sizeof *extended);
     memcpy(extended + OVR_GHOSTS, q, sim->now.n * sizeof *q);
-    add_at_feet(sim, &to, c, F);
+    add_at_departures(sim, &to, c, F);
     return to.shift + BEFORE;
 }
 
@@ -192,8 +193,8 @@ void ovr_inflow_history(ovr_simulation *sim, const double c[2],
 {
     double *F = sim->scratch[0];
     memset(F, 0, sim->now.n * sizeof *F);
-    add_foot(sim, 0, c[0], a[0], F);
-    add_foot(sim, 1, c[1], a[1], F);
+    add_departure(sim, 0, c[0], a[0], F);
+    add_departure(sim, 1, c[1], a[1], F);
 }
 
 double *ovr_inflow_prediction(ovr_simulation *sim, double T, const double e[3])
@@ -204,7 +205,7 @@ double *ovr_inflow_prediction(ovr_simulation *sim, double T, const double e[3])
             return NULL;
     memset(q, 0, sim->now.n * sizeof *q);
     for (int k = 0; k < 3; k++)
-        add_foot(sim, k, e[k], ovr_travel_since(sim, k, T), q);
+        add_departure(sim, k, e[k], ovr_travel_since(sim, k, T), q);
     return q;
 }
 
@@ -229,8 +230,8 @@ bool ovr_inflow_third(ovr_simulation *sim, double T, double dT, double *third)
     for (size_t i = 0; i < n; i++)
         third[i] = weight[0] * sim->now.q[i];
     for (int k = 1; k < 4; k++)
-        add_foot(sim, k - 1, weight[k],
-                 now - ovr_history_integral(sim->speed, t[k]), third);
+        add_departure(sim, k - 1, weight[k],
+                      now - ovr_history_integral(sim->speed, t[k]), third);
     return true;
 }
 

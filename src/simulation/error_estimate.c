@@ -22,11 +22,11 @@
  *
  * Upstream schemes difference in time at fixed X and err by the change there,
  * of what moves too.  The characteristic scheme errs by the change that a
- * particle sees: q_p is that of the past at the feet of the characteristics.
- * Each with the other's q_p takes more cycles for its error: on 12 such dents
- * the characteristic scheme 2.5 times as many (4.4 E at most instead of 3.2),
- * upstream2, along um or what slides, 1.7 times as many.  With 0.08 in place
- * of 0.4 the characteristic scheme's errors are 3.9 E at most.
+ * particle sees: q_p is that of the past at the departure points of the
+ * characteristics. Each with the other's q_p takes more cycles for its error:
+ * on 12 such dents the characteristic scheme 2.5 times as many (4.4 E at most
+ * instead of 3.2), upstream2, along um or what slides, 1.7 times as many.  With
+ * 0.08 in place of 0.4 the characteristic scheme's errors are 3.9 E at most.
  */
 #include <math.h>
 

@@ -483,8 +483,8 @@ static void rest(ovr_simulation *sim, fourth *f, double dT)
     memset(more, 0, n * sizeof *more);
     memcpy(f->rest, f->constant, n * sizeof *more);
     for (int k = 0; k < 4; k++) {
-        ovr_inflow_foot(sim, f->start, -bdf2[k] / dT, k * a, f->rest);
-        from = ovr_inflow_foot(sim, f->start, -third[k] / dT, k * a, more);
+        ovr_inflow_departure(sim, f->start, -bdf2[k] / dT, k * a, f->rest);
+        from = ovr_inflow_departure(sim, f->start, -third[k] / dT, k * a, more);
     }
     for (size_t i = 0; i < n; i++) {
         bool used = i >= from && f->mask[i] >= 0;

@@ -125,8 +125,8 @@ void ovr_fourth_content_evaluate(ovr_simulation *sim, ovr_fourth_content *of,
     ovr_nodes_read(sim, sim->finest, c->gap, gap);
 }
 
-/* G, of what was at the feet one and two steps before, h1 and h2 ago; what it
- * was goes to `before`. */
+/* G, of what was at the departure points one and two steps before, h1 and h2
+ * ago; what it was goes to `before`. */
 static void bend(ovr_simulation *sim, ovr_fourth_content *of,
                  const double *const came[2], const double h[2], double *before)
 {

@@ -22,7 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "multigrid/feet.h"
+#include "multigrid/departures.h"
 #include "simulation/mirror.h"
 
 /* Steps beyond this many meshes begin better from the last state. */

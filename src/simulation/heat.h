@@ -65,9 +65,9 @@ typedef struct ovr_heated {
     struct ovr_heat_steps *steps; /* heat_in_time.h */
     double Sigma0, limit;         /* as in across.h; limit over P */
     ovr_columns film;
-    double *log_eta;               /* at T0 */
-    double *oil, *content;         /* H and q of what is there (heat_film.h) */
-    double *foot[OVR_MOST_ACROSS]; /* T at the feet of a step */
+    double *log_eta;       /* at T0 */
+    double *oil, *content; /* H and q of what is there (heat_film.h) */
+    double *departure[OVR_MOST_ACROSS]; /* T at those points of a step */
 } ovr_heated;
 
 /* Speeds of the surfaces at T = 0, and their memories from node to node. */

@@ -23,7 +23,7 @@ ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err)
     for (int j = 0; j < h->across.n; j++) {
         all[count++] = &c->u[j];
         all[count++] = &c->heating[j];
-        all[count++] = &h->foot[j];
+        all[count++] = &h->departure[j];
     }
     for (int a = 0; a < count; a++) {
         *all[a] = ovr_arena_take(&sim->arena, sim->now.n, sizeof **all[a], err);
@@ -173,7 +173,8 @@ double ovr_heat_stored(const ovr_simulation *sim)
     for (size_t i = 1; i + 1 < c->n; i++) {
         double part = 0;
         for (int j = 0; c->P[i] > 0 && j < h->across.n; j++)
-            part += h->across.w[j] * (h->T[j][i] - ovr_column_foot(c, j, i)) /
+            part += h->across.w[j] *
+                    (h->T[j][i] - ovr_column_departure(c, j, i)) /
                     ovr_column_travel(c, j, i);
         stored += sim->now.weights[i] * c->q[i] * part;
     }

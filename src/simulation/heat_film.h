@@ -23,7 +23,7 @@ void ovr_heat_film(ovr_simulation *sim);
 void ovr_heat_film_fields(ovr_simulation *sim);
 
 /* The power made, over Theta, and the same of its size node by node; what the
- * wet film takes up from `foot` in the time dT, or steadily from node to
+ * wet film takes up from `departure` in the time dT, or steadily from node to
  * node. */
 double ovr_heat_made(const ovr_simulation *sim, double *size);
 double ovr_heat_stored(const ovr_simulation *sim);

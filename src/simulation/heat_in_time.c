@@ -207,9 +207,9 @@ static void pass(ovr_simulation *sim)
     c->P_T = s->P_T;
     c->mean = h->mean;
     for (int j = 0; j < h->across.n; j++) {
-        run->film_feet(c->n, s->dT / ovr_mesh(sim), c->u[j], s->T_before[j],
-                       h->foot[j]);
-        c->foot[j] = h->foot[j];
+        run->film_departures(c->n, s->dT / ovr_mesh(sim), c->u[j],
+                             s->T_before[j], h->departure[j]);
+        c->departure[j] = h->departure[j];
         c->T[j] = h->T[j];
     }
     for (int k = 0; k < 2; k++) {

@@ -4,9 +4,9 @@
  * solids.h), and what Reynolds' equation gets of them.
  *
  * A layer j of the film comes from X - u_j dT, T_j' is what is there a step
- * ago; a surface comes from X - int u_k dT with its q and Psi_m (feet.h).  One
- * solve across the film at each node, once a step, with H of the guess that the
- * cycles begin from, and its P no further from the P' before than
+ * ago; a surface comes from X - int u_k dT with its q and Psi_m (departures.h).
+ * One solve across the film at each node, once a step, with H of the guess that
+ * the cycles begin from, and its P no further from the P' before than
  *
  *     |P - P'| <= 0.05 (P' + 0.01) + 0.7 max |P' - P''| there and
  *                                           beside it
@@ -33,18 +33,19 @@
  *     gamma = -(d ln eta/dT) tanh(a)/a,  a = |t|/Sigma0
  *
  * so that no film gets hotter by more than 1/gamma in one solve, be it
- * Newtonian.  It counts as a faster exchange with the foot, which is moved to
- * T_used.  At the edge of a feature that moves a mesh a step oil may get 100 K
- * hotter at once; left colder by dT it is too viscous by e^(gamma dT), powers
- * of ten, does not let the pressure there go, and the next spike is higher.  So
- * where gamma |T - T_used| is above 0.15 under pressure, T_used goes half the
- * way and heat is solved anew with the film that a cycle makes of it, six times
- * at most: not by kelvins, of which a film of Eyring's law bears many more.
- * (The film knows no instability of its own: speeds are given across it, not
- * stresses, and what is made falls as it gets hotter.)  With the film of the
- * guess instead, whose pressures do not yet know the temperatures, the same
- * passes drive rough films, and long steps, apart: 2,100 K for 410.  A film
- * that is thinner than half of what was there, or none, heats as one of half.
+ * Newtonian.  It counts as a faster exchange with the departure point, which is
+ * moved to T_used.  At the edge of a feature that moves a mesh a step oil may
+ * get 100 K hotter at once; left colder by dT it is too viscous by e^(gamma
+ * dT), powers of ten, does not let the pressure there go, and the next spike is
+ * higher.  So where gamma |T - T_used| is above 0.15 under pressure, T_used
+ * goes half the way and heat is solved anew with the film that a cycle makes of
+ * it, six times at most: not by kelvins, of which a film of Eyring's law bears
+ * many more. (The film knows no instability of its own: speeds are given across
+ * it, not stresses, and what is made falls as it gets hotter.)  With the film
+ * of the guess instead, whose pressures do not yet know the temperatures, the
+ * same passes drive rough films, and long steps, apart: 2,100 K for 410.  A
+ * film that is thinner than half of what was there, or none, heats as one of
+ * half.
  *
  * Where the film ends so far from the guess that the oil was pressed by 2 % of
  * all power more, or less, temperatures are found once more by that film: films

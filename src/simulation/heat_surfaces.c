@@ -189,17 +189,18 @@ static const double *longer(const ovr_simulation *sim, ovr_heat_surface *s,
     return room;
 }
 
-static ovr_feet feet_of(const ovr_simulation *sim, const ovr_heat_surface *s)
+static ovr_departures departures_of(const ovr_simulation *sim,
+                                    const ovr_heat_surface *s)
 {
-    return ovr_feet_of(sim->now.n + 2 * s->beyond, s->meshes);
+    return ovr_departures_of(sim->now.n + 2 * s->beyond, s->meshes);
 }
 
 static void look_at(ovr_simulation *sim, ovr_heat_surface *s, int bank,
                     const double *q, double *past, double *before)
 {
-    const ovr_feet feet = feet_of(sim, s);
+    const ovr_departures departures = departures_of(sim, s);
     const ovr_modes_look look = {.run = sim->grids.kernels,
-                                 .feet = &feet,
+                                 .departures = &departures,
                                  .spread = &s->spread[bank],
                                  .dT = s->memory.dT,
                                  .more = {s->memory.more[0], s->memory.more[1]},
@@ -238,12 +239,12 @@ void ovr_heat_surface_look(ovr_simulation *sim, int k, const double *q)
 void ovr_heat_surface_remember(ovr_simulation *sim, int k, const double *q)
 {
     ovr_heat_surface *s = &sim->heated->steps->surface[k];
-    const ovr_feet feet = feet_of(sim, s);
+    const ovr_departures departures = departures_of(sim, s);
     const ovr_memory *m = &s->memory;
     longer(sim, s, q, s->room[0]);
     for (int b = 0; b < m->banks; b++) {
         double *psi = s->psi[b];
-        const ovr_modes_step step = {.feet = &feet,
+        const ovr_modes_step step = {.departures = &departures,
                                      .spread = &s->spread[b],
                                      .fade = m->fade + b * OVR_MODES,
                                      .now = m->now + b * OVR_MODES,

@@ -50,7 +50,7 @@ typedef struct ovr_inflow {
     double *extended; /* q with ghosts before it */
 } ovr_inflow;
 
-/* Oil that is carried along the characteristic (content_feet.c). */
+/* Oil that is carried along the characteristic (content_departures.c). */
 typedef struct ovr_carriage {
     double *came;   /* at the nodes now: the content of a step ago there, */
     double *coming; /* and that of now, in a step's time; two steps ago */
@@ -282,13 +282,14 @@ void ovr_fourth_leave(ovr_simulation *sim);
 /* The history term where oil is conserved (content_history.c). */
 void ovr_content_history(ovr_simulation *sim, double dT, const double c[2]);
 
-/* The same along the characteristic (content_feet.c): memory, the history term,
- * a step that is taken, its checkpoint. */
+/* The same along the characteristic (content_departures.c): memory, the history
+ * term, a step that is taken, its checkpoint. */
 ovr_status ovr_carriage_take(ovr_simulation *sim, ovr_error *err);
 void ovr_carriage_history(ovr_simulation *sim, double dT, const double c[2]);
 void ovr_carriage_taken(ovr_simulation *sim);
 
-/* x at the feet, from the last time reached to T; nothing is before the inlet.
+/* x at the departure points, from the last time reached to T; nothing is before
+ * the inlet.
  */
 void ovr_carriage_move(ovr_simulation *sim, double T, const double *x,
                        double *to);
@@ -320,9 +321,9 @@ void ovr_lagrange(double at, double weight[6]);
 double *ovr_inflow_prediction(ovr_simulation *sim, double T, const double e[3]);
 
 /* F_i += c q(X_i - a) of any q; worth nothing before the node returned, whose
- * foot is inside. */
-size_t ovr_inflow_foot(const ovr_simulation *sim, const double *q, double c,
-                       double a, double *F);
+ * departure point is inside. */
+size_t ovr_inflow_departure(const ovr_simulation *sim, const double *q,
+                            double c, double a, double *F);
 
 /* q[t, t-1, t-2, t-3] of the newest solution, at T, and the past before it: the
  * third divided difference along the characteristics, at the nodes.  What is

@@ -13,8 +13,8 @@
  * turned at the instant of reversal, where the wedge goes through zero; at
  * Cu = 0 the side stays that of the step before.
  *
- * Along the characteristic there is no wedge and nothing is mirrored: its feet
- * lie on the other side.
+ * Along the characteristic there is no wedge and nothing is mirrored: its
+ * departure points lie on the other side.
  */
 #ifndef OVR_SIMULATION_MIRROR_H
 #define OVR_SIMULATION_MIRROR_H

@@ -22,7 +22,7 @@ static const ovr_discretization records[] = {
                             {1.5, -0.5},
                             true,
                             ovr_bdf2,
-                            ovr_history_at_feet,
+                            ovr_history_at_departures,
                             ovr_quadratic_extrapolation},
 };
 

@@ -28,7 +28,8 @@ const ovr_discretization *ovr_scheme_record(ovr_scheme scheme);
 void ovr_backward_euler(double dT, double dT_old, double *cT, double c[2]);
 void ovr_bdf2(double dT, double dT_old, double *cT, double c[2]);
 void ovr_history_at_nodes(ovr_simulation *sim, const double c[2], double T);
-void ovr_history_at_feet(ovr_simulation *sim, const double c[2], double T);
+void ovr_history_at_departures(ovr_simulation *sim, const double c[2],
+                               double T);
 
 /* error_estimate.c */
 double ovr_linear_extrapolation(const struct ovr_past *past, double h,

@@ -258,7 +258,7 @@ static void count(ovr_simulation *sim, const ovr_outcome *outcome)
 }
 
 /* Nodes, or ghosts before them, where the film was one and two steps ago. */
-static bool feet_are_there(const ovr_simulation *sim, double dT)
+static bool departures_are_there(const ovr_simulation *sim, double dT)
 {
     double T = sim->past.T[0] + dT;
     return ovr_inflow_reaches(sim, 2 * dT) &&
@@ -278,7 +278,7 @@ static ovr_status check(const ovr_simulation *sim, double dT, ovr_error *err)
     if (!(dT > 0) || !isfinite(dT))
         return ovr_fail(err, OVR_BAD_INPUT, "time step %g: must be positive",
                         dT);
-    if (sim->scheme->characteristic && !feet_are_there(sim, dT))
+    if (sim->scheme->characteristic && !departures_are_there(sim, dT))
         return ovr_fail(err, OVR_BAD_INPUT,
                         "time step %g: the characteristic scheme takes at "
                         "most %d mesh sizes",

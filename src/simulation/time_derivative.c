@@ -10,8 +10,9 @@
  *
  * Along the characteristic dX/dT = Cu (after Venner & Lubrecht) wedge and
  * squeeze together are the derivative of q seen by a particle: no wedge on
- * the left, and q^k, q^{k-1} at the feet X - a1, X - a2 of the characteristic
- * on the right.  With dT = D and Cu = 1 the feet are nodes.
+ * the left, and q^k, q^{k-1} at the departure points X - a1, X - a2 of the
+ * characteristic on the right.  With dT = D and Cu = 1 the departure points are
+ * nodes.
  */
 #include <math.h>
 
@@ -51,7 +52,7 @@ void ovr_history_at_nodes(ovr_simulation *sim, const double c[2], double T)
     ovr_history_term(sim, F);
 }
 
-void ovr_history_at_feet(ovr_simulation *sim, const double c[2], double T)
+void ovr_history_at_departures(ovr_simulation *sim, const double c[2], double T)
 {
     const double a[2] = {ovr_travel_since(sim, 0, T),
                          ovr_travel_since(sim, 1, T)};

@@ -14,7 +14,7 @@
 
 #include "bench.h"
 #include "multigrid/coarsest.h"
-#include "multigrid/feet.h"
+#include "multigrid/departures.h"
 #include "simulation/heat_in_time.h"
 #include "support/hot.h"
 #include "support/test.h"
@@ -116,8 +116,8 @@ static void run_carry_along(void *sim)
 {
     ovr_simulation *s = sim;
     ovr_heat_steps *h = s->heated->steps;
-    const ovr_feet feet = ovr_feet_of(s->now.n, 1.25);
-    s->grids.kernels->carry_along(&feet, h->surface[0].past, h->P_T);
+    const ovr_departures departures = ovr_departures_of(s->now.n, 1.25);
+    s->grids.kernels->carry_along(&departures, h->surface[0].past, h->P_T);
 }
 
 /* Of a surface along which heat flows. */
@@ -125,16 +125,12 @@ static void run_step_modes(void *sim)
 {
     ovr_simulation *s = sim;
     ovr_heat_steps *h = s->heated->steps;
-    const ovr_feet feet = ovr_feet_of(s->now.n, 1.25);
+    const ovr_departures departures = ovr_departures_of(s->now.n, 1.25);
     const ovr_memory *m = &h->surface[0].memory;
     const ovr_spread spread = ovr_spread_of(0.2, 1.25, 0.01, 0.01, m->rate);
-    const ovr_modes_step step = {&feet,
-                                 &spread,
-                                 m->fade,
-                                 m->now,
-                                 m->before,
-                                 h->surface[0].past,
-                                 h->surface[1].past};
+    const ovr_modes_step step = {
+        &departures,        &spread,           m->fade, m->now, m->before,
+        h->surface[0].past, h->surface[1].past};
     s->grids.kernels->step_modes(&step, h->surface[0].psi[0],
                                  h->surface[0].next);
 }
@@ -168,11 +164,11 @@ static void run_step_modes(void *sim)
  * velocities 60, gamma 24.  Reads X, P, H, log_eta, five T; writes five u and
  * heatings, t, gamma.
  * heat_across: rows 105, elimination 80, back substitution 25, mean and fluxes
- * 18.  Reads X, P, H, q, P_T, gamma, two pasts, five u, heatings, T and feet;
- * writes five T, the mean, two fluxes.
- * carry_along: a cubic 7.  Reads an array, writes one.
- * step_modes, 16 of them: a cubic 7, two sweeps 6, a step 5.  Reads modes and
- * two arrays, writes and reads what one sweep leaves, writes modes.
+ * 18.  Reads X, P, H, q, P_T, gamma, two pasts, five u, heatings, T and
+ * departure points; writes five T, the mean, two fluxes. carry_along: a
+ * cubic 7.  Reads an array, writes one. step_modes, 16 of them: a cubic 7, two
+ * sweeps 6, a step 5.  Reads modes and two arrays, writes and reads what one
+ * sweep leaves, writes modes.
  */
 static const struct kernel {
     const char *name;

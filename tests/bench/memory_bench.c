@@ -36,14 +36,14 @@ int main(int argc, char *argv[])
     bench_list("memory");
     for (int level = 6; level <= 14; level++) {
         double line = bytes_a_node(level, OVR_UPSTREAM2, OVR_LINE);
-        double feet = bytes_a_node(level, OVR_CHARACTERISTIC, OVR_LINE);
+        double departures = bytes_a_node(level, OVR_CHARACTERISTIC, OVR_LINE);
         double hybrid = bytes_a_node(level, OVR_UPSTREAM2, OVR_HYBRID);
         printf("%5d %10d %12.0f %16.0f %10.0f\n", level, (7 << level) + 1, line,
-               feet, hybrid);
+               departures, hybrid);
         bench_row();
         bench_number("level", level);
         bench_number("upstream", line);
-        bench_number("characteristic", feet);
+        bench_number("characteristic", departures);
         bench_number("hybrid", hybrid);
         bench_end();
     }

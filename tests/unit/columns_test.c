@@ -9,7 +9,7 @@
 #include "contact/flow_law.h"
 #include "contact/laws/law.h"
 #include "multigrid/across.h"
-#include "multigrid/feet.h"
+#include "multigrid/departures.h"
 #include "support/contact.h"
 #include "support/kernels.h"
 #include "support/test.h"
@@ -89,7 +89,7 @@ static void fill(films *f, size_t n, int points, uint64_t *seed)
     }
     for (int j = 0; j < points; j++) {
         c->used[j] = input(f, 8 + j, -20, 150, seed);
-        c->foot[j] = input(f, 8 + OVR_MOST_ACROSS + j, -20, 150, seed);
+        c->departure[j] = input(f, 8 + OVR_MOST_ACROSS + j, -20, 150, seed);
     }
     put_places(f);
 }
@@ -342,7 +342,7 @@ static void swapped_films_mirror(void **state)
 }
 
 /* What surfaces and film carry along, by any number of meshes. */
-static void feet_agree(void **state)
+static void departures_agree(void **state)
 {
     double v[MOST], u[MOST], plain[MOST], here[MOST];
     uint64_t seed = 13;
@@ -350,17 +350,17 @@ static void feet_agree(void **state)
     (void)state;
     for (int k = 1; (run = test_kernels(k)); k++)
         for (double meshes = -90; meshes < 90; meshes += 3.3) {
-            const ovr_feet feet = ovr_feet_of(MOST, meshes);
+            const ovr_departures departures = ovr_departures_of(MOST, meshes);
             for (size_t i = 0; i < MOST; i++) {
                 v[i] = test_random(&seed, -1, 2);
                 u[i] = test_random(&seed, -0.5, 2);
             }
-            by_nodes->carry_along(&feet, v, plain);
-            run->carry_along(&feet, v, here);
+            by_nodes->carry_along(&departures, v, plain);
+            run->carry_along(&departures, v, here);
             for (size_t i = 0; i < MOST; i++)
                 CHECK_NEAR(here[i], plain[i], 1e-14);
-            by_nodes->film_feet(MOST, meshes / 4, u, v, plain);
-            run->film_feet(MOST, meshes / 4, u, v, here);
+            by_nodes->film_departures(MOST, meshes / 4, u, v, plain);
+            run->film_departures(MOST, meshes / 4, u, v, here);
             for (size_t i = 0; i < MOST; i++)
                 CHECK_NEAR(here[i], plain[i], 1e-12);
         }
@@ -518,7 +518,7 @@ int main(void)
         cmocka_unit_test(swapped_films_mirror),
         cmocka_unit_test(pressed_oil_gets_denser),
         cmocka_unit_test(closed_cycles_close),
-        cmocka_unit_test(feet_agree),
+        cmocka_unit_test(departures_agree),
         cmocka_unit_test(viscosities_agree),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -4,13 +4,14 @@
 #include <math.h>
 #include <string.h>
 
-#include "multigrid/feet.h"
+#include "multigrid/departures.h"
 #include "simulation/solids.h"
 #include "support/test.h"
 
 enum { N = 641 };
 
-/* ------------------------------------------------------------------- feet */
+/* ------------------------------------------------------------------- departure
+ * points */
 
 static double bell(double x)
 {
@@ -19,33 +20,33 @@ static double bell(double x)
 
 /* Whole meshes exactly, parts of one by a cubic; what enters is nothing, what
  * left is as the end. */
-static void values_at_feet(void **state)
+static void values_at_departures(void **state)
 {
     double v[N], at[N];
     (void)state;
     for (int i = 0; i < N; i++)
         v[i] = 1 + 1e-6 * i * i * i;
     for (double shift = -7.75; shift < 8; shift += 0.25) {
-        ovr_feet_cubic(N, v, shift, at);
+        ovr_departures_cubic(N, v, shift, at);
         for (int i = 10; i < N - 10; i++)
             CHECK_CLOSE(at[i], 1 + 1e-6 * pow(i - shift, 3), 1e-12);
     }
-    ovr_feet_cubic(N, v, 3, at);
+    ovr_departures_cubic(N, v, 3, at);
     assert_memory_equal(at + 3, v, (N - 3) * sizeof *v);
     for (int i = 0; i < 3; i++)
         assert_true(at[i] == 0);
-    ovr_feet_cubic(N, v, -2, at);
+    ovr_departures_cubic(N, v, -2, at);
     assert_memory_equal(at, v + 2, (N - 2) * sizeof *v);
     assert_true(at[N - 1] == 0 && at[N - 2] == 0);
-    ovr_feet_cubic(N, v, 1e9, at);
+    ovr_departures_cubic(N, v, 1e9, at);
     for (int i = 0; i < N; i++)
         assert_true(at[i] == 0);
     for (int i = 1; i < N; i++) {
-        double upstream = ovr_foot_linear(N, v, (size_t)i, 0.25);
+        double upstream = ovr_departure_linear(N, v, (size_t)i, 0.25);
         CHECK_CLOSE(upstream, 0.75 * v[i] + 0.25 * v[i - 1], 1e-14);
     }
-    assert_true(ovr_foot_linear(N, v, 2, 5) == 0);
-    assert_true(ovr_foot_linear(N, v, N - 2, -0.5) ==
+    assert_true(ovr_departure_linear(N, v, 2, 5) == 0);
+    assert_true(ovr_departure_linear(N, v, N - 2, -0.5) ==
                 0.5 * (v[N - 2] + v[N - 1]));
 }
 
@@ -57,7 +58,7 @@ static void carried_far(void **state)
     for (int i = 0; i < N; i++)
         v[i] = bell(i - 100);
     for (int k = 0; k < 1000; k++) {
-        ovr_feet_cubic(N, v, 0.3, at);
+        ovr_departures_cubic(N, v, 0.3, at);
         memcpy(v, at, sizeof v);
     }
     for (int i = 0; i < N; i++)
@@ -85,12 +86,12 @@ static void step(surface *s, double D, double u, double dT, const double *q_now)
             psi[m] = s->psi[m][i];
         s->at[i] = ovr_memory_past(&s->memory, psi, s->q[i]);
     }
-    ovr_feet_cubic(N, s->at, meshes, s->T);
+    ovr_departures_cubic(N, s->at, meshes, s->T);
     for (int i = 0; i < N; i++)
         s->T[i] += 4. / 3 * sqrt(dT) * q_now[i];
-    ovr_feet_cubic(N, s->q, meshes, s->before);
+    ovr_departures_cubic(N, s->q, meshes, s->before);
     for (int m = 0; m < OVR_MODES; m++) {
-        ovr_feet_cubic(N, s->psi[m], meshes, s->at);
+        ovr_departures_cubic(N, s->psi[m], meshes, s->at);
         for (int i = 0; i < N; i++)
             s->psi[m][i] = s->memory.fade[m] * s->at[i] +
                            s->memory.now[m] * q_now[i] +
@@ -149,7 +150,7 @@ static void uniform_source_in_time(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(values_at_feet),
+        cmocka_unit_test(values_at_departures),
         cmocka_unit_test(carried_far),
         cmocka_unit_test(uniform_source_in_time),
     };

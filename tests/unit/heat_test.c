@@ -188,11 +188,11 @@ static void adiabatic_couette_heating(void **state)
     for (int j = 0; j < 5; j++)
         step[j] = 0.01;
     for (int k = 1; k <= 50; k++) {
-        double foot[7];
+        double departure[7];
         for (int j = 0; j < 5; j++)
-            foot[j] = T[j];
+            departure[j] = T[j];
         ovr_flow_across_film(&a, &oil, &sheet, T, &flow);
-        ovr_across_solve(&a, &oil, &sheet, &flow, foot, step, wall, T);
+        ovr_across_solve(&a, &oil, &sheet, &flow, departure, step, wall, T);
         for (int j = 0; j < 5; j++)
             CHECK_CLOSE(T[j],
                         k * 0.01 * oil.theta * 0.25 * 0.1 /
@@ -217,22 +217,22 @@ static void what_is_made_flows_out(void **state)
                              .u1 = 1.25,
                              .wet = true};
     const ovr_wall wall[2] = {{3, 0.2}, {1, 0.4}};
-    double foot[7] = {1, 2, 4, 3, 2}, T[7], step[7], made = 0, gone = 0;
+    double departure[7] = {1, 2, 4, 3, 2}, T[7], step[7], made = 0, gone = 0;
     ovr_across a;
     ovr_flow_across flow;
     (void)state;
     hot.C = 6, hot.S0 = 1.1, hot.expansion = 6e-4;
     ovr_across_make(5, &a);
-    ovr_flow_across_film(&a, &hot, &sheet, foot, &flow);
+    ovr_flow_across_film(&a, &hot, &sheet, departure, &flow);
     CHECK_CLOSE(flow.u[4], 0.75, 1e-12);
     for (int j = 0; j < 5; j++)
         step[j] = 0.1 / fmax(flow.u[j], 0.02);
-    ovr_across_solve(&a, &hot, &sheet, &flow, foot, step, wall, T);
+    ovr_across_solve(&a, &hot, &sheet, &flow, departure, step, wall, T);
     for (int j = 0; j < 5; j++) {
         made += a.w[j] * hot.theta *
                 (flow.heating[j] + 6e-4 * (350 + T[j]) * sheet.H *
                                        (sheet.P_T + flow.u[j] * sheet.P_X));
-        gone += a.w[j] * sheet.rho * sheet.H * (T[j] - foot[j]) / step[j];
+        gone += a.w[j] * sheet.rho * sheet.H * (T[j] - departure[j]) / step[j];
     }
     gone += hot.conduction * ((T[0] - 3) / 0.2 + (T[4] - 1) / 0.4);
     CHECK_CLOSE(gone, made, 1e-12);

@@ -56,7 +56,7 @@ typedef struct surface {
     size_t n;
     double D, kappa, u, dT, X0;
     ovr_memory memory;
-    ovr_feet feet;
+    ovr_departures departures;
     ovr_spread spread;
     double q[MOST], before[MOST], psi[MOST * OVR_MODES], T[MOST];
 } surface;
@@ -78,7 +78,7 @@ static void make(surface *s, form shape, double kappa, double u, double X0,
         s->q[i] = flux(shape, X0 + (double)i * D);
     ovr_memory_rates(D / 8, longest, &s->memory);
     ovr_memory_fit(dT, longest, &s->memory);
-    s->feet = ovr_feet_of(s->n, u * dT / D);
+    s->departures = ovr_departures_of(s->n, u * dT / D);
     if (ovr_solid_conducts(&numbers, 0, u))
         s->spread = ovr_spread_of(kappa, u, dT, D, s->memory.rate);
 }
@@ -93,7 +93,7 @@ static double look(surface *s)
 {
     static double room[MOST], fields[MOST * OVR_SWEPT];
     const ovr_modes_look l = {.run = ovr_kernels_choose(NULL),
-                              .feet = &s->feet,
+                              .departures = &s->departures,
                               .spread = &s->spread,
                               .dT = s->dT,
                               .weight = s->memory.weight,
@@ -114,7 +114,7 @@ static double look(surface *s)
 
 static ovr_modes_step step_of(const surface *s)
 {
-    return (ovr_modes_step){.feet = &s->feet,
+    return (ovr_modes_step){.departures = &s->departures,
                             .spread = &s->spread,
                             .fade = s->memory.fade,
                             .now = s->memory.now,
@@ -281,7 +281,7 @@ static void sweeps_invert(void **state)
     double r = s.kappa * s.dT / (s.D * s.D);
     for (int k = 0; k < OVR_MODES; k++)
         s.memory.fade[k] = 1, s.memory.now[k] = s.memory.before[k] = 0;
-    s.feet = ovr_feet_of(s.n, 0);
+    s.departures = ovr_departures_of(s.n, 0);
     for (size_t i = 0; i < s.n; i++)
         for (int m = 0; m < OVR_MODES; m++)
             s.psi[i * OVR_MODES + (size_t)m] = s.q[i];

@@ -51,7 +51,8 @@ static const ovr_parameter gear_keys[] = {
     {"speed", TURNING, NULL, GEAR(speed), true, ALWAYS,
      "of gear 1; its sign does not count, for +x is where the surfaces go"},
     {"driving", WHOLE(1, 2), "1", GEAR(driving), true, "teeth_1",
-     "the gear that drives: gear 1 goes from its foot to its tip, gear 2 the "
+     "the gear that drives: gear 1 goes from its departure to its tip, gear 2 "
+     "the "
      "other way"},
     {"torque", WITH_UNIT(OVR_TORQUE, 1e-9, 1e12), NULL, GEAR(torque), true,
      ALWAYS, "on gear 1"},

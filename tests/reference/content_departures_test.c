@@ -44,8 +44,8 @@ static double stored(const ovr_state *s, const double *before, double arrived)
 {
     double sum = 0;
     for (size_t i = 1; i + 1 < s->n; i++) {
-        double foot = i > 1 ? before[i - 1] : arrived;
-        double A = 1.5 * s->q[i] - 0.5 * foot;
+        double departure = i > 1 ? before[i - 1] : arrived;
+        double A = 1.5 * s->q[i] - 0.5 * departure;
         sum += 1.5 * s->q[i] - 0.5 * before[i];
         sum += s->P[i] > 0 ? 0 : fmax(0, 0.5 * s->q[i] - A);
     }
@@ -90,8 +90,8 @@ static void what_arrives_stays_or_leaves(void **state)
 }
 
 /* What was stored by a step of dT after dT_old, by the contents of three times;
- * what the limits of content_feet.c add, by what came to dry nodes in both
- * steps. */
+ * what the limits of content_departures.c add, by what came to dry nodes in
+ * both steps. */
 typedef struct times {
     double q[3][N], came[2][N], P[2][N], dT, dT_old;
 } times;
@@ -129,8 +129,9 @@ static void take_over(times *t, const ovr_simulation *sim, double dT)
 }
 
 /* The mass defect of a step is its algebraic residual, whatever its length and
- * wherever its feet, while the entrainment stops, with the inlet closed and
- * open, but for steps in which it turns; content never falls below nothing. */
+ * wherever its departure points, while the entrainment stops, with the inlet
+ * closed and open, but for steps in which it turns; content never falls below
+ * nothing. */
 static void steps_of_any_length(void **state)
 {
     enum { STEPS = 300 };

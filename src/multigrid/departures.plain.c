@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Values at the feet of paths (feet.h). */
+/* Values at the departure points of paths (departures.h). */
 #include <math.h>
 
 #include "multigrid/plain.h"
 
-#include "multigrid/feet.h"
+#include "multigrid/departures.h"
 
 /* Beyond the end by which material comes nothing, beyond the other its last. */
 static double value(size_t n, const double *v, ptrdiff_t i, double meshes)
@@ -16,16 +16,16 @@ static double value(size_t n, const double *v, ptrdiff_t i, double meshes)
     return v[i < 0 ? 0 : n - 1];
 }
 
-/* No foot is farther away than this many domains. */
+/* No departure point is farther away than this many domains. */
 static double bounded(size_t n, double meshes)
 {
     double most = 2 * (double)n;
     return fmax(-most, fmin(meshes, most));
 }
 
-ovr_feet ovr_feet_of(size_t n, double meshes)
+ovr_departures ovr_departures_of(size_t n, double meshes)
 {
-    ovr_feet f = {.n = n, .meshes = bounded(n, meshes)};
+    ovr_departures f = {.n = n, .meshes = bounded(n, meshes)};
     double whole = floor(-f.meshes);
     ptrdiff_t size = (ptrdiff_t)n, first = (ptrdiff_t)whole - 1;
     ptrdiff_t from = first < 0 ? -first : 0, to = size - 3 - first;
@@ -38,7 +38,7 @@ ovr_feet ovr_feet_of(size_t n, double meshes)
     return f;
 }
 
-double ovr_feet_at(const ovr_feet *f, const double *v, size_t i)
+double ovr_departures_at(const ovr_departures *f, const double *v, size_t i)
 {
     ptrdiff_t at = (ptrdiff_t)i + f->first;
     double sum = 0;
@@ -47,14 +47,15 @@ double ovr_feet_at(const ovr_feet *f, const double *v, size_t i)
     return sum;
 }
 
-void ovr_feet_cubic(size_t n, const double *v, double meshes, double *at_feet)
+void ovr_departures_cubic(size_t n, const double *v, double meshes,
+                          double *at_departures)
 {
-    const ovr_feet f = ovr_feet_of(n, meshes);
+    const ovr_departures f = ovr_departures_of(n, meshes);
     for (size_t i = 0; i < n; i++)
-        at_feet[i] = ovr_feet_at(&f, v, i);
+        at_departures[i] = ovr_departures_at(&f, v, i);
 }
 
-double ovr_foot_linear(size_t n, const double *v, size_t i, double meshes)
+double ovr_departure_linear(size_t n, const double *v, size_t i, double meshes)
 {
     double at = (double)i - bounded(n, meshes), whole = floor(at);
     double s = at - whole;
@@ -63,15 +64,15 @@ double ovr_foot_linear(size_t n, const double *v, size_t i, double meshes)
            s * value(n, v, first + 1, meshes);
 }
 
-void ovr_carry_along_plain(const ovr_feet *f, const double *v, double *to)
+void ovr_carry_along_plain(const ovr_departures *f, const double *v, double *to)
 {
     for (size_t i = 0; i < f->n; i++)
-        to[i] = ovr_feet_at(f, v, i);
+        to[i] = ovr_departures_at(f, v, i);
 }
 
-void ovr_film_feet_plain(size_t n, double meshes, const double *u,
-                         const double *v, double *at_feet)
+void ovr_film_departures_plain(size_t n, double meshes, const double *u,
+                               const double *v, double *at_departures)
 {
     for (size_t i = 0; i < n; i++)
-        at_feet[i] = ovr_foot_linear(n, v, i, meshes * u[i]);
+        at_departures[i] = ovr_departure_linear(n, v, i, meshes * u[i]);
 }

@@ -171,10 +171,10 @@ static void fill_ghosts(ovr_simulation *sim, const move *m, const move *old,
         memcpy(q, sim->past.q[1], (SIDE + 1) * sizeof *q);
         ovr_inflow_ghosts(sim, 1, more);
         for (ptrdiff_t g = 0; g <= ghosts; g++) {
-            const double *foot = q - g - old->whole;
+            const double *departure = q - g - old->whole;
             bool between = old->part > 0;
-            came[-g] = *foot - crosses(old, foot, between) +
-                       crosses(old, foot - 1, between);
+            came[-g] = *departure - crosses(old, departure, between) +
+                       crosses(old, departure - 1, between);
         }
         ovr_inflow_ghosts(sim, 0, (size_t)ghosts);
         *q = *sim->past.q[0];

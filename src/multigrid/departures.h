@@ -1,36 +1,38 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Values at the feet of paths: what is at a node now was some meshes upstream
- * a step ago.
+ * Values at the departure points of paths: what is at a node now was some
+ * meshes upstream a step ago.
  *
  * All of a surface moves alike: Lagrange's cubic through four nodes, exact
  * where it moves by whole meshes.  Layers of the film move each at its own
  * speed: a line between two nodes, which makes no new extremes.  What enters
  * is nothing (a rise of 0); what has left is as at the end.
  */
-#ifndef OVR_MULTIGRID_FEET_H
-#define OVR_MULTIGRID_FEET_H
+#ifndef OVR_MULTIGRID_DEPARTURES_H
+#define OVR_MULTIGRID_DEPARTURES_H
 
 #include <stddef.h>
 
 /* The departure points of a surface: node i takes c[0..3] of the nodes from i +
  * first on, all of them there for `from` <= i < `to`. */
-typedef struct ovr_feet {
+typedef struct ovr_departures {
     size_t n, from, to;
     ptrdiff_t first;
     double meshes, c[4];
-} ovr_feet;
+} ovr_departures;
 
-ovr_feet ovr_feet_of(size_t n, double meshes);
+ovr_departures ovr_departures_of(size_t n, double meshes);
 
-/* v at the foot of node i, wherever that is. */
-double ovr_feet_at(const ovr_feet *feet, const double *v, size_t i);
+/* v at the departure point of node i, wherever that is. */
+double ovr_departures_at(const ovr_departures *departures, const double *v,
+                         size_t i);
 
 /* v at i - meshes, for all i. */
-void ovr_feet_cubic(size_t n, const double *v, double meshes, double *at_feet);
+void ovr_departures_cubic(size_t n, const double *v, double meshes,
+                          double *at_departures);
 
 /* v at i - meshes, at the one node. */
-double ovr_foot_linear(size_t n, const double *v, size_t i, double meshes);
+double ovr_departure_linear(size_t n, const double *v, size_t i, double meshes);
 
 /* Lagrange's cubic at s in [0, 1) of the middle of four nodes. */
 static inline void ovr_cubic_weights(double s, double c[4])
