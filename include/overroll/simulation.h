@@ -364,11 +364,11 @@ OVR_API double ovr_observable_value(const ovr_observable *which,
  * What is not kept is 0. */
 typedef struct ovr_statistics {
     long steps, cycles, retries, substeps, marked;
-    bool settled;       /* a march until steady ended because it was */
-    long lagging;       /* steps marked for temperatures not their film's */
-    double last_across; /* heat: largest Legendre coefficient of the highest
+    bool settled;           /* a march until steady ended because it was */
+    long lagging;           /* steps marked for temperatures not their film's */
+    double last_cross_film; /* heat: largest Legendre coefficient of the highest
                            degree across, over the rise; 0: less than 0.05 */
-    double averaged;    /* until when there are means */
+    double averaged;        /* until when there are means */
     ovr_observation extreme, where, when, mean;
     double
         H_mean_at_H_min; /* the film in |X| < 3/4 when H_min_located was least

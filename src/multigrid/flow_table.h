@@ -71,19 +71,19 @@ static inline law_value law_at(const double *table, vec s_N, vec g)
     vec y = smaller(larger(g, -g) + 1, all(OVR_LAW_MOST_GRADIENT));
     law_cell by_s = law_cell_of(x), by_g = law_cell_of(y);
     uvec row = (by_s.number << 5) + by_s.number + by_g.number;
-    vec along[2], rise[2], slope[2], across[2];
+    vec along[2], rise[2], slope[2], cross_film[2];
     for (int k = 0; k < 2; k++) {
         vec v[8];
         law_corners(table, (row + (uint64_t)(k * OVR_LAW_ROW)) << 2, v);
         along[k] = law_sum(by_g.b, v[0], v[2], v[4], v[6]);
         rise[k] = law_sum(by_g.b, v[1], v[3], v[5], v[7]);
         slope[k] = law_sum(by_g.d, v[0], v[2], v[4], v[6]);
-        across[k] = law_sum(by_g.d, v[1], v[3], v[5], v[7]);
+        cross_film[k] = law_sum(by_g.d, v[1], v[3], v[5], v[7]);
     }
     return (law_value){
         law_sum(by_s.b, along[0], rise[0], along[1], rise[1]),
         law_sum(by_s.d, along[0], rise[0], along[1], rise[1]),
-        law_sum(by_s.b, slope[0], across[0], slope[1], across[1]),
+        law_sum(by_s.b, slope[0], cross_film[0], slope[1], cross_film[1]),
         x - 1,
         y - 1,
         larger(s_N * (1 / (OVR_LAW_MOST_SLIDE - 1)), all(1))};

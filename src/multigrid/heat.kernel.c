@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A step of temperatures across the film (equations in across.h), node by
+ * A step of temperatures across the film (equations in cross_film.h), node by
  * node: nodes 1 to n - 1, in vectors that begin at node 1, the last one over
  * part of the one before; the end by itself.  The matrix of a node is symmetric
  * and heavy on its diagonal: elimination without a search for pivots.
  */
-#include "multigrid/across.h"
+#include "multigrid/cross_film.h"
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
 
@@ -13,7 +13,7 @@
 
 /* Rows of the matrix from the diagonal on, and the right side. */
 typedef struct rows {
-    vec A[OVR_MOST_ACROSS][OVR_MOST_ACROSS], b[OVR_MOST_ACROSS];
+    vec A[OVR_CROSS_FILM_MAX][OVR_CROSS_FILM_MAX], b[OVR_CROSS_FILM_MAX];
 } rows;
 
 static INLINE vec wall_at(const ovr_columns *c, const ovr_heat *heat, int k,
@@ -22,7 +22,8 @@ static INLINE vec wall_at(const ovr_columns *c, const ovr_heat *heat, int k,
     return fused(load(c->past[k] + i), all(heat->solid[k]), all(heat->bulk[k]));
 }
 
-static INLINE void assemble(const ovr_columns *c, const ovr_across *across,
+static INLINE void assemble(const ovr_columns *c,
+                            const ovr_cross_film *cross_film,
                             const ovr_heat *heat, int n, size_t i, rows *m)
 {
     vec q = load(c->q + i), H = load(c->H + i), P = load(c->P + i);
@@ -34,7 +35,7 @@ static INLINE void assemble(const ovr_columns *c, const ovr_across *across,
     vec pressing = heat->theta * bT_f * H;
     UNROLL
     for (int j = 0; j < n; j++) {
-        double w = across->w[j];
+        double w = cross_film->w[j];
         vec made = (w * heat->theta) * load(c->heating[j] + i);
         vec less_made = larger(made * cooling, all(0));
         vec stored = (w / c->dT) * q;
@@ -43,7 +44,7 @@ static INLINE void assemble(const ovr_columns *c, const ovr_across *across,
         press *= expansion_lightness(heat, bT_f, used);
         UNROLL
         for (int l = j; l < n; l++)
-            m->A[j][l] = conduction * across->K[j][l];
+            m->A[j][l] = conduction * cross_film->K[j][l];
         m->A[j][j] += stored + less_made - press;
         m->b[j] = fused(less_made, used, made);
         m->b[j] = fused(stored, load(c->departure[j] + i), m->b[j]);
@@ -59,7 +60,7 @@ static INLINE void assemble(const ovr_columns *c, const ovr_across *across,
 
 static INLINE void eliminate(int n, rows *m)
 {
-    vec inverse[OVR_MOST_ACROSS];
+    vec inverse[OVR_CROSS_FILM_MAX];
     UNROLL
     for (int k = 0; k < n; k++) {
         inverse[k] = 1 / m->A[k][k];
@@ -84,18 +85,18 @@ static INLINE void eliminate(int n, rows *m)
 static INLINE void columns(const ovr_columns *given, int n)
 {
     const ovr_columns own = *given, *c = &own; /* that no store can change */
-    const ovr_across across = *c->across;
+    const ovr_cross_film cross_film = *c->cross_film;
     const ovr_heat heat = *c->heat;
     for (size_t at = 1; at < c->n - 1; at += VEC) {
         size_t i = at + VEC <= c->n - 1 ? at : c->n - 1 - VEC;
         vec mean = all(0);
         rows m;
-        assemble(c, &across, &heat, n, i, &m);
+        assemble(c, &cross_film, &heat, n, i, &m);
         eliminate(n, &m);
         UNROLL
         for (int j = 0; j < n; j++) {
             store(c->T[j] + i, m.b[j]);
-            mean = fused(m.b[j], all(across.w[j]), mean);
+            mean = fused(m.b[j], all(cross_film.w[j]), mean);
         }
         store(c->mean + i, mean);
         for (int k = 0; k < 2; k++)
@@ -105,9 +106,9 @@ static INLINE void columns(const ovr_columns *given, int n)
     }
 }
 
-void OVR_KERNEL(heat_across)(const ovr_columns *c)
+void OVR_KERNEL(heat_cross_film)(const ovr_columns *c)
 {
-    if (c->across->n == 5)
+    if (c->cross_film->n == 5)
         columns(c, 5);
     else
         columns(c, 7);

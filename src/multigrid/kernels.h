@@ -177,11 +177,11 @@ enum { OVR_FOURTH_MARGIN = 8 };
                           double *t)) \
     K(double, limit_stress, (const ovr_sheared *f, double limit, double *t)) \
     K(ovr_friction, friction, (const ovr_sheared *f, const double *t)) \
-    /* ln(eta/eta0) at T0; columns across the film, see across.h */ \
+    /* ln(eta/eta0) at T0; columns across the film, see cross_film.h */ \
     K(void, log_viscosity, (size_t n, const ovr_fluid *fluid, const double *P, \
                             const double *H, double *log_eta)) \
-    K(void, flow_across, (const struct ovr_columns *c)) \
-    K(void, heat_across, (const struct ovr_columns *c)) \
+    K(void, flow_cross_film, (const struct ovr_columns *c)) \
+    K(void, heat_cross_film, (const struct ovr_columns *c)) \
     /* what surfaces and film carry along, see departures.h */ \
     K(void, carry_along, (const struct ovr_departures *f, const double *v, \
                           double *to)) \

@@ -145,9 +145,9 @@ static void warn_of_lag(ovr_run *run)
 static void warn_of_points(ovr_run *run)
 {
     const ovr_statistics *s = ovr_simulation_statistics(run->sim);
-    double off = 400 * s->last_across * s->last_across;
+    double off = 400 * s->last_cross_film * s->last_cross_film;
     char text[OVR_MESSAGE_SIZE];
-    if (!(s->last_across > 0) || ovr_simulation_heat_points(run->sim) != 5)
+    if (!(s->last_cross_film > 0) || ovr_simulation_heat_points(run->sim) != 5)
         return;
     snprintf(text, sizeof text,
              "heat: 5 points across the film leave friction too low by about "

@@ -17,7 +17,7 @@
 #include "multigrid/flow.h"
 #include "simulation/simulation.h"
 
-enum { FEWEST_ACROSS = 5 };
+enum { CROSS_FILM_MIN = 5 };
 
 /* --------------------------------------------------------------- creation */
 
@@ -35,7 +35,7 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (ovr_simulation_take(sim, all[k], err))
             return OVR_NO_MEMORY;
-    for (int j = 0; j < h->across.n; j++)
+    for (int j = 0; j < h->cross_film.n; j++)
         if (ovr_simulation_take(sim, &h->T[j], err) ||
             ovr_simulation_take(sim, &h->used[j], err))
             return OVR_NO_MEMORY;
@@ -74,7 +74,8 @@ static ovr_status take_heat(ovr_simulation *sim, const void *form, void **own,
                    ? oil->limiting_shear / sim->contact.kappa
                    : INFINITY;
     h->chooses = numbers.points == 0;
-    ovr_across_make(h->chooses ? OVR_MOST_ACROSS : numbers.points, &h->across);
+    ovr_cross_film_make(h->chooses ? OVR_CROSS_FILM_MAX : numbers.points,
+                        &h->cross_film);
     if (take_arrays(sim, h, err))
         return OVR_NO_MEMORY;
     *own = sim->heated = h;
@@ -83,7 +84,7 @@ static ovr_status take_heat(ovr_simulation *sim, const void *form, void **own,
         ovr_heat_steps_take(sim, err))
         return OVR_NO_MEMORY;
     if (h->chooses)
-        ovr_across_make(FEWEST_ACROSS, &h->across);
+        ovr_cross_film_make(CROSS_FILM_MIN, &h->cross_film);
     return OVR_OK;
 }
 
@@ -94,7 +95,7 @@ static void reset(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
     if (h->chooses)
-        ovr_across_make(FEWEST_ACROSS, &h->across);
+        ovr_cross_film_make(CROSS_FILM_MIN, &h->cross_film);
     ovr_heat_march_begin(sim);
     ovr_heat_march_columns(sim);
     h->steps->trying = false;
@@ -105,7 +106,7 @@ static void reset(ovr_simulation *sim)
         h->th[i] = 1;
         h->shift[i] = h->turned[i] = 0;
         h->drag[i] = h->swell[i] = 1;
-        for (int j = 0; j < h->across.n; j++)
+        for (int j = 0; j < h->cross_film.n; j++)
             h->T[j][i] = h->used[j][i] = 0;
         h->q[0][i] = h->q[1][i] = 0;
     }
@@ -115,7 +116,7 @@ static void reset(ovr_simulation *sim)
 /* ------------------------------------------------------------- observed */
 
 /* The isothermal film's stress with the viscosities of this one, as Reynolds'
- * equation has them, and what their profile does beyond (across.h). */
+ * equation has them, and what their profile does beyond (cross_film.h). */
 static void find_stress(ovr_simulation *sim, const ovr_sheared *film,
                         const ovr_fluid *fluid, double *t)
 {
@@ -149,7 +150,7 @@ static void observe_temperatures(const ovr_simulation *sim, ovr_observation *o)
 {
     const ovr_heated *h = sim->heated;
     double T0 = h->numbers.T0;
-    for (int j = 0; j < h->across.n; j++) {
+    for (int j = 0; j < h->cross_film.n; j++) {
         double T = NAN, X = NAN;
         largest(sim, h->T[j], &T, &X);
         if (!(T <= o->T_max_rise)) {
@@ -158,21 +159,21 @@ static void observe_temperatures(const ovr_simulation *sim, ovr_observation *o)
         }
     }
     largest(sim, h->T[0], &o->T_1_max_rise, &o->X_T_1_max);
-    largest(sim, h->T[h->across.n - 1], &o->T_2_max_rise, &o->X_T_2_max);
+    largest(sim, h->T[h->cross_film.n - 1], &o->T_2_max_rise, &o->X_T_2_max);
     o->T_film_max = T0 + o->T_max_rise;
     o->T_1_max = T0 + o->T_1_max_rise;
     o->T_2_max = T0 + o->T_2_max_rise;
 }
 
 /* x of heat.h. */
-static double last_across(const ovr_simulation *sim, double rise)
+static double last_cross_film(const ovr_simulation *sim, double rise)
 {
     const ovr_heated *h = sim->heated;
     double most = 0;
     for (size_t i = 0; i < sim->now.n; i++) {
         double a = 0;
-        for (int j = 0; j < h->across.n; j++)
-            a += h->across.last[j] * h->T[j][i];
+        for (int j = 0; j < h->cross_film.n; j++)
+            a += h->cross_film.last[j] * h->T[j][i];
         most = ovr_larger(most, fabs(a));
     }
     return rise > 0 ? most / rise : 0;
@@ -190,16 +191,16 @@ static bool is_uneven(double x, double rise)
 static void observe_points(ovr_simulation *sim, const ovr_observation *o)
 {
     ovr_statistics *s = &sim->statistics;
-    double x = last_across(sim, o->T_max_rise);
+    double x = last_cross_film(sim, o->T_max_rise);
     if (is_uneven(x, o->T_max_rise))
-        s->last_across = ovr_larger(s->last_across, x);
+        s->last_cross_film = ovr_larger(s->last_cross_film, x);
 }
 
 int ovr_simulation_heat_points(const ovr_simulation *sim)
 {
     if (!sim)
         return 0;
-    return sim->heated ? sim->heated->across.n : 0;
+    return sim->heated ? sim->heated->cross_film.n : 0;
 }
 
 static double flow_into(const ovr_simulation *sim, int k)
@@ -267,8 +268,8 @@ static const double *rises(const ovr_heated *h, ovr_heat_place place)
 {
     switch (place) {
     case OVR_HEAT_SURFACE_1: return h->T[0];
-    case OVR_HEAT_SURFACE_2: return h->T[h->across.n - 1];
-    case OVR_HEAT_MIDDLE: return h->T[h->across.n / 2];
+    case OVR_HEAT_SURFACE_2: return h->T[h->cross_film.n - 1];
+    case OVR_HEAT_MIDDLE: return h->T[h->cross_film.n / 2];
     case OVR_HEAT_MEAN: break;
     }
     return h->mean;
@@ -362,19 +363,19 @@ static void turns(ovr_simulation *sim, const ovr_full *how,
 }
 
 /* The same temperatures at more points. */
-static void refine_across(ovr_simulation *sim)
+static void refine_cross_film(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
-    const ovr_across few = h->across;
-    ovr_across_make(OVR_MOST_ACROSS, &h->across);
+    const ovr_cross_film few = h->cross_film;
+    ovr_cross_film_make(OVR_CROSS_FILM_MAX, &h->cross_film);
     for (int field = 0; field < 2; field++) {
         double **v = field ? h->used : h->T;
         for (size_t i = 0; i < sim->now.n; i++) {
-            double at[OVR_MOST_ACROSS], moved[OVR_MOST_ACROSS];
+            double at[OVR_CROSS_FILM_MAX], moved[OVR_CROSS_FILM_MAX];
             for (int j = 0; j < few.n; j++)
                 at[j] = v[j][i];
-            ovr_across_move(&few, at, &h->across, moved);
-            for (int j = 0; j < h->across.n; j++)
+            ovr_cross_film_move(&few, at, &h->cross_film, moved);
+            for (int j = 0; j < h->cross_film.n; j++)
                 v[j][i] = moved[j];
         }
     }
@@ -384,7 +385,7 @@ static double largest_rise(const ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
     double rise = 0;
-    for (int j = 0; j < h->across.n; j++)
+    for (int j = 0; j < h->cross_film.n; j++)
         for (size_t i = 0; i < sim->now.n; i++)
             rise = ovr_larger(rise, h->T[j][i]);
     return rise;
@@ -397,13 +398,13 @@ static void couple(ovr_simulation *sim, void *own, const ovr_full *how,
     ovr_heated *h = own;
     double rise;
     turns(sim, how, outcome);
-    if (!h->chooses || h->across.n > FEWEST_ACROSS ||
+    if (!h->chooses || h->cross_film.n > CROSS_FILM_MIN ||
         !(outcome->defect.imbalance < 1))
         return;
     rise = largest_rise(sim);
-    if (!is_uneven(last_across(sim, rise), rise))
+    if (!is_uneven(last_cross_film(sim, rise), rise))
         return;
-    refine_across(sim);
+    refine_cross_film(sim);
     turns(sim, how, outcome);
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Heat in a steady contact (in time: heat_in_time.h): temperatures of film and
- * surfaces by marching along x (across.h, solids.h), and what Reynolds'
+ * surfaces by marching along x (cross_film.h, solids.h), and what Reynolds'
  * equation gets of them, in turn with cycles until neither changes.
  *
  * A node is entered from the one upstream, t_j = D/u_j, u_j at least 0.02. Heat
@@ -31,7 +31,7 @@
  *     th = (T0 - 138 K + T_m)^(-S0)/...,  log2(1/eta) <- th log2(1/eta) + shift
  *     shift = (1 - th) C/ln 2 + log2 psi_e      Roelands
  *     shift = beta T_m/ln 2 + log2 psi_e, th = 1    others
- *     rho <- rho swell, where density expands (across.h)
+ *     rho <- rho swell, where density expands (cross_film.h)
  *     F = wedge of q D, at um = 1: of q (V/2) m_1/m_0
  *
  * go down to all grids by injection, F to the finest alone.
@@ -45,29 +45,29 @@
 typedef struct ovr_heated {
     ovr_heat numbers;
     bool chooses; /* 5 points or 7 */
-    ovr_across across;
+    ovr_cross_film cross_film;
     ovr_memory memory[2];
-    double speed[2];               /* |u_k|/um of the march */
-    int way[2];                    /* along x: 1; against it: -1 */
-    double longest[2];             /* time that a surface remembers */
-    double *T[OVR_MOST_ACROSS];    /* rises at the nodes, by points */
-    double *used[OVR_MOST_ACROSS]; /* under-relaxed: what the film has */
-    double *q[2];                  /* T_zeta/H into the surfaces */
-    double *mean;                  /* T_m of T */
-    double *t;                     /* mean stress at the nodes */
-    double *turned, *drag;         /* q V/2 m_1/m_0; psi_c */
-    double *th, *shift, *swell;    /* in the order of the nodes */
-    double V, u1;                  /* now */
+    double speed[2];                  /* |u_k|/um of the march */
+    int way[2];                       /* along x: 1; against it: -1 */
+    double longest[2];                /* time that a surface remembers */
+    double *T[OVR_CROSS_FILM_MAX];    /* rises at the nodes, by points */
+    double *used[OVR_CROSS_FILM_MAX]; /* under-relaxed: what the film has */
+    double *q[2];                     /* T_zeta/H into the surfaces */
+    double *mean;                     /* T_m of T */
+    double *t;                        /* mean stress at the nodes */
+    double *turned, *drag;            /* q V/2 m_1/m_0; psi_c */
+    double *th, *shift, *swell;       /* in the order of the nodes */
+    double V, u1;                     /* now */
     /* by find_stress: power that is made, and of its size node by node */
     double made, made_size;
     double balanced; /* power to which the observed defect is relative */
     struct ovr_heat_turns *turns; /* heat_turns.h */
     struct ovr_heat_steps *steps; /* heat_in_time.h */
-    double Sigma0, limit;         /* as in across.h; limit over P */
+    double Sigma0, limit;         /* as in cross_film.h; limit over P */
     ovr_columns film;
     double *log_eta;       /* at T0 */
     double *oil, *content; /* H and q of what is there (heat_film.h) */
-    double *departure[OVR_MOST_ACROSS]; /* T at those points of a step */
+    double *departure[OVR_CROSS_FILM_MAX]; /* T at those points of a step */
 } ovr_heated;
 
 /* Speeds of the surfaces at T = 0, and their memories from node to node. */

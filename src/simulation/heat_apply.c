@@ -119,7 +119,7 @@ double ovr_heat_relax(ovr_simulation *sim, double share)
     const double most = 0.5, least = 10;
     ovr_heated *h = sim->heated;
     double change = 0, rise = 1e-300;
-    for (int j = 0; j < h->across.n; j++)
+    for (int j = 0; j < h->cross_film.n; j++)
         for (size_t i = 0; i < sim->now.n; i++) {
             double d = h->T[j][i] - h->used[j][i];
             double limit = most * fabs(h->used[j][i]) + least;

@@ -14,13 +14,13 @@ ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err)
 {
     ovr_heated *h = sim->heated;
     ovr_columns *c = &h->film;
-    double **all[3 * OVR_MOST_ACROSS + 6];
+    double **all[3 * OVR_CROSS_FILM_MAX + 6];
     int count = 0;
     all[count++] = &h->log_eta;
     all[count++] = &h->oil;
     all[count++] = &h->content;
     all[count++] = &c->fall;
-    for (int j = 0; j < h->across.n; j++) {
+    for (int j = 0; j < h->cross_film.n; j++) {
         all[count++] = &c->u[j];
         all[count++] = &c->heating[j];
         all[count++] = &h->departure[j];
@@ -80,7 +80,7 @@ static void begin(ovr_simulation *sim)
     const ovr_lubricant *oil = &sim->lubricant;
     ovr_heated *h = sim->heated;
     ovr_columns *c = &h->film;
-    c->across = &h->across;
+    c->cross_film = &h->cross_film;
     c->heat = &h->numbers;
     c->n = now->n;
     c->lambda = sim->contact.lambda;
@@ -96,7 +96,7 @@ static void begin(ovr_simulation *sim)
     c->log_eta = h->log_eta;
     c->t = h->t;
     c->th = NULL;
-    for (int j = 0; j < h->across.n; j++)
+    for (int j = 0; j < h->cross_film.n; j++)
         c->used[j] = h->used[j];
     sim->grids.kernels->log_viscosity(now->n, &sim->grids.fluid, now->P, now->H,
                                       h->log_eta);
@@ -113,7 +113,7 @@ static void add_power(ovr_simulation *sim)
     memset(power, 0, sim->now.n * sizeof *power);
     OVR_EACH_PHYSICS(sim, p, heat)
         p->is->heat(sim, p->own, power);
-    for (int j = 0; j < h->across.n; j++)
+    for (int j = 0; j < h->cross_film.n; j++)
         for (size_t i = 0; i < sim->now.n; i++)
             h->film.heating[j][i] += power[i];
 }
@@ -122,7 +122,7 @@ void ovr_heat_film(ovr_simulation *sim)
 {
     begin(sim);
     fill_oil(sim);
-    sim->grids.kernels->flow_across(&sim->heated->film);
+    sim->grids.kernels->flow_cross_film(&sim->heated->film);
     add_power(sim);
 }
 
@@ -137,7 +137,7 @@ void ovr_heat_film_fields(ovr_simulation *sim)
     c->drag = h->drag;
     c->swell = h->swell;
     c->turned = h->turned;
-    sim->grids.kernels->flow_across(c);
+    sim->grids.kernels->flow_cross_film(c);
 }
 
 double ovr_heat_made(const ovr_simulation *sim, double *size)
@@ -151,10 +151,10 @@ double ovr_heat_made(const ovr_simulation *sim, double *size)
         double P_X = (P[i + 1] - P[i - 1]) / (X[i + 1] - X[i - 1]);
         double P_T = c->P_T ? c->P_T[i] : 0, part = 0;
         double bT_f = expansion_at(&h->numbers, P[i]);
-        for (int j = 0; P[i] > 0 && j < h->across.n; j++) {
+        for (int j = 0; P[i] > 0 && j < h->cross_film.n; j++) {
             double beta = bT_f *
                           expansion_lightness(&h->numbers, bT_f, h->used[j][i]);
-            part += h->across.w[j] *
+            part += h->cross_film.w[j] *
                     (c->heating[j][i] + beta * c->H[i] *
                                             (h->numbers.T0 + h->T[j][i]) *
                                             (P_T + c->u[j][i] * P_X));
@@ -172,8 +172,8 @@ double ovr_heat_stored(const ovr_simulation *sim)
     double stored = 0;
     for (size_t i = 1; i + 1 < c->n; i++) {
         double part = 0;
-        for (int j = 0; c->P[i] > 0 && j < h->across.n; j++)
-            part += h->across.w[j] *
+        for (int j = 0; c->P[i] > 0 && j < h->cross_film.n; j++)
+            part += h->cross_film.w[j] *
                     (h->T[j][i] - ovr_column_departure(c, j, i)) /
                     ovr_column_travel(c, j, i);
         stored += sim->now.weights[i] * c->q[i] * part;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The film that was read last as columns (multigrid/across.h): what flows in
- * it, with viscosities by the temperatures `used`.
+ * The film that was read last as columns (multigrid/cross_film.h): what flows
+ * in it, with viscosities by the temperatures `used`.
  *
  * Where the film has ruptured, what is left of it fills less than the gap:
  * what the last wet node upstream lets through, or, where oil is conserved,
@@ -10,7 +10,7 @@
 #ifndef OVR_SIMULATION_HEAT_FILM_H
 #define OVR_SIMULATION_HEAT_FILM_H
 
-#include "multigrid/across.h"
+#include "multigrid/cross_film.h"
 #include "simulation/internal.h"
 
 /* Places for what flows. */

@@ -21,7 +21,7 @@ static const double PRESSED = 0.1;
 /* At most, of a step's temperatures. */
 enum { PASSES = 7 };
 
-enum { FIELDS = OVR_HEAT_KEPT - OVR_MOST_ACROSS };
+enum { FIELDS = OVR_HEAT_KEPT - OVR_CROSS_FILM_MAX };
 
 /* --------------------------------------------------------------- creation */
 
@@ -29,8 +29,8 @@ ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
 {
     ovr_heated *h = sim->heated;
     ovr_heat_steps *s = ovr_arena_take(&sim->arena, 1, sizeof *s, err);
-    int points = h->across.n, count = 0;
-    double **all[3 * OVR_MOST_ACROSS + 16];
+    int points = h->cross_film.n, count = 0;
+    double **all[3 * OVR_CROSS_FILM_MAX + 16];
     if (!s)
         return OVR_NO_MEMORY;
     h->steps = s;
@@ -61,20 +61,20 @@ ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
 static double *kept_of(const ovr_heated *h, int k)
 {
     double *const fields[] = {h->th, h->shift, h->drag, h->turned, h->swell};
-    return k < h->across.n ? h->used[k] : fields[k - h->across.n];
+    return k < h->cross_film.n ? h->used[k] : fields[k - h->cross_film.n];
 }
 
 static void keep(const ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
-    for (int k = 0; k < h->across.n + FIELDS; k++)
+    for (int k = 0; k < h->cross_film.n + FIELDS; k++)
         memcpy(h->steps->kept[k], kept_of(h, k), sim->now.n * sizeof(double));
 }
 
 static void swap_trial(ovr_heated *h)
 {
     ovr_heat_steps *s = h->steps;
-    for (int j = 0; j < h->across.n; j++)
+    for (int j = 0; j < h->cross_film.n; j++)
         ovr_swap(&h->T[j], &s->T_before[j]);
     for (int k = 0; k < 2; k++)
         ovr_swap(&h->q[k], &s->q_before[k]);
@@ -88,7 +88,7 @@ static void withdraw(ovr_simulation *sim)
     if (!h->steps->trying)
         return;
     swap_trial(h);
-    for (int k = 0; k < h->across.n + FIELDS; k++)
+    for (int k = 0; k < h->cross_film.n + FIELDS; k++)
         memcpy(kept_of(h, k), h->steps->kept[k], sim->now.n * sizeof(double));
 }
 
@@ -99,7 +99,7 @@ void ovr_heat_begin(ovr_simulation *sim)
     s->dT = s->stored = 0;
     s->most_balanced = sim->heated->balanced;
     memset(s->P_T, 0, sim->now.n * sizeof *s->P_T);
-    for (int j = 0; j < sim->heated->across.n; j++)
+    for (int j = 0; j < sim->heated->cross_film.n; j++)
         memset(s->change[j], 0, sim->now.n * sizeof *s->change[j]);
     keep(sim);
 }
@@ -186,11 +186,11 @@ static void solve_nodes(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
     size_t entry = sim->backward ? sim->now.n - 1 : 0;
-    sim->grids.kernels->heat_across(&h->film);
+    sim->grids.kernels->heat_cross_film(&h->film);
     if (sim->backward)
         ovr_column_heat(&h->film, 0);
     h->mean[entry] = h->q[0][entry] = h->q[1][entry] = 0;
-    for (int j = 0; j < h->across.n; j++)
+    for (int j = 0; j < h->cross_film.n; j++)
         h->T[j][entry] = 0;
 }
 
@@ -206,7 +206,7 @@ static void pass(ovr_simulation *sim)
     c->least_u = 0;
     c->P_T = s->P_T;
     c->mean = h->mean;
-    for (int j = 0; j < h->across.n; j++) {
+    for (int j = 0; j < h->cross_film.n; j++) {
         run->film_departures(c->n, s->dT / ovr_mesh(sim), c->u[j],
                              s->T_before[j], h->departure[j]);
         c->departure[j] = h->departure[j];
@@ -226,7 +226,7 @@ static double lag(const ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
     double most = 0;
-    for (int j = 0; j < h->across.n; j++)
+    for (int j = 0; j < h->cross_film.n; j++)
         for (size_t i = 0; i < sim->now.n; i++)
             if (sim->now.P[i] > PRESSED)
                 most = ovr_larger(most, h->film.fall[i] *
@@ -265,7 +265,7 @@ static void foresee(ovr_simulation *sim)
     const double most = 0.15;
     ovr_heated *h = sim->heated;
     double old = sim->past.dT, factor = old > 0 ? h->steps->dT / old : 0;
-    for (int j = 0; j < h->across.n; j++)
+    for (int j = 0; j < h->cross_film.n; j++)
         for (size_t i = 0; i < sim->now.n; i++) {
             double change = factor * h->steps->change[j][i];
             double fall = h->film.fall[i] * fabs(change);
@@ -327,7 +327,7 @@ void ovr_heat_taken(ovr_simulation *sim)
         heat(sim);
     for (int k = 0; k < 2; k++)
         ovr_heat_surface_remember(sim, k, sim->heated->q[k]);
-    for (int j = 0; j < sim->heated->across.n; j++)
+    for (int j = 0; j < sim->heated->cross_film.n; j++)
         sim->grids.kernels->combine(sim->now.n, 1, sim->heated->T[j], -1,
                                     s->T_before[j], s->change[j]);
     s->trying = false;
@@ -373,15 +373,15 @@ ovr_status ovr_heat_visit(ovr_simulation *sim, ovr_visit *visit, void *context,
                           ovr_error *err)
 {
     ovr_heated *h = sim->heated;
-    int points = h->across.n;
+    int points = h->cross_film.n;
     ovr_status status = visit(context, "heat_points", &points, sizeof points,
                               err);
-    if (!status && points != h->across.n && !h->chooses)
+    if (!status && points != h->cross_film.n && !h->chooses)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "the state has %d points across the film, this run %d",
-                        points, h->across.n);
-    if (points != h->across.n)
-        ovr_across_make(points, &h->across);
+                        points, h->cross_film.n);
+    if (points != h->cross_film.n)
+        ovr_cross_film_make(points, &h->cross_film);
     if (!status)
         status = visit(context, "heat_stored", &h->steps->stored,
                        sizeof h->steps->stored, err);
@@ -391,13 +391,13 @@ ovr_status ovr_heat_visit(ovr_simulation *sim, ovr_visit *visit, void *context,
     if (!status)
         status = visit_array(sim, "pressing", 1, h->steps->P_T, visit, context,
                              err);
-    for (int j = 0; !status && j < h->across.n; j++)
+    for (int j = 0; !status && j < h->cross_film.n; j++)
         status = visit_array(sim, "temperature", j + 1, h->T[j], visit, context,
                              err);
-    for (int j = 0; !status && j < h->across.n; j++)
+    for (int j = 0; !status && j < h->cross_film.n; j++)
         status = visit_array(sim, OVR_YOUNGER "temperature_change", j + 1,
                              h->steps->change[j], visit, context, err);
-    for (int k = 0; !status && k < h->across.n + FIELDS; k++)
+    for (int k = 0; !status && k < h->cross_film.n + FIELDS; k++)
         status = visit_array(sim, "viscosity_by", k + 1, kept_of(h, k), visit,
                              context, err);
     for (int k = 0; !status && k < 2; k++) {
@@ -416,8 +416,8 @@ void ovr_heat_restored(ovr_simulation *sim)
     h->steps->dT = sim->past.dT;
     for (size_t i = 0; i < sim->now.n; i++) {
         h->mean[i] = 0;
-        for (int j = 0; j < h->across.n; j++)
-            h->mean[i] += h->across.w[j] * h->T[j][i];
+        for (int j = 0; j < h->cross_film.n; j++)
+            h->mean[i] += h->cross_film.w[j] * h->T[j][i];
     }
     if (!(h->steps->dT > 0)) { /* the steady start */
         ovr_heat_march_begin(sim);

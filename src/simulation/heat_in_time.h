@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Heat in time: a step of the temperatures of film and surfaces (across.h,
+ * Heat in time: a step of the temperatures of film and surfaces (cross_film.h,
  * solids.h), and what Reynolds' equation gets of them.
  *
  * A layer j of the film comes from X - u_j dT, T_j' is what is there a step
@@ -70,14 +70,14 @@
 #include "simulation/heat_surfaces.h"
 
 /* The temperatures used, th, shift, drag, turned, swell. */
-enum { OVR_HEAT_KEPT = OVR_MOST_ACROSS + 5 };
+enum { OVR_HEAT_KEPT = OVR_CROSS_FILM_MAX + 5 };
 
 typedef struct ovr_heat_steps {
     double dT;
     bool trying; /* T and q of ovr_heated are of a step not yet taken */
-    double *T_before[OVR_MOST_ACROSS], *q_before[2]; /* then: a step ago */
-    double *change[OVR_MOST_ACROSS]; /* of T, in the last step taken */
-    double *kept[OVR_HEAT_KEPT];     /* of the last time reached */
+    double *T_before[OVR_CROSS_FILM_MAX], *q_before[2]; /* then: a step ago */
+    double *change[OVR_CROSS_FILM_MAX]; /* of T, in the last step taken */
+    double *kept[OVR_HEAT_KEPT];        /* of the last time reached */
     ovr_heat_surface surface[2];
     double *F;            /* history term of Reynolds' equation */
     double *P_T;          /* that the step was heated by */

@@ -87,7 +87,7 @@ void ovr_heat_march_columns(ovr_simulation *sim)
     c->both_ways = opposed(h);
     c->back = !opposed(h) && h->way[0] < 0;
     c->mean = h->mean;
-    for (int j = 0; j < h->across.n; j++)
+    for (int j = 0; j < h->cross_film.n; j++)
         c->departure[j] = c->T[j] = h->T[j];
     for (int k = 0; k < 2; k++) {
         c->past[k] = h->steps->surface[k].past;

@@ -16,7 +16,7 @@ ovr_status ovr_heat_turns_take(ovr_simulation *sim, ovr_error *err)
         return OVR_NO_MEMORY;
     h->turns = t;
     for (int k = 0; k < OVR_TURNS_KEPT; k++)
-        for (int j = 0; j < h->across.n; j++) {
+        for (int j = 0; j < h->cross_film.n; j++) {
             t->u[k][j] = ovr_arena_take(&sim->arena, n, sizeof(double), err);
             t->r[k][j] = ovr_arena_take(&sim->arena, n, sizeof(double), err);
             if (!t->u[k][j] || !t->r[k][j])
@@ -43,7 +43,7 @@ typedef struct least {
 static void add_node(const ovr_heated *h, size_t i, least *l)
 {
     const ovr_heat_turns *t = h->turns;
-    for (int j = 0; j < h->across.n; j++) {
+    for (int j = 0; j < h->cross_film.n; j++) {
         double r = h->T[j][i] - h->used[j][i], d[OVR_TURNS_KEPT] = {0};
         for (int k = 0; k < t->kept; k++) {
             d[k] = r - t->r[k][j][i];
@@ -103,8 +103,8 @@ static void move(ovr_heated *h, size_t n, const double *g)
     const double most = 0.5, few = 10;
     ovr_heat_turns *t = h->turns;
     int before = t->kept;
-    keep(t, h->across.n);
-    for (int j = 0; j < h->across.n; j++)
+    keep(t, h->cross_film.n);
+    for (int j = 0; j < h->cross_film.n; j++)
         for (size_t i = 0; i < n; i++) {
             double u = h->used[j][i], r = h->T[j][i] - u, step = t->w * r;
             double limit = most * fabs(u) + few;
@@ -124,7 +124,7 @@ static void move(ovr_heated *h, size_t n, const double *g)
 static double largest_rest(const ovr_heated *h, size_t n)
 {
     double rest = 0, rise = 1e-300;
-    for (int j = 0; j < h->across.n; j++)
+    for (int j = 0; j < h->cross_film.n; j++)
         for (size_t i = 0; i < n; i++) {
             rest = ovr_larger(rest, fabs(h->T[j][i] - h->used[j][i]));
             rise = ovr_larger(rise, fabs(h->T[j][i]));

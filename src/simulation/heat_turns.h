@@ -28,15 +28,15 @@
 #ifndef OVR_SIMULATION_HEAT_TURNS_H
 #define OVR_SIMULATION_HEAT_TURNS_H
 
-#include "multigrid/across.h"
+#include "multigrid/cross_film.h"
 #include "simulation/internal.h"
 
 enum { OVR_TURNS_KEPT = 2 };
 
 /* The turns before, the last first. */
 typedef struct ovr_heat_turns {
-    double *u[OVR_TURNS_KEPT][OVR_MOST_ACROSS];
-    double *r[OVR_TURNS_KEPT][OVR_MOST_ACROSS];
+    double *u[OVR_TURNS_KEPT][OVR_CROSS_FILM_MAX];
+    double *r[OVR_TURNS_KEPT][OVR_CROSS_FILM_MAX];
     int kept;         /* of them */
     double w, change; /* the rest of the last over the largest rise */
 } ovr_heat_turns;

@@ -41,7 +41,7 @@ static const struct {
              PART("total_substeps", statistics.substeps),
              PART("total_marked", statistics.marked),
              PART("total_lagging", statistics.lagging),
-             PART("last_across", statistics.last_across),
+             PART("last_across", statistics.last_cross_film),
              PART("mean_until", statistics.averaged),
              PART("mean_film_at_least", statistics.H_mean_at_H_min),
              PART("settled", statistics.settled),

@@ -98,18 +98,18 @@ static void run_correct(void *sim)
 }
 
 /* Of a contact with heat, Eyring's film, 5 points. */
-static void run_flow_across(void *sim)
+static void run_flow_cross_film(void *sim)
 {
     ovr_simulation *s = sim;
     ovr_columns c = s->heated->film;
     c.th = NULL;
-    s->grids.kernels->flow_across(&c);
+    s->grids.kernels->flow_cross_film(&c);
 }
 
-static void run_heat_across(void *sim)
+static void run_heat_cross_film(void *sim)
 {
     ovr_simulation *s = sim;
-    s->grids.kernels->heat_across(&s->heated->film);
+    s->grids.kernels->heat_cross_film(&s->heated->film);
 }
 
 static void run_carry_along(void *sim)
@@ -158,12 +158,13 @@ static void run_step_modes(void *sim)
  * distribute: 6.  Reads delta, P; writes P.
  * restrict_fields, a fine node: 8/2.  Reads P, H, r; writes four coarse ones.
  * correct, a fine node: (2 + 5)/2.  Reads P and two coarse ones; writes P.
- * flow_across: means 10; six powers of temperature, each a logarithm 20, a
+ * flow_cross_film: means 10; six powers of temperature, each a logarithm 20, a
  * power 16 and 2; five ratios 19, moments 25, Y 19; hyperbolic functions of
  * three points 28, their sums 20, a 20, its logarithm 35; rates 25, heating and
  * velocities 60, gamma 24.  Reads X, P, H, log_eta, five T; writes five u and
  * heatings, t, gamma.
- * heat_across: rows 105, elimination 80, back substitution 25, mean and fluxes
+ * heat_cross_film: rows 105, elimination 80, back substitution 25, mean and
+ * fluxes
  * 18.  Reads X, P, H, q, P_T, gamma, two pasts, five u, heatings, T and
  * departure points; writes five T, the mean, two fluxes. carry_along: a
  * cubic 7.  Reads an array, writes one. step_modes, 16 of them: a cubic 7, two
@@ -185,8 +186,8 @@ static const struct kernel {
                {"distribute", run_distribute, 6, 24, false},
                {"restrict_fields", run_restrict, 4, 40, false},
                {"correct", run_correct, 3.5, 24, false},
-               {"flow_across", run_flow_across, 645, 168, true},
-               {"heat_across", run_heat_across, 228, 288, true},
+               {"flow_cross_film", run_flow_cross_film, 645, 168, true},
+               {"heat_cross_film", run_heat_cross_film, 228, 288, true},
                {"carry_along", run_carry_along, 7, 16, true},
                {"step_modes", run_step_modes, 288, 528, true}};
 enum { KERNELS = sizeof kernels / sizeof *kernels, ASSEMBLE = 5, SOLVE = 6 };

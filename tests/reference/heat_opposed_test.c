@@ -81,7 +81,7 @@ static void each_comes_in_colder(void **state)
     out = in;
     while (out + 1 < n && sim->now.X[out] < 1.2)
         out++;
-    int last = h->across.n - 1;
+    int last = h->cross_film.n - 1;
     print_message("at the inlet %.3f and %.3f K, at the outlet %.3f and %.3f "
                   "K\n",
                   h->T[0][in], h->T[last][in], h->T[0][out], h->T[last][out]);

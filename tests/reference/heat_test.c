@@ -565,7 +565,7 @@ static void points_by_the_steady_start(void **state)
             test_hot hot = test_hot_make(20, 13, rows[k].S, 0, &f);
             ovr_simulation *sim = solved(&hot, 6);
             by[j] = *ovr_simulation_observation(sim);
-            last[j] = ovr_simulation_statistics(sim)->last_across;
+            last[j] = ovr_simulation_statistics(sim)->last_cross_film;
             assert_int_equal(ovr_simulation_heat_points(sim),
                              f.points ? f.points : rows[k].points);
             ovr_simulation_free(sim);

@@ -8,18 +8,22 @@
 #include "contact/contact.h"
 #include "contact/flow_law.h"
 #include "contact/laws/law.h"
-#include "multigrid/across.h"
+#include "multigrid/cross_film.h"
 #include "multigrid/departures.h"
 #include "support/contact.h"
 #include "support/kernels.h"
 #include "support/test.h"
 
-enum { MOST = 70, IN = 2 * OVR_MOST_ACROSS + 8, OUT = 4 * OVR_MOST_ACROSS + 8 };
+enum {
+    MOST = 70,
+    IN = 2 * OVR_CROSS_FILM_MAX + 8,
+    OUT = 4 * OVR_CROSS_FILM_MAX + 8
+};
 
 /* Films with dry nodes, all that they are made of at random, and places for
  * what comes of them. */
 typedef struct films {
-    ovr_across across;
+    ovr_cross_film cross_film;
     ovr_heat heat;
     ovr_columns c;
     double in[IN][MOST], out[OUT][MOST];
@@ -43,7 +47,7 @@ static void put_places(films *f)
     f->count = 0;
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         *all[k] = f->out[f->count++];
-    for (int j = 0; j < f->across.n; j++) {
+    for (int j = 0; j < f->cross_film.n; j++) {
         c->u[j] = f->out[f->count++];
         c->heating[j] = f->out[f->count++];
         c->T[j] = f->out[f->count++];
@@ -53,8 +57,8 @@ static void put_places(films *f)
 static void fill(films *f, size_t n, int points, uint64_t *seed)
 {
     ovr_columns *c = &f->c;
-    ovr_across_make(points, &f->across);
-    *c = (ovr_columns){.across = &f->across, .heat = &f->heat, .n = n};
+    ovr_cross_film_make(points, &f->cross_film);
+    *c = (ovr_columns){.cross_film = &f->cross_film, .heat = &f->heat, .n = n};
     f->heat = (ovr_heat){.points = points,
                          .T0 = test_random(seed, 280, 400),
                          .theta = test_random(seed, 100, 1000),
@@ -89,7 +93,7 @@ static void fill(films *f, size_t n, int points, uint64_t *seed)
     }
     for (int j = 0; j < points; j++) {
         c->used[j] = input(f, 8 + j, -20, 150, seed);
-        c->departure[j] = input(f, 8 + OVR_MOST_ACROSS + j, -20, 150, seed);
+        c->departure[j] = input(f, 8 + OVR_CROSS_FILM_MAX + j, -20, 150, seed);
     }
     put_places(f);
 }
@@ -113,10 +117,10 @@ static void make(const ovr_kernels *run, films *f)
 {
     double *th = f->c.th;
     f->c.th = NULL;
-    run->flow_across(&f->c);
-    run->heat_across(&f->c);
+    run->flow_cross_film(&f->c);
+    run->heat_cross_film(&f->c);
     f->c.th = th;
-    run->flow_across(&f->c);
+    run->flow_cross_film(&f->c);
 }
 
 static void compare(films *plain, double tolerance)
@@ -126,7 +130,7 @@ static void compare(films *plain, double tolerance)
     make(test_kernels(0), plain);
     for (int k = 1; (run = test_kernels(k)); k++) {
         here = *plain;
-        here.c.across = &here.across;
+        here.c.cross_film = &here.cross_film;
         here.c.heat = &here.heat;
         memset(here.out, 0, sizeof here.out);
         put_places(&here);
@@ -196,7 +200,7 @@ static void surfaces_move_as_told(void **state)
         fill(&f, 57, 5, &seed);
         f.c.Sigma0 = 0.3;
         f.c.th = NULL;
-        run->flow_across(&f.c);
+        run->flow_cross_film(&f.c);
         for (size_t i = 0; i < 57; i++) {
             CHECK_NEAR(f.c.u[0][i], f.c.u1, 1e-12);
             CHECK_NEAR(f.c.u[4][i], f.c.u1 - f.c.V, 1e-9);
@@ -238,16 +242,16 @@ static void slab_conducts(void **state)
     for (int k = 0; (run = test_kernels(k)); k++) {
         flat(&f, k & 1 ? 7 : 5, &seed);
         f.c.V = 0;
-        run->flow_across(&f.c);
-        run->heat_across(&f.c);
+        run->flow_cross_film(&f.c);
+        run->heat_cross_film(&f.c);
         for (size_t i = 1; i + 1 < 57; i++) {
             double a = told(&f, 0, i), b = told(&f, 1, i);
             double all = f.c.H[i] + f.c.resistance[0] + f.c.resistance[1];
             double q = (b - a) / all;
             CHECK_NEAR(f.c.into[0][i], q, 1e-9 * (1 + fabs(q)));
             CHECK_NEAR(f.c.into[1][i], -q, 1e-9 * (1 + fabs(q)));
-            for (int j = 0; j < f.across.n; j++) {
-                double zeta = (1 + f.across.s[j]) / 2;
+            for (int j = 0; j < f.cross_film.n; j++) {
+                double zeta = (1 + f.cross_film.s[j]) / 2;
                 double T = a + q * (f.c.resistance[0] + zeta * f.c.H[i]);
                 CHECK_NEAR(f.c.T[j][i], T, 1e-9 * (1 + fabs(T)));
             }
@@ -269,8 +273,8 @@ static void couette_heats(void **state)
         f.heat.solid[0] = f.heat.solid[1];
         f.c.past[0] = f.c.past[1];
         f.c.resistance[0] = f.c.resistance[1];
-        run->flow_across(&f.c);
-        run->heat_across(&f.c);
+        run->flow_cross_film(&f.c);
+        run->heat_cross_film(&f.c);
         for (size_t i = 1; i + 1 < 57; i++) {
             double eta = exp(f.c.log_eta[i]), V = f.c.V;
             double most = f.heat.theta * f.c.lambda * eta * V * V /
@@ -278,8 +282,8 @@ static void couette_heats(void **state)
             CHECK_NEAR(f.c.t[i], -f.c.lambda * eta * V / (12 * f.c.H[i]),
                        1e-9 * fabs(f.c.t[i]));
             CHECK_NEAR(f.c.even[i], f.c.t[i], 1e-12 * fabs(f.c.t[i]));
-            for (int j = 0; j < f.across.n; j++) {
-                double s = f.across.s[j], T = most * (1 - s * s);
+            for (int j = 0; j < f.cross_film.n; j++) {
+                double s = f.cross_film.s[j], T = most * (1 - s * s);
                 CHECK_NEAR(f.c.T[j][i] - f.c.T[0][i], T,
                            1e-9 * (most + fabs(f.c.T[0][i])));
             }
@@ -289,12 +293,12 @@ static void couette_heats(void **state)
 
 static void turn_over(films *f)
 {
-    int last = f->across.n - 1;
+    int last = f->cross_film.n - 1;
     for (int j = 0; j < last - j; j++)
         for (size_t i = 0; i < f->c.n; i++) {
             double *rows[2][2] = {{f->in[8 + j], f->in[8 + last - j]},
-                                  {f->in[8 + OVR_MOST_ACROSS + j],
-                                   f->in[8 + OVR_MOST_ACROSS + last - j]}};
+                                  {f->in[8 + OVR_CROSS_FILM_MAX + j],
+                                   f->in[8 + OVR_CROSS_FILM_MAX + last - j]}};
             for (int r = 0; r < 2; r++) {
                 double kept = rows[r][0][i];
                 rows[r][0][i] = rows[r][1][i];
@@ -327,7 +331,7 @@ static void swapped_films_mirror(void **state)
         turn_over(&g);
         make(run, &f);
         make(run, &g);
-        int last = f.across.n - 1;
+        int last = f.cross_film.n - 1;
         for (size_t i = 1; i < 57; i++) {
             double t = fabs(f.c.t[i]);
             CHECK_NEAR(g.c.t[i], -f.c.t[i], 1e-9 * (1 + t));
@@ -419,7 +423,7 @@ static void fill_at(films *f, double T, const double *P)
     for (size_t i = 0; i < MOST; i++) {
         f->in[1][i] = P[i];
         for (int j = 0; j < 5; j++)
-            f->in[8 + j][i] = f->in[8 + OVR_MOST_ACROSS + j][i] = T;
+            f->in[8 + j][i] = f->in[8 + OVR_CROSS_FILM_MAX + j][i] = T;
     }
 }
 
@@ -436,7 +440,7 @@ static void pressed_oil_gets_denser(void **state)
         P[i] = 5.0 * (double)(i + 1) / MOST;
     fill_at(&f, T, P);
     for (int k = 0; test_kernels(k); k++) {
-        test_kernels(k)->flow_across(&f.c);
+        test_kernels(k)->flow_cross_film(&f.c);
         for (size_t i = 1; i + 1 < f.c.n; i++) {
             double swells = (1 / f.c.swell[i] - 1) / T; /* of v_0 */
             double dense = log(ovr_density(&dh, P[i] + h) /

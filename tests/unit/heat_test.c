@@ -7,7 +7,7 @@
 #include <stdio.h>
 
 #include "contact/heat_numbers.h"
-#include "multigrid/across.h"
+#include "multigrid/cross_film.h"
 #include "simulation/solids.h"
 #include "support/test.h"
 
@@ -104,12 +104,12 @@ static const ovr_heat oil = {
  * other points a polynomial of degree 4 is the same. */
 static void last_of_legendre(void **state)
 {
-    ovr_across a, b;
+    ovr_cross_film a, b;
     (void)state;
     for (int points = 5; points <= 7; points += 2) {
         double of[7] = {0}, moved[7];
-        ovr_across_make(points, &a);
-        ovr_across_make(12 - points, &b);
+        ovr_cross_film_make(points, &a);
+        ovr_cross_film_make(12 - points, &b);
         for (int j = 0; j < points; j++) {
             double s = a.s[j], s2 = s * s;
             double P4 = (35 * s2 * s2 - 30 * s2 + 3) / 8;
@@ -125,7 +125,7 @@ static void last_of_legendre(void **state)
         assert_true(fabs(of[2] - (points == 5)) < 1e-14);
         for (int j = 0; j < points; j++)
             of[j] = 1 + pow(a.s[j], 3) - 2 * pow(a.s[j], 4);
-        ovr_across_move(&a, of, &b, moved);
+        ovr_cross_film_move(&a, of, &b, moved);
         for (int j = 0; j < b.n; j++)
             CHECK_CLOSE(moved[j], 1 + pow(b.s[j], 3) - 2 * pow(b.s[j], 4),
                         1e-13);
@@ -148,13 +148,13 @@ static void slab_conduction(void **state)
                                  .wet = true};
         const ovr_wall wall[2] = {{2, 1e-12}, {5, 1e-12}};
         double T[7] = {0}, never[7];
-        ovr_across a;
-        ovr_flow_across flow;
-        ovr_across_make(points, &a);
-        ovr_flow_across_film(&a, &oil, &sheet, T, &flow);
+        ovr_cross_film a;
+        ovr_cross_film_flow flow;
+        ovr_cross_film_make(points, &a);
+        ovr_cross_film_flow_of(&a, &oil, &sheet, T, &flow);
         for (int j = 0; j < points; j++)
             never[j] = 1e30;
-        ovr_across_solve(&a, &oil, &sheet, &flow, T, never, wall, T);
+        ovr_cross_film_solve(&a, &oil, &sheet, &flow, T, never, wall, T);
         for (int j = 0; j < points; j++) {
             double z = (1 + a.s[j]) / 2, Q = flow.heating[0];
             CHECK_CLOSE(T[j],
@@ -181,18 +181,18 @@ static void adiabatic_couette_heating(void **state)
                              .wet = true};
     const ovr_wall wall[2] = {{0, 1e30}, {0, 1e30}};
     double T[7] = {0}, step[7];
-    ovr_across a;
-    ovr_flow_across flow;
+    ovr_cross_film a;
+    ovr_cross_film_flow flow;
     (void)state;
-    ovr_across_make(5, &a);
+    ovr_cross_film_make(5, &a);
     for (int j = 0; j < 5; j++)
         step[j] = 0.01;
     for (int k = 1; k <= 50; k++) {
         double departure[7];
         for (int j = 0; j < 5; j++)
             departure[j] = T[j];
-        ovr_flow_across_film(&a, &oil, &sheet, T, &flow);
-        ovr_across_solve(&a, &oil, &sheet, &flow, departure, step, wall, T);
+        ovr_cross_film_flow_of(&a, &oil, &sheet, T, &flow);
+        ovr_cross_film_solve(&a, &oil, &sheet, &flow, departure, step, wall, T);
         for (int j = 0; j < 5; j++)
             CHECK_CLOSE(T[j],
                         k * 0.01 * oil.theta * 0.25 * 0.1 /
@@ -218,16 +218,16 @@ static void what_is_made_flows_out(void **state)
                              .wet = true};
     const ovr_wall wall[2] = {{3, 0.2}, {1, 0.4}};
     double departure[7] = {1, 2, 4, 3, 2}, T[7], step[7], made = 0, gone = 0;
-    ovr_across a;
-    ovr_flow_across flow;
+    ovr_cross_film a;
+    ovr_cross_film_flow flow;
     (void)state;
     hot.C = 6, hot.S0 = 1.1, hot.expansion = 6e-4;
-    ovr_across_make(5, &a);
-    ovr_flow_across_film(&a, &hot, &sheet, departure, &flow);
+    ovr_cross_film_make(5, &a);
+    ovr_cross_film_flow_of(&a, &hot, &sheet, departure, &flow);
     CHECK_CLOSE(flow.u[4], 0.75, 1e-12);
     for (int j = 0; j < 5; j++)
         step[j] = 0.1 / fmax(flow.u[j], 0.02);
-    ovr_across_solve(&a, &hot, &sheet, &flow, departure, step, wall, T);
+    ovr_cross_film_solve(&a, &hot, &sheet, &flow, departure, step, wall, T);
     for (int j = 0; j < 5; j++) {
         made += a.w[j] * hot.theta *
                 (flow.heating[j] + 6e-4 * (350 + T[j]) * sheet.H *

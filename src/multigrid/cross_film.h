@@ -53,31 +53,33 @@
  * Gravity, heat along x and flow across the film are left out: below 0.2 % of
  * the film.
  */
-#ifndef OVR_MULTIGRID_ACROSS_H
-#define OVR_MULTIGRID_ACROSS_H
+#ifndef OVR_MULTIGRID_CROSS_FILM_H
+#define OVR_MULTIGRID_CROSS_FILM_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
 #include "overroll/heat.h"
 
-enum { OVR_MOST_ACROSS = 7 };
+enum { OVR_CROSS_FILM_MAX = 7 };
 
-typedef struct ovr_across {
+typedef struct ovr_cross_film {
     int n;
-    double s[OVR_MOST_ACROSS], w[OVR_MOST_ACROSS]; /* sum w = 1 */
-    double K[OVR_MOST_ACROSS][OVR_MOST_ACROSS];
-    double integral[OVR_MOST_ACROSS][OVR_MOST_ACROSS]; /* from 0 to zeta_j */
-    double last[OVR_MOST_ACROSS]; /* sum last_j T_j: by Legendre's polynomials,
-                                     the coefficient of the highest degree */
-} ovr_across;
+    double s[OVR_CROSS_FILM_MAX], w[OVR_CROSS_FILM_MAX]; /* sum w = 1 */
+    double K[OVR_CROSS_FILM_MAX][OVR_CROSS_FILM_MAX];
+    double integral[OVR_CROSS_FILM_MAX]
+                   [OVR_CROSS_FILM_MAX]; /* from 0 to zeta_j */
+    double
+        last[OVR_CROSS_FILM_MAX]; /* sum last_j T_j: by Legendre's polynomials,
+                                  the coefficient of the highest degree */
+} ovr_cross_film;
 
 /* Points, weights and matrices: 5 or 7. */
-void ovr_across_make(int points, ovr_across *across);
+void ovr_cross_film_make(int points, ovr_cross_film *cross_film);
 
 /* The polynomial through T at other points. */
-void ovr_across_move(const ovr_across *from, const double *T,
-                     const ovr_across *to, double *moved);
+void ovr_cross_film_move(const ovr_cross_film *from, const double *T,
+                         const ovr_cross_film *to, double *moved);
 
 /* The film at a node. */
 typedef struct ovr_sheet {
@@ -91,19 +93,19 @@ typedef struct ovr_sheet {
 } ovr_sheet;
 
 /* The flow in the film, for temperatures T. */
-typedef struct ovr_flow_across {
-    double m[3], mean;               /* m_k; T_m */
-    double log_eta;                  /* at T_m */
-    double t;                        /* mean shear stress */
-    double even;                     /* that of a uniform film */
-    double u[OVR_MOST_ACROSS];       /* velocity */
-    double heating[OVR_MOST_ACROSS]; /* tau u_z */
-    double beta[OVR_MOST_ACROSS];    /* expansion */
-} ovr_flow_across;
+typedef struct ovr_cross_film_flow {
+    double m[3], mean;                  /* m_k; T_m */
+    double log_eta;                     /* at T_m */
+    double t;                           /* mean shear stress */
+    double even;                        /* that of a uniform film */
+    double u[OVR_CROSS_FILM_MAX];       /* velocity */
+    double heating[OVR_CROSS_FILM_MAX]; /* tau u_z */
+    double beta[OVR_CROSS_FILM_MAX];    /* expansion */
+} ovr_cross_film_flow;
 
-void ovr_flow_across_film(const ovr_across *a, const ovr_heat *heat,
-                          const ovr_sheet *sheet, const double *T,
-                          ovr_flow_across *flow);
+void ovr_cross_film_flow_of(const ovr_cross_film *a, const ovr_heat *heat,
+                            const ovr_sheet *sheet, const double *T,
+                            ovr_cross_film_flow *flow);
 
 /* The relation that a surface sets: T = h + resistance q. */
 typedef struct ovr_wall {
@@ -111,10 +113,11 @@ typedef struct ovr_wall {
 } ovr_wall;
 
 /* Solves for T; `departure` and `travel` are T_j' and t_j. */
-void ovr_across_solve(const ovr_across *a, const ovr_heat *heat,
-                      const ovr_sheet *sheet, const ovr_flow_across *flow,
-                      const double *departure, const double *travel,
-                      const ovr_wall wall[2], double *T);
+void ovr_cross_film_solve(const ovr_cross_film *a, const ovr_heat *heat,
+                          const ovr_sheet *sheet,
+                          const ovr_cross_film_flow *flow,
+                          const double *departure, const double *travel,
+                          const ovr_wall wall[2], double *T);
 
 /*
  * The same of n nodes in their order, for kernels: a film, what flows in it,
@@ -126,17 +129,17 @@ void ovr_across_solve(const ovr_across *a, const ovr_heat *heat,
  *     gamma = -(d ln eta/dT) tanh(a)/a,  a = |t|/Sigma0
  */
 typedef struct ovr_columns {
-    const ovr_across *across;
+    const ovr_cross_film *cross_film;
     const ovr_heat *heat;
     size_t n;
     double lambda, V, u1, Sigma0;
     double limit; /* of |t| + |G_P|, over P */
     const ovr_flow_law *law;
-    const double *X, *P, *H, *q;         /* the oil's H: q = rho H */
-    const double *log_eta;               /* at T0 */
-    const double *used[OVR_MOST_ACROSS]; /* T by which it flows */
+    const double *X, *P, *H, *q;            /* the oil's H: q = rho H */
+    const double *log_eta;                  /* at T0 */
+    const double *used[OVR_CROSS_FILM_MAX]; /* T by which it flows */
     /* what flows; gamma */
-    double *u[OVR_MOST_ACROSS], *heating[OVR_MOST_ACROSS], *t, *fall;
+    double *u[OVR_CROSS_FILM_MAX], *heating[OVR_CROSS_FILM_MAX], *t, *fall;
     double *even; /* t_0; NULL: not wanted */
     /* what Reynolds' equation gets (fields.h); V/2 m_1/m_0 q.  Where they have
      * a place, they alone are made. */
@@ -148,9 +151,9 @@ typedef struct ovr_columns {
                      * at least this speed (plain only); 0: in time */
     bool both_ways; /* steady: layers that move against x from the next node */
     bool back;      /* steady: all from the next node, at -u */
-    const double *P_T, *departure[OVR_MOST_ACROSS], *past[2];
+    const double *P_T, *departure[OVR_CROSS_FILM_MAX], *past[2];
     double resistance[2];
-    double *T[OVR_MOST_ACROSS], *mean, *into[2]; /* T, T_m, q */
+    double *T[OVR_CROSS_FILM_MAX], *mean, *into[2]; /* T, T_m, q */
 } ovr_columns;
 
 /* T of layer j where it was before it came to node i, and how long ago. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Temperature and velocity across the film (equations in across.h). */
-#include "multigrid/across.h"
+/* Temperature and velocity across the film (equations in cross_film.h). */
+#include "multigrid/cross_film.h"
 
 #include <math.h>
 
@@ -25,7 +25,7 @@ static double legendre(int n, double x)
 }
 
 /* The j-th of the Lagrange polynomials at x. */
-static double lagrange(const ovr_across *a, int j, double x)
+static double lagrange(const ovr_cross_film *a, int j, double x)
 {
     double value = 1;
     for (int k = 0; k < a->n; k++)
@@ -35,7 +35,7 @@ static double lagrange(const ovr_across *a, int j, double x)
 }
 
 /* d l_j/dzeta at point i. */
-static double derivative(const ovr_across *a, int i, int j)
+static double derivative(const ovr_cross_film *a, int i, int j)
 {
     double sum = 0, up = 1, down = 1;
     if (i == j) {
@@ -54,7 +54,7 @@ static double derivative(const ovr_across *a, int i, int j)
 }
 
 /* Points from the middle to surface 2; the others mirror them. */
-static void make_points(int points, ovr_across *a)
+static void make_points(int points, ovr_cross_film *a)
 {
     static const double five[4] = {0, 0.65465367070797714380, 1};
     static const double seven[4] = {0, 0.46884879347071421380,
@@ -70,9 +70,9 @@ static void make_points(int points, ovr_across *a)
     }
 }
 
-void ovr_across_make(int points, ovr_across *a)
+void ovr_cross_film_make(int points, ovr_cross_film *a)
 {
-    double D[OVR_MOST_ACROSS][OVR_MOST_ACROSS] = {{0}};
+    double D[OVR_CROSS_FILM_MAX][OVR_CROSS_FILM_MAX] = {{0}};
     double squares = 0;
     make_points(points, a);
     for (int j = 0; j < points; j++) {
@@ -98,8 +98,8 @@ void ovr_across_make(int points, ovr_across *a)
         }
 }
 
-void ovr_across_move(const ovr_across *from, const double *T,
-                     const ovr_across *to, double *moved)
+void ovr_cross_film_move(const ovr_cross_film *from, const double *T,
+                         const ovr_cross_film *to, double *moved)
 {
     for (int i = 0; i < to->n; i++) {
         moved[i] = 0;
@@ -110,7 +110,7 @@ void ovr_across_move(const ovr_across *from, const double *T,
 
 /* ------------------------------------------------------------------- flow */
 
-static void moments(const ovr_across *a, const double *r, double m[3])
+static void moments(const ovr_cross_film *a, const double *r, double m[3])
 {
     m[0] = m[1] = m[2] = 0;
     for (int j = 0; j < a->n; j++) {
@@ -122,8 +122,8 @@ static void moments(const ovr_across *a, const double *r, double m[3])
 }
 
 /* A dry film: what it holds moves with the surfaces. */
-static void linear(const ovr_across *a, const ovr_sheet *sheet,
-                   ovr_flow_across *flow)
+static void linear(const ovr_cross_film *a, const ovr_sheet *sheet,
+                   ovr_cross_film_flow *flow)
 {
     flow->t = flow->even = 0;
     for (int j = 0; j < a->n; j++) {
@@ -132,9 +132,10 @@ static void linear(const ovr_across *a, const ovr_sheet *sheet,
     }
 }
 
-/* Mean stress and, to `rate`, u_z of a Newtonian film; Y as in across.h. */
-static double newtonian(const ovr_across *a, const ovr_sheet *sheet, double Y,
-                        const double *r, const double m[3], double *rate)
+/* Mean stress and, to `rate`, u_z of a Newtonian film; Y as in cross_film.h. */
+static double newtonian(const ovr_cross_film *a, const ovr_sheet *sheet,
+                        double Y, const double *r, const double m[3],
+                        double *rate)
 {
     double G = sheet->H * sheet->P_X / 2, t = (-sheet->V * Y - G * m[1]) / m[0];
     for (int j = 0; j < a->n; j++)
@@ -142,7 +143,7 @@ static double newtonian(const ovr_across *a, const ovr_sheet *sheet, double Y,
     return t;
 }
 
-static double eyring(const ovr_across *a, const ovr_sheet *sheet, double Y,
+static double eyring(const ovr_cross_film *a, const ovr_sheet *sheet, double Y,
                      const double *r, double *rate)
 {
     const double most = 200; /* in powers of e */
@@ -164,14 +165,14 @@ static double eyring(const ovr_across *a, const ovr_sheet *sheet, double Y,
 }
 
 /* The film slid by mean stress a, over Y/Sigma0, and its slope by a. */
-static double slid(const ovr_across *across, const ovr_curve *f,
+static double slid(const ovr_cross_film *cross_film, const ovr_curve *f,
                    const double *r, double a, double g, double *by_a)
 {
     double sum = 0, slope;
     *by_a = 0;
-    for (int j = 0; j < across->n; j++) {
-        double part = across->w[j] * r[j];
-        sum += part * ovr_curve_at(f, a + g * across->s[j], &slope);
+    for (int j = 0; j < cross_film->n; j++) {
+        double part = cross_film->w[j] * r[j];
+        sum += part * ovr_curve_at(f, a + g * cross_film->s[j], &slope);
         *by_a += part * slope;
     }
     return sum;
@@ -179,8 +180,8 @@ static double slid(const ovr_across *across, const ovr_curve *f,
 
 /* Finds the rate by Newton's method between bounds, from the stress of a film
  * of the same mean fluidity: f(x) >= x where a film thins. */
-static double by_law(const ovr_across *across, const ovr_sheet *sheet, double Y,
-                     const double *r, const double m[3], double *rate)
+static double by_law(const ovr_cross_film *cross_film, const ovr_sheet *sheet,
+                     double Y, const double *r, const double m[3], double *rate)
 {
     const ovr_curve *f = &sheet->law->f;
     double g = sheet->H * sheet->P_X / (2 * sheet->Sigma0), by_a;
@@ -189,7 +190,7 @@ static double by_law(const ovr_across *across, const ovr_sheet *sheet, double Y,
     double high = fabs(g) + uniform, low = -high;
     double a = copysign(ovr_flow_stress(sheet->law, uniform, g), b);
     for (int k = 0; k < 60 && high > low; k++) {
-        double off = slid(across, f, r, a, g, &by_a) - b;
+        double off = slid(cross_film, f, r, a, g, &by_a) - b;
         double step = off / by_a;
         *(off > 0 ? &high : &low) = a;
         a -= step;
@@ -198,14 +199,15 @@ static double by_law(const ovr_across *across, const ovr_sheet *sheet, double Y,
         if (!(a > low && a < high))
             a = (low + high) / 2;
     }
-    for (int j = 0; j < across->n; j++)
+    for (int j = 0; j < cross_film->n; j++)
         rate[j] = sheet->Sigma0 / Y * r[j] *
-                  ovr_curve_at(f, a + g * across->s[j], &by_a);
+                  ovr_curve_at(f, a + g * cross_film->s[j], &by_a);
     return sheet->Sigma0 * a;
 }
 
-static double stressed(const ovr_across *a, const ovr_sheet *sheet, double Y,
-                       const double *r, const double m[3], double *rate)
+static double stressed(const ovr_cross_film *a, const ovr_sheet *sheet,
+                       double Y, const double *r, const double m[3],
+                       double *rate)
 {
     if (sheet->law)
         return by_law(a, sheet, Y, r, m, rate);
@@ -215,10 +217,10 @@ static double stressed(const ovr_across *a, const ovr_sheet *sheet, double Y,
 }
 
 /* The stress of a film of the fluidity m_0 all over. */
-static double uniform(const ovr_across *a, const ovr_sheet *sheet, double Y,
+static double uniform(const ovr_cross_film *a, const ovr_sheet *sheet, double Y,
                       double m_0)
 {
-    double r[OVR_MOST_ACROSS], rate[OVR_MOST_ACROSS], m[3] = {m_0, 0, 0};
+    double r[OVR_CROSS_FILM_MAX], rate[OVR_CROSS_FILM_MAX], m[3] = {m_0, 0, 0};
     if (sheet->V == 0)
         return 0;
     for (int j = 0; j < a->n; j++)
@@ -227,9 +229,9 @@ static double uniform(const ovr_across *a, const ovr_sheet *sheet, double Y,
 }
 
 /* Ratios eta(T_m)/eta(T_j): within 1e43, and eta_m below 1e130, whatever T. */
-static void ratios(const ovr_across *a, const ovr_heat *heat,
+static void ratios(const ovr_cross_film *a, const ovr_heat *heat,
                    const ovr_sheet *sheet, const double *T,
-                   ovr_flow_across *flow, double *r)
+                   ovr_cross_film_flow *flow, double *r)
 {
     flow->mean = 0;
     for (int j = 0; j < a->n; j++)
@@ -243,11 +245,11 @@ static void ratios(const ovr_across *a, const ovr_heat *heat,
     flow->log_eta = ovr_smaller(300, log_eta);
 }
 
-void ovr_flow_across_film(const ovr_across *a, const ovr_heat *heat,
-                          const ovr_sheet *sheet, const double *T,
-                          ovr_flow_across *flow)
+void ovr_cross_film_flow_of(const ovr_cross_film *a, const ovr_heat *heat,
+                            const ovr_sheet *sheet, const double *T,
+                            ovr_cross_film_flow *flow)
 {
-    double r[OVR_MOST_ACROSS] = {0}, rate[OVR_MOST_ACROSS] = {0}, most, Y;
+    double r[OVR_CROSS_FILM_MAX] = {0}, rate[OVR_CROSS_FILM_MAX] = {0}, most, Y;
     double G = sheet->H * sheet->P_X / 2;
     for (int j = 0; j < a->n; j++)
         flow->beta[j] = ovr_expansion(heat, sheet->P, T[j]);
@@ -280,7 +282,7 @@ double ovr_expansion(const ovr_heat *heat, double P, double T)
 }
 
 /* A x = b by elimination; A is nearly symmetric and heavy on its diagonal. */
-static void eliminate(int n, double A[][OVR_MOST_ACROSS], double *b)
+static void eliminate(int n, double A[][OVR_CROSS_FILM_MAX], double *b)
 {
     for (int k = 0; k < n; k++)
         for (int i = k + 1; i < n; i++) {
@@ -296,12 +298,13 @@ static void eliminate(int n, double A[][OVR_MOST_ACROSS], double *b)
     }
 }
 
-void ovr_across_solve(const ovr_across *a, const ovr_heat *heat,
-                      const ovr_sheet *sheet, const ovr_flow_across *flow,
-                      const double *departure, const double *travel,
-                      const ovr_wall wall[2], double *T)
+void ovr_cross_film_solve(const ovr_cross_film *a, const ovr_heat *heat,
+                          const ovr_sheet *sheet,
+                          const ovr_cross_film_flow *flow,
+                          const double *departure, const double *travel,
+                          const ovr_wall wall[2], double *T)
 {
-    double A[OVR_MOST_ACROSS][OVR_MOST_ACROSS] = {{0}};
+    double A[OVR_CROSS_FILM_MAX][OVR_CROSS_FILM_MAX] = {{0}};
     double conduction = heat->conduction / sheet->H;
     int last = a->n - 1;
     for (int j = 0; j < a->n; j++) {

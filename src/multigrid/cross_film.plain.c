@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Columns across the film, node by node (equations in across.h). */
+/* Columns across the film, node by node (equations in cross_film.h). */
 #include <math.h>
 
 #include "multigrid/plain.h"
@@ -8,7 +8,7 @@
 #include "contact/heat_numbers.h"
 #include "contact/laws/fluid.h"
 #include "contact/laws/law.h"
-#include "multigrid/across.h"
+#include "multigrid/cross_film.h"
 #include "multigrid/expansion.h"
 
 static const double INV_LN2 = 1.4426950408889634;
@@ -55,7 +55,7 @@ static ovr_sheet sheet_at(const ovr_columns *c, size_t i)
 }
 
 static double fall(const ovr_columns *c, double log_eta,
-                   const ovr_flow_across *flow)
+                   const ovr_cross_film_flow *flow)
 {
     double a = fabs(flow->t) / c->Sigma0;
     return ovr_heat_viscosity_fall(c->heat, log_eta, flow->mean) *
@@ -63,7 +63,7 @@ static double fall(const ovr_columns *c, double log_eta,
 }
 
 /* Stores what Reynolds' equation needs. */
-static void put_fields(const ovr_columns *c, const ovr_flow_across *flow,
+static void put_fields(const ovr_columns *c, const ovr_cross_film_flow *flow,
                        size_t i)
 {
     double skew = flow->m[1] / flow->m[0];
@@ -80,19 +80,19 @@ static void put_fields(const ovr_columns *c, const ovr_flow_across *flow,
 
 void ovr_column_flow(const ovr_columns *c, size_t i)
 {
-    double T[OVR_MOST_ACROSS];
+    double T[OVR_CROSS_FILM_MAX];
     ovr_sheet sheet = sheet_at(c, i);
-    ovr_flow_across flow;
-    for (int j = 0; j < c->across->n; j++)
+    ovr_cross_film_flow flow;
+    for (int j = 0; j < c->cross_film->n; j++)
         T[j] = c->used[j][i];
     if (c->th)
         sheet.wet = false; /* the ratios alone are wanted */
-    ovr_flow_across_film(c->across, c->heat, &sheet, T, &flow);
+    ovr_cross_film_flow_of(c->cross_film, c->heat, &sheet, T, &flow);
     if (c->th) {
         put_fields(c, &flow, i);
         return;
     }
-    for (int j = 0; j < c->across->n; j++) {
+    for (int j = 0; j < c->cross_film->n; j++) {
         c->u[j][i] = flow.u[j];
         c->heating[j][i] = flow.heating[j];
     }
@@ -125,12 +125,12 @@ double ovr_column_travel(const ovr_columns *c, int j, size_t i)
 
 void ovr_column_heat(const ovr_columns *c, size_t i)
 {
-    double departure[OVR_MOST_ACROSS], stay[OVR_MOST_ACROSS],
-        T[OVR_MOST_ACROSS];
+    double departure[OVR_CROSS_FILM_MAX], stay[OVR_CROSS_FILM_MAX],
+        T[OVR_CROSS_FILM_MAX];
     ovr_sheet sheet = sheet_at(c, i);
-    ovr_flow_across flow;
+    ovr_cross_film_flow flow;
     ovr_wall wall[2];
-    int n = c->across->n;
+    int n = c->cross_film->n;
     double cooling = c->heat->theta * c->fall[i] / c->q[i];
     for (int j = 0; j < n; j++) {
         double rate = ovr_larger(0, cooling * c->heating[j][i]);
@@ -147,24 +147,24 @@ void ovr_column_heat(const ovr_columns *c, size_t i)
         wall[k] = (ovr_wall){c->heat->bulk[k] +
                                  c->heat->solid[k] * c->past[k][i],
                              c->resistance[k]};
-    ovr_across_solve(c->across, c->heat, &sheet, &flow, departure, stay, wall,
-                     T);
+    ovr_cross_film_solve(c->cross_film, c->heat, &sheet, &flow, departure, stay,
+                         wall, T);
     c->mean[i] = 0;
     for (int j = 0; j < n; j++) {
         c->T[j][i] = T[j];
-        c->mean[i] += c->across->w[j] * T[j];
+        c->mean[i] += c->cross_film->w[j] * T[j];
     }
     for (int k = 0; k < 2; k++)
         c->into[k][i] = (T[k ? n - 1 : 0] - wall[k].h) / wall[k].resistance;
 }
 
-void ovr_flow_across_plain(const ovr_columns *c)
+void ovr_flow_cross_film_plain(const ovr_columns *c)
 {
     for (size_t i = 0; i < c->n; i++)
         ovr_column_flow(c, i);
 }
 
-void ovr_heat_across_plain(const ovr_columns *c)
+void ovr_heat_cross_film_plain(const ovr_columns *c)
 {
     for (size_t i = 1; i < c->n; i++)
         ovr_column_heat(c, i);

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Sums up the flow in columns of 5 or 7 points through the film (equations in
- * across.h).  Arrays in the order of the nodes, of more than VEC + 1: vectors
- * begin at node 1, the last one overlaps the one before; the two ends are dry
- * and by themselves.
+ * cross_film.h).  Arrays in the order of the nodes, of more than VEC + 1:
+ * vectors begin at node 1, the last one overlaps the one before; the two ends
+ * are dry and by themselves.
  *
  * With L and l of log2 eta = L l + K: Roelands L = (ln eta + C)/ln 2, l =
  * x^(-S0); others L = 1, l = -beta T/ln 2.
  */
-#include "multigrid/across.h"
+#include "multigrid/cross_film.h"
 #include "multigrid/eyring.h"
 #include "multigrid/flow_table.h"
 #include "multigrid/kernels.h"
@@ -71,7 +71,7 @@ void OVR_KERNEL(log_viscosity)(size_t n, const ovr_fluid *fluid,
 /* Numbers that all nodes share. */
 typedef struct shared {
     ovr_columns c; /* a copy that no store can change */
-    ovr_across across;
+    ovr_cross_film cross_film;
     ovr_heat heat;
     log_table cooling; /* -S0 log2 x */
     log_table ln;      /* Sigma0 ln x */
@@ -83,9 +83,9 @@ typedef struct shared {
 
 /* A vector of nodes. */
 typedef struct nodes {
-    vec G, Y;                     /* H P_X/2; lambda eta_m/(12 H) */
-    vec r[OVR_MOST_ACROSS], m[3]; /* viscosity ratios, moments */
-    vec mean, x, level, steep;    /* T_m; x, l there; L */
+    vec G, Y;                        /* H P_X/2; lambda eta_m/(12 H) */
+    vec r[OVR_CROSS_FILM_MAX], m[3]; /* viscosity ratios, moments */
+    vec mean, x, level, steep;       /* T_m; x, l there; L */
 } nodes;
 
 static INLINE vec bounded_by(vec x, vec most)
@@ -116,21 +116,21 @@ static INLINE nodes temperatures(const shared *s, int n, bool by_power,
                                  size_t i)
 {
     const ovr_columns *c = &s->c;
-    vec T[OVR_MOST_ACROSS], log_eta = load(c->log_eta + i), x;
+    vec T[OVR_CROSS_FILM_MAX], log_eta = load(c->log_eta + i), x;
     nodes v = {.mean = all(0), .m = {all(0), all(0), all(0)}};
     UNROLL
     for (int j = 0; j < n; j++) {
         T[j] = load(c->used[j] + i);
-        v.mean = fused(T[j], all(s->across.w[j]), v.mean);
+        v.mean = fused(T[j], all(s->cross_film.w[j]), v.mean);
     }
     v.level = level_of(s, by_power, v.mean, &v.x);
     v.steep = by_power ? (log_eta + s->heat.C) * INV_LN2 : all(1);
     UNROLL
     for (int j = 0; j < n; j++) {
-        double at = s->across.s[j];
+        double at = s->cross_film.s[j];
         vec up = v.steep * (v.level - level_of(s, by_power, T[j], &x));
         v.r[j] = scaled_exp2(&s->growth, bounded(up, 100 * INV_LN2));
-        vec part = s->across.w[j] * v.r[j];
+        vec part = s->cross_film.w[j] * v.r[j];
         v.m[0] += part;
         v.m[1] = fused(part, all(at), v.m[1]);
         v.m[2] = fused(part, all(at * at), v.m[2]);
@@ -149,7 +149,7 @@ static INLINE vec newtonian(const shared *s, int n, const nodes *v, vec *rate)
     vec inverse = 1 / v->Y;
     UNROLL
     for (int j = 0; j < n; j++)
-        rate[j] = v->r[j] * inverse * fused(v->G, all(s->across.s[j]), t);
+        rate[j] = v->r[j] * inverse * fused(v->G, all(s->cross_film.s[j]), t);
     return t;
 }
 
@@ -166,18 +166,18 @@ static INLINE void hyperbolic(const shared *s, vec x, vec *sh, vec *ch)
 
 static INLINE vec eyring_flow(const shared *s, int n, const nodes *v, vec *rate)
 {
-    vec sh[OVR_MOST_ACROSS], ch[OVR_MOST_ACROSS], A = all(0), B = all(0);
+    vec sh[OVR_CROSS_FILM_MAX], ch[OVR_CROSS_FILM_MAX], A = all(0), B = all(0);
     double Sigma0 = s->c.Sigma0;
     vec g = bounded(v->G / Sigma0, 200), b = (-s->c.V / Sigma0) * v->Y;
     UNROLL
     for (int j = n / 2; j < n; j++) {
-        hyperbolic(s, g * s->across.s[j], &sh[j], &ch[j]);
+        hyperbolic(s, g * s->cross_film.s[j], &sh[j], &ch[j]);
         sh[n - 1 - j] = -sh[j];
         ch[n - 1 - j] = ch[j];
     }
     UNROLL
     for (int j = 0; j < n; j++) {
-        vec part = s->across.w[j] * v->r[j];
+        vec part = s->cross_film.w[j] * v->r[j];
         A = fused(part, ch[j], A);
         B = fused(part, sh[j], B);
     }
@@ -228,9 +228,9 @@ static vec too_much(const shared *s, const nodes *v, vec a, vec g, vec b,
 {
     vec sum = -b, slope;
     *by_a = all(0);
-    for (int j = 0; j < s->across.n; j++) {
-        vec part = s->across.w[j] * v->r[j];
-        vec at = fused(g, all(s->across.s[j]), a);
+    for (int j = 0; j < s->cross_film.n; j++) {
+        vec part = s->cross_film.w[j] * v->r[j];
+        vec at = fused(g, all(s->cross_film.s[j]), a);
         sum = fused(part, curve_at(s, at, &slope), sum);
         *by_a = fused(part, slope, *by_a);
     }
@@ -265,20 +265,20 @@ static vec law_flow(const shared *s, const nodes *v, vec *rate)
     double Sigma0 = s->c.Sigma0;
     vec g = bounded(v->G / Sigma0, 300), b = (-s->c.V / Sigma0) * v->Y, unused;
     vec a = law_stress(s, v, g, b), scale = Sigma0 / v->Y;
-    for (int j = 0; j < s->across.n; j++)
+    for (int j = 0; j < s->cross_film.n; j++)
         rate[j] = scale * v->r[j] *
-                  curve_at(s, fused(g, all(s->across.s[j]), a), &unused);
+                  curve_at(s, fused(g, all(s->cross_film.s[j]), a), &unused);
     return Sigma0 * a;
 }
 
 /* Sum of w_j cosh(g s_j). */
 static INLINE vec mean_cosh(const shared *s, int n, vec g)
 {
-    vec sum = all(s->across.w[n / 2]);
+    vec sum = all(s->cross_film.w[n / 2]);
     UNROLL
     for (int j = n / 2 + 1; j < n; j++) {
-        vec up = scaled_exp2(&s->growth, (INV_LN2 * s->across.s[j]) * g);
-        sum = fused(all(s->across.w[j]), up + 1 / up, sum);
+        vec up = scaled_exp2(&s->growth, (INV_LN2 * s->cross_film.s[j]) * g);
+        sum = fused(all(s->cross_film.w[j]), up + 1 / up, sum);
     }
     return sum;
 }
@@ -353,10 +353,10 @@ static INLINE void store_flow(const shared *s, int n, const nodes *v, vec t,
         vec u = all(c->u1);
         UNROLL
         for (int k = 0; k < n; k++)
-            u = fused(rate[k], all(s->across.integral[j][k]), u);
-        vec made = fused(v->G, all(s->across.s[j]), t) * rate[j];
+            u = fused(rate[k], all(s->cross_film.integral[j][k]), u);
+        vec made = fused(v->G, all(s->cross_film.s[j]), t) * rate[j];
         store(c->u[j] + i,
-              choose(wet, u, all(c->u1 - c->V * (1 + s->across.s[j]) / 2)));
+              choose(wet, u, all(c->u1 - c->V * (1 + s->cross_film.s[j]) / 2)));
         store(c->heating[j] + i, choose(wet, made, all(0)));
     }
 }
@@ -366,7 +366,7 @@ static INLINE void flow(const shared *s, int n, bool by_power, int law,
                         nodes *v, size_t i)
 {
     const ovr_columns *c = &s->c;
-    vec rate[OVR_MOST_ACROSS], P = load(c->P + i);
+    vec rate[OVR_CROSS_FILM_MAX], P = load(c->P + i);
     vec dX = load(c->X + i + 1) - load(c->X + i - 1);
     vec P_X = (load(c->P + i + 1) - load(c->P + i - 1)) / dX;
     v->G = 0.5 * load(c->H + i) * P_X;
@@ -397,9 +397,9 @@ static INLINE void columns(const shared *s, int n, bool by_power, int law)
     }
 }
 
-void OVR_KERNEL(flow_across)(const ovr_columns *c)
+void OVR_KERNEL(flow_cross_film)(const ovr_columns *c)
 {
-    shared s = {.c = *c, .across = *c->across, .heat = *c->heat};
+    shared s = {.c = *c, .cross_film = *c->cross_film, .heat = *c->heat};
     double above = s.heat.T0 - OVR_ROELANDS_T;
     make_log_table(-s.heat.S0, &s.cooling);
     make_log_table(LN2 * c->Sigma0, &s.ln);
@@ -409,9 +409,9 @@ void OVR_KERNEL(flow_across)(const ovr_columns *c)
     s.inv_above = 1 / above;
     int law = c->law ? 2 : c->Sigma0 < 1e300 ? 1 : 0;
     bool by_power = s.heat.C > 0;
-    if (s.across.n == 5 && law == 1 && by_power)
+    if (s.cross_film.n == 5 && law == 1 && by_power)
         columns(&s, 5, true, 1); /* fastest */
-    else if (s.across.n == 5)
+    else if (s.cross_film.n == 5)
         columns(&s, 5, by_power, law);
     else
         columns(&s, 7, by_power, law);
