@@ -121,7 +121,7 @@ typedef struct ovr_stress_report {
     int surface;
     const char *feature; /* xi counts from its centre at T = 0, or NULL */
     ovr_material material;
-    size_t incomplete;  /* points whose passage an end of the run cut */
+    size_t incomplete; /* points whose material history an end of the run cut */
     double least_depth; /* what follows is counted from here down */
     ovr_stress_extreme max_shear, von_mises;   /* in space and time */
     double R_max, xi_R_max, Z_R_max, R_smooth; /* radius of the circle */

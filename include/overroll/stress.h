@@ -17,12 +17,13 @@
  *     ovr_stress_row row = ovr_stress_at(stress, k);
  *
  * The history of the material of one surface, over a whole run:
- *     ovr_passage *passage = ovr_passage_create(&options, &range, NULL, &err);
- *     ovr_passage_begin(passage, P, NULL, &moment);         steady start
- *     ovr_passage_step(passage, P, NULL, &moment);          each step
- *     ovr_passage_end(passage, P, NULL, &moment);           last state
- *     ovr_passage_amplitude(passage, OVR_CRITERION_CIRCLE, 0, A);
- *     ovr_life(...)
+ *     ovr_material_history *material history =
+ * ovr_material_history_create(&options, &range, NULL, &err);
+ *     ovr_material_history_begin(material history, P, NULL, &moment); steady
+ * start ovr_material_history_step(material history, P, NULL, &moment); each
+ * step ovr_material_history_end(material history, P, NULL, &moment); last state
+ *     ovr_material_history_amplitude(material history, OVR_CRITERION_CIRCLE, 0,
+ * A); ovr_life(...)
  */
 #ifndef OVERROLL_STRESS_H
 #define OVERROLL_STRESS_H
@@ -83,7 +84,8 @@ typedef struct ovr_in_plane {
 
 /* ------------------------------------------------------ exact references */
 
-/* -------------------------------------------------------------- passages */
+/* -------------------------------------------------------------- material
+ * histories */
 
 /* One moment of a run. */
 typedef struct ovr_moment {
@@ -95,7 +97,7 @@ typedef struct ovr_moment {
     bool disturbed; /* a feature is within |X| < 2 (begin, end) */
 } ovr_moment;
 
-typedef struct ovr_passage ovr_passage;
+typedef struct ovr_material_history ovr_material_history;
 
 /* Pieces of memory that make up the state between two steps. */
 typedef struct ovr_memory_piece {

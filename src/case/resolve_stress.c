@@ -26,8 +26,8 @@ static ovr_status resolve_window(ovr_resolved *r, ovr_error *err)
     return OVR_OK;
 }
 
-/* A surface that stands still has no passage; one that changes its speed may
- * later, but not as it begins. */
+/* A surface that stands still has no material history; one that changes its
+ * speed may later, but not as it begins. */
 static ovr_status check_motion(const ovr_resolved *r, ovr_error *err)
 {
     const ovr_contact *contact = r->setup.contact;

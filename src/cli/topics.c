@@ -68,7 +68,8 @@ static const struct {
     {"life",
      "Stresses below a surface and what they do to the material:\n"
      "    [stress]\n    surface = 1\n    [fatigue]\n    criterion = circle\n"
-     "gives the risk of the passage against that of the smooth contact, the "
+     "gives the risk of this material history against that of the smooth "
+     "contact, the "
      "length of\nsmooth raceway that it is worth, and with a raceway the ratio "
      "of lives.\n'overroll stress OUT.h5' does it again for a stored run with "
      "other constants.\nMore in overroll-theory(7)."},

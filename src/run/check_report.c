@@ -146,7 +146,8 @@ static ovr_words at_time(double T, const ovr_contact *contact)
 }
 
 /* Where it comes in, passes and leaves, as far as that comes to pass. */
-static void say_passage(const ovr_told *to, const ovr_setup *setup, size_t k)
+static void say_material_history(const ovr_told *to, const ovr_setup *setup,
+                                 size_t k)
 {
     const ovr_options *o = setup->options;
     double end = setup->march->end;
@@ -199,7 +200,7 @@ static void say_feature(const ovr_told *to, const ovr_setup *setup, size_t k)
                   info.wavelength / setup->mesh);
     ovr_tell(to, w.text, "%s", "");
     if (setup->transient)
-        say_passage(to, setup, k);
+        say_material_history(to, setup, k);
     for (const char *s = info.assumed; s && *s;) {
         size_t length = strcspn(s, "\n");
         ovr_tell_title(to, "%.*s", (int)length, s);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A passage in a thread of its own.
+ * A material history in a thread of its own.
  *
  * The solver's thread copies pressure and traction into a ring of moments and
  * goes on; the follower takes them in order, so that the history does not
@@ -23,7 +23,7 @@ typedef struct posted {
 
 struct ovr_follower {
     ovr_arena arena;
-    ovr_passage *passage;
+    ovr_material_history *history;
     size_t nodes;
     posted ring[RING];
     size_t first, count; /* posted and not yet taken */
@@ -33,14 +33,14 @@ struct ovr_follower {
     pthread_cond_t changed;
 };
 
-static void take(ovr_passage *p, const posted *m)
+static void take(ovr_material_history *p, const posted *m)
 {
     if (m->part == OVR_POST_BEGIN)
-        ovr_passage_begin(p, m->P, m->Q, &m->moment);
+        ovr_material_history_begin(p, m->P, m->Q, &m->moment);
     else if (m->part == OVR_POST_STEP)
-        ovr_passage_step(p, m->P, m->Q, &m->moment);
+        ovr_material_history_step(p, m->P, m->Q, &m->moment);
     else
-        ovr_passage_end(p, m->P, m->Q, &m->moment);
+        ovr_material_history_end(p, m->P, m->Q, &m->moment);
 }
 
 static void *follow(void *data)
@@ -53,7 +53,7 @@ static void *follow(void *data)
         if (!f->count)
             break;
         pthread_mutex_unlock(&f->mutex);
-        take(f->passage, &f->ring[f->first]);
+        take(f->history, &f->ring[f->first]);
         pthread_mutex_lock(&f->mutex);
         f->first = (f->first + 1) % RING;
         f->count--;
@@ -73,9 +73,9 @@ ovr_follower *ovr_follower_create(const ovr_stress_plan *plan,
     double *P = f ? ovr_arena_take(&arena, loads * RING * n, sizeof *P, err)
                   : NULL;
     if (P)
-        f->passage = ovr_passage_create(&plan->options, &plan->range, allocator,
-                                        err);
-    if (!P || !f->passage) {
+        f->history = ovr_material_history_create(&plan->options, &plan->range,
+                                                 allocator, err);
+    if (!P || !f->history) {
         ovr_arena_release(&arena);
         return NULL;
     }
@@ -106,18 +106,18 @@ void ovr_follower_post(ovr_follower *f, ovr_post part, const double *P,
     if (f->threaded)
         f->count++;
     else
-        take(f->passage, m);
+        take(f->history, m);
     pthread_cond_broadcast(&f->changed);
     pthread_mutex_unlock(&f->mutex);
 }
 
-ovr_passage *ovr_follower_wait(ovr_follower *f)
+ovr_material_history *ovr_follower_wait(ovr_follower *f)
 {
     pthread_mutex_lock(&f->mutex);
     while (f->count)
         pthread_cond_wait(&f->changed, &f->mutex);
     pthread_mutex_unlock(&f->mutex);
-    return f->passage;
+    return f->history;
 }
 
 void ovr_follower_free(ovr_follower *f)
@@ -133,7 +133,7 @@ void ovr_follower_free(ovr_follower *f)
     }
     pthread_cond_destroy(&f->changed);
     pthread_mutex_destroy(&f->mutex);
-    ovr_passage_free(f->passage);
+    ovr_material_history_free(f->history);
     ovr_arena arena = f->arena;
     ovr_arena_release(&arena);
 }

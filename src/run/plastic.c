@@ -7,8 +7,8 @@
  *     S = ... - w E'/(4 E*),  at xi = X - X_0 - U(T)
  *
  * explicit, so that a step's film and its strains are solved one after the
- * other; the stresses at the material points by the passage's shift of the
- * nodes (stress/field.c), the profile between points by Lagrange's cubic.
+ * other; the stresses at the material points by the material history's shift of
+ * the nodes (stress/field.c), the profile between points by Lagrange's cubic.
  * Only where the window is under the contact, and a layer's stress comes near
  * yield on the nodes that its depth needs, are all of its points looked at.
  */

@@ -207,7 +207,7 @@ static void reach(const ovr_surfaces *surfaces, size_t k, double T, double *low,
 }
 
 /* What moves passes from `low` at T = 0 to `high` at the end and back. */
-static void warn_of_passage(const ovr_review *r, size_t k)
+static void warn_of_material_history(const ovr_review *r, size_t k)
 {
     const ovr_options *o = r->setup->options;
     ovr_feature_info f = ovr_surfaces_info(r->setup->surfaces, k);
@@ -240,7 +240,7 @@ static void warn_of_time(const ovr_review *r)
                        "the end T = %.3g is shorter than one step, %.3g",
                        march->end, dT);
     for (size_t k = 0; k < n; k++)
-        warn_of_passage(r, k);
+        warn_of_material_history(r, k);
 }
 
 static void warn_of_sliding(const ovr_review *r)

@@ -14,7 +14,8 @@
 #include "stress/layered.h"
 #include "stress/stress.h"
 
-/* Passages move their nodes by less than this, for every level at once. */
+/* Material histories move their nodes by less than this, for every level at
+ * once. */
 enum { WHOLE = 32 };
 
 typedef struct pass {

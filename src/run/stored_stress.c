@@ -62,7 +62,7 @@ static ovr_status read_axes(stored *f, ovr_arena *arena, ovr_error *err)
 }
 
 static ovr_status follow(stored *f, const ovr_setup *setup,
-                         const ovr_stress_plan *plan, ovr_passage *p,
+                         const ovr_stress_plan *plan, ovr_material_history *p,
                          ovr_error *err)
 {
     const double *Q = plan->options.traction ? f->Q : NULL;
@@ -74,11 +74,11 @@ static ovr_status follow(stored *f, const ovr_setup *setup,
             ovr_traction_stored(plan, f->result, k, f->Q, err))
             return OVR_BAD_INPUT;
         if (k == 0)
-            ovr_passage_begin(p, f->P, Q, &m);
+            ovr_material_history_begin(p, f->P, Q, &m);
         else
-            ovr_passage_step(p, f->P, Q, &m);
+            ovr_material_history_step(p, f->P, Q, &m);
         if (k + 1 == f->snapshots)
-            ovr_passage_end(p, f->P, Q, &m);
+            ovr_material_history_end(p, f->P, Q, &m);
     }
     return OVR_OK;
 }
@@ -107,14 +107,14 @@ static ovr_status one_surface(ovr_stored_stress *s, stored *f, int k,
 {
     ovr_stress_plan plan;
     ovr_second_pass second = {f->path, s->setup};
-    ovr_passage *p;
+    ovr_material_history *p;
     ovr_status status = ovr_stress_planned(s->setup, k + 1, f->x[0], f->mesh,
                                            f->nodes, s->every, &plan, err);
     if (!status)
         status = look_for_traction(f, s->setup, &plan, err);
     if (status)
         return status;
-    p = ovr_passage_create(&plan.options, &plan.range, NULL, err);
+    p = ovr_material_history_create(&plan.options, &plan.range, NULL, err);
     if (!p)
         return OVR_NO_MEMORY;
     status = follow(f, s->setup, &plan, p, err);
@@ -122,7 +122,7 @@ static ovr_status one_surface(ovr_stored_stress *s, stored *f, int k,
         s->report[k] = ovr_stress_report_make(s->setup, &plan, p,
                                               ovr_stress_second_pass, &second,
                                               &s->arena, err);
-    ovr_passage_free(p);
+    ovr_material_history_free(p);
     return status ? status : s->report[k] ? OVR_OK : OVR_BAD_INPUT;
 }
 

@@ -161,11 +161,12 @@ static ovr_status open_fields(run_stress *s, int surface, ovr_error *err)
 
 /* ------------------------------------------------------------------- state */
 
-static ovr_status visit_passage(ovr_passage *p, int k, ovr_visit *visit,
-                                void *context, ovr_error *err)
+static ovr_status visit_material_history(ovr_material_history *p, int k,
+                                         ovr_visit *visit, void *context,
+                                         ovr_error *err)
 {
     const ovr_memory_piece *piece;
-    size_t pieces = ovr_passage_state(p, &piece);
+    size_t pieces = ovr_material_history_state(p, &piece);
     ovr_status status = OVR_OK;
     for (size_t i = 0; !status && i < pieces; i++) {
         char name[64];
@@ -188,8 +189,8 @@ static ovr_status visit_state(void *data, ovr_visit *visit, void *context,
                        sizeof s->snapshots, err);
     for (int k = 0; !status && k < SURFACES; k++)
         if (s->follower[k])
-            status = visit_passage(ovr_follower_wait(s->follower[k]), k, visit,
-                                   context, err);
+            status = visit_material_history(ovr_follower_wait(s->follower[k]),
+                                            k, visit, context, err);
     for (int k = 0; !status && k < SURFACES; k++)
         if (s->Q[k])
             status = visit(
@@ -360,11 +361,12 @@ static ovr_status observe(void *data, const ovr_simulation *sim, ovr_error *err)
 
 /* ------------------------------------------------------------------ the end */
 
-/* The end closes a passage; a run that goes on later must not be closed. */
-static void **save(ovr_passage *p, ovr_arena *arena, ovr_error *err)
+/* The end closes a material history; a run that goes on later must not be
+ * closed. */
+static void **save(ovr_material_history *p, ovr_arena *arena, ovr_error *err)
 {
     const ovr_memory_piece *piece;
-    size_t pieces = ovr_passage_state(p, &piece);
+    size_t pieces = ovr_material_history_state(p, &piece);
     void **saved = ovr_arena_take(arena, pieces, sizeof *saved, err);
     for (size_t i = 0; saved && i < pieces; i++) {
         saved[i] = ovr_arena_take(arena, piece[i].bytes, 1, err);
@@ -375,10 +377,10 @@ static void **save(ovr_passage *p, ovr_arena *arena, ovr_error *err)
     return saved;
 }
 
-static void restore(ovr_passage *p, void **saved)
+static void restore(ovr_material_history *p, void **saved)
 {
     const ovr_memory_piece *piece;
-    size_t pieces = ovr_passage_state(p, &piece);
+    size_t pieces = ovr_material_history_state(p, &piece);
     for (size_t i = 0; i < pieces; i++)
         memcpy(piece[i].memory, saved[i], piece[i].bytes);
 }
@@ -388,20 +390,21 @@ static ovr_status finish_surface(run_stress *s, int k,
 {
     double T = ovr_simulation_state(sim)->T;
     ovr_moment m = ovr_stress_moment(s->setup, &s->plan[k], T, T);
-    ovr_passage *passage = ovr_follower_wait(s->follower[k]);
+    ovr_material_history *history = ovr_follower_wait(s->follower[k]);
     ovr_arena arena = ovr_arena_make(&s->arena.allocator);
-    void **saved = save(passage, &arena, err);
-    s->plan[k].range.reference = ovr_passage_reference(passage);
+    void **saved = save(history, &arena, err);
+    s->plan[k].range.reference = ovr_material_history_reference(history);
     /* the second pass reads what is stored */
     if (saved && s->writer && ovr_writer_flush(s->writer, err))
         saved = NULL;
     if (saved) {
-        ovr_passage_end(passage, ovr_solid_pressure(sim, s->P), s->Q[k], &m);
+        ovr_material_history_end(history, ovr_solid_pressure(sim, s->P),
+                                 s->Q[k], &m);
         s->report[k] = ovr_stress_report_make(
-            s->setup, &s->plan[k], passage,
+            s->setup, &s->plan[k], history,
             s->second.path ? ovr_stress_second_pass : NULL, &s->second,
             &s->arena, err);
-        restore(passage, saved);
+        restore(history, saved);
     }
     ovr_arena_release(&arena);
     if (!s->report[k])
@@ -410,7 +413,7 @@ static ovr_status finish_surface(run_stress *s, int k,
                      : OVR_OK;
 }
 
-/* Closes the passages and writes their groups. */
+/* Closes the material histories and writes their groups. */
 static ovr_status finish(void *own, const ovr_simulation *sim,
                          ovr_run_info *info, ovr_error *err)
 {
@@ -438,7 +441,7 @@ static const ovr_companion companion = {.make = make,
 
 static double memory(const void *form)
 {
-    return ovr_passages_memory(form);
+    return ovr_material_histories_memory(form);
 }
 
 static void tell_limit(const ovr_setup *setup, int k, ovr_physics_line *line,

@@ -48,8 +48,8 @@ ovr_moment ovr_stress_moment(const ovr_setup *setup,
                              const ovr_stress_plan *plan, double T,
                              double before);
 
-/* Bytes of the passages of a prepared setup. */
-double ovr_passages_memory(const ovr_setup *setup);
+/* Bytes of the material histories of a prepared setup. */
+double ovr_material_histories_memory(const ovr_setup *setup);
 
 /* ---------------------------------------------------------------- traction */
 
@@ -64,7 +64,8 @@ bool ovr_traction_is_stored(const ovr_stress_plan *plan,
 
 /* ---------------------------------------------------------------- follower */
 
-/* A passage in a thread of its own: moments are posted, and taken in order. */
+/* A material history in a thread of its own: moments are posted, and taken in
+ * order. */
 typedef struct ovr_follower ovr_follower;
 ovr_follower *ovr_follower_create(const ovr_stress_plan *plan,
                                   const ovr_allocator *allocator,
@@ -75,19 +76,20 @@ typedef enum ovr_post { OVR_POST_BEGIN, OVR_POST_STEP, OVR_POST_END } ovr_post;
 void ovr_follower_post(ovr_follower *f, ovr_post part, const double *P,
                        const double *Q, const ovr_moment *moment);
 
-/* Until all that was posted is taken; then the passage may be looked at. */
-ovr_passage *ovr_follower_wait(ovr_follower *f);
+/* Until all that was posted is taken; then the material history may be looked
+ * at. */
+ovr_material_history *ovr_follower_wait(ovr_follower *f);
 
 /* ------------------------------------------------------------------ report */
 
-/* All that is told of a passage; its arrays are in the arena.  The amplitude of
- * Dang Van's criterion comes from `paths` (ovr_stress_paths). */
+/* All that is told of a material history; its arrays are in the arena.  The
+ * amplitude of Dang Van's criterion comes from `paths` (ovr_stress_paths). */
 typedef ovr_status ovr_stress_paths(void *data, const ovr_stress_plan *plan,
                                     const ovr_material *material, double alpha,
                                     float *A, double *smooth, ovr_error *err);
 ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
                                           const ovr_stress_plan *plan,
-                                          const ovr_passage *passage,
+                                          const ovr_material_history *history,
                                           ovr_stress_paths *paths, void *data,
                                           ovr_arena *arena, ovr_error *err);
 

@@ -206,7 +206,7 @@ ovr_status ovr_setup_stress_depth(const ovr_setup *setup, double *least,
     return OVR_OK;
 }
 
-double ovr_passages_memory(const ovr_setup *setup)
+double ovr_material_histories_memory(const ovr_setup *setup)
 {
     if (!setup)
         return NAN;
@@ -217,7 +217,7 @@ double ovr_passages_memory(const ovr_setup *setup)
             ovr_stress_planned(setup, k, setup->options->inlet, setup->mesh,
                                setup->nodes, 1, &plan, NULL))
             continue;
-        bytes += ovr_passage_memory(&plan.options, &plan.range);
+        bytes += ovr_material_history_memory(&plan.options, &plan.range);
         /* the follower's ring */
         bytes += (plan.options.traction ? 2 : 1) * 32. * 8 *
                  (double)setup->nodes;

@@ -88,7 +88,7 @@ static double along(const void *data, double x)
     return distance(data, x);
 }
 
-/* The passage at depth z. */
+/* The material history at depth z. */
 static double at_depth(const void *data, double z)
 {
     moment m = *(const moment *)data;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The loops that take the time, of snapshots, passages and their circles: once
- * for each instruction set (loops.kernel.c) and once as they read
+/* The loops that take the time, of snapshots, material histories and their
+ * circles: once for each instruction set (loops.kernel.c) and once as they read
  * (loops.plain.c). */
 #ifndef OVR_STRESS_LOOPS_H
 #define OVR_STRESS_LOOPS_H

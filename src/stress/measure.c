@@ -12,7 +12,7 @@
 
 #include "base/given.h"
 #include "stress/cubic.h"
-#include "stress/passage.h"
+#include "stress/material_history.h"
 #include "stress/stress.h"
 
 /* The rows of one path in order; `pitch` apart. */
@@ -31,7 +31,7 @@ static double half_range(path p, int m)
     return (value(p, OVR_ROW_HIGH + m) - value(p, OVR_ROW_LOW + m)) / 2;
 }
 
-static double circle(const ovr_passage *p, path at)
+static double circle(const ovr_material_history *p, path at)
 {
     float radius;
     p->stress->loops->circles(1, at.row, at.pitch, &radius);
@@ -49,15 +49,15 @@ static int worst_direction(path p)
 }
 
 /* The value of the layer that the depth lies in, or of the body. */
-static double hydrostatic(const ovr_passage *p, size_t depth, double h)
+static double hydrostatic(const ovr_material_history *p, size_t depth, double h)
 {
     ovr_at_rest at = ovr_layered_rest(&p->stress->options, &p->range,
                                       p->stress->z[depth]);
     return (at.x + at.y) / 3 - 2. / 3 * (1 + at.poisson) * h;
 }
 
-static double measure(const ovr_passage *p, ovr_measure which, size_t depth,
-                      path at)
+static double measure(const ovr_material_history *p, ovr_measure which,
+                      size_t depth, path at)
 {
     switch (which) {
     case OVR_MEASURE_CIRCLE: return circle(p, at);
@@ -75,8 +75,8 @@ static double measure(const ovr_passage *p, ovr_measure which, size_t depth,
 
 /* Interpolates between the points of level c: cubic through four, the angle of
  * the nearest; `nodes` are the level's. */
-static double between(const ovr_passage *p, const float *nodes, int c, size_t k,
-                      bool nearest)
+static double between(const ovr_material_history *p, const float *nodes, int c,
+                      size_t k, bool nearest)
 {
     long fine = p->first + (long)k, width = 1L << (c - p->finest);
     long floor_of = fine >= 0 ? fine / width : -((width - 1 - fine) / width);
@@ -87,8 +87,8 @@ static double between(const ovr_passage *p, const float *nodes, int c, size_t k,
     return t == 0 ? v[0] : ovr_cubic(v, 1, t);
 }
 
-static void measure_depth(const ovr_passage *p, ovr_measure which, size_t depth,
-                          float *nodes, float *to)
+static void measure_depth(const ovr_material_history *p, ovr_measure which,
+                          size_t depth, float *nodes, float *to)
 {
     int c = p->stress->depth[depth].level;
     size_t points = p->grid[c].points;
@@ -101,8 +101,8 @@ static void measure_depth(const ovr_passage *p, ovr_measure which, size_t depth,
         to[k] = (float)between(p, nodes, c, k, which == OVR_MEASURE_ANGLE);
 }
 
-void ovr_passage_measure(const ovr_passage *p, ovr_measure which, float *to,
-                         double *smooth)
+void ovr_material_history_measure(const ovr_material_history *p,
+                                  ovr_measure which, float *to, double *smooth)
 {
     if (!p)
         return;
@@ -135,7 +135,7 @@ static ovr_measure measure_of(ovr_criterion criterion)
 }
 
 /* alpha times the tension that a path saw, if any. */
-static void add_tension(const ovr_passage *p, double alpha, float *A,
+static void add_tension(const ovr_material_history *p, double alpha, float *A,
                         double *smooth)
 {
     for (size_t j = 0; j < p->stress->depths; j++) {
@@ -151,9 +151,10 @@ static void add_tension(const ovr_passage *p, double alpha, float *A,
     }
 }
 
-ovr_status ovr_passage_amplitude(const ovr_passage *p, ovr_criterion criterion,
-                                 double alpha, float *A, double *smooth,
-                                 ovr_error *err)
+ovr_status ovr_material_history_amplitude(const ovr_material_history *p,
+                                          ovr_criterion criterion, double alpha,
+                                          float *A, double *smooth,
+                                          ovr_error *err)
 {
     if (!p || !A || !smooth)
         return ovr_fail_null(err, __func__);
@@ -162,7 +163,7 @@ ovr_status ovr_passage_amplitude(const ovr_passage *p, ovr_criterion criterion,
     if (criterion == OVR_CRITERION_DANG_VAN)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "Dang Van's criterion needs whole paths, not extents");
-    ovr_passage_measure(p, measure_of(criterion), A, smooth);
+    ovr_material_history_measure(p, measure_of(criterion), A, smooth);
     if (criterion == OVR_CRITERION_CIRCLE && alpha > 0)
         add_tension(p, alpha, A, smooth);
     return OVR_OK;

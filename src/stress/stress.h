@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stresses below a surface, passages of material, and lives. */
+/* Stresses below a surface, material histories, and lives. */
 #ifndef OVR_STRESS_STRESS_H
 #define OVR_STRESS_STRESS_H
 
@@ -76,47 +76,52 @@ ovr_in_plane ovr_element_stress(ovr_element element, double D, double p,
 /* Smooth dry contact, P = p sqrt(1 - X^2), Q = q sqrt(1 - X^2). */
 ovr_in_plane ovr_hertz_stress(double p, double q, double x, double z);
 
-ovr_passage *ovr_passage_create(const ovr_stress_options *given,
-                                const ovr_material_range *range,
-                                const ovr_allocator *allocator, ovr_error *err);
-void ovr_passage_free(ovr_passage *passage);
-double ovr_passage_memory(const ovr_stress_options *given,
-                          const ovr_material_range *range);
+ovr_material_history *
+ovr_material_history_create(const ovr_stress_options *given,
+                            const ovr_material_range *range,
+                            const ovr_allocator *allocator, ovr_error *err);
+void ovr_material_history_free(ovr_material_history *history);
+double ovr_material_history_memory(const ovr_stress_options *given,
+                                   const ovr_material_range *range);
 
 /* The contact is steady before the first moment and after the last, as it is at
  * that moment. */
-void ovr_passage_begin(ovr_passage *passage, const double *P, const double *Q,
-                       const ovr_moment *moment);
-void ovr_passage_step(ovr_passage *passage, const double *P, const double *Q,
-                      const ovr_moment *moment);
-void ovr_passage_end(ovr_passage *passage, const double *P, const double *Q,
-                     const ovr_moment *moment);
+void ovr_material_history_begin(ovr_material_history *history, const double *P,
+                                const double *Q, const ovr_moment *moment);
+void ovr_material_history_step(ovr_material_history *history, const double *P,
+                               const double *Q, const ovr_moment *moment);
+void ovr_material_history_end(ovr_material_history *history, const double *P,
+                              const double *Q, const ovr_moment *moment);
 
 /* Pieces of memory that make up the state between two steps. */
-size_t ovr_passage_state(ovr_passage *passage, const ovr_memory_piece **pieces);
+size_t ovr_material_history_state(ovr_material_history *history,
+                                  const ovr_memory_piece **pieces);
 
 /* X where xi = 0 is at U = 0. */
-double ovr_passage_reference(const ovr_passage *passage);
+double ovr_material_history_reference(const ovr_material_history *history);
 
-/* The material points of a passage. */
-ovr_material ovr_passage_material(const ovr_passage *passage);
+/* The material points of a material history. */
+ovr_material ovr_material_history_points(const ovr_material_history *history);
 
 /* Largest values that a moment's fields showed from least_depth down. */
-ovr_stress_extreme ovr_passage_max_shear(const ovr_passage *passage);
-ovr_stress_extreme ovr_passage_von_mises(const ovr_passage *passage);
+ovr_stress_extreme
+ovr_material_history_max_shear(const ovr_material_history *history);
+ovr_stress_extreme
+ovr_material_history_von_mises(const ovr_material_history *history);
 
 /* The largest mean pressure of a strip, at least least_depth wide, above that
  * around it (yield.c), at its middle, Z its width; all NAN without a yield. */
-ovr_stress_extreme ovr_passage_strip(const ovr_passage *passage);
+ovr_stress_extreme
+ovr_material_history_strip(const ovr_material_history *history);
 
 /* The largest way between two moments of a path that was followed: depths
  * above 4 times this are missed in part. */
-double ovr_passage_widest(const ovr_passage *passage);
+double ovr_material_history_widest(const ovr_material_history *history);
 
 /* Fills value[depth * points + k], and smooth[depth] with the steady contact
  * before the run; either may be NULL. */
-void ovr_passage_measure(const ovr_passage *passage, ovr_measure which,
-                         float *to, double *smooth);
+void ovr_material_history_measure(const ovr_material_history *history,
+                                  ovr_measure which, float *to, double *smooth);
 
 /* "circle", ... */
 const char *ovr_criterion_name(ovr_criterion criterion);
@@ -134,11 +139,12 @@ double ovr_first_yield(double poisson);
 double ovr_shakedown_limit(void);
 double ovr_strip_collapse(void);
 
-/* Fills A as ovr_passage_measure does; OVR_CRITERION_DANG_VAN needs paths
- * (ovr_dang_van) and is refused. */
-ovr_status ovr_passage_amplitude(const ovr_passage *passage,
-                                 ovr_criterion criterion, double alpha,
-                                 float *A, double *smooth, ovr_error *err);
+/* Fills A as ovr_material_history_measure does; OVR_CRITERION_DANG_VAN needs
+ * paths (ovr_dang_van) and is refused. */
+ovr_status ovr_material_history_amplitude(const ovr_material_history *history,
+                                          ovr_criterion criterion, double alpha,
+                                          float *A, double *smooth,
+                                          ovr_error *err);
 
 /* NAN where the options have no size or depths are more than 1024, the most
  * here and below.  Risk per length i = int <A - A_u>^c z^-h

@@ -21,7 +21,7 @@ typedef struct stage {
     fftw_plan forward, back;
     double *P, *Q; /* Q NULL: no traction */
     ovr_stress *stress;
-    ovr_passage *passage;
+    ovr_material_history *history;
     ovr_moment moment;
 } stage;
 
@@ -45,7 +45,7 @@ static void step(void *data)
 {
     stage *s = data;
     s->moment.U = fmod(s->moment.U + s->moment.dU, 0.5);
-    ovr_passage_step(s->passage, s->P, s->Q, &s->moment);
+    ovr_material_history_step(s->history, s->P, s->Q, &s->moment);
 }
 
 static void open_stage(stage *s, int level, bool traction)
@@ -61,14 +61,14 @@ static void open_stage(stage *s, int level, bool traction)
     range.reference = -0.25;
     s->moment = (ovr_moment){.dU = o.mesh, .direction = 1};
     s->stress = ovr_stress_create(&o, NULL, &err);
-    s->passage = ovr_passage_create(&o, &range, NULL, &err);
+    s->history = ovr_material_history_create(&o, &range, NULL, &err);
     s->P = calloc(n, sizeof *s->P);
     s->Q = traction ? calloc(n, sizeof *s->Q) : NULL;
     for (s->room = 256; s->room < 9 * (n - 1) / 4; s->room *= 2)
         ;
     s->values = fftw_malloc(s->room * sizeof *s->values);
     s->spectrum = fftw_malloc((s->room / 2 + 1) * sizeof *s->spectrum);
-    if (!s->stress || !s->passage || !s->P || (traction && !s->Q) ||
+    if (!s->stress || !s->history || !s->P || (traction && !s->Q) ||
         !s->values || !s->spectrum) {
         fprintf(stderr, "no memory\n");
         exit(1);
@@ -93,7 +93,7 @@ static void close_stage(stage *s)
     fftw_free(s->values);
     fftw_free(s->spectrum);
     ovr_stress_free(s->stress);
-    ovr_passage_free(s->passage);
+    ovr_material_history_free(s->history);
     free(s->P);
     free(s->Q);
 }

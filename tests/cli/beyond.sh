@@ -32,7 +32,7 @@ says() { # PATTERN SETTING...: run and check say it, the file holds it
     contains err "warning: .*$pattern"
 }
 
-# An ordinary passage: nothing to say
+# An ordinary material history: nothing to say
 expect 0 "$OVERROLL" run dent.ini --json
 contains out '"warnings": \[ \]'
 contains out '"lambda_ratio": null'

@@ -254,7 +254,7 @@ contains err 'needs \[stress\]'
 # A pass before the others in which nothing yields: what elastic stresses
 # foretell, to the digits of the run that cannot yield; the passes behind it are
 # those of the run without it.
-# From outside, so that all material has a whole passage.
+# From outside, so that all material has a whole material history.
 sed -e 's/^start = .*/start = -4.5/' -e 's/^end = .*/end = 6.6/' \
     plastic.ini >passes.ini
 cat >>passes.ini <<'END'

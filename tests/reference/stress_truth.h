@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Subsurface stresses and passages of an independent solution, copied from
- * truth/stress.json of the project's shared folder (keys named below): closed
- * forms checked there by adaptive quadrature of Flamant's kernels, fields by
- * Gauss quadrature of a spline through given pressures, passages by direct
- * sums along the exact paths.  Lengths in b, stresses in p_h, tension
- * positive.
+ * Subsurface stresses and material histories of an independent solution, copied
+ * from truth/stress.json of the project's shared folder (keys named below):
+ * closed forms checked there by adaptive quadrature of Flamant's kernels,
+ * fields by Gauss quadrature of a spline through given pressures, material
+ * histories by direct sums along the exact paths.  Lengths in b, stresses in
+ * p_h, tension positive.
  */
 #ifndef TESTS_REFERENCE_STRESS_TRUTH_H
 #define TESTS_REFERENCE_STRESS_TRUTH_H

@@ -41,9 +41,9 @@ static const struct {
 };
 
 /* Taken in silence, and why: what they set is of files that none of these runs
- * writes; comes later than their ends (a steady film, the whole passage of the
- * indent, its yielding); is of finer grids; or is a history that goes from 1 to
- * 1 as long as nothing else is given of it. */
+ * writes; comes later than their ends (a steady film, the whole material
+ * history of the indent, its yielding); is of finer grids; or is a history that
+ * goes from 1 to 1 as long as nothing else is given of it. */
 static const char *const later[] = {
     "output.",           "stress.every",     "stress.fields",
     "time.until_steady", "fatigue.alpha",    "fatigue.weibull",

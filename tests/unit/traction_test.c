@@ -185,25 +185,27 @@ static void loads_superpose(void **state)
         ovr_stress_free(s[k]);
 }
 
-/* --------------------------------------------------------------- passages */
+/* --------------------------------------------------------------- material
+ * histories */
 
-static ovr_passage *rolled(const ovr_stress_options *o, double reference,
-                           double way, long steps)
+static ovr_material_history *rolled(const ovr_stress_options *o,
+                                    double reference, double way, long steps)
 {
     ovr_error err;
     ovr_material_range range = ovr_material_range_default();
     ovr_moment m = {.direction = way < 0 ? -1 : 1, .dU = fabs(way)};
     range.reference = reference;
     range.from = -0.5, range.to = 0.5;
-    ovr_passage *p = ovr_passage_create(o, &range, NULL, &err);
+    ovr_material_history *p = ovr_material_history_create(o, &range, NULL,
+                                                          &err);
     if (!p)
         fail_msg("%s", err.message);
-    ovr_passage_begin(p, P, Q, &m);
+    ovr_material_history_begin(p, P, Q, &m);
     for (long k = 1; k <= steps; k++) {
         m.T = m.U = (double)k * way;
-        ovr_passage_step(p, P, Q, &m);
+        ovr_material_history_step(p, P, Q, &m);
     }
-    ovr_passage_end(p, P, Q, &m);
+    ovr_material_history_end(p, P, Q, &m);
     return p;
 }
 
@@ -228,7 +230,7 @@ static void of_path(double mu, double z, double *radius, double *orthogonal)
     free(s);
 }
 
-static void sliding_passages_have_their_amplitudes(void **state)
+static void sliding_histories_have_their_amplitudes(void **state)
 {
     const double mu[] = {0.1, -0.25}, z[] = {0.2, 0.5, 1};
     ovr_stress_options o = level8(-4);
@@ -237,14 +239,14 @@ static void sliding_passages_have_their_amplitudes(void **state)
         double R, tau, radius, orthogonal;
         o.depth_min = o.depth_max = z[k / 2];
         hertz(-4, mu[k % 2]);
-        ovr_passage *p = rolled(&o, 0, D, 0);
-        ovr_passage_measure(p, OVR_MEASURE_CIRCLE, NULL, &R);
-        ovr_passage_measure(p, OVR_MEASURE_ORTHOGONAL, NULL, &tau);
+        ovr_material_history *p = rolled(&o, 0, D, 0);
+        ovr_material_history_measure(p, OVR_MEASURE_CIRCLE, NULL, &R);
+        ovr_material_history_measure(p, OVR_MEASURE_ORTHOGONAL, NULL, &tau);
         of_path(mu[k % 2], z[k / 2], &radius, &orthogonal);
         CHECK_CLOSE(tau, orthogonal, 3e-4);
         assert_true(R < radius * (1 + 3e-4));
         assert_true(R > radius * (cos(3.14159265 / 32) - 3e-4));
-        ovr_passage_free(p);
+        ovr_material_history_free(p);
     }
 }
 
@@ -259,22 +261,22 @@ static void a_steady_contact_adds_no_risk(void **state)
         ovr_error err;
         ovr_life_options life = ovr_life_options_default();
         ovr_life_result result;
-        ovr_passage *p = rolled(&o, ways[k] > 0 ? -3 : 3, ways[k] * D,
-                                lround(6 / fabs(ways[k]) / D));
-        ovr_material m = ovr_passage_material(p);
+        ovr_material_history *p = rolled(&o, ways[k] > 0 ? -3 : 3, ways[k] * D,
+                                         lround(6 / fabs(ways[k]) / D));
+        ovr_material m = ovr_material_history_points(p);
         float *A = calloc(m.points * m.depths, sizeof *A);
         double *smooth = calloc(m.depths, sizeof *smooth);
         assert_true(A && smooth);
         life.least_depth = 8 * D;
-        CHECK_OK(ovr_passage_amplitude(p, OVR_CRITERION_CIRCLE, 0.3, A, smooth,
-                                       &err),
+        CHECK_OK(ovr_material_history_amplitude(p, OVR_CRITERION_CIRCLE, 0.3, A,
+                                                smooth, &err),
                  &err);
         CHECK_OK(ovr_life(&life, &m, A, smooth, NULL, NULL, &result, &err),
                  &err);
         CHECK_NEAR(result.equivalent_length, 0, 1e-3);
         free(A);
         free(smooth);
-        ovr_passage_free(p);
+        ovr_material_history_free(p);
     }
 }
 
@@ -287,13 +289,13 @@ static void traction_pulls(void **state)
     (void)state;
     o.depth_min = o.depth_max = 0.2;
     hertz(-4, 0.2);
-    ovr_passage *p = rolled(&o, 0, D, 0);
-    ovr_passage_measure(p, OVR_MEASURE_HYDRO_MAX, NULL, &pulled);
-    ovr_passage_free(p);
+    ovr_material_history *p = rolled(&o, 0, D, 0);
+    ovr_material_history_measure(p, OVR_MEASURE_HYDRO_MAX, NULL, &pulled);
+    ovr_material_history_free(p);
     memset(Q, 0, sizeof Q);
     p = rolled(&o, 0, D, 0);
-    ovr_passage_measure(p, OVR_MEASURE_HYDRO_MAX, NULL, &pressed);
-    ovr_passage_free(p);
+    ovr_material_history_measure(p, OVR_MEASURE_HYDRO_MAX, NULL, &pressed);
+    ovr_material_history_free(p);
     assert_true(pulled > 0.02);
     CHECK_NEAR(pressed, 0, 1e-6);
 }
@@ -305,7 +307,7 @@ int main(void)
         cmocka_unit_test(strong_friction_yields_at_the_surface),
         cmocka_unit_test(a_mirrored_load_mirrors_the_field),
         cmocka_unit_test(loads_superpose),
-        cmocka_unit_test(sliding_passages_have_their_amplitudes),
+        cmocka_unit_test(sliding_histories_have_their_amplitudes),
         cmocka_unit_test(a_steady_contact_adds_no_risk),
         cmocka_unit_test(traction_pulls),
     };

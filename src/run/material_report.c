@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is told of a passage: largest values, amplitudes, life; and the group
- * fatigue/surface_N of a result file. */
+/* What is told of a material history: largest values, amplitudes, life; and the
+ * group fatigue/surface_N of a result file. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 #include "results/results.h"
 #include "run/stress.h"
 #include "stress/layered.h"
-#include "stress/passage.h"
+#include "stress/material_history.h"
 #include "stress/stress.h"
 
 /* ------------------------------------------------------------------ telling */
@@ -32,7 +32,7 @@ static bool take_arrays(ovr_stress_report *r, ovr_arena *arena, ovr_error *err)
     return r->amplitude && r->amplitude_smooth && r->risk && r->length;
 }
 
-/* What the passage owns goes with it. */
+/* What the material history owns goes with it. */
 static bool copy_material(ovr_stress_report *r, ovr_arena *arena,
                           ovr_error *err)
 {
@@ -159,10 +159,11 @@ static bool is_beyond(const ovr_stress_report *r)
 
 static const ovr_stress_extreme none = {NAN, NAN, NAN, NAN};
 
-static void find_layers(const ovr_stress_plan *plan, const ovr_passage *passage,
+static void find_layers(const ovr_stress_plan *plan,
+                        const ovr_material_history *history,
                         ovr_stress_report *r)
 {
-    const ovr_layer_extremes of = ovr_passage_layers(passage);
+    const ovr_layer_extremes of = ovr_material_history_layers(history);
     const ovr_layered *layers = plan->options.layers;
     r->layer_von_mises = r->interface_shear = r->interface_tension = none;
     r->surface_tension = none;
@@ -248,14 +249,15 @@ static void count_yielding(ovr_stress_report *r)
     r->yielding_share = counted ? (double)beyond / (double)counted : NAN;
 }
 
-static void find_yield(const ovr_stress_plan *plan, const ovr_passage *passage,
+static void find_yield(const ovr_stress_plan *plan,
+                       const ovr_material_history *history,
                        ovr_stress_report *r)
 {
     double Y = plan->range.yield > 0 ? plan->range.yield : NAN;
     r->yield = Y;
     r->yield_ratio = r->von_mises;
     r->yield_ratio.value = r->von_mises.value / Y - 1;
-    r->strip = ovr_passage_strip(passage);
+    r->strip = ovr_material_history_strip(history);
     r->strip.value /= ovr_strip_collapse() * Y;
     r->of_first_yield = 1 / (ovr_first_yield(plan->range.poisson) * Y);
     r->of_shakedown = 1 / (ovr_shakedown_limit() * Y);
@@ -287,7 +289,7 @@ static void withhold(ovr_stress_report *r, ovr_life_result *life)
 
 ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
                                           const ovr_stress_plan *plan,
-                                          const ovr_passage *passage,
+                                          const ovr_material_history *history,
                                           ovr_stress_paths *paths, void *data,
                                           ovr_arena *arena, ovr_error *err)
 {
@@ -303,22 +305,23 @@ ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
     r->direction = plan->direction;
     r->traction = plan->options.traction;
     r->no_traction = plan->no_traction;
-    r->material = ovr_passage_material(passage);
+    r->material = ovr_material_history_points(history);
     r->least_depth = plan->range.least_depth;
     if (!copy_material(r, arena, err))
         return NULL;
     r->ratio = r->limit = NAN;
-    if (ovr_passage_widest(passage) * 4 > r->least_depth * (1 + 1e-6))
-        r->least_depth = 4 * ovr_passage_widest(passage); /* adaptive steps */
+    if (ovr_material_history_widest(history) * 4 > r->least_depth * (1 + 1e-6))
+        r->least_depth = 4 * ovr_material_history_widest(
+                                 history); /* adaptive steps */
     if (!take_arrays(r, arena, err))
         return NULL;
     for (int m = 0; m < OVR_MEASURES; m++)
-        ovr_passage_measure(passage, (ovr_measure)m, r->measure[m],
-                            r->smooth[m]);
-    r->max_shear = ovr_passage_max_shear(passage);
-    r->von_mises = ovr_passage_von_mises(passage);
-    find_layers(plan, passage, r);
-    find_yield(plan, passage, r);
+        ovr_material_history_measure(history, (ovr_measure)m, r->measure[m],
+                                     r->smooth[m]);
+    r->max_shear = ovr_material_history_max_shear(history);
+    r->von_mises = ovr_material_history_von_mises(history);
+    find_layers(plan, history, r);
+    find_yield(plan, history, r);
     find_worst(r);
     for (size_t k = 0; k < r->material.points; k++)
         r->incomplete += !r->material.complete[k];

@@ -147,7 +147,8 @@ static void dang_van_of_a_path(void **state)
     free(hydro);
 }
 
-/* ----------------------------------------------------------------- passages */
+/* ----------------------------------------------------------------- material
+ * histories */
 
 enum { NODES = 1793 };
 static const double D = 5.5 / (NODES - 1);
@@ -179,30 +180,30 @@ static void hump(double at, double *P)
     }
 }
 
-static ovr_passage *made(const ovr_stress_options *o,
-                         const ovr_material_range *range)
+static ovr_material_history *made(const ovr_stress_options *o,
+                                  const ovr_material_range *range)
 {
     ovr_error err;
-    ovr_passage *p = ovr_passage_create(o, range, NULL, &err);
+    ovr_material_history *p = ovr_material_history_create(o, range, NULL, &err);
     if (!p)
         fail_msg("%s", err.message);
     return p;
 }
 
 /* So many steps of `way` each; the hump, if any, starts at xi = 0. */
-static void roll(ovr_passage *p, double reference, double way, long steps,
-                 bool feature)
+static void roll(ovr_material_history *p, double reference, double way,
+                 long steps, bool feature)
 {
     static double P[NODES];
     ovr_moment m = {.direction = way < 0 ? -1 : 1, .dU = fabs(way)};
     hump(feature ? reference : -100, P);
-    ovr_passage_begin(p, P, NULL, &m);
+    ovr_material_history_begin(p, P, NULL, &m);
     for (long k = 1; k <= steps; k++) {
         m.T = m.U = (double)k * way;
         hump(feature ? reference + m.U : -100, P);
-        ovr_passage_step(p, P, NULL, &m);
+        ovr_material_history_step(p, P, NULL, &m);
     }
-    ovr_passage_end(p, P, NULL, &m);
+    ovr_material_history_end(p, P, NULL, &m);
 }
 
 static ovr_material_range about(double reference)
@@ -212,26 +213,26 @@ static ovr_material_range about(double reference)
     return range;
 }
 
-static ovr_life_result life_of(const ovr_passage *p, ovr_life_options *life,
-                               double *length)
+static ovr_life_result life_of(const ovr_material_history *p,
+                               ovr_life_options *life, double *length)
 {
     ovr_error err;
     ovr_life_result result;
-    ovr_material m = ovr_passage_material(p);
+    ovr_material m = ovr_material_history_points(p);
     float *A = calloc(m.points * m.depths, sizeof *A);
     double *smooth = calloc(m.depths, sizeof *smooth);
     assert_true(A && smooth);
-    CHECK_OK(
-        ovr_passage_amplitude(p, OVR_CRITERION_CIRCLE, 0.3, A, smooth, &err),
-        &err);
+    CHECK_OK(ovr_material_history_amplitude(p, OVR_CRITERION_CIRCLE, 0.3, A,
+                                            smooth, &err),
+             &err);
     CHECK_OK(ovr_life(life, &m, A, smooth, NULL, length, &result, &err), &err);
     free(A);
     free(smooth);
     return result;
 }
 
-/* Amplitudes of a steady passage: orthogonal, circle, and what they are by
- * closed form; Hertz' own edges converge slowly (1e-3 at z = 0.05). */
+/* Amplitudes of a steady material history: orthogonal, circle, and what they
+ * are by closed form; Hertz' own edges converge slowly (1e-3 at z = 0.05). */
 static void smooth_rolling_has_its_amplitudes(void **state)
 {
     ovr_stress_options o = level8();
@@ -243,18 +244,19 @@ static void smooth_rolling_has_its_amplitudes(void **state)
         ovr_material_range range = about(0);
         ovr_moment m = {.direction = 1};
         o.depth_min = o.depth_max = r[0];
-        ovr_passage *p = made(&o, &range);
+        ovr_material_history *p = made(&o, &range);
         hertz(1, P);
-        ovr_passage_begin(p, P, NULL, &m);
-        ovr_passage_measure(p, OVR_MEASURE_ORTHOGONAL, NULL, &orthogonal);
-        ovr_passage_measure(p, OVR_MEASURE_CIRCLE, NULL, &circle);
-        ovr_passage_measure(p, OVR_MEASURE_CRITICAL, NULL, &critical);
-        ovr_passage_measure(p, OVR_MEASURE_ANGLE, NULL, &angle);
+        ovr_material_history_begin(p, P, NULL, &m);
+        ovr_material_history_measure(p, OVR_MEASURE_ORTHOGONAL, NULL,
+                                     &orthogonal);
+        ovr_material_history_measure(p, OVR_MEASURE_CIRCLE, NULL, &circle);
+        ovr_material_history_measure(p, OVR_MEASURE_CRITICAL, NULL, &critical);
+        ovr_material_history_measure(p, OVR_MEASURE_ANGLE, NULL, &angle);
         CHECK_CLOSE(orthogonal, r[1], r[0] < 0.1 ? 2e-3 : 3e-4);
         CHECK_CLOSE(circle, r[1], r[0] < 0.1 ? 2e-3 : 3e-4);
         CHECK_CLOSE(critical, r[1], r[0] < 0.1 ? 2e-3 : 3e-4);
         CHECK_NEAR(angle, 0, 0);
-        ovr_passage_free(p);
+        ovr_material_history_free(p);
     }
 }
 
@@ -269,16 +271,16 @@ static void a_steady_contact_adds_no_risk(void **state)
         ovr_life_options life = ovr_life_options_default();
         ovr_material_range range = about(ways[k] > 0 ? -3 : 3);
         range.from = -1, range.to = 1;
-        ovr_passage *p = made(&o, &range);
+        ovr_material_history *p = made(&o, &range);
         life.least_depth = 8 * D;
         roll(p, range.reference, ways[k] * D, lround(6 / fabs(ways[k]) / D),
              false);
         CHECK_NEAR(life_of(p, &life, NULL).equivalent_length, 0, 1e-3);
-        ovr_passage_free(p);
+        ovr_material_history_free(p);
     }
 }
 
-/* The same passage, another window: risk does not depend on it. */
+/* The same material history, another window: risk does not depend on it. */
 static void the_window_does_not_matter(void **state)
 {
     ovr_stress_options o = level8();
@@ -289,10 +291,10 @@ static void the_window_does_not_matter(void **state)
     for (int k = 0; k < 2; k++) {
         ovr_material_range range = about(-3);
         range.from = k ? -4 : -2, range.to = k ? 4 : 2;
-        ovr_passage *p = made(&o, &range);
+        ovr_material_history *p = made(&o, &range);
         roll(p, -3, 1.07 * D, lround(6.5 / 1.07 / D), true);
         length[k] = life_of(p, &life, NULL).equivalent_length;
-        ovr_passage_free(p);
+        ovr_material_history_free(p);
     }
     assert_true(length[0] > 0.1);
     CHECK_NEAR(length[1], length[0], 5e-3);
@@ -311,7 +313,7 @@ static void backward_is_the_mirror_of_forward(void **state)
         static double P[NODES], back[NODES];
         double sign = k ? -1 : 1;
         ovr_material_range range = about(sign * -3);
-        ovr_passage *p = made(&o, &range);
+        ovr_material_history *p = made(&o, &range);
         ovr_moment m = {.direction = k ? -1 : 1, .dU = 2 * D};
         for (long step = 0; step < 1000; step++) {
             m.U = sign * (double)step * 2 * D;
@@ -323,13 +325,13 @@ static void backward_is_the_mirror_of_forward(void **state)
                 back[NODES - 1 - i] = P[i];
             }
             if (step == 0)
-                ovr_passage_begin(p, k ? back : P, NULL, &m);
+                ovr_material_history_begin(p, k ? back : P, NULL, &m);
             else
-                ovr_passage_step(p, k ? back : P, NULL, &m);
+                ovr_material_history_step(p, k ? back : P, NULL, &m);
         }
-        ovr_passage_end(p, k ? back : P, NULL, &m);
+        ovr_material_history_end(p, k ? back : P, NULL, &m);
         result[k] = life_of(p, &life, NULL);
-        ovr_passage_free(p);
+        ovr_material_history_free(p);
     }
     CHECK_CLOSE(result[1].equivalent_length, result[0].equivalent_length, 1e-3);
     CHECK_CLOSE(result[1].worst_amplitude, result[0].worst_amplitude, 1e-4);
@@ -347,41 +349,42 @@ static void windows_may_be_wider_than_the_fields(void **state)
     ovr_moment m = {.direction = 1};
     range.from = -10, range.to = 10;
     o.depth_min = o.depth_max = 4 * D;
-    ovr_passage *p = made(&o, &range);
-    ovr_material material = ovr_passage_material(p);
+    ovr_material_history *p = made(&o, &range);
+    ovr_material material = ovr_material_history_points(p);
     float *R = calloc(material.points, sizeof *R);
     assert_true(R && material.points > 5000);
     hertz(1, P);
-    ovr_passage_begin(p, P, NULL, &m);
-    ovr_passage_end(p, P, NULL, &m);
-    ovr_passage_measure(p, OVR_MEASURE_CIRCLE, R, &smooth);
+    ovr_material_history_begin(p, P, NULL, &m);
+    ovr_material_history_end(p, P, NULL, &m);
+    ovr_material_history_measure(p, OVR_MEASURE_CIRCLE, R, &smooth);
     for (size_t k = 0; k < material.points; k++)
         CHECK_CLOSE((double)R[k], smooth, 1e-3);
     free(R);
-    ovr_passage_free(p);
+    ovr_material_history_free(p);
 }
 
-/* Points whose passage the run cut while the hump was in the contact. */
+/* Points whose material history the run cut while the hump was in the contact.
+ */
 static void what_was_cut_is_told(void **state)
 {
     ovr_stress_options o = level8();
     static double P[NODES];
     (void)state;
     ovr_material_range range = about(-3);
-    ovr_passage *p = made(&o, &range);
+    ovr_material_history *p = made(&o, &range);
     ovr_moment m = {.direction = 1, .dU = D};
     hump(-3, P);
-    ovr_passage_begin(p, P, NULL, &m);
+    ovr_material_history_begin(p, P, NULL, &m);
     m.U = 3;
     m.disturbed = true;
-    ovr_passage_end(p, P, NULL, &m);
-    ovr_material material = ovr_passage_material(p);
+    ovr_material_history_end(p, P, NULL, &m);
+    ovr_material material = ovr_material_history_points(p);
     for (size_t k = 0; k < material.points; k++) {
         double X = material.start + (double)k * material.step;
         if (fabs(X - 2) > 1e-9)
             assert_int_equal(material.complete[k], X > 2);
     }
-    ovr_passage_free(p);
+    ovr_material_history_free(p);
 }
 
 /* A state copied in the middle goes on with the same bits. */
@@ -391,11 +394,11 @@ static void a_copied_state_goes_on(void **state)
     ovr_stress_options o = level8();
     ovr_material_range range = about(-0.5);
     static double P[NODES];
-    ovr_passage *p[2] = {made(&o, &range), made(&o, &range)};
+    ovr_material_history *p[2] = {made(&o, &range), made(&o, &range)};
     const ovr_memory_piece *a, *b;
-    size_t pieces = ovr_passage_state(p[0], &a);
+    size_t pieces = ovr_material_history_state(p[0], &a);
     (void)state;
-    ovr_passage_state(p[1], &b);
+    ovr_material_history_state(p[1], &b);
     for (long k = 0; k <= STEPS; k++) {
         double U = (double)k * 1.3 * D;
         ovr_moment m = {(double)k, U, 1.3 * D, 1, false};
@@ -405,14 +408,14 @@ static void a_copied_state_goes_on(void **state)
                 memcpy(b[j].memory, a[j].memory, a[j].bytes);
         for (int which = 0; which < (k >= HALF ? 2 : 1); which++)
             if (k == 0)
-                ovr_passage_begin(p[which], P, NULL, &m);
+                ovr_material_history_begin(p[which], P, NULL, &m);
             else
-                ovr_passage_step(p[which], P, NULL, &m);
+                ovr_material_history_step(p[which], P, NULL, &m);
     }
     for (size_t j = 0; j < pieces; j++)
         assert_memory_equal(a[j].memory, b[j].memory, a[j].bytes);
-    ovr_passage_free(p[0]);
-    ovr_passage_free(p[1]);
+    ovr_material_history_free(p[0]);
+    ovr_material_history_free(p[1]);
 }
 
 /* Residual stresses leave amplitudes and move von Mises by what they are. */
@@ -429,12 +432,12 @@ static void residual_stresses_are_added(void **state)
         ovr_moment m = {.direction = 1};
         range.residual_x = k ? -0.1 : 0;
         range.residual_y = k ? -0.1 : 0;
-        ovr_passage *p = made(&o, &range);
-        ovr_passage_begin(p, P, NULL, &m);
-        ovr_passage_measure(p, OVR_MEASURE_CIRCLE, NULL, &R[k]);
-        ovr_passage_measure(p, OVR_MEASURE_VON_MISES, NULL, &mises[k]);
-        ovr_passage_measure(p, OVR_MEASURE_HYDRO_MAX, NULL, &hydro[k]);
-        ovr_passage_free(p);
+        ovr_material_history *p = made(&o, &range);
+        ovr_material_history_begin(p, P, NULL, &m);
+        ovr_material_history_measure(p, OVR_MEASURE_CIRCLE, NULL, &R[k]);
+        ovr_material_history_measure(p, OVR_MEASURE_VON_MISES, NULL, &mises[k]);
+        ovr_material_history_measure(p, OVR_MEASURE_HYDRO_MAX, NULL, &hydro[k]);
+        ovr_material_history_free(p);
     }
     CHECK_CLOSE(R[1], R[0], 1e-6);
     CHECK_NEAR(hydro[1] - hydro[0], -0.2 / 3, 1e-6);
@@ -525,13 +528,13 @@ static void below_the_limit_there_is_no_length(void **state)
     (void)state;
     life.least_depth = 8 * D;
     life.limit = 0.4;
-    ovr_passage *p = made(&o, &range);
+    ovr_material_history *p = made(&o, &range);
     roll(p, -3, 2 * D, 100, false);
     ovr_life_result result = life_of(p, &life, length);
     assert_true(isnan(result.equivalent_length) && isnan(length[0]));
     CHECK_NEAR(result.utilisation, 0.25 / 0.4, 2e-3);
     CHECK_NEAR(result.smooth_risk, 0, 0);
-    ovr_passage_free(p);
+    ovr_material_history_free(p);
 }
 
 /* ------------------------------------------------------------------ refusals
@@ -544,30 +547,31 @@ static void nonsense_is_refused(void **state)
     ovr_material_range range = about(0);
     (void)state;
     range.to = range.from;
-    assert_null(ovr_passage_create(&o, &range, NULL, &err));
+    assert_null(ovr_material_history_create(&o, &range, NULL, &err));
     CHECK_ERROR(&err, OVR_BAD_INPUT, "no such range");
     range = about(0);
     range.reach = 3;
-    assert_null(ovr_passage_create(&o, &range, NULL, &err));
+    assert_null(ovr_material_history_create(&o, &range, NULL, &err));
     CHECK_ERROR(&err, OVR_BAD_INPUT, "need fields");
     range = about(0);
     range.poisson = 0.6;
-    assert_null(ovr_passage_create(&o, &range, NULL, &err));
+    assert_null(ovr_material_history_create(&o, &range, NULL, &err));
     CHECK_ERROR(&err, OVR_BAD_INPUT, "Poisson");
     range = about(0);
-    ovr_passage *p = made(&o, &range);
-    CHECK_STATUS(
-        ovr_passage_amplitude(p, OVR_CRITERION_DANG_VAN, 0, NULL, NULL, &err),
-        OVR_BAD_INPUT, &err);
-    ovr_passage_free(p);
+    ovr_material_history *p = made(&o, &range);
+    CHECK_STATUS(ovr_material_history_amplitude(p, OVR_CRITERION_DANG_VAN, 0,
+                                                NULL, NULL, &err),
+                 OVR_BAD_INPUT, &err);
+    ovr_material_history_free(p);
 }
 
 static ovr_status try_to_make(void *options, const ovr_allocator *hook,
                               ovr_error *err)
 {
     ovr_material_range range = about(0);
-    ovr_passage *p = ovr_passage_create(options, &range, hook, err);
-    ovr_passage_free(p);
+    ovr_material_history *p = ovr_material_history_create(options, &range, hook,
+                                                          err);
+    ovr_material_history_free(p);
     return p ? OVR_OK : err->status;
 }
 

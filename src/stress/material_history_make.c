@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Making and freeing of a passage. */
+/* Making and freeing of a material history. */
 #include <math.h>
 #include <string.h>
 
 #include "base/given.h"
-#include "stress/passage.h"
+#include "stress/material_history.h"
 #include "stress/stress.h"
 
 static double least_depth(const ovr_stress_options *o,
@@ -22,7 +22,7 @@ static ovr_material_grid grid_of(const ovr_material_range *range, double step)
     return grid;
 }
 
-static void find_grids(ovr_passage *p)
+static void find_grids(ovr_material_history *p)
 {
     const ovr_stress *s = p->stress;
     for (size_t j = s->depths; j-- > 0;) {
@@ -36,7 +36,7 @@ static void find_grids(ovr_passage *p)
 }
 
 /* The state without load: all zero, but for residual stresses. */
-static void find_rest(ovr_passage *p)
+static void find_rest(ovr_material_history *p)
 {
     const ovr_material_range *range = &p->range;
     const ovr_layered *layers = p->stress->options.layers;
@@ -59,11 +59,12 @@ static void find_rest(ovr_passage *p)
     }
 }
 
-static void start_at_rest(ovr_passage *p)
+static void start_at_rest(ovr_material_history *p)
 {
     for (size_t j = 0; j < p->stress->depths; j++) {
         size_t points = p->grid[p->stress->depth[j].level].points;
-        const float *rest = p->rest[ovr_passage_layer(p, p->stress->z[j])];
+        const float *rest =
+            p->rest[ovr_material_history_layer(p, p->stress->z[j])];
         for (size_t r = 0; r < OVR_ROWS; r++) {
             p->smooth[j * OVR_ROWS + r] = rest[r];
             for (size_t k = 0; k < points; k++)
@@ -73,7 +74,7 @@ static void start_at_rest(ovr_passage *p)
     memset(p->complete, 1, p->points);
 }
 
-static size_t values_of_all(const ovr_passage *p)
+static size_t values_of_all(const ovr_material_history *p)
 {
     size_t values = 0;
     for (size_t j = 0; j < p->stress->depths; j++)
@@ -82,13 +83,13 @@ static size_t values_of_all(const ovr_passage *p)
 }
 
 /* Nodes of a moment, or points of a level. */
-static size_t scratch_room(const ovr_passage *p)
+static size_t scratch_room(const ovr_material_history *p)
 {
     size_t points = p->grid[p->finest].points;
     return points > p->stress->room ? points : p->stress->room;
 }
 
-static bool take_scratch(ovr_passage *p, ovr_error *err)
+static bool take_scratch(ovr_material_history *p, ovr_error *err)
 {
     size_t room = scratch_room(p);
     float **scratch[] = {&p->d,        &p->tau,       &p->h,
@@ -102,7 +103,7 @@ static bool take_scratch(ovr_passage *p, ovr_error *err)
 }
 
 /* Takes memory for the sums of strips of pressure, where the body yields. */
-static ovr_status take_sums(ovr_passage *p, ovr_error *err)
+static ovr_status take_sums(ovr_material_history *p, ovr_error *err)
 {
     size_t n = p->stress->options.nodes;
     if (!(p->range.yield > 0))
@@ -114,7 +115,7 @@ static ovr_status take_sums(ovr_passage *p, ovr_error *err)
     return p->sums.sum ? OVR_OK : OVR_NO_MEMORY;
 }
 
-static ovr_status take_arrays(ovr_passage *p, ovr_error *err)
+static ovr_status take_arrays(ovr_material_history *p, ovr_error *err)
 {
     size_t depths = p->stress->depths, all = values_of_all(p);
     float *rows = ovr_arena_take(&p->arena, all, sizeof *rows, err);
@@ -163,7 +164,7 @@ static ovr_status check(const ovr_stress_options *o,
     return OVR_OK;
 }
 
-static ovr_status prepare(ovr_passage *p, ovr_error *err)
+static ovr_status prepare(ovr_material_history *p, ovr_error *err)
 {
     for (int m = 0; m < OVR_HALF_DIRECTIONS; m++) {
         p->cosine[m] = (float)ovr_direction_cos(m);
@@ -185,9 +186,10 @@ static ovr_status take(const ovr_stress_options *o,
     return status ? status : OVR_TAKE(ovr_material_range, to_range, range, err);
 }
 
-ovr_passage *ovr_passage_create(const ovr_stress_options *given,
-                                const ovr_material_range *given_range,
-                                const ovr_allocator *allocator, ovr_error *err)
+ovr_material_history *
+ovr_material_history_create(const ovr_stress_options *given,
+                            const ovr_material_range *given_range,
+                            const ovr_allocator *allocator, ovr_error *err)
 {
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_stress_options own, *options = &own;
@@ -195,7 +197,7 @@ ovr_passage *ovr_passage_create(const ovr_stress_options *given,
     if (take(given, given_range, options, range, err) ||
         ovr_stress_check(options, err) || check(options, range, err))
         return NULL;
-    ovr_passage *p = ovr_arena_take(&arena, 1, sizeof *p, err);
+    ovr_material_history *p = ovr_arena_take(&arena, 1, sizeof *p, err);
     if (!p)
         return NULL;
     p->arena = arena;
@@ -203,13 +205,13 @@ ovr_passage *ovr_passage_create(const ovr_stress_options *given,
     p->range.least_depth = least_depth(options, range);
     p->stress = ovr_stress_create(options, allocator, err);
     if (!p->stress || prepare(p, err)) {
-        ovr_passage_free(p);
+        ovr_material_history_free(p);
         return NULL;
     }
     return p;
 }
 
-void ovr_passage_free(ovr_passage *p)
+void ovr_material_history_free(ovr_material_history *p)
 {
     if (!p)
         return;
@@ -218,8 +220,8 @@ void ovr_passage_free(ovr_passage *p)
     ovr_arena_release(&arena);
 }
 
-double ovr_passage_memory(const ovr_stress_options *given,
-                          const ovr_material_range *given_range)
+double ovr_material_history_memory(const ovr_stress_options *given,
+                                   const ovr_material_range *given_range)
 {
     ovr_stress_options own, *o = &own;
     ovr_material_range own_range, *range = &own_range;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The history of the material: the insides. */
-#ifndef OVR_STRESS_PASSAGE_H
-#define OVR_STRESS_PASSAGE_H
+#ifndef OVR_STRESS_MATERIAL_HISTORY_H
+#define OVR_STRESS_MATERIAL_HISTORY_H
 
 #include "stress/circle.h"
 #include "stress/field.h"
@@ -36,13 +36,13 @@ typedef struct ovr_material_grid {
 } ovr_material_grid;
 
 /* Single numbers of the state. */
-typedef struct ovr_passage_numbers {
+typedef struct ovr_material_history_numbers {
     double way[OVR_STRESS_LEVELS]; /* since the level's last moment */
     double widest;
     ovr_stress_extreme shear, von_mises; /* of squares */
-} ovr_passage_numbers;
+} ovr_material_history_numbers;
 
-struct ovr_passage {
+struct ovr_material_history {
     ovr_arena arena;
     ovr_stress *stress;
     ovr_material_range range;
@@ -57,7 +57,7 @@ struct ovr_passage {
     float cosine[OVR_HALF_DIRECTIONS], sine[OVR_HALF_DIRECTIONS];
     float *smooth; /* OVR_ROWS of each depth */
     unsigned char *complete;
-    ovr_passage_numbers numbers;
+    ovr_material_history_numbers numbers;
     ovr_layer_extremes layers;
     ovr_stress_extreme strip; /* of pressure above that around it */
     ovr_pressure_sums sums;
@@ -66,11 +66,12 @@ struct ovr_passage {
     size_t pieces;
 };
 
-/* Gives the extremes of a passage with layers. */
-ovr_layer_extremes ovr_passage_layers(const ovr_passage *p);
+/* Gives the extremes of a material history with layers. */
+ovr_layer_extremes ovr_material_history_layers(const ovr_material_history *p);
 
 /* The layer of a depth, from 0; their number below them, or 0 without any. */
-static inline int ovr_passage_layer(const ovr_passage *p, double z)
+static inline int ovr_material_history_layer(const ovr_material_history *p,
+                                             double z)
 {
     const ovr_layered *layers = p->stress->options.layers;
     return layers ? ovr_layered_at(layers, z) : 0;

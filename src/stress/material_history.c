@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Passage of the material through the fields.
+ * Material histories through the fields.
  *
  * A point of the surface stands at X = reference + xi + U(T).  Each moment's
  * nodes are moved by the part of a mesh that puts them on material points of
@@ -16,7 +16,7 @@
  * Before the first moment and after the last the contact was, and will be, as
  * it is then: the fields of that moment at all earlier, or later, places.
  */
-#include "stress/passage.h"
+#include "stress/material_history.h"
 #include "base/given.h"
 #include "stress/stress.h"
 
@@ -44,7 +44,7 @@ typedef struct place {
     long meshes;
 } place;
 
-static place find_place(const ovr_passage *p, double U)
+static place find_place(const ovr_material_history *p, double U)
 {
     double D = p->stress->options.mesh;
     double t = (U + p->range.reference - p->stress->start) / D;
@@ -53,8 +53,8 @@ static place find_place(const ovr_passage *p, double U)
 }
 
 /* Nodes of a row within reach: first, and how many. */
-static size_t nodes_within(const ovr_passage *p, const ovr_stress_row *row,
-                           size_t *first)
+static size_t nodes_within(const ovr_material_history *p,
+                           const ovr_stress_row *row, size_t *first)
 {
     double low = ceil((-p->range.reach - row->start) / row->step);
     double high = floor((p->range.reach - row->start) / row->step);
@@ -64,13 +64,14 @@ static size_t nodes_within(const ovr_passage *p, const ovr_stress_row *row,
     return high >= low ? (size_t)(high - low) + 1 : 0;
 }
 
-static void find_states(ovr_passage *p, const ovr_stress_row *row, size_t first,
-                        size_t n)
+static void find_states(ovr_material_history *p, const ovr_stress_row *row,
+                        size_t first, size_t n)
 {
     const ovr_node_states to = {p->d,        p->tau,       p->h,
                                 p->in_plane, p->von_mises, p->tresca};
-    p->stress->loops->states(n, row->shear + 2 * first, row->mean + 2 * first,
-                             &p->constants[ovr_passage_layer(p, row->z)], &to);
+    p->stress->loops->states(
+        n, row->shear + 2 * first, row->mean + 2 * first,
+        &p->constants[ovr_material_history_layer(p, row->z)], &to);
 }
 
 static void note_extreme(const ovr_stress_loops *loops, size_t n,
@@ -91,11 +92,12 @@ typedef enum noted { SHEAR, ACROSS, ALONG } noted;
 
 /* |tau|, sigma_z = -d - h, or sigma_x = d - h with what is there without load.
  */
-static void note_value(const ovr_passage *p, size_t n,
+static void note_value(const ovr_material_history *p, size_t n,
                        const ovr_stress_row *row, size_t first, double T,
                        noted which, ovr_stress_extreme *extreme)
 {
-    const ovr_state_constants *c = &p->constants[ovr_passage_layer(p, row->z)];
+    const ovr_state_constants *c =
+        &p->constants[ovr_material_history_layer(p, row->z)];
     for (size_t i = 0; i < n; i++) {
         double d = (double)p->d[i], h = (double)p->h[i], value;
         double X = row->start + (double)(first + i) * row->step;
@@ -108,12 +110,12 @@ static void note_value(const ovr_passage *p, size_t n,
 }
 
 /* Notes the extremes of the layers; below all of them the row is the body's. */
-static void note_layers(ovr_passage *p, const ovr_stress_row *row, size_t first,
-                        size_t n, double T)
+static void note_layers(ovr_material_history *p, const ovr_stress_row *row,
+                        size_t first, size_t n, double T)
 {
     const ovr_layered *layers = p->stress->options.layers;
     ovr_layer_extremes *of = &p->layers;
-    int layer = ovr_passage_layer(p, row->z);
+    int layer = ovr_material_history_layer(p, row->z);
     if (row->z == p->stress->z[0])
         note_value(p, n, row, first, T, ALONG, &of->surface);
     if (layer == layers->layers)
@@ -127,7 +129,7 @@ static void note_layers(ovr_passage *p, const ovr_stress_row *row, size_t first,
     note_value(p, n, row, first, T, ACROSS, &of->tension);
 }
 
-static void note_extremes(ovr_passage *p, const ovr_stress_row *row,
+static void note_extremes(ovr_material_history *p, const ovr_stress_row *row,
                           size_t first, size_t n, double T)
 {
     const ovr_stress_loops *loops = p->stress->loops;
@@ -145,7 +147,7 @@ static void note_extremes(ovr_passage *p, const ovr_stress_row *row,
  * them. */
 static const double widest_strip = 4;
 
-static void note_strip(ovr_passage *p, const double *P, double T)
+static void note_strip(ovr_material_history *p, const double *P, double T)
 {
     double D = p->stress->options.mesh;
     ovr_strip worst = {.excess = p->strip.value};
@@ -156,9 +158,10 @@ static void note_strip(ovr_passage *p, const double *P, double T)
             worst.width * D, T};
 }
 
-/* --------------------------------------------------- a step of the passage */
+/* --------------------------------------------------- a step of the material
+ * history */
 
-static void widen(ovr_passage *p, size_t depth, size_t from, size_t to,
+static void widen(ovr_material_history *p, size_t depth, size_t from, size_t to,
                   size_t n)
 {
     const ovr_stress_loops *loops = p->stress->loops;
@@ -175,12 +178,13 @@ static void widen(ovr_passage *p, size_t depth, size_t from, size_t to,
 }
 
 /* Material point of the grid at node 0. */
-static long point_at(const ovr_passage *p, int c, place at)
+static long point_at(const ovr_material_history *p, int c, place at)
 {
     return -at.meshes * (WHOLE >> c) - p->grid[c].first;
 }
 
-static void follow_depth(ovr_passage *p, size_t depth, place at, double T)
+static void follow_depth(ovr_material_history *p, size_t depth, place at,
+                         double T)
 {
     ovr_stress_row row = ovr_stress_at(p->stress, depth);
     size_t first, n = nodes_within(p, &row, &first);
@@ -196,7 +200,7 @@ static void follow_depth(ovr_passage *p, size_t depth, place at, double T)
         widen(p, depth, (size_t)skip, (size_t)(k + skip), (size_t)count);
 }
 
-static unsigned levels_due(ovr_passage *p, double dU)
+static unsigned levels_due(ovr_material_history *p, double dU)
 {
     unsigned due = 0;
     for (int c = 0; c < OVR_STRESS_LEVELS; c++) {
@@ -211,8 +215,8 @@ static unsigned levels_due(ovr_passage *p, double dU)
     return due;
 }
 
-void ovr_passage_step(ovr_passage *p, const double *P, const double *Q,
-                      const ovr_moment *moment)
+void ovr_material_history_step(ovr_material_history *p, const double *P,
+                               const double *Q, const ovr_moment *moment)
 {
     if (!p || !moment)
         return;
@@ -230,7 +234,8 @@ void ovr_passage_step(ovr_passage *p, const double *P, const double *Q,
 /* ------------------------------------------------------------- the closures */
 
 /* A row's values at n nodes of a moment. */
-static void row_values(const ovr_passage *p, int row, size_t n, float *v)
+static void row_values(const ovr_material_history *p, int row, size_t n,
+                       float *v)
 {
     const float *of[] = {p->von_mises, p->tresca, p->h, p->h};
     if (row >= OVR_ROW_VON_MISES) {
@@ -267,7 +272,7 @@ static float run_through(float *v, size_t n, float first, bool low, bool upward)
 }
 
 /* Points a ... b - 1 of a row have seen what stands at v[a - k]. */
-static void take_in(const ovr_passage *p, float *row, long a, long b,
+static void take_in(const ovr_material_history *p, float *row, long a, long b,
                     const float *v, long k, bool low)
 {
     const ovr_stress_loops *loops = p->stress->loops;
@@ -279,16 +284,16 @@ static void take_in(const ovr_passage *p, float *row, long a, long b,
 /* One row of one depth: node i = 0 ... n - 1 stands at point k + i, or between
  * it and the next.  Upward, a point takes all nodes below it, and its own;
  * downward those above. */
-static float sweep_row(const ovr_passage *p, size_t depth, int r, float *v,
-                       size_t n, long k, bool upward)
+static float sweep_row(const ovr_material_history *p, size_t depth, int r,
+                       float *v, size_t n, long k, bool upward)
 {
     long points = (long)p->grid[p->stress->depth[depth].level].points;
     long first = k > 0 ? k : 0, last = k + (long)n;
     float *row = p->row[depth] + (size_t)r * (size_t)points;
     bool low = is_low(r);
     float all = run_through(
-        v, n, p->rest[ovr_passage_layer(p, p->stress->z[depth])][r], low,
-        upward);
+        v, n, p->rest[ovr_material_history_layer(p, p->stress->z[depth])][r],
+        low, upward);
     take_in(p, row, first, last < points ? last : points, v, k, low);
     long from = upward ? (last > 0 ? last : 0) : 0, to = upward ? points : k;
     for (long at = from; at < to && at < points; at++)
@@ -297,9 +302,9 @@ static float sweep_row(const ovr_passage *p, size_t depth, int r, float *v,
 }
 
 /* One depth, its nodes `between` material points or on them; `keep`: the whole
- * of it is the smooth passage. */
-static void close_depth(ovr_passage *p, size_t depth, place at, bool between,
-                        bool upward, bool keep)
+ * of it is the smooth material history. */
+static void close_depth(ovr_material_history *p, size_t depth, place at,
+                        bool between, bool upward, bool keep)
 {
     ovr_stress_row row = ovr_stress_at(p->stress, depth);
     size_t first, n = nodes_within(p, &row, &first);
@@ -316,7 +321,7 @@ static void close_depth(ovr_passage *p, size_t depth, place at, bool between,
 
 /* All earlier (upward: from smaller X) or later places of every point, one
  * mesh apart: level c has 2^c shifts of its own. */
-static void close_run(ovr_passage *p, const double *P, const double *Q,
+static void close_run(ovr_material_history *p, const double *P, const double *Q,
                       double U, bool upward, bool keep)
 {
     place at = find_place(p, U);
@@ -333,7 +338,7 @@ static void close_run(ovr_passage *p, const double *P, const double *Q,
 
 /* Points with a part of their way before the first or behind the last moment
  * are told, when that part was not that of a smooth contact. */
-static void mark(ovr_passage *p, const ovr_moment *moment, bool begin)
+static void mark(ovr_material_history *p, const ovr_moment *moment, bool begin)
 {
     double step = ldexp(p->stress->options.mesh, p->finest);
     for (size_t k = 0; moment->disturbed && k < p->points; k++) {
@@ -346,7 +351,7 @@ static void mark(ovr_passage *p, const ovr_moment *moment, bool begin)
 }
 
 /* The extremes of the first moment. */
-static void look(ovr_passage *p, const double *P, const double *Q,
+static void look(ovr_material_history *p, const double *P, const double *Q,
                  const ovr_moment *moment)
 {
     ovr_stress_solve(p->stress, P, Q, 0, OVR_STRESS_ALL_LEVELS);
@@ -358,8 +363,8 @@ static void look(ovr_passage *p, const double *P, const double *Q,
     }
 }
 
-void ovr_passage_begin(ovr_passage *p, const double *P, const double *Q,
-                       const ovr_moment *moment)
+void ovr_material_history_begin(ovr_material_history *p, const double *P,
+                                const double *Q, const ovr_moment *moment)
 {
     if (!p || !P || !moment)
         return;
@@ -369,8 +374,8 @@ void ovr_passage_begin(ovr_passage *p, const double *P, const double *Q,
     mark(p, moment, true);
 }
 
-void ovr_passage_end(ovr_passage *p, const double *P, const double *Q,
-                     const ovr_moment *moment)
+void ovr_material_history_end(ovr_material_history *p, const double *P,
+                              const double *Q, const ovr_moment *moment)
 {
     if (!p || !P || !moment)
         return;
@@ -386,7 +391,7 @@ static ovr_stress_extreme root(ovr_stress_extreme of_square)
     return of_square;
 }
 
-ovr_layer_extremes ovr_passage_layers(const ovr_passage *p)
+ovr_layer_extremes ovr_material_history_layers(const ovr_material_history *p)
 {
     ovr_layer_extremes of = p->layers;
     for (int j = 0; j < OVR_LAYERS_MOST; j++)
@@ -394,35 +399,35 @@ ovr_layer_extremes ovr_passage_layers(const ovr_passage *p)
     return of;
 }
 
-ovr_stress_extreme ovr_passage_max_shear(const ovr_passage *p)
+ovr_stress_extreme ovr_material_history_max_shear(const ovr_material_history *p)
 {
     if (!p)
         return (ovr_stress_extreme){0};
     return root(p->numbers.shear);
 }
 
-ovr_stress_extreme ovr_passage_von_mises(const ovr_passage *p)
+ovr_stress_extreme ovr_material_history_von_mises(const ovr_material_history *p)
 {
     if (!p)
         return (ovr_stress_extreme){0};
     return root(p->numbers.von_mises);
 }
 
-ovr_stress_extreme ovr_passage_strip(const ovr_passage *p)
+ovr_stress_extreme ovr_material_history_strip(const ovr_material_history *p)
 {
     if (!p || !p->sums.sum)
         return (ovr_stress_extreme){NAN, NAN, NAN, NAN};
     return p->strip;
 }
 
-double ovr_passage_widest(const ovr_passage *p)
+double ovr_material_history_widest(const ovr_material_history *p)
 {
     if (!p)
         return NAN;
     return p->numbers.widest;
 }
 
-ovr_material ovr_passage_material(const ovr_passage *p)
+ovr_material ovr_material_history_points(const ovr_material_history *p)
 {
     if (!p)
         return (ovr_material){0};
@@ -431,12 +436,13 @@ ovr_material ovr_passage_material(const ovr_passage *p)
                           step,      p->stress->z,      p->complete};
 }
 
-double ovr_passage_reference(const ovr_passage *p)
+double ovr_material_history_reference(const ovr_material_history *p)
 {
     return p->range.reference;
 }
 
-size_t ovr_passage_state(ovr_passage *p, const ovr_memory_piece **pieces)
+size_t ovr_material_history_state(ovr_material_history *p,
+                                  const ovr_memory_piece **pieces)
 {
     if (!p || !pieces)
         return 0;

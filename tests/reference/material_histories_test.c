@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Whole passages of dents against an independent sum along the exact paths
- * (stress_truth.h).  The cases stand as the truth had them: inlet at -4, second
- * order, scheme written out.
+ * Whole material histories of dents against an independent sum along the exact
+ * paths (stress_truth.h).  The cases stand as the truth had them: inlet at -4,
+ * second order, scheme written out.
  */
 #include <math.h>
 #include <stdio.h>
@@ -29,9 +29,10 @@ static const char roller[] =
     "[feature dent]\nshape = indent\ndepth = 1.5 um\nwidth = 0.6\n"
     "shoulder = 0.25 um\nstart = -5\n";
 
-/* The passage of a case's surface 1 through its run, by the library alone. */
+/* The material history of a case's surface 1 through its run, by the library
+ * alone. */
 typedef struct followed {
-    ovr_passage *passage;
+    ovr_material_history *history;
     double T;
 } followed;
 
@@ -42,15 +43,15 @@ static ovr_status follow(void *data, const ovr_simulation *sim, ovr_error *err)
     ovr_moment m = {s->T, s->T, s->T - f->T, 1, false};
     (void)err;
     if (s->step == 0)
-        ovr_passage_begin(f->passage, s->P, NULL, &m);
+        ovr_material_history_begin(f->history, s->P, NULL, &m);
     else
-        ovr_passage_step(f->passage, s->P, NULL, &m);
+        ovr_material_history_step(f->history, s->P, NULL, &m);
     f->T = s->T;
     return OVR_OK;
 }
 
-static ovr_passage *passage_of(const char *text, double start, double z,
-                               ovr_element element)
+static ovr_material_history *history_of(const char *text, double start,
+                                        double z, ovr_element element)
 {
     ovr_error err;
     ovr_case *c = ovr_case_read_text(text, "test", NULL, NULL, &err);
@@ -70,8 +71,8 @@ static ovr_passage *passage_of(const char *text, double start, double z,
     o.element = element;
     ovr_material_range range = ovr_material_range_default();
     range.reference = start;
-    followed f = {ovr_passage_create(&o, &range, NULL, &err), 0};
-    if (!f.passage)
+    followed f = {ovr_material_history_create(&o, &range, NULL, &err), 0};
+    if (!f.history)
         fail_msg("%s", err.message);
     ovr_march march = *setup->march;
     const ovr_observer look = {.observe = follow, .data = &f};
@@ -79,11 +80,11 @@ static ovr_passage *passage_of(const char *text, double start, double z,
     march.observers = &look;
     CHECK_OK(ovr_simulation_march(sim, &march, &err), &err);
     ovr_moment last = {s->T, s->T, 0, 1, false};
-    ovr_passage_end(f.passage, s->P, NULL, &last);
+    ovr_material_history_end(f.history, s->P, NULL, &last);
     ovr_simulation_free(sim);
     ovr_setup_free(setup);
     ovr_case_free(c);
-    return f.passage;
+    return f.history;
 }
 
 static double at(const ovr_material *m, const float *v, double z, double xi)
@@ -101,15 +102,15 @@ static void compare(const char *text, double start, size_t rows,
                     const double (*truth)[5], ovr_element element,
                     double tolerance)
 {
-    ovr_passage *p = passage_of(text, start, truth[0][1], element);
-    ovr_material m = ovr_passage_material(p);
+    ovr_material_history *p = history_of(text, start, truth[0][1], element);
+    ovr_material m = ovr_material_history_points(p);
     const ovr_measure which[] = {OVR_MEASURE_CIRCLE, OVR_MEASURE_ORTHOGONAL,
                                  OVR_MEASURE_VON_MISES};
     float *v = calloc(m.points * m.depths, sizeof *v);
     double worst = 0;
     assert_non_null(v);
     for (int k = 0; k < 3; k++) {
-        ovr_passage_measure(p, which[k], v, NULL);
+        ovr_material_history_measure(p, which[k], v, NULL);
         for (size_t r = 0; r < rows; r++) {
             double value = at(&m, v, truth[r][1], truth[r][0]);
             worst = fmax(worst, fabs(value - truth[r][2 + k]));
@@ -118,7 +119,7 @@ static void compare(const char *text, double start, size_t rows,
     }
     print_message("worst difference %.1e p_h\n", worst);
     free(v);
-    ovr_passage_free(p);
+    ovr_material_history_free(p);
 }
 
 static void a_smooth_dent_does_what_the_truth_says(void **state)
