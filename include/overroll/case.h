@@ -157,7 +157,7 @@ typedef struct ovr_output {
 
 /* The settings of [stress] and [fatigue]: lengths in b, stresses in p_h. */
 typedef struct ovr_stress_setup {
-    unsigned surfaces; /* 1, 2, 3: both; 0: no stresses are wanted */
+    unsigned surfaces; /* 1, 2, 3: both; 0: no stresses are asked for */
     double poisson[2];
     double depth_min, depth_max, per_octave; /* depth_min 0: 4 D */
     long every;                              /* snapshots; 0: no fields */
@@ -235,7 +235,7 @@ typedef struct ovr_setup {
     const ovr_heat *heat;   /* NULL: none */
     double bearable;        /* pressure that the material bears, Pa */
     ovr_accuracy accuracy_of;
-    double accuracy; /* wanted: options->level is 0 until it is chosen by
+    double accuracy; /* asked for: options->level is 0 until it is chosen by
                         ovr_setup_prepare; 0: the level was given */
     double expected; /* relative error of accuracy_of on this mesh, as far as
                         it is known before anything is solved; by

@@ -93,7 +93,7 @@ typedef enum ovr_extension {
 
 /* The steps are taken in this order: window, scale and invert, gaps, outliers,
  * level, lambda_c, lambda_s, offset, anti-alias, taper.  Lengths are in the
- * profile's x unit, heights in its z unit; NAN: not wanted. */
+ * profile's x unit, heights in its z unit; NAN: not asked for. */
 typedef struct ovr_conditioning {
     double from, to;      /* window in x */
     double scale;         /* of heights, 1 */

@@ -29,9 +29,9 @@ extern "C" {
 
 /* ----------------------------------------------------------------- trials */
 
-/* Cases whose numbers are wanted, counted from 0: run by processes forked here,
- * or by one's own `ovr_trial_runner`, which puts numbers in, by the keys of
- * ovr_run_summary, or says why there are none. */
+/* Cases whose numbers are asked for, counted from 0: run by processes forked
+ * here, or by one's own `ovr_trial_runner`, which puts numbers in, by the keys
+ * of ovr_run_summary, or says why there are none. */
 typedef struct ovr_trials ovr_trials;
 typedef ovr_status ovr_trial_runner(void *data, ovr_trials *trials,
                                     ovr_error *err);
@@ -75,8 +75,8 @@ typedef enum ovr_find_end {
     OVR_FIND_FOUND,
     OVR_FIND_SCATTERED, /* found as well as its scatter lets it be */
     OVR_FIND_MISSED,    /* no answer between the ends */
-    OVR_FIND_SEVERAL,   /* several, and neither largest nor smallest wanted */
-    OVR_FIND_FAILED     /* runs failed where the answer lies */
+    OVR_FIND_SEVERAL, /* several, and neither largest nor smallest asked for */
+    OVR_FIND_FAILED   /* runs failed where the answer lies */
 } ovr_find_end;
 
 typedef struct ovr_find ovr_find;

@@ -373,11 +373,11 @@ typedef struct ovr_sweep_options {
 } ovr_sweep_options;
 
 /* True of a state in which a case is one to work on. */
-OVR_API bool ovr_sweep_wanted(const ovr_sweep_options *options,
+OVR_API bool ovr_sweep_is_due(const ovr_sweep_options *options,
                               ovr_sweep_state state);
 
-/* Runs the cases that are wanted and free.  A failed case is no failure of the
- * sweep.  OVR_STOPPED: what runs was asked to stop at its next step. */
+/* Runs the cases that are asked for and free.  A failed case is no failure of
+ * the sweep.  OVR_STOPPED: what runs was asked to stop at its next step. */
 OVR_API ovr_status ovr_sweep(const ovr_study *study,
                              const ovr_sweep_options *options, ovr_error *err);
 

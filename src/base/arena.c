@@ -104,14 +104,14 @@ void *ovr_arena_take(ovr_arena *arena, size_t count, size_t size,
     struct ovr_arena_block *block = arena->blocks;
     size_t bytes = count * size, at;
     if (size && count > (SIZE_MAX / 2) / size) {
-        ovr_fail(err, OVR_NO_MEMORY, "out of memory: %zu x %zu bytes wanted",
+        ovr_fail(err, OVR_NO_MEMORY, "out of memory: %zu x %zu bytes needed",
                  count, size);
         return NULL;
     }
     if (!block || aligned(block->used) + bytes > block->size - OVERHEAD)
         block = add_block(arena, bytes);
     if (!block) {
-        ovr_fail(err, OVR_NO_MEMORY, "out of memory: %zu bytes wanted", bytes);
+        ovr_fail(err, OVR_NO_MEMORY, "out of memory: %zu bytes needed", bytes);
         return NULL;
     }
     at = aligned(block->used);

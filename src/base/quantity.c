@@ -172,18 +172,18 @@ const char *ovr_units_allowed(ovr_dimension dimension)
 }
 
 /* Loads and speeds may be given by another quantity that leads to them. */
-static bool leads_to(const struct unit *unit, ovr_dimension wanted)
+static bool leads_to(const struct unit *unit, ovr_dimension target)
 {
     ovr_dimension is = unit->dimension;
-    if (wanted == OVR_LOAD)
+    if (target == OVR_LOAD)
         return is == OVR_LINE_LOAD || is == OVR_FORCE;
-    if (wanted == OVR_SURFACE_SPEED)
+    if (target == OVR_SURFACE_SPEED)
         return is == OVR_SPEED || is == OVR_ROTATION;
-    if (wanted == OVR_STIFFNESS)
+    if (target == OVR_STIFFNESS)
         return is == OVR_LINE_LOAD; /* the same units */
-    if (wanted == OVR_KELVINS)
+    if (target == OVR_KELVINS)
         return is == OVR_TEMPERATURE && !strcmp(unit->name, "K");
-    return is == wanted;
+    return is == target;
 }
 
 const char *ovr_unit_si(ovr_dimension dimension)

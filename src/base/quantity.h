@@ -3,7 +3,7 @@
  * Numbers with units, as people write them: "22 1/GPa", "40 mPa.s", "1.2 um".
  *
  * The whole text must be understood: a number in decimal notation with a
- * point (whatever the locale), then a unit of the dimension wanted or none.
+ * point (whatever the locale), then a unit of the dimension asked for or none.
  * NaN, infinities, hexadecimal, and numbers beyond the range of double are
  * refused.
  */

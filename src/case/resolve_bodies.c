@@ -118,9 +118,9 @@ static ovr_status reduce_modulus(ovr_resolved *r, ovr_error *err)
     double *reduced = &r->values.contact.modulus;
     const double E[2] = {b[0].modulus, b[1].modulus};
     /* of a body without one the stresses alone may speak */
-    bool wanted = isnan(*reduced) || says(block_of_body(r, 0), "modulus") ||
+    bool needed = isnan(*reduced) || says(block_of_body(r, 0), "modulus") ||
                   says(block_of_body(r, 1), "modulus");
-    if (!wanted)
+    if (!needed)
         return OVR_OK;
     if (both(r, "modulus", E, *reduced, err))
         return OVR_BAD_INPUT;

@@ -15,20 +15,20 @@ static ovr_status resolve_level(ovr_resolved *r, ovr_error *err)
 {
     const ovr_slot *nodes = ovr_slot_of(r, "domain", "nodes");
     const ovr_slot *level = ovr_slot_of(r, "domain", "level");
-    int k = 1, wanted = r->values.nodes;
+    int k = 1, target = r->values.nodes;
     if (!nodes->given)
         return OVR_OK;
     if (level->given)
         return ovr_fail_slot(err, nodes, "level is given too: leave one out");
-    while (k < OVR_LEVELS - 1 && nodes_of(k) < wanted)
+    while (k < OVR_LEVELS - 1 && nodes_of(k) < target)
         k++;
-    if (k > 1 && nodes_of(k) - wanted > wanted - nodes_of(k - 1))
+    if (k > 1 && nodes_of(k) - target > target - nodes_of(k - 1))
         k--;
-    if (nodes_of(k) != wanted)
+    if (nodes_of(k) != target)
         return ovr_fail_slot(err, nodes,
                              "%d must be 7 2^k + 1; the nearest is %d "
                              "(level %d)",
-                             wanted, nodes_of(k), k);
+                             target, nodes_of(k), k);
     r->values.options.level = k;
     return OVR_OK;
 }

@@ -52,7 +52,7 @@ static ovr_status read_swift(const ovr_resolved *r, ovr_hardening *h,
     if (!(h->strength > 0) || !(h->offset > 0) ||
         !(h->power > 0 && h->power < 1))
         return ovr_fail_slot(err, slot,
-                             "wants B and C above 0 and n between 0 and 1");
+                             "needs B and C above 0 and n between 0 and 1");
     return OVR_OK;
 }
 
@@ -89,7 +89,7 @@ static ovr_status resolve_law(const ovr_resolved *r, int k,
     h->modulus = h->law == OVR_HARDENS_NOT ? 0 : p->modulus * body->strain;
     if (h->law != OVR_HARDENS_NOT && !(p->modulus > 0))
         return ovr_fail_slot(
-            err, slot_of(r, "modulus"), "%s hardening wants a modulus above 0",
+            err, slot_of(r, "modulus"), "%s hardening needs a modulus above 0",
             h->law == OVR_HARDENS_LINEAR ? "linear" : "kinematic");
     return OVR_OK;
 }

@@ -161,12 +161,12 @@ static ovr_status resolve_fatigue(ovr_resolved *r, ovr_error *err)
 static const char *no_traction(const ovr_resolved *r)
 {
     const ovr_lubricant *l = &r->lubricant;
-    int wanted = r->values.stress_traction;
-    if (wanted == OVR_TRACTION_NO)
+    int target = r->values.stress_traction;
+    if (target == OVR_TRACTION_NO)
         return "[stress] traction = no";
     if (isnan(r->contact.kappa))
         return "b/R is not known: a modulus or contact.G gives it";
-    if (wanted == OVR_TRACTION_AUTO && l->rheology == OVR_NEWTONIAN &&
+    if (target == OVR_TRACTION_AUTO && l->rheology == OVR_NEWTONIAN &&
         !(l->limiting_shear > 0))
         return "Newtonian film; a rheology, limiting_shear or [stress] "
                "traction = yes brings its shear stress in";

@@ -34,17 +34,17 @@ static ovr_status check_memory(const ovr_resolved *r, ovr_error *err)
     const ovr_slot *nodes = ovr_block_get(domain, "nodes");
     const ovr_slot *slot = nodes->given ? nodes
                                         : ovr_block_get(domain, "level");
-    double wanted = ovr_setup_memory(&r->setup);
+    double target = ovr_setup_memory(&r->setup);
     double here = SHARE * memory_here();
     ovr_options fits = *r->setup.options;
-    if (wanted <= here)
+    if (target <= here)
         return OVR_OK;
     while (fits.level > 1 && ovr_simulation_memory(&fits) > here)
         fits.level--;
     return ovr_fail_slot(err, slot,
                          "%s takes about %.1f GB of memory, of which this "
                          "machine can spare %.1f GB; level %d fits",
-                         slot->text, wanted / 1e9, here / 1e9, fits.level);
+                         slot->text, target / 1e9, here / 1e9, fits.level);
 }
 
 static ovr_status add_features(ovr_resolved *r, ovr_error *err)
@@ -170,21 +170,21 @@ static ovr_status make_grid(ovr_resolved *r, bool usual,
     return status;
 }
 
-/* The first level on which the error to be expected is the one wanted; of
+/* The first level on which the error to be expected is the one asked for; of
  * what features do on it is asked where the mesh alone would do. */
 static ovr_status choose_level(ovr_resolved *r, bool usual,
                                const ovr_allocator *allocator, ovr_error *err)
 {
     enum { LEAST = 4, MOST = 14 };
     ovr_setup *s = &r->setup;
-    const ovr_options wanted = *s->options;
+    const ovr_options target = *s->options;
     ovr_status status = OVR_OK;
-    int least = wanted.refine ? OVR_LEAST_REFINED : LEAST;
-    int level = wanted.coarsest_level > least ? wanted.coarsest_level : least;
+    int least = target.refine ? OVR_LEAST_REFINED : LEAST;
+    int level = target.coarsest_level > least ? target.coarsest_level : least;
     s->expected = INFINITY;
     for (; !status && s->expected > s->accuracy && level <= MOST; level++) {
         double inlet = s->options->inlet;
-        *s->options = wanted;
+        *s->options = target;
         s->options->inlet = inlet;
         s->options->level = level;
         status = resolve_options(r, err);

@@ -171,7 +171,7 @@ static int rewrite(const cli_call *call)
     ovr_error err = {0};
     ovr_case *c;
     if (!call->arguments)
-        return cli_usage(call, "--rewrite wants a case of an earlier version");
+        return cli_usage(call, "--rewrite needs a case of an earlier version");
     if (call->json)
         return cli_usage(call, "--rewrite prints a case, not JSON");
     c = cli_open_case(call, &code);

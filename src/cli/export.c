@@ -38,10 +38,11 @@ static double *add_column(job *j, const char *name, const ovr_variable *v)
     return cli_table_add(j->table, name, unit_in(j, v), j->err);
 }
 
-/* --------------------------------------------------------- what is wanted */
+/* --------------------------------------------------------- what is asked for
+ */
 
 /* The fields given by --field, or all; NULL behind the last. */
-static const ovr_variable *wanted_field(const job *j, size_t k)
+static const ovr_variable *target_field(const job *j, size_t k)
 {
     const char *name = cli_value_at(j->call, "field", (int)k);
     if (!cli_value(j->call, "field"))
@@ -78,7 +79,7 @@ static ovr_status check_fields(const job *j)
 {
     const char *name;
     for (int k = 0; (name = cli_value_at(j->call, "field", k)); k++)
-        if (!wanted_field(j, (size_t)k))
+        if (!target_field(j, (size_t)k))
             return no_field(j, name);
     return OVR_OK;
 }
@@ -91,7 +92,7 @@ static ovr_status add_snapshot(job *j, size_t k)
     x = add_column(j, "x", ovr_result_find(j->result, "x"));
     if (!x || ovr_result_x(j->result, j->units, x, j->err))
         return j->err->status;
-    for (size_t f = 0; (field = wanted_field(j, f)); f++) {
+    for (size_t f = 0; (field = target_field(j, f)); f++) {
         double *values = add_column(j, field->name, field);
         if (!values || ovr_result_snapshot(j->result, field->name, k, j->units,
                                            values, j->err))
@@ -176,7 +177,7 @@ static ovr_status add_all_series(job *j, double *x, double *row)
     for (int k = 0; (text = cli_value_at(j->call, "at", k)); k++) {
         if (check_position(j, text, x, &X))
             return j->err->status;
-        for (size_t f = 0; (field = wanted_field(j, f)); f++)
+        for (size_t f = 0; (field = target_field(j, f)); f++)
             if (add_series(j, field, X, x, row))
                 return j->err->status;
     }
@@ -287,7 +288,7 @@ static ovr_status wide_heads(job *j, const double *times)
     cli_table_head("x", unit_in(j, ovr_result_find(j->result, "x")), j->form,
                    true, j->to);
     for (size_t k = 0; k < j->about->snapshots; k++)
-        for (size_t f = 0; (field = wanted_field(j, f)); f++) {
+        for (size_t f = 0; (field = target_field(j, f)); f++) {
             char name[200];
             snprintf(name, sizeof name, "%s(t=%.9g%s)", field->name, times[k],
                      strcmp(unit, "s") == 0 ? "s" : "");
@@ -304,7 +305,7 @@ static ovr_status fill_wide(job *j, double *values, size_t fields)
     if (ovr_result_x(j->result, j->units, values, j->err))
         return j->err->status;
     for (size_t k = 0; k < j->about->snapshots; k++)
-        for (size_t f = 0; (field = wanted_field(j, f)); f++)
+        for (size_t f = 0; (field = target_field(j, f)); f++)
             if (ovr_result_snapshot(j->result, field->name, k, j->units,
                                     values + n * (1 + k * fields + f), j->err))
                 return j->err->status;
@@ -320,7 +321,7 @@ static ovr_status wide_table(job *j, const double *times)
     size_t fields = 0;
     double *values;
     ovr_status status;
-    while (wanted_field(j, fields))
+    while (target_field(j, fields))
         fields++;
     values = calloc(1 + fields * j->about->snapshots,
                     j->about->nodes * sizeof *values);

@@ -71,13 +71,13 @@ static int take_numbers(const cli_call *call, ovr_find_options *how)
         long n = strtol(workers, &end, 10);
         if (*end || end == workers || n < 1 || n > 64)
             return cli_usage(
-                call, "-j %s: a whole number from 1 to 64 is wanted", workers);
+                call, "-j %s: a whole number from 1 to 64 is needed", workers);
         how->workers = (int)n;
     }
     if (tolerance) {
         how->tolerance = strtod(tolerance, &end);
         if (*end || end == tolerance || !(how->tolerance > 0))
-            return cli_usage(call, "--tolerance %s: a number is wanted",
+            return cli_usage(call, "--tolerance %s: a number is needed",
                              tolerance);
     }
     return CLI_DONE;
@@ -266,7 +266,7 @@ const cli_verb cli_find = {
     .summary = "the value of a key for which a number of the run has a value",
     .help =
         "Runs the case at values of KEY from A to B, at both ends and between, "
-        "and closes\nin on the one wanted.  QUANTITY is any number of the "
+        "and closes\nin on the one asked for.  QUANTITY is any number of the "
         "summary by its name in\n--json; a unit in VALUE picks the one in SI.  "
         "Scales and formulas of 'check' are\nfound at once.  An answer to at "
         "most or at least has been run, and holds.\n\n"

@@ -26,7 +26,7 @@ static int no_unit(const cli_call *call, const char *name)
 {
     const char *text = cli_value(call, name);
     return cli_usage(call,
-                     "--%s %s: a unit is wanted, like '%s mm' or '%s um'; bare "
+                     "--%s %s: a unit is needed, like '%s mm' or '%s um'; bare "
                      "it would be of a profile in b",
                      name, text, text, text);
 }
@@ -64,7 +64,7 @@ static int take_number(const cli_call *call, const char *name, double *value)
         *value = number.value;
         return CLI_DONE;
     }
-    return cli_usage(call, "--%s %s: a number is wanted", name, text);
+    return cli_usage(call, "--%s %s: a number is needed", name, text);
 }
 
 static int take_whole(const cli_call *call, const char *name, int *value)
@@ -74,7 +74,7 @@ static int take_whole(const cli_call *call, const char *name, int *value)
     if (code)
         return code;
     if (!(number >= 0 && number <= 1e9) || number != floor(number))
-        return cli_usage(call, "--%s %s: a whole number is wanted", name,
+        return cli_usage(call, "--%s %s: a whole number is needed", name,
                          cli_value(call, name));
     *value = (int)number;
     return CLI_DONE;
@@ -92,7 +92,7 @@ static int take_level(const cli_call *call, ovr_levelling *level)
         }
     return text ? cli_usage(call,
                             "--level %s: none, mean, line, polynomial, ends, "
-                            "circle or auto is wanted",
+                            "circle or auto is needed",
                             text)
                 : CLI_DONE;
 }

@@ -70,7 +70,7 @@ int cli_sensitivity(const cli_call *call, ovr_case *c, bool steady)
     char *end = NULL;
     long n = workers ? strtol(workers, &end, 10) : 1;
     if (workers && (*end || end == workers || n < 1 || n > 64))
-        return cli_usage(call, "-j %s: a whole number from 1 to 64 is wanted",
+        return cli_usage(call, "-j %s: a whole number from 1 to 64 is needed",
                          workers);
     how.keys = keys && *keys ? keys : NULL;
     how.workers = (int)n;

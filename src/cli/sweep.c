@@ -87,7 +87,7 @@ static void put_quoted(const char *text)
 static void print_list(const sweeping *w)
 {
     for (size_t i = 0; i < ovr_study_cases(w->s); i++) {
-        if (!ovr_sweep_wanted(&w->how, ovr_sweep_state_of(w->s, i)))
+        if (!ovr_sweep_is_due(&w->how, ovr_sweep_state_of(w->s, i)))
             continue;
         fputs("overroll sweep ", stdout);
         put_quoted(w->call->argument[0]);
@@ -265,7 +265,7 @@ static size_t count_option(const cli_call *call, const char *name, size_t most,
     n = strtoul(text, &end, 10);
     if (*text >= '0' && *text <= '9' && !*end && n >= 1 && n <= most)
         return n;
-    cli_usage(call, "%s%s %s: a whole number from 1 to %zu is wanted",
+    cli_usage(call, "%s%s %s: a whole number from 1 to %zu is needed",
               name[1] ? "--" : "-", name, text, most);
     return 0;
 }

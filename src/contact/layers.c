@@ -240,9 +240,9 @@ void ovr_images_fit(const ovr_layered body[2], ovr_images *images)
     *images = (ovr_images){.top = softness_of_top(body)};
     if (is_flat(images, &f))
         return;
-    double wanted = images->top > 1 ? 5e-9 : 1e-9;
+    double target = images->top > 1 ? 5e-9 : 1e-9;
     with = *images;
-    for (int c = 0; best > wanted && c < (int)(sizeof counts / sizeof *counts);
+    for (int c = 0; best > target && c < (int)(sizeof counts / sizeof *counts);
          c++) {
         int n = counts[c];
         for (int m = 0; m < n; m++)

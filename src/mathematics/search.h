@@ -40,7 +40,7 @@ typedef struct ovr_search {
 typedef enum ovr_search_end {
     OVR_SEARCH_FOUND,
     OVR_SEARCH_MISSED,  /* nothing changes between the ends */
-    OVR_SEARCH_BEYOND,  /* an inequality still holds at the end wanted */
+    OVR_SEARCH_BEYOND,  /* an inequality still holds at the end asked for */
     OVR_SEARCH_SEVERAL, /* the value is met in several places */
     OVR_SEARCH_BROKEN,  /* values are missing where the answer lies */
     OVR_SEARCH_NOTHING  /* there is not one value */

@@ -22,7 +22,7 @@
  *           outside and inside the mean of the two of the patch that lie a
  *           quarter of D' on either side: what flows out of one grid flows
  *           into the other
- *     force of the base: wanted less what the patches add
+ *     force of the base: asked for less what the patches add
  *
  * Correction: P += I (P' - P' at entry) in wet nodes, the edges and the film
  * by the parent's pressures as they have become.
@@ -41,7 +41,7 @@ typedef struct ovr_composite {
     ovr_composite_film film;
     int patches;                /* beside the base */
     ovr_patch part[OVR_LEVELS]; /* 0: the base; each the next one's parent */
-    double force;               /* wanted load */
+    double force;               /* target load */
     double *room[2];            /* for the nodes of any part */
     /* Memory of patches, taken anew for each solution. */
     ovr_arena memory;

@@ -140,7 +140,7 @@ typedef struct ovr_columns {
     const double *used[OVR_CROSS_FILM_MAX]; /* T by which it flows */
     /* what flows; gamma */
     double *u[OVR_CROSS_FILM_MAX], *heating[OVR_CROSS_FILM_MAX], *t, *fall;
-    double *even; /* t_0; NULL: not wanted */
+    double *even; /* t_0; NULL: not asked for */
     /* what Reynolds' equation gets (fields.h); V/2 m_1/m_0 q.  Where they have
      * a place, they alone are made. */
     double *th, *shift, *drag, *swell, *turned;

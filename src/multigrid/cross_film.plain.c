@@ -86,7 +86,7 @@ void ovr_column_flow(const ovr_columns *c, size_t i)
     for (int j = 0; j < c->cross_film->n; j++)
         T[j] = c->used[j][i];
     if (c->th)
-        sheet.wet = false; /* the ratios alone are wanted */
+        sheet.wet = false; /* the ratios alone are asked for */
     ovr_cross_film_flow_of(c->cross_film, c->heat, &sheet, T, &flow);
     if (c->th) {
         put_fields(c, &flow, i);

@@ -85,7 +85,7 @@ void ovr_deformation_direct(size_t n, double D, const double *P, double *w)
 }
 
 /* Measured errors of the method relative to max |w| (tests/unit). */
-void ovr_mlmi_choose(double wanted, int *order, int *range)
+void ovr_mlmi_choose(double target, int *order, int *range)
 {
     static const struct {
         double error;
@@ -93,7 +93,7 @@ void ovr_mlmi_choose(double wanted, int *order, int *range)
     } table[] = {{4e-7, 6, 10},     {3e-8, 6, 16},     {6e-9, 10, 10},
                  {8.5e-10, 10, 12}, {1.7e-10, 10, 14}, {0, 12, 16}};
     size_t k = 0;
-    while (table[k].error > wanted)
+    while (table[k].error > target)
         k++;
     *order = table[k].order;
     *range = table[k].range;

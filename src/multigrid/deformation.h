@@ -105,8 +105,8 @@ void ovr_mlmi_fill(ovr_mlmi *plan, double D, const ovr_mlmi *like);
  * halos. */
 double *ovr_mlmi_field(const ovr_mlmi *plan, ovr_arena *arena, ovr_error *err);
 
-/* Order and range whose error stays below `wanted` of |w|. */
-void ovr_mlmi_choose(double wanted, int *order, int *range);
+/* Order and range whose error stays below `target` of |w|. */
+void ovr_mlmi_choose(double target, int *order, int *range);
 
 /* K(d D)/pi, the influence of a node on one d meshes away. */
 double ovr_deformation_kernel(double d, double D);

@@ -10,7 +10,7 @@
 /* One solution by nested iteration. */
 typedef struct nested {
     ovr_hierarchy *grids;
-    const ovr_wanted *wanted;
+    const ovr_target *target;
     const ovr_full *how;
     int *cycles;
     bool reporting; /* the load is whole */
@@ -55,18 +55,18 @@ void ovr_full_prepare(ovr_hierarchy *grids, double force)
 /* With Cw of the nominal load, Cu of the nominal speed and c of the nominal
  * curvature M goes with Cw sqrt(c/Cu), L with (Cu c)^(1/4), and the unit of
  * film b^2/R with Cw. */
-double ovr_wanted_film(const ovr_wanted *wanted, double fraction)
+double ovr_target_film(const ovr_target *target, double fraction)
 {
-    double Cw = wanted->Cw, Cu = wanted->Cu;
-    double M = fraction * wanted->M * Cw / sqrt(Cu / wanted->c);
-    return Cw * ovr_film_central_moes(M, wanted->L * pow(Cu * wanted->c, 0.25));
+    double Cw = target->Cw, Cu = target->Cu;
+    double M = fraction * target->M * Cw / sqrt(Cu / target->c);
+    return Cw * ovr_film_central_moes(M, target->L * pow(Cu * target->c, 0.25));
 }
 
 /* ph goes with the root of the load. */
-static ovr_fluid wanted_fluid(const ovr_wanted *wanted, double fraction)
+static ovr_fluid target_fluid(const ovr_target *target, double fraction)
 {
     double ratio = 1 / fraction, root = sqrt(ratio);
-    ovr_fluid fluid = wanted->fluid;
+    ovr_fluid fluid = target->fluid;
     fluid.lambda = fluid.lambda * ratio * ratio;
     fluid.lubricant.alphabar /= root;
     fluid.lubricant.P0 *= root;
@@ -77,7 +77,7 @@ static ovr_fluid wanted_fluid(const ovr_wanted *wanted, double fraction)
 
 static bool thins(const nested *a)
 {
-    return a->wanted->fluid.lubricant.rheology != OVR_NEWTONIAN;
+    return a->target->fluid.lubricant.rheology != OVR_NEWTONIAN;
 }
 
 static ovr_fluid newtonian(ovr_fluid fluid)
@@ -89,7 +89,7 @@ static ovr_fluid newtonian(ovr_fluid fluid)
 /* The fluid on the way up. */
 static ovr_fluid fluid_at(const nested *a, double fraction)
 {
-    ovr_fluid fluid = wanted_fluid(a->wanted, fraction);
+    ovr_fluid fluid = target_fluid(a->target, fraction);
     return a->how->thin_last ? newtonian(fluid) : fluid;
 }
 
@@ -101,8 +101,8 @@ static ovr_fluid fluid_at(const nested *a, double fraction)
 static void hertzian_start(const nested *a, ovr_level *level, double fraction)
 {
     ovr_hierarchy *grids = a->grids;
-    double Cw = a->wanted->Cw, H = ovr_wanted_film(a->wanted, fraction);
-    double width = sqrt((H > Cw ? H : Cw) / a->wanted->c),
+    double Cw = a->target->Cw, H = ovr_target_film(a->target, fraction);
+    double width = sqrt((H > Cw ? H : Cw) / a->target->c),
            *P = grids->scratch[0];
     for (size_t i = 0; i < level->grid.n; i++) {
         double x = level->grid.X[i] / width;
@@ -223,8 +223,8 @@ static ovr_defect raise_load(const nested *a, ovr_level *level, double from)
         double to = fmin(from * factor, 1), H0 = grids->H0;
         ovr_level_read(grids, level, level->f.P, saved);
         grids->fluid = fluid_at(a, to);
-        grids->H0 += ovr_wanted_film(a->wanted, to) -
-                     ovr_wanted_film(a->wanted, from);
+        grids->H0 += ovr_target_film(a->target, to) -
+                     ovr_target_film(a->target, from);
         ovr_level_refresh(grids, level);
         d = cycle_until_done(a, level).defect;
         if (ovr_below(d, 1e-2) && d.load < 1e-2) {
@@ -275,10 +275,10 @@ static double solve_easy_load(const nested *a, ovr_level *level)
     const double least = 1e-3;
     double fraction = 1;
     while (fraction > least &&
-           ovr_wanted_film(a->wanted, fraction) < pow(level->grid.D, 1.5))
+           ovr_target_film(a->target, fraction) < pow(level->grid.D, 1.5))
         fraction *= 0.9;
     for (;; fraction *= 0.7) {
-        ovr_fluid fluid = wanted_fluid(a->wanted, fraction);
+        ovr_fluid fluid = target_fluid(a->target, fraction);
         a->grids->fluid = thins(a) ? newtonian(fluid) : fluid;
         hertzian_start(a, level, fraction);
         ovr_defect d = solve_coarsest(a, level);
@@ -293,8 +293,8 @@ static double solve_easy_load(const nested *a, ovr_level *level)
 static int load_level(const nested *a)
 {
     const ovr_hierarchy *grids = a->grids;
-    double rise = pow(ovr_wanted_film(a->wanted, 1), 2. / 3) /
-                  sqrt(a->wanted->c);
+    double rise = pow(ovr_target_film(a->target, 1), 2. / 3) /
+                  sqrt(a->target->c);
     int level = grids->coarsest;
     while (level < grids->finest &&
            grids->level[level].grid.D > a->how->mesh * rise)
@@ -302,12 +302,12 @@ static int load_level(const nested *a)
     return level;
 }
 
-ovr_defect ovr_full_multigrid(ovr_hierarchy *grids, const ovr_wanted *wanted,
+ovr_defect ovr_full_multigrid(ovr_hierarchy *grids, const ovr_target *target,
                               ovr_full how, int *cycles)
 {
-    nested a = {grids, wanted, &how, cycles, false};
+    nested a = {grids, target, &how, cycles, false};
     ovr_level *level = &grids->level[how.cycling.bottom];
-    ovr_full_prepare(grids, wanted->force);
+    ovr_full_prepare(grids, target->force);
     double fraction = solve_easy_load(&a, level);
     ovr_defect d = ovr_cycle_defect(grids, level);
     if (fraction < 1) {
@@ -323,7 +323,7 @@ ovr_defect ovr_full_multigrid(ovr_hierarchy *grids, const ovr_wanted *wanted,
     if (level->number < grids->finest)
         d = refine_to(&a, level, grids->finest);
     if (how.thin_last)
-        d = thin_out(&a, &grids->level[grids->finest], wanted_fluid(wanted, 1),
+        d = thin_out(&a, &grids->level[grids->finest], target_fluid(target, 1),
                      false);
     return d;
 }

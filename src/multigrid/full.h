@@ -13,18 +13,18 @@
 
 #include "multigrid/cycle.h"
 
-/* The contact whose solution is wanted, at loads, speeds and curvatures
+/* The contact whose solution is asked for, at loads, speeds and curvatures
  * relative to the nominal ones of M and L. */
-typedef struct ovr_wanted {
+typedef struct ovr_target {
     double M, L;
     double Cw, Cu; /* load, speed */
     double c;      /* R0/R */
     double force;  /* D sum P */
     ovr_fluid fluid;
-} ovr_wanted;
+} ovr_target;
 
 /* Film thickness by formula, and the fluid, at a fraction of the load. */
-double ovr_wanted_film(const ovr_wanted *wanted, double fraction);
+double ovr_target_film(const ovr_target *target, double fraction);
 /* Reported of each level that carries the whole load. */
 typedef enum ovr_full_event {
     OVR_FULL_BEGINS, /* the level below is solved */
@@ -68,7 +68,7 @@ void ovr_full_prepare(ovr_hierarchy *grids, double force);
 
 /* Leaves the solution on the finest level, whose gap X^2/2 - S is set; adds
  * to the number of cycles. */
-ovr_defect ovr_full_multigrid(ovr_hierarchy *grids, const ovr_wanted *wanted,
+ovr_defect ovr_full_multigrid(ovr_hierarchy *grids, const ovr_target *target,
                               ovr_full how, int *cycles);
 
 #endif

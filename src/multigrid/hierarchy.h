@@ -29,7 +29,7 @@ typedef struct ovr_level {
     ovr_grid grid;
     ovr_lanes lanes;
     ovr_fields f;
-    double force;      /* wanted value of D sum P on this level */
+    double force;      /* asked for value of D sum P on this level */
     double k[6];       /* deformation kernel at 0..5 meshes, over pi */
     double local;      /* C of fourth_order.h */
     ovr_shares shares; /* of a distributed change */
@@ -62,7 +62,7 @@ typedef struct ovr_touch {
      * above P_f + A, dry or not */
     double *A, *g, *whole, *excess;
     unsigned char *dry, *opened; /* held, but taken for wet on trial */
-    int rising; /* steps in a row in which dry nodes wanted to rise */
+    int rising; /* steps in a row in which dry nodes asked for to rise */
     struct ovr_tripoles *tripoles;
     bool lifted; /* some film is above that of its pressures (touching.h) */
     double *lift, *gap;    /* by how much; the gap with it, in lanes */
@@ -85,7 +85,7 @@ typedef struct ovr_hierarchy {
     ovr_operator op;
     double H0;
     int ordered; /* the finest level that is not relaxed in lanes */
-    /* oil is conserved (content.h): wanted when it was built, at the moment;
+    /* oil is conserved (content.h): asked for when it was built, at the moment;
      * what arrives is given, and inlets may be closed */
     bool content, conserving, supplied;
     ovr_influence influence;

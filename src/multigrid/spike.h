@@ -7,8 +7,8 @@
  * the film as well (with two the smallest film is off by 3e-6 at M = 20, L =
  * 10, base 8, with three by 1e-6).  The spike is the highest local maximum of P
  * at X > 0.3, of nodes; where there is none, the sharpest bend.  One cycle a
- * patch, from cubic interpolation, until the wanted level is reached, or the
- * height of the spike has changed less than was wanted on two levels running
+ * patch, from cubic interpolation, until the target level is reached, or the
+ * height of the spike has changed less than was asked for on two levels running
  * (once may be by chance); then cycles to the tolerance.
  */
 #ifndef OVR_MULTIGRID_SPIKE_H

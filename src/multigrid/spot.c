@@ -197,9 +197,9 @@ static double newton_step(window *w)
     if (!w->plain->dense_solve(UNKNOWNS, STRIDE, w->matrix, w->solution))
         return INFINITY;
     for (ptrdiff_t i = 0; i < UNKNOWNS; i++) {
-        double P = w->f.P[i + MARGIN], wanted = w->solution[i];
-        double next = fmax(0, P + fmin(fmax(wanted, -limit), limit));
-        largest = fmax(largest, fabs(wanted));
+        double P = w->f.P[i + MARGIN], target = w->solution[i];
+        double next = fmax(0, P + fmin(fmax(target, -limit), limit));
+        largest = fmax(largest, fabs(target));
         w->change[i] += next - P;
         w->f.P[i + MARGIN] = next;
     }

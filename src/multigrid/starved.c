@@ -190,29 +190,29 @@ static bool step(ovr_hierarchy *grids, ovr_level *level, double limit,
 /* Goes from the supply *q to the target by steps of this factor at most,
  * smaller where one fails. */
 static bool travel(ovr_hierarchy *grids, ovr_level *level, double limit,
-                   double *q, double wanted, double factor)
+                   double *q, double target, double factor)
 {
     const double least = 0.98;
-    while (*q != wanted && factor < least) {
-        double next = wanted < *q ? fmax(wanted, factor * *q)
-                                  : fmin(wanted, *q / factor);
+    while (*q != target && factor < least) {
+        double next = target < *q ? fmax(target, factor * *q)
+                                  : fmin(target, *q / factor);
         if (step(grids, level, limit, *q, next))
             *q = next;
         else
             factor = sqrt(factor);
     }
-    return *q == wanted;
+    return *q == target;
 }
 
 /* A supply just below the flooded flow may have to be come to from below: its
  * meniscus is far out. */
 static void reduce(ovr_hierarchy *grids, ovr_level *level, double limit,
-                   double wanted)
+                   double target)
 {
     double q = central_flow(level);
-    if (!travel(grids, level, limit, &q, wanted, 0.5) &&
-        travel(grids, level, limit, &q, 0.7 * wanted, 0.5))
-        travel(grids, level, limit, &q, wanted, 0.95);
+    if (!travel(grids, level, limit, &q, target, 0.5) &&
+        travel(grids, level, limit, &q, 0.7 * target, 0.5))
+        travel(grids, level, limit, &q, target, 0.95);
 }
 
 /* Each level's own share of the supply. */
@@ -296,16 +296,16 @@ static void put_back(ovr_hierarchy *grids, ovr_level *level, const double *P,
  * of almost all of it is far out in a gap that hardly narrows, and moves by
  * many meshes for a little supply. */
 static ovr_defect approach(ovr_hierarchy *grids, const ovr_full *how,
-                           double wanted, double flow, int *cycles)
+                           double target, double flow, int *cycles)
 {
     const double from = 0.9, beyond = 1.0025, most = 0.25, least = 0.01;
     ovr_level *level = &grids->level[grids->finest];
-    double q = from * wanted, part = most;
+    double q = from * target, part = most;
     ovr_defect d = nested(grids, how, q, flow, cycles);
     if (!is_solved(how, level, d))
         return d;
-    while (q < wanted && part > least) {
-        double next = fmin(wanted, q + part * (beyond * flow - q));
+    while (q < target && part > least) {
+        double next = fmin(target, q + part * (beyond * flow - q));
         double H0 = grids->H0;
         ovr_level_read(grids, level, level->f.P, how->saved);
         raise_supply(grids, level, q, next);
@@ -318,7 +318,7 @@ static ovr_defect approach(ovr_hierarchy *grids, const ovr_full *how,
         put_back(grids, level, how->saved, H0, q);
         part *= 0.5;
     }
-    if (q < wanted) /* not that of this supply */
+    if (q < target) /* not that of this supply */
         d.imbalance = INFINITY;
     return d;
 }

@@ -33,10 +33,9 @@
  * The finest grid is solved by Newton's method alone (coarsest.h, tripoles.h),
  * in O(n log n) a step; its film begins with that of surfaces apart, by full
  * multigrid.  Where the film ends nodes turn wet one by one, so once some have
- * wanted to rise in three steps running, 2, 4, ... 128 on either side of them
- * are taken for wet; those that come out below zero are dry, and the same step
- * is found again.
- * Where there is no law nothing of this is called.
+ * asked for to rise in three steps running, 2, 4, ... 128 on either side of
+ * them are taken for wet; those that come out below zero are dry, and the same
+ * step is found again. Where there is no law nothing of this is called.
  */
 #ifndef OVR_MULTIGRID_TOUCHING_H
 #define OVR_MULTIGRID_TOUCHING_H

@@ -299,20 +299,20 @@ static ovr_status draw_all(studio *s, bool keep, ovr_error *err)
 static ovr_status start_workers(studio *s, ovr_error *err)
 {
     long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    size_t wanted = s->o->workers > 0 ? (size_t)s->o->workers
+    size_t target = s->o->workers > 0 ? (size_t)s->o->workers
                     : cores > 0       ? (size_t)cores
                                       : 1;
     ovr_status status = OVR_OK;
-    if (wanted > WORKERS)
-        wanted = WORKERS;
-    if (wanted > s->n)
-        wanted = s->n;
-    s->gnuplot = ovr_arena_take(s->arena, wanted, sizeof *s->gnuplot, err);
+    if (target > WORKERS)
+        target = WORKERS;
+    if (target > s->n)
+        target = s->n;
+    s->gnuplot = ovr_arena_take(s->arena, target, sizeof *s->gnuplot, err);
     if (!s->gnuplot)
         return OVR_NO_MEMORY;
     do {
         status = ovr_gnuplot_start(&s->gnuplot[s->workers++], err);
-    } while (status == OVR_OK && s->workers < wanted);
+    } while (status == OVR_OK && s->workers < target);
     return status;
 }
 

@@ -46,7 +46,7 @@ static void note_extremes(extremes *e, const ovr_shot *shot)
 static ovr_status choose_passage(const ovr_stored *run, ovr_shot *shot,
                                  double *times, extremes *e, ovr_error *err)
 {
-    static const double wanted[CHOSEN] = {-1.1, -0.5, 0.15, 0.8};
+    static const double target[CHOSEN] = {-1.1, -0.5, 0.15, 0.8};
     double best[CHOSEN] = {INFINITY, INFINITY, INFINITY, INFINITY};
     size_t found[CHOSEN] = {0}, last = run->info->snapshots - 1;
     for (size_t k = 0; k <= last; k++) {
@@ -56,8 +56,8 @@ static ovr_status choose_passage(const ovr_stored *run, ovr_shot *shot,
             return status;
         note_extremes(e, shot);
         for (int j = 0; j < CHOSEN; j++)
-            if (fabs(centre - wanted[j]) < best[j]) {
-                best[j] = fabs(centre - wanted[j]);
+            if (fabs(centre - target[j]) < best[j]) {
+                best[j] = fabs(centre - target[j]);
                 found[j] = k;
             }
     }

@@ -31,7 +31,7 @@ static ovr_status choose_speed(curves *of, const char *asked, ovr_error *err)
     if (of->speed)
         return OVR_OK;
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "a Stribeck curve wants a study over contact.mean_speed, "
+                    "a Stribeck curve needs a study over contact.mean_speed, "
                     "or another key with --against");
 }
 

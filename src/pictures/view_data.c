@@ -20,7 +20,7 @@
 enum { MOST_NODES = 4000, MOST_STEPS = 4000, MOST_VALUES = 4000000 };
 
 typedef struct writer {
-    const char *stress; /* field wanted, or NULL */
+    const char *stress; /* field asked for, or NULL */
     ovr_text *to;
     ovr_arena *arena;
     const ovr_stored *run;

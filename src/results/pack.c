@@ -70,12 +70,12 @@ void ovr_packer_release(ovr_packer *packer)
 }
 
 static bool inflate_all(const unsigned char *chunk, size_t bytes,
-                        unsigned char *to, size_t wanted, ovr_arena *arena,
+                        unsigned char *to, size_t target, ovr_arena *arena,
                         bool *starved)
 {
     z_stream stream = {.zalloc = take, .zfree = keep, .opaque = arena};
     bool whole = false;
-    if (bytes > UINT_MAX || wanted > UINT_MAX)
+    if (bytes > UINT_MAX || target > UINT_MAX)
         return false;
     if (inflateInit(&stream) != Z_OK) {
         *starved = true;
@@ -84,7 +84,7 @@ static bool inflate_all(const unsigned char *chunk, size_t bytes,
     stream.next_in = chunk;
     stream.avail_in = (uInt)bytes;
     stream.next_out = to;
-    stream.avail_out = (uInt)wanted;
+    stream.avail_out = (uInt)target;
     whole = inflate(&stream, Z_FINISH) == Z_STREAM_END && !stream.avail_out;
     inflateEnd(&stream);
     return whole;
@@ -102,17 +102,17 @@ unsigned char *ovr_unpack(const unsigned char *chunk, size_t bytes,
                           unsigned left_out, size_t count, size_t size,
                           ovr_arena *arena, bool *starved)
 {
-    size_t wanted = count * size;
-    unsigned char *packed = ovr_arena_take(arena, wanted, 1, NULL);
-    unsigned char *values = ovr_arena_take(arena, wanted, 1, NULL);
+    size_t target = count * size;
+    unsigned char *packed = ovr_arena_take(arena, target, 1, NULL);
+    unsigned char *values = ovr_arena_take(arena, target, 1, NULL);
     bool room = packed && values;
     *starved = *starved || !room;
     if (!room)
         return NULL;
-    if (left_out & 2 && bytes == wanted)
-        memcpy(packed, chunk, wanted);
+    if (left_out & 2 && bytes == target)
+        memcpy(packed, chunk, target);
     else if (left_out & 2 ||
-             !inflate_all(chunk, bytes, packed, wanted, arena, starved))
+             !inflate_all(chunk, bytes, packed, target, arena, starved))
         return NULL;
     if (left_out & 1)
         return packed;

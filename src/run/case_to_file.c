@@ -123,7 +123,7 @@ ovr_status ovr_run_go(ovr_run *run, ovr_error *err)
         return ovr_fail(err, OVR_BAD_INPUT,
                         run->going ? "the run is under way: nobody whom it "
                                      "calls may start it"
-                                   : "the run was made: another one is wanted "
+                                   : "the run was made: another one is needed "
                                      "for it to go again");
     run->going = run->gone = true;
     status = run->passes ? ovr_passes_go(run, err) : ovr_run_once(run, err);

@@ -282,7 +282,7 @@ static void say_step(const ovr_told *to, const ovr_setup *setup)
     double dT = ovr_setup_step(setup), meshes = dT / setup->mesh;
     const char *why = ovr_setup_step_reason(setup);
     if (setup->march->adaptive)
-        ovr_tell(to, "time step", "by the error of the steps, %g wanted",
+        ovr_tell(to, "time step", "by the error of the steps, %g is the target",
                  setup->march->error);
     else
         ovr_tell(to, "time step", "%.6g, %.3g %s%s%s", dT, meshes,

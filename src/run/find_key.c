@@ -68,7 +68,7 @@ static ovr_status read_end(const char *text, double *number, const char **unit,
     const char *at = text + strspn(text, " \t");
     if (!ovr_read_number(&at, number) || !isfinite(*number))
         return ovr_fail_about(err, "between",
-                              "%s between '%.60s': a number is wanted", key,
+                              "%s between '%.60s': a number is needed", key,
                               text);
     *unit = at + strspn(at, " \t");
     return OVR_OK;
@@ -109,11 +109,11 @@ static ovr_status take_ends(ovr_find *f, ovr_error *err)
             return OVR_BAD_INPUT;
     if (*unit[0] && strcmp(unit[0], unit[1]) != 0)
         return ovr_fail_about(err, "between",
-                              "%s between %s and %s: one unit is wanted",
+                              "%s between %s and %s: one unit is needed",
                               f->info.key, f->how.low, f->how.high);
     if (!(fabs(end[0] - end[1]) > 0))
         return ovr_fail_about(err, "between",
-                              "%s between %s and %s: two numbers are wanted",
+                              "%s between %s and %s: two numbers are needed",
                               f->info.key, f->how.low, f->how.high);
     f->from = fmin(end[0], end[1]);
     f->to = fmax(end[0], end[1]);
@@ -657,7 +657,7 @@ static ovr_status take_options(ovr_find *f, const ovr_find_options *options,
         return OVR_BAD_INPUT;
     if (!o->key || !o->low || !o->high || !o->condition)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "find: key, low, high and condition are wanted");
+                        "find: key, low, high and condition are needed");
     if (o->tolerance != 0 && !(o->tolerance >= 1e-9 && o->tolerance <= 0.5))
         return ovr_fail_about(err, "tolerance",
                               "tolerance: must be 1e-9 to 0.5");

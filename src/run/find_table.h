@@ -10,7 +10,7 @@
 #include "overroll/questions.h"
 
 typedef struct ovr_find_table {
-    FILE *file; /* NULL: none is wanted */
+    FILE *file; /* NULL: none is asked for */
     const char *path;
 } ovr_find_table;
 

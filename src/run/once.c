@@ -35,7 +35,7 @@ static ovr_status look(void *data, const ovr_simulation *sim, ovr_error *err)
     return OVR_OK;
 }
 
-/* Errors of discretization are wanted: not once more of a file that is
+/* Errors of discretization are asked for: not once more of a file that is
  * complete. */
 static bool estimates(const ovr_run *run)
 {
@@ -190,8 +190,8 @@ static void say_strains_are_lost(ovr_run *run)
                     "have; run the first pass alone on another level");
 }
 
-/* The discretization errors, where they are wanted; before the file is closed,
- * which keeps them. */
+/* The discretization errors, where they are asked for; before the file is
+ * closed, which keeps them. */
 static ovr_status estimate(ovr_run *run, ovr_error *err)
 {
     run->error = (ovr_run_errors){0}; /* not those of the pass before */

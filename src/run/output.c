@@ -261,12 +261,12 @@ double ovr_setup_output_memory(const ovr_setup *setup)
 }
 
 /* What the writer is told: texts and lists that end with the case. */
-typedef struct wanted {
+typedef struct target {
     ovr_write_options options;
     ovr_arena arena;
     ovr_case_value *values;
     double *times;
-} wanted;
+} target;
 
 /* The folder of the case, absolute: resume may start elsewhere. */
 static const char *absolute(const char *folder, ovr_arena *arena)
@@ -290,7 +290,7 @@ static const char *title_of(const char *name, ovr_arena *arena)
     return title;
 }
 
-static ovr_status want(wanted *w, ovr_run *run, ovr_error *err)
+static ovr_status want(target *w, ovr_run *run, ovr_error *err)
 {
     w->options = ovr_write_options_default();
     w->arena = ovr_arena_make(&run->arena.allocator);
@@ -308,7 +308,7 @@ static ovr_status want(wanted *w, ovr_run *run, ovr_error *err)
     return w->options.case_text ? OVR_OK : OVR_NO_MEMORY;
 }
 
-static void unwant(wanted *w)
+static void unwant(target *w)
 {
     ovr_arena_release(&w->arena);
 }
@@ -330,7 +330,7 @@ static ovr_status have(ovr_run *run, ovr_writer *writer, ovr_error *err)
 ovr_status ovr_output_open(ovr_run *run, ovr_error *err)
 {
     const ovr_state *state = ovr_simulation_state(run->sim);
-    wanted w;
+    target w;
     ovr_writer *writer = NULL;
     if (want(&w, run, err) == OVR_OK) {
         w.options.force = run->how.force;
@@ -357,7 +357,7 @@ ovr_status ovr_output_reopen(ovr_run *run, bool write, ovr_error *err)
 {
     const ovr_state *state = ovr_simulation_state(run->sim);
     ovr_restart *restart = run->restart;
-    wanted w;
+    target w;
     ovr_writer *writer = NULL;
     ovr_status status = want(&w, run, err);
     if (status == OVR_OK && restart)

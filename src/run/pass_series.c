@@ -119,7 +119,7 @@ ovr_status ovr_passes_go(ovr_run *run, ovr_error *err)
             status = end_pass(run, err);
         run->info.shaken_down = !status && ovr_passes_at_rest(run, p->now);
         if (run->info.shaken_down)
-            run->info.passes = p->rows = p->now; /* no more are wanted */
+            run->info.passes = p->rows = p->now; /* no more are asked for */
         more = p->now < p->rows;
         if (!status && more)
             status = next(run, err);

@@ -35,7 +35,7 @@ static bool put_numbers(const table *t, size_t k, const ovr_pass_column *c)
 }
 
 /* Quantities whose physics is on; errors and lives where they are known. */
-static bool is_wanted(const table *t, size_t k, const ovr_pass_column *c)
+static bool is_asked_for(const table *t, size_t k, const ovr_pass_column *c)
 {
     bool known = k < OVR_PASS_FILM_ERROR;
     for (size_t i = 0; i < t->rows.count; i++)
@@ -48,7 +48,7 @@ static bool put_columns(const table *t)
     ovr_pass_column c;
     bool good = true;
     for (size_t k = 0; good && ovr_pass_column_at(k, &c); k++)
-        good = !is_wanted(t, k, &c) || put_numbers(t, k, &c);
+        good = !is_asked_for(t, k, &c) || put_numbers(t, k, &c);
     return good;
 }
 

@@ -10,7 +10,7 @@
 #include "simulation/simulation.h"
 #include "surface/surfaces.h"
 
-/* Order four was taken or wanted, and is not what was reached. */
+/* Order four was taken or asked for, and is not what was reached. */
 static void warn_of_order(const ovr_review *r, const ovr_simulation *sim)
 {
     const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);

@@ -3,7 +3,7 @@
  * Elasticities e = ln(Q(x(1 + h))/Q(x(1 - h)))/ln((1 + h)/(1 - h)) for h = 2 %
  * and 1 %; about x = 0, and of temperatures, slopes by steps of a fixed size.
  * The derivative of the discrete solution itself (an adjoint's) is not what is
- * wanted: within a mesh it is that of the mesh.
+ * asked for: within a mesh it is that of the mesh.
  */
 #include <math.h>
 #include <stdio.h>

@@ -68,21 +68,21 @@ static double round_down(double value)
     return floor(value / digit * (1 + 1e-12)) * digit;
 }
 
-/* Moments so far apart miss depths that are wanted; said of the step of a run,
- * and of `every` where stored moments are taken. */
+/* Moments so far apart miss depths that are asked for; said of the step of a
+ * run, and of `every` where stored moments are taken. */
 static ovr_status refuse(const ovr_setup *setup, const char *key, double depth,
                          const ovr_stress_plan *plan, double every,
                          ovr_error *err)
 {
     double dT = ovr_setup_step(setup);
     double way = plan->coarsest, share = depth / WAY_OF_DEPTH / way;
-    double wanted = floor(share * every + 1e-9);
-    if (wanted >= 1)
+    double target = floor(share * every + 1e-9);
+    if (target >= 1)
         return ovr_fail_about(err, key,
                               "%s = %g: the moments are %g b of way apart, "
                               "which tells of depths from %.3g only; every = "
                               "%.0f would do",
-                              key, depth, way, WAY_OF_DEPTH * way, wanted);
+                              key, depth, way, WAY_OF_DEPTH * way, target);
     return ovr_fail_about(err, "step",
                           "step: %.3g b/um is %.3g b of way, which tells "
                           "of depths from %.3g b on only, and [%s] %s = %g; a "

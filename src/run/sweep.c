@@ -56,7 +56,7 @@ static ovr_status list_tasks(sweeping *w, ovr_error *err)
         return OVR_NO_MEMORY;
     for (size_t i = 0; i < w->s->tasks; i++)
         if ((!w->how.one || w->how.only == i) &&
-            ovr_sweep_wanted(&w->how, ovr_sweep_state_of(w->s, i)))
+            ovr_sweep_is_due(&w->how, ovr_sweep_state_of(w->s, i)))
             w->task[w->tasks++] = i;
     return OVR_OK;
 }

@@ -24,7 +24,7 @@ const char *ovr_sweep_state_name(ovr_sweep_state state)
     return names[state];
 }
 
-bool ovr_sweep_wanted(const ovr_sweep_options *how, ovr_sweep_state state)
+bool ovr_sweep_is_due(const ovr_sweep_options *how, ovr_sweep_state state)
 {
     if (!how)
         return false;
@@ -392,7 +392,7 @@ static void work_locked(working *w, int fd, ovr_error *err)
     ovr_sweep_state state = state_by_files(s, w->task);
     if (state != OVR_SWEEP_WAITING && !same_case(s, w->task, fd))
         state = OVR_SWEEP_CHANGED;
-    if (!ovr_sweep_wanted(w->how, state)) /* another was faster */
+    if (!ovr_sweep_is_due(w->how, state)) /* another was faster */
         return;
     if (state != OVR_SWEEP_STOPPED || w->how->redo) {
         start_afresh(s, w->task);

@@ -55,7 +55,7 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
     if (b->given->ridges &&
         ovr_hierarchy_factor(&sim->grids, &b->given->factor, &sim->arena, err))
         return OVR_NO_MEMORY;
-    sim->wanted.fluid.factor = sim->grids.fluid.factor;
+    sim->target.fluid.factor = sim->grids.fluid.factor;
     b->law = &b->given->bears;
     if (b->given->passes > 0) {
         b->wear = ovr_arena_take(&sim->arena, 1, sizeof *b->wear, err);

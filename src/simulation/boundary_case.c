@@ -122,13 +122,13 @@ static ovr_status resolve_exponential(const ovr_physics_case *of,
         f->decay = f->Rq / 2.15;
     if (!(f->decay > 0))
         return ovr_fail_about(err, "Rq",
-                              "law = exponential wants Rq, of both surfaces "
+                              "law = exponential needs Rq, of both surfaces "
                               "together, or decay; above 0");
     if (!isnan(f->amplitude))
         return OVR_OK;
     if (!(f->slope > 0))
         return ovr_fail_about(err, "slope",
-                              "law = exponential wants slope, the root mean "
+                              "law = exponential needs slope, the root mean "
                               "square one, or amplitude; above 0");
     if (!(kappa > 0))
         return ovr_fail_about(err, "slope",
@@ -145,11 +145,11 @@ static ovr_status resolve_summits(const ovr_physics_case *of,
     double kappa = of->contact->kappa;
     if (!(f->Rq > 0))
         return ovr_fail_about(err, "Rq",
-                              "law = greenwood-tripp wants Rq, of both "
+                              "law = greenwood-tripp needs Rq, of both "
                               "surfaces together, above 0");
     if (!(f->summits > 0 && f->sharpness > 0))
         return ovr_fail_about(err, f->summits > 0 ? "sharpness" : "summits",
-                              "law = greenwood-tripp wants it above 0");
+                              "law = greenwood-tripp needs it above 0");
     if (!(kappa > 0))
         return ovr_fail_about(err, "law",
                               "greenwood-tripp becomes a pressure by the "
@@ -196,7 +196,7 @@ static ovr_status resolve_table(const ovr_physics_case *of,
                              .of = {OVR_LENGTH, OVR_PRESSURE},
                              .example = "gap [nm], pressure [MPa]"};
     if (!f->file)
-        return ovr_fail_about(err, "file", "law = table wants file");
+        return ovr_fail_about(err, "file", "law = table needs file");
     if (!(of->contact->height > 0 && of->contact->ph > 0))
         return ovr_fail_about(err, "file",
                               "a table in metres and pascals needs a physical "
@@ -229,7 +229,7 @@ static ovr_status profiles_of(const ovr_physics_case *of,
     }
     if (!form[0] && !form[1])
         return ovr_fail_about(err, "law",
-                              "law = profile wants a [feature] that is a "
+                              "law = profile needs a [feature] that is a "
                               "profile, or roughness");
     return OVR_OK;
 }
@@ -253,7 +253,7 @@ static ovr_status resolve_layer(ovr_boundary_form *f, ovr_error *err)
 {
     if (f->law == OVR_BOUNDARY_LAYER && !(f->layer > 0))
         return ovr_fail_about(err, "layer",
-                              "law = layer wants layer, its film, above 0");
+                              "law = layer needs layer, its film, above 0");
     if (!(f->layer_decay > 0))
         f->layer_decay = f->layer / 3;
     f->bears.layer = f->layer;
@@ -295,7 +295,7 @@ static ovr_status resolve_factor(const ovr_physics_case *of,
         f->factor.sigma = 2.15 * f->decay;
     if (f->ridges && !(f->factor.sigma > 0))
         return ovr_fail_about(err, "flow_factor",
-                              "a flow factor wants Rq, of both surfaces "
+                              "a flow factor needs Rq, of both surfaces "
                               "together, above 0");
     if (f->ridges && of->options->faces != OVR_FACES_GAP)
         return ovr_fail_about(err, "flow_factor",
@@ -312,14 +312,14 @@ static ovr_status resolve_wear(const ovr_physics_case *of,
     if (!(f->passes > 0))
         return f->wear[0] > 0 || f->wear[1] > 0
                    ? ovr_fail_about(err, "passes",
-                                    "wear wants passes, like passes = 1e6")
+                                    "wear needs passes, like passes = 1e6")
                    : OVR_OK;
     if (f->unresolved)
         return ovr_fail_about(err, "passes",
                               "running-in is of all roughness: of = all");
     if (!(of->contact->ph > 0 && of->contact->kappa > 0))
         return ovr_fail_about(err, "passes",
-                              "wear wants a physical contact: radius and "
+                              "wear needs a physical contact: radius and "
                               "modulus beside alpha");
     for (int k = 0; k < 2; k++)
         if (f->wear[k] > 0 && !(fabs(u[k]) > 1e-9))
@@ -463,7 +463,7 @@ ovr_status ovr_boundary_resolve(const ovr_physics_case *of, void *form,
         return ovr_fail_about(
             err, "law",
             "surfaces that touch at ph = %.2g GPa and slide by %.2g of the "
-            "mean speed want an oil that shears thin: [lubricant] rheology = "
+            "mean speed need an oil that shears thin: [lubricant] rheology = "
             "eyring does",
             of->contact->ph / 1e9, V);
     if (resolve_factor(of, f, err) || resolve_wear(of, f, err))
@@ -527,7 +527,7 @@ static void tell_friction(const ovr_physics_case *of,
     else
         snprintf(text, sizeof text,
                  "boundary friction %.2g to %.2g by these shares, beside the "
-                 "film's, which wants a flow law",
+                 "film's, which needs a flow law",
                  least[0], most[0]);
     line(data, "  mu", text);
 }

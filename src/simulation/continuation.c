@@ -7,7 +7,7 @@
  *     N(P) = F - (1 - s) r(P^k),   D sum P = w_s,   s = 0..1
  *
  * r(P^k) the residual that the last solution P^k leaves in the equations of
- * the step, w_s between its load and the one that is wanted: at s = 0 it is
+ * the step, w_s between its load and the one that is asked for: at s = 0 it is
  * the solution, at s = 1 nothing is added any more.  Where oil is conserved the
  * rows of dry nodes are on the path as all others, with their contents q, which
  * are a solution's at both of its ends.  Each solution on the path begins from

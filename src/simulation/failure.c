@@ -140,7 +140,7 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
         return touching(sim, 0, err);
     return ovr_fail(err, OVR_NOT_CONVERGED,
                     "the steady solution did not converge in any of %d ways: "
-                    "%s after %d cycles (wanted %.1e)%s",
+                    "%s after %d cycles (target %.1e)%s",
                     outcome->retries + 1, ending_of(&outcome->defect).words,
                     outcome->cycles, tolerance,
                     sim->heights ? "; features that start left of the inlet, "
@@ -175,5 +175,5 @@ ovr_status ovr_failure_step(const ovr_simulation *sim,
 
 double ovr_film_expected(const ovr_simulation *sim, double fraction)
 {
-    return ovr_wanted_film(&sim->wanted, fraction);
+    return ovr_target_film(&sim->target, fraction);
 }

@@ -160,11 +160,11 @@ static double first_tolerance(const void *data, const ovr_level *level,
                               double H)
 {
     const ovr_simulation *sim = data;
-    double wanted = ovr_steady_tolerance(sim, level, H);
+    double target = ovr_steady_tolerance(sim, level, H);
     if (sim->order == 4 && level == sim->finest)
-        return fmax(wanted, ovr_truncation_tolerance(
+        return fmax(target, ovr_truncation_tolerance(
                                 sim, ovr_grid_mesh(&level->grid), H));
-    return wanted;
+    return target;
 }
 
 static ovr_defect film(ovr_simulation *sim, const ovr_full *how, int *cycles)

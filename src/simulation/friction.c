@@ -7,7 +7,7 @@
  *     put in      -(F_1 u1 + F_2 u2) = -V F_slide + 2 Cu F_roll
  *     dissipated  -V F_slide + int (eps/rho) P_X^2 dX
  *
- * The load is the wanted one, Cw pi/2.  The rolling friction is the small
+ * The load is the asked for one, Cw pi/2.  The rolling friction is the small
  * difference of two large forces: it comes from its own integral.  In a steady
  * film both powers are equal; else compression and squeeze stand between.
  */

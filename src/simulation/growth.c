@@ -41,7 +41,7 @@ typedef struct settling {
 /* The operator with the time derivative of a step; dt = INFINITY: without. */
 static void set_operator(ovr_simulation *sim, double dt)
 {
-    ovr_operator op = {.speed = sim->wanted.Cu, .cT = 1 / dt};
+    ovr_operator op = {.speed = sim->target.Cu, .cT = 1 / dt};
     op.transient = dt < INFINITY;
     ovr_reynolds_wedge(&op, sim->scheme->order == 2, op.speed);
     OVR_EACH_PHYSICS(sim, p, operate)
@@ -210,7 +210,7 @@ ovr_defect ovr_steady_grown(ovr_simulation *sim, const ovr_full *how,
     s.dt = ovr_mesh(sim);
     own.watch = NULL;
     set_gap(&s, 0);
-    ovr_full_multigrid(&sim->grids, &sim->wanted, own, cycles);
+    ovr_full_multigrid(&sim->grids, &sim->target, own, cycles);
     ovr_nodes_read(sim, sim->finest, sim->finest->f.F, s.F);
     ovr_defect d = settle(&s);
     *cycles += s.cycles;

@@ -35,7 +35,7 @@ typedef struct ovr_past {
     double dT;      /* length of the last step */
     int steps;      /* how many steps lie behind P[0], 3 at most */
     int still;      /* steps in a row that changed nothing */
-    double dT_next; /* adaptive: the step wanted next */
+    double dT_next; /* adaptive: the step asked for next */
     double change;  /* largest change of P, or of S, in the last step */
     bool backward;  /* um < 0, or had been when it stopped (mirror.h) */
     /* of P, of late, by each formula of guess.c; 0: not known */
@@ -129,7 +129,7 @@ struct ovr_simulation {
     bool mirrored;     /* the grids hold the mirror image */
     int strategy;      /* of steady.c, by which the steady solution was found */
     bool grown;        /* by it features grow (growth.c) */
-    ovr_wanted wanted; /* the steady start */
+    ovr_target target; /* the steady start */
     int order;         /* reached by it */
     unsigned parts;    /* parts.h, of physics that the options do not know */
     double largest_error; /* adaptive: a step with more is not accepted */
@@ -152,7 +152,7 @@ struct ovr_simulation {
 };
 
 /* Observers and surfaces that are called meanwhile may not solve: begin fails
- * then, naming what was wanted. */
+ * then, naming what was asked for. */
 ovr_status ovr_simulation_begin(ovr_simulation *sim, const char *what,
                                 ovr_error *err);
 void ovr_simulation_end(ovr_simulation *sim);

@@ -7,8 +7,8 @@
  * Adaptive steps follow the error e ~ dT^p that they add to the film on its way
  * through the contact (error_estimate.c), p the order.  They are meshes times a
  * power of 2 and stay the same for a while, so that guesses from the past hold:
- * shorter where e is above the wanted one, twice as long where it would stay
- * below 0.7 of it; a step with three times the wanted error is taken again.
+ * shorter where e is above the asked for one, twice as long where it would stay
+ * below 0.7 of it; a step with three times the target error is taken again.
  */
 #include <float.h>
 #include <math.h>
@@ -55,7 +55,7 @@ static double next_time(const ovr_simulation *sim, const ovr_march *march,
     return next;
 }
 
-static double wanted_error(const ovr_march *march)
+static double target_error(const ovr_march *march)
 {
     return march->error > 0 ? march->error : 1e-3;
 }
@@ -64,7 +64,7 @@ static double regulated(const ovr_simulation *sim, const ovr_march *march,
                         double dT, double error)
 {
     double D = ovr_mesh(sim), order = sim->scheme->order;
-    double ratio = error / wanted_error(march);
+    double ratio = error / target_error(march);
     double power = floor(log2(dT / D) + 1e-9);
     if (ratio > 1)
         power -= fmax(1, ceil(log2(ratio) / order - 0.3));
@@ -77,18 +77,18 @@ static double regulated(const ovr_simulation *sim, const ovr_march *march,
 static ovr_status adaptive_step(ovr_simulation *sim, const ovr_march *march,
                                 ovr_error *err)
 {
-    double wanted = wanted_error(march), error;
+    double target = target_error(march), error;
     double dT = sim->past.dT_next > 0 ? sim->past.dT_next : ovr_mesh(sim);
     for (bool taken = false; !taken;) {
         double next = next_time(sim, march, dT), step = next - sim->state.T;
         bool shortest = step <= 1.01 * least_step * ovr_mesh(sim);
-        sim->largest_error = shortest ? DBL_MAX : 3 * wanted;
+        sim->largest_error = shortest ? DBL_MAX : 3 * target;
         ovr_status status = ovr_simulation_attempt(sim, next, &taken, &error,
                                                    err);
         if (status)
             return status;
         /* a step that was cut to hit a time says nothing against dT */
-        if (!taken || step > 0.99 * dT || error > wanted)
+        if (!taken || step > 0.99 * dT || error > target)
             dT = regulated(sim, march, step, error);
         sim->past.dT_next = dT;
     }

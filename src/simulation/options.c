@@ -55,20 +55,20 @@ double ovr_negligible_tolerance(const ovr_simulation *sim, double D, double H)
 double ovr_truncation_tolerance(const ovr_simulation *sim, double D, double H)
 {
     double meshes = D / (5.5 / 1792);
-    double wanted = fmin(1e-4 * meshes * meshes, OVR_ACCEPTABLE);
+    double target = fmin(1e-4 * meshes * meshes, OVR_ACCEPTABLE);
     double least = ovr_negligible_tolerance(sim, D, H);
-    return wanted > least ? wanted : least;
+    return target > least ? target : least;
 }
 
 void ovr_options_mlmi(const ovr_options *options, int level, int *order,
                       int *range)
 {
-    double wanted = 0.1 * discretization_error(level);
+    double target = 0.1 * discretization_error(level);
     if (level < options->level) /* corrects finer ones, which stay as exact */
-        wanted = 1e-6;
-    else if (wanted > 1e-8)
-        wanted = 1e-8;
-    ovr_mlmi_choose(wanted, order, range);
+        target = 1e-6;
+    else if (target > 1e-8)
+        target = 1e-8;
+    ovr_mlmi_choose(target, order, range);
     if (options->mlmi_order)
         *order = options->mlmi_order;
     if (options->mlmi_range)

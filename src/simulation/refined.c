@@ -211,7 +211,7 @@ static void finish(ovr_simulation *sim, void *own, const ovr_full *how,
         .fourth = sim->order == 4,
         .rigid = rigid,
         .data = sim};
-    ovr_composite_begin(&r->composite, sim->wanted.force);
+    ovr_composite_begin(&r->composite, sim->target.force);
     if (ovr_spike_solve(&r->composite, &search, &r->found, &outcome->cycles,
                         &err))
         outcome->defect.imbalance = INFINITY; /* cannot be: it has its room */
@@ -224,11 +224,11 @@ static void finish(ovr_simulation *sim, void *own, const ovr_full *how,
 static void review(const ovr_simulation *sim, const void *own,
                    ovr_physics_say *say, void *data)
 {
-    const ovr_options *wanted = &sim->options;
+    const ovr_options *target = &sim->options;
     const ovr_observation *o = &sim->observation;
     double change = ((const ovr_refined *)own)->found.change;
     char text[200];
-    if (o->refined_level == wanted->level)
+    if (o->refined_level == target->level)
         snprintf(text, sizeof text,
                  "refine: there is no room for a patch about X = %.4g on this "
                  "domain and level; outlet farther out or a higher level gives "
@@ -239,14 +239,14 @@ static void review(const ovr_simulation *sim, const void *own,
                  "refine: the pressure has no spike; its sharpest bend was "
                  "refined to level %d",
                  o->refined_level);
-    else if (!wanted->refine_level && change > wanted->refine_change)
+    else if (!target->refine_level && change > target->refine_change)
         snprintf(text, sizeof text,
                  "the spike's height still changes by %.2g at level %d, where "
                  "the patches end",
                  change, o->refined_level);
     else
         return;
-    say(data, o->refined_level == wanted->level || isfinite(o->P_spike), text);
+    say(data, o->refined_level == target->level || isfinite(o->P_spike), text);
 }
 
 static const ovr_observable quantities[] = {

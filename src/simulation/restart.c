@@ -141,7 +141,7 @@ void ovr_simulation_restored(ovr_simulation *sim)
                                  .converged = seen.converged,
                                  .marked = seen.marked};
     ovr_steady_conditions(sim);
-    sim->grids.fluid = sim->wanted.fluid;
+    sim->grids.fluid = sim->target.fluid;
     if (!sim->order) /* version 0.1.0 */
         sim->order = 2;
     OVR_EACH_PHYSICS(sim, p, restored)

@@ -86,7 +86,7 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
                                .lambda = sim->contact.lambda,
                                .sliding = ovr_sliding(sim, 0),
                                .by_gap = o->faces == OVR_FACES_GAP};
-    sim->wanted = (ovr_wanted){.M = sim->contact.M,
+    sim->target = (ovr_target){.M = sim->contact.M,
                                .L = sim->contact.L,
                                .c = 1,
                                .fluid = grids->fluid};

@@ -53,7 +53,7 @@ ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
 int ovr_simulation_heat_points(const ovr_simulation *sim);
 
 /* Order of the last steady solution, and of what a run keeps of it: 4, 2 (also
- * where 4 was wanted but its corrections did not converge, or load, speed or
+ * where 4 was asked for but its corrections did not converge, or load, speed or
  * radius vary), or 1. */
 int ovr_simulation_order(const ovr_simulation *sim);
 

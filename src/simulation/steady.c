@@ -120,11 +120,11 @@ static void begin_history(ovr_simulation *sim)
 void ovr_steady_conditions(ovr_simulation *sim)
 {
     const double least = OVR_LEAST_START;
-    ovr_wanted *wanted = &sim->wanted;
-    wanted->Cw = fmax(ovr_history_value(sim->load, 0), least);
-    wanted->Cu = fmax(fabs(ovr_history_value(sim->speed, 0)), least);
-    wanted->c = 1 / ovr_history_value(sim->radius, 0);
-    wanted->force = OVR_NOMINAL_LOAD * wanted->Cw;
+    ovr_target *target = &sim->target;
+    target->Cw = fmax(ovr_history_value(sim->load, 0), least);
+    target->Cu = fmax(fabs(ovr_history_value(sim->speed, 0)), least);
+    target->c = 1 / ovr_history_value(sim->radius, 0);
+    target->force = OVR_NOMINAL_LOAD * target->Cw;
 }
 
 /* The conditions of the start, where they are numbers. */
@@ -142,10 +142,10 @@ static ovr_status begin_load_and_speed(ovr_simulation *sim, ovr_error *err)
         return OVR_BAD_INPUT;
     OVR_EACH_PHYSICS(sim, p, before_start)
         p->is->before_start(sim, p->own);
-    ovr_wanted *wanted = &sim->wanted;
+    ovr_target *target = &sim->target;
     ovr_steady_conditions(sim);
     ovr_slide(sim, 0);
-    wanted->fluid.sliding = sim->grids.fluid.sliding;
+    target->fluid.sliding = sim->grids.fluid.sliding;
     return OVR_OK;
 }
 
@@ -224,7 +224,7 @@ static ovr_status solve_steady(ovr_simulation *sim, ovr_error *err)
     sim->started = false;
     if (begin_load_and_speed(sim, err) || ovr_smooth_check(sim, 0, err))
         return OVR_BAD_INPUT;
-    ovr_operator op = {.speed = sim->wanted.Cu};
+    ovr_operator op = {.speed = sim->target.Cu};
     ovr_reynolds_wedge(&op, sim->scheme->order == 2, op.speed);
     OVR_EACH_PHYSICS(sim, p, operate)
         p->is->operate(sim, p->own, 0, &op);

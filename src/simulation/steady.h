@@ -19,7 +19,7 @@ ovr_defect ovr_steady_film(ovr_simulation *sim, const ovr_full *how,
                            int *cycles);
 
 /* Cycles on the finest level, whose right-hand sides are set, to the tolerance
- * wanted. */
+ * asked for. */
 ovr_defect ovr_steady_cycles(ovr_simulation *sim, const ovr_full *how,
                              int *cycles);
 

@@ -58,7 +58,7 @@ ovr_defect ovr_steady_film(ovr_simulation *sim, const ovr_full *how,
 {
     if (sim->grown)
         return ovr_steady_grown(sim, how, cycles);
-    return ovr_full_multigrid(&sim->grids, &sim->wanted, *how, cycles);
+    return ovr_full_multigrid(&sim->grids, &sim->target, *how, cycles);
 }
 
 /* A fixed number of cycles has to reach the discretization error. */

@@ -78,14 +78,14 @@ bool ovr_step_cycles(ovr_simulation *sim, ovr_step_cycling how,
     settle_spots(grids, sim->finest, 2);
     settle_ends(grids, sim->finest);
     for (int cycle = 0, after = c.sweeps_after;; cycle++) {
-        double wanted = tolerance_of(sim, c.sweeps_after > 0);
+        double target = tolerance_of(sim, c.sweeps_after > 0);
         outcome->defect = ovr_cycle_defect(grids, sim->finest);
         if (!cycle)
             loose = tolerance_by_guess(sim, outcome->defect.imbalance);
-        wanted = fmax(wanted, loose);
+        target = fmax(target, loose);
         solved = cycle && carries(sim, &outcome->defect) &&
                  ovr_below(outcome->defect,
-                           wanted > how.tolerance ? wanted : how.tolerance);
+                           target > how.tolerance ? target : how.tolerance);
         if (solved || cycle == how.most ||
             !(outcome->defect.imbalance < how.hopeless))
             break;

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-/* Nodes that a shift may need beyond the last one wanted, and the least room
+/* Nodes that a shift may need beyond the last one asked for, and the least room
  * for the seam of the lags. */
 enum { SHIFT_ROOM = 2 << (OVR_STRESS_LEVELS - 1), LEAST_SEAM = 128 };
 
@@ -25,7 +25,7 @@ static double least(const ovr_stress_options *o)
     return o->depth_min > 0 ? o->depth_min : 4 * o->mesh;
 }
 
-/* Puts z among the others, which are in order; unless it is not wanted. */
+/* Puts z among the others, which are in order; unless it is not asked for. */
 static size_t put_depth(const ovr_stress_options *o, double depth, size_t count,
                         double *z)
 {
@@ -78,8 +78,8 @@ size_t ovr_stress_nodes(const ovr_stress_options *o)
 
 size_t ovr_stress_room(const ovr_stress_options *o)
 {
-    size_t room = 256, wanted = o->nodes + ovr_stress_nodes(o) + LEAST_SEAM;
-    while (room < wanted)
+    size_t room = 256, target = o->nodes + ovr_stress_nodes(o) + LEAST_SEAM;
+    while (room < target)
         room *= 2;
     return room;
 }

@@ -92,14 +92,14 @@ static double along(const void *data, double x)
 static double at_depth(const void *data, double z)
 {
     moment m = *(const moment *)data;
-    ovr_criterion wanted = m.criterion;
+    ovr_criterion target = m.criterion;
     double x;
     m.z = z;
-    if (wanted == OVR_CRITERION_DANG_VAN) {
+    if (target == OVR_CRITERION_DANG_VAN) {
         m.criterion = OVR_CRITERION_CIRCLE;
         maximum(along, &m, 0, 3, &x);
         m.centre = ovr_hertz_stress(1, 0, x, z).d;
-        m.criterion = wanted;
+        m.criterion = target;
     }
     return maximum(along, &m, 0, 3, &x);
 }

@@ -10,7 +10,7 @@ typedef struct ovr_stress_options {
     double mesh;       /* D */
     double inlet;      /* X of the first node */
     size_t nodes;      /* of P and Q */
-    double from, to;   /* where fields are wanted; -2.6 and 2.6 */
+    double from, to;   /* where fields are asked for; -2.6 and 2.6 */
     double depth_min;  /* 0: 4 D; not above D/2 */
     double depth_max;  /* 2.5 */
     double per_octave; /* depths; 5 */

@@ -156,8 +156,8 @@ static void want_unit(wanting *w, char axis, const char *asked)
     want(w, what, axis == 'x' ? "unit_x" : "unit_z", "um");
 }
 
-/* Units of x are wanted of a column x, and of a spacing that the header gives
- * bare. */
+/* Units of x are asked for of a column x, and of a spacing that the header
+ * gives bare. */
 static bool needs_unit_x(const ovr_text_table *t)
 {
     if (t->source->spacing > 0 && !t->source->column_x)

@@ -59,7 +59,7 @@ static ovr_status check(const ovr_profile *p, const ovr_conditioning *how,
         const char *key;
         bool right;
         double value;
-        const char *wanted;
+        const char *target;
     } rules[] = {
         {"outliers", !(how->outliers <= 0 || isinf(how->outliers)),
          how->outliers, "positive"},
@@ -76,7 +76,7 @@ static ovr_status check(const ovr_profile *p, const ovr_conditioning *how,
     for (size_t k = 0; k < sizeof rules / sizeof rules[0]; k++)
         if (!rules[k].right)
             return wrong(p, err, rules[k].key, plain(rules[k].value).text,
-                         rules[k].wanted);
+                         rules[k].target);
     return check_lengths(p, how, err);
 }
 

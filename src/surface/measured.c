@@ -159,7 +159,7 @@ ovr_status ovr_measured_make(ovr_feature *feature, const ovr_feature_form *form,
 {
     ovr_profile *p;
     ovr_status status;
-    ovr_error local; /* the status is wanted even if the caller's is NULL */
+    ovr_error local; /* the status is asked for even if the caller's is NULL */
     if (!(mesh > 0) || !isfinite(mesh))
         return ovr_fail(err, OVR_BAD_INPUT,
                         "feature '%s': a profile needs the mesh size",

@@ -101,12 +101,12 @@ void ovr_profile_note(ovr_profile *profile, const char *format, ...)
 {
     size_t used = strlen(profile->notes), room = OVR_NOTES_SIZE - used;
     va_list args;
-    int wanted;
+    int length;
     va_start(args, format);
-    wanted = vsnprintf(profile->notes + used, room, format, args);
+    length = vsnprintf(profile->notes + used, room, format, args);
     va_end(args);
-    if (wanted >= 0 && (size_t)wanted + 2 <= room)
-        memcpy(profile->notes + used + wanted, "\n", 2);
+    if (length >= 0 && (size_t)length + 2 <= room)
+        memcpy(profile->notes + used + length, "\n", 2);
     else
         profile->notes[used] = 0;
 }

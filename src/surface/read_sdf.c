@@ -128,7 +128,7 @@ static ovr_status read_entry(ovr_line line, const char *file, sdf *h,
     ovr_line name, value;
     if (!sign)
         return ovr_fail_at(err, OVR_BAD_INPUT, file, line.number,
-                           "'%s' where 'Name = value' or * is wanted",
+                           "'%s' where 'Name = value' or * is needed",
                            ovr_quote(line).text);
     name = ovr_trim((ovr_line){line.text, (size_t)(sign - line.text), 0});
     value = (ovr_line){sign + 1, (size_t)(line.text + line.size - sign - 1), 0};
@@ -170,7 +170,7 @@ static ovr_status read_values(ovr_profile *p, const sdf *h, ovr_lines *lines,
                 goto short_of_values;
             if (!ovr_number(word, false, &value) && !ovr_is_missing(word))
                 return ovr_fail_at(err, OVR_BAD_INPUT, p->file, text.number,
-                                   "'%s' where a height is wanted",
+                                   "'%s' where a height is needed",
                                    ovr_quote(word).text);
             if (k >= first)
                 p->z[k - first] = ovr_missing_as_nan(value, (int)h->type);

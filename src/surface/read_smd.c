@@ -78,7 +78,7 @@ static ovr_status check(const char *file, const axis *x, const axis *y,
     double most = OVR_POINTS_MAX, lines = y->given ? y->count : 1;
     if (!x->given || !z->given)
         return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
-                           "SMD header: the axes CX and CZ are wanted");
+                           "SMD header: the axes CX and CZ are needed");
     if (x->kind != 'I' || z->kind != 'A')
         return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
                            "SMD header: CX must be incremental (I) and CZ "
@@ -128,7 +128,7 @@ static ovr_status read_numbers(ovr_profile *p, ovr_bytes numbers, long before,
             if (!ovr_number(word, false, &value) && !ovr_is_missing(word))
                 return ovr_fail_at(
                     err, OVR_BAD_INPUT, p->file, before + line.number,
-                    "'%s' where a height is wanted", ovr_quote(word).text);
+                    "'%s' where a height is needed", ovr_quote(word).text);
             if (k >= first)
                 p->z[k - first] = value;
             k++;

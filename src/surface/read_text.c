@@ -120,7 +120,7 @@ static ovr_status read_cell(const ovr_text_table *t, const ovr_fields *fields,
             return OVR_OK;
         }
         return ovr_fail_at(err, OVR_BAD_INPUT, t->profile->file, line,
-                           "%zu columns where column %d is wanted",
+                           "%zu columns where column %d is needed",
                            fields->count, column + 1);
     }
     if (ovr_number(fields->field[k], t->layout.comma, value))
@@ -129,7 +129,7 @@ static ovr_status read_cell(const ovr_text_table *t, const ovr_fields *fields,
     if (may_miss && ovr_is_missing(fields->field[k]))
         return OVR_OK;
     return ovr_fail_at(err, OVR_BAD_INPUT, t->profile->file, line,
-                       "'%s' where a number is wanted",
+                       "'%s' where a number is needed",
                        ovr_quote(fields->field[k]).text);
 }
 

@@ -106,7 +106,7 @@ static ovr_status unpack_named(package *k, const char *link, ovr_bytes *out,
         index = zip_name_locate(k->zip, link, 0);
     if (index < 0)
         return ovr_fail_at(err, OVR_BAD_INPUT, k->profile->file, 0,
-                           "main.xml wants '%s', which is not in it",
+                           "main.xml needs '%s', which is not in it",
                            ovr_quote((ovr_line){link, size, 0}).text);
     return unpack(k, (zip_uint64_t)index,
                   ovr_quote((ovr_line){link, size, 0}).text, OVR_CONTENT_MAX,
@@ -218,7 +218,7 @@ static ovr_status read_datum(const ovr_profile *p, const ovr_x3p *x,
         piece = ovr_trim(piece);
         if (!ovr_number(piece, false, &number) && !ovr_is_missing(piece))
             return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                               "Datum %zu: '%s' where a number is wanted",
+                               "Datum %zu: '%s' where a number is needed",
                                i + 1, ovr_quote(piece).text);
         if (a != 1)
             *value = number;

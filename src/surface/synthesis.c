@@ -36,7 +36,7 @@ typedef struct random_surface {
     double longest, shortest, correlation;
     size_t n, waves;
     double *z, *size; /* heights, amplitude of each wave */
-    double *target;   /* sorted heights wanted */
+    double *target;   /* sorted heights asked for */
     double *normal;   /* quantiles */
     size_t *rank;
 } random_surface;

@@ -49,7 +49,7 @@ static double number_of(reading *r, ovr_line text)
 {
     double value = 0;
     if (!ovr_number(text, false, &value))
-        wrong(r, "a number is wanted");
+        wrong(r, "a number is needed");
     return value;
 }
 

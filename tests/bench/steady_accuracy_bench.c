@@ -49,7 +49,7 @@ static solution solution_of(contact c, int order, int level, int rounds)
 
 /* The time of the coarsest level with no more error of H_cen than this. */
 static double print_order(contact c, const solution *truth, int order,
-                          double wanted)
+                          double target)
 {
     double quickest = NAN;
     for (int level = FIRST; level <= LAST; level++) {
@@ -69,7 +69,7 @@ static double print_order(contact c, const solution *truth, int order,
         bench_number("H_min_error", H_min);
         bench_number("seconds", s.seconds);
         bench_end();
-        if (isnan(quickest) && H_cen <= wanted)
+        if (isnan(quickest) && H_cen <= target)
             quickest = s.seconds;
     }
     return quickest;
@@ -77,17 +77,17 @@ static double print_order(contact c, const solution *truth, int order,
 
 int main(int argc, char *argv[])
 {
-    const double wanted = 1e-4;
+    const double target = 1e-4;
     bench_open(argc, argv);
     printf("steady solutions: errors beside level %d, ms\n", TRUTH);
     printf("    M   L order level     H_cen    H_min        ms\n");
     bench_list("steady");
     for (size_t k = 0; k < sizeof contacts / sizeof *contacts; k++) {
         solution truth = solution_of(contacts[k], 4, TRUTH, 1);
-        double second = print_order(contacts[k], &truth, 2, wanted);
-        double fourth = print_order(contacts[k], &truth, 4, wanted);
+        double second = print_order(contacts[k], &truth, 2, target);
+        double fourth = print_order(contacts[k], &truth, 4, target);
         printf("H_cen to %.0e: %.2f ms by fourth order, %.2f by second\n",
-               wanted, 1e3 * fourth, 1e3 * second);
+               target, 1e3 * fourth, 1e3 * second);
     }
     bench_end();
     bench_close();

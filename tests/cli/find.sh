@@ -182,7 +182,7 @@ H='so that H_min_overall'
     asks 'is not in um' $depth 0.1 and 0.5 so that P_max is 2 um
     asks 'unknown unit' $depth 0.1 and 0.5 so that P_max is 2 furlongs
     asks 'two numbers' $depth 0.1 and 0.1 $H is 0.05
-    asks 'a number is wanted' $depth little and much $H is 0.05
+    asks 'a number is needed' $depth little and much $H is 0.05
     asks "must be .largest" $depth 0.1 to 0.5 $H is 0.05
     asks 'is a choice, not a number' dent.ini feature.dent.shape between 1 \
         and 2 $H is 0.05

@@ -243,7 +243,7 @@ refused 'surface 2 yields, and needs \[stress\]' --set plastic.surface=2
 expect 2 "$OVERROLL" check perfect.ini --set plastic.hardening=swift \
     --set plastic.swift=945
 contains err 'must be B, C, n'
-refused 'wants a modulus' --set plastic.modulus=0
+refused 'needs a modulus' --set plastic.modulus=0
 sed '/^\[time\]/,/^end/d' plastic.ini >steady.ini
 expect 2 "$OVERROLL" check steady.ini
 contains err 'give \[time\] an end'

@@ -86,7 +86,7 @@ contains out 'lambda_s = 2.5 um'
 
 # A length without its unit is none: not metres in silence
 for option in spacing from to lambda-c lambda-s max-gap offset; do
-    refuses "--$option 0.8: a unit is wanted, like '0.8 mm'" \
+    refuses "--$option 0.8: a unit is needed, like '0.8 mm'" \
         profile "$dent" --$option 0.8
     refuses "--$option 8 furlong: unknown unit 'furlong'" \
         profile "$dent" --$option '8 furlong'

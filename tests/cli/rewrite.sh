@@ -62,5 +62,5 @@ awk -v n="$now" -v t="$then" -v f="$truth" 'BEGIN {
     fail "faces of then: $then, today: $now, truth $truth"
 
 expect 2 "$OVERROLL" check --rewrite
-contains err "wants a case"
+contains err "needs a case"
 expect 2 "$OVERROLL" check --rewrite --json old.ini

@@ -36,7 +36,7 @@ expect 0 "$OVERROLL" sweep study.ini -q --collect table.csv
 expect 0 "$OVERROLL" plot table.csv --kind stribeck --lines none -o one.svg
 refuses "no column 'speed'" plot study.ini --kind stribeck --lines speed \
     -o none.svg
-refuses 'wants a study over contact.mean_speed' plot study.ini \
+refuses 'needs a study over contact.mean_speed' plot study.ini \
     --kind stribeck --against viscosity -o none.svg
 sed '/^boundary/d' study.ini >bare.ini
 expect 0 "$OVERROLL" sweep bare.ini -q

@@ -489,11 +489,11 @@ static void what_has_no_answer_is_refused(void **state)
     c = begin(gear);
     assign(c, "contact.mean_speed=3 m/s");
     assign(c, "boundary.law=exponential");
-    check_refused(c, "wants Rq");
+    check_refused(c, "needs Rq");
     c = begin(gear);
     assign(c, "contact.mean_speed=3 m/s");
     assign(c, "boundary.law=layer");
-    check_refused(c, "wants layer");
+    check_refused(c, "needs layer");
     c = begin(newtonian);
     assign(c, "boundary.law=exponential");
     assign(c, "boundary.Rq=194 nm");
@@ -502,7 +502,7 @@ static void what_has_no_answer_is_refused(void **state)
     c = begin(gear);
     assign(c, "contact.mean_speed=3 m/s");
     assign(c, "boundary.law=profile");
-    check_refused(c, "wants a [feature]");
+    check_refused(c, "needs a [feature]");
     c = begin(gear);
     assign(c, "contact.mean_speed=3 m/s");
     assign(c, "boundary.law=profile");

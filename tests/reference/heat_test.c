@@ -178,11 +178,11 @@ static seen with_A(const struct truth *t, double A)
 }
 
 static void check_change(const char *what, double now, double before,
-                         double wanted)
+                         double target)
 {
     double change = before != 0 ? now / before - 1 : 0;
     print_message(" %s %+.2e", what, change);
-    CHECK_NEAR(change, wanted, 3e-4 + 0.1 * fabs(wanted));
+    CHECK_NEAR(change, target, 3e-4 + 0.1 * fabs(target));
 }
 
 static void pressed_oil_expands_less(void **state)

@@ -147,14 +147,14 @@ static void adaptive_steps_keep_the_error(void **state)
 typedef struct asked {
     size_t next, hit;
 } asked;
-static const double wanted[] = {0.1, 0.123456789, 0.5, 0.77};
+static const double target[] = {0.1, 0.123456789, 0.5, 0.77};
 
-static double next_wanted(void *data, double T)
+static double next_target(void *data, double T)
 {
     asked *a = data;
-    while (a->next < 4 && wanted[a->next] < T)
+    while (a->next < 4 && target[a->next] < T)
         a->next++;
-    return a->next < 4 ? wanted[a->next] : INFINITY;
+    return a->next < 4 ? target[a->next] : INFINITY;
 }
 
 static ovr_status count_hits(void *data, const ovr_simulation *sim,
@@ -163,8 +163,8 @@ static ovr_status count_hits(void *data, const ovr_simulation *sim,
     asked *a = data;
     (void)err;
     for (size_t k = 0; k < 4; k++)
-        a->hit += ovr_simulation_state(sim)->T == wanted[k] &&
-                  ovr_simulation_observation(sim)->T == wanted[k];
+        a->hit += ovr_simulation_state(sim)->T == target[k] &&
+                  ovr_simulation_observation(sim)->T == target[k];
     return OVR_OK;
 }
 
@@ -174,7 +174,7 @@ static void times_are_hit_exactly(void **state)
     for (int adaptive = 0; adaptive < 2; adaptive++) {
         asked a = {0, 0};
         ovr_simulation *sim = started(6, OVR_UPSTREAM2, 0, NULL, NULL, NULL);
-        ovr_observer look = {count_hits, next_wanted, &a};
+        ovr_observer look = {count_hits, next_target, &a};
         ovr_march march = {
             .end = 1, .adaptive = adaptive, .count = 1, .observers = &look};
         go(sim, &march);

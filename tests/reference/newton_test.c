@@ -111,7 +111,7 @@ static void oil_of_its_own(ovr_faces faces)
     dense *d = reference(5, 5, OVR_UPSTREAM2, faces);
     ovr_simulation *sim = solver(5, 5, OVR_UPSTREAM2, faces);
     thick_oil thick = {{thick_at}, &d->contact.lubricant};
-    sim->wanted.fluid.law = sim->grids.fluid.law = &thick.law;
+    sim->target.fluid.law = sim->grids.fluid.law = &thick.law;
     d->thickening = thickening;
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     start_near(d, sim);

@@ -79,4 +79,4 @@ why '0.00613839, 1 mesh: for a change within 30' --set load.history=sine \
     --set load.amplitude=0.1 --set load.period=0.18
 why '0.0122768, 2 meshes$' --set load.history=ramp --set load.to=1.1 \
     --set load.duration=0.2
-why 'by the error of the steps, 0.001 wanted' --set time.step=adaptive
+why 'by the error of the steps, 0.001 is the target' --set time.step=adaptive

@@ -256,7 +256,7 @@ static void what_has_no_passes_is_refused(void **state)
 {
     (void)state;
     ovr_case *c = begin();
-    check_refused(c, "wants passes");
+    check_refused(c, "needs passes");
     c = begin();
     assign(c, "boundary.passes=10");
     assign(c, "contact.slide_to_roll=2");

@@ -30,12 +30,12 @@ static void make_case(uint64_t *state, int level, const char *scheme,
              M, L, slip, level, width, depth, start, scheme, end);
 }
 
-enum { WANTED = 3 };
-static const double wanted[WANTED] = {3e-2, 1e-2, 3e-3};
+enum { TARGET = 3 };
+static const double target[TARGET] = {3e-2, 1e-2, 3e-3};
 
 /* Cycles at an error, on the line through two runs in logarithms. */
-static double cycles_at(double error, const double e[WANTED],
-                        const double cycles[WANTED])
+static double cycles_at(double error, const double e[TARGET],
+                        const double cycles[TARGET])
 {
     int k = error > e[1] ? 0 : 1;
     double slope = log(cycles[k + 1] / cycles[k]) / log(e[k + 1] / e[k]);
@@ -56,17 +56,17 @@ test_adaptive test_adaptive_cases(uint64_t seed, int cases, int level,
         test_series_run(text, NULL, &finest);
         test_series_run(plain, NULL, &steps_of_mesh);
         double of_mesh = test_series_error(&steps_of_mesh, &finest);
-        double e[WANTED], cycles[WANTED];
+        double e[TARGET], cycles[TARGET];
         printf("  %2d: dT = D %.1e in %ld cycles;", k, of_mesh,
                steps_of_mesh.cycles);
-        for (int i = 0; i < WANTED; i++) {
+        for (int i = 0; i < TARGET; i++) {
             snprintf(text, sizeof text, "%sstep = adaptive\nerror = %g\n",
-                     plain, wanted[i]);
+                     plain, target[i]);
             test_series_run(text, NULL, &adaptive);
             e[i] = test_series_error(&adaptive, &finest);
             cycles[i] = (double)adaptive.cycles;
-            printf(" wanted %.0e: %.1e in %.0f", wanted[i], e[i], cycles[i]);
-            all.worst = fmax(all.worst, e[i] / wanted[i]);
+            printf(" target %.0e: %.1e in %.0f", target[i], e[i], cycles[i]);
+            all.worst = fmax(all.worst, e[i] / target[i]);
         }
         printf("\n");
         if (e[2] < e[1] && e[1] < e[0]) {
@@ -74,9 +74,8 @@ test_adaptive test_adaptive_cases(uint64_t seed, int cases, int level,
             all.cycles_of_mesh += (double)steps_of_mesh.cycles;
         }
     }
-    printf(
-        "largest error %.2g times the wanted one; at the error of dT = D %.0f "
-        "cycles instead of %.0f\n",
-        all.worst, all.cycles, all.cycles_of_mesh);
+    printf("largest error %.2g times the target; at the error of dT = D %.0f "
+           "cycles instead of %.0f\n",
+           all.worst, all.cycles, all.cycles_of_mesh);
     return all;
 }

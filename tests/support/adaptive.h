@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 typedef struct test_adaptive {
-    double worst; /* error of H_cen, rms in time, over the wanted one */
+    double worst; /* error of H_cen, rms in time, over the asked for one */
     double cycles, cycles_of_mesh; /* of all runs at the error of those of
                                       dT = D, and of these */
 } test_adaptive;

@@ -12,7 +12,7 @@ void test_near(double actual, double expected, double tolerance, bool relative,
     /* Equality first: the difference of equal infinities is NaN. */
     if (actual == expected || error <= allowed)
         return;
-    print_error("%s is %.17g, wanted %.17g within %g%s: off by %g\n", what,
+    print_error("%s is %.17g, expected %.17g within %g%s: off by %g\n", what,
                 actual, expected, tolerance, relative ? " relative" : "",
                 relative ? error / fabs(expected) : error);
     _fail(file, line);
@@ -23,7 +23,7 @@ void test_status(ovr_status actual, ovr_status expected, const ovr_error *err,
 {
     if (actual == expected)
         return;
-    print_error("%s: %s, wanted %s%s%s\n", what, ovr_status_name(actual),
+    print_error("%s: %s, expected %s%s%s\n", what, ovr_status_name(actual),
                 ovr_status_name(expected), err && actual ? ": " : "",
                 err && actual ? err->message : "");
     _fail(file, line);
@@ -33,7 +33,7 @@ void test_error(const ovr_error *err, ovr_status status, const char *part,
                 const char *file, int line)
 {
     if (err->status != status)
-        print_error("error is %s, wanted %s: %s\n",
+        print_error("error is %s, expected %s: %s\n",
                     ovr_status_name(err->status), ovr_status_name(status),
                     err->message);
     else if (!strstr(err->message, part))

@@ -51,7 +51,7 @@ static void solve(const char *text, const char *level, seen *into)
                : OVR_BAD_INPUT,
              &err);
     if (strcmp(level, "auto") != 0) {
-        /* On a level that is given nothing is wanted of it. */
+        /* On a level that is given nothing is asked for of it. */
         ovr_case_unset(c, "domain.accuracy");
         ovr_case_unset(c, "domain.accuracy_of");
     }
@@ -93,15 +93,15 @@ static double error_of_centre(void)
 }
 
 /* The estimate after the run may be too large: told then is no miss. */
-static void judge(uint64_t seed, int k, double wanted, double error,
+static void judge(uint64_t seed, int k, double target, double error,
                   int *missed)
 {
-    printf("  %2d: level %d, wanted %.1e, %.1e%s\n", k, here.level, wanted,
+    printf("  %2d: level %d, target %.1e, %.1e%s\n", k, here.level, target,
            error, here.told ? ", told" : "");
-    *missed += error > wanted;
-    if (error > wanted && !here.told)
+    *missed += error > target;
+    if (error > target && !here.told)
         fail_msg("seed %llu, case %d: %.2g instead of %.2g",
-                 (unsigned long long)seed, k, error, wanted);
+                 (unsigned long long)seed, k, error, target);
 }
 
 void test_levels_steady(uint64_t seed, int cases)
@@ -113,16 +113,16 @@ void test_levels_steady(uint64_t seed, int cases)
     for (int k = 0; k < cases; k++) {
         double M = 5 * pow(200, test_random(&state, 0, 1));
         double L = test_random(&state, 1, 15);
-        double wanted = pow(10, test_random(&state, -4, -2));
+        double target = pow(10, test_random(&state, -4, -2));
         bool least = test_random(&state, 0, 1) < 0.4;
         if (least)
-            wanted *= 5;
+            target *= 5;
         snprintf(text, sizeof text,
                  "[contact]\nM = %.6g\nL = %.6g\n[domain]\naccuracy = %.3g\n"
                  "accuracy_of = %s\n",
-                 M, L, wanted, least ? "H_min" : "H_cen");
+                 M, L, target, least ? "H_min" : "H_cen");
         refine(text);
-        judge(seed, k, wanted,
+        judge(seed, k, target,
               least ? fabs(here.H_min / finer.H_min - 1) : error_of_centre(),
               &missed);
     }

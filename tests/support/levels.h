@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* level = auto on random cases: the error reached, beside that wanted. */
+/* level = auto on random cases: the error reached, beside that asked for. */
 #ifndef TESTS_SUPPORT_LEVELS_H
 #define TESTS_SUPPORT_LEVELS_H
 
@@ -7,7 +7,7 @@
 
 /* So many random contacts, M = 5 to 1000, L = 1 to 15, H_cen and H_min to 1e-2
  * to 1e-4, beside two levels more.  Fails where an error is larger than was
- * wanted and the run did not say so, or more than a tenth are. */
+ * asked for and the run did not say so, or more than a tenth are. */
 void test_levels_steady(uint64_t seed, int cases);
 
 /* The same of runs with a dent or a wave that rolls or slides through, H_cen

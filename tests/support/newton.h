@@ -18,7 +18,7 @@ typedef struct dense {
     double cT;             /* of q in the time derivative */
     bool in_line;          /* gaps H^3 of two nodes in line, else both meant */
     bool backward;         /* um < 0: the wedge from the right, times |Cu| */
-    double force;          /* wanted D sum P */
+    double force;          /* asked for D sum P */
     double *X, *gap, *F;   /* gap X^2/2 - S, history term */
     double *P, *H, *q;     /* solution */
     double *rho, *eta;

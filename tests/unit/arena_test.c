@@ -79,7 +79,7 @@ static void is_usable_after_release(void **state)
 
 static void refuses_sizes_that_overflow(void **state)
 {
-    static const size_t wanted[][2] = {
+    static const size_t target[][2] = {
         {SIZE_MAX, SIZE_MAX}, {SIZE_MAX / 2, 3},  {SIZE_MAX / 8 + 2, 8},
         {SIZE_MAX, 1},        {1, SIZE_MAX - 64},
     };
@@ -88,9 +88,9 @@ static void refuses_sizes_that_overflow(void **state)
     (void)state;
     test_faults_init(&faults);
     arena = ovr_arena_make(&faults.hook);
-    for (size_t k = 0; k < sizeof wanted / sizeof *wanted; k++) {
+    for (size_t k = 0; k < sizeof target / sizeof *target; k++) {
         ovr_error err = {0};
-        assert_null(ovr_arena_take(&arena, wanted[k][0], wanted[k][1], &err));
+        assert_null(ovr_arena_take(&arena, target[k][0], target[k][1], &err));
         CHECK_ERROR(&err, OVR_NO_MEMORY, "out of memory");
     }
     assert_int_equal(faults.calls, 0);

@@ -39,9 +39,9 @@ static bool is_text(const ovr_parameter_info *p)
 
 static bool shows(const char *message, const char *format, double number)
 {
-    char wanted[40];
-    snprintf(wanted, sizeof wanted, format, number);
-    return strstr(message, wanted) != NULL;
+    char target[40];
+    snprintf(target, sizeof target, format, number);
+    return strstr(message, target) != NULL;
 }
 
 /* All words; a number's largest value, or its units. */
@@ -182,13 +182,13 @@ static const char *some_value(const ovr_parameter_info *p)
 
 static void refused(const char *format, const ovr_parameter_info *p)
 {
-    char wanted[200];
+    char target[200];
     ovr_error err = {0};
     ovr_case *c = ovr_case_read_text(text, "t.ini", NULL, NULL, &err);
     if (c)
         fail_msg("was taken:\n%s", text);
-    snprintf(wanted, sizeof wanted, format, p->key);
-    CHECK_ERROR(&err, OVR_BAD_INPUT, wanted);
+    snprintf(target, sizeof target, format, p->key);
+    CHECK_ERROR(&err, OVR_BAD_INPUT, target);
 }
 
 /* Given twice; with a letter too many; in a section that is not its own. */
@@ -399,7 +399,7 @@ static void what_is_found_late_has_its_line(void **state)
                      late[k][2]);
         snprintf(place, sizeof place, "t.ini:%d: ", line);
         if (strncmp(err.message, place, strlen(place)) != 0 || !err.about)
-            fail_msg("%s wanted: %s (about %s)", place, err.message,
+            fail_msg("%s expected: %s (about %s)", place, err.message,
                      err.about ? err.about : "nothing");
     }
 }

@@ -265,12 +265,12 @@ static void mass_passes_the_interfaces(void **state)
  * level; its place stays. */
 static void spike_is_resolved(void **state)
 {
-    const ovr_spike_search wanted = {.level = 14,
+    const ovr_spike_search target = {.level = 14,
                                      .half = 24,
                                      .tolerance = 1e-8,
                                      .most_cycles = 20,
                                      .rigid = rigid};
-    ovr_spike_search how = wanted;
+    ovr_spike_search how = target;
     ovr_error err = {0};
     ovr_spike_found found;
     int cycles = 0;

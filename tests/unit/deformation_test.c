@@ -206,10 +206,10 @@ static void flattens_the_hertzian_contact(void **state)
 static void table_is_the_fit(void **state)
 {
     (void)state;
-    for (double wanted = 1e-6; wanted > 1e-11; wanted /= 2) {
+    for (double target = 1e-6; target > 1e-11; target /= 2) {
         double table[OVR_MLMI_MOST], fit[OVR_MLMI_MOST];
         int order, range;
-        ovr_mlmi_choose(wanted, &order, &range);
+        ovr_mlmi_choose(target, &order, &range);
         ovr_mlmi_weights((size_t)order / 2, (size_t)range, table);
         ovr_mlmi_fit_weights((size_t)order / 2, (size_t)range, fit);
         for (int k = 0; k < order / 2; k++)

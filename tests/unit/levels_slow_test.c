@@ -6,7 +6,7 @@
 #include "../support/test.h"
 #include "overroll/case.h"
 
-static void errors_are_those_wanted(void **state)
+static void errors_are_asked_for(void **state)
 {
     (void)state;
     test_levels_steady(20261122, 10);
@@ -64,7 +64,7 @@ static void given_levels_stay(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(errors_are_those_wanted),
+        cmocka_unit_test(errors_are_asked_for),
         cmocka_unit_test(narrow_features_take_finer_levels),
         cmocka_unit_test(given_levels_stay),
     };

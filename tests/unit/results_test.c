@@ -350,7 +350,7 @@ static void lists_times(void **state)
     const char *path = test_path(*state, "times.h5");
     ovr_write_options o = options_for(path);
     ovr_contact contact = test_contact_bare();
-    const double wanted[] = {0.21, 0.05, 0.4}, at[] = {0, .05, .25, .4, .5, .5};
+    const double target[] = {0.21, 0.05, 0.4}, at[] = {0, .05, .25, .4, .5, .5};
     double T[8];
     test_dent d;
     ovr_result *r;
@@ -358,7 +358,7 @@ static void lists_times(void **state)
     test_dent_init(&d, NODES, 0.05);
     o.every_steps = 0;
     o.every_time = 0.25;
-    o.times = wanted;
+    o.times = target;
     o.time_count = 3;
     write_run(&o, &contact, &d, 10);
     r = open_result(path);
@@ -374,13 +374,13 @@ static void names_the_next_time(void **state)
 {
     ovr_write_options o = options_for(test_path(*state, "next.h5"));
     ovr_contact contact = test_contact_bare();
-    const double wanted[] = {0.3, 0.1};
+    const double target[] = {0.3, 0.1};
     ovr_error err;
     test_dent d;
     ovr_writer *w;
     test_dent_init(&d, NODES, 0);
     o.every_time = 0.25;
-    o.times = wanted;
+    o.times = target;
     o.time_count = 2;
     w = ovr_writer_create(&o, &contact, d.n, d.X, NULL, &err);
     assert_non_null(w);

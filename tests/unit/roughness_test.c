@@ -124,7 +124,7 @@ static void long_waves_are_no_roughness(void **state)
     static const double l[] = {0.5, 8}, A[] = {0.3, 1};
     enum { N = 48001 };
     const double length = 240, pi = acos(-1.0);
-    double *x = calloc(N, sizeof *x), *z = calloc(N, sizeof *z), wanted = 0;
+    double *x = calloc(N, sizeof *x), *z = calloc(N, sizeof *z), target = 0;
     (void)state;
     assert_true(x && z);
     for (size_t i = 0; i < N; i++) {
@@ -135,12 +135,12 @@ static void long_waves_are_no_roughness(void **state)
     }
     for (int k = 0; k < 2; k++) {
         double a = 2 * pi / l[k], s = sin(a) / a;
-        wanted += A[k] * A[k] / 2 * (1 - s * s);
+        target += A[k] * A[k] / 2 * (1 - s * s);
         CHECK_CLOSE(ovr_local_roughness_of_wave(A[k], l[k], 2),
                     A[k] * sqrt((1 - s * s) / 2), 1e-12);
     }
     /* the ends, where windows are missing, and steps of a hundredth of l */
-    CHECK_CLOSE(ovr_local_roughness(N, x, z, 2), sqrt(wanted), 1e-2);
+    CHECK_CLOSE(ovr_local_roughness(N, x, z, 2), sqrt(target), 1e-2);
     CHECK_CLOSE(ovr_local_roughness(101, x, z, 1e3) /
                     ovr_local_roughness(101, x, z, 2e3),
                 1, 1e-15);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Adaptive steps are honest about dents: the error of H_cen over the run,
- * beside dT = D/8 on the same level, is below 10 times the wanted one; and
+ * beside dT = D/8 on the same level, is below 10 times the asked for one; and
  * where they are no worse than dT = D they take no more cycles in all. */
 #include <stdio.h>
 

@@ -345,7 +345,7 @@ static void schemes_for_their_cost(void **state)
  * by 2^order. */
 static void orders_in_the_mesh(void **state)
 {
-    const double wanted[] = {1, 2, 2};
+    const double target[] = {1, 2, 2};
     (void)state;
     for (int s = 0; s < 3; s++) {
         double film[4], D0 = 5.5 / 448;
@@ -361,7 +361,7 @@ static void orders_in_the_mesh(void **state)
         }
         double order = log2(fabs((film[1] - film[2]) / (film[2] - film[3])));
         print_message("scheme %d: order %.2f in D = dT\n", s, order);
-        CHECK_NEAR(order, wanted[s], 0.5);
+        CHECK_NEAR(order, target[s], 0.5);
     }
 }
 

@@ -46,7 +46,7 @@ static const ovr_parameter domain_keys[] = {
      "finest grid: 7 2^level + 1 nodes; auto: what brings accuracy_of to "
      "accuracy, 14 at most"},
     {"accuracy", PLAIN(1e-9, 0.5), "1e-3", AT(accuracy), true, "level = auto",
-     "relative error of discretization that is wanted"},
+     "relative error of discretization, the target"},
     {"accuracy_of", CHOICE(accuracies), "H_cen", AT(accuracy_of), true,
      "level = auto",
      "of the central film, of the smallest, or of what "

@@ -171,14 +171,14 @@ static bool next_message(header *h, unsigned *kind, ovr_piece *body)
     return false;
 }
 
-bool ovr_object_message(ovr_source *source, uint64_t object, unsigned wanted,
+bool ovr_object_message(ovr_source *source, uint64_t object, unsigned target,
                         ovr_piece *body)
 {
     header h;
     unsigned kind;
     open_header(&h, source, object);
     while (next_message(&h, &kind, body))
-        if (kind == wanted)
+        if (kind == target)
             return true;
     return false;
 }
@@ -204,7 +204,7 @@ static bool stored_apart(ovr_source *source, unsigned kind, ovr_piece info,
 }
 
 static size_t count_messages(ovr_source *source, uint64_t object,
-                             unsigned wanted)
+                             unsigned target)
 {
     header h;
     unsigned kind;
@@ -212,15 +212,15 @@ static size_t count_messages(ovr_source *source, uint64_t object,
     size_t count = 0;
     open_header(&h, source, object);
     while (next_message(&h, &kind, &body))
-        count += kind == wanted;
+        count += kind == target;
     return count;
 }
 
-bool ovr_object_items(ovr_source *source, uint64_t object, unsigned wanted,
+bool ovr_object_items(ovr_source *source, uint64_t object, unsigned target,
                       ovr_items *items)
 {
-    unsigned info = wanted == OVR_ITEM_LINK ? LINK_INFO : ATTRIBUTE_INFO, kind;
-    size_t room = count_messages(source, object, wanted), count = 0;
+    unsigned info = target == OVR_ITEM_LINK ? LINK_INFO : ATTRIBUTE_INFO, kind;
+    size_t room = count_messages(source, object, target), count = 0;
     ovr_items apart = {NULL, NULL, 0};
     ovr_piece body;
     header h;
@@ -231,7 +231,7 @@ bool ovr_object_items(ovr_source *source, uint64_t object, unsigned wanted,
         return false;
     open_header(&h, source, object);
     while (next_message(&h, &kind, &body))
-        if (kind == wanted && count < room) {
+        if (kind == target && count < room) {
             items->order[count] = h.ordered ? h.order : count;
             items->item[count++] = body;
         } else if (kind == info && !stored_apart(source, info, body, &apart))

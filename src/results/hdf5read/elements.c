@@ -304,7 +304,7 @@ static bool part_of(ovr_source *source, const ovr_dataset *set, const chunk *c,
 }
 
 /* Chunk after chunk, whose memory is given back before the next is read: the
- * part of it that is wanted.  Of more dimensions a row is a chunk. */
+ * part of it that is asked for.  Of more dimensions a row is a chunk. */
 static bool chunks(ovr_source *source, const ovr_dataset *set, uint64_t row,
                    uint64_t count, double *values)
 {

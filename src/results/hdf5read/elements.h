@@ -6,12 +6,12 @@
 #include "results/hdf5read/heap.h"
 
 /* A message of an object's header by its kind. */
-bool ovr_object_message(ovr_source *source, uint64_t object, unsigned wanted,
+bool ovr_object_message(ovr_source *source, uint64_t object, unsigned target,
                         ovr_piece *body);
 
 /* All links or all attributes of an object, wherever they are. */
 enum { OVR_ITEM_LINK = 0x06, OVR_ITEM_ATTRIBUTE = 0x0c };
-bool ovr_object_items(ovr_source *source, uint64_t object, unsigned wanted,
+bool ovr_object_items(ovr_source *source, uint64_t object, unsigned target,
                       ovr_items *items);
 
 /* A name of this program's: letters, digits and _. */

@@ -94,7 +94,7 @@ def _condition(quantity: str, equals: Any, at_least: Any, at_most: Any) -> str:
         if value is not None]
     if len(given) != 1:
         raise BadInput(f"{ORIGIN}: one of equals, at_least and at_most is "
-                       "wanted", key="equals")
+                       "needed", key="equals")
     return f"{quantity} {given[0][0]} {value_text(given[0][1])}"
 
 
