@@ -17,10 +17,14 @@
  * such a face's flow as x/(1 + e^x) from x = alpha (P_j - P_i) = 1.28 on.
  * rho H^2 of flow laws (flow.h) alike, with squares.
  *
- * The stress of sliding (friction.h) is no resistance: rho H^2/eps is the sum
+ * The stress of sliding (friction.h) is no resistance: rho H^2/eps is the mean
  * of rho psi_c over that of phi, times the mean of 1/H over a gap that is
  * linear between the nodes, ln(H_i/H_j)/(H_i - H_j), whose inverse is within
  * 6 % for a ratio of 50 (2 G + A)/3, of their geometric and arithmetic means.
+ * phi falls as exp(-alphabar P), so between two nodes with pressure its mean is
+ * the geometric one: the arithmetic one makes the oil of steep pressures too
+ * thin, and friction five times less exact.  Beside a node without pressure,
+ * where phi stands for the share of the gap that is filled, it is arithmetic.
  */
 #ifndef OVR_MULTIGRID_FACES_H
 #define OVR_MULTIGRID_FACES_H

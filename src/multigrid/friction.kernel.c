@@ -29,23 +29,26 @@ typedef struct slid {
     vec drag, eps;
 } slid;
 
-/* x_i/H_i^power + x_{i+1}/H_{i+1}^power, the power 1 or 3 */
-static inline vec without_gap(const ovr_sheared *f, const double *x, bool cubed,
-                              size_t i)
+/* phi_i + phi_{i+1} of the half node's mean phi = eps/H^3 (faces.h). */
+static inline vec phi_at(const ovr_sheared *f, vec H, vec G, size_t i)
 {
-    vec H = face_film(load(f->H + i)), G = face_film(load(f->H + i + 1));
-    return load(x + i) / (cubed ? H * H * H : H) +
-           load(x + i + 1) / (cubed ? G * G * G : G);
+    const vec least = all(1e-290);
+    vec a = larger(load(f->eps + i) / (H * H * H), least);
+    vec b = larger(load(f->eps + i + 1) / (G * G * G), least);
+    ivec filled = smaller(load(f->P + i), load(f->P + i + 1)) > 0;
+    return choose(filled, 2 * face_root(a) * face_root(b), a + b);
 }
 
 static inline slid slid_at(const ovr_sheared *f, bool gap, size_t i)
 {
     if (!gap)
         return (slid){drag_at(f, i), pair_at(f->eps, i)};
-    vec film = face_sliding(load(f->H + i), load(f->H + i + 1));
+    vec H = load(f->H + i), G = load(f->H + i + 1);
+    vec h = face_film(H), g = face_film(G);
+    vec drag = load(f->q + i) / h + load(f->q + i + 1) / g;
     /* a film that was not solved may overlap */
-    return (slid){larger(without_gap(f, f->q, false, i), all(0)),
-                  larger(film * without_gap(f, f->eps, true, i), all(1e-290))};
+    return (slid){larger(drag, all(0)),
+                  larger(face_sliding(H, G) * phi_at(f, h, g, i), all(1e-290))};
 }
 
 /* D P_X and D */

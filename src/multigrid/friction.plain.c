@@ -37,7 +37,10 @@ static double slid(const ovr_sheared *f, bool gap, size_t i)
     if (!gap)
         return (q[0] * H[0] + q[1] * H[1]) / fmax(eps[0] + eps[1], 1e-290);
     double a = face_film(H[0]), b = face_film(H[1]); /* or they overlap */
-    double phi = eps[0] / (a * a * a) + eps[1] / (b * b * b);
+    double left = fmax(eps[0] / (a * a * a), 1e-290);
+    double right = fmax(eps[1] / (b * b * b), 1e-290);
+    double phi = f->P[i] > 0 && f->P[i + 1] > 0 ? 2 * sqrt(left) * sqrt(right)
+                                                : left + right;
     return fmax(q[0] / a + q[1] / b, 0) /
            fmax(phi * face_sliding(a, b), 1e-290);
 }
