@@ -184,12 +184,12 @@ typedef enum ovr_accuracy {
 } ovr_accuracy;
 
 /* The film that arrives: layers on the surfaces, in b^2/R, times its history;
- * oil waiting at the start, in b^3/R. */
+ * oil in the inlet reservoir at the start, in b^3/R. */
 struct ovr_layer;
 typedef struct ovr_supply_setup {
     bool film;                  /* else flooded */
     struct ovr_layer *layer[2]; /* along the surfaces; NULL: constant */
-    double thickness[2], waiting;
+    double thickness[2], reservoir;
     ovr_history *history; /* NULL: constant */
     double start; /* rho H that the steady start takes; NAN: what arrives then
                    */
@@ -220,7 +220,7 @@ typedef struct ovr_setup {
     ovr_history *sliding;      /* NULL: as slide_to_roll and speed say */
     ovr_history *radius;       /* NULL: constant */
     ovr_history *radius_1;     /* NULL: not known */
-    bool rides;                /* the curvature, by ovr_setup_prepare */
+    bool convected;            /* the curvature, by ovr_setup_prepare */
     bool transient;            /* has an end of time */
     ovr_march *march;          /* without observer */
     const ovr_supply_setup *supply;

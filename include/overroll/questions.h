@@ -63,7 +63,7 @@ typedef struct ovr_find_options {
     const char *table;      /* CSV of the evaluations, as they come; or NULL */
     bool go_on;             /* those that it holds are not run again */
     const char *results;    /* folder of the result files of all runs; one that
-                               holds some of the same question goes on with
+                               holds some of the same question resumes
                                them; NULL: none are written */
     void *data;
     ovr_listener *say;

@@ -38,7 +38,7 @@ typedef struct ovr_run ovr_run;
 typedef enum ovr_say {
     OVR_SAY_WARNING, /* the result may not be what was meant */
     OVR_SAY_NOTE,    /* what was assumed or done beyond the ordinary */
-    OVR_SAY_FILE     /* of the file gone on with; begins with its name */
+    OVR_SAY_FILE     /* of the file resumed; begins with its name */
 } ovr_say;
 
 /* One line of text, without end of line. */
@@ -329,7 +329,7 @@ OVR_API ovr_status ovr_study_output_set(ovr_study *study, const char *folder,
 /* The state of a case, told by the files in the folder alone. */
 typedef enum ovr_sweep_state {
     OVR_SWEEP_WAITING,  /* nothing there */
-    OVR_SWEEP_STOPPED,  /* began; its result file can be gone on with */
+    OVR_SWEEP_STOPPED,  /* began; its result file can be resumed */
     OVR_SWEEP_RUNNING,  /* another process has it */
     OVR_SWEEP_FINISHED, /* with its summary */
     OVR_SWEEP_FAILED,

@@ -237,17 +237,17 @@ typedef struct ovr_observation {
     bool converged;  /* R and load below tolerance */
     bool marked;     /* accepted above tolerance, or with other temperatures */
     /* oil conserved; without it NAN */
-    double supply;          /* q that arrives at the inlet */
-    double meniscus;        /* X where the film begins; NAN: flooded */
-    double film_ratio;      /* H_cen over that of the flooded contact under the
-                               conditions of the moment */
-    double supply_ratio;    /* supply over the flow of that */
-    double inflow, outflow; /* Cu q less what the pressure drives back */
-    double oil_inside;      /* integral of q over the domain */
-    double oil_waiting;     /* before the inlet; may be a small debt */
-    double cavity_length;   /* dry, between the first and the last wet node */
-    double mass_defect;     /* inflow - outflow - stored change by the scheme's
-                               own fluxes, over H_cen */
+    double supply;            /* q that arrives at the inlet */
+    double meniscus;          /* X where the film begins; NAN: flooded */
+    double starvation_factor; /* H_cen over that of the flooded contact under
+                          the conditions of the moment */
+    double inflow_ratio;      /* supply over the flow of that */
+    double inflow, outflow;   /* Cu q less what the pressure drives back */
+    double oil_inside;        /* integral of q over the domain */
+    double oil_reservoir;     /* in the inlet reservoir; may be a small debt */
+    double cavity_length;     /* dry, between the first and the last wet node */
+    double mass_defect; /* inflow - outflow - stored change by the scheme's
+                           own fluxes, over H_cen */
     /* patches about the spike; without them 0 and NAN */
     int refined_level;   /* of the finest */
     double spike_change; /* of the spike's height by the last level, relative */

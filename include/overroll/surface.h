@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Surfaces: features and profiles riding on the two moving surfaces.
+ * Surfaces: features and profiles convected by the two moving surfaces.
  *
  *     S(X, T) = S1(X - X1(T)) + S2(X - X2(T)),  dXk/dT = Cu(T) u_k/um
  *
@@ -137,7 +137,7 @@ OVR_API double ovr_shape_width_half(int shape);
  */
 typedef struct ovr_feature_form {
     const char *name; /* for messages: the section's [feature NAME] */
-    int surface;      /* 1 rides at u1, 2 at u2 */
+    int surface;      /* 1 is convected at u1, 2 at u2 */
     ovr_shape shape;
 
     /* The place, by at most one of these (wave and texture: origin or none).

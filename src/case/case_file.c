@@ -132,9 +132,9 @@ static ovr_status refuse_result(const char *path, ovr_error *err)
     if (got != sizeof magic - 1 || memcmp(head, magic, got) != 0)
         return OVR_OK;
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "%s: is a result file, not a case: 'overroll resume' goes "
-                    "on with it, 'overroll info -v' shows the case it was made "
-                    "from",
+                    "%s: is a result file, not a case: 'overroll resume' "
+                    "continues it, 'overroll info -v' shows the case it was "
+                    "made from",
                     path);
 }
 

@@ -45,7 +45,7 @@ static bool varies_in_radius(const ovr_setup *s)
     return ovr_history_varies(s->radius) || ovr_history_varies(s->radius_1);
 }
 
-/* The gap at T if curvature rides with the material. */
+/* The gap at T if curvature is convected with the material. */
 static ovr_smooth smooth_of(const ovr_setup *s, double T)
 {
     const ovr_contact *c = s->contact;
@@ -132,8 +132,8 @@ typedef struct moments {
     loads loads;
     double width, behind; /* room behind the contact, b, for jumps */
     int last;             /* of its looks */
-    bool rides;           /* curvature that varies rides with the material */
-    bool strict;          /* films vary, and are compared with each other */
+    bool convected; /* curvature that varies is convected with the material */
+    bool strict;    /* films vary, and are compared with each other */
 } moments;
 
 /* The first look is at T = 0, the last at the end; the others are spread so
@@ -234,8 +234,8 @@ static double automatic_outlet(const moments *m, const ovr_instant *at)
  * Far out a load that grows squeezes the oil by the approach of the bodies,
  * 0.6 d(s^2)/dT (dry), and imposed curvature c by c' X^2/2: as much as comes
  * with the wedge, Cu c X^2/2, times 1.2 (s^2)'/(c Cu |X|) and c' |X|/(3 c Cu),
- * which lose less and more by a cut at X_a than it does.  Where curvature rides
- * with the material the gap there is not c X^2/2. */
+ * which lose less and more by a cut at X_a than it does.  Where curvature is
+ * convected with the material the gap there is not c X^2/2. */
 static double lost_by_change(const moments *m, int k, double load, double X_a)
 {
     const ovr_setup *s = m->setup;
@@ -245,7 +245,7 @@ static double lost_by_change(const moments *m, int k, double load, double X_a)
     double more = 1 + 0.9 * R * fabs(width) / (u * fabs(X_a));
     if (!varies_in_radius(s))
         return more;
-    if (!m->rides)
+    if (!m->convected)
         return more -
                0.5 * X_a * fabs(ovr_history_slope(s->radius, T)) / (R * u);
     ovr_smooth smooth = smooth_of(s, T);
@@ -324,8 +324,8 @@ static bool opens(const ovr_setup *s, extent e)
     return isnan(closes(s, far)) && !jolts(s, far);
 }
 
-/* Curvature rides only where it opens the gap to both ends, without jolts:
- * where it could on a shorter domain, as far out as it can. */
+/* Curvature is convected only where it opens the gap to both ends, without
+ * jolts: where it could on a shorter domain, as far out as it can. */
 static extent chosen_domain(moments *m)
 {
     enum { HALVINGS = 12 };
@@ -335,10 +335,10 @@ static extent chosen_domain(moments *m)
         return usual_domain(m);
     m->strict = false;
     near = usual_domain(m);
-    m->rides = opens(m->setup, near);
+    m->convected = opens(m->setup, near);
     m->strict = strict;
     far = usual_domain(m);
-    if (!m->rides || opens(m->setup, far))
+    if (!m->convected || opens(m->setup, far))
         return far;
     for (int k = 0; k < HALVINGS; k++) {
         extent middle = far;
@@ -407,13 +407,15 @@ ovr_status ovr_setup_curvature(ovr_resolved *r, ovr_error *err)
     if (!varies_in_radius(s))
         return OVR_OK;
     T = closes(s, far);
-    s->rides = isnan(T) && r->values.curvature != OVR_CURVATURE_IMPOSED &&
-               (r->values.curvature == OVR_CURVATURE_RIDES || !jolts(s, far));
-    if (isnan(T) || r->values.curvature != OVR_CURVATURE_RIDES)
+    s->convected = isnan(T) && r->values.curvature != OVR_CURVATURE_IMPOSED &&
+                   (r->values.curvature == OVR_CURVATURE_CONVECTED ||
+                    !jolts(s, far));
+    if (isnan(T) || r->values.curvature != OVR_CURVATURE_CONVECTED)
         return OVR_OK;
     return ovr_fail_slot(
         err, ovr_slot_of(r, "radius", "curvature"),
         "rides: at T = %.4g the curvature changes too fast, or a surface moves "
-        "too slowly, for it to ride with the material from X = %.3g to %.3g",
+        "too slowly, for it to be convected with the material from X = %.3g to "
+        "%.3g",
         T, s->options->inlet, s->options->outlet);
 }

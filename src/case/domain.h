@@ -30,7 +30,7 @@ typedef struct ovr_domain_needs {
 } ovr_domain_needs;
 ovr_domain_needs ovr_setup_needs(const ovr_setup *setup);
 
-/* Whether the curvature rides with the material, on that domain. */
+/* Whether the curvature is convected with the material, on that domain. */
 ovr_status ovr_setup_curvature(ovr_resolved *r, ovr_error *err);
 
 #endif

@@ -7,8 +7,8 @@
 #include "surface/layer.h"
 
 /* In place of what the case says of the supply; the layers are the setup's
- * from now on.  `waiting`: oil before the inlet, b^3/R. */
-void ovr_setup_feed(ovr_setup *setup, ovr_layer *layer[2], double waiting);
+ * from now on.  `reservoir`: oil in the inlet reservoir, b^3/R. */
+void ovr_setup_feed(ovr_setup *setup, ovr_layer *layer[2], double reservoir);
 
 /* Whether passes are fed so: those of [passes], not of [plastic] alone. */
 bool ovr_setup_carries_oil(const ovr_setup *setup);

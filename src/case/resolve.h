@@ -44,7 +44,7 @@ typedef struct ovr_resolved {
     const char
         *step_reason; /* of step = auto, why a step is one mesh; or NULL */
     double pass_load; /* by which a pass's load was scaled; 0: by nothing */
-    bool recorded;    /* its domain is that of a file gone on with */
+    bool recorded;    /* its domain is that of a file resumed */
     ovr_arena arena;
 } ovr_resolved;
 

@@ -105,7 +105,7 @@ ovr_status ovr_resolve_supply(ovr_resolved *r, const ovr_allocator *allocator,
         status = check_passes(r, err);
     s->thickness[0] = v->thickness[0];
     s->thickness[1] = v->thickness[1];
-    s->waiting = v->waiting;
+    s->reservoir = v->reservoir;
     s->start = NAN;
     return status;
 }

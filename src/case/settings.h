@@ -72,7 +72,7 @@ typedef struct ovr_settings {
     ovr_change load, speed, sliding, radius, radius_1, supply;
     int curvature;    /* of [radius], see below */
     int supply_model; /* 0: flooded, 1: film */
-    double thickness[2], waiting;
+    double thickness[2], reservoir;
     const char *layer_file[2];
     ovr_passes_setup passes;
     ovr_output output;
@@ -89,7 +89,7 @@ typedef struct ovr_settings {
 enum { OVR_SCALE_DRY, OVR_SCALE_SUBSTRATE };
 
 /* Of [radius] curvature. */
-enum { OVR_CURVATURE_AUTO, OVR_CURVATURE_RIDES, OVR_CURVATURE_IMPOSED };
+enum { OVR_CURVATURE_AUTO, OVR_CURVATURE_CONVECTED, OVR_CURVATURE_IMPOSED };
 
 /* Of [stress] traction. */
 enum { OVR_TRACTION_NO, OVR_TRACTION_YES, OVR_TRACTION_AUTO };

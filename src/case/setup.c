@@ -267,13 +267,13 @@ static double lying(const ovr_setup *s)
     return both;
 }
 
-void ovr_setup_feed(ovr_setup *setup, ovr_layer *layer[2], double waiting)
+void ovr_setup_feed(ovr_setup *setup, ovr_layer *layer[2], double reservoir)
 {
     ovr_supply_setup *supply = &((ovr_resolved *)setup)->supply;
     ovr_history_free(supply->history);
     supply->history = NULL;
     supply->film = true;
-    supply->waiting = waiting;
+    supply->reservoir = reservoir;
     for (int k = 0; k < 2; k++) {
         ovr_layer_free(supply->layer[k]);
         supply->layer[k] = layer[k];
@@ -313,9 +313,10 @@ ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
     }
     ovr_simulation_histories(sim, setup->load, setup->speed);
     ovr_simulation_sliding(sim, setup->sliding);
-    ovr_simulation_radius(sim, setup->radius, setup->radius_1, setup->rides);
+    ovr_simulation_radius(sim, setup->radius, setup->radius_1,
+                          setup->convected);
     if (setup->supply->film)
-        ovr_simulation_supply(sim, arriving, setup, setup->supply->waiting);
+        ovr_simulation_supply(sim, arriving, setup, setup->supply->reservoir);
     if (setup->surfaces) {
         ovr_simulation_surface(sim, ovr_surfaces_heights, setup->surfaces);
         ovr_simulation_moving(sim, ovr_surfaces_speed(setup->surfaces));

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The gap of smooth surfaces whose radius varies, c = R0/R(T):
- *     gap = c X^2/2                                     imposed from outside
- *     gap = sum_k c_k X^2/2 - (dc_k/dT) X^3/(6 v_k)     rides with surface k
+ *     gap = c X^2/2                                    imposed from outside
+ *     gap = sum_k c_k X^2/2 - (dc_k/dT) X^3/(6 v_k)    convected with surface k
  * v_k = u_k/um0.  A surface whose curvature varies along its material is about
  * the contact z = c X^2/2 + (dc/ds) X^3/6, and the contact sees dc/dT =
  * -v dc/ds: what the cubic's motion squeezes is what c(T) pumps.  Without the
@@ -47,7 +47,7 @@ static double cubic(const ovr_curving *g, double T)
 ovr_smooth ovr_smooth_of(const ovr_curving *curving, double T)
 {
     return (ovr_smooth){.half = 0.5 * curvature(curving->radius, T),
-                        .cubic = curving->rides ? cubic(curving, T) : 0};
+                        .cubic = curving->convected ? cubic(curving, T) : 0};
 }
 
 bool ovr_smooth_opens(const ovr_smooth *smooth, double X)

@@ -6,12 +6,12 @@
 #include "overroll/contact.h"
 
 /* R and, where known, R_1 of surface 1 over the nominal R (NULL: 1, and not
- * known); speed, sliding and ratio as of ovr_surface_speed.  It rides: the
+ * known); speed, sliding and ratio as of ovr_surface_speed.  Convected: the
  * curvature belongs to the material, which carries it along. */
 typedef struct ovr_curving {
     const ovr_history *radius, *radius_1, *speed, *sliding;
     double ratio[2];
-    bool rides;
+    bool convected;
 } ovr_curving;
 
 /* The gap of the smooth surfaces (half - cubic X) X^2, of 1/2 and 0 at the

@@ -239,7 +239,7 @@ static ovr_writer *begin(const ovr_write_options *options,
 }
 
 /* The checkpoint, still without a state, is on the disk before the file has its
- * name: a run killed at any later moment can be gone on with. */
+ * name: a run killed at any later moment can be resumed. */
 static ovr_status start_file(ovr_writer *w, const ovr_file_plan *plan,
                              ovr_error *err)
 {

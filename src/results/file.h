@@ -60,7 +60,7 @@ ovr_status ovr_file_prepare(ovr_file *file, const ovr_file_plan *plan,
 ovr_status ovr_file_create(ovr_file *file, const ovr_file_plan *plan,
                            ovr_error *err);
 
-/* Opens one that is to be gone on with, as it was at the last checkpoint; it
+/* Opens one that is to be resumed, as it was at the last checkpoint; it
  * must have plan->created, these
  * positions and this precision.  Rows behind the counts are dropped. */
 ovr_status ovr_file_open(ovr_file *file, const ovr_file_plan *plan,

@@ -122,7 +122,7 @@ const char *ovr_restart_lacks(const ovr_restart *restart);
  * every checkpoint_interval, and at the end.  Borrowed. */
 void ovr_writer_checkpoints(ovr_writer *writer, ovr_simulation *sim);
 
-/* Goes on with options->path: a cut last write is finished, rows behind the
+/* Resumes options->path: a cut last write is finished, rows behind the
  * checkpoint are dropped and will be written again.  `restart` NULL, or one
  * without a state: all rows are dropped.  What is stored may be chosen anew,
  * but for precision and nodes, which the file has already. */

@@ -53,7 +53,8 @@ static void say_radius(const ovr_told *to, const ovr_setup *setup)
              "%.4g to %.4g of the nominal one%s; half width %.3g to %.3g b",
              R[0], R[1], mm.text, b[0], b[1]);
     ovr_tell(to, "its curvature", "%s",
-             setup->rides ? "rides with the material" : "is imposed");
+             setup->convected ? "is convected with the material"
+                              : "is imposed");
 }
 
 /* ------------------------------------------------------------------- films */

@@ -20,7 +20,7 @@ struct ovr_run {
     ovr_simulation *sim;
     ovr_writer *writer; /* NULL: nothing is stored */
     ovr_accompanied company[OVR_MOST_PHYSICS + 1];
-    ovr_restart *restart;     /* of a run gone on with */
+    ovr_restart *restart;     /* of a run resumed */
     ovr_passes *passes;       /* NULL: one */
     bool resumed;             /* the case is its own */
     bool going, gone;         /* ovr_run_go is under way, was called */
@@ -103,7 +103,7 @@ ovr_status ovr_recorded_values(ovr_case *c, const ovr_restart_info *of,
 /* The same for what the program chose of the domain. */
 void ovr_recorded_domain(ovr_setup *setup, const ovr_restart_info *of);
 
-/* The file of an earlier run, gone on with: first what may be refused (another
+/* The file of an earlier run, resumed: first what may be refused (another
  * physics), then the checkpoint's state into the simulation, then, to write,
  * the file. */
 ovr_status ovr_output_reopen(ovr_run *run, bool write, ovr_error *err);

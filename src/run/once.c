@@ -256,7 +256,7 @@ ovr_status ovr_run_once(ovr_run *run, ovr_error *err)
     if (status)
         return close_file(run, status, err);
     late = estimate(run, err);
-    if (late == OVR_STOPPED) { /* what is solved stays, and is gone on with */
+    if (late == OVR_STOPPED) { /* what is solved stays, and is resumed */
         run->info.converged = false;
         return close_file(run, late, err);
     }

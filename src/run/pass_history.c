@@ -7,9 +7,9 @@
 static const char *const names[OVR_PASS_QUANTITIES] = {
     [OVR_SEEN_TIME] = "time",
     [OVR_SEEN_SUPPLY] = "supply",
-    [OVR_SEEN_SUPPLY_RATIO] = "supply_ratio",
+    [OVR_SEEN_INFLOW_RATIO] = "supply_ratio",
     [OVR_SEEN_OUTFLOW] = "outflow",
-    [OVR_SEEN_WAITING] = "oil_waiting",
+    [OVR_SEEN_RESERVOIR] = "oil_waiting",
     [OVR_SEEN_SPEED] = "speed_ratio"};
 
 static const ovr_observable *named(const char *name)

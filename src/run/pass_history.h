@@ -12,9 +12,9 @@
 typedef enum ovr_pass_quantity {
     OVR_SEEN_TIME,
     OVR_SEEN_SUPPLY,
-    OVR_SEEN_SUPPLY_RATIO,
+    OVR_SEEN_INFLOW_RATIO,
     OVR_SEEN_OUTFLOW,
-    OVR_SEEN_WAITING,
+    OVR_SEEN_RESERVOIR,
     OVR_SEEN_SPEED,
     OVR_PASS_QUANTITIES
 } ovr_pass_quantity;

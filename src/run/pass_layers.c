@@ -4,13 +4,13 @@
  *
  *     u1 h1 + u2 h2 = f,   h1 = s h',  h2 = (1 - s) h'
  *
- * f the flow that leaves at X_b, s the split.  A layer rides on its surface:
- * what leaves at time T lies at x = X_b - (way of the surface up to T), in the
- * place that it has at T = 0, and so has the next pass, whose features begin
- * where they did.  Between two of these points it is linear, beyond them as
- * thick as there.  A pass begins steady with the mean of what lies between
- * inlet and outlet at T = 0: what arrives then may be a feature's wake. Between
- * two passes
+ * f the flow that leaves at X_b, s the split.  A layer is convected with its
+ * surface: what leaves at time T lies at x = X_b - (way of the surface up to
+ * T), in the place that it has at T = 0, and so has the next pass, whose
+ * features begin where they did.  Between two of these points it is linear,
+ * beyond them as thick as there.  A pass begins steady with the mean of what
+ * lies between inlet and outlet at T = 0: what arrives then may be a feature's
+ * wake. Between two passes
  *
  *     h <- (1 - loss) h,   or   h <- h_ff x/(1 + x^g)^(1/g),  x = h/h_ff,
  *     h <- h + replenish,   h <- h_ff - (h_ff - h) exp(-t/recovery)
@@ -160,7 +160,7 @@ static void fill_row(const ovr_pass_history *h, const double *lost,
 static double flooded_flow(const ovr_pass_history *h)
 {
     double supply = h->of[OVR_SEEN_SUPPLY][0];
-    double ratio = h->of[OVR_SEEN_SUPPLY_RATIO][0];
+    double ratio = h->of[OVR_SEEN_INFLOW_RATIO][0];
     double flow = h->of[OVR_SEEN_OUTFLOW][0] / h->of[OVR_SEEN_SPEED][0];
     if (supply > 0 && ratio > 0)
         return supply / ratio;
@@ -171,10 +171,11 @@ ovr_status ovr_pass_end_make(const ovr_setup *s, ovr_pass_history *h,
                              double flooded, ovr_pass_end *end,
                              const ovr_allocator *allocator, ovr_error *err)
 {
-    const double *waiting = h->of[OVR_SEEN_WAITING];
+    const double *reservoir = h->of[OVR_SEEN_RESERVOIR];
     double *x = ovr_arena_take(&h->arena, 3 * h->n + 2, sizeof *x, err);
     double *lost = x ? x + 2 * h->n + 2 : NULL;
-    *end = (ovr_pass_end){.flooded = flooded, .waiting = s->supply->waiting};
+    *end = (ovr_pass_end){.flooded = flooded,
+                          .reservoir = s->supply->reservoir};
     if (!x)
         return OVR_NO_MEMORY;
     if (isnan(flooded))
@@ -182,8 +183,8 @@ ovr_status ovr_pass_end_make(const ovr_setup *s, ovr_pass_history *h,
     for (int k = 0; k < 2; k++)
         end->layer[k] = make_layer(s, h, k, end->flooded, x, x + h->n + 1, lost,
                                    allocator, err);
-    if (isfinite(waiting[h->n - 1]))
-        end->waiting = waiting[h->n - 1];
+    if (isfinite(reservoir[h->n - 1]))
+        end->reservoir = reservoir[h->n - 1];
     fill_row(h, lost, &end->row);
     if (end->layer[0] && end->layer[1])
         return OVR_OK;

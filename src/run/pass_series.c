@@ -25,7 +25,7 @@ static ovr_status make(ovr_run *run, const char *path, ovr_error *err)
 
 /* ---------------------------------------------------------------- a new run */
 
-/* Files of passes from before, which would be gone on with. */
+/* Files of passes from before, which would be resumed. */
 static ovr_status clear(ovr_run *run, ovr_error *err)
 {
     static const char *const endings[] = {"", ".restart", ".journal"};

@@ -20,11 +20,11 @@ typedef struct ovr_pass_row {
     const char *status;          /* of its file; "waiting": none yet */
 } ovr_pass_row;
 
-/* The two layers as they come to the next pass, and the oil that waits before
- * it; the row of this one. */
+/* The two layers as they come to the next pass, and the oil in the inlet
+ * reservoir before it; the row of this one. */
 typedef struct ovr_pass_end {
     ovr_layer *layer[2];
-    double waiting;
+    double reservoir;
     double flooded; /* rho H that a flooded contact takes; NAN: not known */
     ovr_pass_row row;
 } ovr_pass_end;
@@ -94,7 +94,7 @@ ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err);
 /* From the pass that is set up to the last. */
 ovr_status ovr_passes_go(ovr_run *run, ovr_error *err);
 
-/* The passes of a file that is gone on with: `now` is the first that is not
+/* The passes of a file that is resumed: `now` is the first that is not
  * complete. */
 ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err);
 

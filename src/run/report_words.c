@@ -156,18 +156,18 @@ static void say_supply(const ovr_told *to, const ovr_run_info *s)
     ovr_words w = {""};
     if (isnan(o->inflow))
         return;
-    if (isfinite(o->film_ratio))
-        ovr_words_add(&w, "%-12.6g of the flooded film", o->film_ratio);
+    if (isfinite(o->starvation_factor))
+        ovr_words_add(&w, "%-12.6g of the flooded film", o->starvation_factor);
     else
         ovr_words_add(&w, "%-12s the surfaces hardly move", "none:");
     if (isfinite(o->meniscus))
         ovr_words_place(&w, "; film begins at X", o->meniscus, OVR_KIND_LENGTH,
                         s->setup->contact);
     else if (o->supply > 1.01 * o->inflow && o->inflow > 0 &&
-             isfinite(o->film_ratio))
+             isfinite(o->starvation_factor))
         ovr_words_add(&w, "; of what arrives it takes %.2g, the rest waits",
                       o->inflow / o->supply);
-    ovr_tell(to, "film ratio", "%s", w.text);
+    ovr_tell(to, "starvation factor", "%s", w.text);
 }
 
 /* Largest temperatures, and how far the balance of energy is from closed. */

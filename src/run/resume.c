@@ -154,7 +154,7 @@ static ovr_status prepare(ovr_run *run, const char *path, ovr_error *err)
     if (maker)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: a solution with %s is computed in one go: there "
-                        "is nothing to go on with",
+                        "is nothing to resume",
                         path, maker->name);
     return go_back(run, complete, err);
 }

@@ -30,14 +30,14 @@ static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
 {
     char text[240];
     double arrives, taken = flooded(setup);
-    if (!setup->supply->film || isinf(setup->supply->waiting))
+    if (!setup->supply->film || isinf(setup->supply->reservoir))
         return;
     arrives = ovr_setup_arriving(setup, 0);
     if (!(arrives > SURE * taken))
         return;
     snprintf(text, sizeof text,
              "a film of %.3g arrives, of which the contact takes only some "
-             "%.2g, being flooded then; the rest waits before it",
+             "%.2g, being flooded then; the rest waits in the inlet reservoir",
              arrives, taken / arrives);
     say(data, OVR_SAY_WARNING, text);
 }

@@ -144,7 +144,7 @@ static void mark_failed(const ovr_study *s, size_t task, const char *message,
     fclose(to);
 }
 
-/* One that was killed may be gone on with; one that crashed may not. */
+/* One that was killed may be resumed; one that crashed may not. */
 void ovr_task_died(const ovr_study *s, size_t task, int number)
 {
     char message[80];

@@ -166,7 +166,7 @@ static bool stop(void *data)
     return (a->stop && *a->stop) || (plan->stop && plan->stop(plan->data));
 }
 
-/* The run of a trial: what lies in its file is gone on with; one that is whole
+/* The run of a trial: what lies in its file is resumed; one that is whole
  * and has no checkpoint beside it says nothing of its extremes, and is made
  * again. */
 static ovr_run *open_run(const ovr_trials *t, size_t k, ovr_run_options *how,

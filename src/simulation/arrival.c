@@ -31,7 +31,7 @@ static double time_of_arrival(const ovr_simulation *sim, double T, double way)
 bool ovr_arrival_closes(const ovr_simulation *sim)
 {
     const ovr_arrival *a = &sim->arrival;
-    return a->supply && (a->closed || a->waiting < 0);
+    return a->supply && (a->closed || a->reservoir < 0);
 }
 
 void ovr_arrival_ghosts(const ovr_simulation *sim, double T, size_t ghosts,

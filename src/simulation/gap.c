@@ -21,7 +21,7 @@ ovr_smooth ovr_simulation_smooth(const ovr_simulation *sim, double T)
                                         sim->speed,
                                         sim->sliding,
                                         {c->u1_ratio, c->u2_ratio},
-                                        sim->rides},
+                                        sim->convected},
                          T);
 }
 
@@ -35,11 +35,12 @@ ovr_status ovr_smooth_check(const ovr_simulation *sim, double T, ovr_error *err)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "radius ratio %g at T = %g: must be positive",
                         ovr_history_value(sim->radius, T), T);
-    return ovr_fail(err, OVR_BAD_INPUT,
-                    "the curvature at T = %g changes too fast, or a surface "
-                    "moves too slowly, for it to ride with the material all "
-                    "over the domain",
-                    T);
+    return ovr_fail(
+        err, OVR_BAD_INPUT,
+        "the curvature at T = %g changes too fast, or a surface "
+        "moves too slowly, for it to be convected with the material all "
+        "over the domain",
+        T);
 }
 
 void ovr_surface_heights(const ovr_simulation *sim, double T, size_t n,

@@ -74,13 +74,13 @@ typedef struct ovr_last_newton {
 typedef struct ovr_arrival {
     ovr_supply *supply; /* NULL: flooded */
     void *data;
-    double before;  /* waiting at the start */
-    double waiting; /* now */
-    bool closed;    /* only what arrives flows in */
-    double flooded; /* central film of the flooded start */
-    double flow;    /* what that takes, rho H */
-    double q, face; /* of this step: at X_a, half a mesh further */
-    double *kept;   /* contents of a solution on a path, and its inlet */
+    double before;    /* in the inlet reservoir at the start */
+    double reservoir; /* now */
+    bool closed;      /* only what arrives flows in */
+    double flooded;   /* central film of the flooded start */
+    double flow;      /* what that takes, rho H */
+    double q, face;   /* of this step: at X_a, half a mesh further */
+    double *kept;     /* contents of a solution on a path, and its inlet */
     bool closed_kept;
     ovr_carriage carriage;
 } ovr_arrival;
@@ -112,7 +112,7 @@ struct ovr_simulation {
     bool standing_given;
     const ovr_history *load, *speed, *sliding;
     const ovr_history *radius, *radius_1;
-    bool rides;       /* the curvature, with the material */
+    bool convected;   /* the curvature, with the material */
     double moving;    /* u_k/um of the features; NAN: nobody told */
     double roughness; /* composite Rq of both surfaces; 0: not known */
 

@@ -134,7 +134,7 @@ struct ovr_physics {
     /* ------------------------------------------------------------- creation */
 
     /* The nodes of the steady solution are its own: a file can be opened once
-     * it is solved, and there is nothing to go on with. */
+     * it is solved, and there is nothing to resume. */
     bool makes_nodes;
 
     /* Whether the options choose it. */

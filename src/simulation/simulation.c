@@ -219,13 +219,13 @@ void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
 }
 
 void ovr_simulation_radius(ovr_simulation *sim, const ovr_history *radius,
-                           const ovr_history *radius_1, bool rides)
+                           const ovr_history *radius_1, bool convected)
 {
     if (!sim)
         return;
     sim->radius = radius;
     sim->radius_1 = radius_1;
-    sim->rides = rides;
+    sim->convected = convected;
 }
 
 const ovr_state *ovr_simulation_state(const ovr_simulation *sim)

@@ -19,7 +19,7 @@ double ovr_simulation_memory(const ovr_options *options);
  * comes.  Borrowed; NULL, the default: flooded. */
 typedef double ovr_supply(void *data, double T);
 void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
-                           double waiting);
+                           double reservoir);
 
 /* Load and speed in time.  Borrowed; NULL: 1.  A speed below zero wants a
  * domain that is symmetric, and cavitation by Reynolds. */
@@ -31,14 +31,14 @@ void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
 void ovr_simulation_sliding(ovr_simulation *sim, const ovr_history *sliding);
 
 /* R over the nominal one in time: the gap of the smooth surfaces is then
- * R0/R X^2/2, all else in units of the nominal contact.  `rides`: what varies
- * is the curvature of the material that comes by, as on an involute or a cam,
- * which a cubic term tells from one that is imposed (overroll-theory(7)); of
- * surface 1 alone radius_1 = R_1/R0 (negative: concave) where that is known,
+ * R0/R X^2/2, all else in units of the nominal contact.  `convected`: what
+ * varies is the curvature of the material that comes by, as on an involute or a
+ * cam, which a cubic term tells from one that is imposed (overroll-theory(7));
+ * of surface 1 alone radius_1 = R_1/R0 (negative: concave) where that is known,
  * else NULL.  Not where the surfaces stand: a step is refused where the cubic
  * would close the gap within the domain.  Borrowed; NULL: 1. */
 void ovr_simulation_radius(ovr_simulation *sim, const ovr_history *radius,
-                           const ovr_history *radius_1, bool rides);
+                           const ovr_history *radius_1, bool convected);
 
 /* Heat in solutions of second order, steady and in time: temperatures of film
  * and surfaces, and the viscosity by them.  To be called before anything is

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What arrives at the inlet, and the oil that waits before it.
+ * What arrives at the inlet, and the oil in the inlet reservoir.
  *
  *     dV/dT = Cu q_f - f,   q_f = q_s where the face of the first cell was
  *                           half a mesh of travel ago, f the inflow
@@ -21,15 +21,15 @@
 #include "simulation/simulation.h"
 
 void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
-                           double waiting)
+                           double reservoir)
 {
     if (!sim)
         return;
     ovr_arrival *a = &sim->arrival;
     *a = (ovr_arrival){.supply = supply,
                        .data = data,
-                       .before = waiting,
-                       .waiting = waiting,
+                       .before = reservoir,
+                       .reservoir = reservoir,
                        .kept = a->kept,
                        .carriage = a->carriage};
 }
@@ -92,7 +92,7 @@ static void begin_attempt(ovr_simulation *sim, void *own)
 {
     const ovr_arrival *a = own;
     ovr_level *level = sim->finest;
-    bool closing = a->supply && !a->closed && a->waiting < 0;
+    bool closing = a->supply && !a->closed && a->reservoir < 0;
     restore(sim, a, sim->past.P[0], sim->past.q[0], ovr_arrival_closes(sim));
     if (closing) {
         ovr_content_mark(level, level->f.wet, 1, false);
@@ -142,7 +142,7 @@ static void taken(ovr_simulation *sim, void *own, double dT)
         return;
     double arrives = along ? a->carriage.arrives
                            : ovr_history_value(sim->speed, T) * a->face;
-    a->waiting += dT * (arrives - flow_at(sim, 0, T));
+    a->reservoir += dT * (arrives - flow_at(sim, 0, T));
     a->closed = sim->finest->closed;
 }
 
@@ -165,7 +165,7 @@ static ovr_defect complete(ovr_simulation *sim, void *own, const ovr_full *how,
                            int *cycles)
 {
     ovr_arrival *a = own;
-    a->waiting = a->before;
+    a->reservoir = a->before;
     a->closed = false;
     ovr_level_clear(sim->finest, sim->finest->f.kept);
     ovr_defect d = ovr_flooded(&sim->grids, how, cycles);
@@ -285,9 +285,9 @@ static double mass_defect(const ovr_simulation *sim)
 
 static void unknown(ovr_observation *o)
 {
-    o->film_ratio = o->supply_ratio = NAN;
+    o->starvation_factor = o->inflow_ratio = NAN;
     o->supply = o->meniscus = o->inflow = o->outflow = NAN;
-    o->oil_inside = o->oil_waiting = o->cavity_length = o->mass_defect = NAN;
+    o->oil_inside = o->oil_reservoir = o->cavity_length = o->mass_defect = NAN;
 }
 
 /* By the film formula, in units of the nominal contact. */
@@ -319,13 +319,13 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
     const ovr_arrival *a = own;
     o->supply = a->supply ? a->q : NAN;
     double now = flooded_since(sim, o->T);
-    o->film_ratio = o->H_cen / (a->flooded * now);
-    o->supply_ratio = a->flow > 0 ? o->supply / (a->flow * now) : NAN;
+    o->starvation_factor = o->H_cen / (a->flooded * now);
+    o->inflow_ratio = a->flow > 0 ? o->supply / (a->flow * now) : NAN;
     o->meniscus = meniscus(sim);
     o->inflow = flow_at(sim, 0, o->T);
     o->outflow = flow_at(sim, s->n - 2, o->T);
     o->oil_inside = ovr_integral(sim, s->q);
-    o->oil_waiting = a->supply ? a->waiting : NAN;
+    o->oil_reservoir = a->supply ? a->reservoir : NAN;
     o->cavity_length = cavity_length(s);
     o->mass_defect = mass_defect(sim);
 }
@@ -337,8 +337,8 @@ static ovr_status visit(ovr_simulation *sim, void *own, ovr_visit *show,
 {
     ovr_arrival *a = own;
     double *defect = &sim->observation.mass_defect;
-    ovr_status status = show(context, "oil_waiting", &a->waiting,
-                             sizeof a->waiting, err);
+    ovr_status status = show(context, "oil_waiting", &a->reservoir,
+                             sizeof a->reservoir, err);
     if (!status)
         status = show(context, "inlet_closed", &a->closed, sizeof a->closed,
                       err);
@@ -423,16 +423,16 @@ static const ovr_observable quantities[] = {
         PASS(MEAN)),
     OIL("meniscus", "X_meniscus", LENGTH, meniscus,
         "where the film begins; none: flooded", PASS(MEAN)),
-    OIL("film_ratio", "film_ratio", NUMBER, film_ratio,
+    OIL("film_ratio", "film_ratio", NUMBER, starvation_factor,
         "central film over that of the flooded contact under its conditions",
         PASS(MEAN)),
-    OIL("supply_ratio", "supply_ratio", NUMBER, supply_ratio,
+    OIL("supply_ratio", "supply_ratio", NUMBER, inflow_ratio,
         "oil that arrives over what the flooded contact takes then",
         PASS(MEAN)),
     OIL("inflow", NULL, FLOW, inflow, "mass flow at the inlet", PASS(MEAN)),
     OIL("outflow", NULL, FLOW, outflow, "mass flow at the outlet", PASS(MEAN)),
     OIL("oil_inside", NULL, AREA, oil_inside, "oil between inlet and outlet"),
-    OIL("oil_waiting", NULL, AREA, oil_waiting, "oil before the inlet",
+    OIL("oil_waiting", NULL, AREA, oil_reservoir, "oil in the inlet reservoir",
         PASS(END)),
     OIL("cavity_length", NULL, LENGTH, cavity_length,
         "nodes without pressure between the first and the last with"),

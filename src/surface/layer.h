@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A layer of oil that rides on a surface, thickness against x, as a profile
+ * A layer of oil that a surface convects, thickness against x, as a profile
  * has it: its largest x arrives first.  Between points linear, beyond its ends
  * as thick as there.
  */

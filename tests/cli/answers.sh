@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The page of answers of gears, cams and bearings: from nothing to it in two
 # commands; its numbers against the history and the drawing; the same of a run
-# that was stopped and gone on with, in text, JSON and on the page.
+# that was stopped and resumed, in text, JSON and on the page.
 . "$TOP/tests/support/cli.sh"
 
 # number KEY: that of the JSON in `out`.
@@ -137,7 +137,7 @@ expect 0 "$OVERROLL" resume part.h5 -q --json --set time.end=auto
 for key in power_loss_W efficiency way_H_min_m lambda_ratio_at_H_min; do
     value=$(number $key)
     grep -q "\"$key\": $value," whole.json ||
-        fail "$key: $value once it was gone on with"
+        fail "$key: $value once it was resumed"
 done
 
 # Helical: the slice stands for the lines of contact of the whole face.

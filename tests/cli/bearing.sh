@@ -114,7 +114,7 @@ expect 0 "$OVERROLL" export plain.h5
 mv out plain.csv
 check_lives plain 0.15 0.5
 
-# In one piece or gone on with: the same
+# In one piece or resumed: the same
 rm three-2.h5* three-3.h5*
 expect 0 "$OVERROLL" resume three.h5 -q
 expect 0 "$OVERROLL" export three.h5

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # find: closed forms to 1e-9 without solving, answers of runs, inequalities
 # that hold, several answers, failed ends, what is refused; in a study, stopped
-# and gone on with.
+# and resumed.
 . "$TOP/tests/support/cli.sh"
 
 # number KEY: of the JSON in `out`.
@@ -201,7 +201,7 @@ expect 2 "$OVERROLL" find dent.ini contact.slide_to_roll between -0.5 and 0.5 \
 contains err '9 is not among them'
 
 # In a study: a curve; the table has a column of the key's name; a case that
-# was stopped goes on with what it has
+# was stopped is resumed with what it has
 cat >curve.ini <<'END'
 [study]
 case = dent.ini
@@ -233,7 +233,7 @@ expect 0 "$OVERROLL" sweep curve.ini -q
 [ "$(wc -l <"$case.find.csv")" -eq "$rows" ] || fail 'other evaluations'
 head -n 5 "$case.find.csv" | cmp - kept || fail 'evaluations were run again'
 sed '/seconds/d' whole.json >one
-sed '/seconds/d' "$case.json" | cmp - one || fail 'gone on with it differs'
+sed '/seconds/d' "$case.json" | cmp - one || fail 'resumed it differs'
 # another question is another case
 sed 's/>= 0.05/>= 0.04/' curve.ini >other.ini && mv other.ini curve.ini
 expect 3 "$OVERROLL" sweep curve.ini --collect curve.csv

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What is said of a run speaks of the whole of it first: the extremes are
 # those of its history, in --json, the summary, the file and a study's table,
-# and a run that was stopped and gone on with knows them still.
+# and a run that was stopped and resumed knows them still.
 . "$TOP/tests/support/cli.sh"
 
 cat >dent.ini <<'END'
@@ -116,7 +116,7 @@ contains out '"load_error_max": -*[0-9.e-]+,'
 contains out '"order": [124],'
 grep -q P_max_overall out && fail 'a steady solution over time'
 
-# Ended early and gone on with: not all of it behind the peak
+# Ended early and resumed: not all of it behind the peak
 expect 0 "$OVERROLL" run dent.ini --level 6 -o b.h5 --json
 mv out b.json
 "$OVERROLL" run dent.ini --level 6 --set time.end=5.3 -o c.h5 -q || fail 'c.h5'

@@ -102,7 +102,7 @@ expect 2 "$OVERROLL" run plastic.ini -o bad.h5 -q --set domain.level=5 \
     --set plastic.initial=soft.h5
 contains err 'its window or layers are others'
 
-# Killed and gone on with: the same end.
+# Killed and resumed: the same end.
 for more in 'plastic.coupling=step' 'plastic.initial=soft.h5'; do
     rm -f part.h5 part.h5.restart
     expect 0 "$OVERROLL" run plastic.ini --force -o whole.h5 -q --set "$more"

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # [radius] in a case: what is said of it, what is refused, the history's
-# column, a killed run gone on with, by every scheme.
+# column, a killed run resumed, by every scheme.
 . "$TOP/tests/support/cli.sh"
 
 cat >tooth.ini <<'END'
@@ -29,7 +29,7 @@ END
 
 expect 0 "$OVERROLL" check tooth.ini
 contains out 'radius in time .*1 to 1.122 of the nominal one; half width 1 to'
-contains out 'its curvature .*rides with the material'
+contains out 'its curvature .*is convected with the material'
 expect 0 "$OVERROLL" check tooth.ini --set radius.period=2
 contains out 'its curvature .*is imposed'
 # A contact that gets narrower wants a finer mesh

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# 200 draws of a ground surface, killed three times on the way and gone on with,
+# 200 draws of a ground surface, killed three times on the way and resumed,
 # are to the bit those of a single go and those of tasks one by one.
 . "$TOP/tests/support/cli.sh"
 need setsid xargs

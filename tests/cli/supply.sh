@@ -50,7 +50,7 @@ expect 0 "$OVERROLL" steady steady.ini --json
 contains out '"scheme": "characteristic"'
 contains out '"order": 4'
 expect 0 "$OVERROLL" steady steady.ini
-contains out '^film ratio .* of the flooded film; film begins at X = -1.12'
+contains out '^starvation factor .* flooded film; film begins at X = -1.12'
 
 # What arrives beyond what it takes makes no difference
 expect 0 "$OVERROLL" steady steady.ini --json --set supply.thickness_1=0.3
@@ -166,5 +166,5 @@ expect 0 "$OVERROLL" run moment.ini --json
 ratio=$(sed -n 's/^  "film_ratio": \([-0-9.e]*\),*$/\1/p' out)
 awk "BEGIN { exit !($ratio > 0.9 && $ratio < 1.1) }" || fail "film_ratio $ratio"
 expect 0 "$OVERROLL" run moment.ini --set speed.from=1 --set speed.to=0.0001
-contains out '^film ratio +none: +the surfaces hardly move'
+contains out '^starvation factor +none: +the surfaces hardly move'
 ! grep 'it takes -' out || fail "$(grep 'it takes' out)"

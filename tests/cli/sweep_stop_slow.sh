@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # sweep stopped by signals, and killed with its workers left behind: what was
-# begun is gone on with, and the results are those of a sweep left alone.
+# begun is resumed, and the results are those of a sweep left alone.
 . "$TOP/tests/support/cli.sh"
 
 cat >study.ini <<'END'

@@ -317,7 +317,7 @@ static bool stop_at_five(void *data, size_t done, size_t count)
     return done < 5;
 }
 
-/* Stopped, then gone on with: each frame is drawn once. */
+/* Stopped, then resumed: each frame is drawn once. */
 static void frames_go_on(void **state)
 {
     const char *path = test_path(*state, "made.h5");

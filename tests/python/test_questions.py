@@ -151,7 +151,7 @@ def test_dask(dent, client):
 
 
 def test_a_lost_worker_loses_nothing(dent, client):
-    """One of two is killed in the middle: what it ran is gone on with by
+    """One of two is killed in the middle: what it ran is resumed by
     another, and nothing that had finished runs again."""
     dent.set(level=7)
     how = dict(M=[16, 18, 20, 22, 24, 26, 28, 30])

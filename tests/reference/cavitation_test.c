@@ -160,14 +160,14 @@ static void oil_is_conserved(void **state)
     (void)state;
     ovr_simulation_supply(sim, waving, NULL, 0.01);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
-    first = stored(s, s->q) + o->oil_waiting;
+    first = stored(s, s->q) + o->oil_reservoir;
     for (int k = 0; k < STEPS; k++) {
         double arrived = waving(NULL, s->T + 0.5 * s->D);
         for (size_t i = 0; i < N; i++)
             before[i] = s->q[i];
         CHECK_OK(ovr_simulation_step(sim, s->D, &err), &err);
         out += s->D * (arrived - o->outflow);
-        total = stored(s, before) + o->oil_waiting;
+        total = stored(s, before) + o->oil_reservoir;
         left += s->D * o->residual * o->H_cen;
         CHECK_NEAR(total - first, out, left);
         open += isnan(o->meniscus);

@@ -191,7 +191,7 @@ static double in_waves(void *data, double T)
     return 0.1 + 0.08 * cos(0.8 * T);
 }
 
-static void waiting_oil_is_counted(void **state)
+static void reservoir_oil_is_counted(void **state)
 {
     enum { STEPS = 1000 };
     double came = 0, taken = 0;
@@ -208,7 +208,7 @@ static void waiting_oil_is_counted(void **state)
         came += s->D * in_waves(NULL, s->T);
         CHECK_OK(ovr_simulation_step(sim, s->D, &err), &err);
         taken += s->D * o->inflow;
-        CHECK_NEAR(o->oil_waiting, 0.01 + came - taken,
+        CHECK_NEAR(o->oil_reservoir, 0.01 + came - taken,
                    0.08 * s->D * (1 + changes));
         changes += closed == isnan(o->meniscus);
         closed = !isnan(o->meniscus);
@@ -348,7 +348,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_arrives_stays_or_leaves),
         cmocka_unit_test(steps_of_any_length),
-        cmocka_unit_test(waiting_oil_is_counted),
+        cmocka_unit_test(reservoir_oil_is_counted),
         cmocka_unit_test(carried_exactly),
         cmocka_unit_test(carried_between_nodes),
         cmocka_unit_test(a_starved_dent),

@@ -222,7 +222,7 @@ static void conserved_oil(void **state)
     CHECK_CLOSE(seen[1].H_min, seen[0].H_min, 1e-4);
     CHECK_CLOSE(seen[1].F_slide, seen[0].F_slide, 1e-4);
     CHECK_CLOSE(seen[1].T_max_rise, seen[0].T_max_rise, 1e-4);
-    CHECK_CLOSE(seen[1].film_ratio, 1, 0.2);
+    CHECK_CLOSE(seen[1].starvation_factor, 1, 0.2);
 }
 
 /* -------------------------------------------------------------- isothermal */

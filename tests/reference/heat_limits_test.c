@@ -69,12 +69,12 @@ static void supply_between_cold_and_hot(void **state)
     ending more = contact(true, 0.5 * (taken + cold_taken));
     CHECK_CLOSE(more.o.outflow, taken, 1e-6);
     CHECK_CLOSE(more.o.H_cen, hot.o.H_cen, 1e-6);
-    CHECK_CLOSE(more.o.film_ratio, 1, 1e-12);
+    CHECK_CLOSE(more.o.starvation_factor, 1, 1e-12);
     for (int k = 0; k < 2; k++) {
         ending less = contact(true, (k ? 0.6 : 0.97) * taken);
         CHECK_CLOSE(less.o.outflow, (k ? 0.6 : 0.97) * taken, 1e-7);
-        CHECK_CLOSE(less.o.film_ratio, less.o.H_cen / hot.o.H_cen, 1e-6);
-        assert_true(less.o.film_ratio < 1 && isfinite(less.o.meniscus));
+        CHECK_CLOSE(less.o.starvation_factor, less.o.H_cen / hot.o.H_cen, 1e-6);
+        assert_true(less.o.starvation_factor < 1 && isfinite(less.o.meniscus));
     }
 }
 

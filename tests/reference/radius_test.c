@@ -123,7 +123,7 @@ static void a_radius_of_one_is_none(void **state)
 
 /* H_cen and H_min at an eighth of the period over those of the steady contact
  * with the radius of then, less 1. */
-static void lag(double period, bool rides, ovr_scheme scheme, int level,
+static void lag(double period, bool convected, ovr_scheme scheme, int level,
                 double off[2])
 {
     const double amplitude = 0.3, D = 5.5 / (7 << level);
@@ -137,8 +137,8 @@ static void lag(double period, bool rides, ovr_scheme scheme, int level,
     ovr_march march = {0};
     march.end = end;
     march.dT = end / 200;
-    ovr_simulation_radius(sim, swing, NULL, rides);
-    ovr_simulation_radius(still, then, NULL, rides);
+    ovr_simulation_radius(sim, swing, NULL, convected);
+    ovr_simulation_radius(still, then, NULL, convected);
     steady(sim);
     steady(still);
     CHECK_OK(ovr_simulation_march(sim, &march, &err), &err);
@@ -157,25 +157,25 @@ static void lag(double period, bool rides, ovr_scheme scheme, int level,
     ovr_history_free(then);
 }
 
-/* The film is off to first order in the rate, other where the curvature rides
- * than where it is imposed. */
+/* The film is off to first order in the rate, other where the curvature is
+ * convected than where it is imposed. */
 static void a_slow_change_follows_the_steady_contact(void **state)
 {
-    double imposed[2][2], rides[2][2];
+    double imposed[2][2], convected[2][2];
     (void)state;
     for (int k = 0; k < 2; k++) {
         int period = k ? 512 : 256;
         lag(period, false, OVR_UPSTREAM2, 6, imposed[k]);
-        lag(period, true, OVR_UPSTREAM2, 6, rides[k]);
+        lag(period, true, OVR_UPSTREAM2, 6, convected[k]);
         print_message("    period %3d: H_cen, H_min off by %.2e %.2e, where "
-                      "it rides %.2e %.2e\n",
-                      period, imposed[k][0], imposed[k][1], rides[k][0],
-                      rides[k][1]);
+                      "it convected %.2e %.2e\n",
+                      period, imposed[k][0], imposed[k][1], convected[k][0],
+                      convected[k][1]);
     }
     CHECK_CLOSE(imposed[0][0] / imposed[1][0], 2, 0.1);
     CHECK_CLOSE(imposed[0][1] / imposed[1][1], 2, 0.1);
-    CHECK_CLOSE(rides[0][1] / rides[1][1], 2, 0.1);
-    CHECK_CLOSE(rides[0][0] / rides[1][0], 2, 0.1);
+    CHECK_CLOSE(convected[0][1] / convected[1][1], 2, 0.1);
+    CHECK_CLOSE(convected[0][0] / convected[1][0], 2, 0.1);
 }
 
 /* The three schemes follow it alike, to their errors. */

@@ -72,8 +72,8 @@ static void passes(const oil_law *law, double share)
     ovr_observation o = solve(law, LEVEL, &q);
     assert_true(o.converged);
     CHECK_CLOSE(o.outflow, q, 1e-8);
-    CHECK_NEAR(o.supply_ratio, share, 1e-8);
-    CHECK_NEAR(o.film_ratio, share, 2e-3);
+    CHECK_NEAR(o.inflow_ratio, share, 1e-8);
+    CHECK_NEAR(o.starvation_factor, share, 2e-3);
 }
 
 static void what_arrives_passes(void **state)

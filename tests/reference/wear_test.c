@@ -196,7 +196,7 @@ static void run_killed(ovr_case *c, const char *path)
     assert_true(WIFSIGNALED(ended) && WTERMSIG(ended) == SIGKILL);
 }
 
-/* Killed between two jumps and gone on with: the last state bit by bit; both
+/* Killed between two jumps and resumed: the last state bit by bit; both
  * profiles before and after are in the file and beside it. */
 static void killed_runs_go_on(void **state)
 {

@@ -43,7 +43,7 @@ expect 0 "$OVERROLL" run dent.ini -o whole.h5 --json
 least=$(sed -n 's/^  "H_min_overall": \(.*\),$/\1/p' out)
 contains found "^H_min = $least, 2 cases$"
 
-# Stopped and gone on with, the file is that of a run left alone.
+# Stopped and resumed, the file is that of a run left alone.
 expect 0 "$OVERROLL" export whole.h5 --all
 mv out whole
 expect 0 "$OVERROLL" export dent.h5 --all

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A simulation gone on with by another, as from a checkpoint. */
+/* A simulation resumed by another, as from a checkpoint. */
 #ifndef TESTS_SUPPORT_COPIED_H
 #define TESTS_SUPPORT_COPIED_H
 

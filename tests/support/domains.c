@@ -130,7 +130,7 @@ static ovr_status observe(void *data, const ovr_simulation *sim, ovr_error *err)
 typedef struct domain {
     double inlet, outlet, mesh;
     int level;
-    bool rides;
+    bool convected;
 } domain;
 
 /* The domain and its mesh, as they are given or chosen. */
@@ -147,7 +147,7 @@ static bool solve(const char *words, seen *s, domain *d, const char *folder,
     if (run) {
         const ovr_setup *setup = ovr_run_about(run)->setup;
         *d = (domain){setup->options->inlet, setup->options->outlet,
-                      setup->mesh, setup->options->level, setup->rides};
+                      setup->mesh, setup->options->level, setup->convected};
     }
     s->count = 0;
     s->halved = 0;
@@ -226,7 +226,7 @@ static bool try(text *t, const char *folder, worst *w)
         print_message("    twice as wide: %s\n", err.message);
         return false;
     }
-    if (d.rides && !wide.rides) {
+    if (d.convected && !wide.convected) {
         print_message("    curvature does not ride on twice the domain\n");
         return false;
     }

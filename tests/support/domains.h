@@ -14,9 +14,9 @@
  * passes of such loads with oil enough (a quarter); 3 b/um in steps of 0.05, on
  * meshes below 0.02 b.  Compared on the same nodes: H_cen at every step, to
  * 5e-4 (2e-3 in two of a hundred, where the front of another film passes X = 0
- * or curvature rides no farther out), and the largest P_max, to 2e-3.  Cases
- * that cannot be solved on either domain, in which a step is halved on either,
- * or whose curvature cannot ride on the wide one, are drawn again.
+ * or curvature is convected no farther out), and the largest P_max, to 2e-3.
+ * Cases that cannot be solved on either domain, in which a step is halved on
+ * either, or whose curvature cannot ride on the wide one, are drawn again.
  *
  * With `jumps` the load is a step within sqrt(5) times nominal or a part of it,
  * and the radius constant: 0.4 to 1 % of a film are lost by the outlet of

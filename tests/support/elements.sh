@@ -4,7 +4,7 @@
 # (90 % of the cams' events), marched at level 6 from first to last touch:
 # march_elements EVERY takes each EVERY-th.  All of them also with heat and
 # Eyring's oil, then rough on both sides too at a lambda ratio of 2 and more,
-# gears and bearings with conserved oil; some are stopped and gone on with.
+# gears and bearings with conserved oil; some are stopped and resumed.
 elements() {
     cat <<'END'
 gear 7 30 101 4709 94.9 0 20 0.074 centre 461.626
@@ -121,7 +121,7 @@ rough_case() {
     } >"$1"
 }
 
-# interrupted WHAT FILE OPTION...: stopped on the way and gone on with, the same
+# interrupted WHAT FILE OPTION...: stopped on the way and resumed, the same
 # to the last digit as whole.json.
 interrupted() {
     what=$1 file=$2
@@ -136,7 +136,7 @@ interrupted() {
     expect 0 "$OVERROLL" resume cut.h5 -q --json
     told whole.json >a
     told out >b
-    cmp -s a b || fail "$what: gone on with, another run"
+    cmp -s a b || fail "$what: resumed, another run"
     resumed=$((${resumed:-0} + 1))
 }
 
@@ -163,5 +163,5 @@ march_elements() {
             fail "$kind $number: lambda ratio $lambda"
         interrupted "$kind $number" rough.ini "$@"
     done <elements.list
-    echo "$ran runs, ${resumed:-0} stopped and gone on with"
+    echo "$ran runs, ${resumed:-0} stopped and resumed"
 }

@@ -137,7 +137,7 @@ static double involute(double base, double R, double along)
 
 /* The largest difference from the gap between both teeth, b = kappa R0, in
  * units of b^2/R0.  The material of the driver moves to its root. */
-static double gap_error(double kappa, bool rides)
+static double gap_error(double kappa, bool convected)
 {
     /* the contact's speed over um times b/R0 is dR_1/dT */
     pair p = {{2.5, 5.5}, 3.4, 1.1, 0};
@@ -146,7 +146,7 @@ static double gap_error(double kappa, bool rides)
     double end = 0.9 / p.way, worst = 0;
     ovr_history *R = table(radius, &p, end), *R1 = table(radius_1, &p, end);
     ovr_history *Cu = table(speed, &p, end), *V = table(sliding, &p, end);
-    ovr_curving g = {R, R1, Cu, V, {1, 1}, rides};
+    ovr_curving g = {R, R1, Cu, V, {1, 1}, convected};
     for (int k = 1; k < 8; k++) {
         double T = end * k / 8, one = radius_1(&p, T);
         ovr_smooth smooth = ovr_smooth_of(&g, T);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Interrupted runs: killed at any moment, a made-up run is gone on with and
+/* Interrupted runs: killed at any moment, a made-up run is resumed and
  * ends with the same file. */
 #include "support/test.h"
 

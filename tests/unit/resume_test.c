@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A real run, stopped and gone on with, ends with the same file: every
+/* A real run, stopped and resumed, ends with the same file: every
  * dataset and every attribute but the dates, to the bit. */
 #include "support/contact.h"
 #include "support/hot.h"

@@ -36,9 +36,9 @@ static const ovr_parameter supply_keys[] = {
      "instead of thickness_1"},
     {"profile_2", PATH, NULL, AT(layer_file[1]), true, "model = film",
      "the same of surface 2"},
-    {"waiting", AREA_OR(endless_oil, 1e9), "0.1", AT(waiting), true,
+    {"waiting", AREA_OR(endless_oil, 1e9), "0.1", AT(reservoir), true,
      "model = film",
-     "oil that waits before the inlet at the start, where the contact is "
+     "oil in the inlet reservoir at the start, where the contact is "
      "flooded then"},
     HISTORY(AT(supply), "1", 0, 100, 1, "model = film"),
 };

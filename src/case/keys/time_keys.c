@@ -20,7 +20,7 @@ static const ovr_word steps[] = {{"auto", OVR_STEP_AUTO},
                                  {"adaptive", OVR_STEP_ADAPTIVE},
                                  {NULL, 0}};
 static const ovr_word curvatures[] = {{"auto", OVR_CURVATURE_AUTO},
-                                      {"rides", OVR_CURVATURE_RIDES},
+                                      {"rides", OVR_CURVATURE_CONVECTED},
                                       {"imposed", OVR_CURVATURE_IMPOSED},
                                       {NULL, 0}};
 static const ovr_word auto_end[] = {{"auto", OVR_END_AUTO}, {NULL, 0}};
@@ -83,9 +83,9 @@ static const ovr_parameter radius_keys[] = {
     HISTORY(AT(radius), "1", 0.01, 100, 0.99, ALWAYS),
     {"curvature", CHOICE(curvatures), "auto", AT(curvature), true,
      "history = ramp | sine | step | table",
-     "imposed, or rides with the material that comes by, as on gear teeth and "
-     "cams; auto: rides where the surfaces move fast enough for it and it "
-     "changes without jolts"},
+     "imposed, or rides: convected with the material that comes by, as on "
+     "gear teeth and cams; auto: rides where the surfaces move fast enough "
+     "for it and it changes smoothly"},
 };
 
 const ovr_section ovr_radius_section = {

@@ -76,7 +76,7 @@ def random(case: Union[None, Case, Path] = None, *, draws: int = 200,
         Threads, or any executor of concurrent.futures.
     output : path, optional
         A folder for the result files, draw-0001.h5 and so on: what is there
-        and whole is read, what was stopped is gone on with.
+        and whole is read, what was stopped is resumed.
     force : bool
         Run all again.
     progress : bool or callable(fraction), optional

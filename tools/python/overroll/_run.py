@@ -174,7 +174,7 @@ def run(case: Union[Case, Path], output: Optional[Path] = None, *,
         hold it: `resume` has to be given it again.
     observe : callable(state), optional
         Called after the steady start and each step; True ends the run, with
-        a file that can be gone on with, and so does what it raises, which
+        a file that can be resumed, and so does what it raises, which
         travels on.  `state` is a `Solution`, to be used within the call.
     stop : callable() -> bool, optional
         Asked as often, and between the cycles of the steady start, in the

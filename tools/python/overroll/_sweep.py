@@ -65,7 +65,7 @@ def sweep(case: Union[None, Case, Path] = None, *,
     output : path, optional
         A folder for the result files, named by the values, which workers
         elsewhere must share; without it none are kept.  What is there and
-        whole is read, what was stopped is gone on with.
+        whole is read, what was stopped is resumed.
     force : bool
         Run all again, and replace files that are there.
     progress : bool or callable(fraction), optional

@@ -94,7 +94,7 @@ def _compute(case: Case, output: Optional[str], force: bool, steady: bool,
 def _once(case: Case, source: str, path: str, output: str, force: bool,
           *how: Any) -> dict[str, Any]:
     """With files: what has finished as this case is read, what was stopped is
-    gone on with.  NAME.ini is locked meanwhile: where an executor runs a task
+    resumed.  NAME.ini is locked meanwhile: where an executor runs a task
     twice, the second waits, and reads."""
     with open(path + ".ini", "a+", encoding="utf-8",
               errors="surrogateescape") as lock:
