@@ -98,8 +98,8 @@ static double *stored_positions(ovr_writer *w, const double *X, ovr_error *err)
     return x;
 }
 
-/* By the trapezoidal rule, where patches make the nodes unequally far from
- * each other; else NULL. */
+/* Takes weights of the trapezoidal rule, where patches make the nodes unequally
+ * far from each other; else NULL. */
 static ovr_status weigh(const ovr_writer *w, ovr_arena *arena,
                         ovr_file_plan *plan, ovr_error *err)
 {
@@ -348,7 +348,7 @@ ovr_writer *ovr_writer_resume(const ovr_write_options *options,
     return w;
 }
 
-/* Whether there is a state to look at: it was solved for, and holds numbers. */
+/* True if there is a state to look at: it was solved for, and holds numbers. */
 static bool worth_a_look(const ovr_frame *frame)
 {
     const ovr_state *state = frame->state;

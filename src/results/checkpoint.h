@@ -68,7 +68,7 @@ ovr_status ovr_restart_load_into(ovr_restart *restart,
                                  const ovr_state_source *source,
                                  ovr_error *err);
 
-/* Whether the state has a piece of this name with these bytes. */
+/* True if the state has a piece of this name with these bytes. */
 bool ovr_restart_holds(const ovr_restart *restart, const char *name,
                        const void *memory, size_t bytes);
 

@@ -32,7 +32,7 @@ static int set_lock(int journal, int byte, short kind)
 #endif
 }
 
-/* Where there are no such locks nobody waits. */
+/* Nobody waits where there are no such locks. */
 static bool is_taken(int journal, int byte, short kind)
 {
     return set_lock(journal, byte, kind) != 0 &&

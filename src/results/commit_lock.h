@@ -26,7 +26,7 @@ void ovr_commit_unlock(int journal);
 /* From now on a writer lives, until the descriptor is closed. */
 void ovr_commit_alive(int journal);
 
-/* For a reader that has the lock: whether a writer lives and does not change
+/* Tells a reader that has the lock whether a writer lives and does not change
  * the file now, so that this is as a commit left it.  False also where there
  * are no such locks: then the file must be looked at (torn.c). */
 bool ovr_commit_is_settled(int journal);

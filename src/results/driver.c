@@ -18,7 +18,7 @@ typedef struct ovr_driven {
     haddr_t allocated;
 } ovr_driven;
 
-/* What travels in the access properties. */
+/* The access properties carry this. */
 typedef struct driver_info {
     ovr_store *store;
 } driver_info;

@@ -22,7 +22,7 @@
  * filter: they are filled in place, row after row. */
 enum { OVR_ROW_CHUNK = 256 };
 
-/* Of a date as 2026-01-31T12:00:00.123456Z. */
+/* Holds a date like 2026-01-31T12:00:00.123456Z. */
 enum { OVR_DATE_SIZE = 32 };
 
 typedef struct ovr_file {
@@ -78,10 +78,10 @@ ovr_status ovr_file_add_steps(ovr_file *file, size_t count, const int *steps,
 
 /* Everything so far becomes what a reader finds. */
 ovr_status ovr_file_flush(ovr_file *file, ovr_error *err);
-/* How the run ended, after how many seconds of wall time. */
+/* Writes how the run ended, after how many seconds of wall time. */
 ovr_status ovr_file_status(ovr_file *file, ovr_run_status status,
                            const char *reason, double seconds, ovr_error *err);
-/* What was warned of, as an attribute. */
+/* Writes the warnings, as an attribute. */
 ovr_status ovr_file_warnings(ovr_file *file, const char *text, ovr_error *err);
 /* The extremes of the run, as attributes. */
 ovr_status ovr_file_extremes(ovr_file *file, const ovr_scales *scales,

@@ -37,8 +37,8 @@ hid_t ovr_header_creation(void)
     hid_t creation = H5Pcreate(H5P_FILE_CREATE);
     H5Pset_link_creation_order(creation, order);
     H5Pset_attr_creation_order(creation, order);
-    /* In the root's header, not in a heap: once that has grown, HDF5 1.10
-     * cannot close a file that was opened again and changed there. */
+    /* Attributes stay in the root's header, not in a heap: once that has grown,
+     * HDF5 1.10 cannot close a file that was opened again and changed there. */
     H5Pset_attr_phase_change(creation, 512, 256);
     return creation;
 }

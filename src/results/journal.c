@@ -113,7 +113,7 @@ static int note_kept(ovr_store *s, uint64_t number)
     return 0;
 }
 
-/* What a commit appends, written at once. */
+/* A commit appends this, written at once. */
 typedef struct addition {
     ovr_arena arena;
     unsigned char *data;

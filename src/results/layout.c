@@ -67,7 +67,7 @@ double ovr_factor(const ovr_scales *scales, ovr_unit_kind kind)
     return scales->physical && isfinite(scale) ? scale : 1;
 }
 
-/* What nothing scales is in its unit in any file. */
+/* A number that nothing scales is in its unit in any file. */
 const char *ovr_unit(const ovr_scales *scales, ovr_unit_kind kind)
 {
     double scale = ovr_kind_scale(kind, &scales->contact);

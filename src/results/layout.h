@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What stands in a result file: which quantities, and in what unit each.  A
- * file is in SI when b, ph, b^2/R and b/um are all known, else everything that
- * they scale is dimensionless with unit "1".  stored = dimensionless * factor.
+ * A result file holds these quantities, each in a unit.  Which quantities, and
+ * in what unit each.  A file is in SI when b, ph, b^2/R and b/um are all known,
+ * else everything that they scale is dimensionless with unit "1".  stored =
+ * dimensionless * factor.
  */
 #ifndef OVR_RESULTS_LAYOUT_H
 #define OVR_RESULTS_LAYOUT_H
@@ -28,7 +29,7 @@ typedef struct ovr_scales {
 
 ovr_scales ovr_scales_of(const ovr_contact *contact);
 
-/* What the stored number is the dimensionless one times, and its unit. */
+/* The stored number is the dimensionless one times this, in this unit. */
 double ovr_factor(const ovr_scales *scales, ovr_unit_kind kind);
 const char *ovr_unit(const ovr_scales *scales, ovr_unit_kind kind);
 

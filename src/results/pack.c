@@ -7,7 +7,7 @@
 #define ZLIB_CONST /* what is unpacked is not changed */
 #include <zlib.h>
 
-/* For zlib, which unpacks. */
+/* Gives memory to zlib, which unpacks. */
 static voidpf take(voidpf arena, uInt items, uInt size)
 {
     return ovr_arena_take(arena, items, size, NULL);

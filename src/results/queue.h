@@ -57,7 +57,7 @@ void ovr_queue_start(ovr_queue *queue, bool threaded, ovr_drain *drain,
 ovr_parcel *ovr_queue_open(ovr_queue *queue);
 ovr_status ovr_queue_post(ovr_queue *queue, ovr_error *err);
 
-/* Until everything posted is drained. */
+/* Waits until everything posted is drained. */
 ovr_status ovr_queue_wait(ovr_queue *queue, ovr_error *err);
 
 /* Waits, then ends the thread. */

@@ -232,8 +232,8 @@ static ovr_status take_pieces(ovr_restart *r, ovr_error *err)
     return OVR_OK;
 }
 
-/* What another program wrote is taken by name; only a later format may mean
- * something else by them. */
+/* A file that another program wrote is taken by its names; only a later format
+ * may mean something else by them. */
 static ovr_status check_format(const ovr_restart *r, ovr_error *err)
 {
     if (r->format > OVR_RESTART_FORMAT)

@@ -89,7 +89,7 @@ static ovr_status convert(const ovr_result *r, const ovr_variable *v,
     return OVR_OK;
 }
 
-/* What to read: part of a dataset, NaN allowed in it or not. */
+/* The part to read: part of a dataset, NaN allowed in it or not. */
 typedef struct part {
     const ovr_variable *variable;
     size_t row, count;

@@ -33,8 +33,8 @@ void ovr_reader_close_file(ovr_result *result);
 int ovr_reader_lock(const ovr_result *result);
 void ovr_reader_unlock(int lock);
 
-/* After the attempt of this number that failed, with the lock or without:
- * whether to try again, after a pause, as the writer's bursts take
+/* Decides after the attempt of this number that failed, with the lock or
+ * without: true to try again, after a pause, as the writer's bursts take
  * milliseconds.  Where nobody writes the file stays as it is. */
 bool ovr_reader_again(const ovr_result *result, int attempt, bool locked);
 

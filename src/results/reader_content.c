@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is in a result file, and how much of it is complete. */
+/* Tells what is in a result file, and how much of it is complete. */
 #include "results/reader.h"
 
 #include <math.h>

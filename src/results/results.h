@@ -6,9 +6,9 @@
 
 #include "overroll/results.h"
 
-/* What is written, and when.  A snapshot is stored at every moment that any
- * of the three schedules names; `times` (and multiples of every_time) are hit
- * exactly when the march asks ovr_writer_next_time. */
+/* Options of a writer: what is written, and when.  A snapshot is stored at
+ * every moment that any of the three schedules names; `times` (and multiples of
+ * every_time) are hit exactly when the march asks ovr_writer_next_time. */
 typedef struct ovr_write_options {
     const char *path;  /* OUT.h5 */
     bool force;        /* replace an existing file */
@@ -33,8 +33,9 @@ typedef struct ovr_write_options {
     unsigned physics; /* of ovr_setup_physics: columns of the history */
 } ovr_write_options;
 
-/* What a writer records.  `field` is asked at snapshots only, for the fields
- * that are stored: values as in ovr_observable, where they lie or in `room`. */
+/* A frame is what a writer records.  `field` is asked at snapshots only, for
+ * the fields that are stored: values as in ovr_observable, where they lie or in
+ * `room`. */
 typedef struct ovr_frame {
     const ovr_state *state;
     const ovr_observation *seen;
@@ -52,8 +53,8 @@ typedef struct ovr_group {
     const ovr_group_attribute *attribute;
 } ovr_group;
 
-/* What a snapshot holds: a bit for each field of the observables, ored; 0 for
- * a name that is none. */
+/* The fields that a snapshot holds: a bit for each field of the observables,
+ * ored; 0 for a name that is none. */
 unsigned ovr_field_bit(const char *name);
 
 /* Steps between snapshots such that a run to `end` keeps about 250 of them,
@@ -88,7 +89,7 @@ ovr_status ovr_writer_flush(ovr_writer *writer, ovr_error *err);
 /* Why the run failed, for the file's attribute `reason`; copied. */
 void ovr_writer_reason(ovr_writer *writer, const char *reason);
 
-/* What was warned of, lines ended by '\n', for the attribute `warnings`;
+/* Sets the warnings, lines ended by '\n', for the attribute `warnings`;
  * borrowed until the writer is closed. */
 void ovr_writer_warnings(ovr_writer *writer, const char *warnings);
 
@@ -131,10 +132,10 @@ ovr_writer *ovr_writer_resume(const ovr_write_options *options,
                               const double *X, const ovr_restart *restart,
                               const ovr_allocator *allocator, ovr_error *err);
 
-/* Whether resuming had to finish a cut write. */
+/* True if resuming had to finish a cut write. */
 bool ovr_writer_repaired(const ovr_writer *writer);
 
-/* Whether its file system has no locks: nothing keeps a second writer out. */
+/* True if its file system has no locks: nothing keeps a second writer out. */
 bool ovr_writer_unlocked(const ovr_writer *writer);
 
 /* Makes the group, in place of one that is there; `keep`: that one stays. */

@@ -3,7 +3,7 @@
 #include "results/results.h"
 #include "results/writer.h"
 
-/* At half nodes: the mean of the two that a node is between. */
+/* The value at half nodes is the mean of the two that a node is between. */
 static double value_at(const ovr_writer *w, const ovr_observable *which,
                        const double *values, size_t k)
 {

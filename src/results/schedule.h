@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * When a snapshot is due.
+ * Decides when a snapshot is due.
  *
  * By steps: at every multiple of every_steps.  By time: at the first state
  * at or after each multiple of every_time and each given time.  The answer

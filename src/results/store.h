@@ -52,7 +52,7 @@
 /* Room for the date of creation. */
 enum { OVR_STORE_NAME = 32 };
 
-/* What is kept since the last checkpoint. */
+/* Kept since the last checkpoint. */
 typedef struct ovr_kept {
     uint64_t number, length; /* the checkpoint's, and that of the file then */
     bool begun;              /* the journal is of this checkpoint */
@@ -95,7 +95,7 @@ ovr_status ovr_store_open(ovr_store *store, ovr_error *err);
 /* Reading and writing as HDF5 sees the file; failures are noted. */
 bool ovr_store_read(ovr_store *store, uint64_t at, size_t bytes, void *to);
 
-/* What reading and writing share: keeps the first error, true without one;
+/* Reading and writing share these: one keeps the first error, true without one;
  * bytes below this length are changed in memory only; how much of [at, at +
  * bytes) lies in one page. */
 bool ovr_store_note(ovr_store *store, int error);
@@ -111,7 +111,7 @@ ovr_status ovr_store_commit(ovr_store *store, ovr_error *err);
 /* Gives the file its name; in the way may be a file only with `force`. */
 ovr_status ovr_store_publish(ovr_store *store, bool force, ovr_error *err);
 
-/* On to the disk itself. */
+/* Writes on to the disk itself. */
 ovr_status ovr_store_sync(ovr_store *store, ovr_error *err);
 
 /* What is committed and synced is the state to go back to from now on, by this

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Whether a file is in a state that a commit left.
+ * Tells if a file is in a state that a commit left.
  *
  * The journal says what every page changed since the checkpoint must be, state
  * by state.  A state's pages are those that it names last, and before those
@@ -14,7 +14,7 @@
 #include "base/disk.h"
 #include "results/journal.h"
 
-/* What a page is from a state on; state 0 is the checkpoint. */
+/* The page is this from a state on; state 0 is the checkpoint. */
 typedef struct promise {
     ovr_journal_entry entry;
     uint64_t state;

@@ -214,7 +214,7 @@ typedef struct numbers {
     ovr_group_attribute of[MOST];
 } numbers;
 
-/* What is asked for here of a summary. */
+/* These keys of a summary are asked for here. */
 static const char *const asked[] = {"H_min",
                                     "H_min_m",
                                     "H_min_overall_m",

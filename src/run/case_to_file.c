@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* From a case to a finished file. */
+/* Goes from a case to a finished file. */
 #include <math.h>
 #include <string.h>
 #include <time.h>
@@ -41,7 +41,8 @@ static void stop_growing(ovr_case *c)
     }
 }
 
-/* Where the result goes: said to be possible before anything large is made. */
+/* Chooses where the result goes, and finds it possible before anything large
+ * is made. */
 static ovr_status choose_output(ovr_run *run, ovr_error *err)
 {
     const char *path = run->how.output;

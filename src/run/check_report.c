@@ -105,7 +105,7 @@ static void put_alpha(const ovr_told *to, const ovr_setup *setup)
                  star * 1e9);
 }
 
-/* Of the oil that it was fitted for alone. */
+/* A fitted law speaks of the oil that it was fitted for alone. */
 static void put_fit(const ovr_told *to, const ovr_setup *setup)
 {
     const ovr_contact *c = setup->contact;

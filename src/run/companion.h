@@ -29,7 +29,7 @@ typedef struct ovr_companion {
                        ovr_error *err);
     void (*told_of)(void *own, const char *path);
 
-    /* After the steady start and each step. */
+    /* Called after the steady start and each step. */
     ovr_status (*observe)(void *own, const ovr_simulation *sim, ovr_error *err);
 
     /* Its part of a checkpoint; that was read back, of the time T. */

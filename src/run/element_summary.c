@@ -53,7 +53,8 @@ static double seconds(const answered *a, double T)
 
 /* ------------------------------------------------------------------ gears */
 
-/* From the pitch point along the line of action, positive behind it. */
+/* Gives the distance from the pitch point along the line of action, positive
+ * behind it. */
 static double from_pitch_point(const answered *a, double T)
 {
     const ovr_gear *gear = a->r->element.gear;

@@ -50,7 +50,7 @@ static const double NEAR = 0.1, NEARER = 0.4;
 
 enum { LEVELS = OVR_PASS_LEVELS };
 
-/* What a level says at the time at which the finest run ended. */
+/* A level's values at the time at which the finest run ended. */
 typedef struct level_run {
     bool solved;
     double end;
@@ -164,13 +164,14 @@ static ovr_status run_coarser(ovr_run *run, int down, level_run *r,
 
 /* ------------------------------------------------------------ the errors */
 
-/* What the differences of a value are judged by. */
+/* The differences of a value are judged by this. */
 typedef struct measure {
     double order, safety;
     bool in_time, corrected; /* a run; of fourth order */
 } measure;
 
-/* In a known order; d1 and d2 of different sign have `turns`. */
+/* True if differences fall in a known order; d1 and d2 of different sign have
+ * `turns`. */
 static bool falls(const measure *m, double d1, double d2, bool turns)
 {
     double q = log2(d2 / d1);
@@ -278,7 +279,7 @@ static void judge_means(ovr_run_errors *errors, const ovr_passes *passes,
     }
 }
 
-/* Of a steady state the order of the solution. */
+/* Takes for a steady state the order of the solution. */
 static measure measure_of(const ovr_run *run)
 {
     const ovr_options *o = ovr_simulation_options(run->sim);

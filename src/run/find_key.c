@@ -219,8 +219,9 @@ static ovr_status no_quantity(const char *quantity, const names *n,
     return OVR_BAD_INPUT;
 }
 
-/* By formulas alone; or one that runs are known to have; a name near to one of
- * them is a slip, anything else the first run tells. */
+/* Looks a quantity up among those of formulas, or one that runs are known to
+ * have; a name near to one of them is a slip, anything else the first run
+ * tells. */
 static ovr_status look_up(ovr_find *f, ovr_error *err)
 {
     names scales = {.count = 0}, all;
@@ -516,8 +517,8 @@ static void take_result(ovr_find *f, const ovr_search_result *r)
         tell(f, "some runs have steps accepted above the tolerance");
 }
 
-/* Where no order of convergence is seen, or nobody looks for one: the
- * difference that one level coarser makes. */
+/* Where no order of convergence is seen, or nobody looks for one, the error is
+ * the difference that one level coarser makes. */
 static double coarser_error(ovr_find *f)
 {
     const ovr_trial_plan plan = plan_of(f);
@@ -571,7 +572,7 @@ static ovr_status run_answer(ovr_find *f, ovr_error *err)
     return OVR_OK;
 }
 
-/* Whether the solutions have different orders. */
+/* True if the solutions have different orders. */
 static bool orders_differ(const ovr_find *f)
 {
     int least = 1000, most = 0;

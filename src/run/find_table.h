@@ -20,7 +20,7 @@ ovr_status ovr_find_table_open(ovr_find_table *table, const char *path,
                                size_t most, size_t *count, ovr_arena *arena,
                                ovr_error *err);
 
-/* On the disk when it returns. */
+/* The row is on the disk when it returns. */
 ovr_status ovr_find_table_add(ovr_find_table *table,
                               const ovr_find_evaluation *one, ovr_error *err);
 void ovr_find_table_close(ovr_find_table *table);

@@ -62,21 +62,22 @@ ovr_listener ovr_run_message;
 /* Keeps warnings, a line each, that were said before the run was stopped. */
 void ovr_run_recall(ovr_run *run, const char *warnings);
 
-/* Of its summary, what is of a gear pair, cam or bearing. */
+/* Sums up a gear pair, cam or bearing as a part of the run's summary. */
 void ovr_element_summary(const ovr_run_info *run, ovr_summary_taker *take,
                          void *data);
 
 /* The numbers of its summary into its file. */
 ovr_status ovr_run_keep_summary(ovr_run *run, ovr_error *err);
 
-/* What a gear pair's or cam's contact goes through, as the group `element`. */
+/* Keeps in the group `element` what a gear pair's or cam's contact goes
+ * through. */
 ovr_status ovr_run_keep_element(ovr_run *run, ovr_error *err);
 
 /* Estimates them of a level that was chosen for an accuracy, and says where
  * they are larger, or not known; fails only where it is stopped. */
 ovr_status ovr_run_confirm(ovr_run *run, ovr_error *err);
 
-/* What is said before the solve, and after it. */
+/* Says what there is to say before the solve, and after it. */
 void ovr_run_review_before(ovr_run *run);
 void ovr_run_review_after(ovr_run *run);
 

@@ -26,8 +26,8 @@ ovr_summary_taker ovr_put_keyed;
 void ovr_put_both(const ovr_told *to, const char *key, const char *key_si,
                   double value, double scale);
 
-/* In reports alone: a label and words, a title, which has a line of its own,
- * and a number with so many digits and words behind it. */
+/* These stand in reports alone: a label and words, a title, which has a line of
+ * its own, and a number with so many digits and words behind it. */
 void ovr_tell(const ovr_told *to, const char *label, const char *format, ...)
     OVR_PRINTF(3, 4);
 void ovr_tell_title(const ovr_told *to, const char *format, ...)
@@ -52,7 +52,7 @@ void ovr_words_add(ovr_words *to, const char *format, ...) OVR_PRINTF(2, 3);
 void ovr_words_place(ovr_words *to, const char *name, double value,
                      ovr_unit_kind kind, const ovr_contact *contact);
 
-/* What stands behind a number: itself in SI, where it is known; where and when
+/* The words behind a number: itself in SI, where it is known; where and when
  * that is, NAN: not told; a note, or NULL. */
 ovr_words ovr_words_behind(double value, ovr_unit_kind kind, double X, double T,
                            const char *note, const ovr_contact *contact);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is told of a material history: largest values, amplitudes, life; and the
- * group fatigue/surface_N of a result file. */
+/* Reports a material history: largest values, amplitudes, life; and the group
+ * fatigue/surface_N of a result file. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -32,7 +32,7 @@ static bool take_arrays(ovr_stress_report *r, ovr_arena *arena, ovr_error *err)
     return r->amplitude && r->amplitude_smooth && r->risk && r->length;
 }
 
-/* What the material history owns goes with it. */
+/* Copies what the material history owns and frees with itself. */
 static bool copy_material(ovr_stress_report *r, ovr_arena *arena,
                           ovr_error *err)
 {
@@ -206,8 +206,8 @@ static double layer_amplitude(const ovr_layered *layers, int layer,
     return most;
 }
 
-/* What layers use of limits of their own: the amplitude over that of a smooth
- * dry contact of their material at the limiting pressure. */
+/* The share of layers' own limits that is used: the amplitude over that of a
+ * smooth dry contact of their material at the limiting pressure. */
 static void find_layer_fatigue(const ovr_setup *setup,
                                const ovr_stress_plan *plan,
                                ovr_stress_report *r)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* From the [output] of a case to a writer of its result file. */
+/* Makes from the [output] of a case the writer of its result file. */
 #define _XOPEN_SOURCE 700 /* realpath */
 #include <errno.h>
 #include <limits.h>
@@ -260,7 +260,7 @@ double ovr_setup_output_memory(const ovr_setup *setup)
     return bytes;
 }
 
-/* What the writer is told: texts and lists that end with the case. */
+/* The writer is told these: texts and lists that end with the case. */
 typedef struct target {
     ovr_write_options options;
     ovr_arena arena;

@@ -34,7 +34,7 @@ typedef struct ovr_pass_column {
  * past the end. */
 bool ovr_pass_column_at(size_t k, ovr_pass_column *to);
 
-/* By its name, which is one of them. */
+/* Finds a column by its name, which is one of them. */
 size_t ovr_pass_column_named(const char *name);
 
 #endif

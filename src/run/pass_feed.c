@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a pass leaves: its row, and the layers that the next one begins with. */
+/* A pass leaves its row, and the layers that the next one begins with. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -150,7 +150,7 @@ static bool is_near(const ovr_run *run, int pass, const char *column,
     return isnan(now) || fabs(now - before) <= most * fabs(now);
 }
 
-/* Whether bodies that yield have shaken down, by what is left of the shoulders
+/* True if bodies that yield have shaken down, by what is left of the shoulders
  * and by the risk: a spike that the mesh does not resolve goes on and on. */
 bool ovr_passes_at_rest(const ovr_run *run, int pass)
 {

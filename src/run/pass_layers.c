@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What a pass leaves for the next one.
+ * A pass leaves layers of oil for the next one.
  *
  *     u1 h1 + u2 h2 = f,   h1 = s h',  h2 = (1 - s) h'
  *
@@ -156,7 +156,8 @@ static void fill_row(const ovr_pass_history *h, const double *lost,
 
 /* ------------------------------------------------------------------- whole */
 
-/* Of a film that arrives by its ratio, of a flooded contact what leaves it. */
+/* Gives the flow of a film that arrives by its ratio, of a flooded contact what
+ * leaves it. */
 static double flooded_flow(const ovr_pass_history *h)
 {
     double supply = h->of[OVR_SEEN_SUPPLY][0];

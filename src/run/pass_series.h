@@ -29,8 +29,8 @@ typedef struct ovr_pass_end {
     ovr_pass_row row;
 } ovr_pass_end;
 
-/* Of what was seen of a pass, for a setup that is prepared; `flooded` as the
- * passes before know it. */
+/* Makes the end of a pass from what was seen of it, for a setup that is
+ * prepared; `flooded` as the passes before know it. */
 ovr_status ovr_pass_end_make(const ovr_setup *setup, ovr_pass_history *h,
                              double flooded, ovr_pass_end *end,
                              const ovr_allocator *allocator, ovr_error *err);
@@ -69,8 +69,8 @@ ovr_status ovr_passes_make_rows(ovr_run *run, int number, ovr_error *err);
 ovr_status ovr_passes_learn(ovr_run *run, int pass, ovr_pass_end *end,
                             ovr_error *err);
 
-/* What a pass before left, into the setup of this one, a level coarser; what
- * was seen of it, before it begins and when it ended. */
+/* Hands on to the setup of this pass what the one before left, a level coarser;
+ * what was seen of it, before it begins and when it ended. */
 void ovr_pass_level_feed(ovr_pass_level *of, ovr_setup *setup);
 void ovr_pass_level_begin(ovr_pass_level *of, const ovr_allocator *allocator);
 ovr_status ovr_pass_level_end(ovr_pass_level *of, const ovr_setup *setup,
@@ -91,7 +91,7 @@ ovr_status ovr_passes_begin(ovr_run *run, ovr_error *err);
 /* Gives the setup of a pass what the one before left. */
 ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err);
 
-/* From the pass that is set up to the last. */
+/* Runs the passes from the one that is set up to the last. */
 ovr_status ovr_passes_go(ovr_run *run, ovr_error *err);
 
 /* The passes of a file that is resumed: `now` is the first that is not
@@ -101,7 +101,7 @@ ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err);
 /* The rows of all passes, whose files are complete, into the file of them. */
 ovr_status ovr_passes_finish(ovr_run *run, int last, ovr_error *err);
 
-/* Whether bodies that yield have shaken down with this pass. */
+/* True if bodies that yield have shaken down with this pass. */
 bool ovr_passes_at_rest(const ovr_run *run, int pass);
 
 #endif

@@ -121,7 +121,7 @@ ovr_status ovr_passes_write(const ovr_run *run, const char *status,
 
 /* ----------------------------------------------------------------- reading */
 
-/* What the file says of itself. */
+/* The file says this of itself. */
 typedef struct told {
     const char *text, *folder, *status; /* of the case; of the passes */
 } told;

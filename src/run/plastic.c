@@ -176,8 +176,8 @@ static void show(const ovr_plastic *p, int k)
         b->shown[i] = p->how->body[k].softness * w[i];
 }
 
-/* To what is kept; the profile of an earlier run stays where it changes between
- * passes alone. */
+/* Goes back to what is kept; the profile of an earlier run stays where it
+ * changes between passes alone. */
 static void go_back(ovr_plastic *p, int k, bool profile)
 {
     ovr_yielding_body *b = &p->body[k];
@@ -258,7 +258,7 @@ static bool nodes_within(const ovr_yielding_body *b, const ovr_stress_row *row,
     return from <= to;
 }
 
-/* Whether any point of the layer comes near yield. */
+/* True if any point of the layer comes near yield. */
 static bool comes_near(const ovr_yielding_body *b, size_t j, place at)
 {
     const double near = 0.95;
@@ -315,7 +315,7 @@ static double largest(const ovr_plastic *p, size_t n)
     return most;
 }
 
-/* By the pressure of the time T. */
+/* Lets the body flow under the pressure of the time T. */
 static void flow(const ovr_plastic *p, int k, double T)
 {
     ovr_yielding_body *b = &((ovr_plastic *)p)->body[k];
@@ -342,7 +342,7 @@ static void flow(const ovr_plastic *p, int k, double T)
         show(p, k);
 }
 
-/* What the solids felt at the last time reached. */
+/* Finds what the solids felt at the last time reached. */
 static void find_pressure(const ovr_simulation *sim, ovr_plastic *p)
 {
     for (size_t i = 0; i < sim->now.n; i++)
@@ -384,7 +384,7 @@ static void before_back(ovr_simulation *sim, void *own)
 
 /* ----------------------------------------------------------------- the gap */
 
-/* Between points i and i + 1 at t, nothing beyond the window. */
+/* Interpolates between points i and i + 1 at t, nothing beyond the window. */
 static double sunk_at(const ovr_yielding_body *b, long i, double t)
 {
     float v[4];
@@ -419,7 +419,7 @@ static void heights(const ovr_simulation *sim, const void *own, double T,
 
 /* ---------------------------------------------------------------- observed */
 
-/* That of a simulation; NULL: nothing yields. */
+/* The plastic part of a simulation; NULL: nothing yields. */
 static const ovr_plastic *plastic_of(const ovr_simulation *sim)
 {
     const ovr_plastic *found = NULL;

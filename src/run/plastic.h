@@ -56,7 +56,7 @@ double ovr_plastic_shoulder(const ovr_yielding_body *b, int side, bool yielded);
 double ovr_plastic_most(const ovr_plastic *p, const ovr_yielding_body *b);
 double ovr_plastic_deepest(const ovr_yielding_body *b);
 
-/* Into the group plastic/surface_N of the file, and from one. */
+/* Stores into the group plastic/surface_N of the file, and reads from one. */
 ovr_status ovr_plastic_store(ovr_writer *writer, const ovr_plastic *p,
                              ovr_error *err);
 

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What yielding made of a body, in a number each. */
+/* Sums up in a number each what yielding made of a body. */
 #include <math.h>
 
 #include "run/plastic.h"
 
-/* Of numbers: these are looked through at each step, and fmax is a call. */
+/* Serves numbers alone: these are looked through at each step, and fmax is a
+ * call. */
 static double larger(double a, double b)
 {
     return a > b ? a : b;

@@ -22,13 +22,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* What a worker tells of a task that it ended. */
+/* A worker tells this of a task that it ended. */
 typedef struct ending {
     size_t task;
     int code;
 } ending;
 
-/* Of each worker, shared with it. */
+/* Each worker has one, shared with it. */
 typedef struct place {
     double done;          /* of its task */
     volatile size_t task; /* number in the list, from 1; 0: none */

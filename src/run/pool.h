@@ -18,12 +18,12 @@ typedef struct ovr_pool_job {
     size_t count;
     const size_t *task;
     int workers;
-    /* In a worker: does the task, returns the code that it ends with. */
+    /* Called in a worker: does the task, returns the code that it ends with. */
     int (*work)(void *data, size_t task, ovr_shared shared);
-    /* In the parent: a task ended, with a code or by a signal. */
+    /* Called in the parent: a task ended, with a code or by a signal. */
     void (*ended)(void *data, size_t task, int code, int signal);
-    /* In the parent, a few times a second: how many ended, how many run, and
-     * the tasks done, parts of running ones included. */
+    /* Called in the parent a few times a second: how many ended, how many run,
+     * and the tasks done, parts of running ones included. */
     void (*tick)(void *data, size_t ended, int running, double done);
     /* Asked as often, and by workers between two tasks; then nothing new is
      * begun. */
@@ -32,8 +32,8 @@ typedef struct ovr_pool_job {
     const ovr_allocator *allocator;
 } ovr_pool_job;
 
-/* Until all that began have ended.  1: stopped; 0: all done; -1: no memory or
- * no process, errno says which. */
+/* Runs until all that began have ended.  1: stopped; 0: all done; -1: no memory
+ * or no process, errno says which. */
 int ovr_pool_run(const ovr_pool_job *job);
 
 #endif

@@ -44,14 +44,14 @@ static bool is_in_list(const ovr_restart_info *of, const char *name,
     return found && !strcmp(found, text);
 }
 
-/* Whether a key was left to a version that knew no other mean between nodes
+/* True if a key was left to a version that knew no other mean between nodes
  * than the arithmetic one: 0.2.0 or before. */
 static bool was_auto(const ovr_restart_info *of, const char *name)
 {
     return is_in_list(of, name, "auto") && !in_list(of, "domain.faces");
 }
 
-/* What `auto` chose then: with heat or conserved oil second order, */
+/* `auto` chose second order then, with heat or conserved oil. */
 static const char *order_once(const ovr_restart_info *of)
 {
     if (was_auto(of, "domain.order") &&
@@ -61,7 +61,8 @@ static const char *order_once(const ovr_restart_info *of)
     return in_list(of, "domain.order");
 }
 
-/* and under histories, with heat or conserved oil the separate terms. */
+/* The scheme that `auto` chose then had separate terms under histories, with
+ * heat or conserved oil. */
 static const char *scheme_once(const ovr_restart_info *of)
 {
     static const char *const histories[] = {
@@ -130,7 +131,7 @@ ovr_status ovr_recorded_values(ovr_case *c, const ovr_restart_info *of,
     return OVR_OK;
 }
 
-/* What version 0.1.0 took for inlet = auto. */
+/* Version 0.1.0 took this for inlet = auto. */
 static double inlet_once(const ovr_contact *contact)
 {
     double H = ovr_film_central_moes(contact->M, contact->L), X_a = -2, s, loss;

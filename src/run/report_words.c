@@ -148,8 +148,8 @@ static void say_friction(const ovr_told *to, const ovr_run_info *s)
 
 /* ------------------------------------------------------ starvation and heat */
 
-/* Where the film begins, and how much of the flooded one it is; what a flooded
- * contact leaves of the supply. */
+/* Says where the film begins, and how much of the flooded one it is; what a
+ * flooded contact leaves of the supply. */
 static void say_supply(const ovr_told *to, const ovr_run_info *s)
 {
     const ovr_observation *o = ovr_simulation_observation(s->sim);

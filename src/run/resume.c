@@ -38,9 +38,9 @@ static bool has_checkpoint(const char *path)
     return length > 0 && length < (int)sizeof name && access(name, F_OK) == 0;
 }
 
-/* What the result file says by itself: the case, for want of a checkpoint, and
- * where it ended, if it is complete; else -INFINITY.  With the checkpoint of
- * another run it is not: the writer will refuse that. */
+/* Reads what the result file says by itself: the case, for want of a
+ * checkpoint, and where it ended, if it is complete; else -INFINITY.  With the
+ * checkpoint of another run it is not: the writer will refuse that. */
 static ovr_case *read_result(ovr_run *run, double *complete, ovr_error *err)
 {
     const char *path = run->info.output;
@@ -76,7 +76,8 @@ static ovr_case *find_case(ovr_run *run, double *complete, ovr_error *err)
                                 &run->arena.allocator, err);
 }
 
-/* Without a checkpoint: what is in the file would be computed again. */
+/* Begins again, without a checkpoint: what is in the file would be computed
+ * again. */
 static ovr_status begin_again(ovr_run *run, bool done, ovr_error *err)
 {
     if (run->how.from_start && run->how.force)
@@ -194,7 +195,7 @@ static ovr_status begin_pass(ovr_run *run, ovr_error *err)
     return ovr_output_open(run, err);
 }
 
-/* Where the first pass ended that is not complete. */
+/* Goes to where the first pass ended that is not complete. */
 static ovr_status prepare_passes(ovr_run *run, const char *path, ovr_error *err)
 {
     if (ovr_passes_reopen(run, path, err))

@@ -19,7 +19,7 @@
  * (0.25 b at level 6 is 20 meshes, 3.6 %). */
 static const double MESHES_A_WAVE = 10;
 
-/* What was understood of profiles and done to them. */
+/* Says what was understood of profiles and done to them. */
 static void say_assumed(const ovr_review *r)
 {
     const ovr_surfaces *surfaces = r->setup->surfaces;

@@ -19,7 +19,7 @@ void ovr_review_say(const ovr_review *r, ovr_say kind, const char *format, ...)
 /* Of its ends: those that were chosen, that are kept, that are too near. */
 void ovr_review_domain(const ovr_review *r);
 
-/* Of oil that arrives as a film and fills the inlet all the same. */
+/* Warns of oil that arrives as a film and fills the inlet all the same. */
 void ovr_review_inlet(const ovr_review *r, const ovr_state *state,
                       double H_cen);
 

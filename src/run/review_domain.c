@@ -21,7 +21,7 @@ static share share_of(double loss)
     return s;
 }
 
-/* To four digits, farther out and not nearer. */
+/* Rounds to four digits, farther out and not nearer. */
 static double rounded_out(double X)
 {
     double digit = pow(10, floor(log10(fabs(X))) - 3);

@@ -48,7 +48,7 @@ static void review_end(const ovr_setup *setup, ovr_listener *say, void *data)
     say(data, OVR_SAY_WARNING, text);
 }
 
-/* By the film of the fit, where that is least. */
+/* Reviews the film of the fit, where that is smallest. */
 static void review_film(const ovr_setup *setup, ovr_listener *say, void *data)
 {
     ovr_station station[OVR_STATIONS_MOST];

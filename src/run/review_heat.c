@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where the model of heat ends: surfaces that never get a steady temperature,
- * or slide too fast for the steps, before a run; films hotter than what laws
- * are measured for and domains that cut off what is warm, after it.
+/* Tells where the model of heat ends: surfaces that never get a steady
+ * temperature, or slide too fast for the steps, before a run; films hotter than
+ * what laws are measured for and domains that cut off what is warm, after it.
  */
 #include <math.h>
 #include <stdio.h>
@@ -70,8 +70,8 @@ static void review_slip(const ovr_setup *s, ovr_listener *listener, void *data)
     listener(data, OVR_SAY_WARNING, text);
 }
 
-/* Where no temperature is steady, or not within what a surface remembers; one
- * that turns round is not slow for long. */
+/* Reviews surfaces where no temperature is steady, or not within what they
+ * remember; one that turns round is not slow for long. */
 static void review_speed(const ovr_setup *s, int k, ovr_listener *listener,
                          void *data)
 {
@@ -141,7 +141,7 @@ static void warn_of_lag(ovr_run *run)
     ovr_run_message(run, OVR_SAY_WARNING, text);
 }
 
-/* By heat.h of the simulation: friction, in percent. */
+/* Warns by heat.h of the simulation: friction, in percent. */
 static void warn_of_points(ovr_run *run)
 {
     const ovr_statistics *s = ovr_simulation_statistics(run->sim);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is said of the oil that arrives, before the solve. */
+/* Says before the solve what there is to say of the oil that arrives. */
 #include <math.h>
 #include <stdio.h>
 

@@ -5,15 +5,15 @@
 
 #include "overroll/run.h"
 
-/* As ovr_run_answers, from the summary of a file. */
+/* Does what ovr_run_answers does, from the summary of a file. */
 void ovr_result_answers(ovr_result *result, ovr_answer *put, void *data);
 
-/* Of a prepared setup, in milliseconds. */
+/* Estimates the film of a prepared setup, in milliseconds. */
 ovr_status ovr_setup_rough_film(const ovr_setup *setup,
                                 const ovr_allocator *allocator,
                                 ovr_rough_film *to, ovr_error *err);
 
-/* What a prepared setup would store: snapshots (the instants of the largest
+/* A prepared setup would store this: snapshots (the instants of the largest
  * pressure and the smallest film may come on top), and bytes on the disk before
  * they are compressed. */
 typedef struct ovr_storage {

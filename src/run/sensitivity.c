@@ -53,7 +53,7 @@ static bool is_size(const char *key)
     return false;
 }
 
-/* Whether a number given is one that everybody asks about. */
+/* True if a number given is one that everybody asks about. */
 static bool is_usual(const ovr_case_entry *e)
 {
     if (!strcmp(e->section, "contact") || !strcmp(e->section, "lubricant") ||
@@ -234,7 +234,7 @@ static double number_of(const ovr_trial *t, const char *quantity)
            ovr_trial_number(t, "film_scale_m", NULL);
 }
 
-/* By the larger (0) or the smaller step (1). */
+/* Takes the larger (0) or the smaller step (1). */
 static double slope(const working *w, const ovr_trials *t, size_t key,
                     int coarser, int smaller, const char *quantity)
 {
@@ -285,7 +285,8 @@ static void fill_row(working *w, const ovr_trials *t, size_t key,
         r->why_none = "two levels disagree: refine";
 }
 
-/* Of a physical contact what is in SI: its film's scale varies with the key. */
+/* Chooses of a physical contact what is in SI: its film's scale varies with the
+ * key. */
 static size_t choose(const ovr_trials *t, bool transient,
                      const char *chosen[QUANTITIES])
 {

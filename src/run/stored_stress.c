@@ -19,7 +19,8 @@ struct ovr_stored_stress {
     double every; /* way between two snapshots over that of a step */
 };
 
-/* What is stored: nodes, and the largest way between two snapshots. */
+/* The stored snapshots are these: nodes, and the largest way between two
+ * snapshots. */
 typedef struct stored {
     const char *path;
     ovr_result *result;

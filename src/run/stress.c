@@ -54,7 +54,7 @@ static double state_value(const ovr_at_rest *at, int which, double h, double d,
                             at->poisson, at->x, at->y);
 }
 
-/* At the nodes of the shallowest row. */
+/* Takes the values at the nodes of the shallowest row. */
 static ovr_status fill_depth(run_stress *s, int surface, size_t j,
                              ovr_error *err)
 {
@@ -302,7 +302,8 @@ static ovr_status make(const ovr_setup *setup, const ovr_state *state,
     return status;
 }
 
-/* That of a run that is complete: told of, not written to. */
+/* Takes the path of a run that is complete, which is told of, not written
+ * to. */
 static void told_of(void *own, const char *path)
 {
     run_stress *s = own;

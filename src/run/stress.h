@@ -10,7 +10,7 @@
 
 /* -------------------------------------------------------------------- plan */
 
-/* What follows from a case for one surface. */
+/* The plan that follows from a case for one surface. */
 typedef struct ovr_stress_plan {
     int surface;   /* 1 or 2 */
     double ratio;  /* u_k/um by slide_to_roll */
@@ -23,8 +23,9 @@ typedef struct ovr_stress_plan {
     const char *no_traction; /* why it is left out; NULL: it is not */
 } ovr_stress_plan;
 
-/* Of the pressure at `nodes` nodes from `inlet`, `mesh` apart, seen every so
- * many steps.  Fails when depths are asked for that such moments cannot give.
+/* Plans for the pressure at `nodes` nodes from `inlet`, `mesh` apart, seen
+ * every so many steps.  Fails when depths are asked for that such moments
+ * cannot give.
  */
 ovr_status ovr_stress_planned(const ovr_setup *setup, int surface, double inlet,
                               double mesh, size_t nodes, double every,
@@ -76,8 +77,8 @@ typedef enum ovr_post { OVR_POST_BEGIN, OVR_POST_STEP, OVR_POST_END } ovr_post;
 void ovr_follower_post(ovr_follower *f, ovr_post part, const double *P,
                        const double *Q, const ovr_moment *moment);
 
-/* Until all that was posted is taken; then the material history may be looked
- * at. */
+/* Waits until all that was posted is taken; then the material history may be
+ * looked at. */
 ovr_material_history *ovr_follower_wait(ovr_follower *f);
 
 /* ------------------------------------------------------------------ report */

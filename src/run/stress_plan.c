@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is followed of a case: depths, material, moments. */
+/* Plans what is followed of a case: depths, material, moments. */
 #include <math.h>
 #include <string.h>
 
@@ -61,7 +61,7 @@ static void find_material(const ovr_setup *setup, ovr_stress_plan *plan)
     }
 }
 
-/* To three digits, downwards. */
+/* Rounds to three digits, downwards. */
 static double round_down(double value)
 {
     double digit = pow(10, floor(log10(value)) - 2);

@@ -8,7 +8,7 @@
  * that the steel does not bear. */
 static const double YIELD = 1.7e9;
 
-/* With what stands behind it. */
+/* Says a stress with the words behind it. */
 static void say_stress(const ovr_told *to, const char *label, double value,
                        double ph, const char *behind)
 {

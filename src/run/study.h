@@ -112,7 +112,7 @@ ovr_status ovr_study_name_tasks(ovr_study *s, ovr_error *err);
 ovr_status ovr_study_try_values(const ovr_study *s, ovr_error *err);
 ovr_status ovr_study_try_find(const ovr_study *s, ovr_error *err);
 
-/* What a task does, as text: two that say the same are the same. */
+/* The work of a task, as text: two that say the same are the same. */
 char *ovr_study_text(const ovr_study *s, ovr_case *c, ovr_arena *arena,
                      ovr_error *err);
 

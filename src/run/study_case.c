@@ -52,7 +52,7 @@ static const char *short_name(const ovr_study *s, const char *where)
     return where;
 }
 
-/* What is safe in a file name; blanks go, the rest becomes '~'. */
+/* Keeps what is safe in a file name; blanks go, the rest becomes '~'. */
 static size_t put_safe(char *to, size_t room, const char *text)
 {
     size_t n = 0;
@@ -199,7 +199,7 @@ ovr_status ovr_study_try_values(const ovr_study *s, ovr_error *err)
     return status;
 }
 
-/* What [find] asks, of the first case. */
+/* Tries what [find] asks, of the first case. */
 ovr_status ovr_study_try_find(const ovr_study *s, ovr_error *err)
 {
     const ovr_study_find *f = &s->find;

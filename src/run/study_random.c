@@ -131,7 +131,7 @@ static bool read_amount(const char *from, const char *end, amount *a)
     return true;
 }
 
-/* In the unit of another; false: they measure different things. */
+/* Converts to the unit of another; false: they measure different things. */
 static bool convert(amount *a, const char *unit)
 {
     ovr_dimension d = ovr_unit_dimension(unit);
@@ -285,8 +285,8 @@ static bool cell_of(const char *line, const char *end, int column, char *to)
     return true;
 }
 
-/* Which column has this name; a unit in brackets behind it is that of its
- * numbers. */
+/* Finds the column that has this name; a unit in brackets behind it is that of
+ * its numbers. */
 static int column_named(const char *line, const char *end, const char *name,
                         char *unit)
 {
@@ -408,7 +408,7 @@ static ovr_status put_text(ovr_study *s, ovr_study_key *k, size_t i,
     return k->value[i] ? OVR_OK : OVR_NO_MEMORY;
 }
 
-/* Of cells, the u-th. */
+/* Draws the u-th of the cells. */
 static ovr_status draw_cells(ovr_study *s, const ovr_study_chance *c,
                              ovr_study_key *k, const double *u, ovr_error *err)
 {

@@ -279,7 +279,7 @@ static ovr_status take_inputs(sampling *w, size_t from, const double *value,
     return x && y && input ? OVR_OK : OVR_NO_MEMORY;
 }
 
-/* What the names of a group's tasks begin with. */
+/* The names of a group's tasks begin with this. */
 static const char *group_name(sampling *w, size_t from)
 {
     char *name = ovr_arena_text(&w->to->arena, w->s->name[from], w->err);

@@ -242,7 +242,8 @@ static ovr_table *read_csv(const char *path, ovr_error *err)
 
 /* ------------------------------------------------------------- from netCDF */
 
-/* What varied is explained by its place in the case, section.key. */
+/* True of a key that varied and is explained by its place in the case,
+ * section.key. */
 static bool is_place(const char *about)
 {
     return about && strchr(about, '.') && !strchr(about, ' ');

@@ -30,7 +30,7 @@ void ovr_put_rough_film(const ovr_told *to, const ovr_rough_film *film,
     ovr_put_text(to, "not_foreseen", film->why ? film->why : film->but);
 }
 
-/* Beside what came of it. */
+/* Says it beside what came of it. */
 static void say_foreseen(const ovr_told *to, const ovr_rough_film *film)
 {
     if (!film->why)
@@ -255,7 +255,7 @@ static void put_life(const ovr_told *to, const ovr_stress_report *r,
     ovr_put_number(to, "risk_smooth", r->life->smooth_risk);
 }
 
-/* Of the surface whose layers bear more. */
+/* Puts the numbers of the surface whose layers bear more. */
 static void put_layers(const ovr_told *to, const ovr_stress_report *a,
                        const ovr_stress_report *b, double ph)
 {
@@ -295,7 +295,8 @@ static void put_moment(const ovr_told *to, const char *name,
     ovr_put_number(to, key, e->T);
 }
 
-/* Of the surface that is farther beyond its yield, if either has one. */
+/* Puts those of the surface that is farther beyond its yield, if either has
+ * one. */
 static void put_yield(const ovr_told *to, const ovr_stress_report *a,
                       const ovr_stress_report *b, const ovr_contact *contact)
 {
@@ -355,7 +356,7 @@ void ovr_stress_summary(const ovr_stress_report *const report[2],
 
 /* ------------------------------------------------------------------- whole */
 
-/* How it was made. */
+/* Puts how the run was made. */
 static void put_options(const ovr_told *to, const ovr_run_info *s)
 {
     const ovr_options *options = ovr_simulation_options(s->sim);
@@ -384,7 +385,7 @@ static void put_rough_film(const ovr_told *to, const ovr_run_info *s)
     }
 }
 
-/* In the order of reports: the run, then its end. */
+/* Follows the order of reports: the run, then its end. */
 void ovr_run_report(const ovr_run_info *s, ovr_summary_taker *take, void *data)
 {
     if (!s || !take)

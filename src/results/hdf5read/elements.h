@@ -17,8 +17,8 @@ bool ovr_object_items(ovr_source *source, uint64_t object, unsigned target,
 /* A name of this program's: letters, digits and _. */
 bool ovr_plain_name(const unsigned char *name, size_t length);
 
-/* From such messages: the type; rank, shape and width (missing dimensions are
- * 1); false for what the writer never makes. */
+/* Makes an element from such messages: the type; rank, shape and width (missing
+ * dimensions are 1); false for what the writer never makes. */
 bool ovr_element_read(ovr_piece type, ovr_datatype *element);
 bool ovr_shape_read(ovr_piece space, ovr_dataset *set);
 

@@ -38,7 +38,7 @@ typedef struct ovr_container {
     uint64_t root; /* the root group: an object, as all addresses below */
 } ovr_container;
 
-/* What ovr_container_open found. */
+/* The outcomes of ovr_container_open. */
 typedef enum ovr_found {
     OVR_FOUND_CONTAINER,
     OVR_FOUND_OTHER_HDF5, /* none of those that the writer makes */
@@ -83,7 +83,7 @@ typedef struct ovr_named_number {
 ovr_named_number *ovr_container_numbers(ovr_container *container,
                                         uint64_t object, size_t *count);
 
-/* What an object is that is no dataset of numbers. */
+/* An object that is no dataset of numbers is one of these. */
 typedef enum ovr_object {
     OVR_OBJECT_GROUP,
     OVR_OBJECT_TEXTS,  /* a dataset of those */
@@ -91,7 +91,7 @@ typedef enum ovr_object {
 } ovr_object;
 ovr_object ovr_container_object(ovr_container *container, uint64_t object);
 
-/* What numbers look like in the file. */
+/* The form that numbers have in the file. */
 typedef struct ovr_datatype {
     char kind; /* 'f' number, 'i' integer, 's' characters, 'v' text */
     size_t size;

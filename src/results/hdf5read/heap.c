@@ -27,7 +27,7 @@ typedef struct tree {
     size_t count, most, nodes;
 } tree;
 
-/* How many bytes hold numbers up to `most`. */
+/* The number of bytes that hold numbers up to `most`. */
 static size_t bytes_for(uint64_t most)
 {
     size_t bytes = 1;
@@ -219,7 +219,7 @@ static bool load_direct(heap *h, uint64_t at, uint64_t from, uint64_t size)
     return true;
 }
 
-/* Where in the heap's table an offset lies. */
+/* The place of an offset in the heap's table. */
 typedef struct place {
     uint64_t row, column, from, size;
 } place;

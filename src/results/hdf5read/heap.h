@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Where HDF5 keeps what does not fit into an object's header: links and
- * attributes in fractal heaps that a B-tree (version 2) lists, texts in
- * global heaps.
+ * HDF5 keeps in heaps what does not fit into an object's header: links and
+ * attributes in fractal heaps that a B-tree (version 2) lists, texts in global
+ * heaps.
  */
 #ifndef OVR_HDF5READ_HEAP_H
 #define OVR_HDF5READ_HEAP_H

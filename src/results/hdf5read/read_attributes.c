@@ -30,7 +30,7 @@ static bool read_attribute(ovr_piece b, attribute *to)
            part[0].at[size[0] - 1] == '\0';
 }
 
-/* Of an attribute that is one element. */
+/* Reads an attribute that is one element. */
 static bool one_element(const attribute *a, ovr_datatype *element)
 {
     ovr_dataset set;
