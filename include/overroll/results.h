@@ -84,7 +84,7 @@ typedef struct ovr_group_axis {
     const double *values;
 } ovr_group_axis;
 
-/* Along some of the axes; flags, floats, doubles, or rows to come. */
+/* An array along some of the axes; flags, floats, doubles, or rows to come. */
 typedef struct ovr_group_array {
     const char *name, *long_name;
     ovr_unit_kind kind;

@@ -37,7 +37,7 @@ static int order_of(const ovr_setup *s)
     return ovr_scheme_record(s->options->scheme)->order;
 }
 
-/* Of a contact of these M and L, its own half width b. */
+/* The accuracy of a contact of these M and L, its own half width b. */
 static double of_mesh(const ovr_setup *s, double M, double L, double mesh)
 {
     double x = mesh / pow(ovr_film_central_moes(M, L), 2. / 3);

@@ -54,8 +54,8 @@ struct ovr_case {
 ovr_status ovr_slot_read(const ovr_parameter *row, const char *text,
                          ovr_arena *arena, ovr_slot *slot, ovr_error *err);
 
-/* Whether the number, as written in `text`, is in the row's range; `number` is
- * SI where `unit`, else bare. */
+/* Fails unless the number, as written in `text`, is in the row's range;
+ * `number` is SI where `unit`, else bare. */
 ovr_status ovr_range_check(const ovr_parameter *row, double number,
                            const char *text, ovr_error *err);
 
@@ -93,11 +93,11 @@ const ovr_slot *ovr_block_get(const ovr_block *block, const char *key);
 bool ovr_conditions_hold(const ovr_case *c, const ovr_block *block,
                          const char *when);
 
-/* Whether a key has an effect beside the values of the others. */
+/* True if a key has an effect beside the values of the others. */
 bool ovr_key_applies(const ovr_case *c, const ovr_block *block,
                      const ovr_parameter *row);
 
-/* What is said of a key that is given and has no effect. */
+/* The words about a key that is given and has no effect. */
 typedef struct ovr_idle {
     bool said; /* in a note; else it is refused */
     char text[400];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a case lays on its bodies. */
+/* A case lays coats on its bodies. */
 #ifndef OVR_CASE_COATS_H
 #define OVR_CASE_COATS_H
 

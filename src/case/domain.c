@@ -82,7 +82,7 @@ static double mean_size_of_speeds(const ovr_setup *s, double T)
     return sum / 2;
 }
 
-/* Whether the cubic changes so fast that the gap at |X| = far opens or closes
+/* True if the cubic changes so fast that the gap at |X| = far opens or closes
  * by more than twice what the surfaces' wedge brings there.  The cubic is that
  * of the material in the contact; where its curvature has a kink, as the cam of
  * a law whose jerk jumps, it jumps over the whole domain at once and squeezes
@@ -162,8 +162,8 @@ static double squared_width(const ovr_setup *s, double T)
     return ovr_history_value(s->load, T) * ovr_history_value(s->radius, T);
 }
 
-/* By how much the square of the dry half width grows within a moment, or .7 of
- * by how much it falls; over its largest value. */
+/* The square of the dry half width grows by this within a moment, or falls,
+ * which counts .7 of that; over its largest value. */
 static double jump_of(const ovr_setup *s)
 {
     const double moment = 0.035, fall = 0.7;
@@ -230,12 +230,12 @@ static double automatic_outlet(const moments *m, const ovr_instant *at)
     return own.outlet;
 }
 
-/* So many times as much is lost where load and radius vary, to first order.
- * Far out a load that grows squeezes the oil by the approach of the bodies,
- * 0.6 d(s^2)/dT (dry), and imposed curvature c by c' X^2/2: as much as comes
- * with the wedge, Cu c X^2/2, times 1.2 (s^2)'/(c Cu |X|) and c' |X|/(3 c Cu),
- * which lose less and more by a cut at X_a than it does.  Where curvature is
- * convected with the material the gap there is not c X^2/2. */
+/* The loss is so many times as large where load and radius vary, to first
+ * order.  Far out a load that grows squeezes the oil by the approach of the
+ * bodies, 0.6 d(s^2)/dT (dry), and imposed curvature c by c' X^2/2: as much as
+ * comes with the wedge, Cu c X^2/2, times 1.2 (s^2)'/(c Cu |X|) and c' |X|/(3 c
+ * Cu), which lose less and more by a cut at X_a than it does.  Where curvature
+ * is convected with the material the gap there is not c X^2/2. */
 static double lost_by_change(const moments *m, int k, double load, double X_a)
 {
     const ovr_setup *s = m->setup;
@@ -292,7 +292,8 @@ static wish automatic_wish(const moments *m, const ovr_instant *at)
     return (wish){*at, OVR_AUTO_LOSS, automatic_outlet(m, at)};
 }
 
-/* What all moments, of the least and of the largest load, want. */
+/* The domain that all moments, of the smallest and of the largest load, ask
+ * for. */
 static extent domain_of(const moments *m, extent e,
                         wish (*wish_of)(const moments *, const ovr_instant *))
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What histories mean for the grid: the domain, and the gap on it. */
+/* Histories decide about the grid: the domain, and the gap on it. */
 #ifndef OVR_CASE_DOMAIN_H
 #define OVR_CASE_DOMAIN_H
 
@@ -8,7 +8,7 @@
 /* Load, speed or radius vary: other films at other times. */
 bool ovr_setup_varies(const ovr_setup *setup);
 
-/* Whether it is of fourth order where nothing goes wrong: along the
+/* True if it is of fourth order where nothing goes wrong: along the
  * characteristic corrections follow what varies (simulation/fourth.c). */
 bool ovr_setup_corrected(const ovr_setup *setup);
 
@@ -30,7 +30,7 @@ typedef struct ovr_domain_needs {
 } ovr_domain_needs;
 ovr_domain_needs ovr_setup_needs(const ovr_setup *setup);
 
-/* Whether the curvature is convected with the material, on that domain. */
+/* Decides if the curvature is convected with the material, on that domain. */
 ovr_status ovr_setup_curvature(ovr_resolved *r, ovr_error *err);
 
 #endif

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a pass before left on the surfaces, as the supply of this one. */
+/* The supply of a pass is what the one before left on the surfaces. */
 #ifndef OVR_CASE_FEED_H
 #define OVR_CASE_FEED_H
 
 #include "overroll/case.h"
 #include "surface/layer.h"
 
-/* In place of what the case says of the supply; the layers are the setup's
- * from now on.  `reservoir`: oil in the inlet reservoir, b^3/R. */
+/* Takes the place of what the case says of the supply; the layers are the
+ * setup's from now on.  `reservoir`: oil in the inlet reservoir, b^3/R. */
 void ovr_setup_feed(ovr_setup *setup, ovr_layer *layer[2], double reservoir);
 
 /* Whether passes are fed so: those of [passes], not of [plastic] alone. */
@@ -17,7 +17,7 @@ bool ovr_setup_carries_oil(const ovr_setup *setup);
  * where none does. */
 void ovr_setup_go_on(ovr_setup *setup, const char *file);
 
-/* In place of the load: that of a pass, times its history. */
+/* Takes the place of the load: that of a pass, times its history. */
 ovr_status ovr_setup_load(ovr_setup *setup, int pass,
                           const ovr_allocator *allocator, ovr_error *err);
 

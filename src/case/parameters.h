@@ -17,7 +17,7 @@ const ovr_parameter *ovr_parameter_row(size_t k, const ovr_section **section);
 const ovr_section *ovr_section_row(size_t k);
 const ovr_section *ovr_section_find(const char *name);
 
-/* How many rows the sections before it have. */
+/* The number of rows that the sections before it have. */
 size_t ovr_section_first(const ovr_section *section);
 
 /* "b", "b^2/R", "b/um", "ph" or "". */

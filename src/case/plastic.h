@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What [plastic] comes to. */
+/* A case's [plastic] comes to this. */
 #ifndef OVR_CASE_PLASTIC_H
 #define OVR_CASE_PLASTIC_H
 
 #include "overroll/case.h"
 #include "stress/hardening.h"
 
-/* Of a body that yields. */
+/* A body that yields. */
 typedef struct ovr_plastic_body {
     ovr_hardening hardening; /* in p_h, of strains over p_h/E* */
     double strain;           /* p_h/E*; NAN: not known */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * From a case to what runs: first the contact, which gives the scales, then
+ * Makes of a case what runs: first the contact, which gives the scales, then
  * everything else in its units, each in a file of its own.
  */
 #include "case/resolve.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the parts of resolving a case share. */
+/* The files that resolve a case share this. */
 #ifndef OVR_CASE_RESOLVE_H
 #define OVR_CASE_RESOLVE_H
 
@@ -53,7 +53,7 @@ const ovr_block *ovr_block_of(const ovr_resolved *r, const char *section);
 const ovr_slot *ovr_slot_of(const ovr_resolved *r, const char *section,
                             const char *key);
 
-/* Whether surfaces that touch run in: they wear. */
+/* True if surfaces that touch run in: they wear. */
 bool ovr_runs_in(const ovr_resolved *r);
 
 /* Puts the values of a block into the struct its rows point into, physical
@@ -82,20 +82,20 @@ ovr_status ovr_resolve_yield(ovr_resolved *r, ovr_error *err);
  * where it gives them. */
 ovr_status ovr_resolve_oil(ovr_resolved *r, ovr_error *err);
 
-/* Where a physics changes how stiff the bodies are, the contact anew with the
- * modulus that follows. */
+/* Makes the contact anew, where a physics changes how stiff the bodies are,
+ * with the modulus that follows. */
 ovr_status ovr_resolve_stiffness(ovr_resolved *r, ovr_error *err);
 
 /* The physics that have sections of their own; one whose keys stand
  * elsewhere. */
 ovr_status ovr_resolve_physics(ovr_resolved *r, ovr_error *err);
 
-/* What the physics mean on the mesh that was found. */
+/* Tells the physics the mesh that was found. */
 ovr_status ovr_resolve_on_mesh(ovr_resolved *r, ovr_error *err);
 void ovr_resolved_turn_on(ovr_resolved *r, const ovr_physics *physics,
                           void *form);
 
-/* Whether the k-th physics of the list is on, turned on or chosen by the
+/* True if the k-th physics of the list is on, turned on or chosen by the
  * options; that which makes the nodes of the solution, known once it is solved,
  * or NULL. */
 bool ovr_setup_has(const ovr_setup *setup, int k);

@@ -62,7 +62,7 @@ static ovr_status check_one(const ovr_resolved *r, const ovr_block *block,
     return OVR_OK;
 }
 
-/* What an element says, elsewhere too. */
+/* Refuses what an element says and is said elsewhere too. */
 static ovr_status check_said(const ovr_resolved *r, const ovr_block *block,
                              ovr_error *err)
 {
@@ -278,7 +278,7 @@ static ovr_status time_of(const char *text, double way, double *t,
     return OVR_OK;
 }
 
-/* At A to E, or at a time; nowhere else: at the pitch point. */
+/* Stands at A to E, or at a time; nowhere else: at the pitch point. */
 static ovr_status stand_gear(ovr_resolved *r, ovr_element_moment *m,
                              ovr_error *err)
 {
@@ -301,8 +301,8 @@ static ovr_status stand_gear(ovr_resolved *r, ovr_element_moment *m,
     return OVR_OK;
 }
 
-/* At an angle or a time; nowhere else: at the nose.  A mean speed that goes
- * the other way is the same contact seen from the other side. */
+/* Stands at an angle or a time; nowhere else: at the nose.  A mean speed that
+ * goes the other way is the same contact seen from the other side. */
 static ovr_status stand_cam(ovr_resolved *r, ovr_element_moment *m,
                             ovr_error *err)
 {

@@ -21,7 +21,7 @@ static double fall_of_viscosity(const ovr_resolved *r)
            r->values.heat.expansion;
 }
 
-/* What is not given: by the data sheet, else S0 of the usual oil. */
+/* Completes what is not given: by the data sheet, else S0 of the usual oil. */
 static void complete(const ovr_resolved *r, ovr_heat_form *form)
 {
     const ovr_oil *oil = &r->values.oil;

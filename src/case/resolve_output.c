@@ -6,7 +6,7 @@
 #include "case/setup.h"
 #include "results/results.h"
 
-/* What the physics that is on adds to the fields where none are given. */
+/* The fields that the physics that is on adds where none are given. */
 static unsigned fields_of_physics(const ovr_resolved *r)
 {
     unsigned fields = 0;

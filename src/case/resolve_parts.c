@@ -21,7 +21,7 @@ static bool is_given(const ovr_resolved *r, int part)
     return ovr_slot_of(r, info.section, info.key)->given;
 }
 
-/* Whether a feature on the mesh is rough. */
+/* True if a feature on the mesh is rough. */
 static bool has_roughness(const ovr_resolved *r)
 {
     for (size_t k = 0; k < r->setup.features; k++)
@@ -31,7 +31,7 @@ static bool has_roughness(const ovr_resolved *r)
     return false;
 }
 
-/* Whether a body that yields has a layer of other moduli than its own. */
+/* True if a body that yields has a layer of other moduli than its own. */
 static bool yields_below_others(const ovr_resolved *r)
 {
     const double same = 1e-9;

@@ -8,7 +8,7 @@
 #include "case/setup.h"
 #include "case/two_columns.h"
 
-/* Where a physics reads files from: its section. */
+/* A physics reads its files by this: its section. */
 typedef struct reader {
     ovr_resolved *r;
     const ovr_physics *physics;
@@ -130,8 +130,8 @@ static ovr_status stiffness_off(ovr_resolved *r, int k, double log_E,
     return OVR_OK;
 }
 
-/* By secants: the thicker the layer over b, the softer or stiffer the contact,
- * and the wider or narrower b. */
+/* Settles the modulus by secants: the thicker the layer over b, the softer or
+ * stiffer the contact, and the wider or narrower b. */
 static ovr_status settle(ovr_resolved *r, int k, ovr_error *err)
 {
     enum { STEPS = 40 };

@@ -45,7 +45,7 @@ static const changed_default changed_defaults[] = {
      "a dent 6e-3 and 3e-4 (level 7)"},
 };
 
-/* Where the lines go. */
+/* The lines go here. */
 typedef struct lines {
     ovr_case_line *put;
     void *data;
@@ -167,7 +167,7 @@ static void put_source(const lines *to, const ovr_case *c)
     }
 }
 
-/* What belongs to sections of which the file has none. */
+/* Puts what belongs to sections of which the file has none. */
 static void put_missing(const lines *to, const ovr_case *c)
 {
     for (const ovr_block *b = c->blocks; b; b = b->next)

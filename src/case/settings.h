@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where the values of a case go: what the rows of its keys point into. */
+/* The values of a case stand here: what the rows of its keys point into. */
 #ifndef OVR_CASE_SETTINGS_H
 #define OVR_CASE_SETTINGS_H
 
@@ -10,7 +10,7 @@
 #include "overroll/case.h"
 #include "overroll/elements.h"
 
-/* How load or speed change. */
+/* A change of load or speed. */
 typedef struct ovr_change {
     int history; /* ovr_history_kind */
     double from, to, start, duration, amplitude, period, mean;
@@ -85,16 +85,17 @@ typedef struct ovr_settings {
     ovr_element_settings element;
 } ovr_settings;
 
-/* Of [contact] scale. */
+/* Values of [contact] scale. */
 enum { OVR_SCALE_DRY, OVR_SCALE_SUBSTRATE };
 
-/* Of [radius] curvature. */
+/* Values of [radius] curvature. */
 enum { OVR_CURVATURE_AUTO, OVR_CURVATURE_CONVECTED, OVR_CURVATURE_IMPOSED };
 
-/* Of [stress] traction. */
+/* Values of [stress] traction. */
 enum { OVR_TRACTION_NO, OVR_TRACTION_YES, OVR_TRACTION_AUTO };
 
-/* By name in [body 1] and [body 2]; values and sources in resolve_bodies.c. */
+/* Materials are called by name in [body 1] and [body 2]; values and sources in
+ * resolve_bodies.c. */
 typedef enum ovr_material_name {
     OVR_STEEL = 1,
     OVR_SILICON_NITRIDE,
@@ -104,7 +105,7 @@ typedef enum ovr_material_name {
     OVR_SAPPHIRE
 } ovr_material_name;
 
-/* Of [body 1] and [body 2]; NAN, 0: not given. */
+/* The form that [body 1] and [body 2] fill; NAN, 0: not given. */
 typedef struct ovr_body_form {
     int material; /* ovr_material_name */
     double modulus, poisson, radius;

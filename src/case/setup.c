@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* From a resolved case to a simulation with its surfaces in place. */
+/* Makes of a resolved case a simulation with its surfaces in place. */
 #include <math.h>
 #include <unistd.h>
 
@@ -157,7 +157,7 @@ static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
     return ovr_fail_in(err, r->c, of_paper ? paper : domain, solver, &why);
 }
 
-/* On the level of the options. */
+/* Makes the grid on the level of the options. */
 static ovr_status make_grid(ovr_resolved *r, bool usual,
                             const ovr_allocator *allocator, ovr_error *err)
 {
@@ -225,8 +225,9 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
     return status;
 }
 
-/* At P = 0, by both surfaces; a layer goes by as fast as its surface moves.  A
- * mean speed near zero brings nothing, whatever slides. */
+/* The oil that arrives at P = 0, by both surfaces; a layer goes by as fast as
+ * its surface moves.  A mean speed near zero brings nothing, whatever
+ * slides. */
 double ovr_setup_arriving(const ovr_setup *s, double T)
 {
     static const double least = 1e-3;
@@ -248,7 +249,7 @@ double ovr_setup_arriving(const ovr_setup *s, double T)
     return both * ovr_history_value(s->supply->history, T);
 }
 
-/* Before T = 0 what the steady start takes. */
+/* Gives before T = 0 what the steady start takes. */
 static double arriving(void *data, double T)
 {
     const ovr_setup *s = data;
@@ -256,7 +257,8 @@ static double arriving(void *data, double T)
                                                 : ovr_setup_arriving(s, T);
 }
 
-/* What lies on the surfaces between inlet and outlet at T = 0, as supply. */
+/* The oil that lies on the surfaces between inlet and outlet at T = 0, as
+ * supply. */
 static double lying(const ovr_setup *s)
 {
     const double ratio[2] = {s->contact->u1_ratio, s->contact->u2_ratio};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the floors above ask a setup. */
+/* The floors above ask a setup these. */
 #ifndef OVR_CASE_SETUP_H
 #define OVR_CASE_SETUP_H
 
@@ -13,7 +13,8 @@ const ovr_bearing *ovr_setup_bearing(const ovr_setup *setup);
 /* The length of its steps, b/um, where they are not adaptive. */
 double ovr_setup_step(const ovr_setup *setup);
 
-/* Of step = auto: why a step is one mesh; NULL: it is longer, or given. */
+/* The reason, with step = auto, why a step is one mesh; why a step is one mesh;
+ * NULL: it is longer, or given. */
 const char *ovr_setup_step_reason(const ovr_setup *setup);
 
 /* The physics of its runs, as bits: quantities that need others are none of

@@ -53,7 +53,7 @@ static bool has_narrow(const ovr_setup *s)
     return false;
 }
 
-/* Whether the second difference of a table over long steps, which is what a
+/* True if the second difference of a table over long steps, which is what a
  * step takes for a straight line, is ever more than 1e-3 of the nominal value.
  */
 static bool swings(const ovr_history *history, double end, double h)
@@ -86,7 +86,7 @@ static bool tables_swing(const ovr_resolved *r)
     return false;
 }
 
-/* Within so little time that steps see few moments of it. */
+/* True if it changes within so little time that steps see few moments of it. */
 static bool is_quick(const ovr_change *c, double least)
 {
     switch (c->history) {

@@ -15,7 +15,7 @@ typedef struct ovr_two_columns {
     double least, most;  /* of the second, as it is written; 0, 0: any */
     const char *of;      /* what its range is told in, behind it: "" */
     double unit[2];      /* that the numbers are multiplied by */
-    /* What the units of the header measure, and one that would do; OVR_PURE,
+    /* The dimensions of the header's units, and a unit that would do; OVR_PURE,
      * NULL: there is no header. */
     ovr_dimension header[2];
     const char *example;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Whether a key has an effect: the conditions of its row (base/parameter.h).
- * What applies is also what refuses: a key that is given and has no effect is
- * a mistake of whoever gave it.
+ * Decides if a key has an effect: the conditions of its row (base/parameter.h).
+ * What applies is also what refuses: a key that is given and has no effect is a
+ * mistake of whoever gave it.
  */
 #include <math.h>
 #include <stdio.h>
@@ -76,8 +76,8 @@ static bool holds(const alternative *a)
     return a->slot->given != a->absent;
 }
 
-/* Whether any alternative of a condition holds; *off where one of those that
- * do not is the switch of its section. */
+/* True if any alternative of a condition holds; *off where one of those that do
+ * not is the switch of its section. */
 static bool any_holds(const ovr_case *c, const ovr_block *block,
                       const char *condition, bool *off)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the commands that take a case share: its options, and opening it. */
+/* The commands that take a case share this: its options, and opening it. */
 #ifndef OVR_CLI_CASE_ARGS_H
 #define OVR_CLI_CASE_ARGS_H
 
@@ -20,7 +20,7 @@
  * set; NULL after having printed why not. */
 ovr_case *cli_open_case(const cli_call *call, int *code);
 
-/* What the options of the call set, into a case. */
+/* Sets in a case what the options of the call say. */
 ovr_status cli_apply_options(const cli_call *call, ovr_case *c, ovr_error *err);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What the subcommands share.
+ * The subcommands share this.
  *
  * To add a subcommand: write src/cli/NAME.c that defines
  *     const cli_verb cli_NAME = {.name = "NAME", ..., .run = run};
@@ -76,7 +76,7 @@ struct cli_call {
     volatile double *done; /* a march tells here how far it is, or NULL */
 };
 
-/* Whether a flag was given; the value of an option or NULL; the k-th value of
+/* True if a flag was given; the value of an option or NULL; the k-th value of
  * one that repeats, or NULL behind the last. */
 bool cli_flag(const cli_call *call, const char *name);
 const char *cli_value(const cli_call *call, const char *name);

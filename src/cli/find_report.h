@@ -5,7 +5,7 @@
 #include "cli/cli.h"
 #include "cli/json.h"
 
-/* What a search found, as keys of an object. */
+/* Writes what a search found, as keys of an object. */
 void cli_json_find(json_writer *json, const ovr_find *find);
 
 /* The answer, or why there is none; the exit code. */

@@ -79,7 +79,7 @@ static void put_choices(const ovr_parameter_info *p)
     put_wrapped(text);
 }
 
-/* Of the width of a feature: what each shape has at half its height. */
+/* Describes the width of a feature: what each shape has at half its height. */
 static void describe_widths(const ovr_parameter_info *p, char *text,
                             size_t room)
 {
@@ -191,7 +191,7 @@ static bool help_key(const char *key)
 
 /* ------------------------------------------------------------ manual page */
 
-/* In roff, with what it takes for signs of its own. */
+/* Writes roff, with what it takes for signs of its own. */
 static void put_roff(const char *text)
 {
     for (; *text; text++)
@@ -252,7 +252,7 @@ static void roff_shape(int shape)
     puts(".");
 }
 
-/* Of numbers of parameters. */
+/* Orders numbers of parameters. */
 static int by_key(const void *a, const void *b)
 {
     ovr_parameter_info x = ovr_parameter_at(*(const size_t *)a);

@@ -9,7 +9,7 @@
 /* Its rows; NULL: it is another file. */
 ovr_table *cli_passes_open(const char *path);
 
-/* As text or JSON on stdout. */
+/* Prints text or JSON on stdout. */
 void cli_passes_print(const char *path, const ovr_table *passes, bool json);
 
 /* The numbers, a row each pass. */

@@ -42,8 +42,8 @@ void cli_say_units(const cli_call *call, ovr_result *const *results,
                    ovr_units units);
 void cli_close_results(const cli_call *call, ovr_result **results);
 
-/* For legends: what several files are called without their folders; NULL for
- * one file. */
+/* Names several files for legends, what several files are called without their
+ * folders; NULL for one file. */
 const char *const *cli_result_names(const cli_call *call, const char **names);
 
 #endif

@@ -227,7 +227,7 @@ static int refuse_study_options(const cli_call *call)
     return CLI_DONE;
 }
 
-/* Of the study itself: limits and draws are not in its table. */
+/* Draws from the study itself: limits and draws are not in its table. */
 static int draw_distribution(const cli_call *call, const ovr_figure_options *f)
 {
     ovr_error err = {0};

@@ -31,8 +31,8 @@ static int no_unit(const cli_call *call, const char *name)
                      name, text, text, text);
 }
 
-/* In the unit of the profile; `unit` is how many metres its b (or b^2/R) has,
- * 0: nobody knows. */
+/* Makes of a size one in the unit of the profile; `unit` is how many metres its
+ * b (or b^2/R) has, 0: nobody knows. */
 static int resolve_size(const cli_call *call, const char *name, size given,
                         bool scaled, double unit, double *value)
 {

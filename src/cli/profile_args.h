@@ -8,8 +8,8 @@
 
 int profile_take_source(const cli_call *call, ovr_profile_source *source);
 
-/* For a profile that is read: lengths are in its units, turned into them with
- * the contact's where these are known (contact may be NULL). */
+/* Serves a profile that is read: lengths are in its units, turned into them
+ * with the contact's where these are known (contact may be NULL). */
 int profile_take_conditioning(const cli_call *call,
                               const ovr_profile_view *view,
                               const ovr_contact *contact,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What `overroll profile` prints. */
+/* Prints what `overroll profile` tells. */
 #ifndef OVR_CLI_PROFILE_REPORT_H
 #define OVR_CLI_PROFILE_REPORT_H
 

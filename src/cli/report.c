@@ -120,7 +120,8 @@ static void put_answer(void *begun, const char *name, const char *text)
     printf("%-17s %s\n", name, text);
 }
 
-/* Of a gear pair, cam or bearing: last, where it is looked for. */
+/* Prints the answers of a gear pair, cam or bearing: last, where it is looked
+ * for. */
 static void table_answers(const ovr_run_info *s)
 {
     bool begun = false;

@@ -6,7 +6,7 @@
 
 #include <stdbool.h>
 
-/* From now on they only ask. */
+/* Signals only ask from now on. */
 void cli_catch_signals(void);
 
 /* The signal that asked, or 0. */

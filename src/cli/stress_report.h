@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What JSON has of stresses beside the lines of reports. */
+/* Writes what JSON has of stresses beside the lines of reports. */
 #ifndef OVR_CLI_STRESS_REPORT_H
 #define OVR_CLI_STRESS_REPORT_H
 

@@ -23,7 +23,7 @@ typedef struct sweeping {
 
 /* -------------------------------------------------------------- callbacks */
 
-/* In the case's process: its summary, and on its log how it ended. */
+/* Reports in the case's process: its summary, and on its log how it ended. */
 static void report_case(void *data, const ovr_run *run, const ovr_error *err,
                         FILE *summary)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the commands that solve share: how a run is listened to, and how it
+/* The commands that solve share this: how a run is listened to, and how it
  * ends. */
 #ifndef OVR_CLI_WATCH_H
 #define OVR_CLI_WATCH_H
@@ -28,11 +28,11 @@ ovr_run_options cli_run_options(cli_watch *watch);
  * returns the exit code.  `run` NULL: says why it could not begin. */
 int cli_finish_run(cli_watch *watch, ovr_run *run, ovr_error *err);
 
-/* How a run ended, in words on stderr; the exit code. */
+/* Says how a run ended, in words on stderr; the exit code. */
 int cli_run_code(const cli_call *call, const ovr_run *run, ovr_status status,
                  const ovr_error *err);
 
-/* Whether a run that ended so leaves something to report. */
+/* True if a run that ended so leaves something to report. */
 bool cli_has_result(const ovr_run *run, ovr_status status);
 
 /* HDF5 would complain on stderr when the program ends after a write that

@@ -70,7 +70,7 @@ static void take_number(ovr_sweep_table *t, size_t task, const char *name,
         c->value[task] = value;
 }
 
-/* From the result file; false: there is none, or none with a summary. */
+/* Reads from the result file; false: there is none, or none with a summary. */
 static bool read_result(ovr_sweep_table *t, size_t task, ovr_error *err)
 {
     char path[PATH_ROOM];
@@ -93,8 +93,8 @@ static bool read_result(ovr_sweep_table *t, size_t task, ovr_error *err)
     return count > 0;
 }
 
-/* From the JSON beside it: studies without result files, and those that older
- * versions ran. */
+/* Reads from the JSON beside it, for studies without result files, and those
+ * that older versions ran. */
 static void read_json(ovr_sweep_table *t, size_t task, ovr_error *err)
 {
     char path[PATH_ROOM], line[512], key[64];
@@ -246,7 +246,8 @@ static bool is_main(const ovr_sweep_table *t, const char *name)
     return false;
 }
 
-/* With the unit of its numbers; the manifest's values have their own. */
+/* Puts a key with the unit of its numbers; the manifest's values have their
+ * own. */
 static void put_key(const ovr_sweep_values *v, FILE *to, bool manifest)
 {
     char head[200];

@@ -37,8 +37,9 @@ ovr_status ovr_sweep_gather(const ovr_study *s, ovr_sweep_table *table,
                             ovr_error *err);
 void ovr_sweep_table_free(ovr_sweep_table *table);
 
-/* As CSV, replaced whole: everything, or for the manifest a row each task with
- * values as in the study, state, files, the main numbers, messages of failures.
+/* Writes CSV, replaced whole: everything, or for the manifest a row each task
+ * with values as in the study, state, files, the main numbers, messages of
+ * failures.
  */
 ovr_status ovr_sweep_write_csv(const ovr_sweep_table *table, const char *path,
                                bool manifest, ovr_error *err);

@@ -82,7 +82,7 @@ static bool same_case(const ovr_study *s, size_t task, int fd)
     return same;
 }
 
-/* By the files alone, the case being ours. */
+/* Judges by the files alone, the case being ours. */
 static ovr_sweep_state state_by_files(const ovr_study *s, size_t task)
 {
     if (exists(s, task, ".json"))

@@ -20,7 +20,7 @@
 ovr_status ovr_task_work(const ovr_study *s, size_t task,
                          const ovr_sweep_options *how, ovr_shared shared);
 
-/* For the parent of a worker that died of a signal without a word. */
+/* Serves the parent of a worker that died of a signal without a word. */
 void ovr_task_died(const ovr_study *s, size_t task, int number);
 
 #endif

@@ -146,7 +146,7 @@ ovr_case *ovr_case_apart(ovr_case *c, ovr_error *err)
 
 /* ----------------------------------------------------------------- running */
 
-/* Where a run's lines go. */
+/* The lines of a run go here. */
 typedef struct putting {
     ovr_trials *trials;
     size_t k;

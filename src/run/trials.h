@@ -9,7 +9,7 @@
 
 enum { OVR_TRIAL_LINES = 288, OVR_TRIAL_KEY = 48, OVR_TRIAL_MESSAGE = 400 };
 
-/* What came of one; flat, since it may lie in shared memory. */
+/* The outcome of one; flat, since it may lie in shared memory. */
 typedef struct ovr_trial {
     bool done, failed;
     size_t lines;

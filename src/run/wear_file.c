@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the file of a run keeps of surfaces that wear: both profiles before and
+/* The file of a run keeps this of surfaces that wear: both profiles before and
  * after, in the group `wear`, and beside it as OUT-profile-1.csv and the like,
  * for `overroll profile`. */
 #include <stdio.h>
@@ -71,7 +71,7 @@ static double *places(worn *w, const ovr_rough_pair *pair, ovr_error *err)
     return x;
 }
 
-/* In metres, OUT.h5 beside OUT-profile-1-before.csv. */
+/* Saves in metres, beside OUT.h5 as OUT-profile-1-before.csv. */
 static ovr_status save(const worn *w, const ovr_rough_pair *pair,
                        const double *x, const double *z, int surface,
                        const char *when, ovr_error *err)

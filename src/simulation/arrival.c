@@ -8,8 +8,8 @@ bool ovr_conserves(const ovr_simulation *sim)
     return sim->options.cavitation == OVR_CAVITATION_CONSERVING;
 }
 
-/* When what is `way` before the inlet at T comes to it; while all stands, some
- * time later. */
+/* The time when what is `way` before the inlet at T comes to it; while all
+ * stands, some time later. */
 static double time_of_arrival(const ovr_simulation *sim, double T, double way)
 {
     enum { DOUBLINGS = 10, HALVINGS = 50 };

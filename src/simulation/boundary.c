@@ -270,7 +270,7 @@ static double drag_at(const ovr_simulation *sim, const boundary *b, size_t i)
     return side * mu * borne / sim->contact.kappa;
 }
 
-/* Whether the law, which falls with the film, knows nothing of the thinnest:
+/* True if the law, which falls with the film, knows nothing of the thinnest:
  * then nothing is borne, and less than rounding in contact, anywhere. */
 static bool is_apart(const ovr_simulation *sim, const boundary *b)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a case says of surfaces that touch (boundary.c). */
+/* A case says this of surfaces that touch (boundary.c). */
 #ifndef OVR_SIMULATION_BOUNDARY_H
 #define OVR_SIMULATION_BOUNDARY_H
 
@@ -39,7 +39,7 @@ typedef struct ovr_boundary_form {
 
 extern const ovr_section ovr_boundary_section;
 
-/* As the functions of a physics (physics.h). */
+/* These are functions of a physics (physics.h). */
 ovr_status ovr_boundary_resolve(const ovr_physics_case *of, void *form,
                                 bool *on, ovr_error *err);
 ovr_status ovr_boundary_on_mesh(const ovr_physics_case *of, void *form,
@@ -48,9 +48,9 @@ bool ovr_boundary_keeps(const void *form, const ovr_feature_form *feature);
 void ovr_boundary_tell(const ovr_physics_case *of, const void *form,
                        ovr_physics_line *line, void *data);
 
-/* What to say where the roughness S on the mesh was too much for a film H under
- * a law: its lambda, down to which such pairs hold, and what the mean film
- * makes of it; nothing where there is no roughness. */
+/* Says what to do where the roughness S on the mesh was too much for a film H
+ * under a law: its lambda, down to which such pairs hold, and what the mean
+ * film makes of it; nothing where there is no roughness. */
 void ovr_boundary_instead(const ovr_touch_law *law, double H, size_t n,
                           const double *X, const double *S, size_t size,
                           char *text);

@@ -113,7 +113,7 @@ const ovr_section ovr_boundary_section = {
     .help = "mixed lubrication: surfaces that touch through their film",
     ROWS(keys)};
 
-/* What the roughness is given by. */
+/* Takes the roughness that the law is given by. */
 static ovr_status resolve_exponential(const ovr_physics_case *of,
                                       ovr_boundary_form *f, ovr_error *err)
 {
@@ -234,8 +234,8 @@ static ovr_status profiles_of(const ovr_physics_case *of,
     return OVR_OK;
 }
 
-/* Of all that the profiles have: where the mesh has part of them, what they
- * bear at most (on_mesh). */
+/* Makes the law of all that the profiles have: where the mesh has part of them,
+ * what they bear at most (on_mesh). */
 static ovr_status resolve_profiles(const ovr_physics_case *of,
                                    ovr_boundary_form *f, ovr_error *err)
 {
@@ -339,7 +339,7 @@ static double unloaded(double X)
     return 0.5 * (X * root - log(X + root));
 }
 
-/* Beyond what |X| the gap of the dry contact bears less than this. */
+/* The gap of the dry contact bears less than this beyond that |X|. */
 static double ends_at(const ovr_boundary_form *f)
 {
     const double enough = 1e-5, farthest = 20;
@@ -422,8 +422,8 @@ static double thinned(const ovr_lubricant *oil, double x)
     return exp(high);
 }
 
-/* What such a film of what Hertz's pressure leaves to it would add to the
- * coefficient of friction, at the supply's temperature. */
+/* The coefficient of friction that such a film would add under what Hertz's
+ * pressure leaves to it, at the supply's temperature. */
 static double film_friction(const ovr_physics_case *of,
                             const ovr_boundary_form *f, double H)
 {

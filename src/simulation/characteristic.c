@@ -47,7 +47,8 @@ bool ovr_inflow_reaches(const ovr_simulation *sim, double travel)
     return fabs(travel) / ovr_mesh(sim) < OVR_GHOSTS - POINTS;
 }
 
-/* That the solids feel, from the inlet on; room is where q will be. */
+/* The pressure that the solids feel, from the inlet on; room is where q will
+ * be. */
 static const double *pressure_of(const ovr_simulation *sim, int past, bool back)
 {
     double *room = sim->inflow.extended + OVR_GHOSTS;
@@ -106,8 +107,8 @@ void ovr_lagrange(double at, double weight[POINTS])
     }
 }
 
-/* How far a departure point is: in whole nodes, rounded up where it is between
- * two. */
+/* The distance of a departure point: in whole nodes, rounded up where it is
+ * between two. */
 typedef struct way {
     double meshes;
     size_t shift;

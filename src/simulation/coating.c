@@ -151,7 +151,7 @@ static void fill(double *value, double otherwise)
         *value = otherwise;
 }
 
-/* What its material says of what is not given. */
+/* Takes from the material what is not given. */
 static void complete(coat *c)
 {
     const coat *of = &materials[c->material];
@@ -208,7 +208,8 @@ static ovr_status check_case(const ovr_physics_case *of, coating_form *f,
     return OVR_OK;
 }
 
-/* In the unit of the first thickness; whether it differs from what is there. */
+/* Lays it in the unit of the first thickness; whether it differs from what is
+ * there. */
 static bool lay(const ovr_physics_case *of, coating_form *f)
 {
     ovr_layered now[2] = {{0}};
@@ -266,7 +267,7 @@ static ovr_status stiffness(const ovr_physics_case *of, void *form,
     return OVR_OK;
 }
 
-/* How far the surfaces approach each other, b^2/2R, over a thickness, but for
+/* The surfaces approach each other by this, b^2/2R, over a thickness, but for
  * what the layer's modulus does not let it give way. */
 static double strain(const ovr_physics_case *of, const coating_form *f, int k,
                      int j)
@@ -277,7 +278,7 @@ static double strain(const ovr_physics_case *of, const coating_form *f, int k,
                 f->pressure * contact->ph / c->modulus);
 }
 
-/* What heat needs of every layer. */
+/* Takes what heat needs of every layer. */
 static ovr_status warm(const ovr_physics_case *of, coating_form *f,
                        ovr_error *err)
 {

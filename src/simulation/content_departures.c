@@ -84,7 +84,8 @@ static move move_of(const ovr_simulation *sim, double a)
     return m;
 }
 
-/* Of a cell's content, by those beside it: none where it is an extreme. */
+/* The slope of a cell's content, by those beside it: none where it is an
+ * extreme. */
 static double limited_slope(const double *q)
 {
     double before = q[0] - q[-1], after = q[1] - q[0];
@@ -92,7 +93,7 @@ static double limited_slope(const double *q)
     return product > 0 ? 2 * product / (before + after) : 0;
 }
 
-/* From the cell *q into the next. */
+/* The content that crosses from the cell *q into the next. */
 static double crosses(const move *m, const double *q, bool smooth)
 {
     double sum = 0;
@@ -111,8 +112,8 @@ static double sum_of(const double *q, ptrdiff_t first, ptrdiff_t last)
     return sum;
 }
 
-/* Of contents q, with ghosts before them, what comes to the nodes; in[0] what
- * crosses the first face of row 1, [1] the last of row n - 2, in cells. */
+/* Carries contents q, with ghosts before them, to the nodes; in[0] what crosses
+ * the first face of row 1, [1] the last of row n - 2, in cells. */
 static void carry(const ovr_simulation *sim, const move *m, const double *q,
                   double *to, double across[2])
 {
@@ -147,7 +148,7 @@ static void carry(const ovr_simulation *sim, const move *m, const double *q,
 
 /* ------------------------------------------------------------- what arrives */
 
-/* Of contents that would arrive, into the first row, while the inlet is open.
+/* The contents that would arrive in the first row, while the inlet is open.
  */
 static double arriving(const ovr_simulation *sim, const move *m)
 {
@@ -160,8 +161,8 @@ static double arriving(const ovr_simulation *sim, const move *m)
     return sum_of(last, 1 - (ptrdiff_t)s, 0) + m->part * last[-(ptrdiff_t)s];
 }
 
-/* Before row 1: q and what came there from the gap before the inlet, or what
- * arrives, which does not change on its way. */
+/* Fills what lies before row 1: q and what came there from the gap before the
+ * inlet, or what arrives, which does not change on its way. */
 static void fill_ghosts(ovr_simulation *sim, const move *m, const move *old,
                         double *q, double *came)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where a curve is least and largest between its nodes, and which of its
- * maxima stand out. */
+/* Finds where a curve is smallest and largest between its nodes, and which of
+ * its maxima stand out. */
 #ifndef OVR_SIMULATION_EXTREMES_H
 #define OVR_SIMULATION_EXTREMES_H
 
@@ -16,8 +16,8 @@
  * of the node's value, the mesh does not carry it: the node itself. */
 double ovr_vertex(const double *X, const double *v, size_t i, double *value);
 
-/* How many maxima stand out; *last is the last of them.  Of those that do not
- * stand out from each other the highest is taken. */
+/* The number of maxima that stand out; *last is the last of them.  Of those
+ * that do not stand out from each other the highest is taken. */
 int ovr_prominent_maxima(size_t n, const double *P, size_t *last);
 
 #endif

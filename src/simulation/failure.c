@@ -22,7 +22,7 @@ static double inlet_rise(const ovr_simulation *sim)
     return pow(ovr_film_expected(sim, 1), 2. / 3);
 }
 
-/* Where the pressure builds up. */
+/* The mesh where the pressure builds up. */
 static double inlet_mesh(const ovr_simulation *sim)
 {
     return ovr_spacing(&sim->now, ovr_node_after(&sim->now, -1));
@@ -107,7 +107,7 @@ static ovr_status too_few_cycles(const ovr_simulation *sim, ovr_error *err)
                     sim->options.cycles, last->algebraic, last->difference);
 }
 
-/* Where a solve ended, in words; beyond all numbers where it diverged. */
+/* The end of a solve, in words; beyond all numbers where it diverged. */
 typedef struct ending {
     char words[96];
 } ending;
@@ -148,7 +148,7 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
                                  : "");
 }
 
-/* Of the contact at nominal load and speed. */
+/* Suggests by the contact at nominal load and speed. */
 static void instead(const ovr_simulation *sim, size_t size, char *text)
 {
     double H = ovr_film_central_moes(sim->contact.M, sim->contact.L);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What flows through half nodes, as the scheme has it. */
+/* The flow through half nodes, as the scheme has it. */
 #include "simulation/physics.h"
 
 /* 2 E of half node i + 1/2 */

@@ -384,9 +384,9 @@ static bool jumps(double H, double next)
     return H > 2 * next || next > 2 * H;
 }
 
-/* Where the film ends, in meshes: behind the last node e with a pressure by
- * P_e/(P_{e-1} - 2 P_e), from 0 where e gets wet to 1 where the next one does,
- * whose second difference is then P_e. */
+/* The place where the film ends, in meshes: behind the last node e with a
+ * pressure by P_e/(P_{e-1} - 2 P_e), from 0 where e gets wet to 1 where the
+ * next one does, whose second difference is then P_e. */
 static double film_end(const double *P, size_t n)
 {
     size_t dry = n - 1;
@@ -396,7 +396,7 @@ static double film_end(const double *P, size_t n)
     return (double)dry - 1 + (bend > last ? last / bend : 1);
 }
 
-/* What m leaves of F and of the third difference; m where it is asked for.
+/* Takes the share m of F and of the third difference; m where it is asked for.
  * Where the speed is reversed the film ends on the left. */
 static void fade(const ovr_simulation *sim, fourth *f, double *mask)
 {

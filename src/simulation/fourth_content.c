@@ -22,8 +22,8 @@ ovr_status ovr_fourth_content_take(ovr_simulation *sim, ovr_fourth_content *of,
 /* ------------------------------------------------------------- inside the film
  */
 
-/* Where the film begins and ends, in meshes: between nodes, so that nothing
- * jumps as it takes or leaves one. */
+/* The places where the film begins and ends, in meshes: between nodes, so that
+ * nothing jumps as it takes or leaves one. */
 typedef struct film {
     double begin, end;
 } film;
@@ -48,7 +48,7 @@ static double ending(const ovr_solution *s, size_t last)
     return (double)last + (bend > P[0] ? P[0] / bend : 1);
 }
 
-/* That of the largest pressure. */
+/* Finds the film of the largest pressure. */
 static film film_of(const ovr_simulation *sim)
 {
     const ovr_solution *s = &sim->now;

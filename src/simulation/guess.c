@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What a step begins from: P and H0 at T + dT, extrapolated from the past.
+ * A step begins from a guess: P and H0 at T + dT, extrapolated from the past.
  *
  * With E one step back and S_s what shifts by s meshes downstream, 1 - E takes
  * away what stands still, 1 - S_a E what moves by a meshes a step, and so does
@@ -169,14 +169,14 @@ static void guess_field(const ovr_simulation *sim, const formula *how,
                                            guess);
 }
 
-/* That the film moves along x in the step of dT at hand. */
+/* The distance by which the film moves along x in the step of dT at hand. */
 static double film_meshes(const ovr_simulation *sim, double dT)
 {
     double Cu = sim->grids.op.speed;
     return (sim->backward ? -Cu : Cu) * dT / ovr_mesh(sim);
 }
 
-/* What nobody told to move but with the surfaces' mean speed. */
+/* The formula of what nobody told to move but with the surfaces' mean speed. */
 static formula untold(const ovr_simulation *sim, double dT)
 {
     const ovr_past *past = &sim->past;
@@ -222,7 +222,7 @@ static size_t candidates(const ovr_simulation *sim, double a, double film,
     return count;
 }
 
-/* Whether the features' motion is followed in a step of dT, and the formulas
+/* Finds if the features' motion is followed in a step of dT, and the formulas
  * for it. */
 static size_t follow(const ovr_simulation *sim, double dT,
                      formula found[OVR_GUESSES], size_t number[OVR_GUESSES])
@@ -237,7 +237,7 @@ static size_t follow(const ovr_simulation *sim, double dT,
     return candidates(sim, a, film, equal_steps(past, dT, 3), found, number);
 }
 
-/* Which has been the nearest; OVR_GUESSES where none is known. */
+/* The formula that has been the nearest; OVR_GUESSES where none is known. */
 static size_t nearest_of(const double *off, size_t count, const size_t number[])
 {
     size_t best = OVR_GUESSES;
@@ -248,8 +248,9 @@ static size_t nearest_of(const double *off, size_t count, const size_t number[])
     return best;
 }
 
-/* Where all roll, what stands and what moves come first if they come this near
- * (in ph): cycles from there need no sweeps after the correction. */
+/* Formulas of what stands and what moves come first, where all roll, if they
+ * come this near (in ph): cycles from there need no sweeps after the
+ * correction. */
 static const double near_enough = 1e-5;
 
 static bool rolls_closely(const ovr_simulation *sim, size_t count,

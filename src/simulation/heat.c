@@ -179,7 +179,7 @@ static double last_cross_film(const ovr_simulation *sim, double rise)
     return rise > 0 ? most / rise : 0;
 }
 
-/* Whether temperatures across the film ask for more points than 5: by x of
+/* True if temperatures across the film ask for more points than 5: by x of
  * heat.h, and the largest rise. */
 static bool is_uneven(double x, double rise)
 {
@@ -251,8 +251,8 @@ static double turned(const ovr_simulation *sim, const void *own, size_t i,
     return ovr_upstream(sim, v, i);
 }
 
-/* By how much temperatures thin the oil at a node, and make its density less
- * where it expands. */
+/* Temperatures thin the oil at a node by this, and make its density less where
+ * it expands. */
 static void thin(const ovr_simulation *sim, const void *own, size_t i,
                  double *eps, double *rho)
 {
@@ -323,7 +323,7 @@ static void forget(ovr_simulation *sim, void *own)
     reset(sim);
 }
 
-/* From the film for other temperatures, until neither changes. */
+/* Goes from the film for other temperatures, until neither changes. */
 static void take_turns(ovr_simulation *sim, const ovr_full *how,
                        ovr_outcome *outcome)
 {

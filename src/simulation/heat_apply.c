@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What temperatures are to the film: the fields of Reynolds' equation (heat.h),
- * and how far they move on at once. */
+/* Temperatures change the film: the fields of Reynolds' equation (heat.h), and
+ * how far they move on at once. */
 #include <math.h>
 #include <string.h>
 
@@ -48,7 +48,7 @@ static double wedge_from_right(const ovr_simulation *sim, const ovr_weights *w,
     return sum;
 }
 
-/* What others give, and in time the past. */
+/* Adds what others give, and in time the past. */
 static void sides(const ovr_simulation *sim, double *F)
 {
     const ovr_heat_steps *s = sim->heated->steps;

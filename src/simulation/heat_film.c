@@ -33,9 +33,9 @@ ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err)
     return OVR_OK;
 }
 
-/* What flows from a wet node to the dry one downstream of it, over the speed:
- * the wet node's own content would jump by O(D) with the node that is the last,
- * and turns of film and heat go round for ever between two of them. */
+/* The flow from a wet node to the dry one downstream of it, over the speed: the
+ * wet node's own content would jump by O(D) with the node that is the last, and
+ * turns of film and heat go round for ever between two of them. */
 static double let_through(const ovr_simulation *sim, size_t wet)
 {
     const double least = 0.5, most = 1.5;
@@ -102,7 +102,7 @@ static void begin(ovr_simulation *sim)
                                       h->log_eta);
 }
 
-/* What others make in the film, evenly across it. */
+/* Adds the power that others make in the film, evenly across it. */
 static void add_power(ovr_simulation *sim)
 {
     OVR_LAST_PHYSICS(sim, any, heat);

@@ -11,14 +11,14 @@
 #include "multigrid/expansion.h"
 #include "simulation/mirror.h"
 
-/* Of the change of temperatures that viscosities take a step. */
+/* Viscosities take this share of the change of temperatures in a step. */
 static const double SHARE = 0.5;
 
 /* p_h: where less presses the film it ends, and there temperatures may swing
  * without being of account. */
 static const double PRESSED = 0.1;
 
-/* At most, of a step's temperatures. */
+/* Passes over a step's temperatures, at most. */
 enum { PASSES = 7 };
 
 enum { FIELDS = OVR_HEAT_KEPT - OVR_CROSS_FILM_MAX };
@@ -57,7 +57,7 @@ ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
 
 /* ------------------------------------------------ the last time reached */
 
-/* What is `kept` of, by number. */
+/* The memory that is `kept`, by number. */
 static double *kept_of(const ovr_heated *h, int k)
 {
     double *const fields[] = {h->th, h->shift, h->drag, h->turned, h->swell};
@@ -171,7 +171,7 @@ static void hold_film(ovr_simulation *sim)
     }
 }
 
-/* How fast the guess presses the oil. */
+/* Finds how fast the guess presses the oil. */
 static void find_P_T(ovr_simulation *sim)
 {
     const double *P = sim->now.P, *before = sim->past.P[0];
@@ -221,7 +221,7 @@ static void pass(ovr_simulation *sim)
     solve_nodes(sim);
 }
 
-/* By how much ln of what is made changes by T instead of `used`, at most. */
+/* The largest change of ln of what is made by T instead of `used`. */
 static double lag(const ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
@@ -244,7 +244,7 @@ static void heat(ovr_simulation *sim)
     s->stored = ovr_heat_stored(sim);
 }
 
-/* By a guess. */
+/* Solves for the temperatures by a guess. */
 static void solve(ovr_simulation *sim)
 {
     hold_film(sim);
@@ -303,8 +303,9 @@ void ovr_heat_anew(ovr_simulation *sim)
     apply(sim);
 }
 
-/* By a film that ended far from the guess that was heated: oil was pressed, and
- * so heated, by this share of all power more or less than it should. */
+/* True of a film that ended far from the guess that was heated: oil was
+ * pressed, and so heated, by this share of all power more or less than it
+ * should. */
 static bool pressed_otherwise(const ovr_simulation *sim)
 {
     const double share = 0.02;
@@ -336,8 +337,8 @@ void ovr_heat_taken(ovr_simulation *sim)
 
 /* -------------------------------------------------------------------- marks */
 
-/* In the last quarter of b/um, or five steps: what the load then pressed is
- * heated late and by another pressure. */
+/* True if the load jumped in the last quarter of b/um, or five steps: what the
+ * load then pressed is heated late and by another pressure. */
 static bool load_jumped(const ovr_simulation *sim, double T)
 {
     const double while_after = 0.25, steps = 5, much = 0.01;

@@ -29,14 +29,13 @@ static bool opposed(const ovr_heated *h)
     return h->way[0] != h->way[1];
 }
 
-/* What goes from node to node. */
+/* A march carries this from node to node. */
 typedef struct march {
     int way; /* along x, or against it */
     double psi[2][OVR_MOST_MODES], q[2];
 } march;
 
-/* What a surface that moves the other way brings along is that of the last
- * march. */
+/* A surface that moves the other way brings along what the last march found. */
 static void solve_node(ovr_simulation *sim, size_t i, march *m)
 {
     ovr_heated *h = sim->heated;

@@ -19,7 +19,7 @@ static double speed_of(const ovr_simulation *sim, int k)
     return k ? sim->contact.u2_ratio : sim->contact.u1_ratio;
 }
 
-/* How long two passages of the domain take. */
+/* The time that two passages of the domain take. */
 static double passages(const ovr_simulation *sim, double u)
 {
     double length = (double)(sim->now.n - 1) * ovr_mesh(sim);
@@ -44,7 +44,7 @@ static int banks_of(const ovr_simulation *sim, int k)
     return sim->heated->memory[k].banks;
 }
 
-/* By the numbers alone, which are there where memory is but counted. */
+/* Decides by the numbers alone, which are there where memory is but counted. */
 ovr_status ovr_heat_surface_take(ovr_simulation *sim, int k, ovr_error *err)
 {
     const ovr_heat *heat = &sim->heated->numbers;
@@ -214,8 +214,8 @@ static void look_at(ovr_simulation *sim, ovr_heat_surface *s, int bank,
     ovr_modes_past(&look);
 }
 
-/* What the past says, at the nodes; q as it was goes along into `before`.  The
- * second bank adds what its modes say. */
+/* Takes what the past says, at the nodes; q as it was goes along into `before`.
+ * The second bank adds what its modes say. */
 static const double *look(ovr_simulation *sim, ovr_heat_surface *s,
                           const double *q)
 {

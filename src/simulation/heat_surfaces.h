@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What both surfaces remember at the nodes (solids.h, multigrid/modes.h): what
+ * Both surfaces have a memory at the nodes (solids.h, multigrid/modes.h): what
  * it says in a step, what it is a step later, and what it is of a steady
  * contact.
  *
@@ -49,8 +49,8 @@ typedef struct ovr_heat_surface {
  * steps and speeds. */
 ovr_status ovr_heat_surface_take(ovr_simulation *sim, int k, ovr_error *err);
 
-/* For a step of dT over so many meshes; what the past of surface k then says,
- * by its modes and the flux q before the step. */
+/* Prepares a step of dT over so many meshes; what the past of surface k then
+ * says, by its modes and the flux q before the step. */
 void ovr_heat_surface_step(ovr_simulation *sim, int k, double dT,
                            double meshes);
 void ovr_heat_surface_look(ovr_simulation *sim, int k, const double *q);
@@ -68,7 +68,7 @@ ovr_status ovr_heat_surface_visit(ovr_simulation *sim, int k, ovr_visit *visit,
 /* Its steady modes by the flux q, and `along` by them. */
 void ovr_heat_surface_steady(ovr_simulation *sim, int k);
 
-/* What a steady march leaves of a surface at a node. */
+/* Keeps what a steady march leaves of a surface at a node. */
 void ovr_heat_steps_keep(const ovr_simulation *sim, int surface, size_t i,
                          const double *psi);
 

@@ -54,8 +54,8 @@ static void add_node(const ovr_heated *h, size_t i, least *l)
     }
 }
 
-/* By Cholesky's method; what is nearly dependent on turns after it is left
- * out. */
+/* Solves by Cholesky's method; what is nearly dependent on turns after it is
+ * left out. */
 static void solve(int n, least *l, double *g)
 {
     const double least_part = 1e-10;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a simulation is made of; shared by the files of this floor only. */
+/* A simulation is made of this; shared by the files of this floor only. */
 #ifndef OVR_SIMULATION_INTERNAL_H
 #define OVR_SIMULATION_INTERNAL_H
 
@@ -42,7 +42,7 @@ typedef struct ovr_past {
     double guess_error[OVR_GUESSES];
 } ovr_past;
 
-/* What the characteristic scheme needs beyond the inlet (characteristic.c). */
+/* The characteristic scheme needs this beyond the inlet (characteristic.c). */
 enum { OVR_GHOSTS = 256 };
 typedef struct ovr_inflow {
     double *kernel;   /* K/pi at 0..n+OVR_GHOSTS meshes */
@@ -64,7 +64,7 @@ typedef struct ovr_carriage {
     double arrives; /* would flow in, of the film that is supplied */
 } ovr_carriage;
 
-/* What last_newton.c has of the finest level, while it is not there. */
+/* Memory that last_newton.c has for the finest level, while it is not there. */
 typedef struct ovr_last_newton {
     bool taken, mine[OVR_FIELD_COUNT];
     double *field[OVR_FIELD_COUNT], *borne, *pressed;
@@ -204,13 +204,13 @@ void ovr_surface_heights(const ovr_simulation *sim, double T, size_t n,
  * else in `room`. */
 const double *ovr_solid_pressure(const ovr_simulation *sim, double *room);
 
-/* Whether there is anything but the smooth surfaces. */
+/* True if there is anything but the smooth surfaces. */
 bool ovr_has_heights(const ovr_simulation *sim);
 
 /* Sets S and the finest gap X^2/2 - S at time T. */
 void ovr_simulation_gap(ovr_simulation *sim, double T);
 
-/* Of the smooth surfaces at T; whether they open all over the domain. */
+/* Tells of the smooth surfaces at T whether they open all over the domain. */
 ovr_smooth ovr_simulation_smooth(const ovr_simulation *sim, double T);
 ovr_status ovr_smooth_check(const ovr_simulation *sim, double T,
                             ovr_error *err);
@@ -223,7 +223,7 @@ void ovr_steady_conditions(ovr_simulation *sim);
 void ovr_refinement_watch(void *data, const ovr_level *level,
                           ovr_full_event event, const ovr_full_status *status);
 
-/* How a solve or step ended. */
+/* The end of a solve or step. */
 typedef struct ovr_outcome {
     ovr_defect defect;
     int cycles, retries;
@@ -251,7 +251,7 @@ bool ovr_below_rounding(const ovr_simulation *sim, const ovr_defect *defect);
  * recover from less. */
 #define OVR_ACCEPTABLE 1e-2
 
-/* How often a step is halved. */
+/* A step is halved so often. */
 enum { OVR_HALVINGS = 4 };
 
 /* Reports why a solve, or the step to T, failed, and returns the status; the
@@ -270,7 +270,7 @@ void ovr_time_derivative(ovr_simulation *sim, double dT);
 /* Sets F, to which what belongs to no scheme is added. */
 void ovr_history_term(ovr_simulation *sim, double *F);
 
-/* Whether oil is conserved (multigrid/content.h). */
+/* True if oil is conserved (multigrid/content.h). */
 bool ovr_conserves(const ovr_simulation *sim);
 
 /* The steady film where oil is conserved, corrected where that applies; one
@@ -331,10 +331,10 @@ size_t ovr_inflow_departure(const ovr_simulation *sim, const double *q,
  * done, if that is further than the ghosts reach. */
 bool ovr_inflow_third(ovr_simulation *sim, double T, double dT, double *third);
 
-/* How far a particle has come since the k-th time of the past, at T. */
+/* The way of a particle since the k-th time of the past, at T. */
 double ovr_travel_since(const ovr_simulation *sim, int past, double T);
 
-/* Whether a characteristic step of this length has enough ghosts. */
+/* True if a characteristic step of this length has enough ghosts. */
 bool ovr_inflow_reaches(const ovr_simulation *sim, double travel);
 
 /* P and H0 at T + dT before the step is solved: extrapolated, or those of the
@@ -346,7 +346,7 @@ bool ovr_guess(ovr_simulation *sim, double dT, bool extrapolated);
  * now, before it becomes the past. */
 void ovr_guess_learn(ovr_simulation *sim, double dT);
 
-/* What the errors of steps like this one of h add to the film on its way
+/* The errors of steps like this one of h add this to the film on its way
  * through the contact, relative to H_cen; 0 when there is no past to judge
  * by. */
 double ovr_step_error(ovr_simulation *sim, double h);
@@ -360,7 +360,7 @@ ovr_status ovr_simulation_attempt(ovr_simulation *sim, double next, bool *taken,
 /* The scheme's own mass flow at the half node i + 1/2; Cu = um/um0. */
 double ovr_flux(const ovr_simulation *sim, double Cu, size_t i);
 
-/* What the scheme takes of a content q at i + 1/2, from upstream; what flows
+/* The scheme takes this of a content q at i + 1/2, from upstream; what flows
  * there beside the film's own (physics.h). */
 double ovr_upstream(const ovr_simulation *sim, const double *q, size_t i);
 double ovr_flow_beside(const ovr_simulation *sim, size_t i, bool mean);

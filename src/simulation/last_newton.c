@@ -31,7 +31,8 @@ static bool can(ovr_simulation *sim)
            !sim->options.paper_balance;
 }
 
-/* What the finest level has only meanwhile: puts it in, or takes it out. */
+/* Exchanges what the finest level has only meanwhile: puts it in, or takes it
+ * out. */
 static void exchange(ovr_simulation *sim)
 {
     ovr_last_newton *own = &sim->last_newton;

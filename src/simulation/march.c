@@ -105,7 +105,7 @@ static ovr_status fixed_step(ovr_simulation *sim, const ovr_march *march,
                                   &error, err);
 }
 
-/* Of the step just made, counted before anybody stores its state. */
+/* Counts the step just made, before anybody stores its state. */
 static void count_still(ovr_simulation *sim, const ovr_march *march)
 {
     ovr_past *past = &sim->past;

@@ -66,7 +66,7 @@ typedef struct stretch {
     size_t first, last;
 } stretch;
 
-/* From the inlet. */
+/* The stretch from the inlet. */
 static stretch from_inlet(const ovr_past *past, size_t n)
 {
     size_t last = last_wet(past->P[0], n), before = last_wet(past->P[1], n);

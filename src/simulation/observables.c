@@ -53,7 +53,7 @@ static const double *cavitated(const ovr_simulation *sim, double *room)
     return room;
 }
 
-/* Where P = 0 the density is that of the oil's temperature. */
+/* The density is that of the oil's temperature where P = 0. */
 static const double *filling(const ovr_simulation *sim, double *room)
 {
     for (size_t i = 0; i < sim->state.n; i++) {
@@ -145,7 +145,7 @@ static const double *heat_flux_2(const ovr_simulation *sim, double *room)
      .axes = OVR_AT_##along,                                                   \
      .field = (of)},
 
-/* Where there is something on the surfaces. */
+/* Known where there is something on the surfaces. */
 #define ROUGH(name, key, si, kind, member, ...)                                \
     OVR_NUMBER_ROW(name, key, si, kind, member, OVR_PHYSICS_FEATURES,          \
                    __VA_ARGS__)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is observed after a solve or step. */
+/* Observes what there is after a solve or step. */
 #include <math.h>
 
 #include "contact/contact.h"

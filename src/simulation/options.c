@@ -202,7 +202,7 @@ static ovr_status check(const ovr_options *o, ovr_error *err)
     return OVR_OK;
 }
 
-/* Where the corrections of fourth order apply. */
+/* True where the corrections of fourth order apply. */
 static bool corrects(const ovr_options *o)
 {
     ovr_options with = *o;

@@ -13,7 +13,8 @@ static int place_of(const ovr_simulation *sim, const ovr_physics *physics)
     return k;
 }
 
-/* In the order of the list; one that is there already keeps its place. */
+/* Places follow the order of the list; one that is there already keeps its
+ * place. */
 static ovr_present *place_for(ovr_simulation *sim, const ovr_physics *physics)
 {
     ovr_present *all = sim->physics;
@@ -82,7 +83,7 @@ bool ovr_physics_bear(ovr_simulation *sim)
     return true;
 }
 
-/* Of a cycle on any level, for those that attach to it. */
+/* Ends a cycle on any level, for those that attach to it. */
 static bool at_end(void *data, ovr_hierarchy *grids, ovr_level *level,
                    ovr_cycle_end end)
 {

@@ -48,7 +48,7 @@ typedef struct ovr_physics_columns {
     double *x, *y;
 } ovr_physics_columns;
 
-/* What a physics is resolved with: the contact and what is known of the run.
+/* A physics is resolved with this: the contact and what is known of the run.
  */
 typedef struct ovr_physics_case {
     const ovr_contact *contact;
@@ -86,8 +86,8 @@ struct ovr_physics {
     const ovr_section *section;
     size_t form;
 
-    /* Of a section with names: where in the form what a block of this name says
-     * goes, with what holds where it says nothing. */
+    /* Finds in a section with names where in the form goes what a block of this
+     * name says, with what holds where it says nothing. */
     ovr_status (*block)(void *form, const char *name, void **into,
                         ovr_error *err);
 
@@ -98,19 +98,20 @@ struct ovr_physics {
     ovr_status (*stiffness)(const ovr_physics_case *of, void *form,
                             double *ratio, ovr_error *err);
 
-    /* What the form means, in the units of the contact; whether it is on.  An
-     * error is about a key of its rows, or about a name of a block. */
+    /* Resolves what the form means, in the units of the contact; whether it is
+     * on.  An error is about a key of its rows, or about a name of a block. */
     ovr_status (*resolve)(const ovr_physics_case *of, void *form, bool *on,
                           ovr_error *err);
 
-    /* What it means on a mesh of that size, once the domain is known. */
+    /* Resolves what it means on a mesh of that size, once the domain is
+     * known. */
     ovr_status (*on_mesh)(const ovr_physics_case *of, void *form, double mesh,
                           ovr_error *err);
 
     /* Bits beside its own, by what the form says. */
     unsigned (*bits)(const void *form);
 
-    /* Whether it has a feature for itself, which is then not on the mesh. */
+    /* True if it has a feature for itself, which is then not on the mesh. */
     bool (*keeps)(const void *form, const struct ovr_feature_form *feature);
 
     /* The layers on a body, in b and ph; NULL: none. */
@@ -137,7 +138,7 @@ struct ovr_physics {
      * it is solved, and there is nothing to resume. */
     bool makes_nodes;
 
-    /* Whether the options choose it. */
+    /* True if the options choose it. */
     bool (*chosen)(const ovr_options *options);
 
     /* What the grids have to know before they are built. */
@@ -162,20 +163,20 @@ struct ovr_physics {
 
     /* --------------------------------------------------------------- steady */
 
-    /* Before each attempt: as if it were off. */
+    /* Forgets before each attempt: as if it were off. */
     void (*forget)(ovr_simulation *sim, void *own);
 
     /* The film from nothing, in its own way. */
     ovr_defect (*solve)(ovr_simulation *sim, void *own, const ovr_full *how,
                         int *cycles);
 
-    /* What it adds to right-hand side and gap made anew of a steady film that
+    /* Makes anew what it adds to right-hand side and gap of a steady film that
      * another physics has changed; left out where that did not converge, true
      * if there was anything. */
     void (*renew)(ovr_simulation *sim, void *own);
     bool (*give_up)(ovr_simulation *sim, void *own);
 
-    /* What the film that was found is by this physics, as far as that needs
+    /* Completes the film that was found by this physics, as far as that needs
      * no more than cycles. */
     ovr_defect (*complete)(ovr_simulation *sim, void *own, const ovr_full *how,
                            int *cycles);
@@ -190,7 +191,7 @@ struct ovr_physics {
     bool (*proceed)(ovr_simulation *sim, void *own, const ovr_full *how,
                     ovr_outcome *outcome);
 
-    /* What is done last. */
+    /* Does what is done last. */
     void (*finish)(ovr_simulation *sim, void *own, const ovr_full *how,
                    ovr_outcome *outcome);
 
@@ -224,13 +225,13 @@ struct ovr_physics {
     /* The guess that the cycles of an attempt begin from is in place. */
     void (*attempt)(ovr_simulation *sim, void *own, bool first);
 
-    /* After a cycle of it: solves itself with the film that this has made,
-     * where it has to, and makes film and residual anew. */
+    /* Called after a cycle of it: solves itself with the film that this has
+     * made, where it has to, and makes film and residual anew. */
     void (*anew)(ovr_simulation *sim, void *own);
 
-    /* On a path of solutions (continuation.c): keeps what it has on the finest
-     * level of the one that was found last; goes back to that, whose pressure
-     * was P. */
+    /* Called on a path of solutions (continuation.c): keeps what it has on the
+     * finest level of the one that was found last; goes back to that, whose
+     * pressure was P. */
     void (*keep)(ovr_simulation *sim, void *own);
     void (*go_back)(ovr_simulation *sim, void *own, const double *P);
 
@@ -273,13 +274,13 @@ struct ovr_physics {
     double (*carried)(const ovr_simulation *sim, const void *own, size_t i,
                       double q);
 
-    /* What flows there beside the film's own: as the scheme has it, or the
-     * mean of both nodes. */
+    /* Gives what flows there beside the film's own: as the scheme has it, or
+     * the mean of both nodes. */
     double (*flow)(const ovr_simulation *sim, const void *own, size_t i,
                    bool mean);
 
-    /* By how much rho H^3/eta and the density of the oil at a node differ from
-     * those of its pressure and film. */
+    /* The differences of rho H^3/eta and of the density of the oil at a node
+     * from those of its pressure and film. */
     void (*oil)(const ovr_simulation *sim, const void *own, size_t i,
                 double *eps, double *rho);
 
@@ -296,12 +297,12 @@ struct ovr_physics {
 
     void (*heat)(const ovr_simulation *sim, const void *own, double *power);
 
-    /* What is observed; before that, and where the physics is off, what is not
-     * known. */
+    /* Fills in what is observed; before that, and where the physics is off,
+     * what is not known. */
     void (*observe)(ovr_simulation *sim, void *own, ovr_observation *o);
     void (*unknown)(ovr_observation *o);
 
-    /* Whether the step that was observed last is marked: what it found does not
+    /* True if the step that was observed last is marked: what it found does not
      * belong together. */
     bool (*marks)(ovr_simulation *sim, void *own);
 
@@ -310,7 +311,7 @@ struct ovr_physics {
     const ovr_observable *quantity;
     size_t quantities;
 
-    /* After a solve or run. */
+    /* Called after a solve or run. */
     void (*review)(const ovr_simulation *sim, const void *own,
                    ovr_physics_say *say, void *data);
 
@@ -373,7 +374,7 @@ void ovr_physics_unburden(ovr_simulation *sim);
 void ovr_physics_keep_borne(ovr_simulation *sim);
 void ovr_physics_borne_back(ovr_simulation *sim);
 
-/* What all of them say after a solve or run. */
+/* Says what all of them say after a solve or run. */
 void ovr_physics_review(const ovr_simulation *sim, ovr_physics_say *say,
                         void *data);
 

@@ -16,8 +16,8 @@ static double half_width(const ovr_simulation *sim)
     return M <= 50 ? 24 : M <= 150 ? 48 : M <= 500 ? 64 : 96;
 }
 
-/* Where patches end that go on until the spike changes little: uniform grids
- * of level 18 have 2 million nodes, here a level is 10 microseconds a cycle. */
+/* Patches that go on until the spike changes little end here: uniform grids of
+ * level 18 have 2 million nodes, here a level is 10 microseconds a cycle. */
 enum { LAST_LEVEL = 22 };
 static const double USUAL_CHANGE = 1e-3;
 
@@ -144,8 +144,8 @@ static void read_leaves(ovr_simulation *sim, ovr_refined *r)
     ovr_surface_heights(sim, 0, sim->now.n, r->X, sim->S);
 }
 
-/* Of the patches' own fluxes where the film is wet: those of the whole domain's
- * grid are of second order, its solution of fourth. */
+/* Takes the patches' own fluxes where the film is wet: those of the whole
+ * domain's grid are of second order, its solution of fourth. */
 static double mean_flow(const ovr_simulation *sim, const void *own)
 {
     const ovr_composite *c = &((const ovr_refined *)own)->composite;
@@ -165,7 +165,8 @@ static double mean_flow(const ovr_simulation *sim, const void *own)
     return length > 0 ? -sum / length : 0;
 }
 
-/* At unequal distances; row 1 and what flows back are as on one grid. */
+/* Serves nodes at unequal distances; row 1 and what flows back are as on one
+ * grid. */
 static double carried(const ovr_simulation *sim, const void *own, size_t i,
                       double flow)
 {

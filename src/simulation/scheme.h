@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What makes a scheme: the constant record of each ovr_scheme. */
+/* A scheme is the constant record of each ovr_scheme. */
 #ifndef OVR_SIMULATION_SCHEME_H
 #define OVR_SIMULATION_SCHEME_H
 

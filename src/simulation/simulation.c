@@ -109,7 +109,8 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
     return status;
 }
 
-/* With all its memory, of which as good as nothing is written. */
+/* Sets up a simulation with all its memory, of which as good as nothing is
+ * written. */
 static ovr_simulation *set_up(ovr_arena arena, const ovr_contact *contact,
                               const ovr_lubricant *lubricant,
                               const ovr_options *options, ovr_error *err)

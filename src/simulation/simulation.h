@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What only the library tells a simulation and asks it. */
+/* The library alone tells a simulation this and asks it. */
 #ifndef OVR_SIMULATION_SIMULATION_H
 #define OVR_SIMULATION_SIMULATION_H
 
@@ -11,12 +11,12 @@
  * this process may address. */
 double ovr_simulation_memory(const ovr_options *options);
 
-/* With OVR_CAVITATION_CONSERVING: the oil q = rho H that arrives at the inlet
+/* Serves OVR_CAVITATION_CONSERVING: the oil q = rho H that arrives at the inlet
  * at time T >= 0 (before, what arrives at T = 0), as a film on the surfaces; of
- * layers h1, h2 it is (u1 h1 + u2 h2)/um.  What the contact does not take waits
- * before the inlet; `waiting` of it, in b^3/R, is there at the start.  When it
- * is used up only the film arrives.  INFINITY: the contact is flooded whatever
- * comes.  Borrowed; NULL, the default: flooded. */
+ * layers h1, h2 it is (u1 h1 + u2 h2)/um.  What the contact does not take stays
+ * in the inlet reservoir; `reservoir` of it, in b^3/R, is there at the start.
+ * When it is used up only the film arrives.  INFINITY: the contact is flooded
+ * whatever comes.  Borrowed; NULL, the default: flooded. */
 typedef double ovr_supply(void *data, double T);
 void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
                            double reservoir);
@@ -75,7 +75,7 @@ const ovr_observable *ovr_observable_field(const char *name);
  * OVR_OK and returns it. */
 ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
                                 void *context, ovr_error *err);
-/* To be called after a visit that wrote into the simulation. */
+/* Has to be called after a visit that wrote into the simulation. */
 void ovr_simulation_restored(ovr_simulation *sim);
 
 /* "line", ...: the words of solver.smoother. */

@@ -38,8 +38,8 @@
 #include "multigrid/modes.h"
 #include "overroll/heat.h"
 
-/* How much warmer than a half-space a pulse of heat leaves a surface at t, M(t)
- * (contact/layers.h). */
+/* A pulse of heat leaves a surface so much warmer than that of a half-space at
+ * t, M(t) (contact/layers.h). */
 typedef struct ovr_warmth {
     double (*at)(const void *data, double t);
     const void *data;
@@ -59,16 +59,17 @@ typedef struct ovr_memory {
     double now[OVR_MOST_MODES], before[OVR_MOST_MODES];  /* a, b */
 } ovr_memory;
 
-/* Whether heat along surface k counts at u, over um; how long, over b/um, it
+/* True if heat along surface k counts at u, over um; how long, over b/um, it
  * remembers for that: until 20 kappa/u^2, when no more of it is felt, but not
  * longer than heat takes to spread by 100 b and to leave a line contact, nor
  * than 1e5. */
 bool ovr_solid_conducts(const ovr_heat *numbers, int k, double u);
 double ovr_solid_reach(const ovr_heat *numbers, int k, double u);
 
-/* How far, over b, it remembers beyond the domain, on a mesh of D: four times
- * the length sqrt(kappa D) by which heat spreads in a step of D, and where it
- * is slow so far as it comes against the motion, 2 kappa/u, but at most 2 b. */
+/* The distance, over b, that it remembers beyond the domain, on a mesh of D:
+ * four times the length sqrt(kappa D) by which heat spreads in a step of D, and
+ * where it is slow so far as it comes against the motion, 2 kappa/u, but at
+ * most 2 b. */
 double ovr_solid_beyond(const ovr_heat *numbers, int k, double u, double D);
 
 /* Rates for times from `shortest` to `longest`, of a half-space; under layers,
@@ -82,7 +83,7 @@ void ovr_memory_layered(double shortest, double longest, ovr_warmth warmth,
 void ovr_memory_fit(double dT, double longest, ovr_memory *memory);
 double ovr_memory_error(const ovr_memory *memory, double longest);
 
-/* What the past of a point says: (h - T_bulk)/N. */
+/* The share of a point's past: (h - T_bulk)/N. */
 double ovr_memory_past(const ovr_memory *memory, const double *psi, double q);
 
 /* Psi and q a step later. */

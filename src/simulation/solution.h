@@ -21,7 +21,7 @@ typedef struct ovr_solution {
     };
 } ovr_solution;
 
-/* From the node before to node i > 0. */
+/* The distance from the node before to node i > 0. */
 static inline double ovr_spacing(const ovr_solution *s, size_t i)
 {
     return s->X[i] - s->X[i - 1];
@@ -30,7 +30,7 @@ static inline double ovr_spacing(const ovr_solution *s, size_t i)
 /* The node i > 0 with X_{i-1} <= X < X_i; the first or the last beyond. */
 size_t ovr_node_after(const ovr_solution *s, double X);
 
-/* Of f at X inside, by the cubic through the four nodes about it. */
+/* Interpolates f at X inside, by the cubic through the four nodes about it. */
 double ovr_value_at(const ovr_solution *s, const double *f, double X);
 
 #endif

@@ -13,7 +13,7 @@
 #include "simulation/simulation.h"
 #include "simulation/steady.h"
 
-/* What a solve tries in turn until it converges: first the ordinary; then, if
+/* A solve tries these in turn until it converges: first the ordinary; then, if
  * there are any, features that grow out of smooth surfaces; with a flow law
  * more sweeps, then the Newtonian film first; then smaller steps in load on a
  * finer level, last also a finer coarsest grid, more sweeps and stronger
@@ -160,9 +160,9 @@ static bool found_with_all(ovr_simulation *sim, const ovr_full *how,
     return ovr_steady_found(sim, outcome);
 }
 
-/* By one strategy, from the beginning: the film alone, on the whole domain's
- * grids; what it is by the physics beside it; with those that are solved in
- * turn with it; then what that is but the start for. */
+/* Solves by one strategy, from the beginning: the film alone, on the whole
+ * domain's grids; what it is by the physics beside it; with those that are
+ * solved in turn with it; then what that is but the start for. */
 static void attempt(ovr_simulation *sim, const ovr_full *how,
                     ovr_outcome *outcome)
 {
@@ -188,7 +188,7 @@ void ovr_simulation_stop(ovr_simulation *sim, bool (*stop)(void *data),
     sim->stopping = (ovr_stopping){.asked = stop, .data = data};
 }
 
-/* By one strategy; returns the tolerance. */
+/* Tries one strategy; returns the tolerance. */
 static double try_strategy(ovr_simulation *sim, int k, ovr_outcome *outcome)
 {
     ovr_full how = full_of(sim, &strategies[k]);
@@ -200,7 +200,7 @@ static double try_strategy(ovr_simulation *sim, int k, ovr_outcome *outcome)
     return ovr_steady_tolerance(sim, sim->finest, outcome->defect.centre);
 }
 
-/* By one after the other. */
+/* Tries one after the other. */
 static double search(ovr_simulation *sim, ovr_outcome *outcome)
 {
     double tolerance = 0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a steady solve is made of, for the physics that solve in their own way.
+/* A steady solve is made of this, for the physics that solve in their own way.
  */
 #ifndef OVR_SIMULATION_STEADY_H
 #define OVR_SIMULATION_STEADY_H
@@ -23,7 +23,7 @@ ovr_defect ovr_steady_film(ovr_simulation *sim, const ovr_full *how,
 ovr_defect ovr_steady_cycles(ovr_simulation *sim, const ovr_full *how,
                              int *cycles);
 
-/* Whether what was found is a solution. */
+/* True if what was found is a solution. */
 bool ovr_steady_found(const ovr_simulation *sim, const ovr_outcome *outcome);
 
 #endif

@@ -9,12 +9,12 @@
 #include "simulation/step_cycles.h"
 
 /*
- * Of a level with film H at X = 0 so far.  On the way up a level need not be
- * better solved than its mesh is fine: fifty times the tolerance is most often
- * one cycle, and leaves less than the discretization error there.  The finest
- * level ends in the same place (algebraic over discretization error at M = 20,
- * L = 10, levels 8, 10 and 12: 0.020, 0.022, 0.006 after two cycles on it,
- * 0.015, 0.017, 0.000 when all levels had two), a fifth sooner.  Rough
+ * The tolerance of a level with film H at X = 0 so far.  On the way up a level
+ * need not be better solved than its mesh is fine: fifty times the tolerance is
+ * most often one cycle, and leaves less than the discretization error there.
+ * The finest level ends in the same place (algebraic over discretization error
+ * at M = 20, L = 10, levels 8, 10 and 12: 0.020, 0.022, 0.006 after two cycles
+ * on it, 0.015, 0.017, 0.000 when all levels had two), a fifth sooner.  Rough
  * surfaces have waves of a few meshes: what is negligible beside the mesh's
  * error of a smooth film is far below that of theirs.
  */

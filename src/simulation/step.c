@@ -22,7 +22,7 @@
 #include "simulation/physics.h"
 #include "simulation/step_cycles.h"
 
-/* How hard an attempt tries. */
+/* An attempt tries so hard. */
 typedef struct attempt {
     bool extrapolate;
     int sweeps, newton_steps, finer_bottom, most_cycles;
@@ -70,7 +70,7 @@ static bool is_borne(double A)
     return A > OVR_TOUCH_LEAST;
 }
 
-/* Whether surfaces that may touch bore nothing in the step before. */
+/* True if surfaces that may touch bore nothing in the step before. */
 static bool were_apart(const ovr_simulation *sim)
 {
     for (size_t i = 0; i < sim->now.n; i++)
@@ -79,7 +79,7 @@ static bool were_apart(const ovr_simulation *sim)
     return true;
 }
 
-/* Whether their law, which falls with the film, bears nothing by the thinnest.
+/* True if their law, which falls with the film, bears nothing by the thinnest.
  */
 static bool are_apart(const ovr_simulation *sim)
 {

@@ -25,8 +25,8 @@ static double tolerance_of(const ovr_simulation *sim, bool relaxed)
     return tolerance > least ? tolerance : least;
 }
 
-/* Of the nominal load, or of the load where that is larger: half of what a run
- * may be off by (overroll(1)). */
+/* Allows a share of the nominal load, or of the load where that is larger: half
+ * of what a run may be off by (overroll(1)). */
 static bool carries(const ovr_simulation *sim, const ovr_defect *defect)
 {
     const double most = 5e-5;

@@ -14,7 +14,7 @@ typedef struct ovr_step_cycling {
     double tolerance; /* a looser one than the step's own; or 0 */
 } ovr_step_cycling;
 
-/* Whether it is solved, with H > 0; the solution is read. */
+/* True if it is solved, with H > 0; the solution is read. */
 bool ovr_step_cycles(ovr_simulation *sim, ovr_step_cycling how,
                      ovr_outcome *outcome);
 

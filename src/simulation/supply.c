@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What arrives at the inlet, and the oil in the inlet reservoir.
+ * The oil that arrives at the inlet, and that in the inlet reservoir.
  *
  *     dV/dT = Cu q_f - f,   q_f = q_s where the face of the first cell was
  *                           half a mesh of travel ago, f the inflow
@@ -36,8 +36,9 @@ void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
 
 /* ------------------------------------------------------------------- a step */
 
-/* When what is at X_a + D/2 at time T was at X_a: the distance that the oil
- * travels is the integral of Cu.  What came before T = 0 is what comes then. */
+/* The time at which what is at X_a + D/2 at time T was at X_a: the distance
+ * that the oil travels is the integral of Cu.  What came before T = 0 is what
+ * comes then. */
 static double time_of_entry(const ovr_simulation *sim, double T)
 {
     enum { HALVINGS = 60 };
@@ -64,7 +65,8 @@ static void step(ovr_simulation *sim, void *own, double dT)
     a->face = a->supply(a->data, time_of_entry(sim, T));
 }
 
-/* Of the inlet's row: what arrives has come along the characteristic already.
+/* The source of the inlet's row: what arrives has come along the characteristic
+ * already.
  */
 static double source(const ovr_simulation *sim, const ovr_arrival *a)
 {
@@ -120,8 +122,8 @@ static void go_back(ovr_simulation *sim, void *own, const double *P)
     restore(sim, a, P, a->kept, a->closed_kept);
 }
 
-/* What flows across half node i + 1/2 of the first or the last row at T, after
- * a step: along the characteristic the content that crossed it. */
+/* The flow through half node i + 1/2 of the first or the last row at T, after a
+ * step: along the characteristic the content that crossed it. */
 static double flow_at(const ovr_simulation *sim, size_t i, double T)
 {
     const ovr_carriage *c = &sim->arrival.carriage;
@@ -222,7 +224,7 @@ static void history(ovr_simulation *sim, void *own, double dT,
     ovr_content_history(sim, dT, c);
 }
 
-/* What arrives where the inlet is closed; limited where it is dry
+/* The flow that arrives where the inlet is closed; limited where it is dry
  * (multigrid/content.h). */
 static double carried(const ovr_simulation *sim, const void *own, size_t i,
                       double q)
@@ -290,7 +292,7 @@ static void unknown(ovr_observation *o)
     o->oil_inside = o->oil_reservoir = o->cavity_length = o->mass_defect = NAN;
 }
 
-/* By the film formula, in units of the nominal contact. */
+/* Estimates by the film formula, in units of the nominal contact. */
 static double formula(const ovr_simulation *sim, double T)
 {
     double Cw = fmax(ovr_history_value(sim->load, T), OVR_LEAST_START);

@@ -21,8 +21,8 @@
 #define OVR_WEAR_STEP 1e3
 enum { OVR_WEAR_MOST = 4000 };
 
-/* What is worn so far: of the state that was reached last, or of the step that
- * is under way. */
+/* The wear so far: of the state that was reached last, or of the step that is
+ * under way. */
 typedef struct ovr_worn {
     double passes;
     double depth[2]; /* mean, b^2/R: volume over area */
@@ -67,7 +67,7 @@ ovr_status ovr_wear_visit(ovr_wear *wear, ovr_visit *visit, void *context,
  * given or as it is now; NAN: it is smooth. */
 ovr_core ovr_wear_core(const ovr_wear *wear, int surface, bool given);
 
-/* That of a simulation; NULL: it has none. */
+/* The wear of a simulation; NULL: it has none. */
 const ovr_wear *ovr_wear_of(const ovr_simulation *sim);
 
 #endif

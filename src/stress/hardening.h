@@ -34,7 +34,7 @@ typedef struct ovr_stressed {
 /* Y and its slope, after so much flow. */
 double ovr_yield_stress(const ovr_hardening *h, double all, double *slope);
 
-/* How far the stress is beyond yield. */
+/* The stress beyond yield. */
 double ovr_beyond_yield(const ovr_hardening *h, ovr_strained e, ovr_stressed s);
 
 /* Whether it is above this share of yield. */

@@ -18,8 +18,8 @@ ovr_layer *ovr_layer_read(const char *file, const ovr_contact *contact,
                           const ovr_allocator *allocator, ovr_error *err);
 void ovr_layer_free(ovr_layer *layer);
 
-/* Of n points, x from small to large in b, thickness in b^2/R; what lies at
- * `first` arrives first.  Copied. */
+/* Makes a layer of n points, x from small to large in b, thickness in b^2/R;
+ * what lies at `first` arrives first.  Copied. */
 ovr_layer *ovr_layer_make(size_t n, const double *x, const double *thickness,
                           double first, const ovr_allocator *allocator,
                           ovr_error *err);

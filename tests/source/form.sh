@@ -53,7 +53,7 @@ awk 'FNR == 1 { open = 0 }
         for (k = NR - 4; k <= NR; k++) print "  " all[k]
     }'
 # Comments that begin as fragments.
-limit=250
+limit=12
 fragments=$(find src include -name '*.[ch]' | sort |
     xargs awk -f tests/source/fragments.awk)
 count=$(echo "$fragments" | grep -c .)
