@@ -81,7 +81,7 @@ typedef enum ovr_find_end {
 
 typedef struct ovr_find ovr_find;
 
-/* In the unit of the key as `low` and `high` have it. */
+/* Gives the values in the unit of the key as `low` and `high` have it. */
 typedef struct ovr_find_info {
     const char *key, *quantity;
     const char *unit; /* of the values; of a bare number "b", ...; "" */

@@ -56,7 +56,7 @@ typedef struct ovr_run_options {
     /* Called after each step; true stops the run with OVR_STOPPED and a file
      * that can be resumed. */
     bool (*stop)(void *data);
-    /* After each step of a run in time. */
+    /* Called after each step of a run in time. */
     void (*progress)(void *data, const ovr_run *run, double fraction);
     /* Called after the steady start and after each step, once the file is
      * written. */
@@ -71,8 +71,8 @@ typedef struct ovr_run_options {
     ovr_heights *heights; /* surfaces of one's own, in place of the case's
                              features; no file holds them: resuming has to be
                              given them again */
-    /* Within steady starts and estimates of errors, between two cycles; true:
-     * stop at once, with OVR_STOPPED; a start is begun again later. */
+    /* Asked within steady starts and estimates of errors, between two cycles;
+     * true: stop at once, with OVR_STOPPED; a start is begun again later. */
     bool (*interrupt)(void *data);
     /* A steady run of a gear pair or cam stands here: "A" to "E",
      * "nose", an angle or a time; NULL: pitch point, nose. */
@@ -403,9 +403,9 @@ typedef struct ovr_table_column {
     const char *zip;         /* of a key of [zip NAME]: NAME; else NULL */
 } ovr_table_column;
 
-/* As the files in the study's folder stand now; or from what ovr_sweep_collect
- * wrote, .csv or .nc; or the rows of several passes, OUT.h5: its first column
- * is `pass`, and the only one varied. */
+/* Takes the files in the study's folder as they stand now; or from what
+ * ovr_sweep_collect wrote, .csv or .nc; or the rows of several passes, OUT.h5:
+ * its first column is `pass`, and the only one varied. */
 OVR_API ovr_table *ovr_study_table(const ovr_study *study, ovr_error *err);
 OVR_API ovr_table *ovr_table_read(const char *path, ovr_error *err);
 OVR_API void ovr_table_free(ovr_table *table);

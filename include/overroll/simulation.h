@@ -140,10 +140,10 @@ OVR_API void ovr_simulation_surface(ovr_simulation *sim, ovr_heights *heights,
  * take fewer cycles.  Default: NAN, not known; ovr_surfaces_speed tells it. */
 OVR_API void ovr_simulation_moving(ovr_simulation *sim, double speed);
 
-/* For a run of fourth order: the heights of what stands still (u_k = 0), fully
- * grown; NULL: the surfaces are smooth but for what moves.  The corrections
- * of a run are those of the steady contact with these alone; without this
- * call, those of the surfaces as they are at T = 0. */
+/* Serves a run of fourth order: the heights of what stands still (u_k = 0),
+ * fully grown; NULL: the surfaces are smooth but for what moves.  The
+ * corrections of a run are those of the steady contact with these alone;
+ * without this call, those of the surfaces as they are at T = 0. */
 OVR_API void ovr_simulation_standing(ovr_simulation *sim, ovr_heights *standing,
                                      void *data);
 
@@ -305,7 +305,7 @@ enum {
     OVR_PHYSICS_WEAR = 64      /* surfaces that touch wear */
 };
 
-/* Which extreme of a number is kept over a run. */
+/* The extreme of a number that is kept over a run. */
 typedef enum ovr_sense {
     OVR_NO_EXTREME,
     OVR_SMALLEST,
@@ -341,8 +341,8 @@ typedef struct ovr_observable {
     const char *note;  /* behind the number there; or NULL */
     int digits;        /* of the number there; 0: 6 */
     size_t place;      /* where it is: another member's offset; 0: nowhere */
-    /* Over a run, of a number that is a double: its extreme, with where and
-     * when that was, and its mean; their JSON keys, NULL: not kept. */
+    /* Kept over a run, of a number that is a double: its extreme, with where
+     * and when that was, and its mean; their JSON keys, NULL: not kept. */
     ovr_sense extreme;
     const char *extreme_key, *mean_key;
     const char *extreme_label, *mean_label; /* in reports, or NULL */
@@ -430,8 +430,8 @@ typedef struct ovr_march {
     double steady_rate; /* and when P and S change less a b/um; 0: 1e-8 */
 } ovr_march;
 
-/* From the state now (steady start or restored) to the end.  With a fixed dT
- * the k-th time is exactly k dT. */
+/* Runs from the state now (steady start or restored) to the end.  With a fixed
+ * dT the k-th time is exactly k dT. */
 OVR_API ovr_status ovr_simulation_march(ovr_simulation *sim,
                                         const ovr_march *march, ovr_error *err);
 

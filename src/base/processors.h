@@ -2,8 +2,8 @@
 #ifndef OVR_BASE_PROCESSORS_H
 #define OVR_BASE_PROCESSORS_H
 
-/* How many processors this process may run on: what taskset, a batch system
- * or a container leaves of them. */
+/* The number of processors that this process may run on: what taskset, a batch
+ * system or a container leaves of them. */
 int ovr_processors(void);
 
 #endif

@@ -50,7 +50,7 @@ static double of_mesh(const ovr_setup *s, double M, double L, double mesh)
     return order == 2 ? 1.5 * x * x + (least ? 0.55 * spike : 0) : 0.6 * x;
 }
 
-/* Where the radius varies, the largest over the run. */
+/* The largest over the run counts, where the radius varies. */
 double ovr_expected_of_mesh(const ovr_setup *s)
 {
     enum { LOOKS = 64 };

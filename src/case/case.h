@@ -83,13 +83,13 @@ ovr_slot *ovr_block_slot(const ovr_block *block, const char *key,
 /* Says that a section has no such key, and which one may be meant. */
 void ovr_no_key(const ovr_section *section, const char *key, ovr_error *err);
 
-/* Whether a section stands in the case, be it empty; NULL: no. */
+/* True if a section stands in the case, be it empty; NULL: no. */
 bool ovr_block_is_there(const ovr_block *block);
 
 /* Given and default value of a key that exists. */
 const ovr_slot *ovr_block_get(const ovr_block *block, const char *key);
 
-/* Whether conditions hold that are written as those of a row are. */
+/* True if conditions hold that are written as those of a row are. */
 bool ovr_conditions_hold(const ovr_case *c, const ovr_block *block,
                          const char *when);
 
@@ -114,7 +114,7 @@ ovr_case *ovr_case_read_stored(const char *text, const char *name,
                                const char *directory,
                                const ovr_allocator *allocator, ovr_error *err);
 
-/* What is given so far counts as stored. */
+/* Makes what is given so far count as stored. */
 void ovr_case_mark_stored(ovr_case *c);
 
 /* "[feature NAME]" taken apart: section and name (NULL for plain ones). */

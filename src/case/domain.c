@@ -9,7 +9,8 @@
 #include "contact/turning.h"
 #include "simulation/internal.h"
 
-/* At which a run is looked at beforehand; among which jumps are looked for. */
+/* A run is looked at beforehand at so many moments; among which jumps are
+ * looked for. */
 enum { LOOKS = 256, INSTANTS = 1 << 14 };
 
 bool ovr_setup_varies(const ovr_setup *s)
@@ -208,7 +209,7 @@ static moments moments_of(const ovr_setup *s)
     return m;
 }
 
-/* Which share of the film the usual inlet may cost at a moment: less where
+/* The share of the film that the usual inlet may cost at a moment: less where
  * films vary, and are compared with each other, than in a steady contact; but
  * not at moments of little load beside the largest, nor where the speed
  * reverses and the domain is as long on the other side. */

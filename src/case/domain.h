@@ -19,7 +19,7 @@ double ovr_setup_end(const ovr_setup *setup);
  * cuts the contact. */
 ovr_status ovr_setup_domain(ovr_resolved *r, ovr_error *err);
 
-/* What films of a run, of all its moments and passes, want of its domain. */
+/* The domain that films of a run, of all its moments and passes, ask for. */
 typedef struct ovr_domain_needs {
     double width;         /* largest dry half width, in b */
     double inlet, outlet; /* the usual ones, which do */

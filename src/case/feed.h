@@ -10,7 +10,7 @@
  * setup's from now on.  `reservoir`: oil in the inlet reservoir, b^3/R. */
 void ovr_setup_feed(ovr_setup *setup, ovr_layer *layer[2], double reservoir);
 
-/* Whether passes are fed so: those of [passes], not of [plastic] alone. */
+/* True if passes are fed so: those of [passes], not of [plastic] alone. */
 bool ovr_setup_carries_oil(const ovr_setup *setup);
 
 /* Bodies that yield begin with the strains of that file, borrowed; nothing

@@ -39,7 +39,7 @@ typedef struct ovr_element_settings {
     int position, passes;
 } ovr_element_settings;
 
-/* Of [roller_bearing] passes. */
+/* Values of [roller_bearing] passes. */
 enum {
     OVR_ROLLER_PASSES_NONE,
     OVR_ROLLER_PASSES_ZONE,

@@ -93,8 +93,8 @@ static double nearest_inlet(const ovr_resolved *r)
     return fmin(OVR_USUAL_INLET, OVR_NEAREST_INLET * r->half_width);
 }
 
-/* Whether something that was to come in from before the usual inlet would
- * begin inside a domain that was made longer. */
+/* True if something that was to come in from before the usual inlet would begin
+ * inside a domain that was made longer. */
 static bool is_overrun(const ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;

@@ -74,7 +74,7 @@ static void put_range(const ovr_parameter *row, char *text, size_t room)
              unit, *words ? ", or " : "", words);
 }
 
-/* What a value may be, for messages. */
+/* Says for messages what a value may be. */
 static void put_allowed(const ovr_parameter *row, char *text, size_t room)
 {
     switch (row->kind) {

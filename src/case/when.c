@@ -112,7 +112,7 @@ bool ovr_conditions_hold(const ovr_case *c, const ovr_block *block,
     return !first_failing(c, block, when, condition, sizeof condition, &off);
 }
 
-/* Which sizes a shape has its own table knows, and refuses the others. */
+/* The shape's own table knows which sizes it has, and refuses the others. */
 static const char *conditions_of(const ovr_parameter *row)
 {
     bool shape = row->when && !strcmp(row->when, OVR_BY_SHAPE);

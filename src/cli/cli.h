@@ -107,8 +107,8 @@ const cli_verb *cli_find_verb(const cli_verb *const *verbs, const char *name);
 /* Help of one verb: usage, summary, options. */
 void cli_print_help(const cli_verb *verb, FILE *to);
 
-/* What does not go together, on standard output: as a topic of help, which
- * returns CLI_DONE; as a part of overroll-case(5). */
+/* Prints on standard output what does not go together: as a topic of help,
+ * which returns CLI_DONE; as a part of overroll-case(5). */
 int cli_help_pairs(void);
 
 /* Topics that are neither a command nor a key: their names, NULL behind the

@@ -20,7 +20,7 @@ typedef struct question {
     char key[ROOM], low[ROOM], high[ROOM], condition[ROOM];
 } question;
 
-/* What stands between two marks of the question, without outer blanks. */
+/* The words between two marks of the question, without outer blanks. */
 static bool take_between(const char *from, const char *to, char *text)
 {
     while (from < to && *from == ' ')

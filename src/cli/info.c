@@ -47,7 +47,7 @@ static double last_time(const report *r)
     return r->about->steps ? r->T[r->about->steps - 1] : NAN;
 }
 
-/* Of the time to be run, between 0 and 1; NAN unknown. */
+/* The share of the time to be run, between 0 and 1; NAN unknown. */
 static double progress(const report *r)
 {
     if (strcmp(r->about->status, "complete") == 0)

@@ -281,7 +281,7 @@ static bool of_element(const cli_call *call)
            ends_with(call->argument[0], ".ini");
 }
 
-/* Of a case, before it runs. */
+/* Draws a case before it runs. */
 static int draw_element(const cli_call *call, ovr_picture_options *o)
 {
     ovr_error err = {0};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How far a run is, on stderr: one line rewritten on a terminal, else a line
- * each 10 %; nothing with -q. */
+/* Shows on stderr how far a run is: one line rewritten on a terminal, else a
+ * line each 10 %; nothing with -q. */
 #ifndef OVR_CLI_PROGRESS_H
 #define OVR_CLI_PROGRESS_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the draws of a study say, for people and for programs. */
+/* Tells what the draws of a study say, for people and for programs. */
 #include "cli/sample.h"
 
 #include <math.h>

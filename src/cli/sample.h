@@ -5,7 +5,7 @@
 #include "cli/cli.h"
 #include "cli/json.h"
 
-/* What the draws of a study say, as tables on standard output. */
+/* Prints what the draws of a study say, as tables on standard output. */
 void cli_put_sample(const ovr_sample *sample);
 
 /* The same as an array of objects. */

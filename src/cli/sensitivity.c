@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a per cent of each key makes of the numbers of a run. */
+/* Tells what a per cent of each key makes of the numbers of a run. */
 #include "cli/sensitivity.h"
 
 #include <math.h>

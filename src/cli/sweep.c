@@ -148,7 +148,7 @@ static void report_table(const sweeping *w, const ovr_sweep_totals *t)
         puts("--redo runs all again from their beginning");
 }
 
-/* What its draws say, into summary.csv too. */
+/* Tells what its draws say, into summary.csv too. */
 static int tell_sample(const sweeping *w, json_writer *json)
 {
     char path[4400];
@@ -204,7 +204,7 @@ static int finish(sweeping *w)
 
 /* -------------------------------------------------------------------- run */
 
-/* Whether the sweep could be; *code then says how it ended. */
+/* True if the sweep could be; *code then says how it ended. */
 static bool start(sweeping *w, int *code)
 {
     ovr_error err = {0};

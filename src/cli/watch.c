@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How a run is listened to, and how it ends. */
+/* Listens to a run, and says how it ends. */
 #include "cli/watch.h"
 
 #include <hdf5.h>

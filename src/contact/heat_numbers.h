@@ -5,7 +5,7 @@
 
 #include "overroll/heat.h"
 
-/* What heat needs to be known, SI; NAN: not given. */
+/* Heat needs to know these, SI; NAN: not given. */
 typedef struct ovr_heat_form {
     int points;         /* across the film: 5, or 7; 0: by the steady start */
     double temperature; /* of the supplied oil, K */

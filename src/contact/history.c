@@ -325,7 +325,7 @@ static double sine_slope(const ovr_history_form *form, double T)
     return form->amplitude * turn * cos(sine_phase(form, T));
 }
 
-/* At the ends the one inside. */
+/* Takes at the ends the one inside. */
 static double table_slope(const ovr_history *history, double T)
 {
     double slope = 0;

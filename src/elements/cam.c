@@ -118,7 +118,7 @@ static double degrees(double angle)
     return angle * 180 / pi;
 }
 
-/* How much room there is at an angle until the follower cannot follow: of a
+/* The room that there is at an angle until the follower cannot follow: of a
  * flat one the cam's radius of curvature; of a roller what its pitch curve's is
  * above its own, where it is not hollow. */
 static double room_at(const ovr_cam *cam, double angle)

@@ -23,7 +23,7 @@ typedef struct searching {
 
 /* ------------------------------------------------------------------- axis */
 
-/* Whether points between the ends are at equal ratios. */
+/* True if points between the ends are at equal ratios. */
 static bool is_geometric(double from, double to)
 {
     double ratio = fabs(to) > fabs(from) ? to / from : from / to;
@@ -390,7 +390,7 @@ static ovr_status brent(searching *w, bracket *in, double *bad)
 
 /* ------------------------------------------------------------------ answer */
 
-/* Of an equation the better end; of an inequality the one that holds. */
+/* Takes of an equation the better end; of an inequality the one that holds. */
 static void take_answer(searching *w, const bracket *in)
 {
     ovr_search_result *r = w->r;

@@ -88,8 +88,8 @@ static inline void advance(chain *c, row r)
     c->h[1] = follow(c->h[1], &r);
 }
 
-/* What the partitions have to do with each other, by partition: first two
- * unknowns (m = 0, 1), then last two (m = 2, 3). */
+/* The partitions are coupled by this, by partition: first two unknowns (m = 0,
+ * 1), then last two (m = 2, 3). */
 typedef struct reduced {
     double D[4][VEC], left[4][2][VEC], right[4][2][VEC];
     double first[2][VEC + 1]; /* solution, 0 beyond the end */

@@ -77,7 +77,7 @@ static inline truth row_rises(const ovr_fields *f, bool stored, num half,
     return full & rises;
 }
 
-/* Whether the content of a dry node is more than the gap holds. */
+/* True if the content of a dry node is more than the gap holds. */
 static inline truth row_overflows(num q, num full)
 {
     return q > full * (1 + 1e-12);

@@ -6,7 +6,8 @@
 
 #include "multigrid/departures.h"
 
-/* Beyond the end by which material comes nothing, beyond the other its last. */
+/* The value is nothing beyond the end by which material comes, beyond the other
+ * its last. */
 static double value(size_t n, const double *v, ptrdiff_t i, double meshes)
 {
     if (i >= 0 && i < (ptrdiff_t)n)

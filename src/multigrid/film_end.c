@@ -97,8 +97,8 @@ static ptrdiff_t rigid_from(const film *f, ptrdiff_t out)
     return i + out;
 }
 
-/* From the contact over what is wet or about to be, and what is dry behind it;
- * whether a dry node wants to rise. */
+/* Goes from the contact over what is wet or about to be, and what is dry behind
+ * it; whether a dry node wants to rise. */
 static bool find_film(const film *f, ptrdiff_t out, stretch *s)
 {
     ptrdiff_t n = (ptrdiff_t)f->level->grid.n, from = rigid_from(f, out);
@@ -144,7 +144,7 @@ static void extend(const film *f, ptrdiff_t first)
     put_in(f, &s, most);
 }
 
-/* Whether a film ends before node i, which is dry and wants to rise. */
+/* True if a film ends before node i, which is dry and wants to rise. */
 static bool moves_to(const film *f, ptrdiff_t i)
 {
     if (i < 2 || i + 1 >= (ptrdiff_t)f->level->grid.n || is_wet(f, i) ||

@@ -40,7 +40,7 @@ static inline law_cell law_cell_of(vec x)
     return c;
 }
 
-/* Of the corners at both ends of a cell along g what a table has there. */
+/* A table has this at the corners at both ends of a cell along g. */
 static inline void law_corners(const double *table, uvec place, vec v[8])
 {
     int64_t at[VEC];

@@ -75,7 +75,7 @@ static INLINE void sweep(const ovr_sweeps *s, const vec *v, vec *x, vec *before)
     }
 }
 
-/* What comes from beyond an end, where it is v. */
+/* The value that comes from beyond an end, where it is v. */
 static INLINE void beyond(const double gain[2][OVR_MODES], const vec *v, vec *x,
                           vec *before)
 {

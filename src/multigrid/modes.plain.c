@@ -54,7 +54,7 @@ static ovr_sweeps sweeps_of(double r, double g, double h, double complex *a)
     return s;
 }
 
-/* How a mode goes on beyond the ends. */
+/* A mode goes on beyond the ends by these. */
 static void go_on(ovr_spread *s, double complex a, int m)
 {
     const double none[2] = {0, 0};
@@ -142,7 +142,7 @@ static double far(const ovr_departures *f, const ovr_spread *s,
     return end * exp(s->logarithm[side][m] * nodes);
 }
 
-/* At node i, which may be beyond an end. */
+/* The value at node i, which may be beyond an end. */
 static double value(const ovr_departures *f, const ovr_spread *s,
                     const double *psi, int m, ptrdiff_t i)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What the draws of a study say, in four panels: histogram with quantiles and
- * limits, empirical distribution; and for each input how far the quantity goes
- * from its lowest to its highest values, and its share of the variance.
+ * Draws what the draws of a study say, in four panels: histogram with quantiles
+ * and limits, empirical distribution; and for each input how far the quantity
+ * goes from its lowest to its highest values, and its share of the variance.
  */
 #include <math.h>
 #include <stdio.h>

@@ -493,8 +493,8 @@ static void draw_rings(sketch *s, const double *met, size_t count)
     panel->y_to = size;
 }
 
-/* What a roller would carry at each angle, were it there, over the rollers that
- * stand and those that a point meets. */
+/* Draws what a roller would carry at each angle, were it there, over the
+ * rollers that stand and those that a point meets. */
 static void draw_bearing(sketch *s)
 {
     static const char *const axis = "angle from the load (degrees)";

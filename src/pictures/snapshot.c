@@ -31,7 +31,7 @@ static double GPa_of(const ovr_result_info *i)
     return i->ph * 1e-9;
 }
 
-/* What all runs have in common. */
+/* All runs have this in common. */
 void ovr_heading(const ovr_stored *runs, size_t count, char *heading,
                  size_t room)
 {
@@ -351,7 +351,7 @@ static void write_time(char *note, size_t size, const ovr_snapshot_style *look,
         snprintf(note, size, "T = %.3f%s", T, about);
 }
 
-/* By run, by instant, or by both. */
+/* Names a shot by its run, by its instant, or by both. */
 static const char *name_shot(ovr_snapshot_chart *to, size_t k,
                              const ovr_shot *shot, size_t instants, size_t runs)
 {

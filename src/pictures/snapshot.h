@@ -27,7 +27,8 @@ typedef struct ovr_snapshot_style {
     char heading[240];
 } ovr_snapshot_style;
 
-/* From an extent that has seen all shots of the `count` runs to be drawn. */
+/* Makes the style from an extent that has seen all shots of the `count` runs to
+ * be drawn. */
 ovr_status ovr_snapshot_style_make(ovr_snapshot_style *look,
                                    const ovr_picture_options *options,
                                    const ovr_extent *extent,

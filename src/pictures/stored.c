@@ -255,8 +255,8 @@ double *ovr_stored_history(const ovr_stored *run, const char *name, double by,
 
 /* ----------------------------------------------------------------- extent */
 
-/* As far out as on the left where oil may come from there too: where the speed
- * reverses, domains are as long on both sides. */
+/* Looks as far out as on the left where oil may come from there too: where the
+ * speed reverses, domains are as long on both sides. */
 static double right_end(const ovr_stored *run)
 {
     double last = run->x[run->info->nodes - 1];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a page has of its runs. */
+/* A page has this of its runs. */
 #include "pictures/view_data.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@
 #include "pictures/view_stress.h"
 #include "run/run.h"
 
-/* What a page is to hold at most: beyond it nodes and snapshots are left out,
+/* A page holds at most so much: beyond it nodes and snapshots are left out,
  * evenly. */
 enum { MOST_NODES = 4000, MOST_STEPS = 4000, MOST_VALUES = 4000000 };
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * How a result file begins, goes on after an interruption, and ends.
+ * A result file begins here, goes on after an interruption, and ends.
  */
 #include "results/writer.h"
 

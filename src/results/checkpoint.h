@@ -72,7 +72,7 @@ ovr_status ovr_restart_load_into(ovr_restart *restart,
 bool ovr_restart_holds(const ovr_restart *restart, const char *name,
                        const void *memory, size_t bytes);
 
-/* What the result file must have as its date_created. */
+/* The result file must have this as its date_created. */
 const char *ovr_restart_created(const ovr_restart *restart);
 const ovr_counts *ovr_restart_counts(const ovr_restart *restart);
 uint64_t ovr_restart_number(const ovr_restart *restart);

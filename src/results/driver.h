@@ -12,7 +12,7 @@
 hid_t ovr_driver_create(ovr_store *store, hid_t creation);
 hid_t ovr_driver_open(ovr_store *store);
 
-/* To be called when the file is closed. */
+/* Has to be called when the file is closed. */
 void ovr_driver_release(ovr_store *store);
 
 #endif

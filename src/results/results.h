@@ -79,7 +79,7 @@ ovr_status ovr_writer_record(ovr_writer *writer, const ovr_frame *given,
 ovr_observer ovr_writer_observer(ovr_writer *writer);
 ovr_status ovr_writer_observe(void *writer, const ovr_simulation *sim,
                               ovr_error *err);
-/* Whether the state of this step at T will be stored. */
+/* True if the state of this step at T will be stored. */
 bool ovr_writer_stores(const ovr_writer *writer, long step, double T);
 double ovr_writer_next_time(void *writer, double T);
 

@@ -92,8 +92,8 @@ static void change_pages(ovr_store *s, uint64_t at, uint64_t bytes,
     }
 }
 
-/* What may go to the disk at once; after a failure it is kept in memory like
- * the rest, so that HDF5 sees a file in which every write succeeded. */
+/* Writes what may go to the disk at once; after a failure it is kept in memory
+ * like the rest, so that HDF5 sees a file in which every write succeeded. */
 static void write_through(ovr_store *s, uint64_t at, size_t bytes,
                           const unsigned char *from)
 {

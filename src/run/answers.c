@@ -170,7 +170,7 @@ static void say_heat(page *p)
     end(p, "hottest");
 }
 
-/* Of a run with [stress] and [fatigue]. */
+/* Answers of a run with [stress] and [fatigue]. */
 static void say_stress(page *p)
 {
     if (!has(p, "tau_max_Pa"))

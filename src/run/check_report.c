@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a case means before it is solved: the numbers of its contact, films by
- * formula, its features, its grid and what it will cost. */
+/* Tells what a case means before it is solved: the numbers of its contact,
+ * films by formula, its features, its grid and what it will cost. */
 #include <math.h>
 #include <string.h>
 
@@ -146,7 +146,7 @@ static ovr_words at_time(double T, const ovr_contact *contact)
     return w;
 }
 
-/* Where it comes in, passes and leaves, as far as that comes to pass. */
+/* Says where it comes in, passes and leaves, as far as that comes to pass. */
 static void say_material_history(const ovr_told *to, const ovr_setup *setup,
                                  size_t k)
 {

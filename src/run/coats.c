@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a run says of layers on its bodies, and what its file keeps of them: the
- * images that stood for them, and how well. */
+/* Tells what a run says of layers on its bodies, and what its file keeps of
+ * them: the images that stood for them, and how well. */
 #include "case/coats.h"
 #include "results/results.h"
 #include "run/internal.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What of a physics goes along with a run: it looks on after each step, may
- * write into the file and has a place in its checkpoints.  A run goes through
- * its companions, those of the physics that its case has turned on
+ * A companion is what of a physics goes along with a run: it looks on after
+ * each step, may write into the file and has a place in its checkpoints.  A run
+ * goes through its companions, those of the physics that its case has turned on
  * (simulation/physics.h), and names none of them.  Any function may be absent.
  */
 #ifndef OVR_RUN_COMPANION_H
@@ -48,7 +48,7 @@ typedef struct ovr_accompanied {
     void *own;
 } ovr_accompanied;
 
-/* What all physics of a case, of a run, have to say. */
+/* Says what all physics of a case, of a run, have to say. */
 void ovr_companions_foresee(const ovr_setup *setup, ovr_listener *say,
                             void *data);
 void ovr_companions_review(ovr_run *run);

@@ -228,7 +228,7 @@ static const ovr_observable *observable_of(const char *key)
     return o;
 }
 
-/* At the end of the run. */
+/* Takes the number at the end of the run. */
 static void judge_end(ovr_run_errors *errors, const level_run *r,
                       const measure *m)
 {
@@ -244,7 +244,7 @@ static void judge_end(ovr_run_errors *errors, const level_run *r,
     }
 }
 
-/* Of the extremes of films and pressures over the whole run, of physics that
+/* Takes the extremes of films and pressures over the whole run, of physics that
  * are on. */
 static void judge_extremes(ovr_run_errors *errors, const level_run *r,
                            const measure *m, unsigned physics)

@@ -43,7 +43,8 @@ struct ovr_find {
     char message[TEXT_ROOM];
 };
 
-/* What is to be known beside the answer: said, and kept in its message. */
+/* Notes what is to be known beside the answer: said, and kept in its
+ * message. */
 OVR_PRINTF(2, 3)
 static void tell(ovr_find *f, const char *format, ...)
 {
@@ -317,7 +318,7 @@ static ovr_trial_plan plan_of(const ovr_find *f)
                             .run = f->how.run};
 }
 
-/* As few digits as give the number back. */
+/* Writes as few digits as give the number back. */
 static void put_exact(char *text, size_t room, double x)
 {
     for (int digits = 6; digits <= 17; digits++) {

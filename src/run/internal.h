@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a run is made of; shared by the files of this floor only. */
+/* A run is made of this; shared by the files of this floor only. */
 #ifndef OVR_RUN_INTERNAL_H
 #define OVR_RUN_INTERNAL_H
 
@@ -84,7 +84,7 @@ void ovr_run_review_after(ovr_run *run);
 /* Fills shear_over_pressure and unbearable_share. */
 void ovr_run_shear(ovr_run *run);
 
-/* Whether the file can be made; said before anything is solved. */
+/* Fails unless the file can be made; said before anything is solved. */
 ovr_status ovr_output_check(const char *path, const ovr_case *c, bool force,
                             ovr_error *err);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is said of a run, passed on, and its warnings kept. */
+/* Passes on what is said of a run, and keeps its warnings. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is set up, a run or one of its passes, to its end. */
+/* Takes what is set up, a run or one of its passes, to its end. */
 #include <math.h>
 #include <string.h>
 #include <time.h>
@@ -234,7 +234,7 @@ static bool carries_load(ovr_run *run)
     return false;
 }
 
-/* To its end, or to where it was stopped. */
+/* Goes to its end, or to where it was stopped. */
 ovr_status ovr_run_once(ovr_run *run, ovr_error *err)
 {
     double begun = ovr_run_clock();

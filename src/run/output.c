@@ -152,7 +152,7 @@ static void add_moment(moments *m, double T)
         m->T[m->count++] = T;
 }
 
-/* When features (and their copies) are at the X asked for. */
+/* The times when features (and their copies) are at the X asked for. */
 static void add_arrivals(moments *m, const ovr_setup *setup, double X)
 {
     double end = setup->march->end;

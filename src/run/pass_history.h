@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What passes are told by: some columns of a history, dimensionless, read from
+/* Passes are told by these: some columns of a history, dimensionless, read from
  * a result file or taken down while a simulation runs.  They are those that the
  * layers follow from, and those of the columns of passes. */
 #ifndef OVR_RUN_PASS_HISTORY_H

@@ -138,7 +138,7 @@ ovr_status ovr_passes_go(ovr_run *run, ovr_error *err)
 
 /* ---------------------------------------------------------------- resuming */
 
-/* What the passes before are to the run as a whole. */
+/* Tells the run as a whole of the passes before. */
 static void recall(ovr_run *run, ovr_result *result)
 {
     size_t count = 0;
@@ -153,7 +153,7 @@ static void recall(ovr_run *run, ovr_result *result)
     ovr_run_recall(run, ovr_result_about(result)->warnings);
 }
 
-/* Whether the pass is complete, and then its share in what is told of all. */
+/* True if the pass is complete, and then its share in what is told of all. */
 static bool take_complete(ovr_run *run, const char *path)
 {
     ovr_result *result = access(path, F_OK) == 0

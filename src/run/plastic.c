@@ -87,7 +87,7 @@ static void fill_edges(const ovr_plastic_setup *how,
     ovr_yielding_layers(plan->layers, first, how->depth, edge);
 }
 
-/* Of the features as they come to the contact, fully grown. */
+/* Takes the features as they come to the contact, fully grown. */
 static void find_shape(const ovr_plastic *p, ovr_yielding_body *b, double *X)
 {
     const ovr_setup *s = p->setup;

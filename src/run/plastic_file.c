@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a run's file keeps of a body that yields, and what a later run takes of
- * it: strains, as shares of 1 where p_h/E* is known, residual stresses, the
+/* A run's file keeps this of a body that yields, and a later run takes it from
+ * there: strains, as shares of 1 where p_h/E* is known, residual stresses, the
  * profile before and after. */
 #include <errno.h>
 #include <math.h>

@@ -136,7 +136,7 @@ static void reap(pool *p, int slot)
                   WIFSIGNALED(status) ? WTERMSIG(status) : 0);
 }
 
-/* What a worker says, or its end. */
+/* Takes what a worker says, or its end. */
 static void hear(pool *p, int slot)
 {
     ending told;

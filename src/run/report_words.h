@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What reports say of a run beside the rows of the quantities, in words. */
+/* Says in words what reports have to say of a run beside the rows of the
+ * quantities. */
 #ifndef OVR_RUN_REPORT_WORDS_H
 #define OVR_RUN_REPORT_WORDS_H
 
@@ -12,7 +13,7 @@ bool ovr_absurd_friction(const ovr_run_info *s);
 /* The first lines. */
 void ovr_say_contact(const ovr_told *to, const ovr_run_info *s);
 
-/* What stands behind a quantity that has more to say than its row. */
+/* The words behind a quantity that has more to say than its row. */
 ovr_words ovr_words_of(const ovr_observable *row, const ovr_run_info *s);
 
 /* Starvation, friction and temperatures. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is said of a run before the solve, of a grid too coarse for its features
- * and the like. */
+/* Reviews a run before the solve: a grid too coarse for its features and the
+ * like. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -206,7 +206,7 @@ static void reach(const ovr_surfaces *surfaces, size_t k, double T, double *low,
     *high = centre + f.ahead + (f.speed < 0 ? f.last : 0);
 }
 
-/* What moves passes from `low` at T = 0 to `high` at the end and back. */
+/* Says what moves passes from `low` at T = 0 to `high` at the end and back. */
 static void warn_of_material_history(const ovr_review *r, size_t k)
 {
     const ovr_options *o = r->setup->options;

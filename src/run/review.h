@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is said of a run beside its result. */
+/* A review is said of a run beside its result. */
 #ifndef OVR_RUN_REVIEW_H
 #define OVR_RUN_REVIEW_H
 
@@ -16,7 +16,8 @@ typedef struct ovr_review {
 void ovr_review_say(const ovr_review *r, ovr_say kind, const char *format, ...)
     OVR_PRINTF(3, 4);
 
-/* Of its ends: those that were chosen, that are kept, that are too near. */
+/* Reviews the ends of its domain: those that were chosen, that are kept, that
+ * are too near. */
 void ovr_review_domain(const ovr_review *r);
 
 /* Warns of oil that arrives as a film and fills the inlet all the same. */

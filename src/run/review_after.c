@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is said of a run that has been made. */
+/* Reviews a run that has been made. */
 #include <math.h>
 
 #include "case/domain.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is said of the ends of the domain. */
+/* Reviews the ends of the domain. */
 #include <math.h>
 #include <stdio.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is said of a gear pair, cam or bearing before its run, and after. */
+/* Reviews a gear pair, cam or bearing before its run, and after. */
 #ifndef OVR_RUN_REVIEW_ELEMENT_H
 #define OVR_RUN_REVIEW_ELEMENT_H
 
@@ -7,7 +7,7 @@
 
 void ovr_review_element(const ovr_setup *setup, ovr_listener *say, void *data);
 
-/* With the extremes of a run. */
+/* Takes the extremes of a run. */
 void ovr_review_element_after(const ovr_setup *setup,
                               const ovr_statistics *total, ovr_listener *say,
                               void *data);

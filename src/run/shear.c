@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * How much of its pressure the film carries as shear stress, at the end of a
- * run: the largest ratio of both where the pressure is a fifth of Hertz's at
- * least, and the share of those nodes where it is above a tenth, which oils do
- * not carry.  A Newtonian isothermal film has such stresses wherever it is
+ * The share of its pressure that the film carries as shear stress, at the end
+ * of a run: the largest ratio of both where the pressure is a fifth of Hertz's
+ * at least, and the share of those nodes where it is above a tenth, which oils
+ * do not carry.  A Newtonian isothermal film has such stresses wherever it is
  * pressed and slides; its thickness and pressure are none the worse for it, so
  * this belongs beside its friction.
  */

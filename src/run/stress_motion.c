@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * How far the material of a surface has come, and how fast it goes:
+ * The way that the material of a surface has come, and its speed:
  *
  *     U_k = u_k/um int Cu dT;  with [sliding] V:  U_k = int (Cu +- V/2) dT
  *

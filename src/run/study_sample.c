@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the draws of a study say: from its table, group by group. */
+/* Tells what the draws of a study say: from its table, group by group. */
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>

@@ -23,7 +23,7 @@ static const char *unit_of(const char *name)
     return "1";
 }
 
-/* What a key of the summaries means, as far as the lists say. */
+/* Tells what a key of the summaries means, as far as the lists say. */
 static void explain(const ovr_sweep_table *t, const char *key, char *text,
                     size_t room)
 {

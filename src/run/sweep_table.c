@@ -225,7 +225,7 @@ static void put_number(FILE *to, double value, int digits)
         fprintf(to, "%.*g", digits, value);
 }
 
-/* Of runs in time what was extreme in them, of steady solutions these. */
+/* Takes what was extreme in runs in time, of steady solutions these. */
 static bool is_main(const ovr_sweep_table *t, const char *name)
 {
     static const char *const names[] = {"P_max_overall",   "P_max_overall_Pa",

@@ -63,7 +63,7 @@ static int open_file(const ovr_study *s, size_t task, const char *ending,
 
 /* ------------------------------------------------------------------ state */
 
-/* Whether what was run is what the study now asks for. */
+/* True if what was run is what the study now asks for. */
 static bool same_case(const ovr_study *s, size_t task, int fd)
 {
     ovr_error err = {0};
@@ -287,7 +287,8 @@ static void report(const working *w, const ovr_run *run, const ovr_error *err)
     }
 }
 
-/* What is found in place of a run: the answer's column has the key's name. */
+/* Puts what is found in place of a run: the answer's column has the key's
+ * name. */
 static void report_find(const working *w, const ovr_find *find,
                         const ovr_error *err)
 {

@@ -18,7 +18,7 @@ typedef struct ovr_trial {
     char message[OVR_TRIAL_MESSAGE];
 } ovr_trial;
 
-/* How they are to be run. */
+/* Options of how they are to be run. */
 typedef struct ovr_trial_plan {
     int workers;
     bool steady, estimate, formulas;

@@ -376,7 +376,7 @@ static double smooth_film(const ovr_physics_case *of)
     return isnan(fit) ? ovr_film_central_moes(c->M, c->L) : fit;
 }
 
-/* What a film would bear, of Hertz's pressure. */
+/* The share of Hertz's pressure that a film would bear. */
 static double share_of(const ovr_touch_law *law, double H)
 {
     enum { NODES = 200 };
@@ -500,7 +500,7 @@ ovr_status ovr_boundary_on_mesh(const ovr_physics_case *of, void *form,
     return OVR_OK;
 }
 
-/* Of all bounds of the share: what metal, the film and both add to mu. */
+/* Tells of all bounds of the share what metal, the film and both add to mu. */
 static void tell_friction(const ovr_physics_case *of,
                           const ovr_boundary_form *f, double H,
                           const double share[3], ovr_physics_line *line,

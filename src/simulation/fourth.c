@@ -115,7 +115,7 @@ static bool varies(const ovr_simulation *sim)
             ovr_history_varies(sim->sliding));
 }
 
-/* Whether corrections hold for the whole run, and all that deforms is known to
+/* True if corrections hold for the whole run, and all that deforms is known to
  * them.  Another physics may have taken fourth order back. */
 static bool applies(const ovr_simulation *sim)
 {
@@ -131,7 +131,7 @@ static void standing_heights(const ovr_simulation *sim, double *S)
         sim->standing(sim->standing_data, 0, sim->now.n, sim->now.X, S);
 }
 
-/* Whether a run has surfaces at T = 0 other than those that stand still. */
+/* True if a run has surfaces at T = 0 other than those that stand still. */
 static bool stands_apart(ovr_simulation *sim)
 {
     size_t n = sim->now.n;

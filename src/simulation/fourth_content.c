@@ -60,7 +60,7 @@ static film film_of(const ovr_simulation *sim)
     return (film){beginning(s, first), ending(s, last)};
 }
 
-/* From 0 within three meshes of an end to 1 over so many. */
+/* Rises from 0 within three meshes of an end to 1 over so many. */
 static double away(double meshes, double over)
 {
     const double sharp = 3;

@@ -178,7 +178,7 @@ void ovr_heat_surface_step(ovr_simulation *sim, int k, double dT, double meshes)
     fit(h, k, dT);
 }
 
-/* With the nodes beyond both ends, where there is none. */
+/* Counts with the nodes beyond both ends, where there are none. */
 static const double *longer(const ovr_simulation *sim, ovr_heat_surface *s,
                             const double *q, double *room)
 {

@@ -296,7 +296,7 @@ void ovr_carriage_move(ovr_simulation *sim, double T, const double *x,
 ovr_status ovr_carriage_visit(ovr_simulation *sim, ovr_visit *show,
                               void *context, ovr_error *err);
 
-/* Whether only what arrives enters in the step to come; q at X_a - D, X_a - 2
+/* True if only what arrives enters in the step to come; q at X_a - D, X_a - 2
  * D, ... at T, of what arrives later, written downwards from `last`. */
 bool ovr_arrival_closes(const ovr_simulation *sim);
 void ovr_arrival_ghosts(const ovr_simulation *sim, double T, size_t ghosts,

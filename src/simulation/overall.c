@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is kept of the quantities over a whole run, step by step: extremes, with
- * where and when, and means.  What is kept of which says its row. */
+/* Keeps of the quantities over a whole run, step by step: extremes, with where
+ * and when, and means.  What is kept of which says its row. */
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>

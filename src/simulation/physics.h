@@ -128,8 +128,8 @@ struct ovr_physics {
     /* Seconds of one core that a pass takes beside the simulation's, about. */
     double (*seconds)(const void *form);
 
-    /* What goes along with a run and writes into its file (run/companion.h): a
-     * physics stands on the floor that it needs. */
+    /* A companion goes along with a run and writes into its file
+     * (run/companion.h): a physics stands on the floor that it needs. */
     const struct ovr_companion *companion;
 
     /* ------------------------------------------------------------- creation */
@@ -141,7 +141,7 @@ struct ovr_physics {
     /* True if the options choose it. */
     bool (*chosen)(const ovr_options *options);
 
-    /* What the grids have to know before they are built. */
+    /* Tells the grids what they have to know before they are built. */
     void (*prepare)(ovr_hierarchy *grids);
 
     /* Memory of the simulation, of which nothing is written yet but pointers:
@@ -157,7 +157,7 @@ struct ovr_physics {
     void (*influence)(const ovr_simulation *sim, const void *own,
                       ovr_influence *influence);
 
-    /* How warm heat leaves surface k beside what half-spaces would be. */
+    /* Tells how warm heat leaves surface k beside what half-spaces would be. */
     void (*warmth)(const ovr_simulation *sim, const void *own, int k,
                    ovr_warmth *to);
 
@@ -200,7 +200,7 @@ struct ovr_physics {
 
     /* --------------------------------------------------------------- a step */
 
-    /* Whether a step, or the steady start, may be made at all. */
+    /* Fails if a step, or the steady start, may not be made at all. */
     ovr_status (*check)(const ovr_simulation *sim, const void *own,
                         ovr_error *err);
 
@@ -242,7 +242,7 @@ struct ovr_physics {
     /* The step of dT is taken, and not yet the past. */
     void (*taken)(ovr_simulation *sim, void *own, double dT);
 
-    /* Whether nothing is left that a run would be for. */
+    /* True if nothing is left that a run would be for. */
     bool (*over)(const ovr_simulation *sim, const void *own);
 
     /* Back to the last time reached: before its pressure and gap are in place
@@ -378,7 +378,7 @@ void ovr_physics_borne_back(ovr_simulation *sim);
 void ovr_physics_review(const ovr_simulation *sim, ovr_physics_say *say,
                         void *data);
 
-/* Whether a step, or the steady start, may be made at all. */
+/* Fails if a step, or the steady start, may not be made at all. */
 ovr_status ovr_physics_check(const ovr_simulation *sim, ovr_error *err);
 
 #endif

@@ -30,7 +30,7 @@
 #define NUMBER(name, key, si, kind, member, ...)                               \
     OVR_NUMBER_ROW(name, key, si, kind, member, 0, __VA_ARGS__)
 
-/* What else a row may say. */
+/* A row may say these too. */
 #define LABEL(text) .label = (text)
 #define NOTE(text) .note = (text)
 #define DIGITS(count) .digits = (count)

@@ -57,8 +57,8 @@ int ovr_simulation_heat_points(const ovr_simulation *sim);
  * radius vary), or 1. */
 int ovr_simulation_order(const ovr_simulation *sim);
 
-/* What the last steady solve had to do beyond the ordinary, in words; "" when
- * its first attempt succeeded. */
+/* Says what the last steady solve had to do beyond the ordinary; "" when its
+ * first attempt succeeded. */
 const char *ovr_simulation_strategy(const ovr_simulation *sim);
 
 /* A field by name, or NULL. */

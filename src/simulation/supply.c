@@ -174,7 +174,7 @@ static ovr_defect complete(ovr_simulation *sim, void *own, const ovr_full *how,
     return ovr_fourth_conserved(sim, how, d, cycles);
 }
 
-/* Whether less arrives than the flooded contact takes. */
+/* True if less arrives than the flooded contact takes. */
 static bool lacks(ovr_simulation *sim, ovr_arrival *a)
 {
     a->flooded = ovr_level_centre(sim->finest, sim->finest->f.H);

@@ -37,7 +37,7 @@ double ovr_yield_stress(const ovr_hardening *h, double all, double *slope);
 /* The stress beyond yield. */
 double ovr_beyond_yield(const ovr_hardening *h, ovr_strained e, ovr_stressed s);
 
-/* Whether it is above this share of yield. */
+/* True if it is above this share of yield. */
 bool ovr_near_yield(const ovr_hardening *h, ovr_strained e, ovr_stressed s,
                     double share);
 

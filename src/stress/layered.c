@@ -177,7 +177,7 @@ static double element(const ovr_layered_depth *of, double k)
     return of->hats ? square : square * square * 3 / (2 + cos(2 * x));
 }
 
-/* Of the wave k, which may run against x. */
+/* Adds the wave k, which may run against x. */
 static void add_wave(const ovr_layered_depth *of, double k, double share,
                      double complex to[3])
 {

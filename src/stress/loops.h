@@ -33,7 +33,7 @@ typedef struct ovr_node_states {
 typedef struct ovr_stress_loops {
     const char *name;
 
-    /* With a = A P and b = B P bin by bin, sums over one load or two: wave k is
+    /* Sums over one load or two, with a = A P and b = B P bin by bin: wave k is
      * a + i b, wave n - k conj(a) + i conj(b), for k = 1 ... bins - 1 of n
      * waves (re, im, re, ...). */
     void (*spread)(size_t bins, size_t n, const ovr_load_bins *load,

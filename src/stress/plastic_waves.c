@@ -98,8 +98,8 @@ static ovr_residual_stress stress(const influences *g, double poisson,
     return s;
 }
 
-/* What a strain does to stresses in its own place that equilibrium along x and
- * z does not see, over a share of the layer. */
+/* A strain changes stresses in its own place by this, which equilibrium along x
+ * and z does not see, over a share of the layer. */
 static double across(double poisson, ovr_plastic_strain e, double share)
 {
     return share * (1 - poisson * poisson) * (e.x + e.z);

@@ -39,7 +39,7 @@ typedef struct ovr_layer_load {
 } ovr_layer_load;
 ovr_layer_load *ovr_yielding_load(ovr_yielding *y, size_t layer);
 
-/* Whether a point is above this share of its yield under an elastic stress. */
+/* True if a point is above this share of its yield under an elastic stress. */
 bool ovr_yielding_is_near(const ovr_yielding *y, size_t layer, size_t i,
                           ovr_in_plane elastic, double share);
 
@@ -58,9 +58,9 @@ typedef struct ovr_flowed {
 } ovr_flowed;
 ovr_flowed ovr_yielding_flow(ovr_yielding *y);
 
-/* What it has become: strains, and residual stresses, of a layer's point; how
- * far each point of the surface has moved into the body, b p_h/E*, 0 at the
- * ends of the window. */
+/* The state that it has come to: strains, and residual stresses, of a layer's
+ * point; how far each point of the surface has moved into the body, b p_h/E*, 0
+ * at the ends of the window. */
 ovr_strained ovr_yielding_strain(const ovr_yielding *y, size_t layer, size_t i);
 ovr_stressed ovr_yielding_residual(const ovr_yielding *y, size_t layer,
                                    size_t i);

@@ -62,7 +62,7 @@ ovr_status ovr_feature_place(ovr_feature *feature, const ovr_feature_form *form,
 void ovr_ball_sizes(ovr_feature *f, double rim_diameter, double rim_height);
 double ovr_ball_height(const ovr_feature *f, double s);
 
-/* Whether a shape may have a size, by its name. */
+/* True if a shape may have a size, by its name. */
 bool ovr_shape_has(int shape, const char *size);
 
 /* The size that another is about, and does nothing without; NULL: of none. */
@@ -71,7 +71,7 @@ const char *ovr_size_of_what(const char *size);
 /* Full width where half its depth or height is left; NAN without a width. */
 double ovr_shape_diameter(const ovr_feature *feature);
 
-/* Without end to both sides: it is placed by an origin. */
+/* True if it is without end to both sides: it is placed by an origin. */
 static inline bool ovr_is_endless(const ovr_feature *feature)
 {
     return isinf(feature->reach_ahead);

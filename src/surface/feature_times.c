@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * When a feature, one of its copies or an end of it comes to a place: the
- * inverse of X_k(T) = start + (u_k/um) I(T), I the integral of Cu, and of a
+ * The time when a feature, one of its copies or an end of it comes to a place:
+ * the inverse of X_k(T) = start + (u_k/um) I(T), I the integral of Cu, and of a
  * way that turns where the speed does or where the sliding has a history.
  */
 #include <math.h>
@@ -20,7 +20,7 @@ double ovr_surfaces_centre(const ovr_surfaces *surfaces, size_t feature,
     return f ? ovr_feature_centre(surfaces, f, T) : NAN;
 }
 
-/* Whether what has come may go back. */
+/* True if what has come may go back. */
 static bool wanders(const ovr_surfaces *surfaces)
 {
     return surfaces->sliding || ovr_history_turns(surfaces->speed);

@@ -37,7 +37,7 @@ ovr_surfaces_feature(const ovr_surfaces *surfaces, size_t k)
     return l ? &l->feature : NULL;
 }
 
-/* How far a feature has come between 0 and T, b. */
+/* The way that a feature has come between 0 and T, b. */
 double ovr_feature_moved(const ovr_surfaces *surfaces,
                          const ovr_feature *feature, double T);
 

@@ -6,7 +6,7 @@
 #include "overroll/profile.h"
 #include "surface/profile_table.h"
 
-/* What is done at and beyond the ends. */
+/* The ways to treat the ends and what is beyond them. */
 typedef struct ovr_ends {
     double taper; /* blended over this at each end; NAN: 5 % of the length */
     ovr_extension extend;

@@ -395,7 +395,8 @@ static void take_sizes(ovr_feature *f, const ovr_feature_form *form)
         ovr_ball_sizes(f, form->rim_diameter, form->rim_height);
 }
 
-/* Of an indent with shoulders by bisection, they rise into its flanks. */
+/* Finds it by bisection for an indent with shoulders, for they rise into its
+ * flanks. */
 double ovr_shape_diameter(const ovr_feature *f)
 {
     double low = 0, high = f->ball ? f->shoulder_at : f->width;

@@ -79,10 +79,10 @@ size_t ovr_surfaces_count(const ovr_surfaces *surfaces);
 ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces,
                                    size_t feature);
 
-/* When a feature's first end comes into the film between inlet and outlet,
- * when its centre (of the first of its copies) is at X = 0, and when its last
- * end, that of the last copy, has left: 0 where that is over at T = 0, INFINITY
- * where it never comes to pass up to `until`. */
+/* The times when a feature's first end comes into the film between inlet and
+ * outlet, when its centre (of the first of its copies) is at X = 0, and when
+ * its last end, that of the last copy, has left: 0 where that is over at T = 0,
+ * INFINITY where it never comes to pass up to `until`. */
 typedef struct ovr_feature_times {
     double enters, centre, leaves;
 } ovr_feature_times;

@@ -52,7 +52,8 @@ awk 'FNR == 1 { open = 0 }
         print NR " functions, median " middle[1] " lines; the longest:"
         for (k = NR - 4; k <= NR; k++) print "  " all[k]
     }'
-# Comments that begin as fragments.
+# Comments that begin as fragments; the dozen left are sentences whose verb the
+# script does not know.
 limit=12
 fragments=$(find src include -name '*.[ch]' | sort |
     xargs awk -f tests/source/fragments.awk)

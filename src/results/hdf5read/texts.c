@@ -4,7 +4,7 @@
 
 #include "results/hdf5read/elements.h"
 
-/* Where `count` texts of one dimension lie as they are. */
+/* Reads `count` texts of one dimension that lie as they are. */
 static bool find_texts(ovr_source *source, uint64_t object, uint64_t *at,
                        uint64_t *count)
 {
