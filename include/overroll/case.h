@@ -243,7 +243,7 @@ typedef struct ovr_setup {
 } ovr_setup;
 
 /* A moment of an element of a machine that check and people look at: A to E of
- * a gear, nose, joints and turns of a cam, each roller that carries of a
+ * a gear, nose, joints and reversals of a cam, each roller that carries of a
  * bearing. */
 typedef struct ovr_station {
     char name[24];

@@ -144,14 +144,14 @@ typedef struct ovr_cam ovr_cam;
 
 /* The motion of a cam over its event, or the part of it that was asked for. */
 typedef struct ovr_cam_event {
-    double from, to;    /* angles */
-    double duration;    /* s */
-    double nose;        /* angle of the largest lift */
-    double joints[4];   /* angles at which rise, dwell and fall meet */
-    size_t turns;       /* where the mean speed passes zero, at most 16 */
-    double turn[16];    /* their angles */
-    bool jumps;         /* the law's acceleration jumps at its ends */
-    double least_force; /* N */
+    double from, to;     /* angles */
+    double duration;     /* s */
+    double nose;         /* angle of the largest lift */
+    double joints[4];    /* angles at which rise, dwell and fall meet */
+    size_t reversals;    /* where the mean speed passes zero, at most 16 */
+    double reversal[16]; /* their angles */
+    bool jumps;          /* the law's acceleration jumps at its ends */
+    double least_force;  /* N */
 } ovr_cam_event;
 
 /* -------------------------------------------------------------- bearings */

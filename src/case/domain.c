@@ -5,8 +5,8 @@
 
 #include "contact/contact.h"
 #include "contact/curvature.h"
+#include "contact/reversal.h"
 #include "contact/starvation.h"
-#include "contact/turning.h"
 #include "simulation/internal.h"
 
 /* A run is looked at beforehand at so many moments; among which jumps are
@@ -201,7 +201,7 @@ static moments moments_of(const ovr_setup *s)
     if (s->transient) {
         m.loads = loads_of_passes(s);
         m.last = ovr_setup_varies(s) || s->passes->loads.count ? LOOKS : 0;
-        m.strict = m.last && !ovr_history_turns(s->speed);
+        m.strict = m.last && !ovr_history_reverses(s->speed);
     }
     for (int k = 0; k <= m.last; k++)
         m.width = fmax(m.width, instant_of(&m, k, m.loads.most).s);

@@ -509,8 +509,8 @@ static size_t cam_corners(const ovr_resolved *r, double *corner)
     size_t n = 0;
     for (int k = 0; k < 4; k++)
         corner[n++] = (event->joints[k] - event->from) / speed;
-    for (size_t k = 0; k < event->turns; k++)
-        corner[n++] = (event->turn[k] - event->from) / speed;
+    for (size_t k = 0; k < event->reversals; k++)
+        corner[n++] = (event->reversal[k] - event->from) / speed;
     return n;
 }
 

@@ -6,7 +6,7 @@
 
 #include "case/coats.h"
 #include "case/resolve.h"
-#include "contact/turning.h"
+#include "contact/reversal.h"
 #include "simulation/parts.h"
 
 bool ovr_runs_in(const ovr_resolved *r)

@@ -9,9 +9,9 @@
 #include "case/feed.h"
 #include "case/setup.h"
 #include "contact/contact.h"
+#include "contact/reversal.h"
 #include "contact/scaled_history.h"
 #include "contact/starvation.h"
-#include "contact/turning.h"
 #include "simulation/internal.h"
 #include "simulation/refined.h"
 #include "simulation/simulation.h"
@@ -137,7 +137,7 @@ static ovr_status place_surfaces(ovr_resolved *r, bool usual,
 {
     ovr_setup *s = &r->setup;
     ovr_status status = make_anew(r, allocator, err);
-    if (status || !usual || ovr_history_turns(s->speed) || !is_overrun(r))
+    if (status || !usual || ovr_history_reverses(s->speed) || !is_overrun(r))
         return status;
     double kept = kept_inlet(r);
     r->inlet_kept = s->options->inlet;

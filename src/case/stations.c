@@ -97,9 +97,9 @@ static void cam_stations(listing *l)
     double angle[32] = {event->from, event->to, event->nose};
     const char *name[32] = {"begin", "end", "nose"};
     size_t n = 3;
-    for (size_t k = 0; k < event->turns; k++) {
+    for (size_t k = 0; k < event->reversals; k++) {
         name[n] = "turn";
-        angle[n++] = event->turn[k];
+        angle[n++] = event->reversal[k];
     }
     for (size_t k = 0; k < n; k++)
         if (angle[k] >= event->from && angle[k] <= event->to)

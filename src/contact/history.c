@@ -24,8 +24,8 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/interpolation.h"
+#include "contact/reversal.h"
 #include "contact/scaled_history.h"
-#include "contact/turning.h"
 
 struct ovr_history {
     ovr_history_form form;
@@ -293,7 +293,7 @@ double ovr_history_least(const ovr_history *history)
     return history ? history->scale * history->least : 1;
 }
 
-bool ovr_history_turns(const ovr_history *history)
+bool ovr_history_reverses(const ovr_history *history)
 {
     return ovr_history_least(history) < 0;
 }

@@ -168,7 +168,7 @@ static double mean_speed(const ovr_cam *cam, double angle)
     return m.u1 + m.u2;
 }
 
-static double turn_between(const ovr_cam *cam, double low, double high)
+static double reversal_between(const ovr_cam *cam, double low, double high)
 {
     bool rises = mean_speed(cam, low) < 0;
     for (int k = 0; k < 80; k++) {
@@ -181,13 +181,14 @@ static double turn_between(const ovr_cam *cam, double low, double high)
     return 0.5 * (low + high);
 }
 
-static void find_turns(ovr_cam *cam)
+static void find_reversals(ovr_cam *cam)
 {
     ovr_cam_event *e = &cam->event;
-    size_t room = sizeof e->turn / sizeof *e->turn;
-    for (int k = 0; k < LOOKS && e->turns < room; k++)
+    size_t room = sizeof e->reversal / sizeof *e->reversal;
+    for (int k = 0; k < LOOKS && e->reversals < room; k++)
         if (mean_speed(cam, look(e, k)) * mean_speed(cam, look(e, k + 1)) < 0)
-            e->turn[e->turns++] = turn_between(cam, look(e, k), look(e, k + 1));
+            e->reversal[e->reversals++] = reversal_between(cam, look(e, k),
+                                                           look(e, k + 1));
 }
 
 static ovr_status check_event(ovr_cam *cam, ovr_error *err)
@@ -256,7 +257,7 @@ static ovr_status make_event(ovr_cam *cam, ovr_error *err)
     e->jumps = f->law == OVR_CAM_HARMONIC;
     ovr_status status = check_event(cam, err);
     if (!status)
-        find_turns(cam);
+        find_reversals(cam);
     return status;
 }
 

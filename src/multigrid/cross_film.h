@@ -143,7 +143,7 @@ typedef struct ovr_columns {
     double *even; /* t_0; NULL: not asked for */
     /* what Reynolds' equation gets (fields.h); V/2 m_1/m_0 q.  Where they have
      * a place, they alone are made. */
-    double *th, *shift, *drag, *swell, *turned;
+    double *th, *shift, *drag, *swell, *skewed;
     /* a step dT from T at the departure points with P_T (NULL: 0), between
      * surfaces of which (h - T_bulk)/N is `past` */
     double dT;

@@ -327,7 +327,7 @@ static INLINE void store_fields(const shared *s, bool by_power, const nodes *v,
     store(c->drag + i, psi / v->m[0]);
     vec bT_f = expansion_at(&s->heat, load(c->P + i));
     store(c->swell + i, expansion_lightness(&s->heat, bT_f, v->mean));
-    store(c->turned + i, (0.5 * c->V) * skew * load(c->q + i));
+    store(c->skewed + i, (0.5 * c->V) * skew * load(c->q + i));
 }
 
 /* Stress and gamma. */

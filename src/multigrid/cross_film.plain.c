@@ -75,7 +75,7 @@ static void put_fields(const ovr_columns *c, const ovr_cross_film_flow *flow,
     c->drag[i] = psi / flow->m[0];
     c->swell[i] = expansion_lightness(c->heat, expansion_at(c->heat, c->P[i]),
                                       flow->mean);
-    c->turned[i] = c->V / 2 * skew * c->q[i];
+    c->skewed[i] = c->V / 2 * skew * c->q[i];
 }
 
 void ovr_column_flow(const ovr_columns *c, size_t i)

@@ -342,8 +342,8 @@ static void draw_cam_outline(sketch *s)
                       &y);
         ovr_outline_add(&part, x, y);
     }
-    for (size_t k = 0; k < event->turns; k++) {
-        ovr_cam_place(cam, form, event->turn[k], &x, &y);
+    for (size_t k = 0; k < event->reversals; k++) {
+        ovr_cam_place(cam, form, event->reversal[k], &x, &y);
         ovr_outline_add(&turns, x, y);
     }
     size = fmax(size, draw_follower(s, &follower));
@@ -354,7 +354,7 @@ static void draw_cam_outline(sketch *s)
         (ovr_series){.label = "what runs", .colour = OVR_BLUE, .width = 3});
     add_outline(panel, &follower,
                 (ovr_series){.label = "follower", .colour = OVR_GREEN});
-    if (event->turns)
+    if (event->reversals)
         add_outline(panel, &turns,
                     (ovr_series){.label = "mean speed reverses",
                                  .mark = OVR_MARK_POINTS,
@@ -399,14 +399,14 @@ static void draw_cam(sketch *s)
              form->follower == OVR_FOLLOWER_FLAT ? "flat" : "roller",
              1e3 * form->base_radius);
     name_it(s, text);
-    for (size_t k = 0; k < event->turns; k++)
-        turns[k] = event->turn[k] * degree;
+    for (size_t k = 0; k < event->reversals; k++)
+        turns[k] = event->reversal[k] * degree;
     cam_moments(s, x, y);
     s->to->unit = form->speed * degree;
     s->to->begin = from;
     draw_cam_outline(s);
     const course c = {"angle of the cam (degrees)", from, till, turns,
-                      event->turns};
+                      event->reversals};
     add_course(s, &c,
                (const char *const[]){"surface of the cam", "of the follower"});
     s->to->points = LOOKS + 1;

@@ -5,12 +5,12 @@
  *     U_k = u_k/um int Cu dT;  with [sliding] V:  U_k = int (Cu +- V/2) dT
  *
  * exact for every history, so that material is followed through changes of
- * speed, halts and turns as through steady motion.
+ * speed, halts and reversals as through steady motion.
  */
 #include <math.h>
 
 #include "contact/contact.h"
-#include "contact/turning.h"
+#include "contact/reversal.h"
 #include "run/stress.h"
 #include "surface/surfaces.h"
 
@@ -44,7 +44,7 @@ static int direction_at(const ovr_setup *setup, const ovr_stress_plan *plan,
 
 bool ovr_stress_wanders(const ovr_setup *setup)
 {
-    return setup->sliding || ovr_history_turns(setup->speed);
+    return setup->sliding || ovr_history_reverses(setup->speed);
 }
 
 int ovr_stress_direction(const ovr_setup *setup, const ovr_stress_plan *plan)

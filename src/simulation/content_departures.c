@@ -237,8 +237,8 @@ void ovr_carriage_history(ovr_simulation *sim, double dT, const double c[2])
     own->closes = ovr_arrival_closes(sim);
     for (int k = 0; k < 2; k++) {
         double later = kappa * own->crossing[k] - b2 * own->crossed[k];
-        bool turns = k == 0 && own->closes != own->closed;
-        own->flow[k] = D * (across[k] + (turns ? 0 : later)) / dT;
+        bool reverses = k == 0 && own->closes != own->closed;
+        own->flow[k] = D * (across[k] + (reverses ? 0 : later)) / dT;
     }
     own->arrives = own->flow[0];
     if (sim->arrival.supply && !own->closes)

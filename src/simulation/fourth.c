@@ -15,8 +15,8 @@
  * jumps as the end crosses one: a spike close to it would answer each jump with
  * another.  It is 0 about ridges where a mesh halves the film.  A step that
  * fails is tried again without F.  With temperatures the
- * corrections of the steady film are made anew after each of their turns; turns
- * that do not end so are of second order.
+ * corrections of the steady film are made anew after each of their outer
+ * iterations; those that do not end so are of second order.
  *
  * Where load, speed and radius are constant, the steady start solves the steps'
  * equations too, of any length: F takes in what the steady film q_s lacks,

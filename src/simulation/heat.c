@@ -3,7 +3,7 @@
 #include "base/given.h"
 #include "base/larger.h"
 #include "simulation/heat_in_time.h"
-#include "simulation/heat_turns.h"
+#include "simulation/heat_outer.h"
 #include "simulation/parts.h"
 #include "simulation/physics.h"
 #include "simulation/quantity_row.h"
@@ -31,7 +31,7 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
                               ovr_error *err)
 {
     double **const all[] = {&h->q[0],   &h->q[1], &h->mean,  &h->t,    &h->drag,
-                            &h->turned, &h->th,   &h->shift, &h->swell};
+                            &h->skewed, &h->th,   &h->shift, &h->swell};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (ovr_simulation_take(sim, all[k], err))
             return OVR_NO_MEMORY;
@@ -80,7 +80,7 @@ static ovr_status take_heat(ovr_simulation *sim, const void *form, void **own,
         return OVR_NO_MEMORY;
     *own = sim->heated = h;
     sim->parts |= ovr_part_bit(OVR_PART_HEAT, true);
-    if (ovr_heat_film_take(sim, err) || ovr_heat_turns_take(sim, err) ||
+    if (ovr_heat_film_take(sim, err) || ovr_heat_outer_take(sim, err) ||
         ovr_heat_steps_take(sim, err))
         return OVR_NO_MEMORY;
     if (h->chooses)
@@ -104,7 +104,7 @@ static void reset(ovr_simulation *sim)
         ovr_heat_surface_reset(sim, k);
     for (size_t i = 0; i < sim->now.n; i++) {
         h->th[i] = 1;
-        h->shift[i] = h->turned[i] = 0;
+        h->shift[i] = h->skewed[i] = 0;
         h->drag[i] = h->swell[i] = 1;
         for (int j = 0; j < h->cross_film.n; j++)
             h->T[j][i] = h->used[j][i] = 0;
@@ -240,10 +240,10 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
 }
 
 /* q D at the half node i + 1/2, as F has it or between the nodes. */
-static double turned(const ovr_simulation *sim, const void *own, size_t i,
+static double skewed(const ovr_simulation *sim, const void *own, size_t i,
                      bool mean)
 {
-    const double *v = ((const ovr_heated *)own)->turned;
+    const double *v = ((const ovr_heated *)own)->skewed;
     if (mean)
         return (v[i] + v[i + 1]) / 2;
     if (i == 0 && !sim->backward)
@@ -324,17 +324,18 @@ static void forget(ovr_simulation *sim, void *own)
 }
 
 /* Goes from the film for other temperatures, until neither changes. */
-static void take_turns(ovr_simulation *sim, const ovr_full *how,
-                       ovr_outcome *outcome)
+static void iterate(ovr_simulation *sim, const ovr_full *how,
+                    ovr_outcome *outcome)
 {
-    enum { TURNS = 200, RENEWED = 30 };
+    enum { ITERATIONS = 200, RENEWED = 30 };
     const double enough = 3e-5;
     double change = INFINITY;
-    ovr_heat_turns_begin(sim);
-    for (int k = 0; k < TURNS && !(change < enough); k++) {
+    ovr_heat_outer_begin(sim);
+    for (int k = 0; k < ITERATIONS && !(change < enough); k++) {
         ovr_heat_march(sim);
-        change = ovr_heat_turn(sim);
-        if (k < RENEWED) /* for ever they could go round with the turns */
+        change = ovr_heat_iterate(sim);
+        if (k < RENEWED) /* for ever they could go round with the outer
+                            iterations */
             OVR_EACH_PHYSICS(sim, p, renew)
                 p->is->renew(sim, p->own);
         ovr_heat_apply(sim);
@@ -349,17 +350,17 @@ static void take_turns(ovr_simulation *sim, const ovr_full *how,
                                                change);
 }
 
-static void turns(ovr_simulation *sim, const ovr_full *how,
+static void outer(ovr_simulation *sim, const ovr_full *how,
                   ovr_outcome *outcome)
 {
     bool others = false;
-    take_turns(sim, how, outcome);
+    iterate(sim, how, outcome);
     if (ovr_steady_found(sim, outcome))
         return;
     OVR_EACH_PHYSICS(sim, p, give_up)
         others |= p->is->give_up(sim, p->own);
     if (others)
-        take_turns(sim, how, outcome);
+        iterate(sim, how, outcome);
 }
 
 /* The same temperatures at more points. */
@@ -391,13 +392,13 @@ static double largest_rise(const ovr_simulation *sim)
     return rise;
 }
 
-/* Turns that go round with 5 points may end with 7. */
+/* Outer iterations that go round with 5 points may end with 7. */
 static void couple(ovr_simulation *sim, void *own, const ovr_full *how,
                    ovr_outcome *outcome)
 {
     ovr_heated *h = own;
     double rise;
-    turns(sim, how, outcome);
+    outer(sim, how, outcome);
     if (!h->chooses || h->cross_film.n > CROSS_FILM_MIN ||
         !(outcome->defect.imbalance < 1))
         return;
@@ -405,7 +406,7 @@ static void couple(ovr_simulation *sim, void *own, const ovr_full *how,
     if (!is_uneven(last_cross_film(sim, rise), rise))
         return;
     refine_cross_film(sim);
-    turns(sim, how, outcome);
+    outer(sim, how, outcome);
 }
 
 static void begin(ovr_simulation *sim, void *own)
@@ -525,7 +526,7 @@ const ovr_physics ovr_physics_heat = {.name = "heat",
                                       .anew = anew,
                                       .taken = taken,
                                       .step_back = step_back,
-                                      .flow = turned,
+                                      .flow = skewed,
                                       .oil = thin,
                                       .stress = stress,
                                       .unknown = unknown,

@@ -11,9 +11,10 @@
  *
  * Surfaces that move against each other each come in at an end of their own,
  * and layers that move against x are entered from the other side: marches along
- * x and against it in turn, two of each a turn of film and heat, each with what
- * the other has left of the other surface.  With K the operator from heat to
- * temperature of a surface, which is positive, two marches reduce the error by
+ * x and against it in turn, two of each an outer iteration of film and heat,
+ * each with what the other has left of the other surface.  With K the operator
+ * from heat to temperature of a surface, which is positive, two marches reduce
+ * the error by
  * ((I + K)^-1 K)^2.
  *
  * Where the number of points across is left open they are 5, and 7 from then on
@@ -55,13 +56,13 @@ typedef struct ovr_heated {
     double *q[2];                     /* T_zeta/H into the surfaces */
     double *mean;                     /* T_m of T */
     double *t;                        /* mean stress at the nodes */
-    double *turned, *drag;            /* q V/2 m_1/m_0; psi_c */
+    double *skewed, *drag;            /* q V/2 m_1/m_0; psi_c */
     double *th, *shift, *swell;       /* in the order of the nodes */
     double V, u1;                     /* now */
     /* by find_stress: power that is made, and of its size node by node */
     double made, made_size;
     double balanced; /* power to which the observed defect is relative */
-    struct ovr_heat_turns *turns; /* heat_turns.h */
+    struct ovr_heat_outer *outer; /* heat_outer.h */
     struct ovr_heat_steps *steps; /* heat_in_time.h */
     double Sigma0, limit;         /* as in cross_film.h; limit over P */
     ovr_columns film;

@@ -63,10 +63,10 @@ static void sides(const ovr_simulation *sim, double *F)
 }
 
 /* F of N = F: that, and the wedge of q D. */
-static void put_turned(ovr_simulation *sim)
+static void put_skewed(ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
-    const double *v = h->turned, D = ovr_mesh(sim);
+    const double *v = h->skewed, D = ovr_mesh(sim);
     double *F = sim->scratch[0];
     ovr_operator op = {0};
     ovr_weights w;
@@ -90,17 +90,17 @@ static void put_turned(ovr_simulation *sim)
 void ovr_heat_give(ovr_simulation *sim)
 {
     restrict_all(sim);
-    put_turned(sim);
+    put_skewed(sim);
 }
 
-/* What a cavity holds moves with the surfaces.  The flow that temperatures turn
+/* What a cavity holds moves with the surfaces.  The flow that temperatures skew
  * fades out over the last pressures before it: a node that is wet in one turn
  * and dry in the next then changes nothing. */
-static void fade(const ovr_simulation *sim, double *turned)
+static void fade(const ovr_simulation *sim, double *skewed)
 {
     const double low = 0.005; /* p_h */
     for (size_t i = 0; i < sim->now.n; i++)
-        turned[i] *= ovr_larger(0, ovr_smaller(1, sim->now.P[i] / low));
+        skewed[i] *= ovr_larger(0, ovr_smaller(1, sim->now.P[i] / low));
 }
 
 void ovr_heat_apply(ovr_simulation *sim)
@@ -108,7 +108,7 @@ void ovr_heat_apply(ovr_simulation *sim)
     ovr_heated *h = sim->heated;
     ovr_heat_film_fields(sim);
     if (ovr_conserves(sim))
-        fade(sim, h->turned);
+        fade(sim, h->skewed);
     ovr_heat_give(sim);
 }
 

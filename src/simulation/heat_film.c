@@ -35,7 +35,7 @@ ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err)
 
 /* The flow from a wet node to the dry one downstream of it, over the speed: the
  * wet node's own content would jump by O(D) with the node that is the last, and
- * turns of film and heat go round for ever between two of them. */
+ * outer iterations of film and heat go round for ever between two of them. */
 static double let_through(const ovr_simulation *sim, size_t wet)
 {
     const double least = 0.5, most = 1.5;
@@ -136,7 +136,7 @@ void ovr_heat_film_fields(ovr_simulation *sim)
     c->shift = h->shift;
     c->drag = h->drag;
     c->swell = h->swell;
-    c->turned = h->turned;
+    c->skewed = h->skewed;
     sim->grids.kernels->flow_cross_film(c);
 }
 

@@ -19,7 +19,7 @@ ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err);
 /* Velocities, heating, stress and gamma. */
 void ovr_heat_film(ovr_simulation *sim);
 
-/* th, shift, drag and turned for the film. */
+/* th, shift, drag and skewed for the film. */
 void ovr_heat_film_fields(ovr_simulation *sim);
 
 /* The power made, over Theta, and the same of its size node by node; what the

@@ -60,7 +60,7 @@ ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
 /* The memory that is `kept`, by number. */
 static double *kept_of(const ovr_heated *h, int k)
 {
-    double *const fields[] = {h->th, h->shift, h->drag, h->turned, h->swell};
+    double *const fields[] = {h->th, h->shift, h->drag, h->skewed, h->swell};
     return k < h->cross_film.n ? h->used[k] : fields[k - h->cross_film.n];
 }
 

@@ -69,7 +69,7 @@
 #include "simulation/heat.h"
 #include "simulation/heat_surfaces.h"
 
-/* The temperatures used, th, shift, drag, turned, swell. */
+/* The temperatures used, th, shift, drag, skewed, swell. */
 enum { OVR_HEAT_KEPT = OVR_CROSS_FILM_MAX + 5 };
 
 typedef struct ovr_heat_steps {

@@ -20,7 +20,7 @@
 #include <math.h>
 
 #include "contact/contact.h"
-#include "contact/turning.h"
+#include "contact/reversal.h"
 #include "multigrid/flow.h"
 #include "simulation/physics.h"
 
@@ -126,8 +126,8 @@ static double own_flow(const ovr_simulation *sim, double Cu, stretch s)
 double ovr_mass_balance(const ovr_simulation *sim)
 {
     const ovr_past *past = &sim->past;
-    bool turns = ovr_history_turns(sim->speed);
-    stretch s = (turns ? about_middle : from_inlet)(past, sim->now.n);
+    bool reverses = ovr_history_reverses(sim->speed);
+    stretch s = (reverses ? about_middle : from_inlet)(past, sim->now.n);
     double dT = past->dT, in[2], out[2], stored, scale;
     if (!(dT > 0) || s.last < s.first + 2)
         return 0;
@@ -141,7 +141,7 @@ double ovr_mass_balance(const ovr_simulation *sim)
         past->q[0] + s.first + 1, past->q[1] + s.first + 1);
     double net = 0.5 * (in[0] - out[0] + in[1] - out[1]);
     scale = own_flow(sim, ovr_history_value(sim->speed, past->T[0]), s);
-    if (turns)
+    if (reverses)
         scale = fmax(scale, sim->observation.H_cen);
     double error = net - stored / dT;
     return scale > 0 ? error / scale : error;

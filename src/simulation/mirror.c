@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "contact/contact.h"
-#include "contact/turning.h"
+#include "contact/reversal.h"
 #include "simulation/parts.h"
 #include "simulation/physics.h"
 
@@ -75,7 +75,7 @@ static ovr_status check(const ovr_simulation *sim, const void *own,
 {
     const double X_a = sim->options.inlet, X_b = sim->options.outlet;
     (void)own;
-    if (!ovr_history_turns(sim->speed))
+    if (!ovr_history_reverses(sim->speed))
         return OVR_OK;
     if (ovr_parts_check(ovr_parts_of(&sim->options) | sim->parts |
                             ovr_part_bit(OVR_PART_REVERSAL, true),

@@ -39,7 +39,7 @@
     PART(SPEED, "a history of speed", "speed", "history", false, false,        \
          s->speed != NULL)                                                     \
     PART(REVERSAL, "a speed that reverses", "speed", "history", false, false,  \
-         ovr_history_turns(s->speed))                                          \
+         ovr_history_reverses(s->speed))                                       \
     PART(SLIDING, "a history of sliding", "sliding", "history", false, false,  \
          s->sliding != NULL)                                                   \
     PART(RADIUS, "a history of the radius", "radius", "history", false, false, \

@@ -7,7 +7,7 @@
 #include <math.h>
 
 #include "contact/contact.h"
-#include "contact/turning.h"
+#include "contact/reversal.h"
 #include "surface/features.h"
 #include "surface/surfaces.h"
 
@@ -23,7 +23,7 @@ double ovr_surfaces_centre(const ovr_surfaces *surfaces, size_t feature,
 /* True if what has come may go back. */
 static bool wanders(const ovr_surfaces *surfaces)
 {
-    return surfaces->sliding || ovr_history_turns(surfaces->speed);
+    return surfaces->sliding || ovr_history_reverses(surfaces->speed);
 }
 
 /* The first T in [after, until] at which a feature has come as far as `far`,
@@ -143,7 +143,7 @@ double ovr_surfaces_arrival(const ovr_surfaces *surfaces, size_t feature,
     bool both;
     if (!f || f->ratio == 0)
         return INFINITY;
-    if (ovr_history_turns(surfaces->speed))
+    if (ovr_history_reverses(surfaces->speed))
         return wandering_arrival(surfaces, f, X, after, until);
     way = (X - f->start) / f->ratio;
     both = ovr_is_endless(f) && f->wavelength > 0;

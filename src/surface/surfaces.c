@@ -17,7 +17,7 @@
 
 #include "base/error.h"
 #include "contact/contact.h"
-#include "contact/turning.h"
+#include "contact/reversal.h"
 #include "surface/features.h"
 #include "surface/measured.h"
 #include "surface/surfaces.h"

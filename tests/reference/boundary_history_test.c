@@ -187,7 +187,7 @@ static void a_stop_squeezes_the_film_out(void **state)
 
 /* Started from rest, or turned, the film becomes the steady one, after a turn
  * its mirror image. */
-static void after_a_turn_it_is_the_steady_film(void **state)
+static void after_a_reversal_it_is_the_steady_film(void **state)
 {
     (void)state;
     ovr_run *run = gone(begin(ground));
@@ -298,7 +298,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(at_rest_metal_bears_all),
         cmocka_unit_test(a_stop_squeezes_the_film_out),
-        cmocka_unit_test(after_a_turn_it_is_the_steady_film),
+        cmocka_unit_test(after_a_reversal_it_is_the_steady_film),
         cmocka_unit_test(cams_and_gears_go_through),
         cmocka_unit_test(what_breaks_off_says_what_holds)};
     return cmocka_run_group_tests(tests, NULL, NULL);

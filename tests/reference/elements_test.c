@@ -391,9 +391,9 @@ static void cams_are_those_of_another_program(void **state)
         ovr_cam_form form = given_cam(truth);
         ovr_cam *made = cam(&form);
         const ovr_cam_event *event = ovr_cam_of(made);
-        assert_int_equal(event->turns, truth->turns);
+        assert_int_equal(event->reversals, truth->turns);
         for (int i = 0; i < truth->turns; i++)
-            CHECK_NEAR(event->turn[i], truth->turn[i], 1e-9);
+            CHECK_NEAR(event->reversal[i], truth->turn[i], 1e-9);
         for (int i = 0; i < MOMENTS; i++)
             check_cam_point(made, truth, truth->points[i]);
         ovr_cam_free(made);

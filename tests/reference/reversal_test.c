@@ -65,8 +65,8 @@ static void mirror_runs_agree(void **state)
 }
 
 /* H_min at the instant, where the wedge is zero: errors that fall by four. */
-static double at_the_turn(int level, double steps_of_mesh, ovr_scheme scheme,
-                          int order)
+static double at_the_reversal(int level, double steps_of_mesh,
+                              ovr_scheme scheme, int order)
 {
     const double turn = 8. / 7;
     const test_reversal r = {.M = 20,
@@ -94,28 +94,28 @@ static void second_order(const double H[4], const char *of)
         assert_true(ratio[k] > 3.2 && ratio[k] < 5);
 }
 
-static void film_at_the_turn_is_second_order(void **state)
+static void film_at_the_reversal_is_second_order(void **state)
 {
     double H[4];
     (void)state;
     for (int k = 0; k < 4; k++)
-        H[k] = at_the_turn(7, 8 >> k, OVR_UPSTREAM2, 2);
+        H[k] = at_the_reversal(7, 8 >> k, OVR_UPSTREAM2, 2);
     second_order(H, "dT");
     for (int k = 0; k < 4; k++)
-        H[k] = at_the_turn(6 + k, 1, OVR_UPSTREAM2, 2);
+        H[k] = at_the_reversal(6 + k, 1, OVR_UPSTREAM2, 2);
     second_order(H, "dT = D");
 }
 
 /* Off the limit of second order along the characteristic, Richardson's of
  * levels 8 and 9: at level 7 corrections of fourth order leave a quarter of
  * what it lacks itself, or less. */
-static void corrections_hold_through_the_turn(void **state)
+static void corrections_hold_through_the_reversal(void **state)
 {
     double at[3], corrected;
     (void)state;
     for (int k = 0; k < 3; k++)
-        at[k] = at_the_turn(7 + k, 1, OVR_CHARACTERISTIC, 2);
-    corrected = at_the_turn(7, 1, OVR_CHARACTERISTIC, 4);
+        at[k] = at_the_reversal(7 + k, 1, OVR_CHARACTERISTIC, 2);
+    corrected = at_the_reversal(7, 1, OVR_CHARACTERISTIC, 4);
     double limit = at[2] + (at[2] - at[1]) / 3;
     print_message("    H_min at the turn off by %.1e, of fourth order %.1e\n",
                   at[0] / limit - 1, corrected / limit - 1);
@@ -127,7 +127,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(agrees_with_dense_newton),
         cmocka_unit_test(mirror_runs_agree),
-        cmocka_unit_test(film_at_the_turn_is_second_order),
-        cmocka_unit_test(corrections_hold_through_the_turn)};
+        cmocka_unit_test(film_at_the_reversal_is_second_order),
+        cmocka_unit_test(corrections_hold_through_the_reversal)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -42,7 +42,7 @@ static void put_places(films *f)
 {
     ovr_columns *c = &f->c;
     double **const all[] = {&c->t,       &c->fall,    &c->th,    &c->shift,
-                            &c->drag,    &c->turned,  &c->swell, &c->mean,
+                            &c->drag,    &c->skewed,  &c->swell, &c->mean,
                             &c->into[0], &c->into[1], &c->even};
     f->count = 0;
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
@@ -335,7 +335,7 @@ static void swapped_films_mirror(void **state)
         for (size_t i = 1; i < 57; i++) {
             double t = fabs(f.c.t[i]);
             CHECK_NEAR(g.c.t[i], -f.c.t[i], 1e-9 * (1 + t));
-            CHECK_NEAR(g.c.turned[i], f.c.turned[i], 1e-9);
+            CHECK_NEAR(g.c.skewed[i], f.c.skewed[i], 1e-9);
             CHECK_NEAR(g.c.into[1][i], f.c.into[0][i],
                        1e-7 * (1 + fabs(f.c.into[0][i])));
             for (int j = 0; j <= last; j++)

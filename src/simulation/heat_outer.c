@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Temperatures and film in turn (equations in heat_turns.h). */
-#include "simulation/heat_turns.h"
+/* Temperatures and film in turn (equations in heat_outer.h). */
+#include "simulation/heat_outer.h"
 
 #include <math.h>
 
 #include "base/larger.h"
 #include "simulation/heat.h"
 
-ovr_status ovr_heat_turns_take(ovr_simulation *sim, ovr_error *err)
+ovr_status ovr_heat_outer_take(ovr_simulation *sim, ovr_error *err)
 {
     ovr_heated *h = sim->heated;
-    ovr_heat_turns *t = ovr_arena_take(&sim->arena, 1, sizeof *t, err);
+    ovr_heat_outer *t = ovr_arena_take(&sim->arena, 1, sizeof *t, err);
     size_t n = sim->now.n;
     if (!t)
         return OVR_NO_MEMORY;
-    h->turns = t;
-    for (int k = 0; k < OVR_TURNS_KEPT; k++)
+    h->outer = t;
+    for (int k = 0; k < OVR_OUTER_KEPT; k++)
         for (int j = 0; j < h->cross_film.n; j++) {
             t->u[k][j] = ovr_arena_take(&sim->arena, n, sizeof(double), err);
             t->r[k][j] = ovr_arena_take(&sim->arena, n, sizeof(double), err);
@@ -25,9 +25,9 @@ ovr_status ovr_heat_turns_take(ovr_simulation *sim, ovr_error *err)
     return OVR_OK;
 }
 
-void ovr_heat_turns_begin(ovr_simulation *sim)
+void ovr_heat_outer_begin(ovr_simulation *sim)
 {
-    ovr_heat_turns *t = sim->heated->turns;
+    ovr_heat_outer *t = sim->heated->outer;
     t->kept = 0;
     t->w = fabs(sim->heated->V) < 1 ? 0.6 : 0.35;
     t->change = INFINITY;
@@ -37,14 +37,14 @@ void ovr_heat_turns_begin(ovr_simulation *sim)
 
 /* Normal equations of the g; A is symmetric. */
 typedef struct least {
-    double A[OVR_TURNS_KEPT][OVR_TURNS_KEPT], b[OVR_TURNS_KEPT];
+    double A[OVR_OUTER_KEPT][OVR_OUTER_KEPT], b[OVR_OUTER_KEPT];
 } least;
 
 static void add_node(const ovr_heated *h, size_t i, least *l)
 {
-    const ovr_heat_turns *t = h->turns;
+    const ovr_heat_outer *t = h->outer;
     for (int j = 0; j < h->cross_film.n; j++) {
-        double r = h->T[j][i] - h->used[j][i], d[OVR_TURNS_KEPT] = {0};
+        double r = h->T[j][i] - h->used[j][i], d[OVR_OUTER_KEPT] = {0};
         for (int k = 0; k < t->kept; k++) {
             d[k] = r - t->r[k][j][i];
             l->b[k] += d[k] * r;
@@ -54,8 +54,8 @@ static void add_node(const ovr_heated *h, size_t i, least *l)
     }
 }
 
-/* Solves by Cholesky's method; what is nearly dependent on turns after it is
- * left out. */
+/* Solves by Cholesky's method; what is nearly dependent on iterations after it
+ * is left out. */
 static void solve(int n, least *l, double *g)
 {
     const double least_part = 1e-10;
@@ -80,10 +80,10 @@ static void solve(int n, least *l, double *g)
     }
 }
 
-/* Room for this turn before the others; that of the last is used again. */
-static void keep(ovr_heat_turns *t, int points)
+/* Room for this iteration before the others; that of the last is used again. */
+static void keep(ovr_heat_outer *t, int points)
 {
-    const int last = OVR_TURNS_KEPT - 1;
+    const int last = OVR_OUTER_KEPT - 1;
     for (int j = 0; j < points; j++) {
         double *u = t->u[last][j], *r = t->r[last][j];
         for (int k = last; k > 0; k--) {
@@ -93,15 +93,15 @@ static void keep(ovr_heat_turns *t, int points)
         t->u[0][j] = u;
         t->r[0][j] = r;
     }
-    if (t->kept < OVR_TURNS_KEPT)
+    if (t->kept < OVR_OUTER_KEPT)
         t->kept++;
 }
 
-/* Keeps this turn and makes the next u of it and of those before. */
+/* Keeps this iteration and makes the next u of it and of those before. */
 static void move(ovr_heated *h, size_t n, const double *g)
 {
     const double most = 0.5, few = 10;
-    ovr_heat_turns *t = h->turns;
+    ovr_heat_outer *t = h->outer;
     int before = t->kept;
     keep(t, h->cross_film.n);
     for (int j = 0; j < h->cross_film.n; j++)
@@ -109,7 +109,7 @@ static void move(ovr_heated *h, size_t n, const double *g)
             double u = h->used[j][i], r = h->T[j][i] - u, step = t->w * r;
             double limit = most * fabs(u) + few;
             for (int k = 0; k < before; k++) {
-                int at = (k + 1) % OVR_TURNS_KEPT; /* where it is now */
+                int at = (k + 1) % OVR_OUTER_KEPT; /* where it is now */
                 step += g[k] *
                         (t->u[at][j][i] - u + t->w * (t->r[at][j][i] - r));
             }
@@ -119,7 +119,7 @@ static void move(ovr_heated *h, size_t n, const double *g)
         }
 }
 
-/* ---------------------------------------------------------------- a turn */
+/* ---------------------------------------------------- an outer iteration */
 
 static double largest_rest(const ovr_heated *h, size_t n)
 {
@@ -132,12 +132,12 @@ static double largest_rest(const ovr_heated *h, size_t n)
     return rest / rise;
 }
 
-double ovr_heat_turn(ovr_simulation *sim)
+double ovr_heat_iterate(ovr_simulation *sim)
 {
     const double small = 0.1, grows = 2, lower = 0.7, least_w = 0.1;
     ovr_heated *h = sim->heated;
-    ovr_heat_turns *t = h->turns;
-    double change = largest_rest(h, sim->now.n), g[OVR_TURNS_KEPT] = {0};
+    ovr_heat_outer *t = h->outer;
+    double change = largest_rest(h, sim->now.n), g[OVR_OUTER_KEPT] = {0};
     least l = {0};
     if (!t->kept && change > t->change && t->w > least_w)
         t->w *= lower;

@@ -4,14 +4,14 @@
 #include <math.h>
 
 #include "case/resolve.h"
-#include "contact/turning.h"
+#include "contact/reversal.h"
 
 ovr_status ovr_symmetric_domain(ovr_resolved *r, bool inlet, bool outlet,
                                 ovr_error *err)
 {
     ovr_options *o = r->setup.options;
     double far = inlet ? -o->inlet : fmax(-o->inlet, o->outlet);
-    if (!ovr_history_turns(r->setup.speed))
+    if (!ovr_history_reverses(r->setup.speed))
         return OVR_OK;
     if (outlet && o->outlet != -o->inlet)
         return ovr_fail_slot(err, ovr_slot_of(r, "domain", "outlet"),
