@@ -218,7 +218,8 @@ static inline ivec in_set(const unsigned char *set, ptrdiff_t J)
 #undef LANES
     return masks[set[J]];
 #else
-    return (ivec){-(set[J] & 1), -(set[J] >> 1)};
+    static const ivec masks[4] = {{0, 0}, {-1, 0}, {0, -1}, {-1, -1}};
+    return masks[set[J]];
 #endif
 }
 
@@ -228,6 +229,8 @@ static inline void put_set(unsigned char *set, ptrdiff_t J, ivec mask)
     set[J] = _mm512_movepi64_mask((__m512i)mask);
 #elif VEC == 4
     set[J] = (unsigned char)_mm256_movemask_pd((__m256d)mask);
+#elif defined __SSE2__
+    set[J] = (unsigned char)_mm_movemask_pd((__m128d)mask);
 #else
     set[J] = (unsigned char)((mask[0] & 1) | (mask[1] & 2));
 #endif
